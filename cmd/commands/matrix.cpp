@@ -1,0 +1,134 @@
+// viewproj matrix: a camera's matrices.
+#include <algorithm>
+#include <cmath>
+
+#include "commands/command.hpp"
+#include "commands/options.hpp"
+#include "input/error.hpp"
+#include "input/names.hpp"
+#include "output/matrix_text.hpp"
+#include "output/output_file.hpp"
+#include "viewproj/view/matrices.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+enum class Which { view, projection, viewProjection, viewport };
+
+struct WhichRow {
+  std::string_view name;
+  Which which;
+  bool pose, projection, viewport;  ///< what it needs of the camera
+};
+
+constexpr WhichRow kWhich[] = {
+    {"view", Which::view, true, false, false},
+    {"projection", Which::projection, false, true, false},
+    {"viewProjection", Which::viewProjection, true, true, false},
+    {"viewport", Which::viewport, false, false, true},
+};
+
+struct Wanted {
+  bool inverse = false, bakeViewport = false, relativeToEye = false;
+};
+
+/// What the camera lacks for a matrix, or an empty string.
+std::string lacking(const WhichRow& row, const CameraFile& file, bool bakeViewport) {
+  const bool needsViewport = row.viewport || (bakeViewport && row.projection);
+  if (row.pose && !file.pose) return "a pose";
+  if (row.projection && !file.projection) return "a projection";
+  if (needsViewport && !file.viewport) return "a viewport; --viewport WIDTHxHEIGHT gives one";
+  return "";
+}
+
+Mat4 matrixOf(Which which, bool inverse, const CameraFile& file, const Wanted& wanted, const Convention& c) {
+  const auto pose = [&] { return wanted.relativeToEye ? relativeToEye(*file.pose) : *file.pose; };
+  switch (which) {
+    case Which::view: return inverse ? worldFromView(pose(), c) : viewFromWorld(pose(), c);
+    case Which::projection:
+      if (wanted.bakeViewport)
+        return inverse ? viewFromScreen(*file.projection, *file.viewport, c)
+                       : screenFromView(*file.projection, *file.viewport, c);
+      return inverse ? viewFromClip(*file.projection, c) : clipFromView(*file.projection, c);
+    case Which::viewProjection:
+      if (wanted.bakeViewport)
+        return inverse ? worldFromScreen(pose(), *file.projection, *file.viewport, c)
+                       : screenFromWorld(pose(), *file.projection, *file.viewport, c);
+      return inverse ? worldFromClip(pose(), *file.projection, c) : clipFromWorld(pose(), *file.projection, c);
+    case Which::viewport: return inverse ? ndcFromScreen(*file.viewport, c) : screenFromNdc(*file.viewport, c);
+  }
+  return {};
+}
+
+std::vector<WhichRow> chooseMatrices(const std::string& list, const CameraFile& file, bool bakeViewport) {
+  std::vector<WhichRow> chosen;
+  if (list.empty()) {
+    // A baked viewport is in the projection already.
+    for (const WhichRow& row : kWhich)
+      if (lacking(row, file, bakeViewport).empty() && !(bakeViewport && row.which == Which::viewport))
+        chosen.push_back(row);
+    if (chosen.empty()) throw InputError(file.name + ": the camera has neither a pose, a projection nor a viewport");
+    return chosen;
+  }
+  for (const std::string& name : splitList(list)) {
+    std::vector<std::string_view> known;
+    const std::size_t before = chosen.size();
+    for (const WhichRow& row : kWhich) {
+      known.push_back(row.name);
+      if (row.name == name) chosen.push_back(row);
+    }
+    if (chosen.size() == before) failUnknown("--which", name, known);
+    if (const std::string part = lacking(chosen.back(), file, bakeViewport); !part.empty())
+      throw InputError(file.name + ": " + name + " needs " + part);
+  }
+  return chosen;
+}
+
+void requireRepresentable(const NamedMatrix& named, const MatrixSet& set, const CameraFile& file) {
+  for (const auto& row : named.matrix.m)
+    for (double entry : row)
+      if (!std::isfinite(set.asFloat ? static_cast<float>(entry) : entry))
+        throw InputError(file.name + ": " + named.name + " has an entry too large for " +
+                         (set.asFloat ? "float32" : "a double"));
+}
+
+}  // namespace
+
+int runMatrix(int argc, char** argv) {
+  CLI::App app(
+      "A camera's matrices, in any convention.\n"
+      "Example: viewproj matrix camera.json --convention d3d --which projection --to text",
+      "viewproj matrix");
+  CameraOptions camera;
+  Wanted wanted;
+  std::string file = "-", which, format = "json";
+  MatrixSet set;
+  camera.add(app);
+  camera.addWriting(app);
+  app.add_option("FILE", file, "Camera file, where -c was not given; absent or - for standard input");
+  app.add_option("--which", which, "Matrices: view,projection,viewProjection,viewport (default: all there are)")
+      ->type_name("NAMES");
+  app.add_flag("--inverse", wanted.inverse, "Give each one's inverse too");
+  app.add_flag("--bake-viewport", wanted.bakeViewport, "Fold the viewport into the projection");
+  app.add_flag("--relative-to-eye", wanted.relativeToEye, "Leave the translation out of the view and give the eye");
+  app.add_flag("--float", set.asFloat, "Round to float32");
+  app.add_option("--to", format, "Format: json (default), text, flat")->type_name("FORM");
+  parse(app, argc, argv);
+
+  const auto formats = matrixFormats();
+  if (std::find(formats.begin(), formats.end(), format) == formats.end()) failUnknown("--to", format, formats);
+  const CameraFile read = camera.read(file);
+  set.convention = camera.writing(read);
+  for (const WhichRow& row : chooseMatrices(which, read, wanted.bakeViewport)) {
+    set.matrices.push_back({std::string(row.name), matrixOf(row.which, false, read, wanted, set.convention)});
+    if (wanted.inverse)
+      set.matrices.push_back(
+          {std::string(row.name) + "Inverse", matrixOf(row.which, true, read, wanted, set.convention)});
+  }
+  for (const NamedMatrix& named : set.matrices) requireRepresentable(named, set, read);
+  if (wanted.relativeToEye && read.pose) set.eye = rounded(read.pose->eye);
+  writeOutput(writeMatrices(set, format));
+  return 0;
+}
+
+}  // namespace viewproj::cmd

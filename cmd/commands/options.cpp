@@ -1,0 +1,152 @@
+#include "commands/options.hpp"
+
+#include "input/convention_names.hpp"
+#include "input/error.hpp"
+#include "input/names.hpp"
+#include "output/output_file.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+/// The value of a name of a table, or a UsageError.
+template <class Table>
+auto choose(const std::string& option, const std::string& name, const Table& table) {
+  std::vector<std::string_view> known;
+  for (const auto& [row, value] : table) {
+    if (row == name) return value;
+    known.push_back(row);
+  }
+  failUnknown(option, name, known);
+}
+
+}  // namespace
+
+void failUnknown(const std::string& option, std::string_view name, std::span<const std::string_view> known) {
+  throw UsageError(option + ": '" + std::string(name) + "' is not known" + suggestion(name, known));
+}
+
+CLI::Option* addRepeatable(CLI::App& app, const std::string& name, std::vector<std::string>& values,
+                           const std::string& description) {
+  return app.add_option(name, values, description)
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+std::vector<std::string> splitList(const std::string& text) {
+  std::vector<std::string> parts;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', at), text.size());
+    parts.push_back(text.substr(at, comma - at));
+    at = comma + 1;
+  }
+  return parts;
+}
+
+void CameraOptions::add(CLI::App& app) {
+  app.add_option("-c,--camera", camera_, "Camera file, or the JSON itself")->type_name("FILE");
+  app.add_option("--viewport", viewport_, "Viewport size, in place of the file's")->type_name("WxH");
+  addRepeatable(app, "--set", set_, "Set a field of the camera, as in projection.fovY=75")->type_name("FIELD=VALUE");
+  app.add_option("--read-as", readAs_, "Read the camera in this convention, in place of the file's")
+      ->type_name("NAME");
+  app.add_flag("--allow-stretch", allowStretch_, "Let the camera's shape differ from the viewport's");
+}
+
+void CameraOptions::addWriting(CLI::App& app) {
+  app.add_option("--convention", convention_, "Write in this convention: opengl, d3d, vulkan, ...")->type_name("NAME");
+  app.add_flag("--reverse-z,!--no-reverse-z", reverseZ_, "Write with near and far exchanged in depth");
+  app.add_option("--ndc-z", ndcZ_, "Write this range of NDC z: -1..1 or 0..1")->type_name("RANGE");
+  reverseZGiven_ = app.get_option("--reverse-z");
+}
+
+CameraFile CameraOptions::read(const std::string& source) const {
+  const std::string& from = camera_.empty() ? source : camera_;
+  if (from.empty()) throw UsageError("-c FILE is needed: the camera");
+  Document document(from, camera_.empty() ? "FILE" : "--camera");
+  if (!viewport_.empty()) {
+    const std::size_t x = viewport_.find_first_of("xX");
+    const auto isNumber = [](const std::string& text) {
+      return !text.empty() && text.find_first_not_of("0123456789.") == std::string::npos;
+    };
+    if (x == std::string::npos || !isNumber(viewport_.substr(0, x)) || !isNumber(viewport_.substr(x + 1)))
+      throw UsageError("--viewport " + viewport_ + ": expected WIDTHxHEIGHT, as in 1920x1080");
+    document.set("viewport.width=" + viewport_.substr(0, x));
+    document.set("viewport.height=" + viewport_.substr(x + 1));
+  }
+  for (const std::string& assignment : set_) document.set(assignment);
+  if (!readAs_.empty() && !conventionPreset(readAs_)) failUnknown("--read-as", readAs_, presetNames());
+  return readCamera(document, {readAs_, allowStretch_});
+}
+
+Convention CameraOptions::writing(const CameraFile& file) const {
+  Convention c = file.convention;
+  if (!convention_.empty()) {
+    const auto preset = conventionPreset(convention_);
+    if (!preset) failUnknown("--convention", convention_, presetNames());
+    c = *preset;
+    c.world = file.convention.world;
+  }
+  if (reverseZGiven_ && reverseZGiven_->count() > 0) c.reverseZ = reverseZ_;
+  if (!ndcZ_.empty()) c.ndcZ = choose("--ndc-z", ndcZ_, kNdcZNames);
+  return c;
+}
+
+void StreamOptions::add(CLI::App& app, const std::string& what) {
+  app.add_option("FILE", file_, "The " + what + "; absent or - for standard input");
+  app.add_option("--from", from_, "Form of the input: json, csv, text")->type_name("FORM");
+  app.add_option("--to", to_, "Form of the output: ndjson, json, csv, text")->type_name("FORM");
+  app.add_option("--columns", columns_, "CSV columns that hold the coordinates, as in E,N,U")->type_name("NAMES");
+  app.add_option("--prefix", prefix_, "Put this in front of the results' names")->type_name("P");
+  app.add_flag("--keep-going", keepGoing_, "Put an error record in a bad record's place and go on");
+}
+
+FilterSetup StreamOptions::setup() const {
+  static constexpr NameRow<Form> kFrom[] = {{"json", Form::json}, {"csv", Form::csv}, {"text", Form::text}};
+  static constexpr NameRow<OutputForm> kTo[] = {{"ndjson", OutputForm::lines},
+                                                {"json", OutputForm::array},
+                                                {"csv", OutputForm::csv},
+                                                {"text", OutputForm::text}};
+  FilterSetup setup;
+  setup.file = file_;
+  if (!from_.empty()) setup.from = choose("--from", from_, kFrom);
+  if (!to_.empty()) setup.to = choose("--to", to_, kTo);
+  setup.keepGoing = setup.writer.keepGoing = keepGoing_;
+  setup.writer.prefix = prefix_;
+  return setup;
+}
+
+std::vector<std::string> StreamOptions::columns() const {
+  return columns_.empty() ? std::vector<std::string>{} : splitList(columns_);
+}
+
+void PrecisionOption::add(CLI::App& app) {
+  app.add_option("--precision", name_, "Arithmetic: exact (double-double, the default) or standard (double)")
+      ->type_name("MODE");
+}
+
+Precision PrecisionOption::value() const {
+  static constexpr NameRow<Precision> kModes[] = {{"exact", Precision::exact}, {"standard", Precision::standard}};
+  return choose("--precision", name_, kModes);
+}
+
+void parse(CLI::App& app, int argc, char** argv) {
+  app.get_formatter()->column_width(34);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    writeOutput(app.help());
+    throw HelpGiven{};
+  } catch (const CLI::ExtrasError&) {
+    const std::string extra = app.remaining().front();
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options())
+      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    throw UsageError("'" + extra + "' was not expected" +
+                     (extra.starts_with('-') ? suggestion(extra.substr(0, extra.find('=')), known) : ""));
+  } catch (const CLI::ParseError& e) {
+    throw UsageError(e.what());
+  }
+}
+
+}  // namespace viewproj::cmd

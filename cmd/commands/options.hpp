@@ -1,0 +1,74 @@
+// Options that several commands share.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "input/camera_file.hpp"
+#include "stream/filter.hpp"
+#include "viewproj/camera/camera.hpp"
+
+namespace viewproj::cmd {
+
+/// An option that may be given several times, one value each, and never takes the argument behind that value.
+CLI::Option* addRepeatable(CLI::App& app, const std::string& name, std::vector<std::string>& values,
+                           const std::string& description);
+
+/// The camera, how it is read, and the convention it is written in.
+class CameraOptions {
+ public:
+  void add(CLI::App& app);
+  void addWriting(CLI::App& app);
+
+  /// source: instead of -c, where it was not given.
+  CameraFile read(const std::string& source = "") const;
+  bool given() const { return !camera_.empty(); }
+
+  /// The convention to write in: the file's world, and the axes that options name.
+  Convention writing(const CameraFile& file) const;
+
+ private:
+  std::string camera_, viewport_, readAs_, convention_, ndcZ_;
+  std::vector<std::string> set_;
+  bool allowStretch_ = false, reverseZ_ = false;
+  const CLI::Option* reverseZGiven_ = nullptr;
+};
+
+/// The stream of records that `project` and `ray` work on.
+class StreamOptions {
+ public:
+  /// what: "points" or "pixels".
+  void add(CLI::App& app, const std::string& what);
+
+  /// Throws UsageError for a value that is none.
+  FilterSetup setup() const;
+
+  std::vector<std::string> columns() const;
+
+ private:
+  std::string file_ = "-", from_, to_, prefix_, columns_;
+  bool keepGoing_ = false;
+};
+
+class PrecisionOption {
+ public:
+  void add(CLI::App& app);
+  Precision value() const;
+
+ private:
+  std::string name_ = "exact";
+};
+
+/// "a,b,c" to its parts.
+std::vector<std::string> splitList(const std::string& text);
+
+/// Throws UsageError for a name that is not known, with the nearest that is.
+[[noreturn]] void failUnknown(const std::string& option, std::string_view name,
+                              std::span<const std::string_view> known);
+
+/// Parses the arguments of a command. Throws UsageError, or HelpGiven after writing the help.
+void parse(CLI::App& app, int argc, char** argv);
+
+}  // namespace viewproj::cmd

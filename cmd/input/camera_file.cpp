@@ -1,0 +1,343 @@
+// To add a way to describe a camera: a function here that reads its fields and ends in a Projection (or a Pose), and a row
+// in kProjectionTypes (or a branch in readPose).
+#include "input/camera_file.hpp"
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "input/convention_names.hpp"
+#include "input/error.hpp"
+#include "input/names.hpp"
+#include "output/number.hpp"
+#include "viewproj/camera/error.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+/// A camera shape this much off the viewport's is an error.
+constexpr double kAspectTolerance = 1e-3;
+
+struct ReadProjection {
+  Projection projection;
+  bool hasOwnShape = false;      ///< width : height follows from the file's projection, not from the viewport
+  bool hasOwnPixelShape = false;  ///< the file says itself how wide a pixel is
+};
+
+struct Context {
+  ObjectReader& fields;
+  const std::optional<Viewport>& viewport;
+};
+
+double readFar(ObjectReader& fields) { return fields.number("far").value_or(kInfiniteFar); }
+
+DoubleDouble viewportAspect(const Viewport& v) { return DoubleDouble(v.width) / DoubleDouble(v.height); }
+
+const Viewport& requireViewport(const Context& in, const char* why) {
+  if (!in.viewport) in.fields.fail(std::string("needs a viewport ") + why + "; --viewport WIDTHxHEIGHT gives one");
+  return *in.viewport;
+}
+
+ReadProjection readPerspective(Context in) {
+  ObjectReader& f = in.fields;
+  static constexpr std::string_view kWays[] = {"fovY", "fovX", "fovDiagonal", "nearWidth", "focalLength"};
+  std::string given;
+  int ways = 0;
+  for (std::string_view way : kWays)
+    if (f.has(way) || (way == "nearWidth" && f.has("nearHeight"))) {
+      ++ways;
+      given += (given.empty() ? "" : " and ") + std::string(way);
+    }
+  const double near = f.requireNumber("near");
+  const double far = readFar(f);
+  const auto ownAspect = f.number("aspect");
+  const auto sensorWidth = f.number("sensorWidth");
+  const auto sensorHeight = f.number("sensorHeight");
+  if (ways != 1)
+    f.fail((ways == 0 ? "has no opening" : "has " + given) +
+           "; one of fovY, fovX, fovDiagonal, nearWidth with nearHeight, focalLength with sensorWidth or "
+           "sensorHeight is expected");
+  if ((sensorWidth || sensorHeight) && !f.has("focalLength"))
+    f.fail(sensorWidth ? "sensorWidth" : "sensorHeight", "goes with focalLength");
+
+  if (f.has("nearWidth") || f.has("nearHeight")) {
+    if (ownAspect) f.fail("aspect", "is already given by nearWidth and nearHeight");
+    return {perspectiveNearSize(f.requireNumber("nearWidth"), f.requireNumber("nearHeight"), near, far), true};
+  }
+  const bool bothSides = sensorWidth && sensorHeight;
+  if (bothSides && ownAspect) f.fail("aspect", "is already given by sensorWidth and sensorHeight");
+  if (sensorWidth && !(*sensorWidth > 0)) f.fail("sensorWidth", "must be above 0");
+  if (sensorHeight && !(*sensorHeight > 0)) f.fail("sensorHeight", "must be above 0");
+  const DoubleDouble aspect = bothSides   ? DoubleDouble(1)
+                              : ownAspect ? DoubleDouble(*ownAspect)
+                                          : viewportAspect(requireViewport(in, "or an aspect"));
+  const bool ownShape = ownAspect || bothSides;
+  if (const auto fov = f.number("fovY")) return {perspectiveFovY(*fov, aspect, near, far), ownShape};
+  if (const auto fov = f.number("fovX")) return {perspectiveFovX(*fov, aspect, near, far), ownShape};
+  if (const auto fov = f.number("fovDiagonal")) return {perspectiveFovDiagonal(*fov, aspect, near, far), ownShape};
+  return {perspectiveFocalLength(f.requireNumber("focalLength"), sensorWidth.value_or(0), sensorHeight.value_or(0),
+                                 aspect, near, far),
+          ownShape};
+}
+
+ReadProjection readFrustum(Context in) {
+  ObjectReader& f = in.fields;
+  const double left = f.requireNumber("left"), right = f.requireNumber("right");
+  const double bottom = f.requireNumber("bottom"), top = f.requireNumber("top");
+  const double near = f.requireNumber("near");
+  return {frustum(left, right, bottom, top, near, readFar(f)), true};
+}
+
+ReadProjection readOrthographic(Context in) {
+  ObjectReader& f = in.fields;
+  const auto width = f.number("width");
+  const auto height = f.number("height");
+  const bool hasEdges = f.has("left") || f.has("right") || f.has("bottom") || f.has("top");
+  const double near = f.requireNumber("near");
+  const double far = f.requireNumber("far");
+  if (width || height) {
+    if (hasEdges) f.fail("has both edges and a width or height; either left, right, bottom, top or width, height");
+    const double w = f.requireNumber("width") / 2, h = f.requireNumber("height") / 2;
+    if (!(w > 0)) f.fail("width", "must be above 0");
+    if (!(h > 0)) f.fail("height", "must be above 0");
+    return {orthographic(-w, w, -h, h, near, far), true};
+  }
+  if (!hasEdges) f.fail("needs left, right, bottom, top or width, height");
+  const double left = f.requireNumber("left"), right = f.requireNumber("right");
+  const double bottom = f.requireNumber("bottom"), top = f.requireNumber("top");
+  return {orthographic(left, right, bottom, top, near, far), true};
+}
+
+ReadProjection readIntrinsics(Context in) {
+  ObjectReader& f = in.fields;
+  const double fx = f.requireNumber("fx"), fy = f.requireNumber("fy");
+  const double cx = f.requireNumber("cx"), cy = f.requireNumber("cy");
+  if (f.numberOr("skew", 0) != 0) f.fail("skew", "must be 0: pixels of a skewed grid are not modelled");
+  const double near = f.requireNumber("near");
+  return {intrinsics(fx, fy, cx, cy, requireViewport(in, "whose pixels fx, fy, cx, cy count"), near, readFar(f)), true,
+          true};
+}
+
+/// x = cx + ax scrz X/Z, y = cy + ay scrz Y/Z. zMin and zMax, and where the picture lies, are the viewport's: see
+/// readViewport.
+ReadProjection readPs2(Context in) {
+  ObjectReader& f = in.fields;
+  const double scrz = f.requireNumber("scrz");
+  const double ax = f.requireNumber("ax"), ay = f.requireNumber("ay");
+  const double cx = f.requireNumber("cx"), cy = f.requireNumber("cy");
+  f.requireNumber("zMin");
+  f.requireNumber("zMax");
+  const double near = f.requireNumber("near");
+  for (const char* name : {"scrz", "ax", "ay"})
+    if (!(f.requireNumber(name) > 0)) f.fail(name, "must be above 0");
+  return {intrinsics(twoProd(ax, scrz), twoProd(ay, scrz), cx, cy, requireViewport(in, "around cx, cy"), near,
+                     readFar(f)),
+          true, true};
+}
+
+using ProjectionReader = ReadProjection (*)(Context);
+constexpr std::pair<std::string_view, ProjectionReader> kProjectionTypes[] = {
+    {"perspective", readPerspective}, {"frustum", readFrustum}, {"intrinsics", readIntrinsics},
+    {"orthographic", readOrthographic}, {"ps2", readPs2},
+};
+
+Convention presetOrFail(ObjectReader& fields, std::string_view key, const std::string& name) {
+  if (const auto preset = conventionPreset(name)) return *preset;
+  fields.fail(key, "is not a known convention" + suggestion(name, presetNames()));
+}
+
+Convention readConvention(ObjectReader& camera, const std::string& fallback) {
+  const Convention base = *conventionPreset(fallback);
+  if (!camera.has("convention")) return base;
+  if (camera.isString("convention")) return presetOrFail(camera, "convention", *camera.string("convention"));
+  ObjectReader fields = *camera.object("convention");
+  Convention c = base;
+  if (const auto name = fields.string("preset")) c = presetOrFail(fields, "preset", *name);
+  c.world = fields.choice("world", kWorldNames).value_or(c.world);
+  c.view = fields.choice("view", kViewNames).value_or(c.view);
+  c.ndcZ = fields.choice("ndcZ", kNdcZNames).value_or(c.ndcZ);
+  c.reverseZ = fields.flag("reverseZ").value_or(c.reverseZ);
+  c.ndcY = fields.choice("ndcY", kNdcYNames).value_or(c.ndcY);
+  c.vectors = fields.choice("vectors", kVectorsNames).value_or(c.vectors);
+  c.storage = fields.choice("storage", kStorageNames).value_or(c.storage);
+  fields.finish();
+  return c;
+}
+
+/// The preset the file names, or an empty string.
+std::string presetNameOf(const nlohmann::json& root) {
+  const auto convention = root.find("convention");
+  if (convention == root.end()) return "";
+  if (convention->is_string()) return convention->get<std::string>();
+  if (convention->is_object() && convention->contains("preset") && (*convention)["preset"].is_string())
+    return (*convention)["preset"].get<std::string>();
+  return "";
+}
+
+struct ReadViewport {
+  Viewport frame;
+  std::optional<Crop> crop;
+};
+
+std::optional<ReadViewport> readViewport(ObjectReader& camera, const std::string& preset,
+                                         std::optional<ObjectReader>& projection, bool isPs2) {
+  auto fields = camera.object("viewport");
+  if (!fields) return std::nullopt;
+  Viewport v;
+  v.width = fields->requireNumber("width");
+  v.height = fields->requireNumber("height");
+  v.x = fields->numberOr("x", 0);
+  v.y = fields->numberOr("y", 0);
+  v.pixelCenter = fields->numberOr("pixelCenter", preset == "opencv" ? 0 : 0.5);
+  v.origin = fields->choice("origin", kOriginNames).value_or(Origin::topLeft);
+  if (const auto range = fields->numbers("depthRange", 2, 2)) {
+    v.depthFirst = (*range)[0];
+    v.depthSecond = (*range)[1];
+  }
+  if (isPs2) {
+    for (const char* name : {"x", "y", "depthRange"})
+      if (fields->has(name)) fields->fail(name, "is already given by the ps2 projection's cx, cy, zMin and zMax");
+    v.x = projection->requireNumber("cx") - v.width / 2;
+    v.y = projection->requireNumber("cy") - v.height / 2;
+    v.depthFirst = projection->requireNumber("zMin");
+    v.depthSecond = projection->requireNumber("zMax");
+  }
+  std::optional<Crop> crop;
+  if (auto tile = fields->object("crop")) {
+    crop = Crop{tile->requireNumber("x"), tile->requireNumber("y"), tile->requireNumber("width"),
+                tile->requireNumber("height")};
+    tile->finish();
+  }
+  fields->finish();
+  validate(v);
+  return ReadViewport{v, crop};
+}
+
+void requireViewportShape(const ReadProjection& read, const Viewport& viewport, const ObjectReader& projection) {
+  const double window = windowAspect(read.projection).hi;
+  const double picture = viewport.width / viewport.height;
+  if (std::fabs(window - picture) <= kAspectTolerance * picture) return;
+  projection.fail("is " + formatNumber(window) + " times as wide as high, but the viewport " + formatNumber(picture) +
+                  " times; change one of them, leave out the projection's aspect, or --allow-stretch");
+}
+
+std::optional<Pose> readPose(ObjectReader& camera, const Convention& convention, const std::string& preset) {
+  static constexpr std::string_view kWays[] = {"target", "direction", "rotation", "worldFromCamera", "cameraFromWorld"};
+  std::string given;
+  int ways = 0;
+  for (std::string_view way : kWays)
+    if (camera.has(way)) {
+      ++ways;
+      given += (given.empty() ? "" : " and ") + std::string(way);
+    }
+  const auto position = camera.vec3("position");
+  const auto up = camera.vec3("up");
+  const auto axes = camera.choice("cameraAxes", kCameraAxesNames);
+  if (ways > 1) camera.fail("has " + given + "; one of them is expected");
+  if (ways == 0) {
+    if (position) camera.fail("position", "needs a target, a direction or a rotation beside it");
+    if (up) camera.fail("up", "needs a position and a target or direction beside it");
+    if (axes) camera.fail("cameraAxes", "needs a rotation or a pose matrix beside it");
+    return std::nullopt;
+  }
+  const bool isMatrix = camera.has("worldFromCamera") || camera.has("cameraFromWorld");
+  if (isMatrix && position) camera.fail("position", "is already given by the matrix");
+  if (!isMatrix && !position) camera.fail("needs position beside " + given);
+  const bool looks = camera.has("target") || camera.has("direction");
+  if (!looks && up) camera.fail("up", "goes with target or direction");
+  if (looks && axes) camera.fail("cameraAxes", "goes with rotation, worldFromCamera or cameraFromWorld");
+
+  const Vec3 defaultUp = preset == "unreal" ? Vec3{0, 0, 1} : Vec3{0, 1, 0};
+  const CameraAxes cameraAxes = axes.value_or(CameraAxes::RUB);
+  const Handedness world = convention.world;
+  if (const auto target = camera.vec3("target")) return lookAt(*position, *target, up.value_or(defaultUp), world);
+  if (const auto direction = camera.vec3("direction"))
+    return lookAlong(*position, *direction, up.value_or(defaultUp), world);
+  if (const auto q = camera.numbers("rotation", 4, 4))
+    return poseFromRotation(*position, {(*q)[0], (*q)[1], (*q)[2], (*q)[3]}, cameraAxes, world);
+  if (const auto matrix = camera.mat4("worldFromCamera")) return poseFromWorldFromCamera(*matrix, cameraAxes, world);
+  return poseFromCameraFromWorld(*camera.mat4("cameraFromWorld"), cameraAxes, world);
+}
+
+/// Where a field that the library complains about stands in the file.
+Path pathOf(const std::string& field) {
+  static constexpr std::string_view kPoseFields[] = {"position", "target", "direction", "up", "rotation",
+                                                     "worldFromCamera", "cameraFromWorld"};
+  for (std::string_view pose : kPoseFields)
+    if (field == pose) return {field};
+  if (field == "projection") return {field};
+  if (field.starts_with("viewport.crop.")) return {"viewport", "crop", field.substr(14)};
+  if (field.starts_with("viewport.")) return {"viewport", field.substr(9)};
+  return {"projection", field};
+}
+
+CameraFile readChecked(const Document& document, const CameraReading& reading) {
+  ObjectReader camera(document, document.root(), {});
+  camera.has("$schema");
+  camera.has("name");
+  CameraFile file;
+  file.name = document.name();
+
+  auto projection = camera.object("projection");
+  ProjectionReader readType = nullptr;
+  if (projection) {
+    const auto type = projection->choice("type", kProjectionTypes);
+    if (!type) projection->fail("needs a type: perspective, frustum, intrinsics, orthographic or ps2");
+    readType = *type;
+  }
+  const bool isPs2 = readType == readPs2;
+
+  std::string preset = reading.readAs.empty() ? presetNameOf(document.root()) : reading.readAs;
+  if (preset.empty()) preset = isPs2 ? "ps2" : "opengl";
+  if (reading.readAs.empty())
+    file.convention = readConvention(camera, isPs2 ? "ps2" : "opengl");
+  else {
+    camera.has("convention");
+    file.convention = *conventionPreset(reading.readAs);
+  }
+  if (isPs2 && !file.convention.reverseZ)
+    camera.fail("convention", "has reverseZ false, but a ps2 projection maps near to zMax: leave the convention out "
+                              "to read the file as ps2, and --convention says how to write");
+
+  file.pose = readPose(camera, file.convention, preset);
+  auto viewport = readViewport(camera, preset, projection, isPs2);
+  std::optional<Viewport> frame;
+  if (viewport) frame = viewport->frame;
+  if (projection) {
+    ReadProjection read = readType({*projection, frame});
+    if (frame && read.hasOwnShape && !read.hasOwnPixelShape && !reading.allowStretch)
+      requireViewportShape(read, *frame, *projection);
+    if (const auto shift = projection->numbers("shift", 2, 2))
+      read.projection = shifted(read.projection, (*shift)[0], (*shift)[1]);
+    if (viewport && viewport->crop) read.projection = cropped(read.projection, *frame, *viewport->crop);
+    projection->finish();
+    file.projection = read.projection;
+  }
+  if (viewport) file.viewport = viewport->crop ? cropped(*frame, *viewport->crop) : *frame;
+  camera.finish();
+  return file;
+}
+
+}  // namespace
+
+CameraFile readCamera(const Document& document, const CameraReading& reading) {
+  try {
+    return readChecked(document, reading);
+  } catch (const CameraError& e) {
+    document.fail(pathOf(e.field()), e.message());
+  }
+}
+
+Camera makeCamera(const CameraFile& file) {
+  const auto lacks = [&](const char* part) { return InputError(file.name + ": the camera has no " + part); };
+  if (!file.pose) throw lacks("pose; give a position with a target, a direction or a rotation");
+  if (!file.projection) throw lacks("projection");
+  if (!file.viewport) throw lacks("viewport; --viewport WIDTHxHEIGHT gives one");
+  try {
+    return makeCamera(*file.pose, *file.projection, *file.viewport, file.convention);
+  } catch (const CameraError& e) {
+    throw InputError(file.name + ": " + e.what());
+  }
+}
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,32 @@
+// The canonical camera file: JSON to the few numbers every camera is.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "input/document.hpp"
+#include "viewproj/camera/camera.hpp"
+
+namespace viewproj::cmd {
+
+/// What a camera file holds. A file may lack a part that the command does not need.
+struct CameraFile {
+  std::string name;
+  std::optional<Pose> pose;
+  std::optional<Projection> projection;
+  std::optional<Viewport> viewport;
+  Convention convention;
+};
+
+struct CameraReading {
+  std::string readAs;  ///< a preset's name, or empty for the file's own convention
+  bool allowStretch = false;
+};
+
+/// Throws InputError with the place of what is wrong.
+CameraFile readCamera(const Document& document, const CameraReading& reading);
+
+/// All parts together; throws InputError naming what the file lacks for it.
+Camera makeCamera(const CameraFile& file);
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,43 @@
+// The words that camera files and options use for conventions.
+#pragma once
+
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "viewproj/camera/convention.hpp"
+#include "viewproj/camera/pose.hpp"
+#include "viewproj/camera/viewport.hpp"
+
+namespace viewproj::cmd {
+
+template <class T>
+using NameRow = std::pair<std::string_view, T>;
+
+inline constexpr NameRow<Handedness> kWorldNames[] = {{"right", Handedness::right}, {"left", Handedness::left}};
+inline constexpr NameRow<ViewAxes> kViewNames[] = {
+    {"RUB", ViewAxes::RUB}, {"RUF", ViewAxes::RUF}, {"RDF", ViewAxes::RDF}};
+inline constexpr NameRow<NdcZ> kNdcZNames[] = {{"-1..1", NdcZ::minusOneToOne}, {"0..1", NdcZ::zeroToOne}};
+inline constexpr NameRow<NdcY> kNdcYNames[] = {{"up", NdcY::up}, {"down", NdcY::down}};
+inline constexpr NameRow<Vectors> kVectorsNames[] = {{"column", Vectors::column}, {"row", Vectors::row}};
+inline constexpr NameRow<Storage> kStorageNames[] = {{"column-major", Storage::columnMajor},
+                                                     {"row-major", Storage::rowMajor}};
+inline constexpr NameRow<CameraAxes> kCameraAxesNames[] = {
+    {"RUB", CameraAxes::RUB}, {"RUF", CameraAxes::RUF}, {"RDF", CameraAxes::RDF}, {"FRU", CameraAxes::FRU}};
+inline constexpr NameRow<Origin> kOriginNames[] = {{"top-left", Origin::topLeft}, {"bottom-left", Origin::bottomLeft}};
+
+/// The name of a value of one of the tables above.
+template <class Table, class T>
+std::string_view nameOf(const Table& table, T value) {
+  for (const auto& [name, known] : table)
+    if (known == value) return name;
+  return "";
+}
+
+inline std::vector<std::string_view> presetNames() {
+  std::vector<std::string_view> names;
+  for (const ConventionPreset& preset : conventionPresets()) names.push_back(preset.name);
+  return names;
+}
+
+}  // namespace viewproj::cmd

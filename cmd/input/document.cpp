@@ -1,0 +1,229 @@
+#include "input/document.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "input/error.hpp"
+#include "input/file.hpp"
+#include "input/json_text.hpp"
+#include "input/names.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+constexpr std::size_t kMostBytes = 64 << 20;
+
+std::string shown(const nlohmann::json& value) {
+  if (value.is_string() || value.is_number() || value.is_boolean()) return " (is " + value.dump() + ")";
+  return "";
+}
+
+Path split(const std::string& dottedPath) {
+  Path path;
+  for (std::size_t at = 0; at <= dottedPath.size();) {
+    const std::size_t dot = std::min(dottedPath.find('.', at), dottedPath.size());
+    path.push_back(dottedPath.substr(at, dot - at));
+    at = dot + 1;
+  }
+  return path;
+}
+
+/// An array or object of the text nested deeper than this is refused before it is parsed.
+constexpr std::size_t kDeepest = 200;
+
+std::optional<std::size_t> tooDeepAt(std::string_view text) {
+  std::size_t depth = 0;
+  bool inString = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (inString) {
+      if (c == '\\') ++i;
+      if (c == '"') inString = false;
+    } else if (c == '"') {
+      inString = true;
+    } else if (c == '{' || c == '[') {
+      if (++depth > kDeepest) return i;
+    } else if ((c == '}' || c == ']') && depth > 0) {
+      --depth;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string dotted(const Path& path) {
+  std::string text;
+  for (const std::string& step : path) text += (text.empty() ? "" : ".") + step;
+  return text;
+}
+
+Document::Document(const std::string& source, const std::string& option) {
+  const std::size_t first = source.find_first_not_of(" \t\r\n");
+  if (first != std::string::npos && source[first] == '{') {
+    name_ = option;
+    text_ = source;
+  } else {
+    name_ = source == "-" ? kStandardInputName : source;
+    text_ = readWholeFile(source, kMostBytes);
+  }
+  if (text_.starts_with("\xEF\xBB\xBF")) text_.erase(0, 3);
+  if (const auto at = tooDeepAt(text_))
+    throw InputError(place(name_, positionAt(text_, *at)) + ": nested deeper than " + std::to_string(kDeepest));
+  if (const auto fault = jsonFault(text_))
+    throw InputError(place(name_, positionAt(text_, fault->offset)) + ": " + fault->message);
+  root_ = std::make_unique<nlohmann::json>(nlohmann::json::parse(text_));
+  if (!root_->is_object()) throw InputError(place(name_, {}) + ": expected a JSON object");
+}
+
+Document::~Document() = default;
+
+void Document::set(const std::string& assignment) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string::npos || equals == 0)
+    throw UsageError("--set " + assignment + ": expected FIELD=VALUE, as in projection.fovY=75");
+  const Path path = split(assignment.substr(0, equals));
+  const std::string text = assignment.substr(equals + 1);
+  nlohmann::json value = nlohmann::json::parse(text, nullptr, false);
+  if (value.is_discarded()) value = text;
+
+  nlohmann::json* at = root_.get();
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    nlohmann::json& next = (*at)[path[i]];
+    if (path[i] == "convention" && next.is_string()) next = {{"preset", next}};
+    if (next.is_null()) next = nlohmann::json::object();
+    if (!next.is_object()) throw UsageError("--set " + assignment + ": " + path[i] + " is not an object");
+    at = &next;
+  }
+  if (value.is_null())
+    at->erase(path.back());
+  else
+    (*at)[path.back()] = value;
+  set_.insert(dotted(path));
+}
+
+void Document::fail(const Path& path, const std::string& message, bool showValue) const {
+  const nlohmann::json* value = root_.get();
+  for (const std::string& step : path) {
+    const auto found = value->is_object() ? value->find(step) : value->end();
+    if (found == value->end()) {
+      value = nullptr;
+      break;
+    }
+    value = &*found;
+  }
+  const std::string what = (path.empty() ? "" : dotted(path) + ": ") + message + (value && showValue ? shown(*value) : "");
+  if (set_.count(dotted(path))) throw InputError("--set " + what);
+  throw InputError(place(name_, positionAt(text_, locate(text_, path))) + ": " + what);
+}
+
+ObjectReader::ObjectReader(const Document& document, const nlohmann::json& object, Path path)
+    : document_(&document), object_(&object), path_(std::move(path)) {
+  if (!object.is_object()) document.fail(path_, "expected an object");
+}
+
+Path ObjectReader::pathOf(std::string_view key) const {
+  Path path = path_;
+  path.emplace_back(key);
+  return path;
+}
+
+void ObjectReader::fail(std::string_view key, const std::string& message) const {
+  document_->fail(pathOf(key), message);
+}
+
+void ObjectReader::fail(const std::string& message) const { document_->fail(path_, message); }
+
+const nlohmann::json* ObjectReader::find(std::string_view key) {
+  if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.emplace_back(key);
+  const auto found = object_->find(key);
+  return found == object_->end() || found->is_null() ? nullptr : &*found;
+}
+
+bool ObjectReader::has(std::string_view key) { return find(key) != nullptr; }
+
+bool ObjectReader::isString(std::string_view key) {
+  const nlohmann::json* value = find(key);
+  return value && value->is_string();
+}
+
+std::optional<double> ObjectReader::number(std::string_view key) {
+  const nlohmann::json* value = find(key);
+  if (!value) return std::nullopt;
+  if (!value->is_number()) fail(key, "expected a number");
+  return value->get<double>();
+}
+
+double ObjectReader::requireNumber(std::string_view key) {
+  const auto value = number(key);
+  if (!value) fail("needs " + std::string(key));
+  return *value;
+}
+
+std::optional<bool> ObjectReader::flag(std::string_view key) {
+  const nlohmann::json* value = find(key);
+  if (!value) return std::nullopt;
+  if (!value->is_boolean()) fail(key, "expected true or false");
+  return value->get<bool>();
+}
+
+std::optional<std::string> ObjectReader::string(std::string_view key) {
+  const nlohmann::json* value = find(key);
+  if (!value) return std::nullopt;
+  if (!value->is_string()) fail(key, "expected a string");
+  return value->get<std::string>();
+}
+
+std::optional<std::vector<double>> ObjectReader::numbers(std::string_view key, std::size_t fewest, std::size_t most) {
+  const nlohmann::json* value = find(key);
+  if (!value) return std::nullopt;
+  const bool good = value->is_array() && value->size() >= fewest && value->size() <= most &&
+                    std::all_of(value->begin(), value->end(), [](const auto& v) { return v.is_number(); });
+  if (!good)
+    fail(key, "expected " + (fewest == most ? std::to_string(fewest)
+                                            : std::to_string(fewest) + " to " + std::to_string(most)) +
+                  " numbers in an array");
+  return value->get<std::vector<double>>();
+}
+
+std::optional<Vec3> ObjectReader::vec3(std::string_view key) {
+  const auto v = numbers(key, 3, 3);
+  if (!v) return std::nullopt;
+  return Vec3{(*v)[0], (*v)[1], (*v)[2]};
+}
+
+std::optional<Mat4> ObjectReader::mat4(std::string_view key) {
+  const nlohmann::json* value = find(key);
+  if (!value) return std::nullopt;
+  Mat4 matrix;
+  bool good = value->is_array() && value->size() == 4;
+  for (std::size_t i = 0; good && i < 4; ++i) {
+    good = (*value)[i].is_array() && (*value)[i].size() == 4;
+    for (std::size_t j = 0; good && j < 4; ++j) {
+      good = (*value)[i][j].is_number();
+      if (good) matrix[i][j] = (*value)[i][j].get<double>();
+    }
+  }
+  if (!good) fail(key, "expected 4 rows of 4 numbers");
+  return matrix;
+}
+
+std::optional<ObjectReader> ObjectReader::object(std::string_view key) {
+  const nlohmann::json* value = find(key);
+  if (!value) return std::nullopt;
+  return ObjectReader(*document_, *value, pathOf(key));
+}
+
+void ObjectReader::finish() {
+  std::vector<std::string_view> known(known_.begin(), known_.end());
+  for (const auto& item : object_->items())
+    if (std::find(known.begin(), known.end(), item.key()) == known.end())
+      document_->fail(pathOf(item.key()), "is not a known field here" + suggestion(item.key(), known), false);
+}
+
+void ObjectReader::failChoice(std::string_view key, const std::string& name,
+                              const std::vector<std::string_view>& known) const {
+  fail(key, "is none of the known names" + suggestion(name, known));
+}
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,99 @@
+// A JSON document read as a whole (a camera file), whose every complaint names a line and a column.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "viewproj/numbers/vectors.hpp"
+
+namespace viewproj::cmd {
+
+/// Keys from the root on.
+using Path = std::vector<std::string>;
+
+/// "projection.fovY".
+std::string dotted(const Path& path);
+
+class Document {
+ public:
+  /// source: a file name, "-" for standard input, or the JSON itself if it starts with "{". option names it in messages.
+  Document(const std::string& source, const std::string& option);
+  ~Document();
+  Document(const Document&) = delete;
+  Document& operator=(const Document&) = delete;
+
+  const nlohmann::json& root() const { return *root_; }
+  const std::string& name() const { return name_; }
+
+  /// "projection.fovY=75": sets a field, or with null removes it. The value is JSON, or else text.
+  void set(const std::string& assignment);
+
+  /// Names the place of the path and, unless told not to, the value there.
+  [[noreturn]] void fail(const Path& path, const std::string& message, bool showValue = true) const;
+
+ private:
+  std::string name_;
+  std::string text_;
+  std::unique_ptr<nlohmann::json> root_;
+  std::set<std::string> set_;
+};
+
+/// An object of a document, read key by key. Keys that were asked for are known; any other is an error in finish().
+/// A key whose value is null counts as absent.
+class ObjectReader {
+ public:
+  ObjectReader(const Document& document, const nlohmann::json& object, Path path);
+
+  bool has(std::string_view key);
+  bool isString(std::string_view key);
+  std::optional<double> number(std::string_view key);
+  std::optional<bool> flag(std::string_view key);
+  std::optional<std::string> string(std::string_view key);
+  std::optional<std::vector<double>> numbers(std::string_view key, std::size_t fewest, std::size_t most);
+  std::optional<Vec3> vec3(std::string_view key);
+  std::optional<Mat4> mat4(std::string_view key);
+  std::optional<ObjectReader> object(std::string_view key);
+
+  double numberOr(std::string_view key, double fallback) { return number(key).value_or(fallback); }
+  double requireNumber(std::string_view key);
+
+  /// The value of key as a name of a table of {name, value} rows.
+  template <class Table>
+  auto choice(std::string_view key, const Table& table) {
+    std::optional<decltype(std::begin(table)->second)> result;
+    if (const auto name = string(key)) {
+      std::vector<std::string_view> names;
+      for (const auto& [known, value] : table) {
+        names.push_back(known);
+        if (known == *name) result = value;
+      }
+      if (!result) failChoice(key, *name, names);
+    }
+    return result;
+  }
+
+  /// Throws unless every key of the object was asked for.
+  void finish();
+
+  [[noreturn]] void fail(std::string_view key, const std::string& message) const;
+  /// For the object as a whole.
+  [[noreturn]] void fail(const std::string& message) const;
+
+ private:
+  const nlohmann::json* find(std::string_view key);
+  [[noreturn]] void failChoice(std::string_view key, const std::string& name,
+                               const std::vector<std::string_view>& known) const;
+  Path pathOf(std::string_view key) const;
+
+  const Document* document_;
+  const nlohmann::json* object_;
+  Path path_;
+  std::vector<std::string> known_;
+};
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,130 @@
+#include "input/json_text.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace viewproj::cmd {
+namespace {
+
+bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
+std::size_t endOfString(std::string_view text, std::size_t at) {
+  for (++at; at < text.size() && text[at] != '"'; ++at)
+    if (text[at] == '\\') ++at;
+  return std::min(at + 1, text.size());
+}
+
+}  // namespace
+
+TextPosition positionAt(std::string_view text, std::size_t offset, TextPosition start) {
+  for (char c : text.substr(0, offset))
+    if (c == '\n') {
+      ++start.line;
+      start.column = 1;
+    } else {
+      ++start.column;
+    }
+  return start;
+}
+
+std::string place(std::string_view file, TextPosition position) {
+  return std::string(file) + ":" + std::to_string(position.line) + ":" + std::to_string(position.column);
+}
+
+std::optional<JsonFault> jsonFault(std::string_view text) {
+  if (nlohmann::json::accept(text.begin(), text.end())) return std::nullopt;
+  try {
+    const auto parsed = nlohmann::json::parse(text.begin(), text.end());
+  } catch (const nlohmann::json::parse_error& e) {
+    // "[json.exception.parse_error.101] parse error at line 1, column 5: what is wrong"
+    std::string message = e.what();
+    if (const std::size_t colon = message.find(": "); colon != std::string::npos) message.erase(0, colon + 2);
+    return JsonFault{e.byte > 0 ? e.byte - 1 : 0, "not valid JSON: " + message};
+  } catch (const nlohmann::json::exception& e) {
+    // "[json.exception.out_of_range.406] number overflow parsing '1e999'"
+    std::string message = e.what();
+    std::size_t offset = 0;
+    if (const std::size_t quote = message.find('\''); quote != std::string::npos) {
+      const std::string token = message.substr(quote + 1, message.rfind('\'') - quote - 1);
+      if (const std::size_t found = text.find(token); found != std::string_view::npos) offset = found;
+    }
+    if (const std::size_t bracket = message.find("] "); bracket != std::string::npos) message.erase(0, bracket + 2);
+    return JsonFault{offset, message};
+  }
+  return JsonFault{0, "not valid JSON"};
+}
+
+std::size_t endOfValue(std::string_view text, std::size_t at) {
+  std::size_t depth = 0;
+  for (; at < text.size(); ++at) {
+    const char c = text[at];
+    if (c == '"') {
+      at = endOfString(text, at) - 1;
+    } else if (c == '{' || c == '[') {
+      ++depth;
+    } else if (c == '}' || c == ']') {
+      if (depth == 0) return at;  // behind a scalar
+      --depth;
+    } else if (depth == 0 && (c == ',' || isSpace(c))) {
+      return at;
+    } else {
+      continue;
+    }
+    if (depth == 0) return at + 1;
+  }
+  return at;
+}
+
+void JsonParts::skipSpace() {
+  while (at_ < text_.size() && isSpace(text_[at_])) ++at_;
+}
+
+std::optional<JsonParts::Part> JsonParts::next() {
+  skipSpace();
+  if (at_ < text_.size() && text_[at_] == ',') ++at_;
+  skipSpace();
+  if (at_ >= text_.size() || text_[at_] == '}' || text_[at_] == ']') return std::nullopt;
+  Part part{{}, {}, at_};
+  if (isObject_) {
+    const std::size_t end = endOfString(text_, at_);
+    part.key = text_.substr(at_ + 1, end - at_ - 2);
+    at_ = end;
+    skipSpace();
+    ++at_;  // the colon
+    skipSpace();
+  }
+  const std::size_t end = endOfValue(text_, at_);
+  part.value = text_.substr(at_, end - at_);
+  at_ = end;
+  return part;
+}
+
+std::string unescaped(std::string_view raw) {
+  if (raw.find('\\') == std::string_view::npos) return std::string(raw);
+  return nlohmann::json::parse("\"" + std::string(raw) + "\"").get<std::string>();
+}
+
+std::size_t locate(std::string_view text, std::span<const std::string> path) {
+  std::size_t base = text.find_first_not_of(" \t\r\n");
+  if (base == std::string_view::npos) return 0;
+  std::string_view value = text.substr(base);
+  for (const std::string& step : path) {
+    if (value.empty() || (value[0] != '{' && value[0] != '[')) break;
+    JsonParts parts(value);
+    std::size_t index = 0;
+    bool found = false;
+    while (const auto part = parts.next()) {
+      if (value[0] == '{' ? unescaped(part->key) == step : std::to_string(index) == step) {
+        base += static_cast<std::size_t>(part->value.data() - value.data());
+        value = part->value;
+        found = true;
+        break;
+      }
+      ++index;
+    }
+    if (!found) break;
+  }
+  return base;
+}
+
+}  // namespace viewproj::cmd

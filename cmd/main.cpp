@@ -1,0 +1,76 @@
+// Finds the command, runs it, and turns what went wrong into one message and an exit status:
+// 0 all went well, 1 an input was wrong or an output could not be written, 2 the command line was wrong.
+#include <csignal>
+#include <cstdio>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "commands/command.hpp"
+#include "input/error.hpp"
+#include "input/names.hpp"
+#include "output/output_file.hpp"
+
+namespace {
+
+using namespace viewproj::cmd;
+
+constexpr Command kCommands[] = {
+    {"project", "points to screen positions, depth and visibility", runProject},
+    {"ray", "pixels to rays, and to the points behind them", runRay},
+    {"matrix", "a camera's matrices in any convention", runMatrix},
+};
+
+std::string help() {
+  std::string text =
+      "viewproj: world points to screen coordinates, pixels to picking rays, cameras to matrices\n\n"
+      "Usage: viewproj <command> [options] [FILE]\n\nCommands:\n";
+  for (const Command& command : kCommands) {
+    text += "  " + std::string(command.name);
+    text.append(12 - command.name.size(), ' ');
+    text += std::string(command.summary) + "\n";
+  }
+  return text + "\nviewproj <command> --help tells its options; viewproj --version the version.\n";
+}
+
+int run(int argc, char** argv) {
+  const std::string_view name = argc > 1 ? argv[1] : "";
+  if (name == "--help" || name == "-h" || name == "help") {
+    writeOutput(help());
+    return 0;
+  }
+  if (name == "--version") {
+    writeOutput("viewproj " VIEWPROJ_VERSION "\n");
+    return 0;
+  }
+  for (const Command& command : kCommands)
+    if (command.name == name) return command.run(argc - 1, argv + 1);
+  if (name.empty()) throw UsageError("a command is needed\n\n" + help());
+  std::vector<std::string_view> known;
+  for (const Command& command : kCommands) known.push_back(command.name);
+  throw UsageError("'" + std::string(name) + "' is no command" + suggestion(name, known));
+}
+
+int fail(const std::string& message, int status) {
+  std::fprintf(stderr, "viewproj: %s\n", message.c_str());
+  return status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::signal(SIGPIPE, SIG_IGN);
+  try {
+    return run(argc, argv);
+  } catch (const ClosedPipe&) {
+    return 0;
+  } catch (const HelpGiven&) {
+    return 0;
+  } catch (const UsageError& e) {
+    return fail(e.what(), 2);
+  } catch (const InputError& e) {
+    return fail(e.what(), 1);
+  } catch (const std::exception& e) {
+    return fail(e.what(), 1);
+  }
+}

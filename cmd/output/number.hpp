@@ -1,0 +1,15 @@
+// Numbers as text.
+#pragma once
+
+#include <string>
+
+namespace viewproj::cmd {
+
+/// Appends the shortest text that reads back to the same double (float), digits first: an exponent only below 1e-5 and
+/// from 1e16 on. What is not finite becomes `null`, the word for no value.
+void appendNumber(std::string& out, double value);
+void appendNumber(std::string& out, float value);
+
+std::string formatNumber(double value);
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,210 @@
+#include "stream/filter.hpp"
+
+#include <cstdio>
+
+#include "input/error.hpp"
+#include "input/file.hpp"
+#include "output/output_file.hpp"
+#include "stream/splitter.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+constexpr std::size_t kFlushAt = 64 << 10;
+constexpr std::string_view kBom = "\xEF\xBB\xBF";
+
+/// The bytes of a file, or given ones, not yet taken by the splitter.
+class Source {
+ public:
+  explicit Source(const FilterSetup& setup) : name_("the command line") {
+    if (setup.given) {
+      buffer_ = *setup.given;
+      atEnd_ = true;
+    } else {
+      file_.emplace(setup.file);
+      name_ = file_->name();
+    }
+  }
+
+  /// Reads another block. The bytes at hand move: views into them end here.
+  void more() {
+    buffer_.erase(0, begin_);
+    begin_ = 0;
+    const bool first = !started_;
+    atEnd_ = !file_->readInto(buffer_);
+    started_ = true;
+    if (first && buffer_.starts_with(kBom)) buffer_.erase(0, kBom.size());
+  }
+
+  std::string_view rest() const { return std::string_view(buffer_).substr(begin_); }
+  void take(std::size_t bytes) { begin_ += bytes; }
+  bool atEnd() const { return atEnd_; }
+  bool wouldWait() const { return file_ && !file_->isReady(); }
+  const std::string& name() const { return name_; }
+
+ private:
+  std::string name_;
+  std::optional<InputFile> file_;
+  std::string buffer_;
+  std::size_t begin_ = 0;
+  bool atEnd_ = false;
+  bool started_ = false;
+};
+
+OutputForm formOfInput(Form form) {
+  return form == Form::csv ? OutputForm::csv : form == Form::text ? OutputForm::text : OutputForm::lines;
+}
+
+std::unique_ptr<RecordWriter> makeWriter(OutputForm form, const WriterSetup& setup, std::string& out) {
+  switch (form) {
+    case OutputForm::csv: return makeCsvWriter(setup, out);
+    case OutputForm::text: return makeTextWriter(setup, out);
+    case OutputForm::lines: return makeJsonWriter(false, setup, out);
+    case OutputForm::array: return makeJsonWriter(true, setup, out);
+  }
+  return nullptr;
+}
+
+bool isBlank(std::string_view line) { return line.find_first_not_of(" \t\r") == std::string_view::npos; }
+
+class Filter {
+ public:
+  Filter(const FilterSetup& setup, const RecordWork& work) : setup_(setup), work_(work), source_(setup) {}
+
+  int run() {
+    while (source_.rest().empty() && !source_.atEnd()) source_.more();
+    form_ = setup_.given ? Form::json
+            : setup_.from ? *setup_.from
+                          : formOfName(setup_.file).value_or(formOfBytes(source_.rest()));
+    // JSON keeps its own arrangement, arrays included, unless an arrangement was asked for.
+    keepArrays_ = !setup_.to && form_ == Form::json;
+    const OutputForm outputForm = setup_.to.value_or(formOfInput(form_));
+    writer_ = makeWriter(outputForm, setup_.writer, out_);
+    Splitter splitter(form_);
+    if (outputForm == OutputForm::array) openArray();
+    try {
+      while (step(splitter)) {
+      }
+    } catch (const RecordError& e) {
+      failAt(splitter.position(), source_.rest(), e);
+    } catch (const InputError&) {
+      closeArray();
+      flush();
+      throw;
+    }
+    closeArray();
+    flush();
+    return passedOver_ ? 1 : 0;
+  }
+
+ private:
+  /// One piece of the input; false at its end.
+  bool step(Splitter& splitter) {
+    const Piece piece = splitter.next(source_.rest(), source_.atEnd());
+    if (piece.event == Event::needMore) {
+      if (source_.wouldWait()) flush();
+      source_.more();
+      return true;
+    }
+    switch (piece.event) {
+      case Event::record: doRecord(piece); break;
+      case Event::beginArray:
+        if (keepArrays_) openArray(piece.text);
+        break;
+      case Event::endArray:
+        if (keepArrays_) closeArray(piece.text);
+        break;
+      default: return false;
+    }
+    source_.take(splitter.taken(source_.rest()));
+    if (out_.size() >= kFlushAt) flush();
+    return true;
+  }
+
+  void doRecord(const Piece& piece) {
+    if (form_ != Form::json && isBlank(piece.text)) return;
+    if (form_ == Form::csv && header_.names.empty()) {
+      header_ = readCsvHeader(piece.text, setup_.csvDefaults);
+      try {
+        writer_->header(header_, piece.text);
+      } catch (const RecordError& e) {
+        failAt(piece.position, piece.text, e);
+      }
+      if (header_.present) return;
+    }
+    bool begun = false;
+    try {
+      const Record record = parse(piece);
+      writer_->beginRecord(record);
+      begun = true;
+      work_(record, *writer_);
+      writer_->endRecord();
+    } catch (const RecordError& e) {
+      if (begun) writer_->cancelRecord();
+      if (!setup_.keepGoing) failAt(piece.position, piece.text, e);
+      const TextPosition at = positionAt(piece.text, e.offset, piece.position);
+      writer_->badRecord(piece.text, at.line, e.what());
+      std::fprintf(stderr, "viewproj: %s: %s\n", place(source_.name(), at).c_str(), e.what());
+      passedOver_ = true;
+    }
+  }
+
+  Record parse(const Piece& piece) const {
+    switch (form_) {
+      case Form::csv: return parseCsvRecord(piece.text, piece.position, header_);
+      case Form::text: return parseTextRecord(piece.text, piece.position);
+      case Form::json: break;
+    }
+    return parseJsonRecord(piece.text, piece.position);
+  }
+
+  /// Writes all that came before, then throws.
+  [[noreturn]] void failAt(TextPosition start, std::string_view text, const RecordError& e) {
+    closeArray();
+    flush();
+    throw InputError(place(source_.name(), positionAt(text, e.offset, start)) + ": " + e.what());
+  }
+
+  void openArray(std::string_view asWritten = "[") {
+    out_.append(asWritten, 0, asWritten.size() - 1);
+    writer_->beginArray();
+    open_ = true;
+    closing_ = asWritten.starts_with('{') ? "}" : "";
+  }
+
+  /// asWritten: the closing bracket and what a document has behind it.
+  void closeArray(std::string_view asWritten = "") {
+    if (!open_) return;
+    writer_->endArray();
+    open_ = false;
+    const std::string_view behind = asWritten.empty() ? std::string_view(closing_) : asWritten.substr(1);
+    if (!behind.empty()) {
+      out_.pop_back();  // the line break
+      out_ += behind;
+      out_ += '\n';
+    }
+  }
+
+  void flush() {
+    writeOutput(out_);
+    out_.clear();
+  }
+
+  const FilterSetup& setup_;
+  const RecordWork& work_;
+  Source source_;
+  Form form_ = Form::json;
+  bool keepArrays_ = false;
+  bool open_ = false;
+  std::string closing_;
+  CsvHeader header_;
+  std::string out_;
+  std::unique_ptr<RecordWriter> writer_;
+  bool passedOver_ = false;
+};
+
+}  // namespace
+
+int runFilter(const FilterSetup& setup, const RecordWork& work) { return Filter(setup, work).run(); }
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,31 @@
+// A filter: records in, the same records with results out, in order and in bounded memory.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "output/record_writer.hpp"
+#include "stream/form.hpp"
+
+namespace viewproj::cmd {
+
+struct FilterSetup {
+  std::string file = "-";
+  std::optional<std::string> given;      ///< records of the command line, as JSON, instead of a file
+  std::optional<Form> from;
+  std::optional<OutputForm> to;          ///< nothing: as the input
+  bool keepGoing = false;
+  std::vector<std::string> csvDefaults;  ///< column names of a CSV stream without a header
+  WriterSetup writer;
+};
+
+/// Reads a record and writes its results; throws RecordError where it is wrong.
+using RecordWork = std::function<void(const Record&, ResultSink&)>;
+
+/// Returns the exit status: 1 if --keep-going passed over a bad record. Throws InputError at the first bad record
+/// otherwise, after everything before it has been written and an open array closed.
+int runFilter(const FilterSetup& setup, const RecordWork& work);
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,80 @@
+#include "viewproj/camera/camera.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "viewproj/camera/error.hpp"
+
+namespace viewproj {
+
+namespace {
+
+/// near / (far - near), far / (far - near) and 1 / (far - near), for finite far.
+struct RangeShares {
+  DoubleDouble near, far, one;
+};
+
+RangeShares rangeShares(const Projection& p) noexcept {
+  const double scale = std::max(std::fabs(p.near), std::fabs(p.far)) > 0x1p900 ? 0x1p-200 : 1;
+  const double n = p.near * scale;
+  const double f = p.far * scale;
+  const DoubleDouble range = twoDiff(f, n);
+  return {DoubleDouble(n) / range, DoubleDouble(f) / range, timesPowerOfTwo(DoubleDouble(1) / range, scale)};
+}
+
+}  // namespace
+
+DepthLine depthLine(const Projection& p, double atNear, double atFar) noexcept {
+  // perspective:   offset = (f atFar - n atNear) / (f - n)     scale = f n (atNear - atFar) / (f - n)
+  // infinite far:  offset = atFar                              scale = n (atNear - atFar)
+  // orthographic:  offset = (f atNear - n atFar) / (f - n)     scale = (atFar - atNear) / (f - n)
+  // f / (f - n) comes first, because f n may overflow.
+  const DoubleDouble step = twoDiff(atNear, atFar);
+  if (std::isinf(p.far)) return {atFar, DoubleDouble(p.near) * step};
+  const RangeShares share = rangeShares(p);
+  if (p.orthographic)
+    return {share.far * DoubleDouble(atNear) - share.near * DoubleDouble(atFar), -step * share.one};
+  return {share.far * DoubleDouble(atFar) - share.near * DoubleDouble(atNear),
+          share.far * DoubleDouble(p.near) * step};
+}
+
+Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport& viewport,
+                  const Convention& convention) {
+  validate(viewport);
+  Camera c;
+  c.pose = pose;
+  c.projection = projection;
+  c.viewport = viewport;
+  c.convention = convention;
+  c.screen = screenMap(projection, viewport);
+  if (!isFinite(c.screen.centerX) || !isFinite(c.screen.centerY) || !isFinite(c.screen.scaleX) ||
+      !isFinite(c.screen.scaleY))
+    throw CameraError("projection", "has a window too small for doubles to tell its pixels apart");
+
+  c.depthAtNear = convention.reverseZ ? viewport.depthSecond : viewport.depthFirst;
+  c.depthAtFar = convention.reverseZ ? viewport.depthFirst : viewport.depthSecond;
+  if (projection.orthographic)
+    c.farOverRange = rangeShares(projection).one;
+  else
+    c.farOverRange = std::isinf(projection.far) ? DoubleDouble(1) : rangeShares(projection).far;
+  const DepthLine depth = depthLine(projection, c.depthAtNear, c.depthAtFar);
+  c.depthAtInfinity = depth.offset.hi;
+
+  const DoubleDouble perPixelX = DoubleDouble(1) / c.screen.scaleX;
+  const DoubleDouble perPixelY = DoubleDouble(1) / c.screen.scaleY;
+  c.rounded = {rounded(pose.eye),
+               lowParts(pose.eye),
+               rounded(pose.rows.right * c.screen.scaleX),
+               rounded(pose.rows.up * c.screen.scaleY),
+               rounded(pose.rows.forward),
+               c.screen.centerX.hi,
+               c.screen.centerY.hi,
+               depth.offset.hi,
+               depth.scale.hi,
+               rounded(pose.columns.right * perPixelX),
+               rounded(pose.columns.up * perPixelY),
+               rounded(pose.columns.forward)};
+  return c;
+}
+
+}  // namespace viewproj

@@ -1,0 +1,245 @@
+#include "viewproj/camera/pose.hpp"
+
+#include <array>
+#include <string>
+
+#include "viewproj/camera/error.hpp"
+#include "viewproj/numbers/expansion.hpp"
+
+namespace viewproj {
+namespace {
+
+using ExactVec3 = std::array<Expansion<8>, 3>;
+using Columns = std::array<Vec3, 3>;
+
+void requireFinite(const Vec3& v, const char* field) {
+  if (!isFinite(v)) throw CameraError(field, "has a component that is not a finite number");
+}
+
+DDVec3 rounded(const ExactVec3& v) { return {v[0].rounded(), v[1].rounded(), v[2].rounded()}; }
+
+/// Exact; a and b are scaled to unit magnitude first.
+ExactVec3 exactCross(const DDVec3& a, const Vec3& b) {
+  ExactVec3 result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    result[i].addProduct(a[j], b[k]);
+    result[i].addProduct(a[k], -b[j]);
+  }
+  return result;
+}
+
+Pose lookAlongExactly(const Vec3& position, const DDVec3& direction, const Vec3& up, Handedness world,
+                      const char* directionField) {
+  requireFinite(up, "up");
+  if (maxAbs(up) == 0) throw CameraError("up", "is zero");
+  if (maxAbs(direction) == 0)
+    throw CameraError(directionField, std::string(directionField) == "target"
+                                          ? "is the camera's own position: there is no direction to look in"
+                                          : "is zero");
+  const DDVec3 g = scaleByPowerOfTwo(direction, exponentToUnit(direction));
+  const DDVec3 scaledUp = scaleByPowerOfTwo(toDoubleDouble(up), exponentToUnit(toDoubleDouble(up)));
+  const ExactVec3 side = exactCross(g, rounded(scaledUp));
+  if (side[0].isZero() && side[1].isZero() && side[2].isZero())
+    throw CameraError("up", "is parallel to the viewing direction, so it does not say which way is up; give another");
+
+  const DDVec3 right = normalized(rounded(side));
+  const DDVec3 forward = normalized(g);
+  const Axes axes{world == Handedness::right ? right : -right, cross(right, forward), forward};
+  return {toDoubleDouble(position), axes, axes};
+}
+
+const char* axesName(CameraAxes axes) {
+  switch (axes) {
+    case CameraAxes::RUB: return "RUB";
+    case CameraAxes::RUF: return "RUF";
+    case CameraAxes::RDF: return "RDF";
+    case CameraAxes::FRU: return "FRU";
+  }
+  return "";
+}
+
+/// Of right, up, forward: which one each camera axis lies along, and its sign.
+struct AxisMap {
+  std::array<int, 3> along;
+  std::array<double, 3> sign;
+};
+
+AxisMap axisMap(CameraAxes axes) {
+  switch (axes) {
+    case CameraAxes::RUB: return {{0, 1, 2}, {1, 1, -1}};
+    case CameraAxes::RUF: return {{0, 1, 2}, {1, 1, 1}};
+    case CameraAxes::RDF: return {{0, 1, 2}, {1, -1, 1}};
+    case CameraAxes::FRU: return {{2, 0, 1}, {1, 1, 1}};
+  }
+  return {};
+}
+
+Handedness handednessOf(CameraAxes axes) {
+  return axes == CameraAxes::RUB || axes == CameraAxes::RDF ? Handedness::right : Handedness::left;
+}
+
+/// A set of axes with determinant +1 belongs to a world of its own handedness, with -1 to the other.
+void requireHandedness(CameraAxes axes, Handedness world, bool mirrored, const char* field) {
+  const Handedness fits = mirrored == (handednessOf(axes) == Handedness::left) ? Handedness::right : Handedness::left;
+  if (fits == world) return;
+  const bool rightHandedAxesFit = (world == Handedness::right) != mirrored;
+  throw CameraError(field, std::string("is a ") + (mirrored ? "mirroring" : "rotation") + " of camera axes " +
+                               axesName(axes) + ", which does not fit a " +
+                               (world == Handedness::right ? "right" : "left") + "-handed world; cameraAxes " +
+                               (rightHandedAxesFit ? "RUB or RDF" : "RUF or FRU") + " would");
+}
+
+/// From camera x, y, z to right, up, forward.
+Axes toAxes(const std::array<DDVec3, 3>& xyz, CameraAxes axes) {
+  const AxisMap map = axisMap(axes);
+  std::array<DDVec3, 3> result;
+  for (std::size_t i = 0; i < 3; ++i)
+    result[static_cast<std::size_t>(map.along[i])] = xyz[i] * DoubleDouble(map.sign[i]);
+  return {result[0], result[1], result[2]};
+}
+
+/// The 3x3 of a pose matrix, by columns, checked.
+Columns checkedColumns(const Mat4& matrix, const char* field) {
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j)
+      if (!std::isfinite(matrix[i][j])) throw CameraError(field, "has an entry that is not a finite number");
+  if (!(matrix[3] == std::array<double, 4>{0, 0, 0, 1})) {
+    const bool looksTransposed = matrix[0][3] == 0 && matrix[1][3] == 0 && matrix[2][3] == 0 && matrix[3][3] == 1;
+    throw CameraError(field, std::string("has a last row that is not 0 0 0 1") +
+                                 (looksTransposed ? "; this one is written for row vectors: transpose it" : ""));
+  }
+  Columns c;
+  for (std::size_t j = 0; j < 3; ++j) c[j] = {matrix[0][j], matrix[1][j], matrix[2][j]};
+  double worst = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = i; j < 3; ++j)
+      worst = std::max(worst, std::fabs(c[i].x * c[j].x + c[i].y * c[j].y + c[i].z * c[j].z - (i == j ? 1 : 0)));
+  if (!(worst <= kPoseOrthogonality)) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2g", worst);
+    throw CameraError(field, std::string("has a 3x3 part that is not a rotation: the largest entry of M^T M - I is ") +
+                                 text + ", 0.001 is allowed");
+  }
+  return c;
+}
+
+/// The rows of the inverse of the matrix with these columns, not yet divided by the determinant: exact.
+std::array<ExactVec3, 3> exactAdjugateRows(const Columns& c) {
+  return {exactCross(toDoubleDouble(c[1]), c[2]), exactCross(toDoubleDouble(c[2]), c[0]),
+          exactCross(toDoubleDouble(c[0]), c[1])};
+}
+
+DoubleDouble exactDeterminant(const std::array<ExactVec3, 3>& adjugate, const Columns& c) {
+  Expansion<48> sum;
+  for (std::size_t i = 0; i < 3; ++i) sum.addScaled(adjugate[0][i], c[0][i]);
+  return sum.rounded();
+}
+
+struct Inverse {
+  std::array<ExactVec3, 3> adjugate;
+  DoubleDouble determinant;
+  std::array<DDVec3, 3> rows;
+};
+
+Inverse inverse(const Columns& c) {
+  Inverse result{exactAdjugateRows(c), {}, {}};
+  result.determinant = exactDeterminant(result.adjugate, c);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) result.rows[i][j] = result.adjugate[i][j].rounded() / result.determinant;
+  return result;
+}
+
+std::array<DDVec3, 3> transposedColumns(const std::array<DDVec3, 3>& rows) {
+  std::array<DDVec3, 3> columns;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) columns[i][j] = rows[j][i];
+  return columns;
+}
+
+}  // namespace
+
+Pose lookAlong(const Vec3& position, const Vec3& direction, const Vec3& up, Handedness world) {
+  requireFinite(position, "position");
+  requireFinite(direction, "direction");
+  return lookAlongExactly(position, toDoubleDouble(direction), up, world, "direction");
+}
+
+Pose lookAt(const Vec3& position, const Vec3& target, const Vec3& up, Handedness world) {
+  requireFinite(position, "position");
+  requireFinite(target, "target");
+  // Quartered where the difference could overflow; only its direction counts.
+  const double quarter = std::max(maxAbs(position), maxAbs(target)) > 0x1p1000 ? 0.25 : 1;
+  DDVec3 direction;
+  for (std::size_t i = 0; i < 3; ++i) direction[i] = twoDiff(target[i] * quarter, position[i] * quarter);
+  return lookAlongExactly(position, direction, up, world, "target");
+}
+
+Pose poseFromRotation(const Vec3& position, const Quaternion& q, CameraAxes axes, Handedness world) {
+  requireFinite(position, "position");
+  requireFinite({q.x, q.y, q.z}, "rotation");
+  requireFinite({q.w, 0, 0}, "rotation");
+  const double largest = std::max(maxAbs(Vec3{q.x, q.y, q.z}), std::fabs(q.w));
+  if (largest == 0) throw CameraError("rotation", "is zero");
+  requireHandedness(axes, world, false, "rotation");
+  const int k = -std::ilogb(largest);
+  const double x = std::ldexp(q.x, k), y = std::ldexp(q.y, k), z = std::ldexp(q.z, k), w = std::ldexp(q.w, k);
+
+  using Exact = Expansion<8>;
+  const auto squares = [&](double sx, double sy, double sz) {
+    Exact e;
+    e.addProduct(w, w);
+    e.addProduct(sx * x, x);
+    e.addProduct(sy * y, y);
+    e.addProduct(sz * z, z);
+    return e.rounded();
+  };
+  const auto twice = [&](double a, double b, double c, double d) {  // 2 (a b + c d)
+    Exact e;
+    e.addProduct(2 * a, b);
+    e.addProduct(2 * c, d);
+    return e.rounded();
+  };
+  //     | ww+xx-yy-zz   2(xy-zw)      2(xz+yw)    |
+  // R = | 2(xy+zw)      ww-xx+yy-zz   2(yz-xw)    | / (ww+xx+yy+zz)
+  //     | 2(xz-yw)      2(yz+xw)      ww-xx-yy+zz |
+  std::array<DDVec3, 3> columns = {{
+      {squares(1, -1, -1), twice(x, y, z, w), twice(x, z, -y, w)},
+      {twice(x, y, -z, w), squares(-1, 1, -1), twice(y, z, x, w)},
+      {twice(x, z, y, w), twice(y, z, -x, w), squares(-1, -1, 1)},
+  }};
+  const DoubleDouble length = squares(1, 1, 1);
+  for (DDVec3& column : columns)
+    for (std::size_t i = 0; i < 3; ++i) column[i] = column[i] / length;
+  const Axes camera = toAxes(columns, axes);
+  return {toDoubleDouble(position), camera, camera};
+}
+
+Pose poseFromWorldFromCamera(const Mat4& matrix, CameraAxes axes, Handedness world) {
+  const Columns c = checkedColumns(matrix, "worldFromCamera");
+  const Inverse inverted = inverse(c);
+  requireHandedness(axes, world, inverted.determinant.hi < 0, "worldFromCamera");
+  return {{matrix[0][3], matrix[1][3], matrix[2][3]},
+          toAxes(inverted.rows, axes),
+          toAxes({toDoubleDouble(c[0]), toDoubleDouble(c[1]), toDoubleDouble(c[2])}, axes)};
+}
+
+Pose poseFromCameraFromWorld(const Mat4& matrix, CameraAxes axes, Handedness world) {
+  const Columns c = checkedColumns(matrix, "cameraFromWorld");
+  const Inverse inverted = inverse(c);
+  requireHandedness(axes, world, inverted.determinant.hi < 0, "cameraFromWorld");
+  // eye = -M^-1 t
+  DDVec3 eye;
+  for (std::size_t i = 0; i < 3; ++i) {
+    Expansion<48> sum;
+    for (std::size_t j = 0; j < 3; ++j) sum.addScaled(inverted.adjugate[i][j], -matrix[j][3]);
+    eye[i] = sum.rounded() / inverted.determinant;
+  }
+  const std::array<DDVec3, 3> rows = {{{matrix[0][0], matrix[0][1], matrix[0][2]},
+                                       {matrix[1][0], matrix[1][1], matrix[1][2]},
+                                       {matrix[2][0], matrix[2][1], matrix[2][2]}}};
+  return {eye, toAxes(rows, axes), toAxes(transposedColumns(inverted.rows), axes)};
+}
+
+}  // namespace viewproj

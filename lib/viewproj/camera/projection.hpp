@@ -1,0 +1,63 @@
+// What part of space a camera sees: four window edges, near and far.
+//
+// Every way to describe a lens is a function here that ends in those six numbers. To add one, add a function that
+// computes the edges, and a branch to the camera file's reader.
+#pragma once
+
+#include <limits>
+
+#include "viewproj/camera/viewport.hpp"
+#include "viewproj/numbers/double_double.hpp"
+
+namespace viewproj {
+
+/// Edges are distances along the right and the up axis: in perspective on the plane at distance 1 from the eye
+/// (tangents), in orthographic anywhere. near and far are distances along the viewing axis.
+struct Projection {
+  bool orthographic = false;
+  DoubleDouble left, right, bottom, top;
+  double near = 0;
+  double far = 0;  ///< may be infinite in perspective
+};
+
+inline constexpr double kInfiniteFar = std::numeric_limits<double>::infinity();
+
+/// Limits of a window's width, height and edges, so that neither they nor their inverses leave the range of doubles.
+inline constexpr double kSmallestWindow = 0x1p-900;
+inline constexpr double kLargestWindow = 0x1p900;
+
+// Each function throws CameraError naming the parameter at fault. Perspective needs 0 < near < far <= infinity,
+// orthographic finite near < far. Edges come out within 2^-98 of the true ones, relative to the wider of the two.
+
+/// degrees: the full vertical, horizontal or diagonal angle, between 0 and 180; aspect: width / height of the picture.
+Projection perspectiveFovY(double degrees, DoubleDouble aspect, double near, double far);
+Projection perspectiveFovX(double degrees, DoubleDouble aspect, double near, double far);
+Projection perspectiveFovDiagonal(double degrees, DoubleDouble aspect, double near, double far);
+
+/// The window's width and height on the near plane (XMMatrixPerspectiveLH).
+Projection perspectiveNearSize(double nearWidth, double nearHeight, double near, double far);
+
+/// focalLength and the sensor's sides in one unit; a sensor side of 0 follows from the other and aspect.
+Projection perspectiveFocalLength(double focalLength, double sensorWidth, double sensorHeight, DoubleDouble aspect,
+                                  double near, double far);
+
+/// Edges on the near plane (glFrustum).
+Projection frustum(double left, double right, double bottom, double top, double near, double far);
+
+/// Edges anywhere along the view (glOrtho); near may be negative.
+Projection orthographic(double left, double right, double bottom, double top, double near, double far);
+
+/// Focal lengths and principal point in pixels of the viewport, as its origin and pixelCenter count them.
+Projection intrinsics(DoubleDouble fx, DoubleDouble fy, double cx, double cy, const Viewport& viewport, double near,
+                      double far);
+
+/// The picture moved right by dx and up by dy half-widths and half-heights (lens shift, jitter).
+Projection shifted(const Projection& projection, double dx, double dy);
+
+/// The window of a tile of the viewport's picture; its viewport is cropped(viewport, crop).
+Projection cropped(const Projection& projection, const Viewport& viewport, const Crop& crop);
+
+/// Width / height of the window.
+DoubleDouble windowAspect(const Projection& projection);
+
+}  // namespace viewproj

@@ -1,0 +1,36 @@
+// From window coordinates to screen positions: the one affine map of the screen.
+#pragma once
+
+#include "viewproj/camera/projection.hpp"
+#include "viewproj/camera/viewport.hpp"
+
+namespace viewproj {
+
+/// Screen position of the corner of the picture that screen numbers are counted from.
+struct ScreenCorner {
+  DoubleDouble x, y;
+};
+
+/// A picture's corner lies half a pixel before the centre of its first pixel.
+constexpr ScreenCorner screenCorner(const Viewport& v) noexcept {
+  const DoubleDouble halfPixel = twoDiff(v.pixelCenter, 0.5);
+  return {DoubleDouble(v.x) + halfPixel, DoubleDouble(v.y) + halfPixel};
+}
+
+/// screen x = centerX + scaleX * h and screen y = centerY + scaleY * v, where (h, v) are the window coordinates right and
+/// up: X/W and Y/W in perspective, X and Y in orthographic. (centerX, centerY) is where the viewing axis meets the screen.
+struct ScreenMap {
+  DoubleDouble centerX, centerY, scaleX, scaleY;
+};
+
+/// scaleY is negative where screen y runs downwards.
+constexpr ScreenMap screenMap(const Projection& p, const Viewport& v) noexcept {
+  const ScreenCorner corner = screenCorner(v);
+  const DoubleDouble scaleX = DoubleDouble(v.width) / (p.right - p.left);
+  const DoubleDouble up = DoubleDouble(v.height) / (p.top - p.bottom);
+  const bool down = v.origin == Origin::topLeft;
+  return {corner.x - p.left * scaleX, down ? corner.y + p.top * up : corner.y - p.bottom * up, scaleX,
+          down ? -up : up};
+}
+
+}  // namespace viewproj

@@ -1,0 +1,60 @@
+// Error-free transforms: a sum or a product of two doubles as the rounded result and its exact error.
+//
+// Valid while no intermediate overflows and no product's error underflows: |a|, |b| < 2^996 and |a*b| > 2^-969 (or zero).
+// Sources: Knuth (twoSum), Dekker 1971 (split, twoProd). They need strict IEEE arithmetic without contraction, so the
+// build passes -ffp-contract=off, and fast-math is refused here.
+#pragma once
+
+#ifdef __FAST_MATH__
+#error "viewproj needs IEEE arithmetic: -ffast-math destroys its error-free transforms"
+#endif
+
+namespace viewproj {
+
+/// An unevaluated sum hi + lo with |lo| <= ulp(hi)/2: about 106 bits.
+struct DoubleDouble {
+  double hi = 0;
+  double lo = 0;
+
+  constexpr DoubleDouble() = default;
+  constexpr DoubleDouble(double value) : hi(value) {}  // NOLINT: a double is an exact double-double
+  constexpr DoubleDouble(double high, double low) : hi(high), lo(low) {}
+
+  /// The nearest double.
+  explicit constexpr operator double() const { return hi; }
+};
+
+/// a + b exactly.
+constexpr DoubleDouble twoSum(double a, double b) noexcept {
+  const double sum = a + b;
+  const double bPart = sum - a;
+  return {sum, (a - (sum - bPart)) + (b - bPart)};
+}
+
+/// a - b exactly.
+constexpr DoubleDouble twoDiff(double a, double b) noexcept { return twoSum(a, -b); }
+
+/// a + b exactly, given |a| >= |b| or a == 0.
+constexpr DoubleDouble quickTwoSum(double a, double b) noexcept {
+  const double sum = a + b;
+  return {sum, b - (sum - a)};
+}
+
+/// a * b exactly.
+constexpr DoubleDouble twoProd(double a, double b) noexcept {
+  const double product = a * b;
+#ifdef __FMA__
+  return {product, __builtin_fma(a, b, -product)};
+#else
+  constexpr double splitter = 0x1p27 + 1;
+  const double aScaled = splitter * a;
+  const double bScaled = splitter * b;
+  const double aHigh = aScaled - (aScaled - a);
+  const double bHigh = bScaled - (bScaled - b);
+  const double aLow = a - aHigh;
+  const double bLow = b - bHigh;
+  return {product, ((aHigh * bHigh - product) + aHigh * bLow + aLow * bHigh) + aLow * bLow};
+#endif
+}
+
+}  // namespace viewproj

@@ -1,0 +1,63 @@
+// Exact sums of products of doubles.
+//
+// Source: Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric predicates", 1997
+// (grow-expansion with zero elimination). Exact inside the range that error_free.hpp states.
+#pragma once
+
+#include <cstddef>
+
+#include "viewproj/numbers/double_double.hpp"
+
+namespace viewproj {
+
+/// A number held exactly as the sum of up to Capacity non-overlapping doubles, smallest first.
+template <std::size_t Capacity>
+class Expansion {
+ public:
+  void add(double value) noexcept {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < count_; ++i) {
+      const DoubleDouble sum = twoSum(value, terms_[i]);
+      value = sum.hi;
+      if (sum.lo != 0) terms_[kept++] = sum.lo;
+    }
+    if (value != 0) terms_[kept++] = value;
+    count_ = kept;
+  }
+
+  void addProduct(double a, double b) noexcept {
+    const DoubleDouble product = twoProd(a, b);
+    add(product.lo);
+    add(product.hi);
+  }
+
+  void addProduct(DoubleDouble a, double b) noexcept {
+    addProduct(a.lo, b);
+    addProduct(a.hi, b);
+  }
+
+  /// Adds factor times another expansion.
+  template <std::size_t Other>
+  void addScaled(const Expansion<Other>& other, double factor) noexcept {
+    for (std::size_t i = 0; i < other.size(); ++i) addProduct(other.term(i), factor);
+  }
+
+  std::size_t size() const noexcept { return count_; }
+  double term(std::size_t i) const noexcept { return terms_[i]; }
+
+  /// Exact: zero means zero.
+  bool isZero() const noexcept { return count_ == 0; }
+
+  /// The nearest double-double, up to 2^-106 relative.
+  DoubleDouble rounded() const noexcept {
+    DoubleDouble sum;
+    for (std::size_t i = 0; i < count_; ++i) sum += DoubleDouble(terms_[i]);
+    return sum;
+  }
+
+ private:
+  double terms_[Capacity];
+  std::size_t count_ = 0;
+};
+
+}  // namespace viewproj

@@ -1,0 +1,24 @@
+// What a projection does to coordinates along the camera's axes. Internal to the library's view room.
+#pragma once
+
+#include "viewproj/camera/camera.hpp"
+
+namespace viewproj {
+
+/// Two affine maps that a projection is made of: of the window's coordinates and of depth. In perspective
+///   out.x = (scaleX X + offsetX W) / W,  out.y = (scaleY Y + offsetY W) / W,  out.z = (depth.offset W + depth.scale) / W
+/// and in orthographic
+///   out.x = scaleX X + offsetX,          out.y = scaleY Y + offsetY,          out.z = depth.offset + depth.scale W
+/// where out is NDC or the screen. The inverse map of x is X = (out.x - offsetX) / scaleX, and so on.
+struct Lens {
+  bool orthographic;
+  DoubleDouble scaleX, offsetX, scaleY, offsetY;
+  DoubleDouble inverseScaleX, inverseOffsetX, inverseScaleY, inverseOffsetY;
+  DepthLine depth;
+  DoubleDouble inverseDepthOffset, inverseDepthScale;  // 1/W or W = inverseDepthOffset + inverseDepthScale out.z
+};
+
+/// To normalised device coordinates of the convention.
+Lens ndcLens(const Projection& projection, const Convention& convention) noexcept;
+
+}  // namespace viewproj

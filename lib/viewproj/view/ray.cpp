@@ -1,0 +1,106 @@
+#include "viewproj/view/ray.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace viewproj {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr Vec3 kNoVector{kNaN, kNaN, kNaN};
+
+bool isFinite(const Vec2& v) noexcept { return std::isfinite(v.x) && std::isfinite(v.y); }
+
+/// A screen position in window coordinates, right and up.
+struct WindowPoint {
+  DoubleDouble right, up;
+};
+
+WindowPoint toWindow(const Camera& c, const Vec2& screen) noexcept {
+  return {(DoubleDouble(screen.x) - c.screen.centerX) / c.screen.scaleX,
+          (DoubleDouble(screen.y) - c.screen.centerY) / c.screen.scaleY};
+}
+
+/// The offset from the eye of the point at a window position and distance.
+DDVec3 offsetAt(const Camera& c, const WindowPoint& at, DoubleDouble distance) noexcept {
+  const Axes& axes = c.pose.columns;
+  const DoubleDouble spread = c.projection.orthographic ? DoubleDouble(1) : distance;
+  return axes.right * (at.right * spread) + axes.up * (at.up * spread) + axes.forward * distance;
+}
+
+Vec3 originAt(const Camera& c, const WindowPoint& at, RayOrigin origin) noexcept {
+  const double distance = origin == RayOrigin::nearPlane ? c.projection.near : 0;
+  return rounded(c.pose.eye + offsetAt(c, at, distance));
+}
+
+Vec3 exactDirection(const Camera& c, const WindowPoint& at) noexcept {
+  return rounded(normalized(c.projection.orthographic ? c.pose.columns.forward : offsetAt(c, at, 1)));
+}
+
+/// value - center, rounded once.
+double offsetFrom(DoubleDouble center, double value) noexcept {
+  const DoubleDouble difference = twoDiff(value, center.hi);
+  return difference.hi + (difference.lo - center.lo);
+}
+
+Vec3 standardDirection(const Camera& c, const Vec2& screen) noexcept {
+  const auto& r = c.rounded;
+  if (c.projection.orthographic) {
+    const Vec3& f = r.rayW;
+    const double length = std::sqrt(f.x * f.x + f.y * f.y + f.z * f.z);
+    return {f.x / length, f.y / length, f.z / length};
+  }
+  const double a = offsetFrom(c.screen.centerX, screen.x);
+  const double b = offsetFrom(c.screen.centerY, screen.y);
+  Vec3 v{r.rayW.x + (a * r.rayX.x + b * r.rayY.x), r.rayW.y + (a * r.rayX.y + b * r.rayY.y),
+         r.rayW.z + (a * r.rayX.z + b * r.rayY.z)};
+  const double largest = maxAbs(v);
+  if (!(largest < 0x1p500)) {  // its square would overflow
+    const int k = std::isfinite(largest) ? -std::ilogb(largest) : 0;
+    v = {std::ldexp(v.x, k), std::ldexp(v.y, k), std::ldexp(v.z, k)};
+  }
+  const double length = std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
+  return {v.x / length, v.y / length, v.z / length};
+}
+
+WorldPoint pointAt(const Camera& c, const WindowPoint& at, DoubleDouble distance) noexcept {
+  const Vec3 position = rounded(c.pose.eye + offsetAt(c, at, distance));
+  if (!viewproj::isFinite(position)) return {kNoVector, DepthStatus::infinity};
+  return {position, DepthStatus::point};
+}
+
+}  // namespace
+
+Ray screenToRay(const Camera& c, const Vec2& screen, Precision precision, RayOrigin origin) noexcept {
+  if (!isFinite(screen)) return {kNoVector, kNoVector};
+  const bool originIsEye = origin == RayOrigin::eye && !c.projection.orthographic;
+  if (precision == Precision::standard)
+    return {originIsEye ? c.rounded.eye : originAt(c, toWindow(c, screen), origin), standardDirection(c, screen)};
+  const WindowPoint at = toWindow(c, screen);
+  return {originIsEye ? c.rounded.eye : originAt(c, at, origin), exactDirection(c, at)};
+}
+
+WorldPoint screenToWorld(const Camera& c, const Vec2& screen, double depth) noexcept {
+  if (!isFinite(screen) || !std::isfinite(depth)) return {kNoVector, DepthStatus::notFinite};
+  const Projection& p = c.projection;
+  const DoubleDouble range = twoDiff(c.depthAtFar, c.depthAtNear);
+  // How far the depth is from near's and from far's, as shares of the range: they sum to 1.
+  const DoubleDouble fromNear = twoDiff(depth, c.depthAtNear) / range;
+  const DoubleDouble fromFar = twoDiff(c.depthAtFar, depth) / range;
+  const WindowPoint at = toWindow(c, screen);
+  if (p.orthographic) return pointAt(c, at, DoubleDouble(p.near) * fromFar + DoubleDouble(p.far) * fromNear);
+  if (depth == c.depthAtInfinity) return {kNoVector, DepthStatus::infinity};
+  // fromNear = (1 - n/w) f/(f - n), so w = n / (fromFar + fromNear n/f).
+  DoubleDouble divisor = fromFar;
+  if (std::isfinite(p.far)) divisor += fromNear * (DoubleDouble(p.near) / DoubleDouble(p.far));
+  if (!(divisor.hi > 0)) return {kNoVector, DepthStatus::beyond};
+  return pointAt(c, at, DoubleDouble(p.near) / divisor);
+}
+
+WorldPoint screenToWorldAtDistance(const Camera& c, const Vec2& screen, double viewDistance) noexcept {
+  if (!isFinite(screen) || !std::isfinite(viewDistance)) return {kNoVector, DepthStatus::notFinite};
+  if (!c.projection.orthographic && !(viewDistance > 0)) return {kNoVector, DepthStatus::beyond};
+  return pointAt(c, toWindow(c, screen), viewDistance);
+}
+
+}  // namespace viewproj

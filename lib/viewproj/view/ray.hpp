@@ -1,0 +1,49 @@
+// screenToRay and screenToWorld: what lies behind a pixel.
+#pragma once
+
+#include <cstdint>
+
+#include "viewproj/camera/camera.hpp"
+
+namespace viewproj {
+
+/// direction has unit length.
+struct Ray {
+  Vec3 origin, direction;
+};
+
+enum class RayOrigin {
+  eye,        ///< the plane through the eye: the eye itself in perspective, a point per pixel in orthographic
+  nearPlane,
+};
+
+/// Largest angle in radians between a ray's direction and the true one, for pixels of the picture, in every precision and
+/// whatever near and far are. Five roundings a component, (5 sqrt(3) + 1) 2^-53, plus what a pose matrix's
+/// non-orthogonality adds.
+inline constexpr double kRayDirectionBound = 1.2e-15;
+
+/// The ray of points that project to this screen position. No matrix and no inverse: window coordinates of the pixel along
+/// the camera's axes. NaN in, NaN out. In exact, each component is within 0.51 ulp of the true one.
+Ray screenToRay(const Camera& camera, const Vec2& screen, Precision precision = Precision::exact,
+                RayOrigin origin = RayOrigin::eye) noexcept;
+
+enum class DepthStatus : std::uint8_t {
+  point,
+  infinity,   ///< the window depth of points infinitely far away: a direction, no point
+  beyond,     ///< a depth that no point in front of the eye has
+  notFinite,  ///< the input had a NaN or an infinity
+};
+
+struct WorldPoint {
+  Vec3 position;  ///< NaN unless status is point
+  DepthStatus status = DepthStatus::point;
+};
+
+/// The point at this screen position and window depth (as worldToScreen gives it; not clamped). In double-double and
+/// rounded once; what the depth's own last digit is worth in distance is the depth's, not the arithmetic's.
+WorldPoint screenToWorld(const Camera& camera, const Vec2& screen, double depth) noexcept;
+
+/// The point at this screen position and distance along the viewing axis.
+WorldPoint screenToWorldAtDistance(const Camera& camera, const Vec2& screen, double viewDistance) noexcept;
+
+}  // namespace viewproj

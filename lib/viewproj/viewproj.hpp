@@ -1,0 +1,9 @@
+// The whole library: cameras, matrices, worldToScreen, screenToRay.
+#pragma once
+
+#include "viewproj/camera/camera.hpp"
+#include "viewproj/camera/error.hpp"
+#include "viewproj/view/clip.hpp"
+#include "viewproj/view/matrices.hpp"
+#include "viewproj/view/ray.hpp"
+#include "viewproj/view/screen.hpp"
