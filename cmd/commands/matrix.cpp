@@ -126,7 +126,7 @@ int runMatrix(int argc, char** argv) {
           {std::string(row.name) + "Inverse", matrixOf(row.which, true, read, wanted, set.convention)});
   }
   for (const NamedMatrix& named : set.matrices) requireRepresentable(named, set, read);
-  if (wanted.relativeToEye && read.pose) set.eye = rounded(read.pose->eye);
+  if (wanted.relativeToEye && read.pose) set.eye = read.pose->eye;
   writeOutput(writeMatrices(set, format));
   return 0;
 }

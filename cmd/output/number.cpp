@@ -1,5 +1,6 @@
 #include "output/number.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -17,9 +18,18 @@ void append(std::string& out, T value) {
   const double largestPlain = sizeof(T) == sizeof(double) ? 1e16 : 1e7;
   const bool plain = value == 0 || (size >= 1e-5 && size < largestPlain);
   char text[40];
-  const auto result = plain ? std::to_chars(text, text + sizeof text, value, std::chars_format::fixed)
-                            : std::to_chars(text, text + sizeof text, value, std::chars_format::scientific);
-  out.append(text, result.ptr);
+  if (plain) {
+    out.append(text, std::to_chars(text, text + sizeof text, value, std::chars_format::fixed).ptr);
+    return;
+  }
+  // 5e-06 and 1e+16 become 5e-6 and 1e16.
+  char* end = std::to_chars(text, text + sizeof text, value, std::chars_format::scientific).ptr;
+  char* exponent = std::find(text, end, 'e') + 1;
+  out.append(text, exponent);
+  if (*exponent == '-') out += '-';
+  ++exponent;
+  while (exponent + 1 < end && *exponent == '0') ++exponent;
+  out.append(exponent, end);
 }
 
 }  // namespace

@@ -62,11 +62,11 @@ Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport
 
   const DoubleDouble perPixelX = DoubleDouble(1) / c.screen.scaleX;
   const DoubleDouble perPixelY = DoubleDouble(1) / c.screen.scaleY;
-  c.rounded = {rounded(pose.eye),
-               lowParts(pose.eye),
+  c.rounded = {pose.eye,
                rounded(pose.rows.right * c.screen.scaleX),
                rounded(pose.rows.up * c.screen.scaleY),
                rounded(pose.rows.forward),
+               rounded(DDVec3{pose.residual.x * c.screen.scaleX, pose.residual.y * c.screen.scaleY, pose.residual.z}),
                c.screen.centerX.hi,
                c.screen.centerY.hi,
                depth.offset.hi,

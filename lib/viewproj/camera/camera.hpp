@@ -32,8 +32,9 @@ struct Camera {
   /// For double arithmetic: the rows scaled to pixels, and window depth = depthOffset + depthScale / W (perspective) or
   /// depthOffset + depthScale * W (orthographic).
   struct Rounded {
-    Vec3 eye, eyeLow;        ///< eyeLow is zero unless the pose was given as cameraFromWorld
+    Vec3 eye;
     Vec3 x, y, w;            ///< scaleX * right, scaleY * up, forward
+    Vec3 residual;           ///< the pose's, scaled likewise
     double centerX = 0, centerY = 0;
     double depthOffset = 0, depthScale = 0;
     Vec3 rayX, rayY, rayW;   ///< columns: right / scaleX, up / scaleY, forward

@@ -4,12 +4,10 @@
 #include <string>
 
 #include "viewproj/camera/error.hpp"
-#include "viewproj/numbers/expansion.hpp"
 
 namespace viewproj {
 namespace {
 
-using ExactVec3 = std::array<Expansion<8>, 3>;
 using Columns = std::array<Vec3, 3>;
 
 void requireFinite(const Vec3& v, const char* field) {
@@ -44,10 +42,16 @@ Pose lookAlongExactly(const Vec3& position, const DDVec3& direction, const Vec3&
   if (side[0].isZero() && side[1].isZero() && side[2].isZero())
     throw CameraError("up", "is parallel to the viewing direction, so it does not say which way is up; give another");
 
-  const DDVec3 right = normalized(rounded(side));
-  const DDVec3 forward = normalized(g);
-  const Axes axes{world == Handedness::right ? right : -right, cross(right, forward), forward};
-  return {toDoubleDouble(position), axes, axes};
+  const DDVec3 roundedSide = rounded(side);
+  const DoubleDouble sideScale = inverseLength(roundedSide);
+  const DoubleDouble forwardScale = inverseLength(g);
+  const DDVec3 right = roundedSide * sideScale;
+  const DDVec3 forward = g * forwardScale;
+  const double handed = world == Handedness::right ? 1 : -1;
+  const Axes axes{right * DoubleDouble(handed), cross(right, forward), forward};
+  ExactRows exact{side, {}, {}, true, sideScale * DoubleDouble(handed), sideScale * forwardScale, forwardScale, position, {}};
+  for (std::size_t i = 0; i < 3; ++i) exact.forward[i] = {g[i].lo, g[i].hi};
+  return {position, axes, axes, {}, exact};
 }
 
 const char* axesName(CameraAxes axes) {
@@ -98,6 +102,23 @@ Axes toAxes(const std::array<DDVec3, 3>& xyz, CameraAxes axes) {
   for (std::size_t i = 0; i < 3; ++i)
     result[static_cast<std::size_t>(map.along[i])] = xyz[i] * DoubleDouble(map.sign[i]);
   return {result[0], result[1], result[2]};
+}
+
+/// The same for exact rows, which share a scale; the signs go to the scales.
+ExactRows toExactRows(const std::array<ExactVec3, 3>& xyz, DoubleDouble scale, CameraAxes axes, const Vec3& origin,
+                      const Vec3& translation) {
+  const AxisMap map = axisMap(axes);
+  ExactRows rows;
+  rows.origin = origin;
+  ExactVec3* const row[] = {&rows.right, &rows.up, &rows.forward};
+  DoubleDouble* const rowScale[] = {&rows.rightScale, &rows.upScale, &rows.forwardScale};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto along = static_cast<std::size_t>(map.along[i]);
+    *row[along] = xyz[i];
+    *rowScale[along] = scale * DoubleDouble(map.sign[i]);
+    rows.translation[along] = translation[i];
+  }
+  return rows;
 }
 
 /// The 3x3 of a pose matrix, by columns, checked.
@@ -186,60 +207,78 @@ Pose poseFromRotation(const Vec3& position, const Quaternion& q, CameraAxes axes
   const int k = -std::ilogb(largest);
   const double x = std::ldexp(q.x, k), y = std::ldexp(q.y, k), z = std::ldexp(q.z, k), w = std::ldexp(q.w, k);
 
-  using Exact = Expansion<8>;
   const auto squares = [&](double sx, double sy, double sz) {
-    Exact e;
+    Expansion<8> e;
     e.addProduct(w, w);
     e.addProduct(sx * x, x);
     e.addProduct(sy * y, y);
     e.addProduct(sz * z, z);
-    return e.rounded();
+    return e;
   };
   const auto twice = [&](double a, double b, double c, double d) {  // 2 (a b + c d)
-    Exact e;
+    Expansion<8> e;
     e.addProduct(2 * a, b);
     e.addProduct(2 * c, d);
-    return e.rounded();
+    return e;
   };
   //     | ww+xx-yy-zz   2(xy-zw)      2(xz+yw)    |
-  // R = | 2(xy+zw)      ww-xx+yy-zz   2(yz-xw)    | / (ww+xx+yy+zz)
+  // R = | 2(xy+zw)      ww-xx+yy-zz   2(yz-xw)    | / (ww+xx+yy+zz), by columns:
   //     | 2(xz-yw)      2(yz+xw)      ww-xx-yy+zz |
-  std::array<DDVec3, 3> columns = {{
+  const std::array<ExactVec3, 3> columns = {{
       {squares(1, -1, -1), twice(x, y, z, w), twice(x, z, -y, w)},
       {twice(x, y, -z, w), squares(-1, 1, -1), twice(y, z, x, w)},
       {twice(x, z, y, w), twice(y, z, -x, w), squares(-1, -1, 1)},
   }};
-  const DoubleDouble length = squares(1, 1, 1);
-  for (DDVec3& column : columns)
-    for (std::size_t i = 0; i < 3; ++i) column[i] = column[i] / length;
-  const Axes camera = toAxes(columns, axes);
-  return {toDoubleDouble(position), camera, camera};
+  const DoubleDouble scale = DoubleDouble(1) / squares(1, 1, 1).rounded();
+  const Axes camera = toAxes({rounded(columns[0]) * scale, rounded(columns[1]) * scale, rounded(columns[2]) * scale}, axes);
+  return {position, camera, camera, {}, toExactRows(columns, scale, axes, position, {})};
 }
 
 Pose poseFromWorldFromCamera(const Mat4& matrix, CameraAxes axes, Handedness world) {
   const Columns c = checkedColumns(matrix, "worldFromCamera");
   const Inverse inverted = inverse(c);
   requireHandedness(axes, world, inverted.determinant.hi < 0, "worldFromCamera");
-  return {{matrix[0][3], matrix[1][3], matrix[2][3]},
+  const Vec3 eye{matrix[0][3], matrix[1][3], matrix[2][3]};
+  return {eye,
           toAxes(inverted.rows, axes),
-          toAxes({toDoubleDouble(c[0]), toDoubleDouble(c[1]), toDoubleDouble(c[2])}, axes)};
+          toAxes({toDoubleDouble(c[0]), toDoubleDouble(c[1]), toDoubleDouble(c[2])}, axes),
+          {},
+          toExactRows(inverted.adjugate, DoubleDouble(1) / inverted.determinant, axes, eye, {})};
 }
 
 Pose poseFromCameraFromWorld(const Mat4& matrix, CameraAxes axes, Handedness world) {
   const Columns c = checkedColumns(matrix, "cameraFromWorld");
   const Inverse inverted = inverse(c);
   requireHandedness(axes, world, inverted.determinant.hi < 0, "cameraFromWorld");
-  // eye = -M^-1 t
-  DDVec3 eye;
+  // eye = -M^-1 t rounded, and residual = M eye + t exactly
+  Vec3 eye;
   for (std::size_t i = 0; i < 3; ++i) {
     Expansion<48> sum;
     for (std::size_t j = 0; j < 3; ++j) sum.addScaled(inverted.adjugate[i][j], -matrix[j][3]);
-    eye[i] = sum.rounded() / inverted.determinant;
+    eye[i] = (sum.rounded() / inverted.determinant).hi;
   }
+  std::array<DDVec3, 3> residual;  // as columns that hold one number each, to be named like the axes
+  for (std::size_t i = 0; i < 3; ++i) {
+    Expansion<8> sum;
+    for (std::size_t j = 0; j < 3; ++j) sum.addProduct(matrix[i][j], eye[j]);
+    sum.add(matrix[i][3]);
+    residual[i].x = sum.rounded();
+  }
+  const Axes left = toAxes(residual, axes);
+  std::array<ExactVec3, 3> exact;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) exact[i][j] = {matrix[i][j]};
   const std::array<DDVec3, 3> rows = {{{matrix[0][0], matrix[0][1], matrix[0][2]},
                                        {matrix[1][0], matrix[1][1], matrix[1][2]},
                                        {matrix[2][0], matrix[2][1], matrix[2][2]}}};
-  return {eye, toAxes(rows, axes), toAxes(transposedColumns(inverted.rows), axes)};
+  return {eye, toAxes(rows, axes), toAxes(transposedColumns(inverted.rows), axes),
+          {left.right.x, left.up.x, left.forward.x},
+          toExactRows(exact, 1, axes, {}, {matrix[0][3], matrix[1][3], matrix[2][3]})};
+}
+
+DDVec3 unroundedEye(const Pose& p) noexcept {
+  return toDoubleDouble(p.eye) + -(p.columns.right * p.residual.x + p.columns.up * p.residual.y +
+                                   p.columns.forward * p.residual.z);
 }
 
 }  // namespace viewproj

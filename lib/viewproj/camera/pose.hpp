@@ -1,7 +1,10 @@
 // Where a camera stands and how it is turned.
 #pragma once
 
+#include <array>
+
 #include "viewproj/camera/convention.hpp"
+#include "viewproj/numbers/expansion.hpp"
 #include "viewproj/numbers/vectors.hpp"
 
 namespace viewproj {
@@ -11,16 +14,36 @@ struct Axes {
   DDVec3 right, up, forward;
 };
 
+using ExactVec3 = std::array<Expansion<8>, 3>;
+
+/// The rows of a pose before any rounding, for points whose distances cancel beyond double-double. With
+/// d = point - origin, the distances along the camera's axes are
+///   X = rightScale (right . d + translation.x)   and so on,
+/// where only the scales, common factors of a row, are rounded.
+struct ExactRows {
+  ExactVec3 right, forward;
+  ExactVec3 up;             ///< unused if upIsCross
+  bool upIsCross = false;   ///< up is right x forward of these two, not computed until it is needed
+  DoubleDouble rightScale = 1, upScale = 1, forwardScale = 1;
+  Vec3 origin, translation;
+};
+
 /// A pose. With d = point - eye, the point's distances along the camera's axes are
-///   X = rows.right . d,  Y = rows.up . d,  W = rows.forward . d
+///   X = rows.right . d + residual.x,  Y = rows.up . d + residual.y,  W = rows.forward . d + residual.z
 /// and the way back is
-///   point = eye + X columns.right + Y columns.up + W columns.forward.
+///   point = eye + (X - residual.x) columns.right + (Y - residual.y) columns.up + (W - residual.z) columns.forward.
 /// Rows and columns are the same for a rotation; they differ for a matrix that is not quite orthogonal.
 struct Pose {
-  DDVec3 eye;
+  Vec3 eye;
   Axes rows;
   Axes columns;
+  /// What rounding the eye left over: zero unless the pose came as cameraFromWorld, whose eye need not be a double.
+  DDVec3 residual{};
+  ExactRows exact;
 };
+
+/// The eye to double-double.
+DDVec3 unroundedEye(const Pose& pose) noexcept;
 
 /// Where x, y, z of a rotation or pose matrix point.
 enum class CameraAxes { RUB, RUF, RDF, FRU };

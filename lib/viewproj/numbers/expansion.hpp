@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 
 #include "viewproj/numbers/double_double.hpp"
 
@@ -14,6 +15,11 @@ namespace viewproj {
 template <std::size_t Capacity>
 class Expansion {
  public:
+  Expansion() = default;
+  Expansion(std::initializer_list<double> values) noexcept {  // NOLINT: the sum of the values
+    for (double value : values) add(value);
+  }
+
   void add(double value) noexcept {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < count_; ++i) {
@@ -44,6 +50,12 @@ class Expansion {
 
   std::size_t size() const noexcept { return count_; }
   double term(std::size_t i) const noexcept { return terms_[i]; }
+
+  /// Adds the product with another expansion.
+  template <std::size_t Other, std::size_t Another>
+  void addProduct(const Expansion<Other>& a, const Expansion<Another>& b) noexcept {
+    for (std::size_t i = 0; i < b.size(); ++i) addScaled(a, b.term(i));
+  }
 
   /// Exact: zero means zero.
   bool isZero() const noexcept { return count_ == 0; }

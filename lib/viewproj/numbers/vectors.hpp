@@ -70,7 +70,6 @@ constexpr DDVec3 cross(const DDVec3& a, const DDVec3& b) noexcept {
 constexpr DDVec3 toDoubleDouble(const Vec3& a) noexcept { return {a.x, a.y, a.z}; }
 /// The nearest doubles; adding 0 turns -0 into 0.
 constexpr Vec3 rounded(const DDVec3& a) noexcept { return {a.x.hi + 0.0, a.y.hi + 0.0, a.z.hi + 0.0}; }
-constexpr Vec3 lowParts(const DDVec3& a) noexcept { return {a.x.lo, a.y.lo, a.z.lo}; }
 
 inline DDVec3 scaleByPowerOfTwo(const DDVec3& a, int exponent) noexcept {
   return {scaleByPowerOfTwo(a.x, exponent), scaleByPowerOfTwo(a.y, exponent), scaleByPowerOfTwo(a.z, exponent)};
@@ -87,10 +86,17 @@ inline int exponentToUnit(const DDVec3& a) noexcept {
   return largest > 0 && std::isfinite(largest) ? -std::ilogb(largest) : 0;
 }
 
-/// a / |a|, for a that is not zero; scaled first, so that nothing overflows or underflows.
+/// 1 / |a|, for a that is not zero; scaled first, so that nothing overflows or underflows on the way.
+inline DoubleDouble inverseLength(const DDVec3& a) noexcept {
+  const int k = exponentToUnit(a);
+  const DDVec3 scaled = scaleByPowerOfTwo(a, k);
+  return scaleByPowerOfTwo(DoubleDouble(1) / sqrt(dot(scaled, scaled)), k);
+}
+
+/// a / |a|, for a that is not zero.
 inline DDVec3 normalized(const DDVec3& a) noexcept {
   const DDVec3 scaled = scaleByPowerOfTwo(a, exponentToUnit(a));
-  return scaled * (DoubleDouble(1) / sqrt(dot(scaled, scaled)));
+  return scaled * inverseLength(scaled);
 }
 
 }  // namespace viewproj

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "viewproj/view/eye_point.hpp"
 #include "viewproj/view/lens.hpp"
-#include "viewproj/view/screen.hpp"
 
 namespace viewproj {
 namespace {

@@ -122,25 +122,28 @@ DDMat4 toViewAxes(DDMat4 m, ViewAxes axes) noexcept {
   return m;
 }
 
-/// | right    -right . eye   |
-/// | up       -up . eye      |
-/// | forward  -forward . eye |
-/// | 0        1              |
+/// | right    -right . eye   + residual.x |
+/// | up       -up . eye      + residual.y |
+/// | forward  -forward . eye + residual.z |
+/// | 0        1                           |
 DDMat4 axesFromWorld(const Pose& p) noexcept {
-  const int k = exponentToUnit(p.eye);
-  const DDVec3 eye = scaleByPowerOfTwo(p.eye, k);
-  const auto row = [&](const DDVec3& axis) {
-    return std::array<DoubleDouble, 4>{axis.x, axis.y, axis.z, scaleByPowerOfTwo(-dotOrZero(axis, eye), -k)};
+  const int k = exponentToUnit(toDoubleDouble(p.eye));
+  const DDVec3 eye = scaleByPowerOfTwo(toDoubleDouble(p.eye), k);
+  const auto row = [&](const DDVec3& axis, DoubleDouble residual) {
+    const DoubleDouble translation = scaleByPowerOfTwo(-dotOrZero(axis, eye), -k) + residual;
+    return std::array<DoubleDouble, 4>{axis.x, axis.y, axis.z, translation};
   };
-  return {{row(p.rows.right), row(p.rows.up), row(p.rows.forward), {0, 0, 0, 1}}};
+  return {{row(p.rows.right, p.residual.x), row(p.rows.up, p.residual.y), row(p.rows.forward, p.residual.z),
+           {0, 0, 0, 1}}};
 }
 
 /// | right up forward eye |
 /// | 0     0  0       1   |
 DDMat4 worldFromAxes(const Pose& p) noexcept {
   DDMat4 m{};
+  const DDVec3 eye = unroundedEye(p);
   for (std::size_t i = 0; i < 3; ++i)
-    m[i] = {p.columns.right[i], p.columns.up[i], p.columns.forward[i], p.eye[i]};
+    m[i] = {p.columns.right[i], p.columns.up[i], p.columns.forward[i], eye[i]};
   m[3] = {0, 0, 0, 1};
   return m;
 }
@@ -241,7 +244,12 @@ Mat4 ndcFromScreen(const Viewport& v, const Convention& c) noexcept {
   return rounded(m);
 }
 
-Pose relativeToEye(const Pose& pose) noexcept { return {{}, pose.rows, pose.columns}; }
+Pose relativeToEye(const Pose& pose) noexcept {
+  Pose relative = pose;
+  relative.eye = relative.exact.origin = relative.exact.translation = {};
+  relative.residual = {};
+  return relative;
+}
 
 Mat4 laidOut(const Mat4& matrix, const Convention& c) noexcept {
   return c.vectors == Vectors::row ? transposed(matrix) : matrix;

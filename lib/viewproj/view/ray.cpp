@@ -21,16 +21,21 @@ WindowPoint toWindow(const Camera& c, const Vec2& screen) noexcept {
           (DoubleDouble(screen.y) - c.screen.centerY) / c.screen.scaleY};
 }
 
-/// The offset from the eye of the point at a window position and distance.
+/// The offset from the unrounded eye of the point at a window position and distance.
 DDVec3 offsetAt(const Camera& c, const WindowPoint& at, DoubleDouble distance) noexcept {
   const Axes& axes = c.pose.columns;
   const DoubleDouble spread = c.projection.orthographic ? DoubleDouble(1) : distance;
   return axes.right * (at.right * spread) + axes.up * (at.up * spread) + axes.forward * distance;
 }
 
+/// The world point at a window position and distance.
+Vec3 worldPointAt(const Camera& c, const WindowPoint& at, DoubleDouble distance) noexcept {
+  return rounded(unroundedEye(c.pose) + offsetAt(c, at, distance));
+}
+
 Vec3 originAt(const Camera& c, const WindowPoint& at, RayOrigin origin) noexcept {
   const double distance = origin == RayOrigin::nearPlane ? c.projection.near : 0;
-  return rounded(c.pose.eye + offsetAt(c, at, distance));
+  return worldPointAt(c, at, distance);
 }
 
 Vec3 exactDirection(const Camera& c, const WindowPoint& at) noexcept {
@@ -64,7 +69,7 @@ Vec3 standardDirection(const Camera& c, const Vec2& screen) noexcept {
 }
 
 WorldPoint pointAt(const Camera& c, const WindowPoint& at, DoubleDouble distance) noexcept {
-  const Vec3 position = rounded(c.pose.eye + offsetAt(c, at, distance));
+  const Vec3 position = worldPointAt(c, at, distance);
   if (!viewproj::isFinite(position)) return {kNoVector, DepthStatus::infinity};
   return {position, DepthStatus::point};
 }

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "viewproj/numbers/expansion.hpp"
+#include "viewproj/view/eye_point.hpp"
 
 namespace viewproj {
 namespace {
@@ -37,12 +37,23 @@ std::uint8_t sidesBeyond(const Camera& c, const ScreenPoint& p) noexcept {
   return static_cast<std::uint8_t>(sides);
 }
 
-/// center + scale * h, rounded once; the plain formula where double-double has no finite value.
-double screenCoordinate(DoubleDouble center, DoubleDouble scale, DoubleDouble h) noexcept {
-  const DoubleDouble value = sumOrZero(center, scale * h);
-  // Adding 0 turns -0 into 0.
-  return (std::isnan(value.hi) ? center.hi + scale.hi * h.hi : value.hi) + 0.0;
-}
+/// A number and how far it may be from the true one.
+struct Bounded {
+  DoubleDouble value;
+  double error = 0;
+
+  /// Whether every number within the error rounds to the same double (Ziv's test).
+  bool certain() const noexcept {
+    return value.hi + (value.lo + error) == value.hi && value.hi + (value.lo - error) == value.hi;
+  }
+};
+
+/// Relative error of an operation in double-double, and of a camera's derived numbers (edges, scales, shares).
+constexpr double kOperation = 0x1p-101;
+constexpr double kParameter = 0x1p-98;
+
+/// Adding 0 turns -0 into 0.
+double rounded(const Bounded& b) noexcept { return b.value.hi + 0.0; }
 
 /// a / b, keeping an infinite quotient infinite.
 DoubleDouble quotient(DoubleDouble a, DoubleDouble b) noexcept {
@@ -50,15 +61,33 @@ DoubleDouble quotient(DoubleDouble a, DoubleDouble b) noexcept {
   return std::isfinite(approximate) ? a / b : DoubleDouble(approximate);
 }
 
+/// X / W with both off by at most `error`: |X/W - x/w| <= error (1 + |x/w|) / (|w| - error).
+Bounded windowCoordinate(DoubleDouble x, DoubleDouble w, double error) noexcept {
+  const DoubleDouble q = quotient(x, w);
+  const double size = std::fabs(q.hi);
+  return {q, error * (1 + size) / (std::fabs(w.hi) - error) + kOperation * size};
+}
+
+/// center + scale * h; the plain formula where double-double has no finite value.
+Bounded screenCoordinate(DoubleDouble center, DoubleDouble scale, const Bounded& h) noexcept {
+  const DoubleDouble step = scale * h.value;
+  const DoubleDouble value = sumOrZero(center, step);
+  if (std::isnan(value.hi)) return {center.hi + scale.hi * h.value.hi, 0};
+  return {value, std::fabs(scale.hi) * h.error + kParameter * (std::fabs(center.hi) + std::fabs(step.hi))};
+}
+
 /// Window depth at distance w > 0, from the nearer end of the depth range: near's and far's shares of it are
 ///   perspective   n (f - w) / ((f - n) w)   and   f (w - n) / ((f - n) w)
 ///   orthographic  (f - w) / (f - n)         and   (w - n) / (f - n)
-double windowDepth(const Camera& c, DoubleDouble w) noexcept {
+Bounded windowDepth(const Camera& c, const Bounded& distance) noexcept {
+  const DoubleDouble& w = distance.value;
   double n = c.projection.near, f = c.projection.far;
   DoubleDouble shareOfNear, shareOfFar;
+  double sensitivity;  // of the depth to the distance
   if (c.projection.orthographic) {
     shareOfNear = sumOrZero(f, -w) * c.farOverRange;
     shareOfFar = sumOrZero(w, -n) * c.farOverRange;
+    sensitivity = std::fabs(c.rounded.depthScale);
   } else {
     // Brought to the middle of the range first: only ratios count.
     const double scale = w.hi < 0x1p-400 ? 0x1p600 : w.hi > 0x1p400 ? 0x1p-600 : 1;
@@ -68,12 +97,14 @@ double windowDepth(const Camera& c, DoubleDouble w) noexcept {
     const DoubleDouble fromFar = f > ws.hi * 0x1p120 ? DoubleDouble(1) : sumOrZero(f, -ws) / DoubleDouble(f);
     shareOfNear = quotient(n, ws) * fromFar * c.farOverRange;
     shareOfFar = quotient(sumOrZero(ws, -n), ws) * c.farOverRange;
+    sensitivity = std::fabs(c.rounded.depthScale / w.hi / w.hi);
   }
   const DoubleDouble first = c.depthAtNear == 0 ? DoubleDouble(0) : DoubleDouble(c.depthAtNear) * shareOfNear;
   const DoubleDouble second = c.depthAtFar == 0 ? DoubleDouble(0) : DoubleDouble(c.depthAtFar) * shareOfFar;
   const DoubleDouble depth = first + second;
   // Next to the eye plane depth may overflow.
-  return (std::isnan(depth.hi) ? c.rounded.depthOffset + c.rounded.depthScale / w.hi : depth.hi) + 0.0;
+  if (std::isnan(depth.hi)) return {c.rounded.depthOffset + c.rounded.depthScale / w.hi, 0};
+  return {depth, sensitivity * distance.error + kParameter * (std::fabs(first.hi) + std::fabs(second.hi))};
 }
 
 /// Orthographic: a direction runs out of the picture through these sides.
@@ -88,54 +119,79 @@ std::uint8_t sidesTowards(const EyePoint& e) noexcept {
   return static_cast<std::uint8_t>(sides);
 }
 
+/// A result, and whether it is certain to be the double nearest the true value in each of its numbers.
+struct Attempt {
+  ScreenPoint point;
+  bool certain;
+};
+
 /// A direction (w = 0), from its coordinates along the camera's axes.
-ScreenPoint directionToScreen(const Camera& c, const EyePoint& e) noexcept {
+Attempt directionToScreen(const Camera& c, const EyePoint& e) noexcept {
   if (c.projection.orthographic) {
     ScreenPoint p = without(PointStatus::atInfinity, kNaN);
     p.outside = sidesTowards(e);
-    return p;
+    return {p, std::fabs(e.right.hi) > e.error && std::fabs(e.up.hi) > e.error && std::fabs(e.forward.hi) > e.error};
   }
-  if (!(e.forward.hi > 0)) return without(PointStatus::behind, kNaN);
+  const bool signCertain = std::fabs(e.forward.hi) > e.error;
+  if (!(e.forward.hi > 0)) return {without(PointStatus::behind, kNaN), signCertain};
   ScreenPoint p;
-  p.x = screenCoordinate(c.screen.centerX, c.screen.scaleX, quotient(e.right, e.forward));
-  p.y = screenCoordinate(c.screen.centerY, c.screen.scaleY, quotient(e.up, e.forward));
+  const Bounded x =
+      screenCoordinate(c.screen.centerX, c.screen.scaleX, windowCoordinate(e.right, e.forward, e.error));
+  const Bounded y = screenCoordinate(c.screen.centerY, c.screen.scaleY, windowCoordinate(e.up, e.forward, e.error));
+  p.x = rounded(x);
+  p.y = rounded(y);
   p.depth = c.depthAtInfinity;
   p.viewDistance = kNaN;
   p.outside = sidesBeyond(c, p);
   if (std::isfinite(c.projection.far)) p.outside |= sideFar;
-  return p;
+  return {p, signCertain && x.certain() && y.certain()};
 }
 
-ScreenPoint exactToScreen(const Camera& c, const Vec4& point) noexcept {
-  const EyePoint e = toEye(c.pose, point);
-  if (point.w == 0) return directionToScreen(c, e);
-  const DoubleDouble perW = DoubleDouble(1) / DoubleDouble(point.w);
+Attempt pointToScreen(const Camera& c, const EyePoint& e, double w) noexcept {
   const auto inWorld = [&](DoubleDouble a) {
-    return scaleByPowerOfTwo(point.w == 1 ? a : a * perW, e.exponent);
+    const DoubleDouble divided = w == 1 ? a : a / DoubleDouble(w);
+    return Bounded{scaleByPowerOfTwo(divided, e.exponent),
+                   std::ldexp(e.error, e.exponent) + kOperation * std::fabs(std::ldexp(divided.hi, e.exponent))};
   };
-  const DoubleDouble distance = inWorld(e.forward);
+  const Bounded distance = inWorld(e.forward);
   ScreenPoint p;
-  p.viewDistance = distance.hi + 0.0;
+  p.viewDistance = rounded(distance);
+  Bounded x, y;
   if (c.projection.orthographic) {
-    p.x = screenCoordinate(c.screen.centerX, c.screen.scaleX, inWorld(e.right));
-    p.y = screenCoordinate(c.screen.centerY, c.screen.scaleY, inWorld(e.up));
+    x = screenCoordinate(c.screen.centerX, c.screen.scaleX, inWorld(e.right));
+    y = screenCoordinate(c.screen.centerY, c.screen.scaleY, inWorld(e.up));
   } else {
-    const bool inFront = point.w > 0 ? e.forward.hi > 0 : e.forward.hi < 0;
-    if (!inFront) return without(PointStatus::behind, p.viewDistance);
-    p.x = screenCoordinate(c.screen.centerX, c.screen.scaleX, quotient(e.right, e.forward));
-    p.y = screenCoordinate(c.screen.centerY, c.screen.scaleY, quotient(e.up, e.forward));
+    const bool signCertain = std::fabs(e.forward.hi) > e.error;
+    const bool inFront = w > 0 ? e.forward.hi > 0 : e.forward.hi < 0;
+    if (!inFront) return {without(PointStatus::behind, p.viewDistance), signCertain && distance.certain()};
+    x = screenCoordinate(c.screen.centerX, c.screen.scaleX, windowCoordinate(e.right, e.forward, e.error));
+    y = screenCoordinate(c.screen.centerY, c.screen.scaleY, windowCoordinate(e.up, e.forward, e.error));
   }
-  p.depth = windowDepth(c, distance);
+  const Bounded depth = windowDepth(c, distance);
+  p.x = rounded(x);
+  p.y = rounded(y);
+  p.depth = rounded(depth);
   p.outside = sidesBeyond(c, p);
-  return p;
+  return {p, distance.certain() && x.certain() && y.certain() && depth.certain()};
+}
+
+Attempt attempt(const Camera& c, const EyePoint& e, double w) noexcept {
+  return w == 0 ? directionToScreen(c, e) : pointToScreen(c, e, w);
+}
+
+/// Double-double first; the exact rows where it cannot certify a number. What they cannot either is a tie, or a number
+/// that cancels to about 0.
+ScreenPoint exactToScreen(const Camera& c, const Vec4& point) noexcept {
+  const Attempt first = attempt(c, toEye(c.pose, point), point.w);
+  return first.certain ? first.point : attempt(c, toEyeExactly(c.pose, point), point.w).point;
 }
 
 ScreenPoint standardToScreen(const Camera& c, const Vec3& point) noexcept {
   const auto& r = c.rounded;
-  const Vec3 d{(point.x - r.eye.x) - r.eyeLow.x, (point.y - r.eye.y) - r.eyeLow.y, (point.z - r.eye.z) - r.eyeLow.z};
-  const double x = r.x.x * d.x + r.x.y * d.y + r.x.z * d.z;
-  const double y = r.y.x * d.x + r.y.y * d.y + r.y.z * d.z;
-  const double w = r.w.x * d.x + r.w.y * d.y + r.w.z * d.z;
+  const Vec3 d{point.x - r.eye.x, point.y - r.eye.y, point.z - r.eye.z};
+  const double x = r.x.x * d.x + r.x.y * d.y + r.x.z * d.z + r.residual.x;
+  const double y = r.y.x * d.x + r.y.y * d.y + r.y.z * d.z + r.residual.y;
+  const double w = r.w.x * d.x + r.w.y * d.y + r.w.z * d.z + r.residual.z;
   // Out of the range in which doubles are safe, or so near the eye plane that the sign of w is not certain.
   const double reach = std::fabs(d.x) + std::fabs(d.y) + std::fabs(d.z);
   const bool signCertain = std::fabs(w) > kSignOfWUncertainty * reach;
@@ -159,38 +215,7 @@ ScreenPoint standardToScreen(const Camera& c, const Vec3& point) noexcept {
   return p;
 }
 
-/// value - w * eye, as a double-double of full relative precision: up to five terms, summed exactly.
-DoubleDouble relativeToEye(double value, double w, DoubleDouble eye) noexcept {
-  if (w == 1 && eye.lo == 0) return twoDiff(value, eye.hi);
-  Expansion<8> sum;
-  sum.addProduct(-eye.lo, w);
-  sum.addProduct(-eye.hi, w);
-  sum.add(value);
-  return sum.rounded();
-}
-
 }  // namespace
-
-Vec4 withUnitWeight(const Vec4& p) noexcept {
-  if (p.w == 0 || p.w == 1) return p;
-  const int k = -std::ilogb(p.w);
-  const Vec4 scaled{std::ldexp(p.x, k), std::ldexp(p.y, k), std::ldexp(p.z, k), std::ldexp(p.w, k)};
-  if (isFinite(Vec3{scaled.x, scaled.y, scaled.z})) return scaled;
-  return p.w > 0 ? Vec4{p.x, p.y, p.z, 0} : Vec4{-p.x, -p.y, -p.z, 0};
-}
-
-EyePoint toEye(const Pose& pose, const Vec4& point) noexcept {
-  // An eighth keeps the difference of the largest doubles finite.
-  const double largest = std::max(maxAbs(Vec3{point.x, point.y, point.z}), maxAbs(pose.eye));
-  const bool huge = largest > 0x1p900;
-  const double scale = huge ? 0x1p-200 : 1;
-  DDVec3 d;
-  const Vec3 p{point.x * scale, point.y * scale, point.z * scale};
-  for (std::size_t i = 0; i < 3; ++i) d[i] = relativeToEye(p[i], point.w, timesPowerOfTwo(pose.eye[i], scale));
-  const int k = exponentToUnit(d);
-  d = scaleByPowerOfTwo(d, k);
-  return {dotOrZero(pose.rows.right, d), dotOrZero(pose.rows.up, d), dotOrZero(pose.rows.forward, d), -k + (huge ? 200 : 0)};
-}
 
 ScreenPoint worldToScreen(const Camera& camera, const Vec4& point, Precision precision) noexcept {
   const Vec3 xyz{point.x, point.y, point.z};

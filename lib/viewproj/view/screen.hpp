@@ -52,16 +52,4 @@ ScreenPoint worldToScreen(const Camera& camera, const Vec3& point, Precision pre
 /// other than 1 are worked on in double-double whatever the precision.
 ScreenPoint worldToScreen(const Camera& camera, const Vec4& point, Precision precision = Precision::exact) noexcept;
 
-/// The point with |w| in [1, 2); or with w = 0 where x/w would overflow, because such a point is as good as a direction.
-Vec4 withUnitWeight(const Vec4& point) noexcept;
-
-/// The coordinates of a point along the camera's axes, relative to the eye, in double-double:
-/// right, up and forward are these three times 2^exponent, divided by w for a point and as they are for a direction.
-struct EyePoint {
-  DoubleDouble right, up, forward;
-  int exponent = 0;
-};
-
-EyePoint toEye(const Pose& pose, const Vec4& point) noexcept;
-
 }  // namespace viewproj

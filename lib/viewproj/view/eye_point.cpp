@@ -1,0 +1,111 @@
+#include "viewproj/view/eye_point.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace viewproj {
+namespace {
+
+/// point - w * origin, exactly.
+using ExactDifference = std::array<Expansion<3>, 3>;
+
+Expansion<3> exactDifference(double value, double w, double origin) noexcept {
+  Expansion<3> sum;
+  if (origin != 0) sum.addProduct(-origin, w);
+  sum.add(value);
+  return sum;
+}
+
+DoubleDouble relativeTo(double origin, double value, double w) noexcept {
+  return w == 1 ? twoDiff(value, origin) : exactDifference(value, w, origin).rounded();
+}
+
+/// Brought down where a difference of the largest doubles would overflow, up where products would underflow.
+int scaleExponent(const Vec4& point, const Vec3& origin, const Vec3& translation) noexcept {
+  const double largest = std::max({std::fabs(point.x), std::fabs(point.y), std::fabs(point.z),
+                                   maxAbs(origin) * std::fabs(point.w), maxAbs(translation) * std::fabs(point.w)});
+  return largest > 0 && std::isfinite(largest) ? -std::ilogb(largest) : largest > 0 ? -1023 : 0;
+}
+
+Vec3 scaled(const Vec3& v, int exponent) noexcept {
+  return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
+}
+
+/// scale (row . d + w translation)
+template <std::size_t Terms>
+DoubleDouble distanceAlong(const std::array<Expansion<Terms>, 3>& row, const ExactDifference& d, double w,
+                           double translation, DoubleDouble scale) noexcept {
+  // Two terms for each product of a row's term with one of d's.
+  Expansion<3 * 2 * Terms * 3 + 2> sum;
+  for (std::size_t i = 0; i < 3; ++i) sum.addProduct(row[i], d[i]);
+  if (translation != 0) sum.addProduct(translation, w);
+  return sum.rounded() * scale;
+}
+
+/// The components of a x b. A row of lookAt has up to 8 terms, its direction 2.
+std::array<Expansion<64>, 3> exactCross(const ExactVec3& a, const ExactVec3& b) noexcept {
+  std::array<Expansion<64>, 3> result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    result[i].addProduct(a[j], b[k]);
+    Expansion<16> negated;
+    for (std::size_t t = 0; t < b[j].size(); ++t) negated.add(-b[j].term(t));
+    result[i].addProduct(a[k], negated);
+  }
+  return result;
+}
+
+}  // namespace
+
+Vec4 withUnitWeight(const Vec4& p) noexcept {
+  if (p.w == 0 || p.w == 1) return p;
+  const int k = -std::ilogb(p.w);
+  const Vec4 scaledPoint{std::ldexp(p.x, k), std::ldexp(p.y, k), std::ldexp(p.z, k), std::ldexp(p.w, k)};
+  if (isFinite(Vec3{scaledPoint.x, scaledPoint.y, scaledPoint.z})) return scaledPoint;
+  return p.w > 0 ? Vec4{p.x, p.y, p.z, 0} : Vec4{-p.x, -p.y, -p.z, 0};
+}
+
+EyePoint toEye(const Pose& pose, const Vec4& point) noexcept {
+  const Vec3 xyz{point.x, point.y, point.z};
+  // Scaled down where the difference of the largest doubles would overflow.
+  const bool huge = std::max(maxAbs(xyz), maxAbs(pose.eye)) > 0x1p900;
+  const double scale = huge ? 0x1p-200 : 1;
+  DDVec3 d;
+  for (std::size_t i = 0; i < 3; ++i) d[i] = relativeTo(pose.eye[i] * scale, xyz[i] * scale, point.w);
+  const int k = exponentToUnit(d);
+  d = scaleByPowerOfTwo(d, k);
+  const int exponent = -k + (huge ? 200 : 0);
+  double residualSize = 0;
+  const auto along = [&](const DDVec3& axis, DoubleDouble residual) {
+    const DoubleDouble sum = dotOrZero(axis, d);
+    if (residual.hi == 0 || point.w == 0) return sum;
+    const DoubleDouble rest = scaleByPowerOfTwo(residual * DoubleDouble(point.w), -exponent);
+    residualSize = std::max(residualSize, std::fabs(rest.hi));
+    return sumOrZero(sum, rest);
+  };
+  EyePoint e{along(pose.rows.right, pose.residual.x), along(pose.rows.up, pose.residual.y),
+             along(pose.rows.forward, pose.residual.z), exponent};
+  e.error = 0x1p-98 * (std::fabs(d.x.hi) + std::fabs(d.y.hi) + std::fabs(d.z.hi) + residualSize);
+  return e;
+}
+
+EyePoint toEyeExactly(const Pose& pose, const Vec4& point) noexcept {
+  const ExactRows& rows = pose.exact;
+  const int k = scaleExponent(point, rows.origin, rows.translation) - 2;
+  const Vec3 p = scaled({point.x, point.y, point.z}, k);
+  const Vec3 origin = scaled(rows.origin, k);
+  const Vec3 translation = scaled(rows.translation, k);
+  const double w = point.w;
+  const ExactDifference d{exactDifference(p.x, w, origin.x), exactDifference(p.y, w, origin.y),
+                          exactDifference(p.z, w, origin.z)};
+  EyePoint e;
+  e.right = distanceAlong(rows.right, d, w, translation.x, rows.rightScale);
+  e.forward = distanceAlong(rows.forward, d, w, translation.z, rows.forwardScale);
+  e.up = rows.upIsCross ? distanceAlong(exactCross(rows.right, rows.forward), d, w, translation.y, rows.upScale)
+                        : distanceAlong(rows.up, d, w, translation.y, rows.upScale);
+  e.exponent = -k;
+  return e;
+}
+
+}  // namespace viewproj

@@ -1,0 +1,35 @@
+#!/bin/sh
+# Installs what is missing from Debian's packages and builds Release into build/.
+#   sh samples/setup.sh          the tool
+#   sh samples/setup.sh tests    the tool and the tests
+set -eu
+cd "$(dirname "$0")/.."
+
+packages="g++ cmake make libcli11-dev nlohmann-json3-dev"
+tests=OFF
+if [ "${1:-}" = tests ]; then
+  packages="$packages catch2 libmpfr-dev libglm-dev libeigen3-dev libimath-dev"
+  tests=ON
+fi
+
+if command -v dpkg-query >/dev/null 2>&1; then
+  missing=""
+  for package in $packages; do
+    dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'install ok installed' || missing="$missing $package"
+  done
+  if [ -n "$missing" ]; then
+    as_root=""
+    if [ "$(id -u)" -ne 0 ]; then as_root=sudo; fi
+    echo "Installing:$missing"
+    $as_root apt-get update -qq
+    # shellcheck disable=SC2086  # a list of words
+    $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -qq -y --no-install-recommends $missing >/dev/null
+  fi
+fi
+
+# A build folder with the tests keeps them.
+options=""
+if [ "$tests" = ON ]; then options="-DVIEWPROJ_TESTS=ON"; fi
+cmake -B build -DCMAKE_BUILD_TYPE=Release $options >/dev/null
+if [ "$tests" = ON ]; then target=all; else target=viewproj; fi
+cmake --build build --parallel "$(nproc)" --target "$target"

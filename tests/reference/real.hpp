@@ -1,0 +1,92 @@
+// Numbers of 480 bits: what the tests call true.
+#pragma once
+
+#include <mpfr.h>
+
+#include <array>
+#include <cmath>
+
+namespace reference {
+
+class Real {
+ public:
+  static constexpr mpfr_prec_t kBits = 480;
+
+  Real() : Real(0.0) {}
+  Real(double value) {  // NOLINT: a double is exact
+    mpfr_init2(value_, kBits);
+    mpfr_set_d(value_, value, MPFR_RNDN);
+  }
+  Real(const Real& other) {
+    mpfr_init2(value_, kBits);
+    mpfr_set(value_, other.value_, MPFR_RNDN);
+  }
+  Real& operator=(const Real& other) {
+    mpfr_set(value_, other.value_, MPFR_RNDN);
+    return *this;
+  }
+  ~Real() { mpfr_clear(value_); }
+
+  /// The nearest double.
+  explicit operator double() const { return mpfr_get_d(value_, MPFR_RNDN); }
+
+  friend Real operator+(const Real& a, const Real& b) { return with(a, b, mpfr_add); }
+  friend Real operator-(const Real& a, const Real& b) { return with(a, b, mpfr_sub); }
+  friend Real operator*(const Real& a, const Real& b) { return with(a, b, mpfr_mul); }
+  friend Real operator/(const Real& a, const Real& b) { return with(a, b, mpfr_div); }
+  friend Real operator-(const Real& a) { return Real(0) - a; }
+  friend bool operator<(const Real& a, const Real& b) { return mpfr_cmp(a.value_, b.value_) < 0; }
+  friend bool operator>(const Real& a, const Real& b) { return b < a; }
+
+  friend Real sqrt(const Real& a) { return with(a, mpfr_sqrt); }
+  friend Real abs(const Real& a) { return with(a, mpfr_abs); }
+
+  static Real pi() {
+    Real r;
+    mpfr_const_pi(r.value_, MPFR_RNDN);
+    return r;
+  }
+  friend Real tanDegrees(const Real& a) { return with(a * pi() / Real(180), mpfr_tan); }
+
+ private:
+  template <class F>
+  static Real with(const Real& a, const Real& b, F f) {
+    Real r;
+    f(r.value_, a.value_, b.value_, MPFR_RNDN);
+    return r;
+  }
+  template <class F>
+  static Real with(const Real& a, F f) {
+    Real r;
+    f(r.value_, a.value_, MPFR_RNDN);
+    return r;
+  }
+
+  mpfr_t value_;
+};
+
+using Real3 = std::array<Real, 3>;
+
+inline Real dot(const Real3& a, const Real3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline Real3 cross(const Real3& a, const Real3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+inline Real3 operator+(const Real3& a, const Real3& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+inline Real3 operator-(const Real3& a, const Real3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+inline Real3 operator*(const Real3& a, const Real& k) { return {a[0] * k, a[1] * k, a[2] * k}; }
+inline Real length(const Real3& a) { return sqrt(dot(a, a)); }
+inline Real3 unit(const Real3& a) { return a * (Real(1) / length(a)); }
+
+/// |a - b| in radians, for small angles.
+inline double angle(const Real3& a, const Real3& b) { return double(length(cross(unit(a), unit(b)))); }
+
+/// |got - truth| in units of the spacing of doubles at truth.
+inline double ulps(double got, const Real& truth) {
+  const double nearest = std::fabs(double(truth));
+  const double spacing = std::nextafter(nearest, INFINITY) - nearest;
+  return double(abs(Real(got) - truth) / Real(spacing));
+}
+
+inline double distance(double got, const Real& truth) { return double(abs(Real(got) - truth)); }
+
+}  // namespace reference

@@ -1,0 +1,6 @@
+#!/bin/sh
+# Sets up, then runs all tests.
+set -eu
+cd "$(dirname "$0")/.."
+sh samples/setup.sh tests
+ctest --test-dir build --output-on-failure --parallel "$(nproc)"
