@@ -1,0 +1,31 @@
+#include <fstream>
+#include <sstream>
+
+#include "catch.hpp"
+#include "viewproj/camera/convention.hpp"
+
+using namespace viewproj;
+
+TEST_CASE("The README's table of presets is the library's") {
+  std::ifstream file(VIEWPROJ_README);
+  std::stringstream text;
+  text << file.rdbuf();
+  for (const ConventionPreset& preset : conventionPresets()) {
+    const Convention& c = preset.convention;
+    constexpr const char* kViews[] = {"RUB", "RUF", "RDF"};
+    std::ostringstream row;
+    row << "| `" << preset.name << "` | " << (c.world == Handedness::right ? "right" : "left") << " | "
+        << kViews[int(c.view)] << " | " << (c.ndcZ == NdcZ::zeroToOne ? "0..1" : "-1..1") << " | "
+        << (c.reverseZ ? "yes" : "no") << " | " << (c.ndcY == NdcY::up ? "up" : "down") << " | "
+        << (c.vectors == Vectors::column ? "column" : "row") << " | "
+        << (c.storage == Storage::columnMajor ? "column-major" : "row-major") << " |";
+    INFO(row.str());
+    CHECK(text.str().find(row.str()) != std::string::npos);
+  }
+}
+
+TEST_CASE("A preset is found by its name, and by nothing else") {
+  CHECK(conventionPreset("opengl") == Convention{});
+  CHECK_FALSE(conventionPreset("OpenGL"));
+  CHECK_FALSE(conventionPreset(""));
+}

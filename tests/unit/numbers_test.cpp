@@ -1,0 +1,81 @@
+#include <random>
+
+#include "catch.hpp"
+#include "viewproj/numbers/expansion.hpp"
+#include "viewproj/numbers/vectors.hpp"
+
+using namespace viewproj;
+
+TEST_CASE("A sum and a product split into the rounded result and its error") {
+  const DoubleDouble sum = twoSum(1, 0x1p-60);
+  CHECK(sum.hi == 1);
+  CHECK(sum.lo == 0x1p-60);
+  const DoubleDouble product = twoProd(1 + 0x1p-30, 1 - 0x1p-30);
+  CHECK(product.hi == 1);
+  CHECK(product.lo == -0x1p-60);
+}
+
+TEST_CASE("An expansion that sums to zero is empty") {
+  Expansion<16> e;
+  e.addProduct(0x1p80 + 1, 3);
+  e.addProduct(1e-30, 1e-30);
+  CHECK_FALSE(e.isZero());
+  e.addProduct(-(0x1p80 + 1), 3);
+  e.addProduct(-1e-30, 1e-30);
+  CHECK(e.isZero());
+  CHECK(e.rounded().hi == 0);
+}
+
+TEST_CASE("An expansion holds what a double-double cannot") {
+  Expansion<8> e{1, 0x1p-200, 0x1p-400};
+  e.add(-1);
+  CHECK(e.rounded().hi == 0x1p-200);
+  CHECK(e.rounded().lo == 0x1p-400);
+  e.add(-0x1p-200);
+  CHECK(e.rounded().hi == 0x1p-400);
+}
+
+TEST_CASE("The products of expansions are exact") {
+  for (unsigned trial = 0; trial < 1000; ++trial) {
+    std::mt19937_64 random(trial);
+    const auto integer = [&] { return double(std::int64_t(random() >> 32)) - 0x1p31; };
+    const double a = integer(), b = integer(), c = integer(), d = integer();
+    Expansion<2> left{a * 0x1p60, b}, right{c, d * 0x1p-60};
+    Expansion<16> product;
+    product.addProduct(left, right);
+    product.addProduct(-a * 0x1p60, c);
+    product.addProduct(-a, d);
+    product.addProduct(-b, c);
+    product.addProduct(-b, d * 0x1p-60);
+    INFO("trial " << trial);
+    CHECK(product.isZero());
+  }
+}
+
+TEST_CASE("Double-double division and square root undo multiplication to 2^-100") {
+  for (unsigned trial = 0; trial < 1000; ++trial) {
+    std::mt19937_64 random(trial);
+    std::uniform_real_distribution<double> uniform(0.1, 10);
+    const DoubleDouble a = twoSum(uniform(random), uniform(random) * 0x1p-55);
+    const DoubleDouble b = twoSum(uniform(random), uniform(random) * 0x1p-55);
+    const auto relative = [](DoubleDouble x, DoubleDouble y) { return std::fabs(((x - y) / y).hi); };
+    INFO("trial " << trial);
+    CHECK(relative(a / b * b, a) < 0x1p-100);
+    CHECK(relative(sqrt(a) * sqrt(a), a) < 0x1p-100);
+  }
+}
+
+TEST_CASE("A sum that cancels to less than its terms' error is zero") {
+  const DoubleDouble third = DoubleDouble(1) / DoubleDouble(3);
+  CHECK(sumOrZero(third * DoubleDouble(3), -1).hi == 0);
+  CHECK(sumOrZero(1, DoubleDouble(-1, 0x1p-90)).hi == 0x1p-90);
+}
+
+TEST_CASE("The length of a vector neither overflows nor underflows") {
+  for (double size : {0x1p-1000, 1.0, 0x1p1000}) {
+    INFO(size);
+    const DDVec3 v = normalized(toDoubleDouble({3 * size, 0, 4 * size}));
+    CHECK(v.x.hi == 0.6);
+    CHECK(v.z.hi == 0.8);
+  }
+}

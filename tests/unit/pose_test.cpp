@@ -1,0 +1,114 @@
+#include "catch.hpp"
+#include "viewproj/camera/error.hpp"
+#include "viewproj/camera/pose.hpp"
+
+using namespace viewproj;
+
+namespace {
+
+/// The field that a call complains about, and its message.
+template <class Call>
+std::pair<std::string, std::string> complaint(Call call) {
+  try {
+    call();
+  } catch (const CameraError& e) {
+    return {e.field(), e.message()};
+  }
+  return {"", ""};
+}
+
+Vec3 nearest(const DDVec3& v) { return rounded(v); }
+
+constexpr auto right = Handedness::right;
+constexpr auto left = Handedness::left;
+
+}  // namespace
+
+TEST_CASE("In a right-handed world looking along -z, right is +x; in a left-handed one looking along +z it is too") {
+  const Pose rh = lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, right);
+  CHECK(nearest(rh.rows.right) == Vec3{1, 0, 0});
+  CHECK(nearest(rh.rows.up) == Vec3{0, 1, 0});
+  const Pose lh = lookAlong({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, left);
+  CHECK(nearest(lh.rows.right) == Vec3{1, 0, 0});
+  CHECK(nearest(lh.rows.up) == Vec3{0, 1, 0});
+}
+
+TEST_CASE("Up needs only a part across the viewing direction") {
+  const Pose pose = lookAlong({0, 0, 0}, {0, 0, -2}, {0, 3, 5}, right);
+  CHECK(nearest(pose.rows.up) == Vec3{0, 1, 0});
+}
+
+TEST_CASE("An up that is parallel to the view is an error, one that is off by the last bit is not") {
+  const double off = std::nextafter(1.0, 2.0);
+  CHECK(complaint([] { lookAlong({0, 0, 0}, {1, 1, 1}, {2, 2, 2}, right); }).first == "up");
+  CHECK(complaint([] { lookAlong({0, 0, 0}, {1, 1, 1}, {-2, -2, -2}, right); }).first == "up");
+  CHECK(complaint([&] { lookAlong({0, 0, 0}, {1, 1, 1}, {1, off, 1}, right); }).first.empty());
+  CHECK(complaint([] { lookAt({0.1, 0.2, 0.3}, {0.1, 0.2 + 1e-9, 0.3}, {0, 1, 0}, right); }).first == "up");
+}
+
+TEST_CASE("What does not make a pose is named") {
+  CHECK(complaint([] { lookAt({1, 2, 3}, {1, 2, 3}, {0, 1, 0}, right); }).first == "target");
+  CHECK(complaint([] { lookAlong({1, 2, 3}, {0, 0, 0}, {0, 1, 0}, right); }).first == "direction");
+  CHECK(complaint([] { lookAlong({1, 2, 3}, {0, 0, 1}, {0, 0, 0}, right); }).first == "up");
+  CHECK(complaint([] { poseFromRotation({0, 0, 0}, {0, 0, 0, 0}, CameraAxes::RUB, right); }).first == "rotation");
+}
+
+TEST_CASE("A NaN or an infinity in any component of a pose is named") {
+  for (double bad : {double(NAN), double(INFINITY), -double(INFINITY)})
+    for (std::size_t i = 0; i < 3; ++i) {
+      Vec3 v{1, 2, 4};
+      v[i] = bad;
+      INFO(bad << " at " << i);
+      CHECK(complaint([&] { lookAt(v, {0, 0, 0}, {0, 1, 0}, right); }).first == "position");
+      CHECK(complaint([&] { lookAt({0, 0, 0}, v, {0, 1, 0}, right); }).first == "target");
+      CHECK(complaint([&] { lookAlong({0, 0, 0}, v, {0, 1, 0}, right); }).first == "direction");
+      CHECK(complaint([&] { lookAlong({0, 0, 0}, {1, 0, 0}, v, right); }).first == "up");
+      CHECK(complaint([&] { poseFromRotation({0, 0, 0}, {v.x, v.y, v.z, 1}, CameraAxes::RUB, right); }).first ==
+            "rotation");
+    }
+}
+
+TEST_CASE("A rotation's axes must have the world's handedness, and those that fit are named") {
+  const auto wrong = complaint([] { poseFromRotation({0, 0, 0}, {0, 0, 0, 1}, CameraAxes::RUB, left); });
+  CHECK(wrong.first == "rotation");
+  CHECK(wrong.second.find("RUF or FRU") != std::string::npos);
+  const auto other = complaint([] { poseFromRotation({0, 0, 0}, {0, 0, 0, 1}, CameraAxes::FRU, right); });
+  CHECK(other.second.find("RUB or RDF") != std::string::npos);
+}
+
+TEST_CASE("The identity rotation looks where its axes say") {
+  CHECK(nearest(poseFromRotation({}, {0, 0, 0, 1}, CameraAxes::RUB, right).rows.forward) == Vec3{0, 0, -1});
+  CHECK(nearest(poseFromRotation({}, {0, 0, 0, 1}, CameraAxes::RDF, right).rows.forward) == Vec3{0, 0, 1});
+  CHECK(nearest(poseFromRotation({}, {0, 0, 0, 1}, CameraAxes::RDF, right).rows.up) == Vec3{0, -1, 0});
+  CHECK(nearest(poseFromRotation({}, {0, 0, 0, 1}, CameraAxes::RUF, left).rows.forward) == Vec3{0, 0, 1});
+  CHECK(nearest(poseFromRotation({}, {0, 0, 0, 1}, CameraAxes::FRU, left).rows.forward) == Vec3{1, 0, 0});
+}
+
+TEST_CASE("A rotation need not be of unit length") {
+  const Pose one = poseFromRotation({}, {1, 2, 3, 4}, CameraAxes::RUB, right);
+  const Pose tiny = poseFromRotation({}, {1e-200, 2e-200, 3e-200, 4e-200}, CameraAxes::RUB, right);
+  for (std::size_t i = 0; i < 3; ++i) CHECK(tiny.rows.right[i].hi == Approx(one.rows.right[i].hi).epsilon(1e-15));
+}
+
+TEST_CASE("A pose matrix that is not a rotation says how far it is from one") {
+  Mat4 m{{{{2, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}}};
+  const auto scaled = complaint([&] { poseFromWorldFromCamera(m, CameraAxes::RUB, right); });
+  CHECK(scaled.first == "worldFromCamera");
+  CHECK(scaled.second.find(" 3,") != std::string::npos);
+  m[0][0] = 1;
+  m[3][0] = 5;
+  m[3][3] = 1;
+  const auto rowVectors = complaint([&] { poseFromCameraFromWorld(m, CameraAxes::RUB, right); });
+  CHECK(rowVectors.second.find("transpose") != std::string::npos);
+}
+
+TEST_CASE("A matrix and its inverse give the same pose") {
+  const Pose pose = lookAt({1, 2, 3}, {4, 6, -5}, {0, 1, 0}, right);
+  Mat4 toWorld{};
+  for (std::size_t i = 0; i < 3; ++i)
+    toWorld[i] = {pose.rows.right[i].hi, pose.rows.up[i].hi, -pose.rows.forward[i].hi, pose.eye[i]};
+  toWorld[3] = {0, 0, 0, 1};
+  const Pose again = poseFromWorldFromCamera(toWorld, CameraAxes::RUB, right);
+  for (std::size_t i = 0; i < 3; ++i) CHECK(again.rows.forward[i].hi == Approx(pose.rows.forward[i].hi).epsilon(1e-15));
+  CHECK(again.eye == pose.eye);
+}

@@ -1,0 +1,205 @@
+#include <array>
+
+#include "catch.hpp"
+#include "viewproj/viewproj.hpp"
+
+using namespace viewproj;
+
+namespace {
+
+constexpr std::array kPrecisions{Precision::standard, Precision::exact};
+
+/// Looks along -z from the origin; 90 degrees high, so that the edges lie at x = +-2z, y = +-z.
+Camera plainCamera(double near = 1, double far = 10, Convention convention = {}) {
+  return makeCamera(lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Handedness::right),
+                    frustum(-2 * near, 2 * near, -near, near, near, far), {200, 100}, convention);
+}
+
+Camera orthographicCamera() {
+  return makeCamera(lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Handedness::right),
+                    orthographic(-2, 2, -1, 1, -5, 5), {200, 100});
+}
+
+}  // namespace
+
+TEST_CASE("The corners of the view land in the corners of the picture, and count as inside") {
+  for (Precision precision : kPrecisions)
+    for (double z : {1.0, 10.0})
+      for (double right : {-1.0, 1.0})
+        for (double up : {-1.0, 1.0}) {
+          const ScreenPoint p = worldToScreen(plainCamera(), Vec3{2 * right * z, up * z, -z}, precision);
+          INFO(right << " " << up << " at " << z);
+          CHECK(p.x == 100 + 100 * right);
+          CHECK(p.y == 50 - 50 * up);
+          CHECK(p.depth == (z == 1 ? 0.0 : 1.0));
+          CHECK(p.viewDistance == z);
+          CHECK(p.visible());
+        }
+}
+
+TEST_CASE("What lies beyond a side is named by that side, in every convention") {
+  struct Row {
+    Vec3 point;
+    unsigned outside;
+  };
+  const Row rows[] = {
+      {{-5, 0, -2}, sideLeft},  {{5, 0, -2}, sideRight},   {{0, -3, -2}, sideBottom}, {{0, 3, -2}, sideTop},
+      {{0, 0, -0.5}, sideNear}, {{0, 0, -10.5}, sideFar}, {{-50, 30, -11}, sideLeft | sideTop | sideFar},
+  };
+  for (const ConventionPreset& preset : conventionPresets()) {
+    Convention c = preset.convention;
+    c.world = Handedness::right;
+    for (Precision precision : kPrecisions)
+      for (const Row& row : rows) {
+        INFO(preset.name);
+        CHECK(worldToScreen(plainCamera(1, 10, c), row.point, precision).outside == row.outside);
+      }
+  }
+}
+
+TEST_CASE("An infinite far has no far side") {
+  const ScreenPoint p = worldToScreen(plainCamera(1, kInfiniteFar), Vec3{0, 0, -1e300});
+  CHECK(p.visible());
+  CHECK(p.depth == 1);
+}
+
+TEST_CASE("On or behind the eye plane there is no screen position, and the distance tells how far behind") {
+  for (Precision precision : kPrecisions)
+    for (double z : {0.0, 1.0, 1e-300}) {
+      const ScreenPoint p = worldToScreen(plainCamera(), Vec3{0.5, 0.25, z}, precision);
+      INFO(z);
+      CHECK(p.status == PointStatus::behind);
+      CHECK(std::isnan(p.x));
+      CHECK(std::isnan(p.y));
+      CHECK(std::isnan(p.depth));
+      CHECK(p.viewDistance == -z);
+      CHECK_FALSE(p.visible());
+    }
+}
+
+TEST_CASE("An orthographic camera never says behind") {
+  for (Precision precision : kPrecisions) {
+    const ScreenPoint p = worldToScreen(orthographicCamera(), Vec3{1, 0.5, 3}, precision);
+    CHECK(p.x == 150);
+    CHECK(p.y == 25);
+    CHECK(p.viewDistance == -3);
+    CHECK(p.depth == Approx(0.2).epsilon(precision == Precision::exact ? 1e-300 : 1e-15));
+    CHECK(p.visible());
+  }
+}
+
+TEST_CASE("A direction has no screen position in an orthographic camera, but sides it leaves through") {
+  const ScreenPoint p = worldToScreen(orthographicCamera(), Vec4{1, 0, -1, 0});
+  CHECK(p.status == PointStatus::atInfinity);
+  CHECK(p.outside == (sideRight | sideFar));
+}
+
+TEST_CASE("A NaN or an infinity in any coordinate of a point is said, not computed with") {
+  for (double bad : {double(NAN), double(INFINITY), -double(INFINITY)})
+    for (int i = 0; i < 4; ++i)
+      for (Precision precision : kPrecisions) {
+        double v[4] = {1, 2, -3, 1};
+        v[i] = bad;
+        CHECK(worldToScreen(plainCamera(), Vec4{v[0], v[1], v[2], v[3]}, precision).status == PointStatus::notFinite);
+        if (i < 3)
+          CHECK(worldToScreen(plainCamera(), Vec3{v[0], v[1], v[2]}, precision).status == PointStatus::notFinite);
+      }
+  CHECK(worldToScreen(plainCamera(), Vec4{0, 0, 0, 0}).status == PointStatus::notFinite);
+}
+
+TEST_CASE("A result of zero is positive zero") {
+  const ScreenPoint p = worldToScreen(plainCamera(), Vec3{-2, 1, -1});
+  CHECK_FALSE(std::signbit(p.x));
+  CHECK_FALSE(std::signbit(p.y));
+  CHECK_FALSE(std::signbit(p.depth));
+  const Ray ray = screenToRay(plainCamera(), {100, 50});
+  for (std::size_t i = 0; i < 3; ++i) CHECK((ray.direction[i] != 0 || !std::signbit(ray.direction[i])));
+  const Mat4 m = clipFromWorld(plainCamera().pose, plainCamera().projection, {});
+  for (const auto& row : m.m)
+    for (double entry : row) CHECK((entry != 0 || !std::signbit(entry)));
+}
+
+TEST_CASE("A signed zero in the input changes nothing") {
+  const ScreenPoint plus = worldToScreen(plainCamera(), Vec3{0.0, 0.0, -2});
+  const ScreenPoint minus = worldToScreen(plainCamera(), Vec3{-0.0, -0.0, -2});
+  CHECK(plus.x == minus.x);
+  CHECK(plus.y == minus.y);
+  CHECK(plus.depth == minus.depth);
+}
+
+TEST_CASE("Window depth follows the depth range and reverseZ, whatever the NDC range") {
+  for (const ConventionPreset& preset : conventionPresets()) {
+    Convention c = preset.convention;
+    c.world = Handedness::right;
+    Viewport v{200, 100};
+    v.depthFirst = 0.25;
+    v.depthSecond = 0.75;
+    const Camera plain = plainCamera(1, 10, c);
+    const Camera camera = makeCamera(plain.pose, plain.projection, v, c);
+    INFO(preset.name);
+    CHECK(worldToScreen(camera, Vec3{0, 0, -1}).depth == (c.reverseZ ? 0.75 : 0.25));
+    CHECK(worldToScreen(camera, Vec3{0, 0, -10}).depth == (c.reverseZ ? 0.25 : 0.75));
+  }
+}
+
+TEST_CASE("The depth of infinity has no point, and a depth beyond it is said") {
+  for (bool reversed : {false, true}) {
+    Convention c;
+    c.reverseZ = reversed;
+    const Camera camera = plainCamera(1, kInfiniteFar, c);
+    const double infinity = reversed ? 0 : 1;
+    CHECK(screenToWorld(camera, {100, 50}, infinity).status == DepthStatus::infinity);
+    CHECK(screenToWorld(camera, {100, 50}, infinity + (reversed ? -0.1 : 0.1)).status == DepthStatus::beyond);
+    CHECK(screenToWorld(camera, {100, 50}, reversed ? 1 : 0).position == Vec3{0, 0, -1});
+    // In front of near, on the eye's side.
+    CHECK(screenToWorld(camera, {100, 50}, reversed ? 2 : -1).position == Vec3{0, 0, -0.5});
+  }
+  CHECK(screenToWorld(plainCamera(), {NAN, 50}, 0.5).status == DepthStatus::notFinite);
+  CHECK(screenToWorldAtDistance(plainCamera(), {100, 50}, -1).status == DepthStatus::beyond);
+  CHECK(screenToWorldAtDistance(orthographicCamera(), {100, 50}, -1).position == Vec3{0, 0, 1});
+}
+
+TEST_CASE("Rays begin at the eye, on the plane through it in orthographic, or on the near plane") {
+  for (Precision precision : kPrecisions) {
+    CHECK(screenToRay(plainCamera(), {200, 0}, precision).origin == Vec3{0, 0, 0});
+    CHECK(screenToRay(plainCamera(), {200, 0}, precision, RayOrigin::nearPlane).origin == Vec3{2, 1, -1});
+    CHECK(screenToRay(orthographicCamera(), {150, 25}, precision).origin == Vec3{1, 0.5, 0});
+    CHECK(screenToRay(orthographicCamera(), {150, 25}, precision, RayOrigin::nearPlane).origin == Vec3{1, 0.5, 5});
+    CHECK(screenToRay(orthographicCamera(), {150, 25}, precision).direction == Vec3{0, 0, -1});
+  }
+}
+
+TEST_CASE("Clip, NDC and view coordinates are what the matrices give") {
+  for (const ConventionPreset& preset : conventionPresets())
+    for (const bool orthographicLens : {false, true}) {
+      const Convention& c = preset.convention;
+      const Pose pose = lookAt({3, 2, 5}, {0, 1, 0}, {0, 1, 0}, c.world);
+      const Projection projection =
+          orthographicLens ? orthographic(-3, 2, -1, 4, 0.5, 20) : frustum(-0.3, 0.2, -0.1, 0.4, 0.5, 20);
+      const Camera camera = makeCamera(pose, projection, {100, 100}, c);
+      const Vec4 point{0.5, 0.25, -1, 1};
+      const auto times = [&](const Mat4& m) {
+        std::array<double, 4> r{};
+        for (std::size_t i = 0; i < 4; ++i)
+          r[i] = m[i][0] * point.x + m[i][1] * point.y + m[i][2] * point.z + m[i][3] * point.w;
+        return r;
+      };
+      const auto clip = times(clipFromWorld(pose, projection, c));
+      const auto view = times(viewFromWorld(pose, c));
+      const Vec4 gotClip = worldToClip(camera, point, c);
+      const Vec3 gotView = worldToView(camera, point, c);
+      const Vec3 gotNdc = worldToNdc(camera, point, c);
+      const auto near = [](double x) { return Approx(x).epsilon(1e-13).margin(1e-14); };
+      INFO(preset.name);
+      CHECK(gotClip.x == near(clip[0]));
+      CHECK(gotClip.y == near(clip[1]));
+      CHECK(gotClip.z == near(clip[2]));
+      CHECK(gotClip.w == near(clip[3]));
+      CHECK(gotView.x == near(view[0]));
+      CHECK(gotView.y == near(view[1]));
+      CHECK(gotView.z == near(view[2]));
+      CHECK(gotNdc.x == near(clip[0] / clip[3]));
+      CHECK(gotNdc.y == near(clip[1] / clip[3]));
+      CHECK(gotNdc.z == near(clip[2] / clip[3]));
+    }
+}
