@@ -1,5 +1,7 @@
 // Finds the command, runs it, and turns what went wrong into one message and an exit status:
 // 0 all went well, 1 an input was wrong or an output could not be written, 2 the command line was wrong.
+#include <fcntl.h>
+
 #include <csignal>
 #include <cstdio>
 #include <string>
@@ -51,6 +53,12 @@ int run(int argc, char** argv) {
   throw UsageError("'" + std::string(name) + "' is no command" + suggestion(name, known));
 }
 
+/// A descriptor that came closed is not to be taken by the next file that is opened.
+void openStandardDescriptors() {
+  for (int descriptor = 0; descriptor <= 2; ++descriptor)
+    if (::fcntl(descriptor, F_GETFD) < 0) (void)::open("/dev/null", O_RDWR);
+}
+
 int fail(const std::string& message, int status) {
   std::fprintf(stderr, "viewproj: %s\n", message.c_str());
   return status;
@@ -60,6 +68,7 @@ int fail(const std::string& message, int status) {
 
 int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
+  openStandardDescriptors();
   try {
     return run(argc, argv);
   } catch (const ClosedPipe&) {

@@ -44,7 +44,8 @@ std::string lacking(const WhichRow& row, const CameraFile& file, bool bakeViewpo
 Mat4 matrixOf(Which which, bool inverse, const CameraFile& file, const Wanted& wanted, const Convention& c) {
   const auto pose = [&] { return wanted.relativeToEye ? relativeToEye(*file.pose) : *file.pose; };
   switch (which) {
-    case Which::view: return inverse ? worldFromView(pose(), c) : viewFromWorld(pose(), c);
+    case Which::view:
+      return inverse ? worldFromView(pose(), c) : viewFromWorld(pose(), c);
     case Which::projection:
       if (wanted.bakeViewport)
         return inverse ? viewFromScreen(*file.projection, *file.viewport, c)
@@ -55,7 +56,8 @@ Mat4 matrixOf(Which which, bool inverse, const CameraFile& file, const Wanted& w
         return inverse ? worldFromScreen(pose(), *file.projection, *file.viewport, c)
                        : screenFromWorld(pose(), *file.projection, *file.viewport, c);
       return inverse ? worldFromClip(pose(), *file.projection, c) : clipFromWorld(pose(), *file.projection, c);
-    case Which::viewport: return inverse ? ndcFromScreen(*file.viewport, c) : screenFromNdc(*file.viewport, c);
+    case Which::viewport:
+      return inverse ? ndcFromScreen(*file.viewport, c) : screenFromNdc(*file.viewport, c);
   }
   return {};
 }
@@ -101,7 +103,7 @@ int runMatrix(int argc, char** argv) {
       "viewproj matrix");
   CameraOptions camera;
   Wanted wanted;
-  std::string file = "-", which, format = "json";
+  std::string file, which, format = "json";
   MatrixSet set;
   camera.add(app);
   camera.addWriting(app);
@@ -117,7 +119,8 @@ int runMatrix(int argc, char** argv) {
 
   const auto formats = matrixFormats();
   if (std::find(formats.begin(), formats.end(), format) == formats.end()) failUnknown("--to", format, formats);
-  const CameraFile read = camera.read(file);
+  if (camera.given() && !file.empty()) throw UsageError("-c gives the camera already; leave out one of it and " + file);
+  const CameraFile read = camera.read(file.empty() ? "-" : file);
   set.convention = camera.writing(read);
   for (const WhichRow& row : chooseMatrices(which, read, wanted.bakeViewport)) {
     set.matrices.push_back({std::string(row.name), matrixOf(row.which, false, read, wanted, set.convention)});

@@ -1,8 +1,13 @@
 #include "commands/options.hpp"
 
+#include <algorithm>
+#include <cctype>
+
 #include "input/convention_names.hpp"
 #include "input/error.hpp"
 #include "input/names.hpp"
+#include "input/number.hpp"
+#include "output/number.hpp"
 #include "output/output_file.hpp"
 
 namespace viewproj::cmd {
@@ -47,8 +52,7 @@ void CameraOptions::add(CLI::App& app) {
   app.add_option("-c,--camera", camera_, "Camera file, or the JSON itself")->type_name("FILE");
   app.add_option("--viewport", viewport_, "Viewport size, in place of the file's")->type_name("WxH");
   addRepeatable(app, "--set", set_, "Set a field of the camera, as in projection.fovY=75")->type_name("FIELD=VALUE");
-  app.add_option("--read-as", readAs_, "Read the camera in this convention, in place of the file's")
-      ->type_name("NAME");
+  app.add_option("--read-as", readAs_, "Read the camera in this convention, in place of the file's")->type_name("NAME");
   app.add_flag("--allow-stretch", allowStretch_, "Let the camera's shape differ from the viewport's");
 }
 
@@ -64,14 +68,13 @@ CameraFile CameraOptions::read(const std::string& source) const {
   if (from.empty()) throw UsageError("-c FILE is needed: the camera");
   Document document(from, camera_.empty() ? "FILE" : "--camera");
   if (!viewport_.empty()) {
-    const std::size_t x = viewport_.find_first_of("xX");
-    const auto isNumber = [](const std::string& text) {
-      return !text.empty() && text.find_first_not_of("0123456789.") == std::string::npos;
-    };
-    if (x == std::string::npos || !isNumber(viewport_.substr(0, x)) || !isNumber(viewport_.substr(x + 1)))
+    const std::size_t x = std::min(viewport_.find_first_of("xX"), viewport_.size() - 1);
+    const auto width = parseNumber(viewport_.substr(0, x));
+    const auto height = parseNumber(viewport_.substr(x + 1));
+    if (!width || !height || !(*width > 0 && *height > 0))
       throw UsageError("--viewport " + viewport_ + ": expected WIDTHxHEIGHT, as in 1920x1080");
-    document.set("viewport.width=" + viewport_.substr(0, x));
-    document.set("viewport.height=" + viewport_.substr(x + 1));
+    document.set("viewport.width=" + formatNumber(*width));
+    document.set("viewport.height=" + formatNumber(*height));
   }
   for (const std::string& assignment : set_) document.set(assignment);
   if (!readAs_.empty() && !conventionPreset(readAs_)) failUnknown("--read-as", readAs_, presetNames());
@@ -102,12 +105,14 @@ void StreamOptions::add(CLI::App& app, const std::string& what) {
 
 FilterSetup StreamOptions::setup() const {
   static constexpr NameRow<Form> kFrom[] = {{"json", Form::json}, {"csv", Form::csv}, {"text", Form::text}};
-  static constexpr NameRow<OutputForm> kTo[] = {{"ndjson", OutputForm::lines},
-                                                {"json", OutputForm::array},
-                                                {"csv", OutputForm::csv},
-                                                {"text", OutputForm::text}};
+  static constexpr NameRow<OutputForm> kTo[] = {
+      {"ndjson", OutputForm::lines}, {"json", OutputForm::array}, {"csv", OutputForm::csv}, {"text", OutputForm::text}};
   FilterSetup setup;
-  setup.file = file_;
+  if (!file_.empty()) setup.file = file_;
+  const bool plain = std::all_of(prefix_.begin(), prefix_.end(), [](unsigned char c) {
+    return c >= 0x80 || std::isalnum(c) || c == '_' || c == '-' || c == '.' || c == ':';
+  });
+  if (!plain) throw UsageError("--prefix " + prefix_ + ": expected letters, digits or any of _ - . :");
   if (!from_.empty()) setup.from = choose("--from", from_, kFrom);
   if (!to_.empty()) setup.to = choose("--to", to_, kTo);
   setup.keepGoing = setup.writer.keepGoing = keepGoing_;
@@ -115,8 +120,20 @@ FilterSetup StreamOptions::setup() const {
   return setup;
 }
 
-std::vector<std::string> StreamOptions::columns() const {
-  return columns_.empty() ? std::vector<std::string>{} : splitList(columns_);
+std::vector<std::string> StreamOptions::columns(std::size_t fewest, std::size_t most) const {
+  if (columns_.empty()) return {};
+  const std::vector<std::string> names = splitList(columns_);
+  if (names.size() < fewest || names.size() > most)
+    throw UsageError("--columns " + columns_ + ": expected " + std::to_string(fewest) +
+                     (fewest == most ? "" : " or " + std::to_string(most)) + " names separated by commas");
+  return names;
+}
+
+void StreamOptions::requireOneInput(const FilterSetup& setup, const CameraOptions& camera) const {
+  if (!setup.given.empty() && !file_.empty())
+    throw UsageError(setup.given.front().option + " takes the place of FILE; leave out one of it and " + file_);
+  if (setup.given.empty() && camera.fromStandardInput() && setup.file == "-")
+    throw UsageError("the camera and the records cannot both come from standard input");
 }
 
 void PrecisionOption::add(CLI::App& app) {
@@ -131,6 +148,10 @@ Precision PrecisionOption::value() const {
 
 void parse(CLI::App& app, int argc, char** argv) {
   app.get_formatter()->column_width(34);
+  // An option given again replaces what was given before, unless it collects.
+  for (CLI::Option* option : app.get_options())
+    if (option->get_multi_option_policy() == CLI::MultiOptionPolicy::Throw)
+      option->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {

@@ -25,6 +25,7 @@ class CameraOptions {
   /// source: instead of -c, where it was not given.
   CameraFile read(const std::string& source = "") const;
   bool given() const { return !camera_.empty(); }
+  bool fromStandardInput() const { return camera_ == "-"; }
 
   /// The convention to write in: the file's world, and the axes that options name.
   Convention writing(const CameraFile& file) const;
@@ -45,10 +46,14 @@ class StreamOptions {
   /// Throws UsageError for a value that is none.
   FilterSetup setup() const;
 
-  std::vector<std::string> columns() const;
+  /// The coordinates' columns, fewest to most of them, or none. Throws UsageError.
+  std::vector<std::string> columns(std::size_t fewest, std::size_t most) const;
+
+  /// Throws UsageError where records come from the command line and from a file, or two inputs from standard input.
+  void requireOneInput(const FilterSetup& setup, const CameraOptions& camera) const;
 
  private:
-  std::string file_ = "-", from_, to_, prefix_, columns_;
+  std::string file_, from_, to_, prefix_, columns_;
   bool keepGoing_ = false;
 };
 

@@ -1,4 +1,5 @@
 // viewproj project: world points to screen positions.
+#include <algorithm>
 #include <array>
 
 #include "commands/command.hpp"
@@ -41,6 +42,8 @@ Fields chooseFields(const std::string& list, bool asText) {
       if (row == name) fields.wanted.push_back(field);
     }
     if (fields.wanted.size() == before) failUnknown("--fields", name, known);
+    if (std::count(fields.wanted.begin(), fields.wanted.end(), fields.wanted.back()) > 1)
+      throw UsageError("--fields: " + name + " is named twice");
   }
   return fields;
 }
@@ -67,11 +70,21 @@ class Sides {
 void writeResults(const Fields& fields, const Camera& camera, const Convention& writing, const Vec4& point,
                   const ScreenPoint& p, ResultSink& sink) {
   for (ResultField field : fields.wanted) switch (field) {
-      case ResultField::screen: sink.vector("screen", std::array{p.x, p.y}); break;
-      case ResultField::depth: sink.number("depth", p.depth); break;
-      case ResultField::viewDistance: sink.number("viewDistance", p.viewDistance); break;
-      case ResultField::visible: sink.flag("visible", p.visible()); break;
-      case ResultField::outside: sink.names("outside", Sides(p).names(), fields.outsideAlways); break;
+      case ResultField::screen:
+        sink.vector("screen", std::array{p.x, p.y});
+        break;
+      case ResultField::depth:
+        sink.number("depth", p.depth);
+        break;
+      case ResultField::viewDistance:
+        sink.number("viewDistance", p.viewDistance);
+        break;
+      case ResultField::visible:
+        sink.flag("visible", p.visible());
+        break;
+      case ResultField::outside:
+        sink.names("outside", Sides(p).names(), fields.outsideAlways);
+        break;
       case ResultField::ndc: {
         const Vec3 ndc = worldToNdc(camera, point, writing);
         sink.vector("ndc", std::array{ndc.x, ndc.y, ndc.z});
@@ -91,18 +104,15 @@ void writeResults(const Fields& fields, const Camera& camera, const Convention& 
 }
 
 /// Points of the command line as JSON records.
-std::string recordsOf(const std::vector<std::string>& points) {
-  std::string records;
+std::vector<GivenRecord> recordsOf(const std::vector<std::string>& points) {
+  std::vector<GivenRecord> records;
   for (const std::string& text : points) {
     const auto numbers = parseNumberList(text);
     if (!numbers || numbers->size() < 3 || numbers->size() > 4)
       throw UsageError("--point " + text + ": expected X,Y,Z or X,Y,Z,W");
-    records += '[';
-    for (double number : *numbers) {
-      if (records.back() != '[') records += ',';
-      appendNumber(records, number);
-    }
-    records += "]\n";
+    std::string json;
+    for (double number : *numbers) json += (json.empty() ? "[" : ",") + formatNumber(number);
+    records.push_back({"--point " + text, json + "]"});
   }
   return records;
 }
@@ -124,20 +134,21 @@ int runProject(int argc, char** argv) {
   stream.add(app, "points");
   precision.add(app);
   addRepeatable(app, "--point", points, "A point, in place of a file")->type_name("X,Y,Z[,W]");
-  app.add_option("--fields", fieldList,
-                 "Results to give: screen,depth,viewDistance,visible,outside,ndc,clip,view")
+  app.add_option("--fields", fieldList, "Results to give: screen,depth,viewDistance,visible,outside,ndc,clip,view")
       ->type_name("NAMES");
   parse(app, argc, argv);
 
   FilterSetup setup = stream.setup();
-  if (!points.empty()) setup.given = recordsOf(points);
+  setup.given = recordsOf(points);
+  stream.requireOneInput(setup, camera);
   const CameraFile file = camera.read();
   const Camera built = makeCamera(file);
   const Convention writing = camera.writing(file);
   const Precision arithmetic = precision.value();
-  const std::vector<std::string> columns = stream.columns();
+  const std::vector<std::string> columns = stream.columns(3, 4);
   setup.csvDefaults = {"x", "y", "z", "w"};
   if (!columns.empty()) setup.csvDefaults = columns;
+  setup.checkHeader = [&](const Record& header) { readPoint(header, columns); };
   setup.writer.arrayName = "position";
   Fields fields = chooseFields(fieldList, false);
   const Fields textFields = chooseFields(fieldList, true);

@@ -1,4 +1,6 @@
 // viewproj ray: pixels to rays, and to the points behind them.
+#include "viewproj/view/ray.hpp"
+
 #include <array>
 #include <limits>
 
@@ -8,7 +10,6 @@
 #include "input/number.hpp"
 #include "input/points.hpp"
 #include "output/number.hpp"
-#include "viewproj/view/ray.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -29,22 +30,15 @@ WorldPoint pointBehind(const Camera& camera, const Pixel& pixel) {
 }
 
 /// Pixels of the command line as JSON records.
-std::string recordsOf(const std::vector<std::string>& pixels) {
-  std::string records;
+std::vector<GivenRecord> recordsOf(const std::vector<std::string>& pixels) {
+  std::vector<GivenRecord> records;
   for (const std::string& text : pixels) {
     const auto numbers = parseNumberList(text);
     if (!numbers || numbers->size() < 2 || numbers->size() > 3)
       throw UsageError("--pixel " + text + ": expected X,Y or X,Y,DEPTH");
-    records += "{\"screen\":[";
-    appendNumber(records, (*numbers)[0]);
-    records += ',';
-    appendNumber(records, (*numbers)[1]);
-    records += ']';
-    if (numbers->size() > 2) {
-      records += ",\"depth\":";
-      appendNumber(records, (*numbers)[2]);
-    }
-    records += "}\n";
+    std::string json = "{\"screen\":[" + formatNumber((*numbers)[0]) + "," + formatNumber((*numbers)[1]) + "]";
+    if (numbers->size() > 2) json += ",\"depth\":" + formatNumber((*numbers)[2]);
+    records.push_back({"--pixel " + text, json + "}"});
   }
   return records;
 }
@@ -70,7 +64,8 @@ int runRay(int argc, char** argv) {
   parse(app, argc, argv);
 
   FilterSetup setup = stream.setup();
-  if (!pixels.empty()) setup.given = recordsOf(pixels);
+  setup.given = recordsOf(pixels);
+  stream.requireOneInput(setup, camera);
   if (from != "eye" && from != "near") {
     static constexpr std::string_view kPlaces[] = {"eye", "near"};
     failUnknown("--ray-from", from, kPlaces);
@@ -78,9 +73,10 @@ int runRay(int argc, char** argv) {
   const RayOrigin origin = from == "near" ? RayOrigin::nearPlane : RayOrigin::eye;
   const Camera built = makeCamera(camera.read());
   const Precision arithmetic = precision.value();
-  const std::vector<std::string> columns = stream.columns();
+  const std::vector<std::string> columns = stream.columns(2, 2);
   setup.csvDefaults = {"x", "y", "depth"};
   if (!columns.empty()) setup.csvDefaults = columns;
+  setup.checkHeader = [&](const Record& header) { readPixel(header, columns); };
   setup.writer.arrayName = "screen";
   setup.writer.arraySize = 2;
   setup.writer.extraName = "depth";
@@ -88,14 +84,13 @@ int runRay(int argc, char** argv) {
   const auto write = [&](const Pixel& pixel, ResultSink& sink) {
     Ray ray{{kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}};
     WorldPoint point{{kNaN, kNaN, kNaN}};
-    const bool hasDistance = pixel.depth || pixel.viewDistance;
     if (pixel.screen) {
       ray = screenToRay(built, *pixel.screen, arithmetic, origin);
-      if (hasDistance) point = pointBehind(built, pixel);
+      if (pixel.depth || pixel.viewDistance) point = pointBehind(built, pixel);
     }
     sink.vector("origin", toArray(ray.origin));
     sink.vector("direction", toArray(ray.direction));
-    if (hasDistance || sink.hasFixedColumns()) sink.vector("point", toArray(point.position));
+    if (pixel.hasDistance || sink.hasFixedColumns()) sink.vector("point", toArray(point.position));
   };
   setup.writer.exampleResults = [&](ResultSink& sink) { write({}, sink); };
   return runFilter(setup, [&](const Record& record, ResultSink& sink) { write(readPixel(record, columns), sink); });

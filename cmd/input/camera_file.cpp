@@ -1,5 +1,5 @@
-// To add a way to describe a camera: a function here that reads its fields and ends in a Projection (or a Pose), and a row
-// in kProjectionTypes (or a branch in readPose).
+// To add a way to describe a camera: a function here that reads its fields and ends in a Projection (or a Pose), and a
+// row in kProjectionTypes (or a branch in readPose).
 #include "input/camera_file.hpp"
 
 #include <array>
@@ -20,16 +20,16 @@ constexpr double kAspectTolerance = 1e-3;
 
 struct ReadProjection {
   Projection projection;
-  bool hasOwnShape = false;      ///< width : height follows from the file's projection, not from the viewport
+  bool hasOwnShape = false;       ///< width : height follows from the file's projection, not from the viewport
   bool hasOwnPixelShape = false;  ///< the file says itself how wide a pixel is
 };
 
 struct Context {
-  ObjectReader& fields;
+  const ObjectReader& fields;
   const std::optional<Viewport>& viewport;
 };
 
-double readFar(ObjectReader& fields) { return fields.number("far").value_or(kInfiniteFar); }
+double readFar(const ObjectReader& fields) { return fields.number("far").value_or(kInfiniteFar); }
 
 DoubleDouble viewportAspect(const Viewport& v) { return DoubleDouble(v.width) / DoubleDouble(v.height); }
 
@@ -39,7 +39,9 @@ const Viewport& requireViewport(const Context& in, const char* why) {
 }
 
 ReadProjection readPerspective(Context in) {
-  ObjectReader& f = in.fields;
+  const ObjectReader& f = in.fields;
+  f.allow({"type", "fovY", "fovX", "fovDiagonal", "nearWidth", "nearHeight", "focalLength", "sensorWidth",
+           "sensorHeight", "aspect", "near", "far", "shift"});
   static constexpr std::string_view kWays[] = {"fovY", "fovX", "fovDiagonal", "nearWidth", "focalLength"};
   std::string given;
   int ways = 0;
@@ -81,7 +83,8 @@ ReadProjection readPerspective(Context in) {
 }
 
 ReadProjection readFrustum(Context in) {
-  ObjectReader& f = in.fields;
+  const ObjectReader& f = in.fields;
+  f.allow({"type", "left", "right", "bottom", "top", "near", "far", "shift"});
   const double left = f.requireNumber("left"), right = f.requireNumber("right");
   const double bottom = f.requireNumber("bottom"), top = f.requireNumber("top");
   const double near = f.requireNumber("near");
@@ -89,7 +92,8 @@ ReadProjection readFrustum(Context in) {
 }
 
 ReadProjection readOrthographic(Context in) {
-  ObjectReader& f = in.fields;
+  const ObjectReader& f = in.fields;
+  f.allow({"type", "left", "right", "bottom", "top", "width", "height", "near", "far", "shift"});
   const auto width = f.number("width");
   const auto height = f.number("height");
   const bool hasEdges = f.has("left") || f.has("right") || f.has("bottom") || f.has("top");
@@ -109,7 +113,8 @@ ReadProjection readOrthographic(Context in) {
 }
 
 ReadProjection readIntrinsics(Context in) {
-  ObjectReader& f = in.fields;
+  const ObjectReader& f = in.fields;
+  f.allow({"type", "fx", "fy", "cx", "cy", "skew", "near", "far", "shift"});
   const double fx = f.requireNumber("fx"), fy = f.requireNumber("fy");
   const double cx = f.requireNumber("cx"), cy = f.requireNumber("cy");
   if (f.numberOr("skew", 0) != 0) f.fail("skew", "must be 0: pixels of a skewed grid are not modelled");
@@ -121,7 +126,8 @@ ReadProjection readIntrinsics(Context in) {
 /// x = cx + ax scrz X/Z, y = cy + ay scrz Y/Z. zMin and zMax, and where the picture lies, are the viewport's: see
 /// readViewport.
 ReadProjection readPs2(Context in) {
-  ObjectReader& f = in.fields;
+  const ObjectReader& f = in.fields;
+  f.allow({"type", "scrz", "ax", "ay", "cx", "cy", "zMin", "zMax", "near", "far", "shift"});
   const double scrz = f.requireNumber("scrz");
   const double ax = f.requireNumber("ax"), ay = f.requireNumber("ay");
   const double cx = f.requireNumber("cx"), cy = f.requireNumber("cy");
@@ -130,27 +136,28 @@ ReadProjection readPs2(Context in) {
   const double near = f.requireNumber("near");
   for (const char* name : {"scrz", "ax", "ay"})
     if (!(f.requireNumber(name) > 0)) f.fail(name, "must be above 0");
-  return {intrinsics(twoProd(ax, scrz), twoProd(ay, scrz), cx, cy, requireViewport(in, "around cx, cy"), near,
-                     readFar(f)),
-          true, true};
+  return {
+      intrinsics(twoProd(ax, scrz), twoProd(ay, scrz), cx, cy, requireViewport(in, "around cx, cy"), near, readFar(f)),
+      true, true};
 }
 
 using ProjectionReader = ReadProjection (*)(Context);
 constexpr std::pair<std::string_view, ProjectionReader> kProjectionTypes[] = {
-    {"perspective", readPerspective}, {"frustum", readFrustum}, {"intrinsics", readIntrinsics},
+    {"perspective", readPerspective},   {"frustum", readFrustum}, {"intrinsics", readIntrinsics},
     {"orthographic", readOrthographic}, {"ps2", readPs2},
 };
 
-Convention presetOrFail(ObjectReader& fields, std::string_view key, const std::string& name) {
+Convention presetOrFail(const ObjectReader& fields, std::string_view key, const std::string& name) {
   if (const auto preset = conventionPreset(name)) return *preset;
   fields.fail(key, "is not a known convention" + suggestion(name, presetNames()));
 }
 
-Convention readConvention(ObjectReader& camera, const std::string& fallback) {
+Convention readConvention(const ObjectReader& camera, const std::string& fallback) {
   const Convention base = *conventionPreset(fallback);
   if (!camera.has("convention")) return base;
   if (camera.isString("convention")) return presetOrFail(camera, "convention", *camera.string("convention"));
-  ObjectReader fields = *camera.object("convention");
+  const ObjectReader fields = *camera.object("convention");
+  fields.allow({"preset", "world", "view", "ndcZ", "reverseZ", "ndcY", "vectors", "storage"});
   Convention c = base;
   if (const auto name = fields.string("preset")) c = presetOrFail(fields, "preset", *name);
   c.world = fields.choice("world", kWorldNames).value_or(c.world);
@@ -160,7 +167,6 @@ Convention readConvention(ObjectReader& camera, const std::string& fallback) {
   c.ndcY = fields.choice("ndcY", kNdcYNames).value_or(c.ndcY);
   c.vectors = fields.choice("vectors", kVectorsNames).value_or(c.vectors);
   c.storage = fields.choice("storage", kStorageNames).value_or(c.storage);
-  fields.finish();
   return c;
 }
 
@@ -179,10 +185,11 @@ struct ReadViewport {
   std::optional<Crop> crop;
 };
 
-std::optional<ReadViewport> readViewport(ObjectReader& camera, const std::string& preset,
-                                         std::optional<ObjectReader>& projection, bool isPs2) {
-  auto fields = camera.object("viewport");
+std::optional<ReadViewport> readViewport(const ObjectReader& camera, const std::string& preset,
+                                         const std::optional<ObjectReader>& projection, bool isPs2) {
+  const auto fields = camera.object("viewport");
   if (!fields) return std::nullopt;
+  fields->allow({"width", "height", "x", "y", "depthRange", "origin", "pixelCenter", "crop"});
   Viewport v;
   v.width = fields->requireNumber("width");
   v.height = fields->requireNumber("height");
@@ -203,12 +210,11 @@ std::optional<ReadViewport> readViewport(ObjectReader& camera, const std::string
     v.depthSecond = projection->requireNumber("zMax");
   }
   std::optional<Crop> crop;
-  if (auto tile = fields->object("crop")) {
+  if (const auto tile = fields->object("crop")) {
+    tile->allow({"x", "y", "width", "height"});
     crop = Crop{tile->requireNumber("x"), tile->requireNumber("y"), tile->requireNumber("width"),
                 tile->requireNumber("height")};
-    tile->finish();
   }
-  fields->finish();
   validate(v);
   return ReadViewport{v, crop};
 }
@@ -218,10 +224,10 @@ void requireViewportShape(const ReadProjection& read, const Viewport& viewport, 
   const double picture = viewport.width / viewport.height;
   if (std::fabs(window - picture) <= kAspectTolerance * picture) return;
   projection.fail("is " + formatNumber(window) + " times as wide as high, but the viewport " + formatNumber(picture) +
-                  " times; change one of them, leave out the projection's aspect, or --allow-stretch");
+                  " times; change one of them, or give --allow-stretch");
 }
 
-std::optional<Pose> readPose(ObjectReader& camera, const Convention& convention, const std::string& preset) {
+std::optional<Pose> readPose(const ObjectReader& camera, const Convention& convention, const std::string& preset) {
   static constexpr std::string_view kWays[] = {"target", "direction", "rotation", "worldFromCamera", "cameraFromWorld"};
   std::string given;
   int ways = 0;
@@ -261,8 +267,8 @@ std::optional<Pose> readPose(ObjectReader& camera, const Convention& convention,
 
 /// Where a field that the library complains about stands in the file.
 Path pathOf(const std::string& field) {
-  static constexpr std::string_view kPoseFields[] = {"position", "target", "direction", "up", "rotation",
-                                                     "worldFromCamera", "cameraFromWorld"};
+  static constexpr std::string_view kPoseFields[] = {"position", "target",          "direction",      "up",
+                                                     "rotation", "worldFromCamera", "cameraFromWorld"};
   for (std::string_view pose : kPoseFields)
     if (field == pose) return {field};
   if (field == "projection") return {field};
@@ -272,13 +278,13 @@ Path pathOf(const std::string& field) {
 }
 
 CameraFile readChecked(const Document& document, const CameraReading& reading) {
-  ObjectReader camera(document, document.root(), {});
-  camera.has("$schema");
-  camera.has("name");
+  const ObjectReader camera(document, document.root(), {});
+  camera.allow({"convention", "position", "target", "direction", "up", "rotation", "worldFromCamera", "cameraFromWorld",
+                "cameraAxes", "projection", "viewport", "name", "$schema"});
   CameraFile file;
   file.name = document.name();
 
-  auto projection = camera.object("projection");
+  const auto projection = camera.object("projection");
   ProjectionReader readType = nullptr;
   if (projection) {
     const auto type = projection->choice("type", kProjectionTypes);
@@ -291,16 +297,15 @@ CameraFile readChecked(const Document& document, const CameraReading& reading) {
   if (preset.empty()) preset = isPs2 ? "ps2" : "opengl";
   if (reading.readAs.empty())
     file.convention = readConvention(camera, isPs2 ? "ps2" : "opengl");
-  else {
-    camera.has("convention");
+  else
     file.convention = *conventionPreset(reading.readAs);
-  }
   if (isPs2 && !file.convention.reverseZ)
-    camera.fail("convention", "has reverseZ false, but a ps2 projection maps near to zMax: leave the convention out "
-                              "to read the file as ps2, and --convention says how to write");
+    camera.fail("convention",
+                "has reverseZ false, but a ps2 projection maps near to zMax: leave the convention out "
+                "to read the file as ps2, and --convention says how to write");
 
   file.pose = readPose(camera, file.convention, preset);
-  auto viewport = readViewport(camera, preset, projection, isPs2);
+  const auto viewport = readViewport(camera, preset, projection, isPs2);
   std::optional<Viewport> frame;
   if (viewport) frame = viewport->frame;
   if (projection) {
@@ -310,11 +315,9 @@ CameraFile readChecked(const Document& document, const CameraReading& reading) {
     if (const auto shift = projection->numbers("shift", 2, 2))
       read.projection = shifted(read.projection, (*shift)[0], (*shift)[1]);
     if (viewport && viewport->crop) read.projection = cropped(read.projection, *frame, *viewport->crop);
-    projection->finish();
     file.projection = read.projection;
   }
   if (viewport) file.viewport = viewport->crop ? cropped(*frame, *viewport->crop) : *frame;
-  camera.finish();
   return file;
 }
 

@@ -50,6 +50,28 @@ std::optional<std::size_t> tooDeepAt(std::string_view text) {
   return std::nullopt;
 }
 
+struct KeyGivenTwice {
+  std::string key;
+  std::size_t offset;
+};
+
+/// In valid JSON nested no deeper than kDeepest; text begins at `base` of the whole.
+std::optional<KeyGivenTwice> keyGivenTwice(std::string_view text, std::size_t base = 0) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  text.remove_prefix(first);
+  base += first;
+  if (text[0] != '{' && text[0] != '[') return std::nullopt;
+  std::set<std::string> keys;
+  JsonParts parts(text);
+  while (const auto part = parts.next()) {
+    std::string key = unescaped(part->key);
+    if (text[0] == '{' && !keys.insert(key).second) return KeyGivenTwice{key, base + part->offset};
+    const auto offset = static_cast<std::size_t>(part->value.data() - text.data());
+    if (auto inside = keyGivenTwice(part->value, base + offset)) return inside;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::string dotted(const Path& path) {
@@ -72,6 +94,8 @@ Document::Document(const std::string& source, const std::string& option) {
     throw InputError(place(name_, positionAt(text_, *at)) + ": nested deeper than " + std::to_string(kDeepest));
   if (const auto fault = jsonFault(text_))
     throw InputError(place(name_, positionAt(text_, fault->offset)) + ": " + fault->message);
+  if (const auto twice = keyGivenTwice(text_))
+    throw InputError(place(name_, positionAt(text_, twice->offset)) + ": the key '" + twice->key + "' is given twice");
   root_ = std::make_unique<nlohmann::json>(nlohmann::json::parse(text_));
   if (!root_->is_object()) throw InputError(place(name_, {}) + ": expected a JSON object");
 }
@@ -89,6 +113,7 @@ void Document::set(const std::string& assignment) {
 
   nlohmann::json* at = root_.get();
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    if (value.is_null() && !at->contains(path[i])) return;
     nlohmann::json& next = (*at)[path[i]];
     if (path[i] == "convention" && next.is_string()) next = {{"preset", next}};
     if (next.is_null()) next = nlohmann::json::object();
@@ -112,7 +137,8 @@ void Document::fail(const Path& path, const std::string& message, bool showValue
     }
     value = &*found;
   }
-  const std::string what = (path.empty() ? "" : dotted(path) + ": ") + message + (value && showValue ? shown(*value) : "");
+  const std::string what =
+      (path.empty() ? "" : dotted(path) + ": ") + message + (value && showValue ? shown(*value) : "");
   if (set_.count(dotted(path))) throw InputError("--set " + what);
   throw InputError(place(name_, positionAt(text_, locate(text_, path))) + ": " + what);
 }
@@ -134,65 +160,65 @@ void ObjectReader::fail(std::string_view key, const std::string& message) const 
 
 void ObjectReader::fail(const std::string& message) const { document_->fail(path_, message); }
 
-const nlohmann::json* ObjectReader::find(std::string_view key) {
-  if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.emplace_back(key);
+const nlohmann::json* ObjectReader::find(std::string_view key) const {
   const auto found = object_->find(key);
   return found == object_->end() || found->is_null() ? nullptr : &*found;
 }
 
-bool ObjectReader::has(std::string_view key) { return find(key) != nullptr; }
+bool ObjectReader::has(std::string_view key) const { return find(key) != nullptr; }
 
-bool ObjectReader::isString(std::string_view key) {
+bool ObjectReader::isString(std::string_view key) const {
   const nlohmann::json* value = find(key);
   return value && value->is_string();
 }
 
-std::optional<double> ObjectReader::number(std::string_view key) {
+std::optional<double> ObjectReader::number(std::string_view key) const {
   const nlohmann::json* value = find(key);
   if (!value) return std::nullopt;
   if (!value->is_number()) fail(key, "expected a number");
   return value->get<double>();
 }
 
-double ObjectReader::requireNumber(std::string_view key) {
+double ObjectReader::requireNumber(std::string_view key) const {
   const auto value = number(key);
   if (!value) fail("needs " + std::string(key));
   return *value;
 }
 
-std::optional<bool> ObjectReader::flag(std::string_view key) {
+std::optional<bool> ObjectReader::flag(std::string_view key) const {
   const nlohmann::json* value = find(key);
   if (!value) return std::nullopt;
   if (!value->is_boolean()) fail(key, "expected true or false");
   return value->get<bool>();
 }
 
-std::optional<std::string> ObjectReader::string(std::string_view key) {
+std::optional<std::string> ObjectReader::string(std::string_view key) const {
   const nlohmann::json* value = find(key);
   if (!value) return std::nullopt;
   if (!value->is_string()) fail(key, "expected a string");
   return value->get<std::string>();
 }
 
-std::optional<std::vector<double>> ObjectReader::numbers(std::string_view key, std::size_t fewest, std::size_t most) {
+std::optional<std::vector<double>> ObjectReader::numbers(std::string_view key, std::size_t fewest,
+                                                         std::size_t most) const {
   const nlohmann::json* value = find(key);
   if (!value) return std::nullopt;
   const bool good = value->is_array() && value->size() >= fewest && value->size() <= most &&
                     std::all_of(value->begin(), value->end(), [](const auto& v) { return v.is_number(); });
   if (!good)
-    fail(key, "expected " + (fewest == most ? std::to_string(fewest)
-                                            : std::to_string(fewest) + " to " + std::to_string(most)) +
+    fail(key, "expected " +
+                  (fewest == most ? std::to_string(fewest) : std::to_string(fewest) + " to " + std::to_string(most)) +
                   " numbers in an array");
   return value->get<std::vector<double>>();
 }
 
-std::optional<Vec3> ObjectReader::vec3(std::string_view key) {
+std::optional<Vec3> ObjectReader::vec3(std::string_view key) const {
   const auto v = numbers(key, 3, 3);
   if (!v) return std::nullopt;
   return Vec3{(*v)[0], (*v)[1], (*v)[2]};
 }
 
-std::optional<Mat4> ObjectReader::mat4(std::string_view key) {
+std::optional<Mat4> ObjectReader::mat4(std::string_view key) const {
   const nlohmann::json* value = find(key);
   if (!value) return std::nullopt;
   Mat4 matrix;
@@ -208,17 +234,17 @@ std::optional<Mat4> ObjectReader::mat4(std::string_view key) {
   return matrix;
 }
 
-std::optional<ObjectReader> ObjectReader::object(std::string_view key) {
+std::optional<ObjectReader> ObjectReader::object(std::string_view key) const {
   const nlohmann::json* value = find(key);
   if (!value) return std::nullopt;
   return ObjectReader(*document_, *value, pathOf(key));
 }
 
-void ObjectReader::finish() {
-  std::vector<std::string_view> known(known_.begin(), known_.end());
+void ObjectReader::allow(std::initializer_list<std::string_view> known) const {
   for (const auto& item : object_->items())
     if (std::find(known.begin(), known.end(), item.key()) == known.end())
-      document_->fail(pathOf(item.key()), "is not a known field here" + suggestion(item.key(), known), false);
+      document_->fail(pathOf(item.key()),
+                      "is not a known field here" + suggestion(item.key(), {known.begin(), known.size()}), false);
 }
 
 void ObjectReader::failChoice(std::string_view key, const std::string& name,

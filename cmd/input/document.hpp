@@ -1,8 +1,9 @@
 // A JSON document read as a whole (a camera file), whose every complaint names a line and a column.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <initializer_list>
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <set>
 #include <string>
@@ -21,7 +22,8 @@ std::string dotted(const Path& path);
 
 class Document {
  public:
-  /// source: a file name, "-" for standard input, or the JSON itself if it starts with "{". option names it in messages.
+  /// source: a file name, "-" for standard input, or the JSON itself if it starts with "{". option names it in
+  /// messages.
   Document(const std::string& source, const std::string& option);
   ~Document();
   Document(const Document&) = delete;
@@ -43,28 +45,27 @@ class Document {
   std::set<std::string> set_;
 };
 
-/// An object of a document, read key by key. Keys that were asked for are known; any other is an error in finish().
-/// A key whose value is null counts as absent.
+/// An object of a document, read key by key. A key whose value is null counts as absent.
 class ObjectReader {
  public:
   ObjectReader(const Document& document, const nlohmann::json& object, Path path);
 
-  bool has(std::string_view key);
-  bool isString(std::string_view key);
-  std::optional<double> number(std::string_view key);
-  std::optional<bool> flag(std::string_view key);
-  std::optional<std::string> string(std::string_view key);
-  std::optional<std::vector<double>> numbers(std::string_view key, std::size_t fewest, std::size_t most);
-  std::optional<Vec3> vec3(std::string_view key);
-  std::optional<Mat4> mat4(std::string_view key);
-  std::optional<ObjectReader> object(std::string_view key);
+  bool has(std::string_view key) const;
+  bool isString(std::string_view key) const;
+  std::optional<double> number(std::string_view key) const;
+  std::optional<bool> flag(std::string_view key) const;
+  std::optional<std::string> string(std::string_view key) const;
+  std::optional<std::vector<double>> numbers(std::string_view key, std::size_t fewest, std::size_t most) const;
+  std::optional<Vec3> vec3(std::string_view key) const;
+  std::optional<Mat4> mat4(std::string_view key) const;
+  std::optional<ObjectReader> object(std::string_view key) const;
 
-  double numberOr(std::string_view key, double fallback) { return number(key).value_or(fallback); }
-  double requireNumber(std::string_view key);
+  double numberOr(std::string_view key, double fallback) const { return number(key).value_or(fallback); }
+  double requireNumber(std::string_view key) const;
 
   /// The value of key as a name of a table of {name, value} rows.
   template <class Table>
-  auto choice(std::string_view key, const Table& table) {
+  auto choice(std::string_view key, const Table& table) const {
     std::optional<decltype(std::begin(table)->second)> result;
     if (const auto name = string(key)) {
       std::vector<std::string_view> names;
@@ -77,15 +78,15 @@ class ObjectReader {
     return result;
   }
 
-  /// Throws unless every key of the object was asked for.
-  void finish();
+  /// Throws at a key that is not one of these, naming the nearest.
+  void allow(std::initializer_list<std::string_view> known) const;
 
   [[noreturn]] void fail(std::string_view key, const std::string& message) const;
   /// For the object as a whole.
   [[noreturn]] void fail(const std::string& message) const;
 
  private:
-  const nlohmann::json* find(std::string_view key);
+  const nlohmann::json* find(std::string_view key) const;
   [[noreturn]] void failChoice(std::string_view key, const std::string& name,
                                const std::vector<std::string_view>& known) const;
   Path pathOf(std::string_view key) const;
@@ -93,7 +94,6 @@ class ObjectReader {
   const Document* document_;
   const nlohmann::json* object_;
   Path path_;
-  std::vector<std::string> known_;
 };
 
 }  // namespace viewproj::cmd

@@ -14,6 +14,17 @@ std::size_t endOfString(std::string_view text, std::size_t at) {
   return std::min(at + 1, text.size());
 }
 
+/// Where token first stands outside a string.
+std::size_t outsideStrings(std::string_view text, std::string_view token) {
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] == '"')
+      at = endOfString(text, at) - 1;
+    else if (text.substr(at).starts_with(token))
+      return at;
+  }
+  return 0;
+}
+
 }  // namespace
 
 TextPosition positionAt(std::string_view text, std::size_t offset, TextPosition start) {
@@ -46,7 +57,7 @@ std::optional<JsonFault> jsonFault(std::string_view text) {
     std::size_t offset = 0;
     if (const std::size_t quote = message.find('\''); quote != std::string::npos) {
       const std::string token = message.substr(quote + 1, message.rfind('\'') - quote - 1);
-      if (const std::size_t found = text.find(token); found != std::string_view::npos) offset = found;
+      offset = outsideStrings(text, token);
     }
     if (const std::size_t bracket = message.find("] "); bracket != std::string::npos) message.erase(0, bracket + 2);
     return JsonFault{offset, message};

@@ -29,7 +29,7 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 std::string_view nearestName(std::string_view name, std::span<const std::string_view> candidates) {
   std::string_view best;
   if (name.size() > 100) return best;
-  std::size_t fewest = std::max<std::size_t>(2, name.size() / 3) + 1;
+  std::size_t fewest = std::max<std::size_t>(1, name.size() / 3) + 1;
   for (std::string_view candidate : candidates)
     if (const std::size_t edits = editDistance(name, candidate); edits < fewest) {
       fewest = edits;

@@ -33,8 +33,8 @@ std::optional<std::vector<double>> namedNumbers(const Record& record, const std:
 }
 
 /// The fields NAME_x, NAME_y, ... of a CSV line.
-std::optional<std::vector<double>> suffixedNumbers(const Record& record, const std::string& name,
-                                                   std::size_t required, std::size_t most) {
+std::optional<std::vector<double>> suffixedNumbers(const Record& record, const std::string& name, std::size_t required,
+                                                   std::size_t most) {
   static constexpr const char* kSuffixes[] = {"_x", "_y", "_z", "_w"};
   std::vector<std::string> names;
   for (std::size_t i = 0; i < most; ++i) names.push_back(name + kSuffixes[i]);
@@ -89,11 +89,14 @@ Vec4 readPoint(const Record& record, const std::vector<std::string>& columns) {
 Pixel readPixel(const Record& record, const std::vector<std::string>& columns) {
   Pixel pixel;
   if (record.form == Form::text) {
-    const auto numbers = allNumbers(record);
-    if (numbers.size() != 2 && numbers.size() != 3)
-      throw RecordError(0, "has " + std::to_string(numbers.size()) + " numbers; expected x y or x y depth");
-    pixel.screen = Vec2{numbers[0], numbers[1]};
-    if (numbers.size() == 3) pixel.depth = numbers[2];
+    const std::size_t size = record.fields.size();
+    if (size != 2 && size != 3)
+      throw RecordError(0, "has " + std::to_string(size) + " numbers; expected x y or x y depth");
+    pixel.hasDistance = size == 3;
+    const auto present = [&](std::size_t i) { return record.fields[i].value != "NaN"; };
+    const auto number = [&](std::size_t i) { return numberOf(record.fields[i], Form::text); };
+    if (present(0) && present(1)) pixel.screen = Vec2{number(0), number(1)};
+    if (pixel.hasDistance && present(2)) pixel.depth = number(2);
     return pixel;
   }
   if (record.isArray) {
@@ -107,7 +110,9 @@ Pixel readPixel(const Record& record, const std::vector<std::string>& columns) {
 
   const bool csv = record.form == Form::csv;
   pixel.depth = optionalNumber(record, "depth");
-  pixel.viewDistance = optionalNumber(record, csv ? "view_distance" : "viewDistance");
+  pixel.viewDistance = optionalNumber(record, "viewDistance");
+  if (csv && !pixel.viewDistance) pixel.viewDistance = optionalNumber(record, "view_distance");
+  pixel.hasDistance = record.find("depth") || record.find("viewDistance") || record.find("view_distance");
   if (csv && !columns.empty()) {
     pixel.screen = toScreen(namedNumbers(record, columns, 2));
     if (!pixel.screen) throw RecordError(0, "has no column " + columns[0] + ", which --columns names");

@@ -109,8 +109,8 @@ Record parseCsvRecord(std::string_view text, TextPosition position, const CsvHea
 double numberOf(const Field& field, Form form) {
   const auto number = form == Form::csv ? parseNumber(csvValue(field.value)) : parseNumber(field.value);
   if (!number)
-    throw RecordError(field.offset, (field.name.empty() ? "" : field.name + ": ") + quoted(field.value) +
-                                        " is not a finite number");
+    throw RecordError(field.offset,
+                      (field.name.empty() ? "" : field.name + ": ") + quoted(field.value) + " is not a finite number");
   return *number;
 }
 
@@ -125,8 +125,8 @@ std::vector<double> numbersOf(const Field& field, std::size_t fewest, std::size_
   while (const auto part = parts.next()) {
     if (part->value.empty() || (part->value[0] != '-' && (part->value[0] < '0' || part->value[0] > '9')))
       throw expected();
-    numbers.push_back(numberOf({field.name, part->value, field.offset + offsetIn(field.value, part->value)},
-                               Form::json));
+    numbers.push_back(
+        numberOf({field.name, part->value, field.offset + offsetIn(field.value, part->value)}, Form::json));
   }
   if (numbers.size() < fewest || numbers.size() > most) throw expected();
   return numbers;

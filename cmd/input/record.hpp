@@ -22,7 +22,7 @@ struct Record {
   Form form = Form::json;
   std::string_view text;
   TextPosition position;
-  bool isArray = false;       ///< JSON: [x, y, z]; its fields have no names
+  bool isArray = false;  ///< JSON: [x, y, z]; its fields have no names
   std::vector<Field> fields;
 
   const Field* find(std::string_view name) const;

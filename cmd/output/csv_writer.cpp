@@ -48,9 +48,7 @@ struct OwnCell {
   std::string text;
 };
 
-bool isNumber(std::string_view json) {
-  return !json.empty() && (json[0] == '-' || (json[0] >= '0' && json[0] <= '9'));
-}
+bool isNumber(std::string_view json) { return !json.empty() && (json[0] == '-' || (json[0] >= '0' && json[0] <= '9')); }
 
 void appendCells(std::vector<OwnCell>& cells, const std::string& name, std::string_view json) {
   if (json.starts_with('[')) {
@@ -72,9 +70,13 @@ void appendCells(std::vector<OwnCell>& cells, const std::string& name, std::stri
 std::vector<OwnCell> ownCells(const Record& record, const WriterSetup& setup) {
   std::vector<OwnCell> cells;
   if (record.form == Form::json && !record.isArray)
-    for (const Field& field : record.fields) appendCells(cells, columnName(field.name), field.value);
+    for (const Field& field : record.fields) appendCells(cells, field.name, field.value);
   else
-    for (const NamedJson& field : asJsonFields(record, setup)) appendCells(cells, columnName(field.name), field.json);
+    for (const NamedJson& field : asJsonFields(record, setup)) appendCells(cells, field.name, field.json);
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (cells[i].column == cells[j].column)
+        throw RecordError(0, "would fill the column '" + cells[i].column + "' twice");
   return cells;
 }
 
@@ -84,6 +86,7 @@ class CsvWriter final : public RecordWriter {
     ColumnCollector collector(setup_.prefix);
     setup_.exampleResults(collector);
     resultColumns_ = collector.columns;
+    if (setup_.keepGoing) resultColumns_.push_back("error");
   }
 
   void header(const CsvHeader& input, std::string_view line) override {
@@ -92,7 +95,8 @@ class CsvWriter final : public RecordWriter {
     if (!input.present) return;
     requireNoClash();
     out_ += line;
-    finishHeader();
+    for (const std::string& column : resultColumns_) out_ += "," + column;
+    out_ += '\n';
   }
 
   void beginRecord(const Record& record) override {
@@ -102,19 +106,16 @@ class CsvWriter final : public RecordWriter {
       return;
     }
     const auto cells = ownCells(record, setup_);
-    if (ownColumns_.empty()) {
+    headerIsNew_ = ownColumns_.empty();
+    if (headerIsNew_) {
       for (const OwnCell& cell : cells) ownColumns_.push_back(cell.column);
       requireNoClash();
-      for (const std::string& column : ownColumns_) {
-        if (&column != &ownColumns_.front()) out_ += ',';
-        out_ += quotedIfNeeded(column);
-      }
-      finishHeader();
-      start_ = out_.size();
+      writeHeader();
     }
     for (const OwnCell& cell : cells)
       if (std::find(ownColumns_.begin(), ownColumns_.end(), cell.column) == ownColumns_.end())
-        throw RecordError(0, "has '" + cell.column + "', which the first record has not; CSV columns are the first record's");
+        throw RecordError(
+            0, "has '" + cell.column + "', which the first record has not; CSV columns are the first record's");
     for (const std::string& column : ownColumns_) {
       if (&column != &ownColumns_.front()) out_ += ',';
       for (const OwnCell& cell : cells)
@@ -122,15 +123,36 @@ class CsvWriter final : public RecordWriter {
     }
   }
 
-  void endRecord() override { out_ += setup_.keepGoing ? ",\n" : "\n"; }
-  void cancelRecord() override { out_.resize(start_); }
+  void endRecord() override {
+    out_ += setup_.keepGoing ? ",\n" : "\n";
+    headerIsNew_ = false;
+    early_.clear();
+  }
 
+  void finish() override {
+    if (!early_.empty()) writeHeader();
+  }
+
+  void cancelRecord() override {
+    out_.resize(start_);
+    if (headerIsNew_) ownColumns_.clear();
+  }
+
+  /// As many own cells as there are columns, so that the message stands in its own.
   void badRecord(std::string_view text, std::size_t, const std::string& message) override {
-    if (fromCsv_)
-      out_ += text;
-    else if (ownColumns_.size() > 1)
-      out_.append(ownColumns_.size() - 1, ',');
-    out_.append(resultColumns_.size() + 1, ',');
+    if (!fromCsv_) {
+      if (ownColumns_.empty())
+        early_.push_back(message);
+      else
+        writeBadCells(message);
+      return;
+    }
+    const auto cells = splitCsvLine(text);
+    for (std::size_t i = 0; i < ownColumns_.size(); ++i) {
+      if (i > 0) out_ += ',';
+      if (i < cells.size()) out_ += cells[i];
+    }
+    out_.append(resultColumns_.size(), ',');
     out_ += quotedIfNeeded(message) + "\n";
   }
 
@@ -161,18 +183,32 @@ class CsvWriter final : public RecordWriter {
   void requireNoClash() const {
     for (const std::string& column : resultColumns_)
       if (std::find(ownColumns_.begin(), ownColumns_.end(), column) != ownColumns_.end())
-        throw RecordError(0, "already has a column '" + column + "'; --prefix P names the results P" + column);
+        throw RecordError(0, "already has a column '" + column + "'; --prefix P puts P in front of the results' names");
   }
 
-  void finishHeader() {
-    for (const std::string& column : resultColumns_) out_ += "," + column;
-    out_ += setup_.keepGoing ? ",error\n" : "\n";
+  /// And behind it the bad records that came before the columns were known.
+  void writeHeader() {
+    std::string separator;
+    for (const auto* columns : {&ownColumns_, &resultColumns_})
+      for (const std::string& column : *columns) {
+        out_ += separator + quotedIfNeeded(column);
+        separator = ",";
+      }
+    out_ += '\n';
+    for (const std::string& message : early_) writeBadCells(message);
+  }
+
+  void writeBadCells(const std::string& message) {
+    out_.append(ownColumns_.size() + resultColumns_.size() - 1, ',');
+    out_ += quotedIfNeeded(message) + "\n";
   }
 
   WriterSetup setup_;
   std::string& out_;
   std::vector<std::string> ownColumns_, resultColumns_;
   bool fromCsv_ = false;
+  bool headerIsNew_ = false;
+  std::vector<std::string> early_;  ///< messages of bad records before the first good one
   std::size_t start_ = 0;
 };
 

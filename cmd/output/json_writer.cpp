@@ -10,22 +10,29 @@
 namespace viewproj::cmd {
 namespace {
 
-/// As written if that is a JSON number, otherwise formatted anew ("+1", ".5").
+/// A text line's number: as written if that is a JSON number, otherwise formatted anew ("+1", ".5"), or null ("NaN").
 std::string jsonNumber(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  text = text.substr(first, text.find_last_not_of(" \t") - first + 1);
   if (nlohmann::json::accept(text.begin(), text.end())) return std::string(text);
-  return formatNumber(*parseNumber(text));
+  const auto number = parseNumber(text);
+  return number ? formatNumber(*number) : "null";
 }
 
-std::string jsonCell(std::string_view field) {
-  const std::string value = csvValue(field);
+/// A CSV cell: numbers, true and false as JSON writes them, an empty cell as null, anything else ("007") as a string.
+std::string jsonCell(const Field& field) {
+  const std::string value = csvValue(field.value);
   if (value.find_first_not_of(" \t") == std::string::npos) return "null";
-  if (!field.starts_with('"') && parseNumber(value)) return jsonNumber(value);
-  if (!field.starts_with('"') && (value == "true" || value == "false")) return value;
+  const bool bare =
+      !field.value.starts_with('"') && value != "null" && value[0] != '[' && value[0] != '{' && value[0] != '"';
+  if (bare && nlohmann::json::accept(value)) return value;
   std::string text;
   appendJsonString(text, value);
   return text;
+}
+
+/// Valid JSON has line breaks only between its tokens.
+void appendOnOneLine(std::string& out, std::string_view json) {
+  for (char c : json)
+    if (c != '\n' && c != '\r') out += c;
 }
 
 class JsonWriter final : public RecordWriter {
@@ -59,10 +66,10 @@ class JsonWriter final : public RecordWriter {
       }
       return;
     }
-    // As written, without the closing brace and without line breaks, which valid JSON has only between tokens.
-    const std::string_view body = record.text.substr(0, record.text.find_last_not_of(" \t\r\n", record.text.size() - 2) + 1);
-    for (char c : body)
-      if (c != '\n' && c != '\r') out_ += c;
+    // As written, without the closing brace.
+    const std::string_view body =
+        record.text.substr(0, record.text.find_last_not_of(" \t\r\n", record.text.size() - 2) + 1);
+    appendOnOneLine(out_, body);
   }
 
   void endRecord() override {
@@ -74,8 +81,8 @@ class JsonWriter final : public RecordWriter {
 
   void badRecord(std::string_view, std::size_t line, const std::string& message) override {
     beginItem();
-    out_ += "{\"line\":" + std::to_string(line) + ",\"error\":";
-    appendJsonString(out_, message);
+    out_ += "{\"line\":" + std::to_string(line) +
+            ",\"error\":" + nlohmann::json(message).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
     out_ += '}';
     finishItem();
   }
@@ -128,7 +135,8 @@ class JsonWriter final : public RecordWriter {
   void beginField(std::string_view name) {
     const std::string full = setup_.prefix + std::string(name);
     if (const Field* own = record_->find(full))
-      throw RecordError(own->offset, "already has a field '" + full + "'; --prefix P names the results P" + full);
+      throw RecordError(own->offset,
+                        "already has a field '" + full + "'; --prefix P puts P in front of the results' names");
     if (out_.back() != '{') out_ += ',';
     out_ += '"';
     out_ += full;
@@ -147,17 +155,26 @@ class JsonWriter final : public RecordWriter {
 }  // namespace
 
 void appendJsonString(std::string& out, std::string_view text) {
-  out += nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  try {
+    out += nlohmann::json(text).dump();
+  } catch (const nlohmann::json::type_error&) {
+    throw RecordError(0, "has text that is not UTF-8");
+  }
 }
 
 std::vector<NamedJson> asJsonFields(const Record& record, const WriterSetup& setup) {
   std::vector<NamedJson> fields;
   if (record.form == Form::csv) {
-    for (const Field& field : record.fields) fields.push_back({field.name, jsonCell(field.value)});
+    for (const Field& field : record.fields) fields.push_back({field.name, jsonCell(field)});
     return fields;
   }
   const std::size_t inArray =
       setup.arraySize == 0 ? record.fields.size() : std::min(setup.arraySize, record.fields.size());
+  if (record.form == Form::json) {
+    std::string array;
+    appendOnOneLine(array, record.text);
+    return {{setup.arrayName, array}};
+  }
   std::string array = "[";
   for (std::size_t i = 0; i < inArray; ++i) {
     if (i > 0) array += ',';

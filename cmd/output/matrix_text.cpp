@@ -35,13 +35,13 @@ std::string asJson(const MatrixSet& set) {
                     ", \"ndcY\": " + quotedName(nameOf(kNdcYNames, c.ndcY)) +
                     ", \"vectors\": " + quotedName(nameOf(kVectorsNames, c.vectors)) +
                     ", \"storage\": " + quotedName(nameOf(kStorageNames, c.storage)) + "}";
-  if (set.eye) out += ",\n  \"eye\": [" + formatNumber(set.eye->x) + ", " + formatNumber(set.eye->y) + ", " +
-                      formatNumber(set.eye->z) + "]";
+  if (set.eye)
+    out += ",\n  \"eye\": [" + formatNumber(set.eye->x) + ", " + formatNumber(set.eye->y) + ", " +
+           formatNumber(set.eye->z) + "]";
   for (const NamedMatrix& named : set.matrices) {
     out += ",\n  " + quotedName(named.name) + ": [\n";
     const Mat4 paper = laidOut(named.matrix, c);
-    for (std::size_t i = 0; i < 4; ++i)
-      out += "    [" + row(paper[i], ", ", set.asFloat) + (i < 3 ? "],\n" : "]\n");
+    for (std::size_t i = 0; i < 4; ++i) out += "    [" + row(paper[i], ", ", set.asFloat) + (i < 3 ? "],\n" : "]\n");
     out += "  ]";
   }
   return out + "\n}\n";
@@ -51,7 +51,8 @@ std::string asJson(const MatrixSet& set) {
 std::string asText(const MatrixSet& set) {
   std::string out;
   if (set.eye)
-    out += "# eye\n" + formatNumber(set.eye->x) + " " + formatNumber(set.eye->y) + " " + formatNumber(set.eye->z) + "\n\n";
+    out +=
+        "# eye\n" + formatNumber(set.eye->x) + " " + formatNumber(set.eye->y) + " " + formatNumber(set.eye->z) + "\n\n";
   for (const NamedMatrix& named : set.matrices) {
     if (&named != &set.matrices.front()) out += '\n';
     out += "# " + named.name + "\n";

@@ -45,6 +45,9 @@ class RecordWriter : public ResultSink {
   /// Takes back what beginRecord and the results wrote.
   virtual void cancelRecord() = 0;
 
+  /// After the last record.
+  virtual void finish() {}
+
   /// --keep-going: what stands in place of a bad record.
   virtual void badRecord(std::string_view text, std::size_t line, const std::string& message) = 0;
 };
@@ -54,7 +57,7 @@ struct WriterSetup {
   std::string arrayName;
   std::size_t arraySize = 0;  ///< how many numbers of a text line are the array's; 0: all
   std::string extraName;
-  std::string prefix;      ///< in front of every result's name
+  std::string prefix;  ///< in front of every result's name
   bool keepGoing = false;
   std::function<void(ResultSink&)> exampleResults;  ///< calls the sink as for a record, so that columns are known
 };

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "input/error.hpp"
 #include "output/number.hpp"
 #include "output/record_writer.hpp"
 
@@ -40,7 +41,9 @@ class TextWriter final : public RecordWriter {
   }
 
   void flag(std::string_view name, bool value) override { number(name, value ? 1 : 0); }
-  void names(std::string_view, std::span<const std::string_view>, bool) override {}
+  void names(std::string_view name, std::span<const std::string_view>, bool) override {
+    throw UsageError("--fields " + std::string(name) + ": text has numbers only; use JSON or CSV");
+  }
 
  private:
   WriterSetup setup_;

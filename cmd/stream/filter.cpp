@@ -16,24 +16,36 @@ constexpr std::string_view kBom = "\xEF\xBB\xBF";
 /// The bytes of a file, or given ones, not yet taken by the splitter.
 class Source {
  public:
-  explicit Source(const FilterSetup& setup) : name_("the command line") {
-    if (setup.given) {
-      buffer_ = *setup.given;
-      atEnd_ = true;
-    } else {
+  explicit Source(const FilterSetup& setup) {
+    if (setup.given.empty()) {
       file_.emplace(setup.file);
       name_ = file_->name();
+      return;
     }
+    for (const GivenRecord& record : setup.given) buffer_ += record.json + "\n";
+    atEnd_ = true;
+  }
+
+  /// Reads until the form can be told: to the end of the first line that is not blank, or a bracket at its start.
+  void readFirstLine() {
+    constexpr std::size_t kLongEnough = 64 << 10;
+    while (!atEnd_ && buffer_.size() < kLongEnough) {
+      const std::size_t first = buffer_.find_first_not_of(" \t\r\n");
+      const bool mayBeBom =
+          kBom.starts_with(std::string_view(buffer_).substr(0, kBom.size())) && buffer_.size() < kBom.size();
+      if (first != std::string::npos && !mayBeBom &&
+          (buffer_[first] == '{' || buffer_[first] == '[' || buffer_.find('\n', first) != std::string::npos))
+        break;
+      more();
+    }
+    if (buffer_.starts_with(kBom)) buffer_.erase(0, kBom.size());
   }
 
   /// Reads another block. The bytes at hand move: views into them end here.
   void more() {
     buffer_.erase(0, begin_);
     begin_ = 0;
-    const bool first = !started_;
     atEnd_ = !file_->readInto(buffer_);
-    started_ = true;
-    if (first && buffer_.starts_with(kBom)) buffer_.erase(0, kBom.size());
   }
 
   std::string_view rest() const { return std::string_view(buffer_).substr(begin_); }
@@ -48,7 +60,6 @@ class Source {
   std::string buffer_;
   std::size_t begin_ = 0;
   bool atEnd_ = false;
-  bool started_ = false;
 };
 
 OutputForm formOfInput(Form form) {
@@ -57,10 +68,14 @@ OutputForm formOfInput(Form form) {
 
 std::unique_ptr<RecordWriter> makeWriter(OutputForm form, const WriterSetup& setup, std::string& out) {
   switch (form) {
-    case OutputForm::csv: return makeCsvWriter(setup, out);
-    case OutputForm::text: return makeTextWriter(setup, out);
-    case OutputForm::lines: return makeJsonWriter(false, setup, out);
-    case OutputForm::array: return makeJsonWriter(true, setup, out);
+    case OutputForm::csv:
+      return makeCsvWriter(setup, out);
+    case OutputForm::text:
+      return makeTextWriter(setup, out);
+    case OutputForm::lines:
+      return makeJsonWriter(false, setup, out);
+    case OutputForm::array:
+      return makeJsonWriter(true, setup, out);
   }
   return nullptr;
 }
@@ -72,10 +87,10 @@ class Filter {
   Filter(const FilterSetup& setup, const RecordWork& work) : setup_(setup), work_(work), source_(setup) {}
 
   int run() {
-    while (source_.rest().empty() && !source_.atEnd()) source_.more();
-    form_ = setup_.given ? Form::json
-            : setup_.from ? *setup_.from
-                          : formOfName(setup_.file).value_or(formOfBytes(source_.rest()));
+    source_.readFirstLine();
+    form_ = !setup_.given.empty() ? Form::json
+            : setup_.from         ? *setup_.from
+                                  : formOfName(setup_.file).value_or(formOfBytes(source_.rest()));
     // JSON keeps its own arrangement, arrays included, unless an arrangement was asked for.
     keepArrays_ = !setup_.to && form_ == Form::json;
     const OutputForm outputForm = setup_.to.value_or(formOfInput(form_));
@@ -85,14 +100,13 @@ class Filter {
     try {
       while (step(splitter)) {
       }
-    } catch (const RecordError& e) {
-      failAt(splitter.position(), source_.rest(), e);
     } catch (const InputError&) {
       closeArray();
       flush();
       throw;
     }
     closeArray();
+    writer_->finish();
     flush();
     return passedOver_ ? 1 : 0;
   }
@@ -100,21 +114,30 @@ class Filter {
  private:
   /// One piece of the input; false at its end.
   bool step(Splitter& splitter) {
-    const Piece piece = splitter.next(source_.rest(), source_.atEnd());
+    Piece piece;
+    try {
+      piece = splitter.next(source_.rest(), source_.atEnd());
+    } catch (const RecordError& e) {
+      if (!setup_.keepGoing || open_) failAt(splitter.position(), source_.rest(), e);
+      return passOverLine(splitter, e);
+    }
     if (piece.event == Event::needMore) {
       if (source_.wouldWait()) flush();
       source_.more();
       return true;
     }
     switch (piece.event) {
-      case Event::record: doRecord(piece); break;
+      case Event::record:
+        doRecord(piece);
+        break;
       case Event::beginArray:
         if (keepArrays_) openArray(piece.text);
         break;
       case Event::endArray:
         if (keepArrays_) closeArray(piece.text);
         break;
-      default: return false;
+      default:
+        return false;
     }
     source_.take(splitter.taken(source_.rest()));
     if (out_.size() >= kFlushAt) flush();
@@ -126,6 +149,7 @@ class Filter {
     if (form_ == Form::csv && header_.names.empty()) {
       header_ = readCsvHeader(piece.text, setup_.csvDefaults);
       try {
+        requireUsable(header_, piece);
         writer_->header(header_, piece.text);
       } catch (const RecordError& e) {
         failAt(piece.position, piece.text, e);
@@ -135,25 +159,58 @@ class Filter {
     bool begun = false;
     try {
       const Record record = parse(piece);
-      writer_->beginRecord(record);
       begun = true;
+      writer_->beginRecord(record);
       work_(record, *writer_);
       writer_->endRecord();
     } catch (const RecordError& e) {
       if (begun) writer_->cancelRecord();
       if (!setup_.keepGoing) failAt(piece.position, piece.text, e);
-      const TextPosition at = positionAt(piece.text, e.offset, piece.position);
-      writer_->badRecord(piece.text, at.line, e.what());
-      std::fprintf(stderr, "viewproj: %s: %s\n", place(source_.name(), at).c_str(), e.what());
-      passedOver_ = true;
+      passOver(piece.text, piece.position, e);
     }
+  }
+
+  void passOver(std::string_view text, TextPosition start, const RecordError& e) {
+    const TextPosition at = positionAt(text, e.offset, start);
+    writer_->badRecord(text, at.line, e.what());
+    std::fprintf(stderr, "viewproj: %s: %s\n", placeOf(at).c_str(), e.what());
+    passedOver_ = true;
+  }
+
+  /// --keep-going where no record can be made out: the line counts as one, and the next begins afresh.
+  bool passOverLine(Splitter& splitter, const RecordError& e) {
+    const std::string_view rest = source_.rest();
+    const std::size_t begin = std::min(rest.find_first_not_of(" \t\r\n"), rest.size());
+    const std::size_t end = std::min(rest.find('\n', begin), rest.size());
+    const std::size_t at = std::min(std::max(e.offset, begin), end);
+    passOver(rest.substr(begin, end - begin), positionAt(rest, begin, splitter.position()),
+             RecordError(at - begin, e.what()));
+    source_.take(splitter.skip(rest, end));
+    return true;
+  }
+
+  /// Columns must have different names, and those of the coordinates must be among them.
+  void requireUsable(const CsvHeader& header, const Piece& piece) const {
+    Record record{Form::csv, piece.text, piece.position, false, {}};
+    for (const std::string& name : header.names) {
+      if (!name.empty() && record.find(name)) throw RecordError(0, "has the column '" + name + "' twice");
+      record.fields.push_back({name, "1"});
+    }
+    setup_.checkHeader(record);
+  }
+
+  std::string placeOf(TextPosition position) const {
+    return setup_.given.empty() ? place(source_.name(), position) : setup_.given[position.line - 1].option;
   }
 
   Record parse(const Piece& piece) const {
     switch (form_) {
-      case Form::csv: return parseCsvRecord(piece.text, piece.position, header_);
-      case Form::text: return parseTextRecord(piece.text, piece.position);
-      case Form::json: break;
+      case Form::csv:
+        return parseCsvRecord(piece.text, piece.position, header_);
+      case Form::text:
+        return parseTextRecord(piece.text, piece.position);
+      case Form::json:
+        break;
     }
     return parseJsonRecord(piece.text, piece.position);
   }
@@ -162,7 +219,9 @@ class Filter {
   [[noreturn]] void failAt(TextPosition start, std::string_view text, const RecordError& e) {
     closeArray();
     flush();
-    throw InputError(place(source_.name(), positionAt(text, e.offset, start)) + ": " + e.what());
+    const std::string message = placeOf(positionAt(text, e.offset, start)) + ": " + e.what();
+    if (!setup_.given.empty()) throw UsageError(message);
+    throw InputError(message);
   }
 
   void openArray(std::string_view asWritten = "[") {

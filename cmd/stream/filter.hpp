@@ -11,13 +11,21 @@
 
 namespace viewproj::cmd {
 
+/// A record of the command line: the option it came from, and the record as JSON.
+struct GivenRecord {
+  std::string option;
+  std::string json;
+};
+
 struct FilterSetup {
   std::string file = "-";
-  std::optional<std::string> given;      ///< records of the command line, as JSON, instead of a file
+  std::vector<GivenRecord> given;  ///< instead of a file
   std::optional<Form> from;
-  std::optional<OutputForm> to;          ///< nothing: as the input
+  std::optional<OutputForm> to;  ///< nothing: as the input
   bool keepGoing = false;
   std::vector<std::string> csvDefaults;  ///< column names of a CSV stream without a header
+  /// Reads a record whose fields are the header's names, all with the value 1; throws RecordError where one is missing.
+  std::function<void(const Record&)> checkHeader;
   WriterSetup writer;
 };
 

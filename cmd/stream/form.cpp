@@ -7,8 +7,8 @@ namespace viewproj::cmd {
 
 std::optional<Form> formOfName(std::string_view fileName) {
   static constexpr std::pair<std::string_view, Form> kEndings[] = {
-      {".json", Form::json}, {".ndjson", Form::json}, {".jsonl", Form::json}, {".csv", Form::csv},
-      {".txt", Form::text},  {".xyz", Form::text},
+      {".json", Form::json}, {".ndjson", Form::json}, {".jsonl", Form::json},
+      {".csv", Form::csv},   {".txt", Form::text},    {".xyz", Form::text},
   };
   for (const auto& [ending, form] : kEndings)
     if (fileName.ends_with(ending)) return form;
@@ -23,7 +23,7 @@ Form formOfBytes(std::string_view start) {
   if (start[0] == '{' || start[0] == '[') return Form::json;
   const std::string_view line = start.substr(0, start.find('\n'));
   const char c = start[0];
-  const bool number = (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.';
+  const bool number = (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.' || line.starts_with("NaN");
   return line.find(',') != std::string_view::npos || !number ? Form::csv : Form::text;
 }
 

@@ -51,6 +51,13 @@ std::size_t Splitter::taken(std::string_view rest) {
   return std::exchange(used_, 0);
 }
 
+std::size_t Splitter::skip(std::string_view rest, std::size_t bytes) {
+  (void)piece(Event::needMore, rest, 0, bytes);
+  place_ = Place::top;
+  inDocument_ = false;
+  return taken(rest);
+}
+
 std::size_t Splitter::closing(std::string_view rest, std::size_t begin, std::size_t openBefore) {
   if (scanned_ == 0) {
     scanned_ = begin;
@@ -159,8 +166,7 @@ Piece Splitter::nextJson(std::string_view rest, bool atEnd) {
       return piece(Event::beginArray, rest, at, at + 1);
     }
   }
-  if (first != '{' && first != '[')
-    throw RecordError(at, "expected a record: an array of numbers or an object");
+  if (first != '{' && first != '[') throw RecordError(at, "expected a record: an array of numbers or an object");
 
   const std::size_t end = closing(rest, at, 0);
   if (end == npos) {

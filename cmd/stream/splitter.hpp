@@ -34,6 +34,9 @@ class Splitter {
   /// How many bytes of rest the last piece used, from its start. The position moves on by them.
   std::size_t taken(std::string_view rest);
 
+  /// Gives up on the first bytes of rest, and starts afresh behind them. Returns bytes.
+  std::size_t skip(std::string_view rest, std::size_t bytes);
+
   TextPosition position() const { return position_; }
 
  private:

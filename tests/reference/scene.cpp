@@ -13,11 +13,16 @@ DoubleDouble aspectOf(const Viewport& v) { return DoubleDouble(v.width) / Double
 Pose buildPose(const Scene& s) {
   const Handedness world = s.convention.world;
   switch (s.poseKind) {
-    case PoseKind::target: return lookAt(s.position, s.target, s.up, world);
-    case PoseKind::direction: return lookAlong(s.position, s.target, s.up, world);
-    case PoseKind::rotation: return poseFromRotation(s.position, s.rotation, s.axes, world);
-    case PoseKind::worldFromCamera: return poseFromWorldFromCamera(s.matrix, s.axes, world);
-    case PoseKind::cameraFromWorld: return poseFromCameraFromWorld(s.matrix, s.axes, world);
+    case PoseKind::target:
+      return lookAt(s.position, s.target, s.up, world);
+    case PoseKind::direction:
+      return lookAlong(s.position, s.target, s.up, world);
+    case PoseKind::rotation:
+      return poseFromRotation(s.position, s.rotation, s.axes, world);
+    case PoseKind::worldFromCamera:
+      return poseFromWorldFromCamera(s.matrix, s.axes, world);
+    case PoseKind::cameraFromWorld:
+      return poseFromCameraFromWorld(s.matrix, s.axes, world);
   }
   return {};
 }
@@ -25,18 +30,26 @@ Pose buildPose(const Scene& s) {
 Projection buildLens(const Scene& s) {
   const DoubleDouble aspect = aspectOf(s.viewport);
   switch (s.lensKind) {
-    case LensKind::fovY: return perspectiveFovY(s.fov, aspect, s.near, s.far);
-    case LensKind::fovX: return perspectiveFovX(s.fov, aspect, s.near, s.far);
-    case LensKind::fovDiagonal: return perspectiveFovDiagonal(s.fov, aspect, s.near, s.far);
-    case LensKind::nearSize: return perspectiveNearSize(s.right, s.top, s.near, s.far);
+    case LensKind::fovY:
+      return perspectiveFovY(s.fov, aspect, s.near, s.far);
+    case LensKind::fovX:
+      return perspectiveFovX(s.fov, aspect, s.near, s.far);
+    case LensKind::fovDiagonal:
+      return perspectiveFovDiagonal(s.fov, aspect, s.near, s.far);
+    case LensKind::nearSize:
+      return perspectiveNearSize(s.right, s.top, s.near, s.far);
     case LensKind::sensorBoth:
       return perspectiveFocalLength(s.focalLength, s.sensorWidth, s.sensorHeight, 1, s.near, s.far);
-    case LensKind::sensorWidth: return perspectiveFocalLength(s.focalLength, s.sensorWidth, 0, aspect, s.near, s.far);
+    case LensKind::sensorWidth:
+      return perspectiveFocalLength(s.focalLength, s.sensorWidth, 0, aspect, s.near, s.far);
     case LensKind::sensorHeight:
       return perspectiveFocalLength(s.focalLength, 0, s.sensorHeight, aspect, s.near, s.far);
-    case LensKind::frustum: return frustum(s.left, s.right, s.bottom, s.top, s.near, s.far);
-    case LensKind::intrinsics: return intrinsics(s.fx, s.fy, s.cx, s.cy, s.viewport, s.near, s.far);
-    case LensKind::orthographic: return orthographic(s.left, s.right, s.bottom, s.top, s.near, s.far);
+    case LensKind::frustum:
+      return frustum(s.left, s.right, s.bottom, s.top, s.near, s.far);
+    case LensKind::intrinsics:
+      return intrinsics(s.fx, s.fy, s.cx, s.cy, s.viewport, s.near, s.far);
+    case LensKind::orthographic:
+      return orthographic(s.left, s.right, s.bottom, s.top, s.near, s.far);
   }
   return {};
 }
@@ -60,10 +73,14 @@ struct Named {
 };
 Named named(const Columns& c, CameraAxes axes) {
   switch (axes) {
-    case CameraAxes::RUB: return {c.x, c.y, c.z * Real(-1)};
-    case CameraAxes::RUF: return {c.x, c.y, c.z};
-    case CameraAxes::RDF: return {c.x, c.y * Real(-1), c.z};
-    case CameraAxes::FRU: return {c.y, c.z, c.x};
+    case CameraAxes::RUB:
+      return {c.x, c.y, c.z * Real(-1)};
+    case CameraAxes::RUF:
+      return {c.x, c.y, c.z};
+    case CameraAxes::RDF:
+      return {c.x, c.y * Real(-1), c.z};
+    case CameraAxes::FRU:
+      return {c.y, c.z, c.x};
   }
   return {};
 }
@@ -78,8 +95,8 @@ TruePose truePose(const Scene& s) {
     p.up = rightHanded ? cross(p.right, p.forward) : cross(p.forward, p.right);
   } else if (s.poseKind == PoseKind::rotation) {
     p.eye = toReal(s.position);
-    const Named n = named({rotate(s.rotation, {1, 0, 0}), rotate(s.rotation, {0, 1, 0}), rotate(s.rotation, {0, 0, 1})},
-                          s.axes);
+    const Named n =
+        named({rotate(s.rotation, {1, 0, 0}), rotate(s.rotation, {0, 1, 0}), rotate(s.rotation, {0, 0, 1})}, s.axes);
     p.right = n.right;
     p.up = n.up;
     p.forward = n.forward;
@@ -117,8 +134,10 @@ TrueLens trueLens(const Scene& s) {
   const auto symmetric = [](const Real& w, const Real& h) { return TrueLens{false, -w, w, -h, h}; };
   const Real tangent = tanDegrees(Real(s.fov) / Real(2));
   switch (s.lensKind) {
-    case LensKind::fovY: return symmetric(tangent * aspect, tangent);
-    case LensKind::fovX: return symmetric(tangent, tangent / aspect);
+    case LensKind::fovY:
+      return symmetric(tangent * aspect, tangent);
+    case LensKind::fovX:
+      return symmetric(tangent, tangent / aspect);
     case LensKind::fovDiagonal: {
       const Real diagonal = sqrt(Real(v.width) * Real(v.width) + Real(v.height) * Real(v.height));
       return symmetric(tangent * Real(v.width) / diagonal, tangent * Real(v.height) / diagonal);
@@ -145,7 +164,8 @@ TrueLens trueLens(const Scene& s) {
       return {false, -cx / Real(s.fx), (Real(v.width) - cx) / Real(s.fx), -below / Real(s.fy),
               (Real(v.height) - below) / Real(s.fy)};
     }
-    case LensKind::orthographic: return {true, s.left, s.right, s.bottom, s.top};
+    case LensKind::orthographic:
+      return {true, s.left, s.right, s.bottom, s.top};
   }
   return {};
 }
@@ -180,8 +200,8 @@ Truth::Screen Truth::screen(const View& v) const {
   const Real W = port.width, H = port.height;
   Screen s;
   s.x = (ndcX + Real(1)) * W / Real(2) + Real(scene.shiftX) * W / Real(2) + half;
-  s.y = (down ? Real(1) - ndcY : ndcY + Real(1)) * H / Real(2) + Real(down ? -scene.shiftY : scene.shiftY) * H / Real(2) +
-        half;
+  s.y = (down ? Real(1) - ndcY : ndcY + Real(1)) * H / Real(2) +
+        Real(down ? -scene.shiftY : scene.shiftY) * H / Real(2) + half;
   if (scene.hasCrop) {
     s.x = s.x - Real(scene.crop.x);
     s.y = s.y - Real(scene.crop.y);
@@ -274,16 +294,15 @@ Scene randomScene(Random& r, double reach) {
   if (r.chance(0.3)) s.shiftX = r.uniform(-2, 2), s.shiftY = r.uniform(-2, 2);
   if (r.chance(0.2)) {
     s.hasCrop = true;
-    s.crop = {std::floor(r.uniform(0, v.width)), std::floor(r.uniform(0, v.height)), std::floor(r.spread(1, v.width + 1)),
-              std::floor(r.spread(1, v.height + 1))};
+    s.crop = {std::floor(r.uniform(0, v.width)), std::floor(r.uniform(0, v.height)),
+              std::floor(r.spread(1, v.width + 1)), std::floor(r.spread(1, v.height + 1))};
   }
 
   s.poseKind = r.pick(kPoseKinds);
   s.position = r.vector(reach * r.spread(1e-3, 1));
   const Vec3 way = r.vector(r.spread(1e-3, 1e3) * std::max(1.0, reach));
-  s.target = s.poseKind == PoseKind::target
-                 ? Vec3{s.position.x + way.x, s.position.y + way.y, s.position.z + way.z}
-                 : way;
+  s.target =
+      s.poseKind == PoseKind::target ? Vec3{s.position.x + way.x, s.position.y + way.y, s.position.z + way.z} : way;
   s.up = r.vector(r.spread(1e-3, 1e3));
   s.rotation = {r.uniform(-1, 1), r.uniform(-1, 1), r.uniform(-1, 1), r.uniform(-1, 1)};
   const bool rightHanded = s.convention.world == Handedness::right;
@@ -310,8 +329,8 @@ Vec3 pointInView(Random& r, const Truth& truth, double overscan) {
   const double w = s.hasCrop ? s.crop.width : s.viewport.width;
   const double h = s.hasCrop ? s.crop.height : s.viewport.height;
   const double x0 = s.hasCrop ? 0 : s.viewport.x, y0 = s.hasCrop ? 0 : s.viewport.y;
-  const Truth::Window at = truth.window(x0 + w * (0.5 + overscan * r.uniform(-0.5, 0.5)),
-                                        y0 + h * (0.5 + overscan * r.uniform(-0.5, 0.5)));
+  const Truth::Window at =
+      truth.window(x0 + w * (0.5 + overscan * r.uniform(-0.5, 0.5)), y0 + h * (0.5 + overscan * r.uniform(-0.5, 0.5)));
   const double far = std::isinf(s.far) ? s.near * 1e6 : s.far;
   const double distance = truth.lens.orthographic ? r.uniform(s.near, far) : r.spread(s.near, far);
   const Real3 p = truth.pointAt(at, distance);

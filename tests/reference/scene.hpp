@@ -1,7 +1,7 @@
 // A camera as a file describes it, its truth by the textbook formulas in 480 bits, and the library's camera of it.
 //
-// The truth is written another way round than the library on purpose: NDC first, then the viewport; shift and crop as moves
-// of pixels; a quaternion by q v q*; a pose matrix inverted by Cramer's rule.
+// The truth is written another way round than the library on purpose: NDC first, then the viewport; shift and crop as
+// moves of pixels; a quaternion by q v q*; a pose matrix inverted by Cramer's rule.
 #pragma once
 
 #include <random>
@@ -13,14 +13,24 @@
 namespace reference {
 
 enum class PoseKind { target, direction, rotation, worldFromCamera, cameraFromWorld };
-enum class LensKind { fovY, fovX, fovDiagonal, nearSize, sensorBoth, sensorWidth, sensorHeight, frustum, intrinsics,
-                      orthographic };
+enum class LensKind {
+  fovY,
+  fovX,
+  fovDiagonal,
+  nearSize,
+  sensorBoth,
+  sensorWidth,
+  sensorHeight,
+  frustum,
+  intrinsics,
+  orthographic
+};
 
 inline constexpr PoseKind kPoseKinds[] = {PoseKind::target, PoseKind::direction, PoseKind::rotation,
                                           PoseKind::worldFromCamera, PoseKind::cameraFromWorld};
 inline constexpr LensKind kLensKinds[] = {
-    LensKind::fovY,       LensKind::fovX,        LensKind::fovDiagonal,  LensKind::nearSize, LensKind::sensorBoth,
-    LensKind::sensorWidth, LensKind::sensorHeight, LensKind::frustum, LensKind::intrinsics, LensKind::orthographic};
+    LensKind::fovY,        LensKind::fovX,         LensKind::fovDiagonal, LensKind::nearSize,   LensKind::sensorBoth,
+    LensKind::sensorWidth, LensKind::sensorHeight, LensKind::frustum,     LensKind::intrinsics, LensKind::orthographic};
 
 struct Scene {
   PoseKind poseKind = PoseKind::target;

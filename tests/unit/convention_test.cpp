@@ -1,8 +1,9 @@
+#include "viewproj/camera/convention.hpp"
+
 #include <fstream>
 #include <sstream>
 
 #include "catch.hpp"
-#include "viewproj/camera/convention.hpp"
 
 using namespace viewproj;
 

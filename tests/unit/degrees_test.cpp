@@ -1,5 +1,6 @@
-#include "catch.hpp"
 #include "viewproj/numbers/degrees.hpp"
+
+#include "catch.hpp"
 
 using namespace viewproj;
 

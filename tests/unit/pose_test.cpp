@@ -1,6 +1,7 @@
+#include "viewproj/camera/pose.hpp"
+
 #include "catch.hpp"
 #include "viewproj/camera/error.hpp"
-#include "viewproj/camera/pose.hpp"
 
 using namespace viewproj;
 
@@ -63,8 +64,9 @@ TEST_CASE("A NaN or an infinity in any component of a pose is named") {
       CHECK(complaint([&] { lookAt({0, 0, 0}, v, {0, 1, 0}, right); }).first == "target");
       CHECK(complaint([&] { lookAlong({0, 0, 0}, v, {0, 1, 0}, right); }).first == "direction");
       CHECK(complaint([&] { lookAlong({0, 0, 0}, {1, 0, 0}, v, right); }).first == "up");
-      CHECK(complaint([&] { poseFromRotation({0, 0, 0}, {v.x, v.y, v.z, 1}, CameraAxes::RUB, right); }).first ==
-            "rotation");
+      CHECK(complaint([&] {
+              poseFromRotation({0, 0, 0}, {v.x, v.y, v.z, 1}, CameraAxes::RUB, right);
+            }).first == "rotation");
     }
 }
 

@@ -16,8 +16,8 @@ Camera plainCamera(double near = 1, double far = 10, Convention convention = {})
 }
 
 Camera orthographicCamera() {
-  return makeCamera(lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Handedness::right),
-                    orthographic(-2, 2, -1, 1, -5, 5), {200, 100});
+  return makeCamera(lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Handedness::right), orthographic(-2, 2, -1, 1, -5, 5),
+                    {200, 100});
 }
 
 }  // namespace
@@ -43,8 +43,13 @@ TEST_CASE("What lies beyond a side is named by that side, in every convention") 
     unsigned outside;
   };
   const Row rows[] = {
-      {{-5, 0, -2}, sideLeft},  {{5, 0, -2}, sideRight},   {{0, -3, -2}, sideBottom}, {{0, 3, -2}, sideTop},
-      {{0, 0, -0.5}, sideNear}, {{0, 0, -10.5}, sideFar}, {{-50, 30, -11}, sideLeft | sideTop | sideFar},
+      {{-5, 0, -2}, sideLeft},
+      {{5, 0, -2}, sideRight},
+      {{0, -3, -2}, sideBottom},
+      {{0, 3, -2}, sideTop},
+      {{0, 0, -0.5}, sideNear},
+      {{0, 0, -10.5}, sideFar},
+      {{-50, 30, -11}, sideLeft | sideTop | sideFar},
   };
   for (const ConventionPreset& preset : conventionPresets()) {
     Convention c = preset.convention;

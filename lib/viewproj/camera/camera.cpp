@@ -32,10 +32,8 @@ DepthLine depthLine(const Projection& p, double atNear, double atFar) noexcept {
   const DoubleDouble step = twoDiff(atNear, atFar);
   if (std::isinf(p.far)) return {atFar, DoubleDouble(p.near) * step};
   const RangeShares share = rangeShares(p);
-  if (p.orthographic)
-    return {share.far * DoubleDouble(atNear) - share.near * DoubleDouble(atFar), -step * share.one};
-  return {share.far * DoubleDouble(atFar) - share.near * DoubleDouble(atNear),
-          share.far * DoubleDouble(p.near) * step};
+  if (p.orthographic) return {share.far * DoubleDouble(atNear) - share.near * DoubleDouble(atFar), -step * share.one};
+  return {share.far * DoubleDouble(atFar) - share.near * DoubleDouble(atNear), share.far * DoubleDouble(p.near) * step};
 }
 
 Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport& viewport,

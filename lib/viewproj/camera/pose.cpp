@@ -49,17 +49,22 @@ Pose lookAlongExactly(const Vec3& position, const DDVec3& direction, const Vec3&
   const DDVec3 forward = g * forwardScale;
   const double handed = world == Handedness::right ? 1 : -1;
   const Axes axes{right * DoubleDouble(handed), cross(right, forward), forward};
-  ExactRows exact{side, {}, {}, true, sideScale * DoubleDouble(handed), sideScale * forwardScale, forwardScale, position, {}};
+  ExactRows exact{side,         {},       {}, true, sideScale * DoubleDouble(handed), sideScale * forwardScale,
+                  forwardScale, position, {}};
   for (std::size_t i = 0; i < 3; ++i) exact.forward[i] = {g[i].lo, g[i].hi};
   return {position, axes, axes, {}, exact};
 }
 
 const char* axesName(CameraAxes axes) {
   switch (axes) {
-    case CameraAxes::RUB: return "RUB";
-    case CameraAxes::RUF: return "RUF";
-    case CameraAxes::RDF: return "RDF";
-    case CameraAxes::FRU: return "FRU";
+    case CameraAxes::RUB:
+      return "RUB";
+    case CameraAxes::RUF:
+      return "RUF";
+    case CameraAxes::RDF:
+      return "RDF";
+    case CameraAxes::FRU:
+      return "FRU";
   }
   return "";
 }
@@ -72,10 +77,14 @@ struct AxisMap {
 
 AxisMap axisMap(CameraAxes axes) {
   switch (axes) {
-    case CameraAxes::RUB: return {{0, 1, 2}, {1, 1, -1}};
-    case CameraAxes::RUF: return {{0, 1, 2}, {1, 1, 1}};
-    case CameraAxes::RDF: return {{0, 1, 2}, {1, -1, 1}};
-    case CameraAxes::FRU: return {{2, 0, 1}, {1, 1, 1}};
+    case CameraAxes::RUB:
+      return {{0, 1, 2}, {1, 1, -1}};
+    case CameraAxes::RUF:
+      return {{0, 1, 2}, {1, 1, 1}};
+    case CameraAxes::RDF:
+      return {{0, 1, 2}, {1, -1, 1}};
+    case CameraAxes::FRU:
+      return {{2, 0, 1}, {1, 1, 1}};
   }
   return {};
 }
@@ -230,7 +239,8 @@ Pose poseFromRotation(const Vec3& position, const Quaternion& q, CameraAxes axes
       {twice(x, z, y, w), twice(y, z, -x, w), squares(-1, -1, 1)},
   }};
   const DoubleDouble scale = DoubleDouble(1) / squares(1, 1, 1).rounded();
-  const Axes camera = toAxes({rounded(columns[0]) * scale, rounded(columns[1]) * scale, rounded(columns[2]) * scale}, axes);
+  const Axes camera =
+      toAxes({rounded(columns[0]) * scale, rounded(columns[1]) * scale, rounded(columns[2]) * scale}, axes);
   return {position, camera, camera, {}, toExactRows(columns, scale, axes, position, {})};
 }
 
@@ -271,14 +281,16 @@ Pose poseFromCameraFromWorld(const Mat4& matrix, CameraAxes axes, Handedness wor
   const std::array<DDVec3, 3> rows = {{{matrix[0][0], matrix[0][1], matrix[0][2]},
                                        {matrix[1][0], matrix[1][1], matrix[1][2]},
                                        {matrix[2][0], matrix[2][1], matrix[2][2]}}};
-  return {eye, toAxes(rows, axes), toAxes(transposedColumns(inverted.rows), axes),
+  return {eye,
+          toAxes(rows, axes),
+          toAxes(transposedColumns(inverted.rows), axes),
           {left.right.x, left.up.x, left.forward.x},
           toExactRows(exact, 1, axes, {}, {matrix[0][3], matrix[1][3], matrix[2][3]})};
 }
 
 DDVec3 unroundedEye(const Pose& p) noexcept {
-  return toDoubleDouble(p.eye) + -(p.columns.right * p.residual.x + p.columns.up * p.residual.y +
-                                   p.columns.forward * p.residual.z);
+  return toDoubleDouble(p.eye) +
+         -(p.columns.right * p.residual.x + p.columns.up * p.residual.y + p.columns.forward * p.residual.z);
 }
 
 }  // namespace viewproj

@@ -22,8 +22,8 @@ using ExactVec3 = std::array<Expansion<8>, 3>;
 /// where only the scales, common factors of a row, are rounded.
 struct ExactRows {
   ExactVec3 right, forward;
-  ExactVec3 up;             ///< unused if upIsCross
-  bool upIsCross = false;   ///< up is right x forward of these two, not computed until it is needed
+  ExactVec3 up;            ///< unused if upIsCross
+  bool upIsCross = false;  ///< up is right x forward of these two, not computed until it is needed
   DoubleDouble rightScale = 1, upScale = 1, forwardScale = 1;
   Vec3 origin, translation;
 };

@@ -18,7 +18,8 @@ void requirePositive(double value, const char* field) {
 void requireRange(bool orthographic, double near, double far) {
   if (orthographic) {
     if (!std::isfinite(near)) throw CameraError("near", "must be a finite number");
-    if (!std::isfinite(far) || (near < far && !std::isfinite(far - near))) throw CameraError("far", "must be a finite number in an orthographic projection");
+    if (!std::isfinite(far) || (near < far && !std::isfinite(far - near)))
+      throw CameraError("far", "must be a finite number in an orthographic projection");
   } else {
     requirePositive(near, "near");
     if (!(far > 0)) throw CameraError("far", "must be a number above near, or infinite");
@@ -143,17 +144,14 @@ Projection shifted(const Projection& p, double dx, double dy) {
 Projection cropped(const Projection& p, const Viewport& viewport, const Crop& crop) {
   const DoubleDouble xEnd = twoSum(crop.x, crop.width);
   const DoubleDouble yEnd = twoSum(crop.y, crop.height);
-  const auto across = [&](DoubleDouble x) {
-    return p.left + (p.right - p.left) * (x / DoubleDouble(viewport.width));
-  };
+  const auto across = [&](DoubleDouble x) { return p.left + (p.right - p.left) * (x / DoubleDouble(viewport.width)); };
   const DoubleDouble start = viewport.origin == Origin::topLeft ? p.top : p.bottom;
   const DoubleDouble end = viewport.origin == Origin::topLeft ? p.bottom : p.top;
   const auto along = [&](DoubleDouble y) { return start + (end - start) * (y / DoubleDouble(viewport.height)); };
   const DoubleDouble first = along(crop.y);
   const DoubleDouble last = along(yEnd);
   const bool down = viewport.origin == Origin::topLeft;
-  return checked(p.orthographic, across(crop.x), across(xEnd), down ? last : first, down ? first : last, p.near,
-                 p.far);
+  return checked(p.orthographic, across(crop.x), across(xEnd), down ? last : first, down ? first : last, p.near, p.far);
 }
 
 DoubleDouble windowAspect(const Projection& p) { return (p.right - p.left) / (p.top - p.bottom); }

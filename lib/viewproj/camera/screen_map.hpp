@@ -17,8 +17,9 @@ constexpr ScreenCorner screenCorner(const Viewport& v) noexcept {
   return {DoubleDouble(v.x) + halfPixel, DoubleDouble(v.y) + halfPixel};
 }
 
-/// screen x = centerX + scaleX * h and screen y = centerY + scaleY * v, where (h, v) are the window coordinates right and
-/// up: X/W and Y/W in perspective, X and Y in orthographic. (centerX, centerY) is where the viewing axis meets the screen.
+/// screen x = centerX + scaleX * h and screen y = centerY + scaleY * v, where (h, v) are the window coordinates right
+/// and up: X/W and Y/W in perspective, X and Y in orthographic. (centerX, centerY) is where the viewing axis meets the
+/// screen.
 struct ScreenMap {
   DoubleDouble centerX, centerY, scaleX, scaleY;
 };
@@ -26,11 +27,15 @@ struct ScreenMap {
 /// scaleY is negative where screen y runs downwards.
 constexpr ScreenMap screenMap(const Projection& p, const Viewport& v) noexcept {
   const ScreenCorner corner = screenCorner(v);
-  const DoubleDouble scaleX = DoubleDouble(v.width) / (p.right - p.left);
-  const DoubleDouble up = DoubleDouble(v.height) / (p.top - p.bottom);
+  const DoubleDouble width = p.right - p.left;
+  const DoubleDouble height = p.top - p.bottom;
   const bool down = v.origin == Origin::topLeft;
-  return {corner.x - p.left * scaleX, down ? corner.y + p.top * up : corner.y - p.bottom * up, scaleX,
-          down ? -up : up};
+  // The share of the window comes first: it is exactly 1/2 for a symmetric one, which keeps the middle exact.
+  const DoubleDouble shareX = -p.left / width;
+  const DoubleDouble shareY = (down ? p.top : -p.bottom) / height;
+  const DoubleDouble up = DoubleDouble(v.height) / height;
+  return {sumOrZero(corner.x, DoubleDouble(v.width) * shareX), sumOrZero(corner.y, DoubleDouble(v.height) * shareY),
+          DoubleDouble(v.width) / width, down ? -up : up};
 }
 
 }  // namespace viewproj

@@ -5,8 +5,8 @@
 
 namespace viewproj {
 
-/// tan of half the angle, 0 < degrees < 180. The reduction to 0..45 degrees is exact, so the result keeps its digits right
-/// up to 180. Relative error at most kTanHalfDegreesBound for degrees >= 1e-200; NaN outside the open interval.
+/// tan of half the angle, 0 < degrees < 180. The reduction to 0..45 degrees is exact, so the result keeps its digits
+/// right up to 180. Relative error at most kTanHalfDegreesBound for degrees >= 1e-200; NaN outside the open interval.
 DoubleDouble tanHalfDegrees(double degrees) noexcept;
 
 /// 4 * 2^-106, as measured against MPFR; the Taylor remainder is below 2^-117.

@@ -1,8 +1,8 @@
 // Error-free transforms: a sum or a product of two doubles as the rounded result and its exact error.
 //
-// Valid while no intermediate overflows and no product's error underflows: |a|, |b| < 2^996 and |a*b| > 2^-969 (or zero).
-// Sources: Knuth (twoSum), Dekker 1971 (split, twoProd). They need strict IEEE arithmetic without contraction, so the
-// build passes -ffp-contract=off, and fast-math is refused here.
+// Valid while no intermediate overflows and no product's error underflows: |a|, |b| < 2^996 and |a*b| > 2^-969 (or
+// zero). Sources: Knuth (twoSum), Dekker 1971 (split, twoProd). They need strict IEEE arithmetic without contraction,
+// so the build passes -ffp-contract=off, and fast-math is refused here.
 #pragma once
 
 #ifdef __FAST_MATH__

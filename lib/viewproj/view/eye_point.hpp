@@ -5,7 +5,8 @@
 
 namespace viewproj {
 
-/// The point with |w| in [1, 2); or with w = 0 where x/w would overflow, because such a point is as good as a direction.
+/// The point with |w| in [1, 2); or with w = 0 where x/w would overflow, because such a point is as good as a
+/// direction.
 Vec4 withUnitWeight(const Vec4& point) noexcept;
 
 /// right, up and forward times 2^exponent are the distances, for a point still to be divided by its w.

@@ -6,7 +6,8 @@
 namespace viewproj {
 
 /// Two affine maps that a projection is made of: of the window's coordinates and of depth. In perspective
-///   out.x = (scaleX X + offsetX W) / W,  out.y = (scaleY Y + offsetY W) / W,  out.z = (depth.offset W + depth.scale) / W
+///   out.x = (scaleX X + offsetX W) / W,  out.y = (scaleY Y + offsetY W) / W,  out.z = (depth.offset W + depth.scale) /
+///   W
 /// and in orthographic
 ///   out.x = scaleX X + offsetX,          out.y = scaleY Y + offsetY,          out.z = depth.offset + depth.scale W
 /// where out is NDC or the screen. The inverse map of x is X = (out.x - offsetX) / scaleX, and so on.

@@ -11,7 +11,7 @@ namespace {
 DepthLine inverseDepthLine(const Projection& p, double atNear, double atFar) noexcept {
   const DoubleDouble step = twoDiff(atFar, atNear);
   const DoubleDouble near = p.orthographic ? DoubleDouble(p.near) : DoubleDouble(1) / DoubleDouble(p.near);
-  const DoubleDouble far = p.orthographic        ? DoubleDouble(p.far)
+  const DoubleDouble far = p.orthographic      ? DoubleDouble(p.far)
                            : std::isinf(p.far) ? DoubleDouble(0)
                                                : DoubleDouble(1) / DoubleDouble(p.far);
   return {(near * DoubleDouble(atFar) - far * DoubleDouble(atNear)) / step, (far - near) / step};
@@ -133,8 +133,8 @@ DDMat4 axesFromWorld(const Pose& p) noexcept {
     const DoubleDouble translation = scaleByPowerOfTwo(-dotOrZero(axis, eye), -k) + residual;
     return std::array<DoubleDouble, 4>{axis.x, axis.y, axis.z, translation};
   };
-  return {{row(p.rows.right, p.residual.x), row(p.rows.up, p.residual.y), row(p.rows.forward, p.residual.z),
-           {0, 0, 0, 1}}};
+  return {
+      {row(p.rows.right, p.residual.x), row(p.rows.up, p.residual.y), row(p.rows.forward, p.residual.z), {0, 0, 0, 1}}};
 }
 
 /// | right up forward eye |
@@ -142,8 +142,7 @@ DDMat4 axesFromWorld(const Pose& p) noexcept {
 DDMat4 worldFromAxes(const Pose& p) noexcept {
   DDMat4 m{};
   const DDVec3 eye = unroundedEye(p);
-  for (std::size_t i = 0; i < 3; ++i)
-    m[i] = {p.columns.right[i], p.columns.up[i], p.columns.forward[i], eye[i]};
+  for (std::size_t i = 0; i < 3; ++i) m[i] = {p.columns.right[i], p.columns.up[i], p.columns.forward[i], eye[i]};
   m[3] = {0, 0, 0, 1};
   return m;
 }
@@ -215,8 +214,7 @@ ViewportMap viewportMap(const Viewport& v, const Convention& c) noexcept {
   const DoubleDouble range = twoDiff(v.depthSecond, v.depthFirst);
   const bool halved = c.ndcZ == NdcZ::minusOneToOne;
   const DoubleDouble first = v.depthFirst;
-  return {{corner.x + halfWidth, corner.y + halfHeight,
-           halved ? first + timesPowerOfTwo(range, 0.5) : first},
+  return {{corner.x + halfWidth, corner.y + halfHeight, halved ? first + timesPowerOfTwo(range, 0.5) : first},
           {halfWidth, flipped ? -halfHeight : halfHeight, halved ? timesPowerOfTwo(range, 0.5) : range}};
 }
 

@@ -1,8 +1,8 @@
 // The matrices of a camera, each written directly from its parameters, its inverse too.
 //
 // Named destinationFromSource. All are returned as matrices for column vectors, whatever the convention's vectors and
-// storage say: laidOut and inStorageOrder apply those at the end. Entries are computed in double-double and rounded once;
-// an entry too large for a double comes out infinite.
+// storage say: laidOut and inStorageOrder apply those at the end. Entries are computed in double-double and rounded
+// once; an entry too large for a double comes out infinite.
 #pragma once
 
 #include <array>
@@ -23,8 +23,8 @@ Mat4 viewFromClip(const Projection& projection, const Convention& convention) no
 Mat4 clipFromWorld(const Pose& pose, const Projection& projection, const Convention& convention) noexcept;
 Mat4 worldFromClip(const Pose& pose, const Projection& projection, const Convention& convention) noexcept;
 
-/// Normalised device coordinates to screen x, screen y and window depth, as a graphics API's viewport transform maps them:
-/// NDC z of the low end goes to depthFirst.
+/// Normalised device coordinates to screen x, screen y and window depth, as a graphics API's viewport transform maps
+/// them: NDC z of the low end goes to depthFirst.
 Mat4 screenFromNdc(const Viewport& viewport, const Convention& convention) noexcept;
 Mat4 ndcFromScreen(const Viewport& viewport, const Convention& convention) noexcept;
 

@@ -17,15 +17,18 @@ struct WindowPoint {
 };
 
 WindowPoint toWindow(const Camera& c, const Vec2& screen) noexcept {
-  return {(DoubleDouble(screen.x) - c.screen.centerX) / c.screen.scaleX,
-          (DoubleDouble(screen.y) - c.screen.centerY) / c.screen.scaleY};
+  return {sumOrZero(screen.x, -c.screen.centerX) / c.screen.scaleX,
+          sumOrZero(screen.y, -c.screen.centerY) / c.screen.scaleY};
 }
 
 /// The offset from the unrounded eye of the point at a window position and distance.
 DDVec3 offsetAt(const Camera& c, const WindowPoint& at, DoubleDouble distance) noexcept {
   const Axes& axes = c.pose.columns;
   const DoubleDouble spread = c.projection.orthographic ? DoubleDouble(1) : distance;
-  return axes.right * (at.right * spread) + axes.up * (at.up * spread) + axes.forward * distance;
+  const DDVec3 along{at.right * spread, at.up * spread, distance};
+  return {dotOrZero({axes.right.x, axes.up.x, axes.forward.x}, along),
+          dotOrZero({axes.right.y, axes.up.y, axes.forward.y}, along),
+          dotOrZero({axes.right.z, axes.up.z, axes.forward.z}, along)};
 }
 
 /// The world point at a window position and distance.

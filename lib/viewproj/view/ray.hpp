@@ -13,17 +13,17 @@ struct Ray {
 };
 
 enum class RayOrigin {
-  eye,        ///< the plane through the eye: the eye itself in perspective, a point per pixel in orthographic
+  eye,  ///< the plane through the eye: the eye itself in perspective, a point per pixel in orthographic
   nearPlane,
 };
 
-/// Largest angle in radians between a ray's direction and the true one, for pixels of the picture, in every precision and
-/// whatever near and far are. Five roundings a component, (5 sqrt(3) + 1) 2^-53, plus what a pose matrix's
+/// Largest angle in radians between a ray's direction and the true one, for pixels of the picture, in every precision
+/// and whatever near and far are. Five roundings a component, (5 sqrt(3) + 1) 2^-53, plus what a pose matrix's
 /// non-orthogonality adds.
 inline constexpr double kRayDirectionBound = 1.2e-15;
 
-/// The ray of points that project to this screen position. No matrix and no inverse: window coordinates of the pixel along
-/// the camera's axes. NaN in, NaN out. In exact, each component is within 0.51 ulp of the true one.
+/// The ray of points that project to this screen position. No matrix and no inverse: window coordinates of the pixel
+/// along the camera's axes. NaN in, NaN out. In exact, each component is within 0.51 ulp of the true one.
 Ray screenToRay(const Camera& camera, const Vec2& screen, Precision precision = Precision::exact,
                 RayOrigin origin = RayOrigin::eye) noexcept;
 

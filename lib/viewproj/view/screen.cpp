@@ -8,8 +8,8 @@
 namespace viewproj {
 namespace {
 
-/// w = forward . d in double is off by at most 5 * 2^-53 max|forward_i| times the sum of |d_i| (row, difference, product
-/// and two sums each rounded once); this is rounded up generously.
+/// w = forward . d in double is off by at most 5 * 2^-53 max|forward_i| times the sum of |d_i| (row, difference,
+/// product and two sums each rounded once); this is rounded up generously.
 constexpr double kSignOfWUncertainty = 0x1p-49;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -28,10 +28,11 @@ std::uint8_t sidesBeyond(const Camera& c, const ScreenPoint& p) noexcept {
   const double start = c.viewport.y + (c.viewport.pixelCenter - 0.5);
   const bool down = c.viewport.origin == Origin::topLeft;
   unsigned sides = 0;
-  if (p.x < left) sides |= sideLeft;
-  if (p.x > left + c.viewport.width) sides |= sideRight;
-  if (p.y < start) sides |= down ? sideTop : sideBottom;
-  if (p.y > start + c.viewport.height) sides |= down ? sideBottom : sideTop;
+  // Written so that a NaN would be outside.
+  if (!(p.x >= left)) sides |= sideLeft;
+  if (!(p.x <= left + c.viewport.width)) sides |= sideRight;
+  if (!(p.y >= start)) sides |= down ? sideTop : sideBottom;
+  if (!(p.y <= start + c.viewport.height)) sides |= down ? sideBottom : sideTop;
   if (p.viewDistance < c.projection.near) sides |= sideNear;
   if (p.viewDistance > c.projection.far) sides |= sideFar;
   return static_cast<std::uint8_t>(sides);
@@ -55,10 +56,10 @@ constexpr double kParameter = 0x1p-98;
 /// Adding 0 turns -0 into 0.
 double rounded(const Bounded& b) noexcept { return b.value.hi + 0.0; }
 
-/// a / b, keeping an infinite quotient infinite.
+/// a / b; in double alone where double-double would overflow on the way.
 DoubleDouble quotient(DoubleDouble a, DoubleDouble b) noexcept {
   const double approximate = a.hi / b.hi;
-  return std::isfinite(approximate) ? a / b : DoubleDouble(approximate);
+  return std::fabs(approximate) < 0x1p960 ? a / b : DoubleDouble(approximate);
 }
 
 /// X / W with both off by at most `error`: |X/W - x/w| <= error (1 + |x/w|) / (|w| - error).
@@ -135,8 +136,7 @@ Attempt directionToScreen(const Camera& c, const EyePoint& e) noexcept {
   const bool signCertain = std::fabs(e.forward.hi) > e.error;
   if (!(e.forward.hi > 0)) return {without(PointStatus::behind, kNaN), signCertain};
   ScreenPoint p;
-  const Bounded x =
-      screenCoordinate(c.screen.centerX, c.screen.scaleX, windowCoordinate(e.right, e.forward, e.error));
+  const Bounded x = screenCoordinate(c.screen.centerX, c.screen.scaleX, windowCoordinate(e.right, e.forward, e.error));
   const Bounded y = screenCoordinate(c.screen.centerY, c.screen.scaleY, windowCoordinate(e.up, e.forward, e.error));
   p.x = rounded(x);
   p.y = rounded(y);

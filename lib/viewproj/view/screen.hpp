@@ -36,8 +36,8 @@ struct ScreenPoint {
   bool visible() const noexcept { return status == PointStatus::inFront && outside == 0; }
 };
 
-/// standard, at 60 degrees, 1920x1080, for on-screen points with the eye up to 1e12 from the origin, in pixels; measured
-/// against MPFR. The bound for any camera is a matter of its window: see the README.
+/// standard, at 60 degrees, 1920x1080, for on-screen points with the eye up to 1e12 from the origin, in pixels;
+/// measured against MPFR. The bound for any camera is a matter of its window: see the README.
 inline constexpr double kStandardScreenError = 1e-12;
 
 /// exact: units in the last place of the result, for x, y, depth and viewDistance; below 1e-26 of the viewport's size a

@@ -1,0 +1,455 @@
+// Numbers that others have published: specifications, and the tests of other libraries. Each case names its source.
+//
+// Published to n digits, they are compared to half a unit of the last; formulas evaluated here in double, to the few
+// roundings of the formula.
+#include "catch.hpp"
+#include "measure.hpp"
+#include "viewproj/viewproj.hpp"
+
+using namespace viewproj;
+using namespace peers;
+
+namespace {
+
+constexpr double kDegreesPerRadian = 57.29577951308232;
+
+/// Each entry within that share of the expected one; exactly where 0 is expected.
+void checkEntries(const Mat4& ours, const Mat4& expected, double relative) {
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j) {
+      INFO("row " << i << ", column " << j << ": " << ours[i][j] << " for " << expected[i][j]);
+      CHECK(std::fabs(ours[i][j] - expected[i][j]) <= relative * std::fabs(expected[i][j]));
+    }
+}
+
+void checkVector(const Vec3& ours, const Vec3& expected, double bound) {
+  INFO(ours.x << ' ' << ours.y << ' ' << ours.z << " for " << expected.x << ' ' << expected.y << ' ' << expected.z);
+  CHECK(std::fabs(ours.x - expected.x) <= bound);
+  CHECK(std::fabs(ours.y - expected.y) <= bound);
+  CHECK(std::fabs(ours.z - expected.z) <= bound);
+}
+
+constexpr double kFewRoundings = 8 * kRounding;
+/// float32 results printed to seven or more digits.
+constexpr double kFloat = 3e-7;
+
+Convention gl() { return preset("opengl"); }
+
+}  // namespace
+
+// Magnum, src/Magnum/Math/Test/Matrix4Test.cpp (written there column by column, in float32)
+
+TEST_CASE("Magnum: orthographicProjection({5, 4}, 1, 9), centred and from (-3.5, -2.5) to (1.5, 1.5)") {
+  checkEntries(clipFromView(orthographic(-2.5, 2.5, -2, 2, 1, 9), gl()),
+               {{{{0.4, 0, 0, 0}, {0, 0.5, 0, 0}, {0, 0, -0.25, -1.25}, {0, 0, 0, 1}}}}, kFewRoundings);
+  checkEntries(clipFromView(orthographic(-3.5, 1.5, -2.5, 1.5, 1, 9), gl()),
+               {{{{0.4, 0, 0, 0.4}, {0, 0.5, 0, 0.25}, {0, 0, -0.25, -1.25}, {0, 0, 0, 1}}}}, kFewRoundings);
+}
+
+TEST_CASE("Magnum: perspectiveProjection({16, 9}, 32, 100), by size and by edges") {
+  const Mat4 expected{{{{4, 0, 0, 0}, {0, 7.111111, 0, 0}, {0, 0, -1.9411764, -94.1176452}, {0, 0, -1, 0}}}};
+  checkEntries(clipFromView(perspectiveNearSize(16, 9, 32, 100), gl()), expected, kFloat);
+  checkEntries(clipFromView(frustum(-8, 8, -4.5, 4.5, 32, 100), gl()), expected, kFloat);
+}
+
+TEST_CASE("Magnum: perspectiveProjection({16, 9}, 32, infinity) is 4, 7.111111, -1, -64") {
+  checkEntries(clipFromView(perspectiveNearSize(16, 9, 32, kInfiniteFar), gl()),
+               {{{{4, 0, 0, 0}, {0, 64.0 / 9, 0, 0}, {0, 0, -1, -64}, {0, 0, -1, 0}}}}, kFewRoundings);
+}
+
+TEST_CASE("Magnum: perspectiveProjection off-centre from (-9, -5) to (7, 4), finite and infinite") {
+  checkEntries(clipFromView(frustum(-9, 7, -5, 4, 32, 100), gl()),
+               {{{{4, 0, -0.125, 0}, {0, 7.111111, -0.1111111, 0}, {0, 0, -1.9411764, -94.1176452}, {0, 0, -1, 0}}}},
+               kFloat);
+  checkEntries(clipFromView(frustum(-9, 7, -5, 4, 32, kInfiniteFar), gl()),
+               {{{{4, 0, -0.125, 0}, {0, 7.111111, -0.1111111, 0}, {0, 0, -1, -64}, {0, 0, -1, 0}}}}, kFloat);
+}
+
+TEST_CASE("Magnum: perspectiveProjection(27 degrees, 2.35, 32, 100), whose angle is the horizontal one") {
+  checkEntries(clipFromView(perspectiveFovX(27, 2.35, 32, 100), gl()),
+               {{{{4.1652994, 0, 0, 0}, {0, 9.788454, 0, 0}, {0, 0, -1.9411764, -94.1176452}, {0, 0, -1, 0}}}}, kFloat);
+}
+
+TEST_CASE("Magnum: lookAt from (5.3, -8.9, -10) to (19, 29.3, 0) with +X up") {
+  const Mat4 world = worldFromView(lookAt({5.3, -8.9, -10}, {19, 29.3, 0}, {1, 0, 0}, Handedness::right), gl());
+  const double columns[3][3] = {
+      {0, 0.253247, -0.967402}, {0.944754, -0.317095, -0.0830092}, {-0.32778, -0.913957, -0.239256}};
+  for (std::size_t j = 0; j < 3; ++j)
+    checkVector({world[0][j], world[1][j], world[2][j]}, {columns[j][0], columns[j][1], columns[j][2]}, 1e-6);
+  CHECK(Vec3{world[0][3], world[1][3], world[2][3]} == Vec3{5.3, -8.9, -10});
+}
+
+// three.js, test/unit/src/cameras and test/unit/src/core
+
+TEST_CASE("three.js: PerspectiveCamera(75, 16/9, 0.1, 300)") {
+  const Mat4 ours = clipFromView(perspectiveFovY(75, DoubleDouble(16) / DoubleDouble(9), 0.1, 300), gl());
+  // The reference there came from glMatrix, whose matrices are float32.
+  checkEntries(ours,
+               {{{{0.7330642938613892, 0, 0, 0},
+                  {0, 1.3032253980636597, 0, 0},
+                  {0, 0, -1.000666856765747, -0.2000666856765747},
+                  {0, 0, -1, 0}}}},
+               kFloat);
+  const double t = std::tan(37.5 / kDegreesPerRadian);
+  checkEntries(ours,
+               {{{{9 / (16 * t), 0, 0, 0}, {0, 1 / t, 0, 0}, {0, 0, -300.1 / 299.9, -60 / 299.9}, {0, 0, -1, 0}}}},
+               kFewRoundings);
+}
+
+TEST_CASE("three.js: OrthographicCamera(-1, 1, 1, -1, 1, 3)") {
+  checkEntries(clipFromView(orthographic(-1, 1, -1, 1, 1, 3), gl()),
+               {{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, -1, -2}, {0, 0, 0, 1}}}}, 0);
+}
+
+TEST_CASE("three.js: Raycaster.setFromCamera of PerspectiveCamera(90, 1, 1, 1000) points along (x, y, -1)") {
+  const Viewport ndc{2, 2, -1, -1, 0, 1, Origin::bottomLeft};
+  const Camera camera =
+      makeCamera(lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Handedness::right), perspectiveFovY(90, 1, 1, 1000), ndc);
+  CHECK(screenToRay(camera, {0, 0}).direction == Vec3{0, 0, -1});
+  Worst worst;
+  for (int i = -10; i <= 10; ++i)
+    for (int j = -10; j <= 10; ++j) {
+      const double x = i * 0.1, y = j * 0.1, size = std::sqrt(x * x + y * y + 1);
+      const Vec3 ours = screenToRay(camera, {x, y}).direction;
+      worst.see(0, length(minus(ours, {x / size, y / size, -1 / size})), 4 * kRounding);
+    }
+  CHECK_WITHIN_BOUND(worst);
+}
+
+TEST_CASE("three.js: Raycaster.setFromCamera of OrthographicCamera(-1, 1, 1, -1, 0, 1000) starts at the origin") {
+  const Viewport ndc{2, 2, -1, -1, 0, 1, Origin::bottomLeft};
+  const Camera camera = makeCamera(lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Handedness::right),
+                                   orthographic(-1, 1, -1, 1, 0, 1000), ndc);
+  const Ray ray = screenToRay(camera, {0, 0});
+  CHECK(ray.origin == Vec3{0, 0, 0});
+  CHECK(ray.direction == Vec3{0, 0, -1});
+}
+
+// glTF 2.0 Specification, "Projection Matrices", and the sample model Cameras
+
+TEST_CASE("glTF: the Cameras sample's perspective camera, yfov 0.7, aspect 1, 0.01 to 100") {
+  const double yfov = 0.7, n = 0.01, f = 100, t = std::tan(0.5 * yfov);
+  const Projection p = perspectiveFovY(yfov * kDegreesPerRadian, 1, n, f);
+  checkEntries(clipFromView(p, gl()),
+               {{{{1 / t, 0, 0, 0}, {0, 1 / t, 0, 0}, {0, 0, (f + n) / (n - f), 2 * f * n / (n - f)}, {0, 0, -1, 0}}}},
+               kFewRoundings);
+  checkEntries(clipFromView(perspectiveFovY(yfov * kDegreesPerRadian, 1, n, kInfiniteFar), gl()),
+               {{{{1 / t, 0, 0, 0}, {0, 1 / t, 0, 0}, {0, 0, -1, -2 * n}, {0, 0, -1, 0}}}}, kFewRoundings);
+}
+
+TEST_CASE(
+    "glTF: the Cameras sample's orthographic camera, xmag = ymag = 1, whose magnifications are half the extents") {
+  const double n = 0.01, f = 100;
+  checkEntries(clipFromView(orthographic(-1, 1, -1, 1, n, f), gl()),
+               {{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 2 / (n - f), (f + n) / (n - f)}, {0, 0, 0, 1}}}}, kFewRoundings);
+}
+
+TEST_CASE("glTF: the Cameras sample stands at (0.5, 0.5, 3) and sees the unit square in the middle") {
+  const Pose pose = poseFromRotation({0.5, 0.5, 3}, {0, 0, 0, 1}, CameraAxes::RUB, Handedness::right);
+  const Camera camera = makeCamera(pose, orthographic(-1, 1, -1, 1, 0.01, 100), Viewport{200, 200});
+  CHECK(worldToScreen(camera, Vec3{0, 0, 0}).x == 50);
+  CHECK(worldToScreen(camera, Vec3{0, 0, 0}).y == 150);
+  CHECK(worldToScreen(camera, Vec3{1, 1, 0}).x == 150);
+  CHECK(worldToScreen(camera, Vec3{1, 1, 0}).y == 50);
+}
+
+// OpenUSD, pxr/base/gf/testenv/testGfFrustum.py and testGfCamera.py. A default GfFrustum is a window of -1 to 1 at
+// distance 1, near 1 and far 10; its pick rays start on the near plane.
+
+TEST_CASE("OpenUSD: GfFrustum.ComputePickRay((2, 2)) starts at (2/3, 2/3, -1/3) in that direction") {
+  const Viewport ndc{2, 2, -1, -1, 0, 1, Origin::bottomLeft};
+  const Camera camera =
+      makeCamera(lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Handedness::right), frustum(-1, 1, -1, 1, 1, 10), ndc);
+  const Ray ray = screenToRay(camera, {2, 2});
+  checkVector(ray.direction, {2.0 / 3, 2.0 / 3, -1.0 / 3}, kRounding);
+  CHECK(ray.origin == Vec3{0, 0, 0});
+  // GfFrustum starts a unit along the ray; ours starts on the near plane, where the same pixel is.
+  CHECK(screenToRay(camera, {2, 2}, Precision::exact, RayOrigin::nearPlane).origin == Vec3{2, 2, -1});
+  CHECK(screenToRay(camera, {0, 0}, Precision::exact, RayOrigin::nearPlane).origin == Vec3{0, 0, -1});
+}
+
+TEST_CASE("OpenUSD: an orthographic GfFrustum's pick ray of (2, 2, -2) starts at (2, 2, -1) and runs along -Z") {
+  const Viewport ndc{2, 2, -1, -1, 0, 1, Origin::bottomLeft};
+  const Camera camera = makeCamera(lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Handedness::right),
+                                   orthographic(-1, 1, -1, 1, 1, 10), ndc);
+  const ScreenPoint at = worldToScreen(camera, Vec3{2, 2, -2});
+  const Ray ray = screenToRay(camera, {at.x, at.y}, Precision::exact, RayOrigin::nearPlane);
+  CHECK(ray.origin == Vec3{2, 2, -1});
+  CHECK(ray.direction == Vec3{0, 0, -1});
+}
+
+TEST_CASE("OpenUSD: GfFrustum.ComputeNarrowedFrustum is a tile of the picture") {
+  // A window of 3 by 2 about the axis; narrowed to a tenth about the picture's middle and about the point (.1, .2, -5).
+  const Viewport ndc{2, 2, -1, -1, 0, 1, Origin::bottomLeft};
+  const Pose pose = lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Handedness::right);
+  const auto narrowed = [&](const Projection& p, const Vec3& about) {
+    const ScreenPoint at = worldToScreen(makeCamera(pose, p, ndc), about);
+    const Projection tile = cropped(p, ndc, {at.x - 0.1 + 1, at.y - 0.1 + 1, 0.2, 0.2});
+    return std::array<double, 4>{tile.left.hi, tile.bottom.hi, tile.right.hi, tile.top.hi};
+  };
+  const auto check = [](const std::array<double, 4>& ours, const std::array<double, 4>& expected) {
+    for (std::size_t i = 0; i < 4; ++i) CHECK(std::fabs(ours[i] - expected[i]) <= 64 * kRounding);
+  };
+  check(narrowed(orthographic(-3, 3, -2, 2, 1, 10), {0, 0, -1}), {-0.3, -0.2, 0.3, 0.2});
+  check(narrowed(orthographic(-3, 3, -2, 2, 1, 10), {.1, .2, -5}), {-0.2, 0, 0.4, 0.4});
+  check(narrowed(frustum(-3, 3, -2, 2, 1, 10), {.1, .2, -5}), {-0.28, -0.16, 0.32, 0.24});
+}
+
+TEST_CASE("OpenUSD: GfCamera's frustum corners, aperture 34 x 34/2.4, focal length 26.684656143188477, 10 to 100") {
+  // The transform is printed there for row vectors.
+  const Mat4 transform = transposed({{{{0.8731530112777166, 0.3850071166178898, 0.2989537406526877, 0},
+                                       {-0.4240369593016693, 0.9024253932905512, 0.07629591529425725, 0},
+                                       {-0.2404089766270184, -0.1933854433455958, 0.9512126966452756, 0},
+                                       {-100.0, 123.0, 153.0, 1.0}}}});
+  const Pose pose = poseFromWorldFromCamera(transform, CameraAxes::RUB, Handedness::right);
+  const Viewport unit{1, 1, 0, 0, 0, 1, Origin::bottomLeft};
+  const Vec2 screens[] = {{0, 0}, {1, 0}, {0, 1}, {1, 1}};
+
+  // left bottom, right bottom, left top, right top; near, then far
+  const Vec3 perspective[] = {
+      {-102.032919327869, 120.085637354940, 141.38080336149}, {-90.9077235508873, 124.991168793969, 145.18989392187},
+      {-104.284096916572, 124.876540072942, 141.78585214522}, {-93.1589011395900, 129.782071511971, 145.59494270559},
+      {-120.329193278696, 93.8563735494037, 36.808033614959}, {-9.07723550887376, 142.911687939691, 74.898939218725},
+      {-142.840969165722, 141.765400729428, 40.858521452219}, {-31.5890113959001, 190.820715119715, 78.949427055984}};
+  const Camera lens = makeCamera(pose, perspectiveFocalLength(26.684656143188477, 34, 0, 2.4, 10, 100), unit);
+  // Apertures of 340 x 340/2.4 tenths of a unit.
+  const Vec3 parallel[] = {
+      {-109.435916189226, 111.996553352311, 137.8652300230474}, {-79.748713805783, 125.086795317320, 148.0296572052388},
+      {-115.443106661676, 124.780913549591, 138.9460888618555}, {-85.755904278233, 137.871155514600, 149.1105160440469},
+      {-87.799108292794, 129.401243253415, 52.2560873249726},   {-58.111905909352, 142.491485218423, 62.4205145071640},
+      {-93.806298765244, 142.185603450695, 53.3369461637807},   {-64.119096381802, 155.275845415703, 63.5013733459721}};
+  const double halfHeight = 17 / 2.4;
+  const Camera box = makeCamera(pose, orthographic(-17, 17, -halfHeight, halfHeight, 10, 100), unit);
+
+  for (std::size_t i = 0; i < 8; ++i) {
+    const double depth = i < 4 ? 0 : 1;
+    // GfCamera holds its apertures in float32: 1e-7 of the far corner's 100 units.
+    checkVector(screenToWorld(lens, screens[i % 4], depth).position, perspective[i], 1e-5);
+    checkVector(screenToWorld(box, screens[i % 4], depth).position, parallel[i], 1e-5);
+  }
+}
+
+TEST_CASE("OpenUSD: GfCamera, focal length 50 with a 34 x 20 aperture sees 37.556064606 by 22.619864948 degrees") {
+  const Projection p = perspectiveFocalLength(50, 34, 20, 1.7, 1, 100);
+  CHECK(2 * std::atan(p.right.hi) * kDegreesPerRadian == Approx(37.556064606).margin(5e-7));
+  CHECK(2 * std::atan(p.top.hi) * kDegreesPerRadian == Approx(22.619864948).margin(5e-7));
+}
+
+TEST_CASE(
+    "OpenUSD: GfCamera with a vertical aperture offset of 1.2 at focal length 50 looks from -0.128908 to 0.176908") {
+  // A positive offset moves the window up, and so the picture down, by offset / (aperture / 2) half-heights.
+  const double aperture = 15.2908;
+  const Projection centred = perspectiveFocalLength(50, 20.955, aperture, 1, 1, 1e6);
+  const Projection p = shifted(centred, 0, -1.2 / (aperture / 2));
+  CHECK(p.left.hi == Approx(-0.20954999923706).margin(1e-7));
+  CHECK(p.right.hi == Approx(0.20954999923706).margin(1e-7));
+  CHECK(p.bottom.hi == Approx(-0.12890799999237).margin(1e-7));
+  CHECK(p.top.hi == Approx(0.1769080018997192).margin(1e-7));
+}
+
+// Imath, src/ImathTest/testFrustum.cpp
+
+TEST_CASE("Imath: testFrustum's n = 1.7, f = 567, l = -3.5, r = 2, b = -1.3, t = 0.9, perspective and orthographic") {
+  const double n = 1.7, f = 567, l = -3.5, r = 2, b = -1.3, t = 0.9;
+  checkEntries(clipFromView(frustum(l, r, b, t, n, f), gl()),
+               {{{{2 * n / (r - l), 0, (r + l) / (r - l), 0},
+                  {0, 2 * n / (t - b), (t + b) / (t - b), 0},
+                  {0, 0, -(f + n) / (f - n), -2 * f * n / (f - n)},
+                  {0, 0, -1, 0}}}},
+               kFewRoundings);
+  checkEntries(clipFromView(orthographic(l, r, b, t, n, f), gl()),
+               {{{{2 / (r - l), 0, 0, -(r + l) / (r - l)},
+                  {0, 2 / (t - b), 0, -(t + b) / (t - b)},
+                  {0, 0, -2 / (f - n), -(f + n) / (f - n)},
+                  {0, 0, 0, 1}}}},
+               kFewRoundings);
+}
+
+// Direct3D
+
+TEST_CASE("Direct3D 11 functional specification: the viewport scale matrix") {
+  const Viewport v{1280, 720, 100, 50, 0.25, 0.75};
+  checkEntries(laidOut(screenFromNdc(v, preset("d3d")), preset("d3d")),
+               {{{{640, 0, 0, 0}, {0, -360, 0, 0}, {0, 0, 0.5, 0}, {100 + 640, 50 + 360, 0.25, 1}}}}, 0);
+}
+
+TEST_CASE("Direct3D: D3DXMatrixPerspectiveFovLH and RH, OrthoOffCenterLH, as documented") {
+  const double zn = 0.5, zf = 200, yScale = 1 / std::tan(30 / kDegreesPerRadian), xScale = yScale / 1.5;
+  const Projection p = perspectiveFovY(60, 1.5, zn, zf);
+  checkEntries(laidOut(clipFromView(p, preset("d3d")), preset("d3d")),
+               {{{{xScale, 0, 0, 0}, {0, yScale, 0, 0}, {0, 0, zf / (zf - zn), 1}, {0, 0, -zn * zf / (zf - zn), 0}}}},
+               kFewRoundings);
+  checkEntries(laidOut(clipFromView(p, preset("d3d-rh")), preset("d3d-rh")),
+               {{{{xScale, 0, 0, 0}, {0, yScale, 0, 0}, {0, 0, zf / (zn - zf), -1}, {0, 0, zn * zf / (zn - zf), 0}}}},
+               kFewRoundings);
+  const double l = -3, r = 5, b = -2, t = 1;
+  checkEntries(laidOut(clipFromView(orthographic(l, r, b, t, zn, zf), preset("d3d")), preset("d3d")),
+               {{{{2 / (r - l), 0, 0, 0},
+                  {0, 2 / (t - b), 0, 0},
+                  {0, 0, 1 / (zf - zn), 0},
+                  {(l + r) / (l - r), (t + b) / (b - t), zn / (zn - zf), 1}}}},
+               kFewRoundings);
+}
+
+TEST_CASE("Direct3D: D3DXMatrixPerspectiveOffCenterLH, as documented") {
+  const double l = -3, r = 5, b = -2, t = 1, zn = 0.5, zf = 200;
+  checkEntries(laidOut(clipFromView(frustum(l, r, b, t, zn, zf), preset("d3d")), preset("d3d")),
+               {{{{2 * zn / (r - l), 0, 0, 0},
+                  {0, 2 * zn / (t - b), 0, 0},
+                  {(l + r) / (l - r), (t + b) / (b - t), zf / (zf - zn), 1},
+                  {0, 0, zn * zf / (zn - zf), 0}}}},
+               kFewRoundings);
+}
+
+// OpenGL, Vulkan, WebGPU
+
+TEST_CASE("OpenGL specification, Controlling the Viewport: x, y and the depth range of glDepthRange") {
+  const double x = 10, y = 20, w = 640, h = 480, n = 0.25, f = 0.75;
+  const Viewport v{w, h, x, y, n, f, Origin::bottomLeft};
+  checkEntries(screenFromNdc(v, gl()),
+               {{{{w / 2, 0, 0, x + w / 2}, {0, h / 2, 0, y + h / 2}, {0, 0, (f - n) / 2, (n + f) / 2}, {0, 0, 0, 1}}}},
+               0);
+  Convention zeroToOne = gl();
+  zeroToOne.ndcZ = NdcZ::zeroToOne;
+  checkEntries(screenFromNdc(v, zeroToOne),
+               {{{{w / 2, 0, 0, x + w / 2}, {0, h / 2, 0, y + h / 2}, {0, 0, f - n, n}, {0, 0, 0, 1}}}}, 0);
+}
+
+TEST_CASE(
+    "Vulkan specification, Controlling the Viewport: px/2 xd + ox, py/2 yd + oy, pz zd + oz, min above max allowed") {
+  const double px = 800, py = 600, x = 5, y = 7;
+  for (const auto& [min, max] : {std::pair{0.0, 1.0}, std::pair{1.0, 0.25}}) {
+    const Viewport v{px, py, x, y, min, max};
+    checkEntries(screenFromNdc(v, preset("vulkan")),
+                 {{{{px / 2, 0, 0, x + px / 2}, {0, py / 2, 0, y + py / 2}, {0, 0, max - min, min}, {0, 0, 0, 1}}}}, 0);
+    // VK_EXT_depth_clip_control, negativeOneToOne
+    Convention negative = preset("vulkan");
+    negative.ndcZ = NdcZ::minusOneToOne;
+    const Mat4 m = screenFromNdc(v, negative);
+    CHECK(m[2][2] == (max - min) / 2);
+    CHECK(m[2][3] == (max + min) / 2);
+  }
+}
+
+TEST_CASE("Vulkan: a projection is OpenGL's with y negated and depth halved, as its guides say") {
+  const Projection p = perspectiveFovY(45, 1.5, 0.1, 100);
+  const Mat4 g = clipFromView(p, gl());
+  Mat4 expected = g;
+  for (std::size_t j = 0; j < 4; ++j) {
+    expected[1][j] = -g[1][j];
+    expected[2][j] = (g[2][j] + g[3][j]) / 2;
+  }
+  checkEntries(clipFromView(p, preset("vulkan")), expected, 4 * kRounding * 1000);  // 1 - 1.002 loses three digits
+}
+
+TEST_CASE("WebGPU specification: vp.x + 0.5 (n.x + 1) w, vp.y + 0.5 (-n.y + 1) h, min + n.z (max - min)") {
+  const Viewport v{300, 150, 11, 13, 0.125, 0.875};
+  const Mat4 m = screenFromNdc(v, preset("webgpu"));
+  for (const Vec3& n : {Vec3{-1, -1, 0}, Vec3{1, 1, 1}, Vec3{0.25, -0.5, 0.5}}) {
+    const Vec4 screen = times(m, peers::point(n));
+    CHECK(screen.x == 11 + 0.5 * (n.x + 1) * 300);
+    CHECK(screen.y == 13 + 0.5 * (-n.y + 1) * 150);
+    CHECK(screen.z == 0.125 + n.z * 0.75);
+  }
+}
+
+// Engines
+
+TEST_CASE("Unity and Filament: the GPU's reversed matrix has row z replaced by (row w - row z) / 2") {
+  const Projection p = perspectiveFovY(60, 1.5, 0.3, 1000);
+  const Mat4 g = clipFromView(p, preset("unity"));
+  Convention gpu = preset("unity");
+  gpu.ndcZ = NdcZ::zeroToOne;
+  gpu.reverseZ = true;
+  const Mat4 ours = clipFromView(p, gpu);
+  // The subtraction -1 + 1.0006 that the engines do leaves the error of 1 in 0.0003.
+  for (std::size_t j = 0; j < 4; ++j) CHECK(std::fabs(ours[2][j] - (g[3][j] - g[2][j]) / 2) <= 2 * kRounding);
+}
+
+TEST_CASE("Unity: worldToCameraMatrix has OpenGL's view space, though the world is left-handed and Z points ahead") {
+  const Pose pose = lookAlong({1, 2, 3}, {0, 0, 1}, {0, 1, 0}, Handedness::left);
+  checkEntries(viewFromWorld(pose, preset("unity")), {{{{1, 0, 0, -1}, {0, 1, 0, -2}, {0, 0, -1, 3}, {0, 0, 0, 1}}}},
+               0);
+}
+
+TEST_CASE("Unreal: FReversedZPerspectiveMatrix of a horizontal half angle, finite and infinite") {
+  const double halfFov = 40, width = 1920, height = 1080, n = 10, f = 50000;
+  const double tangent = std::tan(halfFov / kDegreesPerRadian);
+  const DoubleDouble aspect = DoubleDouble(width) / DoubleDouble(height);
+  const Convention c = preset("unreal");
+  checkEntries(laidOut(clipFromView(perspectiveFovX(2 * halfFov, aspect, n, f), c), c),
+               {{{{1 / tangent, 0, 0, 0},
+                  {0, width / tangent / height, 0, 0},
+                  {0, 0, n / (n - f), 1},
+                  {0, 0, -f * n / (n - f), 0}}}},
+               kFewRoundings);
+  checkEntries(laidOut(clipFromView(perspectiveFovX(2 * halfFov, aspect, n, kInfiniteFar), c), c),
+               {{{{1 / tangent, 0, 0, 0}, {0, width / tangent / height, 0, 0}, {0, 0, 0, 1}, {0, 0, n, 0}}}},
+               kFewRoundings);
+}
+
+TEST_CASE("Unreal: a camera without rotation looks along +X, its right is +Y and Z is up") {
+  const Pose pose = poseFromRotation({0, 0, 0}, {0, 0, 0, 1}, CameraAxes::FRU, Handedness::left);
+  const Camera camera =
+      makeCamera(pose, perspectiveFovX(90, 1, 10, kInfiniteFar), Viewport{100, 100}, preset("unreal"));
+  CHECK(worldToScreen(camera, Vec3{100, 0, 0}).x == 50);
+  CHECK(worldToScreen(camera, Vec3{100, 50, 0}).x == 75);
+  CHECK(worldToScreen(camera, Vec3{100, 0, 50}).y == 25);
+  CHECK(worldToScreen(camera, Vec3{100, 0, 0}).depth == 0.1);  // near / distance
+}
+
+TEST_CASE("PS2: sceVu0ViewScreenMatrix in closed form, near at zmax and far at zmin") {
+  const double scrz = 512, ax = 1, ay = 0.46875, cx = 2048, cy = 2048, zmin = 1, zmax = 16777215, n = 1, f = 65536;
+  const double width = 640, height = 224;
+  const Viewport v{width, height, cx - width / 2, cy - height / 2, zmin, zmax};
+  const Projection p = intrinsics(ax * scrz, ay * scrz, cx, cy, v, n, f);
+  const double az = f * n * (zmax - zmin) / (f - n), cz = (zmin * f - zmax * n) / (f - n);
+  const Convention c = preset("ps2");
+  checkEntries(laidOut(screenFromView(p, v, c), c),
+               {{{{ax * scrz, 0, 0, 0}, {0, ay * scrz, 0, 0}, {cx, cy, cz, 1}, {0, 0, az, 0}}}}, kFewRoundings);
+
+  const Camera camera = makeCamera(lookAlong({0, 0, 0}, {0, 0, 1}, {0, -1, 0}, Handedness::right), p, v, c);
+  const ScreenPoint near = worldToScreen(camera, Vec3{0.25, 0.125, n}), far = worldToScreen(camera, Vec3{0, 0, f});
+  CHECK(near.x == cx + 128);
+  CHECK(near.y == cy + 30);
+  CHECK(near.depth == zmax);
+  CHECK(far.depth == zmin);
+}
+
+// OpenCV and those who convert from it
+
+TEST_CASE("OpenCV: K in clip space, whole numbers at pixel centres and at pixel corners") {
+  const double W = 1280, H = 720, fx = 1000.5, fy = 998.25, cx = 655.25, cy = 340.75;
+  for (double centre : {0.0, 0.5}) {
+    const double half = 0.5 - centre;  // of a pixel, between K's origin and the picture's corner
+    Viewport v{W, H};
+    v.pixelCenter = centre;
+    const Projection p = intrinsics(fx, fy, cx, cy, v, 0.1, kInfiniteFar);
+    const Mat4 g = clipFromView(p, gl());
+    const Mat4 o = clipFromView(p, preset("opencv"));
+    const double x = 2 * (cx + half) / W - 1, y = 2 * (cy + half) / H - 1;
+    const double e = 8 * kRounding;  // of terms of about 1
+    CHECK(std::fabs(g[0][0] - 2 * fx / W) <= e);
+    CHECK(std::fabs(g[1][1] - 2 * fy / H) <= e);
+    CHECK(std::fabs(g[0][2] + x) <= e);
+    CHECK(std::fabs(g[1][2] - y) <= e);
+    CHECK(std::fabs(o[0][0] - 2 * fx / W) <= e);
+    CHECK(std::fabs(o[0][2] - x) <= e);
+    CHECK(std::fabs(o[1][1] + 2 * fy / H) <= e);
+    CHECK(std::fabs(o[1][2] + y) <= e);
+    CHECK(o[3] == std::array<double, 4>{0, 0, 1, 0});
+  }
+}
+
+TEST_CASE("OpenCV: projectPoints' u = fx x/z + cx, v = fy y/z + cy, with y down") {
+  Viewport v{1280, 720};
+  v.pixelCenter = 0;
+  const double fx = 1000.5, fy = 998.25, cx = 655.25, cy = 340.75;
+  const Pose pose = poseFromCameraFromWorld({{{{1, 0, 0, 0.5}, {0, 1, 0, -0.25}, {0, 0, 1, 2}, {0, 0, 0, 1}}}},
+                                            CameraAxes::RDF, Handedness::right);
+  const Camera camera = makeCamera(pose, intrinsics(fx, fy, cx, cy, v, 0.1, kInfiniteFar), v, preset("opencv"));
+  const ScreenPoint p = worldToScreen(camera, Vec3{1, 2, 6});  // at (1.5, 1.75, 8) in the camera
+  CHECK(p.x == Approx(fx * 1.5 / 8 + cx).epsilon(4 * kRounding));
+  CHECK(p.y == Approx(fy * 1.75 / 8 + cy).epsilon(4 * kRounding));
+  CHECK(p.viewDistance == 8);
+}

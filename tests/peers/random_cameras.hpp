@@ -1,0 +1,152 @@
+// Moderate random cameras and points, for peers that work in double: each from one seed, magnitudes log-uniform.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "measure.hpp"
+#include "viewproj/viewproj.hpp"
+
+namespace peers {
+
+/// The trial's index is the seed. The generator's bits are the standard's; the numbers are drawn from them here,
+/// because the standard's distributions differ from library to library.
+class Random {
+ public:
+  explicit Random(std::uint64_t trial) : bits_(trial) {}
+
+  double uniform(double low, double high) {
+    return low + (high - low) * (static_cast<double>(bits_() >> 11) * 0x1p-53);
+  }
+  double logUniform(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
+  bool coin() { return (bits_() >> 63) != 0; }
+
+  viewproj::Vec3 direction(double length = 1) {
+    const double z = uniform(-1, 1), angle = uniform(0, 6.283185307179586);
+    const double r = std::sqrt(1 - z * z);
+    return {length * r * std::cos(angle), length * r * std::sin(angle), length * z};
+  }
+
+ private:
+  std::mt19937_64 bits_;
+};
+
+/// What lookAt takes. upSine: of the angle between up and the viewing direction, at least 0.1.
+struct View {
+  viewproj::Vec3 eye, target, up;
+  double upSine = 1;
+};
+
+inline View randomView(Random& random, double largestEye = 1e4) {
+  View v;
+  v.eye = random.direction(random.logUniform(0.1, largestEye));
+  const viewproj::Vec3 d = random.direction(random.logUniform(0.1, 1e3));
+  v.target = {v.eye.x + d.x, v.eye.y + d.y, v.eye.z + d.z};
+  do {
+    v.up = random.direction(random.logUniform(0.01, 100));
+    v.upSine = length(cross(d, v.up)) / (length(d) * length(v.up));
+  } while (v.upSine < 0.1);
+  return v;
+}
+
+inline viewproj::Pose poseOf(const View& v, viewproj::Handedness world) {
+  return viewproj::lookAt(v.eye, v.target, v.up, world);
+}
+
+/// What glFrustum and glOrtho take.
+struct Window {
+  bool orthographic = false;
+  double left = -1, right = 1, bottom = -1, top = 1, near = 1, far = 2;
+};
+
+inline viewproj::Projection projectionOf(const Window& w) {
+  return w.orthographic ? viewproj::orthographic(w.left, w.right, w.bottom, w.top, w.near, w.far)
+                        : viewproj::frustum(w.left, w.right, w.bottom, w.top, w.near, w.far);
+}
+
+enum class Shape { symmetric, offCentre, orthographic };
+
+inline Window randomWindow(Random& random, Shape shape, bool infiniteFar = false) {
+  Window w;
+  w.orthographic = shape == Shape::orthographic;
+  w.near = w.orthographic ? random.uniform(-100, 100) : random.logUniform(1e-3, 10);
+  w.far = infiniteFar      ? viewproj::kInfiniteFar
+          : w.orthographic ? w.near + random.logUniform(0.1, 1e4)
+                           : w.near * random.logUniform(2, 1e6);
+  const double halfWidth = w.orthographic ? random.logUniform(0.1, 1e3) : w.near * random.logUniform(0.1, 5);
+  const double halfHeight = halfWidth * random.logUniform(0.3, 3);
+  const double x = shape == Shape::symmetric ? 0 : halfWidth * random.uniform(-1.5, 1.5);
+  const double y = shape == Shape::symmetric ? 0 : halfHeight * random.uniform(-1.5, 1.5);
+  w.left = x - halfWidth;
+  w.right = x + halfWidth;
+  w.bottom = y - halfHeight;
+  w.top = y + halfHeight;
+  return w;
+}
+
+inline viewproj::Viewport randomViewport(Random& random, viewproj::Origin origin) {
+  viewproj::Viewport v;
+  v.width = std::floor(random.logUniform(16, 8192));
+  v.height = std::floor(random.logUniform(16, 8192));
+  v.x = std::floor(random.uniform(-500, 500));
+  v.y = std::floor(random.uniform(-500, 500));
+  v.origin = origin;
+  return v;
+}
+
+/// A camera, in every shape that a window has.
+struct Scene {
+  View view;
+  Window window;
+  viewproj::Viewport viewport;
+};
+
+/// Infinite far is one of the shapes here.
+inline Scene randomScene(Random& random, Tally& tally) {
+  const auto shape = static_cast<Shape>(static_cast<int>(random.uniform(0, 3)));
+  const bool infinite = shape != Shape::orthographic && random.coin();
+  Scene s;
+  s.view = randomView(random);
+  s.window = randomWindow(random, shape, infinite);
+  s.viewport = randomViewport(random, random.coin() ? viewproj::Origin::topLeft : viewproj::Origin::bottomLeft);
+  s.viewport.pixelCenter = random.coin() ? 0.5 : 0;
+  if (random.coin()) {
+    s.viewport.depthFirst = random.uniform(-1, 0.5);
+    s.viewport.depthSecond = random.uniform(0.5, 2);
+  }
+  tally.count("symmetric", shape == Shape::symmetric);
+  tally.count("off-centre", shape == Shape::offCentre);
+  tally.count("orthographic", shape == Shape::orthographic);
+  tally.count("near behind the eye", s.window.near < 0);
+  tally.count("finite far", !infinite);
+  tally.count("infinite far", infinite);
+  tally.count("screen from the top left", s.viewport.origin == viewproj::Origin::topLeft);
+  tally.count("screen from the bottom left", s.viewport.origin == viewproj::Origin::bottomLeft);
+  tally.count("pixel centres on whole numbers", s.viewport.pixelCenter == 0);
+  tally.count("a depth range of its own", s.viewport.depthFirst != 0);
+  return s;
+}
+
+/// Every preset, with depth forward and reversed.
+inline std::vector<viewproj::Convention> everyConvention() {
+  std::vector<viewproj::Convention> all;
+  for (const viewproj::ConventionPreset& p : viewproj::conventionPresets())
+    for (bool reverseZ : {false, true}) {
+      all.push_back(p.convention);
+      all.back().reverseZ = reverseZ;
+    }
+  return all;
+}
+
+/// Between near and far, and in the picture or a little beside it.
+inline viewproj::Vec3 randomPoint(Random& random, const viewproj::Pose& pose, const Window& w) {
+  const double share = random.uniform(-0.2, 1.2), rise = random.uniform(-0.2, 1.2);
+  const double x = w.left + share * (w.right - w.left), y = w.bottom + rise * (w.top - w.bottom);
+  if (w.orthographic) return alongAxes(pose, x, y, random.uniform(w.near, w.far));
+  const double distance = random.logUniform(w.near, std::min(w.far, w.near * 1e6));
+  return alongAxes(pose, x / w.near * distance, y / w.near * distance, distance);
+}
+
+}  // namespace peers
