@@ -3,6 +3,8 @@
 
 #include "viewproj/camera/camera.hpp"
 #include "viewproj/camera/error.hpp"
+#include "viewproj/view/batch.hpp"
+#include "viewproj/view/bounds.hpp"
 #include "viewproj/view/clip.hpp"
 #include "viewproj/view/matrices.hpp"
 #include "viewproj/view/ray.hpp"

@@ -141,8 +141,8 @@ TEST_CASE("Standard projection is within 1e-12 pixels at 60 degrees and 1080p wi
       const Truth::Screen screen = truth.screen(truth.view(toReal(point)));
       INFO("trial " << trial << ": " << describe(scene));
       worst = std::max({worst, distance(got.x, screen.x), distance(got.y, screen.y)});
-      REQUIRE(distance(got.x, screen.x) <= kStandardScreenError);
-      REQUIRE(distance(got.y, screen.y) <= kStandardScreenError);
+      REQUIRE(distance(got.x, screen.x) <= 1e-12);
+      REQUIRE(distance(got.y, screen.y) <= 1e-12);
     }
   }
   CAPTURE(worst);

@@ -58,20 +58,25 @@ Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport
   const DepthLine depth = depthLine(projection, c.depthAtNear, c.depthAtFar);
   c.depthAtInfinity = depth.offset.hi;
 
-  const DoubleDouble perPixelX = DoubleDouble(1) / c.screen.scaleX;
-  const DoubleDouble perPixelY = DoubleDouble(1) / c.screen.scaleY;
-  c.rounded = {pose.eye,
-               rounded(pose.rows.right * c.screen.scaleX),
-               rounded(pose.rows.up * c.screen.scaleY),
-               rounded(pose.rows.forward),
-               rounded(DDVec3{pose.residual.x * c.screen.scaleX, pose.residual.y * c.screen.scaleY, pose.residual.z}),
-               c.screen.centerX.hi,
-               c.screen.centerY.hi,
-               depth.offset.hi,
-               depth.scale.hi,
-               rounded(pose.columns.right * perPixelX),
-               rounded(pose.columns.up * perPixelY),
-               rounded(pose.columns.forward)};
+  ProjectionConstants& k = c.constants;
+  const ScreenMap& map = c.screen;
+  k.orthographic = projection.orthographic;
+  k.eye = pose.eye;
+  k.x = pose.rows.right * map.scaleX;
+  k.y = pose.rows.up * map.scaleY;
+  k.w = pose.rows.forward;
+  k.residual = {pose.residual.x * map.scaleX, pose.residual.y * map.scaleY, pose.residual.z};
+  k.centerX = map.centerX;
+  k.centerY = map.centerY;
+  k.depthOffset = depth.offset;
+  k.depthScale = depth.scale;
+  k.sizeXY = std::max(maxAbs(k.x), maxAbs(k.y));
+  k.sizeW = maxAbs(k.w);
+  k.residualReach = std::max(std::max(std::fabs(k.residual.x.hi), std::fabs(k.residual.y.hi)) / k.sizeXY,
+                             std::fabs(k.residual.z.hi) / k.sizeW);
+  k.rayX = rounded(pose.columns.right * (DoubleDouble(1) / map.scaleX));
+  k.rayY = rounded(pose.columns.up * (DoubleDouble(1) / map.scaleY));
+  k.rayW = rounded(pose.columns.forward);
   return c;
 }
 

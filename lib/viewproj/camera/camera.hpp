@@ -9,10 +9,28 @@
 
 namespace viewproj {
 
-/// Which arithmetic a result is computed in.
+/// Which arithmetic a result is computed in: each rung costs more and promises more.
 enum class Precision {
+  fast,      ///< float32 after the eye is subtracted in double
   standard,  ///< double, relative to the eye
-  exact,     ///< double-double
+  exact,     ///< the double nearest the true value
+};
+
+/// What projecting a point needs of a camera. In perspective, with d = point - eye and q = (x . d) / (w . d),
+///   screen x = centerX + q,  window depth = depthOffset + depthScale / (w . d)
+/// and in orthographic
+///   screen x = centerX + x . d,  window depth = depthOffset + depthScale (w . d).
+struct ProjectionConstants {
+  bool orthographic = false;
+  Vec3 eye;
+  DDVec3 x, y, w;   ///< rows scaled to pixels: scaleX right, scaleY up, forward
+  DDVec3 residual;  ///< the pose's, scaled likewise, to be added to x . d, y . d, w . d
+  DoubleDouble centerX, centerY, depthOffset, depthScale;
+
+  double sizeXY = 0, sizeW = 0;  ///< largest entry of x and y, and of w
+  double residualReach = 0;      ///< the residual's part in |d0| + |d1| + |d2|, as error bounds count it
+
+  Vec3 rayX, rayY, rayW;  ///< columns: right / scaleX, up / scaleY, forward
 };
 
 /// Made by makeCamera; what follows the four parts is derived from them.
@@ -30,16 +48,7 @@ struct Camera {
   DoubleDouble
       farOverRange;  ///< far / (far - near) in perspective (1 for infinite far), 1 / (far - near) in orthographic
 
-  /// For double arithmetic: the rows scaled to pixels, and window depth = depthOffset + depthScale / W (perspective) or
-  /// depthOffset + depthScale * W (orthographic).
-  struct Rounded {
-    Vec3 eye;
-    Vec3 x, y, w;   ///< scaleX * right, scaleY * up, forward
-    Vec3 residual;  ///< the pose's, scaled likewise
-    double centerX = 0, centerY = 0;
-    double depthOffset = 0, depthScale = 0;
-    Vec3 rayX, rayY, rayW;  ///< columns: right / scaleX, up / scaleY, forward
-  } rounded;
+  ProjectionConstants constants;
 };
 
 /// Throws CameraError where the parts do not make a camera. Takes a microsecond or two: build once, use for every

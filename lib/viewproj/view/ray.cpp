@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "viewproj/view/kernels/formulas.hpp"
+
 namespace viewproj {
 namespace {
 
@@ -45,30 +47,11 @@ Vec3 exactDirection(const Camera& c, const WindowPoint& at) noexcept {
   return rounded(normalized(c.projection.orthographic ? c.pose.columns.forward : offsetAt(c, at, 1)));
 }
 
-/// value - center, rounded once.
-double offsetFrom(DoubleDouble center, double value) noexcept {
-  const DoubleDouble difference = twoDiff(value, center.hi);
-  return difference.hi + (difference.lo - center.lo);
-}
-
 Vec3 standardDirection(const Camera& c, const Vec2& screen) noexcept {
-  const auto& r = c.rounded;
-  if (c.projection.orthographic) {
-    const Vec3& f = r.rayW;
-    const double length = std::sqrt(f.x * f.x + f.y * f.y + f.z * f.z);
-    return {f.x / length, f.y / length, f.z / length};
-  }
-  const double a = offsetFrom(c.screen.centerX, screen.x);
-  const double b = offsetFrom(c.screen.centerY, screen.y);
-  Vec3 v{r.rayW.x + (a * r.rayX.x + b * r.rayY.x), r.rayW.y + (a * r.rayX.y + b * r.rayY.y),
-         r.rayW.z + (a * r.rayX.z + b * r.rayY.z)};
-  const double largest = maxAbs(v);
-  if (!(largest < 0x1p500)) {  // its square would overflow
-    const int k = std::isfinite(largest) ? -std::ilogb(largest) : 0;
-    v = {std::ldexp(v.x, k), std::ldexp(v.y, k), std::ldexp(v.z, k)};
-  }
-  const double length = std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
-  return {v.x / length, v.y / length, v.z / length};
+  if (c.projection.orthographic) return exactDirection(c, {});
+  const auto r = RayFormula<ScalarLanes>(c.constants)(screen.x, screen.y);
+  if (!(r.squaredLength < kLargestSquaredLength)) return exactDirection(c, toWindow(c, screen));
+  return {r.x, r.y, r.z};
 }
 
 WorldPoint pointAt(const Camera& c, const WindowPoint& at, DoubleDouble distance) noexcept {
@@ -83,9 +66,9 @@ Ray screenToRay(const Camera& c, const Vec2& screen, Precision precision, RayOri
   if (!isFinite(screen)) return {kNoVector, kNoVector};
   const bool originIsEye = origin == RayOrigin::eye && !c.projection.orthographic;
   if (precision == Precision::standard)
-    return {originIsEye ? c.rounded.eye : originAt(c, toWindow(c, screen), origin), standardDirection(c, screen)};
+    return {originIsEye ? c.pose.eye : originAt(c, toWindow(c, screen), origin), standardDirection(c, screen)};
   const WindowPoint at = toWindow(c, screen);
-  return {originIsEye ? c.rounded.eye : originAt(c, at, origin), exactDirection(c, at)};
+  return {originIsEye ? c.pose.eye : originAt(c, at, origin), exactDirection(c, at)};
 }
 
 WorldPoint screenToWorld(const Camera& c, const Vec2& screen, double depth) noexcept {

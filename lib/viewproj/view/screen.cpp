@@ -4,13 +4,10 @@
 #include <limits>
 
 #include "viewproj/view/eye_point.hpp"
+#include "viewproj/view/kernels/formulas.hpp"
 
 namespace viewproj {
 namespace {
-
-/// w = forward . d in double is off by at most 5 * 2^-53 max|forward_i| times the sum of |d_i| (row, difference,
-/// product and two sums each rounded once); this is rounded up generously.
-constexpr double kSignOfWUncertainty = 0x1p-49;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
@@ -88,7 +85,7 @@ Bounded windowDepth(const Camera& c, const Bounded& distance) noexcept {
   if (c.projection.orthographic) {
     shareOfNear = sumOrZero(f, -w) * c.farOverRange;
     shareOfFar = sumOrZero(w, -n) * c.farOverRange;
-    sensitivity = std::fabs(c.rounded.depthScale);
+    sensitivity = std::fabs(c.constants.depthScale.hi);
   } else {
     // Brought to the middle of the range first: only ratios count.
     const double scale = w.hi < 0x1p-400 ? 0x1p600 : w.hi > 0x1p400 ? 0x1p-600 : 1;
@@ -98,13 +95,13 @@ Bounded windowDepth(const Camera& c, const Bounded& distance) noexcept {
     const DoubleDouble fromFar = f > ws.hi * 0x1p120 ? DoubleDouble(1) : sumOrZero(f, -ws) / DoubleDouble(f);
     shareOfNear = quotient(n, ws) * fromFar * c.farOverRange;
     shareOfFar = quotient(sumOrZero(ws, -n), ws) * c.farOverRange;
-    sensitivity = std::fabs(c.rounded.depthScale / w.hi / w.hi);
+    sensitivity = std::fabs(c.constants.depthScale.hi / w.hi / w.hi);
   }
   const DoubleDouble first = c.depthAtNear == 0 ? DoubleDouble(0) : DoubleDouble(c.depthAtNear) * shareOfNear;
   const DoubleDouble second = c.depthAtFar == 0 ? DoubleDouble(0) : DoubleDouble(c.depthAtFar) * shareOfFar;
   const DoubleDouble depth = first + second;
   // Next to the eye plane depth may overflow.
-  if (std::isnan(depth.hi)) return {c.rounded.depthOffset + c.rounded.depthScale / w.hi, 0};
+  if (std::isnan(depth.hi)) return {c.constants.depthOffset.hi + c.constants.depthScale.hi / w.hi, 0};
   return {depth, sensitivity * distance.error + kParameter * (std::fabs(first.hi) + std::fabs(second.hi))};
 }
 
@@ -182,53 +179,52 @@ Attempt attempt(const Camera& c, const EyePoint& e, double w) noexcept {
 /// Double-double first; the exact rows where it cannot certify a number. What they cannot either is a tie, or a number
 /// that cancels to about 0.
 ScreenPoint exactToScreen(const Camera& c, const Vec4& point) noexcept {
-  const Attempt first = attempt(c, toEye(c.pose, point), point.w);
-  return first.certain ? first.point : attempt(c, toEyeExactly(c.pose, point), point.w).point;
+  Attempt result = attempt(c, toEye(c.pose, point), point.w);
+  if (!result.certain) result = attempt(c, toEyeExactly(c.pose, point), point.w);
+  result.point.certain = result.certain;
+  return result.point;
 }
 
-ScreenPoint standardToScreen(const Camera& c, const Vec3& point) noexcept {
-  const auto& r = c.rounded;
-  const Vec3 d{point.x - r.eye.x, point.y - r.eye.y, point.z - r.eye.z};
-  const double x = r.x.x * d.x + r.x.y * d.y + r.x.z * d.z + r.residual.x;
-  const double y = r.y.x * d.x + r.y.y * d.y + r.y.z * d.z + r.residual.y;
-  const double w = r.w.x * d.x + r.w.y * d.y + r.w.z * d.z + r.residual.z;
-  // Out of the range in which doubles are safe, or so near the eye plane that the sign of w is not certain.
-  const double reach = std::fabs(d.x) + std::fabs(d.y) + std::fabs(d.z);
-  const bool signCertain = std::fabs(w) > kSignOfWUncertainty * reach;
-  if (!(reach < 0x1p900 && std::fabs(x) < 0x1p1000 && std::fabs(y) < 0x1p1000 &&
-        (c.projection.orthographic || (signCertain && std::fabs(w) > 0x1p-900))))
-    return exactToScreen(c, {point.x, point.y, point.z, 1});
+/// fast or standard; exact for what they cannot bound.
+template <class Formula>
+ScreenPoint roundedToScreen(const Camera& c, const Vec3& point) noexcept {
+  const Projected<ScalarLanes> r = Formula(c.constants, {})(point.x, point.y, point.z);
+  if (r.behind) return without(PointStatus::behind, r.distance);
+  if (!r.valid) return exactToScreen(c, {point.x, point.y, point.z, 1});
   ScreenPoint p;
-  p.viewDistance = w;
-  if (c.projection.orthographic) {
-    p.x = r.centerX + x;
-    p.y = r.centerY + y;
-    p.depth = r.depthOffset + r.depthScale * w;
-  } else {
-    if (w < 0) return without(PointStatus::behind, w);
-    const double perW = 1 / w;
-    p.x = r.centerX + x * perW;
-    p.y = r.centerY + y * perW;
-    p.depth = r.depthOffset + r.depthScale * perW;
-  }
+  p.x = r.x;
+  p.y = r.y;
+  p.depth = r.depth;
+  p.viewDistance = r.distance;
   p.outside = sidesBeyond(c, p);
   return p;
+}
+
+ScreenPoint pointToScreen(const Camera& c, const Vec3& point, Precision precision) noexcept {
+  switch (precision) {
+    case Precision::fast:
+      return roundedToScreen<FastFormula<ScalarLanes>>(c, point);
+    case Precision::standard:
+      return roundedToScreen<StandardFormula<ScalarLanes>>(c, point);
+    case Precision::exact:
+      break;
+  }
+  return exactToScreen(c, {point.x, point.y, point.z, 1});
 }
 
 }  // namespace
 
 ScreenPoint worldToScreen(const Camera& camera, const Vec4& point, Precision precision) noexcept {
   const Vec3 xyz{point.x, point.y, point.z};
+  if (point.w == 1) return worldToScreen(camera, xyz, precision);
   if (!isFinite(xyz) || !std::isfinite(point.w) || (maxAbs(xyz) == 0 && point.w == 0))
     return without(PointStatus::notFinite, kNaN);
-  if (precision == Precision::standard && point.w == 1) return standardToScreen(camera, xyz);
   return exactToScreen(camera, withUnitWeight(point));
 }
 
 ScreenPoint worldToScreen(const Camera& camera, const Vec3& point, Precision precision) noexcept {
-  if (precision == Precision::exact) return worldToScreen(camera, Vec4{point.x, point.y, point.z, 1}, precision);
   if (!isFinite(point)) return without(PointStatus::notFinite, kNaN);
-  return standardToScreen(camera, point);
+  return pointToScreen(camera, point, precision);
 }
 
 }  // namespace viewproj

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "viewproj/camera/camera.hpp"
+#include "viewproj/view/bounds.hpp"
 
 namespace viewproj {
 
@@ -32,20 +33,16 @@ struct ScreenPoint {
   double viewDistance = 0;  ///< along the viewing axis; NaN for a direction
   PointStatus status = PointStatus::inFront;
   std::uint8_t outside = 0;  ///< Sides the point lies beyond; a point on a boundary is inside
+  /// exact: x, y, depth and viewDistance are certainly the doubles nearest the true values. Otherwise one of them is a
+  /// tie or cancels to about 0, and within kExactUlps or kExactAbsolute.
+  bool certain = false;
 
   bool visible() const noexcept { return status == PointStatus::inFront && outside == 0; }
 };
 
-/// standard, at 60 degrees, 1920x1080, for on-screen points with the eye up to 1e12 from the origin, in pixels;
-/// measured against MPFR. The bound for any camera is a matter of its window: see the README.
-inline constexpr double kStandardScreenError = 1e-12;
-
-/// exact: units in the last place of the result, for x, y, depth and viewDistance; below 1e-26 of the viewport's size a
-/// result that cancels to about zero keeps that absolute error instead.
-inline constexpr double kExactUlps = 0.51;
-inline constexpr double kExactAbsolute = 1e-26;
-
-/// Projects a point. Subtracts the eye first (exactly, in exact), then three dot products and one division: no matrix.
+/// Projects a point, as near the true value as view/bounds.hpp says of the precision; points that fast or standard
+/// cannot bound are projected exactly. Subtracts the eye first (exactly, in exact), then three dot products and one
+/// division: no matrix.
 ScreenPoint worldToScreen(const Camera& camera, const Vec3& point, Precision precision = Precision::exact) noexcept;
 
 /// Homogeneous: (x/w, y/w, z/w), negative w included; with w = 0 a direction, whose vanishing point is given. Weights

@@ -1,0 +1,115 @@
+#include "viewproj/view/bounds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "viewproj/view/eye_point.hpp"
+#include "viewproj/view/kernels/formulas.hpp"
+#include "viewproj/view/screen.hpp"
+
+namespace viewproj {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+double oneNorm(const Vec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
+
+/// Half a unit in the last place of numbers up to this size.
+double halfUlp(double size) {
+  size = std::fabs(size);
+  return (std::nextafter(size, kInfinity) - size) / 2;
+}
+
+/// What the bound of a coordinate depends on.
+struct Situation {
+  double t;            ///< D / |W|, or D in orthographic
+  double q;            ///< distance from the principal point, pixels
+  double position;     ///< size of the screen coordinate
+  double perDistance;  ///< 1 / |W|, or |W| in orthographic
+  double depth;        ///< size of the window depth
+};
+
+ErrorBound boundIn(const Camera& c, Precision precision, const Situation& s) {
+  const ProjectionConstants& k = c.constants;
+  const double u = precision == Precision::fast ? kUnitFloat : kUnitDouble;
+  const double c1 = kRoundings * u * k.sizeXY * kSecondOrder;
+  const double c2 = kRoundings * u * k.sizeW * kSecondOrder;
+  const double sum = kUnitDouble * kSecondOrder;  // the last sum is in double in fast too
+  const double center = std::max(std::fabs(k.centerX.lo), std::fabs(k.centerY.lo));
+  const double largestRow = precision == Precision::fast ? kLargestRowFast : kLargestRow;
+  if (!rowsInRange(k, largestRow)) return {kInfinity, kInfinity};
+  const double scale = std::fabs(k.depthScale.hi);
+  const double offset = std::fabs(k.depthOffset.hi);
+  if (k.orthographic)
+    return {c1 * s.t + u * kSecondOrder * s.q + sum * s.position + center,
+            scale * (c2 * s.t + 4 * u * s.perDistance) + 1.01 * kUnitDouble * (2 * offset + s.depth)};
+  if (!(c2 * s.t < kLargestRelativeError)) return {kInfinity, kInfinity};
+  return {s.t * (c1 + c2 * s.q) + u * kSecondOrder * 2 * s.q + sum * s.position + center,
+          scale * s.perDistance * (c2 * s.t + 4 * u) + 1.01 * kUnitDouble * (2 * offset + s.depth)};
+}
+
+}  // namespace
+
+PictureReach pictureReach(const Camera& c, double band) noexcept {
+  const Viewport& v = c.viewport;
+  const double half = v.pixelCenter - 0.5;
+  const auto reach = [&](double start, double size, double center) {
+    const double middle = start + half + size / 2;
+    return std::fabs(middle - center) + band * size / 2;
+  };
+  return {reach(v.x, v.width, c.constants.centerX.hi) * kSecondOrder,
+          reach(v.y, v.height, c.constants.centerY.hi) * kSecondOrder};
+}
+
+ErrorBound boundInPicture(const Camera& c, Precision precision, double band) noexcept {
+  const ProjectionConstants& k = c.constants;
+  const PictureReach reach = pictureReach(c, band);
+  Situation s;
+  s.q = std::max(reach.x, reach.y);
+  s.position = std::max(std::fabs(k.centerX.hi) + reach.x, std::fabs(k.centerY.hi) + reach.y);
+  s.depth = std::max(std::fabs(c.viewport.depthFirst), std::fabs(c.viewport.depthSecond));
+  const double across = oneNorm(k.rayX) * reach.x + oneNorm(k.rayY) * reach.y;
+  if (k.orthographic) {
+    s.perDistance = std::max(std::fabs(c.projection.near), std::fabs(c.projection.far));
+    s.t = (across + oneNorm(k.rayW) * s.perDistance + k.residualReach) * kSecondOrder;
+  } else {
+    s.perDistance = 1 / c.projection.near;
+    s.t = (oneNorm(k.rayW) + across + k.residualReach * s.perDistance) * kSecondOrder;
+  }
+  if (precision == Precision::exact) return {halfUlp(s.position) * 1.02, halfUlp(s.depth) * 1.02};
+  return boundIn(c, precision, s);
+}
+
+ErrorBound boundOfPoint(const Camera& c, const Vec3& point, Precision precision) noexcept {
+  const ScreenPoint p = worldToScreen(c, point, Precision::exact);
+  if (p.status != PointStatus::inFront) return {kInfinity, kInfinity};
+  const double size = std::max(std::fabs(p.x), std::fabs(p.y));
+  if (precision == Precision::exact) {
+    const double picture = std::max(c.viewport.width, c.viewport.height);
+    const double undecided = p.certain ? 0 : kExactAbsolute;
+    return {std::max(halfUlp(size) * 2 * kExactUlps, undecided * picture),
+            std::max(halfUlp(p.depth) * 2 * kExactUlps, undecided)};
+  }
+  const ProjectionConstants& k = c.constants;
+  const Vec3 d{point.x - k.eye.x, point.y - k.eye.y, point.z - k.eye.z};
+  const double reach = (oneNorm(d) + k.residualReach) * kSecondOrder;
+  const double w = std::fabs(p.viewDistance);
+  Situation s;
+  s.t = k.orthographic ? reach : reach / w;
+  s.q = std::max(std::fabs(p.x - k.centerX.hi), std::fabs(p.y - k.centerY.hi)) * kSecondOrder;
+  s.position = size;
+  s.perDistance = k.orthographic ? w : 1 / w;
+  s.depth = std::fabs(p.depth);
+  const ErrorBound bound = boundIn(c, precision, s);
+  // What the precision cannot bound goes the exact way.
+  return std::isinf(bound.screen) ? boundOfPoint(c, point, Precision::exact) : bound;
+}
+
+Precision precisionWithin(const Camera& camera, double tolerance) noexcept {
+  for (Precision precision : {Precision::fast, Precision::standard})
+    if (boundInPicture(camera, precision, kGuardBand).screen <= tolerance) return precision;
+  return Precision::exact;
+}
+
+}  // namespace viewproj

@@ -1,0 +1,39 @@
+// The batch kernels: one source, compiled once per instruction set, chosen at run time, all giving the same bits.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "viewproj/camera/camera.hpp"
+
+namespace viewproj {
+
+/// What a kernel does with a lane that it cannot settle itself.
+struct Unsettled {
+  void (*settle)(void* context, std::size_t index) noexcept;
+  void* context;
+};
+
+/// Everything is in arrays of three doubles a point: x y z in; screen x, screen y and depth out, NaN where a point has
+/// none. bandX, bandY: farther than this from the principal point, in pixels, a point counts as unsettled.
+struct Kernels {
+  const char* name;
+  bool (*supported)() noexcept;
+  void (*fast)(const ProjectionConstants&, double bandX, double bandY, const double* points, double* screen,
+               std::size_t count, const Unsettled&) noexcept;
+  void (*standard)(const ProjectionConstants&, double bandX, double bandY, const double* points, double* screen,
+                   std::size_t count, const Unsettled&) noexcept;
+  void (*exact)(const ProjectionConstants&, double bandX, double bandY, const double* points, double* screen,
+                std::size_t count, const Unsettled&) noexcept;
+  /// Perspective ray directions of pixels (x y pairs in, x y z out).
+  void (*rays)(const ProjectionConstants&, const double* pixels, double* directions, std::size_t count,
+               const Unsettled&) noexcept;
+};
+
+/// All that were compiled, the plainest first.
+std::span<const Kernels* const> allKernels() noexcept;
+
+/// The best that this processor supports.
+const Kernels& kernels() noexcept;
+
+}  // namespace viewproj

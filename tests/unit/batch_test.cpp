@@ -1,0 +1,132 @@
+#include <cstring>
+#include <random>
+#include <vector>
+
+#include "catch.hpp"
+#include "viewproj/view/kernels/kernels.hpp"
+#include "viewproj/viewproj.hpp"
+
+using namespace viewproj;
+
+namespace {
+
+constexpr Precision kPrecisions[] = {Precision::fast, Precision::standard, Precision::exact};
+
+bool sameBits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b)); }
+bool sameBits(const Vec3& a, const Vec3& b) { return sameBits(a.x, b.x) && sameBits(a.y, b.y) && sameBits(a.z, b.z); }
+
+struct Trial {
+  Camera camera;
+  std::vector<Vec3> points;
+};
+
+/// A camera of every lens and pose now and then, and points in, around and behind its view, some of them unusable.
+Trial randomTrial(unsigned seed, std::size_t count) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const auto vector = [&](double size) { return Vec3{size * unit(random), size * unit(random), size * unit(random)}; };
+  const double size = std::pow(10.0, 6 * unit(random));
+  const Vec3 eye = vector(size);
+  const Vec3 way = vector(1);
+  Pose pose = lookAlong(eye, way, vector(1), Handedness::right);
+  if (seed % 4 == 1) {
+    const Mat4 view = viewFromWorld(pose, {});
+    pose = poseFromCameraFromWorld(view, CameraAxes::RUB, Handedness::right);
+  }
+  const double near = 0.01 * size;
+  const Projection projection = seed % 3 == 0   ? orthographic(-size, size, -size, size, -size, 3 * size)
+                                : seed % 3 == 1 ? perspectiveFovY(60, 1, near, seed % 2 ? kInfiniteFar : 100 * size)
+                                                : frustum(-near, 2 * near, 0, near, near, 50 * size);
+  Trial trial{makeCamera(pose, projection, {1000, 1000}), {}};
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3 offset = vector(size * std::pow(10.0, 2 * unit(random)));
+    trial.points.push_back({eye.x + offset.x, eye.y + offset.y, eye.z + offset.z});
+  }
+  const double bad[] = {NAN, INFINITY, 1e300, 1e-310};
+  for (std::size_t i = 0; i < count / 50; ++i) trial.points[random() % count][random() % 3] = bad[random() % 4];
+  if (count > 10) trial.points[10] = eye;
+  return trial;
+}
+
+}  // namespace
+
+TEST_CASE("A batch gives the bits of single points, in every precision and of every size") {
+  std::size_t escalated = 0;
+  for (unsigned seed = 0; seed < 60; ++seed)
+    for (const std::size_t count : {0u, 1u, 2u, 3u, 7u, 8u, 9u, 500u}) {
+      const Trial trial = randomTrial(seed, count);
+      for (Precision precision : kPrecisions) {
+        std::vector<Vec3> screen(count);
+        escalated += worldToScreen(trial.camera, trial.points, screen, precision).escalated;
+        for (std::size_t i = 0; i < count; ++i) {
+          const ScreenPoint single = worldToScreen(trial.camera, trial.points[i], precision);
+          INFO("seed " << seed << ", point " << i << " of " << count << ", precision " << int(precision));
+          REQUIRE(sameBits(screen[i], {single.x, single.y, single.depth}));
+        }
+      }
+    }
+  CHECK(escalated > 1000);
+}
+
+TEST_CASE("A batch may be projected in place") {
+  for (Precision precision : kPrecisions) {
+    Trial trial = randomTrial(7, 1000);
+    std::vector<Vec3> apart(trial.points.size());
+    worldToScreen(trial.camera, trial.points, apart, precision);
+    worldToScreen(trial.camera, trial.points, trial.points, precision);
+    for (std::size_t i = 0; i < apart.size(); ++i) REQUIRE(sameBits(apart[i], trial.points[i]));
+  }
+}
+
+TEST_CASE("Every kernel that this processor supports gives the same bits and leaves the same points over") {
+  struct Run {
+    std::vector<Vec3> screen;
+    std::vector<std::size_t> unsettled;
+  };
+  std::size_t compared = 0;
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    const Trial trial = randomTrial(seed, 1003);
+    const std::size_t count = trial.points.size();
+    for (Precision precision : kPrecisions) {
+      std::vector<Run> runs;
+      for (const Kernels* k : allKernels()) {
+        if (!k->supported()) continue;
+        Run run{std::vector<Vec3>(count), {}};
+        const Unsettled unsettled{
+            [](void* context, std::size_t i) noexcept { static_cast<Run*>(context)->unsettled.push_back(i); }, &run};
+        const auto kernel = precision == Precision::fast       ? k->fast
+                            : precision == Precision::standard ? k->standard
+                                                               : k->exact;
+        kernel(trial.camera.constants, kNoBand, kNoBand, &trial.points[0].x, &run.screen[0].x, count, unsettled);
+        runs.push_back(std::move(run));
+      }
+      for (const Run& run : runs) {
+        INFO("seed " << seed << ", precision " << int(precision));
+        REQUIRE(run.unsettled == runs[0].unsettled);
+        for (std::size_t i = 0; i < count; ++i) REQUIRE(sameBits(run.screen[i], runs[0].screen[i]));
+        ++compared;
+      }
+    }
+  }
+  CAPTURE(compared);
+  CHECK(compared >= 180);
+}
+
+TEST_CASE("A batch of rays gives the bits of single rays") {
+  for (unsigned seed = 0; seed < 30; ++seed) {
+    const Trial trial = randomTrial(seed, 1);
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> anywhere(-3000, 3000);
+    std::vector<Vec2> pixels(123);
+    for (Vec2& pixel : pixels) pixel = {anywhere(random), anywhere(random)};
+    pixels[5] = {NAN, 1};
+    pixels[6] = {1e200, -1e300};
+    std::vector<Vec3> directions(pixels.size());
+    screenToRayDirections(trial.camera, pixels, directions);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      INFO("seed " << seed << ", pixel " << i);
+      if (trial.camera.projection.orthographic && i == 5) continue;  // a direction that no pixel changes
+      REQUIRE(sameBits(directions[i], screenToRay(trial.camera, pixels[i], Precision::standard).direction));
+    }
+  }
+}
