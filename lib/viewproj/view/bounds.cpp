@@ -49,6 +49,16 @@ ErrorBound boundIn(const Camera& c, Precision precision, const Situation& s) {
           scale * s.perDistance * (c2 * s.t + 4 * u) + 1.01 * kUnitDouble * (2 * offset + s.depth)};
 }
 
+/// Of a point that was projected exactly.
+ErrorBound boundOfExact(const Camera& c, const ScreenPoint& p) {
+  if (p.status != PointStatus::inFront) return {kInfinity, kInfinity};
+  const double size = std::max(std::fabs(p.x), std::fabs(p.y));
+  const double picture = std::max(c.viewport.width, c.viewport.height);
+  const double undecided = p.certain ? 0 : kExactAbsolute;
+  return {std::max(halfUlp(size) * 2 * kExactUlps, undecided * picture),
+          std::max(halfUlp(p.depth) * 2 * kExactUlps, undecided)};
+}
+
 }  // namespace
 
 PictureReach pictureReach(const Camera& c, double band) noexcept {
@@ -83,14 +93,7 @@ ErrorBound boundInPicture(const Camera& c, Precision precision, double band) noe
 
 ErrorBound boundOfPoint(const Camera& c, const Vec3& point, Precision precision) noexcept {
   const ScreenPoint p = worldToScreen(c, point, Precision::exact);
-  if (p.status != PointStatus::inFront) return {kInfinity, kInfinity};
-  const double size = std::max(std::fabs(p.x), std::fabs(p.y));
-  if (precision == Precision::exact) {
-    const double picture = std::max(c.viewport.width, c.viewport.height);
-    const double undecided = p.certain ? 0 : kExactAbsolute;
-    return {std::max(halfUlp(size) * 2 * kExactUlps, undecided * picture),
-            std::max(halfUlp(p.depth) * 2 * kExactUlps, undecided)};
-  }
+  if (p.status != PointStatus::inFront || precision == Precision::exact) return boundOfExact(c, p);
   const ProjectionConstants& k = c.constants;
   const Vec3 d{point.x - k.eye.x, point.y - k.eye.y, point.z - k.eye.z};
   const double reach = (oneNorm(d) + k.residualReach) * kSecondOrder;
@@ -98,12 +101,17 @@ ErrorBound boundOfPoint(const Camera& c, const Vec3& point, Precision precision)
   Situation s;
   s.t = k.orthographic ? reach : reach / w;
   s.q = std::max(std::fabs(p.x - k.centerX.hi), std::fabs(p.y - k.centerY.hi)) * kSecondOrder;
-  s.position = size;
+  s.position = std::max(std::fabs(p.x), std::fabs(p.y));
   s.perDistance = k.orthographic ? w : 1 / w;
   s.depth = std::fabs(p.depth);
   const ErrorBound bound = boundIn(c, precision, s);
   // What the precision cannot bound goes the exact way.
-  return std::isinf(bound.screen) ? boundOfPoint(c, point, Precision::exact) : bound;
+  return std::isinf(bound.screen) ? boundOfExact(c, p) : bound;
+}
+
+ErrorBound boundOfPoint(const Camera& c, const Vec4& point, Precision precision) noexcept {
+  if (point.w == 1) return boundOfPoint(c, Vec3{point.x, point.y, point.z}, precision);
+  return boundOfExact(c, worldToScreen(c, point, Precision::exact));
 }
 
 Precision precisionWithin(const Camera& camera, double tolerance) noexcept {

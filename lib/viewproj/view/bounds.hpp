@@ -88,6 +88,9 @@ ErrorBound boundInPicture(const Camera& camera, Precision precision, double band
 /// For one point, wherever it lies.
 ErrorBound boundOfPoint(const Camera& camera, const Vec3& point, Precision precision) noexcept;
 
+/// Homogeneous: weights other than 1 have the bound of exact, whatever the precision, as worldToScreen works on them.
+ErrorBound boundOfPoint(const Camera& camera, const Vec4& point, Precision precision) noexcept;
+
 /// The cheapest precision that is within tolerance pixels in the whole picture and one more picture on every side of it
 /// (band 3). exact where none is.
 Precision precisionWithin(const Camera& camera, double tolerance) noexcept;

@@ -54,10 +54,24 @@ Vec3 standardDirection(const Camera& c, const Vec2& screen) noexcept {
   return {r.x, r.y, r.z};
 }
 
-WorldPoint pointAt(const Camera& c, const WindowPoint& at, DoubleDouble distance) noexcept {
+double halfUlp(double size) noexcept {
+  size = std::fabs(size);
+  return (std::nextafter(size, std::numeric_limits<double>::infinity()) - size) / 2;
+}
+
+/// The length of the offset from the eye for a unit of view distance.
+double slant(const Camera& c, const WindowPoint& at) noexcept {
+  const DDVec3 v = c.projection.orthographic ? c.pose.columns.forward : offsetAt(c, at, 1);
+  return 1 / inverseLength(v).hi;
+}
+
+/// The point at a distance that is off by at most distanceError.
+WorldPoint pointAt(const Camera& c, const WindowPoint& at, DoubleDouble distance, double distanceError) noexcept {
   const Vec3 position = worldPointAt(c, at, distance);
   if (!viewproj::isFinite(position)) return {kNoVector, DepthStatus::infinity};
-  return {position, DepthStatus::point};
+  const double rounding = halfUlp(position.x) + halfUlp(position.y) + halfUlp(position.z);
+  return {position, DepthStatus::point,
+          1.01 * (distanceError > 0 ? distanceError * slant(c, at) + rounding : rounding)};
 }
 
 }  // namespace
@@ -79,19 +93,32 @@ WorldPoint screenToWorld(const Camera& c, const Vec2& screen, double depth) noex
   const DoubleDouble fromNear = twoDiff(depth, c.depthAtNear) / range;
   const DoubleDouble fromFar = twoDiff(c.depthAtFar, depth) / range;
   const WindowPoint at = toWindow(c, screen);
-  if (p.orthographic) return pointAt(c, at, DoubleDouble(p.near) * fromFar + DoubleDouble(p.far) * fromNear);
+  const double shareError = halfUlp(depth) / std::fabs(range.hi);
+  if (p.orthographic)
+    return pointAt(c, at, DoubleDouble(p.near) * fromFar + DoubleDouble(p.far) * fromNear,
+                   (p.far - p.near) * shareError);
   if (depth == c.depthAtInfinity) return {kNoVector, DepthStatus::infinity};
   // fromNear = (1 - n/w) f/(f - n), so w = n / (fromFar + fromNear n/f).
   DoubleDouble divisor = fromFar;
   if (std::isfinite(p.far)) divisor += fromNear * (DoubleDouble(p.near) / DoubleDouble(p.far));
   if (!(divisor.hi > 0)) return {kNoVector, DepthStatus::beyond};
-  return pointAt(c, at, DoubleDouble(p.near) / divisor);
+  const DoubleDouble distance = DoubleDouble(p.near) / divisor;
+  // Towards infinity the distance changes most: by shareError in the divisor, at most.
+  const double farthest = divisor.hi - shareError;
+  return pointAt(c, at, distance,
+                 farthest > 0 ? distance.hi * (shareError / farthest) : std::numeric_limits<double>::infinity());
 }
 
 WorldPoint screenToWorldAtDistance(const Camera& c, const Vec2& screen, double viewDistance) noexcept {
   if (!isFinite(screen) || !std::isfinite(viewDistance)) return {kNoVector, DepthStatus::notFinite};
   if (!c.projection.orthographic && !(viewDistance > 0)) return {kNoVector, DepthStatus::beyond};
-  return pointAt(c, toWindow(c, screen), viewDistance);
+  return pointAt(c, toWindow(c, screen), viewDistance, 0);
+}
+
+double distancePerDepth(const Camera& c, const Vec2& screen, double viewDistance) noexcept {
+  const double scale = c.constants.depthScale.hi;
+  const double perDepth = c.projection.orthographic ? 1 / scale : viewDistance * (viewDistance / scale);
+  return std::fabs(perDepth) * slant(c, toWindow(c, screen));
 }
 
 }  // namespace viewproj

@@ -37,7 +37,16 @@ enum class DepthStatus : std::uint8_t {
 struct WorldPoint {
   Vec3 position;  ///< NaN unless status is point
   DepthStatus status = DepthStatus::point;
+  /// How far position can be from the true point, in world units, if the window depth given is the double nearest the
+  /// true one; infinite where that double could also be the depth of infinity. What the arithmetic adds, half a unit in
+  /// the last place of each coordinate, is included; of a point by its distance it is all.
+  double bound = 0;
 };
+
+/// How far a point moves along its ray, per unit of window depth: W^2 / |depthScale| times the slant of the ray in
+/// perspective, with W the view distance. At standard depth and W far beyond near it is enormous: a depth near 1 says
+/// little. Multiply by half the step of the depth buffer that a depth was read from.
+double distancePerDepth(const Camera& camera, const Vec2& screen, double viewDistance) noexcept;
 
 /// The point at this screen position and window depth (as worldToScreen gives it; not clamped). In double-double and
 /// rounded once; what the depth's own last digit is worth in distance is the depth's, not the arithmetic's.

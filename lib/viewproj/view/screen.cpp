@@ -185,10 +185,20 @@ ScreenPoint exactToScreen(const Camera& c, const Vec4& point) noexcept {
   return result.point;
 }
 
-/// fast or standard; exact for what they cannot bound.
-template <class Formula>
-ScreenPoint roundedToScreen(const Camera& c, const Vec3& point) noexcept {
-  const Projected<ScalarLanes> r = Formula(c.constants, {})(point.x, point.y, point.z);
+/// A point in fast or standard. The parts of a formula that a camera does not need add zeros and compare with infinity
+/// here: the same bits.
+template <template <class, class> class Formula>
+Projected<double, bool> byFormula(const ProjectionConstants& k, const Vec3& p, Band band) noexcept {
+  return k.orthographic ? Formula<ScalarLanes, Traits<true, true, true>>(k, band).point(p.x, p.y, p.z)
+                        : Formula<ScalarLanes, Traits<false, true, true>>(k, band).point(p.x, p.y, p.z);
+}
+
+/// Exact for what the precision cannot bound, and for what lies outside the band.
+ScreenPoint pointToScreen(const Camera& c, const Vec3& point, Precision precision, Band band) noexcept {
+  if (!isFinite(point)) return without(PointStatus::notFinite, kNaN);
+  if (precision == Precision::exact) return exactToScreen(c, {point.x, point.y, point.z, 1});
+  const Projected<double, bool> r = precision == Precision::fast ? byFormula<FastFormula>(c.constants, point, band)
+                                                                 : byFormula<StandardFormula>(c.constants, point, band);
   if (r.behind) return without(PointStatus::behind, r.distance);
   if (!r.valid) return exactToScreen(c, {point.x, point.y, point.z, 1});
   ScreenPoint p;
@@ -197,19 +207,8 @@ ScreenPoint roundedToScreen(const Camera& c, const Vec3& point) noexcept {
   p.depth = r.depth;
   p.viewDistance = r.distance;
   p.outside = sidesBeyond(c, p);
+  p.precision = precision;
   return p;
-}
-
-ScreenPoint pointToScreen(const Camera& c, const Vec3& point, Precision precision) noexcept {
-  switch (precision) {
-    case Precision::fast:
-      return roundedToScreen<FastFormula<ScalarLanes>>(c, point);
-    case Precision::standard:
-      return roundedToScreen<StandardFormula<ScalarLanes>>(c, point);
-    case Precision::exact:
-      break;
-  }
-  return exactToScreen(c, {point.x, point.y, point.z, 1});
 }
 
 }  // namespace
@@ -223,8 +222,17 @@ ScreenPoint worldToScreen(const Camera& camera, const Vec4& point, Precision pre
 }
 
 ScreenPoint worldToScreen(const Camera& camera, const Vec3& point, Precision precision) noexcept {
-  if (!isFinite(point)) return without(PointStatus::notFinite, kNaN);
-  return pointToScreen(camera, point, precision);
+  return pointToScreen(camera, point, precision, {});
+}
+
+ScreenPoint worldToScreenWithin(const Camera& camera, Precision chosen, const Vec3& point) noexcept {
+  const PictureReach reach = pictureReach(camera, kGuardBand);
+  return pointToScreen(camera, point, chosen, {reach.x, reach.y});
+}
+
+ScreenPoint worldToScreenWithin(const Camera& camera, Precision chosen, const Vec4& point) noexcept {
+  if (point.w != 1) return worldToScreen(camera, point, Precision::exact);
+  return worldToScreenWithin(camera, chosen, Vec3{point.x, point.y, point.z});
 }
 
 }  // namespace viewproj

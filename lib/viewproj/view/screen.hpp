@@ -36,6 +36,9 @@ struct ScreenPoint {
   /// exact: x, y, depth and viewDistance are certainly the doubles nearest the true values. Otherwise one of them is a
   /// tie or cancels to about 0, and within kExactUlps or kExactAbsolute.
   bool certain = false;
+  /// What the numbers were computed in: exact where the precision asked for could not bound the point.
+  /// boundOfPoint of this precision is theirs.
+  Precision precision = Precision::exact;
 
   bool visible() const noexcept { return status == PointStatus::inFront && outside == 0; }
 };
@@ -48,5 +51,11 @@ ScreenPoint worldToScreen(const Camera& camera, const Vec3& point, Precision pre
 /// Homogeneous: (x/w, y/w, z/w), negative w included; with w = 0 a direction, whose vanishing point is given. Weights
 /// other than 1 are worked on in double-double whatever the precision.
 ScreenPoint worldToScreen(const Camera& camera, const Vec4& point, Precision precision = Precision::exact) noexcept;
+
+/// A single point as the batch of this name (view/batch.hpp) projects it, bit for bit: in the precision chosen where
+/// its pixel lies in the picture or one more picture on any side of it, exactly elsewhere. chosen is
+/// precisionWithin(camera, tolerance), found once for all points; tolerance is in pixels.
+ScreenPoint worldToScreenWithin(const Camera& camera, Precision chosen, const Vec3& point) noexcept;
+ScreenPoint worldToScreenWithin(const Camera& camera, Precision chosen, const Vec4& point) noexcept;
 
 }  // namespace viewproj

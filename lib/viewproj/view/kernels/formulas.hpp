@@ -1,8 +1,9 @@
 // The arithmetic of one point in each precision, written once for a double and for a vector of lanes.
 //
-// Every line is a sequence of single IEEE operations in a fixed order, so a lane gives the bits that a double gives, on
-// every instruction set. Everything here has internal linkage: each kernel is compiled for its own processor, and a
-// linker must not take one's code for another's.
+// fast and standard are single IEEE operations in a fixed order, so a lane gives the bits that a double gives, on every
+// instruction set. exact may use a fused multiply-add where there is one: its results are certified to be the doubles
+// nearest the true values, whatever their last bits before rounding were. Everything here has internal linkage: each
+// kernel is compiled for its own processor, and a linker must not take one's code for another's.
 #pragma once
 
 #include <cmath>
@@ -13,29 +14,43 @@
 namespace viewproj {
 namespace {
 
-/// What a kernel works in: D a double or a vector of doubles, F the float or vector of floats of as many lanes, M what
-/// a comparison of two D gives.
+/// What formulas are written in terms of: D a double or a vector of doubles, F a float or a vector of floats, M and FM
+/// what comparisons of two D and of two F give.
 struct ScalarLanes {
   using D = double;
   using F = float;
   using M = bool;
-  static F toFloat(D a) { return static_cast<float>(a); }
-  static D toDouble(F a) { return a; }
+  using FM = bool;
+  static D splat(double a) { return a; }
   static D absolute(D a) { return std::fabs(a); }
+  static F absolute(F a) { return std::fabs(a); }
+  static D withSignOf(D size, D sign) { return std::copysign(size, sign); }
+  static D larger(D a, D b) { return a > b ? a : b; }
+  static F larger(F a, F b) { return a > b ? a : b; }
   static D squareRoot(D a) { return std::sqrt(a); }
+  /// a * b + c, rounded once or twice.
+  static D multiplyAdd(D a, D b, D c) { return a * b + c; }
   /// The rounding error of a * b, whose rounded value is product.
-  static D productError(D a, D b, D product) {
-    (void)product;
-    return twoProd(a, b).lo;
+  static D productError(D a, D b, D) { return twoProd(a, b).lo; }
+  /// a - b * c to one rounding, for b * c near a.
+  static D remainder(D a, D b, D c) {
+    const DoubleDouble product = twoProd(b, c);
+    return (a - product.hi) - product.lo;
   }
 };
 
-/// valid: the numbers are within the precision's bound. behind: certainly on or beyond the eye plane. A lane that is
-/// neither is for the exact path to decide.
-template <class L>
+/// Which parts of a formula a camera needs.
+template <bool IsOrthographic, bool HasResidual, bool HasBand>
+struct Traits {
+  static constexpr bool orthographic = IsOrthographic, residual = HasResidual, band = HasBand;
+};
+
+/// valid: the numbers are within the precision's bound. behind: certainly beyond the eye plane. A lane that is neither
+/// is for the exact path to decide.
+template <class V, class Mask>
 struct Projected {
-  typename L::D x, y, depth, distance;
-  typename L::M valid, behind;
+  V x, y, depth, distance;
+  Mask valid, behind;
 };
 
 /// Whether a camera's rows are in the range that a precision's bounds hold for.
@@ -48,125 +63,148 @@ struct Band {
   double x = kNoBand, y = kNoBand;
 };
 
-template <class Row, class V>
-inline V alongRow(const Row& row, V dx, V dy, V dz) {
-  return row[0] * dx + row[1] * dy + row[2] * dz;
-}
-
+/// A row of three, rounded to T.
+template <class T>
 struct Row {
-  double entry[3];
-  explicit Row(const DDVec3& row) : entry{row.x.hi, row.y.hi, row.z.hi} {}
-  double operator[](int i) const { return entry[i]; }
+  T x, y, z;
+  explicit Row(const DDVec3& row)
+      : x(static_cast<T>(row.x.hi)), y(static_cast<T>(row.y.hi)), z(static_cast<T>(row.z.hi)) {}
+
+  template <class V>
+  V along(V dx, V dy, V dz) const {
+    return x * dx + y * dy + z * dz;
+  }
 };
 
-struct FloatRow {
-  float entry[3];
-  explicit FloatRow(const DDVec3& row)
-      : entry{static_cast<float>(row.x.hi), static_cast<float>(row.y.hi), static_cast<float>(row.z.hi)} {}
-  float operator[](int i) const { return entry[i]; }
+/// The window coordinates of a point, times pixels, and what they are certain of. T is double or float, V as many
+/// lanes.
+template <class T, class Traits>
+class WindowFormula {
+ public:
+  WindowFormula(const ProjectionConstants& k, Band band, double sign, double smallest, double reach, double largestRow)
+      : x_(k.x),
+        y_(k.y),
+        w_(k.w),
+        residual_(k.residual),
+        residualReach_(static_cast<T>(k.residualReach * kSecondOrder)),
+        bandX_(static_cast<T>(band.x < kLargestBand ? band.x : kLargestBand)),
+        bandY_(static_cast<T>(band.y < kLargestBand ? band.y : kLargestBand)),
+        sign_(static_cast<T>(sign)),
+        smallest_(static_cast<T>(smallest)),
+        reach_(rowsInRange(k, largestRow) ? static_cast<T>(reach) : 0) {}
+
+  /// In perspective x and y are X/W and Y/W, and depth is 1/W; in orthographic they are X, Y and W.
+  template <class L, class V, class Mask>
+  Projected<V, Mask> at(V dx, V dy, V dz) const {
+    V x = x_.along(dx, dy, dz), y = y_.along(dx, dy, dz), w = w_.along(dx, dy, dz);
+    V reach = L::absolute(dx) + L::absolute(dy) + L::absolute(dz);
+    if constexpr (Traits::residual) {
+      x = x + residual_.x;
+      y = y + residual_.y;
+      w = w + residual_.z;
+      reach = reach + residualReach_;
+    }
+    Projected<V, Mask> r;
+    r.distance = w;
+    if constexpr (Traits::orthographic) {
+      r.x = x;
+      r.y = y;
+      r.depth = w;
+      r.valid = reach < reach_;
+      r.behind = reach < V{};
+    } else {
+      const V perW = T(1) / w;
+      r.x = x * perW;
+      r.y = y * perW;
+      r.depth = perW;
+      // Not so near the eye plane that the sign of w is uncertain, and where nothing over- or underflows.
+      const V least = L::larger(reach * sign_, smallest_ - V{});
+      const Mask inRange = reach < reach_;
+      r.valid = inRange & (w > least);
+      r.behind = inRange & (w < -least);
+    }
+    if constexpr (Traits::band) r.valid = r.valid & (L::absolute(r.x) < bandX_) & (L::absolute(r.y) < bandY_);
+    return r;
+  }
+
+ private:
+  /// No valid point of this type is farther from the principal point.
+  static constexpr double kLargestBand = sizeof(T) == sizeof(double) ? kNoBand : 0x1p100;
+
+  Row<T> x_, y_, w_, residual_;
+  T residualReach_, bandX_, bandY_, sign_, smallest_, reach_;
 };
 
 /// standard: double, relative to the eye.
-template <class L>
+template <class L, class Traits>
 class StandardFormula {
  public:
   using D = typename L::D;
   using M = typename L::M;
 
   StandardFormula(const ProjectionConstants& k, Band band)
-      : k_(k), x_(k.x), y_(k.y), w_(k.w), band_(band), reach_(rowsInRange(k, kLargestRow) ? kLargestReach : 0) {}
+      : window_(k, band, kSignUncertainty, kSmallestDistance, kLargestReach, kLargestRow),
+        eye_(k.eye),
+        centerX_(k.centerX.hi),
+        centerY_(k.centerY.hi),
+        offset_(k.depthOffset.hi),
+        scale_(k.depthScale.hi) {}
 
-  Projected<L> operator()(D px, D py, D pz) const {
-    const D dx = px - k_.eye.x, dy = py - k_.eye.y, dz = pz - k_.eye.z;
-    const D x = alongRow(x_, dx, dy, dz) + k_.residual.x.hi;
-    const D y = alongRow(y_, dx, dy, dz) + k_.residual.y.hi;
-    const D w = alongRow(w_, dx, dy, dz) + k_.residual.z.hi;
-    const D reach = L::absolute(dx) + L::absolute(dy) + L::absolute(dz) + k_.residualReach;
-    Projected<L> r;
-    r.distance = w;
-    if (k_.orthographic) {
-      r.x = k_.centerX.hi + x;
-      r.y = k_.centerY.hi + y;
-      r.depth = k_.depthOffset.hi + k_.depthScale.hi * w;
-      r.valid = (reach < reach_) & (L::absolute(x) < band_.x) & (L::absolute(y) < band_.y);
-      r.behind = reach < D{};
-      return r;
-    }
-    const D perW = 1.0 / w;
-    const D qx = x * perW, qy = y * perW;
-    r.x = k_.centerX.hi + qx;
-    r.y = k_.centerY.hi + qy;
-    r.depth = k_.depthOffset.hi + k_.depthScale.hi * perW;
-    const D size = L::absolute(w);
-    const M certain = (size > kSignUncertainty * reach) & (size > kSmallestDistance) & (reach < reach_);
-    r.behind = certain & (w < D{});
-    r.valid = certain & (w > D{}) & (L::absolute(qx) < band_.x) & (L::absolute(qy) < band_.y);
+  Projected<D, M> point(D px, D py, D pz) const { return (*this)(px, py, pz); }
+
+  Projected<D, M> operator()(D px, D py, D pz) const {
+    Projected<D, M> r = window_.template at<L, D, M>(px - eye_.x, py - eye_.y, pz - eye_.z);
+    r.x = centerX_ + r.x;
+    r.y = centerY_ + r.y;
+    r.depth = offset_ + scale_ * r.depth;
     return r;
   }
 
  private:
-  const ProjectionConstants& k_;
-  Row x_, y_, w_;
-  Band band_;
-  double reach_;
+  WindowFormula<double, Traits> window_;
+  Vec3 eye_;
+  double centerX_, centerY_, offset_, scale_;
 };
 
-/// fast: float32 after the eye is subtracted in double; the last sum in double again.
-template <class L>
+/// fast: float32 after the eye is subtracted in double; the last sums in double again.
+template <class L, class Traits>
 class FastFormula {
  public:
   using D = typename L::D;
   using F = typename L::F;
-  using M = typename L::M;
 
   FastFormula(const ProjectionConstants& k, Band band)
-      : k_(k),
-        x_(k.x),
-        y_(k.y),
-        w_(k.w),
-        rx_(static_cast<float>(k.residual.x.hi)),
-        ry_(static_cast<float>(k.residual.y.hi)),
-        rw_(static_cast<float>(k.residual.z.hi)),
-        band_(band),
-        reach_(rowsInRange(k, kLargestRowFast) ? kLargestReachFast : 0) {}
+      : window_(k, band, kSignUncertaintyFast, kSmallestDistanceFast, kLargestReachFast, kLargestRowFast),
+        eye(k.eye),
+        centerX_(k.centerX.hi),
+        centerY_(k.centerY.hi),
+        offset_(k.depthOffset.hi),
+        scale_(k.depthScale.hi) {}
 
-  Projected<L> operator()(D px, D py, D pz) const {
-    const F dx = L::toFloat(px - k_.eye.x), dy = L::toFloat(py - k_.eye.y), dz = L::toFloat(pz - k_.eye.z);
-    const F x = alongRow(x_, dx, dy, dz) + rx_;
-    const F y = alongRow(y_, dx, dy, dz) + ry_;
-    const F wSingle = alongRow(w_, dx, dy, dz) + rw_;
-    const D w = L::toDouble(wSingle);
-    const D reach =
-        L::absolute(L::toDouble(dx)) + L::absolute(L::toDouble(dy)) + L::absolute(L::toDouble(dz)) + k_.residualReach;
-    Projected<L> r;
-    r.distance = w;
-    if (k_.orthographic) {
-      const D xWide = L::toDouble(x), yWide = L::toDouble(y);
-      r.x = k_.centerX.hi + xWide;
-      r.y = k_.centerY.hi + yWide;
-      r.depth = k_.depthOffset.hi + k_.depthScale.hi * w;
-      r.valid = (reach < reach_) & (L::absolute(xWide) < band_.x) & (L::absolute(yWide) < band_.y);
-      r.behind = reach < D{};
-      return r;
-    }
-    const F perW = 1.0f / wSingle;
-    const D qx = L::toDouble(x * perW), qy = L::toDouble(y * perW);
-    r.x = k_.centerX.hi + qx;
-    r.y = k_.centerY.hi + qy;
-    r.depth = k_.depthOffset.hi + k_.depthScale.hi * L::toDouble(perW);
-    const D size = L::absolute(w);
-    const M certain = (size > kSignUncertaintyFast * reach) & (size > kSmallestDistanceFast) & (reach < reach_);
-    r.behind = certain & (w < D{});
-    r.valid = certain & (w > D{}) & (L::absolute(qx) < band_.x) & (L::absolute(qy) < band_.y);
-    return r;
+  /// From the difference to the eye, in float.
+  Projected<F, typename L::FM> window(F dx, F dy, F dz) const {
+    return window_.template at<L, F, typename L::FM>(dx, dy, dz);
   }
 
+  /// From window coordinates, in double again.
+  /// All of it for one point (D a double).
+  Projected<D, typename L::M> point(D px, D py, D pz) const {
+    const auto r = window(static_cast<F>(px - eye.x), static_cast<F>(py - eye.y), static_cast<F>(pz - eye.z));
+    return {screenX(r.x), screenY(r.y), depth(r.depth), r.distance, r.valid, r.behind};
+  }
+
+  D screenX(D x) const { return centerX_ + x; }
+  D screenY(D y) const { return centerY_ + y; }
+  D depth(D z) const { return offset_ + scale_ * z; }
+
  private:
-  const ProjectionConstants& k_;
-  FloatRow x_, y_, w_;
-  float rx_, ry_, rw_;
-  Band band_;
-  double reach_;
+  WindowFormula<float, Traits> window_;
+
+ public:
+  const Vec3 eye;
+
+ private:
+  double centerX_, centerY_, offset_, scale_;
 };
 
 /// A double-double of lanes.
@@ -176,70 +214,78 @@ struct Pair {
 };
 
 /// exact: double-double, with a certificate for every number: valid lanes are the doubles nearest the true values.
-template <class L, bool HasResidual>
+template <class L, class Traits>
 class ExactFormula {
  public:
   using D = typename L::D;
   using M = typename L::M;
 
-  ExactFormula(const ProjectionConstants& k, Band band)
-      : k_(k),
-        band_(band),
-        perT_(kExactDotX * k.sizeXY),
-        perTq_(kExactDotW * k.sizeW),
-        centerX_(kExactParameter * std::fabs(k.centerX.hi)),
-        centerY_(kExactParameter * std::fabs(k.centerY.hi)),
-        offset_(kExactParameter * std::fabs(k.depthOffset.hi)),
+  ExactFormula(const ProjectionConstants& k, Band)
+      : eye_(k.eye),
+        x_(k.x),
+        y_(k.y),
+        w_(k.w),
+        residual_(k.residual),
+        centerX_(k.centerX),
+        centerY_(k.centerY),
+        offset_(k.depthOffset),
+        scale_(k.depthScale),
+        residualReach_(k.residualReach * kSecondOrder),
+        errorXY_(kZivMargin * kExactDotX * k.sizeXY),
+        errorW_(kZivMargin * kExactDotW * k.sizeW),
+        errorCenterX_(kZivMargin * kExactParameter * std::fabs(k.centerX.hi)),
+        errorCenterY_(kZivMargin * kExactParameter * std::fabs(k.centerY.hi)),
+        errorOffset_(kZivMargin * kExactParameter * std::fabs(k.depthOffset.hi)),
         reach_(rowsInRange(k, kLargestRow) ? kLargestReachExact : 0) {}
 
-  Projected<L> operator()(D px, D py, D pz) const {
-    const Pair<D> d[3] = {sum(px, D{} - k_.eye.x), sum(py, D{} - k_.eye.y), sum(pz, D{} - k_.eye.z)};
-    const Pair<D> x = dot(k_.x, d, k_.residual.x);
-    const Pair<D> y = dot(k_.y, d, k_.residual.y);
-    const Pair<D> w = dot(k_.w, d, k_.residual.z);
+  Projected<D, M> operator()(D px, D py, D pz) const {
+    const Pair<D> d[3] = {sum(px, L::splat(-eye_.x)), sum(py, L::splat(-eye_.y)), sum(pz, L::splat(-eye_.z))};
+    const Pair<D> x = dot(x_, d, residual_.x);
+    const Pair<D> y = dot(y_, d, residual_.y);
+    const Pair<D> w = dot(w_, d, residual_.z);
     D reach = L::absolute(d[0].hi) + L::absolute(d[1].hi) + L::absolute(d[2].hi);
-    if constexpr (HasResidual) reach = reach + k_.residualReach;
+    if constexpr (Traits::residual) reach = reach + residualReach_;
     const M inRange = (reach < reach_) & (reach > kSmallestReachExact);
-    Projected<L> r;
+    constexpr double kParameter = kZivMargin * kExactParameter;
+    Projected<D, M> r;
     r.distance = w.hi;
-    if (k_.orthographic) {
-      const D error = perT_ * reach;
-      const Pair<D> sx = add(k_.centerX, x), sy = add(k_.centerY, y);
-      const Pair<D> scaled = times(k_.depthScale, w);
-      const Pair<D> z = add(k_.depthOffset, scaled);
-      const D depthError =
-          offset_ + L::absolute(scaled.hi) * kExactParameter + std::fabs(k_.depthScale.hi) * (perTq_ * reach);
+    if constexpr (Traits::orthographic) {
+      const Pair<D> sx = add(centerX_, x), sy = add(centerY_, y);
+      const Pair<D> scaled = times(scale_, w);
+      const Pair<D> z = add(offset_, scaled);
+      const D error = errorXY_ * reach;
+      const D errorZ = errorOffset_ + L::absolute(scaled.hi) * kParameter + std::fabs(scale_.hi) * (errorW_ * reach);
       r.x = sx.hi;
       r.y = sy.hi;
       r.depth = z.hi;
-      r.valid = inRange & certain(sx, error + centerX_ + L::absolute(x.hi) * kExactParameter) &
-                certain(sy, error + centerY_ + L::absolute(y.hi) * kExactParameter) & certain(z, depthError) &
-                (L::absolute(x.hi) < band_.x) & (L::absolute(y.hi) < band_.y);
+      r.valid = inRange & certain(sx, error + (errorCenterX_ + L::absolute(x.hi) * kParameter)) &
+                certain(sy, error + (errorCenterY_ + L::absolute(y.hi) * kParameter)) & certain(z, errorZ);
       r.behind = reach < D{};
-      return r;
+    } else {
+      const D perW = 1.0 / w.hi;
+      const Pair<D> qx = quotient(x, w, perW), qy = quotient(y, w, perW);
+      const Pair<D> qz = quotient({L::splat(scale_.hi), L::splat(scale_.lo)}, w, perW);
+      const Pair<D> sx = add(centerX_, qx), sy = add(centerY_, qy), z = add(offset_, qz);
+      const D t = reach * L::absolute(perW);
+      const D relative = t * errorW_ + kParameter;
+      const D error = t * errorXY_;
+      r.x = sx.hi;
+      r.y = sy.hi;
+      r.depth = z.hi;
+      const D least = reach * kSignUncertaintyExact;
+      r.valid = inRange & (w.hi > least) & certain(sx, L::absolute(qx.hi) * relative + (error + errorCenterX_)) &
+                certain(sy, L::absolute(qy.hi) * relative + (error + errorCenterY_)) &
+                certain(z, L::absolute(qz.hi) * relative + errorOffset_);
+      r.behind = inRange & (w.hi < -least);
     }
-    const D perW = 1.0 / w.hi;
-    const D t = reach * L::absolute(perW);
-    const Pair<D> qx = quotient(x, w, perW), qy = quotient(y, w, perW);
-    const Pair<D> qz = quotient({D{} + k_.depthScale.hi, D{} + k_.depthScale.lo}, w, perW);
-    const Pair<D> sx = add(k_.centerX, qx), sy = add(k_.centerY, qy), z = add(k_.depthOffset, qz);
-    const D relativeW = t * perTq_;
-    const D absX = L::absolute(qx.hi), absY = L::absolute(qy.hi), absZ = L::absolute(qz.hi);
-    const D errorX = t * perT_ + absX * (relativeW + kExactParameter) + centerX_;
-    const D errorY = t * perT_ + absY * (relativeW + kExactParameter) + centerY_;
-    const D errorZ = absZ * (relativeW + kExactParameter) + offset_;
-    r.x = sx.hi;
-    r.y = sy.hi;
-    r.depth = z.hi;
-    const D size = L::absolute(w.hi);
-    const M sure = inRange & (size > kSignUncertaintyExact * reach);
-    r.behind = sure & (w.hi < D{});
-    r.valid = sure & (w.hi > D{}) & certain(sx, errorX) & certain(sy, errorY) & certain(z, errorZ) & (absX < band_.x) &
-              (absY < band_.y);
     return r;
   }
 
  private:
+  /// Errors are taken four times as large, so that one side of Ziv's test is enough: what rounds safely on lo's side by
+  /// this much is at least half of that away from the border on the other, at powers of two as well.
+  static constexpr double kZivMargin = 4;
+
   static Pair<D> sum(D a, D b) {
     const D s = a + b;
     const D part = s - a;
@@ -249,53 +295,53 @@ class ExactFormula {
     const D s = a + b;
     return {s, b - (s - a)};
   }
-  static Pair<D> product(D a, D b) {
-    const D p = a * b;
-    return {p, L::productError(a, b, p)};
-  }
 
   /// row . d + residual, to 128 u^2 of the sum of sizes.
   static Pair<D> dot(const DDVec3& row, const Pair<D>* d, const DoubleDouble& residual) {
-    const Pair<D> p0 = product(D{} + row.x.hi, d[0].hi);
-    const Pair<D> p1 = product(D{} + row.y.hi, d[1].hi);
-    const Pair<D> p2 = product(D{} + row.z.hi, d[2].hi);
-    const Pair<D> s = sum(p0.hi, p1.hi);
-    const Pair<D> t = sum(s.hi, p2.hi);
-    const D errors = ((p0.lo + p1.lo) + s.lo) + (p2.lo + t.lo);
-    const D crossed = (row.x.hi * d[0].lo + row.x.lo * d[0].hi) + (row.y.hi * d[1].lo + row.y.lo * d[1].hi) +
-                      (row.z.hi * d[2].lo + row.z.lo * d[2].hi);
-    const Pair<D> result = quickSum(t.hi, errors + crossed);
-    if constexpr (!HasResidual) return result;
-    const Pair<D> shifted = sum(result.hi, D{} + residual.hi);
+    const D r0 = L::splat(row.x.hi), r1 = L::splat(row.y.hi), r2 = L::splat(row.z.hi);
+    const D p0 = r0 * d[0].hi, p1 = r1 * d[1].hi, p2 = r2 * d[2].hi;
+    const Pair<D> s = sum(p0, p1);
+    const Pair<D> t = sum(s.hi, p2);
+    // Short chains, side by side: waiting for one another is what costs here.
+    const D crossed0 = L::multiplyAdd(r0, d[0].lo, row.x.lo * d[0].hi);
+    const D crossed1 = L::multiplyAdd(r1, d[1].lo, row.y.lo * d[1].hi);
+    const D crossed2 = L::multiplyAdd(r2, d[2].lo, row.z.lo * d[2].hi);
+    const D errors =
+        (L::productError(r0, d[0].hi, p0) + L::productError(r1, d[1].hi, p1)) + L::productError(r2, d[2].hi, p2);
+    const D low = ((crossed0 + crossed1) + (crossed2 + errors)) + (s.lo + t.lo);
+    const Pair<D> result = quickSum(t.hi, low);
+    if constexpr (!Traits::residual) return result;
+    const Pair<D> shifted = sum(result.hi, L::splat(residual.hi));
     return quickSum(shifted.hi, shifted.lo + (result.lo + residual.lo));
   }
 
-  /// a / w, given 1 / w.hi.
+  /// a / w, given 1 / w.hi; lo is a few units of hi, not brought below half of one.
   static Pair<D> quotient(const Pair<D>& a, const Pair<D>& w, D perW) {
     const D q = a.hi * perW;
-    const Pair<D> back = product(q, w.hi);
-    const D rest = ((a.hi - back.hi) - back.lo) + (a.lo - q * w.lo);
-    return quickSum(q, rest * perW);
+    const D rest = L::remainder(a.hi, q, w.hi) + L::multiplyAdd(-q, w.lo, a.lo);
+    return {q, rest * perW};
   }
 
   static Pair<D> times(const DoubleDouble& a, const Pair<D>& b) {
-    const Pair<D> p = product(D{} + a.hi, b.hi);
-    return quickSum(p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi));
+    const D high = L::splat(a.hi);
+    const D p = high * b.hi;
+    return quickSum(p, L::productError(high, b.hi, p) + (a.hi * b.lo + a.lo * b.hi));
   }
 
   static Pair<D> add(const DoubleDouble& a, const Pair<D>& b) {
-    const Pair<D> s = sum(D{} + a.hi, b.hi);
+    const Pair<D> s = sum(L::splat(a.hi), b.hi);
     return quickSum(s.hi, s.lo + (b.lo + a.lo));
   }
 
   /// Ziv's test: every number within the error rounds to the same double.
   static M certain(const Pair<D>& value, D error) {
-    return (value.hi + (value.lo + error) == value.hi) & (value.hi + (value.lo - error) == value.hi);
+    return value.hi + (value.lo + L::withSignOf(error, value.lo)) == value.hi;
   }
 
-  const ProjectionConstants& k_;
-  Band band_;
-  double perT_, perTq_, centerX_, centerY_, offset_, reach_;
+  Vec3 eye_;
+  DDVec3 x_, y_, w_, residual_;
+  DoubleDouble centerX_, centerY_, offset_, scale_;
+  double residualReach_, errorXY_, errorW_, errorCenterX_, errorCenterY_, errorOffset_, reach_;
 };
 
 /// The unit direction of the ray through a screen position, in double.
@@ -304,18 +350,19 @@ class RayFormula {
  public:
   using D = typename L::D;
 
-  explicit RayFormula(const ProjectionConstants& k) : k_(k) {}
+  explicit RayFormula(const ProjectionConstants& k)
+      : x_(k.rayX), y_(k.rayY), w_(k.rayW), centerX_(k.centerX), centerY_(k.centerY) {}
 
   struct Direction {
     D x, y, z, squaredLength;
   };
 
   Direction operator()(D px, D py) const {
-    const D a = offsetFrom(k_.centerX, px);
-    const D b = offsetFrom(k_.centerY, py);
-    const D x = k_.rayW.x + (a * k_.rayX.x + b * k_.rayY.x);
-    const D y = k_.rayW.y + (a * k_.rayX.y + b * k_.rayY.y);
-    const D z = k_.rayW.z + (a * k_.rayX.z + b * k_.rayY.z);
+    const D a = offsetFrom(centerX_, px);
+    const D b = offsetFrom(centerY_, py);
+    const D x = w_.x + (a * x_.x + b * y_.x);
+    const D y = w_.y + (a * x_.y + b * y_.y);
+    const D z = w_.z + (a * x_.z + b * y_.z);
     const D squared = x * x + y * y + z * z;
     const D length = L::squareRoot(squared);
     return {x / length, y / length, z / length, squared};
@@ -326,11 +373,12 @@ class RayFormula {
   static D offsetFrom(const DoubleDouble& center, D value) {
     const D difference = value - center.hi;
     const D part = difference - value;
-    const D error = (value - (difference - part)) + ((D{} - center.hi) - part);
+    const D error = (value - (difference - part)) + ((L::splat(-center.hi)) - part);
     return difference + (error - center.lo);
   }
 
-  const ProjectionConstants& k_;
+  Vec3 x_, y_, w_;
+  DoubleDouble centerX_, centerY_;
 };
 
 }  // namespace

@@ -1,0 +1,124 @@
+// Time per point of every precision and of peers, as ratios to GLM in double in the same interleaved run.
+//   projection_benchmark [ROUNDS]
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <functional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "peers.hpp"
+#include "viewproj/view/kernels/kernels.hpp"
+
+using namespace viewproj;
+
+namespace {
+
+struct Contestant {
+  std::string name;
+  std::function<void()> run;
+  std::vector<double> nanoseconds;  ///< per point, a round each
+};
+
+double median(std::vector<double> v) {
+  std::nth_element(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2), v.end());
+  return v[v.size() / 2];
+}
+
+/// Runs all contestants in turn, round after round, and prints medians, minima and ratios to the first.
+void race(const std::string& title, std::size_t points, int rounds, std::vector<Contestant> contestants) {
+  // One measurement takes about two milliseconds at least.
+  const std::size_t repeats = std::max<std::size_t>(1, 400000 / points);
+  for (int round = -1; round < rounds; ++round)
+    for (Contestant& c : contestants) {
+      const auto start = std::chrono::steady_clock::now();
+      for (std::size_t i = 0; i < repeats; ++i) c.run();
+      const std::chrono::duration<double, std::nano> time = std::chrono::steady_clock::now() - start;
+      if (round >= 0) c.nanoseconds.push_back(time.count() / double(repeats) / double(points));
+    }
+  std::printf("\n%s\n%-34s %9s %9s %7s\n", title.c_str(), "", "median", "minimum", "ratio");
+  const double reference = median(contestants[0].nanoseconds);
+  for (const Contestant& c : contestants)
+    std::printf("%-34s %6.2f ns %6.2f ns %7.3f\n", c.name.c_str(), median(c.nanoseconds),
+                *std::min_element(c.nanoseconds.begin(), c.nanoseconds.end()), median(c.nanoseconds) / reference);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int rounds = argc > 1 ? std::atoi(argv[1]) : 15;
+  const Viewport viewport{.width = 1920, .height = 1080, .origin = Origin::bottomLeft};
+  const Pose pose = lookAt({300, 200, 500}, {0, 0, 0}, {0, 1, 0}, Handedness::right);
+  const Projection projection = perspectiveFovY(60, DoubleDouble(16) / DoubleDouble(9), 0.1, 10000);
+  const Camera camera = makeCamera(pose, projection, viewport);
+  const benchmark::PeerCamera peer{viewFromWorld(pose, {}), clipFromView(projection, {}), 1920, 1080};
+  std::printf("best kernel here: %s, %d rounds\n", kernels().name, rounds);
+
+  for (const std::size_t count : {std::size_t(4096), std::size_t(1) << 20, std::size_t(1) << 24}) {
+    // Points on screen, 1 to 1000 units away.
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> unit(0, 1);
+    std::vector<Vec3> points(count), screen(count);
+    for (Vec3& p : points)
+      p = screenToWorldAtDistance(camera, {1920 * unit(random), 1080 * unit(random)}, 1 + 1000 * unit(random)).position;
+    std::vector<benchmark::Vec3f> singles(count), singleScreen(count);
+    for (std::size_t i = 0; i < count; ++i) singles[i] = {float(points[i].x), float(points[i].y), float(points[i].z)};
+
+    std::vector<Contestant> contestants;
+    const auto add = [&](const std::string& name, std::function<void()> run) {
+      contestants.push_back({name, std::move(run), {}});
+    };
+    using benchmark::peersO2, benchmark::peersO3;
+    add("GLM double project, -O2", [&] { peersO2.glmProjectDouble(peer, points, screen); });
+    add("GLM double project, -O3", [&] { peersO3.glmProjectDouble(peer, points, screen); });
+    add("GLM float project, -O3", [&] { peersO3.glmProjectFloat(peer, singles, singleScreen); });
+    add("Eigen double, cached product, -O2", [&] { peersO2.eigenCachedDouble(peer, points, screen); });
+    add("Imath double, cached product, -O3", [&] { peersO3.imathDouble(peer, points, screen); });
+    add("copy of the bytes", [&] { std::memcpy(screen.data(), points.data(), points.size() * sizeof(Vec3)); });
+    for (const Kernels* k : allKernels()) {
+      if (!k->supported()) continue;
+      const Unsettled unsettled{[](void*, std::size_t) noexcept { std::abort(); }, nullptr};
+      const std::string suffix = std::string(" ") + k->name;
+      const auto run = [&, k, unsettled](auto kernel) {
+        return [&, kernel, unsettled] {
+          kernel(camera.constants, kNoBand, kNoBand, &points[0].x, &screen[0].x, count, unsettled);
+        };
+      };
+      add("fast" + suffix, run(k->fast));
+      add("standard" + suffix, run(k->standard));
+      add("exact" + suffix, run(k->exact));
+    }
+    add("auto 1e-2 px (fast)", [&] { worldToScreenWithin(camera, 1e-2, points, screen); });
+    add("auto 1e-6 px (standard)", [&] { worldToScreenWithin(camera, 1e-6, points, screen); });
+    race(std::to_string(count) + " points", count, count > (1u << 22) ? std::max(3, rounds / 3) : rounds, contestants);
+    if (worldToScreen(camera, points, screen, Precision::exact).escalated > count / 1000)
+      std::printf("more than one in a thousand exact points was not certified by the kernel\n");
+  }
+
+  const std::size_t count = 1 << 16;
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> unit(0, 1);
+  std::vector<Vec2> pixels(count);
+  std::vector<Vec3> directions(count);
+  for (Vec2& p : pixels) p = {1920 * unit(random), 1080 * unit(random)};
+  std::vector<Contestant> contestants;
+  contestants.push_back(
+      {"GLM double unProject, twice", [&] { benchmark::peersO3.glmUnProjectTwice(peer, pixels, directions); }, {}});
+  contestants.push_back({"rays", [&] { screenToRayDirections(camera, pixels, directions); }, {}});
+  race(std::to_string(count) + " rays", count, rounds, contestants);
+
+  std::vector<Contestant> building;
+  building.push_back({"building a camera",
+                      [&] {
+                        for (std::size_t i = 0; i < 1000; ++i)
+                          directions[i] =
+                              makeCamera(lookAt({300 + double(i), 200, 500}, {0, 0, 0}, {0, 1, 0}, Handedness::right),
+                                         perspectiveFovY(60, 1.5, 0.1, 10000), viewport)
+                                  .constants.rayX;
+                      },
+                      {}});
+  race("1000 cameras", 1000, rounds, building);
+}

@@ -1,0 +1,54 @@
+// How much a window depth says about a point.
+#include "catch.hpp"
+#include "reference/scene.hpp"
+
+using namespace viewproj;
+using namespace reference;
+
+TEST_CASE("A point from its rounded window depth is within the bound it comes with, and the bound is no excuse") {
+  int points = 0, infinite = 0, tight = 0;
+  for (std::uint64_t trial = 0; trial < 4000; ++trial) {
+    Random random(trial + 4000000);
+    const Scene scene = randomScene(random, random.spread(1e-3, 1e6));
+    const Truth truth(scene);
+    const Camera camera = build(scene);
+    const Viewport& v = camera.viewport;
+    for (int i = 0; i < 4; ++i) {
+      const Vec2 pixel{v.x + v.width * random.uniform(0, 1), v.y + v.height * random.uniform(0, 1)};
+      const double far = std::isinf(scene.far) ? scene.near * 1e17 : scene.far;
+      const double distance =
+          truth.lens.orthographic ? random.uniform(scene.near, far) : random.spread(scene.near, far);
+      const Truth::Window window = truth.window(pixel.x, pixel.y);
+      const Real3 want = truth.pointAt(window, distance);
+      const Real h = truth.lens.orthographic ? window.right : window.right * Real(distance);
+      const Real u = truth.lens.orthographic ? window.up : window.up * Real(distance);
+      const double depth = double(truth.screen({h, u, distance}).depth);
+      const WorldPoint got = screenToWorld(camera, pixel, depth);
+      INFO("trial " << trial << ": " << describe(scene) << ", distance " << distance << ", depth " << depth);
+      if (got.status != DepthStatus::point || std::isinf(got.bound)) {
+        ++infinite;
+        continue;
+      }
+      ++points;
+      const double error = double(length(toReal(got.position) - want));
+      REQUIRE(error <= got.bound);
+      tight += error > 0.1 * got.bound;
+    }
+  }
+  CAPTURE(points, infinite, tight);
+  CHECK(points > 5000);
+  CHECK(infinite > 100);
+  CHECK(tight > points / 4);
+}
+
+TEST_CASE("A depth near 1 says little: one step of it, far beyond near, is metres") {
+  const Camera camera = makeCamera(lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Handedness::right),
+                                   perspectiveFovY(60, 1, 0.1, kInfiniteFar), {100, 100});
+  // 10 km away, near 0.1: a float32 depth buffer's step just below 1 is 2^-24.
+  CHECK(distancePerDepth(camera, {50, 50}, 1e4) == Approx(1e9).epsilon(1e-12));
+  CHECK(distancePerDepth(camera, {50, 50}, 1e4) * 0x1p-24 == Approx(59.6).epsilon(1e-3));
+  const ScreenPoint p = worldToScreen(camera, Vec3{0, 0, -1e12});
+  const WorldPoint back = screenToWorld(camera, {p.x, p.y}, p.depth);
+  CHECK(back.bound > 1e7);
+  CHECK(std::fabs(back.position.z + 1e12) <= back.bound);
+}
