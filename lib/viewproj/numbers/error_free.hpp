@@ -44,8 +44,8 @@ constexpr DoubleDouble quickTwoSum(double a, double b) noexcept {
 constexpr DoubleDouble twoProd(double a, double b) noexcept {
   const double product = a * b;
 #ifdef __FMA__
-  return {product, __builtin_fma(a, b, -product)};
-#else
+  if (!__builtin_is_constant_evaluated()) return {product, __builtin_fma(a, b, -product)};
+#endif
   constexpr double splitter = 0x1p27 + 1;
   const double aScaled = splitter * a;
   const double bScaled = splitter * b;
@@ -54,7 +54,6 @@ constexpr DoubleDouble twoProd(double a, double b) noexcept {
   const double aLow = a - aHigh;
   const double bLow = b - bHigh;
   return {product, ((aHigh * bHigh - product) + aHigh * bLow + aLow * bHigh) + aLow * bLow};
-#endif
 }
 
 }  // namespace viewproj

@@ -39,6 +39,17 @@ struct ScalarLanes {
   }
 };
 
+/// The conjunction of conditions, lane by lane.
+inline bool all(bool a, bool b) { return a && b; }
+template <class A, class B>
+inline A all(A a, B b) {
+  return a & b;
+}
+template <class A, class B, class... More>
+inline A all(A a, B b, More... more) {
+  return all(all(a, b), more...);
+}
+
 /// Which parts of a formula a camera needs.
 template <bool IsOrthographic, bool HasResidual, bool HasBand>
 struct Traits {
@@ -120,10 +131,10 @@ class WindowFormula {
       // Not so near the eye plane that the sign of w is uncertain, and where nothing over- or underflows.
       const V least = L::larger(reach * sign_, smallest_ - V{});
       const Mask inRange = reach < reach_;
-      r.valid = inRange & (w > least);
-      r.behind = inRange & (w < -least);
+      r.valid = all(inRange, w > least);
+      r.behind = all(inRange, w < -least);
     }
-    if constexpr (Traits::band) r.valid = r.valid & (L::absolute(r.x) < bandX_) & (L::absolute(r.y) < bandY_);
+    if constexpr (Traits::band) r.valid = all(r.valid, L::absolute(r.x) < bandX_, L::absolute(r.y) < bandY_);
     return r;
   }
 
@@ -245,7 +256,7 @@ class ExactFormula {
     const Pair<D> w = dot(w_, d, residual_.z);
     D reach = L::absolute(d[0].hi) + L::absolute(d[1].hi) + L::absolute(d[2].hi);
     if constexpr (Traits::residual) reach = reach + residualReach_;
-    const M inRange = (reach < reach_) & (reach > kSmallestReachExact);
+    const M inRange = all(reach < reach_, kSmallestReachExact < reach);
     constexpr double kParameter = kZivMargin * kExactParameter;
     Projected<D, M> r;
     r.distance = w.hi;
@@ -258,8 +269,8 @@ class ExactFormula {
       r.x = sx.hi;
       r.y = sy.hi;
       r.depth = z.hi;
-      r.valid = inRange & certain(sx, error + (errorCenterX_ + L::absolute(x.hi) * kParameter)) &
-                certain(sy, error + (errorCenterY_ + L::absolute(y.hi) * kParameter)) & certain(z, errorZ);
+      r.valid = all(inRange, certain(sx, error + (errorCenterX_ + L::absolute(x.hi) * kParameter)),
+                    certain(sy, error + (errorCenterY_ + L::absolute(y.hi) * kParameter)), certain(z, errorZ));
       r.behind = reach < D{};
     } else {
       const D perW = 1.0 / w.hi;
@@ -273,10 +284,10 @@ class ExactFormula {
       r.y = sy.hi;
       r.depth = z.hi;
       const D least = reach * kSignUncertaintyExact;
-      r.valid = inRange & (w.hi > least) & certain(sx, L::absolute(qx.hi) * relative + (error + errorCenterX_)) &
-                certain(sy, L::absolute(qy.hi) * relative + (error + errorCenterY_)) &
-                certain(z, L::absolute(qz.hi) * relative + errorOffset_);
-      r.behind = inRange & (w.hi < -least);
+      r.valid = all(inRange, w.hi > least, certain(sx, L::absolute(qx.hi) * relative + (error + errorCenterX_)),
+                    certain(sy, L::absolute(qy.hi) * relative + (error + errorCenterY_)),
+                    certain(z, L::absolute(qz.hi) * relative + errorOffset_));
+      r.behind = all(inRange, w.hi < -least);
     }
     return r;
   }

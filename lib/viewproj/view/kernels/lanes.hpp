@@ -6,6 +6,8 @@
 
 #include <immintrin.h>
 
+#include <cstdint>
+
 #include "viewproj/view/kernels/formulas.hpp"
 
 namespace viewproj {
@@ -21,8 +23,8 @@ constexpr int kLanes = 2;
 
 typedef double DoubleLanes __attribute__((vector_size(kLanes * 8)));
 typedef float FloatLanes __attribute__((vector_size(kLanes * 8)));
-typedef long long MaskLanes __attribute__((vector_size(kLanes * 8)));
-typedef int FloatMaskLanes __attribute__((vector_size(kLanes * 8)));
+typedef std::int64_t MaskLanes __attribute__((vector_size(kLanes * 8)));
+typedef std::int32_t FloatMaskLanes __attribute__((vector_size(kLanes * 8)));
 /// The same, at any address.
 typedef double LooseLanes __attribute__((vector_size(kLanes * 8), aligned(8), may_alias));
 
@@ -33,7 +35,7 @@ struct VectorLanes {
   using M = MaskLanes;
   using FM = FloatMaskLanes;
 
-  static constexpr long long kSign = static_cast<long long>(0x8000000000000000ull);
+  static constexpr std::int64_t kSign = INT64_MIN;
 
   /// Not 0 + a, which is an addition; a - 0 is a itself.
   static D splat(double a) { return a - D{}; }
