@@ -1,137 +1,14 @@
 // Cameras and points at the ends of what doubles can say.
-#include <functional>
-#include <set>
+#include <vector>
 
 #include "catch.hpp"
+#include "reference/bounds/families.hpp"
 #include "reference/exactness.hpp"
 #include "reference/scene.hpp"
 #include "viewproj/numbers/degrees.hpp"
 
 using namespace viewproj;
 using namespace reference;
-
-namespace {
-
-/// A plain camera: 60 degrees, 1920x1080, looking from a random place in a random direction.
-Scene plainScene(Random& r) {
-  Scene s;
-  s.position = r.vector(100);
-  s.target = r.vector(100);
-  s.near = 0.1;
-  s.far = 1000;
-  return s;
-}
-
-void scaleScene(Scene& s, double k) {
-  for (Vec3* v : {&s.position, &s.target})
-    for (std::size_t i = 0; i < 3; ++i) (*v)[i] *= k;
-  s.near *= k;
-  s.far *= k;
-}
-
-void nearlyParallelUp(Random& r, Scene& s, double angle) {
-  const Vec3 jitter = r.vector(angle);
-  for (std::size_t i = 0; i < 3; ++i) s.up[i] = s.target[i] - s.position[i];
-  const double size = maxAbs(s.up);
-  for (std::size_t i = 0; i < 3; ++i) s.up[i] = s.up[i] / size + jitter[i];
-}
-
-void moveTo(Random& r, Scene& s, double distance) {
-  const Vec3 way = r.vector(10);
-  s.position = r.vector(distance);
-  for (std::size_t i = 0; i < 3; ++i) s.target[i] = s.position[i] + std::max(1.0, distance * 1e-9) * way[i];
-}
-
-struct Family {
-  const char* name;
-  std::function<void(Random&, Scene&)> make;
-  int fewestVisible = 50;  ///< doubles are too coarse for a window of 1e-30 degrees
-};
-
-const Family kFamilies[] = {
-    {"ordinary", [](Random&, Scene&) {}},
-    {"far/near 1e15", [](Random&, Scene& s) { s.far = s.near * 1e15; }},
-    {"far/near 1e300", [](Random&, Scene& s) { s.near = 1e-3, s.far = 1e297; }},
-    {"near 1e-300, far 1e300", [](Random&, Scene& s) { s.near = 1e-300, s.far = 1e300; }},
-    {"infinite far", [](Random&, Scene& s) { s.far = kInfiniteFar; }},
-    {"reversed infinite", [](Random&, Scene& s) { s.far = kInfiniteFar, s.convention.reverseZ = true; }},
-    {"fov 1e-6", [](Random&, Scene& s) { s.fov = 1e-6; }},
-    {"fov 1e-30", [](Random&, Scene& s) { s.fov = 1e-30; }, 0},
-    {"fov 1e-100", [](Random&, Scene& s) { s.fov = 1e-100; }, 0},
-    {"fov 179.9", [](Random&, Scene& s) { s.fov = 179.9; }},
-    {"fov 179.999999", [](Random&, Scene& s) { s.fov = 179.999999; }},
-    {"fov next to 180", [](Random&, Scene& s) { s.fov = std::nextafter(180, 0); }},
-    {"ECEF", [](Random& r, Scene& s) { moveTo(r, s, 6.4e6); }},
-    {"eye 1e12", [](Random& r, Scene& s) { moveTo(r, s, 1e12); }},
-    {"scale 1e-160", [](Random&, Scene& s) { scaleScene(s, 1e-160); }},
-    {"scale 1e200", [](Random&, Scene& s) { scaleScene(s, 1e200); }},
-    {"scale 1e-300", [](Random&, Scene& s) { scaleScene(s, 1e-300); }},
-    {"scale 1e300", [](Random&, Scene& s) { scaleScene(s, 1e300); }},
-    {"up 1e-8 off parallel", [](Random& r, Scene& s) { nearlyParallelUp(r, s, 1e-8); }},
-    {"up 1e-15 off parallel", [](Random& r, Scene& s) { nearlyParallelUp(r, s, 1e-15); }},
-    {"off-centre tile of 1e-9",
-     [](Random& r, Scene& s) {
-       s.lensKind = LensKind::frustum;
-       s.left = r.uniform(-1, 1), s.bottom = r.uniform(-1, 1);
-       s.right = s.left + 1e-9, s.top = s.bottom + 1e-9;
-     }},
-    {"depth slab of 1e-12", [](Random&, Scene& s) { s.far = s.near * (1 + 1e-12); }},
-    {"orthographic at 1e9",
-     [](Random& r, Scene& s) {
-       moveTo(r, s, 1e9);
-       s.lensKind = LensKind::orthographic;
-       s.left = -10, s.right = 10, s.bottom = -5, s.top = 5;
-     }},
-};
-
-/// Points inside the view, then ones next to its edge and next to the eye plane.
-Vec3 randomPoint(Random& r, const Truth& truth, int i) {
-  if (i == 0) return pointInView(r, truth, 3);
-  return pointInView(r, truth);
-}
-
-}  // namespace
-
-TEST_CASE("Exact projection and rays keep their promise in every extreme family") {
-  for (const Family& family : kFamilies) {
-    int visible = 0;
-    double worstRay = 0;
-    for (std::uint64_t trial = 0; trial < 200; ++trial) {
-      Random random(trial);
-      Scene scene = plainScene(random);
-      family.make(random, scene);
-      const Truth truth(scene);
-      const Camera camera = build(scene);
-      INFO(family.name << ", trial " << trial << ": " << describe(scene));
-      for (int i = 0; i < 4; ++i) {
-        const Vec3 point = randomPoint(random, truth, i);
-        const Truth::View view = truth.view(toReal(point));
-        if (!truth.lens.orthographic && !(view.forward > Real(0))) {
-          REQUIRE(worldToScreen(camera, point).status == PointStatus::behind);
-          continue;
-        }
-        const Truth::Screen screen = truth.screen(view);
-        const ScreenPoint got = worldToScreen(camera, point);
-        CAPTURE(i, got.x, double(screen.x), got.depth, double(screen.depth), got.viewDistance, double(view.forward));
-        REQUIRE(isExact(got.x, screen.x, 1920));
-        REQUIRE(isExact(got.y, screen.y, 1920));
-        REQUIRE(isExact(got.depth, screen.depth, 1));
-        REQUIRE(isExact(got.viewDistance, view.forward, scene.near));
-        visible += got.visible();
-      }
-      const Vec2 pixel{random.uniform(0, 1920), random.uniform(0, 1080)};
-      const Real3 direction = truth.direction(truth.window(pixel.x, pixel.y));
-      for (Precision precision : {Precision::standard, Precision::exact}) {
-        const double off = angle(toReal(screenToRay(camera, pixel, precision).direction), direction);
-        worstRay = std::max(worstRay, off);
-        REQUIRE(off <= kRayDirectionBound);
-      }
-    }
-    INFO(family.name);
-    CAPTURE(worstRay);
-    CHECK(visible >= family.fewestVisible);
-  }
-}
 
 TEST_CASE("Next to the eye plane the side is exact, and so is the screen position") {
   int onPlane = 0, inFront = 0, behind = 0;
@@ -290,4 +167,189 @@ TEST_CASE("The tangent of half an angle is within its bound from 1e-200 degrees 
     REQUIRE(error <= kTanHalfDegreesBound);
   }
   CHECK(worst > 0x1p-110);
+}
+
+TEST_CASE("The last digit of window depth is worth W^2 / depthScale of distance: near 1 that says little") {
+  for (const double ratio : {1e6, 1e9, 1e12, 1e15})
+    for (const bool reversed : {false, true}) {
+      double worstOff = 0, worthNearFar = 0;
+      for (std::uint64_t trial = 0; trial < 500; ++trial) {
+        Random random(trial);
+        Scene scene;
+        scene.position = {0, 0, 0};
+        scene.target = {0, 0, -1};
+        scene.near = random.spread(1e-3, 1e3);
+        scene.far = scene.near * ratio;
+        scene.convention.reverseZ = reversed;
+        const Camera camera = build(scene);
+        const bool isNearFar = trial % 2;
+        const double w = isNearFar ? scene.far * random.uniform(0.5, 0.9) : random.spread(scene.near * 2, scene.far);
+        const double depth = worldToScreen(camera, Vec3{0, 0, -w}).depth;
+        const double next = std::nextafter(depth, 0);
+        const auto distanceAt = [&](double z) { return -screenToWorld(camera, {960, 540}, z).position.z; };
+        const double here = distanceAt(depth), there = distanceAt(next);
+        // dz = -depthScale dW / W^2; W here times W there instead of W^2 is exact for a finite step.
+        const double worth = here * there / std::fabs(camera.constants.depthScale.hi) * (depth - next);
+        INFO("far/near " << ratio << ", reversed " << reversed << ", trial " << trial << ": distance " << w);
+        CAPTURE(here, there, depth, worth);
+        REQUIRE(std::fabs(here - there) == Approx(worth).epsilon(1e-9).margin(4e-16 * w));
+        // The point comes back as nearly as half a digit of depth tells.
+        worstOff = std::max(worstOff, std::fabs(here - w) / (worth + 4e-16 * w));
+        REQUIRE(std::fabs(here - w) <= 1.01 * worth + 4e-16 * w);
+        if (isNearFar) worthNearFar = std::max(worthNearFar, worth / w);
+      }
+      CAPTURE(ratio, reversed, worstOff, worthNearFar);
+      CHECK(worstOff > 0.2);
+      // Relative to the distance: about far/near rounding units, or about one in reversed depth.
+      CHECK(worthNearFar > (reversed ? 0x1p-55 : ratio * 0x1p-54));
+      CHECK(worthNearFar < (reversed ? 0x1p-50 : ratio * 0x1p-52));
+    }
+}
+
+TEST_CASE("A number that is not finite makes no camera, whichever of a camera's numbers it is") {
+  struct Field {
+    const char* name;
+    double& (*of)(Scene&);
+  };
+  struct Kind {
+    PoseKind pose;
+    LensKind lens;
+    std::vector<Field> fields;
+  };
+#define FIELD(member)                                      \
+  Field {                                                  \
+#member, [](Scene & s) -> double& { return s.member; } \
+  }
+  const std::vector<Field> always = {
+      FIELD(near),
+      FIELD(far),
+      FIELD(shiftX),
+      FIELD(shiftY),
+      FIELD(viewport.width),
+      FIELD(viewport.height),
+      FIELD(viewport.x),
+      FIELD(viewport.y),
+      FIELD(viewport.pixelCenter),
+      FIELD(viewport.depthFirst),
+      FIELD(viewport.depthSecond),
+  };
+  const std::vector<Field> ofCrop = {FIELD(crop.x), FIELD(crop.y), FIELD(crop.width), FIELD(crop.height)};
+  const Kind kinds[] = {
+      {PoseKind::target,
+       LensKind::fovY,
+       {FIELD(fov), FIELD(position.x), FIELD(position.y), FIELD(position.z), FIELD(target.x), FIELD(target.y),
+        FIELD(target.z), FIELD(up.x), FIELD(up.y), FIELD(up.z)}},
+      {PoseKind::direction, LensKind::fovX, {FIELD(fov), FIELD(position.y), FIELD(target.x), FIELD(up.z)}},
+      {PoseKind::rotation,
+       LensKind::fovDiagonal,
+       {FIELD(fov), FIELD(position.z), FIELD(rotation.x), FIELD(rotation.y), FIELD(rotation.z), FIELD(rotation.w)}},
+      {PoseKind::worldFromCamera,
+       LensKind::nearSize,
+       {FIELD(right), FIELD(top), FIELD(matrix[0][0]), FIELD(matrix[1][2]), FIELD(matrix[2][3]), FIELD(matrix[3][3])}},
+      {PoseKind::cameraFromWorld,
+       LensKind::frustum,
+       {FIELD(left), FIELD(right), FIELD(bottom), FIELD(top), FIELD(matrix[0][0]), FIELD(matrix[1][3]),
+        FIELD(matrix[3][0])}},
+      {PoseKind::target, LensKind::sensorBoth, {FIELD(sensorWidth), FIELD(sensorHeight), FIELD(focalLength)}},
+      {PoseKind::target, LensKind::sensorWidth, {FIELD(sensorWidth), FIELD(focalLength)}},
+      {PoseKind::target, LensKind::sensorHeight, {FIELD(sensorHeight), FIELD(focalLength)}},
+      {PoseKind::target, LensKind::intrinsics, {FIELD(fx), FIELD(fy), FIELD(cx), FIELD(cy)}},
+      {PoseKind::target, LensKind::orthographic, {FIELD(left), FIELD(right), FIELD(bottom), FIELD(top)}},
+  };
+#undef FIELD
+  int rejected = 0;
+  for (const Kind& kind : kinds)
+    for (const bool hasCrop : {false, true}) {
+      Random random(1);
+      Scene good = plainScene(random);
+      good.poseKind = kind.pose;
+      good.lensKind = kind.lens;
+      good.matrix.m = {{{1, 0, 0, 5}, {0, 1, 0, 6}, {0, 0, 1, 7}, {0, 0, 0, 1}}};
+      good.hasCrop = hasCrop;
+      good.crop = {10, 20, 30, 40};
+      REQUIRE_NOTHROW(build(good));
+      std::vector<Field> fields = kind.fields;
+      fields.insert(fields.end(), always.begin(), always.end());
+      if (hasCrop) fields.insert(fields.end(), ofCrop.begin(), ofCrop.end());
+      for (const Field& field : fields)
+        for (const double bad : {double(NAN), double(INFINITY), -double(INFINITY)}) {
+          Scene scene = good;
+          double& number = field.of(scene);
+          number = bad;
+          if (&number == &scene.far && bad > 0 && kind.lens != LensKind::orthographic) continue;
+          INFO("lens kind " << int(kind.lens) << ", crop " << hasCrop << ", " << field.name << " = " << bad);
+          CHECK_THROWS_AS(build(scene), CameraError);
+          ++rejected;
+        }
+    }
+  CHECK(rejected > 500);
+}
+
+TEST_CASE("A point or a pixel that is not finite gives no number, in every precision") {
+  Random random(1);
+  const Camera camera = build(plainScene(random));
+  for (const double bad : {double(NAN), double(INFINITY), -double(INFINITY)}) {
+    for (std::size_t i = 0; i < 3; ++i)
+      for (Precision precision : {Precision::fast, Precision::standard, Precision::exact}) {
+        Vec3 point{1, 2, 3};
+        point[i] = bad;
+        const ScreenPoint got = worldToScreen(camera, point, precision);
+        INFO("component " << i << " = " << bad << ", precision " << int(precision));
+        CHECK(got.status == PointStatus::notFinite);
+        CHECK((std::isnan(got.x) && std::isnan(got.y) && std::isnan(got.depth) && std::isnan(got.viewDistance)));
+        CHECK(std::isinf(boundOfPoint(camera, point, precision).screen));
+      }
+    CHECK(worldToScreen(camera, Vec4{1, 2, 3, bad}).status == PointStatus::notFinite);
+    for (const Vec2& pixel : {Vec2{bad, 1}, Vec2{1, bad}}) {
+      CHECK(std::isnan(screenToRay(camera, pixel).direction.x));
+      CHECK(screenToWorld(camera, pixel, 0.5).status == DepthStatus::notFinite);
+    }
+    CHECK(screenToWorld(camera, {1, 1}, bad).status == DepthStatus::notFinite);
+  }
+}
+
+TEST_CASE("The sign of a zero in a point or in a camera changes no number") {
+  const auto zero = [](std::uint64_t bits, int which) { return bits >> which & 1 ? -0.0 : 0.0; };
+  for (std::uint64_t bits = 0; bits < 256; ++bits) {
+    Scene plus, minus;
+    plus.position = {0, 0, 3};
+    plus.target = {0, 0, 0};
+    minus.position = {zero(bits, 0), zero(bits, 1), 3};
+    minus.target = {zero(bits, 2), zero(bits, 3), zero(bits, 4)};
+    minus.up = {zero(bits, 5), 1, zero(bits, 6)};
+    plus.convention.reverseZ = minus.convention.reverseZ = bits >> 7 & 1;
+    for (const LensKind lens : {LensKind::fovY, LensKind::orthographic}) {
+      plus.lensKind = minus.lensKind = lens;
+      const Camera a = build(plus), b = build(minus);
+      for (const Vec3& point : {Vec3{0, 0, 0}, Vec3{-0.0, 0, -0.0}, Vec3{0, 1, -0.0}, Vec3{-0.0, -0.0, -10}})
+        for (Precision precision : {Precision::fast, Precision::standard, Precision::exact}) {
+          const Vec3 same{point.x + 0.0, point.y + 0.0, point.z + 0.0};
+          const ScreenPoint p = worldToScreen(a, same, precision), q = worldToScreen(b, point, precision);
+          INFO("signs " << bits << ", precision " << int(precision));
+          REQUIRE(p.status == PointStatus::inFront);
+          REQUIRE((p.x == q.x && p.y == q.y && p.depth == q.depth && p.viewDistance == q.viewDistance));
+          REQUIRE(p.outside == q.outside);
+        }
+      REQUIRE(screenToRay(a, {960, 540}).direction == screenToRay(b, {960, 540}).direction);
+    }
+  }
+}
+
+TEST_CASE("A pixel at a distance is unprojected exactly from the smallest to the largest scale") {
+  for (const double scale : {1e-300, 1e-160, 1e200, 1e290, 1e300, 1e305})
+    for (std::uint64_t trial = 0; trial < 100; ++trial) {
+      Random random(trial);
+      Scene scene = plainScene(random);
+      scene.far = 100;
+      scaleScene(scene, scale);
+      const Truth truth(scene);
+      const Camera camera = build(scene);
+      const Vec2 pixel{random.uniform(0, 1920), random.uniform(0, 1080)};
+      const double distance = random.spread(scene.near, scene.far);
+      const WorldPoint got = screenToWorldAtDistance(camera, pixel, distance);
+      INFO("scale " << scale << ", trial " << trial << ": distance " << distance);
+      REQUIRE(got.status == DepthStatus::point);
+      const Real3 want = truth.pointAt(truth.window(pixel.x, pixel.y), distance);
+      for (std::size_t i = 0; i < 3; ++i) REQUIRE(isExact(got.position[i], want[i], scale));
+    }
 }

@@ -30,6 +30,8 @@ class Real {
   /// The nearest double.
   explicit operator double() const { return mpfr_get_d(value_, MPFR_RNDN); }
 
+  mpfr_srcptr value() const { return value_; }
+
   friend Real operator+(const Real& a, const Real& b) { return with(a, b, mpfr_add); }
   friend Real operator-(const Real& a, const Real& b) { return with(a, b, mpfr_sub); }
   friend Real operator*(const Real& a, const Real& b) { return with(a, b, mpfr_mul); }

@@ -72,6 +72,7 @@ Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport
   k.depthScale = depth.scale;
   k.sizeXY = std::max(maxAbs(k.x), maxAbs(k.y));
   k.sizeW = maxAbs(k.w);
+  k.farthest = std::max(std::fabs(projection.near), std::fabs(projection.far));
   k.residualReach = std::max(std::max(std::fabs(k.residual.x.hi), std::fabs(k.residual.y.hi)) / k.sizeXY,
                              std::fabs(k.residual.z.hi) / k.sizeW);
   k.rayX = rounded(pose.columns.right * (DoubleDouble(1) / map.scaleX));

@@ -29,6 +29,7 @@ void validate(const Viewport& v) {
 }
 
 Viewport cropped(const Viewport& viewport, const Crop& crop) {
+  validate(viewport);
   requirePositive(crop.width, "viewport.crop.width");
   requirePositive(crop.height, "viewport.crop.height");
   requireFinite(crop.x, "viewport.crop.x");

@@ -15,9 +15,10 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double oneNorm(const Vec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
 
-/// Half a unit in the last place of numbers up to this size.
+/// Half a unit in the last place of numbers up to this size; infinite where they have overflowed.
 double halfUlp(double size) {
   size = std::fabs(size);
+  if (!std::isfinite(size)) return kInfinity;
   return (std::nextafter(size, kInfinity) - size) / 2;
 }
 
@@ -55,8 +56,11 @@ ErrorBound boundOfExact(const Camera& c, const ScreenPoint& p) {
   const double size = std::max(std::fabs(p.x), std::fabs(p.y));
   const double picture = std::max(c.viewport.width, c.viewport.height);
   const double undecided = p.certain ? 0 : kExactAbsolute;
+  const double scale = std::fabs(c.constants.depthScale.hi);
+  const double fromDistance =
+      kExactDistance * (c.projection.orthographic ? scale * std::fabs(p.viewDistance) : scale / p.viewDistance);
   return {std::max(halfUlp(size) * 2 * kExactUlps, undecided * picture),
-          std::max(halfUlp(p.depth) * 2 * kExactUlps, undecided)};
+          std::max(halfUlp(p.depth) * 2 * kExactUlps, p.certain ? 0 : std::max(kExactAbsolute, fromDistance))};
 }
 
 }  // namespace

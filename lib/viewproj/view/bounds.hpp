@@ -75,6 +75,10 @@ struct PictureReach {
 
 PictureReach pictureReach(const Camera& camera, double band) noexcept;
 
+/// exact, of a window depth that is not certain: the distance is known to this share, and the depth to this share of
+/// depthScale / W (perspective) or depthScale W (orthographic). It counts in slabs of far/near - 1 below 1e-11.
+inline constexpr double kExactDistance = 0x1p-96;
+
 /// The largest error of screen x and y, in pixels, and of window depth. Infinite where nothing is promised.
 struct ErrorBound {
   double screen = 0;

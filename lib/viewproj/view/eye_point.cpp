@@ -92,7 +92,8 @@ EyePoint toEye(const Pose& pose, const Vec4& point) noexcept {
 
 EyePoint toEyeExactly(const Pose& pose, const Vec4& point) noexcept {
   const ExactRows& rows = pose.exact;
-  const int k = scaleExponent(point, rows.origin, rows.translation) - 2;
+  // Well above 1, so that distances far below the largest coordinate keep their digits too.
+  const int k = scaleExponent(point, rows.origin, rows.translation) + 500;
   const Vec3 p = scaled({point.x, point.y, point.z}, k);
   const Vec3 origin = scaled(rows.origin, k);
   const Vec3 translation = scaled(rows.translation, k);

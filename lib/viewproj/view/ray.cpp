@@ -34,8 +34,15 @@ DDVec3 offsetAt(const Camera& c, const WindowPoint& at, DoubleDouble distance) n
 }
 
 /// The world point at a window position and distance.
-Vec3 worldPointAt(const Camera& c, const WindowPoint& at, DoubleDouble distance) noexcept {
-  return rounded(unroundedEye(c.pose) + offsetAt(c, at, distance));
+Vec3 worldPointAt(const Camera& c, WindowPoint at, DoubleDouble distance) noexcept {
+  // Scaled down where a product would overflow on the way.
+  const bool huge = std::max(std::fabs(distance.hi), maxAbs(c.pose.eye)) > 0x1p900;
+  if (!huge) return rounded(unroundedEye(c.pose) + offsetAt(c, at, distance));
+  constexpr int kDown = -200;
+  if (c.projection.orthographic) at = {scaleByPowerOfTwo(at.right, kDown), scaleByPowerOfTwo(at.up, kDown)};
+  const Vec3 p =
+      rounded(scaleByPowerOfTwo(unroundedEye(c.pose), kDown) + offsetAt(c, at, scaleByPowerOfTwo(distance, kDown)));
+  return {std::ldexp(p.x, -kDown), std::ldexp(p.y, -kDown), std::ldexp(p.z, -kDown)};
 }
 
 Vec3 originAt(const Camera& c, const WindowPoint& at, RayOrigin origin) noexcept {

@@ -35,74 +35,93 @@ std::uint8_t sidesBeyond(const Camera& c, const ScreenPoint& p) noexcept {
   return static_cast<std::uint8_t>(sides);
 }
 
-/// A number and how far it may be from the true one.
+/// value * 2^exponent, and how far value may be from the true one.
 struct Bounded {
   DoubleDouble value;
   double error = 0;
+  int exponent = 0;
 
-  /// Whether every number within the error rounds to the same double (Ziv's test).
+  /// Whether every number within the error rounds to the same double (Ziv's test), and the exponent does not round
+  /// again.
   bool certain() const noexcept {
-    return value.hi + (value.lo + error) == value.hi && value.hi + (value.lo - error) == value.hi;
+    const bool settled = value.hi + (value.lo + error) == value.hi && value.hi + (value.lo - error) == value.hi;
+    return settled && (exponent == 0 || std::isnormal(std::ldexp(value.hi, exponent)));
   }
 };
 
 /// Relative error of an operation in double-double, and of a camera's derived numbers (edges, scales, shares).
 constexpr double kOperation = 0x1p-101;
 constexpr double kParameter = 0x1p-98;
+/// What low parts may lose below the smallest double.
+constexpr double kUnderflow = 0x1p-1070;
+/// Beyond this the splitting of a product would overflow.
+constexpr double kLargestFactor = 0x1p900;
 
 /// Adding 0 turns -0 into 0.
-double rounded(const Bounded& b) noexcept { return b.value.hi + 0.0; }
+double rounded(const Bounded& b) noexcept { return std::ldexp(b.value.hi, b.exponent) + 0.0; }
 
-/// a / b; in double alone where double-double would overflow on the way.
-DoubleDouble quotient(DoubleDouble a, DoubleDouble b) noexcept {
-  const double approximate = a.hi / b.hi;
-  return std::fabs(approximate) < 0x1p960 ? a / b : DoubleDouble(approximate);
+/// The same number with exponent 0.
+Bounded plain(const Bounded& b) noexcept {
+  return {scaleByPowerOfTwo(b.value, b.exponent), std::ldexp(b.error, b.exponent) + kUnderflow, 0};
 }
 
 /// X / W with both off by at most `error`: |X/W - x/w| <= error (1 + |x/w|) / (|w| - error).
 Bounded windowCoordinate(DoubleDouble x, DoubleDouble w, double error) noexcept {
-  const DoubleDouble q = quotient(x, w);
+  const bool large = !(std::fabs(x.hi / w.hi) < kLargestFactor);
+  const double scale = large ? 0x1p-600 : 1;
+  const DoubleDouble q = timesPowerOfTwo(x, scale) / w;
   const double size = std::fabs(q.hi);
-  return {q, error * (1 + size) / (std::fabs(w.hi) - error) + kOperation * size};
+  return {q, error * (scale + size) / (std::fabs(w.hi) - error) + kOperation * size, large ? 600 : 0};
 }
 
-/// center + scale * h; the plain formula where double-double has no finite value.
-Bounded screenCoordinate(DoubleDouble center, DoubleDouble scale, const Bounded& h) noexcept {
+/// center + scale * h.
+Bounded screenCoordinate(DoubleDouble center, DoubleDouble scale, Bounded h) noexcept {
+  if (!(std::fabs(scale.hi * h.value.hi) < kLargestFactor)) {
+    h.value = timesPowerOfTwo(h.value, 0x1p-600);
+    h.error *= 0x1p-600;
+    h.exponent += 600;
+  }
   const DoubleDouble step = scale * h.value;
-  const DoubleDouble value = sumOrZero(center, step);
-  if (std::isnan(value.hi)) return {center.hi + scale.hi * h.value.hi, 0};
-  return {value, std::fabs(scale.hi) * h.error + kParameter * (std::fabs(center.hi) + std::fabs(step.hi))};
+  const DoubleDouble value = sumOrZero(scaleByPowerOfTwo(center, -h.exponent), step);
+  const double size = std::fabs(std::ldexp(center.hi, -h.exponent)) + std::fabs(step.hi);
+  return {value, std::fabs(scale.hi) * h.error + kParameter * size + kUnderflow, h.exponent};
 }
 
 /// Window depth at distance w > 0, from the nearer end of the depth range: near's and far's shares of it are
 ///   perspective   n (f - w) / ((f - n) w)   and   f (w - n) / ((f - n) w)
 ///   orthographic  (f - w) / (f - n)         and   (w - n) / (f - n)
 Bounded windowDepth(const Camera& c, const Bounded& distance) noexcept {
-  const DoubleDouble& w = distance.value;
   double n = c.projection.near, f = c.projection.far;
   DoubleDouble shareOfNear, shareOfFar;
-  double sensitivity;  // of the depth to the distance
+  double distanceError;  // in shares
+  int exponent = 0;      // of the shares
   if (c.projection.orthographic) {
-    shareOfNear = sumOrZero(f, -w) * c.farOverRange;
-    shareOfFar = sumOrZero(w, -n) * c.farOverRange;
-    sensitivity = std::fabs(c.constants.depthScale.hi);
+    const Bounded w = plain(distance);
+    shareOfNear = sumOrZero(f, -w.value) * c.farOverRange;
+    shareOfFar = sumOrZero(w.value, -n) * c.farOverRange;
+    distanceError = c.farOverRange.hi * w.error;
   } else {
-    // Brought to the middle of the range first: only ratios count.
-    const double scale = w.hi < 0x1p-400 ? 0x1p600 : w.hi > 0x1p400 ? 0x1p-600 : 1;
-    const DoubleDouble ws = timesPowerOfTwo(w, scale);
-    n *= scale;
-    f *= scale;
-    const DoubleDouble fromFar = f > ws.hi * 0x1p120 ? DoubleDouble(1) : sumOrZero(f, -ws) / DoubleDouble(f);
-    shareOfNear = quotient(n, ws) * fromFar * c.farOverRange;
-    shareOfFar = quotient(sumOrZero(ws, -n), ws) * c.farOverRange;
-    sensitivity = std::fabs(c.constants.depthScale.hi / w.hi / w.hi);
+    // Only ratios count: brought away from the ends of the range first, and the shares too if they are near them.
+    const int size = std::ilogb(distance.value.hi) + distance.exponent;
+    const int shift = size < -400 ? 300 : size > 400 ? -300 : 0;
+    const DoubleDouble w = scaleByPowerOfTwo(distance.value, distance.exponent + shift);
+    n = std::ldexp(n, shift);
+    f = std::ldexp(f, shift);
+    const DoubleDouble fromFar = f > w.hi * 0x1p120 ? DoubleDouble(1) : sumOrZero(f, -w) / DoubleDouble(f);
+    const DoubleDouble toNear = sumOrZero(w, -n);
+    if (!(n / w.hi < kLargestFactor)) exponent = 600;
+    const double scale = exponent ? 0x1p-600 : 1;
+    const DoubleDouble nearOverW = DoubleDouble(n * scale) / w;
+    shareOfNear = nearOverW * fromFar * c.farOverRange;
+    shareOfFar = timesPowerOfTwo(toNear, scale) / w * c.farOverRange;
+    distanceError = nearOverW.hi * c.farOverRange.hi * (distance.error / std::fabs(distance.value.hi));
   }
-  const DoubleDouble first = c.depthAtNear == 0 ? DoubleDouble(0) : DoubleDouble(c.depthAtNear) * shareOfNear;
-  const DoubleDouble second = c.depthAtFar == 0 ? DoubleDouble(0) : DoubleDouble(c.depthAtFar) * shareOfFar;
-  const DoubleDouble depth = first + second;
-  // Next to the eye plane depth may overflow.
-  if (std::isnan(depth.hi)) return {c.constants.depthOffset.hi + c.constants.depthScale.hi / w.hi, 0};
-  return {depth, sensitivity * distance.error + kParameter * (std::fabs(first.hi) + std::fabs(second.hi))};
+  const auto part = [](double of, DoubleDouble share) { return of == 0 ? DoubleDouble(0) : DoubleDouble(of) * share; };
+  const DoubleDouble first = part(c.depthAtNear, shareOfNear);
+  const DoubleDouble second = part(c.depthAtFar, shareOfFar);
+  const double sizes = std::fabs(first.hi) + std::fabs(second.hi);
+  return {first + second, std::fabs(c.depthAtFar - c.depthAtNear) * distanceError + kParameter * sizes + kUnderflow,
+          exponent};
 }
 
 /// Orthographic: a direction runs out of the picture through these sides.
@@ -147,16 +166,15 @@ Attempt directionToScreen(const Camera& c, const EyePoint& e) noexcept {
 Attempt pointToScreen(const Camera& c, const EyePoint& e, double w) noexcept {
   const auto inWorld = [&](DoubleDouble a) {
     const DoubleDouble divided = w == 1 ? a : a / DoubleDouble(w);
-    return Bounded{scaleByPowerOfTwo(divided, e.exponent),
-                   std::ldexp(e.error, e.exponent) + kOperation * std::fabs(std::ldexp(divided.hi, e.exponent))};
+    return Bounded{divided, e.error + kOperation * std::fabs(divided.hi), e.exponent};
   };
   const Bounded distance = inWorld(e.forward);
   ScreenPoint p;
   p.viewDistance = rounded(distance);
   Bounded x, y;
   if (c.projection.orthographic) {
-    x = screenCoordinate(c.screen.centerX, c.screen.scaleX, inWorld(e.right));
-    y = screenCoordinate(c.screen.centerY, c.screen.scaleY, inWorld(e.up));
+    x = screenCoordinate(c.screen.centerX, c.screen.scaleX, plain(inWorld(e.right)));
+    y = screenCoordinate(c.screen.centerY, c.screen.scaleY, plain(inWorld(e.up)));
   } else {
     const bool signCertain = std::fabs(e.forward.hi) > e.error;
     const bool inFront = w > 0 ? e.forward.hi > 0 : e.forward.hi < 0;

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 #include "viewproj/camera/camera.hpp"
 #include "viewproj/view/bounds.hpp"
@@ -100,6 +101,7 @@ class WindowFormula {
         residualReach_(static_cast<T>(k.residualReach * kSecondOrder)),
         bandX_(static_cast<T>(band.x < kLargestBand ? band.x : kLargestBand)),
         bandY_(static_cast<T>(band.y < kLargestBand ? band.y : kLargestBand)),
+        farthest_(band.x < kNoBand ? static_cast<T>(k.farthest) : std::numeric_limits<T>::max()),
         sign_(static_cast<T>(sign)),
         smallest_(static_cast<T>(smallest)),
         reach_(rowsInRange(k, largestRow) ? static_cast<T>(reach) : 0) {}
@@ -121,7 +123,9 @@ class WindowFormula {
       r.x = x;
       r.y = y;
       r.depth = w;
-      r.valid = reach < reach_;
+      r.valid = all(reach < reach_, smallest_ < reach);
+      // The bound of a band is that of points between near and far.
+      if constexpr (Traits::band) r.valid = all(r.valid, L::absolute(w) <= farthest_);
       r.behind = reach < V{};
     } else {
       const V perW = T(1) / w;
@@ -143,7 +147,7 @@ class WindowFormula {
   static constexpr double kLargestBand = sizeof(T) == sizeof(double) ? kNoBand : 0x1p100;
 
   Row<T> x_, y_, w_, residual_;
-  T residualReach_, bandX_, bandY_, sign_, smallest_, reach_;
+  T residualReach_, bandX_, bandY_, farthest_, sign_, smallest_, reach_;
 };
 
 /// standard: double, relative to the eye.
