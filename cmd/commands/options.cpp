@@ -94,11 +94,15 @@ Convention CameraOptions::writing(const CameraFile& file) const {
   return c;
 }
 
-void StreamOptions::add(CLI::App& app, const std::string& what) {
+void StreamOptions::addInput(CLI::App& app, const std::string& what) {
   app.add_option("FILE", file_, "The " + what + "; absent or - for standard input");
   app.add_option("--from", from_, "Form of the input: json, csv, text")->type_name("FORM");
-  app.add_option("--to", to_, "Form of the output: ndjson, json, csv, text")->type_name("FORM");
   app.add_option("--columns", columns_, "CSV columns that hold the coordinates, as in E,N,U")->type_name("NAMES");
+}
+
+void StreamOptions::add(CLI::App& app, const std::string& what) {
+  addInput(app, what);
+  app.add_option("--to", to_, "Form of the output: ndjson, json, csv, text")->type_name("FORM");
   app.add_option("--prefix", prefix_, "Put this in front of the results' names")->type_name("P");
   app.add_flag("--keep-going", keepGoing_, "Put an error record in a bad record's place and go on");
 }
@@ -136,13 +140,31 @@ void StreamOptions::requireOneInput(const FilterSetup& setup, const CameraOption
     throw UsageError("the camera and the records cannot both come from standard input");
 }
 
+void ToleranceOption::add(CLI::App& app) {
+  app.add_option("--tolerance", text_, "Pixels that auto stays within, on screen x and y (default 1e-6)")
+      ->type_name("PX");
+}
+
+double ToleranceOption::value() const {
+  if (!given()) return kDefaultTolerance;
+  const auto tolerance = parseNumber(text_);
+  if (!tolerance || !(*tolerance >= 0))
+    throw UsageError("--tolerance " + text_ + ": expected pixels, a number not below 0");
+  return *tolerance;
+}
+
 void PrecisionOption::add(CLI::App& app) {
-  app.add_option("--precision", name_, "Arithmetic: exact (double-double, the default) or standard (double)")
+  app.add_option("--precision", name_,
+                 "Arithmetic: exact (the default), standard (double), fast (float32), or auto (the cheapest that will "
+                 "do)")
       ->type_name("MODE");
 }
 
-Precision PrecisionOption::value() const {
-  static constexpr NameRow<Precision> kModes[] = {{"exact", Precision::exact}, {"standard", Precision::standard}};
+std::optional<Precision> PrecisionOption::value() const {
+  static constexpr NameRow<std::optional<Precision>> kModes[] = {{"exact", Precision::exact},
+                                                                 {"standard", Precision::standard},
+                                                                 {"fast", Precision::fast},
+                                                                 {"auto", std::nullopt}};
   return choose("--precision", name_, kModes);
 }
 

@@ -37,11 +37,13 @@ class CameraOptions {
   const CLI::Option* reverseZGiven_ = nullptr;
 };
 
-/// The stream of records that `project` and `ray` work on.
+/// The stream of records that a command works on.
 class StreamOptions {
  public:
-  /// what: "points" or "pixels".
+  /// For a filter, with results in the records. what: "points" or "pixels".
   void add(CLI::App& app, const std::string& what);
+  /// For a command that only reads them.
+  void addInput(CLI::App& app, const std::string& what);
 
   /// Throws UsageError for a value that is none.
   FilterSetup setup() const;
@@ -57,10 +59,26 @@ class StreamOptions {
   bool keepGoing_ = false;
 };
 
+/// What `auto` keeps on screen x and y, in pixels, where nothing else is asked for.
+inline constexpr double kDefaultTolerance = 1e-6;
+
+/// --tolerance PX. Throws UsageError for what is no number of pixels.
+class ToleranceOption {
+ public:
+  void add(CLI::App& app);
+  bool given() const { return !text_.empty(); }
+  double value() const;
+
+ private:
+  std::string text_;
+};
+
 class PrecisionOption {
  public:
   void add(CLI::App& app);
-  Precision value() const;
+
+  /// The arithmetic of that name, or nothing for `auto`. Throws UsageError.
+  std::optional<Precision> value() const;
 
  private:
   std::string name_ = "exact";

@@ -15,12 +15,12 @@
 namespace viewproj::cmd {
 namespace {
 
-enum class ResultField { screen, depth, viewDistance, visible, outside, ndc, clip, view };
+enum class ResultField { screen, depth, viewDistance, visible, outside, ndc, clip, view, bound };
 
 constexpr std::pair<std::string_view, ResultField> kFields[] = {
     {"screen", ResultField::screen},   {"depth", ResultField::depth},     {"viewDistance", ResultField::viewDistance},
     {"visible", ResultField::visible}, {"outside", ResultField::outside}, {"ndc", ResultField::ndc},
-    {"clip", ResultField::clip},       {"view", ResultField::view},
+    {"clip", ResultField::clip},       {"view", ResultField::view},       {"bound", ResultField::bound},
 };
 
 struct Fields {
@@ -100,6 +100,9 @@ void writeResults(const Fields& fields, const Camera& camera, const Convention& 
         sink.vector("view", std::array{view.x, view.y, view.z});
         break;
       }
+      case ResultField::bound:
+        sink.number("bound", boundOfPoint(camera, point, p.precision).screen);
+        break;
     }
 }
 
@@ -127,14 +130,17 @@ int runProject(int argc, char** argv) {
   CameraOptions camera;
   StreamOptions stream;
   PrecisionOption precision;
+  ToleranceOption tolerance;
   std::vector<std::string> points;
   std::string fieldList;
   camera.add(app);
   camera.addWriting(app);
   stream.add(app, "points");
   precision.add(app);
+  tolerance.add(app);
   addRepeatable(app, "--point", points, "A point, in place of a file")->type_name("X,Y,Z[,W]");
-  app.add_option("--fields", fieldList, "Results to give: screen,depth,viewDistance,visible,outside,ndc,clip,view")
+  app.add_option("--fields", fieldList,
+                 "Results to give: screen,depth,viewDistance,visible,outside,ndc,clip,view,bound")
       ->type_name("NAMES");
   parse(app, argc, argv);
 
@@ -144,7 +150,9 @@ int runProject(int argc, char** argv) {
   const CameraFile file = camera.read();
   const Camera built = makeCamera(file);
   const Convention writing = camera.writing(file);
-  const Precision arithmetic = precision.value();
+  const std::optional<Precision> arithmetic = precision.value();
+  if (arithmetic && tolerance.given()) throw UsageError("--tolerance is for --precision auto, which chooses by it");
+  const Precision chosen = arithmetic ? *arithmetic : precisionWithin(built, tolerance.value());
   const std::vector<std::string> columns = stream.columns(3, 4);
   setup.csvDefaults = {"x", "y", "z", "w"};
   if (!columns.empty()) setup.csvDefaults = columns;
@@ -153,8 +161,8 @@ int runProject(int argc, char** argv) {
   Fields fields = chooseFields(fieldList, false);
   const Fields textFields = chooseFields(fieldList, true);
   const auto write = [&](const Vec4& point, ResultSink& sink) {
-    writeResults(sink.isText() ? textFields : fields, built, writing, point, worldToScreen(built, point, arithmetic),
-                 sink);
+    const ScreenPoint p = arithmetic ? worldToScreen(built, point, chosen) : worldToScreenWithin(built, chosen, point);
+    writeResults(sink.isText() ? textFields : fields, built, writing, point, p, sink);
   };
   setup.writer.exampleResults = [&](ResultSink& sink) { write({0, 0, 0, 1}, sink); };
   return runFilter(setup, [&](const Record& record, ResultSink& sink) { write(readPoint(record, columns), sink); });

@@ -55,12 +55,15 @@ int runRay(int argc, char** argv) {
   PrecisionOption precision;
   std::vector<std::string> pixels;
   std::string from = "eye";
+  bool wantBound = false;
   camera.add(app);
   stream.add(app, "pixels");
   precision.add(app);
   addRepeatable(app, "--pixel", pixels, "A pixel, in place of a file")->type_name("X,Y[,DEPTH]");
   app.add_option("--ray-from", from, "Where rays begin: eye (the plane through it) or near (the near plane)")
       ->type_name("PLACE");
+  app.add_flag("--bound", wantBound,
+               "Give each point's bound: how far it can be from the true one if its depth was rounded to double");
   parse(app, argc, argv);
 
   FilterSetup setup = stream.setup();
@@ -72,7 +75,8 @@ int runRay(int argc, char** argv) {
   }
   const RayOrigin origin = from == "near" ? RayOrigin::nearPlane : RayOrigin::eye;
   const Camera built = makeCamera(camera.read());
-  const Precision arithmetic = precision.value();
+  // Rays are within kRayDirectionBound in standard already: fast and auto need nothing else.
+  const Precision arithmetic = precision.value() == Precision::exact ? Precision::exact : Precision::standard;
   const std::vector<std::string> columns = stream.columns(2, 2);
   setup.csvDefaults = {"x", "y", "depth"};
   if (!columns.empty()) setup.csvDefaults = columns;
@@ -90,7 +94,9 @@ int runRay(int argc, char** argv) {
     }
     sink.vector("origin", toArray(ray.origin));
     sink.vector("direction", toArray(ray.direction));
-    if (pixel.hasDistance || sink.hasFixedColumns()) sink.vector("point", toArray(point.position));
+    if (!pixel.hasDistance && !sink.hasFixedColumns()) return;
+    sink.vector("point", toArray(point.position));
+    if (wantBound) sink.number("bound", point.status == DepthStatus::point && pixel.screen ? point.bound : kNaN);
   };
   setup.writer.exampleResults = [&](ResultSink& sink) { write({}, sink); };
   return runFilter(setup, [&](const Record& record, ResultSink& sink) { write(readPixel(record, columns), sink); });

@@ -82,9 +82,23 @@ std::unique_ptr<RecordWriter> makeWriter(OutputForm form, const WriterSetup& set
 
 bool isBlank(std::string_view line) { return line.find_first_not_of(" \t\r") == std::string_view::npos; }
 
+/// Drops all that it is told to write.
+class NoWriter final : public RecordWriter {
+ public:
+  void beginRecord(const Record&) override {}
+  void endRecord() override {}
+  void cancelRecord() override {}
+  void badRecord(std::string_view, std::size_t, const std::string&) override {}
+  void number(std::string_view, double) override {}
+  void vector(std::string_view, std::span<const double>) override {}
+  void flag(std::string_view, bool) override {}
+  void names(std::string_view, std::span<const std::string_view>, bool) override {}
+};
+
 class Filter {
  public:
-  Filter(const FilterSetup& setup, const RecordWork& work) : setup_(setup), work_(work), source_(setup) {}
+  Filter(const FilterSetup& setup, const RecordWork& work, bool writes)
+      : setup_(setup), work_(work), writes_(writes), source_(setup) {}
 
   int run() {
     source_.readFirstLine();
@@ -92,9 +106,9 @@ class Filter {
             : setup_.from         ? *setup_.from
                                   : formOfName(setup_.file).value_or(formOfBytes(source_.rest()));
     // JSON keeps its own arrangement, arrays included, unless an arrangement was asked for.
-    keepArrays_ = !setup_.to && form_ == Form::json;
+    keepArrays_ = writes_ && !setup_.to && form_ == Form::json;
     const OutputForm outputForm = setup_.to.value_or(formOfInput(form_));
-    writer_ = makeWriter(outputForm, setup_.writer, out_);
+    writer_ = writes_ ? makeWriter(outputForm, setup_.writer, out_) : std::make_unique<NoWriter>();
     Splitter splitter(form_);
     if (outputForm == OutputForm::array) openArray();
     try {
@@ -251,6 +265,7 @@ class Filter {
 
   const FilterSetup& setup_;
   const RecordWork& work_;
+  const bool writes_;
   Source source_;
   Form form_ = Form::json;
   bool keepArrays_ = false;
@@ -264,6 +279,12 @@ class Filter {
 
 }  // namespace
 
-int runFilter(const FilterSetup& setup, const RecordWork& work) { return Filter(setup, work).run(); }
+int runFilter(const FilterSetup& setup, const RecordWork& work) { return Filter(setup, work, true).run(); }
+
+void readRecords(const FilterSetup& setup, const std::function<void(const Record&)>& visit) {
+  Filter(
+      setup, [&](const Record& record, ResultSink&) { visit(record); }, false)
+      .run();
+}
 
 }  // namespace viewproj::cmd

@@ -36,4 +36,8 @@ using RecordWork = std::function<void(const Record&, ResultSink&)>;
 /// otherwise, after everything before it has been written and an open array closed.
 int runFilter(const FilterSetup& setup, const RecordWork& work);
 
+/// Reads the records alone: visits each in order and writes nothing. visit throws RecordError where a record is wrong;
+/// the first that is becomes an InputError that names its place. setup: file or given, from, csvDefaults, checkHeader.
+void readRecords(const FilterSetup& setup, const std::function<void(const Record&)>& visit);
+
 }  // namespace viewproj::cmd

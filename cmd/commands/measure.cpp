@@ -1,0 +1,107 @@
+// viewproj measure: speed and error of every precision, and of the textbook way, on the user's own points.
+#include <algorithm>
+#include <cstdio>
+
+#include "commands/command.hpp"
+#include "commands/options.hpp"
+#include "input/error.hpp"
+#include "input/file.hpp"
+#include "input/number.hpp"
+#include "input/points.hpp"
+#include "measure/measurement.hpp"
+#include "measure/report.hpp"
+#include "output/output_file.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+/// What batches take, and how much was left out because they do not.
+struct Sample {
+  std::vector<Vec3> points;
+  std::size_t leftOut = 0;
+};
+
+Sample readSample(const FilterSetup& setup, const std::vector<std::string>& columns) {
+  Sample sample;
+  readRecords(setup, [&](const Record& record) {
+    const Vec4 p = readPoint(record, columns);
+    if (p.w == 1)
+      sample.points.push_back({p.x, p.y, p.z});
+    else
+      ++sample.leftOut;
+  });
+  return sample;
+}
+
+std::vector<std::string> notesOn(const Measurement& m, std::size_t leftOut) {
+  std::vector<std::string> notes;
+  const auto records = [](std::size_t count) { return std::to_string(count) + (count == 1 ? " point" : " points"); };
+  if (leftOut > 0)
+    notes.push_back("left out " + records(leftOut) + " with a weight or a direction; batches take x y z alone");
+  if (m.points < kEnoughToTime)
+    notes.push_back("too few points to time: with " + records(m.points) +
+                    " the cost of a call is part of ns per point; repeat them to " + std::to_string(kEnoughToTime) +
+                    " or more");
+  if (m.visible == 0)
+    notes.push_back("none of the points is in the picture: there are no errors to tell, and no rays");
+  else if (m.points >= kEnoughToTime && m.visible < kEnoughToTime)
+    notes.push_back("too few pixels to time: with " + records(m.visible) +
+                    " in the picture the cost of a call is part of ns per ray");
+  return notes;
+}
+
+double readSeconds(const std::string& text) {
+  constexpr double kDefault = 1, kMost = 3600;
+  if (text.empty()) return kDefault;
+  const auto seconds = parseNumber(text);
+  if (!seconds || !(*seconds > 0 && *seconds <= kMost))
+    throw UsageError("--seconds " + text + ": expected a number above 0, up to 3600");
+  return *seconds;
+}
+
+}  // namespace
+
+int runMeasure(int argc, char** argv) {
+  CLI::App app(
+      "Speed and error of every precision on your own points, beside the textbook way: the view-projection matrix in\n"
+      "double and in float, and rays by its inverse.\n"
+      "Example: viewproj measure -c camera.json points.csv",
+      "viewproj measure");
+  CameraOptions camera;
+  StreamOptions stream;
+  ToleranceOption tolerance;
+  std::string seconds, format = "table";
+  camera.add(app);
+  stream.addInput(app, "points");
+  tolerance.add(app);
+  app.add_option("--seconds", seconds, "How long to time (default 1); seven rounds at least")->type_name("S");
+  app.add_option("--to", format, "Output: table (default), json, svg (error over cost)")->type_name("FORM");
+  parse(app, argc, argv);
+
+  static constexpr std::string_view kFormats[] = {"table", "json", "svg"};
+  if (std::find(std::begin(kFormats), std::end(kFormats), format) == std::end(kFormats))
+    failUnknown("--to", format, kFormats);
+  const double within = tolerance.value();
+  const double duration = readSeconds(seconds);
+  FilterSetup setup = stream.setup();
+  stream.requireOneInput(setup, camera);
+  const Camera built = makeCamera(camera.read());
+  const std::vector<std::string> columns = stream.columns(3, 4);
+  setup.csvDefaults = {"x", "y", "z", "w"};
+  if (!columns.empty()) setup.csvDefaults = columns;
+  setup.checkHeader = [&](const Record& header) { readPoint(header, columns); };
+
+  const Sample sample = readSample(setup, columns);
+  if (sample.points.empty())
+    throw InputError((setup.file == "-" ? kStandardInputName : setup.file) + ": has no points to measure" +
+                     (sample.leftOut > 0 ? "; directions and weighted points are left out" : ""));
+  const Measurement m = measure(built, sample.points, within, duration);
+  const std::vector<std::string> notes = notesOn(m, sample.leftOut);
+  for (const std::string& note : notes) std::fprintf(stderr, "viewproj: note: %s\n", note.c_str());
+  writeOutput(format == "json"  ? measurementAsJson(m, sample.leftOut, notes)
+              : format == "svg" ? measurementAsSvg(m)
+                                : measurementAsTable(m));
+  return 0;
+}
+
+}  // namespace viewproj::cmd
