@@ -1,6 +1,7 @@
 // The one exception of the library: a camera that cannot be built.
 #pragma once
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -20,5 +21,14 @@ class CameraError : public std::invalid_argument {
   std::string field_;
   std::string message_;
 };
+
+/// Written so that NaN fails.
+inline void requirePositive(double value, const char* field) {
+  if (!(value > 0 && std::isfinite(value))) throw CameraError(field, "must be a finite number above 0");
+}
+
+inline void requireFinite(double value, const char* field) {
+  if (!std::isfinite(value)) throw CameraError(field, "must be a finite number");
+}
 
 }  // namespace viewproj

@@ -11,13 +11,9 @@
 namespace viewproj {
 namespace {
 
-void requirePositive(double value, const char* field) {
-  if (!(value > 0 && std::isfinite(value))) throw CameraError(field, "must be a finite number above 0");
-}
-
 void requireRange(bool orthographic, double near, double far) {
   if (orthographic) {
-    if (!std::isfinite(near)) throw CameraError("near", "must be a finite number");
+    requireFinite(near, "near");
     if (!std::isfinite(far) || (near < far && !std::isfinite(far - near)))
       throw CameraError("far", "must be a finite number in an orthographic projection");
   } else {
@@ -122,8 +118,8 @@ Projection intrinsics(DoubleDouble fx, DoubleDouble fy, double cx, double cy, co
   validate(viewport);
   requirePositive(fx.hi, "fx");
   requirePositive(fy.hi, "fy");
-  if (!std::isfinite(cx)) throw CameraError("cx", "must be a finite number");
-  if (!std::isfinite(cy)) throw CameraError("cy", "must be a finite number");
+  requireFinite(cx, "cx");
+  requireFinite(cy, "cy");
   // Screen position of the picture's left edge and of its edge where y starts.
   const ScreenCorner corner = screenCorner(viewport);
   const DoubleDouble fromLeft = DoubleDouble(cx) - corner.x;

@@ -1,22 +1,8 @@
 #include "viewproj/camera/viewport.hpp"
 
-#include <cmath>
-
 #include "viewproj/camera/error.hpp"
 
 namespace viewproj {
-namespace {
-
-void requirePositive(double value, const char* field) {
-  if (!(value > 0 && std::isfinite(value))) throw CameraError(field, "must be a finite number above 0");
-}
-
-void requireFinite(double value, const char* field) {
-  if (!std::isfinite(value)) throw CameraError(field, "must be a finite number");
-}
-
-}  // namespace
-
 void validate(const Viewport& v) {
   requirePositive(v.width, "viewport.width");
   requirePositive(v.height, "viewport.height");
