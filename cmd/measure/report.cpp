@@ -33,7 +33,8 @@ std::string asUlps(double value) {
   return value == 0 || !std::isfinite(value) || value >= 1e4 ? asError(value) : printed("%.3g", value);
 }
 
-std::string asBound(const std::optional<double>& bound) { return bound ? asError(*bound) : "none"; }
+/// The textbook has none; orthographic rays have one, but not in pixels.
+std::string asBound(const ModeRow& row) { return row.boundPx ? asError(*row.boundPx) : row.precision ? "-" : "none"; }
 
 std::string asShare(double share) { return share == 0 ? "0" : printed("%.3g %%", share * 100); }
 
@@ -91,7 +92,7 @@ std::string measurementAsTable(const Measurement& m) {
   for (const ModeRow& row : m.projecting)
     rows.push_back({nameOf(row), asTime(row.nsPerPoint), printed("%.2f", row.spread), asRate(1e9 / row.nsPerPoint),
                     orDash(row.maxErrorPx, asError), orDash(row.p99ErrorPx, asError), orDash(row.maxErrorUlp, asUlps),
-                    asBound(row.boundPx), orDash(row.escalated, asShare), orDash(row.uncertain, asShare),
+                    asBound(row), orDash(row.escalated, asShare), orDash(row.uncertain, asShare),
                     asCount(row.missing)});
   std::string out = alignedTable(rows);
   if (!m.casting.empty()) {
@@ -100,7 +101,7 @@ std::string measurementAsTable(const Measurement& m) {
       rows.push_back({row.precision ? std::string(precisionName(*row.precision)) : "inverse matrix",
                       asTime(row.nsPerPoint), printed("%.2f", row.spread), asRate(1e9 / row.nsPerPoint),
                       orDash(row.maxErrorPx, asError), orDash(row.p99ErrorPx, asError),
-                      orDash(row.maxErrorRadians, asError), orDash(row.p99ErrorRadians, asError), asBound(row.boundPx),
+                      orDash(row.maxErrorRadians, asError), orDash(row.p99ErrorRadians, asError), asBound(row),
                       asCount(row.missing)});
     out += "\n" + alignedTable(rows);
   }

@@ -192,6 +192,7 @@ class Labels {
                                                           {0, -2 * up},
                                                           {0, 2 * up}}};
     Box best{};
+    double bestSide = 0;
     double least = INFINITY;
     for (const auto& [dx, dy] : tries) {
       const Box box = around(x + dx, y + dy, half, kText * 0.5);
@@ -202,11 +203,15 @@ class Labels {
       if (hidden < least) {
         least = hidden;
         best = box;
+        bestSide = dx;
       }
     }
     taken_.push_back(best);
-    return text((best.left + best.right) / 2, (best.top + best.bottom) / 2 + kText / 3, words,
-                "text-anchor=\"middle\" class=\"label\"");
+    // The box is a guess at the text's width: the end next to the dot is where it is certain.
+    const double baseline = (best.top + best.bottom) / 2 + kText / 3;
+    if (bestSide > 0) return text(best.left, baseline, words, "class=\"label\"");
+    if (bestSide < 0) return text(best.right, baseline, words, "text-anchor=\"end\" class=\"label\"");
+    return text((best.left + best.right) / 2, baseline, words, "text-anchor=\"middle\" class=\"label\"");
   }
 
  private:

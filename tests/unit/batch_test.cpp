@@ -68,6 +68,27 @@ TEST_CASE("A batch gives the bits of single points, in every precision and of ev
   CHECK(escalated > 1000);
 }
 
+TEST_CASE("A single point within a tolerance has the bits of the batch's, and says what it was computed in") {
+  std::size_t cheaper = 0, exact = 0;
+  for (unsigned seed = 0; seed < 60; ++seed)
+    for (const double tolerance : {1e-1, 1e-3, 1e-6, 1e-12}) {
+      const Trial trial = randomTrial(seed, 200);
+      std::vector<Vec3> screen(trial.points.size());
+      worldToScreenWithin(trial.camera, tolerance, trial.points, screen);
+      const Precision chosen = precisionWithin(trial.camera, tolerance);
+      for (std::size_t i = 0; i < screen.size(); ++i) {
+        const ScreenPoint single = worldToScreenWithin(trial.camera, chosen, trial.points[i]);
+        INFO("seed " << seed << ", point " << i << ", tolerance " << tolerance);
+        REQUIRE(sameBits(screen[i], {single.x, single.y, single.depth}));
+        const bool hasBound = single.status == PointStatus::inFront && chosen != Precision::exact;
+        if (hasBound) (single.precision == Precision::exact ? exact : cheaper)++;
+      }
+    }
+  CAPTURE(cheaper, exact);
+  CHECK(cheaper > 1000);
+  CHECK(exact > 1000);
+}
+
 TEST_CASE("A batch may be projected in place") {
   for (Precision precision : kPrecisions) {
     Trial trial = randomTrial(7, 1000);
