@@ -51,11 +51,6 @@ constexpr DoubleDouble sumOrZero(DoubleDouble a, DoubleDouble b) noexcept {
   return size <= of * kCancellation ? DoubleDouble() : sum;
 }
 
-constexpr bool operator<(DoubleDouble a, DoubleDouble b) noexcept {
-  return a.hi < b.hi || (a.hi == b.hi && a.lo < b.lo);
-}
-constexpr bool operator>(DoubleDouble a, DoubleDouble b) noexcept { return b < a; }
-
 /// a * 2^exponent: exact unless the low part underflows.
 inline DoubleDouble scaleByPowerOfTwo(DoubleDouble a, int exponent) noexcept {
   return {std::ldexp(a.hi, exponent), std::ldexp(a.lo, exponent)};

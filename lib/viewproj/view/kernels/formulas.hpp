@@ -150,6 +150,26 @@ class WindowFormula {
   T residualReach_, bandX_, bandY_, farthest_, sign_, smallest_, reach_;
 };
 
+/// From window coordinates times pixels, as WindowFormula gives them, to the screen.
+struct ScreenSums {
+  double centerX, centerY, depthOffset, depthScale;
+  explicit ScreenSums(const ProjectionConstants& k)
+      : centerX(k.centerX.hi), centerY(k.centerY.hi), depthOffset(k.depthOffset.hi), depthScale(k.depthScale.hi) {}
+
+  template <class D>
+  D x(D window) const {
+    return centerX + window;
+  }
+  template <class D>
+  D y(D window) const {
+    return centerY + window;
+  }
+  template <class D>
+  D depth(D window) const {
+    return depthOffset + depthScale * window;
+  }
+};
+
 /// standard: double, relative to the eye.
 template <class L, class Traits>
 class StandardFormula {
@@ -158,27 +178,20 @@ class StandardFormula {
   using M = typename L::M;
 
   StandardFormula(const ProjectionConstants& k, Band band)
-      : window_(k, band, kSignUncertainty, kSmallestDistance, kLargestReach, kLargestRow),
-        eye_(k.eye),
-        centerX_(k.centerX.hi),
-        centerY_(k.centerY.hi),
-        offset_(k.depthOffset.hi),
-        scale_(k.depthScale.hi) {}
+      : window_(k, band, kSignUncertainty, kSmallestDistance, kLargestReach, kLargestRow), screen_(k), eye_(k.eye) {}
 
-  Projected<D, M> point(D px, D py, D pz) const { return (*this)(px, py, pz); }
-
-  Projected<D, M> operator()(D px, D py, D pz) const {
+  Projected<D, M> point(D px, D py, D pz) const {
     Projected<D, M> r = window_.template at<L, D, M>(px - eye_.x, py - eye_.y, pz - eye_.z);
-    r.x = centerX_ + r.x;
-    r.y = centerY_ + r.y;
-    r.depth = offset_ + scale_ * r.depth;
+    r.x = screen_.x(r.x);
+    r.y = screen_.y(r.y);
+    r.depth = screen_.depth(r.depth);
     return r;
   }
 
  private:
   WindowFormula<double, Traits> window_;
+  ScreenSums screen_;
   Vec3 eye_;
-  double centerX_, centerY_, offset_, scale_;
 };
 
 /// fast: float32 after the eye is subtracted in double; the last sums in double again.
@@ -190,36 +203,26 @@ class FastFormula {
 
   FastFormula(const ProjectionConstants& k, Band band)
       : window_(k, band, kSignUncertaintyFast, kSmallestDistanceFast, kLargestReachFast, kLargestRowFast),
-        eye(k.eye),
-        centerX_(k.centerX.hi),
-        centerY_(k.centerY.hi),
-        offset_(k.depthOffset.hi),
-        scale_(k.depthScale.hi) {}
+        screen(k),
+        eye(k.eye) {}
 
   /// From the difference to the eye, in float.
   Projected<F, typename L::FM> window(F dx, F dy, F dz) const {
     return window_.template at<L, F, typename L::FM>(dx, dy, dz);
   }
 
-  /// From window coordinates, in double again.
   /// All of it for one point (D a double).
   Projected<D, typename L::M> point(D px, D py, D pz) const {
     const auto r = window(static_cast<F>(px - eye.x), static_cast<F>(py - eye.y), static_cast<F>(pz - eye.z));
-    return {screenX(r.x), screenY(r.y), depth(r.depth), r.distance, r.valid, r.behind};
+    return {screen.x(D(r.x)), screen.y(D(r.y)), screen.depth(D(r.depth)), r.distance, r.valid, r.behind};
   }
-
-  D screenX(D x) const { return centerX_ + x; }
-  D screenY(D y) const { return centerY_ + y; }
-  D depth(D z) const { return offset_ + scale_ * z; }
 
  private:
   WindowFormula<float, Traits> window_;
 
  public:
+  const ScreenSums screen;
   const Vec3 eye;
-
- private:
-  double centerX_, centerY_, offset_, scale_;
 };
 
 /// A double-double of lanes.
@@ -253,7 +256,7 @@ class ExactFormula {
         errorOffset_(kZivMargin * kExactParameter * std::fabs(k.depthOffset.hi)),
         reach_(rowsInRange(k, kLargestRow) ? kLargestReachExact : 0) {}
 
-  Projected<D, M> operator()(D px, D py, D pz) const {
+  Projected<D, M> point(D px, D py, D pz) const {
     const Pair<D> d[3] = {sum(px, L::splat(-eye_.x)), sum(py, L::splat(-eye_.y)), sum(pz, L::splat(-eye_.z))};
     const Pair<D> x = dot(x_, d, residual_.x);
     const Pair<D> y = dot(y_, d, residual_.y);
