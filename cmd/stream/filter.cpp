@@ -132,7 +132,7 @@ class Filter {
     try {
       piece = splitter.next(source_.rest(), source_.atEnd());
     } catch (const RecordError& e) {
-      if (!setup_.keepGoing || open_) failAt(splitter.position(), source_.rest(), e);
+      if (!setup_.keepGoing || splitter.insideArray()) failAt(splitter.position(), source_.rest(), e);
       return passOverLine(splitter, e);
     }
     if (piece.event == Event::needMore) {

@@ -39,6 +39,9 @@ class Splitter {
 
   TextPosition position() const { return position_; }
 
+  /// JSON: between an array's brackets.
+  bool insideArray() const { return place_ != Place::top; }
+
  private:
   Piece nextJson(std::string_view rest, bool atEnd);
   Piece nextLine(std::string_view rest, bool atEnd);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "viewproj/view/eye_point.hpp"
+#include "viewproj/numbers/ulp.hpp"
 #include "viewproj/view/kernels/formulas.hpp"
 #include "viewproj/view/screen.hpp"
 
@@ -14,13 +14,6 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double oneNorm(const Vec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
-
-/// Half a unit in the last place of numbers up to this size; infinite where they have overflowed.
-double halfUlp(double size) {
-  size = std::fabs(size);
-  if (!std::isfinite(size)) return kInfinity;
-  return (std::nextafter(size, kInfinity) - size) / 2;
-}
 
 /// What the bound of a coordinate depends on.
 struct Situation {

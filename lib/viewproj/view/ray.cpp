@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "viewproj/numbers/ulp.hpp"
 #include "viewproj/view/kernels/formulas.hpp"
 
 namespace viewproj {
@@ -59,11 +60,6 @@ Vec3 standardDirection(const Camera& c, const Vec2& screen) noexcept {
   const auto r = RayFormula<ScalarLanes>(c.constants)(screen.x, screen.y);
   if (!(r.squaredLength < kLargestSquaredLength)) return exactDirection(c, toWindow(c, screen));
   return {r.x, r.y, r.z};
-}
-
-double halfUlp(double size) noexcept {
-  size = std::fabs(size);
-  return (std::nextafter(size, std::numeric_limits<double>::infinity()) - size) / 2;
 }
 
 /// The length of the offset from the eye for a unit of view distance.
