@@ -89,6 +89,38 @@ TEST_CASE("A single point within a tolerance has the bits of the batch's, and sa
   CHECK(exact > 1000);
 }
 
+TEST_CASE("A batch in full is what single points are: distance, status and sides as well") {
+  const auto same = [](const ScreenPoint& a, const ScreenPoint& b) {
+    return sameBits(a.x, b.x) && sameBits(a.y, b.y) && sameBits(a.depth, b.depth) &&
+           sameBits(a.viewDistance, b.viewDistance) && a.status == b.status && a.outside == b.outside &&
+           a.certain == b.certain && a.precision == b.precision;
+  };
+  std::size_t byKernel[4] = {}, escalated = 0;
+  for (unsigned seed = 0; seed < 60; ++seed)
+    for (const std::size_t count : {0u, 1u, 9u, 300u, 600u}) {
+      const Trial trial = randomTrial(seed, count);
+      std::vector<ScreenPoint> screen(count);
+      for (Precision precision : kPrecisions) {
+        escalated += worldToScreen(trial.camera, trial.points, screen, precision).escalated;
+        for (std::size_t i = 0; i < count; ++i) {
+          INFO("seed " << seed << ", point " << i << " of " << count << ", precision " << int(precision));
+          REQUIRE(same(screen[i], worldToScreen(trial.camera, trial.points[i], precision)));
+          ++byKernel[int(screen[i].status)];
+        }
+      }
+      const double tolerance = 1e-4;
+      const Precision chosen = precisionWithin(trial.camera, tolerance);
+      worldToScreenWithin(trial.camera, tolerance, trial.points, screen);
+      for (std::size_t i = 0; i < count; ++i)
+        REQUIRE(same(screen[i], worldToScreenWithin(trial.camera, chosen, trial.points[i])));
+    }
+  CAPTURE(escalated);
+  CHECK(byKernel[int(PointStatus::inFront)] > 10000);
+  CHECK(byKernel[int(PointStatus::behind)] > 10000);
+  CHECK(byKernel[int(PointStatus::notFinite)] > 500);
+  CHECK(escalated < 30000);
+}
+
 TEST_CASE("A batch may be projected in place") {
   for (Precision precision : kPrecisions) {
     Trial trial = randomTrial(7, 1000);
@@ -104,6 +136,7 @@ TEST_CASE("Every kernel that this processor supports gives the same bits") {
   struct Run {
     const Trial& trial;
     std::vector<Vec3> screen;
+    std::vector<double> distance;
   };
   std::size_t compared = 0;
   for (unsigned seed = 0; seed < 60; ++seed) {
@@ -113,22 +146,27 @@ TEST_CASE("Every kernel that this processor supports gives the same bits") {
       std::vector<Run> runs;
       for (const Kernels* k : allKernels()) {
         if (!k->supported()) continue;
-        Run run{trial, std::vector<Vec3>(count)};
+        Run run{trial, std::vector<Vec3>(count), std::vector<double>(count)};
         const Unsettled unsettled{[](void* context, std::size_t i) noexcept {
                                     Run& r = *static_cast<Run*>(context);
                                     const ScreenPoint p = worldToScreen(r.trial.camera, r.trial.points[i]);
                                     r.screen[i] = {p.x, p.y, p.depth};
+                                    r.distance[i] = p.viewDistance;
                                   },
                                   &run};
         const auto kernel = precision == Precision::fast       ? k->fast
                             : precision == Precision::standard ? k->standard
                                                                : k->exact;
-        kernel(trial.camera.constants, kNoBand, kNoBand, &trial.points[0].x, &run.screen[0].x, count, unsettled);
+        kernel(trial.camera.constants, kNoBand, kNoBand, &trial.points[0].x, &run.screen[0].x,
+               seed % 2 ? run.distance.data() : nullptr, count, unsettled);
         runs.push_back(std::move(run));
       }
       for (const Run& run : runs) {
         INFO("seed " << seed << ", precision " << int(precision));
-        for (std::size_t i = 0; i < count; ++i) REQUIRE(sameBits(run.screen[i], runs[0].screen[i]));
+        for (std::size_t i = 0; i < count; ++i) {
+          REQUIRE(sameBits(run.screen[i], runs[0].screen[i]));
+          REQUIRE(sameBits(run.distance[i], runs[0].distance[i]));
+        }
         ++compared;
       }
     }

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "viewproj/camera/camera.hpp"
+#include "viewproj/view/screen.hpp"
 
 namespace viewproj {
 
@@ -24,6 +25,13 @@ BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, st
 /// picture on every side of it; exact for every other.
 BatchCounts worldToScreenWithin(const Camera& camera, double tolerance, std::span<const Vec3> points,
                                 std::span<Vec3> screen) noexcept;
+
+/// The same in full, with viewDistance, status and the sides a point lies beyond: the single point's, bit for bit.
+/// Takes about a third longer.
+BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, std::span<ScreenPoint> screen,
+                          Precision precision = Precision::exact) noexcept;
+BatchCounts worldToScreenWithin(const Camera& camera, double tolerance, std::span<const Vec3> points,
+                                std::span<ScreenPoint> screen) noexcept;
 
 /// The unit directions of the rays through screen positions, within kRayDirectionBound of the true ones.
 void screenToRayDirections(const Camera& camera, std::span<const Vec2> pixels, std::span<Vec3> directions) noexcept;

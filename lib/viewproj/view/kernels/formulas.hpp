@@ -51,10 +51,11 @@ inline A all(A a, B b, More... more) {
   return all(all(a, b), more...);
 }
 
-/// Which parts of a formula a camera needs.
-template <bool IsOrthographic, bool HasResidual, bool HasBand>
+/// Which parts of a formula a camera needs, and whether the distance is asked for (in exact, it has to be certain
+/// then).
+template <bool IsOrthographic, bool HasResidual, bool HasBand, bool WantsDistance = false>
 struct Traits {
-  static constexpr bool orthographic = IsOrthographic, residual = HasResidual, band = HasBand;
+  static constexpr bool orthographic = IsOrthographic, residual = HasResidual, band = HasBand, distance = WantsDistance;
 };
 
 /// valid: the numbers are within the precision's bound. behind: certainly beyond the eye plane. A lane that is neither
@@ -295,6 +296,11 @@ class ExactFormula {
                     certain(sy, L::absolute(qy.hi) * relative + (error + errorCenterY_)),
                     certain(z, L::absolute(qz.hi) * relative + errorOffset_));
       r.behind = all(inRange, w.hi < -least);
+    }
+    if constexpr (Traits::distance) {
+      const M settled = certain(w, errorW_ * reach);
+      r.valid = all(r.valid, settled);
+      r.behind = all(r.behind, settled);
     }
     return r;
   }

@@ -15,16 +15,18 @@ struct Unsettled {
 };
 
 /// Everything is in arrays of three doubles a point: x y z in; screen x, screen y and depth out, NaN where a point has
-/// none. bandX, bandY: farther than this from the principal point, in pixels, a point counts as unsettled.
+/// none. bandX, bandY: farther than this from the principal point, in pixels, a point counts as unsettled. distance:
+/// one double a point, its distance along the viewing axis, also of a point behind the eye plane; null where nobody
+/// asks.
 struct Kernels {
   const char* name;
   bool (*supported)() noexcept;
   void (*fast)(const ProjectionConstants&, double bandX, double bandY, const double* points, double* screen,
-               std::size_t count, const Unsettled&) noexcept;
+               double* distance, std::size_t count, const Unsettled&) noexcept;
   void (*standard)(const ProjectionConstants&, double bandX, double bandY, const double* points, double* screen,
-                   std::size_t count, const Unsettled&) noexcept;
+                   double* distance, std::size_t count, const Unsettled&) noexcept;
   void (*exact)(const ProjectionConstants&, double bandX, double bandY, const double* points, double* screen,
-                std::size_t count, const Unsettled&) noexcept;
+                double* distance, std::size_t count, const Unsettled&) noexcept;
   /// Perspective ray directions of pixels (x y pairs in, x y z out).
   void (*rays)(const ProjectionConstants&, const double* pixels, double* directions, std::size_t count,
                const Unsettled&) noexcept;
