@@ -12,6 +12,7 @@
 #include "input/error.hpp"
 #include "input/names.hpp"
 #include "output/output_file.hpp"
+#include "stream/interrupt.hpp"
 
 namespace {
 
@@ -68,12 +69,16 @@ int fail(const std::string& message, int status) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // Where it cannot be written further, write() says so.
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   openStandardDescriptors();
   try {
     return run(argc, argv);
   } catch (const ClosedPipe&) {
     return 0;
+  } catch (const Interrupted& e) {
+    dieOf(e);
   } catch (const HelpGiven&) {
     return 0;
   } catch (const UsageError& e) {

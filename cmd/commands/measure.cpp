@@ -11,6 +11,7 @@
 #include "measure/measurement.hpp"
 #include "measure/report.hpp"
 #include "output/output_file.hpp"
+#include "stream/filter.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -21,17 +22,27 @@ struct Sample {
   std::size_t leftOut = 0;
 };
 
-Sample readSample(const FilterSetup& setup, const std::vector<std::string>& columns) {
-  Sample sample;
-  readRecords(setup, [&](const Record& record) {
-    const Vec4 p = readPoint(record, columns);
+/// Keeps the points of a stream.
+class SampleWork final : public RecordWork {
+ public:
+  SampleWork(Sample& sample, const std::vector<std::string>& columns) : sample_(sample), columns_(columns) {}
+
+  Layout find(const RecordParts& record) const override { return findPoint(record, columns_); }
+  void nameResults(const Layout&, ResultSink&) const override {}
+  void add(const Layout& layout, const Numbers& numbers) override {
+    const Vec4 p = toPoint(layout, numbers);
     if (p.w == 1)
-      sample.points.push_back({p.x, p.y, p.z});
+      sample_.points.push_back({p.x, p.y, p.z});
     else
-      ++sample.leftOut;
-  });
-  return sample;
-}
+      ++sample_.leftOut;
+  }
+  void write(std::size_t, ResultSink&) override {}
+  void clear() override {}
+
+ private:
+  Sample& sample_;
+  const std::vector<std::string>& columns_;
+};
 
 std::vector<std::string> notesOn(const Measurement& m, std::size_t leftOut) {
   std::vector<std::string> notes;
@@ -89,9 +100,9 @@ int runMeasure(int argc, char** argv) {
   const std::vector<std::string> columns = stream.columns(3, 4);
   setup.csvDefaults = {"x", "y", "z", "w"};
   if (!columns.empty()) setup.csvDefaults = columns;
-  setup.checkHeader = [&](const Record& header) { readPoint(header, columns); };
 
-  const Sample sample = readSample(setup, columns);
+  Sample sample;
+  readRecords(setup, [&] { return std::make_unique<SampleWork>(sample, columns); });
   if (sample.points.empty())
     throw InputError((setup.file == "-" ? kStandardInputName : setup.file) + ": has no points to measure" +
                      (sample.leftOut > 0 ? "; directions and weighted points are left out" : ""));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 
 #include "input/convention_names.hpp"
 #include "input/error.hpp"
@@ -22,6 +23,17 @@ auto choose(const std::string& option, const std::string& name, const Table& tab
     known.push_back(row);
   }
   failUnknown(option, name, known);
+}
+
+constexpr std::size_t kMostJobs = 1024;
+
+/// From 1 to most, or a UsageError.
+std::size_t wholeNumber(const std::string& option, const std::string& text, std::size_t most) {
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (end != text.data() + text.size() || error != std::errc() || number < 1 || number > most)
+    throw UsageError(option + " " + text + ": expected a whole number from 1 to " + std::to_string(most));
+  return number;
 }
 
 }  // namespace
@@ -96,21 +108,30 @@ Convention CameraOptions::writing(const CameraFile& file) const {
 
 void StreamOptions::addInput(CLI::App& app, const std::string& what) {
   app.add_option("FILE", file_, "The " + what + "; absent or - for standard input");
-  app.add_option("--from", from_, "Form of the input: json, csv, text")->type_name("FORM");
+  app.add_option("--from", from_, "Form of the input: json, csv, text, f64")->type_name("FORM");
   app.add_option("--columns", columns_, "CSV columns that hold the coordinates, as in E,N,U")->type_name("NAMES");
 }
 
 void StreamOptions::add(CLI::App& app, const std::string& what) {
   addInput(app, what);
-  app.add_option("--to", to_, "Form of the output: ndjson, json, csv, text")->type_name("FORM");
+  app.add_option("--to", to_, "Form of the output: ndjson, json, csv, text, f64")->type_name("FORM");
   app.add_option("--prefix", prefix_, "Put this in front of the results' names")->type_name("P");
   app.add_flag("--keep-going", keepGoing_, "Put an error record in a bad record's place and go on");
+  app.add_option("--jobs", jobs_, "Threads to work with; the default is one a processor")->type_name("N");
+  app.add_flag("--no-header", noHeader_, "CSV: write no header line");
+  app.add_option("--first-line", firstLine_,
+                 "Number of the input's first line in messages, where it is a part of a file")
+      ->type_name("N");
 }
 
 FilterSetup StreamOptions::setup() const {
-  static constexpr NameRow<Form> kFrom[] = {{"json", Form::json}, {"csv", Form::csv}, {"text", Form::text}};
-  static constexpr NameRow<OutputForm> kTo[] = {
-      {"ndjson", OutputForm::lines}, {"json", OutputForm::array}, {"csv", OutputForm::csv}, {"text", OutputForm::text}};
+  static constexpr NameRow<Form> kFrom[] = {
+      {"json", Form::json}, {"csv", Form::csv}, {"text", Form::text}, {"f64", Form::f64}};
+  static constexpr NameRow<OutputForm> kTo[] = {{"ndjson", OutputForm::lines},
+                                                {"json", OutputForm::array},
+                                                {"csv", OutputForm::csv},
+                                                {"text", OutputForm::text},
+                                                {"f64", OutputForm::f64}};
   FilterSetup setup;
   if (!file_.empty()) setup.file = file_;
   const bool plain = std::all_of(prefix_.begin(), prefix_.end(), [](unsigned char c) {
@@ -119,7 +140,10 @@ FilterSetup StreamOptions::setup() const {
   if (!plain) throw UsageError("--prefix " + prefix_ + ": expected letters, digits or any of _ - . :");
   if (!from_.empty()) setup.from = choose("--from", from_, kFrom);
   if (!to_.empty()) setup.to = choose("--to", to_, kTo);
-  setup.keepGoing = setup.writer.keepGoing = keepGoing_;
+  setup.keepGoing = keepGoing_;
+  setup.writer.header = !noHeader_;
+  if (!jobs_.empty()) setup.jobs = static_cast<unsigned>(wholeNumber("--jobs", jobs_, kMostJobs));
+  if (!firstLine_.empty()) setup.firstLine = wholeNumber("--first-line", firstLine_, 1ull << 53);
   setup.writer.prefix = prefix_;
   return setup;
 }

@@ -55,8 +55,8 @@ class StreamOptions {
   void requireOneInput(const FilterSetup& setup, const CameraOptions& camera) const;
 
  private:
-  std::string file_, from_, to_, prefix_, columns_;
-  bool keepGoing_ = false;
+  std::string file_, from_, to_, prefix_, columns_, jobs_, firstLine_;
+  bool keepGoing_ = false, noHeader_ = false;
 };
 
 /// What `auto` keeps on screen x and y, in pixels, where nothing else is asked for.

@@ -1,6 +1,8 @@
 // viewproj project: world points to screen positions.
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 
 #include "commands/command.hpp"
 #include "commands/options.hpp"
@@ -9,6 +11,8 @@
 #include "input/number.hpp"
 #include "input/points.hpp"
 #include "output/number.hpp"
+#include "stream/filter.hpp"
+#include "viewproj/view/batch.hpp"
 #include "viewproj/view/clip.hpp"
 #include "viewproj/view/screen.hpp"
 
@@ -67,44 +71,118 @@ class Sides {
   std::size_t count_ = 0;
 };
 
-void writeResults(const Fields& fields, const Camera& camera, const Convention& writing, const Vec4& point,
-                  const ScreenPoint& p, ResultSink& sink) {
-  for (ResultField field : fields.wanted) switch (field) {
-      case ResultField::screen:
-        sink.vector("screen", std::array{p.x, p.y});
-        break;
-      case ResultField::depth:
-        sink.number("depth", p.depth);
-        break;
-      case ResultField::viewDistance:
-        sink.number("viewDistance", p.viewDistance);
-        break;
-      case ResultField::visible:
-        sink.flag("visible", p.visible());
-        break;
-      case ResultField::outside:
-        sink.names("outside", Sides(p).names(), fields.outsideAlways);
-        break;
-      case ResultField::ndc: {
-        const Vec3 ndc = worldToNdc(camera, point, writing);
-        sink.vector("ndc", std::array{ndc.x, ndc.y, ndc.z});
-        break;
-      }
-      case ResultField::clip: {
-        const Vec4 clip = worldToClip(camera, point, writing);
-        sink.vector("clip", std::array{clip.x, clip.y, clip.z, clip.w});
-        break;
-      }
-      case ResultField::view: {
-        const Vec3 view = worldToView(camera, point, writing);
-        sink.vector("view", std::array{view.x, view.y, view.z});
-        break;
-      }
-      case ResultField::bound:
-        sink.number("bound", boundOfPoint(camera, point, p.precision).screen);
-        break;
-    }
+struct Projecting {
+  Camera camera;
+  Convention writing;                   ///< of ndc, clip and view
+  std::optional<Precision> arithmetic;  ///< nothing: auto, within the tolerance
+  double tolerance = 0;
+  std::vector<std::string> columns;
+  Fields fields, textFields;
+};
+
+bool isScreenAndDepth(const Fields& fields) {
+  return fields.wanted == std::vector{ResultField::screen, ResultField::depth};
 }
+
+class ProjectWork final : public RecordWork {
+ public:
+  explicit ProjectWork(const Projecting& how)
+      : how_(how), chosen_(how.arithmetic ? *how.arithmetic : precisionWithin(how.camera, how.tolerance)) {}
+
+  Layout find(const RecordParts& record) const override { return findPoint(record, how_.columns); }
+  void nameResults(const Layout&, ResultSink& sink) const override { writeFields({}, {0, 0, 0, 1}, sink); }
+
+  void add(const Layout& layout, const Numbers& numbers) override {
+    const Vec4 point = toPoint(layout, numbers);
+    points_.push_back(point);
+    positions_.push_back({point.x, point.y, point.z});
+  }
+
+  void compute() override {
+    screen_.resize(points_.size());
+    if (how_.arithmetic)
+      worldToScreen(how_.camera, positions_, screen_, chosen_);
+    else
+      worldToScreenWithin(how_.camera, how_.tolerance, positions_, screen_);
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      if (points_[i].w != 1)
+        screen_[i] = how_.arithmetic ? worldToScreen(how_.camera, points_[i], chosen_)
+                                     : worldToScreenWithin(how_.camera, chosen_, points_[i]);
+  }
+
+  void write(std::size_t i, ResultSink& sink) override { writeFields(screen_[i], points_[i], sink); }
+
+  void clear() override {
+    points_.clear();
+    positions_.clear();
+  }
+
+  std::size_t convert(std::span<const double> in, TextBuffer& out) override {
+    if (!isScreenAndDepth(how_.textFields)) return 0;
+    const auto usable = [](double v) { return std::fabs(v) <= std::numeric_limits<double>::max(); };
+    const std::size_t count = static_cast<std::size_t>(std::find_if_not(in.begin(), in.end(), usable) - in.begin()) / 3;
+    const std::size_t bytes = count * sizeof(Vec3);
+    char* const room = out.room(bytes);
+    const std::span points(reinterpret_cast<const Vec3*>(in.data()), count);
+    const std::span screen(reinterpret_cast<Vec3*>(room), count);
+    if (how_.arithmetic)
+      worldToScreen(how_.camera, points, screen, chosen_);
+    else
+      worldToScreenWithin(how_.camera, how_.tolerance, points, screen);
+    // What overflowed has no value: the writer knows what becomes of it.
+    const auto overflowed = [](const Vec3& p) { return std::isinf(p.x) || std::isinf(p.y) || std::isinf(p.z); };
+    const auto good = static_cast<std::size_t>(std::find_if(screen.begin(), screen.end(), overflowed) - screen.begin());
+    out.written(room + good * sizeof(Vec3));
+    return good;
+  }
+
+ private:
+  void writeFields(const ScreenPoint& p, const Vec4& point, ResultSink& sink) const {
+    const Fields& fields = sink.isText() ? how_.textFields : how_.fields;
+    const Camera& camera = how_.camera;
+    for (ResultField field : fields.wanted) switch (field) {
+        case ResultField::screen:
+          sink.vector("screen", std::array{p.x, p.y});
+          break;
+        case ResultField::depth:
+          sink.number("depth", p.depth);
+          break;
+        case ResultField::viewDistance:
+          sink.number("viewDistance", p.viewDistance);
+          break;
+        case ResultField::visible:
+          sink.flag("visible", p.visible());
+          break;
+        case ResultField::outside:
+          sink.names("outside", Sides(p).names(), fields.outsideAlways);
+          break;
+        case ResultField::ndc: {
+          const Vec3 ndc = worldToNdc(camera, point, how_.writing);
+          sink.vector("ndc", std::array{ndc.x, ndc.y, ndc.z});
+          break;
+        }
+        case ResultField::clip: {
+          const Vec4 clip = worldToClip(camera, point, how_.writing);
+          sink.vector("clip", std::array{clip.x, clip.y, clip.z, clip.w});
+          break;
+        }
+        case ResultField::view: {
+          const Vec3 view = worldToView(camera, point, how_.writing);
+          sink.vector("view", std::array{view.x, view.y, view.z});
+          break;
+        }
+        case ResultField::bound:
+          sink.number("bound", boundOfPoint(camera, point, p.precision).screen);
+          break;
+      }
+  }
+
+  const Projecting& how_;
+  Precision chosen_;
+  std::vector<Vec4> points_;
+  std::vector<Vec3> positions_;
+  std::vector<ScreenPoint> screen_;
+};
 
 /// Points of the command line as JSON records.
 std::vector<GivenRecord> recordsOf(const std::vector<std::string>& points) {
@@ -148,24 +226,20 @@ int runProject(int argc, char** argv) {
   setup.given = recordsOf(points);
   stream.requireOneInput(setup, camera);
   const CameraFile file = camera.read();
-  const Camera built = makeCamera(file);
-  const Convention writing = camera.writing(file);
-  const std::optional<Precision> arithmetic = precision.value();
-  if (arithmetic && tolerance.given()) throw UsageError("--tolerance is for --precision auto, which chooses by it");
-  const Precision chosen = arithmetic ? *arithmetic : precisionWithin(built, tolerance.value());
-  const std::vector<std::string> columns = stream.columns(3, 4);
+  Projecting how{.camera = makeCamera(file),
+                 .writing = camera.writing(file),
+                 .arithmetic = precision.value(),
+                 .tolerance = tolerance.value(),
+                 .columns = stream.columns(3, 4),
+                 .fields = chooseFields(fieldList, false),
+                 .textFields = chooseFields(fieldList, true)};
+  if (how.arithmetic && tolerance.given()) throw UsageError("--tolerance is for --precision auto, which chooses by it");
   setup.csvDefaults = {"x", "y", "z", "w"};
-  if (!columns.empty()) setup.csvDefaults = columns;
-  setup.checkHeader = [&](const Record& header) { readPoint(header, columns); };
+  if (!how.columns.empty()) setup.csvDefaults = how.columns;
   setup.writer.arrayName = "position";
-  Fields fields = chooseFields(fieldList, false);
-  const Fields textFields = chooseFields(fieldList, true);
-  const auto write = [&](const Vec4& point, ResultSink& sink) {
-    const ScreenPoint p = arithmetic ? worldToScreen(built, point, chosen) : worldToScreenWithin(built, chosen, point);
-    writeResults(sink.isText() ? textFields : fields, built, writing, point, p, sink);
-  };
-  setup.writer.exampleResults = [&](ResultSink& sink) { write({0, 0, 0, 1}, sink); };
-  return runFilter(setup, [&](const Record& record, ResultSink& sink) { write(readPoint(record, columns), sink); });
+  const auto makeWork = [&] { return std::make_unique<ProjectWork>(how); };
+  setup.writer.exampleResults = [&](ResultSink& sink) { makeWork()->nameResults({}, sink); };
+  return runFilter(setup, makeWork);
 }
 
 }  // namespace viewproj::cmd

@@ -29,6 +29,48 @@ WorldPoint pointBehind(const Camera& camera, const Pixel& pixel) {
                            formatNumber(camera.depthAtInfinity) + ": no point in front of the eye has it");
 }
 
+struct Casting {
+  Camera camera;
+  Precision arithmetic = Precision::exact;
+  RayOrigin origin = RayOrigin::eye;
+  bool wantBound = false;
+  std::vector<std::string> columns;
+};
+
+class RayWork final : public RecordWork {
+ public:
+  explicit RayWork(const Casting& how) : how_(how) {}
+
+  Layout find(const RecordParts& record) const override { return findPixel(record, how_.columns); }
+  void nameResults(const Layout& layout, ResultSink& sink) const override {
+    Pixel pixel;
+    pixel.hasDistance = hasDistance(layout);
+    writeRay(pixel, sink);
+  }
+
+  void add(const Layout& layout, const Numbers& numbers) override { pixels_.push_back(toPixel(layout, numbers)); }
+  void write(std::size_t i, ResultSink& sink) override { writeRay(pixels_[i], sink); }
+  void clear() override { pixels_.clear(); }
+
+ private:
+  void writeRay(const Pixel& pixel, ResultSink& sink) const {
+    Ray ray{{kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}};
+    WorldPoint point{{kNaN, kNaN, kNaN}};
+    if (pixel.screen) {
+      ray = screenToRay(how_.camera, *pixel.screen, how_.arithmetic, how_.origin);
+      if (pixel.depth || pixel.viewDistance) point = pointBehind(how_.camera, pixel);
+    }
+    sink.vector("origin", toArray(ray.origin));
+    sink.vector("direction", toArray(ray.direction));
+    if (!pixel.hasDistance && !sink.hasFixedColumns()) return;
+    sink.vector("point", toArray(point.position));
+    if (how_.wantBound) sink.number("bound", point.status == DepthStatus::point && pixel.screen ? point.bound : kNaN);
+  }
+
+  const Casting& how_;
+  std::vector<Pixel> pixels_;
+};
+
 /// Pixels of the command line as JSON records.
 std::vector<GivenRecord> recordsOf(const std::vector<std::string>& pixels) {
   std::vector<GivenRecord> records;
@@ -73,33 +115,21 @@ int runRay(int argc, char** argv) {
     static constexpr std::string_view kPlaces[] = {"eye", "near"};
     failUnknown("--ray-from", from, kPlaces);
   }
-  const RayOrigin origin = from == "near" ? RayOrigin::nearPlane : RayOrigin::eye;
-  const Camera built = makeCamera(camera.read());
   // Rays are within kRayDirectionBound in standard already: fast and auto need nothing else.
-  const Precision arithmetic = precision.value() == Precision::exact ? Precision::exact : Precision::standard;
-  const std::vector<std::string> columns = stream.columns(2, 2);
+  const bool exact = precision.value() == Precision::exact;
+  const Casting how{.camera = makeCamera(camera.read()),
+                    .arithmetic = exact ? Precision::exact : Precision::standard,
+                    .origin = from == "near" ? RayOrigin::nearPlane : RayOrigin::eye,
+                    .wantBound = wantBound,
+                    .columns = stream.columns(2, 2)};
   setup.csvDefaults = {"x", "y", "depth"};
-  if (!columns.empty()) setup.csvDefaults = columns;
-  setup.checkHeader = [&](const Record& header) { readPixel(header, columns); };
+  if (!how.columns.empty()) setup.csvDefaults = how.columns;
   setup.writer.arrayName = "screen";
   setup.writer.arraySize = 2;
   setup.writer.extraName = "depth";
-
-  const auto write = [&](const Pixel& pixel, ResultSink& sink) {
-    Ray ray{{kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}};
-    WorldPoint point{{kNaN, kNaN, kNaN}};
-    if (pixel.screen) {
-      ray = screenToRay(built, *pixel.screen, arithmetic, origin);
-      if (pixel.depth || pixel.viewDistance) point = pointBehind(built, pixel);
-    }
-    sink.vector("origin", toArray(ray.origin));
-    sink.vector("direction", toArray(ray.direction));
-    if (!pixel.hasDistance && !sink.hasFixedColumns()) return;
-    sink.vector("point", toArray(point.position));
-    if (wantBound) sink.number("bound", point.status == DepthStatus::point && pixel.screen ? point.bound : kNaN);
-  };
-  setup.writer.exampleResults = [&](ResultSink& sink) { write({}, sink); };
-  return runFilter(setup, [&](const Record& record, ResultSink& sink) { write(readPixel(record, columns), sink); });
+  const auto makeWork = [&] { return std::make_unique<RayWork>(how); };
+  setup.writer.exampleResults = [&](ResultSink& sink) { makeWork()->nameResults({}, sink); };
+  return runFilter(setup, makeWork);
 }
 
 }  // namespace viewproj::cmd

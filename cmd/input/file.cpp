@@ -11,12 +11,6 @@
 #include "input/error.hpp"
 
 namespace viewproj::cmd {
-namespace {
-
-constexpr std::size_t kBlock = 256 << 10;
-
-}  // namespace
-
 InputFile::InputFile(const std::string& name)
     : name_(name == "-" ? kStandardInputName : name),
       descriptor_(name == "-" ? STDIN_FILENO : ::open(name.c_str(), O_RDONLY | O_CLOEXEC)) {
@@ -27,15 +21,12 @@ InputFile::~InputFile() {
   if (descriptor_ != STDIN_FILENO) ::close(descriptor_);
 }
 
-bool InputFile::readInto(std::string& buffer) {
-  const std::size_t had = buffer.size();
-  buffer.resize(had + kBlock);
+std::size_t InputFile::read(char* to, std::size_t most) {
   ssize_t got = 0;
-  do got = ::read(descriptor_, buffer.data() + had, kBlock);
+  do got = ::read(descriptor_, to, most);
   while (got < 0 && errno == EINTR);
-  buffer.resize(had + (got > 0 ? static_cast<std::size_t>(got) : 0));
   if (got < 0) throw InputError(name_ + ": " + std::strerror(errno));
-  return got > 0;
+  return static_cast<std::size_t>(got);
 }
 
 bool InputFile::isReady() const {
@@ -43,12 +34,33 @@ bool InputFile::isReady() const {
   return ::poll(&state, 1, 0) > 0;
 }
 
+bool InputFile::waitUnless(int other) const {
+  pollfd states[] = {{descriptor_, POLLIN, 0}, {other, POLLIN, 0}};
+  while (::poll(states, 2, -1) < 0 && errno == EINTR) {
+  }
+  return states[1].revents == 0;
+}
+
+std::optional<std::size_t> InputFile::remaining() const {
+  struct stat state;
+  if (::fstat(descriptor_, &state) != 0 || !S_ISREG(state.st_mode)) return std::nullopt;
+  const off_t at = ::lseek(descriptor_, 0, SEEK_CUR);
+  if (at < 0 || at > state.st_size) return std::nullopt;
+  return static_cast<std::size_t>(state.st_size - at);
+}
+
 std::string readWholeFile(const std::string& name, std::size_t most) {
+  constexpr std::size_t kBlock = 64 << 10;
   InputFile file(name);
   std::string text;
-  while (file.readInto(text))
+  for (std::size_t got = 1; got > 0;) {
+    const std::size_t had = text.size();
+    text.resize(had + kBlock);
+    got = file.read(text.data() + had, kBlock);
+    text.resize(had + got);
     if (text.size() > most)
       throw InputError(file.name() + ": longer than " + std::to_string(most >> 20) + " MiB, the most that is read");
+  }
   return text;
 }
 

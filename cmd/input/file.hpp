@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 namespace viewproj::cmd {
@@ -20,11 +21,17 @@ class InputFile {
   InputFile(const InputFile&) = delete;
   InputFile& operator=(const InputFile&) = delete;
 
-  /// Appends up to a block to buffer; false at the end of the file. Throws InputError.
-  bool readInto(std::string& buffer);
+  /// Reads up to `most` bytes, as many as there are at once; 0 at the end of the file. Throws InputError.
+  std::size_t read(char* to, std::size_t most);
 
   /// Whether reading would return at once.
   bool isReady() const;
+
+  /// Waits until reading would return at once, or another descriptor has something to read. Returns false for that.
+  bool waitUnless(int other) const;
+
+  /// Bytes of a regular file from here to its end.
+  std::optional<std::size_t> remaining() const;
 
   const std::string& name() const { return name_; }
 

@@ -1,18 +1,22 @@
-// Points and pixels from records.
+// Where records have their points and pixels, and what these are.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "input/record.hpp"
+#include "input/layout.hpp"
 #include "viewproj/numbers/vectors.hpp"
 
 namespace viewproj::cmd {
 
 /// The point of a record: [x,y,z], [x,y,z,w]; position, x y z (w) or direction of an object or of a CSV line's columns;
-/// three or four numbers of a text line. columns: CSV names of the coordinates, or empty. Throws RecordError.
-Vec4 readPoint(const Record& record, const std::vector<std::string>& columns);
+/// three or four numbers of a text line; the three of f64. columns: CSV names of the coordinates, or empty. Throws
+/// RecordError where records of this shape have none.
+Layout findPoint(const RecordParts& record, const std::vector<std::string>& columns);
+
+/// Throws RecordError for 0 0 0 0.
+Vec4 toPoint(const Layout& layout, const Numbers& numbers);
 
 /// A pixel to shoot a ray through, with what may be known of the point behind it. viewDistance wins over depth, because
 /// it keeps its digits.
@@ -24,7 +28,10 @@ struct Pixel {
 };
 
 /// [x,y]; screen, pixel or x y of an object or of a CSV line's columns, with depth or viewDistance; two or three
-/// numbers of a text line, NaN for those that have no value. Throws RecordError.
-Pixel readPixel(const Record& record, const std::vector<std::string>& columns);
+/// numbers of a text line or f64, NaN for those that have no value. Throws RecordError.
+Layout findPixel(const RecordParts& record, const std::vector<std::string>& columns);
+
+bool hasDistance(const Layout& layout);
+Pixel toPixel(const Layout& layout, const Numbers& numbers);
 
 }  // namespace viewproj::cmd

@@ -1,6 +1,7 @@
 #include "input/record.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 #include "input/error.hpp"
 #include "input/number.hpp"
@@ -8,60 +9,106 @@
 namespace viewproj::cmd {
 namespace {
 
+constexpr std::string_view kBlanks = " \t\r";
+
+void splitText(std::string_view text, std::vector<std::string_view>& values) {
+  for (std::size_t at = text.find_first_not_of(kBlanks); at != std::string_view::npos;) {
+    const std::size_t end = std::min(text.find_first_of(kBlanks, at), text.size());
+    values.push_back(text.substr(at, end - at));
+    at = text.find_first_not_of(kBlanks, end);
+  }
+}
+
+}  // namespace
+
 std::string quoted(std::string_view text) {
   constexpr std::size_t kMostShown = 40;
   return "'" + std::string(text.substr(0, kMostShown)) + (text.size() > kMostShown ? "..." : "") + "'";
 }
 
-std::size_t offsetIn(std::string_view whole, std::string_view part) {
-  return static_cast<std::size_t>(part.data() - whole.data());
+std::optional<std::size_t> Shape::find(std::string_view name) const {
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (names[i] == name) return i;
+  return std::nullopt;
 }
 
-}  // namespace
-
-const Field* Record::find(std::string_view name) const {
-  for (const Field& field : fields)
-    if (field.name == name) return &field;
-  return nullptr;
+std::size_t RecordParts::offset(std::size_t field) const {
+  return static_cast<std::size_t>(values[field].data() - text.data());
 }
 
-Record parseJsonRecord(std::string_view text, TextPosition position) {
+RecordParts jsonParts(std::string_view text) {
   if (const auto fault = jsonFault(text)) throw RecordError(fault->offset, fault->message);
-  Record record{Form::json, text, position, text.starts_with('['), {}};
+  RecordParts record{text, {Form::json, text.starts_with('['), 0, {}}, {}};
   JsonParts parts(text);
   while (const auto part = parts.next()) {
-    std::string name = unescaped(part->key);
-    if (!record.isArray && record.find(name))
-      throw RecordError(part->offset, "has the field " + quoted(name) + " twice");
-    record.fields.push_back({std::move(name), part->value, offsetIn(text, part->value)});
-  }
-  return record;
-}
-
-Record parseTextRecord(std::string_view text, TextPosition position) {
-  Record record{Form::text, text, position, true, {}};
-  constexpr std::string_view kBlanks = " \t\r";
-  for (std::size_t at = text.find_first_not_of(kBlanks); at != std::string_view::npos;) {
-    const std::size_t end = std::min(text.find_first_of(kBlanks, at), text.size());
-    record.fields.push_back({"", text.substr(at, end - at), at});
-    at = text.find_first_not_of(kBlanks, end);
-  }
-  return record;
-}
-
-std::vector<std::string_view> splitCsvLine(std::string_view text) {
-  std::vector<std::string_view> fields;
-  std::size_t begin = 0;
-  bool inQuotes = false;
-  for (std::size_t i = 0; i <= text.size(); ++i) {
-    if (i == text.size() || (text[i] == ',' && !inQuotes)) {
-      fields.push_back(text.substr(begin, i - begin));
-      begin = i + 1;
-    } else if (text[i] == '"') {
-      inQuotes = !inQuotes;
+    if (!record.shape.isArray) {
+      std::string name = unescaped(part->key);
+      if (record.shape.find(name)) throw RecordError(part->offset, "has the field " + quoted(name) + " twice");
+      record.shape.names.push_back(std::move(name));
     }
+    record.values.push_back(part->value);
   }
-  return fields;
+  record.shape.size = record.values.size();
+  return record;
+}
+
+RecordParts textParts(std::string_view text) {
+  RecordParts record{text, {Form::text, true, 0, {}}, {}};
+  splitText(text, record.values);
+  record.shape.size = record.values.size();
+  return record;
+}
+
+RecordParts csvParts(std::string_view text, const Shape& header) {
+  RecordParts record{text, header, {}};
+  splitCsvLine(text, record.values);
+  const std::size_t size = record.values.size(), expected = header.size;
+  if (size != expected)
+    throw RecordError(
+        size > expected ? record.offset(expected) : text.size(),
+        "has " + std::to_string(size) + " fields; expected " + std::to_string(expected) + " as the header has");
+  return record;
+}
+
+std::vector<std::string_view> valuesOf(const Record& record) {
+  std::vector<std::string_view> values;
+  switch (record.shape->form) {
+    case Form::json: {
+      JsonParts parts(record.text);
+      while (const auto part = parts.next()) values.push_back(part->value);
+      break;
+    }
+    case Form::csv:
+      splitCsvLine(record.text, values);
+      break;
+    case Form::text:
+      splitText(record.text, values);
+      break;
+    case Form::f64:
+      break;
+  }
+  return values;
+}
+
+std::vector<double> binaryNumbers(std::string_view bytes) {
+  std::vector<double> numbers(bytes.size() / sizeof(double));
+  std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(double));
+  return numbers;
+}
+
+void splitCsvLine(std::string_view line, std::vector<std::string_view>& fields) {
+  const char* at = line.data();
+  const char* const end = at + line.size();
+  for (const char* begin = at;; begin = ++at) {
+    if (at < end && *at == '"') {
+      // To the quote that closes; two are one of the field's own.
+      for (++at; at < end && (*at != '"' || (at + 1 < end && at[1] == '"')); ++at)
+        if (*at == '"') ++at;
+    }
+    while (at < end && *at != ',') ++at;
+    fields.emplace_back(begin, at - begin);
+    if (at == end) return;
+  }
 }
 
 std::string csvValue(std::string_view field) {
@@ -76,7 +123,8 @@ std::string csvValue(std::string_view field) {
 
 CsvHeader readCsvHeader(std::string_view line, const std::vector<std::string>& defaults) {
   CsvHeader header;
-  const auto fields = splitCsvLine(line);
+  std::vector<std::string_view> fields;
+  splitCsvLine(line, fields);
   header.present = std::any_of(fields.begin(), fields.end(), [](std::string_view field) {
     const std::string value = csvValue(field);
     return value.find_first_not_of(" \t") != std::string::npos && !parseNumber(value);
@@ -92,49 +140,6 @@ CsvHeader readCsvHeader(std::string_view line, const std::vector<std::string>& d
     header.names.push_back(std::move(name));
   }
   return header;
-}
-
-Record parseCsvRecord(std::string_view text, TextPosition position, const CsvHeader& header) {
-  Record record{Form::csv, text, position, false, {}};
-  const auto fields = splitCsvLine(text);
-  if (fields.size() != header.names.size())
-    throw RecordError(fields.size() > header.names.size() ? offsetIn(text, fields[header.names.size()]) : text.size(),
-                      "has " + std::to_string(fields.size()) + " fields; expected " +
-                          std::to_string(header.names.size()) + " as the header has");
-  for (std::size_t i = 0; i < fields.size(); ++i)
-    record.fields.push_back({header.names[i], fields[i], offsetIn(text, fields[i])});
-  return record;
-}
-
-double numberOf(const Field& field, Form form) {
-  const auto number = form == Form::csv ? parseNumber(csvValue(field.value)) : parseNumber(field.value);
-  if (!number)
-    throw RecordError(field.offset,
-                      (field.name.empty() ? "" : field.name + ": ") + quoted(field.value) + " is not a finite number");
-  return *number;
-}
-
-std::vector<double> numbersOf(const Field& field, std::size_t fewest, std::size_t most) {
-  const auto expected = [&] {
-    return RecordError(field.offset, field.name + ": expected an array of " + std::to_string(fewest) +
-                                         (fewest == most ? "" : " or " + std::to_string(most)) + " numbers");
-  };
-  if (!field.value.starts_with('[')) throw expected();
-  std::vector<double> numbers;
-  JsonParts parts(field.value);
-  while (const auto part = parts.next()) {
-    if (part->value.empty() || (part->value[0] != '-' && (part->value[0] < '0' || part->value[0] > '9')))
-      throw expected();
-    numbers.push_back(
-        numberOf({field.name, part->value, field.offset + offsetIn(field.value, part->value)}, Form::json));
-  }
-  if (numbers.size() < fewest || numbers.size() > most) throw expected();
-  return numbers;
-}
-
-bool isAbsent(const Field& field, Form form) {
-  if (form == Form::json) return field.value == "null";
-  return field.value.find_first_not_of(" \t\r\"") == std::string_view::npos;
 }
 
 }  // namespace viewproj::cmd

@@ -1,4 +1,4 @@
-// One record of a stream: its text, and its fields by name.
+// One record of a stream as written: its text, and its fields by name.
 #pragma once
 
 #include <optional>
@@ -11,21 +11,33 @@
 
 namespace viewproj::cmd {
 
-/// A named part of a record. value is JSON text in a JSON record and the field as written, quotes and all, in CSV.
-struct Field {
-  std::string name;
-  std::string_view value;
-  std::size_t offset = 0;  ///< of value in the record's text
+/// Bytes of a record of f64: three little-endian doubles.
+inline constexpr std::size_t kBinaryRecord = 24;
+
+/// What records that look alike have in common: the names of their fields, in order.
+struct Shape {
+  Form form = Form::json;
+  bool isArray = false;            ///< a JSON array, a line of text, doubles: fields have no names
+  std::size_t size = 0;            ///< how many fields
+  std::vector<std::string> names;  ///< escapes resolved; empty if isArray
+
+  std::optional<std::size_t> find(std::string_view name) const;
 };
 
+/// A record that has been found to be of a shape.
 struct Record {
-  Form form = Form::json;
   std::string_view text;
-  TextPosition position;
-  bool isArray = false;  ///< JSON: [x, y, z]; its fields have no names
-  std::vector<Field> fields;
+  const Shape* shape = nullptr;
+};
 
-  const Field* find(std::string_view name) const;
+/// A record taken apart. A value is JSON text in a JSON record and the field as written, quotes and all, in CSV.
+struct RecordParts {
+  std::string_view text;
+  Shape shape;
+  std::vector<std::string_view> values;
+
+  /// Of a value in the text.
+  std::size_t offset(std::size_t field) const;
 };
 
 /// The column names of a CSV stream.
@@ -34,13 +46,19 @@ struct CsvHeader {
   bool present = false;  ///< false: the first line was data already, and the columns have the default names
 };
 
-/// Throws RecordError at the byte that is wrong.
-Record parseJsonRecord(std::string_view text, TextPosition position);
-Record parseTextRecord(std::string_view text, TextPosition position);
-Record parseCsvRecord(std::string_view text, TextPosition position, const CsvHeader& header);
+/// Throw RecordError at the byte that is wrong.
+RecordParts jsonParts(std::string_view text);
+RecordParts textParts(std::string_view text);
+RecordParts csvParts(std::string_view text, const Shape& header);
 
-/// The fields of a CSV line as written.
-std::vector<std::string_view> splitCsvLine(std::string_view text);
+/// The values of a record, which is known to be of its shape.
+std::vector<std::string_view> valuesOf(const Record& record);
+
+/// The doubles of a record of f64.
+std::vector<double> binaryNumbers(std::string_view bytes);
+
+/// The fields of a CSV line as written: separated by commas outside quotes. Quotes count where a field begins with one.
+void splitCsvLine(std::string_view line, std::vector<std::string_view>& fields);
 
 /// A CSV field without its quotes.
 std::string csvValue(std::string_view field);
@@ -48,13 +66,7 @@ std::string csvValue(std::string_view field);
 /// A header if the line has a field that is not a number; otherwise the default names in order.
 CsvHeader readCsvHeader(std::string_view line, const std::vector<std::string>& defaults);
 
-/// The number of a field; throws RecordError.
-double numberOf(const Field& field, Form form);
-
-/// The numbers of a JSON array of numbers; throws RecordError unless there are fewest to most of them.
-std::vector<double> numbersOf(const Field& field, std::size_t fewest, std::size_t most);
-
-/// A JSON null or an empty CSV field.
-bool isAbsent(const Field& field, Form form);
+/// The beginning of a text in quotes, for messages.
+std::string quoted(std::string_view text);
 
 }  // namespace viewproj::cmd

@@ -68,7 +68,7 @@ void appendField(std::string& out, const char* name, const std::optional<double>
 
 std::string rowAsJson(const ModeRow& row) {
   std::string out = "{\"mode\": ";
-  appendJsonString(out, row.mode);
+  out += jsonString(row.mode);
   out += ", \"precision\": " + (row.precision ? "\"" + std::string(precisionName(*row.precision)) + "\"" : "null");
   appendField(out, "nsPerPoint", row.nsPerPoint);
   appendField(out, "spread", row.spread);
@@ -114,12 +114,12 @@ std::string measurementAsTable(const Measurement& m) {
 std::string measurementAsJson(const Measurement& m, std::size_t leftOut, std::span<const std::string> notes) {
   std::string out = "{\"points\": " + std::to_string(m.points) + ", \"visible\": " + std::to_string(m.visible) +
                     ", \"leftOut\": " + std::to_string(leftOut) + ", \"kernel\": ";
-  appendJsonString(out, m.kernel);
+  out += jsonString(m.kernel);
   out += ", \"rounds\": " + std::to_string(m.rounds) + ", \"tolerance\": " + formatNumber(m.tolerance) +
          ",\n \"notes\": [";
   for (const std::string& note : notes) {
     if (&note != notes.data()) out += ", ";
-    appendJsonString(out, note);
+    out += jsonString(note);
   }
   out += "],\n \"modes\": [";
   const char* separator = "\n  ";

@@ -69,10 +69,12 @@ void appendCells(std::vector<OwnCell>& cells, const std::string& name, std::stri
 /// A record of another form as cells: arrays of two to four numbers spread over columns.
 std::vector<OwnCell> ownCells(const Record& record, const WriterSetup& setup) {
   std::vector<OwnCell> cells;
-  if (record.form == Form::json && !record.isArray)
-    for (const Field& field : record.fields) appendCells(cells, field.name, field.value);
-  else
+  if (record.shape->form == Form::json && !record.shape->isArray) {
+    const auto values = valuesOf(record);
+    for (std::size_t i = 0; i < values.size(); ++i) appendCells(cells, record.shape->names[i], values[i]);
+  } else {
     for (const NamedJson& field : asJsonFields(record, setup)) appendCells(cells, field.name, field.json);
+  }
   for (std::size_t i = 0; i < cells.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (cells[i].column == cells[j].column)
@@ -80,79 +82,97 @@ std::vector<OwnCell> ownCells(const Record& record, const WriterSetup& setup) {
   return cells;
 }
 
+void requireNoClash(const CsvColumns& columns) {
+  for (const std::string& column : columns.results)
+    if (std::find(columns.own.begin(), columns.own.end(), column) != columns.own.end())
+      throw RecordError(0, "already has a column '" + column + "'; --prefix P puts P in front of the results' names");
+}
+
+void writeBadCells(const CsvColumns& columns, const std::string& message, TextBuffer& out) {
+  out.append(columns.own.size() + columns.results.size() - 1, ',');
+  out += quotedIfNeeded(message) + "\n";
+}
+
+/// And behind it the bad records that came before the columns were known.
+void writeHeader(CsvColumns& columns, const WriterSetup& setup, TextBuffer& out) {
+  if (setup.header) {
+    std::string separator;
+    for (const auto* names : {&columns.own, &columns.results})
+      for (const std::string& column : *names) {
+        out += separator + quotedIfNeeded(column);
+        separator = ",";
+      }
+    out += '\n';
+  }
+  for (const std::string& message : columns.early) writeBadCells(columns, message, out);
+  columns.early.clear();
+}
+
 class CsvWriter final : public RecordWriter {
  public:
-  CsvWriter(WriterSetup setup, std::string& out) : setup_(std::move(setup)), out_(out) {
-    ColumnCollector collector(setup_.prefix);
-    setup_.exampleResults(collector);
-    resultColumns_ = collector.columns;
-    if (setup_.keepGoing) resultColumns_.push_back("error");
-  }
-
-  void header(const CsvHeader& input, std::string_view line) override {
-    fromCsv_ = true;
-    ownColumns_ = input.names;
-    if (!input.present) return;
-    requireNoClash();
-    out_ += line;
-    for (const std::string& column : resultColumns_) out_ += "," + column;
-    out_ += '\n';
-  }
+  CsvWriter(const WriterSetup& setup, CsvColumns& columns, TextBuffer& out)
+      : RecordWriter(out), setup_(setup), columns_(columns) {}
 
   void beginRecord(const Record& record) override {
     start_ = out_.size();
-    if (record.form == Form::csv) {
+    headerIsNew_ = false;
+    if (record.shape->form == Form::csv) {
       out_ += record.text;
       return;
     }
     const auto cells = ownCells(record, setup_);
-    headerIsNew_ = ownColumns_.empty();
-    if (headerIsNew_) {
-      for (const OwnCell& cell : cells) ownColumns_.push_back(cell.column);
-      requireNoClash();
-      writeHeader();
+    if (!columns_.known) {
+      CsvColumns found = columns_;
+      for (const OwnCell& cell : cells) found.own.push_back(cell.column);
+      requireNoClash(found);
+      columns_.own = found.own;
+      headerIsNew_ = true;
+      early_ = columns_.early;
+      writeHeader(columns_, setup_, out_);
     }
     for (const OwnCell& cell : cells)
-      if (std::find(ownColumns_.begin(), ownColumns_.end(), cell.column) == ownColumns_.end())
+      if (std::find(columns_.own.begin(), columns_.own.end(), cell.column) == columns_.own.end())
         throw RecordError(
             0, "has '" + cell.column + "', which the first record has not; CSV columns are the first record's");
-    for (const std::string& column : ownColumns_) {
-      if (&column != &ownColumns_.front()) out_ += ',';
+    bool first = true;
+    for (const std::string& column : columns_.own) {
+      if (!first) out_ += ',';
+      first = false;
       for (const OwnCell& cell : cells)
         if (cell.column == column) out_ += cell.text;
     }
   }
 
   void endRecord() override {
-    out_ += setup_.keepGoing ? ",\n" : "\n";
-    headerIsNew_ = false;
-    early_.clear();
-  }
-
-  void finish() override {
-    if (!early_.empty()) writeHeader();
+    out_ += setup_.keepGoing ? std::string_view(",\n") : std::string_view("\n");
+    columns_.known = true;
+    ++records_;
   }
 
   void cancelRecord() override {
-    out_.resize(start_);
-    if (headerIsNew_) ownColumns_.clear();
+    out_.truncate(start_);
+    if (!headerIsNew_) return;
+    columns_.own.clear();
+    columns_.early = early_;
   }
 
   /// As many own cells as there are columns, so that the message stands in its own.
   void badRecord(std::string_view text, std::size_t, const std::string& message) override {
-    if (!fromCsv_) {
-      if (ownColumns_.empty())
-        early_.push_back(message);
+    ++records_;
+    if (!columns_.fromCsv) {
+      if (columns_.known)
+        writeBadCells(columns_, message, out_);
       else
-        writeBadCells(message);
+        columns_.early.push_back(message);
       return;
     }
-    const auto cells = splitCsvLine(text);
-    for (std::size_t i = 0; i < ownColumns_.size(); ++i) {
+    std::vector<std::string_view> cells;
+    splitCsvLine(text, cells);
+    for (std::size_t i = 0; i < columns_.own.size(); ++i) {
       if (i > 0) out_ += ',';
       if (i < cells.size()) out_ += cells[i];
     }
-    out_.append(resultColumns_.size(), ',');
+    out_.append(columns_.results.size(), ',');
     out_ += quotedIfNeeded(message) + "\n";
   }
 
@@ -164,14 +184,18 @@ class CsvWriter final : public RecordWriter {
     for (double value : values) cell(finite ? value : NAN);
   }
 
-  void flag(std::string_view, bool value) override { out_ += value ? ",true" : ",false"; }
+  void flag(std::string_view, bool value) override {
+    out_ += value ? std::string_view(",true") : std::string_view(",false");
+  }
 
   void names(std::string_view, std::span<const std::string_view> values, bool) override {
-    out_ += ',';
-    for (const std::string_view& value : values) {
-      if (&value != values.data()) out_ += ' ';
+    char before = ',';
+    for (const std::string_view value : values) {
+      out_ += before;
       out_ += value;
+      before = ' ';
     }
+    if (values.empty()) out_ += ',';
   }
 
  private:
@@ -180,42 +204,39 @@ class CsvWriter final : public RecordWriter {
     if (std::isfinite(value)) appendNumber(out_, value);
   }
 
-  void requireNoClash() const {
-    for (const std::string& column : resultColumns_)
-      if (std::find(ownColumns_.begin(), ownColumns_.end(), column) != ownColumns_.end())
-        throw RecordError(0, "already has a column '" + column + "'; --prefix P puts P in front of the results' names");
-  }
-
-  /// And behind it the bad records that came before the columns were known.
-  void writeHeader() {
-    std::string separator;
-    for (const auto* columns : {&ownColumns_, &resultColumns_})
-      for (const std::string& column : *columns) {
-        out_ += separator + quotedIfNeeded(column);
-        separator = ",";
-      }
-    out_ += '\n';
-    for (const std::string& message : early_) writeBadCells(message);
-  }
-
-  void writeBadCells(const std::string& message) {
-    out_.append(ownColumns_.size() + resultColumns_.size() - 1, ',');
-    out_ += quotedIfNeeded(message) + "\n";
-  }
-
-  WriterSetup setup_;
-  std::string& out_;
-  std::vector<std::string> ownColumns_, resultColumns_;
-  bool fromCsv_ = false;
+  const WriterSetup& setup_;
+  CsvColumns& columns_;
   bool headerIsNew_ = false;
-  std::vector<std::string> early_;  ///< messages of bad records before the first good one
+  std::vector<std::string> early_;
   std::size_t start_ = 0;
 };
 
 }  // namespace
 
-std::unique_ptr<RecordWriter> makeCsvWriter(WriterSetup setup, std::string& out) {
-  return std::make_unique<CsvWriter>(std::move(setup), out);
+CsvColumns csvColumns(const WriterSetup& setup, const CsvHeader* input, std::string_view line, TextBuffer& out) {
+  ColumnCollector collector(setup.prefix);
+  setup.exampleResults(collector);
+  CsvColumns columns;
+  columns.results = collector.columns;
+  if (setup.keepGoing) columns.results.push_back("error");
+  if (!input) return columns;
+  columns.known = columns.fromCsv = true;
+  columns.own = input->names;
+  if (!input->present) return columns;
+  requireNoClash(columns);
+  if (!setup.header) return columns;
+  out += line;
+  for (const std::string& column : columns.results) out += "," + column;
+  out += '\n';
+  return columns;
+}
+
+void finishCsv(CsvColumns& columns, const WriterSetup& setup, TextBuffer& out) {
+  if (!columns.early.empty()) writeHeader(columns, setup, out);
+}
+
+std::unique_ptr<RecordWriter> makeCsvWriter(const WriterSetup& setup, CsvColumns& columns, TextBuffer& out) {
+  return std::make_unique<CsvWriter>(setup, columns, out);
 }
 
 }  // namespace viewproj::cmd

@@ -18,58 +18,62 @@ std::string jsonNumber(std::string_view text) {
 }
 
 /// A CSV cell: numbers, true and false as JSON writes them, an empty cell as null, anything else ("007") as a string.
-std::string jsonCell(const Field& field) {
-  const std::string value = csvValue(field.value);
+std::string jsonCell(std::string_view cell) {
+  const std::string value = csvValue(cell);
   if (value.find_first_not_of(" \t") == std::string::npos) return "null";
-  const bool bare =
-      !field.value.starts_with('"') && value != "null" && value[0] != '[' && value[0] != '{' && value[0] != '"';
-  if (bare && nlohmann::json::accept(value)) return value;
-  std::string text;
-  appendJsonString(text, value);
-  return text;
+  const char first = value[0];
+  const bool bare = first == '-' || (first >= '0' && first <= '9') || value == "true" || value == "false";
+  if (bare && !cell.starts_with('"') && nlohmann::json::accept(value)) return value;
+  return jsonString(value);
 }
 
 /// Valid JSON has line breaks only between its tokens.
-void appendOnOneLine(std::string& out, std::string_view json) {
+void appendOnOneLine(TextBuffer& out, std::string_view json) {
+  if (json.find('\n') == std::string_view::npos && json.find('\r') == std::string_view::npos) {
+    out += json;
+    return;
+  }
   for (char c : json)
     if (c != '\n' && c != '\r') out += c;
 }
 
 class JsonWriter final : public RecordWriter {
  public:
-  JsonWriter(bool asArray, WriterSetup setup, std::string& out)
-      : setup_(std::move(setup)), out_(out), wrapAll_(asArray) {}
+  JsonWriter(const WriterSetup& setup, TextBuffer& out) : RecordWriter(out), setup_(setup) {}
 
   void beginArray() override {
-    if (wrapAll_ && inArray_) return;
+    if (!setup_.keepArrays) return;
     out_ += '[';
     inArray_ = true;
-    items_ = 0;
+    inThisArray_ = 0;
   }
 
   void endArray() override {
-    out_ += items_ == 0 ? "]\n" : "\n]\n";
+    if (!inArray_) return;
+    out_ += inThisArray_ == 0 ? "]\n" : "\n]\n";
     inArray_ = false;
   }
 
   void beginRecord(const Record& record) override {
     start_ = out_.size();
-    record_ = &record;
+    nextLabel_ = 0;
     beginItem();
-    if (record.form != Form::json || record.isArray) {
-      out_ += '{';
+    if (record.shape->form != Form::json || record.shape->isArray) {
+      char before = '{';
       for (const NamedJson& field : asJsonFields(record, setup_)) {
-        if (out_.back() != '{') out_ += ',';
-        appendJsonString(out_, field.name);
+        out_ += before;
+        out_ += jsonString(field.name);
         out_ += ':';
         out_ += field.json;
+        before = ',';
       }
+      if (before == '{') out_ += '{';
       return;
     }
     // As written, without the closing brace.
-    const std::string_view body =
-        record.text.substr(0, record.text.find_last_not_of(" \t\r\n", record.text.size() - 2) + 1);
-    appendOnOneLine(out_, body);
+    std::size_t end = record.text.size() - 1;
+    while (isSpace(record.text[end - 1])) --end;
+    appendOnOneLine(out_, record.text.substr(0, end));
   }
 
   void endRecord() override {
@@ -77,7 +81,7 @@ class JsonWriter final : public RecordWriter {
     finishItem();
   }
 
-  void cancelRecord() override { out_.resize(start_); }
+  void cancelRecord() override { out_.truncate(start_); }
 
   void badRecord(std::string_view, std::size_t line, const std::string& message) override {
     beginItem();
@@ -94,99 +98,113 @@ class JsonWriter final : public RecordWriter {
 
   void vector(std::string_view name, std::span<const double> values) override {
     beginField(name);
-    if (!std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); })) {
-      out_ += "null";
-      return;
-    }
-    out_ += '[';
-    for (const double& value : values) {
-      if (&value != values.data()) out_ += ',';
+    for (double value : values)
+      if (!std::isfinite(value)) {
+        out_ += "null";
+        return;
+      }
+    char before = '[';
+    for (double value : values) {
+      out_ += before;
       appendNumber(out_, value);
+      before = ',';
     }
     out_ += ']';
   }
 
   void flag(std::string_view name, bool value) override {
     beginField(name);
-    out_ += value ? "true" : "false";
+    out_ += value ? std::string_view("true") : std::string_view("false");
   }
 
   void names(std::string_view name, std::span<const std::string_view> values, bool always) override {
     if (values.empty() && !always) return;
     beginField(name);
-    out_ += '[';
-    for (const std::string_view& value : values) {
-      if (&value != values.data()) out_ += ',';
-      appendJsonString(out_, value);
+    char before = '[';
+    for (const std::string_view value : values) {
+      out_ += before;
+      out_ += '"';
+      out_ += value;
+      out_ += '"';
+      before = ',';
     }
+    if (before == '[') out_ += '[';
     out_ += ']';
   }
 
  private:
+  static bool isSpace(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
+
   void beginItem() {
-    if (inArray_) out_ += items_ == 0 ? "\n" : ",\n";
+    if (inArray_)
+      out_ += inThisArray_ == 0 ? std::string_view("\n") : std::string_view(",\n");
+    else if (joined_ && records_ > 0)
+      out_ += ",\n";
   }
 
   void finishItem() {
-    ++items_;
-    if (!inArray_) out_ += '\n';
+    ++records_;
+    ++inThisArray_;
+    if (!inArray_ && !joined_) out_ += '\n';
   }
 
+  /// The result's name as it stands behind the record's fields: results come in the same order again and again.
   void beginField(std::string_view name) {
-    const std::string full = setup_.prefix + std::string(name);
-    if (const Field* own = record_->find(full))
-      throw RecordError(own->offset,
-                        "already has a field '" + full + "'; --prefix P puts P in front of the results' names");
-    if (out_.back() != '{') out_ += ',';
-    out_ += '"';
-    out_ += full;
-    out_ += "\":";
+    for (; nextLabel_ < labels_.size() && labels_[nextLabel_].first != name.data(); ++nextLabel_) {
+    }
+    if (nextLabel_ == labels_.size())
+      labels_.emplace_back(name.data(), ",\"" + setup_.prefix + std::string(name) + "\":");
+    std::string_view label = labels_[nextLabel_++].second;
+    if (out_.back() == '{') label.remove_prefix(1);
+    out_ += label;
   }
 
-  WriterSetup setup_;
-  std::string& out_;
-  bool wrapAll_;
+  const WriterSetup& setup_;
   bool inArray_ = false;
-  std::size_t items_ = 0;
+  std::size_t inThisArray_ = 0;
   std::size_t start_ = 0;
-  const Record* record_ = nullptr;
+  std::vector<std::pair<const char*, std::string>> labels_;
+  std::size_t nextLabel_ = 0;
 };
 
 }  // namespace
 
-void appendJsonString(std::string& out, std::string_view text) {
+std::string jsonString(std::string_view text) {
   try {
-    out += nlohmann::json(text).dump();
+    return nlohmann::json(text).dump();
   } catch (const nlohmann::json::type_error&) {
     throw RecordError(0, "has text that is not UTF-8");
   }
 }
 
 std::vector<NamedJson> asJsonFields(const Record& record, const WriterSetup& setup) {
+  const Shape& shape = *record.shape;
+  if (shape.form == Form::json) {
+    TextBuffer array;
+    appendOnOneLine(array, record.text);
+    return {{setup.arrayName, std::string(array.view())}};
+  }
   std::vector<NamedJson> fields;
-  if (record.form == Form::csv) {
-    for (const Field& field : record.fields) fields.push_back({field.name, jsonCell(field)});
+  if (shape.form == Form::csv) {
+    const auto values = valuesOf(record);
+    for (std::size_t i = 0; i < values.size(); ++i) fields.push_back({shape.names[i], jsonCell(values[i])});
     return fields;
   }
-  const std::size_t inArray =
-      setup.arraySize == 0 ? record.fields.size() : std::min(setup.arraySize, record.fields.size());
-  if (record.form == Form::json) {
-    std::string array;
-    appendOnOneLine(array, record.text);
-    return {{setup.arrayName, array}};
-  }
+  std::vector<std::string> numbers;
+  if (shape.form == Form::f64)
+    for (double number : binaryNumbers(record.text)) numbers.push_back(formatNumber(number));
+  else
+    for (std::string_view value : valuesOf(record)) numbers.push_back(jsonNumber(value));
+  const std::size_t inArray = setup.arraySize == 0 ? numbers.size() : std::min(setup.arraySize, numbers.size());
   std::string array = "[";
-  for (std::size_t i = 0; i < inArray; ++i) {
-    if (i > 0) array += ',';
-    array += jsonNumber(record.fields[i].value);
-  }
+  for (std::size_t i = 0; i < inArray; ++i) array += (i > 0 ? "," : "") + numbers[i];
   fields.push_back({setup.arrayName, array + "]"});
-  if (inArray < record.fields.size()) fields.push_back({setup.extraName, jsonNumber(record.fields[inArray].value)});
+  if (inArray < numbers.size()) fields.push_back({setup.extraName, numbers[inArray]});
   return fields;
 }
 
-std::unique_ptr<RecordWriter> makeJsonWriter(bool asArray, WriterSetup setup, std::string& out) {
-  return std::make_unique<JsonWriter>(asArray, std::move(setup), out);
+std::unique_ptr<RecordWriter> makeJsonWriter(const WriterSetup& setup, TextBuffer& out) {
+  return std::make_unique<JsonWriter>(setup, out);
 }
 
 }  // namespace viewproj::cmd

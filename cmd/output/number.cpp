@@ -3,39 +3,49 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 
 namespace viewproj::cmd {
 namespace {
 
+/// No number is longer.
+constexpr std::size_t kLongest = 40;
+
+/// Returns the end of what it wrote.
 template <class T>
-void append(std::string& out, T value) {
+char* write(char* out, T value) {
   if (!std::isfinite(value)) {
-    out += "null";
-    return;
+    std::memcpy(out, "null", 4);
+    return out + 4;
   }
   const double size = std::fabs(static_cast<double>(value));
   // Beyond the integers that T holds exactly, plain digits would be longer than the shortest.
   const double largestPlain = sizeof(T) == sizeof(double) ? 1e16 : 1e7;
-  const bool plain = value == 0 || (size >= 1e-5 && size < largestPlain);
-  char text[40];
-  if (plain) {
-    out.append(text, std::to_chars(text, text + sizeof text, value, std::chars_format::fixed).ptr);
-    return;
-  }
+  if (value == 0 || (size >= 1e-5 && size < largestPlain))
+    return std::to_chars(out, out + kLongest, value, std::chars_format::fixed).ptr;
   // 5e-06 and 1e+16 become 5e-6 and 1e16.
-  char* end = std::to_chars(text, text + sizeof text, value, std::chars_format::scientific).ptr;
-  char* exponent = std::find(text, end, 'e') + 1;
-  out.append(text, exponent);
-  if (*exponent == '-') out += '-';
-  ++exponent;
-  while (exponent + 1 < end && *exponent == '0') ++exponent;
-  out.append(exponent, end);
+  char* const end = std::to_chars(out, out + kLongest, value, std::chars_format::scientific).ptr;
+  const char* from = std::find(out, end, 'e') + 1;
+  char* to = const_cast<char*>(from);
+  if (*from == '-') ++to;
+  ++from;
+  while (from + 1 < end && *from == '0') ++from;
+  return std::copy(from, static_cast<const char*>(end), to);
 }
 
 }  // namespace
 
-void appendNumber(std::string& out, double value) { append(out, value); }
-void appendNumber(std::string& out, float value) { append(out, value); }
+void appendNumber(std::string& out, double value) {
+  char text[kLongest];
+  out.append(text, write(text, value));
+}
+
+void appendNumber(std::string& out, float value) {
+  char text[kLongest];
+  out.append(text, write(text, value));
+}
+
+void appendNumber(TextBuffer& out, double value) { out.written(write(out.room(kLongest), value)); }
 
 std::string formatNumber(double value) {
   std::string text;

@@ -3,12 +3,15 @@
 
 #include <string>
 
+#include "output/text_buffer.hpp"
+
 namespace viewproj::cmd {
 
 /// Appends the shortest text that reads back to the same double (float), digits first: an exponent only below 1e-5 and
 /// from 1e16 on. What is not finite becomes `null`, the word for no value.
 void appendNumber(std::string& out, double value);
 void appendNumber(std::string& out, float value);
+void appendNumber(TextBuffer& out, double value);
 
 std::string formatNumber(double value);
 

@@ -1,5 +1,6 @@
 #include "output/output_file.hpp"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -10,17 +11,34 @@
 
 namespace viewproj::cmd {
 
-void writeOutput(std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t written = ::write(STDOUT_FILENO, text.data(), text.size());
+Written writeUntil(std::string_view text, const std::function<bool()>& stop) {
+  Written all;
+  while (all.bytes < text.size()) {
+    const ssize_t written = ::write(STDOUT_FILENO, text.data() + all.bytes, text.size() - all.bytes);
     if (written >= 0) {
-      text.remove_prefix(static_cast<std::size_t>(written));
-    } else if (errno == EPIPE) {
-      throw ClosedPipe{};
+      all.bytes += static_cast<std::size_t>(written);
     } else if (errno != EINTR) {
-      throw InputError(std::string("standard output: ") + std::strerror(errno));
+      all.error = errno;
+      return all;
     }
+    if (stop()) return all;
   }
+  return all;
+}
+
+void writeOutput(std::string_view text) {
+  const Written all = writeUntil(text, [] { return false; });
+  if (all.error == EPIPE) throw ClosedPipe{};
+  if (all.error != 0) throw InputError(std::string("standard output: ") + std::strerror(all.error));
+}
+
+void takeBack(std::size_t bytes) noexcept {
+  struct stat state;
+  const off_t at = ::lseek(STDOUT_FILENO, 0, SEEK_CUR);
+  const auto back = static_cast<off_t>(bytes);
+  if (bytes == 0 || at < back || ::fstat(STDOUT_FILENO, &state) != 0) return;
+  if (!S_ISREG(state.st_mode) || state.st_size != at) return;
+  if (::ftruncate(STDOUT_FILENO, at - back) == 0) (void)::lseek(STDOUT_FILENO, at - back, SEEK_SET);
 }
 
 }  // namespace viewproj::cmd

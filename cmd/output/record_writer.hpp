@@ -1,4 +1,4 @@
-// Records with their results, in any output form. One file a form: json_writer, csv_writer, text_writer.
+// Records with their results, in any output form. json_writer, csv_writer, text_writer (text and f64).
 #pragma once
 
 #include <functional>
@@ -9,11 +9,13 @@
 #include <vector>
 
 #include "input/record.hpp"
+#include "output/text_buffer.hpp"
 #include "stream/form.hpp"
 
 namespace viewproj::cmd {
 
 /// Receives the results of a record by name. A number that is not finite has no value: null, an empty cell, or NaN.
+/// Names must be literals: they are told apart by their address.
 class ResultSink {
  public:
   virtual ~ResultSink() = default;
@@ -30,26 +32,20 @@ class ResultSink {
   virtual bool isText() const { return false; }
 };
 
-/// A record's own fields come first, then by calls of the ResultSink its results.
-class RecordWriter : public ResultSink {
+/// Collects the names of results, as JSON has them.
+class NameCollector final : public ResultSink {
  public:
-  virtual void beginArray() {}
-  virtual void endArray() {}
+  explicit NameCollector(std::string prefix) : prefix_(std::move(prefix)) {}
+  void number(std::string_view name, double) override { add(name); }
+  void vector(std::string_view name, std::span<const double>) override { add(name); }
+  void flag(std::string_view name, bool) override { add(name); }
+  void names(std::string_view name, std::span<const std::string_view>, bool) override { add(name); }
 
-  /// CSV in: the first line of the input, before its first record.
-  virtual void header(const CsvHeader&, std::string_view /*line*/) {}
+  std::vector<std::string> found;
 
-  /// Throws RecordError where the record has a field of a result's name.
-  virtual void beginRecord(const Record& record) = 0;
-  virtual void endRecord() = 0;
-  /// Takes back what beginRecord and the results wrote.
-  virtual void cancelRecord() = 0;
-
-  /// After the last record.
-  virtual void finish() {}
-
-  /// --keep-going: what stands in place of a bad record.
-  virtual void badRecord(std::string_view text, std::size_t line, const std::string& message) = 0;
+ private:
+  void add(std::string_view name) { found.push_back(prefix_ + std::string(name)); }
+  std::string prefix_;
 };
 
 struct WriterSetup {
@@ -59,12 +55,59 @@ struct WriterSetup {
   std::string extraName;
   std::string prefix;  ///< in front of every result's name
   bool keepGoing = false;
+  bool keepArrays = false;                          ///< an array in the input is one in the output
+  bool header = true;                               ///< CSV: write one
   std::function<void(ResultSink&)> exampleResults;  ///< calls the sink as for a record, so that columns are known
 };
 
-std::unique_ptr<RecordWriter> makeJsonWriter(bool asArray, WriterSetup setup, std::string& out);
-std::unique_ptr<RecordWriter> makeCsvWriter(WriterSetup setup, std::string& out);
-std::unique_ptr<RecordWriter> makeTextWriter(WriterSetup setup, std::string& out);
+/// A record's own fields come first, then by calls of the ResultSink its results. Each worker has a writer of its own.
+class RecordWriter : public ResultSink {
+ public:
+  explicit RecordWriter(TextBuffer& out) : out_(out) {}
+
+  /// joined: records are to be separated, not ended, by what stands between them.
+  void beginBlock(bool joined) {
+    joined_ = joined;
+    records_ = 0;
+  }
+  std::size_t records() const { return records_; }
+
+  /// An array that begins and ends in a block.
+  virtual void beginArray() {}
+  virtual void endArray() {}
+
+  virtual void beginRecord(const Record& record) = 0;
+  virtual void endRecord() = 0;
+  /// Takes back what beginRecord and the results wrote.
+  virtual void cancelRecord() = 0;
+
+  /// --keep-going: what stands in place of a bad record.
+  virtual void badRecord(std::string_view text, std::size_t line, const std::string& message) = 0;
+
+ protected:
+  TextBuffer& out_;
+  bool joined_ = false;
+  std::size_t records_ = 0;
+};
+
+/// The columns of CSV, which all workers share. Those of records that were not CSV are the first record's; until they
+/// are known, only one worker may write.
+struct CsvColumns {
+  std::vector<std::string> own, results;
+  bool known = false, fromCsv = false;
+  std::vector<std::string> early;  ///< messages of bad records before the first good one
+};
+
+/// Throws RecordError where columns have the same name. Appends the header line to out, if there is one to be.
+CsvColumns csvColumns(const WriterSetup& setup, const CsvHeader* input, std::string_view line, TextBuffer& out);
+
+/// After the last record: what bad records left where there was no good one.
+void finishCsv(CsvColumns& columns, const WriterSetup& setup, TextBuffer& out);
+
+std::unique_ptr<RecordWriter> makeJsonWriter(const WriterSetup& setup, TextBuffer& out);
+std::unique_ptr<RecordWriter> makeCsvWriter(const WriterSetup& setup, CsvColumns& columns, TextBuffer& out);
+std::unique_ptr<RecordWriter> makeTextWriter(const WriterSetup& setup, TextBuffer& out);
+std::unique_ptr<RecordWriter> makeBinaryWriter(const WriterSetup& setup, TextBuffer& out);
 
 /// A field of a record under the name and with the JSON text it has when the record is written as a JSON object.
 struct NamedJson {
@@ -75,7 +118,7 @@ struct NamedJson {
 /// The fields of a record that was not read as a JSON object.
 std::vector<NamedJson> asJsonFields(const Record& record, const WriterSetup& setup);
 
-/// Appends text as a JSON string.
-void appendJsonString(std::string& out, std::string_view text);
+/// Text as a JSON string. Throws RecordError where it is not UTF-8.
+std::string jsonString(std::string_view text);
 
 }  // namespace viewproj::cmd

@@ -1,13 +1,13 @@
 // A filter: records in, the same records with results out, in order and in bounded memory.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "output/record_writer.hpp"
 #include "stream/form.hpp"
+#include "stream/work.hpp"
 
 namespace viewproj::cmd {
 
@@ -23,21 +23,18 @@ struct FilterSetup {
   std::optional<Form> from;
   std::optional<OutputForm> to;  ///< nothing: as the input
   bool keepGoing = false;
+  unsigned jobs = 0;                     ///< threads; 0: one a processor
+  std::size_t firstLine = 1;             ///< the number of the input's first line (f64: record), for messages
   std::vector<std::string> csvDefaults;  ///< column names of a CSV stream without a header
-  /// Reads a record whose fields are the header's names, all with the value 1; throws RecordError where one is missing.
-  std::function<void(const Record&)> checkHeader;
   WriterSetup writer;
 };
 
-/// Reads a record and writes its results; throws RecordError where it is wrong.
-using RecordWork = std::function<void(const Record&, ResultSink&)>;
-
 /// Returns the exit status: 1 if --keep-going passed over a bad record. Throws InputError at the first bad record
-/// otherwise, after everything before it has been written and an open array closed.
-int runFilter(const FilterSetup& setup, const RecordWork& work);
+/// otherwise, after everything before it has been written and an open array closed; Interrupted behind a whole record.
+int runFilter(FilterSetup setup, const MakeWork& makeWork);
 
-/// Reads the records alone: visits each in order and writes nothing. visit throws RecordError where a record is wrong;
-/// the first that is becomes an InputError that names its place. setup: file or given, from, csvDefaults, checkHeader.
-void readRecords(const FilterSetup& setup, const std::function<void(const Record&)>& visit);
+/// Reads the records alone, in order: they are added to the work, batch by batch, and nothing is written. Throws
+/// InputError at the first bad one. setup: file or given, from, csvDefaults.
+void readRecords(FilterSetup setup, const MakeWork& makeWork);
 
 }  // namespace viewproj::cmd

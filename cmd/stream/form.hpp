@@ -2,20 +2,23 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <string_view>
 
 namespace viewproj::cmd {
 
-enum class Form { json, csv, text };
+/// f64: little-endian doubles, three a record.
+enum class Form { json, csv, text, f64 };
 
-/// json is a sequence of values on lines; jsonArray one array of them.
-enum class OutputForm { lines, array, csv, text };
+/// json is a sequence of values on lines; array one array of them.
+enum class OutputForm { lines, array, csv, text, f64 };
+
+OutputForm sameForm(Form form);
 
 /// By the file's name, or nothing.
 std::optional<Form> formOfName(std::string_view fileName);
 
-/// By the first bytes: `{` or `[` begins JSON, a comma on the first line CSV, anything else with numbers text.
+/// By the first bytes: a control character tells f64, `{` or `[` begins JSON, a comma or a word on the first line CSV,
+/// anything else with numbers is text.
 Form formOfBytes(std::string_view start);
 
 }  // namespace viewproj::cmd

@@ -1,0 +1,75 @@
+#include "input/layout.hpp"
+
+#include <limits>
+
+#include "input/error.hpp"
+#include "input/number.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+std::string nameOf(const RecordParts& record, std::size_t field) {
+  return record.shape.isArray ? "" : record.shape.names[field] + ": ";
+}
+
+double numberAt(const RecordParts& record, std::size_t field, std::string_view text) {
+  const auto number = record.shape.form == Form::csv ? parseNumber(csvValue(text)) : parseNumber(text);
+  if (!number)
+    throw RecordError(static_cast<std::size_t>(text.data() - record.text.data()),
+                      nameOf(record, field) + quoted(text) + " is not a finite number");
+  return *number;
+}
+
+bool isAbsent(std::string_view value, Form form) {
+  if (form == Form::json) return value == "null";
+  if (form == Form::text) return value == "NaN";
+  return value.find_first_not_of(" \t\r\"") == std::string_view::npos;
+}
+
+/// Returns how many there are.
+std::size_t readArray(const RecordParts& record, const NumberField& part, double* numbers) {
+  const std::string_view value = record.values[part.field];
+  const auto expected = [&] {
+    return RecordError(record.offset(part.field),
+                       nameOf(record, part.field) + "expected an array of " + std::to_string(part.fewest) +
+                           (part.fewest == part.most ? "" : " or " + std::to_string(part.most)) + " numbers");
+  };
+  if (!value.starts_with('[')) throw expected();
+  std::size_t count = 0;
+  JsonParts parts(value);
+  while (const auto item = parts.next()) {
+    const char c = item->value.empty() ? ' ' : item->value[0];
+    if (count == part.most || (c != '-' && (c < '0' || c > '9'))) throw expected();
+    numbers[count++] = numberAt(record, part.field, item->value);
+  }
+  if (count < part.fewest) throw expected();
+  return count;
+}
+
+}  // namespace
+
+std::size_t Layout::slots() const {
+  std::size_t slots = 0;
+  for (const NumberField& part : parts) slots += part.most;
+  return slots;
+}
+
+void readNumbers(const RecordParts& record, const Layout& layout, Numbers& numbers) {
+  double* slot = numbers.data();
+  for (const NumberField& part : layout.parts) {
+    const std::string_view value = record.values[part.field];
+    std::size_t count = 0;
+    if (part.mayBeAbsent && isAbsent(value, record.shape.form))
+      count = 0;
+    else if (part.isArray)
+      count = readArray(record, part, slot);
+    else
+      slot[count++] = numberAt(record, part.field, value);
+    for (; count < part.most; ++count) slot[count] = kNone;
+    slot += part.most;
+  }
+}
+
+}  // namespace viewproj::cmd

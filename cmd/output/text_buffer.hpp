@@ -1,0 +1,57 @@
+// Text that grows at its end: what std::string does, with appending inlined, since a stream is made of short pieces.
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+#include <memory>
+#include <string_view>
+
+namespace viewproj::cmd {
+
+class TextBuffer {
+ public:
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  std::string_view view() const { return {data_.get(), size_}; }
+  char back() const { return data_[size_ - 1]; }
+
+  void clear() { size_ = 0; }
+  /// Forgets all behind the first `size` bytes.
+  void truncate(std::size_t size) { size_ = size; }
+
+  TextBuffer& operator+=(char c) {
+    *room(1) = c;
+    ++size_;
+    return *this;
+  }
+  TextBuffer& operator+=(std::string_view text) {
+    std::memcpy(room(text.size()), text.data(), text.size());
+    size_ += text.size();
+    return *this;
+  }
+  void append(std::size_t count, char c) {
+    std::memset(room(count), c, count);
+    size_ += count;
+  }
+
+  /// Where to write up to `most` bytes; written() says how many it were.
+  char* room(std::size_t most) {
+    if (capacity_ - size_ < most) grow(most);
+    return data_.get() + size_;
+  }
+  void written(const char* end) { size_ = static_cast<std::size_t>(end - data_.get()); }
+
+ private:
+  void grow(std::size_t more) {
+    const std::size_t capacity = 2 * capacity_ + more + 1024;
+    std::unique_ptr<char[]> data(new char[capacity]);  // not made zero
+    if (size_ > 0) std::memcpy(data.get(), data_.get(), size_);
+    data_ = std::move(data);
+    capacity_ = capacity;
+  }
+
+  std::unique_ptr<char[]> data_;
+  std::size_t size_ = 0, capacity_ = 0;
+};
+
+}  // namespace viewproj::cmd

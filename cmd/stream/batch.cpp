@@ -1,0 +1,147 @@
+#include "stream/batch.hpp"
+
+#include <algorithm>
+
+namespace viewproj::cmd {
+namespace {
+
+constexpr std::size_t kRows = 256;
+/// Shapes that are remembered.
+constexpr std::size_t kPlans = 32;
+
+}  // namespace
+
+Batch::Batch(const BatchSetup& setup, RecordWork& work, RecordWriter* writer, BlockResult& result)
+    : setup_(setup), work_(work), writer_(writer), result_(result) {
+  rows_.reserve(kRows);
+}
+
+void Batch::begin(const Block& block) {
+  block_ = &block;
+  countedTo_ = 0;
+  countedPosition_ = block.position;
+  rows_.clear();
+  errors_.clear();
+  work_.clear();
+}
+
+const Plan& Batch::planFor(const RecordParts& record) {
+  for (std::size_t i = 0; i < plans_.size(); ++i) {
+    const Shape& shape = plans_[i]->shape;
+    if (shape.isArray == record.shape.isArray && shape.size == record.shape.size && shape.names == record.shape.names) {
+      usedAgain(i);
+      return *plans_.front();
+    }
+  }
+  Layout layout = work_.find(record);
+  if (setup_.checkNames && !record.shape.isArray) {
+    NameCollector names(setup_.prefix);
+    work_.nameResults(layout, names);
+    for (const std::string& name : names.found)
+      if (const auto own = record.shape.find(name))
+        throw RecordError(record.offset(*own),
+                          "already has a field '" + name + "'; --prefix P puts P in front of the results' names");
+  }
+  if (plans_.size() == kPlans) {
+    flush();  // rows speak of their plans
+    plans_.resize(kPlans / 2);
+  }
+  plans_.insert(plans_.begin(), std::make_unique<Plan>(Plan{record.shape, std::move(layout)}));
+  return *plans_.front();
+}
+
+void Batch::usedAgain(std::size_t plan) {
+  const auto at = plans_.begin() + static_cast<std::ptrdiff_t>(plan);
+  if (plan > 0) std::rotate(plans_.begin(), at, at + 1);
+}
+
+void Batch::add(std::string_view text, const Plan& plan, const Numbers& numbers) {
+  try {
+    work_.add(plan.layout, numbers);
+  } catch (const RecordError& e) {
+    bad(text, e);
+    return;
+  }
+  rows_.push_back({text, &plan});
+  if (rows_.size() == kRows) flush();
+}
+
+void Batch::bad(std::string_view text, const RecordError& error) {
+  rows_.push_back({text, nullptr});
+  errors_.push_back(error);
+  if (!setup_.keepGoing || rows_.size() == kRows) flush();
+}
+
+void Batch::beginArray() {
+  flush();
+  if (writer_) writer_->beginArray();
+}
+
+void Batch::endArray() {
+  flush();
+  if (writer_) writer_->endArray();
+}
+
+void Batch::flush() {
+  work_.compute();
+  std::size_t added = 0, bad = 0;
+  for (const Row& row : rows_) {
+    if (!row.plan) {
+      writeBad(row.text, errors_[bad++]);
+      continue;
+    }
+    const std::size_t index = added++;
+    if (!writer_) {
+      ++result_.records;
+      continue;
+    }
+    try {
+      writer_->beginRecord({row.text, &row.plan->shape});
+      work_.write(index, *writer_);
+      writer_->endRecord();
+    } catch (const RecordError& e) {
+      writer_->cancelRecord();
+      writeBad(row.text, e);
+    }
+  }
+  rows_.clear();
+  errors_.clear();
+  work_.clear();
+}
+
+void Batch::writeBad(std::string_view text, const RecordError& error) {
+  const char* at = text.data() + error.offset;
+  if (!setup_.keepGoing) fail(at, error.what());
+  const TextPosition position = positionOf(at);
+  if (writer_) writer_->badRecord(text, position.line, error.what());
+  result_.passedOver.push_back({position, error.what()});
+}
+
+void Batch::fail(const char* at, const std::string& message) {
+  result_.fault = StreamFault{positionOf(at), message};
+  throw StopBlock{};
+}
+
+std::size_t Batch::convert(std::span<const double> numbers) {
+  if (!setup_.convert || !writer_) return 0;
+  flush();
+  const std::size_t count = work_.convert(numbers, result_.out);
+  result_.records += count;
+  return count;
+}
+
+TextPosition Batch::positionOf(const char* where) {
+  const std::string_view records = block_->records;
+  const auto at = static_cast<std::size_t>(where - records.data());
+  if (setup_.form == Form::f64) return {block_->position.line + at / kBinaryRecord, 1 + at % kBinaryRecord};
+  // Errors come in order, but for those of results, which come after the records of their batch.
+  if (at < countedTo_) {
+    countedTo_ = 0;
+    countedPosition_ = block_->position;
+  }
+  countedPosition_ = positionAt(records.substr(countedTo_), at - countedTo_, countedPosition_);
+  countedTo_ = at;
+  return countedPosition_;
+}
+
+}  // namespace viewproj::cmd

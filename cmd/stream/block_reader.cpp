@@ -1,0 +1,247 @@
+#include "stream/block_reader.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include "input/error.hpp"
+#include "input/record.hpp"
+#include "stream/csv_lines.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+constexpr std::size_t npos = std::string_view::npos;
+constexpr std::string_view kBom = "\xEF\xBB\xBF";
+
+bool isBlank(std::string_view line) { return line.find_first_not_of(" \t\r") == npos; }
+
+std::size_t behindLastLine(std::string_view text) {
+  const std::size_t end = text.rfind('\n');
+  return end == npos ? 0 : end + 1;
+}
+
+std::size_t wholeCsv(std::string_view text) {
+  if (text.find('"') == npos) return behindLastLine(text);
+  std::size_t whole = 0;
+  for (std::size_t end = endOfCsvRecord(text, 0); end < text.size(); end = endOfCsvRecord(text, whole)) whole = end + 1;
+  return whole;
+}
+
+}  // namespace
+
+void ByteBuffer::reserve(std::size_t capacity) {
+  if (capacity <= capacity_) return;
+  std::unique_ptr<char[]> data(new char[capacity + kPadding]);
+  std::memset(data.get() + capacity, 0, kPadding);
+  if (size_ > 0) std::memcpy(data.get(), data_.get(), size_);
+  data_ = std::move(data);
+  capacity_ = capacity;
+}
+
+void ByteBuffer::assign(std::string_view bytes) {
+  reserve(bytes.size());
+  if (!bytes.empty()) std::memmove(data_.get(), bytes.data(), bytes.size());
+  size_ = bytes.size();
+}
+
+BlockReader::BlockReader(const std::string& file, std::size_t firstLine, int wake) : wake_(wake) {
+  file_.emplace(file);
+  name_ = file_->name();
+  total_ = file_->remaining();
+  position_.line = firstLine;
+}
+
+BlockReader::BlockReader(std::string bytes) : atEnd_(true) { carried_.assign(bytes); }
+
+bool BlockReader::readMore(ByteBuffer& bytes, std::size_t most) {
+  bytes.reserve(most);
+  if (wake_ >= 0 && !file_->waitUnless(wake_)) {
+    over_ = true;
+    return false;
+  }
+  const std::size_t got = file_->read(bytes.data() + bytes.size(), most - bytes.size());
+  bytes.resize(bytes.size() + got);
+  atEnd_ = got == 0;
+  return true;
+}
+
+std::string_view BlockReader::firstBytes() {
+  constexpr std::size_t kLongEnough = 64 << 10;
+  const auto decided = [&](std::string_view text) {
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    const bool mayBeBom = text.size() < kBom.size() && kBom.starts_with(text);
+    return first != npos && !mayBeBom && (text[first] == '{' || text[first] == '[' || text.find('\n', first) != npos);
+  };
+  while (!atEnd_ && !over_ && carried_.size() < kLongEnough && !decided(carried_.view()))
+    readMore(carried_, carried_.size() + kBlock);
+  if (carried_.view().starts_with(kBom)) carried_.assign(carried_.view().substr(kBom.size()));
+  return carried_.view();
+}
+
+std::optional<BlockReader::Line> BlockReader::firstLine(bool take) {
+  std::size_t begin = 0;
+  TextPosition position = position_;
+  while (!over_) {
+    const std::string_view text = carried_.view();
+    const std::size_t end = endOfCsvRecord(text, begin);
+    if (end == text.size() && !atEnd_ && text.size() < kLongestRecord) {
+      readMore(carried_, carried_.size() + kBlock);
+      continue;
+    }
+    if (begin == text.size()) return std::nullopt;
+    const std::string_view line = text.substr(begin, end - begin);
+    const std::size_t behind = std::min(end + 1, text.size());
+    if (!isBlank(line)) {
+      Line found{std::string(line), position};
+      if (found.text.ends_with('\r')) found.text.pop_back();
+      if (take) {
+        moveOn(text.substr(0, behind));
+        carried_.assign(text.substr(behind));
+      }
+      return found;
+    }
+    position = positionAt(text, behind - begin, position);
+    begin = behind;
+  }
+  return std::nullopt;
+}
+
+void BlockReader::moveOn(std::string_view text) {
+  if (form_ == Form::f64) {
+    position_.line += text.size() / kBinaryRecord;
+    return;
+  }
+  const auto lines = std::count(text.begin(), text.end(), '\n');
+  position_.line += static_cast<std::size_t>(lines);
+  position_.column = lines > 0 ? text.size() - text.rfind('\n') : position_.column + text.size();
+}
+
+bool BlockReader::next(Block& block) {
+  block.records = {};
+  block.inArray = false;
+  block.opening.clear();
+  block.closing.clear();
+  block.fault.reset();
+  if (over_) return false;
+  ByteBuffer& bytes = block.bytes;
+  bytes.assign(carried_.view());
+  carried_.resize(0);
+  std::size_t most = std::max(kBlock, bytes.size());
+  std::size_t whole = 0;
+  try {
+    for (std::size_t lookedAt = npos;;) {
+      const bool full = bytes.size() == most;
+      if (atEnd_ || (bytes.size() != lookedAt && (full || !file_->isReady()))) {
+        lookedAt = bytes.size();
+        whole = wholeRecords(block, bytes.view());
+        if (whole > 0 || atEnd_ || block.fault) break;
+        if (bytes.size() >= kLongestRecord) {
+          block.fault = {position_, "a record longer than " + std::to_string(kLongestRecord >> 20) + " MiB"};
+          break;
+        }
+        if (full) most *= 2;
+      }
+      if (!readMore(bytes, most)) return false;
+    }
+  } catch (const InputError& e) {
+    // What was read before goes out; a record that the error cut off does not.
+    whole = wholeRecords(block, bytes.view());
+    block.fault = {{0, 0}, e.what()};
+  }
+  const std::string_view text = bytes.view();
+  carried_.assign(text.substr(whole));
+  block.inputBytes = whole;
+  if (block.records.data() == nullptr) block.records = text.substr(0, whole);
+  const auto begin = static_cast<std::size_t>(block.records.data() - text.data());
+  moveOn(text.substr(0, begin));
+  block.position = position_;
+  moveOn(text.substr(begin, whole - begin));
+  block.last = atEnd_ && carried_.size() == 0;
+  over_ = block.fault || block.last || (atEnd_ && whole == 0);
+  return whole > 0 || block.fault;
+}
+
+std::size_t BlockReader::wholeRecords(Block& block, std::string_view text) {
+  switch (form_) {
+    case Form::json:
+      return wholeJson(block, text);
+    case Form::csv:
+      return atEnd_ ? text.size() : wholeCsv(text);
+    case Form::text:
+      return atEnd_ ? text.size() : behindLastLine(text);
+    case Form::f64:
+      break;
+  }
+  return atEnd_ ? text.size() : text.size() / kBinaryRecord * kBinaryRecord;
+}
+
+std::size_t BlockReader::wholeJson(Block& block, std::string_view text) {
+  if (splitter_.insideArray()) return wholeArrayRecords(block, text);
+  std::size_t whole = 0;
+  JsonSplitter tail;
+  JsonSplitter* splitter = &splitter_;  // the first record may be long, and looked at again when more of it is here
+  for (;;) {
+    JsonPiece piece;
+    try {
+      piece = splitter->next(text.substr(whole), atEnd_);
+    } catch (const RecordError& e) {
+      // Whoever works on the block will say so: it takes the line, and all up to the last border.
+      splitter_ = JsonSplitter();
+      if (atEnd_) return text.size();
+      const std::size_t line = text.find('\n', whole + e.offset);
+      const std::size_t border = lastBorder(text.substr(whole));
+      return std::max({whole, line == npos ? 0 : line + 1, border == npos ? 0 : whole + border});
+    }
+    switch (piece.event) {
+      case JsonEvent::needMore:
+        return whole;
+      case JsonEvent::end:
+        return text.size();
+      case JsonEvent::beginArray:
+        if (whole > 0) return whole;
+        block.opening = piece.text;
+        block.records = text.substr(piece.end, 0);
+        return piece.end + wholeArrayRecords(block, text.substr(piece.end));
+      default:
+        break;
+    }
+    if (atEnd_) return text.size();
+    whole += piece.end;
+    if (splitter == &splitter_) {
+      if (const std::size_t border = lastBorder(text.substr(whole)); border != npos) whole += border;
+      splitter = &tail;
+    }
+  }
+}
+
+std::size_t BlockReader::wholeArrayRecords(Block& block, std::string_view text) {
+  block.inArray = true;
+  std::size_t whole = 0, end = 0;
+  const auto finish = [&] {
+    block.records = text.substr(0, end);
+    return whole;
+  };
+  for (;;) {
+    JsonPiece piece;
+    try {
+      piece = splitter_.next(text.substr(whole), atEnd_);
+    } catch (const RecordError& e) {
+      const auto begin = static_cast<std::size_t>(text.data() - block.bytes.data());
+      block.fault = {positionAt(block.bytes.view(), begin + whole + e.offset, position_), e.what()};
+      return finish();
+    }
+    if (piece.event != JsonEvent::record && piece.event != JsonEvent::endArray) return finish();
+    const auto begin = static_cast<std::size_t>(piece.text.data() - text.data());
+    // The comma, made blank: the bytes are the block's own.
+    for (std::size_t at = whole; at < begin; ++at)
+      if (text[at] == ',') block.bytes.data()[static_cast<std::size_t>(&text[at] - block.bytes.data())] = ' ';
+    whole += piece.end;
+    if (piece.event == JsonEvent::endArray) {
+      block.closing = piece.text;
+      return finish();
+    }
+    end = whole;
+  }
+}
+
+}  // namespace viewproj::cmd

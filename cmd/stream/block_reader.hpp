@@ -1,0 +1,103 @@
+// The input in blocks of whole records: the part of a stream's work that only one thread at a time can do.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "input/file.hpp"
+#include "input/json_text.hpp"
+#include "stream/form.hpp"
+#include "stream/json_splitter.hpp"
+
+namespace viewproj::cmd {
+
+/// Bytes, and behind them room that may be read (simdjson looks that far beyond a record).
+class ByteBuffer {
+ public:
+  static constexpr std::size_t kPadding = 64;
+
+  char* data() { return data_.get(); }
+  std::size_t size() const { return size_; }
+  std::size_t capacity() const { return capacity_; }
+  std::string_view view() const { return {data_.get(), size_}; }
+  void resize(std::size_t size) { size_ = size; }
+  /// Keeps the bytes.
+  void reserve(std::size_t capacity);
+  void assign(std::string_view bytes);
+
+ private:
+  std::unique_ptr<char[]> data_;
+  std::size_t size_ = 0, capacity_ = 0;
+};
+
+struct StreamFault {
+  TextPosition position;
+  std::string message;
+};
+
+/// A part of the input that ends behind a record.
+struct Block {
+  ByteBuffer bytes;
+  std::string_view records;          ///< in bytes. JSON: separated by white space alone, commas of an array made blank
+  TextPosition position;             ///< of the first of records. f64: line is the record's number
+  std::size_t inputBytes = 0;        ///< of the whole input that the block takes up
+  bool last = false;                 ///< the input ends behind it
+  bool inArray = false;              ///< the records are an array's
+  std::string opening;               ///< an array begins here: what stands before its first record
+  std::string closing;               ///< and ends here: what stands behind its last one
+  std::optional<StreamFault> fault;  ///< what is wrong behind the records: nothing follows
+};
+
+class BlockReader {
+ public:
+  static constexpr std::size_t kBlock = 256 << 10;
+  /// A record that is longer is an error.
+  static constexpr std::size_t kLongestRecord = 64 << 20;
+
+  /// wake: a descriptor that interrupts waiting for input.
+  BlockReader(const std::string& file, std::size_t firstLine, int wake);
+  /// Of bytes given instead of a file.
+  explicit BlockReader(std::string bytes);
+
+  /// The first bytes of the input, enough to tell its form: to the end of the first line that is not blank, or a
+  /// bracket at its start; without a byte order mark.
+  std::string_view firstBytes();
+
+  void setForm(Form form) { form_ = form; }
+
+  /// CSV: the first line that is not blank, and where it stands. It is taken, unless it is to be read again.
+  struct Line {
+    std::string text;
+    TextPosition position;
+  };
+  std::optional<Line> firstLine(bool take);
+
+  /// False at the end of the input, or when woken. What the block held before is lost.
+  bool next(Block& block);
+
+  const std::string& name() const { return name_; }
+  std::optional<std::size_t> totalBytes() const { return total_; }
+
+ private:
+  /// How many bytes of text are whole records; 0: more are needed. Sets the block's array and fault.
+  std::size_t wholeRecords(Block& block, std::string_view text);
+  std::size_t wholeJson(Block& block, std::string_view text);
+  std::size_t wholeArrayRecords(Block& block, std::string_view text);
+  /// Reads once, behind what bytes hold, until they are `most` at the most. False when woken.
+  bool readMore(ByteBuffer& bytes, std::size_t most);
+  void moveOn(std::string_view text);
+
+  std::string name_;
+  std::optional<InputFile> file_;
+  std::optional<std::size_t> total_;
+  int wake_ = -1;
+  Form form_ = Form::json;
+  ByteBuffer carried_;  ///< read, not yet given out
+  bool atEnd_ = false, over_ = false;
+  TextPosition position_;
+  JsonSplitter splitter_;
+};
+
+}  // namespace viewproj::cmd

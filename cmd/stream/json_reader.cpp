@@ -1,0 +1,191 @@
+// The one file that knows simdjson. What it rejects, or what is of a shape not met before, goes to the parts that
+// nlohmann-json judges: so that is valid which nlohmann-json calls valid, and its words are in the messages.
+#include <simdjson.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "stream/batch.hpp"
+#include "stream/json_splitter.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+namespace dom = simdjson::dom;
+
+static_assert(simdjson::SIMDJSON_PADDING <= ByteBuffer::kPadding);
+
+constexpr std::size_t npos = std::string_view::npos;
+constexpr std::string_view kSpace = " \t\r\n";
+
+bool readNumber(dom::element value, double& number) { return value.get_double().get(number) == simdjson::SUCCESS; }
+
+/// As readNumbers; false where it would throw.
+bool readNumbers(const std::vector<dom::element>& values, const Layout& layout, Numbers& numbers) {
+  double* slot = numbers.data();
+  for (const NumberField& part : layout.parts) {
+    const dom::element value = values[part.field];
+    std::size_t count = 0;
+    if (part.mayBeAbsent && value.is_null()) {
+      count = 0;
+    } else if (part.isArray) {
+      dom::array array;
+      if (value.get_array().get(array)) return false;
+      for (dom::element item : array)
+        if (count == part.most || !readNumber(item, slot[count++])) return false;
+      if (count < part.fewest) return false;
+    } else if (!readNumber(value, slot[count++])) {
+      return false;
+    }
+    for (; count < part.most; ++count) slot[count] = std::numeric_limits<double>::quiet_NaN();
+    slot += part.most;
+  }
+  return true;
+}
+
+class JsonReader final : public RecordReader {
+ public:
+  JsonReader() {
+#ifdef SIMDJSON_THREADS_ENABLED
+    parser_.threaded = false;
+#endif
+  }
+
+  void read(const Block& block, Batch& batch) override {
+    batch_ = &batch;
+    elements_ = block.inArray;
+    last_ = block.last;
+    text_ = block.records;
+    // Records one by one behind a rejected one: for a while, so that many of them do not cost a pass over the rest
+    // each.
+    std::size_t oneByOne = 32;
+    for (std::size_t at = 0; at < text_.size();) {
+      if (text_.size() - at <= BlockReader::kBlock + ByteBuffer::kPadding) at = readMany(at);
+      for (std::size_t i = 0; i < oneByOne && at < text_.size(); ++i) at = readNext(at);
+      oneByOne *= 2;
+    }
+  }
+
+ private:
+  /// All records up to the first that is not an ordinary one. Returns where that begins, or the end.
+  std::size_t readMany(std::size_t begin) {
+    dom::document_stream stream;
+    const std::size_t size = text_.size() - begin;
+    if (parser_.parse_many(text_.data() + begin, size, std::max(size, dom::MINIMAL_BATCH_SIZE)).get(stream))
+      return begin;
+    std::size_t done = begin;
+    for (auto document = stream.begin(); document != stream.end(); ++document) {
+      dom::element value;
+      if ((*document).get(value)) break;
+      const dom::element_type type = value.type();
+      if (type != dom::element_type::OBJECT && type != dom::element_type::ARRAY) break;
+      const std::string_view source = document.source();
+      if (!add(value, source)) break;
+      done = static_cast<std::size_t>(source.data() - text_.data()) + source.size();
+    }
+    return std::min(text_.find_first_not_of(kSpace, done), text_.size());
+  }
+
+  /// One record, or one array of them. Returns where it ends.
+  std::size_t readNext(std::size_t at) {
+    JsonSplitter splitter(elements_, !last_);
+    for (;;) {
+      JsonPiece piece;
+      try {
+        piece = splitter.next(text_.substr(at), true);
+      } catch (const RecordError& e) {
+        if (splitter.insideArray()) {
+          batch_->flush();
+          batch_->fail(text_.data() + at + e.offset, e.what());
+        }
+        return passOverLine(at, e);
+      }
+      switch (piece.event) {
+        case JsonEvent::record:
+          readRecord(piece.text);
+          break;
+        case JsonEvent::beginArray:
+          batch_->beginArray();
+          break;
+        case JsonEvent::endArray:
+          batch_->endArray();
+          break;
+        default:
+          return text_.size();
+      }
+      at += piece.end;
+      if (!splitter.insideArray()) return at;
+    }
+  }
+
+  void readRecord(std::string_view text) {
+    dom::element value;
+    const bool accepted = text.size() <= BlockReader::kBlock &&
+                          parser_.parse(text.data(), text.size(), false).get(value) == simdjson::SUCCESS;
+    if (accepted && add(value, text)) return;
+    try {
+      const RecordParts record = jsonParts(text);
+      const Plan& plan = batch_->planFor(record);
+      Numbers numbers;
+      cmd::readNumbers(record, plan.layout, numbers);
+      batch_->add(text, plan, numbers);
+    } catch (const RecordError& e) {
+      batch_->bad(text, e);
+    }
+  }
+
+  /// Where no record can be made out: the line counts as one, and the next begins afresh.
+  std::size_t passOverLine(std::size_t at, const RecordError& e) {
+    const std::size_t begin = text_.find_first_not_of(kSpace, at);
+    const std::size_t end = std::min(text_.find('\n', begin), text_.size());
+    std::size_t where = at + e.offset;
+    if (batch_->keepsGoing()) where = std::clamp(where, begin, end);
+    batch_->bad(text_.substr(begin, end - begin), RecordError(where - begin, e.what()));
+    return end;
+  }
+
+  /// False where it is not of a shape met before, or lacks its numbers.
+  bool add(dom::element value, std::string_view text) {
+    const bool isArray = value.type() == dom::element_type::ARRAY;
+    const auto& plans = batch_->plans();
+    for (std::size_t i = 0; i < plans.size(); ++i) {
+      const Shape& shape = plans[i]->shape;
+      if (shape.isArray != isArray || !(isArray ? isOfSize(value, shape.size) : hasNames(value, shape.names))) continue;
+      const Plan& plan = *plans[i];
+      Numbers numbers;
+      if (!readNumbers(values_, plan.layout, numbers)) return false;
+      batch_->usedAgain(i);
+      batch_->add(text, plan, numbers);
+      return true;
+    }
+    return false;
+  }
+
+  bool isOfSize(dom::element value, std::size_t size) {
+    values_.clear();
+    for (dom::element item : dom::array(value)) values_.push_back(item);
+    return values_.size() == size;
+  }
+
+  bool hasNames(dom::element value, const std::vector<std::string>& names) {
+    if (names.empty() || names[0] == "points") return false;  // it may be a document
+    values_.clear();
+    for (const auto [name, item] : dom::object(value)) {
+      if (values_.size() == names.size() || name != names[values_.size()]) return false;
+      values_.push_back(item);
+    }
+    return values_.size() == names.size();
+  }
+
+  dom::parser parser_;
+  Batch* batch_ = nullptr;
+  bool elements_ = false, last_ = false;
+  std::string_view text_;
+  std::vector<dom::element> values_;
+};
+
+}  // namespace
+
+std::unique_ptr<RecordReader> makeJsonReader() { return std::make_unique<JsonReader>(); }
+
+}  // namespace viewproj::cmd

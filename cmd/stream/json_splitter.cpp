@@ -1,0 +1,191 @@
+#include "stream/json_splitter.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "input/error.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+constexpr std::size_t npos = std::string_view::npos;
+constexpr std::string_view kSpace = " \t\r\n";
+constexpr const char* kNoSeparator = "expected , or ] behind a record of an array";
+
+std::size_t skipSpace(std::string_view text, std::size_t at) {
+  return std::min(text.find_first_not_of(kSpace, at), text.size());
+}
+
+bool beginsNumber(char c) { return c == '-' || (c >= '0' && c <= '9'); }
+bool opens(char c) { return c == '{' || c == '['; }
+bool closes(char c) { return c == '}' || c == ']'; }
+
+struct BorderAt {
+  enum { no, yes, undecided } is = no;
+  std::size_t next = 0;  ///< the opening bracket
+};
+
+/// Whether the line break at `at` is a border.
+BorderAt borderAt(std::string_view text, std::size_t at) {
+  const std::size_t before = text.find_last_not_of(kSpace, at);
+  if (before == npos || !closes(text[before])) return {};
+  const std::size_t behind = text.find_first_not_of(kSpace, at);
+  if (behind == npos) return {BorderAt::undecided};
+  return {opens(text[behind]) ? BorderAt::yes : BorderAt::no, behind};
+}
+
+/// Whether an object that starts at `at` has "points" for its first key and an array behind it.
+struct DocumentStart {
+  enum { no, yes, undecided } is;
+  std::size_t end = 0;  ///< behind the array's opening bracket
+};
+
+DocumentStart documentStart(std::string_view text, std::size_t at) {
+  constexpr std::string_view kKey = "\"points\"";
+  at = skipSpace(text, at + 1);
+  const std::string_view key = text.substr(at, kKey.size());
+  if (!kKey.starts_with(key)) return {DocumentStart::no};
+  if (key.size() < kKey.size()) return {DocumentStart::undecided};
+  at = skipSpace(text, at + kKey.size());
+  if (at >= text.size()) return {DocumentStart::undecided};
+  if (text[at] != ':') return {DocumentStart::no};
+  at = skipSpace(text, at + 1);
+  if (at >= text.size()) return {DocumentStart::undecided};
+  if (text[at] != '[') return {DocumentStart::no};
+  return {DocumentStart::yes, at + 1};
+}
+
+}  // namespace
+
+std::size_t firstBorder(std::string_view text, std::size_t from) {
+  for (std::size_t at = text.find('\n', from); at != npos; at = text.find('\n', at + 1))
+    if (const BorderAt border = borderAt(text, at); border.is == BorderAt::yes) return border.next;
+  return npos;
+}
+
+std::size_t lastBorder(std::string_view text) {
+  for (std::size_t at = text.rfind('\n'); at != npos && at > 0; at = text.rfind('\n', at - 1))
+    if (const BorderAt border = borderAt(text, at); border.is == BorderAt::yes) return border.next;
+  return npos;
+}
+
+JsonPiece JsonSplitter::piece(JsonEvent event, std::string_view rest, std::size_t begin, std::size_t end) {
+  scanned_ = depth_ = 0;
+  inString_ = false;
+  return {event, rest.substr(begin, end - begin), end};
+}
+
+std::size_t JsonSplitter::closing(std::string_view rest, std::size_t begin, std::size_t openBefore, bool atEnd) {
+  if (scanned_ == 0) {
+    scanned_ = begin;
+    depth_ = openBefore;
+  }
+  for (; scanned_ < rest.size(); ++scanned_) {
+    const char c = rest[scanned_];
+    if (c == '\n') {
+      const BorderAt border = borderAt(rest, scanned_);
+      if (border.is == BorderAt::undecided && !atEnd) return npos;
+      if (border.is == BorderAt::yes) failUnclosed(rest, begin, border.next);
+    } else if (inString_) {
+      if (c == '\\') {
+        if (scanned_ + 1 == rest.size()) return npos;  // the escaped byte comes with the next block
+        ++scanned_;
+      } else if (c == '"') {
+        inString_ = false;
+      }
+    } else if (c == '"') {
+      inString_ = true;
+    } else if (opens(c)) {
+      ++depth_;
+    } else if (closes(c) && --depth_ == 0) {
+      return ++scanned_;
+    }
+  }
+  return npos;
+}
+
+/// end: where the next record begins, or the input ends.
+void JsonSplitter::failUnclosed(std::string_view rest, std::size_t begin, std::size_t end) {
+  const auto fault = jsonFault(rest.substr(begin, end - begin));
+  if (!fault) throw RecordError(begin, "not closed");
+  std::string message = fault->message;
+  constexpr std::string_view kTheirs = "end of input", kOurs = "end of the record";
+  if (const std::size_t at = message.find(kTheirs); at != npos) message.replace(at, kTheirs.size(), kOurs);
+  throw RecordError(begin + fault->offset, message);
+}
+
+JsonPiece JsonSplitter::next(std::string_view rest, bool atEnd) {
+  std::size_t at = skipSpace(rest, 0);
+  if (at >= rest.size()) {
+    if (!atEnd) return {};
+    if (place_ == Place::top) return piece(JsonEvent::end, rest, at, at);
+    const bool between = place_ == Place::afterRecord;
+    throw RecordError(at, between && cut_ ? kNoSeparator : "the input ends inside an array; expected ]");
+  }
+  if (place_ == Place::afterRecord) {
+    if (rest[at] == ',') {
+      at = skipSpace(rest, at + 1);
+      if (at >= rest.size()) {
+        if (!atEnd) return {};
+        throw RecordError(at, "the input ends behind a comma; expected a record");
+      }
+    } else if (rest[at] != ']') {
+      throw RecordError(at, kNoSeparator);
+    } else {
+      return endOfArray(rest, at, atEnd);
+    }
+  }
+  if (place_ == Place::firstInArray && rest[at] == ']') return endOfArray(rest, at, atEnd);
+  return atBracket(rest, at, atEnd);
+}
+
+JsonPiece JsonSplitter::endOfArray(std::string_view rest, std::size_t at, bool atEnd) {
+  if (!inDocument_) {
+    place_ = Place::top;
+    return piece(JsonEvent::endArray, rest, at, at + 1);
+  }
+  const std::size_t end = closing(rest, at + 1, 1, atEnd);
+  if (end == npos) {
+    if (!atEnd) return {};
+    throw RecordError(rest.size(), "the input ends inside the document; expected }");
+  }
+  constexpr std::string_view kBefore = "{\"points\":[";
+  if (const auto fault = jsonFault(std::string(kBefore) + std::string(rest.substr(at, end - at))))
+    throw RecordError(at + fault->offset - std::min(fault->offset, kBefore.size()), fault->message);
+  place_ = Place::top;
+  inDocument_ = false;
+  return piece(JsonEvent::endArray, rest, at, end);
+}
+
+JsonPiece JsonSplitter::atBracket(std::string_view rest, std::size_t at, bool atEnd) {
+  const char first = rest[at];
+  const bool mayOpenArray = place_ == Place::top && !elements_;
+  if (mayOpenArray && first == '{') {
+    const DocumentStart start = documentStart(rest, at);
+    if (start.is == DocumentStart::undecided && !atEnd) return {};
+    if (start.is == DocumentStart::yes) {
+      place_ = Place::firstInArray;
+      inDocument_ = true;
+      return piece(JsonEvent::beginArray, rest, at, start.end);
+    }
+  }
+  if (mayOpenArray && first == '[') {
+    const std::size_t second = skipSpace(rest, at + 1);
+    if (second >= rest.size() && !atEnd) return {};
+    if (second < rest.size() && !beginsNumber(rest[second])) {
+      place_ = Place::firstInArray;
+      return piece(JsonEvent::beginArray, rest, at, at + 1);
+    }
+  }
+  if (!opens(first)) throw RecordError(at, "expected a record: an array of numbers or an object");
+
+  const std::size_t end = closing(rest, at, 0, atEnd);
+  if (end == npos) {
+    if (!atEnd) return {};
+    failUnclosed(rest, at, rest.size());
+  }
+  if (place_ != Place::top) place_ = Place::afterRecord;
+  return piece(JsonEvent::record, rest, at, end);
+}
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,49 @@
+// What workers made of the blocks, put out in the order of the input.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "stream/batch.hpp"
+#include "stream/progress.hpp"
+
+namespace viewproj::cmd {
+
+struct OutputSetup {
+  OutputForm form = OutputForm::lines;
+  bool keepArrays = false;  ///< an array in the input is one in the output
+  /// Names the place of what is wrong.
+  std::function<std::string(TextPosition)> placeOf;
+  bool fromCommandLine = false;  ///< a bad record is a wrong command line
+  bool nothing = false;          ///< write no records
+};
+
+class OrderedOutput {
+ public:
+  OrderedOutput(OutputSetup setup, Progress progress);
+
+  /// Before the first block. Writes what stands before all records.
+  void begin(std::string_view text);
+  /// Writes the block's records whole. Throws InputError (UsageError) where the run ends with it, after all that came
+  /// before and an array's end; ClosedPipe and InputError where nothing can be written; Interrupted behind a whole
+  /// record if a signal came.
+  void put(const Block& block, const BlockResult& result);
+  /// After the last block. Returns the exit status.
+  int finish(std::string_view text);
+  /// Writes what ends an array, if one is open.
+  void closeArray(std::string_view asWritten = "");
+
+ private:
+  void openArray(std::string_view asWritten);
+  /// records: how many records text is.
+  void write(std::string_view text, std::size_t records = 0);
+  [[noreturn]] void fail(const StreamFault& fault);
+
+  OutputSetup setup_;
+  Progress progress_;
+  bool open_ = false, passedOver_ = false;
+  std::string closing_;  ///< behind the bracket: what ends a document
+  std::size_t inArray_ = 0;
+};
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,34 @@
+// A stream's blocks through identical workers, in order and in bounded memory.
+//
+// Each worker takes the reader's lock, reads a block into its own buffer and takes the next number, gives the lock
+// back, works, waits for its number's turn and puts out what it made. Memory is workers times two buffers, however long
+// the input and however slow the reader downstream.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "stream/block_reader.hpp"
+#include "stream/interrupt.hpp"
+#include "stream/ordered_output.hpp"
+
+namespace viewproj::cmd {
+
+class BlockWorker {
+ public:
+  virtual ~BlockWorker() = default;
+  virtual void work(const Block& block, BlockResult& result) = 0;
+};
+
+struct PipelineSetup {
+  unsigned jobs = 1;
+  std::function<std::unique_ptr<BlockWorker>(BlockResult&)> makeWorker;
+  /// While it says so, a block may only be worked on when all before it are out. Asked in that order.
+  std::function<bool()> inOrder = [] { return false; };
+};
+
+/// Runs to the end of the input, or until the guard is woken. Threads are started once a first full block has been
+/// read. Throws what a worker or the output throws.
+void runPipeline(const PipelineSetup& setup, BlockReader& reader, OrderedOutput& output, InterruptGuard& guard);
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,142 @@
+// Records of CSV, text and f64.
+#include <bit>
+#include <charconv>
+#include <cmath>
+
+#include "stream/batch.hpp"
+#include "stream/csv_lines.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "f64 is written as it stands in memory");
+
+bool isBlank(std::string_view line) { return line.find_first_not_of(" \t\r") == std::string_view::npos; }
+
+/// A number that is plainly one, from its first byte to its last; false is not yet a verdict.
+bool readPlainNumber(std::string_view text, double& number) {
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  return stop == end && error == std::errc() && std::isfinite(number);
+}
+
+bool readPlainNumbers(const std::vector<std::string_view>& values, const Layout& layout, Numbers& numbers) {
+  double* slot = numbers.data();
+  for (const NumberField& part : layout.parts)
+    if (part.isArray || !readPlainNumber(values[part.field], *slot++)) return false;
+  return true;
+}
+
+class CsvReader final : public RecordReader {
+ public:
+  explicit CsvReader(const Shape& header) : header_(header) {}
+
+  void read(const Block& block, Batch& batch) override {
+    const std::string_view text = block.records;
+    for (std::size_t at = 0, end; at < text.size(); at = end + 1) {
+      std::size_t unclosed = std::string_view::npos;
+      end = endOfCsvRecord(text, at, &unclosed);
+      std::string_view line = text.substr(at, end - at);
+      if (line.ends_with('\r')) line.remove_suffix(1);
+      if (unclosed != std::string_view::npos)
+        batch.bad(line, RecordError(unclosed - at, "the quote that opens here is not closed"));
+      else if (!isBlank(line))
+        readLine(line, batch);
+    }
+  }
+
+ private:
+  void readLine(std::string_view line, Batch& batch) {
+    values_.clear();
+    splitCsvLine(line, values_);
+    Numbers numbers;
+    if (!batch.plans().empty() && values_.size() == header_.size) {
+      const Plan& plan = *batch.plans().front();
+      if (readPlainNumbers(values_, plan.layout, numbers)) {
+        batch.add(line, plan, numbers);
+        return;
+      }
+    }
+    try {
+      const RecordParts record = csvParts(line, header_);
+      const Plan& plan = batch.planFor(record);
+      readNumbers(record, plan.layout, numbers);
+      batch.add(line, plan, numbers);
+    } catch (const RecordError& e) {
+      batch.bad(line, e);
+    }
+  }
+
+  const Shape& header_;
+  std::vector<std::string_view> values_;
+};
+
+class TextReader final : public RecordReader {
+ public:
+  void read(const Block& block, Batch& batch) override {
+    const std::string_view text = block.records;
+    for (std::size_t at = 0, end; at < text.size(); at = end + 1) {
+      end = std::min(text.find('\n', at), text.size());
+      std::string_view line = text.substr(at, end - at);
+      if (line.ends_with('\r')) line.remove_suffix(1);
+      if (!isBlank(line)) readLine(line, batch);
+    }
+  }
+
+ private:
+  void readLine(std::string_view line, Batch& batch) {
+    try {
+      const RecordParts record = textParts(line);
+      const Plan& plan = batch.planFor(record);
+      Numbers numbers;
+      if (!readPlainNumbers(record.values, plan.layout, numbers)) readNumbers(record, plan.layout, numbers);
+      batch.add(line, plan, numbers);
+    } catch (const RecordError& e) {
+      batch.bad(line, e);
+    }
+  }
+};
+
+class BinaryReader final : public RecordReader {
+ public:
+  void read(const Block& block, Batch& batch) override {
+    const std::string_view text = block.records;
+    const std::size_t count = text.size() / kBinaryRecord;
+    const auto* doubles = reinterpret_cast<const double*>(text.data());  // blocks begin with their buffer
+    for (std::size_t i = 0; i < count; ++i) {
+      i += batch.convert({doubles + 3 * i, 3 * (count - i)});
+      if (i < count) readOne(text.substr(i * kBinaryRecord, kBinaryRecord), batch);
+    }
+    if (const std::string_view rest = text.substr(count * kBinaryRecord); !rest.empty())
+      batch.bad(rest, RecordError(0, "has " + std::to_string(rest.size()) + " bytes; expected three doubles, " +
+                                         std::to_string(kBinaryRecord) + " bytes"));
+  }
+
+ private:
+  void readOne(std::string_view bytes, Batch& batch) {
+    try {
+      const Plan& plan = batch.planFor({bytes, {Form::f64, true, 3, {}}, {}});
+      const std::vector<double> values = binaryNumbers(bytes);
+      Numbers numbers;
+      double* slot = numbers.data();
+      for (const NumberField& part : plan.layout.parts) {
+        const double value = values[part.field];
+        if (!std::isfinite(value) && !(part.mayBeAbsent && std::isnan(value)))
+          throw RecordError(part.field * sizeof(double),
+                            std::string(std::isnan(value) ? "NaN" : "infinity") + " is not a finite number");
+        *slot++ = value;
+      }
+      batch.add(bytes, plan, numbers);
+    } catch (const RecordError& e) {
+      batch.bad(bytes, e);
+    }
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<RecordReader> makeCsvReader(const Shape& header) { return std::make_unique<CsvReader>(header); }
+std::unique_ptr<RecordReader> makeTextReader() { return std::make_unique<TextReader>(); }
+std::unique_ptr<RecordReader> makeBinaryReader() { return std::make_unique<BinaryReader>(); }
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,73 @@
+#include "stream/progress.hpp"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <string>
+
+namespace viewproj::cmd {
+namespace {
+
+constexpr auto kFirst = std::chrono::seconds(1);
+constexpr auto kEvery = std::chrono::milliseconds(200);
+
+std::string withUnit(double count) {
+  const char* const units[] = {"", " k", " M", " G"};
+  int unit = 0;
+  for (; count >= 1000 && unit < 3; ++unit) count /= 1000;
+  char text[40];
+  std::snprintf(text, sizeof text, count < 10 && unit > 0 ? "%.1f%s" : "%.0f%s", count, units[unit]);
+  return text;
+}
+
+std::string clockTime(double seconds) {
+  const auto whole = static_cast<long>(seconds + 0.5);
+  char text[40];
+  if (whole < 3600)
+    std::snprintf(text, sizeof text, "%ld:%02ld", whole / 60, whole % 60);
+  else
+    std::snprintf(text, sizeof text, "%ld:%02ld:%02ld", whole / 3600, whole / 60 % 60, whole % 60);
+  return text;
+}
+
+}  // namespace
+
+Progress::Progress(std::optional<std::size_t> totalBytes)
+    : wanted_(::isatty(STDERR_FILENO) && !::isatty(STDOUT_FILENO)),
+      total_(totalBytes),
+      start_(Clock::now()),
+      next_(start_ + kFirst) {}
+
+void Progress::moved(std::size_t bytes, std::size_t records) {
+  if (!wanted_) return;
+  bytes_ += bytes;
+  records_ += records;
+  const Clock::time_point now = Clock::now();
+  if (now >= next_) show(now);
+}
+
+void Progress::show(Clock::time_point now) {
+  const double seconds = std::chrono::duration<double>(now - start_).count();
+  std::string line = "\r\033[K";
+  if (total_ && *total_ > 0 && bytes_ > 0 && bytes_ <= *total_) {
+    const double share = static_cast<double>(bytes_) / static_cast<double>(*total_);
+    char text[40];
+    std::snprintf(text, sizeof text, "%.0f %%, ", 100 * share);
+    line += text + withUnit(static_cast<double>(records_) / seconds) + " records/s, " +
+            clockTime(seconds / share - seconds) + " left";
+  } else {
+    line += withUnit(static_cast<double>(records_)) + " records, " + withUnit(static_cast<double>(records_) / seconds) +
+            " records/s";
+  }
+  std::fputs(line.c_str(), stderr);
+  std::fflush(stderr);
+  shown_ = true;
+  next_ = now + kEvery;
+}
+
+void Progress::clear() {
+  if (shown_) std::fputs("\r\033[K", stderr);
+  shown_ = false;
+}
+
+}  // namespace viewproj::cmd

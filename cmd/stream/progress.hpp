@@ -1,0 +1,29 @@
+// A line on the terminal that tells how far a long run has come.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <optional>
+
+namespace viewproj::cmd {
+
+/// Writes to standard error where that is a terminal and standard output is none, from the second second on.
+class Progress {
+ public:
+  explicit Progress(std::optional<std::size_t> totalBytes);
+
+  void moved(std::size_t bytes, std::size_t records);
+  /// Takes the line away, so that something else may be written.
+  void clear();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void show(Clock::time_point now);
+
+  bool wanted_, shown_ = false;
+  std::optional<std::size_t> total_;
+  std::size_t bytes_ = 0, records_ = 0;
+  Clock::time_point start_, next_;
+};
+
+}  // namespace viewproj::cmd
