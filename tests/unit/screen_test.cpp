@@ -208,3 +208,21 @@ TEST_CASE("Clip, NDC and view coordinates are what the matrices give") {
       CHECK(gotNdc.z == near(clip[2] / clip[3]));
     }
 }
+
+TEST_CASE("Along an axis of the world a viewDistance is a difference, and certain even where it is a tie") {
+  const Camera camera = makeCamera(lookAt({0, 0, 50}, {0, 0, 0}, {0, 1, 0}, Handedness::right),
+                                   perspectiveFovY(60, 16.0 / 9, 0.1, 1000), {1920, 1080});
+  std::vector<Vec3> points;
+  for (int i = 0; i < 4000; ++i) points.push_back({0.37 * i - 700, 0.11 * i - 200, 40 - 0.01 * i});
+  std::vector<ScreenPoint> screen(points.size());
+  const BatchCounts counts = worldToScreen(camera, points, screen);
+  std::size_t ties = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double rest = twoDiff(50, points[i].z).lo;
+    ties += screen[i].viewDistance + 2 * rest != screen[i].viewDistance;
+    REQUIRE(screen[i].viewDistance == 50 - points[i].z);
+    REQUIRE(screen[i].certain);
+  }
+  CHECK(ties > 400);
+  CHECK(counts.escalated < 10);
+}

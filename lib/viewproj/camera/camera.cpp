@@ -22,6 +22,22 @@ RangeShares rangeShares(const Projection& p) noexcept {
   return {DoubleDouble(n) / range, DoubleDouble(f) / range, timesPowerOfTwo(DoubleDouble(1) / range, scale)};
 }
 
+/// Exactly: rows that are rounded to an axis do not count.
+bool forwardIsAxis(const Pose& pose) noexcept {
+  const ExactRows& exact = pose.exact;
+  int zeros = 0, ones = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const DoubleDouble row = pose.rows.forward[i];
+    if (exact.forward[i].size() == 0 && row.hi == 0) ++zeros;
+    // A row made of unit length is 1 where its other parts are 0; one that was given has to be.
+    const bool made = maxAbs(exact.translation) == 0;
+    const bool given = exact.forward[i].size() == 1 && std::fabs(exact.forward[i].term(0)) == 1 &&
+                       exact.forwardScale.hi == 1 && exact.forwardScale.lo == 0;
+    if (std::fabs(row.hi) == 1 && row.lo == 0 && (made || given)) ++ones;
+  }
+  return zeros == 2 && ones == 1 && pose.residual.x.hi == 0 && pose.residual.y.hi == 0 && pose.residual.z.hi == 0;
+}
+
 }  // namespace
 
 DepthLine depthLine(const Projection& p, double atNear, double atFar) noexcept {
@@ -59,6 +75,7 @@ Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport
   c.depthAtInfinity = depth.offset.hi;
 
   ProjectionConstants& k = c.constants;
+  k.forwardIsAxis = forwardIsAxis(pose);
   const ScreenMap& map = c.screen;
   k.orthographic = projection.orthographic;
   k.eye = pose.eye;

@@ -27,6 +27,9 @@ struct ProjectionConstants {
   DDVec3 residual;  ///< the pose's, scaled likewise, to be added to x . d, y . d, w . d
   DoubleDouble centerX, centerY, depthOffset, depthScale;
 
+  /// forward is an axis of the world, and residual 0: W is a coordinate's difference to the eye, without an error.
+  bool forwardIsAxis = false;
+
   double sizeXY = 0, sizeW = 0;  ///< largest entry of x and y, and of w
   double farthest = 0;           ///< the larger of |near| and |far|
   double residualReach = 0;      ///< the residual's part in |d0| + |d1| + |d2|, as error bounds count it

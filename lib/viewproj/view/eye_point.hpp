@@ -14,7 +14,9 @@ struct EyePoint {
   DoubleDouble right, up, forward;
   int exponent = 0;
   /// Of each of the three numbers: its absolute error is at most this. (0: none but the last bits of double-double.)
+  /// forwardIsExact: of forward, none at all.
   double error = 0;
+  bool forwardIsExact = false;
 };
 
 /// In double-double. A distance that cancels to less than its own error is 0.

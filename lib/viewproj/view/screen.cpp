@@ -145,7 +145,7 @@ Attempt pointToScreen(const Camera& c, const EyePoint& e, double w) noexcept {
     const DoubleDouble divided = w == 1 ? a : a / DoubleDouble(w);
     return Bounded{divided, e.error + kOperation * std::fabs(divided.hi), e.exponent};
   };
-  const Bounded distance = inWorld(e.forward);
+  const Bounded distance = e.forwardIsExact ? Bounded{e.forward, 0, e.exponent} : inWorld(e.forward);
   ScreenPoint p;
   p.viewDistance = rounded(distance);
   Bounded x, y;
@@ -174,8 +174,17 @@ Attempt attempt(const Camera& c, const EyePoint& e, double w) noexcept {
 /// Double-double first; the exact rows where it cannot certify a number. What they cannot either is a tie, or a number
 /// that cancels to about 0.
 ScreenPoint exactToScreen(const Camera& c, const Vec4& point) noexcept {
-  Attempt result = attempt(c, toEye(c.pose, point), point.w);
-  if (!result.certain) result = attempt(c, toEyeExactly(c.pose, point), point.w);
+  EyePoint e = toEye(c.pose, point);
+  e.forwardIsExact = c.constants.forwardIsAxis && point.w == 1;
+  Attempt result = attempt(c, e, point.w);
+  if (!result.certain) {
+    EyePoint exact = toEyeExactly(c.pose, point);
+    if (e.forwardIsExact) {
+      exact.forward = scaleByPowerOfTwo(e.forward, e.exponent - exact.exponent);
+      exact.forwardIsExact = true;
+    }
+    result = attempt(c, exact, point.w);
+  }
   result.point.certain = result.certain;
   return result.point;
 }

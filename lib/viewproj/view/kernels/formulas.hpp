@@ -251,7 +251,7 @@ class ExactFormula {
         scale_(k.depthScale),
         residualReach_(k.residualReach * kSecondOrder),
         errorXY_(kZivMargin * kExactDotX * k.sizeXY),
-        errorW_(kZivMargin * kExactDotW * k.sizeW),
+        errorW_(k.forwardIsAxis ? 0 : kZivMargin * kExactDotW * k.sizeW),
         errorCenterX_(kZivMargin * kExactParameter * std::fabs(k.centerX.hi)),
         errorCenterY_(kZivMargin * kExactParameter * std::fabs(k.centerY.hi)),
         errorOffset_(kZivMargin * kExactParameter * std::fabs(k.depthOffset.hi)),
