@@ -92,8 +92,8 @@ class Batch {
 class RecordReader {
  public:
   virtual ~RecordReader() = default;
-  /// Throws Batch::StopBlock.
-  virtual void read(const Block& block, Batch& batch) = 0;
+  /// What stands behind the block's records may be overwritten. Throws Batch::StopBlock.
+  virtual void read(Block& block, Batch& batch) = 0;
 };
 
 /// fast: with simdjson, where it agrees with nlohmann-json; otherwise with the latter alone, for comparison.

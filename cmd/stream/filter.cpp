@@ -60,7 +60,7 @@ class RecordWorker final : public BlockWorker {
         writer_(stream.writes ? makeWriter(stream, result.out) : nullptr),
         batch_(stream.batch, *work_, writer_.get(), result) {}
 
-  void work(const Block& block, BlockResult& result) override {
+  void work(Block& block, BlockResult& result) override {
     const bool joined = stream_.to == OutputForm::array || (stream_.setup.writer.keepArrays && block.inArray);
     if (writer_) writer_->beginBlock(joined);
     batch_.begin(block);

@@ -31,7 +31,7 @@ class CsvReader final : public RecordReader {
  public:
   explicit CsvReader(const Shape& header) : header_(header) {}
 
-  void read(const Block& block, Batch& batch) override {
+  void read(Block& block, Batch& batch) override {
     const std::string_view text = block.records;
     for (std::size_t at = 0, end; at < text.size(); at = end + 1) {
       std::size_t unclosed = std::string_view::npos;
@@ -73,7 +73,7 @@ class CsvReader final : public RecordReader {
 
 class TextReader final : public RecordReader {
  public:
-  void read(const Block& block, Batch& batch) override {
+  void read(Block& block, Batch& batch) override {
     const std::string_view text = block.records;
     for (std::size_t at = 0, end; at < text.size(); at = end + 1) {
       end = std::min(text.find('\n', at), text.size());
@@ -101,7 +101,7 @@ class BinaryReader final : public RecordReader {
  public:
   static constexpr std::size_t kAtOnce = 1024;
 
-  void read(const Block& block, Batch& batch) override {
+  void read(Block& block, Batch& batch) override {
     const std::string_view text = block.records;
     const std::size_t count = text.size() / kBinaryRecord;
     const auto* doubles = reinterpret_cast<const double*>(text.data());  // blocks begin with their buffer
