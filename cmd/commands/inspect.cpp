@@ -62,7 +62,39 @@ std::vector<WrittenMatrix> chooseMatrices(const WrittenMatrices& given, const st
   return chosen;
 }
 
-InspectedMatrix inspectOne(const WrittenMatrix& written, EntryPrecision precision, const Choice& choice) {
+/// A matrix of a name that says its kind is of that kind.
+bool nameAllows(const std::string& name, MatrixKind kind) {
+  if (name == "view") return kind == MatrixKind::view;
+  if (name == "viewInverse") return kind == MatrixKind::worldFromView;
+  if (name == "projection") return kind == MatrixKind::projection;
+  return true;
+}
+
+/// Of these, the ones that the input's own words allow: the matrix's name and, if there is one, the convention.
+std::vector<NumberedReading> asStated(const InspectedMatrix& m, const std::optional<Convention>& stated) {
+  std::vector<NumberedReading> result;
+  for (const NumberedReading& n : m.readings) {
+    const Reading& r = n.reading;
+    if (!nameAllows(m.written.name, r.kind)) continue;
+    if (stated && !(fits(r, *stated, m.written.order) && (!r.lens || r.convention.reverseZ == stated->reverseZ) &&
+                    (r.kind == MatrixKind::projection || r.convention.world == stated->world)))
+      continue;
+    result.push_back(n);
+  }
+  return result;
+}
+
+/// What the input's own convention makes of the matrix.
+std::string statedNote(const InspectedMatrix& m, const Convention& stated) {
+  std::string numbers;
+  for (const NumberedReading& n : asStated(m, stated))
+    numbers += (numbers.empty() ? "" : " or ") + std::to_string(n.number);
+  if (numbers.empty()) return "No reading here is of the convention that the input states.";
+  return "Of the convention that the input states: reading " + numbers + ".";
+}
+
+InspectedMatrix inspectOne(const WrittenMatrix& written, EntryPrecision precision, const Choice& choice,
+                           const std::optional<Convention>& stated) {
   const Inspection inspection = inspectMatrix(written.numbers, precision);
   InspectedMatrix m{written, {}, inspection.readings.size(), inspection.asWrittenFault, inspection.transposedFault, {}};
   std::vector<Reading> plain;
@@ -73,15 +105,8 @@ InspectedMatrix inspectOne(const WrittenMatrix& written, EntryPrecision precisio
     plain.push_back(numbered.reading);
   }
   m.notes = notesOn(plain);
+  if (stated && !plain.empty()) m.notes.insert(m.notes.begin(), statedNote(m, *stated));
   return m;
-}
-
-/// A matrix of a name that says its kind is of that kind.
-bool nameAllows(const std::string& name, MatrixKind kind) {
-  if (name == "view") return kind == MatrixKind::view;
-  if (name == "viewInverse") return kind == MatrixKind::worldFromView;
-  if (name == "projection") return kind == MatrixKind::projection;
-  return true;
 }
 
 /// The one matrix that the readings give, or an error that lists them.
@@ -91,13 +116,8 @@ NamedMatrix convertOne(const InspectedMatrix& m, const std::string& name, const 
     return InputError(source + ": " + name + ": " + message);
   };
   if (m.all == 0) throw fail("is nothing known: as written " + m.asWrittenFault + "; transposed " + m.transposedFault);
-  std::vector<NumberedReading> left;
-  for (const NumberedReading& n : m.readings)
-    if (nameAllows(m.written.name, n.reading.kind) &&
-        (!stated || (fits(n.reading, *stated, m.written.order) &&
-                     (!n.reading.lens || n.reading.convention.reverseZ == stated->reverseZ))))
-      left.push_back(n);
-  if (left.empty()) throw fail("has no reading that is as asked for, or as the input says of itself");
+  const std::vector<NumberedReading> left = asStated(m, stated);
+  if (left.empty()) throw fail("no reading of it is as asked for or as the input states");
   std::optional<Mat4> result;
   for (const NumberedReading& n : left) {
     CameraFile file;
@@ -110,7 +130,7 @@ NamedMatrix convertOne(const InspectedMatrix& m, const std::string& name, const 
       throw fail(e.what());
     }
     if (result && !(*result == matrix)) {
-      std::string message = "its readings give different matrices; --read-as NAME or --reading N picks one:";
+      std::string message = "its readings give different matrices; --read-as NAME, --world HAND or --reading N picks:";
       for (const NumberedReading& each : left) message += "\n  " + oneLine(each, m.written.order);
       throw fail(message);
     }
@@ -173,7 +193,8 @@ int runInspect(int argc, char** argv) {
   const std::vector<WrittenMatrix> chosen = chooseMatrices(given, which, source);
   std::vector<InspectedMatrix> inspected;
   for (const WrittenMatrix& m : chosen)
-    inspected.push_back(inspectOne(m, asFloat ? EntryPrecision::float32 : EntryPrecision::float64, choice));
+    inspected.push_back(
+        inspectOne(m, asFloat ? EntryPrecision::float32 : EntryPrecision::float64, choice, given.convention));
 
   if (converts) {
     MatrixSet set;

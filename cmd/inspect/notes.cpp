@@ -99,6 +99,17 @@ std::vector<std::string> notesOn(const std::vector<Reading>& readings) {
   if (all([](const Reading& r) { return r.lens && r.convention.reverseZ; }))
     notes.push_back(
         "Depth is reversed: clear it to the low end and test for greater. With less the farthest shows, or nothing.");
+  if (any([](const Reading& r) {
+        if (!r.lens || r.lens->orthographic) return false;
+        constexpr double kFarOff = 4;  // widths and heights
+        const auto isFarOff = [](const Estimate& low, const Estimate& high) {
+          return std::fabs(low.value + high.value) > 2 * kFarOff * (high.value - low.value);
+        };
+        return isFarOff(r.lens->left, r.lens->right) && isFarOff(r.lens->bottom, r.lens->top);
+      }))
+    notes.push_back(
+        "The window lies more than four times its own size off the viewing axis: a matrix with the viewport folded in "
+        "looks like that.");
   if (any([](const Reading& r) { return r.lens && r.lens->beyondInfinity; }))
     notes.push_back("Infinity lies a little inside the depth range: a tweaked infinite projection.");
   if (any([](const Reading& r) { return r.place && !r.place->eyeIsKnown; }))

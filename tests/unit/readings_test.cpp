@@ -406,7 +406,7 @@ TEST_CASE("What no camera has written is told with its fault, either way round")
   CHECK(fault({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -2}).find("w row is 0 0 0 -2") != std::string::npos);
   CHECK(fault({1, 0.5, 0, 3, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}).find("right angles") != std::string::npos);
   CHECK(fault({1, 0, 0, 3, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}).find("flattens") != std::string::npos);
-  CHECK(fault({1, 0, 0, 0, 0, 1, 0, 0, 0.2, 0.1, -1, -1, 0, 0, -1, 0}).find("oblique") != std::string::npos);
+  CHECK(fault({1, 0, 0, 0, 0, 1, 0, 0, 0.2, 0.1, -1, -0.5, 0, 0, -1, 0}).find("oblique") != std::string::npos);
   CHECK(fault({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -0.5, 100, 0, 0, -1, 0}).find("viewport") != std::string::npos);
   CHECK(fault({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, NAN, 0, 0, -1, 0}).find("finite") != std::string::npos);
 }

@@ -156,7 +156,8 @@ ClipParts parts(const Mat4& matrix, EntryPrecision precision, const Solved& s, S
   ClipParts p{
       orthographic,       s.scale, n[0],      n[1], n[2], n[3], n[4], n[5], s.right, s.ndcUp, s.forward, s.along,
       {n[6], n[7], n[8]}, {},      s.residual};
-  for (std::size_t k = 0; k < 9; ++k) p.axisErrors[k / 3] = std::max(p.axisErrors[k / 3], n[9 + k].error);
+  for (std::size_t k = 0; k < 9; ++k)
+    if (n[9 + k].error > kCancellation) p.axisErrors[k / 3] = std::max(p.axisErrors[k / 3], n[9 + k].error);
   return p;
 }
 

@@ -166,6 +166,8 @@ double determinant(const Mat4& m) noexcept {
 
 // The matrix taken one way
 
+constexpr const char* kBeyondRange = "its numbers are too large or too small to be taken apart in doubles";
+
 std::string text(const char* format, double number) {
   char out[200];
   std::snprintf(out, sizeof out, format, number);
@@ -182,6 +184,9 @@ class Reader {
  public:
   Reader(const Mat4& matrix, Layout layout, EntryPrecision precision, bool anyScale, std::vector<Reading>& readings)
       : m_(matrix), layout_(layout), precision_(precision), anyScale_(anyScale), readings_(readings) {}
+
+  /// Of no use at any scale: the w row is as it should be, and something else is not.
+  bool isRefuted() const { return refuted_; }
 
   /// Adds the readings; what is wrong where there is none.
   std::string read() {
@@ -208,6 +213,8 @@ class Reader {
     const bool unit = zeros ? parts->scale == 1 : std::fabs(parts->scale * parts->scale - 1) <= kReadingOrthogonality;
     if (!unit && !anyScale_)
       return text("the first three numbers of its w row have length %.6g, not 1: no row of a view", parts->scale);
+    refuted_ = true;
+    if (!std::isfinite(parts->residual)) return kBeyondRange;
     if (!(parts->residual <= kReadingOrthogonality))
       return text(
           "its rows are not at right angles, or its z row not along its w row: off by %.2g, 0.001 is allowed; an "
@@ -233,6 +240,7 @@ class Reader {
   }
 
   std::string readAffine() {
+    refuted_ = true;
     const double rigid = rigidity(m_);
     const auto parts = orthographicParts(m_, precision_);
     if (!parts) return "it flattens space: one of its rows has no x, y, z";
@@ -240,6 +248,7 @@ class Reader {
     const bool diagonal = zero({m_[0][1], m_[0][2], m_[1][0], m_[1][2], m_[2][0], m_[2][1]}) && m_[0][0] > 0;
     if (isPose) addPoses(rigid);
     if (isPose && !diagonal) return "";
+    if (!std::isfinite(parts->residual)) return kBeyondRange;
     if (!(parts->residual <= kReadingOrthogonality))
       return text("its rows are not at right angles: the largest cosine is %.2g, 0.001 is allowed", parts->residual);
     for (NdcZ ndcZ : kNdcZs)
@@ -324,6 +333,7 @@ class Reader {
   EntryPrecision precision_;
   bool anyScale_;
   std::vector<Reading>& readings_;
+  bool refuted_ = false;
 };
 
 }  // namespace
@@ -341,22 +351,31 @@ Inspection inspectMatrix(const std::array<double, 16>& numbers, EntryPrecision p
       }
     }
   const Mat4 turned = transposed(written);
-  const auto read = [&](bool anyScale) {
-    const bool symmetric = written == turned;
-    result.asWrittenFault =
-        Reader(written, symmetric ? Layout::either : Layout::asWritten, precision, anyScale, result.readings).read();
-    result.transposedFault = symmetric
-                                 ? result.asWrittenFault
-                                 : Reader(turned, Layout::transposed, precision, anyScale, result.readings).read();
-  };
-  read(false);
-  if (result.readings.empty()) {
-    const Inspection plain = result;
-    read(true);
-    if (result.readings.empty()) result = plain;
-  }
+  const bool symmetric = written == turned;
+  Reader rows(written, symmetric ? Layout::either : Layout::asWritten, precision, false, result.readings);
+  Reader columns(turned, Layout::transposed, precision, false, result.readings);
+  result.asWrittenFault = rows.read();
+  result.transposedFault = symmetric ? result.asWrittenFault : columns.read();
+  if (!result.readings.empty() || rows.isRefuted() || columns.isRefuted()) return result;
+  Reader(written, symmetric ? Layout::either : Layout::asWritten, precision, true, result.readings).read();
+  if (!symmetric) Reader(turned, Layout::transposed, precision, true, result.readings).read();
   return result;
 }
+
+namespace {
+
+/// What is left where the parts of an entry cancel to their own error is 0.
+Mat4 withoutNoise(Mat4 m, const Pose& pose) noexcept {
+  for (auto& row : m.m) {
+    const double size = std::max({std::fabs(row[0]), std::fabs(row[1]), std::fabs(row[2])});
+    const double limits[] = {size, size, size, size * maxAbs(pose.eye)};
+    for (std::size_t j = 0; j < 4; ++j)
+      if (std::fabs(row[j]) <= limits[j] * kCancellation) row[j] = 0;
+  }
+  return m;
+}
+
+}  // namespace
 
 bool fits(const Reading& r, const Convention& c, NumberOrder order) noexcept {
   const Convention& own = r.convention;
@@ -380,7 +399,7 @@ Mat4 converted(const Reading& r, const Convention& target) {
     case MatrixKind::worldFromView:
       return worldFromView(*r.pose, target);
     case MatrixKind::viewProjection:
-      return clipFromWorld(*r.pose, *r.projection, target);
+      return withoutNoise(clipFromWorld(*r.pose, *r.projection, target), *r.pose);
   }
   return {};
 }

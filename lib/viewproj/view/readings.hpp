@@ -106,7 +106,8 @@ inline constexpr double kReadingTweak = 0x1p-16;
 Inspection inspectMatrix(const std::array<double, 16>& numbers, EntryPrecision precision = EntryPrecision::float64);
 
 /// Whether a matrix of this reading would be written like that in this convention, apart from reverseZ and world, which
-/// follow from the matrix and the rest: of one kind at most one reading fits.
+/// follow from the matrix and the rest: of one kind at most one reading fits, but of an orthographic view-projection
+/// one for each handedness.
 bool fits(const Reading& reading, const Convention& convention, NumberOrder order) noexcept;
 
 /// The matrix of the same kind in another convention, for column vectors, from the recovered parameters. The world
