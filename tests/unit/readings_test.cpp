@@ -410,3 +410,22 @@ TEST_CASE("What no camera has written is told with its fault, either way round")
   CHECK(fault({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -0.5, 100, 0, 0, -1, 0}).find("viewport") != std::string::npos);
   CHECK(fault({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, NAN, 0, 0, -1, 0}).find("finite") != std::string::npos);
 }
+
+TEST_CASE("Angles of view come back, from the narrowest to the widest, and only where the window is symmetric") {
+  for (double fov : {1e-6, 0.5, 45.0, 60.0, 90.0, 120.0, 179.9, 179.999999})
+    for (double aspect : {0.5, 1.0, 1.7}) {
+      const Inspection in = inspectMatrix(rowsOf(clipFromView(perspectiveFovY(fov, aspect, 1, 9), {})));
+      REQUIRE_FALSE(in.readings.empty());
+      const LensEstimate& lens = *in.readings[0].lens;
+      INFO(fov << " " << aspect);
+      REQUIRE(lens.fovY);
+      REQUIRE(lens.fovX);
+      CHECK(holds(*lens.fovY, fov));
+      CHECK(holds(lens.aspect, aspect));
+      // The angle's own rounding and a half ulp of its tangent: no wider than that.
+      CHECK(lens.fovY->high - lens.fovY->low <= 8 * halfUlp(fov));
+    }
+  const Inspection in = inspectMatrix(rowsOf(clipFromView(frustum(-1, 1, -1, 2, 1, 9), {})));
+  CHECK(in.readings[0].lens->fovX);
+  CHECK_FALSE(in.readings[0].lens->fovY);
+}
