@@ -22,6 +22,7 @@ constexpr Command kCommands[] = {
     {"project", "points to screen positions, depth and visibility", runProject},
     {"ray", "pixels to rays, and to the points behind them", runRay},
     {"matrix", "a camera's matrices in any convention", runMatrix},
+    {"inspect", "which camera and which convention a matrix is of", runInspect},
     {"measure", "speed and error of every precision on your own points", runMeasure},
 };
 

@@ -8,4 +8,5 @@
 #include "viewproj/view/clip.hpp"
 #include "viewproj/view/matrices.hpp"
 #include "viewproj/view/ray.hpp"
+#include "viewproj/view/readings.hpp"
 #include "viewproj/view/screen.hpp"
