@@ -1,4 +1,4 @@
-// The whole library: cameras, matrices, worldToScreen, screenToRay.
+// The whole library: cameras, matrices, worldToScreen, screenToRay, hits and culling.
 #pragma once
 
 #include "viewproj/camera/camera.hpp"
@@ -6,6 +6,8 @@
 #include "viewproj/view/batch.hpp"
 #include "viewproj/view/bounds.hpp"
 #include "viewproj/view/clip.hpp"
+#include "viewproj/view/frustum.hpp"
+#include "viewproj/view/hits.hpp"
 #include "viewproj/view/matrices.hpp"
 #include "viewproj/view/ray.hpp"
 #include "viewproj/view/readings.hpp"

@@ -1,6 +1,8 @@
 #include <random>
 
 #include "catch.hpp"
+#include "viewproj/numbers/certified.hpp"
+#include "viewproj/numbers/dyadic.hpp"
 #include "viewproj/numbers/expansion.hpp"
 #include "viewproj/numbers/vectors.hpp"
 
@@ -78,4 +80,37 @@ TEST_CASE("The length of a vector neither overflows nor underflows") {
     CHECK(v.x.hi == 0.6);
     CHECK(v.z.hi == 0.8);
   }
+}
+
+TEST_CASE("Dyadic numbers add and multiply exactly, over the whole range of doubles") {
+  const double values[] = {0,      1,         -1,    3,       0.1,    -0x1.fffffffffffffp1023,
+                           5e-324, 0x1p-1022, 1e150, -1e-150, 0x1p32, 0x1p-32};
+  for (double a : values)
+    for (double b : values) {
+      const Dyadic x(a), y(b);
+      INFO(a << " " << b);
+      CHECK(((x + y) * (x - y) - (x * x - y * y)).sign() == 0);
+      CHECK((x * y * x * y * x * y - (x * x * x) * (y * y * y)).sign() == 0);
+      CHECK((x - y).sign() == (a > b) - (a < b));
+      CHECK(double((x - y + y).rounded()) == a);
+      if (a != 0 && b != 0) {
+        const Wide quotient = (x * x * y).rounded() / Wide(a) / Wide(a);
+        CHECK(double(quotient) == b);
+      }
+    }
+}
+
+TEST_CASE("Certified numbers know when they do not know") {
+  const Certified near = Certified(0.1) * Certified(3.0) - Certified(0.25);
+  CHECK(near.isCertain());
+  // What is left of 0.1 * 3 - 0.3 is a rounding error: right up to its own error, but with few certain digits.
+  const Certified cancelled = Certified(0.1) * Certified(3.0) - Certified(0.3);
+  const double truth = double((Dyadic(0.1) * Dyadic(3.0) - Dyadic(0.3)).rounded());
+  CHECK_FALSE(cancelled.isCertain());
+  CHECK(cancelled.error > 0);
+  CHECK(std::fabs(cancelled.value.hi - truth) <= cancelled.error);
+  CHECK((Certified(1e200) * Certified(1e200)).isCertain() == false);
+  CHECK((Certified(1e-200) * Certified(1e-200)).isCertain() == false);
+  CHECK((Certified(0.0) * Certified(1e-200)).isCertain());
+  CHECK(Certified::difference(1, 1).isCertain());
 }
