@@ -6,6 +6,7 @@
 #include "viewproj/view/batch.hpp"
 #include "viewproj/view/bounds.hpp"
 #include "viewproj/view/clip.hpp"
+#include "viewproj/view/depth_buffer.hpp"
 #include "viewproj/view/matrices.hpp"
 #include "viewproj/view/ray.hpp"
 #include "viewproj/view/screen.hpp"
