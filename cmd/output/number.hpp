@@ -12,4 +12,7 @@ void appendNumber(std::string& out, float value);
 
 std::string formatNumber(double value);
 
+/// Rounded to so many significant digits first.
+std::string formatDigits(double value, int digits);
+
 }  // namespace viewproj::cmd
