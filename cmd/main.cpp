@@ -21,6 +21,7 @@ constexpr Command kCommands[] = {
     {"project", "points to screen positions, depth and visibility", runProject},
     {"ray", "pixels to rays, and to the points behind them", runRay},
     {"matrix", "a camera's matrices in any convention", runMatrix},
+    {"explain", "every stage of one point or pixel, by hand", runExplain},
     {"depth", "what a depth buffer resolves at each distance", runDepth},
     {"measure", "speed and error of every precision on your own points", runMeasure},
 };

@@ -8,5 +8,6 @@
 #include "viewproj/view/clip.hpp"
 #include "viewproj/view/depth_buffer.hpp"
 #include "viewproj/view/matrices.hpp"
+#include "viewproj/view/model.hpp"
 #include "viewproj/view/ray.hpp"
 #include "viewproj/view/screen.hpp"
