@@ -1,6 +1,7 @@
 // viewproj depth: what a depth buffer resolves.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "commands/command.hpp"
 #include "commands/options.hpp"
@@ -13,8 +14,18 @@
 namespace viewproj::cmd {
 namespace {
 
+constexpr double kLargest = std::numeric_limits<double>::max();
+
 /// Without the noise of the last digits.
-double rounded(double value) { return *parseNumber(formatDigits(value, 15)); }
+double rounded(double value) { return parseNumber(formatDigits(value, 15)).value_or(value); }
+
+/// digit * 10^exponent; infinite beyond the doubles.
+double decimal(const char* digit, int exponent) {
+  return parseNumber(digit + ("e" + std::to_string(exponent))).value_or(kInfiniteFar);
+}
+
+/// In a table; of a longer range every second, third, ... decade is told.
+constexpr int kMostDecades = 24;
 
 /// Decades from near to far (to kInfiniteReach near distances, if far is infinite), with 2 and 5 between them in a
 /// short range, and half of near before them. Orthographic: tenths of the range.
@@ -26,12 +37,16 @@ std::vector<double> defaultDistances(const DepthMapping& m) {
     distances.push_back(m.far);
     return distances;
   }
-  distances = {m.near / 2, m.near};
-  const double end = std::isinf(m.far) ? m.near * kInfiniteReach : m.far;
+  distances = {m.near};
+  if (m.near / 2 > 0) distances.insert(distances.begin(), m.near / 2);
+  const double end = std::isinf(m.far) ? std::min(m.near * kInfiniteReach, kLargest) : m.far;
   const bool fine = end / m.near < 1000;
-  for (int exponent = static_cast<int>(std::floor(std::log10(m.near))); std::pow(10, exponent) < end; ++exponent)
+  const int first = static_cast<int>(std::floor(std::log10(m.near)));
+  const int last = static_cast<int>(std::ceil(std::log10(end)));
+  const int stride = 1 + (last - first) / kMostDecades;
+  for (int exponent = first; exponent < last; exponent += stride)
     for (const char* digit : {"1", "2", "5"}) {
-      const double distance = *parseNumber(digit + ("e" + std::to_string(exponent)));
+      const double distance = decimal(digit, exponent);
       if (distance > m.near && distance < end && (fine || *digit == '1')) distances.push_back(distance);
     }
   distances.push_back(std::isinf(m.far) ? rounded(end) : end);
@@ -43,7 +58,8 @@ std::vector<double> defaultGaps(const DepthMapping& m) {
   const double size = m.orthographic ? (m.far - m.near) * 1e-5 : m.near;
   const int exponent = static_cast<int>(std::lround(std::log10(size)));
   std::vector<double> gaps;
-  for (int e = exponent - 1; e <= exponent + 1; ++e) gaps.push_back(*parseNumber("1e" + std::to_string(e)));
+  for (int e = exponent - 1; e <= exponent + 1; ++e)
+    if (const double gap = decimal("1", e); gap > 0 && gap <= kLargest) gaps.push_back(gap);
   return gaps;
 }
 

@@ -67,8 +67,9 @@ void Explanation::sum(const std::string& name, std::vector<Term> terms, double v
     sizes += std::fabs(product);
   }
   if (std::isfinite(sizes) && std::isfinite(value) && sizes > 0)
-    line.lost = value == 0 ? (line.terms.size() > 1 ? kAllDigits : 0)
-                           : std::clamp(static_cast<int>(std::log10(sizes / std::fabs(value))), 0, kAllDigits - 1);
+    line.lost = value == 0
+                    ? (line.terms.size() > 1 ? kAllDigits : 0)
+                    : std::clamp(static_cast<int>(std::log10(sizes) - std::log10(std::fabs(value))), 0, kAllDigits - 1);
   add(std::move(line));
 }
 

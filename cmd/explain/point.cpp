@@ -104,7 +104,9 @@ void explainInequalities(Explanation& e, const PointStages& s) {
               (fromZero ? " >= 0"
                : atLow  ? " >= -w"
                         : " <= w") +
-              (value >= 0 ? ": inside" : ": OUTSIDE"));
+              (value >= 0  ? ": inside"
+               : value < 0 ? ": OUTSIDE"
+                           : ""));
   };
   const bool up = c.ndcY == NdcY::up;
   margin("left", "x", true, s.margins.left);
