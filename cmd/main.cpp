@@ -23,6 +23,8 @@ constexpr Command kCommands[] = {
     {"ray", "pixels to rays, and to the points behind them", runRay},
     {"matrix", "a camera's matrices in any convention", runMatrix},
     {"inspect", "which camera and which convention a matrix is of", runInspect},
+    {"explain", "every stage of one point or pixel, by hand", runExplain},
+    {"depth", "what a depth buffer resolves at each distance", runDepth},
     {"measure", "speed and error of every precision on your own points", runMeasure},
 };
 

@@ -16,6 +16,8 @@ int runProject(int argc, char** argv);
 int runRay(int argc, char** argv);
 int runMatrix(int argc, char** argv);
 int runInspect(int argc, char** argv);
+int runExplain(int argc, char** argv);
+int runDepth(int argc, char** argv);
 int runMeasure(int argc, char** argv);
 
 }  // namespace viewproj::cmd

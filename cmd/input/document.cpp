@@ -80,9 +80,9 @@ std::string dotted(const Path& path) {
   return text;
 }
 
-Document::Document(const std::string& source, const std::string& option) {
+Document::Document(const std::string& source, const std::string& option, const char* arrayKey) {
   const std::size_t first = source.find_first_not_of(" \t\r\n");
-  if (first != std::string::npos && source[first] == '{') {
+  if (first != std::string::npos && (source[first] == '{' || (arrayKey && source[first] == '['))) {
     name_ = option;
     text_ = source;
   } else {
@@ -97,6 +97,7 @@ Document::Document(const std::string& source, const std::string& option) {
   if (const auto twice = keyGivenTwice(text_))
     throw InputError(place(name_, positionAt(text_, twice->offset)) + ": the key '" + twice->key + "' is given twice");
   root_ = std::make_unique<nlohmann::json>(nlohmann::json::parse(text_));
+  if (arrayKey && root_->is_array()) *root_ = {{arrayKey, std::move(*root_)}};
   if (!root_->is_object()) throw InputError(place(name_, {}) + ": expected a JSON object");
 }
 

@@ -23,8 +23,9 @@ std::string dotted(const Path& path);
 class Document {
  public:
   /// source: a file name, "-" for standard input, or the JSON itself if it starts with "{". option names it in
-  /// messages.
-  Document(const std::string& source, const std::string& option);
+  /// messages. arrayKey: a document that is an array counts as an object whose only field, of this name, it is; the
+  /// JSON itself may then start with "[" too.
+  Document(const std::string& source, const std::string& option, const char* arrayKey = nullptr);
   ~Document();
   Document(const Document&) = delete;
   Document& operator=(const Document&) = delete;
