@@ -14,3 +14,4 @@
 #include "viewproj/view/ray.hpp"
 #include "viewproj/view/readings.hpp"
 #include "viewproj/view/screen.hpp"
+#include "viewproj/view/segment.hpp"

@@ -143,4 +143,27 @@ Cull cull(const Frustum& f, const Box& box) noexcept {
   });
 }
 
+Cull cull(const Frustum& f, const Triangle& triangle) noexcept {
+  if (!isValid(triangle)) return {};
+  const WideVec3 corners[] = {relativeToEye(f, triangle.a), relativeToEye(f, triangle.b), relativeToEye(f, triangle.c)};
+  Wide reach;
+  for (const WideVec3& corner : corners)
+    if (isLess(reach, oneNorm(corner))) reach = oneNorm(corner);
+  return verdictOf(f, [&](const FrustumPlane& p) {
+    Extent e{distance(p, corners[0]), distance(p, corners[0]), reach};
+    for (const WideVec3& corner : corners) {
+      const Wide d = distance(p, corner);
+      if (isLess(e.inmost, d)) e.inmost = d;
+      if (isLess(d, e.outmost)) e.outmost = d;
+    }
+    return e;
+  });
+}
+
+Wide distanceInside(const Frustum& f, const FrustumPlane& p, const Vec3& point) noexcept {
+  const WideVec3 v = relativeToEye(f, point);
+  const Wide d = distance(p, v);
+  return isLess(Wide(p.normalBound) * oneNorm(v) + Wide(p.offsetBound), magnitude(d)) ? d : Wide();
+}
+
 }  // namespace viewproj

@@ -75,5 +75,9 @@ Cull cull(const Frustum& frustum, const Vec3& point) noexcept;
 
 Cull cull(const Frustum& frustum, const Sphere& sphere) noexcept;
 Cull cull(const Frustum& frustum, const Box& box) noexcept;
+Cull cull(const Frustum& frustum, const Triangle& triangle) noexcept;
+
+/// How far inside a plane a point lies, in world units; negative beyond it, 0 within the bound.
+Wide distanceInside(const Frustum& frustum, const FrustumPlane& plane, const Vec3& point) noexcept;
 
 }  // namespace viewproj
