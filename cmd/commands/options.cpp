@@ -114,7 +114,7 @@ void StreamOptions::addInput(CLI::App& app, const std::string& what) {
 
 void StreamOptions::add(CLI::App& app, const std::string& what) {
   addInput(app, what);
-  app.add_option("--to", to_, "Form of the output: ndjson, json, csv, text, f64")->type_name("FORM");
+  app.add_option("--to", to_, "Form of the output: ndjson, json, csv, text, f64, table")->type_name("FORM");
   app.add_option("--prefix", prefix_, "Put this in front of the results' names")->type_name("P");
   app.add_flag("--keep-going", keepGoing_, "Put an error record in a bad record's place and go on");
   app.add_option("--jobs", jobs_, "Threads to work with; the default is one a processor")->type_name("N");
@@ -127,11 +127,9 @@ void StreamOptions::add(CLI::App& app, const std::string& what) {
 FilterSetup StreamOptions::setup() const {
   static constexpr NameRow<Form> kFrom[] = {
       {"json", Form::json}, {"csv", Form::csv}, {"text", Form::text}, {"f64", Form::f64}};
-  static constexpr NameRow<OutputForm> kTo[] = {{"ndjson", OutputForm::lines},
-                                                {"json", OutputForm::array},
-                                                {"csv", OutputForm::csv},
-                                                {"text", OutputForm::text},
-                                                {"f64", OutputForm::f64}};
+  static constexpr NameRow<OutputForm> kTo[] = {{"ndjson", OutputForm::lines}, {"json", OutputForm::array},
+                                                {"csv", OutputForm::csv},      {"text", OutputForm::text},
+                                                {"f64", OutputForm::f64},      {"table", OutputForm::table}};
   FilterSetup setup;
   if (!file_.empty()) setup.file = file_;
   const bool plain = std::all_of(prefix_.begin(), prefix_.end(), [](unsigned char c) {

@@ -103,7 +103,8 @@ std::string asJson(double value) { return formatNumber(value); }
 template <class Value>
 std::string perFormat(const DepthReport& r, Value value) {
   std::string out;
-  for (const NamedFormat& f : r.formats) out += (out.empty() ? "{" : ", ") + jsonString(f.name) + ": " + value(f.format);
+  for (const NamedFormat& f : r.formats)
+    out += (out.empty() ? "{" : ", ") + jsonString(f.name) + ": " + value(f.format);
   return out + "}";
 }
 

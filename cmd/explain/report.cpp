@@ -146,12 +146,13 @@ class Json {
 
   std::string text() const {
     const Convention& c = e_.writing();
-    std::string out =
-        "{\"convention\": {\"world\": " + jsonString(nameOf(kWorldNames, c.world)) +
-        ", \"view\": " + jsonString(nameOf(kViewNames, c.view)) + ", \"ndcZ\": " + jsonString(nameOf(kNdcZNames, c.ndcZ)) +
-        ", \"reverseZ\": " + (c.reverseZ ? "true" : "false") + ", \"ndcY\": " + jsonString(nameOf(kNdcYNames, c.ndcY)) +
-        ", \"vectors\": " + jsonString(nameOf(kVectorsNames, c.vectors)) +
-        ", \"storage\": " + jsonString(nameOf(kStorageNames, c.storage)) + "},\n \"stages\": [";
+    std::string out = "{\"convention\": {\"world\": " + jsonString(nameOf(kWorldNames, c.world)) +
+                      ", \"view\": " + jsonString(nameOf(kViewNames, c.view)) +
+                      ", \"ndcZ\": " + jsonString(nameOf(kNdcZNames, c.ndcZ)) +
+                      ", \"reverseZ\": " + (c.reverseZ ? "true" : "false") +
+                      ", \"ndcY\": " + jsonString(nameOf(kNdcYNames, c.ndcY)) +
+                      ", \"vectors\": " + jsonString(nameOf(kVectorsNames, c.vectors)) +
+                      ", \"storage\": " + jsonString(nameOf(kStorageNames, c.storage)) + "},\n \"stages\": [";
     std::vector<std::string> stages, remarks, results;
     for (const Stage& stage : e_.stages()) stages.push_back("\n  " + stageText(stage));
     for (const std::string& remark : e_.remarks()) remarks.push_back(jsonString(remark));

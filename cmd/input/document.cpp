@@ -131,12 +131,13 @@ void Document::set(const std::string& assignment) {
 void Document::fail(const Path& path, const std::string& message, bool showValue) const {
   const nlohmann::json* value = root_.get();
   for (const std::string& step : path) {
-    const auto found = value->is_object() ? value->find(step) : value->end();
-    if (found == value->end()) {
-      value = nullptr;
-      break;
-    }
-    value = &*found;
+    const nlohmann::json* next = nullptr;
+    if (value->is_object() && value->contains(step)) next = &value->at(step);
+    if (value->is_array())
+      for (std::size_t i = 0; i < value->size(); ++i)
+        if (std::to_string(i) == step) next = &value->at(i);
+    value = next;
+    if (!value) break;
   }
   const std::string what =
       (path.empty() ? "" : dotted(path) + ": ") + message + (value && showValue ? shown(*value) : "");
@@ -233,6 +234,41 @@ std::optional<Mat4> ObjectReader::mat4(std::string_view key) const {
   }
   if (!good) fail(key, "expected 4 rows of 4 numbers");
   return matrix;
+}
+
+std::optional<std::string> ObjectReader::label(std::string_view key) const {
+  const nlohmann::json* value = find(key);
+  if (!value) return std::nullopt;
+  if (!value->is_string() && !value->is_number()) fail(key, "expected a string or a number");
+  return value->dump();
+}
+
+std::optional<std::vector<Vec3>> ObjectReader::vec3s(std::string_view key, std::size_t count) const {
+  const nlohmann::json* value = find(key);
+  if (!value) return std::nullopt;
+  std::vector<Vec3> vectors;
+  for (const auto& item : *value) {
+    const bool good = item.is_array() && item.size() == 3 &&
+                      std::all_of(item.begin(), item.end(), [](const auto& v) { return v.is_number(); });
+    if (!good) break;
+    vectors.push_back({item[0].get<double>(), item[1].get<double>(), item[2].get<double>()});
+  }
+  if (!value->is_array() || vectors.size() != count || value->size() != count)
+    fail(key, "expected " + std::to_string(count) + " points [x, y, z]");
+  return vectors;
+}
+
+std::optional<std::vector<ObjectReader>> ObjectReader::objects(std::string_view key) const {
+  const nlohmann::json* value = find(key);
+  if (!value) return std::nullopt;
+  if (!value->is_array()) fail(key, "expected an array of objects");
+  std::vector<ObjectReader> readers;
+  for (std::size_t i = 0; i < value->size(); ++i) {
+    Path path = pathOf(key);
+    path.push_back(std::to_string(i));
+    readers.emplace_back(*document_, (*value)[i], std::move(path));
+  }
+  return readers;
 }
 
 std::optional<ObjectReader> ObjectReader::object(std::string_view key) const {

@@ -59,7 +59,12 @@ class ObjectReader {
   std::optional<std::vector<double>> numbers(std::string_view key, std::size_t fewest, std::size_t most) const;
   std::optional<Vec3> vec3(std::string_view key) const;
   std::optional<Mat4> mat4(std::string_view key) const;
+  std::optional<std::vector<Vec3>> vec3s(std::string_view key, std::size_t count) const;
+  std::optional<std::vector<ObjectReader>> objects(std::string_view key) const;
   std::optional<ObjectReader> object(std::string_view key) const;
+
+  /// The value of key as JSON text, where it is a string or a number.
+  std::optional<std::string> label(std::string_view key) const;
 
   double numberOr(std::string_view key, double fallback) const { return number(key).value_or(fallback); }
   double requireNumber(std::string_view key) const;

@@ -7,8 +7,6 @@
 namespace viewproj::cmd {
 namespace {
 
-enum PointKind : unsigned { kindPoint, kindDirection };
-
 /// What a pixel's numbers are, in this order.
 enum PixelParts : unsigned { depthKnown = 1, viewDistanceKnown = 2 };
 
@@ -108,6 +106,20 @@ Layout findPoint(const RecordParts& record, const std::vector<std::string>& colu
   }
   if (const auto field = shape.find("direction")) return direction({{array(*field, 3, 3)}});
   throw RecordError(0, "has no point; expected position, x y z, or direction");
+}
+
+std::optional<Layout> findSegment(const RecordParts& record) {
+  const Shape& shape = record.shape;
+  const auto field = shape.find("segment");
+  if (!field || shape.form != Form::json) return std::nullopt;
+  Layout layout;
+  layout.kind = kindSegment;
+  for (const char* end : {"0", "1"}) layout.parts.push_back({*field, 3, 3, true, false, end});
+  if (const auto pixel = shape.find("pixel")) {
+    layout.kind = kindSegmentAndPixel;
+    layout.parts.push_back({*pixel, 2, 2, true, true});
+  }
+  return layout;
 }
 
 Vec4 toPoint(const Layout& layout, const Numbers& n) {

@@ -19,6 +19,10 @@ std::string quotedIfNeeded(std::string_view text) {
   return quoted + '"';
 }
 
+[[noreturn]] void failList(std::string_view name) {
+  throw UsageError("a list of " + std::string(name) + " has no place in the columns of CSV; use JSON");
+}
+
 /// Collects the column names of results.
 class ColumnCollector final : public ResultSink {
  public:
@@ -30,6 +34,16 @@ class ColumnCollector final : public ResultSink {
   }
   void flag(std::string_view name, bool) override { add(name, ""); }
   void names(std::string_view name, std::span<const std::string_view>, bool) override { add(name, ""); }
+  void word(std::string_view name, std::string_view) override { add(name, ""); }
+  void json(std::string_view name, std::string_view) override { add(name, ""); }
+  void group(std::string_view name, bool, const std::function<void(ResultSink&)>& write) override {
+    group_ = columnName(name) + "_";
+    write(*this);
+    group_.clear();
+  }
+  void list(std::string_view name, std::size_t, const std::function<void(ResultSink&, std::size_t)>&) override {
+    failList(name);
+  }
 
   bool hasFixedColumns() const override { return true; }
 
@@ -37,8 +51,9 @@ class ColumnCollector final : public ResultSink {
 
  private:
   void add(std::string_view name, std::string_view suffix) {
-    columns.push_back(prefix_ + columnName(name) + std::string(suffix));
+    columns.push_back(prefix_ + group_ + columnName(name) + std::string(suffix));
   }
+  std::string group_;
   std::string prefix_;
 };
 
@@ -198,10 +213,31 @@ class CsvWriter final : public RecordWriter {
     if (values.empty()) out_ += ',';
   }
 
+  void word(std::string_view, std::string_view value) override {
+    out_ += ',';
+    out_ += quotedIfNeeded(value);
+  }
+
+  void json(std::string_view, std::string_view value) override {
+    if (value.starts_with('"'))
+      word("", unescaped(value.substr(1, value.size() - 2)));
+    else
+      word("", value == "null" ? std::string_view() : value);
+  }
+
+  void group(std::string_view, bool, const std::function<void(ResultSink&)>& write) override { write(*this); }
+  void list(std::string_view name, std::size_t, const std::function<void(ResultSink&, std::size_t)>&) override {
+    failList(name);
+  }
+
  private:
   void cell(double value) {
     out_ += ',';
-    if (std::isfinite(value)) appendNumber(out_, value);
+    if (!std::isfinite(value)) return;
+    if (setup_.digits > 0)
+      out_ += formatDigits(value, setup_.digits);
+    else
+      appendNumber(out_, value);
   }
 
   const WriterSetup& setup_;

@@ -8,6 +8,9 @@
 namespace viewproj::cmd {
 namespace {
 
+/// Significant digits of results for people.
+constexpr int kTableDigits = 9;
+
 /// What the workers of a stream share.
 struct Stream {
   const FilterSetup& setup;
@@ -38,6 +41,7 @@ std::unique_ptr<RecordWriter> makeWriter(Stream& stream, TextBuffer& out) {
   const WriterSetup& setup = stream.setup.writer;
   switch (stream.to) {
     case OutputForm::csv:
+    case OutputForm::table:
       return makeCsvWriter(setup, stream.columns, out);
     case OutputForm::text:
       return makeTextWriter(setup, out);
@@ -111,7 +115,7 @@ TextBuffer readHeader(Stream& stream, BlockReader& reader) {
                               "already has a field '" + name + "'; --prefix P puts P in front of the results' names");
       }
     }
-    if (stream.writes && stream.to == OutputForm::csv)
+    if (stream.writes && hasColumns(stream.to))
       stream.columns = csvColumns(stream.setup.writer, fromCsv ? &header : nullptr, fromCsv ? line->text : "", out);
   } catch (const RecordError& e) {
     throw InputError(place(reader.name(), positionAt(line->text, e.offset, line->position)) + ": " + e.what());
@@ -149,6 +153,7 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
                   .keepGoing = setup.keepGoing,
                   .checkNames = writes && toJson,
                   .prefix = setup.writer.prefix};
+  if (stream.to == OutputForm::table) setup.writer.digits = kTableDigits;
   if (writes) tryResults(stream);
   const TextBuffer start = readHeader(stream, *reader);
 
@@ -167,14 +172,14 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
   const PipelineSetup pipeline{
       .jobs = setup.jobs > 0 ? setup.jobs : processors,
       .makeWorker = [&](BlockResult& result) { return std::make_unique<RecordWorker>(stream, result); },
-      .inOrder = [&] { return writes && stream.to == OutputForm::csv && !stream.columns.known; }};
+      .inOrder = [&] { return writes && hasColumns(stream.to) && !stream.columns.known; }};
   runPipeline(pipeline, *reader, ordered, guard);
   if (const int signal = InterruptGuard::signal()) {
     ordered.closeArray();
     throw Interrupted{signal};
   }
   TextBuffer rest;
-  if (writes && stream.to == OutputForm::csv) finishCsv(stream.columns, setup.writer, rest);
+  if (writes && hasColumns(stream.to)) finishCsv(stream.columns, setup.writer, rest);
   return ordered.finish(rest.view());
 }
 

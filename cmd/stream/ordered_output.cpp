@@ -37,7 +37,7 @@ OrderedOutput::OrderedOutput(OutputSetup setup, Progress progress)
 
 void OrderedOutput::begin(std::string_view text) {
   if (setup_.form == OutputForm::array) openArray("[");
-  write(text);
+  put(text, 0);
 }
 
 void OrderedOutput::openArray(std::string_view asWritten) {
@@ -58,7 +58,7 @@ void OrderedOutput::put(const Block& block, const BlockResult& result) {
   if (setup_.keepArrays && !block.opening.empty()) openArray(block.opening);
   if (result.records > 0) {
     if (open_) write(inArray_ == 0 ? "\n" : ",\n");
-    write(result.out.view(), result.records);
+    put(result.out.view(), result.records);
     inArray_ += result.records;
   }
   if (!result.passedOver.empty()) progress_.clear();
@@ -73,6 +73,7 @@ void OrderedOutput::put(const Block& block, const BlockResult& result) {
 }
 
 void OrderedOutput::fail(const StreamFault& fault) {
+  write(table_.rest());
   closeArray();
   progress_.clear();
   const bool placed = fault.position.line > 0;
@@ -82,10 +83,18 @@ void OrderedOutput::fail(const StreamFault& fault) {
 }
 
 int OrderedOutput::finish(std::string_view text) {
-  write(text);
+  put(text, 0);
+  write(table_.rest());
   closeArray();
   progress_.clear();
   return passedOver_ ? 1 : 0;
+}
+
+void OrderedOutput::put(std::string_view text, std::size_t records) {
+  if (setup_.form == OutputForm::table)
+    write(table_.add(text));
+  else
+    write(text, records);
 }
 
 void OrderedOutput::write(std::string_view text, std::size_t records) {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "output/table.hpp"
 #include "stream/batch.hpp"
 #include "stream/progress.hpp"
 
@@ -35,6 +36,7 @@ class OrderedOutput {
 
  private:
   void openArray(std::string_view asWritten);
+  void put(std::string_view text, std::size_t records);
   /// records: how many records text is.
   void write(std::string_view text, std::size_t records = 0);
   [[noreturn]] void fail(const StreamFault& fault);
@@ -44,6 +46,7 @@ class OrderedOutput {
   bool open_ = false, passedOver_ = false;
   std::string closing_;  ///< behind the bracket: what ends a document
   std::size_t inArray_ = 0;
+  CsvAligner table_;
 };
 
 }  // namespace viewproj::cmd
