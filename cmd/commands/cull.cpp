@@ -74,6 +74,7 @@ int runCull(int argc, char** argv) {
   const std::vector<std::string> columns = stream.columns(3, 4);
   setup.csvDefaults = {"x", "y", "z", "w"};
   if (!columns.empty()) setup.csvDefaults = columns;
+  setup.wordsOnly = true;
   setup.writer.arrayName = "position";
   const auto makeWork = [&] { return std::make_unique<CullWork>(frustum, columns); };
   setup.writer.exampleResults = [&](ResultSink& sink) { makeWork()->nameResults({}, sink); };

@@ -39,7 +39,9 @@ std::string_view innerValue(const RecordParts& record, const NumberField& part) 
       if (value[0] == '{' ? unescaped(item->key) == part.inner : std::to_string(index) == part.inner)
         return item->value;
   }
-  throw RecordError(record.offset(part.field), nameOf(record, part.field) + "has no " + part.inner);
+  const bool isIndex = part.inner[0] >= '0' && part.inner[0] <= '9';
+  throw RecordError(record.offset(part.field), nameOf(record, part.field) + "has no " +
+                                                   (isIndex ? "item " + part.inner + ", counted from 0" : part.inner));
 }
 
 /// Returns how many there are.

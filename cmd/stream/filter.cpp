@@ -143,7 +143,8 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
                 : setup.from         ? *setup.from
                                      : formOfName(setup.file).value_or(formOfBytes(first));
   reader->setForm(stream.form);
-  stream.to = setup.to.value_or(sameForm(stream.form));
+  const bool numbersOnly = stream.form == Form::text || stream.form == Form::f64;
+  stream.to = setup.to.value_or(setup.wordsOnly && numbersOnly ? OutputForm::lines : sameForm(stream.form));
   const bool toJson = stream.to == OutputForm::lines || stream.to == OutputForm::array;
   // JSON keeps its own arrangement, arrays included, unless an arrangement was asked for.
   setup.writer.keepArrays = writes && !setup.to && stream.form == Form::json;
