@@ -9,6 +9,8 @@
 namespace viewproj::cmd {
 namespace {
 
+constexpr int kTableDigits = 9;
+
 std::string quotedIfNeeded(std::string_view text) {
   if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
   std::string quoted = "\"";
@@ -26,10 +28,14 @@ std::string quotedIfNeeded(std::string_view text) {
 /// Collects the column names of results.
 class ColumnCollector final : public ResultSink {
  public:
-  explicit ColumnCollector(std::string prefix) : prefix_(std::move(prefix)) {}
+  ColumnCollector(std::string prefix, bool table) : prefix_(std::move(prefix)), table_(table) {}
 
   void number(std::string_view name, double) override { add(name, ""); }
   void vector(std::string_view name, std::span<const double> values) override {
+    if (table_) {
+      add(name, "");
+      return;
+    }
     for (std::size_t i = 0; i < values.size(); ++i) add(name, kColumnSuffixes[i]);
   }
   void flag(std::string_view name, bool) override { add(name, ""); }
@@ -53,6 +59,7 @@ class ColumnCollector final : public ResultSink {
   void add(std::string_view name, std::string_view suffix) {
     columns.push_back(prefix_ + group_ + columnName(name) + std::string(suffix));
   }
+  bool table_;
   std::string group_;
   std::string prefix_;
 };
@@ -65,12 +72,16 @@ struct OwnCell {
 
 bool isNumber(std::string_view json) { return !json.empty() && (json[0] == '-' || (json[0] >= '0' && json[0] <= '9')); }
 
-void appendCells(std::vector<OwnCell>& cells, const std::string& name, std::string_view json) {
+void appendCells(std::vector<OwnCell>& cells, const std::string& name, std::string_view json, bool table) {
   if (json.starts_with('[')) {
     std::vector<std::string_view> items;
     JsonParts parts(json);
     while (const auto part = parts.next()) items.push_back(part->value);
     if (items.size() >= 2 && items.size() <= 4 && std::all_of(items.begin(), items.end(), isNumber)) {
+      if (table) cells.push_back({name, ""});
+      for (std::size_t i = 0; table && i < items.size(); ++i)
+        cells.back().text += (i > 0 ? " " : "") + std::string(items[i]);
+      if (table) return;
       for (std::size_t i = 0; i < items.size(); ++i)
         cells.push_back({name + std::string(kColumnSuffixes[i]), std::string(items[i])});
       return;
@@ -86,9 +97,9 @@ std::vector<OwnCell> ownCells(const Record& record, const WriterSetup& setup) {
   std::vector<OwnCell> cells;
   if (record.shape->form == Form::json && !record.shape->isArray) {
     const auto values = valuesOf(record);
-    for (std::size_t i = 0; i < values.size(); ++i) appendCells(cells, record.shape->names[i], values[i]);
+    for (std::size_t i = 0; i < values.size(); ++i) appendCells(cells, record.shape->names[i], values[i], setup.table);
   } else {
-    for (const NamedJson& field : asJsonFields(record, setup)) appendCells(cells, field.name, field.json);
+    for (const NamedJson& field : asJsonFields(record, setup)) appendCells(cells, field.name, field.json, setup.table);
   }
   for (std::size_t i = 0; i < cells.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
@@ -196,7 +207,16 @@ class CsvWriter final : public RecordWriter {
 
   void vector(std::string_view, std::span<const double> values) override {
     const bool finite = std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
-    for (double value : values) cell(finite ? value : NAN);
+    if (!setup_.table) {
+      for (double value : values) cell(finite ? value : NAN);
+      return;
+    }
+    char before = ',';
+    for (double value : values) {
+      out_ += before;
+      if (finite) out_ += formatDigits(value, kTableDigits);
+      before = ' ';
+    }
   }
 
   void flag(std::string_view, bool value) override {
@@ -234,8 +254,8 @@ class CsvWriter final : public RecordWriter {
   void cell(double value) {
     out_ += ',';
     if (!std::isfinite(value)) return;
-    if (setup_.digits > 0)
-      out_ += formatDigits(value, setup_.digits);
+    if (setup_.table)
+      out_ += formatDigits(value, kTableDigits);
     else
       appendNumber(out_, value);
   }
@@ -250,7 +270,7 @@ class CsvWriter final : public RecordWriter {
 }  // namespace
 
 CsvColumns csvColumns(const WriterSetup& setup, const CsvHeader* input, std::string_view line, TextBuffer& out) {
-  ColumnCollector collector(setup.prefix);
+  ColumnCollector collector(setup.prefix, setup.table);
   setup.exampleResults(collector);
   CsvColumns columns;
   columns.results = collector.columns;

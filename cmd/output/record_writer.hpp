@@ -73,7 +73,7 @@ struct WriterSetup {
   bool keepGoing = false;
   bool keepArrays = false;                          ///< an array in the input is one in the output
   bool header = true;                               ///< CSV: write one
-  int digits = 0;                                   ///< CSV: of results, significant ones; 0: as many as it takes
+  bool table = false;  ///< CSV for an aligned table: results to nine digits, vectors in one cell
   std::function<void(ResultSink&)> exampleResults;  ///< calls the sink as for a record, so that columns are known
 };
 

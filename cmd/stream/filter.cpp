@@ -8,9 +8,6 @@
 namespace viewproj::cmd {
 namespace {
 
-/// Significant digits of results for people.
-constexpr int kTableDigits = 9;
-
 /// What the workers of a stream share.
 struct Stream {
   const FilterSetup& setup;
@@ -154,7 +151,7 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
                   .keepGoing = setup.keepGoing,
                   .checkNames = writes && toJson,
                   .prefix = setup.writer.prefix};
-  if (stream.to == OutputForm::table) setup.writer.digits = kTableDigits;
+  setup.writer.table = stream.to == OutputForm::table;
   if (writes) tryResults(stream);
   const TextBuffer start = readHeader(stream, *reader);
 
