@@ -59,9 +59,9 @@ class ColumnCollector final : public ResultSink {
   void add(std::string_view name, std::string_view suffix) {
     columns.push_back(prefix_ + group_ + columnName(name) + std::string(suffix));
   }
-  bool table_;
   std::string group_;
   std::string prefix_;
+  bool table_;
 };
 
 /// A cell of a record that was not read as CSV.
