@@ -158,7 +158,7 @@ int runInspect(int argc, char** argv) {
   app.add_option("--read-as", readAs, "Only readings of this convention: opengl, d3d, vulkan, ...")->type_name("NAME");
   app.add_option("--reading", number, "Only this one, by its number")->type_name("N");
   writing.addWriting(app);
-  app.add_option("--to", format, "Format: table (default), json; with --convention: json (default), text, flat")
+  app.add_option("--to", format, "Format: table (default), json; with --convention one of `matrix`: json (default), text, c, ...")
       ->type_name("FORM");
   parse(app, argc, argv);
 
@@ -203,7 +203,7 @@ int runInspect(int argc, char** argv) {
       set.matrices.push_back(convertOne(inspected[i], nameOf(inspected[i].written, i), source,
                                         chose ? std::nullopt : given.convention, writing, set.convention));
     set.asFloat = asFloat;
-    writeOutput(writeMatrices(set, format));
+    writeOutput(writeMatrices(set, format, source));
     return 0;
   }
   writeOutput(format == "json" ? reportAsJson(inspected, asFloat) : reportAsText(inspected));

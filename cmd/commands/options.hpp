@@ -26,6 +26,7 @@ class CameraOptions {
   CameraFile read(const std::string& source = "") const;
   bool given() const { return !camera_.empty(); }
   bool fromStandardInput() const { return camera_ == "-"; }
+  bool allowsStretch() const { return allowStretch_; }
 
   /// The convention to write in: the file's world, and the axes that options name.
   Convention writing(const CameraFile& file) const;

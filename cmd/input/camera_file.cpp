@@ -15,9 +15,6 @@
 namespace viewproj::cmd {
 namespace {
 
-/// A camera shape this much off the viewport's is an error.
-constexpr double kAspectTolerance = 1e-3;
-
 struct ReadProjection {
   Projection projection;
   bool hasOwnShape = false;       ///< width : height follows from the file's projection, not from the viewport

@@ -56,4 +56,17 @@ DoubleDouble tanHalfDegrees(double degrees) noexcept {
   return s.cosine / s.sine;
 }
 
+double degreesOfHalfTangent(DoubleDouble tangent) noexcept {
+  constexpr double kDegreesPerRadian = 57.29577951308232;
+  double angle = 2 * std::atan(tangent.hi) * kDegreesPerRadian;
+  // Newton's steps: the first leaves an ulp, unless the angle is within a few thousand ulps of 180.
+  for (int step = 0; step < 3; ++step) {
+    if (!(angle > 0)) return std::isnan(angle) ? angle : 0;
+    if (!(angle < 180)) return 180;
+    const DoubleDouble there = tanHalfDegrees(angle);
+    angle += ((tangent - there) / (DoubleDouble(1) + there * there)).hi * 2 * kDegreesPerRadian;
+  }
+  return angle < 180 ? angle : 180;
+}
+
 }  // namespace viewproj

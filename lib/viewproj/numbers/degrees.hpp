@@ -12,4 +12,8 @@ DoubleDouble tanHalfDegrees(double degrees) noexcept;
 /// 4 * 2^-106, as measured against MPFR; the Taylor remainder is below 2^-117.
 inline constexpr double kTanHalfDegreesBound = 0x1p-104;
 
+/// The way back: the double nearest the angle in degrees whose half has this tangent. 0 for a tangent that is not above
+/// 0, 180 where no double below is nearer; NaN for NaN.
+double degreesOfHalfTangent(DoubleDouble tangent) noexcept;
+
 }  // namespace viewproj

@@ -36,22 +36,13 @@ Ends windowEnd(double numerator, const Uncertain& offset, const Uncertain& scale
   return {estimate(value, quotient(DoubleDouble(numerator) - offset.interval(), scale.interval())), value};
 }
 
-/// The angle whose half has this tangent.
-double angleOf(DoubleDouble tangent) noexcept {
-  constexpr double kDegrees = 57.29577951308232;
-  const double angle = 2 * std::atan(tangent.hi) * kDegrees;
-  if (!(angle > 0 && angle < 180)) return angle > 0 ? 180 : 0;
-  const DoubleDouble there = tanHalfDegrees(angle);
-  return angle + ((tangent - there) / (DoubleDouble(1) + there * there)).hi * 2 * kDegrees;
-}
-
 std::optional<Estimate> angleEstimate(const Uncertain& scale, const Uncertain& offset) noexcept {
   if (!(std::fabs(offset.value.hi) <= offset.error)) return std::nullopt;
   const Interval in = scale.interval();
   const auto half = [](DoubleDouble s) { return quotient(DoubleDouble(1), s); };
   // Correct to an ulp, and so stepped outwards by one.
-  return Estimate{angleOf(half(scale.value)), std::nextafter(angleOf(half(in.high)), 0),
-                  in.low.hi > 0 ? std::nextafter(angleOf(half(in.low)), 180) : 180};
+  return Estimate{degreesOfHalfTangent(half(scale.value)), std::nextafter(degreesOfHalfTangent(half(in.high)), 0),
+                  in.low.hi > 0 ? std::nextafter(degreesOfHalfTangent(half(in.low)), 180) : 180};
 }
 
 // Lenses
