@@ -77,6 +77,7 @@ struct Projecting {
   std::optional<Precision> arithmetic;  ///< nothing: auto, within the tolerance
   double tolerance = 0;
   std::vector<std::string> columns;
+  bool worldIsEcef = false;
   Fields fields, textFields;
 };
 
@@ -89,7 +90,7 @@ class ProjectWork final : public RecordWork {
   explicit ProjectWork(const Projecting& how)
       : how_(how), chosen_(how.arithmetic ? *how.arithmetic : precisionWithin(how.camera, how.tolerance)) {}
 
-  Layout find(const RecordParts& record) const override { return findPoint(record, how_.columns); }
+  Layout find(const RecordParts& record) const override { return findPoint(record, how_.columns, how_.worldIsEcef); }
   void nameResults(const Layout&, ResultSink& sink) const override { writeFields({}, {0, 0, 0, 1}, sink); }
 
   void add(const Layout& layout, const Numbers& numbers) override {
@@ -231,6 +232,7 @@ int runProject(int argc, char** argv) {
                  .arithmetic = precision.value(),
                  .tolerance = tolerance.value(),
                  .columns = stream.columns(3, 4),
+                 .worldIsEcef = file.worldIsEcef,
                  .fields = chooseFields(fieldList, false),
                  .textFields = chooseFields(fieldList, true)};
   if (how.arithmetic && tolerance.given()) throw UsageError("--tolerance is for --precision auto, which chooses by it");
