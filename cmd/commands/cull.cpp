@@ -16,9 +16,10 @@ namespace {
 
 class CullWork final : public RecordWork {
  public:
-  CullWork(const Frustum& frustum, const std::vector<std::string>& columns) : frustum_(frustum), columns_(columns) {}
+  CullWork(const Frustum& frustum, const std::vector<std::string>& columns, bool worldIsEcef)
+      : frustum_(frustum), columns_(columns), worldIsEcef_(worldIsEcef) {}
 
-  Layout find(const RecordParts& record) const override { return findShape(record, columns_); }
+  Layout find(const RecordParts& record) const override { return findShape(record, columns_, worldIsEcef_); }
   void nameResults(const Layout&, ResultSink& sink) const override { writeCull({}, sink); }
   void add(const Layout& layout, const Numbers& numbers) override { shapes_.push_back(toShape(layout, numbers)); }
   void write(std::size_t i, ResultSink& sink) override {
@@ -36,6 +37,7 @@ class CullWork final : public RecordWork {
 
   const Frustum& frustum_;
   const std::vector<std::string>& columns_;
+  bool worldIsEcef_;
   std::vector<CullShape> shapes_;
 };
 
@@ -66,7 +68,8 @@ int runCull(int argc, char** argv) {
 
   FilterSetup setup = stream.setup();
   if (!planes) stream.requireOneInput(setup, camera);
-  const Frustum frustum = viewFrustum(makeCamera(camera.read()));
+  const CameraFile file = camera.read();
+  const Frustum frustum = viewFrustum(makeCamera(file));
   if (planes) {
     writeOutput(planesAsJson(frustum));
     return 0;
@@ -76,7 +79,7 @@ int runCull(int argc, char** argv) {
   if (!columns.empty()) setup.csvDefaults = columns;
   setup.wordsOnly = true;
   setup.writer.arrayName = "position";
-  const auto makeWork = [&] { return std::make_unique<CullWork>(frustum, columns); };
+  const auto makeWork = [&] { return std::make_unique<CullWork>(frustum, columns, file.worldIsEcef); };
   setup.writer.exampleResults = [&](ResultSink& sink) { makeWork()->nameResults({}, sink); };
   return runFilter(setup, makeWork);
 }

@@ -77,6 +77,7 @@ struct Projecting {
   std::optional<Precision> arithmetic;  ///< nothing: auto, within the tolerance
   double tolerance = 0;
   std::vector<std::string> columns;
+  bool worldIsEcef = false;
   Fields fields, textFields;
   std::optional<Mat4> worldFromLocal = {};  ///< of a model that the points are in
   Frustum frustum = {};                     ///< for segments
@@ -123,7 +124,7 @@ class ProjectWork final : public RecordWork {
 
   Layout find(const RecordParts& record) const override {
     if (const auto segment = findSegment(record)) return *segment;
-    return findPoint(record, how_.columns);
+    return findPoint(record, how_.columns, how_.worldIsEcef);
   }
 
   void nameResults(const Layout& layout, ResultSink& sink) const override {
@@ -327,6 +328,7 @@ int runProject(int argc, char** argv) {
                  .arithmetic = precision.value(),
                  .tolerance = tolerance.value(),
                  .columns = stream.columns(3, 4),
+                 .worldIsEcef = file.worldIsEcef,
                  .fields = chooseFields(fieldList, false),
                  .textFields = chooseFields(fieldList, true)};
   how.frustum = viewFrustum(how.camera);

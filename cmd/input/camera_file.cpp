@@ -8,6 +8,7 @@
 
 #include "input/convention_names.hpp"
 #include "input/error.hpp"
+#include "input/geodetic.hpp"
 #include "input/names.hpp"
 #include "output/number.hpp"
 #include "viewproj/camera/error.hpp"
@@ -228,16 +229,21 @@ std::optional<Pose> readPose(const ObjectReader& camera, const Convention& conve
   static constexpr std::string_view kWays[] = {"target", "direction", "rotation", "worldFromCamera", "cameraFromWorld"};
   std::string given;
   int ways = 0;
+  const auto count = [&](std::string_view way) {
+    ++ways;
+    given += (given.empty() ? "" : " and ") + std::string(way);
+  };
   for (std::string_view way : kWays)
-    if (camera.has(way)) {
-      ++ways;
-      given += (given.empty() ? "" : " and ") + std::string(way);
-    }
-  const auto position = camera.vec3("position");
+    if (camera.has(way)) count(way);
+  const char* const turn = turnOf(camera);
+  if (turn) count(turn);
+  const auto place = readPlace(camera, "position");
+  const auto position = readPosition(camera, "position");
   const auto up = camera.vec3("up");
   const auto axes = camera.choice("cameraAxes", kCameraAxesNames);
   if (ways > 1) camera.fail("has " + given + "; one of them is expected");
   if (ways == 0) {
+    if (place) camera.fail("position", "needs a heading, a target, a direction or a rotation beside it");
     if (position) camera.fail("position", "needs a target, a direction or a rotation beside it");
     if (up) camera.fail("up", "needs a position and a target or direction beside it");
     if (axes) camera.fail("cameraAxes", "needs a rotation or a pose matrix beside it");
@@ -248,14 +254,23 @@ std::optional<Pose> readPose(const ObjectReader& camera, const Convention& conve
   if (!isMatrix && !position) camera.fail("needs position beside " + given);
   const bool looks = camera.has("target") || camera.has("direction");
   if (!looks && up) camera.fail("up", "goes with target or direction");
-  if (looks && axes) camera.fail("cameraAxes", "goes with rotation, worldFromCamera or cameraFromWorld");
+  if (axes && (looks || turn)) camera.fail("cameraAxes", "goes with rotation, worldFromCamera or cameraFromWorld");
+  if (turn && !place) camera.fail(turn, "goes with a position by lat, lon and height");
 
-  const Vec3 defaultUp = preset == "unreal" ? Vec3{0, 0, 1} : Vec3{0, 1, 0};
+  if (turn) return poseFromHeadingPitchRoll(*place, readTurn(camera));
   const CameraAxes cameraAxes = axes.value_or(CameraAxes::RUB);
   const Handedness world = convention.world;
-  if (const auto target = camera.vec3("target")) return lookAt(*position, *target, up.value_or(defaultUp), world);
-  if (const auto direction = camera.vec3("direction"))
-    return lookAlong(*position, *direction, up.value_or(defaultUp), world);
+  if (looks) {
+    const auto targetPlace = readPlace(camera, "target");
+    if (place && targetPlace && !up) return lookAtPlace(*place, *targetPlace);
+    const auto look = [&](const auto& upward) {
+      if (const auto target = readPosition(camera, "target")) return lookAt(*position, *target, upward, world);
+      return lookAlong(*position, *camera.vec3("direction"), upward, world);
+    };
+    if (up) return look(*up);
+    if (worldIsEcef(camera)) return look(ellipsoidNormal(place ? *place : ecefToGeodetic(*position)));
+    return look(preset == "unreal" ? Vec3{0, 0, 1} : Vec3{0, 1, 0});
+  }
   if (const auto q = camera.numbers("rotation", 4, 4))
     return poseFromRotation(*position, {(*q)[0], (*q)[1], (*q)[2], (*q)[3]}, cameraAxes, world);
   if (const auto matrix = camera.mat4("worldFromCamera")) return poseFromWorldFromCamera(*matrix, cameraAxes, world);
@@ -264,8 +279,9 @@ std::optional<Pose> readPose(const ObjectReader& camera, const Convention& conve
 
 /// Where a field that the library complains about stands in the file.
 Path pathOf(const std::string& field) {
-  static constexpr std::string_view kPoseFields[] = {"position", "target",          "direction",      "up",
-                                                     "rotation", "worldFromCamera", "cameraFromWorld"};
+  static constexpr std::string_view kPoseFields[] = {
+      "position",        "target",          "direction", "up",    "rotation",
+      "worldFromCamera", "cameraFromWorld", "heading",   "pitch", "roll"};
   for (std::string_view pose : kPoseFields)
     if (field == pose) return {field};
   if (field == "projection") return {field};
@@ -277,7 +293,7 @@ Path pathOf(const std::string& field) {
 CameraFile readChecked(const Document& document, const CameraReading& reading) {
   const ObjectReader camera(document, document.root(), {});
   camera.allow({"convention", "position", "target", "direction", "up", "rotation", "worldFromCamera", "cameraFromWorld",
-                "cameraAxes", "projection", "viewport", "name", "$schema"});
+                "cameraAxes", "heading", "pitch", "roll", "world", "projection", "viewport", "name", "$schema"});
   CameraFile file;
   file.name = document.name();
 
@@ -301,6 +317,11 @@ CameraFile readChecked(const Document& document, const CameraReading& reading) {
                 "has reverseZ false, but a ps2 projection maps near to zMax: leave the convention out "
                 "to read the file as ps2, and --convention says how to write");
 
+  file.worldIsEcef = worldIsEcef(camera);
+  if (file.worldIsEcef && file.convention.world == Handedness::left)
+    camera.fail("convention",
+                "makes the world left-handed, but Earth-centred coordinates are right-handed: read the file in a "
+                "right-handed convention, and --convention says how to write");
   file.pose = readPose(camera, file.convention, preset);
   const auto viewport = readViewport(camera, preset, projection, isPs2);
   std::optional<Viewport> frame;

@@ -19,6 +19,7 @@ struct CameraFile {
   std::optional<Projection> projection;
   std::optional<Viewport> viewport;
   Convention convention;
+  bool worldIsEcef = false;  ///< Earth-centred metres: points may be given by lat, lon, height
 };
 
 struct CameraReading {

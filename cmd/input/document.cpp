@@ -174,6 +174,11 @@ bool ObjectReader::isString(std::string_view key) const {
   return value && value->is_string();
 }
 
+bool ObjectReader::isObject(std::string_view key) const {
+  const nlohmann::json* value = find(key);
+  return value && value->is_object();
+}
+
 std::optional<double> ObjectReader::number(std::string_view key) const {
   const nlohmann::json* value = find(key);
   if (!value) return std::nullopt;

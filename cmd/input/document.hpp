@@ -53,6 +53,7 @@ class ObjectReader {
 
   bool has(std::string_view key) const;
   bool isString(std::string_view key) const;
+  bool isObject(std::string_view key) const;
   std::optional<double> number(std::string_view key) const;
   std::optional<bool> flag(std::string_view key) const;
   std::optional<std::string> string(std::string_view key) const;

@@ -10,14 +10,15 @@
 
 namespace viewproj::cmd {
 
-enum PointKind : unsigned { kindPoint, kindDirection, kindSegment, kindSegmentAndPixel };
+enum PointKind : unsigned { kindPoint, kindDirection, kindPlace, kindSegment, kindSegmentAndPixel };
 
-/// The point of a record: [x,y,z], [x,y,z,w]; position, x y z (w) or direction of an object or of a CSV line's columns;
-/// three or four numbers of a text line; the three of f64. columns: CSV names of the coordinates, or empty. Throws
-/// RecordError where records of this shape have none.
-Layout findPoint(const RecordParts& record, const std::vector<std::string>& columns);
+/// The point of a record: [x,y,z], [x,y,z,w]; position, x y z (w), lat lon height or direction of an object or of a CSV
+/// line's columns; three or four numbers of a text line; the three of f64. columns: CSV names of the coordinates, or
+/// empty. Throws RecordError where records of this shape have none, and for lat, lon, height unless the camera's world
+/// is ECEF.
+Layout findPoint(const RecordParts& record, const std::vector<std::string>& columns, bool worldIsEcef);
 
-/// Throws RecordError for 0 0 0 0.
+/// In the world: a place in ECEF. Throws RecordError for 0 0 0 0 and for a lat beyond 90.
 Vec4 toPoint(const Layout& layout, const Numbers& numbers);
 
 /// Where records have {"segment": [a, b]}, two points of three numbers, and behind them the two of "pixel", if they

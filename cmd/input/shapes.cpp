@@ -29,7 +29,7 @@ Vec3 vec3(const double* n) { return {n[0], n[1], n[2]}; }
 
 }  // namespace
 
-Layout findShape(const RecordParts& record, const std::vector<std::string>& columns) {
+Layout findShape(const RecordParts& record, const std::vector<std::string>& columns, bool worldIsEcef) {
   const Shape& shape = record.shape;
   if (shape.form == Form::csv) {
     if (const auto sphere = allColumns(shape, {"center_x", "center_y", "center_z", "radius"}, kindSphere))
@@ -48,7 +48,7 @@ Layout findShape(const RecordParts& record, const std::vector<std::string>& colu
         throw RecordError(record.offset(*field),
                           std::string("a ") + name + " is not culled; expected a point, sphere, box or triangle");
   }
-  return findPoint(record, columns);
+  return findPoint(record, columns, worldIsEcef);
 }
 
 CullShape toShape(const Layout& layout, const Numbers& n) {

@@ -3,6 +3,7 @@
 
 #include "viewproj/camera/camera.hpp"
 #include "viewproj/camera/error.hpp"
+#include "viewproj/camera/geodesy.hpp"
 #include "viewproj/view/batch.hpp"
 #include "viewproj/view/bounds.hpp"
 #include "viewproj/view/clip.hpp"

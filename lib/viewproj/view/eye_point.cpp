@@ -106,6 +106,8 @@ EyePoint toEyeExactly(const Pose& pose, const Vec4& point) noexcept {
   e.up = rows.upIsCross ? distanceAlong(exactCross(rows.right, rows.forward), d, w, translation.y, rows.upScale)
                         : distanceAlong(rows.up, d, w, translation.y, rows.upScale);
   e.exponent = -k;
+  if (rows.error > 0)
+    for (const Expansion<3>& part : d) e.error += rows.error * std::fabs(part.rounded().hi);
   return e;
 }
 

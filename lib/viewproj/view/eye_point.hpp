@@ -24,8 +24,9 @@ struct EyePoint {
 /// 2^-99, and the sum of three 2^-98 of |d0| + |d1| + |d2|.
 EyePoint toEye(const Pose& pose, const Vec4& point) noexcept;
 
-/// From the exact rows, each distance rounded once at the end: zero means zero, and the sign of forward is certain.
-/// Microseconds instead of a quarter of one.
+/// From the exact rows, each distance rounded once at the end: zero means zero, and the sign of forward is certain. Of
+/// a pose made of sines and cosines to within its error, 2^-206 of |d0| + |d1| + |d2| and more where up is near the
+/// view. Microseconds instead of a quarter of one.
 EyePoint toEyeExactly(const Pose& pose, const Vec4& point) noexcept;
 
 }  // namespace viewproj
