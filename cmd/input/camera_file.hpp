@@ -25,6 +25,7 @@ struct CameraFile {
 struct CameraReading {
   std::string readAs;  ///< a preset's name, or empty for the file's own convention
   bool allowStretch = false;
+  bool ignoreDistortion = false;
 };
 
 /// Throws InputError with the place of what is wrong.

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "input/convention_names.hpp"
+#include "input/convention_fields.hpp"
 #include "input/document.hpp"
 #include "input/error.hpp"
 #include "input/json_text.hpp"
@@ -198,18 +198,6 @@ class Scanner {
   std::vector<WrittenMatrix> found_;
 };
 
-Convention conventionOf(const ObjectReader& fields) {
-  Convention c;
-  c.world = fields.choice("world", kWorldNames).value_or(c.world);
-  c.view = fields.choice("view", kViewNames).value_or(c.view);
-  c.ndcZ = fields.choice("ndcZ", kNdcZNames).value_or(c.ndcZ);
-  c.reverseZ = fields.flag("reverseZ").value_or(c.reverseZ);
-  c.ndcY = fields.choice("ndcY", kNdcYNames).value_or(c.ndcY);
-  c.vectors = fields.choice("vectors", kVectorsNames).value_or(c.vectors);
-  c.storage = fields.choice("storage", kStorageNames).value_or(c.storage);
-  return c;
-}
-
 WrittenMatrices parseObject(const std::string& text, const std::string& name) {
   const Document document(text, name);
   WrittenMatrices result;
@@ -241,7 +229,7 @@ WrittenMatrices parseObject(const std::string& text, const std::string& name) {
   if (result.matrices.empty()) document.fail({}, "has no matrix: no value of 16 numbers or 4 rows of 4");
   const auto convention = document.root().find("convention");
   if (convention != document.root().end() && convention->is_object())
-    result.convention = conventionOf(ObjectReader(document, *convention, {"convention"}));
+    result.convention = readAxes(ObjectReader(document, *convention, {"convention"}), {});
   return result;
 }
 

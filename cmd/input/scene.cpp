@@ -73,10 +73,10 @@ std::vector<SceneObject> readScene(const std::string& source) {
   const Document document(source, "--scene");
   const ObjectReader scene(document, document.root(), {});
   scene.allow({"objects", "name"});
-  const auto list = scene.objects("objects");
-  if (!list) scene.fail("has no objects; expected {\"objects\": [{\"id\": ..., \"sphere\": {...}}, ...]}");
+  if (!scene.has("objects"))
+    scene.fail("has no objects; expected {\"objects\": [{\"id\": ..., \"sphere\": {...}}, ...]}");
   std::vector<SceneObject> objects;
-  for (const ObjectReader& object : *list) objects.push_back(readObject(object, objects.size()));
+  for (const ObjectReader& object : scene.objects("objects")) objects.push_back(readObject(object, objects.size()));
   return objects;
 }
 

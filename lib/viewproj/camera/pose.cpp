@@ -154,6 +154,19 @@ ExactRows toExactRows(const std::array<ExactVec3, 3>& xyz, DoubleDouble scale, C
   return rows;
 }
 
+void requireOrthogonal(const Columns& c, const char* field) {
+  double worst = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = i; j < 3; ++j)
+      worst = std::max(worst, std::fabs(c[i].x * c[j].x + c[i].y * c[j].y + c[i].z * c[j].z - (i == j ? 1 : 0)));
+  if (!(worst <= kPoseOrthogonality)) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2g", worst);
+    throw CameraError(field, std::string("has a 3x3 part that is not a rotation: the largest entry of M^T M - I is ") +
+                                 text + ", 0.001 is allowed");
+  }
+}
+
 /// The 3x3 of a pose matrix, by columns, checked.
 Columns checkedColumns(const Mat4& matrix, const char* field) {
   for (std::size_t i = 0; i < 4; ++i)
@@ -166,16 +179,7 @@ Columns checkedColumns(const Mat4& matrix, const char* field) {
   }
   Columns c;
   for (std::size_t j = 0; j < 3; ++j) c[j] = {matrix[0][j], matrix[1][j], matrix[2][j]};
-  double worst = 0;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = i; j < 3; ++j)
-      worst = std::max(worst, std::fabs(c[i].x * c[j].x + c[i].y * c[j].y + c[i].z * c[j].z - (i == j ? 1 : 0)));
-  if (!(worst <= kPoseOrthogonality)) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.2g", worst);
-    throw CameraError(field, std::string("has a 3x3 part that is not a rotation: the largest entry of M^T M - I is ") +
-                                 text + ", 0.001 is allowed");
-  }
+  requireOrthogonal(c, field);
   return c;
 }
 
@@ -346,6 +350,34 @@ Pose poseFromCameraFromWorld(const Mat4& matrix, CameraAxes axes, Handedness wor
           toAxes(transposedColumns(inverted.rows), axes),
           {left.right.x, left.up.x, left.forward.x},
           toExactRows(exact, 1, axes, {}, {matrix[0][3], matrix[1][3], matrix[2][3]})};
+}
+
+Pose poseFromColumns(const std::array<DDVec3, 3>& columns, const DDVec3& eye, CameraAxes axes, Handedness world) {
+  const Columns c{rounded(columns[0]), rounded(columns[1]), rounded(columns[2])};
+  requireFinite(rounded(eye), "position");
+  for (const Vec3& column : c) requireFinite(column, "columns");
+  requireOrthogonal(c, "columns");
+  const std::array<DDVec3, 3> crossed = {cross(columns[1], columns[2]), cross(columns[2], columns[0]),
+                                         cross(columns[0], columns[1])};
+  const DoubleDouble determinant = dot(columns[0], crossed[0]);
+  requireHandedness(axes, world, determinant.hi < 0, "columns");
+  const DoubleDouble scale = DoubleDouble(1) / determinant;
+  const std::array<DDVec3, 3> rows = {crossed[0] * scale, crossed[1] * scale, crossed[2] * scale};
+  // Rounded, so that the exact rows hold it too; it is 2^-53 of the eye, and so is its rounding of it.
+  const DDVec3 rest = -DDVec3{eye.x.lo, eye.y.lo, eye.z.lo};
+  const Vec3 residual{dot(rows[0], rest).hi, dot(rows[1], rest).hi, dot(rows[2], rest).hi};
+  std::array<ExactVec3, 3> exact;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) exact[i][j] = {rows[i][j].lo, rows[i][j].hi};
+  const ExactRows exactRows = toExactRows(exact, 1, axes, rounded(eye), residual);
+  // The signs of the axes are in the scales of the exact rows, which take the translation in.
+  const auto along = [&](DoubleDouble rowScale, double translation) { return rowScale * DoubleDouble(translation); };
+  return {rounded(eye),
+          toAxes(rows, axes),
+          toAxes(columns, axes),
+          {along(exactRows.rightScale, exactRows.translation.x), along(exactRows.upScale, exactRows.translation.y),
+           along(exactRows.forwardScale, exactRows.translation.z)},
+          exactRows};
 }
 
 DDVec3 unroundedEye(const Pose& p) noexcept {

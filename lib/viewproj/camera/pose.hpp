@@ -90,4 +90,8 @@ Pose poseFromWorldFromCamera(const Mat4& worldFromCamera, CameraAxes axes, Hande
 /// The inverse of the above: a view matrix.
 Pose poseFromCameraFromWorld(const Mat4& cameraFromWorld, CameraAxes axes, Handedness world);
 
+/// The camera's x, y, z axes in the world and its eye where they come out of arithmetic in double-double. Names
+/// "columns" and "position" where they are wrong. What the inverse of columns rounds to counts as exact from there on.
+Pose poseFromColumns(const std::array<DDVec3, 3>& columns, const DDVec3& eye, CameraAxes axes, Handedness world);
+
 }  // namespace viewproj

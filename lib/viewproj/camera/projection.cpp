@@ -102,7 +102,13 @@ Projection frustum(double left, double right, double bottom, double top, double 
   return checked(false, ratio(left, near), ratio(right, near), ratio(bottom, near), ratio(top, near), near, far);
 }
 
-Projection orthographic(double left, double right, double bottom, double top, double near, double far) {
+Projection perspectiveWindow(DoubleDouble left, DoubleDouble right, DoubleDouble bottom, DoubleDouble top, double near,
+                             double far) {
+  return checked(false, left, right, bottom, top, near, far);
+}
+
+Projection orthographic(DoubleDouble left, DoubleDouble right, DoubleDouble bottom, DoubleDouble top, double near,
+                        double far) {
   return checked(true, left, right, bottom, top, near, far);
 }
 
