@@ -13,6 +13,7 @@
 #include "input/scene.hpp"
 #include "output/number.hpp"
 #include "stream/filter.hpp"
+#include "viewproj/camera/geodesy.hpp"
 #include "viewproj/view/hits.hpp"
 #include "viewproj/view/screen.hpp"
 
@@ -41,6 +42,7 @@ struct Casting {
   bool wantBound = false;
   std::vector<std::string> columns;
   std::optional<std::vector<SceneObject>> scene = {};
+  bool sceneHasEllipsoid = false;
   bool allHits = false;
   bool clipped = false;  ///< hits between near and far alone
 };
@@ -93,11 +95,18 @@ class RayWork final : public RecordWork {
     sink.group("hit", !hits.empty(), [&](ResultSink& part) { writeHit(hits.empty() ? none : hits.front(), part); });
   }
 
-  static void writeHit(const SceneHit& hit, ResultSink& sink) {
+  void writeHit(const SceneHit& hit, ResultSink& sink) const {
     sink.json("id", hit.object ? std::string_view(hit.object->id) : "null");
     sink.number("distance", hit.hit.distance);
     sink.vector("point", toArray(hit.hit.point));
     sink.vector("normal", toArray(hit.hit.normal));
+    // Only points of the Earth are places; where columns are fixed, they are empty for the others.
+    const bool onEllipsoid = hit.object && std::holds_alternative<Ellipsoid>(hit.object->shape);
+    if (!onEllipsoid && !(sink.hasFixedColumns() && how_.sceneHasEllipsoid)) return;
+    const Geodetic place = onEllipsoid ? ecefToGeodetic(hit.hit.point) : Geodetic{kNaN, kNaN, kNaN};
+    sink.number("lat", place.lat);
+    sink.number("lon", place.lon);
+    sink.number("height", place.height);
   }
 
   /// Nearest first; of hits at the same distance, in the scene's order.
@@ -183,7 +192,11 @@ int runRay(int argc, char** argv) {
               .columns = stream.columns(2, 2),
               .allHits = allHits,
               .clipped = clipped};
-  if (!scene.empty()) how.scene = readScene(scene);
+  if (!scene.empty()) {
+    how.scene = readScene(scene);
+    for (const SceneObject& object : *how.scene)
+      how.sceneHasEllipsoid |= std::holds_alternative<Ellipsoid>(object.shape);
+  }
   setup.csvDefaults = {"x", "y", "depth"};
   if (!how.columns.empty()) setup.csvDefaults = how.columns;
   setup.writer.arrayName = "screen";

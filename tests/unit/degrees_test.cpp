@@ -42,3 +42,24 @@ TEST_CASE("A tangent that is no angle's gives an end of the range, or NaN") {
   CHECK(degreesOfHalfTangent(double(INFINITY)) == 180);
   CHECK(std::isnan(degreesOfHalfTangent(double(NAN))));
 }
+
+TEST_CASE("Sines and cosines of right angles are exact, however many turns lie between") {
+  const double sines[] = {0, 1, 0, -1};
+  for (int quarter = -9; quarter <= 9; ++quarter) {
+    const SinCos s = sinCosDegrees(90.0 * quarter);
+    INFO(quarter);
+    CHECK(s.sine.expansion().rounded().hi == sines[(quarter + 12) % 4]);
+    CHECK(s.sine.expansion().rounded().lo == 0);
+    CHECK(s.cosine.expansion().rounded().hi == sines[(quarter + 13) % 4]);
+    CHECK(isRightAngle(90.0 * quarter));
+  }
+  CHECK_FALSE(isRightAngle(90 + 1e-13));
+}
+
+TEST_CASE("Sine and cosine change sign with the angle and the quadrant, to the last bit") {
+  const SinCos s = sinCosDegrees(33.3), opposite = sinCosDegrees(-33.3), behind = sinCosDegrees(33.3 - 180);
+  CHECK((s.sine + opposite.sine).isZero());
+  CHECK((s.cosine - opposite.cosine).isZero());
+  CHECK(std::fabs((s.cosine + behind.cosine).expansion().rounded().hi) < 1e-15);  // 33.3 - 180 is a rounded number
+  CHECK(behind.sine.isNegative());
+}

@@ -12,7 +12,7 @@ namespace viewproj {
 struct Geodetic {
   double lat = 0;     ///< degrees, from -90 to 90
   double lon = 0;     ///< degrees east, any finite number
-  double height = 0;  ///< metres above the ellipsoid; sea level lies up to 107 m above or below it
+  double height = 0;  ///< metres above the ellipsoid, which sea level leaves by up to 107 m
 };
 
 /// Finite, and lat from -90 to 90.
