@@ -374,6 +374,7 @@ void addViewport(Fields& out, const Viewport& v, const ConventionPreset& preset,
 std::string fileOf(const CameraFile& camera, const ConventionPreset& preset, const std::string& pose,
                    const Type* type) {
   std::string out = "{\n  \"convention\": " + jsonOf(camera.convention, preset);
+  if (camera.worldIsEcef) out += ",\n  \"world\": \"ecef\"";
   if (!pose.empty()) out += ",\n  " + pose;
   if (type) {
     Fields fields;
