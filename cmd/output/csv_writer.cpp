@@ -5,6 +5,7 @@
 #include "output/columns.hpp"
 #include "output/number.hpp"
 #include "output/record_writer.hpp"
+#include "stream/csv_lines.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -101,10 +102,8 @@ std::vector<OwnCell> ownCells(const Record& record, const WriterSetup& setup) {
   } else {
     for (const NamedJson& field : asJsonFields(record, setup)) appendCells(cells, field.name, field.json, setup.table);
   }
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      if (cells[i].column == cells[j].column)
-        throw RecordError(0, "would fill the column '" + cells[i].column + "' twice");
+  if (const auto again = firstRepeated(cells, [](const OwnCell& cell) -> std::string_view { return cell.column; }))
+    throw RecordError(0, "would fill the column '" + cells[*again].column + "' twice");
   return cells;
 }
 
@@ -156,6 +155,14 @@ class CsvWriter final : public RecordWriter {
       early_ = columns_.early;
       writeHeader(columns_, setup_, out_);
     }
+    if (std::equal(cells.begin(), cells.end(), columns_.own.begin(), columns_.own.end(),
+                   [](const OwnCell& cell, const std::string& column) { return cell.column == column; })) {
+      for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (i > 0) out_ += ',';
+        out_ += cells[i].text;
+      }
+      return;
+    }
     for (const OwnCell& cell : cells)
       if (std::find(columns_.own.begin(), columns_.own.end(), cell.column) == columns_.own.end())
         throw RecordError(
@@ -194,6 +201,9 @@ class CsvWriter final : public RecordWriter {
     }
     std::vector<std::string_view> cells;
     splitCsvLine(text, cells);
+    std::size_t unclosed = std::string_view::npos;
+    (void)endOfCsvRecord(text, 0, &unclosed);
+    if (unclosed != std::string_view::npos) cells.pop_back();  // the rest of the row would be in its quotes
     for (std::size_t i = 0; i < columns_.own.size(); ++i) {
       if (i > 0) out_ += ',';
       if (i < cells.size()) out_ += cells[i];

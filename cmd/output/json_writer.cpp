@@ -41,16 +41,20 @@ class JsonWriter final : public RecordWriter {
  public:
   JsonWriter(const WriterSetup& setup, TextBuffer& out) : RecordWriter(out), setup_(setup) {}
 
-  void beginArray() override {
+  void beginArray(std::string_view asWritten) override {
     if (!setup_.keepArrays) return;
-    out_ += '[';
+    out_ += asWritten;
     inArray_ = true;
     inThisArray_ = 0;
+    inDocument_ = asWritten.starts_with('{');
   }
 
-  void endArray() override {
+  void endArray(std::string_view asWritten) override {
     if (!inArray_) return;
-    out_ += inThisArray_ == 0 ? "]\n" : "\n]\n";
+    if (inThisArray_ > 0) out_ += '\n';
+    if (asWritten.empty()) asWritten = inDocument_ ? "]}" : "]";
+    out_ += asWritten;
+    out_ += '\n';
     inArray_ = false;
   }
 
@@ -205,7 +209,7 @@ class JsonWriter final : public RecordWriter {
   }
 
   const WriterSetup& setup_;
-  bool inArray_ = false;
+  bool inArray_ = false, inDocument_ = false;
   std::size_t inThisArray_ = 0;
   std::size_t start_ = 0;
   std::vector<std::pair<const char*, std::string>> labels_;

@@ -89,9 +89,10 @@ class RecordWriter : public ResultSink {
   }
   std::size_t records() const { return records_; }
 
-  /// An array that begins and ends in a block.
-  virtual void beginArray() {}
-  virtual void endArray() {}
+  /// An array or a document that begins and ends in a block, as written: `[` or `{"points": [`, and `]` with what
+  /// follows it. Nothing: the shortest end.
+  virtual void beginArray(std::string_view /*asWritten*/) {}
+  virtual void endArray(std::string_view /*asWritten*/ = {}) {}
 
   virtual void beginRecord(const Record& record) = 0;
   virtual void endRecord() = 0;

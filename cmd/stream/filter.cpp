@@ -1,6 +1,7 @@
 #include "stream/filter.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <thread>
 
 #include "stream/pipeline.hpp"
@@ -60,7 +61,7 @@ class RecordWorker final : public BlockWorker {
         writer_(stream.writes ? makeWriter(stream, result.out) : nullptr),
         batch_(stream.batch, *work_, writer_.get(), result) {}
 
-  void work(const Block& block, BlockResult& result) override {
+  void work(Block& block, BlockResult& result) override {
     const bool joined = stream_.to == OutputForm::array || (stream_.setup.writer.keepArrays && block.inArray);
     if (writer_) writer_->beginBlock(joined);
     batch_.begin(block);
@@ -96,11 +97,11 @@ TextBuffer readHeader(Stream& stream, BlockReader& reader) {
   try {
     if (fromCsv) {
       RecordParts example{line->text, stream.header, {}};
-      for (std::size_t i = 0; i < header.names.size(); ++i) {
-        if (!header.names[i].empty() && stream.header.find(header.names[i]) != i)
-          throw RecordError(0, "has the column '" + header.names[i] + "' twice");
-        example.values.push_back(example.text);
-      }
+      std::vector<std::string> columns = header.names;
+      std::erase(columns, "");
+      if (const auto again = firstRepeated(columns, std::identity()))
+        throw RecordError(0, "has the column '" + columns[*again] + "' twice");
+      example.values.assign(header.names.size(), example.text);
       const auto work = stream.makeWork();
       const Layout layout = work->find(example);
       if (stream.batch.checkNames) {
@@ -132,13 +133,12 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
   InterruptGuard guard;
   std::string given;
   for (const GivenRecord& record : setup.given) given += record.json + "\n";
-  auto reader = setup.given.empty() ? std::make_unique<BlockReader>(setup.file, setup.firstLine, guard.descriptor())
-                                    : std::make_unique<BlockReader>(given);
+  auto reader = setup.given.empty()
+                    ? std::make_unique<BlockReader>(setup.file, setup.firstLine, guard.descriptor(), setup.blockSize)
+                    : std::make_unique<BlockReader>(given);
   Stream stream{.setup = setup, .makeWork = makeWork, .writes = writes};
-  const std::string_view first = reader->firstBytes();
-  stream.form = !setup.given.empty() ? Form::json
-                : setup.from         ? *setup.from
-                                     : formOfName(setup.file).value_or(formOfBytes(first));
+  const auto named = setup.from ? setup.from : formOfName(setup.file);
+  stream.form = !setup.given.empty() ? Form::json : named ? *named : formOfBytes(reader->firstBytes());
   reader->setForm(stream.form);
   const bool numbersOnly = stream.form == Form::text || stream.form == Form::f64;
   stream.to = setup.to.value_or(setup.wordsOnly && numbersOnly ? OutputForm::lines : sameForm(stream.form));
@@ -172,10 +172,7 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
       .makeWorker = [&](BlockResult& result) { return std::make_unique<RecordWorker>(stream, result); },
       .inOrder = [&] { return writes && hasColumns(stream.to) && !stream.columns.known; }};
   runPipeline(pipeline, *reader, ordered, guard);
-  if (const int signal = InterruptGuard::signal()) {
-    ordered.closeArray();
-    throw Interrupted{signal};
-  }
+  if (InterruptGuard::signal() != 0) ordered.endInterrupted();
   TextBuffer rest;
   if (writes && hasColumns(stream.to)) finishCsv(stream.columns, setup.writer, rest);
   return ordered.finish(rest.view());
