@@ -8,7 +8,8 @@ cd "$(dirname "$0")/.."
 packages="g++ cmake make libcli11-dev nlohmann-json3-dev libsimdjson-dev libgeographiclib-dev"
 tests=OFF
 if [ "${1:-}" = tests ]; then
-  packages="$packages catch2 libmpfr-dev libglm-dev libeigen3-dev libimath-dev geographiclib-tools"
+  packages="$packages catch2 libmpfr-dev libglm-dev libeigen3-dev libimath-dev geographiclib-tools glslang-tools"
+  packages="$packages python3-numpy"
   tests=ON
 fi
 

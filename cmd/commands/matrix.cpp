@@ -92,12 +92,13 @@ int runCamera(CameraFile file, const std::string& type, const CameraOptions& cam
   file.convention = camera.writing(file);
   const WrittenCamera written = writeCamera(file, type, camera.allowsStretch());
   writeOutput(written.text);
-  if (!(written.moved.size() <= 1))
-    std::fprintf(
-        stderr,
-        "viewproj: %s: the file written moves points by up to %.1g pixels and %.1g of the depth range, because "
-        "its numbers are doubles\n",
-        file.name.c_str(), written.moved.pixels, written.moved.depth);
+  const auto& [pixels, depth] = written.moved;
+  if (!(pixels <= kKeptPixels))
+    std::fprintf(stderr, "viewproj: %s: in doubles, as written, points move by up to %.1g pixels\n", file.name.c_str(),
+                 pixels);
+  if (!(depth <= kKeptDepth))
+    std::fprintf(stderr, "viewproj: %s: in doubles, as written, depths move by up to %.1g of their range\n",
+                 file.name.c_str(), depth);
   return 0;
 }
 

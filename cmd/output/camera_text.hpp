@@ -1,7 +1,7 @@
 // A camera as the canonical file, in any of its forms.
 //
 // A file holds doubles, a camera double-doubles. So what is written is read again and the two compared: where doubles
-// do not suffice (a field of view of thousandths of a degree, a tile far off the axis) the caller learns by how much.
+// do not suffice (a tile far off the axis of a picture of 1e9 pixels) the caller learns by how much.
 #pragma once
 
 #include <algorithm>

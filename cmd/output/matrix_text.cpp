@@ -251,21 +251,30 @@ std::string asNumpy(const MatrixSet& set) {
 struct Format {
   std::string_view name;
   std::string (*write)(const MatrixSet&);
-  bool onlyFloat = false;  ///< the language's matrices are float32
+  bool onlyFloat = false;   ///< the language's matrices are float32
+  bool floatRange = false;  ///< its numbers end where float32 does: browsers hold larger ones down to that
 };
 
 constexpr Format kMatrixFormats[] = {
-    {"json", asJson},       {"text", asText},       {"flat", asFlat},       {"csv", asCsv}, {"c", asC},
-    {"glsl", asGlsl, true}, {"hlsl", asHlsl, true}, {"wgsl", asWgsl, true}, {"css", asCss}, {"numpy", asNumpy},
+    {"json", asJson},
+    {"text", asText},
+    {"flat", asFlat},
+    {"csv", asCsv},
+    {"c", asC},
+    {"glsl", asGlsl, true},
+    {"hlsl", asHlsl, true},
+    {"wgsl", asWgsl, true},
+    {"css", asCss, false, true},
+    {"numpy", asNumpy},
 };
 
-void requireRepresentable(const MatrixSet& set, const std::string& source) {
+void requireRepresentable(const MatrixSet& set, bool asFloat, const std::string& source) {
   for (const NamedMatrix& named : set.matrices)
     for (const auto& entries : named.matrix.m)
       for (double entry : entries)
-        if (!std::isfinite(set.asFloat ? static_cast<float>(entry) : entry))
+        if (!std::isfinite(asFloat ? static_cast<float>(entry) : entry))
           throw InputError(source + ": " + named.name + " has an entry too large for " +
-                           (set.asFloat ? "float32" : "a double"));
+                           (asFloat ? "float32" : "a double"));
 }
 
 }  // namespace
@@ -280,7 +289,7 @@ std::string writeMatrices(MatrixSet set, std::string_view format, const std::str
   for (const Format& known : kMatrixFormats)
     if (known.name == format) {
       set.asFloat = set.asFloat || known.onlyFloat;
-      requireRepresentable(set, source);
+      requireRepresentable(set, set.asFloat || known.floatRange, source);
       return known.write(set);
     }
   return "";

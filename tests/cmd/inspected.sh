@@ -18,9 +18,9 @@ for projection in \
   for reverse in --reverse-z --no-reverse-z; do
     for convention in opengl opengl-lh d3d d3d-rh vulkan metal webgpu unity unreal opencv ps2; do
       for which in view,projection,viewProjection projection viewProjection; do
-        for form in json text flat; do
+        for form in json text flat c numpy; do
           # A view alone in a flat array may as well be its inverse.
-          case $which-$form in *,*-flat | projection-[jt]* | viewProjection-[jt]*) continue ;; esac
+          case $which-$form in *,*-flat | projection-[!f]* | viewProjection-[!f]*) continue ;; esac
           number=$((number + 1))
           write="--convention $convention $reverse --to $form"
           viewproj matrix -c "{$view,\"projection\":$projection}" --which "$which" $write >"$work/written"
