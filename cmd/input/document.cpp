@@ -325,7 +325,7 @@ std::optional<std::size_t> indexBelow(const nlohmann::json& value, std::size_t c
 }
 
 std::string expectedIndex(std::size_t count, const char* what) {
-  return "expected the number of one of the " + std::to_string(count) + " " + what + ", from 0 on";
+  return "expected a whole number below " + std::to_string(count) + ", the number of " + what;
 }
 
 }  // namespace

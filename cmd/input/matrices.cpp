@@ -39,18 +39,41 @@ struct GivenMatrix {
   Inspection inspection;
 };
 
+CameraAxes cameraAxesOf(ViewAxes view) {
+  return view == ViewAxes::RUB ? CameraAxes::RUB : view == ViewAxes::RUF ? CameraAxes::RUF : CameraAxes::RDF;
+}
+
+Handedness handednessOf(ViewAxes view) { return view == ViewAxes::RUF ? Handedness::left : Handedness::right; }
+
+/// A product that is a projection too is that of a camera in the origin, along whose axes the world's lie.
+bool isInOrigin(const GivenMatrix& m, const Reading& r) {
+  return m.slot.kind == MatrixKind::viewProjection && r.kind == MatrixKind::projection;
+}
+
 /// Of the readings of a matrix, the one in a convention. Rows count as on paper, sixteen in a row as in memory.
 const Reading* readingIn(const GivenMatrix& m, const Convention& c) {
-  const Layout paper = c.vectors == Vectors::row ? Layout::transposed : Layout::asWritten;
-  const bool hasLens = m.slot.kind == MatrixKind::projection || m.slot.kind == MatrixKind::viewProjection;
+  const bool rowVectors = c.vectors == Vectors::row;
+  const bool turned = rowVectors != (m.order == NumberOrder::memory && c.storage == Storage::columnMajor);
+  const Layout layout = turned ? Layout::transposed : Layout::asWritten;
   for (const Reading& r : m.inspection.readings) {
-    if (r.kind != m.slot.kind || !fits(r, c, m.order)) continue;
-    if (m.order == NumberOrder::rows && r.layout != Layout::either && r.layout != paper) continue;
-    if (hasLens && r.convention.reverseZ != c.reverseZ) continue;
-    if (r.kind != MatrixKind::projection && r.convention.world != c.world) continue;
+    if (r.layout != Layout::either && r.layout != layout) continue;
+    if (r.kind != m.slot.kind && !isInOrigin(m, r)) continue;
+    const Convention& own = r.convention;
+    if (r.lens && (own.ndcZ != c.ndcZ || own.ndcY != c.ndcY || own.reverseZ != c.reverseZ)) continue;
+    if (m.slot.kind != MatrixKind::viewProjection && own.view != c.view) continue;
+    if (m.slot.kind != MatrixKind::projection && (isInOrigin(m, r) ? handednessOf(own.view) : own.world) != c.world)
+      continue;
     return &r;
   }
   return nullptr;
+}
+
+std::optional<Pose> poseOf(const GivenMatrix& m, const Reading& r) {
+  const Handedness world = isInOrigin(m, r) ? handednessOf(r.convention.view) : r.convention.world;
+  if (isInOrigin(m, r)) return poseFromRotation({}, {}, cameraAxesOf(r.convention.view), world);
+  if (r.kind != MatrixKind::viewProjection) return r.pose;
+  const Axes& axes = r.pose->columns;
+  return poseFromColumns({axes.right, axes.up, axes.forward}, unroundedEye(*r.pose), CameraAxes::RUF, world);
 }
 
 std::optional<GivenMatrix> readGiven(const ObjectReader& file, const Slot& slot) {
@@ -64,9 +87,11 @@ std::optional<GivenMatrix> readGiven(const ObjectReader& file, const Slot& slot)
   std::copy(numbers->begin(), numbers->end(), entries.begin());
   given.inspection = inspectMatrix(entries);
   for (const Reading& r : given.inspection.readings)
-    if (r.kind == slot.kind) return given;
-  const std::string name = std::string(slot.kind == MatrixKind::projection ? "projection" : "view") + " matrix";
-  if (!given.inspection.readings.empty()) file.fail(key, "is no " + name + ", but something else; inspect tells what");
+    if (r.kind == slot.kind || isInOrigin(given, r)) return given;
+  const std::string name = slot.kind == MatrixKind::projection       ? "projection matrix"
+                           : slot.kind == MatrixKind::viewProjection ? "view-projection matrix"
+                                                                     : "view matrix";
+  if (!given.inspection.readings.empty()) file.fail(key, "is no " + name + "; inspect tells what else it can be");
   file.fail(key, "is no " + name + ": as written " + given.inspection.asWrittenFault + "; transposed " +
                      given.inspection.transposedFault);
 }
@@ -211,11 +236,7 @@ CameraFile read(const Document& document, std::size_t, const CameraReading& read
   std::optional<Projection> projection;
   for (const GivenMatrix& given : givens) {
     const Reading& r = *readingIn(given, convention);
-    if (r.kind == MatrixKind::viewProjection)
-      pose = poseFromColumns({r.pose->columns.right, r.pose->columns.up, r.pose->columns.forward},
-                             unroundedEye(*r.pose), CameraAxes::RUF, r.convention.world);
-    else if (r.pose)
-      pose = r.pose;
+    if (given.slot.kind != MatrixKind::projection) pose = poseOf(given, r);
     if (!r.projection) continue;
     const Projection& p = *r.projection;
     projection =

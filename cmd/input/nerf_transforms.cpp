@@ -93,6 +93,9 @@ Pose readPose(const ObjectReader& frame) {
   const nlohmann::json* value = frame.find(kKey);
   if (!value) frame.fail(std::string("needs ") + kKey);
   const bool threeRows = value->is_array() && value->size() == 3;
+  for (std::size_t i = 0; i < value->size(); ++i)
+    if (!(value->is_array() && (threeRows || value->size() == 4) && (*value)[i].is_array() && (*value)[i].size() == 4))
+      frame.fail(kKey, "expected 4 rows of 4 numbers, or the upper 3");
   const auto numbers = *flatNumbers(frame, kKey, threeRows ? 12 : 16);
   Mat4 m;
   for (std::size_t i = 0; i < numbers.size(); ++i) m[i / 4][i % 4] = numbers[i];

@@ -43,15 +43,23 @@ Affine affineOf(const PlacedNode& node) {
   return a;
 }
 
-/// The node above the camera whose scale differs along its axes, or else the camera's own.
-const PlacedNode& unevenNode(const std::vector<PlacedNode>& chain) {
-  for (const PlacedNode& node : chain) {
-    const Affine a = affineOf(node);
-    double lengths[3];
-    for (std::size_t j = 0; j < 3; ++j) lengths[j] = sqrt(dot(a.columns[j], a.columns[j])).hi;
-    const auto [least, most] = std::minmax_element(std::begin(lengths), std::end(lengths));
-    if (!(*most - *least <= kUniform * *most)) return node;
-  }
+struct Lengths {
+  double least, most;
+};
+
+/// Of the columns.
+Lengths lengthsOf(const Affine& a) {
+  double lengths[3];
+  for (std::size_t j = 0; j < 3; ++j) lengths[j] = sqrt(dot(a.columns[j], a.columns[j])).hi;
+  return {*std::min_element(std::begin(lengths), std::end(lengths)),
+          *std::max_element(std::begin(lengths), std::end(lengths))};
+}
+
+/// The first node that has what is looked for, or else the camera's own.
+template <class Condition>
+const PlacedNode& firstNode(const std::vector<PlacedNode>& chain, Condition condition) {
+  for (const PlacedNode& node : chain)
+    if (condition(affineOf(node))) return node;
   return chain.back();
 }
 
@@ -88,25 +96,29 @@ Pose poseAtEndOf(const std::vector<PlacedNode>& chain) {
     next.origin = world.turned(local.origin) + world.origin;
     world = next;
   }
-  if (mirrors(world)) {
-    const auto mirror =
-        std::find_if(chain.begin(), chain.end(), [](const PlacedNode& n) { return mirrors(affineOf(n)); });
-    (mirror == chain.end() ? own : *mirror)
+  if (mirrors(world))
+    firstNode(chain, mirrors)
         .fields.fail("mirrors the camera (a negative scale), which leaves open which way its picture lies");
-  }
   for (DDVec3& column : world.columns) {
-    if (maxAbs(column) == 0) unevenNode(chain).fields.fail("has a scale of 0: no camera can stand in it");
+    if (maxAbs(column) == 0)
+      firstNode(chain, [](const Affine& a) {
+        return lengthsOf(a).least == 0;
+      }).fields.fail("has a scale of 0: no camera can stand in it");
     column = normalized(column);
   }
   try {
     return poseFromColumns(world.columns, world.origin, kAxes, Handedness::right);
   } catch (const CameraError& e) {
-    const PlacedNode& uneven = unevenNode(chain);
-    if (e.field() != "columns") own.fields.fail("stands where no double reaches");
-    uneven.fields.fail(std::string(&uneven == &own
-                                       ? "its matrix"
-                                       : "scales its axes differently, and with the turns below it the camera") +
-                       " " + e.message());
+    if (e.field() != "columns" || e.message().find(": ") == std::string::npos)
+      own.fields.fail("stands where no double reaches");
+    const PlacedNode& uneven = firstNode(chain, [](const Affine& a) {
+      const Lengths lengths = lengthsOf(a);
+      return !(lengths.most - lengths.least <= kUniform * lengths.most);
+    });
+    const std::string how = &uneven == &own
+                                ? "has a matrix that shears the camera"
+                                : "scales its axes differently, which with a turn below it shears the camera";
+    uneven.fields.fail(how + e.message().substr(e.message().find(": ")));
   }
 }
 

@@ -121,3 +121,50 @@ TEST_CASE("Calibrations and transforms.json put points where OpenCV puts them, t
     CHECK(worst.count(name) == 1);
   }
 }
+
+TEST_CASE("What matrix writes in any convention is read as the camera again, to 1e-9 px") {
+  const json cameras[] = {
+      json::parse(R"({"position": [0, 0, 0], "direction": [0, 0, -1],
+                      "projection": {"type": "perspective", "fovY": 50, "near": 0.1, "far": 100}})"),
+      json::parse(R"({"position": [3, 2, 5], "target": [0, 0.5, 0], "up": [0.1, 1, 0],
+                      "projection": {"type": "perspective", "fovY": 50, "near": 0.25, "shift": [0.1, 0]}})"),
+      json::parse(R"({"convention": "d3d", "position": [3, 2, -5], "target": [0, 0.5, 0],
+                      "projection": {"type": "perspective", "fovY": 50, "near": 0.25, "far": 1e5}})"),
+      json::parse(R"({"position": [3, 2, 5], "target": [0, 0.5, 0],
+                      "projection": {"type": "orthographic", "width": 16, "height": 9, "near": -1, "far": 30}})"),
+  };
+  const Scratch scratch;
+  const std::string points = scratch.write("points.json", json::parse("[[1, 1, -2], [0.5, -0.25, -1], [-1, 0.5, -4]]"));
+  int compared = 0, withInverse = 0;
+  for (const json& camera : cameras) {
+    const std::string file = scratch.write("camera.json", camera);
+    const json truth = run({"project", "-c", file, points, "--viewport", "1280x720"});
+    for (const char* reverse : {"--reverse-z", "--no-reverse-z"})
+      for (const char* convention :
+           {"opengl", "opengl-lh", "d3d", "d3d-rh", "vulkan", "metal", "webgpu", "unity", "unreal", "opencv", "ps2"})
+        for (const char* which : {"view,projection,viewport", "viewProjection,viewport", "inverse"}) {
+          INFO(camera.dump() << " " << convention << " " << reverse << " " << which);
+          const bool inverse = which == std::string("inverse");
+          std::vector<std::string> arguments{"matrix",   file,           "--viewport",
+                                             "1280x720", "--convention", convention,
+                                             reverse,    "--which",      inverse ? "view,projection,viewport" : which};
+          if (inverse) arguments.push_back("--inverse");
+          json matrices = run(arguments);
+          if (inverse) {
+            matrices.erase("view");
+            ++withInverse;
+          }
+          const json again = run({"project", "-c", scratch.write("matrices.json", matrices), points});
+          REQUIRE(again.size() == truth.size());
+          for (std::size_t i = 0; i < truth.size(); ++i) {
+            INFO(truth[i].dump() << again[i].dump());
+            for (std::size_t k = 0; k < 2; ++k)
+              REQUIRE(std::fabs(again[i]["screen"][k].get<double>() - truth[i]["screen"][k].get<double>()) <= 1e-9);
+            REQUIRE(again[i]["visible"] == truth[i]["visible"]);
+            ++compared;
+          }
+        }
+  }
+  CHECK(compared == 4 * 2 * 11 * 3 * 3);
+  CHECK(withInverse == 4 * 2 * 11);
+}
