@@ -84,16 +84,15 @@ class Picture {
     Box reach{INFINITY, INFINITY, -INFINITY, -INFINITY};
     for (const VisibleSegment& piece : outline.pieces) {
       const Vec2 start = sheet_(piece.start.screen), end = sheet_(piece.end.screen);
-      if (fine(start) != last) path += "M" + fine(start);
-      last = fine(end);
-      if (fine(start) != last) path += "L" + last;
+      if (fine(start) != fine(end)) path += (fine(start) == last ? "" : "M" + fine(start)) + "L" + fine(end);
+      if (fine(start) != fine(end) || path.empty()) last = fine(end);
       labels_.avoidLine(start.x, start.y, end.x, end.y);
       for (const Vec2& p : {start, end})
         reach = {std::min(reach.left, p.x), std::min(reach.top, p.y), std::max(reach.right, p.x),
                  std::max(reach.bottom, p.y)};
     }
     // What is seen as a point is drawn as one.
-    if (path.find('L') == std::string::npos) path += "L" + last;
+    if (path.empty()) path = "M" + last + "L" + last;
     const std::string kind = outline.isSegment ? "segment" : "shape";
     shapes_ += titled("path class=\"" + kind + "\" d=\"" + path + "\"", "path", outline.label);
     if (outline.isSegment) {

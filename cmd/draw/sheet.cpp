@@ -70,7 +70,7 @@ Sheet makeSheet(const Viewport& viewport, double top) {
   const double width = std::round(std::min(room, kTallest * drawn));
   const double start = std::round(left + (room - width) / 2);
   top += viewport.origin == Origin::topLeft ? kAxis : kAxis / 2;
-  sheet.frame = {start, top, start + width, top + std::round(width / drawn)};
+  sheet.frame = {start, top, start + width, top + std::round(100 * width / drawn) / 100};
   return sheet;
 }
 
