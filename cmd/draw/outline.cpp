@@ -18,9 +18,22 @@ Vec3 cross(const Vec3& a, const Vec3& b) {
 }
 double length(const Vec3& a) { return std::hypot(a.x, a.y, a.z); }
 
+/// Whether an end is in the picture, a hundredth of its size aside. Of a segment with one end 1e30 times as far away as
+/// the other, it need not be.
+bool isInPicture(const Viewport& v, const SegmentEnd& end) {
+  const double x = (end.screen.x - (v.x + (v.pixelCenter - 0.5))) / v.width;
+  const double y = (end.screen.y - (v.y + (v.pixelCenter - 0.5))) / v.height;
+  return std::fabs(x - 0.5) <= 0.51 && std::fabs(y - 0.5) <= 0.51;
+}
+
 void add(Outline& outline, const Frustum& frustum, const Vec3& a, const Vec3& b) {
   const VisibleSegment piece = clipSegment(frustum, a, b);
-  if (piece.visible) outline.pieces.push_back(piece);
+  if (!piece.visible) return;
+  const Viewport& viewport = frustum.camera.viewport;
+  if (isInPicture(viewport, piece.start) && isInPicture(viewport, piece.end))
+    outline.pieces.push_back(piece);
+  else
+    outline.fault = "reaches too far to be drawn whole";
 }
 
 /// center + cos(angle) u + sin(angle) v.

@@ -180,13 +180,13 @@ class Picture {
     if (behind_ > 0) seen += " (" + std::to_string(behind_) + " behind)";
     count(outlinesSeen_, view_.outlines.size(), " outlines");
     if (!seen.empty()) notes.push_back(seen);
-    const auto limit = [&](std::size_t read, const char* what) {
-      if (read > kMostDrawn)
-        notes.push_back("only the first " + std::to_string(kMostDrawn) + " of " + std::to_string(read) + " " + what +
+    const auto limit = [&](std::size_t drawn, std::size_t read, const char* what) {
+      if (drawn < read)
+        notes.push_back("only the first " + std::to_string(drawn) + " of " + std::to_string(read) + " " + what +
                         " are drawn");
     };
-    limit(view_.pointsRead, "points");
-    limit(view_.outlinesRead, "outlines");
+    limit(view_.points.size(), view_.pointsRead, "points");
+    limit(view_.outlines.size(), view_.outlinesRead, "outlines");
     if (labels_.dropped() > 0)
       notes.push_back("+" + std::to_string(labels_.dropped()) + " more without room for a label");
     if (sheet_.stretched) notes.push_back("the picture is drawn stretched: its pixels are not square here");

@@ -11,6 +11,8 @@ namespace viewproj::cmd {
 
 /// Points, and outlines, that are drawn one by one; those behind them are counted.
 inline constexpr std::size_t kMostDrawn = 5000;
+/// No outline is drawn behind this many lines.
+inline constexpr std::size_t kMostLines = 20000;
 
 struct DrawnPoint {
   std::string label;
@@ -30,7 +32,7 @@ struct View {
   std::vector<DrawnPoint> points = {};
   std::vector<Outline> outlines = {};
   std::vector<DrawnPixel> pixels = {};
-  std::size_t pointsRead = 0, outlinesRead = 0;
+  std::size_t pointsRead = 0, outlinesRead = 0, lines = 0;
   std::vector<std::string> notes = {};  ///< what the picture leaves out
 };
 
@@ -39,10 +41,12 @@ void addPoint(View& view, std::string label, const Vec4& point);
 /// shape: a Segment, Box, Triangle, Sphere or Ellipsoid.
 template <class Shape>
 void addOutline(View& view, const Frustum& frustum, std::string label, const Shape& shape) {
-  if (++view.outlinesRead > kMostDrawn) return;
+  ++view.outlinesRead;
+  if (view.outlines.size() >= kMostDrawn || view.lines >= kMostLines) return;
   Outline outline = outlineOf(frustum, shape);
   outline.label = std::move(label);
   if (!outline.fault.empty()) view.notes.push_back(outline.label + ": " + outline.fault);
+  view.lines += outline.pieces.size();
   view.outlines.push_back(std::move(outline));
 }
 

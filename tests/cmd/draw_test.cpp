@@ -171,7 +171,7 @@ class Trial {
     const Drawn drawn = readPicture(run("draw -c " + camera + " " + points));
     CHECK(drawn.width / drawn.height ==
           Approx(viewport_["width"].get<double>() / viewport_["height"].get<double>()).epsilon(3e-5));
-    std::istringstream results(run("project -c " + camera + " " + points));
+    std::istringstream results(run("project --fields screen,visible,outside,view -c " + camera + " " + points));
     std::size_t count = 0;
     for (std::string line; std::getline(results, line); ++count) checkRecord(json::parse(line), drawn, tally);
     CHECK(count == records_.size());
@@ -201,7 +201,10 @@ class Trial {
       ++tally.behind;
       CHECK(element->kind == "away behind");
       CHECK(element->title == "behind the eye");
-      checkTip(element->points[0], drawn);
+      const Point tip = element->points[0];
+      checkTip(tip, drawn);
+      // x right and y up in view space, as pixels are square.
+      checkWay(tip, {result["view"][0], -result["view"][1].get<double>()}, drawn);
       return;
     }
     const double x = result["screen"][0], y = result["screen"][1];
@@ -226,11 +229,14 @@ class Trial {
     CHECK(element->kind == "away");
     const Point tip = element->points[0];
     checkTip(tip, drawn);
-    // The tip lies on the way from the middle to the point.
-    const double wayX = at.x - drawn.left - drawn.width / 2, wayY = at.y - drawn.top - drawn.height / 2;
-    const double tipX = tip.x - drawn.left - drawn.width / 2, tipY = tip.y - drawn.top - drawn.height / 2;
-    CHECK(std::fabs(wayX * tipY - wayY * tipX) <= 2 * kRounding * std::hypot(wayX, wayY));
-    CHECK(wayX * tipX + wayY * tipY > 0);
+    checkWay(tip, {at.x - drawn.left - drawn.width / 2, at.y - drawn.top - drawn.height / 2}, drawn);
+  }
+
+  /// The tip lies that way from the middle.
+  static void checkWay(const Point& tip, const Point& way, const Drawn& drawn) {
+    const double x = tip.x - drawn.left - drawn.width / 2, y = tip.y - drawn.top - drawn.height / 2;
+    CHECK(std::fabs(way.x * y - way.y * x) <= (2 * kRounding + 3e-5 * drawn.width) * std::hypot(way.x, way.y));
+    CHECK(way.x * x + way.y * y > 0);
   }
 
   static void checkTip(const Point& tip, const Drawn& drawn) {
