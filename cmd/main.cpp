@@ -27,6 +27,7 @@ constexpr Command kCommands[] = {
     {"explain", "every stage of one point or pixel, by hand", runExplain},
     {"depth", "what a depth buffer resolves at each distance", runDepth},
     {"measure", "speed and error of every precision on your own points", runMeasure},
+    {"draw", "an SVG of what the camera sees", runDraw},
 };
 
 std::string help() {

@@ -20,5 +20,6 @@ int runInspect(int argc, char** argv);
 int runExplain(int argc, char** argv);
 int runDepth(int argc, char** argv);
 int runMeasure(int argc, char** argv);
+int runDraw(int argc, char** argv);
 
 }  // namespace viewproj::cmd

@@ -7,7 +7,6 @@
 #include "output/number.hpp"
 
 namespace viewproj::cmd::svg {
-namespace {
 
 std::string escaped(std::string_view text) {
   std::string out;
@@ -16,13 +15,13 @@ std::string escaped(std::string_view text) {
       out += "&amp;";
     else if (c == '<')
       out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";  // behind ]] it must be
     else
       out += c;
   }
   return out;
 }
-
-}  // namespace
 
 double overlap(const Box& a, const Box& b) {
   const double width = std::min(a.right, b.right) - std::max(a.left, b.left);

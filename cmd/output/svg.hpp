@@ -18,6 +18,9 @@ struct Box {
 double overlap(const Box& a, const Box& b);
 Box around(double x, double y, double halfWidth, double halfHeight);
 
+/// As the text of an element.
+std::string escaped(std::string_view text);
+
 /// A coordinate, to a tenth of a unit.
 std::string at(double coordinate);
 
