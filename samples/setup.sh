@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.."
 packages="g++ cmake make libcli11-dev nlohmann-json3-dev libsimdjson-dev"
 tests=OFF
 if [ "${1:-}" = tests ]; then
-  packages="$packages catch2 libmpfr-dev libglm-dev libeigen3-dev libimath-dev"
+  packages="$packages catch2 libmpfr-dev libglm-dev libeigen3-dev libimath-dev parallel"
   tests=ON
 fi
 
