@@ -5,10 +5,10 @@
 set -eu
 cd "$(dirname "$0")/.."
 
-packages="g++ cmake make libcli11-dev nlohmann-json3-dev libsimdjson-dev"
+packages="g++ cmake make libcli11-dev nlohmann-json3-dev libsimdjson-dev libgeographiclib-dev"
 tests=OFF
 if [ "${1:-}" = tests ]; then
-  packages="$packages catch2 libmpfr-dev libglm-dev libeigen3-dev libimath-dev parallel"
+  packages="$packages catch2 libmpfr-dev libglm-dev libeigen3-dev libimath-dev geographiclib-tools parallel"
   tests=ON
 fi
 

@@ -7,14 +7,18 @@
 #include "commands/command.hpp"
 #include "commands/options.hpp"
 #include "input/error.hpp"
+#include "input/model.hpp"
 #include "input/names.hpp"
 #include "input/number.hpp"
 #include "input/points.hpp"
 #include "output/number.hpp"
+#include "output/side_names.hpp"
 #include "stream/filter.hpp"
 #include "viewproj/view/batch.hpp"
 #include "viewproj/view/clip.hpp"
+#include "viewproj/view/model.hpp"
 #include "viewproj/view/screen.hpp"
+#include "viewproj/view/segment.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -56,13 +60,9 @@ Fields chooseFields(const std::string& list, bool asText) {
 class Sides {
  public:
   explicit Sides(const ScreenPoint& p) {
-    static constexpr std::pair<Side, std::string_view> kNames[] = {
-        {sideLeft, "left"}, {sideRight, "right"}, {sideBottom, "bottom"},
-        {sideTop, "top"},   {sideNear, "near"},   {sideFar, "far"},
-    };
     if (p.status == PointStatus::behind) names_[count_++] = "behind";
-    for (const auto& [side, name] : kNames)
-      if (p.outside & side) names_[count_++] = name;
+    for (Side side : kSides)
+      if (p.outside & side) names_[count_++] = sideName(side);
   }
   std::span<const std::string_view> names() const { return {names_.data(), count_}; }
 
@@ -77,7 +77,17 @@ struct Projecting {
   std::optional<Precision> arithmetic;  ///< nothing: auto, within the tolerance
   double tolerance = 0;
   std::vector<std::string> columns;
+  bool worldIsEcef = false;
   Fields fields, textFields;
+  std::optional<Mat4> worldFromLocal = {};  ///< of a model that the points are in
+  Frustum frustum = {};                     ///< for segments
+};
+
+/// A segment among the points, and the pixel to find a point of it under.
+struct SegmentRow {
+  Vec3 a = {}, b = {};
+  std::optional<Vec2> pixel = {};
+  bool hasPixel = false;
 };
 
 /// Eight at a time, which compilers make vector instructions of: zero times a number is a number.
@@ -112,11 +122,30 @@ class ProjectWork final : public RecordWork {
   explicit ProjectWork(const Projecting& how)
       : how_(how), chosen_(how.arithmetic ? *how.arithmetic : precisionWithin(how.camera, how.tolerance)) {}
 
-  Layout find(const RecordParts& record) const override { return findPoint(record, how_.columns); }
-  void nameResults(const Layout&, ResultSink& sink) const override { writeFields({}, {0, 0, 0, 1}, sink); }
+  Layout find(const RecordParts& record) const override {
+    if (const auto segment = findSegment(record)) return *segment;
+    return findPoint(record, how_.columns, how_.worldIsEcef);
+  }
 
-  void add(const Layout& layout, const Numbers& numbers) override {
-    const Vec4 point = toPoint(layout, numbers);
+  void nameResults(const Layout& layout, ResultSink& sink) const override {
+    if (layout.kind == kindSegment || layout.kind == kindSegmentAndPixel)
+      writeSegment({.hasPixel = layout.kind == kindSegmentAndPixel}, sink);
+    else
+      writeFields({}, {0, 0, 0, 1}, sink);
+  }
+
+  void add(const Layout& layout, const Numbers& n) override {
+    Vec4 point{0, 0, 0, 1};
+    if (layout.kind == kindSegment || layout.kind == kindSegmentAndPixel) {
+      SegmentRow segment{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, {}, layout.kind == kindSegmentAndPixel};
+      if (segment.hasPixel && !std::isnan(n[6])) segment.pixel = Vec2{n[6], n[7]};
+      segment.a = placed(segment.a);
+      segment.b = placed(segment.b);
+      segments_.emplace_back(points_.size(), segment);
+    } else {
+      point = toPoint(layout, n);
+      if (how_.worldFromLocal) point = toWorld(*how_.worldFromLocal, point);
+    }
     points_.push_back(point);
     positions_.push_back({point.x, point.y, point.z});
   }
@@ -133,15 +162,22 @@ class ProjectWork final : public RecordWork {
                                      : worldToScreenWithin(how_.camera, chosen_, points_[i]);
   }
 
-  void write(std::size_t i, ResultSink& sink) override { writeFields(screen_[i], points_[i], sink); }
+  void write(std::size_t i, ResultSink& sink) override {
+    if (nextSegment_ < segments_.size() && segments_[nextSegment_].first == i)
+      writeSegment(segments_[nextSegment_++].second, sink);
+    else
+      writeFields(screen_[i], points_[i], sink);
+  }
 
   void clear() override {
+    segments_.clear();
+    nextSegment_ = 0;
     points_.clear();
     positions_.clear();
   }
 
   std::size_t convert(std::span<const double> in, TextBuffer& out) override {
-    if (!isScreenAndDepth(how_.textFields)) return 0;
+    if (!isScreenAndDepth(how_.textFields) || how_.worldFromLocal) return 0;
     // So many that they stay in the cache between the projection and the look at it.
     constexpr std::size_t kAtOnce = 256;
     const std::size_t count = in.size() / 3;
@@ -163,6 +199,37 @@ class ProjectWork final : public RecordWork {
   }
 
  private:
+  Vec3 placed(const Vec3& local) const {
+    if (!how_.worldFromLocal) return local;
+    const Vec4 world = toWorld(*how_.worldFromLocal, {local.x, local.y, local.z, 1});
+    return {world.x, world.y, world.z};
+  }
+
+  void writeSegment(const SegmentRow& row, ResultSink& sink) const {
+    if (sink.isText() || sink.hasFixedColumns())
+      throw RecordError(0, "has a segment, whose results have no place in columns; write JSON");
+    const VisibleSegment segment = clipSegment(how_.frustum, row.a, row.b);
+    sink.flag("visible", segment.visible);
+    const auto writeEnd = [&](std::string_view name, const SegmentEnd& end) {
+      sink.group(name, segment.visible, [&](ResultSink& part) {
+        part.number("t", end.t);
+        part.vector("screen", std::array{end.screen.x, end.screen.y});
+        part.number("depth", end.depth);
+        part.number("viewDistance", end.viewDistance);
+        part.word("cutBy", sideName(end.side));
+      });
+    };
+    writeEnd("start", segment.start);
+    writeEnd("end", segment.end);
+    if (!row.hasPixel) return;
+    sink.group("under", segment.visible && row.pixel, [&](ResultSink& part) {
+      const double t = parameterUnder(how_.frustum, segment, *row.pixel);
+      const Vec3 point = pointAlong(row.a, row.b, t);
+      part.number("t", t);
+      part.vector("point", std::array{point.x, point.y, point.z});
+    });
+  }
+
   void writeFields(const ScreenPoint& p, const Vec4& point, ResultSink& sink) const {
     const Fields& fields = sink.isText() ? how_.textFields : how_.fields;
     const Camera& camera = how_.camera;
@@ -205,8 +272,10 @@ class ProjectWork final : public RecordWork {
 
   const Projecting& how_;
   Precision chosen_;
-  std::vector<Vec4> points_;
+  std::vector<Vec4> points_;  ///< a segment has a place among them that is not used
   std::vector<Vec3> positions_;
+  std::vector<std::pair<std::size_t, SegmentRow>> segments_;
+  std::size_t nextSegment_ = 0;
   std::vector<ScreenPoint> screen_;
 };
 
@@ -236,7 +305,7 @@ int runProject(int argc, char** argv) {
   PrecisionOption precision;
   ToleranceOption tolerance;
   std::vector<std::string> points;
-  std::string fieldList;
+  std::string fieldList, model;
   camera.add(app);
   camera.addWriting(app);
   stream.add(app, "points");
@@ -246,6 +315,8 @@ int runProject(int argc, char** argv) {
   app.add_option("--fields", fieldList,
                  "Results to give: screen,depth,viewDistance,visible,outside,ndc,clip,view,bound")
       ->type_name("NAMES");
+  app.add_option("--model", model, "Where the points' model stands: a matrix, or translation, rotation and scale")
+      ->type_name("FILE");
   parse(app, argc, argv);
 
   FilterSetup setup = stream.setup();
@@ -257,8 +328,11 @@ int runProject(int argc, char** argv) {
                  .arithmetic = precision.value(),
                  .tolerance = tolerance.value(),
                  .columns = stream.columns(3, 4),
+                 .worldIsEcef = file.worldIsEcef,
                  .fields = chooseFields(fieldList, false),
                  .textFields = chooseFields(fieldList, true)};
+  how.frustum = viewFrustum(how.camera);
+  if (!model.empty()) how.worldFromLocal = readModel(model);
   if (how.arithmetic && tolerance.given()) throw UsageError("--tolerance is for --precision auto, which chooses by it");
   setup.csvDefaults = {"x", "y", "z", "w"};
   if (!how.columns.empty()) setup.csvDefaults = how.columns;

@@ -23,8 +23,14 @@ InputFile::~InputFile() {
 
 std::size_t InputFile::read(char* to, std::size_t most) {
   ssize_t got = 0;
-  do got = ::read(descriptor_, to, most);
-  while (got < 0 && errno == EINTR);
+  while ((got = ::read(descriptor_, to, most)) < 0) {
+    if (errno == EAGAIN) {  // whoever opened it set it not to block
+      pollfd state{descriptor_, POLLIN, 0};
+      (void)::poll(&state, 1, -1);
+    } else if (errno != EINTR) {
+      break;
+    }
+  }
   if (got < 0) throw InputError(name_ + ": " + std::strerror(errno));
   return static_cast<std::size_t>(got);
 }

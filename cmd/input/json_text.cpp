@@ -14,6 +14,27 @@ std::size_t endOfString(std::string_view text, std::size_t at) {
   return std::min(at + 1, text.size());
 }
 
+/// Takes nothing in but what is wrong.
+struct Thrower final : nlohmann::json_sax<nlohmann::json> {
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(number_integer_t) override { return true; }
+  bool number_unsigned(number_unsigned_t) override { return true; }
+  bool number_float(number_float_t, const string_t&) override { return true; }
+  bool string(string_t&) override { return true; }
+  bool binary(binary_t&) override { return true; }
+  bool start_object(std::size_t) override { return true; }
+  bool key(string_t&) override { return true; }
+  bool end_object() override { return true; }
+  bool start_array(std::size_t) override { return true; }
+  bool end_array() override { return true; }
+  bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception& e) override {
+    if (const auto* wrong = dynamic_cast<const nlohmann::json::parse_error*>(&e)) throw *wrong;
+    if (const auto* range = dynamic_cast<const nlohmann::json::out_of_range*>(&e)) throw *range;
+    return false;
+  }
+};
+
 /// Where token first stands outside a string.
 std::size_t outsideStrings(std::string_view text, std::string_view token) {
   for (std::size_t at = 0; at < text.size(); ++at) {
@@ -45,7 +66,8 @@ std::string place(std::string_view file, TextPosition position) {
 std::optional<JsonFault> jsonFault(std::string_view text) {
   if (nlohmann::json::accept(text.begin(), text.end())) return std::nullopt;
   try {
-    const auto parsed = nlohmann::json::parse(text.begin(), text.end());
+    Thrower thrower;
+    (void)nlohmann::json::sax_parse(text.begin(), text.end(), &thrower);
   } catch (const nlohmann::json::parse_error& e) {
     // "[json.exception.parse_error.101] parse error at line 1, column 5: what is wrong"
     std::string message = e.what();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
 
 #include "input/error.hpp"
 #include "input/number.hpp"
@@ -38,16 +39,19 @@ std::size_t RecordParts::offset(std::size_t field) const {
 
 RecordParts jsonParts(std::string_view text) {
   if (const auto fault = jsonFault(text)) throw RecordError(fault->offset, fault->message);
+  if (!text.starts_with('[') && !text.starts_with('{')) throw RecordError(0, kNoRecord);
   RecordParts record{text, {Form::json, text.starts_with('['), 0, {}}, {}};
   JsonParts parts(text);
+  std::vector<std::size_t> offsets;
   while (const auto part = parts.next()) {
     if (!record.shape.isArray) {
-      std::string name = unescaped(part->key);
-      if (record.shape.find(name)) throw RecordError(part->offset, "has the field " + quoted(name) + " twice");
-      record.shape.names.push_back(std::move(name));
+      record.shape.names.push_back(unescaped(part->key));
+      offsets.push_back(part->offset);
     }
     record.values.push_back(part->value);
   }
+  if (const auto again = firstRepeated(record.shape.names, std::identity()))
+    throw RecordError(offsets[*again], "has the field " + quoted(record.shape.names[*again]) + " twice");
   record.shape.size = record.values.size();
   return record;
 }

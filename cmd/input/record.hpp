@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 #include "input/json_text.hpp"
@@ -23,6 +24,23 @@ struct Shape {
 
   std::optional<std::size_t> find(std::string_view name) const;
 };
+
+/// The first of these whose name stood before.
+template <class T, class NameOf>
+std::optional<std::size_t> firstRepeated(const std::vector<T>& all, const NameOf& nameOf) {
+  constexpr std::size_t kFew = 32;
+  std::unordered_set<std::string_view> seen;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::string_view name = nameOf(all[i]);
+    if (all.size() > kFew) {
+      if (!seen.insert(name).second) return i;
+    } else {
+      for (std::size_t j = 0; j < i; ++j)
+        if (nameOf(all[j]) == name) return i;
+    }
+  }
+  return std::nullopt;
+}
 
 /// A record that has been found to be of a shape.
 struct Record {
@@ -45,6 +63,8 @@ struct CsvHeader {
   std::vector<std::string> names;
   bool present = false;  ///< false: the first line was data already, and the columns have the default names
 };
+
+inline constexpr const char* kNoRecord = "expected a record: an array of numbers or an object";
 
 /// Throw RecordError at the byte that is wrong.
 RecordParts jsonParts(std::string_view text);

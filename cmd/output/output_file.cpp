@@ -1,5 +1,6 @@
 #include "output/output_file.hpp"
 
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -17,6 +18,9 @@ Written writeUntil(std::string_view text, const std::function<bool()>& stop) {
     const ssize_t written = ::write(STDOUT_FILENO, text.data() + all.bytes, text.size() - all.bytes);
     if (written >= 0) {
       all.bytes += static_cast<std::size_t>(written);
+    } else if (errno == EAGAIN) {  // whoever opened it set it not to block
+      pollfd state{STDOUT_FILENO, POLLOUT, 0};
+      (void)::poll(&state, 1, -1);
     } else if (errno != EINTR) {
       all.error = errno;
       return all;

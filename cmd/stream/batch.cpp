@@ -72,14 +72,15 @@ void Batch::bad(std::string_view text, const RecordError& error) {
   if (!setup_.keepGoing || rows_.size() == kRows) flush();
 }
 
-void Batch::beginArray() {
+void Batch::beginArray(std::string_view asWritten) {
   flush();
-  if (writer_) writer_->beginArray();
+  result_.arrays = true;
+  if (writer_) writer_->beginArray(asWritten);
 }
 
-void Batch::endArray() {
+void Batch::endArray(std::string_view asWritten) {
   flush();
-  if (writer_) writer_->endArray();
+  if (writer_) writer_->endArray(asWritten);
 }
 
 void Batch::flush() {

@@ -23,6 +23,7 @@ struct Plan {
 struct BlockResult {
   TextBuffer out;
   std::size_t records = 0;              ///< in out, the bad ones that --keep-going puts there included
+  bool arrays = false;                  ///< some stand in arrays that begin and end in out
   std::vector<StreamFault> passedOver;  ///< --keep-going
   std::optional<StreamFault> fault;     ///< a record that ends the run: out has what came before it
 };
@@ -58,8 +59,9 @@ class Batch {
   [[noreturn]] void fail(const char* at, const std::string& message);
   /// How many of the records from the start the work took as a whole.
   std::size_t convert(std::span<const double> numbers);
-  void beginArray();
-  void endArray();
+  /// As written: `[`, or `{"points": [`; and `]` with what follows it in a document.
+  void beginArray(std::string_view asWritten);
+  void endArray(std::string_view asWritten);
 
   /// Ends the run behind what was added.
   struct StopBlock {};
@@ -90,11 +92,12 @@ class Batch {
 class RecordReader {
  public:
   virtual ~RecordReader() = default;
-  /// Throws Batch::StopBlock.
-  virtual void read(const Block& block, Batch& batch) = 0;
+  /// What stands behind the block's records may be overwritten. Throws Batch::StopBlock.
+  virtual void read(Block& block, Batch& batch) = 0;
 };
 
-std::unique_ptr<RecordReader> makeJsonReader();
+/// fast: with simdjson, where it agrees with nlohmann-json; otherwise with the latter alone, for comparison.
+std::unique_ptr<RecordReader> makeJsonReader(bool fast = true);
 std::unique_ptr<RecordReader> makeCsvReader(const Shape& header);
 std::unique_ptr<RecordReader> makeTextReader();
 std::unique_ptr<RecordReader> makeBinaryReader();

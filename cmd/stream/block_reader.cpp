@@ -32,6 +32,8 @@ std::size_t countLines(std::string_view text) {
   return lines + static_cast<std::size_t>(std::count(text.begin() + at, text.end(), '\n'));
 }
 
+bool mayBeginBom(std::string_view text) { return text.size() < kBom.size() && kBom.starts_with(text); }
+
 std::size_t wholeCsv(std::string_view text) {
   if (text.find('"') == npos) return behindLastLine(text);
   std::size_t whole = 0;
@@ -56,7 +58,8 @@ void ByteBuffer::assign(std::string_view bytes) {
   size_ = bytes.size();
 }
 
-BlockReader::BlockReader(const std::string& file, std::size_t firstLine, int wake) : wake_(wake) {
+BlockReader::BlockReader(const std::string& file, std::size_t firstLine, int wake, std::size_t block)
+    : wake_(wake), block_(block) {
   file_.emplace(file);
   name_ = file_->name();
   total_ = file_->remaining();
@@ -79,15 +82,28 @@ bool BlockReader::readMore(ByteBuffer& bytes, std::size_t most) {
 
 std::string_view BlockReader::firstBytes() {
   constexpr std::size_t kLongEnough = 64 << 10;
-  const auto decided = [&](std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t\r\n");
-    const bool mayBeBom = text.size() < kBom.size() && kBom.starts_with(text);
-    return first != npos && !mayBeBom && (text[first] == '{' || text[first] == '[' || text.find('\n', first) != npos);
+  /// How many tell the form; npos: more are needed.
+  const auto enough = [](std::string_view text) {
+    if (mayBeginBom(text)) return npos;
+    const std::size_t bom = text.starts_with(kBom) ? kBom.size() : 0;
+    const std::size_t first = text.find_first_not_of(" \t\r\n", bom);
+    if (first == npos) return npos;
+    const bool bracket = text[first] == '{' || text[first] == '[';
+    const std::size_t most = bracket ? first + kBinaryRecord : kLongEnough;
+    const std::size_t end = std::min(text.find('\n', first), most);
+    return end <= text.size() ? end : npos;
   };
-  while (!atEnd_ && !over_ && carried_.size() < kLongEnough && !decided(carried_.view()))
-    readMore(carried_, carried_.size() + kBlock);
+  std::size_t end = npos;
+  while ((end = enough(carried_.view())) == npos && !atEnd_ && !over_ && carried_.size() < kLongEnough)
+    readMore(carried_, carried_.size() + block_);
+  return carried_.view().substr(0, std::min(end, kLongEnough));
+}
+
+void BlockReader::setForm(Form form) {
+  form_ = form;
+  if (form == Form::f64) return;
+  while (!atEnd_ && !over_ && mayBeginBom(carried_.view())) readMore(carried_, carried_.size() + block_);
   if (carried_.view().starts_with(kBom)) carried_.assign(carried_.view().substr(kBom.size()));
-  return carried_.view();
 }
 
 std::optional<BlockReader::Line> BlockReader::firstLine(bool take) {
@@ -97,7 +113,7 @@ std::optional<BlockReader::Line> BlockReader::firstLine(bool take) {
     const std::string_view text = carried_.view();
     const std::size_t end = endOfCsvRecord(text, begin);
     if (end == text.size() && !atEnd_ && text.size() < kLongestRecord) {
-      readMore(carried_, carried_.size() + kBlock);
+      readMore(carried_, carried_.size() + block_);
       continue;
     }
     if (begin == text.size()) return std::nullopt;
@@ -138,7 +154,7 @@ bool BlockReader::next(Block& block) {
   ByteBuffer& bytes = block.bytes;
   bytes.assign(carried_.view());
   carried_.resize(0);
-  std::size_t most = std::max(kBlock, bytes.size());
+  std::size_t most = std::max(block_, bytes.size());
   std::size_t whole = 0;
   try {
     for (std::size_t lookedAt = npos;;) {
@@ -162,6 +178,7 @@ bool BlockReader::next(Block& block) {
   }
   const std::string_view text = bytes.view();
   carried_.assign(text.substr(whole));
+  borderless_ = 0;
   block.inputBytes = whole;
   if (block.records.data() == nullptr) block.records = text.substr(0, whole);
   const auto begin = static_cast<std::size_t>(block.records.data() - text.data());
@@ -189,40 +206,55 @@ std::size_t BlockReader::wholeRecords(Block& block, std::string_view text) {
 
 std::size_t BlockReader::wholeJson(Block& block, std::string_view text) {
   if (splitter_.insideArray()) return wholeArrayRecords(block, text);
-  std::size_t whole = 0;
-  JsonSplitter tail;
-  JsonSplitter* splitter = &splitter_;  // the first record may be long, and looked at again when more of it is here
+  if (atEnd_) return text.size();
+  // What ends at a border is whole, be it right or wrong: whoever works on the block will see.
+  std::size_t whole = lastBorder(text, borderless_);
+  if (whole == npos) {
+    whole = 0;
+    borderless_ = text.find_last_not_of(" \t\r\n") + 1;  // npos + 1 is 0
+  } else {
+    splitter_ = JsonSplitter();
+  }
   for (;;) {
+    // The first record may be long, and looked at again when more of it is here.
+    JsonSplitter behind;
+    JsonSplitter& splitter = whole == 0 ? splitter_ : behind;
+    const std::string_view rest = text.substr(whole);
     JsonPiece piece;
     try {
-      piece = splitter->next(text.substr(whole), atEnd_);
+      piece = splitter.next(rest, false);
     } catch (const RecordError& e) {
-      // Whoever works on the block will say so: it takes the line, and all up to the last border.
       splitter_ = JsonSplitter();
-      if (atEnd_) return text.size();
-      const std::size_t line = text.find('\n', whole + e.offset);
-      const std::size_t border = lastBorder(text.substr(whole));
-      return std::max({whole, line == npos ? 0 : line + 1, border == npos ? 0 : whole + border});
+      const std::size_t line = rest.find('\n', e.offset);
+      return line == npos ? whole : whole + line + 1;
     }
-    switch (piece.event) {
-      case JsonEvent::needMore:
-        return whole;
-      case JsonEvent::end:
-        return text.size();
-      case JsonEvent::beginArray:
-        if (whole > 0) return whole;
+    if (piece.event == JsonEvent::needMore) return whole;
+    if (piece.event == JsonEvent::beginArray) {
+      const std::size_t array = wholeArray(splitter, rest.substr(piece.end));
+      if (array == 0 && whole > 0) return whole;
+      if (array == 0) {
         block.opening = piece.text;
         block.records = text.substr(piece.end, 0);
         return piece.end + wholeArrayRecords(block, text.substr(piece.end));
-      default:
-        break;
+      }
+      piece.end += array;
+      splitter = JsonSplitter();
     }
-    if (atEnd_) return text.size();
     whole += piece.end;
-    if (splitter == &splitter_) {
-      if (const std::size_t border = lastBorder(text.substr(whole)); border != npos) whole += border;
-      splitter = &tail;
+  }
+}
+
+/// Where the array ends whose opening bracket the splitter has passed; 0 if that cannot be said.
+std::size_t BlockReader::wholeArray(JsonSplitter splitter, std::string_view text) {
+  try {
+    for (std::size_t end = 0;;) {
+      const JsonPiece piece = splitter.next(text.substr(end), false);
+      if (piece.event == JsonEvent::needMore) return 0;
+      end += piece.end;
+      if (piece.event == JsonEvent::endArray) return end;
     }
+  } catch (const RecordError&) {
+    return 0;
   }
 }
 

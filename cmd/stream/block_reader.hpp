@@ -52,20 +52,21 @@ struct Block {
 
 class BlockReader {
  public:
-  static constexpr std::size_t kBlock = 256 << 10;
+  static constexpr std::size_t kBlock = 256 << 10;  ///< bytes that are read at a time
   /// A record that is longer is an error.
   static constexpr std::size_t kLongestRecord = 64 << 20;
 
-  /// wake: a descriptor that interrupts waiting for input.
-  BlockReader(const std::string& file, std::size_t firstLine, int wake);
+  /// wake: a descriptor that interrupts waiting for input. block: in place of kBlock.
+  BlockReader(const std::string& file, std::size_t firstLine, int wake, std::size_t block = kBlock);
   /// Of bytes given instead of a file.
   explicit BlockReader(std::string bytes);
 
-  /// The first bytes of the input, enough to tell its form: to the end of the first line that is not blank, or a
-  /// bracket at its start; without a byte order mark.
+  /// The first bytes of the input, enough to tell its form: to the end of the first line that is not blank; no more
+  /// than a record of f64 where a bracket begins. However the input arrives, they are the same.
   std::string_view firstBytes();
 
-  void setForm(Form form) { form_ = form; }
+  /// Passes over a byte order mark, where the form is text of any kind.
+  void setForm(Form form);
 
   /// CSV: the first line that is not blank, and where it stands. It is taken, unless it is to be read again.
   struct Line {
@@ -79,12 +80,14 @@ class BlockReader {
 
   const std::string& name() const { return name_; }
   std::optional<std::size_t> totalBytes() const { return total_; }
+  std::size_t blockSize() const { return block_; }
 
  private:
   /// How many bytes of text are whole records; 0: more are needed. Sets the block's array and fault.
   std::size_t wholeRecords(Block& block, std::string_view text);
   std::size_t wholeJson(Block& block, std::string_view text);
   std::size_t wholeArrayRecords(Block& block, std::string_view text);
+  static std::size_t wholeArray(JsonSplitter splitter, std::string_view text);
   /// Reads once, behind what bytes hold, until they are `most` at the most. False when woken.
   bool readMore(ByteBuffer& bytes, std::size_t most);
   void moveOn(std::string_view text);
@@ -93,11 +96,13 @@ class BlockReader {
   std::optional<InputFile> file_;
   std::optional<std::size_t> total_;
   int wake_ = -1;
+  std::size_t block_ = kBlock;
   Form form_ = Form::json;
   ByteBuffer carried_;  ///< read, not yet given out
   bool atEnd_ = false, over_ = false;
   TextPosition position_;
   JsonSplitter splitter_;
+  std::size_t borderless_ = 0;  ///< how far the unfinished record is known to have no border
 };
 
 }  // namespace viewproj::cmd

@@ -1,6 +1,7 @@
 #include "stream/filter.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <thread>
 
 #include "stream/pipeline.hpp"
@@ -38,6 +39,7 @@ std::unique_ptr<RecordWriter> makeWriter(Stream& stream, TextBuffer& out) {
   const WriterSetup& setup = stream.setup.writer;
   switch (stream.to) {
     case OutputForm::csv:
+    case OutputForm::table:
       return makeCsvWriter(setup, stream.columns, out);
     case OutputForm::text:
       return makeTextWriter(setup, out);
@@ -59,7 +61,7 @@ class RecordWorker final : public BlockWorker {
         writer_(stream.writes ? makeWriter(stream, result.out) : nullptr),
         batch_(stream.batch, *work_, writer_.get(), result) {}
 
-  void work(const Block& block, BlockResult& result) override {
+  void work(Block& block, BlockResult& result) override {
     const bool joined = stream_.to == OutputForm::array || (stream_.setup.writer.keepArrays && block.inArray);
     if (writer_) writer_->beginBlock(joined);
     batch_.begin(block);
@@ -95,11 +97,11 @@ TextBuffer readHeader(Stream& stream, BlockReader& reader) {
   try {
     if (fromCsv) {
       RecordParts example{line->text, stream.header, {}};
-      for (std::size_t i = 0; i < header.names.size(); ++i) {
-        if (!header.names[i].empty() && stream.header.find(header.names[i]) != i)
-          throw RecordError(0, "has the column '" + header.names[i] + "' twice");
-        example.values.push_back(example.text);
-      }
+      std::vector<std::string> columns = header.names;
+      std::erase(columns, "");
+      if (const auto again = firstRepeated(columns, std::identity()))
+        throw RecordError(0, "has the column '" + columns[*again] + "' twice");
+      example.values.assign(header.names.size(), example.text);
       const auto work = stream.makeWork();
       const Layout layout = work->find(example);
       if (stream.batch.checkNames) {
@@ -111,7 +113,7 @@ TextBuffer readHeader(Stream& stream, BlockReader& reader) {
                               "already has a field '" + name + "'; --prefix P puts P in front of the results' names");
       }
     }
-    if (stream.writes && stream.to == OutputForm::csv)
+    if (stream.writes && hasColumns(stream.to))
       stream.columns = csvColumns(stream.setup.writer, fromCsv ? &header : nullptr, fromCsv ? line->text : "", out);
   } catch (const RecordError& e) {
     throw InputError(place(reader.name(), positionAt(line->text, e.offset, line->position)) + ": " + e.what());
@@ -131,15 +133,15 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
   InterruptGuard guard;
   std::string given;
   for (const GivenRecord& record : setup.given) given += record.json + "\n";
-  auto reader = setup.given.empty() ? std::make_unique<BlockReader>(setup.file, setup.firstLine, guard.descriptor())
-                                    : std::make_unique<BlockReader>(given);
+  auto reader = setup.given.empty()
+                    ? std::make_unique<BlockReader>(setup.file, setup.firstLine, guard.descriptor(), setup.blockSize)
+                    : std::make_unique<BlockReader>(given);
   Stream stream{.setup = setup, .makeWork = makeWork, .writes = writes};
-  const std::string_view first = reader->firstBytes();
-  stream.form = !setup.given.empty() ? Form::json
-                : setup.from         ? *setup.from
-                                     : formOfName(setup.file).value_or(formOfBytes(first));
+  const auto named = setup.from ? setup.from : formOfName(setup.file);
+  stream.form = !setup.given.empty() ? Form::json : named ? *named : formOfBytes(reader->firstBytes());
   reader->setForm(stream.form);
-  stream.to = setup.to.value_or(sameForm(stream.form));
+  const bool numbersOnly = stream.form == Form::text || stream.form == Form::f64;
+  stream.to = setup.to.value_or(setup.wordsOnly && numbersOnly ? OutputForm::lines : sameForm(stream.form));
   const bool toJson = stream.to == OutputForm::lines || stream.to == OutputForm::array;
   // JSON keeps its own arrangement, arrays included, unless an arrangement was asked for.
   setup.writer.keepArrays = writes && !setup.to && stream.form == Form::json;
@@ -149,6 +151,7 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
                   .keepGoing = setup.keepGoing,
                   .checkNames = writes && toJson,
                   .prefix = setup.writer.prefix};
+  setup.writer.table = stream.to == OutputForm::table;
   if (writes) tryResults(stream);
   const TextBuffer start = readHeader(stream, *reader);
 
@@ -167,14 +170,11 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
   const PipelineSetup pipeline{
       .jobs = setup.jobs > 0 ? setup.jobs : processors,
       .makeWorker = [&](BlockResult& result) { return std::make_unique<RecordWorker>(stream, result); },
-      .inOrder = [&] { return writes && stream.to == OutputForm::csv && !stream.columns.known; }};
+      .inOrder = [&] { return writes && hasColumns(stream.to) && !stream.columns.known; }};
   runPipeline(pipeline, *reader, ordered, guard);
-  if (const int signal = InterruptGuard::signal()) {
-    ordered.closeArray();
-    throw Interrupted{signal};
-  }
+  if (InterruptGuard::signal() != 0) ordered.endInterrupted();
   TextBuffer rest;
-  if (writes && stream.to == OutputForm::csv) finishCsv(stream.columns, setup.writer, rest);
+  if (writes && hasColumns(stream.to)) finishCsv(stream.columns, setup.writer, rest);
   return ordered.finish(rest.view());
 }
 

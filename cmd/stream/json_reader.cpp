@@ -18,13 +18,35 @@ static_assert(simdjson::SIMDJSON_PADDING <= ByteBuffer::kPadding);
 constexpr std::size_t npos = std::string_view::npos;
 constexpr std::string_view kSpace = " \t\r\n";
 
-bool readNumber(dom::element value, double& number) { return value.get_double().get(number) == simdjson::SUCCESS; }
+/// False where it is none, or -0 written as an integer, whose sign simdjson drops.
+bool readNumber(dom::element value, std::string_view record, double& number) {
+  if (value.get_double().get(number) != simdjson::SUCCESS) return false;
+  return number != 0 || value.type() == dom::element_type::DOUBLE || record.find("-0") == npos;
+}
+
+/// What a part is of its field's value.
+bool readInner(dom::element& value, const std::string& inner) {
+  if (inner.empty()) return true;
+  dom::object object;
+  if (value.get_object().get(object) == simdjson::SUCCESS) return !object.at_key(inner).get(value);
+  dom::array array;
+  if (value.get_array().get(array)) return false;
+  std::size_t index = 0;
+  for (dom::element item : array)
+    if (std::to_string(index++) == inner) {
+      value = item;
+      return true;
+    }
+  return false;
+}
 
 /// As readNumbers; false where it would throw.
-bool readNumbers(const std::vector<dom::element>& values, const Layout& layout, Numbers& numbers) {
+bool readNumbers(const std::vector<dom::element>& values, const Layout& layout, std::string_view record,
+                 Numbers& numbers) {
   double* slot = numbers.data();
   for (const NumberField& part : layout.parts) {
-    const dom::element value = values[part.field];
+    dom::element value = values[part.field];
+    if (!readInner(value, part.inner)) return false;
     std::size_t count = 0;
     if (part.mayBeAbsent && value.is_null()) {
       count = 0;
@@ -32,9 +54,9 @@ bool readNumbers(const std::vector<dom::element>& values, const Layout& layout, 
       dom::array array;
       if (value.get_array().get(array)) return false;
       for (dom::element item : array)
-        if (count == part.most || !readNumber(item, slot[count++])) return false;
+        if (count == part.most || !readNumber(item, record, slot[count++])) return false;
       if (count < part.fewest) return false;
-    } else if (!readNumber(value, slot[count++])) {
+    } else if (!readNumber(value, record, slot[count++])) {
       return false;
     }
     for (; count < part.most; ++count) slot[count] = std::numeric_limits<double>::quiet_NaN();
@@ -45,22 +67,25 @@ bool readNumbers(const std::vector<dom::element>& values, const Layout& layout, 
 
 class JsonReader final : public RecordReader {
  public:
-  JsonReader() {
+  explicit JsonReader(bool fast) : fast_(fast) {
 #ifdef SIMDJSON_THREADS_ENABLED
     parser_.threaded = false;
 #endif
   }
 
-  void read(const Block& block, Batch& batch) override {
+  void read(Block& block, Batch& batch) override {
     batch_ = &batch;
     elements_ = block.inArray;
     last_ = block.last;
     text_ = block.records;
+    // Where the last record is none, as [1,2 3], parse_many cuts it short and takes the byte behind the text, whatever it
+    // is, for what comes next.
+    if (!text_.empty()) block.bytes.data()[text_.data() - block.bytes.data() + text_.size()] = 0;
     // Records one by one behind a rejected one: for a while, so that many of them do not cost a pass over the rest
     // each.
     std::size_t oneByOne = 32;
     for (std::size_t at = 0; at < text_.size();) {
-      if (text_.size() - at <= BlockReader::kBlock + ByteBuffer::kPadding) at = readMany(at);
+      if (fast_ && text_.size() - at <= BlockReader::kBlock + ByteBuffer::kPadding) at = readMany(at);
       for (std::size_t i = 0; i < oneByOne && at < text_.size(); ++i) at = readNext(at);
       oneByOne *= 2;
     }
@@ -77,8 +102,6 @@ class JsonReader final : public RecordReader {
     for (auto document = stream.begin(); document != stream.end(); ++document) {
       dom::element value;
       if ((*document).get(value)) break;
-      const dom::element_type type = value.type();
-      if (type != dom::element_type::OBJECT && type != dom::element_type::ARRAY) break;
       const std::string_view source = document.source();
       if (!add(value, source)) break;
       done = static_cast<std::size_t>(source.data() - text_.data()) + source.size();
@@ -105,10 +128,10 @@ class JsonReader final : public RecordReader {
           readRecord(piece.text);
           break;
         case JsonEvent::beginArray:
-          batch_->beginArray();
+          batch_->beginArray(piece.text);
           break;
         case JsonEvent::endArray:
-          batch_->endArray();
+          batch_->endArray(piece.text);
           break;
         default:
           return text_.size();
@@ -120,7 +143,7 @@ class JsonReader final : public RecordReader {
 
   void readRecord(std::string_view text) {
     dom::element value;
-    const bool accepted = text.size() <= BlockReader::kBlock &&
+    const bool accepted = fast_ && text.size() <= BlockReader::kBlock &&
                           parser_.parse(text.data(), text.size(), false).get(value) == simdjson::SUCCESS;
     if (accepted && add(value, text)) return;
     try {
@@ -146,14 +169,15 @@ class JsonReader final : public RecordReader {
 
   /// False where it is not of a shape met before, or lacks its numbers.
   bool add(dom::element value, std::string_view text) {
-    const bool isArray = value.type() == dom::element_type::ARRAY;
+    const bool isArray = value.is_array();
+    if (!isArray && !value.is_object()) return false;
     const auto& plans = batch_->plans();
     for (std::size_t i = 0; i < plans.size(); ++i) {
       const Shape& shape = plans[i]->shape;
       if (shape.isArray != isArray || !(isArray ? isOfSize(value, shape.size) : hasNames(value, shape.names))) continue;
       const Plan& plan = *plans[i];
       Numbers numbers;
-      if (!readNumbers(values_, plan.layout, numbers)) return false;
+      if (!readNumbers(values_, plan.layout, text, numbers)) return false;
       batch_->usedAgain(i);
       batch_->add(text, plan, numbers);
       return true;
@@ -177,6 +201,7 @@ class JsonReader final : public RecordReader {
     return values_.size() == names.size();
   }
 
+  bool fast_;
   dom::parser parser_;
   Batch* batch_ = nullptr;
   bool elements_ = false, last_ = false;
@@ -186,6 +211,6 @@ class JsonReader final : public RecordReader {
 
 }  // namespace
 
-std::unique_ptr<RecordReader> makeJsonReader() { return std::make_unique<JsonReader>(); }
+std::unique_ptr<RecordReader> makeJsonReader(bool fast) { return std::make_unique<JsonReader>(fast); }
 
 }  // namespace viewproj::cmd

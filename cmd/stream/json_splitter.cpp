@@ -4,6 +4,7 @@
 #include <string>
 
 #include "input/error.hpp"
+#include "input/record.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -22,15 +23,15 @@ bool closes(char c) { return c == '}' || c == ']'; }
 
 struct BorderAt {
   enum { no, yes, undecided } is = no;
-  std::size_t next = 0;  ///< the opening bracket
+  std::size_t next = 0;  ///< behind the white space: the opening bracket
 };
 
-/// Whether the line break at `at` is a border.
+/// Whether the line break at `at` is a border, and with it all of the white space it stands in.
 BorderAt borderAt(std::string_view text, std::size_t at) {
   const std::size_t before = text.find_last_not_of(kSpace, at);
-  if (before == npos || !closes(text[before])) return {};
   const std::size_t behind = text.find_first_not_of(kSpace, at);
-  if (behind == npos) return {BorderAt::undecided};
+  if (before == npos || !closes(text[before])) return {BorderAt::no, std::min(behind, text.size())};
+  if (behind == npos) return {BorderAt::undecided, text.size()};
   return {opens(text[behind]) ? BorderAt::yes : BorderAt::no, behind};
 }
 
@@ -57,21 +58,19 @@ DocumentStart documentStart(std::string_view text, std::size_t at) {
 
 }  // namespace
 
-std::size_t firstBorder(std::string_view text, std::size_t from) {
-  for (std::size_t at = text.find('\n', from); at != npos; at = text.find('\n', at + 1))
+std::size_t lastBorder(std::string_view text, std::size_t from) {
+  for (std::size_t at = text.rfind('\n'); at != npos && at >= from; at = text.rfind('\n', at)) {
     if (const BorderAt border = borderAt(text, at); border.is == BorderAt::yes) return border.next;
-  return npos;
-}
-
-std::size_t lastBorder(std::string_view text) {
-  for (std::size_t at = text.rfind('\n'); at != npos && at > 0; at = text.rfind('\n', at - 1))
-    if (const BorderAt border = borderAt(text, at); border.is == BorderAt::yes) return border.next;
+    at = text.find_last_not_of(kSpace, at);
+    if (at == npos) return npos;
+  }
   return npos;
 }
 
 JsonPiece JsonSplitter::piece(JsonEvent event, std::string_view rest, std::size_t begin, std::size_t end) {
   scanned_ = depth_ = 0;
   inString_ = false;
+  border_ = npos;
   return {event, rest.substr(begin, end - begin), end};
 }
 
@@ -85,7 +84,11 @@ std::size_t JsonSplitter::closing(std::string_view rest, std::size_t begin, std:
     if (c == '\n') {
       const BorderAt border = borderAt(rest, scanned_);
       if (border.is == BorderAt::undecided && !atEnd) return npos;
-      if (border.is == BorderAt::yes) failUnclosed(rest, begin, border.next);
+      if (border.is == BorderAt::yes) {
+        border_ = border.next;
+        return npos;
+      }
+      scanned_ = border.next - 1;
     } else if (inString_) {
       if (c == '\\') {
         if (scanned_ + 1 == rest.size()) return npos;  // the escaped byte comes with the next block
@@ -146,8 +149,8 @@ JsonPiece JsonSplitter::endOfArray(std::string_view rest, std::size_t at, bool a
   }
   const std::size_t end = closing(rest, at + 1, 1, atEnd);
   if (end == npos) {
-    if (!atEnd) return {};
-    throw RecordError(rest.size(), "the input ends inside the document; expected }");
+    if (!atEnd && border_ == npos) return {};
+    throw RecordError(std::min(border_, rest.size()), "the document is not closed; expected }");
   }
   constexpr std::string_view kBefore = "{\"points\":[";
   if (const auto fault = jsonFault(std::string(kBefore) + std::string(rest.substr(at, end - at))))
@@ -177,13 +180,29 @@ JsonPiece JsonSplitter::atBracket(std::string_view rest, std::size_t at, bool at
       return piece(JsonEvent::beginArray, rest, at, at + 1);
     }
   }
-  if (!opens(first)) throw RecordError(at, "expected a record: an array of numbers or an object");
+  if (!opens(first)) return atScalar(rest, at, atEnd);
 
   const std::size_t end = closing(rest, at, 0, atEnd);
   if (end == npos) {
-    if (!atEnd) return {};
-    failUnclosed(rest, at, rest.size());
+    if (!atEnd && border_ == npos) return {};
+    failUnclosed(rest, at, std::min(border_, rest.size()));
   }
+  if (place_ != Place::top) place_ = Place::afterRecord;
+  return piece(JsonEvent::record, rest, at, end);
+}
+
+/// Between the brackets of an array it can be told where a value ends that is no record: only that one is bad.
+JsonPiece JsonSplitter::atScalar(std::string_view rest, std::size_t at, bool atEnd) {
+  std::size_t end = at + 1;
+  if (rest[at] == '"') {
+    while (end < rest.size() && rest[end] != '"' && rest[end] != '\n') end += rest[end] == '\\' ? 2 : 1;
+    end = std::min(end + 1, rest.size());
+  } else {
+    end = std::min(rest.find_first_of(" \t\r\n,[]{}\"", end), rest.size());
+  }
+  const bool inArray = place_ != Place::top || elements_;
+  if (inArray && end == rest.size() && !atEnd) return {};
+  if (!inArray || jsonFault(rest.substr(at, end - at))) throw RecordError(at, kNoRecord);
   if (place_ != Place::top) place_ = Place::afterRecord;
   return piece(JsonEvent::record, rest, at, end);
 }

@@ -10,14 +10,13 @@ namespace viewproj::cmd {
 
 /// A record border that needs no look at what comes before: a line break, white space around it allowed, between a
 /// closing and an opening bracket. Valid JSON has none inside of a value, for a comma would stand there. Returns the
-/// offset of the opening bracket, or npos.
-std::size_t firstBorder(std::string_view text, std::size_t from);
-std::size_t lastBorder(std::string_view text);
+/// offset of the opening bracket of the last one whose line break is at `from` or behind it, or npos.
+std::size_t lastBorder(std::string_view text, std::size_t from = 0);
 
 /// What the next bytes of a stream are.
 enum class JsonEvent {
   needMore,    ///< not decided by the bytes at hand
-  record,      ///< text is one record
+  record,      ///< text is one record, or a value in an array that can be none
   beginArray,  ///< text is what stands before the first record: `[`, or `{"points": [`
   endArray,    ///< text is what follows the last record: `]`, or `]` and the rest of the document
   end,
@@ -47,9 +46,11 @@ class JsonSplitter {
   enum class Place { top, firstInArray, inArray, afterRecord };
 
   JsonPiece atBracket(std::string_view rest, std::size_t at, bool atEnd);
+  JsonPiece atScalar(std::string_view rest, std::size_t at, bool atEnd);
   JsonPiece endOfArray(std::string_view rest, std::size_t at, bool atEnd);
   JsonPiece piece(JsonEvent event, std::string_view rest, std::size_t begin, std::size_t end);
-  /// The end of the bracketed value that starts at begin, or npos; remembers how far it looked.
+  /// The end of the bracketed value that starts at begin; npos: not there yet, or a border comes first, which border_
+  /// tells then. Remembers how far it looked.
   std::size_t closing(std::string_view rest, std::size_t begin, std::size_t openBefore, bool atEnd);
   [[noreturn]] static void failUnclosed(std::string_view rest, std::size_t begin, std::size_t end);
 
@@ -59,6 +60,7 @@ class JsonSplitter {
   // How far the scan of an unfinished value came.
   std::size_t scanned_ = 0, depth_ = 0;
   bool inString_ = false;
+  std::size_t border_ = std::string_view::npos;
 };
 
 }  // namespace viewproj::cmd

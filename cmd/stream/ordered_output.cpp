@@ -7,28 +7,46 @@
 
 #include "input/error.hpp"
 #include "output/output_file.hpp"
+#include "stream/csv_lines.hpp"
 #include "stream/interrupt.hpp"
 
 namespace viewproj::cmd {
 namespace {
 
-constexpr std::size_t npos = std::string_view::npos;
+/// Records that are written one behind the other.
+struct Records {
+  std::string_view text;
+  OutputForm form;
+  std::size_t count;
+  bool joined;  ///< an array's: separated, not ended, by what stands between them
+  bool arrays;  ///< some stand in arrays
 
-/// The first end of a record at `at` or behind it. recordSize: of f64, otherwise 0.
-std::size_t endOfRecord(std::string_view text, std::size_t at, std::size_t recordSize, bool inArray) {
-  if (recordSize > 0) return (at + recordSize - 1) / recordSize * recordSize;
-  if (inArray) return std::min(text.find(",\n", at), text.size());
-  if (at == 0 || text[at - 1] == '\n') return at;
-  const std::size_t line = text.find('\n', at);
-  return line == npos ? text.size() : line + 1;
-}
+  std::size_t size() const { return count > 0 ? text.size() / count : text.size(); }  ///< f64
 
-/// Where the record begins that byte `at` belongs to.
-std::size_t beginOfRecord(std::string_view text, std::size_t at, std::size_t recordSize) {
-  if (recordSize > 0) return at / recordSize * recordSize;
-  const std::size_t line = text.substr(0, at).rfind('\n');
-  return line == npos ? 0 : line + 1;
-}
+  /// Behind the record that begins there, its line break included.
+  std::size_t behind(std::size_t begin) const {
+    const std::size_t line = form == OutputForm::csv ? endOfCsvRecord(text, begin) : text.find('\n', begin);
+    return line >= text.size() ? text.size() : line + 1;
+  }
+
+  /// The last place at `at` or before it where a record begins.
+  std::size_t beginBefore(std::size_t at) const {
+    if (form == OutputForm::f64) return at / size() * size();
+    if (form != OutputForm::csv) return at == 0 ? 0 : text.rfind('\n', at - 1) + 1;  // npos + 1 is 0
+    std::size_t begin = 0;
+    for (std::size_t end; begin < at && (end = behind(begin)) <= at;) begin = end;
+    return begin;
+  }
+
+  /// The first place at `at` or behind it where a record ends, and an array if it stands in one.
+  std::size_t endBehind(std::size_t at) const {
+    if (arrays) return text.size();
+    if (joined) return std::min(text.find(",\n", at), text.size());
+    const std::size_t begin = beginBefore(at);
+    if (begin == at) return at;
+    return form == OutputForm::f64 ? begin + size() : behind(begin);
+  }
+};
 
 }  // namespace
 
@@ -37,7 +55,7 @@ OrderedOutput::OrderedOutput(OutputSetup setup, Progress progress)
 
 void OrderedOutput::begin(std::string_view text) {
   if (setup_.form == OutputForm::array) openArray("[");
-  write(text);
+  put(text, 0);
 }
 
 void OrderedOutput::openArray(std::string_view asWritten) {
@@ -51,14 +69,15 @@ void OrderedOutput::closeArray(std::string_view asWritten) {
   if (!open_) return;
   open_ = false;
   const std::string_view behind = asWritten.empty() ? std::string_view(closing_) : asWritten.substr(1);
-  write((inArray_ == 0 ? "]" : "\n]") + std::string(behind) + "\n");
+  writeEnd((inArray_ == 0 ? "]" : "\n]") + std::string(behind) + "\n");
 }
 
 void OrderedOutput::put(const Block& block, const BlockResult& result) {
+  if (InterruptGuard::signal() != 0) endInterrupted();
   if (setup_.keepArrays && !block.opening.empty()) openArray(block.opening);
-  if (result.records > 0) {
+  if (!result.out.empty()) {
     if (open_) write(inArray_ == 0 ? "\n" : ",\n");
-    write(result.out.view(), result.records);
+    put(result.out.view(), result.records, result.arrays);
     inArray_ += result.records;
   }
   if (!result.passedOver.empty()) progress_.clear();
@@ -73,8 +92,8 @@ void OrderedOutput::put(const Block& block, const BlockResult& result) {
 }
 
 void OrderedOutput::fail(const StreamFault& fault) {
+  write(table_.rest());
   closeArray();
-  progress_.clear();
   const bool placed = fault.position.line > 0;
   const std::string message = (placed ? setup_.placeOf(fault.position) + ": " : "") + fault.message;
   if (setup_.fromCommandLine) throw UsageError(message);
@@ -82,26 +101,48 @@ void OrderedOutput::fail(const StreamFault& fault) {
 }
 
 int OrderedOutput::finish(std::string_view text) {
-  write(text);
+  put(text, 0);
+  write(table_.rest());
   closeArray();
-  progress_.clear();
   return passedOver_ ? 1 : 0;
 }
 
-void OrderedOutput::write(std::string_view text, std::size_t records) {
+void OrderedOutput::put(std::string_view text, std::size_t count, bool arrays) {
+  if (setup_.form == OutputForm::table)
+    write(table_.add(text));
+  else
+    write(text, count, arrays);
+}
+
+void OrderedOutput::write(std::string_view text, std::size_t count, bool arrays) {
   if (setup_.nothing || text.empty()) return;
   const WritingHere writing;
   const Written all = writeUntil(text, [] { return InterruptGuard::signal() != 0; });
   if (all.bytes == text.size()) return;
-  const std::size_t recordSize = setup_.form == OutputForm::f64 && records > 0 ? text.size() / records : 0;
-  if (all.error == EPIPE) throw ClosedPipe{};
+  const Records records{text, setup_.form, count, open_, arrays};
   if (all.error != 0) {
-    takeBack(all.bytes - beginOfRecord(text, all.bytes, recordSize));
-    throw InputError(std::string("standard output: ") + std::strerror(all.error));
+    if (all.error != EPIPE) takeBack(all.bytes - records.beginBefore(all.bytes));
+    failToWrite(all.error);
   }
-  const std::size_t end = endOfRecord(text, all.bytes, recordSize, open_);
-  (void)writeUntil(text.substr(all.bytes, end - all.bytes), [] { return false; });
+  const std::size_t end = records.endBehind(all.bytes);
+  writeEnd(text.substr(all.bytes, end - all.bytes));
   inArray_ += open_;
+  endInterrupted();
+}
+
+void OrderedOutput::writeEnd(std::string_view text) {
+  if (setup_.nothing) return;
+  const Written all = writeUntil(text, [] { return false; });
+  if (all.error != 0) failToWrite(all.error);
+}
+
+void OrderedOutput::failToWrite(int error) {
+  if (const int signal = InterruptGuard::signal()) throw Interrupted{signal};
+  if (error == EPIPE) throw ClosedPipe{};
+  throw InputError(std::string("standard output: ") + std::strerror(error));
+}
+
+void OrderedOutput::endInterrupted() {
   closeArray();
   throw Interrupted{InterruptGuard::signal()};
 }

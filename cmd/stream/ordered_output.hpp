@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "output/table.hpp"
 #include "stream/batch.hpp"
 #include "stream/progress.hpp"
 
@@ -30,13 +31,19 @@ class OrderedOutput {
   void put(const Block& block, const BlockResult& result);
   /// After the last block. Returns the exit status.
   int finish(std::string_view text);
-  /// Writes what ends an array, if one is open.
-  void closeArray(std::string_view asWritten = "");
+  /// Writes what ends an array, if one is open, and throws Interrupted.
+  [[noreturn]] void endInterrupted();
 
  private:
+  void closeArray(std::string_view asWritten = "");
   void openArray(std::string_view asWritten);
-  /// records: how many records text is.
-  void write(std::string_view text, std::size_t records = 0);
+  /// As write does, a table once its columns are known.
+  void put(std::string_view text, std::size_t count, bool arrays = false);
+  /// count: how many records text is. arrays: some of them stand in arrays.
+  void write(std::string_view text, std::size_t count = 0, bool arrays = false);
+  /// Writes to the end, signal or not.
+  void writeEnd(std::string_view text);
+  [[noreturn]] void failToWrite(int error);
   [[noreturn]] void fail(const StreamFault& fault);
 
   OutputSetup setup_;
@@ -44,6 +51,7 @@ class OrderedOutput {
   bool open_ = false, passedOver_ = false;
   std::string closing_;  ///< behind the bracket: what ends a document
   std::size_t inArray_ = 0;
+  CsvAligner table_;
 };
 
 }  // namespace viewproj::cmd

@@ -29,13 +29,14 @@ class Pipeline {
       const auto own = setup_.makeWorker(result);
       std::size_t number = 0;
       while (read(block, number)) {
-        if (mayStart > 1 && block.bytes.size() >= BlockReader::kBlock) {
+        if (mayStart > 1 && block.bytes.size() >= reader_.blockSize()) {
           start(mayStart - 1);
           mayStart = 1;
         }
         if (inOrder_ && !waitForTurn(number)) return;
         result.out.clear();
         result.records = 0;
+        result.arrays = false;
         result.passedOver.clear();
         result.fault.reset();
         own->work(block, result);

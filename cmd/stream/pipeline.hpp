@@ -17,7 +17,7 @@ namespace viewproj::cmd {
 class BlockWorker {
  public:
   virtual ~BlockWorker() = default;
-  virtual void work(const Block& block, BlockResult& result) = 0;
+  virtual void work(Block& block, BlockResult& result) = 0;
 };
 
 struct PipelineSetup {

@@ -31,7 +31,7 @@ class CsvReader final : public RecordReader {
  public:
   explicit CsvReader(const Shape& header) : header_(header) {}
 
-  void read(const Block& block, Batch& batch) override {
+  void read(Block& block, Batch& batch) override {
     const std::string_view text = block.records;
     for (std::size_t at = 0, end; at < text.size(); at = end + 1) {
       if ((end = readPlainLine(text, at, batch)) != npos) continue;
@@ -107,7 +107,7 @@ class CsvReader final : public RecordReader {
 
 class TextReader final : public RecordReader {
  public:
-  void read(const Block& block, Batch& batch) override {
+  void read(Block& block, Batch& batch) override {
     const std::string_view text = block.records;
     for (std::size_t at = 0, end; at < text.size(); at = end + 1) {
       end = std::min(text.find('\n', at), text.size());
@@ -133,13 +133,18 @@ class TextReader final : public RecordReader {
 
 class BinaryReader final : public RecordReader {
  public:
-  void read(const Block& block, Batch& batch) override {
+  static constexpr std::size_t kAtOnce = 1024;
+
+  void read(Block& block, Batch& batch) override {
     const std::string_view text = block.records;
     const std::size_t count = text.size() / kBinaryRecord;
     const auto* doubles = reinterpret_cast<const double*>(text.data());  // blocks begin with their buffer
-    for (std::size_t i = 0; i < count; ++i) {
-      i += batch.convert({doubles + 3 * i, 3 * (count - i)});
-      if (i < count) readOne(text.substr(i * kBinaryRecord, kBinaryRecord), batch);
+    for (std::size_t i = 0; i < count;) {
+      // Not all at once: those behind one that the work does not take are done again.
+      const std::size_t some = std::min(count - i, kAtOnce);
+      const std::size_t done = batch.convert({doubles + 3 * i, 3 * some});
+      i += done;
+      if (done < some) readOne(text.substr(i++ * kBinaryRecord, kBinaryRecord), batch);
     }
     if (const std::string_view rest = text.substr(count * kBinaryRecord); !rest.empty())
       batch.bad(rest, RecordError(0, "has " + std::to_string(rest.size()) + " bytes; expected three doubles, " +

@@ -11,6 +11,7 @@ namespace viewproj::cmd {
 class Progress {
  public:
   explicit Progress(std::optional<std::size_t> totalBytes);
+  ~Progress() { clear(); }
 
   void moved(std::size_t bytes, std::size_t records);
   /// Takes the line away, so that something else may be written.

@@ -1,0 +1,176 @@
+// What a stream gives does not depend on where its blocks end, how it arrives, or how many work on it.
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+
+#include "catch.hpp"
+#include "stream/random_text.hpp"
+#include "stream/run.hpp"
+
+using namespace viewproj;
+using namespace viewproj::cmd;
+using namespace viewproj::tests;
+
+namespace {
+
+constexpr Form kForms[] = {Form::json, Form::csv, Form::text, Form::f64};
+constexpr OutputForm kOutputs[] = {OutputForm::lines, OutputForm::array, OutputForm::csv, OutputForm::text,
+                                   OutputForm::f64};
+
+/// VIEWPROJ_STREAM_TRIALS in the environment: so many times as long.
+std::size_t trials(std::size_t usual) {
+  const char* times = std::getenv("VIEWPROJ_STREAM_TRIALS");
+  return times ? usual * std::strtoull(times, nullptr, 10) : usual;
+}
+
+std::string inputOf(Form form, RandomText& random, std::size_t records, std::size_t bad) {
+  switch (form) {
+    case Form::csv:
+      return random.csv(records, bad);
+    case Form::text:
+      return random.text(records, bad);
+    case Form::f64:
+      return random.f64(records, bad);
+    case Form::json:
+      break;
+  }
+  return random.json(records, bad);
+}
+
+std::string shown(const std::string& text) {
+  std::string all;
+  for (const char c : text.substr(0, 700)) {
+    char code[8];
+    std::snprintf(code, sizeof code, "\\x%02x", static_cast<unsigned char>(c));
+    all += c == '\n' ? "\\n" : c >= ' ' && c < 0x7f ? std::string(1, c) : code;
+  }
+  return all;
+}
+
+/// The input with as much left out as goes while both ways still differ.
+std::string shrunk(std::string input, const StreamHow& a, const StreamHow& b) {
+  for (std::size_t size = input.size() / 2; size > 0; size /= 2)
+    for (std::size_t at = 0; at < input.size();) {
+      const std::string less = input.substr(0, at) + input.substr(std::min(at + size, input.size()));
+      if (runStream(less, a) != runStream(less, b))
+        input = less;
+      else
+        at += size;
+    }
+  return input;
+}
+
+void requireSame(const std::string& input, const StreamHow& a, const StreamHow& b, const StreamRun& expected) {
+  if (runStream(input, b) == expected) return;
+  const std::string less = shrunk(input.substr(0, 1 << 20), a, b);
+  const StreamRun one = runStream(less, a), other = runStream(less, b);
+  FAIL("form " << (a.from ? static_cast<int>(*a.from) : -1) << " to " << (a.to ? nameOf(*a.to) : "the same")
+               << ", keep going " << a.keepGoing << ", block " << b.block << ", jobs " << b.jobs << ", pieces "
+               << b.largestPiece << "\ninput " << shown(less) << "\nstatus " << one.status << " and " << other.status
+               << "\nout " << shown(one.out) << "\nand " << shown(other.out) << "\nerr " << shown(one.err) << "\nand "
+               << shown(other.err));
+}
+
+}  // namespace
+
+TEST_CASE("a stream gives the same wherever its blocks end") {
+  std::map<std::string, int> visited;
+  for (std::size_t trial = 0; trial < trials(3000); ++trial) {
+    RandomText random(trial);
+    const Form form = random.oneIn(2) ? Form::json : random.oneOf(kForms);
+    std::string input = inputOf(form, random, 1 + random.below(40), random.oneIn(3) ? 0 : 2 + random.below(20));
+    if (form != Form::f64 && random.oneIn(3)) random.mutate(input);
+    StreamHow how{.from = form, .keepGoing = random.oneIn(2)};
+    if (!random.oneIn(3)) how.to = random.oneOf(kOutputs);
+    const StreamRun expected = runStream(input, how);
+    ++visited[expected.status == 0 ? "good" : how.keepGoing ? "went on" : "ended"];
+    ++visited["form " + std::to_string(static_cast<int>(form))];
+    for (int i = 0; i < 3; ++i) {
+      StreamHow other = how;
+      other.block = random.oneIn(2) ? 1 + random.below(50) : 1 + random.below(input.size() + 2);
+      if (form == Form::f64) other.block += 24;
+      other.jobs = static_cast<unsigned>(1 + random.below(3));
+      if (random.oneIn(4)) {
+        other.largestPiece = 1 + random.below(200);
+        other.seed = trial;
+      }
+      INFO("trial " << trial);
+      requireSame(input, how, other, expected);
+    }
+  }
+  for (const char* kind : {"good", "went on", "ended", "form 0", "form 1", "form 2", "form 3"}) {
+    INFO(kind);
+    CHECK(visited[kind] > 50);
+  }
+}
+
+TEST_CASE("the arrangement of JSON records does not matter to what is made of them") {
+  for (std::size_t trial = 0; trial < trials(300); ++trial) {
+    RandomText random(trial);
+    std::vector<std::string> records;
+    for (std::size_t i = 0; i < 1 + random.below(30); ++i) records.push_back(random.record(random.oneIn(2)));
+    const auto joined = [&](const std::string& before, const std::string& between, const std::string& behind) {
+      std::string text = before;
+      for (std::size_t i = 0; i < records.size(); ++i) text += (i > 0 ? between : "") + records[i];
+      return text + behind;
+    };
+    const std::string whole = joined("", "\n", "\n");
+    const StreamHow plain{.from = Form::json, .to = OutputForm::lines};
+    const StreamRun expected = runStream(whole, plain);
+    CHECK(expected.status == 0);
+    CHECK(std::count(expected.out.begin(), expected.out.end(), '\n') == static_cast<std::ptrdiff_t>(records.size()));
+    for (const std::string& input :
+         {joined("", " ", ""), joined("", "", ""), joined("", "\r\n\n", ""), joined("{\"points\":[", ",\n", "]}"),
+          joined("{ \"points\" :\n[\n", ",", "], \"n\": [{}]}"), joined("[", ",", "]"), joined("[\n", "\n,\n", "\n]\n"),
+          joined("[", "][", "]"), joined("[", "] \n[", "]")}) {
+      const StreamRun found =
+          runStream(input, {.from = Form::json, .to = OutputForm::lines, .jobs = 2, .block = 1 + random.below(300)});
+      INFO("trial " << trial << ", input " << shown(input));
+      CHECK(shown(found.err) == "");
+      CHECK(found.out == expected.out);
+    }
+  }
+}
+
+TEST_CASE("megabytes give the same through every form, number of jobs, file or pipe") {
+  std::map<std::string, int> visited;
+  for (const Form form : kForms)
+    for (const OutputForm to : kOutputs) {
+      const std::size_t combination = static_cast<std::size_t>(form) * 5 + static_cast<std::size_t>(to);
+      RandomText random(combination);
+      const std::size_t records = form == Form::json ? 15000 : 35000;
+      const bool bad = combination % 2 == 1;
+      const std::string input = inputOf(form, random, records, bad ? 500 : 0);
+      REQUIRE(input.size() > 2 * BlockReader::kBlock);
+      for (const bool keepGoing : {false, true}) {
+        if (!bad && keepGoing) continue;
+        const StreamHow how{.from = form, .to = to, .keepGoing = keepGoing};
+        const StreamRun expected = runStream(input, how);
+        ++visited[expected.status == 0 ? "good" : keepGoing ? "went on" : "ended"];
+        for (const unsigned jobs : {2u, 5u}) {
+          StreamHow other = how;
+          other.jobs = jobs;
+          requireSame(input, how, other, expected);
+          other.largestPiece = 70000;
+          other.seed = jobs;
+          requireSame(input, how, other, expected);
+        }
+      }
+    }
+  for (const char* kind : {"good", "went on", "ended"}) {
+    INFO(kind);
+    CHECK(visited[kind] > 4);
+  }
+}
+
+TEST_CASE("the form is told alike however the input arrives") {
+  for (std::size_t trial = 0; trial < trials(300); ++trial) {
+    RandomText random(trial);
+    std::string input = inputOf(random.oneOf(kForms), random, 1 + random.below(30), 20);
+    if (random.oneIn(4)) random.mutate(input);
+    const StreamRun expected = runStream(input, {});
+    INFO("trial " << trial);
+    requireSame(input, {}, {.block = 1 + random.below(9)}, expected);
+    requireSame(input, {}, {.largestPiece = 1 + random.below(30), .seed = trial}, expected);
+  }
+}

@@ -1,0 +1,257 @@
+// Records go through simdjson where they can; what is valid, which numbers are in it and what is said of the rest is
+// what nlohmann-json says alone.
+#include <bit>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "catch.hpp"
+#include "input/points.hpp"
+#include "stream/batch.hpp"
+#include "stream/random_text.hpp"
+
+using namespace viewproj;
+using namespace viewproj::cmd;
+using namespace viewproj::tests;
+
+namespace {
+
+/// VIEWPROJ_JSON_LINES in the environment.
+std::size_t linesWanted() {
+  const char* wanted = std::getenv("VIEWPROJ_JSON_LINES");
+  return wanted ? std::strtoull(wanted, nullptr, 10) : 100000;
+}
+
+/// A record that was read, or what was said of one that is bad.
+struct Heard {
+  std::string text, message;
+  std::vector<std::uint64_t> numbers;  ///< their bits
+  std::size_t line = 0, column = 0;
+  bool operator==(const Heard&) const = default;
+};
+
+/// Keeps the numbers that it is given.
+class Keeper final : public RecordWork {
+ public:
+  Layout find(const RecordParts& record) const override { return findPoint(record, {}); }
+  void nameResults(const Layout&, ResultSink&) const override {}
+  void add(const Layout& layout, const Numbers& numbers) override {
+    kept_.emplace_back();
+    for (std::size_t i = 0; i < layout.slots(); ++i) kept_.back().push_back(std::bit_cast<std::uint64_t>(numbers[i]));
+  }
+  void write(std::size_t i, ResultSink&) override { written = &kept_[i]; }
+  void clear() override { kept_.clear(); }
+
+  const std::vector<std::uint64_t>* written = nullptr;
+
+ private:
+  std::vector<std::vector<std::uint64_t>> kept_;
+};
+
+/// Keeps what it is to write.
+class Listener final : public RecordWriter {
+ public:
+  Listener(Keeper& keeper, std::vector<Heard>& heard, TextBuffer& out)
+      : RecordWriter(out), keeper_(keeper), heard_(heard) {}
+  void beginArray(std::string_view) override { heard_.push_back({"[", "", {}}); }
+  void endArray(std::string_view) override { heard_.push_back({"]", "", {}}); }
+  void beginRecord(const Record& record) override { text_ = record.text; }
+  void endRecord() override { heard_.push_back({text_, "", *keeper_.written}); }
+  void cancelRecord() override {}
+  void badRecord(std::string_view text, std::size_t line, const std::string& message) override {
+    heard_.push_back({std::string(text), message, {}, line, 0});
+  }
+  void number(std::string_view, double) override {}
+  void vector(std::string_view, std::span<const double>) override {}
+  void flag(std::string_view, bool) override {}
+  void names(std::string_view, std::span<const std::string_view>, bool) override {}
+
+ private:
+  Keeper& keeper_;
+  std::vector<Heard>& heard_;
+  std::string text_;
+};
+
+class Way {
+ public:
+  explicit Way(bool fast)
+      : reader_(makeJsonReader(fast)),
+        writer_(keeper_, heard_, result_.out),
+        batch_(setup_, keeper_, &writer_, result_) {}
+
+  const std::vector<Heard>& read(const std::string& text) {
+    heard_.clear();
+    result_.passedOver.clear();
+    result_.fault.reset();
+    block_.bytes.assign(text);
+    block_.records = block_.bytes.view();
+    block_.last = true;
+    batch_.begin(block_);
+    try {
+      reader_->read(block_, batch_);
+      batch_.flush();
+    } catch (const Batch::StopBlock&) {
+    }
+    std::size_t bad = 0;
+    for (Heard& one : heard_)
+      if (!one.message.empty()) one.column = result_.passedOver.at(bad++).position.column;
+    if (result_.fault)
+      heard_.push_back(
+          {"fault", result_.fault->message, {}, result_.fault->position.line, result_.fault->position.column});
+    return heard_;
+  }
+
+ private:
+  const BatchSetup setup_{.form = Form::json, .keepGoing = true, .prefix = ""};
+  Keeper keeper_;
+  std::vector<Heard> heard_;
+  BlockResult result_;
+  std::unique_ptr<RecordReader> reader_;
+  Listener writer_;
+  Block block_;
+  Batch batch_;
+};
+
+/// The names of an object's fields are all different.
+bool namesDiffer(const std::string& text) {
+  bool differ = true;
+  std::vector<std::vector<std::string>> open;
+  const auto look = [&](int, nlohmann::json::parse_event_t event, nlohmann::json& parsed) {
+    using enum nlohmann::json::parse_event_t;
+    if (event == object_start || event == array_start) open.emplace_back();
+    if (event == object_end || event == array_end) open.pop_back();
+    if (event == key && open.size() == 1) {
+      const auto name = parsed.get<std::string>();
+      differ = differ && std::find(open[0].begin(), open[0].end(), name) == open[0].end();
+      open[0].push_back(name);
+    }
+    return true;
+  };
+  return !nlohmann::json::parse(text, look).is_discarded() && differ;
+}
+
+/// What a record holds by nlohmann-json's DOM alone; nothing where it is none that is good.
+std::optional<std::vector<std::uint64_t>> byDom(const std::string& text) {
+  const nlohmann::json value = nlohmann::json::parse(text, nullptr, false);
+  if (value.is_discarded()) return std::nullopt;
+  std::vector<double> numbers;
+  // 2^64 and beyond are doubles there; -0 as an integer is 0, but the text says what it is.
+  const auto take = [&](const nlohmann::json& number) {
+    if (!number.is_number()) return false;
+    numbers.push_back(number.get<double>());
+    return true;
+  };
+  const auto takeAll = [&](const nlohmann::json& array, std::size_t most) {
+    if (!array.is_array() || array.size() < 3 || array.size() > most) return false;
+    const bool good = std::all_of(array.begin(), array.end(), take);
+    numbers.resize(most, std::numeric_limits<double>::quiet_NaN());
+    return good;
+  };
+  if (value.is_array()) {
+    if (!takeAll(value, value.size() == 4 ? 4 : 3)) return std::nullopt;
+  } else {
+    if (!value.is_object() || !namesDiffer(text)) return std::nullopt;
+    if (value.contains("position")) {
+      if (!takeAll(value["position"], 4)) return std::nullopt;
+    } else if (value.contains("x")) {
+      for (const char* name : {"x", "y", "z", "w"}) {
+        if (!value.contains(name) && *name == 'w') break;
+        if (!value.contains(name) || !take(value[name])) return std::nullopt;
+      }
+    } else if (!value.contains("direction") || !takeAll(value["direction"], 3)) {
+      return std::nullopt;
+    }
+  }
+  std::vector<std::uint64_t> bits;
+  for (const double number : numbers) bits.push_back(std::bit_cast<std::uint64_t>(number));
+  return bits;
+}
+
+constexpr std::uint64_t kMinusZero = 1ull << 63;
+
+/// But for the sign of zero, which nlohmann-json drops from an integer.
+bool sameNumbers(std::vector<std::uint64_t> a, std::vector<std::uint64_t> b) {
+  for (auto* all : {&a, &b})
+    for (std::uint64_t& bits : *all)
+      if (bits == kMinusZero) bits = 0;
+  return a == b;
+}
+
+std::string described(const std::vector<Heard>& heard) {
+  std::string text;
+  for (const Heard& one : heard) {
+    text += "\n  " + one.text + " | " + one.message + " " + std::to_string(one.line) + ":" + std::to_string(one.column);
+    for (const std::uint64_t bits : one.numbers) text += " " + std::to_string(std::bit_cast<double>(bits));
+  }
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("mutated lines are judged and read as nlohmann-json does alone") {
+  std::map<std::string, std::size_t> accepted, rejected;
+  std::size_t several = 0, none = 0;
+  Way fast(true), slow(false);
+  std::string together;
+  const std::size_t lines = linesWanted();
+  for (std::size_t trial = 0; trial < lines; ++trial) {
+    RandomText random(trial);
+    std::string line = random.record(false);
+    // Of its shape before, so that the fast way knows it.
+    if (random.oneIn(2)) (void)fast.read(line);
+    std::string kind(random.oneIn(20) ? "as it was" : random.mutate(line));
+    if (random.oneIn(5) && kind != "as it was") kind = random.mutate(line);
+    INFO("trial " << trial << ", " << kind << ": " << line);
+    const std::vector<Heard>& found = fast.read(line);
+    const std::vector<Heard>& expected = slow.read(line);
+    if (found != expected) FAIL("fast:" << described(found) << "\nslow:" << described(expected));
+
+    // What is one value of JSON is what its DOM says.
+    const std::size_t first = line.find_first_not_of(" \t\r\n");
+    const bool single = found.size() == 1 && found[0].text != "fault" && found[0].text != "[";
+    if (single && found[0].message.empty()) {
+      const auto numbers = byDom(line);
+      if (!numbers || !sameNumbers(*numbers, found[0].numbers)) FAIL("read, which is not so:" << described(found));
+      ++accepted[kind];
+    } else if (single) {
+      if (first != std::string::npos && (line[first] == '{' || line[first] == '[') && byDom(line))
+        FAIL("is good: " << described(found));
+      if (found[0].line == 0 || found[0].column == 0) FAIL("without a place: " << described(found));
+      ++rejected[kind];
+    } else {
+      ++(found.empty() ? none : several);
+      for (const Heard& one : found)
+        if (one.message.empty() && one.text.size() > 1 && !nlohmann::json::accept(one.text))
+          FAIL("no JSON: " << one.text);
+    }
+
+    together += line + "\n";
+    if (trial % 16 == 15) {
+      const std::vector<Heard>& foundAll = fast.read(together);
+      const std::vector<Heard>& expectedAll = slow.read(together);
+      INFO(together);
+      if (foundAll != expectedAll) FAIL("fast:" << described(foundAll) << "\nslow:" << described(expectedAll));
+      together.clear();
+    }
+  }
+  std::size_t acceptedAll = 0, rejectedAll = 0;
+  for (const char* kind : {"bit flipped", "byte put in", "bytes left out", "bytes doubled", "odd number",
+                           "odd piece put in", "bracket or sign left out", "name twice", "NUL", "nested"}) {
+    INFO(kind);
+    CHECK(rejected[kind] > lines / 200);
+    const bool never = std::string_view(kind) == "NUL" || std::string_view(kind) == "bracket or sign left out";
+    CHECK((never || accepted[kind] > lines / 1000));
+    acceptedAll += accepted[kind];
+    rejectedAll += rejected[kind];
+  }
+  CHECK(accepted["as it was"] > lines / 50);
+  CHECK(rejected["as it was"] == 0);
+  CHECK(several > lines / 200);
+  INFO("accepted " << acceptedAll << ", rejected " << rejectedAll << ", several records " << several << ", none "
+                   << none);
+  CHECK(acceptedAll > lines / 20);
+  CHECK(rejectedAll > lines / 5);
+}
