@@ -9,7 +9,7 @@ packages="g++ cmake make libcli11-dev nlohmann-json3-dev libsimdjson-dev libgeog
 tests=OFF
 if [ "${1:-}" = tests ]; then
   packages="$packages catch2 libmpfr-dev libglm-dev libeigen3-dev libimath-dev geographiclib-tools glslang-tools"
-  packages="$packages python3-numpy"
+  packages="$packages python3-numpy parallel"
   tests=ON
 fi
 

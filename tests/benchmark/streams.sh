@@ -40,40 +40,43 @@ mlr_put="put -s m='$m' -s width=1920 -s height=1080 -f $here/project.mlr"
 node="node $here/project.js '$m' 1920 1080 <"
 cct="cct -d 12 +proj=affine $affine"
 project="$viewproj project -c $camera --fields screen,depth"
+# The rows that both text forms have: text FORM
+text() {
+  add "$1|viewproj|$points|$project --jobs 1 p.$1"
+  add "$1|viewproj --precision standard|$points|$project --jobs 1 --precision standard p.$1"
+  add "$1|viewproj --jobs 2|$points|$project --jobs 2 p.$1"
+  add "$1|viewproj, results as by default|$points|$viewproj project -c $camera --jobs 1 p.$1"
+}
 
-for form in ndjson csv; do
-  add "$form|viewproj|$points|$project --jobs 1 p.$form"
-  add "$form|viewproj --precision standard|$points|$project --jobs 1 --precision standard p.$form"
-  add "$form|viewproj --jobs 2|$points|$project --jobs 2 p.$form"
-  add "$form|viewproj, results as by default|$points|$viewproj project -c $camera --jobs 1 p.$form"
-done
+text ndjson
 if has node; then add "ndjson|node, JSON.parse a line|$points|$node p.ndjson"; fi
 if has jq; then add "ndjson|$(jq --version)|$few|$jq few.ndjson"; fi
-if has mlr; then
-  add "ndjson|mlr|$few|mlr --ijsonl --ojsonl $mlr_put few.ndjson"
-  add "csv|mlr|$few|mlr --icsv --ocsv $mlr_put few.csv"
-fi
+if has mlr; then add "ndjson|mlr|$few|mlr --ijsonl --ojsonl $mlr_put few.ndjson"; fi
+add "ndjson|cat|$points|cat p.ndjson"
+add "ndjson in pipes|cat, viewproj and cat|$points|cat p.ndjson | $project --jobs 1 | cat"
+add "ndjson in pipes|cat, cat and cat|$points|cat p.ndjson | cat | cat"
+
+text csv
 for awk in mawk gawk; do
   if has $awk; then add "csv|$awk|$points|$awk $awk_options p.csv"; fi
 done
 if has cct; then
-  add "csv|cct affine (to view coordinates)|$points|$cct p.text"
+  add "csv|cct affine, to view coordinates|$points|$cct p.text"
   add "csv|cct topocentric|$points|cct -d 12 +proj=topocentric +ellps=WGS84 +X_0=6378137 +Y_0=1 +Z_0=2 p.text"
 fi
 if has CartConvert; then add "csv|CartConvert|$few|CartConvert -l 1 2 3 --input-file few.text"; fi
-add "ndjson|cat|$points|cat p.ndjson"
-add "ndjson|cat, cat and cat|$points|cat p.ndjson | cat | cat"
-add "ndjson|cat, viewproj and cat|$points|cat p.ndjson | $project --jobs 1 | cat"
+if has mlr; then add "csv|mlr|$few|mlr --icsv --ocsv $mlr_put few.csv"; fi
 add "csv|cat|$points|cat p.csv"
+
 many=$((5 * points))
-f64="$viewproj project -c $camera --jobs 1 --precision standard"
-add "f64|viewproj --precision standard|$many|$f64 p.f64"
-add "f64|viewproj --precision standard --jobs 2|$many|$f64 --jobs 2 p.f64"
+f64="$viewproj project -c $camera --from f64 --precision standard --jobs"
+add "f64|viewproj --precision standard|$many|$f64 1 p.f64"
+add "f64|viewproj --precision standard, 2 jobs|$many|$f64 2 p.f64"
 add "f64|viewproj|$many|$viewproj project -c $camera --jobs 1 p.f64"
 add "f64|cat|$many|cat p.f64"
-add "f64 in pipes|cat, viewproj standard and cat|$many|cat p.f64 | $f64 --from f64 | cat"
+add "f64 in pipes|cat, viewproj standard and cat|$many|cat p.f64 | $f64 1 | cat"
 add "f64 in pipes|cat, cat and cat|$many|cat p.f64 | cat | cat"
-add "f64 to a file|viewproj --precision standard|$many|$f64 p.f64 >$out/f64"
+add "f64 to a file|viewproj --precision standard|$many|$f64 1 p.f64 >$out/f64"
 add "f64 to a file|cat|$many|cat p.f64 >$out/f64"
 
 # agree NAME TOLERANCE: standard input and the file `ours` have the same numbers on a line, in the same order.

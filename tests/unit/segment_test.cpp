@@ -57,6 +57,24 @@ TEST_CASE("A segment past the picture, behind the eye or of numbers that are not
   CHECK(clipSegment(f, {-2, 1, -1}, {2, 1, -1}).visible);  // along an edge of near
 }
 
+TEST_CASE("Ends that are two hundred magnitudes apart are cut as well") {
+  const Frustum f = viewFrustum(plainCamera(kInfiniteFar));
+  // From a point in the picture to far behind the eye and back: the far end leaves no trace in the near one.
+  const VisibleSegment s = clipSegment(f, {-7.6e192, 8e-15, -1.15e226}, {-0.5, 0.25, -2});
+  REQUIRE(s.visible);
+  CHECK(s.start.t == 0);
+  CHECK(s.end.t == 1);
+  const VisibleSegment cut = clipSegment(f, {0, 0, 1e226}, {0.5, 0, -2});
+  REQUIRE(cut.visible);
+  CHECK(cut.start.side == sideNear);
+  CHECK(cut.start.screen.x == Approx(125));
+  CHECK((cut.end.screen == Vec2{112.5, 50}));
+  const VisibleSegment last = clipSegment(f, {0.5, 0, -2}, {0, 0, 1e226});
+  REQUIRE(last.visible);
+  CHECK(last.end.side == sideNear);
+  CHECK(last.end.screen.x == Approx(125));
+}
+
 TEST_CASE("Equal steps on the screen are not equal steps along a segment") {
   const Frustum f = viewFrustum(plainCamera());
   const Vec3 a{0, 0, -2}, b{8, 0, -8};

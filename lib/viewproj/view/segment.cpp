@@ -7,21 +7,26 @@
 namespace viewproj {
 namespace {
 
-/// A point on the way from a to b: t, and the plane it lies on.
+/// A point on the way from a to b: the shares of b and of a in it, and the plane it lies on. Of ends that are many
+/// magnitudes apart the small share keeps its digits.
 struct Cut {
-  Wide t;
+  Wide t, rest;
   std::uint8_t side = 0;
 };
 
-bool isLess(const Wide& a, const Wide& b) noexcept { return (a - b).sign() < 0; }
+/// Nearer to b: by the smaller of the shares, which has the digits.
+bool isFurther(const Cut& a, const Cut& b) noexcept {
+  const bool nearB = (a.rest - a.t).sign() < 0 && (b.rest - b.t).sign() < 0;
+  return nearB ? (a.rest - b.rest).sign() < 0 : (b.t - a.t).sign() < 0;
+}
 
 SegmentEnd ownEnd(const Camera& camera, const Vec3& point, double t) noexcept {
   const ScreenPoint p = worldToScreen(camera, point);
   return {t, {p.x, p.y}, p.depth, p.viewDistance, 0};
 }
 
-SegmentEnd cutEnd(const Camera& c, const WideVec3& fromEye, const WideVec3& way, const Cut& cut) noexcept {
-  const WideVec3 p = fromEye + way * cut.t;
+SegmentEnd cutEnd(const Camera& c, const WideVec3& fromEyeToA, const WideVec3& fromEyeToB, const Cut& cut) noexcept {
+  const WideVec3 p = fromEyeToA * cut.rest + fromEyeToB * cut.t;
   const auto along = [&](const DDVec3& axis, DoubleDouble residual) {
     return dot(toWide(axis), p) + Wide(residual, 0);
   };
@@ -60,23 +65,19 @@ SegmentEnd cutEnd(const Camera& c, const WideVec3& fromEye, const WideVec3& way,
 VisibleSegment clipSegment(const Frustum& f, const Vec3& a, const Vec3& b) noexcept {
   VisibleSegment result;
   if (!isFinite(a) || !isFinite(b)) return result;
-  Cut first{0, 0}, last{1, 0};
+  Cut first{0, 1, 0}, last{1, 0, 0};
   for (const FrustumPlane& p : f) {
     const Wide atA = distanceInside(f, p, a), atB = distanceInside(f, p, b);
     if (atA.sign() < 0 && atB.sign() < 0) return result;
-    if (atA.sign() < 0) {
-      const Wide t = atA / (atA - atB);
-      if (isLess(first.t, t)) first = {t, p.side};
-    } else if (atB.sign() < 0) {
-      const Wide t = atA / (atA - atB);
-      if (isLess(t, last.t)) last = {t, p.side};
-    }
+    if (atA.sign() >= 0 && atB.sign() >= 0) continue;
+    const Cut cut{atA / (atA - atB), atB / (atB - atA), p.side};
+    if (atA.sign() < 0 ? isFurther(cut, first) : isFurther(last, cut)) (atA.sign() < 0 ? first : last) = cut;
   }
-  if (isLess(last.t, first.t)) return result;
-  const WideVec3 fromEye = toWide(a) - toWide(f.camera.pose.eye), way = toWide(b) - toWide(a);
+  if (isFurther(first, last)) return result;
+  const WideVec3 eye = toWide(f.camera.pose.eye), fromEyeToA = toWide(a) - eye, fromEyeToB = toWide(b) - eye;
   result.visible = true;
-  result.start = first.side == 0 ? ownEnd(f.camera, a, 0) : cutEnd(f.camera, fromEye, way, first);
-  result.end = last.side == 0 ? ownEnd(f.camera, b, 1) : cutEnd(f.camera, fromEye, way, last);
+  result.start = first.side == 0 ? ownEnd(f.camera, a, 0) : cutEnd(f.camera, fromEyeToA, fromEyeToB, first);
+  result.end = last.side == 0 ? ownEnd(f.camera, b, 1) : cutEnd(f.camera, fromEyeToA, fromEyeToB, last);
   return result;
 }
 

@@ -34,29 +34,37 @@ race() {
   done
   echo
   awk -F '|' -v rounds="$rounds" '
-    function sorted(list, n, i, j, t) {
-      for (i = 2; i <= n; ++i) for (j = i; j > 1 && list[j - 1] > list[j]; --j) { t = list[j]; list[j] = list[j - 1]; list[j - 1] = t }
+    # Sorts list[1] to list[n]; gives the median.
+    function sort(list, n,    i, j, t) {
+      for (i = 2; i <= n; ++i)
+        for (j = i; j > 1 && list[j - 1] > list[j]; --j) { t = list[j]; list[j] = list[j - 1]; list[j - 1] = t }
+      return list[int((n + 1) / 2)]
     }
     {
       split($4, took, " ")
-      key = $1 "|" $2
-      if (!(key in runs)) { order[++keys] = key; points[key] = $3 }
-      time[key, ++runs[key]] = took[1] / $3 * 1e9
-      if (took[2] > peak[key]) peak[key] = took[2]
+      row = $1 "|" $2
+      if (!(row in runs)) { order[++rows] = row; points[row] = $3 }
+      ++runs[row]
+      clock[row, runs[row]] = took[1] / $3 * 1e9
+      used[row, runs[row]] = took[2] / $3 * 1e9
+      if (took[3] > peak[row]) peak[row] = took[3]
     }
     END {
-      printf "medians and bests of %d rounds, ns per point; ratio to the first of each form; peak memory of the largest process\n", rounds
-      for (k = 1; k <= keys; ++k) {
-        key = order[k]
-        split(key, part, "|")
-        for (i = 1; i <= runs[key]; ++i) list[i] = time[key, i]
-        sorted(list, runs[key])
-        median = list[int((runs[key] + 1) / 2)]
-        if (!(part[1] in base)) { base[part[1]] = median; base_best[part[1]] = list[1]; groups[++count] = part[1] }
-        rows[part[1]] = rows[part[1]] sprintf("%-36s %9d %9.1f %9.1f %7.2f %7.2f %7.1f\n", part[2], points[key], median, list[1],
-                                              median / base[part[1]], list[1] / base_best[part[1]], peak[key] / 1024)
+      print rounds " rounds. ns per point: the median and the best by the clock, the best of processor time; what the median and"
+      print "the processor time are to those of the first of each form; MB of the largest process"
+      for (r = 1; r <= rows; ++r) {
+        row = order[r]
+        split(row, part, "|")
+        form = part[1]
+        for (i = 1; i <= runs[row]; ++i) { list[i] = clock[row, i]; list2[i] = used[row, i] }
+        median = sort(list, runs[row])
+        sort(list2, runs[row])
+        if (form != last) {
+          printf "\n%-36s %9s %9s %9s %9s %7s %7s %7s\n", form, "points", "median", "best", "cpu", "ratio", "of cpu", "MB"
+          base = median; base2 = list2[1]; last = form
+        }
+        printf "%-36s %9d %9.1f %9.1f %9.1f %7.2f %7.2f %7.1f\n", part[2], points[row], median, list[1], list2[1],
+               median / base, list2[1] / base2, peak[row] / 1024
       }
-      for (g = 1; g <= count; ++g)
-        printf "\n%-36s %9s %9s %9s %7s %7s %7s\n%s", groups[g], "points", "median", "best", "ratio", "of best", "MB", rows[groups[g]]
     }' times
 }
