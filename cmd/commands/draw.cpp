@@ -45,7 +45,8 @@ int runDraw(int argc, char** argv) {
   const bool reads = app.count("FILE") > 0 || (pixels.empty() && sceneFile.empty());
   if (reads) stream.requireOneInput(setup, camera);
 
-  View view{.camera = makeCamera(camera.read())};
+  const CameraFile file = camera.read();
+  View view{.camera = makeCamera(file)};
   const Frustum frustum = viewFrustum(view.camera);
   std::vector<SceneObject> scene;
   if (!sceneFile.empty()) {
@@ -55,7 +56,7 @@ int runDraw(int argc, char** argv) {
   if (reads) {
     FilterSetup records = setup;
     records.csvDefaults = columns.empty() ? std::vector<std::string>{"x", "y", "z", "w"} : columns;
-    addRecords(view, frustum, std::move(records), columns);
+    addRecords(view, frustum, std::move(records), columns, file.worldIsEcef);
   }
   for (const Vec2& pixel : pixels) addPixel(view, pixel, sceneFile.empty() ? nullptr : &scene);
   writeOutput(pictureOf(view));

@@ -33,8 +33,8 @@ std::optional<std::string> labelOf(const Record& record) {
 
 class DrawWork final : public RecordWork {
  public:
-  DrawWork(View& view, const Frustum& frustum, const std::vector<std::string>& columns)
-      : view_(view), frustum_(frustum), columns_(columns) {}
+  DrawWork(View& view, const Frustum& frustum, const std::vector<std::string>& columns, bool worldIsEcef)
+      : view_(view), frustum_(frustum), columns_(columns), worldIsEcef_(worldIsEcef) {}
 
   Layout find(const RecordParts& record) const override {
     if (const auto segment = findSegment(record)) return *segment;
@@ -43,7 +43,7 @@ class DrawWork final : public RecordWork {
         throw RecordError(record.offset(*field),
                           std::string("a ") + name +
                               " is not drawn from a record; expected a point, segment, sphere, box or triangle");
-    return findShape(record, columns_);
+    return findShape(record, columns_, worldIsEcef_);
   }
 
   void nameResults(const Layout&, ResultSink&) const override {}
@@ -51,7 +51,7 @@ class DrawWork final : public RecordWork {
   void add(const Layout& layout, const Numbers& n) override {
     if (layout.kind == kindSegment || layout.kind == kindSegmentAndPixel)
       drawn_.push_back(Segment{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}});
-    else if (layout.kind == kindPoint || layout.kind == kindDirection)
+    else if (layout.kind == kindPoint || layout.kind == kindDirection || layout.kind == kindPlace)
       drawn_.push_back(toPoint(layout, n));
     else
       std::visit([&](const auto& shape) { drawn_.push_back(shape); }, toShape(layout, n));
@@ -77,14 +77,16 @@ class DrawWork final : public RecordWork {
   View& view_;
   const Frustum& frustum_;
   const std::vector<std::string>& columns_;
+  bool worldIsEcef_;
   std::vector<std::variant<Vec4, Vec3, Segment, Sphere, Box, Triangle>> drawn_;
   std::size_t count_ = 0;  ///< records read
 };
 
 }  // namespace
 
-void addRecords(View& view, const Frustum& frustum, FilterSetup setup, const std::vector<std::string>& columns) {
-  readRecords(std::move(setup), [&] { return std::make_unique<DrawWork>(view, frustum, columns); });
+void addRecords(View& view, const Frustum& frustum, FilterSetup setup, const std::vector<std::string>& columns,
+                bool worldIsEcef) {
+  readRecords(std::move(setup), [&] { return std::make_unique<DrawWork>(view, frustum, columns, worldIsEcef); });
 }
 
 void addScene(View& view, const Frustum& frustum, const std::vector<SceneObject>& scene) {
