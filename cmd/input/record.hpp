@@ -86,7 +86,7 @@ std::string csvValue(std::string_view field);
 /// A header if the line has a field that is not a number; otherwise the default names in order.
 CsvHeader readCsvHeader(std::string_view line, const std::vector<std::string>& defaults);
 
-/// The beginning of a text in quotes, for messages.
+/// The beginning of a text in quotes, on one line, for messages.
 std::string quoted(std::string_view text);
 
 }  // namespace viewproj::cmd

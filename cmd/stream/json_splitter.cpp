@@ -109,6 +109,7 @@ std::size_t JsonSplitter::closing(std::string_view rest, std::size_t begin, std:
 
 /// end: where the next record begins, or the input ends.
 void JsonSplitter::failUnclosed(std::string_view rest, std::size_t begin, std::size_t end) {
+  end = rest.find_last_not_of(kSpace, end - 1) + 1;
   const auto fault = jsonFault(rest.substr(begin, end - begin));
   if (!fault) throw RecordError(begin, "not closed");
   std::string message = fault->message;

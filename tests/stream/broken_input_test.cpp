@@ -1,0 +1,259 @@
+// Input that is cut off, garbage, too long or odd: one message with its place, what came before is written, and with
+// --keep-going what comes after it too.
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "catch.hpp"
+#include "stream/random_text.hpp"
+#include "stream/run.hpp"
+
+using namespace viewproj;
+using namespace viewproj::cmd;
+using namespace viewproj::tests;
+
+namespace {
+
+std::vector<std::string> linesOf(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    lines.push_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  return lines;
+}
+
+std::string doubles(std::initializer_list<double> numbers) {
+  std::string bytes;
+  for (const double number : numbers) {
+    char of[sizeof number];
+    std::memcpy(of, &number, sizeof number);
+    bytes.append(of, sizeof number);
+  }
+  return bytes;
+}
+
+std::vector<double> numbersOf(const std::string& bytes) {
+  std::vector<double> numbers(bytes.size() / sizeof(double));
+  std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(double));
+  return numbers;
+}
+
+/// One message, or none.
+void checkMessage(const StreamRun& run) {
+  CHECK((run.status == 0 || run.status == 1));
+  if (run.status == 0) {
+    CHECK(run.err.empty());
+  } else {
+    CHECK(run.err.starts_with("<stdin>:"));
+    CHECK(run.err.find('\n') == std::string::npos);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("an input cut off at any byte gives what is whole before it") {
+  struct Input {
+    Form form;
+    std::string whole;
+    std::size_t mayRead;  ///< cuts that leave something good
+  };
+  const Input inputs[] = {
+      {Form::json, "[1,2,3]\n{\"x\":4,\"y\":5,\"z\":6,\"s\":\"\\u00e9\"}\n  [7,8,9] [1,1,1]\n", 0},
+      {Form::json, "[{\"x\":1,\"y\":2,\"z\":3},\n[4,5,6],[7,8,9]]\n", 0},
+      {Form::json, "{\"points\":[[1,2,3],\n[4,5,6]],\"more\":{\"a\":1}}\n", 0},
+      {Form::csv, "x,y,z,name\r\n1,2,3,a\r\n4,5,6,\"b\r\n\"\"c\"\r\n\r\n7,8,9,d\r\n", 0},
+      {Form::text, "1 2 3\n4 5 6\r\n7 8 9\n", 0},
+      {Form::f64, doubles({1, 2, 3, 4, 5, 6, 7, 8, 9}), 0},
+  };
+  for (const Input& input : inputs)
+    for (const std::size_t block : {BlockReader::kBlock, std::size_t{24}}) {
+      const StreamHow how{.from = input.form, .block = block};
+      const StreamRun full = runStream(input.whole, how);
+      REQUIRE(full.status == 0);
+      std::size_t failed = 0;
+      for (std::size_t size = 0; size < input.whole.size(); ++size) {
+        const StreamRun run = runStream(input.whole.substr(0, size), how);
+        INFO("form " << static_cast<int>(input.form) << ", " << size << " bytes: " << input.whole.substr(0, size)
+                     << "\nout " << run.out << "\nerr " << run.err);
+        checkMessage(run);
+        failed += run.status == 1;
+        if (input.form == Form::f64) {
+          CHECK(run.out == full.out.substr(0, size / 24 * 32));
+          CHECK(run.status == (size % 24 == 0 ? 0 : 1));
+          continue;
+        }
+        // The last record may have lost a digit or a field; an array or a document is closed.
+        const std::vector<std::string> all = linesOf(full.out);
+        std::vector<std::string> lines = linesOf(run.out);
+        if (!run.out.empty()) CHECK(run.out.back() == '\n');
+        const bool array = input.form == Form::json && input.whole.find("[1,2,3]\n") != 0;
+        if (array && size > 11) CHECK(nlohmann::json::accept(run.out));
+        for (std::size_t i = 0; i + (array ? 2 : 1) < lines.size(); ++i) CHECK(lines[i] == all[i]);
+      }
+      CHECK(failed > (input.form == Form::text ? 5 : 15));
+    }
+}
+
+TEST_CASE("garbage in any form gives one message, and keep-going comes to its end") {
+  for (std::uint64_t trial = 0; trial < 200; ++trial) {
+    RandomText random(trial);
+    std::string garbage;
+    for (std::size_t i = 0; i < 3000; ++i) garbage += static_cast<char>(random.below(256));
+    for (const Form form : {Form::json, Form::csv, Form::text}) {
+      // A bracket would open an array, whose end is its own matter.
+      if (form == Form::json) std::erase(garbage, '[');
+      INFO("trial " << trial << ", form " << static_cast<int>(form));
+      const StreamRun run = runStream(garbage, {.from = form, .block = 100});
+      checkMessage(run);
+      CHECK((run.status == 1 && run.out.empty()));
+      const StreamRun all = runStream(garbage + "\n[1,2,3]\n", {.from = form, .keepGoing = true, .block = 100});
+      CHECK(all.status == 1);
+      if (form == Form::json) CHECK(all.out.ends_with("{\"position\":[1,2,3],\"sum\":6,\"twice\":[2,4,6]}\n"));
+    }
+  }
+}
+
+TEST_CASE("lines of megabytes are read, or refused at their place") {
+  const std::string name(3 << 20, 'a'), blanks(3 << 20, ' '), breaks(3 << 20, '\n');
+  std::string columns = "x,y,z", fields = "\"x\":1,\"y\":2,\"z\":3", numbers = "1,2,3";
+  for (int i = 0; i < 100000; ++i) {
+    columns += ",c" + std::to_string(i);
+    fields += ",\"f" + std::to_string(i) + "\":" + std::to_string(i);
+    numbers += ",4";
+  }
+  const auto status = [](const std::string& input, Form form, std::optional<OutputForm> to = std::nullopt) {
+    const StreamRun run = runStream(input, {.from = form, .to = to, .jobs = 2});
+    checkMessage(run);
+    return run.status;
+  };
+  CHECK(status("[1,2,3]\n{\"x\":1,\"y\":2,\"z\":3,\"s\":\"" + name + "\"}\n[1,2,3]\n", Form::json) == 0);
+  CHECK(status("[1," + blanks + "2,3]\n", Form::json) == 0);
+  CHECK(status("[1," + breaks + "2,3]" + breaks + "[1,2,3]", Form::json) == 0);
+  CHECK(status("{\"points\"" + breaks + ":[[1,2,3]]" + breaks + "}", Form::json) == 0);
+  CHECK(status(breaks + blanks + "[1,2,3]", Form::json) == 0);
+  CHECK(status("{" + fields + "}\n{" + fields + "}\n", Form::json) == 0);
+  CHECK(status("{" + fields + "}\n{" + fields + "}\n", Form::json, OutputForm::csv) == 0);
+  CHECK(status("{" + fields + ",\"f99999\":1}\n", Form::json) == 1);
+  CHECK(status("[" + numbers + "]\n", Form::json) == 1);
+  CHECK(status(name, Form::json) == 1);
+  CHECK(status("[" + name, Form::json) == 1);
+  CHECK(status("[[1,2,3],\"" + name, Form::json) == 1);
+  CHECK(status(columns + "\n" + numbers + "\n", Form::csv) == 0);
+  CHECK(status("x,y,z,n\n1,2,3," + name + "\n1,2,3,\"" + breaks + "\"\n", Form::csv) == 0);
+  CHECK(status("x,y,z,n\n1,2,3,\"" + name + "\n", Form::csv) == 1);
+  CHECK(status("x,y,z\n" + breaks + "1,2,3\n", Form::csv) == 0);
+  CHECK(status(name, Form::csv) == 1);
+  CHECK(status("1" + blanks + "2 3\n" + breaks + "1 2 3", Form::text) == 0);
+  CHECK(status(name, Form::text) == 1);
+}
+
+TEST_CASE("a record that is longer than what is held is refused at its place") {
+  const std::string big(65 << 20, '1');
+  const StreamRun run = runStream("[1,2,3]\n[1,2," + big + "]\n", {.from = Form::json});
+  CHECK(run.status == 1);
+  CHECK(run.err == "<stdin>:2:1: a record longer than 64 MiB");
+  CHECK(run.out == "{\"position\":[1,2,3],\"sum\":6,\"twice\":[2,4,6]}\n");
+}
+
+TEST_CASE("a bad row of CSV stands with its message in a table that stays one") {
+  const std::string rows[] = {
+      "1,2",         "1,2,3,a,b",  "1,,3,a",        "1,x,3,a",
+      "1,2,1e999,a", "1,2,\"\",a", "\"1\n\",2,3,a", "1,2,,\"b,\n\"\"c\"\"\"",
+      "4713,2,3,a",  "0x1,2,3,a",  "1,2,NaN,a",     "1,2,inf,a",
+      "1 1,2,3,a",
+  };
+  for (const std::string& row : rows)
+    for (const char* const ending : {"\n", "\r\n"}) {
+      const std::string input = std::string("\xEF\xBB\xBFx,y,z,name") + ending + "1,2,3,\"p\"\"q\"" + ending + row +
+                                ending + "4,5,6,r" + ending;
+      INFO(input);
+      const StreamRun ended = runStream(input, {.from = Form::csv});
+      checkMessage(ended);
+      CHECK(ended.status == 1);
+      CHECK(ended.err.starts_with("<stdin>:3:"));
+      CHECK(linesOf(ended.err).size() == 1);
+      const std::string head = "x,y,z,name,sum,twice_x,twice_y,twice_z";
+      CHECK(ended.out == head + "\n1,2,3,\"p\"\"q\",6,2,4,6\n");
+      const StreamRun all = runStream(input, {.from = Form::csv, .keepGoing = true});
+      CHECK(all.status == 1);
+      CHECK(all.out.starts_with(head + ",error\n1,2,3,\"p\"\"q\",6,2,4,6,\n"));
+      CHECK(all.out.ends_with("\n4,5,6,r,15,8,10,12,\n"));
+      // What came out is read again: as many fields in every row.
+      const StreamRun again = runStream(all.out, {.from = Form::csv, .to = OutputForm::text, .keepGoing = true});
+      CHECK(again.err.find("fields") == std::string::npos);
+      const StreamRun asJson = runStream(input, {.from = Form::csv, .to = OutputForm::array, .keepGoing = true});
+      CHECK(nlohmann::json::parse(asJson.out).size() == 3);
+      CHECK(nlohmann::json::parse(asJson.out)[1]["line"] == 3);
+    }
+}
+
+TEST_CASE("a quote of CSV that does not close ends the table with one row") {
+  const StreamRun all =
+      runStream("x,y,z,a,b\n1,2,3,a,b\n4,5,6,\"not\nclosed,7\n8,9,10,a,b\n", {.from = Form::csv, .keepGoing = true});
+  CHECK(all.out ==
+        "x,y,z,a,b,sum,twice_x,twice_y,twice_z,error\n1,2,3,a,b,6,2,4,6,\n"
+        "4,5,6,,,,,,,the quote that opens here is not closed\n");
+  CHECK(all.err == "viewproj: <stdin>:3:7: the quote that opens here is not closed\n");
+}
+
+TEST_CASE("what is no number in f64 is named by record and byte, and NaN stands for it") {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  const std::string input = doubles({1, 2, 3, 1, nan, 3, 4, 5, 6, 1, 2, -inf, 7, 8, 9});
+  const StreamRun ended = runStream(input, {.from = Form::f64});
+  CHECK((ended.status == 1 && ended.err == "<stdin>:2:9: NaN is not a finite number"));
+  CHECK(numbersOf(ended.out) == std::vector<double>{6, 2, 4, 6});
+  const StreamRun all = runStream(input + "1234567", {.from = Form::f64, .keepGoing = true});
+  CHECK(all.status == 1);
+  CHECK(all.err ==
+        "viewproj: <stdin>:2:9: NaN is not a finite number\nviewproj: <stdin>:4:17: infinity is not a finite number\n"
+        "viewproj: <stdin>:6:1: has 7 bytes; expected three doubles, 24 bytes\n");
+  const std::vector<double> numbers = numbersOf(all.out);
+  REQUIRE(numbers.size() == 24);
+  for (const std::size_t bad : {1, 3, 5})
+    for (std::size_t i = 4 * bad; i < 4 * bad + 4; ++i) CHECK(std::isnan(numbers[i]));
+  CHECK(numbers[8] == 15);
+  CHECK(numbers[16] == 24);
+}
+
+TEST_CASE("bytes of f64 that look like a byte order mark are numbers") {
+  std::string input = doubles({1, 2, 3, 4, 5, 6});
+  input.replace(0, 3, "\xEF\xBB\xBF");
+  const StreamRun run = runStream(input, {.from = Form::f64});
+  CHECK((run.status == 0 && run.out.size() == 64));
+}
+
+TEST_CASE("a value in an array that is no record is passed over") {
+  const std::string input = "[{\"x\":1,\"y\":2,\"z\":3}, null,\n5 ,\"a,]\\\"\",true,-1.5e5,[4,5,6]]";
+  const std::string error = "\"error\":\"expected a record: an array of numbers or an object\"}";
+  for (const std::size_t block : {BlockReader::kBlock, std::size_t{1}}) {
+    const StreamRun all = runStream(input, {.from = Form::json, .keepGoing = true, .block = block});
+    CHECK(all.out == "[\n{\"x\":1,\"y\":2,\"z\":3,\"sum\":6,\"twice\":[2,4,6]},\n{\"line\":1," + error +
+                         ",\n{\"line\":2," + error + ",\n{\"line\":2," + error + ",\n{\"line\":2," + error +
+                         ",\n{\"line\":2," + error + ",\n{\"position\":[4,5,6],\"sum\":15,\"twice\":[8,10,12]}\n]\n");
+    const StreamRun ended = runStream(input, {.from = Form::json, .block = block});
+    CHECK(ended.err == "<stdin>:1:23: expected a record: an array of numbers or an object");
+    CHECK(nlohmann::json::accept(ended.out));
+  }
+}
+
+TEST_CASE("documents and arrays among records keep what is around their records") {
+  const std::string input =
+      "[1,2,3]\n{\"points\" : [\n[4,5,6]],\"unit\":\"m\"}\n[]\n[[7,8,9]]{\"points\":[]}\n[1,1,1]\n";
+  for (const std::size_t block : {BlockReader::kBlock, std::size_t{1}, std::size_t{40}}) {
+    const StreamRun run = runStream(input, {.from = Form::json, .block = block});
+    CHECK(run.out ==
+          "{\"position\":[1,2,3],\"sum\":6,\"twice\":[2,4,6]}\n{\"points\" : [\n"
+          "{\"position\":[4,5,6],\"sum\":15,\"twice\":[8,10,12]}\n],\"unit\":\"m\"}\n[]\n[\n"
+          "{\"position\":[7,8,9],\"sum\":24,\"twice\":[14,16,18]}\n]\n{\"points\":[]}\n"
+          "{\"position\":[1,1,1],\"sum\":3,\"twice\":[2,2,2]}\n");
+  }
+}
+
+TEST_CASE("minus zero is minus zero, however it is read") {
+  const StreamRun run =
+      runStream("[-0,1,2]\n[-0,1,2]\n[-0.0,1,2]\n[0,1,2]\n", {.from = Form::json, .to = OutputForm::text});
+  CHECK(run.out == "3 -0 2 4\n3 -0 2 4\n3 -0 2 4\n3 0 2 4\n");
+}
