@@ -246,6 +246,14 @@ CameraFile read(const Document& document, std::size_t, const CameraReading& read
         });
     if (viewport && !reading.allowStretch) requireShape(windowAspect(p), viewport->frame, file);
   }
+  // Matrices relative to the eye have it beside them.
+  if (const auto eye = file.vec3("eye"); eye && pose) {
+    const Axes& columns = pose->columns;
+    pose = located(file, {{"position", "eye"}}, [&] {
+      return poseFromColumns({columns.right, columns.up, columns.forward}, unroundedEye(*pose) + toDoubleDouble(*eye),
+                             CameraAxes::RUF, convention.world);
+    });
+  }
   return imported(document, convention, pose, projection, viewport);
 }
 
