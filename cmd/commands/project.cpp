@@ -178,22 +178,15 @@ class ProjectWork final : public RecordWork {
 
   std::size_t convert(std::span<const double> in, TextBuffer& out) override {
     if (!isScreenAndDepth(how_.textFields) || how_.worldFromLocal) return 0;
-    // So many that they stay in the cache between the projection and the look at it.
-    constexpr std::size_t kAtOnce = 256;
     const std::size_t count = in.size() / 3;
     char* const room = out.room(count * sizeof(Vec3));
     const std::span points(reinterpret_cast<const Vec3*>(in.data()), count);
     const std::span screen(reinterpret_cast<Vec3*>(room), count);
-    std::size_t good = 0;
-    for (std::size_t next = 0; good == next && good < count; next += kAtOnce) {
-      const std::size_t size = std::min(kAtOnce, count - good);
-      const std::span to = screen.subspan(good, size);
-      if (how_.arithmetic)
-        worldToScreen(how_.camera, points.subspan(good, size), to, chosen_);
-      else
-        worldToScreenWithin(how_.camera, how_.tolerance, points.subspan(good, size), to);
-      good += countUsable(points.subspan(good, size), to);
-    }
+    if (how_.arithmetic)
+      worldToScreen(how_.camera, points, screen, chosen_);
+    else
+      worldToScreenWithin(how_.camera, how_.tolerance, points, screen);
+    const std::size_t good = countUsable(points, screen);
     out.written(room + good * sizeof(Vec3));
     return good;
   }

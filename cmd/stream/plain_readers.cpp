@@ -34,7 +34,7 @@ class CsvReader final : public RecordReader {
   void read(Block& block, Batch& batch) override {
     const std::string_view text = block.records;
     for (std::size_t at = 0, end; at < text.size(); at = end + 1) {
-      if ((end = readPlainLine(text, at, batch)) != npos) continue;
+      if ((end = readPlainRecord(text, at, batch)) != npos) continue;
       std::size_t unclosed = npos;
       end = endOfCsvRecord(text, at, &unclosed);
       std::string_view line = text.substr(at, end - at);
@@ -61,9 +61,9 @@ class CsvReader final : public RecordReader {
     return slots;
   }
 
-  /// Adds a line without quotes, of as many fields as the header's, whose numbers are plainly numbers: all in one pass.
-  /// Returns where it ends, or npos for any other line.
-  std::size_t readPlainLine(std::string_view text, std::size_t begin, Batch& batch) {
+  /// Adds a record of as many fields as the header's whose numbers are plainly numbers, all in one pass. Returns where
+  /// it ends, or npos for any other.
+  std::size_t readPlainRecord(std::string_view text, std::size_t begin, Batch& batch) {
     if (slots_.empty()) return npos;
     const char* at = text.data() + begin;
     const char* const end = text.data() + text.size();
@@ -76,7 +76,12 @@ class CsvReader final : public RecordReader {
         if (error != std::errc() || !std::isfinite(number)) return npos;
         at = stop;
       } else {
-        while (at < end && *at != ',' && *at != '\n' && *at != '"') ++at;
+        if (at < end && *at == '"') {
+          // To the quote that closes; two are one of the field's own.
+          for (++at; at < end && (*at != '"' || (at + 1 < end && at[1] == '"')); ++at) at += *at == '"';
+          if (at >= end) return npos;
+        }
+        while (at < end && *at != ',' && *at != '\n') ++at;
       }
     }
     if (at < end && *at == '\r') ++at;
