@@ -236,7 +236,8 @@ CameraFile read(const Document& document, std::size_t, const CameraReading& read
   std::optional<Projection> projection;
   for (const GivenMatrix& given : givens) {
     const Reading& r = *readingIn(given, convention);
-    if (given.slot.kind != MatrixKind::projection) pose = poseOf(given, r);
+    if (given.slot.kind != MatrixKind::projection)
+      pose = located(file, {{"columns", given.key}, {"position", given.key}}, [&] { return poseOf(given, r); });
     if (!r.projection) continue;
     const Projection& p = *r.projection;
     projection =
