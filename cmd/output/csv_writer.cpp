@@ -178,7 +178,7 @@ class CsvWriter final : public RecordWriter {
 
   void endRecord() override {
     out_ += setup_.keepGoing ? std::string_view(",\n") : std::string_view("\n");
-    columns_.known = true;
+    if (!columns_.known) columns_.known = true;  // from then on all workers read it
     ++records_;
   }
 
