@@ -21,8 +21,13 @@ using namespace viewproj::cmd;
 constexpr Command kCommands[] = {
     {"project", "points to screen positions, depth and visibility", runProject},
     {"ray", "pixels to rays, and to the points behind them", runRay},
+    {"cull", "which points and shapes lie in the view, and which plane decides", runCull},
     {"matrix", "a camera's matrices in any convention", runMatrix},
+    {"inspect", "which camera and which convention a matrix is of", runInspect},
+    {"explain", "every stage of one point or pixel, by hand", runExplain},
+    {"depth", "what a depth buffer resolves at each distance", runDepth},
     {"measure", "speed and error of every precision on your own points", runMeasure},
+    {"draw", "an SVG of what the camera sees", runDraw},
 };
 
 std::string help() {

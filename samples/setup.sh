@@ -5,10 +5,11 @@
 set -eu
 cd "$(dirname "$0")/.."
 
-packages="g++ cmake make libcli11-dev nlohmann-json3-dev libsimdjson-dev"
+packages="g++ cmake make libcli11-dev nlohmann-json3-dev libsimdjson-dev libgeographiclib-dev"
 tests=OFF
 if [ "${1:-}" = tests ]; then
-  packages="$packages catch2 libmpfr-dev libglm-dev libeigen3-dev libimath-dev"
+  packages="$packages catch2 libmpfr-dev libglm-dev libeigen3-dev libimath-dev geographiclib-tools glslang-tools"
+  packages="$packages python3-numpy parallel"
   tests=ON
 fi
 

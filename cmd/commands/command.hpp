@@ -15,6 +15,11 @@ struct Command {
 int runProject(int argc, char** argv);
 int runRay(int argc, char** argv);
 int runMatrix(int argc, char** argv);
+int runCull(int argc, char** argv);
+int runInspect(int argc, char** argv);
+int runExplain(int argc, char** argv);
+int runDepth(int argc, char** argv);
 int runMeasure(int argc, char** argv);
+int runDraw(int argc, char** argv);
 
 }  // namespace viewproj::cmd

@@ -1,11 +1,12 @@
-// viewproj matrix: a camera's matrices.
+// viewproj matrix: a camera's matrices, and the camera itself in another form.
 #include <algorithm>
-#include <cmath>
+#include <cstdio>
 
 #include "commands/command.hpp"
 #include "commands/options.hpp"
 #include "input/error.hpp"
 #include "input/names.hpp"
+#include "output/camera_text.hpp"
 #include "output/matrix_text.hpp"
 #include "output/output_file.hpp"
 #include "viewproj/view/matrices.hpp"
@@ -86,12 +87,23 @@ std::vector<WhichRow> chooseMatrices(const std::string& list, const CameraFile& 
   return chosen;
 }
 
-void requireRepresentable(const NamedMatrix& named, const MatrixSet& set, const CameraFile& file) {
-  for (const auto& row : named.matrix.m)
-    for (double entry : row)
-      if (!std::isfinite(set.asFloat ? static_cast<float>(entry) : entry))
-        throw InputError(file.name + ": " + named.name + " has an entry too large for " +
-                         (set.asFloat ? "float32" : "a double"));
+/// --to camera: the file, and on standard error a word where its doubles do not suffice.
+int runCamera(CameraFile file, const std::string& type, const CameraOptions& camera) {
+  file.convention = camera.writing(file);
+  const WrittenCamera written = writeCamera(file, type, camera.allowsStretch());
+  writeOutput(written.text);
+  const auto& [pixels, depth] = written.moved;
+  if (!(pixels <= kKeptPixels))
+    std::fprintf(stderr, "viewproj: %s: in doubles, as written, points move by up to %.1g pixels\n", file.name.c_str(),
+                 pixels);
+  if (!(depth <= kKeptDepth))
+    std::fprintf(stderr, "viewproj: %s: in doubles, as written, depths move by up to %.1g of their range\n",
+                 file.name.c_str(), depth);
+  return 0;
+}
+
+void requireKnown(const std::string& option, const std::string& name, const std::vector<std::string_view>& known) {
+  if (std::find(known.begin(), known.end(), name) == known.end()) failUnknown(option, name, known);
 }
 
 }  // namespace
@@ -99,11 +111,12 @@ void requireRepresentable(const NamedMatrix& named, const MatrixSet& set, const 
 int runMatrix(int argc, char** argv) {
   CLI::App app(
       "A camera's matrices, in any convention.\n"
-      "Example: viewproj matrix camera.json --convention d3d --which projection --to text",
+      "Example: viewproj matrix camera.json --convention d3d --which projection --to text\n"
+      "         viewproj matrix camera.json --to camera --type intrinsics",
       "viewproj matrix");
   CameraOptions camera;
   Wanted wanted;
-  std::string file, which, format = "json";
+  std::string file, which, type, format = "json";
   MatrixSet set;
   camera.add(app);
   camera.addWriting(app);
@@ -114,13 +127,25 @@ int runMatrix(int argc, char** argv) {
   app.add_flag("--bake-viewport", wanted.bakeViewport, "Fold the viewport into the projection");
   app.add_flag("--relative-to-eye", wanted.relativeToEye, "Leave the translation out of the view and give the eye");
   app.add_flag("--float", set.asFloat, "Round to float32");
-  app.add_option("--to", format, "Format: json (default), text, flat")->type_name("FORM");
+  app.add_option("--to", format, "Format: json (default), text, flat, csv, c, glsl, hlsl, wgsl, css, numpy, camera")
+      ->type_name("FORM");
+  app.add_option("--type", type,
+                 "With --to camera the projection's form: perspective, frustum, intrinsics, orthographic, ps2")
+      ->type_name("TYPE");
   parse(app, argc, argv);
 
-  const auto formats = matrixFormats();
-  if (std::find(formats.begin(), formats.end(), format) == formats.end()) failUnknown("--to", format, formats);
+  std::vector<std::string_view> formats = matrixFormats();
+  formats.push_back("camera");
+  requireKnown("--to", format, formats);
+  if (!type.empty()) requireKnown("--type", type, cameraTypes());
+  const bool toCamera = format == "camera";
+  if (!type.empty() && !toCamera) throw UsageError("--type goes with --to camera");
+  for (const char* option : {"--which", "--inverse", "--bake-viewport", "--relative-to-eye", "--float"})
+    if (toCamera && app.count(option) > 0)
+      throw UsageError(std::string(option) + " goes with matrices, not with --to camera");
   if (camera.given() && !file.empty()) throw UsageError("-c gives the camera already; leave out one of it and " + file);
   const CameraFile read = camera.read(file.empty() ? "-" : file);
+  if (toCamera) return runCamera(read, type, camera);
   set.convention = camera.writing(read);
   for (const WhichRow& row : chooseMatrices(which, read, wanted.bakeViewport)) {
     set.matrices.push_back({std::string(row.name), matrixOf(row.which, false, read, wanted, set.convention)});
@@ -128,9 +153,9 @@ int runMatrix(int argc, char** argv) {
       set.matrices.push_back(
           {std::string(row.name) + "Inverse", matrixOf(row.which, true, read, wanted, set.convention)});
   }
-  for (const NamedMatrix& named : set.matrices) requireRepresentable(named, set, read);
   if (wanted.relativeToEye && read.pose) set.eye = read.pose->eye;
-  writeOutput(writeMatrices(set, format));
+  set.bakesViewport = wanted.bakeViewport;
+  writeOutput(writeMatrices(set, format, read.name));
   return 0;
 }
 

@@ -25,9 +25,10 @@ struct Sample {
 /// Keeps the points of a stream.
 class SampleWork final : public RecordWork {
  public:
-  SampleWork(Sample& sample, const std::vector<std::string>& columns) : sample_(sample), columns_(columns) {}
+  SampleWork(Sample& sample, const std::vector<std::string>& columns, bool worldIsEcef)
+      : sample_(sample), columns_(columns), worldIsEcef_(worldIsEcef) {}
 
-  Layout find(const RecordParts& record) const override { return findPoint(record, columns_); }
+  Layout find(const RecordParts& record) const override { return findPoint(record, columns_, worldIsEcef_); }
   void nameResults(const Layout&, ResultSink&) const override {}
   void add(const Layout& layout, const Numbers& numbers) override {
     const Vec4 p = toPoint(layout, numbers);
@@ -42,6 +43,7 @@ class SampleWork final : public RecordWork {
  private:
   Sample& sample_;
   const std::vector<std::string>& columns_;
+  bool worldIsEcef_;
 };
 
 std::vector<std::string> notesOn(const Measurement& m, std::size_t leftOut) {
@@ -96,13 +98,14 @@ int runMeasure(int argc, char** argv) {
   const double duration = readSeconds(seconds);
   FilterSetup setup = stream.setup();
   stream.requireOneInput(setup, camera);
-  const Camera built = makeCamera(camera.read());
+  const CameraFile file = camera.read();
+  const Camera built = makeCamera(file);
   const std::vector<std::string> columns = stream.columns(3, 4);
   setup.csvDefaults = {"x", "y", "z", "w"};
   if (!columns.empty()) setup.csvDefaults = columns;
 
   Sample sample;
-  readRecords(setup, [&] { return std::make_unique<SampleWork>(sample, columns); });
+  readRecords(setup, [&] { return std::make_unique<SampleWork>(sample, columns, file.worldIsEcef); });
   if (sample.points.empty())
     throw InputError((setup.file == "-" ? kStandardInputName : setup.file) + ": has no points to measure" +
                      (sample.leftOut > 0 ? "; directions and weighted points are left out" : ""));

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <nlohmann/json.hpp>
 
+#include "input/camera_source.hpp"
 #include "input/convention_names.hpp"
 #include "input/error.hpp"
 #include "input/names.hpp"
@@ -61,11 +63,15 @@ std::vector<std::string> splitList(const std::string& text) {
 }
 
 void CameraOptions::add(CLI::App& app) {
-  app.add_option("-c,--camera", camera_, "Camera file, or the JSON itself")->type_name("FILE");
+  app.add_option("-c,--camera", camera_,
+                 "Camera file, or the JSON itself; glTF, transforms.json, three.js, calibration or matrices too")
+      ->type_name("FILE[#NAME]");
+  app.add_flag("--list", list_, "Name the cameras that the camera file holds, and do nothing else");
   app.add_option("--viewport", viewport_, "Viewport size, in place of the file's")->type_name("WxH");
   addRepeatable(app, "--set", set_, "Set a field of the camera, as in projection.fovY=75")->type_name("FIELD=VALUE");
   app.add_option("--read-as", readAs_, "Read the camera in this convention, in place of the file's")->type_name("NAME");
   app.add_flag("--allow-stretch", allowStretch_, "Let the camera's shape differ from the viewport's");
+  app.add_flag("--ignore-distortion", ignoreDistortion_, "Take a lens that distorts as one that does not");
 }
 
 void CameraOptions::addWriting(CLI::App& app) {
@@ -78,20 +84,28 @@ void CameraOptions::addWriting(CLI::App& app) {
 CameraFile CameraOptions::read(const std::string& source) const {
   const std::string& from = camera_.empty() ? source : camera_;
   if (from.empty()) throw UsageError("-c FILE is needed: the camera");
-  Document document(from, camera_.empty() ? "FILE" : "--camera");
+  const CameraSource picked = splitPick(from);
+  Document document(picked.file, camera_.empty() ? "FILE" : "--camera");
   if (!viewport_.empty()) {
     const std::size_t x = std::min(viewport_.find_first_of("xX"), viewport_.size() - 1);
     const auto width = parseNumber(viewport_.substr(0, x));
     const auto height = parseNumber(viewport_.substr(x + 1));
     if (!width || !height || !(*width > 0 && *height > 0))
       throw UsageError("--viewport " + viewport_ + ": expected WIDTHxHEIGHT, as in 1920x1080");
+    if (document.root().contains("viewport") && !document.root()["viewport"].is_object()) document.set("viewport=null");
     document.set("viewport.width=" + formatNumber(*width));
     document.set("viewport.height=" + formatNumber(*height));
   }
   for (const std::string& assignment : set_) document.set(assignment);
   if (!readAs_.empty() && !conventionPreset(readAs_)) failUnknown("--read-as", readAs_, presetNames());
-  return readCamera(document, {readAs_, allowStretch_});
+  if (list_) {
+    writeOutput(listCameras(document));
+    throw HelpGiven{};
+  }
+  return readAnyCamera(document, picked.pick, {readAs_, allowStretch_, ignoreDistortion_});
 }
+
+bool CameraOptions::fromStandardInput() const { return splitPick(camera_).file == "-"; }
 
 Convention CameraOptions::writing(const CameraFile& file) const {
   Convention c = file.convention;
@@ -114,7 +128,7 @@ void StreamOptions::addInput(CLI::App& app, const std::string& what) {
 
 void StreamOptions::add(CLI::App& app, const std::string& what) {
   addInput(app, what);
-  app.add_option("--to", to_, "Form of the output: ndjson, json, csv, text, f64")->type_name("FORM");
+  app.add_option("--to", to_, "Form of the output: ndjson, json, csv, text, f64, table")->type_name("FORM");
   app.add_option("--prefix", prefix_, "Put this in front of the results' names")->type_name("P");
   app.add_flag("--keep-going", keepGoing_, "Put an error record in a bad record's place and go on");
   app.add_option("--jobs", jobs_, "Threads to work with; the default is one a processor")->type_name("N");
@@ -127,11 +141,9 @@ void StreamOptions::add(CLI::App& app, const std::string& what) {
 FilterSetup StreamOptions::setup() const {
   static constexpr NameRow<Form> kFrom[] = {
       {"json", Form::json}, {"csv", Form::csv}, {"text", Form::text}, {"f64", Form::f64}};
-  static constexpr NameRow<OutputForm> kTo[] = {{"ndjson", OutputForm::lines},
-                                                {"json", OutputForm::array},
-                                                {"csv", OutputForm::csv},
-                                                {"text", OutputForm::text},
-                                                {"f64", OutputForm::f64}};
+  static constexpr NameRow<OutputForm> kTo[] = {{"ndjson", OutputForm::lines}, {"json", OutputForm::array},
+                                                {"csv", OutputForm::csv},      {"text", OutputForm::text},
+                                                {"f64", OutputForm::f64},      {"table", OutputForm::table}};
   FilterSetup setup;
   if (!file_.empty()) setup.file = file_;
   const bool plain = std::all_of(prefix_.begin(), prefix_.end(), [](unsigned char c) {

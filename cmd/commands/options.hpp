@@ -22,10 +22,11 @@ class CameraOptions {
   void add(CLI::App& app);
   void addWriting(CLI::App& app);
 
-  /// source: instead of -c, where it was not given.
+  /// source: instead of -c, where it was not given. Throws HelpGiven after --list.
   CameraFile read(const std::string& source = "") const;
   bool given() const { return !camera_.empty(); }
-  bool fromStandardInput() const { return camera_ == "-"; }
+  bool fromStandardInput() const;
+  bool allowsStretch() const { return allowStretch_; }
 
   /// The convention to write in: the file's world, and the axes that options name.
   Convention writing(const CameraFile& file) const;
@@ -33,7 +34,7 @@ class CameraOptions {
  private:
   std::string camera_, viewport_, readAs_, convention_, ndcZ_;
   std::vector<std::string> set_;
-  bool allowStretch_ = false, reverseZ_ = false;
+  bool allowStretch_ = false, reverseZ_ = false, ignoreDistortion_ = false, list_ = false;
   const CLI::Option* reverseZGiven_ = nullptr;
 };
 

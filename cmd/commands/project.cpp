@@ -2,19 +2,23 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <numeric>
 
 #include "commands/command.hpp"
 #include "commands/options.hpp"
 #include "input/error.hpp"
+#include "input/model.hpp"
 #include "input/names.hpp"
 #include "input/number.hpp"
 #include "input/points.hpp"
 #include "output/number.hpp"
+#include "output/side_names.hpp"
 #include "stream/filter.hpp"
 #include "viewproj/view/batch.hpp"
 #include "viewproj/view/clip.hpp"
+#include "viewproj/view/model.hpp"
 #include "viewproj/view/screen.hpp"
+#include "viewproj/view/segment.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -56,13 +60,9 @@ Fields chooseFields(const std::string& list, bool asText) {
 class Sides {
  public:
   explicit Sides(const ScreenPoint& p) {
-    static constexpr std::pair<Side, std::string_view> kNames[] = {
-        {sideLeft, "left"}, {sideRight, "right"}, {sideBottom, "bottom"},
-        {sideTop, "top"},   {sideNear, "near"},   {sideFar, "far"},
-    };
     if (p.status == PointStatus::behind) names_[count_++] = "behind";
-    for (const auto& [side, name] : kNames)
-      if (p.outside & side) names_[count_++] = name;
+    for (Side side : kSides)
+      if (p.outside & side) names_[count_++] = sideName(side);
   }
   std::span<const std::string_view> names() const { return {names_.data(), count_}; }
 
@@ -77,8 +77,41 @@ struct Projecting {
   std::optional<Precision> arithmetic;  ///< nothing: auto, within the tolerance
   double tolerance = 0;
   std::vector<std::string> columns;
+  bool worldIsEcef = false;
   Fields fields, textFields;
+  std::optional<Mat4> worldFromLocal = {};  ///< of a model that the points are in
+  Frustum frustum = {};                     ///< for segments
 };
+
+/// A segment among the points, and the pixel to find a point of it under.
+struct SegmentRow {
+  Vec3 a = {}, b = {};
+  std::optional<Vec2> pixel = {};
+  bool hasPixel = false;
+};
+
+/// Eight at a time, which compilers make vector instructions of: zero times a number is a number.
+bool areFinite(std::span<const Vec3> points) {
+  constexpr std::size_t kStep = 8;
+  const double* const numbers = points.empty() ? nullptr : &points[0].x;
+  const std::size_t count = 3 * points.size();
+  std::array<double, kStep> zeros = {};
+  std::size_t i = 0;
+  for (; i + kStep <= count; i += kStep)
+    for (std::size_t lane = 0; lane < kStep; ++lane) zeros[lane] += 0 * numbers[i + lane];
+  for (; i < count; ++i) zeros[0] += 0 * numbers[i];
+  return std::accumulate(zeros.begin(), zeros.end(), 0.0) == 0;
+}
+
+/// How many from the start are finite points whose numbers on the screen exist or are NaN. What overflowed has no
+/// value: the writer knows what becomes of it.
+std::size_t countUsable(std::span<const Vec3> points, std::span<const Vec3> screen) {
+  if (areFinite(screen)) return screen.size();  // then so are the points
+  const auto overflowed = [](const Vec3& p) { return std::isinf(p.x) || std::isinf(p.y) || std::isinf(p.z); };
+  std::size_t i = 0;
+  while (i < screen.size() && isFinite(points[i]) && !overflowed(screen[i])) ++i;
+  return i;
+}
 
 bool isScreenAndDepth(const Fields& fields) {
   return fields.wanted == std::vector{ResultField::screen, ResultField::depth};
@@ -89,11 +122,30 @@ class ProjectWork final : public RecordWork {
   explicit ProjectWork(const Projecting& how)
       : how_(how), chosen_(how.arithmetic ? *how.arithmetic : precisionWithin(how.camera, how.tolerance)) {}
 
-  Layout find(const RecordParts& record) const override { return findPoint(record, how_.columns); }
-  void nameResults(const Layout&, ResultSink& sink) const override { writeFields({}, {0, 0, 0, 1}, sink); }
+  Layout find(const RecordParts& record) const override {
+    if (const auto segment = findSegment(record)) return *segment;
+    return findPoint(record, how_.columns, how_.worldIsEcef);
+  }
 
-  void add(const Layout& layout, const Numbers& numbers) override {
-    const Vec4 point = toPoint(layout, numbers);
+  void nameResults(const Layout& layout, ResultSink& sink) const override {
+    if (layout.kind == kindSegment || layout.kind == kindSegmentAndPixel)
+      writeSegment({.hasPixel = layout.kind == kindSegmentAndPixel}, sink);
+    else
+      writeFields({}, {0, 0, 0, 1}, sink);
+  }
+
+  void add(const Layout& layout, const Numbers& n) override {
+    Vec4 point{0, 0, 0, 1};
+    if (layout.kind == kindSegment || layout.kind == kindSegmentAndPixel) {
+      SegmentRow segment{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, {}, layout.kind == kindSegmentAndPixel};
+      if (segment.hasPixel && !std::isnan(n[6])) segment.pixel = Vec2{n[6], n[7]};
+      segment.a = placed(segment.a);
+      segment.b = placed(segment.b);
+      segments_.emplace_back(points_.size(), segment);
+    } else {
+      point = toPoint(layout, n);
+      if (how_.worldFromLocal) point = toWorld(*how_.worldFromLocal, point);
+    }
     points_.push_back(point);
     positions_.push_back({point.x, point.y, point.z});
   }
@@ -110,33 +162,67 @@ class ProjectWork final : public RecordWork {
                                      : worldToScreenWithin(how_.camera, chosen_, points_[i]);
   }
 
-  void write(std::size_t i, ResultSink& sink) override { writeFields(screen_[i], points_[i], sink); }
+  void write(std::size_t i, ResultSink& sink) override {
+    if (nextSegment_ < segments_.size() && segments_[nextSegment_].first == i)
+      writeSegment(segments_[nextSegment_++].second, sink);
+    else
+      writeFields(screen_[i], points_[i], sink);
+  }
 
   void clear() override {
+    segments_.clear();
+    nextSegment_ = 0;
     points_.clear();
     positions_.clear();
   }
 
   std::size_t convert(std::span<const double> in, TextBuffer& out) override {
-    if (!isScreenAndDepth(how_.textFields)) return 0;
-    const auto usable = [](double v) { return std::fabs(v) <= std::numeric_limits<double>::max(); };
-    const std::size_t count = static_cast<std::size_t>(std::find_if_not(in.begin(), in.end(), usable) - in.begin()) / 3;
-    const std::size_t bytes = count * sizeof(Vec3);
-    char* const room = out.room(bytes);
+    if (!isScreenAndDepth(how_.textFields) || how_.worldFromLocal) return 0;
+    const std::size_t count = in.size() / 3;
+    char* const room = out.room(count * sizeof(Vec3));
     const std::span points(reinterpret_cast<const Vec3*>(in.data()), count);
     const std::span screen(reinterpret_cast<Vec3*>(room), count);
     if (how_.arithmetic)
       worldToScreen(how_.camera, points, screen, chosen_);
     else
       worldToScreenWithin(how_.camera, how_.tolerance, points, screen);
-    // What overflowed has no value: the writer knows what becomes of it.
-    const auto overflowed = [](const Vec3& p) { return std::isinf(p.x) || std::isinf(p.y) || std::isinf(p.z); };
-    const auto good = static_cast<std::size_t>(std::find_if(screen.begin(), screen.end(), overflowed) - screen.begin());
+    const std::size_t good = countUsable(points, screen);
     out.written(room + good * sizeof(Vec3));
     return good;
   }
 
  private:
+  Vec3 placed(const Vec3& local) const {
+    if (!how_.worldFromLocal) return local;
+    const Vec4 world = toWorld(*how_.worldFromLocal, {local.x, local.y, local.z, 1});
+    return {world.x, world.y, world.z};
+  }
+
+  void writeSegment(const SegmentRow& row, ResultSink& sink) const {
+    if (sink.isText() || sink.hasFixedColumns())
+      throw RecordError(0, "has a segment, whose results have no place in columns; write JSON");
+    const VisibleSegment segment = clipSegment(how_.frustum, row.a, row.b);
+    sink.flag("visible", segment.visible);
+    const auto writeEnd = [&](std::string_view name, const SegmentEnd& end) {
+      sink.group(name, segment.visible, [&](ResultSink& part) {
+        part.number("t", end.t);
+        part.vector("screen", std::array{end.screen.x, end.screen.y});
+        part.number("depth", end.depth);
+        part.number("viewDistance", end.viewDistance);
+        part.word("cutBy", sideName(end.side));
+      });
+    };
+    writeEnd("start", segment.start);
+    writeEnd("end", segment.end);
+    if (!row.hasPixel) return;
+    sink.group("under", segment.visible && row.pixel, [&](ResultSink& part) {
+      const double t = parameterUnder(how_.frustum, segment, *row.pixel);
+      const Vec3 point = pointAlong(row.a, row.b, t);
+      part.number("t", t);
+      part.vector("point", std::array{point.x, point.y, point.z});
+    });
+  }
+
   void writeFields(const ScreenPoint& p, const Vec4& point, ResultSink& sink) const {
     const Fields& fields = sink.isText() ? how_.textFields : how_.fields;
     const Camera& camera = how_.camera;
@@ -179,8 +265,10 @@ class ProjectWork final : public RecordWork {
 
   const Projecting& how_;
   Precision chosen_;
-  std::vector<Vec4> points_;
+  std::vector<Vec4> points_;  ///< a segment has a place among them that is not used
   std::vector<Vec3> positions_;
+  std::vector<std::pair<std::size_t, SegmentRow>> segments_;
+  std::size_t nextSegment_ = 0;
   std::vector<ScreenPoint> screen_;
 };
 
@@ -210,7 +298,7 @@ int runProject(int argc, char** argv) {
   PrecisionOption precision;
   ToleranceOption tolerance;
   std::vector<std::string> points;
-  std::string fieldList;
+  std::string fieldList, model;
   camera.add(app);
   camera.addWriting(app);
   stream.add(app, "points");
@@ -220,6 +308,8 @@ int runProject(int argc, char** argv) {
   app.add_option("--fields", fieldList,
                  "Results to give: screen,depth,viewDistance,visible,outside,ndc,clip,view,bound")
       ->type_name("NAMES");
+  app.add_option("--model", model, "Where the points' model stands: a matrix, or translation, rotation and scale")
+      ->type_name("FILE");
   parse(app, argc, argv);
 
   FilterSetup setup = stream.setup();
@@ -231,8 +321,11 @@ int runProject(int argc, char** argv) {
                  .arithmetic = precision.value(),
                  .tolerance = tolerance.value(),
                  .columns = stream.columns(3, 4),
+                 .worldIsEcef = file.worldIsEcef,
                  .fields = chooseFields(fieldList, false),
                  .textFields = chooseFields(fieldList, true)};
+  how.frustum = viewFrustum(how.camera);
+  if (!model.empty()) how.worldFromLocal = readModel(model);
   if (how.arithmetic && tolerance.given()) throw UsageError("--tolerance is for --precision auto, which chooses by it");
   setup.csvDefaults = {"x", "y", "z", "w"};
   if (!how.columns.empty()) setup.csvDefaults = how.columns;

@@ -1,6 +1,7 @@
 // viewproj ray: pixels to rays, and to the points behind them.
 #include "viewproj/view/ray.hpp"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -9,7 +10,12 @@
 #include "input/error.hpp"
 #include "input/number.hpp"
 #include "input/points.hpp"
+#include "input/scene.hpp"
 #include "output/number.hpp"
+#include "stream/filter.hpp"
+#include "viewproj/camera/geodesy.hpp"
+#include "viewproj/view/hits.hpp"
+#include "viewproj/view/screen.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -35,6 +41,15 @@ struct Casting {
   RayOrigin origin = RayOrigin::eye;
   bool wantBound = false;
   std::vector<std::string> columns;
+  std::optional<std::vector<SceneObject>> scene = {};
+  bool sceneHasEllipsoid = false;
+  bool allHits = false;
+  bool clipped = false;  ///< hits between near and far alone
+};
+
+struct SceneHit {
+  const SceneObject* object = nullptr;
+  Hit hit;
 };
 
 class RayWork final : public RecordWork {
@@ -62,9 +77,56 @@ class RayWork final : public RecordWork {
     }
     sink.vector("origin", toArray(ray.origin));
     sink.vector("direction", toArray(ray.direction));
-    if (!pixel.hasDistance && !sink.hasFixedColumns()) return;
-    sink.vector("point", toArray(point.position));
-    if (how_.wantBound) sink.number("bound", point.status == DepthStatus::point && pixel.screen ? point.bound : kNaN);
+    if (pixel.hasDistance || sink.hasFixedColumns()) {
+      sink.vector("point", toArray(point.position));
+      const bool bounded = point.status == DepthStatus::point && pixel.screen;
+      if (how_.wantBound) sink.number("bound", bounded ? point.bound : kNaN);
+    }
+    if (how_.scene) writeHits(ray, sink);
+  }
+
+  void writeHits(const Ray& ray, ResultSink& sink) const {
+    const std::vector<SceneHit> hits = hitsOf(ray);
+    if (how_.allHits) {
+      sink.list("hits", hits.size(), [&](ResultSink& part, std::size_t i) { writeHit(hits[i], part); });
+      return;
+    }
+    const SceneHit none{nullptr, {kNaN, {kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}}};
+    sink.group("hit", !hits.empty(), [&](ResultSink& part) { writeHit(hits.empty() ? none : hits.front(), part); });
+  }
+
+  void writeHit(const SceneHit& hit, ResultSink& sink) const {
+    sink.json("id", hit.object ? std::string_view(hit.object->id) : "null");
+    sink.number("distance", hit.hit.distance);
+    sink.vector("point", toArray(hit.hit.point));
+    sink.vector("normal", toArray(hit.hit.normal));
+    // Only points of the Earth are places; where columns are fixed, they are empty for the others.
+    const bool onEllipsoid = hit.object && std::holds_alternative<Ellipsoid>(hit.object->shape);
+    if (!onEllipsoid && !(sink.hasFixedColumns() && how_.sceneHasEllipsoid)) return;
+    const Geodetic place = onEllipsoid ? ecefToGeodetic(hit.hit.point) : Geodetic{kNaN, kNaN, kNaN};
+    sink.number("lat", place.lat);
+    sink.number("lon", place.lon);
+    sink.number("height", place.height);
+  }
+
+  /// Nearest first; of hits at the same distance, in the scene's order.
+  std::vector<SceneHit> hitsOf(const Ray& ray) const {
+    std::vector<SceneHit> found;
+    for (const SceneObject& object : *how_.scene)
+      std::visit(
+          [&](const auto& shape) {
+            for (const Hit& hit : intersect(ray, shape))
+              if (!how_.clipped || isBetweenNearAndFar(hit)) found.push_back({&object, hit});
+          },
+          object.shape);
+    std::stable_sort(found.begin(), found.end(),
+                     [](const SceneHit& a, const SceneHit& b) { return a.hit.distance < b.hit.distance; });
+    return found;
+  }
+
+  bool isBetweenNearAndFar(const Hit& hit) const {
+    const ScreenPoint p = worldToScreen(how_.camera, hit.point);
+    return p.status == PointStatus::inFront && (p.outside & (sideNear | sideFar)) == 0;
   }
 
   const Casting& how_;
@@ -97,7 +159,8 @@ int runRay(int argc, char** argv) {
   PrecisionOption precision;
   std::vector<std::string> pixels;
   std::string from = "eye";
-  bool wantBound = false;
+  bool wantBound = false, allHits = false, clipped = false;
+  std::string scene;
   camera.add(app);
   stream.add(app, "pixels");
   precision.add(app);
@@ -106,8 +169,13 @@ int runRay(int argc, char** argv) {
       ->type_name("PLACE");
   app.add_flag("--bound", wantBound,
                "Give each point's bound: how far it can be from the true one if its depth was rounded to double");
+  app.add_option("--scene", scene, "Scene to shoot at: the nearest hit of each ray")->type_name("FILE");
+  app.add_flag("--all-hits", allHits, "Every hit with the scene, nearest first");
+  app.add_flag("--clipped", clipped, "Only hits between near and far");
   parse(app, argc, argv);
 
+  if (scene.empty() && (allHits || clipped))
+    throw UsageError(std::string(allHits ? "--all-hits" : "--clipped") + " is for --scene, which is not given");
   FilterSetup setup = stream.setup();
   setup.given = recordsOf(pixels);
   stream.requireOneInput(setup, camera);
@@ -117,11 +185,18 @@ int runRay(int argc, char** argv) {
   }
   // Rays are within kRayDirectionBound in standard already: fast and auto need nothing else.
   const bool exact = precision.value() == Precision::exact;
-  const Casting how{.camera = makeCamera(camera.read()),
-                    .arithmetic = exact ? Precision::exact : Precision::standard,
-                    .origin = from == "near" ? RayOrigin::nearPlane : RayOrigin::eye,
-                    .wantBound = wantBound,
-                    .columns = stream.columns(2, 2)};
+  Casting how{.camera = makeCamera(camera.read()),
+              .arithmetic = exact ? Precision::exact : Precision::standard,
+              .origin = from == "near" ? RayOrigin::nearPlane : RayOrigin::eye,
+              .wantBound = wantBound,
+              .columns = stream.columns(2, 2),
+              .allHits = allHits,
+              .clipped = clipped};
+  if (!scene.empty()) {
+    how.scene = readScene(scene);
+    for (const SceneObject& object : *how.scene)
+      how.sceneHasEllipsoid |= std::holds_alternative<Ellipsoid>(object.shape);
+  }
   setup.csvDefaults = {"x", "y", "depth"};
   if (!how.columns.empty()) setup.csvDefaults = how.columns;
   setup.writer.arrayName = "screen";

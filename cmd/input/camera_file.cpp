@@ -6,17 +6,17 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "input/convention_fields.hpp"
 #include "input/convention_names.hpp"
 #include "input/error.hpp"
+#include "input/geodetic.hpp"
 #include "input/names.hpp"
 #include "output/number.hpp"
+#include "input/viewport_fields.hpp"
 #include "viewproj/camera/error.hpp"
 
 namespace viewproj::cmd {
 namespace {
-
-/// A camera shape this much off the viewport's is an error.
-constexpr double kAspectTolerance = 1e-3;
 
 struct ReadProjection {
   Projection projection;
@@ -124,7 +124,7 @@ ReadProjection readIntrinsics(Context in) {
 }
 
 /// x = cx + ax scrz X/Z, y = cy + ay scrz Y/Z. zMin and zMax, and where the picture lies, are the viewport's: see
-/// readViewport.
+/// readPs2Viewport.
 ReadProjection readPs2(Context in) {
   const ObjectReader& f = in.fields;
   f.allow({"type", "scrz", "ax", "ay", "cx", "cy", "zMin", "zMax", "near", "far", "shift"});
@@ -147,100 +147,42 @@ constexpr std::pair<std::string_view, ProjectionReader> kProjectionTypes[] = {
     {"orthographic", readOrthographic}, {"ps2", readPs2},
 };
 
-Convention presetOrFail(const ObjectReader& fields, std::string_view key, const std::string& name) {
-  if (const auto preset = conventionPreset(name)) return *preset;
-  fields.fail(key, "is not a known convention" + suggestion(name, presetNames()));
-}
-
-Convention readConvention(const ObjectReader& camera, const std::string& fallback) {
-  const Convention base = *conventionPreset(fallback);
-  if (!camera.has("convention")) return base;
-  if (camera.isString("convention")) return presetOrFail(camera, "convention", *camera.string("convention"));
-  const ObjectReader fields = *camera.object("convention");
-  fields.allow({"preset", "world", "view", "ndcZ", "reverseZ", "ndcY", "vectors", "storage"});
-  Convention c = base;
-  if (const auto name = fields.string("preset")) c = presetOrFail(fields, "preset", *name);
-  c.world = fields.choice("world", kWorldNames).value_or(c.world);
-  c.view = fields.choice("view", kViewNames).value_or(c.view);
-  c.ndcZ = fields.choice("ndcZ", kNdcZNames).value_or(c.ndcZ);
-  c.reverseZ = fields.flag("reverseZ").value_or(c.reverseZ);
-  c.ndcY = fields.choice("ndcY", kNdcYNames).value_or(c.ndcY);
-  c.vectors = fields.choice("vectors", kVectorsNames).value_or(c.vectors);
-  c.storage = fields.choice("storage", kStorageNames).value_or(c.storage);
-  return c;
-}
-
-/// The preset the file names, or an empty string.
-std::string presetNameOf(const nlohmann::json& root) {
-  const auto convention = root.find("convention");
-  if (convention == root.end()) return "";
-  if (convention->is_string()) return convention->get<std::string>();
-  if (convention->is_object() && convention->contains("preset") && (*convention)["preset"].is_string())
-    return (*convention)["preset"].get<std::string>();
-  return "";
-}
-
-struct ReadViewport {
-  Viewport frame;
-  std::optional<Crop> crop;
-};
-
-std::optional<ReadViewport> readViewport(const ObjectReader& camera, const std::string& preset,
-                                         const std::optional<ObjectReader>& projection, bool isPs2) {
-  const auto fields = camera.object("viewport");
-  if (!fields) return std::nullopt;
-  fields->allow({"width", "height", "x", "y", "depthRange", "origin", "pixelCenter", "crop"});
-  Viewport v;
-  v.width = fields->requireNumber("width");
-  v.height = fields->requireNumber("height");
-  v.x = fields->numberOr("x", 0);
-  v.y = fields->numberOr("y", 0);
-  v.pixelCenter = fields->numberOr("pixelCenter", preset == "opencv" ? 0 : 0.5);
-  v.origin = fields->choice("origin", kOriginNames).value_or(Origin::topLeft);
-  if (const auto range = fields->numbers("depthRange", 2, 2)) {
-    v.depthFirst = (*range)[0];
-    v.depthSecond = (*range)[1];
-  }
-  if (isPs2) {
+/// A ps2 projection says itself where the picture lies.
+std::optional<ReadViewport> readPs2Viewport(const ObjectReader& camera, const ObjectReader& projection,
+                                            double pixelCenter) {
+  if (const auto fields = camera.object("viewport"))
     for (const char* name : {"x", "y", "depthRange"})
       if (fields->has(name)) fields->fail(name, "is already given by the ps2 projection's cx, cy, zMin and zMax");
-    v.x = projection->requireNumber("cx") - v.width / 2;
-    v.y = projection->requireNumber("cy") - v.height / 2;
-    v.depthFirst = projection->requireNumber("zMin");
-    v.depthSecond = projection->requireNumber("zMax");
-  }
-  std::optional<Crop> crop;
-  if (const auto tile = fields->object("crop")) {
-    tile->allow({"x", "y", "width", "height"});
-    crop = Crop{tile->requireNumber("x"), tile->requireNumber("y"), tile->requireNumber("width"),
-                tile->requireNumber("height")};
-  }
+  auto read = readViewport(camera, {.pixelCenter = pixelCenter});
+  if (!read) return std::nullopt;
+  Viewport& v = read->frame;
+  v.x = projection.requireNumber("cx") - v.width / 2;
+  v.y = projection.requireNumber("cy") - v.height / 2;
+  v.depthFirst = projection.requireNumber("zMin");
+  v.depthSecond = projection.requireNumber("zMax");
   validate(v);
-  return ReadViewport{v, crop};
-}
-
-void requireViewportShape(const ReadProjection& read, const Viewport& viewport, const ObjectReader& projection) {
-  const double window = windowAspect(read.projection).hi;
-  const double picture = viewport.width / viewport.height;
-  if (std::fabs(window - picture) <= kAspectTolerance * picture) return;
-  projection.fail("is " + formatNumber(window) + " times as wide as high, but the viewport " + formatNumber(picture) +
-                  " times; change one of them, or give --allow-stretch");
+  return read;
 }
 
 std::optional<Pose> readPose(const ObjectReader& camera, const Convention& convention, const std::string& preset) {
   static constexpr std::string_view kWays[] = {"target", "direction", "rotation", "worldFromCamera", "cameraFromWorld"};
   std::string given;
   int ways = 0;
+  const auto count = [&](std::string_view way) {
+    ++ways;
+    given += (given.empty() ? "" : " and ") + std::string(way);
+  };
   for (std::string_view way : kWays)
-    if (camera.has(way)) {
-      ++ways;
-      given += (given.empty() ? "" : " and ") + std::string(way);
-    }
-  const auto position = camera.vec3("position");
+    if (camera.has(way)) count(way);
+  const char* const turn = turnOf(camera);
+  if (turn) count(turn);
+  const auto place = readPlace(camera, "position");
+  const auto position = readPosition(camera, "position");
   const auto up = camera.vec3("up");
   const auto axes = camera.choice("cameraAxes", kCameraAxesNames);
   if (ways > 1) camera.fail("has " + given + "; one of them is expected");
   if (ways == 0) {
+    if (place) camera.fail("position", "needs a heading, a target, a direction or a rotation beside it");
     if (position) camera.fail("position", "needs a target, a direction or a rotation beside it");
     if (up) camera.fail("up", "needs a position and a target or direction beside it");
     if (axes) camera.fail("cameraAxes", "needs a rotation or a pose matrix beside it");
@@ -251,14 +193,23 @@ std::optional<Pose> readPose(const ObjectReader& camera, const Convention& conve
   if (!isMatrix && !position) camera.fail("needs position beside " + given);
   const bool looks = camera.has("target") || camera.has("direction");
   if (!looks && up) camera.fail("up", "goes with target or direction");
-  if (looks && axes) camera.fail("cameraAxes", "goes with rotation, worldFromCamera or cameraFromWorld");
+  if (axes && (looks || turn)) camera.fail("cameraAxes", "goes with rotation, worldFromCamera or cameraFromWorld");
+  if (turn && !place) camera.fail(turn, "goes with a position by lat, lon and height");
 
-  const Vec3 defaultUp = preset == "unreal" ? Vec3{0, 0, 1} : Vec3{0, 1, 0};
+  if (turn) return poseFromHeadingPitchRoll(*place, readTurn(camera));
   const CameraAxes cameraAxes = axes.value_or(CameraAxes::RUB);
   const Handedness world = convention.world;
-  if (const auto target = camera.vec3("target")) return lookAt(*position, *target, up.value_or(defaultUp), world);
-  if (const auto direction = camera.vec3("direction"))
-    return lookAlong(*position, *direction, up.value_or(defaultUp), world);
+  if (looks) {
+    const auto targetPlace = readPlace(camera, "target");
+    if (place && targetPlace && !up) return lookAtPlace(*place, *targetPlace);
+    const auto look = [&](const auto& upward) {
+      if (const auto target = readPosition(camera, "target")) return lookAt(*position, *target, upward, world);
+      return lookAlong(*position, *camera.vec3("direction"), upward, world);
+    };
+    if (up) return look(*up);
+    if (worldIsEcef(camera)) return look(ellipsoidNormal(place ? *place : ecefToGeodetic(*position)));
+    return look(preset == "unreal" ? Vec3{0, 0, 1} : Vec3{0, 1, 0});
+  }
   if (const auto q = camera.numbers("rotation", 4, 4))
     return poseFromRotation(*position, {(*q)[0], (*q)[1], (*q)[2], (*q)[3]}, cameraAxes, world);
   if (const auto matrix = camera.mat4("worldFromCamera")) return poseFromWorldFromCamera(*matrix, cameraAxes, world);
@@ -267,8 +218,9 @@ std::optional<Pose> readPose(const ObjectReader& camera, const Convention& conve
 
 /// Where a field that the library complains about stands in the file.
 Path pathOf(const std::string& field) {
-  static constexpr std::string_view kPoseFields[] = {"position", "target",          "direction",      "up",
-                                                     "rotation", "worldFromCamera", "cameraFromWorld"};
+  static constexpr std::string_view kPoseFields[] = {
+      "position",        "target",          "direction", "up",    "rotation",
+      "worldFromCamera", "cameraFromWorld", "heading",   "pitch", "roll"};
   for (std::string_view pose : kPoseFields)
     if (field == pose) return {field};
   if (field == "projection") return {field};
@@ -280,7 +232,7 @@ Path pathOf(const std::string& field) {
 CameraFile readChecked(const Document& document, const CameraReading& reading) {
   const ObjectReader camera(document, document.root(), {});
   camera.allow({"convention", "position", "target", "direction", "up", "rotation", "worldFromCamera", "cameraFromWorld",
-                "cameraAxes", "projection", "viewport", "name", "$schema"});
+                "cameraAxes", "heading", "pitch", "roll", "world", "projection", "viewport", "name", "$schema"});
   CameraFile file;
   file.name = document.name();
 
@@ -293,31 +245,38 @@ CameraFile readChecked(const Document& document, const CameraReading& reading) {
   }
   const bool isPs2 = readType == readPs2;
 
-  std::string preset = reading.readAs.empty() ? presetNameOf(document.root()) : reading.readAs;
-  if (preset.empty()) preset = isPs2 ? "ps2" : "opengl";
+  const std::string fallback = isPs2 ? "ps2" : "opengl";
+  StatedConvention stated{*conventionPreset(reading.readAs.empty() ? fallback : reading.readAs), reading.readAs};
   if (reading.readAs.empty())
-    file.convention = readConvention(camera, isPs2 ? "ps2" : "opengl");
-  else
-    file.convention = *conventionPreset(reading.readAs);
+    if (const auto own = readConvention(camera, stated.convention)) stated = *own;
+  const std::string preset = stated.preset.empty() ? fallback : stated.preset;
+  file.convention = stated.convention;
   if (isPs2 && !file.convention.reverseZ)
     camera.fail("convention",
                 "has reverseZ false, but a ps2 projection maps near to zMax: leave the convention out "
                 "to read the file as ps2, and --convention says how to write");
 
+  file.worldIsEcef = worldIsEcef(camera);
+  if (file.worldIsEcef && file.convention.world == Handedness::left)
+    camera.fail("convention",
+                "makes the world left-handed, but Earth-centred coordinates are right-handed: read the file in a "
+                "right-handed convention, and --convention says how to write");
   file.pose = readPose(camera, file.convention, preset);
-  const auto viewport = readViewport(camera, preset, projection, isPs2);
+  const double pixelCenter = preset == "opencv" ? 0 : 0.5;
+  const auto viewport =
+      isPs2 ? readPs2Viewport(camera, *projection, pixelCenter) : readViewport(camera, {.pixelCenter = pixelCenter});
   std::optional<Viewport> frame;
   if (viewport) frame = viewport->frame;
   if (projection) {
     ReadProjection read = readType({*projection, frame});
     if (frame && read.hasOwnShape && !read.hasOwnPixelShape && !reading.allowStretch)
-      requireViewportShape(read, *frame, *projection);
+      requireShape(windowAspect(read.projection), *frame, *projection);
     if (const auto shift = projection->numbers("shift", 2, 2))
       read.projection = shifted(read.projection, (*shift)[0], (*shift)[1]);
     if (viewport && viewport->crop) read.projection = cropped(read.projection, *frame, *viewport->crop);
     file.projection = read.projection;
   }
-  if (viewport) file.viewport = viewport->crop ? cropped(*frame, *viewport->crop) : *frame;
+  if (viewport) file.viewport = viewport->tile();
   return file;
 }
 

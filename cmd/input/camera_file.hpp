@@ -9,6 +9,9 @@
 
 namespace viewproj::cmd {
 
+/// A camera shape that differs from the viewport's by more than this share of it is an error.
+inline constexpr double kAspectTolerance = 1e-3;
+
 /// What a camera file holds. A file may lack a part that the command does not need.
 struct CameraFile {
   std::string name;
@@ -16,11 +19,13 @@ struct CameraFile {
   std::optional<Projection> projection;
   std::optional<Viewport> viewport;
   Convention convention;
+  bool worldIsEcef = false;  ///< Earth-centred metres: points may be given by lat, lon, height
 };
 
 struct CameraReading {
   std::string readAs;  ///< a preset's name, or empty for the file's own convention
   bool allowStretch = false;
+  bool ignoreDistortion = false;
 };
 
 /// Throws InputError with the place of what is wrong.

@@ -1,10 +1,12 @@
 #include "input/document.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "input/error.hpp"
 #include "input/file.hpp"
+#include "input/glb.hpp"
 #include "input/json_text.hpp"
 #include "input/names.hpp"
 
@@ -80,14 +82,14 @@ std::string dotted(const Path& path) {
   return text;
 }
 
-Document::Document(const std::string& source, const std::string& option) {
+Document::Document(const std::string& source, const std::string& option, const char* arrayKey) {
   const std::size_t first = source.find_first_not_of(" \t\r\n");
-  if (first != std::string::npos && source[first] == '{') {
+  if (first != std::string::npos && (source[first] == '{' || (arrayKey && source[first] == '['))) {
     name_ = option;
     text_ = source;
   } else {
     name_ = source == "-" ? kStandardInputName : source;
-    text_ = readWholeFile(source, kMostBytes);
+    text_ = readJsonFile(source, kMostBytes);
   }
   if (text_.starts_with("\xEF\xBB\xBF")) text_.erase(0, 3);
   if (const auto at = tooDeepAt(text_))
@@ -97,6 +99,7 @@ Document::Document(const std::string& source, const std::string& option) {
   if (const auto twice = keyGivenTwice(text_))
     throw InputError(place(name_, positionAt(text_, twice->offset)) + ": the key '" + twice->key + "' is given twice");
   root_ = std::make_unique<nlohmann::json>(nlohmann::json::parse(text_));
+  if (arrayKey && root_->is_array()) *root_ = {{arrayKey, std::move(*root_)}};
   if (!root_->is_object()) throw InputError(place(name_, {}) + ": expected a JSON object");
 }
 
@@ -112,30 +115,58 @@ void Document::set(const std::string& assignment) {
   if (value.is_discarded()) value = text;
 
   nlohmann::json* at = root_.get();
+  const auto element = [&](const std::string& step) {
+    std::size_t index = 0;
+    const auto [end, error] = std::from_chars(step.data(), step.data() + step.size(), index);
+    if (error != std::errc() || end != step.data() + step.size() || index >= at->size())
+      throw UsageError("--set " + assignment + ": there is no element " + step + " of " + std::to_string(at->size()));
+    return index;
+  };
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    if (at->is_array()) {
+      at = &(*at)[element(path[i])];
+      continue;
+    }
     if (value.is_null() && !at->contains(path[i])) return;
     nlohmann::json& next = (*at)[path[i]];
     if (path[i] == "convention" && next.is_string()) next = {{"preset", next}};
     if (next.is_null()) next = nlohmann::json::object();
-    if (!next.is_object()) throw UsageError("--set " + assignment + ": " + path[i] + " is not an object");
+    if (!next.is_structured()) throw UsageError("--set " + assignment + ": " + path[i] + " is not an object");
     at = &next;
   }
-  if (value.is_null())
+  if (at->is_array())
+    (*at)[element(path.back())] = value;
+  else if (!at->is_object())
+    throw UsageError("--set " + assignment + ": " + path[path.size() - 2] + " is not an object");
+  else if (value.is_null())
     at->erase(path.back());
   else
     (*at)[path.back()] = value;
   set_.insert(dotted(path));
+  if (!value.is_null()) unread_.insert(dotted(path));
+}
+
+void Document::noteRead(const Path& path, bool andBelow) const {
+  if (unread_.empty()) return;
+  const std::string name = dotted(path);
+  std::erase_if(unread_,
+                [&](const std::string& set) { return set == name || (andBelow && set.starts_with(name + ".")); });
+}
+
+void Document::requireSetsRead(const std::string& form) const {
+  if (!unread_.empty()) throw InputError("--set " + *unread_.begin() + ": is no field that is read of " + form);
 }
 
 void Document::fail(const Path& path, const std::string& message, bool showValue) const {
   const nlohmann::json* value = root_.get();
   for (const std::string& step : path) {
-    const auto found = value->is_object() ? value->find(step) : value->end();
-    if (found == value->end()) {
-      value = nullptr;
-      break;
-    }
-    value = &*found;
+    const nlohmann::json* next = nullptr;
+    if (value->is_object() && value->contains(step)) next = &value->at(step);
+    if (value->is_array())
+      for (std::size_t i = 0; i < value->size(); ++i)
+        if (std::to_string(i) == step) next = &value->at(i);
+    value = next;
+    if (!value) break;
   }
   const std::string what =
       (path.empty() ? "" : dotted(path) + ": ") + message + (value && showValue ? shown(*value) : "");
@@ -162,7 +193,11 @@ void ObjectReader::fail(const std::string& message) const { document_->fail(path
 
 const nlohmann::json* ObjectReader::find(std::string_view key) const {
   const auto found = object_->find(key);
-  return found == object_->end() || found->is_null() ? nullptr : &*found;
+  if (found == object_->end() || found->is_null()) return nullptr;
+  // The objects within are read on their own.
+  const bool hasObjects = found->is_object() || (found->is_array() && !found->empty() && found->front().is_object());
+  document_->noteRead(pathOf(key), !hasObjects);
+  return &*found;
 }
 
 bool ObjectReader::has(std::string_view key) const { return find(key) != nullptr; }
@@ -170,6 +205,11 @@ bool ObjectReader::has(std::string_view key) const { return find(key) != nullptr
 bool ObjectReader::isString(std::string_view key) const {
   const nlohmann::json* value = find(key);
   return value && value->is_string();
+}
+
+bool ObjectReader::isObject(std::string_view key) const {
+  const nlohmann::json* value = find(key);
+  return value && value->is_object();
 }
 
 std::optional<double> ObjectReader::number(std::string_view key) const {
@@ -234,10 +274,85 @@ std::optional<Mat4> ObjectReader::mat4(std::string_view key) const {
   return matrix;
 }
 
+std::optional<std::string> ObjectReader::label(std::string_view key) const {
+  const nlohmann::json* value = find(key);
+  if (!value) return std::nullopt;
+  if (!value->is_string() && !value->is_number()) fail(key, "expected a string or a number");
+  return value->dump();
+}
+
+std::optional<std::vector<Vec3>> ObjectReader::vec3s(std::string_view key, std::size_t count) const {
+  const nlohmann::json* value = find(key);
+  if (!value) return std::nullopt;
+  std::vector<Vec3> vectors;
+  for (const auto& item : *value) {
+    const bool good = item.is_array() && item.size() == 3 &&
+                      std::all_of(item.begin(), item.end(), [](const auto& v) { return v.is_number(); });
+    if (!good) break;
+    vectors.push_back({item[0].get<double>(), item[1].get<double>(), item[2].get<double>()});
+  }
+  if (!value->is_array() || vectors.size() != count || value->size() != count)
+    fail(key, "expected " + std::to_string(count) + " points [x, y, z]");
+  return vectors;
+}
+
 std::optional<ObjectReader> ObjectReader::object(std::string_view key) const {
   const nlohmann::json* value = find(key);
   if (!value) return std::nullopt;
   return ObjectReader(*document_, *value, pathOf(key));
+}
+
+std::vector<ObjectReader> ObjectReader::objects(std::string_view key) const {
+  const nlohmann::json* value = find(key);
+  if (!value) return {};
+  if (!value->is_array()) fail(key, "expected an array of objects");
+  std::vector<ObjectReader> result;
+  result.reserve(value->size());
+  for (std::size_t i = 0; i < value->size(); ++i) {
+    Path path = pathOf(key);
+    path.push_back(std::to_string(i));
+    document_->noteRead(path, false);
+    result.emplace_back(*document_, (*value)[i], std::move(path));
+  }
+  return result;
+}
+
+namespace {
+
+std::optional<std::size_t> indexBelow(const nlohmann::json& value, std::size_t count) {
+  if (!value.is_number_unsigned() || value.get<std::uint64_t>() >= count) return std::nullopt;
+  return value.get<std::size_t>();
+}
+
+std::string expectedIndex(std::size_t count, const char* what) {
+  return "expected a whole number below " + std::to_string(count) + ", the number of " + what;
+}
+
+}  // namespace
+
+std::optional<std::size_t> ObjectReader::index(std::string_view key, std::size_t count, const char* what) const {
+  const nlohmann::json* value = find(key);
+  if (!value) return std::nullopt;
+  const auto number = indexBelow(*value, count);
+  if (!number) fail(key, expectedIndex(count, what));
+  return number;
+}
+
+std::vector<std::size_t> ObjectReader::indices(std::string_view key, std::size_t count, const char* what) const {
+  const nlohmann::json* value = find(key);
+  if (!value) return {};
+  if (!value->is_array()) fail(key, "expected an array of numbers");
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < value->size(); ++i) {
+    const auto number = indexBelow((*value)[i], count);
+    if (!number) {
+      Path path = pathOf(key);
+      path.push_back(std::to_string(i));
+      document_->fail(path, expectedIndex(count, what));
+    }
+    result.push_back(*number);
+  }
+  return result;
 }
 
 void ObjectReader::allow(std::initializer_list<std::string_view> known) const {

@@ -22,9 +22,10 @@ std::string dotted(const Path& path);
 
 class Document {
  public:
-  /// source: a file name, "-" for standard input, or the JSON itself if it starts with "{". option names it in
-  /// messages.
-  Document(const std::string& source, const std::string& option);
+  /// source: a file name, "-" for standard input, or the JSON itself if it starts with "{". Of a .glb file the JSON in
+  /// it counts, places too. option names it in messages. arrayKey: a document that is an array counts as an object
+  /// whose only field, of this name, it is; the JSON itself may then start with "[" too.
+  Document(const std::string& source, const std::string& option, const char* arrayKey = nullptr);
   ~Document();
   Document(const Document&) = delete;
   Document& operator=(const Document&) = delete;
@@ -32,17 +33,25 @@ class Document {
   const nlohmann::json& root() const { return *root_; }
   const std::string& name() const { return name_; }
 
-  /// "projection.fovY=75": sets a field, or with null removes it. The value is JSON, or else text.
+  /// "projection.fovY=75" or "nodes.3.camera=0": sets a field, or with null removes it. The value is JSON, or else
+  /// text.
   void set(const std::string& assignment);
+
+  /// Throws for a field that was set and that no reader has looked at. form: what the file is.
+  void requireSetsRead(const std::string& form) const;
 
   /// Names the place of the path and, unless told not to, the value there.
   [[noreturn]] void fail(const Path& path, const std::string& message, bool showValue = true) const;
 
  private:
+  friend class ObjectReader;
+  void noteRead(const Path& path, bool andBelow) const;
+
   std::string name_;
   std::string text_;
   std::unique_ptr<nlohmann::json> root_;
   std::set<std::string> set_;
+  mutable std::set<std::string> unread_;  ///< of set_
 };
 
 /// An object of a document, read key by key. A key whose value is null counts as absent.
@@ -52,13 +61,23 @@ class ObjectReader {
 
   bool has(std::string_view key) const;
   bool isString(std::string_view key) const;
+  bool isObject(std::string_view key) const;
   std::optional<double> number(std::string_view key) const;
   std::optional<bool> flag(std::string_view key) const;
   std::optional<std::string> string(std::string_view key) const;
   std::optional<std::vector<double>> numbers(std::string_view key, std::size_t fewest, std::size_t most) const;
   std::optional<Vec3> vec3(std::string_view key) const;
   std::optional<Mat4> mat4(std::string_view key) const;
+  std::optional<std::vector<Vec3>> vec3s(std::string_view key, std::size_t count) const;
   std::optional<ObjectReader> object(std::string_view key) const;
+
+  /// The value of key as JSON text, where it is a string or a number.
+  std::optional<std::string> label(std::string_view key) const;
+  /// The objects of an array; none where it is absent.
+  std::vector<ObjectReader> objects(std::string_view key) const;
+  /// A whole number from 0 on and below count, which is how many `what` there are.
+  std::optional<std::size_t> index(std::string_view key, std::size_t count, const char* what) const;
+  std::vector<std::size_t> indices(std::string_view key, std::size_t count, const char* what) const;
 
   double numberOr(std::string_view key, double fallback) const { return number(key).value_or(fallback); }
   double requireNumber(std::string_view key) const;
@@ -81,12 +100,18 @@ class ObjectReader {
   /// Throws at a key that is not one of these, naming the nearest.
   void allow(std::initializer_list<std::string_view> known) const;
 
+  const nlohmann::json& json() const { return *object_; }
+  const Document& document() const { return *document_; }
+  const Path& path() const { return path_; }
+
   [[noreturn]] void fail(std::string_view key, const std::string& message) const;
   /// For the object as a whole.
   [[noreturn]] void fail(const std::string& message) const;
 
- private:
+  /// The value of key, unless it is absent or null.
   const nlohmann::json* find(std::string_view key) const;
+
+ private:
   [[noreturn]] void failChoice(std::string_view key, const std::string& name,
                                const std::vector<std::string_view>& known) const;
   Path pathOf(std::string_view key) const;

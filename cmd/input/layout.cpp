@@ -28,11 +28,26 @@ bool isAbsent(std::string_view value, Form form) {
   return value.find_first_not_of(" \t\r\"") == std::string_view::npos;
 }
 
-/// Returns how many there are.
-std::size_t readArray(const RecordParts& record, const NumberField& part, double* numbers) {
+/// What a part is of its field's value.
+std::string_view innerValue(const RecordParts& record, const NumberField& part) {
   const std::string_view value = record.values[part.field];
+  if (part.inner.empty()) return value;
+  std::size_t index = 0;
+  if (value.starts_with('{') || value.starts_with('[')) {
+    JsonParts parts(value);
+    for (auto item = parts.next(); item; item = parts.next(), ++index)
+      if (value[0] == '{' ? unescaped(item->key) == part.inner : std::to_string(index) == part.inner)
+        return item->value;
+  }
+  const bool isIndex = part.inner[0] >= '0' && part.inner[0] <= '9';
+  throw RecordError(record.offset(part.field), nameOf(record, part.field) + "has no " +
+                                                   (isIndex ? "item " + part.inner + ", counted from 0" : part.inner));
+}
+
+/// Returns how many there are.
+std::size_t readArray(const RecordParts& record, const NumberField& part, std::string_view value, double* numbers) {
   const auto expected = [&] {
-    return RecordError(record.offset(part.field),
+    return RecordError(static_cast<std::size_t>(value.data() - record.text.data()),
                        nameOf(record, part.field) + "expected an array of " + std::to_string(part.fewest) +
                            (part.fewest == part.most ? "" : " or " + std::to_string(part.most)) + " numbers");
   };
@@ -59,12 +74,12 @@ std::size_t Layout::slots() const {
 void readNumbers(const RecordParts& record, const Layout& layout, Numbers& numbers) {
   double* slot = numbers.data();
   for (const NumberField& part : layout.parts) {
-    const std::string_view value = record.values[part.field];
+    const std::string_view value = innerValue(record, part);
     std::size_t count = 0;
     if (part.mayBeAbsent && isAbsent(value, record.shape.form))
       count = 0;
     else if (part.isArray)
-      count = readArray(record, part, slot);
+      count = readArray(record, part, value, slot);
     else
       slot[count++] = numberAt(record, part.field, value);
     for (; count < part.most; ++count) slot[count] = kNone;

@@ -3,18 +3,20 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "input/record.hpp"
 
 namespace viewproj::cmd {
 
-/// A field that is a number, or an array of numbers.
+/// A field, or a part of one, that is a number or an array of numbers.
 struct NumberField {
   std::size_t field = 0;             ///< its index among the record's
   std::size_t fewest = 1, most = 1;  ///< numbers
   bool isArray = false;              ///< false: the field is the number itself
   bool mayBeAbsent = false;          ///< null, an empty CSV cell, NaN in text and f64: stands for no value
+  std::string inner = {};  ///< JSON: of the field's value, what this key or index holds; empty: the value itself
 };
 
 /// Where records of one shape have their numbers.
@@ -25,7 +27,7 @@ struct Layout {
   std::size_t slots() const;
 };
 
-inline constexpr std::size_t kMostNumbers = 8;
+inline constexpr std::size_t kMostNumbers = 9;
 
 /// Part after part, each with as many slots as it has numbers at most; NaN in those that have no value.
 using Numbers = std::array<double, kMostNumbers>;

@@ -3,11 +3,11 @@
 #include <cmath>
 
 #include "input/error.hpp"
+#include "output/number.hpp"
+#include "viewproj/camera/geodesy.hpp"
 
 namespace viewproj::cmd {
 namespace {
-
-enum PointKind : unsigned { kindPoint, kindDirection };
 
 /// What a pixel's numbers are, in this order.
 enum PixelParts : unsigned { depthKnown = 1, viewDistanceKnown = 2 };
@@ -47,9 +47,15 @@ std::optional<Layout> suffixedNumbers(const Shape& shape, const std::string& nam
   return namedNumbers(shape, names, required, mayBeAbsent);
 }
 
-Layout direction(Layout layout) {
-  layout.kind = kindDirection;
+Layout ofKind(PointKind kind, Layout layout) {
+  layout.kind = kind;
   return layout;
+}
+
+Vec4 toWorld(const Geodetic& place) {
+  if (!isPlace(place)) throw RecordError(0, "lat: " + formatNumber(place.lat) + " is not from -90 to 90 degrees");
+  const Vec3 p = geodeticToEcef(place);
+  return {p.x, p.y, p.z, 1};
 }
 
 RecordError withoutColumn(const std::string& name) {
@@ -84,7 +90,7 @@ Layout findScreen(const RecordParts& record, const std::vector<std::string>& col
 
 }  // namespace
 
-Layout findPoint(const RecordParts& record, const std::vector<std::string>& columns) {
+Layout findPoint(const RecordParts& record, const std::vector<std::string>& columns, bool worldIsEcef) {
   const Shape& shape = record.shape;
   if (shape.isArray) {
     if (shape.size != 3 && shape.size != 4)
@@ -102,15 +108,37 @@ Layout findPoint(const RecordParts& record, const std::vector<std::string>& colu
     return {{array(*position, 3, 4)}};
   }
   if (const auto named = namedNumbers(shape, {"x", "y", "z", "w"}, 3)) return *named;
-  if (shape.form == Form::csv) {
-    if (const auto named = suffixedNumbers(shape, "direction", 3, 3)) return direction(*named);
-    throw RecordError(0, "has no columns x, y, z; --columns names the three coordinates");
+  if (const auto named = namedNumbers(shape, {"lat", "lon", "height"}, 3)) {
+    if (!worldIsEcef)
+      throw RecordError(0,
+                        "lat, lon, height need a camera that stands on the Earth: a position by lat, lon, height, or "
+                        "\"world\": \"ecef\"");
+    return ofKind(kindPlace, *named);
   }
-  if (const auto field = shape.find("direction")) return direction({{array(*field, 3, 3)}});
-  throw RecordError(0, "has no point; expected position, x y z, or direction");
+  if (shape.form == Form::csv) {
+    if (const auto named = suffixedNumbers(shape, "direction", 3, 3)) return ofKind(kindDirection, *named);
+    throw RecordError(0, "has no columns x, y, z or lat, lon, height; --columns names x, y and z");
+  }
+  if (const auto field = shape.find("direction")) return ofKind(kindDirection, {{array(*field, 3, 3)}});
+  throw RecordError(0, "has no point; expected position, x y z, lat lon height, or direction");
+}
+
+std::optional<Layout> findSegment(const RecordParts& record) {
+  const Shape& shape = record.shape;
+  const auto field = shape.find("segment");
+  if (!field || shape.form != Form::json) return std::nullopt;
+  Layout layout;
+  layout.kind = kindSegment;
+  for (const char* end : {"0", "1"}) layout.parts.push_back({*field, 3, 3, true, false, end});
+  if (const auto pixel = shape.find("pixel")) {
+    layout.kind = kindSegmentAndPixel;
+    layout.parts.push_back({*pixel, 2, 2, true, true});
+  }
+  return layout;
 }
 
 Vec4 toPoint(const Layout& layout, const Numbers& n) {
+  if (layout.kind == kindPlace) return toWorld({n[0], n[1], n[2]});
   double w = 1;
   if (layout.kind == kindDirection)
     w = 0;

@@ -10,6 +10,8 @@
 namespace viewproj::cmd {
 namespace {
 
+constexpr int kTableDigits = 9;
+
 std::string quotedIfNeeded(std::string_view text) {
   if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
   std::string quoted = "\"";
@@ -20,17 +22,35 @@ std::string quotedIfNeeded(std::string_view text) {
   return quoted + '"';
 }
 
+[[noreturn]] void failList(std::string_view name) {
+  throw UsageError("a list of " + std::string(name) + " has no place in the columns of CSV; use JSON");
+}
+
 /// Collects the column names of results.
 class ColumnCollector final : public ResultSink {
  public:
-  explicit ColumnCollector(std::string prefix) : prefix_(std::move(prefix)) {}
+  ColumnCollector(std::string prefix, bool table) : prefix_(std::move(prefix)), table_(table) {}
 
   void number(std::string_view name, double) override { add(name, ""); }
   void vector(std::string_view name, std::span<const double> values) override {
+    if (table_) {
+      add(name, "");
+      return;
+    }
     for (std::size_t i = 0; i < values.size(); ++i) add(name, kColumnSuffixes[i]);
   }
   void flag(std::string_view name, bool) override { add(name, ""); }
   void names(std::string_view name, std::span<const std::string_view>, bool) override { add(name, ""); }
+  void word(std::string_view name, std::string_view) override { add(name, ""); }
+  void json(std::string_view name, std::string_view) override { add(name, ""); }
+  void group(std::string_view name, bool, const std::function<void(ResultSink&)>& write) override {
+    group_ = columnName(name) + "_";
+    write(*this);
+    group_.clear();
+  }
+  void list(std::string_view name, std::size_t, const std::function<void(ResultSink&, std::size_t)>&) override {
+    failList(name);
+  }
 
   bool hasFixedColumns() const override { return true; }
 
@@ -38,9 +58,11 @@ class ColumnCollector final : public ResultSink {
 
  private:
   void add(std::string_view name, std::string_view suffix) {
-    columns.push_back(prefix_ + columnName(name) + std::string(suffix));
+    columns.push_back(prefix_ + group_ + columnName(name) + std::string(suffix));
   }
+  std::string group_;
   std::string prefix_;
+  bool table_;
 };
 
 /// A cell of a record that was not read as CSV.
@@ -51,12 +73,16 @@ struct OwnCell {
 
 bool isNumber(std::string_view json) { return !json.empty() && (json[0] == '-' || (json[0] >= '0' && json[0] <= '9')); }
 
-void appendCells(std::vector<OwnCell>& cells, const std::string& name, std::string_view json) {
+void appendCells(std::vector<OwnCell>& cells, const std::string& name, std::string_view json, bool table) {
   if (json.starts_with('[')) {
     std::vector<std::string_view> items;
     JsonParts parts(json);
     while (const auto part = parts.next()) items.push_back(part->value);
     if (items.size() >= 2 && items.size() <= 4 && std::all_of(items.begin(), items.end(), isNumber)) {
+      if (table) cells.push_back({name, ""});
+      for (std::size_t i = 0; table && i < items.size(); ++i)
+        cells.back().text += (i > 0 ? " " : "") + std::string(items[i]);
+      if (table) return;
       for (std::size_t i = 0; i < items.size(); ++i)
         cells.push_back({name + std::string(kColumnSuffixes[i]), std::string(items[i])});
       return;
@@ -72,9 +98,9 @@ std::vector<OwnCell> ownCells(const Record& record, const WriterSetup& setup) {
   std::vector<OwnCell> cells;
   if (record.shape->form == Form::json && !record.shape->isArray) {
     const auto values = valuesOf(record);
-    for (std::size_t i = 0; i < values.size(); ++i) appendCells(cells, record.shape->names[i], values[i]);
+    for (std::size_t i = 0; i < values.size(); ++i) appendCells(cells, record.shape->names[i], values[i], setup.table);
   } else {
-    for (const NamedJson& field : asJsonFields(record, setup)) appendCells(cells, field.name, field.json);
+    for (const NamedJson& field : asJsonFields(record, setup)) appendCells(cells, field.name, field.json, setup.table);
   }
   if (const auto again = firstRepeated(cells, [](const OwnCell& cell) -> std::string_view { return cell.column; }))
     throw RecordError(0, "would fill the column '" + cells[*again].column + "' twice");
@@ -191,7 +217,16 @@ class CsvWriter final : public RecordWriter {
 
   void vector(std::string_view, std::span<const double> values) override {
     const bool finite = std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
-    for (double value : values) cell(finite ? value : NAN);
+    if (!setup_.table) {
+      for (double value : values) cell(finite ? value : NAN);
+      return;
+    }
+    char before = ',';
+    for (double value : values) {
+      out_ += before;
+      if (finite) out_ += formatDigits(value, kTableDigits);
+      before = ' ';
+    }
   }
 
   void flag(std::string_view, bool value) override {
@@ -208,10 +243,31 @@ class CsvWriter final : public RecordWriter {
     if (values.empty()) out_ += ',';
   }
 
+  void word(std::string_view, std::string_view value) override {
+    out_ += ',';
+    out_ += quotedIfNeeded(value);
+  }
+
+  void json(std::string_view, std::string_view value) override {
+    if (value.starts_with('"'))
+      word("", unescaped(value.substr(1, value.size() - 2)));
+    else
+      word("", value == "null" ? std::string_view() : value);
+  }
+
+  void group(std::string_view, bool, const std::function<void(ResultSink&)>& write) override { write(*this); }
+  void list(std::string_view name, std::size_t, const std::function<void(ResultSink&, std::size_t)>&) override {
+    failList(name);
+  }
+
  private:
   void cell(double value) {
     out_ += ',';
-    if (std::isfinite(value)) appendNumber(out_, value);
+    if (!std::isfinite(value)) return;
+    if (setup_.table)
+      out_ += formatDigits(value, kTableDigits);
+    else
+      appendNumber(out_, value);
   }
 
   const WriterSetup& setup_;
@@ -224,7 +280,7 @@ class CsvWriter final : public RecordWriter {
 }  // namespace
 
 CsvColumns csvColumns(const WriterSetup& setup, const CsvHeader* input, std::string_view line, TextBuffer& out) {
-  ColumnCollector collector(setup.prefix);
+  ColumnCollector collector(setup.prefix, setup.table);
   setup.exampleResults(collector);
   CsvColumns columns;
   columns.results = collector.columns;

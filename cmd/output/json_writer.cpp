@@ -61,6 +61,7 @@ class JsonWriter final : public RecordWriter {
   void beginRecord(const Record& record) override {
     start_ = out_.size();
     nextLabel_ = 0;
+    depth_ = 0;
     beginItem();
     if (record.shape->form != Form::json || record.shape->isArray) {
       char before = '{';
@@ -136,6 +137,43 @@ class JsonWriter final : public RecordWriter {
     out_ += ']';
   }
 
+  void word(std::string_view name, std::string_view value) override {
+    beginField(name);
+    out_ += value.empty() ? std::string("null") : jsonString(value);
+  }
+
+  void json(std::string_view name, std::string_view value) override {
+    beginField(name);
+    out_ += value;
+  }
+
+  void group(std::string_view name, bool present, const std::function<void(ResultSink&)>& write) override {
+    beginField(name);
+    if (!present) {
+      out_ += "null";
+      return;
+    }
+    ++depth_;
+    out_ += '{';
+    write(*this);
+    out_ += '}';
+    --depth_;
+  }
+
+  void list(std::string_view name, std::size_t count,
+            const std::function<void(ResultSink&, std::size_t)>& write) override {
+    beginField(name);
+    ++depth_;
+    out_ += '[';
+    for (std::size_t i = 0; i < count; ++i) {
+      out_ += i > 0 ? std::string_view(",{") : std::string_view("{");
+      write(*this, i);
+      out_ += '}';
+    }
+    out_ += ']';
+    --depth_;
+  }
+
  private:
   static bool isSpace(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
 
@@ -154,6 +192,13 @@ class JsonWriter final : public RecordWriter {
 
   /// The result's name as it stands behind the record's fields: results come in the same order again and again.
   void beginField(std::string_view name) {
+    if (depth_ > 0) {
+      if (out_.back() != '{') out_ += ',';
+      out_ += '"';
+      out_ += name;
+      out_ += "\":";
+      return;
+    }
     for (; nextLabel_ < labels_.size() && labels_[nextLabel_].first != name.data(); ++nextLabel_) {
     }
     if (nextLabel_ == labels_.size())
@@ -169,6 +214,7 @@ class JsonWriter final : public RecordWriter {
   std::size_t start_ = 0;
   std::vector<std::pair<const char*, std::string>> labels_;
   std::size_t nextLabel_ = 0;
+  int depth_ = 0;  ///< of objects within the results
 };
 
 }  // namespace

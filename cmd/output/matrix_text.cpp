@@ -1,6 +1,11 @@
 #include "output/matrix_text.hpp"
 
+#include <cctype>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
 #include "input/convention_names.hpp"
+#include "input/error.hpp"
 #include "output/number.hpp"
 #include "viewproj/view/matrices.hpp"
 
@@ -23,7 +28,9 @@ std::string row(const std::array<double, 4>& entries, std::string_view separator
   return text;
 }
 
-std::string quotedName(std::string_view name) { return "\"" + std::string(name) + "\""; }
+std::string quotedName(std::string_view name) {
+  return nlohmann::json(name).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
 
 /// Rows as the convention writes them on paper, and every axis of the convention.
 std::string asJson(const MatrixSet& set) {
@@ -85,20 +92,206 @@ std::string asFlat(const MatrixSet& set) {
   return out;
 }
 
-using Format = std::string (*)(const MatrixSet&);
-constexpr NameRow<Format> kMatrixFormats[] = {{"json", asJson}, {"text", asText}, {"flat", asFlat}};
+/// The matrix's name, if need be with _ for what no language has in one.
+std::string identifier(const NamedMatrix& named) {
+  std::string name = named.name;
+  for (char& c : name)
+    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+  return name.empty() || std::isdigit(static_cast<unsigned char>(name[0])) ? "m" + name : name;
+}
+
+/// Rows on paper, a line each.
+std::string asCsv(const MatrixSet& set) {
+  std::string out = "matrix,row,column1,column2,column3,column4\n";
+  if (set.eye)
+    out +=
+        "eye,1," + formatNumber(set.eye->x) + "," + formatNumber(set.eye->y) + "," + formatNumber(set.eye->z) + ",\n";
+  for (const NamedMatrix& named : set.matrices) {
+    const Mat4 paper = laidOut(named.matrix, set.convention);
+    for (std::size_t i = 0; i < 4; ++i)
+      out += identifier(named) + "," + std::to_string(i + 1) + "," + row(paper[i], ",", set.asFloat) + "\n";
+  }
+  return out;
+}
+
+// Source code: comments that tell the convention, then a constant a matrix.
+
+/// Which way the axes point.
+std::string axesInWords(const MatrixSet& set) {
+  const Convention& c = set.convention;
+  const AxisSigns view = axisSigns(c.view);
+  const NdcDepths z = ndcDepths(c);
+  return std::string(c.world == Handedness::right ? "Right" : "Left") + "-handed world; view x right, y " +
+         (view.up > 0 ? "up" : "down") + ", z " + (view.forward > 0 ? "forward" : "back") +
+         (set.bakesViewport ? "; the projection gives screen x, y and window depth, times w"
+                            : "; NDC y " + std::string(c.ndcY == NdcY::up ? "up" : "down") + ", z " +
+                                  formatNumber(z.atNear) + " at near, " + formatNumber(z.atFar) + " at far");
+}
+
+bool hasRowVectors(const MatrixSet& set) { return set.convention.vectors == Vectors::row; }
+
+std::string eyeInWords(const MatrixSet& set) {
+  return set.eye ? "Points relative to the eye: subtract " + formatNumber(set.eye->x) + ", " +
+                       formatNumber(set.eye->y) + ", " + formatNumber(set.eye->z) + " in double first"
+                 : "";
+}
+
+/// Each line between begin and end; empty ones are left out.
+std::string comments(std::string_view begin, std::initializer_list<std::string> lines, std::string_view end = "") {
+  std::string out;
+  for (const std::string& line : lines)
+    if (!line.empty()) out += std::string(begin) + line + "." + std::string(end) + "\n";
+  return out;
+}
+
+/// With a point or an exponent, so that no language takes it for an integer.
+std::string floating(double value, bool asFloat) {
+  std::string text;
+  appendEntry(text, value, asFloat);
+  return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+}
+
+/// Four lines of four numbers, each between open and close, commas between them.
+std::string fourLines(const Mat4& lines, bool asFloat, std::string_view open = "  ", std::string_view close = "",
+                      std::string_view suffix = "") {
+  std::string out;
+  for (std::size_t i = 0; i < 4; ++i) {
+    out += open;
+    for (std::size_t j = 0; j < 4; ++j)
+      out += floating(lines[i][j], asFloat) + std::string(suffix) + (j < 3 ? ", " : "");
+    out += std::string(close) + (i < 3 ? ",\n" : "\n");
+  }
+  return out;
+}
+
+/// Arrays in memory order: what an API takes.
+std::string asC(const MatrixSet& set) {
+  const bool byColumns = set.convention.storage == Storage::columnMajor;
+  std::string out = comments("/* ",
+                             {axesInWords(set),
+                              std::string(hasRowVectors(set) ? "Row vectors, point * view * projection"
+                                                             : "Column vectors, projection * view * point") +
+                                  "; in memory " + (byColumns ? "column after column" : "row after row"),
+                              eyeInWords(set)},
+                             " */");
+  const std::string type = set.asFloat ? "float" : "double", suffix = set.asFloat ? "f" : "";
+  if (set.eye)
+    out += "static const double eye[3] = {" + floating(set.eye->x, false) + ", " + floating(set.eye->y, false) + ", " +
+           floating(set.eye->z, false) + "};\n";
+  for (const NamedMatrix& named : set.matrices) {
+    const Mat4 paper = laidOut(named.matrix, set.convention);
+    out += "static const " + type + " " + identifier(named) + "[16] = {\n" +
+           fourLines(byColumns ? transposed(paper) : paper, set.asFloat, "  ", "", suffix) + "};\n";
+  }
+  return out;
+}
+
+/// mat4 takes columns; whatever the convention's vectors, M * v is what multiplies here.
+std::string asGlsl(const MatrixSet& set) {
+  std::string out = comments(
+      "// ", {axesInWords(set), "Column vectors, projection * view * point; each line is a column", eyeInWords(set)});
+  for (const NamedMatrix& named : set.matrices)
+    out += "const mat4 " + identifier(named) + " = mat4(\n" + fourLines(transposed(named.matrix), true) + ");\n";
+  return out;
+}
+
+std::string asWgsl(const MatrixSet& set) {
+  std::string out = comments(
+      "// ", {axesInWords(set), "Column vectors, projection * view * point; each line is a column", eyeInWords(set)});
+  for (const NamedMatrix& named : set.matrices)
+    out += "const " + identifier(named) + " = mat4x4<f32>(\n" + fourLines(transposed(named.matrix), true) + ");\n";
+  return out;
+}
+
+/// float4x4 takes rows; both mul(v, M) and mul(M, v) are in use, so the convention's vectors decide.
+std::string asHlsl(const MatrixSet& set) {
+  std::string out =
+      comments("// ", {axesInWords(set),
+                       std::string(hasRowVectors(set) ? "Row vectors, mul(mul(point, view), projection)"
+                                                      : "Column vectors, mul(projection, mul(view, point))") +
+                           "; each line is a row",
+                       eyeInWords(set)});
+  for (const NamedMatrix& named : set.matrices)
+    out += "static const float4x4 " + identifier(named) + " = float4x4(\n" +
+           fourLines(laidOut(named.matrix, set.convention), true) + ");\n";
+  return out;
+}
+
+/// matrix3d() takes columns.
+std::string asCss(const MatrixSet& set) {
+  std::string out =
+      comments("/* ",
+               {axesInWords(set), "Column vectors, transform: var(--projection) var(--view); each line is a column",
+                eyeInWords(set)},
+               " */");
+  out += ":root {\n";
+  for (const NamedMatrix& named : set.matrices)
+    out += "  --" + identifier(named) + ": matrix3d(\n" + fourLines(transposed(named.matrix), set.asFloat, "    ") +
+           "  );\n";
+  return out + "}\n";
+}
+
+/// Rows on paper.
+std::string asNumpy(const MatrixSet& set) {
+  std::string out = comments("# ", {axesInWords(set),
+                                    hasRowVectors(set) ? "Row vectors, point @ view @ projection"
+                                                       : "Column vectors, projection @ view @ point",
+                                    eyeInWords(set)});
+  out += "import numpy as np\n\n";
+  if (set.eye)
+    out += "eye = np.array([" + floating(set.eye->x, false) + ", " + floating(set.eye->y, false) + ", " +
+           floating(set.eye->z, false) + "])\n";
+  for (const NamedMatrix& named : set.matrices)
+    out += identifier(named) + " = np.array([\n" +
+           fourLines(laidOut(named.matrix, set.convention), set.asFloat, "    [", "]") +
+           (set.asFloat ? "], dtype=np.float32)\n" : "])\n");
+  return out;
+}
+
+struct Format {
+  std::string_view name;
+  std::string (*write)(const MatrixSet&);
+  bool onlyFloat = false;   ///< the language's matrices are float32
+  bool floatRange = false;  ///< its numbers end where float32 does: browsers hold larger ones down to that
+};
+
+constexpr Format kMatrixFormats[] = {
+    {"json", asJson},
+    {"text", asText},
+    {"flat", asFlat},
+    {"csv", asCsv},
+    {"c", asC},
+    {"glsl", asGlsl, true},
+    {"hlsl", asHlsl, true},
+    {"wgsl", asWgsl, true},
+    {"css", asCss, false, true},
+    {"numpy", asNumpy},
+};
+
+void requireRepresentable(const MatrixSet& set, bool asFloat, const std::string& source) {
+  for (const NamedMatrix& named : set.matrices)
+    for (const auto& entries : named.matrix.m)
+      for (double entry : entries)
+        if (!std::isfinite(asFloat ? static_cast<float>(entry) : entry))
+          throw InputError(source + ": " + named.name + " has an entry too large for " +
+                           (asFloat ? "float32" : "a double"));
+}
 
 }  // namespace
 
 std::vector<std::string_view> matrixFormats() {
   std::vector<std::string_view> names;
-  for (const auto& [name, format] : kMatrixFormats) names.push_back(name);
+  for (const Format& format : kMatrixFormats) names.push_back(format.name);
   return names;
 }
 
-std::string writeMatrices(const MatrixSet& set, std::string_view format) {
-  for (const auto& [name, write] : kMatrixFormats)
-    if (name == format) return write(set);
+std::string writeMatrices(MatrixSet set, std::string_view format, const std::string& source) {
+  for (const Format& known : kMatrixFormats)
+    if (known.name == format) {
+      set.asFloat = set.asFloat || known.onlyFloat;
+      requireRepresentable(set, set.asFloat || known.floatRange, source);
+      return known.write(set);
+    }
   return "";
 }
 

@@ -19,14 +19,16 @@ struct NamedMatrix {
 struct MatrixSet {
   std::vector<NamedMatrix> matrices;
   Convention convention;
-  std::optional<Vec3> eye;  ///< where the view was left without its translation
-  bool asFloat = false;     ///< round to float32 and write its shortest text
+  std::optional<Vec3> eye;     ///< where the view was left without its translation
+  bool asFloat = false;        ///< round to float32 and write its shortest text
+  bool bakesViewport = false;  ///< projections go to the screen, not to clip space
 };
 
 /// The names of the formats.
 std::vector<std::string_view> matrixFormats();
 
-/// format: one of matrixFormats().
-std::string writeMatrices(const MatrixSet& set, std::string_view format);
+/// format: one of matrixFormats(). What its language knows only as float32 is rounded to that. Throws InputError, after
+/// the source's name, for an entry too large for what is written.
+std::string writeMatrices(MatrixSet set, std::string_view format, const std::string& source);
 
 }  // namespace viewproj::cmd

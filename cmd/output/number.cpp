@@ -53,4 +53,12 @@ std::string formatNumber(double value) {
   return text;
 }
 
+std::string formatDigits(double value, int digits) {
+  if (!std::isfinite(value)) return formatNumber(value);
+  char text[40];
+  const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, digits - 1).ptr;
+  std::from_chars(text, end, value);
+  return formatNumber(value);
+}
+
 }  // namespace viewproj::cmd

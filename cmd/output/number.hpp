@@ -15,4 +15,7 @@ void appendNumber(TextBuffer& out, double value);
 
 std::string formatNumber(double value);
 
+/// Rounded to so many significant digits first.
+std::string formatDigits(double value, int digits);
+
 }  // namespace viewproj::cmd

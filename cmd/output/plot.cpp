@@ -3,67 +3,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <string_view>
 
 #include "output/number.hpp"
+#include "output/svg.hpp"
 
 namespace viewproj::cmd {
 namespace {
 
-// Units of the viewBox. Text of 15 is 9 pixels high in a picture 400 wide.
-constexpr double kWidth = 640, kHeight = 470;
+using namespace svg;
+
 constexpr double kLeft = 76, kRight = 622, kTop = 84, kBottom = 402;
-constexpr double kText = 15, kSmallText = 13;
 constexpr double kDot = 5, kTick = 8;
 constexpr const char* kColours[] = {"#1b5faa", "#b8501c"};
-
-struct Box {
-  double left, top, right, bottom;
-};
-
-double overlap(const Box& a, const Box& b) {
-  const double width = std::min(a.right, b.right) - std::max(a.left, b.left);
-  const double height = std::min(a.bottom, b.bottom) - std::max(a.top, b.top);
-  return width > 0 && height > 0 ? width * height : 0;
-}
-
-Box around(double x, double y, double halfWidth, double halfHeight) {
-  return {x - halfWidth, y - halfHeight, x + halfWidth, y + halfHeight};
-}
-
-std::string at(double coordinate) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f", coordinate);
-  return text;
-}
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else
-      out += c;
-  }
-  return out;
-}
-
-std::string line(double x1, double y1, double x2, double y2, const std::string& style) {
-  return "<line x1=\"" + at(x1) + "\" y1=\"" + at(y1) + "\" x2=\"" + at(x2) + "\" y2=\"" + at(y2) + "\" " + style +
-         "/>\n";
-}
-
-std::string text(double x, double y, std::string_view words, const std::string& style = "") {
-  return "<text x=\"" + at(x) + "\" y=\"" + at(y) + "\"" + (style.empty() ? "" : " " + style) + ">" + escaped(words) +
-         "</text>\n";
-}
-
-std::string decade(int exponent) {
-  return exponent >= -1 && exponent <= 3 ? formatNumber(std::pow(10, exponent)) : "1e" + std::to_string(exponent);
-}
 
 bool isDrawn(const PlotDot& dot) { return dot.pixels.has_value(); }
 bool isPositive(double value) { return value > 0 && std::isfinite(value); }
@@ -235,15 +187,8 @@ std::string legend(const CostPlot& plot) {
 std::string costPlotSvg(const CostPlot& plot) {
   const CostAxis x(plot.dots);
   const ErrorAxis y(plot.dots);
-  std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + at(kWidth) + " " + at(kHeight) +
-                    "\" font-family=\"sans-serif\" font-size=\"15\" fill=\"#222\">\n<title>" + escaped(plot.title) +
-                    "</title>\n<style>.grid{stroke:#eee}.decade{stroke:#d4d4d4}.small{font-size:13px}" +
-                    ".label{paint-order:stroke;stroke:#fff;stroke-width:3px}</style>\n" +
-                    "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n" +
-                    text(16, 26, plot.title, "font-weight=\"bold\"") + text(16, 45, plot.caption, "class=\"small\"") +
-                    legend(plot) + x.grid() + y.grid() + "<rect x=\"" + at(kLeft) + "\" y=\"" + at(kTop) +
-                    "\" width=\"" + at(kRight - kLeft) + "\" height=\"" + at(kBottom - kTop) +
-                    "\" fill=\"none\" stroke=\"#888\"/>\n";
+  std::string out = beginPicture(plot.title, plot.caption) + legend(plot) + x.grid() + y.grid() +
+                    frame({kLeft, kTop, kRight, kBottom});
   Labels labels;
   std::string dots, words;
   for (const PlotDot& dot : plot.dots) {

@@ -25,6 +25,16 @@ class ResultSink {
   virtual void flag(std::string_view name, bool value) = 0;
   /// always: false leaves an empty list out where the form can.
   virtual void names(std::string_view name, std::span<const std::string_view> values, bool always) = 0;
+  /// A word, or none. Forms of numbers alone leave words out.
+  virtual void word(std::string_view name, std::string_view value) = 0;
+  /// A value as JSON text. Forms of numbers alone leave it out.
+  virtual void json(std::string_view name, std::string_view value) = 0;
+  /// Results that belong together: an object, or columns NAME_...; null as a whole if not present (in CSV and text by
+  /// empty cells, as many as `write` makes of values without a number).
+  virtual void group(std::string_view name, bool present, const std::function<void(ResultSink&)>& write) = 0;
+  /// A list of objects. Forms without lists throw UsageError.
+  virtual void list(std::string_view name, std::size_t count,
+                    const std::function<void(ResultSink&, std::size_t)>& write) = 0;
 
   /// Every record gets the same results, with or without a value.
   virtual bool hasFixedColumns() const { return false; }
@@ -40,6 +50,12 @@ class NameCollector final : public ResultSink {
   void vector(std::string_view name, std::span<const double>) override { add(name); }
   void flag(std::string_view name, bool) override { add(name); }
   void names(std::string_view name, std::span<const std::string_view>, bool) override { add(name); }
+  void word(std::string_view name, std::string_view) override { add(name); }
+  void json(std::string_view name, std::string_view) override { add(name); }
+  void group(std::string_view name, bool, const std::function<void(ResultSink&)>&) override { add(name); }
+  void list(std::string_view name, std::size_t, const std::function<void(ResultSink&, std::size_t)>&) override {
+    add(name);
+  }
 
   std::vector<std::string> found;
 
@@ -57,6 +73,7 @@ struct WriterSetup {
   bool keepGoing = false;
   bool keepArrays = false;                          ///< an array in the input is one in the output
   bool header = true;                               ///< CSV: write one
+  bool table = false;  ///< CSV for an aligned table: results to nine digits, vectors in one cell
   std::function<void(ResultSink&)> exampleResults;  ///< calls the sink as for a record, so that columns are known
 };
 

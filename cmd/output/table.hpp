@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace viewproj::cmd {
@@ -9,5 +10,21 @@ namespace viewproj::cmd {
 /// Rows as lines in aligned columns, two blanks apart: the first column to the left, the others to the right. All rows
 /// have as many cells as the first, which is the header.
 std::string alignedTable(const std::vector<std::vector<std::string>>& rows);
+
+/// Lines of CSV as aligned columns. How wide these are, the first thousand lines tell.
+class CsvAligner {
+ public:
+  /// csv: whole lines. Returns what can be written: nothing before there are a thousand.
+  std::string add(std::string_view csv);
+  /// All that is left.
+  std::string rest();
+
+ private:
+  std::string aligned();
+
+  std::vector<std::vector<std::string>> rows_;
+  std::vector<std::size_t> widths_;
+  bool widthsAreSet_ = false;
+};
 
 }  // namespace viewproj::cmd

@@ -37,6 +37,12 @@ class NumbersWriter : public RecordWriter {
   void names(std::string_view name, std::span<const std::string_view>, bool) override {
     throw UsageError("--fields " + std::string(name) + ": text and f64 have numbers only; use JSON or CSV");
   }
+  void word(std::string_view, std::string_view) override {}
+  void json(std::string_view, std::string_view) override {}
+  void group(std::string_view, bool, const std::function<void(ResultSink&)>& write) override { write(*this); }
+  void list(std::string_view name, std::size_t, const std::function<void(ResultSink&, std::size_t)>&) override {
+    throw UsageError("a list of " + std::string(name) + " has no place in text and f64; use JSON");
+  }
 
  protected:
   virtual void put(double value) = 0;

@@ -93,6 +93,7 @@ void Batch::flush() {
     }
     const std::size_t index = added++;
     if (!writer_) {
+      work_.read(index, {row.text, &row.plan->shape});
       ++result_.records;
       continue;
     }

@@ -20,6 +20,18 @@ std::size_t behindLastLine(std::string_view text) {
   return end == npos ? 0 : end + 1;
 }
 
+/// In steps that compilers make vector instructions of.
+std::size_t countLines(std::string_view text) {
+  constexpr std::size_t kStep = 128;
+  std::size_t lines = 0, at = 0;
+  for (; at + kStep <= text.size(); at += kStep) {
+    unsigned char here = 0;
+    for (std::size_t i = 0; i < kStep; ++i) here = static_cast<unsigned char>(here + (text[at + i] == '\n'));
+    lines += here;
+  }
+  return lines + static_cast<std::size_t>(std::count(text.begin() + at, text.end(), '\n'));
+}
+
 bool mayBeginBom(std::string_view text) { return text.size() < kBom.size() && kBom.starts_with(text); }
 
 std::size_t wholeCsv(std::string_view text) {
@@ -127,8 +139,8 @@ void BlockReader::moveOn(std::string_view text) {
     position_.line += text.size() / kBinaryRecord;
     return;
   }
-  const auto lines = std::count(text.begin(), text.end(), '\n');
-  position_.line += static_cast<std::size_t>(lines);
+  const std::size_t lines = countLines(text);
+  position_.line += lines;
   position_.column = lines > 0 ? text.size() - text.rfind('\n') : position_.column + text.size();
 }
 

@@ -39,6 +39,7 @@ std::unique_ptr<RecordWriter> makeWriter(Stream& stream, TextBuffer& out) {
   const WriterSetup& setup = stream.setup.writer;
   switch (stream.to) {
     case OutputForm::csv:
+    case OutputForm::table:
       return makeCsvWriter(setup, stream.columns, out);
     case OutputForm::text:
       return makeTextWriter(setup, out);
@@ -112,7 +113,7 @@ TextBuffer readHeader(Stream& stream, BlockReader& reader) {
                               "already has a field '" + name + "'; --prefix P puts P in front of the results' names");
       }
     }
-    if (stream.writes && stream.to == OutputForm::csv)
+    if (stream.writes && hasColumns(stream.to))
       stream.columns = csvColumns(stream.setup.writer, fromCsv ? &header : nullptr, fromCsv ? line->text : "", out);
   } catch (const RecordError& e) {
     throw InputError(place(reader.name(), positionAt(line->text, e.offset, line->position)) + ": " + e.what());
@@ -139,7 +140,8 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
   const auto named = setup.from ? setup.from : formOfName(setup.file);
   stream.form = !setup.given.empty() ? Form::json : named ? *named : formOfBytes(reader->firstBytes());
   reader->setForm(stream.form);
-  stream.to = setup.to.value_or(sameForm(stream.form));
+  const bool numbersOnly = stream.form == Form::text || stream.form == Form::f64;
+  stream.to = setup.to.value_or(setup.wordsOnly && numbersOnly ? OutputForm::lines : sameForm(stream.form));
   const bool toJson = stream.to == OutputForm::lines || stream.to == OutputForm::array;
   // JSON keeps its own arrangement, arrays included, unless an arrangement was asked for.
   setup.writer.keepArrays = writes && !setup.to && stream.form == Form::json;
@@ -149,6 +151,7 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
                   .keepGoing = setup.keepGoing,
                   .checkNames = writes && toJson,
                   .prefix = setup.writer.prefix};
+  setup.writer.table = stream.to == OutputForm::table;
   if (writes) tryResults(stream);
   const TextBuffer start = readHeader(stream, *reader);
 
@@ -167,11 +170,11 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
   const PipelineSetup pipeline{
       .jobs = setup.jobs > 0 ? setup.jobs : processors,
       .makeWorker = [&](BlockResult& result) { return std::make_unique<RecordWorker>(stream, result); },
-      .inOrder = [&] { return writes && stream.to == OutputForm::csv && !stream.columns.known; }};
+      .inOrder = [&] { return writes && hasColumns(stream.to) && !stream.columns.known; }};
   runPipeline(pipeline, *reader, ordered, guard);
   if (InterruptGuard::signal() != 0) ordered.endInterrupted();
   TextBuffer rest;
-  if (writes && stream.to == OutputForm::csv) finishCsv(stream.columns, setup.writer, rest);
+  if (writes && hasColumns(stream.to)) finishCsv(stream.columns, setup.writer, rest);
   return ordered.finish(rest.view());
 }
 

@@ -23,6 +23,7 @@ struct FilterSetup {
   std::vector<GivenRecord> given;  ///< instead of a file
   std::optional<Form> from;
   std::optional<OutputForm> to;  ///< nothing: as the input
+  bool wordsOnly = false;        ///< results are words: from text and f64 come JSON lines
   bool keepGoing = false;
   unsigned jobs = 0;          ///< threads; 0: one a processor
   std::size_t firstLine = 1;  ///< the number of the input's first line (f64: record), for messages

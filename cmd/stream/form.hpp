@@ -9,8 +9,10 @@ namespace viewproj::cmd {
 /// f64: little-endian doubles, three a record.
 enum class Form { json, csv, text, f64 };
 
-/// json is a sequence of values on lines; array one array of them.
-enum class OutputForm { lines, array, csv, text, f64 };
+/// lines is a sequence of JSON values, array one array of them; table has the columns of CSV, aligned for people.
+enum class OutputForm { lines, array, csv, text, f64, table };
+
+inline bool hasColumns(OutputForm form) { return form == OutputForm::csv || form == OutputForm::table; }
 
 OutputForm sameForm(Form form);
 

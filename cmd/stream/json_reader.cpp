@@ -24,12 +24,29 @@ bool readNumber(dom::element value, std::string_view record, double& number) {
   return number != 0 || value.type() == dom::element_type::DOUBLE || record.find("-0") == npos;
 }
 
+/// What a part is of its field's value.
+bool readInner(dom::element& value, const std::string& inner) {
+  if (inner.empty()) return true;
+  dom::object object;
+  if (value.get_object().get(object) == simdjson::SUCCESS) return !object.at_key(inner).get(value);
+  dom::array array;
+  if (value.get_array().get(array)) return false;
+  std::size_t index = 0;
+  for (dom::element item : array)
+    if (std::to_string(index++) == inner) {
+      value = item;
+      return true;
+    }
+  return false;
+}
+
 /// As readNumbers; false where it would throw.
 bool readNumbers(const std::vector<dom::element>& values, const Layout& layout, std::string_view record,
                  Numbers& numbers) {
   double* slot = numbers.data();
   for (const NumberField& part : layout.parts) {
-    const dom::element value = values[part.field];
+    dom::element value = values[part.field];
+    if (!readInner(value, part.inner)) return false;
     std::size_t count = 0;
     if (part.mayBeAbsent && value.is_null()) {
       count = 0;

@@ -55,7 +55,7 @@ OrderedOutput::OrderedOutput(OutputSetup setup, Progress progress)
 
 void OrderedOutput::begin(std::string_view text) {
   if (setup_.form == OutputForm::array) openArray("[");
-  write(text);
+  put(text, 0);
 }
 
 void OrderedOutput::openArray(std::string_view asWritten) {
@@ -77,7 +77,7 @@ void OrderedOutput::put(const Block& block, const BlockResult& result) {
   if (setup_.keepArrays && !block.opening.empty()) openArray(block.opening);
   if (!result.out.empty()) {
     if (open_) write(inArray_ == 0 ? "\n" : ",\n");
-    write(result.out.view(), result.records, result.arrays);
+    put(result.out.view(), result.records, result.arrays);
     inArray_ += result.records;
   }
   if (!result.passedOver.empty()) progress_.clear();
@@ -92,6 +92,7 @@ void OrderedOutput::put(const Block& block, const BlockResult& result) {
 }
 
 void OrderedOutput::fail(const StreamFault& fault) {
+  write(table_.rest());
   closeArray();
   const bool placed = fault.position.line > 0;
   const std::string message = (placed ? setup_.placeOf(fault.position) + ": " : "") + fault.message;
@@ -100,9 +101,17 @@ void OrderedOutput::fail(const StreamFault& fault) {
 }
 
 int OrderedOutput::finish(std::string_view text) {
-  write(text);
+  put(text, 0);
+  write(table_.rest());
   closeArray();
   return passedOver_ ? 1 : 0;
+}
+
+void OrderedOutput::put(std::string_view text, std::size_t count, bool arrays) {
+  if (setup_.form == OutputForm::table)
+    write(table_.add(text));
+  else
+    write(text, count, arrays);
 }
 
 void OrderedOutput::write(std::string_view text, std::size_t count, bool arrays) {

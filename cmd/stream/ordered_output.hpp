@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "output/table.hpp"
 #include "stream/batch.hpp"
 #include "stream/progress.hpp"
 
@@ -36,6 +37,8 @@ class OrderedOutput {
  private:
   void closeArray(std::string_view asWritten = "");
   void openArray(std::string_view asWritten);
+  /// As write does, a table once its columns are known.
+  void put(std::string_view text, std::size_t count, bool arrays = false);
   /// count: how many records text is. arrays: some of them stand in arrays.
   void write(std::string_view text, std::size_t count = 0, bool arrays = false);
   /// Writes to the end, signal or not.
@@ -48,6 +51,7 @@ class OrderedOutput {
   bool open_ = false, passedOver_ = false;
   std::string closing_;  ///< behind the bracket: what ends a document
   std::size_t inArray_ = 0;
+  CsvAligner table_;
 };
 
 }  // namespace viewproj::cmd

@@ -34,11 +34,12 @@ class CsvReader final : public RecordReader {
   void read(Block& block, Batch& batch) override {
     const std::string_view text = block.records;
     for (std::size_t at = 0, end; at < text.size(); at = end + 1) {
-      std::size_t unclosed = std::string_view::npos;
+      if ((end = readPlainRecord(text, at, batch)) != npos) continue;
+      std::size_t unclosed = npos;
       end = endOfCsvRecord(text, at, &unclosed);
       std::string_view line = text.substr(at, end - at);
       if (line.ends_with('\r')) line.remove_suffix(1);
-      if (unclosed != std::string_view::npos)
+      if (unclosed != npos)
         batch.bad(line, RecordError(unclosed - at, "the quote that opens here is not closed"));
       else if (!isBlank(line))
         readLine(line, batch);
@@ -46,20 +47,58 @@ class CsvReader final : public RecordReader {
   }
 
  private:
-  void readLine(std::string_view line, Batch& batch) {
-    values_.clear();
-    splitCsvLine(line, values_);
+  static constexpr std::size_t npos = std::string_view::npos;
+  static constexpr std::size_t kNoSlot = kMostNumbers;
+
+  /// For each field the slot of its number.
+  static std::vector<std::size_t> slotsOf(const Layout& layout, std::size_t fields) {
+    std::vector<std::size_t> slots(fields, kNoSlot);
+    std::size_t slot = 0;
+    for (const NumberField& part : layout.parts) {
+      if (part.isArray || slots[part.field] != kNoSlot) return {};
+      slots[part.field] = slot++;
+    }
+    return slots;
+  }
+
+  /// Adds a record of as many fields as the header's whose numbers are plainly numbers, all in one pass. Returns where
+  /// it ends, or npos for any other.
+  std::size_t readPlainRecord(std::string_view text, std::size_t begin, Batch& batch) {
+    if (slots_.empty()) return npos;
+    const char* at = text.data() + begin;
+    const char* const end = text.data() + text.size();
     Numbers numbers;
-    if (!batch.plans().empty() && values_.size() == header_.size) {
-      const Plan& plan = *batch.plans().front();
-      if (readPlainNumbers(values_, plan.layout, numbers)) {
-        batch.add(line, plan, numbers);
-        return;
+    for (std::size_t field = 0; field < slots_.size(); ++field) {
+      if (field > 0 && (at == end || *at++ != ',')) return npos;
+      if (slots_[field] != kNoSlot) {
+        double& number = numbers[slots_[field]];
+        const auto [stop, error] = std::from_chars(at, end, number);
+        if (error != std::errc() || !std::isfinite(number)) return npos;
+        at = stop;
+      } else {
+        if (at < end && *at == '"') {
+          // To the quote that closes; two are one of the field's own.
+          for (++at; at < end && (*at != '"' || (at + 1 < end && at[1] == '"')); ++at) at += *at == '"';
+          if (at >= end) return npos;
+        }
+        while (at < end && *at != ',' && *at != '\n') ++at;
       }
     }
+    if (at < end && *at == '\r') ++at;
+    if (at < end && *at != '\n') return npos;
+    const auto lineEnd = static_cast<std::size_t>(at - text.data());
+    std::string_view line = text.substr(begin, lineEnd - begin);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    batch.add(line, *batch.plans().front(), numbers);
+    return lineEnd;
+  }
+
+  void readLine(std::string_view line, Batch& batch) {
     try {
       const RecordParts record = csvParts(line, header_);
       const Plan& plan = batch.planFor(record);
+      if (slots_.empty()) slots_ = slotsOf(plan.layout, header_.size);
+      Numbers numbers;
       readNumbers(record, plan.layout, numbers);
       batch.add(line, plan, numbers);
     } catch (const RecordError& e) {
@@ -68,7 +107,7 @@ class CsvReader final : public RecordReader {
   }
 
   const Shape& header_;
-  std::vector<std::string_view> values_;
+  std::vector<std::size_t> slots_;
 };
 
 class TextReader final : public RecordReader {

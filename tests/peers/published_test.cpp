@@ -353,7 +353,7 @@ TEST_CASE("WebGPU specification: vp.x + 0.5 (n.x + 1) w, vp.y + 0.5 (-n.y + 1) h
   }
 }
 
-// Engines
+// Engines; engines_test.cpp has more of Unity and Unreal
 
 TEST_CASE("Unity and Filament: the GPU's reversed matrix has row z replaced by (row w - row z) / 2") {
   const Projection p = perspectiveFovY(60, 1.5, 0.3, 1000);
@@ -364,28 +364,6 @@ TEST_CASE("Unity and Filament: the GPU's reversed matrix has row z replaced by (
   const Mat4 ours = clipFromView(p, gpu);
   // The subtraction -1 + 1.0006 that the engines do leaves the error of 1 in 0.0003.
   for (std::size_t j = 0; j < 4; ++j) CHECK(std::fabs(ours[2][j] - (g[3][j] - g[2][j]) / 2) <= 2 * kRounding);
-}
-
-TEST_CASE("Unity: worldToCameraMatrix has OpenGL's view space, though the world is left-handed and Z points ahead") {
-  const Pose pose = lookAlong({1, 2, 3}, {0, 0, 1}, {0, 1, 0}, Handedness::left);
-  checkEntries(viewFromWorld(pose, preset("unity")), {{{{1, 0, 0, -1}, {0, 1, 0, -2}, {0, 0, -1, 3}, {0, 0, 0, 1}}}},
-               0);
-}
-
-TEST_CASE("Unreal: FReversedZPerspectiveMatrix of a horizontal half angle, finite and infinite") {
-  const double halfFov = 40, width = 1920, height = 1080, n = 10, f = 50000;
-  const double tangent = std::tan(halfFov / kDegreesPerRadian);
-  const DoubleDouble aspect = DoubleDouble(width) / DoubleDouble(height);
-  const Convention c = preset("unreal");
-  checkEntries(laidOut(clipFromView(perspectiveFovX(2 * halfFov, aspect, n, f), c), c),
-               {{{{1 / tangent, 0, 0, 0},
-                  {0, width / tangent / height, 0, 0},
-                  {0, 0, n / (n - f), 1},
-                  {0, 0, -f * n / (n - f), 0}}}},
-               kFewRoundings);
-  checkEntries(laidOut(clipFromView(perspectiveFovX(2 * halfFov, aspect, n, kInfiniteFar), c), c),
-               {{{{1 / tangent, 0, 0, 0}, {0, width / tangent / height, 0, 0}, {0, 0, 0, 1}, {0, 0, n, 0}}}},
-               kFewRoundings);
 }
 
 TEST_CASE("Unreal: a camera without rotation looks along +X, its right is +Y and Z is up") {

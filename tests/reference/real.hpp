@@ -49,6 +49,9 @@ class Real {
     return r;
   }
   friend Real tanDegrees(const Real& a) { return with(a * pi() / Real(180), mpfr_tan); }
+  /// What the rounding of pi leaves of a zero counts as 0.
+  friend Real sinDegrees(const Real& a) { return withoutNoise(with(within(a, 360) * pi() / Real(180), mpfr_sin), a); }
+  friend Real cosDegrees(const Real& a) { return withoutNoise(with(within(a, 360) * pi() / Real(180), mpfr_cos), a); }
 
  private:
   template <class F>
@@ -64,8 +67,18 @@ class Real {
     return r;
   }
 
+  /// What is left of whole turns: exact.
+  static Real within(const Real& a, const Real& turn) { return with(a, turn, mpfr_remainder); }
+
+  static Real withoutNoise(const Real& value, const Real& degrees) {
+    return mpfr_zero_p(within(degrees, 90).value_) && abs(value) < Real(0.5) ? Real(0) : value;
+  }
+
   mpfr_t value_;
 };
+
+Real sinDegrees(const Real& a);
+Real cosDegrees(const Real& a);
 
 using Real3 = std::array<Real, 3>;
 

@@ -36,7 +36,7 @@ struct Heard {
 /// Keeps the numbers that it is given.
 class Keeper final : public RecordWork {
  public:
-  Layout find(const RecordParts& record) const override { return findPoint(record, {}); }
+  Layout find(const RecordParts& record) const override { return findPoint(record, {}, false); }
   void nameResults(const Layout&, ResultSink&) const override {}
   void add(const Layout& layout, const Numbers& numbers) override {
     kept_.emplace_back();
@@ -68,6 +68,10 @@ class Listener final : public RecordWriter {
   void vector(std::string_view, std::span<const double>) override {}
   void flag(std::string_view, bool) override {}
   void names(std::string_view, std::span<const std::string_view>, bool) override {}
+  void word(std::string_view, std::string_view) override {}
+  void json(std::string_view, std::string_view) override {}
+  void group(std::string_view, bool, const std::function<void(ResultSink&)>&) override {}
+  void list(std::string_view, std::size_t, const std::function<void(ResultSink&, std::size_t)>&) override {}
 
  private:
   Keeper& keeper_;

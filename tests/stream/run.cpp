@@ -23,7 +23,7 @@ constexpr double kUnlucky = 4713;
 
 class SumWork final : public RecordWork {
  public:
-  Layout find(const RecordParts& record) const override { return findPoint(record, {}); }
+  Layout find(const RecordParts& record) const override { return findPoint(record, {}, false); }
   void nameResults(const Layout&, ResultSink& sink) const override { write({1, 1, 1, 1}, sink); }
   void add(const Layout& layout, const Numbers& numbers) override { points_.push_back(toPoint(layout, numbers)); }
   void write(std::size_t i, ResultSink& sink) override {

@@ -1,5 +1,7 @@
 #include "viewproj/numbers/degrees.hpp"
 
+#include <random>
+
 #include "catch.hpp"
 
 using namespace viewproj;
@@ -14,4 +16,50 @@ TEST_CASE("The tangent of half an angle outside 0 to 180 degrees is NaN") {
     INFO(degrees);
     CHECK(std::isnan(tanHalfDegrees(degrees).hi));
   }
+}
+
+TEST_CASE("An angle comes back from the tangent of its half, to the last bit") {
+  int small = 0, wide = 0, close = 0;
+  for (unsigned trial = 0; trial < 20000; ++trial) {
+    std::mt19937_64 bits(trial);
+    const auto uniform = [&] { return static_cast<double>(bits() >> 11) * 0x1p-53; };
+    // From 1e-200 to 90 degrees, and as far from 180 as 1e-12.
+    const double degrees =
+        trial % 2 ? std::pow(10, -200 + uniform() * 201.95) : 180 - std::pow(10, -12 + uniform() * 13.95);
+    INFO(trial << ": " << degrees);
+    CHECK(degreesOfHalfTangent(tanHalfDegrees(degrees)) == degrees);
+    small += degrees < 1e-60;
+    wide += degrees > 90;
+    close += degrees > 180 - 1e-9;
+  }
+  CHECK(std::min({small, wide, close}) > 500);
+}
+
+TEST_CASE("A tangent that is no angle's gives an end of the range, or NaN") {
+  CHECK(degreesOfHalfTangent(0) == 0);
+  CHECK(degreesOfHalfTangent(-1) == 0);
+  CHECK(degreesOfHalfTangent(1e300) == 180);
+  CHECK(degreesOfHalfTangent(double(INFINITY)) == 180);
+  CHECK(std::isnan(degreesOfHalfTangent(double(NAN))));
+}
+
+TEST_CASE("Sines and cosines of right angles are exact, however many turns lie between") {
+  const double sines[] = {0, 1, 0, -1};
+  for (int quarter = -9; quarter <= 9; ++quarter) {
+    const SinCos s = sinCosDegrees(90.0 * quarter);
+    INFO(quarter);
+    CHECK(s.sine.expansion().rounded().hi == sines[(quarter + 12) % 4]);
+    CHECK(s.sine.expansion().rounded().lo == 0);
+    CHECK(s.cosine.expansion().rounded().hi == sines[(quarter + 13) % 4]);
+    CHECK(isRightAngle(90.0 * quarter));
+  }
+  CHECK_FALSE(isRightAngle(90 + 1e-13));
+}
+
+TEST_CASE("Sine and cosine change sign with the angle and the quadrant, to the last bit") {
+  const SinCos s = sinCosDegrees(33.3), opposite = sinCosDegrees(-33.3), behind = sinCosDegrees(33.3 - 180);
+  CHECK((s.sine + opposite.sine).isZero());
+  CHECK((s.cosine - opposite.cosine).isZero());
+  CHECK(std::fabs((s.cosine + behind.cosine).expansion().rounded().hi) < 1e-15);  // 33.3 - 180 is a rounded number
+  CHECK(behind.sine.isNegative());
 }

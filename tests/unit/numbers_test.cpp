@@ -1,7 +1,10 @@
 #include <random>
 
 #include "catch.hpp"
+#include "viewproj/numbers/certified.hpp"
+#include "viewproj/numbers/dyadic.hpp"
 #include "viewproj/numbers/expansion.hpp"
+#include "viewproj/numbers/fixed.hpp"
 #include "viewproj/numbers/vectors.hpp"
 
 using namespace viewproj;
@@ -78,4 +81,76 @@ TEST_CASE("The length of a vector neither overflows nor underflows") {
     CHECK(v.x.hi == 0.6);
     CHECK(v.z.hi == 0.8);
   }
+}
+
+TEST_CASE("Dyadic numbers add and multiply exactly, over the whole range of doubles") {
+  const double values[] = {0,      1,         -1,    3,       0.1,    -0x1.fffffffffffffp1023,
+                           5e-324, 0x1p-1022, 1e150, -1e-150, 0x1p32, 0x1p-32};
+  for (double a : values)
+    for (double b : values) {
+      const Dyadic x(a), y(b);
+      INFO(a << " " << b);
+      CHECK(((x + y) * (x - y) - (x * x - y * y)).sign() == 0);
+      CHECK((x * y * x * y * x * y - (x * x * x) * (y * y * y)).sign() == 0);
+      CHECK((x - y).sign() == (a > b) - (a < b));
+      CHECK(double((x - y + y).rounded()) == a);
+      if (a != 0 && b != 0) {
+        const Wide quotient = (x * x * y).rounded() / Wide(a) / Wide(a);
+        CHECK(double(quotient) == b);
+      }
+    }
+}
+
+TEST_CASE("Certified numbers know when they do not know") {
+  const Certified near = Certified(0.1) * Certified(3.0) - Certified(0.25);
+  CHECK(near.isCertain());
+  // What is left of 0.1 * 3 - 0.3 is a rounding error: right up to its own error, but with few certain digits.
+  const Certified cancelled = Certified(0.1) * Certified(3.0) - Certified(0.3);
+  const double truth = double((Dyadic(0.1) * Dyadic(3.0) - Dyadic(0.3)).rounded());
+  CHECK_FALSE(cancelled.isCertain());
+  CHECK(cancelled.error > 0);
+  CHECK(std::fabs(cancelled.value.hi - truth) <= cancelled.error);
+  CHECK((Certified(1e200) * Certified(1e200)).isCertain() == false);
+  CHECK((Certified(1e-200) * Certified(1e-200)).isCertain() == false);
+  CHECK((Certified(0.0) * Certified(1e-200)).isCertain());
+  CHECK(Certified::difference(1, 1).isCertain());
+}
+
+TEST_CASE("The leading terms of an expansion leave out less than the last of them holds") {
+  Expansion<16> many;
+  for (int i = 0; i < 12; ++i) many.add((i % 2 ? -1.25 : 1.5) * std::ldexp(1, -60 * i));
+  CHECK(many.leading<12>().size() == many.size());
+  const Expansion<4> few = many.leading<4>();
+  REQUIRE(few.size() == 4);
+  Expansion<24> rest;
+  for (std::size_t i = 0; i < many.size(); ++i) rest.add(many.term(i));
+  for (std::size_t i = 0; i < few.size(); ++i) rest.add(-few.term(i));
+  CHECK(rest.rounded().hi != 0);
+  CHECK(std::fabs(rest.rounded().hi) <= 0x1p-230);
+}
+
+TEST_CASE("Fixed-point numbers add exactly, multiply and divide to within a step, and mind the sign") {
+  const auto value = [](const Fixed& a) { return a.expansion(); };
+  for (std::uint64_t trial = 0; trial < 2000; ++trial) {
+    std::mt19937_64 random(trial);
+    std::uniform_real_distribution<double> uniform(-1000, 1000);
+    const double a = uniform(random), b = uniform(random);
+    INFO(a << " " << b);
+    Expansion<16> sum, product;
+    for (double part : {-a, -b}) sum.add(part);
+    const Fixed added = Fixed(a) + Fixed(b);
+    for (std::size_t i = 0; i < value(added).size(); ++i) sum.add(value(added).term(i));
+    REQUIRE(sum.isZero());
+    product.addProduct(a, -b);
+    const Fixed multiplied = Fixed(a) * Fixed(b);
+    for (std::size_t i = 0; i < value(multiplied).size(); ++i) product.add(value(multiplied).term(i));
+    REQUIRE(product.isZero());  // two doubles between 2^-58 and 2^10 have no bits below a step
+    REQUIRE(((Fixed(a) * Fixed(-b)) + multiplied).isZero());
+    const Fixed third = Fixed(a).dividedBy(3);
+    const Fixed rest = Fixed(a) - third - third - third;
+    REQUIRE(std::fabs(rest.expansion().rounded().hi) <= 2 * Fixed::kStep);
+    REQUIRE((rest.isZero() || rest.isNegative() == (a < 0)));
+  }
+  CHECK(Fixed(0x1p-225).isZero());
+  CHECK(Fixed(-0x1p-224).expansion().rounded().hi == -Fixed::kStep);
 }

@@ -2,6 +2,7 @@
 
 #include "catch.hpp"
 #include "viewproj/camera/error.hpp"
+#include "viewproj/view/eye_point.hpp"
 
 using namespace viewproj;
 
@@ -113,4 +114,46 @@ TEST_CASE("A matrix and its inverse give the same pose") {
   const Pose again = poseFromWorldFromCamera(toWorld, CameraAxes::RUB, right);
   for (std::size_t i = 0; i < 3; ++i) CHECK(again.rows.forward[i].hi == Approx(pose.rows.forward[i].hi).epsilon(1e-15));
   CHECK(again.eye == pose.eye);
+}
+
+TEST_CASE("Columns in double-double give the pose that a rotation gives, and the eye's low part is not lost") {
+  const Vec3 eye{1e6, -2e5, 3e4};
+  const DDVec3 off{{eye.x, 1e-11}, {eye.y, -2e-12}, {eye.z, 1e-13}};
+  for (const CameraAxes axes : {CameraAxes::RUB, CameraAxes::RDF, CameraAxes::RUF, CameraAxes::FRU}) {
+    const Handedness world = axes == CameraAxes::RUB || axes == CameraAxes::RDF ? right : left;
+    const Pose turned = poseFromRotation(eye, {0.3, -0.1, 0.7, 0.5}, axes, world);
+    const Axes& c = turned.columns;
+    const std::array<DDVec3, 3> columns = axes == CameraAxes::RUB   ? std::array{c.right, c.up, -c.forward}
+                                          : axes == CameraAxes::RDF ? std::array{c.right, -c.up, c.forward}
+                                          : axes == CameraAxes::RUF ? std::array{c.right, c.up, c.forward}
+                                                                    : std::array{c.forward, c.right, c.up};
+    const Pose pose = poseFromColumns(columns, off, axes, world);
+    const auto same = [](const DDVec3& a, const DDVec3& b) { return maxAbs(a + -b) <= 0x1p-98; };
+    CHECK(same(pose.rows.right, turned.rows.right));
+    CHECK(same(pose.rows.up, turned.rows.up));
+    CHECK(same(pose.rows.forward, turned.rows.forward));
+    CHECK(pose.eye == eye);
+    const DDVec3 eyeBack = unroundedEye(pose);
+    for (std::size_t i = 0; i < 3; ++i) CHECK(eyeBack[i].lo == Approx(off[i].lo).epsilon(1e-9));
+    // The exact rows are the rounded ones.
+    const EyePoint exact = toEyeExactly(pose, {3, 4, 5, 1}), rounded = toEye(pose, {3, 4, 5, 1});
+    for (const auto part : {&EyePoint::right, &EyePoint::up, &EyePoint::forward}) {
+      const DoubleDouble a = scaleByPowerOfTwo(exact.*part, exact.exponent);
+      const DoubleDouble b = scaleByPowerOfTwo(rounded.*part, rounded.exponent);
+      CHECK(std::fabs((a - b).hi) <= 1e6 * 0x1p-96);
+    }
+  }
+}
+
+TEST_CASE("Columns that are no rotation, or mirror, are named") {
+  const DDVec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+  CHECK(complaint([&] { poseFromColumns({x, y, x}, {}, CameraAxes::RUB, right); }).first == "columns");
+  CHECK(complaint([&] {
+          poseFromColumns({x, y, z * DoubleDouble(2)}, {}, CameraAxes::RUB, right);
+        }).first == "columns");
+  CHECK(complaint([&] { poseFromColumns({x, y, -z}, {}, CameraAxes::RUB, right); }).first == "columns");
+  CHECK(complaint([&] {
+          poseFromColumns({x, y, z * DoubleDouble(NAN)}, {}, CameraAxes::RUB, right);
+        }).first == "columns");
+  CHECK(complaint([&] { poseFromColumns({x, y, z}, {INFINITY, 0, 0}, CameraAxes::RUB, right); }).first == "position");
 }

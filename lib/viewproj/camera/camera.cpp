@@ -35,7 +35,8 @@ bool forwardIsAxis(const Pose& pose) noexcept {
                        exact.forwardScale.hi == 1 && exact.forwardScale.lo == 0;
     if (std::fabs(row.hi) == 1 && row.lo == 0 && (made || given)) ++ones;
   }
-  return zeros == 2 && ones == 1 && pose.residual.x.hi == 0 && pose.residual.y.hi == 0 && pose.residual.z.hi == 0;
+  return exact.error == 0 && zeros == 2 && ones == 1 && pose.residual.x.hi == 0 && pose.residual.y.hi == 0 &&
+         pose.residual.z.hi == 0;
 }
 
 }  // namespace

@@ -16,41 +16,65 @@ void requireFinite(const Vec3& v, const char* field) {
 
 DDVec3 rounded(const ExactVec3& v) { return {v[0].rounded(), v[1].rounded(), v[2].rounded()}; }
 
-/// Exact; a and b are scaled to unit magnitude first.
-ExactVec3 exactCross(const DDVec3& a, const Vec3& b) {
+ExactVec3 exactly(const Vec3& v) { return {Expansion<8>{v.x}, Expansion<8>{v.y}, Expansion<8>{v.z}}; }
+
+/// a and b are scaled to unit magnitude first. Exact for a b of doubles; of a fine one what does not fit into eight
+/// terms is far below b's own error.
+ExactVec3 exactCross(const DDVec3& a, const ExactVec3& b) {
   ExactVec3 result;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
     const std::size_t k = (i + 2) % 3;
-    result[i].addProduct(a[j], b[k]);
-    result[i].addProduct(a[k], -b[j]);
+    Expansion<64> sum;
+    for (std::size_t t = 0; t < b[k].size(); ++t) sum.addProduct(a[j], b[k].term(t));
+    for (std::size_t t = 0; t < b[j].size(); ++t) sum.addProduct(a[k], -b[j].term(t));
+    result[i] = sum.leading<8>();
   }
   return result;
 }
 
-Pose lookAlongExactly(const Vec3& position, const DDVec3& direction, const Vec3& up, Handedness world,
-                      const char* directionField) {
+/// Scaled to unit magnitude.
+FineVec3 fineUp(const Vec3& up) {
   requireFinite(up, "up");
   if (maxAbs(up) == 0) throw CameraError("up", "is zero");
+  const DDVec3 wide = toDoubleDouble(up);
+  return {exactly(rounded(scaleByPowerOfTwo(wide, exponentToUnit(wide)))), 0};
+}
+
+/// Rows more uncertain than this would not be within 2^-100.
+constexpr double kLargestRowError = 0x1p-102;
+
+/// up is of about unit length.
+Pose lookAlongExactly(const Vec3& position, const DDVec3& direction, const FineVec3& up, Handedness world,
+                      const char* directionField) {
   if (maxAbs(direction) == 0)
     throw CameraError(directionField, std::string(directionField) == "target"
                                           ? "is the camera's own position: there is no direction to look in"
                                           : "is zero");
   const DDVec3 g = scaleByPowerOfTwo(direction, exponentToUnit(direction));
-  const DDVec3 scaledUp = scaleByPowerOfTwo(toDoubleDouble(up), exponentToUnit(toDoubleDouble(up)));
-  const ExactVec3 side = exactCross(g, rounded(scaledUp));
-  if (side[0].isZero() && side[1].isZero() && side[2].isZero())
+  const ExactVec3 side = exactCross(g, up.terms);
+  const DDVec3 roundedSide = rounded(side);
+  // Each product of a component of g with one of up carries 2 up.error; of up's row there are two.
+  const double sideError = 16 * up.error;
+  if (!(maxAbs(roundedSide) * kLargestRowError >= sideError && maxAbs(roundedSide) > 0))
     throw CameraError("up", "is parallel to the viewing direction, so it does not say which way is up; give another");
 
-  const DDVec3 roundedSide = rounded(side);
   const DoubleDouble sideScale = inverseLength(roundedSide);
   const DoubleDouble forwardScale = inverseLength(g);
   const DDVec3 right = roundedSide * sideScale;
   const DDVec3 forward = g * forwardScale;
   const double handed = world == Handedness::right ? 1 : -1;
   const Axes axes{right * DoubleDouble(handed), cross(right, forward), forward};
-  ExactRows exact{side,         {},       {}, true, sideScale * DoubleDouble(handed), sideScale * forwardScale,
-                  forwardScale, position, {}};
+  ExactRows exact{side,
+                  {},
+                  {},
+                  true,
+                  sideScale * DoubleDouble(handed),
+                  sideScale * forwardScale,
+                  forwardScale,
+                  position,
+                  {},
+                  sideError * sideScale.hi};
   for (std::size_t i = 0; i < 3; ++i) exact.forward[i] = {g[i].lo, g[i].hi};
   return {position, axes, axes, {}, exact};
 }
@@ -130,6 +154,19 @@ ExactRows toExactRows(const std::array<ExactVec3, 3>& xyz, DoubleDouble scale, C
   return rows;
 }
 
+void requireOrthogonal(const Columns& c, const char* field) {
+  double worst = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = i; j < 3; ++j)
+      worst = std::max(worst, std::fabs(c[i].x * c[j].x + c[i].y * c[j].y + c[i].z * c[j].z - (i == j ? 1 : 0)));
+  if (!(worst <= kPoseOrthogonality)) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2g", worst);
+    throw CameraError(field, std::string("has a 3x3 part that is not a rotation: the largest entry of M^T M - I is ") +
+                                 text + ", 0.001 is allowed");
+  }
+}
+
 /// The 3x3 of a pose matrix, by columns, checked.
 Columns checkedColumns(const Mat4& matrix, const char* field) {
   for (std::size_t i = 0; i < 4; ++i)
@@ -142,23 +179,14 @@ Columns checkedColumns(const Mat4& matrix, const char* field) {
   }
   Columns c;
   for (std::size_t j = 0; j < 3; ++j) c[j] = {matrix[0][j], matrix[1][j], matrix[2][j]};
-  double worst = 0;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = i; j < 3; ++j)
-      worst = std::max(worst, std::fabs(c[i].x * c[j].x + c[i].y * c[j].y + c[i].z * c[j].z - (i == j ? 1 : 0)));
-  if (!(worst <= kPoseOrthogonality)) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.2g", worst);
-    throw CameraError(field, std::string("has a 3x3 part that is not a rotation: the largest entry of M^T M - I is ") +
-                                 text + ", 0.001 is allowed");
-  }
+  requireOrthogonal(c, field);
   return c;
 }
 
 /// The rows of the inverse of the matrix with these columns, not yet divided by the determinant: exact.
 std::array<ExactVec3, 3> exactAdjugateRows(const Columns& c) {
-  return {exactCross(toDoubleDouble(c[1]), c[2]), exactCross(toDoubleDouble(c[2]), c[0]),
-          exactCross(toDoubleDouble(c[0]), c[1])};
+  return {exactCross(toDoubleDouble(c[1]), exactly(c[2])), exactCross(toDoubleDouble(c[2]), exactly(c[0])),
+          exactCross(toDoubleDouble(c[0]), exactly(c[1]))};
 }
 
 DoubleDouble exactDeterminant(const std::array<ExactVec3, 3>& adjugate, const Columns& c) {
@@ -188,22 +216,58 @@ std::array<DDVec3, 3> transposedColumns(const std::array<DDVec3, 3>& rows) {
   return columns;
 }
 
-}  // namespace
+void requireFinite(const FineVec3& v, const char* field) { requireFinite(viewproj::rounded(rounded(v.terms)), field); }
 
-Pose lookAlong(const Vec3& position, const Vec3& direction, const Vec3& up, Handedness world) {
+DDVec3 checkedDirection(const Vec3& position, const Vec3& direction) {
   requireFinite(position, "position");
   requireFinite(direction, "direction");
-  return lookAlongExactly(position, toDoubleDouble(direction), up, world, "direction");
+  return toDoubleDouble(direction);
 }
 
-Pose lookAt(const Vec3& position, const Vec3& target, const Vec3& up, Handedness world) {
+DDVec3 directionTo(const Vec3& target, const Vec3& position) {
   requireFinite(position, "position");
   requireFinite(target, "target");
   // Quartered where the difference could overflow; only its direction counts.
   const double quarter = std::max(maxAbs(position), maxAbs(target)) > 0x1p1000 ? 0.25 : 1;
   DDVec3 direction;
   for (std::size_t i = 0; i < 3; ++i) direction[i] = twoDiff(target[i] * quarter, position[i] * quarter);
+  return direction;
+}
+
+}  // namespace
+
+Pose lookAlong(const Vec3& position, const Vec3& direction, const Vec3& up, Handedness world) {
+  const DDVec3 checked = checkedDirection(position, direction);
+  return lookAlongExactly(position, checked, fineUp(up), world, "direction");
+}
+
+Pose lookAlong(const Vec3& position, const Vec3& direction, const FineVec3& up, Handedness world) {
+  const DDVec3 checked = checkedDirection(position, direction);
+  requireFinite(up, "up");
+  return lookAlongExactly(position, checked, up, world, "direction");
+}
+
+Pose lookAt(const Vec3& position, const Vec3& target, const Vec3& up, Handedness world) {
+  const DDVec3 direction = directionTo(target, position);
+  return lookAlongExactly(position, direction, fineUp(up), world, "target");
+}
+
+Pose lookAt(const Vec3& position, const Vec3& target, const FineVec3& up, Handedness world) {
+  const DDVec3 direction = directionTo(target, position);
+  requireFinite(up, "up");
   return lookAlongExactly(position, direction, up, world, "target");
+}
+
+Pose poseFromAxes(const Vec3& position, const FineVec3& right, const FineVec3& up, const FineVec3& forward) {
+  requireFinite(position, "position");
+  const Axes axes{rounded(right.terms), rounded(up.terms), rounded(forward.terms)};
+  ExactRows exact;
+  exact.right = right.terms;
+  exact.up = up.terms;
+  exact.forward = forward.terms;
+  exact.origin = position;
+  exact.error = std::max({right.error, up.error, forward.error});
+  return {position, axes, axes, {}, exact};
 }
 
 Pose poseFromRotation(const Vec3& position, const Quaternion& q, CameraAxes axes, Handedness world) {
@@ -286,6 +350,34 @@ Pose poseFromCameraFromWorld(const Mat4& matrix, CameraAxes axes, Handedness wor
           toAxes(transposedColumns(inverted.rows), axes),
           {left.right.x, left.up.x, left.forward.x},
           toExactRows(exact, 1, axes, {}, {matrix[0][3], matrix[1][3], matrix[2][3]})};
+}
+
+Pose poseFromColumns(const std::array<DDVec3, 3>& columns, const DDVec3& eye, CameraAxes axes, Handedness world) {
+  const Columns c{rounded(columns[0]), rounded(columns[1]), rounded(columns[2])};
+  requireFinite(rounded(eye), "position");
+  for (const Vec3& column : c) requireFinite(column, "columns");
+  requireOrthogonal(c, "columns");
+  const std::array<DDVec3, 3> crossed = {cross(columns[1], columns[2]), cross(columns[2], columns[0]),
+                                         cross(columns[0], columns[1])};
+  const DoubleDouble determinant = dot(columns[0], crossed[0]);
+  requireHandedness(axes, world, determinant.hi < 0, "columns");
+  const DoubleDouble scale = DoubleDouble(1) / determinant;
+  const std::array<DDVec3, 3> rows = {crossed[0] * scale, crossed[1] * scale, crossed[2] * scale};
+  // Rounded, so that the exact rows hold it too; it is 2^-53 of the eye, and so is its rounding of it.
+  const DDVec3 rest = -DDVec3{eye.x.lo, eye.y.lo, eye.z.lo};
+  const Vec3 residual{dot(rows[0], rest).hi, dot(rows[1], rest).hi, dot(rows[2], rest).hi};
+  std::array<ExactVec3, 3> exact;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) exact[i][j] = {rows[i][j].lo, rows[i][j].hi};
+  const ExactRows exactRows = toExactRows(exact, 1, axes, rounded(eye), residual);
+  // The signs of the axes are in the scales of the exact rows, which take the translation in.
+  const auto along = [&](DoubleDouble rowScale, double translation) { return rowScale * DoubleDouble(translation); };
+  return {rounded(eye),
+          toAxes(rows, axes),
+          toAxes(columns, axes),
+          {along(exactRows.rightScale, exactRows.translation.x), along(exactRows.upScale, exactRows.translation.y),
+           along(exactRows.forwardScale, exactRows.translation.z)},
+          exactRows};
 }
 
 DDVec3 unroundedEye(const Pose& p) noexcept {

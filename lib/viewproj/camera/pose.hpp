@@ -16,6 +16,12 @@ struct Axes {
 
 using ExactVec3 = std::array<Expansion<8>, 3>;
 
+/// A vector to more digits than doubles have: each component is within error of the sum of its terms.
+struct FineVec3 {
+  ExactVec3 terms;
+  double error = 0;
+};
+
 /// The rows of a pose before any rounding, for points whose distances cancel beyond double-double. With
 /// d = point - origin, the distances along the camera's axes are
 ///   X = rightScale (right . d + translation.x)   and so on,
@@ -26,6 +32,7 @@ struct ExactRows {
   bool upIsCross = false;  ///< up is right x forward of these two, not computed until it is needed
   DoubleDouble rightScale = 1, upScale = 1, forwardScale = 1;
   Vec3 origin, translation;
+  double error = 0;  ///< of an entry, once scaled: 0 unless the pose was made of sines and cosines
 };
 
 /// A pose. With d = point - eye, the point's distances along the camera's axes are
@@ -67,6 +74,13 @@ Pose lookAlong(const Vec3& position, const Vec3& direction, const Vec3& up, Hand
 /// Looks at target; the difference target - position is exact.
 Pose lookAt(const Vec3& position, const Vec3& target, const Vec3& up, Handedness world);
 
+/// The same with an up of unit length to more than double precision. Parallel is what its digits cannot tell from it.
+Pose lookAlong(const Vec3& position, const Vec3& direction, const FineVec3& up, Handedness world);
+Pose lookAt(const Vec3& position, const Vec3& target, const FineVec3& up, Handedness world);
+
+/// Axes known to be orthogonal and of unit length.
+Pose poseFromAxes(const Vec3& position, const FineVec3& right, const FineVec3& up, const FineVec3& forward);
+
 /// A rotation from the camera's axes to the world. Throws if axes has not the world's handedness.
 Pose poseFromRotation(const Vec3& position, const Quaternion& worldFromCamera, CameraAxes axes, Handedness world);
 
@@ -75,5 +89,9 @@ Pose poseFromWorldFromCamera(const Mat4& worldFromCamera, CameraAxes axes, Hande
 
 /// The inverse of the above: a view matrix.
 Pose poseFromCameraFromWorld(const Mat4& cameraFromWorld, CameraAxes axes, Handedness world);
+
+/// The camera's x, y, z axes in the world and its eye where they come out of arithmetic in double-double. Names
+/// "columns" and "position" where they are wrong. What the inverse of columns rounds to counts as exact from there on.
+Pose poseFromColumns(const std::array<DDVec3, 3>& columns, const DDVec3& eye, CameraAxes axes, Handedness world);
 
 }  // namespace viewproj

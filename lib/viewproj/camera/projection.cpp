@@ -51,14 +51,6 @@ DoubleDouble tangent(double degrees, const char* field) {
 
 void requireAspect(DoubleDouble aspect) { requirePositive(aspect.hi, "aspect"); }
 
-/// a / b in double-double where both may be near the ends of the range.
-DoubleDouble ratio(double a, double b) {
-  if (a == 0) return 0;
-  if (!std::isfinite(a)) return a;
-  const int ka = std::ilogb(a), kb = std::ilogb(b);
-  return scaleByPowerOfTwo(DoubleDouble(std::ldexp(a, -ka)) / DoubleDouble(std::ldexp(b, -kb)), ka - kb);
-}
-
 }  // namespace
 
 Projection perspectiveFovY(double degrees, DoubleDouble aspect, double near, double far) {
@@ -110,7 +102,13 @@ Projection frustum(double left, double right, double bottom, double top, double 
   return checked(false, ratio(left, near), ratio(right, near), ratio(bottom, near), ratio(top, near), near, far);
 }
 
-Projection orthographic(double left, double right, double bottom, double top, double near, double far) {
+Projection perspectiveWindow(DoubleDouble left, DoubleDouble right, DoubleDouble bottom, DoubleDouble top, double near,
+                             double far) {
+  return checked(false, left, right, bottom, top, near, far);
+}
+
+Projection orthographic(DoubleDouble left, DoubleDouble right, DoubleDouble bottom, DoubleDouble top, double near,
+                        double far) {
   return checked(true, left, right, bottom, top, near, far);
 }
 

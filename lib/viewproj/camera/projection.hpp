@@ -44,8 +44,13 @@ Projection perspectiveFocalLength(double focalLength, double sensorWidth, double
 /// Edges on the near plane (glFrustum).
 Projection frustum(double left, double right, double bottom, double top, double near, double far);
 
+/// Edges on the plane at distance 1 from the eye: tangents.
+Projection perspectiveWindow(DoubleDouble left, DoubleDouble right, DoubleDouble bottom, DoubleDouble top, double near,
+                             double far);
+
 /// Edges anywhere along the view (glOrtho); near may be negative.
-Projection orthographic(double left, double right, double bottom, double top, double near, double far);
+Projection orthographic(DoubleDouble left, DoubleDouble right, DoubleDouble bottom, DoubleDouble top, double near,
+                        double far);
 
 /// Focal lengths and principal point in pixels of the viewport, as its origin and pixelCenter count them.
 Projection intrinsics(DoubleDouble fx, DoubleDouble fy, double cx, double cy, const Viewport& viewport, double near,

@@ -1,7 +1,10 @@
 #include "viewproj/numbers/degrees.hpp"
 
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <limits>
+#include <utility>
 
 namespace viewproj {
 namespace {
@@ -25,11 +28,11 @@ constexpr auto kCosine = alternatingInverseFactorials(0);
 constexpr auto kSineOverX = alternatingInverseFactorials(1);
 
 /// Sine and cosine of an angle in (0, 45] degrees.
-struct SinCos {
+struct DoubleDoubleSinCos {
   DoubleDouble sine, cosine;
 };
 
-SinCos sinCosUpTo45(DoubleDouble degrees) noexcept {
+DoubleDoubleSinCos sinCosUpTo45(DoubleDouble degrees) noexcept {
   const DoubleDouble x = degrees * kRadiansPerDegree;
   const DoubleDouble xx = x * x;
   DoubleDouble sine = kSineOverX[kTerms - 1];
@@ -41,6 +44,9 @@ SinCos sinCosUpTo45(DoubleDouble degrees) noexcept {
   return {sine * x, cosine};
 }
 
+/// pi / 4.
+constexpr Fixed kQuarterTurn({0x20bbea6, 0x8a67cc74, 0x29024e08, 0x80dc1cd1, 0xc4c6628b, 0x2168c234, 0xc90fdaa2, 0});
+
 }  // namespace
 
 DoubleDouble tanHalfDegrees(double degrees) noexcept {
@@ -49,11 +55,45 @@ DoubleDouble tanHalfDegrees(double degrees) noexcept {
   if (half <= 45) {
     // Below 1e-60 degrees sin/cos is x itself to far more than 106 bits.
     if (half < 1e-60) return DoubleDouble(half) * kRadiansPerDegree;
-    const SinCos s = sinCosUpTo45(half);
+    const DoubleDoubleSinCos s = sinCosUpTo45(half);
     return s.sine / s.cosine;
   }
-  const SinCos s = sinCosUpTo45(twoDiff(90, half));
+  const DoubleDoubleSinCos s = sinCosUpTo45(twoDiff(90, half));
   return s.cosine / s.sine;
 }
+
+double degreesOfHalfTangent(DoubleDouble tangent) noexcept {
+  constexpr double kDegreesPerRadian = 57.29577951308232;
+  double angle = 2 * std::atan(tangent.hi) * kDegreesPerRadian;
+  // Newton's steps: the first leaves an ulp, unless the angle is within a few thousand ulps of 180.
+  for (int step = 0; step < 3; ++step) {
+    if (!(angle > 0)) return std::isnan(angle) ? angle : 0;
+    if (!(angle < 180)) return 180;
+    const DoubleDouble there = tanHalfDegrees(angle);
+    angle += ((tangent - there) / (DoubleDouble(1) + there * there)).hi * 2 * kDegreesPerRadian;
+  }
+  return angle < 180 ? angle : 180;
+}
+
+SinCos sinCosDegrees(double degrees) noexcept {
+  const double turned = std::remainder(degrees, 360);  // exact, and so are the differences below
+  const double size = std::fabs(turned);
+  const double upTo90 = size > 90 ? 180 - size : size;
+  const bool swapped = upTo90 > 45;
+  const Fixed x = Fixed(swapped ? 90 - upTo90 : upTo90).dividedBy(45) * kQuarterTurn;
+  const Fixed xx = x * x;
+  Fixed sine = x, cosine = 1, term = x;  // the Taylor series, x^n / n! after x^(n-1) / (n-1)!
+  for (std::uint32_t n = 2; !term.isZero(); n += 2) {
+    const Fixed even = (term * x).dividedBy(n);
+    term = (term * xx).dividedBy(n * (n + 1));
+    const bool minus = n % 4 == 2;
+    cosine = minus ? cosine - even : cosine + even;
+    sine = minus ? sine - term : sine + term;
+  }
+  if (swapped) std::swap(sine, cosine);
+  return {turned < 0 ? -sine : sine, size > 90 ? -cosine : cosine};
+}
+
+bool isRightAngle(double degrees) noexcept { return std::remainder(degrees, 90) == 0; }
 
 }  // namespace viewproj

@@ -60,6 +60,32 @@ class Expansion {
   /// Exact: zero means zero.
   bool isZero() const noexcept { return count_ == 0; }
 
+  /// The same number in fewer terms, without what does not fit; the first 53 bits at least of each term are right.
+  template <std::size_t Fewer>
+  Expansion<Fewer> leading() const noexcept {
+    Expansion<Fewer> result;
+    if (count_ <= Fewer) {
+      result.count_ = count_;
+      for (std::size_t i = 0; i < count_; ++i) result.terms_[i] = terms_[i];
+      return result;
+    }
+    // From the largest down, as many bits into each term as it holds (Shewchuk's compression).
+    double found[Fewer];
+    std::size_t kept = 0;
+    double sum = terms_[count_ - 1];
+    for (std::size_t i = count_ - 1; i-- > 0 && kept < Fewer;) {
+      const DoubleDouble next = quickTwoSum(sum, terms_[i]);
+      sum = next.hi;
+      if (next.lo == 0) continue;
+      found[kept++] = sum;
+      sum = next.lo;
+    }
+    if (kept < Fewer && sum != 0) found[kept++] = sum;
+    for (std::size_t i = 0; i < kept; ++i) result.terms_[i] = found[kept - 1 - i];
+    result.count_ = kept;
+    return result;
+  }
+
   /// The nearest double-double, up to 2^-106 relative.
   DoubleDouble rounded() const noexcept {
     DoubleDouble sum;
@@ -68,6 +94,9 @@ class Expansion {
   }
 
  private:
+  template <std::size_t Other>
+  friend class Expansion;
+
   double terms_[Capacity];
   std::size_t count_ = 0;
 };

@@ -6,6 +6,9 @@
 namespace viewproj {
 namespace {
 
+/// A distance along the view of fewer than this many of its errors says too little of the pixel.
+constexpr double kInEyePlane = 0x1p60;
+
 /// point - w * origin, exactly.
 using ExactDifference = std::array<Expansion<3>, 3>;
 
@@ -106,6 +109,12 @@ EyePoint toEyeExactly(const Pose& pose, const Vec4& point) noexcept {
   e.up = rows.upIsCross ? distanceAlong(exactCross(rows.right, rows.forward), d, w, translation.y, rows.upScale)
                         : distanceAlong(rows.up, d, w, translation.y, rows.upScale);
   e.exponent = -k;
+  if (rows.error > 0) {
+    for (const Expansion<3>& part : d) e.error += rows.error * std::fabs(part.rounded().hi);
+    if (std::fabs(e.right.hi) <= e.error) e.right = {};
+    if (std::fabs(e.up.hi) <= e.error) e.up = {};
+    if (std::fabs(e.forward.hi) <= kInEyePlane * e.error) e.forward = {};
+  }
   return e;
 }
 

@@ -24,7 +24,9 @@ struct EyePoint {
 /// 2^-99, and the sum of three 2^-98 of |d0| + |d1| + |d2|.
 EyePoint toEye(const Pose& pose, const Vec4& point) noexcept;
 
-/// From the exact rows, each distance rounded once at the end: zero means zero, and the sign of forward is certain.
+/// From the exact rows, each distance rounded once at the end: zero means zero, and the sign of forward is certain. Of
+/// a pose made of sines and cosines the rows have an error, 2^-206 and more where up is near the view; a distance that
+/// cancels to less is 0 and not certain, and a point nearer to the eye plane than 2^60 errors counts as on it.
 /// Microseconds instead of a quarter of one.
 EyePoint toEyeExactly(const Pose& pose, const Vec4& point) noexcept;
 

@@ -19,6 +19,9 @@ struct Lens {
   DoubleDouble inverseDepthOffset, inverseDepthScale;  // 1/W or W = inverseDepthOffset + inverseDepthScale out.z
 };
 
+/// The inverse of depthLine: 1/W (perspective) or W (orthographic) = offset + scale * depth.
+DepthLine inverseDepthLine(const Projection& projection, double atNear, double atFar) noexcept;
+
 /// To normalised device coordinates of the convention.
 Lens ndcLens(const Projection& projection, const Convention& convention) noexcept;
 

@@ -5,9 +5,7 @@
 #include "viewproj/view/lens.hpp"
 
 namespace viewproj {
-namespace {
 
-/// 1/w (perspective) or w (orthographic) = offset + scale * depth.
 DepthLine inverseDepthLine(const Projection& p, double atNear, double atFar) noexcept {
   const DoubleDouble step = twoDiff(atFar, atNear);
   const DoubleDouble near = p.orthographic ? DoubleDouble(p.near) : DoubleDouble(1) / DoubleDouble(p.near);
@@ -16,8 +14,6 @@ DepthLine inverseDepthLine(const Projection& p, double atNear, double atFar) noe
                                                : DoubleDouble(1) / DoubleDouble(p.far);
   return {(near * DoubleDouble(atFar) - far * DoubleDouble(atNear)) / step, (far - near) / step};
 }
-
-}  // namespace
 
 Lens ndcLens(const Projection& p, const Convention& c) noexcept {
   const DoubleDouble width = p.right - p.left;

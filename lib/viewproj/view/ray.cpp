@@ -5,6 +5,7 @@
 
 #include "viewproj/numbers/ulp.hpp"
 #include "viewproj/view/kernels/formulas.hpp"
+#include "viewproj/view/lens.hpp"
 
 namespace viewproj {
 namespace {
@@ -110,6 +111,30 @@ WorldPoint screenToWorld(const Camera& c, const Vec2& screen, double depth) noex
   const double farthest = divisor.hi - shareError;
   return pointAt(c, at, distance,
                  farthest > 0 ? distance.hi * (shareError / farthest) : std::numeric_limits<double>::infinity());
+}
+
+PixelStages pixelStages(const Camera& c, const Vec2& screen) noexcept {
+  const WindowPoint at = toWindow(c, screen);
+  const DDVec3 toward = c.projection.orthographic ? c.pose.columns.forward : offsetAt(c, at, 1);
+  return {{sumOrZero(screen.x, -c.screen.centerX).hi + 0.0, sumOrZero(screen.y, -c.screen.centerY).hi + 0.0},
+          {at.right.hi + 0.0, at.up.hi + 0.0},
+          rounded(toward),
+          (DoubleDouble(1) / inverseLength(toward)).hi,
+          screenToRay(c, screen)};
+}
+
+DepthStages depthStages(const Camera& c, const Vec2& screen, double depth) noexcept {
+  const DepthLine line = inverseDepthLine(c.projection, c.depthAtNear, c.depthAtFar);
+  DepthStages s;
+  s.offset = line.offset.hi;
+  s.scale = line.scale.hi;
+  const DoubleDouble sum = sumOrZero(line.offset, line.scale * DoubleDouble(depth));
+  s.sum = sum.hi + 0.0;
+  s.point = screenToWorld(c, screen, depth);
+  s.distance = s.point.status != DepthStatus::point ? kNaN
+               : c.projection.orthographic          ? s.sum
+                                                    : (DoubleDouble(1) / sum).hi;
+  return s;
 }
 
 WorldPoint screenToWorldAtDistance(const Camera& c, const Vec2& screen, double viewDistance) noexcept {

@@ -55,4 +55,27 @@ WorldPoint screenToWorld(const Camera& camera, const Vec2& screen, double depth)
 /// The point at this screen position and distance along the viewing axis.
 WorldPoint screenToWorldAtDistance(const Camera& camera, const Vec2& screen, double viewDistance) noexcept;
 
+/// Every stage of one pixel's way back, for following it by hand. Each number is the double nearest the true value of
+/// that stage; a sum that cancels to less than 2^-98 of its terms is 0.
+struct PixelStages {
+  Vec2 fromCenter;  ///< pixels from where the viewing axis meets the screen
+  Vec2 window;      ///< window coordinates right and up: tangents, or in orthographic lengths
+  Vec3 toward;      ///< in world axes the way to the plane at distance 1 along the view; in orthographic forward
+  double length = 1;
+  Ray ray;  ///< as screenToRay gives it, from the plane through the eye
+};
+
+PixelStages pixelStages(const Camera& camera, const Vec2& screen) noexcept;
+
+/// From a window depth to the distance along the view: reciprocal is offset + scale depth, its inverse the distance; in
+/// orthographic the sum is the distance itself.
+struct DepthStages {
+  double offset = 0, scale = 0;
+  double sum = 0;
+  double distance = 0;  ///< NaN unless point.status is point
+  WorldPoint point;     ///< as screenToWorld gives it
+};
+
+DepthStages depthStages(const Camera& camera, const Vec2& screen, double depth) noexcept;
+
 }  // namespace viewproj

@@ -175,7 +175,8 @@ Attempt attempt(const Camera& c, const EyePoint& e, double w) noexcept {
 /// that cancels to about 0.
 ScreenPoint exactToScreen(const Camera& c, const Vec4& point) noexcept {
   EyePoint e = toEye(c.pose, point);
-  e.forwardIsExact = c.constants.forwardIsAxis && point.w == 1;
+  // Unless bringing the point to unit size pushed its last bits below the smallest double.
+  e.forwardIsExact = c.constants.forwardIsAxis && point.w == 1 && std::fabs(e.forward.hi) > 0x1p-900;
   Attempt result = attempt(c, e, point.w);
   if (!result.certain) {
     EyePoint exact = toEyeExactly(c.pose, point);

@@ -1,0 +1,46 @@
+// What a depth buffer resolves, as text: a table, JSON, a plot.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "viewproj/view/depth_buffer.hpp"
+
+namespace viewproj::cmd {
+
+struct NamedMapping {
+  std::string name;
+  DepthMapping mapping;
+  bool own = false;  ///< the camera's
+};
+
+struct NamedFormat {
+  std::string name;
+  DepthFormat format;
+};
+
+struct WantedGap {
+  double gap, distance;
+};
+
+/// Everything that is asked; the answers are computed as they are written.
+struct DepthReport {
+  std::vector<NamedMapping> mappings;
+  std::vector<NamedFormat> formats;
+  std::vector<double> distances, gaps;
+  bool gapsAsked = false;  ///< not the default ones
+  std::vector<WantedGap> wanted;
+  std::vector<std::string> notes;
+
+  const DepthMapping& own() const;
+};
+
+std::string depthAsTable(const DepthReport& report);
+std::string depthAsJson(const DepthReport& report);
+/// The gap resolved over distance, for every mapping and format.
+std::string depthAsSvg(const DepthReport& report);
+
+/// As far as an infinite view is told of by default: this many near distances.
+inline constexpr double kInfiniteReach = 1e8;
+
+}  // namespace viewproj::cmd

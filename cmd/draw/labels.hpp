@@ -1,0 +1,52 @@
+// Labels that lie on nothing: each takes the first good place beside its mark, or none.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "output/svg.hpp"
+
+namespace viewproj::cmd {
+
+inline constexpr double kLabelText = 13;
+
+/// Not less than the width of words in any usual sans-serif face.
+double widthOf(std::string_view words, double size);
+
+/// Text of a record as a label: characters that XML has not replaced, cut off after kLongestLabel of them.
+std::string asLabel(std::string_view text);
+inline constexpr std::size_t kLongestLabel = 24;
+
+class Labels {
+ public:
+  /// Nothing goes outside of the frame.
+  explicit Labels(const svg::Box& frame) : frame_(frame) {}
+
+  /// No label lies on these.
+  void avoid(const svg::Box& box);
+  /// Nor, if there is another place as good, on these.
+  void avoidLine(double x1, double y1, double x2, double y2) { lines_.push_back({x1, y1, x2, y2}); }
+
+  /// A text element beside what is marked; nothing where there is no room.
+  std::optional<std::string> place(const svg::Box& marked, const std::string& words, const std::string& style);
+
+  std::size_t dropped() const { return dropped_; }
+
+ private:
+  struct Line {
+    double x1, y1, x2, y2;
+  };
+
+  bool isFree(const svg::Box& box) const;
+  int linesThrough(const svg::Box& box) const;
+
+  svg::Box frame_;
+  std::unordered_map<int, std::vector<svg::Box>> taken_;  ///< by cell
+  std::vector<Line> lines_;
+  std::size_t dropped_ = 0;
+};
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,125 @@
+#include "input/camera_source.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "input/error.hpp"
+#include "input/importer.hpp"
+#include "input/names.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+/// The first that recognises a file reads it; what none does is a camera file of our own.
+constexpr const Importer* kImporters[] = {&kGltf, &kThreeJs, &kNerfTransforms, &kOpenCv, &kMatrices};
+
+const Importer* importerOf(const Document& document) {
+  for (const Importer* importer : kImporters)
+    if (importer->recognises(document.root())) return importer;
+  return nullptr;
+}
+
+/// The canonical file holds one camera.
+std::vector<HeldCamera> listCanonical(const Document& document) {
+  const ObjectReader root(document, document.root(), {});
+  std::string kind = "no projection";
+  if (const auto projection = root.object("projection")) kind = projection->string("type").value_or(kind);
+  return {{root.has("name") && root.isString("name") ? *root.string("name") : "", "0", "", kind, "a camera file"}};
+}
+
+/// The shortest text behind # that picks the camera and no other, and that fits on a line.
+std::string pickOf(const HeldCamera& camera, const std::vector<HeldCamera>& all) {
+  const auto same = [&](const HeldCamera& other) { return other.name == camera.name; };
+  const bool plain =
+      std::all_of(camera.name.begin(), camera.name.end(), [](unsigned char c) { return c >= ' ' && c != 0x7f; });
+  const bool named = !camera.name.empty() && plain && std::count_if(all.begin(), all.end(), same) == 1;
+  return named ? camera.name : camera.number;
+}
+
+std::string someOf(const std::vector<HeldCamera>& all, const std::vector<HeldCamera>& shown) {
+  constexpr std::size_t kMost = 8;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(shown.size(), kMost); ++i)
+    text += (i == 0 ? "#" : ", #") + pickOf(shown[i], all);
+  return shown.size() <= kMost ? text : text + " and " + std::to_string(shown.size() - kMost) + " more";
+}
+
+std::size_t choose(const Document& document, const std::vector<HeldCamera>& cameras,
+                   const std::optional<std::string>& pick) {
+  const std::string choices = someOf(cameras, cameras) + " (--list tells what they are)";
+  if (!pick) {
+    if (cameras.size() == 1) return 0;
+    throw InputError(document.name() + ": holds " + std::to_string(cameras.size()) +
+                     " cameras; pick one behind the file's name: " + choices);
+  }
+  for (const auto field : {&HeldCamera::name, &HeldCamera::number, &HeldCamera::alias}) {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < cameras.size(); ++i)
+      if (!pick->empty() && cameras[i].*field == *pick) found.push_back(i);
+    if (found.size() == 1) return found.front();
+    if (found.empty()) continue;
+    std::vector<HeldCamera> several;
+    for (std::size_t i : found) several.push_back(cameras[i]);
+    throw InputError(document.name() + ": has " + std::to_string(found.size()) + " cameras called '" + *pick +
+                     "'; their numbers tell them apart: " + someOf(cameras, several));
+  }
+  throw InputError(document.name() + ": has no camera '" + *pick + "'; it has " + choices);
+}
+
+}  // namespace
+
+CameraSource splitPick(const std::string& given) {
+  const std::size_t first = given.find_first_not_of(" \t\r\n");
+  if (first != std::string::npos && given[first] == '{') {
+    const std::size_t mark = given.find('#', given.rfind('}'));
+    if (mark == std::string::npos) return {given, std::nullopt};
+    return {given.substr(0, mark), given.substr(mark + 1)};
+  }
+  std::error_code ignored;
+  std::size_t mark = given.find('#');
+  if (mark == std::string::npos || std::filesystem::exists(given, ignored)) return {given, std::nullopt};
+  for (std::size_t at = mark; at != std::string::npos; at = given.find('#', at + 1))
+    if (const std::string file = given.substr(0, at); file == "-" || std::filesystem::exists(file, ignored)) {
+      mark = at;
+      break;
+    }
+  return {given.substr(0, mark), given.substr(mark + 1)};
+}
+
+CameraFile readAnyCamera(const Document& document, const std::optional<std::string>& pick,
+                         const CameraReading& reading) {
+  const Importer* importer = importerOf(document);
+  if (!importer) {
+    if (pick) choose(document, listCanonical(document), pick);
+    return readCamera(document, reading);
+  }
+  if (!reading.readAs.empty() && importer != &kMatrices)
+    throw InputError(document.name() + ": is " + std::string(importer->form) +
+                     ", which says itself how its numbers are meant; --read-as is for camera files and bare matrices");
+  const std::vector<HeldCamera> cameras = importer->list(document);
+  const CameraFile file = importer->read(document, choose(document, cameras, pick), reading);
+  document.requireSetsRead(std::string(importer->form));
+  return file;
+}
+
+std::string listCameras(const Document& document) {
+  const Importer* importer = importerOf(document);
+  const std::vector<HeldCamera> cameras = importer ? importer->list(document) : listCanonical(document);
+  std::size_t pickWidth = 0, kindWidth = 0;
+  for (const HeldCamera& camera : cameras) {
+    pickWidth = std::max(pickWidth, pickOf(camera, cameras).size());
+    kindWidth = std::max(kindWidth, camera.kind.size());
+  }
+  const auto padded = [](std::string text, std::size_t width) {
+    text.resize(std::max(text.size(), width), ' ');
+    return text;
+  };
+  std::string text;
+  for (const HeldCamera& camera : cameras)
+    text += "#" + padded(pickOf(camera, cameras), pickWidth) + "  " + padded(camera.kind, kindWidth) + "  " +
+            camera.note + "\n";
+  return text;
+}
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,26 @@
+// Whatever describes a camera: which form of file it is, and which of its cameras is meant.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "input/camera_file.hpp"
+
+namespace viewproj::cmd {
+
+/// "scene.gltf#Camera": the file and the camera picked in it. A file whose own name has a # is found first.
+struct CameraSource {
+  std::string file;  ///< as Document takes it
+  std::optional<std::string> pick;
+};
+
+CameraSource splitPick(const std::string& given);
+
+/// Throws InputError with the place of what is wrong.
+CameraFile readAnyCamera(const Document& document, const std::optional<std::string>& pick,
+                         const CameraReading& reading);
+
+/// A line for each camera that the file holds: how it is picked, what it is, and a few words.
+std::string listCameras(const Document& document);
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,27 @@
+// Places in a camera file: positions and targets by lat, lon, height, and turns by heading, pitch, roll.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "input/document.hpp"
+#include "viewproj/camera/geodesy.hpp"
+
+namespace viewproj::cmd {
+
+/// The camera has "world": "ecef", or its position or target is a place.
+bool worldIsEcef(const ObjectReader& camera);
+
+/// The value of key as a place, if it is an object. Throws InputError for a lat beyond 90.
+std::optional<Geodetic> readPlace(const ObjectReader& camera, const char* key);
+
+/// Three numbers, or the ECEF coordinates of a place.
+std::optional<Vec3> readPosition(const ObjectReader& camera, const char* key);
+
+/// The first of heading, pitch, roll that the camera has, or nothing.
+const char* turnOf(const ObjectReader& camera);
+
+/// Those it lacks are 0.
+HeadingPitchRoll readTurn(const ObjectReader& camera);
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,69 @@
+// Cameras that people already have. A form of file is a file here that ends in CameraFile, the few numbers that every
+// camera is, and a row in camera_source.cpp, which tells the forms apart.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "input/camera_file.hpp"
+#include "input/document.hpp"
+#include "input/viewport_fields.hpp"
+#include "viewproj/camera/error.hpp"
+
+namespace viewproj::cmd {
+
+/// One of the cameras that a file holds.
+struct HeldCamera {
+  std::string name;    ///< as the file calls it, or empty
+  std::string number;  ///< picks it where the name does not
+  std::string alias;   ///< another name, or empty
+  std::string kind;    ///< perspective, orthographic, ...
+  std::string note;    ///< a few words: what the file says of it
+};
+
+/// A perspective camera whose file knows no near plane (a camera of the real world) gets this one, and no far plane.
+inline constexpr double kDefaultNear = 0.01;
+
+struct Importer {
+  std::string_view form;  ///< "a glTF file"
+  bool (*recognises)(const nlohmann::json& root);
+  std::vector<HeldCamera> (*list)(const Document&);
+  /// camera: its place in the list.
+  CameraFile (*read)(const Document&, std::size_t camera, const CameraReading&);
+};
+
+extern const Importer kGltf, kNerfTransforms, kThreeJs, kOpenCv, kMatrices;
+
+/// What make gives. What the library complains about is at `at`, under the file's own name for the field.
+template <class Make>
+auto located(const ObjectReader& at, std::initializer_list<std::pair<std::string_view, std::string_view>> names,
+             Make make) {
+  try {
+    return make();
+  } catch (const CameraError& e) {
+    for (const auto& [field, name] : names)
+      if (field == e.field() && !name.empty()) at.fail(name, e.message());
+    at.fail(e.message());
+  }
+}
+
+/// The viewport as the options, or the file in the words of a camera file, give it. Throws InputError.
+std::optional<ReadViewport> importedViewport(const Document& document, const ViewportDefaults& defaults = {});
+
+/// projection is of the whole frame, not yet cut to its tile.
+CameraFile imported(const Document& document, const Convention& convention, const std::optional<Pose>& pose,
+                    const std::optional<Projection>& projection, const std::optional<ReadViewport>& viewport);
+
+/// "0.785": for notes.
+std::string shortNumber(double value);
+
+/// ", near 0.1, far 100": the numbers of these fields, where they are there, for notes.
+std::string shortNumbers(const ObjectReader& fields, std::initializer_list<std::string_view> keys);
+
+/// So many numbers (0: any) in arrays of any nesting, as in [[1,2],[3,4]] or [1,2,3,4].
+std::optional<std::vector<double>> flatNumbers(const ObjectReader& fields, std::string_view key, std::size_t count);
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,248 @@
+#include "input/matrix_numbers.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "input/convention_fields.hpp"
+#include "input/document.hpp"
+#include "input/error.hpp"
+#include "input/json_text.hpp"
+#include "input/number.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+bool isDigit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+bool isWordStart(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+bool isWord(char c) { return isWordStart(c) || isDigit(c) || c == '.'; }
+bool isBlank(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
+
+std::string lowered(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+/// Reads one text from front to back; numbers gather until they are sixteen.
+class Scanner {
+ public:
+  Scanner(const std::string& text, const std::string& file) : text_(text), file_(file) {}
+
+  std::vector<WrittenMatrix> matrices() {
+    while (at_ < text_.size()) step();
+    if (!brackets_.empty()) fail(brackets_.back(), std::string("'") + text_[brackets_.back()] + "' is never closed");
+    requireNothingGathered();
+    if (found_.empty()) fail(0, "has no numbers; expected the 16 of a matrix");
+    return std::move(found_);
+  }
+
+ private:
+  struct Gathered {
+    double number;
+    std::size_t line, group, offset;
+  };
+
+  [[noreturn]] void fail(std::size_t offset, const std::string& message) const {
+    throw InputError(place(file_, positionAt(text_, offset)) + ": " + message);
+  }
+
+  void step() {
+    const char c = text_[at_];
+    const std::string_view rest = std::string_view(text_).substr(at_);
+    if (c == '\n') {
+      ++line_;
+      ++at_;
+      lineIsEmpty_ = true;
+      return;
+    }
+    const bool first = lineIsEmpty_;
+    if (!isBlank(c)) lineIsEmpty_ = false;
+    if (isBlank(c) || c == ',' || c == '|') {
+      ++at_;
+    } else if (c == ';') {
+      if (brackets_.empty()) word_.clear();
+      ++at_;
+    } else if (c == '#') {
+      const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+      if (first) heading(text_.substr(at_ + 1, end - at_ - 1));
+      at_ = end;
+    } else if (rest.starts_with("//")) {
+      at_ = std::min(text_.find('\n', at_), text_.size());
+    } else if (rest.starts_with("/*")) {
+      const std::size_t end = text_.find("*/", at_);
+      if (end == std::string::npos) fail(at_, "'/*' is never closed");
+      line_ += static_cast<std::size_t>(
+          std::count(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(end - at_), '\n'));
+      at_ = end + 2;
+    } else if (c == '=' || c == ':') {
+      // What stood before was a declaration: float m[4][4] =
+      if (!areArraySizes()) requireNothingGathered();
+      gathered_.clear();
+      name_ = word_;
+      ++at_;
+    } else if (c == '{' || c == '[' || c == '(') {
+      brackets_.push_back(at_++);
+      ++group_;
+    } else if (c == '}' || c == ']' || c == ')') {
+      close(c);
+    } else if (isWordStart(c)) {
+      word();
+    } else if (isDigit(c) || c == '.' || c == '-' || c == '+') {
+      number();
+    } else {
+      fail(at_, "'" + character() + "' was not expected in a matrix of 16 numbers");
+    }
+  }
+
+  /// As in m[4][4].
+  bool areArraySizes() const {
+    return std::all_of(gathered_.begin(), gathered_.end(), [](const Gathered& g) {
+      return g.number > 0 && g.number <= 16 && g.number == std::floor(g.number);
+    });
+  }
+
+  void close(char c) {
+    const char opening = c == '}' ? '{' : c == ']' ? '[' : '(';
+    if (brackets_.empty()) fail(at_, std::string("'") + c + "' closes nothing");
+    if (text_[brackets_.back()] != opening)
+      fail(at_, std::string("'") + c + "' closes a '" + text_[brackets_.back()] + "'");
+    brackets_.pop_back();
+    ++group_;
+    ++at_;
+  }
+
+  void heading(std::string text) {
+    requireNothingGathered();
+    const std::size_t begin = text.find_first_not_of("# \t\r");
+    const std::size_t end = text.find_last_not_of(" \t\r");
+    name_ = begin == std::string::npos ? "" : text.substr(begin, end - begin + 1);
+  }
+
+  void word() {
+    const std::size_t begin = at_;
+    while (at_ < text_.size() && isWord(text_[at_])) ++at_;
+    const std::string word = text_.substr(begin, at_ - begin);
+    const std::string lower = lowered(word);
+    if (lower == "nan" || lower == "inf" || lower == "infinity") fail(begin, "'" + word + "' is not a finite number");
+    if (brackets_.empty()) word_ = word;
+    if (at_ < text_.size() && text_[at_] == '<') at_ = std::min(text_.find('>', at_), text_.size() - 1) + 1;
+  }
+
+  void number() {
+    const std::size_t begin = at_;
+    if (text_[at_] == '+' || text_[at_] == '-') ++at_;
+    while (at_ < text_.size() &&
+           (isWord(text_[at_]) || ((text_[at_] == '+' || text_[at_] == '-') && std::tolower(text_[at_ - 1]) == 'e')))
+      ++at_;
+    const std::string token = text_.substr(begin, at_ - begin);
+    std::string digits = token;
+    while (!digits.empty() && std::string_view("fFlLhH").find(digits.back()) != std::string_view::npos)
+      digits.pop_back();
+    const auto value = parseNumber(digits);
+    if (!value || digits.size() + 2 < token.size()) fail(begin, "'" + token + "' is not a finite number");
+    gathered_.push_back({*value, line_, group_, begin});
+    if (gathered_.size() == 16) flush();
+  }
+
+  template <class Key>
+  bool fourByFour(Key key) const {
+    for (std::size_t i = 0; i < 16; ++i)
+      if (i % 4 != 0 ? key(i) != key(i - 1) : i > 0 && key(i) == key(i - 1)) return false;
+    return true;
+  }
+
+  void flush() {
+    WrittenMatrix m;
+    m.name = name_;
+    for (std::size_t i = 0; i < 16; ++i) m.numbers[i] = gathered_[i].number;
+    if (fourByFour([&](std::size_t i) { return gathered_[i].line; }) ||
+        fourByFour([&](std::size_t i) { return gathered_[i].group; }))
+      m.order = NumberOrder::rows;
+    found_.push_back(m);
+    gathered_.clear();
+    name_.clear();
+    word_.clear();
+  }
+
+  void requireNothingGathered() {
+    const std::size_t count = gathered_.size();
+    if (count == 0) return;
+    if (name_ == "eye" && count == 3) {  // beside matrices relative to the eye
+      gathered_.clear();
+      return;
+    }
+    const std::string what = std::to_string(count) + (count == 1 ? " number" : " numbers");
+    if (found_.empty() || !name_.empty())
+      fail(gathered_.back().offset, (name_.empty() ? "" : name_ + ": ") + "ends after " + what + "; a matrix has 16");
+    fail(gathered_.front().offset,
+         "has " + what + " more than " + (found_.size() == 1 ? "the 16 of a matrix" : "matrices of 16 each"));
+  }
+
+  /// The character at hand, of one byte or more.
+  std::string character() const {
+    std::size_t end = at_ + 1;
+    while (end < text_.size() && (static_cast<unsigned char>(text_[end]) & 0xC0) == 0x80) ++end;
+    return text_.substr(at_, end - at_);
+  }
+
+  const std::string& text_;
+  const std::string& file_;
+  std::size_t at_ = 0, line_ = 0, group_ = 0;
+  bool lineIsEmpty_ = true;
+  std::vector<std::size_t> brackets_;
+  std::string word_, name_;
+  std::vector<Gathered> gathered_;
+  std::vector<WrittenMatrix> found_;
+};
+
+WrittenMatrices parseObject(const std::string& text, const std::string& name) {
+  const Document document(text, name);
+  WrittenMatrices result;
+  for (const auto& [key, value] : document.root().items()) {
+    if (!value.is_array()) continue;
+    std::vector<double> numbers;
+    bool good = true;
+    for (const auto& part : value)
+      for (const auto& entry : part.is_array() ? part : nlohmann::json::array({part})) {
+        good = good && entry.is_number();
+        if (good) numbers.push_back(entry.get<double>());
+      }
+    const bool nested = !value.empty() && value.front().is_array();
+    good = good && numbers.size() == 16 &&
+           (!nested || (value.size() == 4 && std::all_of(value.begin(), value.end(), [](const auto& row) {
+                          return row.is_array() && row.size() == 4;
+                        })));
+    if (!good) {
+      if (!nested && value.size() < 9) continue;  // an eye, a position, ...
+      document.fail({key}, "expected 16 numbers or 4 rows of 4", false);
+    }
+    WrittenMatrix m{key, {}, nested ? NumberOrder::rows : NumberOrder::memory};
+    std::copy(numbers.begin(), numbers.end(), m.numbers.begin());
+    result.matrices.push_back(m);
+  }
+  const auto offset = [&](const WrittenMatrix& m) { return locate(text, std::array{m.name}); };
+  std::sort(result.matrices.begin(), result.matrices.end(),
+            [&](const WrittenMatrix& a, const WrittenMatrix& b) { return offset(a) < offset(b); });
+  if (result.matrices.empty()) document.fail({}, "has no matrix: no value of 16 numbers or 4 rows of 4");
+  const auto convention = document.root().find("convention");
+  if (convention != document.root().end() && convention->is_object())
+    result.convention = readAxes(ObjectReader(document, *convention, {"convention"}), {});
+  return result;
+}
+
+}  // namespace
+
+WrittenMatrices parseMatrices(const std::string& given, const std::string& name) {
+  const std::string text = given.starts_with("\xEF\xBB\xBF") ? given.substr(3) : given;
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  if (first != std::string::npos && text[first] == '{') {
+    const std::size_t second = text.find_first_not_of(" \t\r\n", first + 1);
+    if (second != std::string::npos && (text[second] == '"' || text[second] == '}')) return parseObject(text, name);
+  }
+  return {Scanner(text, name).matrices(), std::nullopt};
+}
+
+}  // namespace viewproj::cmd

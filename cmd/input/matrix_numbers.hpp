@@ -1,0 +1,33 @@
+// Matrices as people have them: JSON, an initialiser of a program, or plain text.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viewproj/camera/convention.hpp"
+#include "viewproj/view/readings.hpp"
+
+namespace viewproj::cmd {
+
+struct WrittenMatrix {
+  std::string name;  ///< as the input calls it, or empty
+  std::array<double, 16> numbers{};
+  NumberOrder order = NumberOrder::memory;  ///< rows: written in four groups or on four lines of four
+};
+
+struct WrittenMatrices {
+  std::vector<WrittenMatrix> matrices;
+  std::optional<Convention> convention;  ///< what the input says of itself, as `matrix --to json` does
+};
+
+/// The text is
+/// - a JSON object, whose values of 16 numbers or 4 rows of 4 are the matrices; or else
+/// - any text in which sixteen numbers after the other are a matrix: brackets, commas, bars, words, f suffixes and
+///   // or /* */ comments are passed over, as is all before a = or a colon but the name there; a line that starts with
+///   # names what follows.
+/// Throws InputError with the place of what is wrong.
+WrittenMatrices parseMatrices(const std::string& text, const std::string& name);
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,26 @@
+// Scenes: shapes with a name each, for rays to hit.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "viewproj/view/shapes.hpp"
+
+namespace viewproj::cmd {
+
+struct SceneObject {
+  std::string id;  ///< as JSON text: its id, or its place in the list, counted from 0
+  std::variant<Plane, Sphere, Box, Triangle, Ellipsoid> shape;
+};
+
+/// source: a file name or the JSON itself, {"objects": [{"id": ..., SHAPE}]}. Throws InputError with the place of what
+/// is wrong, a shape that is none among it.
+std::vector<SceneObject> readScene(const std::string& source);
+
+/// What is wrong with a shape, or empty. For messages.
+std::string_view faultOf(const Sphere& sphere);
+std::string_view faultOf(const Box& box);
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,56 @@
+#include "input/viewport_fields.hpp"
+
+#include <cmath>
+
+#include "input/convention_names.hpp"
+#include "output/number.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+/// A camera shape this much off the viewport's is an error.
+constexpr double kAspectTolerance = 1e-3;
+
+}  // namespace
+
+std::optional<ReadViewport> readViewport(const ObjectReader& file, const ViewportDefaults& defaults) {
+  const auto fields = file.object("viewport");
+  Viewport v;
+  v.pixelCenter = defaults.pixelCenter;
+  if (!fields) {
+    if (!defaults.width || !defaults.height) return std::nullopt;
+    v.width = *defaults.width;
+    v.height = *defaults.height;
+    validate(v);
+    return ReadViewport{v, std::nullopt};
+  }
+  fields->allow({"width", "height", "x", "y", "depthRange", "origin", "pixelCenter", "crop"});
+  v.width = fields->has("width") || !defaults.width ? fields->requireNumber("width") : *defaults.width;
+  v.height = fields->has("height") || !defaults.height ? fields->requireNumber("height") : *defaults.height;
+  v.x = fields->numberOr("x", 0);
+  v.y = fields->numberOr("y", 0);
+  v.pixelCenter = fields->numberOr("pixelCenter", defaults.pixelCenter);
+  v.origin = fields->choice("origin", kOriginNames).value_or(Origin::topLeft);
+  if (const auto range = fields->numbers("depthRange", 2, 2)) {
+    v.depthFirst = (*range)[0];
+    v.depthSecond = (*range)[1];
+  }
+  std::optional<Crop> crop;
+  if (const auto tile = fields->object("crop")) {
+    tile->allow({"x", "y", "width", "height"});
+    crop = Crop{tile->requireNumber("x"), tile->requireNumber("y"), tile->requireNumber("width"),
+                tile->requireNumber("height")};
+  }
+  validate(v);
+  return ReadViewport{v, crop};
+}
+
+void requireShape(DoubleDouble shape, const Viewport& viewport, const ObjectReader& projection,
+                  const std::string& mend) {
+  const double picture = viewport.width / viewport.height;
+  if (std::fabs(shape.hi - picture) <= kAspectTolerance * picture) return;
+  projection.fail("is " + formatNumber(shape.hi) + " times as wide as high, but the viewport " + formatNumber(picture) +
+                  " times; change one of them, " + mend + "or give --allow-stretch");
+}
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,36 @@
+// The viewport of a camera file, whatever form the file has.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "input/document.hpp"
+#include "viewproj/camera/projection.hpp"
+#include "viewproj/camera/viewport.hpp"
+
+namespace viewproj::cmd {
+
+struct ReadViewport {
+  Viewport frame;
+  std::optional<Crop> crop;
+
+  /// The tile, or else the frame.
+  Viewport tile() const { return crop ? cropped(frame, *crop) : frame; }
+};
+
+/// What a file says of its picture elsewhere.
+struct ViewportDefaults {
+  std::optional<double> width = {}, height = {};
+  double pixelCenter = 0.5;
+};
+
+/// The object "viewport" of the file; the defaults where it or a part of it is absent. Nothing if the size is unknown.
+/// Throws InputError, or CameraError naming "viewport.…".
+std::optional<ReadViewport> readViewport(const ObjectReader& file, const ViewportDefaults& defaults);
+
+/// The projection whose picture has the shape (width / height) that the file says it has. Throws InputError, with the
+/// mend, unless the viewport has that shape.
+void requireShape(DoubleDouble shape, const Viewport& viewport, const ObjectReader& projection,
+                  const std::string& mend = "");
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,32 @@
+// The readings of matrices, for people and for programs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "input/matrix_numbers.hpp"
+
+namespace viewproj::cmd {
+
+struct NumberedReading {
+  std::size_t number;  ///< among all readings of the matrix, from 1 on
+  Reading reading;
+};
+
+struct InspectedMatrix {
+  WrittenMatrix written;
+  std::vector<NumberedReading> readings;  ///< those that were asked for
+  std::size_t all = 0;                    ///< how many there are
+  std::string asWrittenFault, transposedFault;
+  std::vector<std::string> notes;
+};
+
+std::string nameOf(const WrittenMatrix& matrix, std::size_t index);
+
+/// "1 projection, as written, view RUB, ndcZ -1..1, ... : opengl, unity".
+std::string oneLine(const NumberedReading& reading, NumberOrder order);
+
+std::string reportAsText(const std::vector<InspectedMatrix>& matrices);
+std::string reportAsJson(const std::vector<InspectedMatrix>& matrices, bool asFloat);
+
+}  // namespace viewproj::cmd

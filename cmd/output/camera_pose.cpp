@@ -1,0 +1,148 @@
+#include <array>
+#include <cmath>
+
+#include "input/convention_names.hpp"
+#include "output/camera_fields.hpp"
+#include "viewproj/view/matrices.hpp"
+
+namespace viewproj::cmd {
+
+namespace {
+
+std::string jsonOf(const Vec3& v) {
+  return "[" + formatNumber(v.x) + ", " + formatNumber(v.y) + ", " + formatNumber(v.z) + "]";
+}
+
+std::string jsonOf(const Mat4& m) {
+  std::string out = "[";
+  for (std::size_t i = 0; i < 4; ++i) {
+    out += i == 0 ? "[" : ", [";
+    for (std::size_t j = 0; j < 4; ++j) out += (j == 0 ? "" : ", ") + formatNumber(m[i][j]);
+    out += "]";
+  }
+  return out + "]";
+}
+
+Vec3 roundedUnlessTiny(const DDVec3& v) {
+  Vec3 result = rounded(v);
+  for (std::size_t i = 0; i < 3; ++i)
+    if (std::fabs(result[i]) < kCancellation) result[i] = 0;
+  return result;
+}
+
+/// The multiple by a power of two that takes the fewest digits: [-3, -2, -5] for [-0.75, -0.5, -1.25].
+Vec3 shortest(const Vec3& direction) {
+  Vec3 best = direction;
+  for (int k = 1; k <= 60; ++k)
+    for (int exponent : {k, -k}) {
+      Vec3 scaled;
+      for (std::size_t i = 0; i < 3; ++i) scaled[i] = std::ldexp(direction[i], exponent);
+      const bool isExact = std::ldexp(scaled.x, -exponent) == direction.x &&
+                           std::ldexp(scaled.y, -exponent) == direction.y &&
+                           std::ldexp(scaled.z, -exponent) == direction.z;
+      if (isExact && jsonOf(scaled).size() < jsonOf(best).size()) best = scaled;
+    }
+  return best;
+}
+
+/// position with direction or target, and an up where it is not the default.
+void addLooking(std::vector<std::string>& forms, const Pose& pose, Vec3 defaultUp) {
+  const auto add = [&](std::string_view name, const Vec3& where) {
+    // An axis of the world that gives the same picture before the camera's own.
+    const auto addWith = [&](const Vec3& up) {
+      Fields out;
+      out.add("position", jsonOf(pose.eye));
+      out.add(name, jsonOf(where));
+      if (!(up == defaultUp)) out.add("up", jsonOf(up));
+      forms.push_back(out.text());
+    };
+    const Vec3 axes[] = {defaultUp, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}, {0, -1, 0}, {0, 0, -1}, {-1, 0, 0}};
+    for (const Vec3& up : axes) {
+      const DDVec3 u = toDoubleDouble(up);
+      if (dot(pose.rows.up, u).hi > 0 && std::fabs(dot(pose.rows.right, u).hi) <= kCancellation) {
+        addWith(up);
+        break;
+      }
+    }
+    addWith(roundedUnlessTiny(pose.rows.up));
+  };
+  if (!pose.exact.upIsCross) return add("direction", roundedUnlessTiny(pose.rows.forward));
+  // As it was given, up to a power of two: the direction, or a target where that is longer than doubles.
+  DDVec3 given;
+  for (std::size_t i = 0; i < 3; ++i) given[i] = pose.exact.forward[i].rounded();
+  const auto isRound = [](const DDVec3& v) { return v.x.lo == 0 && v.y.lo == 0 && v.z.lo == 0; };
+  if (!isRound(given))
+    for (int k = -60; k <= 60; ++k) {
+      const DDVec3 target = toDoubleDouble(pose.eye) + scaleByPowerOfTwo(given, k);
+      if (!isRound(target) || !isFinite(rounded(target))) continue;
+      add("target", rounded(target));
+      break;
+    }
+  add("direction", shortest(rounded(given)));
+}
+
+/// x, y, z, w of the rotation with these columns.
+std::array<DoubleDouble, 4> quaternionOf(const std::array<DDVec3, 3>& c) {
+  const DoubleDouble one = 1;
+  const std::array<DoubleDouble, 4> squares = {one + c[0].x - c[1].y - c[2].z, one - c[0].x + c[1].y - c[2].z,
+                                               one - c[0].x - c[1].y + c[2].z, one + c[0].x + c[1].y + c[2].z};
+  const DoubleDouble xy = c[1].x + c[0].y, xz = c[2].x + c[0].z, yz = c[2].y + c[1].z;
+  const DoubleDouble xw = c[1].z - c[2].y, yw = c[2].x - c[0].z, zw = c[0].y - c[1].x;
+  // Four times the products with the largest, which then divides.
+  const std::array<std::array<DoubleDouble, 4>, 4> products = {
+      {{squares[0], xy, xz, xw}, {xy, squares[1], yz, yw}, {xz, yz, squares[2], zw}, {xw, yw, zw, squares[3]}}};
+  std::size_t largest = 0;
+  for (std::size_t i = 1; i < 4; ++i)
+    if (squares[i].hi > squares[largest].hi) largest = i;
+  const DoubleDouble divisor = timesPowerOfTwo(sqrt(squares[largest]), 2);
+  std::array<DoubleDouble, 4> q = products[largest];
+  for (DoubleDouble& part : q) part = part / divisor;
+  return q;
+}
+
+/// Of the length it was given in, where it was given: then its parts are doubles.
+void addRotation(std::vector<std::string>& forms, const Pose& pose, CameraAxes cameraAxes) {
+  const Axes& a = pose.columns;
+  const std::array<DDVec3, 3> columns = cameraAxes == CameraAxes::RUB   ? std::array{a.right, a.up, -a.forward}
+                                        : cameraAxes == CameraAxes::RUF ? std::array{a.right, a.up, a.forward}
+                                                                        : std::array{a.forward, a.right, a.up};
+  const DoubleDouble scale = pose.exact.rightScale;
+  const DoubleDouble length =
+      pose.exact.upIsCross ? DoubleDouble(1) : sqrt(DoubleDouble(1) / (scale.hi < 0 ? -scale : scale));
+  Fields out;
+  out.add("position", jsonOf(pose.eye));
+  if (cameraAxes != CameraAxes::RUB) out.addName("cameraAxes", nameOf(kCameraAxesNames, cameraAxes));
+  std::string parts;
+  for (const DoubleDouble& part : quaternionOf(columns))
+    parts += (parts.empty() ? "[" : ", ") + formatNumber((part * length).hi);
+  out.add("rotation", parts + "]");
+  forms.push_back(out.text());
+}
+
+void addMatrix(std::vector<std::string>& forms, std::string_view name, const Mat4& matrix, Handedness world) {
+  Fields out;
+  if (world == Handedness::left) out.addName("cameraAxes", "RUF");
+  out.add(name, jsonOf(matrix));
+  forms.push_back(out.text());
+}
+
+}  // namespace
+
+std::vector<std::string> poseForms(const CameraFile& camera, const Vec3& defaultUp) {
+  if (!camera.pose) return {""};
+  std::vector<std::string> forms;
+  addLooking(forms, *camera.pose, defaultUp);
+  const Handedness world = camera.convention.world;
+  if (world == Handedness::right) {
+    addRotation(forms, *camera.pose, CameraAxes::RUB);
+  } else {
+    addRotation(forms, *camera.pose, CameraAxes::RUF);
+    addRotation(forms, *camera.pose, CameraAxes::FRU);
+  }
+  const Convention axes{.world = world, .view = world == Handedness::right ? ViewAxes::RUB : ViewAxes::RUF};
+  addMatrix(forms, "worldFromCamera", worldFromView(*camera.pose, axes), world);
+  addMatrix(forms, "cameraFromWorld", viewFromWorld(*camera.pose, axes), world);
+  return forms;
+}
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,267 @@
+// To add a form: a function here that writes its fields, and a row in kTypes.
+#include "output/camera_text.hpp"
+
+#include <cmath>
+#include <optional>
+
+#include "input/convention_names.hpp"
+#include "input/error.hpp"
+#include "output/camera_fields.hpp"
+#include "output/number.hpp"
+#include "viewproj/camera/screen_map.hpp"
+#include "viewproj/numbers/degrees.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+// Convention
+
+/// The preset with the fewest other axes.
+const ConventionPreset& nearestPreset(const Convention& c) {
+  const auto differing = [&](const Convention& p) {
+    return (p.world != c.world) + (p.view != c.view) + (p.ndcZ != c.ndcZ) + (p.reverseZ != c.reverseZ) +
+           (p.ndcY != c.ndcY) + (p.vectors != c.vectors) + (p.storage != c.storage);
+  };
+  const ConventionPreset* nearest = &conventionPresets().front();
+  for (const ConventionPreset& preset : conventionPresets())
+    if (differing(preset.convention) < differing(nearest->convention)) nearest = &preset;
+  return *nearest;
+}
+
+std::string jsonOf(const Convention& c, const ConventionPreset& preset) {
+  const Convention& p = preset.convention;
+  if (p == c) return "\"" + std::string(preset.name) + "\"";
+  Fields out;
+  out.addName("preset", preset.name);
+  if (p.world != c.world) out.addName("world", nameOf(kWorldNames, c.world));
+  if (p.view != c.view) out.addName("view", nameOf(kViewNames, c.view));
+  if (p.ndcZ != c.ndcZ) out.addName("ndcZ", nameOf(kNdcZNames, c.ndcZ));
+  if (p.reverseZ != c.reverseZ) out.add("reverseZ", c.reverseZ ? "true" : "false");
+  if (p.ndcY != c.ndcY) out.addName("ndcY", nameOf(kNdcYNames, c.ndcY));
+  if (p.vectors != c.vectors) out.addName("vectors", nameOf(kVectorsNames, c.vectors));
+  if (p.storage != c.storage) out.addName("storage", nameOf(kStorageNames, c.storage));
+  return out.object();
+}
+
+// Projection
+
+void addRange(Fields& out, const Projection& p) {
+  out.add("near", p.near);
+  if (!std::isinf(p.far)) out.add("far", p.far);
+}
+
+/// The shift that moves base's window to where p has it, unless they agree.
+void addShift(Fields& out, const Projection& base, const Projection& p) {
+  const auto shift = [](DoubleDouble low, DoubleDouble high, DoubleDouble wantedLow, DoubleDouble wantedHigh) {
+    const DoubleDouble moved = (low + high - wantedLow - wantedHigh) / (high - low);
+    return std::fabs(moved.hi) <= 16 * kCancellation ? 0 : moved.hi;
+  };
+  const double x = shift(base.left, base.right, p.left, p.right), y = shift(base.bottom, base.top, p.bottom, p.top);
+  if (x != 0 || y != 0) out.add("shift", "[" + formatNumber(x) + ", " + formatNumber(y) + "]");
+}
+
+DoubleDouble viewportAspect(const Viewport& v) { return DoubleDouble(v.width) / DoubleDouble(v.height); }
+
+Projection centred(const Projection& p) {
+  const DoubleDouble halfWidth = timesPowerOfTwo(p.right - p.left, 0.5);
+  const DoubleDouble halfHeight = timesPowerOfTwo(p.top - p.bottom, 0.5);
+  return {false, -halfWidth, halfWidth, -halfHeight, halfHeight, p.near, p.far};
+}
+
+void writePerspective(Fields& out, const CameraFile& camera) {
+  const Projection& p = *camera.projection;
+  const DoubleDouble aspect = windowAspect(p);
+  out.add("fovY", degreesOfHalfTangent(timesPowerOfTwo(p.top - p.bottom, 0.5)));
+  const bool isViewports =
+      camera.viewport && std::fabs((aspect - viewportAspect(*camera.viewport)).hi) <= 16 * kCancellation * aspect.hi;
+  if (!isViewports) out.add("aspect", aspect);
+  addRange(out, p);
+  addShift(out, centred(p), p);
+}
+
+/// An angle next to 180 degrees has too few digits for its tangent.
+void writeNearSize(Fields& out, const CameraFile& camera) {
+  const Projection& p = *camera.projection;
+  out.add("nearWidth", (p.right - p.left) * DoubleDouble(p.near));
+  out.add("nearHeight", (p.top - p.bottom) * DoubleDouble(p.near));
+  addRange(out, p);
+  addShift(out, centred(p), p);
+}
+
+void writeFrustum(Fields& out, const CameraFile& camera) {
+  const Projection& p = *camera.projection;
+  const DoubleDouble near = p.near;
+  out.add("left", p.left * near);
+  out.add("right", p.right * near);
+  out.add("bottom", p.bottom * near);
+  out.add("top", p.top * near);
+  addRange(out, p);
+}
+
+void writeIntrinsics(Fields& out, const CameraFile& camera) {
+  const ScreenMap map = screenMap(*camera.projection, *camera.viewport);
+  out.add("fx", map.scaleX);
+  out.add("fy", std::fabs(map.scaleY.hi));
+  out.add("cx", map.centerX);
+  out.add("cy", map.centerY);
+  addRange(out, *camera.projection);
+}
+
+void writeOrthographic(Fields& out, const CameraFile& camera) {
+  const Projection& p = *camera.projection;
+  out.add("left", p.left);
+  out.add("right", p.right);
+  out.add("bottom", p.bottom);
+  out.add("top", p.top);
+  addRange(out, p);
+}
+
+/// The frame lies around (cx, cy), so a window off the axis is a shift.
+void writePs2(Fields& out, const CameraFile& camera) {
+  const Projection& p = *camera.projection;
+  const Viewport& v = *camera.viewport;
+  const ScreenMap map = screenMap(p, v);
+  const double scrz = map.scaleX.hi, ay = (map.scaleY / map.scaleX).hi;
+  const double cx = v.x + v.width / 2, cy = v.y + v.height / 2;
+  out.add("scrz", scrz);
+  out.add("ax", 1);
+  out.add("ay", std::fabs(ay));
+  out.add("cx", cx);
+  out.add("cy", cy);
+  out.add("zMin", v.depthFirst);
+  out.add("zMax", v.depthSecond);
+  addRange(out, p);
+  addShift(out, intrinsics(scrz, twoProd(std::fabs(ay), scrz), cx, cy, v, p.near, p.far), p);
+}
+
+struct Type {
+  std::string_view name;
+  void (*write)(Fields&, const CameraFile&);
+  bool orthographic, needsViewport, needsReversedDepth, hasOwnPixelShape;
+};
+
+/// Of two rows of one name the first that keeps the pixels.
+constexpr Type kTypes[] = {
+    {"perspective", writePerspective, false, false, false, false},
+    {"perspective", writeNearSize, false, false, false, false},
+    {"frustum", writeFrustum, false, false, false, false},
+    {"intrinsics", writeIntrinsics, false, true, false, true},
+    {"ps2", writePs2, false, true, true, true},
+    {"orthographic", writeOrthographic, true, false, false, false},
+};
+
+/// A camera shape that the reader takes for the viewport's.
+bool hasViewportsShape(const CameraFile& camera) {
+  if (!camera.viewport) return true;
+  const double window = windowAspect(*camera.projection).hi, picture = viewportAspect(*camera.viewport).hi;
+  return std::fabs(window - picture) <= kAspectTolerance * picture;
+}
+
+/// What the type cannot hold of the camera, or an empty string.
+std::string beyond(const Type& type, const CameraFile& camera, bool allowStretch) {
+  if (type.orthographic != camera.projection->orthographic)
+    return type.orthographic ? "a perspective camera" : "an orthographic camera";
+  if (type.needsViewport && !camera.viewport)
+    return "a camera without a viewport, in whose pixels it counts; --viewport WIDTHxHEIGHT gives one";
+  if (type.needsReversedDepth && !camera.convention.reverseZ)
+    return "depth that is not reversed, since it maps near to zMax; --reverse-z or --convention ps2 writes it so";
+  if (!type.hasOwnPixelShape && !allowStretch && !hasViewportsShape(camera))
+    return "a camera shape unlike the viewport's (" + formatNumber(windowAspect(*camera.projection).hi) +
+           " times as wide as high, and " + formatNumber(viewportAspect(*camera.viewport).hi) + " times)" +
+           (type.orthographic ? "; --allow-stretch writes it for readers that allow it too"
+                              : "; --type intrinsics can, and --allow-stretch writes it for readers that allow it too");
+  return "";
+}
+
+std::vector<const Type*> typesFor(const CameraFile& camera, std::string_view wanted, bool allowStretch) {
+  if (!wanted.empty()) {
+    if (!camera.projection)
+      throw InputError(camera.name + ": the camera has no projection to write as " + std::string(wanted));
+    std::vector<const Type*> types;
+    for (const Type& type : kTypes)
+      if (type.name == wanted) {
+        if (const std::string what = beyond(type, camera, allowStretch); !what.empty())
+          throw InputError(camera.name + ": " + std::string(wanted) + " cannot hold " + what);
+        types.push_back(&type);
+      }
+    return types;
+  }
+  if (!camera.projection) return {nullptr};
+  // A shape unlike the viewport's goes into a type that says itself how wide a pixel is, if one can.
+  std::vector<const Type*> types;
+  for (const Type& type : kTypes)
+    if (type.name != "ps2" && beyond(type, camera, false).empty()) types.push_back(&type);
+  if (types.empty())
+    for (const Type& type : kTypes)
+      if (beyond(type, camera, allowStretch).empty()) types.push_back(&type);
+  if (types.empty())
+    throw InputError(camera.name + ": orthographic cannot hold " + beyond(std::end(kTypes)[-1], camera, false));
+  return types;
+}
+
+// The file
+
+void addViewport(Fields& out, const Viewport& v, const ConventionPreset& preset, bool isPs2) {
+  Fields fields;
+  fields.add("width", v.width);
+  fields.add("height", v.height);
+  if (!isPs2) {
+    if (v.x != 0) fields.add("x", v.x);
+    if (v.y != 0) fields.add("y", v.y);
+    if (!(v.depthFirst == 0 && v.depthSecond == 1))
+      fields.add("depthRange", "[" + formatNumber(v.depthFirst) + ", " + formatNumber(v.depthSecond) + "]");
+  }
+  if (v.origin != Origin::topLeft) fields.addName("origin", nameOf(kOriginNames, v.origin));
+  if (v.pixelCenter != (preset.name == "opencv" ? 0 : 0.5)) fields.add("pixelCenter", v.pixelCenter);
+  out.add("viewport", fields.object());
+}
+
+std::string fileOf(const CameraFile& camera, const ConventionPreset& preset, const std::string& pose,
+                   const Type* type) {
+  std::string out = "{\n  \"convention\": " + jsonOf(camera.convention, preset);
+  if (camera.worldIsEcef) out += ",\n  \"world\": \"ecef\"";
+  if (!pose.empty()) out += ",\n  " + pose;
+  if (type) {
+    Fields fields;
+    fields.addName("type", type->name);
+    type->write(fields, camera);
+    out += ",\n  \"projection\": " + fields.object();
+  }
+  if (camera.viewport) {
+    Fields fields;
+    addViewport(fields, *camera.viewport, preset, type && type->name == "ps2");
+    out += ",\n  " + fields.text();
+  }
+  return out + "\n}\n";
+}
+
+}  // namespace
+
+std::vector<std::string_view> cameraTypes() {
+  std::vector<std::string_view> names;
+  for (const Type& type : kTypes)
+    if (names.empty() || names.back() != type.name) names.push_back(type.name);
+  return names;
+}
+
+WrittenCamera writeCamera(const CameraFile& camera, std::string_view wanted, bool allowStretch) {
+  const ConventionPreset& preset = nearestPreset(camera.convention);
+  std::optional<WrittenCamera> best;
+  std::string fault;
+  for (const Type* type : typesFor(camera, wanted, allowStretch))
+    for (const std::string& pose : poseForms(camera, preset.name == "unreal" ? Vec3{0, 0, 1} : Vec3{0, 1, 0})) {
+      try {
+        const std::string text = fileOf(camera, preset, pose, type);
+        const CameraFile again = readCamera(Document(text, "the file written"), {"", true});
+        const Moved moved = movedBetween(camera, again);
+        if (!best || moved.size() < best->moved.size()) best = {text, moved};
+      } catch (const std::exception& e) {  // a number that leaves the range of doubles in this form
+        fault = e.what();
+      }
+      if (best && best->moved.size() <= 1) return *best;
+    }
+  if (!best) throw InputError(camera.name + ": its numbers leave the range of doubles: " + fault);
+  return *best;
+}
+
+}  // namespace viewproj::cmd

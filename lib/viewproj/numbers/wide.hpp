@@ -1,0 +1,83 @@
+// Double-double with an exponent of its own: products of many coordinates neither overflow nor underflow.
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "viewproj/numbers/vectors.hpp"
+
+namespace viewproj {
+
+/// value * 2^exponent, with 1 <= |value| < 2; or zero. What is not finite stays so, and has no sign. Each operation is
+/// within 2^-102 of the true result, relative to the larger operand in a sum.
+struct Wide {
+  DoubleDouble value;
+  int exponent = 0;
+
+  Wide() = default;
+  Wide(double a) noexcept : Wide(DoubleDouble(a), 0) {}  // NOLINT: a double is exact
+  Wide(DoubleDouble a, int power) noexcept {
+    if (a.hi == 0) return;
+    const int k = static_cast<int>(std::bit_cast<std::uint64_t>(a.hi) >> 52 & 0x7ff) - 1023;
+    if (!std::isfinite(a.hi)) {
+      value = a;
+    } else if (k < -1000 || k > 1000) {  // subnormal, or next to an end of the range
+      const int logarithm = std::ilogb(a.hi);
+      value = scaleByPowerOfTwo(a, -logarithm);
+      exponent = power + logarithm;
+    } else {
+      value = timesPowerOfTwo(a, powerOfTwo(-k));
+      exponent = power + k;
+    }
+  }
+
+  /// 2^k for |k| <= 1000.
+  static double powerOfTwo(int k) noexcept { return std::bit_cast<double>(std::uint64_t(1023 + k) << 52); }
+
+  int sign() const noexcept { return !std::isfinite(value.hi) ? 0 : value.hi > 0 ? 1 : value.hi < 0 ? -1 : 0; }
+
+  /// The nearest double up to 0.5001 ulp (1 ulp if subnormal); infinite beyond the largest. Never -0.
+  explicit operator double() const noexcept { return std::ldexp(value.hi, exponent) + 0.0; }
+};
+
+using WideVec3 = Vector3<Wide>;
+
+inline Wide operator-(const Wide& a) noexcept {
+  Wide negated = a;
+  negated.value = -a.value;
+  return negated;
+}
+
+inline Wide operator+(const Wide& a, const Wide& b) noexcept {
+  if (a.value.hi == 0 || b.value.hi == 0) return a.value.hi == 0 ? b : a;
+  const Wide& larger = a.exponent < b.exponent ? b : a;
+  const Wide& other = a.exponent < b.exponent ? a : b;
+  const int shift = other.exponent - larger.exponent;
+  if (shift < -300) return larger;
+  return {larger.value + timesPowerOfTwo(other.value, Wide::powerOfTwo(shift)), larger.exponent};
+}
+
+inline Wide operator-(const Wide& a, const Wide& b) noexcept { return a + (-b); }
+inline Wide operator*(const Wide& a, const Wide& b) noexcept { return {a.value * b.value, a.exponent + b.exponent}; }
+inline Wide operator/(const Wide& a, const Wide& b) noexcept { return {a.value / b.value, a.exponent - b.exponent}; }
+
+inline Wide sqrt(const Wide& a) noexcept {
+  const int odd = a.exponent & 1;
+  return {sqrt(timesPowerOfTwo(a.value, 1 + odd)), (a.exponent - odd) / 2};
+}
+
+inline WideVec3 operator*(const WideVec3& a, const Wide& k) noexcept { return {a.x * k, a.y * k, a.z * k}; }
+inline WideVec3 operator+(const WideVec3& a, const WideVec3& b) noexcept { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline WideVec3 operator-(const WideVec3& a, const WideVec3& b) noexcept { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline Wide dot(const WideVec3& a, const WideVec3& b) noexcept { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Wide lengthOf(const WideVec3& a) noexcept { return sqrt(dot(a, a)); }
+
+inline WideVec3 toWide(const DDVec3& a) noexcept { return {{a.x, 0}, {a.y, 0}, {a.z, 0}}; }
+inline WideVec3 toWide(const Vec3& a) noexcept { return {a.x, a.y, a.z}; }
+inline Vec3 rounded(const WideVec3& a) noexcept { return {double(a.x), double(a.y), double(a.z)}; }
+
+/// The nearest doubles of a / |a|, for a that is not zero.
+inline Vec3 unitOf(const WideVec3& a) noexcept { return rounded(a * (Wide(1) / lengthOf(a))); }
+
+}  // namespace viewproj

@@ -1,0 +1,105 @@
+#!/bin/sh
+# The README's recipes for GNU parallel, run as it states them: each must give what one run of viewproj gives, byte for
+# byte, and those with --first-line the same place of what is wrong.
+#   sh parallel.sh VIEWPROJ README.md
+# Recipes are the paragraphs of the sh blocks that call parallel. Hosts are this one: a stand-in takes the place of ssh.
+set -eu
+command -v parallel >/dev/null || { echo "no parallel here: not checked"; exit 0; }
+PATH="$(cd "$(dirname "$1")" && pwd):$PATH"
+LC_ALL=C
+export PATH LC_ALL
+readme=$(cd "$(dirname "$2")" && pwd)/$(basename "$2")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+trap 'exit 1' HUP INT TERM
+cd "$work"
+HOME=$work
+export HOME
+mkdir .parallel hosts recipes
+: >.parallel/will-cite
+
+cat >hosts/ssh <<'END'
+#!/bin/sh
+# ssh [OPTIONS] HOST [--] COMMAND..., run here.
+while [ "${1#-}" != "$1" ]; do shift; done
+echo "$1" >>"$HOSTS"
+shift
+[ "$1" != -- ] || shift
+exec sh -c "$*"
+END
+chmod +x hosts/ssh
+HOSTS=$work/hosts/reached PATH=$work/hosts:$PATH
+export HOSTS PATH
+
+cat >camera.json <<'END'
+{"position": [30, 40, 150], "target": [0, 5, 0], "projection": {"type": "perspective", "fovY": 60, "near": 0.1, "far": 1000},
+ "viewport": {"width": 1920, "height": 1080}}
+END
+# Enough for several blocks of each form. Screen positions of one camera are the points of f64.
+awk 'BEGIN {
+  s = 1
+  print "id,x,y,z" >"points.csv"
+  for (i = 1; i <= 1100000; ++i) {
+    for (k = 0; k < 3; ++k) { s = s * 16807 % 2147483647; p[k] = s % 100001 / 1000 - 50 }
+    print p[0], p[1], p[2] >"points.txt"
+    printf "{\"id\":\"p%d\",\"x\":%g,\"y\":%g,\"z\":%g}\n", i, p[0], p[1], p[2] >"points.ndjson"
+    printf "p%d,%g,%g,%g\n", i, p[0], p[1], p[2] >"points.csv"
+  }
+}'
+viewproj project -c camera.json --to f64 points.txt >points.f64
+
+awk '
+  /^```sh$/ { inside = 1; text = ""; next }
+  inside && (/^```$/ || /^$/) {
+    if (text ~ /parallel/) printf "%s", text >("recipes/" ++count)
+    if (/^```$/) inside = 0
+    text = ""
+    next
+  }
+  inside { text = text $0 "\n" }' "$readme"
+
+failed=0
+complain() {
+  echo "--- $1"
+  cat "$recipe"
+  failed=1
+}
+# try STATUS: the recipe's output, and its status.
+try() {
+  rm -f out.*
+  status=0
+  sh "$recipe" 2>message || status=$?
+  form=$(echo out.*)
+  form=${form#out.}
+  [ "$status" = "$1" ] || { complain "status $status, not $1"; cat message; }
+}
+# lineOf FILE: where a message says something is wrong.
+lineOf() { sed -n 's/^viewproj: [^:]*:\([0-9]*:[0-9]*\): .*/\1/p' "$1"; }
+
+count=0
+placed=0
+for recipe in recipes/*; do
+  try 0
+  viewproj project -c camera.json "points.$form" >plain
+  cmp plain "out.$form" || complain 'differs from one run'
+  count=$((count + 1))
+done
+[ -s "$HOSTS" ] || { recipe=/dev/null; complain 'no recipe went to another host'; }
+
+# Something wrong near the end: a number that is a word, or not a number.
+sed -i '1050000s/:\([-0-9.]*\),/:x\1,/' points.ndjson
+sed -i '1050000s/,/,x/' points.csv
+{ head -c 25000008 points.f64; printf '\0\0\0\0\0\0\370\177'; tail -c +25000017 points.f64; } >bad && mv bad points.f64
+for recipe in recipes/*; do
+  try 1
+  ! viewproj project -c camera.json "points.$form" >plain 2>plainly
+  [ "$(lineOf plainly)" ] || complain 'nothing is wrong with the input'
+  if grep -q first-line "$recipe"; then
+    [ "$(lineOf message)" = "$(lineOf plainly)" ] || complain "says $(lineOf message), not $(lineOf plainly)"
+    placed=$((placed + 1))
+  fi
+  head -c "$(wc -c <plain)" "out.$form" | cmp plain - || complain 'what came before is not the same'
+done
+[ $count -ge 5 ] && [ $placed -ge 2 ] || { echo "the README has $count recipes, $placed with --first-line"; exit 1; }
+[ $failed = 0 ]
+echo "$count recipes give what one run gives, $placed name the same place"

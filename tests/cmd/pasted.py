@@ -1,0 +1,297 @@
+"""What `matrix` writes for a language, that language takes: compiled, evaluated, and compared with --to json.
+
+    python3 pasted.py VIEWPROJ
+
+In every preset, for cameras of every kind. C and C++ by cc and c++, GLSL and HLSL by glslangValidator, GLSL, WGSL and CSS by
+a browser without a screen, NumPy by numpy. What is not installed is skipped, with a word.
+"""
+
+import csv
+import http.server
+import io
+import json
+import os
+import queue
+import re
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+import threading
+
+VIEWPROJ = os.path.abspath(sys.argv[1])
+HERE = os.path.dirname(os.path.abspath(__file__))
+PRESETS = "opengl opengl-lh d3d d3d-rh vulkan metal webgpu unity unreal opencv ps2".split()
+VIEWPORT = '"viewport":{"width":1280,"height":720,"x":10}'
+CAMERAS = {
+    "perspective": '{"position":[3,2,5],"target":[-1,0.5,0.25],%s,'
+    '"projection":{"type":"perspective","fovY":60,"near":0.1,"far":1000}}' % VIEWPORT,
+    "infinite, far from the origin": '{"position":[4400882.004,601648.647,4566227.855],"direction":[0.3,-0.9,-0.1],%s,'
+    '"projection":{"type":"perspective","fovY":1e-5,"near":1e-7,"shift":[0.25,-1]}}' % VIEWPORT,
+    "orthographic, of whole numbers": '{"position":[0,0,4],"direction":[0,0,-1],%s,'
+    '"projection":{"type":"orthographic","left":-8,"right":24,"bottom":1,"top":19,"near":-1,"far":3}}' % VIEWPORT,
+    "large and small": '{"position":[1e17,2,-3e20],"direction":[1e-9,1e-12,1],%s,'
+    '"projection":{"type":"perspective","fovY":179.9999,"near":1e-10,"far":1e21}}' % VIEWPORT,
+}
+WHICH = ["--which", "view,projection,viewProjection"]
+VARIANTS = [WHICH, WHICH + ["--float"], ["--inverse"], ["--relative-to-eye"], ["--bake-viewport", "--float"]]
+POINT = [0.5, -0.25, -2.0, 1.0]
+
+failures = 0
+
+
+def check(good, message):
+    global failures
+    if not good:
+        failures += 1
+        print("FAILED", message)
+
+
+def run(*command, text=""):
+    done = subprocess.run(command, input=text, capture_output=True, text=True, timeout=120)
+    return done.returncode, done.stdout, done.stderr
+
+
+def matrix(case, form):
+    camera, preset, variant = case
+    status, out, err = run(VIEWPROJ, "matrix", "-c", CAMERAS[camera], "--convention", preset, *variant, "--to", form)
+    check(status == 0, f"{case} --to {form}: {err}")
+    return out
+
+
+def to_float(x):
+    return struct.unpack("f", struct.pack("f", x))[0]
+
+
+def floats(rows):
+    return [[to_float(x) for x in row] for row in rows]
+
+
+def transposed(rows):
+    return [list(column) for column in zip(*rows)]
+
+
+class Expected:
+    """Of one case: the matrices by name, as rows on paper and for column vectors."""
+
+    def __init__(self, case):
+        self.case = case
+        written = json.loads(matrix(case, "json"))
+        self.convention = written.pop("convention")
+        self.eye = written.pop("eye", None)
+        self.paper = written
+        row = self.convention["vectors"] == "row"
+        self.acting = {name: transposed(m) if row else m for name, m in written.items()}
+
+    def memory(self, name):
+        m = self.paper[name]
+        m = m if self.convention["storage"] == "row-major" else transposed(m)
+        return sum(m, [])
+
+
+def identifier(case):
+    return re.sub(r"\W", "_", " ".join([case[0], case[1]] + case[2]))
+
+
+def c_family(cases):
+    """Each case in a function of its own, which prints what the arrays hold."""
+    source, calls = "#include <stdio.h>\n", ""
+    for expected in cases:
+        name = identifier(expected.case)
+        prints = "".join(f'  for (i = 0; i < 16; ++i) printf("%.17g ", (double){m}[i]);\n' for m in expected.paper)
+        if expected.eye:
+            prints += '  for (i = 0; i < 3; ++i) printf("%.17g ", eye[i]);\n'
+        source += f"static void {name}(void) {{\n{matrix(expected.case, 'c')}  int i;\n{prints}  puts(\"\");\n}}\n"
+        calls += f"  {name}();\n"
+    source += "int main(void) {\n" + calls + "  return 0;\n}\n"
+    for compiler, suffix, standard in (("cc", "c", "c99"), ("c++", "cpp", "c++11")):
+        if not shutil.which(compiler):
+            print(f"no {compiler} here: C not checked")
+            continue
+        with tempfile.TemporaryDirectory() as work:
+            path = f"{work}/pasted.{suffix}"
+            with open(path, "w") as file:
+                file.write(source)
+            status, _, err = run(compiler, f"-std={standard}", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-o",
+                                 f"{work}/pasted", path)
+            check(status == 0, f"{compiler}: {err}")
+            if status != 0:
+                continue
+            lines = run(f"{work}/pasted")[1].splitlines()
+        for expected, line in zip(cases, lines):
+            numbers = sum((expected.memory(name) for name in expected.paper), [])
+            if "--float" in expected.case[2]:
+                numbers = [to_float(x) for x in numbers]
+            check([float(x) for x in line.split()] == numbers + (expected.eye or []), f"{compiler} {expected.case}")
+        print(f"{compiler}: {len(lines)} sets of matrices compiled and compared")
+
+
+def numbers_in(text):
+    """The sixteen numbers of each constructor, by name."""
+    text = re.sub(r"//.*", "", text)
+    return {
+        name: [to_float(float(x)) for x in inside.split(",")]
+        for name, inside in re.findall(r"const (?:\w+ )?(\w+) = [\w<>]+\(([^)]*)\);", text)
+    }
+
+
+def shaders(cases):
+    """Compiled by Khronos's compiler; in the order that each language's constructor takes."""
+    have = shutil.which("glslangValidator")
+    if not have:
+        print("no glslangValidator here: GLSL and HLSL not compiled")
+    compiled = 0
+    for expected in cases:
+        names = list(expected.paper)
+        glsl, hlsl, wgsl = (matrix(expected.case, form) for form in ("glsl", "hlsl", "wgsl"))
+        check(numbers_in(glsl) == numbers_in(wgsl), f"wgsl and glsl {expected.case}")
+        for name in names:
+            columns = sum(floats(transposed(expected.acting[name])), [])
+            check(numbers_in(glsl)[name] == columns, f"glsl {expected.case} {name}")
+            check(numbers_in(hlsl)[name] == sum(floats(expected.paper[name]), []), f"hlsl {expected.case} {name}")
+        if not have or not (expected.case[0] == "perspective" or expected.case[1] in ("opengl", "d3d")):
+            continue
+        compiled += 1
+        product = " + ".join(f"{name} * vec4(1.0)" for name in names)
+        for version in ("#version 300 es\nprecision highp float;\n", "#version 450\n"):
+            source = version + glsl + f"void main() {{ gl_Position = {product}; }}\n"
+            status, out, _ = run("glslangValidator", "--stdin", "-S", "vert", text=source)
+            check(status == 0, f"glsl {expected.case}: {out}")
+        row = expected.convention["vectors"] == "row"
+        product = " + ".join(f"mul(p, {name})" if row else f"mul({name}, p)" for name in names)
+        source = hlsl + f"float4 main(float4 p : POSITION) : SV_Position {{ return {product}; }}\n"
+        status, out, _ = run("glslangValidator", "--stdin", "-D", "-S", "vert", "-e", "main", "-V", "-o", os.devnull,
+                             text=source)
+        check(status == 0, f"hlsl {expected.case}: {out}")
+    if have:
+        print(f"glslangValidator: {compiled} sets of matrices compiled as GLSL and as HLSL")
+
+
+def times(m, v):
+    """The product, and the sizes of the terms that each of its numbers sums."""
+    return [sum(x * y for x, y in zip(row, v)) for row in m], [sum(abs(x * y) for x, y in zip(row, v)) for row in m]
+
+
+def in_browser(program, page):
+    """What the page posts, or None after two minutes."""
+    answers = queue.Queue()
+
+    class Handler(http.server.BaseHTTPRequestHandler):
+        def respond(self, body):
+            self.send_response(200)
+            self.send_header("Content-Type", "text/html; charset=utf-8")
+            self.send_header("Content-Length", str(len(body)))
+            self.end_headers()
+            self.wfile.write(body)
+
+        def do_GET(self):
+            self.respond(page.encode() if self.path == "/" else b"")
+
+        def do_POST(self):
+            answers.put(self.rfile.read(int(self.headers["Content-Length"])).decode())
+            self.respond(b"")
+
+        def log_message(self, *_):
+            pass
+
+    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler) as server, tempfile.TemporaryDirectory(
+            ignore_cleanup_errors=True) as profile:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        child = subprocess.Popen([program, "--headless", "--no-sandbox", f"--user-data-dir={profile}",
+                                  "--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader", "--use-angle=swiftshader",
+                                  "--enable-unsafe-swiftshader", f"http://127.0.0.1:{server.server_port}/"],
+                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        try:
+            return answers.get(timeout=120)
+        except queue.Empty:
+            return None
+        finally:
+            child.terminate()
+            child.wait()
+            server.shutdown()
+
+
+def browser(cases):
+    """CSS, WGSL and GLSL evaluated by what will run them."""
+    program = next((p for p in ("chromium", "chromium-browser", "google-chrome") if shutil.which(p)), None)
+    if not program:
+        print("no Chromium here: CSS, WGSL and GLSL not evaluated")
+        return
+    given = [{"names": list(e.acting), "point": POINT, "canMultiply": "projection" in e.acting and "view" in e.acting,
+              **{form: matrix(e.case, form) for form in ("css", "wgsl", "glsl")}} for e in cases]
+    with open(f"{HERE}/pasted.js") as file:
+        script = file.read()
+    page = f"<!doctype html><div id=box></div><script>const cases = {json.dumps(given)};\n{script}</script>"
+    answer = in_browser(program, page)
+    check(answer, "the browser gave nothing")
+    if not answer:
+        return
+    results = json.loads(answer)
+    for language in ("css", "wgsl", "glsl"):
+        result = results[language]
+        if isinstance(result, str):
+            print(f"{language} not evaluated: {result}")
+            continue
+        for expected, got in zip(cases, result):
+            case = f"{language} {expected.case}"
+            if isinstance(got, str):
+                check(False, f"{case}: {got}")
+                continue
+            for name, numbers in got["matrices"].items():
+                columns = sum(transposed(expected.acting[name]), [])
+                if language != "css" or "--float" in expected.case[2]:  # CSS has the shortest text of a float as a double
+                    columns, numbers = map(to_float, columns), map(to_float, numbers)
+                check(list(numbers) == list(columns), f"{case} {name}")
+            if "product" in got:
+                view, sizes = times(expected.acting["view"], POINT)
+                clip, _ = times(expected.acting["projection"], view)
+                sizes = times(expected.acting["projection"], sizes)[1]
+                digits = 5e-6 if language == "css" else 1e-6  # a computed transform is told in six digits
+                good = all(abs(a - b) <= digits * size for a, b, size in zip(got["product"], clip, sizes))
+                check(good, f"{case} product: {got['product']} for {clip}")
+        print(f"{program}: {len(result)} sets of matrices evaluated as {language.upper()}")
+
+
+def numpy_arrays(cases):
+    try:
+        import numpy
+    except ImportError:
+        print("no numpy here: NumPy not evaluated")
+        return
+    for expected in cases:
+        space = {}
+        exec(matrix(expected.case, "numpy"), space)
+        row = expected.convention["vectors"] == "row"
+        for name, m in expected.paper.items():
+            single = "--float" in expected.case[2]
+            check(space[name].dtype == (numpy.float32 if single else numpy.float64), f"numpy {expected.case} {name}: type")
+            check(space[name].tolist() == (floats(m) if single else m), f"numpy {expected.case} {name}")
+        if expected.eye:
+            check(space["eye"].tolist() == expected.eye, f"numpy {expected.case} eye")
+        v, p = space["view"].astype(float), space["projection"].astype(float)
+        clip = numpy.array(POINT) @ v @ p if row else p @ v @ numpy.array(POINT)
+        view, sizes = times(expected.acting["view"], POINT)
+        wanted, _ = times(expected.acting["projection"], view)
+        sizes = times(expected.acting["projection"], sizes)[1]
+        check(all(abs(a - b) <= 1e-6 * size for a, b, size in zip(clip, wanted, sizes)), f"numpy {expected.case} product")
+    print(f"numpy: {len(cases)} sets of matrices loaded")
+
+
+def plain(cases):
+    """CSV holds the rows on paper, flat the C array's order."""
+    for expected in cases:
+        rows = list(csv.DictReader(io.StringIO(matrix(expected.case, "csv"))))
+        for name, m in expected.paper.items():
+            got = [[float(r[f"column{j}"]) for j in (1, 2, 3, 4)] for r in rows if r["matrix"] == name]
+            check(got == m, f"csv {expected.case} {name}")
+        flat = [json.loads(line) for line in matrix(expected.case, "flat").splitlines()]
+        check(flat == [expected.memory(name) for name in expected.paper], f"flat {expected.case}")
+    print(f"{len(cases)} sets of matrices read as CSV and flat")
+
+
+cases = [Expected((camera, preset, variant)) for camera in CAMERAS for preset in PRESETS for variant in VARIANTS]
+for test in (plain, c_family, shaders, numpy_arrays, browser):
+    # A language without doubles does not hold them all; those are errors, of which the golden cases tell.
+    test([e for e in cases if test is c_family or test is plain or test is numpy_arrays or e.case[0] != "large and small"])
+sys.exit(failures > 0)

@@ -1,0 +1,139 @@
+# Calibrations and transforms.json, and where OpenCV's projectPoints puts points: one case a line, as JSON.
+#   python3 opencv.py
+import json
+import math
+import os
+import random
+import tempfile
+
+import cv2
+import numpy as np
+
+
+def points_before(R, t, K, size):
+    """World points in front of the camera, in its picture and a little beside it."""
+    points = []
+    for _ in range(6):
+        z = 10 ** random.uniform(-0.5, 2)
+        pixel = np.array([random.uniform(-0.2, 1.2) * size[0], random.uniform(-0.2, 1.2) * size[1], 1])
+        points.append(np.linalg.inv(R) @ (np.linalg.inv(K) @ pixel * z - t))
+    return np.array(points)
+
+
+def write(name, file, R, t, K, size, pick=None, viewport=None, shift=0.0, options=()):
+    """shift: from OpenCV's pixel positions, whose whole numbers are pixel centres, to the file's."""
+    points = points_before(R, t, K, size)
+    pixels = cv2.projectPoints(points.reshape(-1, 1, 3), R, t, K, None)[0].reshape(-1, 2) + shift
+    print(json.dumps({"name": name, "pick": pick, "viewport": viewport, "depth": False, "options": list(options),
+                      "file": file, "points": points.tolist(), "pixels": pixels.tolist()}, separators=(",", ":")))
+
+
+def random_vector(size):
+    return np.array([random.uniform(-size, size) for _ in range(3)])
+
+
+def rotation_vector(angle):
+    axis = random_vector(1)
+    return axis / np.linalg.norm(axis) * angle
+
+
+def calibration():
+    size = (random.randint(640, 4000), random.randint(480, 3000))
+    f = random.uniform(0.6, 2) * size[0]
+    K = np.array([[f, 0, size[0] * random.uniform(0.45, 0.55)],
+                  [0, f * random.uniform(0.98, 1.02), size[1] * random.uniform(0.45, 0.55)], [0, 0, 1]])
+    return size, K
+
+
+def stored(matrices):
+    """Matrices as cv2.FileStorage writes them to JSON."""
+    path = tempfile.mktemp(suffix=".json")
+    storage = cv2.FileStorage(path, cv2.FILE_STORAGE_WRITE | cv2.FILE_STORAGE_FORMAT_JSON)
+    for key, value in matrices.items():
+        storage.write(key, value)
+    storage.release()
+    with open(path) as text:
+        result = json.load(text)
+    os.remove(path)
+    return result
+
+
+def opencv_cases():
+    size, K = calibration()
+    rvec, t = rotation_vector(random.uniform(0.1, 3)), random_vector(5)
+    R = cv2.Rodrigues(rvec)[0]
+    write("OpenCV K, R, t", {"K": K.tolist(), "R": R.tolist(), "t": t.tolist(), "width": size[0], "height": size[1],
+                             "dist": [0, 0, 0, 0, 0]}, R, t, K, size)
+    write("OpenCV K, R, t flat, viewport given", {"K": K.ravel().tolist(), "R": R.ravel().tolist(),
+                                                  "t": t.reshape(3, 1).tolist()}, R, t, K, size,
+          viewport=f"{size[0]}x{size[1]}")
+    for angle in (1e-9, random.uniform(0.1, 3), math.pi, random.uniform(3.2, 6.2), random.uniform(7, 30)):
+        rvec = rotation_vector(angle)
+        R = cv2.Rodrigues(rvec)[0]
+        name = "OpenCV rvec " + ("tiny" if angle < 1e-6 else "beyond pi" if angle > 3.15 else
+                                 "of pi" if angle == math.pi else "ordinary")
+        write(name, {"camera_matrix": K.tolist(), "distortion_coefficients": [[0.0] * 5],
+                     "rvec": rvec.reshape(3, 1).tolist(), "tvec": t.reshape(3, 1).tolist(),
+                     "image_width": size[0], "image_height": size[1]}, R, t, K, size)
+    file = stored({"image_width": size[0], "image_height": size[1], "camera_matrix": K,
+                   "distortion_coefficients": np.zeros((5, 1)), "rvec": rvec.reshape(3, 1), "tvec": t.reshape(3, 1)})
+    write("OpenCV FileStorage", file, R, t, K, size)
+    write("OpenCV without a pose", {"mtx": K.tolist(), "image_size": size}, np.eye(3), np.zeros(3), K, size)
+    R = cv2.Rodrigues(rvec)[0] + np.array([random_vector(1e-4) for _ in range(3)])
+    write("OpenCV R nearly a rotation", {"K": K.tolist(), "R": R.tolist(), "T": t.tolist(), "width": size[0],
+                                         "height": size[1]}, R, t, K, size)
+
+
+def nerf_frame(worldFromCamera, path, **more):
+    return {"file_path": path, "sharpness": 100.0, "transform_matrix": worldFromCamera.tolist(), **more}
+
+
+def nerf_pose(noise):
+    m = np.eye(4)
+    m[:3, :3] = cv2.Rodrigues(rotation_vector(random.uniform(0.1, 3)))[0] + np.array(
+        [random_vector(noise) for _ in range(3)])
+    m[:3, 3] = random_vector(5)
+    return m
+
+
+def opencv_pose(worldFromCamera):
+    """OpenCV's R and t: its y points down, its z forward."""
+    m = np.diag([1.0, -1, -1, 1]) @ np.linalg.inv(worldFromCamera)
+    return m[:3, :3], m[:3, 3]
+
+
+def nerf_cases():
+    size, K = calibration()
+    centred = K.copy()
+    centred[:2, 2] -= 0.5
+    both = {"camera_angle_x": 2 * math.atan(size[0] / 2 / K[0, 0]), "fl_x": K[0, 0], "fl_y": K[1, 1], "cx": K[0, 2],
+            "cy": K[1, 2], "w": float(size[0]), "h": float(size[1]), "aabb_scale": 16}
+    for name, noise, lens, options in (
+            ("transforms.json", 0, {"k1": 0, "k2": 0.0, "p1": 0, "p2": 0}, []),
+            ("transforms.json nearly a rotation", 1e-4, {}, []),
+            ("transforms.json with distortion to ignore", 0, {"k1": 0.05, "k2": -0.08}, ["--ignore-distortion"])):
+        poses = [nerf_pose(noise) for _ in range(3)]
+        frames = [nerf_frame(m, f"./images/{i:04}.jpg") for i, m in enumerate(poses)]
+        which = random.randint(0, 2)
+        R, t = opencv_pose(poses[which])
+        write(name, {**both, **lens, "frames": frames}, R, t, centred, size,
+              pick=random.choice([str(which), f"./images/{which:04}.jpg", f"images/{which:04}.jpg"]), shift=0.5,
+              options=options)
+    pose = nerf_pose(0)
+    R, t = opencv_pose(pose)
+    own = {"fl_x": K[0, 0], "fl_y": K[1, 1], "cx": K[0, 2], "cy": K[1, 2], "w": size[0], "h": size[1]}
+    write("transforms.json per-frame intrinsics",
+          {"fl_x": 1, "w": 2, "h": 2, "frames": [nerf_frame(nerf_pose(0), "a.png"), nerf_frame(pose, "b.png", **own)]},
+          R, t, centred, size, pick="b.png", shift=0.5)
+    angle = random.uniform(0.4, 1.5)
+    f = size[0] / 2 / math.tan(angle / 2)
+    blender = np.array([[f, 0, size[0] / 2 - 0.5], [0, f, size[1] / 2 - 0.5], [0, 0, 1]])
+    write("transforms.json of Blender", {"camera_angle_x": angle, "frames": [
+        {"file_path": "./train/r_0", "rotation": 0.012566370614359171, "transform_matrix": pose.tolist()}]},
+          R, t, blender, size, viewport=f"{size[0]}x{size[1]}", shift=0.5)
+
+
+for trial in range(3):
+    random.seed(trial)
+    opencv_cases()
+    nerf_cases()

@@ -1,0 +1,265 @@
+// Places on the Earth and cameras that stand there, against 480-bit arithmetic.
+#include "viewproj/camera/geodesy.hpp"
+
+#include <map>
+
+#include "catch.hpp"
+#include "reference/exactness.hpp"
+#include "reference/scene.hpp"
+#include "viewproj/numbers/degrees.hpp"
+
+using namespace viewproj;
+using namespace reference;
+
+namespace {
+
+constexpr std::uint64_t kTrials = 3000;
+
+template <std::size_t Terms>
+Real sumOf(const Expansion<Terms>& e) {
+  Real sum;
+  for (std::size_t i = 0; i < e.size(); ++i) sum = sum + Real(e.term(i));
+  return sum;
+}
+
+Real sumOf(DoubleDouble a) { return Real(a.hi) + Real(a.lo); }
+
+/// WGS84: a = 6378137 m, 1/f = 298.257223563.
+Real3 trueEcef(const Geodetic& g) {
+  const Real a = 6378137, f = Real(1000000000) / Real(298257223563.0);
+  const Real e2 = f * (Real(2) - f);
+  const Real s = sinDegrees(g.lat), c = cosDegrees(g.lat), h = g.height;
+  const Real n = a / sqrt(Real(1) - e2 * s * s);
+  return {(n + h) * c * cosDegrees(g.lon), (n + h) * c * sinDegrees(g.lon), (n * (Real(1) - e2) + h) * s};
+}
+
+struct EastNorthUp {
+  Real3 east, north, up;
+};
+EastNorthUp trueFrame(const Geodetic& g) {
+  const Real sp = sinDegrees(g.lat), cp = cosDegrees(g.lat), sl = sinDegrees(g.lon), cl = cosDegrees(g.lon);
+  return {{-sl, cl, 0}, {-sp * cl, -sp * sl, cp}, {cp * cl, cp * sl, sp}};
+}
+
+/// The closed form, where the library turns a frame step by step.
+TruePose truePose(const Geodetic& g, const HeadingPitchRoll& t) {
+  const EastNorthUp e = trueFrame(g);
+  const Real sh = sinDegrees(t.heading), ch = cosDegrees(t.heading), sp = sinDegrees(t.pitch), cp = cosDegrees(t.pitch);
+  const Real sr = sinDegrees(t.roll), cr = cosDegrees(t.roll);
+  TruePose p;
+  p.forward = e.east * (sh * cp) + e.north * (ch * cp) + e.up * sp;
+  p.right = e.east * (ch * cr + sh * sp * sr) + e.north * (ch * sp * sr - sh * cr) + e.up * (-(cp * sr));
+  p.up = cross(p.right, p.forward);
+  p.rightColumn = p.right;
+  p.upColumn = p.up;
+  p.forwardColumn = p.forward;
+  return p;
+}
+
+enum Kind { anywhere, pole, nextToPole, antimeridian, rightAngles, tinyAngles, kinds };
+
+Geodetic randomPlace(Random& r, Kind kind) {
+  Geodetic g{r.uniform(-90, 90), r.uniform(-400, 400), r.sign() * r.spread(1e-3, 5e6)};
+  if (kind == pole) g.lat = r.sign() * 90;
+  if (kind == nextToPole) g.lat = r.sign() * (90 - r.spread(1e-13, 1e-3));
+  if (kind == antimeridian)
+    g.lon = r.chance(0.3) ? r.sign() * 180 : r.sign() * (180 - r.sign() * r.spread(1e-13, 1e-3));
+  if (kind == rightAngles) g.lat = 45 * std::floor(r.uniform(-2, 3)), g.lon = 45 * std::floor(r.uniform(-9, 9));
+  if (kind == tinyAngles) g.lat = r.sign() * r.spread(1e-250, 1e-5), g.lon = r.sign() * r.spread(1e-250, 1e-5);
+  return g;
+}
+
+HeadingPitchRoll randomTurn(Random& r, Kind kind) {
+  HeadingPitchRoll t{r.uniform(-400, 400), r.uniform(-90, 90), r.uniform(-400, 400)};
+  if (kind == rightAngles) t = {45 * std::floor(r.uniform(-9, 9)), 45 * std::floor(r.uniform(-2, 3)), 0};
+  if (kind == tinyAngles) t = {r.spread(1e-250, 1e-5), r.spread(1e-250, 1e-5), r.spread(1e-250, 1e-5)};
+  return t;
+}
+
+Kind kindOf(std::uint64_t trial) { return Kind(trial % kinds); }
+
+double distanceBetween(const Vec3& a, const Real3& b) { return double(length(toReal(a) - b)); }
+
+/// Largest error of an axis, in dd and in the exact rows.
+struct RowErrors {
+  double rounded = 0, exact = 0;
+};
+void add(RowErrors& errors, const DDVec3& row, const ExactVec3& exact, const Real3& truth) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    errors.rounded = std::max(errors.rounded, double(abs(sumOf(row[i]) - truth[i])));
+    errors.exact = std::max(errors.exact, double(abs(sumOf(exact[i]) - truth[i])));
+  }
+}
+
+Camera cameraOf(const Scene& s, const Pose& pose) {
+  return makeCamera(
+      pose, perspectiveFovY(s.fov, DoubleDouble(s.viewport.width) / DoubleDouble(s.viewport.height), s.near, s.far),
+      s.viewport);
+}
+
+/// Projects points in the picture, behind and next to the eye plane; true if the camera's numbers are all exact.
+struct Tally {
+  int visible = 0, behind = 0, nearPlane = 0, onPlane = 0, uncertain = 0;
+};
+void requireExactProjection(Random& r, const Scene& scene, const TruePose& pose, const Camera& camera, Tally& tally) {
+  Truth truth(scene);
+  truth.pose = pose;
+  for (int i = 0; i < 6; ++i) {
+    const double far = r.spread(1e-2, 1e5);
+    const Real right = far * r.uniform(-1, 1), up = far * r.uniform(-1, 1);
+    const Real ahead = i < 3 ? Real(far) : i == 3 ? Real(-far) : Real(0);
+    const Real3 p = pose.eye + pose.right * right + pose.up * up + pose.forward * ahead;
+    const Vec3 point{double(p[0]), double(p[1]), double(p[2])};
+    const Truth::View view = truth.view(toReal(point));
+    const ScreenPoint got = worldToScreen(camera, point);
+    CAPTURE(i, far, double(view.forward));
+    REQUIRE(isExact(got.viewDistance, view.forward, scene.near));
+    if (i > 3) ++tally.nearPlane;
+    if (!got.certain) ++tally.uncertain;
+    // As near the eye plane as this, a point may count as on it.
+    const Real size = length(toReal(point) - pose.eye) * Real(camera.pose.exact.error * 0x1p62);
+    if (view.forward > Real(0) && !(view.forward > size) && got.status == PointStatus::behind) {
+      REQUIRE_FALSE(got.certain);
+      ++tally.onPlane;
+      continue;
+    }
+    if (!(view.forward > Real(0))) {
+      ++tally.behind;
+      REQUIRE(got.status == PointStatus::behind);
+      continue;
+    }
+    REQUIRE(got.status == PointStatus::inFront);
+    const Truth::Screen screen = truth.screen(view);
+    REQUIRE(isExact(got.x, screen.x, scene.viewport.width));
+    REQUIRE(isExact(got.y, screen.y, scene.viewport.width));
+    REQUIRE(isExact(got.depth, screen.depth, 1));
+    if (got.certain) REQUIRE(std::max(ulps(got.x, screen.x), ulps(got.y, screen.y)) <= 0.5000001);
+    if (got.visible()) ++tally.visible;
+  }
+}
+
+Scene randomLens(Random& r) {
+  Scene s;
+  s.fov = r.uniform(1, 120);
+  s.near = r.spread(1e-3, 1);
+  s.far = kInfiniteFar;
+  return s;
+}
+
+}  // namespace
+
+TEST_CASE("Sine and cosine of degrees are within their bound for every size of angle") {
+  double worst = 0;
+  for (std::uint64_t trial = 0; trial < kTrials; ++trial) {
+    Random r(trial);
+    double degrees = r.uniform(-1000, 1000);
+    if (trial % 4 == 1) degrees = r.sign() * r.spread(1e-300, 1);
+    if (trial % 4 == 2) degrees = r.sign() * r.spread(1e3, 1e300);
+    if (trial % 4 == 3) degrees = 45 * std::floor(r.uniform(-20, 20)) + r.sign() * r.spread(1e-15, 1);
+    const SinCos s = sinCosDegrees(degrees);
+    INFO(degrees);
+    worst = std::max({worst, double(abs(sumOf(s.sine.expansion()) - sinDegrees(degrees))),
+                      double(abs(sumOf(s.cosine.expansion()) - cosDegrees(degrees)))});
+    REQUIRE(worst <= kSinCosDegreesBound);
+  }
+  CAPTURE(worst);
+  CHECK(worst > kSinCosDegreesBound / 64);
+}
+
+TEST_CASE("Places go to ECEF and back within 10 nm, up to 5000 km high") {
+  double worst = 0, worstBack = 0;
+  std::map<int, int> visited;
+  for (std::uint64_t trial = 0; trial < kTrials; ++trial) {
+    Random r(trial);
+    const Geodetic place = randomPlace(r, kindOf(trial));
+    ++visited[kindOf(trial)];
+    const Vec3 ecef = geodeticToEcef(place);
+    INFO("trial " << trial << ": " << place.lat << " " << place.lon << " " << place.height);
+    worst = std::max(worst, distanceBetween(ecef, trueEcef(place)));
+    REQUIRE(worst <= kGeodesyBound);
+    const Geodetic back = ecefToGeodetic(ecef);
+    worstBack = std::max(worstBack, distanceBetween(ecef, trueEcef(back)));
+    REQUIRE(worstBack <= kGeodesyBound);
+    REQUIRE(std::fabs(back.lon) <= 180);
+  }
+  CAPTURE(worst, worstBack);
+  CHECK(worst > 1e-10);
+  CHECK(worstBack > 1e-10);
+  CHECK(visited.size() == kinds);
+}
+
+TEST_CASE("The axes of heading, pitch and roll are within 2^-100, and their exact rows within their bound") {
+  RowErrors errors;
+  for (std::uint64_t trial = 0; trial < kTrials; ++trial) {
+    Random r(trial + 100000);
+    const Geodetic place = randomPlace(r, kindOf(trial));
+    const HeadingPitchRoll turned = randomTurn(r, kindOf(trial));
+    const Pose pose = poseFromHeadingPitchRoll(place, turned);
+    const TruePose truth = truePose(place, turned);
+    INFO("trial " << trial << ": " << place.lat << " " << place.lon << " turned " << turned.heading << " "
+                  << turned.pitch << " " << turned.roll);
+    add(errors, pose.rows.right, pose.exact.right, truth.right);
+    add(errors, pose.rows.up, pose.exact.up, truth.up);
+    add(errors, pose.rows.forward, pose.exact.forward, truth.forward);
+    REQUIRE(errors.rounded <= 0x1p-100);
+    REQUIRE(errors.exact <= kGeodesyRowBound);
+    const FineVec3 normal = ellipsoidNormal(place);
+    const EastNorthUp frame = trueFrame(place);
+    for (std::size_t i = 0; i < 3; ++i) REQUIRE(double(abs(sumOf(normal.terms[i]) - frame.up[i])) <= normal.error);
+  }
+  CAPTURE(errors.rounded, errors.exact);
+  CHECK(errors.rounded > 0x1p-110);
+  CHECK(errors.exact > 0x1p-222);
+}
+
+TEST_CASE("From anywhere on Earth projection is exact from the ECEF doubles on, next to the eye plane too") {
+  Tally tally;
+  for (std::uint64_t trial = 0; trial < kTrials; ++trial) {
+    Random r(trial + 200000);
+    const Geodetic place = randomPlace(r, kindOf(trial));
+    const HeadingPitchRoll turned = randomTurn(r, kindOf(trial));
+    const Scene scene = randomLens(r);
+    TruePose truth = truePose(place, turned);
+    truth.eye = toReal(geodeticToEcef(place));
+    INFO("trial " << trial << ": " << place.lat << " " << place.lon << " " << place.height << " turned "
+                  << turned.heading << " " << turned.pitch << " " << turned.roll << ", fov " << scene.fov);
+    requireExactProjection(r, scene, truth, cameraOf(scene, poseFromHeadingPitchRoll(place, turned)), tally);
+  }
+  CAPTURE(tally.visible, tally.behind, tally.nearPlane, tally.onPlane, tally.uncertain);
+  CHECK(tally.visible > 1000);
+  CHECK(tally.behind > 1000);
+  CHECK(tally.onPlane > 0);
+  CHECK(tally.nearPlane == 2 * kTrials);
+}
+
+TEST_CASE("Looking from place to place is exact, down to targets nearly straight below") {
+  Tally tally;
+  int nearlyBelow = 0;
+  for (std::uint64_t trial = 0; trial < kTrials; ++trial) {
+    Random r(trial + 300000);
+    const Geodetic place = randomPlace(r, kindOf(trial));
+    Geodetic target = place;
+    const bool below = r.chance(0.3);
+    const double step = below ? r.spread(1e-9, 1e-6) : r.spread(1e-6, 1);
+    target.lat = std::clamp(target.lat + step * r.uniform(-1, 1), -90.0, 90.0);
+    target.lon += step * r.uniform(-1, 1);
+    target.height = r.sign() * r.spread(1, 1e6);
+    if (std::fabs(place.lat) == 90) target.lat = r.sign() * (90 - step);
+    INFO("trial " << trial << ": " << place.lat << " " << place.lon << " " << place.height << " to " << target.lat
+                  << " " << target.lon << " " << target.height);
+    const Pose pose = lookAtPlace(place, target);
+    TruePose truth;
+    truth.eye = toReal(geodeticToEcef(place));
+    const Real3 way = toReal(geodeticToEcef(target)) - truth.eye;
+    truth.forward = unit(way);
+    const Real3 side = cross(truth.forward, trueFrame(place).up);
+    if (double(length(side)) < 1e-9) ++nearlyBelow;
+    truth.right = unit(side);
+    truth.up = cross(truth.right, truth.forward);
+    const Scene scene = randomLens(r);
+    requireExactProjection(r, scene, truth, cameraOf(scene, pose), tally);
+  }
+  CAPTURE(tally.visible, tally.behind, tally.uncertain, nearlyBelow);
+  CHECK(tally.visible > 1000);
+  CHECK(nearlyBelow > 20);
+}

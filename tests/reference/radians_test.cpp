@@ -1,0 +1,51 @@
+#include "viewproj/numbers/radians.hpp"
+
+#include <cmath>
+#include <random>
+
+#include "catch.hpp"
+#include "reference/real.hpp"
+
+using namespace viewproj;
+using namespace reference;
+
+namespace {
+
+Real real(DoubleDouble a) { return Real(a.hi) + Real(a.lo); }
+
+Real tanOf(const Real& a) { return tanDegrees(a * Real(180) / Real::pi()); }
+
+double relativeError(DoubleDouble got, const Real& truth) { return double(abs(real(got) - truth) / abs(truth)); }
+
+}  // namespace
+
+TEST_CASE("The tangent of half an angle in radians is within its bound from 1e-200 to 3.1, of double-doubles too") {
+  int small = 0, large = 0, withLow = 0;
+  double worst = 0;
+  for (unsigned trial = 0; trial < 100000; ++trial) {
+    std::mt19937_64 random(trial);
+    std::uniform_real_distribution<double> unit(0, 1);
+    const double angle = trial % 2 ? 3.1 * unit(random) : std::pow(10.0, -200 * unit(random));
+    const double low = trial % 3 ? 0 : angle * (unit(random) - 0.5) * 0x1p-53;
+    const DoubleDouble radians(angle, low);
+    (angle < 1e-8 ? small : large) += 1;
+    withLow += low != 0;
+    INFO(angle << " + " << low);
+    const double error = relativeError(tanHalfRadians(radians), tanOf(real(radians) / Real(2)));
+    worst = std::max(worst, error);
+    REQUIRE(error <= kTanHalfRadiansBound);
+  }
+  CAPTURE(std::log2(worst));
+  CHECK(worst > kTanHalfRadiansBound / 64);
+  CHECK(small > 10000);
+  CHECK(large > 10000);
+  CHECK(withLow > 10000);
+}
+
+TEST_CASE("Towards pi the tangent of half an angle loses what its argument leaves open, and no more") {
+  for (double gap : {0.04, 1e-3, 1e-6, 1e-9, 1e-12}) {
+    const double angle = 3.141592653589793 - gap;
+    INFO(gap);
+    CHECK(relativeError(tanHalfRadians(angle), tanOf(Real(angle) / Real(2))) <= kTanHalfRadiansBound / gap);
+  }
+}

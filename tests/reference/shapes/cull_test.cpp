@@ -1,0 +1,353 @@
+// No shape is called inside or outside that is not, and frustum planes are those of every convention's matrices.
+#include <cstdlib>
+#include <map>
+#include <sstream>
+
+#include "catch.hpp"
+#include "reference/scene.hpp"
+
+using namespace viewproj;
+using namespace reference;
+
+namespace {
+
+using reference::toReal;
+
+std::size_t casesWanted() {
+  const char* wanted = std::getenv("VIEWPROJ_SHAPE_CASES");
+  return wanted ? std::strtoull(wanted, nullptr, 10) : 30000;
+}
+
+using RealRow = std::array<Real, 4>;
+using RealMat = std::array<RealRow, 4>;
+
+RealMat operator*(const RealMat& a, const RealMat& b) {
+  RealMat m;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j)
+      for (std::size_t k = 0; k < 4; ++k) m[i][j] = m[i][j] + a[i][k] * b[k][j];
+  return m;
+}
+
+/// The window of the picture, crop and shift included, from the corners of the screen.
+struct TrueWindow {
+  Real left, right, bottom, top;
+};
+
+TrueWindow trueWindow(const Truth& truth, const Camera& camera) {
+  const Viewport& v = camera.viewport;
+  const Real half = Real(v.pixelCenter) - Real(0.5);
+  const Real x = Real(v.x) + half, y = Real(v.y) + half;
+  const Truth::Window start = truth.window(x, y), end = truth.window(x + Real(v.width), y + Real(v.height));
+  const bool down = v.origin == Origin::topLeft;
+  return {start.right, end.right, down ? end.up : start.up, down ? start.up : end.up};
+}
+
+/// clipFromWorld of a convention, for column vectors, by the formulas of its API's documentation.
+RealMat clipFromWorld(const Truth& truth, const TrueWindow& w, const Convention& c) {
+  const TruePose& pose = truth.pose;
+  const bool upIsMinusY = c.view == ViewAxes::RDF, forwardIsMinusZ = c.view == ViewAxes::RUB;
+  const Real ySign = upIsMinusY ? -1 : 1, zSign = forwardIsMinusZ ? -1 : 1;
+  const auto row = [&](const Real3& axis, const Real& sign) {
+    return RealRow{axis[0] * sign, axis[1] * sign, axis[2] * sign, -dot(axis, pose.eye) * sign};
+  };
+  const RealMat view{row(pose.right, 1), row(pose.up, ySign), row(pose.forward, zSign), RealRow{0, 0, 0, 1}};
+
+  const Real sx = Real(2) / (w.right - w.left), sy = Real(2) / (w.top - w.bottom);
+  const Real ox = (w.right + w.left) / (w.right - w.left), oy = (w.top + w.bottom) / (w.top - w.bottom);
+  const Real ndcUp = c.ndcY == NdcY::up ? 1 : -1;
+  const bool zeroToOne = c.ndcZ == NdcZ::zeroToOne, infinite = std::isinf(truth.scene.far);
+  const Real n = truth.scene.near, f = infinite ? Real(0) : Real(truth.scene.far);
+  const Real low = zeroToOne ? 0 : -1, atNear = c.reverseZ ? Real(1) : low, atFar = c.reverseZ ? low : Real(1);
+  RealMat p;
+  if (truth.lens.orthographic) {
+    p[0] = {sx, 0, 0, -ox};
+    p[1] = {0, sy * ySign * ndcUp, 0, -oy * ndcUp};
+    p[2] = {0, 0, (atFar - atNear) / (f - n) * zSign, (f * atNear - n * atFar) / (f - n)};
+    p[3] = {0, 0, 0, 1};
+  } else {
+    p[0] = {sx, 0, -ox * zSign, 0};
+    p[1] = {0, sy * ySign * ndcUp, -oy * zSign * ndcUp, 0};
+    p[2] = infinite ? RealRow{0, 0, atFar * zSign, n * (atNear - atFar)}
+                    : RealRow{0, 0, (f * atFar - n * atNear) / (f - n) * zSign, f * n * (atNear - atFar) / (f - n)};
+    p[3] = {0, 0, zSign, 0};
+  }
+  return p * view;
+}
+
+/// A plane's normal of unit length and offset; absent where its normal is zero.
+struct TruePlane {
+  Real3 normal;
+  Real offset;
+  bool absent = false;
+
+  Real distance(const Real3& p) const { return dot(normal, p) + offset; }
+};
+
+/// Gribb & Hartmann, in the order left, right, bottom, top, near, far.
+std::array<TruePlane, 6> extracted(const RealMat& m, const Convention& c) {
+  const auto combined = [&](double w, double other, std::size_t row) {
+    RealRow sum;
+    for (std::size_t j = 0; j < 4; ++j) sum[j] = m[3][j] * Real(w) + m[row][j] * Real(other);
+    const Real3 normal{sum[0], sum[1], sum[2]};
+    const Real size = length(normal);
+    if (!(size > Real(0))) return TruePlane{{}, sum[3], true};
+    return TruePlane{normal * (Real(1) / size), sum[3] / size, false};
+  };
+  const double up = c.ndcY == NdcY::up ? 1 : -1;
+  const TruePlane low = combined(c.ndcZ == NdcZ::zeroToOne ? 0 : 1, 1, 2), high = combined(1, -1, 2);
+  return {combined(1, 1, 0),   combined(1, -1, 0),      combined(1, up, 1),
+          combined(1, -up, 1), c.reverseZ ? high : low, c.reverseZ ? low : high};
+}
+
+/// A random scene's camera, frustum and true planes.
+struct World {
+  explicit World(Scene s) : scene(std::move(s)), truth(scene), camera(build(scene)), frustum(viewFrustum(camera)) {
+    planes = extracted(clipFromWorld(truth, trueWindow(truth, camera), scene.convention), scene.convention);
+  }
+  Scene scene;
+  Truth truth;
+  Camera camera;
+  Frustum frustum;
+  std::array<TruePlane, 6> planes;
+};
+
+World randomWorld(std::uint64_t trial, Random& random) {
+  const double reach = trial % 3 == 0 ? 6.4e6 : random.spread(1e-3, 1e12);
+  return World(randomScene(random, reach));
+}
+
+Real toReal(const Wide& a) { return (Real(a.value.hi) + Real(a.value.lo)) * Real(std::ldexp(1.0, a.exponent)); }
+
+double oneNorm(const Real3& v) { return double(abs(v[0]) + abs(v[1]) + abs(v[2])); }
+
+/// Within 0.51 ulp or within a bound.
+bool isNear(double got, const Real& truth, double bound) {
+  return ulps(got, truth) <= 0.51 || double(abs(Real(got) - truth)) <= bound;
+}
+
+int indexOf(unsigned side) {
+  for (int i = 0; i < 6; ++i)
+    if (side == 1u << i) return i;
+  return -1;
+}
+
+/// What a plane is to a shape: the true distances of its inmost and outmost points, and the bound on what was computed.
+struct Margin {
+  Real inmost, outmost;
+  double bound = 0;
+};
+
+std::vector<Margin> marginsOf(const World& w, const Sphere& s) {
+  std::vector<Margin> margins;
+  const double reach = oneNorm(toReal(s.center) - toReal(w.camera.pose.eye)) + s.radius;
+  for (const FrustumPlane& p : w.frustum) {
+    const Real d = w.planes[std::size_t(indexOf(p.side))].distance(toReal(s.center));
+    margins.push_back({d + Real(s.radius), d - Real(s.radius), p.normalBound * reach + p.offsetBound});
+  }
+  return margins;
+}
+
+/// By all eight corners.
+std::vector<Margin> marginsOf(const World& w, const Box& b) {
+  std::vector<Margin> margins;
+  const Real3 eye = toReal(w.camera.pose.eye);
+  const double reach = oneNorm(toReal(b.min) - eye) + oneNorm(toReal(b.max) - eye);
+  for (const FrustumPlane& p : w.frustum) {
+    Margin m;
+    for (unsigned corner = 0; corner < 8; ++corner) {
+      const Real3 at{corner & 1 ? b.max.x : b.min.x, corner & 2 ? b.max.y : b.min.y, corner & 4 ? b.max.z : b.min.z};
+      const Real d = w.planes[std::size_t(indexOf(p.side))].distance(at);
+      if (corner == 0 || d > m.inmost) m.inmost = d;
+      if (corner == 0 || d < m.outmost) m.outmost = d;
+    }
+    m.bound = p.normalBound * reach + p.offsetBound;
+    margins.push_back(m);
+  }
+  return margins;
+}
+
+/// What is wrong with a verdict, or nothing. inside and outside must be true; intersects may be said too often.
+std::string wrongWith(const Cull& got, const std::vector<Margin>& margins) {
+  const int decided = indexOf(got.side);
+  if ((got.verdict == CullVerdict::inside) != (decided < 0)) return "a side that does not fit";
+  if (decided >= int(margins.size())) return "a plane that is absent";
+  for (std::size_t i = 0; i < margins.size(); ++i) {
+    const Margin& m = margins[i];
+    const Real twice = 2 * m.bound;
+    if (got.verdict != CullVerdict::outside && m.inmost < -twice) return "not outside, but beyond a plane";
+    if (got.verdict == CullVerdict::inside && m.outmost < -twice) return "inside, but reaches beyond a plane";
+    if (decided < 0) continue;
+    const Margin& by = margins[std::size_t(decided)];
+    const Real both = m.bound + by.bound;
+    if (got.verdict == CullVerdict::outside && m.inmost < by.inmost - both) return "farther beyond another plane";
+    if (got.verdict == CullVerdict::intersects && m.outmost < by.outmost - both)
+      return "reaches farther beyond another";
+  }
+  if (got.verdict == CullVerdict::outside && !(margins[std::size_t(decided)].inmost < Real(0))) return "not outside";
+  if (got.verdict == CullVerdict::intersects && !(margins[std::size_t(decided)].outmost < Real(0)))
+    return "does not reach beyond the plane";
+  return {};
+}
+
+/// A point in or around the view; on a plane, as nearly as doubles can, where one is given.
+Vec3 pointNear(Random& random, const World& w, const TruePlane* on) {
+  const Vec3 p = pointInView(random, w.truth, random.chance(0.5) ? 1 : 3);
+  Real3 at = toReal(p);
+  if (random.chance(0.1)) at = w.truth.pose.eye * Real(2) - at;  // behind
+  if (on) at = at - on->normal * on->distance(at);
+  return {double(at[0]), double(at[1]), double(at[2])};
+}
+
+struct Tally {
+  std::size_t cases = 0, verdicts[3] = {}, sides[6] = {}, close = 0;
+};
+
+}  // namespace
+
+TEST_CASE("Frustum planes are those extracted from the matrix of every convention") {
+  std::map<std::string, int> visited;
+  double largestShare = 0;
+  for (std::uint64_t trial = 0; trial < 600; ++trial) {
+    Random random(trial + 20000000);
+    const World w = randomWorld(trial, random);
+    const double eye = oneNorm(w.truth.pose.eye);
+    for (const ConventionPreset& preset : conventionPresets())
+      for (bool reverse : {false, true}) {
+        Convention c = preset.convention;
+        c.reverseZ = reverse;
+        INFO("trial " << trial << ", " << preset.name << (reverse ? " reversed: " : ": ") << describe(w.scene));
+        const auto planes = extracted(clipFromWorld(w.truth, trueWindow(w.truth, w.camera), c), c);
+        const bool infinite = std::isinf(w.camera.projection.far);
+        REQUIRE(planes[5].absent == infinite);
+        REQUIRE(w.frustum.count == (infinite ? 5 : 6));
+        int i = 0;
+        for (const FrustumPlane& p : w.frustum) {
+          CAPTURE(i, p.equation.x, p.equation.y, p.equation.z, p.equation.w, p.normalBound, p.offsetBound);
+          REQUIRE(p.side == 1u << i);
+          const TruePlane& truth = planes[std::size_t(i++)];
+          REQUIRE(isNear(p.equation.x, truth.normal[0], p.normalBound));
+          REQUIRE(isNear(p.equation.y, truth.normal[1], p.normalBound));
+          REQUIRE(isNear(p.equation.z, truth.normal[2], p.normalBound));
+          REQUIRE(isNear(p.equation.w, truth.offset, p.offsetBound + p.normalBound * eye));
+          // Before rounding, and relative to the eye.
+          const Real3 normal{toReal(p.normal.x), toReal(p.normal.y), toReal(p.normal.z)};
+          for (std::size_t k = 0; k < 3; ++k) {
+            const double error = double(abs(normal[k] - truth.normal[k]));
+            REQUIRE(error <= p.normalBound);
+            largestShare = std::max(largestShare, error / p.normalBound);
+          }
+          const Real offset = truth.distance(toReal(w.camera.pose.eye));
+          REQUIRE(double(abs(toReal(p.offset) - offset)) <=
+                  p.offsetBound + 1e-120 * eye);  // 480 bits, too, have an end
+        }
+        ++visited[std::string(preset.name) + (reverse ? " reversed" : "") + (infinite ? " infinite" : "") +
+                  (w.truth.lens.orthographic ? " orthographic" : "")];
+      }
+  }
+  CHECK(visited.size() == conventionPresets().size() * 2 * 3);
+  CHECK(largestShare > 1e-4);
+  WARN("largest share of the bound of a normal: " << largestShare);
+}
+
+TEST_CASE("Spheres and boxes are inside, outside or neither as exact arithmetic says, beyond the bound") {
+  Tally spheres, boxes;
+  for (std::uint64_t trial = 0; spheres.cases + boxes.cases < casesWanted() * 2 / 3; ++trial) {
+    Random random(trial + 30000000);
+    const World w = randomWorld(trial, random);
+    for (int i = 0; i < 16; ++i) {
+      const TruePlane* on = i % 2 ? &w.planes[std::size_t(random.uniform(0, w.frustum.count))] : nullptr;
+      const Vec3 at = pointNear(random, w, on);
+      if (!isFinite(at)) continue;
+      const double size = std::fabs(
+          w.planes[4].distance(toReal(at)) > Real(0) ? double(w.planes[4].distance(toReal(at))) : w.scene.near);
+      const auto check = [&](const auto& shape, Tally& tally) {
+        const Cull got = cull(w.frustum, shape);
+        const std::vector<Margin> margins = marginsOf(w, shape);
+        const std::string wrong = wrongWith(got, margins);
+        if (!wrong.empty()) FAIL_CHECK("trial " << trial << "." << i << ": " << wrong << ": " << describe(w.scene));
+        ++tally.cases;
+        ++tally.verdicts[int(got.verdict)];
+        if (got.side != 0) ++tally.sides[indexOf(got.side)];
+        for (const Margin& m : margins)
+          if (abs(m.inmost) < Real(1e-14 * size) || abs(m.outmost) < Real(1e-14 * size)) {
+            ++tally.close;
+            break;
+          }
+      };
+      if (i % 4 < 2) {
+        double radius = random.chance(0.1) ? 0 : size * random.spread(1e-6, 1e2);
+        if (random.chance(0.4)) {  // touches a plane, as nearly as a double can
+          radius = std::fabs(double(w.planes[std::size_t(random.uniform(0, w.frustum.count))].distance(toReal(at))));
+          if (random.chance(0.5)) radius = std::nextafter(radius, random.sign() * INFINITY);
+        }
+        if (radius >= 0) check(Sphere{at, radius}, spheres);
+      } else {
+        Box b{at, at};
+        const double extent = size * random.spread(1e-6, 1e2);
+        for (std::size_t k = 0; k < 3; ++k)
+          (random.chance(0.5) ? b.min : b.max)[k] += random.chance(0.1) ? 0 : (random.chance(0.5) ? 1 : 0.1) * extent;
+        for (std::size_t k = 0; k < 3; ++k)
+          if (b.min[k] > b.max[k]) std::swap(b.min[k], b.max[k]);
+        check(b, boxes);
+      }
+    }
+  }
+  for (const Tally* t : {&spheres, &boxes}) {
+    for (std::size_t count : t->verdicts) CHECK(count > t->cases / 50);
+    for (std::size_t count : t->sides) CHECK(count > t->cases / 100);
+    CHECK(t->close > t->cases / 20);
+    WARN((t == &boxes ? "boxes " : "spheres ")
+         << t->cases << ": inside " << t->verdicts[0] << ", intersects " << t->verdicts[1] << ", outside "
+         << t->verdicts[2] << "; touching a plane to 1e-14 " << t->close);
+  }
+}
+
+TEST_CASE("A point is inside if and only if it is visible, and beyond the plane that is named") {
+  Tally tally;
+  std::size_t behind = 0, decidedByTruth = 0;
+  for (std::uint64_t trial = 0; tally.cases < casesWanted() / 3; ++trial) {
+    Random random(trial + 40000000);
+    const World w = randomWorld(trial, random);
+    for (int i = 0; i < 16; ++i) {
+      const TruePlane* on = i % 2 ? &w.planes[std::size_t(random.uniform(0, w.frustum.count))] : nullptr;
+      const Vec3 at = pointNear(random, w, on);
+      if (!isFinite(at)) continue;
+      const Cull got = cull(w.frustum, at);
+      const ScreenPoint screen = worldToScreen(w.camera, at);
+      INFO("trial " << trial << "." << i << ": " << describe(w.scene));
+      REQUIRE((got.verdict == CullVerdict::inside) == screen.visible());
+      REQUIRE(got.verdict != CullVerdict::intersects);
+      ++tally.cases;
+      ++tally.verdicts[int(got.verdict)];
+      behind += screen.status == PointStatus::behind;
+      const std::vector<Margin> margins = marginsOf(w, Sphere{at, 0});
+      Real least = margins[0].inmost;
+      for (const Margin& m : margins)
+        if (m.inmost < least) least = m.inmost;
+      if (got.verdict == CullVerdict::outside) {
+        const int side = indexOf(got.side);
+        REQUIRE((side >= 0 && side < int(margins.size())));
+        ++tally.sides[side];
+        REQUIRE(margins[std::size_t(side)].inmost < Real(margins[std::size_t(side)].bound));
+        if (screen.status == PointStatus::behind) REQUIRE(margins[4].inmost < Real(0));
+      }
+      // What the pixel's last digits cannot hide, the planes say too.
+      const Real slack = 1e-9 * (oneNorm(toReal(at) - w.truth.pose.eye) + double(abs(Real(w.scene.near))));
+      if (abs(least) < slack) {
+        ++tally.close;
+        continue;
+      }
+      ++decidedByTruth;
+      REQUIRE((got.verdict == CullVerdict::inside) == (least > Real(0)));
+    }
+  }
+  CHECK(tally.verdicts[0] > tally.cases / 20);
+  CHECK(tally.verdicts[2] > tally.cases / 20);
+  for (std::size_t count : tally.sides) CHECK(count > tally.cases / 100);
+  CHECK(behind > tally.cases / 50);
+  CHECK(tally.close > tally.cases / 20);
+  CHECK(decidedByTruth > tally.cases / 4);
+  WARN("points " << tally.cases << ": inside " << tally.verdicts[0] << ", outside " << tally.verdicts[2] << ", behind "
+                 << behind << ", next to a plane " << tally.close);
+}

@@ -1,0 +1,200 @@
+// No verdict on a ray and a shape differs from exact arithmetic's, and no number from its bound.
+//
+// The number of cases: VIEWPROJ_SHAPE_CASES in the environment, for hits and for culling each.
+#include <cstdlib>
+#include <map>
+#include <sstream>
+
+#include "catch.hpp"
+#include "reference/shapes/hit_cases.hpp"
+
+using namespace viewproj;
+using namespace reference;
+
+namespace {
+
+std::size_t casesWanted() {
+  const char* wanted = std::getenv("VIEWPROJ_SHAPE_CASES");
+  return wanted ? std::strtoull(wanted, nullptr, 10) : 30000;
+}
+
+/// A shape's numbers in a row, to print or to spoil.
+template <class S>
+std::vector<double*> numbersOf(S& s) {
+  const auto of = [](auto&... vectors) {
+    std::vector<double*> all;
+    for (Vec3* v : {&vectors...}) all.insert(all.end(), {&v->x, &v->y, &v->z});
+    return all;
+  };
+  if constexpr (std::is_same_v<S, Plane>) return of(s.point, s.normal);
+  if constexpr (std::is_same_v<S, Box>) return of(s.min, s.max);
+  if constexpr (std::is_same_v<S, Triangle>) return of(s.a, s.b, s.c);
+  if constexpr (std::is_same_v<S, Ellipsoid>) return {&s.equatorial, &s.polar};
+  if constexpr (std::is_same_v<S, Sphere>) {
+    auto all = of(s.center);
+    all.push_back(&s.radius);
+    return all;
+  }
+}
+
+std::string text(HitCase c) {
+  std::ostringstream out;
+  out << std::hexfloat << "origin";
+  for (std::size_t i = 0; i < 3; ++i) out << " " << c.ray.origin[i];
+  out << ", direction";
+  for (std::size_t i = 0; i < 3; ++i) out << " " << c.ray.direction[i];
+  out << ", shape " << c.shape.index();
+  for (const double* number : std::visit([](auto& s) { return numbersOf(s); }, c.shape)) out << " " << *number;
+  return out.str();
+}
+
+Hits hitsOf(const HitCase& c) {
+  return std::visit([&](const auto& s) { return intersect(c.ray, s); }, c.shape);
+}
+
+bool isUsable(const HitCase& c) {
+  return isFinite(c.ray.origin) && isFinite(c.ray.direction) && maxAbs(c.ray.direction) > 0 &&
+         std::visit([](const auto& s) { return isValid(s); }, c.shape);
+}
+
+/// What is wrong with a hit, or nothing.
+std::string wrongWith(const Hit& got, const TrueHit& truth) {
+  if (!(got.distance >= 0)) return "a distance below 0";
+  if (!isNear(got.distance, truth.distance, kHitUlps, 0)) return "the distance";
+  Big3 normal = truth.normal;
+  if (!truth.faces.empty() && truth.faces[0] != BoxFace::none) {
+    if (std::find(truth.faces.begin(), truth.faces.end(), got.face) == truth.faces.end()) return "the face";
+    const int face = int(got.face) - 1;
+    normal = {0, 0, 0};
+    normal[std::size_t(face / 2)] = face % 2 ? 1 : -1;
+  } else if (got.face != BoxFace::none) {
+    return "a face of no box";
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!isNear(got.point[i], truth.point[i], kHitUlps, truth.slack)) return "the point";
+    if (!isNear(got.normal[i], normal[i], kHitUlps, truth.normalSlack)) return "the normal";
+  }
+  return {};
+}
+
+struct Tally {
+  std::size_t cases = 0, hits[3] = {}, touches = 0, startsOn = 0, startsInside = 0, wide = 0;
+};
+
+}  // namespace
+
+TEST_CASE("Hits are those of exact arithmetic, and their numbers within the bounds") {
+  const auto families = hitFamilies();
+  std::map<std::string, Tally> tallies;
+  Tally all;
+  for (std::size_t trial = 0; all.cases < casesWanted(); ++trial) {
+    Random random(trial);
+    const HitFamily& family = families[trial % families.size()];
+    const HitCase c = family.make(random);
+    if (!isUsable(c)) continue;  // a random number was too large
+    const TrueHits truth = trueHits(c.ray, c.shape);
+    const Hits got = hitsOf(c);
+    std::string wrong;
+    if (got.count != int(truth.hits.size()))
+      wrong = "the number of hits: " + std::to_string(got.count) + ", not " + std::to_string(truth.hits.size());
+    for (std::size_t i = 0; wrong.empty() && i < truth.hits.size(); ++i) wrong = wrongWith(got.hits[i], truth.hits[i]);
+    if (!wrong.empty()) FAIL_CHECK(family.name << ", trial " << trial << ": " << wrong << "\n" << text(c));
+    for (Tally* t : {&all, &tallies[family.name]}) {
+      ++t->cases;
+      ++t->hits[truth.hits.size()];
+      t->touches += truth.touches;
+      t->startsOn += truth.startsOn;
+      t->startsInside += truth.startsInside;
+      t->wide += truth.wide;
+    }
+  }
+  std::ostringstream table;
+  table << "cases miss one two touching starts-on starts-inside wide\n";
+  for (const auto& [name, t] : tallies) {
+    table << t.cases << " " << t.hits[0] << " " << t.hits[1] << " " << t.hits[2] << " " << t.touches << " "
+          << t.startsOn << " " << t.startsInside << " " << t.wide << " " << name << "\n";
+    INFO(name);
+    CHECK(t.hits[0] > 0);
+    CHECK(t.hits[1] + t.hits[2] > 0);
+  }
+  CHECK(tallies.size() == families.size());
+  const auto share = [&](const char* name, std::size_t Tally::*of) {
+    const Tally& t = tallies[name];
+    return double(t.*of) / double(t.cases);
+  };
+  // What each family is there for, it meets.
+  CHECK(share("tangent to sphere", &Tally::touches) > 0.4);
+  CHECK(share("starts on sphere", &Tally::startsOn) > 0.3);
+  CHECK(share("sphere of radius 0", &Tally::touches) > 0.2);
+  CHECK(share("Earth, exactly", &Tally::touches) > 0.05);
+  CHECK(share("Earth, exactly", &Tally::startsOn) > 0.1);
+  CHECK(share("box of whole numbers", &Tally::touches) > 0.02);
+  CHECK(share("box of whole numbers", &Tally::startsOn) > 0.1);
+  CHECK(share("triangle of whole numbers", &Tally::touches) > 0.03);
+  CHECK(share("triangle of whole numbers", &Tally::startsOn) > 0.02);
+  CHECK(share("plane of whole numbers", &Tally::startsOn) > 0.1);
+  CHECK(all.wide > all.cases / 50);
+  CHECK(all.startsInside > all.cases / 50);
+  WARN(all.cases << " cases\n" << table.str());
+}
+
+TEST_CASE("A number that is not finite anywhere in a ray or a shape is a miss") {
+  const double bad[] = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+                        -std::numeric_limits<double>::infinity()};
+  int checked = 0;
+  for (std::size_t trial = 0; trial < 20 * hitFamilies().size(); ++trial) {
+    Random random(trial);
+    const HitCase good = hitFamilies()[trial % hitFamilies().size()].make(random);
+    for (double value : bad) {
+      for (std::size_t i = 0; i < 6; ++i) {
+        HitCase c = good;
+        (i < 3 ? c.ray.origin : c.ray.direction)[i % 3] = value;
+        CHECK(hitsOf(c).count == 0);
+      }
+      const std::size_t numbers = std::visit([](auto s) { return numbersOf(s).size(); }, good.shape);
+      for (std::size_t i = 0; i < numbers; ++i) {
+        HitCase c = good;
+        std::visit([&](auto& s) { *numbersOf(s)[i] = value; }, c.shape);
+        CHECK(hitsOf(c).count == 0);
+        ++checked;
+      }
+    }
+  }
+  CHECK(checked > 1000);
+}
+
+TEST_CASE("No ray leaves a tetrahedron between its faces, however near an edge or a corner it is aimed") {
+  std::size_t met[4] = {};
+  for (std::uint64_t trial = 0; trial < 4000; ++trial) {
+    Random random(trial + 9000000);
+    // Whole numbers meet edges and corners exactly, others in doubles.
+    const bool whole = random.chance(0.5);
+    const double size = whole ? 40 : random.spread(1e-100, 1e100);
+    const Vec3 far = whole || random.chance(0.5) ? Vec3{} : random.vector(1e6 * size);
+    Vec3 p[4];
+    for (Vec3& corner : p) {
+      corner = random.vector(size);
+      for (std::size_t k = 0; k < 3; ++k) corner[k] = whole ? 4 * std::floor(corner[k] / 4) : corner[k] + far[k];
+    }
+    Vec3 inside;
+    for (std::size_t k = 0; k < 3; ++k) inside[k] = (p[0][k] + p[1][k]) / 4 + (p[2][k] + p[3][k]) / 4;
+    const Big3 edges[] = {toBig(p[1]) - toBig(p[0]), toBig(p[2]) - toBig(p[0]), toBig(p[3]) - toBig(p[0])};
+    if (dot(edges[0], cross(edges[1], edges[2])).sign() == 0) continue;
+    const Triangle faces[] = {{p[0], p[1], p[2]}, {p[3], p[1], p[0]}, {p[3], p[2], p[1]}, {p[0], p[2], p[3]}};
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j < 4; ++j) {
+        const double at = whole ? 0.5 : random.uniform(0, 1);
+        Vec3 d;
+        for (std::size_t k = 0; k < 3; ++k) d[k] = p[i][k] + (p[j][k] - p[i][k]) * at - inside[k];
+        int count = 0;
+        for (const Triangle& face : faces) count += intersect({inside, d}, face).count;
+        if (count < 1 || count > 3) FAIL_CHECK("trial " << trial << ": " << count << " faces");
+        ++met[std::clamp(count, 0, 3)];
+      }
+  }
+  CAPTURE(met[0], met[1], met[2], met[3]);
+  CHECK(met[0] == 0);
+  CHECK(met[1] > 10000);
+  CHECK(met[2] > 10000);
+  CHECK(met[3] > 1000);
+}

@@ -1,0 +1,213 @@
+#include "viewproj/camera/geodesy.hpp"
+
+#include "catch.hpp"
+#include "viewproj/viewproj.hpp"
+
+using namespace viewproj;
+
+namespace {
+
+double distanceBetween(const Vec3& a, const Vec3& b) { return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z); }
+
+struct Place {
+  Geodetic geodetic;
+  Vec3 ecef;
+};
+
+// The first two are published, IOGP Guidance Note 7-2 and its test in PROJ; the rest GeographicLib's CartConvert.
+constexpr Place kPlaces[] = {
+    {{55, 5, 200}, {3652755.305807658, 319574.679892340, 5201547.353611131}},
+    {{53.80939444444444, 2.12955, 73}, {3771793.967641783, 140253.341899613, 5124304.349350536}},
+    {{90, 0, 0}, {0, 0, 6356752.3142451793}},
+    {{90, 77, 1000}, {0, 0, 6357752.3142451793}},
+    {{-90, -120, 12.5}, {0, 0, -6356764.8142451793}},
+    {{0, 0, 0}, {6378137, 0, 0}},
+    {{0, 180, 0}, {-6378137, 0, 0}},
+    {{45, -180, -100}, {-4517520.1681708125, 0, 4487277.6981878011}},
+    {{-33.25, 151.125, 58}, {-4675555.8926124768, 2578384.3718729587, -3477210.9658103860}},
+    {{27.988056, 86.925278, 8848}, {302742.6703562936, 5636029.2242822545, 2979488.7755781310}},
+    {{71.5, 179.9999999, 3}, {-2029933.2223592126, 0.0035429016, 6026217.2447218243}},
+    {{-0.0000001, -90, 35786000}, {0, -42164137, -0.0735157802}},
+    {{89.9999999, 13, 5}, {0.0108831349, 0.0025125697, 6356757.3142451793}},
+};
+
+/// The level camera's coordinates of a point are east, up, north, when it looks north.
+Vec3 eastNorthUp(const Geodetic& eye, const Geodetic& point) {
+  const Camera camera = makeCamera(poseFromHeadingPitchRoll(eye, {}), perspectiveFovY(60, 1, 1, kInfiniteFar), {1, 1});
+  const Vec3 p = geodeticToEcef(point);
+  const Vec3 view = worldToView(camera, {p.x, p.y, p.z, 1}, *conventionPreset("opengl"));
+  return {view.x, -view.z, view.y};
+}
+
+template <class Call>
+std::string fieldAtFault(Call call) {
+  try {
+    call();
+  } catch (const CameraError& e) {
+    return e.field();
+  }
+  return "";
+}
+
+/// right, up, forward at latitude 0, longitude 0: x is up, y east, z north.
+Axes turnedAtOrigin(const HeadingPitchRoll& turned) { return poseFromHeadingPitchRoll({0, 0, 0}, turned).rows; }
+
+}  // namespace
+
+TEST_CASE("Places have the ECEF coordinates that are published and that GeographicLib's tool gives, to 10 nm") {
+  for (const Place& place : kPlaces) {
+    INFO(place.geodetic.lat << " " << place.geodetic.lon << " " << place.geodetic.height);
+    CHECK(distanceBetween(geodeticToEcef(place.geodetic), place.ecef) <= kGeodesyBound);
+    const Geodetic back = ecefToGeodetic(place.ecef);
+    CHECK(distanceBetween(geodeticToEcef(back), place.ecef) <= kGeodesyBound);
+    CHECK(std::fabs(back.height - place.geodetic.height) <= kGeodesyBound);
+  }
+}
+
+TEST_CASE("East, north, up at the published origin are those of the published point, to 10 nm [IOGP 373-7-2]") {
+  // Published to a millimetre; to 1e-9 m by CartConvert -l 55 5 200.
+  const Vec3 enu = eastNorthUp({55, 5, 200}, {53.80939444444444, 2.12955, 73});
+  CHECK(distanceBetween(enu, {-189013.869, -128642.040, -4220.171}) <= 1e-3);
+  CHECK(distanceBetween(enu, {-189013.869150913, -128642.039805558, -4220.170758402}) <= kGeodesyBound);
+}
+
+TEST_CASE("At latitude 0, longitude 0 a level camera has the world's axes") {
+  const Pose pose = poseFromHeadingPitchRoll({0, 0, 0}, {});
+  CHECK(pose.eye == Vec3{6378137, 0, 0});
+  CHECK(rounded(pose.rows.right) == Vec3{0, 1, 0});
+  CHECK(rounded(pose.rows.up) == Vec3{1, 0, 0});
+  CHECK(rounded(pose.rows.forward) == Vec3{0, 0, 1});
+}
+
+TEST_CASE("Heading runs clockwise from north, pitch above the horizon, roll puts the right side down") {
+  CHECK(rounded(turnedAtOrigin({.heading = 90}).forward) == Vec3{0, 1, 0});  // east
+  CHECK(rounded(turnedAtOrigin({.heading = 90}).right) == Vec3{0, 0, -1});   // south
+  CHECK(rounded(turnedAtOrigin({.heading = -90}).forward) == Vec3{0, -1, 0});
+  CHECK(rounded(turnedAtOrigin({.heading = 450}).forward) == Vec3{0, 1, 0});
+  CHECK(rounded(turnedAtOrigin({.pitch = 90}).forward) == Vec3{1, 0, 0});  // up
+  CHECK(rounded(turnedAtOrigin({.pitch = 90}).up) == Vec3{0, 0, -1});      // the top of the picture is south
+  CHECK(rounded(turnedAtOrigin({.pitch = -90}).up) == Vec3{0, 0, 1});      // of a map, north
+  CHECK(rounded(turnedAtOrigin({.roll = 90}).right) == Vec3{-1, 0, 0});    // down
+  CHECK(rounded(turnedAtOrigin({.roll = 90}).up) == Vec3{0, 1, 0});
+  CHECK(rounded(turnedAtOrigin({.heading = 30, .pitch = -10, .roll = 0}).right).x == 0);  // level
+}
+
+TEST_CASE("At a pole the longitude says where north and east are") {
+  for (double lat : {90.0, -90.0}) {
+    const double away = lat > 0 ? -1 : 1;  // north, or from the north pole the meridian backwards
+    CHECK(rounded(poseFromHeadingPitchRoll({lat, 0, 10}, {}).rows.forward) == Vec3{away, 0, 0});
+    CHECK(rounded(poseFromHeadingPitchRoll({lat, 90, 10}, {}).rows.forward) == Vec3{0, away, 0});
+    CHECK(rounded(poseFromHeadingPitchRoll({lat, 90, 10}, {}).rows.right) == Vec3{-1, 0, 0});
+    CHECK(geodeticToEcef({lat, 123.4, 10}) == geodeticToEcef({lat, 0, 10}));
+  }
+}
+
+TEST_CASE("Longitudes a whole turn apart are one place and one pose, the antimeridian's two names too") {
+  const auto same = [](double a, double b) {
+    const Pose first = poseFromHeadingPitchRoll({12.5, a, 3}, {.heading = 33, .pitch = 4, .roll = 5});
+    const Pose second = poseFromHeadingPitchRoll({12.5, b, 3}, {.heading = 33, .pitch = 4, .roll = 5});
+    CHECK(first.eye == second.eye);
+    for (std::size_t i = 0; i < 3; ++i) {
+      CHECK(first.rows.forward[i].hi == second.rows.forward[i].hi);
+      CHECK(first.rows.up[i].lo == second.rows.up[i].lo);
+    }
+  };
+  same(180, -180);
+  same(180, 540);
+  same(-0.5, 359.5);
+  same(77.25, 77.25 - 3600);
+}
+
+TEST_CASE("What is no place has no coordinates, and a pose there is an error that names the field") {
+  const double inf = INFINITY, nan = NAN;
+  for (const Geodetic& bad : {Geodetic{90.0000001, 0, 0}, Geodetic{-91, 0, 0}, Geodetic{nan, 0, 0}, Geodetic{0, inf, 0},
+                              Geodetic{0, nan, 0}, Geodetic{0, 0, nan}, Geodetic{0, 0, -inf}}) {
+    CHECK_FALSE(isPlace(bad));
+    CHECK(std::isnan(geodeticToEcef(bad).x));
+    CHECK(std::isnan(geodeticToEcef(bad).z));
+    CHECK(fieldAtFault([&] { poseFromHeadingPitchRoll(bad, {}); }).starts_with("position."));
+    CHECK(fieldAtFault([&] { lookAtPlace({1, 2, 3}, bad); }).starts_with("target."));
+    CHECK(fieldAtFault([&] { lookAt({1, 2, 3}, {4, 5, 6}, ellipsoidNormal(bad), Handedness::right); }) == "up");
+  }
+  CHECK(std::isnan(ecefToGeodetic({0, nan, 0}).lat));
+  CHECK(std::isnan(ecefToGeodetic({0, 0, inf}).height));
+  CHECK(fieldAtFault([&] { poseFromHeadingPitchRoll({}, {.heading = inf}); }) == "heading");
+  CHECK(fieldAtFault([&] { poseFromHeadingPitchRoll({}, {.pitch = 90.5}); }) == "pitch");
+  CHECK(fieldAtFault([&] { poseFromHeadingPitchRoll({}, {.pitch = nan}); }) == "pitch");
+  CHECK(fieldAtFault([&] { poseFromHeadingPitchRoll({}, {.roll = nan}); }) == "roll");
+}
+
+TEST_CASE("A target straight above or below is an error, one a nanodegree beside it is not") {
+  const auto fault = [](const Geodetic& a, const Geodetic& b) { return fieldAtFault([&] { lookAtPlace(a, b); }); };
+  CHECK(fault({10, 20, 30}, {10, 20, 30}) == "target");
+  CHECK(fault({10, 20, 30}, {10, 20, 1000}) == "target");
+  CHECK(fault({10, 20, 30}, {10, 380, -30}) == "target");
+  CHECK(fault({10, -180, 30}, {10, 180, -30}) == "target");
+  CHECK(fault({90, -180, 30}, {90, 12, -30}) == "target");
+  CHECK(fault({10, 20, 3000}, {10, 20 + 1e-9, 0}).empty());
+  CHECK(fault({0, 0, 0}, {0, 180, 0}) == "up");  // through the centre of the Earth
+}
+
+TEST_CASE("The centre of the Earth is below the north pole, and has a longitude") {
+  const Geodetic centre = ecefToGeodetic({0, 0, 0});
+  CHECK(centre.lat == 90);
+  CHECK(centre.lon == 0);
+  CHECK(centre.height == Approx(-6356752.314).epsilon(1e-9));
+}
+
+TEST_CASE("From Gornergrat each peak stands where its azimuth says") {
+  // Azimuths by GeographicLib's GeodSolve -i, from 45.98333 7.785: those of geodesics, which leave the line of sight to
+  // a peak above the ellipsoid by less than 1e-4 degrees at 15 km.
+  struct Peak {
+    const char* name;
+    Geodetic place;
+    double azimuth;
+  };
+  constexpr Peak kPeaks[] = {
+      {"Dufourspitze", {45.93683, 7.86706, 4684}, 129.06445860905},
+      {"Liskamm", {45.92250, 7.83556, 4582}, 149.87872532842},
+      {"Castor", {45.92090, 7.79340, 4273}, 174.63534097567},
+      {"Pollux", {45.92778, 7.78528, 4142}, 179.79846802582},
+      {"Breithorn", {45.94111, 7.74722, 4214}, -148.01995807810},
+      {"Matterhorn", {45.97639, 7.65861, 4528}, -94.45788077158},
+      {"Dent Blanche", {46.03417, 7.61194, 4407}, -67.07766308591},
+      {"Ober Gabelhorn", {46.03833, 7.66778, 4113}, -56.00200249711},
+      {"Zinalrothorn", {46.06500, 7.69056, 4271}, -38.81864853020},
+      {"Weisshorn", {46.10139, 7.71611, 4556}, -22.08955904952},
+      {"Dom", {46.09500, 7.86000, 4596}, 25.03998033894},
+  };
+  const Viewport viewport{3000, 600};
+  const double tangent = std::tan(73 * M_PI / 180);
+  for (const Peak& peak : kPeaks)
+    for (double heading : {198.0, 340.0}) {
+      const Camera camera = makeCamera(poseFromHeadingPitchRoll({45.98333, 7.785, 3185}, {.heading = heading}),
+                                       perspectiveFovX(146, 5, 1, kInfiniteFar), viewport);
+      const ScreenPoint p = worldToScreen(camera, geodeticToEcef(peak.place));
+      const double off = std::remainder(peak.azimuth - heading, 360);
+      INFO(peak.name << " in the frame of " << heading);
+      REQUIRE((p.status == PointStatus::inFront) == (std::fabs(off) < 90));
+      if (p.status != PointStatus::inFront) continue;
+      const double azimuth = std::atan((p.x - 1500) / 1500 * tangent) * 180 / M_PI;
+      CHECK(std::fabs(azimuth - off) < 1e-4);
+      CHECK(p.y < 300);  // above the horizon
+    }
+}
+
+TEST_CASE("A centimetre at a kilometre is 10 pixels of a lens of a millionth, anywhere on Earth") {
+  for (double lat : {-90.0, -89.999, -45.0, -1e-7, 0.0, 30.0, 66.6, 90.0})
+    for (double lon : {-180.0, -179.9999999, -90.0, 0.0, 45.0, 179.9999999, 180.0}) {
+      INFO(lat << " " << lon);
+      const Geodetic eye{lat, lon, 400};
+      const Pose pose = poseFromHeadingPitchRoll(eye, {.heading = 55, .pitch = -20, .roll = 10});
+      const Camera camera = makeCamera(pose, frustum(-0.5e-3, 0.5e-3, -0.5e-3, 0.5e-3, 1, kInfiniteFar), {1000, 1000});
+      const auto at = [&](double right) {
+        Vec3 p;
+        for (std::size_t i = 0; i < 3; ++i)
+          p[i] = pose.eye[i] + 1000 * pose.rows.forward[i].hi + right * pose.rows.right[i].hi;
+        return worldToScreen(camera, p);
+      };
+      // The doubles of ECEF lie 1e-9 m apart, so a pixel here, a millimetre, is right to 2e-6.
+      CHECK(at(0.01).x - at(0).x == Approx(10).margin(4e-6));
+      CHECK(at(0.01).y == Approx(500).margin(4e-6));
+    }
+}
