@@ -20,7 +20,9 @@ mkdir .parallel hosts recipes
 
 cat >hosts/ssh <<'END'
 #!/bin/sh
-# ssh [OPTIONS] HOST [--] COMMAND..., run here.
+# ssh [OPTIONS] HOST [--] COMMAND..., run here. As sshd does, it says which shell that is: parallel's own part there asks.
+SHELL=/bin/sh
+export SHELL
 while [ "${1#-}" != "$1" ]; do shift; done
 echo "$1" >>"$HOSTS"
 shift
