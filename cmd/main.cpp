@@ -28,6 +28,7 @@ constexpr Command kCommands[] = {
     {"depth", "what a depth buffer resolves at each distance", runDepth},
     {"measure", "speed and error of every precision on your own points", runMeasure},
     {"draw", "an SVG of what the camera sees", runDraw},
+    {"schema", "the JSON Schema of a camera, of points, a scene or results", runSchema},
 };
 
 std::string help() {

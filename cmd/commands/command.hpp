@@ -21,5 +21,6 @@ int runExplain(int argc, char** argv);
 int runDepth(int argc, char** argv);
 int runMeasure(int argc, char** argv);
 int runDraw(int argc, char** argv);
+int runSchema(int argc, char** argv);
 
 }  // namespace viewproj::cmd
