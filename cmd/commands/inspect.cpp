@@ -158,7 +158,8 @@ int runInspect(int argc, char** argv) {
   app.add_option("--read-as", readAs, "Only readings of this convention: opengl, d3d, vulkan, ...")->type_name("NAME");
   app.add_option("--reading", number, "Only this one, by its number")->type_name("N");
   writing.addWriting(app);
-  app.add_option("--to", format, "Format: table (default), json; with --convention one of `matrix`: json (default), text, c, ...")
+  app.add_option("--to", format,
+                 "Format: table (default), json; with --convention one of `matrix`: json (default), text, c, ...")
       ->type_name("FORM");
   parse(app, argc, argv);
 
