@@ -26,6 +26,7 @@ if ! diff -u "$work/shown" "$work/printed"; then
 fi
 
 folder=$(dirname "$page")
+# shellcheck disable=SC2016  # backquotes of Markdown
 sed 's/`[^`]*`//g' "$page" | grep -o '](\([^)#]*\)' | sed 's/^](//' | sort -u >"$work/links" || true
 while IFS= read -r link; do
   case $link in http*) continue ;; esac
