@@ -83,7 +83,7 @@ expect_files "$work/staged/opt/viewproj"
 echo '== manual page'
 gzip -dc "$work/prefix/share/man/man1/viewproj.1.gz" >"$work/viewproj.1"
 mandoc -Tlint -Wwarning "$work/viewproj.1"
-mandoc -Tutf8 -Owidth=200 "$work/viewproj.1" | sed 's/.\x08//g' >"$work/page"
+mandoc -Tascii -Owidth=200 "$work/viewproj.1" | sed "s/.$(printf '\b')//g" >"$work/page"
 for command in $("$work/prefix/bin/viewproj" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z][a-z]*\) .*/\1/p'); do
   "$work/prefix/bin/viewproj" "$command" --help | sed -n 's/^  \(-[^ ]*,* *--[a-z-]*\|--[a-z-]*\).*/\1/p' | sed '/--help/d' >"$work/options"
   while read -r option; do
