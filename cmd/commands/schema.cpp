@@ -1,4 +1,7 @@
 // viewproj schema: the JSON Schemas of what is read and written.
+#include <CLI/CLI.hpp>
+#include <memory>
+
 #include "commands/command.hpp"
 #include "commands/options.hpp"
 #include "input/error.hpp"
@@ -7,16 +10,9 @@
 #include "schema/schemas.hpp"
 
 namespace viewproj::cmd {
+namespace {
 
-int runSchema(int argc, char** argv) {
-  CLI::App app(
-      "The JSON Schema (draft 2020-12) of a camera file, of points, of a scene, or of results.\n"
-      "Example: viewproj schema camera > camera.schema.json",
-      "viewproj schema");
-  std::string name;
-  app.add_option("NAME", name, "camera, points, scene or results");
-  parse(app, argc, argv);
-
+int run(const std::string& name) {
   std::vector<std::string_view> known;
   for (const NamedSchema& schema : kSchemas) {
     if (schema.name == name) {
@@ -27,6 +23,18 @@ int runSchema(int argc, char** argv) {
   }
   if (name.empty()) throw UsageError("NAME is needed: " + joined(known));
   failUnknown("NAME", name, known);
+}
+
+}  // namespace
+
+Action defineSchema(CLI::App& app) {
+  const auto name = std::make_shared<std::string>();
+  app.description(
+      "The JSON Schema (draft 2020-12) of a camera file, of points, of a scene, or of results, for editors and "
+      "validators.");
+  app.footer("viewproj schema camera");
+  app.add_option("NAME", *name, "camera, points, scene or results");
+  return [name] { return run(*name); };
 }
 
 }  // namespace viewproj::cmd

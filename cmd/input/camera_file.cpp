@@ -11,8 +11,8 @@
 #include "input/error.hpp"
 #include "input/geodetic.hpp"
 #include "input/names.hpp"
-#include "output/number.hpp"
 #include "input/viewport_fields.hpp"
+#include "output/number.hpp"
 #include "viewproj/camera/error.hpp"
 
 namespace viewproj::cmd {
