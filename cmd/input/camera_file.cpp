@@ -136,9 +136,10 @@ ReadProjection readPs2(Context in) {
   const double near = f.requireNumber("near");
   for (const char* name : {"scrz", "ax", "ay"})
     if (!(f.requireNumber(name) > 0)) f.fail(name, "must be above 0");
-  return {
-      intrinsics(twoProd(ax, scrz), twoProd(ay, scrz), cx, cy, requireViewport(in, "around cx, cy"), near, readFar(f)),
-      true, true};
+  const DoubleDouble fx = twoProd(ax, scrz), fy = twoProd(ay, scrz);
+  for (const auto& [name, focal] : {std::pair("ax", fx), std::pair("ay", fy)})
+    if (!(focal.hi > 0 && std::isfinite(focal.hi))) f.fail(name, "times scrz leaves the range of doubles");
+  return {intrinsics(fx, fy, cx, cy, requireViewport(in, "around cx, cy"), near, readFar(f)), true, true};
 }
 
 using ProjectionReader = ReadProjection (*)(Context);
