@@ -102,7 +102,8 @@ CameraCase cameraCase(int index) {
   c.orthographic = c.camera["projection"]["type"] == "orthographic";
   c.reverseZ = round % 2 == 1;
   c.infinite = round / 2 % 2 == 1 && !c.orthographic;
-  c.otherWay = index % 6 == 5;
+  c.minusOneToOne = index % 9 < 2;
+  c.otherWay = index % 7 == 5;
   c.relativeToEye = base.relativeToEye;
   c.product = index % 4 >= 2;
   c.mirrored = (index + round) % 2 == 1;
@@ -116,8 +117,8 @@ CameraCase cameraCase(int index) {
 
 std::string CameraCase::name() const {
   const bool writtenReversed = reverseZ != otherWay;
-  return "camera " + std::to_string(index) + " as " + preset + (writtenReversed ? ", reversed" : "") +
-         (infinite ? ", infinite" : "") + ": " + camera.dump();
+  return "camera " + std::to_string(index) + " as " + preset + (minusOneToOne ? ", -1..1" : "") +
+         (writtenReversed ? ", reversed" : "") + (infinite ? ", infinite" : "") + ": " + camera.dump();
 }
 
 }  // namespace rasterisers

@@ -14,6 +14,7 @@ struct CameraCase {
   nlohmann::json camera;
   std::string preset;  ///< the convention written
   bool reverseZ = false, infinite = false, orthographic = false;
+  bool minusOneToOne = false;  ///< written so, whatever the preset has
   bool otherWay = false;       ///< the matrices have the other reverseZ than the file
   bool relativeToEye = false;  ///< float32 holds the points only so
   bool product = false;        ///< viewProjection in one matrix, else view and projection
@@ -23,7 +24,7 @@ struct CameraCase {
   std::string name() const;
 };
 
-constexpr int kCameras = 72;
+constexpr int kCameras = 80;
 CameraCase cameraCase(int index);
 
 }  // namespace rasterisers

@@ -1,7 +1,7 @@
 #include "judgement.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <optional>
 #include <set>
@@ -136,7 +136,7 @@ void judgePicks(const Scene& scene, const std::vector<Seen>& seen, Judgement& ju
         reach * std::hypot(scene.pixelSize[0] * off[i][0], scene.pixelSize[1] * off[i][1]) + *distance * slant;
     // The pixel's size comes from a float32 matrix, the points are doubles.
     const double units = std::sqrt(apartSquared) / (bound * (1 + 4 * kUnit) + 0x1p-50 * magnitude);
-    if (!(units <= judgement.worstPick)) judgement.worstPick = units;
+    if (i % 2 == 0) judgement.worstPick = std::max(judgement.worstPick, units);
     if (!(units <= 1)) {
       ++judgement.mispicked;
       say(judgement, point, "picked back as " + rays[i].dump());

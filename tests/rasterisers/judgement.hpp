@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -44,7 +43,7 @@ struct Judgement {
   int appeared = 0;                    ///< of the clipped
   int mispicked = 0;
   double worstPixels = 0;                ///< what float32 may move a point by, the largest
-  double worstDepth = 0, worstPick = 0;  ///< in units of the bound
+  double worstDepth = 0, worstPick = 0;  ///< in units of the bound; picks at the point's own position
   std::vector<std::string> words;        ///< about the first disagreements
 
   int disagreements() const { return misplaced + wronglyDeep + appeared + mispicked; }

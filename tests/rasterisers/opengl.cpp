@@ -146,7 +146,8 @@ Picture render(const Draw& draw) {
   glEnable(GL_PROGRAM_POINT_SIZE);
   glClipControl(draw.mirrored ? GL_UPPER_LEFT : GL_LOWER_LEFT,
                 draw.zeroToOne ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
-  glViewport(draw.x, draw.y, draw.viewportWidth, draw.viewportHeight);
+  glViewportIndexedf(0, static_cast<float>(draw.x), static_cast<float>(draw.y), static_cast<float>(draw.viewportWidth),
+                     static_cast<float>(draw.viewportHeight));
   glDepthRange(draw.depthRange[0], draw.depthRange[1]);
   glUseProgram(program(draw.rowVectors, draw.rowMajor));
   glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(draw.points.size()));

@@ -22,7 +22,8 @@ struct Draw {
   bool zeroToOne = false;   ///< NDC z is 0..1, else -1..1
   bool mirrored = false;    ///< OpenGL: clip control's upper left; Vulkan: a viewport of negative height
   int width = 0, height = 0;
-  int x = 0, y = 0, viewportWidth = 0, viewportHeight = 0;  ///< y counts the framebuffer's rows as they lie in memory
+  int viewportWidth = 0, viewportHeight = 0;
+  double x = 0, y = 0;  ///< the viewport's first column, and first row as they lie in memory
   double depthRange[2] = {0, 1};
   DepthFormat format = DepthFormat::f32;
   std::vector<Vertex> points;

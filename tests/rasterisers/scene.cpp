@@ -16,6 +16,7 @@ using nlohmann::json;
 constexpr double kMargin = 1.0 / 256;  // pixels: the grid to which rasterisers snap
 constexpr int kFrame = 8;              // pixels of framebuffer around the viewport
 constexpr int kPoints = 700;
+constexpr double kReach = 2000;  // the farthest points in near distances
 
 /// The picture that the camera file describes, its tile where it has a crop.
 struct Frame {
@@ -45,25 +46,33 @@ double logUniform(std::mt19937_64& random, double from, double to) {
   return std::exp(uniform(random, std::log(from), std::log(to)));
 }
 
+/// Where a pixel less than a hundredth off would be the next one.
+double besideBorder(std::mt19937_64& random, double pixel) {
+  const double off = uniform(random, kMargin, 2.5 * kMargin);
+  return std::round(pixel) + (random() % 2 ? off : -off);
+}
+
 /// World points in the picture and around it, beyond near and far, and behind the eye.
 std::vector<std::array<double, 3>> randomPoints(const CameraCase& c, const std::string& file, const Frame& frame) {
   std::mt19937_64 random(static_cast<std::uint64_t>(c.index));
   const json& projection = c.camera["projection"];
-  const double near = projection["near"], far = projection.value("far", 500 * near);
+  const double near = projection["near"], far = projection.value("far", kReach * near);
   std::vector<json> pixels;
   std::vector<bool> mirrored;
   for (int i = 0; i < kPoints; ++i) {
     const bool inPicture = i % 10 < 7;
     const double around = inPicture ? 0 : 0.6;
-    const double px = frame.x + frame.width * uniform(random, -around, 1 + around);
-    const double py = frame.y + frame.height * uniform(random, -around, 1 + around);
+    double px = frame.x + frame.width * uniform(random, -around, 1 + around);
+    double py = frame.y + frame.height * uniform(random, -around, 1 + around);
+    if (i % 10 == 0) px = besideBorder(random, px);
+    if (i % 10 == 1) py = besideBorder(random, py);
     double distance;
     if (c.orthographic) {
       const double depth = far - near;
       distance = inPicture || i % 10 == 9 ? uniform(random, near, far)
                                           : uniform(random, near - 0.3 * depth, far + 0.3 * depth);
     } else if (inPicture || i % 10 == 9) {
-      distance = logUniform(random, near, std::min(far, 500 * near));
+      distance = logUniform(random, near, std::min(far, kReach * near));
     } else {
       distance = i % 4 < 2 ? logUniform(random, near / 4, near) : logUniform(random, far / 2, far * 4);
     }
@@ -97,6 +106,7 @@ std::vector<std::string> matrixArguments(const CameraCase& c, const std::string&
                                      c.reverseZ != c.otherWay ? "--reverse-z" : "--no-reverse-z",
                                      "--which",
                                      c.product ? "viewProjection,projection" : "view,projection"};
+  if (c.minusOneToOne) arguments.insert(arguments.end(), {"--ndc-z", "-1..1"});
   if (c.relativeToEye) arguments.push_back("--relative-to-eye");
   return arguments;
 }
@@ -139,13 +149,13 @@ Written readMatrices(const CameraCase& c, const std::string& file, Scene& scene)
 
 void placeViewport(Scene& scene, const Frame& frame, Pipeline& p) {
   Draw& draw = scene.draw;
-  draw.x = kFrame + static_cast<int>(frame.x);
   draw.viewportWidth = static_cast<int>(frame.width);
   draw.viewportHeight = static_cast<int>(frame.height);
-  draw.width = draw.x + draw.viewportWidth + kFrame;
-  draw.height = 2 * kFrame + static_cast<int>(frame.y) + draw.viewportHeight;
-  const int before = kFrame + static_cast<int>(frame.y);  // rows on the origin's side
-  draw.y = frame.fromBottom == scene.upsideDown ? before : draw.height - before - draw.viewportHeight;
+  draw.width = static_cast<int>(frame.x) + draw.viewportWidth + 2 * kFrame;
+  draw.height = static_cast<int>(frame.y) + draw.viewportHeight + 2 * kFrame;
+  const double before = kFrame + frame.y;  // rows on the origin's side
+  draw.x = kFrame + frame.x;
+  draw.y = frame.fromBottom == scene.upsideDown ? before : draw.height - before - frame.height;
   const json range = scene.camera.camera["viewport"].value("depthRange", json{0, 1});
   for (std::size_t k = 0; k < 2; ++k) p.depthRange[k] = draw.depthRange[k] = range[k];
   p.x = draw.x;

@@ -199,7 +199,7 @@ void drawPoints(VkCommandBuffer commands, const Draw& draw, const Image& ids, co
   rendering.pDepthAttachment = &depthsInfo;
   vkCmdBeginRendering(commands, &rendering);
   vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline(draw));
-  const int bottom = draw.y + draw.viewportHeight;
+  const double bottom = draw.y + draw.viewportHeight;
   const VkViewport viewport{static_cast<float>(draw.x),
                             static_cast<float>(draw.mirrored ? bottom : draw.y),
                             static_cast<float>(draw.viewportWidth),
