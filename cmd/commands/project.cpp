@@ -333,7 +333,7 @@ Action defineProject(CLI::App& app) {
   o->stream.add(app, "points");
   o->precision.add(app);
   o->tolerance.add(app);
-  addRepeatable(app, "--point", o->points, "A point, in place of FILE; repeatable")->type_name("X,Y,Z[,W]");
+  addRepeatable(app, "--point", o->points, "A point, in place of FILE")->type_name("X,Y,Z[,W]");
   app.add_option("--fields", o->fields,
                  "Results to give: screen,depth,viewDistance,visible,outside,ndc,clip,view,bound (default: the first "
                  "five; in text and f64 the first two)")

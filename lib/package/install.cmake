@@ -35,6 +35,6 @@ if(VIEWPROJ_LINKS_GEOGRAPHICLIB)
   set(libraries_beside " -lGeographicLib")
 endif()
 
-file(RELATIVE_PATH prefix_from_pkgconfig /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+file(RELATIVE_PATH prefix_from_pkgconfig /p/${CMAKE_INSTALL_LIBDIR}/pkgconfig /p)
 configure_file(package/viewproj.pc.in viewproj.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/viewproj.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

@@ -122,7 +122,7 @@ fi
 clean=$(cd "$clean" && pwd)
 # It reaches its packages as this system does: proxies, certificates, names.
 for part in apt/apt.conf.d ssl hosts resolv.conf; do
-  if [ -e "/etc/$part" ]; then cp -RL "/etc/$part" "$clean/etc/$(dirname "$part")/"; fi
+  if [ -e "/etc/$part" ]; then cp -RL --remove-destination "/etc/$part" "$clean/etc/$(dirname "$part")/"; fi
 done
 mount -t proc proc "$clean/proc"
 mounted="$clean/proc"
