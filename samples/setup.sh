@@ -1,13 +1,17 @@
 #!/bin/sh
 # Installs what is missing from Debian's packages and builds Release into build/.
-#   sh samples/setup.sh          the tool
+#   sh samples/setup.sh          the tool, and what else an installation takes
 #   sh samples/setup.sh tests    the tool and the tests
+#   sh samples/setup.sh checks   these, and what tests/checks needs
 set -eu
 cd "$(dirname "$0")/.."
 
 packages="g++ cmake make libcli11-dev nlohmann-json3-dev libsimdjson-dev libgeographiclib-dev"
 tests=OFF
-if [ "${1:-}" = tests ]; then
+if [ "${1:-}" = checks ]; then
+  packages="$packages dpkg-dev file lintian mandoc pkgconf debootstrap"
+fi
+if [ "${1:-}" = tests ] || [ "${1:-}" = checks ]; then
   packages="$packages catch2 libmpfr-dev libglm-dev libeigen3-dev libimath-dev geographiclib-tools glslang-tools"
   packages="$packages python3-numpy parallel"
   tests=ON
@@ -32,5 +36,8 @@ fi
 options=""
 if [ "$tests" = ON ]; then options="-DVIEWPROJ_TESTS=ON"; fi
 cmake -B build -DCMAKE_BUILD_TYPE=Release $options >/dev/null
-if [ "$tests" = ON ]; then target=all; else target=viewproj; fi
-cmake --build build --parallel "$(nproc)" --target "$target"
+# What an installation takes, or all.
+targets="viewproj libviewproj manual changelog"
+if [ "$tests" = ON ]; then targets=all; fi
+# shellcheck disable=SC2086  # a list of words
+cmake --build build --parallel "$(nproc)" --target $targets

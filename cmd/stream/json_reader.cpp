@@ -78,8 +78,8 @@ class JsonReader final : public RecordReader {
     elements_ = block.inArray;
     last_ = block.last;
     text_ = block.records;
-    // Where the last record is none, as [1,2 3], parse_many cuts it short and takes the byte behind the text, whatever it
-    // is, for what comes next.
+    // Where the last record is none, as [1,2 3], parse_many cuts it short and takes the byte behind the text, whatever
+    // it is, for what comes next.
     if (!text_.empty()) block.bytes.data()[text_.data() - block.bytes.data() + text_.size()] = 0;
     // Records one by one behind a rejected one: for a while, so that many of them do not cost a pass over the rest
     // each.

@@ -18,7 +18,14 @@ using namespace viewproj::tests;
 
 namespace {
 
-#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
+#if defined(__has_feature)
+#define WATCHED (__has_feature(address_sanitizer) || __has_feature(thread_sanitizer))
+#elif defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
+#define WATCHED 1
+#else
+#define WATCHED 0
+#endif
+#if WATCHED
 constexpr std::size_t kMostMemory = std::size_t{1} << 30;
 #else
 constexpr std::size_t kMostMemory = std::size_t{16} << 20;

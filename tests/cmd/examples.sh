@@ -1,0 +1,32 @@
+#!/bin/sh
+# The example of every command's help works as it stands, beside samples/, and `help COMMAND` is `COMMAND --help`.
+#   sh examples.sh VIEWPROJ SAMPLES
+set -eu
+PATH=$(cd "$(dirname "$1")" && pwd):$PATH
+export PATH
+samples=$(cd "$2" && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+ln -s "$samples" samples
+
+fail() {
+  echo "$command: $1" >&2
+  exit 1
+}
+
+ran=0
+for command in $(viewproj --help | sed -n '/^Commands:/,/^$/s/^  \([a-z][a-z]*\) .*/\1/p'); do
+  viewproj "$command" --help >help
+  viewproj help "$command" | cmp - help || fail 'help COMMAND says something else than COMMAND --help'
+  sed '1,/^Example:$/d' help >example
+  grep -q "viewproj $command" example || fail 'the help ends with no example of the command'
+  rm -f view.svg
+  sh -e ./example >out 2>err || fail "the example fails: $(cat example err)"
+  if [ -s err ]; then fail "the example complains: $(cat err)"; fi
+  if [ ! -s out ] && [ ! -s view.svg ]; then fail 'the example writes nothing'; fi
+  ran=$((ran + 1))
+done
+command=viewproj
+[ "$ran" -ge 9 ] || fail "only $ran commands are listed"
+echo "$ran examples work"
