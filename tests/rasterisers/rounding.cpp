@@ -40,12 +40,13 @@ Rounding roundingOf(const std::array<double, 3>& point, const Pipeline& p) {
   if (p.pointsRounded)
     for (std::size_t i = 0; i < 3; ++i) v.error[i] = kUnit * std::fabs(point[i]);
   if (!p.product) v = times(p.view, v);
-  const auto [clip, error] = times(p.projection, v);
+  const Inexact clip = times(p.projection, v);
+  const Vec& error = clip.error;
 
   // NDC is one quotient, or a reciprocal and a product: two roundings. The window is NDC * scale + offset: two more.
-  const double w = clip[3];
+  const double w = clip.value[3];
   const auto window = [&](std::size_t axis, double scale, double offset) {
-    const double ndc = clip[axis] / w;
+    const double ndc = clip.value[axis] / w;
     const double ndcError = (error[axis] + std::fabs(ndc) * error[3]) / w + 2 * kUnit * std::fabs(ndc);
     return std::fabs(scale) * ndcError + kUnit * (std::fabs(scale * ndc) + std::fabs(scale * ndc + offset));
   };

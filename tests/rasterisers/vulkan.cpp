@@ -37,21 +37,18 @@ VkShaderModule vertexShader(bool rowVectors, bool rowMajor) {
   return rowMajor ? shader(kPointsRowMajor) : shader(kPointsColumnMajor);
 }
 
-VkPipelineLayout pipelineLayout() {
-  static const VkPipelineLayout layout = [] {
-    const VkPushConstantRange matrices{VK_SHADER_STAGE_VERTEX_BIT, 0, 2 * sizeof(Matrix)};
-    VkPipelineLayoutCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
-    info.pushConstantRangeCount = 1;
-    info.pPushConstantRanges = &matrices;
-    VkPipelineLayout made;
-    require(vkCreatePipelineLayout(theDevice().device, &info, nullptr, &made), "pipeline layout");
-    return made;
-  }();
-  return layout;
+VkPipelineLayout makeLayout() {
+  const VkPushConstantRange matrices{VK_SHADER_STAGE_VERTEX_BIT, 0, 2 * sizeof(Matrix)};
+  VkPipelineLayoutCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
+  info.pushConstantRangeCount = 1;
+  info.pPushConstantRanges = &matrices;
+  VkPipelineLayout made;
+  require(vkCreatePipelineLayout(theDevice().device, &info, nullptr, &made), "pipeline layout");
+  return made;
 }
 
-VkPipeline makePipeline(const Draw& draw) {
+VkPipeline makePipeline(const Draw& draw, VkPipelineLayout layout) {
   VkPipelineShaderStageCreateInfo stages[2] = {};
   for (VkPipelineShaderStageCreateInfo& stage : stages) {
     stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
@@ -123,17 +120,37 @@ VkPipeline makePipeline(const Draw& draw) {
   info.pDepthStencilState = &depth;
   info.pColorBlendState = &blend;
   info.pDynamicState = &dynamic;
-  info.layout = pipelineLayout();
+  info.layout = layout;
   VkPipeline made;
   require(vkCreateGraphicsPipelines(theDevice().device, VK_NULL_HANDLE, 1, &info, nullptr, &made), "pipeline");
+  for (const VkPipelineShaderStageCreateInfo& stage : stages)
+    vkDestroyShaderModule(theDevice().device, stage.module, nullptr);
   return made;
 }
 
-VkPipeline pipeline(const Draw& draw) {
-  static std::map<std::tuple<bool, bool, bool, DepthFormat>, VkPipeline> made;
-  VkPipeline& p = made[{draw.rowVectors, draw.rowMajor, draw.zeroToOne, draw.format}];
-  if (!p) p = makePipeline(draw);
-  return p;
+/// One pipeline of each kind, made when first asked for.
+struct Pipelines {
+  VkPipelineLayout layout = makeLayout();
+  std::map<std::tuple<bool, bool, bool, DepthFormat>, VkPipeline> made;
+
+  Pipelines() = default;
+  ~Pipelines() {
+    for (const auto& entry : made) vkDestroyPipeline(theDevice().device, entry.second, nullptr);
+    vkDestroyPipelineLayout(theDevice().device, layout, nullptr);
+  }
+  Pipelines(const Pipelines&) = delete;
+  Pipelines& operator=(const Pipelines&) = delete;
+
+  VkPipeline of(const Draw& draw) {
+    VkPipeline& p = made[{draw.rowVectors, draw.rowMajor, draw.zeroToOne, draw.format}];
+    if (!p) p = makePipeline(draw, layout);
+    return p;
+  }
+};
+
+Pipelines& pipelines() {
+  static Pipelines all;
+  return all;
 }
 
 void transition(VkCommandBuffer commands, const Image& image, VkImageLayout from, VkImageLayout to) {
@@ -198,7 +215,7 @@ void drawPoints(VkCommandBuffer commands, const Draw& draw, const Image& ids, co
   rendering.pColorAttachments = &idsInfo;
   rendering.pDepthAttachment = &depthsInfo;
   vkCmdBeginRendering(commands, &rendering);
-  vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline(draw));
+  vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines().of(draw));
   const double bottom = draw.y + draw.viewportHeight;
   const VkViewport viewport{static_cast<float>(draw.x),
                             static_cast<float>(draw.mirrored ? bottom : draw.y),
@@ -209,7 +226,7 @@ void drawPoints(VkCommandBuffer commands, const Draw& draw, const Image& ids, co
   vkCmdSetViewport(commands, 0, 1, &viewport);
   vkCmdSetScissor(commands, 0, 1, &rendering.renderArea);
   const Matrix matrices[] = {draw.view, draw.projection};
-  vkCmdPushConstants(commands, pipelineLayout(), VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof matrices, matrices);
+  vkCmdPushConstants(commands, pipelines().layout, VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof matrices, matrices);
   const VkDeviceSize start = 0;
   vkCmdBindVertexBuffers(commands, 0, 1, &vertices.buffer, &start);
   vkCmdDraw(commands, static_cast<std::uint32_t>(draw.points.size()), 1, 0, 0);

@@ -33,57 +33,6 @@ bool hasExtension(VkPhysicalDevice device, const char* name) {
   return false;
 }
 
-Device makeDevice() {
-  Device d;
-  VkApplicationInfo application{};
-  application.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO;
-  application.apiVersion = kVersion;
-  VkInstanceCreateInfo instance{};
-  instance.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
-  instance.pApplicationInfo = &application;
-  if (vkCreateInstance(&instance, nullptr, &d.instance) != VK_SUCCESS) {
-    d.trouble = "there is no Vulkan driver";
-    return d;
-  }
-  d.physical = softwareDevice(d.instance);
-  if (!d.physical) {
-    d.trouble = "no Vulkan driver is a software rasteriser of version 1.3";
-    return d;
-  }
-  VkPhysicalDeviceProperties properties;
-  vkGetPhysicalDeviceProperties(d.physical, &properties);
-  d.name = properties.deviceName;
-  d.minusOneToOne = hasExtension(d.physical, VK_EXT_DEPTH_CLIP_CONTROL_EXTENSION_NAME);
-
-  const float priority = 1;
-  VkDeviceQueueCreateInfo queue{};
-  queue.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO;
-  queue.queueCount = 1;
-  queue.pQueuePriorities = &priority;
-  VkPhysicalDeviceDepthClipControlFeaturesEXT clipControl{};
-  clipControl.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DEPTH_CLIP_CONTROL_FEATURES_EXT;
-  clipControl.depthClipControl = VK_TRUE;
-  VkPhysicalDeviceVulkan13Features features{};
-  features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
-  features.dynamicRendering = VK_TRUE;
-  features.synchronization2 = VK_TRUE;
-  if (d.minusOneToOne) features.pNext = &clipControl;
-  const char* extension = VK_EXT_DEPTH_CLIP_CONTROL_EXTENSION_NAME;
-  VkDeviceCreateInfo device{};
-  device.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
-  device.pNext = &features;
-  device.queueCreateInfoCount = 1;
-  device.pQueueCreateInfos = &queue;
-  device.enabledExtensionCount = d.minusOneToOne ? 1 : 0;
-  device.ppEnabledExtensionNames = &extension;
-  require(vkCreateDevice(d.physical, &device, nullptr, &d.device), "a device");
-  vkGetDeviceQueue(d.device, 0, 0, &d.queue);
-  VkCommandPoolCreateInfo pool{};
-  pool.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
-  require(vkCreateCommandPool(d.device, &pool, nullptr, &d.pool), "a command pool");
-  return d;
-}
-
 VkDeviceMemory allocate(const VkMemoryRequirements& needs, VkMemoryPropertyFlags flags) {
   VkPhysicalDeviceMemoryProperties memory;
   vkGetPhysicalDeviceMemoryProperties(theDevice().physical, &memory);
@@ -107,8 +56,64 @@ void require(VkResult result, const char* what) {
     throw std::runtime_error(std::string("Vulkan gives no ") + what + ": " + std::to_string(result));
 }
 
+Device::Device() {
+  VkApplicationInfo application{};
+  application.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO;
+  application.apiVersion = kVersion;
+  VkInstanceCreateInfo instanceInfo{};
+  instanceInfo.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
+  instanceInfo.pApplicationInfo = &application;
+  if (vkCreateInstance(&instanceInfo, nullptr, &instance) != VK_SUCCESS) {
+    trouble = "there is no Vulkan driver";
+    return;
+  }
+  physical = softwareDevice(instance);
+  if (!physical) {
+    trouble = "no Vulkan driver is a software rasteriser of version 1.3";
+    return;
+  }
+  VkPhysicalDeviceProperties properties;
+  vkGetPhysicalDeviceProperties(physical, &properties);
+  name = properties.deviceName;
+  minusOneToOne = hasExtension(physical, VK_EXT_DEPTH_CLIP_CONTROL_EXTENSION_NAME);
+
+  const float priority = 1;
+  VkDeviceQueueCreateInfo queueInfo{};
+  queueInfo.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO;
+  queueInfo.queueCount = 1;
+  queueInfo.pQueuePriorities = &priority;
+  VkPhysicalDeviceDepthClipControlFeaturesEXT clipControl{};
+  clipControl.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DEPTH_CLIP_CONTROL_FEATURES_EXT;
+  clipControl.depthClipControl = VK_TRUE;
+  VkPhysicalDeviceVulkan13Features features{};
+  features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
+  features.dynamicRendering = VK_TRUE;
+  features.synchronization2 = VK_TRUE;
+  if (minusOneToOne) features.pNext = &clipControl;
+  const char* extension = VK_EXT_DEPTH_CLIP_CONTROL_EXTENSION_NAME;
+  VkDeviceCreateInfo deviceInfo{};
+  deviceInfo.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
+  deviceInfo.pNext = &features;
+  deviceInfo.queueCreateInfoCount = 1;
+  deviceInfo.pQueueCreateInfos = &queueInfo;
+  deviceInfo.enabledExtensionCount = minusOneToOne ? 1 : 0;
+  deviceInfo.ppEnabledExtensionNames = &extension;
+  require(vkCreateDevice(physical, &deviceInfo, nullptr, &device), "a device");
+  vkGetDeviceQueue(device, 0, 0, &queue);
+  VkCommandPoolCreateInfo poolInfo{};
+  poolInfo.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
+  require(vkCreateCommandPool(device, &poolInfo, nullptr, &pool), "a command pool");
+}
+
+// The instance stays, and the driver with it: a leak checker would miss who owns what an unloaded one has allocated.
+Device::~Device() {
+  if (!device) return;
+  vkDestroyCommandPool(device, pool, nullptr);
+  vkDestroyDevice(device, nullptr);
+}
+
 const Device& theDevice() {
-  static const Device made = makeDevice();
+  static const Device made;
   return made;
 }
 
