@@ -33,18 +33,17 @@ void takeOverStandardStreams() {
   becomeMemory(STDOUT_FILENO);
 }
 
+// Neither file is emptied: its pages stay.
 void giveInput(std::string_view bytes) {
-  if (::ftruncate(STDIN_FILENO, 0) != 0 ||
-      ::pwrite(STDIN_FILENO, bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()) ||
-      ::lseek(STDIN_FILENO, 0, SEEK_SET) != 0)
+  if (::pwrite(STDIN_FILENO, bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()) ||
+      ::ftruncate(STDIN_FILENO, static_cast<off_t>(bytes.size())) != 0 || ::lseek(STDIN_FILENO, 0, SEEK_SET) != 0)
     std::abort();
 }
 
 std::string takeOutput() {
-  const off_t size = ::lseek(STDOUT_FILENO, 0, SEEK_END);
+  const off_t size = ::lseek(STDOUT_FILENO, 0, SEEK_CUR);
   std::string text(static_cast<std::size_t>(size), '\0');
-  if (::pread(STDOUT_FILENO, text.data(), text.size(), 0) != size || ::ftruncate(STDOUT_FILENO, 0) != 0 ||
-      ::lseek(STDOUT_FILENO, 0, SEEK_SET) != 0)
+  if (::pread(STDOUT_FILENO, text.data(), text.size(), 0) != size || ::lseek(STDOUT_FILENO, 0, SEEK_SET) != 0)
     std::abort();
   return text;
 }

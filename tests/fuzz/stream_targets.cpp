@@ -135,7 +135,7 @@ struct How {
   std::optional<OutputForm> to;
   bool keepGoing = false, orthographic = false;
   unsigned work = 0;
-  std::size_t block = BlockReader::kBlock;
+  std::size_t block = 4096;  ///< more than any input has
 };
 
 Run run(std::string_view input, const How& how) {
