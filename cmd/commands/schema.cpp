@@ -29,8 +29,10 @@ int run(const std::string& name) {
 
 Action defineSchema(CLI::App& app) {
   const auto name = std::make_shared<std::string>();
-  app.description("The JSON Schema (draft 2020-12) of a camera file, of points, of a scene, or of results.");
-  app.footer("viewproj schema camera > camera.schema.json");
+  app.description(
+      "The JSON Schema (draft 2020-12) of a camera file, of points, of a scene, or of results, for editors and "
+      "validators.");
+  app.footer("viewproj schema camera");
   app.add_option("NAME", *name, "camera, points, scene or results");
   return [name] { return run(*name); };
 }
