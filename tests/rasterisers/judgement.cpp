@@ -6,7 +6,7 @@
 #include <optional>
 #include <set>
 
-#include "tool.hpp"
+#include "records.hpp"
 
 namespace rasterisers {
 namespace {

@@ -1,11 +1,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
 #include <sstream>
 
 #include "catch.hpp"
 #include "judgement.hpp"
+#include "random.hpp"
+#include "records.hpp"
 #include "tool.hpp"
 
 namespace rasterisers {
@@ -38,23 +39,15 @@ struct Frame {
   }
 };
 
-double uniform(std::mt19937_64& random, double from, double to) {
-  return std::uniform_real_distribution<double>(from, to)(random);
-}
-
-double logUniform(std::mt19937_64& random, double from, double to) {
-  return std::exp(uniform(random, std::log(from), std::log(to)));
-}
-
 /// Where a pixel less than a hundredth off would be the next one.
-double besideBorder(std::mt19937_64& random, double pixel) {
-  const double off = uniform(random, kMargin, 2.5 * kMargin);
-  return std::round(pixel) + (random() % 2 ? off : -off);
+double besideBorder(Random& random, double pixel) {
+  const double off = random.uniform(kMargin, 2.5 * kMargin);
+  return std::round(pixel) + (random.coin() ? off : -off);
 }
 
 /// World points in the picture and around it, beyond near and far, and behind the eye.
 std::vector<std::array<double, 3>> randomPoints(const CameraCase& c, const std::string& file, const Frame& frame) {
-  std::mt19937_64 random(static_cast<std::uint64_t>(c.index));
+  Random random(static_cast<std::uint64_t>(c.index));
   const json& projection = c.camera["projection"];
   const double near = projection["near"], far = projection.value("far", kReach * near);
   std::vector<json> pixels;
@@ -62,19 +55,19 @@ std::vector<std::array<double, 3>> randomPoints(const CameraCase& c, const std::
   for (int i = 0; i < kPoints; ++i) {
     const bool inPicture = i % 10 < 7;
     const double around = inPicture ? 0 : 0.6;
-    double px = frame.x + frame.width * uniform(random, -around, 1 + around);
-    double py = frame.y + frame.height * uniform(random, -around, 1 + around);
+    double px = frame.x + frame.width * random.uniform(-around, 1 + around);
+    double py = frame.y + frame.height * random.uniform(-around, 1 + around);
     if (i % 10 == 0) px = besideBorder(random, px);
     if (i % 10 == 1) py = besideBorder(random, py);
     double distance;
     if (c.orthographic) {
       const double depth = far - near;
-      distance = inPicture || i % 10 == 9 ? uniform(random, near, far)
-                                          : uniform(random, near - 0.3 * depth, far + 0.3 * depth);
+      distance =
+          inPicture || i % 10 == 9 ? random.uniform(near, far) : random.uniform(near - 0.3 * depth, far + 0.3 * depth);
     } else if (inPicture || i % 10 == 9) {
-      distance = logUniform(random, near, std::min(far, kReach * near));
+      distance = random.logUniform(near, std::min(far, kReach * near));
     } else {
-      distance = i % 4 < 2 ? logUniform(random, near / 4, near) : logUniform(random, far / 2, far * 4);
+      distance = i % 4 < 2 ? random.logUniform(near / 4, near) : random.logUniform(far / 2, far * 4);
     }
     pixels.push_back(
         {{"screen", {px + frame.pixelCenter - 0.5, py + frame.pixelCenter - 0.5}}, {"viewDistance", distance}});
@@ -114,9 +107,9 @@ std::vector<std::string> matrixArguments(const CameraCase& c, const std::string&
 /// The numbers as they are pasted, and what the tool says about how they are meant.
 Written readMatrices(const CameraCase& c, const std::string& file, Scene& scene) {
   std::vector<std::string> arguments = matrixArguments(c, file);
-  const json stated = json::parse(runTool(arguments));
+  const json stated = json::parse(tool::printed(arguments));
   arguments.insert(arguments.end(), {"--to", "flat"});
-  std::istringstream lines(runTool(arguments));
+  std::istringstream lines(tool::printed(arguments));
   Matrix matrices[2];
   for (Matrix& m : matrices) {
     std::string line;

@@ -1,4 +1,4 @@
-// The command line tool, asked by the tests.
+// Records through the command-line tool.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -7,10 +7,7 @@
 
 namespace rasterisers {
 
-/// What the tool writes to standard output; the test fails where the tool does.
-std::string runTool(const std::vector<std::string>& arguments, const std::string& input = "");
-
-/// The same for records: one JSON value in, one out.
+/// What the tool makes of them: one JSON value in, one out.
 std::vector<nlohmann::json> filter(const std::vector<std::string>& arguments,
                                    const std::vector<nlohmann::json>& records);
 
