@@ -32,9 +32,9 @@ bool isAbsent(std::string_view value, Form form) {
 std::string_view innerValue(const RecordParts& record, const NumberField& part) {
   const std::string_view value = record.values[part.field];
   if (part.inner.empty()) return value;
-  std::size_t index = 0;
   if (value.starts_with('{') || value.starts_with('[')) {
     JsonParts parts(value);
+    std::size_t index = 0;
     for (auto item = parts.next(); item; item = parts.next(), ++index)
       if (value[0] == '{' ? unescaped(item->key) == part.inner : std::to_string(index) == part.inner)
         return item->value;
