@@ -20,6 +20,7 @@ constexpr Command kCommands[] = {
     {"depth", "what a depth buffer resolves at each distance", defineDepth},
     {"measure", "speed and error of every precision on your own points", defineMeasure},
     {"draw", "an SVG of what the camera sees", defineDraw},
+    {"schema", "the JSON Schema of a camera, of points, a scene or results", defineSchema},
 };
 
 /// Throws UsageError, or HelpGiven after writing the help.

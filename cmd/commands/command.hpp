@@ -35,5 +35,6 @@ Action defineExplain(CLI::App& app);
 Action defineDepth(CLI::App& app);
 Action defineMeasure(CLI::App& app);
 Action defineDraw(CLI::App& app);
+Action defineSchema(CLI::App& app);
 
 }  // namespace viewproj::cmd

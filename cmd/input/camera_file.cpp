@@ -80,6 +80,7 @@ CameraFile readChecked(const Document& document, const CameraReading& reading) {
   const ObjectReader camera(document, document.root(), {});
   camera.allow({"convention", "position", "target", "direction", "up", "rotation", "worldFromCamera", "cameraFromWorld",
                 "cameraAxes", "heading", "pitch", "roll", "world", "projection", "viewport", "name", "$schema"});
+  for (const char* key : {"name", "$schema"}) (void)camera.string(key);
   CameraFile file;
   file.name = document.name();
 

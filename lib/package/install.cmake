@@ -35,6 +35,7 @@ if(VIEWPROJ_LINKS_GEOGRAPHICLIB)
   set(libraries_beside " -lGeographicLib")
 endif()
 
-file(RELATIVE_PATH prefix_from_pkgconfig /p/${CMAKE_INSTALL_LIBDIR}/pkgconfig /p)
+file(RELATIVE_PATH prefix_from_pkgconfig /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+string(REGEX REPLACE "/$" "" prefix_from_pkgconfig ${prefix_from_pkgconfig})
 configure_file(package/viewproj.pc.in viewproj.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/viewproj.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
