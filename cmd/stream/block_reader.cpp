@@ -66,7 +66,7 @@ BlockReader::BlockReader(const std::string& file, std::size_t firstLine, int wak
   position_.line = firstLine;
 }
 
-BlockReader::BlockReader(std::string bytes) : atEnd_(true) { carried_.assign(bytes); }
+BlockReader::BlockReader(const std::string& bytes) : atEnd_(true) { carried_.assign(bytes); }
 
 bool BlockReader::readMore(ByteBuffer& bytes, std::size_t most) {
   bytes.reserve(most);
