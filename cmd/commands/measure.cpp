@@ -1,6 +1,5 @@
 // viewproj measure: speed and error of every precision, and of the textbook way, on the user's own points.
 #include <algorithm>
-#include <cstdio>
 
 #include "commands/command.hpp"
 #include "commands/options.hpp"
@@ -111,7 +110,7 @@ int runMeasure(int argc, char** argv) {
                      (sample.leftOut > 0 ? "; directions and weighted points are left out" : ""));
   const Measurement m = measure(built, sample.points, within, duration);
   const std::vector<std::string> notes = notesOn(m, sample.leftOut);
-  for (const std::string& note : notes) std::fprintf(stderr, "viewproj: note: %s\n", note.c_str());
+  for (const std::string& note : notes) complain("note: " + note);
   writeOutput(format == "json"  ? measurementAsJson(m, sample.leftOut, notes)
               : format == "svg" ? measurementAsSvg(m)
                                 : measurementAsTable(m));
