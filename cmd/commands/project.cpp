@@ -93,7 +93,8 @@ struct SegmentRow {
 /// Eight at a time, which compilers make vector instructions of: zero times a number is a number.
 bool areFinite(std::span<const Vec3> points) {
   constexpr std::size_t kStep = 8;
-  const double* const numbers = points.empty() ? nullptr : &points[0].x;
+  if (points.empty()) return true;
+  const double* const numbers = &points[0].x;
   const std::size_t count = 3 * points.size();
   std::array<double, kStep> zeros = {};
   std::size_t i = 0;
