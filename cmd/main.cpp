@@ -3,7 +3,7 @@
 #include <fcntl.h>
 
 #include <csignal>
-#include <cstdio>
+#include <new>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,14 +47,15 @@ int run(int argc, char** argv) {
   return runCommand(find(name), argc - 1, argv + 1);
 }
 
-/// A descriptor that came closed is not to be taken by the next file that is opened.
+/// A descriptor that came closed is not to be taken by the next file that is opened. Input is empty then, and output
+/// fails.
 void openStandardDescriptors() {
   for (int descriptor = 0; descriptor <= 2; ++descriptor)
-    if (::fcntl(descriptor, F_GETFD) < 0) (void)::open("/dev/null", O_RDWR);
+    if (::fcntl(descriptor, F_GETFD) < 0) (void)::open("/dev/null", O_RDONLY);
 }
 
-int fail(const std::string& message, int status) {
-  std::fprintf(stderr, "viewproj: %s\n", message.c_str());
+int fail(const char* message, int status) {
+  complain(message);
   return status;
 }
 
@@ -65,6 +66,7 @@ int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   openStandardDescriptors();
+  std::set_new_handler(endWithoutMemory);
   try {
     return run(argc, argv);
   } catch (const ClosedPipe&) {

@@ -175,7 +175,7 @@ Action defineDepth(CLI::App& app) {
       ->type_name("DISTANCES");
   addRepeatable(
       app, "--gap", o->gaps,
-      "Tell up to which distance surfaces this far apart are stored apart (default: powers of ten about near)")
+      "Tell up to which distance surfaces this far apart are stored apart, by default powers of ten about near")
       ->type_name("GAP");
   addRepeatable(app, "--resolve", o->wanted, "Tell the near needed to store surfaces GAP apart apart at DISTANCE")
       ->type_name("GAP@DISTANCE");

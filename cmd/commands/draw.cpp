@@ -66,8 +66,7 @@ Action defineDraw(CLI::App& app) {
   o->camera.add(app);
   o->stream.addInput(app, "points and shapes");
   app.add_option("--scene", o->scene, "Scene file, or the JSON itself: its outlines are drawn")->type_name("FILE");
-  addRepeatable(app, "--pixel", o->pixels, "A pixel to mark, with --scene what its ray hits first; repeatable")
-      ->type_name("X,Y");
+  addRepeatable(app, "--pixel", o->pixels, "A pixel to mark, with --scene what its ray hits first")->type_name("X,Y");
   return [o, &app] { return run(*o, app); };
 }
 

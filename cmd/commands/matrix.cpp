@@ -1,6 +1,5 @@
 // viewproj matrix: a camera's matrices, and the camera itself in another form.
 #include <algorithm>
-#include <cstdio>
 
 #include "commands/command.hpp"
 #include "commands/options.hpp"
@@ -8,6 +7,7 @@
 #include "input/names.hpp"
 #include "output/camera_text.hpp"
 #include "output/matrix_text.hpp"
+#include "output/number.hpp"
 #include "output/output_file.hpp"
 #include "viewproj/view/matrices.hpp"
 
@@ -94,11 +94,10 @@ int runCamera(CameraFile file, const std::string& type, const CameraOptions& cam
   writeOutput(written.text);
   const auto& [pixels, depth] = written.moved;
   if (!(pixels <= kKeptPixels))
-    std::fprintf(stderr, "viewproj: %s: in doubles, as written, points move by up to %.1g pixels\n", file.name.c_str(),
-                 pixels);
+    complain(file.name + ": in doubles, as written, points move by up to " + formatDigits(pixels, 1) + " pixels");
   if (!(depth <= kKeptDepth))
-    std::fprintf(stderr, "viewproj: %s: in doubles, as written, depths move by up to %.1g of their range\n",
-                 file.name.c_str(), depth);
+    complain(file.name + ": in doubles, as written, depths move by up to " + formatDigits(depth, 1) +
+             " of their range");
   return 0;
 }
 

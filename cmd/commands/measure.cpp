@@ -1,6 +1,5 @@
 // viewproj measure: speed and error of every precision, and of the textbook way, on the user's own points.
 #include <algorithm>
-#include <cstdio>
 
 #include "commands/command.hpp"
 #include "commands/options.hpp"
@@ -100,7 +99,7 @@ int run(const Options& o) {
                      (sample.leftOut > 0 ? "; directions and weighted points are left out" : ""));
   const Measurement m = measure(built, sample.points, within, duration);
   const std::vector<std::string> notes = notesOn(m, sample.leftOut);
-  for (const std::string& note : notes) std::fprintf(stderr, "viewproj: note: %s\n", note.c_str());
+  for (const std::string& note : notes) complain("note: " + note);
   writeOutput(o.format == "json"  ? measurementAsJson(m, sample.leftOut, notes)
               : o.format == "svg" ? measurementAsSvg(m)
                                   : measurementAsTable(m));

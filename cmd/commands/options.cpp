@@ -50,7 +50,7 @@ Heading::~Heading() { app_.option_defaults()->group(kOwnOptions); }
 
 CLI::Option* addRepeatable(CLI::App& app, const std::string& name, std::vector<std::string>& values,
                            const std::string& description) {
-  return app.add_option(name, values, description)
+  return app.add_option(name, values, description + "; repeatable")
       ->expected(1)
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

@@ -93,7 +93,8 @@ struct SegmentRow {
 /// Eight at a time, which compilers make vector instructions of: zero times a number is a number.
 bool areFinite(std::span<const Vec3> points) {
   constexpr std::size_t kStep = 8;
-  const double* const numbers = points.empty() ? nullptr : &points[0].x;
+  if (points.empty()) return true;
+  const double* const numbers = &points[0].x;
   const std::size_t count = 3 * points.size();
   std::array<double, kStep> zeros = {};
   std::size_t i = 0;
@@ -333,7 +334,7 @@ Action defineProject(CLI::App& app) {
   o->stream.add(app, "points");
   o->precision.add(app);
   o->tolerance.add(app);
-  addRepeatable(app, "--point", o->points, "A point, in place of FILE; repeatable")->type_name("X,Y,Z[,W]");
+  addRepeatable(app, "--point", o->points, "A point, in place of FILE")->type_name("X,Y,Z[,W]");
   app.add_option("--fields", o->fields,
                  "Results to give: screen,depth,viewDistance,visible,outside,ndc,clip,view,bound (default: the first "
                  "five; in text and f64 the first two)")

@@ -203,7 +203,7 @@ Action defineRay(CLI::App& app) {
   o->camera.add(app);
   o->stream.add(app, "pixels");
   o->precision.add(app);
-  addRepeatable(app, "--pixel", o->pixels, "A pixel, with a window depth if known, in place of FILE; repeatable")
+  addRepeatable(app, "--pixel", o->pixels, "A pixel, with a window depth if known, in place of FILE")
       ->type_name("X,Y[,DEPTH]");
   app.add_option("--ray-from", o->from,
                  "Where rays begin: eye (the plane through it) or near (the near plane) (default: eye)")

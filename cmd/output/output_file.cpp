@@ -5,35 +5,59 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
+#include <mutex>
 #include <string>
 
 #include "input/error.hpp"
 
 namespace viewproj::cmd {
 
-Written writeUntil(std::string_view text, const std::function<bool()>& stop) {
+namespace {
+
+/// Held while something is written.
+std::mutex writing;
+
+Written write(int descriptor, std::string_view text, const Stop& stop) {
   Written all;
   while (all.bytes < text.size()) {
-    const ssize_t written = ::write(STDOUT_FILENO, text.data() + all.bytes, text.size() - all.bytes);
+    const ssize_t written = ::write(descriptor, text.data() + all.bytes, text.size() - all.bytes);
     if (written >= 0) {
       all.bytes += static_cast<std::size_t>(written);
     } else if (errno == EAGAIN) {  // whoever opened it set it not to block
-      pollfd state{STDOUT_FILENO, POLLOUT, 0};
+      pollfd state{descriptor, POLLOUT, 0};
       (void)::poll(&state, 1, -1);
     } else if (errno != EINTR) {
       all.error = errno;
       return all;
     }
-    if (stop()) return all;
+    if (stop && stop()) return all;
   }
   return all;
 }
 
+}  // namespace
+
+Written writeUntil(int descriptor, std::string_view text, const Stop& stop) {
+  const std::lock_guard lock(writing);
+  return write(descriptor, text, stop);
+}
+
 void writeOutput(std::string_view text) {
-  const Written all = writeUntil(text, [] { return false; });
+  const Written all = writeUntil(STDOUT_FILENO, text);
   if (all.error == EPIPE) throw ClosedPipe{};
   if (all.error != 0) throw InputError(std::string("standard output: ") + std::strerror(all.error));
+}
+
+void complain(const std::string& message, const Stop& stop) {
+  writeUntil(STDERR_FILENO, "viewproj: " + message + "\n", stop);
+}
+
+void endWithoutMemory() {
+  writing.lock();
+  write(STDERR_FILENO, "viewproj: out of memory\n", {});
+  std::_Exit(1);
 }
 
 void takeBack(std::size_t bytes) noexcept {

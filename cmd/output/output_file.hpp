@@ -1,8 +1,9 @@
-// Standard output, written whole or with an error.
+// Standard output, written whole or with an error, and messages.
 #pragma once
 
 #include <cstddef>
 #include <functional>
+#include <string>
 #include <string_view>
 
 namespace viewproj::cmd {
@@ -15,8 +16,17 @@ struct Written {
   int error = 0;  ///< errno, or 0
 };
 
-/// Writes text until all is out, writing fails, or stop() says so between two writes.
-Written writeUntil(std::string_view text, const std::function<bool()>& stop);
+using Stop = std::function<bool()>;
+
+/// Writes text to a descriptor until all is out, writing fails, or stop() says so between two writes.
+Written writeUntil(int descriptor, std::string_view text, const Stop& stop = {});
+
+/// Writes `viewproj: MESSAGE` to standard error, until stop() says so. Where that cannot be written, nobody is told.
+void complain(const std::string& message, const Stop& stop = {});
+
+/// What operator new does in place of throwing: parts of libraries end or go on with less (simdjson, streams, the
+/// destructor of nlohmann's JSON). Waits for what another thread is writing, so that it is whole.
+[[noreturn]] void endWithoutMemory();
 
 /// Removes the last bytes written, where standard output is a file that ends with them.
 void takeBack(std::size_t bytes) noexcept;

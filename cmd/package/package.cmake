@@ -1,6 +1,9 @@
 # The documents that are installed, and the Debian package: cpack -G DEB makes viewproj_VERSION_ARCHITECTURE.deb.
 set(changelog ${PROJECT_SOURCE_DIR}/cmd/package/changelog)
 install(FILES README.md cmd/package/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES lib/ACCURACY.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/lib)
+install(FILES cmd/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/cmd)
+install(FILES tests/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/tests)
 install(DIRECTORY samples DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN samples/setup.sh EXCLUDE PATTERN samples/run.sh EXCLUDE)
 
 # viewproj_gzip(FILE RESULT): compresses it into the build folder, the same bytes each time.

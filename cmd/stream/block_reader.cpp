@@ -58,15 +58,14 @@ void ByteBuffer::assign(std::string_view bytes) {
   size_ = bytes.size();
 }
 
-BlockReader::BlockReader(const std::string& file, std::size_t firstLine, int wake, std::size_t block)
-    : wake_(wake), block_(block) {
-  file_.emplace(file);
+BlockReader::BlockReader(std::unique_ptr<InputFile> file, std::size_t firstLine, int wake, std::size_t block)
+    : file_(std::move(file)), wake_(wake), block_(block) {
   name_ = file_->name();
   total_ = file_->remaining();
   position_.line = firstLine;
 }
 
-BlockReader::BlockReader(std::string bytes) : atEnd_(true) { carried_.assign(bytes); }
+BlockReader::BlockReader(const std::string& bytes) : atEnd_(true) { carried_.assign(bytes); }
 
 bool BlockReader::readMore(ByteBuffer& bytes, std::size_t most) {
   bytes.reserve(most);

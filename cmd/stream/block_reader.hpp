@@ -57,9 +57,9 @@ class BlockReader {
   static constexpr std::size_t kLongestRecord = 64 << 20;
 
   /// wake: a descriptor that interrupts waiting for input. block: in place of kBlock.
-  BlockReader(const std::string& file, std::size_t firstLine, int wake, std::size_t block = kBlock);
+  BlockReader(std::unique_ptr<InputFile> file, std::size_t firstLine, int wake, std::size_t block = kBlock);
   /// Of bytes given instead of a file.
-  explicit BlockReader(std::string bytes);
+  explicit BlockReader(const std::string& bytes);
 
   /// The first bytes of the input, enough to tell its form: to the end of the first line that is not blank; no more
   /// than a record of f64 where a bracket begins. However the input arrives, they are the same.
@@ -93,7 +93,7 @@ class BlockReader {
   void moveOn(std::string_view text);
 
   std::string name_;
-  std::optional<InputFile> file_;
+  std::unique_ptr<InputFile> file_;
   std::optional<std::size_t> total_;
   int wake_ = -1;
   std::size_t block_ = kBlock;

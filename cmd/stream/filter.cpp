@@ -130,12 +130,14 @@ void tryResults(Stream& stream) {
 }
 
 int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
+  // Opened before signals are taken care of: a named pipe may wait for its writer.
+  auto file = setup.given.empty() ? std::make_unique<InputFile>(setup.file) : nullptr;
   InterruptGuard guard;
   std::string given;
   for (const GivenRecord& record : setup.given) given += record.json + "\n";
-  auto reader = setup.given.empty()
-                    ? std::make_unique<BlockReader>(setup.file, setup.firstLine, guard.descriptor(), setup.blockSize)
-                    : std::make_unique<BlockReader>(given);
+  auto reader =
+      file ? std::make_unique<BlockReader>(std::move(file), setup.firstLine, guard.descriptor(), setup.blockSize)
+           : std::make_unique<BlockReader>(given);
   Stream stream{.setup = setup, .makeWork = makeWork, .writes = writes};
   const auto named = setup.from ? setup.from : formOfName(setup.file);
   stream.form = !setup.given.empty() ? Form::json : named ? *named : formOfBytes(reader->firstBytes());

@@ -7,7 +7,11 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <cstring>
 #include <iterator>
+#include <string>
+
+#include "input/error.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -38,7 +42,8 @@ void note(int signal) {
 
 InterruptGuard::InterruptGuard() {
   came = 0;
-  if (::pipe2(wakeEnds, O_CLOEXEC | O_NONBLOCK) != 0) wakeEnds[0] = wakeEnds[1] = -1;
+  if (::pipe2(wakeEnds, O_CLOEXEC | O_NONBLOCK) != 0)
+    throw InputError(std::string("a pipe for signals: ") + std::strerror(errno));
   struct sigaction action = {};
   action.sa_handler = note;
   action.sa_flags = static_cast<int>(SA_RESETHAND);
@@ -55,7 +60,7 @@ InterruptGuard::~InterruptGuard() {
   for (std::size_t i = 0; i < std::size(kSignals); ++i) ::sigaction(kSignals[i], &before[i], nullptr);
   ::sigaction(kNudge, &beforeNudge, nullptr);
   for (int& end : wakeEnds) {
-    if (end >= 0) ::close(end);
+    ::close(end);
     end = -1;
   }
 }

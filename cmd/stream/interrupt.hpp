@@ -13,6 +13,7 @@ struct Interrupted {
 /// While it lives, SIGINT, SIGTERM and SIGHUP are noted instead of ending the process; a second one does end it.
 class InterruptGuard {
  public:
+  /// Throws InputError where there are no descriptors left.
   InterruptGuard();
   ~InterruptGuard();
   InterruptGuard(const InterruptGuard&) = delete;

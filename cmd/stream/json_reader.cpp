@@ -73,7 +73,7 @@ class JsonReader final : public RecordReader {
     text_ = block.records;
     // Where the last record is none, as [1,2 3], parse_many cuts it short and takes the byte behind the text, whatever
     // it is, for what comes next.
-    if (!text_.empty()) block.bytes.data()[text_.data() - block.bytes.data() + text_.size()] = 0;
+    if (!text_.empty()) *(block.bytes.data() + (text_.data() - block.bytes.data()) + text_.size()) = 0;
     // Records one by one behind a rejected one: for a while, so that many of them do not cost a pass over the rest
     // each.
     std::size_t oneByOne = 32;

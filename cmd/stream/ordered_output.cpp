@@ -1,8 +1,9 @@
 #include "stream/ordered_output.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 
 #include "input/error.hpp"
@@ -82,7 +83,9 @@ void OrderedOutput::put(const Block& block, const BlockResult& result) {
   }
   if (!result.passedOver.empty()) progress_.clear();
   for (const StreamFault& bad : result.passedOver) {
-    std::fprintf(stderr, "viewproj: %s: %s\n", setup_.placeOf(bad.position).c_str(), bad.message.c_str());
+    const WritingHere writing;
+    complain(setup_.placeOf(bad.position) + ": " + bad.message, [] { return InterruptGuard::signal() != 0; });
+    if (InterruptGuard::signal() != 0) endInterrupted();
     passedOver_ = true;
   }
   if (result.fault) fail(*result.fault);
@@ -117,7 +120,7 @@ void OrderedOutput::put(std::string_view text, std::size_t count, bool arrays) {
 void OrderedOutput::write(std::string_view text, std::size_t count, bool arrays) {
   if (setup_.nothing || text.empty()) return;
   const WritingHere writing;
-  const Written all = writeUntil(text, [] { return InterruptGuard::signal() != 0; });
+  const Written all = writeUntil(STDOUT_FILENO, text, [] { return InterruptGuard::signal() != 0; });
   if (all.bytes == text.size()) return;
   const Records records{text, setup_.form, count, open_, arrays};
   if (all.error != 0) {
@@ -132,7 +135,7 @@ void OrderedOutput::write(std::string_view text, std::size_t count, bool arrays)
 
 void OrderedOutput::writeEnd(std::string_view text) {
   if (setup_.nothing) return;
-  const Written all = writeUntil(text, [] { return false; });
+  const Written all = writeUntil(STDOUT_FILENO, text);
   if (all.error != 0) failToWrite(all.error);
 }
 

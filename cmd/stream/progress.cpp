@@ -1,13 +1,16 @@
 #include "stream/progress.hpp"
 
+#include <poll.h>
 #include <unistd.h>
 
 #include <cstdio>
 #include <string>
+#include <string_view>
 
 namespace viewproj::cmd {
 namespace {
 
+constexpr const char* kBlankLine = "\r\033[K";
 constexpr auto kFirst = std::chrono::seconds(1);
 constexpr auto kEvery = std::chrono::milliseconds(200);
 
@@ -30,6 +33,12 @@ std::string clockTime(double seconds) {
   return text;
 }
 
+/// Not on a terminal that was stopped (Ctrl-S): the run would wait for it, and no signal would end it.
+void put(std::string_view text) {
+  pollfd state{STDERR_FILENO, POLLOUT, 0};
+  if (::poll(&state, 1, 0) > 0) (void)!::write(STDERR_FILENO, text.data(), text.size());
+}
+
 }  // namespace
 
 Progress::Progress(std::optional<std::size_t> totalBytes)
@@ -48,7 +57,7 @@ void Progress::moved(std::size_t bytes, std::size_t records) {
 
 void Progress::show(Clock::time_point now) {
   const double seconds = std::chrono::duration<double>(now - start_).count();
-  std::string line = "\r\033[K";
+  std::string line = kBlankLine;
   if (total_ && *total_ > 0 && bytes_ > 0 && bytes_ <= *total_) {
     const double share = static_cast<double>(bytes_) / static_cast<double>(*total_);
     char text[40];
@@ -59,14 +68,13 @@ void Progress::show(Clock::time_point now) {
     line += withUnit(static_cast<double>(records_)) + " records, " + withUnit(static_cast<double>(records_) / seconds) +
             " records/s";
   }
-  std::fputs(line.c_str(), stderr);
-  std::fflush(stderr);
+  put(line);
   shown_ = true;
   next_ = now + kEvery;
 }
 
 void Progress::clear() {
-  if (shown_) std::fputs("\r\033[K", stderr);
+  if (shown_) put(kBlankLine);
   shown_ = false;
 }
 

@@ -36,5 +36,6 @@ if(VIEWPROJ_LINKS_GEOGRAPHICLIB)
 endif()
 
 file(RELATIVE_PATH prefix_from_pkgconfig /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+string(REGEX REPLACE "/$" "" prefix_from_pkgconfig ${prefix_from_pkgconfig})
 configure_file(package/viewproj.pc.in viewproj.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/viewproj.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

@@ -8,7 +8,6 @@ samples=$(cd "$2" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
-ln -s "$samples" samples
 
 fail() {
   echo "$command: $1" >&2
@@ -17,14 +16,17 @@ fail() {
 
 ran=0
 for command in $(viewproj --help | sed -n '/^Commands:/,/^$/s/^  \([a-z][a-z]*\) .*/\1/p'); do
-  viewproj "$command" --help >help
-  viewproj help "$command" | cmp - help || fail 'help COMMAND says something else than COMMAND --help'
-  sed '1,/^Example:$/d' help >example
-  grep -q "viewproj $command" example || fail 'the help ends with no example of the command'
-  rm -f view.svg
-  sh -e ./example >out 2>err || fail "the example fails: $(cat example err)"
-  if [ -s err ]; then fail "the example complains: $(cat err)"; fi
-  if [ ! -s out ] && [ ! -s view.svg ]; then fail 'the example writes nothing'; fi
+  # Each in a folder of its own, so that what it writes is seen.
+  mkdir "$work/$command"
+  cd "$work/$command"
+  ln -s "$samples" samples
+  viewproj "$command" --help >../help
+  viewproj help "$command" | cmp - ../help || fail 'help COMMAND says something else than COMMAND --help'
+  sed '1,/^Example:$/d' ../help >../example
+  grep -q "viewproj $command" ../example || fail 'the help ends with no example of the command'
+  sh -e ../example >out 2>../err || fail "the example fails: $(cat ../example ../err)"
+  if [ -s ../err ]; then fail "the example complains: $(cat ../err)"; fi
+  if [ -z "$(find . -type f -size +0)" ]; then fail 'the example writes nothing'; fi
   ran=$((ran + 1))
 done
 command=viewproj

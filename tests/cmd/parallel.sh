@@ -1,14 +1,14 @@
 #!/bin/sh
-# The README's recipes for GNU parallel, run as it states them: each must give what one run of viewproj gives, byte for
+# The recipes for GNU parallel, run as the page of commands states them: each must give what one run of viewproj gives, byte for
 # byte, and those with --first-line the same place of what is wrong.
-#   sh parallel.sh VIEWPROJ README.md
+#   sh parallel.sh VIEWPROJ cmd/README.md
 # Recipes are the paragraphs of the sh blocks that call parallel. Hosts are this one: a stand-in takes the place of ssh.
 set -eu
 command -v parallel >/dev/null || { echo "no parallel here: not checked"; exit 0; }
 PATH="$(cd "$(dirname "$1")" && pwd):$PATH"
 LC_ALL=C
 export PATH LC_ALL
-readme=$(cd "$(dirname "$2")" && pwd)/$(basename "$2")
+page=$(cd "$(dirname "$2")" && pwd)/$(basename "$2")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' HUP INT TERM
@@ -58,7 +58,7 @@ awk '
     text = ""
     next
   }
-  inside { text = text $0 "\n" }' "$readme"
+  inside { text = text $0 "\n" }' "$page"
 
 failed=0
 complain() {
@@ -103,7 +103,7 @@ for recipe in recipes/*; do
   head -c "$(wc -c <plain)" "out.$form" | cmp plain - || complain 'what came before is not the same'
 done
 if [ $count -lt 5 ] || [ $placed -lt 2 ]; then
-  echo "the README has $count recipes, $placed with --first-line"
+  echo "the page has $count recipes, $placed with --first-line"
   exit 1
 fi
 [ $failed = 0 ]

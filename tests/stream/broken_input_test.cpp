@@ -212,7 +212,7 @@ TEST_CASE("what is no number in f64 is named by record and byte, and NaN stands 
         "viewproj: <stdin>:6:1: has 7 bytes; expected three doubles, 24 bytes\n");
   const std::vector<double> numbers = numbersOf(all.out);
   REQUIRE(numbers.size() == 24);
-  for (const std::size_t bad : {1, 3, 5})
+  for (const std::size_t bad : {1u, 3u, 5u})
     for (std::size_t i = 4 * bad; i < 4 * bad + 4; ++i) CHECK(std::isnan(numbers[i]));
   CHECK(numbers[8] == 15);
   CHECK(numbers[16] == 24);

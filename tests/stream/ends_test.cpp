@@ -130,7 +130,7 @@ TEST_CASE("a full device is an error in every form") {
 TEST_CASE("a full disk keeps whole records") {
   const TemporaryFile file(times(kRecord, 20000));
   for (const Arguments& to : kOutputs)
-    for (const std::size_t size : {1000, 1001, 1013, 1024, 400001}) {
+    for (const std::size_t size : {1000u, 1001u, 1013u, 1024u, 400001u}) {
       INFO(to[1] << ", " << size);
       Descriptor out(::memfd_create("out", MFD_CLOEXEC));
       Pipe err;

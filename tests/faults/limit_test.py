@@ -1,0 +1,104 @@
+"""Little memory, few descriptors, small stacks and files; options at and beyond their ends."""
+import resource
+import unittest
+
+import tool
+from tool import CAMERA, PIXELS, POINTS, FaultTest, run
+
+
+class Limits(FaultTest):
+    @unittest.skipIf(tool.SANITIZED, "a sanitizer takes all the space there is")
+    def test_little_memory_is_one_message_or_enough(self):
+        """From what the loader needs to plenty."""
+        most, told, well = 80 << 20, 0, 0
+        many = self.file("many.json", b'{"x":1,"y":2,"z":3}\n' * 30000)
+        big = self.file("big.json", b'["' + b"x" * 10000000 + b'"]')
+        for arguments in (
+            ["project", "-c", CAMERA, "--jobs", "4", many],
+            ["project", "-c", CAMERA, "--jobs", "4", "--to", "table", many],
+            ["project", "-c", CAMERA, "--from", "json", big],
+            ["measure", "-c", CAMERA, "--seconds", "0.001", many],
+            ["draw", "-c", CAMERA, many],
+            ["inspect", big],
+            ["matrix", big],
+        ):
+            expected = run(arguments)
+            for space in range(8 << 20, most, 6 << 20):
+                with self.subTest(f"{arguments} in {space >> 20} MiB"):
+                    done = run(arguments, before=tool.limited(resource.RLIMIT_AS, space))
+                    if done.returncode == 127 or b"error while loading" in done.stderr:
+                        continue
+                    if done.returncode == expected.returncode and b"memory" not in done.stderr:
+                        well += 1
+                        if arguments[0] != "measure":
+                            self.assertEqual((done.stdout, done.stderr), (expected.stdout, expected.stderr))
+                        continue
+                    told += 1
+                    self.assertTrue(done.stderr.endswith(b"viewproj: out of memory\n"), done.stderr)
+                    self.assertEqual(done.returncode, 1)
+        self.assertGreater(told, 10)
+        self.assertGreater(well, 10)
+
+    def test_few_descriptors_are_one_message_or_enough(self):
+        camera = self.file("camera.json", CAMERA)
+        points = self.file("points.json", POINTS["json"])
+        expected = run(["project", "-c", camera, points])
+        self.assert_goes_well(expected)
+        told = set()
+        for most in range(4, 10):
+            done = run(["project", "-c", camera, points], before=tool.limited(resource.RLIMIT_NOFILE, most))
+            if done.returncode == 0:
+                self.assertEqual((done.stdout, done.stderr), (expected.stdout, b""))
+            elif b"shared librar" not in done.stderr:
+                self.assertTrue(done.stderr.endswith(b": Too many open files\n") and tool.is_one_message(done.stderr), done)
+            told.add(done.returncode)
+        self.assertIn(0, told)
+        self.assertIn(1, told)
+
+    def test_a_small_stack_is_enough(self):
+        def check(arguments, given):
+            done = run(arguments, given, before=tool.limited(resource.RLIMIT_STACK, 256 << 10))
+            self.assertEqual(done.returncode, 0, done.stderr)
+
+        self.each_run(check)
+
+    def test_a_file_that_may_not_grow_is_one_message_and_status_1(self):
+        def check(arguments, given):
+            expected = run(arguments, given).stdout
+            with open("out", "wb") as out:
+                done = run(arguments, given, stdout=out, before=tool.limited(resource.RLIMIT_FSIZE, len(expected) // 2))
+            self.assertEqual(done.returncode, 1)
+            self.assertTrue(done.stderr.endswith(b"viewproj: standard output: File too large\n"), done.stderr)
+            with open("out", "rb") as out:
+                self.assertTrue(expected.startswith(out.read()) or arguments[0] == "measure")
+
+        self.each_run(check)
+
+    def test_jobs_and_first_line_are_whole_numbers_in_range(self):
+        for command in ("project", "ray", "cull"):
+            given = PIXELS["json"] if command == "ray" else POINTS["json"]
+            expected = run([command, "-c", CAMERA], given).stdout
+            for option, most in (("--jobs", 1024), ("--first-line", 2**53)):
+                for value in ("1", "2", "7", "007", str(most)):
+                    done = run([command, "-c", CAMERA, option, value], given)
+                    self.assertEqual((done.returncode, done.stdout, done.stderr), (0, expected, b""), value)
+                for value in ("0", "-1", "-0", "+1", str(most + 1), "9" * 30, "1.5", "1e3", "0x10", "many", "", " ", "1 ", " 1", "nan"):
+                    done = run([command, "-c", CAMERA, f"{option}={value}"], given)
+                    self.assertEqual((done.returncode, done.stdout), (2, b""), value)
+                    self.assertTrue(tool.is_one_message(done.stderr) and option.encode() in done.stderr, done.stderr)
+
+    def test_a_thousand_threads_give_what_one_gives(self):
+        many = self.file("many.json", b'{"x":1,"y":2,"z":3}\n' * 60000)
+        expected = run(["project", "-c", CAMERA, "--jobs", "1", many])
+        done = run(["project", "-c", CAMERA, "--jobs", "1024", many])
+        self.assertEqual((done.returncode, done.stderr), (0, b""))
+        self.assertTrue(done.stdout == expected.stdout)
+
+    def test_lines_are_counted_from_the_largest_first_line(self):
+        done = run(["project", "-c", CAMERA, "--first-line", str(2**53)], b"[1,2,3]\n[1,2]\n")
+        self.assertEqual(done.returncode, 1)
+        self.assertTrue(done.stderr.startswith(b"viewproj: <stdin>:9007199254740993:1: "), done.stderr)
+
+
+if __name__ == "__main__":
+    tool.main()
