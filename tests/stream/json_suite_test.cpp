@@ -162,14 +162,17 @@ TEST_CASE("in a camera file is valid what nlohmann-json calls valid, but for nam
       const std::string text = inside ? "{\"v\":" + one.bytes + "}" : one.bytes;
       const std::string fault = faultOfFile(text);
       INFO(one.name << ", " << fault);
-      if (has(fault, "is given twice"))
+      if (has(fault, "is given twice")) {
         twice.insert(one.name);
-      else if (has(fault, "nested deeper"))
+      } else if (has(fault, "nested deeper")) {
         deep.insert(one.name);
-      else if (nlohmann::json::accept(text))
-        ++accepted, CHECK((fault.empty() || has(fault, "expected a JSON object")));
-      else
-        ++rejected, CHECK((has(fault, "not valid JSON") || has(fault, "number overflow")));
+      } else if (nlohmann::json::accept(text)) {
+        ++accepted;
+        CHECK((fault.empty() || has(fault, "expected a JSON object")));
+      } else {
+        ++rejected;
+        CHECK((has(fault, "not valid JSON") || has(fault, "number overflow")));
+      }
     }
   CHECK(twice == std::set<std::string>{"y_object_duplicated_key", "y_object_duplicated_key_and_value"});
   CHECK(deep == std::set<std::string>{"i_structure_500_nested_arrays", "n_structure_100000_opening_arrays",
