@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "commands/command.hpp"
+#include "commands/help.hpp"
 #include "input/error.hpp"
 #include "input/names.hpp"
 #include "output/output_file.hpp"
@@ -18,46 +19,32 @@ namespace {
 
 using namespace viewproj::cmd;
 
-constexpr Command kCommands[] = {
-    {"project", "points to screen positions, depth and visibility", runProject},
-    {"ray", "pixels to rays, and to the points behind them", runRay},
-    {"cull", "which points and shapes lie in the view, and which plane decides", runCull},
-    {"matrix", "a camera's matrices in any convention", runMatrix},
-    {"inspect", "which camera and which convention a matrix is of", runInspect},
-    {"explain", "every stage of one point or pixel, by hand", runExplain},
-    {"depth", "what a depth buffer resolves at each distance", runDepth},
-    {"measure", "speed and error of every precision on your own points", runMeasure},
-    {"draw", "an SVG of what the camera sees", runDraw},
-};
-
-std::string help() {
-  std::string text =
-      "viewproj: world points to screen coordinates, pixels to picking rays, cameras to matrices\n\n"
-      "Usage: viewproj <command> [options] [FILE]\n\nCommands:\n";
-  for (const Command& command : kCommands) {
-    text += "  " + std::string(command.name);
-    text.append(12 - command.name.size(), ' ');
-    text += std::string(command.summary) + "\n";
+const Command& find(std::string_view name) {
+  std::vector<std::string_view> known;
+  for (const Command& command : allCommands()) {
+    if (command.name == name) return command;
+    known.push_back(command.name);
   }
-  return text + "\nviewproj <command> --help tells its options; viewproj --version the version.\n";
+  throw UsageError("'" + std::string(name) + "' is no command" + suggestion(name, known));
 }
 
 int run(int argc, char** argv) {
   const std::string_view name = argc > 1 ? argv[1] : "";
+  if (name == "help" && argc > 2) {
+    char option[] = "--help";
+    char* arguments[] = {argv[2], option};
+    return runCommand(find(argv[2]), 2, arguments);
+  }
   if (name == "--help" || name == "-h" || name == "help") {
-    writeOutput(help());
+    writeOutput(helpText());
     return 0;
   }
   if (name == "--version") {
     writeOutput("viewproj " VIEWPROJ_VERSION "\n");
     return 0;
   }
-  for (const Command& command : kCommands)
-    if (command.name == name) return command.run(argc - 1, argv + 1);
-  if (name.empty()) throw UsageError("a command is needed\n\n" + help());
-  std::vector<std::string_view> known;
-  for (const Command& command : kCommands) known.push_back(command.name);
-  throw UsageError("'" + std::string(name) + "' is no command" + suggestion(name, known));
+  if (name.empty()) throw UsageError("a command is needed\n\n" + helpText());
+  return runCommand(find(name), argc - 1, argv + 1);
 }
 
 /// A descriptor that came closed is not to be taken by the next file that is opened. Input is empty then, and output

@@ -1,18 +1,17 @@
-# viewproj_geographiclib: an installed GeographicLib, or the sources of it that the library needs.
-add_library(viewproj_geographiclib INTERFACE)
-# The static library comes first: loading a shared one takes a part of a one-shot run.
-set(GeographicLib_USE_STATIC_LIBS ON)
-find_package(GeographicLib QUIET CONFIG)
-# Debian's has no package config.
-find_path(GEOGRAPHICLIB_INCLUDE GeographicLib/Geocentric.hpp)
-find_library(GEOGRAPHICLIB_LIBRARY NAMES libGeographicLib.a GeographicLib)
-mark_as_advanced(GEOGRAPHICLIB_INCLUDE GEOGRAPHICLIB_LIBRARY)
-if(GeographicLib_FOUND)
-  target_link_libraries(viewproj_geographiclib INTERFACE ${GeographicLib_LIBRARIES})
-elseif(GEOGRAPHICLIB_INCLUDE AND GEOGRAPHICLIB_LIBRARY)
-  target_include_directories(viewproj_geographiclib SYSTEM INTERFACE ${GEOGRAPHICLIB_INCLUDE})
-  target_link_libraries(viewproj_geographiclib INTERFACE ${GEOGRAPHICLIB_LIBRARY})
+# viewproj_use_geographiclib(TARGET): links an installed GeographicLib, or compiles in the two sources of it that are
+# needed. VIEWPROJ_LINKS_GEOGRAPHICLIB says which: users of the library then need it too.
+include(${CMAKE_CURRENT_LIST_DIR}/package/geographiclib.cmake)
+if(TARGET viewproj::geographiclib)
+  set(VIEWPROJ_LINKS_GEOGRAPHICLIB ON)
 else()
+  set(VIEWPROJ_LINKS_GEOGRAPHICLIB OFF)
+endif()
+
+function(viewproj_use_geographiclib target)
+  if(VIEWPROJ_LINKS_GEOGRAPHICLIB)
+    target_link_libraries(${target} PRIVATE viewproj::geographiclib)
+    return()
+  endif()
   message(STATUS "GeographicLib is not installed: fetching it")
   # Its own build makes tools and documentation too; there is no CMakeLists.txt in include.
   FetchContent_Declare(GeographicLib SOURCE_SUBDIR include
@@ -24,8 +23,8 @@ else()
     "#define GEOGRAPHICLIB_VERSION_MINOR 1\n#define GEOGRAPHICLIB_VERSION_PATCH 2\n"
     "#define GEOGRAPHICLIB_HAVE_LONG_DOUBLE 1\n#define GEOGRAPHICLIB_WORDS_BIGENDIAN 0\n"
     "#define GEOGRAPHICLIB_PRECISION 2\n#define GEOGRAPHICLIB_SHARED_LIB 0\n")
-  add_library(geographiclib STATIC ${geographiclib_SOURCE_DIR}/src/Geocentric.cpp ${geographiclib_SOURCE_DIR}/src/Math.cpp)
-  target_include_directories(geographiclib SYSTEM PUBLIC ${fetched} ${geographiclib_SOURCE_DIR}/include)
-  set_target_properties(geographiclib PROPERTIES CXX_STANDARD 14)
-  target_link_libraries(viewproj_geographiclib INTERFACE geographiclib)
-endif()
+  set(sources ${geographiclib_SOURCE_DIR}/src/Geocentric.cpp ${geographiclib_SOURCE_DIR}/src/Math.cpp)
+  set_source_files_properties(${sources} PROPERTIES COMPILE_OPTIONS -w)
+  target_sources(${target} PRIVATE ${sources})
+  target_include_directories(${target} SYSTEM PRIVATE ${fetched} ${geographiclib_SOURCE_DIR}/include)
+endfunction()

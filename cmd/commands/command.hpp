@@ -1,25 +1,40 @@
-// The commands of the tool. To add one: a file beside this one, and a row in main.cpp.
+// The commands of the tool. To add one: a file beside this one, and a row in command.cpp.
 #pragma once
 
+#include <functional>
+#include <span>
 #include <string_view>
 
+namespace CLI {
+class App;
+}
+
 namespace viewproj::cmd {
+
+/// What a command does once its options are parsed. Returns the exit status; throws what input/error.hpp lists.
+using Action = std::function<int()>;
 
 struct Command {
   std::string_view name;
   std::string_view summary;
-  /// argv[0] is the command's name. Returns the exit status; throws what input/error.hpp lists.
-  int (*run)(int argc, char** argv);
+  /// Gives the app its description, its options and its example. The action works on what the app has parsed.
+  Action (*define)(CLI::App& app);
 };
 
-int runProject(int argc, char** argv);
-int runRay(int argc, char** argv);
-int runMatrix(int argc, char** argv);
-int runCull(int argc, char** argv);
-int runInspect(int argc, char** argv);
-int runExplain(int argc, char** argv);
-int runDepth(int argc, char** argv);
-int runMeasure(int argc, char** argv);
-int runDraw(int argc, char** argv);
+std::span<const Command> allCommands();
+
+/// argv[0] is the command's name. Returns the exit status; throws what input/error.hpp lists.
+int runCommand(const Command& command, int argc, char** argv);
+
+Action defineProject(CLI::App& app);
+Action defineRay(CLI::App& app);
+Action defineMatrix(CLI::App& app);
+Action defineCull(CLI::App& app);
+Action defineInspect(CLI::App& app);
+Action defineExplain(CLI::App& app);
+Action defineDepth(CLI::App& app);
+Action defineMeasure(CLI::App& app);
+Action defineDraw(CLI::App& app);
+Action defineSchema(CLI::App& app);
 
 }  // namespace viewproj::cmd

@@ -51,30 +51,22 @@ std::string planesAsJson(const Frustum& frustum) {
   return out + "}\n";
 }
 
-}  // namespace
-
-int runCull(int argc, char** argv) {
-  CLI::App app(
-      "Which points, spheres, boxes and triangles lie in the view: inside, intersects or outside, and by which plane.\n"
-      "Example: echo '{\"id\":1,\"sphere\":{\"center\":[0,1,2],\"radius\":3}}' | viewproj cull -c camera.json",
-      "viewproj cull");
+struct Options {
   CameraOptions camera;
   StreamOptions stream;
   bool planes = false;
-  camera.add(app);
-  stream.add(app, "points and shapes");
-  app.add_flag("--planes", planes, "Print the view's planes [a,b,c,d], ax + by + cz + d >= 0 inside, and read nothing");
-  parse(app, argc, argv);
+};
 
-  FilterSetup setup = stream.setup();
-  if (!planes) stream.requireOneInput(setup, camera);
-  const CameraFile file = camera.read();
+int run(const Options& o) {
+  FilterSetup setup = o.stream.setup();
+  if (!o.planes) o.stream.requireOneInput(setup, o.camera);
+  const CameraFile file = o.camera.read();
   const Frustum frustum = viewFrustum(makeCamera(file));
-  if (planes) {
+  if (o.planes) {
     writeOutput(planesAsJson(frustum));
     return 0;
   }
-  const std::vector<std::string> columns = stream.columns(3, 4);
+  const std::vector<std::string> columns = o.stream.columns(3, 4);
   setup.csvDefaults = {"x", "y", "z", "w"};
   if (!columns.empty()) setup.csvDefaults = columns;
   setup.wordsOnly = true;
@@ -82,6 +74,23 @@ int runCull(int argc, char** argv) {
   const auto makeWork = [&] { return std::make_unique<CullWork>(frustum, columns, file.worldIsEcef); };
   setup.writer.exampleResults = [&](ResultSink& sink) { makeWork()->nameResults({}, sink); };
   return runFilter(setup, makeWork);
+}
+
+}  // namespace
+
+Action defineCull(CLI::App& app) {
+  const auto o = std::make_shared<Options>();
+  app.description(
+      "Which points, spheres, boxes and triangles lie in the view: inside, intersects or outside, and by which plane. "
+      "A shape is a sphere, a box, a triangle or a position in a record of FILE.");
+  app.footer(
+      "echo '{\"sphere\": {\"center\": [1, 1, 1], \"radius\": 0.5}}' |\n"
+      "  viewproj cull -c samples/picking-a-pixel/camera.json");
+  o->camera.add(app);
+  o->stream.add(app, "points and shapes");
+  app.add_flag("--planes", o->planes,
+               "Print the view's planes [a,b,c,d], ax + by + cz + d >= 0 inside, and read nothing");
+  return [o] { return run(*o); };
 }
 
 }  // namespace viewproj::cmd

@@ -124,33 +124,19 @@ std::vector<NamedFormat> formatsFor(double largest, std::vector<std::string>& no
   return formats;
 }
 
-}  // namespace
-
-int runDepth(int argc, char** argv) {
-  CLI::App app(
-      "What a depth buffer resolves: the camera's window depth, its slope, and one step of d16, d24 and d32f as a\n"
-      "length at each distance; forward, reversed and infinite side by side.\n"
-      "Example: viewproj depth camera.json --at 1,10,100 --gap 0.01 --resolve 0.01@500",
-      "viewproj depth");
+struct Options {
   CameraOptions camera;
   std::string file, at, format = "table";
   std::vector<std::string> gaps, wanted;
-  camera.add(app);
-  app.add_option("FILE", file, "Camera file, where -c was not given; absent or - for standard input");
-  app.add_option("--at", at, "Distances along the viewing axis (default: decades from near to far)")
-      ->type_name("DISTANCES");
-  addRepeatable(app, "--gap", gaps, "Tell up to which distance surfaces this far apart are stored apart")
-      ->type_name("GAP");
-  addRepeatable(app, "--resolve", wanted, "Tell the near needed to store surfaces GAP apart apart at DISTANCE")
-      ->type_name("GAP@DISTANCE");
-  app.add_option("--to", format, "Output: table (default), json, svg (gap resolved over distance)")->type_name("FORM");
-  parse(app, argc, argv);
+};
 
+int run(const Options& o) {
   static constexpr std::string_view kFormats[] = {"table", "json", "svg"};
-  if (std::find(std::begin(kFormats), std::end(kFormats), format) == std::end(kFormats))
-    failUnknown("--to", format, kFormats);
-  if (camera.given() && !file.empty()) throw UsageError("-c gives the camera already; leave out one of it and " + file);
-  const CameraFile read = camera.read(file.empty() ? "-" : file);
+  if (std::find(std::begin(kFormats), std::end(kFormats), o.format) == std::end(kFormats))
+    failUnknown("--to", o.format, kFormats);
+  if (o.camera.given() && !o.file.empty())
+    throw UsageError("-c gives the camera already; leave out one of it and " + o.file);
+  const CameraFile read = o.camera.read(o.file.empty() ? "-" : o.file);
   if (!read.projection) throw InputError(read.name + ": the camera has no projection");
   const Viewport viewport = read.viewport.value_or(Viewport{});
   const double first = viewport.depthFirst, second = viewport.depthSecond;
@@ -161,18 +147,41 @@ int runDepth(int argc, char** argv) {
   report.mappings = mappingsOf(*read.projection, first, second, read.convention.reverseZ);
   report.formats = formatsFor(std::max(first, second), report.notes);
   const DepthMapping& own = report.own();
-  report.distances = at.empty() ? defaultDistances(own) : readDistances(at, own);
-  for (const std::string& gap : gaps) report.gaps.push_back(readGap(gap));
-  report.gapsAsked = !gaps.empty();
-  if (gaps.empty()) report.gaps = defaultGaps(own);
-  for (const std::string& text : wanted) report.wanted.push_back(readWanted(text, own));
+  report.distances = o.at.empty() ? defaultDistances(own) : readDistances(o.at, own);
+  for (const std::string& gap : o.gaps) report.gaps.push_back(readGap(gap));
+  report.gapsAsked = !o.gaps.empty();
+  if (o.gaps.empty()) report.gaps = defaultGaps(own);
+  for (const std::string& text : o.wanted) report.wanted.push_back(readWanted(text, own));
   if (read.convention.ndcZ == NdcZ::minusOneToOne)
     report.notes.push_back(
         "With NDC z of -1..1 reversed d32f gains nothing: (z + 1) / 2 in float32 rounds to 2^-24 first. What is told "
         "of it needs 0..1 (glClipControl).");
   report.notes.push_back("Depths are taken as exact until they are stored; float32 in matrix and shader comes on top.");
-  writeOutput(format == "json" ? depthAsJson(report) : format == "svg" ? depthAsSvg(report) : depthAsTable(report));
+  writeOutput(o.format == "json" ? depthAsJson(report) : o.format == "svg" ? depthAsSvg(report) : depthAsTable(report));
   return 0;
+}
+
+}  // namespace
+
+Action defineDepth(CLI::App& app) {
+  const auto o = std::make_shared<Options>();
+  app.description(
+      "What a depth buffer resolves: the camera's window depth, its slope, and one step of d16, d24 and d32f as a "
+      "length at each distance; forward, reversed and infinite side by side. Lengths are in the camera's unit.");
+  app.footer("viewproj depth samples/reversed-infinite-depth/camera.json --at 1,10,100 --gap 0.01 --resolve 0.01@500");
+  o->camera.add(app);
+  app.add_option("FILE", o->file, "Camera file, where -c was not given; absent or - for standard input");
+  app.add_option("--at", o->at, "Distances along the viewing axis (default: decades from near to far)")
+      ->type_name("DISTANCES");
+  addRepeatable(
+      app, "--gap", o->gaps,
+      "Tell up to which distance surfaces this far apart are stored apart, by default powers of ten about near")
+      ->type_name("GAP");
+  addRepeatable(app, "--resolve", o->wanted, "Tell the near needed to store surfaces GAP apart apart at DISTANCE")
+      ->type_name("GAP@DISTANCE");
+  app.add_option("--to", o->format, "Form of the output: table, json, svg: gap resolved over distance (default: table)")
+      ->type_name("FORM");
+  return [o] { return run(*o); };
 }
 
 }  // namespace viewproj::cmd

@@ -20,37 +20,27 @@ std::vector<Vec2> readPixels(const std::vector<std::string>& texts) {
   return pixels;
 }
 
-}  // namespace
-
-int runDraw(int argc, char** argv) {
-  CLI::App app(
-      "An SVG of what the camera sees: points under their id or name, segments, boxes, triangles and spheres, and\n"
-      "where pixels hit a scene.\n"
-      "Example: viewproj draw -c camera.json points.csv > view.svg",
-      "viewproj draw");
+struct Options {
   CameraOptions camera;
   StreamOptions stream;
-  std::vector<std::string> pixelTexts;
-  std::string sceneFile;
-  camera.add(app);
-  stream.addInput(app, "points and shapes");
-  app.add_option("--scene", sceneFile, "Scene to draw the outlines of")->type_name("FILE");
-  addRepeatable(app, "--pixel", pixelTexts, "A pixel to mark, with --scene what its ray hits first")->type_name("X,Y");
-  parse(app, argc, argv);
+  std::vector<std::string> pixels;
+  std::string scene;
+};
 
-  const std::vector<Vec2> pixels = readPixels(pixelTexts);
-  const FilterSetup setup = stream.setup();
-  const std::vector<std::string> columns = stream.columns(3, 4);
+int run(const Options& o, const CLI::App& app) {
+  const std::vector<Vec2> pixels = readPixels(o.pixels);
+  const FilterSetup setup = o.stream.setup();
+  const std::vector<std::string> columns = o.stream.columns(3, 4);
   // Where there is something else to draw, standard input is read only if asked for.
-  const bool reads = app.count("FILE") > 0 || (pixels.empty() && sceneFile.empty());
-  if (reads) stream.requireOneInput(setup, camera);
+  const bool reads = app.count("FILE") > 0 || (pixels.empty() && o.scene.empty());
+  if (reads) o.stream.requireOneInput(setup, o.camera);
 
-  const CameraFile file = camera.read();
+  const CameraFile file = o.camera.read();
   View view{.camera = makeCamera(file)};
   const Frustum frustum = viewFrustum(view.camera);
   std::vector<SceneObject> scene;
-  if (!sceneFile.empty()) {
-    scene = readScene(sceneFile);
+  if (!o.scene.empty()) {
+    scene = readScene(o.scene);
     addScene(view, frustum, scene);
   }
   if (reads) {
@@ -58,9 +48,26 @@ int runDraw(int argc, char** argv) {
     records.csvDefaults = columns.empty() ? std::vector<std::string>{"x", "y", "z", "w"} : columns;
     addRecords(view, frustum, std::move(records), columns, file.worldIsEcef);
   }
-  for (const Vec2& pixel : pixels) addPixel(view, pixel, sceneFile.empty() ? nullptr : &scene);
+  for (const Vec2& pixel : pixels) addPixel(view, pixel, o.scene.empty() ? nullptr : &scene);
   writeOutput(pictureOf(view));
   return 0;
+}
+
+}  // namespace
+
+Action defineDraw(CLI::App& app) {
+  const auto o = std::make_shared<Options>();
+  app.description(
+      "An SVG of what the camera sees: points under their id or name, segments, boxes, triangles and spheres, and "
+      "where pixels hit a scene.");
+  app.footer(
+      "viewproj draw -c samples/a-picture-of-a-harbour/camera.json samples/a-picture-of-a-harbour/points.ndjson \\\n"
+      "  --scene samples/a-picture-of-a-harbour/scene.json --pixel 700,250 > view.svg");
+  o->camera.add(app);
+  o->stream.addInput(app, "points and shapes");
+  app.add_option("--scene", o->scene, "Scene file, or the JSON itself: its outlines are drawn")->type_name("FILE");
+  addRepeatable(app, "--pixel", o->pixels, "A pixel to mark, with --scene what its ray hits first")->type_name("X,Y");
+  return [o, &app] { return run(*o, app); };
 }
 
 }  // namespace viewproj::cmd

@@ -42,48 +42,54 @@ std::vector<double> readPixel(const std::string& text) {
   return *numbers;
 }
 
-}  // namespace
-
-int runExplain(int argc, char** argv) {
-  CLI::App app(
-      "Every stage of one point's way to its pixel, or of one pixel's way back: world, view, clip and where w comes\n"
-      "from, the clip inequalities, NDC, screen, each number with what it is made of.\n"
-      "Example: viewproj explain -c camera.json --point 1,2,3",
-      "viewproj explain");
+struct Options {
   CameraOptions camera;
   std::string point, pixel, model, digits, format = "table";
-  camera.add(app);
-  camera.addWriting(app);
-  app.add_option("--point", point, "The point to follow")->type_name("X,Y,Z[,W]");
-  app.add_option("--pixel", pixel, "The pixel to follow back, with a window depth if known")->type_name("X,Y[,DEPTH]");
-  app.add_option("--model", model, "Matrix from the point's own coordinates to the world: 4 rows, or a glTF node")
-      ->type_name("JSON");
-  app.add_option("--digits", digits, "Significant digits (default 9; 17 gives all)")->type_name("N");
-  app.add_option("--to", format, "Output: table (default), json")->type_name("FORM");
-  parse(app, argc, argv);
+};
 
+int run(const Options& o) {
   static constexpr std::string_view kFormats[] = {"table", "json"};
-  if (std::find(std::begin(kFormats), std::end(kFormats), format) == std::end(kFormats))
-    failUnknown("--to", format, kFormats);
-  if (point.empty() == pixel.empty())
-    throw UsageError(point.empty() ? "--point X,Y,Z or --pixel X,Y is needed: what to follow"
-                                   : "--point and --pixel are two explanations; leave out one of them");
-  if (!pixel.empty() && !model.empty()) throw UsageError("--model goes with --point");
-  const int shown = readDigits(digits);
-  const Vec4 local = point.empty() ? Vec4{} : readPoint(point);
-  const std::vector<double> position = pixel.empty() ? std::vector<double>{} : readPixel(pixel);
-  const CameraFile file = camera.read();
+  if (std::find(std::begin(kFormats), std::end(kFormats), o.format) == std::end(kFormats))
+    failUnknown("--to", o.format, kFormats);
+  if (o.point.empty() == o.pixel.empty())
+    throw UsageError(o.point.empty() ? "--point X,Y,Z or --pixel X,Y is needed: what to follow"
+                                     : "--point and --pixel are two explanations; leave out one of them");
+  if (!o.pixel.empty() && !o.model.empty()) throw UsageError("--model goes with --point");
+  const int shown = readDigits(o.digits);
+  const Vec4 local = o.point.empty() ? Vec4{} : readPoint(o.point);
+  const std::vector<double> position = o.pixel.empty() ? std::vector<double>{} : readPixel(o.pixel);
+  const CameraFile file = o.camera.read();
   const Camera built = makeCamera(file);
-  const Convention writing = camera.writing(file);
+  const Convention writing = o.camera.writing(file);
   const auto explain = [&] {
     if (position.empty())
-      return explainPoint(built, writing, local, model.empty() ? std::nullopt : std::optional(readModel(model)));
+      return explainPoint(built, writing, local, o.model.empty() ? std::nullopt : std::optional(readModel(o.model)));
     return explainPixel(built, writing, {position[0], position[1]},
                         position.size() > 2 ? std::optional(position[2]) : std::nullopt);
   };
   const Explanation explanation = explain();
-  writeOutput(format == "json" ? explanationAsJson(explanation, shown) : explanationAsTable(explanation, shown));
+  writeOutput(o.format == "json" ? explanationAsJson(explanation, shown) : explanationAsTable(explanation, shown));
   return 0;
+}
+
+}  // namespace
+
+Action defineExplain(CLI::App& app) {
+  const auto o = std::make_shared<Options>();
+  app.description(
+      "Every stage of one point's way to its pixel, or of one pixel's way back: world, view, clip and where w comes "
+      "from, the clip inequalities, NDC, screen, each number with what it is made of.");
+  app.footer("viewproj explain -c samples/picking-a-pixel/camera.json --point 1,1,1 --convention d3d");
+  o->camera.add(app);
+  o->camera.addWriting(app);
+  app.add_option("--point", o->point, "The point to follow")->type_name("X,Y,Z[,W]");
+  app.add_option("--pixel", o->pixel, "The pixel to follow back, with a window depth if known")
+      ->type_name("X,Y[,DEPTH]");
+  addModel(app, o->model, "point");
+  app.add_option("--digits", o->digits, "Significant digits, from 1 to 17, which gives all (default: 9)")
+      ->type_name("N");
+  app.add_option("--to", o->format, "Form of the output: table, json (default: table)")->type_name("FORM");
+  return [o] { return run(*o); };
 }
 
 }  // namespace viewproj::cmd

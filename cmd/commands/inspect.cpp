@@ -139,77 +139,86 @@ NamedMatrix convertOne(const InspectedMatrix& m, const std::string& name, const 
   return {name, *result};
 }
 
-}  // namespace
-
-int runInspect(int argc, char** argv) {
-  CLI::App app(
-      "Every reading of a 4x4 matrix: which conventions it can be written in, and the camera in it.\n"
-      "Example: viewproj inspect < matrix.txt\n"
-      "         viewproj inspect matrix.txt --convention vulkan",
-      "viewproj inspect");
+struct Options {
   CameraOptions writing;
   std::string file = "-", which, world, readAs, number, format;
   bool asFloat = false;
-  app.add_option("FILE", file,
-                 "JSON, an initialiser of C, HLSL or GLSL, or rows of numbers; absent or - for standard input");
-  app.add_option("--which", which, "Of several matrices only these, by name")->type_name("NAMES");
-  app.add_flag("--float", asFloat, "The numbers are float32s");
-  app.add_option("--world", world, "Only readings of this handedness: right or left")->type_name("HAND");
-  app.add_option("--read-as", readAs, "Only readings of this convention: opengl, d3d, vulkan, ...")->type_name("NAME");
-  app.add_option("--reading", number, "Only this one, by its number")->type_name("N");
-  writing.addWriting(app);
-  app.add_option("--to", format, "Format: table (default), json; with --convention one of `matrix`: json (default), text, c, ...")
-      ->type_name("FORM");
-  parse(app, argc, argv);
+};
 
+int run(const Options& o, const CLI::App& app) {
   const bool converts = app.count("--convention") > 0 || app.count("--reverse-z") > 0 || app.count("--ndc-z") > 0;
   if (converts && app.count("--convention") == 0)
     throw UsageError("--reverse-z and --ndc-z go with --convention NAME, the convention to write");
   static constexpr std::string_view kReports[] = {"table", "json"};
   const std::vector<std::string_view> formats =
       converts ? matrixFormats() : std::vector<std::string_view>(std::begin(kReports), std::end(kReports));
-  if (format.empty()) format = converts ? "json" : "table";
+  const std::string format = !o.format.empty() ? o.format : converts ? "json" : "table";
   if (std::find(formats.begin(), formats.end(), format) == formats.end()) failUnknown("--to", format, formats);
 
   Choice choice;
-  if (!world.empty()) {
+  if (!o.world.empty()) {
     static constexpr std::string_view kWorlds[] = {"right", "left"};
-    if (world != "right" && world != "left") failUnknown("--world", world, kWorlds);
-    choice.world = world == "right" ? Handedness::right : Handedness::left;
+    if (o.world != "right" && o.world != "left") failUnknown("--world", o.world, kWorlds);
+    choice.world = o.world == "right" ? Handedness::right : Handedness::left;
   }
-  if (!readAs.empty()) {
-    choice.readAs = conventionPreset(readAs);
-    if (!choice.readAs) failUnknown("--read-as", readAs, presetNames());
+  if (!o.readAs.empty()) {
+    choice.readAs = conventionPreset(o.readAs);
+    if (!choice.readAs) failUnknown("--read-as", o.readAs, presetNames());
   }
-  if (!number.empty()) {
-    const auto value = parseNumber(number);
+  if (!o.number.empty()) {
+    const auto value = parseNumber(o.number);
     if (!value || !(*value >= 1 && *value <= 1000 && *value == std::floor(*value)))
-      throw UsageError("--reading " + number + ": expected the number of a reading, from 1 on");
+      throw UsageError("--reading " + o.number + ": expected the number of a reading, from 1 on");
     choice.number = static_cast<std::size_t>(*value);
   }
 
-  const std::string source = file == "-" ? kStandardInputName : file;
-  const WrittenMatrices given = parseMatrices(readWholeFile(file, kMostBytes), source);
-  const std::vector<WrittenMatrix> chosen = chooseMatrices(given, which, source);
+  const std::string source = o.file == "-" ? kStandardInputName : o.file;
+  const WrittenMatrices given = parseMatrices(readWholeFile(o.file, kMostBytes), source);
+  const std::vector<WrittenMatrix> chosen = chooseMatrices(given, o.which, source);
   std::vector<InspectedMatrix> inspected;
   for (const WrittenMatrix& m : chosen)
     inspected.push_back(
-        inspectOne(m, asFloat ? EntryPrecision::float32 : EntryPrecision::float64, choice, given.convention));
+        inspectOne(m, o.asFloat ? EntryPrecision::float32 : EntryPrecision::float64, choice, given.convention));
 
   if (converts) {
     MatrixSet set;
     const bool chose = choice.readAs || choice.number;
     for (std::size_t i = 0; i < inspected.size(); ++i)
       set.matrices.push_back(convertOne(inspected[i], nameOf(inspected[i].written, i), source,
-                                        chose ? std::nullopt : given.convention, writing, set.convention));
-    set.asFloat = asFloat;
+                                        chose ? std::nullopt : given.convention, o.writing, set.convention));
+    set.asFloat = o.asFloat;
     writeOutput(writeMatrices(set, format, source));
     return 0;
   }
-  writeOutput(format == "json" ? reportAsJson(inspected, asFloat) : reportAsText(inspected));
+  writeOutput(format == "json" ? reportAsJson(inspected, o.asFloat) : reportAsText(inspected));
   return std::all_of(inspected.begin(), inspected.end(), [](const InspectedMatrix& m) { return !m.readings.empty(); })
              ? 0
              : 1;
+}
+
+}  // namespace
+
+Action defineInspect(CLI::App& app) {
+  const auto o = std::make_shared<Options>();
+  app.description(
+      "Every reading of a 4x4 matrix: which conventions it can be written in, and the camera in it; with --convention "
+      "the same matrix in another convention. Status 1 where nothing fits.");
+  app.footer("viewproj matrix samples/picking-a-pixel/camera.json --which projection --to flat | viewproj inspect");
+  app.add_option("FILE", o->file,
+                 "The matrices: JSON, an initialiser of C, HLSL, GLSL or NumPy, or rows of numbers; absent or - for "
+                 "standard input");
+  app.add_option("--which", o->which, "Of several matrices only these, by name")->type_name("NAMES");
+  app.add_flag("--float", o->asFloat, "The numbers are float32s (default: doubles)");
+  app.add_option("--world", o->world, "Only readings of this handedness: right or left")->type_name("HAND");
+  app.add_option("--read-as", o->readAs, "Only readings of this convention: " + joined(presetNames()))
+      ->type_name("NAME");
+  app.add_option("--reading", o->number, "Only this reading, by its number")->type_name("N");
+  o->writing.addWriting(app);
+  app.add_option("--to", o->format,
+                 "Form of the output: table, json (default: table); with --convention: " + joined(matrixFormats()) +
+                     " (default: json)")
+      ->type_name("FORM");
+  return [o, &app] { return run(*o, app); };
 }
 
 }  // namespace viewproj::cmd

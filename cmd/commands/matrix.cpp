@@ -105,57 +105,66 @@ void requireKnown(const std::string& option, const std::string& name, const std:
   if (std::find(known.begin(), known.end(), name) == known.end()) failUnknown(option, name, known);
 }
 
-}  // namespace
-
-int runMatrix(int argc, char** argv) {
-  CLI::App app(
-      "A camera's matrices, in any convention.\n"
-      "Example: viewproj matrix camera.json --convention d3d --which projection --to text\n"
-      "         viewproj matrix camera.json --to camera --type intrinsics",
-      "viewproj matrix");
+struct Options {
   CameraOptions camera;
   Wanted wanted;
   std::string file, which, type, format = "json";
-  MatrixSet set;
-  camera.add(app);
-  camera.addWriting(app);
-  app.add_option("FILE", file, "Camera file, where -c was not given; absent or - for standard input");
-  app.add_option("--which", which, "Matrices: view,projection,viewProjection,viewport (default: all there are)")
-      ->type_name("NAMES");
-  app.add_flag("--inverse", wanted.inverse, "Give each one's inverse too");
-  app.add_flag("--bake-viewport", wanted.bakeViewport, "Fold the viewport into the projection");
-  app.add_flag("--relative-to-eye", wanted.relativeToEye, "Leave the translation out of the view and give the eye");
-  app.add_flag("--float", set.asFloat, "Round to float32");
-  app.add_option("--to", format, "Format: json (default), text, flat, csv, c, glsl, hlsl, wgsl, css, numpy, camera")
-      ->type_name("FORM");
-  app.add_option("--type", type,
-                 "With --to camera the projection's form: perspective, frustum, intrinsics, orthographic, ps2")
-      ->type_name("TYPE");
-  parse(app, argc, argv);
+  bool asFloat = false;
+};
 
+int run(const Options& o, const CLI::App& app) {
   std::vector<std::string_view> formats = matrixFormats();
   formats.push_back("camera");
-  requireKnown("--to", format, formats);
-  if (!type.empty()) requireKnown("--type", type, cameraTypes());
-  const bool toCamera = format == "camera";
-  if (!type.empty() && !toCamera) throw UsageError("--type goes with --to camera");
+  requireKnown("--to", o.format, formats);
+  if (!o.type.empty()) requireKnown("--type", o.type, cameraTypes());
+  const bool toCamera = o.format == "camera";
+  if (!o.type.empty() && !toCamera) throw UsageError("--type goes with --to camera");
   for (const char* option : {"--which", "--inverse", "--bake-viewport", "--relative-to-eye", "--float"})
     if (toCamera && app.count(option) > 0)
       throw UsageError(std::string(option) + " goes with matrices, not with --to camera");
-  if (camera.given() && !file.empty()) throw UsageError("-c gives the camera already; leave out one of it and " + file);
-  const CameraFile read = camera.read(file.empty() ? "-" : file);
-  if (toCamera) return runCamera(read, type, camera);
-  set.convention = camera.writing(read);
-  for (const WhichRow& row : chooseMatrices(which, read, wanted.bakeViewport)) {
-    set.matrices.push_back({std::string(row.name), matrixOf(row.which, false, read, wanted, set.convention)});
-    if (wanted.inverse)
+  if (o.camera.given() && !o.file.empty())
+    throw UsageError("-c gives the camera already; leave out one of it and " + o.file);
+  const CameraFile read = o.camera.read(o.file.empty() ? "-" : o.file);
+  if (toCamera) return runCamera(read, o.type, o.camera);
+  MatrixSet set;
+  set.asFloat = o.asFloat;
+  set.convention = o.camera.writing(read);
+  for (const WhichRow& row : chooseMatrices(o.which, read, o.wanted.bakeViewport)) {
+    set.matrices.push_back({std::string(row.name), matrixOf(row.which, false, read, o.wanted, set.convention)});
+    if (o.wanted.inverse)
       set.matrices.push_back(
-          {std::string(row.name) + "Inverse", matrixOf(row.which, true, read, wanted, set.convention)});
+          {std::string(row.name) + "Inverse", matrixOf(row.which, true, read, o.wanted, set.convention)});
   }
-  if (wanted.relativeToEye && read.pose) set.eye = read.pose->eye;
-  set.bakesViewport = wanted.bakeViewport;
-  writeOutput(writeMatrices(set, format, read.name));
+  if (o.wanted.relativeToEye && read.pose) set.eye = read.pose->eye;
+  set.bakesViewport = o.wanted.bakeViewport;
+  writeOutput(writeMatrices(set, o.format, read.name));
   return 0;
+}
+
+}  // namespace
+
+Action defineMatrix(CLI::App& app) {
+  const auto o = std::make_shared<Options>();
+  app.description(
+      "A camera's matrices, in any convention, as JSON, text or source code; or the camera itself in another form.");
+  app.footer("viewproj matrix samples/picking-a-pixel/camera.json --convention d3d --which projection --to text");
+  o->camera.add(app);
+  o->camera.addWriting(app);
+  app.add_option("FILE", o->file, "Camera file, where -c was not given; absent or - for standard input");
+  app.add_option("--which", o->which,
+                 "Matrices to write: view,projection,viewProjection,viewport (default: all that the camera determines)")
+      ->type_name("NAMES");
+  app.add_flag("--inverse", o->wanted.inverse, "Give each one's inverse too");
+  app.add_flag("--bake-viewport", o->wanted.bakeViewport, "Fold the viewport into the projection");
+  app.add_flag("--relative-to-eye", o->wanted.relativeToEye, "Leave the translation out of the view and give the eye");
+  app.add_flag("--float", o->asFloat, "Round to float32 (default: doubles)");
+  app.add_option("--to", o->format,
+                 "Form of the output: " + joined(matrixFormats()) + ", camera: the camera file itself (default: json)")
+      ->type_name("FORM");
+  app.add_option("--type", o->type,
+                 "With --to camera the projection's form: " + joined(cameraTypes()) + " (default: as it was read)")
+      ->type_name("TYPE");
+  return [o, &app] { return run(*o, app); };
 }
 
 }  // namespace viewproj::cmd

@@ -71,35 +71,24 @@ double readSeconds(const std::string& text) {
   return *seconds;
 }
 
-}  // namespace
-
-int runMeasure(int argc, char** argv) {
-  CLI::App app(
-      "Speed and error of every precision on your own points, beside the textbook way: the view-projection matrix in\n"
-      "double and in float, and rays by its inverse.\n"
-      "Example: viewproj measure -c camera.json points.csv",
-      "viewproj measure");
+struct Options {
   CameraOptions camera;
   StreamOptions stream;
   ToleranceOption tolerance;
   std::string seconds, format = "table";
-  camera.add(app);
-  stream.addInput(app, "points");
-  tolerance.add(app);
-  app.add_option("--seconds", seconds, "How long to time (default 1); seven rounds at least")->type_name("S");
-  app.add_option("--to", format, "Output: table (default), json, svg (error over cost)")->type_name("FORM");
-  parse(app, argc, argv);
+};
 
+int run(const Options& o) {
   static constexpr std::string_view kFormats[] = {"table", "json", "svg"};
-  if (std::find(std::begin(kFormats), std::end(kFormats), format) == std::end(kFormats))
-    failUnknown("--to", format, kFormats);
-  const double within = tolerance.value();
-  const double duration = readSeconds(seconds);
-  FilterSetup setup = stream.setup();
-  stream.requireOneInput(setup, camera);
-  const CameraFile file = camera.read();
+  if (std::find(std::begin(kFormats), std::end(kFormats), o.format) == std::end(kFormats))
+    failUnknown("--to", o.format, kFormats);
+  const double within = o.tolerance.value();
+  const double duration = readSeconds(o.seconds);
+  FilterSetup setup = o.stream.setup();
+  o.stream.requireOneInput(setup, o.camera);
+  const CameraFile file = o.camera.read();
   const Camera built = makeCamera(file);
-  const std::vector<std::string> columns = stream.columns(3, 4);
+  const std::vector<std::string> columns = o.stream.columns(3, 4);
   setup.csvDefaults = {"x", "y", "z", "w"};
   if (!columns.empty()) setup.csvDefaults = columns;
 
@@ -111,10 +100,27 @@ int runMeasure(int argc, char** argv) {
   const Measurement m = measure(built, sample.points, within, duration);
   const std::vector<std::string> notes = notesOn(m, sample.leftOut);
   for (const std::string& note : notes) complain("note: " + note);
-  writeOutput(format == "json"  ? measurementAsJson(m, sample.leftOut, notes)
-              : format == "svg" ? measurementAsSvg(m)
-                                : measurementAsTable(m));
+  writeOutput(o.format == "json"  ? measurementAsJson(m, sample.leftOut, notes)
+              : o.format == "svg" ? measurementAsSvg(m)
+                                  : measurementAsTable(m));
   return 0;
+}
+
+}  // namespace
+
+Action defineMeasure(CLI::App& app) {
+  const auto o = std::make_shared<Options>();
+  app.description(
+      "Speed and error of every precision on your own points, beside the textbook way: the view-projection matrix in "
+      "double and in float, and rays by its inverse.");
+  app.footer("viewproj measure -c samples/measuring-the-trade/camera.json samples/measuring-the-trade/points.txt");
+  o->camera.add(app);
+  o->stream.addInput(app, "points");
+  o->tolerance.add(app);
+  app.add_option("--seconds", o->seconds, "How long to time, seven rounds at least (default: 1)")->type_name("S");
+  app.add_option("--to", o->format, "Form of the output: table, json, svg: error over cost (default: table)")
+      ->type_name("FORM");
+  return [o] { return run(*o); };
 }
 
 }  // namespace viewproj::cmd

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 
+#include "commands/help.hpp"
 #include "input/camera_source.hpp"
 #include "input/convention_names.hpp"
 #include "input/error.hpp"
@@ -44,12 +45,24 @@ void failUnknown(const std::string& option, std::string_view name, std::span<con
   throw UsageError(option + ": '" + std::string(name) + "' is not known" + suggestion(name, known));
 }
 
+Heading::Heading(CLI::App& app, const std::string& name) : app_(app) { app.option_defaults()->group(name); }
+Heading::~Heading() { app_.option_defaults()->group(kOwnOptions); }
+
 CLI::Option* addRepeatable(CLI::App& app, const std::string& name, std::vector<std::string>& values,
                            const std::string& description) {
-  return app.add_option(name, values, description)
+  return app.add_option(name, values, description + "; repeatable")
       ->expected(1)
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void addModel(CLI::App& app, std::string& model, const std::string& what) {
+  app.add_option("--model", model,
+                 "Where the model of the " + what +
+                     " stands in the world: 4 rows of a matrix, or a glTF node's translation, rotation and scale; a "
+                     "file or the JSON itself (default: " +
+                     what + " in world coordinates)")
+      ->type_name("FILE");
 }
 
 std::vector<std::string> splitList(const std::string& text) {
@@ -63,22 +76,31 @@ std::vector<std::string> splitList(const std::string& text) {
 }
 
 void CameraOptions::add(CLI::App& app) {
+  const Heading heading(app, "Camera");
   app.add_option("-c,--camera", camera_,
-                 "Camera file, or the JSON itself; glTF, transforms.json, three.js, calibration or matrices too")
+                 "Camera file, or the JSON itself; also glTF, transforms.json, three.js, an OpenCV calibration or "
+                 "matrices. #NAME picks one of several cameras")
       ->type_name("FILE[#NAME]");
   app.add_flag("--list", list_, "Name the cameras that the camera file holds, and do nothing else");
-  app.add_option("--viewport", viewport_, "Viewport size, in place of the file's")->type_name("WxH");
-  addRepeatable(app, "--set", set_, "Set a field of the camera, as in projection.fovY=75")->type_name("FIELD=VALUE");
-  app.add_option("--read-as", readAs_, "Read the camera in this convention, in place of the file's")->type_name("NAME");
+  app.add_option("--viewport", viewport_, "Viewport size in pixels, as in 1920x1080 (default: the file's)")
+      ->type_name("WxH");
+  addRepeatable(app, "--set", set_, "Set a field of the camera file, as in projection.fovY=75")
+      ->type_name("FIELD=VALUE");
+  app.add_option("--read-as", readAs_, "Read the camera in this convention (default: the file's, or opengl)")
+      ->type_name("NAME");
   app.add_flag("--allow-stretch", allowStretch_, "Let the camera's shape differ from the viewport's");
   app.add_flag("--ignore-distortion", ignoreDistortion_, "Take a lens that distorts as one that does not");
 }
 
 void CameraOptions::addWriting(CLI::App& app) {
-  app.add_option("--convention", convention_, "Write in this convention: opengl, d3d, vulkan, ...")->type_name("NAME");
-  app.add_flag("--reverse-z,!--no-reverse-z", reverseZ_, "Write with near and far exchanged in depth");
-  app.add_option("--ndc-z", ndcZ_, "Write this range of NDC z: -1..1 or 0..1")->type_name("RANGE");
-  reverseZGiven_ = app.get_option("--reverse-z");
+  const Heading heading(app, "Convention written");
+  app.add_option("--convention", convention_,
+                 "Write in this convention, in place of the one that was read: " + joined(presetNames()))
+      ->type_name("NAME");
+  reverseZGiven_ = app.add_flag("--reverse-z,!--no-reverse-z", reverseZ_,
+                                "Write depth with near and far exchanged, or not (default: as the convention has it)");
+  app.add_option("--ndc-z", ndcZ_, "Write this range of NDC z: -1..1 or 0..1 (default: the convention's)")
+      ->type_name("RANGE");
 }
 
 CameraFile CameraOptions::read(const std::string& source) const {
@@ -121,20 +143,25 @@ Convention CameraOptions::writing(const CameraFile& file) const {
 }
 
 void StreamOptions::addInput(CLI::App& app, const std::string& what) {
+  const Heading heading(app, "Input");
   app.add_option("FILE", file_, "The " + what + "; absent or - for standard input");
-  app.add_option("--from", from_, "Form of the input: json, csv, text, f64")->type_name("FORM");
-  app.add_option("--columns", columns_, "CSV columns that hold the coordinates, as in E,N,U")->type_name("NAMES");
+  app.add_option("--from", from_, "Form of FILE: json, csv, text, f64 (default: as its name and first bytes tell)")
+      ->type_name("FORM");
+  app.add_option("--columns", columns_, "CSV columns that hold the coordinates, as in E,N,U (default: by their names)")
+      ->type_name("NAMES");
 }
 
 void StreamOptions::add(CLI::App& app, const std::string& what) {
   addInput(app, what);
-  app.add_option("--to", to_, "Form of the output: ndjson, json, csv, text, f64, table")->type_name("FORM");
+  const Heading heading(app, "Output");
+  app.add_option("--to", to_, "Form of the output: ndjson, json, csv, text, f64, table (default: as the input)")
+      ->type_name("FORM");
   app.add_option("--prefix", prefix_, "Put this in front of the results' names")->type_name("P");
   app.add_flag("--keep-going", keepGoing_, "Put an error record in a bad record's place and go on");
-  app.add_option("--jobs", jobs_, "Threads to work with; the default is one a processor")->type_name("N");
+  app.add_option("--jobs", jobs_, "Threads to work with (default: one a processor)")->type_name("N");
   app.add_flag("--no-header", noHeader_, "CSV: write no header line");
   app.add_option("--first-line", firstLine_,
-                 "Number of the input's first line in messages, where it is a part of a file")
+                 "Number of the input's first line in messages, where it is a part of a file (default: 1)")
       ->type_name("N");
 }
 
@@ -177,7 +204,7 @@ void StreamOptions::requireOneInput(const FilterSetup& setup, const CameraOption
 }
 
 void ToleranceOption::add(CLI::App& app) {
-  app.add_option("--tolerance", text_, "Pixels that auto stays within, on screen x and y (default 1e-6)")
+  app.add_option("--tolerance", text_, "Pixels that auto stays within, on screen x and y (default: 1e-6)")
       ->type_name("PX");
 }
 
@@ -191,8 +218,8 @@ double ToleranceOption::value() const {
 
 void PrecisionOption::add(CLI::App& app) {
   app.add_option("--precision", name_,
-                 "Arithmetic: exact (the default), standard (double), fast (float32), or auto (the cheapest that will "
-                 "do)")
+                 "Arithmetic: exact, standard (double), fast (float32), or auto, the cheapest that will do (default: "
+                 "exact)")
       ->type_name("MODE");
 }
 
@@ -202,30 +229,6 @@ std::optional<Precision> PrecisionOption::value() const {
                                                                  {"fast", Precision::fast},
                                                                  {"auto", std::nullopt}};
   return choose("--precision", name_, kModes);
-}
-
-void parse(CLI::App& app, int argc, char** argv) {
-  app.get_formatter()->column_width(34);
-  // An option given again replaces what was given before, unless it collects.
-  for (CLI::Option* option : app.get_options())
-    if (option->get_multi_option_policy() == CLI::MultiOptionPolicy::Throw)
-      option->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp&) {
-    writeOutput(app.help());
-    throw HelpGiven{};
-  } catch (const CLI::ExtrasError&) {
-    const std::string extra = app.remaining().front();
-    std::vector<std::string> names;
-    for (const CLI::Option* option : app.get_options())
-      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-    const std::vector<std::string_view> known(names.begin(), names.end());
-    throw UsageError("'" + extra + "' was not expected" +
-                     (extra.starts_with('-') ? suggestion(extra.substr(0, extra.find('=')), known) : ""));
-  } catch (const CLI::ParseError& e) {
-    throw UsageError(e.what());
-  }
 }
 
 }  // namespace viewproj::cmd

@@ -12,9 +12,25 @@
 
 namespace viewproj::cmd {
 
+/// While it lives, options that are added stand under this heading in the help. The same heading has the same options
+/// in every command.
+class Heading {
+ public:
+  Heading(CLI::App& app, const std::string& name);
+  ~Heading();
+  Heading(const Heading&) = delete;
+  Heading& operator=(const Heading&) = delete;
+
+ private:
+  CLI::App& app_;
+};
+
 /// An option that may be given several times, one value each, and never takes the argument behind that value.
 CLI::Option* addRepeatable(CLI::App& app, const std::string& name, std::vector<std::string>& values,
                            const std::string& description);
+
+/// --model FILE, which readModel() reads. what: "points".
+void addModel(CLI::App& app, std::string& model, const std::string& what);
 
 /// The camera, how it is read, and the convention it is written in.
 class CameraOptions {
@@ -91,8 +107,5 @@ std::vector<std::string> splitList(const std::string& text);
 /// Throws UsageError for a name that is not known, with the nearest that is.
 [[noreturn]] void failUnknown(const std::string& option, std::string_view name,
                               std::span<const std::string_view> known);
-
-/// Parses the arguments of a command. Throws UsageError, or HelpGiven after writing the help.
-void parse(CLI::App& app, int argc, char** argv);
 
 }  // namespace viewproj::cmd

@@ -93,7 +93,8 @@ struct SegmentRow {
 /// Eight at a time, which compilers make vector instructions of: zero times a number is a number.
 bool areFinite(std::span<const Vec3> points) {
   constexpr std::size_t kStep = 8;
-  const double* const numbers = points.empty() ? nullptr : &points[0].x;
+  if (points.empty()) return true;
+  const double* const numbers = &points[0].x;
   const std::size_t count = 3 * points.size();
   std::array<double, kStep> zeros = {};
   std::size_t i = 0;
@@ -286,53 +287,60 @@ std::vector<GivenRecord> recordsOf(const std::vector<std::string>& points) {
   return records;
 }
 
-}  // namespace
-
-int runProject(int argc, char** argv) {
-  CLI::App app(
-      "World points to screen positions.\n"
-      "Example: echo '{\"id\":1,\"x\":0,\"y\":1,\"z\":2}' | viewproj project -c camera.json",
-      "viewproj project");
+struct Options {
   CameraOptions camera;
   StreamOptions stream;
   PrecisionOption precision;
   ToleranceOption tolerance;
   std::vector<std::string> points;
-  std::string fieldList, model;
-  camera.add(app);
-  camera.addWriting(app);
-  stream.add(app, "points");
-  precision.add(app);
-  tolerance.add(app);
-  addRepeatable(app, "--point", points, "A point, in place of a file")->type_name("X,Y,Z[,W]");
-  app.add_option("--fields", fieldList,
-                 "Results to give: screen,depth,viewDistance,visible,outside,ndc,clip,view,bound")
-      ->type_name("NAMES");
-  app.add_option("--model", model, "Where the points' model stands: a matrix, or translation, rotation and scale")
-      ->type_name("FILE");
-  parse(app, argc, argv);
+  std::string fields, model;
+};
 
-  FilterSetup setup = stream.setup();
-  setup.given = recordsOf(points);
-  stream.requireOneInput(setup, camera);
-  const CameraFile file = camera.read();
+int run(const Options& o) {
+  FilterSetup setup = o.stream.setup();
+  setup.given = recordsOf(o.points);
+  o.stream.requireOneInput(setup, o.camera);
+  const CameraFile file = o.camera.read();
   Projecting how{.camera = makeCamera(file),
-                 .writing = camera.writing(file),
-                 .arithmetic = precision.value(),
-                 .tolerance = tolerance.value(),
-                 .columns = stream.columns(3, 4),
+                 .writing = o.camera.writing(file),
+                 .arithmetic = o.precision.value(),
+                 .tolerance = o.tolerance.value(),
+                 .columns = o.stream.columns(3, 4),
                  .worldIsEcef = file.worldIsEcef,
-                 .fields = chooseFields(fieldList, false),
-                 .textFields = chooseFields(fieldList, true)};
+                 .fields = chooseFields(o.fields, false),
+                 .textFields = chooseFields(o.fields, true)};
   how.frustum = viewFrustum(how.camera);
-  if (!model.empty()) how.worldFromLocal = readModel(model);
-  if (how.arithmetic && tolerance.given()) throw UsageError("--tolerance is for --precision auto, which chooses by it");
+  if (!o.model.empty()) how.worldFromLocal = readModel(o.model);
+  if (how.arithmetic && o.tolerance.given())
+    throw UsageError("--tolerance is for --precision auto, which chooses by it");
   setup.csvDefaults = {"x", "y", "z", "w"};
   if (!how.columns.empty()) setup.csvDefaults = how.columns;
   setup.writer.arrayName = "position";
   const auto makeWork = [&] { return std::make_unique<ProjectWork>(how); };
   setup.writer.exampleResults = [&](ResultSink& sink) { makeWork()->nameResults({}, sink); };
   return runFilter(setup, makeWork);
+}
+
+}  // namespace
+
+Action defineProject(CLI::App& app) {
+  const auto o = std::make_shared<Options>();
+  app.description(
+      "World points to screen positions: every record of FILE comes out with its pixel, its depth and whether it is "
+      "visible.");
+  app.footer("viewproj project -c samples/cornell-box/camera.json samples/cornell-box/quads.csv");
+  o->camera.add(app);
+  o->camera.addWriting(app);
+  o->stream.add(app, "points");
+  o->precision.add(app);
+  o->tolerance.add(app);
+  addRepeatable(app, "--point", o->points, "A point, in place of FILE")->type_name("X,Y,Z[,W]");
+  app.add_option("--fields", o->fields,
+                 "Results to give: screen,depth,viewDistance,visible,outside,ndc,clip,view,bound (default: the first "
+                 "five; in text and f64 the first two)")
+      ->type_name("NAMES");
+  addModel(app, o->model, "points");
+  return [o] { return run(*o); };
 }
 
 }  // namespace viewproj::cmd

@@ -147,53 +147,36 @@ std::vector<GivenRecord> recordsOf(const std::vector<std::string>& pixels) {
   return records;
 }
 
-}  // namespace
-
-int runRay(int argc, char** argv) {
-  CLI::App app(
-      "Pixels to rays: origin and unit direction, and with a depth or viewDistance the point itself.\n"
-      "Example: viewproj ray -c camera.json --pixel 640,360",
-      "viewproj ray");
+struct Options {
   CameraOptions camera;
   StreamOptions stream;
   PrecisionOption precision;
   std::vector<std::string> pixels;
-  std::string from = "eye";
+  std::string from = "eye", scene;
   bool wantBound = false, allHits = false, clipped = false;
-  std::string scene;
-  camera.add(app);
-  stream.add(app, "pixels");
-  precision.add(app);
-  addRepeatable(app, "--pixel", pixels, "A pixel, in place of a file")->type_name("X,Y[,DEPTH]");
-  app.add_option("--ray-from", from, "Where rays begin: eye (the plane through it) or near (the near plane)")
-      ->type_name("PLACE");
-  app.add_flag("--bound", wantBound,
-               "Give each point's bound: how far it can be from the true one if its depth was rounded to double");
-  app.add_option("--scene", scene, "Scene to shoot at: the nearest hit of each ray")->type_name("FILE");
-  app.add_flag("--all-hits", allHits, "Every hit with the scene, nearest first");
-  app.add_flag("--clipped", clipped, "Only hits between near and far");
-  parse(app, argc, argv);
+};
 
-  if (scene.empty() && (allHits || clipped))
-    throw UsageError(std::string(allHits ? "--all-hits" : "--clipped") + " is for --scene, which is not given");
-  FilterSetup setup = stream.setup();
-  setup.given = recordsOf(pixels);
-  stream.requireOneInput(setup, camera);
-  if (from != "eye" && from != "near") {
+int run(const Options& o) {
+  if (o.scene.empty() && (o.allHits || o.clipped))
+    throw UsageError(std::string(o.allHits ? "--all-hits" : "--clipped") + " is for --scene, which is not given");
+  FilterSetup setup = o.stream.setup();
+  setup.given = recordsOf(o.pixels);
+  o.stream.requireOneInput(setup, o.camera);
+  if (o.from != "eye" && o.from != "near") {
     static constexpr std::string_view kPlaces[] = {"eye", "near"};
-    failUnknown("--ray-from", from, kPlaces);
+    failUnknown("--ray-from", o.from, kPlaces);
   }
   // Rays are within kRayDirectionBound in standard already: fast and auto need nothing else.
-  const bool exact = precision.value() == Precision::exact;
-  Casting how{.camera = makeCamera(camera.read()),
+  const bool exact = o.precision.value() == Precision::exact;
+  Casting how{.camera = makeCamera(o.camera.read()),
               .arithmetic = exact ? Precision::exact : Precision::standard,
-              .origin = from == "near" ? RayOrigin::nearPlane : RayOrigin::eye,
-              .wantBound = wantBound,
-              .columns = stream.columns(2, 2),
-              .allHits = allHits,
-              .clipped = clipped};
-  if (!scene.empty()) {
-    how.scene = readScene(scene);
+              .origin = o.from == "near" ? RayOrigin::nearPlane : RayOrigin::eye,
+              .wantBound = o.wantBound,
+              .columns = o.stream.columns(2, 2),
+              .allHits = o.allHits,
+              .clipped = o.clipped};
+  if (!o.scene.empty()) {
+    how.scene = readScene(o.scene);
     for (const SceneObject& object : *how.scene)
       how.sceneHasEllipsoid |= std::holds_alternative<Ellipsoid>(object.shape);
   }
@@ -205,6 +188,33 @@ int runRay(int argc, char** argv) {
   const auto makeWork = [&] { return std::make_unique<RayWork>(how); };
   setup.writer.exampleResults = [&](ResultSink& sink) { makeWork()->nameResults({}, sink); };
   return runFilter(setup, makeWork);
+}
+
+}  // namespace
+
+Action defineRay(CLI::App& app) {
+  const auto o = std::make_shared<Options>();
+  app.description(
+      "Pixels to rays: origin and unit direction, with a depth or viewDistance the point itself, and what of a scene "
+      "the ray hits.");
+  app.footer(
+      "viewproj ray -c samples/picking-a-pixel/camera.json --scene samples/picking-in-a-scene/scene.json \\\n"
+      "  --pixel 640,360 --to table");
+  o->camera.add(app);
+  o->stream.add(app, "pixels");
+  o->precision.add(app);
+  addRepeatable(app, "--pixel", o->pixels, "A pixel, with a window depth if known, in place of FILE")
+      ->type_name("X,Y[,DEPTH]");
+  app.add_option("--ray-from", o->from,
+                 "Where rays begin: eye (the plane through it) or near (the near plane) (default: eye)")
+      ->type_name("PLACE");
+  app.add_flag("--bound", o->wantBound,
+               "Give each point's bound: how far it can be from the true one if its depth was rounded to double");
+  app.add_option("--scene", o->scene, "Scene file, or the JSON itself, to shoot at: the nearest hit of each ray")
+      ->type_name("FILE");
+  app.add_flag("--all-hits", o->allHits, "Every hit with the scene, nearest first");
+  app.add_flag("--clipped", o->clipped, "Only hits between near and far");
+  return [o] { return run(*o); };
 }
 
 }  // namespace viewproj::cmd

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <unordered_map>
 
 #include "input/error.hpp"
 #include "input/importer.hpp"
@@ -28,20 +29,29 @@ std::vector<HeldCamera> listCanonical(const Document& document) {
   return {{root.has("name") && root.isString("name") ? *root.string("name") : "", "0", "", kind, "a camera file"}};
 }
 
+/// How many cameras have a name.
+using NameCounts = std::unordered_map<std::string_view, std::size_t>;
+
+NameCounts countNames(const std::vector<HeldCamera>& all) {
+  NameCounts counts;
+  for (const HeldCamera& camera : all) ++counts[camera.name];
+  return counts;
+}
+
 /// The shortest text behind # that picks the camera and no other, and that fits on a line.
-std::string pickOf(const HeldCamera& camera, const std::vector<HeldCamera>& all) {
-  const auto same = [&](const HeldCamera& other) { return other.name == camera.name; };
+std::string pickOf(const HeldCamera& camera, const NameCounts& counts) {
   const bool plain =
       std::all_of(camera.name.begin(), camera.name.end(), [](unsigned char c) { return c >= ' ' && c != 0x7f; });
-  const bool named = !camera.name.empty() && plain && std::count_if(all.begin(), all.end(), same) == 1;
+  const bool named = !camera.name.empty() && plain && counts.at(camera.name) == 1;
   return named ? camera.name : camera.number;
 }
 
 std::string someOf(const std::vector<HeldCamera>& all, const std::vector<HeldCamera>& shown) {
   constexpr std::size_t kMost = 8;
+  const NameCounts counts = countNames(all);
   std::string text;
   for (std::size_t i = 0; i < std::min(shown.size(), kMost); ++i)
-    text += (i == 0 ? "#" : ", #") + pickOf(shown[i], all);
+    text += (i == 0 ? "#" : ", #") + pickOf(shown[i], counts);
   return shown.size() <= kMost ? text : text + " and " + std::to_string(shown.size() - kMost) + " more";
 }
 
@@ -106,9 +116,10 @@ CameraFile readAnyCamera(const Document& document, const std::optional<std::stri
 std::string listCameras(const Document& document) {
   const Importer* importer = importerOf(document);
   const std::vector<HeldCamera> cameras = importer ? importer->list(document) : listCanonical(document);
+  const NameCounts counts = countNames(cameras);
   std::size_t pickWidth = 0, kindWidth = 0;
   for (const HeldCamera& camera : cameras) {
-    pickWidth = std::max(pickWidth, pickOf(camera, cameras).size());
+    pickWidth = std::max(pickWidth, pickOf(camera, counts).size());
     kindWidth = std::max(kindWidth, camera.kind.size());
   }
   const auto padded = [](std::string text, std::size_t width) {
@@ -117,7 +128,7 @@ std::string listCameras(const Document& document) {
   };
   std::string text;
   for (const HeldCamera& camera : cameras)
-    text += "#" + padded(pickOf(camera, cameras), pickWidth) + "  " + padded(camera.kind, kindWidth) + "  " +
+    text += "#" + padded(pickOf(camera, counts), pickWidth) + "  " + padded(camera.kind, kindWidth) + "  " +
             camera.note + "\n";
   return text;
 }

@@ -32,8 +32,8 @@ std::optional<StatedConvention> readConvention(const ObjectReader& file, const C
   }
   const ObjectReader fields = *file.object("convention");
   fields.allow({"preset", "world", "view", "ndcZ", "reverseZ", "ndcY", "vectors", "storage"});
-  StatedConvention stated{fallback, fields.string("preset").value_or("")};
-  if (!stated.preset.empty()) stated.convention = presetOrFail(fields, "preset", stated.preset);
+  StatedConvention stated{fallback, ""};
+  if (const auto preset = fields.string("preset")) stated = {presetOrFail(fields, "preset", *preset), *preset};
   stated.convention = readAxes(fields, stated.convention);
   return stated;
 }

@@ -52,6 +52,15 @@ std::optional<std::size_t> tooDeepAt(std::string_view text) {
   return std::nullopt;
 }
 
+bool isUtf8(const std::string& text) {
+  try {
+    (void)nlohmann::json(text).dump();
+    return true;
+  } catch (const nlohmann::json::type_error&) {
+    return false;
+  }
+}
+
 struct KeyGivenTwice {
   std::string key;
   std::size_t offset;
@@ -113,6 +122,7 @@ void Document::set(const std::string& assignment) {
   const std::string text = assignment.substr(equals + 1);
   nlohmann::json value = nlohmann::json::parse(text, nullptr, false);
   if (value.is_discarded()) value = text;
+  if (value.is_string() && !isUtf8(text)) throw UsageError("--set " + assignment + ": is not UTF-8");
 
   nlohmann::json* at = root_.get();
   const auto element = [&](const std::string& step) {

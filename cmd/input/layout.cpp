@@ -31,17 +31,21 @@ bool isAbsent(std::string_view value, Form form) {
 /// What a part is of its field's value.
 std::string_view innerValue(const RecordParts& record, const NumberField& part) {
   const std::string_view value = record.values[part.field];
-  if (part.inner.empty()) return value;
-  std::size_t index = 0;
-  if (value.starts_with('{') || value.starts_with('[')) {
+  if (part.inner.empty() && part.items == 0) return value;
+  std::size_t count = 0;
+  std::string_view found;
+  if (value.starts_with(part.items > 0 ? '[' : '{')) {
     JsonParts parts(value);
-    for (auto item = parts.next(); item; item = parts.next(), ++index)
-      if (value[0] == '{' ? unescaped(item->key) == part.inner : std::to_string(index) == part.inner)
-        return item->value;
+    for (auto item = parts.next(); item; item = parts.next(), ++count) {
+      if (part.items == 0 && unescaped(item->key) == part.inner) return item->value;
+      if (count == part.item) found = item->value;
+    }
   }
-  const bool isIndex = part.inner[0] >= '0' && part.inner[0] <= '9';
-  throw RecordError(record.offset(part.field), nameOf(record, part.field) + "has no " +
-                                                   (isIndex ? "item " + part.inner + ", counted from 0" : part.inner));
+  if (part.items > 0 && count == part.items) return found;
+  throw RecordError(record.offset(part.field),
+                    nameOf(record, part.field) +
+                        (part.items > 0 ? "expected an array of " + std::to_string(part.items) + " points [x, y, z]"
+                                        : "has no " + part.inner));
 }
 
 /// Returns how many there are.

@@ -16,7 +16,8 @@ struct NumberField {
   std::size_t fewest = 1, most = 1;  ///< numbers
   bool isArray = false;              ///< false: the field is the number itself
   bool mayBeAbsent = false;          ///< null, an empty CSV cell, NaN in text and f64: stands for no value
-  std::string inner = {};  ///< JSON: of the field's value, what this key or index holds; empty: the value itself
+  std::string inner = {};            ///< JSON: what this key of the field's object holds; empty: the value itself
+  std::size_t item = 0, items = 0;   ///< JSON: this item of the field's array of so many; 0: the value itself
 };
 
 /// Where records of one shape have their numbers.

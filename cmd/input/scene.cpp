@@ -48,6 +48,7 @@ Ellipsoid readEllipsoid(const ObjectReader& fields) {
 
 SceneObject readObject(const ObjectReader& fields, std::size_t index) {
   fields.allow({"id", "name", "plane", "sphere", "box", "triangle", "ellipsoid"});
+  (void)fields.string("name");
   SceneObject object;
   object.id = fields.label("id").value_or(std::to_string(index));
   int shapes = 0;
@@ -72,7 +73,8 @@ std::string_view faultOf(const Box& box) { return isValid(box) ? "" : "must not 
 std::vector<SceneObject> readScene(const std::string& source) {
   const Document document(source, "--scene");
   const ObjectReader scene(document, document.root(), {});
-  scene.allow({"objects", "name"});
+  scene.allow({"objects", "name", "$schema"});
+  for (const char* key : {"name", "$schema"}) (void)scene.string(key);
   if (!scene.has("objects"))
     scene.fail("has no objects; expected {\"objects\": [{\"id\": ..., \"sphere\": {...}}, ...]}");
   std::vector<SceneObject> objects;

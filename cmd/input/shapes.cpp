@@ -41,8 +41,11 @@ Layout findShape(const RecordParts& record, const std::vector<std::string>& colu
     if (const auto sphere = shape.find("sphere"))
       return {{part(*sphere, "center"), {*sphere, 1, 1, false, false, "radius"}}, kindSphere};
     if (const auto box = shape.find("box")) return {{part(*box, "min"), part(*box, "max")}, kindBox};
-    if (const auto triangle = shape.find("triangle"))
-      return {{part(*triangle, "0"), part(*triangle, "1"), part(*triangle, "2")}, kindTriangle};
+    if (const auto triangle = shape.find("triangle")) {
+      Layout layout{{}, kindTriangle};
+      for (std::size_t corner : {0u, 1u, 2u}) layout.parts.push_back({*triangle, 3, 3, true, false, {}, corner, 3});
+      return layout;
+    }
     for (const char* name : {"plane", "ellipsoid"})
       if (const auto field = shape.find(name))
         throw RecordError(record.offset(*field),

@@ -71,9 +71,9 @@ struct WriterSetup {
   std::string extraName;
   std::string prefix;  ///< in front of every result's name
   bool keepGoing = false;
-  bool keepArrays = false;                          ///< an array in the input is one in the output
-  bool header = true;                               ///< CSV: write one
-  bool table = false;  ///< CSV for an aligned table: results to nine digits, vectors in one cell
+  bool keepArrays = false;  ///< an array in the input is one in the output
+  bool header = true;       ///< CSV: write one
+  bool table = false;       ///< CSV for an aligned table: results to nine digits, vectors in one cell
   std::function<void(ResultSink&)> exampleResults;  ///< calls the sink as for a record, so that columns are known
 };
 

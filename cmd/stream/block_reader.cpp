@@ -65,7 +65,7 @@ BlockReader::BlockReader(std::unique_ptr<InputFile> file, std::size_t firstLine,
   position_.line = firstLine;
 }
 
-BlockReader::BlockReader(std::string bytes) : atEnd_(true) { carried_.assign(bytes); }
+BlockReader::BlockReader(const std::string& bytes) : atEnd_(true) { carried_.assign(bytes); }
 
 bool BlockReader::readMore(ByteBuffer& bytes, std::size_t most) {
   bytes.reserve(most);

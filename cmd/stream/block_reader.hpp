@@ -59,7 +59,7 @@ class BlockReader {
   /// wake: a descriptor that interrupts waiting for input. block: in place of kBlock.
   BlockReader(std::unique_ptr<InputFile> file, std::size_t firstLine, int wake, std::size_t block = kBlock);
   /// Of bytes given instead of a file.
-  explicit BlockReader(std::string bytes);
+  explicit BlockReader(const std::string& bytes);
 
   /// The first bytes of the input, enough to tell its form: to the end of the first line that is not blank; no more
   /// than a record of f64 where a bracket begins. However the input arrives, they are the same.

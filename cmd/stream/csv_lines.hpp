@@ -10,8 +10,9 @@ namespace viewproj::cmd {
 /// the offset of a quote that opens and does not close. Quotes count where a field begins with one.
 inline std::size_t endOfCsvRecord(std::string_view text, std::size_t from, std::size_t* unclosed = nullptr) {
   constexpr std::size_t npos = std::string_view::npos;
+  std::size_t line = std::min(text.find('\n', from), text.size());
   for (std::size_t field = from;;) {
-    const std::size_t line = std::min(text.find('\n', field), text.size());
+    if (line < field) line = std::min(text.find('\n', field), text.size());  // it stood in quotes
     const std::size_t quote = text.substr(0, line).find('"', field);
     if (quote == npos) return line;
     if (quote > from && text[quote - 1] != ',') {

@@ -25,19 +25,12 @@ bool readNumber(dom::element value, std::string_view record, double& number) {
 }
 
 /// What a part is of its field's value.
-bool readInner(dom::element& value, const std::string& inner) {
-  if (inner.empty()) return true;
+bool readInner(dom::element& value, const NumberField& part) {
   dom::object object;
-  if (value.get_object().get(object) == simdjson::SUCCESS) return !object.at_key(inner).get(value);
+  if (!part.inner.empty()) return !value.get_object().get(object) && !object.at_key(part.inner).get(value);
   dom::array array;
-  if (value.get_array().get(array)) return false;
-  std::size_t index = 0;
-  for (dom::element item : array)
-    if (std::to_string(index++) == inner) {
-      value = item;
-      return true;
-    }
-  return false;
+  if (part.items == 0) return true;
+  return !value.get_array().get(array) && array.size() == part.items && !array.at(part.item).get(value);
 }
 
 /// As readNumbers; false where it would throw.
@@ -46,7 +39,7 @@ bool readNumbers(const std::vector<dom::element>& values, const Layout& layout, 
   double* slot = numbers.data();
   for (const NumberField& part : layout.parts) {
     dom::element value = values[part.field];
-    if (!readInner(value, part.inner)) return false;
+    if (!readInner(value, part)) return false;
     std::size_t count = 0;
     if (part.mayBeAbsent && value.is_null()) {
       // no numbers
@@ -78,9 +71,9 @@ class JsonReader final : public RecordReader {
     elements_ = block.inArray;
     last_ = block.last;
     text_ = block.records;
-    // Where the last record is none, as [1,2 3], parse_many cuts it short and takes the byte behind the text, whatever it
-    // is, for what comes next.
-    if (!text_.empty()) block.bytes.data()[text_.data() - block.bytes.data() + text_.size()] = 0;
+    // Where the last record is none, as [1,2 3], parse_many cuts it short and takes the byte behind the text, whatever
+    // it is, for what comes next.
+    if (!text_.empty()) *(block.bytes.data() + (text_.data() - block.bytes.data()) + text_.size()) = 0;
     // Records one by one behind a rejected one: for a while, so that many of them do not cost a pass over the rest
     // each.
     std::size_t oneByOne = 32;

@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t npos = std::string_view::npos;
 constexpr std::string_view kSpace = " \t\r\n";
+constexpr std::string_view kPoints = "points";
 constexpr const char* kNoSeparator = "expected , or ] behind a record of an array";
 
 std::size_t skipSpace(std::string_view text, std::size_t at) {
@@ -42,12 +43,17 @@ struct DocumentStart {
 };
 
 DocumentStart documentStart(std::string_view text, std::size_t at) {
-  constexpr std::string_view kKey = "\"points\"";
+  constexpr std::size_t kLongest = kPoints.size() * std::string_view("\\u0070").size();
   at = skipSpace(text, at + 1);
-  const std::string_view key = text.substr(at, kKey.size());
-  if (!kKey.starts_with(key)) return {DocumentStart::no};
-  if (key.size() < kKey.size()) return {DocumentStart::undecided};
-  at = skipSpace(text, at + kKey.size());
+  if (at >= text.size()) return {DocumentStart::undecided};
+  if (text[at] != '"') return {DocumentStart::no};
+  const std::string_view rest = text.substr(at + 1, kLongest + 1);
+  std::size_t end = 0;
+  while (end < rest.size() && rest[end] != '"') end += rest[end] == '\\' ? 2 : 1;
+  if (end >= rest.size()) return {rest.size() > kLongest ? DocumentStart::no : DocumentStart::undecided};
+  const std::string_view key = rest.substr(0, end);
+  if (jsonFault("\"" + std::string(key) + "\"") || unescaped(key) != kPoints) return {DocumentStart::no};
+  at = skipSpace(text, at + end + 2);
   if (at >= text.size()) return {DocumentStart::undecided};
   if (text[at] != ':') return {DocumentStart::no};
   at = skipSpace(text, at + 1);
@@ -154,8 +160,15 @@ JsonPiece JsonSplitter::endOfArray(std::string_view rest, std::size_t at, bool a
     throw RecordError(std::min(border_, rest.size()), "the document is not closed; expected }");
   }
   constexpr std::string_view kBefore = "{\"points\":[";
-  if (const auto fault = jsonFault(std::string(kBefore) + std::string(rest.substr(at, end - at))))
-    throw RecordError(at + fault->offset - std::min(fault->offset, kBefore.size()), fault->message);
+  const std::string document = std::string(kBefore) + std::string(rest.substr(at, end - at));
+  const auto fail = [&](std::size_t offset, const std::string& message) {
+    throw RecordError(at + offset - std::min(offset, kBefore.size()), message);
+  };
+  if (const auto fault = jsonFault(document)) fail(fault->offset, fault->message);
+  JsonParts parts(document);
+  parts.next();
+  while (const auto part = parts.next())
+    if (unescaped(part->key) == kPoints) fail(part->offset, "has the field 'points' twice");
   place_ = Place::top;
   inDocument_ = false;
   return piece(JsonEvent::endArray, rest, at, end);

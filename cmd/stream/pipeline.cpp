@@ -82,7 +82,7 @@ class Pipeline {
   }
 
   /// Only the one whose turn it is can fail, or one that keeps all others from theirs.
-  void stop(std::exception_ptr error) {
+  void stop(const std::exception_ptr& error) {
     {
       const std::lock_guard lock(ordering_);
       if (!error_) error_ = error;

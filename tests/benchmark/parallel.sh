@@ -7,6 +7,7 @@
 # sets how many turns (5).
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)/streams
+# shellcheck source=tests/benchmark/streams/race.sh
 . "$here/race.sh"
 points=${2:-10000000}
 prepare "${1:-build/viewproj}" points timed

@@ -12,6 +12,7 @@
 # geographiclib-tools nodejs.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)/streams
+# shellcheck source=tests/benchmark/streams/race.sh
 . "$here/race.sh"
 points=${2:-1000000}
 prepare "${1:-build/viewproj}" points timed answer
@@ -106,5 +107,6 @@ if has cct; then $cct few.text | awk '{ print $1, $2, $3 }' | agree "cct affine"
 
 race
 echo
+# shellcheck disable=SC2046  # two numbers
 set -- $(./answer 200 '{"id":"p1","x":1.25,"y":-3.5,"z":10.75}' "$viewproj" project -c "$camera")
 echo "a record typed by hand is answered in $1 us (median of 200; the longest $2)"

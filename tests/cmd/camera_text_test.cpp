@@ -3,11 +3,11 @@
 
 #include <map>
 #include <nlohmann/json.hpp>
-#include <random>
 
 #include "catch.hpp"
 #include "input/convention_names.hpp"
 #include "input/error.hpp"
+#include "random.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;
@@ -16,28 +16,15 @@ using nlohmann::json;
 
 namespace {
 
-class Random {
- public:
-  explicit Random(std::uint64_t trial) : bits_(trial) {}
-  double uniform(double low, double high) {
-    return low + (high - low) * (static_cast<double>(bits_() >> 11) * 0x1p-53);
-  }
-  double logUniform(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
-  bool oneIn(unsigned n) { return bits_() % n == 0; }
-  std::size_t below(std::size_t n) { return bits_() % n; }
-  /// Either sign, or a whole number now and then.
-  double number(double low, double high) {
-    const double size = logUniform(low, high);
-    const double x = oneIn(4) ? std::round(size) : size;
-    return oneIn(2) ? x : -x;
-  }
-
- private:
-  std::mt19937_64 bits_;
-};
+/// Either sign, or a whole number now and then.
+double number(Random& random, double low, double high) {
+  const double size = random.logUniform(low, high);
+  const double x = random.oneIn(4) ? std::round(size) : size;
+  return random.oneIn(2) ? x : -x;
+}
 
 json vector(Random& random, double low, double high) {
-  return {random.number(low, high), random.number(low, high), random.number(low, high)};
+  return {number(random, low, high), number(random, low, high), number(random, low, high)};
 }
 
 /// Angles and offsets for which doubles suffice, or any.
@@ -60,7 +47,7 @@ json randomProjection(Random& random, const std::string& type, double width, dou
       random.oneIn(2) ? random.logUniform(extent.narrowest, 90) : 180 - random.logUniform(180 - extent.widest, 90);
   const double half = std::tan(fov * 0.008726646259971648);
   // Where the window's middle lies, in windows.
-  const double middle = random.oneIn(2) ? 0 : random.number(1e-3, extent.farthestOffset);
+  const double middle = random.oneIn(2) ? 0 : number(random, 1e-3, extent.farthestOffset);
   if (type == "perspective") {
     const auto way = random.below(5);
     const char* const names[] = {"fovY", "fovX", "fovDiagonal", "nearWidth", "focalLength"};
@@ -82,8 +69,8 @@ json randomProjection(Random& random, const std::string& type, double width, dou
     p["top"] = k * height / width;
   } else {
     const double fx = width / 2 / half;
-    p["cx"] = random.number(1, 4096);
-    p["cy"] = random.number(1, 4096);
+    p["cx"] = number(random, 1, 4096);
+    p["cy"] = number(random, 1, 4096);
     if (type == "intrinsics") {
       p["fx"] = fx;
       p["fy"] = fx * random.uniform(0.5, 2);
@@ -98,7 +85,7 @@ json randomProjection(Random& random, const std::string& type, double width, dou
     }
   }
   if (random.oneIn(3)) {
-    p["shift"] = {random.number(1e-6, 2), random.oneIn(3) ? 0 : random.number(1e-6, 2)};
+    p["shift"] = {number(random, 1e-6, 2), random.oneIn(3) ? 0 : number(random, 1e-6, 2)};
     ++tally["shift"];
   }
   return p;
@@ -161,9 +148,9 @@ json randomCamera(Random& random, const Extent& extent, std::map<std::string, in
   camera["projection"] = randomProjection(random, type, width, height, extent, tally);
   json& v = camera["viewport"] = {{"width", width}, {"height", height}};
   if (type != "ps2" && random.oneIn(3)) {
-    v["x"] = random.number(1, 1000);
-    v["y"] = random.number(1, 1000);
-    v["depthRange"] = {random.number(1e-3, 1e3), random.number(1e-3, 1e3)};
+    v["x"] = number(random, 1, 1000);
+    v["y"] = number(random, 1, 1000);
+    v["depthRange"] = {number(random, 1e-3, 1e3), number(random, 1e-3, 1e3)};
     ++tally["x, y and depthRange"];
   }
   if (random.oneIn(3)) {

@@ -1,6 +1,5 @@
 // Pictures of random scenes, taken apart: every mark lies where `project` says, by the picture's own frame.
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -9,22 +8,11 @@
 #include <sstream>
 
 #include "catch.hpp"
+#include "tool.hpp"
 
 namespace {
 
 using nlohmann::json;
-
-std::string run(const std::string& arguments) {
-  const std::string command = std::string(VIEWPROJ_TOOL) + " " + arguments;
-  INFO(command);
-  FILE* pipe = popen(command.c_str(), "r");
-  REQUIRE(pipe);
-  std::string text;
-  char buffer[4096];
-  for (std::size_t got; (got = fread(buffer, 1, sizeof buffer, pipe)) > 0;) text.append(buffer, got);
-  REQUIRE(pclose(pipe) == 0);
-  return text;
-}
 
 struct Point {
   double x = 0, y = 0;
@@ -168,10 +156,11 @@ class Trial {
     std::ofstream out(points);
     for (const json& record : records_) out << record << "\n";
     out.close();
-    const Drawn drawn = readPicture(run("draw -c " + camera + " " + points));
+    const Drawn drawn = readPicture(tool::printed("draw -c " + camera + " " + points));
     CHECK(drawn.width / drawn.height ==
           Approx(viewport_["width"].get<double>() / viewport_["height"].get<double>()).epsilon(3e-5));
-    std::istringstream results(run("project --fields screen,visible,outside,view -c " + camera + " " + points));
+    std::istringstream results(
+        tool::printed("project --fields screen,visible,outside,view -c " + camera + " " + points));
     std::size_t count = 0;
     for (std::string line; std::getline(results, line); ++count) checkRecord(json::parse(line), drawn, tally);
     CHECK(count == records_.size());
@@ -316,7 +305,7 @@ TEST_CASE("the outline of a sphere is where the rays of its pixels touch it, bet
         << "\"cx\":400,\"cy\":300,\"fx\":" << focal << ",\"fy\":" << focal << ",\"near\":1e-6}}";
     scene << R"({"objects":[{"id":"ball","sphere":{"center":[)" << x << "," << y << "," << z
           << "],\"radius\":" << radius << "}}]}";
-    const Drawn drawn = readPicture(run("draw -c '" + camera.str() + "' --scene '" + scene.str() + "'"));
+    const Drawn drawn = readPicture(tool::printed("draw -c '" + camera.str() + "' --scene '" + scene.str() + "'"));
     const Element* ball = drawn.find("ball");
     if (!ball) continue;
     ++outlines;

@@ -1,36 +1,18 @@
 // Every line of an explanation, recomputed from the lines above it as printed.
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "catch.hpp"
+#include "tool.hpp"
 
 namespace {
 
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-std::string quoted(const std::string& argument) {
-  std::string out = "'";
-  for (char c : argument) out += c == '\'' ? "'\\''" : std::string(1, c);
-  return out + "'";
-}
-
-/// The output of the tool, which must succeed.
-json run(const std::vector<std::string>& arguments) {
-  std::string command = quoted(VIEWPROJ_TOOL);
-  for (const std::string& argument : arguments) command += " " + quoted(argument);
-  INFO(command);
-  FILE* pipe = popen(command.c_str(), "r");
-  REQUIRE(pipe);
-  std::string text;
-  char buffer[4096];
-  for (std::size_t got; (got = fread(buffer, 1, sizeof buffer, pipe)) > 0;) text.append(buffer, got);
-  REQUIRE(pclose(pipe) == 0);
-  return json::parse(text);
-}
+json run(const std::vector<std::string>& arguments) { return json::parse(tool::printed(arguments)); }
 
 std::vector<std::string> joined(std::vector<std::string> a, const std::vector<std::string>& b) {
   a.insert(a.end(), b.begin(), b.end());

@@ -22,9 +22,9 @@ for projection in \
           # A view alone in a flat array may as well be its inverse.
           case $which-$form in *,*-flat | projection-[!f]* | viewProjection-[!f]*) continue ;; esac
           number=$((number + 1))
-          write="--convention $convention $reverse --to $form"
-          viewproj matrix -c "{$view,\"projection\":$projection}" --which "$which" $write >"$work/written"
-          viewproj inspect --world right --read-as $convention $write <"$work/written" >"$work/again" || {
+          set -- --convention "$convention" "$reverse" --to "$form"
+          viewproj matrix -c "{$view,\"projection\":$projection}" --which "$which" "$@" >"$work/written"
+          viewproj inspect --world right --read-as "$convention" "$@" <"$work/written" >"$work/again" || {
             echo "$convention $reverse $form $projection: not read"
             exit 1
           }

@@ -1,6 +1,6 @@
 #!/bin/sh
-# The README's table of `measure`: what of it does not depend on the machine must be what the command prints.
-#   sh measured.sh VIEWPROJ README.md SAMPLE_DIR
+# The table of `measure` on the page of accuracy: what of it does not depend on the machine must be what the command prints.
+#   sh measured.sh VIEWPROJ ACCURACY.md SAMPLE_DIR
 set -eu
 # Rows of numbers without the three of time: mode, errors, bound, counts.
 untimed() { sed -nE 's/^((fast|standard|exact|auto \([a-z]+\)|(inverse )?matrix( double| float)?)) +[0-9.]+ +[0-9.]+ +[0-9.]+ [kMG]? +/\1 /p' | tr -s ' '; }
@@ -8,6 +8,6 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 awk '/^```text$/ { inside = 1; next } /^```$/ { inside = 0 } inside' "$2" | untimed >"$work/shown"
 "$1" measure -c "$3/camera.json" "$3/points.txt" --seconds 0.1 | untimed >"$work/printed"
-[ "$(wc -l <"$work/shown")" = 8 ] || { echo "the README shows $(wc -l <"$work/shown") rows, not 8"; exit 1; }
+[ "$(wc -l <"$work/shown")" = 8 ] || { echo "the page shows $(wc -l <"$work/shown") rows, not 8"; exit 1; }
 diff -u "$work/shown" "$work/printed"
-echo "the errors and bounds of the README's table are those measured"
+echo "the errors and bounds of the page's table are those measured"

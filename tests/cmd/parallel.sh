@@ -1,14 +1,14 @@
 #!/bin/sh
-# The README's recipes for GNU parallel, run as it states them: each must give what one run of viewproj gives, byte for
+# The recipes for GNU parallel, run as the page of commands states them: each must give what one run of viewproj gives, byte for
 # byte, and those with --first-line the same place of what is wrong.
-#   sh parallel.sh VIEWPROJ README.md
+#   sh parallel.sh VIEWPROJ cmd/README.md
 # Recipes are the paragraphs of the sh blocks that call parallel. Hosts are this one: a stand-in takes the place of ssh.
 set -eu
 command -v parallel >/dev/null || { echo "no parallel here: not checked"; exit 0; }
 PATH="$(cd "$(dirname "$1")" && pwd):$PATH"
 LC_ALL=C
 export PATH LC_ALL
-readme=$(cd "$(dirname "$2")" && pwd)/$(basename "$2")
+page=$(cd "$(dirname "$2")" && pwd)/$(basename "$2")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' HUP INT TERM
@@ -58,7 +58,7 @@ awk '
     text = ""
     next
   }
-  inside { text = text $0 "\n" }' "$readme"
+  inside { text = text $0 "\n" }' "$page"
 
 failed=0
 complain() {
@@ -94,7 +94,7 @@ sed -i '1050000s/,/,x/' points.csv
 { head -c 25000008 points.f64; printf '\0\0\0\0\0\0\370\177'; tail -c +25000017 points.f64; } >bad && mv bad points.f64
 for recipe in recipes/*; do
   try 1
-  ! viewproj project -c camera.json "points.$form" >plain 2>plainly
+  if viewproj project -c camera.json "points.$form" >plain 2>plainly; then complain 'one run takes it'; fi
   [ "$(lineOf plainly)" ] || complain 'nothing is wrong with the input'
   if grep -q first-line "$recipe"; then
     [ "$(lineOf message)" = "$(lineOf plainly)" ] || complain "says $(lineOf message), not $(lineOf plainly)"
@@ -102,6 +102,9 @@ for recipe in recipes/*; do
   fi
   head -c "$(wc -c <plain)" "out.$form" | cmp plain - || complain 'what came before is not the same'
 done
-[ $count -ge 5 ] && [ $placed -ge 2 ] || { echo "the README has $count recipes, $placed with --first-line"; exit 1; }
+if [ $count -lt 5 ] || [ $placed -lt 2 ]; then
+  echo "the page has $count recipes, $placed with --first-line"
+  exit 1
+fi
 [ $failed = 0 ]
 echo "$count recipes give what one run gives, $placed name the same place"

@@ -12,7 +12,7 @@ missing() {
 }
 
 if [ "${2-three}" = three ]; then
-  command -v node >/dev/null 2>&1 && command -v npm >/dev/null 2>&1 || missing "node and npm are not installed"
+  for tool in node npm; do command -v $tool >/dev/null 2>&1 || missing "$tool is not installed"; done
   scratch=$(mktemp -d)
   trap 'rm -rf "$scratch"' EXIT
   (cd "$scratch" && npm install --silent --no-save three@0.187.0 >/dev/null 2>&1) ||

@@ -1,7 +1,6 @@
 // Cameras in other programs' files put points where those programs put them. What they say is in fixtures, written by
 // judge.sh; VIEWPROJ_FIXTURES in the environment names other ones, fresh from the judges.
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -9,30 +8,13 @@
 #include <nlohmann/json.hpp>
 
 #include "catch.hpp"
+#include "tool.hpp"
 
 namespace {
 
 using nlohmann::json;
 
-std::string quoted(const std::string& argument) {
-  std::string out = "'";
-  for (char c : argument) out += c == '\'' ? "'\\''" : std::string(1, c);
-  return out + "'";
-}
-
-/// The output of the tool, which must succeed.
-json run(const std::vector<std::string>& arguments) {
-  std::string command = quoted(VIEWPROJ_TOOL);
-  for (const std::string& argument : arguments) command += " " + quoted(argument);
-  INFO(command);
-  FILE* pipe = popen(command.c_str(), "r");
-  REQUIRE(pipe);
-  std::string text;
-  char buffer[4096];
-  for (std::size_t got; (got = fread(buffer, 1, sizeof buffer, pipe)) > 0;) text.append(buffer, got);
-  REQUIRE(pclose(pipe) == 0);
-  return json::parse(text);
-}
+json run(const std::vector<std::string>& arguments) { return json::parse(tool::printed(arguments)); }
 
 /// Files of this test alone.
 class Scratch {

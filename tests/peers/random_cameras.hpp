@@ -2,36 +2,13 @@
 #pragma once
 
 #include <cmath>
-#include <cstdint>
-#include <random>
 #include <vector>
 
 #include "measure.hpp"
+#include "random.hpp"
 #include "viewproj/viewproj.hpp"
 
 namespace peers {
-
-/// The trial's index is the seed. The generator's bits are the standard's; the numbers are drawn from them here,
-/// because the standard's distributions differ from library to library.
-class Random {
- public:
-  explicit Random(std::uint64_t trial) : bits_(trial) {}
-
-  double uniform(double low, double high) {
-    return low + (high - low) * (static_cast<double>(bits_() >> 11) * 0x1p-53);
-  }
-  double logUniform(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
-  bool coin() { return (bits_() >> 63) != 0; }
-
-  viewproj::Vec3 direction(double length = 1) {
-    const double z = uniform(-1, 1), angle = uniform(0, 6.283185307179586);
-    const double r = std::sqrt(1 - z * z);
-    return {length * r * std::cos(angle), length * r * std::sin(angle), length * z};
-  }
-
- private:
-  std::mt19937_64 bits_;
-};
 
 /// What lookAt takes. upSine: of the angle between up and the viewing direction, at least 0.1.
 struct View {

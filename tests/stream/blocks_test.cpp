@@ -122,7 +122,7 @@ TEST_CASE("the arrangement of JSON records does not matter to what is made of th
     for (const std::string& input :
          {joined("", " ", ""), joined("", "", ""), joined("", "\r\n\n", ""), joined("{\"points\":[", ",\n", "]}"),
           joined("{ \"points\" :\n[\n", ",", "], \"n\": [{}]}"), joined("[", ",", "]"), joined("[\n", "\n,\n", "\n]\n"),
-          joined("[", "][", "]"), joined("[", "] \n[", "]")}) {
+          joined("[", "][", "]"), joined("[", "] \n[", "]"), joined("{ \"p\\u006Fint\\u0073\":[", ",", "] }")}) {
       const StreamRun found =
           runStream(input, {.from = Form::json, .to = OutputForm::lines, .jobs = 2, .block = 1 + random.below(300)});
       INFO("trial " << trial << ", input " << shown(input));

@@ -212,7 +212,7 @@ TEST_CASE("what is no number in f64 is named by record and byte, and NaN stands 
         "viewproj: <stdin>:6:1: has 7 bytes; expected three doubles, 24 bytes\n");
   const std::vector<double> numbers = numbersOf(all.out);
   REQUIRE(numbers.size() == 24);
-  for (const std::size_t bad : {1, 3, 5})
+  for (const std::size_t bad : {1u, 3u, 5u})
     for (std::size_t i = 4 * bad; i < 4 * bad + 4; ++i) CHECK(std::isnan(numbers[i]));
   CHECK(numbers[8] == 15);
   CHECK(numbers[16] == 24);
@@ -241,13 +241,13 @@ TEST_CASE("a value in an array that is no record is passed over") {
 
 TEST_CASE("documents and arrays among records keep what is around their records") {
   const std::string input =
-      "[1,2,3]\n{\"points\" : [\n[4,5,6]],\"unit\":\"m\"}\n[]\n[[7,8,9]]{\"points\":[]}\n[1,1,1]\n";
+      "[1,2,3]\n{\"points\" : [\n[4,5,6]],\"unit\":\"m\"}\n[]\n[[7,8,9]]{\"p\\u006fints\":[]}\n[1,1,1]\n";
   for (const std::size_t block : {BlockReader::kBlock, std::size_t{1}, std::size_t{40}}) {
     const StreamRun run = runStream(input, {.from = Form::json, .block = block});
     CHECK(run.out ==
           "{\"position\":[1,2,3],\"sum\":6,\"twice\":[2,4,6]}\n{\"points\" : [\n"
           "{\"position\":[4,5,6],\"sum\":15,\"twice\":[8,10,12]}\n],\"unit\":\"m\"}\n[]\n[\n"
-          "{\"position\":[7,8,9],\"sum\":24,\"twice\":[14,16,18]}\n]\n{\"points\":[]}\n"
+          "{\"position\":[7,8,9],\"sum\":24,\"twice\":[14,16,18]}\n]\n{\"p\\u006fints\":[]}\n"
           "{\"position\":[1,1,1],\"sum\":3,\"twice\":[2,2,2]}\n");
   }
 }

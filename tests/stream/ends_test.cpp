@@ -18,7 +18,14 @@ using namespace viewproj::tests;
 
 namespace {
 
-#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
+#if defined(__has_feature)
+#define WATCHED (__has_feature(address_sanitizer) || __has_feature(thread_sanitizer))
+#elif defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
+#define WATCHED 1
+#else
+#define WATCHED 0
+#endif
+#if WATCHED
 constexpr std::size_t kMostMemory = std::size_t{1} << 30;
 #else
 constexpr std::size_t kMostMemory = std::size_t{16} << 20;
@@ -123,7 +130,7 @@ TEST_CASE("a full device is an error in every form") {
 TEST_CASE("a full disk keeps whole records") {
   const TemporaryFile file(times(kRecord, 20000));
   for (const Arguments& to : kOutputs)
-    for (const std::size_t size : {1000, 1001, 1013, 1024, 400001}) {
+    for (const std::size_t size : {1000u, 1001u, 1013u, 1024u, 400001u}) {
       INFO(to[1] << ", " << size);
       Descriptor out(::memfd_create("out", MFD_CLOEXEC));
       Pipe err;

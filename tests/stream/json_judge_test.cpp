@@ -124,10 +124,10 @@ bool namesDiffer(const std::string& text) {
   bool differ = true;
   std::vector<std::vector<std::string>> open;
   const auto look = [&](int, nlohmann::json::parse_event_t event, nlohmann::json& parsed) {
-    using enum nlohmann::json::parse_event_t;
-    if (event == object_start || event == array_start) open.emplace_back();
-    if (event == object_end || event == array_end) open.pop_back();
-    if (event == key && open.size() == 1) {
+    using Event = nlohmann::json::parse_event_t;
+    if (event == Event::object_start || event == Event::array_start) open.emplace_back();
+    if (event == Event::object_end || event == Event::array_end) open.pop_back();
+    if (event == Event::key && open.size() == 1) {
       const auto name = parsed.get<std::string>();
       differ = differ && std::find(open[0].begin(), open[0].end(), name) == open[0].end();
       open[0].push_back(name);

@@ -7,8 +7,9 @@
 
 using namespace viewproj;
 
-TEST_CASE("The README's table of presets is the library's") {
-  std::ifstream file(VIEWPROJ_README);
+TEST_CASE("The page of conventions has the library's table of presets, and a picture of each") {
+  const std::string folder = VIEWPROJ_CONVENTIONS;
+  std::ifstream file(folder + "/README.md");
   std::stringstream text;
   text << file.rdbuf();
   for (const ConventionPreset& preset : conventionPresets()) {
@@ -22,6 +23,9 @@ TEST_CASE("The README's table of presets is the library's") {
         << (c.storage == Storage::columnMajor ? "column-major" : "row-major") << " |";
     INFO(row.str());
     CHECK(text.str().find(row.str()) != std::string::npos);
+    const std::string picture = std::string(preset.name) + ".svg";
+    CHECK(text.str().find("](" + picture + ")") != std::string::npos);
+    CHECK(std::ifstream(folder + "/" + picture).good());
   }
 }
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <random>
 #include <string>
 #include <vector>
 
 #include "catch.hpp"
+#include "random.hpp"
 #include "viewproj/numbers/ulp.hpp"
 #include "viewproj/viewproj.hpp"
 
@@ -89,20 +89,6 @@ void checkParameters(const Reading& r, const Pose& pose, const Projection& p, co
 
 /// How often a test has met each case.
 using Tally = std::map<std::string, int>;
-
-/// The trial's index is the seed.
-class Random {
- public:
-  explicit Random(std::uint64_t trial) : bits_(trial) {}
-  double uniform(double low, double high) {
-    return low + (high - low) * (static_cast<double>(bits_() >> 11) * 0x1p-53);
-  }
-  double logUniform(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
-  bool coin() { return (bits_() >> 63) != 0; }
-
- private:
-  std::mt19937_64 bits_;
-};
 
 /// Written again in its own convention: near and far are rounded once, so that entries may be an ulp off.
 void checkRoundTrip(const Reading& r, const Mat4& m, const Convention& c) {

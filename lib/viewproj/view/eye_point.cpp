@@ -39,7 +39,7 @@ template <std::size_t Terms>
 DoubleDouble distanceAlong(const std::array<Expansion<Terms>, 3>& row, const ExactDifference& d, double w,
                            double translation, DoubleDouble scale) noexcept {
   // Two terms for each product of a row's term with one of d's.
-  Expansion<3 * 2 * Terms * 3 + 2> sum;
+  Expansion<Terms * 3 * 2 * 3 + 2> sum;
   for (std::size_t i = 0; i < 3; ++i) sum.addProduct(row[i], d[i]);
   if (translation != 0) sum.addProduct(translation, w);
   return sum.rounded() * scale;

@@ -20,7 +20,8 @@ int main(int argc, char** argv) {
   if (form == "csv") std::puts("id,x,y,z");
   for (long i = 1; i <= count; ++i) {
     const long x = thousandths(), y = thousandths(), z = thousandths();
-    const double point[] = {static_cast<double>(x) / 1000, static_cast<double>(y) / 1000, static_cast<double>(z) / 1000};
+    const double point[] = {static_cast<double>(x) / 1000, static_cast<double>(y) / 1000,
+                            static_cast<double>(z) / 1000};
     if (form == "ndjson")
       std::printf("{\"id\":\"p%ld\",\"x\":%.6g,\"y\":%.6g,\"z\":%.6g}\n", i, point[0], point[1], point[2]);
     else if (form == "csv")

@@ -1,4 +1,5 @@
-# Programs that take turns, to be sourced: prepare, add, race.
+# Programs that take turns, to be sourced: prepare, add, race. The sourcing script says where `here` is: this folder.
+# shellcheck shell=sh disable=SC2154
 
 # prepare VIEWPROJ TOOL...: a working directory with these tools of this folder, compiled; the absolute path of VIEWPROJ in
 # $viewproj.
@@ -12,7 +13,7 @@ prepare() {
   out=$(mktemp -d "$([ -w /dev/shm ] && echo /dev/shm || echo "${TMPDIR:-/tmp}")/viewproj-XXXXXX")
   trap 'rm -rf "$work" "$out"' EXIT
   trap 'exit 1' HUP INT TERM
-  cd "$work"
+  cd "$work" || exit 1
   for tool in "$@"; do "${CXX:-c++}" -std=c++17 -O2 -o "$tool" "$here/$tool.cpp"; done
   : >contenders
 }
@@ -29,7 +30,7 @@ race() {
     while IFS='|' read -r group name count command; do
       ${BEFORE:-:} </dev/null
       echo "$group|$name|$count|$(./timed "$command" </dev/null)"
-    done <contenders >>times
+    done <contenders >>took
     round=$((round + 1))
   done
   echo
@@ -66,5 +67,5 @@ race() {
         printf "%-36s %9d %9.1f %9.1f %9.1f %7.2f %7.2f %7.1f\n", part[2], points[row], median, list[1], list2[1],
                median / base, list2[1] / base2, peak[row] / 1024
       }
-    }' times
+    }' took
 }

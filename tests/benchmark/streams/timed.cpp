@@ -24,6 +24,8 @@ int main(int argc, char** argv) {
   if (child < 0 || ::wait4(child, &status, 0, &used) != child) return std::perror("timed"), 1;
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   if (status != 0) return std::fprintf(stderr, "timed: failed: %s\n", argv[1]), 1;
-  const auto inSeconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
+  const auto inSeconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
   std::printf("%.6f %.6f %ld\n", seconds.count(), inSeconds(used.ru_utime) + inSeconds(used.ru_stime), used.ru_maxrss);
 }

@@ -1,0 +1,93 @@
+#!/bin/sh
+# Builds the fuzz targets (tests/fuzz) with clang++ into build-fuzz/ and runs them, two minutes in all.
+#   sh tests/checks/fuzz.sh [BUILD FOLDER]
+# FUZZ_SECONDS=N      so long in all
+# FUZZ_EXECUTIONS=N   so many executions in all instead, however long they take
+# FUZZ_TARGETS="A B"  only these targets
+# FUZZ_SEED=N         other inputs (the default is 1)
+# The seeds are what the golden cases and samples read, and tests/fuzz/corpus. An input that is a finding is kept in
+# BUILD FOLDER/found/, and its target's log is printed: mend it, and keep the input in tests/fuzz/corpus/TARGET/.
+set -eu
+cd "$(dirname "$0")/../.."
+root=$PWD
+build=${1:-build-fuzz}
+
+compiler=
+for name in clang++ clang++-14 clang++-15 clang++-16; do
+  if command -v "$name" >/dev/null 2>&1; then compiler=$name && break; fi
+done
+if [ -z "$compiler" ]; then
+  echo 'fuzz.sh: clang++ is not installed: sh samples/setup.sh checks' >&2
+  exit 1
+fi
+cmake -B "$build" -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS=-O1 -DVIEWPROJ_FUZZ=ON >/dev/null
+cmake --build "$build" --parallel "$(nproc)" --target viewproj_fuzz
+build=$(cd "$build" && pwd)
+
+# Seeds: every case runs with record.sh for viewproj.
+rm -rf "$build/seeds" "$build/recorder" "$build/found" "$build/empty"
+mkdir -p "$build/seeds" "$build/recorder" "$build/found" "$build/empty" "$build/logs"
+cp tests/fuzz/record.sh "$build/recorder/viewproj"
+chmod +x "$build/recorder/viewproj"
+for case in tests/cmd/cases/*/ samples/*/; do
+  (cd "$case" && SEEDS=$build/seeds PATH=$build/recorder:$PATH timeout 2 sh ./cmd) >/dev/null 2>&1 </dev/null || true
+done
+sed -n 's/.*"file":\({.*}\),"points":.*/\1/p' tests/importers/fixtures/*.jsonl | while read -r line; do
+  printf %s "$line" >"$build/seeds/line"
+  mv "$build/seeds/line" "$build/seeds/camera/$(cksum <"$build/seeds/line" | tr ' ' '-')"
+done
+
+# Words: what the readers themselves compare with.
+grep -ohE '"[A-Za-z][A-Za-z0-9_.-]*"' cmd/input/*.cpp cmd/input/*.hpp cmd/commands/*.cpp | sort -u |
+  sed 's/^"\(.*\)"$/"\\"\1\\""/' >"$build/words"
+cp "$build/words" "$build/arguments"
+sed 's/\\"//g' "$build/words" >>"$build/arguments"
+grep -ohE -e '--[a-z]+(-[a-z]+)*' cmd/commands/*.cpp | sort -u | sed 's/.*/"&"/' >>"$build/arguments"
+
+targets=${FUZZ_TARGETS:-camera scene model matrices json csv text f64 arguments}
+# Of all executions, so many in a hundred; the dear ones less.
+share() {
+  case $1 in
+    camera) echo 10 ;;
+    json | csv) echo 15 ;;
+    matrices) echo 10 ;;
+    arguments) echo 2 ;;
+    scene) echo 12 ;;
+    *) echo 12 ;;
+  esac
+}
+shares=0
+count=0
+for target in $targets; do
+  shares=$((shares + $(share "$target")))
+  count=$((count + 1))
+done
+
+total=0
+status=0
+for target in $targets; do
+  if [ -n "${FUZZ_EXECUTIONS-}" ]; then
+    limit=-runs=$((FUZZ_EXECUTIONS * $(share "$target") / shares + 1))
+  else
+    limit=-max_total_time=$((${FUZZ_SECONDS:-120} / count))
+  fi
+  words=$build/words
+  if [ "$target" = arguments ]; then words=$build/arguments; fi
+  mkdir -p "$build/corpus/$target" "$build/seeds/$target"
+  log=$build/logs/$target
+  # In an empty folder: arguments may name files.
+  (cd "$build/empty" && UBSAN_OPTIONS=print_stacktrace=1 exec "$build/viewproj_fuzz" --target="$target" "$limit" \
+    -seed="${FUZZ_SEED:-1}" -timeout=25 -rss_limit_mb=2048 -malloc_limit_mb=512 -max_len=1024 -dict="$words" \
+    -close_fd_mask=2 -print_final_stats=1 -artifact_prefix="$build/found/$target-" \
+    "$build/corpus/$target" "$build/seeds/$target" "$root/tests/fuzz/corpus/$target") >"$log" 2>&1 || {
+    status=1
+    echo "fuzz.sh: $target has a finding:" >&2
+    tail -n 60 "$log" >&2
+  }
+  executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
+  rate=$(sed -n 's/^stat::average_exec_per_sec: *//p' "$log")
+  echo "$target: ${executions:-0} executions, ${rate:-0} a second"
+  total=$((total + ${executions:-0}))
+done
+echo "$total executions in all, $([ "$status" = 0 ] && echo no || echo with a) finding"
+exit "$status"

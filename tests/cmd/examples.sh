@@ -1,0 +1,34 @@
+#!/bin/sh
+# The example of every command's help works as it stands, beside samples/, and `help COMMAND` is `COMMAND --help`.
+#   sh examples.sh VIEWPROJ SAMPLES
+set -eu
+PATH=$(cd "$(dirname "$1")" && pwd):$PATH
+export PATH
+samples=$(cd "$2" && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+
+fail() {
+  echo "$command: $1" >&2
+  exit 1
+}
+
+ran=0
+for command in $(viewproj --help | sed -n '/^Commands:/,/^$/s/^  \([a-z][a-z]*\) .*/\1/p'); do
+  # Each in a folder of its own, so that what it writes is seen.
+  mkdir "$work/$command"
+  cd "$work/$command"
+  ln -s "$samples" samples
+  viewproj "$command" --help >../help
+  viewproj help "$command" | cmp - ../help || fail 'help COMMAND says something else than COMMAND --help'
+  sed '1,/^Example:$/d' ../help >../example
+  grep -q "viewproj $command" ../example || fail 'the help ends with no example of the command'
+  sh -e ../example >out 2>../err || fail "the example fails: $(cat ../example ../err)"
+  if [ -s ../err ]; then fail "the example complains: $(cat ../err)"; fi
+  if [ -z "$(find . -type f -size +0)" ]; then fail 'the example writes nothing'; fi
+  ran=$((ran + 1))
+done
+command=viewproj
+[ "$ran" -ge 9 ] || fail "only $ran commands are listed"
+echo "$ran examples work"

@@ -1,0 +1,101 @@
+// Cameras: every form of file, --set and a pick behind it. What was read is used and written, and what was written is
+// read again.
+#include <cmath>
+
+#include "fuzz.hpp"
+#include "input/camera_source.hpp"
+#include "input/error.hpp"
+#include "output/camera_text.hpp"
+#include "output/matrix_text.hpp"
+#include "targets.hpp"
+#include "viewproj/view/matrices.hpp"
+#include "viewproj/view/ray.hpp"
+#include "viewproj/view/screen.hpp"
+
+namespace viewproj::fuzz {
+namespace {
+
+using namespace cmd;
+
+/// A point in front of the camera, and back.
+void project(const Camera& camera) {
+  const DDVec3& forward = camera.pose.columns.forward;
+  const double distance = camera.projection.near > 0 ? 2 * camera.projection.near : camera.projection.near;
+  const Vec3& eye = camera.pose.eye;
+  const Vec3 ahead{eye.x + distance * forward.x.hi, eye.y + distance * forward.y.hi, eye.z + distance * forward.z.hi};
+  const ScreenPoint p = worldToScreen(camera, ahead);
+  if (!p.visible()) return;
+  const Viewport& v = camera.viewport;
+  const bool inside = p.x >= v.x && p.x <= v.x + v.width && p.y >= v.y && p.y <= v.y + v.height;
+  if (!inside && v.pixelCenter == 0.5) found("a visible point lies outside of the picture");
+  const Ray ray = screenToRay(camera, {p.x, p.y});
+  const double length = std::hypot(ray.direction.x, ray.direction.y, ray.direction.z);
+  if (std::isfinite(length) && !(std::fabs(length - 1) < 1e-12)) found("a ray's direction is not of unit length");
+}
+
+void writeAll(const CameraFile& file) {
+  MatrixSet set;
+  set.convention = file.convention;
+  const Convention& c = file.convention;
+  if (file.pose) {
+    set.eye = file.pose->eye;
+    set.matrices.push_back({"view", viewFromWorld(*file.pose, c)});
+    set.matrices.push_back({"viewInverse", worldFromView(*file.pose, c)});
+  }
+  if (file.projection) {
+    set.matrices.push_back({"projection", clipFromView(*file.projection, c)});
+    set.matrices.push_back({"projectionInverse", viewFromClip(*file.projection, c)});
+  }
+  if (file.projection && file.viewport)
+    set.matrices.push_back({"baked", screenFromView(*file.projection, *file.viewport, c)});
+  if (file.viewport) set.matrices.push_back({"viewport", screenFromNdc(*file.viewport, c)});
+  if (set.matrices.empty()) return;
+  requireJson(writeMatrices(set, "json", "the fuzzer"), "matrix");
+  requireJson(writeMatrices(set, "flat", "the fuzzer"), "matrix --to flat");
+}
+
+/// As `matrix --to camera` does, and the file that it writes read as any other.
+void writeAndReadAgain(const CameraFile& file) {
+  const WrittenCamera written = writeCamera(file, "", true);
+  requireJson(written.text, "matrix --to camera");
+  try {
+    const Document document(written.text, "the file written");
+    const CameraFile again = readAnyCamera(document, std::nullopt, {"", true});
+    const Moved moved = movedBetween(file, again);
+    if (moved.pixels != written.moved.pixels || moved.depth != written.moved.depth || std::isnan(moved.size()))
+      found("a camera that was written is another when it is read: " + written.text);
+    if (file.pose.has_value() != again.pose.has_value() ||
+        file.projection.has_value() != again.projection.has_value() ||
+        file.viewport.has_value() != again.viewport.has_value())
+      found("a camera that was written has other parts when it is read: " + written.text);
+  } catch (const InputError& e) {
+    found(std::string("a camera that was written cannot be read: ") + e.what() + ": " + written.text);
+  }
+}
+
+void readAndUse(std::string_view input) {
+  const std::size_t end = std::min(input.find('\0', input.starts_with("glTF") ? 20 : 0), input.size());
+  giveInput(input.substr(0, input.starts_with("glTF") ? input.size() : end));
+  Document document("-", "--camera");
+  std::optional<std::string> pick;
+  for (std::size_t at = end; at < input.size();) {
+    const std::size_t next = std::min(input.find('\0', at + 1), input.size());
+    const std::string part(input.substr(at + 1, next - at - 1));
+    if (part.starts_with('#'))
+      pick = part.substr(1);
+    else if (!input.starts_with("glTF"))
+      document.set(part);
+    at = next;
+  }
+  const CameraFile file = readAnyCamera(document, pick, {"", true, true});
+  (void)listCameras(document);
+  writeAll(file);
+  writeAndReadAgain(file);
+  project(makeCamera(file));
+}
+
+}  // namespace
+
+void fuzzCamera(std::string_view input) { succeeds(readAndUse, input); }
+
+}  // namespace viewproj::fuzz

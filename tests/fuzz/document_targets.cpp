@@ -1,0 +1,85 @@
+// Scenes, model matrices and what inspect reads: files of JSON or text that are read as a whole.
+#include <cmath>
+
+#include "fuzz.hpp"
+#include "input/error.hpp"
+#include "input/matrix_numbers.hpp"
+#include "input/model.hpp"
+#include "input/scene.hpp"
+#include "inspect/notes.hpp"
+#include "inspect/report.hpp"
+#include "output/matrix_text.hpp"
+#include "targets.hpp"
+#include "viewproj/camera/error.hpp"
+#include "viewproj/view/hits.hpp"
+#include "viewproj/view/matrices.hpp"
+#include "viewproj/view/model.hpp"
+
+namespace viewproj::fuzz {
+namespace {
+
+using namespace cmd;
+
+void readScene(std::string_view input) {
+  giveInput(input);
+  constexpr Ray kRays[] = {{{0, 0, 0}, {0, 0, -1}}, {{3, 2, 5}, {-0.48, -0.64, -0.6}}, {{1e7, 0, 0}, {-1, 0, 0}}};
+  for (const SceneObject& object : cmd::readScene("-")) {
+    requireJson(object.id, "an id");
+    for (const Ray& ray : kRays) {
+      const Hits hits = std::visit([&](const auto& shape) { return intersect(ray, shape); }, object.shape);
+      for (const Hit& hit : hits)
+        if (!(hit.distance >= 0)) found("a hit behind the ray");
+      if (hits.count == 2 && hits.hits[0].distance > hits.hits[1].distance) found("hits are not nearest first");
+    }
+  }
+}
+
+void readModelMatrix(std::string_view input) {
+  giveInput(input);
+  const Mat4 m = readModel("-");
+  for (const auto& row : m.m)
+    for (const double entry : row)
+      if (!std::isfinite(entry)) found("an entry of a model matrix that is not finite");
+  (void)toWorld(m, {1, 2, 3, 1});
+}
+
+void inspectOne(const WrittenMatrix& written, EntryPrecision precision) {
+  constexpr std::size_t kMostConverted = 4;
+  const Inspection inspection = inspectMatrix(written.numbers, precision);
+  InspectedMatrix one{written,
+                      {},
+                      inspection.readings.size(),
+                      inspection.asWrittenFault,
+                      inspection.transposedFault,
+                      notesOn(inspection.readings)};
+  for (const Reading& reading : inspection.readings) one.readings.push_back({one.readings.size() + 1, reading});
+  requireJson(reportAsJson({one}, precision == EntryPrecision::float32), "inspect");
+  (void)reportAsText({one});
+  for (std::size_t i = 0; i < std::min(kMostConverted, inspection.readings.size()); ++i) try {
+      MatrixSet set;
+      set.convention = *conventionPreset("d3d");
+      set.convention.world = inspection.readings[i].convention.world;
+      set.matrices.push_back({written.name, converted(inspection.readings[i], set.convention)});
+      requireJson(writeMatrices(set, "json", "the fuzzer"), "inspect --convention");
+    } catch (const CameraError&) {
+    }
+}
+
+void inspect(std::string_view input) {
+  constexpr std::size_t kMostInspected = 8;
+  std::size_t count = 0;
+  for (const WrittenMatrix& written : parseMatrices(std::string(input), "the fuzzer").matrices) {
+    if (++count > kMostInspected) return;
+    for (const double number : written.numbers)
+      if (!std::isfinite(number)) found("an entry that is not finite was read");
+    inspectOne(written, count % 2 == 0 ? EntryPrecision::float32 : EntryPrecision::float64);
+  }
+}
+
+}  // namespace
+
+void fuzzScene(std::string_view input) { succeeds(readScene, input); }
+void fuzzModel(std::string_view input) { succeeds(readModelMatrix, input); }
+void fuzzMatrices(std::string_view input) { succeeds(inspect, input); }
+
+}  // namespace viewproj::fuzz

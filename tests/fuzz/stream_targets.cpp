@@ -1,0 +1,201 @@
+// Streams of records: project, ray and cull on them, and the same bytes read in blocks of every size.
+#include <array>
+#include <cmath>
+
+#include "fuzz.hpp"
+#include "input/error.hpp"
+#include "input/points.hpp"
+#include "input/shapes.hpp"
+#include "stream/filter.hpp"
+#include "targets.hpp"
+#include "viewproj/view/clip.hpp"
+#include "viewproj/view/frustum.hpp"
+#include "viewproj/view/ray.hpp"
+#include "viewproj/view/screen.hpp"
+#include "viewproj/view/segment.hpp"
+
+namespace viewproj::fuzz {
+namespace {
+
+using namespace cmd;
+
+constexpr double kWidth = 1280, kHeight = 720;
+
+Camera someCamera(bool orthographicLens) {
+  const Projection lens =
+      orthographicLens ? orthographic(-8, 8, -4.5, 4.5, -1, 100) : perspectiveWindow(-1, 1, -0.5625, 0.5625, 0.1, 1000);
+  Viewport viewport;
+  viewport.width = kWidth;
+  viewport.height = kHeight;
+  return makeCamera(lookAt({3, 2, 5}, {0, 0, 0}, {0, 1, 0}, Handedness::right), lens, viewport);
+}
+
+struct Setting {
+  Camera camera = someCamera(false);
+  Frustum frustum = viewFrustum(camera);
+};
+
+const Setting& setting(bool orthographicLens) {
+  static const Setting perspective, flat{someCamera(true)};
+  return orthographicLens ? flat : perspective;
+}
+
+/// Numbers of a record as the layout found them, until they are written.
+class Work : public RecordWork {
+ public:
+  explicit Work(const Setting& in) : in_(in) {}
+  void clear() override { rows_.clear(); }
+
+ protected:
+  const Setting& in_;
+  std::vector<std::pair<Layout, Numbers>> rows_;
+};
+
+class Points final : public Work {
+ public:
+  using Work::Work;
+  Layout find(const RecordParts& record) const override {
+    if (const auto segment = findSegment(record)) return *segment;
+    return findPoint(record, {}, true);
+  }
+  void nameResults(const Layout&, ResultSink& sink) const override { writePoint({0, 0, 0, 1}, sink); }
+  void add(const Layout& layout, const Numbers& numbers) override {
+    if (layout.kind != kindSegment && layout.kind != kindSegmentAndPixel) (void)toPoint(layout, numbers);
+    rows_.emplace_back(layout, numbers);
+  }
+  void write(std::size_t i, ResultSink& sink) override {
+    const auto& [layout, n] = rows_[i];
+    if (layout.kind != kindSegment && layout.kind != kindSegmentAndPixel) return writePoint(toPoint(layout, n), sink);
+    const VisibleSegment segment = clipSegment(in_.frustum, {n[0], n[1], n[2]}, {n[3], n[4], n[5]});
+    if (segment.visible && !(segment.start.t >= 0 && segment.start.t <= segment.end.t && segment.end.t <= 1))
+      found("the visible part of a segment is none");
+    writePoint({n[0], n[1], n[2], 1}, sink);
+  }
+
+ private:
+  void writePoint(const Vec4& point, ResultSink& sink) const {
+    const ScreenPoint p = worldToScreen(in_.camera, point);
+    if (p.visible() && !(p.x >= 0 && p.x <= kWidth && p.y >= 0 && p.y <= kHeight))
+      found("a visible point lies outside of the picture");
+    sink.vector("screen", std::array{p.x, p.y});
+    sink.number("depth", p.depth);
+    const Vec4 clip = worldToClip(in_.camera, point, in_.camera.convention);
+    sink.vector("clip", std::array{clip.x, clip.y, clip.z, clip.w});
+    sink.flag("visible", p.visible());
+  }
+};
+
+class Pixels final : public Work {
+ public:
+  using Work::Work;
+  Layout find(const RecordParts& record) const override { return findPixel(record, {}); }
+  void nameResults(const Layout&, ResultSink& sink) const override { writePixel({}, sink); }
+  void add(const Layout& layout, const Numbers& numbers) override { rows_.emplace_back(layout, numbers); }
+  void write(std::size_t i, ResultSink& sink) override { writePixel(toPixel(rows_[i].first, rows_[i].second), sink); }
+
+ private:
+  void writePixel(const Pixel& pixel, ResultSink& sink) const {
+    const Vec2 screen = pixel.screen.value_or(Vec2{NAN, NAN});
+    const Ray ray = screenToRay(in_.camera, screen);
+    const double length = std::hypot(ray.direction.x, ray.direction.y, ray.direction.z);
+    if (std::isfinite(length) && !(std::fabs(length - 1) < 1e-12)) found("a ray's direction is not of unit length");
+    sink.vector("direction", std::array{ray.direction.x, ray.direction.y, ray.direction.z});
+    const WorldPoint point = pixel.viewDistance ? screenToWorldAtDistance(in_.camera, screen, *pixel.viewDistance)
+                                                : screenToWorld(in_.camera, screen, pixel.depth.value_or(NAN));
+    sink.vector("point", std::array{point.position.x, point.position.y, point.position.z});
+  }
+};
+
+class Shapes final : public Work {
+ public:
+  using Work::Work;
+  Layout find(const RecordParts& record) const override { return findShape(record, {}, true); }
+  void nameResults(const Layout&, ResultSink& sink) const override { sink.flag("visible", false); }
+  void add(const Layout& layout, const Numbers& numbers) override {
+    (void)toShape(layout, numbers);
+    rows_.emplace_back(layout, numbers);
+  }
+  void write(std::size_t i, ResultSink& sink) override {
+    const CullShape shape = toShape(rows_[i].first, rows_[i].second);
+    const Cull result = std::visit([&](const auto& one) { return cull(in_.frustum, one); }, shape);
+    if (result.verdict == CullVerdict::inside && result.side != 0) found("what is inside lies beyond a plane");
+    sink.flag("visible", result.verdict != CullVerdict::outside);
+  }
+};
+
+struct Run {
+  bool finished = false;
+  int status = 0;
+  std::string out, error;
+  bool operator==(const Run&) const = default;
+};
+
+struct How {
+  std::optional<Form> from;
+  std::optional<OutputForm> to;
+  bool keepGoing = false, orthographic = false;
+  unsigned work = 0;
+  std::size_t block = 4096;  ///< more than any input has
+};
+
+Run run(std::string_view input, const How& how) {
+  const Setting& in = setting(how.orthographic);
+  const MakeWork makeWork = [&]() -> std::unique_ptr<RecordWork> {
+    if (how.work == 0) return std::make_unique<Points>(in);
+    if (how.work == 1) return std::make_unique<Pixels>(in);
+    return std::make_unique<Shapes>(in);
+  };
+  FilterSetup setup;
+  setup.from = how.from;
+  setup.to = how.to;
+  setup.keepGoing = how.keepGoing;
+  setup.jobs = 1;
+  setup.blockSize = how.block;
+  setup.csvDefaults = {"x", "y", "z", "w"};
+  setup.writer.arrayName = how.work == 1 ? "screen" : "position";
+  setup.writer.exampleResults = [&](ResultSink& sink) { makeWork()->nameResults({}, sink); };
+  giveInput(input);
+  Run result;
+  try {
+    result.status = runFilter(setup, makeWork);
+    result.finished = true;
+  } catch (const InputError& e) {
+    result.error = e.what();
+  } catch (const UsageError& e) {
+    result.error = e.what();
+  } catch (const std::exception& e) {
+    found(std::string("an exception without a place: ") + e.what());
+  }
+  result.out = takeOutput();
+  return result;
+}
+
+/// The first choice tells what is done, the second in how large blocks it is read again.
+void fuzzRecords(std::string_view input, Form form) {
+  constexpr std::optional<OutputForm> kTo[] = {std::nullopt,     OutputForm::lines, OutputForm::array, OutputForm::csv,
+                                               OutputForm::text, OutputForm::f64,   OutputForm::table};
+  const unsigned choice = takeChoice(input, 256);
+  const std::size_t block = 1 + takeChoice(input, 256);
+  How how{.from = choice % 11 == 10 ? std::nullopt : std::optional(form),
+          .to = choice % 3 == 0 ? kTo[choice / 3 % std::size(kTo)] : std::nullopt,
+          .keepGoing = choice % 2 == 1,
+          .orthographic = choice % 5 == 4,
+          .work = choice / 64 % 3};
+  const Run whole = run(input, how);
+  const OutputForm to = how.to.value_or(sameForm(form));
+  if (how.from && (to == OutputForm::lines || to == OutputForm::array)) requireJson(whole.out, "a stream");
+  how.block = block;
+  const Run again = run(input, how);
+  if (!(again == whole))
+    found("in blocks of " + std::to_string(block) + " the answer is another:\n" + again.out + again.error + "\n--\n" +
+          whole.out + whole.error);
+}
+
+}  // namespace
+
+void fuzzJsonRecords(std::string_view input) { fuzzRecords(input, Form::json); }
+void fuzzCsvRecords(std::string_view input) { fuzzRecords(input, Form::csv); }
+void fuzzTextRecords(std::string_view input) { fuzzRecords(input, Form::text); }
+void fuzzF64Records(std::string_view input) { fuzzRecords(input, Form::f64); }
+
+}  // namespace viewproj::fuzz

@@ -1,0 +1,55 @@
+// One camera's points: what the tool expects, and what a rasteriser makes of them.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "cameras.hpp"
+#include "rasteriser.hpp"
+#include "rounding.hpp"
+
+namespace rasterisers {
+
+struct Point {
+  std::array<double, 3> position;
+  Vertex vertex;  ///< what is drawn of it
+  bool visible = false;
+  double screen[2] = {0, 0};
+  double depth = 0, viewDistance = 0;
+  std::vector<std::string> outside;
+  Rounding rounding;
+  int column = 0, row = 0;  ///< its pixel, from the framebuffer's upper left corner; where visible
+};
+
+struct Scene {
+  CameraCase camera;
+  Draw draw;                  ///< but for the points
+  bool upsideDown = false;    ///< the picture's first row in memory is its lowest
+  double pixelSize[2];        ///< at distance 1, or anywhere where orthographic
+  std::vector<Point> points;  ///< that are judged
+  int besideBorder = 0;       ///< points left out: within 1/256 pixel of their pixel's border
+  int besideBoundary =
+      0;  ///< points left out: within 1/256 pixel, or what float32 leaves open, of being clipped or not
+};
+
+/// Asks the tool. The points are random, by the camera's index.
+Scene prepare(const CameraCase& camera);
+
+struct Judgement {
+  int visible = 0, clipped = 0, picked = 0;
+  int unbounded = 0;                   ///< not picked: the stored depth may be that of infinity
+  int misplaced = 0, wronglyDeep = 0;  ///< of the visible
+  int appeared = 0;                    ///< of the clipped
+  int mispicked = 0;
+  double worstPixels = 0;                ///< what float32 may move a point by, the largest
+  double worstDepth = 0, worstPick = 0;  ///< in units of the bound; picks at the point's own position
+  std::vector<std::string> words;        ///< about the first disagreements
+
+  int disagreements() const { return misplaced + wronglyDeep + appeared + mispicked; }
+};
+
+/// Draws the scene, with the API told something else by `spoil`.
+Judgement judge(const Scene& scene, const std::function<void(Draw&)>& spoil = {});
+
+}  // namespace rasterisers

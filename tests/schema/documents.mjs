@@ -1,0 +1,237 @@
+// Random documents that the readers accept, in every way that the interface names.
+const vector = (r, size = 9) => [r.number(-size, size), r.number(-size, size), r.number(-size, size)];
+const place = (r) => ({ lat: r.number(-90, 90), lon: r.number(-200, 200), height: r.number(-50, 9000) });
+const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+
+/// Fields that are there, null, or absent.
+function maybe(r, object, key, make) {
+  if (r.chance(0.3)) object[key] = r.chance(0.2) ? null : make();
+}
+
+export const kPresets = {
+  opengl: "right", "opengl-lh": "left", d3d: "left", "d3d-rh": "right", vulkan: "right", metal: "right",
+  webgpu: "right", unity: "left", unreal: "left", opencv: "right", ps2: "right",
+};
+
+function convention(r, isPs2, rightHanded) {
+  if (isPs2) {
+    if (!rightHanded && r.chance(0.2)) return "unreal";
+    return r.of(["ps2", { preset: "vulkan", reverseZ: true }, { view: "RUB" }, { preset: "ps2", ndcY: "up" }, null, undefined]);
+  }
+  const names = Object.keys(kPresets).filter((name) => !rightHanded || kPresets[name] === "right");
+  if (r.chance(0.2)) return undefined;
+  if (r.chance(0.5)) return r.of(names);
+  const axes = {};
+  maybe(r, axes, "preset", () => r.of(Object.keys(kPresets)));
+  maybe(r, axes, "view", () => r.of(["RUB", "RUF", "RDF"]));
+  maybe(r, axes, "ndcZ", () => r.of(["-1..1", "0..1"]));
+  maybe(r, axes, "reverseZ", () => r.chance(0.5));
+  maybe(r, axes, "ndcY", () => r.of(["up", "down"]));
+  maybe(r, axes, "vectors", () => r.of(["column", "row"]));
+  maybe(r, axes, "storage", () => r.of(["column-major", "row-major"]));
+  maybe(r, axes, "world", () => r.of(["right", "left"]));
+  if (rightHanded && worldOf(axes) === "left") axes.world = "right";
+  return axes;
+}
+
+function worldOf(given) {
+  if (typeof given === "string") return kPresets[given];
+  return given?.world ?? kPresets[given?.preset] ?? "right";
+}
+
+/// Rows of a rotation, and a last row.
+function poseMatrix(r, mirrored) {
+  const norm = (v) => v.map((x) => x / Math.hypot(...v));
+  const z = norm(vector(r)), x = norm(cross([0.3, 0.9, 0.4], z)), y = cross(z, x);
+  const sign = mirrored ? -1 : 1;
+  const eye = vector(r);
+  return [0, 1, 2].map((i) => [x[i], y[i], sign * z[i], eye[i]]).concat([[0, 0, 0, 1]]);
+}
+
+export const kPoses = [
+  "no pose", "target", "direction", "rotation", "worldFromCamera", "cameraFromWorld", "turn", "target place", "ecef",
+];
+
+function addPose(r, camera, way, world) {
+  const left = world === "left";
+  if (way === "target" || way === "direction" || way === "ecef") {
+    camera.position = way === "ecef" ? [6400000, r.number(0, 9), r.number(0, 9)] : vector(r);
+    if (way === "ecef") camera.world = "ecef";
+    if (way === "target") camera.target = camera.position.map((x) => x + r.number(1, 5));
+    else camera.direction = [r.number(1, 2), r.number(1, 2), r.number(1, 2)];
+    maybe(r, camera, "up", () => [r.number(-1, 0), r.number(-1, 0), 3]);
+  } else if (way === "rotation") {
+    camera.position = vector(r);
+    camera.rotation = [...vector(r), 1];
+    const axes = r.of(left ? ["RUF", "FRU"] : ["RUB", "RDF", null]);
+    if (axes || r.chance(0.5)) camera.cameraAxes = axes;
+  } else if (way === "worldFromCamera" || way === "cameraFromWorld") {
+    const leftAxes = r.chance(0.5);
+    camera[way] = poseMatrix(r, leftAxes !== left);
+    camera.cameraAxes = leftAxes ? r.of(["RUF", "FRU"]) : r.of(["RUB", "RDF", null]);
+  } else if (way === "turn") {
+    camera.position = place(r);
+    maybe(r, camera, "pitch", () => r.number(-90, 90));
+    maybe(r, camera, "roll", () => r.number(-360, 360));
+    if (r.chance(0.7) || (camera.pitch ?? camera.roll ?? null) === null) camera.heading = r.number(-360, 720);
+  } else if (way === "target place") {
+    camera.position = place(r);
+    camera.target = r.chance(0.7) ? place(r) : [r.number(1, 9), r.number(1, 9), r.number(1, 9)];
+    maybe(r, camera, "up", () => [0.1, 0.2, 0.9]);
+  }
+}
+
+export const kProjections = [
+  "no projection", "fovY", "fovX", "fovDiagonal", "nearSize", "focalLength", "both sides", "frustum", "intrinsics",
+  "edges", "width", "ps2",
+];
+
+function projection(r, way, viewport) {
+  const p = { type: "perspective" };
+  const shape = viewport ? viewport.width / viewport.height : r.number(1, 2);
+  const own = (object) => maybe(r, object, "aspect", () => shape);
+  const angle = () => r.number(1, 179);
+  if (way === "fovY") p.fovY = angle(), own(p);
+  if (way === "fovX") p.fovX = angle(), own(p);
+  if (way === "fovDiagonal") p.fovDiagonal = angle(), own(p);
+  if (way === "nearSize") p.nearHeight = r.number(0.1, 2), p.nearWidth = p.nearHeight * shape;
+  if (way === "focalLength") p.focalLength = r.number(10, 200), p[r.of(["sensorWidth", "sensorHeight"])] = 24, own(p);
+  if (way === "both sides") p.focalLength = 35, p.sensorHeight = 24, p.sensorWidth = 24 * shape;
+  if (way === "frustum" || way === "edges") {
+    p.type = way === "frustum" ? way : "orthographic";
+    p.bottom = r.number(-2, 0);
+    p.top = r.number(1, 2);
+    p.left = r.number(-2, 0);
+    p.right = p.left + (p.top - p.bottom) * shape;
+  }
+  if (way === "width") p.type = "orthographic", p.height = r.number(1, 9), p.width = p.height * shape;
+  if (way === "intrinsics") {
+    p.type = way;
+    Object.assign(p, { fx: r.number(100, 999), fy: r.number(100, 999), cx: r.number(0, 999), cy: r.number(0, 999) });
+    maybe(r, p, "skew", () => 0);
+  }
+  if (way === "ps2") {
+    p.type = way;
+    Object.assign(p, { scrz: 512, ax: r.number(0.5, 2), ay: r.number(0.5, 2), cx: 2048, cy: 2048, zMin: 1, zMax: 65535 });
+  }
+  const flat = p.type === "orthographic";
+  p.near = flat ? r.number(-5, 1) : r.number(0.01, 1);
+  if (flat) p.far = r.number(2, 999);
+  else maybe(r, p, "far", () => r.number(2, 999));
+  maybe(r, p, "shift", () => [r.number(-1, 1), r.number(-1, 1)]);
+  return p;
+}
+
+function viewport(r, isPs2) {
+  const v = { width: r.of([640, 1280, 1921]), height: r.of([480, 720, 1080]) };
+  if (!isPs2) {
+    maybe(r, v, "x", () => r.number(-99, 99));
+    maybe(r, v, "y", () => r.number(-99, 99));
+    maybe(r, v, "depthRange", () => [r.number(0, 0.4), r.number(0.5, 1)]);
+  }
+  maybe(r, v, "origin", () => r.of(["top-left", "bottom-left"]));
+  maybe(r, v, "pixelCenter", () => r.of([0, 0.5]));
+  maybe(r, v, "crop", () => ({ x: r.number(0, 99), y: r.number(0, 99), width: 64, height: 48 }));
+  return v;
+}
+
+/// pose and way: names of the lists above. whole: with every part.
+export function camera(r, pose, way, whole = false) {
+  const c = {};
+  maybe(r, c, "name", () => r.of(["front", ""]));
+  maybe(r, c, "$schema", () => "camera.json");
+  const isPs2 = way === "ps2";
+  const onEarth = pose === "turn" || pose === "target place" || pose === "ecef";
+  const given = convention(r, isPs2, onEarth);
+  if (given !== undefined) c.convention = given;
+  addPose(r, c, pose, worldOf(given));
+  if (whole || way !== "no projection" || r.chance(0.5)) c.viewport = viewport(r, isPs2);
+  if (way !== "no projection") {
+    const own = ["nearSize", "both sides", "frustum", "edges", "width"].includes(way);
+    if (own && !whole && r.chance(0.3)) delete c.viewport;
+    c.projection = projection(r, way, c.viewport);
+    if (!whole && (c.projection.aspect ?? null) !== null && r.chance(0.5)) delete c.viewport;
+  }
+  return c;
+}
+
+const kId = (r) => r.of([7, "lamp", -1.5]);
+
+function shape(r, kind) {
+  const at = vector(r);
+  if (kind === "plane") return { point: at, normal: [r.number(1, 2), 0, r.number(-1, 1)] };
+  if (kind === "sphere") return { center: at, radius: r.of([0, 2.5]) };
+  if (kind === "box") return { min: at, max: at.map((x) => x + r.number(0, 3)) };
+  if (kind === "triangle") return [at, vector(r), vector(r)];
+  return "WGS84";
+}
+
+export const kShapes = ["plane", "sphere", "box", "triangle", "ellipsoid"];
+
+export function scene(r) {
+  const s = { objects: [] };
+  maybe(r, s, "name", () => "yard");
+  maybe(r, s, "$schema", () => "scene.json");
+  for (let count = r.below(4); count > 0; --count) {
+    const kind = r.of(kShapes);
+    const object = { [kind]: shape(r, kind) };
+    maybe(r, object, "id", () => kId(r));
+    maybe(r, object, "name", () => "crate");
+    if (r.chance(0.1)) object[r.of(kShapes.filter((other) => other !== kind))] = null;
+    s.objects.push(object);
+  }
+  return s;
+}
+
+const kPointKinds = ["array", "weighted", "position", "xyz", "xyzw", "place", "direction", "segment", "segment and pixel"];
+
+function pointRecord(r, kind = r.of(kPointKinds)) {
+  const at = vector(r);
+  if (kind === "array") return at;
+  if (kind === "weighted") return [...at, r.of([1, 2, -0.5])];
+  const record = {};
+  maybe(r, record, "id", () => kId(r));
+  if (kind === "position") record.position = r.chance(0.5) ? at : [...at, 2];
+  if (kind === "xyz" || kind === "xyzw") [record.x, record.y, record.z] = at;
+  if (kind === "xyzw") record.w = 3;
+  if (kind === "place") Object.assign(record, place(r));
+  if (kind === "direction") record.direction = at;
+  if (kind.startsWith("segment")) record.segment = [at, vector(r)];
+  if (kind === "segment and pixel") record.pixel = r.chance(0.3) ? null : [100, 50];
+  maybe(r, record, "colour", () => ({ red: [1, null] }));
+  return record;
+}
+
+function shapeRecord(r) {
+  const kind = r.of(["point", "sphere", "box", "triangle"]);
+  if (kind === "point") return pointRecord(r, r.of(["array", "weighted", "position", "xyz", "xyzw", "place"]));
+  const record = { [kind]: shape(r, kind) };
+  maybe(r, record, "id", () => kId(r));
+  return record;
+}
+
+function pixelRecord(r) {
+  const at = [r.number(0, 640), r.number(0, 480)];
+  const kind = r.of(["array", "screen", "pixel", "xy"]);
+  if (kind === "array") return at;
+  const record = {};
+  maybe(r, record, "id", () => kId(r));
+  if (kind === "xy") [record.x, record.y] = at;
+  else record[kind] = r.chance(0.2) ? null : at;
+  maybe(r, record, "depth", () => r.number(0, 0.99));
+  maybe(r, record, "viewDistance", () => r.number(1, 99));
+  if (kind === "screen") maybe(r, record, "z", () => 1);
+  return record;
+}
+
+/// A value of a stream: a record, an array of some or a document.
+function arranged(r, record) {
+  if (r.chance(0.6)) return record(r);
+  const records = [];
+  for (let count = r.below(3); count > 0; --count) records.push(record(r));
+  return r.chance(0.5) ? records : { points: records, source: "survey" };
+}
+
+export const points = (r) => arranged(r, pointRecord);
+export const shapes = (r) => arranged(r, shapeRecord);
+export const pixels = (r) => arranged(r, pixelRecord);

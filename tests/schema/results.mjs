@@ -1,0 +1,106 @@
+// What is printed is what the schema of results says, and little else is.
+import { kPoses, kProjections } from "./documents.mjs";
+import { kMutations } from "./mutations.mjs";
+import { parsed, valuesOf } from "./runs.mjs";
+
+const kAlways = new Set(["project", "ray", "cull"]); // JSON where their input is
+const kFields = ["screen", "depth", "viewDistance", "visible", "outside", "ndc", "clip", "view", "bound"];
+
+/// The part of the schema that a run's output is of; nothing where it is no JSON.
+function partOf({ command, options, flags }) {
+  if (flags.has("--list") || flags.has("--help") || flags.has("-h")) return undefined;
+  const to = options["--to"];
+  if (kAlways.has(command)) {
+    if (options["--prefix"] !== undefined || (to !== undefined && to !== "json" && to !== "ndjson")) return undefined;
+    return flags.has("--planes") ? "planes" : command;
+  }
+  if (command === "matrix") return to === undefined || to === "json" ? command : undefined;
+  if (["explain", "inspect", "depth", "measure"].includes(command)) return to === "json" ? command : undefined;
+  return undefined;
+}
+
+/// Without the fields of a result's name that --fields left out: those are the record's own.
+function described(value, fields) {
+  if (fields === undefined || value === null || typeof value !== "object") return value;
+  if (Array.isArray(value)) return value.map((record) => described(record, fields));
+  if (Array.isArray(value.points)) return { ...value, points: described(value.points, fields) };
+  const chosen = fields.split(",");
+  return Object.fromEntries(Object.entries(value).filter(([key]) => !kFields.includes(key) || chosen.includes(key)));
+}
+
+const kScene = JSON.stringify({
+  objects: [
+    { id: 1, sphere: { center: [0, 0, 0], radius: 3 } }, { plane: { point: [0, 0, 0], normal: [0, 1, 0] } },
+    { id: "earth", ellipsoid: "WGS84" },
+  ],
+});
+const kPoints =
+  '[0,0,0] {"id":1,"x":5,"y":5,"z":5} {"direction":[1,2,3]} {"position":[1,1,1,-2]}\n[[1,2,3],{"screen":1}]\n' +
+  '{"segment":[[0,0,0],[9,9,9]],"pixel":[100,100]} {"segment":[[-900,1,1],[900,2,3]],"pixel":null} {"points":[[1,2,3],[6371000,0,0]],"a":1}';
+const kShapes = '[0,0,0] {"sphere":{"center":[1,2,3],"radius":4}} [{"box":{"min":[-9,-9,-9],"max":[9,9,9]}}] {"points":[{"triangle":[[0,0,0],[1,0,0],[0,1,0]]}]}';
+
+/// Runs of every command with random cameras.
+function randomRuns(run, makeCamera, Random) {
+  const runs = [];
+  for (let seed = 0; seed < 2 * kProjections.length; ++seed) {
+    const r = new Random(seed);
+    const camera = JSON.stringify(makeCamera(r, kPoses[1 + (seed % (kPoses.length - 1))], kProjections[1 + (seed % (kProjections.length - 1))], true));
+    const add = (command, args, input) => {
+      const options = {}, flags = new Set(args);
+      for (let i = 0; i + 1 < args.length; ++i) if (args[i].startsWith("--")) options[args[i]] = args[i + 1];
+      const { status, output, error } = run([command, ...args, "-c", camera], input);
+      runs.push({ command, options, flags, status, output, error, isRandom: true });
+      return output;
+    };
+    add("project", ["--keep-going", "--fields", kFields.join()], kPoints);
+    add("project", ["--keep-going", "--to", "json"], kPoints);
+    add("ray", ["--bound", "--keep-going", "--scene", kScene], '[10,20] {"pixel":[1,2],"depth":0.5} {"screen":null,"viewDistance":2} {"screen":[3,4],"viewDistance":7} [1]');
+    add("ray", ["--all-hits", "--scene", kScene, "--to", "json"], "[[100,100],[0,0]]");
+    add("cull", [], kShapes);
+    add("cull", ["--planes"]);
+    const matrices = add("matrix", ["--inverse"]);
+    add("matrix", ["--relative-to-eye", "--bake-viewport", "--float"]);
+    add("explain", ["--to", "json", "--point", "0.5,1,2"]);
+    add("explain", ["--to", "json", "--pixel", "100,80"]);
+    if (seed % 6 === 0) add("measure", ["--seconds", "0.002", "--to", "json"], "[0,0,0] [1,2,3]");
+    add("depth", ["--to", "json", "--gap", "0.01"]);
+    const { status, output, error } = run(["inspect", "--to", "json"], matrices);
+    runs.push({ command: "inspect", options: { "--to": "json" }, flags: new Set(), status, output, error, isRandom: true });
+  }
+  return runs;
+}
+
+/// No value of a closed form is one any more after these mutations.
+const kTelling = ["write a number as a string", "put an object"];
+const kClosed = ["planes", "matrix", "explain", "inspect", "depth", "measure"];
+
+export function checkResults({ ajv, runs, run, fault, makeCamera, Random }) {
+  const whole = ajv.getSchema("urn:viewproj:schema:results");
+  const counts = new Map();
+  const count = (name) => counts.set(name, (counts.get(name) ?? 0) + 1);
+  let seed = 0;
+  for (const r of [...runs, ...randomRuns(run, makeCamera, Random)]) {
+    const part = partOf(r);
+    if (part === undefined || !/^\s*[{[]/.test(r.output)) continue;
+    const values = valuesOf(r.output);
+    if (values === undefined || values.some((text) => !parsed(text))) {
+      count("cut short or not JSON");
+      continue;
+    }
+    const schema = ajv.getSchema(`urn:viewproj:schema:results#/$defs/${part}`);
+    for (const text of values) {
+      const value = described(JSON.parse(text), r.options["--fields"]);
+      count(part);
+      if (!schema(value)) fault(`${part}: ${ajv.errorsText(schema.errors)}: ${text}`);
+      if (!whole(value)) fault(`results: ${ajv.errorsText(whole.errors)}: ${text}`);
+      if (!kClosed.includes(part)) continue;
+      const name = kTelling[seed % kTelling.length];
+      const changed = structuredClone(value);
+      if (kMutations[name](new Random(seed++), changed) === false) continue;
+      if (schema(changed)) fault(`${part}: accepted after '${name}': ${JSON.stringify(changed)}`);
+      else count(`${part}, mutated and rejected`);
+    }
+  }
+  for (const part of [...kClosed, ...kAlways]) if ((counts.get(part) ?? 0) < 3) fault(`results of ${part} are too few`);
+  return [...counts].map(([name, number]) => `  ${number} ${name}`).join("\n");
+}

@@ -1,0 +1,52 @@
+// What a reader asks for and a schema cannot say, told by the reader's message. Each stands in the schema's description.
+
+/// Whether an array of points makes a document or is a field of a record, only the order of keys tells.
+function hasPointsBehind(message, value) {
+  return Array.isArray(value?.points) && Object.keys(value)[0] !== "points";
+}
+
+export const kRules = {
+  camera: {
+    "far is above near": /projection\.far: must be greater than near/,
+    "edges are in order": /projection\.(right|top): must be greater than (left|bottom)/,
+    "a ps2 depth range has two ends": (message, value) =>
+      value.projection?.type === "ps2" && /viewport\.depthRange: must span more than one value/.test(message),
+    "the shape fits the viewport's": /times as wide as high, but the viewport/,
+    "target is not the eye": /target: is the camera's own position/,
+    "up is not along the view": /up: is parallel to the viewing direction|target: is straight above or below the camera/,
+    "a matrix is a rotation": /has a 3x3 part that is not a rotation/,
+    "a matrix has the world's handedness": /(worldFromCamera|cameraFromWorld): is a (mirroring|rotation) of camera axes/,
+    // An aspect that the file has itself would stand behind the message; so does a width that is above 0 until halved.
+    "no number leaves the range of doubles":
+      /makes a window too (small or too )?large|a[xy]: times scrz leaves|aspect: must be a finite number above 0$|(width|height): must be above 0 \(is \d[\d.]*e-\d+\)/,
+    "no key is given twice": /the key '.*' is given twice/,
+  },
+  scene: {
+    "max is not below min": /box\.max: must not be below min/,
+    "no key is given twice": /the key '.*' is given twice/,
+  },
+  points: {
+    "points is a document's first key": hasPointsBehind,
+    "no key is given twice": /has the field '.*' twice/,
+    "no number leaves the range of doubles": /number overflow/,
+  },
+  shapes: {
+    "points is a document's first key": hasPointsBehind,
+    "max is not below min": /max must not be below min/,
+    "no key is given twice": /has the field '.*' twice/,
+    "no number leaves the range of doubles": /number overflow/,
+  },
+  pixels: {
+    "points is a document's first key": hasPointsBehind,
+    "the point is in front of the eye": /lies beyond infinity|is not in front of the eye/,
+    "no key is given twice": /has the field '.*' twice/,
+    "no number leaves the range of doubles": /number overflow/,
+  },
+};
+
+/// The name of the rule by which the verdicts differ, or nothing. message: the reader's, empty where it accepts.
+export function ruleOf(kind, message, value) {
+  for (const [name, rule] of Object.entries(kRules[kind]))
+    if (rule instanceof RegExp ? rule.test(message) : rule(message, value)) return name;
+  return undefined;
+}

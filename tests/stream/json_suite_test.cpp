@@ -1,0 +1,182 @@
+// The cases of a public suite of JSON, y_ valid, n_ not and i_ left open: readers call valid what nlohmann-json does.
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "catch.hpp"
+#include "input/document.hpp"
+#include "input/error.hpp"
+#include "stream/run.hpp"
+
+using namespace viewproj::cmd;
+using namespace viewproj::tests;
+
+namespace {
+
+struct Case {
+  std::string name, bytes;
+  bool valid() const { return nlohmann::json::accept(bytes); }
+};
+
+std::string repeated(std::string_view text, std::size_t count) {
+  std::string all;
+  while (count-- > 0) all += text;
+  return all;
+}
+
+std::string unescaped(const std::string& text) {
+  std::string bytes;
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (text[i] != '\\') {
+      bytes += text[i];
+    } else if (text[++i] == 'x') {
+      bytes += static_cast<char>(std::stoi(text.substr(i + 1, 2), nullptr, 16));
+      i += 2;
+    } else {
+      bytes += text[i];
+    }
+  return bytes;
+}
+
+const std::vector<Case>& allCases() {
+  static const std::vector<Case> cases = [] {
+    std::vector<Case> all;
+    std::ifstream file(VIEWPROJ_JSON_SUITE);
+    for (std::string line; std::getline(file, line);) {
+      const std::size_t blank = line.find(' ');
+      all.push_back({line.substr(0, blank), unescaped(line.substr(blank + 1))});
+    }
+    all.push_back({"n_structure_100000_opening_arrays", repeated("[", 100000)});
+    all.push_back({"n_structure_open_array_object", repeated("[{\"\":", 50000) + "\n"});
+    return all;
+  }();
+  return cases;
+}
+
+/// Empty: it was read. A document in a file, as -c takes it.
+std::string faultOfFile(const std::string& bytes) {
+  const int memory = ::memfd_create("camera", MFD_CLOEXEC);
+  REQUIRE(::write(memory, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size()));
+  std::string fault;
+  try {
+    const Document document("/proc/self/fd/" + std::to_string(memory), "--camera");
+  } catch (const InputError& e) {
+    fault = e.what();
+  }
+  ::close(memory);
+  return fault;
+}
+
+bool has(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
+
+/// Values one behind the other, as a stream has them, with white space or nothing between.
+bool isSequence(const std::string& bytes) {
+  std::istringstream stream(bytes);
+  if (bytes.starts_with("\xEF\xBB\xBF")) stream.ignore(3);
+  try {
+    while ((stream >> std::ws).peek() != EOF) {
+      nlohmann::json value;
+      stream >> value;
+    }
+  } catch (const nlohmann::json::exception&) {
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("the suite is there as a whole") {
+  std::map<char, int> counts;
+  int valid = 0, agreed = 0;
+  for (const Case& one : allCases()) {
+    ++counts[one.name[0]];
+    valid += one.valid();
+    agreed += one.name[0] == 'i' || one.valid() == (one.name[0] == 'y');
+  }
+  CHECK(counts == std::map<char, int>{{'i', 35}, {'n', 188}, {'y', 95}});
+  // The judge itself calls every y_ valid and every n_ not.
+  CHECK(agreed == 318);
+  CHECK(valid >= 95);
+}
+
+TEST_CASE("in a record of a stream is valid what nlohmann-json calls valid") {
+  const std::string before = "{\"x\":1,\"y\":2,\"z\":3,\"v\":", good = before + "0}\n";
+  const std::string first = runStream(good, {}).out;
+  int accepted = 0, rejected = 0;
+  for (const Case& one : allCases()) {
+    const std::string record = before + one.bytes + "}";
+    // The first time the record's shape is new, the second time it is known.
+    for (const std::string& text : {record, good + record})
+      for (const std::size_t block : {BlockReader::kBlock, std::size_t(7)}) {
+        if (block < text.size() / 1000) continue;
+        const bool valid = nlohmann::json::accept(record);
+        const StreamRun run = runStream(text, {.from = Form::json, .block = block});
+        INFO(one.name << ", " << run.err);
+        CHECK(valid == one.valid());
+        CHECK(run.status == (valid ? 0 : 1));
+        CHECK(run.err.empty() == valid);
+        if (text != record) CHECK(run.out.starts_with(first));
+        ++(valid ? accepted : rejected);
+      }
+  }
+  CHECK(accepted >= 4 * 95);
+  CHECK(rejected >= 4 * 186);
+}
+
+TEST_CASE("a stream is a sequence of values, and only so more is valid in it than one value") {
+  std::set<std::string> more;
+  int valid = 0, wrong = 0;
+  for (const Case& one : allCases()) {
+    const StreamRun run = runStream(one.bytes, {.from = Form::json});
+    INFO(one.name << ", " << run.err);
+    if (one.valid()) {
+      // Where it is no record, that is what is said.
+      CHECK_FALSE(has(run.err, "not valid"));
+      CHECK_FALSE(has(run.err, "overflow"));
+      ++valid;
+    } else if (run.status == 0) {
+      CHECK(isSequence(one.bytes));
+      more.insert(one.name);
+    } else {
+      CHECK_FALSE(run.err.empty());
+      ++wrong;
+    }
+  }
+  CHECK(more == std::set<std::string>{"n_single_space", "n_structure_UTF8_BOM_no_data", "n_structure_double_array",
+                                      "n_structure_no_data"});
+  CHECK(valid >= 95);
+  CHECK(wrong >= 184);
+}
+
+TEST_CASE("in a camera file is valid what nlohmann-json calls valid, but for names twice and deep nests") {
+  std::set<std::string> twice, deep;
+  int accepted = 0, rejected = 0;
+  for (const Case& one : allCases())
+    for (const bool inside : {false, true}) {
+      const std::string text = inside ? "{\"v\":" + one.bytes + "}" : one.bytes;
+      const std::string fault = faultOfFile(text);
+      INFO(one.name << ", " << fault);
+      if (has(fault, "is given twice")) {
+        twice.insert(one.name);
+      } else if (has(fault, "nested deeper")) {
+        deep.insert(one.name);
+      } else if (nlohmann::json::accept(text)) {
+        ++accepted;
+        CHECK((fault.empty() || has(fault, "expected a JSON object")));
+      } else {
+        ++rejected;
+        CHECK((has(fault, "not valid JSON") || has(fault, "number overflow")));
+      }
+    }
+  CHECK(twice == std::set<std::string>{"y_object_duplicated_key", "y_object_duplicated_key_and_value"});
+  CHECK(deep == std::set<std::string>{"i_structure_500_nested_arrays", "n_structure_100000_opening_arrays",
+                                      "n_structure_open_array_object"});
+  CHECK(accepted >= 2 * 93);
+  CHECK(rejected >= 2 * 186);
+}
