@@ -129,7 +129,7 @@ std::optional<Layout> findSegment(const RecordParts& record) {
   if (!field || shape.form != Form::json) return std::nullopt;
   Layout layout;
   layout.kind = kindSegment;
-  for (std::size_t end : {0, 1}) layout.parts.push_back({*field, 3, 3, true, false, {}, end, 2});
+  for (std::size_t end : {0u, 1u}) layout.parts.push_back({*field, 3, 3, true, false, {}, end, 2});
   if (const auto pixel = shape.find("pixel")) {
     layout.kind = kindSegmentAndPixel;
     layout.parts.push_back({*pixel, 2, 2, true, true});

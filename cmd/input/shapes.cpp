@@ -43,7 +43,7 @@ Layout findShape(const RecordParts& record, const std::vector<std::string>& colu
     if (const auto box = shape.find("box")) return {{part(*box, "min"), part(*box, "max")}, kindBox};
     if (const auto triangle = shape.find("triangle")) {
       Layout layout{{}, kindTriangle};
-      for (std::size_t corner : {0, 1, 2}) layout.parts.push_back({*triangle, 3, 3, true, false, {}, corner, 3});
+      for (std::size_t corner : {0u, 1u, 2u}) layout.parts.push_back({*triangle, 3, 3, true, false, {}, corner, 3});
       return layout;
     }
     for (const char* name : {"plane", "ellipsoid"})

@@ -23,14 +23,14 @@ constexpr const char* kNames[kCalls] = {"malloc", "open", "read", "write", "poll
 std::atomic<long> counts[kCalls];
 std::atomic<bool> inMain{false};
 int failing = -1, errorNumber = 0;
-long from = 0, to = 0;
+long first = 0, last = 0;
 bool isShort = false;
 
 /// Whether this one fails; errno is set then.
 bool fails(Call call) {
   if (!inMain) return false;
   const long number = ++counts[call];
-  if (call != failing || number < from || number > to) return false;
+  if (call != failing || number < first || number > last) return false;
   if (!isShort) errno = errorNumber;
   return true;
 }
@@ -38,10 +38,10 @@ bool fails(Call call) {
 void readSetup() {
   const char* setup = std::getenv("VIEWPROJ_FAULT");
   char name[16], kind[16];
-  if (!setup || std::sscanf(setup, "%15s %ld %15s", name, &from, kind) != 3) return;
+  if (!setup || std::sscanf(setup, "%15s %ld %15s", name, &first, kind) != 3) return;
   for (int call = 0; call < kCalls; ++call)
     if (std::strcmp(name, kNames[call]) == 0) failing = call;
-  to = std::strchr(kind, '+') ? 1L << 60 : from;
+  last = std::strchr(kind, '+') ? 1L << 60 : first;
   isShort = std::strncmp(kind, "short", 5) == 0;
   errorNumber = std::atoi(kind);
 }
