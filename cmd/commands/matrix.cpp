@@ -58,9 +58,9 @@ Mat4 matrixOf(Which which, bool inverse, const CameraFile& file, const Wanted& w
                        : screenFromWorld(pose(), *file.projection, *file.viewport, c);
       return inverse ? worldFromClip(pose(), *file.projection, c) : clipFromWorld(pose(), *file.projection, c);
     case Which::viewport:
-      return inverse ? ndcFromScreen(*file.viewport, c) : screenFromNdc(*file.viewport, c);
+      break;
   }
-  return {};
+  return inverse ? ndcFromScreen(*file.viewport, c) : screenFromNdc(*file.viewport, c);
 }
 
 std::vector<WhichRow> chooseMatrices(const std::string& list, const CameraFile& file, bool bakeViewport) {

@@ -187,9 +187,7 @@ bool coincide(const PlotCurve& a, const PlotCurve& b) {
 }  // namespace
 
 const DepthMapping& DepthReport::own() const {
-  for (const NamedMapping& m : mappings)
-    if (m.own) return m.mapping;
-  return mappings.front().mapping;
+  return std::find_if(mappings.begin(), mappings.end(), [](const NamedMapping& m) { return m.own; })->mapping;
 }
 
 std::string depthAsTable(const DepthReport& r) {

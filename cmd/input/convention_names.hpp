@@ -1,6 +1,8 @@
 // The words that camera files and options use for conventions.
 #pragma once
 
+#include <algorithm>
+#include <iterator>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -29,9 +31,7 @@ inline constexpr NameRow<Origin> kOriginNames[] = {{"top-left", Origin::topLeft}
 /// The name of a value of one of the tables above.
 template <class Table, class T>
 std::string_view nameOf(const Table& table, T value) {
-  for (const auto& [name, known] : table)
-    if (known == value) return name;
-  return "";
+  return std::find_if(std::begin(table), std::end(table), [&](const auto& row) { return row.second == value; })->first;
 }
 
 inline std::vector<std::string_view> presetNames() {

@@ -30,20 +30,26 @@ struct Thrower final : nlohmann::json_sax<nlohmann::json> {
   bool end_array() override { return true; }
   bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception& e) override {
     if (const auto* wrong = dynamic_cast<const nlohmann::json::parse_error*>(&e)) throw *wrong;
-    if (const auto* range = dynamic_cast<const nlohmann::json::out_of_range*>(&e)) throw *range;
-    return false;
+    throw dynamic_cast<const nlohmann::json::out_of_range&>(e);
   }
 };
 
+/// Without the middle of a number or a string that is long.
+std::string shortened(const std::string& message) {
+  constexpr std::size_t kFront = 160, kBack = 60;
+  if (message.size() <= kFront + kBack) return message;
+  const auto splitsCharacter = [&](std::size_t at) { return (message[at] & 0xC0) == 0x80; };
+  std::size_t front = kFront, back = message.size() - kBack;
+  while (front > 0 && splitsCharacter(front)) --front;
+  while (back < message.size() && splitsCharacter(back)) ++back;
+  return message.substr(0, front) + "..." + message.substr(back);
+}
+
 /// Where token first stands outside a string.
 std::size_t outsideStrings(std::string_view text, std::string_view token) {
-  for (std::size_t at = 0; at < text.size(); ++at) {
-    if (text[at] == '"')
-      at = endOfString(text, at) - 1;
-    else if (text.substr(at).starts_with(token))
-      return at;
-  }
-  return 0;
+  std::size_t at = 0;
+  while (at < text.size() && !text.substr(at).starts_with(token)) at = text[at] == '"' ? endOfString(text, at) : at + 1;
+  return at;
 }
 
 }  // namespace
@@ -64,15 +70,15 @@ std::string place(std::string_view file, TextPosition position) {
 }
 
 std::optional<JsonFault> jsonFault(std::string_view text) {
-  if (nlohmann::json::accept(text.begin(), text.end())) return std::nullopt;
   try {
     Thrower thrower;
     (void)nlohmann::json::sax_parse(text.begin(), text.end(), &thrower);
+    return std::nullopt;
   } catch (const nlohmann::json::parse_error& e) {
     // "[json.exception.parse_error.101] parse error at line 1, column 5: what is wrong"
     std::string message = e.what();
     if (const std::size_t colon = message.find(": "); colon != std::string::npos) message.erase(0, colon + 2);
-    return JsonFault{e.byte > 0 ? e.byte - 1 : 0, "not valid JSON: " + message};
+    return JsonFault{e.byte > 0 ? e.byte - 1 : 0, "not valid JSON: " + shortened(message)};
   } catch (const nlohmann::json::exception& e) {
     // "[json.exception.out_of_range.406] number overflow parsing '1e999'"
     std::string message = e.what();
@@ -82,9 +88,8 @@ std::optional<JsonFault> jsonFault(std::string_view text) {
       offset = outsideStrings(text, token);
     }
     if (const std::size_t bracket = message.find("] "); bracket != std::string::npos) message.erase(0, bracket + 2);
-    return JsonFault{offset, message};
+    return JsonFault{offset, shortened(message)};
   }
-  return JsonFault{0, "not valid JSON"};
 }
 
 std::size_t endOfValue(std::string_view text, std::size_t at) {

@@ -17,8 +17,6 @@ std::optional<double> parseNumber(std::string_view text) {
   if (end != text.data() + text.size()) return std::nullopt;
   if (error == std::errc::result_out_of_range)
     value = std::strtod(std::string(text).c_str(), nullptr);  // tells overflow from a number next to zero
-  else if (error != std::errc())
-    return std::nullopt;
   if (!std::isfinite(value)) return std::nullopt;
   return value;
 }

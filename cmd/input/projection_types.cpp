@@ -1,5 +1,6 @@
 #include "input/projection_types.hpp"
 
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -109,9 +110,10 @@ ReadProjection readPs2(const ObjectReader& f, const std::optional<Viewport>& vie
   const double near = f.requireNumber("near");
   for (const char* name : {"scrz", "ax", "ay"})
     if (!(f.requireNumber(name) > 0)) f.fail(name, "must be above 0");
-  return {intrinsics(twoProd(ax, scrz), twoProd(ay, scrz), cx, cy, requireViewport(f, viewport, "around cx, cy"), near,
-                     readFar(f)),
-          true, true};
+  const DoubleDouble fx = twoProd(ax, scrz), fy = twoProd(ay, scrz);
+  for (const auto& [name, focal] : {std::pair("ax", fx), std::pair("ay", fy)})
+    if (!(focal.hi > 0 && std::isfinite(focal.hi))) f.fail(name, "times scrz leaves the range of doubles");
+  return {intrinsics(fx, fy, cx, cy, requireViewport(f, viewport, "around cx, cy"), near, readFar(f)), true, true};
 }
 
 /// The frame lies around (cx, cy), and depth runs from zMax to zMin.

@@ -42,7 +42,9 @@ std::optional<ReadViewport> readViewport(const ObjectReader& file, const Viewpor
                 tile->requireNumber("height")};
   }
   validate(v);
-  return ReadViewport{v, crop};
+  const ReadViewport read{v, crop};
+  (void)read.tile();  // says what is wrong with the crop
+  return read;
 }
 
 void requireShape(DoubleDouble shape, const Viewport& viewport, const ObjectReader& projection,

@@ -33,13 +33,12 @@ std::string depthNote(const Reading& centred, const Reading& half) {
 std::string shortestWithin(const Estimate& e) {
   if (std::isinf(e.value)) return "infinite";
   if (!std::isfinite(e.low) || !std::isfinite(e.high)) return formatNumber(e.value);
-  for (int digits = 0; digits < 17; ++digits) {
+  for (int digits = 0;; ++digits) {
     char text[40];
     std::snprintf(text, sizeof text, "%.*e", digits, e.value);
     const double number = std::strtod(text, nullptr);
-    if (e.low <= number && number <= e.high) return formatNumber(number);
+    if (digits == 16 || (e.low <= number && number <= e.high)) return formatNumber(number);
   }
-  return formatNumber(e.value);
 }
 
 std::vector<std::string> notesOn(const std::vector<Reading>& readings) {

@@ -1,5 +1,6 @@
 #include "output/matrix_text.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -286,13 +287,11 @@ std::vector<std::string_view> matrixFormats() {
 }
 
 std::string writeMatrices(MatrixSet set, std::string_view format, const std::string& source) {
-  for (const Format& known : kMatrixFormats)
-    if (known.name == format) {
-      set.asFloat = set.asFloat || known.onlyFloat;
-      requireRepresentable(set, set.asFloat || known.floatRange, source);
-      return known.write(set);
-    }
-  return "";
+  const Format& known = *std::find_if(std::begin(kMatrixFormats), std::end(kMatrixFormats),
+                                      [&](const Format& f) { return f.name == format; });
+  set.asFloat = set.asFloat || known.onlyFloat;
+  requireRepresentable(set, set.asFloat || known.floatRange, source);
+  return known.write(set);
 }
 
 }  // namespace viewproj::cmd

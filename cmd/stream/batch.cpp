@@ -136,11 +136,6 @@ TextPosition Batch::positionOf(const char* where) {
   const std::string_view records = block_->records;
   const auto at = static_cast<std::size_t>(where - records.data());
   if (setup_.form == Form::f64) return {block_->position.line + at / kBinaryRecord, 1 + at % kBinaryRecord};
-  // Errors come in order, but for those of results, which come after the records of their batch.
-  if (at < countedTo_) {
-    countedTo_ = 0;
-    countedPosition_ = block_->position;
-  }
   countedPosition_ = positionAt(records.substr(countedTo_), at - countedTo_, countedPosition_);
   countedTo_ = at;
   return countedPosition_;

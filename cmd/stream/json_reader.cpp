@@ -42,7 +42,7 @@ bool readNumbers(const std::vector<dom::element>& values, const Layout& layout, 
     if (!readInner(value, part)) return false;
     std::size_t count = 0;
     if (part.mayBeAbsent && value.is_null()) {
-      count = 0;
+      // no numbers
     } else if (part.isArray) {
       dom::array array;
       if (value.get_array().get(array)) return false;
@@ -87,10 +87,9 @@ class JsonReader final : public RecordReader {
  private:
   /// All records up to the first that is not an ordinary one. Returns where that begins, or the end.
   std::size_t readMany(std::size_t begin) {
-    dom::document_stream stream;
     const std::size_t size = text_.size() - begin;
-    if (parser_.parse_many(text_.data() + begin, size, std::max(size, dom::MINIMAL_BATCH_SIZE)).get(stream))
-      return begin;
+    dom::document_stream stream =
+        parser_.parse_many(text_.data() + begin, size, std::max(size, dom::MINIMAL_BATCH_SIZE));
     std::size_t done = begin;
     for (auto document = stream.begin(); document != stream.end(); ++document) {
       dom::element value;

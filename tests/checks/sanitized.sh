@@ -26,10 +26,9 @@ fi
 build=$(cd "$build" && pwd)
 rm -rf "$build/profiles" "$build/reports"
 mkdir "$build/reports"
-LLVM_PROFILE_FILE=$build/profiles/%2m.profraw
 ASAN_OPTIONS=strict_string_checks=1:log_path=$build/reports/asan
 UBSAN_OPTIONS=print_stacktrace=1:log_path=$build/reports/ubsan
-export LLVM_PROFILE_FILE ASAN_OPTIONS UBSAN_OPTIONS
+export ASAN_OPTIONS UBSAN_OPTIONS
 status=0
 ctest --test-dir "$build" --output-on-failure --parallel "$(nproc)" -E "^($others)\$" || status=1
 for report in "$build"/reports/*; do

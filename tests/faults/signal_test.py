@@ -2,6 +2,7 @@
 import json
 import os
 import pty
+import select
 import signal
 import subprocess
 import termios
@@ -170,6 +171,25 @@ class Signals(FaultTest):
         feeder.wait(tool.PATIENCE)
         os.close(terminal)
         os.close(end)
+
+    def test_progress_tells_hours_too(self):
+        """A file of 64 GiB, nearly all of it a hole, and a reader that takes 64 KiB at a time."""
+        with open("big.f64", "wb") as file:
+            file.truncate(1 << 36)
+        end, terminal = pty.openpty()
+        process = tool.start(["project", "-c", CAMERA, "big.f64"], stdout=subprocess.PIPE, stderr=terminal)
+        os.close(terminal)
+        shown = b""
+        for _ in range(200):
+            os.read(process.stdout.fileno(), 1 << 16)
+            if select.select([end], [], [], 0.1)[0]:
+                shown += os.read(end, 1000)
+            if b"left" in shown:
+                break
+        process.kill()
+        process.communicate()
+        os.close(end)
+        self.assertRegex(shown, rb"0 %, .* records/s, \d+:\d\d:\d\d left")
 
     def test_a_signal_that_is_ignored_stays_ignored(self):
         for number in ENDING:

@@ -280,6 +280,15 @@ TEST_CASE("From the near told on, the gap is resolved at the distance; in unorm 
   CHECK(needed > some * 9 / 10);
 }
 
+TEST_CASE("An orthographic range next to the end of the doubles is a range like others") {
+  const DepthMapping wide{true, -1e300, 1e300, 0, 1};
+  CHECK(depthAtDistance(wide, -1e300) == 0);
+  CHECK(depthAtDistance(wide, 0) == 0.5);
+  CHECK(depthAtDistance(wide, 1e300) == 1);
+  CHECK(depthSlope(wide, 0) == Approx(1 / 2e300));
+  CHECK(resolvedGap(wide, unormDepth(16), 0) == Approx(2e300 / 65535));
+}
+
 TEST_CASE("What the literature says of depth buffers holds") {
   // The OpenGL FAQ's example: near 0.01, far 1000, 16 bits. The last step before far lies at 395.90054.
   const DepthMapping faq{false, 0.01, 1000, 0, 1};

@@ -104,7 +104,7 @@ const runs = readRuns(join(scratch, "recorded"));
 const rules = new Tally();
 {
   const texts = { camera: new Set(), scene: new Set(), points: new Set(), shapes: new Set(), pixels: new Set() };
-  const kRecords = { project: "points", draw: "points", measure: "points", cull: "shapes", ray: "pixels" };
+  const kRecords = { project: "points", measure: "points", cull: "shapes", ray: "pixels" };
   for (const r of runs) {
     const alone = r.command === "matrix" || r.command === "depth";
     const camera = r.options["--camera"] ?? (alone ? r.files[0] ?? "-" : undefined);
@@ -124,7 +124,7 @@ const rules = new Tally();
 
 // Random documents as they are and with up to three mutations.
 const kGenerated = {
-  camera: { count: 24000, make: makeCamera },
+  camera: { count: 40000, make: makeCamera },
   scene: { count: 8000, make: documents.scene },
   points: { count: 10000, make: documents.points },
   shapes: { count: 6000, make: documents.shapes },
@@ -139,7 +139,7 @@ function mutated(kind, seed, names) {
   let root = kGenerated[kind].make(r);
   for (let steps = r.below(4); steps > 0; --steps) {
     const name = r.of(Object.keys(kMutations));
-    const result = kMutations[name](r, root, kGenerated[kind].make(r));
+    const result = kMutations[name](r, root, () => kGenerated[kind].make(r));
     if (result === false) continue;
     if (result !== undefined) root = structuredClone(result);
     names.push(name);

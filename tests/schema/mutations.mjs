@@ -28,16 +28,24 @@ const kWords = [
 ];
 const kUnknown = ["colour", "fov", "fovy", "Position", "extra", "points", "z", "w"];
 
-/// Where any value may stand: a field of the document's own that another document has too.
-function graft(r, root, other) {
-  const from = r.of(held(other, () => true));
-  if (!from) return false;
-  const [source, key] = from;
-  const targets = [root, ...held(root, isObject).map(([at, k]) => at[k])].filter(isObject);
-  if (targets.length === 0 || typeof key === "number") return false;
-  const target = r.of(r.chance(0.7) ? targets.filter((t) => Object.keys(t).some((k) => k in source)) : targets);
-  if (!target) return false;
-  target[key] = structuredClone(source[key]);
+/// A field that an object at the same place of another document has, one that is not there yet where there is one.
+function graft(r, root, another) {
+  for (let attempt = 0; attempt < 8; ++attempt) {
+    const pairs = [];
+    const walk = (own, other) => {
+      if (isObject(own) && isObject(other)) pairs.push([own, other]);
+      if (own === null || other === null || typeof own !== "object" || typeof other !== "object") return;
+      for (const key of Object.keys(own)) if (key in other) walk(own[key], other[key]);
+    };
+    const other = another();
+    walk(root, other);
+    const fresh = pairs.flatMap(([own, from]) => Object.keys(from).filter((key) => !(key in own)).map((key) => [own, from, key]));
+    if (fresh.length === 0) continue;
+    const [own, from, key] = r.of(fresh);
+    own[key] = structuredClone(from[key]);
+    return undefined;
+  }
+  return false;
 }
 
 /// Each changes the document in place, or returns what it is from then on; false where there is nothing to change.
@@ -64,7 +72,7 @@ export const kMutations = {
   "change a sign": (r, root) => replace(r, root, (v) => typeof v === "number", (v) => -v),
   "put 0": (r, root) => replace(r, root, (v) => typeof v === "number", () => 0),
   "put an extreme": (r, root) =>
-    replace(r, root, (v) => typeof v === "number", () => r.of([1e308, -1e308, 5e-324, 1e-200, 1e200, 179.99999999999997, 91, 1e17])),
+    replace(r, root, (v) => typeof v === "number", () => r.of([1e308, -1e308, 5e-324, 1e-200, 1e200, 179.99999999999997, 180, 90.5, -90.5, 1e17])),
   "scale a number": (r, root) => replace(r, root, (v) => typeof v === "number", (v) => v * r.of([2, 1000, -10, 0.001])),
   "write a number as a string": (r, root) => replace(r, root, (v) => typeof v === "number", (v) => String(v)),
   "put all 0": (r, root) => replace(r, root, Array.isArray, (v) => v.map(() => 0)),
@@ -78,6 +86,12 @@ export const kMutations = {
     if (found.length < 2) return false;
     const [a, i] = r.of(found), [b, j] = r.of(found.filter(([at]) => at === a));
     [a[i], b[j]] = [b[j], a[i]];
+  },
+  "make two numbers the same"(r, root) {
+    const found = held(root, (v) => typeof v === "number");
+    if (found.length < 2) return false;
+    const [at, key] = r.of(found);
+    at[key] = r.of(found.filter(([other]) => other === at).map(([, k]) => at[k]));
   },
   "repeat a value": (r, root) => replace(r, root, (v, at) => Object.keys(at).length > 1, (v, at) => structuredClone(at[r.of(Object.keys(at))])),
   "change the whole": (r, root) => r.of([null, true, 5, "x", [], {}, [root], [[]], { points: [root] }, { points: root }]),

@@ -9,7 +9,8 @@ export const kRules = {
   camera: {
     "far is above near": /projection\.far: must be greater than near/,
     "edges are in order": /projection\.(right|top): must be greater than (left|bottom)/,
-    "a ps2 depth range has two ends": /viewport\.depthRange: must span more than one value/,
+    "a ps2 depth range has two ends": (message, value) =>
+      value.projection?.type === "ps2" && /viewport\.depthRange: must span more than one value/.test(message),
     "the shape fits the viewport's": /times as wide as high, but the viewport/,
     "target is not the eye": /target: is the camera's own position/,
     "up is not along the view": /up: is parallel to the viewing direction|target: is straight above or below the camera/,
@@ -17,7 +18,7 @@ export const kRules = {
     "a matrix has the world's handedness": /(worldFromCamera|cameraFromWorld): is a (mirroring|rotation) of camera axes/,
     // An aspect that the file has itself would stand behind the message; so does a width that is above 0 until halved.
     "no number leaves the range of doubles":
-      /makes a window too (small or too )?large|aspect: must be a finite number above 0$|(width|height): must be above 0 \(is \d[\d.]*e-\d+\)/,
+      /makes a window too (small or too )?large|a[xy]: times scrz leaves|aspect: must be a finite number above 0$|(width|height): must be above 0 \(is \d[\d.]*e-\d+\)/,
     "no key is given twice": /the key '.*' is given twice/,
   },
   scene: {

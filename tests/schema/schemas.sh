@@ -9,7 +9,9 @@ missing() {
   echo "skipped: $1"
   exit 77
 }
-command -v node >/dev/null 2>&1 && command -v npm >/dev/null 2>&1 || missing "node and npm are not installed"
+for needed in node npm; do
+  command -v "$needed" >/dev/null 2>&1 || missing "$needed is not installed"
+done
 mkdir -p "$3"
 if [ ! -d "$3/node_modules/ajv" ]; then
   (cd "$3" && npm install --silent --no-save --no-package-lock ajv@8.17.1 >/dev/null 2>&1) ||

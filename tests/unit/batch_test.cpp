@@ -175,6 +175,49 @@ TEST_CASE("Every kernel that this processor supports gives the same bits") {
   CHECK(compared >= 360);
 }
 
+TEST_CASE("Every kernel that this processor supports casts the same rays, to the bit") {
+  struct Run {
+    const Camera& camera;
+    const std::vector<Vec2>& pixels;
+    std::vector<Vec3> directions;
+    std::size_t settled = 0;
+  };
+  std::size_t compared = 0, settled = 0;
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    const Trial trial = randomTrial(seed, 1);
+    if (trial.camera.projection.orthographic) continue;
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> anywhere(-3000, 3000);
+    std::vector<Vec2> pixels(123);
+    for (Vec2& pixel : pixels) pixel = {anywhere(random), anywhere(random)};
+    pixels[5] = {NAN, 1};
+    pixels[6] = {1e200, -1e300};
+    std::vector<Run> runs;
+    for (const Kernels* k : allKernels()) {
+      if (!k->supported()) continue;
+      Run run{trial.camera, pixels, std::vector<Vec3>(pixels.size())};
+      k->rays(trial.camera.constants, &pixels[0].x, &run.directions[0].x, pixels.size(),
+              {[](void* context, std::size_t i) noexcept {
+                 Run& r = *static_cast<Run*>(context);
+                 r.directions[i] = screenToRay(r.camera, r.pixels[i], Precision::standard).direction;
+                 ++r.settled;
+               },
+               &run});
+      runs.push_back(std::move(run));
+    }
+    for (const Run& run : runs) {
+      INFO("seed " << seed);
+      for (std::size_t i = 0; i < pixels.size(); ++i) REQUIRE(sameBits(run.directions[i], runs[0].directions[i]));
+      settled += run.settled;
+      ++compared;
+    }
+  }
+  CAPTURE(compared, settled);
+  CHECK(compared >= 80);
+  CHECK(settled >= compared);
+  CHECK(settled < 20 * compared);
+}
+
 TEST_CASE("A batch of rays gives the bits of single rays") {
   for (unsigned seed = 0; seed < 30; ++seed) {
     const Trial trial = randomTrial(seed, 1);

@@ -65,6 +65,21 @@ TEST_CASE("Edges must be in order and finite") {
   CHECK(fieldAtFault([] { orthographic(-1, INFINITY, -1, 1, 1, 2); }) == "right");
 }
 
+TEST_CASE("A window that doubles cannot tell from none, or from the whole plane, is named") {
+  CHECK(fieldAtFault([] { frustum(-1e-280, 1e-280, -1, 1, 1, 2); }) == "right");
+  CHECK(fieldAtFault([] { frustum(-1e280, 1e280, -1, 1, 1, 2); }) == "right");
+  CHECK(fieldAtFault([] { frustum(-1, 1, 1e280, 2e280, 1, 2); }) == "top");
+  const Projection narrow = frustum(-1e-270, 1e-270, -1e-270, 1e-270, 1, 2);
+  CHECK(fieldAtFault([&] { makeCamera(kPose, narrow, {1e30, 1e30}); }).empty());
+  CHECK(fieldAtFault([&] { makeCamera(kPose, narrow, {1e300, 1e300}); }) == "projection");
+}
+
+TEST_CASE("A focal length goes with a side of the sensor") {
+  CHECK(fieldAtFault([] { perspectiveFocalLength(50, 0, 0, 1.5, 1, 2); }) == "focalLength");
+  CHECK(fieldAtFault([] { perspectiveFocalLength(50, -36, 0, 1.5, 1, 2); }) == "sensorWidth");
+  CHECK(fieldAtFault([] { perspectiveFocalLength(50, 0, NAN, 1.5, 1, 2); }) == "sensorHeight");
+}
+
 TEST_CASE("Every way to give the same lens ends in the same window") {
   const DoubleDouble aspect = DoubleDouble(kViewport.width) / DoubleDouble(kViewport.height);
   const double tangent = tanHalfDegrees(90).hi;

@@ -112,6 +112,39 @@ TEST_CASE("A NaN or an infinity in any coordinate of a point is said, not comput
   CHECK(worldToScreen(plainCamera(), Vec4{0, 0, 0, 0}).status == PointStatus::notFinite);
 }
 
+TEST_CASE("What is wrong with a point is told at every stage: none has a number") {
+  for (const Vec4& point : {Vec4{NAN, 0, -2, 1}, Vec4{0, INFINITY, -2, 1}, Vec4{0, 0, 0, 0}}) {
+    const PointStages s = pointStages(plainCamera(), point, {});
+    CHECK(s.screen.status == PointStatus::notFinite);
+    for (const Vec3& v : {s.world, s.relative, s.view, s.ndc})
+      CHECK((std::isnan(v.x) && std::isnan(v.y) && std::isnan(v.z)));
+    CHECK((std::isnan(s.clip.x) && std::isnan(s.clip.y) && std::isnan(s.clip.z) && std::isnan(s.clip.w)));
+  }
+}
+
+TEST_CASE(
+    "A point whose weight takes it beyond all doubles lies where its direction does, turned if the weight is below 0") {
+  // x / -z = 2/3 of an edge at 2, y / -z = 1/3 of an edge at 1: a third of half the width and of half the height.
+  for (double sign : {1.0, -1.0}) {
+    const Vec4 far{sign * 1e308, sign * 5e307, sign * -1.5e308, sign * 1e-300};
+    const ScreenPoint p = worldToScreen(plainCamera(), far);
+    CHECK(p.x == Approx(100 + 100.0 / 3));
+    CHECK(p.y == Approx(50 - 50.0 / 3));
+    CHECK(p.depth == Approx(10.0 / 9));  // of infinity
+  }
+  CHECK(worldToScreen(plainCamera(), Vec4{1e308, 5e307, -1.5e308, -1e-300}).status == PointStatus::behind);
+}
+
+TEST_CASE("A weighted point has the bound of exact, whatever the precision") {
+  for (Precision precision : {Precision::fast, Precision::standard, Precision::exact}) {
+    const ErrorBound weighted = boundOfPoint(plainCamera(), Vec4{2, 1, -6, 2}, precision);
+    const ErrorBound plain = boundOfPoint(plainCamera(), Vec3{1, 0.5, -3}, Precision::exact);
+    CHECK(weighted.screen == plain.screen);
+    CHECK(boundOfPoint(plainCamera(), Vec4{1, 0.5, -3, 1}, precision).screen ==
+          boundOfPoint(plainCamera(), Vec3{1, 0.5, -3}, precision).screen);
+  }
+}
+
 TEST_CASE("A result of zero is positive zero") {
   const ScreenPoint p = worldToScreen(plainCamera(), Vec3{-2, 1, -1});
   CHECK_FALSE(std::signbit(p.x));

@@ -88,9 +88,9 @@ const char* axesName(CameraAxes axes) {
     case CameraAxes::RDF:
       return "RDF";
     case CameraAxes::FRU:
-      return "FRU";
+      break;
   }
-  return "";
+  return "FRU";
 }
 
 /// Of right, up, forward: which one each camera axis lies along, and its sign.
@@ -108,9 +108,9 @@ AxisMap axisMap(CameraAxes axes) {
     case CameraAxes::RDF:
       return {{0, 1, 2}, {1, -1, 1}};
     case CameraAxes::FRU:
-      return {{2, 0, 1}, {1, 1, 1}};
+      break;
   }
-  return {};
+  return {{2, 0, 1}, {1, 1, 1}};
 }
 
 Handedness handednessOf(CameraAxes axes) {

@@ -13,7 +13,7 @@ constexpr DoubleDouble kRadiansPerDegree{0x1.1df46a2529d39p-6, 0x1.5c1d8becdd291
 constexpr std::size_t kTerms = 15;
 
 /// 1/first!, -1/(first+2)!, 1/(first+4)!, ... : the Taylor coefficients of cos (first = 0) and of sin(x)/x (first = 1).
-constexpr std::array<DoubleDouble, kTerms> alternatingInverseFactorials(int first) {
+consteval std::array<DoubleDouble, kTerms> alternatingInverseFactorials(int first) {
   std::array<DoubleDouble, kTerms> coefficients;
   DoubleDouble value = 1;
   for (std::size_t k = 0; k < kTerms; ++k) {

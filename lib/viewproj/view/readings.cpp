@@ -390,9 +390,9 @@ Mat4 converted(const Reading& r, const Convention& target) {
     case MatrixKind::worldFromView:
       return worldFromView(*r.pose, target);
     case MatrixKind::viewProjection:
-      return withoutNoise(clipFromWorld(*r.pose, *r.projection, target), *r.pose);
+      break;
   }
-  return {};
+  return withoutNoise(clipFromWorld(*r.pose, *r.projection, target), *r.pose);
 }
 
 }  // namespace viewproj
