@@ -26,7 +26,6 @@ class TextBuffer {
   }
   TextBuffer& operator+=(std::string_view text) {
     if (text.empty()) return *this;  // which may be nowhere
-    if (text.empty()) return *this;  // its data may be null
     std::memcpy(room(text.size()), text.data(), text.size());
     size_ += text.size();
     return *this;
