@@ -18,7 +18,7 @@
 namespace viewproj::cmd {
 namespace {
 
-constexpr std::size_t kMostBytes = 64 << 20;
+constexpr std::size_t kMostBytes = 1 << 20;
 
 /// Which readings are wanted.
 struct Choice {

@@ -15,6 +15,9 @@
 namespace viewproj::cmd {
 namespace {
 
+/// Points that are kept at once.
+constexpr std::size_t kMostPoints = 10'000'000;
+
 /// What batches take, and how much was left out because they do not.
 struct Sample {
   std::vector<Vec3> points;
@@ -31,6 +34,8 @@ class SampleWork final : public RecordWork {
   void nameResults(const Layout&, ResultSink&) const override {}
   void add(const Layout& layout, const Numbers& numbers) override {
     const Vec4 p = toPoint(layout, numbers);
+    if (sample_.points.size() == kMostPoints)
+      throw RecordError(0, "is one more than the " + std::to_string(kMostPoints) + " points that are measured at once");
     if (p.w == 1)
       sample_.points.push_back({p.x, p.y, p.z});
     else

@@ -66,7 +66,15 @@ struct KeyGivenTwice {
   std::size_t offset;
 };
 
-/// In valid JSON nested no deeper than kDeepest; text begins at `base` of the whole.
+/// Of the objects in it, all together.
+std::size_t countKeys(const nlohmann::json& value) {
+  std::size_t count = value.is_object() ? value.size() : 0;
+  if (value.is_structured())
+    for (const auto& part : value) count += countKeys(part);
+  return count;
+}
+
+/// In valid JSON nested no deeper than kDeepest; text begins at `base` of the whole. Each level is gone through anew.
 std::optional<KeyGivenTwice> keyGivenTwice(std::string_view text, std::size_t base = 0) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   text.remove_prefix(first);
@@ -105,9 +113,15 @@ Document::Document(const std::string& source, const std::string& option, const c
     throw InputError(place(name_, positionAt(text_, *at)) + ": nested deeper than " + std::to_string(kDeepest));
   if (const auto fault = jsonFault(text_))
     throw InputError(place(name_, positionAt(text_, fault->offset)) + ": " + fault->message);
-  if (const auto twice = keyGivenTwice(text_))
-    throw InputError(place(name_, positionAt(text_, twice->offset)) + ": the key '" + twice->key + "' is given twice");
-  root_ = std::make_unique<nlohmann::json>(nlohmann::json::parse(text_));
+  std::size_t keys = 0;
+  root_ = std::make_unique<nlohmann::json>(nlohmann::json::parse(text_, [&](int, auto event, const auto&) {
+    keys += event == nlohmann::json::parse_event_t::key;
+    return true;
+  }));
+  if (countKeys(*root_) != keys)
+    if (const auto twice = keyGivenTwice(text_))
+      throw InputError(place(name_, positionAt(text_, twice->offset)) + ": the key '" + twice->key +
+                       "' is given twice");
   if (arrayKey && root_->is_array()) *root_ = {{arrayKey, std::move(*root_)}};
   if (!root_->is_object()) throw InputError(place(name_, {}) + ": expected a JSON object");
 }
@@ -122,7 +136,7 @@ void Document::set(const std::string& assignment) {
   const std::string text = assignment.substr(equals + 1);
   nlohmann::json value = nlohmann::json::parse(text, nullptr, false);
   if (value.is_discarded()) value = text;
-  if (value.is_string() && !isUtf8(text)) throw UsageError("--set " + assignment + ": is not UTF-8");
+  if (value.is_string() && !isUtf8(text)) throw UsageError("--set " + dotted(path) + ": the value is not UTF-8");
 
   nlohmann::json* at = root_.get();
   const auto element = [&](const std::string& step) {

@@ -34,6 +34,17 @@ struct Thrower final : nlohmann::json_sax<nlohmann::json> {
   }
 };
 
+/// Without the middle of a number or a string that is long.
+std::string shortened(const std::string& message) {
+  constexpr std::size_t kFront = 160, kBack = 60;
+  if (message.size() <= kFront + kBack) return message;
+  const auto splitsCharacter = [&](std::size_t at) { return (message[at] & 0xC0) == 0x80; };
+  std::size_t front = kFront, back = message.size() - kBack;
+  while (front > 0 && splitsCharacter(front)) --front;
+  while (back < message.size() && splitsCharacter(back)) ++back;
+  return message.substr(0, front) + "..." + message.substr(back);
+}
+
 /// Where token first stands outside a string.
 std::size_t outsideStrings(std::string_view text, std::string_view token) {
   std::size_t at = 0;
@@ -67,7 +78,7 @@ std::optional<JsonFault> jsonFault(std::string_view text) {
     // "[json.exception.parse_error.101] parse error at line 1, column 5: what is wrong"
     std::string message = e.what();
     if (const std::size_t colon = message.find(": "); colon != std::string::npos) message.erase(0, colon + 2);
-    return JsonFault{e.byte > 0 ? e.byte - 1 : 0, "not valid JSON: " + message};
+    return JsonFault{e.byte > 0 ? e.byte - 1 : 0, "not valid JSON: " + shortened(message)};
   } catch (const nlohmann::json::exception& e) {
     // "[json.exception.out_of_range.406] number overflow parsing '1e999'"
     std::string message = e.what();
@@ -77,7 +88,7 @@ std::optional<JsonFault> jsonFault(std::string_view text) {
       offset = outsideStrings(text, token);
     }
     if (const std::size_t bracket = message.find("] "); bracket != std::string::npos) message.erase(0, bracket + 2);
-    return JsonFault{offset, message};
+    return JsonFault{offset, shortened(message)};
   }
 }
 

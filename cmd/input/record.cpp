@@ -14,7 +14,8 @@ namespace {
 constexpr std::string_view kBlanks = " \t\r";
 
 void splitText(std::string_view text, std::vector<std::string_view>& values) {
-  for (std::size_t at = text.find_first_not_of(kBlanks); at != std::string_view::npos;) {
+  for (std::size_t at = text.find_first_not_of(kBlanks);
+       at != std::string_view::npos && values.size() <= kMostFields;) {
     const std::size_t end = std::min(text.find_first_of(kBlanks, at), text.size());
     values.push_back(text.substr(at, end - at));
     at = text.find_first_not_of(kBlanks, end);
@@ -60,6 +61,7 @@ RecordParts jsonParts(std::string_view text) {
       offsets.push_back(part->offset);
     }
     record.values.push_back(part->value);
+    requireFewFields(text, record.values);
   }
   if (const auto again = firstRepeated(record.shape.names, std::identity()))
     throw RecordError(offsets[*again], "has the field " + quoted(record.shape.names[*again]) + " twice");
@@ -70,13 +72,15 @@ RecordParts jsonParts(std::string_view text) {
 RecordParts textParts(std::string_view text) {
   RecordParts record{text, {Form::text, true, 0, {}}, {}};
   splitText(text, record.values);
+  requireFewFields(text, record.values);
   record.shape.size = record.values.size();
   return record;
 }
 
 RecordParts csvParts(std::string_view text, const Shape& header) {
   RecordParts record{text, header, {}};
-  splitCsvLine(text, record.values);
+  splitCsvLine(text, record.values, kMostFields + 1);
+  requireFewFields(text, record.values);
   const std::size_t size = record.values.size(), expected = header.size;
   if (size != expected)
     throw RecordError(
@@ -111,7 +115,7 @@ std::vector<double> binaryNumbers(std::string_view bytes) {
   return numbers;
 }
 
-void splitCsvLine(std::string_view line, std::vector<std::string_view>& fields) {
+void splitCsvLine(std::string_view line, std::vector<std::string_view>& fields, std::size_t most) {
   const char* at = line.data();
   const char* const end = at + line.size();
   for (const char* begin = at;; begin = ++at) {
@@ -122,8 +126,14 @@ void splitCsvLine(std::string_view line, std::vector<std::string_view>& fields) 
     }
     while (at < end && *at != ',') ++at;
     fields.emplace_back(begin, at - begin);
-    if (at == end) return;
+    if (at == end || fields.size() == most) return;
   }
+}
+
+void requireFewFields(std::string_view text, const std::vector<std::string_view>& values) {
+  if (values.size() > kMostFields)
+    throw RecordError(static_cast<std::size_t>(values.back().data() - text.data()),
+                      "has more than " + std::to_string(kMostFields) + " fields");
 }
 
 std::string csvValue(std::string_view field) {
@@ -139,7 +149,7 @@ std::string csvValue(std::string_view field) {
 CsvHeader readCsvHeader(std::string_view line, const std::vector<std::string>& defaults) {
   CsvHeader header;
   std::vector<std::string_view> fields;
-  splitCsvLine(line, fields);
+  splitCsvLine(line, fields, kMostFields + 1);
   header.present = std::any_of(fields.begin(), fields.end(), [](std::string_view field) {
     const std::string value = csvValue(field);
     return value.find_first_not_of(" \t") != std::string::npos && !parseNumber(value);

@@ -1,6 +1,7 @@
 // One record of a stream as written: its text, and its fields by name.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,6 +15,9 @@ namespace viewproj::cmd {
 
 /// Bytes of a record of f64: three little-endian doubles.
 inline constexpr std::size_t kBinaryRecord = 24;
+
+/// A record of more fields is an error.
+inline constexpr std::size_t kMostFields = 1 << 20;
 
 /// What records that look alike have in common: the names of their fields, in order.
 struct Shape {
@@ -77,8 +81,12 @@ std::vector<std::string_view> valuesOf(const Record& record);
 /// The doubles of a record of f64.
 std::vector<double> binaryNumbers(std::string_view bytes);
 
-/// The fields of a CSV line as written: separated by commas outside quotes. Quotes count where a field begins with one.
-void splitCsvLine(std::string_view line, std::vector<std::string_view>& fields);
+/// The fields of a CSV line as written, or the first `most`: separated by commas outside quotes. Quotes count where a
+/// field begins with one.
+void splitCsvLine(std::string_view line, std::vector<std::string_view>& fields, std::size_t most = SIZE_MAX);
+
+/// Throws RecordError at the first value that is too many.
+void requireFewFields(std::string_view text, const std::vector<std::string_view>& values);
 
 /// A CSV field without its quotes.
 std::string csvValue(std::string_view field);

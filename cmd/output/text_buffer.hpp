@@ -25,11 +25,13 @@ class TextBuffer {
     return *this;
   }
   TextBuffer& operator+=(std::string_view text) {
+    if (text.empty()) return *this;  // which may be nowhere
     std::memcpy(room(text.size()), text.data(), text.size());
     size_ += text.size();
     return *this;
   }
   void append(std::size_t count, char c) {
+    if (count == 0) return;
     std::memset(room(count), c, count);
     size_ += count;
   }

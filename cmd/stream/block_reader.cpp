@@ -32,6 +32,8 @@ std::size_t countLines(std::string_view text) {
   return lines + static_cast<std::size_t>(std::count(text.begin() + at, text.end(), '\n'));
 }
 
+std::string tooLong() { return "a record longer than " + std::to_string(BlockReader::kLongestRecord >> 20) + " MiB"; }
+
 bool mayBeginBom(std::string_view text) { return text.size() < kBom.size() && kBom.starts_with(text); }
 
 std::size_t wholeCsv(std::string_view text) {
@@ -105,14 +107,23 @@ void BlockReader::setForm(Form form) {
   if (carried_.view().starts_with(kBom)) carried_.assign(carried_.view().substr(kBom.size()));
 }
 
+void BlockReader::readToLineBreak() {
+  std::size_t had = carried_.size();
+  do {
+    had = carried_.size();
+    readMore(carried_, had < carried_.capacity() ? carried_.capacity() : std::max(2 * had, block_));
+  } while (!atEnd_ && !over_ && carried_.size() < kLongestRecord && carried_.view().substr(had).find('\n') == npos);
+}
+
 std::optional<BlockReader::Line> BlockReader::firstLine(bool take) {
   std::size_t begin = 0;
   TextPosition position = position_;
   while (!over_) {
     const std::string_view text = carried_.view();
     const std::size_t end = endOfCsvRecord(text, begin);
-    if (end == text.size() && !atEnd_ && text.size() < kLongestRecord) {
-      readMore(carried_, carried_.size() + block_);
+    if (end == text.size() && !atEnd_) {
+      if (end - begin >= kLongestRecord) throw InputError(place(name_, position) + ": " + tooLong());
+      readToLineBreak();
       continue;
     }
     if (begin == text.size()) return std::nullopt;
@@ -159,11 +170,12 @@ bool BlockReader::next(Block& block) {
     for (std::size_t lookedAt = npos;;) {
       const bool full = bytes.size() == most;
       if (atEnd_ || (bytes.size() != lookedAt && (full || !file_->isReady()))) {
+        const std::string_view fresh = bytes.view().substr(lookedAt == npos ? 0 : lookedAt);
         lookedAt = bytes.size();
-        whole = wholeRecords(block, bytes.view());
+        whole = mayEndRecord(fresh) ? wholeRecords(block, bytes.view()) : 0;
         if (whole > 0 || atEnd_ || block.fault) break;
         if (bytes.size() >= kLongestRecord) {
-          block.fault = {position_, "a record longer than " + std::to_string(kLongestRecord >> 20) + " MiB"};
+          block.fault = {position_, tooLong()};
           break;
         }
         if (full) most *= 2;
@@ -187,6 +199,10 @@ bool BlockReader::next(Block& block) {
   block.last = atEnd_ && carried_.size() == 0;
   over_ = block.fault || block.last || (atEnd_ && whole == 0);
   return whole > 0 || block.fault;
+}
+
+bool BlockReader::mayEndRecord(std::string_view fresh) const {
+  return atEnd_ || form_ == Form::json || form_ == Form::f64 || fresh.find('\n') != npos;
 }
 
 std::size_t BlockReader::wholeRecords(Block& block, std::string_view text) {

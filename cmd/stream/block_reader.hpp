@@ -88,6 +88,10 @@ class BlockReader {
   std::size_t wholeJson(Block& block, std::string_view text);
   std::size_t wholeArrayRecords(Block& block, std::string_view text);
   static std::size_t wholeArray(JsonSplitter splitter, std::string_view text);
+  /// Whether a record can end in bytes that were not looked at yet.
+  bool mayEndRecord(std::string_view fresh) const;
+  /// Reads into carried_ until what is new has a line break, or no more is to be had or to be kept.
+  void readToLineBreak();
   /// Reads once, behind what bytes hold, until they are `most` at the most. False when woken.
   bool readMore(ByteBuffer& bytes, std::size_t most);
   void moveOn(std::string_view text);

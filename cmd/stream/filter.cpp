@@ -96,6 +96,8 @@ TextBuffer readHeader(Stream& stream, BlockReader& reader) {
   const bool fromCsv = line.has_value();
   try {
     if (fromCsv) {
+      if (header.names.size() > kMostFields)
+        throw RecordError(0, "has more than " + std::to_string(kMostFields) + " columns");
       RecordParts example{line->text, stream.header, {}};
       std::vector<std::string> columns = header.names;
       std::erase(columns, "");

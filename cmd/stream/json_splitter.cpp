@@ -65,7 +65,12 @@ DocumentStart documentStart(std::string_view text, std::size_t at) {
 }  // namespace
 
 std::size_t lastBorder(std::string_view text, std::size_t from) {
-  for (std::size_t at = text.rfind('\n'); at != npos && at >= from; at = text.rfind('\n', at)) {
+  // No farther back than `from`: what stands before was looked at.
+  const auto lineBreakBefore = [&](std::size_t end) {
+    const std::size_t at = end > from ? text.substr(from, end - from).rfind('\n') : npos;
+    return at == npos ? npos : from + at;
+  };
+  for (std::size_t at = lineBreakBefore(text.size()); at != npos; at = lineBreakBefore(at)) {
     if (const BorderAt border = borderAt(text, at); border.is == BorderAt::yes) return border.next;
     at = text.find_last_not_of(kSpace, at);
     if (at == npos) return npos;

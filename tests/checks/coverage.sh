@@ -23,7 +23,8 @@ llvm llvm-cov export -format=lcov -instr-profile "$build/profile" "$@" lib cmd 2
   exit 1
 }
 awk -F '[:,]' -v root="$PWD/" -v least=$least '
-  $1 == "SF" { file = substr($0, 4); if (index(file, root) == 1) file = substr(file, length(root) + 1) }
+  # As ccache has it, the path goes by way of the build folder.
+  $1 == "SF" { file = substr($0, 4); while (sub(/\/[^\/]+\/\.\.\//, "/", file)); if (index(file, root) == 1) file = substr(file, length(root) + 1) }
   $1 == "DA" && file ~ /^(lib|cmd)\// { if (!((file, $2) in runs)) { runs[file, $2] = 0; lines[file] = lines[file] " " $2 } runs[file, $2] += $3 }
   END {
     for (file in lines) {

@@ -15,6 +15,17 @@ if [ "${LONG-}" != 1 ]; then
   VIEWPROJ_JSON_LINES=20000
   export VIEWPROJ_JSON_LINES
 fi
-TSAN_OPTIONS=second_deadlock_stack=1
+# Reports go to files: a test may hold the standard error, and expect a failure.
+build=$(cd "$build" && pwd)
+rm -rf "$build/reports"
+mkdir "$build/reports"
+TSAN_OPTIONS=second_deadlock_stack=1:log_path=$build/reports/tsan
 export TSAN_OPTIONS
-ctest --test-dir "$build" --output-on-failure --parallel "$(nproc)" -R '^(stream|cmd|samples)$'
+status=0
+ctest --test-dir "$build" --output-on-failure --parallel "$(nproc)" -R '^(stream|cmd|samples)$' || status=1
+for report in "$build"/reports/*; do
+  [ -f "$report" ] || continue
+  head -n 80 "$report"
+  status=1
+done
+exit $status

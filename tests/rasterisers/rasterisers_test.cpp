@@ -153,7 +153,7 @@ TEST_CASE("A rasteriser that is told something else disagrees") {
       {"a 64th of a pixel down", 0.03, false, [](Draw& d) { d.y += 1.0 / 64; }},
       {"everything nearer to the middle", 0.9, true,
        [](Draw& d) {
-         for (std::size_t row : {0, 1})
+         for (std::size_t row : {0u, 1u})
            for (std::size_t j = 0; j < 4; ++j)
              d.projection[d.rowVectors == d.rowMajor ? 4 * j + row : 4 * row + j] *= 0.8f;
        }},

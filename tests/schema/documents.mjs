@@ -71,7 +71,7 @@ function addPose(r, camera, way, world) {
     camera.cameraAxes = leftAxes ? r.of(["RUF", "FRU"]) : r.of(["RUB", "RDF", null]);
   } else if (way === "turn") {
     camera.position = place(r);
-    maybe(r, camera, "pitch", () => r.number(-90, 90));
+    if (r.chance(0.7)) camera.pitch = r.number(-90, 90);
     maybe(r, camera, "roll", () => r.number(-360, 360));
     if (r.chance(0.7) || (camera.pitch ?? camera.roll ?? null) === null) camera.heading = r.number(-360, 720);
   } else if (way === "target place") {

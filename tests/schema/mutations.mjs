@@ -28,6 +28,24 @@ const kWords = [
 ];
 const kUnknown = ["colour", "fov", "fovy", "Position", "extra", "points", "z", "w"];
 
+/// Numbers at the limits of fields and just beyond them.
+const kBeyond90 = [90, -90, 90.5, -90.5], kAngle = [0, 180, 179.5, 180.5], kZero = [0, 5e-324, -5e-324];
+const kLimits = {
+  lat: kBeyond90, pitch: kBeyond90, fovY: kAngle, fovX: kAngle, fovDiagonal: kAngle, near: kZero, far: kZero, fx: kZero, fy: kZero,
+  scrz: kZero, ax: kZero, ay: kZero, width: kZero, height: kZero, aspect: kZero, nearWidth: kZero, nearHeight: kZero,
+  focalLength: kZero, sensorWidth: kZero, sensorHeight: kZero, radius: kZero, skew: kZero, w: kZero, viewDistance: kZero,
+};
+
+/// Fields that go with some of their neighbours and not with others.
+const kNeighbours = {
+  type: { fovY: 60, fovX: 60, aspect: 1.5, nearWidth: 1, nearHeight: 1, focalLength: 35, sensorWidth: 36, sensorHeight: 24, width: 2, left: -1 },
+  position: { up: [0, 0.5, 1], cameraAxes: "RUB", heading: 10, target: [50, 40, 30], direction: [1, 1, 1], world: "ecef" },
+  worldFromCamera: { position: [1, 2, 3], up: [0, 1, 0] },
+  cameraFromWorld: { position: [1, 2, 3], up: [0, 1, 0] },
+  screen: { z: 1, x: 1, pixel: [1, 2] },
+  x: { z: 1, w: 0, position: [1, 2, 3], lat: 1 },
+};
+
 /// A field that an object at the same place of another document has, one that is not there yet where there is one.
 function graft(r, root, another) {
   for (let attempt = 0; attempt < 8; ++attempt) {
@@ -73,6 +91,14 @@ export const kMutations = {
   "put 0": (r, root) => replace(r, root, (v) => typeof v === "number", () => 0),
   "put an extreme": (r, root) =>
     replace(r, root, (v) => typeof v === "number", () => r.of([1e308, -1e308, 5e-324, 1e-200, 1e200, 179.99999999999997, 180, 90.5, -90.5, 1e17])),
+  "put a limit": (r, root) => replace(r, root, (v, at, key) => typeof v === "number" && key in kLimits, (v, at, key) => r.of(kLimits[key])),
+  "add a field beside its like"(r, root) {
+    const objects = [root, ...held(root, isObject).map(([at, key]) => at[key])].filter(isObject);
+    const found = objects.flatMap((at) => Object.keys(at).filter((key) => key in kNeighbours).map((key) => [at, kNeighbours[key]]));
+    if (found.length === 0) return false;
+    const [at, fields] = r.of(found), name = r.of(Object.keys(fields));
+    at[name] = structuredClone(fields[name]);
+  },
   "scale a number": (r, root) => replace(r, root, (v) => typeof v === "number", (v) => v * r.of([2, 1000, -10, 0.001])),
   "write a number as a string": (r, root) => replace(r, root, (v) => typeof v === "number", (v) => String(v)),
   "put all 0": (r, root) => replace(r, root, Array.isArray, (v) => v.map(() => 0)),

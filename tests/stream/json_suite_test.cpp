@@ -93,15 +93,16 @@ bool isSequence(const std::string& bytes) {
 
 TEST_CASE("the suite is there as a whole") {
   std::map<char, int> counts;
-  int valid = 0, agreed = 0;
+  int valid = 0;
+  std::set<std::string> disagreed;
   for (const Case& one : allCases()) {
     ++counts[one.name[0]];
     valid += one.valid();
-    agreed += one.name[0] == 'i' || one.valid() == (one.name[0] == 'y');
+    if (one.name[0] != 'i' && one.valid() != (one.name[0] == 'y')) disagreed.insert(one.name);
   }
   CHECK(counts == std::map<char, int>{{'i', 35}, {'n', 188}, {'y', 95}});
-  // The judge itself calls every y_ valid and every n_ not.
-  CHECK(agreed == 318);
+  // The judge itself calls every y_ valid and every n_ not, but for one: to nlohmann-json a NUL is the end.
+  CHECK(disagreed == std::set<std::string>{"n_multidigit_number_then_00"});
   CHECK(valid >= 95);
 }
 
@@ -109,6 +110,7 @@ TEST_CASE("in a record of a stream is valid what nlohmann-json calls valid") {
   const std::string before = "{\"x\":1,\"y\":2,\"z\":3,\"v\":", good = before + "0}\n";
   const std::string first = runStream(good, {}).out;
   int accepted = 0, rejected = 0;
+  std::set<std::string> onlyAlone;
   for (const Case& one : allCases()) {
     const std::string record = before + one.bytes + "}";
     // The first time the record's shape is new, the second time it is known.
@@ -118,13 +120,14 @@ TEST_CASE("in a record of a stream is valid what nlohmann-json calls valid") {
         const bool valid = nlohmann::json::accept(record);
         const StreamRun run = runStream(text, {.from = Form::json, .block = block});
         INFO(one.name << ", " << run.err);
-        CHECK(valid == one.valid());
+        if (valid != one.valid()) onlyAlone.insert(one.name);
         CHECK(run.status == (valid ? 0 : 1));
         CHECK(run.err.empty() == valid);
         if (text != record) CHECK(run.out.starts_with(first));
         ++(valid ? accepted : rejected);
       }
   }
+  CHECK(onlyAlone == std::set<std::string>{"i_structure_UTF-8_BOM_empty_object", "n_multidigit_number_then_00"});
   CHECK(accepted >= 4 * 95);
   CHECK(rejected >= 4 * 186);
 }
