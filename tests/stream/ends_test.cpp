@@ -13,6 +13,7 @@
 
 #include "catch.hpp"
 #include "stream/process.hpp"
+#include "stream/run.hpp"
 
 using namespace viewproj::tests;
 
@@ -210,6 +211,29 @@ TEST_CASE("a signal while waiting for input ends the run behind whole records") 
       if (!all.empty()) CHECK(all.back() == '\n');
       if (input.bytes.starts_with("[[") || input.bytes.starts_with("{")) CHECK(nlohmann::json::accept(all));
       CHECK(static_cast<std::size_t>(std::count(all.begin(), all.end(), '\n')) >= input.lines);
+    }
+}
+
+TEST_CASE("a signal in the midst of the work ends the run behind whole records, with an open array closed") {
+  std::string lines, array = "[";
+  for (int i = 0; i < 3000; ++i) {
+    const std::string record = "[" + std::to_string(i == 2000 ? 4714 : i % 1000) + ",2,3]";
+    lines += record + "\n";
+    array += (i > 0 ? "," : "") + record;
+  }
+  array += "]";
+  for (const unsigned jobs : {1u, 3u})
+    for (const std::string& input : {lines, array}) {
+      const StreamRun run = runStream(input, {.from = viewproj::cmd::Form::json, .jobs = jobs, .block = 1000});
+      CHECK(run.status == 128 + SIGTERM);
+      CHECK(run.err.empty());
+      const auto count = std::count(run.out.begin(), run.out.end(), '{');
+      CHECK(count > 1000);
+      CHECK(count <= 2001);
+      if (input.starts_with("[["))
+        CHECK(nlohmann::json::accept(run.out));
+      else
+        CHECK(run.out.ends_with("}\n"));
     }
 }
 

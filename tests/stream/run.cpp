@@ -12,6 +12,7 @@
 
 #include "input/error.hpp"
 #include "input/points.hpp"
+#include "stream/interrupt.hpp"
 #include "stream/random_text.hpp"
 
 namespace viewproj::tests {
@@ -19,7 +20,7 @@ namespace {
 
 using namespace cmd;
 
-constexpr double kUnlucky = 4713;
+constexpr double kUnlucky = 4713, kSignalled = 4714;
 
 class SumWork final : public RecordWork {
  public:
@@ -28,6 +29,7 @@ class SumWork final : public RecordWork {
   void add(const Layout& layout, const Numbers& numbers) override { points_.push_back(toPoint(layout, numbers)); }
   void write(std::size_t i, ResultSink& sink) override {
     if (points_[i].x == kUnlucky) throw RecordError(0, "x is 4713");
+    if (points_[i].x == kSignalled) std::raise(SIGTERM);
     write(points_[i], sink);
   }
   void clear() override { points_.clear(); }
@@ -162,6 +164,8 @@ StreamRun runStream(const std::string& input, const StreamHow& how) {
     } catch (const UsageError& e) {
       run.status = 2;
       run.err = e.what();
+    } catch (const Interrupted& e) {
+      run.status = 128 + e.signal;
     } catch (...) {
       run.status = -1;
       run.err = "something unknown";
