@@ -16,7 +16,7 @@ namespace viewproj::cmd {
 namespace {
 
 /// Points that are kept at once.
-constexpr std::size_t kMostPoints = 10'000'000;
+constexpr std::size_t kMostPoints = 1'000'000;
 
 /// What batches take, and how much was left out because they do not.
 struct Sample {
