@@ -35,7 +35,8 @@ class SampleWork final : public RecordWork {
   void add(const Layout& layout, const Numbers& numbers) override {
     const Vec4 p = toPoint(layout, numbers);
     if (sample_.points.size() == kMostPoints)
-      throw RecordError(0, "is one more than the " + std::to_string(kMostPoints) + " points that are measured at once");
+      throw RecordError(0, "is one more than the " + std::to_string(kMostPoints) +
+                               " points that are measured at once; a sample of them will do");
     if (p.w == 1)
       sample_.points.push_back({p.x, p.y, p.z});
     else
