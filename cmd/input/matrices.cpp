@@ -158,6 +158,7 @@ std::vector<Candidate> fitting(const std::vector<GivenMatrix>& givens) {
 
 std::string namesOf(const std::vector<Candidate>& found) {
   std::vector<std::string_view> names;
+  names.reserve(found.size());
   for (const Candidate& candidate : found) names.push_back(candidate.name);
   return joined(names);
 }

@@ -80,7 +80,7 @@ std::string spread(const Estimate& e) {
   if (e.low == e.high) return "exact";
   if (std::isinf(e.high)) return "not determined: above " + plusMinus(e.low);
   const double half = e.high / 2 - e.low / 2;
-  const std::string text = "+- " + plusMinus(half);
+  std::string text = "+- " + plusMinus(half);
   if (half > kHardly * std::fabs(e.value) && e.value != 0)
     return text + " (" + plusMinus(e.low) + " to " + plusMinus(e.high) + ")";
   return text;
