@@ -46,6 +46,7 @@ void failUnknown(const std::string& option, std::string_view name, std::span<con
 }
 
 Heading::Heading(CLI::App& app, const std::string& name) : app_(app) { app.option_defaults()->group(name); }
+// NOLINTNEXTLINE(bugprone-exception-escape): where no memory is left, the program has ended
 Heading::~Heading() { app_.option_defaults()->group(kOwnOptions); }
 
 CLI::Option* addRepeatable(CLI::App& app, const std::string& name, std::vector<std::string>& values,

@@ -17,7 +17,7 @@ namespace viewproj::cmd {
 class Heading {
  public:
   Heading(CLI::App& app, const std::string& name);
-  ~Heading();
+  ~Heading();  // NOLINT(bugprone-exception-escape)
   Heading(const Heading&) = delete;
   Heading& operator=(const Heading&) = delete;
 

@@ -70,7 +70,8 @@ int chordsOf(const Camera& camera, const PointAt& pointAt) {
   const double share = std::max(right - left, high - low) / 2 / std::max(camera.viewport.width, camera.viewport.height);
   const double chords = std::numbers::pi * std::sqrt(share / 2 / kChordShare);
   // A circle seen askew is bent more at its ends: twice as many there.
-  return chords < kMostChords / 2 ? std::max(kFewestChords, 4 * static_cast<int>(std::ceil(chords / 2))) : kMostChords;
+  return chords < kMostChords / 2.0 ? std::max(kFewestChords, 4 * static_cast<int>(std::ceil(chords / 2)))
+                                    : kMostChords;
 }
 
 /// Of the sphere whose z is stretched.

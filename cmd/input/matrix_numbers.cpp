@@ -114,7 +114,7 @@ class Scanner {
     ++at_;
   }
 
-  void heading(std::string text) {
+  void heading(const std::string& text) {
     requireNothingGathered();
     const std::size_t begin = text.find_first_not_of("# \t\r");
     const std::size_t end = text.find_last_not_of(" \t\r");

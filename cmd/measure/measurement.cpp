@@ -59,7 +59,7 @@ struct Bench {
 /// The library's batches: each is run once for its errors, then kept for the timing.
 void addLibrary(Bench& bench, const Camera& camera, std::span<const Vec3> points, std::span<Vec3> screen,
                 std::span<const Visible> visible, double tolerance) {
-  const auto add = [&](std::string mode, Precision precision, std::function<BatchCounts()> run) {
+  const auto add = [&](std::string mode, Precision precision, const std::function<BatchCounts()>& run) {
     ModeRow row(std::move(mode), precision);
     const BatchCounts counts = run();
     const double all = static_cast<double>(points.size());
