@@ -342,7 +342,9 @@ std::string reportAsJson(const std::vector<InspectedMatrix>& matrices, bool asFl
     part["notes"] = m.notes;
     all.push_back(part);
   }
-  return Json{{"entries", asFloat ? "float32" : "float64"}, {"matrices", all}}.dump(2) + "\n";
+  return Json{{"entries", asFloat ? "float32" : "float64"}, {"matrices", all}}.dump(2, ' ', false,
+                                                                                    Json::error_handler_t::replace) +
+         "\n";
 }
 
 }  // namespace viewproj::cmd
