@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
+#include <system_error>
 
 #include "input/error.hpp"
 
@@ -14,7 +14,7 @@ namespace viewproj::cmd {
 InputFile::InputFile(const std::string& name)
     : name_(name == "-" ? kStandardInputName : name),
       descriptor_(name == "-" ? STDIN_FILENO : ::open(name.c_str(), O_RDONLY | O_CLOEXEC)) {
-  if (descriptor_ < 0) throw InputError(name_ + ": " + std::strerror(errno));
+  if (descriptor_ < 0) throw InputError(name_ + ": " + std::generic_category().message(errno));
 }
 
 InputFile::~InputFile() {
@@ -31,7 +31,7 @@ std::size_t InputFile::read(char* to, std::size_t most) {
       break;
     }
   }
-  if (got < 0) throw InputError(name_ + ": " + std::strerror(errno));
+  if (got < 0) throw InputError(name_ + ": " + std::generic_category().message(errno));
   return static_cast<std::size_t>(got);
 }
 

@@ -6,9 +6,9 @@
 
 #include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <mutex>
 #include <string>
+#include <system_error>
 
 #include "input/error.hpp"
 
@@ -47,7 +47,7 @@ Written writeUntil(int descriptor, std::string_view text, const Stop& stop) {
 void writeOutput(std::string_view text) {
   const Written all = writeUntil(STDOUT_FILENO, text);
   if (all.error == EPIPE) throw ClosedPipe{};
-  if (all.error != 0) throw InputError(std::string("standard output: ") + std::strerror(all.error));
+  if (all.error != 0) throw InputError(std::string("standard output: ") + std::generic_category().message(all.error));
 }
 
 void complain(const std::string& message, const Stop& stop) {

@@ -7,9 +7,9 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
-#include <cstring>
 #include <iterator>
 #include <string>
+#include <system_error>
 
 #include "input/error.hpp"
 
@@ -43,7 +43,7 @@ void note(int signal) {
 InterruptGuard::InterruptGuard() {
   came = 0;
   if (::pipe2(wakeEnds, O_CLOEXEC | O_NONBLOCK) != 0)
-    throw InputError(std::string("a pipe for signals: ") + std::strerror(errno));
+    throw InputError(std::string("a pipe for signals: ") + std::generic_category().message(errno));
   struct sigaction action = {};
   action.sa_handler = note;
   action.sa_flags = static_cast<int>(SA_RESETHAND);

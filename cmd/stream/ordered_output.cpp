@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
+#include <system_error>
 
 #include "input/error.hpp"
 #include "output/output_file.hpp"
@@ -51,8 +51,8 @@ struct Records {
 
 }  // namespace
 
-OrderedOutput::OrderedOutput(OutputSetup setup, Progress progress)
-    : setup_(std::move(setup)), progress_(std::move(progress)) {}
+OrderedOutput::OrderedOutput(OutputSetup setup, const Progress& progress)
+    : setup_(std::move(setup)), progress_(progress) {}
 
 void OrderedOutput::begin(std::string_view text) {
   if (setup_.form == OutputForm::array) openArray("[");
@@ -142,7 +142,7 @@ void OrderedOutput::writeEnd(std::string_view text) {
 void OrderedOutput::failToWrite(int error) {
   if (const int signal = InterruptGuard::signal()) throw Interrupted{signal};
   if (error == EPIPE) throw ClosedPipe{};
-  throw InputError(std::string("standard output: ") + std::strerror(error));
+  throw InputError(std::string("standard output: ") + std::generic_category().message(error));
 }
 
 void OrderedOutput::endInterrupted() {

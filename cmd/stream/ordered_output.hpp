@@ -21,7 +21,7 @@ struct OutputSetup {
 
 class OrderedOutput {
  public:
-  OrderedOutput(OutputSetup setup, Progress progress);
+  OrderedOutput(OutputSetup setup, const Progress& progress);
 
   /// Before the first block. Writes what stands before all records.
   void begin(std::string_view text);
