@@ -3,6 +3,7 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <string_view>
@@ -24,7 +25,7 @@ std::string withUnit(double count) {
 }
 
 std::string clockTime(double seconds) {
-  const auto whole = static_cast<long>(seconds + 0.5);
+  const long whole = std::lround(seconds);
   char text[40];
   if (whole < 3600)
     std::snprintf(text, sizeof text, "%ld:%02ld", whole / 60, whole % 60);
