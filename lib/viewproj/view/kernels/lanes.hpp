@@ -13,6 +13,8 @@
 namespace viewproj {
 namespace {
 
+// One for each instruction set, each in its own source.
+// NOLINTBEGIN(misc-definitions-in-headers)
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
 constexpr int kLanes = 8;
 #elif defined(__AVX2__) && defined(__FMA__)
@@ -20,6 +22,7 @@ constexpr int kLanes = 4;
 #else
 constexpr int kLanes = 2;
 #endif
+// NOLINTEND(misc-definitions-in-headers)
 
 typedef double DoubleLanes __attribute__((vector_size(kLanes * 8)));
 typedef float FloatLanes __attribute__((vector_size(kLanes * 8)));
