@@ -17,11 +17,10 @@ namespace {
 using namespace viewproj::cmd;
 
 std::string entry(const OptionHelp& option) {
-  std::string names;
   // Names in bold, the word for a value in italics.
   const std::size_t value = option.name.starts_with('-') ? option.name.rfind(' ') : std::string::npos;
   const bool hasValue = value != std::string::npos && option.name[value + 1] != '-';
-  names = roff::bold(option.name.substr(0, hasValue ? value : std::string::npos));
+  std::string names = roff::bold(hasValue ? option.name.substr(0, value) : option.name);
   if (hasValue) names += " " + roff::italic(option.name.substr(value + 1));
   return ".TP\n" + names + "\n" + roff::filled(option.text);
 }
