@@ -58,7 +58,7 @@ struct Options {
 };
 
 int run(const Options& o) {
-  FilterSetup setup = o.stream.setup();
+  FilterSetup setup = o.stream.setup(kPointCoordinates);
   if (!o.planes) o.stream.requireOneInput(setup, o.camera);
   const CameraFile file = o.camera.read();
   const Frustum frustum = viewFrustum(makeCamera(file));
@@ -66,12 +66,9 @@ int run(const Options& o) {
     writeOutput(planesAsJson(frustum));
     return 0;
   }
-  const std::vector<std::string> columns = o.stream.columns(3, 4);
-  setup.csvDefaults = {"x", "y", "z", "w"};
-  if (!columns.empty()) setup.csvDefaults = columns;
   setup.wordsOnly = true;
   setup.writer.arrayName = "position";
-  const auto makeWork = [&] { return std::make_unique<CullWork>(frustum, columns, file.worldIsEcef); };
+  const auto makeWork = [&] { return std::make_unique<CullWork>(frustum, setup.columns, file.worldIsEcef); };
   setup.writer.exampleResults = [&](ResultSink& sink) { makeWork()->nameResults({}, sink); };
   return runFilter(setup, makeWork);
 }

@@ -126,17 +126,14 @@ std::vector<NamedFormat> formatsFor(double largest, std::vector<std::string>& no
 
 struct Options {
   CameraOptions camera;
-  std::string file, at, format = "table";
+  std::string at, format = "table";
   std::vector<std::string> gaps, wanted;
 };
 
 int run(const Options& o) {
   static constexpr std::string_view kFormats[] = {"table", "json", "svg"};
-  if (std::find(std::begin(kFormats), std::end(kFormats), o.format) == std::end(kFormats))
-    failUnknown("--to", o.format, kFormats);
-  if (o.camera.given() && !o.file.empty())
-    throw UsageError("-c gives the camera already; leave out one of it and " + o.file);
-  const CameraFile read = o.camera.read(o.file.empty() ? "-" : o.file);
+  requireKnown("--to", o.format, kFormats);
+  const CameraFile read = o.camera.read();
   if (!read.projection) throw InputError(read.name + ": the camera has no projection");
   const Viewport viewport = read.viewport.value_or(Viewport{});
   const double first = viewport.depthFirst, second = viewport.depthSecond;
@@ -170,7 +167,7 @@ Action defineDepth(CLI::App& app) {
       "length at each distance; forward, reversed and infinite side by side. Lengths are in the camera's unit.");
   app.footer("viewproj depth samples/reversed-infinite-depth/camera.json --at 1,10,100 --gap 0.01 --resolve 0.01@500");
   o->camera.add(app);
-  app.add_option("FILE", o->file, "Camera file, where -c was not given; absent or - for standard input");
+  o->camera.addFile(app);
   app.add_option("--at", o->at, "Distances along the viewing axis (default: decades from near to far)")
       ->type_name("DISTANCES");
   addRepeatable(

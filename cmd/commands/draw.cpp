@@ -4,7 +4,6 @@
 #include "draw/picture.hpp"
 #include "draw/records.hpp"
 #include "input/error.hpp"
-#include "input/number.hpp"
 #include "output/output_file.hpp"
 
 namespace viewproj::cmd {
@@ -13,9 +12,8 @@ namespace {
 std::vector<Vec2> readPixels(const std::vector<std::string>& texts) {
   std::vector<Vec2> pixels;
   for (const std::string& text : texts) {
-    const auto numbers = parseNumberList(text);
-    if (!numbers || numbers->size() != 2) throw UsageError("--pixel " + text + ": expected X,Y");
-    pixels.push_back({(*numbers)[0], (*numbers)[1]});
+    const std::vector<double> n = readNumbers("--pixel", text, 2, 2, "X,Y");
+    pixels.push_back({n[0], n[1]});
   }
   return pixels;
 }
@@ -29,8 +27,7 @@ struct Options {
 
 int run(const Options& o, const CLI::App& app) {
   const std::vector<Vec2> pixels = readPixels(o.pixels);
-  const FilterSetup setup = o.stream.setup();
-  const std::vector<std::string> columns = o.stream.columns(3, 4);
+  const FilterSetup setup = o.stream.setup(kPointCoordinates);
   // Where there is something else to draw, standard input is read only if asked for.
   const bool reads = app.count("FILE") > 0 || (pixels.empty() && o.scene.empty());
   if (reads) o.stream.requireOneInput(setup, o.camera);
@@ -43,11 +40,7 @@ int run(const Options& o, const CLI::App& app) {
     scene = readScene(o.scene);
     addScene(view, frustum, scene);
   }
-  if (reads) {
-    FilterSetup records = setup;
-    records.csvDefaults = columns.empty() ? std::vector<std::string>{"x", "y", "z", "w"} : columns;
-    addRecords(view, frustum, std::move(records), columns, file.worldIsEcef);
-  }
+  if (reads) addRecords(view, frustum, setup, file.worldIsEcef);
   for (const Vec2& pixel : pixels) addPixel(view, pixel, o.scene.empty() ? nullptr : &scene);
   writeOutput(pictureOf(view));
   return 0;

@@ -1,7 +1,6 @@
 // viewproj explain: every stage of one point or pixel.
 #include "explain/explain.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "commands/command.hpp"
@@ -25,21 +24,11 @@ int readDigits(const std::string& text) {
 }
 
 Vec4 readPoint(const std::string& text) {
-  const auto numbers = parseNumberList(text);
-  if (!numbers || numbers->size() < 3 || numbers->size() > 4)
-    throw UsageError("--point " + text + ": expected X,Y,Z or X,Y,Z,W");
-  const std::vector<double>& n = *numbers;
+  const std::vector<double> n = readPointOption(text);
   const Vec4 point{n[0], n[1], n[2], n.size() > 3 ? n[3] : 1};
   if (maxAbs(Vec3{point.x, point.y, point.z}) == 0 && point.w == 0)
     throw UsageError("--point " + text + ": is neither a point nor a direction, all four numbers are 0");
   return point;
-}
-
-std::vector<double> readPixel(const std::string& text) {
-  const auto numbers = parseNumberList(text);
-  if (!numbers || numbers->size() < 2 || numbers->size() > 3)
-    throw UsageError("--pixel " + text + ": expected X,Y or X,Y,DEPTH");
-  return *numbers;
 }
 
 struct Options {
@@ -49,15 +38,14 @@ struct Options {
 
 int run(const Options& o) {
   static constexpr std::string_view kFormats[] = {"table", "json"};
-  if (std::find(std::begin(kFormats), std::end(kFormats), o.format) == std::end(kFormats))
-    failUnknown("--to", o.format, kFormats);
+  requireKnown("--to", o.format, kFormats);
   if (o.point.empty() == o.pixel.empty())
     throw UsageError(o.point.empty() ? "--point X,Y,Z or --pixel X,Y is needed: what to follow"
                                      : "--point and --pixel are two explanations; leave out one of them");
   if (!o.pixel.empty() && !o.model.empty()) throw UsageError("--model goes with --point");
   const int shown = readDigits(o.digits);
   const Vec4 local = o.point.empty() ? Vec4{} : readPoint(o.point);
-  const std::vector<double> position = o.pixel.empty() ? std::vector<double>{} : readPixel(o.pixel);
+  const std::vector<double> position = o.pixel.empty() ? std::vector<double>{} : readPixelOption(o.pixel);
   const CameraFile file = o.camera.read();
   const Camera built = makeCamera(file);
   const Convention writing = o.camera.writing(file);

@@ -153,12 +153,12 @@ int run(const Options& o, const CLI::App& app) {
   const std::vector<std::string_view> formats =
       converts ? matrixFormats() : std::vector<std::string_view>(std::begin(kReports), std::end(kReports));
   const std::string format = !o.format.empty() ? o.format : converts ? "json" : "table";
-  if (std::find(formats.begin(), formats.end(), format) == formats.end()) failUnknown("--to", format, formats);
+  requireKnown("--to", format, formats);
 
   Choice choice;
   if (!o.world.empty()) {
     static constexpr std::string_view kWorlds[] = {"right", "left"};
-    if (o.world != "right" && o.world != "left") failUnknown("--world", o.world, kWorlds);
+    requireKnown("--world", o.world, kWorlds);
     choice.world = o.world == "right" ? Handedness::right : Handedness::left;
   }
   if (!o.readAs.empty()) {

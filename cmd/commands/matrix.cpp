@@ -1,6 +1,4 @@
 // viewproj matrix: a camera's matrices, and the camera itself in another form.
-#include <algorithm>
-
 #include "commands/command.hpp"
 #include "commands/options.hpp"
 #include "input/error.hpp"
@@ -101,14 +99,10 @@ int runCamera(CameraFile file, const std::string& type, const CameraOptions& cam
   return 0;
 }
 
-void requireKnown(const std::string& option, const std::string& name, const std::vector<std::string_view>& known) {
-  if (std::find(known.begin(), known.end(), name) == known.end()) failUnknown(option, name, known);
-}
-
 struct Options {
   CameraOptions camera;
   Wanted wanted;
-  std::string file, which, type, format = "json";
+  std::string which, type, format = "json";
   bool asFloat = false;
 };
 
@@ -122,9 +116,7 @@ int run(const Options& o, const CLI::App& app) {
   for (const char* option : {"--which", "--inverse", "--bake-viewport", "--relative-to-eye", "--float"})
     if (toCamera && app.count(option) > 0)
       throw UsageError(std::string(option) + " goes with matrices, not with --to camera");
-  if (o.camera.given() && !o.file.empty())
-    throw UsageError("-c gives the camera already; leave out one of it and " + o.file);
-  const CameraFile read = o.camera.read(o.file.empty() ? "-" : o.file);
+  const CameraFile read = o.camera.read();
   if (toCamera) return runCamera(read, o.type, o.camera);
   MatrixSet set;
   set.asFloat = o.asFloat;
@@ -150,7 +142,7 @@ Action defineMatrix(CLI::App& app) {
   app.footer("viewproj matrix samples/picking-a-pixel/camera.json --convention d3d --which projection --to text");
   o->camera.add(app);
   o->camera.addWriting(app);
-  app.add_option("FILE", o->file, "Camera file, where -c was not given; absent or - for standard input");
+  o->camera.addFile(app);
   app.add_option("--which", o->which,
                  "Matrices to write: view,projection,viewProjection,viewport (default: all that the camera determines)")
       ->type_name("NAMES");

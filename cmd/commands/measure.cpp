@@ -1,6 +1,4 @@
 // viewproj measure: speed and error of every precision, and of the textbook way, on the user's own points.
-#include <algorithm>
-
 #include "commands/command.hpp"
 #include "commands/options.hpp"
 #include "input/error.hpp"
@@ -86,20 +84,16 @@ struct Options {
 
 int run(const Options& o) {
   static constexpr std::string_view kFormats[] = {"table", "json", "svg"};
-  if (std::find(std::begin(kFormats), std::end(kFormats), o.format) == std::end(kFormats))
-    failUnknown("--to", o.format, kFormats);
+  requireKnown("--to", o.format, kFormats);
   const double within = o.tolerance.value();
   const double duration = readSeconds(o.seconds);
-  FilterSetup setup = o.stream.setup();
+  FilterSetup setup = o.stream.setup(kPointCoordinates);
   o.stream.requireOneInput(setup, o.camera);
   const CameraFile file = o.camera.read();
   const Camera built = makeCamera(file);
-  const std::vector<std::string> columns = o.stream.columns(3, 4);
-  setup.csvDefaults = {"x", "y", "z", "w"};
-  if (!columns.empty()) setup.csvDefaults = columns;
 
   Sample sample;
-  readRecords(setup, [&] { return std::make_unique<SampleWork>(sample, columns, file.worldIsEcef); });
+  readRecords(setup, [&] { return std::make_unique<SampleWork>(sample, setup.columns, file.worldIsEcef); });
   if (sample.points.empty())
     throw InputError((setup.file == "-" ? kStandardInputName : setup.file) + ": has no points to measure" +
                      (sample.leftOut > 0 ? "; directions and weighted points are left out" : ""));

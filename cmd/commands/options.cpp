@@ -45,6 +45,26 @@ void failUnknown(const std::string& option, std::string_view name, std::span<con
   throw UsageError(option + ": '" + std::string(name) + "' is not known" + suggestion(name, known));
 }
 
+void requireKnown(const std::string& option, std::string_view name, std::span<const std::string_view> known) {
+  if (std::find(known.begin(), known.end(), name) == known.end()) failUnknown(option, name, known);
+}
+
+std::vector<double> readNumbers(const std::string& option, const std::string& text, std::size_t fewest,
+                                std::size_t most, const std::string& form) {
+  auto numbers = parseNumberList(text);
+  if (!numbers || numbers->size() < fewest || numbers->size() > most)
+    throw UsageError(option + " " + text + ": expected " + form);
+  return std::move(*numbers);
+}
+
+std::vector<double> readPointOption(const std::string& text) {
+  return readNumbers("--point", text, 3, 4, "X,Y,Z or X,Y,Z,W");
+}
+
+std::vector<double> readPixelOption(const std::string& text) {
+  return readNumbers("--pixel", text, 2, 3, "X,Y or X,Y,DEPTH");
+}
+
 Heading::Heading(CLI::App& app, const std::string& name) : app_(app) { app.option_defaults()->group(name); }
 // NOLINTNEXTLINE(bugprone-exception-escape): where no memory is left, the program has ended
 Heading::~Heading() { app_.option_defaults()->group(kOwnOptions); }
@@ -104,9 +124,16 @@ void CameraOptions::addWriting(CLI::App& app) {
       ->type_name("RANGE");
 }
 
-CameraFile CameraOptions::read(const std::string& source) const {
-  const std::string& from = camera_.empty() ? source : camera_;
-  if (from.empty()) throw UsageError("-c FILE is needed: the camera");
+void CameraOptions::addFile(CLI::App& app) {
+  takesFile_ = true;
+  app.add_option("FILE", file_, "Camera file, where -c was not given; absent or - for standard input");
+}
+
+CameraFile CameraOptions::read() const {
+  if (!camera_.empty() && !file_.empty())
+    throw UsageError("-c gives the camera already; leave out one of it and " + file_);
+  if (camera_.empty() && !takesFile_) throw UsageError("-c FILE is needed: the camera");
+  const std::string from = !camera_.empty() ? camera_ : !file_.empty() ? file_ : "-";
   const CameraSource picked = splitPick(from);
   Document document(picked.file, camera_.empty() ? "FILE" : "--camera");
   if (!viewport_.empty()) {
@@ -166,7 +193,7 @@ void StreamOptions::add(CLI::App& app, const std::string& what) {
       ->type_name("N");
 }
 
-FilterSetup StreamOptions::setup() const {
+FilterSetup StreamOptions::setup(const Coordinates& coordinates) const {
   static constexpr NameRow<Form> kFrom[] = {
       {"json", Form::json}, {"csv", Form::csv}, {"text", Form::text}, {"f64", Form::f64}};
   static constexpr NameRow<OutputForm> kTo[] = {{"ndjson", OutputForm::lines}, {"json", OutputForm::array},
@@ -185,16 +212,14 @@ FilterSetup StreamOptions::setup() const {
   if (!jobs_.empty()) setup.jobs = static_cast<unsigned>(wholeNumber("--jobs", jobs_, kMostJobs));
   if (!firstLine_.empty()) setup.firstLine = wholeNumber("--first-line", firstLine_, 1ull << 53);
   setup.writer.prefix = prefix_;
-  return setup;
-}
-
-std::vector<std::string> StreamOptions::columns(std::size_t fewest, std::size_t most) const {
-  if (columns_.empty()) return {};
-  const std::vector<std::string> names = splitList(columns_);
-  if (names.size() < fewest || names.size() > most)
+  setup.csvDefaults = coordinates.names;
+  if (columns_.empty()) return setup;
+  const auto& [names, fewest, most] = coordinates;
+  setup.columns = setup.csvDefaults = splitList(columns_);
+  if (setup.columns.size() < fewest || setup.columns.size() > most)
     throw UsageError("--columns " + columns_ + ": expected " + std::to_string(fewest) +
                      (fewest == most ? "" : " or " + std::to_string(most)) + " names separated by commas");
-  return names;
+  return setup;
 }
 
 void StreamOptions::requireOneInput(const FilterSetup& setup, const CameraOptions& camera) const {

@@ -37,10 +37,11 @@ class CameraOptions {
  public:
   void add(CLI::App& app);
   void addWriting(CLI::App& app);
+  /// FILE, for a command that reads nothing but the camera.
+  void addFile(CLI::App& app);
 
-  /// source: instead of -c, where it was not given. Throws HelpGiven after --list.
-  CameraFile read(const std::string& source = "") const;
-  bool given() const { return !camera_.empty(); }
+  /// From -c, or from FILE where the command has it. Throws HelpGiven after --list.
+  CameraFile read() const;
   bool fromStandardInput() const;
   bool allowsStretch() const { return allowStretch_; }
 
@@ -48,11 +49,19 @@ class CameraOptions {
   Convention writing(const CameraFile& file) const;
 
  private:
-  std::string camera_, viewport_, readAs_, convention_, ndcZ_;
+  std::string camera_, file_, viewport_, readAs_, convention_, ndcZ_;
   std::vector<std::string> set_;
-  bool allowStretch_ = false, reverseZ_ = false, ignoreDistortion_ = false, list_ = false;
+  bool takesFile_ = false, allowStretch_ = false, reverseZ_ = false, ignoreDistortion_ = false, list_ = false;
   const CLI::Option* reverseZGiven_ = nullptr;
 };
+
+/// What records hold: the coordinates' names in CSV without a header, and how many of them --columns may name.
+struct Coordinates {
+  std::vector<std::string> names;
+  std::size_t fewest, most;
+};
+inline const Coordinates kPointCoordinates{{"x", "y", "z", "w"}, 3, 4};
+inline const Coordinates kPixelCoordinates{{"x", "y", "depth"}, 2, 2};
 
 /// The stream of records that a command works on.
 class StreamOptions {
@@ -63,10 +72,7 @@ class StreamOptions {
   void addInput(CLI::App& app, const std::string& what);
 
   /// Throws UsageError for a value that is none.
-  FilterSetup setup() const;
-
-  /// The coordinates' columns, fewest to most of them, or none. Throws UsageError.
-  std::vector<std::string> columns(std::size_t fewest, std::size_t most) const;
+  FilterSetup setup(const Coordinates& coordinates) const;
 
   /// Throws UsageError where records come from the command line and from a file, or two inputs from standard input.
   void requireOneInput(const FilterSetup& setup, const CameraOptions& camera) const;
@@ -104,8 +110,17 @@ class PrecisionOption {
 /// "a,b,c" to its parts.
 std::vector<std::string> splitList(const std::string& text);
 
+/// "1,2,3", from fewest to most numbers. Throws UsageError, which says what form was expected: "X,Y or X,Y,DEPTH".
+std::vector<double> readNumbers(const std::string& option, const std::string& text, std::size_t fewest,
+                                std::size_t most, const std::string& form);
+
+/// --point X,Y,Z[,W], --pixel X,Y[,DEPTH].
+std::vector<double> readPointOption(const std::string& text);
+std::vector<double> readPixelOption(const std::string& text);
+
 /// Throws UsageError for a name that is not known, with the nearest that is.
 [[noreturn]] void failUnknown(const std::string& option, std::string_view name,
                               std::span<const std::string_view> known);
+void requireKnown(const std::string& option, std::string_view name, std::span<const std::string_view> known);
 
 }  // namespace viewproj::cmd

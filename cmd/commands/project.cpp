@@ -9,7 +9,6 @@
 #include "input/error.hpp"
 #include "input/model.hpp"
 #include "input/names.hpp"
-#include "input/number.hpp"
 #include "input/points.hpp"
 #include "output/number.hpp"
 #include "output/side_names.hpp"
@@ -277,11 +276,8 @@ class ProjectWork final : public RecordWork {
 std::vector<GivenRecord> recordsOf(const std::vector<std::string>& points) {
   std::vector<GivenRecord> records;
   for (const std::string& text : points) {
-    const auto numbers = parseNumberList(text);
-    if (!numbers || numbers->size() < 3 || numbers->size() > 4)
-      throw UsageError("--point " + text + ": expected X,Y,Z or X,Y,Z,W");
     std::string json;
-    for (double number : *numbers) json += (json.empty() ? "[" : ",") + formatNumber(number);
+    for (double number : readPointOption(text)) json += (json.empty() ? "[" : ",") + formatNumber(number);
     records.push_back({"--point " + text, json + "]"});
   }
   return records;
@@ -297,7 +293,7 @@ struct Options {
 };
 
 int run(const Options& o) {
-  FilterSetup setup = o.stream.setup();
+  FilterSetup setup = o.stream.setup(kPointCoordinates);
   setup.given = recordsOf(o.points);
   o.stream.requireOneInput(setup, o.camera);
   const CameraFile file = o.camera.read();
@@ -305,7 +301,7 @@ int run(const Options& o) {
                  .writing = o.camera.writing(file),
                  .arithmetic = o.precision.value(),
                  .tolerance = o.tolerance.value(),
-                 .columns = o.stream.columns(3, 4),
+                 .columns = setup.columns,
                  .worldIsEcef = file.worldIsEcef,
                  .fields = chooseFields(o.fields, false),
                  .textFields = chooseFields(o.fields, true)};
@@ -313,8 +309,6 @@ int run(const Options& o) {
   if (!o.model.empty()) how.worldFromLocal = readModel(o.model);
   if (how.arithmetic && o.tolerance.given())
     throw UsageError("--tolerance is for --precision auto, which chooses by it");
-  setup.csvDefaults = {"x", "y", "z", "w"};
-  if (!how.columns.empty()) setup.csvDefaults = how.columns;
   setup.writer.arrayName = "position";
   const auto makeWork = [&] { return std::make_unique<ProjectWork>(how); };
   setup.writer.exampleResults = [&](ResultSink& sink) { makeWork()->nameResults({}, sink); };

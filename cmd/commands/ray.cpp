@@ -8,7 +8,6 @@
 #include "commands/command.hpp"
 #include "commands/options.hpp"
 #include "input/error.hpp"
-#include "input/number.hpp"
 #include "input/points.hpp"
 #include "input/scene.hpp"
 #include "output/number.hpp"
@@ -137,11 +136,9 @@ class RayWork final : public RecordWork {
 std::vector<GivenRecord> recordsOf(const std::vector<std::string>& pixels) {
   std::vector<GivenRecord> records;
   for (const std::string& text : pixels) {
-    const auto numbers = parseNumberList(text);
-    if (!numbers || numbers->size() < 2 || numbers->size() > 3)
-      throw UsageError("--pixel " + text + ": expected X,Y or X,Y,DEPTH");
-    std::string json = "{\"screen\":[" + formatNumber((*numbers)[0]) + "," + formatNumber((*numbers)[1]) + "]";
-    if (numbers->size() > 2) json += ",\"depth\":" + formatNumber((*numbers)[2]);
+    const std::vector<double> n = readPixelOption(text);
+    std::string json = "{\"screen\":[" + formatNumber(n[0]) + "," + formatNumber(n[1]) + "]";
+    if (n.size() > 2) json += ",\"depth\":" + formatNumber(n[2]);
     records.push_back({"--pixel " + text, json + "}"});
   }
   return records;
@@ -159,20 +156,18 @@ struct Options {
 int run(const Options& o) {
   if (o.scene.empty() && (o.allHits || o.clipped))
     throw UsageError(std::string(o.allHits ? "--all-hits" : "--clipped") + " is for --scene, which is not given");
-  FilterSetup setup = o.stream.setup();
+  FilterSetup setup = o.stream.setup(kPixelCoordinates);
   setup.given = recordsOf(o.pixels);
   o.stream.requireOneInput(setup, o.camera);
-  if (o.from != "eye" && o.from != "near") {
-    static constexpr std::string_view kPlaces[] = {"eye", "near"};
-    failUnknown("--ray-from", o.from, kPlaces);
-  }
+  static constexpr std::string_view kPlaces[] = {"eye", "near"};
+  requireKnown("--ray-from", o.from, kPlaces);
   // Rays are within kRayDirectionBound in standard already: fast and auto need nothing else.
   const bool exact = o.precision.value() == Precision::exact;
   Casting how{.camera = makeCamera(o.camera.read()),
               .arithmetic = exact ? Precision::exact : Precision::standard,
               .origin = o.from == "near" ? RayOrigin::nearPlane : RayOrigin::eye,
               .wantBound = o.wantBound,
-              .columns = o.stream.columns(2, 2),
+              .columns = setup.columns,
               .allHits = o.allHits,
               .clipped = o.clipped};
   if (!o.scene.empty()) {
@@ -180,8 +175,6 @@ int run(const Options& o) {
     for (const SceneObject& object : *how.scene)
       how.sceneHasEllipsoid |= std::holds_alternative<Ellipsoid>(object.shape);
   }
-  setup.csvDefaults = {"x", "y", "depth"};
-  if (!how.columns.empty()) setup.csvDefaults = how.columns;
   setup.writer.arrayName = "screen";
   setup.writer.arraySize = 2;
   setup.writer.extraName = "depth";

@@ -84,9 +84,8 @@ class DrawWork final : public RecordWork {
 
 }  // namespace
 
-void addRecords(View& view, const Frustum& frustum, FilterSetup setup, const std::vector<std::string>& columns,
-                bool worldIsEcef) {
-  readRecords(std::move(setup), [&] { return std::make_unique<DrawWork>(view, frustum, columns, worldIsEcef); });
+void addRecords(View& view, const Frustum& frustum, const FilterSetup& setup, bool worldIsEcef) {
+  readRecords(setup, [&] { return std::make_unique<DrawWork>(view, frustum, setup.columns, worldIsEcef); });
 }
 
 void addScene(View& view, const Frustum& frustum, const std::vector<SceneObject>& scene) {

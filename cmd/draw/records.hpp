@@ -12,8 +12,7 @@ namespace viewproj::cmd {
 
 /// Points, segments, boxes, triangles and spheres, each under its id, its name or its number counted from 1. Throws
 /// InputError at the first bad one.
-void addRecords(View& view, const Frustum& frustum, FilterSetup setup, const std::vector<std::string>& columns,
-                bool worldIsEcef);
+void addRecords(View& view, const Frustum& frustum, const FilterSetup& setup, bool worldIsEcef);
 
 /// Planes have no outline, which is noted.
 void addScene(View& view, const Frustum& frustum, const std::vector<SceneObject>& scene);

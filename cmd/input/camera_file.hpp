@@ -9,9 +9,6 @@
 
 namespace viewproj::cmd {
 
-/// A camera shape that differs from the viewport's by more than this share of it is an error.
-inline constexpr double kAspectTolerance = 1e-3;
-
 /// What a camera file holds. A file may lack a part that the command does not need.
 struct CameraFile {
   std::string name;

@@ -5,12 +5,12 @@
 #include <utility>
 #include <vector>
 
+#include "input/viewport_fields.hpp"
+
 namespace viewproj::cmd {
 namespace {
 
 double readFar(const ObjectReader& fields) { return fields.number("far").value_or(kInfiniteFar); }
-
-DoubleDouble viewportAspect(const Viewport& v) { return DoubleDouble(v.width) / DoubleDouble(v.height); }
 
 const Viewport& requireViewport(const ObjectReader& fields, const std::optional<Viewport>& viewport, const char* why) {
   if (!viewport) fields.fail(std::string("needs a viewport ") + why + "; --viewport WIDTHxHEIGHT gives one");

@@ -8,7 +8,7 @@
 namespace viewproj::cmd {
 namespace {
 
-/// A camera shape this much off the viewport's is an error.
+/// Shapes that differ by no more than this share are one.
 constexpr double kAspectTolerance = 1e-3;
 
 }  // namespace
@@ -47,12 +47,21 @@ std::optional<ReadViewport> readViewport(const ObjectReader& file, const Viewpor
   return read;
 }
 
+DoubleDouble viewportAspect(const Viewport& viewport) {
+  return DoubleDouble(viewport.width) / DoubleDouble(viewport.height);
+}
+
+bool hasShape(const Viewport& viewport, DoubleDouble shape) {
+  const double picture = viewportAspect(viewport).hi;
+  return std::fabs(shape.hi - picture) <= kAspectTolerance * picture;
+}
+
 void requireShape(DoubleDouble shape, const Viewport& viewport, const ObjectReader& projection,
                   const std::string& mend) {
-  const double picture = viewport.width / viewport.height;
-  if (std::fabs(shape.hi - picture) <= kAspectTolerance * picture) return;
-  projection.fail("is " + formatNumber(shape.hi) + " times as wide as high, but the viewport " + formatNumber(picture) +
-                  " times; change one of them, " + mend + "or give --allow-stretch");
+  if (hasShape(viewport, shape)) return;
+  projection.fail("is " + formatNumber(shape.hi) + " times as wide as high, but the viewport " +
+                  formatNumber(viewportAspect(viewport).hi) + " times; change one of them, " + mend +
+                  "or give --allow-stretch");
 }
 
 }  // namespace viewproj::cmd

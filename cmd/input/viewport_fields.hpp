@@ -28,6 +28,12 @@ struct ViewportDefaults {
 /// Throws InputError, or CameraError naming "viewport.…".
 std::optional<ReadViewport> readViewport(const ObjectReader& file, const ViewportDefaults& defaults);
 
+/// Width / height.
+DoubleDouble viewportAspect(const Viewport& viewport);
+
+/// Whether the viewport has this shape (width / height), to a thousandth of it.
+bool hasShape(const Viewport& viewport, DoubleDouble shape);
+
 /// The projection whose picture has the shape (width / height) that the file says it has. Throws InputError, with the
 /// mend, unless the viewport has that shape.
 void requireShape(DoubleDouble shape, const Viewport& viewport, const ObjectReader& projection,

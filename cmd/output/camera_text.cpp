@@ -6,6 +6,7 @@
 
 #include "input/convention_names.hpp"
 #include "input/error.hpp"
+#include "input/viewport_fields.hpp"
 #include "output/camera_fields.hpp"
 #include "output/number.hpp"
 #include "viewproj/camera/screen_map.hpp"
@@ -59,8 +60,6 @@ void addShift(Fields& out, const Projection& base, const Projection& p) {
   const double x = shift(base.left, base.right, p.left, p.right), y = shift(base.bottom, base.top, p.bottom, p.top);
   if (x != 0 || y != 0) out.add("shift", "[" + formatNumber(x) + ", " + formatNumber(y) + "]");
 }
-
-DoubleDouble viewportAspect(const Viewport& v) { return DoubleDouble(v.width) / DoubleDouble(v.height); }
 
 Projection centred(const Projection& p) {
   const DoubleDouble halfWidth = timesPowerOfTwo(p.right - p.left, 0.5);
@@ -150,13 +149,6 @@ constexpr Type kTypes[] = {
     {"orthographic", writeOrthographic, true, false, false, false},
 };
 
-/// A camera shape that the reader takes for the viewport's.
-bool hasViewportsShape(const CameraFile& camera) {
-  if (!camera.viewport) return true;
-  const double window = windowAspect(*camera.projection).hi, picture = viewportAspect(*camera.viewport).hi;
-  return std::fabs(window - picture) <= kAspectTolerance * picture;
-}
-
 /// What the type cannot hold of the camera, or an empty string.
 std::string beyond(const Type& type, const CameraFile& camera, bool allowStretch) {
   if (type.orthographic != camera.projection->orthographic)
@@ -165,7 +157,8 @@ std::string beyond(const Type& type, const CameraFile& camera, bool allowStretch
     return "a camera without a viewport, in whose pixels it counts; --viewport WIDTHxHEIGHT gives one";
   if (type.needsReversedDepth && !camera.convention.reverseZ)
     return "depth that is not reversed, since it maps near to zMax; --reverse-z or --convention ps2 writes it so";
-  if (!type.hasOwnPixelShape && !allowStretch && !hasViewportsShape(camera))
+  if (!type.hasOwnPixelShape && !allowStretch && camera.viewport &&
+      !hasShape(*camera.viewport, windowAspect(*camera.projection)))
     return "a camera shape unlike the viewport's (" + formatNumber(windowAspect(*camera.projection).hi) +
            " times as wide as high, and " + formatNumber(viewportAspect(*camera.viewport).hi) + " times)" +
            (type.orthographic ? "; --allow-stretch writes it for readers that allow it too"

@@ -28,6 +28,7 @@ struct FilterSetup {
   unsigned jobs = 0;          ///< threads; 0: one a processor
   std::size_t firstLine = 1;  ///< the number of the input's first line (f64: record), for messages
   std::size_t blockSize = BlockReader::kBlock;
+  std::vector<std::string> columns;      ///< CSV columns that hold the coordinates, or none: by their names
   std::vector<std::string> csvDefaults;  ///< column names of a CSV stream without a header
   WriterSetup writer;
 };
@@ -37,7 +38,7 @@ struct FilterSetup {
 int runFilter(FilterSetup setup, const MakeWork& makeWork);
 
 /// Reads the records alone, in order: they are added to the work, batch by batch, and nothing is written. Throws
-/// InputError at the first bad one. setup: file or given, from, csvDefaults.
+/// InputError at the first bad one. setup: file or given, from, columns, csvDefaults.
 void readRecords(FilterSetup setup, const MakeWork& makeWork);
 
 }  // namespace viewproj::cmd

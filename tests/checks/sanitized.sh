@@ -12,7 +12,7 @@ watched=address,undefined,float-cast-overflow,implicit-conversion,local-bounds
 cmake -S . -B "$build" -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug \
   -DCMAKE_CXX_FLAGS="-fsanitize-ignorelist=$PWD/tests/checks/sanitizers-skip.txt" \
   -DCMAKE_CXX_FLAGS_DEBUG='-O1 -gline-tables-only -D_GLIBCXX_ASSERTIONS' \
-  -DVIEWPROJ_TESTS=ON -DVIEWPROJ_WERROR=ON -DVIEWPROJ_SANITIZE=$watched -DVIEWPROJ_COVERAGE=ON >/dev/null
+  -DVIEWPROJ_TESTS=ON -DVIEWPROJ_WERROR=ON -DVIEWPROJ_SANITIZE=$watched -DVIEWPROJ_COVERAGE=ON -DVIEWPROJ_FUZZ=ON >/dev/null
 cmake --build "$build" --parallel "$(nproc)"
 
 # An object file has more symbols than its own with them, and memory is theirs: no call fails for want of it, no limit
