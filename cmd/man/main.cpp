@@ -69,10 +69,9 @@ std::string page(const std::string& version, const std::string& date, const std:
                     "]\n.br\n" + roff::bold("viewproj help") + " [" + roff::italic("command") + "]\n.br\n" +
                     roff::bold("viewproj --version") + "\n.SH DESCRIPTION\n";
   out += roff::filled(
-      "A camera is a JSON file; every command reads one, or what it is given in FILE, and writes its answer to "
-      "standard "
-      "output. FILE absent or - is standard input. Options that commands share are told once, behind the commands; "
-      "viewproj help command tells all options of one.");
+      "A camera is a JSON file. Every command but inspect, which reads matrices, and schema reads one, and writes its "
+      "answer to standard output. FILE absent or - is standard input. Options that commands share are told once, "
+      "behind the commands; viewproj help command tells all options of one.");
   out += ".PP\n" + roff::filled("The examples are for the folder " + folder + " of the installation (/usr/" + folder +
                                 " for a package), where samples/ is.");
   out += ".SH COMMANDS\n";

@@ -184,11 +184,9 @@ std::vector<const Type*> typesFor(const CameraFile& camera, std::string_view wan
   std::vector<const Type*> types;
   for (const Type& type : kTypes)
     if (type.name != "ps2" && beyond(type, camera, false).empty()) types.push_back(&type);
-  if (types.empty())
+  if (types.empty())  // an orthographic camera that was read so itself
     for (const Type& type : kTypes)
-      if (beyond(type, camera, allowStretch).empty()) types.push_back(&type);
-  if (types.empty())
-    throw InputError(camera.name + ": orthographic cannot hold " + beyond(std::end(kTypes)[-1], camera, false));
+      if (beyond(type, camera, true).empty()) types.push_back(&type);
   return types;
 }
 

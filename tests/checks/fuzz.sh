@@ -1,6 +1,6 @@
 #!/bin/sh
-# Builds the fuzz targets (tests/fuzz) with clang++ into build-fuzz/ and runs them, two minutes in all.
-#   sh tests/checks/fuzz.sh [BUILD FOLDER]
+# Builds the fuzz targets (tests/fuzz) with clang and runs them, two minutes in all.
+#   sh tests/checks/fuzz.sh [BUILD FOLDER]     build-sanitized, where sanitized.sh has built, or else build-fuzz
 # FUZZ_SECONDS=N      so long in all
 # FUZZ_EXECUTIONS=N   so many executions in all instead, however long they take
 # FUZZ_TARGETS="A B"  only these targets
@@ -10,17 +10,12 @@
 set -eu
 cd "$(dirname "$0")/../.."
 root=$PWD
-build=${1:-build-fuzz}
+build="build-fuzz"
+if [ -d build-sanitized ]; then build="build-sanitized"; fi
+build=${1:-$build}
 
-compiler=
-for name in clang++ clang++-14 clang++-15 clang++-16; do
-  if command -v "$name" >/dev/null 2>&1; then compiler=$name && break; fi
-done
-if [ -z "$compiler" ]; then
-  echo 'fuzz.sh: clang++ is not installed: sh samples/setup.sh checks' >&2
-  exit 1
-fi
-cmake -B "$build" -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS=-O1 -DVIEWPROJ_FUZZ=ON >/dev/null
+[ -f "$build/CMakeCache.txt" ] || cmake -B "$build" -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=None \
+  -DCMAKE_CXX_FLAGS='-O1 -gline-tables-only' -DVIEWPROJ_SANITIZE=address,undefined -DVIEWPROJ_FUZZ=ON >/dev/null
 cmake --build "$build" --parallel "$(nproc)" --target viewproj_fuzz
 build=$(cd "$build" && pwd)
 
@@ -65,6 +60,7 @@ done
 # Little is kept of what was freed, and no stacks of it: executions are short.
 export ASAN_OPTIONS=malloc_context_size=1:quarantine_size_mb=2:thread_local_quarantine_size_kb=64:allocator_release_to_os_interval_ms=-1
 export UBSAN_OPTIONS=print_stacktrace=1
+export LLVM_PROFILE_FILE=/dev/null
 total=0
 status=0
 for target in $targets; do

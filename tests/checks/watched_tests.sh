@@ -1,0 +1,24 @@
+#!/bin/sh
+# Runs a build's tests, which sanitizers watch.
+#   sh tests/checks/watched_tests.sh BUILD [OPTIONS OF CTEST...]
+# Random tests get fewer cases here; LONG=1 in the environment: as many as everywhere.
+set -eu
+build=$(cd "$1" && pwd)
+shift
+if [ "${LONG-}" != 1 ]; then
+  export VIEWPROJ_BOUND_POINTS=500000 VIEWPROJ_JSON_LINES=20000
+fi
+# Reports go to files: a test may hold the standard error, and expect a failure.
+rm -rf "$build/reports"
+mkdir "$build/reports"
+export ASAN_OPTIONS="strict_string_checks=1:log_path=$build/reports/asan"
+export UBSAN_OPTIONS="print_stacktrace=1:log_path=$build/reports/ubsan"
+export TSAN_OPTIONS="second_deadlock_stack=1:log_path=$build/reports/tsan"
+status=0
+ctest --test-dir "$build" --output-on-failure --parallel "$(nproc)" "$@" || status=1
+for report in "$build"/reports/*; do
+  [ -f "$report" ] || continue
+  head -n 80 "$report"
+  status=1
+done
+exit $status
