@@ -77,8 +77,6 @@ int main(int argc, char** argv) {
     return 0;
   } catch (const UsageError& e) {
     return fail(e.what(), 2);
-  } catch (const InputError& e) {
-    return fail(e.what(), 1);
   } catch (const std::exception& e) {
     return fail(e.what(), 1);
   }

@@ -69,12 +69,6 @@ CommandHelp describe(const CLI::App& app) {
   return help;
 }
 
-CommandHelp describe(const Command& command) {
-  CLI::App app("", "viewproj " + std::string(command.name));
-  command.define(app);
-  return describe(app);
-}
-
 std::string usage(const CommandHelp& help) {
   std::string line = help.name + " [options]";
   for (const OptionHelp& argument : help.arguments) line += " [" + argument.name + "]";

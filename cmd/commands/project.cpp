@@ -206,7 +206,7 @@ class ProjectWork final : public RecordWork {
     const auto writeEnd = [&](std::string_view name, const SegmentEnd& end) {
       sink.group(name, segment.visible, [&](ResultSink& part) {
         part.number("t", end.t);
-        part.vector("screen", std::array{end.screen.x, end.screen.y});
+        part.vector("screen", end.screen);
         part.number("depth", end.depth);
         part.number("viewDistance", end.viewDistance);
         part.word("cutBy", sideName(end.side));
@@ -219,7 +219,7 @@ class ProjectWork final : public RecordWork {
       const double t = parameterUnder(how_.frustum, segment, *row.pixel);
       const Vec3 point = pointAlong(row.a, row.b, t);
       part.number("t", t);
-      part.vector("point", std::array{point.x, point.y, point.z});
+      part.vector("point", point);
     });
   }
 
@@ -228,7 +228,7 @@ class ProjectWork final : public RecordWork {
     const Camera& camera = how_.camera;
     for (ResultField field : fields.wanted) switch (field) {
         case ResultField::screen:
-          sink.vector("screen", std::array{p.x, p.y});
+          sink.vector("screen", Vec2{p.x, p.y});
           break;
         case ResultField::depth:
           sink.number("depth", p.depth);
@@ -242,21 +242,15 @@ class ProjectWork final : public RecordWork {
         case ResultField::outside:
           sink.names("outside", Sides(p).names(), fields.outsideAlways);
           break;
-        case ResultField::ndc: {
-          const Vec3 ndc = worldToNdc(camera, point, how_.writing);
-          sink.vector("ndc", std::array{ndc.x, ndc.y, ndc.z});
+        case ResultField::ndc:
+          sink.vector("ndc", worldToNdc(camera, point, how_.writing));
           break;
-        }
-        case ResultField::clip: {
-          const Vec4 clip = worldToClip(camera, point, how_.writing);
-          sink.vector("clip", std::array{clip.x, clip.y, clip.z, clip.w});
+        case ResultField::clip:
+          sink.vector("clip", worldToClip(camera, point, how_.writing));
           break;
-        }
-        case ResultField::view: {
-          const Vec3 view = worldToView(camera, point, how_.writing);
-          sink.vector("view", std::array{view.x, view.y, view.z});
+        case ResultField::view:
+          sink.vector("view", worldToView(camera, point, how_.writing));
           break;
-        }
         case ResultField::bound:
           sink.number("bound", boundOfPoint(camera, point, p.precision).screen);
           break;

@@ -2,7 +2,6 @@
 #include "viewproj/view/ray.hpp"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 #include "commands/command.hpp"
@@ -20,8 +19,6 @@ namespace viewproj::cmd {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-std::array<double, 3> toArray(const Vec3& v) { return {v.x, v.y, v.z}; }
 
 /// The point behind the pixel, where the record tells how far away it is.
 WorldPoint pointBehind(const Camera& camera, const Pixel& pixel) {
@@ -74,10 +71,10 @@ class RayWork final : public RecordWork {
       ray = screenToRay(how_.camera, *pixel.screen, how_.arithmetic, how_.origin);
       if (pixel.depth || pixel.viewDistance) point = pointBehind(how_.camera, pixel);
     }
-    sink.vector("origin", toArray(ray.origin));
-    sink.vector("direction", toArray(ray.direction));
+    sink.vector("origin", ray.origin);
+    sink.vector("direction", ray.direction);
     if (pixel.hasDistance || sink.hasFixedColumns()) {
-      sink.vector("point", toArray(point.position));
+      sink.vector("point", point.position);
       const bool bounded = point.status == DepthStatus::point && pixel.screen;
       if (how_.wantBound) sink.number("bound", bounded ? point.bound : kNaN);
     }
@@ -97,8 +94,8 @@ class RayWork final : public RecordWork {
   void writeHit(const SceneHit& hit, ResultSink& sink) const {
     sink.json("id", hit.object ? std::string_view(hit.object->id) : "null");
     sink.number("distance", hit.hit.distance);
-    sink.vector("point", toArray(hit.hit.point));
-    sink.vector("normal", toArray(hit.hit.normal));
+    sink.vector("point", hit.hit.point);
+    sink.vector("normal", hit.hit.normal);
     // Only points of the Earth are places; where columns are fixed, they are empty for the others.
     const bool onEllipsoid = hit.object && std::holds_alternative<Ellipsoid>(hit.object->shape);
     if (!onEllipsoid && !(sink.hasFixedColumns() && how_.sceneHasEllipsoid)) return;

@@ -54,7 +54,7 @@ class DrawWork final : public RecordWork {
     else if (layout.kind == kindPoint || layout.kind == kindDirection || layout.kind == kindPlace)
       drawn_.push_back(toPoint(layout, n));
     else
-      std::visit([&](const auto& shape) { drawn_.push_back(shape); }, toShape(layout, n));
+      std::visit([&](const auto& shape) { keep(shape); }, toShape(layout, n));
   }
 
   void read(std::size_t i, const Record& record) override {
@@ -67,8 +67,13 @@ class DrawWork final : public RecordWork {
   void clear() override { drawn_.clear(); }
 
  private:
+  template <class Shape>
+  void keep(const Shape& shape) {
+    // Points have been kept, whole.
+    if constexpr (!std::is_same_v<Shape, Vec3>) drawn_.push_back(shape);
+  }
+
   void draw(const std::string& label, const Vec4& point) { addPoint(view_, label, point); }
-  void draw(const std::string& label, const Vec3& p) { addPoint(view_, label, {p.x, p.y, p.z, 1}); }
   template <class Shape>
   void draw(const std::string& label, const Shape& shape) {
     addOutline(view_, frustum_, label, shape);
@@ -78,7 +83,7 @@ class DrawWork final : public RecordWork {
   const Frustum& frustum_;
   const std::vector<std::string>& columns_;
   bool worldIsEcef_;
-  std::vector<std::variant<Vec4, Vec3, Segment, Sphere, Box, Triangle>> drawn_;
+  std::vector<std::variant<Vec4, Segment, Sphere, Box, Triangle>> drawn_;
   std::size_t count_ = 0;  ///< records read
 };
 

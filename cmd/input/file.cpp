@@ -42,8 +42,9 @@ bool InputFile::isReady() const {
 
 bool InputFile::waitUnless(int other) const {
   pollfd states[] = {{descriptor_, POLLIN, 0}, {other, POLLIN, 0}};
-  while (::poll(states, 2, -1) < 0 && errno == EINTR) {
-  }
+  int ready = 0;
+  do ready = ::poll(states, 2, -1);
+  while (ready < 0 && errno == EINTR);
   return states[1].revents == 0;
 }
 

@@ -1,6 +1,7 @@
 // Writes the manual page from what the commands say of their options.
 //   viewproj_man VERSION DATE CAMERA_FILE FOLDER > viewproj.1
 // CAMERA_FILE is shown as an example; FOLDER is where samples/ is installed.
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
 #include <map>
@@ -15,6 +16,12 @@
 namespace {
 
 using namespace viewproj::cmd;
+
+CommandHelp helpOf(const Command& command) {
+  CLI::App app("", "viewproj " + std::string(command.name));
+  command.define(app);
+  return describe(app);
+}
 
 std::string entry(const OptionHelp& option) {
   // Names in bold, the word for a value in italics.
@@ -61,7 +68,7 @@ std::vector<OptionGroup> sharedGroups(const std::vector<CommandHelp>& commands) 
 std::string page(const std::string& version, const std::string& date, const std::string& camera,
                  const std::string& folder) {
   std::vector<CommandHelp> commands;
-  for (const Command& command : allCommands()) commands.push_back(describe(command));
+  for (const Command& command : allCommands()) commands.push_back(helpOf(command));
 
   std::string out = ".TH VIEWPROJ 1 \"" + date + "\" \"viewproj " + version +
                     "\"\n.nh\n.ad l\n.SH NAME\nviewproj \\- " + roff::escaped(kSummary) + "\n.SH SYNOPSIS\n" +

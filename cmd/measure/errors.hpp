@@ -20,7 +20,6 @@ class ErrorTally {
   double percentile99();
   /// How many are not finite.
   std::size_t missing() const { return missing_; }
-  bool empty() const { return errors_.empty(); }
 
  private:
   std::vector<double> errors_;

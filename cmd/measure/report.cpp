@@ -40,9 +40,10 @@ std::string asShare(double share) { return share == 0 ? "0" : printed("%.3g %%",
 
 /// Three digits and the unit that suits them.
 std::string asRate(double perSecond) {
-  for (const auto& [unit, name] : {std::pair{1e9, " G"}, std::pair{1e6, " M"}, std::pair{1e3, " k"}})
-    if (perSecond >= unit) return printed("%.3g", perSecond / unit) + name;
-  return printed("%.3g", perSecond);
+  const auto& [unit, name] = perSecond >= 1e9   ? std::pair{1e9, " G"}
+                             : perSecond >= 1e6 ? std::pair{1e6, " M"}
+                                                : std::pair{1e3, " k"};
+  return printed("%.3g", perSecond / unit) + name;
 }
 
 std::string asTime(double ns) { return ns < 1000 ? printed("%.3g", ns) : printed("%.0f", ns); }

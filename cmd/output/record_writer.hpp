@@ -1,6 +1,7 @@
 // Records with their results, in any output form. json_writer, csv_writer, text_writer (text and f64).
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <span>
@@ -11,6 +12,7 @@
 #include "input/record.hpp"
 #include "output/text_buffer.hpp"
 #include "stream/form.hpp"
+#include "viewproj/numbers/vectors.hpp"
 
 namespace viewproj::cmd {
 
@@ -22,6 +24,9 @@ class ResultSink {
   virtual void number(std::string_view name, double value) = 0;
   /// Two to four numbers; null as a whole if one of them is not finite.
   virtual void vector(std::string_view name, std::span<const double> values) = 0;
+  void vector(std::string_view name, const Vec2& v) { vector(name, std::array{v.x, v.y}); }
+  void vector(std::string_view name, const Vec3& v) { vector(name, std::array{v.x, v.y, v.z}); }
+  void vector(std::string_view name, const Vec4& v) { vector(name, std::array{v.x, v.y, v.z, v.w}); }
   virtual void flag(std::string_view name, bool value) = 0;
   /// always: false leaves an empty list out where the form can.
   virtual void names(std::string_view name, std::span<const std::string_view> values, bool always) = 0;

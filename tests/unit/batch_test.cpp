@@ -111,8 +111,11 @@ TEST_CASE("A batch in full is what single points are: distance, status and sides
       const double tolerance = 1e-4;
       const Precision chosen = precisionWithin(trial.camera, tolerance);
       worldToScreenWithin(trial.camera, tolerance, trial.points, screen);
-      for (std::size_t i = 0; i < count; ++i)
-        REQUIRE(same(screen[i], worldToScreenWithin(trial.camera, chosen, trial.points[i])));
+      for (std::size_t i = 0; i < count; ++i) {
+        const Vec3& p = trial.points[i];
+        REQUIRE(same(screen[i], worldToScreenWithin(trial.camera, chosen, p)));
+        REQUIRE(same(screen[i], worldToScreenWithin(trial.camera, chosen, Vec4{p.x, p.y, p.z, 1})));
+      }
     }
   CAPTURE(escalated);
   CHECK(byKernel[int(PointStatus::inFront)] > 10000);

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -114,7 +113,6 @@ class Dyadic {
   }
 
   void append(std::uint32_t limb) noexcept {
-    assert(size_ < kCapacity);
     limbs_[std::size_t(size_++)] = limb;
   }
 

@@ -19,9 +19,6 @@ struct DoubleDouble {
   constexpr DoubleDouble() = default;
   constexpr DoubleDouble(double value) : hi(value) {}  // NOLINT: a double is an exact double-double
   constexpr DoubleDouble(double high, double low) : hi(high), lo(low) {}
-
-  /// The nearest double.
-  explicit constexpr operator double() const { return hi; }
 };
 
 /// a + b exactly.
