@@ -112,9 +112,7 @@ class Dyadic {
     return position < position_ || position >= end() ? 0 : limbs_[std::size_t(position - position_)];
   }
 
-  void append(std::uint32_t limb) noexcept {
-    limbs_[std::size_t(size_++)] = limb;
-  }
+  void append(std::uint32_t limb) noexcept { limbs_[std::size_t(size_++)] = limb; }
 
   /// Without zeros at either end.
   void trim() noexcept {
