@@ -29,7 +29,7 @@ class SampleWork final : public RecordWork {
       : sample_(sample), columns_(columns), worldIsEcef_(worldIsEcef) {}
 
   Layout find(const RecordParts& record) const override { return findPoint(record, columns_, worldIsEcef_); }
-  void nameResults(const Layout&, ResultSink&) const override {}
+  void nameResults(const Layout&, ResultSink&) const override {}  // uncounted: there are none
   void add(const Layout& layout, const Numbers& numbers) override {
     const Vec4 p = toPoint(layout, numbers);
     if (sample_.points.size() == kMostPoints)
@@ -40,7 +40,7 @@ class SampleWork final : public RecordWork {
     else
       ++sample_.leftOut;
   }
-  void write(std::size_t, ResultSink&) override {}
+  void write(std::size_t, ResultSink&) override {}  // uncounted: records are read alone
   void clear() override {}
 
  private:

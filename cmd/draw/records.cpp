@@ -46,7 +46,7 @@ class DrawWork final : public RecordWork {
     return findShape(record, columns_, worldIsEcef_);
   }
 
-  void nameResults(const Layout&, ResultSink&) const override {}
+  void nameResults(const Layout&, ResultSink&) const override {}  // uncounted: there are none
 
   void add(const Layout& layout, const Numbers& n) override {
     if (layout.kind == kindSegment || layout.kind == kindSegmentAndPixel)
@@ -63,7 +63,7 @@ class DrawWork final : public RecordWork {
     std::visit([&](const auto& what) { draw(label, what); }, drawn_[i]);
   }
 
-  void write(std::size_t, ResultSink&) override {}
+  void write(std::size_t, ResultSink&) override {}  // uncounted: records are read alone
   void clear() override { drawn_.clear(); }
 
  private:

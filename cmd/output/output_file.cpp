@@ -54,6 +54,7 @@ void complain(const std::string& message, const Stop& stop) {
   writeUntil(STDERR_FILENO, "viewproj: " + message + "\n", stop);
 }
 
+// uncounted: faults_limit takes memory away, but not beside sanitizers
 void endWithoutMemory() {
   writing.lock();
   write(STDERR_FILENO, "viewproj: out of memory\n", {});

@@ -42,8 +42,10 @@ void note(int signal) {
 
 InterruptGuard::InterruptGuard() {
   came = 0;
+  // uncounted: faults_call has it fail, but not beside sanitizers
   if (::pipe2(wakeEnds, O_CLOEXEC | O_NONBLOCK) != 0)
     throw InputError(std::string("a pipe for signals: ") + std::generic_category().message(errno));
+
   struct sigaction action = {};
   action.sa_handler = note;
   action.sa_flags = static_cast<int>(SA_RESETHAND);

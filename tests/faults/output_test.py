@@ -170,6 +170,8 @@ class SlowReaders(FaultTest):
                 os.set_blocking(reading, not nonblocking)
                 process = tool.start(arguments, stdin=reading, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
                 os.close(reading)
+                if nonblocking:
+                    tool.wait_until_still(process)
                 for i in range(len(given)):
                     os.write(writing, given[i : i + 1])
                     if nonblocking and i % 20 == 0:

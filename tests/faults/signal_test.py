@@ -23,18 +23,6 @@ def defaults():
         signal.signal(number, signal.SIG_DFL)
 
 
-def wait_until_still(process):
-    """Until it neither reads nor writes any more."""
-    before = None
-    while True:
-        with open(f"/proc/{process.pid}/io", encoding="ascii") as io, open(f"/proc/{process.pid}/comm", encoding="ascii") as name:
-            now = io.read() if name.read() == "viewproj\n" else None
-        if now and now == before:
-            return
-        before = now
-        time.sleep(0.05)
-
-
 def read_so_far(process):
     return Path(f"/proc/{process.pid}/io").read_bytes()
 
@@ -82,12 +70,13 @@ class Signals(FaultTest):
             ["measure", "-c", CAMERA],
             ["explain", "-c", "-", "--point", "1,1,1"],
             *FILTERS,
+            ["project", "-c", CAMERA, "--from", "csv"],
         )
         for arguments in waiting:
             for number in ENDING:
                 with self.subTest(f"{arguments} {number.name}"):
                     process = self.start(arguments, stdin=subprocess.PIPE)
-                    wait_until_still(process)
+                    tool.wait_until_still(process)
                     self.assertEqual(self.end(process, number), b"")
                     process.stdin.close()
 
@@ -106,7 +95,7 @@ class Signals(FaultTest):
             for number in ENDING:
                 with self.subTest(f"{arguments} {number.name}"):
                     process = self.start(arguments, stdin=subprocess.DEVNULL)
-                    wait_until_still(process)
+                    tool.wait_until_still(process)
                     self.assertEqual(self.end(process, number), b"")
 
     def test_a_signal_ends_a_long_measurement(self):
@@ -114,7 +103,7 @@ class Signals(FaultTest):
             process = self.start(["measure", "-c", CAMERA, "--seconds", "3000"], stdin=subprocess.PIPE)
             process.stdin.write(POINTS["json"])
             process.stdin.close()
-            wait_until_still(process)
+            tool.wait_until_still(process)
             process.send_signal(number)
             self.assertEqual(process.wait(tool.PATIENCE), -number)
 
@@ -146,7 +135,7 @@ class Signals(FaultTest):
                 )
             feeder.stdout.close()
             os.read(process.stderr.fileno(), 1)
-            wait_until_still(process)
+            tool.wait_until_still(process)
             process.send_signal(number)
             self.assertEqual(process.wait(tool.PATIENCE), -number)
             feeder.wait(tool.PATIENCE)
@@ -196,7 +185,7 @@ class Signals(FaultTest):
             process = self.start(
                 ["project", "-c", CAMERA], stdin=subprocess.PIPE, preexec_fn=lambda: signal.signal(number, signal.SIG_IGN)
             )
-            wait_until_still(process)
+            tool.wait_until_still(process)
             process.send_signal(number)
             out, err = process.communicate(POINTS["json"], timeout=tool.PATIENCE)
             self.assertEqual((process.returncode, out.count(b"\n"), err), (0, 2, b""))

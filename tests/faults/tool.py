@@ -4,6 +4,7 @@ import resource
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
@@ -95,6 +96,18 @@ def run(arguments, given=b"", before=None, env=None, **more):
 
 def start(arguments, **more):
     return subprocess.Popen([TOOL, *arguments], **more)
+
+
+def wait_until_still(process):
+    """Until it neither reads nor writes any more."""
+    before = None
+    while True:
+        with open(f"/proc/{process.pid}/io", encoding="ascii") as io, open(f"/proc/{process.pid}/comm", encoding="ascii") as name:
+            now = io.read() if name.read() == "viewproj\n" else None
+        if now and now == before:
+            return
+        before = now
+        time.sleep(0.05)
 
 
 def limited(which, soft):

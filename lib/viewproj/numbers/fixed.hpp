@@ -21,7 +21,7 @@ class Fixed {
 
   Fixed() = default;
   /// Least significant first, two's complement; the last is the whole part.
-  explicit consteval Fixed(const Limbs& limbs) : limbs_(limbs) {}
+  explicit consteval Fixed(const Limbs& limbs) : limbs_(limbs) {}  // uncounted: never at run time
   Fixed(double value) noexcept {  // NOLINT: a double with no bits below a step is exact
     double rest = std::fabs(value), unit = 1;
     for (std::size_t i = kLimbs; i-- > 0; unit *= 0x1p-32) {
