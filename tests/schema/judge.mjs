@@ -122,6 +122,26 @@ const rules = new Tally();
   say("documents of the golden cases and samples:\n" + tally);
 }
 
+// The names that a field may have: those that the reader knows are those of the schema.
+{
+  const kNamed = ["convention", "convention.preset", "convention.world", "convention.view", "convention.ndcZ", "convention.ndcY",
+    "convention.vectors", "convention.storage", "world", "cameraAxes", "projection.type", "viewport.origin"];
+  const thorough = new Ajv2020({ allErrors: true });
+  const schema = thorough.compile(schemaOf.camera.schema);
+  for (const field of kNamed) {
+    const keys = field.split(".");
+    const named = keys.reduceRight((value, key) => ({ [key]: value }), "?");
+    if (named.viewport) Object.assign(named.viewport, { width: 1, height: 1 });
+    const message = readDocuments("camera", [JSON.stringify(named)])[0];
+    const known = /; known are (.*) \(is "\?"\)$/.exec(message)?.[1].split(", ") ?? [];
+    schema(named);
+    const allowed = schema.errors.filter((e) => e.keyword === "enum" && e.instancePath === "/" + keys.join("/"));
+    const names = [...new Set(allowed.flatMap((e) => e.params.allowedValues))].filter((name) => name !== null);
+    if (known.length === 0 || String(known) !== String(names)) fault(`${field}: the reader knows ${known}; the schema ${names}`);
+  }
+  say(`the names of ${kNamed.length} fields compared\n`);
+}
+
 // Random documents as they are and with up to three mutations.
 const kGenerated = {
   camera: { count: 40000, make: makeCamera },

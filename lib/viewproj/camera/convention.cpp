@@ -19,7 +19,7 @@ constexpr auto rows = Storage::rowMajor;
 
 // Sources: the OpenGL, Direct3D, Vulkan, Metal and WebGPU specifications; Unity's Camera.worldToCameraMatrix and
 // projectionMatrix; Unreal's FReversedZPerspectiveMatrix; OpenCV's calib3d; ps2sdk's create_view_screen.
-// To add a preset, add its row here and to the README's table.
+// To add a preset, add its row here; tests ask for the rest.
 // clang-format off
 constexpr ConventionPreset kPresets[] = {
     //             world  view  ndcZ reverseZ ndcY  vectors storage
