@@ -34,17 +34,6 @@ inline bool isFinite(const viewproj::Mat4& m) {
 
 inline bool isUnit(const viewproj::Vec3& v) { return std::fabs(length(v) - 1) <= 4 * kRounding; }
 
-/// The field that makeCamera and its parts complain of, or nothing.
-template <class Build>
-std::string fieldAtFault(Build build) {
-  try {
-    build();
-  } catch (const viewproj::CameraError& error) {
-    return error.field();
-  }
-  return "";
-}
-
 inline constexpr viewproj::Vec2 kPixels[] = {{0, 0}, {960, 540}, {1920, 1080}, {123.25, 987.5}, {1919.5, 0.5}};
 
 }  // namespace peers

@@ -3,6 +3,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "catch.hpp"
+#include "matrix_numbers.hpp"
 #include "random_cameras.hpp"
 #include "thread_cameras.hpp"
 #include "viewproj/viewproj.hpp"
@@ -11,14 +12,6 @@ using namespace viewproj;
 using namespace peers;
 
 namespace {
-
-using Numbers = std::array<double, 16>;
-
-Numbers rowsOf(const Mat4& m) {
-  Numbers n{};
-  for (std::size_t i = 0; i < 16; ++i) n[i] = m[i / 4][i % 4];
-  return n;
-}
 
 template <class T>
 Numbers memoryOf(const glm::mat<4, 4, T>& m) {

@@ -1,4 +1,4 @@
-// Numbers of 480 bits: what the tests call true.
+// Numbers of 480 bits, or as many as a verdict takes: what the tests call true.
 #pragma once
 
 #include <mpfr.h>
@@ -11,17 +11,20 @@ namespace reference {
 class Real {
  public:
   static constexpr mpfr_prec_t kBits = 480;
+  /// Of numbers made from here on.
+  static inline mpfr_prec_t bits = kBits;
 
   Real() : Real(0.0) {}
   Real(double value) {  // NOLINT: a double is exact
-    mpfr_init2(value_, kBits);
+    mpfr_init2(value_, bits);
     mpfr_set_d(value_, value, MPFR_RNDN);
   }
   Real(const Real& other) {
-    mpfr_init2(value_, kBits);
+    mpfr_init2(value_, mpfr_get_prec(other.value_));
     mpfr_set(value_, other.value_, MPFR_RNDN);
   }
   Real& operator=(const Real& other) {
+    mpfr_set_prec(value_, mpfr_get_prec(other.value_));
     mpfr_set(value_, other.value_, MPFR_RNDN);
     return *this;
   }
@@ -31,6 +34,7 @@ class Real {
   explicit operator double() const { return mpfr_get_d(value_, MPFR_RNDN); }
 
   mpfr_srcptr value() const { return value_; }
+  int sign() const { return mpfr_sgn(value_); }
 
   friend Real operator+(const Real& a, const Real& b) { return with(a, b, mpfr_add); }
   friend Real operator-(const Real& a, const Real& b) { return with(a, b, mpfr_sub); }
@@ -39,6 +43,7 @@ class Real {
   friend Real operator-(const Real& a) { return Real(0) - a; }
   friend bool operator<(const Real& a, const Real& b) { return mpfr_cmp(a.value_, b.value_) < 0; }
   friend bool operator>(const Real& a, const Real& b) { return b < a; }
+  friend bool operator<=(const Real& a, const Real& b) { return !(b < a); }
 
   friend Real sqrt(const Real& a) { return with(a, mpfr_sqrt); }
   friend Real abs(const Real& a) { return with(a, mpfr_abs); }

@@ -1,6 +1,7 @@
 #include "viewproj/camera/geodesy.hpp"
 
 #include "catch.hpp"
+#include "field_at_fault.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;
@@ -37,16 +38,6 @@ Vec3 eastNorthUp(const Geodetic& eye, const Geodetic& point) {
   const Vec3 p = geodeticToEcef(point);
   const Vec3 view = worldToView(camera, {p.x, p.y, p.z, 1}, *conventionPreset("opengl"));
   return {view.x, -view.z, view.y};
-}
-
-template <class Call>
-std::string fieldAtFault(Call call) {
-  try {
-    call();
-  } catch (const CameraError& e) {
-    return e.field();
-  }
-  return "";
 }
 
 /// right, up, forward at latitude 0, longitude 0: x is up, y east, z north.

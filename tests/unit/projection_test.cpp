@@ -1,20 +1,11 @@
 #include "catch.hpp"
+#include "field_at_fault.hpp"
 #include "viewproj/numbers/degrees.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;
 
 namespace {
-
-template <class Call>
-std::string fieldAtFault(Call call) {
-  try {
-    call();
-  } catch (const CameraError& e) {
-    return e.field();
-  }
-  return "";
-}
 
 const Viewport kViewport{1280, 720};
 const Pose kPose = lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Handedness::right);

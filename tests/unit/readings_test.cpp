@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "catch.hpp"
+#include "matrix_numbers.hpp"
 #include "random.hpp"
 #include "viewproj/numbers/ulp.hpp"
 #include "viewproj/viewproj.hpp"
@@ -14,14 +15,6 @@
 using namespace viewproj;
 
 namespace {
-
-using Numbers = std::array<double, 16>;
-
-Numbers rowsOf(const Mat4& m) {
-  Numbers n{};
-  for (std::size_t i = 0; i < 16; ++i) n[i] = m[i / 4][i % 4];
-  return n;
-}
 
 Numbers asFloats(Numbers n) {
   for (double& number : n) number = static_cast<double>(static_cast<float>(number));

@@ -11,28 +11,28 @@ namespace {
 
 /// All verdicts of double coordinates fit into so many bits: six factors between 2^-1074 and 2^1024.
 constexpr mpfr_prec_t kAllBits = 6 * 2110 + 64;
-constexpr mpfr_prec_t kUsualBits = 640;
+constexpr mpfr_prec_t kFirstBits = 640;
 
 struct Line {
-  Big3 origin, direction;
+  Real3 origin, direction;
 };
 
 /// A root of the ray's parameter and what it belongs to, as a fraction of positive denominator, for exact comparison.
 struct Fraction {
-  Big numerator, denominator;
+  Real numerator, denominator;
   BoxFace face = BoxFace::none;
   friend bool operator<(const Fraction& a, const Fraction& b) {
     return a.numerator * b.denominator < b.numerator * a.denominator;
   }
 };
 
-Fraction fraction(const Big& n, const Big& d, BoxFace face = BoxFace::none) {
+Fraction fraction(const Real& n, const Real& d, BoxFace face = BoxFace::none) {
   return d.sign() < 0 ? Fraction{-n, -d, face} : Fraction{n, d, face};
 }
 
 /// A quadratic in the ray's parameter.
 struct Quadratic {
-  Big a, b, c;  // a t^2 + 2 b t + c
+  Real a, b, c;  // a t^2 + 2 b t + c
 };
 
 /// What decides, without rounding.
@@ -43,7 +43,7 @@ struct Verdict {
   bool touches = false, startsOn = false, startsInside = false;
 };
 
-Verdict roundVerdict(const Big& a, const Big& b, const Big& c) {
+Verdict roundVerdict(const Real& a, const Real& b, const Real& c) {
   Verdict v;
   const int discriminant = (b * b - a * c).sign();
   v.startsOn = c.sign() == 0;
@@ -61,20 +61,20 @@ Verdict roundVerdict(const Big& a, const Big& b, const Big& c) {
 }
 
 Verdict verdictOf(const Line& l, const Sphere& s) {
-  const Big3 m = l.origin - toBig(s.center);
-  return roundVerdict(dot(l.direction, l.direction), dot(m, l.direction), dot(m, m) - Big(s.radius) * s.radius);
+  const Real3 m = l.origin - toReal(s.center);
+  return roundVerdict(dot(l.direction, l.direction), dot(m, l.direction), dot(m, m) - Real(s.radius) * s.radius);
 }
 
 Verdict verdictOf(const Line& l, const Ellipsoid& e) {
-  const Big a2 = Big(e.equatorial) * e.equatorial, b2 = Big(e.polar) * e.polar;
-  const auto form = [&](const Big3& p, const Big3& q) { return (p[0] * q[0] + p[1] * q[1]) * b2 + p[2] * q[2] * a2; };
+  const Real a2 = Real(e.equatorial) * e.equatorial, b2 = Real(e.polar) * e.polar;
+  const auto form = [&](const Real3& p, const Real3& q) { return (p[0] * q[0] + p[1] * q[1]) * b2 + p[2] * q[2] * a2; };
   return roundVerdict(form(l.direction, l.direction), form(l.origin, l.direction), form(l.origin, l.origin) - a2 * b2);
 }
 
 Verdict verdictOf(const Line& l, const Plane& p) {
   Verdict v;
-  const Big3 n = toBig(p.normal);
-  const Big along = dot(n, l.direction), away = dot(n, toBig(p.point) - l.origin);
+  const Real3 n = toReal(p.normal);
+  const Real along = dot(n, l.direction), away = dot(n, toReal(p.point) - l.origin);
   v.startsOn = away.sign() == 0;
   if (along.sign() == 0 || along.sign() * away.sign() < 0) return v;
   v.crossings = {fraction(away, along)};
@@ -85,9 +85,9 @@ Verdict verdictOf(const Line& l, const Plane& p) {
 /// Möller & Trumbore: Cramer's rule for origin + t d = a + u (b - a) + v (c - a).
 Verdict verdictOf(const Line& l, const Triangle& t) {
   Verdict verdict;
-  const Big3 a = toBig(t.a), e1 = toBig(t.b) - a, e2 = toBig(t.c) - a, s = l.origin - a;
-  const Big3 p = cross(l.direction, e2), q = cross(s, e1);
-  Big determinant = dot(p, e1), u = dot(p, s), v = dot(q, l.direction), along = dot(q, e2);
+  const Real3 a = toReal(t.a), e1 = toReal(t.b) - a, e2 = toReal(t.c) - a, s = l.origin - a;
+  const Real3 p = cross(l.direction, e2), q = cross(s, e1);
+  Real determinant = dot(p, e1), u = dot(p, s), v = dot(q, l.direction), along = dot(q, e2);
   if (determinant.sign() == 0) return verdict;
   if (determinant.sign() < 0) determinant = -determinant, u = -u, v = -v, along = -along;
   if (u.sign() < 0 || v.sign() < 0 || determinant < u + v || along.sign() < 0) return verdict;
@@ -101,7 +101,7 @@ Verdict verdictOf(const Line& l, const Triangle& t) {
 /// Every face that the ray meets within the face's rectangle.
 Verdict verdictOf(const Line& l, const Box& box) {
   Verdict verdict;
-  const Big3 min = toBig(box.min), max = toBig(box.max);
+  const Real3 min = toReal(box.min), max = toReal(box.max);
   bool within = true, strictly = true;
   for (std::size_t i = 0; i < 3; ++i) {
     within = within && min[i] <= l.origin[i] && l.origin[i] <= max[i];
@@ -113,7 +113,7 @@ Verdict verdictOf(const Line& l, const Box& box) {
       bool meets = true;
       for (std::size_t j = 0; j < 3; ++j) {
         if (j == i) continue;
-        const Big at = l.origin[j] * t.denominator + l.direction[j] * t.numerator;
+        const Real at = l.origin[j] * t.denominator + l.direction[j] * t.numerator;
         meets = meets && min[j] * t.denominator <= at && at <= max[j] * t.denominator;
       }
       if (meets) verdict.crossings.push_back(t);
@@ -128,32 +128,32 @@ Verdict verdictOf(const Line& l, const Box& box) {
   return verdict;
 }
 
-Big3 normalOf(const Line&, const Plane& p, const Big&) { return toBig(p.normal); }
-Big3 normalOf(const Line&, const Triangle& t, const Big&) {
-  return cross(toBig(t.b) - toBig(t.a), toBig(t.c) - toBig(t.b));
+Real3 normalOf(const Line&, const Plane& p, const Real&) { return toReal(p.normal); }
+Real3 normalOf(const Line&, const Triangle& t, const Real&) {
+  return cross(toReal(t.b) - toReal(t.a), toReal(t.c) - toReal(t.b));
 }
-Big3 normalOf(const Line& l, const Sphere& s, const Big& at) {
-  return s.radius == 0 ? l.direction * Big(-1) : (l.origin - toBig(s.center)) + l.direction * at;
+Real3 normalOf(const Line& l, const Sphere& s, const Real& at) {
+  return s.radius == 0 ? l.direction * Real(-1) : (l.origin - toReal(s.center)) + l.direction * at;
 }
-Big3 normalOf(const Line& l, const Ellipsoid& e, const Big& at) {
-  const Big a2 = Big(e.equatorial) * e.equatorial, b2 = Big(e.polar) * e.polar;
-  const Big3 p = l.origin + l.direction * at;
+Real3 normalOf(const Line& l, const Ellipsoid& e, const Real& at) {
+  const Real a2 = Real(e.equatorial) * e.equatorial, b2 = Real(e.polar) * e.polar;
+  const Real3 p = l.origin + l.direction * at;
   return {p[0] / a2, p[1] / a2, p[2] / b2};
 }
-Big3 normalOf(const Line&, const Box&, const Big&) { return {1, 0, 0}; }  // by the face
+Real3 normalOf(const Line&, const Box&, const Real&) { return {1, 0, 0}; }  // by the face
 
-Big slackOf(const Sphere& s) { return Big(s.radius) * Big(kHitShare); }
-Big slackOf(const Ellipsoid& e) { return Big(std::max(e.equatorial, e.polar)) * Big(kHitShare); }
+Real slackOf(const Sphere& s) { return Real(s.radius) * Real(kHitShare); }
+Real slackOf(const Ellipsoid& e) { return Real(std::max(e.equatorial, e.polar)) * Real(kHitShare); }
 template <class Flat>
-Big slackOf(const Flat&) {
+Real slackOf(const Flat&) {
   return 0;
 }
 
 template <class Exact>
 Verdict withBits(mpfr_prec_t bits, const Ray& ray, const Exact& shape, bool& rounded) {
-  Big::bits = bits;
+  Real::bits = bits;
   mpfr_clear_inexflag();
-  const Verdict v = verdictOf({toBig(ray.origin), toBig(ray.direction)}, shape);
+  const Verdict v = verdictOf({toReal(ray.origin), toReal(ray.direction)}, shape);
   rounded = mpfr_inexflag_p() != 0;
   return v;
 }
@@ -162,7 +162,7 @@ template <class S>
 TrueHits trueHitsOf(const Ray& ray, const S& shape) {
   TrueHits result;
   bool rounded = false;
-  Verdict v = withBits(kUsualBits, ray, shape, rounded);
+  Verdict v = withBits(kFirstBits, ray, shape, rounded);
   if (rounded) {
     v = withBits(kAllBits, ray, shape, rounded);
     result.wide = true;
@@ -171,26 +171,26 @@ TrueHits trueHitsOf(const Ray& ray, const S& shape) {
   result.touches = v.touches, result.startsOn = v.startsOn, result.startsInside = v.startsInside;
 
   // The values: however far -b + sqrt(...) cancels, three times the bits are enough.
-  Big::bits = 3 * Big::bits;
-  const Line line{toBig(ray.origin), toBig(ray.direction)};
-  std::vector<Big> parameters;
+  Real::bits = 3 * Real::bits;
+  const Line line{toReal(ray.origin), toReal(ray.direction)};
+  std::vector<Real> parameters;
   if (v.roots && v.count > 0) {
-    const Big root = sqrt(v.roots->b * v.roots->b - v.roots->a * v.roots->c);
-    const Big first = (-v.roots->b - root) / v.roots->a, second = (-v.roots->b + root) / v.roots->a;
+    const Real root = sqrt(v.roots->b * v.roots->b - v.roots->a * v.roots->c);
+    const Real first = (-v.roots->b - root) / v.roots->a, second = (-v.roots->b + root) / v.roots->a;
     if (v.count == 2) parameters = {first, second};
-    if (v.count == 1) parameters = {v.startsOn ? Big(0) : v.startsInside ? second : first};
+    if (v.count == 1) parameters = {v.startsOn ? Real(0) : v.startsInside ? second : first};
     if (v.count == 2 && v.startsOn) parameters[0] = 0;
   }
   for (std::size_t i = 0; i < v.crossings.size(); ++i)
     if (i == 0 || v.crossings[i - 1] < v.crossings[i])
       parameters.push_back(v.crossings[i].numerator / v.crossings[i].denominator);
   std::size_t crossing = 0;
-  for (const Big& t : parameters) {
+  for (const Real& t : parameters) {
     TrueHit hit;
     hit.point = line.origin + line.direction * t;
     hit.distance = t * length(line.direction);
-    const Big3 normal = normalOf(line, shape, t);
-    hit.normal = normal * (Big(1) / length(normal));
+    const Real3 normal = normalOf(line, shape, t);
+    hit.normal = normal * (Real(1) / length(normal));
     hit.slack = slackOf(shape);
     hit.normalSlack = kHitShare;
     if constexpr (std::is_same_v<S, Ellipsoid>)
@@ -201,7 +201,7 @@ TrueHits trueHitsOf(const Ray& ray, const S& shape) {
     }
     result.hits.push_back(hit);
   }
-  Big::bits = kUsualBits;
+  Real::bits = Real::kBits;
   return result;
 }
 

@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "reference/shapes/big.hpp"
+#include "reference/scene.hpp"
 #include "viewproj/viewproj.hpp"
 
 namespace reference {
@@ -13,10 +13,10 @@ namespace reference {
 using Shape = std::variant<viewproj::Plane, viewproj::Sphere, viewproj::Box, viewproj::Triangle, viewproj::Ellipsoid>;
 
 struct TrueHit {
-  Big distance;
-  Big3 point, normal;
+  Real distance;
+  Real3 point, normal;
   /// Of each coordinate of the point and each component of the normal, beside its units in the last place.
-  Big slack, normalSlack;
+  Real slack, normalSlack;
   std::vector<viewproj::BoxFace> faces;  ///< those that meet there, of a box
 };
 

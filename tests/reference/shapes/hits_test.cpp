@@ -57,11 +57,23 @@ bool isUsable(const HitCase& c) {
          std::visit([](const auto& s) { return isValid(s); }, c.shape);
 }
 
+/// Within `ulps` units in the last place (1 for subnormal numbers), or within `also`. What lies beyond the largest
+/// double must be infinite.
+bool isNear(double got, const Real& truth, double ulps, const Real& also) {
+  const double nearest = double(truth);
+  if (got == nearest) return true;
+  if (!std::isfinite(got) || !std::isfinite(nearest)) return false;
+  const double size = std::fabs(nearest);
+  const Real ulp = Real(std::nextafter(size, INFINITY)) - Real(size);
+  const Real error = abs(Real(got) - truth);
+  return error <= ulp * Real(std::isnormal(nearest) ? ulps : 1) || error <= also;
+}
+
 /// What is wrong with a hit, or nothing.
 std::string wrongWith(const Hit& got, const TrueHit& truth) {
   if (!(got.distance >= 0)) return "a distance below 0";
   if (!isNear(got.distance, truth.distance, kHitUlps, 0)) return "the distance";
-  Big3 normal = truth.normal;
+  Real3 normal = truth.normal;
   if (!truth.faces.empty() && truth.faces[0] != BoxFace::none) {
     if (std::find(truth.faces.begin(), truth.faces.end(), got.face) == truth.faces.end()) return "the face";
     const int face = int(got.face) - 1;
@@ -178,7 +190,7 @@ TEST_CASE("No ray leaves a tetrahedron between its faces, however near an edge o
     }
     Vec3 inside;
     for (std::size_t k = 0; k < 3; ++k) inside[k] = (p[0][k] + p[1][k]) / 4 + (p[2][k] + p[3][k]) / 4;
-    const Big3 edges[] = {toBig(p[1]) - toBig(p[0]), toBig(p[2]) - toBig(p[0]), toBig(p[3]) - toBig(p[0])};
+    const Real3 edges[] = {toReal(p[1]) - toReal(p[0]), toReal(p[2]) - toReal(p[0]), toReal(p[3]) - toReal(p[0])};
     if (dot(edges[0], cross(edges[1], edges[2])).sign() == 0) continue;
     const Triangle faces[] = {{p[0], p[1], p[2]}, {p[3], p[1], p[0]}, {p[3], p[2], p[1]}, {p[0], p[2], p[3]}};
     for (std::size_t i = 0; i < 4; ++i)
