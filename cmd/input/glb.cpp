@@ -52,6 +52,7 @@ std::string readJsonFile(const std::string& name, std::size_t most) {
   text.clear();
   readUpTo(file, text, length);
   if (text.size() < length) throw InputError(file.name() + ": ends inside its JSON chunk");
+  text.erase(text.find_last_not_of('\0') + 1);  // some exporters pad with NULs, not with blanks as they should
   return text;
 }
 

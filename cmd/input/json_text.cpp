@@ -73,6 +73,8 @@ std::optional<JsonFault> jsonFault(std::string_view text) {
   try {
     Thrower thrower;
     (void)nlohmann::json::sax_parse(text.begin(), text.end(), &thrower);
+    if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos)
+      return JsonFault{nul, "not valid JSON: a NUL"};
     return std::nullopt;
   } catch (const nlohmann::json::parse_error& e) {
     // "[json.exception.parse_error.101] parse error at line 1, column 5: what is wrong"
@@ -90,6 +92,10 @@ std::optional<JsonFault> jsonFault(std::string_view text) {
     if (const std::size_t bracket = message.find("] "); bracket != std::string::npos) message.erase(0, bracket + 2);
     return JsonFault{offset, shortened(message)};
   }
+}
+
+bool isJson(std::string_view text) {
+  return text.find('\0') == std::string_view::npos && nlohmann::json::accept(text.begin(), text.end());
 }
 
 std::size_t endOfValue(std::string_view text, std::size_t at) {

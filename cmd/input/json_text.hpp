@@ -25,8 +25,10 @@ struct JsonFault {
   std::string message;
 };
 
-/// Nothing if text is one valid JSON value.
+/// Nothing if text is one valid JSON value, as nlohmann-json judges it; but a NUL, which it takes for the end of the
+/// text, is a fault like other characters.
 std::optional<JsonFault> jsonFault(std::string_view text);
+bool isJson(std::string_view text);
 
 /// The parts of an array or object, one after the other. The text must be valid JSON.
 class JsonParts {

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "input/error.hpp"
+#include "input/json_text.hpp"
 #include "input/number.hpp"
 #include "output/number.hpp"
 #include "output/record_writer.hpp"
@@ -12,7 +13,7 @@ namespace {
 
 /// A text line's number: as written if that is a JSON number, otherwise formatted anew ("+1", ".5"), or null ("NaN").
 std::string jsonNumber(std::string_view text) {
-  if (nlohmann::json::accept(text.begin(), text.end())) return std::string(text);
+  if (isJson(text)) return std::string(text);
   const auto number = parseNumber(text);
   return number ? formatNumber(*number) : "null";
 }
@@ -23,7 +24,7 @@ std::string jsonCell(std::string_view cell) {
   if (value.find_first_not_of(" \t") == std::string::npos) return "null";
   const char first = value[0];
   const bool bare = first == '-' || (first >= '0' && first <= '9') || value == "true" || value == "false";
-  if (bare && !cell.starts_with('"') && nlohmann::json::accept(value)) return value;
+  if (bare && !cell.starts_with('"') && isJson(value)) return value;
   return jsonString(value);
 }
 

@@ -54,7 +54,8 @@ void requireJson(std::string_view text, std::string_view what) {
   while (at != std::string_view::npos) {
     const std::size_t end = cmd::endOfValue(text, at);
     const std::string_view value = text.substr(at, end - at);
-    if (!nlohmann::json::accept(value.begin(), value.end()))
+    // To nlohmann-json a NUL is the end of the text.
+    if (!nlohmann::json::accept(value.begin(), value.end()) || value.find('\0') != std::string_view::npos)
       found(std::string(what) + " writes what is no JSON: " + std::string(value));
     at = text.find_first_not_of(kSpace, end);
   }

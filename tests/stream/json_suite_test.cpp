@@ -1,4 +1,5 @@
-// The cases of a public suite of JSON, y_ valid, n_ not and i_ left open: readers call valid what nlohmann-json does.
+// The cases of a public suite of JSON, y_ valid, n_ not and i_ left open: readers call valid what nlohmann-json does,
+// but for a NUL, which it takes for the end of the text.
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -18,9 +19,11 @@ using namespace viewproj::tests;
 
 namespace {
 
+bool isValid(const std::string& text) { return nlohmann::json::accept(text) && text.find('\0') == std::string::npos; }
+
 struct Case {
   std::string name, bytes;
-  bool valid() const { return nlohmann::json::accept(bytes); }
+  bool valid() const { return isValid(bytes); }
 };
 
 std::string repeated(std::string_view text, std::size_t count) {
@@ -98,10 +101,14 @@ TEST_CASE("the suite is there as a whole") {
   for (const Case& one : allCases()) {
     ++counts[one.name[0]];
     valid += one.valid();
-    if (one.name[0] != 'i' && one.valid() != (one.name[0] == 'y')) disagreed.insert(one.name);
+    const bool judged = nlohmann::json::accept(one.bytes);
+    if (one.name[0] != 'i') {
+      CHECK(one.valid() == (one.name[0] == 'y'));
+      if (judged != one.valid()) disagreed.insert(one.name);
+    }
   }
   CHECK(counts == std::map<char, int>{{'i', 35}, {'n', 188}, {'y', 95}});
-  // The judge itself calls every y_ valid and every n_ not, but for one: to nlohmann-json a NUL is the end.
+  // The judge itself calls every y_ valid and every n_ not, but for one.
   CHECK(disagreed == std::set<std::string>{"n_multidigit_number_then_00"});
   CHECK(valid >= 95);
 }
@@ -117,7 +124,7 @@ TEST_CASE("in a record of a stream is valid what nlohmann-json calls valid") {
     for (const std::string& text : {record, good + record})
       for (const std::size_t block : {BlockReader::kBlock, std::size_t(7)}) {
         if (block < text.size() / 1000) continue;
-        const bool valid = nlohmann::json::accept(record);
+        const bool valid = isValid(record);
         const StreamRun run = runStream(text, {.from = Form::json, .block = block});
         INFO(one.name << ", " << run.err);
         if (valid != one.valid()) onlyAlone.insert(one.name);
@@ -127,7 +134,7 @@ TEST_CASE("in a record of a stream is valid what nlohmann-json calls valid") {
         ++(valid ? accepted : rejected);
       }
   }
-  CHECK(onlyAlone == std::set<std::string>{"i_structure_UTF-8_BOM_empty_object", "n_multidigit_number_then_00"});
+  CHECK(onlyAlone == std::set<std::string>{"i_structure_UTF-8_BOM_empty_object"});
   CHECK(accepted >= 4 * 95);
   CHECK(rejected >= 4 * 186);
 }
@@ -169,7 +176,7 @@ TEST_CASE("in a camera file is valid what nlohmann-json calls valid, but for nam
         twice.insert(one.name);
       } else if (has(fault, "nested deeper")) {
         deep.insert(one.name);
-      } else if (nlohmann::json::accept(text)) {
+      } else if (isValid(text)) {
         ++accepted;
         CHECK((fault.empty() || has(fault, "expected a JSON object")));
       } else {
