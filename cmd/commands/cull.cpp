@@ -1,5 +1,4 @@
 // viewproj cull: what of points and shapes lies in the view.
-
 #include "commands/command.hpp"
 #include "commands/options.hpp"
 #include "input/error.hpp"

@@ -212,7 +212,7 @@ FilterSetup StreamOptions::setup(const Coordinates& coordinates) const {
   if (!jobs_.empty()) setup.jobs = static_cast<unsigned>(wholeNumber("--jobs", jobs_, kMostJobs));
   if (!firstLine_.empty()) setup.firstLine = wholeNumber("--first-line", firstLine_, 1ull << 53);
   setup.writer.prefix = prefix_;
-  setup.csvDefaults = coordinates.names;
+  setup.csvDefaults.assign(coordinates.names.begin(), coordinates.names.end());
   if (columns_.empty()) return setup;
   const auto& [names, fewest, most] = coordinates;
   setup.columns = setup.csvDefaults = splitList(columns_);

@@ -3,7 +3,9 @@
 
 #include <CLI/CLI.hpp>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "input/camera_file.hpp"
@@ -57,11 +59,11 @@ class CameraOptions {
 
 /// What records hold: the coordinates' names in CSV without a header, and how many of them --columns may name.
 struct Coordinates {
-  std::vector<std::string> names;
+  std::span<const std::string_view> names;
   std::size_t fewest, most;
 };
-inline const Coordinates kPointCoordinates{{"x", "y", "z", "w"}, 3, 4};
-inline const Coordinates kPixelCoordinates{{"x", "y", "depth"}, 2, 2};
+inline constexpr std::string_view kPointNames[] = {"x", "y", "z", "w"}, kPixelNames[] = {"x", "y", "depth"};
+inline constexpr Coordinates kPointCoordinates{kPointNames, 3, 4}, kPixelCoordinates{kPixelNames, 2, 2};
 
 /// The stream of records that a command works on.
 class StreamOptions {
