@@ -1,16 +1,19 @@
 // Units in the last place.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace viewproj {
 
-/// Half a unit in the last place of numbers up to this size; infinite for a size that is not finite.
+/// Half a unit in the last place of numbers up to this size, or the smallest double; infinite for a size that is not
+/// finite.
 inline double halfUlp(double size) noexcept {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   size = std::fabs(size);
-  return std::isfinite(size) ? (std::nextafter(size, kInfinity) - size) / 2 : kInfinity;
+  if (!std::isfinite(size)) return kInfinity;
+  return std::max((std::nextafter(size, kInfinity) - size) / 2, std::numeric_limits<double>::denorm_min());
 }
 
 }  // namespace viewproj

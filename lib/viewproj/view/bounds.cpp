@@ -13,6 +13,9 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+/// What a number next to the smallest double is off by, however it was computed.
+constexpr double kSubnormal = 4 * std::numeric_limits<double>::denorm_min();
+
 double oneNorm(const Vec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
 
 /// What the bound of a coordinate depends on.
@@ -33,14 +36,13 @@ ErrorBound boundIn(const Camera& c, Precision precision, const Situation& s) {
   const double center = std::max(std::fabs(k.centerX.lo), std::fabs(k.centerY.lo));
   const double largestRow = precision == Precision::fast ? kLargestRowFast : kLargestRow;
   if (!rowsInRange(k, largestRow)) return {kInfinity, kInfinity};
-  const double scale = std::fabs(k.depthScale.hi);
-  const double offset = std::fabs(k.depthOffset.hi);
+  const double scale = std::fabs(k.depthScale.hi) + kSubnormal;
+  const double last = sum * s.depth + std::fabs(k.depthOffset.lo) + kSubnormal * (1 + s.perDistance);
   if (k.orthographic)
-    return {c1 * s.t + u * kSecondOrder * s.q + sum * s.position + center,
-            scale * (c2 * s.t + 4 * u * s.perDistance) + 1.01 * kUnitDouble * (2 * offset + s.depth)};
+    return {c1 * s.t + sum * s.position + center, scale * (c2 * s.t + 2 * sum * s.perDistance) + last};
   if (!(c2 * s.t < kLargestRelativeError)) return {kInfinity, kInfinity};
   return {s.t * (c1 + c2 * s.q) + u * kSecondOrder * 2 * s.q + sum * s.position + center,
-          scale * s.perDistance * (c2 * s.t + 4 * u) + 1.01 * kUnitDouble * (2 * offset + s.depth)};
+          scale * s.perDistance * (c2 * s.t + u * kSecondOrder + 2 * sum) + last};
 }
 
 /// Of a point that was projected exactly.

@@ -8,9 +8,12 @@
 // From X/W - X^/W^ = ((X - X^) - (X^/W^)(W - W^)) / W, with r = 1/W and t = D |r|, the rounding of r and of the product
 // (u each) and of the sum with the center (u) and the center's own rounding cE:
 //   |x^ - x| <= t (c1 + c2 |q|) + u' (2 |q| + |x|) + cE      c1 = 6 u M (1 + 2^-8), c2 = 6 u F (1 + 2^-8)
-// provided c2 t < 2^-10; 2^-8 takes up the second order and the evaluation of the bound itself. Window depth:
-//   |z^ - z| <= |depthScale r| (c2 t + 4 u) + 1.01 u (|depthOffset| + |z|).
-// Orthographic: |x^ - x| <= c1 D + u' |x| + cE, |z^ - z| <= |depthScale| c2 D + 4 u |depthScale W| + 1.01 u (...).
+// provided c2 t < 2^-10; 2^-8 takes up the second order and the evaluation of the bound itself. The last sum is in
+// double in fast too: u' of |x| is 2^-53 (1 + 2^-8) there. Window depth: the rounding of r (u), and in double those of
+// depthScale, of the product and of the sum, and the offset's own zE,
+//   |z^ - z| <= |depthScale r| (c2 t + u' + 2^-52 (1 + 2^-8)) + 2^-53 (1 + 2^-8) |z| + zE
+// and a few of the smallest doubles where numbers are subnormal. Orthographic, where x and W are the sums themselves:
+//   |x^ - x| <= c1 D + u' |x| + cE,   |z^ - z| <= |depthScale| (c2 D + 2^-52 (1 + 2^-8) |W|) + 2^-53 (...) |z| + zE.
 // For every point whose pixel lies in the picture, d = W (C + qx RX + qy RY) with C, RX, RY the columns of the pose, so
 // t <= |C|_1 + |qx| |RX|_1 + |qy| |RY|_1: a bound for the camera alone, of points at any distance.
 #pragma once
