@@ -260,6 +260,10 @@ class Trial {
       if (got.precision == kRungs[rung] && bound > 0 && std::isfinite(bound)) share = std::max(share, wrong / bound);
     };
     const ErrorBound bound = boundOfPoint(camera_, point, kRungs[rung]);
+    // What a precision cannot bound goes the exact way: only what overflows has no bound.
+    if ((std::isinf(bound.screen) && std::isfinite(truth.x.hi) && std::isfinite(truth.y.hi)) ||
+        (std::isinf(bound.depth) && std::isfinite(truth.depth.hi)))
+      fail(point, kRungNames[rung], text("no bound: %a, %a", bound.screen, bound.depth));
     check("screen, bound of the point", error.screen(), bound.screen, shares.screen);
     check("depth, bound of the point", error.depth, bound.depth, shares.depth);
     if (isInPicture) {
