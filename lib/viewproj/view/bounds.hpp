@@ -56,6 +56,8 @@ inline constexpr double kLargestRowFast = 0x1p40;
 inline constexpr double kExactDotX = 0x1.1p-97;
 inline constexpr double kExactDotW = 0x1.1p-98;
 inline constexpr double kExactParameter = 0x1p-97;
+/// What low parts may lose below the smallest double.
+inline constexpr double kExactUnderflow = 0x1p-1070;
 
 /// exact: units in the last place of the result, for x, y, depth and viewDistance; below 1e-26 of the viewport's size a
 /// result that cancels to about zero keeps that absolute error instead.

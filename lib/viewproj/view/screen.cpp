@@ -29,8 +29,7 @@ struct Bounded {
 /// Relative error of an operation in double-double, and of a camera's derived numbers (edges, scales, shares).
 constexpr double kOperation = 0x1p-101;
 constexpr double kParameter = 0x1p-98;
-/// What low parts may lose below the smallest double.
-constexpr double kUnderflow = 0x1p-1070;
+constexpr double kUnderflow = kExactUnderflow;
 /// Beyond this the splitting of a product would overflow.
 constexpr double kLargestFactor = 0x1p900;
 
@@ -71,6 +70,7 @@ Bounded windowDepth(const Camera& c, const Bounded& distance) noexcept {
   double n = c.projection.near, f = c.projection.far;
   DoubleDouble shareOfNear, shareOfFar;
   double distanceError;  // in shares
+  double underflow = 1;  // in shares, times kUnderflow
   int exponent = 0;      // of the shares
   if (c.projection.orthographic) {
     const Bounded w = plain(distance);
@@ -92,12 +92,14 @@ Bounded windowDepth(const Camera& c, const Bounded& distance) noexcept {
     shareOfNear = nearOverW * fromFar * c.farOverRange;
     shareOfFar = timesPowerOfTwo(toNear, scale) / w * c.farOverRange;
     distanceError = nearOverW.hi * c.farOverRange.hi * (distance.error / std::fabs(distance.value.hi));
+    underflow = (1 + 1 / w.hi) * (1 + c.farOverRange.hi);
   }
   const auto part = [](double of, DoubleDouble share) { return of == 0 ? DoubleDouble(0) : DoubleDouble(of) * share; };
   const DoubleDouble first = part(c.depthAtNear, shareOfNear);
   const DoubleDouble second = part(c.depthAtFar, shareOfFar);
   const double sizes = std::fabs(first.hi) + std::fabs(second.hi);
-  return {first + second, std::fabs(c.depthAtFar - c.depthAtNear) * distanceError + kParameter * sizes + kUnderflow,
+  const double lost = kUnderflow * (1 + underflow * (std::fabs(c.depthAtNear) + std::fabs(c.depthAtFar)));
+  return {first + second, std::fabs(c.depthAtFar - c.depthAtNear) * distanceError + kParameter * sizes + lost,
           exponent};
 }
 

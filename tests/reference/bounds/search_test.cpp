@@ -7,6 +7,7 @@
 // with VIEWPROJ_BOUND_CLIMBS=N there are N for each, to the very top.
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <vector>
 
 #include "catch.hpp"
@@ -316,15 +317,25 @@ double changed(Random& r, double a) {
   return where < 0.98 ? -a : a + r.sign() * part;
 }
 
+std::optional<Camera> made(const Scene& scene) {
+  try {
+    return build(scene);
+  } catch (const CameraError&) {
+    return {};
+  }
+}
+
 class Climb {
  public:
   Climb(const Kind& kind, Precision rung, const Target& target, std::uint64_t seed)
       : kind_(kind), rung_(rung), target_(target), random_(seed) {
     kind.start(random_, at_.scene);
-    while (!make(at_.scene, camera_)) {
+    std::optional<Camera> camera = made(at_.scene);
+    for (; !camera; camera = made(at_.scene)) {
       at_.scene = {};
       kind.start(random_, at_.scene);
     }
+    camera_ = *camera;
     const double distance = random_.spread(1e-2, 1e2), tangent = random_.spread(1e-4, 1e2);
     const double angle = random_.uniform(0, 6.3);
     at_.point = camera_.pose.eye;
@@ -350,7 +361,7 @@ class Climb {
           std::copysign(std::ldexp(1 + random_.spread(1e-4, 1e-1), 3), camera_.pose.rows.forward[axis].hi);
       for (std::size_t i = 0; i < 3; ++i)
         at_.point[i] += i == axis ? along : along * unit * random_.sign() * random_.spread(0.1, 4);
-      make(at_.scene, camera_);
+      camera_ = made(at_.scene).value_or(camera_);
     } else {
       for (std::size_t i = 0; i < 3; ++i)
         at_.point[i] +=
@@ -373,13 +384,13 @@ class Climb {
         number = changed(random_, number);
         isSameCamera &= field < kPoint.size();
       }
-      Camera camera = camera_;
-      if (!isSameCamera && !make(next.scene, camera)) continue;
-      const double share = shareOf(next, camera, rung_, target_, found_);
+      const std::optional<Camera> camera = isSameCamera ? camera_ : made(next.scene);
+      if (!camera) continue;
+      const double share = shareOf(next, *camera, rung_, target_, found_);
       if (!(share >= share_)) continue;
       share_ = share;
       at_ = next;
-      camera_ = camera;
+      camera_ = *camera;
     }
   }
 
@@ -389,15 +400,6 @@ class Climb {
   const Findings& findings() const { return found_; }
 
  private:
-  static bool make(const Scene& scene, Camera& camera) {
-    try {
-      camera = build(scene);
-    } catch (const CameraError&) {
-      return false;
-    }
-    return true;
-  }
-
   const Kind& kind_;
   Precision rung_;
   const Target& target_;
@@ -473,4 +475,117 @@ TEST_CASE("The point that comes nearest to a bound keeps it and reaches it, and 
   CHECK(found.unbounded == 0);
   CHECK(found.otherwiseDerived == 0);
   CHECK(found.violated == 0);
+}
+
+namespace {
+
+/// The angle between a ray's direction in standard and the true one, by double-double.
+double rayAngle(const State& s, const Camera& c) {
+  const ScreenMap& m = c.screen;
+  const Axes& a = c.pose.columns;
+  const DoubleDouble right = (DoubleDouble(s.point.x) - m.centerX) / m.scaleX;
+  const DoubleDouble up = (DoubleDouble(s.point.y) - m.centerY) / m.scaleY;
+  const DDVec3 truth = normalized(a.forward + a.right * right + a.up * up);
+  const Vec3 got = screenToRay(c, {s.point.x, s.point.y}, Precision::standard).direction;
+  Vec3 wrong;
+  for (std::size_t i = 0; i < 3; ++i) wrong[i] = (got[i] - truth[i].hi) - truth[i].lo;
+  return std::hypot(wrong.y * truth.z.hi - wrong.z * truth.y.hi, wrong.z * truth.x.hi - wrong.x * truth.z.hi,
+                    wrong.x * truth.y.hi - wrong.y * truth.x.hi);
+}
+
+}  // namespace
+
+TEST_CASE("The ray that comes nearest to its bound keeps it") {
+  // Five roundings of a component, whose sizes are together at most sqrt(3) of the length, and that of the direction.
+  CHECK(kRayDirectionBound >= (5 * std::sqrt(3.0) + 1) * 0x1p-53);
+  double best = 0;
+  std::size_t rays = 0;
+  for (std::uint64_t trial = 0; trial < 40; ++trial)
+    for (const Kind& kind : kKinds) {
+      if (kind.orthographic) continue;
+      Random r(trial);
+      State at;
+      kind.start(r, at.scene);
+      const std::optional<Camera> start = made(at.scene);
+      if (!start) continue;
+      Camera camera = *start;
+      const Viewport& v = camera.viewport;
+      at.point = {v.x + v.width * r.uniform(0, 1), v.y + v.height * r.uniform(0, 1), 0};
+      double angle = rayAngle(at, camera);
+      for (int i = 0; i < 2000; ++i) {
+        State next = at;
+        const bool isPixel = r.chance(0.5);
+        double& number = kind.fields[std::size_t(r.uniform(0, isPixel ? 2 : double(kind.fields.size())))](next);
+        number = changed(r, number);
+        const std::optional<Camera> other = isPixel ? camera : made(next.scene);
+        if (!other) continue;
+        const double now = rayAngle(next, *other);
+        ++rays;
+        if (!(now >= angle)) continue;
+        angle = now;
+        at = next;
+        camera = *other;
+      }
+      const std::array<TrueNumber, 3> truth = Oracle(Truth(at.scene), 256).direction({at.point.x, at.point.y});
+      const Vec3 got = screenToRay(camera, {at.point.x, at.point.y}, Precision::standard).direction;
+      Vec3 wrong;
+      for (std::size_t i = 0; i < 3; ++i) wrong[i] = (got[i] - truth[i].hi) - truth[i].lo;
+      const double proven =
+          std::hypot(wrong.y * truth[2].hi - wrong.z * truth[1].hi, wrong.z * truth[0].hi - wrong.x * truth[2].hi,
+                     wrong.x * truth[1].hi - wrong.y * truth[0].hi);
+      INFO(kind.name << ", trial " << trial);
+      CHECK(proven <= kRayDirectionBound);
+      CHECK(proven == Approx(angle).margin(1e-18));
+      best = std::max(best, proven);
+    }
+  std::printf("rays: %zu, off by up to %.3g radians, %.3f of the bound\n", rays, best, best / kRayDirectionBound);
+  CHECK(best > 0.25 * kRayDirectionBound);
+}
+
+TEST_CASE(
+    "Depths next to the smallest double are within their bound in every precision, and nearest where exact says") {
+  std::size_t subnormal = 0, wrong = 0, certain = 0;
+  for (std::uint64_t trial = 0; trial < 4000; ++trial) {
+    Random r(trial);
+    Scene s;
+    anyPose(r, s);
+    s.position = {0, 0, 0};
+    s.convention.reverseZ = true;
+    s.viewport.depthFirst = 0;
+    Vec3 point = r.vector(r.spread(1e-3, 1e6));
+    if (trial % 4 == 0) {
+      s.near = r.spread(1e-310, 1e-300), s.far = kInfiniteFar;
+    } else if (trial % 4 == 1) {  // with an exact distance
+      s.target = {0, 0, -1}, s.up = {0, 1, 0};
+      parallel(r, s);
+      s.near = -1, s.far = 0;
+      point.z = r.spread(1e-322, 1e-290);
+    } else {
+      s.viewport.depthSecond = r.spread(1e-322, 1e-305);
+      if (trial % 4 == 2) parallel(r, s);
+    }
+    const Camera camera = build(s);
+    const Oracle::Answer truth = Oracle(Truth(s), 400).at(point);
+    if (!truth.inFront || truth.undecided) continue;
+    subnormal += std::fabs(truth.depth.hi) < 0x1p-1022;
+    for (const Precision rung : {Precision::fast, Precision::standard, Precision::exact}) {
+      const ScreenPoint got = worldToScreen(camera, point, rung);
+      std::vector<Vec3> batch(1);
+      const BatchCounts counts = worldToScreen(camera, std::span(&point, 1), std::span(batch), rung);
+      const double error = errorOf(got.depth, truth.depth), bound = boundOfPoint(camera, point, rung).depth;
+      INFO("trial " << trial << ", precision " << int(rung) << ", depth " << truth.depth.hi);
+      CHECK(error <= bound);
+      CHECK(bound > 0);
+      CHECK(batch[0].z == got.depth);
+      if (rung == Precision::exact && (got.certain || counts.escalated == 0)) {
+        CHECK(batch[0].z == truth.depth.hi);
+        ++certain;
+      }
+      wrong += error > 0;
+    }
+  }
+  CAPTURE(subnormal, wrong, certain);
+  CHECK(subnormal > 1000);
+  CHECK(wrong > 100);
+  CHECK(certain > 100);
 }

@@ -254,8 +254,9 @@ class ExactFormula {
         errorW_(k.forwardIsAxis ? 0 : kZivMargin * kExactDotW * k.sizeW),
         errorCenterX_(kZivMargin * kExactParameter * std::fabs(k.centerX.hi)),
         errorCenterY_(kZivMargin * kExactParameter * std::fabs(k.centerY.hi)),
-        errorOffset_(kZivMargin * kExactParameter * std::fabs(k.depthOffset.hi)),
-        reach_(rowsInRange(k, kLargestRow) ? kLargestReachExact : 0) {}
+        errorOffset_(kZivMargin * (kExactParameter * std::fabs(k.depthOffset.hi) + kExactUnderflow)),
+        reach_(rowsInRange(k, kLargestRow) && std::fabs(k.depthScale.hi) > kSmallestReachExact ? kLargestReachExact
+                                                                                               : 0) {}
 
   Projected<D, M> point(D px, D py, D pz) const {
     const Pair<D> d[3] = {sum(px, L::splat(-eye_.x)), sum(py, L::splat(-eye_.y)), sum(pz, L::splat(-eye_.z))};
