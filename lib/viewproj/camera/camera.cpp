@@ -30,7 +30,7 @@ bool forwardIsAxis(const Pose& pose) noexcept {
     const DoubleDouble row = pose.rows.forward[i];
     if (exact.forward[i].size() == 0 && row.hi == 0) ++zeros;
     // A row made of unit length is 1 where its other parts are 0; one that was given has to be.
-    const bool made = maxAbs(exact.translation) == 0;
+    const bool made = exact.translation[0].isZero() && exact.translation[1].isZero() && exact.translation[2].isZero();
     const bool given = exact.forward[i].size() == 1 && std::fabs(exact.forward[i].term(0)) == 1 &&
                        exact.forwardScale.hi == 1 && exact.forwardScale.lo == 0;
     if (std::fabs(row.hi) == 1 && row.lo == 0 && (made || given)) ++ones;
