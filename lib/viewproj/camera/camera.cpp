@@ -55,7 +55,9 @@ DepthLine depthLine(const Projection& p, double atNear, double atFar) noexcept {
 
 Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport& viewport,
                   const Convention& convention) {
+  validate(projection);
   validate(viewport);
+  validate(pose, convention.world);
   Camera c;
   c.pose = pose;
   c.projection = projection;

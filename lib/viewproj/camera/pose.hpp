@@ -55,6 +55,11 @@ struct Pose {
 /// The eye to double-double.
 DDVec3 unroundedEye(const Pose& pose) noexcept;
 
+/// Throws CameraError naming "pose" unless it is one that the functions below or a reading gave, of a world of this
+/// handedness: numbers finite, axes of unit length and at right angles as kPoseOrthogonality has it of a matrix, and
+/// the parts of one pose. Neither a default Pose nor one whose eye was changed is.
+void validate(const Pose& pose, Handedness world);
+
 /// Where x, y, z of a rotation or pose matrix point.
 enum class CameraAxes { RUB, RUF, RDF, FRU };
 
