@@ -1,10 +1,15 @@
 // What makeCamera and its neighbours refuse: a number that is not obeyed is an error, with the field's name.
 #include "viewproj/camera/camera.hpp"
 
+#include <cfenv>
 #include <functional>
 
 #include "catch.hpp"
 #include "viewproj/viewproj.hpp"
+
+#ifdef __SSE2__
+#include <xmmintrin.h>
+#endif
 
 using namespace viewproj;
 
@@ -147,6 +152,33 @@ TEST_CASE("Every pose that the library gives makes a camera, of far eyes and mat
   }
   check(poseFromHeadingPitchRoll({47.3, 8.5, 400}, {10, 20, 30}), Handedness::right);
   check(lookAtPlace({47.3, 8.5, 400}, {47.4, 8.6, 0}), Handedness::right);
+}
+
+TEST_CASE("A thread whose arithmetic is not the library's gets no camera") {
+  const auto fieldHere = [] {
+    const std::string fault = complaint([](Parts&) {});
+    CHECK(fault.empty() == (arithmeticFault() == nullptr));
+    return fault.substr(0, fault.find(':'));
+  };
+  CHECK(arithmeticFault() == nullptr);
+  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+    std::fesetround(mode);
+    const std::string field = fieldHere();
+    std::fesetround(FE_TONEAREST);
+    CAPTURE(mode);
+    CHECK(field == "arithmetic");
+  }
+#ifdef __SSE2__
+  for (const unsigned flush : {0x8000u, 0x0040u}) {
+    const unsigned control = _mm_getcsr();
+    _mm_setcsr(control | flush);
+    const std::string field = fieldHere();
+    _mm_setcsr(control);
+    CAPTURE(flush);
+    CHECK(field == "arithmetic");
+  }
+#endif
+  CHECK(arithmeticFault() == nullptr);
 }
 
 TEST_CASE("A tile of no picture, or that is none, is refused by name") {

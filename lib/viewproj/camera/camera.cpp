@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "viewproj/camera/error.hpp"
+#include "viewproj/numbers/arithmetic.hpp"
 
 namespace viewproj {
 
@@ -55,6 +56,7 @@ DepthLine depthLine(const Projection& p, double atNear, double atFar) noexcept {
 
 Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport& viewport,
                   const Convention& convention) {
+  if (const char* fault = arithmeticFault()) throw CameraError("arithmetic", fault);
   validate(projection);
   validate(viewport);
   validate(pose, convention.world);

@@ -56,8 +56,8 @@ struct Camera {
 };
 
 /// Throws CameraError where validate does of one of the parts (pose.hpp, projection.hpp, viewport.hpp), so where the
-/// pose is not of the convention's handedness too, and where window and viewport leave no doubles to tell pixels apart.
-/// Takes a few microseconds: build once, use for every point.
+/// pose is not of the convention's handedness too, where arithmeticFault() has one, and where window and viewport leave
+/// no doubles to tell pixels apart. Takes a few microseconds: build once, use for every point.
 Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport& viewport,
                   const Convention& convention = {});
 
