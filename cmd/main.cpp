@@ -14,6 +14,7 @@
 #include "input/names.hpp"
 #include "output/output_file.hpp"
 #include "stream/interrupt.hpp"
+#include "viewproj/numbers/arithmetic.hpp"
 
 namespace {
 
@@ -66,6 +67,8 @@ int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   openStandardDescriptors();
+  // What is preloaded or linked may have changed it for the whole program.
+  if (const char* fault = viewproj::arithmeticFault()) return fail(fault, 1);
   std::set_new_handler(endWithoutMemory);
   try {
     return run(argc, argv);

@@ -1,9 +1,12 @@
 // The whole library: cameras, matrices, worldToScreen, screenToRay, hits and culling.
+//
+// Threads that call it round to the nearest and keep subnormal numbers: numbers/arithmetic.hpp.
 #pragma once
 
 #include "viewproj/camera/camera.hpp"
 #include "viewproj/camera/error.hpp"
 #include "viewproj/camera/geodesy.hpp"
+#include "viewproj/numbers/arithmetic.hpp"
 #include "viewproj/view/batch.hpp"
 #include "viewproj/view/bounds.hpp"
 #include "viewproj/view/clip.hpp"

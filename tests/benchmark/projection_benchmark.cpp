@@ -79,7 +79,7 @@ int main(int argc, char** argv) {
     add("Imath double, cached product, -O3", [&] { peersO3.imathDouble(peer, points, screen); });
     add("copy of the bytes", [&] { std::memcpy(screen.data(), points.data(), points.size() * sizeof(Vec3)); });
     for (const Kernels* k : allKernels()) {
-      if (!k->supported()) continue;
+      if (!isSupported(*k)) continue;
       const Unsettled unsettled{[](void*, std::size_t) noexcept { std::abort(); }, nullptr};
       const std::string suffix = std::string(" ") + k->name;
       const auto run = [&, k, unsettled](auto kernel) {

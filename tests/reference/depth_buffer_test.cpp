@@ -306,3 +306,19 @@ TEST_CASE("What the literature says of depth buffers holds") {
     CHECK(resolvedGap(reversed, kFloatDepth, w) <= w * 0x1p-23);
   }
 }
+
+TEST_CASE("A buffer of 1 to 53 bits has the steps of that many, and of no other number there is one") {
+  Real largest = 1;  // 2^bits - 1
+  for (int bits = 1; bits <= 53; ++bits, largest = largest + largest + Real(1)) {
+    CAPTURE(bits);
+    CHECK(unormDepth(bits).step == double(Real(1) / largest));
+    CHECK(unormDepth(bits).largest == 1);
+    CHECK(integerDepth(bits).step == 1);
+    CHECK(integerDepth(bits).largest == double(largest));
+  }
+  for (const int bits : {0, -1, 54, 64, 1000}) {
+    CAPTURE(bits);
+    CHECK_THROWS_AS(unormDepth(bits), CameraError);
+    CHECK_THROWS_AS(integerDepth(bits), CameraError);
+  }
+}

@@ -1,9 +1,10 @@
 #include <cstring>
+#include <iostream>
 #include <random>
 #include <vector>
 
 #include "catch.hpp"
-#include "viewproj/view/kernels/kernels.hpp"
+#include "kernels.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;
@@ -50,22 +51,43 @@ Trial randomTrial(unsigned seed, std::size_t count) {
 
 }  // namespace
 
-TEST_CASE("A batch gives the bits of single points, in every precision and of every size") {
+TEST_CASE("A batch gives the bits of single points, in every precision, of every size and with every kernel") {
   std::size_t escalated = 0;
+  int kernels = 0;
   for (unsigned seed = 0; seed < 60; ++seed)
     for (const std::size_t count : {0u, 1u, 2u, 3u, 7u, 8u, 9u, 500u}) {
       const Trial trial = randomTrial(seed, count);
       for (Precision precision : kPrecisions) {
-        std::vector<Vec3> screen(count);
-        escalated += worldToScreen(trial.camera, trial.points, screen, precision).escalated;
-        for (std::size_t i = 0; i < count; ++i) {
-          const ScreenPoint single = worldToScreen(trial.camera, trial.points[i], precision);
-          INFO("seed " << seed << ", point " << i << " of " << count << ", precision " << int(precision));
-          REQUIRE(sameBits(screen[i], {single.x, single.y, single.depth}));
-        }
+        std::vector<ScreenPoint> singles;
+        for (const Vec3& point : trial.points) singles.push_back(worldToScreen(trial.camera, point, precision));
+        kernels = withEachKernel([&](const Kernels& kernel) {
+          std::vector<Vec3> screen(count);
+          escalated += worldToScreen(trial.camera, trial.points, screen, precision).escalated;
+          for (std::size_t i = 0; i < count; ++i) {
+            INFO("seed " << seed << ", point " << i << " of " << count << ", precision " << int(precision)
+                         << ", kernel " << kernel.name);
+            REQUIRE(sameBits(screen[i], {singles[i].x, singles[i].y, singles[i].depth}));
+          }
+        });
       }
     }
   CHECK(escalated > 1000);
+  CHECK(kernels > 1);
+}
+
+TEST_CASE("The best of the supported kernels is used, unless another is forced, and that one then is") {
+  const Kernels* last = nullptr;
+  withEachKernel([&](const Kernels& kernel) {
+    CHECK(&kernels() == &kernel);
+    last = &kernel;
+  });
+  CHECK(&kernels() == last);
+}
+
+// For kernels.sh, under a processor that lacks this or that.
+TEST_CASE("Which kernel is used here", "[.kernel]") {
+  std::cout << "kernel " << kernels().name << '\n';
+  withEachKernel([&](const Kernels& kernel) { std::cout << "supports " << kernel.name << '\n'; });
 }
 
 TEST_CASE("A single point within a tolerance has the bits of the batch's, and says what it was computed in") {
@@ -95,18 +117,23 @@ TEST_CASE("A batch in full is what single points are: distance, status and sides
            sameBits(a.viewDistance, b.viewDistance) && a.status == b.status && a.outside == b.outside &&
            a.certain == b.certain && a.precision == b.precision;
   };
-  std::size_t byKernel[4] = {}, escalated = 0;
+  std::size_t byStatus[4] = {}, escalated = 0;
   for (unsigned seed = 0; seed < 60; ++seed)
     for (const std::size_t count : {0u, 1u, 9u, 300u, 600u}) {
       const Trial trial = randomTrial(seed, count);
       std::vector<ScreenPoint> screen(count);
       for (Precision precision : kPrecisions) {
-        escalated += worldToScreen(trial.camera, trial.points, screen, precision).escalated;
-        for (std::size_t i = 0; i < count; ++i) {
-          INFO("seed " << seed << ", point " << i << " of " << count << ", precision " << int(precision));
-          REQUIRE(same(screen[i], worldToScreen(trial.camera, trial.points[i], precision)));
-          ++byKernel[int(screen[i].status)];
-        }
+        std::vector<ScreenPoint> singles;
+        for (const Vec3& point : trial.points) singles.push_back(worldToScreen(trial.camera, point, precision));
+        withEachKernel([&](const Kernels& kernel) {
+          escalated += worldToScreen(trial.camera, trial.points, screen, precision).escalated;
+          INFO("seed " << seed << ", precision " << int(precision) << ", kernel " << kernel.name);
+          for (std::size_t i = 0; i < count; ++i) {
+            INFO("point " << i << " of " << count);
+            REQUIRE(same(screen[i], singles[i]));
+          }
+        });
+        for (const ScreenPoint& p : singles) ++byStatus[int(p.status)];
       }
       const double tolerance = 1e-4;
       const Precision chosen = precisionWithin(trial.camera, tolerance);
@@ -118,10 +145,10 @@ TEST_CASE("A batch in full is what single points are: distance, status and sides
       }
     }
   CAPTURE(escalated);
-  CHECK(byKernel[int(PointStatus::inFront)] > 10000);
-  CHECK(byKernel[int(PointStatus::behind)] > 10000);
-  CHECK(byKernel[int(PointStatus::notFinite)] > 500);
-  CHECK(escalated < 30000);
+  CHECK(byStatus[int(PointStatus::inFront)] > 10000);
+  CHECK(byStatus[int(PointStatus::behind)] > 10000);
+  CHECK(byStatus[int(PointStatus::notFinite)] > 500);
+  CHECK(escalated < 30000 * allKernels().size());
 }
 
 TEST_CASE("A batch may be projected in place") {
@@ -148,7 +175,7 @@ TEST_CASE("Every kernel that this processor supports gives the same bits") {
     for (Precision precision : kPrecisions) {
       std::vector<Run> runs;
       for (const Kernels* k : allKernels()) {
-        if (!k->supported()) continue;
+        if (!isSupported(*k)) continue;
         Run run{trial, std::vector<Vec3>(count), std::vector<double>(count)};
         const Unsettled unsettled{[](void* context, std::size_t i) noexcept {
                                     Run& r = *static_cast<Run*>(context);
@@ -197,7 +224,7 @@ TEST_CASE("Every kernel that this processor supports casts the same rays, to the
     pixels[6] = {1e200, -1e300};
     std::vector<Run> runs;
     for (const Kernels* k : allKernels()) {
-      if (!k->supported()) continue;
+      if (!isSupported(*k)) continue;
       Run run{trial.camera, pixels, std::vector<Vec3>(pixels.size())};
       k->rays(trial.camera.constants, &pixels[0].x, &run.directions[0].x, pixels.size(),
               {[](void* context, std::size_t i) noexcept {
@@ -230,12 +257,14 @@ TEST_CASE("A batch of rays gives the bits of single rays") {
     for (Vec2& pixel : pixels) pixel = {anywhere(random), anywhere(random)};
     pixels[5] = {NAN, 1};
     pixels[6] = {1e200, -1e300};
-    std::vector<Vec3> directions(pixels.size());
-    screenToRayDirections(trial.camera, pixels, directions);
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-      INFO("seed " << seed << ", pixel " << i);
-      if (trial.camera.projection.orthographic && i == 5) continue;  // a direction that no pixel changes
-      REQUIRE(sameBits(directions[i], screenToRay(trial.camera, pixels[i], Precision::standard).direction));
-    }
+    withEachKernel([&](const Kernels& kernel) {
+      std::vector<Vec3> directions(pixels.size());
+      screenToRayDirections(trial.camera, pixels, directions);
+      for (std::size_t i = 0; i < pixels.size(); ++i) {
+        INFO("seed " << seed << ", pixel " << i << ", kernel " << kernel.name);
+        if (trial.camera.projection.orthographic && i == 5) continue;  // a direction that no pixel changes
+        REQUIRE(sameBits(directions[i], screenToRay(trial.camera, pixels[i], Precision::standard).direction));
+      }
+    });
   }
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "viewproj/camera/error.hpp"
+#include "viewproj/numbers/arithmetic.hpp"
 
 namespace viewproj {
 
@@ -30,7 +31,7 @@ bool forwardIsAxis(const Pose& pose) noexcept {
     const DoubleDouble row = pose.rows.forward[i];
     if (exact.forward[i].size() == 0 && row.hi == 0) ++zeros;
     // A row made of unit length is 1 where its other parts are 0; one that was given has to be.
-    const bool made = maxAbs(exact.translation) == 0;
+    const bool made = exact.translation[0].isZero() && exact.translation[1].isZero() && exact.translation[2].isZero();
     const bool given = exact.forward[i].size() == 1 && std::fabs(exact.forward[i].term(0)) == 1 &&
                        exact.forwardScale.hi == 1 && exact.forwardScale.lo == 0;
     if (std::fabs(row.hi) == 1 && row.lo == 0 && (made || given)) ++ones;
@@ -55,7 +56,10 @@ DepthLine depthLine(const Projection& p, double atNear, double atFar) noexcept {
 
 Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport& viewport,
                   const Convention& convention) {
+  if (const char* fault = arithmeticFault()) throw CameraError("arithmetic", fault);
+  validate(projection);
   validate(viewport);
+  validate(pose, convention.world);
   Camera c;
   c.pose = pose;
   c.projection = projection;

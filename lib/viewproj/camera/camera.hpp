@@ -55,8 +55,9 @@ struct Camera {
   ProjectionConstants constants;
 };
 
-/// Throws CameraError where the parts do not make a camera. Takes a microsecond or two: build once, use for every
-/// point.
+/// Throws CameraError where validate does of one of the parts (pose.hpp, projection.hpp, viewport.hpp), so where the
+/// pose is not of the convention's handedness too, where arithmeticFault() has one, and where window and viewport leave
+/// no doubles to tell pixels apart. Takes a few microseconds: build once, use for every point.
 Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport& viewport,
                   const Convention& convention = {});
 

@@ -149,7 +149,7 @@ ExactRows toExactRows(const std::array<ExactVec3, 3>& xyz, DoubleDouble scale, C
     const auto along = static_cast<std::size_t>(map.along[i]);
     *row[along] = xyz[i];
     *rowScale[along] = scale * DoubleDouble(map.sign[i]);
-    rows.translation[along] = translation[i];
+    rows.translation[along] = {translation[i]};
   }
   return rows;
 }
@@ -371,12 +371,13 @@ Pose poseFromColumns(const std::array<DDVec3, 3>& columns, const DDVec3& eye, Ca
     for (std::size_t j = 0; j < 3; ++j) exact[i][j] = {rows[i][j].lo, rows[i][j].hi};
   const ExactRows exactRows = toExactRows(exact, 1, axes, rounded(eye), residual);
   // The signs of the axes are in the scales of the exact rows, which take the translation in.
-  const auto along = [&](DoubleDouble rowScale, double translation) { return rowScale * DoubleDouble(translation); };
+  const auto along = [&](DoubleDouble rowScale, std::size_t i) {
+    return rowScale * exactRows.translation[i].rounded();
+  };
   return {rounded(eye),
           toAxes(rows, axes),
           toAxes(columns, axes),
-          {along(exactRows.rightScale, exactRows.translation.x), along(exactRows.upScale, exactRows.translation.y),
-           along(exactRows.forwardScale, exactRows.translation.z)},
+          {along(exactRows.rightScale, 0), along(exactRows.upScale, 1), along(exactRows.forwardScale, 2)},
           exactRows};
 }
 

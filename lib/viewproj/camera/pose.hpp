@@ -31,8 +31,11 @@ struct ExactRows {
   ExactVec3 up;            ///< unused if upIsCross
   bool upIsCross = false;  ///< up is right x forward of these two, not computed until it is needed
   DoubleDouble rightScale = 1, upScale = 1, forwardScale = 1;
-  Vec3 origin, translation;
-  double error = 0;  ///< of an entry, once scaled: 0 unless the pose was made of sines and cosines
+  Vec3 origin;
+  ExactVec3 translation;
+  /// Of an entry once scaled, and of a translation relative to the largest: 0 unless the pose was made of sines and
+  /// cosines, or of products of entries that are too many magnitudes apart.
+  double error = 0;
 };
 
 /// A pose. With d = point - eye, the point's distances along the camera's axes are
@@ -51,6 +54,11 @@ struct Pose {
 
 /// The eye to double-double.
 DDVec3 unroundedEye(const Pose& pose) noexcept;
+
+/// Throws CameraError naming "pose" unless it is one that the functions below or a reading gave, of a world of this
+/// handedness: numbers finite, axes of unit length and at right angles as kPoseOrthogonality has it of a matrix, and
+/// the parts of one pose. Neither a default Pose nor one whose eye was changed is.
+void validate(const Pose& pose, Handedness world);
 
 /// Where x, y, z of a rotation or pose matrix point.
 enum class CameraAxes { RUB, RUF, RDF, FRU };

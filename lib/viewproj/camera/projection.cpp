@@ -53,6 +53,19 @@ void requireAspect(DoubleDouble aspect) { requirePositive(aspect.hi, "aspect"); 
 
 }  // namespace
 
+void validate(const Projection& p) {
+  const struct {
+    DoubleDouble edge;
+    const char* name;
+  } edges[] = {{p.left, "left"}, {p.right, "right"}, {p.bottom, "bottom"}, {p.top, "top"}};
+  for (const auto& [edge, name] : edges) {
+    if (!isFinite(edge)) throw CameraError(name, "must be a finite number");
+    if (edge.hi + edge.lo != edge.hi)
+      throw CameraError(name, "is a double-double whose low part is not below its high");
+  }
+  checked(p.orthographic, p.left, p.right, p.bottom, p.top, p.near, p.far);
+}
+
 Projection perspectiveFovY(double degrees, DoubleDouble aspect, double near, double far) {
   requireAspect(aspect);
   const DoubleDouble halfHeight = tangent(degrees, "fovY");
@@ -137,6 +150,7 @@ Projection shifted(const Projection& p, double dx, double dy) {
 }
 
 Projection cropped(const Projection& p, const Viewport& viewport, const Crop& crop) {
+  validate(cropped(viewport, crop));
   const DoubleDouble xEnd = twoSum(crop.x, crop.width);
   const DoubleDouble yEnd = twoSum(crop.y, crop.height);
   const auto across = [&](DoubleDouble x) { return p.left + (p.right - p.left) * (x / DoubleDouble(viewport.width)); };

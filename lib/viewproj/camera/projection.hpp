@@ -29,6 +29,10 @@ inline constexpr double kLargestWindow = 0x1p900;
 // Each function throws CameraError naming the parameter at fault. Perspective needs 0 < near < far <= infinity,
 // orthographic finite near < far. Edges come out within 2^-98 of the true ones, relative to the wider of the two.
 
+/// The same of one that was put together by hand: edges normalised (hi + lo rounds to hi), in order and within the
+/// limits of a window, near and far as above.
+void validate(const Projection& projection);
+
 /// degrees: the full vertical, horizontal or diagonal angle, between 0 and 180; aspect: width / height of the picture.
 Projection perspectiveFovY(double degrees, DoubleDouble aspect, double near, double far);
 Projection perspectiveFovX(double degrees, DoubleDouble aspect, double near, double far);

@@ -8,6 +8,10 @@
 
 #include "viewproj/numbers/error_free.hpp"
 
+#ifdef __clang__  // as in error_free.hpp
+#pragma float_control(precise, on, push)
+#endif
+
 namespace viewproj {
 
 constexpr DoubleDouble operator-(DoubleDouble a) noexcept { return {-a.hi, -a.lo}; }
@@ -79,3 +83,7 @@ inline DoubleDouble sqrt(DoubleDouble a) noexcept {
 inline bool isFinite(DoubleDouble a) noexcept { return std::isfinite(a.hi) && std::isfinite(a.lo); }
 
 }  // namespace viewproj
+
+#ifdef __clang__
+#pragma float_control(pop)
+#endif

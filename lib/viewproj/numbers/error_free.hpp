@@ -2,11 +2,26 @@
 //
 // Valid while no intermediate overflows and no product's error underflows: |a|, |b| < 2^996 and |a*b| > 2^-969 (or
 // zero). Sources: Knuth (twoSum), Dekker 1971 (split, twoProd). They need strict IEEE arithmetic without contraction,
-// so the build passes -ffp-contract=off, and fast-math is refused here.
+// so the build passes -ffp-contract=off; what of the rest a compiler tells is refused here, and arithmetic.hpp looks at
+// what only a running thread knows.
 #pragma once
 
-#ifdef __FAST_MATH__
-#error "viewproj needs IEEE arithmetic: -ffast-math destroys its error-free transforms"
+#include <cfloat>
+
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#error "viewproj needs IEEE arithmetic: -ffast-math and -funsafe-math-optimizations destroy its error-free transforms"
+#endif
+#if defined(__NO_SIGNED_ZEROS__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error "viewproj needs IEEE arithmetic, with signed zeros, infinities and NaN: -ffinite-math-only leaves them out"
+#endif
+#if FLT_EVAL_METHOD != 0
+#error \
+    "viewproj needs double arithmetic in doubles: on x86 of 32 bits -msse2 -mfpmath=sse; no -funsafe-math-optimizations"
+#endif
+
+// clang++ up to 14 does not tell of -funsafe-math-optimizations; it can be told to leave this alone.
+#ifdef __clang__
+#pragma float_control(precise, on, push)
 #endif
 
 namespace viewproj {
@@ -52,5 +67,9 @@ constexpr DoubleDouble twoProd(double a, double b) noexcept {
   const double bLow = b - bHigh;
   return {product, ((aHigh * bHigh - product) + aHigh * bLow + aLow * bHigh) + aLow * bLow};
 }
+
+#ifdef __clang__
+#pragma float_control(pop)
+#endif
 
 }  // namespace viewproj

@@ -9,6 +9,9 @@
 // stored apart for certain, wherever the steps lie, from a difference of s on.
 #pragma once
 
+#include <cstdint>
+
+#include "viewproj/camera/error.hpp"
 #include "viewproj/camera/projection.hpp"
 
 namespace viewproj {
@@ -31,10 +34,16 @@ struct DepthFormat {
   double largest = 1;  ///< the largest stored depth
 };
 
-/// Shares of 1: D16_UNORM, D24_UNORM.
-constexpr DepthFormat unormDepth(int bits) noexcept { return {1 / (static_cast<double>(1 << bits) - 1), 1}; }
-/// Whole numbers from 0 on, as consoles store window depths that go beyond 1.
-constexpr DepthFormat integerDepth(int bits) noexcept { return {1, static_cast<double>(1 << bits) - 1}; }
+/// 2^bits - 1, which is a double for 1 to 53 bits; throws CameraError naming "bits" for any other number of them.
+constexpr double largestInteger(int bits) {
+  if (bits < 1 || bits > 53) throw CameraError("bits", "must be from 1 to 53");
+  return static_cast<double>((std::uint64_t{1} << bits) - 1);
+}
+
+/// Shares of 1: D16_UNORM, D24_UNORM. bits from 1 to 53, or it throws CameraError.
+constexpr DepthFormat unormDepth(int bits) { return {1 / largestInteger(bits), 1}; }
+/// Whole numbers from 0 on, as consoles store window depths that go beyond 1. bits as for unormDepth.
+constexpr DepthFormat integerDepth(int bits) { return {1, largestInteger(bits)}; }
 inline constexpr DepthFormat kFloatDepth{0, 0x1.fffffep127};
 
 /// Window depth at a distance, not clamped, and its change per unit of distance. In perspective for distances above 0.

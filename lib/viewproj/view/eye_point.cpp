@@ -23,10 +23,14 @@ DoubleDouble relativeTo(double origin, double value, double w) noexcept {
   return w == 1 ? twoDiff(value, origin) : exactDifference(value, w, origin).rounded();
 }
 
+double largestOf(const ExactVec3& v) noexcept {
+  return maxAbs(Vec3{v[0].rounded().hi, v[1].rounded().hi, v[2].rounded().hi});
+}
+
 /// Brought down where a difference of the largest doubles would overflow, up where products would underflow.
-int scaleExponent(const Vec4& point, const Vec3& origin, const Vec3& translation) noexcept {
+int scaleExponent(const Vec4& point, const Vec3& origin, const ExactVec3& translation) noexcept {
   const double largest = std::max({std::fabs(point.x), std::fabs(point.y), std::fabs(point.z),
-                                   maxAbs(origin) * std::fabs(point.w), maxAbs(translation) * std::fabs(point.w)});
+                                   maxAbs(origin) * std::fabs(point.w), largestOf(translation) * std::fabs(point.w)});
   return largest > 0 && std::isfinite(largest) ? -std::ilogb(largest) : largest > 0 ? -1023 : 0;
 }
 
@@ -34,14 +38,21 @@ Vec3 scaled(const Vec3& v, int exponent) noexcept {
   return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
 }
 
+ExactVec3 scaled(const ExactVec3& v, int exponent) noexcept {
+  ExactVec3 result;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t t = 0; t < v[i].size(); ++t) result[i].add(std::ldexp(v[i].term(t), exponent));
+  return result;
+}
+
 /// scale (row . d + w translation)
 template <std::size_t Terms>
 DoubleDouble distanceAlong(const std::array<Expansion<Terms>, 3>& row, const ExactDifference& d, double w,
-                           double translation, DoubleDouble scale) noexcept {
-  // Two terms for each product of a row's term with one of d's.
-  Expansion<Terms * 3 * 2 * 3 + 2> sum;
+                           const Expansion<8>& translation, DoubleDouble scale) noexcept {
+  // Two terms for each product of a row's term with one of d's, and of the translation's with w.
+  Expansion<Terms * 3 * 2 * 3 + 2 * 8> sum;
   for (std::size_t i = 0; i < 3; ++i) sum.addProduct(row[i], d[i]);
-  if (translation != 0) sum.addProduct(translation, w);
+  sum.addScaled(translation, w);
   return sum.rounded() * scale;
 }
 
@@ -99,18 +110,23 @@ EyePoint toEyeExactly(const Pose& pose, const Vec4& point) noexcept {
   const int k = scaleExponent(point, rows.origin, rows.translation) + 500;
   const Vec3 p = scaled({point.x, point.y, point.z}, k);
   const Vec3 origin = scaled(rows.origin, k);
-  const Vec3 translation = scaled(rows.translation, k);
+  const ExactVec3 translation = scaled(rows.translation, k);
   const double w = point.w;
   const ExactDifference d{exactDifference(p.x, w, origin.x), exactDifference(p.y, w, origin.y),
                           exactDifference(p.z, w, origin.z)};
   EyePoint e;
-  e.right = distanceAlong(rows.right, d, w, translation.x, rows.rightScale);
-  e.forward = distanceAlong(rows.forward, d, w, translation.z, rows.forwardScale);
-  e.up = rows.upIsCross ? distanceAlong(exactCross(rows.right, rows.forward), d, w, translation.y, rows.upScale)
-                        : distanceAlong(rows.up, d, w, translation.y, rows.upScale);
+  e.right = distanceAlong(rows.right, d, w, translation[0], rows.rightScale);
+  e.forward = distanceAlong(rows.forward, d, w, translation[2], rows.forwardScale);
+  e.up = rows.upIsCross ? distanceAlong(exactCross(rows.right, rows.forward), d, w, translation[1], rows.upScale)
+                        : distanceAlong(rows.up, d, w, translation[1], rows.upScale);
   e.exponent = -k;
   if (rows.error > 0) {
     for (const Expansion<3>& part : d) e.error += rows.error * std::fabs(part.rounded().hi);
+    const DoubleDouble scales[] = {rows.rightScale, rows.upScale, rows.forwardScale};
+    double largest = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      largest = std::max(largest, std::fabs(translation[i].rounded().hi * scales[i].hi));
+    e.error += rows.error * largest * std::fabs(w);
     if (std::fabs(e.right.hi) <= e.error) e.right = {};
     if (std::fabs(e.up.hi) <= e.error) e.up = {};
     if (std::fabs(e.forward.hi) <= kInEyePlane * e.error) e.forward = {};

@@ -240,7 +240,8 @@ Mat4 ndcFromScreen(const Viewport& v, const Convention& c) noexcept {
 
 Pose relativeToEye(const Pose& pose) noexcept {
   Pose relative = pose;
-  relative.eye = relative.exact.origin = relative.exact.translation = {};
+  relative.eye = relative.exact.origin = {};
+  relative.exact.translation = {};
   relative.residual = {};
   return relative;
 }

@@ -44,7 +44,7 @@ constexpr std::size_t kNumbers = 18;
 
 struct Solved {
   std::array<DoubleDouble, kNumbers> numbers;
-  DDVec3 right, ndcUp, forward, along;
+  DDVec3 right, ndcUp, forward;
   double scale = 1, residual = 0;
 
   void addAxes() noexcept {
@@ -78,8 +78,10 @@ std::optional<Solved> solvePerspective(const Entries& m) noexcept {
   const DoubleDouble scaleX = length(x), scaleY = length(y);
   s.right = divided(x, scaleX);
   s.ndcUp = divided(y, scaleY);
-  s.along = {quotient(last[0] - offsetX * last[3], scaleX), quotient(last[1] - offsetY * last[3], scaleY), last[3]};
-  const DDVec3 eye = pointAt(s.right, s.ndcUp, s.forward, -s.along);
+  // Distances of the world's origin.
+  const DDVec3 along{quotient(last[0] - offsetX * last[3], scaleX), quotient(last[1] - offsetY * last[3], scaleY),
+                     last[3]};
+  const DDVec3 eye = pointAt(s.right, s.ndcUp, s.forward, -along);
   s.numbers = {scaleX, offsetX, scaleY, offsetY, depthOffset, last[2] - depthOffset * last[3], eye.x, eye.y, eye.z};
   s.addAxes();
   s.residual = std::max(std::fabs(dot(s.right, s.ndcUp).hi), maxAbs(z) / std::max(1.0, maxAbs(rows[2])));
@@ -153,9 +155,8 @@ std::array<Uncertain, kNumbers> withErrors(const Mat4& matrix, EntryPrecision pr
 ClipParts parts(const Mat4& matrix, EntryPrecision precision, const Solved& s, Solve solve,
                 bool orthographic) noexcept {
   const std::array<Uncertain, kNumbers> n = withErrors(matrix, precision, s, solve);
-  ClipParts p{
-      orthographic,       s.scale, n[0],      n[1], n[2], n[3], n[4], n[5], s.right, s.ndcUp, s.forward, s.along,
-      {n[6], n[7], n[8]}, {},      s.residual};
+  ClipParts p{orthographic,       s.scale, n[0],      n[1], n[2], n[3], n[4], n[5], s.right, s.ndcUp, s.forward,
+              {n[6], n[7], n[8]}, {},      s.residual};
   for (std::size_t k = 0; k < 9; ++k)
     if (n[9 + k].error > kCancellation) p.axisErrors[k / 3] = std::max(p.axisErrors[k / 3], n[9 + k].error);
   return p;

@@ -34,7 +34,6 @@ struct ClipParts {
   double scale = 1;
   Uncertain scaleX, offsetX, scaleY, offsetY, depthOffset, depthScale;
   DDVec3 right, ndcUp, forward;
-  DDVec3 along;  ///< distances of the world's origin along right, ndcUp, forward
   std::array<Uncertain, 3> eye;
   Vec3 axisErrors;      ///< the most by which a component of right, ndcUp, forward is moved
   double residual = 0;  ///< of the right angles, and of the z row's from the w row

@@ -6,6 +6,7 @@
 
 #include "viewproj/camera/error.hpp"
 #include "viewproj/numbers/degrees.hpp"
+#include "viewproj/view/clip_rows.hpp"
 #include "viewproj/view/matrices.hpp"
 #include "viewproj/view/matrix_parts.hpp"
 
@@ -120,19 +121,39 @@ std::array<Estimate, 3> estimates(const std::array<Uncertain, 3>& eye) noexcept 
   return result;
 }
 
-/// Up and forward along or against the parts' ndcUp and forward.
-void setPose(Reading& reading, const ClipParts& p, double up, double forward) noexcept {
+/// The pose of exact rows, whose origin is the world's.
+Pose poseOf(const ExactRows& exact, const std::array<Uncertain, 3>& eye) noexcept {
   Pose pose;
-  pose.rows = {p.right, p.ndcUp * up, p.forward * forward};
+  pose.exact = exact;
+  pose.eye = {eye[0].value.hi + 0.0, eye[1].value.hi + 0.0, eye[2].value.hi + 0.0};
+  const ExactVec3* const rows[] = {&exact.right, &exact.up, &exact.forward};
+  const DoubleDouble scales[] = {exact.rightScale, exact.upScale, exact.forwardScale};
+  DDVec3* const axes[] = {&pose.rows.right, &pose.rows.up, &pose.rows.forward};
+  for (std::size_t i = 0; i < 3; ++i) {
+    Expansion<8 * 3 * 2 + 8> atEye;
+    for (std::size_t j = 0; j < 3; ++j) {
+      (*axes[i])[j] = (*rows[i])[j].rounded() * scales[i];
+      atEye.addScaled((*rows[i])[j], pose.eye[j]);
+    }
+    for (std::size_t t = 0; t < exact.translation[i].size(); ++t) atEye.add(exact.translation[i].term(t));
+    pose.residual[i] = atEye.rounded() * scales[i];
+  }
   const Axes& r = pose.rows;
   const DDVec3 across = cross(r.up, r.forward);
   const DoubleDouble one = DoubleDouble(1) / dot(r.right, across);
   pose.columns = {across * one, cross(r.forward, r.right) * one, cross(r.right, r.up) * one};
-  pose.eye = {p.eye[0].value.hi + 0.0, p.eye[1].value.hi + 0.0, p.eye[2].value.hi + 0.0};
-  const DDVec3 eye = toDoubleDouble(pose.eye);
-  pose.residual = {dot(r.right, eye) + p.along.x, dot(r.up, eye) + p.along.y * up,
-                   dot(r.forward, eye) + p.along.z * forward};
-  reading.pose = pose;
+  return pose;
+}
+
+/// Up and forward along or against the parts' ndcUp and forward. The lens's numbers become those of the exact rows.
+void setPose(Reading& reading, ClipParts& p, const Mat4& matrix, double up, double forward) noexcept {
+  const ClipRows clip = p.orthographic ? orthographicRows(matrix, up, forward) : perspectiveRows(matrix, up);
+  p.scaleX.value = clip.scaleX;
+  p.offsetX.value = clip.offsetX;
+  p.scaleY.value = clip.scaleY;
+  p.offsetY.value = clip.offsetY;
+  reading.pose = poseOf(clip.rows, p.eye);
+  const Axes& r = reading.pose->rows;
   reading.place = PoseEstimate{!p.orthographic,    estimates(p.eye), rounded(r.right), rounded(r.up),
                                rounded(r.forward), p.axisErrors,     p.residual};
   reading.convention.world = dot(cross(r.right, r.up), r.forward).hi < 0 ? Handedness::right : Handedness::left;
@@ -271,13 +292,12 @@ class Reader {
     }
   }
 
-  void addViewProjections(const ClipParts& parts, const Convention& depthPart, const DepthPlanes& depth,
-                          double forward) {
+  void addViewProjections(ClipParts parts, const Convention& depthPart, const DepthPlanes& depth, double forward) {
     for (NdcY ndcY : kNdcYs) {
       Reading r = reading(MatrixKind::viewProjection, parts.scale);
       r.convention = depthPart;
       r.convention.ndcY = ndcY;
-      setPose(r, parts, ndcY == NdcY::up ? 1 : -1, forward);
+      setPose(r, parts, m_, ndcY == NdcY::up ? 1 : -1, forward);
       setLens(r, parts, depth);
       readings_.push_back(r);
     }

@@ -9,6 +9,7 @@
 #include <map>
 
 #include "catch.hpp"
+#include "kernels.hpp"
 #include "reference/bounds/families.hpp"
 #include "reference/bounds/oracle.hpp"
 
@@ -133,6 +134,7 @@ class Trial {
       within[i].resize(count);
       worldToScreenWithin(camera_, kTolerances[i], points, within[i]);
     }
+    checkKernels(points, batch, within);
     for (std::size_t p = 0; p < count; ++p) {
       const Vec3& point = points[p];
       ++tally.points;
@@ -181,6 +183,27 @@ class Trial {
   static std::size_t failures() { return failures_; }
 
  private:
+  /// Each kernel forced in turn, against the batches of the best.
+  void checkKernels(const std::vector<Vec3>& points, const std::vector<Vec3>* batch, const std::vector<Vec3>* within) {
+    std::vector<Vec3> got(points.size());
+    withEachKernel([&](const Kernels& kernel) {
+      const auto compare = [&](const std::vector<Vec3>& want, const char* what) {
+        for (std::size_t i = 0; i < got.size(); ++i)
+          if (!sameBits(got[i], {want[i].x, want[i].y, want[i].z}))
+            fail(points[i], what,
+                 std::string("kernel ") + kernel.name + " gives " + exactText(got[i]) + ", not " + exactText(want[i]));
+      };
+      for (std::size_t i = 0; i < 3; ++i) {
+        worldToScreen(camera_, points, got, kRungs[i]);
+        compare(batch[i], kRungNames[i]);
+      }
+      for (std::size_t i = 0; i < std::size(kTolerances); ++i) {
+        worldToScreenWithin(camera_, kTolerances[i], points, got);
+        compare(within[i], "within");
+      }
+    });
+  }
+
   static bool sameBits(const Vec3& a, const ScreenPoint& b) {
     const auto same = [](double x, double y) { return std::memcmp(&x, &y, sizeof x) == 0 || (x != x && y != y); };
     return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.depth);

@@ -1,5 +1,4 @@
 // Compiled for any x86-64.
 #define VIEWPROJ_KERNELS kBaselineKernels
 #define VIEWPROJ_KERNELS_NAME "x86-64"
-#define VIEWPROJ_KERNELS_SUPPORTED true
 #include "viewproj/view/kernels/kernel_source.inc"

@@ -2,5 +2,4 @@
 #define VIEWPROJ_PORTABLE_KERNEL
 #define VIEWPROJ_KERNELS kPortableKernels
 #define VIEWPROJ_KERNELS_NAME "portable"
-#define VIEWPROJ_KERNELS_SUPPORTED true
 #include "viewproj/view/kernels/kernel_source.inc"

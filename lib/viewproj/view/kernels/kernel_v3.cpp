@@ -1,5 +1,4 @@
-// Compiled with -march=x86-64-v3.
+// Compiled for AVX2 and FMA: what x86-64-v3 has of use here. lib/CMakeLists.txt says which options.
 #define VIEWPROJ_KERNELS kV3Kernels
 #define VIEWPROJ_KERNELS_NAME "x86-64-v3"
-#define VIEWPROJ_KERNELS_SUPPORTED (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
 #include "viewproj/view/kernels/kernel_source.inc"

@@ -1,7 +1,4 @@
-// Compiled with -march=x86-64-v4.
+// Compiled for AVX-512, as x86-64-v4 has it. lib/CMakeLists.txt says which options.
 #define VIEWPROJ_KERNELS kV4Kernels
 #define VIEWPROJ_KERNELS_NAME "x86-64-v4"
-#define VIEWPROJ_KERNELS_SUPPORTED                                                                                  \
-  (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") && \
-   __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("fma"))
 #include "viewproj/view/kernels/kernel_source.inc"

@@ -20,7 +20,7 @@ struct Unsettled {
 /// asks.
 struct Kernels {
   const char* name;
-  bool (*supported)() noexcept;
+  unsigned features;  ///< of cpu_features.hpp: what its compiler was free to use
   void (*fast)(const ProjectionConstants&, double bandX, double bandY, const double* points, double* screen,
                double* distance, std::size_t count, const Unsettled&) noexcept;
   void (*standard)(const ProjectionConstants&, double bandX, double bandY, const double* points, double* screen,
@@ -35,7 +35,13 @@ struct Kernels {
 /// All that were compiled, the plainest first.
 std::span<const Kernels* const> allKernels() noexcept;
 
-/// The best that this processor supports.
+/// Whether the processor, and the system for its registers, has all that the kernel may use.
+bool isSupported(const Kernels& kernels) noexcept;
+
+/// The best that is supported, unless another is forced.
 const Kernels& kernels() noexcept;
+
+/// For tests: all threads use this one, which must be supported, until told otherwise; null for the best again.
+void forceKernels(const Kernels* kernels) noexcept;
 
 }  // namespace viewproj

@@ -1,0 +1,201 @@
+// What makeCamera and its neighbours refuse: a number that is not obeyed is an error, with the field's name.
+#include "viewproj/camera/camera.hpp"
+
+#include <cfenv>
+#include <functional>
+
+#include "catch.hpp"
+#include "viewproj/viewproj.hpp"
+
+#ifdef __SSE2__
+#include <xmmintrin.h>
+#endif
+
+using namespace viewproj;
+
+namespace {
+
+struct Parts {
+  Pose pose = lookAt({3, 2, 5}, {0, 0, 0}, {0, 1, 0}, Handedness::right);
+  Projection projection = perspectiveFovY(60, 1.5, 0.1, 100);
+  Viewport viewport{600, 400};
+  Convention convention;
+};
+
+/// "field: message" of the CameraError, "" where there is none.
+std::string complaint(const std::function<void(Parts&)>& change) {
+  Parts p;
+  change(p);
+  try {
+    makeCamera(p.pose, p.projection, p.viewport, p.convention);
+  } catch (const CameraError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+struct Row {
+  const char* expected;  ///< what the error begins with or, from a space on, contains
+  std::function<void(Parts&)> change;
+};
+
+bool fits(const std::string& got, const std::string& expected) {
+  const std::size_t space = expected.find(' ');
+  return got.starts_with(expected.substr(0, space) + ": ") &&
+         (space == std::string::npos || got.find(expected.substr(space + 1)) != std::string::npos);
+}
+
+}  // namespace
+
+TEST_CASE("A camera's parts that make none are refused by name") {
+  constexpr double kInf = INFINITY, kBig = 1e308;
+  const Row rows[] = {
+      // Poses
+      {"pose zero", [](Parts& p) { p.pose = {}; }},
+      {"pose zero", [](Parts& p) { p.pose.rows = {}; }},
+      {"pose zero", [](Parts& p) { p.pose.columns.up = {}; }},
+      {"pose not finite", [](Parts& p) { p.pose.eye.y = NAN; }},
+      {"pose not finite", [](Parts& p) { p.pose.rows.right.z = NAN; }},
+      {"pose not finite", [](Parts& p) { p.pose.columns.forward.x = kInf; }},
+      {"pose not finite", [](Parts& p) { p.pose.residual.x = kInf; }},
+      {"pose right angles", [](Parts& p) { p.pose.rows.up = p.pose.rows.forward; }},
+      {"pose unit length", [](Parts& p) { p.pose.rows.up = p.pose.rows.up * DoubleDouble(2); }},
+      {"pose one pose", [](Parts& p) { p.pose.columns.up.x = p.pose.columns.up.x + DoubleDouble(1e-9); }},
+      {"pose one pose", [](Parts& p) { p.pose.eye.x += 1e-9; }},
+      {"pose one pose", [](Parts& p) { p.pose.residual.z = 1e-20; }},
+      {"pose one pose", [](Parts& p) { p.pose.exact = {}; }},
+      {"pose one pose", [](Parts& p) { p.pose.exact.origin.x = NAN; }},
+      {"pose one pose", [](Parts& p) { p.pose.exact.error = NAN; }},
+      {"pose right-handed world, and the convention's is left-handed",
+       [](Parts& p) { p.convention.world = Handedness::left; }},
+      {"pose left-handed world, and the convention's is right-handed",
+       [](Parts& p) {
+         p.pose = lookAt({3, 2, 5}, {0, 0, 0}, {0, 1, 0}, Handedness::left);
+       }},
+      // Projections
+      {"near", [](Parts& p) { p.projection = {}; }},
+      {"near", [](Parts& p) { p.projection.near = 0; }},
+      {"near", [](Parts& p) { p.projection.near = -1; }},
+      {"near", [](Parts& p) { p.projection.near = NAN; }},
+      {"near", [](Parts& p) { p.projection.near = kInf; }},
+      {"far reverseZ", [](Parts& p) { std::swap(p.projection.near, p.projection.far); }},
+      {"far", [](Parts& p) { p.projection.far = p.projection.near; }},
+      {"far", [](Parts& p) { p.projection.far = NAN; }},
+      {"far", [](Parts& p) { p.projection.far = -kInf; }},
+      {"far finite", [](Parts& p) { p.projection = orthographic(-1, 1, -1, 1, 0, 1), p.projection.far = kInf; }},
+      {"near", [](Parts& p) { p.projection = orthographic(-1, 1, -1, 1, 0, 1), p.projection.near = -kInf; }},
+      {"far", [](Parts& p) { p.projection = orthographic(-1, 1, -1, 1, 0, 1), p.projection.near = 2; }},
+      {"far", [](Parts& p) { p.projection.orthographic = true, p.projection.near = -kBig, p.projection.far = kBig; }},
+      {"right greater than left", [](Parts& p) { std::swap(p.projection.left, p.projection.right); }},
+      {"right greater than left", [](Parts& p) { p.projection.right = p.projection.left; }},
+      {"top greater than bottom", [](Parts& p) { p.projection.bottom = 1e9; }},
+      {"left", [](Parts& p) { p.projection.left = NAN; }},
+      {"right", [](Parts& p) { p.projection.right = kInf; }},
+      {"bottom", [](Parts& p) { p.projection.bottom.lo = NAN; }},
+      {"top high",
+       [](Parts& p) {
+         p.projection.top = {1, 1};
+       }},
+      {"right window", [](Parts& p) { p.projection.right = 1e300; }},
+      {"top window", [](Parts& p) { p.projection.bottom = 0, p.projection.top = 1e-300; }},
+      // Viewports
+      {"viewport.width", [](Parts& p) { p.viewport = {}; }},
+      {"viewport.width", [](Parts& p) { p.viewport.width = -600; }},
+      {"viewport.width", [](Parts& p) { p.viewport.width = NAN; }},
+      {"viewport.height", [](Parts& p) { p.viewport.height = 0; }},
+      {"viewport.height", [](Parts& p) { p.viewport.height = kInf; }},
+      {"viewport.x", [](Parts& p) { p.viewport.x = NAN; }},
+      {"viewport.y", [](Parts& p) { p.viewport.y = -kInf; }},
+      {"viewport.pixelCenter", [](Parts& p) { p.viewport.pixelCenter = NAN; }},
+      {"viewport.depthRange", [](Parts& p) { p.viewport.depthFirst = NAN; }},
+      {"viewport.depthRange", [](Parts& p) { p.viewport.depthSecond = kInf; }},
+      {"viewport.depthRange", [](Parts& p) { p.viewport.depthFirst = 1; }},
+  };
+  CHECK(complaint([](Parts&) {}).empty());
+  for (const Row& row : rows) {
+    const std::string got = complaint(row.change);
+    INFO("expected \"" << row.expected << "\", row " << &row - rows);
+    CAPTURE(got);
+    CHECK(fits(got, row.expected));
+  }
+}
+
+TEST_CASE("Every pose that the library gives makes a camera, of far eyes and matrices at the limit as well") {
+  const Viewport viewport{600, 400};
+  const Projection lens = perspectiveFovY(60, 1.5, 0.1, 100);
+  const auto check = [&](const Pose& pose, Handedness world) {
+    Convention convention;
+    convention.world = world;
+    CHECK_NOTHROW(makeCamera(pose, lens, viewport, convention));
+    CHECK_NOTHROW(makeCamera(relativeToEye(pose), lens, viewport, convention));
+    convention.world = world == Handedness::right ? Handedness::left : Handedness::right;
+    CHECK_THROWS_AS(makeCamera(pose, lens, viewport, convention), CameraError);
+  };
+  for (const Handedness world : {Handedness::right, Handedness::left}) {
+    const CameraAxes axes = world == Handedness::right ? CameraAxes::RUB : CameraAxes::RUF;
+    for (const double size : {1e-300, 1e-5, 1.0, 6.4e6, 1e15, 1e200, 1e290}) {
+      CAPTURE(size);
+      const Vec3 eye{size, -0.3 * size, 0.7 * size};
+      check(lookAlong(eye, {0.3, -0.4, -0.5}, {0, 1, 1e-9}, world), world);
+      check(lookAt(eye, {0, 0, 0}, {0, 1, 0}, world), world);
+      check(poseFromRotation(eye, {0.1, 0.2, 0.3, 0.4}, axes, world), world);
+      // As far from orthogonal as is allowed, both ways.
+      for (const double stretch : {1 - 0.0004, 1 + 0.0004}) {
+        const Mat4 m{{{{stretch, 0, 3e-4, eye.x}, {0, stretch, 0, eye.y}, {0, 3e-4, stretch, eye.z}, {0, 0, 0, 1}}}};
+        check(poseFromWorldFromCamera(m, axes, world), world);
+        check(poseFromCameraFromWorld(m, axes, world), world);
+      }
+      check(poseFromColumns({DDVec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{eye.x, eye.x * 0x1p-60}, eye.y, eye.z}, axes,
+                            world),
+            world);
+    }
+  }
+  check(poseFromHeadingPitchRoll({47.3, 8.5, 400}, {10, 20, 30}), Handedness::right);
+  check(lookAtPlace({47.3, 8.5, 400}, {47.4, 8.6, 0}), Handedness::right);
+}
+
+TEST_CASE("A thread whose arithmetic is not the library's gets no camera") {
+  const auto fieldHere = [] {
+    const std::string fault = complaint([](Parts&) {});
+    CHECK(fault.empty() == (arithmeticFault() == nullptr));
+    return fault.substr(0, fault.find(':'));
+  };
+  CHECK(arithmeticFault() == nullptr);
+  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+    std::fesetround(mode);
+    const std::string field = fieldHere();
+    std::fesetround(FE_TONEAREST);
+    CAPTURE(mode);
+    CHECK(field == "arithmetic");
+  }
+#ifdef __SSE2__
+  for (const unsigned flush : {0x8000u, 0x0040u}) {
+    const unsigned control = _mm_getcsr();
+    _mm_setcsr(control | flush);
+    const std::string field = fieldHere();
+    _mm_setcsr(control);
+    CAPTURE(flush);
+    CHECK(field == "arithmetic");
+  }
+#endif
+  CHECK(arithmeticFault() == nullptr);
+}
+
+TEST_CASE("A tile of no picture, or that is none, is refused by name") {
+  const Projection lens = perspectiveFovY(60, 1.5, 0.1, 100);
+  const auto fieldOf = [&](const Viewport& viewport, const Crop& crop) -> std::string {
+    try {
+      cropped(lens, viewport, crop);
+    } catch (const CameraError& e) {
+      return e.field();
+    }
+    return "";
+  };
+  CHECK(fieldOf({600, 400}, {10, 10, 100, 50}).empty());
+  CHECK(fieldOf({0, 400}, {10, 10, 100, 50}) == "viewport.width");
+  CHECK(fieldOf({600, NAN}, {10, 10, 100, 50}) == "viewport.height");
+  CHECK(fieldOf({600, 400}, {NAN, 10, 100, 50}) == "viewport.crop.x");
+  CHECK(fieldOf({600, 400}, {10, INFINITY, 100, 50}) == "viewport.crop.y");
+  CHECK(fieldOf({600, 400}, {10, 10, -100, 50}) == "viewport.crop.width");
+  CHECK(fieldOf({600, 400}, {10, 10, 100, 0}) == "viewport.crop.height");
+}
