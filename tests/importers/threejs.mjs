@@ -1,12 +1,8 @@
 // Cameras of three.js and glTF, and where three.js itself projects points: one case a line, as JSON.
-//   node threejs.mjs FOLDER      (in which three is installed)
-import { pathToFileURL } from 'node:url';
-import { join } from 'node:path';
-
+//   node threejs.mjs
 globalThis.self = globalThis;
-const folder = join(process.argv[2], 'node_modules', 'three');
-const THREE = await import(pathToFileURL(join(folder, 'build', 'three.module.js')));
-const { GLTFLoader } = await import(pathToFileURL(join(folder, 'examples', 'jsm', 'loaders', 'GLTFLoader.js')));
+const THREE = await import('three');
+const { GLTFLoader } = await import('three/addons/loaders/GLTFLoader.js');
 
 // Mulberry32: the same numbers everywhere.
 function generator(seed) {
