@@ -11,7 +11,7 @@ fi
 # Reports go to files: a test may hold the standard error, and expect a failure.
 rm -rf "$build/reports"
 mkdir "$build/reports"
-export ASAN_OPTIONS="strict_string_checks=1:log_path=$build/reports/asan"
+export ASAN_OPTIONS="strict_string_checks=1:hard_rss_limit_mb=4096:log_path=$build/reports/asan"
 export UBSAN_OPTIONS="print_stacktrace=1:log_path=$build/reports/ubsan"
 export TSAN_OPTIONS="second_deadlock_stack=1:log_path=$build/reports/tsan"
 status=0
