@@ -1,8 +1,8 @@
 #!/bin/sh
-# Installs what is missing from Debian's packages and builds Release into build/.
+# Installs what is missing from Debian's packages, and from npm's, and builds Release into build/.
 #   sh samples/setup.sh          the tool, and what else an installation takes
-#   sh samples/setup.sh tests    the tool and the tests
-#   sh samples/setup.sh checks   these, and what tests/checks needs
+#   sh samples/setup.sh tests    the tool and the tests, with their judges
+#   sh samples/setup.sh checks   these, and what tests/checks and tests/benchmark need
 # VIEWPROJ_OPTIONS in the environment: further options of CMake.
 set -eu
 cd "$(dirname "$0")/.."
@@ -11,19 +11,28 @@ packages="g++ cmake make libcli11-dev nlohmann-json3-dev libsimdjson-dev libgeog
 tests=OFF
 if [ "${1:-}" = tests ] || [ "${1:-}" = checks ]; then
   packages="$packages catch2 libmpfr-dev libglm-dev libeigen3-dev libimath-dev geographiclib-tools glslang-tools"
-  packages="$packages python3-numpy parallel qemu-user"
+  packages="$packages python3 python3-numpy python3-opencv parallel qemu-user"
   packages="$packages libegl-dev libgl-dev libopengl-dev libgl1-mesa-dri libvulkan-dev mesa-vulkan-drivers"
+  # Those from elsewhere do as well.
+  command -v node >/dev/null || packages="$packages nodejs"
+  command -v npm >/dev/null || packages="$packages npm"
+  browser=chromium
+  for name in chromium chromium-browser google-chrome; do if command -v $name >/dev/null; then browser=""; fi; done
+  packages="$packages $browser"
   tests=ON
 fi
 if [ "${1:-}" = checks ]; then
+  packages="$packages ccache ninja-build"
   packages="$packages clang clang-format clang-tidy cppcheck libclang-rt-14-dev llvm shellcheck"
   packages="$packages dpkg-dev file lintian mandoc pkgconf debootstrap"
+  packages="$packages jq miller mawk gawk proj-bin"
 fi
 
 if command -v dpkg-query >/dev/null 2>&1; then
   missing=""
   for package in $packages; do
-    dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'install ok installed' || missing="$missing $package"
+    status=$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null) || status=""
+    [ "$status" = 'install ok installed' ] || missing="$missing $package"
   done
   if [ -n "$missing" ]; then
     as_root=""
@@ -32,6 +41,14 @@ if command -v dpkg-query >/dev/null 2>&1; then
     $as_root apt-get update -qq
     # shellcheck disable=SC2086  # a list of words
     $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -qq -y --no-install-recommends $missing >/dev/null
+  fi
+fi
+# The judges of tests/package.json. Without them (no network, no npm) their tests say so.
+if [ "$tests" = ON ] && ! cmp -s tests/package-lock.json tests/node_modules/package-lock.json; then
+  if (cd tests && npm ci --no-audit --no-fund --loglevel=error >/dev/null); then
+    cp tests/package-lock.json tests/node_modules/
+  else
+    echo 'npm: three.js and ajv are not installed in tests/node_modules' >&2
   fi
 fi
 

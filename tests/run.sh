@@ -3,4 +3,4 @@
 set -eu
 cd "$(dirname "$0")/.."
 sh samples/setup.sh tests
-ctest --test-dir build --output-on-failure --parallel "$(nproc)"
+ctest --test-dir build --output-on-failure --no-tests=error --parallel "$(nproc)"

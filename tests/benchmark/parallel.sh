@@ -3,15 +3,18 @@
 #
 #   sh tests/benchmark/parallel.sh [VIEWPROJ] [POINTS]
 #
-# VIEWPROJ is the executable (build/viewproj), POINTS how many (10000000, 500 MB of NDJSON). ROUNDS=3 in the environment
-# sets how many turns (5).
+# VIEWPROJ is the executable (build/viewproj), POINTS how many (10000000, 500 MB of NDJSON). All must print the same bytes,
+# which is looked at first. ROUNDS=3 in the environment sets how many turns (5; 0: once, and no times). 77: no GNU parallel.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)/streams
 # shellcheck source=tests/benchmark/streams/race.sh
 . "$here/race.sh"
 points=${2:-10000000}
 prepare "${1:-build/viewproj}" points timed
-command -v parallel >/dev/null || { echo 'parallel is not here: nothing to measure'; exit 0; }
+command -v parallel >/dev/null || {
+  echo 'parallel is not here: nothing to measure'
+  exit 77
+}
 for form in ndjson csv f64; do ./points $form "$points" >p.$form; done
 
 project="$viewproj project -c $here/camera.json --fields screen,depth"
@@ -30,4 +33,19 @@ f64="--recend '' --block 24M $project --jobs 1 --from f64"
 add "f64|viewproj, all threads|$points|$project p.f64"
 add "f64|--pipepart --block 24M|$points|parallel --pipepart -a p.f64 -k $f64"
 add "f64|--pipe --block 24M|$points|parallel --pipe -k $f64 <p.f64"
+
+# The first of each form says what the others must print. Only it has a header.
+of=""
+while IFS='|' read -r form name _ command; do
+  sh -c "$command" </dev/null >printed
+  if [ "$form" != "$of" ]; then
+    of=$form
+    if [ "$form" = csv ]; then sed -i 1d printed; fi
+    [ -s printed ]
+    mv printed first
+  else
+    cmp first printed || { echo "$form: $name prints something else" >&2; exit 1; }
+  fi
+done <contenders
+rm first printed
 race

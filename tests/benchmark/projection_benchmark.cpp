@@ -1,7 +1,9 @@
 // Time per point of every precision and of peers, as ratios to GLM in double in the same interleaved run.
-//   projection_benchmark [ROUNDS]
+//   projection_benchmark [ROUNDS [POINTS]]      15 rounds, of up to 16777216 points
+// Before they race, all are compared with the exact positions: status 1 where one differs. ROUNDS=0 does that only.
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -20,6 +22,8 @@ namespace {
 struct Contestant {
   std::string name;
   std::function<void()> run;
+  std::function<double()> error = {};  ///< after a run: the largest, NaN where there is no answer
+  double tolerance = 0;
   std::vector<double> nanoseconds;  ///< per point, a round each
 };
 
@@ -28,8 +32,23 @@ double median(std::vector<double> v) {
   return v[v.size() / 2];
 }
 
+bool wrong = false;
+
+void check(const std::vector<Contestant>& contestants) {
+  for (const Contestant& c : contestants) {
+    if (!c.error) continue;
+    c.run();
+    const double error = c.error();
+    if (error <= c.tolerance) continue;
+    std::printf("%s is off by %g\n", c.name.c_str(), error);
+    wrong = true;
+  }
+}
+
 /// Runs all contestants in turn, round after round, and prints medians, minima and ratios to the first.
 void race(const std::string& title, std::size_t points, int rounds, std::vector<Contestant> contestants) {
+  check(contestants);
+  if (rounds == 0) return;
   // One measurement takes about two milliseconds at least.
   const std::size_t repeats = std::max<std::size_t>(1, 400000 / points);
   for (int round = -1; round < rounds; ++round)
@@ -50,6 +69,11 @@ void race(const std::string& title, std::size_t points, int rounds, std::vector<
 
 int main(int argc, char** argv) {
   const int rounds = argc > 1 ? std::atoi(argv[1]) : 15;
+  const std::size_t most = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : std::size_t(1) << 24;
+  if (rounds < 0 || most < 1) {
+    std::puts("usage: projection_benchmark [ROUNDS [POINTS]]");
+    return 2;
+  }
   const Viewport viewport{.width = 1920, .height = 1080, .origin = Origin::bottomLeft};
   const Pose pose = lookAt({300, 200, 500}, {0, 0, 0}, {0, 1, 0}, Handedness::right);
   const Projection projection = perspectiveFovY(60, DoubleDouble(16) / DoubleDouble(9), 0.1, 10000);
@@ -58,6 +82,7 @@ int main(int argc, char** argv) {
   std::printf("best kernel here: %s, %d rounds\n", kernels().name, rounds);
 
   for (const std::size_t count : {std::size_t(4096), std::size_t(1) << 20, std::size_t(1) << 24}) {
+    if (count > most && count > 4096) break;
     // Points on screen, 1 to 1000 units away.
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> unit(0, 1);
@@ -66,36 +91,72 @@ int main(int argc, char** argv) {
       p = screenToWorldAtDistance(camera, {1920 * unit(random), 1080 * unit(random)}, 1 + 1000 * unit(random)).position;
     std::vector<benchmark::Vec3f> singles(count), singleScreen(count);
     for (std::size_t i = 0; i < count; ++i) singles[i] = {float(points[i].x), float(points[i].y), float(points[i].z)};
+    std::vector<ScreenPoint> exact(count);
+    for (std::size_t i = 0; i < count; ++i) exact[i] = worldToScreen(camera, points[i]);
 
     std::vector<Contestant> contestants;
-    const auto add = [&](const std::string& name, std::function<void()> run) {
-      contestants.push_back({name, std::move(run), {}});
+    // Forgets the answers when it is asked, so that the next one has to give its own.
+    const auto errorOf = [&exact](auto& answers) {
+      return [&] {
+        double worst = 0;
+        for (std::size_t i = 0; i < exact.size(); ++i) {
+          const double off = std::hypot(double(answers[i].x) - exact[i].x, double(answers[i].y) - exact[i].y) +
+                             std::fabs(double(answers[i].z) - exact[i].depth);
+          if (!(off <= worst)) worst = off;
+          answers[i] = {NAN, NAN, NAN};
+        }
+        return worst;
+      };
+    };
+    // Pixels; depths are at most 1.
+    const auto add = [&](const std::string& name, double tolerance, std::function<void()> run) {
+      contestants.push_back({name, std::move(run), errorOf(screen), tolerance, {}});
     };
     using benchmark::peersO2, benchmark::peersO3;
-    add("GLM double project, -O2", [&] { peersO2.glmProjectDouble(peer, points, screen); });
-    add("GLM double project, -O3", [&] { peersO3.glmProjectDouble(peer, points, screen); });
-    add("GLM float project, -O3", [&] { peersO3.glmProjectFloat(peer, singles, singleScreen); });
-    add("Eigen double, cached product, -O2", [&] { peersO2.eigenCachedDouble(peer, points, screen); });
-    add("Imath double, cached product, -O3", [&] { peersO3.imathDouble(peer, points, screen); });
-    add("copy of the bytes", [&] { std::memcpy(screen.data(), points.data(), points.size() * sizeof(Vec3)); });
+    add("GLM double project, -O2", 1e-8, [&] { peersO2.glmProjectDouble(peer, points, screen); });
+    add("GLM double project, -O3", 1e-8, [&] { peersO3.glmProjectDouble(peer, points, screen); });
+    contestants.push_back({"GLM float project, -O3",
+                           [&] { peersO3.glmProjectFloat(peer, singles, singleScreen); },
+                           errorOf(singleScreen),
+                           1,
+                           {}});
+    add("Eigen double, cached product, -O2", 1e-8, [&] { peersO2.eigenCachedDouble(peer, points, screen); });
+    add("Imath double, cached product, -O3", 1e-8, [&] { peersO3.imathDouble(peer, points, screen); });
+    contestants.push_back({"copy of the bytes",
+                           [&] { std::memcpy(screen.data(), points.data(), points.size() * sizeof(Vec3)); },
+                           {},
+                           0,
+                           {}});
+    // What a kernel leaves unsettled has its answer already.
+    struct Settling {
+      std::vector<Vec3>& screen;
+      const std::vector<ScreenPoint>& exact;
+    } settling{screen, exact};
+    const Unsettled unsettled{[](void* context, std::size_t i) noexcept {
+                                const auto& [to, from] = *static_cast<Settling*>(context);
+                                to[i] = {from[i].x, from[i].y, from[i].depth};
+                              },
+                              &settling};
     for (const Kernels* k : allKernels()) {
       if (!isSupported(*k)) continue;
-      const Unsettled unsettled{[](void*, std::size_t) noexcept { std::abort(); }, nullptr};
       const std::string suffix = std::string(" ") + k->name;
-      const auto run = [&, k, unsettled](auto kernel) {
-        return [&, kernel, unsettled] {
-          kernel(camera.constants, kNoBand, kNoBand, &points[0].x, &screen[0].x, count, unsettled);
+      const auto run = [&](auto kernel) {
+        return [&, kernel] {
+          kernel(camera.constants, kNoBand, kNoBand, &points[0].x, &screen[0].x, nullptr, count, unsettled);
         };
       };
-      add("fast" + suffix, run(k->fast));
-      add("standard" + suffix, run(k->standard));
-      add("exact" + suffix, run(k->exact));
+      add("fast" + suffix, 0.01, run(k->fast));
+      add("standard" + suffix, 1e-8, run(k->standard));
+      add("exact" + suffix, 0, run(k->exact));
     }
-    add("auto 1e-2 px (fast)", [&] { worldToScreenWithin(camera, 1e-2, points, screen); });
-    add("auto 1e-6 px (standard)", [&] { worldToScreenWithin(camera, 1e-6, points, screen); });
-    race(std::to_string(count) + " points", count, count > (1u << 22) ? std::max(3, rounds / 3) : rounds, contestants);
-    if (worldToScreen(camera, points, screen, Precision::exact).escalated > count / 1000)
+    add("auto 1e-2 px (fast)", 0.01, [&] { worldToScreenWithin(camera, 1e-2, points, screen); });
+    add("auto 1e-6 px (standard)", 1e-6, [&] { worldToScreenWithin(camera, 1e-6, points, screen); });
+    race(std::to_string(count) + " points", count,
+         count > (1u << 22) ? std::min(rounds, std::max(3, rounds / 3)) : rounds, contestants);
+    if (worldToScreen(camera, points, screen, Precision::exact).escalated > count / 1000) {
       std::printf("more than one in a thousand exact points was not certified by the kernel\n");
+      wrong = true;
+    }
   }
 
   const std::size_t count = 1 << 16;
@@ -105,11 +166,22 @@ int main(int argc, char** argv) {
   std::vector<Vec3> directions(count);
   for (Vec2& p : pixels) p = {1920 * unit(random), 1080 * unit(random)};
   std::vector<Contestant> contestants;
-  contestants.push_back(
-      {"GLM double unProject, twice", [&] { benchmark::peersO3.glmUnProjectTwice(peer, pixels, directions); }, {}});
-  contestants.push_back({"rays", [&] { screenToRayDirections(camera, pixels, directions); }, {}});
-  race(std::to_string(count) + " rays", count, rounds, contestants);
-
+  const auto error = [&] {
+    double worst = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vec3 exact = screenToRay(camera, pixels[i]).direction;
+      const double length = std::hypot(directions[i].x - exact.x, directions[i].y - exact.y, directions[i].z - exact.z);
+      if (!(length <= worst)) worst = length;
+      directions[i] = {NAN, NAN, NAN};
+    }
+    return worst;
+  };
+  contestants.push_back({"GLM double unProject, twice",
+                         [&] { benchmark::peersO3.glmUnProjectTwice(peer, pixels, directions); },
+                         error,
+                         1e-9,
+                         {}});
+  contestants.push_back({"rays", [&] { screenToRayDirections(camera, pixels, directions); }, error, 1e-15, {}});
   std::vector<Contestant> building;
   building.push_back({"building a camera",
                       [&] {
@@ -119,6 +191,9 @@ int main(int argc, char** argv) {
                                          perspectiveFovY(60, 1.5, 0.1, 10000), viewport)
                                   .constants.rayX;
                       },
+                      {},
+                      0,
                       {}});
   race("1000 cameras", 1000, rounds, building);
+  return wrong ? 1 : 0;
 }

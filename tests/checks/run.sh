@@ -1,15 +1,14 @@
 #!/bin/sh
 # The checks that are more than ctest, in turn, and the time each took. `sh samples/setup.sh checks` gets what they need.
 #   sh tests/checks/run.sh [NAME...]
-set -u
-cd "$(dirname "$0")/../.." || exit 1
-[ $# -gt 0 ] || set -- static sanitized coverage threads fuzz install
+set -eu
+cd "$(dirname "$0")/../.."
+[ $# -gt 0 ] || set -- benchmark static sanitized coverage threads fuzz install
 
 times=""
 failed=""
 for name; do
   script=tests/checks/$name.sh
-  [ -f "$script" ] || continue
   echo "== $name"
   start=$(date +%s)
   sh "$script" || failed="$failed $name"

@@ -11,14 +11,14 @@ fi
 # Reports go to files: a test may hold the standard error, and expect a failure.
 rm -rf "$build/reports"
 mkdir "$build/reports"
-export ASAN_OPTIONS="strict_string_checks=1:log_path=$build/reports/asan"
+export ASAN_OPTIONS="strict_string_checks=1:hard_rss_limit_mb=4096:log_path=$build/reports/asan"
 export UBSAN_OPTIONS="print_stacktrace=1:log_path=$build/reports/ubsan"
 export TSAN_OPTIONS="second_deadlock_stack=1:log_path=$build/reports/tsan"
 status=0
-ctest --test-dir "$build" --output-on-failure --parallel "$(nproc)" "$@" || status=1
+ctest --test-dir "$build" --output-on-failure --no-tests=error --parallel "$(nproc)" "$@" || status=1
 for report in "$build"/reports/*; do
   [ -f "$report" ] || continue
   head -n 80 "$report"
   status=1
 done
-exit $status
+exit "$status"

@@ -2,6 +2,9 @@
 # The example of every command's help works as it stands, beside samples/, and `help COMMAND` is `COMMAND --help`.
 #   sh examples.sh VIEWPROJ SAMPLES
 set -eu
+# shellcheck source=tests/cmd/limits.sh
+. "$(dirname "$0")/limits.sh"
+limit_memory "$1"
 PATH=$(cd "$(dirname "$1")" && pwd):$PATH
 export PATH
 samples=$(cd "$2" && pwd)
@@ -24,7 +27,7 @@ for command in $(viewproj --help | sed -n '/^Commands:/,/^$/s/^  \([a-z][a-z]*\)
   viewproj help "$command" | cmp - ../help || fail 'help COMMAND says something else than COMMAND --help'
   sed '1,/^Example:$/d' ../help >../example
   grep -q "viewproj $command" ../example || fail 'the help ends with no example of the command'
-  sh -e ../example >out 2>../err || fail "the example fails: $(cat ../example ../err)"
+  limited sh -e ../example >out 2>../err || fail "the example fails: $(cat ../example ../err)"
   if [ -s ../err ]; then fail "the example complains: $(cat ../err)"; fi
   if [ -z "$(find . -type f -size +0)" ]; then fail 'the example writes nothing'; fi
   ran=$((ran + 1))

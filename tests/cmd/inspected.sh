@@ -3,6 +3,9 @@
 # format, the preset is among the readings, and written again from the reading it is the same matrix.
 #   sh inspected.sh VIEWPROJ
 set -eu
+# shellcheck source=tests/cmd/limits.sh
+. "$(dirname "$0")/limits.sh"
+limit_memory "$1"
 PATH="$(cd "$(dirname "$1")" && pwd):$PATH"
 export PATH
 work=$(mktemp -d)
@@ -42,4 +45,5 @@ for projection in \
     done
   done
 done
+[ "$number" -ge 2000 ]
 echo "$number matrices or sets of them read back"

@@ -2,9 +2,9 @@
 # The recipes for GNU parallel, run as the page of commands states them: each must give what one run of viewproj gives, byte for
 # byte, and those with --first-line the same place of what is wrong.
 #   sh parallel.sh VIEWPROJ cmd/README.md
-# Recipes are the paragraphs of the sh blocks that call parallel. Hosts are this one: a stand-in takes the place of ssh.
+# 77: GNU parallel is not there. Recipes are the paragraphs of the sh blocks that call parallel. Hosts are this one: a stand-in takes the place of ssh.
 set -eu
-command -v parallel >/dev/null || { echo "no parallel here: not checked"; exit 0; }
+command -v parallel >/dev/null || { echo "parallel is not installed"; exit 77; }
 PATH="$(cd "$(dirname "$1")" && pwd):$PATH"
 LC_ALL=C
 export PATH LC_ALL

@@ -11,9 +11,11 @@
 #   status   the exit status; no file: 0
 #
 # Other files in the directory are the case's own; files beside the cases are shared. Prints the cases that fail, as
-# differences, and a closing line. REGENERATE=1 in the environment writes what the cases give instead, for git diff to
-# show.
-set -u
+# differences, and a closing line. A case that takes more than a minute or 2 GiB fails. JOBS=N in the environment: so
+# many cases at a time, 2 by default. REGENERATE=1 writes what the cases give instead, for git diff to show.
+set -eu
+# shellcheck source=tests/cmd/limits.sh
+. "$(dirname "$0")/limits.sh"
 
 complain() {
   echo "run.sh: $1" >&2
@@ -26,72 +28,114 @@ if [ $# -lt 2 ] || [ $# -gt 3 ]; then
 fi
 if [ ! -f "$1" ] || [ ! -x "$1" ]; then complain "$1 is no executable"; fi
 if [ "$(basename "$1")" != viewproj ]; then complain "$1: the executable must be called viewproj"; fi
-bin=$(cd "$(dirname "$1")" && pwd) || exit 1
-cases=$(cd "$2" && pwd) || exit 1
+limit_memory "$1"
+bin=$(cd "$(dirname "$1")" && pwd)
+cases=$(cd "$2" && pwd)
 one=${3-}
+one=${one%/}
+one=${one##*/}
 PATH=$bin:$PATH
 LC_ALL=C
 export PATH LC_ALL
 
-work=${TMPDIR:-/tmp}/viewproj-cases-$$
-(umask 077 && mkdir "$work") || exit 1
+work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' HUP INT TERM
+cd "$work"
 
-# The output of a case and its exit status, in the working directory of the runner.
+# Of one case, in the folder of a worker: expout, experr and status.
 give() {
   status=0
-  (cd "$1" && exec sh ./cmd) >"$work/expout" 2>"$work/experr" </dev/null || status=$?
-  echo "$status" >"$work/status"
+  (cd "$directory" && limited sh ./cmd) >expout 2>experr </dev/null || status=$?
 }
 
-# keep FILE UNLESS: stores what the case gave; no file where it gave only the content of UNLESS.
+# keep FILE: stores what the case gave; no file where that is nothing.
 keep() {
-  if [ -n "$2" ] && cmp -s "$work/$1" "$2"; then rm -f "$directory/$1"; else cp "$work/$1" "$directory/$1"; fi
+  if [ -s "$1" ]; then cp "$1" "$directory/$1"; else rm -f "$directory/$1"; fi
 }
 
-# differs FILE DEFAULT: shows the differences from the expected FILE of the case, or from DEFAULT without one.
+regenerate() {
+  give
+  if [ "$status" = 0 ]; then : >status; else echo "$status" >status; fi
+  cp expout "$directory/expout"
+  keep experr
+  keep status
+}
+
+# differs FILE: shows the differences from the expected FILE of the case, which is empty where there is none.
 differs() {
   expected=$directory/$1
-  [ -f "$expected" ] || expected=$2
-  cmp -s "$expected" "$work/$1" && return 1
+  if [ ! -f "$expected" ]; then
+    [ -s "$1" ] || return 1
+    expected=/dev/null
+  fi
+  cmp -s "$expected" "$1" && return 1
   echo "--- $name: $1"
-  diff -u "$expected" "$work/$1" | sed 1,2d
-  return 0
+  diff -u "$expected" "$1" | sed 1,2d
 }
 
-: >"$work/nothing"
-echo 0 >"$work/zero"
-passed=0
-failed=0
-written=0
-for directory in "$cases"/*/; do
-  directory=${directory%/}
-  name=$(basename "$directory")
-  [ -d "$directory" ] || continue
-  if [ -n "$one" ] && [ "$name" != "$(basename "$one")" ]; then continue; fi
-  if [ ! -f "$directory/cmd" ]; then
-    echo "--- $name: has no cmd"
-    failed=$((failed + 1))
-  elif [ "${REGENERATE-}" = 1 ]; then
-    give "$directory"
-    keep expout ''
-    keep experr "$work/nothing"
-    keep status "$work/zero"
-    written=$((written + 1))
-  elif [ ! -f "$directory/expout" ]; then
-    echo "--- $name: has no expout"
-    failed=$((failed + 1))
-  else
-    give "$directory"
-    bad=0
-    differs expout "$work/nothing" && bad=1
-    differs experr "$work/nothing" && bad=1
-    differs status "$work/zero" && bad=1
-    if [ "$bad" = 1 ]; then failed=$((failed + 1)); else passed=$((passed + 1)); fi
+# Prints what is wrong with a case; whether it is right.
+right() {
+  for file in cmd expout; do
+    [ -f "$directory/$file" ] || {
+      echo "--- $name: has no $file"
+      return 1
+    }
+  done
+  give
+  bad=0
+  wanted=0
+  if [ -f "$directory/status" ]; then read -r wanted <"$directory/status"; fi
+  if [ "$status" = 124 ] || [ "$status" = 137 ]; then echo "--- $name: took more than $patience seconds"; fi
+  if differs expout; then bad=1; fi
+  if differs experr; then bad=1; fi
+  if [ "$status" != "$wanted" ]; then
+    echo "--- $name: status $status, not $wanted"
+    bad=1
   fi
-done
+  return "$bad"
+}
 
-if [ $((passed + failed + written)) = 0 ]; then complain "no case${one:+ $one} in $2"; fi
-if [ "${REGENERATE-}" = 1 ]; then echo "$written written, $failed failed"; else echo "$passed passed, $failed failed"; fi
+# worker N: every case whose turn it is, in a folder of its own; the names of those that passed and failed.
+worker() {
+  mkdir "$1"
+  cd "$1"
+  : >passed
+  : >failed
+  turn=0
+  for directory in "$cases"/*/; do
+    directory=${directory%/}
+    name=${directory##*/}
+    if [ -n "$one" ] && [ "$name" != "$one" ]; then continue; fi
+    turn=$(((turn + 1) % jobs))
+    [ "$turn" = "$1" ] || continue
+    if [ "${REGENERATE-}" = 1 ]; then
+      regenerate
+      echo "$name" >>passed
+    elif right >>report; then
+      echo "$name" >>passed
+    else
+      echo "$name" >>failed
+    fi
+  done
+  : >finished
+}
+
+jobs=${JOBS:-2}
+workers=$(seq 0 $((jobs - 1)))
+for number in $workers; do worker "$number" & done
+wait
+for number in $workers; do
+  [ -f "$number/finished" ] || complain 'ended before its time'
+  if [ -f "$number/report" ]; then cat "$number/report"; fi
+done
+passed=$(cat ./*/passed | wc -l)
+failed=$(cat ./*/failed | wc -l)
+if [ $((passed + failed)) = 0 ]; then complain "no case${one:+ $one} in $2"; fi
+if [ "${REGENERATE-}" = 1 ]; then echo "$passed written"; else echo "$passed passed, $failed failed"; fi
+# Each folder is a case; none is passed over.
+if [ -z "$one" ]; then
+  set -- "$cases"/*/
+  [ $# = $((passed + failed)) ] || complain "$# cases, and $((passed + failed)) run"
+fi
 [ "$failed" = 0 ]

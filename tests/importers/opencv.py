@@ -10,22 +10,30 @@ import cv2
 import numpy as np
 
 
-def points_before(R, t, K, size):
-    """World points in front of the camera, in its picture and a little beside it."""
+def points_around(R, t, K, size, near, far):
+    """World points in the picture and beside it, before near, beyond far and behind the camera."""
     points = []
-    for _ in range(6):
-        z = 10 ** random.uniform(-0.5, 2)
+    for i in range(9):
+        z = (10 ** random.uniform(-0.5, 2), 0.9 * near, 1.1 * far, -1.0, 1.0)[i % 5]
         pixel = np.array([random.uniform(-0.2, 1.2) * size[0], random.uniform(-0.2, 1.2) * size[1], 1])
         points.append(np.linalg.inv(R) @ (np.linalg.inv(K) @ pixel * z - t))
     return np.array(points)
 
 
-def write(name, file, R, t, K, size, pick=None, viewport=None, shift=0.0, options=()):
+def write(name, file, R, t, K, size, pick=None, viewport=None, shift=0.0, options=(), near=None, far=None):
     """shift: from OpenCV's pixel positions, whose whole numbers are pixel centres, to the file's."""
-    points = points_before(R, t, K, size)
-    pixels = cv2.projectPoints(points.reshape(-1, 1, 3), R, t, K, None)[0].reshape(-1, 2) + shift
-    print(json.dumps({"name": name, "pick": pick, "viewport": viewport, "depth": False, "options": list(options),
-                      "file": file, "points": points.tolist(), "pixels": pixels.tolist()}, separators=(",", ":")))
+    points = points_around(R, t, K, size, near or 0.5, far or 1000)
+    pixels = cv2.projectPoints(points.reshape(-1, 1, 3), R, t, K, None)[0].reshape(-1, 2)
+    judgements = []
+    for point, pixel in zip(points, pixels):
+        z = float((R @ point + t)[2])
+        beyond = {"left": pixel[0] < -0.5, "right": pixel[0] > size[0] - 0.5, "bottom": pixel[1] > size[1] - 0.5,
+                  "top": pixel[1] < -0.5, "near": near and z < near, "far": far and z > far}
+        outside = ["behind"] if z <= 0 else [side for side, is_beyond in beyond.items() if is_beyond]
+        judgements.append({"screen": None if z <= 0 else (pixel + shift).tolist(), "viewDistance": z,
+                           "visible": not outside, "outside": outside})
+    print(json.dumps({"name": name, "pick": pick, "viewport": viewport, "options": list(options), "file": file,
+                      "points": points.tolist(), "judgements": judgements}, separators=(",", ":")))
 
 
 def random_vector(size):
@@ -84,6 +92,25 @@ def opencv_cases():
                                          "height": size[1]}, R, t, K, size)
 
 
+def opencv_names():
+    """Each name that a field may have, and each way to write a matrix."""
+    size, K = calibration()
+    rvec, t = rotation_vector(random.uniform(0.1, 3)), random_vector(5)
+    R = cv2.Rodrigues(rvec)[0]
+    near, far = random.uniform(0.1, 1), random.uniform(50, 500)
+    write("OpenCV near and far", {"K": K.tolist(), "R": R.tolist(), "t": t.tolist(), "width": size[0], "height": size[1],
+                                  "near": near, "far": far}, R, t, K, size, near=near, far=far)
+    fields = (("K", "camera_matrix", "cameraMatrix", "mtx"),
+              ("dist", "distortion_coefficients", "dist_coeffs", "dist_coeff", "distCoeffs", "D"),
+              ("t", "tvec", "T"), ("width", "image_width"), ("height", "image_height"))
+    for i in range(6):
+        k, dist, translation, width, height = (names[i % len(names)] for names in fields)
+        write("OpenCV by other names",
+              {k: K.tolist() if i % 2 else {"rows": 3, "cols": 3, "data": K.ravel().tolist()}, dist: [0.0] * 5,
+               translation: t.tolist(), **({"R": R.tolist()} if i % 2 else {"rvec": rvec.tolist()}),
+               width: size[0], height: size[1]}, R, t, K, size)
+
+
 def nerf_frame(worldFromCamera, path, **more):
     return {"file_path": path, "sharpness": 100.0, "transform_matrix": worldFromCamera.tolist(), **more}
 
@@ -133,7 +160,40 @@ def nerf_cases():
           R, t, blender, size, viewport=f"{size[0]}x{size[1]}", shift=0.5)
 
 
+def nerf_names():
+    """The rest of the fields, for all frames or one's own."""
+    size, K = calibration()
+    centred = K.copy()
+    centred[:2, 2] -= 0.5
+    pose = nerf_pose(0)
+    R, t = opencv_pose(pose)
+    near, far = random.uniform(0.1, 1), random.uniform(50, 500)
+    lens = {"fl_x": K[0, 0], "fl_y": K[1, 1], "cx": K[0, 2], "cy": K[1, 2], "w": size[0], "h": size[1]}
+    for own in (False, True):
+        fisheye = {"camera_model": "OPENCV_FISHEYE", "is_fisheye": True, "k3": 0.1, "k4": 0.2, "k5": -0.1, "k6": 0.3, "p1": 1,
+                   "p2": 2}
+        file = {**({} if own else fisheye), **lens, "near": near, "far": far,
+                "frames": [nerf_frame(pose, "a.png", **(fisheye if own else {}))]}
+        write("transforms.json of a fisheye", file, R, t, centred, size, shift=0.5, options=["--ignore-distortion"],
+              near=near, far=far)
+    angles = {"camera_angle_x": 2 * math.atan(size[0] / 2 / K[0, 0]), "camera_angle_y": 2 * math.atan(size[1] / 2 / K[1, 1])}
+    middle = np.array([[K[0, 0], 0, size[0] / 2 - 0.5], [0, K[1, 1], size[1] / 2 - 0.5], [0, 0, 1]])
+    for own in (False, True):
+        file = {**({} if own else angles), "w": size[0], "h": size[1], "camera_model": "SIMPLE_PINHOLE",
+                "frames": [nerf_frame(pose, "a.png", **(angles if own else {}))]}
+        write("transforms.json by angles", file, R, t, middle, size, shift=0.5)
+    for model in ("PINHOLE", "OPENCV", "FULL_OPENCV", "SIMPLE_RADIAL", "RADIAL", "PERSPECTIVE"):
+        write("transforms.json of three rows",
+              {**lens, "camera_model": model, "is_fisheye": False, "frames": [nerf_frame(pose[:3], "a.png")]},
+              R, t, centred, size, shift=0.5)
+    for model in ("RADIAL_FISHEYE", "SIMPLE_RADIAL_FISHEYE", "FISHEYE"):
+        write("transforms.json of a fisheye", {**lens, "camera_model": model, "frames": [nerf_frame(pose, "a.png")]},
+              R, t, centred, size, shift=0.5, options=["--ignore-distortion"])
+
+
 for trial in range(3):
     random.seed(trial)
     opencv_cases()
     nerf_cases()
+    opencv_names()
+    nerf_names()

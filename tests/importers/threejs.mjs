@@ -1,12 +1,8 @@
 // Cameras of three.js and glTF, and where three.js itself projects points: one case a line, as JSON.
-//   node threejs.mjs FOLDER      (in which three is installed)
-import { pathToFileURL } from 'node:url';
-import { join } from 'node:path';
-
+//   node threejs.mjs
 globalThis.self = globalThis;
-const folder = join(process.argv[2], 'node_modules', 'three');
-const THREE = await import(pathToFileURL(join(folder, 'build', 'three.module.js')));
-const { GLTFLoader } = await import(pathToFileURL(join(folder, 'examples', 'jsm', 'loaders', 'GLTFLoader.js')));
+const THREE = await import('three');
+const { GLTFLoader } = await import('three/addons/loaders/GLTFLoader.js');
 
 // Mulberry32: the same numbers everywhere.
 function generator(seed) {
@@ -32,40 +28,74 @@ function place(object) {
   object.updateMatrix();
 }
 
-/// What the camera sees of each of some points in front of it, and a little beside the picture.
-function judged(camera, width, height) {
-  camera.updateMatrixWorld(true);
-  camera.updateProjectionMatrix();
-  const world = camera.matrixWorldInverse.clone().invert();
-  const points = [], pixels = [];
-  while (points.length < 6) {
-    const ndc = new THREE.Vector3(between(-1.3, 1.3), between(-1.3, 1.3), between(-0.9, 0.99));
-    const point = ndc.applyMatrix4(camera.projectionMatrixInverse).applyMatrix4(world);
-    const p = point.clone().project(camera);
-    points.push(point.toArray());
-    pixels.push([((p.x + 1) / 2) * width, ((1 - p.y) / 2) * height, (p.z + 1) / 2]);
-  }
-  return { points, pixels };
+/// The world point at these NDC x and y, so far along the viewing axis.
+function pointAt(camera, x, y, distance) {
+  const p = new THREE.Vector3(x, y, 0).applyMatrix4(camera.projectionMatrixInverse);
+  if (camera.isPerspectiveCamera) p.multiplyScalar(-distance / p.z);
+  else p.z = -distance;
+  return p.applyMatrix4(camera.matrixWorldInverse.clone().invert());
 }
 
+/// What three.js makes of a point: its NDC, the sides of the clip volume that it lies beyond, and by a Frustum whether it
+/// is seen. Nothing where it is too near to a side of the picture to tell.
+function seen(camera, point) {
+  const view = point.clone().applyMatrix4(camera.matrixWorldInverse);
+  const clip = new THREE.Vector4(view.x, view.y, view.z, 1).applyMatrix4(camera.projectionMatrix);
+  const margins = { left: clip.x + clip.w, right: clip.w - clip.x, bottom: clip.y + clip.w, top: clip.w - clip.y,
+    near: clip.z + clip.w, far: clip.w - clip.z };
+  for (const side of ['left', 'right', 'bottom', 'top'])
+    if (Math.abs(margins[side]) < 1e-6 * Math.abs(clip.w)) return undefined;
+  const behind = clip.w <= 0;
+  const outside = behind ? ['behind'] : Object.keys(margins).filter(side => margins[side] < 0);
+  const frustum = new THREE.Frustum().setFromProjectionMatrix(
+    new THREE.Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse));
+  const visible = frustum.containsPoint(point);
+  if (visible !== (outside.length === 0)) throw new Error('three.js disagrees with itself');
+  return { ndc: behind ? null : point.clone().project(camera), viewDistance: -view.z, visible, outside };
+}
+
+/// Some points in the picture and around it, before near and beyond far, and behind the eye; each with what is seen of it.
+function judged(camera, width, height, { depth = true, distance: known = true, x = 0, y = 0, up = false, centre = 0.5, range = [0, 1] }) {
+  camera.updateMatrixWorld(true);
+  camera.updateProjectionMatrix();
+  const points = [], judgements = [];
+  while (points.length < 9) {
+    // Within, before near, beyond far, behind the eye; an orthographic near may be 0, and a far plane three.js's own.
+    const { near, far } = camera, within = between(0.01, 0.99), kind = points.length % 5;
+    const distance = camera.isPerspectiveCamera
+      ? [near * (far / near) ** within, 0.9 * near, depth ? 1.1 * far : 0.8 * near, -near, 2 * near][kind]
+      : near + (far - near) * [within, -0.1, 1.1, -0.5, 0.02][kind];
+    const point = pointAt(camera, between(-1.3, 1.3), between(-1.3, 1.3), distance);
+    const told = seen(camera, point);
+    if (!told) continue;
+    const { ndc, viewDistance, visible, outside } = told;
+    points.push(point.toArray());
+    judgements.push({
+      screen: ndc && [x + ((ndc.x + 1) / 2) * width + centre - 0.5, y + ((up ? 1 + ndc.y : 1 - ndc.y) / 2) * height + centre - 0.5],
+      ...(depth ? { depth: ndc && range[0] + ((ndc.z + 1) / 2) * (range[1] - range[0]) } : {}), ...(known ? { viewDistance } : {}), visible, outside,
+    });
+  }
+  return { points, judgements };
+}
+
+/// options: depth, distance: whether they are known; ownViewport: whether the file has it; what judged takes.
 function write(name, file, pick, camera, width, height, options = {}) {
-  const depth = options.depth !== false;
-  const { points, pixels } = judged(camera, width, height);
   const viewport = options.ownViewport ? null : `${width}x${height}`;
-  console.log(JSON.stringify({ name, pick, viewport, depth, file, points, pixels }));
+  console.log(JSON.stringify({ name, pick, viewport, file, ...judged(camera, width, height, options) }));
 }
 
 /// The object as a file, read by three.js again.
-function writeObject(name, object, cameraNumber, width, height, options) {
+function writeObject(name, object, cameraNumber, width, height, options = {}) {
   const file = JSON.parse(JSON.stringify(object.toJSON()));
   delete file.images;
+  options.change?.(file);
   const cameras = [];
   new THREE.ObjectLoader().parse(file).traverse(o => o.isCamera && cameras.push(o));
   const camera = cameras[cameraNumber];
   let top = camera;
   while (top.parent) top = top.parent;
   top.updateMatrixWorld(true);
-  write(name, file, String(cameraNumber), camera, width, height, options);
+  write(name, file, options.pick ?? String(cameraNumber), camera, width, height, options);
 }
 
 const size = () => [640 + Math.floor(between(0, 1280)), 480 + Math.floor(between(0, 600))];
@@ -122,6 +152,58 @@ const threeCases = {
     place(c);
     writeObject('three orthographic view offset', c, 0, w / 4, h / 3, { ownViewport: true });
   },
+  'three view that is not enabled': () => {
+    const [w, h] = size(), c = perspective(w, h);
+    c.setViewOffset(w, h, between(0, w / 2), between(0, h / 2), w / 4, h / 3);
+    c.clearViewOffset();
+    place(c);
+    writeObject('three view that is not enabled', c, 0, w, h);
+  },
+  'three view that does not say whether it is enabled': () => {
+    const [w, h] = size(), c = perspective(w, h);
+    c.setViewOffset(w, h, between(0, w / 2), between(0, h / 2), w / 4, h / 3);
+    place(c);
+    const change = file => delete file.object.view.enabled;
+    writeObject('three view that does not say whether it is enabled', c, 0, w, h, { change });
+  },
+  'three view without offsets': () => {
+    const [w, h] = size(), c = perspective(w, h);
+    c.setViewOffset(w, h, 0, 0, w / 4, h / 3);
+    place(c);
+    writeObject('three view without offsets', c, 0, w / 4, h / 3, { ownViewport: true });
+  },
+  'three position, quaternion and scale': () => {
+    const [w, h] = size(), rig = new THREE.Group(), c = perspective(w, h);
+    place(rig);
+    rig.scale.setScalar(between(0.1, 10));
+    place(c);
+    c.scale.set(2, 3, 0.5);
+    rig.add(c);
+    rig.updateMatrixWorld(true);
+    c.name = 'front';
+    const apart = object => {
+      const position = new THREE.Vector3(), quaternion = new THREE.Quaternion(), scale = new THREE.Vector3();
+      new THREE.Matrix4().fromArray(object.matrix).decompose(position, quaternion, scale);
+      delete object.matrix;
+      Object.assign(object, { position: position.toArray(), quaternion: quaternion.toArray(), scale: scale.toArray() });
+      object.children?.forEach(apart);
+    };
+    writeObject('three position, quaternion and scale', rig, 0, w, h, { pick: 'front', change: file => apart(file.object) });
+  },
+  'three camera by its uuid': () => {
+    const [w, h] = size(), scene = new THREE.Scene(), first = perspective(w, h), second = perspective(w, h);
+    for (const c of [first, second]) place(c);
+    scene.add(first, second);
+    scene.traverse(o => o.updateMatrix());
+    writeObject('three camera by its uuid', scene, 1, w, h, { pick: second.uuid });
+  },
+  'three in a viewport of the file': () => {
+    const [w, h] = size(), c = perspective(w, h);
+    place(c);
+    const options = { ownViewport: true, x: 100, y: -20, up: true, centre: 0, range: [1, 0.25] };
+    const viewport = { width: w, height: h, x: 100, y: -20, origin: 'bottom-left', pixelCenter: 0, depthRange: [1, 0.25] };
+    writeObject('three in a viewport of the file', c, 0, w, h, { ...options, change: file => { file.viewport = viewport; } });
+  },
   'three scene': () => {
     const [w, h] = size(), scene = new THREE.Scene(), group = new THREE.Group(), rig = new THREE.Group();
     for (const node of [group, rig]) place(node);
@@ -149,13 +231,13 @@ const trs = (scale = null) => ({
   ...(scale ? { scale } : {}),
 });
 
-/// aspect: of the viewport, where the file has none.
+/// aspect: of the viewport, where the file has none. pick: what is said in place of the node's number.
 async function writeGltf(name, file, node, width, height, options = {}) {
   const loaded = await new GLTFLoader().parseAsync(JSON.stringify(file), '');
   loaded.scene.updateMatrixWorld(true);
   const camera = loaded.cameras[0];
   if (options.aspect) camera.aspect = options.aspect;
-  write(name, file, String(node), camera, width, height, options);
+  write(name, file, options.pick ?? String(node), camera, width, height, options);
 }
 
 const gltfPerspective = (aspect, zfar = true) => ({
@@ -186,6 +268,18 @@ const gltfCases = {
     const camera = { type: 'orthographic', orthographic: { xmag: (ymag * w) / h, ymag, znear: 0, zfar: 100 } };
     return writeGltf('glTF orthographic', gltf([camera], [{ camera: 0, ...trs() }], [0]), 0, w, h);
   },
+  'glTF by the name of the node': () => {
+    const [w, h] = size();
+    const node = { camera: 0, name: 'dolly', translation: vector(10).toArray() };
+    return writeGltf('glTF by the name of the node', gltf([gltfPerspective(w / h)], [{ name: 'other' }, node], [0, 1]), 1, w, h,
+      { pick: 'dolly' });
+  },
+  'glTF by the name of the camera': () => {
+    const [w, h] = size();
+    const node = { camera: 0, rotation: quaternion().toArray() };
+    return writeGltf('glTF by the name of the camera', gltf([{ name: 'long lens', ...gltfPerspective(w / h) }], [node], [0]), 0,
+      w, h, { pick: 'long lens' });
+  },
   'glTF hierarchy': () => {
     const [w, h] = size(), s = between(0.1, 10);
     const rotated = new THREE.Matrix4().compose(vector(5), quaternion(), new THREE.Vector3(s, s, s));
@@ -201,9 +295,48 @@ const gltfCases = {
   },
 };
 
+/// The matrices that three.js itself draws with, under each of their names, by columns in a row or as rows on paper.
+function writeMatrices(name, make) {
+  const [w, h] = size(), c = random() < 0.5 ? perspective(w, h) : orthographic(w, h);
+  // Inverting a matrix, three.js may miss the 1 at its end by a bit; such a view is not read.
+  do {
+    place(c);
+    c.updateMatrixWorld(true);
+  } while (c.matrixWorldInverse.elements[15] !== 1);
+  c.updateProjectionMatrix();
+  const rows = m => [0, 1, 2, 3].map(i => [0, 1, 2, 3].map(j => m.elements[4 * j + i]));
+  const product = new THREE.Matrix4().multiplyMatrices(c.projectionMatrix, c.matrixWorldInverse);
+  // Where along its axis an orthographic camera stands, its product does not tell.
+  const { convention = 'opengl', ownViewport, distance = true, ...matrices } = make(c, m => m.toArray(), rows, product, w, h);
+  write(name, { ...(convention ? { convention } : {}), ...matrices }, null, c, w, h, { ownViewport, distance });
+}
+
+const matricesCases = {
+  'matrices of three.js': () => writeMatrices('matrices of three.js', (c, flat) =>
+    ({ viewMatrix: flat(c.matrixWorldInverse), projectionMatrix: flat(c.projectionMatrix) })),
+  'matrices as rows': () => writeMatrices('matrices as rows', (c, flat, rows) =>
+    ({ view: rows(c.matrixWorldInverse), projection: rows(c.projectionMatrix) })),
+  'matrices with the inverse view': () => writeMatrices('matrices with the inverse view', (c, flat, rows) =>
+    ({ viewInverse: rows(c.matrixWorld), projectionMatrix: rows(c.projectionMatrix) })),
+  'matrices with the world matrix': () => writeMatrices('matrices with the world matrix', (c, flat) =>
+    ({ viewMatrixInverse: flat(c.matrixWorld), projection: flat(c.projectionMatrix) })),
+  'matrices multiplied': () => writeMatrices('matrices multiplied', (c, flat, rows, product) =>
+    ({ viewProjection: rows(product), distance: c.isPerspectiveCamera === true })),
+  'matrices multiplied, flat': () => writeMatrices('matrices multiplied, flat', (c, flat, rows, product) =>
+    ({ viewProjectionMatrix: flat(product), distance: c.isPerspectiveCamera === true })),
+  'matrices and an eye': () => writeMatrices('matrices and an eye', (c, flat, rows) => {
+    const turned = new THREE.Matrix4().extractRotation(c.matrixWorldInverse);
+    return { view: rows(turned), projection: rows(c.projectionMatrix), eye: c.position.toArray() };
+  }),
+  'matrices and a viewport matrix': () => writeMatrices('matrices and a viewport matrix', (c, flat, rows, product, w, h) => ({
+    view: rows(c.matrixWorldInverse), projection: rows(c.projectionMatrix), ownViewport: true,
+    viewport: [[w / 2, 0, 0, w / 2], [0, -h / 2, 0, h / 2], [0, 0, 0.5, 0.5], [0, 0, 0, 1]],
+  })),
+};
+
 let seed = 0;
 for (let trial = 0; trial < 4; ++trial)
-  for (const make of [...Object.values(threeCases), ...Object.values(gltfCases)]) {
+  for (const make of [...Object.values(threeCases), ...Object.values(gltfCases), ...Object.values(matricesCases)]) {
     random = generator(++seed);
     await make();
   }

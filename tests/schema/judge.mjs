@@ -1,9 +1,9 @@
 // ajv against the readers. See schemas.sh.
-//   node judge.mjs VIEWPROJ SCHEMA_READER NODE_FOLDER SCRATCH
+//   node judge.mjs VIEWPROJ SCHEMA_READER SCRATCH
 import { spawnSync } from "node:child_process";
 import { writeFileSync } from "node:fs";
-import { createRequire } from "node:module";
-import { join, resolve } from "node:path";
+import { join } from "node:path";
+import Ajv2020 from "ajv/dist/2020.js";
 import * as documents from "./documents.mjs";
 import { kMutations, kTextMutations } from "./mutations.mjs";
 import { Random, Tally } from "./random.mjs";
@@ -11,9 +11,7 @@ import { checkResults } from "./results.mjs";
 import { kRules, ruleOf } from "./rules.mjs";
 import { parsed, readRuns, valuesOf } from "./runs.mjs";
 
-const [tool, reader, nodeFolder, scratch] = process.argv.slice(2);
-const require = createRequire(join(resolve(nodeFolder), "here.js"));
-const Ajv2020 = require("ajv/dist/2020.js");
+const [tool, reader, scratch] = process.argv.slice(2);
 
 const faults = [];
 const fault = (text) => faults.push(text);

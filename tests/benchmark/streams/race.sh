@@ -21,15 +21,21 @@ prepare() {
 # add 'GROUP|NAME|POINTS|COMMAND': a shell command that works on so many points.
 add() { echo "$1" >>contenders; }
 
-# Runs all that were added, in turns, ROUNDS times (5), and prints a table. BEFORE is a command that is run before each,
-# as one that waits until the machine is quiet.
+# Runs all that were added, in turns, ROUNDS times (5), and prints a table; with ROUNDS=0 once, and no table. BEFORE is a
+# command that is run before each, as one that waits until the machine is quiet.
 race() {
   rounds=${ROUNDS:-5}
+  if [ "$rounds" = 0 ]; then
+    while IFS='|' read -r group name count command; do ./timed "$command" </dev/null; done <contenders >took
+    echo "$(wc -l <took) commands run"
+    return
+  fi
   round=1
   while [ $round -le "$rounds" ]; do
     while IFS='|' read -r group name count command; do
       ${BEFORE:-:} </dev/null
-      echo "$group|$name|$count|$(./timed "$command" </dev/null)"
+      took=$(./timed "$command" </dev/null)
+      echo "$group|$name|$count|$took"
     done <contenders >>took
     round=$((round + 1))
   done
