@@ -203,7 +203,7 @@ bool BlockReader::next(Block& block) {
   moveOn(text.substr(begin, whole - begin));
   block.last = atEnd_ && carried_.size() == 0;
   over_ = block.fault || block.last || (atEnd_ && whole == 0);
-  return whole > 0 || block.fault;
+  return whole > 0 || block.fault || !block.bad.empty();  // as where the input ends in an array
 }
 
 bool BlockReader::mayEndRecord(std::string_view fresh) const {

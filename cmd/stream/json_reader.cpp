@@ -116,11 +116,12 @@ class JsonReader final : public RecordReader {
         at = skipSpace(end);
       }
     }
-    passBadBefore(text_.data() + text_.size() + 1);
+    passBadBefore(text_.substr(text_.size()));
   }
 
-  void passBadBefore(const char* record) {
-    for (; !bad_.empty() && text_.data() + bad_.front().begin < record; bad_ = bad_.subspan(1)) {
+  /// What is missing before a record stands where it begins.
+  void passBadBefore(std::string_view record) {
+    for (; !bad_.empty() && bad_.front().begin <= offset(record); bad_ = bad_.subspan(1)) {
       const Block::Bad& bad = bad_.front();
       batch_->bad(text_.substr(bad.begin, 0), RecordError(bad.at - bad.begin, bad.message));
     }
@@ -160,7 +161,7 @@ class JsonReader final : public RecordReader {
   std::size_t skipSpace(std::size_t at) const { return std::min(text_.find_first_not_of(kSpace, at), text_.size()); }
 
   void readRecord(std::string_view text) {
-    passBadBefore(text.data());
+    passBadBefore(text);
     dom::element value;
     const bool accepted = fast_ && text.size() <= BlockReader::kBlock &&
                           parser_.parse(text.data(), text.size(), false).get(value) == simdjson::SUCCESS;
@@ -187,7 +188,7 @@ class JsonReader final : public RecordReader {
       const Plan& plan = *plans[i];
       Numbers numbers;
       if (!readNumbers(values_, plan.layout, text, numbers)) return false;
-      passBadBefore(text.data());
+      passBadBefore(text);
       batch_->usedAgain(i);
       batch_->add(text, plan, numbers);
       return true;
