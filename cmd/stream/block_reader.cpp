@@ -176,7 +176,7 @@ bool BlockReader::next(Block& block) {
         const std::string_view fresh = bytes.view().substr(lookedAt == npos ? 0 : lookedAt);
         lookedAt = bytes.size();
         whole = mayEndRecord(fresh) ? wholeRecords(block, bytes.view()) : 0;
-        if (whole > 0 || atEnd_ || block.fault) break;
+        if (whole > 0 || atEnd_ || block.fault || !block.bad.empty()) break;
         // Of JSON the splitter knows; but not of white space where a record may begin a document.
         if (bytes.size() >= (form_ == Form::json ? 2 : 1) * kLongestRecord) {
           block.fault = {position_, tooLong()};
@@ -202,7 +202,7 @@ bool BlockReader::next(Block& block) {
   block.position = position_;
   moveOn(text.substr(begin, whole - begin));
   block.last = atEnd_ && carried_.size() == 0;
-  over_ = block.fault || block.last || (atEnd_ && whole == 0);
+  over_ = block.fault || block.last || (atEnd_ && carried_.size() == 0);
   return whole > 0 || block.fault || !block.bad.empty();  // as where the input ends in an array
 }
 
