@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 #include "input/error.hpp"
 #include "input/record.hpp"
@@ -32,16 +33,9 @@ std::size_t countLines(std::string_view text) {
   return lines + static_cast<std::size_t>(std::count(text.begin() + at, text.end(), '\n'));
 }
 
-std::string tooLong() { return "a record longer than " + std::to_string(BlockReader::kLongestRecord >> 20) + " MiB"; }
+std::string tooLong() { return "a record longer than " + std::to_string(kLongestRecord >> 20) + " MiB"; }
 
 bool mayBeginBom(std::string_view text) { return text.size() < kBom.size() && kBom.starts_with(text); }
-
-std::size_t wholeCsv(std::string_view text) {
-  if (text.find('"') == npos) return behindLastLine(text);
-  std::size_t whole = 0;
-  for (std::size_t end = endOfCsvRecord(text, 0); end < text.size(); end = endOfCsvRecord(text, whole)) whole = end + 1;
-  return whole;
-}
 
 }  // namespace
 
@@ -117,29 +111,37 @@ void BlockReader::readToLineBreak() {
 
 std::optional<BlockReader::Line> BlockReader::firstLine(bool take) {
   std::size_t begin = 0;
-  TextPosition position = position_;
-  while (!over_) {
+  const auto drop = [&] {
     const std::string_view text = carried_.view();
-    const std::size_t end = endOfCsvRecord(text, begin);
-    if (end == text.size() && !atEnd_) {
-      if (end - begin >= kLongestRecord) throw InputError(place(name_, position) + ": " + tooLong());
+    moveOn(text.substr(0, begin));
+    carried_.assign(text.substr(begin));
+    begin = 0;
+  };
+  for (CsvEnds ends; !over_;) {
+    std::size_t end = ends.nextEnd(carried_.view().substr(begin));
+    if (end == npos && !atEnd_) {
+      drop();
+      if (carried_.size() >= kLongestRecord) throw InputError(place(name_, position_) + ": " + tooLong());
       readToLineBreak();
       continue;
     }
-    if (begin == text.size()) return std::nullopt;
-    const std::string_view line = text.substr(begin, end - begin);
-    const std::size_t behind = std::min(end + 1, text.size());
-    if (!isBlank(line)) {
-      Line found{std::string(line), position};
-      if (found.text.ends_with('\r')) found.text.pop_back();
-      if (take) {
-        moveOn(text.substr(0, behind));
-        carried_.assign(text.substr(behind));
-      }
-      return found;
+    const std::string_view text = carried_.view().substr(begin);
+    if (text.empty()) break;
+    end = std::min(end, text.size());
+    const std::string_view line = text.substr(0, end);
+    if (isBlank(line)) {
+      begin += std::min(end + 1, text.size());
+      ends = {};
+      continue;
     }
-    position = positionAt(text, behind - begin, position);
-    begin = behind;
+    drop();
+    Line found{std::string(carried_.view().substr(0, end)), position_};
+    if (found.text.ends_with('\r')) found.text.pop_back();
+    if (take) {
+      begin = std::min(end + 1, carried_.size());
+      drop();
+    }
+    return found;
   }
   return std::nullopt;
 }
@@ -159,6 +161,7 @@ bool BlockReader::next(Block& block) {
   block.inArray = false;
   block.opening.clear();
   block.closing.clear();
+  block.bad.clear();
   block.fault.reset();
   if (over_) return false;
   ByteBuffer& bytes = block.bytes;
@@ -173,8 +176,9 @@ bool BlockReader::next(Block& block) {
         const std::string_view fresh = bytes.view().substr(lookedAt == npos ? 0 : lookedAt);
         lookedAt = bytes.size();
         whole = mayEndRecord(fresh) ? wholeRecords(block, bytes.view()) : 0;
-        if (whole > 0 || atEnd_ || block.fault) break;
-        if (bytes.size() >= kLongestRecord) {
+        if (whole > 0 || atEnd_ || block.fault || !block.bad.empty()) break;
+        // Of JSON the splitter knows; but not of white space where a record may begin a document.
+        if (bytes.size() >= (form_ == Form::json ? 2 : 1) * kLongestRecord) {
           block.fault = {position_, tooLong()};
           break;
         }
@@ -189,7 +193,8 @@ bool BlockReader::next(Block& block) {
   }
   const std::string_view text = bytes.view();
   carried_.assign(text.substr(whole));
-  borderless_ = 0;
+  lookedAt_ = 0;
+  csv_ = {};
   block.inputBytes = whole;
   if (block.records.data() == nullptr) block.records = text.substr(0, whole);
   const auto begin = static_cast<std::size_t>(block.records.data() - text.data());
@@ -197,8 +202,8 @@ bool BlockReader::next(Block& block) {
   block.position = position_;
   moveOn(text.substr(begin, whole - begin));
   block.last = atEnd_ && carried_.size() == 0;
-  over_ = block.fault || block.last || (atEnd_ && whole == 0);
-  return whole > 0 || block.fault;
+  over_ = block.fault || block.last || (atEnd_ && carried_.size() == 0);
+  return whole > 0 || block.fault || !block.bad.empty();  // as where the input ends in an array
 }
 
 bool BlockReader::mayEndRecord(std::string_view fresh) const {
@@ -210,7 +215,7 @@ std::size_t BlockReader::wholeRecords(Block& block, std::string_view text) {
     case Form::json:
       return wholeJson(block, text);
     case Form::csv:
-      return atEnd_ ? text.size() : wholeCsv(text);
+      return atEnd_ ? text.size() : csv_.lastEnd(text);
     case Form::text:
       return atEnd_ ? text.size() : behindLastLine(text);
     case Form::f64:
@@ -220,86 +225,79 @@ std::size_t BlockReader::wholeRecords(Block& block, std::string_view text) {
 }
 
 std::size_t BlockReader::wholeJson(Block& block, std::string_view text) {
-  if (splitter_.insideArray()) return wholeArrayRecords(block, text);
+  if (state_.place != JsonState::Place::top) return wholeArrayRecords(block, text);
+  block.state = state_;
   if (atEnd_) return text.size();
   // What ends at a border is whole, be it right or wrong: whoever works on the block will see.
-  std::size_t whole = lastBorder(text, borderless_);
-  if (whole == npos) {
-    whole = 0;
-    borderless_ = text.find_last_not_of(" \t\r\n") + 1;  // npos + 1 is 0
-  } else {
-    splitter_ = JsonSplitter();
+  const std::size_t border = lastBorder(text, std::exchange(lookedAt_, text.size()));
+  if (border != npos && !mayOpenArray(text.substr(0, border))) {
+    state_ = {};
+    state_.column = border - text.rfind('\n', border) - 1;
+    splitter_ = JsonSplitter(state_);
+    return border;
   }
+  std::size_t whole = 0;
   for (;;) {
-    // The first record may be long, and looked at again when more of it is here.
-    JsonSplitter behind;
-    JsonSplitter& splitter = whole == 0 ? splitter_ : behind;
-    const std::string_view rest = text.substr(whole);
-    JsonPiece piece;
-    try {
-      piece = splitter.next(rest, false);
-    } catch (const RecordError& e) {
-      splitter_ = JsonSplitter();
-      const std::size_t line = rest.find('\n', e.offset);
-      return line == npos ? whole : whole + line + 1;
-    }
+    JsonPiece piece = splitter_.next(text.substr(whole), JsonSplitter::End::open);
     if (piece.event == JsonEvent::needMore) return whole;
     if (piece.event == JsonEvent::beginArray) {
-      const std::size_t array = wholeArray(splitter, rest.substr(piece.end));
-      if (array == 0 && whole > 0) return whole;
+      const JsonSplitter behindOpening = splitter_;
+      const std::size_t array = wholeArray(splitter_, text.substr(whole + piece.end));
+      if (array == 0 && whole > 0) {
+        splitter_ = JsonSplitter(state_);
+        return whole;
+      }
       if (array == 0) {
+        splitter_ = behindOpening;
+        state_ = splitter_.state();
         block.opening = piece.text;
         block.records = text.substr(piece.end, 0);
         return piece.end + wholeArrayRecords(block, text.substr(piece.end));
       }
       piece.end += array;
-      splitter = JsonSplitter();
     }
     whole += piece.end;
+    state_ = splitter_.state();
   }
 }
 
 /// Where the array ends whose opening bracket the splitter has passed; 0 if that cannot be said.
-std::size_t BlockReader::wholeArray(JsonSplitter splitter, std::string_view text) {
-  try {
-    for (std::size_t end = 0;;) {
-      const JsonPiece piece = splitter.next(text.substr(end), false);
-      if (piece.event == JsonEvent::needMore) return 0;
-      end += piece.end;
-      if (piece.event == JsonEvent::endArray) return end;
-    }
-  } catch (const RecordError&) {
-    return 0;
+std::size_t BlockReader::wholeArray(JsonSplitter& splitter, std::string_view text) {
+  for (std::size_t end = 0;;) {
+    const JsonPiece piece = splitter.next(text.substr(end), JsonSplitter::End::open);
+    if (piece.event == JsonEvent::needMore) return 0;
+    end += piece.end;
+    if (piece.event == JsonEvent::endArray) return end;
   }
 }
 
 std::size_t BlockReader::wholeArrayRecords(Block& block, std::string_view text) {
   block.inArray = true;
-  std::size_t whole = 0, end = 0;
-  const auto finish = [&] {
-    block.records = text.substr(0, end);
-    return whole;
-  };
+  char* const own = block.bytes.data() + (text.data() - block.bytes.data());
+  std::size_t whole = 0;
   for (;;) {
-    JsonPiece piece;
-    try {
-      piece = splitter_.next(text.substr(whole), atEnd_);
-    } catch (const RecordError& e) {
-      const auto begin = static_cast<std::size_t>(text.data() - block.bytes.data());
-      block.fault = {positionAt(block.bytes.view(), begin + whole + e.offset, position_), e.what()};
-      return finish();
-    }
-    if (piece.event != JsonEvent::record && piece.event != JsonEvent::endArray) return finish();
-    const auto begin = static_cast<std::size_t>(piece.text.data() - text.data());
-    // The comma, made blank: the bytes are the block's own.
-    for (std::size_t at = whole; at < begin; ++at)
-      if (text[at] == ',') block.bytes.data()[static_cast<std::size_t>(&text[at] - block.bytes.data())] = ' ';
+    const bool inDocument = splitter_.state().inDocument;
+    const JsonPiece piece =
+        splitter_.next(text.substr(whole), atEnd_ ? JsonSplitter::End::ofInput : JsonSplitter::End::open);
+    const bool ends = piece.event == JsonEvent::endArray;
+    if (!piece.message.empty())
+      block.bad.push_back({ends ? whole + piece.at : static_cast<std::size_t>(piece.text.data() - text.data()),
+                           whole + piece.at, piece.message});
+    const std::size_t begin = whole;
     whole += piece.end;
-    if (piece.event == JsonEvent::endArray) {
-      block.closing = piece.text;
-      return finish();
+    if (ends) {
+      block.closing = !piece.message.empty() ? (inDocument ? "]}" : "]") : std::string(piece.text);
+      block.records = text.substr(0, piece.message.empty() ? whole - piece.text.size() : whole);
+    } else {
+      block.records = text.substr(0, whole);
     }
-    end = whole;
+    if (piece.event == JsonEvent::bad || piece.event == JsonEvent::passed || ends)
+      for (std::size_t at = begin; at < whole; ++at)
+        if (own[at] != '\n') own[at] = ' ';
+    if (piece.event == JsonEvent::needMore || ends) {
+      state_ = splitter_.state();
+      return whole;
+    }
   }
 }
 

@@ -5,9 +5,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "input/file.hpp"
 #include "input/json_text.hpp"
+#include "stream/csv_lines.hpp"
 #include "stream/form.hpp"
 #include "stream/json_splitter.hpp"
 
@@ -48,14 +50,18 @@ struct Block {
   std::string opening;               ///< an array begins here: what stands before its first record
   std::string closing;               ///< and ends here: what stands behind its last one
   std::optional<StreamFault> fault;  ///< what is wrong behind the records: nothing follows
+  JsonState state;                   ///< JSON, outside of an array: of all that comes before the records
+  /// JSON, in an array: what is wrong between the records, or in their place, which was made blank, line breaks apart.
+  struct Bad {
+    std::size_t begin, at;  ///< offsets in records: of what is wrong, and where the message points
+    std::string message;
+  };
+  std::vector<Bad> bad;
 };
 
 class BlockReader {
  public:
   static constexpr std::size_t kBlock = 256 << 10;  ///< bytes that are read at a time
-  /// A record that is longer is an error.
-  static constexpr std::size_t kLongestRecord = 64 << 20;
-
   /// wake: a descriptor that interrupts waiting for input. block: in place of kBlock.
   BlockReader(std::unique_ptr<InputFile> file, std::size_t firstLine, int wake, std::size_t block = kBlock);
   /// Of bytes given instead of a file.
@@ -87,7 +93,7 @@ class BlockReader {
   std::size_t wholeRecords(Block& block, std::string_view text);
   std::size_t wholeJson(Block& block, std::string_view text);
   std::size_t wholeArrayRecords(Block& block, std::string_view text);
-  static std::size_t wholeArray(JsonSplitter splitter, std::string_view text);
+  static std::size_t wholeArray(JsonSplitter& splitter, std::string_view text);
   /// Whether a record can end in bytes that were not looked at yet.
   bool mayEndRecord(std::string_view fresh) const;
   /// Reads into carried_ until what is new has a line break, or no more is to be had or to be kept.
@@ -105,8 +111,10 @@ class BlockReader {
   ByteBuffer carried_;  ///< read, not yet given out
   bool atEnd_ = false, over_ = false;
   TextPosition position_;
-  JsonSplitter splitter_;
-  std::size_t borderless_ = 0;  ///< how far the unfinished record is known to have no border
+  JsonState state_;        ///< where carried_ begins
+  JsonSplitter splitter_;  ///< on the way through what it holds
+  std::size_t lookedAt_ = 0;
+  CsvEnds csv_;
 };
 
 }  // namespace viewproj::cmd

@@ -29,4 +29,51 @@ inline std::size_t endOfCsvRecord(std::string_view text, std::size_t from, std::
   }
 }
 
+/// Finds the line breaks that end records in a text that grows, and looks at no byte twice.
+class CsvEnds {
+ public:
+  /// The offset of the next one; npos if there is none yet. text begins as it did in the call before.
+  std::size_t nextEnd(std::string_view text) { return scan(text, true); }
+  /// The offset behind the last one; 0 if there is none yet.
+  std::size_t lastEnd(std::string_view text) {
+    scan(text, false);
+    return behind_;
+  }
+
+ private:
+  static constexpr std::size_t npos = std::string_view::npos;
+
+  std::size_t scan(std::string_view text, bool first) {
+    while (at_ < text.size()) {
+      const std::size_t quote = text.find('"', at_);
+      if (quoted_) {
+        if (quote == npos || quote + 1 == text.size()) {
+          at_ = std::min(quote, text.size());
+          break;  // whether it closes, what follows tells
+        }
+        quoted_ = text[quote + 1] == '"';
+        at_ = quote + 1 + quoted_;
+        continue;
+      }
+      const std::string_view plain = text.substr(0, std::min(quote, text.size()));
+      const std::size_t line = first ? plain.find('\n', at_) : plain.substr(at_).rfind('\n');
+      if (line != npos) {
+        behind_ = first ? line + 1 : at_ + line + 1;
+        if (first) {
+          at_ = behind_;
+          return line;
+        }
+      }
+      at_ = plain.size();
+      if (quote == npos) break;
+      quoted_ = quote == behind_ || text[quote - 1] == ',';
+      ++at_;
+    }
+    return npos;
+  }
+
+  std::size_t at_ = 0, behind_ = 0;
+  bool quoted_ = false;
+};
+
 }  // namespace viewproj::cmd

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 
 #include "stream/batch.hpp"
 #include "stream/json_splitter.hpp"
@@ -68,23 +69,26 @@ class JsonReader final : public RecordReader {
 
   void read(Block& block, Batch& batch) override {
     batch_ = &batch;
-    elements_ = block.inArray;
-    last_ = block.last;
     text_ = block.records;
+    bad_ = block.bad;
     // Where the last record is none, as [1,2 3], parse_many cuts it short and takes the byte behind the text, whatever
     // it is, for what comes next.
     if (!text_.empty()) *(block.bytes.data() + (text_.data() - block.bytes.data()) + text_.size()) = 0;
-    // Records one by one behind a rejected one: for a while, so that many of them do not cost a pass over the rest
-    // each.
-    std::size_t oneByOne = 32;
-    for (std::size_t at = 0; at < text_.size();) {
-      if (fast_ && text_.size() - at <= BlockReader::kBlock + ByteBuffer::kPadding) at = readMany(at);
-      for (std::size_t i = 0; i < oneByOne && at < text_.size(); ++i) at = readNext(at);
-      oneByOne *= 2;
-    }
+    if (block.inArray)
+      readElements();
+    else
+      readPieces(block);
   }
 
  private:
+  /// How many records are read one by one behind one that the fast way rejected: more and more, so that many of them do
+  /// not cost a pass over the rest each.
+  static constexpr std::size_t kOneByOne = 32;
+
+  bool mayReadMany(std::size_t at) const {
+    return fast_ && at < text_.size() && text_.size() - at <= BlockReader::kBlock + ByteBuffer::kPadding;
+  }
+
   /// All records up to the first that is not an ordinary one. Returns where that begins, or the end.
   std::size_t readMany(std::size_t begin) {
     const std::size_t size = text_.size() - begin;
@@ -96,44 +100,68 @@ class JsonReader final : public RecordReader {
       if ((*document).get(value)) break;
       const std::string_view source = document.source();
       if (!add(value, source)) break;
-      done = static_cast<std::size_t>(source.data() - text_.data()) + source.size();
+      done = offset(source) + source.size();
     }
-    return std::min(text_.find_first_not_of(kSpace, done), text_.size());
+    return skipSpace(done);
   }
 
-  /// One record, or one array of them. Returns where it ends.
-  std::size_t readNext(std::size_t at) {
-    JsonSplitter splitter(elements_, !last_);
-    for (;;) {
-      JsonPiece piece;
-      try {
-        piece = splitter.next(text_.substr(at), true);
-      } catch (const RecordError& e) {
-        if (splitter.insideArray()) {
-          batch_->flush();
-          batch_->fail(text_.data() + at + e.offset, e.what());
-        }
-        return passOverLine(at, e);
+  /// An array's records, separated by white space, and between them what the block says is wrong.
+  void readElements() {
+    std::size_t oneByOne = kOneByOne;
+    for (std::size_t at = skipSpace(0); at < text_.size(); oneByOne *= 2) {
+      if (mayReadMany(at)) at = readMany(at);
+      for (std::size_t i = 0; i < oneByOne && at < text_.size(); ++i) {
+        const std::size_t end = endOfValue(text_, at);
+        readRecord(text_.substr(at, end - at));
+        at = skipSpace(end);
       }
-      switch (piece.event) {
-        case JsonEvent::record:
-          readRecord(piece.text);
-          break;
-        case JsonEvent::beginArray:
-          batch_->beginArray(piece.text);
-          break;
-        case JsonEvent::endArray:
-          batch_->endArray(piece.text);
-          break;
-        default:
-          return text_.size();
-      }
-      at += piece.end;
-      if (!splitter.insideArray()) return at;
+    }
+    passBadBefore(text_.substr(text_.size()));
+  }
+
+  /// What is missing before a record stands where it begins.
+  void passBadBefore(std::string_view record) {
+    for (; !bad_.empty() && bad_.front().begin <= offset(record); bad_ = bad_.subspan(1)) {
+      const Block::Bad& bad = bad_.front();
+      batch_->bad(text_.substr(bad.begin, 0), RecordError(bad.at - bad.begin, bad.message));
     }
   }
+
+  /// Records, and arrays of them.
+  void readPieces(const Block& block) {
+    const auto end = block.last ? JsonSplitter::End::ofInput : JsonSplitter::End::ofBlock;
+    JsonSplitter splitter(block.state);
+    std::size_t oneByOne = kOneByOne;
+    for (std::size_t at = 0;; oneByOne *= 2) {
+      if (splitter.isFresh() && mayReadMany(at))
+        if (const std::size_t next = readMany(at); next > at) {
+          JsonState state;
+          const std::size_t line = text_.rfind('\n', next - 1);
+          state.column = line == npos ? block.position.column - 1 + next : next - line - 1;
+          splitter = JsonSplitter(state);
+          at = next;
+        }
+      for (std::size_t i = 0; i < oneByOne; ++i) {
+        const JsonPiece piece = splitter.next(text_.substr(at), end);
+        if (piece.event == JsonEvent::end || piece.event == JsonEvent::needMore) return;
+        take(piece, at);
+        at += piece.end;
+      }
+    }
+  }
+
+  void take(const JsonPiece& piece, std::size_t at) {
+    if (!piece.message.empty()) batch_->bad(piece.text, RecordError(at + piece.at - offset(piece.text), piece.message));
+    if (piece.event == JsonEvent::record) readRecord(piece.text);
+    if (piece.event == JsonEvent::beginArray) batch_->beginArray(piece.text);
+    if (piece.event == JsonEvent::endArray) batch_->endArray(piece.text);
+  }
+
+  std::size_t offset(std::string_view part) const { return static_cast<std::size_t>(part.data() - text_.data()); }
+  std::size_t skipSpace(std::size_t at) const { return std::min(text_.find_first_not_of(kSpace, at), text_.size()); }
 
   void readRecord(std::string_view text) {
+    passBadBefore(text);
     dom::element value;
     const bool accepted = fast_ && text.size() <= BlockReader::kBlock &&
                           parser_.parse(text.data(), text.size(), false).get(value) == simdjson::SUCCESS;
@@ -149,16 +177,6 @@ class JsonReader final : public RecordReader {
     }
   }
 
-  /// Where no record can be made out: the line counts as one, and the next begins afresh.
-  std::size_t passOverLine(std::size_t at, const RecordError& e) {
-    const std::size_t begin = text_.find_first_not_of(kSpace, at);
-    const std::size_t end = std::min(text_.find('\n', begin), text_.size());
-    std::size_t where = at + e.offset;
-    if (batch_->keepsGoing()) where = std::clamp(where, begin, end);
-    batch_->bad(text_.substr(begin, end - begin), RecordError(where - begin, e.what()));
-    return end;
-  }
-
   /// False where it is not of a shape met before, or lacks its numbers.
   bool add(dom::element value, std::string_view text) {
     const bool isArray = value.is_array();
@@ -170,6 +188,7 @@ class JsonReader final : public RecordReader {
       const Plan& plan = *plans[i];
       Numbers numbers;
       if (!readNumbers(values_, plan.layout, text, numbers)) return false;
+      passBadBefore(text);
       batch_->usedAgain(i);
       batch_->add(text, plan, numbers);
       return true;
@@ -196,8 +215,8 @@ class JsonReader final : public RecordReader {
   bool fast_;
   dom::parser parser_;
   Batch* batch_ = nullptr;
-  bool elements_ = false, last_ = false;
   std::string_view text_;
+  std::span<const Block::Bad> bad_;
   std::vector<dom::element> values_;
 };
 

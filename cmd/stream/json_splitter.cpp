@@ -1,7 +1,7 @@
 #include "stream/json_splitter.hpp"
 
 #include <algorithm>
-#include <string>
+#include <array>
 
 #include "input/error.hpp"
 #include "input/record.hpp"
@@ -13,217 +13,504 @@ constexpr std::size_t npos = std::string_view::npos;
 constexpr std::string_view kSpace = " \t\r\n";
 constexpr std::string_view kPoints = "points";
 constexpr const char* kNoSeparator = "expected , or ] behind a record of an array";
+constexpr const char* kNotClosed = "the array is not closed; expected ]";
+
+using Place = JsonState::Place;
+using Passing = JsonState::Passing;
 
 std::size_t skipSpace(std::string_view text, std::size_t at) {
   return std::min(text.find_first_not_of(kSpace, at), text.size());
 }
 
+bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 bool beginsNumber(char c) { return c == '-' || (c >= '0' && c <= '9'); }
 bool opens(char c) { return c == '{' || c == '['; }
 bool closes(char c) { return c == '}' || c == ']'; }
 
-struct BorderAt {
-  enum { no, yes, undecided } is = no;
-  std::size_t next = 0;  ///< behind the white space: the opening bracket
-};
+/// What a scan for brackets passes over at once: all but white space, quotes and brackets.
+constexpr std::array<bool, 256> kOrdinary = [] {
+  std::array<bool, 256> ordinary{};
+  for (std::size_t c = 0; c < 256; ++c) ordinary[c] = true;
+  for (const char c : {' ', '\t', '\r', '\n', '"', '{', '[', '}', ']'}) ordinary[static_cast<unsigned char>(c)] = false;
+  return ordinary;
+}();
 
-/// Whether the line break at `at` is a border, and with it all of the white space it stands in.
-BorderAt borderAt(std::string_view text, std::size_t at) {
-  const std::size_t before = text.find_last_not_of(kSpace, at);
-  const std::size_t behind = text.find_first_not_of(kSpace, at);
-  if (before == npos || !closes(text[before])) return {BorderAt::no, std::min(behind, text.size())};
-  if (behind == npos) return {BorderAt::undecided, text.size()};
-  return {opens(text[behind]) ? BorderAt::yes : BorderAt::no, behind};
+/// The first byte at `at` or behind it that counts within a string: a quote, a backslash or a line break.
+std::size_t endOfPlain(std::string_view text, std::size_t at) {
+  while (at < text.size() && text[at] != '"' && text[at] != '\\' && text[at] != '\n') ++at;
+  return at;
 }
 
-/// Whether an object that starts at `at` has "points" for its first key and an array behind it.
-struct DocumentStart {
-  enum { no, yes, undecided } is;
-  std::size_t end = 0;  ///< behind the array's opening bracket
-};
-
-DocumentStart documentStart(std::string_view text, std::size_t at) {
-  constexpr std::size_t kLongest = kPoints.size() * std::string_view("\\u0070").size();
-  at = skipSpace(text, at + 1);
-  if (at >= text.size()) return {DocumentStart::undecided};
-  if (text[at] != '"') return {DocumentStart::no};
-  const std::string_view rest = text.substr(at + 1, kLongest + 1);
-  std::size_t end = 0;
-  while (end < rest.size() && rest[end] != '"') end += rest[end] == '\\' ? 2 : 1;
-  if (end >= rest.size()) return {rest.size() > kLongest ? DocumentStart::no : DocumentStart::undecided};
-  const std::string_view key = rest.substr(0, end);
-  if (jsonFault("\"" + std::string(key) + "\"") || unescaped(key) != kPoints) return {DocumentStart::no};
-  at = skipSpace(text, at + end + 2);
-  if (at >= text.size()) return {DocumentStart::undecided};
-  if (text[at] != ':') return {DocumentStart::no};
-  at = skipSpace(text, at + 1);
-  if (at >= text.size()) return {DocumentStart::undecided};
-  if (text[at] != '[') return {DocumentStart::no};
-  return {DocumentStart::yes, at + 1};
+/// What is said of a record that ends unclosed.
+JsonFault unclosedFault(std::string_view text) {
+  auto fault = jsonFault(text);
+  if (!fault) return {0, "not closed"};  // uncounted: brackets that do not close are none of JSON
+  constexpr std::string_view kTheirs = "end of input", kOurs = "end of the record";
+  if (const std::size_t at = fault->message.find(kTheirs); at != npos)
+    fault->message.replace(at, kTheirs.size(), kOurs);
+  return *fault;
 }
+
+std::string_view withoutSpaceBehind(std::string_view text) { return text.substr(0, text.find_last_not_of(kSpace) + 1); }
 
 }  // namespace
 
 std::size_t lastBorder(std::string_view text, std::size_t from) {
-  // No farther back than `from`: what stands before was looked at.
-  const auto lineBreakBefore = [&](std::size_t end) {
-    const std::size_t at = end > from ? text.substr(from, end - from).rfind('\n') : npos;
-    return at == npos ? npos : from + at;
-  };
-  for (std::size_t at = lineBreakBefore(text.size()); at != npos; at = lineBreakBefore(at)) {
-    if (const BorderAt border = borderAt(text, at); border.is == BorderAt::yes) return border.next;
-    at = text.find_last_not_of(kSpace, at);
-    if (at == npos) return npos;
+  for (std::size_t at = text.find_last_of("{["); at != npos && at > 0 && at >= from;
+       at = text.find_last_of("{[", at - 1)) {
+    if (!isSpace(text[at - 1])) continue;
+    const std::size_t before = text.find_last_not_of(kSpace, at - 1);
+    if (before != npos && closes(text[before]) && text.substr(before, at - before).find('\n') != npos) return at;
   }
   return npos;
+}
+
+bool mayOpenArray(std::string_view text) {
+  for (std::size_t at = text.find('['); at != npos; at = text.find('[', at + 1)) {
+    const std::size_t inner = skipSpace(text, at + 1);
+    if (inner == text.size() || opens(text[inner]) || text[inner] == ']') return true;
+  }
+  for (std::size_t at = text.find('{'); at != npos; at = text.find('{', at + 1)) {
+    const std::size_t quote = skipSpace(text, at + 1);
+    if (quote == text.size()) return true;
+    if (text[quote] != '"') continue;
+    const std::string_view key = text.substr(quote + 1, kPoints.size());
+    if (key.size() < kPoints.size() || key == kPoints || key.find('\\') != npos) return true;
+  }
+  return false;
+}
+
+void JsonSplitter::moveOn(std::string_view over, bool blank) {
+  const std::size_t lineBreak = over.rfind('\n');
+  const bool broken = lineBreak != npos;
+  const std::string_view line = broken ? over.substr(lineBreak + 1) : over;
+  state_.column = broken ? line.size() : state_.column + line.size();
+  state_.lineIsBlank = (broken || state_.lineIsBlank) && (blank || line.find_first_not_of(kSpace) == npos);
+  if (blank) {
+    state_.newLine |= broken;
+  } else {
+    if (const std::size_t last = over.find_last_not_of(kSpace); last != npos) state_.before = over[last];
+    if (broken || state_.newLine) state_.onArraysLine = false;
+    state_.newLine = false;
+  }
+  passed_ += over.size();
+  scanned_ = looked_ = 0;
+  step_ = 0;
+  if (passed_ >= unclosedEnd_) unclosed_.reset();
 }
 
 JsonPiece JsonSplitter::piece(JsonEvent event, std::string_view rest, std::size_t begin, std::size_t end) {
-  scanned_ = depth_ = 0;
-  inString_ = false;
-  border_ = npos;
-  return {event, rest.substr(begin, end - begin), end};
+  moveOn(rest.substr(0, end), false);
+  return {.event = event, .text = rest.substr(begin, end - begin), .end = end};
 }
 
-std::size_t JsonSplitter::closing(std::string_view rest, std::size_t begin, std::size_t openBefore, bool atEnd) {
-  if (scanned_ == 0) {
-    scanned_ = begin;
-    depth_ = openBefore;
+std::size_t JsonSplitter::columnOf(std::string_view rest, std::size_t at) const {
+  const std::size_t lineBreak = rest.substr(0, at).rfind('\n');
+  return lineBreak == npos ? state_.column + at : at - lineBreak - 1;
+}
+
+/// An array that began in the line before is not continued so far to the left.
+bool JsonSplitter::endsArraysLine(std::string_view rest, std::size_t at) const {
+  const bool newLine = state_.newLine || rest.substr(0, at).find('\n') != npos;
+  return newLine && state_.onArraysLine && columnOf(rest, at) <= state_.arrayColumn;
+}
+
+JsonPiece JsonSplitter::next(std::string_view rest, End end) {
+  const bool atEnd = end != End::open;
+  if (state_.passing != Passing::nothing)
+    if (const JsonPiece passed = pass(rest); passed.end > 0) return passed;
+  if (scanned_ > 0) return rest[looked_] == ']' ? endOfDocument(rest, looked_, atEnd) : atBracket(rest, looked_, atEnd);
+  const std::size_t at = skipSpace(rest, 0);
+  if (at >= rest.size()) {
+    if (atEnd) return atEndOf(rest, end);
+    if (rest.empty()) return {};
+    moveOn(rest, true);
+    return {.event = JsonEvent::passed, .end = rest.size()};
   }
-  for (; scanned_ < rest.size(); ++scanned_) {
-    const char c = rest[scanned_];
-    if (c == '\n') {
-      const BorderAt border = borderAt(rest, scanned_);
-      if (border.is == BorderAt::undecided && !atEnd) return npos;
-      if (border.is == BorderAt::yes) {
-        border_ = border.next;
-        return npos;
+  switch (state_.place) {
+    case Place::top:
+      return opens(rest[at]) ? atBracket(rest, at, atEnd) : junk(rest, at, kNoRecord);
+    case Place::afterRecord:
+    case Place::afterBad:
+      return behindRecord(rest, at, atEnd);
+    case Place::firstInArray:
+      if (rest[at] == ']') return endOfArray(rest, at, atEnd);
+      break;
+    case Place::inArray:
+      break;
+  }
+  if (rest[at] == ',' || rest[at] == ']') return missing(rest, at, kNoRecord, Place::afterBad);
+  if (!opens(rest[at])) return junk(rest, at, kNoRecord);
+  if (endsArraysLine(rest, at) && state_.place == Place::inArray) {
+    const DocumentStart start = arrayStart(rest, at);
+    if (start == DocumentStart::undecided && !atEnd) return {};
+    if (start == DocumentStart::yes) return brokenEnd(rest, at, kNotClosed);
+  }
+  return atBracket(rest, at, atEnd);
+}
+
+JsonPiece JsonSplitter::behindRecord(std::string_view rest, std::size_t at, bool atEnd) {
+  if (rest[at] == ',') {
+    JsonPiece comma = piece(JsonEvent::passed, rest, at, at + 1);
+    state_.place = Place::inArray;
+    return comma;
+  }
+  if (rest[at] == ']') return endOfArray(rest, at, atEnd);
+  if (!opens(rest[at])) return junk(rest, at, kNoSeparator);
+  DocumentStart start = DocumentStart::yes;
+  if (!endsArraysLine(rest, at)) start = arrayStart(rest, at);
+  if (start == DocumentStart::undecided && !atEnd) return {};
+  if (start == DocumentStart::yes) return brokenEnd(rest, at, kNotClosed);
+  if (state_.place == Place::afterBad) return atBracket(rest, at, atEnd);
+  return missing(rest, at, kNoSeparator, Place::inArray);
+}
+
+JsonPiece JsonSplitter::atEndOf(std::string_view rest, End end) {
+  if (state_.place == Place::top) return piece(JsonEvent::end, rest, rest.size(), rest.size());
+  const char* const message = end == End::ofBlock             ? kNotClosed
+                              : state_.place == Place::inArray ? "the input ends behind a comma; expected a record"
+                                                              : "the input ends inside an array; expected ]";
+  return brokenEnd(rest, rest.size(), message);
+}
+
+/// Something that is not there.
+JsonPiece JsonSplitter::missing(std::string_view rest, std::size_t at, const char* message, Place next) {
+  moveOn(rest.substr(0, at), true);
+  state_.place = next;
+  return {.event = JsonEvent::bad, .text = rest.substr(at, 0), .end = at, .message = message, .at = at};
+}
+
+/// What begins as no record does: to the next bracket, or the end of its line, or of its place in an array.
+JsonPiece JsonSplitter::junk(std::string_view rest, std::size_t at, const char* message) {
+  const bool quote = rest[at] == '"';
+  JsonPiece bad = piece(JsonEvent::bad, rest, at, at + 1);
+  bad.message = message;
+  bad.at = at;
+  if (insideArray()) state_.place = Place::afterBad;
+  state_.passing = Passing::junk;
+  state_.inString = quote;
+  state_.escaped = false;
+  return bad;
+}
+
+/// Over junk, or over lines until one begins as a record does. Nothing where that is here.
+JsonPiece JsonSplitter::pass(std::string_view rest) {
+  std::size_t at = 0;
+  if (state_.passing == Passing::junk) {
+    for (; at < rest.size() && rest[at] != '\n'; ++at) {
+      const char c = rest[at];
+      if (state_.escaped)
+        state_.escaped = false;
+      else if (state_.inString && c == '\\')
+        state_.escaped = true;
+      else if (c == '"')
+        state_.inString = !state_.inString;
+      else if (!state_.inString && (opens(c) || (insideArray() && (c == ',' || c == ']'))))
+        break;
+    }
+    if (at < rest.size()) state_.passing = Passing::nothing;
+  } else {
+    bool blank = state_.lineIsBlank;
+    std::size_t column = state_.column;
+    char before = state_.before;
+    for (; at < rest.size(); ++at, ++column) {
+      const char c = rest[at];
+      if (c == '\n') {
+        blank = true;
+        column = npos;  // 0 at the next
+      } else if (!isSpace(c)) {
+        const bool asRecord = opens(c) && (column <= state_.linesColumn || closes(before));
+        if (blank && (asRecord || (c == ']' && insideArray() && column <= state_.linesColumn))) {
+          state_.passing = Passing::nothing;
+          break;
+        }
+        blank = false;
+        before = c;
       }
-      scanned_ = border.next - 1;
-    } else if (inString_) {
+    }
+  }
+  if (at == 0) return {};
+  return piece(JsonEvent::passed, rest, at, at);
+}
+
+/// Whether an object that starts at `at` has "points" for its first key and an array behind it. looked_ is behind that
+/// array's opening bracket then.
+JsonSplitter::DocumentStart JsonSplitter::documentStart(std::string_view rest, std::size_t at) {
+  constexpr std::size_t kLongest = kPoints.size() * std::string_view("\\u0070").size();
+  if (step_ == 0) {
+    looked_ = at + 1;
+    step_ = 1;
+  }
+  for (;;) {
+    looked_ = skipSpace(rest, looked_);
+    if (looked_ >= rest.size()) return DocumentStart::undecided;
+    const char c = rest[looked_];
+    if (step_ == 1) {
+      if (c != '"') return DocumentStart::no;
+      const std::string_view after = rest.substr(looked_ + 1, kLongest + 1);
+      std::size_t end = 0;
+      while (end < after.size() && after[end] != '"') end += after[end] == '\\' ? 2 : 1;
+      if (end >= after.size()) return after.size() > kLongest ? DocumentStart::no : DocumentStart::undecided;
+      const std::string_view key = after.substr(0, end);
+      if (jsonFault("\"" + std::string(key) + "\"") || unescaped(key) != kPoints) return DocumentStart::no;
+      looked_ += end + 2;
+    } else if (step_ == 2) {
+      if (c != ':') return DocumentStart::no;
+      ++looked_;
+    } else {
+      if (c != '[') return DocumentStart::no;
+      ++looked_;
+      return DocumentStart::yes;
+    }
+    ++step_;
+  }
+}
+
+/// Whether what starts at `at` is an array or a document of records, were it not in an array.
+JsonSplitter::DocumentStart JsonSplitter::arrayStart(std::string_view rest, std::size_t at) {
+  if (rest[at] == '{') return documentStart(rest, at);
+  looked_ = skipSpace(rest, std::max(looked_, at + 1));
+  if (looked_ >= rest.size()) return DocumentStart::undecided;
+  const char c = rest[looked_];
+  return opens(c) || c == ']' ? DocumentStart::yes : DocumentStart::no;
+}
+
+JsonPiece JsonSplitter::atBracket(std::string_view rest, std::size_t at, bool atEnd) {
+  if (scanned_ == 0) {
+    if (state_.place == Place::top) {
+      const DocumentStart start = arrayStart(rest, at);
+      if (start == DocumentStart::undecided && !atEnd) return {};
+      if (start == DocumentStart::yes) {
+        const bool document = rest[at] == '{';
+        const std::size_t column = columnOf(rest, at);
+        JsonPiece begin = piece(JsonEvent::beginArray, rest, at, document ? looked_ : at + 1);
+        state_.place = Place::firstInArray;
+        state_.inDocument = document;
+        state_.arrayColumn = column;
+        state_.onArraysLine = true;
+        return begin;
+      }
+    }
+    if (isKnownUnclosed(at)) {
+      const std::size_t end = unclosedEnd_ - passed_;
+      const std::size_t line = nextLineOfRecord(rest, at + 1, end, columnOf(rest, at));
+      return unclosedRecord(rest, at, std::min(line, end), line == npos && unclosedCutLines_, false);
+    }
+  }
+  // Of numbers, or in an array: no brackets belong into it. looked_: what comes behind the bracket.
+  const bool numbers = scanned_ == 0 && looked_ < rest.size() && beginsNumber(rest[looked_]);
+  const bool flat = rest[at] == '[' && (insideArray() || numbers);
+  switch (scan(rest, at, rest[at], flat, atEnd)) {
+    case Scan::needMore:
+      return {};
+    case Scan::failed:
+      return failedRecord(rest, at);
+    case Scan::closed:
+      break;
+  }
+  JsonPiece record = piece(JsonEvent::record, rest, at, scanned_);
+  if (insideArray()) state_.place = Place::afterRecord;
+  return record;
+}
+
+/// On to where all that is open is closed. failed: scanned_ is then where it certainly ends.
+JsonSplitter::Scan JsonSplitter::scan(std::string_view rest, std::size_t begin, char open, bool flat, bool atEnd) {
+  if (scanned_ == 0) {
+    looked_ = begin;
+    flat_ = flat;
+    scanned_ = begin + 1;
+    open_ = open;
+    inString_ = lineBegins_ = cutLines_ = tooLong_ = false;
+    before_ = rest[begin];
+    column_ = columnOf(rest, begin);
+    firstLine_ = npos;
+  }
+  const std::string_view text = rest.substr(0, std::min(rest.size(), begin + kLongestRecord));
+  while (scanned_ < text.size()) {
+    if (inString_) {
+      scanned_ = endOfPlain(text, scanned_);
+      if (scanned_ == text.size()) break;
+      const char c = text[scanned_];
+      if (c == '\n') {
+        cutLines_ = true;
+        return Scan::failed;
+      }
       if (c == '\\') {
-        if (scanned_ + 1 == rest.size()) return npos;  // the escaped byte comes with the next block
-        ++scanned_;
-      } else if (c == '"') {
-        inString_ = false;
+        if (scanned_ + 1 == text.size()) break;  // the escaped byte comes with the next block
+        scanned_ += text[scanned_ + 1] == '\n' ? 1 : 2;
+        continue;
       }
-    } else if (c == '"') {
+      inString_ = false;
+      before_ = c;
+      ++scanned_;
+      continue;
+    }
+    const char c = text[scanned_];
+    if (kOrdinary[static_cast<unsigned char>(c)]) {
+      do ++scanned_;
+      while (scanned_ < text.size() && kOrdinary[static_cast<unsigned char>(text[scanned_])]);
+      before_ = text[scanned_ - 1];
+      lineBegins_ = false;
+      continue;
+    }
+    if (isSpace(c)) {
+      if (c == '\n') {
+        lineBegins_ = true;
+        line_ = scanned_ + 1;
+      }
+      ++scanned_;
+      continue;
+    }
+    const bool lineBegins = lineBegins_;
+    lineBegins_ = false;
+    if (c == '"') {
       inString_ = true;
     } else if (opens(c)) {
-      ++depth_;
-    } else if (closes(c) && --depth_ == 0) {
-      return ++scanned_;
+      if (lineBegins) {
+        if (closes(before_)) return Scan::failed;
+        if (scanned_ - line_ <= column_) {
+          if (firstLine_ == npos) firstLine_ = scanned_;
+          if (flat_ || (open_.back() == '{' && before_ != ':')) return Scan::failed;
+        }
+      }
+      open_ += c;
+    } else {
+      if (lineBegins && c == ']' && insideArray() && scanned_ - line_ <= column_) {
+        if (firstLine_ == npos) firstLine_ = scanned_;
+        if (open_.back() == '{') return Scan::failed;
+      }
+      open_.pop_back();
+      if (open_.empty()) {
+        ++scanned_;
+        return Scan::closed;
+      }
     }
+    before_ = c;
+    ++scanned_;
+  }
+  tooLong_ = rest.size() >= begin + kLongestRecord;
+  if (!atEnd && !tooLong_) return Scan::needMore;
+  scanned_ = text.size();
+  cutLines_ = tooLong_;
+  return Scan::failed;
+}
+
+/// Notes all brackets from begin on that are not closed before the scan's end.
+void JsonSplitter::noteUnclosed(std::string_view rest, std::size_t begin) {
+  const auto unclosed = std::make_shared<std::vector<std::size_t>>();
+  const std::string_view text = rest.substr(0, scanned_);
+  for (std::size_t at = begin; at < text.size(); ++at) {
+    const char c = text[at];
+    if (c == '"') {
+      for (++at; at < text.size() && text[at] != '"'; ++at) at += text[at] == '\\';
+    } else if (opens(c)) {
+      unclosed->push_back(passed_ + at);
+    } else if (closes(c) && !unclosed->empty()) {
+      unclosed->pop_back();
+    }
+  }
+  unclosed_ = unclosed;
+  nextUnclosed_ = 0;
+  unclosedEnd_ = passed_ + scanned_;
+  unclosedCutLines_ = cutLines_;
+}
+
+bool JsonSplitter::isKnownUnclosed(std::size_t at) {
+  if (!unclosed_) return false;
+  while (nextUnclosed_ < unclosed_->size() && (*unclosed_)[nextUnclosed_] < passed_ + at) ++nextUnclosed_;
+  return nextUnclosed_ < unclosed_->size() && (*unclosed_)[nextUnclosed_] == passed_ + at;
+}
+
+/// The first opening bracket between from and end that begins a line no farther right than column; npos: none.
+std::size_t JsonSplitter::nextLineOfRecord(std::string_view rest, std::size_t from, std::size_t end,
+                                           std::size_t column) const {
+  const std::string_view text = rest.substr(0, end);
+  for (std::size_t lineBreak = text.find('\n', from); lineBreak != npos; lineBreak = text.find('\n', lineBreak + 1)) {
+    const std::size_t first = text.find_first_not_of(" \t\r", lineBreak + 1);
+    if (first == npos) break;
+    const bool asRecord = opens(text[first]) || (text[first] == ']' && insideArray());
+    if (asRecord && first - lineBreak - 1 <= column) return first;
   }
   return npos;
 }
 
-/// end: where the next record begins, or the input ends.
-void JsonSplitter::failUnclosed(std::string_view rest, std::size_t begin, std::size_t end) {
-  end = rest.find_last_not_of(kSpace, end - 1) + 1;
-  const auto fault = jsonFault(rest.substr(begin, end - begin));
-  if (!fault) throw RecordError(begin, "not closed");
-  std::string message = fault->message;
-  constexpr std::string_view kTheirs = "end of input", kOurs = "end of the record";
-  if (const std::size_t at = message.find(kTheirs); at != npos) message.replace(at, kTheirs.size(), kOurs);
-  throw RecordError(begin + fault->offset, message);
+/// Of what the scan found not to be closed, the part before the first line that begins as a record does.
+JsonPiece JsonSplitter::failedRecord(std::string_view rest, std::size_t at) {
+  if (firstLine_ == npos) return unclosedRecord(rest, at, scanned_, cutLines_, tooLong_);
+  if (firstLine_ < scanned_) noteUnclosed(rest, at);
+  return unclosedRecord(rest, at, firstLine_, false, false);
 }
 
-JsonPiece JsonSplitter::next(std::string_view rest, bool atEnd) {
-  std::size_t at = skipSpace(rest, 0);
-  if (at >= rest.size()) {
-    if (!atEnd) return {};
-    if (place_ == Place::top) return piece(JsonEvent::end, rest, at, at);
-    const bool between = place_ == Place::afterRecord;
-    throw RecordError(at, between && cut_ ? kNoSeparator : "the input ends inside an array; expected ]");
+JsonPiece JsonSplitter::unclosedRecord(std::string_view rest, std::size_t at, std::size_t end, bool passLines,
+                                       bool tooLong) {
+  const std::size_t column = columnOf(rest, at);
+  JsonPiece bad = piece(JsonEvent::bad, rest, at, end);
+  const JsonFault fault = tooLong
+                              ? JsonFault{0, "a record longer than " + std::to_string(kLongestRecord >> 20) + " MiB"}
+                              : unclosedFault(withoutSpaceBehind(bad.text));
+  bad.message = fault.message;
+  bad.at = at + fault.offset;
+  if (passLines) {
+    state_.passing = Passing::lines;
+    state_.linesColumn = column;
   }
-  if (place_ == Place::afterRecord) {
-    if (rest[at] == ',') {
-      at = skipSpace(rest, at + 1);
-      if (at >= rest.size()) {
-        if (!atEnd) return {};
-        throw RecordError(at, "the input ends behind a comma; expected a record");
-      }
-    } else if (rest[at] != ']') {
-      throw RecordError(at, kNoSeparator);
-    } else {
-      return endOfArray(rest, at, atEnd);
-    }
-  }
-  if (place_ == Place::firstInArray && rest[at] == ']') return endOfArray(rest, at, atEnd);
-  return atBracket(rest, at, atEnd);
+  if (insideArray()) state_.place = Place::afterBad;
+  return bad;
+}
+
+/// The array ends at `end` without what should end it.
+JsonPiece JsonSplitter::brokenEnd(std::string_view rest, std::size_t end, const std::string& message) {
+  const std::string_view over = rest.substr(0, end);
+  moveOn(over, over.find_first_not_of(kSpace) == npos);
+  state_.place = Place::top;
+  state_.inDocument = false;
+  return {.event = JsonEvent::endArray, .text = rest.substr(end, 0), .end = end, .message = message, .at = end};
 }
 
 JsonPiece JsonSplitter::endOfArray(std::string_view rest, std::size_t at, bool atEnd) {
-  if (!inDocument_) {
-    place_ = Place::top;
-    return piece(JsonEvent::endArray, rest, at, at + 1);
+  if (state_.inDocument) return endOfDocument(rest, at, atEnd);
+  if (state_.place != Place::firstInArray) {
+    // An array does not end before a comma.
+    looked_ = std::min(rest.find_first_not_of(" \t\r", std::max(looked_, at + 1)), rest.size());
+    if (looked_ == rest.size() && !atEnd) return {};
+    if (looked_ < rest.size() && (rest[looked_] == ',' || rest[looked_] == '}')) return junk(rest, at, kNoSeparator);
   }
-  const std::size_t end = closing(rest, at + 1, 1, atEnd);
-  if (end == npos) {
-    if (!atEnd && border_ == npos) return {};
-    throw RecordError(std::min(border_, rest.size()), "the document is not closed; expected }");
+  JsonPiece end = piece(JsonEvent::endArray, rest, at, at + 1);
+  state_.place = Place::top;
+  return end;
+}
+
+JsonPiece JsonSplitter::endOfDocument(std::string_view rest, std::size_t at, bool atEnd) {
+  const std::size_t column = columnOf(rest, at);
+  const Scan found = scan(rest, at, '{', false, atEnd);
+  if (found == Scan::needMore) return {};
+  if (found == Scan::failed) {
+    const bool passLines = firstLine_ == npos && cutLines_;
+    JsonPiece broken = brokenEnd(rest, std::min(firstLine_, scanned_), "the document is not closed; expected }");
+    if (passLines) {
+      state_.passing = Passing::lines;
+      state_.linesColumn = column;
+    }
+    return broken;
   }
+  const std::size_t end = scanned_;
   constexpr std::string_view kBefore = "{\"points\":[";
   const std::string document = std::string(kBefore) + std::string(rest.substr(at, end - at));
-  const auto fail = [&](std::size_t offset, const std::string& message) {
-    throw RecordError(at + offset - std::min(offset, kBefore.size()), message);
+  const auto broken = [&](std::size_t offset, const std::string& message) {
+    JsonPiece bad = brokenEnd(rest, end, message);
+    bad.at = at + offset - std::min(offset, kBefore.size());
+    bad.text = rest.substr(bad.at, 0);
+    return bad;
   };
-  if (const auto fault = jsonFault(document)) fail(fault->offset, fault->message);
+  if (const auto fault = jsonFault(document)) return broken(fault->offset, fault->message);
   JsonParts parts(document);
   parts.next();
   while (const auto part = parts.next())
-    if (unescaped(part->key) == kPoints) fail(part->offset, "has the field 'points' twice");
-  place_ = Place::top;
-  inDocument_ = false;
-  return piece(JsonEvent::endArray, rest, at, end);
-}
-
-JsonPiece JsonSplitter::atBracket(std::string_view rest, std::size_t at, bool atEnd) {
-  const char first = rest[at];
-  const bool mayOpenArray = place_ == Place::top && !elements_;
-  if (mayOpenArray && first == '{') {
-    const DocumentStart start = documentStart(rest, at);
-    if (start.is == DocumentStart::undecided && !atEnd) return {};
-    if (start.is == DocumentStart::yes) {
-      place_ = Place::firstInArray;
-      inDocument_ = true;
-      return piece(JsonEvent::beginArray, rest, at, start.end);
-    }
-  }
-  if (mayOpenArray && first == '[') {
-    const std::size_t second = skipSpace(rest, at + 1);
-    if (second >= rest.size() && !atEnd) return {};
-    if (second < rest.size() && !beginsNumber(rest[second])) {
-      place_ = Place::firstInArray;
-      return piece(JsonEvent::beginArray, rest, at, at + 1);
-    }
-  }
-  if (!opens(first)) return atScalar(rest, at, atEnd);
-
-  const std::size_t end = closing(rest, at, 0, atEnd);
-  if (end == npos) {
-    if (!atEnd && border_ == npos) return {};
-    failUnclosed(rest, at, std::min(border_, rest.size()));
-  }
-  if (place_ != Place::top) place_ = Place::afterRecord;
-  return piece(JsonEvent::record, rest, at, end);
-}
-
-/// Between the brackets of an array it can be told where a value ends that is no record: only that one is bad.
-JsonPiece JsonSplitter::atScalar(std::string_view rest, std::size_t at, bool atEnd) {
-  std::size_t end = at + 1;
-  if (rest[at] == '"') {
-    while (end < rest.size() && rest[end] != '"' && rest[end] != '\n') end += rest[end] == '\\' ? 2 : 1;
-    end = std::min(end + 1, rest.size());
-  } else {
-    end = std::min(rest.find_first_of(" \t\r\n,[]{}\"", end), rest.size());
-  }
-  const bool inArray = place_ != Place::top || elements_;
-  if (inArray && end == rest.size() && !atEnd) return {};
-  if (!inArray || jsonFault(rest.substr(at, end - at))) throw RecordError(at, kNoRecord);
-  if (place_ != Place::top) place_ = Place::afterRecord;
-  return piece(JsonEvent::record, rest, at, end);
+    if (unescaped(part->key) == kPoints) return broken(part->offset, "has the field 'points' twice");
+  JsonPiece closed = piece(JsonEvent::endArray, rest, at, end);
+  state_.place = Place::top;
+  state_.inDocument = false;
+  return closed;
 }
 
 }  // namespace viewproj::cmd

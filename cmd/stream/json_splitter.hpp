@@ -1,66 +1,127 @@
-// Where one JSON record of a stream ends and the next begins.
+// Where one JSON record of a stream ends and the next begins, in good JSON and in broken JSON: a property of the text
+// alone. "What is broken" in cmd/README.md states the rules.
 #pragma once
 
 #include <cstddef>
+#include <memory>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "input/json_text.hpp"
 
 namespace viewproj::cmd {
 
-/// A record border that needs no look at what comes before: a line break, white space around it allowed, between a
-/// closing and an opening bracket. Valid JSON has none inside of a value, for a comma would stand there. Returns the
-/// offset of the opening bracket of the last one whose line break is at `from` or behind it, or npos.
+/// A JSON record that is longer is an error, and so is one of any other form.
+inline constexpr std::size_t kLongestRecord = 64 << 20;
+
+/// A record border that needs no look at what comes before: a line that begins with an opening bracket behind one that
+/// ends with a closing bracket. Valid JSON has none inside of a value, for a comma would stand there. Returns the offset
+/// of the last such opening bracket that is at `from` or behind it, or npos.
 std::size_t lastBorder(std::string_view text, std::size_t from = 0);
+
+/// Whether an array or a document of records may begin in text; false is certain.
+bool mayOpenArray(std::string_view text);
 
 /// What the next bytes of a stream are.
 enum class JsonEvent {
   needMore,    ///< not decided by the bytes at hand
-  record,      ///< text is one record, or a value in an array that can be none
+  passed,      ///< nothing of its own: white space, a comma of an array, the rest of what was bad
+  record,      ///< text is one record, its brackets closed
+  bad,         ///< text is none, as message says
   beginArray,  ///< text is what stands before the first record: `[`, or `{"points": [`
-  endArray,    ///< text is what follows the last record: `]`, or `]` and the rest of the document
+  endArray,    ///< text is what follows the last record: `]`, or `]` and the rest of the document. message: it is broken
   end,
 };
 
 struct JsonPiece {
   JsonEvent event = JsonEvent::needMore;
-  std::string_view text;
+  std::string_view text = {};
   std::size_t end = 0;  ///< how many bytes are used up with it
+  std::string message = {};
+  std::size_t at = 0;  ///< in the rest, where the message points
+};
+
+/// What is to be known of all that comes before a piece.
+struct JsonState {
+  enum class Place : char { top, firstInArray, inArray, afterRecord, afterBad };
+  enum class Passing : char { nothing, junk, lines };  ///< over the rest of what is bad
+
+  Place place = Place::top;
+  bool inDocument = false;
+  Passing passing = Passing::nothing;
+  bool inString = false, escaped = false;  ///< of junk
+  std::size_t linesColumn = 0;             ///< lines: where the bad record began in its line
+  std::size_t column = 0;                  ///< bytes of the line
+  bool lineIsBlank = true;                 ///< so far
+  bool newLine = false;                    ///< since the last piece that was not white space
+  char before = 0;                         ///< the last byte that is not white space
+  std::size_t arrayColumn = 0;
+  bool onArraysLine = false;  ///< the array began in the line of the last piece
 };
 
 /// Cuts a stream into pieces, from left to right.
 class JsonSplitter {
  public:
-  /// elements: what comes is the records of an array, separated by white space alone. cut: where the text ends, another
-  /// record begins.
-  explicit JsonSplitter(bool elements = false, bool cut = false) : elements_(elements), cut_(cut) {}
+  explicit JsonSplitter(const JsonState& state = {}) : state_(state) {}
 
-  /// rest: all bytes behind the last piece, which begin with the same ones if the last call needed more. atEnd: no more
-  /// will follow. Throws RecordError, at an offset of rest, where no record can be.
-  JsonPiece next(std::string_view rest, bool atEnd);
+  enum class End { open, ofBlock, ofInput };
+  /// rest: all bytes behind the last piece, which begin with the same ones if the last call needed more. end: what it
+  /// ends with; ofBlock: where another splitter found a piece to end.
+  JsonPiece next(std::string_view rest, End end);
 
   /// Between an array's brackets.
-  bool insideArray() const { return place_ != Place::top; }
+  bool insideArray() const { return state_.place != JsonState::Place::top; }
+  /// Nothing of what comes next was looked at.
+  bool isFresh() const { return !insideArray() && state_.passing == JsonState::Passing::nothing && !unclosed_; }
+  /// One who begins here, with this state, finds the same pieces.
+  const JsonState& state() const { return state_; }
 
  private:
-  enum class Place { top, firstInArray, inArray, afterRecord };
+  enum class Scan { closed, failed, needMore };
+  enum class DocumentStart { no, yes, undecided };
 
+  JsonPiece pass(std::string_view rest);
+  JsonPiece behindRecord(std::string_view rest, std::size_t at, bool atEnd);
+  JsonPiece atEndOf(std::string_view rest, End end);
   JsonPiece atBracket(std::string_view rest, std::size_t at, bool atEnd);
-  JsonPiece atScalar(std::string_view rest, std::size_t at, bool atEnd);
   JsonPiece endOfArray(std::string_view rest, std::size_t at, bool atEnd);
+  JsonPiece endOfDocument(std::string_view rest, std::size_t at, bool atEnd);
+  JsonPiece brokenEnd(std::string_view rest, std::size_t end, const std::string& message);
+  JsonPiece junk(std::string_view rest, std::size_t at, const char* message);
+  JsonPiece missing(std::string_view rest, std::size_t at, const char* message, JsonState::Place next);
+  JsonPiece unclosedRecord(std::string_view rest, std::size_t at, std::size_t end, bool passLines, bool tooLong);
+  JsonPiece failedRecord(std::string_view rest, std::size_t at);
   JsonPiece piece(JsonEvent event, std::string_view rest, std::size_t begin, std::size_t end);
-  /// The end of the bracketed value that starts at begin; npos: not there yet, or a border comes first, which border_
-  /// tells then. Remembers how far it looked.
-  std::size_t closing(std::string_view rest, std::size_t begin, std::size_t openBefore, bool atEnd);
-  [[noreturn]] static void failUnclosed(std::string_view rest, std::size_t begin, std::size_t end);
+  void moveOn(std::string_view over, bool blank);
 
-  bool elements_, cut_;
-  Place place_ = Place::top;
-  bool inDocument_ = false;
-  // How far the scan of an unfinished value came.
-  std::size_t scanned_ = 0, depth_ = 0;
-  bool inString_ = false;
-  std::size_t border_ = std::string_view::npos;
+  Scan scan(std::string_view rest, std::size_t begin, char open, bool flat, bool atEnd);
+  void noteUnclosed(std::string_view rest, std::size_t begin);
+  bool isKnownUnclosed(std::size_t at);
+  std::size_t nextLineOfRecord(std::string_view rest, std::size_t from, std::size_t end, std::size_t column) const;
+  std::size_t columnOf(std::string_view rest, std::size_t at) const;
+  bool endsArraysLine(std::string_view rest, std::size_t at) const;
+  DocumentStart documentStart(std::string_view rest, std::size_t at);
+  DocumentStart arrayStart(std::string_view rest, std::size_t at);
+
+  JsonState state_;
+  std::size_t passed_ = 0;  ///< bytes, in pieces
+
+  // How far an unfinished piece was looked at.
+  std::size_t scanned_ = 0;
+  std::string open_;  ///< the brackets that are
+  bool inString_ = false, lineBegins_ = false;
+  std::size_t line_ = 0, column_ = 0;
+  char before_ = 0;
+  std::size_t firstLine_ = 0;  ///< in it that begins as a record does; npos: none
+  bool flat_ = false, cutLines_ = false, tooLong_ = false;
+  std::size_t looked_ = 0;
+  int step_ = 0;
+
+  // Brackets found not to be closed before an end, so that no record that begins with one is looked through again.
+  std::shared_ptr<const std::vector<std::size_t>> unclosed_;
+  std::size_t nextUnclosed_ = 0, unclosedEnd_ = 0;
+  bool unclosedCutLines_ = false;
 };
 
 }  // namespace viewproj::cmd

@@ -39,7 +39,7 @@ std::string inputOf(Form form, RandomText& random, std::size_t records, std::siz
 
 std::string shown(const std::string& text) {
   std::string all;
-  for (const char c : text.substr(0, 700)) {
+  for (const char c : text.size() > 900 ? text.substr(0, 100) + " ... " + text.substr(text.size() - 700) : text) {
     char code[8];
     std::snprintf(code, sizeof code, "\\x%02x", static_cast<unsigned char>(c));
     all += c == '\n' ? "\\n" : c >= ' ' && c < 0x7f ? std::string(1, c) : code;

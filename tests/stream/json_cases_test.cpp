@@ -316,8 +316,8 @@ TEST_CASE("whole inputs that are no stream of records get one message with its p
       {"1:10: a comma missing on the line", "[[1,2,3] [4,5,6]]"},
       {"1:2: an array of commas", "[,]"},
       {"1:2: an array of words", "[abc]"},
-      {"1:2: an array of strings that do not end", "[\"abc]"},
-      {"1:2: an array of records that begins with null", "[null,[1,2,3]]"},
+      {"1:7: an array of strings that do not end", "[\"abc]"},
+      {"1:1: an array that begins with null is one record", "[null,[1,2,3]]"},
       {"1:20: a document that does not end", "{\"points\":[[1,2,3]]"},
       {"1:21: a document with a comma too many", "{\"points\":[[1,2,3]],}"},
       {"1:25: a document with an invalid end", "{\"points\":[[1,2,3]],\"a\":}"},
@@ -343,9 +343,7 @@ TEST_CASE("whole inputs that are no stream of records get one message with its p
         CHECK(run.err.starts_with("<stdin>:1:"));
       else
         CHECK(run.err.substr(0, run.err.find(' ')) == "<stdin>:" + place);
-      const bool array = input.value[0] == '[' && input.value != "[" && input.value != "[1,2,3]]" &&
-                         input.value != "[1,2,3],[4,5,6]\n";
-      if (array) CHECK(nlohmann::json::accept(run.out));
+      if (input.value.starts_with("[[")) CHECK(nlohmann::json::accept(run.out));
     }
   for (const char* nothing : {"", "\n", " \t\r\n\n", "\xEF\xBB\xBF", "\xEF\xBB\xBF\n"}) {
     const StreamRun run = runStream(nothing, {.from = Form::json});
