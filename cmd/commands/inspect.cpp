@@ -1,6 +1,7 @@
 // viewproj inspect: sixteen numbers to every reading that they admit, and to another convention.
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 #include "commands/command.hpp"
 #include "commands/options.hpp"
@@ -52,12 +53,14 @@ std::vector<WrittenMatrix> chooseMatrices(const WrittenMatrices& given, const st
   }
   std::vector<std::string> names;
   for (std::size_t i = 0; i < given.matrices.size(); ++i) names.push_back(nameOf(given.matrices[i], i));
+  std::unordered_map<std::string_view, std::size_t> places;  // of a name that several have, the first
+  for (std::size_t i = 0; i < names.size(); ++i) places.emplace(names[i], i);
   for (const std::string& name : splitList(list)) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end())
+    const auto found = places.find(name);
+    if (found == places.end())
       throw InputError(source + ": has no matrix '" + name + "'" +
                        suggestion(name, std::vector<std::string_view>(names.begin(), names.end())));
-    chosen.push_back(given.matrices[static_cast<std::size_t>(found - names.begin())]);
+    chosen.push_back(given.matrices[found->second]);
   }
   return chosen;
 }

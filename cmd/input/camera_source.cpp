@@ -24,9 +24,9 @@ const Importer* importerOf(const Document& document) {
 /// The canonical file holds one camera.
 std::vector<HeldCamera> listCanonical(const Document& document) {
   const ObjectReader root(document, document.root(), {});
-  std::string kind = "no projection";
-  if (const auto projection = root.object("projection")) kind = projection->string("type").value_or(kind);
-  return {{root.has("name") && root.isString("name") ? *root.string("name") : "", "0", "", kind, "a camera file"}};
+  std::string_view kind = "no projection";
+  if (const auto projection = root.object("projection")) kind = projection->text("type").value_or(kind);
+  return {{root.isString("name") ? *root.text("name") : "", "0", "", kind, "a camera file"}};
 }
 
 /// How many cameras have a name.
@@ -43,7 +43,7 @@ std::string pickOf(const HeldCamera& camera, const NameCounts& counts) {
   const bool plain =
       std::all_of(camera.name.begin(), camera.name.end(), [](unsigned char c) { return c >= ' ' && c != 0x7f; });
   const bool named = !camera.name.empty() && plain && counts.at(camera.name) == 1;
-  return named ? camera.name : camera.number;
+  return named ? std::string(camera.name) : camera.number;
 }
 
 std::string someOf(const std::vector<HeldCamera>& all, const std::vector<HeldCamera>& shown) {
@@ -63,10 +63,14 @@ std::size_t choose(const Document& document, const std::vector<HeldCamera>& came
     throw InputError(document.name() + ": holds " + std::to_string(cameras.size()) +
                      " cameras; pick one behind the file's name: " + choices);
   }
-  for (const auto field : {&HeldCamera::name, &HeldCamera::number, &HeldCamera::alias}) {
+  using Field = std::string_view (*)(const HeldCamera&);
+  constexpr Field kFields[] = {[](const HeldCamera& c) { return c.name; },
+                               [](const HeldCamera& c) { return std::string_view(c.number); },
+                               [](const HeldCamera& c) { return c.alias; }};
+  for (const Field field : kFields) {
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < cameras.size(); ++i)
-      if (!pick->empty() && cameras[i].*field == *pick) found.push_back(i);
+      if (!pick->empty() && field(cameras[i]) == *pick) found.push_back(i);
     if (found.size() == 1) return found.front();
     if (found.empty()) continue;
     std::vector<HeldCamera> several;
@@ -89,7 +93,8 @@ CameraSource splitPick(const std::string& given) {
   std::error_code ignored;
   std::size_t mark = given.find('#');
   if (mark == std::string::npos || std::filesystem::exists(given, ignored)) return {given, std::nullopt};
-  for (std::size_t at = mark; at != std::string::npos; at = given.find('#', at + 1))
+  constexpr std::size_t kLongestName = 4096;  // PATH_MAX: none that is longer can be opened
+  for (std::size_t at = mark; at < kLongestName; at = given.find('#', at + 1))
     if (const std::string file = given.substr(0, at); file == "-" || std::filesystem::exists(file, ignored)) {
       mark = at;
       break;
@@ -117,10 +122,15 @@ std::string listCameras(const Document& document) {
   const Importer* importer = importerOf(document);
   const std::vector<HeldCamera> cameras = importer ? importer->list(document) : listCanonical(document);
   const NameCounts counts = countNames(cameras);
+  // A longer name than this stands out, and does not make every line as long.
+  static constexpr std::size_t kWidest = 60;
   std::size_t pickWidth = 0, kindWidth = 0;
+  const auto widen = [](std::size_t& width, std::size_t size) {
+    width = std::max(width, std::min<std::size_t>(size, kWidest));
+  };
   for (const HeldCamera& camera : cameras) {
-    pickWidth = std::max(pickWidth, pickOf(camera, counts).size());
-    kindWidth = std::max(kindWidth, camera.kind.size());
+    widen(pickWidth, pickOf(camera, counts).size());
+    widen(kindWidth, camera.kind.size());
   }
   const auto padded = [](std::string text, std::size_t width) {
     text.resize(std::max(text.size(), width), ' ');
@@ -128,8 +138,8 @@ std::string listCameras(const Document& document) {
   };
   std::string text;
   for (const HeldCamera& camera : cameras)
-    text += "#" + padded(pickOf(camera, counts), pickWidth) + "  " + padded(camera.kind, kindWidth) + "  " +
-            camera.note + "\n";
+    text += "#" + padded(pickOf(camera, counts), pickWidth) + "  " +
+            padded(std::string(camera.kind.substr(0, kWidest)), kindWidth) + "  " + camera.note + "\n";
   return text;
 }
 

@@ -61,36 +61,6 @@ bool isUtf8(const std::string& text) {
   }
 }
 
-struct KeyGivenTwice {
-  std::string key;
-  std::size_t offset;
-};
-
-/// Of the objects in it, all together.
-std::size_t countKeys(const nlohmann::json& value) {
-  std::size_t count = value.is_object() ? value.size() : 0;
-  if (value.is_structured())
-    for (const auto& part : value) count += countKeys(part);
-  return count;
-}
-
-/// In valid JSON nested no deeper than kDeepest; text begins at `base` of the whole. Each level is gone through anew.
-std::optional<KeyGivenTwice> keyGivenTwice(std::string_view text, std::size_t base = 0) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  text.remove_prefix(first);
-  base += first;
-  if (text[0] != '{' && text[0] != '[') return std::nullopt;
-  std::set<std::string> keys;
-  JsonParts parts(text);
-  while (const auto part = parts.next()) {
-    std::string key = unescaped(part->key);
-    if (text[0] == '{' && !keys.insert(key).second) return KeyGivenTwice{key, base + part->offset};
-    const auto offset = static_cast<std::size_t>(part->value.data() - text.data());
-    if (auto inside = keyGivenTwice(part->value, base + offset)) return inside;
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 std::string dotted(const Path& path) {
@@ -111,17 +81,9 @@ Document::Document(const std::string& source, const std::string& option, const c
   if (text_.starts_with("\xEF\xBB\xBF")) text_.erase(0, 3);
   if (const auto at = tooDeepAt(text_))
     throw InputError(place(name_, positionAt(text_, *at)) + ": nested deeper than " + std::to_string(kDeepest));
-  if (const auto fault = jsonFault(text_))
+  root_ = std::make_unique<nlohmann::json>();
+  if (const auto fault = parseJson(text_, *root_))
     throw InputError(place(name_, positionAt(text_, fault->offset)) + ": " + fault->message);
-  std::size_t keys = 0;
-  root_ = std::make_unique<nlohmann::json>(nlohmann::json::parse(text_, [&](int, auto event, const auto&) {
-    keys += event == nlohmann::json::parse_event_t::key;
-    return true;
-  }));
-  if (countKeys(*root_) != keys)
-    if (const auto twice = keyGivenTwice(text_))
-      throw InputError(place(name_, positionAt(text_, twice->offset)) + ": the key '" + twice->key +
-                       "' is given twice");
   if (arrayKey && root_->is_array()) *root_ = {{arrayKey, std::move(*root_)}};
   if (!root_->is_object()) throw InputError(place(name_, {}) + ": expected a JSON object");
 }
@@ -171,10 +133,9 @@ void Document::set(const std::string& assignment) {
 }
 
 void Document::noteRead(const Path& path, bool andBelow) const {
-  if (unread_.empty()) return;
   const std::string name = dotted(path);
-  std::erase_if(unread_,
-                [&](const std::string& set) { return set == name || (andBelow && set.starts_with(name + ".")); });
+  unread_.erase(name);
+  if (andBelow) unread_.erase(unread_.lower_bound(name + '.'), unread_.lower_bound(name + char('.' + 1)));
 }
 
 void Document::requireSetsRead(const std::string& form) const {
@@ -187,7 +148,7 @@ void Document::fail(const Path& path, const std::string& message, bool showValue
     const nlohmann::json* next = nullptr;
     if (value->is_object() && value->contains(step)) next = &value->at(step);
     if (value->is_array())
-      for (std::size_t i = 0; i < value->size(); ++i)
+      for (std::size_t i = 0; i < value->size() && !next; ++i)
         if (std::to_string(i) == step) next = &value->at(i);
     value = next;
     if (!value) break;
@@ -218,6 +179,7 @@ void ObjectReader::fail(const std::string& message) const { document_->fail(path
 const nlohmann::json* ObjectReader::find(std::string_view key) const {
   const auto found = object_->find(key);
   if (found == object_->end() || found->is_null()) return nullptr;
+  if (document_->isAllRead()) return &*found;
   // The objects within are read on their own.
   const bool hasObjects = found->is_object() || (found->is_array() && !found->empty() && found->front().is_object());
   document_->noteRead(pathOf(key), !hasObjects);
@@ -257,10 +219,15 @@ std::optional<bool> ObjectReader::flag(std::string_view key) const {
 }
 
 std::optional<std::string> ObjectReader::string(std::string_view key) const {
+  if (const auto found = text(key)) return std::string(*found);
+  return std::nullopt;
+}
+
+std::optional<std::string_view> ObjectReader::text(std::string_view key) const {
   const nlohmann::json* value = find(key);
   if (!value) return std::nullopt;
   if (!value->is_string()) fail(key, "expected a string");
-  return value->get<std::string>();
+  return value->get_ref<const std::string&>();
 }
 
 std::optional<std::vector<double>> ObjectReader::numbers(std::string_view key, std::size_t fewest,
@@ -326,19 +293,29 @@ std::optional<ObjectReader> ObjectReader::object(std::string_view key) const {
   return ObjectReader(*document_, *value, pathOf(key));
 }
 
-std::vector<ObjectReader> ObjectReader::objects(std::string_view key) const {
+ObjectList ObjectReader::objects(std::string_view key) const {
   const nlohmann::json* value = find(key);
   if (!value) return {};
   if (!value->is_array()) fail(key, "expected an array of objects");
-  std::vector<ObjectReader> result;
-  result.reserve(value->size());
-  for (std::size_t i = 0; i < value->size(); ++i) {
-    Path path = pathOf(key);
-    path.push_back(std::to_string(i));
-    document_->noteRead(path, false);
-    result.emplace_back(*document_, (*value)[i], std::move(path));
+  return {*document_, *value, pathOf(key)};
+}
+
+ObjectList::ObjectList(const Document& document, const nlohmann::json& array, Path path)
+    : document_(&document), array_(&array), path_(std::move(path)) {
+  for (std::size_t i = 0; i < array.size(); ++i) {
+    if (!document.isAllRead()) document.noteRead(pathOf(i), false);
+    if (!array[i].is_object()) (void)(*this)[i];  // throws
   }
-  return result;
+}
+
+std::size_t ObjectList::size() const { return array_ ? array_->size() : 0; }
+
+ObjectReader ObjectList::operator[](std::size_t index) const { return {*document_, (*array_)[index], pathOf(index)}; }
+
+Path ObjectList::pathOf(std::size_t index) const {
+  Path path = path_;
+  path.push_back(std::to_string(index));
+  return path;
 }
 
 namespace {

@@ -45,7 +45,9 @@ class Document {
 
  private:
   friend class ObjectReader;
+  friend class ObjectList;
   void noteRead(const Path& path, bool andBelow) const;
+  bool isAllRead() const { return unread_.empty(); }
 
   std::string name_;
   std::string text_;
@@ -53,6 +55,8 @@ class Document {
   std::set<std::string> set_;
   mutable std::set<std::string> unread_;  ///< of set_
 };
+
+class ObjectList;
 
 /// An object of a document, read key by key. A key whose value is null counts as absent.
 class ObjectReader {
@@ -65,6 +69,7 @@ class ObjectReader {
   std::optional<double> number(std::string_view key) const;
   std::optional<bool> flag(std::string_view key) const;
   std::optional<std::string> string(std::string_view key) const;
+  std::optional<std::string_view> text(std::string_view key) const;  ///< a string, which stays the document's
   std::optional<std::vector<double>> numbers(std::string_view key, std::size_t fewest, std::size_t most) const;
   std::optional<Vec3> vec3(std::string_view key) const;
   std::optional<Mat4> mat4(std::string_view key) const;
@@ -74,7 +79,7 @@ class ObjectReader {
   /// The value of key as JSON text, where it is a string or a number.
   std::optional<std::string> label(std::string_view key) const;
   /// The objects of an array; none where it is absent.
-  std::vector<ObjectReader> objects(std::string_view key) const;
+  ObjectList objects(std::string_view key) const;
   /// A whole number from 0 on and below count, which is how many `what` there are.
   std::optional<std::size_t> index(std::string_view key, std::size_t count, const char* what) const;
   std::vector<std::size_t> indices(std::string_view key, std::size_t count, const char* what) const;
@@ -118,6 +123,38 @@ class ObjectReader {
 
   const Document* document_;
   const nlohmann::json* object_;
+  Path path_;
+};
+
+/// The objects of an array. What reads one is made when it is asked for, so that a million of them take no room.
+class ObjectList {
+ public:
+  ObjectList() = default;
+  /// Throws where one of them is no object.
+  ObjectList(const Document& document, const nlohmann::json& array, Path path);
+
+  std::size_t size() const;
+  bool empty() const { return size() == 0; }
+  ObjectReader operator[](std::size_t index) const;
+
+  struct Iterator {
+    const ObjectList* list;
+    std::size_t index;
+    ObjectReader operator*() const { return (*list)[index]; }
+    Iterator& operator++() {
+      ++index;
+      return *this;
+    }
+    bool operator!=(const Iterator& other) const { return index != other.index; }
+  };
+  Iterator begin() const { return {this, 0}; }
+  Iterator end() const { return {this, size()}; }
+
+ private:
+  Path pathOf(std::size_t index) const;
+
+  const Document* document_ = nullptr;
+  const nlohmann::json* array_ = nullptr;
   Path path_;
 };
 

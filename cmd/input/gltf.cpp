@@ -17,7 +17,7 @@ bool recognises(const nlohmann::json& root) {
 
 struct Gltf {
   ObjectReader root;
-  std::vector<ObjectReader> nodes, cameras;
+  ObjectList nodes, cameras;
   std::vector<std::size_t> cameraNodes;  ///< nodes that have a camera
 
   explicit Gltf(const Document& document) : root(document, document.root(), {}) {
@@ -41,12 +41,12 @@ std::vector<HeldCamera> list(const Document& document) {
   const Gltf gltf(document);
   std::vector<HeldCamera> result;
   for (std::size_t node : gltf.cameraNodes) {
-    const ObjectReader& camera = gltf.cameras[*gltf.cameraOf(node)];
+    const ObjectReader camera = gltf.cameras[*gltf.cameraOf(node)];
     HeldCamera held;
-    held.name = gltf.nodes[node].string("name").value_or("");
+    held.name = gltf.nodes[node].text("name").value_or("");
     held.number = std::to_string(node);
-    held.alias = camera.string("name").value_or("");
-    held.kind = camera.string("type").value_or("");
+    held.alias = camera.text("name").value_or("");
+    held.kind = camera.text("type").value_or("");
     held.note = "node " + held.number;
     if (const auto lens = camera.object("perspective"))
       held.note += shortNumbers(*lens, {"yfov", "aspectRatio", "znear", "zfar"});
@@ -71,7 +71,7 @@ std::vector<PlacedNode> chainTo(const Gltf& gltf, std::size_t node) {
   std::vector<PlacedNode> chain;
   for (std::size_t at = node; at != kNone; at = parents[at]) {
     if (chain.size() == gltf.nodes.size()) gltf.nodes[node].fail("has ancestors that run in a circle");
-    const ObjectReader& fields = gltf.nodes[at];
+    const ObjectReader fields = gltf.nodes[at];
     PlacedNode placed{fields, readColumnMajor(fields, "matrix"), fields.vec3("translation"), fields.vec3("scale"), {}};
     if (const auto q = fields.numbers("rotation", 4, 4))
       placed.rotation = Quaternion{(*q)[0], (*q)[1], (*q)[2], (*q)[3]};
@@ -118,7 +118,7 @@ Projection readOrthographic(const ObjectReader& box, const std::optional<ReadVie
 CameraFile read(const Document& document, std::size_t which, const CameraReading& reading) {
   const Gltf gltf(document);
   const std::size_t node = gltf.cameraNodes[which];
-  const ObjectReader& camera = gltf.cameras[*gltf.cameraOf(node)];
+  const ObjectReader camera = gltf.cameras[*gltf.cameraOf(node)];
   const auto viewport = importedViewport(document);
   const auto type = camera.string("type").value_or("");
   if (type.empty()) camera.fail("needs a type");

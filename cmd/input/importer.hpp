@@ -15,13 +15,13 @@
 
 namespace viewproj::cmd {
 
-/// One of the cameras that a file holds.
+/// One of the cameras that a file holds. What the file says stays the document's: many may share a long name.
 struct HeldCamera {
-  std::string name;    ///< as the file calls it, or empty
-  std::string number;  ///< picks it where the name does not
-  std::string alias;   ///< another name, or empty
-  std::string kind;    ///< perspective, orthographic, ...
-  std::string note;    ///< a few words: what the file says of it
+  std::string_view name;   ///< as the file calls it, or empty
+  std::string number;      ///< picks it where the name does not
+  std::string_view alias;  ///< another name, or empty
+  std::string_view kind;   ///< perspective, orthographic, ...
+  std::string note;        ///< a few words: what the file says of it
 };
 
 /// A perspective camera whose file knows no near plane (a camera of the real world) gets this one, and no far plane.

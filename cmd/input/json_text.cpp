@@ -14,8 +14,21 @@ std::size_t endOfString(std::string_view text, std::size_t at) {
   return std::min(at + 1, text.size());
 }
 
+/// Without the middle of a number or a string that is long.
+std::string shortened(const std::string& message) {
+  constexpr std::size_t kFront = 160, kBack = 60;
+  if (message.size() <= kFront + kBack) return message;
+  const auto splitsCharacter = [&](std::size_t at) { return (message[at] & 0xC0) == 0x80; };
+  std::size_t front = kFront, back = message.size() - kBack;
+  while (front > 0 && splitsCharacter(front)) --front;
+  while (back < message.size() && splitsCharacter(back)) ++back;
+  return message.substr(0, front) + "..." + message.substr(back);
+}
+
 /// Takes nothing in but what is wrong.
-struct Thrower final : nlohmann::json_sax<nlohmann::json> {
+struct Judge : nlohmann::json_sax<nlohmann::json> {
+  std::optional<JsonFault> fault;
+
   bool null() override { return true; }
   bool boolean(bool) override { return true; }
   bool number_integer(number_integer_t) override { return true; }
@@ -28,28 +41,99 @@ struct Thrower final : nlohmann::json_sax<nlohmann::json> {
   bool end_object() override { return true; }
   bool start_array(std::size_t) override { return true; }
   bool end_array() override { return true; }
-  bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception& e) override {
-    if (const auto* wrong = dynamic_cast<const nlohmann::json::parse_error*>(&e)) throw *wrong;
-    throw dynamic_cast<const nlohmann::json::out_of_range&>(e);
+
+  /// read: how many bytes, up to the end of the token.
+  bool parse_error(std::size_t read, const std::string& token, const nlohmann::json::exception& e) override {
+    std::string message = e.what();
+    if (dynamic_cast<const nlohmann::json::parse_error*>(&e)) {
+      // "[json.exception.parse_error.101] parse error at line 1, column 5: what is wrong"
+      if (const std::size_t colon = message.find(": "); colon != std::string::npos) message.erase(0, colon + 2);
+      fault = JsonFault{read > 0 ? read - 1 : 0, "not valid JSON: " + shortened(message)};
+    } else {
+      // "[json.exception.out_of_range.406] number overflow parsing '1e999'"
+      if (const std::size_t bracket = message.find("] "); bracket != std::string::npos) message.erase(0, bracket + 2);
+      fault = JsonFault{read - std::min(read, token.size()), shortened(message)};
+    }
+    return false;
   }
 };
 
-/// Without the middle of a number or a string that is long.
-std::string shortened(const std::string& message) {
-  constexpr std::size_t kFront = 160, kBack = 60;
-  if (message.size() <= kFront + kBack) return message;
-  const auto splitsCharacter = [&](std::size_t at) { return (message[at] & 0xC0) == 0x80; };
-  std::size_t front = kFront, back = message.size() - kBack;
-  while (front > 0 && splitsCharacter(front)) --front;
-  while (back < message.size() && splitsCharacter(back)) ++back;
-  return message.substr(0, front) + "..." + message.substr(back);
+/// Builds the value. (The library's own parser with a callback looks through the parent at each part that ends.)
+struct Builder final : Judge {
+  explicit Builder(nlohmann::json& root) : root_(root) {}
+
+  struct Twice {
+    std::string key;
+    std::size_t number;  ///< among the text's keys
+  };
+  std::optional<Twice> twice;  ///< the first key that its object has already
+
+  bool null() override { return put(nullptr); }
+  bool boolean(bool value) override { return put(value); }
+  bool number_integer(number_integer_t value) override { return put(value); }
+  bool number_unsigned(number_unsigned_t value) override { return put(value); }
+  bool number_float(number_float_t value, const string_t&) override { return put(value); }
+  bool string(string_t& value) override { return put(std::move(value)); }
+  bool start_object(std::size_t) override { return open(nlohmann::json::object()); }
+  bool start_array(std::size_t) override { return open(nlohmann::json::array()); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
+  bool key(string_t& name) override {
+    const auto [at, isNew] = open_.back()->get_ref<nlohmann::json::object_t&>().try_emplace(name);
+    if (!isNew && !twice) twice = Twice{name, keys_};
+    field_ = &at->second;
+    ++keys_;
+    return true;
+  }
+
+ private:
+  nlohmann::json& place(nlohmann::json value) {
+    if (open_.empty()) return root_ = std::move(value);
+    if (open_.back()->is_object()) return *field_ = std::move(value);
+    open_.back()->push_back(std::move(value));
+    return open_.back()->back();
+  }
+  bool put(nlohmann::json value) {
+    place(std::move(value));
+    return true;
+  }
+  bool open(nlohmann::json value) {
+    open_.push_back(&place(std::move(value)));
+    return true;
+  }
+  bool close() {
+    open_.pop_back();
+    return true;
+  }
+
+  nlohmann::json& root_;
+  std::vector<nlohmann::json*> open_;  ///< the arrays and objects begun, outermost first
+  nlohmann::json* field_ = nullptr;    ///< of the key just read
+  std::size_t keys_ = 0;
+};
+
+std::optional<JsonFault> faultOf(std::string_view text, Judge& judge) {
+  (void)nlohmann::json::sax_parse(text.begin(), text.end(), &judge);
+  if (judge.fault) return judge.fault;
+  if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos)
+    return JsonFault{nul, "not valid JSON: a NUL"};
+  return std::nullopt;
 }
 
-/// Where token first stands outside a string.
-std::size_t outsideStrings(std::string_view text, std::string_view token) {
-  std::size_t at = 0;
-  while (at < text.size() && !text.substr(at).starts_with(token)) at = text[at] == '"' ? endOfString(text, at) : at + 1;
+std::size_t afterSpace(std::string_view text, std::size_t at) {
+  while (at < text.size() && isSpace(text[at])) ++at;
   return at;
+}
+
+/// Where a key of valid JSON stands, which are counted from 0.
+std::size_t offsetOfKey(std::string_view text, std::size_t number) {
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] != '"') continue;
+    const std::size_t end = endOfString(text, at), next = afterSpace(text, end);
+    if (next < text.size() && text[next] == ':' && number-- == 0) return at;
+    at = end - 1;
+  }
+  return 0;  // uncounted: there are as many
 }
 
 }  // namespace
@@ -70,28 +154,15 @@ std::string place(std::string_view file, TextPosition position) {
 }
 
 std::optional<JsonFault> jsonFault(std::string_view text) {
-  try {
-    Thrower thrower;
-    (void)nlohmann::json::sax_parse(text.begin(), text.end(), &thrower);
-    if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos)
-      return JsonFault{nul, "not valid JSON: a NUL"};
-    return std::nullopt;
-  } catch (const nlohmann::json::parse_error& e) {
-    // "[json.exception.parse_error.101] parse error at line 1, column 5: what is wrong"
-    std::string message = e.what();
-    if (const std::size_t colon = message.find(": "); colon != std::string::npos) message.erase(0, colon + 2);
-    return JsonFault{e.byte > 0 ? e.byte - 1 : 0, "not valid JSON: " + shortened(message)};
-  } catch (const nlohmann::json::exception& e) {
-    // "[json.exception.out_of_range.406] number overflow parsing '1e999'"
-    std::string message = e.what();
-    std::size_t offset = 0;
-    if (const std::size_t quote = message.find('\''); quote != std::string::npos) {
-      const std::string token = message.substr(quote + 1, message.rfind('\'') - quote - 1);
-      offset = outsideStrings(text, token);
-    }
-    if (const std::size_t bracket = message.find("] "); bracket != std::string::npos) message.erase(0, bracket + 2);
-    return JsonFault{offset, shortened(message)};
-  }
+  Judge nothing;
+  return faultOf(text, nothing);
+}
+
+std::optional<JsonFault> parseJson(std::string_view text, nlohmann::json& value) {
+  Builder builder(value);
+  if (auto fault = faultOf(text, builder)) return fault;
+  if (!builder.twice) return std::nullopt;
+  return JsonFault{offsetOfKey(text, builder.twice->number), "the key '" + builder.twice->key + "' is given twice"};
 }
 
 bool isJson(std::string_view text) {
@@ -119,27 +190,31 @@ std::size_t endOfValue(std::string_view text, std::size_t at) {
   return at;
 }
 
-void JsonParts::skipSpace() {
-  while (at_ < text_.size() && isSpace(text_[at_])) ++at_;
-}
-
-std::optional<JsonParts::Part> JsonParts::next() {
-  skipSpace();
+std::optional<JsonParts::Part> JsonParts::begin() {
+  at_ = afterSpace(text_, at_);
   if (at_ < text_.size() && text_[at_] == ',') ++at_;
-  skipSpace();
+  at_ = afterSpace(text_, at_);
   if (at_ >= text_.size() || text_[at_] == '}' || text_[at_] == ']') return std::nullopt;
   Part part{{}, {}, at_};
   if (isObject_) {
     const std::size_t end = endOfString(text_, at_);
     part.key = text_.substr(at_ + 1, end - at_ - 2);
-    at_ = end;
-    skipSpace();
-    ++at_;  // the colon
-    skipSpace();
+    at_ = afterSpace(text_, end);
+    at_ = afterSpace(text_, at_ + 1);  // behind the colon
   }
+  part.value = text_.substr(at_);
+  return part;
+}
+
+void JsonParts::pass(Part& part) {
   const std::size_t end = endOfValue(text_, at_);
   part.value = text_.substr(at_, end - at_);
   at_ = end;
+}
+
+std::optional<JsonParts::Part> JsonParts::next() {
+  auto part = begin();
+  if (part) pass(*part);
   return part;
 }
 
@@ -151,19 +226,20 @@ std::string unescaped(std::string_view raw) {
 std::size_t locate(std::string_view text, std::span<const std::string> path) {
   std::size_t base = text.find_first_not_of(" \t\r\n");
   if (base == std::string_view::npos) return 0;
-  std::string_view value = text.substr(base);
   for (const std::string& step : path) {
+    // Ends where the text does: where the value ends is found on the way.
+    const std::string_view value = text.substr(base);
     if (value.empty() || (value[0] != '{' && value[0] != '[')) break;
     JsonParts parts(value);
     std::size_t index = 0;
     bool found = false;
-    while (const auto part = parts.next()) {
+    while (auto part = parts.begin()) {
       if (value[0] == '{' ? unescaped(part->key) == step : std::to_string(index) == step) {
         base += static_cast<std::size_t>(part->value.data() - value.data());
-        value = part->value;
         found = true;
         break;
       }
+      parts.pass(*part);
       ++index;
     }
     if (!found) break;

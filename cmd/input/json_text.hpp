@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -30,6 +31,9 @@ struct JsonFault {
 std::optional<JsonFault> jsonFault(std::string_view text);
 bool isJson(std::string_view text);
 
+/// Reads the value of a text, unless the text has a fault, or else an object of it a key twice: that is returned.
+std::optional<JsonFault> parseJson(std::string_view text, nlohmann::json& value);
+
 /// The parts of an array or object, one after the other. The text must be valid JSON.
 class JsonParts {
  public:
@@ -45,9 +49,12 @@ class JsonParts {
   /// The next part, or nothing at the end.
   std::optional<Part> next();
 
- private:
-  void skipSpace();
+  /// As next() in two steps, for one who may look into the value instead of passing it: the next part, whose value
+  /// still ends where the text does; then past it, where its value gets its end.
+  std::optional<Part> begin();
+  void pass(Part& part);
 
+ private:
   std::string_view text_;
   bool isObject_;
   std::size_t at_;

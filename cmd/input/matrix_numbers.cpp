@@ -201,20 +201,26 @@ class Scanner {
 WrittenMatrices parseObject(const std::string& text, const std::string& name) {
   const Document document(text, name);
   WrittenMatrices result;
-  for (const auto& [key, value] : document.root().items()) {
+  JsonParts parts(std::string_view(text).substr(text.find('{')));
+  while (const auto part = parts.next()) {
+    const std::string key = unescaped(part->key);
+    const nlohmann::json& value = document.root()[key];
     if (!value.is_array()) continue;
     std::vector<double> numbers;
     bool good = true;
-    for (const auto& part : value)
-      for (const auto& entry : part.is_array() ? part : nlohmann::json::array({part})) {
-        good = good && entry.is_number();
-        if (good) numbers.push_back(entry.get<double>());
-      }
+    const auto gather = [&](const nlohmann::json& entry) {
+      good = good && entry.is_number();
+      if (good) numbers.push_back(entry.get<double>());
+    };
+    for (const auto& row : value)
+      if (row.is_array())
+        std::for_each(row.begin(), row.end(), gather);
+      else
+        gather(row);
     const bool nested = !value.empty() && value.front().is_array();
-    good = good && numbers.size() == 16 &&
-           (!nested || (value.size() == 4 && std::all_of(value.begin(), value.end(), [](const auto& row) {
-                          return row.is_array() && row.size() == 4;
-                        })));
+    good = good && numbers.size() == 16 && value.size() == (nested ? 4 : 16) &&
+           (!nested ||
+            std::all_of(value.begin(), value.end(), [](const auto& row) { return row.is_array() && row.size() == 4; }));
     if (!good) {
       if (!nested && value.size() < 9) continue;  // an eye, a position, ...
       document.fail({key}, "expected 16 numbers or 4 rows of 4", false);
@@ -223,9 +229,6 @@ WrittenMatrices parseObject(const std::string& text, const std::string& name) {
     std::copy(numbers.begin(), numbers.end(), m.numbers.begin());
     result.matrices.push_back(m);
   }
-  const auto offset = [&](const WrittenMatrix& m) { return locate(text, std::array{m.name}); };
-  std::sort(result.matrices.begin(), result.matrices.end(),
-            [&](const WrittenMatrix& a, const WrittenMatrix& b) { return offset(a) < offset(b); });
   if (result.matrices.empty()) document.fail({}, "has no matrix: no value of 16 numbers or 4 rows of 4");
   const auto convention = document.root().find("convention");
   if (convention != document.root().end() && convention->is_object())

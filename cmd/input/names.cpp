@@ -30,11 +30,14 @@ std::string_view nearestName(std::string_view name, std::span<const std::string_
   std::string_view best;
   if (name.size() > 100) return best;
   std::size_t fewest = std::max<std::size_t>(1, name.size() / 3) + 1;
-  for (std::string_view candidate : candidates)
+  for (std::string_view candidate : candidates) {
+    // So many letters more or fewer are as many edits.
+    if (candidate.size() >= name.size() + fewest || name.size() >= candidate.size() + fewest) continue;
     if (const std::size_t edits = editDistance(name, candidate); edits < fewest) {
       fewest = edits;
       best = candidate;
     }
+  }
   return best;
 }
 

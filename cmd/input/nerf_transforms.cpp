@@ -23,8 +23,8 @@ struct Frame {
   std::optional<double> number(std::string_view key) const { return with(key).number(key); }
 };
 
-std::vector<ObjectReader> framesOf(const ObjectReader& root) {
-  std::vector<ObjectReader> frames = root.objects("frames");
+ObjectList framesOf(const ObjectReader& root) {
+  ObjectList frames = root.objects("frames");
   if (frames.empty()) root.fail("frames", "is empty: there is no camera");
   return frames;
 }
@@ -34,7 +34,7 @@ std::vector<HeldCamera> list(const Document& document) {
   std::vector<HeldCamera> result;
   for (const ObjectReader& frame : framesOf(root)) {
     HeldCamera held;
-    held.name = frame.string("file_path").value_or("");
+    held.name = frame.text("file_path").value_or("");
     held.number = std::to_string(result.size());
     held.alias = held.name.starts_with("./") ? held.name.substr(2) : "";
     held.kind = "intrinsics";

@@ -21,38 +21,40 @@ bool recognises(const nlohmann::json& root) {
 /// A camera and what it hangs from, outermost first.
 using Branch = std::vector<ObjectReader>;
 
-void findCameras(Branch& branch, std::vector<Branch>& found) {
-  const ObjectReader object = branch.back();
-  const std::string type = object.string("type").value_or("");
-  if (type == kPerspective || type == kOrthographic) found.push_back(branch);
-  for (const ObjectReader& child : object.objects("children")) {
+/// Calls visit with the branch of each camera of the file.
+template <class Visit>
+void eachCamera(Branch& branch, const Visit& visit) {
+  const std::string_view type = branch.back().text("type").value_or("");
+  if (type == kPerspective || type == kOrthographic) visit(branch);
+  for (const ObjectReader& child : branch.back().objects("children")) {
     branch.push_back(child);
-    findCameras(branch, found);
+    eachCamera(branch, visit);
     branch.pop_back();
   }
 }
 
-std::vector<Branch> camerasOf(const Document& document) {
-  const ObjectReader root(document, document.root(), {});
-  Branch branch{*root.object("object")};
-  std::vector<Branch> found;
-  findCameras(branch, found);
-  if (found.empty()) branch.back().fail("has no PerspectiveCamera and no OrthographicCamera");
-  return found;
+template <class Visit>
+void eachCamera(const Document& document, const Visit& visit) {
+  Branch branch{*ObjectReader(document, document.root(), {}).object("object")};
+  eachCamera(branch, visit);
 }
 
 std::vector<HeldCamera> list(const Document& document) {
   std::vector<HeldCamera> result;
-  for (const Branch& branch : camerasOf(document)) {
+  eachCamera(document, [&](const Branch& branch) {
     const ObjectReader& camera = branch.back();
-    const bool perspective = *camera.string("type") == kPerspective;
-    HeldCamera held{camera.string("name").value_or(""), std::to_string(result.size()),
-                    camera.string("uuid").value_or(""), perspective ? "perspective" : "orthographic", ""};
+    const bool perspective = camera.text("type") == kPerspective;
+    HeldCamera held{camera.text("name").value_or(""), std::to_string(result.size()), camera.text("uuid").value_or(""),
+                    perspective ? "perspective" : "orthographic", ""};
     held.note = perspective ? shortNumbers(camera, {"fov", "aspect", "zoom", "near", "far"})
                             : shortNumbers(camera, {"left", "right", "top", "bottom", "zoom", "near", "far"});
     if (!held.note.empty()) held.note.erase(0, 2);
     result.push_back(held);
-  }
+  });
+  if (result.empty())
+    ObjectReader(document, document.root(), {})
+        .object("object")
+        ->fail("has no PerspectiveCamera and no OrthographicCamera");
   return result;
 }
 
@@ -147,7 +149,11 @@ Window orthographicOf(const ObjectReader& camera, const std::optional<View>& vie
 }
 
 CameraFile read(const Document& document, std::size_t which, const CameraReading& reading) {
-  const Branch branch = camerasOf(document)[which];
+  Branch branch;
+  std::size_t at = 0;
+  eachCamera(document, [&](const Branch& each) {
+    if (at++ == which) branch = each;
+  });
   const ObjectReader& camera = branch.back();
   const bool perspective = *camera.string("type") == kPerspective;
   const auto view = readView(camera);

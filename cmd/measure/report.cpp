@@ -30,23 +30,15 @@ std::string asError(double value) {
 
 /// Ulps are small numbers, until they are not.
 std::string asUlps(double value) {
-  return value == 0 || !std::isfinite(value) || value >= 1e4 ? asError(value) : printed("%.3g", value);
+  return value == 0 || !std::isfinite(value) || value >= 1e4 ? asError(value) : formatDigits(value, 3);
 }
 
 /// The textbook has none; orthographic rays have one, but not in pixels.
 std::string asBound(const ModeRow& row) { return row.boundPx ? asError(*row.boundPx) : row.precision ? "-" : "none"; }
 
-std::string asShare(double share) { return share == 0 ? "0" : printed("%.3g %%", share * 100); }
+std::string asShare(double share) { return share == 0 ? "0" : formatDigits(share * 100, 3) + " %"; }
 
-/// Three digits and the unit that suits them.
-std::string asRate(double perSecond) {
-  const auto& [unit, name] = perSecond >= 1e9   ? std::pair{1e9, " G"}
-                             : perSecond >= 1e6 ? std::pair{1e6, " M"}
-                                                : std::pair{1e3, " k"};
-  return printed("%.3g", perSecond / unit) + name;
-}
-
-std::string asTime(double ns) { return ns < 1000 ? printed("%.3g", ns) : printed("%.0f", ns); }
+std::string asTime(double ns) { return ns < 1000 ? formatDigits(ns, 3) : printed("%.0f", ns); }
 
 std::string asCount(const std::optional<std::size_t>& count) { return count ? std::to_string(*count) : "-"; }
 
@@ -91,7 +83,7 @@ std::string measurementAsTable(const Measurement& m) {
   std::vector<std::vector<std::string>> rows = {{"project", "ns/point", "median/min", "points/s", "max px", "p99 px",
                                                  "max ulp", "bound px", "escalated", "uncertain", "missing"}};
   for (const ModeRow& row : m.projecting)
-    rows.push_back({nameOf(row), asTime(row.nsPerPoint), printed("%.2f", row.spread), asRate(1e9 / row.nsPerPoint),
+    rows.push_back({nameOf(row), asTime(row.nsPerPoint), printed("%.2f", row.spread), formatCount(1e9 / row.nsPerPoint),
                     orDash(row.maxErrorPx, asError), orDash(row.p99ErrorPx, asError), orDash(row.maxErrorUlp, asUlps),
                     asBound(row), orDash(row.escalated, asShare), orDash(row.uncertain, asShare),
                     asCount(row.missing)});
@@ -100,7 +92,7 @@ std::string measurementAsTable(const Measurement& m) {
     rows = {{"ray", "ns/ray", "median/min", "rays/s", "max px", "p99 px", "max rad", "p99 rad", "bound px", "missing"}};
     for (const ModeRow& row : m.casting)
       rows.push_back({row.precision ? std::string(precisionName(*row.precision)) : "inverse matrix",
-                      asTime(row.nsPerPoint), printed("%.2f", row.spread), asRate(1e9 / row.nsPerPoint),
+                      asTime(row.nsPerPoint), printed("%.2f", row.spread), formatCount(1e9 / row.nsPerPoint),
                       orDash(row.maxErrorPx, asError), orDash(row.p99ErrorPx, asError),
                       orDash(row.maxErrorRadians, asError), orDash(row.p99ErrorRadians, asError), asBound(row),
                       asCount(row.missing)});

@@ -18,4 +18,7 @@ std::string formatNumber(double value);
 /// Rounded to so many significant digits first.
 std::string formatDigits(double value, int digits);
 
+/// A count, a rate or a size in three digits and the unit that suits them: "999", "1 k", "1.23 M", up to T.
+std::string formatCount(double value);
+
 }  // namespace viewproj::cmd

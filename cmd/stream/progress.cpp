@@ -8,21 +8,14 @@
 #include <string>
 #include <string_view>
 
+#include "output/number.hpp"
+
 namespace viewproj::cmd {
 namespace {
 
 constexpr const char* kBlankLine = "\r\033[K";
 constexpr auto kFirst = std::chrono::seconds(1);
 constexpr auto kEvery = std::chrono::milliseconds(200);
-
-std::string withUnit(double count) {
-  const char* const units[] = {"", " k", " M", " G"};
-  int unit = 0;
-  for (; count >= 1000 && unit < 3; ++unit) count /= 1000;
-  char text[40];
-  std::snprintf(text, sizeof text, count < 10 && unit > 0 ? "%.1f%s" : "%.0f%s", count, units[unit]);
-  return text;
-}
 
 std::string clockTime(double seconds) {
   const long whole = std::lround(seconds);
@@ -63,11 +56,11 @@ void Progress::show(Clock::time_point now) {
     const double share = static_cast<double>(bytes_) / static_cast<double>(*total_);
     char text[40];
     std::snprintf(text, sizeof text, "%.0f %%, ", 100 * share);
-    line += text + withUnit(static_cast<double>(records_) / seconds) + " records/s, " +
+    line += text + formatCount(static_cast<double>(records_) / seconds) + " records/s, " +
             clockTime(seconds / share - seconds) + " left";
   } else {
-    line += withUnit(static_cast<double>(records_)) + " records, " + withUnit(static_cast<double>(records_) / seconds) +
-            " records/s";
+    line += formatCount(static_cast<double>(records_)) + " records, " +
+            formatCount(static_cast<double>(records_) / seconds) + " records/s";
   }
   put(line);
   shown_ = true;

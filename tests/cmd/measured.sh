@@ -3,7 +3,7 @@
 #   sh measured.sh VIEWPROJ ACCURACY.md SAMPLE_DIR
 set -eu
 # Rows of numbers without the three of time: mode, errors, bound, counts.
-untimed() { sed -nE 's/^((fast|standard|exact|auto \([a-z]+\)|(inverse )?matrix( double| float)?)) +[0-9.]+ +[0-9.]+ +[0-9.]+ [kMG]? +/\1 /p' | tr -s ' '; }
+untimed() { sed -nE 's/^((fast|standard|exact|auto \([a-z]+\)|(inverse )?matrix( double| float)?)) +[0-9.]+ +[0-9.]+ +[0-9.]+ [kMGT]? +/\1 /p' | tr -s ' '; }
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 awk '/^```text$/ { inside = 1; next } /^```$/ { inside = 0 } inside' "$2" | untimed >"$work/shown"
