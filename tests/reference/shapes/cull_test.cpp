@@ -351,3 +351,45 @@ TEST_CASE("A point is inside if and only if it is visible, and beyond the plane 
   WARN("points " << tally.cases << ": inside " << tally.verdicts[0] << ", outside " << tally.verdicts[2] << ", behind "
                  << behind << ", next to a plane " << tally.close);
 }
+
+TEST_CASE("A shape beyond a plane by less than the bound counts as on it, by more as outside") {
+  // Axes of thirds of 13: no row is a double, and yet points of the left plane, 15 x + 7 y + 8 z = 0, are.
+  std::size_t on = 0, beyond = 0;
+  for (std::uint64_t trial = 0; trial < 3000; ++trial) {
+    Random r(trial);
+    Vec3 at;
+    for (bool isInView = false; !isInView;) {
+      const double size = std::ldexp(1, int(r.uniform(4, 40)));
+      at.x = std::round(r.uniform(-size, size)), at.y = std::round(r.uniform(-size, size));
+      at.z = -(15 * at.x + 7 * at.y) / 8;
+      isInView = 2 * std::fabs(4 * at.x - 12 * at.y + 3 * at.z) < 3 * at.x + 4 * at.y + 12 * at.z;
+    }
+    const double side = 8 / (13 * std::sqrt(2.0));  // of the plane's unit normal, along z
+    const auto frustumAt = [&](double eyeZ) {
+      const Pose pose = lookAlong({0, 0, eyeZ}, {3, 4, 12}, {4, -12, 3}, Handedness::right);
+      return viewFrustum(makeCamera(pose, perspectiveFovY(90, 1, 1e-3, kInfiniteFar), {100, 100}));
+    };
+    // Seen from the eye, both of a box's corners count, and a sphere's centre and radius.
+    const FrustumPlane left = *frustumAt(0).begin();
+    REQUIRE(left.side == sideLeft);
+    for (const bool isBox : {false, true})
+      for (const double share : {0.0, 0.3, 0.7, 0.95, 1.05, 1.5}) {
+        const Box box{at, at};
+        const double reach = (isBox ? 2 : 1) * (std::fabs(at.x) + std::fabs(at.y) + std::fabs(at.z));
+        const Frustum f = frustumAt(share * left.normalBound * reach / side);
+        const Cull got = isBox ? cull(f, box) : cull(f, Sphere{at, 0});
+        INFO("trial " << trial << ", " << (isBox ? "box, " : "sphere, ") << share << " of the bound beyond");
+        if (share > 1) {
+          CHECK(got.verdict == CullVerdict::outside);
+          CHECK(int(got.side) == int(sideLeft));
+          ++beyond;
+        } else {
+          CHECK(got.verdict != CullVerdict::outside);
+          CHECK(distanceInside(f, *f.begin(), at).sign() == (isBox && share > 0.5 ? -1 : 0));
+          ++on;
+        }
+      }
+  }
+  CHECK(on == 24000);
+  CHECK(beyond == 12000);
+}
