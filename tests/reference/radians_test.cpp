@@ -4,7 +4,8 @@
 #include <random>
 
 #include "catch.hpp"
-#include "reference/real.hpp"
+#include "reference/scene.hpp"
+#include "viewproj/numbers/degrees.hpp"
 
 using namespace viewproj;
 using namespace reference;
@@ -48,4 +49,28 @@ TEST_CASE("Towards pi the tangent of half an angle loses what its argument leave
     INFO(gap);
     CHECK(relativeError(tanHalfRadians(angle), tanOf(Real(angle) / Real(2))) <= kTanHalfRadiansBound / gap);
   }
+}
+
+TEST_CASE("An angle in degrees is the double nearest that of its half's tangent, up to the last one below 180") {
+  int below[3] = {}, straight = 0;
+  for (std::uint64_t trial = 0; trial < 60000; ++trial) {
+    Random random(trial);
+    const double size = trial % 2 ? random.spread(1e12, 1e17) : random.spread(1e-200, 1e12);
+    const DoubleDouble tangent = quickTwoSum(size, size * random.uniform(-0x1p-54, 0x1p-54));
+    Real truth = Real(tangent.hi) + Real(tangent.lo);
+    mpfr_t angle;
+    mpfr_init2(angle, Real::kBits);
+    mpfr_atan(angle, truth.value(), MPFR_RNDN);
+    mpfr_mul_ui(angle, angle, 360, MPFR_RNDN);
+    mpfr_div(angle, angle, Real::pi().value(), MPFR_RNDN);
+    const double nearest = mpfr_get_d(angle, MPFR_RNDN);
+    mpfr_clear(angle);
+    CAPTURE(trial, size, nearest);
+    REQUIRE(degreesOfHalfTangent(tangent) == nearest);
+    if (nearest < 180)
+      ++below[nearest > 180 - 0x1p-40 ? 2 : nearest > 90];
+    else
+      ++straight;
+  }
+  CHECK(std::min({below[0], below[1], below[2], straight}) > 3000);
 }

@@ -132,6 +132,45 @@ TEST_CASE("What touches a plane from within is inside, from without intersects")
   CHECK(cull(f, Box{{-8, 0, -6}, {std::nextafter(-6.0, -7), 1, -5}}).verdict == CullVerdict::outside);
 }
 
+TEST_CASE("What is no farther beyond a plane than its bound counts as on it, and what is farther does not") {
+  // A bound a million million times the true one, so that both sides of it can be told apart in doubles.
+  Frustum f = plainFrustum();
+  FrustumPlane& near = f.planes[4];
+  near.normalBound = 0x1p-10;
+  near.offsetBound = 0x1p-14;
+  const auto size = [](const Vec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); };
+  /// What is called of a shape whose point that decides lies share of the bound beyond near: z = -1 + share * bound.
+  const auto at = [&](double reach, double share) {
+    return -1 + share * (near.normalBound * reach + near.offsetBound);
+  };
+  for (const double share : {0.98, 1.02}) {
+    CAPTURE(share);
+    const CullVerdict whole = share < 1 ? CullVerdict::intersects : CullVerdict::outside;
+    const CullVerdict part = share < 1 ? CullVerdict::inside : CullVerdict::intersects;
+    // The corner farthest inside, and the one farthest beyond.
+    Box box{{-0.25, -0.125, -1}, {0.25, 0.125, -0.5}};
+    box.min.z = at(size(box.min) + size(box.max), share);
+    CHECK(cull(f, box).verdict == whole);
+    box = {{-0.25, -0.125, -2}, {0.25, 0.125, -1}};
+    box.max.z = at(size(box.min) + size(box.max), share);
+    CHECK(cull(f, box).verdict == part);
+    const double radius = 0.25;
+    const Vec3 beyond{0.125, 0, -1 + radius}, within{0.125, 0, -1 - radius};
+    CHECK(cull(f, Sphere{{0.125, 0, at(size(beyond) + radius, share) + radius}, radius}).verdict == whole);
+    CHECK(cull(f, Sphere{{0.125, 0, at(size(within) + radius, share) - radius}, radius}).verdict == part);
+    // Of a triangle the reach is its farthest corner's.
+    const Vec3 a{0.5, 0.25, -0.75}, b{0, 0, -0.5}, c{0.25, 0, -2};
+    CHECK(cull(f, Triangle{a, b, {0, 0, at(size(a), share)}}).verdict == whole);
+    CHECK(cull(f, Triangle{c, {0, 0, -1.5}, {0, 0, at(size(c), share)}}).verdict == part);
+    for (const double side : {-1.0, 1.0}) {
+      const Vec3 point{0.125, 0.25, at(size({0.125, 0.25, -1}), side * share)};
+      const double expected = share < 1 ? 0 : -side;
+      const int sign = distanceInside(f, near, point).sign();
+      CHECK(sign == expected);
+    }
+  }
+}
+
 TEST_CASE("A box or a sphere past an edge of the view may be called intersecting that misses it") {
   const Frustum f = plainFrustum();
   // The frustum ends at x = -10, in the edge of left and far. The box begins half a unit further left; but it reaches

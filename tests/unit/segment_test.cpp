@@ -85,8 +85,32 @@ TEST_CASE("Equal steps on the screen are not equal steps along a segment") {
   CHECK(parameterUnder(f, s, {125, 80}) == parameterUnder(f, s, {125, 50}));
   CHECK(parameterUnder(f, s, {0, 0}) == 0);
   CHECK(pointAlong(a, b, 0.2).x == Approx(1.6));
-  const VisibleSegment endOn = clipSegment(f, {0, 0, -3}, {0, 0, -9});
-  CHECK(parameterUnder(f, endOn, {100, 50}) == 0);
+}
+
+TEST_CASE("Of a segment seen end on a pixel has the nearer end, wherever the pixel is") {
+  const Camera box = makeCamera(lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Handedness::right),
+                                orthographic(-2, 2, -1, 1, -1, 10), {200, 100});
+  const struct {
+    Frustum frustum;
+    Vec3 a, b;
+    double t;
+  } rows[] = {
+      {viewFrustum(plainCamera()), {0, 0, -3}, {0, 0, -9}, 0},
+      {viewFrustum(plainCamera()), {0, 0, -9}, {0, 0, -3}, 1},
+      {viewFrustum(plainCamera()), {2, -1, -4}, {4, -2, -8}, 0},
+      {viewFrustum(plainCamera()), {4, -2, -8}, {2, -1, -4}, 1},
+      {viewFrustum(plainCamera()), {0, 0, 3}, {0, 0, -5}, 0.5},  // cut at near
+      {viewFrustum(box), {1, 0.5, 0.5}, {1, 0.5, -7}, 0},
+      {viewFrustum(box), {1, 0.5, -7}, {1, 0.5, 0.5}, 1},
+  };
+  for (const auto& row : rows) {
+    const VisibleSegment s = clipSegment(row.frustum, row.a, row.b);
+    INFO("row " << &row - rows);
+    REQUIRE(s.visible);
+    REQUIRE(s.start.screen == s.end.screen);
+    for (const Vec2& pixel : {s.start.screen, Vec2{0, 0}, Vec2{150, 99}})
+      CHECK(parameterUnder(row.frustum, s, pixel) == row.t);
+  }
 }
 
 TEST_CASE("What is clipped away is what is not visible, and a pixel gives the point back, for random segments") {

@@ -1,5 +1,6 @@
 #include "viewproj/numbers/degrees.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -65,14 +66,13 @@ DoubleDouble tanHalfDegrees(double degrees) noexcept {
 double degreesOfHalfTangent(DoubleDouble tangent) noexcept {
   constexpr double kDegreesPerRadian = 57.29577951308232;
   double angle = 2 * std::atan(tangent.hi) * kDegreesPerRadian;
-  // Newton's steps: the first leaves an ulp, unless the angle is within a few thousand ulps of 180.
-  for (int step = 0; step < 3; ++step) {
-    if (!(angle > 0)) return std::isnan(angle) ? angle : 0;
-    if (!(angle < 180)) return 180;
-    const DoubleDouble there = tanHalfDegrees(angle);
-    angle += ((tangent - there) / (DoubleDouble(1) + there * there)).hi * 2 * kDegreesPerRadian;
-  }
-  return angle < 180 ? angle : 180;
+  if (!(angle > 0)) return std::isnan(angle) ? angle : 0;
+  if (tangent.hi > 1e17) return 180;
+  angle = std::min(angle, 0x1.67fffffffffffp+7);  // the last double below 180
+  // The rest is an angle too: tan(a - b) = (tan a - tan b) / (1 + tan a tan b), and so small that it is its tangent.
+  const DoubleDouble there = tanHalfDegrees(angle);
+  const DoubleDouble rest = (tangent - there) / (DoubleDouble(1) + tangent * there);
+  return (DoubleDouble(angle) + rest * DoubleDouble(2 * kDegreesPerRadian)).hi;
 }
 
 SinCos sinCosDegrees(double degrees) noexcept {

@@ -1,8 +1,10 @@
 // What a depth buffer resolves: window depth over distance, and how far apart surfaces must be to be stored apart.
 //
-// Distances are world units along the viewing axis; depths are window depths. What the closed forms below say is true
-// of the exact window depth rounded to the nearest stored one. The rounding of a matrix, a shader or a rasteriser in
-// float32 comes on top and is not modelled. Relative error of every result: at most kDepthBufferError.
+// A mapping is that of a projection and a viewport that validate takes, a format one of those below; of others, of a
+// distance that is not finite and of a gap that is not above 0 the results mean nothing. Distances are world units
+// along the viewing axis; depths are window depths. What the closed forms below say is true of the exact window depth
+// rounded to the nearest stored one. The rounding of a matrix, a shader or a rasteriser in float32 comes on top and is
+// not modelled. Relative error of every result: at most kDepthBufferError.
 //
 // With s the step of stored depths and K = |atFar - atNear| n f / (f - n) (perspective; n for infinite far), two
 // surfaces at v < w differ in depth by K (1/v - 1/w), in orthographic by |atFar - atNear| (w - v) / (f - n). They are

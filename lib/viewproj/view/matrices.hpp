@@ -3,6 +3,9 @@
 // Named destinationFromSource. All are returned as matrices for column vectors, whatever the convention's vectors and
 // storage say: laidOut and inStorageOrder apply those at the end. Entries are computed in double-double and rounded
 // once; an entry too large for a double comes out infinite.
+//
+// Parts are as validate takes them (pose.hpp, projection.hpp, viewport.hpp), or a camera's; of others the entries mean
+// nothing.
 #pragma once
 
 #include <array>

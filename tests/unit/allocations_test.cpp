@@ -1,0 +1,177 @@
+// What the README says of memory and exceptions: nothing allocates or throws once the camera is built.
+#include <cstdlib>
+#include <new>
+#include <vector>
+
+#include "catch.hpp"
+#include "kernels.hpp"
+#include "viewproj/viewproj.hpp"
+
+using namespace viewproj;
+
+namespace {
+
+std::size_t allocations = 0;
+
+void* counted(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
+  throw std::bad_alloc();
+}
+
+}  // namespace
+
+// Arrays come through these, and so does what takes std::nothrow.
+void* operator new(std::size_t size) { return counted(size); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  ++allocations;
+  void* memory = nullptr;
+  if (::posix_memalign(&memory, static_cast<std::size_t>(alignment), size) != 0) throw std::bad_alloc();
+  return memory;
+}
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+
+namespace {
+
+/// How often f allocates. A throw would end the program.
+template <class F>
+std::size_t allocationsOf(const F& f) noexcept {
+  const std::size_t before = allocations;
+  f();
+  return allocations - before;
+}
+
+}  // namespace
+
+TEST_CASE("Nothing allocates or throws once the camera is built") {
+  CHECK(allocations > 0);  // by Catch: they are counted
+  std::size_t calls = 0;
+  const auto none = [&](const char* what, const auto& f) {
+    INFO(what);
+    CHECK(allocationsOf(f) == 0);
+    ++calls;
+  };
+  const Pose poses[] = {
+      lookAt({3, 2, 5}, {0, 0, 0}, {0, 1, 0}, Handedness::right), poseFromHeadingPitchRoll({47, 8, 400}, {10, -20, 30}),
+      poseFromCameraFromWorld(viewFromWorld(lookAt({3, 2, 5}, {0, 0, 0}, {0, 1, 0}, Handedness::right), {}),
+                              CameraAxes::RUB, Handedness::right)};
+  const Projection lenses[] = {perspectiveFovY(60, 1.5, 0.1, kInfiniteFar), orthographic(-3, 3, -2, 2, -10, 10)};
+  for (const Pose& pose : poses)
+    for (const Projection& lens : lenses) {
+      const Viewport viewport{600, 400};
+      const Convention convention;
+      const Camera c = makeCamera(pose, lens, viewport, convention);
+      const Vec3& eye = pose.eye;
+      // In the picture, on the eye plane, behind, not finite: among them what the exact rows settle.
+      std::vector<Vec3> points;
+      for (int i = 0; i < 1000; ++i) {
+        const double w = i % 5 == 0 ? 0 : i % 7 == 0 ? -1 : 0.01 * i;
+        const DDVec3 p = toDoubleDouble(eye) + pose.columns.forward * DoubleDouble(w) +
+                         pose.columns.right * DoubleDouble(w * (i % 11 - 5) * 0.1);
+        points.push_back(rounded(p));
+      }
+      points[3].x = NAN;
+      std::vector<Vec3> screen(points.size());
+      std::vector<ScreenPoint> full(points.size());
+      std::vector<Vec2> pixels(points.size(), Vec2{300.5, 17});
+      pixels[4].x = 1e300;
+      for (const Precision precision : {Precision::fast, Precision::standard, Precision::exact}) {
+        none("worldToScreen", [&] {
+          for (const Vec3& p : points) {
+            (void)worldToScreen(c, p, precision);
+            (void)worldToScreen(c, Vec4{p.x, p.y, p.z, 0}, precision);
+            (void)worldToScreen(c, Vec4{p.x, p.y, p.z, 2}, precision);
+            (void)worldToScreenWithin(c, precision, p);
+            (void)boundOfPoint(c, p, precision);
+          }
+        });
+        none("screenToRay", [&] {
+          for (const Vec2& p : pixels) (void)screenToRay(c, p, precision, RayOrigin::nearPlane);
+        });
+        none("bounds", [&] { (void)boundInPicture(c, precision); });
+        withEachKernel([&](const Kernels& kernel) {
+          none(kernel.name, [&] {
+            worldToScreen(c, points, screen, precision);
+            worldToScreen(c, points, full, precision);
+          });
+        });
+      }
+      none("batches", [&] {
+        worldToScreenWithin(c, 1e-6, points, screen);
+        worldToScreenWithin(c, 1e-6, points, full);
+        screenToRayDirections(c, pixels, screen);
+        (void)precisionWithin(c, 1e-6);
+      });
+      none("screenToWorld", [&] {
+        for (const Vec2& p : pixels) {
+          (void)screenToWorld(c, p, 0.5);
+          (void)screenToWorldAtDistance(c, p, 3);
+          (void)distancePerDepth(c, p, 3);
+          (void)pixelStages(c, p);
+          (void)depthStages(c, p, 0.5);
+        }
+      });
+      none("stages", [&] {
+        for (const Vec3& p : points) {
+          const Vec4 point{p.x, p.y, p.z, 1};
+          (void)worldToView(c, point, convention);
+          (void)worldToClip(c, point, convention);
+          (void)worldToNdc(c, point, convention);
+          (void)pointStages(c, point, convention);
+        }
+      });
+      none("matrices", [&] {
+        (void)viewFromWorld(pose, convention);
+        (void)worldFromView(pose, convention);
+        (void)clipFromView(lens, convention);
+        (void)viewFromClip(lens, convention);
+        (void)clipFromWorld(pose, lens, convention);
+        (void)worldFromClip(pose, lens, convention);
+        (void)screenFromView(lens, viewport, convention);
+        (void)viewFromScreen(lens, viewport, convention);
+        (void)screenFromWorld(pose, lens, viewport, convention);
+        (void)worldFromScreen(pose, lens, viewport, convention);
+        (void)screenFromNdc(viewport, convention);
+        (void)ndcFromScreen(viewport, convention);
+        (void)inStorageOrder(clipFromView(lens, convention), convention);
+      });
+      none("the scene", [&] {
+        const Frustum f = viewFrustum(c);
+        const Ray ray = screenToRay(c, {10, 20});
+        for (const Vec3& p : points) {
+          (void)cull(f, p);
+          (void)cull(f, Sphere{p, 1});
+          (void)cull(f, Box{eye, p});
+          (void)cull(f, Triangle{eye, p, {1, 2, 3}});
+          (void)intersect(ray, Plane{p, {0, 1, 0}});
+          (void)intersect(ray, Sphere{p, 1});
+          (void)intersect(ray, Box{eye, p});
+          (void)intersect(ray, Triangle{eye, p, {1, 2, 3}});
+          (void)intersect(ray, kWgs84);
+          const VisibleSegment s = clipSegment(f, eye, p);
+          (void)parameterUnder(f, s, {10, 20});
+          (void)pointAlong(eye, p, 0.25);
+        }
+      });
+      none("depth", [&] {
+        const DepthMapping m = depthMapping(lens, 0, 1, true);
+        for (const DepthFormat& format : {kFloatDepth, DepthFormat{0x1p-24, 1}}) {
+          (void)depthAtDistance(m, 3);
+          (void)depthSlope(m, 3);
+          (void)depthStep(m, format, 3);
+          (void)resolvedGap(m, format, 3);
+          (void)resolvedUpTo(m, format, 0.01);
+          (void)nearToResolve(m, format, 0.01, 3);
+        }
+      });
+      none("places", [&] {
+        (void)geodeticToEcef({47, 8, 400});
+        (void)ecefToGeodetic(eye);
+        (void)ellipsoidNormal({47, 8, 400});
+      });
+    }
+  CHECK(calls > 100);
+}
