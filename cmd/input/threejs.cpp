@@ -74,8 +74,9 @@ struct View {
 };
 
 std::optional<View> readView(const ObjectReader& camera) {
+  // As three.js has it: a view that does not say so is not enabled.
   const auto view = camera.object("view");
-  if (!view || !view->flag("enabled").value_or(true)) return std::nullopt;
+  if (!view || !view->flag("enabled").value_or(false)) return std::nullopt;
   const auto positive = [&](const char* key) {
     const double number = view->requireNumber(key);
     if (!(number > 0)) view->fail(key, "must be above 0");
