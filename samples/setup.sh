@@ -11,7 +11,7 @@ packages="g++ cmake make libcli11-dev nlohmann-json3-dev libsimdjson-dev libgeog
 tests=OFF
 if [ "${1:-}" = tests ] || [ "${1:-}" = checks ]; then
   packages="$packages catch2 libmpfr-dev libglm-dev libeigen3-dev libimath-dev geographiclib-tools glslang-tools"
-  packages="$packages python3 python3-numpy python3-opencv parallel qemu-user"
+  packages="$packages python3 python3-numpy python3-opencv parallel qemu-user time valgrind"
   packages="$packages libegl-dev libgl-dev libopengl-dev libgl1-mesa-dri libvulkan-dev mesa-vulkan-drivers"
   # Those from elsewhere do as well.
   command -v node >/dev/null || packages="$packages nodejs"

@@ -27,6 +27,15 @@ struct Choice {
   std::optional<Convention> readAs;
   std::optional<std::size_t> number;
 
+  /// The options that choose.
+  std::string asked() const {
+    std::vector<std::string_view> given;
+    if (world) given.push_back("--world");
+    if (readAs) given.push_back("--read-as");
+    if (number) given.push_back("--reading");
+    return joined(given, " and ");
+  }
+
   bool takes(const NumberedReading& n, NumberOrder order) const {
     const Reading& r = n.reading;
     if (number && *number != n.number) return false;
@@ -108,6 +117,9 @@ InspectedMatrix inspectOne(const WrittenMatrix& written, EntryPrecision precisio
     plain.push_back(numbered.reading);
   }
   m.notes = notesOn(plain);
+  if (plain.empty() && m.all > 0)
+    m.notes.push_back("None of its readings, of which there are " + std::to_string(m.all) + ", is as " +
+                      choice.asked() + " asks.");
   if (stated && !plain.empty()) m.notes.insert(m.notes.begin(), statedNote(m, *stated));
   return m;
 }

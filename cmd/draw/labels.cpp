@@ -10,6 +10,9 @@ namespace {
 using svg::Box;
 
 constexpr double kCell = 32;
+/// With so many marks in it, a cell has no room for a label; through so many lines, one place is as bad as another.
+constexpr std::size_t kMostBoxes = 64;
+constexpr int kMostLinesThrough = 64;
 constexpr double kGap = 3, kLineHeight = 1.15 * kLabelText;
 
 /// Calls f with the number of each cell that the box touches.
@@ -61,6 +64,8 @@ double widthOf(std::string_view words, double size) {
   return width * size;
 }
 
+double widthOfFirst(std::string_view& words, double size) { return widthOf(nextCharacter(words)) * size; }
+
 std::string asLabel(std::string_view text) {
   std::string out;
   for (std::size_t count = 0; !text.empty(); ++count) {
@@ -76,10 +81,22 @@ std::string asLabel(std::string_view text) {
 }
 
 void Labels::avoid(const Box& box) {
+  const auto covers = [&](const Box& other) {
+    return other.left <= box.left && other.right >= box.right && other.top <= box.top && other.bottom >= box.bottom;
+  };
   anyCell(box, [&](int cell) {
-    taken_[cell].push_back(box);
+    std::vector<Box>& there = taken_[cell];
+    if (there.size() < kMostBoxes && std::none_of(there.begin(), there.end(), covers)) there.push_back(box);
     return false;
   });
+}
+
+void Labels::avoidLine(double x1, double y1, double x2, double y2) {
+  anyCell({std::min(x1, x2), std::min(y1, y2), std::max(x1, x2), std::max(y1, y2)}, [&](int cell) {
+    linesIn_[cell].push_back(lines_.size());
+    return false;
+  });
+  lines_.push_back({x1, y1, x2, y2});
 }
 
 bool Labels::isFree(const Box& box) const {
@@ -87,13 +104,14 @@ bool Labels::isFree(const Box& box) const {
     return false;
   return !anyCell(box, [&](int cell) {
     const auto there = taken_.find(cell);
-    return there != taken_.end() && std::any_of(there->second.begin(), there->second.end(),
-                                                [&](const Box& other) { return overlap(box, other) > 0; });
+    return there != taken_.end() && (there->second.size() == kMostBoxes ||
+                                     std::any_of(there->second.begin(), there->second.end(),
+                                                 [&](const Box& other) { return overlap(box, other) > 0; }));
   });
 }
 
 int Labels::linesThrough(const Box& box) const {
-  return static_cast<int>(std::count_if(lines_.begin(), lines_.end(), [&](const Line& line) {
+  const auto passes = [&](const Line& line) {
     double from = 0, to = 1;
     const auto clip = [&](double start, double step, double low, double high) {
       if (step == 0) return start >= low && start <= high;
@@ -104,7 +122,22 @@ int Labels::linesThrough(const Box& box) const {
     };
     return clip(line.x1, line.x2 - line.x1, box.left, box.right) &&
            clip(line.y1, line.y2 - line.y1, box.top, box.bottom);
-  }));
+  };
+  int count = 0;
+  ++queries_;
+  anyCell(box, [&](int cell) {
+    const auto there = linesIn_.find(cell);
+    if (there == linesIn_.end()) return false;
+    for (const std::size_t number : there->second) {
+      const Line& line = lines_[number];
+      if (line.query == queries_) continue;
+      line.query = queries_;
+      count += passes(line);
+      if (count == kMostLinesThrough) return true;
+    }
+    return false;
+  });
+  return count;
 }
 
 std::optional<std::string> Labels::place(const Box& marked, const std::string& words, const std::string& style) {

@@ -15,6 +15,8 @@ inline constexpr double kLabelText = 13;
 
 /// Not less than the width of words in any usual sans-serif face.
 double widthOf(std::string_view words, double size);
+/// Of their first character, which is taken off.
+double widthOfFirst(std::string_view& words, double size);
 
 /// Text of a record as a label: characters that XML has not replaced, cut off after kLongestLabel of them.
 std::string asLabel(std::string_view text);
@@ -28,7 +30,7 @@ class Labels {
   /// No label lies on these.
   void avoid(const svg::Box& box);
   /// Nor, if there is another place as good, on these.
-  void avoidLine(double x1, double y1, double x2, double y2) { lines_.push_back({x1, y1, x2, y2}); }
+  void avoidLine(double x1, double y1, double x2, double y2);
 
   /// A text element beside what is marked; nothing where there is no room.
   std::optional<std::string> place(const svg::Box& marked, const std::string& words, const std::string& style);
@@ -38,6 +40,7 @@ class Labels {
  private:
   struct Line {
     double x1, y1, x2, y2;
+    mutable std::size_t query = 0;  ///< that has counted it
   };
 
   bool isFree(const svg::Box& box) const;
@@ -46,6 +49,8 @@ class Labels {
   svg::Box frame_;
   std::unordered_map<int, std::vector<svg::Box>> taken_;  ///< by cell
   std::vector<Line> lines_;
+  std::unordered_map<int, std::vector<std::size_t>> linesIn_;  ///< by cell: numbers of lines that may cross it
+  mutable std::size_t queries_ = 0;
   std::size_t dropped_ = 0;
 };
 

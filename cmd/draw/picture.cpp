@@ -222,14 +222,14 @@ class Picture {
   }
 
   /// Cut off where the sheet ends.
-  static std::string fitting(std::string words) {
+  static std::string fitting(const std::string& words) {
     const double room = svg::kWidth - 32;
     if (widthOf(words, svg::kSmallText) <= room) return words;
-    while (!words.empty() && widthOf(words + "…", svg::kSmallText) > room) {
-      while ((static_cast<unsigned char>(words.back()) & 0xC0) == 0x80) words.pop_back();
-      words.pop_back();
-    }
-    return words + "…";
+    double left = room - widthOf("…", svg::kSmallText);
+    std::string_view rest = words;
+    std::size_t fits = 0;
+    while ((left -= widthOfFirst(rest, svg::kSmallText)) >= 0) fits = words.size() - rest.size();
+    return words.substr(0, fits) + "…";
   }
 
   const View& view_;

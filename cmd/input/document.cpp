@@ -96,8 +96,14 @@ void Document::set(const std::string& assignment) {
     throw UsageError("--set " + assignment + ": expected FIELD=VALUE, as in projection.fovY=75");
   const Path path = split(assignment.substr(0, equals));
   const std::string text = assignment.substr(equals + 1);
-  nlohmann::json value = nlohmann::json::parse(text, nullptr, false);
-  if (value.is_discarded()) value = text;
+  nlohmann::json value;
+  if (jsonFault(text)) {
+    value = text;
+  } else {
+    if (tooDeepAt(text))
+      throw UsageError("--set " + dotted(path) + ": the value is nested deeper than " + std::to_string(kDeepest));
+    if (const auto fault = parseJson(text, value)) throw UsageError("--set " + dotted(path) + ": " + fault->message);
+  }
   if (value.is_string() && !isUtf8(text)) throw UsageError("--set " + dotted(path) + ": the value is not UTF-8");
 
   nlohmann::json* at = root_.get();

@@ -324,8 +324,7 @@ std::string reportAsText(const std::vector<InspectedMatrix>& matrices) {
     }
     out += plural(m.readings.size(), "reading") + (m.readings.size() == m.all ? "" : " of " + std::to_string(m.all)) +
            "\n";
-    if (m.readings.empty()) continue;
-    out += readingTable(m) + "\n" + parameterTable(m) + (m.notes.empty() ? "" : "\n");
+    if (!m.readings.empty()) out += readingTable(m) + "\n" + parameterTable(m) + (m.notes.empty() ? "" : "\n");
     for (const std::string& note : m.notes) out += wrapped(note);
   }
   return out;

@@ -5,6 +5,7 @@
 
 #include "catch.hpp"
 #include "input/error.hpp"
+#include "output/number.hpp"
 #include "output/plot.hpp"
 #include "output/record_writer.hpp"
 
@@ -60,6 +61,19 @@ std::string asText(void (*results)(ResultSink&)) {
 }
 
 }  // namespace
+
+TEST_CASE("A count has three digits and the unit that suits them, whichever side of the next one it lies") {
+  const std::pair<double, const char*> cases[] = {
+      {0, "0"},           {0.00123456, "0.00123"}, {1e-12, "1e-12"},  {0.9996, "1"},      {12.345, "12.3"},
+      {999, "999"},       {999.4, "999"},          {999.5, "1 k"},    {999.6, "1 k"},     {1000, "1 k"},
+      {1049.9, "1.05 k"}, {9996, "10 k"},          {12345, "12.3 k"}, {999.4e3, "999 k"}, {999500, "1 M"},
+      {999.6e6, "1 G"},   {999.4e6, "999 M"},      {1e9, "1 G"},      {999.6e9, "1 T"},   {1.5e12, "1.5 T"},
+      {1e15, "1000 T"},   {1.234e18, "1230000 T"}, {-999.6, "-1 k"},  {999.6e-6, "0.001"}};
+  for (const auto& [value, text] : cases) {
+    INFO(value);
+    CHECK(formatCount(value) == text);
+  }
+}
 
 TEST_CASE("every kind of result has its name") {
   NameCollector names("p_");

@@ -246,6 +246,7 @@ class Reader {
           addViewProjections(*parts, c, *depth, 1);
       }
     if (readings_.size() > before) return "";
+    if (!std::isfinite(parts->depthOffset.value.hi) || !std::isfinite(parts->depthScale.value.hi)) return kBeyondRange;
     return text("its depth is %.6g", parts->depthOffset.value.hi) + text(" %+.6g / w", parts->depthScale.value.hi) +
            ", which takes in neither -1 to 1 nor 0 to 1 in front of the eye; a viewport folded in does that, or a "
            "matrix that is none of a camera";
