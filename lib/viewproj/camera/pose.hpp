@@ -22,6 +22,21 @@ struct FineVec3 {
   double error = 0;
 };
 
+/// What the directions of a pose's rows were made of, for where products of the numbers leave the range of doubles.
+struct PoseSource {
+  enum class Kind {
+    rows,      ///< the exact rows themselves, which lost nothing
+    look,      ///< from, to, up
+    rotation,  ///< the quaternion's x, y, z; then w
+    columns,   ///< x, y, z of a worldFromCamera
+  };
+  Kind kind = Kind::rows;
+  std::array<Vec3, 3> numbers{};
+  bool leftHanded = false;    ///< look
+  std::array<int, 3> along{};  ///< rotation, columns: the row of right, up, forward that x, y, z lie along
+  std::array<double, 3> sign{};
+};
+
 /// The rows of a pose before any rounding, for points whose distances cancel beyond double-double. With
 /// d = point - origin, the distances along the camera's axes are
 ///   X = rightScale (right . d + translation.x)   and so on,
@@ -33,6 +48,10 @@ struct ExactRows {
   DoubleDouble rightScale = 1, upScale = 1, forwardScale = 1;
   Vec3 origin, translation;
   double error = 0;  ///< of an entry, once scaled: 0 unless the pose was made of sines and cosines
+  /// Whether no term is so small (2^-250 and less) that a product with it could underflow. Where one is, right, up and
+  /// forward may have lost such terms, and source is what counts.
+  bool isNarrow = true;
+  PoseSource source{};
 };
 
 /// A pose. With d = point - eye, the point's distances along the camera's axes are

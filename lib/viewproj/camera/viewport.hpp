@@ -20,7 +20,8 @@ struct Crop {
   double x = 0, y = 0, width = 0, height = 0;
 };
 
-/// Throws CameraError unless every number is finite and width and height are positive.
+/// Throws CameraError unless every number is finite, width and height are positive, and all are within the range that
+/// kSmallestWindow and kLargestWindow (projection.hpp) state.
 void validate(const Viewport& viewport);
 
 /// The tile as a viewport of its own: screen numbers start at its corner.

@@ -67,12 +67,31 @@ inline Wide sqrt(const Wide& a) noexcept {
   return {sqrt(timesPowerOfTwo(a.value, 1 + odd)), (a.exponent - odd) / 2};
 }
 
+inline Wide magnitude(const Wide& a) noexcept { return a.sign() < 0 ? -a : a; }
+inline bool isLess(const Wide& a, const Wide& b) noexcept { return (a - b).sign() < 0; }
+
+/// a + b, or 0 where the terms cancel to less than their own error (kCancellation).
+inline Wide sumOrZero(const Wide& a, const Wide& b) noexcept {
+  const Wide sum = a + b;
+  return isLess(magnitude(a) * Wide(kCancellation), magnitude(sum)) ? sum : Wide();
+}
+
 inline WideVec3 operator*(const WideVec3& a, const Wide& k) noexcept { return {a.x * k, a.y * k, a.z * k}; }
 inline WideVec3 operator+(const WideVec3& a, const WideVec3& b) noexcept { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 inline WideVec3 operator-(const WideVec3& a, const WideVec3& b) noexcept { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 inline Wide dot(const WideVec3& a, const WideVec3& b) noexcept { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline Wide lengthOf(const WideVec3& a) noexcept { return sqrt(dot(a, a)); }
 
+/// a . b, or 0 where the products cancel to less than the error of a and b.
+inline Wide dotOrZero(const WideVec3& a, const WideVec3& b) noexcept {
+  const Wide x = a.x * b.x, y = a.y * b.y, z = a.z * b.z;
+  const Wide sum = x + y + z;
+  const Wide sizes = magnitude(x) + magnitude(y) + magnitude(z);
+  return isLess(sizes * Wide(kCancellation), magnitude(sum)) ? sum : Wide();
+}
+
+inline DoubleDouble toDoubleDouble(const Wide& a) noexcept { return scaleByPowerOfTwo(a.value, a.exponent); }
+inline Wide toWide(DoubleDouble a) noexcept { return {a, 0}; }
 inline WideVec3 toWide(const DDVec3& a) noexcept { return {{a.x, 0}, {a.y, 0}, {a.z, 0}}; }
 inline WideVec3 toWide(const Vec3& a) noexcept { return {a.x, a.y, a.z}; }
 inline Vec3 rounded(const WideVec3& a) noexcept { return {double(a.x), double(a.y), double(a.z)}; }

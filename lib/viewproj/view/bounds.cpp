@@ -32,7 +32,7 @@ ErrorBound boundIn(const Camera& c, Precision precision, const Situation& s) {
   const double sum = kUnitDouble * kSecondOrder;  // the last sum is in double in fast too
   const double center = std::max(std::fabs(k.centerX.lo), std::fabs(k.centerY.lo));
   const double largestRow = precision == Precision::fast ? kLargestRowFast : kLargestRow;
-  if (!rowsInRange(k, largestRow)) return {kInfinity, kInfinity};
+  if (!isInRange(k, largestRow, kLargestRange)) return {kInfinity, kInfinity};
   const double scale = std::fabs(k.depthScale.hi);
   const double offset = std::fabs(k.depthOffset.hi);
   if (k.orthographic)
