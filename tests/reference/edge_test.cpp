@@ -281,7 +281,7 @@ class Search {
 
  private:
   void fail(const std::string& what, const Vec4& p) {
-    if (++tally_.failures > 25) return;
+    if (++tally_.failures > 200) return;
     char text[400];
     std::snprintf(text, sizeof text, "trial %llu, point %a %a %a %a (%.17g %.17g %.17g): ",
                   static_cast<unsigned long long>(trial_), p.x, p.y, p.z, p.w, p.x, p.y, p.z);
@@ -336,9 +336,15 @@ class Search {
     if (a.hasScreen) a.screen = truth.screen(a.view);
   }
 
-  static bool isNearest(double got, const Real& truth) { return got == double(truth); }
+  static std::string exactly(double value) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%a", value);
+    return text;
+  }
 
-  void number(const char* name, double got, const Real& truth, bool certain, double bound, int rung, const Vec4& p) {
+  /// isBounded: whether the bound has to be a number.
+  void number(const char* name, double got, const Real& truth, bool certain, double bound, bool isBounded, int rung,
+              const Vec4& p) {
     const double nearest = double(truth);
     if (certain) {
       if (got != nearest) fail(std::string(name) + " is certain and not the nearest double", p);
@@ -356,7 +362,7 @@ class Search {
     }
     if (std::isfinite(bound) && bound > 0) worst_.share[rung] = std::max(worst_.share[rung], off / bound);
     if (!(off <= bound)) fail(std::string(name) + " is " + std::to_string(off / bound) + " bounds off", p);
-    if (rung == 2 && !std::isfinite(bound)) fail(std::string(name) + " has no bound", p);
+    if (isBounded && !std::isfinite(bound)) fail(std::string(name) + " has no bound", p);
   }
 
   /// Beyond which sides the true position lies; may: so near a boundary that either is right.
@@ -398,11 +404,12 @@ class Search {
     const bool isDirection = p.w == 0;
     if (!isDirection && isExact) {
       const double nearest = double(a.view.forward);
-      if (certain && got.viewDistance != nearest) fail("viewDistance is certain and not the nearest double", p);
+      if (certain && got.viewDistance != nearest) fail("viewDistance is certain and not the nearest double: " + exactly(got.viewDistance) + ", " + exactly(nearest), p);
       if (std::isfinite(nearest) && !certain &&
           !(ulps(got.viewDistance, a.view.forward) <= 1.01 ||
             distance(got.viewDistance, a.view.forward) <= 1e-26 * std::fabs(scene_.near)))
-        fail("viewDistance is far off", p);
+        fail("viewDistance is far off: " + std::to_string(got.viewDistance) + ", " +
+             std::to_string(double(a.view.forward)), p);
     }
     if (!a.hasScreen) {
       const PointStatus want = truth_->lens.orthographic ? PointStatus::atInfinity : PointStatus::behind;
@@ -410,9 +417,10 @@ class Search {
       return;
     }
     if (got.status != PointStatus::inFront) return fail("is in front, and not said to be", p);
-    number("x", got.x, a.screen.x, certain, bound.screen, rung, p);
-    number("y", got.y, a.screen.y, certain, bound.screen, rung, p);
-    if (!isDirection) number("depth", got.depth, a.screen.depth, certain, bound.depth, rung, p);
+    const bool isBounded = isExact && std::isfinite(double(a.screen.x)) && std::isfinite(double(a.screen.y));
+    number("x", got.x, a.screen.x, certain, bound.screen, isBounded, rung, p);
+    number("y", got.y, a.screen.y, certain, bound.screen, isBounded, rung, p);
+    if (!isDirection) number("depth", got.depth, a.screen.depth, certain, bound.depth, isExact, rung, p);
     sides(got, a, bound, p);
   }
 
@@ -467,7 +475,10 @@ class Search {
           fail("a batch is not what its points are, precision " + std::to_string(int(precision)), p);
         if (!(same(full[i].x, one.x) && same(full[i].viewDistance, one.viewDistance) && full[i].status == one.status &&
               full[i].outside == one.outside && full[i].certain == one.certain))
-          fail("a full batch is not what its points are, precision " + std::to_string(int(precision)), p);
+          fail("a full batch is not what its points are, precision " + std::to_string(int(precision)) + ": " +
+                   exactly(full[i].viewDistance) + (full[i].certain ? " certain, " : ", ") + exactly(one.viewDistance) +
+                   (one.certain ? " certain" : ""),
+               p);
       }
     }
   }

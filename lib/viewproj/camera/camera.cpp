@@ -11,6 +11,9 @@ namespace viewproj {
 
 namespace {
 
+/// Of pixels for a unit of the window, and of where its axis lies: one more factor of 2^20 is a double still.
+constexpr double kLargestScale = 0x1p1000;
+
 /// near / (far - near), far / (far - near) and 1 / (far - near), for finite far.
 struct RangeShares {
   DoubleDouble near, far, one;
@@ -77,8 +80,8 @@ Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport
   c.screen = screenMap(projection, viewport);
   const auto isInRange = [](DoubleDouble center, DoubleDouble scale, double reach) {
     const double size = std::fabs(scale.hi);
-    return isFinite(center) && isFinite(scale) && reach < kLargestWindow && size > kSmallestWindow &&
-           size < kLargestWindow;
+    return isFinite(center) && isFinite(scale) && reach < kLargestScale && size > 1 / kLargestScale &&
+           size < kLargestScale;
   };
   if (!isInRange(c.screen.centerX, c.screen.scaleX, c.screen.reachX) ||
       !isInRange(c.screen.centerY, c.screen.scaleY, c.screen.reachY))

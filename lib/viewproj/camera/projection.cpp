@@ -54,6 +54,20 @@ DoubleDouble differenceOver(double low, double high, double by) {
                            kd - kb + (scale == 1 ? 0 : 4));
 }
 
+/// Beyond this many of its own sizes off the axis, a window that was moved or cut out has lost too many digits.
+constexpr double kLargestMove = 0x1p32;
+
+Projection moved(const Projection& p, const char* fieldX, const char* fieldY) {
+  const auto require = [](double reach, DoubleDouble low, DoubleDouble high, const char* field) {
+    if (reach > kLargestMove * std::max(std::fabs(low.hi), std::fabs(high.hi)))
+      throw CameraError(field, "leaves less than 2e-10 of the window, or of its way off the viewing axis");
+  };
+  const Projection result = checked(p);
+  require(p.reachX, p.left, p.right, fieldX);
+  require(p.reachY, p.bottom, p.top, fieldY);
+  return result;
+}
+
 double largest(double reach, DoubleDouble a, DoubleDouble b) {
   return std::max({reach, std::fabs(a.hi), std::fabs(b.hi)});
 }
@@ -153,18 +167,18 @@ Projection intrinsics(DoubleDouble fx, DoubleDouble fy, double cx, double cy, co
 
 Projection shifted(const Projection& p, double dx, double dy) {
   if (!(std::isfinite(dx) && std::isfinite(dy))) throw CameraError("shift", "must be two finite numbers");
-  Projection moved = p;
-  moved.width = windowWidth(p);
-  moved.height = windowHeight(p);
-  const DoubleDouble x = DoubleDouble(dx) * timesPowerOfTwo(moved.width, 0.5);
-  const DoubleDouble y = DoubleDouble(dy) * timesPowerOfTwo(moved.height, 0.5);
-  moved.reachX = largest(p.reachX, p.left, p.right);
-  moved.reachY = largest(p.reachY, p.bottom, p.top);
-  moved.left = p.left - x;
-  moved.right = p.right - x;
-  moved.bottom = p.bottom - y;
-  moved.top = p.top - y;
-  return checked(moved);
+  Projection window = p;
+  window.width = windowWidth(p);
+  window.height = windowHeight(p);
+  const DoubleDouble x = DoubleDouble(dx) * timesPowerOfTwo(window.width, 0.5);
+  const DoubleDouble y = DoubleDouble(dy) * timesPowerOfTwo(window.height, 0.5);
+  window.reachX = largest(p.reachX, p.left, p.right);
+  window.reachY = largest(p.reachY, p.bottom, p.top);
+  window.left = p.left - x;
+  window.right = p.right - x;
+  window.bottom = p.bottom - y;
+  window.top = p.top - y;
+  return moved(window, "shift", "shift");
 }
 
 Projection cropped(const Projection& p, const Viewport& viewport, const Crop& crop) {
@@ -182,8 +196,8 @@ Projection cropped(const Projection& p, const Viewport& viewport, const Crop& cr
   const auto along = [&](DoubleDouble y) { return start + downwards * (y / DoubleDouble(viewport.height)); };
   const DoubleDouble first = along(crop.y);
   const DoubleDouble last = along(yEnd);
-  return checked({p.orthographic, across(crop.x), across(xEnd), down ? last : first, down ? first : last, p.near, p.far,
-                  width * shareX, height * shareY, largest(p.reachX, p.left, p.right), largest(p.reachY, p.bottom, p.top)});
+  return moved({p.orthographic, across(crop.x), across(xEnd), down ? last : first, down ? first : last, p.near, p.far,
+                  width * shareX, height * shareY, largest(p.reachX, p.left, p.right), largest(p.reachY, p.bottom, p.top)}, "viewport.crop.width", "viewport.crop.height");
 }
 
 DoubleDouble windowAspect(const Projection& p) { return windowWidth(p) / windowHeight(p); }

@@ -32,8 +32,8 @@ inline DoubleDouble windowHeight(const Projection& p) noexcept { return p.height
 inline constexpr double kInfiniteFar = std::numeric_limits<double>::infinity();
 
 /// The range of a camera's numbers, about 1e-271 to 1e271. A window's width and height, a viewport's and a crop's lie
-/// within it, and so do the pixels for a unit of the window; a window's edges, a viewport's and a crop's corner and
-/// window depths are no larger. near, far and every number of a pose may be any double that is finite.
+/// within it; a window's edges, a viewport's and a crop's corner and window depths are no larger. The pixels for a unit
+/// of the window lie between 2^-1000 and 2^1000. near, far and every number of a pose may be any double that is finite.
 inline constexpr double kSmallestWindow = 0x1p-900;
 inline constexpr double kLargestWindow = 0x1p900;
 

@@ -1,5 +1,8 @@
 #include "viewproj/camera/viewport.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "viewproj/camera/error.hpp"
 #include "viewproj/camera/projection.hpp"
 
@@ -17,14 +20,21 @@ void requirePlace(double value, const char* field) {
   if (!(std::fabs(value) < kLargestWindow)) throw CameraError(field, "must be between -8.4e270 and 8.4e270");
 }
 
+/// So far away, positions in the picture would have lost too many digits.
+void requireCorner(double value, double size, const char* field) {
+  requirePlace(value, field);
+  if (!(std::fabs(value) <= kLargestCorner * size))
+    throw CameraError(field, "is more than 1.1e12 times the viewport's size away");
+}
+
 }  // namespace
 
 void validate(const Viewport& v) {
   requireSize(v.width, "viewport.width");
   requireSize(v.height, "viewport.height");
-  requirePlace(v.x, "viewport.x");
-  requirePlace(v.y, "viewport.y");
-  requirePlace(v.pixelCenter, "viewport.pixelCenter");
+  requireCorner(v.x, v.width, "viewport.x");
+  requireCorner(v.y, v.height, "viewport.y");
+  requireCorner(v.pixelCenter - 0.5, std::min(v.width, v.height), "viewport.pixelCenter");
   requirePlace(v.depthFirst, "viewport.depthRange");
   requirePlace(v.depthSecond, "viewport.depthRange");
   if (v.depthFirst == v.depthSecond) throw CameraError("viewport.depthRange", "must span more than one value");

@@ -43,6 +43,7 @@ inline constexpr double kLargestReachFast = 0x1p60;
 inline constexpr double kSmallestDistanceFast = 0x1p-60;
 inline constexpr double kLargestReachExact = 0x1p400;
 inline constexpr double kSmallestReachExact = 0x1p-400;
+inline constexpr double kSmallestDistanceExact = 0x1p-450;
 
 /// The entries of the scaled rows must lie between 1 / this and this; other cameras are left to the exact path whole.
 inline constexpr double kLargestRow = 0x1p300;

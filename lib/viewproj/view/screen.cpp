@@ -188,32 +188,11 @@ struct WideBounded {
 /// What an operation or a camera's number adds, relative.
 const Wide kWideShare = 0x1p-97;
 
-/// The double nearest a number, and whether every number within the error has the same one.
-struct Nearest {
-  double value;
-  bool certain;
-};
-
-Nearest nearest(const WideBounded& b) noexcept {
-  const Wide& a = b.value;
-  if (a.sign() == 0) return {double(a), b.error.sign() == 0 && std::isfinite(a.value.hi)};
-  const Wide share = b.error / magnitude(a);
-  if (!isLess(share, 1)) return {double(a), false};
-  const double error = double(share) * 2;  // |value| < 2
-  if (a.exponent >= -1022) {
-    const DoubleDouble v = a.value;
-    const double rounded = double(a);
-    return {rounded, std::isfinite(rounded) && v.hi + (v.lo + error) == v.hi && v.hi + (v.lo - error) == v.hi};
-  }
-  // Subnormal: a whole number of the smallest double.
-  const int power = std::max(a.exponent, -1200) + 1074;
-  const DoubleDouble count = scaleByPowerOfTwo(a.value, power);
-  const double margin = std::ldexp(error, power);
-  double whole = std::rint(count.hi);
-  const DoubleDouble rest = twoSum(count.hi - whole, count.lo);
-  if (rest.hi > 0.5) whole += 1;
-  if (rest.hi < -0.5) whole -= 1;
-  return {std::ldexp(whole, -1074) + 0.0, std::fabs(std::fabs(rest.hi) - 0.5) > margin + 0x1p-50};
+NearestDouble nearest(const WideBounded& b) noexcept {
+  if (b.value.sign() == 0) return {double(b.value), b.error.sign() == 0 && std::isfinite(b.value.value.hi)};
+  const Wide share = b.error / magnitude(b.value);
+  if (!isLess(share, 1)) return {nearestDouble(b.value), false};
+  return nearestDouble(b.value, double(share));
 }
 
 /// X / W with both off by at most `error`, as windowCoordinate.
@@ -267,7 +246,7 @@ Attempt widelyToScreen(const Camera& c, const Vec4& point) noexcept {
     return WideBounded{divided, e.error + kWideShare * magnitude(divided)};
   };
   const WideBounded distance = inWorld(e.forward);
-  const Nearest viewDistance = point.w == 0 ? Nearest{kNaN, true} : nearest(distance);
+  const NearestDouble viewDistance = point.w == 0 ? NearestDouble{kNaN, true} : nearest(distance);
   WideBounded x, y;
   if (c.projection.orthographic) {
     x = inWorld(e.right);
@@ -278,9 +257,9 @@ Attempt widelyToScreen(const Camera& c, const Vec4& point) noexcept {
     x = widelyToWindow(e.right, e.forward, e.error);
     y = widelyToWindow(e.up, e.forward, e.error);
   }
-  const Nearest screenX = nearest(widelyToScreen(map.centerX, map.reachX, map.scaleX, x));
-  const Nearest screenY = nearest(widelyToScreen(map.centerY, map.reachY, map.scaleY, y));
-  const Nearest depth = point.w == 0 ? Nearest{c.depthAtInfinity, true} : nearest(widelyToDepth(c, distance));
+  const NearestDouble screenX = nearest(widelyToScreen(map.centerX, map.reachX, map.scaleX, x));
+  const NearestDouble screenY = nearest(widelyToScreen(map.centerY, map.reachY, map.scaleY, y));
+  const NearestDouble depth = point.w == 0 ? NearestDouble{c.depthAtInfinity, true} : nearest(widelyToDepth(c, distance));
   ScreenPoint p;
   p.x = screenX.value;
   p.y = screenY.value;
@@ -289,6 +268,14 @@ Attempt widelyToScreen(const Camera& c, const Vec4& point) noexcept {
   p.outside = sidesBeyond(c, p);
   if (point.w == 0 && std::isfinite(c.projection.far)) p.outside |= sideFar;
   return {p, viewDistance.certain && screenX.certain && screenY.certain && depth.certain};
+}
+
+/// Of a camera that looks along an axis of the world: whether the point's coordinate there is the eye's.
+bool isBesideEye(const Camera& c, const Vec4& point) noexcept {
+  const DDVec3& forward = c.pose.rows.forward;
+  return forward.x.hi != 0   ? point.x == c.pose.eye.x
+         : forward.y.hi != 0 ? point.y == c.pose.eye.y
+                             : point.z == c.pose.eye.z;
 }
 
 /// Farther from 1 than this, distances have their digits, but not all products with them.
@@ -304,7 +291,8 @@ ScreenPoint exactToScreen(const Camera& c, const Vec4& point) noexcept {
     result = widelyToScreen(c, point);
   } else {
     // Unless bringing the point to unit size pushed its last bits below the smallest double.
-    e.forwardIsExact = c.constants.forwardIsAxis && point.w == 1 && std::fabs(e.forward.hi) > 0x1p-900;
+    e.forwardIsExact = c.constants.forwardIsAxis && point.w == 1 &&
+                       (std::fabs(e.forward.hi) > 0x1p-900 || isBesideEye(c, point));
     result = attempt(c, e, point.w);
     if (!result.certain && !isInExactRange(c.pose, point)) {
       result = widelyToScreen(c, point);
@@ -338,7 +326,11 @@ ScreenPoint pointToScreen(const Camera& c, const Vec3& point, Precision precisio
   if (precision == Precision::exact) return exactToScreen(c, {point.x, point.y, point.z, 1});
   const Projected<double, bool> r = precision == Precision::fast ? byFormula<FastFormula>(c.constants, point, band)
                                                                  : byFormula<StandardFormula>(c.constants, point, band);
-  if (r.behind) return without(PointStatus::behind, r.distance);
+  if (r.behind) {
+    ScreenPoint behind = without(PointStatus::behind, r.distance);
+    behind.precision = precision;
+    return behind;
+  }
   if (!r.valid) return exactToScreen(c, {point.x, point.y, point.z, 1});
   ScreenPoint p;
   p.x = r.x;

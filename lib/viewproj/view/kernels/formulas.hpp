@@ -277,7 +277,10 @@ class ExactFormula {
       r.x = sx.hi;
       r.y = sy.hi;
       r.depth = z.hi;
-      r.valid = all(inRange, certain(sx, error + (errorCenterX_ + L::absolute(x.hi) * kParameter)),
+      // Of a distance without an error, the product with scale might have underflowed.
+      const D size = L::absolute(w.hi);
+      const M hasDigits = (size > kSmallestDistanceExact) | (size == D{});
+      r.valid = all(inRange, hasDigits, certain(sx, error + (errorCenterX_ + L::absolute(x.hi) * kParameter)),
                     certain(sy, error + (errorCenterY_ + L::absolute(y.hi) * kParameter)), certain(z, errorZ));
       r.behind = reach < D{};
     } else {
