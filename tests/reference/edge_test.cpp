@@ -387,7 +387,7 @@ class Search {
     side(start + Real(v.height), a.screen.y, sy, last, "last row");
     if (p.w == 0) return;
     const double w = double(a.view.forward);
-    const double slack = got.certain ? 0 : std::fabs(w) * 0x1p-50 + 1e-25 * std::fabs(scene_.near);
+    const double slack = got.certain ? 0 : std::fabs(w) * 0x1p-50 + 1e-25 * std::fabs(scene_.near) + DBL_TRUE_MIN;
     if (got.certain && ((w < scene_.near) != ((got.outside & sideNear) != 0))) fail("near", p);
     if (got.certain && ((w > scene_.far) != ((got.outside & sideFar) != 0))) fail("far", p);
     if (!got.certain && got.precision == Precision::exact) {

@@ -24,7 +24,7 @@ struct Bounded {
   /// again.
   bool certain() const noexcept {
     const bool settled = value.hi + (value.lo + error) == value.hi && value.hi + (value.lo - error) == value.hi;
-    return settled && (exponent == 0 || std::isnormal(std::ldexp(value.hi, exponent)));
+    return settled && (exponent == 0 || value.hi == 0 || std::isnormal(std::ldexp(value.hi, exponent)));
   }
 };
 
@@ -79,7 +79,7 @@ Bounded windowDepth(const Camera& c, const Bounded& distance) noexcept {
     return distance.error == 0 ? a + -b : sumOrZero(a, -b);
   };
   if (c.projection.orthographic) {
-    const Bounded w = plain(distance);
+    const Bounded w = distance.value.hi == 0 && distance.error == 0 ? distance : plain(distance);
     shareOfNear = difference(f, w.value) * c.farOverRange;
     shareOfFar = difference(w.value, n) * c.farOverRange;
     distanceError = c.farOverRange.hi * (w.error + (distance.error == 0 ? 0 : kParameter * std::fabs(w.value.hi)));
@@ -104,6 +104,7 @@ Bounded windowDepth(const Camera& c, const Bounded& distance) noexcept {
   const DoubleDouble first = part(c.depthAtNear, shareOfNear);
   const DoubleDouble second = part(c.depthAtFar, shareOfFar);
   const double sizes = std::fabs(first.hi) + std::fabs(second.hi);
+  if (sizes == 0 && distance.error == 0 && distance.value.hi == 0) return {};
   return {first + second, std::fabs(c.depthAtFar - c.depthAtNear) * distanceError + kParameter * sizes + kUnderflow,
           exponent};
 }
@@ -242,8 +243,9 @@ Attempt widelyToScreen(const Camera& c, const Vec4& point) noexcept {
     return {p, e.error.sign() == 0};
   }
   const auto inWorld = [&](const Wide& a) {
-    const Wide divided = point.w == 0 ? a : a / Wide(point.w);
-    return WideBounded{divided, e.error + kWideShare * magnitude(divided)};
+    const Wide weight = point.w == 0 ? 1 : point.w;
+    const Wide divided = a / weight;
+    return WideBounded{divided, e.error / magnitude(weight) + kWideShare * magnitude(divided)};
   };
   const WideBounded distance = inWorld(e.forward);
   const NearestDouble viewDistance = point.w == 0 ? NearestDouble{kNaN, true} : nearest(distance);
@@ -349,7 +351,15 @@ ScreenPoint worldToScreen(const Camera& camera, const Vec4& point, Precision pre
   if (point.w == 1) return worldToScreen(camera, xyz, precision);
   if (!isFinite(xyz) || !std::isfinite(point.w) || (maxAbs(xyz) == 0 && point.w == 0))
     return without(PointStatus::notFinite, kNaN);
-  return exactToScreen(camera, withUnitWeight(point));
+  const Vec4 unit = withUnitWeight(point);
+  const int k = point.w == 0 ? 0 : std::ilogb(point.w);
+  const bool isLossless = std::ldexp(unit.x, k) == point.x && std::ldexp(unit.y, k) == point.y &&
+                          std::ldexp(unit.z, k) == point.z;
+  if (isLossless || unit.w == 0) return exactToScreen(camera, unit);
+  const Attempt result = widelyToScreen(camera, point);
+  ScreenPoint p = result.point;
+  p.certain = result.certain;
+  return p;
 }
 
 ScreenPoint worldToScreen(const Camera& camera, const Vec3& point, Precision precision) noexcept {
