@@ -62,7 +62,7 @@ TEST_CASE("A window that doubles cannot tell from none, or from the whole plane,
   CHECK(fieldAtFault([] { frustum(-1, 1, 1e280, 2e280, 1, 2); }) == "top");
   const Projection narrow = frustum(-1e-270, 1e-270, -1e-270, 1e-270, 1, 2);
   CHECK(fieldAtFault([&] { makeCamera(kPose, narrow, {1e30, 1e30}); }).empty());
-  CHECK(fieldAtFault([&] { makeCamera(kPose, narrow, {1e300, 1e300}); }) == "projection");
+  CHECK(fieldAtFault([&] { makeCamera(kPose, narrow, {1e270, 1e270}); }) == "projection");
 }
 
 TEST_CASE("A focal length goes with a side of the sensor") {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <limits>
 
 #include "viewproj/camera/error.hpp"
 #include "viewproj/numbers/arithmetic.hpp"
@@ -9,6 +11,9 @@
 namespace viewproj {
 
 namespace {
+
+/// Of pixels for a unit of the window, and of where its axis lies: one more factor of 2^20 is a double still.
+constexpr double kLargestScale = 0x1p1000;
 
 /// near / (far - near), far / (far - near) and 1 / (far - near), for finite far.
 struct RangeShares {
@@ -26,6 +31,7 @@ RangeShares rangeShares(const Projection& p) noexcept {
 /// Exactly: rows that are rounded to an axis do not count.
 bool forwardIsAxis(const Pose& pose) noexcept {
   const ExactRows& exact = pose.exact;
+  if (!exact.isNarrow) return false;
   int zeros = 0, ones = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const DoubleDouble row = pose.rows.forward[i];
@@ -38,6 +44,16 @@ bool forwardIsAxis(const Pose& pose) noexcept {
   }
   return exact.error == 0 && zeros == 2 && ones == 1 && pose.residual.x.hi == 0 && pose.residual.y.hi == 0 &&
          pose.residual.z.hi == 0;
+}
+
+double rangeOf(std::initializer_list<double> numbers) noexcept {
+  double range = 1;
+  for (const double number : numbers) {
+    const double size = std::fabs(number);
+    if (size == 0 || std::isinf(size)) continue;
+    range = std::max({range, size, 1 / size});
+  }
+  return range;
 }
 
 }  // namespace
@@ -66,8 +82,13 @@ Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport
   c.viewport = viewport;
   c.convention = convention;
   c.screen = screenMap(projection, viewport);
-  if (!isFinite(c.screen.centerX) || !isFinite(c.screen.centerY) || !isFinite(c.screen.scaleX) ||
-      !isFinite(c.screen.scaleY))
+  const auto isInRange = [](DoubleDouble center, DoubleDouble scale, double reach) {
+    const double size = std::fabs(scale.hi);
+    return isFinite(center) && isFinite(scale) && reach < kLargestScale && size > 1 / kLargestScale &&
+           size < kLargestScale;
+  };
+  if (!isInRange(c.screen.centerX, c.screen.scaleX, c.screen.reachX) ||
+      !isInRange(c.screen.centerY, c.screen.scaleY, c.screen.reachY))
     throw CameraError("projection", "has a window too small for doubles to tell its pixels apart");
 
   c.depthAtNear = convention.reverseZ ? viewport.depthSecond : viewport.depthFirst;
@@ -92,6 +113,15 @@ Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport
   k.centerY = map.centerY;
   k.depthOffset = depth.offset;
   k.depthScale = depth.scale;
+  k.reachX = map.reachX;
+  k.reachY = map.reachY;
+  const double depths[] = {depth.offset.hi, depth.scale.hi, c.farOverRange.hi};
+  const bool depthsAreNumbers = std::isfinite(depths[0]) && std::isfinite(depths[1]) && depths[1] != 0 &&
+                                std::isfinite(depths[2]) && depths[2] != 0;
+  k.range = !depthsAreNumbers ? std::numeric_limits<double>::infinity()
+                              : rangeOf({map.reachX, map.reachY, map.centerX.hi, map.centerY.hi, map.scaleX.hi,
+                                         map.scaleY.hi, depths[0], depths[1], depths[2], c.depthAtNear, c.depthAtFar,
+                                         c.depthAtFar - c.depthAtNear, projection.near, projection.far});
   k.sizeXY = std::max(maxAbs(k.x), maxAbs(k.y));
   k.sizeW = maxAbs(k.w);
   k.farthest = std::max(std::fabs(projection.near), std::fabs(projection.far));

@@ -30,6 +30,10 @@ struct ProjectionConstants {
   /// forward is an axis of the world, and residual 0: W is a coordinate's difference to the eye, without an error.
   bool forwardIsAxis = false;
 
+  double reachX = 0, reachY = 0;  ///< ScreenMap's
+  /// Of the centre, the depth's offset and scale, near and far, the pixels for a unit of the window and their inverses,
+  /// the largest; infinite where one is not a normal double.
+  double range = 0;
   double sizeXY = 0, sizeW = 0;  ///< largest entry of x and y, and of w
   double farthest = 0;           ///< the larger of |near| and |far|
   double residualReach = 0;      ///< the residual's part in |d0| + |d1| + |d2|, as error bounds count it

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "viewproj/camera/error.hpp"
+#include "viewproj/camera/pose_source.hpp"
 
 namespace viewproj {
 namespace {
@@ -35,48 +36,104 @@ ExactVec3 exactCross(const DDVec3& a, const ExactVec3& b) {
 
 /// Scaled to unit magnitude.
 FineVec3 fineUp(const Vec3& up) {
-  requireFinite(up, "up");
-  if (maxAbs(up) == 0) throw CameraError("up", "is zero");
   const DDVec3 wide = toDoubleDouble(up);
   return {exactly(rounded(scaleByPowerOfTwo(wide, exponentToUnit(wide)))), 0};
+}
+
+/// Numbers of about unit size whose products have all their digits: of those of two of them, terms come out no smaller
+/// than kSmallestTerm.
+constexpr double kSmallestFactor = 0x1p-450;
+
+bool isAbove(double number, double smallest) { return number == 0 || std::fabs(number) >= smallest; }
+
+template <std::size_t Terms>
+bool isAbove(const Expansion<Terms>& number, double smallest) {
+  for (std::size_t i = 0; i < number.size(); ++i)
+    if (!isAbove(number.term(i), smallest)) return false;
+  return true;
+}
+
+bool isAbove(const ExactVec3& v, double smallest) {
+  return isAbove(v[0], smallest) && isAbove(v[1], smallest) && isAbove(v[2], smallest);
+}
+
+/// Whether no component is smaller than that, next to the largest.
+bool isAbove(const DDVec3& v, double smallest) {
+  const double least = maxAbs(v) * smallest;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (!isAbove(v[i].hi, least) || !isAbove(v[i].lo, least)) return false;
+  return true;
 }
 
 /// Rows more uncertain than this would not be within 2^-100.
 constexpr double kLargestRowError = 0x1p-102;
 
-/// up is of about unit length.
-Pose lookAlongExactly(const Vec3& position, const DDVec3& direction, const FineVec3& up, Handedness world,
-                      const char* directionField) {
-  if (maxAbs(direction) == 0)
+/// Without an error, and of components that are doubles.
+bool isOfDoubles(const FineVec3& v) {
+  return v.error == 0 && v.terms[0].size() <= 1 && v.terms[1].size() <= 1 && v.terms[2].size() <= 1;
+}
+
+/// up as it was given, or as FineVec3; and what the direction is the difference of.
+struct Looking {
+  Vec3 position;
+  DDVec3 direction;
+  Vec3 from, to;
+  FineVec3 fineUp;
+  Vec3 up;
+  bool isNarrow;
+};
+
+Pose lookAlongExactly(const Looking& l, Handedness world, const char* directionField) {
+  if (maxAbs(l.direction) == 0)
     throw CameraError(directionField, std::string(directionField) == "target"
                                           ? "is the camera's own position: there is no direction to look in"
                                           : "is zero");
-  const DDVec3 g = scaleByPowerOfTwo(direction, exponentToUnit(direction));
+  const FineVec3& up = l.fineUp;
+  const DDVec3 g = scaleByPowerOfTwo(l.direction, exponentToUnit(l.direction));
   const ExactVec3 side = exactCross(g, up.terms);
-  const DDVec3 roundedSide = rounded(side);
+  ExactVec3 along;
+  for (std::size_t i = 0; i < 3; ++i) along[i] = {g[i].lo, g[i].hi};
+  // Where up has an error, what underflows is far below it.
+  const bool isNarrow = !isOfDoubles(up) || (l.isNarrow && isAbove(l.direction, kSmallestFactor) &&
+                                         isAbove(side, kSmallestTerm) && isAbove(along, kSmallestTerm));
+  const double handed = world == Handedness::right ? 1 : -1;
+  const PoseSource source{PoseSource::Kind::look, {l.from, l.to, l.up}, handed < 0, {}, {}};
+  DDVec3 roundedSide = rounded(side);
+  DDVec3 roundedAlong = g;
+  if (!isNarrow) {
+    const ExactSource rows = exactSource(source);
+    const auto unitScaled = [](const std::array<Dyadic, 3>& row) {
+      const WideVec3 wide{row[0].rounded(), row[1].rounded(), row[2].rounded()};
+      const Wide length = lengthOf(wide);
+      const Wide scale = length.sign() == 0 ? Wide(0) : Wide(1) / length;
+      return DDVec3{toDoubleDouble(wide.x * scale), toDoubleDouble(wide.y * scale), toDoubleDouble(wide.z * scale)};
+    };
+    roundedSide = unitScaled(rows.right);
+    roundedAlong = unitScaled(rows.forward);
+  }
   // Each product of a component of g with one of up carries 2 up.error; of up's row there are two.
   const double sideError = 16 * up.error;
   if (!(maxAbs(roundedSide) * kLargestRowError >= sideError && maxAbs(roundedSide) > 0))
     throw CameraError("up", "is parallel to the viewing direction, so it does not say which way is up; give another");
 
   const DoubleDouble sideScale = inverseLength(roundedSide);
-  const DoubleDouble forwardScale = inverseLength(g);
+  const DoubleDouble forwardScale = inverseLength(roundedAlong);
   const DDVec3 right = roundedSide * sideScale;
-  const DDVec3 forward = g * forwardScale;
-  const double handed = world == Handedness::right ? 1 : -1;
+  const DDVec3 forward = roundedAlong * forwardScale;
   const Axes axes{right * DoubleDouble(handed), cross(right, forward), forward};
   ExactRows exact{side,
-                  {},
+                  along,
                   {},
                   true,
                   sideScale * DoubleDouble(handed),
                   sideScale * forwardScale,
                   forwardScale,
-                  position,
+                  l.position,
                   {},
-                  sideError * sideScale.hi};
-  for (std::size_t i = 0; i < 3; ++i) exact.forward[i] = {g[i].lo, g[i].hi};
-  return {position, axes, axes, {}, exact};
+                  sideError * sideScale.hi,
+                  isNarrow,
+                  source};
+  return {l.position, axes, axes, {}, exact};
 }
 
 const char* axesName(CameraAxes axes) {
@@ -139,9 +196,12 @@ Axes toAxes(const std::array<DDVec3, 3>& xyz, CameraAxes axes) {
 
 /// The same for exact rows, which share a scale; the signs go to the scales.
 ExactRows toExactRows(const std::array<ExactVec3, 3>& xyz, DoubleDouble scale, CameraAxes axes, const Vec3& origin,
-                      const Vec3& translation) {
+                      const Vec3& translation, PoseSource::Kind kind = PoseSource::Kind::rows,
+                      const std::array<Vec3, 3>& numbers = {}) {
   const AxisMap map = axisMap(axes);
   ExactRows rows;
+  rows.source = {kind, numbers, false, map.along, map.sign};
+  for (const ExactVec3& row : xyz) rows.isNarrow = rows.isNarrow && isAbove(row, kSmallestTerm);
   rows.origin = origin;
   ExactVec3* const row[] = {&rows.right, &rows.up, &rows.forward};
   DoubleDouble* const rowScale[] = {&rows.rightScale, &rows.upScale, &rows.forwardScale};
@@ -218,44 +278,61 @@ std::array<DDVec3, 3> transposedColumns(const std::array<DDVec3, 3>& rows) {
 
 void requireFinite(const FineVec3& v, const char* field) { requireFinite(viewproj::rounded(rounded(v.terms)), field); }
 
-DDVec3 checkedDirection(const Vec3& position, const Vec3& direction) {
-  requireFinite(position, "position");
-  requireFinite(direction, "direction");
-  return toDoubleDouble(direction);
+/// up is checked last, as the fields are named.
+Looking withUp(Looking l, const Vec3& up) {
+  requireFinite(up, "up");
+  if (maxAbs(up) == 0) throw CameraError("up", "is zero");
+  l.up = up;
+  l.fineUp = fineUp(up);
+  l.isNarrow = l.isNarrow && isAbove(toDoubleDouble(up), kSmallestFactor);
+  return l;
 }
 
-DDVec3 directionTo(const Vec3& target, const Vec3& position) {
+Looking withUp(Looking l, const FineVec3& up) {
+  requireFinite(up, "up");
+  l.up = viewproj::rounded(rounded(up.terms));
+  l.fineUp = up;
+  return l;
+}
+
+template <class Up>
+Looking lookingAlong(const Vec3& position, const Vec3& direction, const Up& up) {
+  requireFinite(position, "position");
+  requireFinite(direction, "direction");
+  return withUp({position, toDoubleDouble(direction), {}, direction, {}, {}, true}, up);
+}
+
+template <class Up>
+Looking lookingAt(const Vec3& position, const Vec3& target, const Up& up) {
   requireFinite(position, "position");
   requireFinite(target, "target");
   // Quartered where the difference could overflow; only its direction counts.
-  const double quarter = std::max(maxAbs(position), maxAbs(target)) > 0x1p1000 ? 0.25 : 1;
-  DDVec3 direction;
-  for (std::size_t i = 0; i < 3; ++i) direction[i] = twoDiff(target[i] * quarter, position[i] * quarter);
-  return direction;
+  const bool isHuge = std::max(maxAbs(position), maxAbs(target)) > 0x1p1000;
+  const double quarter = isHuge ? 0.25 : 1;
+  Looking l{position, {}, position, target, {}, {}, true};
+  for (std::size_t i = 0; i < 3; ++i) {
+    l.direction[i] = twoDiff(target[i] * quarter, position[i] * quarter);
+    if (isHuge) l.isNarrow = l.isNarrow && isAbove(target[i], 0x1p-900) && isAbove(position[i], 0x1p-900);
+  }
+  return withUp(l, up);
 }
 
 }  // namespace
 
 Pose lookAlong(const Vec3& position, const Vec3& direction, const Vec3& up, Handedness world) {
-  const DDVec3 checked = checkedDirection(position, direction);
-  return lookAlongExactly(position, checked, fineUp(up), world, "direction");
+  return lookAlongExactly(lookingAlong(position, direction, up), world, "direction");
 }
 
 Pose lookAlong(const Vec3& position, const Vec3& direction, const FineVec3& up, Handedness world) {
-  const DDVec3 checked = checkedDirection(position, direction);
-  requireFinite(up, "up");
-  return lookAlongExactly(position, checked, up, world, "direction");
+  return lookAlongExactly(lookingAlong(position, direction, up), world, "direction");
 }
 
 Pose lookAt(const Vec3& position, const Vec3& target, const Vec3& up, Handedness world) {
-  const DDVec3 direction = directionTo(target, position);
-  return lookAlongExactly(position, direction, fineUp(up), world, "target");
+  return lookAlongExactly(lookingAt(position, target, up), world, "target");
 }
 
 Pose lookAt(const Vec3& position, const Vec3& target, const FineVec3& up, Handedness world) {
-  const DDVec3 direction = directionTo(target, position);
-  requireFinite(up, "up");
-  return lookAlongExactly(position, direction, up, world, "target");
+  return lookAlongExactly(lookingAt(position, target, up), world, "target");
 }
 
 Pose poseFromAxes(const Vec3& position, const FineVec3& right, const FineVec3& up, const FineVec3& forward) {
@@ -303,9 +380,15 @@ Pose poseFromRotation(const Vec3& position, const Quaternion& q, CameraAxes axes
       {twice(x, z, y, w), twice(y, z, -x, w), squares(-1, -1, 1)},
   }};
   const DoubleDouble scale = DoubleDouble(1) / squares(1, 1, 1).rounded();
+  bool isNarrow = true;
+  for (double part : {x, y, z, w}) isNarrow = isNarrow && isAbove(part, kSmallestFactor);
   const Axes camera =
       toAxes({rounded(columns[0]) * scale, rounded(columns[1]) * scale, rounded(columns[2]) * scale}, axes);
-  return {position, camera, camera, {}, toExactRows(columns, scale, axes, position, {})};
+  ExactRows exact = toExactRows(columns, scale, axes, position, {}, PoseSource::Kind::rotation,
+                                {{{q.x, q.y, q.z}, {q.w, 0, 0}, {}}});
+  for (double part : {q.x, q.y, q.z, q.w}) isNarrow = isNarrow && (part == 0) == (std::ldexp(part, k) == 0);
+  exact.isNarrow = exact.isNarrow && isNarrow;
+  return {position, camera, camera, {}, exact};
 }
 
 Pose poseFromWorldFromCamera(const Mat4& matrix, CameraAxes axes, Handedness world) {
@@ -313,30 +396,37 @@ Pose poseFromWorldFromCamera(const Mat4& matrix, CameraAxes axes, Handedness wor
   const Inverse inverted = inverse(c);
   requireHandedness(axes, world, inverted.determinant.hi < 0, "worldFromCamera");
   const Vec3 eye{matrix[0][3], matrix[1][3], matrix[2][3]};
+  ExactRows exact = toExactRows(inverted.adjugate, DoubleDouble(1) / inverted.determinant, axes, eye, {},
+                                PoseSource::Kind::columns, c);
+  for (const Vec3& column : c) exact.isNarrow = exact.isNarrow && isAbove(toDoubleDouble(column), kSmallestFactor);
   return {eye,
           toAxes(inverted.rows, axes),
           toAxes({toDoubleDouble(c[0]), toDoubleDouble(c[1]), toDoubleDouble(c[2])}, axes),
           {},
-          toExactRows(inverted.adjugate, DoubleDouble(1) / inverted.determinant, axes, eye, {})};
+          exact};
 }
 
 Pose poseFromCameraFromWorld(const Mat4& matrix, CameraAxes axes, Handedness world) {
   const Columns c = checkedColumns(matrix, "cameraFromWorld");
   const Inverse inverted = inverse(c);
   requireHandedness(axes, world, inverted.determinant.hi < 0, "cameraFromWorld");
-  // eye = -M^-1 t rounded, and residual = M eye + t exactly
-  Vec3 eye;
+  // eye = -M^-1 t rounded, and residual = M eye + t exactly; brought down where a sum could overflow
+  const Vec3 translation{matrix[0][3], matrix[1][3], matrix[2][3]};
+  const int down = maxAbs(translation) > 0x1p900 ? 200 : 0;
+  Vec3 eye, scaledEye;
   for (std::size_t i = 0; i < 3; ++i) {
     Expansion<48> sum;
-    for (std::size_t j = 0; j < 3; ++j) sum.addScaled(inverted.adjugate[i][j], -matrix[j][3]);
-    eye[i] = (sum.rounded() / inverted.determinant).hi;
+    for (std::size_t j = 0; j < 3; ++j) sum.addScaled(inverted.adjugate[i][j], std::ldexp(-translation[j], -down));
+    eye[i] = std::ldexp((sum.rounded() / inverted.determinant).hi, down);
+    scaledEye[i] = std::ldexp(eye[i], -down);
   }
+  if (!isFinite(eye)) throw CameraError("cameraFromWorld", "has its eye beyond the range of doubles, 1.8e308");
   std::array<DDVec3, 3> residual;  // as columns that hold one number each, to be named like the axes
   for (std::size_t i = 0; i < 3; ++i) {
     Expansion<8> sum;
-    for (std::size_t j = 0; j < 3; ++j) sum.addProduct(matrix[i][j], eye[j]);
-    sum.add(matrix[i][3]);
-    residual[i].x = sum.rounded();
+    for (std::size_t j = 0; j < 3; ++j) sum.addProduct(matrix[i][j], scaledEye[j]);
+    sum.add(std::ldexp(translation[i], -down));
+    residual[i].x = scaleByPowerOfTwo(sum.rounded(), down);
   }
   const Axes left = toAxes(residual, axes);
   std::array<ExactVec3, 3> exact;

@@ -7,6 +7,7 @@
 #include "viewproj/camera/error.hpp"
 #include "viewproj/camera/screen_map.hpp"
 #include "viewproj/numbers/degrees.hpp"
+#include "viewproj/numbers/expansion.hpp"
 
 namespace viewproj {
 namespace {
@@ -25,23 +26,50 @@ void requireRange(bool orthographic, double near, double far) {
 }
 
 /// The window checked: edges in order, and wide enough for its inverse to be a double.
-Projection checked(bool orthographic, DoubleDouble left, DoubleDouble right, DoubleDouble bottom, DoubleDouble top,
-                   double near, double far) {
-  requireRange(orthographic, near, far);
-  const auto requireSide = [](DoubleDouble low, DoubleDouble high, const char* lowName, const char* highName) {
+Projection checked(const Projection& p) {
+  requireRange(p.orthographic, p.near, p.far);
+  const auto requireSide = [](DoubleDouble low, DoubleDouble high, double width, double reach, const char* lowName,
+                              const char* highName) {
     if (!(isFinite(low) && isFinite(high))) throw CameraError(highName, "makes a window too large for doubles");
-    const double width = (high - low).hi;
     if (!(width > 0)) throw CameraError(highName, std::string("must be greater than ") + lowName);
-    if (!(width > kSmallestWindow && std::max(std::fabs(low.hi), std::fabs(high.hi)) < kLargestWindow))
+    if (!(width > kSmallestWindow && std::max({std::fabs(low.hi), std::fabs(high.hi), reach}) < kLargestWindow))
       throw CameraError(highName, "makes a window too small or too large for doubles");
   };
-  requireSide(left, right, "left", "right");
-  requireSide(bottom, top, "bottom", "top");
-  return {orthographic, left, right, bottom, top, near, far};
+  requireSide(p.left, p.right, windowWidth(p).hi, p.reachX, "left", "right");
+  requireSide(p.bottom, p.top, windowHeight(p).hi, p.reachY, "bottom", "top");
+  return p;
 }
 
 Projection symmetric(DoubleDouble halfWidth, DoubleDouble halfHeight, double near, double far) {
-  return checked(false, -halfWidth, halfWidth, -halfHeight, halfHeight, near, far);
+  return checked({false, -halfWidth, halfWidth, -halfHeight, halfHeight, near, far});
+}
+
+/// (high - low) / by, where the quotients of high and low may have lost it.
+DoubleDouble differenceOver(double low, double high, double by) {
+  const double scale = std::max(std::fabs(low), std::fabs(high)) > 0x1p1000 ? 0x1p-4 : 1;
+  const DoubleDouble difference = twoDiff(high * scale, low * scale);
+  if (difference.hi == 0 || !isFinite(difference) || !std::isfinite(by)) return difference;
+  const int kd = std::ilogb(difference.hi), kb = std::ilogb(by);
+  return scaleByPowerOfTwo(scaleByPowerOfTwo(difference, -kd) / DoubleDouble(std::ldexp(by, -kb)),
+                           kd - kb + (scale == 1 ? 0 : 4));
+}
+
+/// Beyond this many of its own sizes off the axis, a window that was moved or cut out has lost too many digits.
+constexpr double kLargestMove = 0x1p32;
+
+Projection moved(const Projection& p, const char* fieldX, const char* fieldY) {
+  const auto require = [](double reach, DoubleDouble low, DoubleDouble high, const char* field) {
+    if (reach > kLargestMove * std::max(std::fabs(low.hi), std::fabs(high.hi)))
+      throw CameraError(field, "leaves less than 2e-10 of the window, or of its way off the viewing axis");
+  };
+  const Projection result = checked(p);
+  require(p.reachX, p.left, p.right, fieldX);
+  require(p.reachY, p.bottom, p.top, fieldY);
+  return result;
+}
+
+double largest(double reach, DoubleDouble a, DoubleDouble b) {
+  return std::max({reach, std::fabs(a.hi), std::fabs(b.hi)});
 }
 
 DoubleDouble tangent(double degrees, const char* field) {
@@ -49,7 +77,11 @@ DoubleDouble tangent(double degrees, const char* field) {
   return tanHalfDegrees(degrees);
 }
 
-void requireAspect(DoubleDouble aspect) { requirePositive(aspect.hi, "aspect"); }
+void requireAspect(DoubleDouble aspect) {
+  requirePositive(aspect.hi, "aspect");
+  if (!(aspect.hi > kSmallestWindow && aspect.hi < kLargestWindow))
+    throw CameraError("aspect", "must be between 1.2e-271 and 8.4e270");
+}
 
 }  // namespace
 
@@ -63,7 +95,16 @@ void validate(const Projection& p) {
     if (edge.hi + edge.lo != edge.hi)
       throw CameraError(name, "is a double-double whose low part is not below its high");
   }
-  checked(p.orthographic, p.left, p.right, p.bottom, p.top, p.near, p.far);
+  // Sizes and reaches that a changed edge has left behind.
+  const auto requireSize = [](DoubleDouble low, DoubleDouble high, DoubleDouble size, double reach, const char* name) {
+    const double largestEdge = std::max(std::fabs(low.hi), std::fabs(high.hi));
+    const bool fits = size.hi == 0 || std::fabs((high - low - size).hi) <= 0x1p-96 * std::max(largestEdge, reach);
+    if (!(fits && (reach == 0 || reach >= largestEdge)))
+      throw CameraError(name, "is not of the window's largestEdge; make another projection instead of changing one");
+  };
+  requireSize(p.left, p.right, p.width, p.reachX, "width");
+  requireSize(p.bottom, p.top, p.height, p.reachY, "height");
+  checked(p);
 }
 
 Projection perspectiveFovY(double degrees, DoubleDouble aspect, double near, double far) {
@@ -80,8 +121,10 @@ Projection perspectiveFovX(double degrees, DoubleDouble aspect, double near, dou
 
 Projection perspectiveFovDiagonal(double degrees, DoubleDouble aspect, double near, double far) {
   requireAspect(aspect);
-  // halfWidth = aspect * halfHeight and halfWidth^2 + halfHeight^2 = tangent^2
-  const DoubleDouble halfHeight = tangent(degrees, "fovDiagonal") / sqrt(aspect * aspect + DoubleDouble(1));
+  // halfWidth = aspect * halfHeight and halfWidth^2 + halfHeight^2 = tangent^2, where a square may overflow
+  const bool isWide = aspect.hi > 0x1p400;
+  const DoubleDouble diagonal = isWide ? aspect : sqrt(aspect * aspect + DoubleDouble(1));
+  const DoubleDouble halfHeight = tangent(degrees, "fovDiagonal") / diagonal;
   return symmetric(halfHeight * aspect, halfHeight, near, far);
 }
 
@@ -112,17 +155,18 @@ Projection perspectiveFocalLength(double focalLength, double sensorWidth, double
 
 Projection frustum(double left, double right, double bottom, double top, double near, double far) {
   requireRange(false, near, far);
-  return checked(false, ratio(left, near), ratio(right, near), ratio(bottom, near), ratio(top, near), near, far);
+  return checked({false, ratio(left, near), ratio(right, near), ratio(bottom, near), ratio(top, near), near, far,
+                  differenceOver(left, right, near), differenceOver(bottom, top, near)});
 }
 
 Projection perspectiveWindow(DoubleDouble left, DoubleDouble right, DoubleDouble bottom, DoubleDouble top, double near,
                              double far) {
-  return checked(false, left, right, bottom, top, near, far);
+  return checked({false, left, right, bottom, top, near, far});
 }
 
 Projection orthographic(DoubleDouble left, DoubleDouble right, DoubleDouble bottom, DoubleDouble top, double near,
                         double far) {
-  return checked(true, left, right, bottom, top, near, far);
+  return checked({true, left, right, bottom, top, near, far});
 }
 
 Projection intrinsics(DoubleDouble fx, DoubleDouble fy, double cx, double cy, const Viewport& viewport, double near,
@@ -132,37 +176,53 @@ Projection intrinsics(DoubleDouble fx, DoubleDouble fy, double cx, double cy, co
   requirePositive(fy.hi, "fy");
   requireFinite(cx, "cx");
   requireFinite(cy, "cy");
-  // Screen position of the picture's left edge and of its edge where y starts.
-  const ScreenCorner corner = screenCorner(viewport);
-  const DoubleDouble fromLeft = DoubleDouble(cx) - corner.x;
-  const DoubleDouble fromStart = DoubleDouble(cy) - corner.y;
-  const DoubleDouble toEnd = DoubleDouble(viewport.height) - fromStart;
+  // From the picture's left edge and from its edge where y starts: exactly, because the three may cancel.
+  const auto from = [&](double start, double c) { return Expansion<4>{c, -start, -viewport.pixelCenter, 0.5}.rounded(); };
+  const DoubleDouble fromLeft = from(viewport.x, cx);
+  const DoubleDouble fromStart = from(viewport.y, cy);
+  const DoubleDouble width = viewport.width, height = viewport.height;
+  const DoubleDouble toEnd = height - fromStart;
   const bool down = viewport.origin == Origin::topLeft;
-  return checked(false, -(fromLeft / fx), (DoubleDouble(viewport.width) - fromLeft) / fx,
-                 -((down ? toEnd : fromStart) / fy), (down ? fromStart : toEnd) / fy, near, far);
+  return checked({false, -(fromLeft / fx), (width - fromLeft) / fx, -((down ? toEnd : fromStart) / fy),
+                  (down ? fromStart : toEnd) / fy, near, far, width / fx, height / fy});
 }
 
 Projection shifted(const Projection& p, double dx, double dy) {
   if (!(std::isfinite(dx) && std::isfinite(dy))) throw CameraError("shift", "must be two finite numbers");
-  const DoubleDouble x = DoubleDouble(dx) * timesPowerOfTwo(p.right - p.left, 0.5);
-  const DoubleDouble y = DoubleDouble(dy) * timesPowerOfTwo(p.top - p.bottom, 0.5);
-  return checked(p.orthographic, p.left - x, p.right - x, p.bottom - y, p.top - y, p.near, p.far);
+  Projection window = p;
+  window.width = windowWidth(p);
+  window.height = windowHeight(p);
+  const DoubleDouble x = DoubleDouble(dx) * timesPowerOfTwo(window.width, 0.5);
+  const DoubleDouble y = DoubleDouble(dy) * timesPowerOfTwo(window.height, 0.5);
+  window.reachX = largest(p.reachX, p.left, p.right);
+  window.reachY = largest(p.reachY, p.bottom, p.top);
+  window.left = p.left - x;
+  window.right = p.right - x;
+  window.bottom = p.bottom - y;
+  window.top = p.top - y;
+  return moved(window, "shift", "shift");
 }
 
 Projection cropped(const Projection& p, const Viewport& viewport, const Crop& crop) {
   validate(cropped(viewport, crop));
   const DoubleDouble xEnd = twoSum(crop.x, crop.width);
   const DoubleDouble yEnd = twoSum(crop.y, crop.height);
-  const auto across = [&](DoubleDouble x) { return p.left + (p.right - p.left) * (x / DoubleDouble(viewport.width)); };
-  const DoubleDouble start = viewport.origin == Origin::topLeft ? p.top : p.bottom;
-  const DoubleDouble end = viewport.origin == Origin::topLeft ? p.bottom : p.top;
-  const auto along = [&](DoubleDouble y) { return start + (end - start) * (y / DoubleDouble(viewport.height)); };
+  const DoubleDouble width = windowWidth(p), height = windowHeight(p);
+  const DoubleDouble shareX = DoubleDouble(crop.width) / DoubleDouble(viewport.width);
+  const DoubleDouble shareY = DoubleDouble(crop.height) / DoubleDouble(viewport.height);
+  if (!(shareX.hi > kSmallestWindow)) throw CameraError("viewport.crop.width", "is too small a part of the viewport's");
+  if (!(shareY.hi > kSmallestWindow)) throw CameraError("viewport.crop.height", "is too small a part of the viewport's");
+  const auto across = [&](DoubleDouble x) { return p.left + width * (x / DoubleDouble(viewport.width)); };
+  const bool down = viewport.origin == Origin::topLeft;
+  const DoubleDouble start = down ? p.top : p.bottom;
+  const DoubleDouble downwards = down ? -height : height;
+  const auto along = [&](DoubleDouble y) { return start + downwards * (y / DoubleDouble(viewport.height)); };
   const DoubleDouble first = along(crop.y);
   const DoubleDouble last = along(yEnd);
-  const bool down = viewport.origin == Origin::topLeft;
-  return checked(p.orthographic, across(crop.x), across(xEnd), down ? last : first, down ? first : last, p.near, p.far);
+  return moved({p.orthographic, across(crop.x), across(xEnd), down ? last : first, down ? first : last, p.near, p.far,
+                  width * shareX, height * shareY, largest(p.reachX, p.left, p.right), largest(p.reachY, p.bottom, p.top)}, "viewport.crop.width", "viewport.crop.height");
 }
 
-DoubleDouble windowAspect(const Projection& p) { return (p.right - p.left) / (p.top - p.bottom); }
+DoubleDouble windowAspect(const Projection& p) { return windowWidth(p) / windowHeight(p); }
 
 }  // namespace viewproj

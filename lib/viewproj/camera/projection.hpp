@@ -18,11 +18,22 @@ struct Projection {
   DoubleDouble left, right, bottom, top;
   double near = 0;
   double far = 0;  ///< may be infinite in perspective
+
+  /// right - left and top - bottom to 2^-98 of themselves, which edges that lie far off the axis do not give; 0: they do.
+  DoubleDouble width{}, height{};
+  /// The largest number that left and right, and that bottom and top, were computed from: each is within 2^-98 of it. 0:
+  /// the larger of the two edges.
+  double reachX = 0, reachY = 0;
 };
+
+inline DoubleDouble windowWidth(const Projection& p) noexcept { return p.width.hi > 0 ? p.width : p.right - p.left; }
+inline DoubleDouble windowHeight(const Projection& p) noexcept { return p.height.hi > 0 ? p.height : p.top - p.bottom; }
 
 inline constexpr double kInfiniteFar = std::numeric_limits<double>::infinity();
 
-/// Limits of a window's width, height and edges, so that neither they nor their inverses leave the range of doubles.
+/// The range of a camera's numbers, about 1e-271 to 1e271. A window's width and height, a viewport's and a crop's lie
+/// within it; a window's edges, a viewport's and a crop's corner and window depths are no larger. The pixels for a unit
+/// of the window lie between 2^-1000 and 2^1000. near, far and every number of a pose may be any double that is finite.
 inline constexpr double kSmallestWindow = 0x1p-900;
 inline constexpr double kLargestWindow = 0x1p900;
 

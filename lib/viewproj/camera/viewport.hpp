@@ -20,7 +20,11 @@ struct Crop {
   double x = 0, y = 0, width = 0, height = 0;
 };
 
-/// Throws CameraError unless every number is finite and width and height are positive.
+/// How many of its widths (heights) a viewport's corner, and its pixels' centre, may lie away from 0.
+inline constexpr double kLargestCorner = 0x1p40;
+
+/// Throws CameraError unless every number is finite, width and height are positive, and all are within the range that
+/// kSmallestWindow and kLargestWindow (projection.hpp) state.
 void validate(const Viewport& viewport);
 
 /// The tile as a viewport of its own: screen numbers start at its corner.

@@ -97,8 +97,8 @@ BatchCounts run(const Camera& camera, std::span<const Vec3> points, std::span<Sc
       } else {
         p = {position[j].x, position[j].y, position[j].z, distance[j]};
         p.outside = sidesBeyond(camera, p);
-        p.precision = precision;
       }
+      p.precision = precision;
       p.certain = precision == Precision::exact;
     }
     total.escalated += settling.counts.escalated;

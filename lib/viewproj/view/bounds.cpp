@@ -35,7 +35,7 @@ ErrorBound boundIn(const Camera& c, Precision precision, const Situation& s) {
   const double sum = kUnitDouble * kSecondOrder;  // the last sum is in double in fast too
   const double center = std::max(std::fabs(k.centerX.lo), std::fabs(k.centerY.lo));
   const double largestRow = precision == Precision::fast ? kLargestRowFast : kLargestRow;
-  if (!rowsInRange(k, largestRow)) return {kInfinity, kInfinity};
+  if (!isInRange(k, largestRow, kLargestRange)) return {kInfinity, kInfinity};
   const double scale = std::fabs(k.depthScale.hi) + kSubnormal;
   const double last = sum * s.depth + std::fabs(k.depthOffset.lo) + kSubnormal * (1 + s.perDistance);
   if (k.orthographic)
@@ -49,12 +49,10 @@ ErrorBound boundIn(const Camera& c, Precision precision, const Situation& s) {
 ErrorBound boundOfExact(const Camera& c, const ScreenPoint& p) {
   if (p.status != PointStatus::inFront) return {kInfinity, kInfinity};
   const double size = std::max(std::fabs(p.x), std::fabs(p.y));
-  const double picture = std::max(c.viewport.width, c.viewport.height);
-  const double undecided = p.certain ? 0 : kExactAbsolute;
-  const double scale = std::fabs(c.constants.depthScale.hi);
-  const double fromDistance =
-      kExactDistance * (c.projection.orthographic ? scale * std::fabs(p.viewDistance) : scale / p.viewDistance);
-  return {std::max(halfUlp(size) * 2 * kExactUlps, undecided * picture),
+  const double undecided = p.certain ? 0 : kExactAbsolute * std::max(c.constants.reachX, c.constants.reachY);
+  // Depth is offset + scale / W, or offset + scale W.
+  const double fromDistance = kExactDistance * (std::fabs(p.depth) + std::fabs(c.constants.depthOffset.hi));
+  return {std::max(halfUlp(size) * 2 * kExactUlps, undecided),
           std::max(halfUlp(p.depth) * 2 * kExactUlps, p.certain ? 0 : std::max(kExactAbsolute, fromDistance))};
 }
 
@@ -65,7 +63,9 @@ PictureReach pictureReach(const Camera& c, double band) noexcept {
   const double half = v.pixelCenter - 0.5;
   const auto reach = [&](double start, double size, double center) {
     const double middle = start + half + size / 2;
-    return std::fabs(middle - center) + band * size / 2;
+    // The middle and the centre may cancel.
+    const double rounding = 0x1p-50 * (std::fabs(start) + std::fabs(half) + size + std::fabs(center));
+    return std::fabs(middle - center) + band * size / 2 + rounding;
   };
   return {reach(v.x, v.width, c.constants.centerX.hi) * kSecondOrder,
           reach(v.y, v.height, c.constants.centerY.hi) * kSecondOrder};
@@ -86,7 +86,9 @@ ErrorBound boundInPicture(const Camera& c, Precision precision, double band) noe
     s.perDistance = 1 / c.projection.near;
     s.t = (oneNorm(k.rayW) + across + k.residualReach * s.perDistance) * kSecondOrder;
   }
-  if (precision == Precision::exact) return {halfUlp(s.position) * 1.02, halfUlp(s.depth) * 1.02};
+  if (precision == Precision::exact)
+    return {std::max(halfUlp(s.position) * 1.02, kExactAbsolute * std::max(k.reachX, k.reachY)),
+            std::max(halfUlp(s.depth) * 1.02, kExactDistance * (s.depth + std::fabs(k.depthOffset.hi)))};
   return boundIn(c, precision, s);
 }
 

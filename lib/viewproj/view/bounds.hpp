@@ -46,10 +46,16 @@ inline constexpr double kLargestReachFast = 0x1p60;
 inline constexpr double kSmallestDistanceFast = 0x1p-60;
 inline constexpr double kLargestReachExact = 0x1p400;
 inline constexpr double kSmallestReachExact = 0x1p-400;
+inline constexpr double kSmallestDistanceExact = 0x1p-450;
 
 /// The entries of the scaled rows must lie between 1 / this and this; other cameras are left to the exact path whole.
 inline constexpr double kLargestRow = 0x1p300;
 inline constexpr double kLargestRowFast = 0x1p40;
+
+/// Nonzero centres, depth offsets and depth scales lie between 1 / this and this; other cameras are left to the exact
+/// path whole, and in exact to numbers with an exponent of their own.
+inline constexpr double kLargestRange = 0x1p600;
+inline constexpr double kLargestRangeExact = 0x1p500;
 
 /// exact, before the final rounding: a numerator is within kExactDotX M D (128 u^2 of the dot product and 2^-98 of the
 /// scaled rows), W within kExactDotW F D, and every parameter and operation within kExactParameter, all relative.
@@ -59,8 +65,9 @@ inline constexpr double kExactParameter = 0x1p-97;
 /// What low parts may lose below the smallest double.
 inline constexpr double kExactUnderflow = 0x1p-1070;
 
-/// exact: units in the last place of the result, for x, y, depth and viewDistance; below 1e-26 of the viewport's size a
-/// result that cancels to about zero keeps that absolute error instead.
+/// exact: units in the last place of the result, for x, y, depth and viewDistance; a result that cancels to about zero
+/// keeps an absolute error instead, 1e-26 of the viewport's size, or of the whole picture's where a window was cropped
+/// or shifted from far off the axis.
 inline constexpr double kExactUlps = 0.51;
 inline constexpr double kExactAbsolute = 1e-26;
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viewproj/camera/pose_source.hpp"
+
 namespace viewproj {
 namespace {
 
@@ -70,6 +72,23 @@ std::array<Expansion<64>, 3> exactCross(const ExactVec3& a, const ExactVec3& b) 
   return result;
 }
 
+using ExactRow = std::array<Dyadic, 3>;
+
+template <std::size_t Terms>
+ExactRow toDyadic(const std::array<Expansion<Terms>, 3>& row) noexcept {
+  ExactRow result;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t t = 0; t < row[i].size(); ++t) result[i] = result[i] + Dyadic(row[i].term(t));
+  return result;
+}
+
+/// From the rows' terms, which lost nothing.
+ExactSource sourceOfRows(const ExactRows& rows) noexcept {
+  const auto up = [&] { return rows.upIsCross ? toDyadic(exactCross(rows.right, rows.forward)) : toDyadic(rows.up); };
+  return {toDyadic(rows.right),   up(), toDyadic(rows.forward), Wide(rows.rightScale, 0), Wide(rows.upScale, 0),
+          Wide(rows.forwardScale, 0)};
+}
+
 }  // namespace
 
 Vec4 withUnitWeight(const Vec4& p) noexcept {
@@ -130,6 +149,53 @@ EyePoint toEyeExactly(const Pose& pose, const Vec4& point) noexcept {
     if (std::fabs(e.right.hi) <= e.error) e.right = {};
     if (std::fabs(e.up.hi) <= e.error) e.up = {};
     if (std::fabs(e.forward.hi) <= kInEyePlane * e.error) e.forward = {};
+  }
+  return e;
+}
+
+bool isInExactRange(const Pose& pose, const Vec4& point) noexcept {
+  const ExactRows& rows = pose.exact;
+  if (!rows.isNarrow) return false;
+  // Differences of such coordinates have terms of 2^-300 and more, and row terms are 2^-250 and more, an up's of two
+  // 2^-600: their products are above 2^-969 (error_free.hpp).
+  constexpr double kSmallest = 0x1p-200;
+  const int k = scaleExponent(point, rows.origin, rows.translation) + 500;
+  const auto hasDigits = [&](double value) { return value == 0 || std::fabs(std::ldexp(value, k)) >= kSmallest; };
+  for (const Vec3& v : {Vec3{point.x, point.y, point.z}, rows.origin})
+    for (std::size_t i = 0; i < 3; ++i)
+      if (!hasDigits(v[i])) return false;
+  for (const Expansion<8>& part : rows.translation)
+    for (std::size_t t = 0; t < part.size(); ++t)
+      if (!hasDigits(part.term(t))) return false;
+  return true;
+}
+
+WideEyePoint toEyeWidely(const Pose& pose, const Vec4& point) noexcept {
+  const ExactRows& rows = pose.exact;
+  const bool hasSource = rows.source.kind != PoseSource::Kind::rows && !rows.isNarrow;
+  const ExactSource source = hasSource ? exactSource(rows.source) : sourceOfRows(rows);
+  const Dyadic w = point.w;
+  const Vec3 xyz{point.x, point.y, point.z};
+  ExactRow d;
+  for (std::size_t i = 0; i < 3; ++i) d[i] = Dyadic(xyz[i]) - Dyadic(rows.origin[i]) * w;
+  const ExactRow translation = toDyadic(rows.translation);
+  const auto along = [&](const ExactRow& row, std::size_t i, const Wide& scale) {
+    const Dyadic sum = row[0] * d[0] + row[1] * d[1] + row[2] * d[2] + translation[i] * w;
+    return sum.rounded() * scale;
+  };
+  WideEyePoint e{along(source.right, 0, source.rightScale), along(source.up, 1, source.upScale),
+                 along(source.forward, 2, source.forwardScale), 0};
+  if (rows.error > 0) {
+    for (const Dyadic& part : d) e.error = e.error + magnitude(part.rounded()) * Wide(rows.error);
+    const Wide scales[] = {source.rightScale, source.upScale, source.forwardScale};
+    Wide largest;
+    for (std::size_t i = 0; i < 3; ++i)
+      if (const Wide size = magnitude(translation[i].rounded() * scales[i]); (size - largest).sign() > 0) largest = size;
+    e.error = e.error + largest * magnitude(point.w) * Wide(rows.error);
+    const auto isAbove = [](const Wide& a, const Wide& b) { return (magnitude(a) - b).sign() > 0; };
+    if (!isAbove(e.right, e.error)) e.right = {};
+    if (!isAbove(e.up, e.error)) e.up = {};
+    if (!isAbove(e.forward, e.error * Wide(kInEyePlane))) e.forward = {};
   }
   return e;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "viewproj/camera/pose.hpp"
+#include "viewproj/numbers/wide.hpp"
 
 namespace viewproj {
 
@@ -29,5 +30,17 @@ EyePoint toEye(const Pose& pose, const Vec4& point) noexcept;
 /// cancels to less is 0 and not certain, and a point nearer to the eye plane than 2^60 errors counts as on it.
 /// Microseconds instead of a quarter of one.
 EyePoint toEyeExactly(const Pose& pose, const Vec4& point) noexcept;
+
+/// Whether toEyeExactly has all digits of this point: whether no product of a coordinate underflows.
+bool isInExactRange(const Pose& pose, const Vec4& point) noexcept;
+
+/// The same distances, each within 2^-99 of itself and the error. For every pose and point of doubles.
+struct WideEyePoint {
+  Wide right, up, forward;
+  Wide error;
+};
+
+/// As toEyeExactly, whatever the magnitudes: tens of microseconds.
+WideEyePoint toEyeWidely(const Pose& pose, const Vec4& point) noexcept;
 
 }  // namespace viewproj

@@ -6,8 +6,6 @@
 namespace viewproj {
 namespace {
 
-Wide magnitude(const Wide& a) noexcept { return a.sign() < 0 ? -a : a; }
-
 /// sign (normal . (p - eye) + offset) >= 0, not yet of unit length. reach is the larger of the plane's window edge and
 /// the one across from it; parts is the size of what the offset is a sum of.
 FrustumPlane plane(const Camera& c, Side side, const WideVec3& normal, const Wide& offset, double sign, double reach,
@@ -52,8 +50,6 @@ WideVec3 relativeToEye(const Frustum& f, const Vec3& p) noexcept { return toWide
 Wide oneNorm(const WideVec3& v) noexcept { return magnitude(v.x) + magnitude(v.y) + magnitude(v.z); }
 
 Wide distance(const FrustumPlane& p, const WideVec3& v) noexcept { return dot(p.normal, v) + p.offset; }
-
-bool isLess(const Wide& a, const Wide& b) noexcept { return (a - b).sign() < 0; }
 
 /// The planes' distances of the two points of a shape that lie farthest inside and farthest beyond. reach: the larger
 /// |p - eye|_1 that went into them.

@@ -132,8 +132,11 @@ Pose poseOf(const ExactRows& exact, const std::array<Uncertain, 3>& eye) noexcep
   for (std::size_t i = 0; i < 3; ++i) {
     Expansion<8 * 3 * 2 + 8> atEye;
     for (std::size_t j = 0; j < 3; ++j) {
-      (*axes[i])[j] = (*rows[i])[j].rounded() * scales[i];
-      atEye.addScaled((*rows[i])[j], pose.eye[j]);
+      const Expansion<8>& entry = (*rows[i])[j];
+      (*axes[i])[j] = entry.rounded() * scales[i];
+      atEye.addScaled(entry, pose.eye[j]);
+      for (std::size_t t = 0; t < entry.size(); ++t)
+        if (std::fabs(entry.term(t)) < kSmallestTerm) pose.exact.isNarrow = false;
     }
     for (std::size_t t = 0; t < exact.translation[i].size(); ++t) atEye.add(exact.translation[i].term(t));
     pose.residual[i] = atEye.rounded() * scales[i];

@@ -1,6 +1,8 @@
 #include "viewproj/view/screen.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include "viewproj/view/eye_point.hpp"
@@ -22,7 +24,7 @@ struct Bounded {
   /// again.
   bool certain() const noexcept {
     const bool settled = value.hi + (value.lo + error) == value.hi && value.hi + (value.lo - error) == value.hi;
-    return settled && (exponent == 0 || std::isnormal(std::ldexp(value.hi, exponent)));
+    return settled && (exponent == 0 || value.hi == 0 || std::isnormal(std::ldexp(value.hi, exponent)));
   }
 };
 
@@ -50,8 +52,8 @@ Bounded windowCoordinate(DoubleDouble x, DoubleDouble w, double error) noexcept 
   return {q, error * (scale + size) / (std::fabs(w.hi) - error) + kOperation * size, large ? 600 : 0};
 }
 
-/// center + scale * h.
-Bounded screenCoordinate(DoubleDouble center, DoubleDouble scale, Bounded h) noexcept {
+/// center + scale * h. reach: that of the center (ScreenMap).
+Bounded screenCoordinate(DoubleDouble center, double reach, DoubleDouble scale, Bounded h) noexcept {
   if (!(std::fabs(scale.hi * h.value.hi) < kLargestFactor)) {
     h.value = timesPowerOfTwo(h.value, 0x1p-600);
     h.error *= 0x1p-600;
@@ -59,7 +61,7 @@ Bounded screenCoordinate(DoubleDouble center, DoubleDouble scale, Bounded h) noe
   }
   const DoubleDouble step = scale * h.value;
   const DoubleDouble value = sumOrZero(scaleByPowerOfTwo(center, -h.exponent), step);
-  const double size = std::fabs(std::ldexp(center.hi, -h.exponent)) + std::fabs(step.hi);
+  const double size = std::ldexp(std::max(std::fabs(center.hi), 2 * reach), -h.exponent) + std::fabs(step.hi);
   return {value, std::fabs(scale.hi) * h.error + kParameter * size + kUnderflow, h.exponent};
 }
 
@@ -72,11 +74,15 @@ Bounded windowDepth(const Camera& c, const Bounded& distance) noexcept {
   double distanceError;  // in shares
   double underflow = 1;  // in shares, times kUnderflow
   int exponent = 0;      // of the shares
+  // A difference that cancels to less than the distance's error is 0, unless it has none.
+  const auto difference = [&](DoubleDouble a, DoubleDouble b) {
+    return distance.error == 0 ? a + -b : sumOrZero(a, -b);
+  };
   if (c.projection.orthographic) {
-    const Bounded w = plain(distance);
-    shareOfNear = sumOrZero(f, -w.value) * c.farOverRange;
-    shareOfFar = sumOrZero(w.value, -n) * c.farOverRange;
-    distanceError = c.farOverRange.hi * w.error;
+    const Bounded w = distance.value.hi == 0 && distance.error == 0 ? distance : plain(distance);
+    shareOfNear = difference(f, w.value) * c.farOverRange;
+    shareOfFar = difference(w.value, n) * c.farOverRange;
+    distanceError = c.farOverRange.hi * (w.error + (distance.error == 0 ? 0 : kParameter * std::fabs(w.value.hi)));
   } else {
     // Only ratios count: brought away from the ends of the range first, and the shares too if they are near them.
     const int size = std::ilogb(distance.value.hi) + distance.exponent;
@@ -84,20 +90,22 @@ Bounded windowDepth(const Camera& c, const Bounded& distance) noexcept {
     const DoubleDouble w = scaleByPowerOfTwo(distance.value, distance.exponent + shift);
     n = std::ldexp(n, shift);
     f = std::ldexp(f, shift);
-    const DoubleDouble fromFar = f > w.hi * 0x1p120 ? DoubleDouble(1) : sumOrZero(f, -w) / DoubleDouble(f);
-    const DoubleDouble toNear = sumOrZero(w, -n);
+    const DoubleDouble fromFar = f > w.hi * 0x1p120 ? DoubleDouble(1) : difference(f, w) / DoubleDouble(f);
+    const DoubleDouble toNear = difference(w, n);
     if (!(n / w.hi < kLargestFactor)) exponent = 600;
     const double scale = exponent ? 0x1p-600 : 1;
     const DoubleDouble nearOverW = DoubleDouble(n * scale) / w;
     shareOfNear = nearOverW * fromFar * c.farOverRange;
     shareOfFar = timesPowerOfTwo(toNear, scale) / w * c.farOverRange;
-    distanceError = nearOverW.hi * c.farOverRange.hi * (distance.error / std::fabs(distance.value.hi));
+    distanceError = nearOverW.hi * c.farOverRange.hi *
+                    (distance.error == 0 ? 0 : distance.error / std::fabs(distance.value.hi) + kParameter);
     underflow = (1 + 1 / w.hi) * (1 + c.farOverRange.hi);
   }
   const auto part = [](double of, DoubleDouble share) { return of == 0 ? DoubleDouble(0) : DoubleDouble(of) * share; };
   const DoubleDouble first = part(c.depthAtNear, shareOfNear);
   const DoubleDouble second = part(c.depthAtFar, shareOfFar);
   const double sizes = std::fabs(first.hi) + std::fabs(second.hi);
+  if (sizes == 0 && distance.error == 0 && distance.value.hi == 0) return {};
   const double lost = kUnderflow * (1 + underflow * (std::fabs(c.depthAtNear) + std::fabs(c.depthAtFar)));
   return {first + second, std::fabs(c.depthAtFar - c.depthAtNear) * distanceError + kParameter * sizes + lost,
           exponent};
@@ -131,8 +139,8 @@ Attempt directionToScreen(const Camera& c, const EyePoint& e) noexcept {
   const bool signCertain = std::fabs(e.forward.hi) > e.error;
   if (!(e.forward.hi > 0)) return {without(PointStatus::behind, kNaN), signCertain};
   ScreenPoint p;
-  const Bounded x = screenCoordinate(c.screen.centerX, c.screen.scaleX, windowCoordinate(e.right, e.forward, e.error));
-  const Bounded y = screenCoordinate(c.screen.centerY, c.screen.scaleY, windowCoordinate(e.up, e.forward, e.error));
+  const Bounded x = screenCoordinate(c.screen.centerX, c.screen.reachX, c.screen.scaleX, windowCoordinate(e.right, e.forward, e.error));
+  const Bounded y = screenCoordinate(c.screen.centerY, c.screen.reachY, c.screen.scaleY, windowCoordinate(e.up, e.forward, e.error));
   p.x = rounded(x);
   p.y = rounded(y);
   p.depth = c.depthAtInfinity;
@@ -152,14 +160,14 @@ Attempt pointToScreen(const Camera& c, const EyePoint& e, double w) noexcept {
   p.viewDistance = rounded(distance);
   Bounded x, y;
   if (c.projection.orthographic) {
-    x = screenCoordinate(c.screen.centerX, c.screen.scaleX, plain(inWorld(e.right)));
-    y = screenCoordinate(c.screen.centerY, c.screen.scaleY, plain(inWorld(e.up)));
+    x = screenCoordinate(c.screen.centerX, c.screen.reachX, c.screen.scaleX, plain(inWorld(e.right)));
+    y = screenCoordinate(c.screen.centerY, c.screen.reachY, c.screen.scaleY, plain(inWorld(e.up)));
   } else {
     const bool signCertain = std::fabs(e.forward.hi) > e.error;
     const bool inFront = w > 0 ? e.forward.hi > 0 : e.forward.hi < 0;
     if (!inFront) return {without(PointStatus::behind, p.viewDistance), signCertain && distance.certain()};
-    x = screenCoordinate(c.screen.centerX, c.screen.scaleX, windowCoordinate(e.right, e.forward, e.error));
-    y = screenCoordinate(c.screen.centerY, c.screen.scaleY, windowCoordinate(e.up, e.forward, e.error));
+    x = screenCoordinate(c.screen.centerX, c.screen.reachX, c.screen.scaleX, windowCoordinate(e.right, e.forward, e.error));
+    y = screenCoordinate(c.screen.centerY, c.screen.reachY, c.screen.scaleY, windowCoordinate(e.up, e.forward, e.error));
   }
   const Bounded depth = windowDepth(c, distance);
   p.x = rounded(x);
@@ -173,20 +181,136 @@ Attempt attempt(const Camera& c, const EyePoint& e, double w) noexcept {
   return w == 0 ? directionToScreen(c, e) : pointToScreen(c, e, w);
 }
 
-/// Double-double first; the exact rows where it cannot certify a number. What they cannot either is a tie, or a number
-/// that cancels to about 0.
+// The same once more in numbers with exponents of their own, for cameras and points whose products leave the range of
+// doubles.
+
+struct WideBounded {
+  Wide value, error;
+};
+
+/// What an operation or a camera's number adds, relative.
+const Wide kWideShare = 0x1p-97;
+
+NearestDouble nearest(const WideBounded& b) noexcept {
+  if (b.value.sign() == 0) return {double(b.value), b.error.sign() == 0 && std::isfinite(b.value.value.hi)};
+  const Wide share = b.error / magnitude(b.value);
+  if (!isLess(share, 1)) return {nearestDouble(b.value), false};
+  return nearestDouble(b.value, double(share));
+}
+
+/// X / W with both off by at most `error`, as windowCoordinate.
+WideBounded widelyToWindow(const Wide& x, const Wide& w, const Wide& error) noexcept {
+  const Wide q = x / w;
+  const Wide size = magnitude(q);
+  return {q, error * (Wide(1) + size) / (magnitude(w) - error) + kWideShare * size};
+}
+
+WideBounded widelyToScreen(DoubleDouble center, double reach, DoubleDouble scale, const WideBounded& h) noexcept {
+  const Wide step = toWide(scale) * h.value;
+  return {sumOrZero(toWide(center), step),
+          magnitude(toWide(scale)) * h.error + kWideShare * (Wide(reach) + magnitude(step))};
+}
+
+/// As windowDepth.
+WideBounded widelyToDepth(const Camera& c, const WideBounded& w) noexcept {
+  const Wide n = c.projection.near;
+  const bool isInfinite = std::isinf(c.projection.far);
+  const Wide f = isInfinite ? 1 : c.projection.far;
+  Wide shareOfNear, shareOfFar, distanceError;
+  if (c.projection.orthographic) {
+    const Wide perRange = Wide(1) / (f - n);
+    shareOfNear = sumOrZero(f, -w.value) * perRange;
+    shareOfFar = sumOrZero(w.value, -n) * perRange;
+    distanceError = perRange * (w.error + kWideShare * magnitude(w.value));
+  } else {
+    const Wide farOverRange = isInfinite ? 1 : f / (f - n);
+    const Wide nearOverW = n / w.value;
+    shareOfNear = isInfinite ? nearOverW : nearOverW * (sumOrZero(f, -w.value) / f) * farOverRange;
+    shareOfFar = sumOrZero(w.value, -n) / w.value * farOverRange;
+    distanceError = nearOverW * farOverRange * (w.error / w.value + kWideShare);
+  }
+  const Wide first = Wide(c.depthAtNear) * shareOfNear, second = Wide(c.depthAtFar) * shareOfFar;
+  return {first + second, magnitude(Wide(c.depthAtFar) - Wide(c.depthAtNear)) * distanceError +
+                              kWideShare * (magnitude(first) + magnitude(second))};
+}
+
+Attempt widelyToScreen(const Camera& c, const Vec4& point) noexcept {
+  const WideEyePoint e = toEyeWidely(c.pose, point);
+  const ScreenMap& map = c.screen;
+  const bool signCertain = e.error.sign() == 0 || e.forward.sign() != 0;
+  const auto sideOf = [](const Wide& a) { return DoubleDouble(a.sign()); };
+  if (point.w == 0 && c.projection.orthographic) {
+    ScreenPoint p = without(PointStatus::atInfinity, kNaN);
+    p.outside = sidesTowards({sideOf(e.right), sideOf(e.up), sideOf(e.forward)});
+    return {p, e.error.sign() == 0};
+  }
+  const auto inWorld = [&](const Wide& a) {
+    const Wide weight = point.w == 0 ? 1 : point.w;
+    const Wide divided = a / weight;
+    return WideBounded{divided, e.error / magnitude(weight) + kWideShare * magnitude(divided)};
+  };
+  const WideBounded distance = inWorld(e.forward);
+  const NearestDouble viewDistance = point.w == 0 ? NearestDouble{kNaN, true} : nearest(distance);
+  WideBounded x, y;
+  if (c.projection.orthographic) {
+    x = inWorld(e.right);
+    y = inWorld(e.up);
+  } else {
+    if (!(distance.value.sign() > 0))
+      return {without(PointStatus::behind, viewDistance.value), signCertain && viewDistance.certain};
+    x = widelyToWindow(e.right, e.forward, e.error);
+    y = widelyToWindow(e.up, e.forward, e.error);
+  }
+  const NearestDouble screenX = nearest(widelyToScreen(map.centerX, map.reachX, map.scaleX, x));
+  const NearestDouble screenY = nearest(widelyToScreen(map.centerY, map.reachY, map.scaleY, y));
+  const NearestDouble depth = point.w == 0 ? NearestDouble{c.depthAtInfinity, true} : nearest(widelyToDepth(c, distance));
+  ScreenPoint p;
+  p.x = screenX.value;
+  p.y = screenY.value;
+  p.depth = depth.value;
+  p.viewDistance = viewDistance.value;
+  p.outside = sidesBeyond(c, p);
+  if (point.w == 0 && std::isfinite(c.projection.far)) p.outside |= sideFar;
+  return {p, viewDistance.certain && screenX.certain && screenY.certain && depth.certain};
+}
+
+/// Of a camera that looks along an axis of the world: whether the point's coordinate there is the eye's.
+bool isBesideEye(const Camera& c, const Vec4& point) noexcept {
+  const DDVec3& forward = c.pose.rows.forward;
+  return forward.x.hi != 0   ? point.x == c.pose.eye.x
+         : forward.y.hi != 0 ? point.y == c.pose.eye.y
+                             : point.z == c.pose.eye.z;
+}
+
+/// Farther from 1 than this, distances have their digits, but not all products with them.
+constexpr int kLargestExponent = 400;
+
+/// Double-double first; the exact rows where it cannot certify a number, and where products could leave the range of
+/// doubles, numbers with an exponent of their own. What they cannot certify either is a tie, or a number that cancels
+/// to about 0.
 ScreenPoint exactToScreen(const Camera& c, const Vec4& point) noexcept {
   EyePoint e = toEye(c.pose, point);
-  // Unless bringing the point to unit size pushed its last bits below the smallest double.
-  e.forwardIsExact = c.constants.forwardIsAxis && point.w == 1 && std::fabs(e.forward.hi) > 0x1p-900;
-  Attempt result = attempt(c, e, point.w);
-  if (!result.certain) {
-    EyePoint exact = toEyeExactly(c.pose, point);
-    if (e.forwardIsExact) {
-      exact.forward = scaleByPowerOfTwo(e.forward, e.exponent - exact.exponent);
-      exact.forwardIsExact = true;
+  Attempt result;
+  if (!(c.constants.range < kLargestRangeExact && std::abs(e.exponent) <= kLargestExponent)) {
+    result = widelyToScreen(c, point);
+  } else {
+    // Unless bringing the point to unit size pushed its last bits below the smallest double.
+    e.forwardIsExact = c.constants.forwardIsAxis && point.w == 1 &&
+                       (std::fabs(e.forward.hi) > 0x1p-900 || isBesideEye(c, point));
+    result = attempt(c, e, point.w);
+    if (!result.certain && !isInExactRange(c.pose, point)) {
+      result = widelyToScreen(c, point);
+    } else if (!result.certain) {
+      EyePoint exact = toEyeExactly(c.pose, point);
+      if (e.forwardIsExact) {
+        exact.forward = scaleByPowerOfTwo(e.forward, e.exponent - exact.exponent);
+        exact.forwardIsExact = true;
+      }
+      result = attempt(c, exact, point.w);
+      // A number beyond the largest double on the way to one that is not.
+      const ScreenPoint& p = result.point;
+      if (p.status == PointStatus::inFront && !isFinite(Vec3{p.x, p.y, p.depth})) result = widelyToScreen(c, point);
     }
-    result = attempt(c, exact, point.w);
   }
   result.point.certain = result.certain;
   return result.point;
@@ -206,7 +330,11 @@ ScreenPoint pointToScreen(const Camera& c, const Vec3& point, Precision precisio
   if (precision == Precision::exact) return exactToScreen(c, {point.x, point.y, point.z, 1});
   const Projected<double, bool> r = precision == Precision::fast ? byFormula<FastFormula>(c.constants, point, band)
                                                                  : byFormula<StandardFormula>(c.constants, point, band);
-  if (r.behind) return without(PointStatus::behind, r.distance);
+  if (r.behind) {
+    ScreenPoint behind = without(PointStatus::behind, r.distance);
+    behind.precision = precision;
+    return behind;
+  }
   if (!r.valid) return exactToScreen(c, {point.x, point.y, point.z, 1});
   ScreenPoint p;
   p.x = r.x;
@@ -225,7 +353,15 @@ ScreenPoint worldToScreen(const Camera& camera, const Vec4& point, Precision pre
   if (point.w == 1) return worldToScreen(camera, xyz, precision);
   if (!isFinite(xyz) || !std::isfinite(point.w) || (maxAbs(xyz) == 0 && point.w == 0))
     return without(PointStatus::notFinite, kNaN);
-  return exactToScreen(camera, withUnitWeight(point));
+  const Vec4 unit = withUnitWeight(point);
+  const int k = point.w == 0 ? 0 : std::ilogb(point.w);
+  const bool isLossless = std::ldexp(unit.x, k) == point.x && std::ldexp(unit.y, k) == point.y &&
+                          std::ldexp(unit.z, k) == point.z;
+  if (isLossless || unit.w == 0) return exactToScreen(camera, unit);
+  const Attempt result = widelyToScreen(camera, point);
+  ScreenPoint p = result.point;
+  p.certain = result.certain;
+  return p;
 }
 
 ScreenPoint worldToScreen(const Camera& camera, const Vec3& point, Precision precision) noexcept {

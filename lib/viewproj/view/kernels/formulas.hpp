@@ -66,9 +66,9 @@ struct Projected {
   Mask valid, behind;
 };
 
-/// Whether a camera's rows are in the range that a precision's bounds hold for.
-inline bool rowsInRange(const ProjectionConstants& k, double largest) {
-  return k.sizeXY < largest && k.sizeXY > 1 / largest && k.sizeW < 2 && k.sizeW > 0.25;
+/// Whether a camera's numbers are in the range that a precision's bounds hold for.
+inline bool isInRange(const ProjectionConstants& k, double largestRow, double largestRange) {
+  return k.sizeXY < largestRow && k.sizeXY > 1 / largestRow && k.sizeW < 2 && k.sizeW > 0.25 && k.range < largestRange;
 }
 
 /// Results farther than this from the principal point are left to the exact path.
@@ -105,7 +105,7 @@ class WindowFormula {
         farthest_(band.x < kNoBand ? static_cast<T>(k.farthest) : std::numeric_limits<T>::max()),
         sign_(static_cast<T>(sign)),
         smallest_(static_cast<T>(smallest)),
-        reach_(rowsInRange(k, largestRow) ? static_cast<T>(reach) : 0) {}
+        reach_(isInRange(k, largestRow, kLargestRange) ? static_cast<T>(reach) : 0) {}
 
   /// In perspective x and y are X/W and Y/W, and depth is 1/W; in orthographic they are X, Y and W.
   template <class L, class V, class Mask>
@@ -252,11 +252,12 @@ class ExactFormula {
         residualReach_(k.residualReach * kSecondOrder),
         errorXY_(kZivMargin * kExactDotX * k.sizeXY),
         errorW_(k.forwardIsAxis ? 0 : kZivMargin * kExactDotW * k.sizeW),
-        errorCenterX_(kZivMargin * kExactParameter * std::fabs(k.centerX.hi)),
-        errorCenterY_(kZivMargin * kExactParameter * std::fabs(k.centerY.hi)),
+        errorCenterX_(kZivMargin * kExactParameter * k.reachX),
+        errorCenterY_(kZivMargin * kExactParameter * k.reachY),
         errorOffset_(kZivMargin * (kExactParameter * std::fabs(k.depthOffset.hi) + kExactUnderflow)),
-        reach_(rowsInRange(k, kLargestRow) && std::fabs(k.depthScale.hi) > kSmallestReachExact ? kLargestReachExact
-                                                                                               : 0) {}
+        reach_(isInRange(k, kLargestRow, kLargestRangeExact) && std::fabs(k.depthScale.hi) > kSmallestReachExact
+                   ? kLargestReachExact
+                   : 0) {}
 
   Projected<D, M> point(D px, D py, D pz) const {
     const Pair<D> d[3] = {sum(px, L::splat(-eye_.x)), sum(py, L::splat(-eye_.y)), sum(pz, L::splat(-eye_.z))};
@@ -278,7 +279,10 @@ class ExactFormula {
       r.x = sx.hi;
       r.y = sy.hi;
       r.depth = z.hi;
-      r.valid = all(inRange, certain(sx, error + (errorCenterX_ + L::absolute(x.hi) * kParameter)),
+      // Of a distance without an error, the product with scale might have underflowed.
+      const D size = L::absolute(w.hi);
+      const M hasDigits = (size > kSmallestDistanceExact) | (size == D{});
+      r.valid = all(inRange, hasDigits, certain(sx, error + (errorCenterX_ + L::absolute(x.hi) * kParameter)),
                     certain(sy, error + (errorCenterY_ + L::absolute(y.hi) * kParameter)), certain(z, errorZ));
       r.behind = reach < D{};
     } else {
