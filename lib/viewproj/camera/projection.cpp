@@ -100,7 +100,7 @@ void validate(const Projection& p) {
     const double largestEdge = std::max(std::fabs(low.hi), std::fabs(high.hi));
     const bool fits = size.hi == 0 || std::fabs((high - low - size).hi) <= 0x1p-96 * std::max(largestEdge, reach);
     if (!(fits && (reach == 0 || reach >= largestEdge)))
-      throw CameraError(name, "is not of the window's largestEdge; make another projection instead of changing one");
+      throw CameraError(name, "is not of the window's edges; make another projection instead of changing one");
   };
   requireSize(p.left, p.right, p.width, p.reachX, "width");
   requireSize(p.bottom, p.top, p.height, p.reachY, "height");
