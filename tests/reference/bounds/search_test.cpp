@@ -478,6 +478,27 @@ TEST_CASE("The point that comes nearest to a bound keeps it and reaches it, and 
   CHECK(found.violated == 0);
 }
 
+TEST_CASE("What rounding a far eye leaves over counts in the bounds of the picture") {
+  for (const bool orthographic : {false, true})
+    for (const Precision rung : {Precision::fast, Precision::standard})
+      for (std::uint64_t trial = 0; trial < 100; ++trial) {
+        Random r(trial);
+        Scene s;
+        viewMatrix(r, s);
+        s.viewport = {100, 100};
+        for (std::size_t i = 0; i < 3; ++i) s.matrix[i][3] = r.uniform(1e8, 1e9);
+        s.lensKind = orthographic ? LensKind::orthographic : LensKind::frustum;
+        s.near = 1e-9, s.far = 1e-8;  // nearer than the eye is known to a double
+        s.left = s.bottom = -1e-9, s.right = s.top = 1e-9;
+        const Camera c = build(s);
+        const ErrorBound bound = boundInPicture(c, rung), wanted = derivedInPicture(c, rung, 1, {});
+        const ErrorBound without = derivedInPicture(c, rung, 1, {.residual = 0});
+        if (std::isinf(bound.screen)) continue;
+        CHECK(isAsDerived(bound.screen, wanted.screen));
+        CHECK(wanted.screen > 1.05 * without.screen);
+      }
+}
+
 namespace {
 
 /// The angle between a ray's direction in standard and the true one, by double-double.
