@@ -106,8 +106,8 @@ ErrorBound boundOfPoint(const Camera& c, const Vec3& point, Precision precision)
   s.perDistance = k.orthographic ? w : 1 / w;
   s.depth = std::fabs(p.depth);
   const ErrorBound bound = boundIn(c, precision, s);
-  // What the precision cannot bound goes the exact way.
-  return std::isinf(bound.screen) ? boundOfExact(c, p) : bound;
+  // What the precision cannot bound goes the exact way, and so does a distance too small to have an inverse.
+  return std::isinf(bound.screen) || std::isinf(s.perDistance) ? boundOfExact(c, p) : bound;
 }
 
 ErrorBound boundOfPoint(const Camera& c, const Vec4& point, Precision precision) noexcept {

@@ -1,4 +1,5 @@
-// No result is farther from the truth than its bound: every family, every rung, millions of points.
+// No result is farther from the truth than its bound: every family, every rung, millions of points. (How near errors
+// come to their bounds, search_test.cpp tells.)
 //
 // Every point is held against MPFR itself, in 256 bits; that these tell what 480 bits of the textbook's formulas tell,
 // the first test shows. The number of points: VIEWPROJ_BOUND_POINTS in the environment.
@@ -25,13 +26,9 @@ constexpr mpfr_prec_t kBits = 256;
 constexpr std::size_t kPointsOfCamera = 200;
 constexpr int kRaysOfCamera = 8;
 
-/// In every family and rung some error is at least this share of its bound: the bounds are not vacuous.
-constexpr double kLeastShare = 0.05;
-constexpr std::size_t kEnoughToTell = 1000;
-
 std::size_t pointsWanted() {
   const char* wanted = std::getenv("VIEWPROJ_BOUND_POINTS");
-  return wanted ? std::strtoull(wanted, nullptr, 10) : 5000000;
+  return wanted ? std::strtoull(wanted, nullptr, 10) : 4000000;
 }
 
 std::string text(const char* format, auto... values) {
@@ -449,11 +446,6 @@ TEST_CASE("No result is farther from the truth than its bound, and too small a b
     INFO(family.name);
     CHECK(double(tally.inPicture) >= family.leastInPicture * double(tally.points));
     CHECK(tally.undecided == 0);
-    for (std::size_t i = 0; i < 2; ++i)
-      if (tally.inRung[i] >= kEnoughToTell && !family.isBoundLoose) {
-        INFO(kRungNames[i]);
-        CHECK(tally.shares[i].screen > kLeastShare);
-      }
     total.points += tally.points;
     total.inPicture += tally.inPicture;
     total.behind += tally.behind;

@@ -294,7 +294,7 @@ const Family kFamilies[] = {
        s.target = {0, 0, r.sign()};
        s.fov = 1e-30;
      },
-     inView, 0.5, true},
+     inView},
     {"fov next to 180", [](Random&, Scene& s) { s.fov = std::nextafter(180, 0); }, inView},
     {"scale 1e-300", [](Random&, Scene& s) { scaleScene(s, 1e-300); }, inView},
     {"scale 1e300", [](Random&, Scene& s) { scaleScene(s, 1e300); }, inView, 0.2},

@@ -12,7 +12,6 @@ struct Family {
   void (*change)(Random&, Scene&);  ///< of a plain scene
   viewproj::Vec3 (*point)(Random&, const Scene&, const viewproj::Camera&);
   double leastInPicture = 0.5;  ///< share of the points whose true pixel lies in the picture, at least
-  bool isBoundLoose = false;    ///< no error comes near the bound
 };
 
 /// The 27 families of the accuracy study, its three adversarial ones, and further ends.
