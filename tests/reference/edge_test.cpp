@@ -342,12 +342,20 @@ class Search {
     return text;
   }
 
+  /// What is left of the last of 3000 bits may decide a tie.
+  static bool isNearest(double got, const Real& truth) {
+    const double nearest = double(truth);
+    if (got == nearest) return true;
+    return distance(got, truth) > 0 && std::isfinite(nearest) &&
+           abs(abs(Real(got) - truth) - abs(Real(nearest) - truth)) < abs(truth) * power(-2000);
+  }
+
   /// isBounded: whether the bound has to be a number.
   void number(const char* name, double got, const Real& truth, bool certain, double bound, bool isBounded, int rung,
               const Vec4& p) {
     const double nearest = double(truth);
     if (certain) {
-      if (got != nearest) fail(std::string(name) + " is certain and not the nearest double", p);
+      if (!isNearest(got, truth)) fail(std::string(name) + " is certain and not the nearest double: " + exactly(got) + ", " + exactly(nearest), p);
       if (!std::isfinite(bound)) fail(std::string(name) + " is certain and has no bound", p);
     }
     if (std::isinf(nearest)) {
@@ -358,7 +366,7 @@ class Search {
     const double off = distance(got, truth);
     if (rung == 2) {
       double& worst = certain ? worst_.ulp : worst_.uncertainUlp;
-      worst = std::max(worst, ulps(got, truth));
+      worst = std::max(worst, std::min(ulps(got, truth), certain && isNearest(got, truth) ? 0.5 : 1e300));
     }
     if (std::isfinite(bound) && bound > 0) worst_.share[rung] = std::max(worst_.share[rung], off / bound);
     if (!(off <= bound)) fail(std::string(name) + " is " + std::to_string(off / bound) + " bounds off", p);
@@ -404,7 +412,7 @@ class Search {
     const bool isDirection = p.w == 0;
     if (!isDirection && isExact) {
       const double nearest = double(a.view.forward);
-      if (certain && got.viewDistance != nearest) fail("viewDistance is certain and not the nearest double: " + exactly(got.viewDistance) + ", " + exactly(nearest), p);
+      if (certain && !isNearest(got.viewDistance, a.view.forward)) fail("viewDistance is certain and not the nearest double: " + exactly(got.viewDistance) + ", " + exactly(nearest), p);
       if (std::isfinite(nearest) && !certain &&
           !(ulps(got.viewDistance, a.view.forward) <= 1.01 ||
             distance(got.viewDistance, a.view.forward) <= 1e-26 * std::fabs(scene_.near)))
@@ -497,7 +505,7 @@ class Search {
   static Vec4 withUnitWeightOf(const Vec4& p) {
     if (p.w == 0) return p;
     const double largest = std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
-    if (std::isfinite(largest / std::fabs(p.w) * 2)) return p;
+    if (std::isfinite(std::ldexp(largest, -std::ilogb(p.w)))) return p;
     return p.w > 0 ? Vec4{p.x, p.y, p.z, 0} : Vec4{-p.x, -p.y, -p.z, 0};
   }
 

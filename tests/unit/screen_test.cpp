@@ -259,3 +259,42 @@ TEST_CASE("Along an axis of the world a viewDistance is a difference, and certai
   CHECK(ties > 400);
   CHECK(counts.escalated < 10);
 }
+
+// Expected values from decimals of 900 digits.
+TEST_CASE("Numbers whose products leave the range of doubles are projected exactly, and what is certain is right") {
+  const Viewport square{100, 100};
+  SECTION("axes") {
+    const Camera camera = makeCamera(lookAlong({0, 0, 0}, {0, 1, 1e-200}, {1, 1e200, 0}, Handedness::right),
+                                     orthographic(-1, 1, -1, 1, -1e205, 1e205), square);
+    const ScreenPoint p = worldToScreen(camera, Vec3{0, 1e201, 0});
+    CHECK(p.certain);
+    CHECK(p.x == 403.5533905932738);
+    CHECK(p.y == -303.5533905932738);
+    CHECK(p.depth == 0.50005);
+  }
+  SECTION("a subnormal far") {
+    const Camera camera = makeCamera(lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Handedness::right),
+                                     perspectiveFovY(60, 1, 5e-324, 2e-321), square);
+    CHECK(worldToScreen(camera, Vec3{0, 0, -1e-322}).depth == 0.9523514851485149);
+    const ScreenPoint p = worldToScreen(camera, Vec3{1e-322, 0, -1.5e-321});
+    CHECK(p.depth == 0.9991776315789473);
+    CHECK(p.x == 55.69753555121341);
+  }
+  SECTION("an orthographic window of 1e50") {
+    const Camera camera = makeCamera(lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Handedness::right),
+                                     orthographic(-5e49, 5e49, -5e49, 5e49, 0, 1), square);
+    CHECK(worldToScreen(camera, Vec3{0, 1e301, 0}).y == -1e253);
+  }
+  SECTION("an eye at the largest doubles, and a point beside it by the smallest") {
+    const Camera camera = makeCamera(lookAlong({1.5e308, 0, 0}, {0, 0, -1}, {0, 1, 0}, Handedness::right),
+                                     orthographic(-1, 1, -1, 1, -1, 1), square);
+    CHECK(worldToScreen(camera, Vec3{1.5e308, 0, -1e-311}).viewDistance == 1e-311);
+  }
+  SECTION("a weight that leaves the coordinates below the smallest double") {
+    const Camera camera = makeCamera(lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Handedness::right),
+                                     perspectiveFovY(90, 1, 1, kInfiniteFar), square);
+    const ScreenPoint p = worldToScreen(camera, Vec4{1e-80, 0, -3e-80, 1e300});
+    CHECK(p.status == PointStatus::inFront);
+    CHECK(p.x == 66.66666666666667);
+  }
+}

@@ -127,6 +127,10 @@ Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport
   k.farthest = std::max(std::fabs(projection.near), std::fabs(projection.far));
   k.residualReach = std::max(std::max(std::fabs(k.residual.x.hi), std::fabs(k.residual.y.hi)) / k.sizeXY,
                              std::fabs(k.residual.z.hi) / k.sizeW);
+  // A residual that is there counts, however small: whether it does is told from this.
+  const auto isZero = [](DoubleDouble a) { return a.hi == 0; };
+  if (k.residualReach == 0 && !(isZero(k.residual.x) && isZero(k.residual.y) && isZero(k.residual.z)))
+    k.residualReach = std::numeric_limits<double>::min();
   k.rayX = rounded(pose.columns.right * (DoubleDouble(1) / map.scaleX));
   k.rayY = rounded(pose.columns.up * (DoubleDouble(1) / map.scaleY));
   k.rayW = rounded(pose.columns.forward);

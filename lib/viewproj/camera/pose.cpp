@@ -410,9 +410,11 @@ Pose poseFromCameraFromWorld(const Mat4& matrix, CameraAxes axes, Handedness wor
   const Columns c = checkedColumns(matrix, "cameraFromWorld");
   const Inverse inverted = inverse(c);
   requireHandedness(axes, world, inverted.determinant.hi < 0, "cameraFromWorld");
-  // eye = -M^-1 t rounded, and residual = M eye + t exactly; brought down where a sum could overflow
+  // eye = -M^-1 t rounded, and residual = M eye + t exactly; brought to unit size where a sum could overflow or a
+  // product underflow
   const Vec3 translation{matrix[0][3], matrix[1][3], matrix[2][3]};
-  const int down = maxAbs(translation) > 0x1p900 ? 200 : 0;
+  const double size = maxAbs(translation);
+  const int down = size > 0x1p900 || (size > 0 && size < 0x1p-400) ? std::ilogb(size) : 0;
   Vec3 eye, scaledEye;
   for (std::size_t i = 0; i < 3; ++i) {
     Expansion<48> sum;

@@ -291,12 +291,15 @@ constexpr int kLargestExponent = 400;
 ScreenPoint exactToScreen(const Camera& c, const Vec4& point) noexcept {
   EyePoint e = toEye(c.pose, point);
   Attempt result;
-  if (!(c.constants.range < kLargestRangeExact && std::abs(e.exponent) <= kLargestExponent)) {
+  // A point on the rounded eye has the residual alone, whose own digits may be below the smallest double.
+  const bool isOnEye = !(e.error > 0x1p-99);
+  if (!(c.constants.range < kLargestRangeExact && std::abs(e.exponent) <= kLargestExponent) || isOnEye) {
     result = widelyToScreen(c, point);
   } else {
     // Unless bringing the point to unit size pushed its last bits below the smallest double.
+    const bool isHuge = std::max(maxAbs(Vec3{point.x, point.y, point.z}), maxAbs(c.pose.eye)) > 0x1p900;
     e.forwardIsExact = c.constants.forwardIsAxis && point.w == 1 &&
-                       (std::fabs(e.forward.hi) > 0x1p-900 || isBesideEye(c, point));
+                       ((std::fabs(e.forward.hi) > 0x1p-900 && !isHuge) || isBesideEye(c, point));
     result = attempt(c, e, point.w);
     if (!result.certain && !isInExactRange(c.pose, point)) {
       result = widelyToScreen(c, point);
