@@ -25,7 +25,8 @@ mkdir -p "$build/seeds" "$build/recorder" "$build/found" "$build/empty" "$build/
 cp tests/fuzz/record.sh "$build/recorder/viewproj"
 chmod +x "$build/recorder/viewproj"
 for case in tests/cmd/cases/*/ samples/*/; do
-  (cd "$case" && SEEDS=$build/seeds PATH=$build/recorder:$PATH timeout 2 sh ./cmd) >/dev/null 2>&1 </dev/null || true
+  # What a case makes of no output at all is its own affair.
+  (cd "$case" && SEEDS=$build/seeds PATH=$build/recorder:$PATH timeout 2 sh ./cmd) >/dev/null 2>&1 </dev/null || :
 done
 sed -n 's/.*"file":\({.*}\),"points":.*/\1/p' tests/importers/fixtures/*.jsonl | while read -r line; do
   printf %s "$line" >"$build/seeds/line"
@@ -38,6 +39,11 @@ grep -ohE '"[A-Za-z][A-Za-z0-9_.-]*"' cmd/input/*.cpp cmd/input/*.hpp cmd/comman
 cp "$build/words" "$build/arguments"
 sed 's/\\"//g' "$build/words" >>"$build/arguments"
 grep -ohE -e '--[a-z]+(-[a-z]+)*' cmd/commands/*.cpp | sort -u | sed 's/.*/"&"/' >>"$build/arguments"
+
+for target in camera scene model matrices json csv text f64 arguments; do
+  seeds=$(find "$build/seeds/$target" -type f | wc -l)
+  [ "$seeds" -ge 5 ] || { echo "fuzz.sh: the cases give $target only $seeds seeds" >&2; exit 1; }
+done
 
 targets=${FUZZ_TARGETS:-camera scene model matrices json csv text f64 arguments}
 # How the executions are shared out: most to those that cost least.
@@ -84,6 +90,7 @@ for target in $targets; do
   }
   executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
   rate=$(sed -n 's/^stat::average_exec_per_sec: *//p' "$log")
+  [ "${executions:-0}" -gt 0 ] || status=1
   echo "$target: ${executions:-0} executions, ${rate:-0} a second"
   total=$((total + ${executions:-0}))
 done

@@ -131,6 +131,7 @@ std::vector<Case> cameras() {
   for (const auto& entry : std::filesystem::directory_iterator(VIEWPROJ_SAMPLES))
     if (std::filesystem::exists(entry.path() / "camera.json"))
       cases.push_back({entry.path().filename(), {"-c", entry.path() / "camera.json"}});
+  REQUIRE(cases.size() >= 10);
   const auto inlined = [&](const char* name, const char* text) { cases.push_back({name, {"-c", text}}); };
   inlined("orthographic", R"({"position": [5, 4, 3], "target": [0, 1, 0], "projection": {"type": "orthographic",
     "left": -3, "right": 5, "bottom": -1, "top": 3, "near": -2, "far": 30},

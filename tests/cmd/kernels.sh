@@ -1,9 +1,8 @@
 #!/bin/sh
 # Code compiled for a later processor must not be what the rest of the library is linked to: such a kernel defines nothing
 # that a linker could take for another file's.
-#   sh kernels.sh LIBRARY
+#   sh kernels.sh LIBRARY      77: nm is not there
 set -eu
-#   77: nm is not there.
 command -v nm >/dev/null || { echo "nm is not installed"; exit 77; }
 symbols=$(nm -A --defined-only "$1")
 echo "$symbols" | awk '

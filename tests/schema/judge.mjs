@@ -5,6 +5,7 @@ import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 import Ajv2020 from "ajv/dist/2020.js";
 import * as documents from "./documents.mjs";
+import { countFields, fieldsOf } from "./fields.mjs";
 import { kMutations, kTextMutations } from "./mutations.mjs";
 import { Random, Tally } from "./random.mjs";
 import { checkResults } from "./results.mjs";
@@ -78,6 +79,9 @@ function readRecords(kind, texts) {
 
 const read = (kind, texts) => (kind in kCommandOf ? readRecords : readDocuments)(kind, texts);
 
+// By kind: how often each field was in a document that reader and schema accept.
+const met = Object.fromEntries(Object.keys(schemaOf).map((kind) => [kind, new Tally()]));
+
 /// Compares the verdicts; by: what to count each document under.
 function compare(kind, given, by, tally, rules) {
   const texts = given.filter((text) => parsed(text));
@@ -89,6 +93,7 @@ function compare(kind, given, by, tally, rules) {
     const accepted = verdicts[i] === undefined;
     tally.add(`${kind}: ${accepted ? "accepted" : "rejected"} by the reader`);
     by?.(i, accepted);
+    if (valid && accepted) countFields(value, met[kind]);
     if (valid === accepted) return;
     const rule = ruleOf(kind, verdicts[i] ?? "", value);
     if (rule) rules.add(`${kind}: ${rule}`);
@@ -194,6 +199,21 @@ function mutated(kind, seed, names) {
   for (const name of [...Object.keys(kMutations), ...Object.keys(kTextMutations)])
     if (mutations.get(`${name}: rejected`) < 20) fault(`mutation '${name}' was rejected too seldom to count`);
   say("random documents:\n" + tally + "\nby mutation:\n" + mutations);
+}
+
+// Each field of the schemas was in some document.
+{
+  let fields = 0;
+  for (const [kind, validate] of Object.entries(schemaOf)) {
+    const root = ajv.getSchema(`urn:viewproj:schema:${kind === "shapes" || kind === "pixels" ? "points" : kind}`).schema;
+    for (const field of fieldsOf(validate.schema, root, new Set())) {
+      if (kind === "shapes" && field === "direction") continue; // of points, and refused here: it has no place
+      ++fields;
+      if (met[kind].get(field) < 10) fault(`${kind}: the field ${field} was in ${met[kind].get(field)} documents`);
+    }
+  }
+  if (fields < 100) fault(`the schemas have only ${fields} fields`);
+  say(`each of ${fields} fields was in some document`);
 }
 
 say("accepted by the schema and rejected by the reader, by rule:\n" + rules);

@@ -1,6 +1,8 @@
 // What is printed is what the schema of results says, and little else is.
+import { countFields, fieldsOf } from "./fields.mjs";
 import { kPoses, kProjections } from "./documents.mjs";
 import { kMutations } from "./mutations.mjs";
+import { Tally } from "./random.mjs";
 import { parsed, valuesOf } from "./runs.mjs";
 
 const kAlways = new Set(["project", "ray", "cull"]); // JSON where their input is
@@ -62,6 +64,7 @@ function randomRuns(run, makeCamera, Random) {
     add("matrix", ["--relative-to-eye", "--bake-viewport", "--float"]);
     add("explain", ["--to", "json", "--point", "0.5,1,2"]);
     add("explain", ["--to", "json", "--pixel", "100,80"]);
+    add("explain", ["--to", "json", "--pixel", "100,80,0.5"]);
     if (seed % 6 === 0) add("measure", ["--seconds", "0.002", "--to", "json"], "[0,0,0] [1,2,3]");
     add("depth", ["--to", "json", "--gap", "0.01"]);
     const { status, output, error } = run(["inspect", "--to", "json"], matrices);
@@ -76,7 +79,7 @@ const kClosed = ["planes", "matrix", "explain", "inspect", "depth", "measure"];
 
 export function checkResults({ ajv, runs, run, fault, makeCamera, Random }) {
   const whole = ajv.getSchema("urn:viewproj:schema:results");
-  const counts = new Map();
+  const counts = new Map(), met = new Map();
   const count = (name) => counts.set(name, (counts.get(name) ?? 0) + 1);
   let seed = 0;
   for (const r of [...runs, ...randomRuns(run, makeCamera, Random)]) {
@@ -91,6 +94,8 @@ export function checkResults({ ajv, runs, run, fault, makeCamera, Random }) {
     for (const text of values) {
       const value = described(JSON.parse(text), r.options["--fields"]);
       count(part);
+      if (!met.has(part)) met.set(part, new Tally());
+      countFields(value, met.get(part));
       if (!schema(value)) fault(`${part}: ${ajv.errorsText(schema.errors)}: ${text}`);
       if (!whole(value)) fault(`results: ${ajv.errorsText(whole.errors)}: ${text}`);
       if (!kClosed.includes(part)) continue;
@@ -102,5 +107,9 @@ export function checkResults({ ajv, runs, run, fault, makeCamera, Random }) {
     }
   }
   for (const part of [...kClosed, ...kAlways]) if ((counts.get(part) ?? 0) < 3) fault(`results of ${part} are too few`);
+  for (const [part, tally] of met)
+    for (const field of fieldsOf(whole.schema.$defs[part], whole.schema, new Set()))
+      // A reading's layout stands beside its convention.
+      if (tally.get(field) === 0 && !/^matrices.readings.convention.(vectors|storage)$/.test(field)) fault(`results of ${part}: the field ${field} was never printed`);
   return [...counts].map(([name, number]) => `  ${number} ${name}`).join("\n");
 }

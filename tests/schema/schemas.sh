@@ -4,6 +4,7 @@
 #   sh schemas.sh VIEWPROJ SCHEMA_READER
 # 77: node or tests/node_modules is not there; sh samples/setup.sh tests installs them.
 set -eu
+viewproj=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
 tests=$(cd "$(dirname "$0")/.." && pwd)
 missing() {
   echo "$1"
@@ -20,7 +21,7 @@ chmod +x "$scratch/bin/viewproj"
 
 # Every run of the golden cases and of the samples, with what goes in and out.
 # What the cases' own tests say of them is not asked again.
-export PATH="$scratch/bin:$PATH" VIEWPROJ_TOOL="$1" VIEWPROJ_RECORDED="$scratch/recorded" LC_ALL=C
+export PATH="$scratch/bin:$PATH" VIEWPROJ_TOOL="$viewproj" VIEWPROJ_RECORDED="$scratch/recorded" LC_ALL=C
 for directory in "$tests"/cmd/cases/*/ "$tests"/../samples/*/; do
   status=0
   (cd "$directory" && exec timeout -s KILL 30 sh ./cmd) </dev/null >/dev/null 2>&1 || status=$?
@@ -30,4 +31,4 @@ for directory in "$tests"/cmd/cases/*/ "$tests"/../samples/*/; do
   fi
 done
 
-node "$tests/schema/judge.mjs" "$1" "$2" "$scratch"
+node "$tests/schema/judge.mjs" "$viewproj" "$2" "$scratch"
