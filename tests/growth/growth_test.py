@@ -143,8 +143,8 @@ def bad_records():
         for form in ("ndjson", "csv", "table") if kind == "NaN" else ("csv",):
             # A header comes from a good record.
             text = lines(record, POINT + b"\n")
-            add(f"keep going, write {form}: {kind}", 400, project("--keep-going", "--to", form), text, status=1, says="error|input:|<stdin>")
-        add(f"keep going in an array: {kind}", 400, project("--keep-going"), listed(record, b"[" + POINT + b","), status=1, says="<stdin>")
+            add(f"keep going, write {form}: {kind}", 1000, project("--keep-going", "--to", form), text, status=1, says="error|input:|<stdin>")
+        add(f"keep going in an array: {kind}", 2000, project("--keep-going"), listed(record, b"[" + POINT + b","), status=1, says="<stdin>")
     add("keep going, all bad, write csv", 400, project("--keep-going", "--to", "csv"), lines(b'{"a":1}'), status=1, says="<stdin>")
     csv = {"few fields": b"1,2", "many fields": b"1,2,3,4", "no number": b"1,two,3", "a lone quote": b'1,"2,3'}
     for kind, record in csv.items():
