@@ -346,7 +346,7 @@ def options():
     many("--set, a deep value", 10000, lambda n: matrix + ["--set=name=" + "[" * n + "]" * n], 2, "nested deeper")
     many("--point", 200, lambda n: project(*["--point=1,2,3"] * n), says="screen")
     many("--pixel", 200, lambda n: ray(*["--pixel=1,2"] * n), says="direction")
-    many("--pixel, bad", 200, lambda n: ray(*["--pixel=1,2,-7"] * n), 1, "depth")
+    many("--pixel, bad", 200, lambda n: ray(*["--pixel=1,2,9"] * n), 1, "beyond infinity")
     many("--at", 200, lambda n: ["depth", "-c", CAMERA, "--at", ",".join(f"{i + 1}" for i in range(n))], says="d24")
     many("--gap and --resolve", 40, lambda n: ["depth", "-c", CAMERA, *[f"--gap=0.{i + 1}" for i in range(n)], *[f"--resolve=0.01@{i + 1}" for i in range(n)]], says="d24")
     many("--columns", 2000, lambda n: project("--columns", "x," * n, "--from", "csv"), 2, "expected 3 or 4 names|expected")
