@@ -333,8 +333,8 @@ def pictures():
 
 
 def options():
-    def many(name, size, arguments, status=0, says="", given=b""):
-        add(f"options: {name}", size, arguments, given, status=status, says=says, memory="unmeasured")
+    def many(name, size, arguments, status=0, says="", memory="unmeasured"):
+        add(f"options: {name}", size, arguments, status=status, says=says, memory=memory)
 
     matrix = ["matrix", "-c", CAMERA, "--which", "view"]
     many("--set of one field", 300, lambda n: matrix + ["--set=projection.fovY=50"] * n, says="view")
@@ -350,7 +350,7 @@ def options():
     many("--at", 200, lambda n: ["depth", "-c", CAMERA, "--at", ",".join(f"{i + 1}" for i in range(n))], says="d24")
     many("--gap and --resolve", 40, lambda n: ["depth", "-c", CAMERA, *[f"--gap=0.{i + 1}" for i in range(n)], *[f"--resolve=0.01@{i + 1}" for i in range(n)]], says="d24")
     many("--columns", 2000, lambda n: project("--columns", "x," * n, "--from", "csv"), 2, "expected 3 or 4 names|expected")
-    many("# in the camera's name", 10000, lambda n: ["matrix", "-c", "#" * n], 1, "No such file|too long")
+    many("# in the camera's name", 10000, lambda n: ["matrix", "-c", "#" * n], 1, "No such file|too long", memory="bounded")
     many("unknown words", 300, lambda n: ["matrix", *["word"] * n], 2, "was not expected")
     many("a long unknown option", 20000, lambda n: ["matrix", "--" + "x" * n], 2, "was not expected")
 
