@@ -11,8 +11,8 @@ using svg::Box;
 
 constexpr double kCell = 32;
 /// With so many marks in it, a cell has no room for a label; through so many lines, one place is as bad as another.
-constexpr std::size_t kMostBoxes = 64;
-constexpr int kMostLinesThrough = 64;
+constexpr std::size_t kMostBoxes = 512;
+constexpr int kMostLinesThrough = 1024;
 constexpr double kGap = 3, kLineHeight = 1.15 * kLabelText;
 
 /// Calls f with the number of each cell that the box touches.

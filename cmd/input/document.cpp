@@ -9,6 +9,7 @@
 #include "input/glb.hpp"
 #include "input/json_text.hpp"
 #include "input/names.hpp"
+#include "input/visible.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -83,7 +84,7 @@ Document::Document(const std::string& source, const std::string& option, const c
     throw InputError(place(name_, positionAt(text_, *at)) + ": nested deeper than " + std::to_string(kDeepest));
   root_ = std::make_unique<nlohmann::json>();
   if (const auto fault = parseJson(text_, *root_))
-    throw InputError(place(name_, positionAt(text_, fault->offset)) + ": " + fault->message);
+    throw InputError(place(name_, positionAt(text_, fault->offset)) + ": " + withoutNul(fault->message));
   if (arrayKey && root_->is_array()) *root_ = {{arrayKey, std::move(*root_)}};
   if (!root_->is_object()) throw InputError(place(name_, {}) + ": expected a JSON object");
 }
@@ -102,7 +103,8 @@ void Document::set(const std::string& assignment) {
   } else {
     if (tooDeepAt(text))
       throw UsageError("--set " + dotted(path) + ": the value is nested deeper than " + std::to_string(kDeepest));
-    if (const auto fault = parseJson(text, value)) throw UsageError("--set " + dotted(path) + ": " + fault->message);
+    if (const auto fault = parseJson(text, value))
+      throw UsageError("--set " + dotted(path) + ": " + withoutNul(fault->message));
   }
   if (value.is_string() && !isUtf8(text)) throw UsageError("--set " + dotted(path) + ": the value is not UTF-8");
 
@@ -160,7 +162,7 @@ void Document::fail(const Path& path, const std::string& message, bool showValue
     if (!value) break;
   }
   const std::string what =
-      (path.empty() ? "" : dotted(path) + ": ") + message + (value && showValue ? shown(*value) : "");
+      withoutNul((path.empty() ? "" : dotted(path) + ": ") + message + (value && showValue ? shown(*value) : ""));
   if (set_.count(dotted(path))) throw InputError("--set " + what);
   throw InputError(place(name_, positionAt(text_, locate(text_, path))) + ": " + what);
 }

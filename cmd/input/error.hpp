@@ -6,21 +6,14 @@
 
 namespace viewproj::cmd {
 
-/// With a word for each NUL, at which what() would end.
-inline std::string withoutNul(const std::string& message) {
-  std::string shown;
-  for (const char c : message) c == '\0' ? shown += "<U+0000>" : shown += c;
-  return shown;
-}
-
 /// The command line is wrong: exit status 2.
 struct UsageError : std::runtime_error {
-  explicit UsageError(const std::string& message) : runtime_error(withoutNul(message)) {}
+  using runtime_error::runtime_error;
 };
 
 /// An input is wrong or an output cannot be written: exit status 1. The message names its place.
 struct InputError : std::runtime_error {
-  explicit InputError(const std::string& message) : runtime_error(withoutNul(message)) {}
+  using runtime_error::runtime_error;
 };
 
 /// Whoever reads the output has gone away: exit quietly.
@@ -31,7 +24,7 @@ struct HelpGiven {};
 
 /// A record is wrong, at a byte of its text.
 struct RecordError : std::runtime_error {
-  RecordError(std::size_t at, const std::string& message) : runtime_error(withoutNul(message)), offset(at) {}
+  RecordError(std::size_t at, const std::string& message) : runtime_error(message), offset(at) {}
   std::size_t offset;
 };
 

@@ -11,6 +11,7 @@
 #include "input/error.hpp"
 #include "input/json_text.hpp"
 #include "input/number.hpp"
+#include "input/visible.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -46,7 +47,7 @@ class Scanner {
   };
 
   [[noreturn]] void fail(std::size_t offset, const std::string& message) const {
-    throw InputError(place(file_, positionAt(text_, offset)) + ": " + message);
+    throw InputError(place(file_, positionAt(text_, offset)) + ": " + withoutNul(message));
   }
 
   void step() {
@@ -156,7 +157,7 @@ class Scanner {
 
   void flush() {
     WrittenMatrix m;
-    m.name = name_;
+    m.name = withoutNul(name_);
     for (std::size_t i = 0; i < 16; ++i) m.numbers[i] = gathered_[i].number;
     if (fourByFour([&](std::size_t i) { return gathered_[i].line; }) ||
         fourByFour([&](std::size_t i) { return gathered_[i].group; }))
@@ -225,7 +226,7 @@ WrittenMatrices parseObject(const std::string& text, const std::string& name) {
       if (!nested && value.size() < 9) continue;  // an eye, a position, ...
       document.fail({key}, "expected 16 numbers or 4 rows of 4", false);
     }
-    WrittenMatrix m{key, {}, nested ? NumberOrder::rows : NumberOrder::memory};
+    WrittenMatrix m{withoutNul(key), {}, nested ? NumberOrder::rows : NumberOrder::memory};
     std::copy(numbers.begin(), numbers.end(), m.numbers.begin());
     result.matrices.push_back(m);
   }
