@@ -45,11 +45,14 @@ std::string shortened(const std::string& message) {
   return message.substr(0, front) + "..." + message.substr(back);
 }
 
-/// Where token first stands outside a string.
-std::size_t outsideStrings(std::string_view text, std::string_view token) {
-  std::size_t at = 0;
-  while (at < text.size() && !text.substr(at).starts_with(token)) at = text[at] == '"' ? endOfString(text, at) : at + 1;
-  return at;
+/// Where a number first stands that is written so, not as a part of another, nor in a string.
+std::size_t numberWritten(std::string_view text, std::string_view number) {
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find_first_not_of("+-.0123456789eE", at), text.size());
+    if (text.substr(at, end - at) == number) return at;
+    at = end > at ? end : text[at] == '"' ? endOfString(text, at) : at + 1;
+  }
+  return 0;  // uncounted: it stands somewhere
 }
 
 }  // namespace
@@ -87,7 +90,7 @@ std::optional<JsonFault> jsonFault(std::string_view text) {
     std::size_t offset = 0;
     if (const std::size_t quote = message.find('\''); quote != std::string::npos) {
       const std::string token = message.substr(quote + 1, message.rfind('\'') - quote - 1);
-      offset = outsideStrings(text, token);
+      offset = numberWritten(text, token);
     }
     if (const std::size_t bracket = message.find("] "); bracket != std::string::npos) message.erase(0, bracket + 2);
     return JsonFault{offset, shortened(message)};

@@ -125,6 +125,8 @@ class TextReader final : public RecordReader {
  private:
   void readLine(std::string_view line, Batch& batch) {
     try {
+      if (const std::size_t alone = line.find('\r'); alone != std::string_view::npos)
+        throw RecordError(alone, kLoneReturn);
       const RecordParts record = textParts(line);
       const Plan& plan = batch.planFor(record);
       Numbers numbers;
