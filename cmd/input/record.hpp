@@ -68,6 +68,8 @@ struct CsvHeader {
   bool present = false;  ///< false: the first line was data already, and the columns have the default names
 };
 
+inline constexpr const char* kLoneReturn =
+    "a carriage return that ends no line; expected lines that end with LF or CRLF, as tr '\\r' '\\n' makes them";
 inline constexpr const char* kNoRecord = "expected a record: an array of numbers or an object";
 
 /// Throw RecordError at the byte that is wrong.

@@ -107,9 +107,9 @@ std::vector<OwnCell> ownCells(const Record& record, const WriterSetup& setup) {
   return cells;
 }
 
-void requireNoClash(const CsvColumns& columns) {
-  for (const std::string& column : columns.results)
-    if (std::find(columns.own.begin(), columns.own.end(), column) != columns.own.end())
+void requireNoClash(const std::vector<std::string>& own, const std::vector<std::string>& results) {
+  for (const std::string& column : results)
+    if (std::find(own.begin(), own.end(), column) != own.end())
       throw RecordError(0, "already has a column '" + column + "'; --prefix P puts P in front of the results' names");
 }
 
@@ -118,19 +118,14 @@ void writeBadCells(const CsvColumns& columns, const std::string& message, TextBu
   out += quotedIfNeeded(message) + "\n";
 }
 
-/// And behind it the bad records that came before the columns were known.
-void writeHeader(CsvColumns& columns, const WriterSetup& setup, TextBuffer& out) {
-  if (setup.header) {
-    std::string separator;
-    for (const auto* names : {&columns.own, &columns.results})
-      for (const std::string& column : *names) {
-        out += separator + quotedIfNeeded(column);
-        separator = ",";
-      }
-    out += '\n';
-  }
-  for (const std::string& message : columns.early) writeBadCells(columns, message, out);
-  columns.early.clear();
+void writeHeader(const CsvColumns& columns, TextBuffer& out) {
+  std::string separator;
+  for (const auto* names : {&columns.own, &columns.results})
+    for (const std::string& column : *names) {
+      out += separator + quotedIfNeeded(column);
+      separator = ",";
+    }
+  out += '\n';
 }
 
 class CsvWriter final : public RecordWriter {
@@ -147,13 +142,11 @@ class CsvWriter final : public RecordWriter {
     }
     const auto cells = ownCells(record, setup_);
     if (!columns_.known) {
-      CsvColumns found = columns_;
-      for (const OwnCell& cell : cells) found.own.push_back(cell.column);
-      requireNoClash(found);
-      columns_.own = found.own;
+      std::vector<std::string> own;
+      for (const OwnCell& cell : cells) own.push_back(cell.column);
+      requireNoClash(own, columns_.results);
+      columns_.own = std::move(own);
       headerIsNew_ = true;
-      early_ = columns_.early;
-      writeHeader(columns_, setup_, out_);
     }
     if (std::equal(cells.begin(), cells.end(), columns_.own.begin(), columns_.own.end(),
                    [](const OwnCell& cell, const std::string& column) { return cell.column == column; })) {
@@ -178,15 +171,14 @@ class CsvWriter final : public RecordWriter {
 
   void endRecord() override {
     out_ += setup_.keepGoing ? std::string_view(",\n") : std::string_view("\n");
-    if (!columns_.known) columns_.known = true;  // from then on all workers read it
+    // From then on all workers read it. Whoever writes this block writes the header first.
+    if (headerIsNew_) columns_.known = columns_.headerIsDue = true;
     ++records_;
   }
 
   void cancelRecord() override {
     out_.truncate(start_);
-    if (!headerIsNew_) return;
-    columns_.own.clear();
-    columns_.early = early_;
+    if (headerIsNew_) columns_.own.clear();
   }
 
   /// As many own cells as there are columns, so that the message stands in its own.
@@ -196,14 +188,15 @@ class CsvWriter final : public RecordWriter {
       if (columns_.known)
         writeBadCells(columns_, message, out_);
       else
-        columns_.early.push_back(message);
+        columns_.early.add(message);
       return;
     }
     std::vector<std::string_view> cells;
-    splitCsvLine(text, cells);
+    splitCsvLine(text, cells, columns_.own.size() + 1);
     std::size_t unclosed = std::string_view::npos;
     (void)endOfCsvRecord(text, 0, &unclosed);
-    if (unclosed != std::string_view::npos) cells.pop_back();  // the rest of the row would be in its quotes
+    // The rest of the row would be in its quotes.
+    while (!cells.empty() && static_cast<std::size_t>(cells.back().data() - text.data()) >= unclosed) cells.pop_back();
     for (std::size_t i = 0; i < columns_.own.size(); ++i) {
       if (i > 0) out_ += ',';
       if (i < cells.size()) out_ += cells[i];
@@ -273,7 +266,6 @@ class CsvWriter final : public RecordWriter {
   const WriterSetup& setup_;
   CsvColumns& columns_;
   bool headerIsNew_ = false;
-  std::vector<std::string> early_;
   std::size_t start_ = 0;
 };
 
@@ -284,12 +276,12 @@ CsvColumns csvColumns(const WriterSetup& setup, const CsvHeader* input, std::str
   setup.exampleResults(collector);
   CsvColumns columns;
   columns.results = collector.columns;
-  if (setup.keepGoing) columns.results.push_back("error");
+  if (setup.keepGoing) columns.results.push_back(setup.prefix + "error");
   if (!input) return columns;
   columns.known = columns.fromCsv = true;
   columns.own = input->names;
   if (!input->present) return columns;
-  requireNoClash(columns);
+  requireNoClash(columns.own, columns.results);
   if (!setup.header) return columns;
   out += line;
   for (const std::string& column : columns.results) out += "," + column;
@@ -297,8 +289,18 @@ CsvColumns csvColumns(const WriterSetup& setup, const CsvHeader* input, std::str
   return columns;
 }
 
-void finishCsv(CsvColumns& columns, const WriterSetup& setup, TextBuffer& out) {
-  if (!columns.early.empty()) writeHeader(columns, setup, out);
+void writeDueHeader(CsvColumns& columns, const WriterSetup& setup, const std::function<void(std::string_view)>& write) {
+  constexpr std::size_t kAtOnce = 64 << 10;
+  TextBuffer out;
+  if (setup.header) writeHeader(columns, out);
+  columns.early.replay([&](const std::string& message) {
+    writeBadCells(columns, message, out);
+    if (out.size() < kAtOnce) return;
+    write(out.view());
+    out.clear();
+  });
+  write(out.view());
+  columns.headerIsDue = false;
 }
 
 std::unique_ptr<RecordWriter> makeCsvWriter(const WriterSetup& setup, CsvColumns& columns, TextBuffer& out) {

@@ -91,8 +91,8 @@ class JsonWriter final : public RecordWriter {
 
   void badRecord(std::string_view, std::size_t line, const std::string& message) override {
     beginItem();
-    out_ += "{\"line\":" + std::to_string(line) +
-            ",\"error\":" + nlohmann::json(message).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    out_ += "{\"line\":" + std::to_string(line) + ",\"" + setup_.prefix +
+            "error\":" + nlohmann::json(message).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
     out_ += '}';
     finishItem();
   }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "input/record.hpp"
+#include "output/spilled_texts.hpp"
 #include "output/text_buffer.hpp"
 #include "stream/form.hpp"
 #include "viewproj/numbers/vectors.hpp"
@@ -118,14 +119,16 @@ class RecordWriter : public ResultSink {
 struct CsvColumns {
   std::vector<std::string> own, results;
   bool known = false, fromCsv = false;
-  std::vector<std::string> early;  ///< messages of bad records before the first good one
+  bool headerIsDue = false;  ///< the columns have just become known
+  SpilledTexts early;        ///< messages of bad records before the first good one
 };
 
 /// Throws RecordError where columns have the same name. Appends the header line to out, if there is one to be.
 CsvColumns csvColumns(const WriterSetup& setup, const CsvHeader* input, std::string_view line, TextBuffer& out);
 
-/// After the last record: what bad records left where there was no good one.
-void finishCsv(CsvColumns& columns, const WriterSetup& setup, TextBuffer& out);
+/// The header of columns that were a record's, and the bad records that came before it; also after the last record,
+/// where there were bad ones alone.
+void writeDueHeader(CsvColumns& columns, const WriterSetup& setup, const std::function<void(std::string_view)>& write);
 
 std::unique_ptr<RecordWriter> makeJsonWriter(const WriterSetup& setup, TextBuffer& out);
 std::unique_ptr<RecordWriter> makeCsvWriter(const WriterSetup& setup, CsvColumns& columns, TextBuffer& out);

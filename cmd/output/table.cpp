@@ -1,6 +1,7 @@
 #include "output/table.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "input/record.hpp"
 #include "stream/csv_lines.hpp"
@@ -8,20 +9,19 @@
 namespace viewproj::cmd {
 namespace {
 
-constexpr std::size_t kRowsThatTell = 1000;
+constexpr std::size_t kRowsThatTell = 1000, kBytesThatTell = 1 << 20, kWidest = 200;
 
 using Rows = std::vector<std::vector<std::string>>;
 
-void widen(std::vector<std::size_t>& widths, const Rows& rows) {
+void widen(std::vector<std::size_t>& widths, const Rows& rows, std::size_t widest = SIZE_MAX) {
   for (const auto& row : rows)
     for (std::size_t i = 0; i < row.size(); ++i) {
       if (i == widths.size()) widths.push_back(0);
-      widths[i] = std::max(widths[i], row[i].size());
+      if (row[i].size() <= widest) widths[i] = std::max(widths[i], row[i].size());
     }
 }
 
-std::string inColumns(const Rows& rows, const std::vector<std::size_t>& widths) {
-  std::string out;
+void appendInColumns(std::string& out, const Rows& rows, const std::vector<std::size_t>& widths) {
   for (const auto& row : rows) {
     for (std::size_t i = 0; i < row.size(); ++i) {
       const std::size_t width = i < widths.size() ? widths[i] : 0;
@@ -33,7 +33,6 @@ std::string inColumns(const Rows& rows, const std::vector<std::size_t>& widths) 
     out.erase(out.find_last_not_of(' ') + 1);
     out += '\n';
   }
-  return out;
 }
 
 }  // namespace
@@ -41,10 +40,13 @@ std::string inColumns(const Rows& rows, const std::vector<std::size_t>& widths) 
 std::string alignedTable(const Rows& rows) {
   std::vector<std::size_t> widths;
   widen(widths, rows);
-  return inColumns(rows, widths);
+  std::string out;
+  appendInColumns(out, rows, widths);
+  return out;
 }
 
 std::string CsvAligner::add(std::string_view csv) {
+  std::string out;
   std::vector<std::string_view> cells;
   for (std::size_t at = 0, end; at < csv.size(); at = end + 1) {
     end = endOfCsvRecord(csv, at);
@@ -56,18 +58,24 @@ std::string CsvAligner::add(std::string_view csv) {
       // A line of the table is a line.
       std::replace(row.back().begin(), row.back().end(), '\n', ' ');
     }
+    bytes_ += end - at;
+    if (widthsAreSet_ || rows_.size() >= kRowsThatTell || bytes_ >= kBytesThatTell) align(out);
   }
-  return rows_.size() >= kRowsThatTell || widthsAreSet_ ? aligned() : "";
+  return out;
 }
 
-std::string CsvAligner::rest() { return aligned(); }
+std::string CsvAligner::rest() {
+  std::string out;
+  align(out);
+  return out;
+}
 
-std::string CsvAligner::aligned() {
-  if (!widthsAreSet_) widen(widths_, rows_);
+void CsvAligner::align(std::string& out) {
+  if (!widthsAreSet_) widen(widths_, rows_, kWidest);
   widthsAreSet_ = true;
-  std::string text = inColumns(rows_, widths_);
+  appendInColumns(out, rows_, widths_);
   rows_.clear();
-  return text;
+  bytes_ = 0;
 }
 
 }  // namespace viewproj::cmd

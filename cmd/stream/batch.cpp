@@ -8,6 +8,8 @@ namespace {
 constexpr std::size_t kRows = 256;
 /// Shapes that are remembered.
 constexpr std::size_t kPlans = 32;
+/// Names of all of them, unless one alone has more.
+constexpr std::size_t kNames = 1 << 16;
 
 }  // namespace
 
@@ -42,9 +44,11 @@ const Plan& Batch::planFor(const RecordParts& record) {
         throw RecordError(record.offset(*own),
                           "already has a field '" + name + "'; --prefix P puts P in front of the results' names");
   }
-  if (plans_.size() == kPlans) {
+  std::size_t names = record.shape.size;
+  for (const auto& plan : plans_) names += plan->shape.size;
+  if (plans_.size() == kPlans || names > kNames) {
     flush();  // rows speak of their plans
-    plans_.resize(kPlans / 2);
+    plans_.resize(names > kNames ? 0 : kPlans / 2);
   }
   plans_.insert(plans_.begin(), std::make_unique<Plan>(Plan{record.shape, std::move(layout)}));
   return *plans_.front();

@@ -94,6 +94,17 @@ std::string_view BlockReader::firstBytes() {
   return carried_.view().substr(0, std::min(end, kLongEnough));
 }
 
+void BlockReader::requireUtf8() {
+  const auto mayBeWide = [&] {
+    const std::string_view text = carried_.view();
+    return text.size() < 2 || text[0] == 0 || text[1] == 0 || text[0] == '\xFF' || text[0] == '\xFE';
+  };
+  while (!atEnd_ && !over_ && carried_.size() < 4 && mayBeWide()) readMore(carried_, carried_.size() + block_);
+  const std::string encoding(wideEncoding(carried_.view()));
+  if (!encoding.empty())
+    throw InputError(name_ + ": is " + encoding + "; expected UTF-8, as iconv -f " + encoding + " -t UTF-8 makes it");
+}
+
 void BlockReader::setForm(Form form) {
   form_ = form;
   if (form == Form::f64) return;

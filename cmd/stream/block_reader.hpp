@@ -71,6 +71,9 @@ class BlockReader {
   /// than a record of f64 where a bracket begins. However the input arrives, they are the same.
   std::string_view firstBytes();
 
+  /// Throws InputError where the first bytes are of text in UTF-16 or UTF-32.
+  void requireUtf8();
+
   /// Passes over a byte order mark, where the form is text of any kind.
   void setForm(Form form);
 

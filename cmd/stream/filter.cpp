@@ -82,6 +82,16 @@ class RecordWorker final : public BlockWorker {
   Batch batch_;
 };
 
+/// The first carriage return of a line of CSV outside of quotes, or the line's end.
+std::size_t loneReturn(std::string_view line) {
+  std::vector<std::string_view> fields;
+  splitCsvLine(line, fields, kMostFields + 1);
+  for (const std::string_view field : fields)
+    if (const std::size_t at = field.find('\r'); at != std::string_view::npos && !field.starts_with('"'))
+      return static_cast<std::size_t>(field.data() - line.data()) + at;
+  return line.size();
+}
+
 /// Reads the header of CSV, and tries it: columns must have different names, and those of the numbers must be there.
 /// Returns what stands at the output's start.
 TextBuffer readHeader(Stream& stream, BlockReader& reader) {
@@ -96,6 +106,8 @@ TextBuffer readHeader(Stream& stream, BlockReader& reader) {
   const bool fromCsv = line.has_value();
   try {
     if (fromCsv) {
+      if (const std::size_t alone = loneReturn(line->text); alone < line->text.size())
+        throw RecordError(alone, kLoneReturn);
       if (header.names.size() > kMostFields)
         throw RecordError(0, "has more than " + std::to_string(kMostFields) + " columns");
       RecordParts example{line->text, stream.header, {}};
@@ -131,6 +143,14 @@ void tryResults(Stream& stream) {
   stream.setup.writer.exampleResults(*writer);
 }
 
+Form formOfContent(BlockReader& reader) {
+  const std::string_view start = reader.firstBytes();
+  if (wideEncoding(start).empty())
+    if (const auto form = formOfBytes(start)) return *form;
+  reader.requireUtf8();
+  throw InputError(reader.name() + ": is binary; expected JSON, CSV or text, or --from f64 for little-endian doubles");
+}
+
 int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
   // Opened before signals are taken care of: a named pipe may wait for its writer.
   auto file = setup.given.empty() ? std::make_unique<InputFile>(setup.file) : nullptr;
@@ -142,7 +162,8 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
            : std::make_unique<BlockReader>(given);
   Stream stream{.setup = setup, .makeWork = makeWork, .writes = writes};
   const auto named = setup.from ? setup.from : formOfName(setup.file);
-  stream.form = !setup.given.empty() ? Form::json : named ? *named : formOfBytes(reader->firstBytes());
+  stream.form = !setup.given.empty() ? Form::json : named ? *named : formOfContent(*reader);
+  if (stream.form != Form::f64) reader->requireUtf8();
   reader->setForm(stream.form);
   const bool numbersOnly = stream.form == Form::text || stream.form == Form::f64;
   stream.to = setup.to.value_or(setup.wordsOnly && numbersOnly ? OutputForm::lines : sameForm(stream.form));
@@ -167,7 +188,11 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
                                                       : setup.given[position.line - 1].option;
                          },
                      .fromCommandLine = !setup.given.empty(),
-                     .nothing = !writes};
+                     .nothing = !writes,
+                     .before =
+                         [&](const auto& write) {
+                           if (stream.columns.headerIsDue) writeDueHeader(stream.columns, setup.writer, write);
+                         }};
   OrderedOutput ordered(std::move(output), Progress(reader->totalBytes()));
   ordered.begin(start.view());
   const unsigned processors = std::max(1u, std::thread::hardware_concurrency());
@@ -177,9 +202,8 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
       .inOrder = [&] { return writes && hasColumns(stream.to) && !stream.columns.known; }};
   runPipeline(pipeline, *reader, ordered, guard);
   if (InterruptGuard::signal() != 0) ordered.endInterrupted();
-  TextBuffer rest;
-  if (writes && hasColumns(stream.to)) finishCsv(stream.columns, setup.writer, rest);
-  return ordered.finish(rest.view());
+  stream.columns.headerIsDue = !stream.columns.early.empty();
+  return ordered.finish();
 }
 
 }  // namespace

@@ -19,8 +19,11 @@ OutputForm sameForm(Form form);
 /// By the file's name, or nothing.
 std::optional<Form> formOfName(std::string_view fileName);
 
-/// By the first bytes: a control character tells f64, `{` or `[` begins JSON, a comma or a word on the first line CSV,
-/// anything else with numbers is text.
-Form formOfBytes(std::string_view start);
+/// By the first bytes: `{` or `[` begins JSON, a comma or a word on the first line CSV, anything else with numbers is
+/// text. Nothing where they are no text at all; f64 is never guessed.
+std::optional<Form> formOfBytes(std::string_view start);
+
+/// UTF-16 or UTF-32 where the first four bytes, or two that are all, are of text in it; otherwise nothing.
+std::string_view wideEncoding(std::string_view start);
 
 }  // namespace viewproj::cmd

@@ -167,9 +167,9 @@ JsonPiece JsonSplitter::behindRecord(std::string_view rest, std::size_t at, bool
 
 JsonPiece JsonSplitter::atEndOf(std::string_view rest, End end) {
   if (state_.place == Place::top) return piece(JsonEvent::end, rest, rest.size(), rest.size());
-  const char* const message = end == End::ofBlock             ? kNotClosed
+  const char* const message = end == End::ofBlock              ? kNotClosed
                               : state_.place == Place::inArray ? "the input ends behind a comma; expected a record"
-                                                              : "the input ends inside an array; expected ]";
+                                                               : "the input ends inside an array; expected ]";
   return brokenEnd(rest, rest.size(), message);
 }
 

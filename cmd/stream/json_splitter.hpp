@@ -16,8 +16,8 @@ namespace viewproj::cmd {
 inline constexpr std::size_t kLongestRecord = 64 << 20;
 
 /// A record border that needs no look at what comes before: a line that begins with an opening bracket behind one that
-/// ends with a closing bracket. Valid JSON has none inside of a value, for a comma would stand there. Returns the offset
-/// of the last such opening bracket that is at `from` or behind it, or npos.
+/// ends with a closing bracket. Valid JSON has none inside of a value, for a comma would stand there. Returns the
+/// offset of the last such opening bracket that is at `from` or behind it, or npos.
 std::size_t lastBorder(std::string_view text, std::size_t from = 0);
 
 /// Whether an array or a document of records may begin in text; false is certain.
@@ -30,7 +30,7 @@ enum class JsonEvent {
   record,      ///< text is one record, its brackets closed
   bad,         ///< text is none, as message says
   beginArray,  ///< text is what stands before the first record: `[`, or `{"points": [`
-  endArray,    ///< text is what follows the last record: `]`, or `]` and the rest of the document. message: it is broken
+  endArray,  ///< text is what follows the last record: `]`, or `]` and the rest of the document. message: it is broken
   end,
 };
 

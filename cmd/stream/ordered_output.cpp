@@ -76,6 +76,7 @@ void OrderedOutput::closeArray(std::string_view asWritten) {
 void OrderedOutput::put(const Block& block, const BlockResult& result) {
   if (InterruptGuard::signal() != 0) endInterrupted();
   if (setup_.keepArrays && !block.opening.empty()) openArray(block.opening);
+  if (setup_.before) setup_.before([&](std::string_view text) { put(text, 0); });
   if (!result.out.empty()) {
     if (open_) write(inArray_ == 0 ? "\n" : ",\n");
     put(result.out.view(), result.records, result.arrays);
@@ -103,8 +104,8 @@ void OrderedOutput::fail(const StreamFault& fault) {
   throw InputError(message);
 }
 
-int OrderedOutput::finish(std::string_view text) {
-  put(text, 0);
+int OrderedOutput::finish() {
+  if (setup_.before) setup_.before([&](std::string_view text) { put(text, 0); });
   write(table_.rest());
   closeArray();
   return passedOver_ ? 1 : 0;

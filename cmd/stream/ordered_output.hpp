@@ -17,6 +17,8 @@ struct OutputSetup {
   std::function<std::string(TextPosition)> placeOf;
   bool fromCommandLine = false;  ///< a bad record is a wrong command line
   bool nothing = false;          ///< write no records
+  /// Calls back with what is to stand before the block's records, if anything.
+  std::function<void(const std::function<void(std::string_view)>&)> before = {};
 };
 
 class OrderedOutput {
@@ -30,7 +32,7 @@ class OrderedOutput {
   /// record if a signal came.
   void put(const Block& block, const BlockResult& result);
   /// After the last block. Returns the exit status.
-  int finish(std::string_view text);
+  int finish();
   /// Writes what ends an array, if one is open, and throws Interrupted.
   [[noreturn]] void endInterrupted();
 

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "input/number.hpp"
 #include "stream/batch.hpp"
 #include "stream/csv_lines.hpp"
 
@@ -29,7 +30,7 @@ bool readPlainNumbers(const std::vector<std::string_view>& values, const Layout&
 
 class CsvReader final : public RecordReader {
  public:
-  explicit CsvReader(const Shape& header) : header_(header) {}
+  explicit CsvReader(const Shape& header) : header_(header), error_(header.find("error")) {}
 
   void read(Block& block, Batch& batch) override {
     const std::string_view text = block.records;
@@ -93,11 +94,19 @@ class CsvReader final : public RecordReader {
     return lineEnd;
   }
 
+  /// What --keep-going put in place of a bad record is one still. Its message is no number, as an error of the user's
+  /// is.
+  void requireNoError(const RecordParts& record) const {
+    const std::string message = csvValue(record.values[*error_]);
+    if (!isBlank(message) && !parseNumber(message)) throw RecordError(record.offset(*error_), message);
+  }
+
   void readLine(std::string_view line, Batch& batch) {
     try {
       const RecordParts record = csvParts(line, header_);
+      if (error_) requireNoError(record);
       const Plan& plan = batch.planFor(record);
-      if (slots_.empty()) slots_ = slotsOf(plan.layout, header_.size);
+      if (slots_.empty() && !error_) slots_ = slotsOf(plan.layout, header_.size);
       Numbers numbers;
       readNumbers(record, plan.layout, numbers);
       batch.add(line, plan, numbers);
@@ -107,6 +116,7 @@ class CsvReader final : public RecordReader {
   }
 
   const Shape& header_;
+  std::optional<std::size_t> error_;  ///< its column
   std::vector<std::size_t> slots_;
 };
 
@@ -125,6 +135,8 @@ class TextReader final : public RecordReader {
  private:
   void readLine(std::string_view line, Batch& batch) {
     try {
+      if (const std::size_t alone = line.find('\r'); alone != std::string_view::npos)
+        throw RecordError(alone, kLoneReturn);
       const RecordParts record = textParts(line);
       const Plan& plan = batch.planFor(record);
       Numbers numbers;

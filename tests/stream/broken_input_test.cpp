@@ -256,4 +256,99 @@ TEST_CASE("minus zero is minus zero, however it is read") {
   const StreamRun run =
       runStream("[-0,1,2]\n[-0,1,2]\n[-0.0,1,2]\n[0,1,2]\n", {.from = Form::json, .to = OutputForm::text});
   CHECK(run.out == "3 -0 2 4\n3 -0 2 4\n3 -0 2 4\n3 0 2 4\n");
+  for (const auto& [form, input] : {std::pair(Form::json, std::string("[-0,1,2]\n")),
+                                    {Form::text, "-.0 1 2\n"},
+                                    {Form::csv, "-0,1,2\n"},
+                                    {Form::f64, doubles({-0.0, 1, 2})}}) {
+    const std::string out = runStream(input, {.from = form, .to = OutputForm::lines}).out;
+    INFO(out);
+    CHECK(out.ends_with("\"sum\":3,\"twice\":[-0,2,4]}\n"));
+    CHECK(runStream(out, {.from = Form::json}).err.find("already has a field 'sum'") != std::string::npos);
+  }
+}
+
+TEST_CASE("an overflow is placed at the number that overflows") {
+  const StreamRun run = runStream("{\"s\":\"1e309\",\"x\":0.001e309,\"y\":2,\"z\":1e309}\n", {.from = Form::json});
+  CHECK(run.err == "<stdin>:1:37: number overflow parsing '1e309'");
+}
+
+TEST_CASE("columns of CSV are those of the first good record, however many bad ones come before") {
+  std::string input =
+      "[NaN]\n{\"position\":[1,2,3],\"position_x\":5}\n{\"x\":1,\"y\":2,\"z\":3,\"sum\":9}\n[4713,0,0]\n";
+  std::string bad;
+  for (int i = 0; i < 30000; ++i) bad += "[" + std::to_string(i) + ",2]\n";
+  for (const std::string& first : {input, input + bad}) {
+    const auto lines = static_cast<std::size_t>(std::count(first.begin(), first.end(), '\n'));
+    for (const unsigned jobs : {1u, 3u}) {
+      const StreamRun run = runStream(first + "[4,5,6]\n[7,8]\n",
+                                      {.from = Form::json, .to = OutputForm::csv, .keepGoing = true, .jobs = jobs});
+      const std::vector<std::string> rows = linesOf(run.out);
+      REQUIRE(rows.size() == lines + 3);
+      CHECK(rows[0] == "position_x,position_y,position_z,sum,twice_x,twice_y,twice_z,error");
+      CHECK(rows[2] == ",,,,,,,would fill the column 'position_x' twice");
+      CHECK(rows[3] == ",,,,,,,already has a column 'sum'; --prefix P puts P in front of the results' names");
+      CHECK(rows[4] == ",,,,,,,x is 4713");
+      CHECK(rows[lines + 1] == "4,5,6,15,8,10,12,");
+      CHECK(rows[lines + 2].starts_with(",,,,,,,has 2 numbers"));
+      for (const std::string& row : rows)
+        CHECK(row.starts_with(rows[0].substr(0, 3)) + row.starts_with(",,,,,,,") + row.starts_with("4,5,6,15") == 1);
+    }
+  }
+}
+
+TEST_CASE("carriage returns alone are quoted in CSV, white space in JSON, and refused where they may end lines") {
+  const std::string value = "{\"x\":1,\"y\":2,\"z\":3,\"s\":\"a\\rb\"}\n";
+  CHECK(runStream(value, {.from = Form::json, .to = OutputForm::csv}).out ==
+        "x,y,z,s,sum,twice_x,twice_y,twice_z\n1,2,3,\"a\rb\",6,2,4,6\n");
+  CHECK(linesOf(runStream("[1,2,3]\r[4,5,6]\r", {}).out).size() == 2);
+  for (const char* input : {"x,y,z\r1,2,3\r", "1 2 3\r4 5 6\r", "1 2 3\r4\n"}) {
+    const StreamRun run = runStream(input, {});
+    CHECK(run.status == 1);
+    CHECK(run.err.starts_with("<stdin>:1:6: a carriage return that ends no line"));
+  }
+}
+
+TEST_CASE("f64 is never guessed, and UTF-16 and UTF-32 are named") {
+  using namespace std::string_literals;
+  for (const auto& [input, message] : {std::pair("\xFF\xFE[\0001\0,\0"s, "is UTF-16"),
+                                       {"[\0001\0,\0"s, "is UTF-16"},
+                                       {"\0[\0001\0,"s, "is UTF-16"},
+                                       {"x\0\0\0,\0\0\0"s, "is UTF-32"},
+                                       {"\0\0\xFE\xFF\0\0\0x"s, "is UTF-32"},
+                                       {"\xFE\xFF\0x"s, "is UTF-16"},
+                                       {doubles({1, 2, 3}), "is binary"},
+                                       {"\x7F"
+                                        "ELF\2\1\1\0\0"s,
+                                        "is binary"},
+                                       {"x,y\x01\xFF\n"s, "is binary"}}) {
+    const StreamRun run = runStream(input, {});
+    INFO(run.err);
+    CHECK((run.status == 1 && run.out.empty() && run.err.starts_with("<stdin>: "s + message)));
+  }
+  CHECK(runStream("x\0,\0"s, {.from = Form::csv}).err.starts_with("<stdin>: is UTF-16"));
+  CHECK(runStream("x,y,z,a\x7F\n1,2,3,4\n", {}).out.starts_with("x,y,z,a\x7F,sum"));
+  CHECK(runStream("x,y,z,\xC3\xA9\x01\n1,2,3,4\n", {}).status == 0);
+  CHECK(formOfName("a.bin") == Form::f64);
+}
+
+TEST_CASE("the CSV of a run that kept going is read again, its bad rows as bad records") {
+  const std::string input = "x,y,z,n\n1,2,3,a\n1,bad,3,b\n1,2,3,4,5\n1,2\n4713,2,3,c\n7,8,9,\"d\n";
+  std::string text = input;
+  for (const char* prefix : {"", "p.", "q."}) {
+    const StreamRun run = runStream(text, {.from = Form::csv, .keepGoing = true, .prefix = prefix});
+    INFO(text << run.out << run.err);
+    const std::vector<std::string> rows = linesOf(run.out);
+    REQUIRE(rows.size() == 7);
+    CHECK(rows[0].ends_with("," + std::string(prefix) + "error"));
+    CHECK(rows[1].ends_with(",6,2,4,6,"));
+    const auto commas = std::count(rows[0].begin(), rows[0].end(), ',');
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      CHECK(std::count(rows[i].begin(), rows[i].end(), ',') == commas);
+      if (i > 1) CHECK_FALSE(rows[i].ends_with(","));
+    }
+    CHECK(linesOf(run.err).size() == 5);
+    text = run.out;
+  }
+  const StreamRun json = runStream("[1]\n", {.from = Form::json, .keepGoing = true, .prefix = "p."});
+  CHECK(json.out.starts_with("{\"line\":1,\"p.error\":"));
 }

@@ -126,6 +126,7 @@ StreamRun runStream(const std::string& input, const StreamHow& how) {
   setup.blockSize = how.block;
   setup.csvDefaults = {"x", "y", "z", "w"};
   setup.writer.arrayName = "position";
+  setup.writer.prefix = how.prefix;
   std::signal(SIGPIPE, SIG_IGN);
   const MakeWork makeWork = sumWork();
   setup.writer.exampleResults = [&](ResultSink& sink) { makeWork()->nameResults({}, sink); };

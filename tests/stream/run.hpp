@@ -23,6 +23,7 @@ struct StreamHow {
   /// Through a pipe, in pieces of at most so many bytes, of sizes that this seed gives.
   std::size_t largestPiece = 0;
   std::uint64_t seed = 0;
+  std::string prefix = {};
 };
 
 /// Results of a point: its numbers' sum, and their doubles. A point whose x is 4713 has none; at one whose x is 4714
