@@ -3,7 +3,7 @@
 #   sh tests/checks/run.sh [NAME...]
 set -u
 cd "$(dirname "$0")/../.." || exit 1
-[ $# -gt 0 ] || set -- static sanitized coverage threads fuzz install
+[ $# -gt 0 ] || set -- static sanitized coverage threads fuzz install mutation
 
 times=""
 failed=""

@@ -28,7 +28,7 @@ if [ ! -f "$1" ] || [ ! -x "$1" ]; then complain "$1 is no executable"; fi
 if [ "$(basename "$1")" != viewproj ]; then complain "$1: the executable must be called viewproj"; fi
 bin=$(cd "$(dirname "$1")" && pwd) || exit 1
 cases=$(cd "$2" && pwd) || exit 1
-one=${3-}
+one=${3+$(basename "$3")}
 PATH=$bin:$PATH
 LC_ALL=C
 export PATH LC_ALL
@@ -65,11 +65,10 @@ echo 0 >"$work/zero"
 passed=0
 failed=0
 written=0
-for directory in "$cases"/*/; do
+for directory in "$cases"/${one:-*}/; do
   directory=${directory%/}
-  name=$(basename "$directory")
+  name=${directory##*/}
   [ -d "$directory" ] || continue
-  if [ -n "$one" ] && [ "$name" != "$(basename "$one")" ]; then continue; fi
   if [ ! -f "$directory/cmd" ]; then
     echo "--- $name: has no cmd"
     failed=$((failed + 1))

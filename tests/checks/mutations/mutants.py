@@ -8,7 +8,7 @@ from pathlib import Path
 KINDS = (
     "sign", "comparison", "dropped term", "constant", "swapped", "lost output", "wrong unit", "dropped check", "order",
     "default", "off by one", "name", "format", "status",
-)  # fmt: skip
+)
 # Said once in each source before anything else; a macro, because what kernels of several processors share must not be code.
 SWITCH = "#define MUTATED(n) (!__builtin_is_constant_evaluated() && ::viewprojMutant == (n))\nextern int viewprojMutant;\n"
 # Read before any static object is made.
@@ -177,13 +177,13 @@ def write_if_changed(path, content):
 
 
 def write_sources(root, target, rows):
-    """A copy of the project: lib and cmd mutated, the rest as links."""
+    """A copy of the project, its lib and cmd mutated. What has not changed stays as it is, and is not compiled again."""
     unknown = [row for row in rows if not (root / row.file).is_file()]
     if unknown:
         raise BrokenRow(f"{unknown[0].where}: there is no {unknown[0].file}")
     wanted = set()
-    for part in ("lib", "cmd"):
-        for path in (root / part).rglob("*"):
+    for part in ("CMakeLists.txt", "README.md", "lib", "cmd", "tests", "samples"):
+        for path in [root / part, *(root / part).rglob("*")]:
             if not path.is_file():
                 continue
             name = path.relative_to(root)
@@ -195,11 +195,9 @@ def write_sources(root, target, rows):
                 content += f"target_sources(libviewproj PRIVATE {target}/mutant.cpp)\n".encode()
             write_if_changed(target / name, content)
             wanted.add(target / name)
-    for path in [*(target / "lib").rglob("*"), *(target / "cmd").rglob("*")]:
-        if path.is_file() and path not in wanted:
-            path.unlink()
-    for name in ("CMakeLists.txt", "README.md", "tests", "samples"):
-        if not (target / name).is_symlink():
-            (target / name).symlink_to(root / name)
     write_if_changed(target / "mutant.hpp", SWITCH.encode())
     write_if_changed(target / "mutant.cpp", READING.encode())
+    wanted.update((target / "mutant.hpp", target / "mutant.cpp"))
+    for path in target.rglob("*"):
+        if path.is_file() and path not in wanted:
+            path.unlink()
