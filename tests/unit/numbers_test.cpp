@@ -71,6 +71,7 @@ TEST_CASE("Double-double division and square root undo multiplication to 2^-100"
 TEST_CASE("A sum that cancels to less than its terms' error is zero") {
   const DoubleDouble third = DoubleDouble(1) / DoubleDouble(3);
   CHECK(sumOrZero(third * DoubleDouble(3), -1).hi == 0);
+  CHECK(sumOrZero(1, DoubleDouble(-1, 0x1p-100)).hi == 0);
   CHECK(sumOrZero(1, DoubleDouble(-1, 0x1p-90)).hi == 0x1p-90);
 }
 
