@@ -99,6 +99,8 @@ TEST_CASE("An orthographic camera never says behind") {
     CHECK(p.depth == Approx(0.2).epsilon(precision == Precision::exact ? 1e-300 : 1e-15));
     CHECK(p.visible());
   }
+  const Camera wide = makeCamera(orthographicCamera().pose, orthographic(-2, 2, -1, 1, -8e307, 8e307), {200, 100});
+  CHECK(worldToScreen(wide, Vec3{1, 0.5, 0}).depth == 0.5);
 }
 
 TEST_CASE("A direction has no screen position in an orthographic camera, but sides it leaves through") {
@@ -160,7 +162,10 @@ TEST_CASE("A result of zero is positive zero") {
   CHECK_FALSE(std::signbit(p.x));
   CHECK_FALSE(std::signbit(p.y));
   CHECK_FALSE(std::signbit(p.depth));
-  CHECK_FALSE(std::signbit(worldToScreen(orthographicCamera(), Vec4{0, 0, 1e-300, 1e300}).viewDistance));
+  // A tenth of the smallest double is 0.
+  const Pose oblique = lookAlong({0, 0, 0}, {0.1, 0, -1}, {0, 1, 0}, Handedness::right);
+  const Camera aside = makeCamera(oblique, orthographic(-2, 2, -1, 1, -5, 5), {200, 100});
+  CHECK_FALSE(std::signbit(worldToScreen(aside, Vec3{-5e-324, 0, 0}).viewDistance));
   const Ray ray = screenToRay(plainCamera(), {100, 50});
   for (std::size_t i = 0; i < 3; ++i) CHECK((ray.direction[i] != 0 || !std::signbit(ray.direction[i])));
   const Mat4 m = clipFromWorld(plainCamera().pose, plainCamera().projection, {});
