@@ -103,10 +103,10 @@ worker() {
   : >passed
   : >failed
   turn=0
-  for directory in "$cases"/*/; do
+  for directory in "$cases"/${one:-*}/; do
+    [ -d "$directory" ] || continue
     directory=${directory%/}
     name=${directory##*/}
-    if [ -n "$one" ] && [ "$name" != "$one" ]; then continue; fi
     turn=$(((turn + 1) % jobs))
     [ "$turn" = "$1" ] || continue
     if [ "${REGENERATE-}" = 1 ]; then

@@ -126,6 +126,7 @@ TEST_CASE("What is no place has no coordinates, and a pose there is an error tha
   CHECK(fieldAtFault([&] { poseFromHeadingPitchRoll({}, {.pitch = 90.5}); }) == "pitch");
   CHECK(fieldAtFault([&] { poseFromHeadingPitchRoll({}, {.pitch = nan}); }) == "pitch");
   CHECK(fieldAtFault([&] { poseFromHeadingPitchRoll({}, {.roll = nan}); }) == "roll");
+  CHECK_FALSE(std::signbit(ecefToGeodetic({6378137, 0, -0.0}).lat));
 }
 
 TEST_CASE("A target straight above or below is an error, one a nanodegree beside it is not") {

@@ -71,6 +71,7 @@ TEST_CASE("Double-double division and square root undo multiplication to 2^-100"
 TEST_CASE("A sum that cancels to less than its terms' error is zero") {
   const DoubleDouble third = DoubleDouble(1) / DoubleDouble(3);
   CHECK(sumOrZero(third * DoubleDouble(3), -1).hi == 0);
+  CHECK(sumOrZero(1, DoubleDouble(-1, 0x1p-100)).hi == 0);
   CHECK(sumOrZero(1, DoubleDouble(-1, 0x1p-90)).hi == 0x1p-90);
 }
 
@@ -99,6 +100,7 @@ TEST_CASE("Dyadic numbers add and multiply exactly, over the whole range of doub
         CHECK(double(quotient) == b);
       }
     }
+  CHECK((Dyadic(1) + Dyadic(0x1p-100)).rounded().value.lo == 0x1p-100);
 }
 
 TEST_CASE("Certified numbers know when they do not know") {
@@ -114,6 +116,11 @@ TEST_CASE("Certified numbers know when they do not know") {
   CHECK((Certified(1e-200) * Certified(1e-200)).isCertain() == false);
   CHECK((Certified(0.0) * Certified(1e-200)).isCertain());
   CHECK(Certified::difference(1, 1).isCertain());
+  const Certified third(DoubleDouble(1) / DoubleDouble(3), 1e-33);
+  CHECK((third + Certified(1)).error > 1.1e-33);  // its own rounding comes on top
+  const Certified rough(DoubleDouble(1) / DoubleDouble(3), 1e-20);
+  CHECK((rough * Certified(4)).error >= 4e-20);
+  CHECK((Certified(4) * rough).error >= 4e-20);
 }
 
 TEST_CASE("The leading terms of an expansion leave out less than the last of them holds") {

@@ -38,6 +38,7 @@ TEST_CASE("In a right-handed world looking along -z, right is +x; in a left-hand
 TEST_CASE("Up needs only a part across the viewing direction") {
   const Pose pose = lookAlong({0, 0, 0}, {0, 0, -2}, {0, 3, 5}, right);
   CHECK(nearest(pose.rows.up) == Vec3{0, 1, 0});
+  CHECK(lookAt({-1.5e308, 0, 0}, {1.5e308, 0, 0}, {0, 1, 0}, Handedness::right).rows.forward.x.hi == 1);
 }
 
 TEST_CASE("An up that is parallel to the view is an error, one that is off by the last bit is not") {

@@ -38,6 +38,8 @@ TEST_CASE("near must be positive and finite in perspective, and may be negative 
   }
   CHECK(fieldAtFault([] { orthographic(-1, 1, -1, 1, -5, 5); }).empty());
   CHECK(fieldAtFault([] { orthographic(-1, 1, -1, 1, 0, kInfiniteFar); }) == "far");
+  CHECK(fieldAtFault([] { orthographic(-1, 1, -1, 1, -1e308, 1e308); }) == "far");
+  CHECK(clipFromView(orthographic(-1, 1, -1, 1, -8e307, 8e307), *conventionPreset("d3d"))[2][3] == 0.5);
 }
 
 TEST_CASE("An opening angle outside 0 to 180 degrees is named") {
@@ -76,6 +78,7 @@ TEST_CASE("Every way to give the same lens ends in the same window") {
   const double tangent = tanHalfDegrees(90).hi;
   const Projection same[] = {
       perspectiveFovY(90, aspect, 2, 9),
+      perspectiveFovX(degreesOfHalfTangent(aspect), aspect, 2, 9),
       perspectiveNearSize(4 * tangent * kViewport.width / kViewport.height, 4 * tangent, 2, 9),
       perspectiveFocalLength(12, 0, 24, aspect, 2, 9),
       frustum(-2 * kViewport.width / kViewport.height, 2 * kViewport.width / kViewport.height, -2, 2, 2, 9),

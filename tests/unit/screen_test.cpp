@@ -24,17 +24,21 @@ Camera orthographicCamera() {
 
 TEST_CASE("The corners of the view land in the corners of the picture, and count as inside") {
   for (Precision precision : kPrecisions)
-    for (double z : {1.0, 10.0})
-      for (double right : {-1.0, 1.0})
-        for (double up : {-1.0, 1.0}) {
-          const ScreenPoint p = worldToScreen(plainCamera(), Vec3{2 * right * z, up * z, -z}, precision);
-          INFO(right << " " << up << " at " << z);
-          CHECK(p.x == 100 + 100 * right);
-          CHECK(p.y == 50 - 50 * up);
-          CHECK(p.depth == (z == 1 ? 0.0 : 1.0));
-          CHECK(p.viewDistance == z);
-          CHECK(p.visible());
-        }
+    for (double pixelCenter : {0.5, 0.0})
+      for (double z : {1.0, 10.0})
+        for (double right : {-1.0, 1.0})
+          for (double up : {-1.0, 1.0}) {
+            const Camera plain = plainCamera();
+            const Viewport v{.width = 200, .height = 100, .pixelCenter = pixelCenter};
+            const Camera camera = makeCamera(plain.pose, plain.projection, v, {});
+            const ScreenPoint p = worldToScreen(camera, Vec3{2 * right * z, up * z, -z}, precision);
+            INFO(right << " " << up << " at " << z << ", pixel centres at " << pixelCenter);
+            CHECK(p.x == 100 + 100 * right + (pixelCenter - 0.5));
+            CHECK(p.y == 50 - 50 * up + (pixelCenter - 0.5));
+            CHECK(p.depth == (z == 1 ? 0.0 : 1.0));
+            CHECK(p.viewDistance == z);
+            CHECK(p.visible());
+          }
 }
 
 TEST_CASE("What lies beyond a side is named by that side, in every convention") {
@@ -55,10 +59,14 @@ TEST_CASE("What lies beyond a side is named by that side, in every convention") 
     Convention c = preset.convention;
     c.world = Handedness::right;
     for (Precision precision : kPrecisions)
-      for (const Row& row : rows) {
-        INFO(preset.name);
-        CHECK(worldToScreen(plainCamera(1, 10, c), row.point, precision).outside == row.outside);
-      }
+      for (Origin origin : {Origin::topLeft, Origin::bottomLeft})
+        for (const Row& row : rows) {
+          const Camera plain = plainCamera();
+          const Viewport v{.width = 200, .height = 100, .origin = origin};
+          INFO(preset.name << (origin == Origin::topLeft ? " from the top" : " from the bottom"));
+          CHECK(worldToScreen(makeCamera(plain.pose, plain.projection, v, c), row.point, precision).outside ==
+                row.outside);
+        }
   }
 }
 
@@ -97,6 +105,8 @@ TEST_CASE("A direction has no screen position in an orthographic camera, but sid
   const ScreenPoint p = worldToScreen(orthographicCamera(), Vec4{1, 0, -1, 0});
   CHECK(p.status == PointStatus::atInfinity);
   CHECK(p.outside == (sideRight | sideFar));
+  CHECK(worldToScreen(orthographicCamera(), Vec4{-1, 1, 0, 0}).outside == (sideLeft | sideTop));
+  CHECK(worldToScreen(orthographicCamera(), Vec4{0, -1, 1, 0}).outside == (sideBottom | sideNear));
 }
 
 TEST_CASE("A NaN or an infinity in any coordinate of a point is said, not computed with") {
@@ -150,11 +160,18 @@ TEST_CASE("A result of zero is positive zero") {
   CHECK_FALSE(std::signbit(p.x));
   CHECK_FALSE(std::signbit(p.y));
   CHECK_FALSE(std::signbit(p.depth));
+  // A tenth of the smallest double is 0.
+  const Pose oblique = lookAlong({0, 0, 0}, {0.1, 0, -1}, {0, 1, 0}, Handedness::right);
+  const Camera aside = makeCamera(oblique, orthographic(-2, 2, -1, 1, -5, 5), {200, 100});
+  CHECK_FALSE(std::signbit(worldToScreen(aside, Vec3{-5e-324, 0, 0}).viewDistance));
   const Ray ray = screenToRay(plainCamera(), {100, 50});
   for (std::size_t i = 0; i < 3; ++i) CHECK((ray.direction[i] != 0 || !std::signbit(ray.direction[i])));
   const Mat4 m = clipFromWorld(plainCamera().pose, plainCamera().projection, {});
   for (const auto& row : m.m)
     for (double entry : row) CHECK((entry != 0 || !std::signbit(entry)));
+  Convention zeroToOne;
+  zeroToOne.ndcZ = NdcZ::zeroToOne;
+  CHECK_FALSE(std::signbit(screenFromNdc({.width = 2, .height = 2, .depthFirst = -0.0}, zeroToOne)[2][3]));
 }
 
 TEST_CASE("A signed zero in the input changes nothing") {

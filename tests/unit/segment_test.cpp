@@ -45,6 +45,13 @@ TEST_CASE("Both ends outside and the middle in the picture: cut on both sides, o
   CHECK(s.start.t == 1.0 / 16);
   CHECK(s.end.t == 13.0 / 16);
   CHECK(s.start.screen.y == Approx(45).epsilon(1e-14));
+  const Camera c = plainCamera();
+  const Viewport wholeCentres{.width = 200, .height = 100, .pixelCenter = 0};
+  const Frustum g = viewFrustum(makeCamera(c.pose, c.projection, wholeCentres, c.convention));
+  const VisibleSegment t = clipSegment(g, {-7, 0.3, -3}, {1, 0.3, -17});
+  REQUIRE(t.visible);
+  CHECK((t.start.side == sideLeft && t.start.screen.x == -0.5));
+  CHECK((t.end.side == sideFar && t.end.depth == 1 && t.end.viewDistance == 10));
 }
 
 TEST_CASE("A segment past the picture, behind the eye or of numbers that are not finite is not visible") {

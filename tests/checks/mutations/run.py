@@ -1,0 +1,244 @@
+"""Builds the mutants and runs the tests under each: see ../mutation.sh."""
+import argparse
+import concurrent.futures
+import json
+import os
+import random
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from collections import Counter
+from pathlib import Path
+
+import mutants
+
+ROOT = Path(__file__).resolve().parents[3]
+GOLDEN = ("cmd", "samples")  # tests of single cases
+# Neither reads nor runs what a mutation could change, or what is tested is the build.
+LEFT_OUT = ("kernels_share_no_code",)
+MEMORY = 4 << 20  # KiB: who needs them has lost its way
+# Random tests are as long as they need be to tell.
+SHORTER = {"VIEWPROJ_BOUND_POINTS": "500000", "VIEWPROJ_SHAPE_CASES": "10000", "VIEWPROJ_JSON_LINES": "20000"}
+
+
+class Suite:
+    """The tests of a build, as ctest knows them."""
+
+    def __init__(self, build):
+        self.build = build
+        listed = subprocess.run(["ctest", "--test-dir", build, "--show-only=json-v1"], capture_output=True, check=True)
+        self.tests = {test["name"]: test for test in json.loads(listed.stdout)["tests"]}
+        self.cases = {name: self._cases(name) for name in GOLDEN}
+        self.takes = {}  # seconds, where measured
+
+    def _cases(self, name):
+        return sorted(path.parent.name for path in Path(self.tests[name]["command"][-1]).glob("*/cmd"))
+
+    def check(self, row):
+        for test, part in row.tests:
+            if test not in self.tests:
+                raise mutants.BrokenRow(f"{row.where}: there is no test {test}")
+            if test in GOLDEN and part and not set(part.split()) <= set(self.cases[test]):
+                raise mutants.BrokenRow(f"{row.where}: {test} has no case {part}")
+
+    def rest(self, tried):
+        """Every test but those, the cheap ones first, the golden cases last."""
+        names = [name for name in self.tests if name not in (*GOLDEN, *LEFT_OUT) and (name, "") not in tried]
+        yield from ((name, "") for name in sorted(names, key=lambda name: self.takes.get(name, 0)))
+        yield from ((name, case) for name in GOLDEN for case in self.cases[name] if (name, case) not in tried)
+
+    def run(self, name, part, number):
+        """passed, failed, hangs or skipped."""
+        test = self.tests[name]
+        properties = {entry["name"]: entry["value"] for entry in test["properties"]}
+        env = {**os.environ, **SHORTER, "VIEWPROJ_MUTANT": str(number)}
+        env.update(entry.split("=", 1) for entry in properties.get("ENVIRONMENT", ()))
+        command = [*test["command"], *([part] if part else [])]
+        begun = time.monotonic()
+        with tempfile.TemporaryDirectory(prefix="viewproj-mutant-") as folder, tempfile.TemporaryFile() as output:
+            process = subprocess.Popen(
+                ["sh", "-c", f'ulimit -d {MEMORY} && exec "$@"', "sh", *command], cwd=properties.get("WORKING_DIRECTORY"),
+                env={**env, "TMPDIR": folder}, stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.STDOUT,
+                start_new_session=True,
+            )
+            try:
+                status = process.wait(self.patience(name, part))
+            except subprocess.TimeoutExpired:
+                status = None
+            try:
+                os.killpg(process.pid, signal.SIGKILL)
+            except ProcessLookupError:
+                pass
+            process.wait()
+            output.seek(0)
+            text = output.read().decode(errors="replace")
+        if number == 0:
+            self.takes[name] = self.takes.get(name, 0) + time.monotonic() - begun
+        if status is None:
+            return "hangs"
+        if status != 0 and status == properties.get("SKIP_RETURN_CODE"):
+            return "skipped"
+        if "PASS_REGULAR_EXPRESSION" in properties:
+            printed = properties["PASS_REGULAR_EXPRESSION"][0].removeprefix("^")
+            return "passed" if text.startswith(printed) else "failed"
+        if part and name not in GOLDEN and ("No test" in text):
+            return "selects nothing"
+        return "passed" if status == 0 else "failed"
+
+    def patience(self, name, part):
+        if name in GOLDEN and part:
+            return 30
+        return max(30, 8 * self.takes[name]) if name in self.takes else 600
+
+
+def configure(build, source):
+    options = [
+        "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG",  # built once, run for minutes
+        "-DVIEWPROJ_TESTS=ON", f"-DCMAKE_CXX_FLAGS=-w -include {source}/mutant.hpp",
+    ]
+    if subprocess.run(["sh", "-c", "command -v ccache"], stdout=subprocess.DEVNULL, check=False).returncode == 0:
+        options.append("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache")
+    if subprocess.run(["sh", "-c", "command -v ninja"], stdout=subprocess.DEVNULL, check=False).returncode == 0:
+        options.append("-GNinja")
+    subprocess.run(["cmake", "-S", source, "-B", build, *options], stdout=subprocess.DEVNULL, check=True)
+
+
+def make(build, suite):
+    """What the tests run, and nothing else."""
+    names = {Path(word).name for test in suite.tests.values() for word in test["command"]}
+    names.update(Path(word).stem.removeprefix("lib") for test in suite.tests.values() for word in test["command"])
+    known = subprocess.run(["cmake", "--build", build, "--target", "help"], capture_output=True, text=True, check=True).stdout
+    targets = {word.rstrip(":") for line in known.splitlines() for word in line.replace("... ", "").split()[:1]}
+    wanted = sorted((names | {"fault"}) & targets)
+    subprocess.run(["cmake", "--build", build, "--parallel", str(os.cpu_count()), "--target", *wanted], check=True)
+
+
+def judge(suite, row):
+    """(what killed it or None, whether the row names that)"""
+    tried = set()
+    for name, part in row.tests:
+        for one in part.split() if name in GOLDEN and part else [part]:
+            tried.add((name, one))
+            result = suite.run(name, one, row.number)
+            if result == "selects nothing":
+                return f"BROKEN: {name} has no test {one}", False
+            if result not in ("passed", "skipped"):
+                return f"{name} {one}".strip() + (" (hangs)" if result == "hangs" else ""), True
+    for name, part in suite.rest(tried):
+        result = suite.run(name, part, row.number)
+        if result not in ("passed", "skipped"):
+            return f"{name} {part}".strip() + (" (hangs)" if result == "hangs" else ""), False
+    return None, False
+
+
+def table(rows, results):
+    """Room by room, kind by kind: how many were made, killed by a test the row names, by another, by none."""
+    lines = []
+    for title, of in (("room", lambda row: row.room), ("kind", lambda row: row.kind)):
+        lines.append(f"{title:14} made  killed as named  by another test  equivalent  SURVIVED")
+        made = Counter(of(row) for row in rows)
+        for key in [*sorted(made), "all"]:
+            chosen = [row for row in rows if key in ("all", of(row))]
+            named = sum(1 for row in chosen if results[row.name] == (results[row.name][0], True))
+            other = sum(1 for row in chosen if results[row.name][0] and not results[row.name][1])
+            equivalent = sum(1 for row in chosen if not results[row.name][0] and row.equivalent)
+            lines.append(
+                f"{key:14} {len(chosen):4} {named:16} {other:16} {equivalent:11} {len(chosen) - named - other - equivalent:9}"
+            )
+        lines.append("")
+    return "\n".join(lines)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("names", nargs="*", help="these mutations alone")
+    parser.add_argument("--all", action="store_true", help="every one, however long it takes")
+    parser.add_argument("--seconds", type=float, default=300, help="for the mutants, after the build")
+    parser.add_argument("--seed", help="the choice; the commit's hash unless given")
+    parser.add_argument("--build", type=Path, default=ROOT / "build-mutation")
+    parser.add_argument("--list", action="store_true", help="check the rows against the sources, and list them")
+    parser.add_argument("--no-baseline", action="store_true", help="trust that no mutant is no change")
+    arguments = parser.parse_args()
+
+    build = arguments.build.resolve()
+    source = build / "source"
+    rows = mutants.read_tables(Path(__file__).parent)
+    mutants.write_sources(ROOT, source, rows)
+    if arguments.list:
+        for row in rows:
+            print(f"{row.number:10} {row.name:40} {row.kind:14} {row.file}")
+        return 0
+    unknown = set(arguments.names) - {row.name for row in rows}
+    if unknown:
+        raise mutants.BrokenRow(f"there is no {' '.join(sorted(unknown))}")
+
+    configure(build, source)
+    suite = Suite(build)
+    for row in rows:
+        suite.check(row)
+    begun = time.monotonic()
+    make(build, suite)
+    print(f"{len(rows)} mutations, built in {time.monotonic() - begun:.0f} s")
+
+    if not arguments.no_baseline:
+        begun = time.monotonic()
+        parts = [(name, "") for name in suite.tests if name not in LEFT_OUT]
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            done = list(pool.map(lambda part: suite.run(*part, 0), parts))
+        failed = [name for (name, _), result in zip(parts, done) if result not in ("passed", "skipped")]
+        print(f"no mutant: {len(parts)} tests in {time.monotonic() - begun:.0f} s, {done.count('skipped')} skipped")
+        if failed:
+            print(f"with no mutant these fail: {' '.join(failed)}")
+            return 1
+
+    chosen = [row for row in rows if row.name in arguments.names] if arguments.names else list(rows)
+    deadline = None
+    if not arguments.names and not arguments.all:
+        seed = arguments.seed or subprocess.run(
+            ["git", "-C", ROOT, "rev-parse", "--short", "HEAD"], capture_output=True, text=True, check=False
+        ).stdout.strip()
+        print(f"seed {seed}")
+        chosen = [row for row in chosen if not row.equivalent]  # they take the whole suite, each
+        random.Random(seed).shuffle(chosen)
+        deadline = time.monotonic() + arguments.seconds
+
+    results = {}
+
+    def one(row):
+        if deadline and time.monotonic() > deadline:
+            return
+        begun = time.monotonic()
+        killer, named = judge(suite, row)
+        results[row.name] = (killer, named)
+        said = f"killed by {killer}{'' if named else ', which it does not name'}" if killer else "SURVIVED"
+        if not killer and row.equivalent:
+            said = f"equivalent: {row.equivalent}"
+        print(f"{row.name}: {said} ({time.monotonic() - begun:.1f} s)", flush=True)
+
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        list(pool.map(one, chosen))
+
+    ran = [row for row in chosen if row.name in results]
+    print(f"\n{len(ran)} of {len(rows)} mutations")
+    print(table(ran, results))
+    killed = [row for row in ran if results[row.name][0]]
+    survived = [row for row in ran if not results[row.name][0] and not row.equivalent]
+    for row in survived:
+        print(f"SURVIVED {row.name} ({row.where}): {row.seen}")
+    mistaken = [row for row in killed if row.equivalent]
+    for row in mistaken:
+        print(f"NOT EQUIVALENT {row.name} ({row.where}): killed by {results[row.name][0]}")
+    broken = [row for row in killed if results[row.name][0].startswith("BROKEN")]
+    equivalent = sum(1 for row in rows if row.equivalent)
+    if equivalent * 20 > len(rows):
+        print(f"{equivalent} of {len(rows)} are said to be equivalent: more than 5 %")
+    return 1 if survived or mistaken or broken or equivalent * 20 > len(rows) else 0
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except mutants.BrokenRow as broken:
+        sys.exit(f"mutation: {broken}")
