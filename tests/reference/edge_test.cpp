@@ -78,8 +78,8 @@ double nextTo(Random& r, double value) {
 /// A rotation matrix, or one of axes with what may be next to them.
 void drawMatrix(Random& r, const Exponents& size, Scene& s) {
   const bool fits = s.convention.world == Handedness::right;
-  s.axes = fits ? (r.chance(0.5) ? CameraAxes::RUB : CameraAxes::RDF)
-                : (r.chance(0.5) ? CameraAxes::RUF : CameraAxes::FRU);
+  s.axes =
+      fits ? (r.chance(0.5) ? CameraAxes::RUB : CameraAxes::RDF) : (r.chance(0.5) ? CameraAxes::RUF : CameraAxes::FRU);
   if (r.chance(0.4)) {
     const Pose pose = poseFromRotation({}, {r.uniform(-1, 1), r.uniform(-1, 1), r.uniform(-1, 1), r.uniform(-1, 1)},
                                        CameraAxes::RUB, Handedness::right);
@@ -283,8 +283,9 @@ class Search {
   void fail(const std::string& what, const Vec4& p) {
     if (++tally_.failures > 200) return;
     char text[400];
-    std::snprintf(text, sizeof text, "trial %llu, point %a %a %a %a (%.17g %.17g %.17g): ",
-                  static_cast<unsigned long long>(trial_), p.x, p.y, p.z, p.w, p.x, p.y, p.z);
+    std::snprintf(text, sizeof text,
+                  "trial %llu, point %a %a %a %a (%.17g %.17g %.17g): ", static_cast<unsigned long long>(trial_), p.x,
+                  p.y, p.z, p.w, p.x, p.y, p.z);
     UNSCOPED_INFO(text << what << "\n  " << describe(scene_));
     std::fprintf(stderr, "%s%s\n  %s\n", text, what.c_str(), describe(scene_).c_str());
   }
@@ -305,8 +306,8 @@ class Search {
     auto [a, d] = in(*truth_);
     const auto cancels = [&](const Real3& axis, const Real& value, const Real3& offset, int bits) {
       // The eye of a view matrix is a sum itself.
-      const Real sizes = abs(axis[0] * offset[0]) + abs(axis[1] * offset[1]) + abs(axis[2] * offset[2]) +
-                         length(truth_->pose.eye);
+      const Real sizes =
+          abs(axis[0] * offset[0]) + abs(axis[1] * offset[1]) + abs(axis[2] * offset[2]) + length(truth_->pose.eye);
       return !(abs(value) > sizes * power(-bits));
     };
     const TruePose& pose = truth_->pose;
@@ -355,7 +356,9 @@ class Search {
               const Vec4& p) {
     const double nearest = double(truth);
     if (certain) {
-      if (!isNearest(got, truth)) fail(std::string(name) + " is certain and not the nearest double: " + exactly(got) + ", " + exactly(nearest), p);
+      if (!isNearest(got, truth))
+        fail(std::string(name) + " is certain and not the nearest double: " + exactly(got) + ", " + exactly(nearest),
+             p);
       if (!std::isfinite(bound)) fail(std::string(name) + " is certain and has no bound", p);
     }
     if (std::isinf(nearest)) {
@@ -412,12 +415,16 @@ class Search {
     const bool isDirection = p.w == 0;
     if (!isDirection && isExact) {
       const double nearest = double(a.view.forward);
-      if (certain && !isNearest(got.viewDistance, a.view.forward)) fail("viewDistance is certain and not the nearest double: " + exactly(got.viewDistance) + ", " + exactly(nearest), p);
+      if (certain && !isNearest(got.viewDistance, a.view.forward))
+        fail("viewDistance is certain and not the nearest double: " + exactly(got.viewDistance) + ", " +
+                 exactly(nearest),
+             p);
       if (std::isfinite(nearest) && !certain &&
           !(ulps(got.viewDistance, a.view.forward) <= 1.01 ||
             distance(got.viewDistance, a.view.forward) <= 1e-26 * std::fabs(scene_.near)))
         fail("viewDistance is far off: " + std::to_string(got.viewDistance) + ", " +
-             std::to_string(double(a.view.forward)), p);
+                 std::to_string(double(a.view.forward)),
+             p);
     }
     if (!a.hasScreen) {
       const PointStatus want = truth_->lens.orthographic ? PointStatus::atInfinity : PointStatus::behind;
@@ -557,19 +564,20 @@ TEST_CASE("No camera and no point of doubles makes exact certain of a wrong numb
   std::printf("cameras %llu, accepted %llu; refused for", static_cast<unsigned long long>(wanted),
               static_cast<unsigned long long>(tally.accepted));
   for (const auto& [field, count] : tally.refused) std::printf(" %s %d,", field.c_str(), count);
-  std::printf("\npoints %llu (certain %llu, uncertain %llu, behind %llu, visible %llu, in the picture %llu), numbers beyond "
-              "doubles %llu, homogeneous %llu, rays %llu, in %d bits %llu\n",
-              static_cast<unsigned long long>(tally.points), static_cast<unsigned long long>(tally.certain),
-              static_cast<unsigned long long>(tally.uncertain), static_cast<unsigned long long>(tally.behind),
-              static_cast<unsigned long long>(tally.visible), static_cast<unsigned long long>(tally.inPicture),
-              static_cast<unsigned long long>(tally.beyondDoubles), static_cast<unsigned long long>(tally.directions),
-              static_cast<unsigned long long>(tally.rays), int(kManyBits),
-              static_cast<unsigned long long>(tally.manyBits));
-  std::printf("rungs: fast %llu, standard %llu, exact %llu; worst: certain %.4f ulp, uncertain %.3g ulp; share of the "
-              "bound: fast %.3f, standard %.3f, exact %.3f; ray %.3g\n",
-              static_cast<unsigned long long>(tally.rungs[0]), static_cast<unsigned long long>(tally.rungs[1]),
-              static_cast<unsigned long long>(tally.rungs[2]), worst.ulp, worst.uncertainUlp, worst.share[0],
-              worst.share[1], worst.share[2], worst.ray);
+  std::printf(
+      "\npoints %llu (certain %llu, uncertain %llu, behind %llu, visible %llu, in the picture %llu), numbers beyond "
+      "doubles %llu, homogeneous %llu, rays %llu, in %d bits %llu\n",
+      static_cast<unsigned long long>(tally.points), static_cast<unsigned long long>(tally.certain),
+      static_cast<unsigned long long>(tally.uncertain), static_cast<unsigned long long>(tally.behind),
+      static_cast<unsigned long long>(tally.visible), static_cast<unsigned long long>(tally.inPicture),
+      static_cast<unsigned long long>(tally.beyondDoubles), static_cast<unsigned long long>(tally.directions),
+      static_cast<unsigned long long>(tally.rays), int(kManyBits), static_cast<unsigned long long>(tally.manyBits));
+  std::printf(
+      "rungs: fast %llu, standard %llu, exact %llu; worst: certain %.4f ulp, uncertain %.3g ulp; share of the "
+      "bound: fast %.3f, standard %.3f, exact %.3f; ray %.3g\n",
+      static_cast<unsigned long long>(tally.rungs[0]), static_cast<unsigned long long>(tally.rungs[1]),
+      static_cast<unsigned long long>(tally.rungs[2]), worst.ulp, worst.uncertainUlp, worst.share[0], worst.share[1],
+      worst.share[2], worst.ray);
   CHECK(tally.failures == 0);
   CHECK(worst.ulp <= 0.5);
   CHECK(tally.accepted > wanted / 2);

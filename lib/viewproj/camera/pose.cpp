@@ -95,7 +95,7 @@ Pose lookAlongExactly(const Looking& l, Handedness world, const char* directionF
   for (std::size_t i = 0; i < 3; ++i) along[i] = {g[i].lo, g[i].hi};
   // Where up has an error, what underflows is far below it.
   const bool isNarrow = !isOfDoubles(up) || (l.isNarrow && isAbove(l.direction, kSmallestFactor) &&
-                                         isAbove(side, kSmallestTerm) && isAbove(along, kSmallestTerm));
+                                             isAbove(side, kSmallestTerm) && isAbove(along, kSmallestTerm));
   const double handed = world == Handedness::right ? 1 : -1;
   const PoseSource source{PoseSource::Kind::look, {l.from, l.to, l.up}, handed < 0, {}, {}};
   DDVec3 roundedSide = rounded(side);
@@ -384,8 +384,8 @@ Pose poseFromRotation(const Vec3& position, const Quaternion& q, CameraAxes axes
   for (double part : {x, y, z, w}) isNarrow = isNarrow && isAbove(part, kSmallestFactor);
   const Axes camera =
       toAxes({rounded(columns[0]) * scale, rounded(columns[1]) * scale, rounded(columns[2]) * scale}, axes);
-  ExactRows exact = toExactRows(columns, scale, axes, position, {}, PoseSource::Kind::rotation,
-                                {{{q.x, q.y, q.z}, {q.w, 0, 0}, {}}});
+  ExactRows exact =
+      toExactRows(columns, scale, axes, position, {}, PoseSource::Kind::rotation, {{{q.x, q.y, q.z}, {q.w, 0, 0}, {}}});
   for (double part : {q.x, q.y, q.z, q.w}) isNarrow = isNarrow && (part == 0) == (std::ldexp(part, k) == 0);
   exact.isNarrow = exact.isNarrow && isNarrow;
   return {position, camera, camera, {}, exact};

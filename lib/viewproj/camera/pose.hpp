@@ -32,7 +32,7 @@ struct PoseSource {
   };
   Kind kind = Kind::rows;
   std::array<Vec3, 3> numbers{};
-  bool leftHanded = false;    ///< look
+  bool leftHanded = false;     ///< look
   std::array<int, 3> along{};  ///< rotation, columns: the row of right, up, forward that x, y, z lie along
   std::array<double, 3> sign{};
 };

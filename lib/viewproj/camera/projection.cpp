@@ -177,7 +177,9 @@ Projection intrinsics(DoubleDouble fx, DoubleDouble fy, double cx, double cy, co
   requireFinite(cx, "cx");
   requireFinite(cy, "cy");
   // From the picture's left edge and from its edge where y starts: exactly, because the three may cancel.
-  const auto from = [&](double start, double c) { return Expansion<4>{c, -start, -viewport.pixelCenter, 0.5}.rounded(); };
+  const auto from = [&](double start, double c) {
+    return Expansion<4>{c, -start, -viewport.pixelCenter, 0.5}.rounded();
+  };
   const DoubleDouble fromLeft = from(viewport.x, cx);
   const DoubleDouble fromStart = from(viewport.y, cy);
   const DoubleDouble width = viewport.width, height = viewport.height;
@@ -211,7 +213,8 @@ Projection cropped(const Projection& p, const Viewport& viewport, const Crop& cr
   const DoubleDouble shareX = DoubleDouble(crop.width) / DoubleDouble(viewport.width);
   const DoubleDouble shareY = DoubleDouble(crop.height) / DoubleDouble(viewport.height);
   if (!(shareX.hi > kSmallestWindow)) throw CameraError("viewport.crop.width", "is too small a part of the viewport's");
-  if (!(shareY.hi > kSmallestWindow)) throw CameraError("viewport.crop.height", "is too small a part of the viewport's");
+  if (!(shareY.hi > kSmallestWindow))
+    throw CameraError("viewport.crop.height", "is too small a part of the viewport's");
   const auto across = [&](DoubleDouble x) { return p.left + width * (x / DoubleDouble(viewport.width)); };
   const bool down = viewport.origin == Origin::topLeft;
   const DoubleDouble start = down ? p.top : p.bottom;
@@ -219,8 +222,10 @@ Projection cropped(const Projection& p, const Viewport& viewport, const Crop& cr
   const auto along = [&](DoubleDouble y) { return start + downwards * (y / DoubleDouble(viewport.height)); };
   const DoubleDouble first = along(crop.y);
   const DoubleDouble last = along(yEnd);
-  return moved({p.orthographic, across(crop.x), across(xEnd), down ? last : first, down ? first : last, p.near, p.far,
-                  width * shareX, height * shareY, largest(p.reachX, p.left, p.right), largest(p.reachY, p.bottom, p.top)}, "viewport.crop.width", "viewport.crop.height");
+  return moved(
+      {p.orthographic, across(crop.x), across(xEnd), down ? last : first, down ? first : last, p.near, p.far,
+       width * shareX, height * shareY, largest(p.reachX, p.left, p.right), largest(p.reachY, p.bottom, p.top)},
+      "viewport.crop.width", "viewport.crop.height");
 }
 
 DoubleDouble windowAspect(const Projection& p) { return windowWidth(p) / windowHeight(p); }

@@ -19,10 +19,11 @@ struct Projection {
   double near = 0;
   double far = 0;  ///< may be infinite in perspective
 
-  /// right - left and top - bottom to 2^-98 of themselves, which edges that lie far off the axis do not give; 0: they do.
+  /// right - left and top - bottom to 2^-98 of themselves, which edges that lie far off the axis do not give; 0: they
+  /// do.
   DoubleDouble width{}, height{};
-  /// The largest number that left and right, and that bottom and top, were computed from: each is within 2^-98 of it. 0:
-  /// the larger of the two edges.
+  /// The largest number that left and right, and that bottom and top, were computed from: each is within 2^-98 of it.
+  /// 0: the larger of the two edges.
   double reachX = 0, reachY = 0;
 };
 

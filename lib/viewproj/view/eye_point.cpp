@@ -85,7 +85,7 @@ ExactRow toDyadic(const std::array<Expansion<Terms>, 3>& row) noexcept {
 /// From the rows' terms, which lost nothing.
 ExactSource sourceOfRows(const ExactRows& rows) noexcept {
   const auto up = [&] { return rows.upIsCross ? toDyadic(exactCross(rows.right, rows.forward)) : toDyadic(rows.up); };
-  return {toDyadic(rows.right),   up(), toDyadic(rows.forward), Wide(rows.rightScale, 0), Wide(rows.upScale, 0),
+  return {toDyadic(rows.right),      up(), toDyadic(rows.forward), Wide(rows.rightScale, 0), Wide(rows.upScale, 0),
           Wide(rows.forwardScale, 0)};
 }
 

@@ -141,7 +141,8 @@ WorldPoint screenToWorld(const Camera& c, const Vec2& screen, double depth) noex
   const Wide fromFar = (Wide(c.depthAtFar) - Wide(depth)) / range;
   const Wide shareError = Wide(halfUlp(depth)) / magnitude(range);
   if (p.orthographic)
-    return pointAt(c, screen, Wide(p.near) * fromFar + Wide(p.far) * fromNear, (Wide(p.far) - Wide(p.near)) * shareError);
+    return pointAt(c, screen, Wide(p.near) * fromFar + Wide(p.far) * fromNear,
+                   (Wide(p.far) - Wide(p.near)) * shareError);
   if (depth == c.depthAtInfinity) return {kNoVector, DepthStatus::infinity};
   // fromNear = (1 - n/w) f/(f - n), so w = n / (fromFar + fromNear n/f).
   Wide divisor = fromFar;
@@ -150,9 +151,9 @@ WorldPoint screenToWorld(const Camera& c, const Vec2& screen, double depth) noex
   const Wide distance = Wide(p.near) / divisor;
   // Towards infinity the distance changes most: by shareError in the divisor, at most.
   const Wide farthest = divisor - shareError;
-  return pointAt(c, screen, distance,
-                 farthest.sign() > 0 ? distance * (shareError / farthest)
-                                     : Wide(std::numeric_limits<double>::infinity()));
+  return pointAt(
+      c, screen, distance,
+      farthest.sign() > 0 ? distance * (shareError / farthest) : Wide(std::numeric_limits<double>::infinity()));
 }
 
 PixelStages pixelStages(const Camera& c, const Vec2& screen) noexcept {

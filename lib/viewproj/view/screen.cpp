@@ -139,8 +139,10 @@ Attempt directionToScreen(const Camera& c, const EyePoint& e) noexcept {
   const bool signCertain = std::fabs(e.forward.hi) > e.error;
   if (!(e.forward.hi > 0)) return {without(PointStatus::behind, kNaN), signCertain};
   ScreenPoint p;
-  const Bounded x = screenCoordinate(c.screen.centerX, c.screen.reachX, c.screen.scaleX, windowCoordinate(e.right, e.forward, e.error));
-  const Bounded y = screenCoordinate(c.screen.centerY, c.screen.reachY, c.screen.scaleY, windowCoordinate(e.up, e.forward, e.error));
+  const Bounded x = screenCoordinate(c.screen.centerX, c.screen.reachX, c.screen.scaleX,
+                                     windowCoordinate(e.right, e.forward, e.error));
+  const Bounded y =
+      screenCoordinate(c.screen.centerY, c.screen.reachY, c.screen.scaleY, windowCoordinate(e.up, e.forward, e.error));
   p.x = rounded(x);
   p.y = rounded(y);
   p.depth = c.depthAtInfinity;
@@ -166,8 +168,10 @@ Attempt pointToScreen(const Camera& c, const EyePoint& e, double w) noexcept {
     const bool signCertain = std::fabs(e.forward.hi) > e.error;
     const bool inFront = w > 0 ? e.forward.hi > 0 : e.forward.hi < 0;
     if (!inFront) return {without(PointStatus::behind, p.viewDistance), signCertain && distance.certain()};
-    x = screenCoordinate(c.screen.centerX, c.screen.reachX, c.screen.scaleX, windowCoordinate(e.right, e.forward, e.error));
-    y = screenCoordinate(c.screen.centerY, c.screen.reachY, c.screen.scaleY, windowCoordinate(e.up, e.forward, e.error));
+    x = screenCoordinate(c.screen.centerX, c.screen.reachX, c.screen.scaleX,
+                         windowCoordinate(e.right, e.forward, e.error));
+    y = screenCoordinate(c.screen.centerY, c.screen.reachY, c.screen.scaleY,
+                         windowCoordinate(e.up, e.forward, e.error));
   }
   const Bounded depth = windowDepth(c, distance);
   p.x = rounded(x);
@@ -263,7 +267,8 @@ Attempt widelyToScreen(const Camera& c, const Vec4& point) noexcept {
   }
   const NearestDouble screenX = nearest(widelyToScreen(map.centerX, map.reachX, map.scaleX, x));
   const NearestDouble screenY = nearest(widelyToScreen(map.centerY, map.reachY, map.scaleY, y));
-  const NearestDouble depth = point.w == 0 ? NearestDouble{c.depthAtInfinity, true} : nearest(widelyToDepth(c, distance));
+  const NearestDouble depth =
+      point.w == 0 ? NearestDouble{c.depthAtInfinity, true} : nearest(widelyToDepth(c, distance));
   ScreenPoint p;
   p.x = screenX.value;
   p.y = screenY.value;
@@ -358,8 +363,8 @@ ScreenPoint worldToScreen(const Camera& camera, const Vec4& point, Precision pre
     return without(PointStatus::notFinite, kNaN);
   const Vec4 unit = withUnitWeight(point);
   const int k = point.w == 0 ? 0 : std::ilogb(point.w);
-  const bool isLossless = std::ldexp(unit.x, k) == point.x && std::ldexp(unit.y, k) == point.y &&
-                          std::ldexp(unit.z, k) == point.z;
+  const bool isLossless =
+      std::ldexp(unit.x, k) == point.x && std::ldexp(unit.y, k) == point.y && std::ldexp(unit.z, k) == point.z;
   if (isLossless || unit.w == 0) return exactToScreen(camera, unit);
   const Attempt result = widelyToScreen(camera, point);
   ScreenPoint p = result.point;
