@@ -146,7 +146,9 @@ bool isInExactRange(const Pose& pose, const Vec4& point) noexcept {
   const int k = scaleExponent(point, rows.origin, rows.translation) + 500;
   for (const Vec3& v : {Vec3{point.x, point.y, point.z}, rows.origin, rows.translation})
     for (std::size_t i = 0; i < 3; ++i)
-      if (v[i] != 0 && !(std::fabs(std::ldexp(v[i], k)) >= kSmallest)) return false;
+      // Of a direction, origin and translation may be too large as well.
+      if (const double size = std::fabs(std::ldexp(v[i], k)); size > 0x1p502 || (v[i] != 0 && !(size >= kSmallest)))
+        return false;
   return true;
 }
 
