@@ -75,7 +75,7 @@ inline constexpr double kExactAbsolute = 1e-26;
 inline constexpr double kGuardBand = 3;
 
 /// Farther than any point that is not left to the exact path anyway, in pixels.
-inline constexpr double kNoBand = 0x1p900;
+inline constexpr double kNoBand = 0x1p1010;
 
 /// Above this the square of a ray's length might have overflowed.
 inline constexpr double kLargestSquaredLength = 0x1p1000;

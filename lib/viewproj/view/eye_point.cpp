@@ -160,7 +160,11 @@ bool isInExactRange(const Pose& pose, const Vec4& point) noexcept {
   // 2^-600: their products are above 2^-969 (error_free.hpp).
   constexpr double kSmallest = 0x1p-200;
   const int k = scaleExponent(point, rows.origin, rows.translation) + 500;
-  const auto hasDigits = [&](double value) { return value == 0 || std::fabs(std::ldexp(value, k)) >= kSmallest; };
+  // Of a direction, origin and translation may be too large as well.
+  const auto hasDigits = [&](double value) {
+    const double size = std::fabs(std::ldexp(value, k));
+    return value == 0 || (size >= kSmallest && size <= 0x1p502);
+  };
   for (const Vec3& v : {Vec3{point.x, point.y, point.z}, rows.origin})
     for (std::size_t i = 0; i < 3; ++i)
       if (!hasDigits(v[i])) return false;

@@ -206,7 +206,7 @@ TEST_CASE("exact, next to the middle between two doubles, one by one and by each
       margin[n] = allowed.of[n] > 0 ? fromMiddle(ofNumber(truth, Number(n))) / allowed.of[n] : INFINITY;
     const double least = std::min({margin[screenX], margin[screenY], margin[depth]});
     for (const Kernels* kernel : allKernels()) {
-      if (!kernel->supported()) continue;
+      if (!isSupported(*kernel)) continue;
       for (const bool withDistance : {false, true}) {
         const KernelRun run(*kernel, camera, point, withDistance);
         REQUIRE((run.unsettled == 0 || run.unsettled == KernelRun::kCopies));
