@@ -380,6 +380,7 @@ JsonSplitter::Scan JsonSplitter::scan(std::string_view rest, std::size_t begin, 
         lastEnd_ = scanned_;
         if (open_.back() == '{') return Scan::failed;
       }
+      if (firstLine_ != npos && (c == ']') != (open_.back() == '[')) return Scan::failed;
       open_.pop_back();
     }
     before_ = c;
@@ -474,7 +475,22 @@ JsonPiece JsonSplitter::brokenEnd(std::string_view rest, std::size_t end, const 
 }
 
 JsonPiece JsonSplitter::endOfArray(std::string_view rest, std::size_t at, bool atEnd) {
-  if (state_.inDocument) return endOfDocument(rest, at, atEnd);
+  if (state_.inDocument) {
+    // Behind its array and a comma a name stands, and no record.
+    if (step_ == 0) {
+      looked_ = skipSpace(rest, std::max(looked_, at + 1));
+      if (looked_ == rest.size() && !atEnd) return {};
+      if (looked_ < rest.size() && rest[looked_] == ',') ++looked_;
+      step_ = looked_ > at && looked_ <= rest.size() && rest[looked_ - 1] == ',' ? 1 : 2;
+    }
+    if (step_ == 1) {
+      looked_ = skipSpace(rest, looked_);
+      if (looked_ == rest.size() && !atEnd) return {};
+      if (looked_ < rest.size() && opens(rest[looked_])) return junk(rest, at, kNoSeparator);
+      step_ = 2;
+    }
+    return endOfDocument(rest, at, atEnd);
+  }
   if (state_.place != Place::firstInArray) {
     // An array does not end before a comma.
     looked_ = std::min(rest.find_first_not_of(" \t\r", std::max(looked_, at + 1)), rest.size());
