@@ -323,10 +323,10 @@ JsonSplitter::Scan JsonSplitter::scan(std::string_view rest, std::size_t begin, 
     inString_ = lineBegins_ = cutLines_ = tooLong_ = false;
     before_ = rest[begin];
     column_ = columnOf(rest, begin);
-    firstLine_ = npos;
+    firstLine_ = lastEnd_ = npos;
   }
   const std::string_view text = rest.substr(0, std::min(rest.size(), begin + kLongestRecord));
-  while (scanned_ < text.size()) {
+  while (scanned_ < text.size() && !open_.empty()) {
     if (inString_) {
       scanned_ = endOfPlain(text, scanned_);
       if (scanned_ == text.size()) break;
@@ -377,16 +377,23 @@ JsonSplitter::Scan JsonSplitter::scan(std::string_view rest, std::size_t begin, 
     } else {
       if (lineBegins && c == ']' && insideArray() && scanned_ - line_ <= column_) {
         if (firstLine_ == npos) firstLine_ = scanned_;
+        lastEnd_ = scanned_;
         if (open_.back() == '{') return Scan::failed;
       }
+      if (firstLine_ != npos && (c == ']') != (open_.back() == '[')) return Scan::failed;
       open_.pop_back();
-      if (open_.empty()) {
-        ++scanned_;
-        return Scan::closed;
-      }
     }
     before_ = c;
     ++scanned_;
+  }
+  if (open_.empty()) {
+    if (lastEnd_ == npos || rest[begin] == ']') return Scan::closed;
+    // It may have been closed by what closes the array.
+    const std::size_t behind = skipSpace(rest, scanned_);
+    if (behind == rest.size() && !atEnd) return Scan::needMore;
+    if (behind < rest.size() && (rest[behind] == ',' || rest[behind] == ']')) return Scan::closed;
+    scanned_ = lastEnd_;
+    return Scan::failed;
   }
   tooLong_ = rest.size() >= begin + kLongestRecord;
   if (!atEnd && !tooLong_) return Scan::needMore;
@@ -468,7 +475,22 @@ JsonPiece JsonSplitter::brokenEnd(std::string_view rest, std::size_t end, const 
 }
 
 JsonPiece JsonSplitter::endOfArray(std::string_view rest, std::size_t at, bool atEnd) {
-  if (state_.inDocument) return endOfDocument(rest, at, atEnd);
+  if (state_.inDocument) {
+    // Behind its array and a comma a name stands, and no record.
+    if (step_ == 0) {
+      looked_ = skipSpace(rest, std::max(looked_, at + 1));
+      if (looked_ == rest.size() && !atEnd) return {};
+      if (looked_ < rest.size() && rest[looked_] == ',') ++looked_;
+      step_ = looked_ > at && looked_ <= rest.size() && rest[looked_ - 1] == ',' ? 1 : 2;
+    }
+    if (step_ == 1) {
+      looked_ = skipSpace(rest, looked_);
+      if (looked_ == rest.size() && !atEnd) return {};
+      if (looked_ < rest.size() && opens(rest[looked_])) return junk(rest, at, kNoSeparator);
+      step_ = 2;
+    }
+    return endOfDocument(rest, at, atEnd);
+  }
   if (state_.place != Place::firstInArray) {
     // An array does not end before a comma.
     looked_ = std::min(rest.find_first_not_of(" \t\r", std::max(looked_, at + 1)), rest.size());

@@ -113,6 +113,7 @@ class JsonSplitter {
   bool inString_ = false, lineBegins_ = false;
   std::size_t line_ = 0, column_ = 0;
   char before_ = 0;
+  std::size_t lastEnd_ = 0;    ///< a line in it that begins as an array's end does; npos: none
   std::size_t firstLine_ = 0;  ///< in it that begins as a record does; npos: none
   bool flat_ = false, cutLines_ = false, tooLong_ = false;
   std::size_t looked_ = 0;

@@ -56,7 +56,6 @@ constexpr const char* kBalanced[] = {"[NaN,0,0]",
 /// They are not.
 constexpr const char* kUnbalanced[] = {"[1,2,",
                                        "[1,2,3",
-                                       "[",
                                        "[1,2,\"ab",
                                        "{\"x\":1,\"y\":2",
                                        "{\"x\":1,\"y\":2,",
@@ -96,6 +95,7 @@ Broken make(RandomText& random, Arrangement arrangement) {
       made.good.push_back(i);
       put(record(random, i));
     } else {
+      const bool behindBroken = !made.lines.empty() && made.lines.back() + 1 >= line;
       made.lines.push_back(line);
       const std::size_t kind = random.below(lines ? 6 : 3);
       if (kind == 0) {
@@ -109,7 +109,7 @@ Broken make(RandomText& random, Arrangement arrangement) {
         put(record(random, i));
         comma.clear();
         ++made.mutations["comma missing"];
-      } else if (kind == 3) {
+      } else if (kind == 3 && !behindBroken) {  // else it might close what is open
         made.good.push_back(i);
         put(record(random, i) + (random.oneIn(2) ? "]" : "}"));
         if (array) comma = ",";
@@ -117,7 +117,7 @@ Broken make(RandomText& random, Arrangement arrangement) {
       } else if (kind == 4) {
         // Cut off anywhere.
         const std::string whole = record(random, 4713);
-        put(whole.substr(0, 1 + random.below(whole.size() - 1)));
+        put(whole.substr(0, 2 + random.below(whole.size() - 2)));  // `[` alone on a line begins an array
         if (random.oneIn(2)) comma.clear();
         ++made.mutations["cut off"];
       } else {
@@ -168,8 +168,13 @@ TEST_CASE("every good record comes out once, in order, whatever is broken around
     for (const std::size_t line : named)
       CHECK(std::any_of(made.lines.begin(), made.lines.end(),
                         [&](std::size_t bad) { return line >= bad && line <= bad + 1; }));
-    for (const std::size_t line : made.lines)
-      CHECK(std::any_of(named.begin(), named.end(), [&](std::size_t one) { return one >= line && one <= line + 1; }));
+    // What directly follows may be taken for the rest of what is not closed.
+    for (std::size_t i = 0; i < made.lines.size(); ++i) {
+      const std::size_t line = made.lines[i];
+      const bool mayBeRest = i > 0 && made.lines[i - 1] + 1 == line;
+      CHECK((mayBeRest ||
+             std::any_of(named.begin(), named.end(), [&](std::size_t one) { return one >= line && one <= line + 1; })));
+    }
     for (unsigned jobs = 1; jobs <= 4; ++jobs) {
       StreamHow other = how;
       other.jobs = jobs;
