@@ -476,7 +476,7 @@ JsonPiece JsonSplitter::brokenEnd(std::string_view rest, std::size_t end, const 
 
 JsonPiece JsonSplitter::endOfArray(std::string_view rest, std::size_t at, bool atEnd) {
   if (state_.inDocument) {
-    // Behind its array and a comma a name stands, and no record.
+    // Behind its array and a comma a name stands.
     if (step_ == 0) {
       looked_ = skipSpace(rest, std::max(looked_, at + 1));
       if (looked_ == rest.size() && !atEnd) return {};
@@ -486,7 +486,7 @@ JsonPiece JsonSplitter::endOfArray(std::string_view rest, std::size_t at, bool a
     if (step_ == 1) {
       looked_ = skipSpace(rest, looked_);
       if (looked_ == rest.size() && !atEnd) return {};
-      if (looked_ < rest.size() && opens(rest[looked_])) return junk(rest, at, kNoSeparator);
+      if (looked_ < rest.size() && rest[looked_] != '"' && rest[looked_] != '}') return junk(rest, at, kNoSeparator);
       step_ = 2;
     }
     return endOfDocument(rest, at, atEnd);

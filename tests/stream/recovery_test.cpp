@@ -102,7 +102,7 @@ Broken make(RandomText& random, Arrangement arrangement) {
         put(random.oneOf(kBalanced));
         ++made.mutations["balanced"];
       } else if (kind == 1) {
-        put(random.oneOf(kJunk));
+        put(behindBroken ? "x" : random.oneOf(kJunk));  // a string might be a name
         ++made.mutations["junk"];
       } else if (kind == 2 && array) {
         made.good.push_back(i);
