@@ -29,7 +29,7 @@ TEST_CASE(
 TEST_CASE(
     "A convention is chosen at run time, and pixels, distances and rays are the same in all of one world [glm#680]") {
   for (Handedness world : {Handedness::right, Handedness::left}) {
-    const Camera reference = makeCamera(somePose(world), lens(), kHd);
+    const Camera reference = makeCamera(somePose(world), lens(), kHd, {.world = world});
     const Vec3 point{0.5, -0.25, 1};
     const ScreenPoint expected = worldToScreen(reference, point);
     for (Convention c : everyConvention()) {

@@ -2,6 +2,7 @@
 
 #include "viewproj/camera/error.hpp"
 #include "viewproj/camera/pose.hpp"
+#include "viewproj/camera/pose_source.hpp"
 
 namespace viewproj {
 namespace {
@@ -39,10 +40,18 @@ bool areOfOnePose(const Pose& p) noexcept {
   const double scale = std::max(maxAbs(p.eye), maxAbs(e.origin)) > 0x1p900 ? 0x1p-200 : 1;
   DDVec3 way;
   for (std::size_t i = 0; i < 3; ++i) way[i] = twoDiff(p.eye[i] * scale, e.origin[i] * scale);
+  // Where the exact rows have lost terms, what they were made of has them.
+  const bool hasSource = !e.isNarrow && e.source.kind != PoseSource::Kind::rows;
+  const ExactSource source = hasSource ? exactSource(e.source) : ExactSource{};
+  const std::array<Dyadic, 3>* const sourceRows[] = {&source.right, &source.up, &source.forward};
+  const Wide sourceScales[] = {source.rightScale, source.upScale, source.forwardScale};
   for (std::size_t i = 0; i < 3; ++i) {
-    if (!(i == 1 && e.upIsCross))
-      for (std::size_t j = 0; j < 3; ++j)
-        if (!(std::fabs(((*exact[i])[j].rounded() * scales[i] - rows[i][j]).hi) <= kSame)) return false;
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (i == 1 && e.upIsCross && !hasSource) continue;
+      const DoubleDouble entry = hasSource ? toDoubleDouble((*sourceRows[i])[j].rounded() * sourceScales[i])
+                                           : (*exact[i])[j].rounded() * scales[i];
+      if (!(std::fabs((entry - rows[i][j]).hi) <= kSame)) return false;
+    }
     const DoubleDouble translation = e.translation[i].rounded() * scales[i];
     const DoubleDouble off =
         dot(rows[i], way) + timesPowerOfTwo(translation, scale) - timesPowerOfTwo(p.residual[i], scale);

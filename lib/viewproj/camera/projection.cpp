@@ -95,11 +95,10 @@ void validate(const Projection& p) {
     if (edge.hi + edge.lo != edge.hi)
       throw CameraError(name, "is a double-double whose low part is not below its high");
   }
-  // Sizes and reaches that a changed edge has left behind.
+  // Sizes that a changed edge has left behind.
   const auto requireSize = [](DoubleDouble low, DoubleDouble high, DoubleDouble size, double reach, const char* name) {
-    const double largestEdge = std::max(std::fabs(low.hi), std::fabs(high.hi));
-    const bool fits = size.hi == 0 || std::fabs((high - low - size).hi) <= 0x1p-96 * std::max(largestEdge, reach);
-    if (!(fits && (reach == 0 || reach >= largestEdge)))
+    const double most = std::max({std::fabs(low.hi), std::fabs(high.hi), reach});
+    if (!(reach >= 0 && (size.hi == 0 || std::fabs((high - low - size).hi) <= 0x1p-96 * most)))
       throw CameraError(name, "is not of the window's edges; make another projection instead of changing one");
   };
   requireSize(p.left, p.right, p.width, p.reachX, "width");

@@ -194,7 +194,8 @@ WideEyePoint toEyeWidely(const Pose& pose, const Vec4& point) noexcept {
     const Wide scales[] = {source.rightScale, source.upScale, source.forwardScale};
     Wide largest;
     for (std::size_t i = 0; i < 3; ++i)
-      if (const Wide size = magnitude(translation[i].rounded() * scales[i]); (size - largest).sign() > 0) largest = size;
+      if (const Wide size = magnitude(translation[i].rounded() * scales[i]); (size - largest).sign() > 0)
+        largest = size;
     e.error = e.error + largest * magnitude(point.w) * Wide(rows.error);
     const auto isAbove = [](const Wide& a, const Wide& b) { return (magnitude(a) - b).sign() > 0; };
     if (!isAbove(e.right, e.error)) e.right = {};
