@@ -12,6 +12,8 @@ namespace {
 constexpr double kRowOrthogonality = 4 * kPoseOrthogonality;
 /// Parts that were made together agree to 2^-98 and better, those of which one was changed do not.
 constexpr double kSame = 0x1p-90;
+/// What a residual next to the smallest double has lost.
+constexpr double kSubnormal = 0x1p-1060;
 
 using Rows = std::array<DDVec3, 3>;
 
@@ -55,7 +57,7 @@ bool areOfOnePose(const Pose& p) noexcept {
     const DoubleDouble translation = e.translation[i].rounded() * scales[i];
     const DoubleDouble off =
         dot(rows[i], way) + timesPowerOfTwo(translation, scale) - timesPowerOfTwo(p.residual[i], scale);
-    if (!(std::fabs(off.hi) <= kSame * (maxAbs(way) + std::fabs(translation.hi) * scale))) return false;
+    if (!(std::fabs(off.hi) <= kSame * (maxAbs(way) + std::fabs(translation.hi) * scale) + kSubnormal)) return false;
   }
   return true;
 }
