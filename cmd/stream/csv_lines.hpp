@@ -44,9 +44,10 @@ class CsvEnds {
   static constexpr std::size_t npos = std::string_view::npos;
 
   std::size_t scan(std::string_view text, bool first) {
+    std::size_t lineBreak = first ? text.find('\n', at_) : npos;
     while (at_ < text.size()) {
-      const std::size_t quote = text.find('"', at_);
       if (quoted_) {
+        const std::size_t quote = text.find('"', at_);
         if (quote == npos || quote + 1 == text.size()) {
           at_ = std::min(quote, text.size());
           break;  // whether it closes, what follows tells
@@ -55,8 +56,11 @@ class CsvEnds {
         at_ = quote + 1 + quoted_;
         continue;
       }
+      // No farther than to the line break that is wanted.
+      if (first && lineBreak < at_) lineBreak = text.find('\n', at_);
+      const std::size_t quote = text.substr(0, lineBreak).find('"', at_);
       const std::string_view plain = text.substr(0, std::min(quote, text.size()));
-      const std::size_t line = first ? plain.find('\n', at_) : plain.substr(at_).rfind('\n');
+      const std::size_t line = first ? (quote == npos ? lineBreak : npos) : plain.substr(at_).rfind('\n');
       if (line != npos) {
         behind_ = first ? line + 1 : at_ + line + 1;
         if (first) {

@@ -324,7 +324,6 @@ TEST_CASE("whole inputs that are no stream of records get one message with its p
       {"1:1: an object closed by a bracket", "{]"},
       {"1:1: numbers without brackets", "1,2,3"},
       {"1:1: a NUL", bytes("\0")},
-      {"1:1: UTF-16", bytes("\xFF\xFE[\0]\0")},
       {"1:1: a word joiner", "\xE2\x81\xA0[1,2,3]"},
       {"1:1: a byte order mark twice", "\xEF\xBB\xBF\xEF\xBB\xBF[1,2,3]"},
       {"1:1: half a byte order mark", "\xEF\xBB[1,2,3]"},
