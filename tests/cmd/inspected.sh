@@ -45,5 +45,5 @@ for projection in \
     done
   done
 done
-[ "$number" -ge 2000 ]
+[ "$number" = 660 ]
 echo "$number matrices or sets of them read back"
