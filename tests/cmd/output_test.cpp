@@ -50,7 +50,10 @@ std::string asCsv(void (*results)(ResultSink&)) {
   const WriterSetup setup = setupFor(results);
   TextBuffer out;
   CsvColumns columns = csvColumns(setup, nullptr, "", out);
-  return written(*makeCsvWriter(setup, columns, out), out, results);
+  const std::string row = written(*makeCsvWriter(setup, columns, out), out, results);
+  std::string header;
+  writeDueHeader(columns, setup, [&](std::string_view text) { header += text; });
+  return header + row;
 }
 
 std::string asText(void (*results)(ResultSink&)) {
