@@ -240,14 +240,14 @@ std::size_t BlockReader::wholeJson(Block& block, std::string_view text) {
   block.state = state_;
   if (atEnd_) return text.size();
   // What ends at a border is whole, be it right or wrong: whoever works on the block will see.
+  std::size_t whole = 0;
   const std::size_t border = lastBorder(text, std::exchange(lookedAt_, text.size()));
   if (border != npos && !mayOpenArray(text.substr(0, border))) {
     state_ = {};
     state_.column = border - text.rfind('\n', border) - 1;
     splitter_ = JsonSplitter(state_);
-    return border;
+    whole = border;
   }
-  std::size_t whole = 0;
   for (;;) {
     JsonPiece piece = splitter_.next(text.substr(whole), JsonSplitter::End::open);
     if (piece.event == JsonEvent::needMore) return whole;
