@@ -135,8 +135,8 @@ struct Allowed {
     const double ofX = X * k.sizeXY * D, ofW = W * k.sizeW * D;
     const double relative = k.orthographic ? parameter : ofW / w + parameter;
     const double t = k.orthographic ? ofX : ofX / w;
-    of[screenX] = qx * relative + t + parameter * std::fabs(k.centerX.hi);
-    of[screenY] = qy * relative + t + parameter * std::fabs(k.centerY.hi);
+    of[screenX] = qx * relative + t + parameter * k.reachX;
+    of[screenY] = qy * relative + t + parameter * k.reachY;
     of[depth] = qz * relative + parameter * std::fabs(k.depthOffset.hi) +
                 (k.orthographic ? std::fabs(k.depthScale.hi) * ofW : 0);
     of[viewDistance] = ofW;
@@ -265,9 +265,7 @@ TEST_CASE("exact, next to the middle between two doubles, one by one and by each
     if (isOnMiddle && number != viewDistance) REQUIRE(counts.uncertain == 3);
     byBatch += counts.uncertain;
 
-    const double ofOne = number == screenX   ? std::fabs(k.centerX.hi)
-                         : number == screenY ? std::fabs(k.centerY.hi)
-                                             : std::fabs(k.depthOffset.hi);
+    const double ofOne = number == screenX ? k.reachX : number == screenY ? k.reachY : std::fabs(k.depthOffset.hi);
     tally.byOne += number != viewDistance && 4 * 0x1p-97 * ofOne > 0.7 * allowed.of[number];
     tally.byW += allowed.of[viewDistance] > 0.8 * allowed.of[number];
   }

@@ -582,9 +582,15 @@ TEST_CASE(
       parallel(r, s);
       s.near = -1, s.far = 0;
       point.z = r.spread(1e-322, 1e-290);
+    } else if (trial % 4 == 2) {
+      s.viewport.depthSecond = r.spread(1e-270, 1e-260);
+      s.target = {0, 0, -1}, s.up = {0, 1, 0};
+      parallel(r, s);
+      s.near = -1, s.far = 0;
+      point.z = r.spread(1e-60, 1e-40);
     } else {
-      s.viewport.depthSecond = r.spread(1e-322, 1e-305);
-      if (trial % 4 == 2) parallel(r, s);
+      s.viewport.depthSecond = r.spread(1e-270, 1e-260);
+      s.near = r.spread(1e-60, 1e-40), s.far = kInfiniteFar;
     }
     const Camera camera = build(s);
     const Oracle::Answer truth = Oracle(Truth(s), 400).at(point);
