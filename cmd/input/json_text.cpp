@@ -88,10 +88,10 @@ struct Builder final : Judge {
 
  private:
   nlohmann::json& place(nlohmann::json value) {
-    if (open_.empty()) return root_ = std::move(value);
-    if (open_.back()->is_object()) return *field_ = std::move(value);
-    open_.back()->push_back(std::move(value));
-    return open_.back()->back();
+    const bool inArray = !open_.empty() && open_.back()->is_array();
+    if (inArray) open_.back()->push_back(nullptr);
+    nlohmann::json& at = open_.empty() ? root_ : inArray ? open_.back()->back() : *field_;
+    return at = std::move(value);
   }
   bool put(nlohmann::json value) {
     place(std::move(value));

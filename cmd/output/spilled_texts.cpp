@@ -26,9 +26,9 @@ void SpilledTexts::add(const std::string& text) {
 }
 
 void SpilledTexts::replay(const std::function<void(const std::string&)>& take) {
-  std::string text;
   std::size_t size = 0;
   if (file_) {
+    std::string text;
     std::rewind(file_.get());
     while (std::fread(&size, sizeof size, 1, file_.get()) == 1) {
       text.resize(size);

@@ -18,7 +18,7 @@ export const kRules = {
     "a matrix has the world's handedness": /(worldFromCamera|cameraFromWorld): is a (mirroring|rotation) of camera axes/,
     // An aspect that the file has itself would stand behind the message; so does a width that is above 0 until halved.
     "no number leaves the range of doubles":
-      /makes a window too (small or too )?large|has a window too small for doubles|a[xy]: times scrz leaves|aspect: must be a finite number above 0$|(width|height): must be above 0 \(is \d[\d.]*e-\d+\)/,
+      /makes a window too (small or too )?large|has a window too small for doubles|a[xy]: times scrz leaves|aspect: must be a finite number above 0$|(width|height): must be above 0 \(is \d[\d.]*e-\d+\)|must be between -?[\d.]+e-?\d+ and [\d.]+e\d+|times the viewport's size away|must span more than 1\.2e-271|is too small a part of|leaves less than 2e-10/,
     "no key is given twice": /the key '.*' is given twice/,
   },
   scene: {

@@ -52,7 +52,7 @@ template <std::size_t Terms>
 DoubleDouble distanceAlong(const std::array<Expansion<Terms>, 3>& row, const ExactDifference& d, double w,
                            const Expansion<8>& translation, DoubleDouble scale) noexcept {
   // Two terms for each product of a row's term with one of d's, and of the translation's with w.
-  Expansion<Terms * 3 * 2 * 3 + 2 * 8> sum;
+  Expansion<Terms * 3 * 2 * 3 + std::size_t{2} * 8> sum;
   for (std::size_t i = 0; i < 3; ++i) sum.addProduct(row[i], d[i]);
   sum.addScaled(translation, w);
   return sum.rounded() * scale;

@@ -61,7 +61,7 @@ Vec3 worldPointAt(const Camera& c, const WindowPoint<DoubleDouble>& at, DoubleDo
   return rounded(unroundedEye(c.pose) + offsetAt(c, at, distance));
 }
 
-Vec3 worldPointAt(const Camera& c, const WindowPoint<Wide>& at, Wide distance) noexcept {
+Vec3 worldPointAt(const Camera& c, const WindowPoint<Wide>& at, const Wide& distance) noexcept {
   const Axes& axes = c.pose.columns;
   const DDVec3& residual = c.pose.residual;
   const WideVec3 rest = toWide(axes.right) * toWide(residual.x) + toWide(axes.up) * toWide(residual.y) +
