@@ -255,7 +255,8 @@ TEST_CASE("The camera of a matrix that was read is exact for its sixteen numbers
       const Projection& lens = camera.projection;
       const double from = std::max(lens.near, -1e6), to = std::min(lens.far, 1e6 * std::max(1.0, std::fabs(from)));
       for (int i = 0; i < 12; ++i) {
-        const double w = lens.orthographic ? random.uniform(from, to) : from * std::exp(random.uniform(-2, 8));
+        const double w = lens.orthographic ? random.uniform(std::min(from, to), std::max(from, to))
+                                           : from * std::exp(random.uniform(-2, 8));
         const double wide = lens.orthographic ? 1 : w;
         const double x = wide * (lens.left.hi + (lens.right.hi - lens.left.hi) * random.uniform(-0.2, 1.2));
         const double y = wide * (lens.bottom.hi + (lens.top.hi - lens.bottom.hi) * random.uniform(-0.2, 1.2));
