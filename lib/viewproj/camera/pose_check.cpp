@@ -39,7 +39,9 @@ bool areOfOnePose(const Pose& p) noexcept {
   const Rows rows = rowsOf(p.rows);
   if (!isFinite(e.origin) || !(e.error >= 0 && std::isfinite(e.error))) return false;
   // Quartered where a difference of the largest doubles would overflow.
-  const double scale = std::max(maxAbs(p.eye), maxAbs(e.origin)) > 0x1p900 ? 0x1p-200 : 1;
+  double largest = std::max(maxAbs(p.eye), maxAbs(e.origin));
+  for (const Expansion<8>& part : e.translation) largest = std::max(largest, std::fabs(part.rounded().hi));
+  const double scale = largest > 0x1p900 ? 0x1p-200 : 1;
   DDVec3 way;
   for (std::size_t i = 0; i < 3; ++i) way[i] = twoDiff(p.eye[i] * scale, e.origin[i] * scale);
   // Where the exact rows have lost terms, what they were made of has them.
@@ -54,10 +56,9 @@ bool areOfOnePose(const Pose& p) noexcept {
                                            : (*exact[i])[j].rounded() * scales[i];
       if (!(std::fabs((entry - rows[i][j]).hi) <= kSame)) return false;
     }
-    const DoubleDouble translation = e.translation[i].rounded() * scales[i];
-    const DoubleDouble off =
-        dot(rows[i], way) + timesPowerOfTwo(translation, scale) - timesPowerOfTwo(p.residual[i], scale);
-    if (!(std::fabs(off.hi) <= kSame * (maxAbs(way) + std::fabs(translation.hi) * scale) + kSubnormal)) return false;
+    const DoubleDouble translation = timesPowerOfTwo(e.translation[i].rounded(), scale) * scales[i];
+    const DoubleDouble off = dot(rows[i], way) + translation - timesPowerOfTwo(p.residual[i], scale);
+    if (!(std::fabs(off.hi) <= kSame * (maxAbs(way) + std::fabs(translation.hi)) + kSubnormal)) return false;
   }
   return true;
 }
