@@ -38,7 +38,7 @@ bool areOfOnePose(const Pose& p) noexcept {
   const DoubleDouble scales[] = {e.rightScale, e.upScale, e.forwardScale};
   const Rows rows = rowsOf(p.rows);
   if (!isFinite(e.origin) || !(e.error >= 0 && std::isfinite(e.error))) return false;
-  // Quartered where a difference of the largest doubles would overflow.
+  // Brought down where a difference or a product of the largest doubles would overflow.
   double largest = std::max(maxAbs(p.eye), maxAbs(e.origin));
   for (const Expansion<8>& part : e.translation) largest = std::max(largest, std::fabs(part.rounded().hi));
   const double scale = largest > 0x1p900 ? 0x1p-200 : 1;

@@ -193,7 +193,7 @@ struct WideBounded {
 };
 
 /// What an operation or a camera's number adds, relative.
-const Wide kWideShare = 0x1p-97;
+constexpr double kWideShare = 0x1p-97;
 
 NearestDouble nearest(const WideBounded& b) noexcept {
   if (b.value.sign() == 0) return {double(b.value), b.error.sign() == 0 && std::isfinite(b.value.value.hi)};
