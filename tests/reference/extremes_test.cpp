@@ -10,6 +10,40 @@
 using namespace viewproj;
 using namespace reference;
 
+TEST_CASE("A coordinate that cancels to the rounding of its point has its digits, and is certain of no other") {
+  int certain = 0, doubtful = 0;
+  for (std::uint64_t trial = 0; trial < 4000; ++trial) {
+    Random random(trial);
+    Scene scene;
+    scene.position = random.vector(1);
+    scene.target = random.vector(1);
+    scene.viewport.x = -960;  // the middle of the picture is 0, and hides no digit
+    scene.viewport.y = -540;
+    const Camera camera = build(scene);
+    const DDVec3 &right = camera.pose.rows.right, &forward = camera.pose.rows.forward;
+    const double aside = random.spread(1e-3, 1e18);
+    Vec3 point;
+    for (std::size_t i = 0; i < 3; ++i) point[i] = scene.position[i] + forward[i].hi + aside * right[i].hi;
+    const Truth truth(scene);
+    const Truth::View view = truth.view(toReal(point));
+    if (!(view.forward > Real(1e-3))) continue;
+    const Truth::Screen screen = truth.screen(view);
+    const ScreenPoint got = worldToScreen(camera, point);
+    INFO("trial " << trial << ", " << aside);
+    REQUIRE(isExact(got.x, screen.x, 1920));
+    REQUIRE(isExact(got.y, screen.y, 1920));
+    REQUIRE(isExact(got.depth, screen.depth, 1));
+    if (got.certain)
+      REQUIRE((ulps(got.x, screen.x) <= 0.5 && ulps(got.y, screen.y) <= 0.5 && ulps(got.depth, screen.depth) <= 0.5));
+    // Of numbers next to 0 the last digits may be below the error of the picture's own middle.
+    if (abs(screen.y) > Real(1e-3)) REQUIRE(got.certain);
+    ++(got.certain ? certain : doubtful);
+  }
+  INFO(certain << " certain, " << doubtful << " not");
+  CHECK(certain > 1000);
+  CHECK(doubtful > 20);
+}
+
 TEST_CASE("Next to the eye plane the side is exact, and so is the screen position") {
   int onPlane = 0, inFront = 0, behind = 0;
   for (std::uint64_t trial = 0; trial < 2000; ++trial) {

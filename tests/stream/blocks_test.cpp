@@ -174,3 +174,22 @@ TEST_CASE("the form is told alike however the input arrives") {
     requireSame(input, {}, {.largestPiece = 1 + random.below(30), .seed = trial}, expected);
   }
 }
+
+TEST_CASE("the first JSON record names the columns of CSV, whichever of many workers is the first to end") {
+  // Long records in the first block, short ones with other fields in the next: those are read before the first is.
+  std::string input = "[\n";
+  for (int i = 0; i < 20; ++i)
+    input += R"({"first":")" + std::string(BlockReader::kBlock / 2, 'a') + R"(","x":1,"y":2,"z":3},)" + "\n";
+  for (int i = 0; i < 50; ++i) input += R"({"x":1,"y":2,"z":3,"second":)" + std::to_string(i) + "},\n";
+  input += R"({"x":1,"y":2,"z":3}])"
+           "\n";
+  const StreamHow one{.from = Form::json, .to = OutputForm::csv, .keepGoing = true};
+  const StreamRun expected = runStream(input, one);
+  CHECK(expected.out.starts_with("first,x,y,z,"));
+  for (const std::size_t block : {std::size_t{2000}, BlockReader::kBlock}) {
+    StreamHow many = one;
+    many.jobs = 5;
+    many.block = block;
+    for (int i = 0; i < 5; ++i) CHECK(runStream(input, many) == expected);
+  }
+}

@@ -49,6 +49,24 @@ TEST_CASE("An up that is parallel to the view is an error, one that is off by th
   CHECK(complaint([] { lookAt({0.1, 0.2, 0.3}, {0.1, 0.2 + 1e-9, 0.3}, {0, 1, 0}, right); }).first == "up");
 }
 
+TEST_CASE("An up that its own error makes doubtful is an error, long before the picture is") {
+  const auto within = [](double error) {
+    FineVec3 up;
+    up.terms[1].add(1);
+    // Across up, and nearly along it: the part across is what counts.
+    for (const Vec3& way : {Vec3{0, -0x1p-40, -1}, Vec3{0, -1, -0x1p-40}}) {
+      up.error = error * std::fabs(way.z);
+      if (complaint([&] { lookAlong({1, 2, 3}, way, up, right); }).first != (error > 0x1p-106 ? "up" : ""))
+        return false;
+    }
+    return true;
+  };
+  CHECK(within(0x1p-120));
+  CHECK(within(0x1p-106));
+  CHECK(within(0x1p-104));
+  CHECK(within(0x1p-90));
+}
+
 TEST_CASE("What does not make a pose is named") {
   CHECK(complaint([] { lookAt({1, 2, 3}, {1, 2, 3}, {0, 1, 0}, right); }).first == "target");
   CHECK(complaint([] { lookAlong({1, 2, 3}, {0, 0, 0}, {0, 1, 0}, right); }).first == "direction");

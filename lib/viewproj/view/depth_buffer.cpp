@@ -96,8 +96,8 @@ double stepAt(const Scaled& s, const DepthFormat& format, double w) {
   const DoubleDouble depth = s.depth(w);
   double step = floatStep(binadeBelow(depth));
   if (s.reversed) {
-    // Twice, because a depth on a power of two moves into the next binade, where its step may lead to the one after.
-    for (int i = 0; i < 2; ++i) step = floatStep(binadeBelow(depth + DoubleDouble(step)));
+    // The next float may be in the next binade.
+    step = floatStep(binadeBelow(depth + DoubleDouble(step)));
     step = std::min(step, floatStep(binadeBelow(largestDepth(s.mapping))));
   }
   return step;

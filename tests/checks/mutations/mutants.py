@@ -155,7 +155,9 @@ def _switched(text, place):
             raise BrokenRow(f"{place.inner[0].row.where}: stands inside {row.name}, which writes its own switch")
         return new.replace("MUTATED", condition)
     old = _text(text, place.start, place.end, place.inner)
-    if re.search(r"[;}]\s*$", text[place.start : place.end]):
+    taken = text[place.start : place.end].rstrip()
+    value = re.search(r"[\w>]\s*\{[^{};]*\}$", taken)  # Vec3{0, 0, 1} is no statement
+    if taken.endswith(";") or (taken.endswith("}") and not value):
         return f"if ({condition}) {{ {new} }} else {{ {old} }}"
     if not new:
         raise BrokenRow(f"{row.where}: an expression needs another in its place")
