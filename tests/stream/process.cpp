@@ -100,7 +100,7 @@ Tool::Tool(std::vector<std::string> arguments, const Setup& setup) {
   if (process_ > 0) return;
   const int given[] = {setup.in, setup.out, setup.err};
   for (int i = 0; i < 3; ++i) ::dup2(given[i] >= 0 ? given[i] : ::open("/dev/null", O_RDWR | O_CLOEXEC), i);
-  std::signal(SIGPIPE, SIG_DFL);
+  for (const int signal : {SIGPIPE, SIGHUP, SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);  // nohup ignores one
   if (setup.fileSize > 0) {
     const rlimit limit{setup.fileSize, setup.fileSize};
     ::setrlimit(RLIMIT_FSIZE, &limit);
