@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "input/encoding.hpp"
@@ -68,6 +69,9 @@ Document::Document(const std::string& source, const std::string& option, const c
     name_ = option;
     text_ = source;
   } else {
+    std::error_code ignored;
+    if (first != std::string::npos && source[first] == '[' && !std::filesystem::exists(source, ignored))
+      throw InputError(option + ": JSON on the command line must begin with '{', and there is no file of this name");
     name_ = source == "-" ? kStandardInputName : source;
     text_ = readJsonFile(source, kMostBytes);
     requireNarrow(name_, text_);
