@@ -83,7 +83,7 @@ std::string_view BlockReader::firstBytes() {
     const std::size_t first = text.find_first_not_of(" \t\r\n", bom);
     if (first == npos) return npos;
     const bool bracket = text[first] == '{' || text[first] == '[';
-    const std::size_t most = bracket ? first + kBinaryRecord : kLongEnough;
+    const std::size_t most = bracket ? first + 2 : kLongEnough;  // the second may tell UTF-16
     const std::size_t end = std::min(text.find('\n', first), most);
     return end <= text.size() ? end : npos;
   };
