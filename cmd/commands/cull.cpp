@@ -55,7 +55,11 @@ struct Options {
   bool planes = false;
 };
 
-int run(const Options& o) {
+int run(const Options& o, const CLI::App& app) {
+  if (o.planes)
+    for (const CLI::Option* option : app.get_options())
+      if (option->count() > 0 && (option->get_group() == "Input" || option->get_group() == "Output"))
+        throw UsageError(option->get_name() + " is for records, and with --planes none are read");
   FilterSetup setup = o.stream.setup(kPointCoordinates);
   if (!o.planes) o.stream.requireOneInput(setup, o.camera);
   const CameraFile file = o.camera.read();
@@ -85,7 +89,7 @@ Action defineCull(CLI::App& app) {
   o->stream.add(app, "points and shapes");
   app.add_flag("--planes", o->planes,
                "Print the view's planes [a,b,c,d], ax + by + cz + d >= 0 inside, and read nothing");
-  return [o] { return run(*o); };
+  return [o, &app] { return run(*o, app); };
 }
 
 }  // namespace viewproj::cmd

@@ -4,6 +4,7 @@
 #include "draw/picture.hpp"
 #include "draw/records.hpp"
 #include "input/error.hpp"
+#include "input/file.hpp"
 #include "output/output_file.hpp"
 
 namespace viewproj::cmd {
@@ -28,9 +29,16 @@ struct Options {
 int run(const Options& o, const CLI::App& app) {
   const std::vector<Vec2> pixels = readPixels(o.pixels);
   const FilterSetup setup = o.stream.setup(kPointCoordinates);
-  // Where there is something else to draw, standard input is read only if asked for.
-  const bool reads = app.count("FILE") > 0 || (pixels.empty() && o.scene.empty());
-  if (reads) o.stream.requireOneInput(setup, o.camera);
+  // With --pixel standard input is read only if asked for; with a scene also where something can be in it.
+  const NamedInput ofScene{"the scene", o.scene == "-"};
+  const bool isFree = !o.camera.fromStandardInput() && !ofScene.isStandard && !isTerminal();
+  const bool reads = app.count("FILE") > 0 || (pixels.empty() && (o.scene.empty() || isFree));
+  if (reads) {
+    o.stream.requireOneInput(setup, o.camera, ofScene);
+  } else {
+    o.stream.requireNoInputOption(pixels.empty() ? "is not given" : "--pixel takes the place of; - reads it as well");
+    requireOneStandardInput({{"the camera", o.camera.fromStandardInput()}, ofScene});
+  }
 
   const CameraFile file = o.camera.read();
   View view{.camera = makeCamera(file)};
@@ -59,7 +67,9 @@ Action defineDraw(CLI::App& app) {
   o->camera.add(app);
   o->stream.addInput(app, "points and shapes");
   app.add_option("--scene", o->scene, "Scene file, or the JSON itself: its outlines are drawn")->type_name("FILE");
-  addRepeatable(app, "--pixel", o->pixels, "A pixel to mark, with --scene what its ray hits first")->type_name("X,Y");
+  addRepeatable(app, "--pixel", o->pixels,
+                "A pixel to mark, with --scene what its ray hits first; standard input is then read only for FILE -")
+      ->type_name("X,Y");
   return [o, &app] { return run(*o, app); };
 }
 

@@ -46,6 +46,7 @@ int run(const Options& o) {
   const int shown = readDigits(o.digits);
   const Vec4 local = o.point.empty() ? Vec4{} : readPoint(o.point);
   const std::vector<double> position = o.pixel.empty() ? std::vector<double>{} : readPixelOption(o.pixel);
+  requireOneStandardInput({{"the camera", o.camera.fromStandardInput()}, {"the model", o.model == "-"}});
   const CameraFile file = o.camera.read();
   const Camera built = makeCamera(file);
   const Convention writing = o.camera.writing(file);

@@ -64,7 +64,7 @@ std::vector<WrittenMatrix> chooseMatrices(const WrittenMatrices& given, const st
   for (std::size_t i = 0; i < given.matrices.size(); ++i) names.push_back(nameOf(given.matrices[i], i));
   std::unordered_map<std::string_view, std::size_t> places;  // of a name that several have, the first
   for (std::size_t i = 0; i < names.size(); ++i) places.emplace(names[i], i);
-  for (const std::string& name : splitList(list)) {
+  for (const std::string& name : splitNames("--which", list)) {
     const auto found = places.find(name);
     if (found == places.end())
       throw InputError(source + ": has no matrix '" + name + "'" +

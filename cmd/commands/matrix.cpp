@@ -71,7 +71,7 @@ std::vector<WhichRow> chooseMatrices(const std::string& list, const CameraFile& 
     if (chosen.empty()) throw InputError(file.name + ": the camera has neither a pose, a projection nor a viewport");
     return chosen;
   }
-  for (const std::string& name : splitList(list)) {
+  for (const std::string& name : splitNames("--which", list)) {
     std::vector<std::string_view> known;
     const std::size_t before = chosen.size();
     for (const WhichRow& row : kWhich) {

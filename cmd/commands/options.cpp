@@ -4,6 +4,7 @@
 #include <cctype>
 #include <charconv>
 #include <nlohmann/json.hpp>
+#include <unordered_set>
 
 #include "commands/help.hpp"
 #include "input/camera_source.hpp"
@@ -86,14 +87,17 @@ void addModel(CLI::App& app, std::string& model, const std::string& what) {
       ->type_name("FILE");
 }
 
-std::vector<std::string> splitList(const std::string& text) {
-  std::vector<std::string> parts;
+std::vector<std::string> splitNames(const std::string& option, const std::string& text) {
+  std::vector<std::string> names;
   for (std::size_t at = 0; at <= text.size();) {
     const std::size_t comma = std::min(text.find(',', at), text.size());
-    parts.push_back(text.substr(at, comma - at));
+    names.push_back(text.substr(at, comma - at));
     at = comma + 1;
   }
-  return parts;
+  std::unordered_set<std::string_view> seen;
+  for (const std::string& name : names)
+    if (!seen.insert(name).second) throw UsageError(option + ": " + name + " is named twice");
+  return names;
 }
 
 void CameraOptions::add(CLI::App& app) {
@@ -215,18 +219,38 @@ FilterSetup StreamOptions::setup(const Coordinates& coordinates) const {
   setup.csvDefaults.assign(coordinates.names.begin(), coordinates.names.end());
   if (columns_.empty()) return setup;
   const auto& [names, fewest, most] = coordinates;
-  setup.columns = setup.csvDefaults = splitList(columns_);
+  setup.columns = setup.csvDefaults = splitNames("--columns", columns_);
   if (setup.columns.size() < fewest || setup.columns.size() > most)
     throw UsageError("--columns " + columns_ + ": expected " + std::to_string(fewest) +
                      (fewest == most ? "" : " or " + std::to_string(most)) + " names separated by commas");
   return setup;
 }
 
-void StreamOptions::requireOneInput(const FilterSetup& setup, const CameraOptions& camera) const {
-  if (!setup.given.empty() && !file_.empty())
-    throw UsageError(setup.given.front().option + " takes the place of FILE; leave out one of it and " + file_);
-  if (setup.given.empty() && camera.fromStandardInput() && setup.file == "-")
-    throw UsageError("the camera and the records cannot both come from standard input");
+void requireOneStandardInput(std::initializer_list<NamedInput> inputs) {
+  const NamedInput* first = nullptr;
+  for (const NamedInput& input : inputs) {
+    if (!input.isStandard) continue;
+    if (first)
+      throw UsageError(std::string(first->what) + " and " + input.what + " cannot both come from standard input");
+    first = &input;
+  }
+}
+
+void StreamOptions::requireOneInput(const FilterSetup& setup, const CameraOptions& camera,
+                                    const NamedInput& other) const {
+  if (!setup.given.empty()) {
+    const std::string& given = setup.given.front().option;
+    if (!file_.empty()) throw UsageError(given + " takes the place of FILE; leave out one of it and " + file_);
+    requireNoInputOption(given.substr(0, given.find(' ')) + " takes the place of");
+  }
+  requireOneStandardInput(
+      {{"the camera", camera.fromStandardInput()}, other, {"the records", setup.given.empty() && setup.file == "-"}});
+}
+
+void StreamOptions::requireNoInputOption(const std::string& why) const {
+  for (const auto& [name, value] :
+       {std::pair("--from", &from_), {"--columns", &columns_}, {"--first-line", &firstLine_}})
+    if (!value->empty()) throw UsageError(std::string(name) + " is for FILE, which " + why);
 }
 
 void ToleranceOption::add(CLI::App& app) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
@@ -65,6 +66,15 @@ struct Coordinates {
 inline constexpr std::string_view kPointNames[] = {"x", "y", "z", "w"}, kPixelNames[] = {"x", "y", "depth"};
 inline constexpr Coordinates kPointCoordinates{kPointNames, 3, 4}, kPixelCoordinates{kPixelNames, 2, 2};
 
+/// Something that is read, and whether from standard input.
+struct NamedInput {
+  const char* what = "";
+  bool isStandard = false;
+};
+
+/// Throws UsageError where two of these come from standard input.
+void requireOneStandardInput(std::initializer_list<NamedInput> inputs);
+
 /// The stream of records that a command works on.
 class StreamOptions {
  public:
@@ -77,7 +87,11 @@ class StreamOptions {
   FilterSetup setup(const Coordinates& coordinates) const;
 
   /// Throws UsageError where records come from the command line and from a file, or two inputs from standard input.
-  void requireOneInput(const FilterSetup& setup, const CameraOptions& camera) const;
+  /// other: what else the command reads.
+  void requireOneInput(const FilterSetup& setup, const CameraOptions& camera, const NamedInput& other = {}) const;
+
+  /// Throws UsageError for an option that tells how FILE is to be read. why: "--point takes the place of".
+  void requireNoInputOption(const std::string& why) const;
 
  private:
   std::string file_, from_, to_, prefix_, columns_, jobs_, firstLine_;
@@ -109,8 +123,8 @@ class PrecisionOption {
   std::string name_ = "exact";
 };
 
-/// "a,b,c" to its parts.
-std::vector<std::string> splitList(const std::string& text);
+/// "a,b,c" to its parts. Throws UsageError for one that is named twice.
+std::vector<std::string> splitNames(const std::string& option, const std::string& text);
 
 /// "1,2,3", from fewest to most numbers. Throws UsageError, which says what form was expected: "X,Y or X,Y,DEPTH".
 std::vector<double> readNumbers(const std::string& option, const std::string& text, std::size_t fewest,

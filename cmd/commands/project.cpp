@@ -41,7 +41,7 @@ Fields chooseFields(const std::string& list, bool asText) {
     return {asText ? std::vector{screen, depth} : std::vector{screen, depth, viewDistance, visible, outside}};
   Fields fields;
   fields.outsideAlways = true;
-  for (const std::string& name : splitList(list)) {
+  for (const std::string& name : splitNames("--fields", list)) {
     std::vector<std::string_view> known;
     const std::size_t before = fields.wanted.size();
     for (const auto& [row, field] : kFields) {
@@ -49,8 +49,6 @@ Fields chooseFields(const std::string& list, bool asText) {
       if (row == name) fields.wanted.push_back(field);
     }
     if (fields.wanted.size() == before) failUnknown("--fields", name, known);
-    if (std::count(fields.wanted.begin(), fields.wanted.end(), fields.wanted.back()) > 1)
-      throw UsageError("--fields: " + name + " is named twice");
   }
   return fields;
 }
@@ -289,7 +287,7 @@ struct Options {
 int run(const Options& o) {
   FilterSetup setup = o.stream.setup(kPointCoordinates);
   setup.given = recordsOf(o.points);
-  o.stream.requireOneInput(setup, o.camera);
+  o.stream.requireOneInput(setup, o.camera, {"the model", o.model == "-"});
   const CameraFile file = o.camera.read();
   Projecting how{.camera = makeCamera(file),
                  .writing = o.camera.writing(file),
@@ -322,7 +320,7 @@ Action defineProject(CLI::App& app) {
   o->stream.add(app, "points");
   o->precision.add(app);
   o->tolerance.add(app);
-  addRepeatable(app, "--point", o->points, "A point, in place of FILE")->type_name("X,Y,Z[,W]");
+  addRepeatable(app, "--point", o->points, "A point, in place of FILE and standard input")->type_name("X,Y,Z[,W]");
   app.add_option("--fields", o->fields,
                  "Results to give: screen,depth,viewDistance,visible,outside,ndc,clip,view,bound (default: the first "
                  "five; in text and f64 the first two)")

@@ -66,7 +66,7 @@ class RayWork final : public RecordWork {
  private:
   void writeRay(const Pixel& pixel, ResultSink& sink) const {
     Ray ray{{kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}};
-    WorldPoint point{{kNaN, kNaN, kNaN}};
+    WorldPoint point{{kNaN, kNaN, kNaN}, DepthStatus::notFinite};
     if (pixel.screen) {
       ray = screenToRay(how_.camera, *pixel.screen, how_.arithmetic, how_.origin);
       if (pixel.depth || pixel.viewDistance) point = pointBehind(how_.camera, pixel);
@@ -75,8 +75,7 @@ class RayWork final : public RecordWork {
     sink.vector("direction", ray.direction);
     if (pixel.hasDistance || sink.hasFixedColumns()) {
       sink.vector("point", point.position);
-      const bool bounded = point.status == DepthStatus::point && pixel.screen;
-      if (how_.wantBound) sink.number("bound", bounded ? point.bound : kNaN);
+      if (how_.wantBound) sink.number("bound", point.status == DepthStatus::point ? point.bound : kNaN);
     }
     if (how_.scene) writeHits(ray, sink);
   }
@@ -155,7 +154,7 @@ int run(const Options& o) {
     throw UsageError(std::string(o.allHits ? "--all-hits" : "--clipped") + " is for --scene, which is not given");
   FilterSetup setup = o.stream.setup(kPixelCoordinates);
   setup.given = recordsOf(o.pixels);
-  o.stream.requireOneInput(setup, o.camera);
+  o.stream.requireOneInput(setup, o.camera, {"the scene", o.scene == "-"});
   static constexpr std::string_view kPlaces[] = {"eye", "near"};
   requireKnown("--ray-from", o.from, kPlaces);
   // Rays are within kRayDirectionBound in standard already: fast and auto need nothing else.
@@ -193,7 +192,7 @@ Action defineRay(CLI::App& app) {
   o->camera.add(app);
   o->stream.add(app, "pixels");
   o->precision.add(app);
-  addRepeatable(app, "--pixel", o->pixels, "A pixel, with a window depth if known, in place of FILE")
+  addRepeatable(app, "--pixel", o->pixels, "A pixel, with a window depth if known, in place of FILE and standard input")
       ->type_name("X,Y[,DEPTH]");
   app.add_option("--ray-from", o->from,
                  "Where rays begin: eye (the plane through it) or near (the near plane) (default: eye)")

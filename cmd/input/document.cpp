@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "input/encoding.hpp"
 #include "input/error.hpp"
 #include "input/file.hpp"
 #include "input/glb.hpp"
@@ -53,15 +55,6 @@ std::optional<std::size_t> tooDeepAt(std::string_view text) {
   return std::nullopt;
 }
 
-bool isUtf8(const std::string& text) {
-  try {
-    (void)nlohmann::json(text).dump();
-    return true;
-  } catch (const nlohmann::json::type_error&) {
-    return false;
-  }
-}
-
 }  // namespace
 
 std::string dotted(const Path& path) {
@@ -76,8 +69,12 @@ Document::Document(const std::string& source, const std::string& option, const c
     name_ = option;
     text_ = source;
   } else {
+    std::error_code ignored;
+    if (first != std::string::npos && source[first] == '[' && !std::filesystem::exists(source, ignored))
+      throw InputError(option + ": JSON on the command line must begin with '{', and there is no file of this name");
     name_ = source == "-" ? kStandardInputName : source;
     text_ = readJsonFile(source, kMostBytes);
+    requireNarrow(name_, text_);
   }
   if (text_.starts_with("\xEF\xBB\xBF")) text_.erase(0, 3);
   if (const auto at = tooDeepAt(text_))

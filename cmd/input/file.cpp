@@ -56,6 +56,8 @@ std::optional<std::size_t> InputFile::remaining() const {
   return static_cast<std::size_t>(state.st_size - at);
 }
 
+bool isTerminal() { return ::isatty(STDIN_FILENO) != 0; }
+
 std::string readWholeFile(const std::string& name, std::size_t most) {
   constexpr std::size_t kBlock = 64 << 10;
   InputFile file(name);

@@ -8,6 +8,7 @@
 
 #include "input/convention_fields.hpp"
 #include "input/document.hpp"
+#include "input/encoding.hpp"
 #include "input/error.hpp"
 #include "input/json_text.hpp"
 #include "input/number.hpp"
@@ -19,7 +20,7 @@ namespace {
 bool isDigit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 bool isWordStart(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 bool isWord(char c) { return isWordStart(c) || isDigit(c) || c == '.'; }
-bool isBlank(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
+bool isSpace(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
 
 std::string lowered(std::string_view text) {
   std::string result(text);
@@ -60,8 +61,8 @@ class Scanner {
       return;
     }
     const bool first = lineIsEmpty_;
-    if (!isBlank(c)) lineIsEmpty_ = false;
-    if (isBlank(c) || c == ',' || c == '|') {
+    if (!isSpace(c)) lineIsEmpty_ = false;
+    if (isSpace(c) || c == ',' || c == '|') {
       ++at_;
     } else if (c == ';') {
       if (brackets_.empty()) word_.clear();
@@ -240,6 +241,7 @@ WrittenMatrices parseObject(const std::string& text, const std::string& name) {
 }  // namespace
 
 WrittenMatrices parseMatrices(const std::string& given, const std::string& name) {
+  requireNarrow(name, given);
   const std::string text = given.starts_with("\xEF\xBB\xBF") ? given.substr(3) : given;
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first != std::string::npos && text[first] == '{') {

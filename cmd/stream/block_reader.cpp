@@ -4,6 +4,7 @@
 #include <cstring>
 #include <utility>
 
+#include "input/encoding.hpp"
 #include "input/error.hpp"
 #include "input/record.hpp"
 #include "stream/csv_lines.hpp"
@@ -13,8 +14,6 @@ namespace {
 
 constexpr std::size_t npos = std::string_view::npos;
 constexpr std::string_view kBom = "\xEF\xBB\xBF";
-
-bool isBlank(std::string_view line) { return line.find_first_not_of(" \t\r") == npos; }
 
 std::size_t behindLastLine(std::string_view text) {
   const std::size_t end = text.rfind('\n');
@@ -84,7 +83,7 @@ std::string_view BlockReader::firstBytes() {
     const std::size_t first = text.find_first_not_of(" \t\r\n", bom);
     if (first == npos) return npos;
     const bool bracket = text[first] == '{' || text[first] == '[';
-    const std::size_t most = bracket ? first + kBinaryRecord : kLongEnough;
+    const std::size_t most = bracket ? first + 2 : kLongEnough;  // the second may tell UTF-16
     const std::size_t end = std::min(text.find('\n', first), most);
     return end <= text.size() ? end : npos;
   };
@@ -100,9 +99,7 @@ void BlockReader::requireUtf8() {
     return text.size() < 2 || text[0] == 0 || text[1] == 0 || text[0] == '\xFF' || text[0] == '\xFE';
   };
   while (!atEnd_ && !over_ && carried_.size() < 4 && mayBeWide()) readMore(carried_, carried_.size() + block_);
-  const std::string encoding(wideEncoding(carried_.view()));
-  if (!encoding.empty())
-    throw InputError(name_ + ": is " + encoding + "; expected UTF-8, as iconv -f " + encoding + " -t UTF-8 makes it");
+  requireNarrow(name_, carried_.view());
 }
 
 void BlockReader::setForm(Form form) {

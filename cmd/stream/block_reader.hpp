@@ -68,7 +68,7 @@ class BlockReader {
   explicit BlockReader(const std::string& bytes);
 
   /// The first bytes of the input, enough to tell its form: to the end of the first line that is not blank; no more
-  /// than a record of f64 where a bracket begins. However the input arrives, they are the same.
+  /// than two where a bracket begins, so that a record is not waited for. However the input arrives, they are the same.
   std::string_view firstBytes();
 
   /// Throws InputError where the first bytes are of text in UTF-16 or UTF-32.

@@ -4,6 +4,7 @@
 #include <functional>
 #include <thread>
 
+#include "input/encoding.hpp"
 #include "stream/pipeline.hpp"
 
 namespace viewproj::cmd {

@@ -1,25 +1,11 @@
 #include "stream/form.hpp"
 
 #include <algorithm>
-#include <string>
 #include <utility>
 
+#include "input/encoding.hpp"
+
 namespace viewproj::cmd {
-namespace {
-
-/// But for a character that the end cuts off.
-bool isUtf8(std::string_view text) {
-  for (std::size_t at = 0; at < text.size();) {
-    const auto byte = static_cast<unsigned char>(text[at++]);
-    if (byte >= 0x80 && (byte < 0xC2 || byte > 0xF4)) return false;
-    for (int more = byte < 0x80 ? 0 : byte < 0xE0 ? 1 : byte < 0xF0 ? 2 : 3; more > 0 && at < text.size(); --more)
-      if ((text[at++] & 0xC0) != 0x80) return false;
-  }
-  return true;
-}
-
-}  // namespace
-
 OutputForm sameForm(Form form) {
   switch (form) {
     case Form::csv:
@@ -52,24 +38,11 @@ std::optional<Form> formOfBytes(std::string_view start) {
   if (start[0] == '{' || start[0] == '[') return Form::json;
   const auto isControl = [](char c) { return (c >= 0 && c < '\t') || (c > '\r' && c < ' ') || c == 0x7f; };
   const bool controls = std::any_of(start.begin(), start.end(), isControl);
-  if (start.find('\0') != std::string_view::npos || (controls && !isUtf8(start))) return std::nullopt;
+  if (start.find('\0') != std::string_view::npos || (controls && !isUtf8(start, true))) return std::nullopt;
   const std::string_view line = start.substr(0, start.find('\n'));
   const char c = start[0];
   const bool number = (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.' || line.starts_with("NaN");
   return line.find(',') != std::string_view::npos || !number ? Form::csv : Form::text;
-}
-
-std::string_view wideEncoding(std::string_view start) {
-  using namespace std::string_view_literals;
-  const std::string_view four = start.substr(0, 4), two = start.substr(0, 2);
-  if (four == "\xFF\xFE\0\0"sv || four == "\0\0\xFE\xFF"sv) return "UTF-32";
-  if (two == "\xFF\xFE"sv || two == "\xFE\xFF"sv) return "UTF-16";
-  if (start.size() < 2 || start.size() == 3) return {};
-  // Without a byte order mark: 0, and x for a character of ASCII.
-  std::string pattern;
-  for (const char c : four) pattern += c == 0 ? '0' : (c >= ' ' && c < 0x7f) || (c >= '\t' && c <= '\r') ? 'x' : '-';
-  if (pattern == "x000" || pattern == "000x") return "UTF-32";
-  return pattern == "x0x0" || pattern == "0x0x" || pattern == "x0" || pattern == "0x" ? "UTF-16" : "";
 }
 
 }  // namespace viewproj::cmd

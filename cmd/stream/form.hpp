@@ -23,7 +23,4 @@ std::optional<Form> formOfName(std::string_view fileName);
 /// text. Nothing where they are no text at all; f64 is never guessed.
 std::optional<Form> formOfBytes(std::string_view start);
 
-/// UTF-16 or UTF-32 where the first four bytes, or two that are all, are of text in it; otherwise nothing.
-std::string_view wideEncoding(std::string_view start);
-
 }  // namespace viewproj::cmd

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "input/encoding.hpp"
 #include "input/number.hpp"
 #include "stream/batch.hpp"
 #include "stream/csv_lines.hpp"
@@ -11,8 +12,6 @@ namespace viewproj::cmd {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "f64 is written as it stands in memory");
-
-bool isBlank(std::string_view line) { return line.find_first_not_of(" \t\r") == std::string_view::npos; }
 
 /// A number that is plainly one, from its first byte to its last; false is not yet a verdict.
 bool readPlainNumber(std::string_view text, double& number) {

@@ -56,6 +56,12 @@ class Files(FaultTest):
             self.assertEqual(done.stdout, expected.stdout)
             self.assertEqual(done.stderr.replace(name, b"FILE"), expected.stderr)
 
+    def test_draw_with_a_scene_does_not_wait_for_a_terminal(self):
+        _, terminal = os.openpty()  # on which nobody ever types
+        arguments = [tool.TOOL, "draw", "-c", CAMERA, "--scene", SCENE]
+        done = subprocess.run(arguments, stdin=terminal, capture_output=True, timeout=tool.PATIENCE)
+        self.assertEqual((done.returncode, done.stderr), (0, b""))
+
     def test_a_file_that_cannot_be_opened_is_named(self):
         Path("folder").mkdir()
         os.symlink("loop", "loop")

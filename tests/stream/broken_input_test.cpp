@@ -326,6 +326,15 @@ TEST_CASE("f64 is never guessed, and UTF-16 and UTF-32 are named") {
     CHECK((run.status == 1 && run.out.empty() && run.err.starts_with("<stdin>: "s + message)));
   }
   CHECK(runStream("x\0,\0"s, {.from = Form::csv}).err.starts_with("<stdin>: is UTF-16"));
+  // iconv knows the order of bytes from a byte order mark, or must be told.
+  for (const auto& [input, encoding] : {std::pair("\xFE\xFF\0001"s, "UTF-16"),
+                                        {"1\0 \0"s, "UTF-16LE"},
+                                        {"\0001\0 "s, "UTF-16BE"},
+                                        {"1\0\0\0"s, "UTF-32LE"},
+                                        {"\0\0\0001"s, "UTF-32BE"}})
+    CHECK(runStream(input, {}).err ==
+          "<stdin>: is "s + encoding + "; expected UTF-8, as iconv -f " + encoding + " -t UTF-8 makes it");
+  CHECK(runStream("x,y,z,\xED\xA0\x80\x01\n1,2,3,4\n", {}).err.starts_with("<stdin>: is binary"));
   CHECK(runStream("x,y,z,a\x7F\n1,2,3,4\n", {}).out.starts_with("x,y,z,a\x7F,sum"));
   CHECK(runStream("x,y,z,\xC3\xA9\x01\n1,2,3,4\n", {}).status == 0);
   CHECK(formOfName("a.bin") == Form::f64);

@@ -181,7 +181,7 @@ TEST_CASE("in a camera file is valid what nlohmann-json calls valid, but for nam
         CHECK((fault.empty() || has(fault, "expected a JSON object")));
       } else {
         ++rejected;
-        CHECK((has(fault, "not valid JSON") || has(fault, "number overflow")));
+        CHECK((has(fault, "not valid JSON") || has(fault, "number overflow") || has(fault, "is UTF-16")));
       }
     }
   CHECK(twice == std::set<std::string>{"y_object_duplicated_key", "y_object_duplicated_key_and_value"});

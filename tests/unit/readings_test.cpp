@@ -353,6 +353,42 @@ TEST_CASE("The identity is a view, a pose and a projection, and every reading of
         std::map<MatrixKind, int>{{MatrixKind::projection, 6}, {MatrixKind::view, 3}, {MatrixKind::worldFromView, 3}});
 }
 
+TEST_CASE("A last entry a few units in the last place from 1 divides a view or a pose, exactly") {
+  for (int steps : {-8, -5, -4, -1, 1, 2, 4, 5})
+    for (bool turned : {false, true}) {
+      const double ulp = 0x1p-52, last = 1 + steps * ulp;
+      Numbers n = {0.6,  0, 0.8, 0.36, 0, 1, 0, -0.48,
+                   -0.8, 0, 0.6, 0.8,  0, 0, 0, last};  // a translation of unit length
+      if (turned)
+        for (std::size_t i = 0; i < 4; ++i)
+          for (std::size_t j = 0; j < i; ++j) std::swap(n[4 * i + j], n[4 * j + i]);
+      const Inspection in = inspectMatrix(n);
+      std::size_t poses = 0;
+      for (const Reading& r : in.readings) {
+        if (r.kind != MatrixKind::view && r.kind != MatrixKind::worldFromView) continue;
+        ++poses;
+        CHECK(r.layout == (turned ? Layout::transposed : Layout::asWritten));
+        CHECK(r.scale == last);
+        Convention c = preset("opengl");
+        c.view = r.convention.view;
+        c.world = r.convention.world;
+        const Mat4 m = converted(r, c);
+        for (std::size_t i = 0; i < 3; ++i)
+          for (std::size_t j = 0; j < 4; ++j)
+            CHECK(m[i][j] == static_cast<double>(static_cast<long double>(n[turned ? 4 * j + i : 4 * i + j]) / last));
+        CHECK(r.place->eye[0].low <= r.pose->eye.x);
+        CHECK(r.pose->eye.x <= r.place->eye[0].high);
+        CHECK_NOTHROW(validate(*r.pose, r.convention.world));
+      }
+      CHECK(poses == (steps < -4 || steps > 4 ? 0 : 6));
+    }
+  // Of float32s it is their units that count.
+  const double last = 1 - 2 * 0x1p-23;
+  const Numbers n = {0, 0, 1, 3, 0, 1, 0, 4, -1, 0, 0, 5, 0, 0, 0, last};
+  CHECK(inspectMatrix(n, EntryPrecision::float32).readings.front().kind == MatrixKind::view);
+  CHECK(inspectMatrix(n).readings.front().kind != MatrixKind::view);
+}
+
 TEST_CASE("An infinite 0..1 projection with near 1 is symmetric, so that it does not tell its layout") {
   const Inspection in = inspectMatrix(rowsOf(clipFromView(perspectiveFovY(60, 1, 1, kInfiniteFar), preset("metal"))));
   for (const Reading& r : in.readings) CHECK(r.layout == Layout::either);

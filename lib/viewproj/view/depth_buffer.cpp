@@ -3,16 +3,26 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viewproj/view/lens.hpp"
+
 namespace viewproj {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kLargestRatio = 0x1p900;
+constexpr double kSmallestSize = 0x1p-800;
 constexpr int kFloatDigits = 24;
 constexpr double kSmallestFloat = 0x1p-149;
 constexpr int kSmallestFloatExponent = -126;
 /// A float's step below a depth is at most this share of the depth.
 constexpr double kLargestFloatShare = 0x1p-23;
+
+/// Each end of the depth range by its share, so that the depth keeps its digits next to 0.
+Wide depthAt(const DepthMapping& m, const Wide& distance) {
+  const DepthShares shares = depthShares(m.orthographic, m.near, m.far, distance, 1);
+  const Wide depth = Wide(m.atNear) * shares.ofNear + Wide(m.atFar) * shares.ofFar;
+  return m.orthographic ? depth : depth / distance;
+}
 
 /// The mapping with distances times a power of two: the near plane of a perspective lies between 1 and 2, so that no
 /// product of distances leaves the range of doubles.
@@ -20,8 +30,10 @@ struct Scaled {
   explicit Scaled(const DepthMapping& m) : mapping(m) {
     if (!m.orthographic)
       exponent = -std::ilogb(m.near);
-    else if (std::max(std::fabs(m.near), std::fabs(m.far)) > kLargestRatio)
+    else if (const double size = std::max(std::fabs(m.near), std::fabs(m.far)); size > kLargestRatio)
       exponent = -200;
+    else if (size < kSmallestSize)
+      exponent = 500;
     near = std::ldexp(m.near, exponent);
     far = std::ldexp(m.far, exponent);
     if (!m.orthographic && far > kLargestRatio) far = kInfiniteFar;
@@ -42,19 +54,7 @@ struct Scaled {
   double unscaled(double distance) const { return std::ldexp(distance, -exponent); }
   DoubleDouble farOverRange() const { return std::isinf(far) ? DoubleDouble(1) : DoubleDouble(far) / range; }
 
-  /// At a scaled distance: each end of the depth range by its share, so that the depth keeps its digits next to 0.
-  DoubleDouble depth(double w) const {
-    DoubleDouble ofNear, ofFar;
-    if (mapping.orthographic) {
-      ofNear = twoDiff(far, w) / range;
-      ofFar = twoDiff(w, near) / range;
-    } else {
-      const DoubleDouble fromFar = std::isinf(far) ? DoubleDouble(1) : twoDiff(far, w) / range;
-      ofNear = DoubleDouble(near) / DoubleDouble(w) * fromFar;
-      ofFar = twoDiff(w, near) / DoubleDouble(w) * farOverRange();
-    }
-    return ofNear * DoubleDouble(mapping.atNear) + ofFar * DoubleDouble(mapping.atFar);
-  }
+  DoubleDouble depth(double w) const { return toDoubleDouble(depthAt(mapping, {w, -exponent})); }
 
   /// The inverse, for a depth between near's and far's. Infinite at infinity's depth.
   double distance(double depth) const {
@@ -118,17 +118,15 @@ DepthMapping depthMapping(const Projection& p, double depthFirst, double depthSe
   return {p.orthographic, p.near, p.far, depthFirst, depthSecond};
 }
 
-double depthAtDistance(const DepthMapping& m, double distance) noexcept {
-  const Scaled s(m);
-  return s.depth(s.scaled(distance)).hi + 0.0;
-}
+double depthAtDistance(const DepthMapping& m, double distance) noexcept { return nearestDouble(depthAt(m, distance)); }
 
 double depthSlope(const DepthMapping& m, double distance) noexcept {
-  const Scaled s(m);
-  const double sign = s.reversed ? -1 : 1;
-  if (m.orthographic) return sign * std::ldexp(s.rate, s.exponent);
-  const double w = s.scaled(distance);
-  return sign * std::ldexp(s.rate / w / w, s.exponent);
+  const Wide n = m.near, w = distance;
+  Wide slope = Wide(m.atFar) - Wide(m.atNear);
+  if (std::isfinite(m.far)) slope = slope / (Wide(m.far) - n);
+  if (m.orthographic) return nearestDouble(slope);
+  if (std::isfinite(m.far)) slope = slope * Wide(m.far);
+  return nearestDouble(slope * n / w / w);
 }
 
 double depthStep(const DepthMapping& m, const DepthFormat& format, double distance) noexcept {

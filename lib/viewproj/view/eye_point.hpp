@@ -20,6 +20,9 @@ struct EyePoint {
   bool forwardIsExact = false;
 };
 
+/// An exponent of toEye farther from 0: distances have their digits, but not all products with them.
+inline constexpr int kLargestExponent = 400;
+
 /// In double-double. A distance that cancels to less than its own error is 0.
 /// The error bound: rows are within 2^-100 of the true ones, and d within 2^-105 relative; a product of the two carries
 /// 2^-99, and the sum of three 2^-98 of |d0| + |d1| + |d2|.

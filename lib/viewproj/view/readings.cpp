@@ -162,6 +162,19 @@ void setPose(Reading& reading, ClipParts& p, const Mat4& matrix, double up, doub
   reading.convention.world = dot(cross(r.right, r.up), r.forward).hi < 0 ? Handedness::right : Handedness::left;
 }
 
+/// Of the same eye, its distances divided by scale.
+Pose dividedBy(double scale, Pose pose) noexcept {
+  if (scale == 1) return pose;
+  const DoubleDouble by = DoubleDouble(1) / DoubleDouble(scale);
+  const auto times = [](const Axes& a, DoubleDouble k) { return Axes{a.right * k, a.up * k, a.forward * k}; };
+  pose.rows = times(pose.rows, by);
+  pose.columns = times(pose.columns, scale);
+  pose.residual = pose.residual * by;
+  ExactRows& exact = pose.exact;
+  for (DoubleDouble* rowScale : {&exact.rightScale, &exact.upScale, &exact.forwardScale}) *rowScale = *rowScale * by;
+  return pose;
+}
+
 /// The largest entry of M^T M - I of the 3x3.
 double rigidity(const Mat4& m) noexcept {
   double worst = 0;
@@ -207,7 +220,8 @@ class Reader {
   std::string read() {
     const bool affine = zero({m_[3][0], m_[3][1], m_[3][2]});
     if (affine && m_[3][3] == 0) return "its w row is 0 0 0 0";
-    if (affine && !(m_[3][3] == 1 || (anyScale_ && m_[3][3] > 0)))
+    hasScale_ = anyScale_ || (affine && isNearlyOne(m_[3][3]));
+    if (affine && !(hasScale_ && m_[3][3] > 0))
       return text("its w row is 0 0 0 %.6g: w is the same for every point, and not 1", m_[3][3]);
     return affine ? readAffine() : readPerspective();
   }
@@ -217,8 +231,14 @@ class Reader {
     Reading r;
     r.kind = kind;
     r.layout = layout_;
-    if (anyScale_) r.scale = scale;
+    if (hasScale_) r.scale = scale;
     return r;
+  }
+
+  /// As where an inverse was computed in numbers of the precision: the whole matrix has that scale.
+  bool isNearlyOne(double entry) const {
+    const double ulp = precision_ == EntryPrecision::float32 ? 0x1p-23 : 0x1p-52;
+    return std::fabs(entry - 1) <= kReadingUnit * ulp;
   }
 
   std::string readPerspective() {
@@ -260,7 +280,7 @@ class Reader {
     const double rigid = rigidity(m_);
     const auto parts = orthographicParts(m_, precision_);
     if (!parts) return "it flattens space: one of its rows has no x, y, z";
-    const bool isPose = m_[3][3] == 1 && rigid <= kReadingOrthogonality;
+    const bool isPose = isNearlyOne(m_[3][3]) && rigid <= kReadingOrthogonality;
     const bool diagonal = zero({m_[0][1], m_[0][2], m_[1][0], m_[1][2], m_[2][0], m_[2][1]}) && m_[0][0] > 0;
     if (isPose) addPoses(rigid);
     if (isPose && !diagonal) return "";
@@ -308,11 +328,16 @@ class Reader {
   }
 
   void addPoses(double residual) {
+    const double scale = m_[3][3];
+    const HalfSteps scaleSteps = scale == 1 ? HalfSteps{} : halfSteps(scale, precision_);
+    const Interval scaleIn{twoDiff(scale, scaleSteps.down), twoSum(scale, scaleSteps.up)};
+    Mat4 unscaled = m_;
+    unscaled[3][3] = 1;
     constexpr CameraAxes kAxes[] = {CameraAxes::RUB, CameraAxes::RUF, CameraAxes::RDF};
     const bool mirrored = determinant(m_) < 0;
     for (MatrixKind kind : {MatrixKind::view, MatrixKind::worldFromView})
       for (std::size_t i = 0; i < std::size(kViews); ++i) {
-        Reading r = reading(kind, 1);
+        Reading r = reading(kind, scale);
         r.convention.view = kViews[i];
         r.convention.world = mirrored == (kViews[i] == ViewAxes::RUF) ? Handedness::right : Handedness::left;
         PoseEstimate place;
@@ -322,16 +347,19 @@ class Reader {
           double& error = place.axisErrors[k / 3];
           const double entry = kind == MatrixKind::view ? m_[k / 3][k % 3] : m_[k % 3][k / 3];
           const HalfSteps steps = halfSteps(entry, precision_);
-          error = std::max({error, steps.down, steps.up});
+          const double ofScale = std::fabs(entry) * std::max(scaleSteps.down, scaleSteps.up);
+          error = std::max(error, (std::max(steps.down, steps.up) + ofScale) / scale);
         }
         if (kind == MatrixKind::view) {
-          r.pose = poseFromCameraFromWorld(m_, kAxes[i], r.convention.world);
+          r.pose = dividedBy(scale, poseFromCameraFromWorld(unscaled, kAxes[i], r.convention.world));
           place.eye = estimates(eyeOfView(m_, precision_));
         } else {
-          r.pose = poseFromWorldFromCamera(m_, kAxes[i], r.convention.world);
+          r.pose = scale == 1 ? poseFromWorldFromCamera(m_, kAxes[i], r.convention.world)
+                              : scaledColumns(kAxes[i], r.convention.world);
           for (std::size_t k = 0; k < 3; ++k) {
             const HalfSteps steps = halfSteps(m_[k][3], precision_);
-            place.eye[k] = estimate(m_[k][3], {twoDiff(m_[k][3], steps.down), twoSum(m_[k][3], steps.up)});
+            place.eye[k] = estimate(quotient(DoubleDouble(m_[k][3]), scale),
+                                    quotient({twoDiff(m_[k][3], steps.down), twoSum(m_[k][3], steps.up)}, scaleIn));
           }
         }
         const Axes& axes = kind == MatrixKind::view ? r.pose->rows : r.pose->columns;
@@ -343,11 +371,21 @@ class Reader {
       }
   }
 
+  /// Of a pose matrix, all of it divided by its last entry.
+  Pose scaledColumns(CameraAxes axes, Handedness world) const {
+    const auto column = [&](std::size_t j) {
+      const auto entry = [&](std::size_t i) { return DoubleDouble(m_[i][j]) / DoubleDouble(m_[3][3]); };
+      return DDVec3{entry(0), entry(1), entry(2)};
+    };
+    return poseFromColumns({column(0), column(1), column(2)}, column(3), axes, world);
+  }
+
   const Mat4& m_;
   Layout layout_;
   EntryPrecision precision_;
   bool anyScale_;
   std::vector<Reading>& readings_;
+  bool hasScale_ = false;
   bool refuted_ = false;
 };
 

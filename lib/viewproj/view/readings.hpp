@@ -85,17 +85,20 @@ struct Inspection {
 /// or view-projection matrix: as for poses.
 inline constexpr double kReadingOrthogonality = kPoseOrthogonality;
 
+/// The last entry of an affine matrix may be this many units in the last place away from 1, as where an inverse was
+/// computed: it is the scale of the whole, and all of the matrix is divided by it.
+inline constexpr double kReadingUnit = 4;
+
 /// A far plane beyond infinity by up to this share of 1/near counts as infinite ("tweaked" infinite projections).
 inline constexpr double kReadingTweak = 0x1p-16;
 
 /// Every reading of sixteen finite numbers of sizes between 2^-400 and 2^400, or 0; beyond, intervals may be too wide.
 ///
 /// A perspective projection has a w row of exactly 0 0 +-1 0 and zeros where a projection has them; any other matrix
-/// whose w row is not 0 0 0 1 is tried as a view-projection (that of a camera in the origin that looks along z is its
-/// projection). An affine matrix with right angles is a view and a
-/// worldFromView if its axes are of unit length, else an orthographic view-projection; if it is diagonal apart from the
-/// translation, an orthographic projection too. Only where nothing fits are the numbers tried as a multiple of a
-/// matrix.
+/// whose w row is not 0 0 0 1 (to kReadingUnit) is tried as a view-projection (that of a camera in the origin that
+/// looks along z is its projection). An affine matrix with right angles is a view and a worldFromView if its axes are
+/// of unit length, else an orthographic view-projection; if it is diagonal apart from the translation, an orthographic
+/// projection too. Only where nothing fits are the numbers tried as a multiple of a matrix.
 ///
 /// Intervals: a w row of 0 0 +-1 0 or 0 0 0 1 and zeros are exact; each other entry is moved to both ends of its own
 /// interval, with all else computed in double-double; the changes of the lens's scales and offsets and of the eye add

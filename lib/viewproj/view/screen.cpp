@@ -7,6 +7,7 @@
 
 #include "viewproj/view/eye_point.hpp"
 #include "viewproj/view/kernels/formulas.hpp"
+#include "viewproj/view/lens.hpp"
 #include "viewproj/view/sides.hpp"
 
 namespace viewproj {
@@ -217,23 +218,19 @@ WideBounded widelyToScreen(DoubleDouble center, double reach, DoubleDouble scale
 
 /// As windowDepth.
 WideBounded widelyToDepth(const Camera& c, const WideBounded& w) noexcept {
-  const Wide n = c.projection.near;
-  const bool isInfinite = std::isinf(c.projection.far);
-  const Wide f = isInfinite ? 1 : c.projection.far;
-  Wide shareOfNear, shareOfFar, distanceError;
-  if (c.projection.orthographic) {
-    const Wide perRange = Wide(1) / (f - n);
-    shareOfNear = sumOrZero(f, -w.value) * perRange;
-    shareOfFar = sumOrZero(w.value, -n) * perRange;
-    distanceError = perRange * (w.error + kWideShare * magnitude(w.value));
+  const Projection& p = c.projection;
+  const Wide n = p.near, f = p.far;
+  const DepthShares shares = depthShares(p.orthographic, p.near, p.far, w.value, 1);
+  Wide first = Wide(c.depthAtNear) * shares.ofNear, second = Wide(c.depthAtFar) * shares.ofFar;
+  Wide distanceError;
+  if (p.orthographic) {
+    distanceError = (w.error + kWideShare * magnitude(w.value)) / (f - n);
   } else {
-    const Wide farOverRange = isInfinite ? 1 : f / (f - n);
-    const Wide nearOverW = n / w.value;
-    shareOfNear = isInfinite ? nearOverW : nearOverW * (sumOrZero(f, -w.value) / f) * farOverRange;
-    shareOfFar = sumOrZero(w.value, -n) / w.value * farOverRange;
-    distanceError = nearOverW * farOverRange * (w.error / w.value + kWideShare);
+    first = first / w.value;
+    second = second / w.value;
+    const Wide farOverRange = std::isinf(p.far) ? 1 : f / (f - n);
+    distanceError = n / w.value * farOverRange * (w.error / w.value + kWideShare);
   }
-  const Wide first = Wide(c.depthAtNear) * shareOfNear, second = Wide(c.depthAtFar) * shareOfFar;
   return {first + second, magnitude(Wide(c.depthAtFar) - Wide(c.depthAtNear)) * distanceError +
                               kWideShare * (magnitude(first) + magnitude(second))};
 }
@@ -286,9 +283,6 @@ bool isBesideEye(const Camera& c, const Vec4& point) noexcept {
          : forward.y.hi != 0 ? point.y == c.pose.eye.y
                              : point.z == c.pose.eye.z;
 }
-
-/// Farther from 1 than this, distances have their digits, but not all products with them.
-constexpr int kLargestExponent = 400;
 
 /// Double-double first; the exact rows where it cannot certify a number, and where products could leave the range of
 /// doubles, numbers with an exponent of their own. What they cannot certify either is a tie, or a number that cancels
