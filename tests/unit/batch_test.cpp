@@ -90,6 +90,33 @@ TEST_CASE("Which kernel is used here", "[.kernel]") {
   withEachKernel([&](const Kernels& kernel) { std::cout << "supports " << kernel.name << '\n'; });
 }
 
+TEST_CASE("A precision is within a tolerance where its bound is, in the picture and one more on every side of it") {
+  const Camera camera = makeCamera(lookAt({3, 2, 5}, {0, 0, 0}, {0, 1, 0}, Handedness::right),
+                                   perspectiveFovY(60, 1.5, 0.1, 100), {600, 400});
+  const auto bound = [&](Precision precision, double band) { return boundInPicture(camera, precision, band).screen; };
+  REQUIRE(bound(Precision::fast, 1) < bound(Precision::fast, 3));
+  REQUIRE(bound(Precision::standard, 1) < bound(Precision::standard, 3));
+  CHECK(precisionWithin(camera, bound(Precision::fast, 3)) == Precision::fast);
+  CHECK(precisionWithin(camera, bound(Precision::fast, 2.9)) == Precision::standard);
+  CHECK(precisionWithin(camera, bound(Precision::fast, 1)) == Precision::standard);
+  CHECK(precisionWithin(camera, bound(Precision::standard, 3)) == Precision::standard);
+  CHECK(precisionWithin(camera, bound(Precision::standard, 2.9)) == Precision::exact);
+}
+
+TEST_CASE("An orthographic camera that sees farther behind the eye than before it need not be exact there") {
+  const Camera camera = makeCamera(lookAlong({0, 0, 0}, {0.6, 0, -0.8}, {0, 1, 0}, Handedness::right),
+                                   orthographic(-10, 10, -10, 10, -100, 1), {600, 600});
+  const double tolerance = 10 * boundInPicture(camera, Precision::standard, kGuardBand).screen;
+  REQUIRE(precisionWithin(camera, tolerance) == Precision::standard);
+  const Vec3 points[] = {{-0.6 * 90, 1, 0.8 * 90}, {-0.6 * 0.5, 1, 0.8 * 0.5}};
+  Vec3 screen[2];
+  CHECK(worldToScreenWithin(camera, tolerance, points, screen).escalated == 0);
+  for (const Vec3& point : points)
+    CHECK(worldToScreenWithin(camera, Precision::standard, point).precision == Precision::standard);
+  const Vec3 beyond{-0.6 * 200, 1, 0.8 * 200};
+  CHECK(worldToScreenWithin(camera, Precision::standard, beyond).precision == Precision::exact);
+}
+
 TEST_CASE("A single point within a tolerance has the bits of the batch's, and says what it was computed in") {
   std::size_t cheaper = 0, exact = 0;
   for (unsigned seed = 0; seed < 60; ++seed)
