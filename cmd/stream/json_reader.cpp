@@ -136,8 +136,8 @@ class JsonReader final : public RecordReader {
       if (splitter.isFresh() && mayReadMany(at))
         if (const std::size_t next = readMany(at); next > at) {
           JsonState state;
-          const std::size_t line = text_.rfind('\n', next - 1);
-          state.column = line == npos ? block.position.column - 1 + next : next - line - 1;
+          const std::size_t line = findLastLineBreak(text_.substr(0, next));
+          state.column = line == npos ? block.state.column + next : next - line - 1;
           splitter = JsonSplitter(state);
           at = next;
         }
