@@ -168,6 +168,7 @@ class JsonReader final : public RecordReader {
     if (accepted && add(value, text)) return;
     try {
       const RecordParts record = jsonParts(text);
+      if (const auto message = markedBad(record)) throw RecordError(0, *message);
       const Plan& plan = batch_->planFor(record);
       Numbers numbers;
       cmd::readNumbers(record, plan.layout, numbers);
