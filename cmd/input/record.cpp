@@ -81,12 +81,43 @@ RecordParts csvParts(std::string_view text, const Shape& header) {
   RecordParts record{text, header, {}};
   splitCsvLine(text, record.values, kMostFields + 1);
   requireFewFields(text, record.values);
+  requireClosedFields(text, record.values);
   const std::size_t size = record.values.size(), expected = header.size;
   if (size != expected)
     throw RecordError(
         size > expected ? record.offset(expected) : text.size(),
         "has " + std::to_string(size) + " fields; expected " + std::to_string(expected) + " as the header has");
   return record;
+}
+
+std::size_t behindClosingQuote(std::string_view field) {
+  constexpr std::size_t npos = std::string_view::npos;
+  if (!field.starts_with('"')) return npos;
+  std::size_t close = field.find('"', 1);
+  while (close != npos && close + 1 < field.size() && field[close + 1] == '"') close = field.find('"', close + 2);
+  return close == npos || close + 1 == field.size() ? npos : close + 1;
+}
+
+void requireClosedFields(std::string_view record, const std::vector<std::string_view>& fields) {
+  for (const std::string_view field : fields)
+    if (const std::size_t at = behindClosingQuote(field); at != std::string_view::npos)
+      throw RecordError(static_cast<std::size_t>(field.data() - record.data()) + at,
+                        "text behind the quote that closes; expected a comma or the end of the line");
+}
+
+std::string markedBad(std::string_view written) {
+  constexpr std::string_view kMark = "marked bad by an earlier run: ";
+  const std::size_t again = written.find(kMark);
+  return std::string(kMark) +
+         std::string(again == std::string_view::npos ? written : written.substr(again + kMark.size()));
+}
+
+std::optional<std::string> markedBad(const RecordParts& json) {
+  const auto& names = json.shape.names;
+  if (names.size() != 2 || names[0] != "line" || !names[1].ends_with("error")) return std::nullopt;
+  const std::string_view line = json.values[0], message = json.values[1];
+  if (!parseNumber(line) || !message.starts_with('"')) return std::nullopt;
+  return markedBad("line " + std::string(line) + ": " + unescaped(message.substr(1, message.size() - 2)));
 }
 
 std::vector<std::string_view> valuesOf(const Record& record) {

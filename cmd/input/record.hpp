@@ -90,6 +90,16 @@ void splitCsvLine(std::string_view line, std::vector<std::string_view>& fields, 
 /// Throws RecordError at the first value that is too many.
 void requireFewFields(std::string_view text, const std::vector<std::string_view>& values);
 
+/// Throws RecordError where text stands behind the quote that closes a field. record: has the fields.
+void requireClosedFields(std::string_view record, const std::vector<std::string_view>& fields);
+/// Where such text begins, or npos.
+std::size_t behindClosingQuote(std::string_view field);
+
+/// The message of a record which --keep-going of an earlier run put in place of a bad one. written: its own message.
+std::string markedBad(std::string_view written);
+/// The message if a JSON record is one: {"line": N, "error": "..."}, whatever stands in front of "error".
+std::optional<std::string> markedBad(const RecordParts& json);
+
 /// A CSV field without its quotes.
 std::string csvValue(std::string_view field);
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 #include "input/error.hpp"
 #include "output/columns.hpp"
@@ -156,17 +157,7 @@ class CsvWriter final : public RecordWriter {
       }
       return;
     }
-    for (const OwnCell& cell : cells)
-      if (std::find(columns_.own.begin(), columns_.own.end(), cell.column) == columns_.own.end())
-        throw RecordError(
-            0, "has '" + cell.column + "', which the first record has not; CSV columns are the first record's");
-    bool first = true;
-    for (const std::string& column : columns_.own) {
-      if (!first) out_ += ',';
-      first = false;
-      for (const OwnCell& cell : cells)
-        if (cell.column == column) out_ += cell.text;
-    }
+    writeInOrder(cells);
   }
 
   void endRecord() override {
@@ -181,14 +172,16 @@ class CsvWriter final : public RecordWriter {
     if (headerIsNew_) columns_.own.clear();
   }
 
-  /// As many own cells as there are columns, so that the message stands in its own.
-  void badRecord(std::string_view text, std::size_t, const std::string& message) override {
+  /// As many own cells as there are columns, so that the message stands in its own. It says what there is no cell for:
+  /// a record that was not CSV by its line.
+  void badRecord(std::string_view text, std::size_t line, const std::string& message) override {
     ++records_;
     if (!columns_.fromCsv) {
+      const std::string placed = "line " + std::to_string(line) + ": " + message;
       if (columns_.known)
-        writeBadCells(columns_, message, out_);
+        writeBadCells(columns_, placed, out_);
       else
-        columns_.early.add(message);
+        columns_.early.add(placed);
       return;
     }
     std::vector<std::string_view> cells;
@@ -196,13 +189,23 @@ class CsvWriter final : public RecordWriter {
     std::size_t unclosed = std::string_view::npos;
     (void)endOfCsvRecord(text, 0, &unclosed);
     // The rest of the row would be in its quotes.
-    while (!cells.empty() && static_cast<std::size_t>(cells.back().data() - text.data()) >= unclosed) cells.pop_back();
+    std::string_view leftOut;
+    while (!cells.empty()) {
+      const auto at = static_cast<std::size_t>(cells.back().data() - text.data());
+      if (at < unclosed && cells.size() <= columns_.own.size()) break;
+      leftOut = text.substr(at);
+      cells.pop_back();
+    }
     for (std::size_t i = 0; i < columns_.own.size(); ++i) {
       if (i > 0) out_ += ',';
-      if (i < cells.size()) out_ += cells[i];
+      if (i >= cells.size()) continue;
+      if (behindClosingQuote(cells[i]) == std::string_view::npos)
+        out_ += cells[i];
+      else
+        out_ += quotedIfNeeded(cells[i]);
     }
     out_.append(columns_.results.size(), ',');
-    out_ += quotedIfNeeded(message) + "\n";
+    out_ += quotedIfNeeded(leftOut.empty() ? message : message + "; not in this row: " + quoted(leftOut)) + "\n";
   }
 
   bool hasFixedColumns() const override { return true; }
@@ -254,6 +257,24 @@ class CsvWriter final : public RecordWriter {
   }
 
  private:
+  /// Under the columns of the first record, which has other fields or another order.
+  void writeInOrder(const std::vector<OwnCell>& cells) {
+    if (places_.empty())
+      for (std::size_t i = 0; i < columns_.own.size(); ++i) places_.emplace(columns_.own[i], i);
+    std::vector<const OwnCell*> inOrder(columns_.own.size());
+    for (const OwnCell& cell : cells) {
+      const auto place = places_.find(cell.column);
+      if (place == places_.end())
+        throw RecordError(
+            0, "has '" + cell.column + "', which the first record has not; CSV columns are the first record's");
+      inOrder[place->second] = &cell;
+    }
+    for (std::size_t i = 0; i < inOrder.size(); ++i) {
+      if (i > 0) out_ += ',';
+      if (inOrder[i]) out_ += inOrder[i]->text;
+    }
+  }
+
   void cell(double value) {
     out_ += ',';
     if (!std::isfinite(value)) return;
@@ -265,6 +286,7 @@ class CsvWriter final : public RecordWriter {
 
   const WriterSetup& setup_;
   CsvColumns& columns_;
+  std::unordered_map<std::string_view, std::size_t> places_;  ///< of the columns, once they are needed by name
   bool headerIsNew_ = false;
   std::size_t start_ = 0;
 };
@@ -287,6 +309,12 @@ CsvColumns csvColumns(const WriterSetup& setup, const CsvHeader* input, std::str
   for (const std::string& column : columns.results) out += "," + column;
   out += '\n';
   return columns;
+}
+
+std::string lastResultColumn(const WriterSetup& setup) {
+  ColumnCollector collector("", false);
+  setup.exampleResults(collector);
+  return collector.columns.empty() ? "" : collector.columns.back();
 }
 
 void writeDueHeader(CsvColumns& columns, const WriterSetup& setup, const std::function<void(std::string_view)>& write) {

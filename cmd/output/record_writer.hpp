@@ -126,6 +126,9 @@ struct CsvColumns {
 /// Throws RecordError where columns have the same name. Appends the header line to out, if there is one to be.
 CsvColumns csvColumns(const WriterSetup& setup, const CsvHeader* input, std::string_view line, TextBuffer& out);
 
+/// The last of the results' columns, without a prefix.
+std::string lastResultColumn(const WriterSetup& setup);
+
 /// The header of columns that were a record's, and the bad records that came before it; also after the last record,
 /// where there were bad ones alone.
 void writeDueHeader(CsvColumns& columns, const WriterSetup& setup, const std::function<void(std::string_view)>& write);

@@ -98,7 +98,8 @@ class RecordReader {
 
 /// fast: with simdjson, where it agrees with nlohmann-json; otherwise with the latter alone, for comparison.
 std::unique_ptr<RecordReader> makeJsonReader(bool fast = true);
-std::unique_ptr<RecordReader> makeCsvReader(const Shape& header);
+/// lastResult: the last column of this command's results, without a prefix.
+std::unique_ptr<RecordReader> makeCsvReader(const Shape& header, const std::string& lastResult);
 std::unique_ptr<RecordReader> makeTextReader();
 std::unique_ptr<RecordReader> makeBinaryReader();
 

@@ -173,10 +173,22 @@ bool BlockReader::next(Block& block) {
   block.fault.reset();
   if (over_) return false;
   ByteBuffer& bytes = block.bytes;
-  bytes.assign(carried_.view());
+  std::size_t whole = 0, from = 0;
+  if (given_ > 0) {
+    // What is much is not moved for each block.
+    std::swap(bytes, carried_);
+    from = std::exchange(given_, 0);
+    whole = wholeRecords(block, bytes.view().substr(from));
+    if (whole > 0 || !block.bad.empty()) {
+      keepRest(block, from, whole);
+      return true;
+    }
+    bytes.assign(bytes.view().substr(std::exchange(from, 0)));
+  } else {
+    bytes.assign(carried_.view());
+  }
   carried_.resize(0);
   std::size_t most = std::max(block_, bytes.size());
-  std::size_t whole = 0;
   try {
     for (std::size_t lookedAt = npos;;) {
       const bool full = bytes.size() == most;
@@ -196,22 +208,38 @@ bool BlockReader::next(Block& block) {
     }
   } catch (const InputError& e) {
     // What was read before goes out; a record that the error cut off does not.
+    failed_ = true;
     whole = wholeRecords(block, bytes.view());
     block.fault = {{0, 0}, e.what()};
   }
-  const std::string_view text = bytes.view();
-  carried_.assign(text.substr(whole));
-  lookedAt_ = 0;
-  csv_ = {};
-  block.inputBytes = whole;
-  if (block.records.data() == nullptr) block.records = text.substr(0, whole);
-  const auto begin = static_cast<std::size_t>(block.records.data() - text.data());
+  keepRest(block, from, whole);
+  return whole > 0 || block.fault || !block.bad.empty();  // as where the input ends in an array
+}
+
+void BlockReader::keepRest(Block& block, std::size_t from, std::size_t whole) {
+  ByteBuffer& bytes = block.bytes;
+  const std::string_view text = bytes.view().substr(from);
+  const std::size_t begin = block.records.data() ? static_cast<std::size_t>(block.records.data() - text.data()) : 0;
+  const std::size_t size = block.records.data() ? block.records.size() : whole;
   moveOn(text.substr(0, begin));
   block.position = position_;
   moveOn(text.substr(begin, whole - begin));
-  block.last = atEnd_ && carried_.size() == 0;
-  over_ = block.fault || block.last || (atEnd_ && carried_.size() == 0);
-  return whole > 0 || block.fault || !block.bad.empty();  // as where the input ends in an array
+  block.inputBytes = whole;
+  const std::size_t rest = text.size() - whole;
+  if (rest > block_) {
+    std::swap(bytes, carried_);
+    given_ = from + whole;
+    bytes.assign(text.substr(0, whole));
+  } else {
+    carried_.assign(text.substr(whole));
+    if (from > 0) bytes.assign(text.substr(0, whole));
+    bytes.resize(whole);
+  }
+  block.records = bytes.view().substr(begin, size);
+  lookedAt_ = 0;
+  csv_ = {};
+  block.last = atEnd_ && rest == 0;
+  over_ = block.fault || block.last;
 }
 
 bool BlockReader::mayEndRecord(std::string_view fresh) const {
@@ -235,19 +263,24 @@ std::size_t BlockReader::wholeRecords(Block& block, std::string_view text) {
 std::size_t BlockReader::wholeJson(Block& block, std::string_view text) {
   if (state_.place != JsonState::Place::top) return wholeArrayRecords(block, text);
   block.state = state_;
-  if (atEnd_) return text.size();
+  const bool muchIsLeft = isMuch(text);
+  if (atEnd_ && !muchIsLeft) return text.size();
   // What ends at a border is whole, be it right or wrong: whoever works on the block will see.
   std::size_t whole = 0;
-  const std::size_t border = lastBorder(text, std::exchange(lookedAt_, text.size()));
+  const std::size_t border = muchIsLeft ? npos : lastBorder(text, std::exchange(lookedAt_, text.size()));
   if (border != npos && !mayOpenArray(text.substr(0, border))) {
     state_ = {};
-    state_.column = border - text.rfind('\n', border) - 1;
+    state_.column = border - findLastLineBreak(text.substr(0, border)) - 1;
     splitter_ = JsonSplitter(state_);
     whole = border;
   }
+  splitter_.explain(false);  // whoever works on the block will
+  const auto end = atEnd_ ? JsonSplitter::End::ofInput : JsonSplitter::End::open;
   for (;;) {
-    JsonPiece piece = splitter_.next(text.substr(whole), JsonSplitter::End::open);
+    if (isFull(whole, text)) return whole;
+    JsonPiece piece = splitter_.next(text.substr(whole), end);
     if (piece.event == JsonEvent::needMore) return whole;
+    if (piece.event == JsonEvent::end) return text.size();
     if (piece.event == JsonEvent::beginArray) {
       const JsonSplitter behindOpening = splitter_;
       const std::size_t array = wholeArray(splitter_, text.substr(whole + piece.end));
@@ -269,21 +302,28 @@ std::size_t BlockReader::wholeJson(Block& block, std::string_view text) {
   }
 }
 
-/// Where the array ends whose opening bracket the splitter has passed; 0 if that cannot be said.
-std::size_t BlockReader::wholeArray(JsonSplitter& splitter, std::string_view text) {
+/// Where the array ends whose opening bracket the splitter has passed; 0 if that cannot be said, or is far.
+std::size_t BlockReader::wholeArray(JsonSplitter& splitter, std::string_view text) const {
+  const auto atEnd = atEnd_ ? JsonSplitter::End::ofInput : JsonSplitter::End::open;
   for (std::size_t end = 0;;) {
-    const JsonPiece piece = splitter.next(text.substr(end), JsonSplitter::End::open);
+    const JsonPiece piece = splitter.next(text.substr(end), atEnd);
     if (piece.event == JsonEvent::needMore) return 0;
     end += piece.end;
     if (piece.event == JsonEvent::endArray) return end;
+    if (isFull(end, text)) return 0;
   }
 }
 
 std::size_t BlockReader::wholeArrayRecords(Block& block, std::string_view text) {
   block.inArray = true;
+  splitter_.explain(true);
   char* const own = block.bytes.data() + (text.data() - block.bytes.data());
   std::size_t whole = 0;
   for (;;) {
+    if (isFull(whole, text)) {
+      state_ = splitter_.state();
+      return whole;
+    }
     const bool inDocument = splitter_.state().inDocument;
     const JsonPiece piece =
         splitter_.next(text.substr(whole), atEnd_ ? JsonSplitter::End::ofInput : JsonSplitter::End::open);
@@ -301,7 +341,7 @@ std::size_t BlockReader::wholeArrayRecords(Block& block, std::string_view text) 
     }
     if (piece.event == JsonEvent::bad || piece.event == JsonEvent::passed || ends)
       for (std::size_t at = begin; at < whole; ++at)
-        if (own[at] != '\n') own[at] = ' ';
+        if (!isLineBreak(own[at])) own[at] = ' ';
     if (piece.event == JsonEvent::needMore || ends) {
       state_ = splitter_.state();
       return whole;

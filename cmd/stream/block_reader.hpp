@@ -96,7 +96,14 @@ class BlockReader {
   std::size_t wholeRecords(Block& block, std::string_view text);
   std::size_t wholeJson(Block& block, std::string_view text);
   std::size_t wholeArrayRecords(Block& block, std::string_view text);
-  static std::size_t wholeArray(JsonSplitter& splitter, std::string_view text);
+  std::size_t wholeArray(JsonSplitter& splitter, std::string_view text) const;
+  /// JSON: what a long record that does not close leaves is given out in blocks as large as others.
+  bool isMuch(std::string_view text) const { return text.size() > 4 * block_ && !failed_; }
+  bool isFull(std::size_t whole, std::string_view text) const {
+    return whole >= block_ && whole < text.size() && isMuch(text);
+  }
+  /// Takes what the block is made of out of `bytes`, and keeps the rest for the next one.
+  void keepRest(Block& block, std::size_t from, std::size_t whole);
   /// Whether a record can end in bytes that were not looked at yet.
   bool mayEndRecord(std::string_view fresh) const;
   /// Reads into carried_ until what is new has a line break, or no more is to be had or to be kept.
@@ -111,8 +118,9 @@ class BlockReader {
   int wake_ = -1;
   std::size_t block_ = kBlock;
   Form form_ = Form::json;
-  ByteBuffer carried_;  ///< read, not yet given out
-  bool atEnd_ = false, over_ = false;
+  ByteBuffer carried_;     ///< read, not yet given out
+  std::size_t given_ = 0;  ///< but for so much of carried_
+  bool atEnd_ = false, over_ = false, failed_ = false;
   TextPosition position_;
   JsonState state_;        ///< where carried_ begins
   JsonSplitter splitter_;  ///< on the way through what it holds

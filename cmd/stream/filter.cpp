@@ -18,6 +18,7 @@ struct Stream {
   OutputForm to = OutputForm::lines;
   bool writes = true;
   Shape header = {};
+  std::string lastResult = {};  ///< CSV: its column, without a prefix
   BatchSetup batch = {};
   CsvColumns columns = {};
 };
@@ -25,7 +26,7 @@ struct Stream {
 std::unique_ptr<RecordReader> makeReader(const Stream& stream) {
   switch (stream.form) {
     case Form::csv:
-      return makeCsvReader(stream.header);
+      return makeCsvReader(stream.header, stream.lastResult);
     case Form::text:
       return makeTextReader();
     case Form::f64:
@@ -109,6 +110,9 @@ TextBuffer readHeader(Stream& stream, BlockReader& reader) {
     if (fromCsv) {
       if (const std::size_t alone = loneReturn(line->text); alone < line->text.size())
         throw RecordError(alone, kLoneReturn);
+      std::vector<std::string_view> fields;
+      splitCsvLine(line->text, fields, kMostFields + 1);
+      requireClosedFields(line->text, fields);
       if (header.names.size() > kMostFields)
         throw RecordError(0, "has more than " + std::to_string(kMostFields) + " columns");
       RecordParts example{line->text, stream.header, {}};
@@ -144,10 +148,10 @@ void tryResults(Stream& stream) {
   stream.setup.writer.exampleResults(*writer);
 }
 
-Form formOfContent(BlockReader& reader) {
+Form formOfContent(BlockReader& reader, bool goesOn) {
   const std::string_view start = reader.firstBytes();
   if (wideEncoding(start).empty())
-    if (const auto form = formOfBytes(start)) return *form;
+    if (const auto form = formOfBytes(start, goesOn)) return *form;
   reader.requireUtf8();
   throw InputError(reader.name() + ": is binary; expected JSON, CSV or text, or --from f64 for little-endian doubles");
 }
@@ -163,7 +167,7 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
            : std::make_unique<BlockReader>(given);
   Stream stream{.setup = setup, .makeWork = makeWork, .writes = writes};
   const auto named = setup.from ? setup.from : formOfName(setup.file);
-  stream.form = !setup.given.empty() ? Form::json : named ? *named : formOfContent(*reader);
+  stream.form = !setup.given.empty() ? Form::json : named ? *named : formOfContent(*reader, setup.keepGoing);
   if (stream.form != Form::f64) reader->requireUtf8();
   reader->setForm(stream.form);
   const bool numbersOnly = stream.form == Form::text || stream.form == Form::f64;
@@ -178,6 +182,7 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
                   .checkNames = writes && toJson,
                   .prefix = setup.writer.prefix};
   setup.writer.table = stream.to == OutputForm::table;
+  if (stream.form == Form::csv && setup.writer.exampleResults) stream.lastResult = lastResultColumn(setup.writer);
   if (writes) tryResults(stream);
   const TextBuffer start = readHeader(stream, *reader);
 

@@ -4,8 +4,23 @@
 #include <utility>
 
 #include "input/encoding.hpp"
+#include "input/number.hpp"
 
 namespace viewproj::cmd {
+namespace {
+
+bool hasNumber(std::string_view line) {
+  constexpr std::string_view kBlanks = " \t\r";
+  for (std::size_t at = 0; (at = line.find_first_not_of(kBlanks, at)) != std::string_view::npos;) {
+    const std::size_t end = std::min(line.find_first_of(kBlanks, at), line.size());
+    if (parseNumber(line.substr(at, end - at))) return true;
+    at = end;
+  }
+  return false;
+}
+
+}  // namespace
+
 OutputForm sameForm(Form form) {
   switch (form) {
     case Form::csv:
@@ -30,7 +45,7 @@ std::optional<Form> formOfName(std::string_view fileName) {
   return std::nullopt;
 }
 
-std::optional<Form> formOfBytes(std::string_view start) {
+std::optional<Form> formOfBytes(std::string_view start, bool goesOn) {
   if (start.starts_with("\xEF\xBB\xBF")) start.remove_prefix(3);
   const std::size_t first = start.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) return Form::text;
@@ -42,7 +57,8 @@ std::optional<Form> formOfBytes(std::string_view start) {
   const std::string_view line = start.substr(0, start.find('\n'));
   const char c = start[0];
   const bool number = (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.' || line.starts_with("NaN");
-  return line.find(',') != std::string_view::npos || !number ? Form::csv : Form::text;
+  if (line.find(',') != std::string_view::npos) return Form::csv;
+  return number || hasNumber(line) || (goesOn && line.find(';') == std::string_view::npos) ? Form::text : Form::csv;
 }
 
 }  // namespace viewproj::cmd

@@ -19,8 +19,9 @@ OutputForm sameForm(Form form);
 /// By the file's name, or nothing.
 std::optional<Form> formOfName(std::string_view fileName);
 
-/// By the first bytes: `{` or `[` begins JSON, a comma or a word on the first line CSV, anything else with numbers is
-/// text. Nothing where they are no text at all; f64 is never guessed.
-std::optional<Form> formOfBytes(std::string_view start);
+/// By the first bytes: `{` or `[` begins JSON; a first line with a comma is CSV, any other with a number in it text,
+/// one of words alone a header. goesOn: a bad record may come first, so such words are one, unless `;` parts them.
+/// Nothing where they are no text at all; f64 is never guessed.
+std::optional<Form> formOfBytes(std::string_view start, bool goesOn);
 
 }  // namespace viewproj::cmd

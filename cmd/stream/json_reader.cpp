@@ -136,8 +136,8 @@ class JsonReader final : public RecordReader {
       if (splitter.isFresh() && mayReadMany(at))
         if (const std::size_t next = readMany(at); next > at) {
           JsonState state;
-          const std::size_t line = text_.rfind('\n', next - 1);
-          state.column = line == npos ? block.position.column - 1 + next : next - line - 1;
+          const std::size_t line = findLastLineBreak(text_.substr(0, next));
+          state.column = line == npos ? block.state.column + next : next - line - 1;
           splitter = JsonSplitter(state);
           at = next;
         }
@@ -168,6 +168,7 @@ class JsonReader final : public RecordReader {
     if (accepted && add(value, text)) return;
     try {
       const RecordParts record = jsonParts(text);
+      if (const auto message = markedBad(record)) throw RecordError(0, *message);
       const Plan& plan = batch_->planFor(record);
       Numbers numbers;
       cmd::readNumbers(record, plan.layout, numbers);

@@ -37,7 +37,7 @@ constexpr std::array<bool, 256> kOrdinary = [] {
 
 /// The first byte at `at` or behind it that counts within a string: a quote, a backslash or a line break.
 std::size_t endOfPlain(std::string_view text, std::size_t at) {
-  while (at < text.size() && text[at] != '"' && text[at] != '\\' && text[at] != '\n') ++at;
+  while (at < text.size() && text[at] != '"' && text[at] != '\\' && !isLineBreak(text[at])) ++at;
   return at;
 }
 
@@ -55,12 +55,23 @@ std::string_view withoutSpaceBehind(std::string_view text) { return text.substr(
 
 }  // namespace
 
+std::size_t findLineBreak(std::string_view text, std::size_t at) {
+  while (at < text.size() && !isLineBreak(text[at])) ++at;
+  return at < text.size() ? at : npos;
+}
+
+std::size_t findLastLineBreak(std::string_view text) {
+  std::size_t at = text.size();
+  while (at > 0 && !isLineBreak(text[at - 1])) --at;
+  return at > 0 ? at - 1 : npos;
+}
+
 std::size_t lastBorder(std::string_view text, std::size_t from) {
   for (std::size_t at = text.find_last_of("{["); at != npos && at > 0 && at >= from;
        at = text.find_last_of("{[", at - 1)) {
     if (!isSpace(text[at - 1])) continue;
     const std::size_t before = text.find_last_not_of(kSpace, at - 1);
-    if (before != npos && closes(text[before]) && text.substr(before, at - before).find('\n') != npos) return at;
+    if (before != npos && closes(text[before]) && findLineBreak(text.substr(0, at), before) != npos) return at;
   }
   return npos;
 }
@@ -81,7 +92,7 @@ bool mayOpenArray(std::string_view text) {
 }
 
 void JsonSplitter::moveOn(std::string_view over, bool blank) {
-  const std::size_t lineBreak = over.rfind('\n');
+  const std::size_t lineBreak = findLastLineBreak(over);
   const bool broken = lineBreak != npos;
   const std::string_view line = broken ? over.substr(lineBreak + 1) : over;
   state_.column = broken ? line.size() : state_.column + line.size();
@@ -93,10 +104,11 @@ void JsonSplitter::moveOn(std::string_view over, bool blank) {
     if (broken || state_.newLine) state_.onArraysLine = false;
     state_.newLine = false;
   }
-  passed_ += over.size();
   scanned_ = looked_ = 0;
   step_ = 0;
-  if (passed_ >= unclosedEnd_) unclosed_.reset();
+  if (!state_.unclosed) return;
+  state_.unclosedAt += over.size();
+  if (state_.unclosedAt >= state_.unclosed->size()) state_.unclosed.reset();
 }
 
 JsonPiece JsonSplitter::piece(JsonEvent event, std::string_view rest, std::size_t begin, std::size_t end) {
@@ -105,13 +117,13 @@ JsonPiece JsonSplitter::piece(JsonEvent event, std::string_view rest, std::size_
 }
 
 std::size_t JsonSplitter::columnOf(std::string_view rest, std::size_t at) const {
-  const std::size_t lineBreak = rest.substr(0, at).rfind('\n');
+  const std::size_t lineBreak = findLastLineBreak(rest.substr(0, at));
   return lineBreak == npos ? state_.column + at : at - lineBreak - 1;
 }
 
 /// An array that began in the line before is not continued so far to the left.
 bool JsonSplitter::endsArraysLine(std::string_view rest, std::size_t at) const {
-  const bool newLine = state_.newLine || rest.substr(0, at).find('\n') != npos;
+  const bool newLine = state_.newLine || findLineBreak(rest.substr(0, at), 0) != npos;
   return newLine && state_.onArraysLine && columnOf(rest, at) <= state_.arrayColumn;
 }
 
@@ -197,7 +209,7 @@ JsonPiece JsonSplitter::junk(std::string_view rest, std::size_t at, const char* 
 JsonPiece JsonSplitter::pass(std::string_view rest) {
   std::size_t at = 0;
   if (state_.passing == Passing::junk) {
-    for (; at < rest.size() && rest[at] != '\n'; ++at) {
+    for (; at < rest.size() && !isLineBreak(rest[at]); ++at) {
       const char c = rest[at];
       if (state_.escaped)
         state_.escaped = false;
@@ -215,7 +227,7 @@ JsonPiece JsonSplitter::pass(std::string_view rest) {
     char before = state_.before;
     for (; at < rest.size(); ++at, ++column) {
       const char c = rest[at];
-      if (c == '\n') {
+      if (isLineBreak(c)) {
         blank = true;
         column = npos;  // 0 at the next
       } else if (!isSpace(c)) {
@@ -292,9 +304,10 @@ JsonPiece JsonSplitter::atBracket(std::string_view rest, std::size_t at, bool at
       }
     }
     if (isKnownUnclosed(at)) {
-      const std::size_t end = unclosedEnd_ - passed_;
+      // The text may end where another splitter found the record to end.
+      const std::size_t end = std::min(state_.unclosed->size() - state_.unclosedAt, rest.size());
       const std::size_t line = nextLineOfRecord(rest, at + 1, end, columnOf(rest, at));
-      return unclosedRecord(rest, at, std::min(line, end), line == npos && unclosedCutLines_, false);
+      return unclosedRecord(rest, at, std::min(line, end), line == npos && state_.unclosedCutsLines, false);
     }
   }
   // Of numbers, or in an array: no brackets belong into it. looked_: what comes behind the bracket.
@@ -319,7 +332,7 @@ JsonSplitter::Scan JsonSplitter::scan(std::string_view rest, std::size_t begin, 
     looked_ = begin;
     flat_ = flat;
     scanned_ = begin + 1;
-    open_ = open;
+    open_.assign(1, open == '{');
     inString_ = lineBegins_ = cutLines_ = tooLong_ = false;
     before_ = rest[begin];
     column_ = columnOf(rest, begin);
@@ -331,13 +344,13 @@ JsonSplitter::Scan JsonSplitter::scan(std::string_view rest, std::size_t begin, 
       scanned_ = endOfPlain(text, scanned_);
       if (scanned_ == text.size()) break;
       const char c = text[scanned_];
-      if (c == '\n') {
+      if (isLineBreak(c)) {
         cutLines_ = true;
         return Scan::failed;
       }
       if (c == '\\') {
         if (scanned_ + 1 == text.size()) break;  // the escaped byte comes with the next block
-        scanned_ += text[scanned_ + 1] == '\n' ? 1 : 2;
+        scanned_ += isLineBreak(text[scanned_ + 1]) ? 1 : 2;
         continue;
       }
       inString_ = false;
@@ -354,7 +367,7 @@ JsonSplitter::Scan JsonSplitter::scan(std::string_view rest, std::size_t begin, 
       continue;
     }
     if (isSpace(c)) {
-      if (c == '\n') {
+      if (isLineBreak(c)) {
         lineBegins_ = true;
         line_ = scanned_ + 1;
       }
@@ -370,17 +383,17 @@ JsonSplitter::Scan JsonSplitter::scan(std::string_view rest, std::size_t begin, 
         if (closes(before_)) return Scan::failed;
         if (scanned_ - line_ <= column_) {
           if (firstLine_ == npos) firstLine_ = scanned_;
-          if (flat_ || (open_.back() == '{' && before_ != ':')) return Scan::failed;
+          if (flat_ || (open_.back() && before_ != ':')) return Scan::failed;
         }
       }
-      open_ += c;
+      open_.push_back(c == '{');
     } else {
       if (lineBegins && c == ']' && insideArray() && scanned_ - line_ <= column_) {
         if (firstLine_ == npos) firstLine_ = scanned_;
         lastEnd_ = scanned_;
-        if (open_.back() == '{') return Scan::failed;
+        if (open_.back()) return Scan::failed;
       }
-      if (firstLine_ != npos && (c == ']') != (open_.back() == '[')) return Scan::failed;
+      if (firstLine_ != npos && (c == '}') != open_.back()) return Scan::failed;
       open_.pop_back();
     }
     before_ = c;
@@ -404,36 +417,42 @@ JsonSplitter::Scan JsonSplitter::scan(std::string_view rest, std::size_t begin, 
 
 /// Notes all brackets from begin on that are not closed before the scan's end.
 void JsonSplitter::noteUnclosed(std::string_view rest, std::size_t begin) {
-  const auto unclosed = std::make_shared<std::vector<std::size_t>>();
   const std::string_view text = rest.substr(0, scanned_);
+  const auto unclosed = std::make_shared<std::vector<bool>>(text.size());
   for (std::size_t at = begin; at < text.size(); ++at) {
     const char c = text[at];
     if (c == '"') {
       for (++at; at < text.size() && text[at] != '"'; ++at) at += text[at] == '\\';
-    } else if (opens(c)) {
-      unclosed->push_back(passed_ + at);
-    } else if (closes(c) && !unclosed->empty()) {
-      unclosed->pop_back();
+    } else if (opens(c) || closes(c)) {
+      (*unclosed)[at] = true;
     }
   }
-  unclosed_ = unclosed;
-  nextUnclosed_ = 0;
-  unclosedEnd_ = passed_ + scanned_;
-  unclosedCutLines_ = cutLines_;
+  std::size_t closing = 0;
+  for (std::size_t at = text.size(); at > begin; --at) {
+    if (!(*unclosed)[at - 1]) continue;
+    const bool closed = closes(text[at - 1]) || closing > 0;
+    if (!closed) continue;
+    closing = closes(text[at - 1]) ? closing + 1 : closing - 1;
+    (*unclosed)[at - 1] = false;
+  }
+  state_.unclosed = unclosed;
+  state_.unclosedAt = 0;
+  state_.unclosedCutsLines = cutLines_;
 }
 
-bool JsonSplitter::isKnownUnclosed(std::size_t at) {
-  if (!unclosed_) return false;
-  while (nextUnclosed_ < unclosed_->size() && (*unclosed_)[nextUnclosed_] < passed_ + at) ++nextUnclosed_;
-  return nextUnclosed_ < unclosed_->size() && (*unclosed_)[nextUnclosed_] == passed_ + at;
+bool JsonSplitter::isKnownUnclosed(std::size_t at) const {
+  if (!state_.unclosed) return false;
+  const std::size_t bit = state_.unclosedAt + at;
+  return bit < state_.unclosed->size() && (*state_.unclosed)[bit];
 }
 
 /// The first opening bracket between from and end that begins a line no farther right than column; npos: none.
 std::size_t JsonSplitter::nextLineOfRecord(std::string_view rest, std::size_t from, std::size_t end,
                                            std::size_t column) const {
   const std::string_view text = rest.substr(0, end);
-  for (std::size_t lineBreak = text.find('\n', from); lineBreak != npos; lineBreak = text.find('\n', lineBreak + 1)) {
-    const std::size_t first = text.find_first_not_of(" \t\r", lineBreak + 1);
+  for (std::size_t lineBreak = findLineBreak(text, from); lineBreak != npos;
+       lineBreak = findLineBreak(text, lineBreak + 1)) {
+    const std::size_t first = text.find_first_not_of(" \t", lineBreak + 1);
     if (first == npos) break;
     const bool asRecord = opens(text[first]) || (text[first] == ']' && insideArray());
     if (asRecord && first - lineBreak - 1 <= column) return first;
@@ -445,6 +464,7 @@ std::size_t JsonSplitter::nextLineOfRecord(std::string_view rest, std::size_t fr
 JsonPiece JsonSplitter::failedRecord(std::string_view rest, std::size_t at) {
   if (firstLine_ == npos) return unclosedRecord(rest, at, scanned_, cutLines_, tooLong_);
   if (firstLine_ < scanned_) noteUnclosed(rest, at);
+  open_ = {};
   return unclosedRecord(rest, at, firstLine_, false, false);
 }
 
@@ -452,7 +472,8 @@ JsonPiece JsonSplitter::unclosedRecord(std::string_view rest, std::size_t at, st
                                        bool tooLong) {
   const std::size_t column = columnOf(rest, at);
   JsonPiece bad = piece(JsonEvent::bad, rest, at, end);
-  const JsonFault fault = tooLong
+  const JsonFault fault = !explains_ ? JsonFault{0, kNotClosed}
+                          : tooLong
                               ? JsonFault{0, "a record longer than " + std::to_string(kLongestRecord >> 20) + " MiB"}
                               : unclosedFault(withoutSpaceBehind(bad.text));
   bad.message = fault.message;
@@ -493,7 +514,7 @@ JsonPiece JsonSplitter::endOfArray(std::string_view rest, std::size_t at, bool a
   }
   if (state_.place != Place::firstInArray) {
     // An array does not end before a comma.
-    looked_ = std::min(rest.find_first_not_of(" \t\r", std::max(looked_, at + 1)), rest.size());
+    looked_ = std::min(rest.find_first_not_of(" \t", std::max(looked_, at + 1)), rest.size());
     if (looked_ == rest.size() && !atEnd) return {};
     if (looked_ < rest.size() && (rest[looked_] == ',' || rest[looked_] == '}')) return junk(rest, at, kNoSeparator);
   }

@@ -12,6 +12,12 @@
 
 namespace viewproj::cmd {
 
+/// A line of JSON ends with LF, CRLF or CR.
+inline bool isLineBreak(char c) { return c == '\n' || c == '\r'; }
+/// The first or last line break at `at` or behind or before it, or npos.
+std::size_t findLineBreak(std::string_view text, std::size_t at);
+std::size_t findLastLineBreak(std::string_view text);
+
 /// A JSON record that is longer is an error, and so is one of any other form.
 inline constexpr std::size_t kLongestRecord = 64 << 20;
 
@@ -58,6 +64,12 @@ struct JsonState {
   char before = 0;                         ///< the last byte that is not white space
   std::size_t arrayColumn = 0;
   bool onArraysLine = false;  ///< the array began in the line of the last piece
+
+  /// A bit for each byte of a stretch of the text: a bracket that was found not to be closed before the stretch ends.
+  /// No record that begins with one is looked through again.
+  std::shared_ptr<const std::vector<bool>> unclosed;
+  std::size_t unclosedAt = 0;      ///< where in the stretch the next byte is
+  bool unclosedCutsLines = false;  ///< what does not close there goes on to a line that begins as a record does
 };
 
 /// Cuts a stream into pieces, from left to right.
@@ -69,11 +81,13 @@ class JsonSplitter {
   /// rest: all bytes behind the last piece, which begin with the same ones if the last call needed more. end: what it
   /// ends with; ofBlock: where another splitter found a piece to end.
   JsonPiece next(std::string_view rest, End end);
+  /// Without it no time is spent on what exactly is wrong with a record that is not closed.
+  void explain(bool faults) { explains_ = faults; }
 
   /// Between an array's brackets.
   bool insideArray() const { return state_.place != JsonState::Place::top; }
   /// Nothing of what comes next was looked at.
-  bool isFresh() const { return !insideArray() && state_.passing == JsonState::Passing::nothing && !unclosed_; }
+  bool isFresh() const { return !insideArray() && state_.passing == JsonState::Passing::nothing && !state_.unclosed; }
   /// One who begins here, with this state, finds the same pieces.
   const JsonState& state() const { return state_; }
 
@@ -97,7 +111,7 @@ class JsonSplitter {
 
   Scan scan(std::string_view rest, std::size_t begin, char open, bool flat, bool atEnd);
   void noteUnclosed(std::string_view rest, std::size_t begin);
-  bool isKnownUnclosed(std::size_t at);
+  bool isKnownUnclosed(std::size_t at) const;
   std::size_t nextLineOfRecord(std::string_view rest, std::size_t from, std::size_t end, std::size_t column) const;
   std::size_t columnOf(std::string_view rest, std::size_t at) const;
   bool endsArraysLine(std::string_view rest, std::size_t at) const;
@@ -105,11 +119,10 @@ class JsonSplitter {
   DocumentStart arrayStart(std::string_view rest, std::size_t at);
 
   JsonState state_;
-  std::size_t passed_ = 0;  ///< bytes, in pieces
 
   // How far an unfinished piece was looked at.
   std::size_t scanned_ = 0;
-  std::string open_;  ///< the brackets that are
+  std::vector<bool> open_;  ///< the brackets that are; true: {
   bool inString_ = false, lineBegins_ = false;
   std::size_t line_ = 0, column_ = 0;
   char before_ = 0;
@@ -118,11 +131,7 @@ class JsonSplitter {
   bool flat_ = false, cutLines_ = false, tooLong_ = false;
   std::size_t looked_ = 0;
   int step_ = 0;
-
-  // Brackets found not to be closed before an end, so that no record that begins with one is looked through again.
-  std::shared_ptr<const std::vector<std::size_t>> unclosed_;
-  std::size_t nextUnclosed_ = 0, unclosedEnd_ = 0;
-  bool unclosedCutLines_ = false;
+  bool explains_ = true;
 };
 
 }  // namespace viewproj::cmd

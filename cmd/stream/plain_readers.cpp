@@ -1,4 +1,5 @@
 // Records of CSV, text and f64.
+#include <algorithm>
 #include <bit>
 #include <charconv>
 #include <cmath>
@@ -29,7 +30,22 @@ bool readPlainNumbers(const std::vector<std::string_view>& values, const Layout&
 
 class CsvReader final : public RecordReader {
  public:
-  explicit CsvReader(const Shape& header) : header_(header), error_(header.find("error")) {}
+  CsvReader(const Shape& header, const std::string& lastResult) : header_(header) {
+    constexpr std::string_view kError = "error";
+    for (std::size_t i = 0; i < header.names.size(); ++i) {
+      std::string_view prefix = header.names[i];
+      if (!prefix.ends_with(kError)) continue;
+      prefix.remove_suffix(kError.size());
+      std::string_view before = i > 0 ? std::string_view(header.names[i - 1]) : "";
+      const bool prefixed = before.starts_with(prefix);
+      if (prefixed) before.remove_prefix(prefix.size());
+      const bool isResult = prefixed && !before.empty() &&
+                            (before == lastResult || std::find(std::begin(kLastResults), std::end(kLastResults),
+                                                               before) != std::end(kLastResults));
+      errors_.push_back({i, isResult});
+      behindResults_ |= isResult;
+    }
+  }
 
   void read(Block& block, Batch& batch) override {
     const std::string_view text = block.records;
@@ -49,6 +65,10 @@ class CsvReader final : public RecordReader {
  private:
   static constexpr std::size_t npos = std::string_view::npos;
   static constexpr std::size_t kNoSlot = kMostNumbers;
+  /// Columns of results that may be a command's last, in front of the error.
+  static constexpr std::string_view kLastResults[] = {
+      "screen_y", "depth", "view_distance", "visible", "outside",      "ndc_z",      "clip_w",
+      "view_z",   "bound", "direction_z",   "point_z", "hit_normal_z", "hit_height", "plane"};
 
   /// For each field the slot of its number.
   static std::vector<std::size_t> slotsOf(const Layout& layout, std::size_t fields) {
@@ -80,8 +100,10 @@ class CsvReader final : public RecordReader {
           // To the quote that closes; two are one of the field's own.
           for (++at; at < end && (*at != '"' || (at + 1 < end && at[1] == '"')); ++at) at += *at == '"';
           if (at >= end) return npos;
+          ++at;
+        } else {
+          while (at < end && *at != ',' && *at != '\n') ++at;
         }
-        while (at < end && *at != ',' && *at != '\n') ++at;
       }
     }
     if (at < end && *at == '\r') ++at;
@@ -93,19 +115,26 @@ class CsvReader final : public RecordReader {
     return lineEnd;
   }
 
-  /// What --keep-going put in place of a bad record is one still. Its message is no number, as an error of the user's
-  /// is.
-  void requireNoError(const RecordParts& record) const {
-    const std::string message = csvValue(record.values[*error_]);
-    if (!isBlank(message) && !parseNumber(message)) throw RecordError(record.offset(*error_), message);
+  /// What --keep-going put in place of a bad record is one still: in such a row a message stands behind a result that
+  /// is blank, or all numbers that are needed are blank. A message is no number.
+  void requireNoError(const RecordParts& record, const Layout* layout) const {
+    const auto needed = [&](const NumberField& part) { return isBlank(csvValue(record.values[part.field])); };
+    if (layout && !std::all_of(layout->parts.begin(), layout->parts.end(), needed)) return;
+    for (const ErrorColumn& error : errors_) {
+      if (!layout && !(error.behindResult && isBlank(csvValue(record.values[error.column - 1])))) continue;
+      const std::string message = csvValue(record.values[error.column]);
+      if (!isBlank(message) && !parseNumber(message))
+        throw RecordError(record.offset(error.column), markedBad(message));
+    }
   }
 
   void readLine(std::string_view line, Batch& batch) {
     try {
       const RecordParts record = csvParts(line, header_);
-      if (error_) requireNoError(record);
+      if (!errors_.empty()) requireNoError(record, nullptr);
       const Plan& plan = batch.planFor(record);
-      if (slots_.empty() && !error_) slots_ = slotsOf(plan.layout, header_.size);
+      if (!errors_.empty()) requireNoError(record, &plan.layout);
+      if (slots_.empty() && !behindResults_) slots_ = slotsOf(plan.layout, header_.size);
       Numbers numbers;
       readNumbers(record, plan.layout, numbers);
       batch.add(line, plan, numbers);
@@ -115,7 +144,13 @@ class CsvReader final : public RecordReader {
   }
 
   const Shape& header_;
-  std::optional<std::size_t> error_;  ///< its column
+  /// A column that may have what --keep-going said.
+  struct ErrorColumn {
+    std::size_t column;
+    bool behindResult;  ///< as that writes it
+  };
+  std::vector<ErrorColumn> errors_;
+  bool behindResults_ = false;  ///< one of them
   std::vector<std::size_t> slots_;
 };
 
@@ -190,7 +225,9 @@ class BinaryReader final : public RecordReader {
 
 }  // namespace
 
-std::unique_ptr<RecordReader> makeCsvReader(const Shape& header) { return std::make_unique<CsvReader>(header); }
+std::unique_ptr<RecordReader> makeCsvReader(const Shape& header, const std::string& lastResult) {
+  return std::make_unique<CsvReader>(header, lastResult);
+}
 std::unique_ptr<RecordReader> makeTextReader() { return std::make_unique<TextReader>(); }
 std::unique_ptr<RecordReader> makeBinaryReader() { return std::make_unique<BinaryReader>(); }
 

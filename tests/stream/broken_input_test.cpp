@@ -195,7 +195,9 @@ TEST_CASE("a quote of CSV that does not close ends the table with one row") {
       runStream("x,y,z,a,b\n1,2,3,a,b\n4,5,6,\"not\nclosed,7\n8,9,10,a,b\n", {.from = Form::csv, .keepGoing = true});
   CHECK(all.out ==
         "x,y,z,a,b,sum,twice_x,twice_y,twice_z,error\n1,2,3,a,b,6,2,4,6,\n"
-        "4,5,6,,,,,,,the quote that opens here is not closed\n");
+        "4,5,6,,,,,,,\"the quote that opens here is not closed; not in this row: "
+        "'\"\"not<U+000A>closed,7<U+000A>8,9,10,a,"
+        "b<U+000A>'\"\n");
   CHECK(all.err == "viewproj: <stdin>:3:7: the quote that opens here is not closed\n");
 }
 
@@ -285,11 +287,11 @@ TEST_CASE("columns of CSV are those of the first good record, however many bad o
       const std::vector<std::string> rows = linesOf(run.out);
       REQUIRE(rows.size() == lines + 3);
       CHECK(rows[0] == "position_x,position_y,position_z,sum,twice_x,twice_y,twice_z,error");
-      CHECK(rows[2] == ",,,,,,,would fill the column 'position_x' twice");
-      CHECK(rows[3] == ",,,,,,,already has a column 'sum'; --prefix P puts P in front of the results' names");
-      CHECK(rows[4] == ",,,,,,,x is 4713");
+      CHECK(rows[2] == ",,,,,,,line 2: would fill the column 'position_x' twice");
+      CHECK(rows[3] == ",,,,,,,line 3: already has a column 'sum'; --prefix P puts P in front of the results' names");
+      CHECK(rows[4] == ",,,,,,,line 4: x is 4713");
       CHECK(rows[lines + 1] == "4,5,6,15,8,10,12,");
-      CHECK(rows[lines + 2].starts_with(",,,,,,,has 2 numbers"));
+      CHECK(rows[lines + 2].starts_with(",,,,,,,line " + std::to_string(lines + 2) + ": has 2 numbers"));
       for (const std::string& row : rows)
         CHECK(row.starts_with(rows[0].substr(0, 3)) + row.starts_with(",,,,,,,") + row.starts_with("4,5,6,15") == 1);
     }
@@ -360,4 +362,72 @@ TEST_CASE("the CSV of a run that kept going is read again, its bad rows as bad r
   }
   const StreamRun json = runStream("[1]\n", {.from = Form::json, .keepGoing = true, .prefix = "p."});
   CHECK(json.out.starts_with("{\"line\":1,\"p.error\":"));
+}
+
+TEST_CASE("a row is marked bad by an earlier run where its results are blank, and not by a column of the user's") {
+  struct Case {
+    const char *name, *input;
+    bool bad;
+  };
+  const Case cases[] = {
+      {"a column of the user's", "x,y,z,error\n1,2,3,no fix\n", false},
+      {"behind a blank one", "x,y,z,note,error\n1,2,3,,no fix\n", false},
+      {"behind a prefix that is not its own", "x,y,z,q_depth,error\n1,2,3,,no fix\n", false},
+      {"a number of the user's", "x,y,z,depth,error\n1,2,3,,0.5\n", false},
+      {"results that are there", "x,y,z,depth,error\n1,2,3,4,no fix\n", false},
+      {"results that are blank", "x,y,z,depth,error\n1,2,3,,no fix\n", true},
+      {"of a prefix", "x,y,z,q_twice_z,q_error\n1,2,3,,no fix\n", true},
+      {"of another command", "x,y,z,q_hit_normal_z,q_error\n1,2,3,,no fix\n", true},
+      {"nothing that is needed", "x,y,z,note,my_error\n,,,a,no fix\n", true},
+  };
+  for (const Case& one : cases) {
+    const StreamRun run = runStream(one.input, {.from = Form::csv});
+    INFO(one.name << "\n" << run.out << run.err);
+    CHECK(run.status == (one.bad ? 1 : 0));
+    CHECK((run.err.find(": marked bad by an earlier run: no fix") != std::string::npos) == one.bad);
+  }
+}
+
+TEST_CASE("what --keep-going put in the place of a bad record keeps its first message") {
+  const std::string input = "[1,2,3]\n\n[4,5]\n[NaN]\n";
+  for (const OutputForm to : {OutputForm::lines, OutputForm::csv}) {
+    std::string text = input;
+    for (const char* prefix : {"", "p.", "q."}) {
+      const StreamRun run = runStream(text, {.to = to, .keepGoing = true, .prefix = prefix});
+      INFO(text << run.out << run.err);
+      const std::vector<std::string> rows = linesOf(run.out);
+      REQUIRE(rows.size() == (to == OutputForm::csv ? 4 : 3));
+      CHECK(linesOf(run.err).size() == 2);
+      const std::string mark = text == input ? "" : "marked bad by an earlier run: line 3: ";
+      CHECK(rows[rows.size() - 2].find(mark + "has 2 numbers") != std::string::npos);
+      CHECK(rows.back().find("not valid JSON") != std::string::npos);
+      text = run.out;
+    }
+  }
+}
+
+TEST_CASE("text behind the quote that closes is an error of its record, however it is read") {
+  const std::string input =
+      "name,x,y,z\nl,1,2,3\n\"a,1,2,3\n\"b,1,2,4\n\"c\" ,4,5,6\r\n\"d\"\r\"d\",4,5,6\n\"e\"\"\",7,8,9\n";
+  const StreamRun all = runStream(input, {.from = Form::csv, .keepGoing = true});
+  INFO(all.out << all.err);
+  CHECK(all.err.starts_with("viewproj: <stdin>:4:2: text behind the quote that closes"));
+  CHECK(linesOf(all.err).size() == 3);
+  CHECK(all.out.find("\n\"e\"\"\",7,8,9,24,14,16,18,\n") != std::string::npos);
+  // What is written is read again.
+  const StreamRun again = runStream(all.out, {.from = Form::csv, .keepGoing = true, .prefix = "p."});
+  CHECK(linesOf(again.err).size() == 3);
+  CHECK(again.err.find("marked bad by an earlier run: text behind") != std::string::npos);
+  for (const unsigned jobs : {1u, 3u})
+    for (std::size_t block = 1; block < 90; ++block)
+      CHECK(runStream(input, {.from = Form::csv, .keepGoing = true, .jobs = jobs, .block = block}) == all);
+  CHECK(runStream("a,\"b\"c,x,y,z\n1,2,3,4,5\n", {.from = Form::csv}).err.starts_with("<stdin>:1:6: text behind"));
+}
+
+TEST_CASE("a stream of text whose first record is bad is text") {
+  const std::string good = "6 2 4 6\n", bad = "NaN NaN NaN NaN\n";
+  CHECK(runStream("lamp 2 3\n1 2 3\n", {}).err.starts_with("<stdin>:1:1: 'lamp' is not a finite number"));
+  for (const char* first : {"lamp 2 3\n", "bad\n", "x 1,5\n"})
+    CHECK((runStream(first + std::string("1 2 3\n"), {.keepGoing = true}).out == bad + good) ==
+          (std::string_view(first).find(',') == std::string_view::npos));
 }

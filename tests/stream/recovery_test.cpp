@@ -181,6 +181,10 @@ TEST_CASE("every good record comes out once, in order, whatever is broken around
       other.block = 1 + random.below(jobs % 2 == 0 ? 40 : 400);
       CHECK(runStream(made.text, other) == all);
     }
+    // A carriage return ends a line as well.
+    std::string returns = made.text;
+    std::replace(returns.begin(), returns.end(), '\n', '\r');
+    CHECK(numbersOf(runStream(returns, how).out) == made.good);
     // Without it the first one ends the run, and the array is closed.
     const StreamRun first = runStream(made.text, {.from = Form::json, .to = OutputForm::array, .block = 64});
     CHECK(first.status == all.status);

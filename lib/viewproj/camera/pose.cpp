@@ -278,6 +278,59 @@ std::array<DDVec3, 3> transposedColumns(const std::array<DDVec3, 3>& rows) {
 
 void requireFinite(const FineVec3& v, const char* field) { requireFinite(viewproj::rounded(rounded(v.terms)), field); }
 
+/// The eye of a matrix from the world to the camera, -M^-1 t rounded, and M eye + t: what the rounding left over, as
+/// columns that hold one number each, to be named like the axes.
+struct RoundedEye {
+  Vec3 eye;
+  std::array<DDVec3, 3> residual;
+};
+
+/// Whether no product of a translation's part with an entry of a narrow row, of an eye's with one, or of a sum's rest
+/// underflows, and no sum overflows.
+bool isNarrowTranslation(const Vec3& t) {
+  return maxAbs(t) < 0x1p600 && isAbove(t.x, 0x1p-200) && isAbove(t.y, 0x1p-200) && isAbove(t.z, 0x1p-200);
+}
+
+RoundedEye eyeOf(const Inverse& inverted, const Mat4& matrix, const Vec3& translation) {
+  RoundedEye result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    Expansion<48> sum;
+    for (std::size_t j = 0; j < 3; ++j) sum.addScaled(inverted.adjugate[i][j], -translation[j]);
+    result.eye[i] = (sum.rounded() / inverted.determinant).hi;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    Expansion<8> sum;
+    for (std::size_t j = 0; j < 3; ++j) sum.addProduct(matrix[i][j], result.eye[j]);
+    sum.add(translation[i]);
+    result.residual[i].x = sum.rounded();
+  }
+  return result;
+}
+
+/// The same whatever the magnitudes.
+RoundedEye eyeOfDyadic(const Columns& c, const Mat4& matrix, const Vec3& translation) {
+  using Exact = Vector3<Dyadic>;
+  const auto exactly = [](const Vec3& v) { return Exact{v.x, v.y, v.z}; };
+  const auto cross = [](const Exact& a, const Exact& b) {
+    return Exact{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  };
+  const auto dot = [](const Exact& a, const Exact& b) { return a.x * b.x + a.y * b.y + a.z * b.z; };
+  const Exact columns[] = {exactly(c[0]), exactly(c[1]), exactly(c[2])}, t = exactly(translation);
+  const Wide determinant = dot(columns[0], cross(columns[1], columns[2])).rounded();
+  RoundedEye result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Dyadic sum = -dot(cross(columns[(i + 1) % 3], columns[(i + 2) % 3]), t);
+    result.eye[i] = nearestDouble(sum.rounded() / determinant);
+  }
+  if (!isFinite(result.eye)) return result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Dyadic rest =
+        dot(exactly({matrix[i][0], matrix[i][1], matrix[i][2]}), exactly(result.eye)) + Dyadic(translation[i]);
+    result.residual[i].x = toDoubleDouble(rest.rounded());
+  }
+  return result;
+}
+
 /// up is checked last, as the fields are named.
 Looking withUp(Looking l, const Vec3& up) {
   requireFinite(up, "up");
@@ -410,30 +463,16 @@ Pose poseFromCameraFromWorld(const Mat4& matrix, CameraAxes axes, Handedness wor
   const Columns c = checkedColumns(matrix, "cameraFromWorld");
   const Inverse inverted = inverse(c);
   requireHandedness(axes, world, inverted.determinant.hi < 0, "cameraFromWorld");
-  // eye = -M^-1 t rounded, and residual = M eye + t exactly; brought to unit size where a sum could overflow or a
-  // product underflow
-  const Vec3 translation{matrix[0][3], matrix[1][3], matrix[2][3]};
-  const double size = maxAbs(translation);
-  const int down = size > 0x1p900 || (size > 0 && size < 0x1p-400) ? std::ilogb(size) : 0;
-  Vec3 eye, scaledEye;
-  for (std::size_t i = 0; i < 3; ++i) {
-    Expansion<48> sum;
-    for (std::size_t j = 0; j < 3; ++j) sum.addScaled(inverted.adjugate[i][j], std::ldexp(-translation[j], -down));
-    eye[i] = std::ldexp((sum.rounded() / inverted.determinant).hi, down);
-    scaledEye[i] = std::ldexp(eye[i], -down);
-  }
-  if (!isFinite(eye)) throw CameraError("cameraFromWorld", "has its eye beyond the range of doubles, 1.8e308");
-  std::array<DDVec3, 3> residual;  // as columns that hold one number each, to be named like the axes
-  for (std::size_t i = 0; i < 3; ++i) {
-    Expansion<8> sum;
-    for (std::size_t j = 0; j < 3; ++j) sum.addProduct(matrix[i][j], scaledEye[j]);
-    sum.add(std::ldexp(translation[i], -down));
-    residual[i].x = scaleByPowerOfTwo(sum.rounded(), down);
-  }
-  const Axes left = toAxes(residual, axes);
   std::array<ExactVec3, 3> exact;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) exact[i][j] = {matrix[i][j]};
+  const Vec3 translation{matrix[0][3], matrix[1][3], matrix[2][3]};
+  const ExactRows exactRows = toExactRows(exact, 1, axes, {}, translation);
+  const auto [eye, residual] = exactRows.isNarrow && isNarrowTranslation(translation)
+                                   ? eyeOf(inverted, matrix, translation)
+                                   : eyeOfDyadic(c, matrix, translation);
+  if (!isFinite(eye)) throw CameraError("cameraFromWorld", "has its eye beyond the range of doubles, 1.8e308");
+  const Axes left = toAxes(residual, axes);
   const std::array<DDVec3, 3> rows = {{{matrix[0][0], matrix[0][1], matrix[0][2]},
                                        {matrix[1][0], matrix[1][1], matrix[1][2]},
                                        {matrix[2][0], matrix[2][1], matrix[2][2]}}};
@@ -441,7 +480,7 @@ Pose poseFromCameraFromWorld(const Mat4& matrix, CameraAxes axes, Handedness wor
           toAxes(rows, axes),
           toAxes(transposedColumns(inverted.rows), axes),
           {left.right.x, left.up.x, left.forward.x},
-          toExactRows(exact, 1, axes, {}, {matrix[0][3], matrix[1][3], matrix[2][3]})};
+          exactRows};
 }
 
 Pose poseFromColumns(const std::array<DDVec3, 3>& columns, const DDVec3& eye, CameraAxes axes, Handedness world) {

@@ -33,7 +33,8 @@ ErrorBound boundIn(const Camera& c, Precision precision, const Situation& s) {
   const double c1 = kRoundings * u * k.sizeXY * kSecondOrder;
   const double c2 = kRoundings * u * k.sizeW * kSecondOrder;
   const double sum = kUnitDouble * kSecondOrder;  // the last sum is in double in fast too
-  const double center = std::max(std::fabs(k.centerX.lo), std::fabs(k.centerY.lo));
+  const double center =
+      std::max(std::fabs(k.centerX.lo), std::fabs(k.centerY.lo)) + kExactParameter * std::max(k.reachX, k.reachY);
   const double largestRow = precision == Precision::fast ? kLargestRowFast : kLargestRow;
   if (!isInRange(k, largestRow, kLargestRange)) return {kInfinity, kInfinity};
   const double scale = std::fabs(k.depthScale.hi) + kSubnormal;

@@ -6,7 +6,8 @@
 // + |d1| + |d2| + residualReach and to first order
 //   |X^ - X| <= 6 u M D,  |W^ - W| <= 6 u F D          M = largest entry of the rows x and y, F = of the row w.
 // From X/W - X^/W^ = ((X - X^) - (X^/W^)(W - W^)) / W, with r = 1/W and t = D |r|, the rounding of r and of the product
-// (u each) and of the sum with the center (u) and the center's own rounding cE:
+// (u each) and of the sum with the center (u) and the center's own error cE (its rounding, and what its parts leave,
+// 2^-97 of the largest):
 //   |x^ - x| <= t (c1 + c2 |q|) + u' (2 |q| + |x|) + cE      c1 = 6 u M (1 + 2^-8), c2 = 6 u F (1 + 2^-8)
 // provided c2 t < 2^-10; 2^-8 takes up the second order and the evaluation of the bound itself. The last sum is in
 // double in fast too: u' of |x| is 2^-53 (1 + 2^-8) there. Window depth: the rounding of r (u), and in double those of
