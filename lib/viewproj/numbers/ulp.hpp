@@ -13,6 +13,7 @@ inline double halfUlp(double size) noexcept {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   size = std::fabs(size);
   if (!std::isfinite(size)) return kInfinity;
+  if (size == std::numeric_limits<double>::max()) return (size - std::nextafter(size, 0)) / 2;
   return std::max((std::nextafter(size, kInfinity) - size) / 2, std::numeric_limits<double>::denorm_min());
 }
 
