@@ -8,12 +8,12 @@
 #include <string_view>
 #include <vector>
 
-#include "commands/command.hpp"
+#include "commands/run.hpp"
 #include "commands/help.hpp"
-#include "input/error.hpp"
-#include "input/names.hpp"
 #include "output/output_file.hpp"
 #include "stream/interrupt.hpp"
+#include "text/error.hpp"
+#include "text/names.hpp"
 #include "viewproj/numbers/arithmetic.hpp"
 
 namespace {

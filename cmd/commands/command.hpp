@@ -11,7 +11,7 @@ class App;
 
 namespace viewproj::cmd {
 
-/// What a command does once its options are parsed. Returns the exit status; throws what input/error.hpp lists.
+/// What a command does once its options are parsed. Returns the exit status; throws what text/error.hpp lists.
 using Action = std::function<int()>;
 
 struct Command {
@@ -22,9 +22,6 @@ struct Command {
 };
 
 std::span<const Command> allCommands();
-
-/// argv[0] is the command's name. Returns the exit status; throws what input/error.hpp lists.
-int runCommand(const Command& command, int argc, char** argv);
 
 Action defineProject(CLI::App& app);
 Action defineRay(CLI::App& app);

@@ -1,12 +1,12 @@
 // viewproj cull: what of points and shapes lies in the view.
 #include "commands/command.hpp"
 #include "commands/options.hpp"
-#include "input/error.hpp"
 #include "input/shapes.hpp"
-#include "output/number.hpp"
 #include "output/output_file.hpp"
 #include "output/side_names.hpp"
 #include "stream/filter.hpp"
+#include "text/error.hpp"
+#include "text/format_number.hpp"
 #include "viewproj/view/frustum.hpp"
 
 namespace viewproj::cmd {

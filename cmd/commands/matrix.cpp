@@ -1,12 +1,12 @@
 // viewproj matrix: a camera's matrices, and the camera itself in another form.
 #include "commands/command.hpp"
 #include "commands/options.hpp"
-#include "input/error.hpp"
-#include "input/names.hpp"
 #include "output/camera_text.hpp"
 #include "output/matrix_text.hpp"
-#include "output/number.hpp"
 #include "output/output_file.hpp"
+#include "text/error.hpp"
+#include "text/format_number.hpp"
+#include "text/names.hpp"
 #include "viewproj/view/matrices.hpp"
 
 namespace viewproj::cmd {

@@ -9,11 +9,11 @@
 #include "commands/help.hpp"
 #include "input/camera_source.hpp"
 #include "input/convention_names.hpp"
-#include "input/error.hpp"
-#include "input/names.hpp"
-#include "input/number.hpp"
-#include "output/number.hpp"
 #include "output/output_file.hpp"
+#include "text/error.hpp"
+#include "text/format_number.hpp"
+#include "text/names.hpp"
+#include "text/parse_number.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -6,11 +6,11 @@
 
 #include "commands/command.hpp"
 #include "commands/options.hpp"
-#include "input/error.hpp"
 #include "input/points.hpp"
 #include "input/scene.hpp"
-#include "output/number.hpp"
 #include "stream/filter.hpp"
+#include "text/error.hpp"
+#include "text/format_number.hpp"
 #include "viewproj/camera/geodesy.hpp"
 #include "viewproj/view/hits.hpp"
 #include "viewproj/view/screen.hpp"

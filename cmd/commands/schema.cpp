@@ -4,10 +4,10 @@
 
 #include "commands/command.hpp"
 #include "commands/options.hpp"
-#include "input/error.hpp"
-#include "input/names.hpp"
 #include "output/output_file.hpp"
 #include "schema/schemas.hpp"
+#include "text/error.hpp"
+#include "text/names.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -2,10 +2,10 @@
 
 #include "input/convention_fields.hpp"
 #include "input/convention_names.hpp"
-#include "input/error.hpp"
 #include "input/geodetic.hpp"
 #include "input/projection_types.hpp"
 #include "input/viewport_fields.hpp"
+#include "text/error.hpp"
 #include "viewproj/camera/error.hpp"
 
 namespace viewproj::cmd {

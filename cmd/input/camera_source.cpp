@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <unordered_map>
 
-#include "input/error.hpp"
-#include "input/importer.hpp"
-#include "input/names.hpp"
+#include "input/importers/importer.hpp"
+#include "text/error.hpp"
+#include "text/names.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -1,7 +1,7 @@
 #include "input/convention_fields.hpp"
 
 #include "input/convention_names.hpp"
-#include "input/names.hpp"
+#include "text/names.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -5,13 +5,13 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "input/encoding.hpp"
-#include "input/error.hpp"
-#include "input/file.hpp"
-#include "input/glb.hpp"
-#include "input/json_text.hpp"
-#include "input/names.hpp"
-#include "input/visible.hpp"
+#include "input/importers/glb.hpp"
+#include "text/encoding.hpp"
+#include "text/error.hpp"
+#include "text/file.hpp"
+#include "text/json_text.hpp"
+#include "text/names.hpp"
+#include "text/visible.hpp"
 
 namespace viewproj::cmd {
 namespace {

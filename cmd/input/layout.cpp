@@ -2,8 +2,8 @@
 
 #include <limits>
 
-#include "input/error.hpp"
-#include "input/number.hpp"
+#include "text/error.hpp"
+#include "text/parse_number.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -8,11 +8,11 @@
 
 #include "input/convention_fields.hpp"
 #include "input/document.hpp"
-#include "input/encoding.hpp"
-#include "input/error.hpp"
-#include "input/json_text.hpp"
-#include "input/number.hpp"
-#include "input/visible.hpp"
+#include "text/encoding.hpp"
+#include "text/error.hpp"
+#include "text/json_text.hpp"
+#include "text/parse_number.hpp"
+#include "text/visible.hpp"
 
 namespace viewproj::cmd {
 namespace {

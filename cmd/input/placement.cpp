@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "input/importer.hpp"
+#include "input/importers/importer.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "input/error.hpp"
-#include "output/number.hpp"
+#include "text/error.hpp"
+#include "text/format_number.hpp"
 #include "viewproj/camera/geodesy.hpp"
 
 namespace viewproj::cmd {

@@ -5,8 +5,8 @@
 #include <cstring>
 #include <functional>
 
-#include "input/error.hpp"
-#include "input/number.hpp"
+#include "text/error.hpp"
+#include "text/parse_number.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -8,8 +8,8 @@
 #include <unordered_set>
 #include <vector>
 
-#include "input/json_text.hpp"
-#include "stream/form.hpp"
+#include "text/form.hpp"
+#include "text/json_text.hpp"
 
 namespace viewproj::cmd {
 

@@ -2,9 +2,9 @@
 
 #include <optional>
 
-#include "input/error.hpp"
 #include "input/points.hpp"
 #include "input/scene.hpp"
+#include "text/error.hpp"
 
 namespace viewproj::cmd {
 namespace {

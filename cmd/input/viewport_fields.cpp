@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "input/convention_names.hpp"
-#include "output/number.hpp"
+#include "text/format_number.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "commands/help.hpp"
-#include "input/file.hpp"
 #include "man/roff.hpp"
+#include "text/file.hpp"
 
 namespace {
 

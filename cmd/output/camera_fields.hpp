@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "input/camera_file.hpp"
-#include "output/number.hpp"
+#include "text/format_number.hpp"
 
 namespace viewproj::cmd {
 

@@ -5,10 +5,10 @@
 #include <optional>
 
 #include "input/convention_names.hpp"
-#include "input/error.hpp"
 #include "input/viewport_fields.hpp"
 #include "output/camera_fields.hpp"
-#include "output/number.hpp"
+#include "text/error.hpp"
+#include "text/format_number.hpp"
 #include "viewproj/camera/screen_map.hpp"
 #include "viewproj/numbers/degrees.hpp"
 

@@ -2,11 +2,11 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "input/error.hpp"
 #include "output/columns.hpp"
-#include "output/number.hpp"
 #include "output/record_writer.hpp"
-#include "stream/csv_lines.hpp"
+#include "text/csv_lines.hpp"
+#include "text/error.hpp"
+#include "text/format_number.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -2,11 +2,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "input/error.hpp"
-#include "input/json_text.hpp"
-#include "input/number.hpp"
-#include "output/number.hpp"
 #include "output/record_writer.hpp"
+#include "text/error.hpp"
+#include "text/format_number.hpp"
+#include "text/json_text.hpp"
+#include "text/parse_number.hpp"
 
 namespace viewproj::cmd {
 namespace {

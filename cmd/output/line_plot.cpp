@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "output/number.hpp"
 #include "output/svg.hpp"
+#include "text/format_number.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "input/convention_names.hpp"
-#include "input/error.hpp"
-#include "output/number.hpp"
+#include "text/error.hpp"
+#include "text/format_number.hpp"
 #include "viewproj/view/matrices.hpp"
 
 namespace viewproj::cmd {

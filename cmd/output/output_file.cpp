@@ -10,7 +10,7 @@
 #include <string>
 #include <system_error>
 
-#include "input/error.hpp"
+#include "text/error.hpp"
 
 namespace viewproj::cmd {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string_view>
 
-#include "output/number.hpp"
 #include "output/svg.hpp"
+#include "text/format_number.hpp"
 
 namespace viewproj::cmd {
 namespace {

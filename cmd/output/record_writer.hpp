@@ -11,8 +11,8 @@
 
 #include "input/record.hpp"
 #include "output/spilled_texts.hpp"
-#include "output/text_buffer.hpp"
-#include "stream/form.hpp"
+#include "text/form.hpp"
+#include "text/text_buffer.hpp"
 #include "viewproj/numbers/vectors.hpp"
 
 namespace viewproj::cmd {

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <system_error>
 
-#include "input/error.hpp"
+#include "text/error.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "output/number.hpp"
+#include "text/format_number.hpp"
 
 namespace viewproj::cmd::svg {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "input/record.hpp"
-#include "stream/csv_lines.hpp"
+#include "text/csv_lines.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "input/error.hpp"
-#include "output/number.hpp"
 #include "output/record_writer.hpp"
+#include "text/error.hpp"
+#include "text/format_number.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "input/error.hpp"
 #include "stream/block_reader.hpp"
 #include "stream/work.hpp"
+#include "text/error.hpp"
 
 namespace viewproj::cmd {
 

@@ -4,10 +4,10 @@
 #include <cstring>
 #include <utility>
 
-#include "input/encoding.hpp"
-#include "input/error.hpp"
 #include "input/record.hpp"
-#include "stream/csv_lines.hpp"
+#include "text/csv_lines.hpp"
+#include "text/encoding.hpp"
+#include "text/error.hpp"
 
 namespace viewproj::cmd {
 namespace {

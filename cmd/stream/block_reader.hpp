@@ -7,11 +7,11 @@
 #include <string_view>
 #include <vector>
 
-#include "input/file.hpp"
-#include "input/json_text.hpp"
-#include "stream/csv_lines.hpp"
-#include "stream/form.hpp"
 #include "stream/json_splitter.hpp"
+#include "text/csv_lines.hpp"
+#include "text/file.hpp"
+#include "text/form.hpp"
+#include "text/json_text.hpp"
 
 namespace viewproj::cmd {
 

@@ -4,8 +4,8 @@
 #include <functional>
 #include <thread>
 
-#include "input/encoding.hpp"
 #include "stream/pipeline.hpp"
+#include "text/encoding.hpp"
 
 namespace viewproj::cmd {
 namespace {

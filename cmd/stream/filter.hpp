@@ -7,8 +7,8 @@
 
 #include "output/record_writer.hpp"
 #include "stream/block_reader.hpp"
-#include "stream/form.hpp"
 #include "stream/work.hpp"
+#include "text/form.hpp"
 
 namespace viewproj::cmd {
 

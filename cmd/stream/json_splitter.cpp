@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "input/error.hpp"
 #include "input/record.hpp"
+#include "text/error.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "input/json_text.hpp"
+#include "text/json_text.hpp"
 
 namespace viewproj::cmd {
 

@@ -6,10 +6,10 @@
 #include <cerrno>
 #include <system_error>
 
-#include "input/error.hpp"
 #include "output/output_file.hpp"
-#include "stream/csv_lines.hpp"
 #include "stream/interrupt.hpp"
+#include "text/csv_lines.hpp"
+#include "text/error.hpp"
 
 namespace viewproj::cmd {
 namespace {

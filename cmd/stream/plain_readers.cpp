@@ -4,10 +4,10 @@
 #include <charconv>
 #include <cmath>
 
-#include "input/encoding.hpp"
-#include "input/number.hpp"
 #include "stream/batch.hpp"
-#include "stream/csv_lines.hpp"
+#include "text/csv_lines.hpp"
+#include "text/encoding.hpp"
+#include "text/parse_number.hpp"
 
 namespace viewproj::cmd {
 namespace {

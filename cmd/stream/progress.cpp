@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "output/number.hpp"
+#include "text/format_number.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "catch.hpp"
 #include "input/convention_names.hpp"
-#include "input/error.hpp"
 #include "random.hpp"
+#include "text/error.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;

@@ -1,9 +1,10 @@
 // What measure makes of errors that are no numbers.
+#include "commands/measure/errors.hpp"
+
 #include <cmath>
 #include <limits>
 
 #include "catch.hpp"
-#include "measure/errors.hpp"
 
 using namespace viewproj;
 using namespace viewproj::cmd;

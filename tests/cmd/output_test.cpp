@@ -4,10 +4,10 @@
 #include <regex>
 
 #include "catch.hpp"
-#include "input/error.hpp"
-#include "output/number.hpp"
 #include "output/plot.hpp"
 #include "output/record_writer.hpp"
+#include "text/error.hpp"
+#include "text/format_number.hpp"
 
 using namespace viewproj;
 using namespace viewproj::cmd;

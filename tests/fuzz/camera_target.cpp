@@ -4,10 +4,10 @@
 
 #include "fuzz.hpp"
 #include "input/camera_source.hpp"
-#include "input/error.hpp"
 #include "output/camera_text.hpp"
 #include "output/matrix_text.hpp"
 #include "targets.hpp"
+#include "text/error.hpp"
 #include "viewproj/view/matrices.hpp"
 #include "viewproj/view/ray.hpp"
 #include "viewproj/view/screen.hpp"

@@ -1,15 +1,15 @@
 // Scenes, model matrices and what inspect reads: files of JSON or text that are read as a whole.
 #include <cmath>
 
+#include "commands/inspect/notes.hpp"
+#include "commands/inspect/report.hpp"
 #include "fuzz.hpp"
-#include "input/error.hpp"
 #include "input/matrix_numbers.hpp"
 #include "input/model.hpp"
 #include "input/scene.hpp"
-#include "inspect/notes.hpp"
-#include "inspect/report.hpp"
 #include "output/matrix_text.hpp"
 #include "targets.hpp"
+#include "text/error.hpp"
 #include "viewproj/camera/error.hpp"
 #include "viewproj/view/hits.hpp"
 #include "viewproj/view/matrices.hpp"

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "fuzz.hpp"
-#include "input/error.hpp"
-#include "input/json_text.hpp"
+#include "text/error.hpp"
+#include "text/json_text.hpp"
 
 namespace viewproj::fuzz {
 namespace {

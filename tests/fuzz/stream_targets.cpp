@@ -3,11 +3,11 @@
 #include <cmath>
 
 #include "fuzz.hpp"
-#include "input/error.hpp"
 #include "input/points.hpp"
 #include "input/shapes.hpp"
 #include "stream/filter.hpp"
 #include "targets.hpp"
+#include "text/error.hpp"
 #include "viewproj/view/clip.hpp"
 #include "viewproj/view/frustum.hpp"
 #include "viewproj/view/ray.hpp"

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Every name that an importer knows, of a field or of one of its values, stands in a file that another program has judged.
-#   sh fields.sh cmd/input tests/importers/fixtures
+#   sh fields.sh cmd/input/importers tests/importers/fixtures
 set -eu
 # Words of the importers that are no names: the library's for what it complains about, and what they print.
 others='P fx fy columns opencv:position nerf_transforms:opengl worldFromCamera cameraFromWorld intrinsics matrices opencv true false'

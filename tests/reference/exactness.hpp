@@ -2,7 +2,7 @@
 #pragma once
 
 #include "reference/real.hpp"
-#include "viewproj/view/screen.hpp"
+#include "viewproj/view/error_model.hpp"
 
 namespace reference {
 

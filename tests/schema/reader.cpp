@@ -10,9 +10,9 @@
 
 #include "input/camera_source.hpp"
 #include "input/document.hpp"
-#include "input/error.hpp"
-#include "input/importer.hpp"
+#include "input/importers/importer.hpp"
 #include "input/scene.hpp"
+#include "text/error.hpp"
 
 namespace {
 

@@ -11,8 +11,8 @@
 
 #include "catch.hpp"
 #include "input/document.hpp"
-#include "input/error.hpp"
 #include "stream/run.hpp"
+#include "text/error.hpp"
 
 using namespace viewproj::cmd;
 using namespace viewproj::tests;

@@ -10,10 +10,10 @@
 #include <stdexcept>
 #include <thread>
 
-#include "input/error.hpp"
 #include "input/points.hpp"
 #include "stream/interrupt.hpp"
 #include "stream/random_text.hpp"
+#include "text/error.hpp"
 
 namespace viewproj::tests {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "viewproj/camera/pose.hpp"
+#include "viewproj/camera/exact_rows.hpp"
 #include "viewproj/numbers/dyadic.hpp"
 
 namespace viewproj {

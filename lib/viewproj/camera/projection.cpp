@@ -5,7 +5,7 @@
 #include <string>
 
 #include "viewproj/camera/error.hpp"
-#include "viewproj/camera/screen_map.hpp"
+#include "viewproj/camera/screen_corner.hpp"
 #include "viewproj/numbers/degrees.hpp"
 #include "viewproj/numbers/expansion.hpp"
 

@@ -32,12 +32,6 @@ inline DoubleDouble windowHeight(const Projection& p) noexcept { return p.height
 
 inline constexpr double kInfiniteFar = std::numeric_limits<double>::infinity();
 
-/// The range of a camera's numbers, about 1e-271 to 1e271. A window's width and height, a viewport's and a crop's lie
-/// within it; a window's edges, a viewport's and a crop's corner and window depths are no larger. The pixels for a unit
-/// of the window lie between 2^-1000 and 2^1000. near, far and every number of a pose may be any double that is finite.
-inline constexpr double kSmallestWindow = 0x1p-900;
-inline constexpr double kLargestWindow = 0x1p900;
-
 // Each function throws CameraError naming the parameter at fault. Perspective needs 0 < near < far <= infinity,
 // orthographic finite near < far. Edges come out within 2^-98 of the true ones, relative to the wider of the two.
 

@@ -4,20 +4,9 @@
 #include <cmath>
 
 #include "viewproj/camera/projection.hpp"
-#include "viewproj/camera/viewport.hpp"
+#include "viewproj/camera/screen_corner.hpp"
 
 namespace viewproj {
-
-/// Screen position of the corner of the picture that screen numbers are counted from.
-struct ScreenCorner {
-  DoubleDouble x, y;
-};
-
-/// A picture's corner lies half a pixel before the centre of its first pixel.
-constexpr ScreenCorner screenCorner(const Viewport& v) noexcept {
-  const DoubleDouble halfPixel = twoDiff(v.pixelCenter, 0.5);
-  return {DoubleDouble(v.x) + halfPixel, DoubleDouble(v.y) + halfPixel};
-}
 
 /// screen x = centerX + scaleX * h and screen y = centerY + scaleY * v, where (h, v) are the window coordinates right
 /// and up: X/W and Y/W in perspective, X and Y in orthographic. (centerX, centerY) is where the viewing axis meets the

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "viewproj/camera/error.hpp"
-#include "viewproj/camera/projection.hpp"
 
 namespace viewproj {
 namespace {

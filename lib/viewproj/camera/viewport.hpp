@@ -20,11 +20,17 @@ struct Crop {
   double x = 0, y = 0, width = 0, height = 0;
 };
 
+/// The range of a camera's numbers, about 1e-271 to 1e271. A window's width and height, a viewport's and a crop's lie
+/// within it; a window's edges, a viewport's and a crop's corner and window depths are no larger. The pixels for a unit
+/// of the window lie between 2^-1000 and 2^1000. near, far and every number of a pose may be any double that is finite.
+inline constexpr double kSmallestWindow = 0x1p-900;
+inline constexpr double kLargestWindow = 0x1p900;
+
 /// How many of its widths (heights) a viewport's corner, and its pixels' centre, may lie away from 0.
 inline constexpr double kLargestCorner = 0x1p40;
 
 /// Throws CameraError unless every number is finite, width and height are positive, and all are within the range that
-/// kSmallestWindow and kLargestWindow (projection.hpp) state.
+/// kSmallestWindow and kLargestWindow state.
 void validate(const Viewport& viewport);
 
 /// The tile as a viewport of its own: screen numbers start at its corner.

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "viewproj/numbers/vectors.hpp"
-#include "viewproj/view/readings.hpp"
+#include "viewproj/view/estimate.hpp"
 
 namespace viewproj {
 

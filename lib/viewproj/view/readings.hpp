@@ -12,12 +12,9 @@
 #include "viewproj/camera/convention.hpp"
 #include "viewproj/camera/pose.hpp"
 #include "viewproj/camera/projection.hpp"
+#include "viewproj/view/estimate.hpp"
 
 namespace viewproj {
-
-/// What the numbers are true to: half a unit in the last place of a double or of a float32. For float32 each number is
-/// rounded to one first.
-enum class EntryPrecision { float64, float32 };
 
 enum class MatrixKind {
   projection,      ///< clipFromView; determines view, ndcZ, reverseZ, ndcY, each given the others
@@ -37,12 +34,6 @@ enum class Layout {
 enum class NumberOrder {
   memory,  ///< sixteen in a row: the order in memory
   rows,    ///< four rows of four: rows as on paper, or the order in memory
-};
-
-/// A number and the interval in which the entries leave it. May be infinite: an upper end that is says "not
-/// determined".
-struct Estimate {
-  double value = 0, low = 0, high = 0;
 };
 
 struct LensEstimate {

@@ -8,6 +8,7 @@
 #include "viewproj/view/eye_point.hpp"
 #include "viewproj/view/kernels/formulas.hpp"
 #include "viewproj/view/lens.hpp"
+#include "viewproj/view/picture_reach.hpp"
 #include "viewproj/view/sides.hpp"
 
 namespace viewproj {

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "viewproj/view/screen.hpp"
+#include "viewproj/view/screen_point.hpp"
 
 namespace viewproj {
 

@@ -10,7 +10,8 @@
 #include <limits>
 
 #include "viewproj/camera/camera.hpp"
-#include "viewproj/view/bounds.hpp"
+#include "viewproj/view/error_model.hpp"
+#include "viewproj/view/picture_reach.hpp"
 
 namespace viewproj {
 namespace {

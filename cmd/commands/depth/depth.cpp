@@ -1,0 +1,184 @@
+// viewproj depth: what a depth buffer resolves.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "commands/command.hpp"
+#include "commands/depth/report.hpp"
+#include "commands/options.hpp"
+#include "output/output_file.hpp"
+#include "text/error.hpp"
+#include "text/format_number.hpp"
+#include "text/parse_number.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+constexpr double kLargest = std::numeric_limits<double>::max();
+
+/// Without the noise of the last digits.
+double rounded(double value) { return parseNumber(formatDigits(value, 15)).value_or(value); }
+
+/// digit * 10^exponent; infinite beyond the doubles.
+double decimal(const char* digit, int exponent) {
+  return parseNumber(digit + ("e" + std::to_string(exponent))).value_or(kInfiniteFar);
+}
+
+/// In a table; of a longer range every second, third, ... decade is told.
+constexpr int kMostDecades = 24;
+
+/// Decades from near to far (to kInfiniteReach near distances, if far is infinite), with 2 and 5 between them in a
+/// short range, and half of near before them. Orthographic: tenths of the range.
+std::vector<double> defaultDistances(const DepthMapping& m) {
+  std::vector<double> distances;
+  if (m.orthographic) {
+    for (int i = 1; i < 10; ++i) distances.push_back(rounded(m.near + (m.far - m.near) * i / 10));
+    distances.insert(distances.begin(), m.near);
+    distances.push_back(m.far);
+    return distances;
+  }
+  distances = {m.near};
+  if (m.near / 2 > 0) distances.insert(distances.begin(), m.near / 2);
+  const double end = std::isinf(m.far) ? std::min(m.near * kInfiniteReach, kLargest) : m.far;
+  const bool fine = end / m.near < 1000;
+  const int first = static_cast<int>(std::floor(std::log10(m.near)));
+  const int last = static_cast<int>(std::ceil(std::log10(end)));
+  const int stride = 1 + (last - first) / kMostDecades;
+  for (int exponent = first; exponent < last; exponent += stride)
+    for (const char* digit : {"1", "2", "5"}) {
+      const double distance = decimal(digit, exponent);
+      if (distance > m.near && distance < end && (fine || *digit == '1')) distances.push_back(distance);
+    }
+  distances.push_back(std::isinf(m.far) ? rounded(end) : end);
+  return distances;
+}
+
+/// Gaps of the scene's own size: powers of ten about near, or far below the range of an orthographic view.
+std::vector<double> defaultGaps(const DepthMapping& m) {
+  const double size = m.orthographic ? (m.far - m.near) * 1e-5 : m.near;
+  const int exponent = static_cast<int>(std::lround(std::log10(size)));
+  std::vector<double> gaps;
+  for (int e = exponent - 1; e <= exponent + 1; ++e)
+    if (const double gap = decimal("1", e); gap > 0 && gap <= kLargest) gaps.push_back(gap);
+  return gaps;
+}
+
+std::vector<double> readDistances(const std::string& list, const DepthMapping& m) {
+  const auto distances = parseNumberList(list);
+  if (!distances) throw UsageError("--at " + list + ": expected distances separated by commas, as in 1,10,100");
+  for (double distance : *distances)
+    if (!m.orthographic && !(distance > 0))
+      throw UsageError("--at " + formatNumber(distance) + ": expected a distance above 0, in front of the eye");
+  return *distances;
+}
+
+double readGap(const std::string& text) {
+  const auto gap = parseNumber(text);
+  if (!gap || !(*gap > 0)) throw UsageError("--gap " + text + ": expected a length above 0");
+  return *gap;
+}
+
+WantedGap readWanted(const std::string& text, const DepthMapping& m) {
+  const std::size_t at = text.find('@');
+  const auto gap = parseNumber(text.substr(0, at));
+  const auto distance = at == std::string::npos ? std::nullopt : parseNumber(text.substr(at + 1));
+  if (!gap || !distance || !(*gap > 0))
+    throw UsageError("--resolve " + text + ": expected GAP@DISTANCE, as in 0.01@500");
+  if (!m.orthographic && !(*gap < *distance))
+    throw UsageError("--resolve " + text + ": the nearer surface would not be in front of the eye");
+  if (*distance > m.far) throw UsageError("--resolve " + text + ": lies beyond far, which is " + formatNumber(m.far));
+  return {*gap, *distance};
+}
+
+/// The camera's near and far forward, reversed, and with far infinite.
+std::vector<NamedMapping> mappingsOf(const Projection& projection, double first, double second, bool reverseZ) {
+  std::vector<NamedMapping> mappings;
+  const bool finite = std::isfinite(projection.far);
+  for (bool infinite : {false, true}) {
+    if (infinite ? projection.orthographic : !finite) continue;
+    Projection p = projection;
+    if (infinite) p.far = kInfiniteFar;
+    for (bool reversed : {false, true})
+      mappings.push_back({reversed   ? (infinite ? "infinite reversed" : "reversed")
+                          : infinite ? "infinite"
+                                     : "forward",
+                          depthMapping(p, first, second, reversed), infinite != finite && reversed == reverseZ});
+  }
+  return mappings;
+}
+
+/// d16, d24, d32f, as far as they hold the depth range.
+std::vector<NamedFormat> formatsFor(double largest, std::vector<std::string>& notes) {
+  if (largest <= 1) return {{"d16", unormDepth(16)}, {"d24", unormDepth(24)}, {"d32f", kFloatDepth}};
+  notes.push_back("The depth range goes beyond 1: d16 and d24 store whole numbers.");
+  std::vector<NamedFormat> formats;
+  for (int bits : {16, 24}) {
+    const DepthFormat format = integerDepth(bits);
+    const std::string name = "d" + std::to_string(bits);
+    if (largest <= format.largest)
+      formats.push_back({name, format});
+    else
+      notes.push_back(name + " does not hold it: its largest is " + formatNumber(format.largest) + ".");
+  }
+  formats.push_back({"d32f", kFloatDepth});
+  return formats;
+}
+
+struct Options {
+  CameraOptions camera;
+  std::string at, format = "table";
+  std::vector<std::string> gaps, wanted;
+};
+
+int run(const Options& o) {
+  static constexpr std::string_view kFormats[] = {"table", "json", "svg"};
+  requireKnown("--to", o.format, kFormats);
+  const CameraFile read = o.camera.read();
+  if (!read.projection) throw InputError(read.name + ": the camera has no projection");
+  const Viewport viewport = read.viewport.value_or(Viewport{});
+  const double first = viewport.depthFirst, second = viewport.depthSecond;
+  if (std::min(first, second) < 0)
+    throw InputError(read.name + ": viewport.depthRange reaches below 0, where no depth buffer stores anything");
+
+  DepthReport report;
+  report.mappings = mappingsOf(*read.projection, first, second, read.convention.reverseZ);
+  report.formats = formatsFor(std::max(first, second), report.notes);
+  const DepthMapping& own = report.own();
+  report.distances = o.at.empty() ? defaultDistances(own) : readDistances(o.at, own);
+  for (const std::string& gap : o.gaps) report.gaps.push_back(readGap(gap));
+  report.gapsAsked = !o.gaps.empty();
+  if (o.gaps.empty()) report.gaps = defaultGaps(own);
+  for (const std::string& text : o.wanted) report.wanted.push_back(readWanted(text, own));
+  if (read.convention.ndcZ == NdcZ::minusOneToOne)
+    report.notes.push_back(
+        "With NDC z of -1..1 reversed d32f gains nothing: (z + 1) / 2 in float32 rounds to 2^-24 first. What is told "
+        "of it needs 0..1 (glClipControl).");
+  report.notes.push_back("Depths are taken as exact until they are stored; float32 in matrix and shader comes on top.");
+  writeOutput(o.format == "json" ? depthAsJson(report) : o.format == "svg" ? depthAsSvg(report) : depthAsTable(report));
+  return 0;
+}
+
+}  // namespace
+
+Action defineDepth(CLI::App& app) {
+  const auto o = std::make_shared<Options>();
+  app.description(
+      "What a depth buffer resolves: the camera's window depth, its slope, and one step of d16, d24 and d32f as a "
+      "length at each distance; forward, reversed and infinite side by side. Lengths are in the camera's unit.");
+  app.footer("viewproj depth samples/reversed-infinite-depth/camera.json --at 1,10,100 --gap 0.01 --resolve 0.01@500");
+  o->camera.add(app);
+  o->camera.addFile(app);
+  app.add_option("--at", o->at, "Distances along the viewing axis (default: decades from near to far)")
+      ->type_name("DISTANCES");
+  addRepeatable(
+      app, "--gap", o->gaps,
+      "Tell up to which distance surfaces this far apart are stored apart, by default powers of ten about near")
+      ->type_name("GAP");
+  addRepeatable(app, "--resolve", o->wanted, "Tell the near needed to store surfaces GAP apart apart at DISTANCE")
+      ->type_name("GAP@DISTANCE");
+  app.add_option("--to", o->format, "Form of the output: table, json, svg: gap resolved over distance (default: table)")
+      ->type_name("FORM");
+  return [o] { return run(*o); };
+}
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,259 @@
+#include "commands/depth/report.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "output/line_plot.hpp"
+#include "output/record_writer.hpp"
+#include "output/table.hpp"
+#include "text/format_number.hpp"
+#include "text/parse_number.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+/// Three digits; large numbers with an exponent.
+std::string brief(double value) {
+  const std::string plain = formatDigits(value, 3);
+  if (!(value >= 1e6)) return plain;
+  const int exponent = static_cast<int>(std::floor(std::log10(*parseNumber(plain))));
+  return formatDigits(value / std::pow(10, exponent), 3) + "e" + std::to_string(exponent);
+}
+
+bool isClipped(const DepthMapping& m, double distance) { return !(distance >= m.near && distance <= m.far); }
+
+std::string asGap(const DepthMapping& m, const DepthFormat& format, double distance) {
+  return isClipped(m, distance) ? "clipped" : brief(resolvedGap(m, format, distance));
+}
+
+std::string asReach(const DepthMapping& m, double reach) {
+  return reach == m.far ? "everywhere" : reach == m.near ? "nowhere" : formatDigits(reach, 6);
+}
+
+bool isAnyNear(const DepthMapping& m, double near) { return near == (m.orthographic ? -kInfiniteFar : 0); }
+
+std::string asNear(const DepthMapping& m, double near) {
+  return std::isnan(near) ? "none" : isAnyNear(m, near) ? "any" : formatDigits(near, 4);
+}
+
+std::string describeFar(const DepthMapping& m) { return std::isinf(m.far) ? "infinite" : formatNumber(m.far); }
+
+/// "perspective, near 0.1, far 1000".
+std::string describe(const DepthMapping& m) {
+  return std::string(m.orthographic ? "orthographic" : "perspective") + ", near " + formatNumber(m.near) + ", far " +
+         describeFar(m);
+}
+
+Rows ownRows(const DepthReport& r) {
+  const DepthMapping& m = r.own();
+  Rows rows = {{"distance", "depth", "slope"}};
+  for (const NamedFormat& f : r.formats) rows[0].push_back(f.name);
+  for (double distance : r.distances) {
+    rows.push_back({formatNumber(distance), formatDigits(depthAtDistance(m, distance), 9),
+                    formatDigits(depthSlope(m, distance), 4)});
+    for (const NamedFormat& f : r.formats) rows.back().push_back(asGap(m, f.format, distance));
+  }
+  return rows;
+}
+
+/// A heading, and a column for every mapping.
+std::vector<std::string> sideBySideHeader(const DepthReport& r, const std::string& heading) {
+  std::vector<std::string> header = {heading};
+  for (const NamedMapping& m : r.mappings) header.push_back(m.name + (m.own ? " *" : ""));
+  return header;
+}
+
+Rows comparedRows(const DepthReport& r, const NamedFormat& f) {
+  Rows rows = {sideBySideHeader(r, f.name)};
+  for (double distance : r.distances) {
+    rows.push_back({formatNumber(distance)});
+    for (const NamedMapping& m : r.mappings) rows.back().push_back(asGap(m.mapping, f.format, distance));
+  }
+  return rows;
+}
+
+Rows reachRows(const DepthReport& r) {
+  Rows rows = {sideBySideHeader(r, "gap")};
+  for (double gap : r.gaps)
+    for (const NamedFormat& f : r.formats) {
+      rows.push_back({formatNumber(gap) + " in " + f.name});
+      for (const NamedMapping& m : r.mappings)
+        rows.back().push_back(asReach(m.mapping, resolvedUpTo(m.mapping, f.format, gap)));
+    }
+  return rows;
+}
+
+Rows nearRows(const DepthReport& r) {
+  Rows rows = {sideBySideHeader(r, "gap@distance")};
+  for (const WantedGap& w : r.wanted)
+    for (const NamedFormat& f : r.formats) {
+      rows.push_back({formatNumber(w.gap) + "@" + formatNumber(w.distance) + " in " + f.name});
+      for (const NamedMapping& m : r.mappings)
+        rows.back().push_back(asNear(m.mapping, nearToResolve(m.mapping, f.format, w.gap, w.distance)));
+    }
+  return rows;
+}
+
+/// What has no value is null.
+std::string asJson(double value) { return formatNumber(value); }
+
+/// {"d16": value, ...}
+template <class Value>
+std::string perFormat(const DepthReport& r, Value value) {
+  std::string out;
+  for (const NamedFormat& f : r.formats)
+    out += (out.empty() ? "{" : ", ") + jsonString(f.name) + ": " + value(f.format);
+  return out + "}";
+}
+
+std::string mappingAsJson(const DepthReport& r, const NamedMapping& named) {
+  const DepthMapping& m = named.mapping;
+  std::string out = "  {\"name\": " + jsonString(named.name) + ", \"own\": " + (named.own ? "true" : "false") +
+                    ", \"near\": " + asJson(m.near) + ", \"far\": " + asJson(m.far) +
+                    ", \"depthAtNear\": " + asJson(m.atNear) + ", \"depthAtFar\": " + asJson(m.atFar) +
+                    ",\n   \"distances\": [";
+  const char* separator = "\n";
+  for (double distance : r.distances) {
+    const auto ifSeen = [&](double value) { return isClipped(m, distance) ? "null" : asJson(value); };
+    out += separator;
+    out +=
+        "    {\"distance\": " + asJson(distance) + ", \"depth\": " + asJson(depthAtDistance(m, distance)) +
+        ", \"slope\": " + asJson(depthSlope(m, distance)) +
+        ", \"step\": " + perFormat(r, [&](const DepthFormat& f) { return ifSeen(depthStep(m, f, distance)); }) +
+        ", \"resolves\": " + perFormat(r, [&](const DepthFormat& f) { return ifSeen(resolvedGap(m, f, distance)); }) +
+        "}";
+    separator = ",\n";
+  }
+  out += "],\n   \"gaps\": [";
+  separator = "\n";
+  for (double gap : r.gaps) {
+    out += separator;
+    out += "    {\"gap\": " + asJson(gap) +
+           ", \"apartUpTo\": " + perFormat(r, [&](const DepthFormat& f) { return asJson(resolvedUpTo(m, f, gap)); }) +
+           "}";
+    separator = ",\n";
+  }
+  out += "],\n   \"wanted\": [";
+  separator = "\n";
+  for (const WantedGap& w : r.wanted) {
+    out += separator;
+    out += "    {\"gap\": " + asJson(w.gap) + ", \"distance\": " + asJson(w.distance) + ", \"near\": " +
+           perFormat(r,
+                     [&](const DepthFormat& f) {
+                       const double near = nearToResolve(m, f, w.gap, w.distance);
+                       return isAnyNear(m, near) ? "\"any\"" : asJson(near);
+                     }) +
+           "}";
+    separator = ",\n";
+  }
+  return out + "]}";
+}
+
+constexpr int kSamples = 240;
+
+std::vector<std::pair<double, double>> sampled(const DepthMapping& m, const DepthFormat& f) {
+  std::vector<std::pair<double, double>> points;
+  const double far = std::isinf(m.far) ? kInfiniteReach * m.near : m.far;
+  for (int i = 0; i < kSamples; ++i) {
+    // Between the ends: a float's steps next to depth 0 have no end downwards.
+    const double share = (i + 0.5) / kSamples;
+    const double w = m.orthographic ? m.near + (far - m.near) * share : m.near * std::pow(far / m.near, share);
+    points.emplace_back(w, resolvedGap(m, f, w));
+  }
+  return points;
+}
+
+/// d24 is drawn wide, because forward d32f lies on it.
+PlotCurve curveOf(const DepthMapping& m, const NamedFormat& f) {
+  const bool reversed = m.atFar < m.atNear;
+  PlotCurve curve{reversed ? "reversed" : "forward", sampled(m, f.format)};
+  if (f.format.step == 0)
+    curve.colour = reversed ? 3 : 2;
+  else
+    curve.colour = f.name == "d16" ? 0 : 1;
+  curve.wide = curve.colour == 1;
+  return curve;
+}
+
+/// Nothing that the eye could tell apart in the plot.
+bool coincide(const PlotCurve& a, const PlotCurve& b) {
+  for (std::size_t i = 0; i < a.points.size(); ++i)
+    if (!(std::fabs(std::log10(a.points[i].second / b.points[i].second)) < 0.02)) return false;
+  return true;
+}
+
+}  // namespace
+
+const DepthMapping& DepthReport::own() const {
+  return std::find_if(mappings.begin(), mappings.end(), [](const NamedMapping& m) { return m.own; })->mapping;
+}
+
+std::string depthAsTable(const DepthReport& r) {
+  const DepthMapping& m = r.own();
+  std::string out = describe(m) + "; window depth " + formatNumber(m.atNear) + " at near, " + formatNumber(m.atFar) +
+                    " at far\nOne step as a length: how much nearer than a surface at this distance another must be "
+                    "to be stored apart from it.\n\n" +
+                    alignedTable(ownRows(r)) + "\nThe same side by side; * is this camera's mapping.\n";
+  for (const NamedFormat& f : r.formats) out += "\n" + alignedTable(comparedRows(r, f));
+  out += "\nUp to this distance surfaces a gap apart are stored apart; beyond it some merge.\n\n" +
+         alignedTable(reachRows(r));
+  if (!r.wanted.empty())
+    out +=
+        "\nThe near from which on surfaces a gap apart at a distance are stored apart.\n\n" + alignedTable(nearRows(r));
+  out += "\n";
+  for (const std::string& note : r.notes) out += note + "\n";
+  return out;
+}
+
+std::string depthAsJson(const DepthReport& r) {
+  const DepthMapping& m = r.own();
+  std::string out = "{\"projection\": \"" + std::string(m.orthographic ? "orthographic" : "perspective") +
+                    "\", \"near\": " + asJson(m.near) + ", \"far\": " + asJson(m.far) + ",\n \"notes\": [";
+  for (const std::string& note : r.notes) out += (&note == r.notes.data() ? "" : ", ") + jsonString(note);
+  out += "],\n \"mappings\": [\n";
+  for (const NamedMapping& named : r.mappings)
+    out += mappingAsJson(r, named) + (&named == &r.mappings.back() ? "\n" : ",\n");
+  return out + " ]}\n";
+}
+
+std::string depthAsSvg(const DepthReport& r) {
+  const DepthMapping& own = r.own();
+  LinePlot plot;
+  plot.title = "What a depth buffer resolves";
+  plot.xTitle = own.orthographic ? "distance along the viewing axis" : "distance";
+  plot.yTitle = "smallest gap stored apart";
+  plot.logarithmicX = !own.orthographic;
+  bool dashes = false;
+  for (std::size_t i = 0; i < r.formats.size(); ++i) {
+    std::vector<PlotCurve> curves;
+    for (const NamedMapping& named : r.mappings) {
+      const DepthMapping& m = named.mapping;
+      PlotCurve curve = curveOf(m, r.formats[i]);
+      if (std::isinf(m.far) && !std::isinf(own.far)) {
+        // As far as the others go.
+        curve.points.clear();
+        for (const auto& [w, gap] : sampled(own, r.formats[i].format))
+          curve.points.emplace_back(w, resolvedGap(m, r.formats[i].format, w));
+        curve.dashed = true;
+      }
+      const bool isNew =
+          std::none_of(curves.begin(), curves.end(), [&](const PlotCurve& c) { return coincide(c, curve); });
+      if (isNew) curves.push_back(curve);
+    }
+    const auto solid = std::count_if(curves.begin(), curves.end(), [](const PlotCurve& c) { return !c.dashed; });
+    for (PlotCurve& curve : curves) {
+      dashes |= curve.dashed;
+      curve.label = curve.dashed ? "" : solid == 1 ? r.formats[i].name : r.formats[i].name + " " + curve.label;
+      plot.curves.push_back(curve);
+    }
+  }
+  plot.caption =
+      describe(own) + (own.atFar < own.atNear ? ", reversed" : "") + (dashes ? "; dashed: with far infinite" : "");
+  if (r.gapsAsked)
+    for (double gap : r.gaps) plot.levels.push_back({"gap " + formatNumber(gap), gap});
+  return linePlotSvg(plot);
+}
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,139 @@
+#include "commands/draw/records.hpp"
+
+#include <cmath>
+#include <optional>
+#include <variant>
+
+#include "commands/draw/labels.hpp"
+#include "input/points.hpp"
+#include "input/shapes.hpp"
+#include "text/error.hpp"
+#include "text/format_number.hpp"
+#include "text/json_text.hpp"
+#include "viewproj/view/hits.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+/// JSON text, a string without its quotes.
+std::string labelOfJson(std::string_view value) {
+  if (value.starts_with('"')) return asLabel(unescaped(value.substr(1, value.size() - 2)));
+  return asLabel(value);
+}
+
+std::optional<std::string> labelOf(const Record& record) {
+  for (const char* name : {"id", "name"})
+    if (const auto field = record.shape->isArray ? std::nullopt : record.shape->find(name)) {
+      const std::string_view value = valuesOf(record)[*field];
+      const std::string label = record.shape->form == Form::csv ? asLabel(csvValue(value)) : labelOfJson(value);
+      if (!label.empty() && !(record.shape->form == Form::json && value == "null")) return label;
+    }
+  return std::nullopt;
+}
+
+class DrawWork final : public RecordWork {
+ public:
+  DrawWork(View& view, const Frustum& frustum, const std::vector<std::string>& columns, bool worldIsEcef)
+      : view_(view), frustum_(frustum), columns_(columns), worldIsEcef_(worldIsEcef) {}
+
+  Layout find(const RecordParts& record) const override {
+    if (const auto segment = findSegment(record)) return *segment;
+    for (const char* name : {"plane", "ellipsoid"})
+      if (const auto field = record.shape.find(name); field && record.shape.form == Form::json)
+        throw RecordError(record.offset(*field),
+                          std::string("a ") + name +
+                              " is not drawn from a record; expected a point, segment, sphere, box or triangle");
+    return findShape(record, columns_, worldIsEcef_);
+  }
+
+  void nameResults(const Layout&, ResultSink&) const override {}  // uncounted: there are none
+
+  void add(const Layout& layout, const Numbers& n) override {
+    if (layout.kind == kindSegment || layout.kind == kindSegmentAndPixel)
+      drawn_.push_back(Segment{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}});
+    else if (layout.kind == kindPoint || layout.kind == kindDirection || layout.kind == kindPlace)
+      drawn_.push_back(toPoint(layout, n));
+    else
+      std::visit([&](const auto& shape) { keep(shape); }, toShape(layout, n));
+  }
+
+  void read(std::size_t i, const Record& record) override {
+    ++count_;
+    const std::string label = labelOf(record).value_or(std::to_string(count_));
+    std::visit([&](const auto& what) { draw(label, what); }, drawn_[i]);
+  }
+
+  void write(std::size_t, ResultSink&) override {}  // uncounted: records are read alone
+  void clear() override { drawn_.clear(); }
+
+ private:
+  template <class Shape>
+  void keep(const Shape& shape) {
+    // Points have been kept, whole.
+    if constexpr (!std::is_same_v<Shape, Vec3>) drawn_.push_back(shape);
+  }
+
+  void draw(const std::string& label, const Vec4& point) { addPoint(view_, label, point); }
+  template <class Shape>
+  void draw(const std::string& label, const Shape& shape) {
+    addOutline(view_, frustum_, label, shape);
+  }
+
+  View& view_;
+  const Frustum& frustum_;
+  const std::vector<std::string>& columns_;
+  bool worldIsEcef_;
+  std::vector<std::variant<Vec4, Segment, Sphere, Box, Triangle>> drawn_;
+  std::size_t count_ = 0;  ///< records read
+};
+
+}  // namespace
+
+void addRecords(View& view, const Frustum& frustum, const FilterSetup& setup, bool worldIsEcef) {
+  readRecords(setup, [&] { return std::make_unique<DrawWork>(view, frustum, setup.columns, worldIsEcef); });
+}
+
+void addScene(View& view, const Frustum& frustum, const std::vector<SceneObject>& scene) {
+  std::string planes;
+  for (const SceneObject& object : scene) {
+    const std::string label = labelOfJson(object.id);
+    std::visit(
+        [&](const auto& shape) {
+          if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, Plane>)
+            planes += (planes.empty() ? "" : ", ") + label;
+          else
+            addOutline(view, frustum, label, shape);
+        },
+        object.shape);
+  }
+  if (!planes.empty()) view.notes.push_back("a plane has no outline: " + planes);
+}
+
+void addPixel(View& view, const Vec2& screen, const std::vector<SceneObject>* scene) {
+  const std::string numbers = formatNumber(screen.x) + ", " + formatNumber(screen.y);
+  if (!scene) {
+    view.pixels.push_back({screen, numbers, "pixel " + numbers});
+    return;
+  }
+  const Ray ray = screenToRay(view.camera, screen);
+  const SceneObject* nearest = nullptr;
+  double distance = INFINITY;
+  for (const SceneObject& object : *scene)
+    std::visit(
+        [&](const auto& shape) {
+          const Hits hits = intersect(ray, shape);
+          if (hits.count > 0 && (!nearest || hits.begin()->distance < distance)) {
+            nearest = &object;
+            distance = hits.begin()->distance;
+          }
+        },
+        object.shape);
+  if (nearest)
+    view.pixels.push_back(
+        {screen, labelOfJson(nearest->id) + " at " + formatDigits(distance, 6),
+         "pixel " + numbers + ": " + labelOfJson(nearest->id) + " at distance " + formatNumber(distance)});
+  else
+    view.pixels.push_back({screen, "no hit", "pixel " + numbers + ": no hit"});
+}
+
+}  // namespace viewproj::cmd

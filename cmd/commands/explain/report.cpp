@@ -1,0 +1,227 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "commands/explain/explain.hpp"
+#include "input/convention_names.hpp"
+#include "output/record_writer.hpp"
+#include "text/format_number.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+std::string listed(const std::vector<std::string>& parts, const std::string& separator = ", ") {
+  std::string out;
+  for (const std::string& part : parts) out += (out.empty() ? "" : separator) + part;
+  return out;
+}
+
+/// The part of a name before its last dot.
+std::string stemOf(const std::string& name) { return name.substr(0, name.rfind('.')); }
+
+std::string lossInWords(const Line& line) {
+  if (line.lost == 0) return "";
+  if (line.lost == kAllDigits) return "cancels to 0";
+  return "cancels: " + std::to_string(line.lost) + (line.lost == 1 ? " digit lost" : " digits lost");
+}
+
+class Table {
+ public:
+  Table(const Explanation& explanation, int digits) : e_(explanation), digits_(digits) {}
+
+  std::string text() const {
+    const Convention& c = e_.writing();
+    std::string out = "written with view " + std::string(nameOf(kViewNames, c.view)) + ", NDC z " +
+                      std::string(nameOf(kNdcZNames, c.ndcZ)) + (c.reverseZ ? " reversed" : "") + ", NDC y " +
+                      std::string(nameOf(kNdcYNames, c.ndcY)) + ", " + std::string(nameOf(kVectorsNames, c.vectors)) +
+                      " vectors " + (c.vectors == Vectors::row ? "(v M)" : "(M v)") + ", " +
+                      std::string(nameOf(kStorageNames, c.storage)) + "\n";
+    for (const Stage& stage : e_.stages()) out += "\n" + stageText(stage);
+    out += "\n";
+    for (const std::string& remark : e_.remarks()) out += remark + "\n";
+    for (const Result& result : e_.results()) out += resultText(result) + "\n";
+    return out;
+  }
+
+ private:
+  std::string number(double value) const { return formatDigits(value, digits_); }
+  std::string factor(double value) const { return value < 0 ? "(" + number(value) + ")" : number(value); }
+
+  std::string stageText(const Stage& stage) const {
+    std::string out = stage.name + ": " + stage.says + "\n";
+    for (const ShownMatrix& m : stage.matrices) out += matrixText(m);
+    std::size_t width = 0;
+    for (const Line& line : stage.lines)
+      if (line.kind != LineKind::given) width = std::max(width, line.name.size());
+    for (std::size_t i = 0; i < stage.lines.size();) {
+      std::size_t end = i + 1;
+      if (isPlain(stage.lines[i]))
+        while (end < stage.lines.size() && isPlain(stage.lines[end]) &&
+               stemOf(stage.lines[end].name) == stemOf(stage.lines[i].name))
+          ++end;
+      out += end - i > 1 ? givenText(stage.lines, i, end) : lineText(stage.lines[i], width);
+      i = end;
+    }
+    return out;
+  }
+
+  static bool isPlain(const Line& line) { return line.kind == LineKind::given && line.remark.empty(); }
+
+  /// Given numbers of one name: as a vector, or each with its own.
+  std::string givenText(const std::vector<Line>& lines, std::size_t from, std::size_t to) const {
+    const std::string stem = stemOf(lines[from].name);
+    const bool isVector = lines[from].name.ends_with(".x");
+    std::vector<std::string> parts;
+    for (std::size_t i = from; i < to; ++i)
+      parts.push_back((isVector ? "" : lines[i].name.substr(stem.size() + 1) + " ") + number(lines[i].value));
+    return "  " + stem + " = " + (isVector ? "(" + listed(parts) + ")" : listed(parts)) + "\n";
+  }
+
+  std::string matrixText(const ShownMatrix& m) const {
+    std::array<std::size_t, 4> widths{};
+    for (const auto& row : m.matrix.m)
+      for (std::size_t j = 0; j < 4; ++j) widths[j] = std::max(widths[j], number(row[j]).size());
+    std::string out;
+    for (std::size_t i = 0; i < 4; ++i) {
+      out += i == 0 ? "  " + m.name + " =" : std::string(m.name.size() + 4, ' ');
+      for (std::size_t j = 0; j < 4; ++j) {
+        const std::string cell = number(m.matrix[i][j]);
+        out += std::string(widths[j] - cell.size() + 2, ' ') + cell;
+      }
+      out += "\n";
+    }
+    return out;
+  }
+
+  std::string termText(const Term& term, bool isFirst) const {
+    std::vector<std::string> factors;
+    bool minus = false;
+    for (const std::string& name : term) {
+      if (name == "-1")
+        minus = true;
+      else
+        factors.push_back(factor(e_.valueOf(name)));
+    }
+    // A lone first number needs no brackets.
+    if (isFirst && !minus && term.size() == 1) factors[0] = number(e_.valueOf(term[0]));
+    return (isFirst ? (minus ? "-" : "") : minus ? " - " : " + ") + listed(factors, "*");
+  }
+
+  std::string madeOf(const Line& line) const {
+    if (line.kind == LineKind::quotient)
+      return number(e_.valueOf(line.terms[0][0])) + " / " + factor(e_.valueOf(line.terms[0][1])) + " = ";
+    std::string out;
+    for (const Term& term : line.terms) out += termText(term, out.empty());
+    if (line.kind == LineKind::root) return "sqrt(" + out + ") = ";
+    const bool isItself = line.terms.size() == 1 && line.terms[0].size() == 1;
+    return line.terms.empty() || isItself ? "" : out + " = ";
+  }
+
+  std::string lineText(const Line& line, std::size_t width) const {
+    const std::size_t padding = line.kind == LineKind::given || line.name.size() > width ? 0 : width - line.name.size();
+    std::string out = "  " + line.name + std::string(padding, ' ') + " = " +
+                      (line.kind == LineKind::given ? "" : madeOf(line)) + number(line.value);
+    std::vector<std::string> notes;
+    if (!line.remark.empty()) notes.push_back(line.remark);
+    if (line.lost > 0) notes.push_back(lossInWords(line));
+    return out + (notes.empty() ? "" : "   " + listed(notes, "; ")) + "\n";
+  }
+
+  std::string resultText(const Result& r) const {
+    if (r.flag) return r.name + ": " + (*r.flag ? "true" : "false");
+    if (r.words) return r.name + ": " + listed(*r.words, " ");
+    std::vector<std::string> parts;
+    for (double value : r.numbers) parts.push_back(number(value));
+    const bool isNone = std::any_of(r.numbers.begin(), r.numbers.end(), [](double v) { return !std::isfinite(v); });
+    return r.name + ": " + (isNone ? "null" : parts.size() == 1 ? parts[0] : "[" + listed(parts) + "]");
+  }
+
+  const Explanation& e_;
+  int digits_;
+};
+
+class Json {
+ public:
+  Json(const Explanation& explanation, int digits) : e_(explanation), digits_(digits) {}
+
+  std::string text() const {
+    const Convention& c = e_.writing();
+    std::string out = "{\"convention\": {\"world\": " + jsonString(nameOf(kWorldNames, c.world)) +
+                      ", \"view\": " + jsonString(nameOf(kViewNames, c.view)) +
+                      ", \"ndcZ\": " + jsonString(nameOf(kNdcZNames, c.ndcZ)) +
+                      ", \"reverseZ\": " + (c.reverseZ ? "true" : "false") +
+                      ", \"ndcY\": " + jsonString(nameOf(kNdcYNames, c.ndcY)) +
+                      ", \"vectors\": " + jsonString(nameOf(kVectorsNames, c.vectors)) +
+                      ", \"storage\": " + jsonString(nameOf(kStorageNames, c.storage)) + "},\n \"stages\": [";
+    std::vector<std::string> stages, remarks, results;
+    for (const Stage& stage : e_.stages()) stages.push_back("\n  " + stageText(stage));
+    for (const std::string& remark : e_.remarks()) remarks.push_back(jsonString(remark));
+    for (const Result& result : e_.results()) results.push_back(jsonString(result.name) + ": " + resultText(result));
+    return out + listed(stages, ",") + "],\n \"remarks\": [" + listed(remarks) + "],\n \"result\": {" +
+           listed(results) + "}}\n";
+  }
+
+ private:
+  std::string number(double value) const { return formatDigits(value, digits_); }
+
+  std::string stageText(const Stage& stage) const {
+    std::string out = "{\"name\": " + jsonString(stage.name) + ", \"says\": " + jsonString(stage.says);
+    std::vector<std::string> matrices, lines;
+    for (const ShownMatrix& m : stage.matrices) matrices.push_back(jsonString(m.name) + ": " + matrixText(m.matrix));
+    for (const Line& line : stage.lines) lines.push_back("\n    " + lineText(line));
+    if (!matrices.empty()) out += ",\n   \"matrices\": {" + listed(matrices) + "}";
+    return out + ",\n   \"lines\": [" + listed(lines, ",") + "]}";
+  }
+
+  std::string matrixText(const Mat4& m) const {
+    std::vector<std::string> rows;
+    for (const auto& row : m.m) {
+      std::vector<std::string> cells;
+      for (double entry : row) cells.push_back(number(entry));
+      rows.push_back("[" + listed(cells) + "]");
+    }
+    return "[" + listed(rows) + "]";
+  }
+
+  std::string lineText(const Line& line) const {
+    std::string out = "{\"name\": " + jsonString(line.name) + ", \"value\": " + number(line.value);
+    std::vector<std::string> terms;
+    for (const Term& term : line.terms) {
+      std::vector<std::string> factors;
+      for (const std::string& name : term) factors.push_back(jsonString(name));
+      terms.push_back("[" + listed(factors) + "]");
+    }
+    if (line.kind == LineKind::sum) out += ", \"sum\": [" + listed(terms) + "]";
+    if (line.kind == LineKind::root) out += ", \"rootOfSum\": [" + listed(terms) + "]";
+    if (line.kind == LineKind::quotient) out += ", \"quotient\": " + terms[0];
+    if (line.lost == kAllDigits)
+      out += ", \"cancels\": \"to 0\"";
+    else if (line.lost > 0)
+      out += ", \"cancels\": " + std::to_string(line.lost);
+    if (!line.remark.empty()) out += ", \"remark\": " + jsonString(line.remark);
+    return out + "}";
+  }
+
+  std::string resultText(const Result& r) const {
+    std::vector<std::string> parts;
+    if (r.flag) return *r.flag ? "true" : "false";
+    if (r.words) {
+      for (const std::string& word : *r.words) parts.push_back(jsonString(word));
+      return "[" + listed(parts) + "]";
+    }
+    if (std::any_of(r.numbers.begin(), r.numbers.end(), [](double v) { return !std::isfinite(v); })) return "null";
+    for (double value : r.numbers) parts.push_back(number(value));
+    return parts.size() == 1 ? parts[0] : "[" + listed(parts) + "]";
+  }
+
+  const Explanation& e_;
+  int digits_;
+};
+
+}  // namespace
+
+std::string explanationAsTable(const Explanation& explanation, int digits) { return Table(explanation, digits).text(); }
+
+std::string explanationAsJson(const Explanation& explanation, int digits) { return Json(explanation, digits).text(); }
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,349 @@
+#include "commands/inspect/report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "commands/inspect/notes.hpp"
+#include "input/convention_names.hpp"
+#include "output/table.hpp"
+#include "text/format_number.hpp"
+#include "text/names.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr NameRow<MatrixKind> kKindNames[] = {{"projection", MatrixKind::projection},
+                                              {"view", MatrixKind::view},
+                                              {"worldFromView", MatrixKind::worldFromView},
+                                              {"viewProjection", MatrixKind::viewProjection}};
+constexpr NameRow<Layout> kLayoutNames[] = {
+    {"as written", Layout::asWritten}, {"transposed", Layout::transposed}, {"either", Layout::either}};
+
+bool determinesView(const Reading& r) { return r.kind != MatrixKind::viewProjection; }
+bool determinesWorld(const Reading& r) { return r.kind != MatrixKind::projection; }
+
+/// A name of each axis that the reading determines.
+std::string_view worldOf(const Reading& r) {
+  return determinesWorld(r) ? nameOf(kWorldNames, r.convention.world) : "-";
+}
+std::string_view viewOf(const Reading& r) { return determinesView(r) ? nameOf(kViewNames, r.convention.view) : "-"; }
+std::string_view ndcZOf(const Reading& r) { return r.lens ? nameOf(kNdcZNames, r.convention.ndcZ) : "-"; }
+std::string_view ndcYOf(const Reading& r) { return r.lens ? nameOf(kNdcYNames, r.convention.ndcY) : "-"; }
+std::string_view reversedOf(const Reading& r) { return !r.lens ? "-" : r.convention.reverseZ ? "yes" : "no"; }
+
+/// A preset that fits, and what of it does not.
+struct FittingPreset {
+  std::string_view name;
+  bool otherWorld, otherwiseReversed;
+};
+
+std::vector<FittingPreset> presetsOf(const Reading& r, NumberOrder order) {
+  std::vector<FittingPreset> result;
+  for (const auto& [name, c] : conventionPresets())
+    if (fits(r, c, order))
+      result.push_back({name, determinesWorld(r) && c.world != r.convention.world,
+                        r.lens.has_value() && c.reverseZ != r.convention.reverseZ});
+  return result;
+}
+
+/// "opengl, unity; with --reverse-z d3d; of a left-handed world d3d-rh".
+std::string presetText(const Reading& r, NumberOrder order) {
+  std::string text;
+  for (bool otherWorld : {false, true})
+    for (bool otherwiseReversed : {false, true}) {
+      std::vector<std::string_view> names;
+      for (const FittingPreset& p : presetsOf(r, order))
+        if (p.otherWorld == otherWorld && p.otherwiseReversed == otherwiseReversed) names.push_back(p.name);
+      if (names.empty()) continue;
+      text += text.empty() ? "" : "; ";
+      if (otherWorld) text += "of a " + std::string(worldOf(r)) + "-handed world ";
+      if (otherwiseReversed) text += r.convention.reverseZ ? "with --reverse-z " : "with --no-reverse-z ";
+      text += joined(names);
+    }
+  return text.empty() ? "no preset" : text;
+}
+
+std::string plusMinus(double size) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.2g", size);
+  return text;
+}
+
+std::string plusMinusText(double size) { return size == 0 ? "exact" : "+- " + plusMinus(size); }
+
+std::string spread(const Estimate& e) {
+  constexpr double kHardly = 0.01;
+  if (e.low == e.high) return "exact";
+  if (std::isinf(e.high)) return "not determined: above " + plusMinus(e.low);
+  const double half = e.high / 2 - e.low / 2;
+  std::string text = "+- " + plusMinus(half);
+  if (half > kHardly * std::fabs(e.value) && e.value != 0)
+    return text + " (" + plusMinus(e.low) + " to " + plusMinus(e.high) + ")";
+  return text;
+}
+
+/// Nine decimals, without the noise of components that are 0.
+std::string vectorText(const Vec3& v) {
+  std::string text;
+  for (std::size_t i = 0; i < 3; ++i) {
+    char part[40];
+    std::snprintf(part, sizeof part, "%.9f", v[i]);
+    text += (i > 0 ? " " : "") + formatNumber(std::strtod(part, nullptr) + 0.0);
+  }
+  return text;
+}
+
+struct Line {
+  std::string name, value, spread;
+};
+
+std::vector<Line> parametersOf(const Reading& r) {
+  std::vector<Line> lines;
+  const auto add = [&](const char* name, const Estimate& e) { lines.push_back({name, shortestWithin(e), spread(e)}); };
+  if (r.place) {
+    if (r.place->eyeIsKnown) {
+      std::string eye;
+      double most = 0;
+      for (const Estimate& e : r.place->eye) {
+        eye += (eye.empty() ? "" : " ") + shortestWithin(e);
+        most = std::max(most, e.high / 2 - e.low / 2);
+      }
+      lines.push_back({"eye", eye, plusMinusText(most)});
+    }
+    lines.push_back({"right", vectorText(r.place->right), plusMinusText(r.place->axisErrors.x)});
+    lines.push_back({"up", vectorText(r.place->up), plusMinusText(r.place->axisErrors.y)});
+    lines.push_back({"forward", vectorText(r.place->forward), plusMinusText(r.place->axisErrors.z)});
+    lines.push_back({"off a rotation by", plusMinus(r.place->residual), ""});
+  }
+  if (r.lens) {
+    const LensEstimate& lens = *r.lens;
+    add("window left", lens.left);
+    add("window right", lens.right);
+    add("window bottom", lens.bottom);
+    add("window top", lens.top);
+    if (lens.fovX) add("fovX", *lens.fovX);
+    if (lens.fovY) add("fovY", *lens.fovY);
+    add("aspect", lens.aspect);
+    add("near", lens.near);
+    add("far", lens.far);
+  }
+  return lines;
+}
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json asJson(const Estimate& e) {
+  return {{"value", number(e.value)}, {"low", number(e.low)}, {"high", number(e.high)}};
+}
+
+Json asJson(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
+
+Json asJson(const NumberedReading& numbered, NumberOrder order) {
+  const Reading& r = numbered.reading;
+  Json result{
+      {"reading", numbered.number}, {"kind", nameOf(kKindNames, r.kind)}, {"layout", nameOf(kLayoutNames, r.layout)}};
+  Json layouts = Json::array();
+  for (const auto& [vectors, vectorsValue] : kVectorsNames)
+    for (const auto& [storage, storageValue] : kStorageNames) {
+      const bool turned = (vectorsValue == Vectors::row) != (storageValue == Storage::columnMajor);
+      if (r.layout == Layout::either || turned == (r.layout == Layout::transposed))
+        layouts.push_back({{"vectors", vectors}, {"storage", storage}});
+    }
+  result["layouts"] = layouts;
+  Json convention = Json::object();
+  if (determinesWorld(r)) convention["world"] = worldOf(r);
+  if (determinesView(r)) convention["view"] = viewOf(r);
+  if (r.lens) {
+    convention["ndcZ"] = ndcZOf(r);
+    convention["reverseZ"] = r.convention.reverseZ;
+    convention["ndcY"] = ndcYOf(r);
+  }
+  result["convention"] = convention;
+  result["presets"] = Json::array();
+  result["presetsOtherwise"] = Json::array();
+  for (const FittingPreset& p : presetsOf(r, order)) {
+    Json differs = Json::array();
+    if (p.otherWorld) differs.push_back("world");
+    if (p.otherwiseReversed) differs.push_back("reverseZ");
+    if (differs.empty())
+      result["presets"].push_back(p.name);
+    else
+      result["presetsOtherwise"].push_back({{"name", p.name}, {"differs", differs}});
+  }
+  result["scale"] = r.scale;
+  if (r.lens) {
+    const LensEstimate& lens = *r.lens;
+    Json part{{"type", lens.orthographic ? "orthographic" : "perspective"},
+              {"left", asJson(lens.left)},
+              {"right", asJson(lens.right)},
+              {"bottom", asJson(lens.bottom)},
+              {"top", asJson(lens.top)},
+              {"aspect", asJson(lens.aspect)}};
+    if (!lens.orthographic) {
+      part["fovX"] = lens.fovX ? asJson(*lens.fovX) : Json(nullptr);
+      part["fovY"] = lens.fovY ? asJson(*lens.fovY) : Json(nullptr);
+    }
+    part["near"] = asJson(lens.near);
+    part["far"] = asJson(lens.far);
+    part["beyondInfinity"] = lens.beyondInfinity;
+    result["projection"] = part;
+  }
+  if (r.place) {
+    Json eye = Json::array();
+    for (const Estimate& e : r.place->eye) eye.push_back(asJson(e));
+    result["pose"] = {{"eye", r.place->eyeIsKnown ? eye : Json(nullptr)},
+                      {"right", asJson(r.place->right)},
+                      {"up", asJson(r.place->up)},
+                      {"forward", asJson(r.place->forward)},
+                      {"axisErrors", asJson(r.place->axisErrors)},
+                      {"residual", r.place->residual}};
+  }
+  return result;
+}
+
+std::string plural(std::size_t count, const char* what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+/// Lines of up to 110 characters, indented.
+std::string wrapped(const std::string& text) {
+  constexpr std::size_t kWidth = 110;
+  std::string out;
+  std::size_t column = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    if (column == 0 || column + end - at + 1 > kWidth) {
+      out += column == 0 ? "  " : "\n    ";
+      column = 2;
+    } else {
+      out += ' ';
+    }
+    out += text.substr(at, end - at);
+    column += end - at + 1;
+    at = end + 1;
+  }
+  return out + "\n";
+}
+
+/// A row a reading: the axes it determines, and the presets that fit.
+std::string readingTable(const InspectedMatrix& m) {
+  std::vector<std::vector<std::string>> cells{{"#", "kind", "numbers", "world", "view", "ndcZ", "reverseZ", "ndcY"}};
+  std::vector<std::string> presets{"fits"};
+  for (const NumberedReading& n : m.readings) {
+    const Reading& r = n.reading;
+    cells.push_back({std::to_string(n.number)});
+    for (std::string_view cell : {nameOf(kKindNames, r.kind), nameOf(kLayoutNames, r.layout), worldOf(r), viewOf(r),
+                                  ndcZOf(r), reversedOf(r), ndcYOf(r)})
+      cells.back().emplace_back(cell);
+    presets.push_back(presetText(r, m.written.order));
+  }
+  const std::string aligned = alignedTable(cells);
+  std::string out;
+  std::size_t at = 0;
+  for (const std::string& preset : presets) {
+    const std::size_t end = aligned.find('\n', at);
+    out += "  " + aligned.substr(at, end - at) + "  " + preset + "\n";
+    at = end + 1;
+  }
+  return out;
+}
+
+/// A row a parameter; readings that agree on one share it.
+std::string parameterTable(const InspectedMatrix& m) {
+  struct Row {
+    Line line;
+    std::vector<std::size_t> readings;
+  };
+  std::vector<Row> rows;
+  for (const NumberedReading& n : m.readings)
+    for (const Line& line : parametersOf(n.reading)) {
+      auto place = rows.end();  // beside the others of its name
+      bool shared = false;
+      for (auto row = rows.begin(); row != rows.end() && !shared; ++row)
+        if (row->line.name == line.name) {
+          shared = row->line.value == line.value && row->line.spread == line.spread;
+          place = shared ? row : row + 1;
+        }
+      if (!shared) place = rows.insert(place, {line, {}});
+      place->readings.push_back(n.number);
+    }
+  std::size_t nameWidth = 0, valueWidth = 0;
+  for (const Row& row : rows) {
+    nameWidth = std::max(nameWidth, row.line.name.size());
+    valueWidth = std::max(valueWidth, row.line.value.size());
+  }
+  std::string out;
+  for (const auto& [line, readings] : rows) {
+    std::string tail = line.spread;
+    if (readings.size() != m.readings.size()) {
+      tail += tail.empty() ? "[" : "  [";
+      for (std::size_t number : readings) tail += (tail.back() == '[' ? "" : " ") + std::to_string(number);
+      tail += "]";
+    }
+    out += "  " + line.name + std::string(nameWidth - line.name.size() + 2, ' ') + line.value;
+    if (!tail.empty()) out += std::string(valueWidth - line.value.size() + 2, ' ') + tail;
+    out += "\n";
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string nameOf(const WrittenMatrix& matrix, std::size_t index) {
+  return matrix.name.empty() ? "matrix " + std::to_string(index + 1) : matrix.name;
+}
+
+std::string oneLine(const NumberedReading& numbered, NumberOrder order) {
+  const Reading& r = numbered.reading;
+  std::string text = std::to_string(numbered.number) + ": " + std::string(nameOf(kKindNames, r.kind)) + ", " +
+                     std::string(nameOf(kLayoutNames, r.layout));
+  const auto add = [&](const char* name, std::string_view value) {
+    if (value != "-") text += std::string(", ") + name + " " + std::string(value);
+  };
+  add("world", worldOf(r));
+  add("view", viewOf(r));
+  add("ndcZ", ndcZOf(r));
+  add("reverseZ", reversedOf(r));
+  add("ndcY", ndcYOf(r));
+  return text + " (" + presetText(r, order) + ")";
+}
+
+std::string reportAsText(const std::vector<InspectedMatrix>& matrices) {
+  std::string out;
+  for (std::size_t i = 0; i < matrices.size(); ++i) {
+    const InspectedMatrix& m = matrices[i];
+    out += (i > 0 ? "\n" : "") + nameOf(m.written, i) + ": ";
+    if (m.all == 0) {
+      out += "nothing known\n  as written: " + m.asWrittenFault + "\n";
+      if (m.transposedFault != m.asWrittenFault) out += "  transposed: " + m.transposedFault + "\n";
+      continue;
+    }
+    out += plural(m.readings.size(), "reading") + (m.readings.size() == m.all ? "" : " of " + std::to_string(m.all)) +
+           "\n";
+    if (!m.readings.empty()) out += readingTable(m) + "\n" + parameterTable(m) + (m.notes.empty() ? "" : "\n");
+    for (const std::string& note : m.notes) out += wrapped(note);
+  }
+  return out;
+}
+
+std::string reportAsJson(const std::vector<InspectedMatrix>& matrices, bool asFloat) {
+  Json all = Json::array();
+  for (std::size_t i = 0; i < matrices.size(); ++i) {
+    const InspectedMatrix& m = matrices[i];
+    Json readings = Json::array();
+    for (const NumberedReading& n : m.readings) readings.push_back(asJson(n, m.written.order));
+    Json part{{"name", nameOf(m.written, i)}, {"readings", readings}};
+    if (m.all == 0) part["faults"] = {{"asWritten", m.asWrittenFault}, {"transposed", m.transposedFault}};
+    part["notes"] = m.notes;
+    all.push_back(part);
+  }
+  return Json{{"entries", asFloat ? "float32" : "float64"}, {"matrices", all}}.dump(2, ' ', false,
+                                                                                    Json::error_handler_t::replace) +
+         "\n";
+}
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,126 @@
+// viewproj measure: speed and error of every precision, and of the textbook way, on the user's own points.
+#include "commands/command.hpp"
+#include "commands/measure/measurement.hpp"
+#include "commands/measure/report.hpp"
+#include "commands/options.hpp"
+#include "input/points.hpp"
+#include "output/output_file.hpp"
+#include "stream/filter.hpp"
+#include "text/error.hpp"
+#include "text/file.hpp"
+#include "text/parse_number.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+/// Points that are kept at once.
+constexpr std::size_t kMostPoints = 1'000'000;
+
+/// What batches take, and how much was left out because they do not.
+struct Sample {
+  std::vector<Vec3> points;
+  std::size_t leftOut = 0;
+};
+
+/// Keeps the points of a stream.
+class SampleWork final : public RecordWork {
+ public:
+  SampleWork(Sample& sample, const std::vector<std::string>& columns, bool worldIsEcef)
+      : sample_(sample), columns_(columns), worldIsEcef_(worldIsEcef) {}
+
+  Layout find(const RecordParts& record) const override { return findPoint(record, columns_, worldIsEcef_); }
+  void nameResults(const Layout&, ResultSink&) const override {}  // uncounted: there are none
+  void add(const Layout& layout, const Numbers& numbers) override {
+    const Vec4 p = toPoint(layout, numbers);
+    if (sample_.points.size() == kMostPoints)
+      throw RecordError(0, "is one more than the " + std::to_string(kMostPoints) +
+                               " points that are measured at once; a sample of them will do");
+    if (p.w == 1)
+      sample_.points.push_back({p.x, p.y, p.z});
+    else
+      ++sample_.leftOut;
+  }
+  void write(std::size_t, ResultSink&) override {}  // uncounted: records are read alone
+  void clear() override {}
+
+ private:
+  Sample& sample_;
+  const std::vector<std::string>& columns_;
+  bool worldIsEcef_;
+};
+
+std::vector<std::string> notesOn(const Measurement& m, std::size_t leftOut) {
+  std::vector<std::string> notes;
+  const auto records = [](std::size_t count) { return std::to_string(count) + (count == 1 ? " point" : " points"); };
+  if (leftOut > 0)
+    notes.push_back("left out " + records(leftOut) + " with a weight or a direction; batches take x y z alone");
+  if (m.points < kEnoughToTime)
+    notes.push_back("too few points to time: with " + records(m.points) +
+                    " the cost of a call is part of ns per point; repeat them to " + std::to_string(kEnoughToTime) +
+                    " or more");
+  if (m.visible == 0)
+    notes.push_back("none of the points is in the picture: there are no errors to tell, and no rays");
+  else if (m.points >= kEnoughToTime && m.visible < kEnoughToTime)
+    notes.push_back("too few pixels to time: with " + records(m.visible) +
+                    " in the picture the cost of a call is part of ns per ray");
+  return notes;
+}
+
+double readSeconds(const std::string& text) {
+  constexpr double kDefault = 1, kMost = 3600;
+  if (text.empty()) return kDefault;
+  const auto seconds = parseNumber(text);
+  if (!seconds || !(*seconds > 0 && *seconds <= kMost))
+    throw UsageError("--seconds " + text + ": expected a number above 0, up to 3600");
+  return *seconds;
+}
+
+struct Options {
+  CameraOptions camera;
+  StreamOptions stream;
+  ToleranceOption tolerance;
+  std::string seconds, format = "table";
+};
+
+int run(const Options& o) {
+  static constexpr std::string_view kFormats[] = {"table", "json", "svg"};
+  requireKnown("--to", o.format, kFormats);
+  const double within = o.tolerance.value();
+  const double duration = readSeconds(o.seconds);
+  FilterSetup setup = o.stream.setup(kPointCoordinates);
+  o.stream.requireOneInput(setup, o.camera);
+  const CameraFile file = o.camera.read();
+  const Camera built = makeCamera(file);
+
+  Sample sample;
+  readRecords(setup, [&] { return std::make_unique<SampleWork>(sample, setup.columns, file.worldIsEcef); });
+  if (sample.points.empty())
+    throw InputError((setup.file == "-" ? kStandardInputName : setup.file) + ": has no points to measure" +
+                     (sample.leftOut > 0 ? "; directions and weighted points are left out" : ""));
+  const Measurement m = measure(built, sample.points, within, duration);
+  const std::vector<std::string> notes = notesOn(m, sample.leftOut);
+  for (const std::string& note : notes) complain("note: " + note);
+  writeOutput(o.format == "json"  ? measurementAsJson(m, sample.leftOut, notes)
+              : o.format == "svg" ? measurementAsSvg(m)
+                                  : measurementAsTable(m));
+  return 0;
+}
+
+}  // namespace
+
+Action defineMeasure(CLI::App& app) {
+  const auto o = std::make_shared<Options>();
+  app.description(
+      "Speed and error of every precision on your own points, beside the textbook way: the view-projection matrix in "
+      "double and in float, and rays by its inverse.");
+  app.footer("viewproj measure -c samples/measuring-the-trade/camera.json samples/measuring-the-trade/points.txt");
+  o->camera.add(app);
+  o->stream.addInput(app, "points");
+  o->tolerance.add(app);
+  app.add_option("--seconds", o->seconds, "How long to time, seven rounds at least (default: 1)")->type_name("S");
+  app.add_option("--to", o->format, "Form of the output: table, json, svg: error over cost (default: table)")
+      ->type_name("FORM");
+  return [o] { return run(*o); };
+}
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,138 @@
+// glTF 2.0: cameras stand on nodes, and a node's transform is relative to its parent's.
+// Source: glTF 2.0 specification, "Nodes and Hierarchy" and "Cameras".
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "input/importers/importer.hpp"
+#include "input/placement.hpp"
+#include "viewproj/numbers/radians.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+bool recognises(const nlohmann::json& root) {
+  const auto asset = root.find("asset");
+  return asset != root.end() && asset->is_object() && asset->contains("version");
+}
+
+struct Gltf {
+  ObjectReader root;
+  ObjectList nodes, cameras;
+  std::vector<std::size_t> cameraNodes;  ///< nodes that have a camera
+
+  explicit Gltf(const Document& document) : root(document, document.root(), {}) {
+    const std::string version = root.object("asset")->string("version").value_or("");
+    if (!version.starts_with("2.")) root.object("asset")->fail("version", "is not read: only glTF 2");
+    nodes = root.objects("nodes");
+    cameras = root.objects("cameras");
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      if (cameraOf(i)) cameraNodes.push_back(i);
+    if (!cameraNodes.empty()) return;
+    if (cameras.empty()) root.fail("has no cameras");
+    root.fail("cameras", "stand on no node: none says where one is");
+  }
+
+  std::optional<std::size_t> cameraOf(std::size_t node) const {
+    return nodes[node].index("camera", cameras.size(), "cameras");
+  }
+};
+
+std::vector<HeldCamera> list(const Document& document) {
+  const Gltf gltf(document);
+  std::vector<HeldCamera> result;
+  for (std::size_t node : gltf.cameraNodes) {
+    const ObjectReader camera = gltf.cameras[*gltf.cameraOf(node)];
+    HeldCamera held;
+    held.name = gltf.nodes[node].text("name").value_or("");
+    held.number = std::to_string(node);
+    held.alias = camera.text("name").value_or("");
+    held.kind = camera.text("type").value_or("");
+    held.note = "node " + held.number;
+    if (const auto lens = camera.object("perspective"))
+      held.note += shortNumbers(*lens, {"yfov", "aspectRatio", "znear", "zfar"});
+    else if (const auto box = camera.object("orthographic"))
+      held.note += shortNumbers(*box, {"xmag", "ymag", "znear", "zfar"});
+    result.push_back(held);
+  }
+  return result;
+}
+
+/// From the root of the node's tree to the node.
+std::vector<PlacedNode> chainTo(const Gltf& gltf, std::size_t node) {
+  constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> parents(gltf.nodes.size(), kNone);
+  for (std::size_t i = 0; i < gltf.nodes.size(); ++i)
+    for (std::size_t child : gltf.nodes[i].indices("children", gltf.nodes.size(), "nodes")) {
+      if (parents[child] != kNone)
+        gltf.nodes[i].fail("children", "has node " + std::to_string(child) + ", which is a child of node " +
+                                           std::to_string(parents[child]) + " already");
+      parents[child] = i;
+    }
+  std::vector<PlacedNode> chain;
+  for (std::size_t at = node; at != kNone; at = parents[at]) {
+    if (chain.size() == gltf.nodes.size()) gltf.nodes[node].fail("has ancestors that run in a circle");
+    const ObjectReader fields = gltf.nodes[at];
+    PlacedNode placed{fields, readColumnMajor(fields, "matrix"), fields.vec3("translation"), fields.vec3("scale"), {}};
+    if (const auto q = fields.numbers("rotation", 4, 4))
+      placed.rotation = Quaternion{(*q)[0], (*q)[1], (*q)[2], (*q)[3]};
+    if (placed.matrix && (placed.translation || placed.scale || placed.rotation))
+      fields.fail("matrix", "is given beside translation, rotation or scale; one of them is expected");
+    chain.push_back(std::move(placed));
+  }
+  std::reverse(chain.begin(), chain.end());
+  return chain;
+}
+
+Projection readPerspective(const ObjectReader& lens, const std::optional<ReadViewport>& viewport,
+                           const CameraReading& reading) {
+  const auto ownAspect = lens.number("aspectRatio");
+  const double yfov = lens.requireNumber("yfov");
+  const double near = lens.requireNumber("znear");
+  const double far = lens.number("zfar").value_or(kInfiniteFar);
+  if (ownAspect && !(*ownAspect > 0)) lens.fail("aspectRatio", "must be above 0");
+  if (!ownAspect && !viewport) lens.fail("has no aspectRatio and needs a viewport; --viewport WIDTHxHEIGHT gives one");
+  const DoubleDouble halfHeight = tanHalfRadians(yfov);
+  if (!(halfHeight.hi > 0)) lens.fail("yfov", "must be an angle between 0 and pi radians");
+  const DoubleDouble aspect =
+      ownAspect ? DoubleDouble(*ownAspect) : DoubleDouble(viewport->frame.width) / DoubleDouble(viewport->frame.height);
+  if (ownAspect && viewport && !reading.allowStretch)
+    requireShape(aspect, viewport->frame, lens,
+                 "take the viewport's with --set " + dotted(lens.path()) + ".aspectRatio=null, ");
+  const DoubleDouble halfWidth = halfHeight * aspect;
+  return located(lens, {{"near", "znear"}, {"far", "zfar"}},
+                 [&] { return perspectiveWindow(-halfWidth, halfWidth, -halfHeight, halfHeight, near, far); });
+}
+
+/// xmag and ymag are half the width and half the height.
+Projection readOrthographic(const ObjectReader& box, const std::optional<ReadViewport>& viewport,
+                            const CameraReading& reading) {
+  const double x = box.requireNumber("xmag"), y = box.requireNumber("ymag");
+  const double near = box.requireNumber("znear"), far = box.requireNumber("zfar");
+  if (!(x > 0)) box.fail("xmag", "must be above 0");
+  if (!(y > 0)) box.fail("ymag", "must be above 0");
+  if (viewport && !reading.allowStretch) requireShape(DoubleDouble(x) / DoubleDouble(y), viewport->frame, box);
+  return located(box, {{"near", "znear"}, {"far", "zfar"}, {"right", "xmag"}, {"top", "ymag"}},
+                 [&] { return orthographic(-x, x, -y, y, near, far); });
+}
+
+CameraFile read(const Document& document, std::size_t which, const CameraReading& reading) {
+  const Gltf gltf(document);
+  const std::size_t node = gltf.cameraNodes[which];
+  const ObjectReader camera = gltf.cameras[*gltf.cameraOf(node)];
+  const auto viewport = importedViewport(document);
+  const auto type = camera.string("type").value_or("");
+  if (type.empty()) camera.fail("needs a type");
+  if (type != "perspective" && type != "orthographic") camera.fail("type", "is neither perspective nor orthographic");
+  const auto lens = camera.object(type);
+  if (!lens) camera.fail("needs " + type);
+  return imported(
+      document, *conventionPreset("opengl"), poseAtEndOf(chainTo(gltf, node)),
+      type == "perspective" ? readPerspective(*lens, viewport, reading) : readOrthographic(*lens, viewport, reading),
+      viewport);
+}
+
+}  // namespace
+
+const Importer kGltf{"a glTF file", recognises, list, read};
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,180 @@
+// three.js cameras as Object3D.toJSON writes them, alone or in a scene. Formulas: updateProjectionMatrix of
+// PerspectiveCamera and OrthographicCamera, three.js r187; matrixWorldInverse there leaves scales out too.
+#include <nlohmann/json.hpp>
+
+#include "input/importers/importer.hpp"
+#include "input/placement.hpp"
+#include "viewproj/numbers/degrees.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+constexpr std::string_view kPerspective = "PerspectiveCamera", kOrthographic = "OrthographicCamera";
+
+bool recognises(const nlohmann::json& root) {
+  const auto object = root.find("object");
+  if (object == root.end() || !object->is_object()) return false;
+  const auto type = object->find("type");
+  return type != object->end() && type->is_string();
+}
+
+/// A camera and what it hangs from, outermost first.
+using Branch = std::vector<ObjectReader>;
+
+/// Calls visit with the branch of each camera of the file.
+template <class Visit>
+void eachCamera(Branch& branch, const Visit& visit) {
+  const std::string_view type = branch.back().text("type").value_or("");
+  if (type == kPerspective || type == kOrthographic) visit(branch);
+  for (const ObjectReader& child : branch.back().objects("children")) {
+    branch.push_back(child);
+    eachCamera(branch, visit);
+    branch.pop_back();
+  }
+}
+
+template <class Visit>
+void eachCamera(const Document& document, const Visit& visit) {
+  Branch branch{*ObjectReader(document, document.root(), {}).object("object")};
+  eachCamera(branch, visit);
+}
+
+std::vector<HeldCamera> list(const Document& document) {
+  std::vector<HeldCamera> result;
+  eachCamera(document, [&](const Branch& branch) {
+    const ObjectReader& camera = branch.back();
+    const bool perspective = camera.text("type") == kPerspective;
+    HeldCamera held{camera.text("name").value_or(""), std::to_string(result.size()), camera.text("uuid").value_or(""),
+                    perspective ? "perspective" : "orthographic", ""};
+    held.note = perspective ? shortNumbers(camera, {"fov", "aspect", "zoom", "near", "far"})
+                            : shortNumbers(camera, {"left", "right", "top", "bottom", "zoom", "near", "far"});
+    if (!held.note.empty()) held.note.erase(0, 2);
+    result.push_back(held);
+  });
+  if (result.empty())
+    ObjectReader(document, document.root(), {})
+        .object("object")
+        ->fail("has no PerspectiveCamera and no OrthographicCamera");
+  return result;
+}
+
+PlacedNode placed(const ObjectReader& object) {
+  PlacedNode node{object, readColumnMajor(object, "matrix"), {}, {}, {}};
+  if (node.matrix) return node;
+  if (object.has("rotation")) object.fail("rotation", "is not read: a matrix or a quaternion is expected");
+  node.translation = object.vec3("position");
+  node.scale = object.vec3("scale");
+  if (const auto q = object.numbers("quaternion", 4, 4)) node.rotation = Quaternion{(*q)[0], (*q)[1], (*q)[2], (*q)[3]};
+  return node;
+}
+
+/// A tile of a larger picture.
+struct View {
+  double fullWidth, fullHeight, offsetX, offsetY, width, height;
+};
+
+std::optional<View> readView(const ObjectReader& camera) {
+  // As three.js has it: a view that does not say so is not enabled.
+  const auto view = camera.object("view");
+  if (!view || !view->flag("enabled").value_or(false)) return std::nullopt;
+  const auto positive = [&](const char* key) {
+    const double number = view->requireNumber(key);
+    if (!(number > 0)) view->fail(key, "must be above 0");
+    return number;
+  };
+  return View{positive("fullWidth"),        positive("fullHeight"), view->numberOr("offsetX", 0),
+              view->numberOr("offsetY", 0), positive("width"),      positive("height")};
+}
+
+double readZoom(const ObjectReader& camera) {
+  const double zoom = camera.numberOr("zoom", 1);
+  if (!(zoom > 0)) camera.fail("zoom", "must be above 0");
+  return zoom;
+}
+
+/// Infinity is null in JSON.
+double readFar(const ObjectReader& camera) {
+  if (!camera.json().contains("far")) camera.fail("needs far; null is infinite");
+  return camera.number("far").value_or(kInfiniteFar);
+}
+
+/// The window of the whole picture to that of the view.
+struct Window {
+  DoubleDouble left, right, bottom, top;
+
+  Window part(const View& view) const {
+    const DoubleDouble x = (right - left) / DoubleDouble(view.fullWidth);
+    const DoubleDouble y = (top - bottom) / DoubleDouble(view.fullHeight);
+    const DoubleDouble start = left + x * DoubleDouble(view.offsetX), above = top - y * DoubleDouble(view.offsetY);
+    return {start, start + x * DoubleDouble(view.width), above - y * DoubleDouble(view.height), above};
+  }
+  DoubleDouble aspect() const { return (right - left) / (top - bottom); }
+};
+
+Window perspectiveOf(const ObjectReader& camera, const std::optional<View>& view,
+                     const std::optional<ReadViewport>& viewport) {
+  const auto ownAspect = camera.number("aspect");
+  if (ownAspect && !(*ownAspect > 0)) camera.fail("aspect", "must be above 0");
+  if (!ownAspect && !viewport) camera.fail("has no aspect and needs a viewport; --viewport WIDTHxHEIGHT gives one");
+  const DoubleDouble tangent = tanHalfDegrees(camera.requireNumber("fov"));
+  if (!(tangent.hi > 0)) camera.fail("fov", "must be an angle between 0 and 180 degrees");
+  const DoubleDouble aspect =
+      ownAspect ? DoubleDouble(*ownAspect) : DoubleDouble(viewport->frame.width) / DoubleDouble(viewport->frame.height);
+  const DoubleDouble height = tangent / DoubleDouble(readZoom(camera)), width = height * aspect;
+  Window window{-width, width, -height, height};
+  if (view) window = window.part(*view);
+  if (const double offset = camera.numberOr("filmOffset", 0); offset != 0) {
+    // In millimetres, as the film's width is: the gauge, or in a portrait format the part that is used.
+    const double gauge = camera.numberOr("filmGauge", 35);
+    if (!(gauge > 0)) camera.fail("filmGauge", "must be above 0");
+    const DoubleDouble film = DoubleDouble(gauge) * (aspect.hi < 1 ? aspect : DoubleDouble(1));
+    const DoubleDouble shift = DoubleDouble(offset) / film;
+    window.left += shift;
+    window.right += shift;
+  }
+  return window;
+}
+
+Window orthographicOf(const ObjectReader& camera, const std::optional<View>& view) {
+  const double left = camera.requireNumber("left"), right = camera.requireNumber("right");
+  const double top = camera.requireNumber("top"), bottom = camera.requireNumber("bottom");
+  if (!(right > left)) camera.fail("right", "must be greater than left");
+  if (!(top > bottom)) camera.fail("top", "must be greater than bottom");
+  const DoubleDouble zoom = readZoom(camera);
+  const DoubleDouble halfWidth = timesPowerOfTwo(twoDiff(right, left), 0.5) / zoom;
+  const DoubleDouble halfHeight = timesPowerOfTwo(twoDiff(top, bottom), 0.5) / zoom;
+  const DoubleDouble x = timesPowerOfTwo(twoSum(left, right), 0.5), y = timesPowerOfTwo(twoSum(bottom, top), 0.5);
+  const Window window{x - halfWidth, x + halfWidth, y - halfHeight, y + halfHeight};
+  return view ? window.part(*view) : window;
+}
+
+CameraFile read(const Document& document, std::size_t which, const CameraReading& reading) {
+  Branch branch;
+  std::size_t at = 0;
+  eachCamera(document, [&](const Branch& each) {
+    if (at++ == which) branch = each;
+  });
+  const ObjectReader& camera = branch.back();
+  const bool perspective = *camera.string("type") == kPerspective;
+  const auto view = readView(camera);
+  const auto viewport = importedViewport(
+      document, view ? ViewportDefaults{.width = view->width, .height = view->height} : ViewportDefaults{});
+  const Window window = perspective ? perspectiveOf(camera, view, viewport) : orthographicOf(camera, view);
+  const double near = camera.requireNumber("near"), far = readFar(camera);
+  const Projection projection = located(camera, {{"near", "near"}, {"far", "far"}}, [&] {
+    return perspective ? perspectiveWindow(window.left, window.right, window.bottom, window.top, near, far)
+                       : orthographic(window.left, window.right, window.bottom, window.top, near, far);
+  });
+  if (viewport && !reading.allowStretch)
+    requireShape(window.aspect(), viewport->frame, camera,
+                 perspective ? "take the viewport's with --set " + dotted(camera.path()) + ".aspect=null, " : "");
+  std::vector<PlacedNode> chain;
+  for (const ObjectReader& object : branch) chain.push_back(placed(object));
+  return imported(document, *conventionPreset("opengl"), poseAtEndOf(chain), projection, viewport);
+}
+
+}  // namespace
+
+const Importer kThreeJs{"a three.js file", recognises, list, read};
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,250 @@
+#include "text/json_text.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace viewproj::cmd {
+namespace {
+
+bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
+std::size_t endOfString(std::string_view text, std::size_t at) {
+  for (++at; at < text.size() && text[at] != '"'; ++at)
+    if (text[at] == '\\') ++at;
+  return std::min(at + 1, text.size());
+}
+
+/// Without the middle of a number or a string that is long.
+std::string shortened(const std::string& message) {
+  constexpr std::size_t kFront = 160, kBack = 60;
+  if (message.size() <= kFront + kBack) return message;
+  const auto splitsCharacter = [&](std::size_t at) { return (message[at] & 0xC0) == 0x80; };
+  std::size_t front = kFront, back = message.size() - kBack;
+  while (front > 0 && splitsCharacter(front)) --front;
+  while (back < message.size() && splitsCharacter(back)) ++back;
+  return message.substr(0, front) + "..." + message.substr(back);
+}
+
+/// Takes nothing in but what is wrong.
+struct Judge : nlohmann::json_sax<nlohmann::json> {
+  std::optional<JsonFault> fault;
+
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(number_integer_t) override { return true; }
+  bool number_unsigned(number_unsigned_t) override { return true; }
+  bool number_float(number_float_t, const string_t&) override { return true; }
+  bool string(string_t&) override { return true; }
+  bool binary(binary_t&) override { return true; }  // uncounted: text has none
+  bool start_object(std::size_t) override { return true; }
+  bool key(string_t&) override { return true; }
+  bool end_object() override { return true; }
+  bool start_array(std::size_t) override { return true; }
+  bool end_array() override { return true; }
+
+  /// read: how many bytes, up to the end of the token.
+  bool parse_error(std::size_t read, const std::string& token, const nlohmann::json::exception& e) override {
+    std::string message = e.what();
+    if (dynamic_cast<const nlohmann::json::parse_error*>(&e)) {
+      // "[json.exception.parse_error.101] parse error at line 1, column 5: what is wrong"
+      if (const std::size_t colon = message.find(": "); colon != std::string::npos) message.erase(0, colon + 2);
+      fault = JsonFault{read > 0 ? read - 1 : 0, "not valid JSON: " + shortened(message)};
+    } else {
+      // "[json.exception.out_of_range.406] number overflow parsing '1e999'"
+      if (const std::size_t bracket = message.find("] "); bracket != std::string::npos) message.erase(0, bracket + 2);
+      fault = JsonFault{read - std::min(read, token.size()), shortened(message)};
+    }
+    return false;
+  }
+};
+
+/// Builds the value. (The library's own parser with a callback looks through the parent at each part that ends.)
+struct Builder final : Judge {
+  explicit Builder(nlohmann::json& root) : root_(root) {}
+
+  struct Twice {
+    std::string key;
+    std::size_t number;  ///< among the text's keys
+  };
+  std::optional<Twice> twice;  ///< the first key that its object has already
+
+  bool null() override { return put(nullptr); }
+  bool boolean(bool value) override { return put(value); }
+  bool number_integer(number_integer_t value) override { return put(value); }
+  bool number_unsigned(number_unsigned_t value) override { return put(value); }
+  bool number_float(number_float_t value, const string_t&) override { return put(value); }
+  bool string(string_t& value) override { return put(std::move(value)); }
+  bool start_object(std::size_t) override { return open(nlohmann::json::object()); }
+  bool start_array(std::size_t) override { return open(nlohmann::json::array()); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
+  bool key(string_t& name) override {
+    const auto [at, isNew] = open_.back()->get_ref<nlohmann::json::object_t&>().try_emplace(name);
+    if (!isNew && !twice) twice = Twice{name, keys_};
+    field_ = &at->second;
+    ++keys_;
+    return true;
+  }
+
+ private:
+  nlohmann::json& place(nlohmann::json value) {
+    const bool inArray = !open_.empty() && open_.back()->is_array();
+    if (inArray) open_.back()->push_back(nullptr);
+    nlohmann::json& at = open_.empty() ? root_ : inArray ? open_.back()->back() : *field_;
+    return at = std::move(value);
+  }
+  bool put(nlohmann::json value) {
+    place(std::move(value));
+    return true;
+  }
+  bool open(nlohmann::json value) {
+    open_.push_back(&place(std::move(value)));
+    return true;
+  }
+  bool close() {
+    open_.pop_back();
+    return true;
+  }
+
+  nlohmann::json& root_;
+  std::vector<nlohmann::json*> open_;  ///< the arrays and objects begun, outermost first
+  nlohmann::json* field_ = nullptr;    ///< of the key just read
+  std::size_t keys_ = 0;
+};
+
+std::optional<JsonFault> faultOf(std::string_view text, Judge& judge) {
+  (void)nlohmann::json::sax_parse(text.begin(), text.end(), &judge);
+  if (judge.fault) return judge.fault;
+  if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos)
+    return JsonFault{nul, "not valid JSON: a NUL"};
+  return std::nullopt;
+}
+
+std::size_t afterSpace(std::string_view text, std::size_t at) {
+  while (at < text.size() && isSpace(text[at])) ++at;
+  return at;
+}
+
+/// Where a key of valid JSON stands, which are counted from 0.
+std::size_t offsetOfKey(std::string_view text, std::size_t number) {
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] != '"') continue;
+    const std::size_t end = endOfString(text, at), next = afterSpace(text, end);
+    if (next < text.size() && text[next] == ':' && number-- == 0) return at;
+    at = end - 1;
+  }
+  return 0;  // uncounted: there are as many
+}
+
+}  // namespace
+
+TextPosition positionAt(std::string_view text, std::size_t offset, TextPosition start) {
+  for (char c : text.substr(0, offset))
+    if (c == '\n') {
+      ++start.line;
+      start.column = 1;
+    } else {
+      ++start.column;
+    }
+  return start;
+}
+
+std::string place(std::string_view file, TextPosition position) {
+  return std::string(file) + ":" + std::to_string(position.line) + ":" + std::to_string(position.column);
+}
+
+std::optional<JsonFault> jsonFault(std::string_view text) {
+  Judge nothing;
+  return faultOf(text, nothing);
+}
+
+std::optional<JsonFault> parseJson(std::string_view text, nlohmann::json& value) {
+  Builder builder(value);
+  if (auto fault = faultOf(text, builder)) return fault;
+  if (!builder.twice) return std::nullopt;
+  return JsonFault{offsetOfKey(text, builder.twice->number), "the key '" + builder.twice->key + "' is given twice"};
+}
+
+bool isJson(std::string_view text) {
+  return text.find('\0') == std::string_view::npos && nlohmann::json::accept(text.begin(), text.end());
+}
+
+std::size_t endOfValue(std::string_view text, std::size_t at) {
+  std::size_t depth = 0;
+  for (; at < text.size(); ++at) {
+    const char c = text[at];
+    if (c == '"') {
+      at = endOfString(text, at) - 1;
+    } else if (c == '{' || c == '[') {
+      ++depth;
+    } else if (c == '}' || c == ']') {
+      if (depth == 0) return at;  // behind a scalar
+      --depth;
+    } else if (depth == 0 && (c == ',' || isSpace(c))) {
+      return at;
+    } else {
+      continue;
+    }
+    if (depth == 0) return at + 1;
+  }
+  return at;
+}
+
+std::optional<JsonParts::Part> JsonParts::begin() {
+  at_ = afterSpace(text_, at_);
+  if (at_ < text_.size() && text_[at_] == ',') ++at_;
+  at_ = afterSpace(text_, at_);
+  if (at_ >= text_.size() || text_[at_] == '}' || text_[at_] == ']') return std::nullopt;
+  Part part{{}, {}, at_};
+  if (isObject_) {
+    const std::size_t end = endOfString(text_, at_);
+    part.key = text_.substr(at_ + 1, end - at_ - 2);
+    at_ = afterSpace(text_, end);
+    at_ = afterSpace(text_, at_ + 1);  // behind the colon
+  }
+  part.value = text_.substr(at_);
+  return part;
+}
+
+void JsonParts::pass(Part& part) {
+  const std::size_t end = endOfValue(text_, at_);
+  part.value = text_.substr(at_, end - at_);
+  at_ = end;
+}
+
+std::optional<JsonParts::Part> JsonParts::next() {
+  auto part = begin();
+  if (part) pass(*part);
+  return part;
+}
+
+std::string unescaped(std::string_view raw) {
+  if (raw.find('\\') == std::string_view::npos) return std::string(raw);
+  return nlohmann::json::parse("\"" + std::string(raw) + "\"").get<std::string>();
+}
+
+std::size_t locate(std::string_view text, std::span<const std::string> path) {
+  std::size_t base = text.find_first_not_of(" \t\r\n");
+  if (base == std::string_view::npos) return 0;
+  for (const std::string& step : path) {
+    // Ends where the text does: where the value ends is found on the way.
+    const std::string_view value = text.substr(base);
+    if (value.empty() || (value[0] != '{' && value[0] != '[')) break;
+    JsonParts parts(value);
+    std::size_t index = 0;
+    bool found = false;
+    while (auto part = parts.begin()) {
+      if (value[0] == '{' ? unescaped(part->key) == step : std::to_string(index) == step) {
+        base += static_cast<std::size_t>(part->value.data() - value.data());
+        found = true;
+        break;
+      }
+      parts.pass(*part);
+      ++index;
+    }
+    if (!found) break;
+  }
+  return base;
+}
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,59 @@
+#include "text/names.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <vector>
+
+namespace viewproj::cmd {
+namespace {
+
+char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
+
+/// Edits (insert, delete, replace, swap of neighbours) from a to b, case aside.
+std::size_t editDistance(std::string_view a, std::string_view b) {
+  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = i;
+  for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i)
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const bool same = lower(a[i - 1]) == lower(b[j - 1]);
+      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (same ? 0 : 1)});
+      if (i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1]))
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+    }
+  return d[a.size()][b.size()];
+}
+
+}  // namespace
+
+std::string_view nearestName(std::string_view name, std::span<const std::string_view> candidates) {
+  std::string_view best;
+  if (name.size() > 100) return best;
+  std::size_t fewest = std::max<std::size_t>(1, name.size() / 3) + 1;
+  for (std::string_view candidate : candidates) {
+    // So many letters more or fewer are as many edits.
+    if (candidate.size() >= name.size() + fewest || name.size() >= candidate.size() + fewest) continue;
+    if (const std::size_t edits = editDistance(name, candidate); edits < fewest) {
+      fewest = edits;
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+std::string suggestion(std::string_view name, std::span<const std::string_view> candidates) {
+  const std::string_view nearest = nearestName(name, candidates);
+  if (!nearest.empty()) return "; did you mean '" + std::string(nearest) + "'?";
+  return "; known are " + joined(candidates);
+}
+
+std::string joined(std::span<const std::string_view> names, std::string_view separator) {
+  std::string text;
+  for (std::string_view name : names) {
+    if (!text.empty()) text += separator;
+    text += name;
+  }
+  return text;
+}
+
+}  // namespace viewproj::cmd
