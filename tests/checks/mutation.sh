@@ -4,6 +4,7 @@
 #   sh tests/checks/mutation.sh                 as many as five minutes allow, another choice at each commit
 #   sh tests/checks/mutation.sh --all           every one (ALL=1 in the environment: the same)
 #   sh tests/checks/mutation.sh NAME...         these
+#   sh tests/checks/mutation.sh --named ...     by the tests that the rows name alone, which takes minutes
 #   sh tests/checks/mutation.sh --list          checks that each row's text stands in its file, once
 set -eu
 cd "$(dirname "$0")/../.."

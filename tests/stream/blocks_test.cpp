@@ -176,11 +176,11 @@ TEST_CASE("the form is told alike however the input arrives") {
 }
 
 TEST_CASE("the first JSON record names the columns of CSV, whichever of many workers is the first to end") {
-  // Long records in the first block, short ones with other fields in the next: those are read before the first is.
-  std::string input = "[\n";
-  for (int i = 0; i < 20; ++i)
-    input += R"({"first":")" + std::string(BlockReader::kBlock / 2, 'a') + R"(","x":1,"y":2,"z":3},)" + "\n";
-  for (int i = 0; i < 50; ++i) input += R"({"x":1,"y":2,"z":3,"second":)" + std::to_string(i) + "},\n";
+  // A record of megabytes, and behind it short ones with other fields: those are read before the first is.
+  std::string input = R"([{"first":")" + std::string(8 << 20, 'a') +
+                      R"(","x":1,"y":2,"z":3},)"
+                      "\n";
+  for (int i = 0; i < 2000; ++i) input += R"({"x":1,"y":2,"z":3,"second":)" + std::to_string(i) + "},\n";
   input += R"({"x":1,"y":2,"z":3}])"
            "\n";
   const StreamHow one{.from = Form::json, .to = OutputForm::csv, .keepGoing = true};

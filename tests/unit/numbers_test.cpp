@@ -69,6 +69,9 @@ TEST_CASE("Double-double division and square root undo multiplication to 2^-100"
 }
 
 TEST_CASE("A sum that cancels to less than its terms' error is zero") {
+  CHECK_FALSE(std::signbit(rounded(DDVec3{-0.0, 1, 2}).x));
+  CHECK_FALSE(std::signbit(rounded(DDVec3{1, -0.0, 2}).y));
+  CHECK_FALSE(std::signbit(rounded(DDVec3{1, 2, -0.0}).z));
   const DoubleDouble third = DoubleDouble(1) / DoubleDouble(3);
   CHECK(sumOrZero(third * DoubleDouble(3), -1).hi == 0);
   CHECK(sumOrZero(1, DoubleDouble(-1, 0x1p-100)).hi == 0);

@@ -49,6 +49,14 @@ TEST_CASE("An up that is parallel to the view is an error, one that is off by th
   CHECK(complaint([] { lookAt({0.1, 0.2, 0.3}, {0.1, 0.2 + 1e-9, 0.3}, {0, 1, 0}, right); }).first == "up");
 }
 
+TEST_CASE("An eye and a target at opposite ends of doubles are as far apart as they are") {
+  const Pose pose = lookAt({-1.7e308, -0.85e308, 0}, {1.7e308, 0.85e308, 0}, {0, 0, 1}, right);
+  const Vec3 forward = nearest(pose.rows.forward);
+  CHECK(forward.x == 2 * forward.y);
+  CHECK(forward.x * forward.x + forward.y * forward.y == Approx(1));
+  CHECK(nearest(pose.rows.up) == Vec3{0, 0, 1});
+}
+
 TEST_CASE("An up that its own error makes doubtful is an error, long before the picture is") {
   const auto within = [](double error) {
     FineVec3 up;

@@ -200,6 +200,8 @@ def write_sources(root, target, rows):
     write_if_changed(target / "mutant.hpp", SWITCH.encode())
     write_if_changed(target / "mutant.cpp", READING.encode())
     wanted.update((target / "mutant.hpp", target / "mutant.cpp"))
-    for path in target.rglob("*"):
+    for path in sorted(target.rglob("*"), reverse=True):  # what is in a folder before the folder
         if path.is_file() and path not in wanted:
             path.unlink()
+        elif path.is_dir() and not any(path.iterdir()):
+            path.rmdir()

@@ -114,7 +114,7 @@ def configure(build, source):
     subprocess.run(["cmake", "-S", source, "-B", build, *options], stdout=subprocess.DEVNULL, check=True)
 
 
-def judge(suite, row):
+def judge(suite, row, named_only):
     """(what killed it or None, whether the row names that)"""
     tried = set()
     for name, part in row.tests:
@@ -123,7 +123,7 @@ def judge(suite, row):
             result = suite.run(name, one, row.number)
             if result not in ("passed", "skipped"):
                 return f"{name} {one}".strip() + (" (hangs)" if result == "hangs" else ""), True
-    for name, part in suite.rest(tried):
+    for name, part in () if named_only else suite.rest(tried):
         result = suite.run(name, part, row.number)
         if result not in ("passed", "skipped"):
             return f"{name} {part}".strip() + (" (hangs)" if result == "hangs" else ""), False
@@ -155,6 +155,7 @@ def main():
     parser.add_argument("--seconds", type=float, default=300, help="for the mutants, after the build")
     parser.add_argument("--seed", help="the choice; the commit's hash unless given")
     parser.add_argument("--build", type=Path, default=ROOT / "build-mutation")
+    parser.add_argument("--named", action="store_true", help="no tests but those the rows name")
     parser.add_argument("--list", action="store_true", help="check the rows against the sources, and list them")
     arguments = parser.parse_args()
 
@@ -197,7 +198,7 @@ def main():
         if deadline and time.monotonic() > deadline:
             return
         begun = time.monotonic()
-        killer, named = judge(suite, row)
+        killer, named = judge(suite, row, arguments.named)
         results[row.name] = (killer, named)
         said = f"killed by {killer}{'' if named else ', which it does not name'}" if killer else "SURVIVED"
         if not killer and row.equivalent:
