@@ -1,5 +1,5 @@
 #!/bin/sh
-# What reads the sources and runs nothing: clang-format, shellcheck, cppcheck, clang-tidy. (Both compilers' warnings are
+# What reads the sources and runs nothing: the includes (layers.py), clang-format, shellcheck, cppcheck, clang-tidy. (Both compilers' warnings are
 # errors where the tests are built: .ci/run with g++, sanitized.sh with clang++.)
 #   sh tests/checks/static.sh [BUILD FOLDER]     build-static, for the compile commands alone
 # clang-tidy reads lib and cmd, whose headers the tests include; the tests themselves would cost as much again.
@@ -18,6 +18,9 @@ for pattern in 'lib/*.cpp' 'cmd/*.cpp' 'tests/*.cpp' '*.sh'; do
   count=$(files "$pattern" | wc -l)
   [ "$count" -ge 20 ] || { echo "only $count files $pattern" >&2; exit 1; }
 done
+
+echo "layers"
+python3 -B tests/checks/layers.py || failed="$failed layers"
 
 echo "clang-format"
 # shellcheck disable=SC2046  # lists of names without blanks, here and below

@@ -118,12 +118,10 @@ Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport
   const double depths[] = {depth.offset.hi, depth.scale.hi, c.farOverRange.hi};
   const bool depthsAreNumbers = std::isfinite(depths[0]) && std::isfinite(depths[1]) && depths[1] != 0 &&
                                 std::isfinite(depths[2]) && depths[2] != 0;
-  // A pose whose exact rows are not narrow has entries that underflow in products.
-  k.range = !depthsAreNumbers || !pose.exact.isNarrow
-                ? std::numeric_limits<double>::infinity()
-                : rangeOf({map.reachX, map.reachY, map.centerX.hi, map.centerY.hi, map.scaleX.hi, map.scaleY.hi,
-                           depths[0], depths[1], depths[2], c.depthAtNear, c.depthAtFar, c.depthAtFar - c.depthAtNear,
-                           projection.near, projection.far});
+  k.range = !depthsAreNumbers ? std::numeric_limits<double>::infinity()
+                              : rangeOf({map.reachX, map.reachY, map.centerX.hi, map.centerY.hi, map.scaleX.hi,
+                                         map.scaleY.hi, depths[0], depths[1], depths[2], c.depthAtNear, c.depthAtFar,
+                                         c.depthAtFar - c.depthAtNear, projection.near, projection.far});
   k.sizeXY = std::max(maxAbs(k.x), maxAbs(k.y));
   k.sizeW = maxAbs(k.w);
   k.farthest = std::max(std::fabs(projection.near), std::fabs(projection.far));

@@ -1,4 +1,4 @@
-// The rows of a clip matrix as those of a pose, before any rounding. Internal to the view room.
+// The rows of a clip matrix as those of a pose, before any rounding. Internal.
 #pragma once
 
 #include "viewproj/camera/pose.hpp"

@@ -1,4 +1,4 @@
-// What a projection does to coordinates along the camera's axes. Internal to the library's view room.
+// What a projection does to coordinates along the camera's axes. Internal.
 #pragma once
 
 #include <cmath>

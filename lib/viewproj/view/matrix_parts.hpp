@@ -1,5 +1,4 @@
-// A clip or view matrix taken apart, with what the rounding of its entries leaves of each part. Internal to the view
-// room.
+// A clip or view matrix taken apart, with what the rounding of its entries leaves of each part. Internal.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// What lies outside the picture. Internal to the library's view room.
+// What lies outside the picture. Internal.
 #pragma once
 
 #include <limits>

@@ -39,7 +39,7 @@ class Mutation:
     equivalent: str = ""
 
     @property
-    def room(self):
+    def module(self):
         """lib/viewproj/view/ray.cpp: view; cmd/input/points.cpp: input."""
         parts = self.file.split("/")
         return parts[2] if parts[0] == "lib" else parts[1] if len(parts) > 2 else "main"

@@ -131,9 +131,9 @@ def judge(suite, row, named_only):
 
 
 def table(rows, results):
-    """Room by room, kind by kind: how many were made, killed by a test the row names, by another, by none."""
+    """Module by module, kind by kind: how many were made, killed by a test the row names, by another, by none."""
     lines = []
-    for title, of in (("room", lambda row: row.room), ("kind", lambda row: row.kind)):
+    for title, of in (("module", lambda row: row.module), ("kind", lambda row: row.kind)):
         lines.append(f"{title:14} made  killed as named  by another test  equivalent  SURVIVED")
         made = Counter(of(row) for row in rows)
         for key in [*sorted(made), "all"]:
