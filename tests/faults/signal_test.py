@@ -2,6 +2,7 @@
 import json
 import os
 import pty
+import re
 import select
 import signal
 import subprocess
@@ -179,6 +180,31 @@ class Signals(FaultTest):
         process.communicate()
         os.close(end)
         self.assertRegex(shown, rb"0 %, .* records/s, \d+:\d\d:\d\d left")
+
+    def test_progress_tells_the_share_that_is_done(self):
+        """Of a file of f64, which gives as many bytes as it has."""
+        size = 24 << 20
+        with open("half.f64", "wb") as file:
+            file.truncate(size)
+        end, terminal = pty.openpty()
+        process = tool.start(["project", "-c", CAMERA, "half.f64"], stdout=subprocess.PIPE, stderr=terminal)
+        os.close(terminal)
+        begun = time.monotonic()
+        read = 0
+        while read < size * 6 // 10:
+            read += len(os.read(process.stdout.fileno(), 1 << 16))
+        time.sleep(max(0, begun + 1.1 - time.monotonic()))
+        shown = b""
+        while b"left" not in shown and read < size:
+            read += len(os.read(process.stdout.fileno(), 1 << 14))
+            if select.select([end], [], [], 0.01)[0]:
+                shown += os.read(end, 1000)
+        process.kill()
+        process.communicate()
+        os.close(end)
+        self.assertRegex(shown, rb"\d+ %, .* records/s, \d+:\d\d left")
+        percent = int(re.search(rb"(\d+) %", shown)[1])
+        self.assertTrue(50 <= percent <= 100, percent)
 
     def test_a_signal_that_is_ignored_stays_ignored(self):
         for number in ENDING:
