@@ -3,7 +3,7 @@
 #   sh tests/checks/run.sh [NAME...]
 set -eu
 cd "$(dirname "$0")/../.."
-[ $# -gt 0 ] || set -- benchmark static sanitized coverage threads fuzz install
+[ $# -gt 0 ] || set -- benchmark static sanitized coverage threads fuzz install mutation
 
 times=""
 failed=""

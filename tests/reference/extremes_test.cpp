@@ -38,6 +38,13 @@ TEST_CASE("A coordinate that cancels to the rounding of its point has its digits
     // Of numbers next to 0 the last digits may be below the error of the picture's own middle.
     if (abs(screen.y) > Real(1e-3)) REQUIRE(got.certain);
     ++(got.certain ? certain : doubtful);
+    Vec3 screenOfBatch;
+    REQUIRE(worldToScreen(camera, {&point, 1}, {&screenOfBatch, 1}).uncertain == (got.certain ? 0 : 1));
+    // The other way up it is the other side of a tie that decides.
+    scene.viewport.origin = Origin::bottomLeft;
+    const ScreenPoint flipped = worldToScreen(build(scene), point);
+    REQUIRE(flipped.y == -got.y);
+    REQUIRE(flipped.certain == got.certain);
   }
   INFO(certain << " certain, " << doubtful << " not");
   CHECK(certain > 1000);

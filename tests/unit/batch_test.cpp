@@ -90,6 +90,18 @@ TEST_CASE("Which kernel is used here", "[.kernel]") {
   withEachKernel([&](const Kernels& kernel) { std::cout << "supports " << kernel.name << '\n'; });
 }
 
+TEST_CASE("Points that are settled one by one are counted in every block of a batch") {
+  const Camera camera = makeCamera(lookAt({3, 2, 5}, {0, 0, 0}, {0, 1, 0}, Handedness::right),
+                                   perspectiveFovY(60, 1.5, 0.1, 100), {600, 400});
+  const std::vector<Vec3> points(5000, Vec3{1e250, 2e250, -1e251});  // beyond every kernel's reach
+  std::vector<Vec3> screen(points.size());
+  std::vector<ScreenPoint> full(points.size());
+  for (const Precision precision : {Precision::fast, Precision::standard, Precision::exact}) {
+    CHECK(worldToScreen(camera, points, screen, precision).escalated == points.size());
+    CHECK(worldToScreen(camera, points, full, precision).escalated == points.size());
+  }
+}
+
 TEST_CASE("A precision is within a tolerance where its bound is, in the picture and one more on every side of it") {
   const Camera camera = makeCamera(lookAt({3, 2, 5}, {0, 0, 0}, {0, 1, 0}, Handedness::right),
                                    perspectiveFovY(60, 1.5, 0.1, 100), {600, 400});

@@ -395,6 +395,17 @@ TEST_CASE("An infinite 0..1 projection with near 1 is symmetric, so that it does
   CHECK(in.readings.size() == 2);
 }
 
+TEST_CASE("A matrix whose far lies well behind the eye is no projection") {
+  // NDC z = 5/6 - 5/6 / W: 0 at 1, and 1 at -5.
+  const double o = 5.0 / 6;
+  const Inspection in = inspectMatrix({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -o, -o, 0, 0, -1, 0});
+  for (const Reading& r : in.readings) CHECK(r.kind != MatrixKind::projection);
+  // And 1 + 1/64 - (1 + 1/64) / W: 1 at -65 is a tweaked infinity no more.
+  const double q = 1 + 1.0 / 64;
+  const Inspection almost = inspectMatrix({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -q, -q, 0, 0, -1, 0});
+  for (const Reading& r : almost.readings) CHECK((r.kind != MatrixKind::projection || !r.lens->beyondInfinity));
+}
+
 TEST_CASE("A matrix times a number is the same camera, and the number is told") {
   for (MatrixKind kind : {MatrixKind::projection, MatrixKind::viewProjection}) {
     const Convention c = preset("vulkan");

@@ -1,4 +1,5 @@
 #include <array>
+#include <cmath>
 
 #include "catch.hpp"
 #include "viewproj/viewproj.hpp"
@@ -153,6 +154,57 @@ TEST_CASE("A weighted point has the bound of exact, whatever the precision") {
     CHECK(boundOfPoint(plainCamera(), Vec4{1, 0.5, -3, 1}, precision).screen ==
           boundOfPoint(plainCamera(), Vec3{1, 0.5, -3}, precision).screen);
   }
+}
+
+TEST_CASE("A vanishing point lies beyond a far that is finite, and beyond none") {
+  for (const double far : {100.0, kInfiniteFar}) {
+    const Camera camera = makeCamera(lookAlong({1, 2, 3}, {0, 0, -1}, {0, 1, 0}, Handedness::right),
+                                     perspectiveFovY(90, 2, 1, far), {200, 100});
+    CHECK(worldToScreen(camera, Vec4{0, 0, -1, 0}).outside == (far == 100 ? sideFar : 0));
+    CHECK(worldToScreen(camera, Vec4{0, 0, -1e-300, 0}).outside == (far == 100 ? sideFar : 0));
+  }
+}
+
+TEST_CASE("A depth of an orthographic camera is that share of the way from near to far") {
+  const Camera camera = makeCamera(lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Handedness::right),
+                                   orthographic(-2, 2, -1, 1, 1, 9), {200, 100});
+  CHECK(screenToWorld(camera, {100, 50}, 0.25).position == Vec3{0, 0, -3});
+  const Camera huge = makeCamera(lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Handedness::right),
+                                 orthographic(-2, 2, -1, 1, 0x1p1000, 9 * 0x1p1000), {200, 100});
+  CHECK(screenToWorld(huge, {100, 50}, 0.25).position == Vec3{0, 0, -3 * 0x1p1000});
+}
+
+TEST_CASE("A pixel's point at the ends of doubles is the one nearby, brought there") {
+  const Camera camera = makeCamera(lookAlong({0, 0, 0}, {0.3, -0.7, -1}, {0, 1, 0}, Handedness::right),
+                                   perspectiveFovY(50, 2, 1, kInfiniteFar), {200, 100});
+  for (int i = 0; i < 200; ++i) {
+    const Vec2 pixel{i * 0.97, i * 0.49};
+    const Vec3 near = screenToWorldAtDistance(camera, pixel, 1.1).position;
+    for (const int power : {-960, 960, 1020}) {
+      INFO(i << ", 2^" << power);
+      const Vec3 there = screenToWorldAtDistance(camera, pixel, std::ldexp(1.1, power)).position;
+      CHECK(there == Vec3{std::ldexp(near.x, power), std::ldexp(near.y, power), std::ldexp(near.z, power)});
+    }
+  }
+}
+
+TEST_CASE("A viewport takes all of NDC's depth to all of its own") {
+  Convention convention;
+  convention.ndcZ = NdcZ::zeroToOne;
+  const Mat4 zeroToOne = screenFromNdc({200, 100, 0, 0, 0.25, 0.75}, convention);
+  CHECK(zeroToOne[2] == std::array<double, 4>{0, 0, 0.5, 0.25});
+  convention.ndcZ = NdcZ::minusOneToOne;
+  CHECK(screenFromNdc({200, 100, 0, 0, 0.25, 0.75}, convention)[2] == std::array<double, 4>{0, 0, 0.25, 0.5});
+}
+
+TEST_CASE("The weight of a point is divided out of its view coordinates") {
+  const Camera camera = plainCamera();
+  const Convention c;
+  const Vec3 view = worldToView(camera, {1, 2, -3, 1}, c);
+  for (const double w : {2.0, 0.25, -4.0, 0x1p-1000, 0x1p1000})
+    CHECK(worldToView(camera, {w, 2 * w, -3 * w, w}, c) == view);
+  CHECK(worldToClip(camera, {0x1p-1000, 0x1p-999, -3 * 0x1p-1000, 0x1p-1000}, c) ==
+        worldToClip(camera, {1, 2, -3, 1}, c));
 }
 
 TEST_CASE("A result of zero is positive zero") {
