@@ -258,7 +258,7 @@ class CsvWriter final : public RecordWriter {
     for (std::size_t i = 0; i < columns_.own.size(); ++i) {
       if (i > 0) out_ += ',';
       if (i >= cells.size()) continue;
-      if (behindClosingQuote(cells[i]) == std::string_view::npos)
+      if (cells[i].starts_with('"') && behindClosingQuote(cells[i]) == std::string_view::npos)
         out_ += cells[i];
       else
         out_ += quotedIfNeeded(cells[i]);
