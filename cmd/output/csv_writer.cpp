@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "output/columns.hpp"
 #include "output/record_writer.hpp"
@@ -70,16 +72,28 @@ class ColumnCollector final : public ResultSink {
 struct OwnCell {
   std::string column;
   std::string text;
+  std::string emptyOf = {};  ///< a cell without a value: its field
 };
 
 bool isNumber(std::string_view json) { return !json.empty() && (json[0] == '-' || (json[0] >= '0' && json[0] <= '9')); }
+
+/// A vector without a value: empty cells.
+void appendEmptyCells(std::vector<OwnCell>& cells, const std::string& name, std::size_t size, bool table) {
+  if (table || size == 0) cells.push_back({name, "", name});
+  for (std::size_t i = 0; !table && i < size; ++i) cells.push_back({name + std::string(kColumnSuffixes[i]), "", name});
+}
 
 void appendCells(std::vector<OwnCell>& cells, const std::string& name, std::string_view json, bool table) {
   if (json.starts_with('[')) {
     std::vector<std::string_view> items;
     JsonParts parts(json);
     while (const auto part = parts.next()) items.push_back(part->value);
-    if (items.size() >= 2 && items.size() <= 4 && std::all_of(items.begin(), items.end(), isNumber)) {
+    const bool isShort = items.size() >= 2 && items.size() <= 4;
+    if (isShort && std::all_of(items.begin(), items.end(), [](std::string_view item) { return item == "null"; })) {
+      appendEmptyCells(cells, name, items.size(), table);
+      return;
+    }
+    if (isShort && std::all_of(items.begin(), items.end(), isNumber)) {
       if (table) cells.push_back({name, ""});
       for (std::size_t i = 0; table && i < items.size(); ++i)
         cells.back().text += (i > 0 ? " " : "") + std::string(items[i]);
@@ -94,12 +108,57 @@ void appendCells(std::vector<OwnCell>& cells, const std::string& name, std::stri
   cells.push_back({name, quotedIfNeeded(text)});
 }
 
+/// Into how many columns a field goes that is null: a vector of this tool into as many as it has numbers. With a prefix
+/// a name is one where a result of the same prefix stands beside it. 0: no vector.
+std::size_t columnsOfNull(const std::vector<std::string>& names, std::size_t field) {
+  const std::string_view name = names[field];
+  for (const FieldSize& row : kFieldSizes) {
+    if (row.size == 1 || !name.ends_with(row.name)) continue;
+    const std::string_view prefix = name.substr(0, name.size() - row.name.size());
+    if (prefix.empty() || (field > 0 && findFieldSize(names[field - 1], prefix)) ||
+        (field + 1 < names.size() && findFieldSize(names[field + 1], prefix)))
+      return row.size;
+  }
+  return 0;
+}
+
+/// Finds where `project` left `outside` out: behind the other results of a visible point.
+class OutsideFinder {
+ public:
+  explicit OutsideFinder(const std::vector<std::string>& names) : names_(names) {}
+
+  /// Its name, if it would stand behind this field.
+  std::optional<std::string> behind(std::size_t field) {
+    constexpr std::string_view kResults[] = {"screen", "depth", "viewDistance", "visible"};
+    if (field < 3 || !names_[field].ends_with(kResults[3])) return std::nullopt;
+    const std::string prefix = names_[field].substr(0, names_[field].size() - kResults[3].size());
+    for (std::size_t i = 0; i < 3; ++i)
+      if (names_[field - 3 + i] != prefix + std::string(kResults[i])) return std::nullopt;
+    if (known_.empty()) known_.insert(names_.begin(), names_.end());
+    std::string name = prefix + "outside";
+    return known_.contains(name) ? std::nullopt : std::optional(std::move(name));
+  }
+
+ private:
+  const std::vector<std::string>& names_;
+  std::unordered_set<std::string_view> known_;  ///< the names, once they are needed
+};
+
 /// A record of another form as cells: arrays of two to four numbers spread over columns.
 std::vector<OwnCell> ownCells(const Record& record, const WriterSetup& setup) {
   std::vector<OwnCell> cells;
   if (record.shape->form == Form::json && !record.shape->isArray) {
     const auto values = valuesOf(record);
-    for (std::size_t i = 0; i < values.size(); ++i) appendCells(cells, record.shape->names[i], values[i], setup.table);
+    const auto& names = record.shape->names;
+    OutsideFinder outside(names);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (values[i] == "null")
+        appendEmptyCells(cells, names[i], columnsOfNull(names, i), setup.table);
+      else
+        appendCells(cells, names[i], values[i], setup.table);
+      if (values[i] != "true") continue;
+      if (auto name = outside.behind(i)) cells.push_back({std::move(*name), "", names[i]});
+    }
   } else {
     for (const NamedJson& field : asJsonFields(record, setup)) appendCells(cells, field.name, field.json, setup.table);
   }
@@ -199,7 +258,7 @@ class CsvWriter final : public RecordWriter {
     for (std::size_t i = 0; i < columns_.own.size(); ++i) {
       if (i > 0) out_ += ',';
       if (i >= cells.size()) continue;
-      if (behindClosingQuote(cells[i]) == std::string_view::npos)
+      if (cells[i].starts_with('"') && behindClosingQuote(cells[i]) == std::string_view::npos)
         out_ += cells[i];
       else
         out_ += quotedIfNeeded(cells[i]);
@@ -264,10 +323,15 @@ class CsvWriter final : public RecordWriter {
     std::vector<const OwnCell*> inOrder(columns_.own.size());
     for (const OwnCell& cell : cells) {
       const auto place = places_.find(cell.column);
-      if (place == places_.end())
-        throw RecordError(
-            0, "has '" + cell.column + "', which the first record has not; CSV columns are the first record's");
-      inOrder[place->second] = &cell;
+      if (place != places_.end()) {
+        inOrder[place->second] = &cell;
+        continue;
+      }
+      const std::string& empty = cell.emptyOf;
+      if (!empty.empty() && (places_.contains(empty) || places_.contains(empty + std::string(kColumnSuffixes[0]))))
+        continue;
+      throw RecordError(0, "has '" + (empty.empty() ? cell.column : empty) +
+                               "', which the first record has not; CSV columns are the first record's");
     }
     for (std::size_t i = 0; i < inOrder.size(); ++i) {
       if (i > 0) out_ += ',';

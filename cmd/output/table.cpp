@@ -56,7 +56,8 @@ std::string CsvAligner::add(std::string_view csv) {
     for (std::string_view cell : cells) {
       row.push_back(csvValue(cell));
       // A line of the table is a line.
-      std::replace(row.back().begin(), row.back().end(), '\n', ' ');
+      std::replace_if(
+          row.back().begin(), row.back().end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
     }
     bytes_ += end - at;
     if (widthsAreSet_ || rows_.size() >= kRowsThatTell || bytes_ >= kBytesThatTell) align(out);

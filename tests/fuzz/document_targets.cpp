@@ -53,8 +53,10 @@ void inspectOne(const WrittenMatrix& written, EntryPrecision precision) {
                       inspection.transposedFault,
                       notesOn(inspection.readings)};
   for (const Reading& reading : inspection.readings) one.readings.push_back({one.readings.size() + 1, reading});
-  requireJson(reportAsJson({one}, precision == EntryPrecision::float32), "inspect");
-  (void)reportAsText({one});
+  Report json(true, precision == EntryPrecision::float32), text(false, false);
+  const std::string part = json.add(one);
+  requireJson(part + json.end(), "inspect");
+  (void)text.add(one);
   for (std::size_t i = 0; i < std::min(kMostConverted, inspection.readings.size()); ++i) try {
       MatrixSet set;
       set.convention = *conventionPreset("d3d");

@@ -286,8 +286,8 @@ def documents():
 
 
 def inspected():
-    def inspect(name, size, text, status=0, says="", arguments=(), big=2000):
-        add(f"inspect: {name}", size, ["inspect", *arguments, "input"], file=text, status=status, says=says, memory="linear", big=big)
+    def inspect(name, size, text, status=0, says="", arguments=(), big=2000, memory="linear"):
+        add(f"inspect: {name}", size, ["inspect", *arguments, "input"], file=text, status=status, says=says, memory=memory, big=big)
 
     text = lambda n: (("# m\n" + "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n\n") * n).encode()
     bad = lambda n: ("7 " * 16 * n).encode()
@@ -296,6 +296,9 @@ def inspected():
     inspect("matrices of JSON, the last is short", 400, lambda n: (number_of_matrices(n)[:-1] + ',"z":[[1],[2]]}').encode(), 1, "expected 16 numbers")
     inspect("matrices of JSON, the last overflows", 400, lambda n: (number_of_matrices(n)[:-1] + ',"z":[1e400]}').encode(), 1, "overflow")
     inspect("JSON without a matrix", 1000, lambda n: ("{" + ",".join(f'"m{i}":[1,2]' for i in range(n)) + "}").encode(), 1, "has no matrix", big=15000)
+    # What is told of a matrix is a thousand times its numbers, and is not kept.
+    for form in ("table", "json"):
+        inspect(f"matrices of text, write {form}", 40, lambda n: b"1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\n" * n, says="matri", arguments=["--to", form], big=1000, memory="kept")
     inspect("matrices of JSON, write json", 40, lambda n: number_of_matrices(n).encode(), says="entries", arguments=["--to", "json"])
     inspect("matrices of JSON, converted", 40, lambda n: number_of_matrices(n).encode(), says="storage", arguments=["--convention", "d3d", "--reading", "1"])
     inspect("matrices of JSON, which", 40, lambda n: number_of_matrices(n).encode(), says="m5", arguments=["--which", "m5"])

@@ -167,6 +167,7 @@ TEST_CASE("What is no farther beyond a plane than its bound counts as on it, and
       const double expected = share < 1 ? 0 : -side;
       const int sign = distanceInside(f, near, point).sign();
       CHECK(sign == expected);
+      CHECK(cull(f, point).verdict == (expected < 0 ? CullVerdict::outside : CullVerdict::inside));
     }
   }
 }
@@ -205,6 +206,22 @@ TEST_CASE("A point on a boundary is inside, and one behind the eye is beyond nea
   // The plane that a point is farthest beyond is named, behind the eye too.
   CHECK(cull(f, Vec3{-50, 0, 1}).side == sideLeft);
   CHECK(cull(f, Vec3{-12, 0, -11}).side == sideFar);
+}
+
+TEST_CASE("A point is judged as a sphere of radius 0 there, not by its pixel") {
+  // The right side is the pixel 1e14 + 100, and those of doubles lie 1/64 apart.
+  const Frustum f = viewFrustum(makeCamera(lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Handedness::right),
+                                           frustum(-1, 1, -1, 1, 1, 1000), {.width = 100, .height = 100, .x = 1e14}));
+  const double beyond = std::nextafter(2.0, 3.0);
+  CHECK(worldToScreen(f.camera, Vec3{beyond, 0, -2}).visible());
+  for (const Vec3& p :
+       {Vec3{2, 0, -2}, Vec3{beyond, 0, -2}, Vec3{2.0002, 0, -2}, Vec3{0, -beyond, -2}, Vec3{0, 0, -2}}) {
+    const Cull point = cull(f, p), sphere = cull(f, Sphere{p, 0}), box = cull(f, Box{p, p});
+    CHECK(point.verdict == sphere.verdict);
+    CHECK(point.side == sphere.side);
+    CHECK(point.verdict == box.verdict);
+    CHECK((point.verdict == CullVerdict::inside) == (p.x <= 2 && p.y >= -2));
+  }
 }
 
 TEST_CASE("Neither units nor place change a verdict") {

@@ -49,19 +49,18 @@ bool isPassedOver(const std::string& name) {
   return name.starts_with("viewport") || name == "projectionInverse" || name == "viewProjectionInverse";
 }
 
-std::vector<WrittenMatrix> chooseMatrices(const WrittenMatrices& given, const std::string& list,
+std::vector<WrittenMatrix> chooseMatrices(std::vector<WrittenMatrix> given, const std::string& list,
                                           const std::string& source) {
-  std::vector<WrittenMatrix> chosen;
   if (list.empty()) {
-    for (const WrittenMatrix& m : given.matrices)
-      if (!isPassedOver(m.name)) chosen.push_back(m);
-    if (chosen.empty())
-      throw InputError(source + ": has only " + given.matrices.front().name + "; --which " +
-                       given.matrices.front().name + " inspects it all the same");
-    return chosen;
+    const std::string first = given.front().name;
+    std::erase_if(given, [](const WrittenMatrix& m) { return isPassedOver(m.name); });
+    if (given.empty())
+      throw InputError(source + ": has only " + first + "; --which " + first + " inspects it all the same");
+    return given;
   }
+  std::vector<WrittenMatrix> chosen;
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < given.matrices.size(); ++i) names.push_back(nameOf(given.matrices[i], i));
+  for (std::size_t i = 0; i < given.size(); ++i) names.push_back(nameOf(given[i], i));
   std::unordered_map<std::string_view, std::size_t> places;  // of a name that several have, the first
   for (std::size_t i = 0; i < names.size(); ++i) places.emplace(names[i], i);
   for (const std::string& name : splitNames("--which", list)) {
@@ -69,7 +68,7 @@ std::vector<WrittenMatrix> chooseMatrices(const WrittenMatrices& given, const st
     if (found == places.end())
       throw InputError(source + ": has no matrix '" + name + "'" +
                        suggestion(name, std::vector<std::string_view>(names.begin(), names.end())));
-    chosen.push_back(given.matrices[found->second]);
+    chosen.push_back(given[found->second]);
   }
   return chosen;
 }
@@ -188,27 +187,32 @@ int run(const Options& o, const CLI::App& app) {
   }
 
   const std::string source = o.file == "-" ? kStandardInputName : o.file;
-  const WrittenMatrices given = parseMatrices(readWholeFile(o.file, kMostBytes), source);
-  const std::vector<WrittenMatrix> chosen = chooseMatrices(given, o.which, source);
-  std::vector<InspectedMatrix> inspected;
-  for (const WrittenMatrix& m : chosen)
-    inspected.push_back(
-        inspectOne(m, o.asFloat ? EntryPrecision::float32 : EntryPrecision::float64, choice, given.convention));
+  WrittenMatrices given = parseMatrices(readWholeFile(o.file, kMostBytes), source);
+  const std::vector<WrittenMatrix> chosen = chooseMatrices(std::move(given.matrices), o.which, source);
+  // One at a time: its readings take many times the memory of its numbers.
+  const auto inspected = [&](const WrittenMatrix& m) {
+    return inspectOne(m, o.asFloat ? EntryPrecision::float32 : EntryPrecision::float64, choice, given.convention);
+  };
 
   if (converts) {
     MatrixSet set;
     const bool chose = choice.readAs || choice.number;
-    for (std::size_t i = 0; i < inspected.size(); ++i)
-      set.matrices.push_back(convertOne(inspected[i], nameOf(inspected[i].written, i), source,
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+      set.matrices.push_back(convertOne(inspected(chosen[i]), nameOf(chosen[i], i), source,
                                         chose ? std::nullopt : given.convention, o.writing, set.convention));
     set.asFloat = o.asFloat;
     writeOutput(writeMatrices(set, format, source));
     return 0;
   }
-  writeOutput(format == "json" ? reportAsJson(inspected, o.asFloat) : reportAsText(inspected));
-  return std::all_of(inspected.begin(), inspected.end(), [](const InspectedMatrix& m) { return !m.readings.empty(); })
-             ? 0
-             : 1;
+  Report report(format == "json", o.asFloat);
+  bool allFit = true;
+  for (const WrittenMatrix& written : chosen) {
+    const InspectedMatrix m = inspected(written);
+    allFit &= !m.readings.empty();
+    writeOutput(report.add(m));
+  }
+  writeOutput(report.end());
+  return allFit ? 0 : 1;
 }
 
 }  // namespace

@@ -291,6 +291,29 @@ std::string parameterTable(const InspectedMatrix& m) {
   return out;
 }
 
+std::string asText(const InspectedMatrix& m, const std::string& name) {
+  std::string out = name + ": ";
+  if (m.all == 0) {
+    out += "nothing known\n  as written: " + m.asWrittenFault + "\n";
+    if (m.transposedFault != m.asWrittenFault) out += "  transposed: " + m.transposedFault + "\n";
+    return out;
+  }
+  out +=
+      plural(m.readings.size(), "reading") + (m.readings.size() == m.all ? "" : " of " + std::to_string(m.all)) + "\n";
+  if (!m.readings.empty()) out += readingTable(m) + "\n" + parameterTable(m) + (m.notes.empty() ? "" : "\n");
+  for (const std::string& note : m.notes) out += wrapped(note);
+  return out;
+}
+
+Json asJson(const InspectedMatrix& m, const std::string& name) {
+  Json readings = Json::array();
+  for (const NumberedReading& n : m.readings) readings.push_back(asJson(n, m.written.order));
+  Json part{{"name", name}, {"readings", readings}};
+  if (m.all == 0) part["faults"] = {{"asWritten", m.asWrittenFault}, {"transposed", m.transposedFault}};
+  part["notes"] = m.notes;
+  return part;
+}
+
 }  // namespace
 
 std::string nameOf(const WrittenMatrix& matrix, std::size_t index) {
@@ -312,38 +335,19 @@ std::string oneLine(const NumberedReading& numbered, NumberOrder order) {
   return text + " (" + presetText(r, order) + ")";
 }
 
-std::string reportAsText(const std::vector<InspectedMatrix>& matrices) {
-  std::string out;
-  for (std::size_t i = 0; i < matrices.size(); ++i) {
-    const InspectedMatrix& m = matrices[i];
-    out += (i > 0 ? "\n" : "") + nameOf(m.written, i) + ": ";
-    if (m.all == 0) {
-      out += "nothing known\n  as written: " + m.asWrittenFault + "\n";
-      if (m.transposedFault != m.asWrittenFault) out += "  transposed: " + m.transposedFault + "\n";
-      continue;
-    }
-    out += plural(m.readings.size(), "reading") + (m.readings.size() == m.all ? "" : " of " + std::to_string(m.all)) +
-           "\n";
-    if (!m.readings.empty()) out += readingTable(m) + "\n" + parameterTable(m) + (m.notes.empty() ? "" : "\n");
-    for (const std::string& note : m.notes) out += wrapped(note);
+std::string Report::add(const InspectedMatrix& m) {
+  const std::string name = nameOf(m.written, count_);
+  const bool first = count_++ == 0;
+  if (!json_) return (first ? "" : "\n") + asText(m, name);
+  std::string out =
+      first ? std::string("{\n  \"entries\": \"") + (asFloat_ ? "float32" : "float64") + "\",\n  \"matrices\": [" : ",";
+  for (const char c : "\n" + asJson(m, name).dump(2, ' ', false, Json::error_handler_t::replace)) {
+    out += c;
+    if (c == '\n') out += "    ";
   }
   return out;
 }
 
-std::string reportAsJson(const std::vector<InspectedMatrix>& matrices, bool asFloat) {
-  Json all = Json::array();
-  for (std::size_t i = 0; i < matrices.size(); ++i) {
-    const InspectedMatrix& m = matrices[i];
-    Json readings = Json::array();
-    for (const NumberedReading& n : m.readings) readings.push_back(asJson(n, m.written.order));
-    Json part{{"name", nameOf(m.written, i)}, {"readings", readings}};
-    if (m.all == 0) part["faults"] = {{"asWritten", m.asWrittenFault}, {"transposed", m.transposedFault}};
-    part["notes"] = m.notes;
-    all.push_back(part);
-  }
-  return Json{{"entries", asFloat ? "float32" : "float64"}, {"matrices", all}}.dump(2, ' ', false,
-                                                                                    Json::error_handler_t::replace) +
-         "\n";
-}
+std::string Report::end() const { return json_ ? "\n  ]\n}\n" : ""; }
 
 }  // namespace viewproj::cmd

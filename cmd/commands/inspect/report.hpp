@@ -26,7 +26,17 @@ std::string nameOf(const WrittenMatrix& matrix, std::size_t index);
 /// "1 projection, as written, view RUB, ndcZ -1..1, ... : opengl, unity".
 std::string oneLine(const NumberedReading& reading, NumberOrder order);
 
-std::string reportAsText(const std::vector<InspectedMatrix>& matrices);
-std::string reportAsJson(const std::vector<InspectedMatrix>& matrices, bool asFloat);
+/// The text or the JSON, matrix by matrix: what there is of it is to be written at once.
+class Report {
+ public:
+  Report(bool json, bool asFloat) : json_(json), asFloat_(asFloat) {}
+  std::string add(const InspectedMatrix& matrix);
+  /// After one matrix or more.
+  std::string end() const;
+
+ private:
+  bool json_, asFloat_;
+  std::size_t count_ = 0;
+};
 
 }  // namespace viewproj::cmd

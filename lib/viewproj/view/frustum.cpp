@@ -96,21 +96,13 @@ Frustum viewFrustum(const Camera& c) noexcept {
 }
 
 Cull cull(const Frustum& f, const Vec3& point) noexcept {
-  const ScreenPoint screen = worldToScreen(f.camera, point);
-  if (screen.visible()) return {CullVerdict::inside, 0};
-  Cull result;
-  if (screen.status == PointStatus::notFinite) return result;
+  if (!isFinite(point)) return {};
   const WideVec3 relative = relativeToEye(f, point);
-  const bool behind = screen.status == PointStatus::behind;
-  Wide farthest;
-  for (const FrustumPlane& p : f) {
-    if (!behind && (screen.outside & p.side) == 0) continue;
+  const Wide reach = oneNorm(relative);
+  return verdictOf(f, [&](const FrustumPlane& p) {
     const Wide d = distance(p, relative);
-    if (result.side != 0 && !isLess(d, farthest)) continue;
-    result.side = p.side;
-    farthest = d;
-  }
-  return result;
+    return Extent{d, d, reach};
+  });
 }
 
 Cull cull(const Frustum& f, const Sphere& sphere) noexcept {

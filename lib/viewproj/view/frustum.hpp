@@ -69,8 +69,9 @@ struct Cull {
 // "Optimized view frustum culling algorithms for bounding boxes", 2000: a box is outside of a plane if its corner
 // farthest along the normal is (p-vertex), and inside if the opposite corner is (n-vertex).
 
-/// inside or outside, as worldToScreen calls the point visible or not: judged on the pixel and the distance that are
-/// given out, so half an ulp of them is forgiven. A point behind the eye is beyond near.
+/// inside or outside, as a sphere of radius 0 there is inside or not. worldToScreen judges the pixel and the distance
+/// that it gives out instead, and so forgives half an ulp of them. A point behind the eye of a perspective is beyond
+/// near.
 Cull cull(const Frustum& frustum, const Vec3& point) noexcept;
 
 Cull cull(const Frustum& frustum, const Sphere& sphere) noexcept;
