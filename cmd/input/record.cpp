@@ -81,6 +81,7 @@ RecordParts csvParts(std::string_view text, const Shape& header) {
   RecordParts record{text, header, {}};
   splitCsvLine(text, record.values, kMostFields + 1);
   requireFewFields(text, record.values);
+  requireNoLoneReturn(text, record.values);
   requireClosedFields(text, record.values);
   const std::size_t size = record.values.size(), expected = header.size;
   if (size != expected)
@@ -96,6 +97,12 @@ std::size_t behindClosingQuote(std::string_view field) {
   std::size_t close = field.find('"', 1);
   while (close != npos && close + 1 < field.size() && field[close + 1] == '"') close = field.find('"', close + 2);
   return close == npos || close + 1 == field.size() ? npos : close + 1;
+}
+
+void requireNoLoneReturn(std::string_view record, const std::vector<std::string_view>& fields) {
+  for (const std::string_view field : fields)
+    if (const std::size_t at = field.find('\r'); at != std::string_view::npos && !field.starts_with('"'))
+      throw RecordError(static_cast<std::size_t>(field.data() - record.data()) + at, kLoneReturn);
 }
 
 void requireClosedFields(std::string_view record, const std::vector<std::string_view>& fields) {

@@ -90,6 +90,9 @@ void splitCsvLine(std::string_view line, std::vector<std::string_view>& fields, 
 /// Throws RecordError at the first value that is too many.
 void requireFewFields(std::string_view text, const std::vector<std::string_view>& values);
 
+/// Throws RecordError at the first carriage return of a line of CSV outside of quotes.
+void requireNoLoneReturn(std::string_view record, const std::vector<std::string_view>& fields);
+
 /// Throws RecordError where text stands behind the quote that closes a field. record: has the fields.
 void requireClosedFields(std::string_view record, const std::vector<std::string_view>& fields);
 /// Where such text begins, or npos.

@@ -84,16 +84,6 @@ class RecordWorker final : public BlockWorker {
   Batch batch_;
 };
 
-/// The first carriage return of a line of CSV outside of quotes, or the line's end.
-std::size_t loneReturn(std::string_view line) {
-  std::vector<std::string_view> fields;
-  splitCsvLine(line, fields, kMostFields + 1);
-  for (const std::string_view field : fields)
-    if (const std::size_t at = field.find('\r'); at != std::string_view::npos && !field.starts_with('"'))
-      return static_cast<std::size_t>(field.data() - line.data()) + at;
-  return line.size();
-}
-
 /// Reads the header of CSV, and tries it: columns must have different names, and those of the numbers must be there.
 /// Returns what stands at the output's start.
 TextBuffer readHeader(Stream& stream, BlockReader& reader) {
@@ -108,10 +98,9 @@ TextBuffer readHeader(Stream& stream, BlockReader& reader) {
   const bool fromCsv = line.has_value();
   try {
     if (fromCsv) {
-      if (const std::size_t alone = loneReturn(line->text); alone < line->text.size())
-        throw RecordError(alone, kLoneReturn);
       std::vector<std::string_view> fields;
       splitCsvLine(line->text, fields, kMostFields + 1);
+      requireNoLoneReturn(line->text, fields);
       requireClosedFields(line->text, fields);
       if (header.names.size() > kMostFields)
         throw RecordError(0, "has more than " + std::to_string(kMostFields) + " columns");

@@ -102,7 +102,7 @@ class CsvReader final : public RecordReader {
           if (at >= end) return npos;
           ++at;
         } else {
-          while (at < end && *at != ',' && *at != '\n') ++at;
+          while (at < end && *at != ',' && *at != '\n' && *at != '\r') ++at;
         }
       }
     }

@@ -178,6 +178,9 @@ def long_records():
     add("many keys beside one given twice", 2000, project(), lambda n: b'{"x":1,"y":2,"z":3' + b"".join(b',"a%d":1' % i for i in range(n)) + b',"x":1}', status=1, says="twice", **more)
     add("fields in another order, write csv", 2000, project("--to", "csv"),
         lambda n: b"".join(b'{"x":1,"y":2,"z":3%s}\n' % b"".join(b',"a%d":1' % i for i in order) for order in (range(n), range(n)[::-1])), says="a0", big=100000, **more)
+    add("nulls and results of many prefixes, write csv", 500, project("--to", "csv", "--fields", "depth"),
+        lambda n: b'{"x":1,"y":2,"z":3' + b"".join(b',"P%dscreen":null,"P%ddepth":null,"P%dviewDistance":1,"P%dvisible":true' % (i, i, i, i) for i in range(n)) + b"}\n"
+        + b'{"x":1,"y":2,"z":3' + b"".join(b',"P%dscreen":null' % i for i in range(n)) + b"}", says="P0screen_x", big=20000, **more)
     add("documents that are not closed, keep going", 1000, project("--keep-going"), lambda n: b'{"points":[\n' * n, status=1, says="<stdin>", memory="kept")
     add("an unclosed string", 200000, project(), lambda n: b'{"a":"' + b"x" * n, status=1, says="<stdin>", **more)
     add("unclosed brackets", 100000, project(), lambda n: b"[" * n, status=1, says="<stdin>", **more)
