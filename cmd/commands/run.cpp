@@ -1,6 +1,7 @@
 #include "commands/run.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include "commands/help.hpp"
 #include "output/output_file.hpp"
@@ -10,14 +11,27 @@
 namespace viewproj::cmd {
 namespace {
 
+/// What was typed is checked as it was typed: an option of one value is given once, and no value is empty.
+void requireOneValueEach(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->get_items_expected_max() == 0) continue;  // a flag
+    const std::vector<std::string>& values = option->results();
+    const std::string name = option->get_name();
+    if (std::find(values.begin(), values.end(), "") != values.end())
+      throw UsageError(name + " has an empty value; is a variable of a script not set?");
+    if (values.size() > 1 && option->get_multi_option_policy() == CLI::MultiOptionPolicy::TakeLast)
+      throw UsageError(name + " is given twice: " + values[0] + " and " + values[1]);
+  }
+}
+
 /// Throws UsageError, or HelpGiven after writing the help.
 void parse(CLI::App& app, int argc, char** argv) {
-  // An option given again replaces what was given before, unless it collects.
   for (CLI::Option* option : app.get_options())
     if (option->get_multi_option_policy() == CLI::MultiOptionPolicy::Throw)
       option->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   try {
     app.parse(argc, argv);
+    requireOneValueEach(app);
   } catch (const CLI::CallForHelp&) {
     writeOutput(helpText(describe(app)));
     throw HelpGiven{};

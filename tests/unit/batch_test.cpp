@@ -99,6 +99,8 @@ TEST_CASE("Points that are settled one by one are counted in every block of a ba
   for (const Precision precision : {Precision::fast, Precision::standard, Precision::exact}) {
     CHECK(worldToScreen(camera, points, screen, precision).escalated == points.size());
     CHECK(worldToScreen(camera, points, full, precision).escalated == points.size());
+    std::vector<Vec3> inPlace = points;
+    CHECK(worldToScreen(camera, inPlace, inPlace, precision).escalated == points.size());
   }
 }
 
