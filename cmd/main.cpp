@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "commands/run.hpp"
 #include "commands/help.hpp"
+#include "commands/run.hpp"
 #include "output/output_file.hpp"
 #include "stream/interrupt.hpp"
 #include "text/error.hpp"
