@@ -90,12 +90,13 @@ class Outputs(FaultTest):
         ray = '"$VIEWPROJ_TOOL" ray -c camera.json --jobs 4'
         for jobs in ("1", "4"):
             for form in ("ndjson", "json", "csv", "text", "f64"):
-                project = f'"$VIEWPROJ_TOOL" project -c camera.json --jobs {jobs} --to {form}'
+                program = f'"$VIEWPROJ_TOOL" project -c camera.json --jobs {jobs}'
+                project = f"{program} --to {form}"
                 reader = "head -c 24" if form == "f64" else "head -n 1"
                 for line in (
                     f"{project} many.ndjson; echo project $? >&2",
                     f"cat many.ndjson | {{ {project}; echo project $? >&2; }}",
-                    f"{{ {project} --to ndjson many.ndjson; echo project $? >&2; }} | {{ {ray}; echo ray $? >&2; }}",
+                    f"{{ {program} --to ndjson many.ndjson; echo project $? >&2; }} | {{ {ray} --to {form}; echo ray $? >&2; }}",
                 ):
                     with self.subTest(line):
                         done = subprocess.run(
