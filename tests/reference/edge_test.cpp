@@ -563,7 +563,7 @@ TEST_CASE("No camera and no point of doubles makes exact certain of a wrong numb
   for (std::uint64_t trial = from; trial < from + wanted; ++trial) Search(trial, tally, worst).run();
   // What a long search found once: matrices with entries that underflow, a middle of the picture that is the rest of
   // numbers far larger, a coordinate that is the largest double.
-  for (const std::uint64_t trial : {20715, 55570, 68041, 82102, 82404, 82990}) Search(trial, tally, worst).run();
+  for (const std::uint64_t trial : {20715u, 55570u, 68041u, 82102u, 82404u, 82990u}) Search(trial, tally, worst).run();
   std::printf("cameras %llu, accepted %llu; refused for", static_cast<unsigned long long>(wanted),
               static_cast<unsigned long long>(tally.accepted));
   for (const auto& [field, count] : tally.refused) std::printf(" %s %d,", field.c_str(), count);
