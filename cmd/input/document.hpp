@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "viewproj/numbers/vectors.hpp"
+#include "viewproj/vectors.hpp"
 
 namespace viewproj::cmd {
 

@@ -1,7 +1,7 @@
 #include "input/model.hpp"
 
 #include "input/document.hpp"
-#include "viewproj/camera/error.hpp"
+#include "viewproj/camera.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "input/convention_names.hpp"
 #include "output/camera_fields.hpp"
-#include "viewproj/view/matrices.hpp"
+#include "viewproj/matrices.hpp"
 
 namespace viewproj::cmd {
 

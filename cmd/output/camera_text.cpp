@@ -4,13 +4,13 @@
 #include <cmath>
 #include <optional>
 
+#include "camera/screen_map.hpp"
 #include "input/convention_names.hpp"
 #include "input/viewport_fields.hpp"
+#include "numbers/degrees.hpp"
 #include "output/camera_fields.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
-#include "viewproj/camera/screen_map.hpp"
-#include "viewproj/numbers/degrees.hpp"
 
 namespace viewproj::cmd {
 namespace {
