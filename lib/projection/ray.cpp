@@ -129,7 +129,7 @@ Ray screenToRay(const Camera& c, const Vec2& screen, Precision precision, RayOri
   if (!isFinite(screen)) return {kNoVector, kNoVector};
   const bool originIsEye = origin == RayOrigin::eye && !c.projection.orthographic;
   return {originIsEye ? c.pose.eye : originAt(c, screen, origin),
-          precision == Precision::standard ? standardDirection(c, screen) : exactDirection(c, screen)};
+          precision == Precision::exact ? exactDirection(c, screen) : standardDirection(c, screen)};
 }
 
 WorldPoint screenToWorld(const Camera& c, const Vec2& screen, double depth) noexcept {

@@ -319,33 +319,38 @@ ScreenPoint exactToScreen(const Camera& c, const Vec4& point) noexcept {
   return result.point;
 }
 
-/// A point in fast or standard. The parts of a formula that a camera does not need add zeros and compare with infinity
-/// here: the same bits.
+/// The parts of a formula that a camera does not need add zeros and compare with infinity here: the same bits.
 template <template <class, class> class Formula>
 Projected<double, bool> byFormula(const ProjectionConstants& k, const Vec3& p, Band band) noexcept {
-  return k.orthographic ? Formula<ScalarLanes, Traits<true, true, true>>(k, band).point(p.x, p.y, p.z)
-                        : Formula<ScalarLanes, Traits<false, true, true>>(k, band).point(p.x, p.y, p.z);
+  return k.orthographic ? Formula<ScalarLanes, Traits<true, true, true, true>>(k, band).point(p.x, p.y, p.z)
+                        : Formula<ScalarLanes, Traits<false, true, true, true>>(k, band).point(p.x, p.y, p.z);
 }
 
-/// Exact for what the precision cannot bound, and for what lies outside the band.
+Projected<double, bool> byFormula(const ProjectionConstants& k, const Vec3& p, Precision precision,
+                                  Band band) noexcept {
+  return precision == Precision::fast       ? byFormula<FastFormula>(k, p, band)
+         : precision == Precision::standard ? byFormula<StandardFormula>(k, p, band)
+                                            : byFormula<ExactFormula>(k, p, band);
+}
+
+/// Exact rows for what the formula cannot bound or certify, and for what lies outside the band.
 ScreenPoint pointToScreen(const Camera& c, const Vec3& point, Precision precision, Band band) noexcept {
   if (!isFinite(point)) return without(PointStatus::notFinite, kNaN);
-  if (precision == Precision::exact) return exactToScreen(c, {point.x, point.y, point.z, 1});
-  const Projected<double, bool> r = precision == Precision::fast ? byFormula<FastFormula>(c.constants, point, band)
-                                                                 : byFormula<StandardFormula>(c.constants, point, band);
-  if (r.behind) {
-    ScreenPoint behind = without(PointStatus::behind, r.distance);
-    behind.precision = precision;
-    return behind;
-  }
-  if (!r.valid) return exactToScreen(c, {point.x, point.y, point.z, 1});
+  const Projected<double, bool> r = byFormula(c.constants, point, precision, band);
   ScreenPoint p;
-  p.x = r.x;
-  p.y = r.y;
-  p.depth = r.depth;
-  p.viewDistance = r.distance;
-  p.outside = sidesBeyond(c, p);
+  if (r.behind) {
+    p = without(PointStatus::behind, r.distance);
+  } else if (r.valid) {
+    p.x = r.x;
+    p.y = r.y;
+    p.depth = r.depth;
+    p.viewDistance = r.distance;
+    p.outside = sidesBeyond(c, p);
+  } else {
+    return exactToScreen(c, {point.x, point.y, point.z, 1});
+  }
   p.precision = precision;
+  p.certain = precision == Precision::exact;
   return p;
 }
 
