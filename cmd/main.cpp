@@ -10,6 +10,7 @@
 
 #include "commands/help.hpp"
 #include "commands/run.hpp"
+#include "numbers/arithmetic.hpp"
 #include "output/output_file.hpp"
 #include "stream/interrupt.hpp"
 #include "text/error.hpp"
@@ -68,7 +69,7 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   openStandardDescriptors();
   // What is preloaded or linked may have changed it for the whole program.
-  if (const char* fault = viewproj::arithmeticFault()) return fail(fault, 1);
+  if (const char* fault = viewproj::detail::arithmeticFault()) return fail(fault, 1);
   std::set_new_handler(endWithoutMemory);
   try {
     return run(argc, argv);

@@ -7,12 +7,12 @@
 template <class F>
 int withEachKernel(const F& f) {
   int count = 0;
-  for (const viewproj::Kernels* kernels : viewproj::allKernels()) {
-    if (!viewproj::isSupported(*kernels)) continue;
-    viewproj::forceKernels(kernels);
+  for (const viewproj::detail::Kernels* kernels : viewproj::detail::allKernels()) {
+    if (!viewproj::detail::isSupported(*kernels)) continue;
+    viewproj::detail::forceKernels(kernels);
     f(*kernels);
     ++count;
   }
-  viewproj::forceKernels(nullptr);
+  viewproj::detail::forceKernels(nullptr);
   return count;
 }

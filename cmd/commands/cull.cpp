@@ -41,7 +41,7 @@ class CullWork final : public RecordWork {
 
 std::string planesAsJson(const Frustum& frustum) {
   std::string out;
-  for (const FrustumPlane& plane : frustum) {
+  for (const FrustumPlane& plane : frustum.planes()) {
     out += (out.empty() ? "{\"" : ",\n \"") + std::string(sideName(plane.side)) + "\":[";
     const Vec4& e = plane.equation;
     out += formatNumber(e.x) + "," + formatNumber(e.y) + "," + formatNumber(e.z) + "," + formatNumber(e.w) + "]";

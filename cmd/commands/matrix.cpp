@@ -127,7 +127,7 @@ int run(const Options& o, const CLI::App& app) {
       set.matrices.push_back(
           {std::string(row.name) + "Inverse", matrixOf(row.which, true, read, o.wanted, set.convention)});
   }
-  if (o.wanted.relativeToEye && read.pose) set.eye = read.pose->eye;
+  if (o.wanted.relativeToEye && read.pose) set.eye = read.pose->eye();
   set.bakesViewport = o.wanted.bakeViewport;
   writeOutput(writeMatrices(set, o.format, read.name));
   return 0;

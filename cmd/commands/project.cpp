@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "camera/camera.hpp"
 #include "commands/command.hpp"
 #include "commands/options.hpp"
 #include "input/model.hpp"
@@ -19,6 +20,8 @@
 #include "viewproj/screen.hpp"
 
 namespace viewproj::cmd {
+
+using namespace detail;
 namespace {
 
 enum class ResultField { screen, depth, viewDistance, visible, outside, ndc, clip, view, bound };
@@ -76,7 +79,7 @@ struct Projecting {
   bool worldIsEcef = false;
   Fields fields, textFields;
   std::optional<Mat4> worldFromLocal = {};  ///< of a model that the points are in
-  Frustum frustum = {};                     ///< for segments
+  std::optional<Frustum> frustum = {};      ///< for segments
 };
 
 /// A segment among the points, and the pixel to find a point of it under.
@@ -198,7 +201,7 @@ class ProjectWork final : public RecordWork {
   void writeSegment(const SegmentRow& row, ResultSink& sink) const {
     if (sink.isText() || sink.hasFixedColumns())
       throw RecordError(0, "has a segment, whose results have no place in columns; write JSON");
-    const VisibleSegment segment = clipSegment(how_.frustum, row.a, row.b);
+    const VisibleSegment segment = clipSegment(*how_.frustum, row.a, row.b);
     sink.flag("visible", segment.visible);
     const auto writeEnd = [&](std::string_view name, const SegmentEnd& end) {
       sink.group(name, segment.visible, [&](ResultSink& part) {
@@ -213,7 +216,7 @@ class ProjectWork final : public RecordWork {
     writeEnd("end", segment.end);
     if (!row.hasPixel) return;
     sink.group("under", segment.visible && row.pixel, [&](ResultSink& part) {
-      const double t = parameterUnder(how_.frustum, segment, *row.pixel);
+      const double t = parameterUnder(*how_.frustum, segment, *row.pixel);
       const Vec3 point = pointAlong(row.a, row.b, t);
       part.number("t", t);
       part.vector("point", point);

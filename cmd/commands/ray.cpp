@@ -12,8 +12,11 @@
 #include "viewproj/geodesy.hpp"
 #include "viewproj/scene.hpp"
 #include "viewproj/screen.hpp"
+#include "camera/camera.hpp"
 
 namespace viewproj::cmd {
+
+using namespace detail;
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -26,7 +29,7 @@ WorldPoint pointBehind(const Camera& camera, const Pixel& pixel) {
   if (pixel.viewDistance)
     throw RecordError(0, "viewDistance " + formatNumber(*pixel.viewDistance) + " is not in front of the eye");
   throw RecordError(0, "depth " + formatNumber(*pixel.depth) + " lies beyond infinity, whose window depth is " +
-                           formatNumber(camera.depthAtInfinity) + ": no point in front of the eye has it");
+                           formatNumber(parts(camera).depthAtInfinity) + ": no point in front of the eye has it");
 }
 
 struct Casting {

@@ -1,5 +1,8 @@
 #include "input/camera_file.hpp"
 
+#include "camera/camera.hpp"
+#include "camera/viewport.hpp"
+#include "geodesy/normal.hpp"
 #include "input/convention_fields.hpp"
 #include "input/convention_names.hpp"
 #include "input/geodetic.hpp"
@@ -9,6 +12,8 @@
 #include "viewproj/camera.hpp"
 
 namespace viewproj::cmd {
+
+using namespace detail;
 namespace {
 
 std::optional<Pose> readPose(const ObjectReader& camera, const Convention& convention, const std::string& preset) {
@@ -115,7 +120,7 @@ CameraFile readChecked(const Document& document, const CameraReading& reading) {
   if (type) {
     ReadProjection read = type->read(*projection, frame);
     if (frame && read.hasOwnShape && !read.hasOwnPixelShape && !reading.allowStretch)
-      requireShape(windowAspect(read.projection), *frame, *projection);
+      requireShape(windowAspect(parts(read.projection)), *frame, *projection);
     if (const auto shift = projection->numbers("shift", 2, 2))
       read.projection = shifted(read.projection, (*shift)[0], (*shift)[1]);
     if (viewport && viewport->crop) read.projection = cropped(read.projection, *frame, *viewport->crop);

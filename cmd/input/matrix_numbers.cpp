@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "camera/camera.hpp"
 #include "input/convention_fields.hpp"
 #include "input/document.hpp"
 #include "text/encoding.hpp"
@@ -15,6 +16,8 @@
 #include "text/visible.hpp"
 
 namespace viewproj::cmd {
+
+using namespace detail;
 namespace {
 
 bool isDigit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }

@@ -14,7 +14,7 @@ namespace viewproj::cmd {
 struct WrittenMatrix {
   std::string name;  ///< as the input calls it, or empty
   std::array<double, 16> numbers{};
-  NumberOrder order = NumberOrder::memory;  ///< rows: written in four groups or on four lines of four
+  detail::NumberOrder order = detail::NumberOrder::memory;  ///< rows: written in four groups or on four lines of four
 };
 
 struct WrittenMatrices {

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 
+#include "camera/camera.hpp"
 #include "input/importers/importer.hpp"
 
 namespace viewproj::cmd {
+
+using namespace detail;
 namespace {
 
 struct Affine {
@@ -38,8 +41,8 @@ Affine affineOf(const PlacedNode& node) {
   }
   const Pose pose = ownPose(node);
   const Vec3 scale = node.scale.value_or(Vec3{1, 1, 1});
-  a.columns = {pose.columns.right * scale.x, pose.columns.up * scale.y, -pose.columns.forward * scale.z};
-  a.origin = toDoubleDouble(pose.eye);
+  a.columns = {parts(pose).columns.right * scale.x, parts(pose).columns.up * scale.y, -parts(pose).columns.forward * scale.z};
+  a.origin = toDoubleDouble(pose.eye());
   return a;
 }
 

@@ -5,9 +5,12 @@
 #include <utility>
 #include <vector>
 
+#include "camera/camera.hpp"
 #include "input/viewport_fields.hpp"
 
 namespace viewproj::cmd {
+
+using namespace detail;
 namespace {
 
 double readFar(const ObjectReader& fields) { return fields.number("far").value_or(kInfiniteFar); }

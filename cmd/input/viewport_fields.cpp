@@ -2,10 +2,14 @@
 
 #include <cmath>
 
+#include "camera/camera.hpp"
+#include "camera/viewport.hpp"
 #include "input/convention_names.hpp"
 #include "text/format_number.hpp"
 
 namespace viewproj::cmd {
+
+using namespace detail;
 namespace {
 
 /// Shapes that differ by no more than this share are one.

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "camera/camera.hpp"
 #include "input/document.hpp"
 #include "viewproj/camera.hpp"
 
@@ -28,14 +29,14 @@ struct ViewportDefaults {
 std::optional<ReadViewport> readViewport(const ObjectReader& file, const ViewportDefaults& defaults);
 
 /// Width / height.
-DoubleDouble viewportAspect(const Viewport& viewport);
+detail::DoubleDouble viewportAspect(const Viewport& viewport);
 
 /// Whether the viewport has this shape (width / height), to a thousandth of it.
-bool hasShape(const Viewport& viewport, DoubleDouble shape);
+bool hasShape(const Viewport& viewport, detail::DoubleDouble shape);
 
 /// The projection whose picture has the shape (width / height) that the file says it has. Throws InputError, with the
 /// mend, unless the viewport has that shape.
-void requireShape(DoubleDouble shape, const Viewport& viewport, const ObjectReader& projection,
+void requireShape(detail::DoubleDouble shape, const Viewport& viewport, const ObjectReader& projection,
                   const std::string& mend = "");
 
 }  // namespace viewproj::cmd

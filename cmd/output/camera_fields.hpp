@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "camera/camera.hpp"
 #include "input/camera_file.hpp"
 #include "text/format_number.hpp"
 
@@ -17,7 +18,7 @@ class Fields {
     text_ += (text_.empty() ? "\"" : ", \"") + std::string(name) + "\": " + json;
   }
   void add(std::string_view name, double number) { add(name, formatNumber(number)); }
-  void add(std::string_view name, DoubleDouble number) { add(name, number.hi); }
+  void add(std::string_view name, detail::DoubleDouble number) { add(name, number.hi); }
   void addName(std::string_view name, std::string_view value) { add(name, "\"" + std::string(value) + "\""); }
   const std::string& text() const { return text_; }
   std::string object() const { return "{" + text_ + "}"; }

@@ -5,8 +5,11 @@
 
 #include "camera/screen_map.hpp"
 #include "output/camera_text.hpp"
+#include "camera/camera.hpp"
 
 namespace viewproj::cmd {
+
+using namespace detail;
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -15,7 +18,7 @@ struct Place {
   DoubleDouble x, y, w;
 };
 
-Place placeOf(const DDVec3& offset, const Pose& pose, const Projection& p, const ScreenMap& map) {
+Place placeOf(const DDVec3& offset, const PoseParts& pose, const ProjectionParts& p, const ScreenMap& map) {
   const DoubleDouble x = dot(pose.rows.right, offset), y = dot(pose.rows.up, offset);
   const DoubleDouble w = dot(pose.rows.forward, offset);
   if (p.orthographic) return {map.centerX + map.scaleX * x, map.centerY + map.scaleY * y, w};
@@ -24,7 +27,7 @@ Place placeOf(const DDVec3& offset, const Pose& pose, const Projection& p, const
 }
 
 /// Between the depths at two distances, given over that distance in perspective.
-double depthBetween(DoubleDouble a, DoubleDouble b, double distance, const Projection& p) {
+double depthBetween(DoubleDouble a, DoubleDouble b, double distance, const ProjectionParts& p) {
   if (p.orthographic) return ((b - a) / twoDiff(p.far, p.near)).hi;
   const double farOverRange = std::isinf(p.far) ? 1 : p.far / (p.far - p.near);
   return ((b - a) / (a * b)).hi * farOverRange * (p.near / distance);
@@ -46,10 +49,11 @@ CameraFile completed(CameraFile file) {
 
 Moved movedBetween(const CameraFile& first, const CameraFile& second) {
   const CameraFile from = completed(first), to = completed(second);
-  const Projection& p = *from.projection;
-  const ScreenMap fromMap = screenMap(p, *from.viewport), toMap = screenMap(*to.projection, *to.viewport);
-  const DDVec3 step = unroundedEye(*from.pose) + -unroundedEye(*to.pose);
-  const Axes& axes = from.pose->columns;
+  const ProjectionParts& p = parts(*from.projection);
+  const PoseParts &fromPose = parts(*from.pose), &toPose = parts(*to.pose);
+  const ScreenMap fromMap = screenMap(p, *from.viewport), toMap = screenMap(parts(*to.projection), *to.viewport);
+  const DDVec3 step = unroundedEye(fromPose) + -unroundedEye(toPose);
+  const Axes& axes = fromPose.columns;
   Moved most;
   for (double across : {0.0, 0.5, 1.0})
     for (double along : {0.0, 0.5, 1.0}) {
@@ -62,8 +66,8 @@ Moved movedBetween(const CameraFile& first, const CameraFile& second) {
         const DoubleDouble share = p.orthographic         ? DoubleDouble(1)
                                    : std::isinf(distance) ? DoubleDouble(0)
                                                           : DoubleDouble(1) / DoubleDouble(distance);
-        const Place a = placeOf(offset, *from.pose, p, fromMap);
-        const Place b = placeOf(offset + step * share, *to.pose, *to.projection, toMap);
+        const Place a = placeOf(offset, fromPose, p, fromMap);
+        const Place b = placeOf(offset + step * share, toPose, parts(*to.projection), toMap);
         raise(most.pixels, (a.x - b.x).hi);
         raise(most.pixels, (a.y - b.y).hi);
         raise(most.depth, depthBetween(a.w, b.w, distance, p));

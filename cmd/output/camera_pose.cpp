@@ -1,11 +1,14 @@
 #include <array>
 #include <cmath>
 
+#include "camera/camera.hpp"
 #include "input/convention_names.hpp"
 #include "output/camera_fields.hpp"
 #include "viewproj/matrices.hpp"
 
 namespace viewproj::cmd {
+
+using namespace detail;
 
 namespace {
 
@@ -51,7 +54,7 @@ void addLooking(std::vector<std::string>& forms, const Pose& pose, Vec3 defaultU
     // An axis of the world that gives the same picture before the camera's own.
     const auto addWith = [&](const Vec3& up) {
       Fields out;
-      out.add("position", jsonOf(pose.eye));
+      out.add("position", jsonOf(pose.eye()));
       out.add(name, jsonOf(where));
       if (!(up == defaultUp)) out.add("up", jsonOf(up));
       forms.push_back(out.text());
@@ -59,21 +62,21 @@ void addLooking(std::vector<std::string>& forms, const Pose& pose, Vec3 defaultU
     const Vec3 axes[] = {defaultUp, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}, {0, -1, 0}, {0, 0, -1}, {-1, 0, 0}};
     for (const Vec3& up : axes) {
       const DDVec3 u = toDoubleDouble(up);
-      if (dot(pose.rows.up, u).hi > 0 && std::fabs(dot(pose.rows.right, u).hi) <= kCancellation) {
+      if (dot(parts(pose).rows.up, u).hi > 0 && std::fabs(dot(parts(pose).rows.right, u).hi) <= kCancellation) {
         addWith(up);
         break;
       }
     }
-    addWith(roundedUnlessTiny(pose.rows.up));
+    addWith(roundedUnlessTiny(parts(pose).rows.up));
   };
-  if (!pose.exact.upIsCross) return add("direction", roundedUnlessTiny(pose.rows.forward));
+  if (!parts(pose).exact.upIsCross) return add("direction", roundedUnlessTiny(parts(pose).rows.forward));
   // As it was given, up to a power of two: the direction, or a target where that is longer than doubles.
   DDVec3 given;
-  for (std::size_t i = 0; i < 3; ++i) given[i] = pose.exact.forward[i].rounded();
+  for (std::size_t i = 0; i < 3; ++i) given[i] = parts(pose).exact.forward[i].rounded();
   const auto isRound = [](const DDVec3& v) { return v.x.lo == 0 && v.y.lo == 0 && v.z.lo == 0; };
   if (!isRound(given))
     for (int k = -60; k <= 60; ++k) {
-      const DDVec3 target = toDoubleDouble(pose.eye) + scaleByPowerOfTwo(given, k);
+      const DDVec3 target = toDoubleDouble(pose.eye()) + scaleByPowerOfTwo(given, k);
       if (!isRound(target) || !isFinite(rounded(target))) continue;
       add("target", rounded(target));
       break;
@@ -102,15 +105,15 @@ std::array<DoubleDouble, 4> quaternionOf(const std::array<DDVec3, 3>& c) {
 
 /// Of the length it was given in, where it was given: then its parts are doubles.
 void addRotation(std::vector<std::string>& forms, const Pose& pose, CameraAxes cameraAxes) {
-  const Axes& a = pose.columns;
+  const Axes& a = parts(pose).columns;
   const std::array<DDVec3, 3> columns = cameraAxes == CameraAxes::RUB   ? std::array{a.right, a.up, -a.forward}
                                         : cameraAxes == CameraAxes::RUF ? std::array{a.right, a.up, a.forward}
                                                                         : std::array{a.forward, a.right, a.up};
-  const DoubleDouble scale = pose.exact.rightScale;
+  const DoubleDouble scale = parts(pose).exact.rightScale;
   const DoubleDouble length =
-      pose.exact.upIsCross ? DoubleDouble(1) : sqrt(DoubleDouble(1) / (scale.hi < 0 ? -scale : scale));
+      parts(pose).exact.upIsCross ? DoubleDouble(1) : sqrt(DoubleDouble(1) / (scale.hi < 0 ? -scale : scale));
   Fields out;
-  out.add("position", jsonOf(pose.eye));
+  out.add("position", jsonOf(pose.eye()));
   if (cameraAxes != CameraAxes::RUB) out.addName("cameraAxes", nameOf(kCameraAxesNames, cameraAxes));
   std::string parts;
   for (const DoubleDouble& part : quaternionOf(columns))

@@ -11,8 +11,11 @@
 #include "output/camera_fields.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
+#include "camera/camera.hpp"
 
 namespace viewproj::cmd {
+
+using namespace detail;
 namespace {
 
 // Convention
@@ -46,13 +49,13 @@ std::string jsonOf(const Convention& c, const ConventionPreset& preset) {
 
 // Projection
 
-void addRange(Fields& out, const Projection& p) {
+void addRange(Fields& out, const ProjectionParts& p) {
   out.add("near", p.near);
   if (!std::isinf(p.far)) out.add("far", p.far);
 }
 
 /// The shift that moves base's window to where p has it, unless they agree.
-void addShift(Fields& out, const Projection& base, const Projection& p) {
+void addShift(Fields& out, const ProjectionParts& base, const ProjectionParts& p) {
   const auto shift = [](DoubleDouble low, DoubleDouble high, DoubleDouble wantedLow, DoubleDouble wantedHigh) {
     const DoubleDouble moved = (low + high - wantedLow - wantedHigh) / (high - low);
     return std::fabs(moved.hi) <= 16 * kCancellation ? 0 : moved.hi;
@@ -61,14 +64,14 @@ void addShift(Fields& out, const Projection& base, const Projection& p) {
   if (x != 0 || y != 0) out.add("shift", "[" + formatNumber(x) + ", " + formatNumber(y) + "]");
 }
 
-Projection centred(const Projection& p) {
+ProjectionParts centred(const ProjectionParts& p) {
   const DoubleDouble halfWidth = timesPowerOfTwo(p.right - p.left, 0.5);
   const DoubleDouble halfHeight = timesPowerOfTwo(p.top - p.bottom, 0.5);
   return {false, -halfWidth, halfWidth, -halfHeight, halfHeight, p.near, p.far};
 }
 
 void writePerspective(Fields& out, const CameraFile& camera) {
-  const Projection& p = *camera.projection;
+  const ProjectionParts& p = parts(*camera.projection);
   const DoubleDouble aspect = windowAspect(p);
   out.add("fovY", degreesOfHalfTangent(timesPowerOfTwo(p.top - p.bottom, 0.5)));
   const bool isViewports =
@@ -80,7 +83,7 @@ void writePerspective(Fields& out, const CameraFile& camera) {
 
 /// An angle next to 180 degrees has too few digits for its tangent.
 void writeNearSize(Fields& out, const CameraFile& camera) {
-  const Projection& p = *camera.projection;
+  const ProjectionParts& p = parts(*camera.projection);
   out.add("nearWidth", (p.right - p.left) * DoubleDouble(p.near));
   out.add("nearHeight", (p.top - p.bottom) * DoubleDouble(p.near));
   addRange(out, p);
@@ -88,7 +91,7 @@ void writeNearSize(Fields& out, const CameraFile& camera) {
 }
 
 void writeFrustum(Fields& out, const CameraFile& camera) {
-  const Projection& p = *camera.projection;
+  const ProjectionParts& p = parts(*camera.projection);
   const DoubleDouble near = p.near;
   out.add("left", p.left * near);
   out.add("right", p.right * near);
@@ -98,16 +101,16 @@ void writeFrustum(Fields& out, const CameraFile& camera) {
 }
 
 void writeIntrinsics(Fields& out, const CameraFile& camera) {
-  const ScreenMap map = screenMap(*camera.projection, *camera.viewport);
+  const ScreenMap map = screenMap(parts(*camera.projection), *camera.viewport);
   out.add("fx", map.scaleX);
   out.add("fy", std::fabs(map.scaleY.hi));
   out.add("cx", map.centerX);
   out.add("cy", map.centerY);
-  addRange(out, *camera.projection);
+  addRange(out, parts(*camera.projection));
 }
 
 void writeOrthographic(Fields& out, const CameraFile& camera) {
-  const Projection& p = *camera.projection;
+  const ProjectionParts& p = parts(*camera.projection);
   out.add("left", p.left);
   out.add("right", p.right);
   out.add("bottom", p.bottom);
@@ -117,7 +120,7 @@ void writeOrthographic(Fields& out, const CameraFile& camera) {
 
 /// The frame lies around (cx, cy), so a window off the axis is a shift.
 void writePs2(Fields& out, const CameraFile& camera) {
-  const Projection& p = *camera.projection;
+  const ProjectionParts& p = parts(*camera.projection);
   const Viewport& v = *camera.viewport;
   const ScreenMap map = screenMap(p, v);
   const double scrz = map.scaleX.hi, ay = (map.scaleY / map.scaleX).hi;
@@ -130,7 +133,7 @@ void writePs2(Fields& out, const CameraFile& camera) {
   out.add("zMin", v.depthFirst);
   out.add("zMax", v.depthSecond);
   addRange(out, p);
-  addShift(out, intrinsics(scrz, twoProd(std::fabs(ay), scrz), cx, cy, v, p.near, p.far), p);
+  addShift(out, parts(intrinsics(scrz, twoProd(std::fabs(ay), scrz), cx, cy, v, p.near, p.far)), p);
 }
 
 struct Type {
@@ -151,15 +154,15 @@ constexpr Type kTypes[] = {
 
 /// What the type cannot hold of the camera, or an empty string.
 std::string beyond(const Type& type, const CameraFile& camera, bool allowStretch) {
-  if (type.orthographic != camera.projection->orthographic)
+  if (type.orthographic != camera.projection->isOrthographic())
     return type.orthographic ? "a perspective camera" : "an orthographic camera";
   if (type.needsViewport && !camera.viewport)
     return "a camera without a viewport, in whose pixels it counts; --viewport WIDTHxHEIGHT gives one";
   if (type.needsReversedDepth && !camera.convention.reverseZ)
     return "depth that is not reversed, since it maps near to zMax; --reverse-z or --convention ps2 writes it so";
   if (!type.hasOwnPixelShape && !allowStretch && camera.viewport &&
-      !hasShape(*camera.viewport, windowAspect(*camera.projection)))
-    return "a camera shape unlike the viewport's (" + formatNumber(windowAspect(*camera.projection).hi) +
+      !hasShape(*camera.viewport, windowAspect(parts(*camera.projection))))
+    return "a camera shape unlike the viewport's (" + formatNumber(windowAspect(parts(*camera.projection)).hi) +
            " times as wide as high, and " + formatNumber(viewportAspect(*camera.viewport).hi) + " times)" +
            (type.orthographic ? "; --allow-stretch writes it for readers that allow it too"
                               : "; --type intrinsics can, and --allow-stretch writes it for readers that allow it too");

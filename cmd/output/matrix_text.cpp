@@ -5,12 +5,15 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "camera/convention.hpp"
 #include "input/convention_names.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
 #include "viewproj/matrices.hpp"
 
 namespace viewproj::cmd {
+
+using namespace detail;
 namespace {
 
 void appendEntry(std::string& out, double value, bool asFloat) {

@@ -4,11 +4,15 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
+#include <string>
 
-#include "camera/error.hpp"
+#include "camera/require.hpp"
+#include "camera/viewport.hpp"
 #include "numbers/arithmetic.hpp"
 
 namespace viewproj {
+
+using namespace detail;
 
 namespace {
 
@@ -20,7 +24,7 @@ struct RangeShares {
   DoubleDouble near, far, one;
 };
 
-RangeShares rangeShares(const Projection& p) noexcept {
+RangeShares rangeShares(const ProjectionParts& p) noexcept {
   const double scale = std::max(std::fabs(p.near), std::fabs(p.far)) > 0x1p900 ? 0x1p-200 : 1;
   const double n = p.near * scale;
   const double f = p.far * scale;
@@ -29,7 +33,7 @@ RangeShares rangeShares(const Projection& p) noexcept {
 }
 
 /// Exactly: rows that are rounded to an axis do not count.
-bool forwardIsAxis(const Pose& pose) noexcept {
+bool forwardIsAxis(const PoseParts& pose) noexcept {
   const ExactRows& exact = pose.exact;
   if (!exact.isNarrow) return false;
   int zeros = 0, ones = 0;
@@ -46,6 +50,8 @@ bool forwardIsAxis(const Pose& pose) noexcept {
          pose.residual.z.hi == 0;
 }
 
+const char* nameOf(Handedness world) noexcept { return world == Handedness::right ? "right" : "left"; }
+
 double rangeOf(std::initializer_list<double> numbers) noexcept {
   double range = 1;
   for (const double number : numbers) {
@@ -58,7 +64,7 @@ double rangeOf(std::initializer_list<double> numbers) noexcept {
 
 }  // namespace
 
-DepthLine depthLine(const Projection& p, double atNear, double atFar) noexcept {
+DepthLine detail::depthLine(const ProjectionParts& p, double atNear, double atFar) noexcept {
   // perspective:   offset = (f atFar - n atNear) / (f - n)     scale = f n (atNear - atFar) / (f - n)
   // infinite far:  offset = atFar                              scale = n (atNear - atFar)
   // orthographic:  offset = (f atNear - n atFar) / (f - n)     scale = (atFar - atNear) / (f - n)
@@ -73,15 +79,18 @@ DepthLine depthLine(const Projection& p, double atNear, double atFar) noexcept {
 Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport& viewport,
                   const Convention& convention) {
   if (const char* fault = arithmeticFault()) throw CameraError("arithmetic", fault);
-  validate(projection);
   validate(viewport);
-  validate(pose, convention.world);
-  Camera c;
-  c.pose = pose;
-  c.projection = projection;
+  const Handedness world = worldOf(parts(pose));
+  if (world != convention.world)
+    throw CameraError("pose", std::string("is of a ") + nameOf(world) + "-handed world, and the convention's is " +
+                                  nameOf(convention.world) + "-handed");
+  const auto made = std::make_shared<CameraParts>();
+  CameraParts& c = *made;
+  c.pose = parts(pose);
+  c.projection = parts(projection);
   c.viewport = viewport;
   c.convention = convention;
-  c.screen = screenMap(projection, viewport);
+  c.screen = screenMap(c.projection, viewport);
   const auto isInRange = [](DoubleDouble center, DoubleDouble scale, double reach) {
     const double size = std::fabs(scale.hi);
     return isFinite(center) && isFinite(scale) && reach < kLargestScale && size > 1 / kLargestScale &&
@@ -93,22 +102,22 @@ Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport
 
   c.depthAtNear = convention.reverseZ ? viewport.depthSecond : viewport.depthFirst;
   c.depthAtFar = convention.reverseZ ? viewport.depthFirst : viewport.depthSecond;
-  if (projection.orthographic)
-    c.farOverRange = rangeShares(projection).one;
+  if (c.projection.orthographic)
+    c.farOverRange = rangeShares(c.projection).one;
   else
-    c.farOverRange = std::isinf(projection.far) ? DoubleDouble(1) : rangeShares(projection).far;
-  const DepthLine depth = depthLine(projection, c.depthAtNear, c.depthAtFar);
+    c.farOverRange = std::isinf(c.projection.far) ? DoubleDouble(1) : rangeShares(c.projection).far;
+  const DepthLine depth = depthLine(c.projection, c.depthAtNear, c.depthAtFar);
   c.depthAtInfinity = depth.offset.hi;
 
   ProjectionConstants& k = c.constants;
-  k.forwardIsAxis = forwardIsAxis(pose);
+  k.forwardIsAxis = forwardIsAxis(c.pose);
   const ScreenMap& map = c.screen;
-  k.orthographic = projection.orthographic;
-  k.eye = pose.eye;
-  k.x = pose.rows.right * map.scaleX;
-  k.y = pose.rows.up * map.scaleY;
-  k.w = pose.rows.forward;
-  k.residual = {pose.residual.x * map.scaleX, pose.residual.y * map.scaleY, pose.residual.z};
+  k.orthographic = c.projection.orthographic;
+  k.eye = c.pose.eye;
+  k.x = c.pose.rows.right * map.scaleX;
+  k.y = c.pose.rows.up * map.scaleY;
+  k.w = c.pose.rows.forward;
+  k.residual = {c.pose.residual.x * map.scaleX, c.pose.residual.y * map.scaleY, c.pose.residual.z};
   k.centerX = map.centerX;
   k.centerY = map.centerY;
   k.depthOffset = depth.offset;
@@ -121,20 +130,27 @@ Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport
   k.range = !depthsAreNumbers ? std::numeric_limits<double>::infinity()
                               : rangeOf({map.reachX, map.reachY, map.centerX.hi, map.centerY.hi, map.scaleX.hi,
                                          map.scaleY.hi, depths[0], depths[1], depths[2], c.depthAtNear, c.depthAtFar,
-                                         c.depthAtFar - c.depthAtNear, projection.near, projection.far});
+                                         c.depthAtFar - c.depthAtNear, c.projection.near, c.projection.far});
   k.sizeXY = std::max(maxAbs(k.x), maxAbs(k.y));
   k.sizeW = maxAbs(k.w);
-  k.farthest = std::max(std::fabs(projection.near), std::fabs(projection.far));
+  k.farthest = std::max(std::fabs(c.projection.near), std::fabs(c.projection.far));
   k.residualReach = std::max(std::max(std::fabs(k.residual.x.hi), std::fabs(k.residual.y.hi)) / k.sizeXY,
                              std::fabs(k.residual.z.hi) / k.sizeW);
   // A residual that is there counts, however small: whether it does is told from this.
   const auto isZero = [](DoubleDouble a) { return a.hi == 0; };
   if (k.residualReach == 0 && !(isZero(k.residual.x) && isZero(k.residual.y) && isZero(k.residual.z)))
     k.residualReach = std::numeric_limits<double>::min();
-  k.rayX = rounded(pose.columns.right * (DoubleDouble(1) / map.scaleX));
-  k.rayY = rounded(pose.columns.up * (DoubleDouble(1) / map.scaleY));
-  k.rayW = rounded(pose.columns.forward);
-  return c;
+  k.rayX = rounded(c.pose.columns.right * (DoubleDouble(1) / map.scaleX));
+  k.rayY = rounded(c.pose.columns.up * (DoubleDouble(1) / map.scaleY));
+  k.rayW = rounded(c.pose.columns.forward);
+  return Access::whole<Camera, CameraParts>(made);
 }
+
+Pose Camera::pose() const noexcept { return Access::whole<Pose, PoseParts>({parts_, &parts_->pose}); }
+Projection Camera::projection() const noexcept {
+  return Access::whole<Projection, ProjectionParts>({parts_, &parts_->projection});
+}
+const Viewport& Camera::viewport() const noexcept { return parts_->viewport; }
+const Convention& Camera::convention() const noexcept { return parts_->convention; }
 
 }  // namespace viewproj

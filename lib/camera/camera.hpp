@@ -1,20 +1,11 @@
-// A camera, built once: pose, window, viewport and convention, and what projecting needs of them.
+// A camera's numbers: pose, window, viewport and convention, and what projecting needs of them.
 #pragma once
 
 #include "camera/pose.hpp"
 #include "camera/projection.hpp"
 #include "camera/screen_map.hpp"
-#include "camera/viewport.hpp"
-#include "viewproj/convention.hpp"
 
-namespace viewproj {
-
-/// Which arithmetic a result is computed in: each rung costs more and promises more.
-enum class Precision {
-  fast,      ///< float32 after the eye is subtracted in double
-  standard,  ///< double, relative to the eye
-  exact,     ///< the double nearest the true value
-};
+namespace viewproj::detail {
 
 /// What projecting a point needs of a camera. In perspective, with d = point - eye and q = (x . d) / (w . d),
 ///   screen x = centerX + q,  window depth = depthOffset + depthScale / (w . d)
@@ -42,9 +33,9 @@ struct ProjectionConstants {
 };
 
 /// Made by makeCamera; what follows the four parts is derived from them.
-struct Camera {
-  Pose pose;
-  Projection projection;
+struct CameraParts {
+  PoseParts pose;
+  ProjectionParts projection;
   Viewport viewport;
   Convention convention;
 
@@ -59,11 +50,7 @@ struct Camera {
   ProjectionConstants constants;
 };
 
-/// Throws CameraError where validate does of one of the parts (pose.hpp, projection.hpp, viewport.hpp), so where the
-/// pose is not of the convention's handedness too, where arithmeticFault() has one, and where window and viewport leave
-/// no doubles to tell pixels apart. Takes a few microseconds: build once, use for every point.
-Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport& viewport,
-                  const Convention& convention = {});
+inline const CameraParts& parts(const Camera& camera) noexcept { return *Access::shared(camera); }
 
 /// offset + scale / W (perspective) or offset + scale * W (orthographic): the depth that is atNear at near, atFar at
 /// far.
@@ -71,6 +58,6 @@ struct DepthLine {
   DoubleDouble offset, scale;
 };
 
-DepthLine depthLine(const Projection& projection, double atNear, double atFar) noexcept;
+DepthLine depthLine(const ProjectionParts& projection, double atNear, double atFar) noexcept;
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

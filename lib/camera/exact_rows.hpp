@@ -6,7 +6,7 @@
 #include "numbers/expansion.hpp"
 #include "numbers/vectors.hpp"
 
-namespace viewproj {
+namespace viewproj::detail {
 
 using ExactVec3 = std::array<Expansion<8>, 3>;
 
@@ -53,4 +53,4 @@ struct ExactRows {
   PoseSource source{};
 };
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

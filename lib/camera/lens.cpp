@@ -1,8 +1,10 @@
 #include "camera/lens.hpp"
 
-namespace viewproj {
+#include "camera/convention.hpp"
 
-DepthLine inverseDepthLine(const Projection& p, double atNear, double atFar) noexcept {
+namespace viewproj::detail {
+
+DepthLine inverseDepthLine(const ProjectionParts& p, double atNear, double atFar) noexcept {
   const DoubleDouble step = twoDiff(atFar, atNear);
   const DoubleDouble near = p.orthographic ? DoubleDouble(p.near) : DoubleDouble(1) / DoubleDouble(p.near);
   const DoubleDouble far = p.orthographic      ? DoubleDouble(p.far)
@@ -11,7 +13,7 @@ DepthLine inverseDepthLine(const Projection& p, double atNear, double atFar) noe
   return {(near * DoubleDouble(atFar) - far * DoubleDouble(atNear)) / step, (far - near) / step};
 }
 
-Lens ndcLens(const Projection& p, const Convention& c) noexcept {
+Lens ndcLens(const ProjectionParts& p, const Convention& c) noexcept {
   const DoubleDouble width = p.right - p.left;
   const DoubleDouble height = p.top - p.bottom;
   const DoubleDouble up = c.ndcY == NdcY::up ? 1 : -1;
@@ -31,4 +33,4 @@ Lens ndcLens(const Projection& p, const Convention& c) noexcept {
           inverse.scale};
 }
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

@@ -6,7 +6,7 @@
 #include "camera/camera.hpp"
 #include "numbers/wide.hpp"
 
-namespace viewproj {
+namespace viewproj::detail {
 
 /// Two affine maps that a projection is made of: of the window's coordinates and of depth. In perspective
 ///   out.x = (scaleX X + offsetX W) / W,  out.y = (scaleY Y + offsetY W) / W,  out.z = (depth.offset W + depth.scale) /
@@ -23,7 +23,7 @@ struct Lens {
 };
 
 /// The inverse of depthLine: 1/W (perspective) or W (orthographic) = offset + scale * depth.
-DepthLine inverseDepthLine(const Projection& projection, double atNear, double atFar) noexcept;
+DepthLine inverseDepthLine(const ProjectionParts& projection, double atNear, double atFar) noexcept;
 
 /// Near's and far's shares of window depth or of NDC z, times clip's w: what the two ends of the range count, to be
 /// divided by the distance in perspective. Of a point at distance forward / weight, a direction has weight 0.
@@ -47,6 +47,6 @@ inline DepthShares depthShares(bool orthographic, double near, double far, const
 }
 
 /// To normalised device coordinates of the convention.
-Lens ndcLens(const Projection& projection, const Convention& convention) noexcept;
+Lens ndcLens(const ProjectionParts& projection, const Convention& convention) noexcept;
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

@@ -3,10 +3,10 @@
 #include <array>
 #include <string>
 
-#include "camera/error.hpp"
 #include "camera/pose_source.hpp"
+#include "camera/require.hpp"
 
-namespace viewproj {
+namespace viewproj::detail {
 namespace {
 
 using Columns = std::array<Vec3, 3>;
@@ -133,7 +133,7 @@ Pose lookAlongExactly(const Looking& l, Handedness world, const char* directionF
                   sideError * sideScale.hi,
                   isNarrow,
                   source};
-  return {l.position, axes, axes, {}, exact};
+  return made({l.position, axes, axes, {}, exact});
 }
 
 const char* axesName(CameraAxes axes) {
@@ -276,7 +276,7 @@ std::array<DDVec3, 3> transposedColumns(const std::array<DDVec3, 3>& rows) {
   return columns;
 }
 
-void requireFinite(const FineVec3& v, const char* field) { requireFinite(viewproj::rounded(rounded(v.terms)), field); }
+void requireFinite(const FineVec3& v, const char* field) { requireFinite(detail::rounded(rounded(v.terms)), field); }
 
 /// The eye of a matrix from the world to the camera, -M^-1 t rounded, and M eye + t: what the rounding left over, as
 /// columns that hold one number each, to be named like the axes.
@@ -343,7 +343,7 @@ Looking withUp(Looking l, const Vec3& up) {
 
 Looking withUp(Looking l, const FineVec3& up) {
   requireFinite(up, "up");
-  l.up = viewproj::rounded(rounded(up.terms));
+  l.up = detail::rounded(rounded(up.terms));
   l.fineUp = up;
   return l;
 }
@@ -372,16 +372,16 @@ Looking lookingAt(const Vec3& position, const Vec3& target, const Up& up) {
 
 }  // namespace
 
-Pose lookAlong(const Vec3& position, const Vec3& direction, const Vec3& up, Handedness world) {
-  return lookAlongExactly(lookingAlong(position, direction, up), world, "direction");
+Pose made(PoseParts parts) {
+  return Access::whole<Pose, PoseParts>(std::make_shared<const PoseParts>(std::move(parts)));
+}
+
+Handedness worldOf(const PoseParts& p) noexcept {
+  return dot(cross(p.rows.right, p.rows.up), p.rows.forward).hi < 0 ? Handedness::right : Handedness::left;
 }
 
 Pose lookAlong(const Vec3& position, const Vec3& direction, const FineVec3& up, Handedness world) {
   return lookAlongExactly(lookingAlong(position, direction, up), world, "direction");
-}
-
-Pose lookAt(const Vec3& position, const Vec3& target, const Vec3& up, Handedness world) {
-  return lookAlongExactly(lookingAt(position, target, up), world, "target");
 }
 
 Pose lookAt(const Vec3& position, const Vec3& target, const FineVec3& up, Handedness world) {
@@ -397,7 +397,61 @@ Pose poseFromAxes(const Vec3& position, const FineVec3& right, const FineVec3& u
   exact.forward = forward.terms;
   exact.origin = position;
   exact.error = std::max({right.error, up.error, forward.error});
-  return {position, axes, axes, {}, exact};
+  return made({position, axes, axes, {}, exact});
+}
+
+Pose poseFromColumns(const std::array<DDVec3, 3>& columns, const DDVec3& eye, CameraAxes axes,
+                             Handedness world) {
+  const Columns c{rounded(columns[0]), rounded(columns[1]), rounded(columns[2])};
+  requireFinite(rounded(eye), "position");
+  for (const Vec3& column : c) requireFinite(column, "columns");
+  requireOrthogonal(c, "columns");
+  const std::array<DDVec3, 3> crossed = {cross(columns[1], columns[2]), cross(columns[2], columns[0]),
+                                         cross(columns[0], columns[1])};
+  const DoubleDouble determinant = dot(columns[0], crossed[0]);
+  requireHandedness(axes, world, determinant.hi < 0, "columns");
+  const DoubleDouble scale = DoubleDouble(1) / determinant;
+  const std::array<DDVec3, 3> rows = {crossed[0] * scale, crossed[1] * scale, crossed[2] * scale};
+  // Rounded, so that the exact rows hold it too; it is 2^-53 of the eye, and so is its rounding of it.
+  const DDVec3 rest = -DDVec3{eye.x.lo, eye.y.lo, eye.z.lo};
+  const Vec3 residual{dot(rows[0], rest).hi, dot(rows[1], rest).hi, dot(rows[2], rest).hi};
+  std::array<ExactVec3, 3> exact;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) exact[i][j] = {rows[i][j].lo, rows[i][j].hi};
+  const ExactRows exactRows = toExactRows(exact, 1, axes, rounded(eye), residual);
+  // The signs of the axes are in the scales of the exact rows, which take the translation in.
+  const auto along = [&](DoubleDouble rowScale, std::size_t i) {
+    return rowScale * exactRows.translation[i].rounded();
+  };
+  return made({rounded(eye),
+               toAxes(rows, axes),
+               toAxes(columns, axes),
+               {along(exactRows.rightScale, 0), along(exactRows.upScale, 1), along(exactRows.forwardScale, 2)},
+               exactRows});
+}
+
+DDVec3 unroundedEye(const PoseParts& p) noexcept {
+  return toDoubleDouble(p.eye) +
+         -(p.columns.right * p.residual.x + p.columns.up * p.residual.y + p.columns.forward * p.residual.z);
+}
+
+}  // namespace viewproj::detail
+
+namespace viewproj {
+
+using namespace detail;
+
+Vec3 Pose::eye() const noexcept { return parts_->eye; }
+Vec3 Pose::right() const noexcept { return detail::rounded(parts_->rows.right); }
+Vec3 Pose::up() const noexcept { return detail::rounded(parts_->rows.up); }
+Vec3 Pose::forward() const noexcept { return detail::rounded(parts_->rows.forward); }
+
+Pose lookAlong(const Vec3& position, const Vec3& direction, const Vec3& up, Handedness world) {
+  return lookAlongExactly(lookingAlong(position, direction, up), world, "direction");
+}
+
+Pose lookAt(const Vec3& position, const Vec3& target, const Vec3& up, Handedness world) {
+  return lookAlongExactly(lookingAt(position, target, up), world, "target");
 }
 
 Pose poseFromRotation(const Vec3& position, const Quaternion& q, CameraAxes axes, Handedness world) {
@@ -441,7 +495,7 @@ Pose poseFromRotation(const Vec3& position, const Quaternion& q, CameraAxes axes
       toExactRows(columns, scale, axes, position, {}, PoseSource::Kind::rotation, {{{q.x, q.y, q.z}, {q.w, 0, 0}, {}}});
   for (double part : {q.x, q.y, q.z, q.w}) isNarrow = isNarrow && (part == 0) == (std::ldexp(part, k) == 0);
   exact.isNarrow = exact.isNarrow && isNarrow;
-  return {position, camera, camera, {}, exact};
+  return made({position, camera, camera, {}, exact});
 }
 
 Pose poseFromWorldFromCamera(const Mat4& matrix, CameraAxes axes, Handedness world) {
@@ -452,11 +506,11 @@ Pose poseFromWorldFromCamera(const Mat4& matrix, CameraAxes axes, Handedness wor
   ExactRows exact = toExactRows(inverted.adjugate, DoubleDouble(1) / inverted.determinant, axes, eye, {},
                                 PoseSource::Kind::columns, c);
   for (const Vec3& column : c) exact.isNarrow = exact.isNarrow && isAbove(toDoubleDouble(column), kSmallestFactor);
-  return {eye,
-          toAxes(inverted.rows, axes),
-          toAxes({toDoubleDouble(c[0]), toDoubleDouble(c[1]), toDoubleDouble(c[2])}, axes),
-          {},
-          exact};
+  return made({eye,
+               toAxes(inverted.rows, axes),
+               toAxes({toDoubleDouble(c[0]), toDoubleDouble(c[1]), toDoubleDouble(c[2])}, axes),
+               {},
+               exact});
 }
 
 Pose poseFromCameraFromWorld(const Mat4& matrix, CameraAxes axes, Handedness world) {
@@ -476,45 +530,11 @@ Pose poseFromCameraFromWorld(const Mat4& matrix, CameraAxes axes, Handedness wor
   const std::array<DDVec3, 3> rows = {{{matrix[0][0], matrix[0][1], matrix[0][2]},
                                        {matrix[1][0], matrix[1][1], matrix[1][2]},
                                        {matrix[2][0], matrix[2][1], matrix[2][2]}}};
-  return {eye,
-          toAxes(rows, axes),
-          toAxes(transposedColumns(inverted.rows), axes),
-          {left.right.x, left.up.x, left.forward.x},
-          exactRows};
-}
-
-Pose poseFromColumns(const std::array<DDVec3, 3>& columns, const DDVec3& eye, CameraAxes axes, Handedness world) {
-  const Columns c{rounded(columns[0]), rounded(columns[1]), rounded(columns[2])};
-  requireFinite(rounded(eye), "position");
-  for (const Vec3& column : c) requireFinite(column, "columns");
-  requireOrthogonal(c, "columns");
-  const std::array<DDVec3, 3> crossed = {cross(columns[1], columns[2]), cross(columns[2], columns[0]),
-                                         cross(columns[0], columns[1])};
-  const DoubleDouble determinant = dot(columns[0], crossed[0]);
-  requireHandedness(axes, world, determinant.hi < 0, "columns");
-  const DoubleDouble scale = DoubleDouble(1) / determinant;
-  const std::array<DDVec3, 3> rows = {crossed[0] * scale, crossed[1] * scale, crossed[2] * scale};
-  // Rounded, so that the exact rows hold it too; it is 2^-53 of the eye, and so is its rounding of it.
-  const DDVec3 rest = -DDVec3{eye.x.lo, eye.y.lo, eye.z.lo};
-  const Vec3 residual{dot(rows[0], rest).hi, dot(rows[1], rest).hi, dot(rows[2], rest).hi};
-  std::array<ExactVec3, 3> exact;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) exact[i][j] = {rows[i][j].lo, rows[i][j].hi};
-  const ExactRows exactRows = toExactRows(exact, 1, axes, rounded(eye), residual);
-  // The signs of the axes are in the scales of the exact rows, which take the translation in.
-  const auto along = [&](DoubleDouble rowScale, std::size_t i) {
-    return rowScale * exactRows.translation[i].rounded();
-  };
-  return {rounded(eye),
-          toAxes(rows, axes),
-          toAxes(columns, axes),
-          {along(exactRows.rightScale, 0), along(exactRows.upScale, 1), along(exactRows.forwardScale, 2)},
-          exactRows};
-}
-
-DDVec3 unroundedEye(const Pose& p) noexcept {
-  return toDoubleDouble(p.eye) +
-         -(p.columns.right * p.residual.x + p.columns.up * p.residual.y + p.columns.forward * p.residual.z);
+  return made({eye,
+               toAxes(rows, axes),
+               toAxes(transposedColumns(inverted.rows), axes),
+               {left.right.x, left.up.x, left.forward.x},
+               exactRows});
 }
 
 }  // namespace viewproj

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace viewproj {
+namespace viewproj::detail {
 namespace {
 
 using Row = std::array<Dyadic, 3>;
@@ -82,4 +82,4 @@ ExactSource exactSource(const PoseSource& source) noexcept {
   return {};
 }
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

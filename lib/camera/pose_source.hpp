@@ -6,7 +6,7 @@
 #include "camera/exact_rows.hpp"
 #include "numbers/dyadic.hpp"
 
-namespace viewproj {
+namespace viewproj::detail {
 
 /// The distances along the axes are scale (row . d + translation), as in ExactRows.
 struct ExactSource {
@@ -17,4 +17,4 @@ struct ExactSource {
 /// Tens of microseconds at worst.
 ExactSource exactSource(const PoseSource& source) noexcept;
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

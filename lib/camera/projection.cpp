@@ -4,12 +4,15 @@
 #include <cmath>
 #include <string>
 
-#include "camera/error.hpp"
+#include "camera/require.hpp"
 #include "camera/screen_corner.hpp"
+#include "camera/viewport.hpp"
 #include "numbers/degrees.hpp"
 #include "numbers/expansion.hpp"
 
 namespace viewproj {
+
+using namespace detail;
 namespace {
 
 void requireRange(bool orthographic, double near, double far) {
@@ -26,7 +29,7 @@ void requireRange(bool orthographic, double near, double far) {
 }
 
 /// The window checked: edges in order, and wide enough for its inverse to be a double.
-Projection checked(const Projection& p) {
+void check(const ProjectionParts& p) {
   requireRange(p.orthographic, p.near, p.far);
   const auto requireSide = [](DoubleDouble low, DoubleDouble high, double width, double reach, const char* lowName,
                               const char* highName) {
@@ -37,11 +40,10 @@ Projection checked(const Projection& p) {
   };
   requireSide(p.left, p.right, windowWidth(p).hi, p.reachX, "left", "right");
   requireSide(p.bottom, p.top, windowHeight(p).hi, p.reachY, "bottom", "top");
-  return p;
 }
 
 Projection symmetric(DoubleDouble halfWidth, DoubleDouble halfHeight, double near, double far) {
-  return checked({false, -halfWidth, halfWidth, -halfHeight, halfHeight, near, far});
+  return made({false, -halfWidth, halfWidth, -halfHeight, halfHeight, near, far});
 }
 
 /// (high - low) / by, where the quotients of high and low may have lost it.
@@ -57,15 +59,15 @@ DoubleDouble differenceOver(double low, double high, double by) {
 /// Beyond this many of its own sizes off the axis, a window that was moved or cut out has lost too many digits.
 constexpr double kLargestMove = 0x1p32;
 
-Projection moved(const Projection& p, const char* fieldX, const char* fieldY) {
+Projection moved(const ProjectionParts& p, const char* fieldX, const char* fieldY) {
   const auto require = [](double reach, DoubleDouble low, DoubleDouble high, const char* field) {
     if (reach > kLargestMove * std::max(std::fabs(low.hi), std::fabs(high.hi)))
       throw CameraError(field, "leaves less than 2e-10 of the window, or of its way off the viewing axis");
   };
-  const Projection result = checked(p);
+  check(p);
   require(p.reachX, p.left, p.right, fieldX);
   require(p.reachY, p.bottom, p.top, fieldY);
-  return result;
+  return made(p);
 }
 
 double largest(double reach, DoubleDouble a, DoubleDouble b) {
@@ -85,40 +87,32 @@ void requireAspect(DoubleDouble aspect) {
 
 }  // namespace
 
-void validate(const Projection& p) {
-  const struct {
-    DoubleDouble edge;
-    const char* name;
-  } edges[] = {{p.left, "left"}, {p.right, "right"}, {p.bottom, "bottom"}, {p.top, "top"}};
-  for (const auto& [edge, name] : edges) {
-    if (!isFinite(edge)) throw CameraError(name, "must be a finite number");
-    if (edge.hi + edge.lo != edge.hi)
-      throw CameraError(name, "is a double-double whose low part is not below its high");
-  }
-  // Sizes that a changed edge has left behind.
-  const auto requireSize = [](DoubleDouble low, DoubleDouble high, DoubleDouble size, double reach, const char* name) {
-    const double most = std::max({std::fabs(low.hi), std::fabs(high.hi), reach});
-    if (!(reach >= 0 && (size.hi == 0 || std::fabs((high - low - size).hi) <= 0x1p-96 * most)))
-      throw CameraError(name, "is not of the window's edges; make another projection instead of changing one");
-  };
-  requireSize(p.left, p.right, p.width, p.reachX, "width");
-  requireSize(p.bottom, p.top, p.height, p.reachY, "height");
-  checked(p);
+Projection detail::made(const ProjectionParts& parts) {
+  check(parts);
+  return Access::whole<Projection, ProjectionParts>(std::make_shared<const ProjectionParts>(parts));
 }
 
-Projection perspectiveFovY(double degrees, DoubleDouble aspect, double near, double far) {
+bool Projection::isOrthographic() const noexcept { return parts_->orthographic; }
+double Projection::left() const noexcept { return parts_->left.hi; }
+double Projection::right() const noexcept { return parts_->right.hi; }
+double Projection::bottom() const noexcept { return parts_->bottom.hi; }
+double Projection::top() const noexcept { return parts_->top.hi; }
+double Projection::zNear() const noexcept { return parts_->near; }
+double Projection::zFar() const noexcept { return parts_->far; }
+
+Projection detail::perspectiveFovY(double degrees, DoubleDouble aspect, double near, double far) {
   requireAspect(aspect);
   const DoubleDouble halfHeight = tangent(degrees, "fovY");
   return symmetric(halfHeight * aspect, halfHeight, near, far);
 }
 
-Projection perspectiveFovX(double degrees, DoubleDouble aspect, double near, double far) {
+Projection detail::perspectiveFovX(double degrees, DoubleDouble aspect, double near, double far) {
   requireAspect(aspect);
   const DoubleDouble halfWidth = tangent(degrees, "fovX");
   return symmetric(halfWidth, halfWidth / aspect, near, far);
 }
 
-Projection perspectiveFovDiagonal(double degrees, DoubleDouble aspect, double near, double far) {
+Projection detail::perspectiveFovDiagonal(double degrees, DoubleDouble aspect, double near, double far) {
   requireAspect(aspect);
   // halfWidth = aspect * halfHeight and halfWidth^2 + halfHeight^2 = tangent^2, where a square may overflow
   const bool isWide = aspect.hi > 0x1p400;
@@ -135,8 +129,8 @@ Projection perspectiveNearSize(double nearWidth, double nearHeight, double near,
                    far);
 }
 
-Projection perspectiveFocalLength(double focalLength, double sensorWidth, double sensorHeight, DoubleDouble aspect,
-                                  double near, double far) {
+Projection detail::perspectiveFocalLength(double focalLength, double sensorWidth, double sensorHeight,
+                                          DoubleDouble aspect, double near, double far) {
   requirePositive(focalLength, "focalLength");
   if (sensorWidth == 0 && sensorHeight == 0)
     throw CameraError("focalLength", "needs sensorWidth or sensorHeight, in the same unit");
@@ -154,22 +148,22 @@ Projection perspectiveFocalLength(double focalLength, double sensorWidth, double
 
 Projection frustum(double left, double right, double bottom, double top, double near, double far) {
   requireRange(false, near, far);
-  return checked({false, ratio(left, near), ratio(right, near), ratio(bottom, near), ratio(top, near), near, far,
-                  differenceOver(left, right, near), differenceOver(bottom, top, near)});
+  return made({false, ratio(left, near), ratio(right, near), ratio(bottom, near), ratio(top, near), near, far,
+               differenceOver(left, right, near), differenceOver(bottom, top, near)});
 }
 
-Projection perspectiveWindow(DoubleDouble left, DoubleDouble right, DoubleDouble bottom, DoubleDouble top, double near,
-                             double far) {
-  return checked({false, left, right, bottom, top, near, far});
+Projection detail::perspectiveWindow(DoubleDouble left, DoubleDouble right, DoubleDouble bottom, DoubleDouble top,
+                                     double near, double far) {
+  return made({false, left, right, bottom, top, near, far});
 }
 
-Projection orthographic(DoubleDouble left, DoubleDouble right, DoubleDouble bottom, DoubleDouble top, double near,
-                        double far) {
-  return checked({true, left, right, bottom, top, near, far});
+Projection detail::orthographic(DoubleDouble left, DoubleDouble right, DoubleDouble bottom, DoubleDouble top,
+                                double near, double far) {
+  return made({true, left, right, bottom, top, near, far});
 }
 
-Projection intrinsics(DoubleDouble fx, DoubleDouble fy, double cx, double cy, const Viewport& viewport, double near,
-                      double far) {
+Projection detail::intrinsics(DoubleDouble fx, DoubleDouble fy, double cx, double cy, const Viewport& viewport,
+                              double near, double far) {
   validate(viewport);
   requirePositive(fx.hi, "fx");
   requirePositive(fy.hi, "fy");
@@ -184,13 +178,43 @@ Projection intrinsics(DoubleDouble fx, DoubleDouble fy, double cx, double cy, co
   const DoubleDouble width = viewport.width, height = viewport.height;
   const DoubleDouble toEnd = height - fromStart;
   const bool down = viewport.origin == Origin::topLeft;
-  return checked({false, -(fromLeft / fx), (width - fromLeft) / fx, -((down ? toEnd : fromStart) / fy),
-                  (down ? fromStart : toEnd) / fy, near, far, width / fx, height / fy});
+  return made({false, -(fromLeft / fx), (width - fromLeft) / fx, -((down ? toEnd : fromStart) / fy),
+               (down ? fromStart : toEnd) / fy, near, far, width / fx, height / fy});
 }
 
-Projection shifted(const Projection& p, double dx, double dy) {
+Projection perspectiveFovY(double degrees, double aspect, double near, double far) {
+  return perspectiveFovY(degrees, DoubleDouble(aspect), near, far);
+}
+
+Projection perspectiveFovX(double degrees, double aspect, double near, double far) {
+  return perspectiveFovX(degrees, DoubleDouble(aspect), near, far);
+}
+
+Projection perspectiveFovDiagonal(double degrees, double aspect, double near, double far) {
+  return perspectiveFovDiagonal(degrees, DoubleDouble(aspect), near, far);
+}
+
+Projection perspectiveFocalLength(double focalLength, double sensorWidth, double sensorHeight, double aspect,
+                                  double near, double far) {
+  return perspectiveFocalLength(focalLength, sensorWidth, sensorHeight, DoubleDouble(aspect), near, far);
+}
+
+Projection perspectiveWindow(double left, double right, double bottom, double top, double near, double far) {
+  return perspectiveWindow(DoubleDouble(left), right, bottom, top, near, far);
+}
+
+Projection orthographic(double left, double right, double bottom, double top, double near, double far) {
+  return orthographic(DoubleDouble(left), right, bottom, top, near, far);
+}
+
+Projection intrinsics(double fx, double fy, double cx, double cy, const Viewport& viewport, double near, double far) {
+  return intrinsics(DoubleDouble(fx), fy, cx, cy, viewport, near, far);
+}
+
+Projection shifted(const Projection& projection, double dx, double dy) {
+  const ProjectionParts& p = parts(projection);
   if (!(std::isfinite(dx) && std::isfinite(dy))) throw CameraError("shift", "must be two finite numbers");
-  Projection window = p;
+  ProjectionParts window = p;
   window.width = windowWidth(p);
   window.height = windowHeight(p);
   const DoubleDouble x = DoubleDouble(dx) * timesPowerOfTwo(window.width, 0.5);
@@ -204,7 +228,8 @@ Projection shifted(const Projection& p, double dx, double dy) {
   return moved(window, "shift", "shift");
 }
 
-Projection cropped(const Projection& p, const Viewport& viewport, const Crop& crop) {
+Projection cropped(const Projection& projection, const Viewport& viewport, const Crop& crop) {
+  const ProjectionParts& p = parts(projection);
   validate(cropped(viewport, crop));
   const DoubleDouble xEnd = twoSum(crop.x, crop.width);
   const DoubleDouble yEnd = twoSum(crop.y, crop.height);
@@ -226,7 +251,5 @@ Projection cropped(const Projection& p, const Viewport& viewport, const Crop& cr
        width * shareX, height * shareY, largest(p.reachX, p.left, p.right), largest(p.reachY, p.bottom, p.top)},
       "viewport.crop.width", "viewport.crop.height");
 }
-
-DoubleDouble windowAspect(const Projection& p) { return windowWidth(p) / windowHeight(p); }
 
 }  // namespace viewproj

@@ -4,7 +4,7 @@
 #include "camera/viewport.hpp"
 #include "numbers/double_double.hpp"
 
-namespace viewproj {
+namespace viewproj::detail {
 
 /// Screen position of the corner of the picture that screen numbers are counted from.
 struct ScreenCorner {
@@ -17,4 +17,4 @@ constexpr ScreenCorner screenCorner(const Viewport& v) noexcept {
   return {DoubleDouble(v.x) + halfPixel, DoubleDouble(v.y) + halfPixel};
 }
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

@@ -6,7 +6,7 @@
 #include "camera/projection.hpp"
 #include "camera/screen_corner.hpp"
 
-namespace viewproj {
+namespace viewproj::detail {
 
 /// screen x = centerX + scaleX * h and screen y = centerY + scaleY * v, where (h, v) are the window coordinates right
 /// and up: X/W and Y/W in perspective, X and Y in orthographic. (centerX, centerY) is where the viewing axis meets the
@@ -17,7 +17,7 @@ struct ScreenMap {
 };
 
 /// scaleY is negative where screen y runs downwards.
-inline ScreenMap screenMap(const Projection& p, const Viewport& v) noexcept {
+inline ScreenMap screenMap(const ProjectionParts& p, const Viewport& v) noexcept {
   const ScreenCorner corner = screenCorner(v);
   const DoubleDouble width = windowWidth(p);
   const DoubleDouble height = windowHeight(p);
@@ -37,4 +37,4 @@ inline ScreenMap screenMap(const Projection& p, const Viewport& v) noexcept {
           reach(v.y, v.pixelCenter, v.height, shareY.hi, p.reachY, height.hi)};
 }
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

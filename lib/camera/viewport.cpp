@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "camera/error.hpp"
+#include "camera/require.hpp"
 
 namespace viewproj {
+
+using namespace detail;
 namespace {
 
 void requireSize(double value, const char* field) {
@@ -28,7 +30,7 @@ void requireCorner(double value, double size, const char* field) {
 
 }  // namespace
 
-void validate(const Viewport& v) {
+void detail::validate(const Viewport& v) {
   requireSize(v.width, "viewport.width");
   requireSize(v.height, "viewport.height");
   requireCorner(v.x, v.width, "viewport.x");

@@ -1,14 +1,16 @@
-#include "geodesy/geodesy.hpp"
-
 #include <GeographicLib/Geocentric.hpp>
 #include <cmath>
 #include <limits>
 #include <string>
 
-#include "camera/error.hpp"
+#include "camera/attempts.hpp"
+#include "camera/require.hpp"
+#include "geodesy/normal.hpp"
 #include "numbers/degrees.hpp"
 
 namespace viewproj {
+
+using namespace detail;
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -88,7 +90,7 @@ Geodetic ecefToGeodetic(const Vec3& point) noexcept {
   return {place.lat + 0.0, place.lon + 0.0, place.height + 0.0};
 }
 
-FineVec3 ellipsoidNormal(const Geodetic& place) noexcept {
+FineVec3 detail::ellipsoidNormal(const Geodetic& place) noexcept {
   if (!isPlace(place)) return {{Expansion<8>{kNaN}, Expansion<8>{kNaN}, Expansion<8>{kNaN}}, 0};
   const FixedAxes axes = eastUpNorth(place);
   return {expansions(axes.up), axes.exact ? 0 : kGeodesyRowBound};
@@ -118,6 +120,14 @@ Pose lookAtPlace(const Geodetic& position, const Geodetic& target) {
                                     : "is straight above or below the camera, so it does not say which way is up; give "
                                       "a heading and a pitch, or an up");
   return lookAt(geodeticToEcef(position), geodeticToEcef(target), ellipsoidNormal(position), Handedness::right);
+}
+
+Result<Pose> tryPoseFromHeadingPitchRoll(const Geodetic& position, const HeadingPitchRoll& turned) noexcept {
+  return attempt([&] { return poseFromHeadingPitchRoll(position, turned); });
+}
+
+Result<Pose> tryLookAtPlace(const Geodetic& position, const Geodetic& target) noexcept {
+  return attempt([&] { return lookAtPlace(position, target); });
 }
 
 }  // namespace viewproj

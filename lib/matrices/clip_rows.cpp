@@ -1,6 +1,6 @@
 #include "matrices/clip_rows.hpp"
 
-namespace viewproj {
+namespace viewproj::detail {
 namespace {
 
 /// Entries smaller than this beside the largest of their row give products whose last bits underflow; what is lost is
@@ -127,4 +127,4 @@ ClipRows orthographicRows(const Mat4& m, double up, double forward) noexcept {
   return r;
 }
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

@@ -3,7 +3,7 @@
 
 #include "camera/pose.hpp"
 
-namespace viewproj {
+namespace viewproj::detail {
 
 /// With clip = (scaleX X + offsetX W, scaleY Y + offsetY W, ., W) or (scaleX X + offsetX, scaleY Y + offsetY, ., 1), up
 /// to a factor of the whole matrix.
@@ -17,4 +17,4 @@ struct ClipRows {
 ClipRows perspectiveRows(const Mat4& clipFromWorld, double up) noexcept;
 ClipRows orthographicRows(const Mat4& clipFromWorld, double up, double forward) noexcept;
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

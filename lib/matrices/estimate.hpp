@@ -1,7 +1,7 @@
 // Numbers that are known to the last place of what they were made of.
 #pragma once
 
-namespace viewproj {
+namespace viewproj::detail {
 
 /// What the numbers are true to: half a unit in the last place of a double or of a float32. For float32 each number is
 /// rounded to one first.
@@ -13,4 +13,4 @@ struct Estimate {
   double value = 0, low = 0, high = 0;
 };
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

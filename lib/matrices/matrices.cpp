@@ -1,14 +1,17 @@
-#include "matrices/matrices.hpp"
+#include "viewproj/matrices.hpp"
 
 #include <cmath>
 
+#include "camera/convention.hpp"
 #include "camera/lens.hpp"
 
 namespace viewproj {
 
+using namespace detail;
+
 namespace {
 
-Lens screenLens(const Projection& p, const Viewport& v, const Convention& c) noexcept {
+Lens screenLens(const ProjectionParts& p, const Viewport& v, const Convention& c) noexcept {
   const ScreenMap map = screenMap(p, v);
   const double atNear = c.reverseZ ? v.depthSecond : v.depthFirst;
   const double atFar = c.reverseZ ? v.depthFirst : v.depthSecond;
@@ -93,7 +96,7 @@ DDMat4 toViewAxes(DDMat4 m, ViewAxes axes) noexcept {
 /// | up       -up . eye      + residual.y |
 /// | forward  -forward . eye + residual.z |
 /// | 0        1                           |
-DDMat4 axesFromWorld(const Pose& p) noexcept {
+DDMat4 axesFromWorld(const PoseParts& p) noexcept {
   const int k = exponentToUnit(toDoubleDouble(p.eye));
   const DDVec3 eye = scaleByPowerOfTwo(toDoubleDouble(p.eye), k);
   const auto row = [&](const DDVec3& axis, DoubleDouble residual) {
@@ -106,7 +109,7 @@ DDMat4 axesFromWorld(const Pose& p) noexcept {
 
 /// | right up forward eye |
 /// | 0     0  0       1   |
-DDMat4 worldFromAxes(const Pose& p) noexcept {
+DDMat4 worldFromAxes(const PoseParts& p) noexcept {
   DDMat4 m{};
   const DDVec3 eye = unroundedEye(p);
   for (std::size_t i = 0; i < 3; ++i) m[i] = {p.columns.right[i], p.columns.up[i], p.columns.forward[i], eye[i]};
@@ -127,43 +130,43 @@ DDMat4 product(const DDMat4& a, const DDMat4& b) noexcept {
 }  // namespace
 
 Mat4 viewFromWorld(const Pose& pose, const Convention& c) noexcept {
-  return rounded(toViewAxes(axesFromWorld(pose), c.view));
+  return rounded(toViewAxes(axesFromWorld(parts(pose)), c.view));
 }
 
 Mat4 worldFromView(const Pose& pose, const Convention& c) noexcept {
-  return rounded(fromViewAxes(worldFromAxes(pose), c.view));
+  return rounded(fromViewAxes(worldFromAxes(parts(pose)), c.view));
 }
 
 Mat4 clipFromView(const Projection& p, const Convention& c) noexcept {
-  return rounded(fromViewAxes(lensMatrix(ndcLens(p, c)), c.view));
+  return rounded(fromViewAxes(lensMatrix(ndcLens(parts(p), c)), c.view));
 }
 
 Mat4 viewFromClip(const Projection& p, const Convention& c) noexcept {
-  return rounded(toViewAxes(inverseLensMatrix(ndcLens(p, c)), c.view));
+  return rounded(toViewAxes(inverseLensMatrix(ndcLens(parts(p), c)), c.view));
 }
 
 Mat4 clipFromWorld(const Pose& pose, const Projection& p, const Convention& c) noexcept {
-  return rounded(product(lensMatrix(ndcLens(p, c)), axesFromWorld(pose)));
+  return rounded(product(lensMatrix(ndcLens(parts(p), c)), axesFromWorld(parts(pose))));
 }
 
 Mat4 worldFromClip(const Pose& pose, const Projection& p, const Convention& c) noexcept {
-  return rounded(product(worldFromAxes(pose), inverseLensMatrix(ndcLens(p, c))));
+  return rounded(product(worldFromAxes(parts(pose)), inverseLensMatrix(ndcLens(parts(p), c))));
 }
 
 Mat4 screenFromView(const Projection& p, const Viewport& v, const Convention& c) noexcept {
-  return rounded(fromViewAxes(lensMatrix(screenLens(p, v, c)), c.view));
+  return rounded(fromViewAxes(lensMatrix(screenLens(parts(p), v, c)), c.view));
 }
 
 Mat4 viewFromScreen(const Projection& p, const Viewport& v, const Convention& c) noexcept {
-  return rounded(toViewAxes(inverseLensMatrix(screenLens(p, v, c)), c.view));
+  return rounded(toViewAxes(inverseLensMatrix(screenLens(parts(p), v, c)), c.view));
 }
 
 Mat4 screenFromWorld(const Pose& pose, const Projection& p, const Viewport& v, const Convention& c) noexcept {
-  return rounded(product(lensMatrix(screenLens(p, v, c)), axesFromWorld(pose)));
+  return rounded(product(lensMatrix(screenLens(parts(p), v, c)), axesFromWorld(parts(pose))));
 }
 
 Mat4 worldFromScreen(const Pose& pose, const Projection& p, const Viewport& v, const Convention& c) noexcept {
-  return rounded(product(worldFromAxes(pose), inverseLensMatrix(screenLens(p, v, c))));
+  return rounded(product(worldFromAxes(parts(pose)), inverseLensMatrix(screenLens(parts(p), v, c))));
 }
 
 namespace {
@@ -209,12 +212,12 @@ Mat4 ndcFromScreen(const Viewport& v, const Convention& c) noexcept {
   return rounded(m);
 }
 
-Pose relativeToEye(const Pose& pose) noexcept {
-  Pose relative = pose;
+Pose relativeToEye(const Pose& pose) {
+  PoseParts relative = parts(pose);
   relative.eye = relative.exact.origin = {};
   relative.exact.translation = {};
   relative.residual = {};
-  return relative;
+  return made(std::move(relative));
 }
 
 Mat4 laidOut(const Mat4& matrix, const Convention& c) noexcept {

@@ -5,7 +5,7 @@
 
 #include "numbers/ulp.hpp"
 
-namespace viewproj {
+namespace viewproj::detail {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -220,4 +220,4 @@ Estimate estimate(DoubleDouble value, Interval in) noexcept {
   return {value.hi + 0.0, low + 0.0, high + 0.0};
 }
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

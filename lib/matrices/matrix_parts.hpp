@@ -7,7 +7,7 @@
 #include "matrices/estimate.hpp"
 #include "numbers/vectors.hpp"
 
-namespace viewproj {
+namespace viewproj::detail {
 
 /// Ends in double-double; an end may be infinite.
 struct Interval {
@@ -58,4 +58,4 @@ DoubleDouble quotient(DoubleDouble a, DoubleDouble b) noexcept;
 /// Rounded outwards.
 Estimate estimate(DoubleDouble value, Interval interval) noexcept;
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

@@ -1,15 +1,18 @@
-#include "matrices/model.hpp"
-
-#include "camera/error.hpp"
+#include "camera/pose.hpp"
+#include "camera/require.hpp"
+#include "viewproj/matrices.hpp"
 
 namespace viewproj {
+
+using namespace detail;
 
 Mat4 worldFromLocal(const Vec3& translation, const Quaternion& rotation, const Vec3& scale) {
   if (!isFinite(translation)) throw CameraError("translation", "has a component that is not a finite number");
   if (!isFinite(scale)) throw CameraError("scale", "has a component that is not a finite number");
   // The rotation is that of a camera whose axes are x right, y up, z back.
   const Pose turned = poseFromRotation({0, 0, 0}, rotation, CameraAxes::RUB, Handedness::right);
-  const DDVec3 axes[] = {turned.columns.right, turned.columns.up, -turned.columns.forward};
+  const Axes& axis = parts(turned).columns;
+  const DDVec3 axes[] = {axis.right, axis.up, -axis.forward};
   Mat4 m;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) m[i][j] = (axes[j][i] * DoubleDouble(scale[j])).hi + 0.0;

@@ -4,13 +4,14 @@
 #include <cstdio>
 #include <limits>
 
-#include "camera/error.hpp"
+#include "camera/convention.hpp"
+#include "camera/require.hpp"
 #include "matrices/clip_rows.hpp"
-#include "matrices/matrices.hpp"
 #include "matrices/matrix_parts.hpp"
 #include "numbers/degrees.hpp"
+#include "viewproj/matrices.hpp"
 
-namespace viewproj {
+namespace viewproj::detail {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -108,8 +109,9 @@ void setLens(Reading& reading, const ClipParts& p, const DepthPlanes& depth) noe
   lens.near = depth.near;
   lens.far = depth.far;
   lens.beyondInfinity = depth.beyondInfinity;
-  reading.projection =
-      Projection{p.orthographic, left.value, right.value, bottom.value, top.value, depth.near.value, depth.far.value};
+  // Not checked: whether its numbers are a camera's is for who makes one of it.
+  reading.projection = Access::whole<Projection, ProjectionParts>(std::make_shared<const ProjectionParts>(ProjectionParts{
+      p.orthographic, left.value, right.value, bottom.value, top.value, depth.near.value, depth.far.value}));
   reading.lens = lens;
 }
 
@@ -122,8 +124,8 @@ std::array<Estimate, 3> estimates(const std::array<Uncertain, 3>& eye) noexcept 
 }
 
 /// The pose of exact rows, whose origin is the world's.
-Pose poseOf(const ExactRows& exact, const std::array<Uncertain, 3>& eye) noexcept {
-  Pose pose;
+PoseParts poseOf(const ExactRows& exact, const std::array<Uncertain, 3>& eye) noexcept {
+  PoseParts pose;
   pose.exact = exact;
   pose.eye = {eye[0].value.hi + 0.0, eye[1].value.hi + 0.0, eye[2].value.hi + 0.0};
   const ExactVec3* const rows[] = {&exact.right, &exact.up, &exact.forward};
@@ -149,22 +151,23 @@ Pose poseOf(const ExactRows& exact, const std::array<Uncertain, 3>& eye) noexcep
 }
 
 /// Up and forward along or against the parts' ndcUp and forward. The lens's numbers become those of the exact rows.
-void setPose(Reading& reading, ClipParts& p, const Mat4& matrix, double up, double forward) noexcept {
+void setPose(Reading& reading, ClipParts& p, const Mat4& matrix, double up, double forward) {
   const ClipRows clip = p.orthographic ? orthographicRows(matrix, up, forward) : perspectiveRows(matrix, up);
   p.scaleX.value = clip.scaleX;
   p.offsetX.value = clip.offsetX;
   p.scaleY.value = clip.scaleY;
   p.offsetY.value = clip.offsetY;
-  reading.pose = poseOf(clip.rows, p.eye);
-  const Axes& r = reading.pose->rows;
+  reading.pose = made(poseOf(clip.rows, p.eye));
+  const Axes& r = parts(*reading.pose).rows;
   reading.place = PoseEstimate{!p.orthographic,    estimates(p.eye), rounded(r.right), rounded(r.up),
                                rounded(r.forward), p.axisErrors,     p.residual};
   reading.convention.world = dot(cross(r.right, r.up), r.forward).hi < 0 ? Handedness::right : Handedness::left;
 }
 
 /// Of the same eye, its distances divided by scale.
-Pose dividedBy(double scale, Pose pose) noexcept {
-  if (scale == 1) return pose;
+Pose dividedBy(double scale, const Pose& whole) {
+  if (scale == 1) return whole;
+  PoseParts pose = parts(whole);
   const DoubleDouble by = DoubleDouble(1) / DoubleDouble(scale);
   const auto times = [](const Axes& a, DoubleDouble k) { return Axes{a.right * k, a.up * k, a.forward * k}; };
   pose.rows = times(pose.rows, by);
@@ -172,7 +175,7 @@ Pose dividedBy(double scale, Pose pose) noexcept {
   pose.residual = pose.residual * by;
   ExactRows& exact = pose.exact;
   for (DoubleDouble* rowScale : {&exact.rightScale, &exact.upScale, &exact.forwardScale}) *rowScale = *rowScale * by;
-  return pose;
+  return made(std::move(pose));
 }
 
 /// The largest entry of M^T M - I of the 3x3.
@@ -362,7 +365,7 @@ class Reader {
                                     quotient({twoDiff(m_[k][3], steps.down), twoSum(m_[k][3], steps.up)}, scaleIn));
           }
         }
-        const Axes& axes = kind == MatrixKind::view ? r.pose->rows : r.pose->columns;
+        const Axes& axes = kind == MatrixKind::view ? parts(*r.pose).rows : parts(*r.pose).columns;
         place.right = rounded(axes.right);
         place.up = rounded(axes.up);
         place.forward = rounded(axes.forward);
@@ -418,7 +421,7 @@ Inspection inspectMatrix(const std::array<double, 16>& numbers, EntryPrecision p
 namespace {
 
 /// What is left where the parts of an entry cancel to their own error is 0.
-Mat4 withoutNoise(Mat4 m, const Pose& pose) noexcept {
+Mat4 withoutNoise(Mat4 m, const PoseParts& pose) noexcept {
   for (auto& row : m.m) {
     const double size = std::max({std::fabs(row[0]), std::fabs(row[1]), std::fabs(row[2])});
     const double limits[] = {size, size, size, size * maxAbs(pose.eye)};
@@ -442,7 +445,7 @@ bool fits(const Reading& r, const Convention& c, NumberOrder order) noexcept {
 }
 
 Mat4 converted(const Reading& r, const Convention& target) {
-  if (r.lens && !(r.projection->near < r.projection->far && (r.lens->orthographic || r.projection->near > 0)))
+  if (r.lens && !(r.projection->zNear() < r.projection->zFar() && (r.lens->orthographic || r.projection->zNear() > 0)))
     throw CameraError("near", "is not determined by the matrix");
   switch (r.kind) {
     case MatrixKind::projection:
@@ -454,7 +457,7 @@ Mat4 converted(const Reading& r, const Convention& target) {
     case MatrixKind::viewProjection:
       break;
   }
-  return withoutNoise(clipFromWorld(*r.pose, *r.projection, target), *r.pose);
+  return withoutNoise(clipFromWorld(*r.pose, *r.projection, target), parts(*r.pose));
 }
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

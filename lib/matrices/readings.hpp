@@ -14,7 +14,7 @@
 #include "matrices/estimate.hpp"
 #include "viewproj/convention.hpp"
 
-namespace viewproj {
+namespace viewproj::detail {
 
 enum class MatrixKind {
   projection,      ///< clipFromView; determines view, ndcZ, reverseZ, ndcY, each given the others
@@ -108,4 +108,4 @@ bool fits(const Reading& reading, const Convention& convention, NumberOrder orde
 /// stays the reading's. Throws CameraError where near or far is not determined well enough to be a camera's.
 Mat4 converted(const Reading& reading, const Convention& convention);
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

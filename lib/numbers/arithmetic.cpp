@@ -6,7 +6,7 @@
 #include <xmmintrin.h>
 #endif
 
-namespace viewproj {
+namespace viewproj::detail {
 
 const char* arithmeticFault() noexcept {
   constexpr const char* kRounding = "floating-point arithmetic does not round to the nearest here";
@@ -27,4 +27,4 @@ const char* arithmeticFault() noexcept {
   return nullptr;
 }
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

@@ -6,9 +6,9 @@
 // camera afterwards, in whatever thread, does not look again.
 #pragma once
 
-namespace viewproj {
+namespace viewproj::detail {
 
 /// What of it this thread lacks, or null. Takes nanoseconds.
 const char* arithmeticFault() noexcept;
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

@@ -6,7 +6,7 @@
 
 #include "numbers/wide.hpp"
 
-namespace viewproj {
+namespace viewproj::detail {
 
 /// A number is certain if its error is at most this share of it: its sign is then decided, and so are its digits.
 inline constexpr double kCertainShare = 0x1p-75;
@@ -52,4 +52,4 @@ inline Certified operator*(const Certified& a, const Certified& b) noexcept {
   return {product, (fromFactors + 0x1p-103 * std::fabs(product.hi)) * up + underflow};
 }
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

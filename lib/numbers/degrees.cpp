@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-namespace viewproj {
+namespace viewproj::detail {
 namespace {
 
 constexpr DoubleDouble kRadiansPerDegree{0x1.1df46a2529d39p-6, 0x1.5c1d8becdd291p-62};
@@ -96,4 +96,4 @@ SinCos sinCosDegrees(double degrees) noexcept {
 
 bool isRightAngle(double degrees) noexcept { return std::remainder(degrees, 90) == 0; }
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

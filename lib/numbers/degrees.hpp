@@ -4,7 +4,7 @@
 #include "numbers/double_double.hpp"
 #include "numbers/fixed.hpp"
 
-namespace viewproj {
+namespace viewproj::detail {
 
 /// tan of half the angle, 0 < degrees < 180. The reduction to 0..45 degrees is exact, so the result keeps its digits
 /// right up to 180. Relative error at most kTanHalfDegreesBound for degrees >= 1e-200; NaN outside the open interval.
@@ -31,4 +31,4 @@ inline constexpr double kSinCosDegreesBound = 64 * Fixed::kStep;
 /// A multiple of 90.
 bool isRightAngle(double degrees) noexcept;
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

@@ -12,7 +12,7 @@
 #pragma float_control(precise, on, push)
 #endif
 
-namespace viewproj {
+namespace viewproj::detail {
 
 constexpr DoubleDouble operator-(DoubleDouble a) noexcept { return {-a.hi, -a.lo}; }
 
@@ -82,7 +82,7 @@ inline DoubleDouble sqrt(DoubleDouble a) noexcept {
 
 inline bool isFinite(DoubleDouble a) noexcept { return std::isfinite(a.hi) && std::isfinite(a.lo); }
 
-}  // namespace viewproj
+}  // namespace viewproj::detail
 
 #ifdef __clang__
 #pragma float_control(pop)

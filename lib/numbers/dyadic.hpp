@@ -12,7 +12,7 @@
 
 #include "numbers/wide.hpp"
 
-namespace viewproj {
+namespace viewproj::detail {
 
 /// An integer times a power of two. Has the interface of Certified (certified.hpp), so that one formula serves both.
 class Dyadic {
@@ -139,4 +139,4 @@ class Dyadic {
   bool negative_ = false;
 };
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

@@ -24,7 +24,7 @@
 #pragma float_control(precise, on, push)
 #endif
 
-namespace viewproj {
+namespace viewproj::detail {
 
 /// An unevaluated sum hi + lo with |lo| <= ulp(hi)/2: about 106 bits.
 struct DoubleDouble {
@@ -72,4 +72,4 @@ constexpr DoubleDouble twoProd(double a, double b) noexcept {
 #pragma float_control(pop)
 #endif
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

@@ -9,7 +9,7 @@
 
 #include "numbers/double_double.hpp"
 
-namespace viewproj {
+namespace viewproj::detail {
 
 /// A number held exactly as the sum of up to Capacity non-overlapping doubles, smallest first.
 template <std::size_t Capacity>
@@ -101,4 +101,4 @@ class Expansion {
   std::size_t count_ = 0;
 };
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

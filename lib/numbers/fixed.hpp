@@ -9,7 +9,7 @@
 
 #include "numbers/expansion.hpp"
 
-namespace viewproj {
+namespace viewproj::detail {
 
 /// A multiple of kStep between -2^31 and 2^31. Sums are exact; products, quotients and conversions drop what is below a
 /// step, towards zero.
@@ -100,4 +100,4 @@ class Fixed {
   Limbs limbs_{};
 };
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

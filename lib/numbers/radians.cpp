@@ -2,7 +2,7 @@
 
 #include "numbers/degrees.hpp"
 
-namespace viewproj {
+namespace viewproj::detail {
 
 DoubleDouble tanHalfRadians(DoubleDouble radians) noexcept {
   constexpr DoubleDouble kDegreesPerRadian{0x1.ca5dc1a63c1f8p+5, -0x1.1e7ab456405f9p-49};
@@ -14,4 +14,4 @@ DoubleDouble tanHalfRadians(DoubleDouble radians) noexcept {
   return (tangent + rest) / (DoubleDouble(1) - tangent * rest);
 }
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

@@ -3,7 +3,7 @@
 
 #include "numbers/double_double.hpp"
 
-namespace viewproj {
+namespace viewproj::detail {
 
 /// tan of half the angle, 0 < radians < pi. Relative error at most kTanHalfRadiansBound up to 3.1; towards pi, where
 /// the tangent is ill-conditioned, it grows as 1 / (pi - radians). NaN outside the open interval and within 1e-16 of
@@ -13,4 +13,4 @@ DoubleDouble tanHalfRadians(DoubleDouble radians) noexcept;
 /// As measured against MPFR.
 inline constexpr double kTanHalfRadiansBound = 0x1p-97;
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace viewproj {
+namespace viewproj::detail {
 
 /// Half a unit in the last place of numbers up to this size, or the smallest double; infinite for a size that is not
 /// finite.
@@ -17,4 +17,4 @@ inline double halfUlp(double size) noexcept {
   return std::max((std::nextafter(size, kInfinity) - size) / 2, std::numeric_limits<double>::denorm_min());
 }
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

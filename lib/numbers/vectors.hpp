@@ -1,52 +1,16 @@
-// Plain vectors and matrices.
+// Vectors in double-double, and what is asked of plain ones.
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 
 #include "numbers/double_double.hpp"
+#include "viewproj/vectors.hpp"
 
-namespace viewproj {
+namespace viewproj::detail {
 
-template <class T>
-struct Vector3 {
-  T x{}, y{}, z{};
-
-  constexpr T& operator[](std::size_t i) noexcept { return i == 0 ? x : i == 1 ? y : z; }
-  constexpr const T& operator[](std::size_t i) const noexcept { return i == 0 ? x : i == 1 ? y : z; }
-  friend constexpr bool operator==(const Vector3&, const Vector3&) = default;
-};
-
-using Vec3 = Vector3<double>;
 using DDVec3 = Vector3<DoubleDouble>;
-
-struct Vec2 {
-  double x = 0, y = 0;
-  friend constexpr bool operator==(const Vec2&, const Vec2&) = default;
-};
-
-struct Vec4 {
-  double x = 0, y = 0, z = 0, w = 0;
-  friend constexpr bool operator==(const Vec4&, const Vec4&) = default;
-};
-
-/// Four rows of four; acts on column vectors: y[i] = sum over j of m[i][j] * x[j].
-struct Mat4 {
-  std::array<std::array<double, 4>, 4> m{};
-
-  constexpr std::array<double, 4>& operator[](std::size_t row) noexcept { return m[row]; }
-  constexpr const std::array<double, 4>& operator[](std::size_t row) const noexcept { return m[row]; }
-  friend constexpr bool operator==(const Mat4&, const Mat4&) = default;
-};
-
-constexpr Mat4 transposed(const Mat4& a) noexcept {
-  Mat4 t;
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < 4; ++j) t[i][j] = a[j][i];
-  return t;
-}
 
 constexpr DDVec3 operator-(const DDVec3& a) noexcept { return {-a.x, -a.y, -a.z}; }
 constexpr DDVec3 operator+(const DDVec3& a, const DDVec3& b) noexcept { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
@@ -99,4 +63,4 @@ inline DDVec3 normalized(const DDVec3& a) noexcept {
   return scaled * inverseLength(scaled);
 }
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

@@ -7,7 +7,7 @@
 
 #include "numbers/vectors.hpp"
 
-namespace viewproj {
+namespace viewproj::detail {
 
 /// value * 2^exponent, with 1 <= |value| < 2; or zero. What is not finite stays so, and has no sign. Each operation is
 /// within 2^-102 of the true result, relative to the larger operand in a sum.
@@ -127,4 +127,4 @@ inline Vec3 rounded(const WideVec3& a) noexcept { return {nearestDouble(a.x), ne
 /// The nearest doubles of a / |a|, for a that is not zero.
 inline Vec3 unitOf(const WideVec3& a) noexcept { return rounded(a * (Wide(1) / lengthOf(a))); }
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

@@ -1,15 +1,14 @@
-#include "projection/batch.hpp"
-
 #include <algorithm>
 #include <cmath>
 
-#include "projection/bounds.hpp"
 #include "projection/kernels/kernels.hpp"
-#include "projection/ray.hpp"
-#include "projection/screen.hpp"
+#include "projection/picture_reach.hpp"
 #include "projection/sides.hpp"
+#include "viewproj/screen.hpp"
 
 namespace viewproj {
+
+using namespace detail;
 namespace {
 
 static_assert(sizeof(Vec3) == 3 * sizeof(double) && sizeof(Vec2) == 2 * sizeof(double));
@@ -54,7 +53,8 @@ BatchCounts run(const Camera& camera, std::span<const Vec3> points, std::span<Ve
     const Vec3* in = points.data() + i;
     if (inPlace) in = std::copy_n(in, size, copy) - size;
     Settling settling{camera, in, screen.data() + i, {}};
-    kernel(camera.constants, band.x, band.y, &in->x, &settling.screen->x, nullptr, size, {settlePoint, &settling});
+    kernel(parts(camera).constants, band.x, band.y, &in->x, &settling.screen->x, nullptr, size,
+           {settlePoint, &settling});
     total.escalated += settling.counts.escalated;
     total.uncertain += settling.counts.uncertain;
   }
@@ -87,7 +87,7 @@ BatchCounts run(const Camera& camera, std::span<const Vec3> points, std::span<Sc
   for (std::size_t i = 0; i < count; i += kBlock) {
     const std::size_t size = std::min(kBlock, count - i);
     FullSettling settling{camera, points.data() + i, screen.data() + i, {}};
-    kernel(camera.constants, band.x, band.y, &settling.points->x, &position->x, distance, size,
+    kernel(parts(camera).constants, band.x, band.y, &settling.points->x, &position->x, distance, size,
            {settleInFull, &settling});
     for (std::size_t j = 0; j < size; ++j) {
       if (settling.settled[j]) continue;
@@ -96,7 +96,7 @@ BatchCounts run(const Camera& camera, std::span<const Vec3> points, std::span<Sc
         p = without(PointStatus::behind, distance[j]);
       } else {
         p = {position[j].x, position[j].y, position[j].z, distance[j]};
-        p.outside = sidesBeyond(camera, p);
+        p.outside = sidesBeyond(parts(camera), p);
       }
       p.precision = precision;
       p.certain = precision == Precision::exact;
@@ -112,7 +112,7 @@ BatchCounts runWithin(const Camera& camera, double tolerance, std::span<const Ve
                       std::span<Screen> screen) noexcept {
   const Precision precision = precisionWithin(camera, tolerance);
   return run(camera, points, screen, precision,
-             precision == Precision::exact ? PictureReach{} : pictureReach(camera, kGuardBand));
+             precision == Precision::exact ? PictureReach{} : pictureReach(parts(camera), kGuardBand));
 }
 
 struct RaySettling {
@@ -151,13 +151,13 @@ BatchCounts worldToScreenWithin(const Camera& camera, double tolerance, std::spa
 void screenToRayDirections(const Camera& camera, std::span<const Vec2> pixels, std::span<Vec3> directions) noexcept {
   const std::size_t count = std::min(pixels.size(), directions.size());
   if (count == 0) return;
-  if (camera.projection.orthographic) {
+  if (parts(camera).projection.orthographic) {
     const Vec3 direction = screenToRay(camera, {0, 0}, Precision::standard).direction;
     std::fill_n(directions.data(), count, direction);
     return;
   }
   RaySettling settling{camera, pixels.data(), directions.data()};
-  kernels().rays(camera.constants, &pixels.data()->x, &directions.data()->x, count, {settleRay, &settling});
+  kernels().rays(parts(camera).constants, &pixels.data()->x, &directions.data()->x, count, {settleRay, &settling});
 }
 
 }  // namespace viewproj

@@ -1,14 +1,14 @@
-#include "projection/bounds.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "numbers/ulp.hpp"
 #include "projection/kernels/formulas.hpp"
-#include "projection/screen.hpp"
+#include "viewproj/screen.hpp"
 
 namespace viewproj {
+
+using namespace detail;
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -27,7 +27,7 @@ struct Situation {
   double depth;        ///< size of the window depth
 };
 
-ErrorBound boundIn(const Camera& c, Precision precision, const Situation& s) {
+ErrorBound boundIn(const CameraParts& c, Precision precision, const Situation& s) {
   const ProjectionConstants& k = c.constants;
   const double u = precision == Precision::fast ? kUnitFloat : kUnitDouble;
   const double c1 = kRoundings * u * k.sizeXY * kSecondOrder;
@@ -47,7 +47,7 @@ ErrorBound boundIn(const Camera& c, Precision precision, const Situation& s) {
 }
 
 /// Of a point that was projected exactly.
-ErrorBound boundOfExact(const Camera& c, const ScreenPoint& p) {
+ErrorBound boundOfExact(const CameraParts& c, const ScreenPoint& p) {
   if (p.status != PointStatus::inFront) return {kInfinity, kInfinity};
   const double size = std::max(std::fabs(p.x), std::fabs(p.y));
   const double undecided = p.certain ? 0 : kExactAbsolute * std::max(c.constants.reachX, c.constants.reachY);
@@ -59,7 +59,8 @@ ErrorBound boundOfExact(const Camera& c, const ScreenPoint& p) {
 
 }  // namespace
 
-ErrorBound boundInPicture(const Camera& c, Precision precision, double band) noexcept {
+ErrorBound boundInPicture(const Camera& camera, Precision precision, double band) noexcept {
+  const CameraParts& c = parts(camera);
   const ProjectionConstants& k = c.constants;
   const PictureReach reach = pictureReach(c, band);
   Situation s;
@@ -80,8 +81,9 @@ ErrorBound boundInPicture(const Camera& c, Precision precision, double band) noe
   return boundIn(c, precision, s);
 }
 
-ErrorBound boundOfPoint(const Camera& c, const Vec3& point, Precision precision) noexcept {
-  const ScreenPoint p = worldToScreen(c, point, Precision::exact);
+ErrorBound boundOfPoint(const Camera& camera, const Vec3& point, Precision precision) noexcept {
+  const CameraParts& c = parts(camera);
+  const ScreenPoint p = worldToScreen(camera, point, Precision::exact);
   if (p.status != PointStatus::inFront || precision == Precision::exact) return boundOfExact(c, p);
   const ProjectionConstants& k = c.constants;
   const Vec3 d{point.x - k.eye.x, point.y - k.eye.y, point.z - k.eye.z};
@@ -98,9 +100,9 @@ ErrorBound boundOfPoint(const Camera& c, const Vec3& point, Precision precision)
   return std::isinf(bound.screen) || std::isinf(s.perDistance) ? boundOfExact(c, p) : bound;
 }
 
-ErrorBound boundOfPoint(const Camera& c, const Vec4& point, Precision precision) noexcept {
-  if (point.w == 1) return boundOfPoint(c, Vec3{point.x, point.y, point.z}, precision);
-  return boundOfExact(c, worldToScreen(c, point, Precision::exact));
+ErrorBound boundOfPoint(const Camera& camera, const Vec4& point, Precision precision) noexcept {
+  if (point.w == 1) return boundOfPoint(camera, Vec3{point.x, point.y, point.z}, precision);
+  return boundOfExact(parts(camera), worldToScreen(camera, point, Precision::exact));
 }
 
 Precision precisionWithin(const Camera& camera, double tolerance) noexcept {

@@ -1,14 +1,19 @@
-#include "projection/clip.hpp"
+#include "viewproj/clip.hpp"
 
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 
+#include "camera/convention.hpp"
 #include "camera/lens.hpp"
-#include "projection/bounds.hpp"
+#include "projection/error_model.hpp"
 #include "projection/eye_point.hpp"
+#include "projection/stages.hpp"
+#include "viewproj/screen.hpp"
 
 namespace viewproj {
+
+using namespace detail;
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -34,7 +39,7 @@ AxisPoint<Wide> toAxes(const WideEyePoint& e, const Vec4& p) noexcept {
 
 /// Gives the point's coordinates to use, in what has the range for them.
 template <class Use>
-auto withAxes(const Camera& camera, const Vec4& point, EyePoint (*toEyePoint)(const Pose&, const Vec4&),
+auto withAxes(const CameraParts& camera, const Vec4& point, EyePoint (*toEyePoint)(const PoseParts&, const Vec4&),
               const Use& use) noexcept {
   const Vec4 p = withUnitWeight(point);
   const EyePoint e = toEye(camera.pose, p);
@@ -49,7 +54,7 @@ struct ClipPoint {
   Number x, y, z, w;
 };
 
-ClipPoint<DoubleDouble> toClip(const Camera& camera, const AxisPoint<DoubleDouble>& a,
+ClipPoint<DoubleDouble> toClip(const CameraParts& camera, const AxisPoint<DoubleDouble>& a,
                                const Convention& convention) noexcept {
   const Lens l = ndcLens(camera.projection, convention);
   const DoubleDouble& w = l.orthographic ? a.weight : a.forward;
@@ -59,8 +64,8 @@ ClipPoint<DoubleDouble> toClip(const Camera& camera, const AxisPoint<DoubleDoubl
           w};
 }
 
-ClipPoint<Wide> toClip(const Camera& camera, const AxisPoint<Wide>& a, const Convention& convention) noexcept {
-  const Projection& p = camera.projection;
+ClipPoint<Wide> toClip(const CameraParts& camera, const AxisPoint<Wide>& a, const Convention& convention) noexcept {
+  const ProjectionParts& p = camera.projection;
   const Lens l = ndcLens(p, convention);
   const Wide& w = l.orthographic ? a.weight : a.forward;
   const NdcDepths depths = ndcDepths(convention);
@@ -97,7 +102,8 @@ Vec3 toNdc(const ClipPoint<Number>& c) noexcept {
 }
 
 template <class Number>
-ClipMargins marginsOf(const ClipPoint<Number>& c, const Projection& projection, const Convention& convention) noexcept {
+ClipMargins marginsOf(const ClipPoint<Number>& c, const ProjectionParts& projection,
+                      const Convention& convention) noexcept {
   const auto above = [&](const Number& value) { return rounded(sumOrZero(value, c.w)); };   // value >= -w
   const auto below = [&](const Number& value) { return rounded(sumOrZero(c.w, -value)); };  // value <= w
   const bool up = convention.ndcY == NdcY::up;
@@ -129,20 +135,22 @@ DDVec3 relativeTo(const Vec3& origin, const Vec4& p) noexcept {
 
 Vec3 worldToView(const Camera& camera, const Vec4& point, const Convention& convention) noexcept {
   if (!isUsable(point)) return {kNaN, kNaN, kNaN};
-  return withAxes(camera, point, toEye, [&](const auto& a) { return toView(a, convention); });
+  return withAxes(parts(camera), point, toEye, [&](const auto& a) { return toView(a, convention); });
 }
 
 Vec4 worldToClip(const Camera& camera, const Vec4& point, const Convention& convention) noexcept {
   if (!isUsable(point)) return {kNaN, kNaN, kNaN, kNaN};
-  return withAxes(camera, point, toEye, [&](const auto& a) { return toVector(toClip(camera, a, convention)); });
+  return withAxes(parts(camera), point, toEye,
+                  [&](const auto& a) { return toVector(toClip(parts(camera), a, convention)); });
 }
 
 Vec3 worldToNdc(const Camera& camera, const Vec4& point, const Convention& convention) noexcept {
   if (!isUsable(point)) return {kNaN, kNaN, kNaN};
-  return withAxes(camera, point, toEye, [&](const auto& a) { return toNdc(toClip(camera, a, convention)); });
+  return withAxes(parts(camera), point, toEye,
+                  [&](const auto& a) { return toNdc(toClip(parts(camera), a, convention)); });
 }
 
-PointStages pointStages(const Camera& camera, const Vec4& point, const Convention& convention) noexcept {
+PointStages detail::pointStages(const Camera& camera, const Vec4& point, const Convention& convention) noexcept {
   PointStages s;
   s.screen = worldToScreen(camera, point);
   if (s.screen.status == PointStatus::notFinite) {
@@ -151,7 +159,7 @@ PointStages pointStages(const Camera& camera, const Vec4& point, const Conventio
     s.margins = {kNaN, kNaN, kNaN, kNaN, kNaN, kNaN};
     return s;
   }
-  const Pose& pose = camera.pose;
+  const PoseParts& pose = parts(camera).pose;
   const Vec4 p = withUnitWeight(point);
   s.world = rounded(relativeTo({}, p));
   DDVec3 relative = relativeTo(pose.eye, p);
@@ -159,11 +167,11 @@ PointStages pointStages(const Camera& camera, const Vec4& point, const Conventio
     relative = relative + (pose.columns.right * pose.residual.x + pose.columns.up * pose.residual.y +
                            pose.columns.forward * pose.residual.z);
   s.relative = rounded(relative);
-  withAxes(camera, point, toEyeExactly, [&](const auto& a) {
-    const auto c = toClip(camera, a, convention);
+  withAxes(parts(camera), point, toEyeExactly, [&](const auto& a) {
+    const auto c = toClip(parts(camera), a, convention);
     s.view = toView(a, convention);
     s.clip = toVector(c);
-    s.margins = marginsOf(c, camera.projection, convention);
+    s.margins = marginsOf(c, parts(camera).projection, convention);
     s.ndc = toNdc(c);
   });
   return s;

@@ -5,7 +5,7 @@
 
 #include "camera/lens.hpp"
 
-namespace viewproj {
+namespace viewproj::detail {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -113,7 +113,7 @@ double nearerResolved(const Scaled& s, double gap, double step) {
 
 }  // namespace
 
-DepthMapping depthMapping(const Projection& p, double depthFirst, double depthSecond, bool reverseZ) noexcept {
+DepthMapping depthMapping(const ProjectionParts& p, double depthFirst, double depthSecond, bool reverseZ) noexcept {
   if (reverseZ) std::swap(depthFirst, depthSecond);
   return {p.orthographic, p.near, p.far, depthFirst, depthSecond};
 }
@@ -196,4 +196,4 @@ double nearToResolve(const DepthMapping& m, const DepthFormat& format, double ga
   return std::fmin(byLargest, byShare);
 }
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

@@ -13,10 +13,10 @@
 
 #include <cstdint>
 
-#include "camera/error.hpp"
 #include "camera/projection.hpp"
+#include "camera/require.hpp"
 
-namespace viewproj {
+namespace viewproj::detail {
 
 inline constexpr double kDepthBufferError = 1e-14;
 
@@ -28,7 +28,8 @@ struct DepthMapping {
 };
 
 /// depthFirst and depthSecond as in Viewport; reverseZ exchanges them.
-DepthMapping depthMapping(const Projection& projection, double depthFirst, double depthSecond, bool reverseZ) noexcept;
+DepthMapping depthMapping(const ProjectionParts& projection, double depthFirst, double depthSecond,
+                          bool reverseZ) noexcept;
 
 /// How depths are stored.
 struct DepthFormat {
@@ -70,4 +71,4 @@ double resolvedUpTo(const DepthMapping& mapping, const DepthFormat& format, doub
 /// below a depth of half the largest.
 double nearToResolve(const DepthMapping& mapping, const DepthFormat& format, double gap, double distance) noexcept;
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

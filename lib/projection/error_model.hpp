@@ -18,7 +18,7 @@
 // t <= |C|_1 + |qx| |RX|_1 + |qy| |RY|_1: a bound for the camera alone, of points at any distance.
 #pragma once
 
-namespace viewproj {
+namespace viewproj::detail {
 
 /// Rounding units.
 inline constexpr double kUnitDouble = 0x1p-53;
@@ -63,17 +63,7 @@ inline constexpr double kExactParameter = 0x1p-97;
 /// What low parts may lose below the smallest double.
 inline constexpr double kExactUnderflow = 0x1p-1070;
 
-/// exact: units in the last place of the result, for x, y, depth and viewDistance; a result that cancels to about zero
-/// keeps an absolute error instead, 1e-26 of the viewport's size, or of the whole picture's where a window was cropped
-/// or shifted from far off the axis.
-inline constexpr double kExactUlps = 0.51;
-inline constexpr double kExactAbsolute = 1e-26;
-
 /// Above this the square of a ray's length might have overflowed.
 inline constexpr double kLargestSquaredLength = 0x1p1000;
 
-/// exact, of a window depth that is not certain: the distance is known to this share, and the depth to this share of
-/// depthScale / W (perspective) or depthScale W (orthographic). It counts in slabs of far/near - 1 below 1e-11.
-inline constexpr double kExactDistance = 0x1p-96;
-
-}  // namespace viewproj
+}  // namespace viewproj::detail

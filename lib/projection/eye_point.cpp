@@ -5,7 +5,7 @@
 
 #include "camera/pose_source.hpp"
 
-namespace viewproj {
+namespace viewproj::detail {
 namespace {
 
 /// A distance along the view of fewer than this many of its errors says too little of the pixel.
@@ -99,7 +99,7 @@ Vec4 withUnitWeight(const Vec4& p) noexcept {
   return p.w > 0 ? Vec4{p.x, p.y, p.z, 0} : Vec4{-p.x, -p.y, -p.z, 0};
 }
 
-EyePoint toEye(const Pose& pose, const Vec4& point) noexcept {
+EyePoint toEye(const PoseParts& pose, const Vec4& point) noexcept {
   const Vec3 xyz{point.x, point.y, point.z};
   // Scaled down where the difference of the largest doubles would overflow.
   const bool huge = std::max(maxAbs(xyz), maxAbs(pose.eye)) > 0x1p900;
@@ -123,7 +123,7 @@ EyePoint toEye(const Pose& pose, const Vec4& point) noexcept {
   return e;
 }
 
-EyePoint toEyeExactly(const Pose& pose, const Vec4& point) noexcept {
+EyePoint toEyeExactly(const PoseParts& pose, const Vec4& point) noexcept {
   const ExactRows& rows = pose.exact;
   // Well above 1, so that distances far below the largest coordinate keep their digits too.
   const int k = scaleExponent(point, rows.origin, rows.translation) + 500;
@@ -153,7 +153,7 @@ EyePoint toEyeExactly(const Pose& pose, const Vec4& point) noexcept {
   return e;
 }
 
-bool isInExactRange(const Pose& pose, const Vec4& point) noexcept {
+bool isInExactRange(const PoseParts& pose, const Vec4& point) noexcept {
   const ExactRows& rows = pose.exact;
   if (!rows.isNarrow) return false;
   // Differences of such coordinates have terms of 2^-300 and more, and row terms are 2^-250 and more, an up's of two
@@ -174,7 +174,7 @@ bool isInExactRange(const Pose& pose, const Vec4& point) noexcept {
   return true;
 }
 
-WideEyePoint toEyeWidely(const Pose& pose, const Vec4& point) noexcept {
+WideEyePoint toEyeWidely(const PoseParts& pose, const Vec4& point) noexcept {
   const ExactRows& rows = pose.exact;
   const bool hasSource = rows.source.kind != PoseSource::Kind::rows && !rows.isNarrow;
   const ExactSource source = hasSource ? exactSource(rows.source) : sourceOfRows(rows);
@@ -205,4 +205,4 @@ WideEyePoint toEyeWidely(const Pose& pose, const Vec4& point) noexcept {
   return e;
 }
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

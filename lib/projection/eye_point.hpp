@@ -4,7 +4,7 @@
 #include "camera/pose.hpp"
 #include "numbers/wide.hpp"
 
-namespace viewproj {
+namespace viewproj::detail {
 
 /// The point with |w| in [1, 2); or with w = 0 where x/w would overflow, because such a point is as good as a
 /// direction.
@@ -26,16 +26,16 @@ inline constexpr int kLargestExponent = 400;
 /// In double-double. A distance that cancels to less than its own error is 0.
 /// The error bound: rows are within 2^-100 of the true ones, and d within 2^-105 relative; a product of the two carries
 /// 2^-99, and the sum of three 2^-98 of |d0| + |d1| + |d2|.
-EyePoint toEye(const Pose& pose, const Vec4& point) noexcept;
+EyePoint toEye(const PoseParts& pose, const Vec4& point) noexcept;
 
 /// From the exact rows, each distance rounded once at the end: zero means zero, and the sign of forward is certain. Of
 /// a pose made of sines and cosines the rows have an error, 2^-206 and more where up is near the view; a distance that
 /// cancels to less is 0 and not certain, and a point nearer to the eye plane than 2^60 errors counts as on it.
 /// Microseconds instead of a quarter of one.
-EyePoint toEyeExactly(const Pose& pose, const Vec4& point) noexcept;
+EyePoint toEyeExactly(const PoseParts& pose, const Vec4& point) noexcept;
 
 /// Whether toEyeExactly has all digits of this point: whether no product of a coordinate underflows.
-bool isInExactRange(const Pose& pose, const Vec4& point) noexcept;
+bool isInExactRange(const PoseParts& pose, const Vec4& point) noexcept;
 
 /// The same distances, each within 2^-99 of itself and the error. For every pose and point of doubles.
 struct WideEyePoint {
@@ -44,6 +44,6 @@ struct WideEyePoint {
 };
 
 /// As toEyeExactly, whatever the magnitudes: tens of microseconds.
-WideEyePoint toEyeWidely(const Pose& pose, const Vec4& point) noexcept;
+WideEyePoint toEyeWidely(const PoseParts& pose, const Vec4& point) noexcept;
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

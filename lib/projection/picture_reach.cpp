@@ -4,9 +4,9 @@
 
 #include "projection/error_model.hpp"
 
-namespace viewproj {
+namespace viewproj::detail {
 
-PictureReach pictureReach(const Camera& c, double band) noexcept {
+PictureReach pictureReach(const CameraParts& c, double band) noexcept {
   const Viewport& v = c.viewport;
   const double half = v.pixelCenter - 0.5;
   const auto reach = [&](double start, double size, double center) {
@@ -19,4 +19,4 @@ PictureReach pictureReach(const Camera& c, double band) noexcept {
           reach(v.y, v.height, c.constants.centerY.hi) * kSecondOrder};
 }
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

@@ -3,7 +3,7 @@
 
 #include "camera/camera.hpp"
 
-namespace viewproj {
+namespace viewproj::detail {
 
 /// How far around the picture `auto` keeps its tolerance: the picture and one more on every side.
 inline constexpr double kGuardBand = 3;
@@ -16,6 +16,6 @@ struct PictureReach {
   double x = kNoBand, y = kNoBand;
 };
 
-PictureReach pictureReach(const Camera& camera, double band) noexcept;
+PictureReach pictureReach(const CameraParts& camera, double band) noexcept;
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

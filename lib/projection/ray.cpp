@@ -1,5 +1,3 @@
-#include "projection/ray.hpp"
-
 #include <cmath>
 #include <limits>
 #include <type_traits>
@@ -8,8 +6,12 @@
 #include "numbers/ulp.hpp"
 #include "numbers/wide.hpp"
 #include "projection/kernels/formulas.hpp"
+#include "projection/stages.hpp"
+#include "viewproj/screen.hpp"
 
 namespace viewproj {
+
+using namespace detail;
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -39,14 +41,14 @@ struct WindowPoint {
 };
 
 template <class Number>
-WindowPoint<Number> toWindow(const Camera& c, const Vec2& screen) noexcept {
+WindowPoint<Number> toWindow(const CameraParts& c, const Vec2& screen) noexcept {
   return {sumOrZero(as<Number>(screen.x), -as<Number>(c.screen.centerX)) / as<Number>(c.screen.scaleX),
           sumOrZero(as<Number>(screen.y), -as<Number>(c.screen.centerY)) / as<Number>(c.screen.scaleY)};
 }
 
 /// The offset from the unrounded eye of the point at a window position and distance.
 template <class Number>
-Vector3<Number> offsetAt(const Camera& c, const WindowPoint<Number>& at, Number distance) noexcept {
+Vector3<Number> offsetAt(const CameraParts& c, const WindowPoint<Number>& at, Number distance) noexcept {
   const Axes& axes = c.pose.columns;
   const Number spread = c.projection.orthographic ? as<Number>(1) : distance;
   const Vector3<Number> along{at.right * spread, at.up * spread, distance};
@@ -57,11 +59,11 @@ Vector3<Number> offsetAt(const Camera& c, const WindowPoint<Number>& at, Number 
 }
 
 /// The world point at a window position and distance.
-Vec3 worldPointAt(const Camera& c, const WindowPoint<DoubleDouble>& at, DoubleDouble distance) noexcept {
+Vec3 worldPointAt(const CameraParts& c, const WindowPoint<DoubleDouble>& at, DoubleDouble distance) noexcept {
   return rounded(unroundedEye(c.pose) + offsetAt(c, at, distance));
 }
 
-Vec3 worldPointAt(const Camera& c, const WindowPoint<Wide>& at, const Wide& distance) noexcept {
+Vec3 worldPointAt(const CameraParts& c, const WindowPoint<Wide>& at, const Wide& distance) noexcept {
   const Axes& axes = c.pose.columns;
   const DDVec3& residual = c.pose.residual;
   const WideVec3 rest = toWide(axes.right) * toWide(residual.x) + toWide(axes.up) * toWide(residual.y) +
@@ -71,7 +73,7 @@ Vec3 worldPointAt(const Camera& c, const WindowPoint<Wide>& at, const Wide& dist
 }
 
 template <class Number>
-Vec3 exactDirection(const Camera& c, const WindowPoint<Number>& at) noexcept {
+Vec3 exactDirection(const CameraParts& c, const WindowPoint<Number>& at) noexcept {
   if (c.projection.orthographic) return rounded(normalized(c.pose.columns.forward));
   if constexpr (std::is_same_v<Number, Wide>)
     return unitOf(offsetAt(c, at, Wide(1)));
@@ -80,25 +82,25 @@ Vec3 exactDirection(const Camera& c, const WindowPoint<Number>& at) noexcept {
 }
 
 /// Whether double-double has the range for the point at a screen position and distance.
-bool isOrdinary(const Camera& c, const Vec2& screen, double distance) noexcept {
+bool isOrdinary(const CameraParts& c, const Vec2& screen, double distance) noexcept {
   constexpr double kLargest = 0x1p400;
   const auto isWithin = [](double a) { return a == 0 || (std::fabs(a) < kLargest && std::fabs(a) > 1 / kLargest); };
   return c.constants.range < kLargestRangeExact && isWithin(distance) && std::fabs(screen.x) < kLargest &&
          std::fabs(screen.y) < kLargest && maxAbs(c.pose.eye) < 0x1p900;
 }
 
-Vec3 exactDirection(const Camera& c, const Vec2& screen) noexcept {
+Vec3 exactDirection(const CameraParts& c, const Vec2& screen) noexcept {
   return isOrdinary(c, screen, 1) ? exactDirection(c, toWindow<DoubleDouble>(c, screen))
                                   : exactDirection(c, toWindow<Wide>(c, screen));
 }
 
-Vec3 originAt(const Camera& c, const Vec2& screen, RayOrigin origin) noexcept {
+Vec3 originAt(const CameraParts& c, const Vec2& screen, RayOrigin origin) noexcept {
   const double distance = origin == RayOrigin::nearPlane ? c.projection.near : 0;
   return isOrdinary(c, screen, distance) ? worldPointAt(c, toWindow<DoubleDouble>(c, screen), distance)
                                          : worldPointAt(c, toWindow<Wide>(c, screen), distance);
 }
 
-Vec3 standardDirection(const Camera& c, const Vec2& screen) noexcept {
+Vec3 standardDirection(const CameraParts& c, const Vec2& screen) noexcept {
   if (c.projection.orthographic) return exactDirection(c, Vec2{});
   const auto r = RayFormula<ScalarLanes>(c.constants)(screen.x, screen.y);
   if (!(r.squaredLength < kLargestSquaredLength)) return exactDirection(c, screen);
@@ -106,17 +108,17 @@ Vec3 standardDirection(const Camera& c, const Vec2& screen) noexcept {
 }
 
 /// The length of the offset from the eye for a unit of view distance.
-Wide slant(const Camera& c, const Vec2& screen) noexcept {
+Wide slant(const CameraParts& c, const Vec2& screen) noexcept {
   if (c.projection.orthographic) return lengthOf(toWide(c.pose.columns.forward));
   return lengthOf(offsetAt(c, toWindow<Wide>(c, screen), Wide(1)));
 }
 
 /// The point at a distance that is off by at most distanceError.
-WorldPoint pointAt(const Camera& c, const Vec2& screen, const Wide& distance, const Wide& distanceError) noexcept {
+WorldPoint pointAt(const CameraParts& c, const Vec2& screen, const Wide& distance, const Wide& distanceError) noexcept {
   const bool ordinary = isOrdinary(c, screen, double(distance));
   const Vec3 position = ordinary ? worldPointAt(c, toWindow<DoubleDouble>(c, screen), toDoubleDouble(distance))
                                  : worldPointAt(c, toWindow<Wide>(c, screen), distance);
-  if (!viewproj::isFinite(position)) return {kNoVector, DepthStatus::infinity};
+  if (!detail::isFinite(position)) return {kNoVector, DepthStatus::infinity};
   const double rounding = halfUlp(position.x) + halfUlp(position.y) + halfUlp(position.z);
   const bool hasError = distanceError.sign() > 0 || !std::isfinite(distanceError.value.hi);
   return {position, DepthStatus::point,
@@ -125,16 +127,18 @@ WorldPoint pointAt(const Camera& c, const Vec2& screen, const Wide& distance, co
 
 }  // namespace
 
-Ray screenToRay(const Camera& c, const Vec2& screen, Precision precision, RayOrigin origin) noexcept {
+Ray screenToRay(const Camera& camera, const Vec2& screen, Precision precision, RayOrigin origin) noexcept {
+  const CameraParts& c = parts(camera);
   if (!isFinite(screen)) return {kNoVector, kNoVector};
   const bool originIsEye = origin == RayOrigin::eye && !c.projection.orthographic;
   return {originIsEye ? c.pose.eye : originAt(c, screen, origin),
           precision == Precision::exact ? exactDirection(c, screen) : standardDirection(c, screen)};
 }
 
-WorldPoint screenToWorld(const Camera& c, const Vec2& screen, double depth) noexcept {
+WorldPoint screenToWorld(const Camera& camera, const Vec2& screen, double depth) noexcept {
+  const CameraParts& c = parts(camera);
   if (!isFinite(screen) || !std::isfinite(depth)) return {kNoVector, DepthStatus::notFinite};
-  const Projection& p = c.projection;
+  const ProjectionParts& p = c.projection;
   const Wide range = Wide(c.depthAtFar) - Wide(c.depthAtNear);
   // How far the depth is from near's and from far's, as shares of the range: they sum to 1.
   const Wide fromNear = (Wide(depth) - Wide(c.depthAtNear)) / range;
@@ -156,37 +160,41 @@ WorldPoint screenToWorld(const Camera& c, const Vec2& screen, double depth) noex
       farthest.sign() > 0 ? distance * (shareError / farthest) : Wide(std::numeric_limits<double>::infinity()));
 }
 
-PixelStages pixelStages(const Camera& c, const Vec2& screen) noexcept {
+PixelStages detail::pixelStages(const Camera& camera, const Vec2& screen) noexcept {
+  const CameraParts& c = parts(camera);
   const WindowPoint<Wide> at = toWindow<Wide>(c, screen);
   const WideVec3 toward = c.projection.orthographic ? toWide(c.pose.columns.forward) : offsetAt(c, at, Wide(1));
   return {{sumOrZero(screen.x, -c.screen.centerX).hi + 0.0, sumOrZero(screen.y, -c.screen.centerY).hi + 0.0},
           {nearestDouble(at.right), nearestDouble(at.up)},
           {nearestDouble(toward.x), nearestDouble(toward.y), nearestDouble(toward.z)},
           nearestDouble(lengthOf(toward)),
-          screenToRay(c, screen)};
+          screenToRay(camera, screen)};
 }
 
-DepthStages depthStages(const Camera& c, const Vec2& screen, double depth) noexcept {
+DepthStages detail::depthStages(const Camera& camera, const Vec2& screen, double depth) noexcept {
+  const CameraParts& c = parts(camera);
   const DepthLine line = inverseDepthLine(c.projection, c.depthAtNear, c.depthAtFar);
   DepthStages s;
   s.offset = line.offset.hi;
   s.scale = line.scale.hi;
   const DoubleDouble sum = sumOrZero(line.offset, line.scale * DoubleDouble(depth));
   s.sum = sum.hi + 0.0;
-  s.point = screenToWorld(c, screen, depth);
+  s.point = screenToWorld(camera, screen, depth);
   s.distance = s.point.status != DepthStatus::point ? kNaN
                : c.projection.orthographic          ? s.sum
                                                     : (DoubleDouble(1) / sum).hi;
   return s;
 }
 
-WorldPoint screenToWorldAtDistance(const Camera& c, const Vec2& screen, double viewDistance) noexcept {
+WorldPoint screenToWorldAtDistance(const Camera& camera, const Vec2& screen, double viewDistance) noexcept {
+  const CameraParts& c = parts(camera);
   if (!isFinite(screen) || !std::isfinite(viewDistance)) return {kNoVector, DepthStatus::notFinite};
   if (!c.projection.orthographic && !(viewDistance > 0)) return {kNoVector, DepthStatus::beyond};
   return pointAt(c, screen, viewDistance, 0);
 }
 
-double distancePerDepth(const Camera& c, const Vec2& screen, double viewDistance) noexcept {
+double distancePerDepth(const Camera& camera, const Vec2& screen, double viewDistance) noexcept {
+  const CameraParts& c = parts(camera);
   const double scale = c.constants.depthScale.hi;
   const double perDepth = c.projection.orthographic ? 1 / scale : viewDistance * (viewDistance / scale);
   return std::fabs(perDepth) * double(slant(c, screen));

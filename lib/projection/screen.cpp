@@ -1,4 +1,4 @@
-#include "projection/screen.hpp"
+#include "viewproj/screen.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +12,8 @@
 #include "projection/sides.hpp"
 
 namespace viewproj {
+
+using namespace detail;
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -70,7 +72,7 @@ Bounded screenCoordinate(DoubleDouble center, double reach, DoubleDouble scale, 
 /// Window depth at distance w > 0, from the nearer end of the depth range: near's and far's shares of it are
 ///   perspective   n (f - w) / ((f - n) w)   and   f (w - n) / ((f - n) w)
 ///   orthographic  (f - w) / (f - n)         and   (w - n) / (f - n)
-Bounded windowDepth(const Camera& c, const Bounded& distance) noexcept {
+Bounded windowDepth(const CameraParts& c, const Bounded& distance) noexcept {
   double n = c.projection.near, f = c.projection.far;
   DoubleDouble shareOfNear, shareOfFar;
   double distanceError;  // in shares
@@ -132,7 +134,7 @@ struct Attempt {
 };
 
 /// A direction (w = 0), from its coordinates along the camera's axes.
-Attempt directionToScreen(const Camera& c, const EyePoint& e) noexcept {
+Attempt directionToScreen(const CameraParts& c, const EyePoint& e) noexcept {
   if (c.projection.orthographic) {
     ScreenPoint p = without(PointStatus::atInfinity, kNaN);
     p.outside = sidesTowards(e);
@@ -154,7 +156,7 @@ Attempt directionToScreen(const Camera& c, const EyePoint& e) noexcept {
   return {p, signCertain && x.certain() && y.certain()};
 }
 
-Attempt pointToScreen(const Camera& c, const EyePoint& e, double w) noexcept {
+Attempt pointToScreen(const CameraParts& c, const EyePoint& e, double w) noexcept {
   const auto inWorld = [&](DoubleDouble a) {
     const DoubleDouble divided = w == 1 ? a : a / DoubleDouble(w);
     return Bounded{divided, e.error + kOperation * std::fabs(divided.hi), e.exponent};
@@ -183,7 +185,7 @@ Attempt pointToScreen(const Camera& c, const EyePoint& e, double w) noexcept {
   return {p, distance.certain() && x.certain() && y.certain() && depth.certain()};
 }
 
-Attempt attempt(const Camera& c, const EyePoint& e, double w) noexcept {
+Attempt attempt(const CameraParts& c, const EyePoint& e, double w) noexcept {
   return w == 0 ? directionToScreen(c, e) : pointToScreen(c, e, w);
 }
 
@@ -218,8 +220,8 @@ WideBounded widelyToScreen(DoubleDouble center, double reach, DoubleDouble scale
 }
 
 /// As windowDepth.
-WideBounded widelyToDepth(const Camera& c, const WideBounded& w) noexcept {
-  const Projection& p = c.projection;
+WideBounded widelyToDepth(const CameraParts& c, const WideBounded& w) noexcept {
+  const ProjectionParts& p = c.projection;
   const Wide n = p.near, f = p.far;
   const DepthShares shares = depthShares(p.orthographic, p.near, p.far, w.value, 1);
   Wide first = Wide(c.depthAtNear) * shares.ofNear, second = Wide(c.depthAtFar) * shares.ofFar;
@@ -236,7 +238,7 @@ WideBounded widelyToDepth(const Camera& c, const WideBounded& w) noexcept {
                               kWideShare * (magnitude(first) + magnitude(second))};
 }
 
-Attempt widelyToScreen(const Camera& c, const Vec4& point) noexcept {
+Attempt widelyToScreen(const CameraParts& c, const Vec4& point) noexcept {
   const WideEyePoint e = toEyeWidely(c.pose, point);
   const ScreenMap& map = c.screen;
   const bool signCertain = e.error.sign() == 0 || e.forward.sign() != 0;
@@ -278,7 +280,7 @@ Attempt widelyToScreen(const Camera& c, const Vec4& point) noexcept {
 }
 
 /// Of a camera that looks along an axis of the world: whether the point's coordinate there is the eye's.
-bool isBesideEye(const Camera& c, const Vec4& point) noexcept {
+bool isBesideEye(const CameraParts& c, const Vec4& point) noexcept {
   const DDVec3& forward = c.pose.rows.forward;
   return forward.x.hi != 0   ? point.x == c.pose.eye.x
          : forward.y.hi != 0 ? point.y == c.pose.eye.y
@@ -288,7 +290,7 @@ bool isBesideEye(const Camera& c, const Vec4& point) noexcept {
 /// Double-double first; the exact rows where it cannot certify a number, and where products could leave the range of
 /// doubles, numbers with an exponent of their own. What they cannot certify either is a tie, or a number that cancels
 /// to about 0.
-ScreenPoint exactToScreen(const Camera& c, const Vec4& point) noexcept {
+ScreenPoint exactToScreen(const CameraParts& c, const Vec4& point) noexcept {
   EyePoint e = toEye(c.pose, point);
   Attempt result;
   // A point on the rounded eye has the residual alone, whose own digits may be below the smallest double.
@@ -334,7 +336,7 @@ Projected<double, bool> byFormula(const ProjectionConstants& k, const Vec3& p, P
 }
 
 /// Exact rows for what the formula cannot bound or certify, and for what lies outside the band.
-ScreenPoint pointToScreen(const Camera& c, const Vec3& point, Precision precision, Band band) noexcept {
+ScreenPoint pointToScreen(const CameraParts& c, const Vec3& point, Precision precision, Band band) noexcept {
   if (!isFinite(point)) return without(PointStatus::notFinite, kNaN);
   const Projected<double, bool> r = byFormula(c.constants, point, precision, band);
   ScreenPoint p;
@@ -365,20 +367,20 @@ ScreenPoint worldToScreen(const Camera& camera, const Vec4& point, Precision pre
   const int k = point.w == 0 ? 0 : std::ilogb(point.w);
   const bool isLossless =
       std::ldexp(unit.x, k) == point.x && std::ldexp(unit.y, k) == point.y && std::ldexp(unit.z, k) == point.z;
-  if (isLossless || unit.w == 0) return exactToScreen(camera, unit);
-  const Attempt result = widelyToScreen(camera, point);
+  if (isLossless || unit.w == 0) return exactToScreen(parts(camera), unit);
+  const Attempt result = widelyToScreen(parts(camera), point);
   ScreenPoint p = result.point;
   p.certain = result.certain;
   return p;
 }
 
 ScreenPoint worldToScreen(const Camera& camera, const Vec3& point, Precision precision) noexcept {
-  return pointToScreen(camera, point, precision, {});
+  return pointToScreen(parts(camera), point, precision, {});
 }
 
 ScreenPoint worldToScreenWithin(const Camera& camera, Precision chosen, const Vec3& point) noexcept {
-  const PictureReach reach = pictureReach(camera, kGuardBand);
-  return pointToScreen(camera, point, chosen, {reach.x, reach.y});
+  const PictureReach reach = pictureReach(parts(camera), kGuardBand);
+  return pointToScreen(parts(camera), point, chosen, {reach.x, reach.y});
 }
 
 ScreenPoint worldToScreenWithin(const Camera& camera, Precision chosen, const Vec4& point) noexcept {

@@ -3,9 +3,10 @@
 
 #include <limits>
 
-#include "projection/screen_point.hpp"
+#include "camera/camera.hpp"
+#include "viewproj/screen.hpp"
 
-namespace viewproj {
+namespace viewproj::detail {
 
 /// A point that has no screen position.
 inline ScreenPoint without(PointStatus status, double viewDistance) noexcept {
@@ -17,7 +18,7 @@ inline ScreenPoint without(PointStatus status, double viewDistance) noexcept {
 }
 
 /// Beyond which sides of the picture and of near and far, judged on the numbers that are given out.
-inline std::uint8_t sidesBeyond(const Camera& c, const ScreenPoint& p) noexcept {
+inline std::uint8_t sidesBeyond(const CameraParts& c, const ScreenPoint& p) noexcept {
   const double left = c.viewport.x + (c.viewport.pixelCenter - 0.5);
   const double start = c.viewport.y + (c.viewport.pixelCenter - 0.5);
   const bool down = c.viewport.origin == Origin::topLeft;
@@ -32,4 +33,4 @@ inline std::uint8_t sidesBeyond(const Camera& c, const ScreenPoint& p) noexcept 
   return static_cast<std::uint8_t>(sides);
 }
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

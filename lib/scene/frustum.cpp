@@ -1,17 +1,19 @@
-#include "scene/frustum.hpp"
-
 #include <algorithm>
 #include <cmath>
 
+#include "scene/frustum_parts.hpp"
+
 namespace viewproj {
+
+using namespace detail;
 namespace {
 
 /// sign (normal . (p - eye) + offset) >= 0, not yet of unit length. reach is the larger of the plane's window edge and
 /// the one across from it; parts is the size of what the offset is a sum of.
-FrustumPlane plane(const Camera& c, Side side, const WideVec3& normal, const Wide& offset, double sign, double reach,
-                   double parts) noexcept {
+ExactPlane plane(const CameraParts& c, Side side, const WideVec3& normal, const Wide& offset, double sign, double reach,
+                 double parts) noexcept {
   const Wide scale = Wide(sign) / lengthOf(normal);
-  FrustumPlane p;
+  ExactPlane p;
   p.side = side;
   p.normal = normal * scale;
   p.offset = offset * scale;
@@ -25,8 +27,8 @@ FrustumPlane plane(const Camera& c, Side side, const WideVec3& normal, const Wid
 
 /// Of an edge of the window: sign (X - edge W) >= 0, or sign (X - edge) >= 0 in orthographic. X is axis . (p - eye) +
 /// residual.
-FrustumPlane windowPlane(const Camera& c, Side side, const DDVec3& axis, DoubleDouble residual, DoubleDouble edge,
-                         DoubleDouble across, double sign) noexcept {
+ExactPlane windowPlane(const CameraParts& c, Side side, const DDVec3& axis, DoubleDouble residual, DoubleDouble edge,
+                       DoubleDouble across, double sign) noexcept {
   const double reach = std::max(std::fabs(edge.hi), std::fabs(across.hi));
   const Wide wideEdge(edge, 0);
   if (c.projection.orthographic)
@@ -38,18 +40,20 @@ FrustumPlane windowPlane(const Camera& c, Side side, const DDVec3& axis, DoubleD
 }
 
 /// Across the view: sign (W - distance) >= 0.
-FrustumPlane depthPlane(const Camera& c, Side side, double distance, double sign) noexcept {
+ExactPlane depthPlane(const CameraParts& c, Side side, double distance, double sign) noexcept {
   const DoubleDouble residual = c.pose.residual.z;
   return plane(c, side, toWide(c.pose.rows.forward), Wide(residual, 0) - Wide(distance), sign, 0,
                std::fabs(residual.hi) + std::fabs(distance));
 }
 
 /// A corner of a box or the centre of a sphere, relative to the eye.
-WideVec3 relativeToEye(const Frustum& f, const Vec3& p) noexcept { return toWide(p) - toWide(f.camera.pose.eye); }
+WideVec3 relativeToEye(const FrustumParts& f, const Vec3& p) noexcept {
+  return toWide(p) - toWide(parts(f.camera).pose.eye);
+}
 
 Wide oneNorm(const WideVec3& v) noexcept { return magnitude(v.x) + magnitude(v.y) + magnitude(v.z); }
 
-Wide distance(const FrustumPlane& p, const WideVec3& v) noexcept { return dot(p.normal, v) + p.offset; }
+Wide distance(const ExactPlane& p, const WideVec3& v) noexcept { return dot(p.normal, v) + p.offset; }
 
 /// The planes' distances of the two points of a shape that lie farthest inside and farthest beyond. reach: the larger
 /// |p - eye|_1 that went into them.
@@ -59,10 +63,10 @@ struct Extent {
 };
 
 template <class ExtentOf>
-Cull verdictOf(const Frustum& f, const ExtentOf& extentOf) noexcept {
+Cull verdictOf(const FrustumParts& f, const ExtentOf& extentOf) noexcept {
   Cull result{CullVerdict::inside, 0};
   Wide farthest;
-  for (const FrustumPlane& p : f) {
+  for (const ExactPlane& p : f) {
     const Extent e = extentOf(p);
     const Wide bound = Wide(p.normalBound) * e.reach + Wide(p.offsetBound);
     const bool outside = isLess(e.inmost + bound, 0);
@@ -79,11 +83,12 @@ Cull verdictOf(const Frustum& f, const ExtentOf& extentOf) noexcept {
 
 }  // namespace
 
-Frustum viewFrustum(const Camera& c) noexcept {
-  const Projection& p = c.projection;
-  const Pose& pose = c.pose;
-  Frustum f;
-  f.camera = c;
+Frustum viewFrustum(const Camera& camera) {
+  const CameraParts& c = parts(camera);
+  const ProjectionParts& p = c.projection;
+  const PoseParts& pose = c.pose;
+  const auto made = std::make_shared<FrustumParts>(FrustumParts{camera});
+  FrustumParts& f = *made;
   f.planes = {windowPlane(c, sideLeft, pose.rows.right, pose.residual.x, p.left, p.right, 1),
               windowPlane(c, sideRight, pose.rows.right, pose.residual.x, p.right, p.left, -1),
               windowPlane(c, sideBottom, pose.rows.up, pose.residual.y, p.bottom, p.top, 1),
@@ -92,35 +97,39 @@ Frustum viewFrustum(const Camera& c) noexcept {
               {}};
   f.count = std::isfinite(p.far) ? 6 : 5;
   if (f.count == 6) f.planes[5] = depthPlane(c, sideFar, p.far, -1);
-  return f;
+  for (std::size_t i = 0; i < f.count; ++i) f.rounded[i] = {f.planes[i].side, f.planes[i].equation};
+  return Access::whole<Frustum, FrustumParts>(made);
 }
 
-Cull cull(const Frustum& f, const Vec3& point) noexcept {
+const Camera& Frustum::camera() const noexcept { return parts_->camera; }
+std::span<const FrustumPlane> Frustum::planes() const noexcept { return {parts_->rounded.data(), parts_->count}; }
+
+Cull cull(const Frustum& frustum, const Vec3& point) noexcept {
   if (!isFinite(point)) return {};
-  const WideVec3 relative = relativeToEye(f, point);
+  const WideVec3 relative = relativeToEye(parts(frustum), point);
   const Wide reach = oneNorm(relative);
-  return verdictOf(f, [&](const FrustumPlane& p) {
+  return verdictOf(parts(frustum), [&](const ExactPlane& p) {
     const Wide d = distance(p, relative);
     return Extent{d, d, reach};
   });
 }
 
-Cull cull(const Frustum& f, const Sphere& sphere) noexcept {
+Cull cull(const Frustum& frustum, const Sphere& sphere) noexcept {
   if (!isValid(sphere)) return {};
-  const WideVec3 center = relativeToEye(f, sphere.center);
+  const WideVec3 center = relativeToEye(parts(frustum), sphere.center);
   const Wide radius = sphere.radius;
   const Wide reach = oneNorm(center) + radius;
-  return verdictOf(f, [&](const FrustumPlane& p) {
+  return verdictOf(parts(frustum), [&](const ExactPlane& p) {
     const Wide d = distance(p, center);
     return Extent{d + radius, d - radius, reach};
   });
 }
 
-Cull cull(const Frustum& f, const Box& box) noexcept {
+Cull cull(const Frustum& frustum, const Box& box) noexcept {
   if (!isValid(box)) return {};
-  const WideVec3 min = relativeToEye(f, box.min), max = relativeToEye(f, box.max);
+  const WideVec3 min = relativeToEye(parts(frustum), box.min), max = relativeToEye(parts(frustum), box.max);
   const Wide reach = oneNorm(min) + oneNorm(max);
-  return verdictOf(f, [&](const FrustumPlane& p) {
+  return verdictOf(parts(frustum), [&](const ExactPlane& p) {
     WideVec3 pVertex, nVertex;
     for (std::size_t i = 0; i < 3; ++i) {
       const bool outwards = p.normal[i].sign() < 0;
@@ -131,13 +140,14 @@ Cull cull(const Frustum& f, const Box& box) noexcept {
   });
 }
 
-Cull cull(const Frustum& f, const Triangle& triangle) noexcept {
+Cull cull(const Frustum& frustum, const Triangle& triangle) noexcept {
   if (!isValid(triangle)) return {};
-  const WideVec3 corners[] = {relativeToEye(f, triangle.a), relativeToEye(f, triangle.b), relativeToEye(f, triangle.c)};
+  const WideVec3 corners[] = {relativeToEye(parts(frustum), triangle.a), relativeToEye(parts(frustum), triangle.b),
+                              relativeToEye(parts(frustum), triangle.c)};
   Wide reach;
   for (const WideVec3& corner : corners)
     if (isLess(reach, oneNorm(corner))) reach = oneNorm(corner);
-  return verdictOf(f, [&](const FrustumPlane& p) {
+  return verdictOf(parts(frustum), [&](const ExactPlane& p) {
     Extent e{distance(p, corners[0]), distance(p, corners[0]), reach};
     for (const WideVec3& corner : corners) {
       const Wide d = distance(p, corner);
@@ -148,7 +158,7 @@ Cull cull(const Frustum& f, const Triangle& triangle) noexcept {
   });
 }
 
-Wide distanceInside(const Frustum& f, const FrustumPlane& p, const Vec3& point) noexcept {
+Wide detail::distanceInside(const FrustumParts& f, const ExactPlane& p, const Vec3& point) noexcept {
   const WideVec3 v = relativeToEye(f, point);
   const Wide d = distance(p, v);
   return isLess(Wide(p.normalBound) * oneNorm(v) + Wide(p.offsetBound), magnitude(d)) ? d : Wide();

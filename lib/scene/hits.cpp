@@ -1,13 +1,14 @@
-#include "scene/hits.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "numbers/certified.hpp"
 #include "numbers/dyadic.hpp"
+#include "viewproj/scene.hpp"
 
 namespace viewproj {
+
+using namespace detail;
 namespace {
 
 // Number is Certified or Dyadic. A function that returns nothing has met a number that is not certain.
@@ -243,6 +244,16 @@ bool isValid(const Ray& ray) noexcept {
 }
 
 }  // namespace
+
+bool isValid(const Plane& p) noexcept { return isFinite(p.point) && isFinite(p.normal) && maxAbs(p.normal) > 0; }
+bool isValid(const Sphere& s) noexcept { return isFinite(s.center) && s.radius >= 0 && std::isfinite(s.radius); }
+bool isValid(const Box& b) noexcept {
+  return isFinite(b.min) && isFinite(b.max) && b.min.x <= b.max.x && b.min.y <= b.max.y && b.min.z <= b.max.z;
+}
+bool isValid(const Triangle& t) noexcept { return isFinite(t.a) && isFinite(t.b) && isFinite(t.c); }
+bool isValid(const Ellipsoid& e) noexcept {
+  return e.equatorial > 0 && e.polar > 0 && std::isfinite(e.equatorial) && std::isfinite(e.polar);
+}
 
 Hits intersect(const Ray& ray, const Plane& plane) noexcept {
   if (!isValid(ray) || !isValid(plane)) return {};

@@ -1,10 +1,12 @@
-#include "scene/segment.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "scene/frustum_parts.hpp"
+
 namespace viewproj {
+
+using namespace detail;
 namespace {
 
 /// A point on the way from a to b: the shares of b and of a in it, and the plane it lies on. Of ends that are many
@@ -25,7 +27,8 @@ SegmentEnd ownEnd(const Camera& camera, const Vec3& point, double t) noexcept {
   return {t, {p.x, p.y}, p.depth, p.viewDistance, 0};
 }
 
-SegmentEnd cutEnd(const Camera& c, const WideVec3& fromEyeToA, const WideVec3& fromEyeToB, const Cut& cut) noexcept {
+SegmentEnd cutEnd(const CameraParts& c, const WideVec3& fromEyeToA, const WideVec3& fromEyeToB,
+                  const Cut& cut) noexcept {
   const WideVec3 p = fromEyeToA * cut.rest + fromEyeToB * cut.t;
   const auto along = [&](const DDVec3& axis, DoubleDouble residual) {
     return dot(toWide(axis), p) + Wide(residual, 0);
@@ -62,11 +65,12 @@ SegmentEnd cutEnd(const Camera& c, const WideVec3& fromEyeToA, const WideVec3& f
 
 }  // namespace
 
-VisibleSegment clipSegment(const Frustum& f, const Vec3& a, const Vec3& b) noexcept {
+VisibleSegment clipSegment(const Frustum& frustum, const Vec3& a, const Vec3& b) noexcept {
+  const FrustumParts& f = parts(frustum);
   VisibleSegment result;
   if (!isFinite(a) || !isFinite(b)) return result;
   Cut first{0, 1, 0}, last{1, 0, 0};
-  for (const FrustumPlane& p : f) {
+  for (const ExactPlane& p : f) {
     const Wide atA = distanceInside(f, p, a), atB = distanceInside(f, p, b);
     if (atA.sign() < 0 && atB.sign() < 0) return result;
     if (atA.sign() >= 0 && atB.sign() >= 0) continue;
@@ -74,14 +78,14 @@ VisibleSegment clipSegment(const Frustum& f, const Vec3& a, const Vec3& b) noexc
     if (atA.sign() < 0 ? isFurther(cut, first) : isFurther(last, cut)) (atA.sign() < 0 ? first : last) = cut;
   }
   if (isFurther(first, last)) return result;
-  const WideVec3 eye = toWide(f.camera.pose.eye), fromEyeToA = toWide(a) - eye, fromEyeToB = toWide(b) - eye;
+  const WideVec3 eye = toWide(parts(f.camera).pose.eye), fromEyeToA = toWide(a) - eye, fromEyeToB = toWide(b) - eye;
   result.visible = true;
-  result.start = first.side == 0 ? ownEnd(f.camera, a, 0) : cutEnd(f.camera, fromEyeToA, fromEyeToB, first);
-  result.end = last.side == 0 ? ownEnd(f.camera, b, 1) : cutEnd(f.camera, fromEyeToA, fromEyeToB, last);
+  result.start = first.side == 0 ? ownEnd(f.camera, a, 0) : cutEnd(parts(f.camera), fromEyeToA, fromEyeToB, first);
+  result.end = last.side == 0 ? ownEnd(f.camera, b, 1) : cutEnd(parts(f.camera), fromEyeToA, fromEyeToB, last);
   return result;
 }
 
-double parameterUnder(const Frustum& f, const VisibleSegment& s, const Vec2& pixel) noexcept {
+double parameterUnder(const Frustum& frustum, const VisibleSegment& s, const Vec2& pixel) noexcept {
   if (!s.visible) return std::numeric_limits<double>::quiet_NaN();
   const double dx = s.end.screen.x - s.start.screen.x, dy = s.end.screen.y - s.start.screen.y;
   const double size = std::hypot(dx, dy);
@@ -89,7 +93,7 @@ double parameterUnder(const Frustum& f, const VisibleSegment& s, const Vec2& pix
   if (!(size > 0)) return s.start.viewDistance <= s.end.viewDistance ? s.start.t : s.end.t;
   const double along = ((pixel.x - s.start.screen.x) * (dx / size) + (pixel.y - s.start.screen.y) * (dy / size)) / size;
   double share = std::clamp(along, 0.0, 1.0);
-  if (!f.camera.projection.orthographic) {
+  if (!parts(parts(frustum).camera).projection.orthographic) {
     // On the screen a share s of the way, in space the share s w0 / ((1 - s) w1 + s w0).
     const double w0 = s.start.viewDistance / s.end.viewDistance;
     share = share * w0 / ((1 - share) + share * w0);

@@ -1,9 +1,268 @@
-// A camera: pose, projection, viewport and convention, and the error where it cannot be built.
+// A camera: where it stands, what part of space it sees, the pixels of its picture, and the convention of its numbers.
+//
+// Pose, Projection and Camera are made whole by the functions here or not at all, and cannot be changed afterwards:
+// any number of threads may use and copy one at the same time. A copy shares its numbers. The functions keep nothing
+// between calls.
+//
+// Every promise of this library rests on IEEE arithmetic: a thread that calls it rounds to the nearest, ties to even,
+// and keeps subnormal numbers, as a program does that changes neither: no other fesetround, no flush-to-zero, no
+// denormals-are-zero (which -ffast-math turns on in whatever is linked with it, for all of the program). makeCamera
+// looks for it; what is called with a camera afterwards, in whatever thread, does not look again.
 #pragma once
 
-#include "camera/camera.hpp"
-#include "camera/error.hpp"
-#include "camera/pose.hpp"
-#include "camera/projection.hpp"
-#include "camera/viewport.hpp"
-#include "numbers/arithmetic.hpp"
+#include <limits>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "viewproj/convention.hpp"
+#include "viewproj/vectors.hpp"
+
+namespace viewproj {
+
+namespace detail {
+struct Access;
+struct PoseParts;
+struct ProjectionParts;
+struct CameraParts;
+}  // namespace detail
+
+/// What is wrong with a camera.
+struct CameraFault {
+  std::string field;  ///< the parameter at fault, named as in a camera file ("up", "far", "viewport.width", ...)
+  std::string message;
+};
+
+/// Thrown while a camera is described, never while points are projected.
+class CameraError : public std::invalid_argument {
+ public:
+  CameraError(std::string field, const std::string& message)
+      : std::invalid_argument(field + ": " + message), fault_{std::move(field), message} {}
+
+  const std::string& field() const noexcept { return fault_.field; }
+  const std::string& message() const noexcept { return fault_.message; }
+  const CameraFault& fault() const noexcept { return fault_; }
+
+ private:
+  CameraFault fault_;
+};
+
+/// What a function that throws CameraError would return, or what it would throw: for code without exceptions. Each such
+/// function has a twin whose name begins with try. (Out of memory ends the program there.)
+template <class T>
+class Result {
+ public:
+  Result(T value) noexcept : value_(std::move(value)) {}            // NOLINT: a value is a result
+  Result(CameraFault fault) noexcept : fault_(std::move(fault)) {}  // NOLINT: so is a fault
+
+  explicit operator bool() const noexcept { return value_.has_value(); }
+  /// Only where there is a value.
+  const T& operator*() const noexcept { return *value_; }
+  const T* operator->() const noexcept { return &*value_; }
+  /// Empty where there is a value.
+  const CameraFault& fault() const noexcept { return fault_; }
+
+ private:
+  std::optional<T> value_;
+  CameraFault fault_;
+};
+
+// ---- Pose
+
+/// Where x, y, z of a rotation or pose matrix point.
+enum class CameraAxes { RUB, RUF, RDF, FRU };
+
+/// x, y, z, w; need not be of unit length.
+struct Quaternion {
+  double x = 0, y = 0, z = 0, w = 1;
+};
+
+/// Where a camera stands and how it is turned. Held to more digits than doubles have.
+class Pose {
+ public:
+  Pose(const Pose&) noexcept = default;
+  Pose& operator=(const Pose&) noexcept = default;
+
+  /// World coordinates. Of a view matrix the double nearest its eye.
+  Vec3 eye() const noexcept;
+  /// The camera's axes in the world, rounded: unit vectors, at right angles as far as kPoseOrthogonality allows.
+  Vec3 right() const noexcept;
+  Vec3 up() const noexcept;
+  Vec3 forward() const noexcept;
+
+ private:
+  friend struct detail::Access;
+  explicit Pose(std::shared_ptr<const detail::PoseParts> parts) noexcept : parts_(std::move(parts)) {}
+
+  std::shared_ptr<const detail::PoseParts> parts_;
+};
+
+/// How far a pose matrix's 3x3 may be from orthogonal: the largest entry of M^T M - I.
+inline constexpr double kPoseOrthogonality = 1e-3;
+
+// Each of these throws CameraError naming the parameter that is not finite, zero or degenerate. Degeneracy is decided
+// exactly, without an epsilon: a direction that differs from up by the last bit gives a valid camera. The axes come out
+// within 2^-100 of the true ones, whatever the magnitudes.
+
+/// Looks along direction, with up upwards in the picture. The sign of the right axis follows the world's handedness:
+/// direction x up in a right-handed world, up x direction in a left-handed one.
+Pose lookAlong(const Vec3& position, const Vec3& direction, const Vec3& up, Handedness world);
+
+/// Looks at target; the difference target - position is exact.
+Pose lookAt(const Vec3& position, const Vec3& target, const Vec3& up, Handedness world);
+
+/// A rotation from the camera's axes to the world. Throws if axes has not the world's handedness.
+Pose poseFromRotation(const Vec3& position, const Quaternion& worldFromCamera, CameraAxes axes, Handedness world);
+
+/// A matrix from the camera's axes to the world, column vectors, last row 0 0 0 1. Used as given and inverted exactly.
+Pose poseFromWorldFromCamera(const Mat4& worldFromCamera, CameraAxes axes, Handedness world);
+
+/// The inverse of the above: a view matrix.
+Pose poseFromCameraFromWorld(const Mat4& cameraFromWorld, CameraAxes axes, Handedness world);
+
+Result<Pose> tryLookAlong(const Vec3& position, const Vec3& direction, const Vec3& up, Handedness world) noexcept;
+Result<Pose> tryLookAt(const Vec3& position, const Vec3& target, const Vec3& up, Handedness world) noexcept;
+Result<Pose> tryPoseFromRotation(const Vec3& position, const Quaternion& worldFromCamera, CameraAxes axes,
+                                 Handedness world) noexcept;
+Result<Pose> tryPoseFromWorldFromCamera(const Mat4& worldFromCamera, CameraAxes axes, Handedness world) noexcept;
+Result<Pose> tryPoseFromCameraFromWorld(const Mat4& cameraFromWorld, CameraAxes axes, Handedness world) noexcept;
+
+// ---- Viewport
+
+/// The corner that screen y is counted from: downwards from the top left, upwards from the bottom left.
+enum class Origin { topLeft, bottomLeft };
+
+/// The rectangle of pixels a picture fills. Pixel values are positions: the centre of pixel (i, j) is
+/// (i + pixelCenter, j + pixelCenter).
+struct Viewport {
+  double width = 0, height = 0;            ///< pixels, > 0
+  double x = 0, y = 0;                     ///< where the corner of the picture lies on the screen
+  double depthFirst = 0, depthSecond = 1;  ///< window depth of near and far; exchanged by reverseZ
+  Origin origin = Origin::topLeft;
+  double pixelCenter = 0.5;
+};
+
+/// A tile of a viewport's picture, in pixels from the picture's corner.
+struct Crop {
+  double x = 0, y = 0, width = 0, height = 0;
+};
+
+/// The range of a camera's numbers, about 1e-271 to 1e271. A window's width and height, a viewport's and a crop's lie
+/// within it; a window's edges, a viewport's and a crop's corner and window depths are no larger. The pixels for a unit
+/// of the window lie between 2^-1000 and 2^1000. near, far and every number of a pose may be any double that is finite.
+inline constexpr double kSmallestWindow = 0x1p-900;
+inline constexpr double kLargestWindow = 0x1p900;
+
+/// How many of its widths (heights) a viewport's corner, and its pixels' centre, may lie away from 0.
+inline constexpr double kLargestCorner = 0x1p40;
+
+/// The tile as a viewport of its own: screen numbers start at its corner.
+Viewport cropped(const Viewport& viewport, const Crop& crop);
+
+// ---- Projection
+
+/// What part of space a camera sees: four window edges, near and far.
+class Projection {
+ public:
+  Projection(const Projection&) noexcept = default;
+  Projection& operator=(const Projection&) noexcept = default;
+
+  bool isOrthographic() const noexcept;
+  /// Edges are distances along the right and the up axis: in perspective on the plane at distance 1 from the eye
+  /// (tangents), in orthographic anywhere. Rounded.
+  double left() const noexcept;
+  double right() const noexcept;
+  double bottom() const noexcept;
+  double top() const noexcept;
+  /// Distances along the viewing axis. zFar may be infinite in perspective.
+  double zNear() const noexcept;
+  double zFar() const noexcept;
+
+ private:
+  friend struct detail::Access;
+  explicit Projection(std::shared_ptr<const detail::ProjectionParts> parts) noexcept : parts_(std::move(parts)) {}
+
+  std::shared_ptr<const detail::ProjectionParts> parts_;
+};
+
+inline constexpr double kInfiniteFar = std::numeric_limits<double>::infinity();
+
+// Each function throws CameraError naming the parameter at fault. Perspective needs 0 < zNear < zFar <= infinity,
+// orthographic finite zNear < zFar. Edges come out within 2^-98 of the true ones, relative to the wider of the two.
+
+/// degrees: the full vertical, horizontal or diagonal angle, between 0 and 180; aspect: width / height of the picture.
+Projection perspectiveFovY(double degrees, double aspect, double zNear, double zFar);
+Projection perspectiveFovX(double degrees, double aspect, double zNear, double zFar);
+Projection perspectiveFovDiagonal(double degrees, double aspect, double zNear, double zFar);
+
+/// The window's width and height on the near plane (XMMatrixPerspectiveLH).
+Projection perspectiveNearSize(double nearWidth, double nearHeight, double zNear, double zFar);
+
+/// focalLength and the sensor's sides in one unit; a sensor side of 0 follows from the other and aspect.
+Projection perspectiveFocalLength(double focalLength, double sensorWidth, double sensorHeight, double aspect,
+                                  double zNear, double zFar);
+
+/// Edges on the near plane (glFrustum).
+Projection frustum(double left, double right, double bottom, double top, double zNear, double zFar);
+
+/// Edges on the plane at distance 1 from the eye: tangents.
+Projection perspectiveWindow(double left, double right, double bottom, double top, double zNear, double zFar);
+
+/// Edges anywhere along the view (glOrtho); zNear may be negative.
+Projection orthographic(double left, double right, double bottom, double top, double zNear, double zFar);
+
+/// Focal lengths and principal point in pixels of the viewport, as its origin and pixelCenter count them.
+Projection intrinsics(double fx, double fy, double cx, double cy, const Viewport& viewport, double zNear, double zFar);
+
+/// The picture moved right by dx and up by dy half-widths and half-heights (lens shift, jitter).
+Projection shifted(const Projection& projection, double dx, double dy);
+
+/// The window of a tile of the viewport's picture; its viewport is cropped(viewport, crop).
+Projection cropped(const Projection& projection, const Viewport& viewport, const Crop& crop);
+
+Result<Projection> tryPerspectiveFovY(double degrees, double aspect, double zNear, double zFar) noexcept;
+Result<Projection> tryPerspectiveFovX(double degrees, double aspect, double zNear, double zFar) noexcept;
+Result<Projection> tryPerspectiveFovDiagonal(double degrees, double aspect, double zNear, double zFar) noexcept;
+Result<Projection> tryPerspectiveNearSize(double nearWidth, double nearHeight, double zNear, double zFar) noexcept;
+Result<Projection> tryPerspectiveFocalLength(double focalLength, double sensorWidth, double sensorHeight, double aspect,
+                                             double zNear, double zFar) noexcept;
+Result<Projection> tryFrustum(double left, double right, double bottom, double top, double zNear, double zFar) noexcept;
+Result<Projection> tryPerspectiveWindow(double left, double right, double bottom, double top, double zNear,
+                                        double zFar) noexcept;
+Result<Projection> tryOrthographic(double left, double right, double bottom, double top, double zNear,
+                                   double zFar) noexcept;
+Result<Projection> tryIntrinsics(double fx, double fy, double cx, double cy, const Viewport& viewport, double zNear,
+                                 double zFar) noexcept;
+Result<Projection> tryShifted(const Projection& projection, double dx, double dy) noexcept;
+Result<Projection> tryCropped(const Projection& projection, const Viewport& viewport, const Crop& crop) noexcept;
+
+// ---- Camera
+
+class Camera {
+ public:
+  Camera(const Camera&) noexcept = default;
+  Camera& operator=(const Camera&) noexcept = default;
+
+  Pose pose() const noexcept;
+  Projection projection() const noexcept;
+  const Viewport& viewport() const noexcept;
+  const Convention& convention() const noexcept;
+
+ private:
+  friend struct detail::Access;
+  explicit Camera(std::shared_ptr<const detail::CameraParts> parts) noexcept : parts_(std::move(parts)) {}
+
+  std::shared_ptr<const detail::CameraParts> parts_;
+};
+
+/// Throws CameraError where a number of the viewport is out of range, where the pose is not of the convention's
+/// handedness, where window and viewport leave no doubles to tell pixels apart, and where this thread's arithmetic is
+/// not IEEE's. Takes a few microseconds: build once, use for every point.
+Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport& viewport,
+                  const Convention& convention = {});
+Result<Camera> tryMakeCamera(const Pose& pose, const Projection& projection, const Viewport& viewport,
+                             const Convention& convention = {}) noexcept;
+
+}  // namespace viewproj

@@ -37,34 +37,61 @@ struct Convention {
   friend constexpr bool operator==(const Convention&, const Convention&) = default;
 };
 
-/// +1 where the axis of view space points as right, up, forward do, -1 where it points the other way.
-struct AxisSigns {
-  double up, forward;
-};
-
-constexpr AxisSigns axisSigns(ViewAxes axes) noexcept {
-  return {axes == ViewAxes::RDF ? -1.0 : 1.0, axes == ViewAxes::RUB ? -1.0 : 1.0};
-}
-
-/// NDC z of the near and the far plane.
-struct NdcDepths {
-  double atNear, atFar;
-};
-
-constexpr NdcDepths ndcDepths(const Convention& c) noexcept {
-  const double low = c.ndcZ == NdcZ::minusOneToOne ? -1 : 0;
-  return c.reverseZ ? NdcDepths{1, low} : NdcDepths{low, 1};
-}
-
 struct ConventionPreset {
   std::string_view name;
   Convention convention;
 };
 
-/// opengl, opengl-lh, d3d, d3d-rh, vulkan, metal, webgpu, unity, unreal, opencv, ps2: the first is the default.
-std::span<const ConventionPreset> conventionPresets() noexcept;
+namespace detail {
+/// To add a preset, add its row here and its constant below; tests ask for the rest.
+/// Sources: the OpenGL, Direct3D, Vulkan, Metal and WebGPU specifications; Unity's Camera.worldToCameraMatrix and
+/// projectionMatrix; Unreal's FReversedZPerspectiveMatrix; OpenCV's calib3d; ps2sdk's create_view_screen.
+inline constexpr ConventionPreset kConventionPresets[] = {
+    {"opengl", {}},
+    {"opengl-lh", {Handedness::left, ViewAxes::RUF}},
+    {"d3d", {Handedness::left, ViewAxes::RUF, NdcZ::zeroToOne, false, NdcY::up, Vectors::row, Storage::rowMajor}},
+    {"d3d-rh", {Handedness::right, ViewAxes::RUB, NdcZ::zeroToOne, false, NdcY::up, Vectors::row, Storage::rowMajor}},
+    {"vulkan", {Handedness::right, ViewAxes::RUB, NdcZ::zeroToOne, false, NdcY::down}},
+    {"metal", {Handedness::right, ViewAxes::RUB, NdcZ::zeroToOne}},
+    {"webgpu", {Handedness::right, ViewAxes::RUB, NdcZ::zeroToOne}},
+    {"unity", {Handedness::left, ViewAxes::RUB}},
+    {"unreal", {Handedness::left, ViewAxes::RUF, NdcZ::zeroToOne, true, NdcY::up, Vectors::row, Storage::rowMajor}},
+    {"opencv",
+     {Handedness::right, ViewAxes::RDF, NdcZ::zeroToOne, false, NdcY::up, Vectors::column, Storage::rowMajor}},
+    {"ps2", {Handedness::right, ViewAxes::RDF, NdcZ::zeroToOne, true, NdcY::down, Vectors::row, Storage::rowMajor}},
+};
+
+/// A name that is no preset's does not compile.
+consteval Convention presetNamed(std::string_view name) {
+  for (const ConventionPreset& preset : kConventionPresets)
+    if (preset.name == name) return preset.convention;
+  throw "no such convention";
+}
+}  // namespace detail
+
+/// The presets as constants: viewproj::conventions::d3d.
+namespace conventions {
+inline constexpr Convention opengl = detail::presetNamed("opengl");
+inline constexpr Convention openglLh = detail::presetNamed("opengl-lh");
+inline constexpr Convention d3d = detail::presetNamed("d3d");
+inline constexpr Convention d3dRh = detail::presetNamed("d3d-rh");
+inline constexpr Convention vulkan = detail::presetNamed("vulkan");
+inline constexpr Convention metal = detail::presetNamed("metal");
+inline constexpr Convention webgpu = detail::presetNamed("webgpu");
+inline constexpr Convention unity = detail::presetNamed("unity");
+inline constexpr Convention unreal = detail::presetNamed("unreal");
+inline constexpr Convention opencv = detail::presetNamed("opencv");
+inline constexpr Convention ps2 = detail::presetNamed("ps2");
+}  // namespace conventions
+
+/// All of them by name; the first is the default.
+inline constexpr std::span<const ConventionPreset> conventionPresets() noexcept { return detail::kConventionPresets; }
 
 /// The preset of that name, or nothing.
-std::optional<Convention> conventionPreset(std::string_view name) noexcept;
+constexpr std::optional<Convention> conventionPreset(std::string_view name) noexcept {
+  for (const ConventionPreset& preset : conventionPresets())
+    if (preset.name == name) return preset.convention;
+  return std::nullopt;
+}
 
 }  // namespace viewproj

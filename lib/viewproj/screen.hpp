@@ -1,7 +1,183 @@
-// World to screen and back: points, pixels, rays, many of them at a time, and how wrong they may be.
+// World to screen and back: points, pixels and rays, one or many at a time, and how wrong each may be.
+//
+// Screen positions are pixels, in the viewport's origin and pixelCenter; window depth is that of depthFirst and
+// depthSecond, not clamped. Nothing here allocates or throws.
 #pragma once
 
-#include "projection/batch.hpp"
-#include "projection/bounds.hpp"
-#include "projection/ray.hpp"
-#include "projection/screen.hpp"
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "viewproj/camera.hpp"
+
+namespace viewproj {
+
+/// Which arithmetic a result is computed in: each rung costs more and promises more.
+enum class Precision {
+  fast,      ///< float32 after the eye is subtracted in double
+  standard,  ///< double, relative to the eye
+  exact,     ///< the double nearest the true value
+};
+
+/// What a point or a direction of the world is to the camera.
+enum class PointStatus : std::uint8_t {
+  inFront,     ///< has a screen position
+  behind,      ///< perspective: on or behind the plane through the eye; no screen position
+  atInfinity,  ///< orthographic: a direction, which no finite screen position belongs to
+  notFinite,   ///< the input had a NaN or an infinity, or was 0 0 0 0
+};
+
+/// The boundaries of the view that a point may lie beyond, named the same in every convention.
+enum Side : std::uint8_t {
+  sideLeft = 1,
+  sideRight = 2,
+  sideBottom = 4,
+  sideTop = 8,
+  sideNear = 16,
+  sideFar = 32,
+};
+
+/// Numbers that do not exist are NaN.
+struct ScreenPoint {
+  double x = 0, y = 0;      ///< position, in the viewport's origin and pixelCenter
+  double depth = 0;         ///< window depth, not clamped
+  double viewDistance = 0;  ///< along the viewing axis; NaN for a direction
+  PointStatus status = PointStatus::inFront;
+  std::uint8_t outside = 0;  ///< Sides the point lies beyond; a point on a boundary is inside
+  /// exact: x, y, depth and viewDistance are certainly the doubles nearest the true values. Otherwise one of them is a
+  /// tie or cancels to about 0, and within kExactUlps or kExactAbsolute.
+  bool certain = false;
+  /// What the numbers were computed in: exact where the precision asked for could not bound the point.
+  /// boundOfPoint of this precision is theirs.
+  Precision precision = Precision::exact;
+
+  bool visible() const noexcept { return status == PointStatus::inFront && outside == 0; }
+};
+
+/// Projects a point, as near the true value as ErrorBound says of the precision; points that fast or standard
+/// cannot bound are projected exactly. Subtracts the eye first (exactly, in exact), then three dot products and one
+/// division: no matrix.
+ScreenPoint worldToScreen(const Camera& camera, const Vec3& point, Precision precision = Precision::exact) noexcept;
+
+/// Homogeneous: (x/w, y/w, z/w), negative w included; with w = 0 a direction, whose vanishing point is given. Weights
+/// other than 1 are worked on in double-double whatever the precision.
+ScreenPoint worldToScreen(const Camera& camera, const Vec4& point, Precision precision = Precision::exact) noexcept;
+
+/// A single point as the batch of this name projects it, bit for bit: in the precision chosen where
+/// its pixel lies in the picture or one more picture on any side of it, exactly elsewhere. chosen is
+/// precisionWithin(camera, tolerance), found once for all points; tolerance is in pixels.
+ScreenPoint worldToScreenWithin(const Camera& camera, Precision chosen, const Vec3& point) noexcept;
+ScreenPoint worldToScreenWithin(const Camera& camera, Precision chosen, const Vec4& point) noexcept;
+
+// ---- Many points or pixels at a time
+
+/// What became of the points of a batch.
+struct BatchCounts {
+  std::size_t escalated = 0;  ///< settled one by one: off the kernel's range, next to the eye plane, or not certain
+  std::size_t uncertain = 0;  ///< exact: of those, the ones that no arithmetic here decides (ties, numbers about 0)
+};
+
+/// Screen x, screen y and window depth of each point, NaN where it has none (behind the eye plane, or not finite): the
+/// numbers of worldToScreen for a single point, bit for bit, on every processor. Both spans have the same size and may
+/// be the same memory.
+BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, std::span<Vec3> screen,
+                          Precision precision = Precision::exact) noexcept;
+
+/// The cheapest precision that is within tolerance pixels (precisionWithin) for points in the picture and one more
+/// picture on every side of it; exact for every other.
+BatchCounts worldToScreenWithin(const Camera& camera, double tolerance, std::span<const Vec3> points,
+                                std::span<Vec3> screen) noexcept;
+
+/// The same in full, with viewDistance, status and the sides a point lies beyond: the single point's, bit for bit.
+/// Takes about a third longer.
+BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, std::span<ScreenPoint> screen,
+                          Precision precision = Precision::exact) noexcept;
+BatchCounts worldToScreenWithin(const Camera& camera, double tolerance, std::span<const Vec3> points,
+                                std::span<ScreenPoint> screen) noexcept;
+
+/// The unit directions of the rays through screen positions, within kRayDirectionBound of the true ones.
+void screenToRayDirections(const Camera& camera, std::span<const Vec2> pixels, std::span<Vec3> directions) noexcept;
+
+// ---- How wrong
+
+/// exact: units in the last place of the result, for x, y, depth and viewDistance; a result that cancels to about zero
+/// keeps an absolute error instead, 1e-26 of the viewport's size, or of the whole picture's where a window was cropped
+/// or shifted from far off the axis.
+inline constexpr double kExactUlps = 0.51;
+inline constexpr double kExactAbsolute = 1e-26;
+
+/// exact, of a window depth that is not certain: the distance is known to this share, and the depth to this share of
+/// depthScale / W (perspective) or depthScale W (orthographic). It counts in slabs of far/near - 1 below 1e-11.
+inline constexpr double kExactDistance = 0x1p-96;
+
+/// The largest error of screen x and y, in pixels, and of window depth. Infinite where nothing is promised.
+struct ErrorBound {
+  double screen = 0;
+  double depth = 0;
+};
+
+/// For every point whose true pixel lies in the picture enlarged band times about its middle, between near and far in
+/// orthographic (and whose depth lies between near and far, for the depth's bound).
+ErrorBound boundInPicture(const Camera& camera, Precision precision, double band = 1) noexcept;
+
+/// For one point, wherever it lies.
+ErrorBound boundOfPoint(const Camera& camera, const Vec3& point, Precision precision) noexcept;
+
+/// Homogeneous: weights other than 1 have the bound of exact, whatever the precision, as worldToScreen works on them.
+ErrorBound boundOfPoint(const Camera& camera, const Vec4& point, Precision precision) noexcept;
+
+/// The cheapest precision that is within tolerance pixels in the whole picture and one more picture on every side of it
+/// (band 3). exact where none is.
+Precision precisionWithin(const Camera& camera, double tolerance) noexcept;
+
+// ---- Back to the world
+
+/// direction has unit length.
+struct Ray {
+  Vec3 origin, direction;
+};
+
+enum class RayOrigin {
+  eye,  ///< the plane through the eye: the eye itself in perspective, a point per pixel in orthographic
+  nearPlane,
+};
+
+/// Largest angle in radians between a ray's direction and the true one, for pixels of the picture, in every precision
+/// and whatever near and far are. Five roundings a component, (5 sqrt(3) + 1) 2^-53, plus what a pose matrix's
+/// non-orthogonality adds.
+inline constexpr double kRayDirectionBound = 1.2e-15;
+
+/// The ray of points that project to this screen position. No matrix and no inverse: window coordinates of the pixel
+/// along the camera's axes. NaN in, NaN out. In exact, each component is within 0.51 ulp of the true one.
+Ray screenToRay(const Camera& camera, const Vec2& screen, Precision precision = Precision::exact,
+                RayOrigin origin = RayOrigin::eye) noexcept;
+
+enum class DepthStatus : std::uint8_t {
+  point,
+  infinity,   ///< the window depth of points infinitely far away: a direction, no point
+  beyond,     ///< a depth that no point in front of the eye has
+  notFinite,  ///< the input had a NaN or an infinity
+};
+
+struct WorldPoint {
+  Vec3 position;  ///< NaN unless status is point
+  DepthStatus status = DepthStatus::point;
+  /// How far position can be from the true point, in world units, if the window depth given is the double nearest the
+  /// true one; infinite where that double could also be the depth of infinity. What the arithmetic adds, half a unit in
+  /// the last place of each coordinate, is included; of a point by its distance it is all.
+  double bound = 0;
+};
+
+/// How far a point moves along its ray, per unit of window depth: W^2 / |depthScale| times the slant of the ray in
+/// perspective, with W the view distance. At standard depth and W far beyond near it is enormous: a depth near 1 says
+/// little. Multiply by half the step of the depth buffer that a depth was read from.
+double distancePerDepth(const Camera& camera, const Vec2& screen, double viewDistance) noexcept;
+
+/// The point at this screen position and window depth (as worldToScreen gives it; not clamped). In double-double and
+/// rounded once; what the depth's own last digit is worth in distance is the depth's, not the arithmetic's.
+WorldPoint screenToWorld(const Camera& camera, const Vec2& screen, double depth) noexcept;
+
+/// The point at this screen position and distance along the viewing axis.
+WorldPoint screenToWorldAtDistance(const Camera& camera, const Vec2& screen, double viewDistance) noexcept;
+
+}  // namespace viewproj

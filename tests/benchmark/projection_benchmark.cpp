@@ -12,10 +12,13 @@
 #include <string>
 #include <vector>
 
+#include "camera/camera.hpp"
 #include "peers.hpp"
 #include "projection/kernels/kernels.hpp"
+#include "projection/picture_reach.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 
 namespace {
 

@@ -10,6 +10,7 @@
 #include "text/format_number.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 using namespace viewproj::cmd;
 
 namespace {

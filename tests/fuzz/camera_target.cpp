@@ -2,6 +2,7 @@
 // read again.
 #include <cmath>
 
+#include "camera/camera.hpp"
 #include "fuzz.hpp"
 #include "input/camera_source.hpp"
 #include "output/camera_text.hpp"
@@ -12,6 +13,8 @@
 #include "viewproj/screen.hpp"
 
 namespace viewproj::fuzz {
+
+using namespace detail;
 namespace {
 
 using namespace cmd;

@@ -15,6 +15,8 @@
 #include "viewproj/scene.hpp"
 
 namespace viewproj::fuzz {
+
+using namespace detail;
 namespace {
 
 using namespace cmd;

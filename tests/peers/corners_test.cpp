@@ -3,10 +3,12 @@
 // A corner's place in the world is written down from the window's edges; where it has to land is the table below, taken
 // from each API's documentation. Matrices are read back out of the sixteen numbers in memory, as that API would.
 #include "catch.hpp"
+#include "internals.hpp"
 #include "measure.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 using namespace peers;
 
 namespace {

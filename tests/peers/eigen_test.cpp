@@ -5,11 +5,13 @@
 #include <Eigen/Dense>
 
 #include "catch.hpp"
+#include "internals.hpp"
 #include "measure.hpp"
 #include "random_cameras.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 using namespace peers;
 using Eigen::Matrix4d;
 using Eigen::Vector3d;

@@ -12,11 +12,13 @@
 #include <array>
 
 #include "catch.hpp"
+#include "internals.hpp"
 #include "measure.hpp"
 #include "random_cameras.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 using namespace peers;
 
 namespace {

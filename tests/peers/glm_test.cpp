@@ -7,11 +7,13 @@
 #include <glm/mat4x4.hpp>
 
 #include "catch.hpp"
+#include "internals.hpp"
 #include "measure.hpp"
 #include "random_cameras.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 using namespace peers;
 
 namespace {

@@ -6,12 +6,14 @@
 #include <Imath/ImathMatrix.h>
 
 #include "catch.hpp"
+#include "internals.hpp"
 #include "measure.hpp"
 #include "random_cameras.hpp"
 #include "viewproj/scene.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 using namespace peers;
 
 namespace {

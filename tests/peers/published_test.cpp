@@ -3,10 +3,12 @@
 // Published to n digits, they are compared to half a unit of the last; formulas evaluated here in double, to the few
 // roundings of the formula.
 #include "catch.hpp"
+#include "internals.hpp"
 #include "measure.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 using namespace peers;
 
 namespace {

@@ -3,7 +3,9 @@
 
 #include <string>
 
+#include "camera/camera.hpp"
 #include "measure.hpp"
+#include "camera/camera.hpp"
 #include "viewproj/viewproj.hpp"
 
 namespace peers {
@@ -19,8 +21,8 @@ inline viewproj::Pose plainPose() {
   return viewproj::lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, viewproj::Handedness::right);
 }
 inline viewproj::Projection lens(double near = 0.1, double far = 1000) {
-  return viewproj::perspectiveFovY(60, viewproj::DoubleDouble(kHd.width) / viewproj::DoubleDouble(kHd.height), near,
-                                   far);
+  return viewproj::detail::perspectiveFovY(
+      60, viewproj::detail::DoubleDouble(kHd.width) / viewproj::detail::DoubleDouble(kHd.height), near, far);
 }
 
 inline bool isNaN(const viewproj::Vec3& v) { return std::isnan(v.x) && std::isnan(v.y) && std::isnan(v.z); }

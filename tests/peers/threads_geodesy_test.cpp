@@ -3,10 +3,12 @@
 #include <array>
 
 #include "catch.hpp"
+#include "internals.hpp"
 #include "viewproj/geodesy.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 
 namespace {
 

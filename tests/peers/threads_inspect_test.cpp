@@ -3,13 +3,14 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "catch.hpp"
-#include "matrices/readings.hpp"
+#include "internals.hpp"
 #include "matrix_numbers.hpp"
 #include "random_cameras.hpp"
 #include "thread_cameras.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 using namespace peers;
 
 namespace {

@@ -1,6 +1,7 @@
 // What users of other libraries have asked for or stumbled over, of depth, precision and points behind the camera: each
 // case names the threads it is about.
 #include "catch.hpp"
+#include "internals.hpp"
 #include "field_at_fault.hpp"
 #include "measure.hpp"
 #include "random_cameras.hpp"
@@ -8,6 +9,7 @@
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 using namespace peers;
 
 // 1-10: infinite and reversed depth

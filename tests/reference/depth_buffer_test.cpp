@@ -3,9 +3,11 @@
 #include <cstring>
 
 #include "catch.hpp"
+#include "internals.hpp"
 #include "reference/scene.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 using namespace reference;
 
 namespace {

@@ -6,10 +6,12 @@
 #include <vector>
 
 #include "catch.hpp"
+#include "internals.hpp"
 #include "reference/exactness.hpp"
 #include "reference/scene.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 using namespace reference;
 
 namespace {
@@ -83,7 +85,7 @@ void drawMatrix(Random& r, const Exponents& size, Scene& s) {
   if (r.chance(0.4)) {
     const Pose pose = poseFromRotation({}, {r.uniform(-1, 1), r.uniform(-1, 1), r.uniform(-1, 1), r.uniform(-1, 1)},
                                        CameraAxes::RUB, Handedness::right);
-    const DDVec3 columns[] = {pose.columns.right, pose.columns.up, -pose.columns.forward};
+    const DDVec3 columns[] = {parts(pose).columns.right, parts(pose).columns.up, -parts(pose).columns.forward};
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j) s.matrix[i][j] = columns[j][i].hi;
   } else {
@@ -192,8 +194,8 @@ enum PointKind { inView, onPlane, nextToEye, atTarget, inEyePlane, alongAxis, an
 
 Vec3 pointOfKind(Random& r, int kind, const Scene& s, const Truth& truth, const Camera& camera) {
   const Exponents any{r, 1074, 0};
-  const Vec3& eye = camera.pose.eye;
-  const Viewport& v = camera.viewport;
+  const Vec3& eye = parts(camera).pose.eye;
+  const Viewport& v = camera.viewport();
   const auto pixel = [&](double start, double size) {
     const double share = r.chance(0.2) ? std::floor(r.uniform(0, 2)) : r.uniform(0, 1);
     return start + size * share;
@@ -378,7 +380,7 @@ class Search {
 
   /// Beyond which sides the true position lies; may: so near a boundary that either is right.
   void sides(const ScreenPoint& got, const Answer& a, const ErrorBound& bound, const Vec4& p) {
-    const Viewport& v = camera_.viewport;
+    const Viewport& v = camera_.viewport();
     const Real half = Real(v.pixelCenter) - Real(0.5);
     const bool down = v.origin == Origin::topLeft;
     const auto side = [&](const Real& from, const Real& to, double slack, int flag, const char* name) {
@@ -462,7 +464,7 @@ class Search {
 
   /// The picture's bound holds for what lies in it.
   void inPicture(const ScreenPoint& got, const Answer& a, Precision precision, const Vec4& p) {
-    const Viewport& v = camera_.viewport;
+    const Viewport& v = camera_.viewport();
     const Real half = Real(v.pixelCenter) - Real(0.5);
     const Real x = a.screen.x - Real(v.x) - half, y = a.screen.y - Real(v.y) - half;
     const Real w = a.view.forward;
@@ -517,7 +519,7 @@ class Search {
   }
 
   void castRay() {
-    const Viewport& v = camera_.viewport;
+    const Viewport& v = camera_.viewport();
     const Vec2 pixel{v.x + v.width * random_.uniform(0, 1), v.y + v.height * random_.uniform(0, 1)};
     if (!std::isfinite(pixel.x) || !std::isfinite(pixel.y)) return;
     const Vec4 p{pixel.x, pixel.y, 0, 0};
@@ -534,7 +536,7 @@ class Search {
       worst_.ray = std::max(worst_.ray, off);
       if (!(off <= kRayDirectionBound)) fail("a ray is off by " + std::to_string(off / kRayDirectionBound), p);
     }
-    const double size = double(length(origin - truth_->pose.eye)) + maxAbs(camera_.pose.eye);
+    const double size = double(length(origin - truth_->pose.eye)) + maxAbs(parts(camera_).pose.eye);
     for (std::size_t k = 0; k < 3; ++k) {
       if (!isExact(exact.direction[k], direction[k], 1e-3)) fail("a direction is not exact", p);
       if (std::isfinite(double(origin[k])) && !isExact(exact.origin[k], origin[k], std::min(size, DBL_MAX)))
@@ -547,7 +549,8 @@ class Search {
   Tally& tally_;
   Worst& worst_;
   Scene scene_;
-  Camera camera_;
+  Camera camera_ = makeCamera(lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Handedness::right), frustum(-1, 1, -1, 1, 1, 2),
+                              {100, 100});  // until there is one
   std::unique_ptr<Truth> truth_, finer_;
 };
 

@@ -1,6 +1,8 @@
 // What exact promises, as a check.
 #pragma once
 
+#include "viewproj/screen.hpp"
+
 #include "projection/error_model.hpp"
 #include "reference/real.hpp"
 

@@ -2,12 +2,14 @@
 #include <vector>
 
 #include "catch.hpp"
+#include "internals.hpp"
 #include "numbers/degrees.hpp"
 #include "reference/bounds/families.hpp"
 #include "reference/exactness.hpp"
 #include "reference/scene.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 using namespace reference;
 
 TEST_CASE("A coordinate that cancels to the rounding of its point has its digits, and is certain of no other") {
@@ -20,7 +22,7 @@ TEST_CASE("A coordinate that cancels to the rounding of its point has its digits
     scene.viewport.x = -960;  // the middle of the picture is 0, and hides no digit
     scene.viewport.y = -540;
     const Camera camera = build(scene);
-    const DDVec3 &right = camera.pose.rows.right, &forward = camera.pose.rows.forward;
+    const DDVec3 &right = parts(camera).pose.rows.right, &forward = parts(camera).pose.rows.forward;
     const double aside = random.spread(1e-3, 1e18);
     Vec3 point;
     for (std::size_t i = 0; i < 3; ++i) point[i] = scene.position[i] + forward[i].hi + aside * right[i].hi;
@@ -230,7 +232,7 @@ TEST_CASE("The last digit of window depth is worth W^2 / depthScale of distance:
         const auto distanceAt = [&](double z) { return -screenToWorld(camera, {960, 540}, z).position.z; };
         const double here = distanceAt(depth), there = distanceAt(next);
         // dz = -depthScale dW / W^2; W here times W there instead of W^2 is exact for a finite step.
-        const double worth = here * there / std::fabs(camera.constants.depthScale.hi) * (depth - next);
+        const double worth = here * there / std::fabs(parts(camera).constants.depthScale.hi) * (depth - next);
         INFO("far/near " << ratio << ", reversed " << reversed << ", trial " << trial << ": distance " << w);
         CAPTURE(here, there, depth, worth);
         REQUIRE(std::fabs(here - there) == Approx(worth).epsilon(1e-9).margin(4e-16 * w));

@@ -1,5 +1,6 @@
 // Places on the Earth and cameras that stand there, against 480-bit arithmetic.
 #include "viewproj/geodesy.hpp"
+#include "internals.hpp"
 
 #include <map>
 
@@ -9,6 +10,7 @@
 #include "reference/scene.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 using namespace reference;
 
 namespace {
@@ -117,7 +119,7 @@ void requireExactProjection(Random& r, const Scene& scene, const TruePose& pose,
     if (i > 3) ++tally.nearPlane;
     if (!got.certain) ++tally.uncertain;
     // As near the eye plane as this, a point may count as on it.
-    const Real size = length(toReal(point) - pose.eye) * Real(camera.pose.exact.error * 0x1p62);
+    const Real size = length(toReal(point) - pose.eye) * Real(parts(camera).pose.exact.error * 0x1p62);
     if (view.forward > Real(0) && !(view.forward > size) && got.status == PointStatus::behind) {
       REQUIRE_FALSE(got.certain);
       ++tally.onPlane;
@@ -198,9 +200,9 @@ TEST_CASE("The axes of heading, pitch and roll are within 2^-100, and their exac
     const TruePose truth = truePose(place, turned);
     INFO("trial " << trial << ": " << place.lat << " " << place.lon << " turned " << turned.heading << " "
                   << turned.pitch << " " << turned.roll);
-    add(errors, pose.rows.right, pose.exact.right, truth.right);
-    add(errors, pose.rows.up, pose.exact.up, truth.up);
-    add(errors, pose.rows.forward, pose.exact.forward, truth.forward);
+    add(errors, parts(pose).rows.right, parts(pose).exact.right, truth.right);
+    add(errors, parts(pose).rows.up, parts(pose).exact.up, truth.up);
+    add(errors, parts(pose).rows.forward, parts(pose).exact.forward, truth.forward);
     REQUIRE(errors.rounded <= 0x1p-100);
     REQUIRE(errors.exact <= kGeodesyRowBound);
     const FineVec3 normal = ellipsoidNormal(place);

@@ -1,9 +1,11 @@
 // Written matrices, entry by entry, against products and inverses in 480 bits.
 #include "catch.hpp"
+#include "internals.hpp"
 #include "reference/exactness.hpp"
 #include "reference/scene.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 using namespace reference;
 
 namespace {
@@ -105,8 +107,8 @@ TEST_CASE("Every entry of a matrix and of its inverse is the double nearest the 
     const Real4x4 view = product(toViewAxes, axesFromWorld(truth.pose));
     const Real4x4 clip = product(product(ndcY, clipFromAxes(scene, truth.lens, ends)), toViewAxes);
     const Real4x4 viewInverse = inverse(view), clipInverse = inverse(clip);
-    const Pose& pose = camera.pose;
-    const Projection& projection = camera.projection;
+    const Pose& pose = camera.pose();
+    const Projection& projection = camera.projection();
 
     // The translation is the sum of three products.
     Real4x4 viewTerms = magnitudes(view);

@@ -1,4 +1,5 @@
 #include "numbers/radians.hpp"
+#include "internals.hpp"
 
 #include <cmath>
 #include <random>
@@ -8,6 +9,7 @@
 #include "reference/scene.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 using namespace reference;
 
 namespace {

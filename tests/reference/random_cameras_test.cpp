@@ -2,10 +2,12 @@
 #include <map>
 
 #include "catch.hpp"
+#include "internals.hpp"
 #include "reference/exactness.hpp"
 #include "reference/scene.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 using namespace reference;
 
 namespace {
@@ -62,7 +64,7 @@ TEST_CASE("Ray directions are within the bound, and exact ones within 0.51 ulp, 
     const Truth truth(scene);
     const Camera camera = build(scene);
     INFO("trial " << trial << ": " << describe(scene));
-    const Viewport& v = camera.viewport;
+    const Viewport& v = camera.viewport();
     for (int i = 0; i < 3; ++i) {
       const Vec2 pixel{v.x + v.width * random.uniform(0, 1), v.y + v.height * random.uniform(0, 1)};
       const Truth::Window window = truth.window(pixel.x, pixel.y);
@@ -74,7 +76,7 @@ TEST_CASE("Ray directions are within the bound, and exact ones within 0.51 ulp, 
       REQUIRE(angle(toReal(exact.direction), direction) <= kRayDirectionBound);
       const Real3 unitDirection = unit(direction);
       const Real3 origin = truth.lens.orthographic ? truth.pointAt(window, 0) : truth.pose.eye;
-      const double size = std::max({maxAbs(camera.pose.eye), std::fabs(scene.left), std::fabs(scene.right)});
+      const double size = std::max({maxAbs(parts(camera).pose.eye), std::fabs(scene.left), std::fabs(scene.right)});
       for (std::size_t k = 0; k < 3; ++k) {
         REQUIRE(isExact(exact.direction[k], unitDirection[k], 1e-3));
         REQUIRE(isExact(exact.origin[k], origin[k], size * 1e-3));
@@ -99,13 +101,13 @@ TEST_CASE("A point comes back from its screen position and its window depth as n
       const Real distanceTruth = truth.distanceAt(screen.depth);
       if (got.status != DepthStatus::point) {
         ++beyond;  // the depth has rounded to that of infinity
-        REQUIRE((!(distanceTruth > Real(0)) || screen.depth == camera.depthAtInfinity ||
+        REQUIRE((!(distanceTruth > Real(0)) || screen.depth == parts(camera).depthAtInfinity ||
                  std::isinf(double(distanceTruth))));
         continue;
       }
       ++points;
       const Real3 want = truth.pointAt(truth.window(screen.x, screen.y), distanceTruth);
-      const double size = std::max({maxAbs(camera.pose.eye), std::fabs(double(distanceTruth)), std::fabs(scene.left)});
+      const double size = std::max({maxAbs(parts(camera).pose.eye), std::fabs(double(distanceTruth)), std::fabs(scene.left)});
       for (std::size_t k = 0; k < 3; ++k) {
         CAPTURE(k, got.position[k], double(want[k]), screen.depth);
         REQUIRE(isExact(got.position[k], want[k], size));

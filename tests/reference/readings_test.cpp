@@ -1,14 +1,15 @@
 // Cameras of matrices that were read, against the sixteen doubles themselves, taken as exact.
-#include "matrices/readings.hpp"
 
 #include <map>
 
 #include "catch.hpp"
+#include "internals.hpp"
 #include "matrix_numbers.hpp"
 #include "reference/exactness.hpp"
 #include "reference/scene.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 using namespace reference;
 
 namespace {
@@ -110,7 +111,7 @@ class Judge {
     const ScreenPoint got = worldToScreen(c_, point);
     const Real w = truth_.forward.at(p);
     CAPTURE(point.x, point.y, point.z, got.certain, double(w));
-    judge("viewDistance", got, got.viewDistance, w, std::max(std::fabs(c_.projection.near), 1.0));
+    judge("viewDistance", got, got.viewDistance, w, std::max(std::fabs(parts(c_).projection.near), 1.0));
     if (!truth_.orthographic && !(w > Real(0))) {
       ++tally.behind;
       REQUIRE(got.status == PointStatus::behind);
@@ -119,7 +120,7 @@ class Judge {
     ++(got.certain ? tally.certain : tally.uncertain);
     REQUIRE(got.status == PointStatus::inFront);
     const Real divisor = truth_.orthographic ? Real(1) : w;
-    const Projection& lens = c_.projection;
+    const ProjectionParts& lens = parts(c_).projection;
     const auto share = [&](const Row& row, DoubleDouble low, DoubleDouble high) {
       return (row.at(p) / divisor - real(low)) / (real(high) - real(low));
     };
@@ -136,11 +137,11 @@ class Judge {
       toFar = (w - near) / (far - near);
     else
       toFar = std::isinf(lens.far) ? Real(1) - near / w : far * (w - near) / ((far - near) * w);
-    const double depths[] = {c_.viewport.depthFirst, c_.viewport.depthSecond};
-    const bool reversed = c_.convention.reverseZ;
+    const double depths[] = {c_.viewport().depthFirst, c_.viewport().depthSecond};
+    const bool reversed = c_.convention().reverseZ;
     const Real first = depths[reversed], second = depths[!reversed];
     // In a thin slab the depth is known as well as the distance.
-    const double slab = kExactDistance / kExactAbsolute * std::fabs(c_.constants.depthScale.hi);
+    const double slab = kExactDistance / kExactAbsolute * std::fabs(parts(c_).constants.depthScale.hi);
     const double size = std::fabs(double(w));
     judge("depth", got, got.depth, first + (second - first) * toFar,
           std::max(1.0, truth_.orthographic ? slab * size : slab / size));
@@ -149,7 +150,7 @@ class Judge {
  private:
   /// Where the viewing axis meets the screen, a number cancels from there on.
   double size() const {
-    return std::max({kPicture.width, std::fabs(c_.constants.centerX.hi), std::fabs(c_.constants.centerY.hi)});
+    return std::max({kPicture.width, std::fabs(parts(c_).constants.centerX.hi), std::fabs(parts(c_).constants.centerY.hi)});
   }
 
   void judgeShares(const ScreenPoint& got, const Real& x, const Real& y) const {
@@ -173,23 +174,23 @@ class Judge {
 /// A point at these distances along the camera's axes, nearly.
 Vec3 pointAt(const Camera& c, double x, double y, double w) {
   Vec3 p;
-  const Axes& a = c.pose.columns;
-  for (std::size_t i = 0; i < 3; ++i) p[i] = c.pose.eye[i] + (a.right[i].hi * x + a.up[i].hi * y + a.forward[i].hi * w);
+  const Axes& a = parts(c).pose.columns;
+  for (std::size_t i = 0; i < 3; ++i) p[i] = parts(c).pose.eye[i] + (a.right[i].hi * x + a.up[i].hi * y + a.forward[i].hi * w);
   return p;
 }
 
 Mat4 write(MatrixKind kind, const Camera& c, const Convention& target) {
   switch (kind) {
     case MatrixKind::projection:
-      return clipFromView(c.projection, target);
+      return clipFromView(c.projection(), target);
     case MatrixKind::view:
-      return viewFromWorld(c.pose, target);
+      return viewFromWorld(c.pose(), target);
     case MatrixKind::worldFromView:
-      return worldFromView(c.pose, target);
+      return worldFromView(c.pose(), target);
     case MatrixKind::viewProjection:
       break;
   }
-  return clipFromWorld(c.pose, c.projection, target);
+  return clipFromWorld(c.pose(), c.projection(), target);
 }
 
 /// A matrix of this kind: as written, a multiple of it, or with each entry a little off.
@@ -236,23 +237,23 @@ TEST_CASE("The camera of a matrix that was read is exact for its sixteen numbers
     const Numbers numbers = randomNumbers(random, kind, variant, precision);
     for (const Reading& r : inspectMatrix(numbers, precision).readings) {
       if (r.kind != kind) continue;
-      if (r.projection && !(r.projection->near < r.projection->far)) {
+      if (r.projection && !(parts(*r.projection).near < parts(*r.projection).far)) {
         ++undetermined;
         continue;
       }
-      if (r.projection && !r.projection->orthographic && !(r.projection->near > 0)) continue;
+      if (r.projection && !parts(*r.projection).orthographic && !(parts(*r.projection).near > 0)) continue;
       INFO("trial " << trial << ", kind " << int(kind) << ", variant " << variant << ", float32 "
                     << (precision == EntryPrecision::float32));
       const Camera camera = cameraOf(r);
-      CAPTURE(r.scale, camera.projection.near, camera.projection.far);
-      CAPTURE(camera.projection.left.hi, camera.projection.right.hi, camera.projection.bottom.hi,
-              camera.projection.top.hi);
+      CAPTURE(r.scale, parts(camera).projection.near, parts(camera).projection.far);
+      CAPTURE(parts(camera).projection.left.hi, parts(camera).projection.right.hi, parts(camera).projection.bottom.hi,
+              parts(camera).projection.top.hi);
       const TrueReading truth(matrixOf(numbers, r), r);
       const Judge judge(truth, camera);
-      Tally& tally = tallies[{kind, camera.projection.orthographic}];
+      Tally& tally = tallies[{kind, parts(camera).projection.orthographic}];
       scaled += r.scale != 1;
       off += variant == 2;
-      const Projection& lens = camera.projection;
+      const ProjectionParts& lens = parts(camera).projection;
       const double from = std::max(lens.near, -1e6), to = std::min(lens.far, 1e6 * std::max(1.0, std::fabs(from)));
       for (int i = 0; i < 12; ++i) {
         const double w = lens.orthographic ? random.uniform(std::min(from, to), std::max(from, to))
@@ -269,9 +270,9 @@ TEST_CASE("The camera of a matrix that was read is exact for its sixteen numbers
         judge.check(pointAt(camera, x, wide * lens.top.hi, w), tally);
         judge.check(pointAt(camera, x, y, lens.orthographic ? lens.near : 0), tally);
         judge.check(pointAt(camera, x, y, -w), tally);
-        const double ulps = maxAbs(camera.pose.eye) * 0x1p-50;
+        const double ulps = maxAbs(parts(camera).pose.eye) * 0x1p-50;
         const Vec3 step = random.vector(ulps > 0 ? ulps : 1);
-        judge.check({camera.pose.eye.x + step.x, camera.pose.eye.y + step.y, camera.pose.eye.z + step.z}, tally);
+        judge.check({parts(camera).pose.eye.x + step.x, parts(camera).pose.eye.y + step.y, parts(camera).pose.eye.z + step.z}, tally);
       }
     }
   }

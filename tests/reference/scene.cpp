@@ -1,10 +1,13 @@
 #include "reference/scene.hpp"
+#include "internals.hpp"
 
 #include <sstream>
+#include <stdexcept>
 
 namespace reference {
 
 using namespace viewproj;
+using namespace viewproj::detail;
 
 namespace {
 
@@ -24,7 +27,7 @@ Pose buildPose(const Scene& s) {
     case PoseKind::cameraFromWorld:
       return poseFromCameraFromWorld(s.matrix, s.axes, world);
   }
-  return {};
+  throw std::logic_error("a pose of no kind");
 }
 
 Projection buildLens(const Scene& s) {
@@ -51,7 +54,7 @@ Projection buildLens(const Scene& s) {
     case LensKind::orthographic:
       return orthographic(s.left, s.right, s.bottom, s.top, s.near, s.far);
   }
-  return {};
+  throw std::logic_error("a lens of no kind");
 }
 
 Real3 rotate(const Quaternion& q, const Real3& v) {

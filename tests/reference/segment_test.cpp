@@ -2,9 +2,11 @@
 #include <map>
 
 #include "catch.hpp"
+#include "internals.hpp"
 #include "reference/scene.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 using namespace reference;
 
 namespace {
@@ -41,11 +43,11 @@ TEST_CASE("A segment is cut where it crosses the sides of the view, to within th
     const Vec3 a = pointInView(random, truth, random.chance(0.5) ? 4 : 1);
     Vec3 b = pointInView(random, truth, random.chance(0.7) ? 4 : 1);
     if (random.chance(0.4))
-      for (std::size_t i = 0; i < 3; ++i) b[i] = 2 * camera.pose.eye[i] - b[i];
+      for (std::size_t i = 0; i < 3; ++i) b[i] = 2 * parts(camera).pose.eye[i] - b[i];
     // Farther along its line of sight.
     if (random.chance(0.2)) {
       const double farther = random.spread(1, 1e6);
-      for (std::size_t i = 0; i < 3; ++i) b[i] += farther * (b[i] - camera.pose.eye[i]);
+      for (std::size_t i = 0; i < 3; ++i) b[i] += farther * (b[i] - parts(camera).pose.eye[i]);
     }
     INFO("trial " << trial << ": " << describe(scene));
 

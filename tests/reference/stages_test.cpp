@@ -1,9 +1,11 @@
 // The stages that an explanation shows, each against its own truth in 480 bits.
 #include "catch.hpp"
+#include "internals.hpp"
 #include "reference/exactness.hpp"
 #include "reference/scene.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 using namespace reference;
 
 namespace {
@@ -38,11 +40,11 @@ TEST_CASE("Each stage of a point is the double nearest its own true value") {
     const Convention writing = randomWriting(random);
     Vec3 point = pointInView(random, truth, random.chance(0.3) ? 5 : 1);
     if (random.chance(0.2))
-      for (std::size_t i = 0; i < 3; ++i) point[i] = 2 * camera.pose.eye[i] - point[i];
+      for (std::size_t i = 0; i < 3; ++i) point[i] = 2 * parts(camera).pose.eye[i] - point[i];
     INFO("trial " << trial << ": " << describe(scene));
     const PointStages s = pointStages(camera, {point.x, point.y, point.z, 1}, writing);
     const Real3 relative = toReal(point) - truth.pose.eye;
-    const double reach = maxAbs(point) + maxAbs(camera.pose.eye), away = double(length(relative));
+    const double reach = maxAbs(point) + maxAbs(parts(camera).pose.eye), away = double(length(relative));
     for (std::size_t i = 0; i < 3; ++i) {
       CHECK(s.world[i] == point[i]);
       CHECK(isExact(s.relative[i], relative[i], reach));
@@ -55,7 +57,7 @@ TEST_CASE("Each stage of a point is the double nearest its own true value") {
 
     // Clip space from the true screen position, backwards through the viewport.
     const Truth::Screen screen = truth.screen(view);
-    const Viewport& v = camera.viewport;
+    const Viewport& v = camera.viewport();
     const Real half = Real(v.pixelCenter) - Real(0.5);
     const Real w = truth.lens.orthographic ? Real(1) : view.forward;
     const Real x = (screen.x - Real(v.x) - half) * Real(2) / Real(v.width) - Real(1);
@@ -63,7 +65,7 @@ TEST_CASE("Each stage of a point is the double nearest its own true value") {
     if ((v.origin == Origin::topLeft) == (writing.ndcY == NdcY::up)) y = -y;
     const NdcDepths ends = ndcDepths(writing);
     const Real z = Real(ends.atNear) + Real(ends.atFar - ends.atNear) * depthShare(scene, screen);
-    const Mat4 p = clipFromView(camera.projection, writing);
+    const Mat4 p = clipFromView(camera.projection(), writing);
     const auto size = [&](std::size_t row) {
       return std::fabs(p[row][row] * s.view[row]) + std::fabs(p[row][2] * s.view.z) + std::fabs(p[row][3]);
     };
@@ -92,7 +94,7 @@ TEST_CASE("Each stage of a point is the double nearest its own true value") {
     outside += s.screen.status == PointStatus::inFront && s.screen.outside != 0;
     orthographic += truth.lens.orthographic;
     infinite += std::isinf(scene.far);
-    residuals += camera.pose.residual.x.hi != 0;
+    residuals += parts(camera).pose.residual.x.hi != 0;
   }
   CAPTURE(behind, outside, orthographic, infinite, residuals);
   CHECK(std::min({behind, outside, orthographic, infinite, residuals}) > 1000);
@@ -105,14 +107,14 @@ TEST_CASE("Each stage of a pixel's way back is the double nearest its own true v
     const Scene scene = randomScene(random, random.spread(1e-3, 1e9));
     const Truth truth(scene);
     const Camera camera = build(scene);
-    const Viewport& v = camera.viewport;
+    const Viewport& v = camera.viewport();
     const Vec2 pixel{v.x + v.width * random.uniform(-1, 2), v.y + v.height * random.uniform(-1, 2)};
     INFO("trial " << trial << ": " << describe(scene));
     const PixelStages s = pixelStages(camera, pixel);
     const Truth::Window window = truth.window(pixel.x, pixel.y);
-    const double reach = std::fabs(pixel.x) + std::fabs(pixel.y) + std::fabs(camera.screen.centerX.hi) +
-                         std::fabs(camera.screen.centerY.hi);
-    const double tall = reach / std::min(std::fabs(camera.screen.scaleX.hi), std::fabs(camera.screen.scaleY.hi));
+    const double reach = std::fabs(pixel.x) + std::fabs(pixel.y) + std::fabs(parts(camera).screen.centerX.hi) +
+                         std::fabs(parts(camera).screen.centerY.hi);
+    const double tall = reach / std::min(std::fabs(parts(camera).screen.scaleX.hi), std::fabs(parts(camera).screen.scaleY.hi));
     CHECK(isExact(s.window.x, window.right, tall));
     CHECK(isExact(s.window.y, window.up, tall));
     const Real3 toward = truth.direction(window);

@@ -3,10 +3,12 @@
 #include <functional>
 
 #include "catch.hpp"
+#include "internals.hpp"
 #include "reference/exactness.hpp"
 #include "reference/scene.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 using namespace reference;
 
 namespace {

@@ -1,8 +1,10 @@
 // How much a window depth says about a point.
 #include "catch.hpp"
+#include "internals.hpp"
 #include "reference/scene.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 using namespace reference;
 
 TEST_CASE("A point from its rounded window depth is within the bound it comes with, and the bound is no excuse") {
@@ -12,7 +14,7 @@ TEST_CASE("A point from its rounded window depth is within the bound it comes wi
     const Scene scene = randomScene(random, random.spread(1e-3, 1e6));
     const Truth truth(scene);
     const Camera camera = build(scene);
-    const Viewport& v = camera.viewport;
+    const Viewport& v = camera.viewport();
     for (int i = 0; i < 4; ++i) {
       const Vec2 pixel{v.x + v.width * random.uniform(0, 1), v.y + v.height * random.uniform(0, 1)};
       const double far = std::isinf(scene.far) ? scene.near * 1e17 : scene.far;

@@ -8,6 +8,7 @@
 #include "stream/run.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 using namespace viewproj::cmd;
 using namespace viewproj::tests;
 

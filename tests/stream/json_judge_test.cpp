@@ -14,6 +14,7 @@
 #include "stream/random_text.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 using namespace viewproj::cmd;
 using namespace viewproj::tests;
 

@@ -4,13 +4,14 @@
 #include <vector>
 
 #include "catch.hpp"
+#include "internals.hpp"
 #include "kernels.hpp"
-#include "projection/depth_buffer.hpp"
 #include "viewproj/geodesy.hpp"
 #include "viewproj/scene.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 
 namespace {
 
@@ -67,13 +68,13 @@ TEST_CASE("Nothing allocates or throws once the camera is built") {
       const Viewport viewport{600, 400};
       const Convention convention;
       const Camera c = makeCamera(pose, lens, viewport, convention);
-      const Vec3& eye = pose.eye;
+      const Vec3 eye = pose.eye();
       // In the picture, on the eye plane, behind, not finite: among them what the exact rows settle.
       std::vector<Vec3> points;
       for (int i = 0; i < 1000; ++i) {
         const double w = i % 5 == 0 ? 0 : i % 7 == 0 ? -1 : 0.01 * i;
-        const DDVec3 p = toDoubleDouble(eye) + pose.columns.forward * DoubleDouble(w) +
-                         pose.columns.right * DoubleDouble(w * (i % 11 - 5) * 0.1);
+        const DDVec3 p = toDoubleDouble(eye) + parts(pose).columns.forward * DoubleDouble(w) +
+                         parts(pose).columns.right * DoubleDouble(w * (i % 11 - 5) * 0.1);
         points.push_back(rounded(p));
       }
       points[3].x = NAN;
@@ -160,7 +161,7 @@ TEST_CASE("Nothing allocates or throws once the camera is built") {
         }
       });
       none("depth", [&] {
-        const DepthMapping m = depthMapping(lens, 0, 1, true);
+        const DepthMapping m = depthMapping(parts(lens), 0, 1, true);
         for (const DepthFormat& format : {kFloatDepth, DepthFormat{0x1p-24, 1}}) {
           (void)depthAtDistance(m, 3);
           (void)depthSlope(m, 3);

@@ -1,4 +1,5 @@
 #include "viewproj/convention.hpp"
+#include "internals.hpp"
 
 #include <fstream>
 #include <sstream>
@@ -6,6 +7,7 @@
 #include "catch.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 
 TEST_CASE("The page of conventions has the library's table of presets, and a picture of each") {
   const std::string folder = VIEWPROJ_CONVENTIONS;

@@ -1,10 +1,12 @@
 #include "numbers/degrees.hpp"
+#include "internals.hpp"
 
 #include <random>
 
 #include "catch.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 
 TEST_CASE("The tangent of half of 90 degrees is exactly 1") {
   CHECK(tanHalfDegrees(90).hi == 1);

@@ -2,10 +2,12 @@
 #include <numbers>
 
 #include "catch.hpp"
+#include "internals.hpp"
 #include "viewproj/scene.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 
 namespace {
 
@@ -37,18 +39,18 @@ Vec4 extracted(const Mat4& m, double w, double sign, std::size_t row) {
 TEST_CASE("The planes look inwards, in the order left, right, bottom, top, near, far") {
   const Frustum f = plainFrustum();
   const double s = std::sqrt(0.5);
-  REQUIRE(f.count == 6);
-  checkEquation(f.planes[0], sideLeft, {s, 0, -s, 0});
-  checkEquation(f.planes[1], sideRight, {-s, 0, -s, 0});
-  checkEquation(f.planes[2], sideBottom, {0, s, -s, 0});
-  checkEquation(f.planes[3], sideTop, {0, -s, -s, 0});
-  checkEquation(f.planes[4], sideNear, {0, 0, -1, -1});
-  checkEquation(f.planes[5], sideFar, {0, 0, 1, 10});
+  REQUIRE(f.planes().size() == 6);
+  checkEquation(f.planes()[0], sideLeft, {s, 0, -s, 0});
+  checkEquation(f.planes()[1], sideRight, {-s, 0, -s, 0});
+  checkEquation(f.planes()[2], sideBottom, {0, s, -s, 0});
+  checkEquation(f.planes()[3], sideTop, {0, -s, -s, 0});
+  checkEquation(f.planes()[4], sideNear, {0, 0, -1, -1});
+  checkEquation(f.planes()[5], sideFar, {0, 0, 1, 10});
 }
 
 TEST_CASE("An infinite far has no plane, and nothing is too far") {
   const Frustum f = plainFrustum(1, kInfiniteFar);
-  CHECK(f.count == 5);
+  CHECK(f.planes().size() == 5);
   CHECK(cull(f, Vec3{0, 0, -1e300}).verdict == CullVerdict::inside);
   CHECK(cull(f, Sphere{{0, 0, -1e300}, 1e299}).verdict == CullVerdict::inside);
 }
@@ -56,13 +58,13 @@ TEST_CASE("An infinite far has no plane, and nothing is too far") {
 TEST_CASE("An orthographic view is a box, whose near may lie behind the eye") {
   const Frustum f = viewFrustum(makeCamera(lookAlong({1, 2, 3}, {0, 0, -1}, {0, 1, 0}, Handedness::right),
                                            orthographic(-2, 3, -1, 4, -5, 5), {100, 100}));
-  REQUIRE(f.count == 6);
-  checkEquation(f.planes[0], sideLeft, {1, 0, 0, 1});
-  checkEquation(f.planes[1], sideRight, {-1, 0, 0, 4});
-  checkEquation(f.planes[2], sideBottom, {0, 1, 0, -1});
-  checkEquation(f.planes[3], sideTop, {0, -1, 0, 6});
-  checkEquation(f.planes[4], sideNear, {0, 0, -1, 8});
-  checkEquation(f.planes[5], sideFar, {0, 0, 1, 2});
+  REQUIRE(f.planes().size() == 6);
+  checkEquation(f.planes()[0], sideLeft, {1, 0, 0, 1});
+  checkEquation(f.planes()[1], sideRight, {-1, 0, 0, 4});
+  checkEquation(f.planes()[2], sideBottom, {0, 1, 0, -1});
+  checkEquation(f.planes()[3], sideTop, {0, -1, 0, 6});
+  checkEquation(f.planes()[4], sideNear, {0, 0, -1, 8});
+  checkEquation(f.planes()[5], sideFar, {0, 0, 1, 2});
   CHECK(cull(f, Vec3{1, 2, 7.5}).verdict == CullVerdict::inside);
   CHECK(cull(f, Vec3{1, 2, 8.5}).side == sideNear);
 }
@@ -76,16 +78,16 @@ TEST_CASE("Every convention's matrix holds the same planes") {
         INFO(preset.name << (reverse ? " reversed" : ""));
         const Camera camera = makeCamera(lookAt({3, 2, 5}, {0, 1, 0}, {0, 1, 0}, c.world),
                                          shifted(perspectiveFovY(60, 1.5, 0.5, far), 0.25, -0.5), {300, 200}, c);
-        const Mat4 m = clipFromWorld(camera.pose, camera.projection, c);
+        const Mat4 m = clipFromWorld(camera.pose(), camera.projection(), c);
         const double up = c.ndcY == NdcY::up ? 1 : -1, low = c.ndcZ == NdcZ::zeroToOne ? 0 : 1;
         const Frustum f = viewFrustum(camera);
-        checkEquation(f.planes[0], sideLeft, extracted(m, 1, 1, 0));
-        checkEquation(f.planes[1], sideRight, extracted(m, 1, -1, 0));
-        checkEquation(f.planes[2], sideBottom, extracted(m, 1, up, 1));
-        checkEquation(f.planes[3], sideTop, extracted(m, 1, -up, 1));
-        checkEquation(f.planes[4], sideNear, reverse ? extracted(m, 1, -1, 2) : extracted(m, low, 1, 2));
-        if (f.count == 6)
-          checkEquation(f.planes[5], sideFar, reverse ? extracted(m, low, 1, 2) : extracted(m, 1, -1, 2));
+        checkEquation(f.planes()[0], sideLeft, extracted(m, 1, 1, 0));
+        checkEquation(f.planes()[1], sideRight, extracted(m, 1, -1, 0));
+        checkEquation(f.planes()[2], sideBottom, extracted(m, 1, up, 1));
+        checkEquation(f.planes()[3], sideTop, extracted(m, 1, -up, 1));
+        checkEquation(f.planes()[4], sideNear, reverse ? extracted(m, 1, -1, 2) : extracted(m, low, 1, 2));
+        if (f.planes().size() == 6)
+          checkEquation(f.planes()[5], sideFar, reverse ? extracted(m, low, 1, 2) : extracted(m, 1, -1, 2));
       }
 }
 
@@ -135,10 +137,11 @@ TEST_CASE("What touches a plane from within is inside, from without intersects")
 
 TEST_CASE("What is no farther beyond a plane than its bound counts as on it, and what is farther does not") {
   // A bound a million million times the true one, so that both sides of it can be told apart in doubles.
-  Frustum f = plainFrustum();
-  FrustumPlane& near = f.planes[4];
-  near.normalBound = 0x1p-10;
-  near.offsetBound = 0x1p-14;
+  FrustumParts numbers = parts(plainFrustum());
+  numbers.planes[4].normalBound = 0x1p-10;
+  numbers.planes[4].offsetBound = 0x1p-14;
+  const Frustum f = Access::whole<Frustum, FrustumParts>(std::make_shared<const FrustumParts>(numbers));
+  const ExactPlane& near = parts(f).planes[4];
   const auto size = [](const Vec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); };
   /// What is called of a shape whose point that decides lies share of the bound beyond near: z = -1 + share * bound.
   const auto at = [&](double reach, double share) {
@@ -166,7 +169,7 @@ TEST_CASE("What is no farther beyond a plane than its bound counts as on it, and
     for (const double side : {-1.0, 1.0}) {
       const Vec3 point{0.125, 0.25, at(size({0.125, 0.25, -1}), side * share)};
       const double expected = share < 1 ? 0 : -side;
-      const int sign = distanceInside(f, near, point).sign();
+      const int sign = distanceInside(parts(f), near, point).sign();
       CHECK(sign == expected);
       CHECK(cull(f, point).verdict == (expected < 0 ? CullVerdict::outside : CullVerdict::inside));
     }
@@ -214,7 +217,7 @@ TEST_CASE("A point is judged as a sphere of radius 0 there, not by its pixel") {
   const Frustum f = viewFrustum(makeCamera(lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Handedness::right),
                                            frustum(-1, 1, -1, 1, 1, 1000), {.width = 100, .height = 100, .x = 1e14}));
   const double beyond = std::nextafter(2.0, 3.0);
-  CHECK(worldToScreen(f.camera, Vec3{beyond, 0, -2}).visible());
+  CHECK(worldToScreen(f.camera(), Vec3{beyond, 0, -2}).visible());
   for (const Vec3& p :
        {Vec3{2, 0, -2}, Vec3{beyond, 0, -2}, Vec3{2.0002, 0, -2}, Vec3{0, -beyond, -2}, Vec3{0, 0, -2}}) {
     const Cull point = cull(f, p), sphere = cull(f, Sphere{p, 0}), box = cull(f, Box{p, p});

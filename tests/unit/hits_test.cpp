@@ -1,10 +1,12 @@
 #include <limits>
 
 #include "catch.hpp"
+#include "internals.hpp"
 #include "viewproj/scene.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 
 namespace {
 

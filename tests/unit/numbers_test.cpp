@@ -1,6 +1,7 @@
 #include <random>
 
 #include "catch.hpp"
+#include "internals.hpp"
 #include "numbers/certified.hpp"
 #include "numbers/dyadic.hpp"
 #include "numbers/expansion.hpp"
@@ -8,6 +9,7 @@
 #include "viewproj/vectors.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 
 TEST_CASE("A sum and a product split into the rounded result and its error") {
   const DoubleDouble sum = twoSum(1, 0x1p-60);

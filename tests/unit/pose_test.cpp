@@ -1,8 +1,10 @@
 #include "catch.hpp"
+#include "internals.hpp"
 #include "projection/eye_point.hpp"
 #include "viewproj/camera.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 
 namespace {
 
@@ -26,17 +28,17 @@ constexpr auto left = Handedness::left;
 
 TEST_CASE("In a right-handed world looking along -z, right is +x; in a left-handed one looking along +z it is too") {
   const Pose rh = lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, right);
-  CHECK(nearest(rh.rows.right) == Vec3{1, 0, 0});
-  CHECK(nearest(rh.rows.up) == Vec3{0, 1, 0});
+  CHECK(nearest(parts(rh).rows.right) == Vec3{1, 0, 0});
+  CHECK(nearest(parts(rh).rows.up) == Vec3{0, 1, 0});
   const Pose lh = lookAlong({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, left);
-  CHECK(nearest(lh.rows.right) == Vec3{1, 0, 0});
-  CHECK(nearest(lh.rows.up) == Vec3{0, 1, 0});
+  CHECK(nearest(parts(lh).rows.right) == Vec3{1, 0, 0});
+  CHECK(nearest(parts(lh).rows.up) == Vec3{0, 1, 0});
 }
 
 TEST_CASE("Up needs only a part across the viewing direction") {
   const Pose pose = lookAlong({0, 0, 0}, {0, 0, -2}, {0, 3, 5}, right);
-  CHECK(nearest(pose.rows.up) == Vec3{0, 1, 0});
-  CHECK(lookAt({-1.5e308, 0, 0}, {1.5e308, 0, 0}, {0, 1, 0}, Handedness::right).rows.forward.x.hi == 1);
+  CHECK(nearest(parts(pose).rows.up) == Vec3{0, 1, 0});
+  CHECK(parts(lookAt({-1.5e308, 0, 0}, {1.5e308, 0, 0}, {0, 1, 0}, Handedness::right)).rows.forward.x.hi == 1);
 }
 
 TEST_CASE("An up that is parallel to the view is an error, one that is off by the last bit is not") {
@@ -49,10 +51,10 @@ TEST_CASE("An up that is parallel to the view is an error, one that is off by th
 
 TEST_CASE("An eye and a target at opposite ends of doubles are as far apart as they are") {
   const Pose pose = lookAt({-1.7e308, -0.85e308, 0}, {1.7e308, 0.85e308, 0}, {0, 0, 1}, right);
-  const Vec3 forward = nearest(pose.rows.forward);
+  const Vec3 forward = nearest(parts(pose).rows.forward);
   CHECK(forward.x == 2 * forward.y);
   CHECK(forward.x * forward.x + forward.y * forward.y == Approx(1));
-  CHECK(nearest(pose.rows.up) == Vec3{0, 0, 1});
+  CHECK(nearest(parts(pose).rows.up) == Vec3{0, 0, 1});
 }
 
 TEST_CASE("An up that its own error makes doubtful is an error, long before the picture is") {
@@ -105,17 +107,17 @@ TEST_CASE("A rotation's axes must have the world's handedness, and those that fi
 }
 
 TEST_CASE("The identity rotation looks where its axes say") {
-  CHECK(nearest(poseFromRotation({}, {0, 0, 0, 1}, CameraAxes::RUB, right).rows.forward) == Vec3{0, 0, -1});
-  CHECK(nearest(poseFromRotation({}, {0, 0, 0, 1}, CameraAxes::RDF, right).rows.forward) == Vec3{0, 0, 1});
-  CHECK(nearest(poseFromRotation({}, {0, 0, 0, 1}, CameraAxes::RDF, right).rows.up) == Vec3{0, -1, 0});
-  CHECK(nearest(poseFromRotation({}, {0, 0, 0, 1}, CameraAxes::RUF, left).rows.forward) == Vec3{0, 0, 1});
-  CHECK(nearest(poseFromRotation({}, {0, 0, 0, 1}, CameraAxes::FRU, left).rows.forward) == Vec3{1, 0, 0});
+  CHECK(nearest(parts(poseFromRotation({}, {0, 0, 0, 1}, CameraAxes::RUB, right)).rows.forward) == Vec3{0, 0, -1});
+  CHECK(nearest(parts(poseFromRotation({}, {0, 0, 0, 1}, CameraAxes::RDF, right)).rows.forward) == Vec3{0, 0, 1});
+  CHECK(nearest(parts(poseFromRotation({}, {0, 0, 0, 1}, CameraAxes::RDF, right)).rows.up) == Vec3{0, -1, 0});
+  CHECK(nearest(parts(poseFromRotation({}, {0, 0, 0, 1}, CameraAxes::RUF, left)).rows.forward) == Vec3{0, 0, 1});
+  CHECK(nearest(parts(poseFromRotation({}, {0, 0, 0, 1}, CameraAxes::FRU, left)).rows.forward) == Vec3{1, 0, 0});
 }
 
 TEST_CASE("A rotation need not be of unit length") {
   const Pose one = poseFromRotation({}, {1, 2, 3, 4}, CameraAxes::RUB, right);
   const Pose tiny = poseFromRotation({}, {1e-200, 2e-200, 3e-200, 4e-200}, CameraAxes::RUB, right);
-  for (std::size_t i = 0; i < 3; ++i) CHECK(tiny.rows.right[i].hi == Approx(one.rows.right[i].hi).epsilon(1e-15));
+  for (std::size_t i = 0; i < 3; ++i) CHECK(parts(tiny).rows.right[i].hi == Approx(parts(one).rows.right[i].hi).epsilon(1e-15));
 }
 
 TEST_CASE("A pose matrix that is not a rotation says how far it is from one") {
@@ -134,11 +136,11 @@ TEST_CASE("A matrix and its inverse give the same pose") {
   const Pose pose = lookAt({1, 2, 3}, {4, 6, -5}, {0, 1, 0}, right);
   Mat4 toWorld{};
   for (std::size_t i = 0; i < 3; ++i)
-    toWorld[i] = {pose.rows.right[i].hi, pose.rows.up[i].hi, -pose.rows.forward[i].hi, pose.eye[i]};
+    toWorld[i] = {parts(pose).rows.right[i].hi, parts(pose).rows.up[i].hi, -parts(pose).rows.forward[i].hi, pose.eye()[i]};
   toWorld[3] = {0, 0, 0, 1};
   const Pose again = poseFromWorldFromCamera(toWorld, CameraAxes::RUB, right);
-  for (std::size_t i = 0; i < 3; ++i) CHECK(again.rows.forward[i].hi == Approx(pose.rows.forward[i].hi).epsilon(1e-15));
-  CHECK(again.eye == pose.eye);
+  for (std::size_t i = 0; i < 3; ++i) CHECK(parts(again).rows.forward[i].hi == Approx(parts(pose).rows.forward[i].hi).epsilon(1e-15));
+  CHECK(again.eye() == pose.eye());
 }
 
 TEST_CASE("Columns in double-double give the pose that a rotation gives, and the eye's low part is not lost") {
@@ -147,21 +149,21 @@ TEST_CASE("Columns in double-double give the pose that a rotation gives, and the
   for (const CameraAxes axes : {CameraAxes::RUB, CameraAxes::RDF, CameraAxes::RUF, CameraAxes::FRU}) {
     const Handedness world = axes == CameraAxes::RUB || axes == CameraAxes::RDF ? right : left;
     const Pose turned = poseFromRotation(eye, {0.3, -0.1, 0.7, 0.5}, axes, world);
-    const Axes& c = turned.columns;
+    const Axes& c = parts(turned).columns;
     const std::array<DDVec3, 3> columns = axes == CameraAxes::RUB   ? std::array{c.right, c.up, -c.forward}
                                           : axes == CameraAxes::RDF ? std::array{c.right, -c.up, c.forward}
                                           : axes == CameraAxes::RUF ? std::array{c.right, c.up, c.forward}
                                                                     : std::array{c.forward, c.right, c.up};
     const Pose pose = poseFromColumns(columns, off, axes, world);
     const auto same = [](const DDVec3& a, const DDVec3& b) { return maxAbs(a + -b) <= 0x1p-98; };
-    CHECK(same(pose.rows.right, turned.rows.right));
-    CHECK(same(pose.rows.up, turned.rows.up));
-    CHECK(same(pose.rows.forward, turned.rows.forward));
-    CHECK(pose.eye == eye);
-    const DDVec3 eyeBack = unroundedEye(pose);
+    CHECK(same(parts(pose).rows.right, parts(turned).rows.right));
+    CHECK(same(parts(pose).rows.up, parts(turned).rows.up));
+    CHECK(same(parts(pose).rows.forward, parts(turned).rows.forward));
+    CHECK(pose.eye() == eye);
+    const DDVec3 eyeBack = unroundedEye(parts(pose));
     for (std::size_t i = 0; i < 3; ++i) CHECK(eyeBack[i].lo == Approx(off[i].lo).epsilon(1e-9));
     // The exact rows are the rounded ones.
-    const EyePoint exact = toEyeExactly(pose, {3, 4, 5, 1}), rounded = toEye(pose, {3, 4, 5, 1});
+    const EyePoint exact = toEyeExactly(parts(pose), {3, 4, 5, 1}), rounded = toEye(parts(pose), {3, 4, 5, 1});
     for (const auto part : {&EyePoint::right, &EyePoint::up, &EyePoint::forward}) {
       const DoubleDouble a = scaleByPowerOfTwo(exact.*part, exact.exponent);
       const DoubleDouble b = scaleByPowerOfTwo(rounded.*part, rounded.exponent);

@@ -1,9 +1,11 @@
 #include "catch.hpp"
+#include "internals.hpp"
 #include "field_at_fault.hpp"
 #include "numbers/degrees.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 
 namespace {
 
@@ -85,17 +87,17 @@ TEST_CASE("Every way to give the same lens ends in the same window") {
       intrinsics(360, 360, 640, 360, kViewport, 2, 9),
   };
   for (const Projection& p : same) {
-    CHECK(p.top.hi == Approx(1).epsilon(1e-15));
-    CHECK(p.bottom.hi == Approx(-1).epsilon(1e-15));
-    CHECK(p.right.hi == Approx(aspect.hi).epsilon(1e-15));
-    CHECK(p.left.hi == Approx(-aspect.hi).epsilon(1e-15));
+    CHECK(parts(p).top.hi == Approx(1).epsilon(1e-15));
+    CHECK(parts(p).bottom.hi == Approx(-1).epsilon(1e-15));
+    CHECK(parts(p).right.hi == Approx(aspect.hi).epsilon(1e-15));
+    CHECK(parts(p).left.hi == Approx(-aspect.hi).epsilon(1e-15));
   }
 }
 
 TEST_CASE("A diagonal angle spans the picture's corners") {
   const Projection p = perspectiveFovDiagonal(90, DoubleDouble(4) / DoubleDouble(3), 1, 2);
-  CHECK(p.right.hi == Approx(0.8).epsilon(1e-15));
-  CHECK(p.top.hi == Approx(0.6).epsilon(1e-15));
+  CHECK(parts(p).right.hi == Approx(0.8).epsilon(1e-15));
+  CHECK(parts(p).top.hi == Approx(0.6).epsilon(1e-15));
 }
 
 TEST_CASE("A shift moves the picture right and up by halves of its size") {

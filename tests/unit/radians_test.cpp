@@ -1,10 +1,12 @@
 #include "numbers/radians.hpp"
+#include "internals.hpp"
 
 #include <cmath>
 
 #include "catch.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 
 TEST_CASE("The tangent of half an angle outside 0 to pi is NaN") {
   for (double radians : {0.0, -1.0, 3.1415926535897936, 7.0, double(NAN), double(INFINITY)}) {

@@ -2,9 +2,11 @@
 #include <cmath>
 
 #include "catch.hpp"
+#include "internals.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 
 namespace {
 
@@ -31,7 +33,7 @@ TEST_CASE("The corners of the view land in the corners of the picture, and count
           for (double up : {-1.0, 1.0}) {
             const Camera plain = plainCamera();
             const Viewport v{.width = 200, .height = 100, .pixelCenter = pixelCenter};
-            const Camera camera = makeCamera(plain.pose, plain.projection, v, {});
+            const Camera camera = makeCamera(plain.pose(), plain.projection(), v, {});
             const ScreenPoint p = worldToScreen(camera, Vec3{2 * right * z, up * z, -z}, precision);
             INFO(right << " " << up << " at " << z << ", pixel centres at " << pixelCenter);
             CHECK(p.x == 100 + 100 * right + (pixelCenter - 0.5));
@@ -65,7 +67,7 @@ TEST_CASE("What lies beyond a side is named by that side, in every convention") 
           const Camera plain = plainCamera();
           const Viewport v{.width = 200, .height = 100, .origin = origin};
           INFO(preset.name << (origin == Origin::topLeft ? " from the top" : " from the bottom"));
-          CHECK(worldToScreen(makeCamera(plain.pose, plain.projection, v, c), row.point, precision).outside ==
+          CHECK(worldToScreen(makeCamera(plain.pose(), plain.projection(), v, c), row.point, precision).outside ==
                 row.outside);
         }
   }
@@ -218,7 +220,7 @@ TEST_CASE("A result of zero is positive zero") {
   CHECK_FALSE(std::signbit(worldToScreen(aside, Vec3{-5e-324, 0, 0}).viewDistance));
   const Ray ray = screenToRay(plainCamera(), {100, 50});
   for (std::size_t i = 0; i < 3; ++i) CHECK((ray.direction[i] != 0 || !std::signbit(ray.direction[i])));
-  const Mat4 m = clipFromWorld(plainCamera().pose, plainCamera().projection, {});
+  const Mat4 m = clipFromWorld(plainCamera().pose(), plainCamera().projection(), {});
   for (const auto& row : m.m)
     for (double entry : row) CHECK((entry != 0 || !std::signbit(entry)));
   Convention zeroToOne;
@@ -242,7 +244,7 @@ TEST_CASE("Window depth follows the depth range and reverseZ, whatever the NDC r
     v.depthFirst = 0.25;
     v.depthSecond = 0.75;
     const Camera plain = plainCamera(1, 10, c);
-    const Camera camera = makeCamera(plain.pose, plain.projection, v, c);
+    const Camera camera = makeCamera(plain.pose(), plain.projection(), v, c);
     INFO(preset.name);
     CHECK(worldToScreen(camera, Vec3{0, 0, -1}).depth == (c.reverseZ ? 0.75 : 0.25));
     CHECK(worldToScreen(camera, Vec3{0, 0, -10}).depth == (c.reverseZ ? 0.25 : 0.75));

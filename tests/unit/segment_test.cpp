@@ -1,10 +1,12 @@
 #include <random>
 
 #include "catch.hpp"
+#include "internals.hpp"
 #include "viewproj/scene.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 
 namespace {
 
@@ -48,7 +50,7 @@ TEST_CASE("Both ends outside and the middle in the picture: cut on both sides, o
   CHECK(s.start.screen.y == Approx(45).epsilon(1e-14));
   const Camera c = plainCamera();
   const Viewport wholeCentres{.width = 200, .height = 100, .pixelCenter = 0};
-  const Frustum g = viewFrustum(makeCamera(c.pose, c.projection, wholeCentres, c.convention));
+  const Frustum g = viewFrustum(makeCamera(c.pose(), c.projection(), wholeCentres, c.convention()));
   const VisibleSegment t = clipSegment(g, {-7, 0.3, -3}, {1, 0.3, -17});
   REQUIRE(t.visible);
   CHECK((t.start.side == sideLeft && t.start.screen.x == -0.5));

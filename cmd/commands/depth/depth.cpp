@@ -10,8 +10,11 @@
 #include "text/error.hpp"
 #include "text/format_number.hpp"
 #include "text/parse_number.hpp"
+#include "camera/camera.hpp"
 
 namespace viewproj::cmd {
+
+using namespace detail;
 namespace {
 
 constexpr double kLargest = std::numeric_limits<double>::max();
@@ -93,10 +96,10 @@ WantedGap readWanted(const std::string& text, const DepthMapping& m) {
 /// The camera's near and far forward, reversed, and with far infinite.
 std::vector<NamedMapping> mappingsOf(const Projection& projection, double first, double second, bool reverseZ) {
   std::vector<NamedMapping> mappings;
-  const bool finite = std::isfinite(projection.far);
+  const bool finite = std::isfinite(projection.zFar());
   for (bool infinite : {false, true}) {
-    if (infinite ? projection.orthographic : !finite) continue;
-    Projection p = projection;
+    if (infinite ? projection.isOrthographic() : !finite) continue;
+    ProjectionParts p = parts(projection);
     if (infinite) p.far = kInfiniteFar;
     for (bool reversed : {false, true})
       mappings.push_back({reversed   ? (infinite ? "infinite reversed" : "reversed")

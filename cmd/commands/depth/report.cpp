@@ -10,6 +10,8 @@
 #include "text/parse_number.hpp"
 
 namespace viewproj::cmd {
+
+using namespace detail;
 namespace {
 
 using Rows = std::vector<std::vector<std::string>>;

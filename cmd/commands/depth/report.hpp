@@ -10,13 +10,13 @@ namespace viewproj::cmd {
 
 struct NamedMapping {
   std::string name;
-  DepthMapping mapping;
+  detail::DepthMapping mapping;
   bool own = false;  ///< the camera's
 };
 
 struct NamedFormat {
   std::string name;
-  DepthFormat format;
+  detail::DepthFormat format;
 };
 
 struct WantedGap {
@@ -32,7 +32,7 @@ struct DepthReport {
   std::vector<WantedGap> wanted;
   std::vector<std::string> notes;
 
-  const DepthMapping& own() const;
+  const detail::DepthMapping& own() const;
 };
 
 std::string depthAsTable(const DepthReport& report);

@@ -5,9 +5,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "camera/camera.hpp"
 #include "viewproj/screen.hpp"
+#include "scene/frustum_parts.hpp"
 
 namespace viewproj::cmd {
+
+using namespace detail;
 namespace {
 
 Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
@@ -29,7 +33,7 @@ bool isInPicture(const Viewport& v, const SegmentEnd& end) {
 void add(Outline& outline, const Frustum& frustum, const Vec3& a, const Vec3& b) {
   const VisibleSegment piece = clipSegment(frustum, a, b);
   if (!piece.visible) return;
-  const Viewport& viewport = frustum.camera.viewport;
+  const Viewport& viewport = frustum.camera().viewport();
   if (isInPicture(viewport, piece.start) && isInPicture(viewport, piece.end))
     outline.pieces.push_back(piece);
   else
@@ -67,7 +71,7 @@ int chordsOf(const Camera& camera, const PointAt& pointAt) {
     low = std::min(low, p.y);
     high = std::max(high, p.y);
   }
-  const double share = std::max(right - left, high - low) / 2 / std::max(camera.viewport.width, camera.viewport.height);
+  const double share = std::max(right - left, high - low) / 2 / std::max(camera.viewport().width, camera.viewport().height);
   const double chords = std::numbers::pi * std::sqrt(share / 2 / kChordShare);
   // A circle seen askew is bent more at its ends: twice as many there.
   return chords < kMostChords / 2.0 ? std::max(kFewestChords, 4 * static_cast<int>(std::ceil(chords / 2)))
@@ -77,14 +81,14 @@ int chordsOf(const Camera& camera, const PointAt& pointAt) {
 /// Of the sphere whose z is stretched.
 Outline silhouette(const Frustum& frustum, const Sphere& sphere, double stretch) {
   Outline outline;
-  const Camera& camera = frustum.camera;
+  const Camera& camera = frustum.camera();
   const auto flat = [&](const Vec3& p) { return Vec3{p.x, p.y, p.z / stretch}; };
   Circle circle;
-  if (camera.constants.orthographic) {
+  if (parts(camera).constants.orthographic) {
     const Vec3 along = flat(screenToRay(camera, {0, 0}).direction);
     circle = circleAcross(sphere.center, (1 / length(along)) * along, sphere.radius);
   } else {
-    const Vec3 toCenter = sphere.center - flat(camera.pose.eye);
+    const Vec3 toCenter = sphere.center - flat(camera.pose().eye());
     const double distance = length(toCenter), share = sphere.radius / distance;
     if (!(share < 1)) {
       outline.fault = "no outline, the eye is within it";
@@ -107,14 +111,14 @@ Outline silhouette(const Frustum& frustum, const Sphere& sphere, double stretch)
     last = next;
   }
   // From its middle the surface reaches this far along the view, both ways.
-  const DDVec3& forward = camera.pose.rows.forward;
+  const DDVec3& forward = parts(camera).pose.rows.forward;
   const double reach = sphere.radius * length({forward.x.hi, forward.y.hi, forward.z.hi * stretch});
   const Vec3 center{sphere.center.x, sphere.center.y, sphere.center.z * stretch};
   const double distance = worldToScreen(camera, center).viewDistance;
   const auto cut = [&](double plane) { return std::fabs(distance - plane) < reach; };
-  if (cut(camera.projection.near))
+  if (cut(camera.projection().zNear()))
     outline.fault = "cut by near, its edge there is not drawn";
-  else if (cut(camera.projection.far))
+  else if (cut(camera.projection().zFar()))
     outline.fault = "cut by far, its edge there is not drawn";
   return outline;
 }

@@ -59,7 +59,7 @@ std::string remarkOn(const ScreenPoint& p) {
 class Picture {
  public:
   explicit Picture(const View& view)
-      : view_(view), sheet_(makeSheet(view.camera.viewport, kTitleHeight)), labels_(sheet_.frame) {}
+      : view_(view), sheet_(makeSheet(view.camera.viewport(), kTitleHeight)), labels_(sheet_.frame) {}
 
   std::string draw() {
     for (const Outline& outline : view_.outlines) drawOutline(outline);
@@ -200,7 +200,7 @@ class Picture {
   }
 
   std::string header() const {
-    const Viewport& v = view_.camera.viewport;
+    const Viewport& v = view_.camera.viewport();
     const std::string caption = formatNumber(v.width) + " x " + formatNumber(v.height) + " pixels, counted from the " +
                                 (v.origin == Origin::topLeft ? "top" : "bottom") + " left, centres at " +
                                 formatNumber(v.pixelCenter);

@@ -4,8 +4,11 @@
 #include <cmath>
 
 #include "viewproj/clip.hpp"
+#include "camera/camera.hpp"
 
 namespace viewproj::cmd {
+
+using namespace detail;
 
 void addPoint(View& view, std::string label, const Vec4& point) {
   if (++view.pointsRead > kMostDrawn) return;
@@ -14,8 +17,8 @@ void addPoint(View& view, std::string label, const Vec4& point) {
     // View space of the default convention: x right, y up.
     const Vec3 eye = worldToView(view.camera, point, Convention{});
     const double size = std::max({std::fabs(eye.x), std::fabs(eye.y), 1e-300});
-    drawn.toward = {eye.x / size * std::fabs(view.camera.screen.scaleX.hi),
-                    eye.y / size * std::fabs(view.camera.screen.scaleY.hi)};
+    drawn.toward = {eye.x / size * std::fabs(parts(view.camera).screen.scaleX.hi),
+                    eye.y / size * std::fabs(parts(view.camera).screen.scaleY.hi)};
   }
   view.points.push_back(std::move(drawn));
 }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "camera/camera.hpp"
 #include "commands/command.hpp"
 #include "commands/options.hpp"
 #include "input/model.hpp"
@@ -11,6 +12,8 @@
 #include "text/parse_number.hpp"
 
 namespace viewproj::cmd {
+
+using namespace detail;
 namespace {
 
 constexpr int kDefaultDigits = 9, kMostDigits = 17;

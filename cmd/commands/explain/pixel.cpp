@@ -1,37 +1,42 @@
 #include <cmath>
 
+#include "camera/convention.hpp"
 #include "commands/explain/explain.hpp"
+#include "projection/stages.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
 #include "viewproj/matrices.hpp"
 #include "viewproj/screen.hpp"
+#include "camera/camera.hpp"
 
 namespace viewproj::cmd {
+
+using namespace detail;
 namespace {
 
 Term signedTerm(double sign, const std::string& name) { return sign < 0 ? Term{"-1", name} : Term{name}; }
 
 void explainWindow(Explanation& e, const Camera& camera, const Vec2& pixel, const PixelStages& s) {
-  const bool orthographic = camera.projection.orthographic;
+  const bool orthographic = camera.projection().isOrthographic();
   e.stage("pixel", "the pixel given");
   e.given("pixel.x", pixel.x);
   e.given("pixel.y", pixel.y);
   e.stage("fromCenter", "from where the viewing axis meets the screen");
-  e.given("center.x", camera.screen.centerX.hi);
-  e.given("center.y", camera.screen.centerY.hi);
+  e.given("center.x", parts(camera).screen.centerX.hi);
+  e.given("center.y", parts(camera).screen.centerY.hi);
   e.sum("fromCenter.x", {{"pixel.x"}, {"-1", "center.x"}}, s.fromCenter.x);
   e.sum("fromCenter.y", {{"pixel.y"}, {"-1", "center.y"}}, s.fromCenter.y);
   e.stage("window", orthographic ? "lengths right and up; scale = pixels per unit of length, viewport / (right - left)"
                                  : "tangents right and up; scale = pixels per tangent, viewport / (right - left)");
-  e.given("scale.x", camera.screen.scaleX.hi);
-  e.given("scale.y", camera.screen.scaleY.hi, camera.screen.scaleY.hi < 0 ? "screen y runs downwards" : "");
+  e.given("scale.x", parts(camera).screen.scaleX.hi);
+  e.given("scale.y", parts(camera).screen.scaleY.hi, parts(camera).screen.scaleY.hi < 0 ? "screen y runs downwards" : "");
   e.quotient("window.x", "fromCenter.x", "scale.x", s.window.x, "right");
   e.quotient("window.y", "fromCenter.y", "scale.y", s.window.y, "up");
 }
 
 /// In view space, and from there to the world.
 void explainRay(Explanation& e, const Camera& camera, const PixelStages& s) {
-  const bool orthographic = camera.projection.orthographic;
+  const bool orthographic = camera.projection().isOrthographic();
   const AxisSigns sign = axisSigns(e.writing().view);
   e.stage("view", orthographic ? "the ray's place in view space, and its direction along the viewing axis"
                                : "the point of the ray at distance 1, in view space");
@@ -40,7 +45,7 @@ void explainRay(Explanation& e, const Camera& camera, const PixelStages& s) {
   e.given("view.z", sign.forward, sign.forward < 0 ? "z points back" : "z points forward");
   e.stage("toward", "toward = " + e.timesInWords("W", orthographic ? "(0, 0, view.z)" : "view") +
                         ", W without its translation: in world axes");
-  e.matrix("W", worldFromView(camera.pose, e.writing()));
+  e.matrix("W", worldFromView(camera.pose(), e.writing()));
   const std::vector<std::string> view = {orthographic ? "" : "view.x", orthographic ? "" : "view.y", "view.z", ""};
   const auto toward = components("toward");
   for (std::size_t i = 0; i < 3; ++i) e.sum(toward[i], e.product("W", i, view), s.toward[i]);
@@ -59,7 +64,7 @@ void explainRay(Explanation& e, const Camera& camera, const PixelStages& s) {
 }
 
 void explainPointBehind(Explanation& e, const Camera& camera, double depth, const DepthStages& d) {
-  const bool orthographic = camera.projection.orthographic;
+  const bool orthographic = camera.projection().isOrthographic();
   e.stage("distance", orthographic ? "distance = offset + scale * depth, along the viewing axis"
                                    : "1 / distance = offset + scale * depth, linear in depth as 1/z is on the screen");
   e.given("depth", depth);
@@ -93,7 +98,7 @@ Explanation explainPixel(const Camera& camera, const Convention& writing, const 
   const DepthStages d = depthStages(camera, pixel, *depth);
   if (d.point.status == DepthStatus::beyond)
     throw InputError("--pixel: depth " + formatNumber(*depth) + " lies beyond infinity, whose window depth is " +
-                     formatNumber(camera.depthAtInfinity) + ": no point in front of the eye has it");
+                     formatNumber(parts(camera).depthAtInfinity) + ": no point in front of the eye has it");
   explainPointBehind(e, camera, *depth, d);
   e.result({"point", numbers(d.point.position), {}, {}});
   return e;

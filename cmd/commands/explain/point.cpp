@@ -1,11 +1,16 @@
 #include <cmath>
 
+#include "camera/camera.hpp"
+#include "camera/convention.hpp"
 #include "commands/explain/explain.hpp"
+#include "projection/stages.hpp"
 #include "text/error.hpp"
 #include "viewproj/clip.hpp"
 #include "viewproj/matrices.hpp"
 
 namespace viewproj::cmd {
+
+using namespace detail;
 namespace {
 
 bool dividesWeight(double w) { return w != 0 && w != 1; }
@@ -61,7 +66,7 @@ void explainView(Explanation& e, const Camera& camera, const PointStages& s, boo
   const ViewAxes axes = e.writing().view;
   e.stage("view", "view = " + e.timesInWords("V", "relative") +
                       ", V without its translation: the eye is subtracted already (" + axesInWords(axes) + ")");
-  e.matrix("V", viewFromWorld(camera.pose, e.writing()));
+  e.matrix("V", viewFromWorld(camera.pose(), e.writing()));
   const auto names = components("view");
   for (std::size_t i = 0; i < 3; ++i)
     e.sum(names[i], e.product("V", i, {"relative.x", "relative.y", "relative.z", ""}), s.view[i]);
@@ -75,13 +80,13 @@ void explainView(Explanation& e, const Camera& camera, const PointStages& s, boo
 /// Where w comes from.
 std::string weightInWords(const Camera& camera, const Convention& c) {
   const std::string line = c.vectors == Vectors::row ? "the fourth column of P" : "the fourth row of P";
-  if (camera.projection.orthographic) return line + " is 0 0 0 1: w stays what it is";
+  if (camera.projection().isOrthographic()) return line + " is 0 0 0 1: w stays what it is";
   return line + " makes w = " + (axisSigns(c.view).forward < 0 ? "-z" : "z") + ", the distance along the view";
 }
 
 void explainClip(Explanation& e, const Camera& camera, const PointStages& s) {
   e.stage("clip", "clip = " + e.timesInWords("P", "view"));
-  e.matrix("P", clipFromView(camera.projection, e.writing()));
+  e.matrix("P", clipFromView(camera.projection(), e.writing()));
   const std::vector<std::string> view = {"view.x", "view.y", "view.z", "view.w"};
   e.sum("clip.x", e.product("P", 0, view), s.clip.x);
   e.sum("clip.y", e.product("P", 1, view), s.clip.y);
@@ -117,22 +122,22 @@ void explainInequalities(Explanation& e, const PointStages& s) {
 }
 
 void explainDepth(Explanation& e, const Camera& camera, const Vec4& point, const PointStages& s) {
-  const bool exchanged = e.writing().reverseZ != camera.convention.reverseZ;
+  const bool exchanged = e.writing().reverseZ != camera.convention().reverseZ;
   const std::vector<Term> terms = e.product("S", 2, {"ndc.x", "ndc.y", "ndc.z", "1"});
   if (!exchanged) {
     e.sum("depth", terms, s.screen.depth, "window depth");
     return;
   }
   // The file's own depth: near and far change places.
-  const Viewport& v = camera.viewport;
-  Convention exchange = camera.convention;
+  const Viewport& v = camera.viewport();
+  Convention exchange = camera.convention();
   exchange.reverseZ = e.writing().reverseZ;
-  const Camera written = makeCamera(camera.pose, camera.projection, v, exchange);
+  const Camera written = makeCamera(camera.pose(), camera.projection(), v, exchange);
   e.given("depth.first", v.depthFirst);
   e.given("depth.second", v.depthSecond);
   e.sum("depth.written", terms, worldToScreen(written, point).depth, "in the convention written");
   e.sum("depth", {{"depth.first"}, {"depth.second"}, {"-1", "depth.written"}}, s.screen.depth,
-        "window depth: the file has reverseZ " + std::string(camera.convention.reverseZ ? "true" : "false"));
+        "window depth: the file has reverseZ " + std::string(camera.convention().reverseZ ? "true" : "false"));
 }
 
 void explainScreen(Explanation& e, const Camera& camera, const Vec4& point, const PointStages& s) {
@@ -147,7 +152,7 @@ void explainScreen(Explanation& e, const Camera& camera, const Vec4& point, cons
   e.quotient("ndc.y", "clip.y", "clip.w", s.ndc.y);
   e.quotient("ndc.z", "clip.z", "clip.w", s.ndc.z);
   e.stage("screen", "(screen.x, screen.y, depth) = " + e.timesInWords("S", "ndc") + ", the viewport's pixels");
-  e.matrix("S", screenFromNdc(camera.viewport, e.writing()));
+  e.matrix("S", screenFromNdc(camera.viewport(), e.writing()));
   e.sum("screen.x", e.product("S", 0, {"ndc.x", "ndc.y", "ndc.z", "1"}), s.screen.x);
   e.sum("screen.y", e.product("S", 1, {"ndc.x", "ndc.y", "ndc.z", "1"}), s.screen.y);
   explainDepth(e, camera, point, s);
@@ -171,18 +176,18 @@ void giveResults(Explanation& e, const ScreenPoint& p) {
 }  // namespace
 
 void explainCamera(Explanation& e, const Camera& camera) {
-  const Projection& p = camera.projection;
-  e.stage("camera", p.orthographic ? "the file's camera; window edges are lengths"
+  const Projection& p = camera.projection();
+  e.stage("camera", p.isOrthographic() ? "the file's camera; window edges are lengths"
                                    : "the file's camera; window edges are tangents, at distance 1");
-  const Vec3 eye = rounded(unroundedEye(camera.pose));
+  const Vec3 eye = rounded(unroundedEye(parts(camera).pose));
   const auto names = components("eye");
   for (std::size_t i = 0; i < 3; ++i) e.given(names[i], eye[i]);
-  e.given("window.left", p.left.hi);
-  e.given("window.right", p.right.hi);
-  e.given("window.bottom", p.bottom.hi);
-  e.given("window.top", p.top.hi);
-  e.given("near", p.near);
-  if (std::isfinite(p.far)) e.given("far", p.far);
+  e.given("window.left()", p.left());
+  e.given("window.right()", p.right());
+  e.given("window.bottom()", p.bottom());
+  e.given("window.top()", p.top());
+  e.given("near", p.zNear());
+  if (std::isfinite(p.zFar())) e.given("far", p.zFar());
 }
 
 Explanation explainPoint(const Camera& camera, const Convention& writing, const Vec4& local,

@@ -17,6 +17,8 @@
 #include "viewproj/camera.hpp"
 
 namespace viewproj::cmd {
+
+using namespace detail;
 namespace {
 
 constexpr std::size_t kMostBytes = 1 << 20;

@@ -8,6 +8,8 @@
 #include "text/format_number.hpp"
 
 namespace viewproj::cmd {
+
+using namespace detail;
 namespace {
 
 bool isAffine(const Reading& r) { return !r.lens || r.lens->orthographic; }

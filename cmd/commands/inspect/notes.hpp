@@ -9,9 +9,9 @@
 namespace viewproj::cmd {
 
 /// What the numbers leave open, and what is seen where one reading is taken for another.
-std::vector<std::string> notesOn(const std::vector<Reading>& readings);
+std::vector<std::string> notesOn(const std::vector<detail::Reading>& readings);
 
 /// A decimal number of the interval with as few digits as there is one.
-std::string shortestWithin(const Estimate& estimate);
+std::string shortestWithin(const detail::Estimate& estimate);
 
 }  // namespace viewproj::cmd

@@ -12,6 +12,8 @@
 #include "text/names.hpp"
 
 namespace viewproj::cmd {
+
+using namespace detail;
 namespace {
 
 using Json = nlohmann::ordered_json;

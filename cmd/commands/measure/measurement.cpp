@@ -97,8 +97,8 @@ void addTextbook(Bench& bench, const char* mode, const Camera& camera, std::span
 
 /// What an angle is worth in pixels at the picture's middle; nothing in orthographic, where all rays are parallel.
 std::optional<double> pixelsPerRadian(const Camera& camera) {
-  if (camera.projection.orthographic) return std::nullopt;
-  const Viewport& v = camera.viewport;
+  if (camera.projection().isOrthographic()) return std::nullopt;
+  const Viewport& v = camera.viewport();
   const double x = v.x + (v.pixelCenter - 0.5) + v.width / 2, y = v.y + (v.pixelCenter - 0.5) + v.height / 2;
   const auto across = [&](double dx, double dy) {
     const Vec3 a = screenToRay(camera, {x - dx / 2, y - dy / 2}).direction;
@@ -173,7 +173,7 @@ Measurement measure(const Camera& camera, std::span<const Vec3> points, double t
   m.points = points.size();
   m.visible = visible.size();
   m.rounds = timings.rounds;
-  m.kernel = kernels().name;
+  m.kernel = detail::kernels().name;
   m.tolerance = tolerance;
   const auto firstRay = bench.rows.begin() + static_cast<std::ptrdiff_t>(projecting);
   m.projecting.assign(bench.rows.begin(), firstRay);

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "viewproj/camera.hpp"
+#include "viewproj/screen.hpp"
 
 namespace viewproj::cmd {
 

@@ -4,9 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "camera/convention.hpp"
 #include "viewproj/matrices.hpp"
 
 namespace viewproj::cmd {
+
+using namespace detail;
 namespace {
 
 Vec3 unproject(const Mat4& worldFromClip, double x, double y, double z) {
@@ -22,8 +25,8 @@ Vec3 unproject(const Mat4& worldFromClip, double x, double y, double z) {
 
 template <class T>
 TextbookCamera<T> textbookCamera(const Camera& camera) {
-  const Mat4 matrix = clipFromWorld(camera.pose, camera.projection, camera.convention);
-  const Mat4 viewport = screenFromNdc(camera.viewport, camera.convention);
+  const Mat4 matrix = clipFromWorld(camera.pose(), camera.projection(), camera.convention());
+  const Mat4 viewport = screenFromNdc(camera.viewport(), camera.convention());
   TextbookCamera<T> t;
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = 0; j < 4; ++j) t.clipFromWorld[i][j] = static_cast<T>(matrix[i][j]);
@@ -59,9 +62,9 @@ template void projectByMatrix<float>(const TextbookCamera<float>&, std::span<con
                                      std::span<Vector3<float>>);
 
 TextbookInverse textbookInverse(const Camera& camera) {
-  const Mat4 viewport = ndcFromScreen(camera.viewport, camera.convention);
-  const NdcDepths depths = ndcDepths(camera.convention);
-  return {worldFromClip(camera.pose, camera.projection, camera.convention),
+  const Mat4 viewport = ndcFromScreen(camera.viewport(), camera.convention());
+  const NdcDepths depths = ndcDepths(camera.convention());
+  return {worldFromClip(camera.pose(), camera.projection(), camera.convention()),
           {viewport[0][0], viewport[1][1]},
           {viewport[0][3], viewport[1][3]},
           depths.atNear,

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "camera/camera.hpp"
 #include "input/importers/importer.hpp"
 #include "input/placement.hpp"
 #include "numbers/radians.hpp"
 
 namespace viewproj::cmd {
+
+using namespace detail;
 namespace {
 
 bool recognises(const nlohmann::json& root) {

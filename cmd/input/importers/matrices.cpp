@@ -11,8 +11,12 @@
 #include "input/importers/importer.hpp"
 #include "matrices/readings.hpp"
 #include "text/names.hpp"
+#include "camera/camera.hpp"
+#include "camera/viewport.hpp"
 
 namespace viewproj::cmd {
+
+using namespace detail;
 namespace {
 
 struct Slot {
@@ -72,8 +76,8 @@ std::optional<Pose> poseOf(const GivenMatrix& m, const Reading& r) {
   const Handedness world = isInOrigin(m, r) ? handednessOf(r.convention.view) : r.convention.world;
   if (isInOrigin(m, r)) return poseFromRotation({}, {}, cameraAxesOf(r.convention.view), world);
   if (r.kind != MatrixKind::viewProjection) return r.pose;
-  const Axes& axes = r.pose->columns;
-  return poseFromColumns({axes.right, axes.up, axes.forward}, unroundedEye(*r.pose), CameraAxes::RUF, world);
+  const Axes& axes = parts(*r.pose).columns;
+  return poseFromColumns({axes.right, axes.up, axes.forward}, unroundedEye(parts(*r.pose)), CameraAxes::RUF, world);
 }
 
 std::optional<GivenMatrix> readGiven(const ObjectReader& file, const Slot& slot) {
@@ -240,7 +244,7 @@ CameraFile read(const Document& document, std::size_t, const CameraReading& read
     if (given.slot.kind != MatrixKind::projection)
       pose = located(file, {{"columns", given.key}, {"position", given.key}}, [&] { return poseOf(given, r); });
     if (!r.projection) continue;
-    const Projection& p = *r.projection;
+    const ProjectionParts& p = parts(*r.projection);
     projection =
         located(file, {{"near", given.key}, {"far", given.key}, {"right", given.key}, {"top", given.key}}, [&] {
           return p.orthographic ? orthographic(p.left, p.right, p.bottom, p.top, p.near, p.far)
@@ -250,9 +254,9 @@ CameraFile read(const Document& document, std::size_t, const CameraReading& read
   }
   // Matrices relative to the eye have it beside them.
   if (const auto eye = file.vec3("eye"); eye && pose) {
-    const Axes& columns = pose->columns;
+    const Axes& columns = parts(*pose).columns;
     pose = located(file, {{"position", "eye"}}, [&] {
-      return poseFromColumns({columns.right, columns.up, columns.forward}, unroundedEye(*pose) + toDoubleDouble(*eye),
+      return poseFromColumns({columns.right, columns.up, columns.forward}, unroundedEye(parts(*pose)) + toDoubleDouble(*eye),
                              CameraAxes::RUF, convention.world);
     });
   }

@@ -3,11 +3,14 @@
 // Source: nerfstudio, "Data conventions"; instant-ngp, "NeRF dataset tips".
 #include <nlohmann/json.hpp>
 
+#include "camera/camera.hpp"
 #include "input/importers/importer.hpp"
 #include "numbers/radians.hpp"
 #include "text/names.hpp"
 
 namespace viewproj::cmd {
+
+using namespace detail;
 namespace {
 
 bool recognises(const nlohmann::json& root) {

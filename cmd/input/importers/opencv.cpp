@@ -4,10 +4,13 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "camera/camera.hpp"
 #include "input/importers/importer.hpp"
 #include "numbers/radians.hpp"
 
 namespace viewproj::cmd {
+
+using namespace detail;
 namespace {
 
 constexpr std::string_view kK[] = {"K", "camera_matrix", "cameraMatrix", "mtx"};

@@ -2,11 +2,14 @@
 // PerspectiveCamera and OrthographicCamera, three.js r187; matrixWorldInverse there leaves scales out too.
 #include <nlohmann/json.hpp>
 
+#include "camera/camera.hpp"
 #include "input/importers/importer.hpp"
 #include "input/placement.hpp"
 #include "numbers/degrees.hpp"
 
 namespace viewproj::cmd {
+
+using namespace detail;
 namespace {
 
 constexpr std::string_view kPerspective = "PerspectiveCamera", kOrthographic = "OrthographicCamera";

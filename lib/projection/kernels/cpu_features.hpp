@@ -26,7 +26,7 @@
   X(__MOVBE__, cpuidBit(1, 22))                                           \
   X(__LZCNT__, cpuidBit(0x80000001, 5))
 
-namespace viewproj {
+namespace viewproj::detail {
 namespace {
 
 // A macro that is not defined is its own text, one that is defined is 1.
@@ -46,4 +46,4 @@ consteval unsigned compiledFeatures() noexcept {
 #undef VIEWPROJ_TEXT
 
 }  // namespace
-}  // namespace viewproj
+}  // namespace viewproj::detail

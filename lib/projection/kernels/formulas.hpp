@@ -13,7 +13,7 @@
 #include "projection/error_model.hpp"
 #include "projection/picture_reach.hpp"
 
-namespace viewproj {
+namespace viewproj::detail {
 namespace {
 
 /// What formulas are written in terms of: D a double or a vector of doubles, F a float or a vector of floats, M and FM
@@ -412,4 +412,4 @@ class RayFormula {
 };
 
 }  // namespace
-}  // namespace viewproj
+}  // namespace viewproj::detail

@@ -8,7 +8,7 @@
 #include <cpuid.h>
 #endif
 
-namespace viewproj {
+namespace viewproj::detail {
 
 extern const Kernels kPortableKernels;
 #ifdef VIEWPROJ_X86_KERNELS
@@ -75,4 +75,4 @@ const Kernels& kernels() noexcept {
 
 void forceKernels(const Kernels* kernels) noexcept { forced.store(kernels, std::memory_order_relaxed); }
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

@@ -6,7 +6,7 @@
 
 #include "camera/camera.hpp"
 
-namespace viewproj {
+namespace viewproj::detail {
 
 /// What a kernel does with a lane that it cannot settle itself.
 struct Unsettled {
@@ -44,4 +44,4 @@ const Kernels& kernels() noexcept;
 /// For tests: all threads use this one, which must be supported, until told otherwise; null for the best again.
 void forceKernels(const Kernels* kernels) noexcept;
 
-}  // namespace viewproj
+}  // namespace viewproj::detail

@@ -10,7 +10,7 @@
 
 #include "projection/kernels/formulas.hpp"
 
-namespace viewproj {
+namespace viewproj::detail {
 namespace {
 
 // One for each instruction set, each in its own source.
@@ -171,6 +171,6 @@ struct VectorLanes {
 };
 
 }  // namespace
-}  // namespace viewproj
+}  // namespace viewproj::detail
 
 #endif

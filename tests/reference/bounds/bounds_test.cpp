@@ -10,11 +10,13 @@
 #include <map>
 
 #include "catch.hpp"
+#include "internals.hpp"
 #include "kernels.hpp"
 #include "reference/bounds/families.hpp"
 #include "reference/bounds/oracle.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 using namespace reference;
 
 namespace {

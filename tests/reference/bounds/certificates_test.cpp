@@ -9,10 +9,12 @@
 #include <vector>
 
 #include "catch.hpp"
+#include "internals.hpp"
 #include "projection/kernels/kernels.hpp"
 #include "reference/bounds/oracle.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 using namespace reference;
 
 namespace {

@@ -1,10 +1,12 @@
 #include "reference/bounds/families.hpp"
+#include "internals.hpp"
 
 #include <algorithm>
 
 namespace reference {
 
 using namespace viewproj;
+using namespace viewproj::detail;
 
 Scene plainScene(Random& r) {
   Scene s;
@@ -46,18 +48,18 @@ namespace {
 /// Where the library puts the pixel at that distance: any point is a test, so what places it need not be right.
 Vec3 atPixel(const Camera& c, double x, double y, double distance) {
   const WorldPoint p = screenToWorldAtDistance(c, {x, y}, distance);
-  return p.status == DepthStatus::point ? p.position : c.pose.eye;
+  return p.status == DepthStatus::point ? p.position : parts(c).pose.eye;
 }
 
 double distanceInView(Random& r, const Camera& c) {
-  const Projection& p = c.projection;
-  if (p.orthographic) return r.uniform(p.near, p.far);
-  return std::clamp(r.spread(p.near, std::isinf(p.far) ? p.near * 1e6 : p.far), p.near, p.far);
+  const Projection& p = c.projection();
+  if (parts(p).orthographic) return r.uniform(parts(p).near, parts(p).far);
+  return std::clamp(r.spread(parts(p).near, std::isinf(parts(p).far) ? parts(p).near * 1e6 : parts(p).far), parts(p).near, parts(p).far);
 }
 
 /// Anywhere in the picture enlarged band times about its middle.
 Vec3 inBand(Random& r, const Camera& c, double band, double distance) {
-  const Viewport& v = c.viewport;
+  const Viewport& v = c.viewport();
   return atPixel(c, v.x + v.width * (0.5 + band * r.uniform(-0.5, 0.5)),
                  v.y + v.height * (0.5 + band * r.uniform(-0.5, 0.5)), distance);
 }
@@ -75,22 +77,22 @@ Vec3 inView(Random& r, const Scene&, const Camera& c) {
   const double distance = distanceInView(r, c);
   if (where < 0.8) return inBand(r, c, 1, distance);
   if (where < 0.9) return inBand(r, c, 3, distance);
-  if (where < 0.94) return inBand(r, c, 1, c.projection.orthographic ? distance : distance * r.spread(1e-6, 1));
+  if (where < 0.94) return inBand(r, c, 1, parts(c).projection.orthographic ? distance : distance * r.spread(1e-6, 1));
   if (where < 0.97) return inBand(r, c, r.spread(1, 1e6), distance);
   const Vec3 p = inBand(r, c, 1, distance);
-  return {2 * c.pose.eye.x - p.x, 2 * c.pose.eye.y - p.y, 2 * c.pose.eye.z - p.z};
+  return {2 * parts(c).pose.eye.x - p.x, 2 * parts(c).pose.eye.y - p.y, 2 * parts(c).pose.eye.z - p.z};
 }
 
 /// W is this share of the distance to the eye, on either side.
 Vec3 nextToEyePlane(Random& r, const Camera& c, double least, double most) {
   const double distance = r.spread(0.1, 1000);
   const double angle = r.uniform(0, 6.3);
-  return offset(c.pose.eye, c.pose.rows, distance * std::cos(angle), distance * std::sin(angle),
+  return offset(parts(c).pose.eye, parts(c).pose.rows, distance * std::cos(angle), distance * std::sin(angle),
                 r.sign() * distance * r.spread(least, most));
 }
 
 Vec3 onPictureEdge(Random& r, const Scene&, const Camera& c) {
-  const Viewport& v = c.viewport;
+  const Viewport& v = c.viewport();
   const double share = r.chance(0.3) ? std::floor(r.uniform(0, 2)) : r.uniform(0, 1);
   const double end = std::floor(r.uniform(0, 2));
   const bool upright = r.chance(0.5);
@@ -102,7 +104,7 @@ Vec3 onPictureEdge(Random& r, const Scene&, const Camera& c) {
 Vec3 inViewShrunk(Random& r, const Scene&, const Camera& c, double size) {
   const Vec3 p = inBand(r, c, 1, 1);
   const double shrink = size * r.spread(1e-3, 1);
-  return {(p.x - c.pose.eye.x) * shrink, (p.y - c.pose.eye.y) * shrink, (p.z - c.pose.eye.z) * shrink};
+  return {(p.x - parts(c).pose.eye.x) * shrink, (p.y - parts(c).pose.eye.y) * shrink, (p.z - c.pose().eye().z) * shrink};
 }
 
 Vec3 wholeVector(Random& r, double size) {
@@ -177,9 +179,9 @@ void fromMatrix(Random& r, Scene& s, double reach) {
   s.poseKind = PoseKind::cameraFromWorld;
   s.axes = CameraAxes::RUB;
   for (std::size_t j = 0; j < 3; ++j) {
-    s.matrix[0][j] = pose.rows.right[j].hi;
-    s.matrix[1][j] = pose.rows.up[j].hi;
-    s.matrix[2][j] = -pose.rows.forward[j].hi;
+    s.matrix[0][j] = parts(pose).rows.right[j].hi;
+    s.matrix[1][j] = parts(pose).rows.up[j].hi;
+    s.matrix[2][j] = -parts(pose).rows.forward[j].hi;
   }
   const Vec3 translation = r.vector(reach);
   for (std::size_t i = 0; i < 3; ++i) s.matrix[i][3] = translation[i];
@@ -307,7 +309,7 @@ const Family kFamilies[] = {
        s.near = 1e3, s.far = 1e9;
      },
      [](Random& r, const Scene&, const Camera& c) {
-       Vec3 p = c.pose.eye;
+       Vec3 p = parts(c).pose.eye;
        for (std::size_t i = 0; i < 3; ++i)
          for (int steps = int(r.uniform(0, 3)); steps > 0; --steps) p[i] = std::nextafter(p[i], r.sign() * INFINITY);
        return p;
@@ -329,7 +331,7 @@ const Family kFamilies[] = {
        s.fx = r.spread(10, 1e4), s.fy = r.spread(10, 1e4), s.cx = s.cy = 0;
      },
      [](Random& r, const Scene&, const Camera& c) {
-       return offset(c.pose.eye, c.pose.rows, r.spread(1e-300, 1), r.spread(1e-300, 1), 1);
+       return offset(parts(c).pose.eye, parts(c).pose.rows, r.spread(1e-300, 1), r.spread(1e-300, 1), 1);
      },
      0.5},
     {"rows next to 2^40", [](Random& r, Scene& s) { s.fov = r.spread(3e-8, 1e-7); }, inView},

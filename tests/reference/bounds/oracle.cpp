@@ -1,4 +1,5 @@
 #include "reference/bounds/oracle.hpp"
+#include "internals.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -6,6 +7,7 @@
 namespace reference {
 
 using namespace viewproj;
+using namespace viewproj::detail;
 
 namespace {
 

@@ -11,10 +11,12 @@
 #include <vector>
 
 #include "catch.hpp"
+#include "internals.hpp"
 #include "reference/bounds/families.hpp"
 #include "reference/bounds/oracle.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 using namespace reference;
 
 namespace {

@@ -4,9 +4,11 @@
 #include <sstream>
 
 #include "catch.hpp"
+#include "internals.hpp"
 #include "reference/scene.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 using namespace reference;
 
 namespace {

@@ -1,4 +1,5 @@
 #include "reference/shapes/hit_cases.hpp"
+#include "internals.hpp"
 
 #include <cmath>
 #include <limits>
@@ -6,6 +7,7 @@
 namespace reference {
 
 using namespace viewproj;
+using namespace viewproj::detail;
 
 namespace {
 

@@ -1,4 +1,5 @@
 #include "reference/shapes/hit_truth.hpp"
+#include "internals.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -6,6 +7,7 @@
 namespace reference {
 
 using namespace viewproj;
+using namespace viewproj::detail;
 
 namespace {
 

@@ -6,9 +6,11 @@
 #include <sstream>
 
 #include "catch.hpp"
+#include "internals.hpp"
 #include "reference/shapes/hit_cases.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 using namespace reference;
 
 namespace {
