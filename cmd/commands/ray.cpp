@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "camera/camera.hpp"
 #include "commands/command.hpp"
 #include "commands/options.hpp"
 #include "input/points.hpp"
@@ -12,7 +13,6 @@
 #include "viewproj/geodesy.hpp"
 #include "viewproj/scene.hpp"
 #include "viewproj/screen.hpp"
-#include "camera/camera.hpp"
 
 namespace viewproj::cmd {
 

@@ -41,7 +41,8 @@ Affine affineOf(const PlacedNode& node) {
   }
   const Pose pose = ownPose(node);
   const Vec3 scale = node.scale.value_or(Vec3{1, 1, 1});
-  a.columns = {parts(pose).columns.right * scale.x, parts(pose).columns.up * scale.y, -parts(pose).columns.forward * scale.z};
+  a.columns = {parts(pose).columns.right * scale.x, parts(pose).columns.up * scale.y,
+               -parts(pose).columns.forward * scale.z};
   a.origin = toDoubleDouble(pose.eye());
   return a;
 }

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <limits>
 
+#include "camera/camera.hpp"
 #include "camera/screen_map.hpp"
 #include "output/camera_text.hpp"
-#include "camera/camera.hpp"
 
 namespace viewproj::cmd {
 

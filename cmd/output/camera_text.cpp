@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "camera/camera.hpp"
 #include "camera/screen_map.hpp"
 #include "input/convention_names.hpp"
 #include "input/viewport_fields.hpp"
@@ -11,7 +12,6 @@
 #include "output/camera_fields.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
-#include "camera/camera.hpp"
 
 namespace viewproj::cmd {
 

@@ -400,8 +400,7 @@ Pose poseFromAxes(const Vec3& position, const FineVec3& right, const FineVec3& u
   return made({position, axes, axes, {}, exact});
 }
 
-Pose poseFromColumns(const std::array<DDVec3, 3>& columns, const DDVec3& eye, CameraAxes axes,
-                             Handedness world) {
+Pose poseFromColumns(const std::array<DDVec3, 3>& columns, const DDVec3& eye, CameraAxes axes, Handedness world) {
   const Columns c{rounded(columns[0]), rounded(columns[1]), rounded(columns[2])};
   requireFinite(rounded(eye), "position");
   for (const Vec3& column : c) requireFinite(column, "columns");

@@ -110,8 +110,9 @@ void setLens(Reading& reading, const ClipParts& p, const DepthPlanes& depth) noe
   lens.far = depth.far;
   lens.beyondInfinity = depth.beyondInfinity;
   // Not checked: whether its numbers are a camera's is for who makes one of it.
-  reading.projection = Access::whole<Projection, ProjectionParts>(std::make_shared<const ProjectionParts>(ProjectionParts{
-      p.orthographic, left.value, right.value, bottom.value, top.value, depth.near.value, depth.far.value}));
+  reading.projection =
+      Access::whole<Projection, ProjectionParts>(std::make_shared<const ProjectionParts>(ProjectionParts{
+          p.orthographic, left.value, right.value, bottom.value, top.value, depth.near.value, depth.far.value}));
   reading.lens = lens;
 }
 

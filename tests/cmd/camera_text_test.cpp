@@ -178,18 +178,18 @@ CameraFile read(const std::string& text) { return readCamera(Document(text, "cam
 /// The most by which pixels of the picture differ, and depths but for their rounding, of points between near and far.
 Moved apartOf(Random& random, const CameraFile& a, const CameraFile& b) {
   const Camera first = makeCamera(a), second = makeCamera(b);
-  const Viewport& v = first.viewport;
+  const Viewport& v = first.viewport();
   Moved most;
   for (int i = 0; i < 8; ++i) {
-    const double x = first.viewport.x + v.pixelCenter - 0.5 + v.width * (i < 4 ? i % 2 : random.uniform(0, 1));
-    const double y = first.viewport.y + v.pixelCenter - 0.5 + v.height * (i < 4 ? i / 2 : random.uniform(0, 1));
-    const double near = first.projection.near, far = first.projection.far;
+    const double x = first.viewport().x + v.pixelCenter - 0.5 + v.width * (i < 4 ? i % 2 : random.uniform(0, 1));
+    const double y = first.viewport().y + v.pixelCenter - 0.5 + v.height * (i < 4 ? i / 2 : random.uniform(0, 1));
+    const double near = parts(first).projection.near, far = parts(first).projection.far;
     const double share = random.uniform(0, 1);
-    const double distance = i % 3 == 0                      ? near
-                            : first.projection.orthographic ? near + (far - near) * share
-                                                            : 1 / (share / near + (1 - share) / far);
+    const double distance = i % 3 == 0                             ? near
+                            : parts(first).projection.orthographic ? near + (far - near) * share
+                                                                   : 1 / (share / near + (1 - share) / far);
     const Ray ray = screenToRay(first, {x, y});
-    const double ahead = ray.direction.x * first.pose.rows.forward.x.hi +
+    const double ahead = ray.direction.x * parts(first).pose.rows.forward.x.hi +
                          ray.direction.y * first.pose.rows.forward.y.hi +
                          ray.direction.z * first.pose.rows.forward.z.hi;
     const double length = distance / ahead;
@@ -233,7 +233,7 @@ TEST_CASE("A camera written in any type and read again keeps its pixels to 1e-9,
       } catch (const InputError& e) {
         const std::string message = e.what();
         INFO(message);
-        const bool isOrthographic = camera.projection->orthographic;
+        const bool isOrthographic = parts(*camera.projection).orthographic;
         const bool otherKind = (type == "orthographic") != isOrthographic && type != "";
         const bool forward = type == "ps2" && !camera.convention.reverseZ;
         const bool shape = !allowStretch && type != "ps2" && type != "intrinsics" && (isOrthographic || type != "");
@@ -252,9 +252,9 @@ TEST_CASE("A camera written in any type and read again keeps its pixels to 1e-9,
       CHECK(written.moved.size() <= 1);
       worst = std::max(worst, apart.pixels);
       CHECK(again.convention == camera.convention);
-      CHECK(again.projection->orthographic == camera.projection->orthographic);
-      CHECK(again.projection->near == camera.projection->near);
-      CHECK(again.projection->far == camera.projection->far);
+      CHECK(parts(*again.projection).orthographic == parts(*camera.projection).orthographic);
+      CHECK(parts(*again.projection).near == parts(*camera.projection).near);
+      CHECK(parts(*again.projection).far == parts(*camera.projection).far);
       const Viewport &a = *camera.viewport, &b = *again.viewport;
       CHECK((a.width == b.width && a.height == b.height && a.origin == b.origin && a.pixelCenter == b.pixelCenter));
       CHECK((a.depthFirst == b.depthFirst && a.depthSecond == b.depthSecond));

@@ -7,7 +7,6 @@
 #include "catch.hpp"
 
 using namespace viewproj;
-using namespace viewproj::detail;
 using namespace viewproj::cmd;
 
 namespace {

@@ -10,7 +10,6 @@
 #include "text/format_number.hpp"
 
 using namespace viewproj;
-using namespace viewproj::detail;
 using namespace viewproj::cmd;
 
 namespace {

@@ -21,13 +21,14 @@ using namespace cmd;
 
 /// A point in front of the camera, and back.
 void project(const Camera& camera) {
-  const DDVec3& forward = camera.pose.columns.forward;
-  const double distance = camera.projection.near > 0 ? 2 * camera.projection.near : camera.projection.near;
-  const Vec3& eye = camera.pose.eye;
+  const DDVec3& forward = parts(camera).pose.columns.forward;
+  const double distance =
+      parts(camera).projection.near > 0 ? 2 * parts(camera).projection.near : parts(camera).projection.near;
+  const Vec3& eye = parts(camera).pose.eye;
   const Vec3 ahead{eye.x + distance * forward.x.hi, eye.y + distance * forward.y.hi, eye.z + distance * forward.z.hi};
   const ScreenPoint p = worldToScreen(camera, ahead);
   if (!p.visible()) return;
-  const Viewport& v = camera.viewport;
+  const Viewport& v = camera.viewport();
   const bool inside = p.x >= v.x && p.x <= v.x + v.width && p.y >= v.y && p.y <= v.y + v.height;
   if (!inside && v.pixelCenter == 0.5) found("a visible point lies outside of the picture");
   const Ray ray = screenToRay(camera, {p.x, p.y});
@@ -40,7 +41,7 @@ void writeAll(const CameraFile& file) {
   set.convention = file.convention;
   const Convention& c = file.convention;
   if (file.pose) {
-    set.eye = file.pose->eye;
+    set.eye = file.pose->eye();
     set.matrices.push_back({"view", viewFromWorld(*file.pose, c)});
     set.matrices.push_back({"viewInverse", worldFromView(*file.pose, c)});
   }

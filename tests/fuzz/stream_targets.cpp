@@ -77,7 +77,7 @@ class Points final : public Work {
       found("a visible point lies outside of the picture");
     sink.vector("screen", std::array{p.x, p.y});
     sink.number("depth", p.depth);
-    const Vec4 clip = worldToClip(in_.camera, point, in_.camera.convention);
+    const Vec4 clip = worldToClip(in_.camera, point, in_.camera.convention());
     sink.vector("clip", std::array{clip.x, clip.y, clip.z, clip.w});
     sink.flag("visible", p.visible());
   }

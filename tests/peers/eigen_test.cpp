@@ -288,7 +288,7 @@ TEST_CASE("Eigen: relative to the eye, a matrix in double keeps its digits at th
 
       const Vector4d relative = homogeneous(point) - Vector4d(v.eye.x, v.eye.y, v.eye.z, 0);
       const Matrix4d matrix = toEigen(clipFromWorld(relativeToEye(pose), p, c));
-      const Matrix4d viewport = toEigen(screenFromNdc(camera.viewport, c));
+      const Matrix4d viewport = toEigen(screenFromNdc(camera.viewport(), c));
       const Vector4d clip = matrix * relative;
       seeScreen(worst, trial, viewport, clip, 6 * kRounding * (matrix.cwiseAbs() * relative.cwiseAbs()), ours);
 

@@ -153,28 +153,30 @@ struct Shot {
   bool reverseZ;
   View view;
   Window window;
-  Pose pose;
-  Projection projection;
   Convention convention;
-  Camera camera;
+  Pose pose = poseOf(view, convention.world);
+  Projection projection = projectionOf(window);
+  Viewport viewport;
+  Camera camera = makeCamera(pose, projection, viewport, convention);
   glm::dmat4 glmView, glmProjection;
   glm::dvec4 glmViewport;
   Vec3 point;
 };
 
 Shot randomShot(Random& random, Tally& tally, double largestEye, double largestRatio) {
-  Shot s;
-  s.space = kSpaces[static_cast<std::size_t>(random.uniform(0, 4))];
-  s.reverseZ = random.coin();
+  const Space space = kSpaces[static_cast<std::size_t>(random.uniform(0, 4))];
+  const bool reverseZ = random.coin();
   const auto shape = static_cast<Shape>(static_cast<int>(random.uniform(0, 3)));
-  s.view = randomView(random, largestEye);
-  s.window = randomWindow(random, shape);
-  if (!s.window.orthographic) s.window.far = std::min(s.window.far, s.window.near * largestRatio);
-  s.convention = conventionOf(s.space, s.reverseZ);
-  s.pose = poseOf(s.view, s.convention.world);
-  s.projection = projectionOf(s.window);
+  const View view = randomView(random, largestEye);
+  Window window = randomWindow(random, shape);
+  if (!window.orthographic) window.far = std::min(window.far, window.near * largestRatio);
   const Viewport viewport = randomViewport(random, Origin::bottomLeft);
-  s.camera = makeCamera(s.pose, s.projection, viewport, s.convention);
+  Shot s{.space = space,
+         .reverseZ = reverseZ,
+         .view = view,
+         .window = window,
+         .convention = conventionOf(space, reverseZ),
+         .viewport = viewport};
   s.glmView = glmLookAt(s.view, s.convention.world);
   s.glmProjection = glmWindow(s.space, s.window, s.reverseZ);
   s.glmViewport = {viewport.x, viewport.y, viewport.width, viewport.height};
@@ -316,7 +318,7 @@ TEST_CASE("GLM: worldToScreen from the bottom left is project, whose window dept
                                   : glm::projectNO(toGlm(s.point), s.glmView, s.glmProjection, s.glmViewport);
     const Vec4 clip = times(clipFromWorld(s.pose, s.projection, s.convention), peers::point(s.point));
     const Vec4 error = clipErrors(s);
-    const Viewport& v = s.camera.viewport;
+    const Viewport& v = s.camera.viewport();
     const auto bound = [&](double value, double errorOfValue, double scale, double offset) {
       const double ndc = std::fabs(value / clip.w);
       // The division, then three roundings on the way to the screen.
@@ -344,7 +346,7 @@ TEST_CASE("GLM: screenToWorld is unProject, as far as inverting a matrix in doub
     Random random(trial);
     // Near the origin and with far / near up to 100: the inverse loses as many digits as the matrix's condition has.
     const Shot s = randomShot(random, tally, 10, 100);
-    const Viewport& v = s.camera.viewport;
+    const Viewport& v = s.camera.viewport();
     const Vec2 screen{v.x + random.uniform(0, 1) * v.width, v.y + random.uniform(0, 1) * v.height};
     const double depth = random.uniform(0.05, 0.95);
     const WorldPoint ours = screenToWorld(s.camera, screen, depth);

@@ -156,7 +156,7 @@ TEST_CASE("Imath: projectPointToScreen is worldToScreen on a screen from -1 to 1
     Random random(trial);
     const Window w = anyWindow(random, tally);
     const Camera camera = makeCamera(cameraSpace(), projectionOf(w), imathScreen());
-    const Vec3 point = randomPoint(random, camera.pose, w);
+    const Vec3 point = randomPoint(random, camera.pose(), w);
     const Imath::V2d theirs = toImath(w).projectPointToScreen(toImath(point));
     const ScreenPoint ours = worldToScreen(camera, point);
     // (left - 2 x + right) / (left - right), where x comes with two roundings.
@@ -201,10 +201,10 @@ TEST_CASE("Imath: window is a tile of the picture") {
         toImath(w).window(crop.x - 1, crop.x + crop.width - 1, crop.y + crop.height - 1, crop.y - 1);
     const double toEdge = w.orthographic ? 1 : w.near;
     const double bound = 8 * kRounding * largestEdge(w);
-    worst.see(trial, ours.left.hi * toEdge - theirs.left(), bound);
-    worst.see(trial, ours.right.hi * toEdge - theirs.right(), bound);
-    worst.see(trial, ours.bottom.hi * toEdge - theirs.bottom(), bound);
-    worst.see(trial, ours.top.hi * toEdge - theirs.top(), bound);
+    worst.see(trial, parts(ours).left.hi * toEdge - theirs.left(), bound);
+    worst.see(trial, parts(ours).right.hi * toEdge - theirs.right(), bound);
+    worst.see(trial, parts(ours).bottom.hi * toEdge - theirs.bottom(), bound);
+    worst.see(trial, parts(ours).top.hi * toEdge - theirs.top(), bound);
   }
   CHECK_WITHIN_BOUND(worst);
   CHECK_ALL_VISITED(tally);

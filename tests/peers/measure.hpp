@@ -80,8 +80,9 @@ inline viewproj::Vec3 cross(const viewproj::Vec3& a, const viewproj::Vec3& b) {
 
 /// eye + a right + b up + c forward, in double.
 inline viewproj::Vec3 alongAxes(const viewproj::Pose& pose, double a, double b, double c) {
-  const viewproj::Vec3 eye = pose.eye, right = viewproj::rounded(pose.columns.right),
-                       up = viewproj::rounded(pose.columns.up), forward = viewproj::rounded(pose.columns.forward);
+  const viewproj::Vec3 eye = pose.eye(), right = viewproj::detail::rounded(parts(pose).columns.right),
+                       up = viewproj::detail::rounded(parts(pose).columns.up),
+                       forward = viewproj::detail::rounded(parts(pose).columns.forward);
   return {eye.x + a * right.x + b * up.x + c * forward.x, eye.y + a * right.y + b * up.y + c * forward.y,
           eye.z + a * right.z + b * up.z + c * forward.z};
 }

@@ -187,7 +187,7 @@ TEST_CASE("OpenUSD: GfFrustum.ComputeNarrowedFrustum is a tile of the picture") 
   const auto narrowed = [&](const Projection& p, const Vec3& about) {
     const ScreenPoint at = worldToScreen(makeCamera(pose, p, ndc), about);
     const Projection tile = cropped(p, ndc, {at.x - 0.1 + 1, at.y - 0.1 + 1, 0.2, 0.2});
-    return std::array<double, 4>{tile.left.hi, tile.bottom.hi, tile.right.hi, tile.top.hi};
+    return std::array<double, 4>{parts(tile).left.hi, parts(tile).bottom.hi, parts(tile).right.hi, parts(tile).top.hi};
   };
   const auto check = [](const std::array<double, 4>& ours, const std::array<double, 4>& expected) {
     for (std::size_t i = 0; i < 4; ++i) CHECK(std::fabs(ours[i] - expected[i]) <= 64 * kRounding);
@@ -233,8 +233,8 @@ TEST_CASE("OpenUSD: GfCamera's frustum corners, aperture 34 x 34/2.4, focal leng
 
 TEST_CASE("OpenUSD: GfCamera, focal length 50 with a 34 x 20 aperture sees 37.556064606 by 22.619864948 degrees") {
   const Projection p = perspectiveFocalLength(50, 34, 20, 1.7, 1, 100);
-  CHECK(2 * std::atan(p.right.hi) * kDegreesPerRadian == Approx(37.556064606).margin(5e-7));
-  CHECK(2 * std::atan(p.top.hi) * kDegreesPerRadian == Approx(22.619864948).margin(5e-7));
+  CHECK(2 * std::atan(parts(p).right.hi) * kDegreesPerRadian == Approx(37.556064606).margin(5e-7));
+  CHECK(2 * std::atan(parts(p).top.hi) * kDegreesPerRadian == Approx(22.619864948).margin(5e-7));
 }
 
 TEST_CASE(
@@ -243,10 +243,10 @@ TEST_CASE(
   const double aperture = 15.2908;
   const Projection centred = perspectiveFocalLength(50, 20.955, aperture, 1, 1, 1e6);
   const Projection p = shifted(centred, 0, -1.2 / (aperture / 2));
-  CHECK(p.left.hi == Approx(-0.20954999923706).margin(1e-7));
-  CHECK(p.right.hi == Approx(0.20954999923706).margin(1e-7));
-  CHECK(p.bottom.hi == Approx(-0.12890799999237).margin(1e-7));
-  CHECK(p.top.hi == Approx(0.1769080018997192).margin(1e-7));
+  CHECK(parts(p).left.hi == Approx(-0.20954999923706).margin(1e-7));
+  CHECK(parts(p).right.hi == Approx(0.20954999923706).margin(1e-7));
+  CHECK(parts(p).bottom.hi == Approx(-0.12890799999237).margin(1e-7));
+  CHECK(parts(p).top.hi == Approx(0.1769080018997192).margin(1e-7));
 }
 
 // Imath, src/ImathTest/testFrustum.cpp

@@ -5,7 +5,6 @@
 
 #include "camera/camera.hpp"
 #include "measure.hpp"
-#include "camera/camera.hpp"
 #include "viewproj/viewproj.hpp"
 
 namespace peers {

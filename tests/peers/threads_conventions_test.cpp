@@ -1,8 +1,8 @@
 // What users of other libraries have asked for or stumbled over, of conventions, ray origins, poses and degenerate
 // parameters: each case names the threads it is about.
 #include "catch.hpp"
-#include "internals.hpp"
 #include "field_at_fault.hpp"
+#include "internals.hpp"
 #include "measure.hpp"
 #include "random_cameras.hpp"
 #include "thread_cameras.hpp"
@@ -302,7 +302,8 @@ TEST_CASE(
     "gl-matrix#466]") {
   for (double lean : {1e-3, 1e-8, 1e-12, 1e-17, 1e-100, 1e-300}) {
     const Pose pose = lookAt({0, 5, 0}, {0, 0, 0}, {lean, 1, 0}, Handedness::right);
-    const Vec3 right = rounded(pose.rows.right), up = rounded(pose.rows.up), forward = rounded(pose.rows.forward);
+    const Vec3 right = rounded(parts(pose).rows.right), up = rounded(parts(pose).rows.up),
+               forward = rounded(parts(pose).rows.forward);
     CHECK(forward == Vec3{0, -1, 0});
     CHECK(up == Vec3{1, 0, 0});
     CHECK(right == Vec3{0, 0, 1});
@@ -312,7 +313,8 @@ TEST_CASE(
     Random random(trial);
     const Vec3 d = random.direction(), lean = random.direction(random.logUniform(1e-15, 1e-3));
     const Pose pose = lookAlong({1, 2, 3}, d, {d.x + lean.x, d.y + lean.y, d.z + lean.z}, Handedness::right);
-    const Vec3 right = rounded(pose.rows.right), up = rounded(pose.rows.up), forward = rounded(pose.rows.forward);
+    const Vec3 right = rounded(parts(pose).rows.right), up = rounded(parts(pose).rows.up),
+               forward = rounded(parts(pose).rows.forward);
     for (double product : {dot(right, up), dot(up, forward), dot(forward, right), length(right) - 1, length(up) - 1})
       worst.see(trial, product, 8 * kRounding);
   }
@@ -322,8 +324,8 @@ TEST_CASE(
 TEST_CASE("A target a millionth away or nearer is still a target [gl-matrix lookAt]") {
   for (double distance : {1e-6, 1e-7, 1e-100, 5e-324}) {
     const Pose pose = lookAt({0, 0, 0}, {distance, 0, 0}, {0, 1, 0}, Handedness::right);
-    CHECK(rounded(pose.rows.forward) == Vec3{1, 0, 0});
-    CHECK(rounded(pose.rows.right) == Vec3{0, 0, 1});
+    CHECK(rounded(parts(pose).rows.forward) == Vec3{1, 0, 0});
+    CHECK(rounded(parts(pose).rows.right) == Vec3{0, 0, 1});
   }
 }
 
@@ -392,7 +394,7 @@ TEST_CASE(
   const Vec3 point{4075541, 931734, 4801632};
   const ScreenPoint expected = worldToScreen(camera, point);
   // The difference of two such coordinates is exact in double.
-  const ScreenPoint ours = worldToScreen(relative, minus(point, pose.eye));
+  const ScreenPoint ours = worldToScreen(relative, minus(point, pose.eye()));
   CHECK(ours.x == Approx(expected.x).margin(2048 * kRounding));
   CHECK(ours.y == Approx(expected.y).margin(2048 * kRounding));
 }

@@ -62,9 +62,9 @@ TEST_CASE(
     const auto turned = [&](const Vec3& v) {
       return rotatedAbout(2, 90 - t.heading, rotatedAbout(1, -t.pitch, rotatedAbout(0, t.roll, v)));
     };
-    checkSame(localOf(frame, pose.rows.forward), turned({1, 0, 0}));
-    checkSame(localOf(frame, pose.rows.right), turned({0, -1, 0}));
-    checkSame(localOf(frame, pose.rows.up), turned({0, 0, 1}));
+    checkSame(localOf(frame, parts(pose).rows.forward), turned({1, 0, 0}));
+    checkSame(localOf(frame, parts(pose).rows.right), turned({0, -1, 0}));
+    checkSame(localOf(frame, parts(pose).rows.up), turned({0, 0, 1}));
   }
 }
 
@@ -74,8 +74,8 @@ TEST_CASE(
   for (const HeadingPitchRoll& t : kTurns) {
     INFO(t.heading << " " << t.pitch << " " << t.roll);
     const Pose pose = poseFromHeadingPitchRoll(kSomewhere, t);
-    const Vec3 direction = localOf(frame, pose.rows.forward), right = localOf(frame, pose.rows.right),
-               up = localOf(frame, pose.rows.up);
+    const Vec3 direction = localOf(frame, parts(pose).rows.forward), right = localOf(frame, parts(pose).rows.right),
+               up = localOf(frame, parts(pose).rows.up);
     const auto turn = [](double radians, double degrees) {
       return std::fabs(std::remainder(radians / kDegree - degrees, 360));
     };
@@ -91,15 +91,15 @@ TEST_CASE("At a pole, on the Earth's axis and at its centre there are east, nort
     INFO(g.lat << " " << g.lon << " " << g.height);
     const Pose pose = poseFromHeadingPitchRoll(g, {});
     const Rows frame = eastNorthUp(g);
-    checkSame(rounded(pose.rows.right), frame[0]);
-    checkSame(rounded(pose.rows.forward), frame[1]);
-    checkSame(rounded(pose.rows.up), frame[2]);
+    checkSame(rounded(parts(pose).rows.right), frame[0]);
+    checkSame(rounded(parts(pose).rows.forward), frame[1]);
+    checkSame(rounded(parts(pose).rows.up), frame[2]);
   }
 }
 
 TEST_CASE("East, north and up do not change with the height [cesium#8989]") {
   const Pose low = poseFromHeadingPitchRoll({45, 45, 0}, {}), high = poseFromHeadingPitchRoll({45, 45, 1e7}, {});
-  CHECK(rounded(low.rows.up) == rounded(high.rows.up));
-  CHECK(rounded(low.rows.up).z == std::sqrt(0.5));
-  CHECK(rounded(low.rows.forward) == rounded(high.rows.forward));
+  CHECK(rounded(parts(low).rows.up) == rounded(parts(high).rows.up));
+  CHECK(rounded(parts(low).rows.up).z == std::sqrt(0.5));
+  CHECK(rounded(parts(low).rows.forward) == rounded(parts(high).rows.forward));
 }

@@ -1,8 +1,8 @@
 // What users of other libraries have asked for or stumbled over, of depth, precision and points behind the camera: each
 // case names the threads it is about.
 #include "catch.hpp"
-#include "internals.hpp"
 #include "field_at_fault.hpp"
+#include "internals.hpp"
 #include "measure.hpp"
 #include "random_cameras.hpp"
 #include "thread_cameras.hpp"
@@ -148,7 +148,7 @@ TEST_CASE(
     c.ndcZ = NdcZ::zeroToOne;
     const Window w = randomWindow(random, Shape::offCentre, true);
     const Camera camera = makeCamera(poseOf(v, c.world), projectionOf(w), kHd, c);
-    const Vec3 point = randomPoint(random, camera.pose, w);
+    const Vec3 point = randomPoint(random, camera.pose(), w);
     const ScreenPoint s = worldToScreen(camera, point);
     if (s.status != PointStatus::inFront) continue;  // nearer than a coordinate's last digit
 
@@ -165,7 +165,7 @@ TEST_CASE(
 
     // Through the ray: any point of it projects to the pixel it came from.
     const Ray ray = screenToRay(camera, {s.x, s.y});
-    const Camera atEye = makeCamera(relativeToEye(camera.pose), projectionOf(w), kHd, c);
+    const Camera atEye = makeCamera(relativeToEye(camera.pose()), projectionOf(w), kHd, c);
     const ScreenPoint onRay = worldToScreen(atEye, ray.direction);
     const double scale = kHd.width * w.near * (1 / (w.right - w.left) + 1 / (w.top - w.bottom));
     pixels.see(trial, onRay.x - s.x, 4 * kRounding * (std::fabs(s.x) + kHd.width + scale * window * window));
@@ -221,11 +221,11 @@ TEST_CASE("Unprojected exactly at far, a pixel's point lies at far [godot#46010,
       c.reverseZ = reverseZ;
       const Camera camera = makeCamera(plainPose(), p, kHd, c);
       for (const Vec2& pixel : kPixels) {
-        CHECK(screenToWorld(camera, pixel, reverseZ ? 0 : 1).position.z == -p.far);
-        CHECK(screenToWorld(camera, pixel, reverseZ ? 1 : 0).position.z == -p.near);
-        CHECK(screenToWorldAtDistance(camera, pixel, p.far).position ==
+        CHECK(screenToWorld(camera, pixel, reverseZ ? 0 : 1).position.z == -parts(p).far);
+        CHECK(screenToWorld(camera, pixel, reverseZ ? 1 : 0).position.z == -parts(p).near);
+        CHECK(screenToWorldAtDistance(camera, pixel, parts(p).far).position ==
               screenToWorld(camera, pixel, reverseZ ? 0 : 1).position);
-        CHECK(screenToWorldAtDistance(camera, pixel, p.far).status == DepthStatus::point);
+        CHECK(screenToWorldAtDistance(camera, pixel, parts(p).far).status == DepthStatus::point);
       }
     }
 }
@@ -255,7 +255,7 @@ TEST_CASE(
     const Convention c = conventions[trial % conventions.size()];
     const Camera camera = makeCamera(poseOf(scene.view, c.world), projectionOf(scene.window), scene.viewport, c);
     const double distance = random.logUniform(1e-3, 1e3);
-    const Vec3 behind = alongAxes(camera.pose, random.uniform(-1, 1), random.uniform(-1, 1), -distance);
+    const Vec3 behind = alongAxes(camera.pose(), random.uniform(-1, 1), random.uniform(-1, 1), -distance);
     for (Precision precision : {Precision::standard, Precision::exact}) {
       const ScreenPoint p = worldToScreen(camera, behind, precision);
       CHECK(p.status == PointStatus::behind);

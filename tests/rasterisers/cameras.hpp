@@ -19,7 +19,7 @@ struct CameraCase {
   bool relativeToEye = false;  ///< float32 holds the points only so
   bool product = false;        ///< viewProjection in one matrix, else view and projection
   bool mirrored = false;
-  detail::DepthFormat format = detail::DepthFormat::f32;
+  DepthFormat format = DepthFormat::f32;
 
   std::string name() const;
 };

@@ -9,7 +9,7 @@
 
 namespace rasterisers {
 
-enum class detail::DepthFormat { f32, d24, d16 };
+enum class DepthFormat { f32, d24, d16 };
 
 using Matrix = std::array<float, 16>;  ///< in memory order
 using Vertex = std::array<float, 3>;
@@ -25,7 +25,7 @@ struct Draw {
   int viewportWidth = 0, viewportHeight = 0;
   double x = 0, y = 0;  ///< the viewport's first column, and first row as they lie in memory
   double depthRange[2] = {0, 1};
-  detail::DepthFormat format = detail::DepthFormat::f32;
+  DepthFormat format = DepthFormat::f32;
   std::vector<Vertex> points;
 };
 

@@ -33,6 +33,6 @@ Rounding roundingOf(const std::array<double, 3>& point, const Pipeline& pipeline
 
 /// What storing may add: one step. OpenGL 4.5, 2.3.5 and Vulkan 1.3, "Conversion from Floating-Point to Normalized
 /// Fixed-Point": one of the two nearest numbers.
-double storageStep(detail::DepthFormat format);
+double storageStep(DepthFormat format);
 
 }  // namespace rasterisers

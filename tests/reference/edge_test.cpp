@@ -549,8 +549,8 @@ class Search {
   Tally& tally_;
   Worst& worst_;
   Scene scene_;
-  Camera camera_ = makeCamera(lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Handedness::right), frustum(-1, 1, -1, 1, 1, 2),
-                              {100, 100});  // until there is one
+  Camera camera_ = makeCamera(lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Handedness::right),
+                              frustum(-1, 1, -1, 1, 1, 2), {100, 100});  // until there is one
   std::unique_ptr<Truth> truth_, finer_;
 };
 

@@ -1,10 +1,9 @@
 // What exact promises, as a check.
 #pragma once
 
-#include "viewproj/screen.hpp"
-
 #include "projection/error_model.hpp"
 #include "reference/real.hpp"
+#include "viewproj/screen.hpp"
 
 namespace reference {
 

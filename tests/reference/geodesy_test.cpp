@@ -1,10 +1,10 @@
 // Places on the Earth and cameras that stand there, against 480-bit arithmetic.
 #include "viewproj/geodesy.hpp"
-#include "internals.hpp"
 
 #include <map>
 
 #include "catch.hpp"
+#include "internals.hpp"
 #include "numbers/degrees.hpp"
 #include "reference/exactness.hpp"
 #include "reference/scene.hpp"

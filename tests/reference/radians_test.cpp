@@ -1,10 +1,10 @@
 #include "numbers/radians.hpp"
-#include "internals.hpp"
 
 #include <cmath>
 #include <random>
 
 #include "catch.hpp"
+#include "internals.hpp"
 #include "numbers/degrees.hpp"
 #include "reference/scene.hpp"
 

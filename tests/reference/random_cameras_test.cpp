@@ -107,7 +107,8 @@ TEST_CASE("A point comes back from its screen position and its window depth as n
       }
       ++points;
       const Real3 want = truth.pointAt(truth.window(screen.x, screen.y), distanceTruth);
-      const double size = std::max({maxAbs(parts(camera).pose.eye), std::fabs(double(distanceTruth)), std::fabs(scene.left)});
+      const double size =
+          std::max({maxAbs(parts(camera).pose.eye), std::fabs(double(distanceTruth)), std::fabs(scene.left)});
       for (std::size_t k = 0; k < 3; ++k) {
         CAPTURE(k, got.position[k], double(want[k]), screen.depth);
         REQUIRE(isExact(got.position[k], want[k], size));

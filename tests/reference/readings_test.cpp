@@ -150,7 +150,8 @@ class Judge {
  private:
   /// Where the viewing axis meets the screen, a number cancels from there on.
   double size() const {
-    return std::max({kPicture.width, std::fabs(parts(c_).constants.centerX.hi), std::fabs(parts(c_).constants.centerY.hi)});
+    return std::max(
+        {kPicture.width, std::fabs(parts(c_).constants.centerX.hi), std::fabs(parts(c_).constants.centerY.hi)});
   }
 
   void judgeShares(const ScreenPoint& got, const Real& x, const Real& y) const {
@@ -175,7 +176,8 @@ class Judge {
 Vec3 pointAt(const Camera& c, double x, double y, double w) {
   Vec3 p;
   const Axes& a = parts(c).pose.columns;
-  for (std::size_t i = 0; i < 3; ++i) p[i] = parts(c).pose.eye[i] + (a.right[i].hi * x + a.up[i].hi * y + a.forward[i].hi * w);
+  for (std::size_t i = 0; i < 3; ++i)
+    p[i] = parts(c).pose.eye[i] + (a.right[i].hi * x + a.up[i].hi * y + a.forward[i].hi * w);
   return p;
 }
 
@@ -272,7 +274,9 @@ TEST_CASE("The camera of a matrix that was read is exact for its sixteen numbers
         judge.check(pointAt(camera, x, y, -w), tally);
         const double ulps = maxAbs(parts(camera).pose.eye) * 0x1p-50;
         const Vec3 step = random.vector(ulps > 0 ? ulps : 1);
-        judge.check({parts(camera).pose.eye.x + step.x, parts(camera).pose.eye.y + step.y, parts(camera).pose.eye.z + step.z}, tally);
+        judge.check(
+            {parts(camera).pose.eye.x + step.x, parts(camera).pose.eye.y + step.y, parts(camera).pose.eye.z + step.z},
+            tally);
       }
     }
   }

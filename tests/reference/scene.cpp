@@ -1,8 +1,9 @@
 #include "reference/scene.hpp"
-#include "internals.hpp"
 
 #include <sstream>
 #include <stdexcept>
+
+#include "internals.hpp"
 
 namespace reference {
 

@@ -114,7 +114,8 @@ TEST_CASE("Each stage of a pixel's way back is the double nearest its own true v
     const Truth::Window window = truth.window(pixel.x, pixel.y);
     const double reach = std::fabs(pixel.x) + std::fabs(pixel.y) + std::fabs(parts(camera).screen.centerX.hi) +
                          std::fabs(parts(camera).screen.centerY.hi);
-    const double tall = reach / std::min(std::fabs(parts(camera).screen.scaleX.hi), std::fabs(parts(camera).screen.scaleY.hi));
+    const double tall =
+        reach / std::min(std::fabs(parts(camera).screen.scaleX.hi), std::fabs(parts(camera).screen.scaleY.hi));
     CHECK(isExact(s.window.x, window.right, tall));
     CHECK(isExact(s.window.y, window.up, tall));
     const Real3 toward = truth.direction(window);

@@ -8,7 +8,6 @@
 #include "stream/run.hpp"
 
 using namespace viewproj;
-using namespace viewproj::detail;
 using namespace viewproj::cmd;
 using namespace viewproj::tests;
 

@@ -14,7 +14,6 @@
 #include "stream/random_text.hpp"
 
 using namespace viewproj;
-using namespace viewproj::detail;
 using namespace viewproj::cmd;
 using namespace viewproj::tests;
 

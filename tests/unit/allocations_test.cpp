@@ -142,8 +142,8 @@ TEST_CASE("Nothing allocates or throws once the camera is built") {
         (void)ndcFromScreen(viewport, convention);
         (void)inStorageOrder(clipFromView(lens, convention), convention);
       });
+      const Frustum f = viewFrustum(c);
       none("the scene", [&] {
-        const Frustum f = viewFrustum(c);
         const Ray ray = screenToRay(c, {10, 20});
         for (const Vec3& p : points) {
           (void)cull(f, p);

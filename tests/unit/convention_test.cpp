@@ -1,10 +1,10 @@
 #include "viewproj/convention.hpp"
-#include "internals.hpp"
 
 #include <fstream>
 #include <sstream>
 
 #include "catch.hpp"
+#include "internals.hpp"
 
 using namespace viewproj;
 using namespace viewproj::detail;

@@ -1,9 +1,9 @@
 #include "numbers/degrees.hpp"
-#include "internals.hpp"
 
 #include <random>
 
 #include "catch.hpp"
+#include "internals.hpp"
 
 using namespace viewproj;
 using namespace viewproj::detail;

@@ -1,8 +1,8 @@
 #include "viewproj/geodesy.hpp"
-#include "internals.hpp"
 
 #include "catch.hpp"
 #include "field_at_fault.hpp"
+#include "internals.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;

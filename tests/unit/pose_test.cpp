@@ -117,7 +117,8 @@ TEST_CASE("The identity rotation looks where its axes say") {
 TEST_CASE("A rotation need not be of unit length") {
   const Pose one = poseFromRotation({}, {1, 2, 3, 4}, CameraAxes::RUB, right);
   const Pose tiny = poseFromRotation({}, {1e-200, 2e-200, 3e-200, 4e-200}, CameraAxes::RUB, right);
-  for (std::size_t i = 0; i < 3; ++i) CHECK(parts(tiny).rows.right[i].hi == Approx(parts(one).rows.right[i].hi).epsilon(1e-15));
+  for (std::size_t i = 0; i < 3; ++i)
+    CHECK(parts(tiny).rows.right[i].hi == Approx(parts(one).rows.right[i].hi).epsilon(1e-15));
 }
 
 TEST_CASE("A pose matrix that is not a rotation says how far it is from one") {
@@ -136,10 +137,12 @@ TEST_CASE("A matrix and its inverse give the same pose") {
   const Pose pose = lookAt({1, 2, 3}, {4, 6, -5}, {0, 1, 0}, right);
   Mat4 toWorld{};
   for (std::size_t i = 0; i < 3; ++i)
-    toWorld[i] = {parts(pose).rows.right[i].hi, parts(pose).rows.up[i].hi, -parts(pose).rows.forward[i].hi, pose.eye()[i]};
+    toWorld[i] = {parts(pose).rows.right[i].hi, parts(pose).rows.up[i].hi, -parts(pose).rows.forward[i].hi,
+                  pose.eye()[i]};
   toWorld[3] = {0, 0, 0, 1};
   const Pose again = poseFromWorldFromCamera(toWorld, CameraAxes::RUB, right);
-  for (std::size_t i = 0; i < 3; ++i) CHECK(parts(again).rows.forward[i].hi == Approx(parts(pose).rows.forward[i].hi).epsilon(1e-15));
+  for (std::size_t i = 0; i < 3; ++i)
+    CHECK(parts(again).rows.forward[i].hi == Approx(parts(pose).rows.forward[i].hi).epsilon(1e-15));
   CHECK(again.eye() == pose.eye());
 }
 

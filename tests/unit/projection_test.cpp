@@ -1,6 +1,6 @@
 #include "catch.hpp"
-#include "internals.hpp"
 #include "field_at_fault.hpp"
+#include "internals.hpp"
 #include "numbers/degrees.hpp"
 #include "viewproj/viewproj.hpp"
 

@@ -1,9 +1,9 @@
 #include "numbers/radians.hpp"
-#include "internals.hpp"
 
 #include <cmath>
 
 #include "catch.hpp"
+#include "internals.hpp"
 
 using namespace viewproj;
 using namespace viewproj::detail;

@@ -67,14 +67,16 @@ void checkParameters(const Reading& r, const Pose& pose, const Projection& p, co
     CHECK(holds(r.lens->bottom, counted(parts(p).bottom, parts(pose).rows.up)));
     CHECK(holds(r.lens->top, counted(parts(p).top, parts(pose).rows.up)));
     CHECK(holds(r.lens->near, counted(parts(p).near, parts(pose).rows.forward)));
-    CHECK(holds(r.lens->far, std::isinf(parts(p).far) ? parts(p).far : counted(parts(p).far, parts(pose).rows.forward)));
+    CHECK(
+        holds(r.lens->far, std::isinf(parts(p).far) ? parts(p).far : counted(parts(p).far, parts(pose).rows.forward)));
   }
   if (!r.pose) return;
   CHECK(r.convention.world == c.world);
   if (r.place->eyeIsKnown)
     for (std::size_t i = 0; i < 3; ++i) CHECK(holds(r.place->eye[i], pose.eye()[i]));
   const Vec3 got[] = {r.place->right, r.place->up, r.place->forward};
-  const Vec3 want[] = {rounded(parts(pose).rows.right), rounded(parts(pose).rows.up), rounded(parts(pose).rows.forward)};
+  const Vec3 want[] = {rounded(parts(pose).rows.right), rounded(parts(pose).rows.up),
+                       rounded(parts(pose).rows.forward)};
   for (std::size_t a = 0; a < 3; ++a)
     for (std::size_t i = 0; i < 3; ++i)
       CHECK(std::fabs(got[a][i] - want[a][i]) <= r.place->axisErrors[a] * 1.001 + 0x1p-52);
@@ -121,8 +123,8 @@ TEST_CASE("Every matrix that can be written has its convention and its parameter
                   c.storage = storage;
                   const Pose pose = somePose(c.world);
                   const Mat4 m = write(kind, pose, p, c);
-                  INFO(named.name << " kind " << int(kind) << " near " << parts(p).near << " far " << parts(p).far << " reversed "
-                                  << reverseZ << " 0..1 " << int(ndcZ));
+                  INFO(named.name << " kind " << int(kind) << " near " << parts(p).near << " far " << parts(p).far
+                                  << " reversed " << reverseZ << " 0..1 " << int(ndcZ));
                   const Inspection memory = inspectMatrix(inStorageOrder(m, c));
                   const Inspection paper = inspectMatrix(rowsOf(laidOut(m, c)));
                   for (const auto& [in, order] :

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "camera/camera.hpp"
 #include "commands/command.hpp"
 #include "commands/depth/report.hpp"
 #include "commands/options.hpp"
@@ -10,7 +11,6 @@
 #include "text/error.hpp"
 #include "text/format_number.hpp"
 #include "text/parse_number.hpp"
-#include "camera/camera.hpp"
 
 namespace viewproj::cmd {
 

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "camera/camera.hpp"
-#include "viewproj/screen.hpp"
 #include "scene/frustum_parts.hpp"
+#include "viewproj/screen.hpp"
 
 namespace viewproj::cmd {
 
@@ -71,7 +71,8 @@ int chordsOf(const Camera& camera, const PointAt& pointAt) {
     low = std::min(low, p.y);
     high = std::max(high, p.y);
   }
-  const double share = std::max(right - left, high - low) / 2 / std::max(camera.viewport().width, camera.viewport().height);
+  const double share =
+      std::max(right - left, high - low) / 2 / std::max(camera.viewport().width, camera.viewport().height);
   const double chords = std::numbers::pi * std::sqrt(share / 2 / kChordShare);
   // A circle seen askew is bent more at its ends: twice as many there.
   return chords < kMostChords / 2.0 ? std::max(kFewestChords, 4 * static_cast<int>(std::ceil(chords / 2)))

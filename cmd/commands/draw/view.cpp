@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viewproj/clip.hpp"
 #include "camera/camera.hpp"
+#include "viewproj/clip.hpp"
 
 namespace viewproj::cmd {
 

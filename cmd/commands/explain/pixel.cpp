@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "camera/camera.hpp"
 #include "camera/convention.hpp"
 #include "commands/explain/explain.hpp"
 #include "projection/stages.hpp"
@@ -7,7 +8,6 @@
 #include "text/format_number.hpp"
 #include "viewproj/matrices.hpp"
 #include "viewproj/screen.hpp"
-#include "camera/camera.hpp"
 
 namespace viewproj::cmd {
 
@@ -29,7 +29,8 @@ void explainWindow(Explanation& e, const Camera& camera, const Vec2& pixel, cons
   e.stage("window", orthographic ? "lengths right and up; scale = pixels per unit of length, viewport / (right - left)"
                                  : "tangents right and up; scale = pixels per tangent, viewport / (right - left)");
   e.given("scale.x", parts(camera).screen.scaleX.hi);
-  e.given("scale.y", parts(camera).screen.scaleY.hi, parts(camera).screen.scaleY.hi < 0 ? "screen y runs downwards" : "");
+  e.given("scale.y", parts(camera).screen.scaleY.hi,
+          parts(camera).screen.scaleY.hi < 0 ? "screen y runs downwards" : "");
   e.quotient("window.x", "fromCenter.x", "scale.x", s.window.x, "right");
   e.quotient("window.y", "fromCenter.y", "scale.y", s.window.y, "up");
 }

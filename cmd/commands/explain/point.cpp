@@ -178,14 +178,14 @@ void giveResults(Explanation& e, const ScreenPoint& p) {
 void explainCamera(Explanation& e, const Camera& camera) {
   const Projection& p = camera.projection();
   e.stage("camera", p.isOrthographic() ? "the file's camera; window edges are lengths"
-                                   : "the file's camera; window edges are tangents, at distance 1");
+                                       : "the file's camera; window edges are tangents, at distance 1");
   const Vec3 eye = rounded(unroundedEye(parts(camera).pose));
   const auto names = components("eye");
   for (std::size_t i = 0; i < 3; ++i) e.given(names[i], eye[i]);
-  e.given("window.left()", p.left());
-  e.given("window.right()", p.right());
-  e.given("window.bottom()", p.bottom());
-  e.given("window.top()", p.top());
+  e.given("window.left", p.left());
+  e.given("window.right", p.right());
+  e.given("window.bottom", p.bottom());
+  e.given("window.top", p.top());
   e.given("near", p.zNear());
   if (std::isfinite(p.zFar())) e.given("far", p.zFar());
 }

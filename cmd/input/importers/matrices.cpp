@@ -6,13 +6,13 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "camera/camera.hpp"
+#include "camera/viewport.hpp"
 #include "input/convention_fields.hpp"
 #include "input/convention_names.hpp"
 #include "input/importers/importer.hpp"
 #include "matrices/readings.hpp"
 #include "text/names.hpp"
-#include "camera/camera.hpp"
-#include "camera/viewport.hpp"
 
 namespace viewproj::cmd {
 
@@ -256,8 +256,8 @@ CameraFile read(const Document& document, std::size_t, const CameraReading& read
   if (const auto eye = file.vec3("eye"); eye && pose) {
     const Axes& columns = parts(*pose).columns;
     pose = located(file, {{"position", "eye"}}, [&] {
-      return poseFromColumns({columns.right, columns.up, columns.forward}, unroundedEye(parts(*pose)) + toDoubleDouble(*eye),
-                             CameraAxes::RUF, convention.world);
+      return poseFromColumns({columns.right, columns.up, columns.forward},
+                             unroundedEye(parts(*pose)) + toDoubleDouble(*eye), CameraAxes::RUF, convention.world);
     });
   }
   return imported(document, convention, pose, projection, viewport);

@@ -70,7 +70,7 @@ Sizes common(const ProjectionConstants& k, const Vec3& d) {
 
 /// The bound of bounds.hpp with another number of roundings, in x and in y.
 Vec2 boundWith(double roundings, const Sizes& s, const Camera& c, const Oracle::Answer& truth, Precision rung) {
-  const ProjectionConstants& k = c.constants;
+  const ProjectionConstants& k = parts(c).constants;
   const double u = rung == Precision::fast ? kUnitFloat : kUnitDouble;
   const auto one = [&](double size, double position, const DoubleDouble& center) {
     const double q = std::fabs(position - center.hi);
@@ -224,27 +224,27 @@ class Trial {
     return truth;
   }
 
-  double size() const { return std::max(camera_.viewport.width, camera_.viewport.height); }
+  double size() const { return std::max(camera_.viewport().width, camera_.viewport().height); }
 
   /// How many pixels outside the picture enlarged band times; infinite outside near and far in orthographic.
   double beyond(const Oracle::Answer& truth, double band) const {
-    const Viewport& v = camera_.viewport;
+    const Viewport& v = camera_.viewport();
     const double half = v.pixelCenter - 0.5;
     const double x = std::fabs(truth.x.hi - (v.x + half + v.width / 2)) - band * v.width / 2;
     const double y = std::fabs(truth.y.hi - (v.y + half + v.height / 2)) - band * v.height / 2;
-    if (camera_.projection.orthographic && !betweenNearAndFar(truth)) return INFINITY;
+    if (parts(camera_).projection.orthographic && !betweenNearAndFar(truth)) return INFINITY;
     return std::max(x, y);
   }
 
   /// Farther from the principal point than the tolerance is kept: exact.
   bool isOutOfReach(const Oracle::Answer& truth) const {
-    const PictureReach reach = pictureReach(camera_, kGuardBand);
-    return std::fabs(truth.x.hi - camera_.constants.centerX.hi) > reach.x * (1 + 1e-6) ||
-           std::fabs(truth.y.hi - camera_.constants.centerY.hi) > reach.y * (1 + 1e-6);
+    const PictureReach reach = pictureReach(parts(camera_), kGuardBand);
+    return std::fabs(truth.x.hi - parts(camera_).constants.centerX.hi) > reach.x * (1 + 1e-6) ||
+           std::fabs(truth.y.hi - parts(camera_).constants.centerY.hi) > reach.y * (1 + 1e-6);
   }
 
   bool betweenNearAndFar(const Oracle::Answer& truth) const {
-    return truth.forward.hi >= camera_.projection.near && truth.forward.hi <= camera_.projection.far;
+    return truth.forward.hi >= parts(camera_).projection.near && truth.forward.hi <= parts(camera_).projection.far;
   }
 
   /// The nearest doubles where exact says so, and what it promises of the others.
@@ -259,16 +259,17 @@ class Trial {
            text("%s is %a, nearest %a + %a, error %g ulp, %s", what, value, number.hi, number.lo, error / ulp,
                 got.certain ? "called certain" : "not called certain"));
     };
-    const Viewport& v = camera_.viewport;
+    const Viewport& v = camera_.viewport();
     check("x", got.x, truth.x, size());
     check("y", got.y, truth.y, size());
     // In a thin slab the depth is known as well as the distance.
     const double distance = std::fabs(truth.forward.hi);
     check("depth", got.depth, truth.depth, std::fabs(v.depthSecond - v.depthFirst),
-          kExactDistance * std::fabs(camera_.constants.depthScale.hi) *
-              (camera_.projection.orthographic ? distance : 1 / distance));
+          kExactDistance * std::fabs(parts(camera_).constants.depthScale.hi) *
+              (parts(camera_).projection.orthographic ? distance : 1 / distance));
     check("viewDistance", got.viewDistance, truth.forward,
-          std::max(std::fabs(camera_.projection.near), camera_.projection.orthographic ? std::fabs(scene_.far) : 0));
+          std::max(std::fabs(parts(camera_).projection.near),
+                   parts(camera_).projection.orthographic ? std::fabs(scene_.far) : 0));
   }
 
   void checkBounds(Shares& shares, std::size_t rung, const ScreenPoint& got, const Oracle::Answer& truth,
@@ -302,7 +303,7 @@ class Trial {
 
   void mutate(std::span<Mutation> mutations, std::size_t rung, const ScreenPoint& got, const Oracle::Answer& truth,
               const Vec3& point) {
-    const ProjectionConstants& k = camera_.constants;
+    const ProjectionConstants& k = parts(camera_).constants;
     const Vec3 d{point.x - k.eye.x, point.y - k.eye.y, point.z - k.eye.z};
     const Errors error = errorsOf(got.x, got.y, got.depth, truth);
     const Sizes sizes[2] = {common(k, d), componentwise(k, d)};
@@ -318,7 +319,7 @@ class Trial {
 
   /// Whether a coordinate or a product is so small that it has fewer digits, which the componentwise bound leaves out.
   bool underflows(const Vec3& d, Precision rung) const {
-    const ProjectionConstants& k = camera_.constants;
+    const ProjectionConstants& k = parts(camera_).constants;
     const double least = rung == Precision::fast ? 0x1p-100 : 0x1p-900;
     for (std::size_t i = 0; i < 3; ++i) {
       const double row = std::max({std::fabs(k.x[i].hi), std::fabs(k.y[i].hi), std::fabs(k.w[i].hi), 1.0});
@@ -331,7 +332,7 @@ class Trial {
   }
 
   void rays(Tally& tally) {
-    const Viewport& v = camera_.viewport;
+    const Viewport& v = camera_.viewport();
     for (int i = 0; i < kRaysOfCamera; ++i) {
       const Vec2 pixel{v.x + v.width * random_.uniform(0, 1), v.y + v.height * random_.uniform(0, 1)};
       const std::array<TrueNumber, 3> truth = oracle_.direction(pixel);

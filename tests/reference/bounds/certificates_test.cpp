@@ -153,8 +153,9 @@ struct KernelRun {
 
   KernelRun(const Kernels& kernel, const Camera& c, const Vec3& p, bool withDistance) {
     const std::vector<Vec3> points(kCopies, p);
-    kernel.exact(c.constants, kNoBand, kNoBand, &points[0].x, screen.data(), withDistance ? distances.data() : nullptr,
-                 kCopies, {[](void* n, std::size_t) noexcept { ++*static_cast<std::size_t*>(n); }, &unsettled});
+    kernel.exact(parts(c).constants, kNoBand, kNoBand, &points[0].x, screen.data(),
+                 withDistance ? distances.data() : nullptr, kCopies,
+                 {[](void* n, std::size_t) noexcept { ++*static_cast<std::size_t*>(n); }, &unsettled});
   }
 };
 
@@ -189,7 +190,7 @@ TEST_CASE("exact, next to the middle between two doubles, one by one and by each
     // To the middle, or off it by about what the kernels allow for.
     double off = 0;
     if (!isTie) {
-      const double allowed = Allowed(build(scene).constants, point, truth).of[number];
+      const double allowed = Allowed(parts(build(scene)).constants, point, truth).of[number];
       off = r.sign() * std::max(allowed, 0x1p-104 * std::fabs(ofNumber(truth, number).hi)) *
             (r.chance(0.5) ? r.uniform(0.3, 2) : r.spread(1e-4, 1e2));
     }
@@ -198,7 +199,7 @@ TEST_CASE("exact, next to the middle between two doubles, one by one and by each
     truth = answerOf(scene, point);
     if (!truth.inFront) continue;
     const Camera camera = build(scene);
-    const ProjectionConstants& k = camera.constants;
+    const ProjectionConstants& k = parts(camera).constants;
     const Allowed allowed(k, point, truth);
     Tally& tally = tallies[orthographic][number];
     INFO("trial " << trial << ", " << (orthographic ? "orthographic " : "perspective ") << kNames[number]);

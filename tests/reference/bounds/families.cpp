@@ -1,7 +1,8 @@
 #include "reference/bounds/families.hpp"
-#include "internals.hpp"
 
 #include <algorithm>
+
+#include "internals.hpp"
 
 namespace reference {
 
@@ -54,7 +55,8 @@ Vec3 atPixel(const Camera& c, double x, double y, double distance) {
 double distanceInView(Random& r, const Camera& c) {
   const Projection& p = c.projection();
   if (parts(p).orthographic) return r.uniform(parts(p).near, parts(p).far);
-  return std::clamp(r.spread(parts(p).near, std::isinf(parts(p).far) ? parts(p).near * 1e6 : parts(p).far), parts(p).near, parts(p).far);
+  return std::clamp(r.spread(parts(p).near, std::isinf(parts(p).far) ? parts(p).near * 1e6 : parts(p).far),
+                    parts(p).near, parts(p).far);
 }
 
 /// Anywhere in the picture enlarged band times about its middle.
@@ -104,7 +106,8 @@ Vec3 onPictureEdge(Random& r, const Scene&, const Camera& c) {
 Vec3 inViewShrunk(Random& r, const Scene&, const Camera& c, double size) {
   const Vec3 p = inBand(r, c, 1, 1);
   const double shrink = size * r.spread(1e-3, 1);
-  return {(p.x - parts(c).pose.eye.x) * shrink, (p.y - parts(c).pose.eye.y) * shrink, (p.z - c.pose().eye().z) * shrink};
+  return {(p.x - parts(c).pose.eye.x) * shrink, (p.y - parts(c).pose.eye.y) * shrink,
+          (p.z - c.pose().eye().z) * shrink};
 }
 
 Vec3 wholeVector(Random& r, double size) {

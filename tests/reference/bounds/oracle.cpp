@@ -1,8 +1,9 @@
 #include "reference/bounds/oracle.hpp"
-#include "internals.hpp"
 
 #include <algorithm>
 #include <limits>
+
+#include "internals.hpp"
 
 namespace reference {
 

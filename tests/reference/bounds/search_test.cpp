@@ -67,9 +67,9 @@ void viewMatrix(Random& r, Scene& s) {
   s.poseKind = PoseKind::cameraFromWorld;
   const Vec3 far = r.vector(r.spread(1, 1e6));
   for (std::size_t j = 0; j < 3; ++j) {
-    s.matrix[0][j] = pose.rows.right[j].hi;
-    s.matrix[1][j] = pose.rows.up[j].hi;
-    s.matrix[2][j] = -pose.rows.forward[j].hi;
+    s.matrix[0][j] = parts(pose).rows.right[j].hi;
+    s.matrix[1][j] = parts(pose).rows.up[j].hi;
+    s.matrix[2][j] = -parts(pose).rows.forward[j].hi;
     s.matrix[j][3] = far[j];
   }
   s.matrix[3] = {0, 0, 0, 1};
@@ -216,7 +216,7 @@ ErrorBound derived(const ProjectionConstants& k, Precision rung, double t, doubl
 }
 
 ErrorBound derivedOfPoint(const Camera& c, Precision rung, const Vec3& p, const Truly& truly, const Weights& g) {
-  const ProjectionConstants& k = c.constants;
+  const ProjectionConstants& k = parts(c).constants;
   const double D = size({p.x - k.eye.x, p.y - k.eye.y, p.z - k.eye.z}) + g.residual * k.residualReach;
   const double w = std::fabs(truly.w.hi);
   return derived(k, rung, k.orthographic ? D : D / w,
@@ -243,16 +243,16 @@ Span along(const Viewport& v, double band) {
 
 /// Of points d = W (C + qx RX + qy RY), with q as far as the picture's ends are from the centre.
 ErrorBound derivedInPicture(const Camera& c, Precision rung, double band, const Weights& g) {
-  const ProjectionConstants& k = c.constants;
-  const Span x = across(c.viewport, band), y = along(c.viewport, band);
+  const ProjectionConstants& k = parts(c).constants;
+  const Span x = across(c.viewport(), band), y = along(c.viewport(), band);
   const double qx = x.reachFrom(k.centerX.hi), qy = y.reachFrom(k.centerY.hi);
   const double position = std::max(std::fabs(k.centerX.hi) + qx, std::fabs(k.centerY.hi) + qy);
-  const double nearest = std::fabs(c.projection.near);
-  const double perW = k.orthographic ? std::max(nearest, std::fabs(c.projection.far)) : 1 / nearest;
+  const double nearest = std::fabs(parts(c).projection.near);
+  const double perW = k.orthographic ? std::max(nearest, std::fabs(parts(c).projection.far)) : 1 / nearest;
   const double spread = qx * size(k.rayX) + qy * size(k.rayY), residual = g.residual * k.residualReach;
   const double t = k.orthographic ? spread + size(k.rayW) * perW + residual : size(k.rayW) + spread + residual * perW;
   return derived(k, rung, t, std::max(qx, qy), position, perW,
-                 std::max(std::fabs(c.viewport.depthFirst), std::fabs(c.viewport.depthSecond)), g);
+                 std::max(std::fabs(c.viewport().depthFirst), std::fabs(c.viewport().depthSecond)), g);
 }
 
 /// The library takes 2^-8 once or twice more than the derivation needs.
@@ -272,17 +272,17 @@ struct Findings {
 double shareOf(const State& s, const Camera& c, Precision rung, const Target& target, Findings& found) {
   const ScreenPoint got = worldToScreen(c, s.point, rung);
   if (got.status != PointStatus::inFront) return -INFINITY;
-  const Truly truly(c.constants, s.point);
+  const Truly truly(parts(c).constants, s.point);
   // Nearer to the eye plane double-double does not know the truth.
-  const Vec3& eye = c.constants.eye;
+  const Vec3& eye = parts(c).constants.eye;
   if (std::fabs(truly.w.hi) < 0x1p-45 * size({s.point.x - eye.x, s.point.y - eye.y, s.point.z - eye.z}))
     return -INFINITY;
   if (!std::isfinite(truly.x.hi) || !std::isfinite(truly.y.hi) || !std::isfinite(truly.depth.hi)) return -INFINITY;
   const bool isInPicture = target.of == Of::picture;
   if (isInPicture) {
-    if (!across(c.viewport, 1).holds(truly.x.hi) || !along(c.viewport, 1).holds(truly.y.hi)) return -INFINITY;
-    const bool isInRange = truly.w.hi >= c.projection.near && truly.w.hi <= c.projection.far;
-    if ((c.projection.orthographic || target.number == Number::depth) && !isInRange) return -INFINITY;
+    if (!across(c.viewport(), 1).holds(truly.x.hi) || !along(c.viewport(), 1).holds(truly.y.hi)) return -INFINITY;
+    const bool isInRange = truly.w.hi >= parts(c).projection.near && truly.w.hi <= parts(c).projection.far;
+    if ((parts(c).projection.orthographic || target.number == Number::depth) && !isInRange) return -INFINITY;
   }
   const ErrorBound bound = isInPicture ? boundInPicture(c, rung) : boundOfPoint(c, s.point, rung);
   const bool isScreen = target.number == Number::screen;
@@ -341,11 +341,11 @@ class Climb {
     camera_ = *camera;
     const double distance = random_.spread(1e-2, 1e2), tangent = random_.spread(1e-4, 1e2);
     const double angle = random_.uniform(0, 6.3);
-    at_.point = camera_.pose.eye;
+    at_.point = parts(camera_).pose.eye;
     if (kind.hasResidual && random_.chance(0.3)) {
       // The eye itself, as rounded.
     } else if (target.of == Of::picture) {
-      const Viewport& v = camera_.viewport;
+      const Viewport& v = camera_.viewport();
       const double w = random_.spread(1, 10) * std::max(1e-2, std::fabs(at_.scene.near));
       const WorldPoint p = screenToWorldAtDistance(
           camera_,
@@ -361,15 +361,15 @@ class Climb {
       for (std::size_t i = 0; i < 3; ++i) eye[i] = i == axis ? random_.sign() * random_.spread(1e-3, 1e-1) : 0;
       at_.point = eye;
       const double along =
-          std::copysign(std::ldexp(1 + random_.spread(1e-4, 1e-1), 3), camera_.pose.rows.forward[axis].hi);
+          std::copysign(std::ldexp(1 + random_.spread(1e-4, 1e-1), 3), parts(camera_).pose.rows.forward[axis].hi);
       for (std::size_t i = 0; i < 3; ++i)
         at_.point[i] += i == axis ? along : along * unit * random_.sign() * random_.spread(0.1, 4);
       camera_ = made(at_.scene).value_or(camera_);
     } else {
       for (std::size_t i = 0; i < 3; ++i)
-        at_.point[i] +=
-            distance * (camera_.pose.rows.forward[i].hi + tangent * (std::cos(angle) * camera_.pose.rows.right[i].hi +
-                                                                     std::sin(angle) * camera_.pose.rows.up[i].hi));
+        at_.point[i] += distance * (parts(camera_).pose.rows.forward[i].hi +
+                                    tangent * (std::cos(angle) * parts(camera_).pose.rows.right[i].hi +
+                                               std::sin(angle) * parts(camera_).pose.rows.up[i].hi));
     }
     share_ = shareOf(at_, camera_, rung_, target_, found_);
   }
@@ -408,7 +408,8 @@ class Climb {
   const Target& target_;
   Random random_;
   State at_;
-  Camera camera_;
+  Camera camera_ = makeCamera(lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Handedness::right),
+                              frustum(-1, 1, -1, 1, 1, 2), {100, 100});  // until there is one
   double share_ = -INFINITY;
   Findings found_;
 };
@@ -505,8 +506,8 @@ namespace {
 
 /// The angle between a ray's direction in standard and the true one, by double-double.
 double rayAngle(const State& s, const Camera& c) {
-  const ScreenMap& m = c.screen;
-  const Axes& a = c.pose.columns;
+  const ScreenMap& m = parts(c).screen;
+  const Axes& a = parts(c).pose.columns;
   const DoubleDouble right = (DoubleDouble(s.point.x) - m.centerX) / m.scaleX;
   const DoubleDouble up = (DoubleDouble(s.point.y) - m.centerY) / m.scaleY;
   const DDVec3 truth = normalized(a.forward + a.right * right + a.up * up);
@@ -533,7 +534,7 @@ TEST_CASE("The ray that comes nearest to its bound keeps it") {
       const std::optional<Camera> start = made(at.scene);
       if (!start || std::fabs(at.scene.viewport.x) > 1e6) continue;  // whose centre double-double does not know enough
       Camera camera = *start;
-      const Viewport& v = camera.viewport;
+      const Viewport& v = camera.viewport();
       at.point = {v.x + v.width * r.uniform(0, 1), v.y + v.height * r.uniform(0, 1), 0};
       double angle = rayAngle(at, camera);
       for (int i = 0; i < 2000; ++i) {

@@ -37,7 +37,7 @@ struct TrueWindow {
 };
 
 TrueWindow trueWindow(const Truth& truth, const Camera& camera) {
-  const Viewport& v = camera.viewport;
+  const Viewport& v = camera.viewport();
   const Real half = Real(v.pixelCenter) - Real(0.5);
   const Real x = Real(v.x) + half, y = Real(v.y) + half;
   const Truth::Window start = truth.window(x, y), end = truth.window(x + Real(v.width), y + Real(v.height));
@@ -142,8 +142,8 @@ struct Margin {
 
 std::vector<Margin> marginsOf(const World& w, const Sphere& s) {
   std::vector<Margin> margins;
-  const double reach = oneNorm(toReal(s.center) - toReal(w.camera.pose.eye)) + s.radius;
-  for (const FrustumPlane& p : w.frustum) {
+  const double reach = oneNorm(toReal(s.center) - toReal(parts(w.camera).pose.eye)) + s.radius;
+  for (const ExactPlane& p : parts(w.frustum)) {
     const Real d = w.planes[std::size_t(indexOf(p.side))].distance(toReal(s.center));
     margins.push_back({d + Real(s.radius), d - Real(s.radius), p.normalBound * reach + p.offsetBound});
   }
@@ -153,9 +153,9 @@ std::vector<Margin> marginsOf(const World& w, const Sphere& s) {
 /// By all eight corners.
 std::vector<Margin> marginsOf(const World& w, const Box& b) {
   std::vector<Margin> margins;
-  const Real3 eye = toReal(w.camera.pose.eye);
+  const Real3 eye = toReal(parts(w.camera).pose.eye);
   const double reach = oneNorm(toReal(b.min) - eye) + oneNorm(toReal(b.max) - eye);
-  for (const FrustumPlane& p : w.frustum) {
+  for (const ExactPlane& p : parts(w.frustum)) {
     Margin m;
     for (unsigned corner = 0; corner < 8; ++corner) {
       const Real3 at{corner & 1 ? b.max.x : b.min.x, corner & 2 ? b.max.y : b.min.y, corner & 4 ? b.max.z : b.min.z};
@@ -220,11 +220,11 @@ TEST_CASE("Frustum planes are those extracted from the matrix of every conventio
         c.reverseZ = reverse;
         INFO("trial " << trial << ", " << preset.name << (reverse ? " reversed: " : ": ") << describe(w.scene));
         const auto planes = extracted(clipFromWorld(w.truth, trueWindow(w.truth, w.camera), c), c);
-        const bool infinite = std::isinf(w.camera.projection.far);
+        const bool infinite = std::isinf(parts(w.camera).projection.far);
         REQUIRE(planes[5].absent == infinite);
-        REQUIRE(w.frustum.count == (infinite ? 5 : 6));
+        REQUIRE(parts(w.frustum).count == (infinite ? 5 : 6));
         int i = 0;
-        for (const FrustumPlane& p : w.frustum) {
+        for (const ExactPlane& p : parts(w.frustum)) {
           CAPTURE(i, p.equation.x, p.equation.y, p.equation.z, p.equation.w, p.normalBound, p.offsetBound);
           REQUIRE(p.side == 1u << i);
           const TruePlane& truth = planes[std::size_t(i++)];
@@ -239,7 +239,7 @@ TEST_CASE("Frustum planes are those extracted from the matrix of every conventio
             REQUIRE(error <= p.normalBound);
             largestShare = std::max(largestShare, error / p.normalBound);
           }
-          const Real offset = truth.distance(toReal(w.camera.pose.eye));
+          const Real offset = truth.distance(toReal(parts(w.camera).pose.eye));
           REQUIRE(double(abs(toReal(p.offset) - offset)) <=
                   p.offsetBound + 1e-120 * eye);  // 480 bits, too, have an end
         }
@@ -258,7 +258,7 @@ TEST_CASE("Spheres and boxes are inside, outside or neither as exact arithmetic 
     Random random(trial + 30000000);
     const World w = randomWorld(trial, random);
     for (int i = 0; i < 16; ++i) {
-      const TruePlane* on = i % 2 ? &w.planes[std::size_t(random.uniform(0, w.frustum.count))] : nullptr;
+      const TruePlane* on = i % 2 ? &w.planes[std::size_t(random.uniform(0, parts(w.frustum).count))] : nullptr;
       const Vec3 at = pointNear(random, w, on);
       if (!isFinite(at)) continue;
       const double size = std::fabs(
@@ -280,7 +280,8 @@ TEST_CASE("Spheres and boxes are inside, outside or neither as exact arithmetic 
       if (i % 4 < 2) {
         double radius = random.chance(0.1) ? 0 : size * random.spread(1e-6, 1e2);
         if (random.chance(0.4)) {  // touches a plane, as nearly as a double can
-          radius = std::fabs(double(w.planes[std::size_t(random.uniform(0, w.frustum.count))].distance(toReal(at))));
+          radius =
+              std::fabs(double(w.planes[std::size_t(random.uniform(0, parts(w.frustum).count))].distance(toReal(at))));
           if (random.chance(0.5)) radius = std::nextafter(radius, random.sign() * INFINITY);
         }
         if (radius >= 0) check(Sphere{at, radius}, spheres);
@@ -312,7 +313,7 @@ TEST_CASE("A point is inside or outside as exact arithmetic says, and as it is v
     Random random(trial + 40000000);
     const World w = randomWorld(trial, random);
     for (int i = 0; i < 16; ++i) {
-      const TruePlane* on = i % 2 ? &w.planes[std::size_t(random.uniform(0, w.frustum.count))] : nullptr;
+      const TruePlane* on = i % 2 ? &w.planes[std::size_t(random.uniform(0, parts(w.frustum).count))] : nullptr;
       const Vec3 at = pointNear(random, w, on);
       if (!isFinite(at)) continue;
       const Cull got = cull(w.frustum, at);
@@ -369,7 +370,7 @@ TEST_CASE("A shape beyond a plane by less than the bound counts as on it, by mor
       return viewFrustum(makeCamera(pose, perspectiveFovY(90, 1, 1e-3, kInfiniteFar), {100, 100}));
     };
     // Seen from the eye, both of a box's corners count, and a sphere's centre and radius.
-    const FrustumPlane left = *frustumAt(0).begin();
+    const FrustumPlane left = *parts(frustumAt(0)).begin();
     REQUIRE(left.side == sideLeft);
     for (const bool isBox : {false, true})
       for (const double share : {0.0, 0.3, 0.7, 0.95, 1.05, 1.5}) {
@@ -384,7 +385,7 @@ TEST_CASE("A shape beyond a plane by less than the bound counts as on it, by mor
           ++beyond;
         } else {
           CHECK(got.verdict != CullVerdict::outside);
-          CHECK(distanceInside(f, *f.begin(), at).sign() == (isBox && share > 0.5 ? -1 : 0));
+          CHECK(distanceInside(f, *parts(f).begin(), at).sign() == (isBox && share > 0.5 ? -1 : 0));
           ++on;
         }
       }

@@ -1,8 +1,9 @@
 #include "reference/shapes/hit_cases.hpp"
-#include "internals.hpp"
 
 #include <cmath>
 #include <limits>
+
+#include "internals.hpp"
 
 namespace reference {
 

@@ -1,8 +1,9 @@
 #include "reference/shapes/hit_truth.hpp"
-#include "internals.hpp"
 
 #include <algorithm>
 #include <stdexcept>
+
+#include "internals.hpp"
 
 namespace reference {
 

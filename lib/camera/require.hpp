@@ -1,0 +1,19 @@
+// Numbers of a camera, checked.
+#pragma once
+
+#include <cmath>
+
+#include "viewproj/camera.hpp"
+
+namespace viewproj::detail {
+
+/// Written so that NaN fails.
+inline void requirePositive(double value, const char* field) {
+  if (!(value > 0 && std::isfinite(value))) throw CameraError(field, "must be a finite number above 0");
+}
+
+inline void requireFinite(double value, const char* field) {
+  if (!std::isfinite(value)) throw CameraError(field, "must be a finite number");
+}
+
+}  // namespace viewproj::detail

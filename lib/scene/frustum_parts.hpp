@@ -1,0 +1,40 @@
+// A frustum with all its digits.
+#pragma once
+
+#include <array>
+
+#include "camera/camera.hpp"
+#include "numbers/wide.hpp"
+#include "viewproj/scene.hpp"
+
+namespace viewproj::detail {
+
+/// A plane's signed distance to p is normal . (p - eye) + offset, positive inside.
+struct ExactPlane {
+  Side side = sideLeft;
+  Vec4 equation;
+  WideVec3 normal;
+  Wide offset;
+  /// A distance is within normalBound r + offsetBound of the true one, with r = |p - eye|_1 of a point, |center -
+  /// eye|_1 + radius of a sphere, |min - eye|_1 + |max - eye|_1 of a box. What is no farther beyond a plane than that
+  /// counts as on it. normalBound is kPlaneBound times what FrustumPlane says, offsetBound is normalBound times the
+  /// size of what the offset is made of.
+  double normalBound = 0, offsetBound = 0;
+};
+
+struct FrustumParts {
+  Camera camera;
+  std::array<ExactPlane, 6> planes{};
+  std::size_t count = 6;
+  std::array<FrustumPlane, 6> rounded{};
+
+  const ExactPlane* begin() const noexcept { return planes.data(); }
+  const ExactPlane* end() const noexcept { return planes.data() + count; }
+};
+
+/// How far inside a plane a point lies, in world units; negative beyond it, 0 within the bound.
+Wide distanceInside(const FrustumParts& frustum, const ExactPlane& plane, const Vec3& point) noexcept;
+
+inline const FrustumParts& parts(const Frustum& frustum) noexcept { return *Access::shared(frustum); }
+
+}  // namespace viewproj::detail

@@ -1,0 +1,19 @@
+// What lies behind the public headers, for tests of it.
+#pragma once
+
+#include "camera/camera.hpp"
+#include "camera/convention.hpp"
+#include "camera/viewport.hpp"
+#include "geodesy/normal.hpp"
+#include "matrices/readings.hpp"
+#include "numbers/arithmetic.hpp"
+#include "numbers/ulp.hpp"
+#include "numbers/wide.hpp"
+#include "projection/depth_buffer.hpp"
+#include "projection/error_model.hpp"
+#include "projection/picture_reach.hpp"
+#include "projection/stages.hpp"
+#include "scene/frustum_parts.hpp"
+#include "viewproj/matrices.hpp"
+#include "viewproj/scene.hpp"
+#include "viewproj/viewproj.hpp"
