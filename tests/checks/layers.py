@@ -12,10 +12,10 @@ LAYERS = (
     ("lib/viewproj/camera",),
     ("lib/viewproj/view",),
     ("lib/viewproj",),
-    ("cmd/text", "cmd/schema"),
+    ("cmd/text",),
     ("cmd/input",),
     ("cmd/output",),
-    ("cmd/stream",),
+    ("cmd/schema", "cmd/stream"),
     ("cmd/commands",),
     ("cmd/man", "cmd"),
 )

@@ -5,6 +5,8 @@
 #include <span>
 #include <string_view>
 
+#include "viewproj/numbers/vectors.hpp"
+
 namespace viewproj {
 
 /// Handedness of the world's numbers, as LookAtRH and LookAtLH mean it.
@@ -56,15 +58,25 @@ constexpr NdcDepths ndcDepths(const Convention& c) noexcept {
   return c.reverseZ ? NdcDepths{1, low} : NdcDepths{low, 1};
 }
 
+/// Where x, y, z of a rotation or pose matrix point.
+enum class CameraAxes { RUB, RUF, RDF, FRU };
+
+/// All that a name means.
 struct ConventionPreset {
   std::string_view name;
   Convention convention;
+  CameraAxes cameraAxes = CameraAxes::RUB;  ///< of poses
+  Vec3 up{0, 1, 0};                         ///< of the world
+  double pixelCenter = 0.5;                 ///< of viewports
 };
 
 /// opengl, opengl-lh, d3d, d3d-rh, vulkan, metal, webgpu, unity, unreal, opencv, ps2: the first is the default.
 std::span<const ConventionPreset> conventionPresets() noexcept;
 
-/// The preset of that name, or nothing.
+/// The row of that name, or null.
+const ConventionPreset* findPreset(std::string_view name) noexcept;
+
+/// The convention of that name, or nothing.
 std::optional<Convention> conventionPreset(std::string_view name) noexcept;
 
 }  // namespace viewproj

@@ -36,9 +36,6 @@ DDVec3 unroundedEye(const Pose& pose) noexcept;
 /// the parts of one pose. Neither a default Pose nor one whose eye was changed is.
 void validate(const Pose& pose, Handedness world);
 
-/// Where x, y, z of a rotation or pose matrix point.
-enum class CameraAxes { RUB, RUF, RDF, FRU };
-
 /// x, y, z, w; need not be of unit length.
 struct Quaternion {
   double x = 0, y = 0, z = 0, w = 1;
