@@ -6,7 +6,7 @@
 #include "input/projection_types.hpp"
 #include "input/viewport_fields.hpp"
 #include "text/error.hpp"
-#include "viewproj/camera/error.hpp"
+#include "viewproj/camera.hpp"
 
 namespace viewproj::cmd {
 namespace {

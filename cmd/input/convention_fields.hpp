@@ -5,7 +5,7 @@
 #include <string>
 
 #include "input/document.hpp"
-#include "viewproj/camera/convention.hpp"
+#include "viewproj/convention.hpp"
 
 namespace viewproj::cmd {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "input/field.hpp"
-#include "viewproj/numbers/vectors.hpp"
+#include "viewproj/vectors.hpp"
 
 namespace viewproj::cmd {
 

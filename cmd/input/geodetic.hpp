@@ -5,7 +5,7 @@
 #include <string>
 
 #include "input/document.hpp"
-#include "viewproj/camera/geodesy.hpp"
+#include "viewproj/geodesy.hpp"
 
 namespace viewproj::cmd {
 

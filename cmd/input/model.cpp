@@ -2,7 +2,7 @@
 
 #include "input/camera_fields.hpp"
 #include "input/document.hpp"
-#include "viewproj/camera/error.hpp"
+#include "viewproj/camera.hpp"
 
 namespace viewproj::cmd {
 namespace {

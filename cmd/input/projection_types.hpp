@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "input/document.hpp"
-#include "viewproj/camera/projection.hpp"
+#include "viewproj/camera.hpp"
 
 namespace viewproj::cmd {
 

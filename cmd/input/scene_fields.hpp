@@ -2,7 +2,7 @@
 #pragma once
 
 #include "input/camera_fields.hpp"
-#include "viewproj/view/shapes.hpp"
+#include "scene/shapes.hpp"
 
 namespace viewproj::cmd::field {
 

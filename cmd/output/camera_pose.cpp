@@ -3,7 +3,7 @@
 
 #include "input/camera_fields.hpp"
 #include "output/camera_json.hpp"
-#include "viewproj/view/matrices.hpp"
+#include "viewproj/matrices.hpp"
 
 namespace viewproj::cmd {
 

@@ -4,14 +4,14 @@
 #include <cmath>
 #include <optional>
 
+#include "camera/screen_map.hpp"
 #include "input/camera_fields.hpp"
 #include "input/projection_types.hpp"
 #include "input/viewport_fields.hpp"
+#include "numbers/degrees.hpp"
 #include "output/camera_json.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
-#include "viewproj/camera/screen_map.hpp"
-#include "viewproj/numbers/degrees.hpp"
 
 namespace viewproj::cmd {
 namespace {

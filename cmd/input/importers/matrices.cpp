@@ -1,6 +1,6 @@
 // A camera given by its view and projection matrices, as `viewproj matrix` writes them or a program prints them. The
 // convention is the file's, or follows where the matrices fit only one.
-#include "viewproj/view/matrices.hpp"
+#include "viewproj/matrices.hpp"
 
 #include <array>
 #include <cmath>
@@ -9,8 +9,8 @@
 #include "input/camera_fields.hpp"
 #include "input/convention_fields.hpp"
 #include "input/importers/importer.hpp"
+#include "matrices/readings.hpp"
 #include "text/names.hpp"
-#include "viewproj/view/readings.hpp"
 
 namespace viewproj::cmd {
 namespace {
