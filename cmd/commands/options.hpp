@@ -11,7 +11,7 @@
 
 #include "input/camera_file.hpp"
 #include "stream/filter.hpp"
-#include "viewproj/camera/camera.hpp"
+#include "viewproj/camera.hpp"
 
 namespace viewproj::cmd {
 
