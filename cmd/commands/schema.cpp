@@ -16,7 +16,7 @@ int run(const std::string& name) {
   std::vector<std::string_view> known;
   for (const NamedSchema& schema : kSchemas) {
     if (schema.name == name) {
-      writeOutput(std::string(schema.text));
+      writeOutput(schema.text());
       return 0;
     }
     known.push_back(schema.name);

@@ -71,9 +71,6 @@ class Result {
 
 // ---- Pose
 
-/// Where x, y, z of a rotation or pose matrix point.
-enum class CameraAxes { RUB, RUF, RDF, FRU };
-
 /// x, y, z, w; need not be of unit length.
 struct Quaternion {
   double x = 0, y = 0, z = 0, w = 1;

@@ -5,6 +5,8 @@
 #include <span>
 #include <string_view>
 
+#include "viewproj/vectors.hpp"
+
 namespace viewproj {
 
 /// Handedness of the world's numbers, as LookAtRH and LookAtLH mean it.
@@ -37,29 +39,44 @@ struct Convention {
   friend constexpr bool operator==(const Convention&, const Convention&) = default;
 };
 
+/// Where x, y, z of a rotation or pose matrix point.
+enum class CameraAxes { RUB, RUF, RDF, FRU };
+
+/// All that a name means.
 struct ConventionPreset {
   std::string_view name;
   Convention convention;
+  CameraAxes cameraAxes = CameraAxes::RUB;  ///< of poses
+  Vec3 up{0, 1, 0};                         ///< of the world
+  double pixelCenter = 0.5;                 ///< of viewports
 };
 
 namespace detail {
 /// To add a preset, add its row here and its constant below; tests ask for the rest.
 /// Sources: the OpenGL, Direct3D, Vulkan, Metal and WebGPU specifications; Unity's Camera.worldToCameraMatrix and
 /// projectionMatrix; Unreal's FReversedZPerspectiveMatrix; OpenCV's calib3d; ps2sdk's create_view_screen.
+// clang-format off
+inline constexpr Handedness kR = Handedness::right, kL = Handedness::left;
+inline constexpr ViewAxes kRUB = ViewAxes::RUB, kRUF = ViewAxes::RUF, kRDF = ViewAxes::RDF;
+inline constexpr NdcZ kNO = NdcZ::minusOneToOne, kZO = NdcZ::zeroToOne;
+inline constexpr NdcY kUp = NdcY::up, kDown = NdcY::down;
+inline constexpr Vectors kColumn = Vectors::column, kRow = Vectors::row;
+inline constexpr Storage kColumns = Storage::columnMajor, kRows = Storage::rowMajor;
 inline constexpr ConventionPreset kConventionPresets[] = {
-    {"opengl", {}},
-    {"opengl-lh", {Handedness::left, ViewAxes::RUF}},
-    {"d3d", {Handedness::left, ViewAxes::RUF, NdcZ::zeroToOne, false, NdcY::up, Vectors::row, Storage::rowMajor}},
-    {"d3d-rh", {Handedness::right, ViewAxes::RUB, NdcZ::zeroToOne, false, NdcY::up, Vectors::row, Storage::rowMajor}},
-    {"vulkan", {Handedness::right, ViewAxes::RUB, NdcZ::zeroToOne, false, NdcY::down}},
-    {"metal", {Handedness::right, ViewAxes::RUB, NdcZ::zeroToOne}},
-    {"webgpu", {Handedness::right, ViewAxes::RUB, NdcZ::zeroToOne}},
-    {"unity", {Handedness::left, ViewAxes::RUB}},
-    {"unreal", {Handedness::left, ViewAxes::RUF, NdcZ::zeroToOne, true, NdcY::up, Vectors::row, Storage::rowMajor}},
-    {"opencv",
-     {Handedness::right, ViewAxes::RDF, NdcZ::zeroToOne, false, NdcY::up, Vectors::column, Storage::rowMajor}},
-    {"ps2", {Handedness::right, ViewAxes::RDF, NdcZ::zeroToOne, true, NdcY::down, Vectors::row, Storage::rowMajor}},
+    //             world view  ndcZ reverseZ ndcY  vectors storage     a pose's, up, a pixel's centre
+    {"opengl",    {kR,   kRUB, kNO, false,   kUp,   kColumn, kColumns}, CameraAxes::RUB},
+    {"opengl-lh", {kL,   kRUF, kNO, false,   kUp,   kColumn, kColumns}, CameraAxes::RUF},
+    {"d3d",       {kL,   kRUF, kZO, false,   kUp,   kRow,    kRows}, CameraAxes::RUF},
+    {"d3d-rh",    {kR,   kRUB, kZO, false,   kUp,   kRow,    kRows}, CameraAxes::RUB},
+    {"vulkan",    {kR,   kRUB, kZO, false,   kDown, kColumn, kColumns}, CameraAxes::RUB},
+    {"metal",     {kR,   kRUB, kZO, false,   kUp,   kColumn, kColumns}, CameraAxes::RUB},
+    {"webgpu",    {kR,   kRUB, kZO, false,   kUp,   kColumn, kColumns}, CameraAxes::RUB},
+    {"unity",     {kL,   kRUB, kNO, false,   kUp,   kColumn, kColumns}, CameraAxes::RUF},
+    {"unreal",    {kL,   kRUF, kZO, true,    kUp,   kRow,    kRows}, CameraAxes::FRU, {0, 0, 1}},
+    {"opencv",    {kR,   kRDF, kZO, false,   kUp,   kColumn, kRows}, CameraAxes::RDF, {0, 1, 0}, 0},
+    {"ps2",       {kR,   kRDF, kZO, true,    kDown, kRow,    kRows}, CameraAxes::RDF},
 };
+// clang-format on
 
 /// A name that is no preset's does not compile.
 consteval Convention presetNamed(std::string_view name) {
@@ -87,11 +104,17 @@ inline constexpr Convention ps2 = detail::presetNamed("ps2");
 /// All of them by name; the first is the default.
 inline constexpr std::span<const ConventionPreset> conventionPresets() noexcept { return detail::kConventionPresets; }
 
-/// The preset of that name, or nothing.
-constexpr std::optional<Convention> conventionPreset(std::string_view name) noexcept {
+/// The row of that name, or null.
+constexpr const ConventionPreset* findPreset(std::string_view name) noexcept {
   for (const ConventionPreset& preset : conventionPresets())
-    if (preset.name == name) return preset.convention;
-  return std::nullopt;
+    if (preset.name == name) return &preset;
+  return nullptr;
+}
+
+/// The convention of that name, or nothing.
+constexpr std::optional<Convention> conventionPreset(std::string_view name) noexcept {
+  const ConventionPreset* const preset = findPreset(name);
+  return preset ? std::optional(preset->convention) : std::nullopt;
 }
 
 }  // namespace viewproj

@@ -13,10 +13,10 @@ LAYERS = (
     ("lib/projection", "lib/matrices"),
     ("lib/scene", "lib/geodesy"),
     ("lib/viewproj",),
-    ("cmd/text", "cmd/schema"),
+    ("cmd/text",),
     ("cmd/input",),
     ("cmd/output",),
-    ("cmd/stream",),
+    ("cmd/schema", "cmd/stream"),
     ("cmd/commands",),
     ("cmd/man", "cmd"),
 )

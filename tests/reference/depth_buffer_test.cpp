@@ -4,6 +4,7 @@
 
 #include "catch.hpp"
 #include "internals.hpp"
+#include "projection/depth_buffer.hpp"
 #include "reference/scene.hpp"
 
 using namespace viewproj;

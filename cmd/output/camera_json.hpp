@@ -30,6 +30,6 @@ class Fields {
 /// A pose in the forms that a file has for one, what people read most easily first. Any rotation fits into that but for
 /// its last bits, which count in a very narrow field of view; the others hold to the last bit what was given in their
 /// form. One empty form where the camera has no pose.
-std::vector<std::string> poseForms(const CameraFile& camera, const Vec3& defaultUp);
+std::vector<std::string> poseForms(const CameraFile& camera, const ConventionPreset& preset);
 
 }  // namespace viewproj::cmd
