@@ -87,7 +87,7 @@ CameraFile readChecked(const Document& document, const CameraReading& reading) {
   if (type) {
     ReadProjection read = type->read(*projection, frame);
     if (frame && read.hasOwnShape && !read.hasOwnPixelShape && !reading.allowStretch)
-      requireShape(windowAspect(read.projection), *frame, *projection);
+      requireShape(windowAspect(parts(read.projection)), *frame, *projection);
     if (const auto shift = projection->numbers(field::shift, 2, 2))
       read.projection = shifted(read.projection, (*shift)[0], (*shift)[1]);
     if (viewport && viewport->crop) read.projection = cropped(read.projection, *frame, *viewport->crop);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "input/camera_fields.hpp"
-#include "scene/shapes.hpp"
+#include "viewproj/scene.hpp"
 
 namespace viewproj::cmd::field {
 

@@ -54,7 +54,7 @@ void addLooking(std::vector<std::string>& forms, const Pose& pose, Vec3 defaultU
     // An axis of the world that gives the same picture before the camera's own.
     const auto addWith = [&](const Vec3& up) {
       Fields out;
-      out.add(field::position, jsonOf(pose.eye));
+      out.add(field::position, jsonOf(pose.eye()));
       out.add(name, jsonOf(where));
       if (!(up == defaultUp)) out.add(field::up, jsonOf(up));
       forms.push_back(out.text());
@@ -69,7 +69,7 @@ void addLooking(std::vector<std::string>& forms, const Pose& pose, Vec3 defaultU
     }
     addWith(roundedUnlessTiny(parts(pose).rows.up));
   };
-  if (!pose.exact.upIsCross) return add(field::direction, roundedUnlessTiny(pose.rows.forward));
+  if (!parts(pose).exact.upIsCross) return add(field::direction, roundedUnlessTiny(parts(pose).rows.forward));
   // As it was given, up to a power of two: the direction, or a target where that is longer than doubles.
   DDVec3 given;
   for (std::size_t i = 0; i < 3; ++i) given[i] = parts(pose).exact.forward[i].rounded();
@@ -123,16 +123,16 @@ std::array<DDVec3, 3> columnsOf(const Axes& a, CameraAxes axes) {
 
 /// Of the length it was given in, where it was given: then its parts are doubles.
 void addRotation(std::vector<std::string>& forms, const Pose& pose, CameraAxes axes, const ConventionPreset& preset) {
-  const DoubleDouble scale = pose.exact.rightScale;
+  const DoubleDouble scale = parts(pose).exact.rightScale;
   const DoubleDouble length =
       parts(pose).exact.upIsCross ? DoubleDouble(1) : sqrt(DoubleDouble(1) / (scale.hi < 0 ? -scale : scale));
   Fields out;
-  out.add(field::position, jsonOf(pose.eye));
+  out.add(field::position, jsonOf(pose.eye()));
   addAxes(out, axes, preset);
-  std::string parts;
-  for (const DoubleDouble& part : quaternionOf(columnsOf(pose.columns, axes)))
-    parts += (parts.empty() ? "[" : ", ") + formatNumber((part * length).hi);
-  out.add(field::rotation, parts + "]");
+  std::string numbers;
+  for (const DoubleDouble& part : quaternionOf(columnsOf(parts(pose).columns, axes)))
+    numbers += (numbers.empty() ? "[" : ", ") + formatNumber((part * length).hi);
+  out.add(field::rotation, numbers + "]");
   forms.push_back(out.text());
 }
 

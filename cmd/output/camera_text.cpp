@@ -50,7 +50,7 @@ std::string jsonOf(const Convention& c, const ConventionPreset& preset) {
 
 // Projection
 
-void addRange(Fields& out, const Projection& p) {
+void addRange(Fields& out, const ProjectionParts& p) {
   out.add(field::zNear, p.near);
   if (!std::isinf(p.far)) out.add(field::zFar, p.far);
 }
@@ -84,7 +84,7 @@ void writePerspective(Fields& out, const CameraFile& camera) {
 
 /// An angle next to 180 degrees has too few digits for its tangent.
 void writeNearSize(Fields& out, const CameraFile& camera) {
-  const Projection& p = *camera.projection;
+  const ProjectionParts& p = parts(*camera.projection);
   out.add(field::nearWidth, (p.right - p.left) * DoubleDouble(p.near));
   out.add(field::nearHeight, (p.top - p.bottom) * DoubleDouble(p.near));
   addRange(out, p);
@@ -102,16 +102,16 @@ void writeFrustum(Fields& out, const CameraFile& camera) {
 }
 
 void writeIntrinsics(Fields& out, const CameraFile& camera) {
-  const ScreenMap map = screenMap(*camera.projection, *camera.viewport);
+  const ScreenMap map = screenMap(parts(*camera.projection), *camera.viewport);
   out.add(field::fx, map.scaleX);
   out.add(field::fy, std::fabs(map.scaleY.hi));
   out.add(field::cx, map.centerX);
   out.add(field::cy, map.centerY);
-  addRange(out, *camera.projection);
+  addRange(out, parts(*camera.projection));
 }
 
 void writeOrthographic(Fields& out, const CameraFile& camera) {
-  const Projection& p = *camera.projection;
+  const ProjectionParts& p = parts(*camera.projection);
   out.add(field::left, p.left);
   out.add(field::right, p.right);
   out.add(field::bottom, p.bottom);

@@ -9,6 +9,7 @@
 #include "random.hpp"
 #include "text/error.hpp"
 #include "viewproj/viewproj.hpp"
+#include "camera/camera.hpp"
 
 using namespace viewproj;
 using namespace viewproj::detail;
@@ -190,8 +191,8 @@ Moved apartOf(Random& random, const CameraFile& a, const CameraFile& b) {
                                                                    : 1 / (share / near + (1 - share) / far);
     const Ray ray = screenToRay(first, {x, y});
     const double ahead = ray.direction.x * parts(first).pose.rows.forward.x.hi +
-                         ray.direction.y * first.pose.rows.forward.y.hi +
-                         ray.direction.z * first.pose.rows.forward.z.hi;
+                         ray.direction.y * parts(first).pose.rows.forward.y.hi +
+                         ray.direction.z * parts(first).pose.rows.forward.z.hi;
     const double length = distance / ahead;
     const Vec3 point{ray.origin.x + ray.direction.x * length, ray.origin.y + ray.direction.y * length,
                      ray.origin.z + ray.direction.z * length};

@@ -158,9 +158,9 @@ struct Shot {
   Projection projection = projectionOf(window);
   Viewport viewport;
   Camera camera = makeCamera(pose, projection, viewport, convention);
-  glm::dmat4 glmView, glmProjection;
-  glm::dvec4 glmViewport;
-  Vec3 point;
+  glm::dmat4 glmView{}, glmProjection{};
+  glm::dvec4 glmViewport{};
+  Vec3 point{};
 };
 
 Shot randomShot(Random& random, Tally& tally, double largestEye, double largestRatio) {

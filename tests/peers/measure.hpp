@@ -11,6 +11,7 @@
 
 #include "catch.hpp"
 #include "viewproj/viewproj.hpp"
+#include "camera/camera.hpp"
 
 namespace peers {
 
@@ -80,9 +81,9 @@ inline viewproj::Vec3 cross(const viewproj::Vec3& a, const viewproj::Vec3& b) {
 
 /// eye + a right + b up + c forward, in double.
 inline viewproj::Vec3 alongAxes(const viewproj::Pose& pose, double a, double b, double c) {
-  const viewproj::Vec3 eye = pose.eye(), right = viewproj::detail::rounded(parts(pose).columns.right),
-                       up = viewproj::detail::rounded(parts(pose).columns.up),
-                       forward = viewproj::detail::rounded(parts(pose).columns.forward);
+  const viewproj::Vec3 eye = pose.eye(), right = viewproj::detail::rounded(viewproj::detail::parts(pose).columns.right),
+                       up = viewproj::detail::rounded(viewproj::detail::parts(pose).columns.up),
+                       forward = viewproj::detail::rounded(viewproj::detail::parts(pose).columns.forward);
   return {eye.x + a * right.x + b * up.x + c * forward.x, eye.y + a * right.y + b * up.y + c * forward.y,
           eye.z + a * right.z + b * up.z + c * forward.z};
 }

@@ -258,7 +258,7 @@ TEST_CASE("Spheres and boxes are inside, outside or neither as exact arithmetic 
     Random random(trial + 30000000);
     const World w = randomWorld(trial, random);
     for (int i = 0; i < 16; ++i) {
-      const TruePlane* on = i % 2 ? &w.planes[std::size_t(random.uniform(0, parts(w.frustum).count))] : nullptr;
+      const TruePlane* on = i % 2 ? &w.planes[std::size_t(random.uniform(0, double(parts(w.frustum).count)))] : nullptr;
       const Vec3 at = pointNear(random, w, on);
       if (!isFinite(at)) continue;
       const double size = std::fabs(
@@ -281,7 +281,7 @@ TEST_CASE("Spheres and boxes are inside, outside or neither as exact arithmetic 
         double radius = random.chance(0.1) ? 0 : size * random.spread(1e-6, 1e2);
         if (random.chance(0.4)) {  // touches a plane, as nearly as a double can
           radius =
-              std::fabs(double(w.planes[std::size_t(random.uniform(0, parts(w.frustum).count))].distance(toReal(at))));
+              std::fabs(double(w.planes[std::size_t(random.uniform(0, double(parts(w.frustum).count)))].distance(toReal(at))));
           if (random.chance(0.5)) radius = std::nextafter(radius, random.sign() * INFINITY);
         }
         if (radius >= 0) check(Sphere{at, radius}, spheres);
@@ -313,7 +313,7 @@ TEST_CASE("A point is inside or outside as exact arithmetic says, and as it is v
     Random random(trial + 40000000);
     const World w = randomWorld(trial, random);
     for (int i = 0; i < 16; ++i) {
-      const TruePlane* on = i % 2 ? &w.planes[std::size_t(random.uniform(0, parts(w.frustum).count))] : nullptr;
+      const TruePlane* on = i % 2 ? &w.planes[std::size_t(random.uniform(0, double(parts(w.frustum).count)))] : nullptr;
       const Vec3 at = pointNear(random, w, on);
       if (!isFinite(at)) continue;
       const Cull got = cull(w.frustum, at);
@@ -370,7 +370,7 @@ TEST_CASE("A shape beyond a plane by less than the bound counts as on it, by mor
       return viewFrustum(makeCamera(pose, perspectiveFovY(90, 1, 1e-3, kInfiniteFar), {100, 100}));
     };
     // Seen from the eye, both of a box's corners count, and a sphere's centre and radius.
-    const FrustumPlane left = *parts(frustumAt(0)).begin();
+    const ExactPlane left = *parts(frustumAt(0)).begin();
     REQUIRE(left.side == sideLeft);
     for (const bool isBox : {false, true})
       for (const double share : {0.0, 0.3, 0.7, 0.95, 1.05, 1.5}) {
@@ -385,7 +385,7 @@ TEST_CASE("A shape beyond a plane by less than the bound counts as on it, by mor
           ++beyond;
         } else {
           CHECK(got.verdict != CullVerdict::outside);
-          CHECK(distanceInside(f, *parts(f).begin(), at).sign() == (isBox && share > 0.5 ? -1 : 0));
+          CHECK(distanceInside(parts(f), *parts(f).begin(), at).sign() == (isBox && share > 0.5 ? -1 : 0));
           ++on;
         }
       }
