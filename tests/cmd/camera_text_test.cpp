@@ -4,12 +4,12 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "camera/camera.hpp"
 #include "catch.hpp"
 #include "input/convention_names.hpp"
 #include "random.hpp"
 #include "text/error.hpp"
 #include "viewproj/viewproj.hpp"
-#include "camera/camera.hpp"
 
 using namespace viewproj;
 using namespace viewproj::detail;

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "camera/camera.hpp"
 #include "catch.hpp"
 #include "viewproj/viewproj.hpp"
-#include "camera/camera.hpp"
 
 namespace peers {
 

@@ -1,10 +1,11 @@
 // What a depth buffer resolves, against depths in 480 bits and stored depths counted one by one.
+#include "projection/depth_buffer.hpp"
+
 #include <cstdint>
 #include <cstring>
 
 #include "catch.hpp"
 #include "internals.hpp"
-#include "projection/depth_buffer.hpp"
 #include "reference/scene.hpp"
 
 using namespace viewproj;

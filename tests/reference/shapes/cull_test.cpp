@@ -280,8 +280,8 @@ TEST_CASE("Spheres and boxes are inside, outside or neither as exact arithmetic 
       if (i % 4 < 2) {
         double radius = random.chance(0.1) ? 0 : size * random.spread(1e-6, 1e2);
         if (random.chance(0.4)) {  // touches a plane, as nearly as a double can
-          radius =
-              std::fabs(double(w.planes[std::size_t(random.uniform(0, double(parts(w.frustum).count)))].distance(toReal(at))));
+          radius = std::fabs(
+              double(w.planes[std::size_t(random.uniform(0, double(parts(w.frustum).count)))].distance(toReal(at))));
           if (random.chance(0.5)) radius = std::nextafter(radius, random.sign() * INFINITY);
         }
         if (radius >= 0) check(Sphere{at, radius}, spheres);
