@@ -124,7 +124,7 @@ TextBuffer readHeader(Stream& stream, BlockReader& reader) {
     if (stream.writes && hasColumns(stream.to))
       stream.columns = csvColumns(stream.setup.writer, fromCsv ? &header : nullptr, fromCsv ? line->text : "", out);
   } catch (const RecordError& e) {
-    throw InputError(place(reader.name(), positionAt(line->text, e.offset, line->position)) + ": " + e.what());
+    throw InputError(place(reader.name(), positionAt(line->text, e.offset, line->position)) + ": " + visible(e.what()));
   }
   return out;
 }

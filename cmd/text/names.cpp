@@ -4,6 +4,8 @@
 #include <cctype>
 #include <vector>
 
+#include "text/visible.hpp"
+
 namespace viewproj::cmd {
 namespace {
 
@@ -43,8 +45,8 @@ std::string_view nearestName(std::string_view name, std::span<const std::string_
 
 std::string suggestion(std::string_view name, std::span<const std::string_view> candidates) {
   const std::string_view nearest = nearestName(name, candidates);
-  if (!nearest.empty()) return "; did you mean '" + std::string(nearest) + "'?";
-  return "; known are " + joined(candidates);
+  if (!nearest.empty()) return "; did you mean '" + visible(nearest) + "'?";
+  return "; known are " + visible(joined(candidates));
 }
 
 std::string joined(std::span<const std::string_view> names, std::string_view separator) {
