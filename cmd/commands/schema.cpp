@@ -12,29 +12,28 @@
 namespace viewproj::cmd {
 namespace {
 
-int run(const std::string& name) {
-  std::vector<std::string_view> known;
-  for (const NamedSchema& schema : kSchemas) {
-    if (schema.name == name) {
-      writeOutput(std::string(schema.text));
-      return 0;
-    }
-    known.push_back(schema.name);
-  }
-  if (name.empty()) throw UsageError("NAME is needed: " + joined(known));
-  failUnknown("NAME", name, known);
+Names<std::string_view> schemas() {
+  Names<std::string_view> texts;
+  for (const NamedSchema& schema : kSchemas) texts.emplace_back(schema.name, schema.text);
+  return texts;
+}
+
+int run(const std::optional<std::string_view>& text) {
+  if (!text) throw UsageError("NAME is needed: " + joined(known(schemas())));
+  writeOutput(*text);
+  return 0;
 }
 
 }  // namespace
 
 Action defineSchema(CLI::App& app) {
-  const auto name = std::make_shared<std::string>();
+  const auto text = std::make_shared<std::optional<std::string_view>>();
   app.description(
       "The JSON Schema (draft 2020-12) of a camera file, of points, of a scene, or of results, for editors and "
       "validators.");
   app.footer("viewproj schema camera");
-  app.add_option("NAME", *name, "camera, points, scene or results");
-  return [name] { return run(*name); };
+  addChoice(app, "NAME", "", *text, schemas(), "What the schema is of", "");
+  return [text] { return run(*text); };
 }
 
 }  // namespace viewproj::cmd

@@ -8,7 +8,6 @@
 #include "stream/filter.hpp"
 #include "text/error.hpp"
 #include "text/file.hpp"
-#include "text/parse_number.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -66,27 +65,15 @@ std::vector<std::string> notesOn(const Measurement& m, std::size_t leftOut) {
   return notes;
 }
 
-double readSeconds(const std::string& text) {
-  constexpr double kDefault = 1, kMost = 3600;
-  if (text.empty()) return kDefault;
-  const auto seconds = parseNumber(text);
-  if (!seconds || !(*seconds > 0 && *seconds <= kMost))
-    throw UsageError("--seconds " + text + ": expected a number above 0, up to 3600");
-  return *seconds;
-}
-
 struct Options {
   CameraOptions camera;
   StreamOptions stream;
-  ToleranceOption tolerance;
-  std::string seconds, format = "table";
+  std::optional<double> tolerance;
+  double seconds = 1;
+  ReportForm form = ReportForm::table;
 };
 
 int run(const Options& o) {
-  static constexpr std::string_view kFormats[] = {"table", "json", "svg"};
-  requireKnown("--to", o.format, kFormats);
-  const double within = o.tolerance.value();
-  const double duration = readSeconds(o.seconds);
   FilterSetup setup = o.stream.setup(kPointCoordinates);
   o.stream.requireOneInput(setup, o.camera);
   const CameraFile file = o.camera.read();
@@ -97,12 +84,12 @@ int run(const Options& o) {
   if (sample.points.empty())
     throw InputError((setup.file == "-" ? kStandardInputName : setup.file) + ": has no points to measure" +
                      (sample.leftOut > 0 ? "; directions and weighted points are left out" : ""));
-  const Measurement m = measure(built, sample.points, within, duration);
+  const Measurement m = measure(built, sample.points, o.tolerance.value_or(kDefaultTolerance), o.seconds);
   const std::vector<std::string> notes = notesOn(m, sample.leftOut);
-  for (const std::string& note : notes) complain("note: " + note);
-  writeOutput(o.format == "json"  ? measurementAsJson(m, sample.leftOut, notes)
-              : o.format == "svg" ? measurementAsSvg(m)
-                                  : measurementAsTable(m));
+  for (const std::string& note : notes) o.camera.notes().say(note);
+  writeOutput(o.form == ReportForm::json  ? measurementAsJson(m, sample.leftOut, notes)
+              : o.form == ReportForm::svg ? measurementAsSvg(m)
+                                          : measurementAsTable(m));
   return 0;
 }
 
@@ -116,10 +103,11 @@ Action defineMeasure(CLI::App& app) {
   app.footer("viewproj measure -c samples/measuring-the-trade/camera.json samples/measuring-the-trade/points.txt");
   o->camera.add(app);
   o->stream.addInput(app, "points");
-  o->tolerance.add(app);
-  app.add_option("--seconds", o->seconds, "How long to time, seven rounds at least (default: 1)")->type_name("S");
-  app.add_option("--to", o->format, "Form of the output: table, json, svg: error over cost (default: table)")
-      ->type_name("FORM");
+  addTolerance(app, o->tolerance);
+  addValue(app, "--seconds", "S", o->seconds,
+           numberThat([](double seconds) { return seconds > 0 && seconds <= 3600; }, "a number above 0, up to 3600"),
+           "How long to time, seven rounds at least (default: 1)");
+  addReportForm(app, o->form, "error over cost");
   return [o] { return run(*o); };
 }
 
