@@ -1,6 +1,6 @@
 #include "commands/notes.hpp"
 
-#include "commands/options.hpp"
+#include "commands/values.hpp"
 #include "output/output_file.hpp"
 
 namespace viewproj::cmd {

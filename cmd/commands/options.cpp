@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cctype>
 
-#include "commands/help.hpp"
 #include "input/convention_names.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
@@ -29,10 +28,6 @@ Names<Convention> presetConventions() {
   for (const ConventionPreset& preset : conventionPresets()) names.emplace_back(preset.name, preset.convention);
   return names;
 }
-
-Heading::Heading(CLI::App& app, const std::string& name) : app_(app) { app.option_defaults()->group(name); }
-// NOLINTNEXTLINE(bugprone-exception-escape): where no memory is left, the program has ended
-Heading::~Heading() { app_.option_defaults()->group(kOwnOptions); }
 
 void addModelOption(CLI::App& app, std::optional<std::string>& model, const std::string& what) {
   addValue(app, "--model", "FILE", model, readFileName,

@@ -18,19 +18,6 @@
 
 namespace viewproj::cmd {
 
-/// While it lives, options that are added stand under this heading in the help. The same heading has the same options
-/// in every command.
-class Heading {
- public:
-  Heading(CLI::App& app, const std::string& name);
-  ~Heading();  // NOLINT(bugprone-exception-escape)
-  Heading(const Heading&) = delete;
-  Heading& operator=(const Heading&) = delete;
-
- private:
-  CLI::App& app_;
-};
-
 /// --model FILE, which readModel() reads. what: "points".
 void addModelOption(CLI::App& app, std::optional<std::string>& model, const std::string& what);
 

@@ -4,11 +4,16 @@
 #include <charconv>
 #include <unordered_set>
 
+#include "commands/help.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
 #include "text/parse_number.hpp"
 
 namespace viewproj::cmd {
+
+Heading::Heading(CLI::App& app, const std::string& name) : app_(app) { app.option_defaults()->group(name); }
+// NOLINTNEXTLINE(bugprone-exception-escape): where no memory is left, the program has ended
+Heading::~Heading() { app_.option_defaults()->group(kOwnOptions); }
 
 CLI::Option* addOption(CLI::App& app, const std::string& name, const std::string& form, const std::string& help,
                        Times times, TakeValues take) {

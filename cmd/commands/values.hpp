@@ -14,6 +14,19 @@
 
 namespace viewproj::cmd {
 
+/// While it lives, options that are added stand under this heading in the help. The same heading has the same options
+/// in every command.
+class Heading {
+ public:
+  Heading(CLI::App& app, const std::string& name);
+  ~Heading();  // NOLINT(bugprone-exception-escape)
+  Heading(const Heading&) = delete;
+  Heading& operator=(const Heading&) = delete;
+
+ private:
+  CLI::App& app_;
+};
+
 /// Takes the values of an option, one or more, none of them empty. Throws UsageError. option: its name.
 using TakeValues = std::function<void(const std::string& option, const std::vector<std::string>& values)>;
 
