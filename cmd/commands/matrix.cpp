@@ -151,7 +151,8 @@ int run(const Options& o, const CLI::App& app) {
   const bool sayConvention = !saysNumbersAlone(o.format), depth = any(chosen, &WhichRow::projection);
   o.camera.noteWriting(read,
                        {.axes = true,
-                        .depth = sayConvention || depth || any(chosen, &WhichRow::viewport),
+                        .range = sayConvention || depth || any(chosen, &WhichRow::viewport),
+                        .reversal = sayConvention || depth,
                         .world = any(chosen, &WhichRow::pose)},
                        "--which with a projection");
   for (const WhichRow& row : chosen) {
@@ -161,6 +162,9 @@ int run(const Options& o, const CLI::App& app) {
           {std::string(row.name) + "Inverse", matrixOf(row.which, true, read, o.wanted, set.convention)});
   }
   if (o.wanted.relativeToEye && read.pose) set.eye = read.pose->eye;
+  if (set.eye && o.format == "flat")
+    o.camera.notes().say("--to flat has no place for the eye: " + formatNumber(set.eye->x) + ", " +
+                         formatNumber(set.eye->y) + ", " + formatNumber(set.eye->z));
   set.bakesViewport = o.wanted.bakeViewport;
   writeOutput(writeMatrices(set, o.format, read.name));
   return 0;

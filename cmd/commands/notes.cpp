@@ -7,7 +7,7 @@ namespace viewproj::cmd {
 
 void Notes::add(CLI::App& app) {
   const Heading heading(app, "Messages");
-  app.add_flag("--quiet", quiet_, "Say no notes: lines on standard error about what was probably not meant");
+  app.add_flag("--quiet", quiet_, "Leave out the notes on standard error about what was probably not meant");
 }
 
 void Notes::say(const std::string& note) const {

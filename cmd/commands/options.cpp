@@ -115,9 +115,9 @@ Convention CameraOptions::writing(const CameraFile& file) const {
 
 void CameraOptions::noteWriting(const CameraFile& file, const Shown& shown, const std::string& where) const {
   std::vector<std::string_view> idle;
-  if (convention_ && !shown.axes && !shown.depth) idle.push_back("--convention");
-  if (reverseZ_ && !shown.depth) idle.push_back(*reverseZ_ ? "--reverse-z" : "--no-reverse-z");
-  if (ndcZ_ && !shown.depth) idle.push_back("--ndc-z");
+  if (convention_ && !shown.axes && !shown.range && !shown.reversal) idle.push_back("--convention");
+  if (reverseZ_ && !shown.reversal) idle.push_back(*reverseZ_ ? "--reverse-z" : "--no-reverse-z");
+  if (ndcZ_ && !shown.range) idle.push_back("--ndc-z");
   if (!idle.empty())
     notes_.say(joined(idle) + (idle.size() == 1 ? " changes" : " change") + " nothing that is printed here; " + where +
                " would show it");
@@ -162,6 +162,10 @@ void StreamOptions::add(CLI::App& app, const std::string& what) {
   app.add_flag("--no-header", noHeader_, "CSV: write no header line");
   addValue(app, "--first-line", "N", firstLine_, wholeNumber(1, kMostLines),
            "Number of the input's first line in messages, where it is a part of a file (default: 1)");
+}
+
+void StreamOptions::addKeepGoing(CLI::App& app) {
+  app.add_flag("--keep-going", keepGoing_, "Leave a bad record out, with a message, and go on; the status is 1 then");
 }
 
 FilterSetup StreamOptions::setup(const Coordinates& coordinates) const {

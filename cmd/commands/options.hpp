@@ -49,9 +49,10 @@ class CameraOptions {
 
   /// What of the convention that is written can be seen in what a command prints.
   struct Shown {
-    bool axes = true;   ///< the axes of view space, row or column vectors, storage
-    bool depth = true;  ///< the range of NDC z and its direction
-    bool world = true;  ///< the handedness of the world
+    bool axes = true;      ///< the axes of view space, row or column vectors, storage
+    bool range = true;     ///< that of NDC z
+    bool reversal = true;  ///< whether depth is reversed
+    bool world = true;     ///< the handedness of the world
   };
   /// Notes what of the convention was named to no effect, and a preset of the other handedness. where: what would show
   /// it, "--fields ndc or clip".
@@ -107,6 +108,9 @@ class StreamOptions {
 
   /// Throws UsageError for an option that tells how FILE is to be read. why: "--point takes the place of".
   void requireNoInputOption(const std::string& why) const;
+
+  /// For a command that only reads records: a bad one need not end it.
+  void addKeepGoing(CLI::App& app);
 
   bool hasFile() const { return file_.has_value(); }
 

@@ -276,7 +276,7 @@ CameraOptions::Shown shownOf(const std::optional<std::vector<ResultField>>& fiel
     return fields && std::find(fields->begin(), fields->end(), field) != fields->end();
   };
   const bool depth = has(ResultField::ndc) || has(ResultField::clip), view = has(ResultField::view);
-  return {.axes = depth || view, .depth = depth, .world = depth || view};
+  return {.axes = depth || view, .range = depth, .reversal = depth, .world = depth || view};
 }
 
 int run(const Options& o) {

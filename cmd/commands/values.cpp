@@ -52,8 +52,10 @@ void failUnknown(const std::string& option, std::string_view name, std::span<con
 }
 
 std::string withNames(const std::string& help, std::span<const std::string_view> names, std::string_view otherwise) {
-  const std::string text = help + ": " + joined(names);
-  return otherwise.empty() ? text : text + " (default: " + std::string(otherwise) + ")";
+  const std::size_t end = std::min(help.find(';'), help.size());
+  std::string text = help.substr(0, end) + ": " + joined(names);
+  if (!otherwise.empty()) text += " (default: " + std::string(otherwise) + ")";
+  return text + help.substr(end);
 }
 
 std::vector<std::string> splitNames(const std::string& option, const std::string& text) {

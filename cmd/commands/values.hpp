@@ -99,7 +99,7 @@ T choose(const std::string& option, std::string_view name, const Names<T>& names
   failUnknown(option, name, known(names));
 }
 
-/// "HELP: a, b, c (default: OTHERWISE)".
+/// "HELP: a, b, c (default: OTHERWISE)"; what help says after a semicolon comes last.
 std::string withNames(const std::string& help, std::span<const std::string_view> names, std::string_view otherwise);
 
 /// One of the names; what value is before is the default that the help tells.

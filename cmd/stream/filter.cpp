@@ -205,9 +205,9 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
 
 int runFilter(FilterSetup setup, const MakeWork& makeWork) { return run(setup, makeWork, true); }
 
-void readRecords(FilterSetup setup, const MakeWork& makeWork) {
+int readRecords(FilterSetup setup, const MakeWork& makeWork) {
   setup.jobs = 1;
-  (void)run(setup, makeWork, false);
+  return run(setup, makeWork, false);
 }
 
 }  // namespace viewproj::cmd

@@ -43,10 +43,10 @@ int run(const Options& o) {
     scene = readScene(*o.scene);
     addScene(view, frustum, scene);
   }
-  if (reads) addRecords(view, frustum, setup, file.worldIsEcef);
+  const int status = reads ? addRecords(view, frustum, setup, file.worldIsEcef) : 0;
   for (const Vec2& pixel : o.pixels) addPixel(view, pixel, o.scene ? &scene : nullptr);
   writeOutput(pictureOf(view));
-  return 0;
+  return status;
 }
 
 }  // namespace
@@ -61,6 +61,7 @@ Action defineDraw(CLI::App& app) {
       "  --scene samples/a-picture-of-a-harbour/scene.json --pixel 700,250 > view.svg");
   o->camera.add(app);
   o->stream.addInput(app, "points and shapes");
+  o->stream.addKeepGoing(app);
   addSceneOption(app, o->scene, ": its outlines are drawn");
   addValues(app, "--pixel", "X,Y", o->pixels, readPixel,
             "A pixel to mark, with --scene what its ray hits first; standard input is then read only for FILE -");

@@ -173,6 +173,14 @@ NamedMatrix convertOne(const InspectedMatrix& m, const std::string& name, const 
   return {name, *result};
 }
 
+/// A projection is none.
+bool isOfAWorld(const InspectedMatrix& m) {
+  return std::any_of(m.readings.begin(), m.readings.end(),
+                     [](const NumberedReading& n) { return n.reading.kind != MatrixKind::projection; });
+}
+
+constexpr const char* kNoWorld = "--world changes nothing here: a projection is the same in a world of either hand";
+
 struct Options {
   CameraOptions writing;
   Notes notes;
@@ -214,27 +222,31 @@ int run(const Options& o) {
     return inspectOne(m, {o.asFloat, o.exact || given.isOwn}, choice, given.convention);
   };
 
+  bool hasWorld = false;
   if (converts) {
     MatrixSet set;
     const bool chose = choice.readAs || choice.number;
-    for (std::size_t i = 0; i < chosen.size(); ++i)
-      set.matrices.push_back(convertOne(inspected(chosen[i]), nameOf(chosen[i], i), source,
-                                        chose ? std::nullopt : given.convention, o.writing, set.convention));
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+      const InspectedMatrix m = inspected(chosen[i]);
+      hasWorld |= isOfAWorld(m);
+      set.matrices.push_back(convertOne(m, nameOf(chosen[i], i), source, chose ? std::nullopt : given.convention,
+                                        o.writing, set.convention));
+    }
     set.asFloat = o.asFloat;
+    if (choice.world && !hasWorld) o.notes.say(kNoWorld);
     writeOutput(writeMatrices(set, format, source));
     return 0;
   }
   Report report(format == "json", o.asFloat);
-  bool allFit = true, hasWorld = false;
+  bool allFit = true;
   for (const WrittenMatrix& written : chosen) {
     const InspectedMatrix m = inspected(written);
     allFit &= !m.readings.empty();
-    for (const NumberedReading& n : m.readings) hasWorld |= n.reading.kind != MatrixKind::projection;
+    hasWorld |= isOfAWorld(m);
     writeOutput(report.add(m));
   }
   writeOutput(report.end());
-  if (choice.world && allFit && !hasWorld)
-    o.notes.say("--world changes nothing here: a projection is the same in a world of either hand");
+  if (choice.world && allFit && !hasWorld) o.notes.say(kNoWorld);
   return allFit ? 0 : 1;
 }
 
@@ -258,7 +270,8 @@ Action defineInspect(CLI::App& app) {
   o->writing.addWriting(app);
   std::vector<std::string_view> forms = matrixFormats();
   forms.insert(forms.begin(), "table");
-  addChoice(app, "--to", "FORM", o->format, namesAlone(forms), "Form of the output, with --convention any but table",
+  addChoice(app, "--to", "FORM", o->format, namesAlone(forms),
+            "Form of the output; with --convention any but table, without it table or json",
             "table; with --convention json");
   o->notes.add(app);
   return [o] { return run(*o); };

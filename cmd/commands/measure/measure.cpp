@@ -19,18 +19,23 @@ constexpr std::size_t kMostPoints = 1'000'000;
 struct Sample {
   std::vector<Vec3> points;
   std::size_t leftOut = 0;
+  std::size_t beyond = 0;  ///< with --keep-going, those beyond kMostPoints
 };
 
 /// Keeps the points of a stream.
 class SampleWork final : public RecordWork {
  public:
-  SampleWork(Sample& sample, const std::vector<std::string>& columns, bool worldIsEcef)
-      : sample_(sample), columns_(columns), worldIsEcef_(worldIsEcef) {}
+  SampleWork(Sample& sample, const std::vector<std::string>& columns, bool worldIsEcef, bool keepGoing)
+      : sample_(sample), columns_(columns), worldIsEcef_(worldIsEcef), keepGoing_(keepGoing) {}
 
   Layout find(const RecordParts& record) const override { return findPoint(record, columns_, worldIsEcef_); }
   void nameResults(const Layout&, ResultSink&) const override {}  // uncounted: there are none
   void add(const Layout& layout, const Numbers& numbers) override {
     const Vec4 p = toPoint(layout, numbers);
+    if (sample_.points.size() == kMostPoints && keepGoing_) {
+      ++sample_.beyond;
+      return;
+    }
     if (sample_.points.size() == kMostPoints)
       throw RecordError(0, "is one more than the " + std::to_string(kMostPoints) +
                                " points that are measured at once; a sample of them will do");
@@ -45,7 +50,7 @@ class SampleWork final : public RecordWork {
  private:
   Sample& sample_;
   const std::vector<std::string>& columns_;
-  bool worldIsEcef_;
+  bool worldIsEcef_, keepGoing_;
 };
 
 std::vector<std::string> notesOn(const Measurement& m, std::size_t leftOut) {
@@ -80,17 +85,21 @@ int run(const Options& o) {
   const Camera built = makeCamera(file);
 
   Sample sample;
-  readRecords(setup, [&] { return std::make_unique<SampleWork>(sample, setup.columns, file.worldIsEcef); });
+  const int status = readRecords(
+      setup, [&] { return std::make_unique<SampleWork>(sample, setup.columns, file.worldIsEcef, setup.keepGoing); });
   if (sample.points.empty())
     throw InputError((setup.file == "-" ? kStandardInputName : setup.file) + ": has no points to measure" +
                      (sample.leftOut > 0 ? "; directions and weighted points are left out" : ""));
   const Measurement m = measure(built, sample.points, o.tolerance.value_or(kDefaultTolerance), o.seconds);
   const std::vector<std::string> notes = notesOn(m, sample.leftOut);
+  if (sample.beyond > 0)
+    o.camera.notes().say("the first " + std::to_string(kMostPoints) + " points are measured, and " +
+                         std::to_string(sample.beyond) + " left out");
   for (const std::string& note : notes) o.camera.notes().say(note);
   writeOutput(o.form == ReportForm::json  ? measurementAsJson(m, sample.leftOut, notes)
               : o.form == ReportForm::svg ? measurementAsSvg(m)
                                           : measurementAsTable(m));
-  return 0;
+  return status;
 }
 
 }  // namespace
@@ -103,6 +112,7 @@ Action defineMeasure(CLI::App& app) {
   app.footer("viewproj measure -c samples/measuring-the-trade/camera.json samples/measuring-the-trade/points.txt");
   o->camera.add(app);
   o->stream.addInput(app, "points");
+  o->stream.addKeepGoing(app);
   addTolerance(app, o->tolerance);
   addValue(app, "--seconds", "S", o->seconds,
            numberThat([](double seconds) { return seconds > 0 && seconds <= 3600; }, "a number above 0, up to 3600"),

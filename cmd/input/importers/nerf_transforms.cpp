@@ -81,15 +81,25 @@ void requirePinhole(const Frame& frame, const CameraReading& reading) {
 
 /// Focal length in pixels: as such, or by the whole angle of view.
 std::optional<DoubleDouble> focalLength(const Frame& frame, const char* key, const char* angleKey, double pixels) {
-  if (const auto focal = frame.number(key)) {
-    if (!(*focal > 0)) frame.with(key).fail(key, "must be above 0");
-    return *focal;
-  }
-  const auto angle = frame.number(angleKey);
-  if (!angle) return std::nullopt;
+  const auto focal = frame.number(key), angle = frame.number(angleKey);
+  if (focal && !(*focal > 0)) frame.with(key).fail(key, "must be above 0");
+  if (!angle) return focal ? std::optional<DoubleDouble>(*focal) : std::nullopt;
   const DoubleDouble tangent = tanHalfRadians(*angle);
-  if (!(tangent.hi > 0)) frame.with(angleKey).fail(angleKey, "must be an angle between 0 and pi radians");
-  return timesPowerOfTwo(DoubleDouble(pixels), 0.5) / tangent;
+  if (!focal && !(tangent.hi > 0)) frame.with(angleKey).fail(angleKey, "must be an angle between 0 and pi radians");
+  const DoubleDouble ofAngle = timesPowerOfTwo(DoubleDouble(pixels), 0.5) / tangent;
+  if (!focal) return ofAngle;
+  // A frame's own focal length goes before the file's angle, and contradicts nothing.
+  constexpr double kSame = 1e-3;
+  const bool besides = frame.own.has(key) == frame.own.has(angleKey);
+  if (besides && !(std::fabs(ofAngle.hi - *focal) <= kSame * *focal)) {
+    Path path = frame.with(angleKey).path();
+    path.emplace_back(angleKey);
+    const bool isAngle = tangent.hi > 0;
+    frame.file.document().note(path, (isAngle ? "makes a focal length of " + shortNumber(ofAngle.hi) + " pixels"
+                                              : "is no angle between 0 and pi radians") +
+                                         std::string("; ") + key + " counts, which is " + shortNumber(*focal));
+  }
+  return *focal;
 }
 
 Pose readPose(const ObjectReader& frame) {
