@@ -1,10 +1,10 @@
 #include "output/matrix_text.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "input/convention_fields.hpp"
+#include "output/identifiers.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
 #include "text/json_build.hpp"
@@ -83,14 +83,6 @@ std::string asFlat(const MatrixSet& set) {
   return out;
 }
 
-/// The matrix's name, if need be with _ for what no language has in one.
-std::string identifier(const NamedMatrix& named) {
-  std::string name = named.name;
-  for (char& c : name)
-    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-  return name.empty() || std::isdigit(static_cast<unsigned char>(name[0])) ? "m" + name : name;
-}
-
 /// Rows on paper, a line each.
 std::string asCsv(const MatrixSet& set) {
   std::string out = "matrix,row,column1,column2,column3,column4\n";
@@ -100,7 +92,7 @@ std::string asCsv(const MatrixSet& set) {
   for (const NamedMatrix& named : set.matrices) {
     const Mat4 paper = laidOut(named.matrix, set.convention);
     for (std::size_t i = 0; i < 4; ++i)
-      out += identifier(named) + "," + std::to_string(i + 1) + "," + row(paper[i], ",", set.asFloat) + "\n";
+      out += named.name + "," + std::to_string(i + 1) + "," + row(paper[i], ",", set.asFloat) + "\n";
   }
   return out;
 }
@@ -171,7 +163,7 @@ std::string asC(const MatrixSet& set) {
            floating(set.eye->z, false) + "};\n";
   for (const NamedMatrix& named : set.matrices) {
     const Mat4 paper = laidOut(named.matrix, set.convention);
-    out += "static const " + type + " " + identifier(named) + "[16] = {\n" +
+    out += "static const " + type + " " + named.name + "[16] = {\n" +
            fourLines(byColumns ? transposed(paper) : paper, set.asFloat, "  ", "", suffix) + "};\n";
   }
   return out;
@@ -182,7 +174,7 @@ std::string asGlsl(const MatrixSet& set) {
   std::string out = comments(
       "// ", {axesInWords(set), "Column vectors, projection * view * point; each line is a column", eyeInWords(set)});
   for (const NamedMatrix& named : set.matrices)
-    out += "const mat4 " + identifier(named) + " = mat4(\n" + fourLines(transposed(named.matrix), true) + ");\n";
+    out += "const mat4 " + named.name + " = mat4(\n" + fourLines(transposed(named.matrix), true) + ");\n";
   return out;
 }
 
@@ -190,7 +182,7 @@ std::string asWgsl(const MatrixSet& set) {
   std::string out = comments(
       "// ", {axesInWords(set), "Column vectors, projection * view * point; each line is a column", eyeInWords(set)});
   for (const NamedMatrix& named : set.matrices)
-    out += "const " + identifier(named) + " = mat4x4<f32>(\n" + fourLines(transposed(named.matrix), true) + ");\n";
+    out += "const " + named.name + " = mat4x4<f32>(\n" + fourLines(transposed(named.matrix), true) + ");\n";
   return out;
 }
 
@@ -203,7 +195,7 @@ std::string asHlsl(const MatrixSet& set) {
                            "; each line is a row",
                        eyeInWords(set)});
   for (const NamedMatrix& named : set.matrices)
-    out += "static const float4x4 " + identifier(named) + " = float4x4(\n" +
+    out += "static const float4x4 " + named.name + " = float4x4(\n" +
            fourLines(laidOut(named.matrix, set.convention), true) + ");\n";
   return out;
 }
@@ -217,8 +209,7 @@ std::string asCss(const MatrixSet& set) {
                " */");
   out += ":root {\n";
   for (const NamedMatrix& named : set.matrices)
-    out += "  --" + identifier(named) + ": matrix3d(\n" + fourLines(transposed(named.matrix), set.asFloat, "    ") +
-           "  );\n";
+    out += "  --" + named.name + ": matrix3d(\n" + fourLines(transposed(named.matrix), set.asFloat, "    ") + "  );\n";
   return out + "}\n";
 }
 
@@ -233,7 +224,7 @@ std::string asNumpy(const MatrixSet& set) {
     out += "eye = np.array([" + floating(set.eye->x, false) + ", " + floating(set.eye->y, false) + ", " +
            floating(set.eye->z, false) + "])\n";
   for (const NamedMatrix& named : set.matrices)
-    out += identifier(named) + " = np.array([\n" +
+    out += named.name + " = np.array([\n" +
            fourLines(laidOut(named.matrix, set.convention), set.asFloat, "    [", "]") +
            (set.asFloat ? "], dtype=np.float32)\n" : "])\n");
   return out;
@@ -242,22 +233,29 @@ std::string asNumpy(const MatrixSet& set) {
 struct Format {
   std::string_view name;
   std::string (*write)(const MatrixSet&);
-  bool onlyFloat = false;   ///< the language's matrices are float32
-  bool floatRange = false;  ///< its numbers end where float32 does: browsers hold larger ones down to that
+  bool onlyFloat = false;     ///< the language's matrices are float32
+  bool floatRange = false;    ///< its numbers end where float32 does: browsers hold larger ones down to that
+  bool isCode = false;        ///< names are those of source code
+  bool numbersAlone = false;  ///< without the convention they are in
 };
 
 constexpr Format kMatrixFormats[] = {
-    {"json", asJson},
-    {"text", asText},
-    {"flat", asFlat},
-    {"csv", asCsv},
-    {"c", asC},
-    {"glsl", asGlsl, true},
-    {"hlsl", asHlsl, true},
-    {"wgsl", asWgsl, true},
-    {"css", asCss, false, true},
-    {"numpy", asNumpy},
+    {.name = "json", .write = asJson},
+    {.name = "text", .write = asText, .numbersAlone = true},
+    {.name = "flat", .write = asFlat, .numbersAlone = true},
+    {.name = "csv", .write = asCsv, .isCode = true, .numbersAlone = true},
+    {.name = "c", .write = asC, .isCode = true},
+    {.name = "glsl", .write = asGlsl, .onlyFloat = true, .isCode = true},
+    {.name = "hlsl", .write = asHlsl, .onlyFloat = true, .isCode = true},
+    {.name = "wgsl", .write = asWgsl, .onlyFloat = true, .isCode = true},
+    {.name = "css", .write = asCss, .floatRange = true, .isCode = true},
+    {.name = "numpy", .write = asNumpy, .isCode = true},
 };
+
+const Format& formatOf(std::string_view name) {
+  return *std::find_if(std::begin(kMatrixFormats), std::end(kMatrixFormats),
+                       [&](const Format& f) { return f.name == name; });
+}
 
 void requireRepresentable(const MatrixSet& set, bool asFloat, const std::string& source) {
   for (const NamedMatrix& named : set.matrices)
@@ -276,11 +274,18 @@ std::vector<std::string_view> matrixFormats() {
   return names;
 }
 
+bool saysNumbersAlone(std::string_view format) { return formatOf(format).numbersAlone; }
+
 std::string writeMatrices(MatrixSet set, std::string_view format, const std::string& source) {
-  const Format& known = *std::find_if(std::begin(kMatrixFormats), std::end(kMatrixFormats),
-                                      [&](const Format& f) { return f.name == format; });
+  const Format& known = formatOf(format);
   set.asFloat = set.asFloat || known.onlyFloat;
   requireRepresentable(set, set.asFloat || known.floatRange, source);
+  if (known.isCode) {
+    std::vector<std::string> names;
+    for (const NamedMatrix& named : set.matrices) names.push_back(named.name);
+    names = identifiersOf(names, set.eye ? std::vector<std::string>{"eye"} : std::vector<std::string>{});
+    for (std::size_t i = 0; i < names.size(); ++i) set.matrices[i].name = names[i];
+  }
   return known.write(set);
 }
 
