@@ -14,7 +14,7 @@
 #include "input/camera_file.hpp"
 #include "input/camera_source.hpp"
 #include "stream/filter.hpp"
-#include "viewproj/camera/camera.hpp"
+#include "viewproj/camera.hpp"
 
 namespace viewproj::cmd {
 

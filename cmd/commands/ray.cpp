@@ -1,6 +1,4 @@
 // viewproj ray: pixels to rays, and to the points behind them.
-#include "viewproj/view/ray.hpp"
-
 #include <algorithm>
 #include <atomic>
 #include <limits>
@@ -12,9 +10,9 @@
 #include "stream/filter.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
-#include "viewproj/camera/geodesy.hpp"
-#include "viewproj/view/hits.hpp"
-#include "viewproj/view/screen.hpp"
+#include "viewproj/geodesy.hpp"
+#include "viewproj/scene.hpp"
+#include "viewproj/screen.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -12,22 +12,25 @@
 namespace viewproj::cmd {
 namespace {
 
-Names<std::string_view> schemas() {
-  Names<std::string_view> texts;
+/// The text is made when it is asked for.
+using WriteSchema = std::string (*)();
+
+Names<WriteSchema> schemas() {
+  Names<WriteSchema> texts;
   for (const NamedSchema& schema : kSchemas) texts.emplace_back(schema.name, schema.text);
   return texts;
 }
 
-int run(const std::optional<std::string_view>& text) {
+int run(const std::optional<WriteSchema>& text) {
   if (!text) throw UsageError("NAME is needed: " + joined(known(schemas())));
-  writeOutput(*text);
+  writeOutput((*text)());
   return 0;
 }
 
 }  // namespace
 
 Action defineSchema(CLI::App& app) {
-  const auto text = std::make_shared<std::optional<std::string_view>>();
+  const auto text = std::make_shared<std::optional<WriteSchema>>();
   app.description(
       "The JSON Schema (draft 2020-12) of a camera file, of points, of a scene, or of results, for editors and "
       "validators.");

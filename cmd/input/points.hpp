@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "input/layout.hpp"
-#include "viewproj/numbers/vectors.hpp"
+#include "viewproj/vectors.hpp"
 
 namespace viewproj::cmd {
 

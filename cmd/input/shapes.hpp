@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "input/layout.hpp"
-#include "viewproj/view/shapes.hpp"
+#include "viewproj/scene.hpp"
 
 namespace viewproj::cmd {
 

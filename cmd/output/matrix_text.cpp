@@ -8,7 +8,7 @@
 #include "output/identifiers.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
-#include "viewproj/view/matrices.hpp"
+#include "viewproj/matrices.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -13,7 +13,7 @@
 #include "output/spilled_texts.hpp"
 #include "text/form.hpp"
 #include "text/text_buffer.hpp"
-#include "viewproj/numbers/vectors.hpp"
+#include "viewproj/vectors.hpp"
 
 namespace viewproj::cmd {
 

@@ -1,15 +1,22 @@
-// The files beside this one, as text.
+// The JSON Schemas of what is read and written.
 #pragma once
 
+#include <span>
+#include <string>
 #include <string_view>
 
 namespace viewproj::cmd {
 
-struct NamedSchema {
-  std::string_view name, text;
-};
+std::string cameraSchema();
+std::string sceneSchema();
+std::string pointsSchema();
+std::string resultsSchema();
 
-/// camera, points, scene, results. Defined in a file that CMake writes.
-extern const NamedSchema kSchemas[4];
+struct NamedSchema {
+  std::string_view name;
+  std::string (*text)();
+};
+inline constexpr NamedSchema kSchemas[] = {
+    {"camera", cameraSchema}, {"points", pointsSchema}, {"scene", sceneSchema}, {"results", resultsSchema}};
 
 }  // namespace viewproj::cmd

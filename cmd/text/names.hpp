@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace viewproj::cmd {
 
@@ -12,6 +13,11 @@ std::string_view nearestName(std::string_view name, std::span<const std::string_
 
 /// "; did you mean 'fovY'?" or, with no near one, "; known are a, b, c".
 std::string suggestion(std::string_view name, std::span<const std::string_view> candidates);
+
+/// "a, b or c".
+std::string alternatives(const std::vector<std::string_view>& names);
+/// "a, b and c".
+std::string together(const std::vector<std::string_view>& names);
 
 /// "a, b, c".
 std::string joined(std::span<const std::string_view> names, std::string_view separator = ", ");

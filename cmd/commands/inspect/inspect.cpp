@@ -14,7 +14,7 @@
 #include "text/file.hpp"
 #include "text/names.hpp"
 #include "text/visible.hpp"
-#include "viewproj/camera/error.hpp"
+#include "viewproj/camera.hpp"
 
 namespace viewproj::cmd {
 namespace {
