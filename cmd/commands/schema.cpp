@@ -12,31 +12,28 @@
 namespace viewproj::cmd {
 namespace {
 
-/// The text is made when it is asked for.
-using WriteSchema = std::string (*)();
-
-Names<WriteSchema> schemas() {
-  Names<WriteSchema> texts;
-  for (const NamedSchema& schema : kSchemas) texts.emplace_back(schema.name, schema.text);
-  return texts;
+Names<const NamedSchema*> schemas() {
+  Names<const NamedSchema*> known;
+  for (const NamedSchema& schema : kSchemas) known.emplace_back(schema.name, &schema);
+  return known;
 }
 
-int run(const std::optional<WriteSchema>& text) {
-  if (!text) throw UsageError("NAME is needed: " + joined(known(schemas())));
-  writeOutput((*text)());
+int run(const std::optional<const NamedSchema*>& schema) {
+  if (!schema) throw UsageError("NAME is needed: " + joined(known(schemas())));
+  writeOutput((*schema)->text());
   return 0;
 }
 
 }  // namespace
 
 Action defineSchema(CLI::App& app) {
-  const auto text = std::make_shared<std::optional<WriteSchema>>();
+  const auto schema = std::make_shared<std::optional<const NamedSchema*>>();
   app.description(
       "The JSON Schema (draft 2020-12) of a camera file, of points, of a scene, or of results, for editors and "
       "validators.");
   app.footer("viewproj schema camera");
-  addChoice(app, "NAME", "", *text, schemas(), "What the schema is of", "");
-  return [text] { return run(*text); };
+  addChoice(app, "NAME", "", *schema, schemas(), "What the schema is of", "");
+  return [schema] { return run(*schema); };
 }
 
 }  // namespace viewproj::cmd

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
-#include "input/convention_names.hpp"
+#include "input/convention_fields.hpp"
 #include "output/identifiers.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
+#include "text/json_build.hpp"
 #include "viewproj/matrices.hpp"
 
 namespace viewproj::cmd {
@@ -29,30 +29,20 @@ std::string row(const std::array<double, 4>& entries, std::string_view separator
   return text;
 }
 
-std::string quotedName(std::string_view name) {
-  return nlohmann::json(name).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
 /// Rows as the convention writes them on paper, and every axis of the convention.
 std::string asJson(const MatrixSet& set) {
-  const Convention& c = set.convention;
-  std::string out = "{\n  \"convention\": {\"world\": " + quotedName(nameOf(kWorldNames, c.world)) +
-                    ", \"view\": " + quotedName(nameOf(kViewNames, c.view)) +
-                    ", \"ndcZ\": " + quotedName(nameOf(kNdcZNames, c.ndcZ)) +
-                    ", \"reverseZ\": " + (c.reverseZ ? "true" : "false") +
-                    ", \"ndcY\": " + quotedName(nameOf(kNdcYNames, c.ndcY)) +
-                    ", \"vectors\": " + quotedName(nameOf(kVectorsNames, c.vectors)) +
-                    ", \"storage\": " + quotedName(nameOf(kStorageNames, c.storage)) + "}";
-  if (set.eye)
-    out += ",\n  \"eye\": [" + formatNumber(set.eye->x) + ", " + formatNumber(set.eye->y) + ", " +
-           formatNumber(set.eye->z) + "]";
+  constexpr std::string_view kLine = ",\n  ";
+  JsonObject out;
+  out.addText("convention", jsonOf(set.convention), kLine);
+  if (set.eye) out.addText("eye", jsonListOf(std::array{set.eye->x, set.eye->y, set.eye->z}), kLine);
   for (const NamedMatrix& named : set.matrices) {
-    out += ",\n  " + quotedName(named.name) + ": [\n";
-    const Mat4 paper = laidOut(named.matrix, c);
-    for (std::size_t i = 0; i < 4; ++i) out += "    [" + row(paper[i], ", ", set.asFloat) + (i < 3 ? "],\n" : "]\n");
-    out += "  ]";
+    std::vector<std::string> rows;
+    for (const auto& entries : laidOut(named.matrix, set.convention).m)
+      rows.push_back("[" + row(entries, ", ", set.asFloat) + "]");
+    std::string matrix = jsonList(rows, ",\n    ");
+    out.addText(named.name, matrix.insert(matrix.size() - 1, "\n  "), kLine);
   }
-  return out + "\n}\n";
+  return "{\n  " + out.members() + "\n}\n";
 }
 
 /// Rows on paper in aligned columns, under a line with the name.
