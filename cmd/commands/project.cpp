@@ -37,22 +37,10 @@ struct Fields {
   bool outsideAlways = false;
 };
 
-Fields chooseFields(const std::string& list, bool asText) {
+Fields chooseFields(const std::optional<std::vector<ResultField>>& asked, bool asText) {
   using enum ResultField;
-  if (list.empty())
-    return {asText ? std::vector{screen, depth} : std::vector{screen, depth, viewDistance, visible, outside}};
-  Fields fields;
-  fields.outsideAlways = true;
-  for (const std::string& name : splitNames("--fields", list)) {
-    std::vector<std::string_view> known;
-    const std::size_t before = fields.wanted.size();
-    for (const auto& [row, field] : kFields) {
-      known.push_back(row);
-      if (row == name) fields.wanted.push_back(field);
-    }
-    if (fields.wanted.size() == before) failUnknown("--fields", name, known);
-  }
-  return fields;
+  if (asked) return {*asked, true};
+  return {asText ? std::vector{screen, depth} : std::vector{screen, depth, viewDistance, visible, outside}};
 }
 
 /// The names of what a point lies beyond, in the interface's order.
@@ -266,43 +254,50 @@ class ProjectWork final : public RecordWork {
   std::vector<ScreenPoint> screen_;
 };
 
-/// Points of the command line as JSON records.
-std::vector<GivenRecord> recordsOf(const std::vector<std::string>& points) {
-  std::vector<GivenRecord> records;
-  for (const std::string& text : points) {
-    std::string json;
-    for (double number : readPointOption(text)) json += (json.empty() ? "[" : ",") + formatNumber(number);
-    records.push_back({"--point " + text, json + "]"});
-  }
-  return records;
+/// A point of the command line as a JSON record.
+GivenRecord readPoint(const std::string& option, const std::string& text) {
+  std::string json;
+  for (double number : readPointNumbers(option, text)) json += (json.empty() ? "[" : ",") + formatNumber(number);
+  return {option + " " + text, json + "]"};
 }
 
 struct Options {
   CameraOptions camera;
   StreamOptions stream;
-  PrecisionOption precision;
-  ToleranceOption tolerance;
-  std::vector<std::string> points;
-  std::string fields, model;
+  PrecisionMode precision;
+  std::optional<double> tolerance;
+  std::vector<GivenRecord> points;
+  std::optional<std::vector<ResultField>> fields;
+  std::optional<std::string> model;
 };
+
+/// Fields that no option names show nothing of the convention that is written.
+CameraOptions::Shown shownOf(const std::optional<std::vector<ResultField>>& fields) {
+  const auto has = [&](ResultField field) {
+    return fields && std::find(fields->begin(), fields->end(), field) != fields->end();
+  };
+  const bool depth = has(ResultField::ndc) || has(ResultField::clip), view = has(ResultField::view);
+  return {.axes = depth || view, .range = depth, .reversal = depth, .world = depth || view};
+}
 
 int run(const Options& o) {
   FilterSetup setup = o.stream.setup(kPointCoordinates);
-  setup.given = recordsOf(o.points);
-  o.stream.requireOneInput(setup, o.camera, {"the model", o.model == "-"});
+  setup.given = o.points;
+  o.stream.requireOneInput(setup, o.camera, {"the model", isStandardInput(o.model)});
+  if (o.precision.arithmetic && o.tolerance)
+    throw UsageError("--tolerance is for --precision auto, which chooses by it");
   const CameraFile file = o.camera.read();
   Projecting how{.camera = makeCamera(file),
                  .writing = o.camera.writing(file),
-                 .arithmetic = o.precision.value(),
-                 .tolerance = o.tolerance.value(),
+                 .arithmetic = o.precision.arithmetic,
+                 .tolerance = o.tolerance.value_or(kDefaultTolerance),
                  .columns = setup.columns,
                  .worldIsEcef = file.worldIsEcef,
                  .fields = chooseFields(o.fields, false),
                  .textFields = chooseFields(o.fields, true)};
   how.frustum = viewFrustum(how.camera);
-  if (!o.model.empty()) how.worldFromLocal = readModel(o.model);
-  if (how.arithmetic && o.tolerance.given())
-    throw UsageError("--tolerance is for --precision auto, which chooses by it");
+  if (o.model) how.worldFromLocal = readModel(*o.model);
+  o.camera.noteWriting(file, shownOf(o.fields), "--fields with ndc or clip");
   setup.writer.arrayName = "position";
   const auto makeWork = [&] { return std::make_unique<ProjectWork>(how); };
   setup.writer.exampleResults = [&](ResultSink& sink) { makeWork()->nameResults({}, sink); };
@@ -320,14 +315,12 @@ Action defineProject(CLI::App& app) {
   o->camera.add(app);
   o->camera.addWriting(app);
   o->stream.add(app, "points");
-  o->precision.add(app);
-  o->tolerance.add(app);
-  addRepeatable(app, "--point", o->points, "A point, in place of FILE and standard input")->type_name("X,Y,Z[,W]");
-  app.add_option("--fields", o->fields,
-                 "Results to give: screen,depth,viewDistance,visible,outside,ndc,clip,view,bound (default: the first "
-                 "five; in text and f64 the first two)")
-      ->type_name("NAMES");
-  addModel(app, o->model, "points");
+  addPrecision(app, o->precision);
+  addTolerance(app, o->tolerance);
+  addValues(app, "--point", "X,Y,Z[,W]", o->points, readPoint, "A point, in place of FILE and standard input");
+  addChoices(app, "--fields", o->fields, namesOf(kFields), "Results to give",
+             "the first five; in text and f64 the first two");
+  addModelOption(app, o->model, "points");
   return [o] { return run(*o); };
 }
 

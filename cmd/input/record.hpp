@@ -10,6 +10,7 @@
 
 #include "text/form.hpp"
 #include "text/json_text.hpp"
+#include "text/visible.hpp"
 
 namespace viewproj::cmd {
 
@@ -108,8 +109,5 @@ std::string csvValue(std::string_view field);
 
 /// A header if the line has a field that is not a number; otherwise the default names in order.
 CsvHeader readCsvHeader(std::string_view line, const std::vector<std::string>& defaults);
-
-/// The beginning of a text in quotes, on one line, for messages.
-std::string quoted(std::string_view text);
 
 }  // namespace viewproj::cmd

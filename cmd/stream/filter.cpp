@@ -124,7 +124,7 @@ TextBuffer readHeader(Stream& stream, BlockReader& reader) {
     if (stream.writes && hasColumns(stream.to))
       stream.columns = csvColumns(stream.setup.writer, fromCsv ? &header : nullptr, fromCsv ? line->text : "", out);
   } catch (const RecordError& e) {
-    throw InputError(place(reader.name(), positionAt(line->text, e.offset, line->position)) + ": " + e.what());
+    throw InputError(place(reader.name(), positionAt(line->text, e.offset, line->position)) + ": " + visible(e.what()));
   }
   return out;
 }
@@ -205,9 +205,9 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
 
 int runFilter(FilterSetup setup, const MakeWork& makeWork) { return run(setup, makeWork, true); }
 
-void readRecords(FilterSetup setup, const MakeWork& makeWork) {
+int readRecords(FilterSetup setup, const MakeWork& makeWork) {
   setup.jobs = 1;
-  (void)run(setup, makeWork, false);
+  return run(setup, makeWork, false);
 }
 
 }  // namespace viewproj::cmd

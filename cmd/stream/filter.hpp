@@ -38,7 +38,8 @@ struct FilterSetup {
 int runFilter(FilterSetup setup, const MakeWork& makeWork);
 
 /// Reads the records alone, in order: they are added to the work, batch by batch, and nothing is written. Throws
-/// InputError at the first bad one. setup: file or given, from, columns, csvDefaults.
-void readRecords(FilterSetup setup, const MakeWork& makeWork);
+/// InputError at the first bad one, or with keepGoing leaves it out and returns the exit status 1. setup: file or
+/// given, from, columns, csvDefaults, keepGoing.
+int readRecords(FilterSetup setup, const MakeWork& makeWork);
 
 }  // namespace viewproj::cmd

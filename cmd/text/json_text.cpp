@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "text/visible.hpp"
+
 namespace viewproj::cmd {
 namespace {
 
@@ -162,7 +164,8 @@ std::optional<JsonFault> parseJson(std::string_view text, nlohmann::json& value)
   Builder builder(value);
   if (auto fault = faultOf(text, builder)) return fault;
   if (!builder.twice) return std::nullopt;
-  return JsonFault{offsetOfKey(text, builder.twice->number), "the key '" + builder.twice->key + "' is given twice"};
+  return JsonFault{offsetOfKey(text, builder.twice->number),
+                   "the key " + cmd::quoted(builder.twice->key) + " is given twice"};
 }
 
 bool isJson(std::string_view text) {
@@ -178,7 +181,7 @@ std::size_t endOfValue(std::string_view text, std::size_t at) {
     } else if (c == '{' || c == '[') {
       ++depth;
     } else if (c == '}' || c == ']') {
-      if (depth == 0) return at;  // behind a scalar
+      if (depth == 0) return at;  // after a scalar
       --depth;
     } else if (depth == 0 && (c == ',' || isSpace(c))) {
       return at;
@@ -200,7 +203,7 @@ std::optional<JsonParts::Part> JsonParts::begin() {
     const std::size_t end = endOfString(text_, at_);
     part.key = text_.substr(at_ + 1, end - at_ - 2);
     at_ = afterSpace(text_, end);
-    at_ = afterSpace(text_, at_ + 1);  // behind the colon
+    at_ = afterSpace(text_, at_ + 1);  // after the colon
   }
   part.value = text_.substr(at_);
   return part;

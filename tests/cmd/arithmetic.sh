@@ -18,8 +18,8 @@ cat >"$work/sum.cpp" <<'END'
 #include <numbers/double_double.hpp>
 int main(int count, char**) {
   volatile double one = count, small = 0x1p-60, smaller = 0x1p-110;
-  const viewproj::DoubleDouble sum = viewproj::DoubleDouble(one, small) + viewproj::DoubleDouble(-one, smaller);
-  return viewproj::twoSum(one, small).lo == small && sum.hi == 0x1p-60 + 0x1p-110 ? 0 : 1;
+  const viewproj::detail::DoubleDouble sum = viewproj::detail::DoubleDouble(one, small) + viewproj::detail::DoubleDouble(-one, smaller);
+  return viewproj::detail::twoSum(one, small).lo == small && sum.hi == 0x1p-60 + 0x1p-110 ? 0 : 1;
 }
 END
 

@@ -4,9 +4,9 @@
 #include <optional>
 #include <variant>
 
-#include "commands/draw/labels.hpp"
 #include "input/points.hpp"
 #include "input/shapes.hpp"
+#include "output/labels.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
 #include "text/json_text.hpp"
@@ -89,8 +89,8 @@ class DrawWork final : public RecordWork {
 
 }  // namespace
 
-void addRecords(View& view, const Frustum& frustum, const FilterSetup& setup, bool worldIsEcef) {
-  readRecords(setup, [&] { return std::make_unique<DrawWork>(view, frustum, setup.columns, worldIsEcef); });
+int addRecords(View& view, const Frustum& frustum, const FilterSetup& setup, bool worldIsEcef) {
+  return readRecords(setup, [&] { return std::make_unique<DrawWork>(view, frustum, setup.columns, worldIsEcef); });
 }
 
 void addScene(View& view, const Frustum& frustum, const std::vector<SceneObject>& scene) {

@@ -6,6 +6,7 @@
 #include "catch.hpp"
 #include "internals.hpp"
 #include "reference/scene.hpp"
+#include "viewproj/scene.hpp"
 
 using namespace viewproj;
 using namespace viewproj::detail;
