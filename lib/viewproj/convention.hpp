@@ -78,11 +78,12 @@ inline constexpr ConventionPreset kConventionPresets[] = {
 };
 // clang-format on
 
-/// A name that is no preset's does not compile.
+/// A name that is no preset's does not compile: this is no function for constants.
+Convention noSuchConvention();
 consteval Convention presetNamed(std::string_view name) {
   for (const ConventionPreset& preset : kConventionPresets)
     if (preset.name == name) return preset.convention;
-  throw "no such convention";
+  return noSuchConvention();
 }
 }  // namespace detail
 

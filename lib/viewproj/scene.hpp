@@ -99,7 +99,7 @@ inline constexpr double kHitShare = 0x1p-70;
 
 // Hits at a distance >= 0 count: a ray that starts on a surface hits it there, and one that starts inside a solid hits
 // it once. A surface that is only touched, at a tangent, an edge or a corner, is hit once. No hits where the shape is
-// not valid (shapes.hpp), where the ray is not finite, or where its direction is zero.
+// not valid (isValid), where the ray is not finite, or where its direction is zero.
 
 /// A ray within or parallel to the plane does not hit it.
 Hits intersect(const Ray& ray, const Plane& plane) noexcept;

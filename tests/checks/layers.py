@@ -1,5 +1,6 @@
 """Reads the includes of lib and cmd: each goes to a file of the same module or of one further down, and no file reaches itself
-through others (a .cpp and its .hpp are one file).  python3 tests/checks/layers.py [--table]"""
+through others (a .cpp and its .hpp are one file). A public header includes public headers and the standard library alone,
+and neither names the arithmetic behind it nor declares anything outside of viewproj.  python3 tests/checks/layers.py [--table]"""
 import re
 import sys
 from collections import Counter
@@ -26,6 +27,9 @@ PUBLIC = {
     "screen": "lib/projection", "clip": "lib/projection", "matrices": "lib/matrices", "scene": "lib/scene",
     "geodesy": "lib/geodesy", "viewproj": "lib/viewproj",
 }
+# What users never see; as words, comments left out.
+ARITHMETIC = re.compile(r"\b(DoubleDouble|DDVec3|Expansion|Exact(Rows|Vec3|Plane|Source)|FineVec3|Fixed|Dyadic|Wide\w*|Certified|"
+                        r"ProjectionConstants|\w*Lanes|Interval|near|far)\b")
 RANK = {module: rank for rank, layer in enumerate(LAYERS) for module in layer}
 
 
@@ -47,6 +51,32 @@ def included(path):
                 break
         else:
             yield name
+
+
+def public_faults(path):
+    """What is wrong with a header for users."""
+    text = path.read_text()
+    for name in re.findall(r'^#include (\S+)', text, re.M):
+        if not (name[0] == "<" and "." not in name and "/" not in name) and not name.startswith('"viewproj/'):
+            yield f"includes {name}"
+    code = re.sub(r'//[^\n]*|"(?:[^"\\\n]|\\.)*"', "", text)
+    for word in sorted(set(match.group(1) for match in ARITHMETIC.finditer(code))):
+        yield f"names {word}"
+    for macro in re.findall(r"^#define (\w+)", code, re.M):
+        if not macro.startswith("VIEWPROJ_"):
+            yield f"defines {macro}"
+    outside = re.sub(r"^#.*$", "", code, flags=re.M)
+    inside = re.fullmatch(r"\s*(namespace viewproj \{.*\}\s*)?", outside, re.S)
+    depth = 0
+    for at, mark in ((m.start(), m.group()) for m in re.finditer(r"[{}]", outside)):
+        depth += 1 if mark == "{" else -1
+        if depth == 0 and outside[at + 1:].strip() and not outside[at + 1:].lstrip().startswith("namespace viewproj"):
+            inside = None
+    if not inside:
+        yield "declares something outside of viewproj"
+    for name in re.findall(r"^namespace ([\w:]+)", code, re.M):
+        if name not in ("viewproj", "detail", "conventions"):
+            yield f"opens namespace {name}"
 
 
 def circles(graph):
@@ -83,6 +113,10 @@ def main():
     wrong, graph, arrows, lines = [], {}, Counter(), Counter()
     for path in files:
         source = module_of(path)
+        if path.parent == ROOT / "lib" / "viewproj":
+            wrong += [f"{path.relative_to(ROOT)} {fault}" for fault in public_faults(path)]
+            if path.stem not in PUBLIC:
+                wrong.append(f"{path.relative_to(ROOT)} is of no module: PUBLIC in layers.py lists them")
         lines[source] += path.read_text().count("\n")
         stem = str(path.relative_to(ROOT).with_suffix(""))
         graph.setdefault(stem, set())
