@@ -72,11 +72,32 @@ use_tool "$work/prefix/bin/viewproj"
 cmake -S tests/install -B "$work/consumer" -DCMAKE_PREFIX_PATH="$work/prefix" >/dev/null
 cmake --build "$work/consumer" >/dev/null
 expect_output 'the program of tests/install' "$("$work/consumer/consumer")"
+# The core alone, where there is no GeographicLib.
+cmake -S tests/install -B "$work/core" -DCMAKE_PREFIX_PATH="$work/prefix" -DPART=viewproj \
+  -DCMAKE_FIND_ROOT_PATH=/nowhere -DCMAKE_FIND_ROOT_PATH_MODE_LIBRARY=ONLY -DCMAKE_FIND_ROOT_PATH_MODE_INCLUDE=ONLY >/dev/null
+cmake --build "$work/core" >/dev/null
+[ "$("$work/core/consumer")" = "${expected%,*}" ] || fail "the program of the core prints '$("$work/core/consumer")'"
+if nm "$work/core/consumer" | grep -q GeographicLib; then fail 'a program of the core holds GeographicLib'; fi
 PKG_CONFIG_PATH=$(dirname "$(find "$work/prefix" -name viewproj.pc)")
 export PKG_CONFIG_PATH
 # shellcheck disable=SC2046  # a list of words
 "${CXX:-c++}" -std=c++20 tests/install/main.cpp -o "$work/by-pkg-config" $(pkg-config --cflags --libs viewproj-geodesy)
 expect_output 'the program built by pkg-config' "$("$work/by-pkg-config")"
+# shellcheck disable=SC2046
+"${CXX:-c++}" -std=c++20 tests/install/core.cpp -o "$work/core-by-pkg-config" $(pkg-config --cflags --libs viewproj)
+case $(pkg-config --libs --static viewproj) in *Geographic*) fail 'the core asks for GeographicLib' ;; esac
+for header in "$work"/prefix/include/viewproj/*.hpp; do
+  [ -f "lib/viewproj/$(basename "$header")" ] || fail "$header is installed"
+done
+[ "$(find "$work/prefix/include" -type f | wc -l)" -eq "$(find lib/viewproj -type f | wc -l)" ] || fail 'not the public headers alone are installed'
+
+for how in subdirectory fetch; do
+  echo "== the library by itself: $how"
+  cmake -S tests/install -B "$work/$how" -DHOW=$how -DLIBRARY="$source/lib" >/dev/null
+  cmake --build "$work/$how" --parallel "$(nproc)" >/dev/null
+  expect_output "the program of tests/install by $how" "$("$work/$how/consumer")"
+done
+
 DESTDIR=$work/staged cmake --install "$build" --prefix /opt/viewproj >/dev/null
 expect_files "$work/staged/opt/viewproj"
 

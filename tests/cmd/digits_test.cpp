@@ -11,6 +11,7 @@
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;
+using namespace viewproj::detail;
 using namespace viewproj::cmd;
 
 namespace {
