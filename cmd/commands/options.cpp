@@ -9,11 +9,13 @@
 #include "commands/help.hpp"
 #include "input/camera_source.hpp"
 #include "input/convention_names.hpp"
+#include "input/points.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
 #include "text/names.hpp"
 #include "text/parse_number.hpp"
+#include "viewproj/camera/geodesy.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -58,8 +60,56 @@ std::vector<double> readNumbers(const std::string& option, const std::string& te
   return std::move(*numbers);
 }
 
-std::vector<double> readPointOption(const std::string& text) {
-  return readNumbers("--point", text, 3, 4, "X,Y,Z or X,Y,Z,W");
+GivenPoint readPointOption(const std::string& text) {
+  constexpr const char* kForms = "X,Y,Z or X,Y,Z,W, x=X,y=Y,z=Z or lat=LAT,lon=LON,height=HEIGHT";
+  GivenPoint point{text, {}, text.find('=') != std::string::npos};
+  if (!point.named) {
+    const std::vector<double> numbers = readNumbers("--point", text, 3, 4, kForms);
+    for (std::size_t i = 0; i < numbers.size(); ++i) point.numbers.emplace_back(coordinates::kXyzw[i].name, numbers[i]);
+    return point;
+  }
+  const UsageError wrong("--point " + text + ": expected " + kForms);
+  const std::vector<std::string> parts = splitNames("--point", text);
+  for (const Coordinate* row : kPointRows) {
+    for (std::size_t i = 0; i < row->parts.size(); ++i) {
+      const std::string name(row->parts[i].name);
+      const auto part =
+          std::find_if(parts.begin(), parts.end(), [&](const std::string& one) { return one.starts_with(name + "="); });
+      if (part == parts.end() && i < row->fewest) break;
+      if (part == parts.end()) continue;
+      const auto number = parseNumber(part->substr(name.size() + 1));
+      if (!number) throw UsageError("--point " + text + ": " + name + " is no number");
+      point.numbers.emplace_back(name, *number);
+    }
+    if (point.numbers.empty()) continue;
+    if (point.numbers.size() < row->fewest || point.numbers.size() != parts.size()) throw wrong;
+    return point;
+  }
+  throw wrong;
+}
+
+std::string GivenPoint::json() const {
+  std::string json;
+  for (const auto& [name, number] : numbers)
+    json += (json.empty() ? "" : ",") + (named ? "\"" + name + "\":" : "") + formatNumber(number);
+  return named ? "{" + json + "}" : "[" + json + "]";
+}
+
+void GivenPoint::requireFit(bool worldIsEcef) const {
+  if (!named && worldIsEcef && numbers.size() == 3)
+    throw UsageError("--point " + text + ": " + bareTriple("lat=LAT,lon=LON,height=HEIGHT or x=X,y=Y,z=Z"));
+  if (numbers[0].first == "lat" && !worldIsEcef)
+    throw UsageError("--point " + text + ": a place needs a camera that stands on the Earth");
+}
+
+Vec4 GivenPoint::point() const {
+  if (numbers[0].first == "lat") {
+    const Geodetic place{numbers[0].second, numbers[1].second, numbers[2].second};
+    if (!isPlace(place)) throw UsageError("--point " + text + ": lat is not from -90 to 90 degrees");
+    const Vec3 p = geodeticToEcef(place);
+    return {p.x, p.y, p.z, 1};
+  }
+  return {numbers[0].second, numbers[1].second, numbers[2].second, numbers.size() > 3 ? numbers[3].second : 1};
 }
 
 std::vector<double> readPixelOption(const std::string& text) {
@@ -179,8 +229,12 @@ void StreamOptions::addInput(CLI::App& app, const std::string& what) {
   app.add_option("FILE", file_, "The " + what + "; absent or - for standard input");
   app.add_option("--from", from_, "Form of FILE: json, csv, text, f64 (default: as its name and first bytes tell)")
       ->type_name("FORM");
-  app.add_option("--columns", columns_, "CSV columns that hold the coordinates, as in E,N,U (default: by their names)")
-      ->type_name("NAMES");
+  const bool pixels = what == "pixels";
+  app.add_option("--columns", columns_,
+                 std::string("Columns of CSV, fields of JSON or numbers of a line that hold the coordinates, as in ") +
+                     (pixels ? "u,v or 1,2 or x=u,y=v,depth=d" : "E,N,U or 2,3,4 or lat=la,lon=lo,height=h") +
+                     " (default: by their names)")
+      ->type_name("COLUMNS");
 }
 
 void StreamOptions::add(CLI::App& app, const std::string& what) {
@@ -197,7 +251,7 @@ void StreamOptions::add(CLI::App& app, const std::string& what) {
       ->type_name("N");
 }
 
-FilterSetup StreamOptions::setup(const Coordinates& coordinates) const {
+FilterSetup StreamOptions::setup(const ChoosableColumns& choosable) const {
   static constexpr NameRow<Form> kFrom[] = {
       {"json", Form::json}, {"csv", Form::csv}, {"text", Form::text}, {"f64", Form::f64}};
   static constexpr NameRow<OutputForm> kTo[] = {{"ndjson", OutputForm::lines}, {"json", OutputForm::array},
@@ -216,14 +270,30 @@ FilterSetup StreamOptions::setup(const Coordinates& coordinates) const {
   if (!jobs_.empty()) setup.jobs = static_cast<unsigned>(wholeNumber("--jobs", jobs_, kMostJobs));
   if (!firstLine_.empty()) setup.firstLine = wholeNumber("--first-line", firstLine_, 1ull << 53);
   setup.writer.prefix = prefix_;
-  setup.csvDefaults.assign(coordinates.names.begin(), coordinates.names.end());
-  if (columns_.empty()) return setup;
-  const auto& [names, fewest, most] = coordinates;
-  setup.columns = setup.csvDefaults = splitNames("--columns", columns_);
-  if (setup.columns.size() < fewest || setup.columns.size() > most)
-    throw UsageError("--columns " + columns_ + ": expected " + std::to_string(fewest) +
-                     (fewest == most ? "" : " or " + std::to_string(most)) + " names separated by commas");
+  if (!columns_.empty()) {
+    setup.columns = chooseColumns(columns_, choosable);
+    setup.csvDefaults = setup.writer.numberNames = setup.columns.columnNames();
+    return setup;
+  }
+  for (const auto& rows : {choosable.rows.first(1), choosable.others})
+    for (const Coordinate* row : rows)
+      for (const CoordinatePart& part : row->parts) setup.csvDefaults.emplace_back(part.name);
   return setup;
+}
+
+void StreamOptions::settleOnEarth(FilterSetup& setup, bool worldIsEcef) {
+  if (!worldIsEcef) return;
+  const ColumnChoice& columns = setup.columns;
+  if (columns.given() && !columns.saysWhat) {
+    std::string place, ecef;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::string end = "=" + columns.picks[i].name + (i < 2 ? "," : "");
+      place += std::string(coordinates::kPlace[i].name) + end;
+      ecef += std::string(coordinates::kXyzw[i].name) + end;
+    }
+    throw UsageError("--columns " + columns.text + ": " + bareTriple(place + " or " + ecef));
+  }
+  if (!columns.given()) setup.writer.numberNames = setup.csvDefaults;
 }
 
 void requireOneStandardInput(std::initializer_list<NamedInput> inputs) {

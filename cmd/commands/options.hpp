@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "input/camera_file.hpp"
+#include "input/column_choice.hpp"
 #include "stream/filter.hpp"
 #include "viewproj/camera/camera.hpp"
 
@@ -58,14 +59,6 @@ class CameraOptions {
   const CLI::Option* reverseZGiven_ = nullptr;
 };
 
-/// What records hold: the coordinates' names in CSV without a header, and how many of them --columns may name.
-struct Coordinates {
-  std::span<const std::string_view> names;
-  std::size_t fewest, most;
-};
-inline constexpr std::string_view kPointNames[] = {"x", "y", "z", "w"}, kPixelNames[] = {"x", "y", "depth"};
-inline constexpr Coordinates kPointCoordinates{kPointNames, 3, 4}, kPixelCoordinates{kPixelNames, 2, 2};
-
 /// Something that is read, and whether from standard input.
 struct NamedInput {
   const char* what = "";
@@ -84,11 +77,15 @@ class StreamOptions {
   void addInput(CLI::App& app, const std::string& what);
 
   /// Throws UsageError for a value that is none.
-  FilterSetup setup(const Coordinates& coordinates) const;
+  FilterSetup setup(const ChoosableColumns& choosable) const;
 
   /// Throws UsageError where records come from the command line and from a file, or two inputs from standard input.
   /// other: what else the command reads.
   void requireOneInput(const FilterSetup& setup, const CameraOptions& camera, const NamedInput& other = {}) const;
+
+  /// With a camera on the Earth, columns that are named by neither lat, lon, height nor x, y, z are a UsageError; and
+  /// what has no names in the output gets x, y, z.
+  static void settleOnEarth(FilterSetup& setup, bool worldIsEcef);
 
   /// Throws UsageError for an option that tells how FILE is to be read. why: "--point takes the place of".
   void requireNoInputOption(const std::string& why) const;
@@ -130,8 +127,22 @@ std::vector<std::string> splitNames(const std::string& option, const std::string
 std::vector<double> readNumbers(const std::string& option, const std::string& text, std::size_t fewest,
                                 std::size_t most, const std::string& form);
 
-/// --point X,Y,Z[,W], --pixel X,Y[,DEPTH].
-std::vector<double> readPointOption(const std::string& text);
+/// A point of the command line: X,Y,Z[,W], or x=..,y=..,z=..[,w=..] or lat=..,lon=..,height=.. in any order.
+struct GivenPoint {
+  std::string text;  ///< as typed
+  std::vector<std::pair<std::string, double>> numbers;
+  bool named = false;
+
+  /// As a record.
+  std::string json() const;
+  /// Throws UsageError for a place with a camera elsewhere, and for numbers without names with one on the Earth.
+  void requireFit(bool worldIsEcef) const;
+  /// In the world.
+  Vec4 point() const;
+};
+GivenPoint readPointOption(const std::string& text);
+
+/// --pixel X,Y[,DEPTH].
 std::vector<double> readPixelOption(const std::string& text);
 
 /// Throws UsageError for a name that is not known, with the nearest that is.

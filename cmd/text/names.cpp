@@ -47,6 +47,15 @@ std::string suggestion(std::string_view name, std::span<const std::string_view> 
   return "; known are " + joined(candidates);
 }
 
+std::string columnName(std::string_view name) {
+  std::string column;
+  for (const char c : name) {
+    if (std::isupper(static_cast<unsigned char>(c))) column += '_';
+    column += lower(c);
+  }
+  return column;
+}
+
 std::string joined(std::span<const std::string_view> names, std::string_view separator) {
   std::string text;
   for (std::string_view name : names) {

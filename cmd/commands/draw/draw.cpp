@@ -28,7 +28,7 @@ struct Options {
 
 int run(const Options& o, const CLI::App& app) {
   const std::vector<Vec2> pixels = readPixels(o.pixels);
-  const FilterSetup setup = o.stream.setup(kPointCoordinates);
+  FilterSetup setup = o.stream.setup(kPointColumns);
   // With --pixel standard input is read only if asked for; with a scene also where something can be in it.
   const NamedInput ofScene{"the scene", o.scene == "-"};
   const bool isFree = !o.camera.fromStandardInput() && !ofScene.isStandard && !isTerminal();
@@ -41,6 +41,7 @@ int run(const Options& o, const CLI::App& app) {
   }
 
   const CameraFile file = o.camera.read();
+  if (reads) o.stream.settleOnEarth(setup, file.worldIsEcef);
   View view{.camera = makeCamera(file)};
   const Frustum frustum = viewFrustum(view.camera);
   std::vector<SceneObject> scene;

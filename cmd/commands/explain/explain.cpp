@@ -23,11 +23,10 @@ int readDigits(const std::string& text) {
   return static_cast<int>(*digits);
 }
 
-Vec4 readPoint(const std::string& text) {
-  const std::vector<double> n = readPointOption(text);
-  const Vec4 point{n[0], n[1], n[2], n.size() > 3 ? n[3] : 1};
+Vec4 pointOf(const GivenPoint& given) {
+  const Vec4 point = given.point();
   if (maxAbs(Vec3{point.x, point.y, point.z}) == 0 && point.w == 0)
-    throw UsageError("--point " + text + ": is neither a point nor a direction, all four numbers are 0");
+    throw UsageError("--point " + given.text + ": is neither a point nor a direction, all four numbers are 0");
   return point;
 }
 
@@ -44,10 +43,12 @@ int run(const Options& o) {
                                      : "--point and --pixel are two explanations; leave out one of them");
   if (!o.pixel.empty() && !o.model.empty()) throw UsageError("--model goes with --point");
   const int shown = readDigits(o.digits);
-  const Vec4 local = o.point.empty() ? Vec4{} : readPoint(o.point);
+  const auto given = o.point.empty() ? std::nullopt : std::optional(readPointOption(o.point));
+  const Vec4 local = given ? pointOf(*given) : Vec4{};
   const std::vector<double> position = o.pixel.empty() ? std::vector<double>{} : readPixelOption(o.pixel);
   requireOneStandardInput({{"the camera", o.camera.fromStandardInput()}, {"the model", o.model == "-"}});
   const CameraFile file = o.camera.read();
+  if (given) given->requireFit(file.worldIsEcef);
   const Camera built = makeCamera(file);
   const Convention writing = o.camera.writing(file);
   const auto explain = [&] {
@@ -71,7 +72,7 @@ Action defineExplain(CLI::App& app) {
   app.footer("viewproj explain -c samples/picking-a-pixel/camera.json --point 1,1,1 --convention d3d");
   o->camera.add(app);
   o->camera.addWriting(app);
-  app.add_option("--point", o->point, "The point to follow")->type_name("X,Y,Z[,W]");
+  app.add_option("--point", o->point, "The point to follow")->type_name("X,Y,Z[,W]|lat=..,lon=..,height=..");
   app.add_option("--pixel", o->pixel, "The pixel to follow back, with a window depth if known")
       ->type_name("X,Y[,DEPTH]");
   addModel(app, o->model, "point");

@@ -25,11 +25,10 @@ struct Sample {
 /// Keeps the points of a stream.
 class SampleWork final : public RecordWork {
  public:
-  SampleWork(Sample& sample, const std::vector<std::string>& columns, bool worldIsEcef)
-      : sample_(sample), columns_(columns), worldIsEcef_(worldIsEcef) {}
+  SampleWork(Sample& sample, const PointReading& reading) : sample_(sample), reading_(reading) {}
 
-  Layout find(const RecordParts& record) const override { return findPoint(record, columns_, worldIsEcef_); }
-  void nameResults(const Layout&, ResultSink&) const override {}  // uncounted: there are none
+  Layout find(const RecordParts& record) const override { return findPoint(record, reading_); }
+  Results results(const Layout&, OutputForm) const override { return {}; }
   void add(const Layout& layout, const Numbers& numbers) override {
     const Vec4 p = toPoint(layout, numbers);
     if (sample_.points.size() == kMostPoints)
@@ -45,8 +44,7 @@ class SampleWork final : public RecordWork {
 
  private:
   Sample& sample_;
-  const std::vector<std::string>& columns_;
-  bool worldIsEcef_;
+  const PointReading& reading_;
 };
 
 std::vector<std::string> notesOn(const Measurement& m, std::size_t leftOut) {
@@ -87,13 +85,15 @@ int run(const Options& o) {
   requireKnown("--to", o.format, kFormats);
   const double within = o.tolerance.value();
   const double duration = readSeconds(o.seconds);
-  FilterSetup setup = o.stream.setup(kPointCoordinates);
+  FilterSetup setup = o.stream.setup(kPointColumns);
   o.stream.requireOneInput(setup, o.camera);
   const CameraFile file = o.camera.read();
   const Camera built = makeCamera(file);
 
   Sample sample;
-  readRecords(setup, [&] { return std::make_unique<SampleWork>(sample, setup.columns, file.worldIsEcef); });
+  o.stream.settleOnEarth(setup, file.worldIsEcef);
+  const PointReading reading{.columns = setup.columns, .worldIsEcef = file.worldIsEcef};
+  readRecords(setup, [&] { return std::make_unique<SampleWork>(sample, reading); });
   if (sample.points.empty())
     throw InputError((setup.file == "-" ? kStandardInputName : setup.file) + ": has no points to measure" +
                      (sample.leftOut > 0 ? "; directions and weighted points are left out" : ""));
