@@ -9,7 +9,7 @@ struct NamedSchema {
   std::string_view name, text;
 };
 
-/// camera, points, scene, results. Defined in a file that CMake writes.
-extern const NamedSchema kSchemas[4];
+/// camera, scene, and of the schema of results the definitions of reports. Defined in a file that CMake writes.
+extern const NamedSchema kSchemas[3];
 
 }  // namespace viewproj::cmd

@@ -23,7 +23,7 @@ function partOf({ command, options, flags }) {
 
 /// Without the fields of a result's name that --fields left out: those are the record's own.
 function described(value, fields) {
-  if (fields === undefined || value === null || typeof value !== "object") return value;
+  if (fields === undefined || fields === "all" || value === null || typeof value !== "object") return value;
   if (Array.isArray(value)) return value.map((record) => described(record, fields));
   if (Array.isArray(value.points)) return { ...value, points: described(value.points, fields) };
   const chosen = fields.split(",");

@@ -1,9 +1,11 @@
 // viewproj schema: the JSON Schemas of what is read and written.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 
 #include "commands/command.hpp"
 #include "commands/options.hpp"
+#include "commands/schema/json_schema.hpp"
 #include "output/output_file.hpp"
 #include "schema/schemas.hpp"
 #include "text/error.hpp"
@@ -12,11 +14,28 @@
 namespace viewproj::cmd {
 namespace {
 
+std::string fileOf(std::string_view name) {
+  return std::string(std::find_if(std::begin(kSchemas), std::end(kSchemas), [&](const NamedSchema& schema) {
+                       return schema.name == name;
+                     })->text);
+}
+
+struct Schema {
+  std::string_view name;
+  std::string (*text)();
+};
+constexpr Schema kKnown[] = {
+    {"camera", [] { return fileOf("camera"); }},
+    {"points", pointsSchema},
+    {"scene", [] { return fileOf("scene"); }},
+    {"results", [] { return resultsSchema(fileOf("reports")); }},
+};
+
 int run(const std::string& name) {
   std::vector<std::string_view> known;
-  for (const NamedSchema& schema : kSchemas) {
+  for (const Schema& schema : kKnown) {
     if (schema.name == name) {
-      writeOutput(std::string(schema.text));
+      writeOutput(schema.text());
       return 0;
     }
     known.push_back(schema.name);
