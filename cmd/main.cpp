@@ -14,7 +14,7 @@
 #include "stream/interrupt.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
-#include "viewproj/numbers/arithmetic.hpp"
+#include "viewproj/camera.hpp"
 
 namespace {
 

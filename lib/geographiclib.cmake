@@ -1,5 +1,6 @@
 # viewproj_use_geographiclib(TARGET): links an installed GeographicLib, or compiles in the two sources of it that are
 # needed. VIEWPROJ_LINKS_GEOGRAPHICLIB says which: users of the library then need it too.
+include(FetchContent)
 include(${CMAKE_CURRENT_LIST_DIR}/package/geographiclib.cmake)
 if(TARGET viewproj::geographiclib)
   set(VIEWPROJ_LINKS_GEOGRAPHICLIB ON)

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "viewproj/camera/error.hpp"
+#include "viewproj/camera.hpp"
 
 /// The field that makeCamera and its parts complain of, or nothing.
 template <class Build>

@@ -1,7 +1,7 @@
 // Each kernel of the batches in turn.
 #pragma once
 
-#include "viewproj/view/kernels/kernels.hpp"
+#include "projection/kernels/kernels.hpp"
 
 /// Calls f with the kernels that this processor supports, forced one after the other, and says how many these are.
 template <class F>

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "viewproj/numbers/vectors.hpp"
+#include "viewproj/vectors.hpp"
 
 using Numbers = std::array<double, 16>;
 

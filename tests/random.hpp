@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <random>
 
-#include "viewproj/numbers/vectors.hpp"
+#include "viewproj/vectors.hpp"
 
 class Random {
  public:

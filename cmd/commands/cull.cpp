@@ -8,7 +8,7 @@
 #include "stream/filter.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
-#include "viewproj/view/frustum.hpp"
+#include "viewproj/scene.hpp"
 
 namespace viewproj::cmd {
 namespace {

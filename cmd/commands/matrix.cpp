@@ -7,7 +7,7 @@
 #include "text/error.hpp"
 #include "text/format_number.hpp"
 #include "text/names.hpp"
-#include "viewproj/view/matrices.hpp"
+#include "viewproj/matrices.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -15,7 +15,7 @@
 #include "text/format_number.hpp"
 #include "text/names.hpp"
 #include "text/parse_number.hpp"
-#include "viewproj/camera/geodesy.hpp"
+#include "viewproj/geodesy.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -12,7 +12,7 @@
 #include "input/camera_file.hpp"
 #include "input/column_choice.hpp"
 #include "stream/filter.hpp"
-#include "viewproj/camera/camera.hpp"
+#include "viewproj/camera.hpp"
 
 namespace viewproj::cmd {
 

@@ -13,11 +13,10 @@
 #include "text/error.hpp"
 #include "text/format_number.hpp"
 #include "text/names.hpp"
-#include "viewproj/view/batch.hpp"
-#include "viewproj/view/bounds.hpp"
-#include "viewproj/view/model.hpp"
-#include "viewproj/view/screen.hpp"
-#include "viewproj/view/segment.hpp"
+#include "viewproj/clip.hpp"
+#include "viewproj/matrices.hpp"
+#include "viewproj/scene.hpp"
+#include "viewproj/screen.hpp"
 
 namespace viewproj::cmd {
 namespace {

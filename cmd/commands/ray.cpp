@@ -1,6 +1,4 @@
 // viewproj ray: pixels to rays, and to the points behind them.
-#include "viewproj/view/ray.hpp"
-
 #include <algorithm>
 #include <limits>
 
@@ -11,9 +9,9 @@
 #include "stream/filter.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
-#include "viewproj/camera/geodesy.hpp"
-#include "viewproj/view/hits.hpp"
-#include "viewproj/view/screen.hpp"
+#include "viewproj/geodesy.hpp"
+#include "viewproj/scene.hpp"
+#include "viewproj/screen.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -189,7 +187,9 @@ Action defineRay(CLI::App& app) {
   const auto o = std::make_shared<Options>();
   app.description(
       "Pixels to rays: origin and unit direction, with a depth or viewDistance the point itself, and what of a scene "
-      "the ray hits.");
+      "the ray hits. Text has 6 numbers a record, origin and direction, or 9 with the point; f64 always 9, NaN where "
+      "there "
+      "is no point.");
   app.footer(
       "viewproj ray -c samples/picking-a-pixel/camera.json --scene samples/picking-in-a-scene/scene.json \\\n"
       "  --pixel 640,360 --to table");

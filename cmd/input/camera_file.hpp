@@ -5,7 +5,7 @@
 #include <string>
 
 #include "input/document.hpp"
-#include "viewproj/camera/camera.hpp"
+#include "viewproj/camera.hpp"
 
 namespace viewproj::cmd {
 

@@ -1,41 +1,46 @@
 #include "input/convention_fields.hpp"
 
-#include "input/convention_names.hpp"
+#include "input/camera_fields.hpp"
 #include "text/names.hpp"
 
 namespace viewproj::cmd {
 namespace {
 
-Convention presetOrFail(const ObjectReader& fields, std::string_view key, const std::string& name) {
-  if (const auto preset = conventionPreset(name)) return *preset;
-  fields.fail(key, "is not a known convention" + suggestion(name, presetNames()));
+StatedConvention presetOf(const ObjectReader& object, const Field& field) {
+  const std::string name = *object.string(field);
+  const ConventionPreset* const preset = findPreset(name);
+  if (!preset) object.fail(field, "is not a known convention" + suggestion(name, presetNames()));
+  return {preset->convention, preset};
 }
 
 }  // namespace
 
 Convention readAxes(const ObjectReader& fields, Convention c) {
-  c.world = fields.choice("world", kWorldNames).value_or(c.world);
-  c.view = fields.choice("view", kViewNames).value_or(c.view);
-  c.ndcZ = fields.choice("ndcZ", kNdcZNames).value_or(c.ndcZ);
-  c.reverseZ = fields.flag("reverseZ").value_or(c.reverseZ);
-  c.ndcY = fields.choice("ndcY", kNdcYNames).value_or(c.ndcY);
-  c.vectors = fields.choice("vectors", kVectorsNames).value_or(c.vectors);
-  c.storage = fields.choice("storage", kStorageNames).value_or(c.storage);
+  c.world = fields.choice(field::handedness, kWorldNames).value_or(c.world);
+  c.view = fields.choice(field::view, kViewNames).value_or(c.view);
+  c.ndcZ = fields.choice(field::ndcZ, kNdcZNames).value_or(c.ndcZ);
+  c.reverseZ = fields.flag(field::reverseZ).value_or(c.reverseZ);
+  c.ndcY = fields.choice(field::ndcY, kNdcYNames).value_or(c.ndcY);
+  c.vectors = fields.choice(field::vectors, kVectorsNames).value_or(c.vectors);
+  c.storage = fields.choice(field::storage, kStorageNames).value_or(c.storage);
   return c;
 }
 
-std::optional<StatedConvention> readConvention(const ObjectReader& file, const Convention& fallback) {
-  if (!file.has("convention")) return std::nullopt;
-  if (file.isString("convention")) {
-    const std::string name = *file.string("convention");
-    return StatedConvention{presetOrFail(file, "convention", name), name};
-  }
-  const ObjectReader fields = *file.object("convention");
-  fields.allow({"preset", "world", "view", "ndcZ", "reverseZ", "ndcY", "vectors", "storage"});
-  StatedConvention stated{fallback, ""};
-  if (const auto preset = fields.string("preset")) stated = {presetOrFail(fields, "preset", *preset), *preset};
+std::optional<StatedConvention> readConvention(const ObjectReader& file, const ConventionPreset& fallback) {
+  if (!file.has(field::convention)) return std::nullopt;
+  if (file.isString(field::convention)) return presetOf(file, field::convention);
+  const ObjectReader fields = *file.object(field::convention);
+  fields.allow(field::axes);
+  StatedConvention stated{fallback.convention, &fallback};
+  if (fields.has(field::preset)) stated = presetOf(fields, field::preset);
   stated.convention = readAxes(fields, stated.convention);
   return stated;
+}
+
+StatedConvention readStated(const ObjectReader& file, const std::string& readAs, const ConventionPreset& fallback) {
+  const ConventionPreset& preset = readAs.empty() ? fallback : *findPreset(readAs);
+  const StatedConvention stated{preset.convention, &preset};
+  return readAs.empty() ? readConvention(file, fallback).value_or(stated) : stated;
 }
 
 }  // namespace viewproj::cmd

@@ -5,17 +5,21 @@
 #include <string>
 
 #include "input/document.hpp"
-#include "viewproj/camera/convention.hpp"
+#include "viewproj/convention.hpp"
 
 namespace viewproj::cmd {
 
+/// A preset, whole but for the axes that were changed.
 struct StatedConvention {
   Convention convention;
-  std::string preset;  ///< the name that the file gives, or empty
+  const ConventionPreset* preset;
 };
 
-/// The field "convention" of the file, or nothing. Axes that it does not name are those of its preset, or of fallback.
-std::optional<StatedConvention> readConvention(const ObjectReader& file, const Convention& fallback);
+/// The field "convention" of the file, or nothing. What it does not name is its preset's, or the fallback's.
+std::optional<StatedConvention> readConvention(const ObjectReader& file, const ConventionPreset& fallback);
+
+/// The preset named (--read-as), or else the file's own convention, or else the fallback.
+StatedConvention readStated(const ObjectReader& file, const std::string& readAs, const ConventionPreset& fallback);
 
 /// Axis by axis, each that is not named from base.
 Convention readAxes(const ObjectReader& fields, Convention base);

@@ -7,9 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "viewproj/camera/convention.hpp"
-#include "viewproj/camera/pose.hpp"
-#include "viewproj/camera/viewport.hpp"
+#include "viewproj/camera.hpp"
+#include "viewproj/convention.hpp"
 
 namespace viewproj::cmd {
 

@@ -23,16 +23,6 @@ std::string shown(const nlohmann::json& value) {
   return "";
 }
 
-Path split(const std::string& dottedPath) {
-  Path path;
-  for (std::size_t at = 0; at <= dottedPath.size();) {
-    const std::size_t dot = std::min(dottedPath.find('.', at), dottedPath.size());
-    path.push_back(dottedPath.substr(at, dot - at));
-    at = dot + 1;
-  }
-  return path;
-}
-
 /// An array or object of the text nested deeper than this is refused before it is parsed.
 constexpr std::size_t kDeepest = 200;
 
@@ -61,6 +51,16 @@ std::string dotted(const Path& path) {
   std::string text;
   for (const std::string& step : path) text += (text.empty() ? "" : ".") + step;
   return text;
+}
+
+Path undotted(std::string_view path) {
+  Path steps;
+  for (std::size_t at = 0; at <= path.size();) {
+    const std::size_t dot = std::min(path.find('.', at), path.size());
+    steps.emplace_back(path.substr(at, dot - at));
+    at = dot + 1;
+  }
+  return steps;
 }
 
 Document::Document(const std::string& source, const std::string& option, const char* arrayKey) {
@@ -92,7 +92,7 @@ void Document::set(const std::string& assignment) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string::npos || equals == 0)
     throw UsageError("--set " + assignment + ": expected FIELD=VALUE, as in projection.fovY=75");
-  const Path path = split(assignment.substr(0, equals));
+  const Path path = undotted(assignment.substr(0, equals));
   const std::string text = assignment.substr(equals + 1);
   nlohmann::json value;
   if (jsonFault(text)) {
@@ -361,11 +361,18 @@ std::vector<std::size_t> ObjectReader::indices(std::string_view key, std::size_t
   return result;
 }
 
-void ObjectReader::allow(std::initializer_list<std::string_view> known) const {
+void ObjectReader::allow(const ObjectForm& form) const {
   for (const auto& item : object_->items())
-    if (std::find(known.begin(), known.end(), item.key()) == known.end())
-      document_->fail(pathOf(item.key()),
-                      "is not a known field here" + suggestion(item.key(), {known.begin(), known.size()}), false);
+    if (!form.has(item.key()))
+      document_->fail(pathOf(item.key()), "is not a known field here" + suggestion(item.key(), namesOf(form.fields)),
+                      false);
+}
+
+const Way* ObjectReader::way(const ObjectForm& form) const {
+  const ChosenWay chosen = chooseWay(form, [&](const Field& field) { return has(field); });
+  if (chosen.fault.empty()) return chosen.way;
+  if (chosen.at) fail(*chosen.at, chosen.fault);
+  fail(chosen.fault);
 }
 
 void ObjectReader::failChoice(std::string_view key, const std::string& name,

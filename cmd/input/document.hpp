@@ -1,7 +1,6 @@
 // A JSON document read as a whole (a camera file), whose every complaint names a line and a column.
 #pragma once
 
-#include <initializer_list>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -10,7 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "viewproj/numbers/vectors.hpp"
+#include "input/field.hpp"
+#include "viewproj/vectors.hpp"
 
 namespace viewproj::cmd {
 
@@ -19,6 +19,7 @@ using Path = std::vector<std::string>;
 
 /// "projection.fovY".
 std::string dotted(const Path& path);
+Path undotted(std::string_view path);
 
 class Document {
  public:
@@ -102,8 +103,11 @@ class ObjectReader {
     return result;
   }
 
-  /// Throws at a key that is not one of these, naming the nearest.
-  void allow(std::initializer_list<std::string_view> known) const;
+  /// Throws at a key that is not one of the form's, naming the nearest.
+  void allow(const ObjectForm& form) const;
+  /// The one way of the form that the object uses: all that it needs is there, and no field of another. Null where it
+  /// uses none and need not.
+  const Way* way(const ObjectForm& form) const;
 
   const nlohmann::json& json() const { return *object_; }
   const Document& document() const { return *document_; }

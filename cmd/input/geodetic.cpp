@@ -1,40 +1,31 @@
 #include "input/geodetic.hpp"
 
+#include "input/camera_fields.hpp"
+
 namespace viewproj::cmd {
-namespace {
-
-constexpr const char* kTurns[] = {"heading", "pitch", "roll"};
-constexpr std::pair<std::string_view, bool> kWorldIsEcef[] = {{"ecef", true}};
-
-}  // namespace
 
 bool worldIsEcef(const ObjectReader& camera) {
-  return camera.choice("world", kWorldIsEcef).value_or(false) || camera.isObject("position") ||
-         camera.isObject("target");
+  return camera.choice(field::world, field::kWorlds).value_or(false) || camera.isObject(field::position) ||
+         camera.isObject(field::target);
 }
 
-std::optional<Geodetic> readPlace(const ObjectReader& camera, const char* key) {
+std::optional<Geodetic> readPlace(const ObjectReader& camera, std::string_view key) {
   if (!camera.isObject(key)) return std::nullopt;
   const ObjectReader fields = *camera.object(key);
-  fields.allow({"lat", "lon", "height"});
-  const Geodetic place{fields.requireNumber("lat"), fields.requireNumber("lon"), fields.requireNumber("height")};
-  if (!isPlace(place)) fields.fail("lat", "must be from -90 to 90 degrees");
+  fields.allow(field::place);
+  const Geodetic place{fields.requireNumber(field::lat), fields.requireNumber(field::lon),
+                       fields.requireNumber(field::height)};
+  if (!isPlace(place)) fields.fail(field::lat, "must be from -90 to 90 degrees");
   return place;
 }
 
-std::optional<Vec3> readPosition(const ObjectReader& camera, const char* key) {
+std::optional<Vec3> readPosition(const ObjectReader& camera, std::string_view key) {
   if (const auto place = readPlace(camera, key)) return geodeticToEcef(*place);
   return camera.vec3(key);
 }
 
-const char* turnOf(const ObjectReader& camera) {
-  for (const char* turn : kTurns)
-    if (camera.has(turn)) return turn;
-  return nullptr;
-}
-
 HeadingPitchRoll readTurn(const ObjectReader& camera) {
-  return {camera.numberOr("heading", 0), camera.numberOr("pitch", 0), camera.numberOr("roll", 0)};
+  return {camera.numberOr(field::heading, 0), camera.numberOr(field::pitch, 0), camera.numberOr(field::roll, 0)};
 }
 
 }  // namespace viewproj::cmd

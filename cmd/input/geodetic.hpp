@@ -5,7 +5,7 @@
 #include <string>
 
 #include "input/document.hpp"
-#include "viewproj/camera/geodesy.hpp"
+#include "viewproj/geodesy.hpp"
 
 namespace viewproj::cmd {
 
@@ -13,13 +13,10 @@ namespace viewproj::cmd {
 bool worldIsEcef(const ObjectReader& camera);
 
 /// The value of key as a place, if it is an object. Throws InputError for a lat beyond 90.
-std::optional<Geodetic> readPlace(const ObjectReader& camera, const char* key);
+std::optional<Geodetic> readPlace(const ObjectReader& camera, std::string_view key);
 
 /// Three numbers, or the ECEF coordinates of a place.
-std::optional<Vec3> readPosition(const ObjectReader& camera, const char* key);
-
-/// The first of heading, pitch, roll that the camera has, or nothing.
-const char* turnOf(const ObjectReader& camera);
+std::optional<Vec3> readPosition(const ObjectReader& camera, std::string_view key);
 
 /// Those it lacks are 0.
 HeadingPitchRoll readTurn(const ObjectReader& camera);

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "viewproj/camera/convention.hpp"
-#include "viewproj/view/readings.hpp"
+#include "matrices/readings.hpp"
+#include "viewproj/convention.hpp"
 
 namespace viewproj::cmd {
 

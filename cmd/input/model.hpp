@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "viewproj/view/model.hpp"
+#include "viewproj/matrices.hpp"
 
 namespace viewproj::cmd {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "input/document.hpp"
-#include "viewproj/camera/pose.hpp"
+#include "viewproj/camera.hpp"
 
 namespace viewproj::cmd {
 

@@ -4,7 +4,7 @@
 
 #include "text/error.hpp"
 #include "text/format_number.hpp"
-#include "viewproj/camera/geodesy.hpp"
+#include "viewproj/geodesy.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "input/column_choice.hpp"
 #include "input/layout.hpp"
-#include "viewproj/numbers/vectors.hpp"
+#include "viewproj/vectors.hpp"
 
 namespace viewproj::cmd {
 

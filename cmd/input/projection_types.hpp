@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "input/document.hpp"
-#include "viewproj/camera/projection.hpp"
+#include "viewproj/camera.hpp"
 
 namespace viewproj::cmd {
 
@@ -19,16 +19,23 @@ struct ReadProjection {
 
 struct ProjectionType {
   std::string_view name;
+  const ObjectForm& form;
   /// fields: of "projection"; viewport: the whole frame's, where there is one. Throws InputError, or CameraError with
   /// the field that the library complains about.
   ReadProjection (*read)(const ObjectReader& fields, const std::optional<Viewport>& viewport);
-  /// How a file is read that states no convention.
-  std::string_view preset = "opengl";
+  bool countsPixels = false;  ///< and so needs a viewport
+  /// By which a file is read that states no convention; null: the first.
+  const char* preset = nullptr;
   /// Near has the greatest depth, so the convention has to be reversed.
   bool isReversed = false;
   /// Where the projection says itself where the picture lies. camera: the whole file.
   void (*placeViewport)(const ObjectReader& camera, const ObjectReader& fields, Viewport& viewport) = nullptr;
 };
+
+inline constexpr std::string_view kPerspective = "perspective", kFrustum = "frustum", kIntrinsics = "intrinsics",
+                                  kOrthographic = "orthographic", kPs2 = "ps2";
+
+std::span<const ProjectionType> projectionTypes();
 
 /// That of the field "type". Throws InputError, with the names of all, where it is none of them.
 const ProjectionType& requireProjectionType(const ObjectReader& fields);

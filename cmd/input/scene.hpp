@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "viewproj/view/shapes.hpp"
+#include "viewproj/scene.hpp"
 
 namespace viewproj::cmd {
 

@@ -4,7 +4,7 @@
 #include <variant>
 
 #include "input/layout.hpp"
-#include "viewproj/view/shapes.hpp"
+#include "viewproj/scene.hpp"
 
 namespace viewproj::cmd {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "input/convention_names.hpp"
+#include "input/camera_fields.hpp"
 #include "text/format_number.hpp"
 
 namespace viewproj::cmd {
@@ -14,7 +14,7 @@ constexpr double kAspectTolerance = 1e-3;
 }  // namespace
 
 std::optional<ReadViewport> readViewport(const ObjectReader& file, const ViewportDefaults& defaults) {
-  const auto fields = file.object("viewport");
+  const auto fields = file.object(field::viewport);
   Viewport v;
   v.pixelCenter = defaults.pixelCenter;
   if (!fields) {
@@ -24,22 +24,25 @@ std::optional<ReadViewport> readViewport(const ObjectReader& file, const Viewpor
     validate(v);
     return ReadViewport{v, std::nullopt};
   }
-  fields->allow({"width", "height", "x", "y", "depthRange", "origin", "pixelCenter", "crop"});
-  v.width = fields->has("width") || !defaults.width ? fields->requireNumber("width") : *defaults.width;
-  v.height = fields->has("height") || !defaults.height ? fields->requireNumber("height") : *defaults.height;
-  v.x = fields->numberOr("x", 0);
-  v.y = fields->numberOr("y", 0);
-  v.pixelCenter = fields->numberOr("pixelCenter", defaults.pixelCenter);
-  v.origin = fields->choice("origin", kOriginNames).value_or(Origin::topLeft);
-  if (const auto range = fields->numbers("depthRange", 2, 2)) {
+  fields->allow(field::picture);
+  const auto size = [&](const Field& field, std::optional<double> fallback) {
+    return fields->has(field) || !fallback ? fields->requireNumber(field) : *fallback;
+  };
+  v.width = size(field::pixelWidth, defaults.width);
+  v.height = size(field::pixelHeight, defaults.height);
+  v.x = fields->numberOr(field::x, 0);
+  v.y = fields->numberOr(field::y, 0);
+  v.pixelCenter = fields->numberOr(field::pixelCenter, defaults.pixelCenter);
+  v.origin = fields->choice(field::origin, kOriginNames).value_or(Origin::topLeft);
+  if (const auto range = fields->numbers(field::depthRange, 2, 2)) {
     v.depthFirst = (*range)[0];
     v.depthSecond = (*range)[1];
   }
   std::optional<Crop> crop;
-  if (const auto tile = fields->object("crop")) {
-    tile->allow({"x", "y", "width", "height"});
-    crop = Crop{tile->requireNumber("x"), tile->requireNumber("y"), tile->requireNumber("width"),
-                tile->requireNumber("height")};
+  if (const auto tile = fields->object(field::crop)) {
+    tile->allow(field::tile);
+    crop = Crop{tile->requireNumber(field::cropX), tile->requireNumber(field::cropY),
+                tile->requireNumber(field::cropWidth), tile->requireNumber(field::cropHeight)};
   }
   validate(v);
   const ReadViewport read{v, crop};

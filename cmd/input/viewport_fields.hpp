@@ -5,8 +5,7 @@
 #include <string>
 
 #include "input/document.hpp"
-#include "viewproj/camera/projection.hpp"
-#include "viewproj/camera/viewport.hpp"
+#include "viewproj/camera.hpp"
 
 namespace viewproj::cmd {
 

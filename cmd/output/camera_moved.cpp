@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "camera/screen_map.hpp"
 #include "output/camera_text.hpp"
-#include "viewproj/camera/screen_map.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -1,9 +1,9 @@
 #include <array>
 #include <cmath>
 
-#include "input/convention_names.hpp"
-#include "output/camera_fields.hpp"
-#include "viewproj/view/matrices.hpp"
+#include "input/camera_fields.hpp"
+#include "output/camera_json.hpp"
+#include "viewproj/matrices.hpp"
 
 namespace viewproj::cmd {
 
@@ -51,9 +51,9 @@ void addLooking(std::vector<std::string>& forms, const Pose& pose, Vec3 defaultU
     // An axis of the world that gives the same picture before the camera's own.
     const auto addWith = [&](const Vec3& up) {
       Fields out;
-      out.add("position", jsonOf(pose.eye));
+      out.add(field::position, jsonOf(pose.eye));
       out.add(name, jsonOf(where));
-      if (!(up == defaultUp)) out.add("up", jsonOf(up));
+      if (!(up == defaultUp)) out.add(field::up, jsonOf(up));
       forms.push_back(out.text());
     };
     const Vec3 axes[] = {defaultUp, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}, {0, -1, 0}, {0, 0, -1}, {-1, 0, 0}};
@@ -66,7 +66,7 @@ void addLooking(std::vector<std::string>& forms, const Pose& pose, Vec3 defaultU
     }
     addWith(roundedUnlessTiny(pose.rows.up));
   };
-  if (!pose.exact.upIsCross) return add("direction", roundedUnlessTiny(pose.rows.forward));
+  if (!pose.exact.upIsCross) return add(field::direction, roundedUnlessTiny(pose.rows.forward));
   // As it was given, up to a power of two: the direction, or a target where that is longer than doubles.
   DDVec3 given;
   for (std::size_t i = 0; i < 3; ++i) given[i] = pose.exact.forward[i].rounded();
@@ -75,10 +75,10 @@ void addLooking(std::vector<std::string>& forms, const Pose& pose, Vec3 defaultU
     for (int k = -60; k <= 60; ++k) {
       const DDVec3 target = toDoubleDouble(pose.eye) + scaleByPowerOfTwo(given, k);
       if (!isRound(target) || !isFinite(rounded(target))) continue;
-      add("target", rounded(target));
+      add(field::target, rounded(target));
       break;
     }
-  add("direction", shortest(rounded(given)));
+  add(field::direction, shortest(rounded(given)));
 }
 
 /// x, y, z, w of the rotation with these columns.
@@ -100,48 +100,60 @@ std::array<DoubleDouble, 4> quaternionOf(const std::array<DDVec3, 3>& c) {
   return q;
 }
 
+void addAxes(Fields& out, CameraAxes axes, const ConventionPreset& preset) {
+  if (axes != preset.cameraAxes) out.addName(field::cameraAxes, nameOf(kCameraAxesNames, axes));
+}
+
+std::array<DDVec3, 3> columnsOf(const Axes& a, CameraAxes axes) {
+  switch (axes) {
+    case CameraAxes::RUB:
+      return {a.right, a.up, -a.forward};
+    case CameraAxes::RUF:
+      return {a.right, a.up, a.forward};
+    case CameraAxes::RDF:
+      return {a.right, -a.up, a.forward};
+    case CameraAxes::FRU:
+      break;
+  }
+  return {a.forward, a.right, a.up};
+}
+
 /// Of the length it was given in, where it was given: then its parts are doubles.
-void addRotation(std::vector<std::string>& forms, const Pose& pose, CameraAxes cameraAxes) {
-  const Axes& a = pose.columns;
-  const std::array<DDVec3, 3> columns = cameraAxes == CameraAxes::RUB   ? std::array{a.right, a.up, -a.forward}
-                                        : cameraAxes == CameraAxes::RUF ? std::array{a.right, a.up, a.forward}
-                                                                        : std::array{a.forward, a.right, a.up};
+void addRotation(std::vector<std::string>& forms, const Pose& pose, CameraAxes axes, const ConventionPreset& preset) {
   const DoubleDouble scale = pose.exact.rightScale;
   const DoubleDouble length =
       pose.exact.upIsCross ? DoubleDouble(1) : sqrt(DoubleDouble(1) / (scale.hi < 0 ? -scale : scale));
   Fields out;
-  out.add("position", jsonOf(pose.eye));
-  if (cameraAxes != CameraAxes::RUB) out.addName("cameraAxes", nameOf(kCameraAxesNames, cameraAxes));
+  out.add(field::position, jsonOf(pose.eye));
+  addAxes(out, axes, preset);
   std::string parts;
-  for (const DoubleDouble& part : quaternionOf(columns))
+  for (const DoubleDouble& part : quaternionOf(columnsOf(pose.columns, axes)))
     parts += (parts.empty() ? "[" : ", ") + formatNumber((part * length).hi);
-  out.add("rotation", parts + "]");
-  forms.push_back(out.text());
-}
-
-void addMatrix(std::vector<std::string>& forms, std::string_view name, const Mat4& matrix, Handedness world) {
-  Fields out;
-  if (world == Handedness::left) out.addName("cameraAxes", "RUF");
-  out.add(name, jsonOf(matrix));
+  out.add(field::rotation, parts + "]");
   forms.push_back(out.text());
 }
 
 }  // namespace
 
-std::vector<std::string> poseForms(const CameraFile& camera, const Vec3& defaultUp) {
+std::vector<std::string> poseForms(const CameraFile& camera, const ConventionPreset& preset) {
   if (!camera.pose) return {""};
   std::vector<std::string> forms;
-  addLooking(forms, *camera.pose, defaultUp);
+  addLooking(forms, *camera.pose, preset.up);
   const Handedness world = camera.convention.world;
-  if (world == Handedness::right) {
-    addRotation(forms, *camera.pose, CameraAxes::RUB);
-  } else {
-    addRotation(forms, *camera.pose, CameraAxes::RUF);
-    addRotation(forms, *camera.pose, CameraAxes::FRU);
-  }
-  const Convention axes{.world = world, .view = world == Handedness::right ? ViewAxes::RUB : ViewAxes::RUF};
-  addMatrix(forms, "worldFromCamera", worldFromView(*camera.pose, axes), world);
-  addMatrix(forms, "cameraFromWorld", viewFromWorld(*camera.pose, axes), world);
+  const bool right = world == Handedness::right;
+  const bool downwards = right && preset.cameraAxes == CameraAxes::RDF;
+  const CameraAxes axes = downwards ? CameraAxes::RDF : right ? CameraAxes::RUB : CameraAxes::RUF;
+  addRotation(forms, *camera.pose, axes, preset);
+  if (!right) addRotation(forms, *camera.pose, CameraAxes::FRU, preset);
+  const Convention read{.world = world, .view = downwards ? ViewAxes::RDF : right ? ViewAxes::RUB : ViewAxes::RUF};
+  const auto addMatrix = [&](const Field& field, const Mat4& matrix) {
+    Fields out;
+    addAxes(out, axes, preset);
+    out.add(field, jsonOf(matrix));
+    forms.push_back(out.text());
+  };
+  addMatrix(field::worldFromCamera, worldFromView(*camera.pose, read));
+  addMatrix(field::cameraFromWorld, viewFromWorld(*camera.pose, read));
   return forms;
 }
 

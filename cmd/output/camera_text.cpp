@@ -4,13 +4,14 @@
 #include <cmath>
 #include <optional>
 
-#include "input/convention_names.hpp"
+#include "camera/screen_map.hpp"
+#include "input/camera_fields.hpp"
+#include "input/projection_types.hpp"
 #include "input/viewport_fields.hpp"
-#include "output/camera_fields.hpp"
+#include "numbers/degrees.hpp"
+#include "output/camera_json.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
-#include "viewproj/camera/screen_map.hpp"
-#include "viewproj/numbers/degrees.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -33,22 +34,22 @@ std::string jsonOf(const Convention& c, const ConventionPreset& preset) {
   const Convention& p = preset.convention;
   if (p == c) return "\"" + std::string(preset.name) + "\"";
   Fields out;
-  out.addName("preset", preset.name);
-  if (p.world != c.world) out.addName("world", nameOf(kWorldNames, c.world));
-  if (p.view != c.view) out.addName("view", nameOf(kViewNames, c.view));
-  if (p.ndcZ != c.ndcZ) out.addName("ndcZ", nameOf(kNdcZNames, c.ndcZ));
-  if (p.reverseZ != c.reverseZ) out.add("reverseZ", c.reverseZ ? "true" : "false");
-  if (p.ndcY != c.ndcY) out.addName("ndcY", nameOf(kNdcYNames, c.ndcY));
-  if (p.vectors != c.vectors) out.addName("vectors", nameOf(kVectorsNames, c.vectors));
-  if (p.storage != c.storage) out.addName("storage", nameOf(kStorageNames, c.storage));
+  out.addName(field::preset, preset.name);
+  if (p.world != c.world) out.addName(field::handedness, nameOf(kWorldNames, c.world));
+  if (p.view != c.view) out.addName(field::view, nameOf(kViewNames, c.view));
+  if (p.ndcZ != c.ndcZ) out.addName(field::ndcZ, nameOf(kNdcZNames, c.ndcZ));
+  if (p.reverseZ != c.reverseZ) out.add(field::reverseZ, c.reverseZ ? "true" : "false");
+  if (p.ndcY != c.ndcY) out.addName(field::ndcY, nameOf(kNdcYNames, c.ndcY));
+  if (p.vectors != c.vectors) out.addName(field::vectors, nameOf(kVectorsNames, c.vectors));
+  if (p.storage != c.storage) out.addName(field::storage, nameOf(kStorageNames, c.storage));
   return out.object();
 }
 
 // Projection
 
 void addRange(Fields& out, const Projection& p) {
-  out.add("near", p.near);
-  if (!std::isinf(p.far)) out.add("far", p.far);
+  out.add(field::zNear, p.near);
+  if (!std::isinf(p.far)) out.add(field::zFar, p.far);
 }
 
 /// The shift that moves base's window to where p has it, unless they agree.
@@ -58,7 +59,7 @@ void addShift(Fields& out, const Projection& base, const Projection& p) {
     return std::fabs(moved.hi) <= 16 * kCancellation ? 0 : moved.hi;
   };
   const double x = shift(base.left, base.right, p.left, p.right), y = shift(base.bottom, base.top, p.bottom, p.top);
-  if (x != 0 || y != 0) out.add("shift", "[" + formatNumber(x) + ", " + formatNumber(y) + "]");
+  if (x != 0 || y != 0) out.add(field::shift, "[" + formatNumber(x) + ", " + formatNumber(y) + "]");
 }
 
 Projection centred(const Projection& p) {
@@ -70,10 +71,10 @@ Projection centred(const Projection& p) {
 void writePerspective(Fields& out, const CameraFile& camera) {
   const Projection& p = *camera.projection;
   const DoubleDouble aspect = windowAspect(p);
-  out.add("fovY", degreesOfHalfTangent(timesPowerOfTwo(p.top - p.bottom, 0.5)));
+  out.add(field::fovY, degreesOfHalfTangent(timesPowerOfTwo(p.top - p.bottom, 0.5)));
   const bool isViewports =
       camera.viewport && std::fabs((aspect - viewportAspect(*camera.viewport)).hi) <= 16 * kCancellation * aspect.hi;
-  if (!isViewports) out.add("aspect", aspect);
+  if (!isViewports) out.add(field::aspect, aspect);
   addRange(out, p);
   addShift(out, centred(p), p);
 }
@@ -81,8 +82,8 @@ void writePerspective(Fields& out, const CameraFile& camera) {
 /// An angle next to 180 degrees has too few digits for its tangent.
 void writeNearSize(Fields& out, const CameraFile& camera) {
   const Projection& p = *camera.projection;
-  out.add("nearWidth", (p.right - p.left) * DoubleDouble(p.near));
-  out.add("nearHeight", (p.top - p.bottom) * DoubleDouble(p.near));
+  out.add(field::nearWidth, (p.right - p.left) * DoubleDouble(p.near));
+  out.add(field::nearHeight, (p.top - p.bottom) * DoubleDouble(p.near));
   addRange(out, p);
   addShift(out, centred(p), p);
 }
@@ -90,28 +91,28 @@ void writeNearSize(Fields& out, const CameraFile& camera) {
 void writeFrustum(Fields& out, const CameraFile& camera) {
   const Projection& p = *camera.projection;
   const DoubleDouble near = p.near;
-  out.add("left", p.left * near);
-  out.add("right", p.right * near);
-  out.add("bottom", p.bottom * near);
-  out.add("top", p.top * near);
+  out.add(field::left, p.left * near);
+  out.add(field::right, p.right * near);
+  out.add(field::bottom, p.bottom * near);
+  out.add(field::top, p.top * near);
   addRange(out, p);
 }
 
 void writeIntrinsics(Fields& out, const CameraFile& camera) {
   const ScreenMap map = screenMap(*camera.projection, *camera.viewport);
-  out.add("fx", map.scaleX);
-  out.add("fy", std::fabs(map.scaleY.hi));
-  out.add("cx", map.centerX);
-  out.add("cy", map.centerY);
+  out.add(field::fx, map.scaleX);
+  out.add(field::fy, std::fabs(map.scaleY.hi));
+  out.add(field::cx, map.centerX);
+  out.add(field::cy, map.centerY);
   addRange(out, *camera.projection);
 }
 
 void writeOrthographic(Fields& out, const CameraFile& camera) {
   const Projection& p = *camera.projection;
-  out.add("left", p.left);
-  out.add("right", p.right);
-  out.add("bottom", p.bottom);
-  out.add("top", p.top);
+  out.add(field::left, p.left);
+  out.add(field::right, p.right);
+  out.add(field::bottom, p.bottom);
+  out.add(field::top, p.top);
   addRange(out, p);
 }
 
@@ -122,13 +123,13 @@ void writePs2(Fields& out, const CameraFile& camera) {
   const ScreenMap map = screenMap(p, v);
   const double scrz = map.scaleX.hi, ay = (map.scaleY / map.scaleX).hi;
   const double cx = v.x + v.width / 2, cy = v.y + v.height / 2;
-  out.add("scrz", scrz);
-  out.add("ax", 1);
-  out.add("ay", std::fabs(ay));
-  out.add("cx", cx);
-  out.add("cy", cy);
-  out.add("zMin", v.depthFirst);
-  out.add("zMax", v.depthSecond);
+  out.add(field::scrz, scrz);
+  out.add(field::ax, 1);
+  out.add(field::ay, std::fabs(ay));
+  out.add(field::cx, cx);
+  out.add(field::cy, cy);
+  out.add(field::zMin, v.depthFirst);
+  out.add(field::zMax, v.depthSecond);
   addRange(out, p);
   addShift(out, intrinsics(scrz, twoProd(std::fabs(ay), scrz), cx, cy, v, p.near, p.far), p);
 }
@@ -141,12 +142,12 @@ struct Type {
 
 /// Of two rows of one name the first that keeps the pixels.
 constexpr Type kTypes[] = {
-    {"perspective", writePerspective, false, false, false, false},
-    {"perspective", writeNearSize, false, false, false, false},
-    {"frustum", writeFrustum, false, false, false, false},
-    {"intrinsics", writeIntrinsics, false, true, false, true},
-    {"ps2", writePs2, false, true, true, true},
-    {"orthographic", writeOrthographic, true, false, false, false},
+    {kPerspective, writePerspective, false, false, false, false},
+    {kPerspective, writeNearSize, false, false, false, false},
+    {kFrustum, writeFrustum, false, false, false, false},
+    {kIntrinsics, writeIntrinsics, false, true, false, true},
+    {kPs2, writePs2, false, true, true, true},
+    {kOrthographic, writeOrthographic, true, false, false, false},
 };
 
 /// What the type cannot hold of the camera, or an empty string.
@@ -183,7 +184,7 @@ std::vector<const Type*> typesFor(const CameraFile& camera, std::string_view wan
   // A shape unlike the viewport's goes into a type that says itself how wide a pixel is, if one can.
   std::vector<const Type*> types;
   for (const Type& type : kTypes)
-    if (type.name != "ps2" && beyond(type, camera, false).empty()) types.push_back(&type);
+    if (type.name != kPs2 && beyond(type, camera, false).empty()) types.push_back(&type);
   if (types.empty())  // an orthographic camera that was read so itself
     for (const Type& type : kTypes)
       if (beyond(type, camera, true).empty()) types.push_back(&type);
@@ -194,34 +195,41 @@ std::vector<const Type*> typesFor(const CameraFile& camera, std::string_view wan
 
 void addViewport(Fields& out, const Viewport& v, const ConventionPreset& preset, bool isPs2) {
   Fields fields;
-  fields.add("width", v.width);
-  fields.add("height", v.height);
+  fields.add(field::pixelWidth, v.width);
+  fields.add(field::pixelHeight, v.height);
   if (!isPs2) {
-    if (v.x != 0) fields.add("x", v.x);
-    if (v.y != 0) fields.add("y", v.y);
+    if (v.x != 0) fields.add(field::x, v.x);
+    if (v.y != 0) fields.add(field::y, v.y);
     if (!(v.depthFirst == 0 && v.depthSecond == 1))
-      fields.add("depthRange", "[" + formatNumber(v.depthFirst) + ", " + formatNumber(v.depthSecond) + "]");
+      fields.add(field::depthRange, "[" + formatNumber(v.depthFirst) + ", " + formatNumber(v.depthSecond) + "]");
   }
-  if (v.origin != Origin::topLeft) fields.addName("origin", nameOf(kOriginNames, v.origin));
-  if (v.pixelCenter != (preset.name == "opencv" ? 0 : 0.5)) fields.add("pixelCenter", v.pixelCenter);
-  out.add("viewport", fields.object());
+  if (v.origin != Origin::topLeft) fields.addName(field::origin, nameOf(kOriginNames, v.origin));
+  if (v.pixelCenter != preset.pixelCenter) fields.add(field::pixelCenter, v.pixelCenter);
+  out.add(field::viewport, fields.object());
 }
 
 std::string fileOf(const CameraFile& camera, const ConventionPreset& preset, const std::string& pose,
                    const Type* type) {
-  std::string out = "{\n  \"convention\": " + jsonOf(camera.convention, preset);
-  if (camera.worldIsEcef) out += ",\n  \"world\": \"ecef\"";
-  if (!pose.empty()) out += ",\n  " + pose;
+  std::string out;
+  const auto addLine = [&](const std::string& fields) { out += (out.empty() ? "{\n  " : ",\n  ") + fields; };
+  const auto addField = [&](const Field& field, const std::string& json) {
+    Fields one;
+    one.add(field, json);
+    addLine(one.text());
+  };
+  addField(field::convention, jsonOf(camera.convention, preset));
+  if (camera.worldIsEcef) addField(field::world, "\"" + std::string(nameOf(field::kWorlds, true)) + "\"");
+  if (!pose.empty()) addLine(pose);
   if (type) {
     Fields fields;
-    fields.addName("type", type->name);
+    fields.addName(field::type, type->name);
     type->write(fields, camera);
-    out += ",\n  \"projection\": " + fields.object();
+    addField(field::projection, fields.object());
   }
   if (camera.viewport) {
     Fields fields;
-    addViewport(fields, *camera.viewport, preset, type && type->name == "ps2");
-    out += ",\n  " + fields.text();
+    addViewport(fields, *camera.viewport, preset, type && type->name == kPs2);
+    addLine(fields.text());
   }
   return out + "\n}\n";
 }
@@ -240,7 +248,7 @@ WrittenCamera writeCamera(const CameraFile& camera, std::string_view wanted, boo
   std::optional<WrittenCamera> best;
   std::string fault;
   for (const Type* type : typesFor(camera, wanted, allowStretch))
-    for (const std::string& pose : poseForms(camera, preset.name == "unreal" ? Vec3{0, 0, 1} : Vec3{0, 1, 0})) {
+    for (const std::string& pose : poseForms(camera, preset)) {
       try {
         const std::string text = fileOf(camera, preset, pose, type);
         const CameraFile again = readCamera(Document(text, "the file written"), {"", true});

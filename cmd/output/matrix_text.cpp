@@ -8,7 +8,7 @@
 #include "input/convention_names.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
-#include "viewproj/view/matrices.hpp"
+#include "viewproj/matrices.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "viewproj/camera/convention.hpp"
-#include "viewproj/numbers/vectors.hpp"
+#include "viewproj/convention.hpp"
+#include "viewproj/vectors.hpp"
 
 namespace viewproj::cmd {
 

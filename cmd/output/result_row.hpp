@@ -27,7 +27,7 @@ enum class Given : unsigned char {
 };
 
 /// What its words can be: nothing said, or one of these.
-enum class Words : unsigned char { any, sides, outside, verdicts };
+enum class ResultWords : unsigned char { any, sides, outside, verdicts };
 
 struct ResultRow {
   std::string_view name;  ///< as JSON has it
@@ -35,7 +35,7 @@ struct ResultRow {
   std::size_t size = 1;  ///< numbers of a vector
   std::string_view unit = {}, help = {};
   std::span<const ResultRow* const> parts = {};
-  Words words = Words::any;
+  ResultWords words = ResultWords::any;
   Given given = Given::everywhere;
   bool canBeNull = false;  ///< where it has no value
   double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
@@ -75,10 +75,10 @@ constexpr ResultRow vectorResult(std::string_view name, std::size_t size, std::s
 constexpr ResultRow flagResult(std::string_view name, std::string_view help) {
   return {name, ResultKind::flag, 1, "", help};
 }
-constexpr ResultRow wordResult(std::string_view name, Words words, std::string_view help) {
+constexpr ResultRow wordResult(std::string_view name, ResultWords words, std::string_view help) {
   return {name, ResultKind::word, 1, "", help, {}, words};
 }
-constexpr ResultRow namesResult(std::string_view name, Words words, std::string_view help) {
+constexpr ResultRow namesResult(std::string_view name, ResultWords words, std::string_view help) {
   return {name, ResultKind::names, 1, "", help, {}, words};
 }
 constexpr ResultRow jsonResult(std::string_view name, std::string_view help) {

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "output/result_row.hpp"
-#include "viewproj/numbers/vectors.hpp"
+#include "viewproj/vectors.hpp"
 
 namespace viewproj::cmd {
 

@@ -6,8 +6,8 @@
 #include "output/side_names.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
-#include "viewproj/view/bounds.hpp"
-#include "viewproj/view/clip.hpp"
+#include "viewproj/clip.hpp"
+#include "viewproj/screen.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -44,7 +44,7 @@ constexpr PointResult kPointResults[] = {
      [](R row, P p, S sink) { sink.number(row, p.screen.viewDistance); }},
     {results::visible,
      [](R row, P p, S sink) { sink.flag(row, p.screen.visible()); }},
-    {namesResult("outside", Words::outside, "what the point lies beyond; left out where it is visible, unless --fields asks").whereNamed(),
+    {namesResult("outside", ResultWords::outside, "what the point lies beyond; left out where it is visible, unless --fields asks").whereNamed(),
      [](R row, P p, S sink) { sink.names(row, Sides(p.screen).names(), p.outsideAlways); }},
     {vectorResult("ndc", 3, "", "normalised device coordinates, as the convention written has them").asked().orNull(),
      [](R row, P p, S sink) { sink.vector(row, worldToNdc(p.camera, p.point, p.writing)); }},
@@ -90,15 +90,15 @@ const ResultRow* findResult(std::string_view name, std::string_view prefix) {
   return nullptr;
 }
 
-std::span<const std::string_view> wordsOf(Words words) {
+std::span<const std::string_view> wordsOf(ResultWords words) {
   switch (words) {
-    case Words::sides:
+    case ResultWords::sides:
       return std::span(kOutside).subspan(1);
-    case Words::outside:
+    case ResultWords::outside:
       return kOutside;
-    case Words::verdicts:
+    case ResultWords::verdicts:
       return kVerdicts;
-    case Words::any:
+    case ResultWords::any:
       break;
   }
   return {};

@@ -11,9 +11,9 @@
 #include "output/result_row.hpp"
 #include "output/result_sink.hpp"
 #include "text/form.hpp"
-#include "viewproj/camera/camera.hpp"
-#include "viewproj/numbers/vectors.hpp"
-#include "viewproj/view/screen_point.hpp"
+#include "viewproj/camera.hpp"
+#include "viewproj/screen.hpp"
+#include "viewproj/vectors.hpp"
 
 namespace viewproj::cmd {
 
@@ -32,7 +32,7 @@ inline constexpr ResultRow
 // A segment: the ends of what is visible of it, and the point of it under the record's pixel.
 inline constexpr ResultRow
     t = numberResult("t", "0 to 1", "share of the whole segment").within(0, 1),
-    cutBy = wordResult("cutBy", Words::sides, "the side that cuts it there").orNull(),
+    cutBy = wordResult("cutBy", ResultWords::sides, "the side that cuts it there").orNull(),
     underT = numberResult("t", "0 to 1", "share of the whole segment").orNull(),
     underPoint = vectorResult("point", 3, kWorldUnit, "the point itself").orNull();
 inline constexpr const ResultRow *kEndParts[] = {&t, &screen, &depth, &viewDistance, &cutBy},
@@ -65,8 +65,8 @@ inline constexpr ResultRow
 inline constexpr const ResultRow* kRay[] = {&origin, &direction, &point, &pointBound, &placedHit, &hit, &hits};
 
 inline constexpr ResultRow
-    cull = wordResult("cull", Words::verdicts, "where it lies").whereNamed(),
-    plane = wordResult("plane", Words::sides, "which one decides; null for inside").whereNamed().orNull();
+    cull = wordResult("cull", ResultWords::verdicts, "where it lies").whereNamed(),
+    plane = wordResult("plane", ResultWords::sides, "which one decides; null for inside").whereNamed().orNull();
 inline constexpr const ResultRow* kCull[] = {&cull, &plane};
 
 }  // namespace results
@@ -95,7 +95,7 @@ const Results& allResults();
 const ResultRow* findResult(std::string_view name, std::string_view prefix = "");
 
 /// The words that a result of words can have, as JSON knows them; empty: any.
-std::span<const std::string_view> wordsOf(Words words);
+std::span<const std::string_view> wordsOf(ResultWords words);
 
 /// The columns of CSV. table: a vector has one cell.
 std::vector<std::string> columnsOf(std::span<const ResultRow* const> rows, std::string_view prefix = "",

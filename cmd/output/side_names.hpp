@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "viewproj/view/screen.hpp"
+#include "viewproj/screen.hpp"
 
 namespace viewproj::cmd {
 

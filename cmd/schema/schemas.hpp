@@ -1,15 +1,26 @@
-// The files beside this one, as text.
+// The JSON Schemas of what is read and written.
 #pragma once
 
+#include <span>
+#include <string>
 #include <string_view>
 
 namespace viewproj::cmd {
 
-struct NamedSchema {
-  std::string_view name, text;
-};
+std::string cameraSchema();
+std::string sceneSchema();
+std::string pointsSchema();
+std::string resultsSchema();
 
-/// camera, scene, and of the schema of results the definitions of reports. Defined in a file that CMake writes.
-extern const NamedSchema kSchemas[3];
+/// Of the schema of results the definitions of reports: what commands print that are no records. A file beside this
+/// one.
+std::string reportsText();
+
+struct NamedSchema {
+  std::string_view name;
+  std::string (*text)();
+};
+inline constexpr NamedSchema kSchemas[] = {
+    {"camera", cameraSchema}, {"points", pointsSchema}, {"scene", sceneSchema}, {"results", resultsSchema}};
 
 }  // namespace viewproj::cmd

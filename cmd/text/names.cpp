@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <vector>
 
 namespace viewproj::cmd {
 namespace {
@@ -22,6 +21,11 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
         d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
     }
   return d[a.size()][b.size()];
+}
+
+std::string enumerated(std::span<const std::string_view> names, const char* last) {
+  if (names.size() < 2) return joined(names);
+  return joined(names.first(names.size() - 1)) + last + std::string(names.back());
 }
 
 }  // namespace
@@ -55,6 +59,10 @@ std::string columnName(std::string_view name) {
   }
   return column;
 }
+
+std::string alternatives(const std::vector<std::string_view>& names) { return enumerated(names, " or "); }
+
+std::string together(const std::vector<std::string_view>& names) { return enumerated(names, " and "); }
 
 std::string joined(std::span<const std::string_view> names, std::string_view separator) {
   std::string text;

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace viewproj::cmd {
 
@@ -16,6 +17,11 @@ std::string suggestion(std::string_view name, std::span<const std::string_view> 
 /// How a name's numbers spread over the columns of CSV: viewDistance is view_distance, screen is screen_x, screen_y.
 inline constexpr std::string_view kColumnSuffixes[] = {"_x", "_y", "_z", "_w"};
 std::string columnName(std::string_view name);
+
+/// "a, b or c".
+std::string alternatives(const std::vector<std::string_view>& names);
+/// "a, b and c".
+std::string together(const std::vector<std::string_view>& names);
 
 /// "a, b, c".
 std::string joined(std::span<const std::string_view> names, std::string_view separator = ", ");

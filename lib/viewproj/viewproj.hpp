@@ -1,21 +1,10 @@
-// The whole library: cameras, matrices, worldToScreen, screenToRay, hits and culling.
-//
-// Threads that call it round to the nearest and keep subnormal numbers: numbers/arithmetic.hpp.
+// The core of the library: cameras, matrices, worldToScreen, screenToRay.
 #pragma once
 
-#include "viewproj/camera/camera.hpp"
-#include "viewproj/camera/error.hpp"
-#include "viewproj/camera/geodesy.hpp"
-#include "viewproj/numbers/arithmetic.hpp"
-#include "viewproj/view/batch.hpp"
-#include "viewproj/view/bounds.hpp"
-#include "viewproj/view/clip.hpp"
-#include "viewproj/view/depth_buffer.hpp"
-#include "viewproj/view/frustum.hpp"
-#include "viewproj/view/hits.hpp"
-#include "viewproj/view/matrices.hpp"
-#include "viewproj/view/model.hpp"
-#include "viewproj/view/ray.hpp"
-#include "viewproj/view/readings.hpp"
-#include "viewproj/view/screen.hpp"
-#include "viewproj/view/segment.hpp"
+#include "viewproj/camera.hpp"
+#include "viewproj/clip.hpp"
+#include "viewproj/convention.hpp"
+#include "viewproj/matrices.hpp"
+#include "viewproj/screen.hpp"
+#include "viewproj/vectors.hpp"
+#include "viewproj/version.hpp"

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "peers.hpp"
-#include "viewproj/view/kernels/kernels.hpp"
+#include "projection/kernels/kernels.hpp"
 
 using namespace viewproj;
 

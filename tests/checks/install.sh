@@ -24,7 +24,7 @@ if [ ! -f "$build/CMakeCache.txt" ]; then
   cmake -B "$build" >/dev/null
 fi
 build=$(cd "$build" && pwd)
-cmake --build "$build" --parallel "$(nproc)" --target viewproj libviewproj manual changelog >/dev/null
+cmake --build "$build" --parallel "$(nproc)" --target viewproj libviewproj_scene libviewproj_geodesy manual changelog >/dev/null
 version=$(sed -n 's/^project(viewproj VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 
 work=$(mktemp -d)
@@ -38,15 +38,15 @@ trap 'exit 1' HUP INT TERM
 
 # The files of an installation, below its prefix.
 expect_files() {
-  for pattern in bin/viewproj 'lib*/libviewproj.a' include/viewproj/viewproj.hpp 'lib*/cmake/viewproj/viewprojConfig.cmake' \
-    'lib*/cmake/viewproj/viewprojConfigVersion.cmake' 'lib*/cmake/viewproj/viewprojTargets.cmake' 'lib*/pkgconfig/viewproj.pc' \
+  for pattern in bin/viewproj 'lib*/libviewproj.a' 'lib*/libviewproj_scene.a' 'lib*/libviewproj_geodesy.a' include/viewproj/viewproj.hpp 'lib*/cmake/viewproj/viewprojConfig.cmake' \
+    'lib*/cmake/viewproj/viewprojConfigVersion.cmake' 'lib*/cmake/viewproj/viewproj-targets.cmake' 'lib*/pkgconfig/viewproj.pc' \
     share/man/man1/viewproj.1.gz share/doc/viewproj/README.md share/doc/viewproj/copyright share/doc/viewproj/changelog.gz \
     share/doc/viewproj/samples/picking-a-pixel/camera.json; do
     # Libraries may lie in a folder of the architecture's name.
     found=$(find "$1" -path "$1/$pattern" -o -path "$1/$(echo "$pattern" | sed 's,lib\*/,lib/*/,')")
     [ -n "$found" ] || fail "no $pattern is installed"
   done
-  if [ -e "$1/include/viewproj/view/kernels" ]; then fail 'internal headers are installed'; fi
+  if [ -e "$1/include/numbers" ]; then fail 'internal headers are installed'; fi
   strays=$(cd "$1" && find . -type f ! -path './bin/viewproj' ! -path './lib/*' ! -path './include/viewproj/*.hpp' \
     ! -path './share/man/man1/viewproj.1.gz' ! -path './share/doc/viewproj/*')
   [ -z "$strays" ] || fail "what is this doing here: $strays"
@@ -75,7 +75,7 @@ expect_output 'the program of tests/install' "$("$work/consumer/consumer")"
 PKG_CONFIG_PATH=$(dirname "$(find "$work/prefix" -name viewproj.pc)")
 export PKG_CONFIG_PATH
 # shellcheck disable=SC2046  # a list of words
-"${CXX:-c++}" -std=c++20 tests/install/main.cpp -o "$work/by-pkg-config" $(pkg-config --cflags --libs viewproj)
+"${CXX:-c++}" -std=c++20 tests/install/main.cpp -o "$work/by-pkg-config" $(pkg-config --cflags --libs viewproj-geodesy)
 expect_output 'the program built by pkg-config' "$("$work/by-pkg-config")"
 DESTDIR=$work/staged cmake --install "$build" --prefix /opt/viewproj >/dev/null
 expect_files "$work/staged/opt/viewproj"

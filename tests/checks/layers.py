@@ -8,22 +8,31 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 # From the bottom up; those of one line do not include one another.
 LAYERS = (
-    ("lib/viewproj/numbers",),
-    ("lib/viewproj/camera",),
-    ("lib/viewproj/view",),
+    ("lib/numbers",),
+    ("lib/camera",),
+    ("lib/projection", "lib/matrices"),
+    ("lib/scene", "lib/geodesy"),
     ("lib/viewproj",),
-    ("cmd/text", "cmd/schema"),
+    ("cmd/text",),
     ("cmd/input",),
     ("cmd/output",),
-    ("cmd/stream",),
+    ("cmd/schema", "cmd/stream"),
     ("cmd/commands",),
     ("cmd/man", "cmd"),
 )
+# A public header counts as one of the module that implements it, or above all.
+PUBLIC = {
+    "vectors": "lib/numbers", "version": "lib/numbers", "convention": "lib/camera", "camera": "lib/camera",
+    "screen": "lib/projection", "clip": "lib/projection", "matrices": "lib/matrices", "scene": "lib/scene",
+    "geodesy": "lib/geodesy", "viewproj": "lib/viewproj",
+}
 RANK = {module: rank for rank, layer in enumerate(LAYERS) for module in layer}
 
 
 def module_of(path):
     """The longest folder that is a module."""
+    if path.parent == ROOT / "lib" / "viewproj" and path.stem in PUBLIC:
+        return PUBLIC[path.stem]
     for folder in path.relative_to(ROOT).parents:
         if str(folder) in RANK:
             return str(folder)

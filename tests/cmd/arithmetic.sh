@@ -15,7 +15,7 @@ wrong() {
 }
 
 cat >"$work/sum.cpp" <<'END'
-#include <viewproj/numbers/double_double.hpp>
+#include <numbers/double_double.hpp>
 int main(int count, char**) {
   volatile double one = count, small = 0x1p-60, smaller = 0x1p-110;
   const viewproj::DoubleDouble sum = viewproj::DoubleDouble(one, small) + viewproj::DoubleDouble(-one, smaller);

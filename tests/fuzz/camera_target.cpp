@@ -8,9 +8,8 @@
 #include "output/matrix_text.hpp"
 #include "targets.hpp"
 #include "text/error.hpp"
-#include "viewproj/view/matrices.hpp"
-#include "viewproj/view/ray.hpp"
-#include "viewproj/view/screen.hpp"
+#include "viewproj/matrices.hpp"
+#include "viewproj/screen.hpp"
 
 namespace viewproj::fuzz {
 namespace {

@@ -10,10 +10,9 @@
 #include "output/matrix_text.hpp"
 #include "targets.hpp"
 #include "text/error.hpp"
-#include "viewproj/camera/error.hpp"
-#include "viewproj/view/hits.hpp"
-#include "viewproj/view/matrices.hpp"
-#include "viewproj/view/model.hpp"
+#include "viewproj/camera.hpp"
+#include "viewproj/matrices.hpp"
+#include "viewproj/scene.hpp"
 
 namespace viewproj::fuzz {
 namespace {

@@ -8,11 +8,9 @@
 #include "stream/filter.hpp"
 #include "targets.hpp"
 #include "text/error.hpp"
-#include "viewproj/view/clip.hpp"
-#include "viewproj/view/frustum.hpp"
-#include "viewproj/view/ray.hpp"
-#include "viewproj/view/screen.hpp"
-#include "viewproj/view/segment.hpp"
+#include "viewproj/clip.hpp"
+#include "viewproj/scene.hpp"
+#include "viewproj/screen.hpp"
 
 namespace viewproj::fuzz {
 namespace {

@@ -1,4 +1,5 @@
 #include <cstdio>
+#include <viewproj/geodesy.hpp>
 #include <viewproj/viewproj.hpp>
 
 int main() {

@@ -8,6 +8,7 @@
 #include "catch.hpp"
 #include "measure.hpp"
 #include "random_cameras.hpp"
+#include "viewproj/scene.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;

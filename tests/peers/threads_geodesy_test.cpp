@@ -3,6 +3,7 @@
 #include <array>
 
 #include "catch.hpp"
+#include "viewproj/geodesy.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;

@@ -3,6 +3,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "catch.hpp"
+#include "matrices/readings.hpp"
 #include "matrix_numbers.hpp"
 #include "random_cameras.hpp"
 #include "thread_cameras.hpp"

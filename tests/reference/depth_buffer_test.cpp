@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "catch.hpp"
+#include "projection/depth_buffer.hpp"
 #include "reference/scene.hpp"
 
 using namespace viewproj;

@@ -1,8 +1,8 @@
 // What exact promises, as a check.
 #pragma once
 
+#include "projection/error_model.hpp"
 #include "reference/real.hpp"
-#include "viewproj/view/error_model.hpp"
 
 namespace reference {
 

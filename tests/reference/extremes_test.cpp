@@ -2,10 +2,10 @@
 #include <vector>
 
 #include "catch.hpp"
+#include "numbers/degrees.hpp"
 #include "reference/bounds/families.hpp"
 #include "reference/exactness.hpp"
 #include "reference/scene.hpp"
-#include "viewproj/numbers/degrees.hpp"
 
 using namespace viewproj;
 using namespace reference;

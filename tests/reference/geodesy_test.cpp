@@ -1,12 +1,12 @@
 // Places on the Earth and cameras that stand there, against 480-bit arithmetic.
-#include "viewproj/camera/geodesy.hpp"
+#include "viewproj/geodesy.hpp"
 
 #include <map>
 
 #include "catch.hpp"
+#include "numbers/degrees.hpp"
 #include "reference/exactness.hpp"
 #include "reference/scene.hpp"
-#include "viewproj/numbers/degrees.hpp"
 
 using namespace viewproj;
 using namespace reference;

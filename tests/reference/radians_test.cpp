@@ -1,11 +1,11 @@
-#include "viewproj/numbers/radians.hpp"
+#include "numbers/radians.hpp"
 
 #include <cmath>
 #include <random>
 
 #include "catch.hpp"
+#include "numbers/degrees.hpp"
 #include "reference/scene.hpp"
-#include "viewproj/numbers/degrees.hpp"
 
 using namespace viewproj;
 using namespace reference;

@@ -1,5 +1,5 @@
 // Cameras of matrices that were read, against the sixteen doubles themselves, taken as exact.
-#include "viewproj/view/readings.hpp"
+#include "matrices/readings.hpp"
 
 #include <map>
 

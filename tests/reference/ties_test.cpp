@@ -5,6 +5,7 @@
 #include "catch.hpp"
 #include "reference/exactness.hpp"
 #include "reference/scene.hpp"
+#include "viewproj/scene.hpp"
 
 using namespace viewproj;
 using namespace reference;

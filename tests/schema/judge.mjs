@@ -28,8 +28,8 @@ const ajv = new Ajv2020({ strict: true, strictTypes: true, strictTuples: true, s
 for (const name of ["camera", "points", "scene", "results"]) {
   const schema = JSON.parse(run(["schema", name]).output);
   if (!ajv.validateSchema(schema)) fault(`${name}: ${ajv.errorsText()}`);
+  ajv.addSchema(schema);
   for (const part of Object.keys(schema.$defs ?? {})) {
-    ajv.getSchema(schema.$id) ?? ajv.addSchema(schema);
     ajv.getSchema(`${schema.$id}#/$defs/${part}`); // every part compiles, whether it is used or not
   }
 }

@@ -5,6 +5,9 @@
 
 #include "catch.hpp"
 #include "kernels.hpp"
+#include "projection/depth_buffer.hpp"
+#include "viewproj/geodesy.hpp"
+#include "viewproj/scene.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;

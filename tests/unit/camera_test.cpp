@@ -1,10 +1,11 @@
 // What makeCamera and its neighbours refuse: a number that is not obeyed is an error, with the field's name.
-#include "viewproj/camera/camera.hpp"
+#include "viewproj/camera.hpp"
 
 #include <cfenv>
 #include <functional>
 
 #include "catch.hpp"
+#include "viewproj/geodesy.hpp"
 #include "viewproj/viewproj.hpp"
 
 #ifdef __SSE2__

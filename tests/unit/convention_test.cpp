@@ -1,4 +1,4 @@
-#include "viewproj/camera/convention.hpp"
+#include "viewproj/convention.hpp"
 
 #include <fstream>
 #include <sstream>

@@ -1,4 +1,4 @@
-#include "viewproj/numbers/degrees.hpp"
+#include "numbers/degrees.hpp"
 
 #include <random>
 

@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "catch.hpp"
+#include "viewproj/scene.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;

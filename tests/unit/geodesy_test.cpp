@@ -1,4 +1,4 @@
-#include "viewproj/camera/geodesy.hpp"
+#include "viewproj/geodesy.hpp"
 
 #include "catch.hpp"
 #include "field_at_fault.hpp"

@@ -1,11 +1,11 @@
 #include <random>
 
 #include "catch.hpp"
-#include "viewproj/numbers/certified.hpp"
-#include "viewproj/numbers/dyadic.hpp"
-#include "viewproj/numbers/expansion.hpp"
-#include "viewproj/numbers/fixed.hpp"
-#include "viewproj/numbers/vectors.hpp"
+#include "numbers/certified.hpp"
+#include "numbers/dyadic.hpp"
+#include "numbers/expansion.hpp"
+#include "numbers/fixed.hpp"
+#include "viewproj/vectors.hpp"
 
 using namespace viewproj;
 

@@ -1,8 +1,6 @@
-#include "viewproj/camera/pose.hpp"
-
 #include "catch.hpp"
-#include "viewproj/camera/error.hpp"
-#include "viewproj/view/eye_point.hpp"
+#include "projection/eye_point.hpp"
+#include "viewproj/camera.hpp"
 
 using namespace viewproj;
 

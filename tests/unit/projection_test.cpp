@@ -1,6 +1,6 @@
 #include "catch.hpp"
 #include "field_at_fault.hpp"
-#include "viewproj/numbers/degrees.hpp"
+#include "numbers/degrees.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;

@@ -1,4 +1,4 @@
-#include "viewproj/numbers/radians.hpp"
+#include "numbers/radians.hpp"
 
 #include <cmath>
 

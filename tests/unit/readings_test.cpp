@@ -1,4 +1,4 @@
-#include "viewproj/view/readings.hpp"
+#include "matrices/readings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 
 #include "catch.hpp"
 #include "matrix_numbers.hpp"
+#include "numbers/ulp.hpp"
 #include "random.hpp"
-#include "viewproj/numbers/ulp.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;

@@ -1,6 +1,7 @@
 #include <random>
 
 #include "catch.hpp"
+#include "viewproj/scene.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;

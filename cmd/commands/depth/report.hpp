@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "viewproj/view/depth_buffer.hpp"
+#include "projection/depth_buffer.hpp"
 
 namespace viewproj::cmd {
 

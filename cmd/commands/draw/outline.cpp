@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "viewproj/view/ray.hpp"
+#include "viewproj/screen.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "viewproj/view/segment.hpp"
-#include "viewproj/view/shapes.hpp"
+#include "viewproj/scene.hpp"
 
 namespace viewproj::cmd {
 

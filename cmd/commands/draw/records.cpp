@@ -10,7 +10,7 @@
 #include "text/error.hpp"
 #include "text/format_number.hpp"
 #include "text/json_text.hpp"
-#include "viewproj/view/hits.hpp"
+#include "viewproj/scene.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "output/svg.hpp"
-#include "viewproj/camera/viewport.hpp"
-#include "viewproj/numbers/vectors.hpp"
+#include "viewproj/camera.hpp"
+#include "viewproj/vectors.hpp"
 
 namespace viewproj::cmd {
 

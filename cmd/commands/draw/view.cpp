@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viewproj/view/clip.hpp"
+#include "viewproj/clip.hpp"
 
 namespace viewproj::cmd {
 

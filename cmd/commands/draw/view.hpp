@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "commands/draw/outline.hpp"
-#include "viewproj/view/screen.hpp"
+#include "viewproj/screen.hpp"
 
 namespace viewproj::cmd {
 

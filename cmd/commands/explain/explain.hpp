@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "commands/explain/explanation.hpp"
-#include "viewproj/camera/camera.hpp"
+#include "viewproj/camera.hpp"
 
 namespace viewproj::cmd {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viewproj/view/matrices.hpp"
+#include "viewproj/matrices.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "viewproj/camera/convention.hpp"
-#include "viewproj/numbers/vectors.hpp"
+#include "viewproj/convention.hpp"
+#include "viewproj/vectors.hpp"
 
 namespace viewproj::cmd {
 

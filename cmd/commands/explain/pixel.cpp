@@ -3,8 +3,8 @@
 #include "commands/explain/explain.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
-#include "viewproj/view/matrices.hpp"
-#include "viewproj/view/ray.hpp"
+#include "viewproj/matrices.hpp"
+#include "viewproj/screen.hpp"
 
 namespace viewproj::cmd {
 namespace {

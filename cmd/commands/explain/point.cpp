@@ -2,9 +2,8 @@
 
 #include "commands/explain/explain.hpp"
 #include "text/error.hpp"
-#include "viewproj/view/clip.hpp"
-#include "viewproj/view/matrices.hpp"
-#include "viewproj/view/model.hpp"
+#include "viewproj/clip.hpp"
+#include "viewproj/matrices.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -14,7 +14,7 @@
 #include "text/file.hpp"
 #include "text/names.hpp"
 #include "text/parse_number.hpp"
-#include "viewproj/camera/error.hpp"
+#include "viewproj/camera.hpp"
 
 namespace viewproj::cmd {
 namespace {

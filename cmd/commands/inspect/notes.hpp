@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "viewproj/view/readings.hpp"
+#include "matrices/readings.hpp"
 
 namespace viewproj::cmd {
 

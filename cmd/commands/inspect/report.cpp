@@ -43,10 +43,12 @@ struct FittingPreset {
 
 std::vector<FittingPreset> presetsOf(const Reading& r, NumberOrder order) {
   std::vector<FittingPreset> result;
-  for (const auto& [name, c] : conventionPresets())
-    if (fits(r, c, order))
-      result.push_back({name, determinesWorld(r) && c.world != r.convention.world,
-                        r.lens.has_value() && c.reverseZ != r.convention.reverseZ});
+  for (const ConventionPreset& preset : conventionPresets()) {
+    const Convention& c = preset.convention;
+    if (!fits(r, c, order)) continue;
+    result.push_back({preset.name, determinesWorld(r) && c.world != r.convention.world,
+                      r.lens.has_value() && c.reverseZ != r.convention.reverseZ});
+  }
   return result;
 }
 

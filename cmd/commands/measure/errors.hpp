@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "viewproj/numbers/vectors.hpp"
+#include "viewproj/vectors.hpp"
 
 namespace viewproj::cmd {
 

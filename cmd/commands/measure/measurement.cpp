@@ -6,11 +6,8 @@
 #include "commands/measure/errors.hpp"
 #include "commands/measure/textbook.hpp"
 #include "commands/measure/timing.hpp"
-#include "viewproj/view/batch.hpp"
-#include "viewproj/view/bounds.hpp"
-#include "viewproj/view/kernels/kernels.hpp"
-#include "viewproj/view/ray.hpp"
-#include "viewproj/view/screen.hpp"
+#include "projection/kernels/kernels.hpp"
+#include "viewproj/screen.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "viewproj/camera/camera.hpp"
+#include "viewproj/camera.hpp"
 
 namespace viewproj::cmd {
 

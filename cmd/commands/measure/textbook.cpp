@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "viewproj/view/matrices.hpp"
+#include "viewproj/matrices.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -5,7 +5,7 @@
 #include <array>
 #include <span>
 
-#include "viewproj/camera/camera.hpp"
+#include "viewproj/camera.hpp"
 
 namespace viewproj::cmd {
 

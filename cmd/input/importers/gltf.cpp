@@ -5,7 +5,7 @@
 
 #include "input/importers/importer.hpp"
 #include "input/placement.hpp"
-#include "viewproj/numbers/radians.hpp"
+#include "numbers/radians.hpp"
 
 namespace viewproj::cmd {
 namespace {

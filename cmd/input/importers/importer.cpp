@@ -26,15 +26,7 @@ std::optional<ReadViewport> importedViewport(const Document& document, const Vie
   try {
     return readViewport(root, defaults);
   } catch (const CameraError& e) {
-    // "viewport.width" or "viewport.crop.x"
-    Path path;
-    const std::string& field = e.field();
-    for (std::size_t at = 0; at <= field.size();) {
-      const std::size_t dot = std::min(field.find('.', at), field.size());
-      path.push_back(field.substr(at, dot - at));
-      at = dot + 1;
-    }
-    document.fail(path, e.message());
+    document.fail(undotted(e.field()), e.message());
   }
 }
 

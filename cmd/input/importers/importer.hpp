@@ -11,7 +11,7 @@
 #include "input/camera_file.hpp"
 #include "input/document.hpp"
 #include "input/viewport_fields.hpp"
-#include "viewproj/camera/error.hpp"
+#include "viewproj/camera.hpp"
 
 namespace viewproj::cmd {
 

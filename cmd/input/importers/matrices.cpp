@@ -1,16 +1,16 @@
 // A camera given by its view and projection matrices, as `viewproj matrix` writes them or a program prints them. The
 // convention is the file's, or follows where the matrices fit only one.
-#include "viewproj/view/matrices.hpp"
+#include "viewproj/matrices.hpp"
 
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "input/camera_fields.hpp"
 #include "input/convention_fields.hpp"
-#include "input/convention_names.hpp"
 #include "input/importers/importer.hpp"
+#include "matrices/readings.hpp"
 #include "text/names.hpp"
-#include "viewproj/view/readings.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -111,18 +111,19 @@ std::vector<GivenMatrix> readGivens(const ObjectReader& file) {
 
 struct Candidate {
   std::string name;
-  Convention convention;
+  StatedConvention stated;
 };
 
 /// Presets, forward and reversed.
 std::vector<Candidate> candidates() {
   std::vector<Candidate> all;
   for (const ConventionPreset& preset : conventionPresets())
-    all.push_back({std::string(preset.name), preset.convention});
+    all.push_back({std::string(preset.name), {preset.convention, &preset}});
   for (const ConventionPreset& preset : conventionPresets()) {
     Convention other = preset.convention;
     other.reverseZ = !other.reverseZ;
-    all.push_back({std::string(preset.name) + " with reverseZ " + (other.reverseZ ? "true" : "false"), other});
+    all.push_back(
+        {std::string(preset.name) + " with reverseZ " + (other.reverseZ ? "true" : "false"), {other, &preset}});
   }
   return all;
 }
@@ -144,10 +145,10 @@ std::vector<Candidate> fitting(const std::vector<GivenMatrix>& givens) {
   };
   std::vector<Candidate> found;
   for (const Candidate& candidate : candidates()) {
-    if (!fitsAll(givens, candidate.convention)) continue;
+    if (!fitsAll(givens, candidate.stated.convention)) continue;
     bool isNew = true;
     for (Candidate& other : found)
-      if (sameCamera(other.convention, candidate.convention)) {
+      if (sameCamera(other.stated.convention, candidate.stated.convention)) {
         if (isNew) other.name += "/" + candidate.name;
         isNew = false;
       }
@@ -163,21 +164,17 @@ std::string namesOf(const std::vector<Candidate>& found) {
   return joined(names);
 }
 
-Convention conventionOf(const ObjectReader& file, const std::vector<GivenMatrix>& givens,
-                        const CameraReading& reading) {
-  std::optional<Convention> stated;
-  if (!reading.readAs.empty())
-    stated = conventionPreset(reading.readAs);
-  else if (const auto own = readConvention(file, *conventionPreset("opengl")))
-    stated = own->convention;
+StatedConvention conventionOf(const ObjectReader& file, const std::vector<GivenMatrix>& givens,
+                              const CameraReading& reading) {
   const std::vector<Candidate> found = fitting(givens);
-  if (stated) {
+  if (!reading.readAs.empty() || file.has(field::convention)) {
+    const StatedConvention stated = readStated(file, reading.readAs, conventionPresets().front());
     for (const GivenMatrix& given : givens)
-      if (!readingIn(given, *stated))
+      if (!readingIn(given, stated.convention))
         file.fail(given.key, std::string("is not written in the convention ") +
                                  (reading.readAs.empty() ? "that the file states" : reading.readAs) +
                                  (found.empty() ? "; inspect tells its readings" : "; it would fit " + namesOf(found)));
-    return *stated;
+    return stated;
   }
   if (found.empty())
     file.fail(givens.front().key,
@@ -187,7 +184,7 @@ Convention conventionOf(const ObjectReader& file, const std::vector<GivenMatrix>
     file.fail("states no convention, and its matrices fit " + namesOf(found) +
               ": --read-as NAME or a field convention "
               "says which");
-  return found.front().convention;
+  return found.front().stated;
 }
 
 /// The viewport that a matrix from NDC to the screen is of: its pixels' centres are at halves, for what it cannot tell.
@@ -206,13 +203,17 @@ Viewport viewportOf(const Mat4& m, const Convention& c) {
   return v;
 }
 
-std::optional<ReadViewport> readPicture(const ObjectReader& file, const Convention& convention) {
-  const nlohmann::json* picture = file.find("viewport");
+std::optional<ReadViewport> readPicture(const ObjectReader& file, const StatedConvention& stated) {
+  const Convention& convention = stated.convention;
+  const nlohmann::json* picture = file.find(field::viewport);
   if (!picture || picture->is_object()) {
-    const bool isOpenCv = convention == *conventionPreset("opencv");
-    return importedViewport(file.document(), {.pixelCenter = isOpenCv ? 0 : 0.5});
+    // Where every axis is named and no preset, as `viewproj matrix` writes them, the preset is the one they are of.
+    const ConventionPreset* preset = stated.preset;
+    for (const ConventionPreset& other : conventionPresets())
+      if (!(preset->convention == convention) && other.convention == convention) preset = &other;
+    return importedViewport(file.document(), {.pixelCenter = preset->pixelCenter});
   }
-  const auto rows = file.mat4("viewport");
+  const auto rows = file.mat4(field::viewport);
   const Viewport v = viewportOf(convention.vectors == Vectors::row ? transposed(*rows) : *rows, convention);
   const Mat4 again = laidOut(screenFromNdc(v, convention), convention);
   double size = 0, off = 0;
@@ -221,7 +222,7 @@ std::optional<ReadViewport> readPicture(const ObjectReader& file, const Conventi
       size = std::max(size, std::fabs((*rows)[i][j]));
       off = std::max(off, std::fabs((*rows)[i][j] - again[i][j]));
     }
-  if (!(off <= 0x1p-50 * size)) file.fail("viewport", "is no viewport matrix of its convention");
+  if (!(off <= 0x1p-50 * size)) file.fail(field::viewport, "is no viewport matrix of its convention");
   return located(file, {{"viewport.width", "viewport"}, {"viewport.height", "viewport"}}, [&] {
     validate(v);
     return ReadViewport{v, std::nullopt};
@@ -231,8 +232,9 @@ std::optional<ReadViewport> readPicture(const ObjectReader& file, const Conventi
 CameraFile read(const Document& document, std::size_t, const CameraReading& reading) {
   const ObjectReader file(document, document.root(), {});
   const std::vector<GivenMatrix> givens = readGivens(file);
-  const Convention convention = conventionOf(file, givens, reading);
-  const auto viewport = readPicture(file, convention);
+  const StatedConvention stated = conventionOf(file, givens, reading);
+  const Convention& convention = stated.convention;
+  const auto viewport = readPicture(file, stated);
   std::optional<Pose> pose;
   std::optional<Projection> projection;
   for (const GivenMatrix& given : givens) {

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "input/importers/importer.hpp"
+#include "numbers/radians.hpp"
 #include "text/names.hpp"
-#include "viewproj/numbers/radians.hpp"
 
 namespace viewproj::cmd {
 namespace {

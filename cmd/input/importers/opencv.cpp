@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "input/importers/importer.hpp"
-#include "viewproj/numbers/radians.hpp"
+#include "numbers/radians.hpp"
 
 namespace viewproj::cmd {
 namespace {

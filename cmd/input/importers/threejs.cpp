@@ -4,7 +4,7 @@
 
 #include "input/importers/importer.hpp"
 #include "input/placement.hpp"
-#include "viewproj/numbers/degrees.hpp"
+#include "numbers/degrees.hpp"
 
 namespace viewproj::cmd {
 namespace {

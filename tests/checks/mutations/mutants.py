@@ -40,9 +40,9 @@ class Mutation:
 
     @property
     def module(self):
-        """lib/viewproj/view/ray.cpp: view; cmd/input/points.cpp: input."""
+        """lib/projection/ray.cpp: projection; cmd/input/points.cpp: input."""
         parts = self.file.split("/")
-        return parts[2] if parts[0] == "lib" else parts[1] if len(parts) > 2 else "main"
+        return parts[1] if len(parts) > 2 else "main"
 
     @property
     def number(self):

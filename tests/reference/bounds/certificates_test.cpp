@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "catch.hpp"
+#include "projection/kernels/kernels.hpp"
 #include "reference/bounds/oracle.hpp"
-#include "viewproj/view/kernels/kernels.hpp"
 
 using namespace viewproj;
 using namespace reference;

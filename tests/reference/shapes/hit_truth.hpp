@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "reference/scene.hpp"
+#include "viewproj/scene.hpp"
 #include "viewproj/viewproj.hpp"
 
 namespace reference {

@@ -1,0 +1,108 @@
+#include "input/field.hpp"
+
+#include <algorithm>
+
+#include "text/names.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+using Fields = std::vector<const Field*>;
+
+bool contains(FieldList list, const Field& field) { return std::find(list.begin(), list.end(), &field) != list.end(); }
+
+/// "nearWidth and nearHeight", or what one of is enough.
+std::string labelOf(const Way& way) {
+  std::vector<std::string_view> names = namesOf(way.keys);
+  if (way.anyKey) names.resize(1);
+  return joined(names, " and ");
+}
+
+/// Of those of one label one, in order.
+std::vector<std::string> labelsOf(const std::vector<const Way*>& ways) {
+  std::vector<std::string> labels;
+  for (const Way* way : ways)
+    if (labels.empty() || labels.back() != labelOf(*way)) labels.push_back(labelOf(*way));
+  return labels;
+}
+
+std::string alternativesOf(const std::vector<const Way*>& ways) {
+  std::vector<std::string> labels = labelsOf(ways);
+  for (const Way* way : ways)
+    if (way->anyKey)
+      for (const Field* key : way->keys.subspan(1)) labels.emplace_back(*key);
+  return alternatives({labels.begin(), labels.end()});
+}
+
+/// The first that holds, or null.
+template <class List, class Condition>
+const Field* firstOf(const List& fields, const Condition& condition) {
+  const auto found = std::find_if(fields.begin(), fields.end(), [&](const Field* field) { return condition(*field); });
+  return found == fields.end() ? nullptr : *found;
+}
+
+}  // namespace
+
+bool Way::uses(const Field& field) const noexcept {
+  return contains(keys, field) || contains(with, field) || contains(may, field);
+}
+
+bool ObjectForm::has(std::string_view name) const noexcept {
+  return std::any_of(fields.begin(), fields.end(), [&](const Field* field) { return field->name == name; });
+}
+
+std::vector<std::string_view> namesOf(FieldList fields) {
+  std::vector<std::string_view> names;
+  for (const Field* field : fields) names.push_back(field->name);
+  return names;
+}
+
+ChosenWay chooseWay(const ObjectForm& form, const std::function<bool(const Field&)>& has) {
+  const auto lacks = [&](const Field& field) { return !has(field); };
+  std::vector<const Way*> all, used;
+  for (const Way& way : form.ways) {
+    all.push_back(&way);
+    if (firstOf(way.keys, has)) used.push_back(&way);
+  }
+  const auto waysWith = [&](const Field& field) {
+    std::vector<const Way*> ways = all;
+    std::erase_if(ways, [&](const Way* way) { return !way->uses(field); });
+    return alternativesOf(ways);
+  };
+  Fields given;  // of the fields that the ways speak of
+  for (const Field* field : form.fields)
+    if (!waysWith(*field).empty() && has(*field)) given.push_back(field);
+
+  if (used.empty()) {
+    if (!given.empty() && form.aim.empty())
+      return {nullptr, "needs one of " + waysWith(*given.front()) + " beside it", given.front()};
+    if (form.aim.empty()) return {};
+    return {nullptr, "has no " + std::string(form.aim) + "; expected one of " + alternativesOf(all)};
+  }
+  if (const std::vector<std::string> labels = labelsOf(used); labels.size() > 1)
+    return {nullptr, "has " + together({labels.begin(), labels.end()}) + "; expected one of " + alternativesOf(all)};
+
+  // All of these have the same key: the first into which what is given fits.
+  std::vector<std::string_view> missing;
+  const Field* surplus = nullptr;
+  for (const Way* way : used) {
+    const Field* const unfit = firstOf(given, [&](const Field& field) { return !way->uses(field); });
+    const Field* lacking = firstOf(way->with, lacks);
+    if (!lacking && !way->anyKey) lacking = firstOf(way->keys, lacks);
+    if (!unfit && !lacking) return {way, "", nullptr};
+    if (unfit)
+      surplus = unfit;
+    else if (std::find(missing.begin(), missing.end(), lacking->name) == missing.end())
+      missing.push_back(*lacking);
+  }
+  if (!missing.empty())
+    return {nullptr, "needs " + alternatives(missing) + " beside " + std::string(*firstOf(used.front()->keys, has))};
+  // Where another way of the same key takes it, all the rest is in its way.
+  const bool oftenGoes = std::any_of(used.begin(), used.end(), [&](const Way* way) { return way->uses(*surplus); });
+  std::erase_if(given, [&](const Field* field) {
+    return field == surplus || (!oftenGoes && !contains(used.front()->keys, *field));
+  });
+  return {nullptr, "does not go with " + together(namesOf(given)) + "; it goes with " + waysWith(*surplus), surplus};
+}
+
+}  // namespace viewproj::cmd

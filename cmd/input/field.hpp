@@ -1,0 +1,95 @@
+// What a document may say. A field is declared once, as a row; its readers, its schema and what is told about it go by
+// the row.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace viewproj::cmd {
+
+/// What the value of a field has to be. null stands for an absent field everywhere.
+enum class ValueForm {
+  anything,
+  text,
+  label,  ///< a text or a number
+  flag,
+  number,
+  positive,    ///< a number above 0
+  natural,     ///< a number from 0 on
+  zero,        ///< a number that can only be 0
+  angle,       ///< degrees between 0 and 180
+  elevation,   ///< degrees from -90 to 90
+  pair,        ///< two numbers
+  range,       ///< two numbers that differ
+  point,       ///< x, y, z
+  direction,   ///< x, y, z of any length but 0
+  position,    ///< x, y, z, or a place
+  quaternion,  ///< x, y, z, w of any length but 0
+  rigid,       ///< a matrix of a rotation and a translation
+  points,      ///< three points
+  word,        ///< one of the row's words
+  object,      ///< of the row's fields
+  objects,     ///< an array of them
+};
+
+using Words = std::vector<std::string_view> (*)();
+
+/// The first column of a table of names and values.
+template <const auto& Table>
+std::vector<std::string_view> namesOf() {
+  std::vector<std::string_view> names;
+  for (const auto& row : Table) names.push_back(row.first);
+  return names;
+}
+
+struct ObjectForm;
+
+struct Field {
+  std::string_view name;
+  ValueForm form;
+  std::string_view help;               ///< one line: what it is, its unit, what it is by default
+  Words words = nullptr;               ///< of a word
+  const ObjectForm* object = nullptr;  ///< of an object
+
+  constexpr operator std::string_view() const noexcept { return name; }  // NOLINT(google-explicit-constructor)
+};
+
+using FieldList = std::span<const Field* const>;
+
+/// One of the ways in which an object can say what it has to.
+struct Way {
+  FieldList keys;       ///< what it is known by
+  FieldList with = {};  ///< what has to stand beside these
+  FieldList may = {};   ///< what may
+  bool anyKey = false;  ///< one of the keys is enough
+
+  bool uses(const Field& field) const noexcept;
+};
+
+/// An object's fields, and the ways of which it uses one.
+struct ObjectForm {
+  std::string_view help;
+  FieldList fields;
+  FieldList required = {};
+  std::span<const Way> ways = {};
+  std::string_view aim = "";  ///< what the ways give; empty where none of them need be used
+
+  bool has(std::string_view name) const noexcept;
+};
+
+std::vector<std::string_view> namesOf(FieldList fields);
+
+/// What an object has of its form's ways: the one that it uses, or null where it uses none and need not, or what is
+/// wrong.
+struct ChosenWay {
+  const Way* way = nullptr;
+  std::string fault;          ///< a message, or empty
+  const Field* at = nullptr;  ///< the field at fault, or null for the object as a whole
+};
+
+ChosenWay chooseWay(const ObjectForm& form, const std::function<bool(const Field&)>& has);
+
+}  // namespace viewproj::cmd

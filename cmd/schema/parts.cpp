@@ -1,0 +1,179 @@
+#include "schema/parts.hpp"
+
+namespace viewproj::cmd::schema {
+namespace {
+
+const Json kNull = {{"type", "null"}}, kNotNull = {{"not", {{"type", "null"}}}};
+
+Json numbers(int count) {
+  return {{"type", {"array", "null"}}, {"items", {{"type", "number"}}}, {"minItems", count}, {"maxItems", count}};
+}
+
+Json notAllZero(int count) {
+  Json schema = numbers(count);
+  schema["contains"] = {{"not", {{"const", 0}}}};
+  return schema;
+}
+
+Json number(std::initializer_list<std::pair<std::string, double>> limits) {
+  Json schema = {{"type", {"number", "null"}}};
+  for (const auto& [keyword, limit] : limits) schema[keyword] = static_cast<int>(limit);
+  return schema;
+}
+
+Json withoutNull(Json schema) {
+  if (schema.contains("type") && schema["type"].is_array() && schema["type"].size() == 2)
+    schema["type"] = schema["type"][0];
+  else
+    schema["not"] = kNull;
+  return schema;
+}
+
+Json matrix() {
+  const Json row = withoutNull(numbers(4));
+  return {{"type", {"array", "null"}},
+          {"prefixItems", {row, row, row, {{"const", {0, 0, 0, 1}}}}},
+          {"minItems", 4},
+          {"maxItems", 4}};
+}
+
+Json formOf(const Field& field) {
+  switch (field.form) {
+    case ValueForm::anything:
+      return Json::object();
+    case ValueForm::text:
+      return {{"type", {"string", "null"}}};
+    case ValueForm::label:
+      return anyOf({{{"type", "string"}}, {{"type", "number"}}, kNull});
+    case ValueForm::flag:
+      return {{"type", {"boolean", "null"}}};
+    case ValueForm::number:
+      return number({});
+    case ValueForm::positive:
+      return number({{"exclusiveMinimum", 0}});
+    case ValueForm::natural:
+      return number({{"minimum", 0}});
+    case ValueForm::zero:
+      return {{"enum", {0, nullptr}}};
+    case ValueForm::angle:
+      return number({{"exclusiveMinimum", 0}, {"exclusiveMaximum", 180}});
+    case ValueForm::elevation:
+      return number({{"minimum", -90}, {"maximum", 90}});
+    case ValueForm::pair:
+      return numbers(2);
+    case ValueForm::range: {
+      Json schema = numbers(2);
+      schema["uniqueItems"] = true;
+      return schema;
+    }
+    case ValueForm::point:
+      return numbers(3);
+    case ValueForm::direction:
+      return notAllZero(3);
+    case ValueForm::quaternion:
+      return notAllZero(4);
+    case ValueForm::position:
+      return {{"if", {{"type", "object"}}}, {"then", objectOf(*field.object, false)}, {"else", numbers(3)}};
+    case ValueForm::rigid:
+      return matrix();
+    case ValueForm::points: {
+      Json schema = numbers(3);
+      schema["items"] = withoutNull(numbers(3));
+      return schema;
+    }
+    case ValueForm::word:
+      return wordOf(field.words());
+    case ValueForm::object:
+      return field.object ? objectOf(*field.object, true) : Json{{"type", {"object", "null"}}};
+    case ValueForm::objects:
+      return {{"type", {"array", "null"}}, {"items", objectOf(*field.object, false)}};
+  }
+  return Json::object();
+}
+
+bool contains(FieldList list, const Field* field) { return std::find(list.begin(), list.end(), field) != list.end(); }
+
+/// The fields that a form's ways speak of are used as this one does; null: none is there.
+Json usedAs(const ObjectForm& form, const Way* way) {
+  Json required = Json::array(), properties = Json::object(), any = Json::array();
+  for (const Field* field : form.fields) {
+    const std::string name(*field);
+    if (way && contains(way->keys, field) && way->anyKey) {
+      any.push_back(has(*field));
+    } else if (way && (contains(way->keys, field) || contains(way->with, field))) {
+      required.push_back(name);
+      properties[name] = kNotNull;
+    } else if (!way || !way->uses(*field)) {
+      for (const Way& other : form.ways)
+        if (other.uses(*field)) properties[name] = kNull;
+    }
+  }
+  Json schema = {{"type", "object"}};
+  if (!required.empty()) schema["required"] = required;
+  if (!any.empty()) schema["anyOf"] = any;
+  schema["properties"] = properties;
+  return schema;
+}
+
+}  // namespace
+
+Json head(const std::string& name, const std::string& title, const std::string& description) {
+  return {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+          {"$id", "urn:viewproj:schema:" + name},
+          {"title", title},
+          {"description", description}};
+}
+
+Json reference(const std::string& name) { return {{"$ref", "#/$defs/" + name}}; }
+
+Json wordOf(const std::vector<std::string_view>& words, bool orNull) {
+  Json known = Json::array();
+  for (const std::string_view word : words) known.push_back(word);
+  if (orNull) known.push_back(nullptr);
+  return {{"enum", known}};
+}
+
+Json valueOf(const Field& field) {
+  Json schema = formOf(field);
+  if (!field.help.empty()) schema["description"] = field.help;
+  return schema;
+}
+
+Json has(const Field& field, const Json& value) {
+  return {{"type", "object"}, {"required", {field.name}}, {"properties", {{std::string(field), value}}}};
+}
+
+Json recordsOf(const std::string& record) {
+  const Json records = {{"type", "array"}, {"items", reference(record)}};
+  return anyOf({reference(record),
+                records,
+                {{"type", "object"}, {"required", {"points"}}, {"properties", {{"points", records}}}}});
+}
+
+Json allOf(std::initializer_list<Json> parts) { return {{"allOf", Json(parts)}}; }
+Json anyOf(std::initializer_list<Json> parts) { return {{"anyOf", Json(parts)}}; }
+
+Json objectOf(const ObjectForm& form, bool orNull, const Json& own) {
+  Json schema = {{"description", form.help}, {"type", "object"}};
+  if (orNull) schema["type"] = {"object", "null"};
+  Json required = Json::array();
+  for (const Field* field : form.fields) {
+    const std::string name(*field);
+    Json value = own.contains(name) ? own[name] : valueOf(*field);
+    if (contains(form.required, field)) {
+      required.push_back(name);
+      value = withoutNull(value);
+    }
+    schema["properties"][name] = value;
+  }
+  if (!required.empty()) schema["required"] = required;
+  schema["additionalProperties"] = false;
+  if (form.ways.empty()) return schema;
+  Json ways = Json::array();
+  if (form.aim.empty()) ways.push_back(usedAs(form, nullptr));
+  for (const Way& way : form.ways) ways.push_back(usedAs(form, &way));
+  schema["oneOf"] = ways;
+  return schema;
+}
+
+}  // namespace viewproj::cmd::schema

@@ -1,0 +1,232 @@
+#include "camera/projection.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "camera/error.hpp"
+#include "camera/screen_corner.hpp"
+#include "numbers/degrees.hpp"
+#include "numbers/expansion.hpp"
+
+namespace viewproj {
+namespace {
+
+void requireRange(bool orthographic, double near, double far) {
+  if (orthographic) {
+    requireFinite(near, "near");
+    if (!std::isfinite(far) || (near < far && !std::isfinite(far - near)))
+      throw CameraError("far", "must be a finite number in an orthographic projection");
+  } else {
+    requirePositive(near, "near");
+    if (!(far > 0)) throw CameraError("far", "must be a number above near, or infinite");
+  }
+  if (!(near < far))
+    throw CameraError("far", "must be greater than near; for reversed depth keep near < far and set reverseZ");
+}
+
+/// The window checked: edges in order, and wide enough for its inverse to be a double.
+Projection checked(const Projection& p) {
+  requireRange(p.orthographic, p.near, p.far);
+  const auto requireSide = [](DoubleDouble low, DoubleDouble high, double width, double reach, const char* lowName,
+                              const char* highName) {
+    if (!(isFinite(low) && isFinite(high))) throw CameraError(highName, "makes a window too large for doubles");
+    if (!(width > 0)) throw CameraError(highName, std::string("must be greater than ") + lowName);
+    if (!(width > kSmallestWindow && std::max({std::fabs(low.hi), std::fabs(high.hi), reach}) < kLargestWindow))
+      throw CameraError(highName, "makes a window too small or too large for doubles");
+  };
+  requireSide(p.left, p.right, windowWidth(p).hi, p.reachX, "left", "right");
+  requireSide(p.bottom, p.top, windowHeight(p).hi, p.reachY, "bottom", "top");
+  return p;
+}
+
+Projection symmetric(DoubleDouble halfWidth, DoubleDouble halfHeight, double near, double far) {
+  return checked({false, -halfWidth, halfWidth, -halfHeight, halfHeight, near, far});
+}
+
+/// (high - low) / by, where the quotients of high and low may have lost it.
+DoubleDouble differenceOver(double low, double high, double by) {
+  const double scale = std::max(std::fabs(low), std::fabs(high)) > 0x1p1000 ? 0x1p-4 : 1;
+  const DoubleDouble difference = twoDiff(high * scale, low * scale);
+  if (difference.hi == 0 || !isFinite(difference) || !std::isfinite(by)) return difference;
+  const int kd = std::ilogb(difference.hi), kb = std::ilogb(by);
+  return scaleByPowerOfTwo(scaleByPowerOfTwo(difference, -kd) / DoubleDouble(std::ldexp(by, -kb)),
+                           kd - kb + (scale == 1 ? 0 : 4));
+}
+
+/// Beyond this many of its own sizes off the axis, a window that was moved or cut out has lost too many digits.
+constexpr double kLargestMove = 0x1p32;
+
+Projection moved(const Projection& p, const char* fieldX, const char* fieldY) {
+  const auto require = [](double reach, DoubleDouble low, DoubleDouble high, const char* field) {
+    if (reach > kLargestMove * std::max(std::fabs(low.hi), std::fabs(high.hi)))
+      throw CameraError(field, "leaves less than 2e-10 of the window, or of its way off the viewing axis");
+  };
+  const Projection result = checked(p);
+  require(p.reachX, p.left, p.right, fieldX);
+  require(p.reachY, p.bottom, p.top, fieldY);
+  return result;
+}
+
+double largest(double reach, DoubleDouble a, DoubleDouble b) {
+  return std::max({reach, std::fabs(a.hi), std::fabs(b.hi)});
+}
+
+DoubleDouble tangent(double degrees, const char* field) {
+  if (!(degrees > 0 && degrees < 180)) throw CameraError(field, "must be an angle between 0 and 180 degrees");
+  return tanHalfDegrees(degrees);
+}
+
+void requireAspect(DoubleDouble aspect) {
+  requirePositive(aspect.hi, "aspect");
+  if (!(aspect.hi > kSmallestWindow && aspect.hi < kLargestWindow))
+    throw CameraError("aspect", "must be between 1.2e-271 and 8.4e270");
+}
+
+}  // namespace
+
+void validate(const Projection& p) {
+  const struct {
+    DoubleDouble edge;
+    const char* name;
+  } edges[] = {{p.left, "left"}, {p.right, "right"}, {p.bottom, "bottom"}, {p.top, "top"}};
+  for (const auto& [edge, name] : edges) {
+    if (!isFinite(edge)) throw CameraError(name, "must be a finite number");
+    if (edge.hi + edge.lo != edge.hi)
+      throw CameraError(name, "is a double-double whose low part is not below its high");
+  }
+  // Sizes that a changed edge has left behind.
+  const auto requireSize = [](DoubleDouble low, DoubleDouble high, DoubleDouble size, double reach, const char* name) {
+    const double most = std::max({std::fabs(low.hi), std::fabs(high.hi), reach});
+    if (!(reach >= 0 && (size.hi == 0 || std::fabs((high - low - size).hi) <= 0x1p-96 * most)))
+      throw CameraError(name, "is not of the window's edges; make another projection instead of changing one");
+  };
+  requireSize(p.left, p.right, p.width, p.reachX, "width");
+  requireSize(p.bottom, p.top, p.height, p.reachY, "height");
+  checked(p);
+}
+
+Projection perspectiveFovY(double degrees, DoubleDouble aspect, double near, double far) {
+  requireAspect(aspect);
+  const DoubleDouble halfHeight = tangent(degrees, "fovY");
+  return symmetric(halfHeight * aspect, halfHeight, near, far);
+}
+
+Projection perspectiveFovX(double degrees, DoubleDouble aspect, double near, double far) {
+  requireAspect(aspect);
+  const DoubleDouble halfWidth = tangent(degrees, "fovX");
+  return symmetric(halfWidth, halfWidth / aspect, near, far);
+}
+
+Projection perspectiveFovDiagonal(double degrees, DoubleDouble aspect, double near, double far) {
+  requireAspect(aspect);
+  // halfWidth = aspect * halfHeight and halfWidth^2 + halfHeight^2 = tangent^2, where a square may overflow
+  const bool isWide = aspect.hi > 0x1p400;
+  const DoubleDouble diagonal = isWide ? aspect : sqrt(aspect * aspect + DoubleDouble(1));
+  const DoubleDouble halfHeight = tangent(degrees, "fovDiagonal") / diagonal;
+  return symmetric(halfHeight * aspect, halfHeight, near, far);
+}
+
+Projection perspectiveNearSize(double nearWidth, double nearHeight, double near, double far) {
+  requirePositive(nearWidth, "nearWidth");
+  requirePositive(nearHeight, "nearHeight");
+  requireRange(false, near, far);
+  return symmetric(timesPowerOfTwo(ratio(nearWidth, near), 0.5), timesPowerOfTwo(ratio(nearHeight, near), 0.5), near,
+                   far);
+}
+
+Projection perspectiveFocalLength(double focalLength, double sensorWidth, double sensorHeight, DoubleDouble aspect,
+                                  double near, double far) {
+  requirePositive(focalLength, "focalLength");
+  if (sensorWidth == 0 && sensorHeight == 0)
+    throw CameraError("focalLength", "needs sensorWidth or sensorHeight, in the same unit");
+  if (sensorWidth != 0) requirePositive(sensorWidth, "sensorWidth");
+  if (sensorHeight != 0) requirePositive(sensorHeight, "sensorHeight");
+  DoubleDouble halfWidth = timesPowerOfTwo(ratio(sensorWidth, focalLength), 0.5);
+  DoubleDouble halfHeight = timesPowerOfTwo(ratio(sensorHeight, focalLength), 0.5);
+  if (sensorWidth == 0 || sensorHeight == 0) {
+    requireAspect(aspect);
+    if (sensorWidth == 0) halfWidth = halfHeight * aspect;
+    if (sensorHeight == 0) halfHeight = halfWidth / aspect;
+  }
+  return symmetric(halfWidth, halfHeight, near, far);
+}
+
+Projection frustum(double left, double right, double bottom, double top, double near, double far) {
+  requireRange(false, near, far);
+  return checked({false, ratio(left, near), ratio(right, near), ratio(bottom, near), ratio(top, near), near, far,
+                  differenceOver(left, right, near), differenceOver(bottom, top, near)});
+}
+
+Projection perspectiveWindow(DoubleDouble left, DoubleDouble right, DoubleDouble bottom, DoubleDouble top, double near,
+                             double far) {
+  return checked({false, left, right, bottom, top, near, far});
+}
+
+Projection orthographic(DoubleDouble left, DoubleDouble right, DoubleDouble bottom, DoubleDouble top, double near,
+                        double far) {
+  return checked({true, left, right, bottom, top, near, far});
+}
+
+Projection intrinsics(DoubleDouble fx, DoubleDouble fy, double cx, double cy, const Viewport& viewport, double near,
+                      double far) {
+  validate(viewport);
+  requirePositive(fx.hi, "fx");
+  requirePositive(fy.hi, "fy");
+  requireFinite(cx, "cx");
+  requireFinite(cy, "cy");
+  // From the picture's left edge and from its edge where y starts: exactly, because the three may cancel.
+  const auto from = [&](double start, double c) {
+    return Expansion<4>{c, -start, -viewport.pixelCenter, 0.5}.rounded();
+  };
+  const DoubleDouble fromLeft = from(viewport.x, cx);
+  const DoubleDouble fromStart = from(viewport.y, cy);
+  const DoubleDouble width = viewport.width, height = viewport.height;
+  const DoubleDouble toEnd = height - fromStart;
+  const bool down = viewport.origin == Origin::topLeft;
+  return checked({false, -(fromLeft / fx), (width - fromLeft) / fx, -((down ? toEnd : fromStart) / fy),
+                  (down ? fromStart : toEnd) / fy, near, far, width / fx, height / fy});
+}
+
+Projection shifted(const Projection& p, double dx, double dy) {
+  if (!(std::isfinite(dx) && std::isfinite(dy))) throw CameraError("shift", "must be two finite numbers");
+  Projection window = p;
+  window.width = windowWidth(p);
+  window.height = windowHeight(p);
+  const DoubleDouble x = DoubleDouble(dx) * timesPowerOfTwo(window.width, 0.5);
+  const DoubleDouble y = DoubleDouble(dy) * timesPowerOfTwo(window.height, 0.5);
+  window.reachX = largest(p.reachX, p.left, p.right);
+  window.reachY = largest(p.reachY, p.bottom, p.top);
+  window.left = p.left - x;
+  window.right = p.right - x;
+  window.bottom = p.bottom - y;
+  window.top = p.top - y;
+  return moved(window, "shift", "shift");
+}
+
+Projection cropped(const Projection& p, const Viewport& viewport, const Crop& crop) {
+  validate(cropped(viewport, crop));
+  const DoubleDouble xEnd = twoSum(crop.x, crop.width);
+  const DoubleDouble yEnd = twoSum(crop.y, crop.height);
+  const DoubleDouble width = windowWidth(p), height = windowHeight(p);
+  const DoubleDouble shareX = DoubleDouble(crop.width) / DoubleDouble(viewport.width);
+  const DoubleDouble shareY = DoubleDouble(crop.height) / DoubleDouble(viewport.height);
+  if (!(shareX.hi > kSmallestWindow)) throw CameraError("viewport.crop.width", "is too small a part of the viewport's");
+  if (!(shareY.hi > kSmallestWindow))
+    throw CameraError("viewport.crop.height", "is too small a part of the viewport's");
+  const auto across = [&](DoubleDouble x) { return p.left + width * (x / DoubleDouble(viewport.width)); };
+  const bool down = viewport.origin == Origin::topLeft;
+  const DoubleDouble start = down ? p.top : p.bottom;
+  const DoubleDouble downwards = down ? -height : height;
+  const auto along = [&](DoubleDouble y) { return start + downwards * (y / DoubleDouble(viewport.height)); };
+  const DoubleDouble first = along(crop.y);
+  const DoubleDouble last = along(yEnd);
+  return moved(
+      {p.orthographic, across(crop.x), across(xEnd), down ? last : first, down ? first : last, p.near, p.far,
+       width * shareX, height * shareY, largest(p.reachX, p.left, p.right), largest(p.reachY, p.bottom, p.top)},
+      "viewport.crop.width", "viewport.crop.height");
+}
+
+DoubleDouble windowAspect(const Projection& p) { return windowWidth(p) / windowHeight(p); }
+
+}  // namespace viewproj

@@ -1,0 +1,20 @@
+// Where the corner of the picture lies.
+#pragma once
+
+#include "camera/viewport.hpp"
+#include "numbers/double_double.hpp"
+
+namespace viewproj {
+
+/// Screen position of the corner of the picture that screen numbers are counted from.
+struct ScreenCorner {
+  DoubleDouble x, y;
+};
+
+/// A picture's corner lies half a pixel before the centre of its first pixel.
+constexpr ScreenCorner screenCorner(const Viewport& v) noexcept {
+  const DoubleDouble halfPixel = twoDiff(v.pixelCenter, 0.5);
+  return {DoubleDouble(v.x) + halfPixel, DoubleDouble(v.y) + halfPixel};
+}
+
+}  // namespace viewproj

@@ -1,0 +1,123 @@
+#include "geodesy/geodesy.hpp"
+
+#include <GeographicLib/Geocentric.hpp>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "camera/error.hpp"
+#include "numbers/degrees.hpp"
+
+namespace viewproj {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// Below this an entry is what rounding left of a sum that cancels.
+constexpr double kNoise = 0x1p-207;
+
+using FixedVec3 = std::array<Fixed, 3>;
+
+struct FixedAxes {
+  FixedVec3 right, up, forward;
+  bool exact = true;  ///< turned by right angles only
+};
+
+/// Turns a and b in their plane:
+///   | a' |   | cos  -sin | | a |
+///   | b' | = | sin   cos | | b |
+void turn(FixedAxes& axes, FixedVec3 FixedAxes::*first, FixedVec3 FixedAxes::*second, double degrees) noexcept {
+  const SinCos angle = sinCosDegrees(degrees);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Fixed a = (axes.*first)[i], b = (axes.*second)[i];
+    (axes.*first)[i] = a * angle.cosine - b * angle.sine;
+    (axes.*second)[i] = a * angle.sine + b * angle.cosine;
+  }
+  axes.exact = axes.exact && isRightAngle(degrees);
+}
+
+/// Right is east, forward north.
+FixedAxes eastUpNorth(const Geodetic& place) noexcept {
+  FixedAxes axes{{0, 1, 0}, {1, 0, 0}, {0, 0, 1}};
+  turn(axes, &FixedAxes::right, &FixedAxes::up, place.lon);
+  turn(axes, &FixedAxes::forward, &FixedAxes::up, place.lat);
+  return axes;
+}
+
+ExactVec3 expansions(const FixedVec3& v) noexcept {
+  ExactVec3 result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Expansion<8> terms = v[i].expansion();
+    if (std::fabs(terms.rounded().hi) >= kNoise) result[i] = terms;
+  }
+  return result;
+}
+
+void requirePlace(const Geodetic& place, const std::string& field) {
+  const auto require = [&](bool good, const char* part, const char* message) {
+    if (!good) throw CameraError(field + "." + part, message);
+  };
+  require(place.lat >= -90 && place.lat <= 90, "lat", "must be from -90 to 90 degrees");
+  require(std::isfinite(place.lon), "lon", "must be a finite number of degrees");
+  require(std::isfinite(place.height), "height", "must be a finite number of metres");
+}
+
+bool haveSameNormal(const Geodetic& a, const Geodetic& b) noexcept {
+  if (a.lat != b.lat) return false;
+  const double first = std::remainder(a.lon, 360), second = std::remainder(b.lon, 360);
+  return first == second || (std::fabs(first) == 180 && second == -first) || std::fabs(a.lat) == 90;
+}
+
+}  // namespace
+
+bool isPlace(const Geodetic& place) noexcept {
+  return place.lat >= -90 && place.lat <= 90 && std::isfinite(place.lon) && std::isfinite(place.height);
+}
+
+Vec3 geodeticToEcef(const Geodetic& place) noexcept {
+  if (!isPlace(place)) return {kNaN, kNaN, kNaN};
+  Vec3 p;
+  GeographicLib::Geocentric::WGS84().Forward(place.lat, place.lon, place.height, p.x, p.y, p.z);
+  return {p.x + 0.0, p.y + 0.0, p.z + 0.0};  // -0 becomes 0
+}
+
+Geodetic ecefToGeodetic(const Vec3& point) noexcept {
+  if (!isFinite(point)) return {kNaN, kNaN, kNaN};
+  Geodetic place;
+  GeographicLib::Geocentric::WGS84().Reverse(point.x, point.y, point.z, place.lat, place.lon, place.height);
+  return {place.lat + 0.0, place.lon + 0.0, place.height + 0.0};
+}
+
+FineVec3 ellipsoidNormal(const Geodetic& place) noexcept {
+  if (!isPlace(place)) return {{Expansion<8>{kNaN}, Expansion<8>{kNaN}, Expansion<8>{kNaN}}, 0};
+  const FixedAxes axes = eastUpNorth(place);
+  return {expansions(axes.up), axes.exact ? 0 : kGeodesyRowBound};
+}
+
+Pose poseFromHeadingPitchRoll(const Geodetic& position, const HeadingPitchRoll& turned) {
+  requirePlace(position, "position");
+  requireFinite(turned.heading, "heading");
+  requireFinite(turned.roll, "roll");
+  if (!(turned.pitch >= -90 && turned.pitch <= 90))
+    throw CameraError("pitch", "must be from -90 to 90 degrees; a camera upside down has a roll of 180");
+  FixedAxes axes = eastUpNorth(position);
+  turn(axes, &FixedAxes::right, &FixedAxes::forward, turned.heading);
+  turn(axes, &FixedAxes::up, &FixedAxes::forward, turned.pitch);
+  turn(axes, &FixedAxes::right, &FixedAxes::up, turned.roll);
+  const double error = axes.exact ? 0 : kGeodesyRowBound;
+  return poseFromAxes(geodeticToEcef(position), {expansions(axes.right), error}, {expansions(axes.up), error},
+                      {expansions(axes.forward), error});
+}
+
+Pose lookAtPlace(const Geodetic& position, const Geodetic& target) {
+  requirePlace(position, "position");
+  requirePlace(target, "target");
+  if (haveSameNormal(position, target))
+    throw CameraError("target", position.height == target.height
+                                    ? "is the camera's own position: there is no direction to look in"
+                                    : "is straight above or below the camera, so it does not say which way is up; give "
+                                      "a heading and a pitch, or an up");
+  return lookAt(geodeticToEcef(position), geodeticToEcef(target), ellipsoidNormal(position), Handedness::right);
+}
+
+}  // namespace viewproj

@@ -1,0 +1,233 @@
+#include "matrices/matrices.hpp"
+
+#include <cmath>
+
+#include "camera/lens.hpp"
+
+namespace viewproj {
+
+namespace {
+
+Lens screenLens(const Projection& p, const Viewport& v, const Convention& c) noexcept {
+  const ScreenMap map = screenMap(p, v);
+  const double atNear = c.reverseZ ? v.depthSecond : v.depthFirst;
+  const double atFar = c.reverseZ ? v.depthFirst : v.depthSecond;
+  const DepthLine inverse = inverseDepthLine(p, atNear, atFar);
+  return {p.orthographic,
+          map.scaleX,
+          map.centerX,
+          map.scaleY,
+          map.centerY,
+          DoubleDouble(1) / map.scaleX,
+          -map.centerX / map.scaleX,
+          DoubleDouble(1) / map.scaleY,
+          -map.centerY / map.scaleY,
+          depthLine(p, atNear, atFar),
+          inverse.offset,
+          inverse.scale};
+}
+
+using DDMat4 = std::array<std::array<DoubleDouble, 4>, 4>;
+
+/// Adding 0 turns -0 into 0.
+Mat4 rounded(const DDMat4& a) noexcept {
+  Mat4 result;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j) result[i][j] = a[i][j].hi + 0.0;
+  return result;
+}
+
+/// From coordinates (X, Y, W, 1) along right, up, forward to the lens's output.
+DDMat4 lensMatrix(const Lens& l) noexcept {
+  if (l.orthographic)
+    return {{
+        {l.scaleX, 0, 0, l.offsetX},
+        {0, l.scaleY, 0, l.offsetY},
+        {0, 0, l.depth.scale, l.depth.offset},
+        {0, 0, 0, 1},
+    }};
+  return {{
+      {l.scaleX, 0, l.offsetX, 0},
+      {0, l.scaleY, l.offsetY, 0},
+      {0, 0, l.depth.offset, l.depth.scale},
+      {0, 0, 1, 0},
+  }};
+}
+
+DDMat4 inverseLensMatrix(const Lens& l) noexcept {
+  if (l.orthographic)
+    return {{
+        {l.inverseScaleX, 0, 0, l.inverseOffsetX},
+        {0, l.inverseScaleY, 0, l.inverseOffsetY},
+        {0, 0, l.inverseDepthScale, l.inverseDepthOffset},
+        {0, 0, 0, 1},
+    }};
+  return {{
+      {l.inverseScaleX, 0, 0, l.inverseOffsetX},
+      {0, l.inverseScaleY, 0, l.inverseOffsetY},
+      {0, 0, 0, 1},
+      {0, 0, l.inverseDepthScale, l.inverseDepthOffset},
+  }};
+}
+
+/// From (X, Y, W, 1) to view space and back: view y and z run along or against up and forward.
+DDMat4 fromViewAxes(DDMat4 m, ViewAxes axes) noexcept {
+  const AxisSigns sign = axisSigns(axes);
+  for (auto& row : m) {
+    row[1] = row[1] * sign.up;
+    row[2] = row[2] * sign.forward;
+  }
+  return m;
+}
+
+DDMat4 toViewAxes(DDMat4 m, ViewAxes axes) noexcept {
+  const AxisSigns sign = axisSigns(axes);
+  for (std::size_t j = 0; j < 4; ++j) {
+    m[1][j] = m[1][j] * sign.up;
+    m[2][j] = m[2][j] * sign.forward;
+  }
+  return m;
+}
+
+/// | right    -right . eye   + residual.x |
+/// | up       -up . eye      + residual.y |
+/// | forward  -forward . eye + residual.z |
+/// | 0        1                           |
+DDMat4 axesFromWorld(const Pose& p) noexcept {
+  const int k = exponentToUnit(toDoubleDouble(p.eye));
+  const DDVec3 eye = scaleByPowerOfTwo(toDoubleDouble(p.eye), k);
+  const auto row = [&](const DDVec3& axis, DoubleDouble residual) {
+    const DoubleDouble translation = scaleByPowerOfTwo(-dotOrZero(axis, eye), -k) + residual;
+    return std::array<DoubleDouble, 4>{axis.x, axis.y, axis.z, translation};
+  };
+  return {
+      {row(p.rows.right, p.residual.x), row(p.rows.up, p.residual.y), row(p.rows.forward, p.residual.z), {0, 0, 0, 1}}};
+}
+
+/// | right up forward eye |
+/// | 0     0  0       1   |
+DDMat4 worldFromAxes(const Pose& p) noexcept {
+  DDMat4 m{};
+  const DDVec3 eye = unroundedEye(p);
+  for (std::size_t i = 0; i < 3; ++i) m[i] = {p.columns.right[i], p.columns.up[i], p.columns.forward[i], eye[i]};
+  m[3] = {0, 0, 0, 1};
+  return m;
+}
+
+/// In double-double, so that the rounded entries are those of the closed form.
+DDMat4 product(const DDMat4& a, const DDMat4& b) noexcept {
+  DDMat4 result{};
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j)
+      for (std::size_t k = 0; k < 4; ++k)
+        if (a[i][k].hi != 0 && b[k][j].hi != 0) result[i][j] += a[i][k] * b[k][j];
+  return result;
+}
+
+}  // namespace
+
+Mat4 viewFromWorld(const Pose& pose, const Convention& c) noexcept {
+  return rounded(toViewAxes(axesFromWorld(pose), c.view));
+}
+
+Mat4 worldFromView(const Pose& pose, const Convention& c) noexcept {
+  return rounded(fromViewAxes(worldFromAxes(pose), c.view));
+}
+
+Mat4 clipFromView(const Projection& p, const Convention& c) noexcept {
+  return rounded(fromViewAxes(lensMatrix(ndcLens(p, c)), c.view));
+}
+
+Mat4 viewFromClip(const Projection& p, const Convention& c) noexcept {
+  return rounded(toViewAxes(inverseLensMatrix(ndcLens(p, c)), c.view));
+}
+
+Mat4 clipFromWorld(const Pose& pose, const Projection& p, const Convention& c) noexcept {
+  return rounded(product(lensMatrix(ndcLens(p, c)), axesFromWorld(pose)));
+}
+
+Mat4 worldFromClip(const Pose& pose, const Projection& p, const Convention& c) noexcept {
+  return rounded(product(worldFromAxes(pose), inverseLensMatrix(ndcLens(p, c))));
+}
+
+Mat4 screenFromView(const Projection& p, const Viewport& v, const Convention& c) noexcept {
+  return rounded(fromViewAxes(lensMatrix(screenLens(p, v, c)), c.view));
+}
+
+Mat4 viewFromScreen(const Projection& p, const Viewport& v, const Convention& c) noexcept {
+  return rounded(toViewAxes(inverseLensMatrix(screenLens(p, v, c)), c.view));
+}
+
+Mat4 screenFromWorld(const Pose& pose, const Projection& p, const Viewport& v, const Convention& c) noexcept {
+  return rounded(product(lensMatrix(screenLens(p, v, c)), axesFromWorld(pose)));
+}
+
+Mat4 worldFromScreen(const Pose& pose, const Projection& p, const Viewport& v, const Convention& c) noexcept {
+  return rounded(product(worldFromAxes(pose), inverseLensMatrix(screenLens(p, v, c))));
+}
+
+namespace {
+
+/// screen = offset + scale * ndc, for each of x, y, z.
+struct ViewportMap {
+  std::array<DoubleDouble, 3> offset, scale;
+};
+
+ViewportMap viewportMap(const Viewport& v, const Convention& c) noexcept {
+  const ScreenCorner corner = screenCorner(v);
+  const DoubleDouble halfWidth = v.width / 2;
+  const DoubleDouble halfHeight = v.height / 2;
+  const bool flipped = (v.origin == Origin::topLeft) == (c.ndcY == NdcY::up);
+  const DoubleDouble range = twoDiff(v.depthSecond, v.depthFirst);
+  const bool halved = c.ndcZ == NdcZ::minusOneToOne;
+  const DoubleDouble first = v.depthFirst;
+  return {{corner.x + halfWidth, corner.y + halfHeight, halved ? first + timesPowerOfTwo(range, 0.5) : first},
+          {halfWidth, flipped ? -halfHeight : halfHeight, halved ? timesPowerOfTwo(range, 0.5) : range}};
+}
+
+}  // namespace
+
+Mat4 screenFromNdc(const Viewport& v, const Convention& c) noexcept {
+  const ViewportMap map = viewportMap(v, c);
+  DDMat4 m{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    m[i][i] = map.scale[i];
+    m[i][3] = map.offset[i];
+  }
+  m[3][3] = 1;
+  return rounded(m);
+}
+
+Mat4 ndcFromScreen(const Viewport& v, const Convention& c) noexcept {
+  const ViewportMap map = viewportMap(v, c);
+  DDMat4 m{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    m[i][i] = DoubleDouble(1) / map.scale[i];
+    m[i][3] = -map.offset[i] / map.scale[i];
+  }
+  m[3][3] = 1;
+  return rounded(m);
+}
+
+Pose relativeToEye(const Pose& pose) noexcept {
+  Pose relative = pose;
+  relative.eye = relative.exact.origin = {};
+  relative.exact.translation = {};
+  relative.residual = {};
+  return relative;
+}
+
+Mat4 laidOut(const Mat4& matrix, const Convention& c) noexcept {
+  return c.vectors == Vectors::row ? transposed(matrix) : matrix;
+}
+
+std::array<double, 16> inStorageOrder(const Mat4& matrix, const Convention& c) noexcept {
+  const Mat4 paper = laidOut(matrix, c);
+  const Mat4 byRows = c.storage == Storage::columnMajor ? transposed(paper) : paper;
+  std::array<double, 16> flat{};
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j) flat[4 * i + j] = byRows[i][j];
+  return flat;
+}
+
+}  // namespace viewproj

@@ -1,0 +1,61 @@
+// A clip or view matrix taken apart, with what the rounding of its entries leaves of each part. Internal.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "matrices/estimate.hpp"
+#include "numbers/vectors.hpp"
+
+namespace viewproj {
+
+/// Ends in double-double; an end may be infinite.
+struct Interval {
+  DoubleDouble low, high;
+};
+
+/// The value, and the most by which the entries' rounding moves it, to first order.
+struct Uncertain {
+  DoubleDouble value;
+  double error = 0;
+
+  Interval interval() const noexcept { return {value - DoubleDouble(error), value + DoubleDouble(error)}; }
+};
+
+/// With X, Y, W the distances of a point along right, ndcUp, forward from the eye (orthographic: from the origin), in
+/// perspective
+///   clip = (scaleX X + offsetX W, scaleY Y + offsetY W, depthOffset W + depthScale, W)
+/// and in orthographic
+///   clip = (scaleX X + offsetX, scaleY Y + offsetY, depthOffset + depthScale W, 1)
+/// all times scale. ndcUp is where NDC y grows. Scales of x and y, and in orthographic that of depth, are positive.
+struct ClipParts {
+  bool orthographic = false;
+  double scale = 1;
+  Uncertain scaleX, offsetX, scaleY, offsetY, depthOffset, depthScale;
+  DDVec3 right, ndcUp, forward;
+  std::array<Uncertain, 3> eye;
+  Vec3 axisErrors;      ///< the most by which a component of right, ndcUp, forward is moved
+  double residual = 0;  ///< of the right angles, and of the z row's from the w row
+};
+
+/// A matrix that acts on column vectors; the entries true to precision.
+std::optional<ClipParts> perspectiveParts(const Mat4& matrix, EntryPrecision precision) noexcept;
+std::optional<ClipParts> orthographicParts(const Mat4& matrix, EntryPrecision precision) noexcept;
+
+/// The eye of a view matrix.
+std::array<Uncertain, 3> eyeOfView(const Mat4& matrix, EntryPrecision precision) noexcept;
+
+/// Half the distances to the neighbours below and above.
+struct HalfSteps {
+  double down, up;
+};
+HalfSteps halfSteps(double value, EntryPrecision precision) noexcept;
+
+/// a / b for b above 0 or reaching down to it.
+Interval quotient(Interval a, Interval b) noexcept;
+DoubleDouble quotient(DoubleDouble a, DoubleDouble b) noexcept;
+
+/// Rounded outwards.
+Estimate estimate(DoubleDouble value, Interval interval) noexcept;
+
+}  // namespace viewproj

@@ -1,0 +1,99 @@
+#include "numbers/degrees.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+namespace viewproj {
+namespace {
+
+constexpr DoubleDouble kRadiansPerDegree{0x1.1df46a2529d39p-6, 0x1.5c1d8becdd291p-62};
+constexpr std::size_t kTerms = 15;
+
+/// 1/first!, -1/(first+2)!, 1/(first+4)!, ... : the Taylor coefficients of cos (first = 0) and of sin(x)/x (first = 1).
+consteval std::array<DoubleDouble, kTerms> alternatingInverseFactorials(int first) {
+  std::array<DoubleDouble, kTerms> coefficients;
+  DoubleDouble value = 1;
+  for (std::size_t k = 0; k < kTerms; ++k) {
+    coefficients[k] = value;
+    const int n = first + 2 * static_cast<int>(k);
+    value = -(value / DoubleDouble(double(n + 1) * double(n + 2)));
+  }
+  return coefficients;
+}
+
+constexpr auto kCosine = alternatingInverseFactorials(0);
+constexpr auto kSineOverX = alternatingInverseFactorials(1);
+
+/// Sine and cosine of an angle in (0, 45] degrees.
+struct DoubleDoubleSinCos {
+  DoubleDouble sine, cosine;
+};
+
+DoubleDoubleSinCos sinCosUpTo45(DoubleDouble degrees) noexcept {
+  const DoubleDouble x = degrees * kRadiansPerDegree;
+  const DoubleDouble xx = x * x;
+  DoubleDouble sine = kSineOverX[kTerms - 1];
+  DoubleDouble cosine = kCosine[kTerms - 1];
+  for (std::size_t k = kTerms - 1; k-- > 0;) {
+    sine = sine * xx + kSineOverX[k];
+    cosine = cosine * xx + kCosine[k];
+  }
+  return {sine * x, cosine};
+}
+
+/// pi / 4.
+constexpr Fixed kQuarterTurn({0x20bbea6, 0x8a67cc74, 0x29024e08, 0x80dc1cd1, 0xc4c6628b, 0x2168c234, 0xc90fdaa2, 0});
+
+}  // namespace
+
+DoubleDouble tanHalfDegrees(double degrees) noexcept {
+  if (!(degrees > 0 && degrees < 180)) return std::numeric_limits<double>::quiet_NaN();
+  const double half = degrees / 2;
+  if (half <= 45) {
+    // Below 1e-60 degrees sin/cos is x itself to far more than 106 bits.
+    if (half < 1e-60) return DoubleDouble(half) * kRadiansPerDegree;
+    const DoubleDoubleSinCos s = sinCosUpTo45(half);
+    return s.sine / s.cosine;
+  }
+  const DoubleDoubleSinCos s = sinCosUpTo45(twoDiff(90, half));
+  return s.cosine / s.sine;
+}
+
+double degreesOfHalfTangent(DoubleDouble tangent) noexcept {
+  constexpr double kDegreesPerRadian = 57.29577951308232;
+  double angle = 2 * std::atan(tangent.hi) * kDegreesPerRadian;
+  if (!(angle > 0)) return std::isnan(angle) ? angle : 0;
+  if (tangent.hi > 1e17) return 180;
+  angle = std::min(angle, 0x1.67fffffffffffp+7);  // the last double below 180
+  // The rest is an angle too: tan(a - b) = (tan a - tan b) / (1 + tan a tan b), and so small that it is its tangent.
+  const DoubleDouble there = tanHalfDegrees(angle);
+  const DoubleDouble rest = (tangent - there) / (DoubleDouble(1) + tangent * there);
+  return (DoubleDouble(angle) + rest * DoubleDouble(2 * kDegreesPerRadian)).hi;
+}
+
+SinCos sinCosDegrees(double degrees) noexcept {
+  const double turned = std::remainder(degrees, 360);  // exact, and so are the differences below
+  const double size = std::fabs(turned);
+  const double upTo90 = size > 90 ? 180 - size : size;
+  const bool swapped = upTo90 > 45;
+  const Fixed x = Fixed(swapped ? 90 - upTo90 : upTo90).dividedBy(45) * kQuarterTurn;
+  const Fixed xx = x * x;
+  Fixed sine = x, cosine = 1, term = x;  // the Taylor series, x^n / n! after x^(n-1) / (n-1)!
+  for (std::uint32_t n = 2; !term.isZero(); n += 2) {
+    const Fixed even = (term * x).dividedBy(n);
+    term = (term * xx).dividedBy(n * (n + 1));
+    const bool minus = n % 4 == 2;
+    cosine = minus ? cosine - even : cosine + even;
+    sine = minus ? sine - term : sine + term;
+  }
+  if (swapped) std::swap(sine, cosine);
+  return {turned < 0 ? -sine : sine, size > 90 ? -cosine : cosine};
+}
+
+bool isRightAngle(double degrees) noexcept { return std::remainder(degrees, 90) == 0; }
+
+}  // namespace viewproj

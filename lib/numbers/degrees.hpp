@@ -1,0 +1,34 @@
+// Trigonometry of angles in degrees, without rounding to radians first.
+#pragma once
+
+#include "numbers/double_double.hpp"
+#include "numbers/fixed.hpp"
+
+namespace viewproj {
+
+/// tan of half the angle, 0 < degrees < 180. The reduction to 0..45 degrees is exact, so the result keeps its digits
+/// right up to 180. Relative error at most kTanHalfDegreesBound for degrees >= 1e-200; NaN outside the open interval.
+DoubleDouble tanHalfDegrees(double degrees) noexcept;
+
+/// 4 * 2^-106, as measured against MPFR; the Taylor remainder is below 2^-117.
+inline constexpr double kTanHalfDegreesBound = 0x1p-104;
+
+/// The way back: the double nearest the angle in degrees whose half has this tangent. 0 for a tangent that is not above
+/// 0, 180 where no double below is nearer; NaN for NaN.
+double degreesOfHalfTangent(DoubleDouble tangent) noexcept;
+
+struct SinCos {
+  Fixed sine, cosine;
+};
+
+/// Sine and cosine of any finite angle, each within kSinCosDegreesBound; exact at multiples of 90 degrees. The
+/// reduction to 0..45 degrees is exact. A few microseconds.
+SinCos sinCosDegrees(double degrees) noexcept;
+
+/// Some fifty operations that each drop less than Fixed::kStep.
+inline constexpr double kSinCosDegreesBound = 64 * Fixed::kStep;
+
+/// A multiple of 90.
+bool isRightAngle(double degrees) noexcept;
+
+}  // namespace viewproj

@@ -1,0 +1,130 @@
+// Double-double with an exponent of its own: products of many coordinates neither overflow nor underflow.
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "numbers/vectors.hpp"
+
+namespace viewproj {
+
+/// value * 2^exponent, with 1 <= |value| < 2; or zero. What is not finite stays so, and has no sign. Each operation is
+/// within 2^-102 of the true result, relative to the larger operand in a sum.
+struct Wide {
+  DoubleDouble value;
+  int exponent = 0;
+
+  Wide() = default;
+  Wide(double a) noexcept : Wide(DoubleDouble(a), 0) {}  // NOLINT: a double is exact
+  Wide(DoubleDouble a, int power) noexcept {
+    if (a.hi == 0) return;
+    const int k = static_cast<int>(std::bit_cast<std::uint64_t>(a.hi) >> 52 & 0x7ff) - 1023;
+    if (!std::isfinite(a.hi)) {
+      value = a;
+    } else if (k < -1000 || k > 1000) {  // subnormal, or next to an end of the range
+      const int logarithm = std::ilogb(a.hi);
+      value = scaleByPowerOfTwo(a, -logarithm);
+      exponent = power + logarithm;
+    } else {
+      value = timesPowerOfTwo(a, powerOfTwo(-k));
+      exponent = power + k;
+    }
+  }
+
+  /// 2^k for |k| <= 1000.
+  static double powerOfTwo(int k) noexcept { return std::bit_cast<double>(std::uint64_t(1023 + k) << 52); }
+
+  int sign() const noexcept { return !std::isfinite(value.hi) ? 0 : value.hi > 0 ? 1 : value.hi < 0 ? -1 : 0; }
+
+  /// The nearest double up to 0.5001 ulp (1 ulp if subnormal); infinite beyond the largest. Never -0.
+  explicit operator double() const noexcept { return std::ldexp(value.hi, exponent) + 0.0; }
+};
+
+/// The double nearest a number that may be off by a share of itself, and whether every number within that has the same
+/// one.
+struct NearestDouble {
+  double value;
+  bool certain;
+};
+
+inline NearestDouble nearestDouble(const Wide& a, double share) noexcept {
+  const DoubleDouble v = a.value;
+  const double error = 2 * share;  // |value| < 2
+  if (a.exponent >= -1022 || v.hi == 0 || !std::isfinite(v.hi)) {
+    const double rounded = double(a);
+    return {rounded, std::isfinite(rounded) && v.hi + (v.lo + error) == v.hi && v.hi + (v.lo - error) == v.hi};
+  }
+  // Subnormal: a whole number of the smallest double. Below 2^-100 of it nothing changes any more.
+  const int power = (a.exponent < -1174 ? -1174 : a.exponent) + 1074;
+  const DoubleDouble count = scaleByPowerOfTwo(v, power);
+  double whole = std::rint(count.hi);
+  const DoubleDouble rest = twoSum(count.hi - whole, count.lo);
+  const double step = std::copysign(1, rest.hi);
+  const double beyondHalf = (step * rest.hi - 0.5) + step * rest.lo;
+  if (beyondHalf > 0) whole += step;
+  return {std::ldexp(whole, -1074) + 0.0, std::fabs(beyondHalf) > std::ldexp(error, power)};
+}
+
+/// The same of a number that is not: within 0.5001 ulp, of a subnormal one too.
+inline double nearestDouble(const Wide& a) noexcept { return nearestDouble(a, 0).value; }
+
+using WideVec3 = Vector3<Wide>;
+
+inline Wide operator-(const Wide& a) noexcept {
+  Wide negated = a;
+  negated.value = -a.value;
+  return negated;
+}
+
+inline Wide operator+(const Wide& a, const Wide& b) noexcept {
+  if (a.value.hi == 0 || b.value.hi == 0) return a.value.hi == 0 ? b : a;
+  const Wide& larger = a.exponent < b.exponent ? b : a;
+  const Wide& other = a.exponent < b.exponent ? a : b;
+  const int shift = other.exponent - larger.exponent;
+  if (shift < -300) return larger;
+  return {larger.value + timesPowerOfTwo(other.value, Wide::powerOfTwo(shift)), larger.exponent};
+}
+
+inline Wide operator-(const Wide& a, const Wide& b) noexcept { return a + (-b); }
+inline Wide operator*(const Wide& a, const Wide& b) noexcept { return {a.value * b.value, a.exponent + b.exponent}; }
+inline Wide operator/(const Wide& a, const Wide& b) noexcept { return {a.value / b.value, a.exponent - b.exponent}; }
+
+inline Wide sqrt(const Wide& a) noexcept {
+  const int odd = a.exponent & 1;
+  return {sqrt(timesPowerOfTwo(a.value, 1 + odd)), (a.exponent - odd) / 2};
+}
+
+inline Wide magnitude(const Wide& a) noexcept { return a.sign() < 0 ? -a : a; }
+inline bool isLess(const Wide& a, const Wide& b) noexcept { return (a - b).sign() < 0; }
+
+/// a + b, or 0 where the terms cancel to less than their own error (kCancellation).
+inline Wide sumOrZero(const Wide& a, const Wide& b) noexcept {
+  const Wide sum = a + b;
+  return isLess(magnitude(a) * Wide(kCancellation), magnitude(sum)) ? sum : Wide();
+}
+
+inline WideVec3 operator*(const WideVec3& a, const Wide& k) noexcept { return {a.x * k, a.y * k, a.z * k}; }
+inline WideVec3 operator+(const WideVec3& a, const WideVec3& b) noexcept { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline WideVec3 operator-(const WideVec3& a, const WideVec3& b) noexcept { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline Wide dot(const WideVec3& a, const WideVec3& b) noexcept { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Wide lengthOf(const WideVec3& a) noexcept { return sqrt(dot(a, a)); }
+
+/// a . b, or 0 where the products cancel to less than the error of a and b.
+inline Wide dotOrZero(const WideVec3& a, const WideVec3& b) noexcept {
+  const Wide x = a.x * b.x, y = a.y * b.y, z = a.z * b.z;
+  const Wide sum = x + y + z;
+  const Wide sizes = magnitude(x) + magnitude(y) + magnitude(z);
+  return isLess(sizes * Wide(kCancellation), magnitude(sum)) ? sum : Wide();
+}
+
+inline DoubleDouble toDoubleDouble(const Wide& a) noexcept { return scaleByPowerOfTwo(a.value, a.exponent); }
+inline Wide toWide(DoubleDouble a) noexcept { return {a, 0}; }
+inline WideVec3 toWide(const DDVec3& a) noexcept { return {{a.x, 0}, {a.y, 0}, {a.z, 0}}; }
+inline WideVec3 toWide(const Vec3& a) noexcept { return {a.x, a.y, a.z}; }
+inline Vec3 rounded(const WideVec3& a) noexcept { return {nearestDouble(a.x), nearestDouble(a.y), nearestDouble(a.z)}; }
+
+/// The nearest doubles of a / |a|, for a that is not zero.
+inline Vec3 unitOf(const WideVec3& a) noexcept { return rounded(a * (Wide(1) / lengthOf(a))); }
+
+}  // namespace viewproj

@@ -1,0 +1,47 @@
+// The batch kernels: one source, compiled once per instruction set, chosen at run time, all giving the same bits.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "camera/camera.hpp"
+
+namespace viewproj {
+
+/// What a kernel does with a lane that it cannot settle itself.
+struct Unsettled {
+  void (*settle)(void* context, std::size_t index) noexcept;
+  void* context;
+};
+
+/// Everything is in arrays of three doubles a point: x y z in; screen x, screen y and depth out, NaN where a point has
+/// none. bandX, bandY: farther than this from the principal point, in pixels, a point counts as unsettled. distance:
+/// one double a point, its distance along the viewing axis, also of a point behind the eye plane; null where nobody
+/// asks.
+struct Kernels {
+  const char* name;
+  unsigned features;  ///< of cpu_features.hpp: what its compiler was free to use
+  void (*fast)(const ProjectionConstants&, double bandX, double bandY, const double* points, double* screen,
+               double* distance, std::size_t count, const Unsettled&) noexcept;
+  void (*standard)(const ProjectionConstants&, double bandX, double bandY, const double* points, double* screen,
+                   double* distance, std::size_t count, const Unsettled&) noexcept;
+  void (*exact)(const ProjectionConstants&, double bandX, double bandY, const double* points, double* screen,
+                double* distance, std::size_t count, const Unsettled&) noexcept;
+  /// Perspective ray directions of pixels (x y pairs in, x y z out).
+  void (*rays)(const ProjectionConstants&, const double* pixels, double* directions, std::size_t count,
+               const Unsettled&) noexcept;
+};
+
+/// All that were compiled, the plainest first.
+std::span<const Kernels* const> allKernels() noexcept;
+
+/// Whether the processor, and the system for its registers, has all that the kernel may use.
+bool isSupported(const Kernels& kernels) noexcept;
+
+/// The best that is supported, unless another is forced.
+const Kernels& kernels() noexcept;
+
+/// For tests: all threads use this one, which must be supported, until told otherwise; null for the best again.
+void forceKernels(const Kernels* kernels) noexcept;
+
+}  // namespace viewproj

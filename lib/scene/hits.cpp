@@ -1,0 +1,279 @@
+#include "scene/hits.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "numbers/certified.hpp"
+#include "numbers/dyadic.hpp"
+
+namespace viewproj {
+namespace {
+
+// Number is Certified or Dyadic. A function that returns nothing has met a number that is not certain.
+
+template <class Number>
+Vector3<Number> difference(const Vec3& a, const Vec3& b) noexcept {
+  return {Number::difference(a.x, b.x), Number::difference(a.y, b.y), Number::difference(a.z, b.z)};
+}
+
+template <class Number>
+Vector3<Number> lifted(const Vec3& a) noexcept {
+  return {a.x, a.y, a.z};
+}
+
+template <class Number>
+Number dotOf(const Vector3<Number>& a, const Vector3<Number>& b) noexcept {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+template <class Number>
+Vector3<Number> crossOf(const Vector3<Number>& a, const Vector3<Number>& b) noexcept {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+template <class Number>
+bool isWithin(const Vector3<Number>& v, double size) noexcept {
+  return v.x.isWithin(size) && v.y.isWithin(size) && v.z.isWithin(size);
+}
+
+template <class Number>
+WideVec3 roundedVector(const Vector3<Number>& v) noexcept {
+  return {v.x.rounded(), v.y.rounded(), v.z.rounded()};
+}
+
+/// A coordinate of a hit that is known beforehand.
+struct Known {
+  std::size_t axis = 3;
+  double coordinate = 0;
+};
+
+/// The hit at origin + t direction, t = numerator / denominator >= 0.
+template <class Number>
+std::optional<Hit> hitAt(const Ray& ray, const Number& numerator, const Number& denominator,
+                         Known known = {}) noexcept {
+  const Wide below = denominator.rounded();
+  Hit hit;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Number at = Number(ray.origin[i]) * denominator + Number(ray.direction[i]) * numerator;
+    if (i != known.axis && !at.isCertain()) return {};
+    hit.point[i] = i == known.axis ? known.coordinate : double(at.rounded() / below);
+  }
+  hit.distance = double(numerator.rounded() / below * lengthOf(toWide(ray.direction)));
+  return hit;
+}
+
+Hits oneHit(Hit hit, const Vec3& normal) noexcept {
+  hit.normal = normal;
+  return {{hit, {}}, 1};
+}
+
+template <class Number>
+std::optional<Hits> planeHits(const Ray& ray, const Plane& plane) noexcept {
+  const Vector3<Number> normal = lifted<Number>(plane.normal);
+  const Number along = dotOf(normal, lifted<Number>(ray.direction));
+  const Number away = dotOf(normal, difference<Number>(plane.point, ray.origin));
+  if (!along.isCertain() || !away.isCertain()) return {};
+  if (along.sign() == 0 || along.sign() * away.sign() < 0) return Hits{};
+  const std::optional<Hit> hit = hitAt(ray, away, along);
+  if (!hit) return {};
+  return oneHit(*hit, unitOf(toWide(plane.normal)));
+}
+
+/// Volumes spanned by the direction and each edge, as seen from the origin: of one sign where the ray passes within.
+template <class Number>
+std::optional<Hits> triangleHits(const Ray& ray, const Triangle& t) noexcept {
+  const Vector3<Number> d = lifted<Number>(ray.direction);
+  const Vector3<Number> a = difference<Number>(t.a, ray.origin);
+  const Vector3<Number> b = difference<Number>(t.b, ray.origin);
+  const Vector3<Number> c = difference<Number>(t.c, ray.origin);
+  const Vector3<Number> bc = crossOf(b, c);
+  const Number u = dotOf(d, bc);
+  const Number v = dotOf(d, crossOf(c, a));
+  const Number w = dotOf(d, crossOf(a, b));
+  if (!u.isCertain() || !v.isCertain() || !w.isCertain()) return {};
+  const auto [low, high] = std::minmax({u.sign(), v.sign(), w.sign()});
+  if (low * high < 0 || (low == 0 && high == 0)) return Hits{};
+  const Number along = u + v + w;  // d . normal
+  const Number away = dotOf(a, bc);
+  if (!along.isCertain() || !away.isCertain()) return {};
+  if (along.sign() * away.sign() < 0) return Hits{};
+  const std::optional<Hit> hit = hitAt(ray, away, along);
+  const Vector3<Number> normal = crossOf(difference<Number>(t.b, t.a), difference<Number>(t.c, t.a));
+  const WideVec3 roundedNormal = roundedVector(normal);
+  if (!hit || !isWithin(normal, maxAbs(rounded(roundedNormal)))) return {};
+  return oneHit(*hit, unitOf(roundedNormal));
+}
+
+/// A face of the box in the way of the ray, at t = (face - origin) / direction of its axis.
+struct Crossing {
+  std::size_t axis;
+  double face;
+};
+
+template <class Number>
+Number timesDirection(const Ray& ray, const Crossing& c) noexcept {  // t |direction|, of the axis
+  return ray.direction[c.axis] > 0 ? Number::difference(c.face, ray.origin[c.axis])
+                                   : Number::difference(ray.origin[c.axis], c.face);
+}
+
+/// t of a minus t of b, times something positive.
+template <class Number>
+Number lead(const Ray& ray, const Crossing& a, const Crossing& b) noexcept {
+  return timesDirection<Number>(ray, a) * Number(std::fabs(ray.direction[b.axis])) -
+         timesDirection<Number>(ray, b) * Number(std::fabs(ray.direction[a.axis]));
+}
+
+template <class Number>
+std::optional<Hit> boxHit(const Ray& ray, const Box& box, const Crossing& c) noexcept {
+  std::optional<Hit> hit =
+      hitAt(ray, timesDirection<Number>(ray, c), Number(std::fabs(ray.direction[c.axis])), {c.axis, c.face + 0.0});
+  if (!hit) return {};
+  // A flat box has two faces in one place: the ray enters by the one that looks towards it.
+  const bool isMax = c.face == box.max[c.axis] && (c.face != box.min[c.axis] || ray.direction[c.axis] < 0);
+  hit->normal[c.axis] = isMax ? 1 : -1;
+  hit->face = static_cast<BoxFace>(1 + 2 * c.axis + (isMax ? 1 : 0));
+  return hit;
+}
+
+template <class Number>
+std::optional<Hits> boxHits(const Ray& ray, const Box& box) noexcept {
+  std::optional<Crossing> entry, exit;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double o = ray.origin[i], d = ray.direction[i];
+    const bool between = box.min[i] <= o && o <= box.max[i];
+    if (!between && (d == 0 || (d > 0 ? o > box.max[i] : o < box.min[i]))) return Hits{};
+    if (d == 0) continue;
+    const Crossing in{i, d > 0 ? box.min[i] : box.max[i]}, out{i, d > 0 ? box.max[i] : box.min[i]};
+    if (!entry) {
+      entry = in;
+      exit = out;
+      continue;
+    }
+    const Number later = lead<Number>(ray, in, *entry), sooner = lead<Number>(ray, *exit, out);
+    if (!later.isCertain() || !sooner.isCertain()) return {};
+    if (later.sign() > 0) entry = in;
+    if (sooner.sign() > 0) exit = out;
+  }
+  const Number stay = lead<Number>(ray, *exit, *entry);
+  if (!stay.isCertain()) return {};
+  if (stay.sign() < 0) return Hits{};
+  Hits result;
+  for (const Crossing& c : {*entry, *exit}) {
+    if (timesDirection<Number>(ray, c).sign() < 0) continue;
+    const std::optional<Hit> hit = boxHit<Number>(ray, box, c);
+    if (!hit) return {};
+    result.hits[std::size_t(result.count++)] = *hit;
+    if (stay.sign() == 0) break;
+  }
+  return result;
+}
+
+/// In the coordinates in which a spheroid is a sphere, or back.
+WideVec3 stretched(const WideVec3& v, const Wide& across, const Wide& along) noexcept {
+  return {v.x * across, v.y * across, v.z * along};
+}
+
+/// across^2 (x^2 + y^2) + along^2 z^2 = across^2 radius^2, of p - center. Stretched by (across, across, along) it is a
+/// sphere of radius across * radius.
+struct Spheroid {
+  Vec3 center;
+  double across, along, radius;
+};
+
+/// With m and d the origin and the direction, stretched: t^2 A + 2 t B + C = 0, and the discriminant over across^2,
+/// which is radius^2 A - |m x d|^2 / across^2. Every point of the ray is m + t d = (d x (m x d)) / A + s d, whose first
+/// term is the point nearest the centre: no digits are lost however far the origin is.
+template <class Number>
+std::optional<Hits> spheroidHits(const Ray& ray, const Spheroid& s) noexcept {
+  const Vector3<Number> m = difference<Number>(ray.origin, s.center);
+  const Vector3<Number> d = lifted<Number>(ray.direction);
+  const Number across2 = Number(s.across) * s.across, along2 = Number(s.along) * s.along;
+  const Number radius2 = Number(s.radius) * s.radius;
+  const auto stretchedDot = [&](const Vector3<Number>& a, const Vector3<Number>& b) {
+    return across2 * (a.x * b.x + a.y * b.y) + along2 * (a.z * b.z);
+  };
+  const Number C = stretchedDot(m, m) - across2 * radius2;
+  const Number B = stretchedDot(m, d);
+  if (!C.isCertain() || (C.sign() >= 0 && !B.isCertain())) return {};
+  if (C.sign() > 0 && B.sign() >= 0) return Hits{};  // outside, and on the way out
+  const Number A = stretchedDot(d, d);
+  const Vector3<Number> k = crossOf(m, d);
+  const Number discriminant = radius2 * A - along2 * (k.x * k.x + k.y * k.y) - across2 * (k.z * k.z);
+  if (!A.isCertain() || !discriminant.isCertain()) return {};
+  if (discriminant.sign() < 0) return Hits{};
+
+  const Wide a = A.rounded(), b = B.rounded(), across = s.across, along = s.along;
+  const Wide root = across * sqrt(discriminant.rounded());
+  const Wide q = b.sign() < 0 ? root - b : -(b + root);
+  // From within, B may be uncertain; but beside the root of a certain discriminant its error is below 2^-85.
+  const double flattest = std::min(s.across / s.along, s.along / s.across);
+  if (!isWithin(k, s.radius * maxAbs(ray.direction) * flattest)) return {};
+
+  const WideVec3 direction = stretched(toWide(ray.direction), across, along);
+  const WideVec3 moment{across * along * k.x.rounded(), across * along * k.y.rounded(),
+                        across * across * k.z.rounded()};
+  const WideVec3 nearest = crossOf(direction, moment) * (Wide(1) / a);
+  Hits result;
+  const auto add = [&](const Wide& t, const Wide& halfChord) {
+    if (t.sign() < 0) return;
+    const bool starts = t.sign() == 0;
+    const WideVec3 at = starts ? stretched(roundedVector(m), across, along)
+                               : nearest + direction * halfChord;  // stretched, from center
+    Hit hit;
+    hit.distance = double(t * lengthOf(toWide(ray.direction)));
+    hit.point = starts ? rounded(toWide(ray.origin))
+                       : rounded(toWide(s.center) + stretched(at, Wide(1) / across, Wide(1) / along));
+    hit.normal = s.radius > 0 ? unitOf(stretched(at, across, along)) : unitOf(toWide(ray.direction) * Wide(-1));
+    result.hits[std::size_t(result.count++)] = hit;
+  };
+  const Wide halfChord = root / a;
+  if (root.sign() == 0) {
+    add(q / a, 0);
+  } else {
+    const Wide other = C.rounded() / q;
+    add(q.sign() < 0 ? q / a : other, -halfChord);
+    add(q.sign() < 0 ? other : q / a, halfChord);
+  }
+  return result;
+}
+
+bool isValid(const Ray& ray) noexcept {
+  return isFinite(ray.origin) && isFinite(ray.direction) && maxAbs(ray.direction) > 0;
+}
+
+}  // namespace
+
+Hits intersect(const Ray& ray, const Plane& plane) noexcept {
+  if (!isValid(ray) || !isValid(plane)) return {};
+  const std::optional<Hits> hits = planeHits<Certified>(ray, plane);
+  return hits ? *hits : *planeHits<Dyadic>(ray, plane);
+}
+
+Hits intersect(const Ray& ray, const Sphere& sphere) noexcept {
+  if (!isValid(ray) || !isValid(sphere)) return {};
+  const Spheroid spheroid{sphere.center, 1, 1, sphere.radius};
+  const std::optional<Hits> hits = spheroidHits<Certified>(ray, spheroid);
+  return hits ? *hits : *spheroidHits<Dyadic>(ray, spheroid);
+}
+
+Hits intersect(const Ray& ray, const Box& box) noexcept {
+  if (!isValid(ray) || !isValid(box)) return {};
+  const std::optional<Hits> hits = boxHits<Certified>(ray, box);
+  return hits ? *hits : *boxHits<Dyadic>(ray, box);
+}
+
+Hits intersect(const Ray& ray, const Triangle& triangle) noexcept {
+  if (!isValid(ray) || !isValid(triangle)) return {};
+  const std::optional<Hits> hits = triangleHits<Certified>(ray, triangle);
+  return hits ? *hits : *triangleHits<Dyadic>(ray, triangle);
+}
+
+Hits intersect(const Ray& ray, const Ellipsoid& ellipsoid) noexcept {
+  if (!isValid(ray) || !isValid(ellipsoid)) return {};
+  const Spheroid spheroid{{}, ellipsoid.polar, ellipsoid.equatorial, ellipsoid.equatorial};
+  const std::optional<Hits> hits = spheroidHits<Certified>(ray, spheroid);
+  return hits ? *hits : *spheroidHits<Dyadic>(ray, spheroid);
+}
+
+}  // namespace viewproj

@@ -1,0 +1,106 @@
+#include "scene/segment.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace viewproj {
+namespace {
+
+/// A point on the way from a to b: the shares of b and of a in it, and the plane it lies on. Of ends that are many
+/// magnitudes apart the small share keeps its digits.
+struct Cut {
+  Wide t, rest;
+  std::uint8_t side = 0;
+};
+
+/// Nearer to b: by the smaller of the shares, which has the digits.
+bool isFurther(const Cut& a, const Cut& b) noexcept {
+  const bool nearB = (a.rest - a.t).sign() < 0 && (b.rest - b.t).sign() < 0;
+  return nearB ? (a.rest - b.rest).sign() < 0 : (b.t - a.t).sign() < 0;
+}
+
+SegmentEnd ownEnd(const Camera& camera, const Vec3& point, double t) noexcept {
+  const ScreenPoint p = worldToScreen(camera, point);
+  return {t, {p.x, p.y}, p.depth, p.viewDistance, 0};
+}
+
+SegmentEnd cutEnd(const Camera& c, const WideVec3& fromEyeToA, const WideVec3& fromEyeToB, const Cut& cut) noexcept {
+  const WideVec3 p = fromEyeToA * cut.rest + fromEyeToB * cut.t;
+  const auto along = [&](const DDVec3& axis, DoubleDouble residual) {
+    return dot(toWide(axis), p) + Wide(residual, 0);
+  };
+  Wide x = along(c.pose.rows.right, c.pose.residual.x), y = along(c.pose.rows.up, c.pose.residual.y);
+  const Wide w = along(c.pose.rows.forward, c.pose.residual.z);
+  const bool orthographic = c.projection.orthographic;
+  if (!orthographic) {
+    x = x / w;
+    y = y / w;
+  }
+  const ScreenMap& m = c.screen;
+  const ProjectionConstants& k = c.constants;
+  const Wide depth = Wide(k.depthOffset, 0) + (orthographic ? Wide(k.depthScale, 0) * w : Wide(k.depthScale, 0) / w);
+  SegmentEnd end{
+      double(cut.t),
+      {double(Wide(m.centerX, 0) + Wide(m.scaleX, 0) * x), double(Wide(m.centerY, 0) + Wide(m.scaleY, 0) * y)},
+      double(depth),
+      double(w),
+      cut.side};
+  // On the boundary it lies on it, to the last bit.
+  const Viewport& v = c.viewport;
+  const double left = v.x + (v.pixelCenter - 0.5), first = v.y + (v.pixelCenter - 0.5);
+  const double top = v.origin == Origin::topLeft ? first : first + v.height;
+  const double bottom = v.origin == Origin::topLeft ? first + v.height : first;
+  if (cut.side == sideLeft) end.screen.x = left;
+  if (cut.side == sideRight) end.screen.x = left + v.width;
+  if (cut.side == sideBottom) end.screen.y = bottom;
+  if (cut.side == sideTop) end.screen.y = top;
+  if (cut.side == sideNear) end.depth = c.depthAtNear, end.viewDistance = c.projection.near;
+  if (cut.side == sideFar) end.depth = c.depthAtFar, end.viewDistance = c.projection.far;
+  return end;
+}
+
+}  // namespace
+
+VisibleSegment clipSegment(const Frustum& f, const Vec3& a, const Vec3& b) noexcept {
+  VisibleSegment result;
+  if (!isFinite(a) || !isFinite(b)) return result;
+  Cut first{0, 1, 0}, last{1, 0, 0};
+  for (const FrustumPlane& p : f) {
+    const Wide atA = distanceInside(f, p, a), atB = distanceInside(f, p, b);
+    if (atA.sign() < 0 && atB.sign() < 0) return result;
+    if (atA.sign() >= 0 && atB.sign() >= 0) continue;
+    const Cut cut{atA / (atA - atB), atB / (atB - atA), p.side};
+    if (atA.sign() < 0 ? isFurther(cut, first) : isFurther(last, cut)) (atA.sign() < 0 ? first : last) = cut;
+  }
+  if (isFurther(first, last)) return result;
+  const WideVec3 eye = toWide(f.camera.pose.eye), fromEyeToA = toWide(a) - eye, fromEyeToB = toWide(b) - eye;
+  result.visible = true;
+  result.start = first.side == 0 ? ownEnd(f.camera, a, 0) : cutEnd(f.camera, fromEyeToA, fromEyeToB, first);
+  result.end = last.side == 0 ? ownEnd(f.camera, b, 1) : cutEnd(f.camera, fromEyeToA, fromEyeToB, last);
+  return result;
+}
+
+double parameterUnder(const Frustum& f, const VisibleSegment& s, const Vec2& pixel) noexcept {
+  if (!s.visible) return std::numeric_limits<double>::quiet_NaN();
+  const double dx = s.end.screen.x - s.start.screen.x, dy = s.end.screen.y - s.start.screen.y;
+  const double size = std::hypot(dx, dy);
+  // Seen end on, its nearer end is what is seen.
+  if (!(size > 0)) return s.start.viewDistance <= s.end.viewDistance ? s.start.t : s.end.t;
+  const double along = ((pixel.x - s.start.screen.x) * (dx / size) + (pixel.y - s.start.screen.y) * (dy / size)) / size;
+  double share = std::clamp(along, 0.0, 1.0);
+  if (!f.camera.projection.orthographic) {
+    // On the screen a share s of the way, in space the share s w0 / ((1 - s) w1 + s w0).
+    const double w0 = s.start.viewDistance / s.end.viewDistance;
+    share = share * w0 / ((1 - share) + share * w0);
+  }
+  return s.start.t + share * (s.end.t - s.start.t);
+}
+
+Vec3 pointAlong(const Vec3& a, const Vec3& b, double t) noexcept {
+  Vec3 point;
+  for (std::size_t i = 0; i < 3; ++i) point[i] = double(Wide(a[i]) + Wide(t) * (Wide(b[i]) - Wide(a[i])));
+  return point;
+}
+
+}  // namespace viewproj

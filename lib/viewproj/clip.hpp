@@ -1,0 +1,4 @@
+// The stages between world and screen.
+#pragma once
+
+#include "projection/clip.hpp"

@@ -1,0 +1,4 @@
+// Places on the Earth.
+#pragma once
+
+#include "geodesy/geodesy.hpp"

@@ -1,0 +1,4 @@
+// Plain vectors and matrices.
+#pragma once
+
+#include "numbers/vectors.hpp"
