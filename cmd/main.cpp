@@ -31,6 +31,9 @@ const Command& find(std::string_view name) {
 
 int run(int argc, char** argv) {
   const std::string_view name = argc > 1 ? argv[1] : "";
+  const int most = name == "help" ? 3 : name == "--help" || name == "-h" || name == "--version" ? 2 : argc;
+  if (argc > most)
+    throw UsageError("'" + std::string(argv[most]) + "' was not expected after " + std::string(argv[most - 1]));
   if (name == "help" && argc > 2) {
     char option[] = "--help";
     char* arguments[] = {argv[2], option};

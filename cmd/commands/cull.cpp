@@ -86,6 +86,7 @@ int run(const Options& o, const CLI::App& app) {
   o.stream.settleOnEarth(setup, file.worldIsEcef);
   const PointReading reading{
       .columns = setup.columns, .worldIsEcef = file.worldIsEcef, .shapes = "culled", .radius = true};
+  setup.note = [&](const std::string& note) { o.camera.notes().say(note); };
   setup.writer.arrayName = "position";
   return runFilter(setup, [&] { return std::make_unique<CullWork>(frustum, reading); });
 }

@@ -1,4 +1,6 @@
 // viewproj matrix: a camera's matrices, and the camera itself in another form.
+#include <algorithm>
+
 #include "commands/command.hpp"
 #include "commands/options.hpp"
 #include "output/camera_text.hpp"
@@ -61,9 +63,10 @@ Mat4 matrixOf(Which which, bool inverse, const CameraFile& file, const Wanted& w
   return inverse ? ndcFromScreen(*file.viewport, c) : screenFromNdc(*file.viewport, c);
 }
 
-std::vector<WhichRow> chooseMatrices(const std::string& list, const CameraFile& file, bool bakeViewport) {
-  std::vector<WhichRow> chosen;
-  if (list.empty()) {
+std::vector<WhichRow> chooseMatrices(const std::optional<std::vector<WhichRow>>& asked, const CameraFile& file,
+                                     bool bakeViewport) {
+  if (!asked) {
+    std::vector<WhichRow> chosen;
     // A baked viewport is in the projection already.
     for (const WhichRow& row : kWhich)
       if (lacking(row, file, bakeViewport).empty() && !(bakeViewport && row.which == Which::viewport))
@@ -71,63 +74,97 @@ std::vector<WhichRow> chooseMatrices(const std::string& list, const CameraFile& 
     if (chosen.empty()) throw InputError(file.name + ": the camera has neither a pose, a projection nor a viewport");
     return chosen;
   }
-  for (const std::string& name : splitNames("--which", list)) {
-    std::vector<std::string_view> known;
-    const std::size_t before = chosen.size();
-    for (const WhichRow& row : kWhich) {
-      known.push_back(row.name);
-      if (row.name == name) chosen.push_back(row);
-    }
-    if (chosen.size() == before) failUnknown("--which", name, known);
-    if (const std::string part = lacking(chosen.back(), file, bakeViewport); !part.empty())
-      throw InputError(file.name + ": " + name + " needs " + part);
-  }
-  return chosen;
+  for (const WhichRow& row : *asked)
+    if (const std::string part = lacking(row, file, bakeViewport); !part.empty())
+      throw InputError(file.name + ": " + std::string(row.name) + " needs " + part);
+  return *asked;
 }
 
-/// --to camera: the file, and on standard error a word where its doubles do not suffice.
-int runCamera(CameraFile file, const std::string& type, const CameraOptions& camera) {
+Names<WhichRow> whichNames() {
+  Names<WhichRow> names;
+  for (const WhichRow& row : kWhich) names.emplace_back(row.name, row);
+  return names;
+}
+
+/// --to camera: the file, and a note where its doubles do not suffice.
+int runCamera(CameraFile file, const std::optional<std::string>& type, const CameraOptions& camera) {
+  camera.noteWriting(file, {}, "");
   file.convention = camera.writing(file);
-  const WrittenCamera written = writeCamera(file, type, camera.allowsStretch());
+  const WrittenCamera written = writeCamera(file, type.value_or(""), camera.allowsStretch());
   writeOutput(written.text);
   const auto& [pixels, depth] = written.moved;
   if (!(pixels <= kKeptPixels))
-    complain(file.name + ": in doubles, as written, points move by up to " + formatDigits(pixels, 1) + " pixels");
+    camera.notes().say(file.name + ": in doubles, as written, points move by up to " + formatDigits(pixels, 1) +
+                       " pixels");
   if (!(depth <= kKeptDepth))
-    complain(file.name + ": in doubles, as written, depths move by up to " + formatDigits(depth, 1) +
-             " of their range");
+    camera.notes().say(file.name + ": in doubles, as written, depths move by up to " + formatDigits(depth, 1) +
+                       " of their range");
   return 0;
 }
 
 struct Options {
   CameraOptions camera;
   Wanted wanted;
-  std::string which, type, format = "json";
+  std::optional<std::vector<WhichRow>> which;
+  std::optional<std::string> type;
+  std::string format = "json";
   bool asFloat = false;
 };
 
+bool any(const std::vector<WhichRow>& rows, bool WhichRow::*needs) {
+  return std::any_of(rows.begin(), rows.end(), [&](const WhichRow& row) { return row.*needs; });
+}
+
+/// Throws UsageError where what is typed has nothing to act on.
+void requireUse(const Options& o) {
+  if (o.wanted.bakeViewport && o.which && !any(*o.which, &WhichRow::projection))
+    throw UsageError("--bake-viewport folds the viewport into the projection, and --which names no projection");
+  if (o.wanted.relativeToEye && o.which && !any(*o.which, &WhichRow::pose))
+    throw UsageError("--relative-to-eye is of the view, and --which names no view");
+}
+
+/// The same where the camera lacks it.
+void requireUse(const Wanted& wanted, const CameraFile& file) {
+  const auto lacks = [&](const std::string& option, const std::string& part) {
+    return InputError(file.name + ": " + option + " needs " + part);
+  };
+  if (wanted.relativeToEye && !file.pose) throw lacks("--relative-to-eye", "a pose");
+  if (wanted.bakeViewport && !file.projection) throw lacks("--bake-viewport", "a projection");
+  if (wanted.bakeViewport && !file.viewport)
+    throw lacks("--bake-viewport", "a viewport; --viewport WIDTHxHEIGHT gives one");
+}
+
 int run(const Options& o, const CLI::App& app) {
-  std::vector<std::string_view> formats = matrixFormats();
-  formats.push_back("camera");
-  requireKnown("--to", o.format, formats);
-  if (!o.type.empty()) requireKnown("--type", o.type, cameraTypes());
   const bool toCamera = o.format == "camera";
-  if (!o.type.empty() && !toCamera) throw UsageError("--type goes with --to camera");
+  if (o.type && !toCamera) throw UsageError("--type goes with --to camera");
   for (const char* option : {"--which", "--inverse", "--bake-viewport", "--relative-to-eye", "--float"})
     if (toCamera && app.count(option) > 0)
       throw UsageError(std::string(option) + " goes with matrices, not with --to camera");
+  requireUse(o);
   const CameraFile read = o.camera.read();
   if (toCamera) return runCamera(read, o.type, o.camera);
+  requireUse(o.wanted, read);
   MatrixSet set;
   set.asFloat = o.asFloat;
   set.convention = o.camera.writing(read);
-  for (const WhichRow& row : chooseMatrices(o.which, read, o.wanted.bakeViewport)) {
+  const std::vector<WhichRow> chosen = chooseMatrices(o.which, read, o.wanted.bakeViewport);
+  const bool sayConvention = !saysNumbersAlone(o.format), depth = any(chosen, &WhichRow::projection);
+  o.camera.noteWriting(read,
+                       {.axes = true,
+                        .range = sayConvention || depth || any(chosen, &WhichRow::viewport),
+                        .reversal = sayConvention || depth,
+                        .world = any(chosen, &WhichRow::pose)},
+                       "--which with a projection");
+  for (const WhichRow& row : chosen) {
     set.matrices.push_back({std::string(row.name), matrixOf(row.which, false, read, o.wanted, set.convention)});
     if (o.wanted.inverse)
       set.matrices.push_back(
           {std::string(row.name) + "Inverse", matrixOf(row.which, true, read, o.wanted, set.convention)});
   }
   if (o.wanted.relativeToEye && read.pose) set.eye = read.pose->eye;
+  if (set.eye && o.format == "flat")
+    o.camera.notes().say("--to flat has no place for the eye: " + formatNumber(set.eye->x) + ", " +
+                         formatNumber(set.eye->y) + ", " + formatNumber(set.eye->z));
   set.bakesViewport = o.wanted.bakeViewport;
   writeOutput(writeMatrices(set, o.format, read.name));
   return 0;
@@ -143,19 +180,17 @@ Action defineMatrix(CLI::App& app) {
   o->camera.add(app);
   o->camera.addWriting(app);
   o->camera.addFile(app);
-  app.add_option("--which", o->which,
-                 "Matrices to write: view,projection,viewProjection,viewport (default: all that the camera determines)")
-      ->type_name("NAMES");
+  addChoices(app, "--which", o->which, whichNames(), "Matrices to write", "all that the camera determines");
   app.add_flag("--inverse", o->wanted.inverse, "Give each one's inverse too");
   app.add_flag("--bake-viewport", o->wanted.bakeViewport, "Fold the viewport into the projection");
   app.add_flag("--relative-to-eye", o->wanted.relativeToEye, "Leave the translation out of the view and give the eye");
   app.add_flag("--float", o->asFloat, "Round to float32 (default: doubles)");
-  app.add_option("--to", o->format,
-                 "Form of the output: " + joined(matrixFormats()) + ", camera: the camera file itself (default: json)")
-      ->type_name("FORM");
-  app.add_option("--type", o->type,
-                 "With --to camera the projection's form: " + joined(cameraTypes()) + " (default: as it was read)")
-      ->type_name("TYPE");
+  std::vector<std::string_view> formats = matrixFormats();
+  formats.push_back("camera");
+  addChoice(app, "--to", "FORM", o->format, namesAlone(formats),
+            "Form of the output; camera is the camera file itself");
+  addChoice(app, "--type", "TYPE", o->type, namesAlone(cameraTypes()), "With --to camera the projection's form",
+            "perspective or orthographic, or intrinsics where the camera's shape is not the viewport's");
   return [o, &app] { return run(*o, app); };
 }
 

@@ -9,32 +9,27 @@
 #include <string_view>
 #include <vector>
 
+#include "commands/notes.hpp"
+#include "commands/values.hpp"
 #include "input/camera_file.hpp"
+#include "input/camera_source.hpp"
 #include "input/column_choice.hpp"
 #include "stream/filter.hpp"
 #include "viewproj/camera.hpp"
 
 namespace viewproj::cmd {
 
-/// While it lives, options that are added stand under this heading in the help. The same heading has the same options
-/// in every command.
-class Heading {
- public:
-  Heading(CLI::App& app, const std::string& name);
-  ~Heading();  // NOLINT(bugprone-exception-escape)
-  Heading(const Heading&) = delete;
-  Heading& operator=(const Heading&) = delete;
-
- private:
-  CLI::App& app_;
-};
-
-/// An option that may be given several times, one value each, and never takes the argument behind that value.
-CLI::Option* addRepeatable(CLI::App& app, const std::string& name, std::vector<std::string>& values,
-                           const std::string& description);
-
 /// --model FILE, which readModel() reads. what: "points".
-void addModel(CLI::App& app, std::string& model, const std::string& what);
+void addModelOption(CLI::App& app, std::optional<std::string>& model, const std::string& what);
+
+/// --scene FILE, which readScene() reads.
+void addSceneOption(CLI::App& app, std::optional<std::string>& scene, const std::string& help);
+
+/// Whether a file is standard input, which is then read for it.
+inline bool isStandardInput(const std::optional<std::string>& file) { return file == "-"; }
+
+/// The presets of conventions by name.
+Names<Convention> presetConventions();
 
 /// The camera, how it is read, and the convention it is written in.
 class CameraOptions {
@@ -48,15 +43,36 @@ class CameraOptions {
   CameraFile read() const;
   bool fromStandardInput() const;
   bool allowsStretch() const { return allowStretch_; }
+  const Notes& notes() const { return notes_; }
 
   /// The convention to write in: the file's world, and the axes that options name.
   Convention writing(const CameraFile& file) const;
 
+  /// What of the convention that is written can be seen in what a command prints.
+  struct Shown {
+    bool axes = true;      ///< the axes of view space, row or column vectors, storage
+    bool range = true;     ///< that of NDC z
+    bool reversal = true;  ///< whether depth is reversed
+    bool world = true;     ///< the handedness of the world
+  };
+  /// Notes what of the convention was named to no effect, and a preset of the other handedness. where: what would show
+  /// it, "--fields ndc or clip".
+  void noteWriting(const CameraFile& file, const Shown& shown, const std::string& where) const;
+  bool namesConvention() const { return convention_.has_value(); }
+  bool namesAxis() const { return reverseZ_.has_value() || ndcZ_.has_value(); }
+
  private:
-  std::string camera_, file_, viewport_, readAs_, convention_, ndcZ_;
-  std::vector<std::string> set_;
-  bool takesFile_ = false, allowStretch_ = false, reverseZ_ = false, ignoreDistortion_ = false, list_ = false;
-  const CLI::Option* reverseZGiven_ = nullptr;
+  CameraSource source() const;
+
+  std::optional<std::string> camera_, file_, readAs_;
+  std::optional<Size> viewport_;
+  std::optional<ConventionPreset> convention_;
+  std::optional<NdcZ> ndcZ_;
+  std::optional<bool> reverseZ_;
+  std::vector<Assignment> set_;
+  bool takesFile_ = false, allowStretch_ = false, ignoreDistortion_ = false, list_ = false;
+  Notes notes_;
+  mutable bool statesConvention_ = true;  ///< of the camera that was read
 };
 
 /// Something that is read, and whether from standard input.
@@ -76,7 +92,7 @@ class StreamOptions {
   /// For a command that only reads them.
   void addInput(CLI::App& app, const std::string& what);
 
-  /// Throws UsageError for a value that is none.
+  /// Throws UsageError for columns that are none.
   FilterSetup setup(const ChoosableColumns& choosable) const;
 
   /// Throws UsageError where records come from the command line and from a file, or two inputs from standard input.
@@ -90,46 +106,22 @@ class StreamOptions {
   /// Throws UsageError for an option that tells how FILE is to be read. why: "--point takes the place of".
   void requireNoInputOption(const std::string& why) const;
 
+  /// For a command that only reads records: a bad one need not end it.
+  void addKeepGoing(CLI::App& app);
+
+  bool hasFile() const { return file_.has_value(); }
+
  private:
-  std::string file_, from_, to_, prefix_, columns_, jobs_, firstLine_;
+  std::optional<std::string> file_, prefix_, columns_;
+  std::optional<Form> from_;
+  std::optional<OutputForm> to_;
+  std::optional<std::size_t> jobs_, firstLine_;
   bool keepGoing_ = false, noHeader_ = false;
 };
 
-/// What `auto` keeps on screen x and y, in pixels, where nothing else is asked for.
-inline constexpr double kDefaultTolerance = 1e-6;
-
-/// --tolerance PX. Throws UsageError for what is no number of pixels.
-class ToleranceOption {
- public:
-  void add(CLI::App& app);
-  bool given() const { return !text_.empty(); }
-  double value() const;
-
- private:
-  std::string text_;
-};
-
-class PrecisionOption {
- public:
-  void add(CLI::App& app);
-
-  /// The arithmetic of that name, or nothing for `auto`. Throws UsageError.
-  std::optional<Precision> value() const;
-
- private:
-  std::string name_ = "exact";
-};
-
-/// "a,b,c" to its parts. Throws UsageError for one that is named twice.
-std::vector<std::string> splitNames(const std::string& option, const std::string& text);
-
-/// "1,2,3", from fewest to most numbers. Throws UsageError, which says what form was expected: "X,Y or X,Y,DEPTH".
-std::vector<double> readNumbers(const std::string& option, const std::string& text, std::size_t fewest,
-                                std::size_t most, const std::string& form);
-
 /// A point of the command line: X,Y,Z[,W], or x=..,y=..,z=..[,w=..] or lat=..,lon=..,height=.. in any order.
 struct GivenPoint {
-  std::string text;  ///< as typed
+  std::string text;  ///< as typed, after the option
   std::vector<std::pair<std::string, double>> numbers;
   bool named = false;
 
@@ -140,14 +132,26 @@ struct GivenPoint {
   /// In the world.
   Vec4 point() const;
 };
-GivenPoint readPointOption(const std::string& text);
+inline constexpr const char* kPointForm = "X,Y,Z[,W]|lat=..,lon=..,height=..";
+GivenPoint readGivenPoint(const std::string& option, const std::string& text);
 
-/// --pixel X,Y[,DEPTH].
-std::vector<double> readPixelOption(const std::string& text);
+/// The forms of a report.
+enum class ReportForm { table, json, svg };
 
-/// Throws UsageError for a name that is not known, with the nearest that is.
-[[noreturn]] void failUnknown(const std::string& option, std::string_view name,
-                              std::span<const std::string_view> known);
-void requireKnown(const std::string& option, std::string_view name, std::span<const std::string_view> known);
+/// --to table or json, or else svg, if there is one. svg: what it plots.
+void addReportForm(CLI::App& app, ReportForm& form, const std::string& svg = "");
+
+/// What `auto` keeps on screen x and y, in pixels, where nothing else is asked for.
+inline constexpr double kDefaultTolerance = 1e-6;
+
+/// --tolerance PX.
+void addTolerance(CLI::App& app, std::optional<double>& tolerance);
+
+/// The arithmetic, or nothing for `auto`.
+struct PrecisionMode {
+  std::optional<Precision> arithmetic = Precision::exact;
+  bool operator==(const PrecisionMode&) const = default;
+};
+void addPrecision(CLI::App& app, PrecisionMode& mode);
 
 }  // namespace viewproj::cmd

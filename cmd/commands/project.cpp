@@ -27,27 +27,34 @@ struct Fields {
   bool outsideAlways = false;
 };
 
-Fields chooseFields(const std::string& list) {
+Fields defaultFields() {
   Fields fields;
-  std::vector<std::string_view> known = {"all"};
   for (const PointResult& result : pointResults()) {
-    known.push_back(result.row.name);
-    if (!list.empty() && list != known[0]) continue;
-    if (list == known[0] || result.row.given != Given::asked) fields.named.push_back(&result);
-    if (list == known[0] ? numbersOf(result.row) > 0 : result.row.given == Given::everywhere)
-      fields.numbers.push_back(&result);
+    if (result.row.given != Given::asked) fields.named.push_back(&result);
+    if (result.row.given == Given::everywhere) fields.numbers.push_back(&result);
   }
-  if (list.empty()) return fields;
-  fields.outsideAlways = true;
-  if (list == known[0]) return fields;
-  for (const std::string& name : splitNames("--fields", list)) {
-    if (name == known[0]) throw UsageError("--fields all gives every result; leave the other names out");
-    const auto row = std::find_if(pointResults().begin(), pointResults().end(),
-                                  [&](const PointResult& result) { return result.row.name == name; });
-    if (row == pointResults().end()) failUnknown("--fields", name, known);
-    fields.named.push_back(&*row);
+  return fields;
+}
+
+Fields readFields(const std::string& option, const std::string& text) {
+  constexpr std::string_view kAll = "all";
+  Names<const PointResult*> known = {{kAll, nullptr}};
+  for (const PointResult& result : pointResults()) known.emplace_back(result.row.name, &result);
+  Fields fields{.named = {}, .numbers = {}, .outsideAlways = true};
+  const std::vector<std::string> names = splitNames(option, text);
+  for (const std::string& name : names) {
+    const PointResult* const chosen = choose(option, name, known);
+    if (chosen)
+      fields.named.push_back(chosen);
+    else if (names.size() > 1)
+      throw UsageError(option + " all gives every result; leave the other names out");
   }
   fields.numbers = fields.named;
+  if (!fields.named.empty()) return fields;
+  for (const PointResult& result : pointResults()) {
+    fields.named.push_back(&result);
+    if (numbersOf(result.row) > 0) fields.numbers.push_back(&result);
+  }
   return fields;
 }
 
@@ -235,34 +242,44 @@ class ProjectWork final : public RecordWork {
 struct Options {
   CameraOptions camera;
   StreamOptions stream;
-  PrecisionOption precision;
-  ToleranceOption tolerance;
-  std::vector<std::string> points;
-  std::string fields, model;
+  PrecisionMode precision;
+  std::optional<double> tolerance;
+  std::vector<GivenPoint> points;
+  std::optional<Fields> fields;
+  std::optional<std::string> model;
 };
+
+/// Fields that no option names show nothing of the convention that is written.
+CameraOptions::Shown shownOf(const std::optional<Fields>& fields) {
+  bool view = false, depth = false;
+  if (fields)
+    for (const PointResult* result : fields->named) {
+      view |= result->shows != PointResult::Shows::nothing;
+      depth |= result->shows == PointResult::Shows::depth;
+    }
+  return {.axes = view, .range = depth, .reversal = depth, .world = view};
+}
 
 int run(const Options& o) {
   FilterSetup setup = o.stream.setup(kPointColumns);
-  std::vector<GivenPoint> points;
-  for (const std::string& text : o.points) {
-    points.push_back(readPointOption(text));
-    setup.given.push_back({"--point " + text, points.back().json()});
-  }
-  o.stream.requireOneInput(setup, o.camera, {"the model", o.model == "-"});
+  setup.note = [&](const std::string& note) { o.camera.notes().say(note); };
+  for (const GivenPoint& point : o.points) setup.given.push_back({point.text, point.json()});
+  o.stream.requireOneInput(setup, o.camera, {"the model", isStandardInput(o.model)});
+  if (o.precision.arithmetic && o.tolerance)
+    throw UsageError("--tolerance is for --precision auto, which chooses by it");
   const CameraFile file = o.camera.read();
-  for (const GivenPoint& point : points) point.requireFit(file.worldIsEcef);
+  for (const GivenPoint& point : o.points) point.requireFit(file.worldIsEcef);
   o.stream.settleOnEarth(setup, file.worldIsEcef);
   Projecting how{.camera = makeCamera(file),
                  .writing = o.camera.writing(file),
-                 .arithmetic = o.precision.value(),
-                 .tolerance = o.tolerance.value(),
+                 .arithmetic = o.precision.arithmetic,
+                 .tolerance = o.tolerance.value_or(kDefaultTolerance),
                  .reading = {.columns = setup.columns, .worldIsEcef = file.worldIsEcef, .segments = true},
-                 .fields = chooseFields(o.fields),
-                 .ofText = chooseFields("").numbers};
+                 .fields = o.fields.value_or(defaultFields()),
+                 .ofText = defaultFields().numbers};
   how.frustum = viewFrustum(how.camera);
-  if (!o.model.empty()) how.worldFromLocal = readModel(o.model);
-  if (how.arithmetic && o.tolerance.given())
-    throw UsageError("--tolerance is for --precision auto, which chooses by it");
+  if (o.model) how.worldFromLocal = readModel(*o.model);
+  o.camera.noteWriting(file, shownOf(o.fields), "--fields with ndc or clip");
   setup.writer.arrayName = "position";
   return runFilter(setup, [&] { return std::make_unique<ProjectWork>(how); });
 }
@@ -278,12 +295,11 @@ Action defineProject(CLI::App& app) {
   o->camera.add(app);
   o->camera.addWriting(app);
   o->stream.add(app, "points");
-  o->precision.add(app);
-  o->tolerance.add(app);
-  addRepeatable(app, "--point", o->points, "A point, in place of FILE and standard input")
-      ->type_name("X,Y,Z[,W]|lat=..,lon=..,height=..");
-  app.add_option("--fields", o->fields, helpOnFields())->type_name("NAMES");
-  addModel(app, o->model, "points");
+  addPrecision(app, o->precision);
+  addTolerance(app, o->tolerance);
+  addValues(app, "--point", kPointForm, o->points, readGivenPoint, "A point, in place of FILE and standard input");
+  addValue(app, "--fields", "NAMES", o->fields, readFields, helpOnFields());
+  addModelOption(app, o->model, "points");
   return [o] { return run(*o); };
 }
 

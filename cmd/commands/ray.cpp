@@ -1,5 +1,6 @@
 // viewproj ray: pixels to rays, and to the points behind them.
 #include <algorithm>
+#include <atomic>
 #include <limits>
 
 #include "commands/command.hpp"
@@ -38,7 +39,8 @@ struct Casting {
   std::optional<std::vector<SceneObject>> scene = {};
   bool sceneHasEllipsoid = false;
   bool allHits = false;
-  bool clipped = false;  ///< hits between near and far alone
+  bool clipped = false;                           ///< hits between near and far alone
+  mutable std::atomic<bool> hadDistance = false;  ///< of a record
 };
 
 struct SceneHit {
@@ -78,6 +80,7 @@ class RayWork final : public RecordWork {
     if (pixel.hasDistance || sink.hasFixedColumns()) {
       sink.vector(results::point, point.position);
       if (how_.wantBound) sink.number(results::pointBound, point.status == DepthStatus::point ? point.bound : kNaN);
+      if (pixel.hasDistance) how_.hadDistance.store(true, std::memory_order_relaxed);
     }
     if (how_.scene) writeHits(ray, sink);
   }
@@ -132,53 +135,63 @@ class RayWork final : public RecordWork {
   std::vector<Pixel> pixels_;
 };
 
-/// Pixels of the command line as JSON records.
-std::vector<GivenRecord> recordsOf(const std::vector<std::string>& pixels) {
-  std::vector<GivenRecord> records;
-  for (const std::string& text : pixels) {
-    const std::vector<double> n = readPixelOption(text);
-    std::string json = "{\"screen\":[" + formatNumber(n[0]) + "," + formatNumber(n[1]) + "]";
-    if (n.size() > 2) json += ",\"depth\":" + formatNumber(n[2]);
-    records.push_back({"--pixel " + text, json + "}"});
-  }
-  return records;
+/// A pixel of the command line as a JSON record.
+struct GivenPixel {
+  GivenRecord record;
+  bool hasDepth = false;
+};
+
+GivenPixel readPixel(const std::string& option, const std::string& text) {
+  const std::vector<double> n = readPixelNumbers(option, text);
+  std::string json = "{\"screen\":[" + formatNumber(n[0]) + "," + formatNumber(n[1]) + "]";
+  if (n.size() > 2) json += ",\"depth\":" + formatNumber(n[2]);
+  return {{option + " " + text, json + "}"}, n.size() > 2};
 }
 
 struct Options {
   CameraOptions camera;
   StreamOptions stream;
-  PrecisionOption precision;
-  std::vector<std::string> pixels;
-  std::string from = "eye", scene;
+  PrecisionMode precision;
+  std::vector<GivenPixel> pixels;
+  RayOrigin from = RayOrigin::eye;
+  std::optional<std::string> scene;
   bool wantBound = false, allHits = false, clipped = false;
 };
 
 int run(const Options& o) {
-  if (o.scene.empty() && (o.allHits || o.clipped))
+  if (!o.scene && (o.allHits || o.clipped))
     throw UsageError(std::string(o.allHits ? "--all-hits" : "--clipped") + " is for --scene, which is not given");
   FilterSetup setup = o.stream.setup(kPixelColumns);
-  setup.given = recordsOf(o.pixels);
-  o.stream.requireOneInput(setup, o.camera, {"the scene", o.scene == "-"});
-  static constexpr std::string_view kPlaces[] = {"eye", "near"};
-  requireKnown("--ray-from", o.from, kPlaces);
+  bool mayHaveDepth = o.pixels.empty();
+  for (const GivenPixel& pixel : o.pixels) {
+    setup.given.push_back(pixel.record);
+    mayHaveDepth = mayHaveDepth || pixel.hasDepth;
+  }
+  if (o.wantBound && !mayHaveDepth)
+    throw UsageError("--bound is of the point at a pixel's DEPTH, and --pixel gives none");
+  o.stream.requireOneInput(setup, o.camera, {"the scene", isStandardInput(o.scene)});
   // Rays are within kRayDirectionBound in standard already: fast and auto need nothing else.
-  const bool exact = o.precision.value() == Precision::exact;
+  const bool exact = o.precision.arithmetic == Precision::exact;
   Casting how{.camera = makeCamera(o.camera.read()),
               .arithmetic = exact ? Precision::exact : Precision::standard,
-              .origin = o.from == "near" ? RayOrigin::nearPlane : RayOrigin::eye,
+              .origin = o.from,
               .wantBound = o.wantBound,
               .columns = setup.columns,
               .allHits = o.allHits,
               .clipped = o.clipped};
-  if (!o.scene.empty()) {
-    how.scene = readScene(o.scene);
+  if (o.scene) {
+    how.scene = readScene(*o.scene);
     for (const SceneObject& object : *how.scene)
       how.sceneHasEllipsoid |= std::holds_alternative<Ellipsoid>(object.shape);
   }
   setup.writer.arrayName = "screen";
   setup.writer.arraySize = 2;
   setup.writer.extraName = "depth";
-  return runFilter(setup, [&] { return std::make_unique<RayWork>(how); });
+  setup.note = [&](const std::string& note) { o.camera.notes().say(note); };
+  const int status = runFilter(setup, [&] { return std::make_unique<RayWork>(how); });
+  if (o.wantBound && !how.hadDistance)
+    o.camera.notes().say("--bound changes nothing here: it is of the point at a depth, and no pixel has one");
+  return status;
 }
 
 }  // namespace
@@ -195,16 +208,16 @@ Action defineRay(CLI::App& app) {
       "  --pixel 640,360 --to table");
   o->camera.add(app);
   o->stream.add(app, "pixels");
-  o->precision.add(app);
-  addRepeatable(app, "--pixel", o->pixels, "A pixel, with a window depth if known, in place of FILE and standard input")
-      ->type_name("X,Y[,DEPTH]");
-  app.add_option("--ray-from", o->from,
-                 "Where rays begin: eye (the plane through it) or near (the near plane) (default: eye)")
-      ->type_name("PLACE");
+  static constexpr std::pair<std::string_view, RayOrigin> kPlaces[] = {{"eye", RayOrigin::eye},
+                                                                       {"near", RayOrigin::nearPlane}};
+  addPrecision(app, o->precision);
+  addValues(app, "--pixel", "X,Y[,DEPTH]", o->pixels, readPixel,
+            "A pixel, with a window depth if known, in place of FILE and standard input");
+  addChoice(app, "--ray-from", "PLACE", o->from, namesOf(kPlaces),
+            "Where rays begin, on the plane through the eye or on the near plane");
   app.add_flag("--bound", o->wantBound,
                "Give each point's bound: how far it can be from the true one if its depth was rounded to double");
-  app.add_option("--scene", o->scene, "Scene file, or the JSON itself, to shoot at: the nearest hit of each ray")
-      ->type_name("FILE");
+  addSceneOption(app, o->scene, ", to shoot at: the nearest hit of each ray");
   app.add_flag("--all-hits", o->allHits, "Every hit with the scene, nearest first");
   app.add_flag("--clipped", o->clipped, "Only hits between near and far");
   return [o] { return run(*o); };

@@ -1,7 +1,6 @@
 #include "commands/run.hpp"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 
 #include "commands/help.hpp"
 #include "output/output_file.hpp"
@@ -11,30 +10,19 @@
 namespace viewproj::cmd {
 namespace {
 
-/// What was typed is checked as it was typed: an option of one value is given once, and no value is empty.
-void requireOneValueEach(const CLI::App& app) {
-  for (const CLI::Option* option : app.get_options()) {
-    if (option->get_items_expected_max() == 0) continue;  // a flag
-    const std::vector<std::string>& values = option->results();
-    const std::string name = option->get_name();
-    if (std::find(values.begin(), values.end(), "") != values.end())
-      throw UsageError(name + " has an empty value; is a variable of a script not set?");
-    if (values.size() > 1 && option->get_multi_option_policy() == CLI::MultiOptionPolicy::TakeLast)
-      throw UsageError(name + " is given twice: " + values[0] + " and " + values[1]);
-  }
-}
-
 /// Throws UsageError, or HelpGiven after writing the help.
 void parse(CLI::App& app, int argc, char** argv) {
-  for (CLI::Option* option : app.get_options())
-    if (option->get_multi_option_policy() == CLI::MultiOptionPolicy::Throw)
-      option->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  const auto help = [&]() -> HelpGiven {
+    writeOutput(helpText(describe(app)));
+    return {};
+  };
   try {
     app.parse(argc, argv);
-    requireOneValueEach(app);
+  } catch (const UsageError&) {  // of an option's value; help goes first
+    if (app.get_help_ptr()->count() > 0) throw help();
+    throw;
   } catch (const CLI::CallForHelp&) {
-    writeOutput(helpText(describe(app)));
-    throw HelpGiven{};
+    throw help();
   } catch (const CLI::ExtrasError&) {
     const std::string extra = app.remaining().front();
     std::vector<std::string> names;

@@ -12,29 +12,28 @@
 namespace viewproj::cmd {
 namespace {
 
-int run(const std::string& name) {
-  std::vector<std::string_view> known;
-  for (const NamedSchema& schema : kSchemas) {
-    if (schema.name == name) {
-      writeOutput(schema.text());
-      return 0;
-    }
-    known.push_back(schema.name);
-  }
-  if (name.empty()) throw UsageError("NAME is needed: " + joined(known));
-  failUnknown("NAME", name, known);
+Names<const NamedSchema*> schemas() {
+  Names<const NamedSchema*> known;
+  for (const NamedSchema& schema : kSchemas) known.emplace_back(schema.name, &schema);
+  return known;
+}
+
+int run(const std::optional<const NamedSchema*>& schema) {
+  if (!schema) throw UsageError("NAME is needed: " + joined(known(schemas())));
+  writeOutput((*schema)->text());
+  return 0;
 }
 
 }  // namespace
 
 Action defineSchema(CLI::App& app) {
-  const auto name = std::make_shared<std::string>();
+  const auto schema = std::make_shared<std::optional<const NamedSchema*>>();
   app.description(
       "The JSON Schema (draft 2020-12) of a camera file, of points, of a scene, or of results, for editors and "
       "validators.");
   app.footer("viewproj schema camera");
-  app.add_option("NAME", *name, "camera, points, scene or results");
-  return [name] { return run(*name); };
+  addChoice(app, "NAME", "", *schema, schemas(), "What the schema is of", "");
+  return [schema] { return run(*schema); };
 }
 
 }  // namespace viewproj::cmd

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <unordered_map>
 
 #include "input/importers/importer.hpp"
 #include "text/error.hpp"
+#include "text/format_number.hpp"
 #include "text/names.hpp"
+#include "text/visible.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -24,6 +27,10 @@ const Importer* importerOf(const Document& document) {
 /// The canonical file holds one camera.
 std::vector<HeldCamera> listCanonical(const Document& document) {
   const ObjectReader root(document, document.root(), {});
+  if (!root.has("projection")) {
+    const CameraFile file = readCamera(document, {});
+    if (!file.pose) root.fail("holds no camera: neither a projection nor a pose");
+  }
   std::string_view kind = "no projection";
   if (const auto projection = root.object("projection")) kind = projection->text("type").value_or(kind);
   return {{root.isString("name") ? *root.text("name") : "", "0", "", kind, "a camera file"}};
@@ -40,9 +47,7 @@ NameCounts countNames(const std::vector<HeldCamera>& all) {
 
 /// The shortest text behind # that picks the camera and no other, and that fits on a line.
 std::string pickOf(const HeldCamera& camera, const NameCounts& counts) {
-  const bool plain =
-      std::all_of(camera.name.begin(), camera.name.end(), [](unsigned char c) { return c >= ' ' && c != 0x7f; });
-  const bool named = !camera.name.empty() && plain && counts.at(camera.name) == 1;
+  const bool named = !camera.name.empty() && visible(camera.name) == camera.name && counts.at(camera.name) == 1;
   return named ? std::string(camera.name) : camera.number;
 }
 
@@ -75,10 +80,26 @@ std::size_t choose(const Document& document, const std::vector<HeldCamera>& came
     if (found.empty()) continue;
     std::vector<HeldCamera> several;
     for (std::size_t i : found) several.push_back(cameras[i]);
-    throw InputError(document.name() + ": has " + std::to_string(found.size()) + " cameras called '" + *pick +
-                     "'; their numbers tell them apart: " + someOf(cameras, several));
+    throw InputError(document.name() + ": has " + std::to_string(found.size()) + " cameras called " +
+                     cmd::quoted(*pick) + "; their numbers tell them apart: " + someOf(cameras, several));
   }
-  throw InputError(document.name() + ": has no camera '" + *pick + "'; it has " + choices);
+  throw InputError(document.name() + ": has no camera " + cmd::quoted(*pick) + "; it has " + choices);
+}
+
+/// Angles in degrees that look like radians: half a turn is 3.14 of them, and few lenses see less than 3 degrees.
+constexpr double kLeastLikeRadians = 0.05, kMostLikeRadians = 3.2;
+
+void noteRadians(const Document& document) {
+  const auto projection = document.root().find("projection");
+  if (projection == document.root().end() || !projection->is_object()) return;
+  for (const char* field : {"fovY", "fovX", "fovDiagonal"}) {
+    const auto angle = projection->find(field);
+    if (angle == projection->end() || !angle->is_number()) continue;
+    const double degrees = angle->get<double>();
+    if (!(degrees >= kLeastLikeRadians && degrees < kMostLikeRadians)) continue;
+    const std::string typed = formatNumber(degrees), meant = formatDigits(degrees * 180 / std::numbers::pi, 6);
+    document.note({"projection", field}, "is " + typed + " degrees; as radians it would be " + meant + " degrees");
+  }
 }
 
 }  // namespace
@@ -107,7 +128,9 @@ CameraFile readAnyCamera(const Document& document, const std::optional<std::stri
   const Importer* importer = importerOf(document);
   if (!importer) {
     if (pick) choose(document, listCanonical(document), pick);
-    return readCamera(document, reading);
+    CameraFile file = readCamera(document, reading);
+    noteRadians(document);
+    return file;
   }
   if (!reading.readAs.empty() && importer != &kMatrices)
     throw InputError(document.name() + ": is " + std::string(importer->form) +
@@ -116,6 +139,19 @@ CameraFile readAnyCamera(const Document& document, const std::optional<std::stri
   const CameraFile file = importer->read(document, choose(document, cameras, pick), reading);
   document.requireSetsRead(std::string(importer->form));
   return file;
+}
+
+void setViewportSize(Document& document, double width, double height) {
+  const auto viewport = document.root().find("viewport");
+  if (viewport != document.root().end() && !viewport->is_object()) document.set(readAssignment("viewport=null"));
+  document.set(readAssignment("viewport.width=" + formatNumber(width)));
+  document.set(readAssignment("viewport.height=" + formatNumber(height)));
+}
+
+bool statesConvention(const Document& document) {
+  const Importer* importer = importerOf(document);
+  const auto stated = document.root().find("convention");
+  return importer || (stated != document.root().end() && !stated->is_null());
 }
 
 std::string listCameras(const Document& document) {
@@ -139,7 +175,7 @@ std::string listCameras(const Document& document) {
   std::string text;
   for (const HeldCamera& camera : cameras)
     text += "#" + padded(pickOf(camera, counts), pickWidth) + "  " +
-            padded(std::string(camera.kind.substr(0, kWidest)), kindWidth) + "  " + camera.note + "\n";
+            padded(visible(camera.kind.substr(0, kWidest)), kindWidth) + "  " + visible(camera.note) + "\n";
   return text;
 }
 

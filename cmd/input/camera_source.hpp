@@ -14,13 +14,20 @@ struct CameraSource {
   std::optional<std::string> pick;
 };
 
+/// Gives or replaces the size of the viewport.
+void setViewportSize(Document& document, double width, double height);
+
 CameraSource splitPick(const std::string& given);
 
 /// Throws InputError with the place of what is wrong.
 CameraFile readAnyCamera(const Document& document, const std::optional<std::string>& pick,
                          const CameraReading& reading);
 
-/// A line for each camera that the file holds: how it is picked, what it is, and a few words.
+/// Whether the file says how its numbers are meant: it has a convention, or is of a form that says so.
+bool statesConvention(const Document& document);
+
+/// A line for each camera that the file holds: how it is picked, what it is, and a few words. Throws InputError where
+/// it holds none.
 std::string listCameras(const Document& document);
 
 }  // namespace viewproj::cmd

@@ -5,6 +5,7 @@
 
 #include "text/error.hpp"
 #include "text/names.hpp"
+#include "text/visible.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -182,9 +183,9 @@ std::size_t fieldOf(const Pick& pick, const ColumnChoice& choice, const RecordPa
   std::vector<std::string_view> names;
   if (few) names.assign(shape.names.begin(), shape.names.end());
   const std::string_view nearest = pick.name.size() < kLong ? "" : nearestName(pick.name, names);
-  throw RecordError(0, "has no " + what + " " + pick.name + ", which --columns names" +
+  throw RecordError(0, "has no " + what + " " + visible(pick.name) + ", which --columns names" +
                            (!nearest.empty() ? "; did you mean " + quoted(nearest) + "?"
-                            : few            ? "; known are " + joined(names)
+                            : few            ? "; known are " + visible(joined(names))
                                              : ""));
 }
 

@@ -1,6 +1,7 @@
 #include "input/convention_fields.hpp"
 
 #include "input/camera_fields.hpp"
+#include "text/json_build.hpp"
 #include "text/names.hpp"
 
 namespace viewproj::cmd {
@@ -24,6 +25,14 @@ Convention readAxes(const ObjectReader& fields, Convention c) {
   c.vectors = fields.choice(field::vectors, kVectorsNames).value_or(c.vectors);
   c.storage = fields.choice(field::storage, kStorageNames).value_or(c.storage);
   return c;
+}
+
+std::string jsonOf(const Convention& c) {
+  JsonObject out;
+  out.add(field::handedness, nameOf(kWorldNames, c.world)).add(field::view, nameOf(kViewNames, c.view));
+  out.add(field::ndcZ, nameOf(kNdcZNames, c.ndcZ)).add(field::reverseZ, c.reverseZ);
+  out.add(field::ndcY, nameOf(kNdcYNames, c.ndcY)).add(field::vectors, nameOf(kVectorsNames, c.vectors));
+  return out.add(field::storage, nameOf(kStorageNames, c.storage)).text();
 }
 
 std::optional<StatedConvention> readConvention(const ObjectReader& file, const ConventionPreset& fallback) {

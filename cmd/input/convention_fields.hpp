@@ -21,6 +21,9 @@ std::optional<StatedConvention> readConvention(const ObjectReader& file, const C
 /// The preset named (--read-as), or else the file's own convention, or else the fallback.
 StatedConvention readStated(const ObjectReader& file, const std::string& readAs, const ConventionPreset& fallback);
 
+/// {"world": ..., every axis}.
+std::string jsonOf(const Convention& convention);
+
 /// Axis by axis, each that is not named from base.
 Convention readAxes(const ObjectReader& fields, Convention base);
 

@@ -81,19 +81,19 @@ Document::Document(const std::string& source, const std::string& option, const c
     throw InputError(place(name_, positionAt(text_, *at)) + ": nested deeper than " + std::to_string(kDeepest));
   root_ = std::make_unique<nlohmann::json>();
   if (const auto fault = parseJson(text_, *root_))
-    throw InputError(place(name_, positionAt(text_, fault->offset)) + ": " + withoutNul(fault->message));
+    throw InputError(place(name_, positionAt(text_, fault->offset)) + ": " + visible(fault->message));
   if (arrayKey && root_->is_array()) *root_ = {{arrayKey, std::move(*root_)}};
   if (!root_->is_object()) throw InputError(place(name_, {}) + ": expected a JSON object");
 }
 
 Document::~Document() = default;
 
-void Document::set(const std::string& assignment) {
-  const std::size_t equals = assignment.find('=');
+Assignment readAssignment(const std::string& typed) {
+  const std::size_t equals = typed.find('=');
   if (equals == std::string::npos || equals == 0)
-    throw UsageError("--set " + assignment + ": expected FIELD=VALUE, as in projection.fovY=75");
-  const Path path = undotted(assignment.substr(0, equals));
-  const std::string text = assignment.substr(equals + 1);
+    throw UsageError("--set " + typed + ": expected FIELD=VALUE, as in projection.fovY=75");
+  const Path path = undotted(typed.substr(0, equals));
+  const std::string text = typed.substr(equals + 1);
   nlohmann::json value;
   if (jsonFault(text)) {
     value = text;
@@ -101,16 +101,22 @@ void Document::set(const std::string& assignment) {
     if (tooDeepAt(text))
       throw UsageError("--set " + dotted(path) + ": the value is nested deeper than " + std::to_string(kDeepest));
     if (const auto fault = parseJson(text, value))
-      throw UsageError("--set " + dotted(path) + ": " + withoutNul(fault->message));
+      throw UsageError("--set " + dotted(path) + ": " + visible(fault->message));
   }
   if (value.is_string() && !isUtf8(text)) throw UsageError("--set " + dotted(path) + ": the value is not UTF-8");
+  return {path, typed, std::make_shared<const nlohmann::json>(std::move(value))};
+}
 
+void Document::set(const Assignment& assignment) {
+  const Path& path = assignment.path;
+  const std::string& typed = assignment.text;
+  const nlohmann::json& value = *assignment.value;
   nlohmann::json* at = root_.get();
   const auto element = [&](const std::string& step) {
     std::size_t index = 0;
     const auto [end, error] = std::from_chars(step.data(), step.data() + step.size(), index);
     if (error != std::errc() || end != step.data() + step.size() || index >= at->size())
-      throw UsageError("--set " + assignment + ": there is no element " + step + " of " + std::to_string(at->size()));
+      throw UsageError("--set " + typed + ": there is no element " + step + " of " + std::to_string(at->size()));
     return index;
   };
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
@@ -122,13 +128,13 @@ void Document::set(const std::string& assignment) {
     nlohmann::json& next = (*at)[path[i]];
     if (path[i] == "convention" && next.is_string()) next = {{"preset", next}};
     if (next.is_null()) next = nlohmann::json::object();
-    if (!next.is_structured()) throw UsageError("--set " + assignment + ": " + path[i] + " is not an object");
+    if (!next.is_structured()) throw UsageError("--set " + typed + ": " + path[i] + " is not an object");
     at = &next;
   }
   if (at->is_array())
     (*at)[element(path.back())] = value;
   else if (!at->is_object())
-    throw UsageError("--set " + assignment + ": " + path[path.size() - 2] + " is not an object");
+    throw UsageError("--set " + typed + ": " + path[path.size() - 2] + " is not an object");
   else if (value.is_null())
     at->erase(path.back());
   else
@@ -158,11 +164,16 @@ void Document::fail(const Path& path, const std::string& message, bool showValue
     value = next;
     if (!value) break;
   }
-  const std::string what =
-      withoutNul((path.empty() ? "" : dotted(path) + ": ") + message + (value && showValue ? shown(*value) : ""));
-  if (set_.count(dotted(path))) throw InputError("--set " + what);
-  throw InputError(place(name_, positionAt(text_, locate(text_, path))) + ": " + what);
+  throw InputError(placed(path, message + (value && showValue ? shown(*value) : "")));
 }
+
+std::string Document::placed(const Path& path, const std::string& message) const {
+  const std::string what = visible((path.empty() ? "" : dotted(path) + ": ") + message);
+  if (set_.count(dotted(path))) return "--set " + what;
+  return place(name_, positionAt(text_, locate(text_, path))) + ": " + what;
+}
+
+void Document::note(const Path& path, const std::string& message) const { notes_.push_back(placed(path, message)); }
 
 ObjectReader::ObjectReader(const Document& document, const nlohmann::json& object, Path path)
     : document_(&document), object_(&object), path_(std::move(path)) {

@@ -21,6 +21,16 @@ using Path = std::vector<std::string>;
 std::string dotted(const Path& path);
 Path undotted(std::string_view path);
 
+/// A field and its value, null to remove it.
+struct Assignment {
+  Path path;
+  std::string text;  ///< as it was typed, for messages
+  std::shared_ptr<const nlohmann::json> value;
+};
+
+/// "projection.fovY=75" or "nodes.3.camera=0"; the value is JSON, or else text. Throws UsageError.
+Assignment readAssignment(const std::string& text);
+
 class Document {
  public:
   /// source: a file name, "-" for standard input, or the JSON itself if it starts with "{". Of a .glb file the JSON in
@@ -34,9 +44,8 @@ class Document {
   const nlohmann::json& root() const { return *root_; }
   const std::string& name() const { return name_; }
 
-  /// "projection.fovY=75" or "nodes.3.camera=0": sets a field, or with null removes it. The value is JSON, or else
-  /// text.
-  void set(const std::string& assignment);
+  /// Sets a field. Throws UsageError where there is no place for it.
+  void set(const Assignment& assignment);
 
   /// Throws for a field that was set and that no reader has looked at. form: what the file is.
   void requireSetsRead(const std::string& form) const;
@@ -44,7 +53,12 @@ class Document {
   /// Names the place of the path and, unless told not to, the value there.
   [[noreturn]] void fail(const Path& path, const std::string& message, bool showValue = true) const;
 
+  /// What is read as it stands, but probably not meant; with its place.
+  void note(const Path& path, const std::string& message) const;
+  const std::vector<std::string>& notes() const { return notes_; }
+
  private:
+  std::string placed(const Path& path, const std::string& message) const;
   friend class ObjectReader;
   friend class ObjectList;
   void noteRead(const Path& path, bool andBelow) const;
@@ -55,6 +69,7 @@ class Document {
   std::unique_ptr<nlohmann::json> root_;
   std::set<std::string> set_;
   mutable std::set<std::string> unread_;  ///< of set_
+  mutable std::vector<std::string> notes_;
 };
 
 class ObjectList;

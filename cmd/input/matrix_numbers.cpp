@@ -28,6 +28,54 @@ std::string lowered(std::string_view text) {
   return result;
 }
 
+/// A number as it was typed.
+struct Typed {
+  double value = 0;
+  int significant = 0;  ///< digits from the first that is not 0 on
+  int decimals = 0;     ///< the place of the last digit is 10^-decimals
+  int exponent = 0;     ///< that of the first digit
+};
+
+/// text: a number that parseNumber takes.
+Typed typedNumber(std::string_view text, double value) {
+  Typed number{.value = value};
+  bool fraction = false;
+  std::size_t at = text.find_first_of("0123456789.");
+  for (; at < text.size() && (isDigit(text[at]) || text[at] == '.'); ++at) {
+    if (text[at] == '.') {
+      fraction = true;
+      continue;
+    }
+    if (fraction) ++number.decimals;
+    if (number.significant > 0 || text[at] != '0') ++number.significant;
+  }
+  if (at + 1 < text.size()) {
+    const auto power = parseNumber(text.substr(at + 1));
+    number.decimals -= static_cast<int>(std::clamp(power.value_or(0), -1000.0, 1000.0));
+  }
+  number.exponent = number.significant - 1 - number.decimals;
+  return number;
+}
+
+/// What the digits of sixteen numbers are worth: half a unit of the finest place that the matrix shows, or of the last
+/// of as many digits as its longest number has. 0, 1 and -1 are what they are, unless written out to that place.
+void setDigits(WrittenMatrix& m, const std::array<Typed, 16>& numbers) {
+  int finest = 0;
+  for (const Typed& number : numbers) {
+    m.digits = std::max(m.digits, number.significant);
+    finest = std::max(finest, number.decimals);
+  }
+  for (std::size_t i = 0; i < 16; ++i) {
+    const auto& [value, significant, decimals, exponent] = numbers[i];
+    m.numbers[i] = value;
+    const bool isWord = value == 0 || std::fabs(value) == 1;
+    if (isWord && !(finest > 1 && decimals == finest)) continue;
+    const double ofPlace = std::pow(10.0, -finest);
+    const double ofDigits = value == 0 ? 0 : std::pow(10.0, exponent - m.digits + 1);
+    m.within[i] = std::max(ofPlace, ofDigits) / 2;
+  }
+}
+
 /// Reads one text from front to back; numbers gather until they are sixteen.
 class Scanner {
  public:
@@ -43,12 +91,12 @@ class Scanner {
 
  private:
   struct Gathered {
-    double number;
+    Typed number;
     std::size_t line, group, offset;
   };
 
   [[noreturn]] void fail(std::size_t offset, const std::string& message) const {
-    throw InputError(place(file_, positionAt(text_, offset)) + ": " + withoutNul(message));
+    throw InputError(place(file_, positionAt(text_, offset)) + ": " + visible(message));
   }
 
   void step() {
@@ -102,7 +150,7 @@ class Scanner {
   /// As in m[4][4].
   bool areArraySizes() const {
     return std::all_of(gathered_.begin(), gathered_.end(), [](const Gathered& g) {
-      return g.number > 0 && g.number <= 16 && g.number == std::floor(g.number);
+      return g.number.value > 0 && g.number.value <= 16 && g.number.value == std::floor(g.number.value);
     });
   }
 
@@ -145,7 +193,7 @@ class Scanner {
       digits.pop_back();
     const auto value = parseNumber(digits);
     if (!value || digits.size() + 2 < token.size()) fail(begin, "'" + token + "' is not a finite number");
-    gathered_.push_back({*value, line_, group_, begin});
+    gathered_.push_back({typedNumber(digits, *value), line_, group_, begin});
     if (gathered_.size() == 16) flush();
   }
 
@@ -158,8 +206,10 @@ class Scanner {
 
   void flush() {
     WrittenMatrix m;
-    m.name = withoutNul(name_);
-    for (std::size_t i = 0; i < 16; ++i) m.numbers[i] = gathered_[i].number;
+    m.name = visible(name_);
+    std::array<Typed, 16> numbers;
+    for (std::size_t i = 0; i < 16; ++i) numbers[i] = gathered_[i].number;
+    setDigits(m, numbers);
     if (fourByFour([&](std::size_t i) { return gathered_[i].line; }) ||
         fourByFour([&](std::size_t i) { return gathered_[i].group; }))
       m.order = NumberOrder::rows;
@@ -200,6 +250,20 @@ class Scanner {
   std::vector<WrittenMatrix> found_;
 };
 
+/// The numbers in JSON text of arrays.
+std::array<Typed, 16> typedNumbers(std::string_view json, const std::vector<double>& values) {
+  constexpr std::string_view kBetween = "[], \t\r\n";
+  std::array<Typed, 16> numbers;
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < 16; ++i) {
+    at = json.find_first_not_of(kBetween, at);
+    const std::size_t end = json.find_first_of(kBetween, at);
+    numbers[i] = typedNumber(json.substr(at, end - at), values[i]);
+    at = end;
+  }
+  return numbers;
+}
+
 WrittenMatrices parseObject(const std::string& text, const std::string& name) {
   const Document document(text, name);
   WrittenMatrices result;
@@ -227,14 +291,17 @@ WrittenMatrices parseObject(const std::string& text, const std::string& name) {
       if (!nested && value.size() < 9) continue;  // an eye, a position, ...
       document.fail({key}, "expected 16 numbers or 4 rows of 4", false);
     }
-    WrittenMatrix m{withoutNul(key), {}, nested ? NumberOrder::rows : NumberOrder::memory};
-    std::copy(numbers.begin(), numbers.end(), m.numbers.begin());
+    WrittenMatrix m;
+    m.name = visible(key);
+    m.order = nested ? NumberOrder::rows : NumberOrder::memory;
+    setDigits(m, typedNumbers(part->value, numbers));
     result.matrices.push_back(m);
   }
   if (result.matrices.empty()) document.fail({}, "has no matrix: no value of 16 numbers or 4 rows of 4");
   const auto convention = document.root().find("convention");
   if (convention != document.root().end() && convention->is_object())
     result.convention = readAxes(ObjectReader(document, *convention, {"convention"}), {});
+  result.isOwn = result.convention.has_value();
   return result;
 }
 
@@ -248,7 +315,9 @@ WrittenMatrices parseMatrices(const std::string& given, const std::string& name)
     const std::size_t second = text.find_first_not_of(" \t\r\n", first + 1);
     if (second != std::string::npos && (text[second] == '"' || text[second] == '}')) return parseObject(text, name);
   }
-  return {Scanner(text, name).matrices(), std::nullopt};
+  // As the comment in source code begins.
+  const bool isOwn = text.find("-handed world; view x right, ") != std::string::npos;
+  return {Scanner(text, name).matrices(), std::nullopt, isOwn};
 }
 
 }  // namespace viewproj::cmd

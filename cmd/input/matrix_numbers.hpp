@@ -14,12 +14,15 @@ namespace viewproj::cmd {
 struct WrittenMatrix {
   std::string name;  ///< as the input calls it, or empty
   std::array<double, 16> numbers{};
+  std::array<double, 16> within{};          ///< how far each may be off, going by its digits
+  int digits = 0;                           ///< the most significant ones that a number has
   NumberOrder order = NumberOrder::memory;  ///< rows: written in four groups or on four lines of four
 };
 
 struct WrittenMatrices {
   std::vector<WrittenMatrix> matrices;
   std::optional<Convention> convention;  ///< what the input says of itself, as `matrix --to json` does
+  bool isOwn = false;                    ///< written by `matrix`, which leaves no digit out
 };
 
 /// The text is

@@ -1,7 +1,6 @@
 #include "input/record.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <cstring>
 #include <functional>
 
@@ -23,21 +22,6 @@ void splitText(std::string_view text, std::vector<std::string_view>& values) {
 }
 
 }  // namespace
-
-std::string quoted(std::string_view text) {
-  constexpr std::size_t kMostShown = 40;
-  std::size_t end = std::min(text.size(), kMostShown);
-  if (end < text.size())
-    while (end > 0 && (text[end] & 0xC0) == 0x80) --end;  // not within a character
-  std::string shown = "'";
-  for (const char c : text.substr(0, end)) {
-    char code[12];
-    std::snprintf(code, sizeof code, "<U+%04X>", static_cast<unsigned char>(c));
-    const bool control = static_cast<unsigned char>(c) < ' ' || c == 0x7f;
-    shown += control ? std::string(code) : std::string(1, c);
-  }
-  return shown + (end < text.size() ? "...'" : "'");
-}
 
 std::optional<std::size_t> Shape::find(std::string_view name) const {
   for (std::size_t i = 0; i < names.size(); ++i)

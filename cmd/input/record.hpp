@@ -10,6 +10,7 @@
 
 #include "text/form.hpp"
 #include "text/json_text.hpp"
+#include "text/visible.hpp"
 
 namespace viewproj::cmd {
 
@@ -115,8 +116,5 @@ CsvHeader readCsvHeader(std::string_view line, const std::vector<std::string>& d
 
 /// The name of a column without one.
 std::string nameOfColumn(const std::vector<std::string>& names, std::size_t column);
-
-/// The beginning of a text in quotes, on one line, for messages.
-std::string quoted(std::string_view text);
 
 }  // namespace viewproj::cmd

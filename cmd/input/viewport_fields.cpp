@@ -46,8 +46,16 @@ std::optional<ReadViewport> readViewport(const ObjectReader& file, const Viewpor
   }
   validate(v);
   const ReadViewport read{v, crop};
-  (void)read.tile();  // says what is wrong with the crop
+  validate(read.tile());
   return read;
+}
+
+Viewport ReadViewport::tile() const {
+  if (!crop) return frame;
+  Viewport tile = cropped(frame, *crop);
+  tile.x = frame.x;
+  tile.y = frame.y;
+  return tile;
 }
 
 DoubleDouble viewportAspect(const Viewport& viewport) {

@@ -13,8 +13,8 @@ struct ReadViewport {
   Viewport frame;
   std::optional<Crop> crop;
 
-  /// The tile, or else the frame.
-  Viewport tile() const { return crop ? cropped(frame, *crop) : frame; }
+  /// The tile, whose corner is at the frame's x and y; or else the frame.
+  Viewport tile() const;
 };
 
 /// What a file says of its picture elsewhere.

@@ -9,18 +9,10 @@ namespace viewproj::cmd {
 
 namespace {
 
-std::string jsonOf(const Vec3& v) {
-  return "[" + formatNumber(v.x) + ", " + formatNumber(v.y) + ", " + formatNumber(v.z) + "]";
-}
-
-std::string jsonOf(const Mat4& m) {
-  std::string out = "[";
-  for (std::size_t i = 0; i < 4; ++i) {
-    out += i == 0 ? "[" : ", [";
-    for (std::size_t j = 0; j < 4; ++j) out += (j == 0 ? "" : ", ") + formatNumber(m[i][j]);
-    out += "]";
-  }
-  return out + "]";
+std::string matrixAsJson(const Mat4& m) {
+  std::vector<std::string> rows;
+  for (const auto& row : m.m) rows.push_back(jsonListOf(row));
+  return jsonList(rows);
 }
 
 Vec3 roundedUnlessTiny(const DDVec3& v) {
@@ -50,11 +42,11 @@ void addLooking(std::vector<std::string>& forms, const Pose& pose, Vec3 defaultU
   const auto add = [&](std::string_view name, const Vec3& where) {
     // An axis of the world that gives the same picture before the camera's own.
     const auto addWith = [&](const Vec3& up) {
-      Fields out;
-      out.add(field::position, jsonOf(pose.eye));
-      out.add(name, jsonOf(where));
-      if (!(up == defaultUp)) out.add(field::up, jsonOf(up));
-      forms.push_back(out.text());
+      JsonObject out;
+      out.addText(field::position, jsonOf(pose.eye));
+      out.addText(name, jsonOf(where));
+      if (!(up == defaultUp)) out.addText(field::up, jsonOf(up));
+      forms.push_back(out.members());
     };
     const Vec3 axes[] = {defaultUp, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}, {0, -1, 0}, {0, 0, -1}, {-1, 0, 0}};
     for (const Vec3& up : axes) {
@@ -100,8 +92,8 @@ std::array<DoubleDouble, 4> quaternionOf(const std::array<DDVec3, 3>& c) {
   return q;
 }
 
-void addAxes(Fields& out, CameraAxes axes, const ConventionPreset& preset) {
-  if (axes != preset.cameraAxes) out.addName(field::cameraAxes, nameOf(kCameraAxesNames, axes));
+void addAxes(JsonObject& out, CameraAxes axes, const ConventionPreset& preset) {
+  if (axes != preset.cameraAxes) out.add(field::cameraAxes, nameOf(kCameraAxesNames, axes));
 }
 
 std::array<DDVec3, 3> columnsOf(const Axes& a, CameraAxes axes) {
@@ -123,14 +115,13 @@ void addRotation(std::vector<std::string>& forms, const Pose& pose, CameraAxes a
   const DoubleDouble scale = pose.exact.rightScale;
   const DoubleDouble length =
       pose.exact.upIsCross ? DoubleDouble(1) : sqrt(DoubleDouble(1) / (scale.hi < 0 ? -scale : scale));
-  Fields out;
-  out.add(field::position, jsonOf(pose.eye));
+  JsonObject out;
+  out.addText(field::position, jsonOf(pose.eye));
   addAxes(out, axes, preset);
-  std::string parts;
-  for (const DoubleDouble& part : quaternionOf(columnsOf(pose.columns, axes)))
-    parts += (parts.empty() ? "[" : ", ") + formatNumber((part * length).hi);
-  out.add(field::rotation, parts + "]");
-  forms.push_back(out.text());
+  std::vector<std::string> parts;
+  for (const DoubleDouble& part : quaternionOf(columnsOf(pose.columns, axes))) parts.push_back(jsonOf(part * length));
+  out.addText(field::rotation, jsonList(parts));
+  forms.push_back(out.members());
 }
 
 }  // namespace
@@ -147,10 +138,10 @@ std::vector<std::string> poseForms(const CameraFile& camera, const ConventionPre
   if (!right) addRotation(forms, *camera.pose, CameraAxes::FRU, preset);
   const Convention read{.world = world, .view = downwards ? ViewAxes::RDF : right ? ViewAxes::RUB : ViewAxes::RUF};
   const auto addMatrix = [&](const Field& field, const Mat4& matrix) {
-    Fields out;
+    JsonObject out;
     addAxes(out, axes, preset);
-    out.add(field, jsonOf(matrix));
-    forms.push_back(out.text());
+    out.addText(field, matrixAsJson(matrix));
+    forms.push_back(out.members());
   };
   addMatrix(field::worldFromCamera, worldFromView(*camera.pose, read));
   addMatrix(field::cameraFromWorld, viewFromWorld(*camera.pose, read));

@@ -30,36 +30,36 @@ const ConventionPreset& nearestPreset(const Convention& c) {
   return *nearest;
 }
 
-std::string jsonOf(const Convention& c, const ConventionPreset& preset) {
+std::string conventionAsJson(const Convention& c, const ConventionPreset& preset) {
   const Convention& p = preset.convention;
-  if (p == c) return "\"" + std::string(preset.name) + "\"";
-  Fields out;
-  out.addName(field::preset, preset.name);
-  if (p.world != c.world) out.addName(field::handedness, nameOf(kWorldNames, c.world));
-  if (p.view != c.view) out.addName(field::view, nameOf(kViewNames, c.view));
-  if (p.ndcZ != c.ndcZ) out.addName(field::ndcZ, nameOf(kNdcZNames, c.ndcZ));
-  if (p.reverseZ != c.reverseZ) out.add(field::reverseZ, c.reverseZ ? "true" : "false");
-  if (p.ndcY != c.ndcY) out.addName(field::ndcY, nameOf(kNdcYNames, c.ndcY));
-  if (p.vectors != c.vectors) out.addName(field::vectors, nameOf(kVectorsNames, c.vectors));
-  if (p.storage != c.storage) out.addName(field::storage, nameOf(kStorageNames, c.storage));
-  return out.object();
+  if (p == c) return jsonOf(preset.name);
+  JsonObject out;
+  out.add(field::preset, preset.name);
+  if (p.world != c.world) out.add(field::handedness, nameOf(kWorldNames, c.world));
+  if (p.view != c.view) out.add(field::view, nameOf(kViewNames, c.view));
+  if (p.ndcZ != c.ndcZ) out.add(field::ndcZ, nameOf(kNdcZNames, c.ndcZ));
+  if (p.reverseZ != c.reverseZ) out.add(field::reverseZ, c.reverseZ);
+  if (p.ndcY != c.ndcY) out.add(field::ndcY, nameOf(kNdcYNames, c.ndcY));
+  if (p.vectors != c.vectors) out.add(field::vectors, nameOf(kVectorsNames, c.vectors));
+  if (p.storage != c.storage) out.add(field::storage, nameOf(kStorageNames, c.storage));
+  return out.text();
 }
 
 // Projection
 
-void addRange(Fields& out, const Projection& p) {
+void addRange(JsonObject& out, const Projection& p) {
   out.add(field::zNear, p.near);
   if (!std::isinf(p.far)) out.add(field::zFar, p.far);
 }
 
 /// The shift that moves base's window to where p has it, unless they agree.
-void addShift(Fields& out, const Projection& base, const Projection& p) {
+void addShift(JsonObject& out, const Projection& base, const Projection& p) {
   const auto shift = [](DoubleDouble low, DoubleDouble high, DoubleDouble wantedLow, DoubleDouble wantedHigh) {
     const DoubleDouble moved = (low + high - wantedLow - wantedHigh) / (high - low);
     return std::fabs(moved.hi) <= 16 * kCancellation ? 0 : moved.hi;
   };
   const double x = shift(base.left, base.right, p.left, p.right), y = shift(base.bottom, base.top, p.bottom, p.top);
-  if (x != 0 || y != 0) out.add(field::shift, "[" + formatNumber(x) + ", " + formatNumber(y) + "]");
+  if (x != 0 || y != 0) out.addText(field::shift, jsonListOf(std::array{x, y}));
 }
 
 Projection centred(const Projection& p) {
@@ -68,66 +68,66 @@ Projection centred(const Projection& p) {
   return {false, -halfWidth, halfWidth, -halfHeight, halfHeight, p.near, p.far};
 }
 
-void writePerspective(Fields& out, const CameraFile& camera) {
+void writePerspective(JsonObject& out, const CameraFile& camera) {
   const Projection& p = *camera.projection;
   const DoubleDouble aspect = windowAspect(p);
-  out.add(field::fovY, degreesOfHalfTangent(timesPowerOfTwo(p.top - p.bottom, 0.5)));
+  out.addText(field::fovY, jsonOf(degreesOfHalfTangent(timesPowerOfTwo(p.top - p.bottom, 0.5))));
   const bool isViewports =
       camera.viewport && std::fabs((aspect - viewportAspect(*camera.viewport)).hi) <= 16 * kCancellation * aspect.hi;
-  if (!isViewports) out.add(field::aspect, aspect);
+  if (!isViewports) out.addText(field::aspect, jsonOf(aspect));
   addRange(out, p);
   addShift(out, centred(p), p);
 }
 
 /// An angle next to 180 degrees has too few digits for its tangent.
-void writeNearSize(Fields& out, const CameraFile& camera) {
+void writeNearSize(JsonObject& out, const CameraFile& camera) {
   const Projection& p = *camera.projection;
-  out.add(field::nearWidth, (p.right - p.left) * DoubleDouble(p.near));
-  out.add(field::nearHeight, (p.top - p.bottom) * DoubleDouble(p.near));
+  out.addText(field::nearWidth, jsonOf((p.right - p.left) * DoubleDouble(p.near)));
+  out.addText(field::nearHeight, jsonOf((p.top - p.bottom) * DoubleDouble(p.near)));
   addRange(out, p);
   addShift(out, centred(p), p);
 }
 
-void writeFrustum(Fields& out, const CameraFile& camera) {
+void writeFrustum(JsonObject& out, const CameraFile& camera) {
   const Projection& p = *camera.projection;
   const DoubleDouble near = p.near;
-  out.add(field::left, p.left * near);
-  out.add(field::right, p.right * near);
-  out.add(field::bottom, p.bottom * near);
-  out.add(field::top, p.top * near);
+  out.addText(field::left, jsonOf(p.left * near));
+  out.addText(field::right, jsonOf(p.right * near));
+  out.addText(field::bottom, jsonOf(p.bottom * near));
+  out.addText(field::top, jsonOf(p.top * near));
   addRange(out, p);
 }
 
-void writeIntrinsics(Fields& out, const CameraFile& camera) {
+void writeIntrinsics(JsonObject& out, const CameraFile& camera) {
   const ScreenMap map = screenMap(*camera.projection, *camera.viewport);
-  out.add(field::fx, map.scaleX);
+  out.addText(field::fx, jsonOf(map.scaleX));
   out.add(field::fy, std::fabs(map.scaleY.hi));
-  out.add(field::cx, map.centerX);
-  out.add(field::cy, map.centerY);
+  out.addText(field::cx, jsonOf(map.centerX));
+  out.addText(field::cy, jsonOf(map.centerY));
   addRange(out, *camera.projection);
 }
 
-void writeOrthographic(Fields& out, const CameraFile& camera) {
+void writeOrthographic(JsonObject& out, const CameraFile& camera) {
   const Projection& p = *camera.projection;
-  out.add(field::left, p.left);
-  out.add(field::right, p.right);
-  out.add(field::bottom, p.bottom);
-  out.add(field::top, p.top);
+  out.addText(field::left, jsonOf(p.left));
+  out.addText(field::right, jsonOf(p.right));
+  out.addText(field::bottom, jsonOf(p.bottom));
+  out.addText(field::top, jsonOf(p.top));
   addRange(out, p);
 }
 
 /// The frame lies around (cx, cy), so a window off the axis is a shift.
-void writePs2(Fields& out, const CameraFile& camera) {
+void writePs2(JsonObject& out, const CameraFile& camera) {
   const Projection& p = *camera.projection;
   const Viewport& v = *camera.viewport;
   const ScreenMap map = screenMap(p, v);
   const double scrz = map.scaleX.hi, ay = (map.scaleY / map.scaleX).hi;
   const double cx = v.x + v.width / 2, cy = v.y + v.height / 2;
   out.add(field::scrz, scrz);
-  out.add(field::ax, 1);
+  out.add(field::ax, 1.0);
   out.add(field::ay, std::fabs(ay));
-  out.add(field::cx, cx);
-  out.add(field::cy, cy);
+  out.addText(field::cx, jsonOf(cx));
+  out.addText(field::cy, jsonOf(cy));
   out.add(field::zMin, v.depthFirst);
   out.add(field::zMax, v.depthSecond);
   addRange(out, p);
@@ -136,7 +136,7 @@ void writePs2(Fields& out, const CameraFile& camera) {
 
 struct Type {
   std::string_view name;
-  void (*write)(Fields&, const CameraFile&);
+  void (*write)(JsonObject&, const CameraFile&);
   bool orthographic, needsViewport, needsReversedDepth, hasOwnPixelShape;
 };
 
@@ -193,45 +193,37 @@ std::vector<const Type*> typesFor(const CameraFile& camera, std::string_view wan
 
 // The file
 
-void addViewport(Fields& out, const Viewport& v, const ConventionPreset& preset, bool isPs2) {
-  Fields fields;
+std::string viewportAsJson(const Viewport& v, const ConventionPreset& preset, bool isPs2) {
+  JsonObject fields;
   fields.add(field::pixelWidth, v.width);
   fields.add(field::pixelHeight, v.height);
   if (!isPs2) {
     if (v.x != 0) fields.add(field::x, v.x);
     if (v.y != 0) fields.add(field::y, v.y);
     if (!(v.depthFirst == 0 && v.depthSecond == 1))
-      fields.add(field::depthRange, "[" + formatNumber(v.depthFirst) + ", " + formatNumber(v.depthSecond) + "]");
+      fields.addText(field::depthRange, jsonListOf(std::array{v.depthFirst, v.depthSecond}));
   }
-  if (v.origin != Origin::topLeft) fields.addName(field::origin, nameOf(kOriginNames, v.origin));
+  if (v.origin != Origin::topLeft) fields.add(field::origin, nameOf(kOriginNames, v.origin));
   if (v.pixelCenter != preset.pixelCenter) fields.add(field::pixelCenter, v.pixelCenter);
-  out.add(field::viewport, fields.object());
+  return fields.text();
 }
 
 std::string fileOf(const CameraFile& camera, const ConventionPreset& preset, const std::string& pose,
                    const Type* type) {
-  std::string out;
-  const auto addLine = [&](const std::string& fields) { out += (out.empty() ? "{\n  " : ",\n  ") + fields; };
-  const auto addField = [&](const Field& field, const std::string& json) {
-    Fields one;
-    one.add(field, json);
-    addLine(one.text());
-  };
-  addField(field::convention, jsonOf(camera.convention, preset));
-  if (camera.worldIsEcef) addField(field::world, "\"" + std::string(nameOf(field::kWorlds, true)) + "\"");
-  if (!pose.empty()) addLine(pose);
+  JsonObject out;
+  constexpr std::string_view kLine = ",\n  ";
+  out.addText(field::convention, conventionAsJson(camera.convention, preset), kLine);
+  if (camera.worldIsEcef) out.addText(field::world, jsonOf(nameOf(field::kWorlds, true)), kLine);
+  out.addMembers(pose, kLine);
   if (type) {
-    Fields fields;
-    fields.addName(field::type, type->name);
+    JsonObject fields;
+    fields.add(field::type, type->name);
     type->write(fields, camera);
-    addField(field::projection, fields.object());
+    out.addText(field::projection, fields.text(), kLine);
   }
-  if (camera.viewport) {
-    Fields fields;
-    addViewport(fields, *camera.viewport, preset, type && type->name == kPs2);
-    addLine(fields.text());
-  }
-  return out + "\n}\n";
+  if (camera.viewport)
+    out.addText(field::viewport, viewportAsJson(*camera.viewport, preset, type && type->name == kPs2), kLine);
+  return "{\n  " + out.members() + "\n}\n";
 }
 
 }  // namespace

@@ -1,13 +1,13 @@
 #include "output/matrix_text.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
-#include "input/convention_names.hpp"
+#include "input/convention_fields.hpp"
+#include "output/identifiers.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
+#include "text/json_build.hpp"
 #include "viewproj/matrices.hpp"
 
 namespace viewproj::cmd {
@@ -29,30 +29,20 @@ std::string row(const std::array<double, 4>& entries, std::string_view separator
   return text;
 }
 
-std::string quotedName(std::string_view name) {
-  return nlohmann::json(name).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
 /// Rows as the convention writes them on paper, and every axis of the convention.
 std::string asJson(const MatrixSet& set) {
-  const Convention& c = set.convention;
-  std::string out = "{\n  \"convention\": {\"world\": " + quotedName(nameOf(kWorldNames, c.world)) +
-                    ", \"view\": " + quotedName(nameOf(kViewNames, c.view)) +
-                    ", \"ndcZ\": " + quotedName(nameOf(kNdcZNames, c.ndcZ)) +
-                    ", \"reverseZ\": " + (c.reverseZ ? "true" : "false") +
-                    ", \"ndcY\": " + quotedName(nameOf(kNdcYNames, c.ndcY)) +
-                    ", \"vectors\": " + quotedName(nameOf(kVectorsNames, c.vectors)) +
-                    ", \"storage\": " + quotedName(nameOf(kStorageNames, c.storage)) + "}";
-  if (set.eye)
-    out += ",\n  \"eye\": [" + formatNumber(set.eye->x) + ", " + formatNumber(set.eye->y) + ", " +
-           formatNumber(set.eye->z) + "]";
+  constexpr std::string_view kLine = ",\n  ";
+  JsonObject out;
+  out.addText("convention", jsonOf(set.convention), kLine);
+  if (set.eye) out.addText("eye", jsonListOf(std::array{set.eye->x, set.eye->y, set.eye->z}), kLine);
   for (const NamedMatrix& named : set.matrices) {
-    out += ",\n  " + quotedName(named.name) + ": [\n";
-    const Mat4 paper = laidOut(named.matrix, c);
-    for (std::size_t i = 0; i < 4; ++i) out += "    [" + row(paper[i], ", ", set.asFloat) + (i < 3 ? "],\n" : "]\n");
-    out += "  ]";
+    std::vector<std::string> rows;
+    for (const auto& entries : laidOut(named.matrix, set.convention).m)
+      rows.push_back("[" + row(entries, ", ", set.asFloat) + "]");
+    std::string matrix = jsonList(rows, ",\n    ");
+    out.addText(named.name, matrix.insert(matrix.size() - 1, "\n  "), kLine);
   }
-  return out + "\n}\n";
+  return "{\n  " + out.members() + "\n}\n";
 }
 
 /// Rows on paper in aligned columns, under a line with the name.
@@ -93,14 +83,6 @@ std::string asFlat(const MatrixSet& set) {
   return out;
 }
 
-/// The matrix's name, if need be with _ for what no language has in one.
-std::string identifier(const NamedMatrix& named) {
-  std::string name = named.name;
-  for (char& c : name)
-    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-  return name.empty() || std::isdigit(static_cast<unsigned char>(name[0])) ? "m" + name : name;
-}
-
 /// Rows on paper, a line each.
 std::string asCsv(const MatrixSet& set) {
   std::string out = "matrix,row,column1,column2,column3,column4\n";
@@ -110,7 +92,7 @@ std::string asCsv(const MatrixSet& set) {
   for (const NamedMatrix& named : set.matrices) {
     const Mat4 paper = laidOut(named.matrix, set.convention);
     for (std::size_t i = 0; i < 4; ++i)
-      out += identifier(named) + "," + std::to_string(i + 1) + "," + row(paper[i], ",", set.asFloat) + "\n";
+      out += named.name + "," + std::to_string(i + 1) + "," + row(paper[i], ",", set.asFloat) + "\n";
   }
   return out;
 }
@@ -181,7 +163,7 @@ std::string asC(const MatrixSet& set) {
            floating(set.eye->z, false) + "};\n";
   for (const NamedMatrix& named : set.matrices) {
     const Mat4 paper = laidOut(named.matrix, set.convention);
-    out += "static const " + type + " " + identifier(named) + "[16] = {\n" +
+    out += "static const " + type + " " + named.name + "[16] = {\n" +
            fourLines(byColumns ? transposed(paper) : paper, set.asFloat, "  ", "", suffix) + "};\n";
   }
   return out;
@@ -192,7 +174,7 @@ std::string asGlsl(const MatrixSet& set) {
   std::string out = comments(
       "// ", {axesInWords(set), "Column vectors, projection * view * point; each line is a column", eyeInWords(set)});
   for (const NamedMatrix& named : set.matrices)
-    out += "const mat4 " + identifier(named) + " = mat4(\n" + fourLines(transposed(named.matrix), true) + ");\n";
+    out += "const mat4 " + named.name + " = mat4(\n" + fourLines(transposed(named.matrix), true) + ");\n";
   return out;
 }
 
@@ -200,7 +182,7 @@ std::string asWgsl(const MatrixSet& set) {
   std::string out = comments(
       "// ", {axesInWords(set), "Column vectors, projection * view * point; each line is a column", eyeInWords(set)});
   for (const NamedMatrix& named : set.matrices)
-    out += "const " + identifier(named) + " = mat4x4<f32>(\n" + fourLines(transposed(named.matrix), true) + ");\n";
+    out += "const " + named.name + " = mat4x4<f32>(\n" + fourLines(transposed(named.matrix), true) + ");\n";
   return out;
 }
 
@@ -213,7 +195,7 @@ std::string asHlsl(const MatrixSet& set) {
                            "; each line is a row",
                        eyeInWords(set)});
   for (const NamedMatrix& named : set.matrices)
-    out += "static const float4x4 " + identifier(named) + " = float4x4(\n" +
+    out += "static const float4x4 " + named.name + " = float4x4(\n" +
            fourLines(laidOut(named.matrix, set.convention), true) + ");\n";
   return out;
 }
@@ -227,8 +209,7 @@ std::string asCss(const MatrixSet& set) {
                " */");
   out += ":root {\n";
   for (const NamedMatrix& named : set.matrices)
-    out += "  --" + identifier(named) + ": matrix3d(\n" + fourLines(transposed(named.matrix), set.asFloat, "    ") +
-           "  );\n";
+    out += "  --" + named.name + ": matrix3d(\n" + fourLines(transposed(named.matrix), set.asFloat, "    ") + "  );\n";
   return out + "}\n";
 }
 
@@ -243,7 +224,7 @@ std::string asNumpy(const MatrixSet& set) {
     out += "eye = np.array([" + floating(set.eye->x, false) + ", " + floating(set.eye->y, false) + ", " +
            floating(set.eye->z, false) + "])\n";
   for (const NamedMatrix& named : set.matrices)
-    out += identifier(named) + " = np.array([\n" +
+    out += named.name + " = np.array([\n" +
            fourLines(laidOut(named.matrix, set.convention), set.asFloat, "    [", "]") +
            (set.asFloat ? "], dtype=np.float32)\n" : "])\n");
   return out;
@@ -252,22 +233,29 @@ std::string asNumpy(const MatrixSet& set) {
 struct Format {
   std::string_view name;
   std::string (*write)(const MatrixSet&);
-  bool onlyFloat = false;   ///< the language's matrices are float32
-  bool floatRange = false;  ///< its numbers end where float32 does: browsers hold larger ones down to that
+  bool onlyFloat = false;     ///< the language's matrices are float32
+  bool floatRange = false;    ///< its numbers end where float32 does: browsers hold larger ones down to that
+  bool isCode = false;        ///< names are those of source code
+  bool numbersAlone = false;  ///< without the convention they are in
 };
 
 constexpr Format kMatrixFormats[] = {
-    {"json", asJson},
-    {"text", asText},
-    {"flat", asFlat},
-    {"csv", asCsv},
-    {"c", asC},
-    {"glsl", asGlsl, true},
-    {"hlsl", asHlsl, true},
-    {"wgsl", asWgsl, true},
-    {"css", asCss, false, true},
-    {"numpy", asNumpy},
+    {.name = "json", .write = asJson},
+    {.name = "text", .write = asText, .numbersAlone = true},
+    {.name = "flat", .write = asFlat, .numbersAlone = true},
+    {.name = "csv", .write = asCsv, .isCode = true, .numbersAlone = true},
+    {.name = "c", .write = asC, .isCode = true},
+    {.name = "glsl", .write = asGlsl, .onlyFloat = true, .isCode = true},
+    {.name = "hlsl", .write = asHlsl, .onlyFloat = true, .isCode = true},
+    {.name = "wgsl", .write = asWgsl, .onlyFloat = true, .isCode = true},
+    {.name = "css", .write = asCss, .floatRange = true, .isCode = true},
+    {.name = "numpy", .write = asNumpy, .isCode = true},
 };
+
+const Format& formatOf(std::string_view name) {
+  return *std::find_if(std::begin(kMatrixFormats), std::end(kMatrixFormats),
+                       [&](const Format& f) { return f.name == name; });
+}
 
 void requireRepresentable(const MatrixSet& set, bool asFloat, const std::string& source) {
   for (const NamedMatrix& named : set.matrices)
@@ -286,11 +274,18 @@ std::vector<std::string_view> matrixFormats() {
   return names;
 }
 
+bool saysNumbersAlone(std::string_view format) { return formatOf(format).numbersAlone; }
+
 std::string writeMatrices(MatrixSet set, std::string_view format, const std::string& source) {
-  const Format& known = *std::find_if(std::begin(kMatrixFormats), std::end(kMatrixFormats),
-                                      [&](const Format& f) { return f.name == format; });
+  const Format& known = formatOf(format);
   set.asFloat = set.asFloat || known.onlyFloat;
   requireRepresentable(set, set.asFloat || known.floatRange, source);
+  if (known.isCode) {
+    std::vector<std::string> names;
+    for (const NamedMatrix& named : set.matrices) names.push_back(named.name);
+    names = identifiersOf(names, set.eye ? std::vector<std::string>{"eye"} : std::vector<std::string>{});
+    for (std::size_t i = 0; i < names.size(); ++i) set.matrices[i].name = names[i];
+  }
   return known.write(set);
 }
 

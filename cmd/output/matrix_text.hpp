@@ -27,6 +27,9 @@ struct MatrixSet {
 /// The names of the formats.
 std::vector<std::string_view> matrixFormats();
 
+/// Whether a format has the numbers without the convention they are in.
+bool saysNumbersAlone(std::string_view format);
+
 /// format: one of matrixFormats(). What its language knows only as float32 is rounded to that. Throws InputError, after
 /// the source's name, for an entry too large for what is written.
 std::string writeMatrices(MatrixSet set, std::string_view format, const std::string& source);

@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "text/error.hpp"
+#include "text/visible.hpp"
 
 namespace viewproj::cmd {
 
@@ -51,7 +52,8 @@ void writeOutput(std::string_view text) {
 }
 
 void complain(const std::string& message, const Stop& stop) {
-  writeUntil(STDERR_FILENO, "viewproj: " + message + "\n", stop);
+  // Whatever a message quotes, it commands no terminal.
+  writeUntil(STDERR_FILENO, "viewproj: " + visible(message, "\n") + "\n", stop);
 }
 
 // uncounted: faults_limit takes memory away, but not beside sanitizers

@@ -85,6 +85,8 @@ struct ProjectedPoint {
 struct PointResult {
   ResultRow row;
   void (*write)(const ResultRow& row, const ProjectedPoint& point, ResultSink& sink);
+  /// Of the convention that is written: nothing, its axes, or its range of depth too.
+  enum class Shows : unsigned char { nothing, axes, depth } shows = Shows::nothing;
 };
 
 std::span<const PointResult> pointResults();

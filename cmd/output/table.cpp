@@ -5,6 +5,7 @@
 
 #include "input/record.hpp"
 #include "text/csv_lines.hpp"
+#include "text/visible.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -57,7 +58,8 @@ std::string CsvAligner::add(std::string_view csv) {
       row.push_back(csvValue(cell));
       // A line of the table is a line.
       std::replace_if(
-          row.back().begin(), row.back().end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+          row.back().begin(), row.back().end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
+      row.back() = visible(row.back());
     }
     bytes_ += end - at;
     if (widthsAreSet_ || rows_.size() >= kRowsThatTell || bytes_ >= kBytesThatTell) align(out);

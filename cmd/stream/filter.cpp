@@ -4,7 +4,6 @@
 #include <functional>
 #include <thread>
 
-#include "output/output_file.hpp"
 #include "stream/pipeline.hpp"
 #include "text/encoding.hpp"
 
@@ -118,7 +117,7 @@ TextBuffer readHeader(Stream& stream, BlockReader& reader) {
     if (stream.writes && hasColumns(stream.to))
       stream.columns = csvColumns(stream.setup.writer, fromCsv ? &header : nullptr, fromCsv ? line->text : "", out);
   } catch (const RecordError& e) {
-    throw InputError(place(reader.name(), positionAt(line->text, e.offset, line->position)) + ": " + e.what());
+    throw InputError(place(reader.name(), positionAt(line->text, e.offset, line->position)) + ": " + visible(e.what()));
   }
   return out;
 }
@@ -135,11 +134,12 @@ OutputForm formOfOutput(const FilterSetup& setup, const RecordWork& work, Form f
 }
 
 /// What was typed for a part of the output that this form does not have is not passed over.
-void requireUse(const WriterSetup& writer, OutputForm form) {
+void requireUse(const FilterSetup& setup, OutputForm form) {
+  const WriterSetup& writer = setup.writer;
   if (!writer.header && !hasColumns(form))
     throw UsageError("--no-header is for CSV and tables, and the output has no header; leave it out, or add --to csv");
   if (!writer.prefix.empty() && (form == OutputForm::text || form == OutputForm::f64))
-    complain("note: --prefix " + writer.prefix + " changes nothing: in text and f64 results have no names");
+    setup.note("--prefix " + writer.prefix + " changes nothing: in text and f64 results have no names");
 }
 
 Form formOfContent(BlockReader& reader, bool goesOn) {
@@ -182,7 +182,7 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
   setup.writer.results = work->results({}, stream.to);
   if (writes) {
     requireRoom(setup.writer.results, stream.to);
-    requireUse(setup.writer, stream.to);
+    requireUse(setup, stream.to);
   }
   const TextBuffer start = readHeader(stream, *reader);
 
@@ -216,9 +216,9 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
 
 int runFilter(FilterSetup setup, const MakeWork& makeWork) { return run(setup, makeWork, true); }
 
-void readRecords(FilterSetup setup, const MakeWork& makeWork) {
+int readRecords(FilterSetup setup, const MakeWork& makeWork) {
   setup.jobs = 1;
-  (void)run(setup, makeWork, false);
+  return run(setup, makeWork, false);
 }
 
 }  // namespace viewproj::cmd

@@ -1,6 +1,7 @@
 // A filter: records in, the same records with results out, in order and in bounded memory.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,6 +31,7 @@ struct FilterSetup {
   std::size_t blockSize = BlockReader::kBlock;
   ColumnChoice columns;                  ///< --columns
   std::vector<std::string> csvDefaults;  ///< column names of a CSV stream without a header
+  std::function<void(const std::string&)> note = [](const std::string&) {};  ///< of what is obeyed to no effect
   WriterSetup writer;
 };
 
@@ -38,7 +40,8 @@ struct FilterSetup {
 int runFilter(FilterSetup setup, const MakeWork& makeWork);
 
 /// Reads the records alone, in order: they are added to the work, batch by batch, and nothing is written. Throws
-/// InputError at the first bad one. setup: file or given, from, columns, csvDefaults.
-void readRecords(FilterSetup setup, const MakeWork& makeWork);
+/// InputError at the first bad one, or with keepGoing leaves it out and returns the exit status 1. setup: file or
+/// given, from, columns, csvDefaults, keepGoing.
+int readRecords(FilterSetup setup, const MakeWork& makeWork);
 
 }  // namespace viewproj::cmd

@@ -85,7 +85,7 @@ void OrderedOutput::put(const Block& block, const BlockResult& result) {
   if (!result.passedOver.empty()) progress_.clear();
   for (const StreamFault& bad : result.passedOver) {
     const WritingHere writing;
-    complain(setup_.placeOf(bad.position) + ": " + bad.message, [] { return InterruptGuard::signal() != 0; });
+    complain(setup_.placeOf(bad.position) + ": " + visible(bad.message), [] { return InterruptGuard::signal() != 0; });
     if (InterruptGuard::signal() != 0) endInterrupted();
     passedOver_ = true;
   }

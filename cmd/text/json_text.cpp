@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "text/visible.hpp"
+
 namespace viewproj::cmd {
 namespace {
 
@@ -162,7 +164,8 @@ std::optional<JsonFault> parseJson(std::string_view text, nlohmann::json& value)
   Builder builder(value);
   if (auto fault = faultOf(text, builder)) return fault;
   if (!builder.twice) return std::nullopt;
-  return JsonFault{offsetOfKey(text, builder.twice->number), "the key '" + builder.twice->key + "' is given twice"};
+  return JsonFault{offsetOfKey(text, builder.twice->number),
+                   "the key " + cmd::quoted(builder.twice->key) + " is given twice"};
 }
 
 bool isJson(std::string_view text) {

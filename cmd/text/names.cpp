@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "text/visible.hpp"
+
 namespace viewproj::cmd {
 namespace {
 
@@ -47,8 +49,8 @@ std::string_view nearestName(std::string_view name, std::span<const std::string_
 
 std::string suggestion(std::string_view name, std::span<const std::string_view> candidates) {
   const std::string_view nearest = nearestName(name, candidates);
-  if (!nearest.empty()) return "; did you mean '" + std::string(nearest) + "'?";
-  return "; known are " + joined(candidates);
+  if (!nearest.empty()) return "; did you mean '" + visible(nearest) + "'?";
+  return "; known are " + visible(joined(candidates));
 }
 
 std::string columnName(std::string_view name) {

@@ -1,16 +1,16 @@
-// Text of an input as a message can hold it.
+// Names and other text of an input or a command line as messages and terminals can have them.
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace viewproj::cmd {
 
-/// With a word for each NUL, at which what() of an exception would end.
-inline std::string withoutNul(const std::string& text) {
-  if (text.find('\0') == std::string::npos) return text;
-  std::string shown;
-  for (const char c : text) shown += c == '\0' ? std::string("<U+0000>") : std::string(1, c);
-  return shown;
-}
+/// With <U+001B> and the like for control characters (of ASCII, of Unicode, and those that turn the direction of
+/// writing), which a terminal would obey. kept: characters that stay.
+std::string visible(std::string_view text, std::string_view kept = "");
+
+/// The beginning of a text in quotes, visible and on one line.
+std::string quoted(std::string_view text);
 
 }  // namespace viewproj::cmd

@@ -39,8 +39,8 @@ DDVec3 pointAt(const DDVec3& right, const DDVec3& up, const DDVec3& forward, con
 }
 
 /// What the uncertainty is told of, in this order: scaleX, offsetX, scaleY, offsetY, depthOffset, depthScale, eye;
-/// then the axes.
-constexpr std::size_t kNumbers = 18;
+/// then the axes and the residual.
+constexpr std::size_t kNumbers = 19, kResidual = 18;
 
 struct Solved {
   std::array<DoubleDouble, kNumbers> numbers;
@@ -50,6 +50,7 @@ struct Solved {
   void addAxes() noexcept {
     const DDVec3* const axes[] = {&right, &ndcUp, &forward};
     for (std::size_t k = 0; k < 9; ++k) numbers[9 + k] = (*axes[k / 3])[k % 3];
+    numbers[kResidual] = residual;
   }
 };
 
@@ -83,8 +84,8 @@ std::optional<Solved> solvePerspective(const Entries& m) noexcept {
                      last[3]};
   const DDVec3 eye = pointAt(s.right, s.ndcUp, s.forward, -along);
   s.numbers = {scaleX, offsetX, scaleY, offsetY, depthOffset, last[2] - depthOffset * last[3], eye.x, eye.y, eye.z};
-  s.addAxes();
   s.residual = std::max(std::fabs(dot(s.right, s.ndcUp).hi), maxAbs(z) / std::max(1.0, maxAbs(rows[2])));
+  s.addAxes();
   return s;
 }
 
@@ -107,9 +108,9 @@ std::optional<Solved> solveOrthographic(const Entries& m) noexcept {
   }
   const auto offset = [&](std::size_t i) { return quotient(m[i][3], scale); };
   s.numbers = {scales[0], offset(0), scales[1], offset(1), offset(2), scales[2], 0, 0, 0};
-  s.addAxes();
   s.residual = std::max({std::fabs(dot(s.right, s.ndcUp).hi), std::fabs(dot(s.ndcUp, s.forward).hi),
                          std::fabs(dot(s.forward, s.right).hi)});
+  s.addAxes();
   return s;
 }
 
@@ -126,7 +127,7 @@ std::optional<Solved> solveView(const Entries& m) noexcept {
 using Solve = std::optional<Solved> (*)(const Entries&) noexcept;
 
 /// How far each of the numbers moves when each entry moves to the ends of its interval.
-std::array<Uncertain, kNumbers> withErrors(const Mat4& matrix, EntryPrecision precision, const Solved& solved,
+std::array<Uncertain, kNumbers> withErrors(const Mat4& matrix, const EntryErrors& errors, const Solved& solved,
                                            Solve solve) noexcept {
   std::array<Uncertain, kNumbers> result;
   for (std::size_t k = 0; k < kNumbers; ++k) result[k].value = solved.numbers[k];
@@ -134,9 +135,10 @@ std::array<Uncertain, kNumbers> withErrors(const Mat4& matrix, EntryPrecision pr
   const auto& w = matrix[3];
   const bool wIsExact = w[0] == 0 && w[1] == 0 && std::fabs(w[2]) + std::fabs(w[3]) == 1 && w[2] * w[3] == 0;
   for (std::size_t i = 0; i < (wIsExact ? 3 : 4); ++i)
-    for (DoubleDouble& entry : entries[i]) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      DoubleDouble& entry = entries[i][j];
       const DoubleDouble kept = entry;
-      const HalfSteps steps = halfSteps(kept.hi, precision);
+      const HalfSteps steps = halfSteps(kept.hi, errors.precision, errors.within[i][j]);
       std::array<double, kNumbers> most{};
       for (double step : {-steps.down, steps.up}) {
         entry = kept + DoubleDouble(step);
@@ -152,11 +154,14 @@ std::array<Uncertain, kNumbers> withErrors(const Mat4& matrix, EntryPrecision pr
   return result;
 }
 
-ClipParts parts(const Mat4& matrix, EntryPrecision precision, const Solved& s, Solve solve,
+ClipParts parts(const Mat4& matrix, const EntryErrors& errors, const Solved& s, Solve solve,
                 bool orthographic) noexcept {
-  const std::array<Uncertain, kNumbers> n = withErrors(matrix, precision, s, solve);
-  ClipParts p{orthographic,       s.scale, n[0],      n[1], n[2], n[3], n[4], n[5], s.right, s.ndcUp, s.forward,
-              {n[6], n[7], n[8]}, {},      s.residual};
+  const std::array<Uncertain, kNumbers> n = withErrors(matrix, errors, s, solve);
+  ClipParts p{orthographic, s.scale,    n[0],
+              n[1],         n[2],       n[3],
+              n[4],         n[5],       s.right,
+              s.ndcUp,      s.forward,  {n[6], n[7], n[8]},
+              {},           s.residual, n[kResidual].error};
   for (std::size_t k = 0; k < 9; ++k)
     if (n[9 + k].error > kCancellation) p.axisErrors[k / 3] = std::max(p.axisErrors[k / 3], n[9 + k].error);
   return p;
@@ -164,25 +169,25 @@ ClipParts parts(const Mat4& matrix, EntryPrecision precision, const Solved& s, S
 
 }  // namespace
 
-std::optional<ClipParts> perspectiveParts(const Mat4& matrix, EntryPrecision precision) noexcept {
+std::optional<ClipParts> perspectiveParts(const Mat4& matrix, const EntryErrors& errors) noexcept {
   const auto solved = solvePerspective(entriesOf(matrix));
   if (!solved) return std::nullopt;
-  return parts(matrix, precision, *solved, solvePerspective, false);
+  return parts(matrix, errors, *solved, solvePerspective, false);
 }
 
-std::optional<ClipParts> orthographicParts(const Mat4& matrix, EntryPrecision precision) noexcept {
+std::optional<ClipParts> orthographicParts(const Mat4& matrix, const EntryErrors& errors) noexcept {
   const auto solved = solveOrthographic(entriesOf(matrix));
   if (!solved) return std::nullopt;
-  return parts(matrix, precision, *solved, solveOrthographic, true);
+  return parts(matrix, errors, *solved, solveOrthographic, true);
 }
 
-std::array<Uncertain, 3> eyeOfView(const Mat4& matrix, EntryPrecision precision) noexcept {
+std::array<Uncertain, 3> eyeOfView(const Mat4& matrix, const EntryErrors& errors) noexcept {
   const auto solved = solveView(entriesOf(matrix));
-  const auto n = withErrors(matrix, precision, *solved, solveView);
+  const auto n = withErrors(matrix, errors, *solved, solveView);
   return {n[6], n[7], n[8]};
 }
 
-HalfSteps halfSteps(double value, EntryPrecision precision) noexcept {
+HalfSteps halfSteps(double value, EntryPrecision precision, double within) noexcept {
   // The structure's zeros and ones are exact: half a step of 0 underflows.
   double below = 0, above = 0;
   if (precision == EntryPrecision::float32) {
@@ -194,9 +199,10 @@ HalfSteps halfSteps(double value, EntryPrecision precision) noexcept {
     below = std::nextafter(value, -kInfinity);
     above = std::nextafter(value, kInfinity);
   }
-  if (value == 0) return {0, 0};
-  if (!std::isfinite(above) || !std::isfinite(below)) return {halfUlp(value), halfUlp(value)};
-  return {(value - below) / 2, (above - value) / 2};
+  if (value == 0) return {within, within};
+  const bool atTheEnd = !std::isfinite(above) || !std::isfinite(below);
+  const double down = atTheEnd ? halfUlp(value) : (value - below) / 2, up = atTheEnd ? down : (above - value) / 2;
+  return {std::max(down, within), std::max(up, within)};
 }
 
 DoubleDouble quotient(DoubleDouble a, DoubleDouble b) noexcept {

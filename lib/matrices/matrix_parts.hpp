@@ -34,22 +34,23 @@ struct ClipParts {
   Uncertain scaleX, offsetX, scaleY, offsetY, depthOffset, depthScale;
   DDVec3 right, ndcUp, forward;
   std::array<Uncertain, 3> eye;
-  Vec3 axisErrors;      ///< the most by which a component of right, ndcUp, forward is moved
-  double residual = 0;  ///< of the right angles, and of the z row's from the w row
+  Vec3 axisErrors;           ///< the most by which a component of right, ndcUp, forward is moved
+  double residual = 0;       ///< of the right angles, and of the z row's from the w row
+  double residualError = 0;  ///< the most by which the residual is moved
 };
 
-/// A matrix that acts on column vectors; the entries true to precision.
-std::optional<ClipParts> perspectiveParts(const Mat4& matrix, EntryPrecision precision) noexcept;
-std::optional<ClipParts> orthographicParts(const Mat4& matrix, EntryPrecision precision) noexcept;
+/// A matrix that acts on column vectors.
+std::optional<ClipParts> perspectiveParts(const Mat4& matrix, const EntryErrors& errors) noexcept;
+std::optional<ClipParts> orthographicParts(const Mat4& matrix, const EntryErrors& errors) noexcept;
 
 /// The eye of a view matrix.
-std::array<Uncertain, 3> eyeOfView(const Mat4& matrix, EntryPrecision precision) noexcept;
+std::array<Uncertain, 3> eyeOfView(const Mat4& matrix, const EntryErrors& errors) noexcept;
 
-/// Half the distances to the neighbours below and above.
+/// The most by which a number is off downwards and upwards: half the distances to its neighbours, or further.
 struct HalfSteps {
   double down, up;
 };
-HalfSteps halfSteps(double value, EntryPrecision precision) noexcept;
+HalfSteps halfSteps(double value, EntryPrecision precision, double within = 0) noexcept;
 
 /// a / b for b above 0 or reaching down to it.
 Interval quotient(Interval a, Interval b) noexcept;

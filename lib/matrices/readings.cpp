@@ -187,6 +187,19 @@ double rigidity(const Mat4& m) noexcept {
   return worst;
 }
 
+/// How far its entries, each within of the other matrix's, may have moved that.
+double rigidityError(const Mat4& m, const Mat4& within) noexcept {
+  double most = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = i; j < 3; ++j) {
+      double error = 0;
+      for (std::size_t k = 0; k < 3; ++k)
+        error += std::fabs(m[k][i]) * within[k][j] + std::fabs(m[k][j]) * within[k][i] + within[k][i] * within[k][j];
+      most = std::max(most, error);
+    }
+  return most;
+}
+
 double determinant(const Mat4& m) noexcept {
   return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
          m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
@@ -210,8 +223,8 @@ bool zero(std::initializer_list<double> numbers) noexcept {
 
 class Reader {
  public:
-  Reader(const Mat4& matrix, Layout layout, EntryPrecision precision, bool anyScale, std::vector<Reading>& readings)
-      : m_(matrix), layout_(layout), precision_(precision), anyScale_(anyScale), readings_(readings) {}
+  Reader(const Mat4& matrix, Layout layout, const EntryErrors& errors, bool anyScale, std::vector<Reading>& readings)
+      : m_(matrix), layout_(layout), errors_(errors), anyScale_(anyScale), readings_(readings) {}
 
   /// Of no use at any scale: the w row is as it should be, and something else is not.
   bool isRefuted() const { return refuted_; }
@@ -237,20 +250,23 @@ class Reader {
 
   /// As where an inverse was computed in numbers of the precision: the whole matrix has that scale.
   bool isNearlyOne(double entry) const {
-    const double ulp = precision_ == EntryPrecision::float32 ? 0x1p-23 : 0x1p-52;
+    const double ulp = errors_.precision == EntryPrecision::float32 ? 0x1p-23 : 0x1p-52;
     return std::fabs(entry - 1) <= kReadingUnit * ulp;
   }
 
   std::string readPerspective() {
-    const auto parts = perspectiveParts(m_, precision_);
-    if (!parts) return "x or y does not change across the picture";
     const bool zeros = zero({m_[0][1], m_[0][3], m_[1][0], m_[1][3], m_[2][0], m_[2][1], m_[3][0], m_[3][1], m_[3][3]});
-    const bool unit = zeros ? parts->scale == 1 : std::fabs(parts->scale * parts->scale - 1) <= kReadingOrthogonality;
+    const auto parts = perspectiveParts(m_, zeros ? withExactZeros(2) : errors_);
+    if (!parts) return "x or y does not change across the picture";
+    double unitError = 0;  // of the squared length of the w row
+    for (std::size_t j = 0; j < 3; ++j) unitError += 2 * std::fabs(m_[3][j]) * errors_.within[3][j];
+    const bool unit =
+        zeros ? parts->scale == 1 : std::fabs(parts->scale * parts->scale - 1) <= kReadingOrthogonality + unitError;
     if (!unit && !anyScale_)
       return text("the first three numbers of its w row have length %.6g, not 1: no row of a view", parts->scale);
     refuted_ = true;
     if (!std::isfinite(parts->residual)) return kBeyondRange;
-    if (!(parts->residual <= kReadingOrthogonality))
+    if (!(parts->residual - parts->residualError <= kReadingOrthogonality))
       return text(
           "its rows are not at right angles, or its z row not along its w row: off by %.2g, 0.001 is allowed; an "
           "oblique near plane or a sheared or stretched model does that",
@@ -278,14 +294,14 @@ class Reader {
   std::string readAffine() {
     refuted_ = true;
     const double rigid = rigidity(m_);
-    const auto parts = orthographicParts(m_, precision_);
-    if (!parts) return "it flattens space: one of its rows has no x, y, z";
-    const bool isPose = isNearlyOne(m_[3][3]) && rigid <= kReadingOrthogonality;
+    const bool isPose = isNearlyOne(m_[3][3]) && rigid - rigidityError(m_, errors_.within) <= kReadingOrthogonality;
     const bool diagonal = zero({m_[0][1], m_[0][2], m_[1][0], m_[1][2], m_[2][0], m_[2][1]}) && m_[0][0] > 0;
+    const auto parts = orthographicParts(m_, diagonal ? withExactZeros(3) : errors_);
+    if (!parts) return "it flattens space: one of its rows has no x, y, z";
     if (isPose) addPoses(rigid);
     if (isPose && !diagonal) return "";
     if (!std::isfinite(parts->residual)) return kBeyondRange;
-    if (!(parts->residual <= kReadingOrthogonality))
+    if (!(parts->residual - parts->residualError <= kReadingOrthogonality))
       return text("its rows are not at right angles: the largest cosine is %.2g, 0.001 is allowed", parts->residual);
     for (NdcZ ndcZ : kNdcZs)
       for (bool reverseZ : {false, true}) {
@@ -329,7 +345,8 @@ class Reader {
 
   void addPoses(double residual) {
     const double scale = m_[3][3];
-    const HalfSteps scaleSteps = scale == 1 ? HalfSteps{} : halfSteps(scale, precision_);
+    const bool isRigid = residual <= kReadingOrthogonality;
+    const HalfSteps scaleSteps = scale == 1 ? HalfSteps{} : stepsOf(3, 3);
     const Interval scaleIn{twoDiff(scale, scaleSteps.down), twoSum(scale, scaleSteps.up)};
     Mat4 unscaled = m_;
     unscaled[3][3] = 1;
@@ -345,27 +362,38 @@ class Reader {
         for (std::size_t k = 0; k < 9; ++k) {
           // An axis is a row of a view and a column of a pose.
           double& error = place.axisErrors[k / 3];
-          const double entry = kind == MatrixKind::view ? m_[k / 3][k % 3] : m_[k % 3][k / 3];
-          const HalfSteps steps = halfSteps(entry, precision_);
-          const double ofScale = std::fabs(entry) * std::max(scaleSteps.down, scaleSteps.up);
+          const std::size_t row = kind == MatrixKind::view ? k / 3 : k % 3,
+                            column = kind == MatrixKind::view ? k % 3 : k / 3;
+          const HalfSteps steps = stepsOf(row, column);
+          const double ofScale = std::fabs(m_[row][column]) * std::max(scaleSteps.down, scaleSteps.up);
           error = std::max(error, (std::max(steps.down, steps.up) + ofScale) / scale);
         }
         if (kind == MatrixKind::view) {
-          r.pose = dividedBy(scale, poseFromCameraFromWorld(unscaled, kAxes[i], r.convention.world));
-          place.eye = estimates(eyeOfView(m_, precision_));
+          if (isRigid) r.pose = dividedBy(scale, poseFromCameraFromWorld(unscaled, kAxes[i], r.convention.world));
+          place.eye = estimates(eyeOfView(m_, errors_));
         } else {
-          r.pose = scale == 1 ? poseFromWorldFromCamera(m_, kAxes[i], r.convention.world)
-                              : scaledColumns(kAxes[i], r.convention.world);
+          if (isRigid)
+            r.pose = scale == 1 ? poseFromWorldFromCamera(m_, kAxes[i], r.convention.world)
+                                : scaledColumns(kAxes[i], r.convention.world);
           for (std::size_t k = 0; k < 3; ++k) {
-            const HalfSteps steps = halfSteps(m_[k][3], precision_);
+            const HalfSteps steps = stepsOf(k, 3);
             place.eye[k] = estimate(quotient(DoubleDouble(m_[k][3]), scale),
                                     quotient({twoDiff(m_[k][3], steps.down), twoSum(m_[k][3], steps.up)}, scaleIn));
           }
         }
-        const Axes& axes = kind == MatrixKind::view ? r.pose->rows : r.pose->columns;
-        place.right = rounded(axes.right);
-        place.up = rounded(axes.up);
-        place.forward = rounded(axes.forward);
+        if (r.pose) {
+          const Axes& axes = kind == MatrixKind::view ? r.pose->rows : r.pose->columns;
+          place.right = rounded(axes.right);
+          place.up = rounded(axes.up);
+          place.forward = rounded(axes.forward);
+        } else {
+          // As rough as its digits are.
+          const Mat4 rows = kind == MatrixKind::view ? m_ : transposed(m_);
+          const AxisSigns sign = axisSigns(kViews[i]);
+          place.right = {rows[0][0], rows[0][1], rows[0][2]};
+          place.up = {rows[1][0] * sign.up, rows[1][1] * sign.up, rows[1][2] * sign.up};
+          place.forward = {rows[2][0] * sign.forward, rows[2][1] * sign.forward, rows[2][2] * sign.forward};
+        }
         r.place = place;
         readings_.push_back(r);
       }
@@ -380,9 +408,22 @@ class Reader {
     return poseFromColumns({column(0), column(1), column(2)}, column(3), axes, world);
   }
 
+  HalfSteps stepsOf(std::size_t i, std::size_t j) const {
+    return halfSteps(m_[i][j], errors_.precision, errors_.within[i][j]);
+  }
+
+  /// The zeros that make the matrix what it is taken for. offsets: the column of the window's offsets, which are none.
+  EntryErrors withExactZeros(std::size_t offsets) const {
+    EntryErrors errors = errors_;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 4; ++j)
+        if (m_[i][j] == 0 && (i < 2 ? j != offsets : j < 2)) errors.within[i][j] = 0;
+    return errors;
+  }
+
   const Mat4& m_;
   Layout layout_;
-  EntryPrecision precision_;
+  EntryErrors errors_;
   bool anyScale_;
   std::vector<Reading>& readings_;
   bool hasScale_ = false;
@@ -391,27 +432,31 @@ class Reader {
 
 }  // namespace
 
-Inspection inspectMatrix(const std::array<double, 16>& numbers, EntryPrecision precision) {
+Inspection inspectMatrix(const std::array<double, 16>& numbers, EntryPrecision precision,
+                         const std::array<double, 16>& within) {
   Mat4 written;
+  EntryErrors errors{precision, {}};
   Inspection result;
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = 0; j < 4; ++j) {
       const double number = numbers[4 * i + j];
       written[i][j] = precision == EntryPrecision::float32 ? static_cast<double>(static_cast<float>(number)) : number;
+      errors.within[i][j] = within[4 * i + j];
       if (!std::isfinite(written[i][j])) {
         result.asWrittenFault = result.transposedFault = "it has a number that is not finite";
         return result;
       }
     }
   const Mat4 turned = transposed(written);
+  const EntryErrors turnedErrors{precision, transposed(errors.within)};
   const bool symmetric = written == turned;
-  Reader rows(written, symmetric ? Layout::either : Layout::asWritten, precision, false, result.readings);
-  Reader columns(turned, Layout::transposed, precision, false, result.readings);
+  Reader rows(written, symmetric ? Layout::either : Layout::asWritten, errors, false, result.readings);
+  Reader columns(turned, Layout::transposed, turnedErrors, false, result.readings);
   result.asWrittenFault = rows.read();
   result.transposedFault = symmetric ? result.asWrittenFault : columns.read();
   if (!result.readings.empty() || rows.isRefuted() || columns.isRefuted()) return result;
-  Reader(written, symmetric ? Layout::either : Layout::asWritten, precision, true, result.readings).read();
-  if (!symmetric) Reader(turned, Layout::transposed, precision, true, result.readings).read();
+  Reader(written, symmetric ? Layout::either : Layout::asWritten, errors, true, result.readings).read();
+  if (!symmetric) Reader(turned, Layout::transposed, turnedErrors, true, result.readings).read();
   return result;
 }
 
@@ -444,6 +489,8 @@ bool fits(const Reading& r, const Convention& c, NumberOrder order) noexcept {
 Mat4 converted(const Reading& r, const Convention& target) {
   if (r.lens && !(r.projection->near < r.projection->far && (r.lens->orthographic || r.projection->near > 0)))
     throw CameraError("near", "is not determined by the matrix");
+  if (r.kind != MatrixKind::projection && !r.pose)
+    throw CameraError("axes", "are further than 0.001 from right angles: its digits are too few for a camera");
   switch (r.kind) {
     case MatrixKind::projection:
       return clipFromView(*r.projection, target);

@@ -61,7 +61,7 @@ struct Reading {
   std::optional<LensEstimate> lens;
   std::optional<PoseEstimate> place;
 
-  /// The camera, for what is to be written from it.
+  /// The camera, for what is to be written from it; no pose where only few digits let the axes count as one.
   std::optional<Projection> projection;
   std::optional<Pose> pose;
 };
@@ -93,11 +93,13 @@ inline constexpr double kReadingTweak = 0x1p-16;
 ///
 /// Intervals: a w row of 0 0 +-1 0 or 0 0 0 1 and zeros are exact; each other entry is moved to both ends of its own
 /// interval, with all else computed in double-double; the changes of the lens's scales and offsets and of the eye add
-/// up, and edges, near and far follow in interval arithmetic. Depth is A + B / w, and near = B / (D - A), where D is
-/// the NDC z at near: no digits are lost that the entries have. Exact to first order in an ulp.
+/// up, and edges, near and far follow in interval arithmetic. An entry is true to the precision, and no better than to
+/// its number of `within`, which makes rows that are at right angles to that good. Depth is A + B / w, and near = B /
+/// (D - A), where D is the NDC z at near: no digits are lost that the entries have. Exact to first order in an ulp.
 ///
 /// Formulas: the closed forms of matrices.hpp, solved for their parameters.
-Inspection inspectMatrix(const std::array<double, 16>& numbers, EntryPrecision precision = EntryPrecision::float64);
+Inspection inspectMatrix(const std::array<double, 16>& numbers, EntryPrecision precision = EntryPrecision::float64,
+                         const std::array<double, 16>& within = {});
 
 /// Whether a matrix of this reading would be written like that in this convention, apart from reverseZ and world, which
 /// follow from the matrix and the rest: of one kind at most one reading fits, but of an orthographic view-projection

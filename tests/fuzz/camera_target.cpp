@@ -83,7 +83,7 @@ void readAndUse(std::string_view input) {
     if (part.starts_with('#'))
       pick = part.substr(1);
     else if (!input.starts_with("glTF"))
-      document.set(part);
+      document.set(readAssignment(part));
     at = next;
   }
   const CameraFile file = readAnyCamera(document, pick, {"", true, true});

@@ -2,6 +2,7 @@
 #include <map>
 
 #include "catch.hpp"
+#include "viewproj/scene.hpp"
 #include "reference/scene.hpp"
 
 using namespace viewproj;

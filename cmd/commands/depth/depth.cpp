@@ -63,31 +63,38 @@ std::vector<double> defaultGaps(const DepthMapping& m) {
   return gaps;
 }
 
-std::vector<double> readDistances(const std::string& list, const DepthMapping& m) {
-  const auto distances = parseNumberList(list);
-  if (!distances) throw UsageError("--at " + list + ": expected distances separated by commas, as in 1,10,100");
-  for (double distance : *distances)
-    if (!m.orthographic && !(distance > 0))
-      throw UsageError("--at " + formatNumber(distance) + ": expected a distance above 0, in front of the eye");
-  return *distances;
+std::vector<double> readDistances(const std::string& option, const std::string& text) {
+  return readNumbers(option, text, 1, SIZE_MAX, "distances separated by commas, as in 1,10,100");
 }
 
-double readGap(const std::string& text) {
-  const auto gap = parseNumber(text);
-  if (!gap || !(*gap > 0)) throw UsageError("--gap " + text + ": expected a length above 0");
-  return *gap;
-}
+/// --resolve as it was typed.
+struct Resolve {
+  std::string text;
+  WantedGap wanted;
+};
 
-WantedGap readWanted(const std::string& text, const DepthMapping& m) {
+Resolve readResolve(const std::string& option, const std::string& text) {
   const std::size_t at = text.find('@');
   const auto gap = parseNumber(text.substr(0, at));
   const auto distance = at == std::string::npos ? std::nullopt : parseNumber(text.substr(at + 1));
   if (!gap || !distance || !(*gap > 0))
-    throw UsageError("--resolve " + text + ": expected GAP@DISTANCE, as in 0.01@500");
-  if (!m.orthographic && !(*gap < *distance))
-    throw UsageError("--resolve " + text + ": the nearer surface would not be in front of the eye");
-  if (*distance > m.far) throw UsageError("--resolve " + text + ": lies beyond far, which is " + formatNumber(m.far));
-  return {*gap, *distance};
+    throw UsageError(option + " " + text + ": expected GAP@DISTANCE, as in 0.01@500");
+  return {text, {*gap, *distance}};
+}
+
+/// Throw UsageError for what the camera cannot see.
+void requireInFront(const std::vector<double>& distances, const DepthMapping& m) {
+  for (double distance : distances)
+    if (!m.orthographic && !(distance > 0))
+      throw UsageError("--at " + formatNumber(distance) + ": expected a distance above 0, in front of the eye");
+}
+
+void requireInView(const Resolve& resolve, const DepthMapping& m) {
+  const auto& [gap, distance] = resolve.wanted;
+  if (!m.orthographic && !(gap < distance))
+    throw UsageError("--resolve " + resolve.text + ": the nearer surface would not be in front of the eye");
+  if (distance > m.far)
+    throw UsageError("--resolve " + resolve.text + ": lies beyond far, which is " + formatNumber(m.far));
 }
 
 /// The camera's near and far forward, reversed, and with far infinite.
@@ -126,13 +133,16 @@ std::vector<NamedFormat> formatsFor(double largest, std::vector<std::string>& no
 
 struct Options {
   CameraOptions camera;
-  std::string at, format = "table";
-  std::vector<std::string> gaps, wanted;
+  std::optional<std::vector<double>> at;
+  std::vector<double> gaps;
+  std::vector<Resolve> resolves;
+  ReportForm form = ReportForm::table;
 };
 
 int run(const Options& o) {
-  static constexpr std::string_view kFormats[] = {"table", "json", "svg"};
-  requireKnown("--to", o.format, kFormats);
+  if (o.form == ReportForm::svg && (o.at || !o.resolves.empty()))
+    throw UsageError(std::string(o.at ? "--at" : "--resolve") +
+                     " is for tables and JSON; --to svg plots every distance, and takes --gap");
   const CameraFile read = o.camera.read();
   if (!read.projection) throw InputError(read.name + ": the camera has no projection");
   const Viewport viewport = read.viewport.value_or(Viewport{});
@@ -144,17 +154,22 @@ int run(const Options& o) {
   report.mappings = mappingsOf(*read.projection, first, second, read.convention.reverseZ);
   report.formats = formatsFor(std::max(first, second), report.notes);
   const DepthMapping& own = report.own();
-  report.distances = o.at.empty() ? defaultDistances(own) : readDistances(o.at, own);
-  for (const std::string& gap : o.gaps) report.gaps.push_back(readGap(gap));
+  if (o.at) requireInFront(*o.at, own);
+  report.distances = o.at ? *o.at : defaultDistances(own);
   report.gapsAsked = !o.gaps.empty();
-  if (o.gaps.empty()) report.gaps = defaultGaps(own);
-  for (const std::string& text : o.wanted) report.wanted.push_back(readWanted(text, own));
+  report.gaps = report.gapsAsked ? o.gaps : defaultGaps(own);
+  for (const Resolve& resolve : o.resolves) {
+    requireInView(resolve, own);
+    report.wanted.push_back(resolve.wanted);
+  }
   if (read.convention.ndcZ == NdcZ::minusOneToOne)
     report.notes.push_back(
         "With NDC z of -1..1 reversed d32f gains nothing: (z + 1) / 2 in float32 rounds to 2^-24 first. What is told "
         "of it needs 0..1 (glClipControl).");
   report.notes.push_back("Depths are taken as exact until they are stored; float32 in matrix and shader comes on top.");
-  writeOutput(o.format == "json" ? depthAsJson(report) : o.format == "svg" ? depthAsSvg(report) : depthAsTable(report));
+  writeOutput(o.form == ReportForm::json  ? depthAsJson(report)
+              : o.form == ReportForm::svg ? depthAsSvg(report)
+                                          : depthAsTable(report));
   return 0;
 }
 
@@ -168,16 +183,13 @@ Action defineDepth(CLI::App& app) {
   app.footer("viewproj depth samples/reversed-infinite-depth/camera.json --at 1,10,100 --gap 0.01 --resolve 0.01@500");
   o->camera.add(app);
   o->camera.addFile(app);
-  app.add_option("--at", o->at, "Distances along the viewing axis (default: decades from near to far)")
-      ->type_name("DISTANCES");
-  addRepeatable(
-      app, "--gap", o->gaps,
-      "Tell up to which distance surfaces this far apart are stored apart, by default powers of ten about near")
-      ->type_name("GAP");
-  addRepeatable(app, "--resolve", o->wanted, "Tell the near needed to store surfaces GAP apart apart at DISTANCE")
-      ->type_name("GAP@DISTANCE");
-  app.add_option("--to", o->format, "Form of the output: table, json, svg: gap resolved over distance (default: table)")
-      ->type_name("FORM");
+  addValue(app, "--at", "DISTANCES", o->at, readDistances,
+           "Distances along the viewing axis (default: decades from near to far)");
+  addValues(app, "--gap", "GAP", o->gaps, numberThat([](double gap) { return gap > 0; }, "a length above 0"),
+            "Tell up to which distance surfaces this far apart are stored apart, by default powers of ten about near");
+  addValues(app, "--resolve", "GAP@DISTANCE", o->resolves, readResolve,
+            "Tell the near needed to store surfaces GAP apart apart at DISTANCE");
+  addReportForm(app, o->form, "the gap resolved over distance");
   return [o] { return run(*o); };
 }
 

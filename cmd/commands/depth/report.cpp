@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "output/line_plot.hpp"
-#include "output/record_writer.hpp"
 #include "output/table.hpp"
 #include "text/format_number.hpp"
+#include "text/json_build.hpp"
 #include "text/parse_number.hpp"
 
 namespace viewproj::cmd {
@@ -96,59 +96,46 @@ Rows nearRows(const DepthReport& r) {
   return rows;
 }
 
-/// What has no value is null.
-std::string asJson(double value) { return formatNumber(value); }
-
-/// {"d16": value, ...}
+/// {"d16": value, ...}; value: of a format, as JSON
 template <class Value>
 std::string perFormat(const DepthReport& r, Value value) {
-  std::string out;
-  for (const NamedFormat& f : r.formats)
-    out += (out.empty() ? "{" : ", ") + jsonString(f.name) + ": " + value(f.format);
-  return out + "}";
+  JsonObject out;
+  for (const NamedFormat& f : r.formats) out.addText(f.name, value(f.format));
+  return out.text();
 }
 
 std::string mappingAsJson(const DepthReport& r, const NamedMapping& named) {
   const DepthMapping& m = named.mapping;
-  std::string out = "  {\"name\": " + jsonString(named.name) + ", \"own\": " + (named.own ? "true" : "false") +
-                    ", \"near\": " + asJson(m.near) + ", \"far\": " + asJson(m.far) +
-                    ", \"depthAtNear\": " + asJson(m.atNear) + ", \"depthAtFar\": " + asJson(m.atFar) +
-                    ",\n   \"distances\": [";
-  const char* separator = "\n";
+  constexpr std::string_view kLine = ",\n   ", kItem = ",\n    ";
+  std::vector<std::string> distances, gaps, wanted;
   for (double distance : r.distances) {
-    const auto ifSeen = [&](double value) { return isClipped(m, distance) ? "null" : asJson(value); };
-    out += separator;
-    out +=
-        "    {\"distance\": " + asJson(distance) + ", \"depth\": " + asJson(depthAtDistance(m, distance)) +
-        ", \"slope\": " + asJson(depthSlope(m, distance)) +
-        ", \"step\": " + perFormat(r, [&](const DepthFormat& f) { return ifSeen(depthStep(m, f, distance)); }) +
-        ", \"resolves\": " + perFormat(r, [&](const DepthFormat& f) { return ifSeen(resolvedGap(m, f, distance)); }) +
-        "}";
-    separator = ",\n";
+    const auto ifSeen = [&](double value) { return isClipped(m, distance) ? "null" : jsonOf(value); };
+    JsonObject out;
+    out.add("distance", distance).add("depth", depthAtDistance(m, distance)).add("slope", depthSlope(m, distance));
+    out.addText("step", perFormat(r, [&](const DepthFormat& f) { return ifSeen(depthStep(m, f, distance)); }));
+    out.addText("resolves", perFormat(r, [&](const DepthFormat& f) { return ifSeen(resolvedGap(m, f, distance)); }));
+    distances.push_back(out.text());
   }
-  out += "],\n   \"gaps\": [";
-  separator = "\n";
   for (double gap : r.gaps) {
-    out += separator;
-    out += "    {\"gap\": " + asJson(gap) +
-           ", \"apartUpTo\": " + perFormat(r, [&](const DepthFormat& f) { return asJson(resolvedUpTo(m, f, gap)); }) +
-           "}";
-    separator = ",\n";
+    JsonObject out;
+    out.add("gap", gap);
+    out.addText("apartUpTo", perFormat(r, [&](const DepthFormat& f) { return jsonOf(resolvedUpTo(m, f, gap)); }));
+    gaps.push_back(out.text());
   }
-  out += "],\n   \"wanted\": [";
-  separator = "\n";
   for (const WantedGap& w : r.wanted) {
-    out += separator;
-    out += "    {\"gap\": " + asJson(w.gap) + ", \"distance\": " + asJson(w.distance) + ", \"near\": " +
-           perFormat(r,
-                     [&](const DepthFormat& f) {
-                       const double near = nearToResolve(m, f, w.gap, w.distance);
-                       return isAnyNear(m, near) ? "\"any\"" : asJson(near);
-                     }) +
-           "}";
-    separator = ",\n";
+    JsonObject out;
+    out.add("gap", w.gap).add("distance", w.distance);
+    out.addText("near", perFormat(r, [&](const DepthFormat& f) {
+                  const double near = nearToResolve(m, f, w.gap, w.distance);
+                  return isAnyNear(m, near) ? jsonOf("any") : jsonOf(near);
+                }));
+    wanted.push_back(out.text());
   }
-  return out + "]}";
+  JsonObject out;
+  out.add("name", named.name).add("own", named.own).add("near", m.near).add("far", m.far);
+  out.add("depthAtNear", m.atNear).add("depthAtFar", m.atFar);
+  out.addText("distances", jsonList(distances, kItem), kLine).addText("gaps", jsonList(gaps, kItem), kLine);
+  return out.addText("wanted", jsonList(wanted, kItem), kLine).text();
 }
 
 constexpr int kSamples = 240;
@@ -209,13 +196,12 @@ std::string depthAsTable(const DepthReport& r) {
 
 std::string depthAsJson(const DepthReport& r) {
   const DepthMapping& m = r.own();
-  std::string out = "{\"projection\": \"" + std::string(m.orthographic ? "orthographic" : "perspective") +
-                    "\", \"near\": " + asJson(m.near) + ", \"far\": " + asJson(m.far) + ",\n \"notes\": [";
-  for (const std::string& note : r.notes) out += (&note == r.notes.data() ? "" : ", ") + jsonString(note);
-  out += "],\n \"mappings\": [\n";
-  for (const NamedMapping& named : r.mappings)
-    out += mappingAsJson(r, named) + (&named == &r.mappings.back() ? "\n" : ",\n");
-  return out + " ]}\n";
+  std::vector<std::string> mappings;
+  for (const NamedMapping& named : r.mappings) mappings.push_back(mappingAsJson(r, named));
+  JsonObject out;
+  out.add("projection", m.orthographic ? "orthographic" : "perspective").add("near", m.near).add("far", m.far);
+  out.addText("notes", jsonListOf(r.notes), ",\n ").addText("mappings", jsonList(mappings, ",\n  "), ",\n ");
+  return out.text() + "\n";
 }
 
 std::string depthAsSvg(const DepthReport& r) {

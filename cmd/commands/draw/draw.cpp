@@ -10,33 +10,28 @@
 namespace viewproj::cmd {
 namespace {
 
-std::vector<Vec2> readPixels(const std::vector<std::string>& texts) {
-  std::vector<Vec2> pixels;
-  for (const std::string& text : texts) {
-    const std::vector<double> n = readNumbers("--pixel", text, 2, 2, "X,Y");
-    pixels.push_back({n[0], n[1]});
-  }
-  return pixels;
+Vec2 readPixel(const std::string& option, const std::string& text) {
+  const std::vector<double> n = readNumbers(option, text, 2, 2, "X,Y");
+  return {n[0], n[1]};
 }
 
 struct Options {
   CameraOptions camera;
   StreamOptions stream;
-  std::vector<std::string> pixels;
-  std::string scene;
+  std::vector<Vec2> pixels;
+  std::optional<std::string> scene;
 };
 
-int run(const Options& o, const CLI::App& app) {
-  const std::vector<Vec2> pixels = readPixels(o.pixels);
+int run(const Options& o) {
   FilterSetup setup = o.stream.setup(kPointColumns);
   // With --pixel standard input is read only if asked for; with a scene also where something can be in it.
-  const NamedInput ofScene{"the scene", o.scene == "-"};
+  const NamedInput ofScene{"the scene", isStandardInput(o.scene)};
   const bool isFree = !o.camera.fromStandardInput() && !ofScene.isStandard && !isTerminal();
-  const bool reads = app.count("FILE") > 0 || (pixels.empty() && (o.scene.empty() || isFree));
+  const bool reads = o.stream.hasFile() || (o.pixels.empty() && (!o.scene || isFree));
   if (reads) {
     o.stream.requireOneInput(setup, o.camera, ofScene);
   } else {
-    o.stream.requireNoInputOption(pixels.empty() ? "is not given" : "--pixel takes the place of; - reads it as well");
+    o.stream.requireNoInputOption(o.pixels.empty() ? "is not given" : "--pixel takes the place of; - reads it as well");
     requireOneStandardInput({{"the camera", o.camera.fromStandardInput()}, ofScene});
   }
 
@@ -45,14 +40,14 @@ int run(const Options& o, const CLI::App& app) {
   View view{.camera = makeCamera(file)};
   const Frustum frustum = viewFrustum(view.camera);
   std::vector<SceneObject> scene;
-  if (!o.scene.empty()) {
-    scene = readScene(o.scene);
+  if (o.scene) {
+    scene = readScene(*o.scene);
     addScene(view, frustum, scene);
   }
-  if (reads) addRecords(view, frustum, setup, file.worldIsEcef);
-  for (const Vec2& pixel : pixels) addPixel(view, pixel, o.scene.empty() ? nullptr : &scene);
+  const int status = reads ? addRecords(view, frustum, setup, file.worldIsEcef) : 0;
+  for (const Vec2& pixel : o.pixels) addPixel(view, pixel, o.scene ? &scene : nullptr);
   writeOutput(pictureOf(view));
-  return 0;
+  return status;
 }
 
 }  // namespace
@@ -67,11 +62,11 @@ Action defineDraw(CLI::App& app) {
       "  --scene samples/a-picture-of-a-harbour/scene.json --pixel 700,250 > view.svg");
   o->camera.add(app);
   o->stream.addInput(app, "points and shapes");
-  app.add_option("--scene", o->scene, "Scene file, or the JSON itself: its outlines are drawn")->type_name("FILE");
-  addRepeatable(app, "--pixel", o->pixels,
-                "A pixel to mark, with --scene what its ray hits first; standard input is then read only for FILE -")
-      ->type_name("X,Y");
-  return [o, &app] { return run(*o, app); };
+  o->stream.addKeepGoing(app);
+  addSceneOption(app, o->scene, ": its outlines are drawn");
+  addValues(app, "--pixel", "X,Y", o->pixels, readPixel,
+            "A pixel to mark, with --scene what its ray hits first; standard input is then read only for FILE -");
+  return [o] { return run(*o); };
 }
 
 }  // namespace viewproj::cmd

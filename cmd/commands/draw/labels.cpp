@@ -75,7 +75,7 @@ std::string asLabel(std::string_view text) {
     if (c == 0xFFFD)
       out += "\uFFFD";
     else
-      out += c < 0x20 || c == 0x7F ? " " : before.substr(0, before.size() - text.size());
+      out += c < 0x20 || (c >= 0x7F && c < 0xA0) ? " " : before.substr(0, before.size() - text.size());
   }
   return out;
 }

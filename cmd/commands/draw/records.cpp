@@ -80,10 +80,10 @@ class DrawWork final : public RecordWork {
 
 }  // namespace
 
-void addRecords(View& view, const Frustum& frustum, const FilterSetup& setup, bool worldIsEcef) {
+int addRecords(View& view, const Frustum& frustum, const FilterSetup& setup, bool worldIsEcef) {
   const PointReading reading{
       .columns = setup.columns, .worldIsEcef = worldIsEcef, .segments = true, .shapes = "drawn from a record"};
-  readRecords(setup, [&] { return std::make_unique<DrawWork>(view, frustum, reading); });
+  return readRecords(setup, [&] { return std::make_unique<DrawWork>(view, frustum, reading); });
 }
 
 void addScene(View& view, const Frustum& frustum, const std::vector<SceneObject>& scene) {

@@ -11,8 +11,8 @@
 namespace viewproj::cmd {
 
 /// Points, segments, boxes, triangles and spheres, each under its id, its name or its number counted from 1. Throws
-/// InputError at the first bad one.
-void addRecords(View& view, const Frustum& frustum, const FilterSetup& setup, bool worldIsEcef);
+/// InputError at the first bad one, or with setup.keepGoing leaves it out and returns the exit status 1.
+int addRecords(View& view, const Frustum& frustum, const FilterSetup& setup, bool worldIsEcef);
 
 /// Planes have no outline, which is noted.
 void addScene(View& view, const Frustum& frustum, const std::vector<SceneObject>& scene);

@@ -1,64 +1,55 @@
 // viewproj explain: every stage of one point or pixel.
 #include "commands/explain/explain.hpp"
 
-#include <cmath>
-
 #include "commands/command.hpp"
 #include "commands/options.hpp"
 #include "input/model.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
-#include "text/parse_number.hpp"
 
 namespace viewproj::cmd {
 namespace {
 
-constexpr int kDefaultDigits = 9, kMostDigits = 17;
+constexpr std::size_t kDefaultDigits = 9, kMostDigits = 17;
 
-int readDigits(const std::string& text) {
-  if (text.empty()) return kDefaultDigits;
-  const auto digits = parseNumber(text);
-  if (!digits || *digits != std::floor(*digits) || !(*digits >= 1 && *digits <= kMostDigits))
-    throw UsageError("--digits " + text + ": expected a whole number from 1 to 17");
-  return static_cast<int>(*digits);
-}
-
-Vec4 pointOf(const GivenPoint& given) {
+GivenPoint readPoint(const std::string& option, const std::string& text) {
+  const GivenPoint given = readGivenPoint(option, text);
   const Vec4 point = given.point();
   if (maxAbs(Vec3{point.x, point.y, point.z}) == 0 && point.w == 0)
-    throw UsageError("--point " + given.text + ": is neither a point nor a direction, all four numbers are 0");
-  return point;
+    throw UsageError(given.text + ": is neither a point nor a direction, all four numbers are 0");
+  return given;
 }
 
 struct Options {
   CameraOptions camera;
-  std::string point, pixel, model, digits, format = "table";
+  std::optional<GivenPoint> point;
+  std::optional<std::vector<double>> pixel;
+  std::optional<std::string> model;
+  std::size_t digits = kDefaultDigits;
+  ReportForm form = ReportForm::table;
 };
 
 int run(const Options& o) {
-  static constexpr std::string_view kFormats[] = {"table", "json"};
-  requireKnown("--to", o.format, kFormats);
-  if (o.point.empty() == o.pixel.empty())
-    throw UsageError(o.point.empty() ? "--point X,Y,Z or --pixel X,Y is needed: what to follow"
-                                     : "--point and --pixel are two explanations; leave out one of them");
-  if (!o.pixel.empty() && !o.model.empty()) throw UsageError("--model goes with --point");
-  const int shown = readDigits(o.digits);
-  const auto given = o.point.empty() ? std::nullopt : std::optional(readPointOption(o.point));
-  const Vec4 local = given ? pointOf(*given) : Vec4{};
-  const std::vector<double> position = o.pixel.empty() ? std::vector<double>{} : readPixelOption(o.pixel);
-  requireOneStandardInput({{"the camera", o.camera.fromStandardInput()}, {"the model", o.model == "-"}});
+  if (!o.point && !o.pixel) throw UsageError("--point X,Y,Z or --pixel X,Y is needed: what to follow");
+  if (o.point && o.pixel) throw UsageError("--point and --pixel are two explanations; leave out one of them");
+  if (o.pixel && o.model) throw UsageError("--model goes with --point");
+  requireOneStandardInput({{"the camera", o.camera.fromStandardInput()}, {"the model", isStandardInput(o.model)}});
   const CameraFile file = o.camera.read();
-  if (given) given->requireFit(file.worldIsEcef);
+  if (o.point) o.point->requireFit(file.worldIsEcef);
   const Camera built = makeCamera(file);
   const Convention writing = o.camera.writing(file);
+  o.camera.noteWriting(file, {}, "");
   const auto explain = [&] {
-    if (position.empty())
-      return explainPoint(built, writing, local, o.model.empty() ? std::nullopt : std::optional(readModel(o.model)));
-    return explainPixel(built, writing, {position[0], position[1]},
-                        position.size() > 2 ? std::optional(position[2]) : std::nullopt);
+    if (o.point)
+      return explainPoint(built, writing, o.point->point(),
+                          o.model ? std::optional(readModel(*o.model)) : std::nullopt);
+    const std::vector<double>& n = *o.pixel;
+    return explainPixel(built, writing, {n[0], n[1]}, n.size() > 2 ? std::optional(n[2]) : std::nullopt);
   };
   const Explanation explanation = explain();
-  writeOutput(o.format == "json" ? explanationAsJson(explanation, shown) : explanationAsTable(explanation, shown));
+  const int shown = static_cast<int>(o.digits);
+  writeOutput(o.form == ReportForm::json ? explanationAsJson(explanation, shown)
+                                         : explanationAsTable(explanation, shown));
   return 0;
 }
 
@@ -72,13 +63,13 @@ Action defineExplain(CLI::App& app) {
   app.footer("viewproj explain -c samples/picking-a-pixel/camera.json --point 1,1,1 --convention d3d");
   o->camera.add(app);
   o->camera.addWriting(app);
-  app.add_option("--point", o->point, "The point to follow")->type_name("X,Y,Z[,W]|lat=..,lon=..,height=..");
-  app.add_option("--pixel", o->pixel, "The pixel to follow back, with a window depth if known")
-      ->type_name("X,Y[,DEPTH]");
-  addModel(app, o->model, "point");
-  app.add_option("--digits", o->digits, "Significant digits, from 1 to 17, which gives all (default: 9)")
-      ->type_name("N");
-  app.add_option("--to", o->format, "Form of the output: table, json (default: table)")->type_name("FORM");
+  addValue(app, "--point", kPointForm, o->point, readPoint, "The point to follow");
+  addValue(app, "--pixel", "X,Y[,DEPTH]", o->pixel, readPixelNumbers,
+           "The pixel to follow back, with a window depth if known");
+  addModelOption(app, o->model, "point");
+  addValue(app, "--digits", "N", o->digits, wholeNumber(1, kMostDigits),
+           "Significant digits, from 1 to 17, which gives all (default: 9)");
+  addReportForm(app, o->form);
   return [o] { return run(*o); };
 }
 

@@ -3,9 +3,10 @@
 #include <cmath>
 
 #include "commands/explain/explain.hpp"
+#include "input/convention_fields.hpp"
 #include "input/convention_names.hpp"
-#include "output/record_writer.hpp"
 #include "text/format_number.hpp"
+#include "text/json_build.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -145,73 +146,63 @@ class Json {
   Json(const Explanation& explanation, int digits) : e_(explanation), digits_(digits) {}
 
   std::string text() const {
-    const Convention& c = e_.writing();
-    std::string out = "{\"convention\": {\"world\": " + jsonString(nameOf(kWorldNames, c.world)) +
-                      ", \"view\": " + jsonString(nameOf(kViewNames, c.view)) +
-                      ", \"ndcZ\": " + jsonString(nameOf(kNdcZNames, c.ndcZ)) +
-                      ", \"reverseZ\": " + (c.reverseZ ? "true" : "false") +
-                      ", \"ndcY\": " + jsonString(nameOf(kNdcYNames, c.ndcY)) +
-                      ", \"vectors\": " + jsonString(nameOf(kVectorsNames, c.vectors)) +
-                      ", \"storage\": " + jsonString(nameOf(kStorageNames, c.storage)) + "},\n \"stages\": [";
-    std::vector<std::string> stages, remarks, results;
-    for (const Stage& stage : e_.stages()) stages.push_back("\n  " + stageText(stage));
-    for (const std::string& remark : e_.remarks()) remarks.push_back(jsonString(remark));
-    for (const Result& result : e_.results()) results.push_back(jsonString(result.name) + ": " + resultText(result));
-    return out + listed(stages, ",") + "],\n \"remarks\": [" + listed(remarks) + "],\n \"result\": {" +
-           listed(results) + "}}\n";
+    std::vector<std::string> stages;
+    for (const Stage& stage : e_.stages()) stages.push_back(stageText(stage));
+    JsonObject results, out;
+    for (const Result& result : e_.results()) results.addText(result.name, resultText(result));
+    out.addText("convention", jsonOf(e_.writing())).addText("stages", jsonList(stages, ",\n  "), ",\n ");
+    out.addText("remarks", jsonListOf(e_.remarks()), ",\n ").addText("result", results.text(), ",\n ");
+    return out.text() + "\n";
   }
 
  private:
   std::string number(double value) const { return formatDigits(value, digits_); }
 
   std::string stageText(const Stage& stage) const {
-    std::string out = "{\"name\": " + jsonString(stage.name) + ", \"says\": " + jsonString(stage.says);
-    std::vector<std::string> matrices, lines;
-    for (const ShownMatrix& m : stage.matrices) matrices.push_back(jsonString(m.name) + ": " + matrixText(m.matrix));
-    for (const Line& line : stage.lines) lines.push_back("\n    " + lineText(line));
-    if (!matrices.empty()) out += ",\n   \"matrices\": {" + listed(matrices) + "}";
-    return out + ",\n   \"lines\": [" + listed(lines, ",") + "]}";
+    JsonObject matrices, out;
+    std::vector<std::string> lines;
+    for (const ShownMatrix& m : stage.matrices) matrices.addText(m.name, matrixText(m.matrix));
+    for (const Line& line : stage.lines) lines.push_back(lineText(line));
+    out.add("name", stage.name).add("says", stage.says);
+    if (!stage.matrices.empty()) out.addText("matrices", matrices.text(), ",\n   ");
+    return out.addText("lines", jsonList(lines, ",\n    "), ",\n   ").text();
   }
 
   std::string matrixText(const Mat4& m) const {
     std::vector<std::string> rows;
-    for (const auto& row : m.m) {
-      std::vector<std::string> cells;
-      for (double entry : row) cells.push_back(number(entry));
-      rows.push_back("[" + listed(cells) + "]");
-    }
-    return "[" + listed(rows) + "]";
+    for (const auto& row : m.m) rows.push_back(jsonList(numbers(row)));
+    return jsonList(rows);
   }
 
   std::string lineText(const Line& line) const {
-    std::string out = "{\"name\": " + jsonString(line.name) + ", \"value\": " + number(line.value);
+    JsonObject out;
+    out.add("name", line.name).addText("value", number(line.value));
     std::vector<std::string> terms;
-    for (const Term& term : line.terms) {
-      std::vector<std::string> factors;
-      for (const std::string& name : term) factors.push_back(jsonString(name));
-      terms.push_back("[" + listed(factors) + "]");
-    }
-    if (line.kind == LineKind::sum) out += ", \"sum\": [" + listed(terms) + "]";
-    if (line.kind == LineKind::root) out += ", \"rootOfSum\": [" + listed(terms) + "]";
-    if (line.kind == LineKind::quotient) out += ", \"quotient\": " + terms[0];
+    for (const Term& term : line.terms) terms.push_back(jsonListOf(term));
+    if (line.kind == LineKind::sum) out.addText("sum", jsonList(terms));
+    if (line.kind == LineKind::root) out.addText("rootOfSum", jsonList(terms));
+    if (line.kind == LineKind::quotient) out.addText("quotient", terms[0]);
     if (line.lost == kAllDigits)
-      out += ", \"cancels\": \"to 0\"";
+      out.add("cancels", "to 0");
     else if (line.lost > 0)
-      out += ", \"cancels\": " + std::to_string(line.lost);
-    if (!line.remark.empty()) out += ", \"remark\": " + jsonString(line.remark);
-    return out + "}";
+      out.addText("cancels", std::to_string(line.lost));
+    if (!line.remark.empty()) out.add("remark", line.remark);
+    return out.text();
   }
 
   std::string resultText(const Result& r) const {
-    std::vector<std::string> parts;
-    if (r.flag) return *r.flag ? "true" : "false";
-    if (r.words) {
-      for (const std::string& word : *r.words) parts.push_back(jsonString(word));
-      return "[" + listed(parts) + "]";
-    }
+    if (r.flag) return jsonOf(*r.flag);
+    if (r.words) return jsonListOf(*r.words);
     if (std::any_of(r.numbers.begin(), r.numbers.end(), [](double v) { return !std::isfinite(v); })) return "null";
-    for (double value : r.numbers) parts.push_back(number(value));
-    return parts.size() == 1 ? parts[0] : "[" + listed(parts) + "]";
+    const std::vector<std::string> parts = numbers(r.numbers);
+    return parts.size() == 1 ? parts[0] : jsonList(parts);
+  }
+
+  template <class Values>
+  std::vector<std::string> numbers(const Values& values) const {
+    std::vector<std::string> parts;
+    for (double value : values) parts.push_back(number(value));
+    return parts;
   }
 
   const Explanation& e_;

@@ -13,13 +13,14 @@
 #include "text/error.hpp"
 #include "text/file.hpp"
 #include "text/names.hpp"
-#include "text/parse_number.hpp"
+#include "text/visible.hpp"
 #include "viewproj/camera.hpp"
 
 namespace viewproj::cmd {
 namespace {
 
 constexpr std::size_t kMostBytes = 1 << 20;
+constexpr std::size_t kMostReadings = 1000;
 
 /// Which readings are wanted.
 struct Choice {
@@ -49,9 +50,10 @@ bool isPassedOver(const std::string& name) {
   return name.starts_with("viewport") || name == "projectionInverse" || name == "viewProjectionInverse";
 }
 
-std::vector<WrittenMatrix> chooseMatrices(std::vector<WrittenMatrix> given, const std::string& list,
+std::vector<WrittenMatrix> chooseMatrices(std::vector<WrittenMatrix> given,
+                                          const std::optional<std::vector<std::string>>& asked,
                                           const std::string& source) {
-  if (list.empty()) {
+  if (!asked) {
     const std::string first = given.front().name;
     std::erase_if(given, [](const WrittenMatrix& m) { return isPassedOver(m.name); });
     if (given.empty())
@@ -63,10 +65,10 @@ std::vector<WrittenMatrix> chooseMatrices(std::vector<WrittenMatrix> given, cons
   for (std::size_t i = 0; i < given.size(); ++i) names.push_back(nameOf(given[i], i));
   std::unordered_map<std::string_view, std::size_t> places;  // of a name that several have, the first
   for (std::size_t i = 0; i < names.size(); ++i) places.emplace(names[i], i);
-  for (const std::string& name : splitNames("--which", list)) {
+  for (const std::string& name : *asked) {
     const auto found = places.find(name);
     if (found == places.end())
-      throw InputError(source + ": has no matrix '" + name + "'" +
+      throw InputError(source + ": has no matrix " + cmd::quoted(name) +
                        suggestion(name, std::vector<std::string_view>(names.begin(), names.end())));
     chosen.push_back(given[found->second]);
   }
@@ -104,9 +106,23 @@ std::string statedNote(const InspectedMatrix& m, const Convention& stated) {
   return "Of the convention that the input states: reading " + numbers + ".";
 }
 
-InspectedMatrix inspectOne(const WrittenMatrix& written, EntryPrecision precision, const Choice& choice,
+/// How numbers count: as they stand, or as far as their digits show.
+struct Precision {
+  bool isFloat = false, isExact = false;
+
+  bool trusts(const WrittenMatrix& m) const {
+    // As many digits as these are all that a float32 or a double has, but for one.
+    constexpr int kFloat = 8, kDouble = 16;
+    return isExact || m.digits >= (isFloat ? kFloat : kDouble);
+  }
+};
+
+InspectedMatrix inspectOne(const WrittenMatrix& written, const Precision& precision, const Choice& choice,
                            const std::optional<Convention>& stated) {
-  const Inspection inspection = inspectMatrix(written.numbers, precision);
+  const bool byDigits = !precision.trusts(written) && written.within != std::array<double, 16>{};
+  const Inspection inspection =
+      inspectMatrix(written.numbers, precision.isFloat ? EntryPrecision::float32 : EntryPrecision::float64,
+                    byDigits ? written.within : std::array<double, 16>{});
   InspectedMatrix m{written, {}, inspection.readings.size(), inspection.asWrittenFault, inspection.transposedFault, {}};
   std::vector<Reading> plain;
   for (std::size_t i = 0; i < inspection.readings.size(); ++i) {
@@ -119,6 +135,10 @@ InspectedMatrix inspectOne(const WrittenMatrix& written, EntryPrecision precisio
   if (plain.empty() && m.all > 0)
     m.notes.push_back("None of its readings, of which there are " + std::to_string(m.all) + ", is as " +
                       choice.asked() + " asks.");
+  if (byDigits && !plain.empty())
+    m.notes.push_back(
+        "The intervals take each number to be known as far as its digits show; --exact takes it as it "
+        "stands.");
   if (stated && !plain.empty()) m.notes.insert(m.notes.begin(), statedNote(m, *stated));
   return m;
 }
@@ -153,54 +173,67 @@ NamedMatrix convertOne(const InspectedMatrix& m, const std::string& name, const 
   return {name, *result};
 }
 
+/// A projection is none.
+bool isOfAWorld(const InspectedMatrix& m) {
+  return std::any_of(m.readings.begin(), m.readings.end(),
+                     [](const NumberedReading& n) { return n.reading.kind != MatrixKind::projection; });
+}
+
+constexpr const char* kNoWorld = "--world changes nothing here: a projection is the same in a world of either hand";
+
 struct Options {
   CameraOptions writing;
-  std::string file = "-", which, world, readAs, number, format;
-  bool asFloat = false;
+  Notes notes;
+  std::string file = "-";
+  std::optional<std::vector<std::string>> which;
+  Choice choice;
+  std::optional<std::string> format;
+  bool asFloat = false, exact = false;
 };
 
-int run(const Options& o, const CLI::App& app) {
-  const bool converts = app.count("--convention") > 0 || app.count("--reverse-z") > 0 || app.count("--ndc-z") > 0;
-  if (converts && app.count("--convention") == 0)
-    throw UsageError("--reverse-z and --ndc-z go with --convention NAME, the convention to write");
-  static constexpr std::string_view kReports[] = {"table", "json"};
-  const std::vector<std::string_view> formats =
-      converts ? matrixFormats() : std::vector<std::string_view>(std::begin(kReports), std::end(kReports));
-  const std::string format = !o.format.empty() ? o.format : converts ? "json" : "table";
-  requireKnown("--to", format, formats);
+constexpr std::string_view kReports[] = {"table", "json"};
 
-  Choice choice;
-  if (!o.world.empty()) {
-    static constexpr std::string_view kWorlds[] = {"right", "left"};
-    requireKnown("--world", o.world, kWorlds);
-    choice.world = o.world == "right" ? Handedness::right : Handedness::left;
-  }
-  if (!o.readAs.empty()) {
-    choice.readAs = conventionPreset(o.readAs);
-    if (!choice.readAs) failUnknown("--read-as", o.readAs, presetNames());
-  }
-  if (!o.number.empty()) {
-    const auto value = parseNumber(o.number);
-    if (!value || !(*value >= 1 && *value <= 1000 && *value == std::floor(*value)))
-      throw UsageError("--reading " + o.number + ": expected the number of a reading, from 1 on");
-    choice.number = static_cast<std::size_t>(*value);
-  }
+/// The form of the output, of a report or of converted matrices.
+std::string formOf(const Options& o, bool converts) {
+  if (!o.format) return converts ? "json" : "table";
+  const std::vector<std::string_view> forms =
+      converts ? matrixFormats() : std::vector<std::string_view>(std::begin(kReports), std::end(kReports));
+  if (std::find(forms.begin(), forms.end(), *o.format) == forms.end())
+    throw UsageError("--to " + *o.format +
+                     (converts
+                          ? " is of readings; with --convention there are "
+                          : " is of a matrix in another convention, which --convention names; without it there are ") +
+                     joined(forms));
+  return *o.format;
+}
+
+int run(const Options& o) {
+  const bool converts = o.writing.namesConvention();
+  if (o.writing.namesAxis() && !converts)
+    throw UsageError("--reverse-z and --ndc-z go with --convention NAME, the convention to write");
+  const std::string format = formOf(o, converts);
+  const Choice& choice = o.choice;
 
   const std::string source = o.file == "-" ? kStandardInputName : o.file;
   WrittenMatrices given = parseMatrices(readWholeFile(o.file, kMostBytes), source);
   const std::vector<WrittenMatrix> chosen = chooseMatrices(std::move(given.matrices), o.which, source);
   // One at a time: its readings take many times the memory of its numbers.
   const auto inspected = [&](const WrittenMatrix& m) {
-    return inspectOne(m, o.asFloat ? EntryPrecision::float32 : EntryPrecision::float64, choice, given.convention);
+    return inspectOne(m, {o.asFloat, o.exact || given.isOwn}, choice, given.convention);
   };
 
+  bool hasWorld = false;
   if (converts) {
     MatrixSet set;
     const bool chose = choice.readAs || choice.number;
-    for (std::size_t i = 0; i < chosen.size(); ++i)
-      set.matrices.push_back(convertOne(inspected(chosen[i]), nameOf(chosen[i], i), source,
-                                        chose ? std::nullopt : given.convention, o.writing, set.convention));
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+      const InspectedMatrix m = inspected(chosen[i]);
+      hasWorld |= isOfAWorld(m);
+      set.matrices.push_back(convertOne(m, nameOf(chosen[i], i), source, chose ? std::nullopt : given.convention,
+                                        o.writing, set.convention));
+    }
     set.asFloat = o.asFloat;
+    if (choice.world && !hasWorld) o.notes.say(kNoWorld);
     writeOutput(writeMatrices(set, format, source));
     return 0;
   }
@@ -209,9 +242,11 @@ int run(const Options& o, const CLI::App& app) {
   for (const WrittenMatrix& written : chosen) {
     const InspectedMatrix m = inspected(written);
     allFit &= !m.readings.empty();
+    hasWorld |= isOfAWorld(m);
     writeOutput(report.add(m));
   }
   writeOutput(report.end());
+  if (choice.world && allFit && !hasWorld) o.notes.say(kNoWorld);
   return allFit ? 0 : 1;
 }
 
@@ -223,21 +258,23 @@ Action defineInspect(CLI::App& app) {
       "Every reading of a 4x4 matrix: which conventions it can be written in, and the camera in it; with --convention "
       "the same matrix in another convention. Status 1 where nothing fits.");
   app.footer("viewproj matrix samples/picking-a-pixel/camera.json --which projection --to flat | viewproj inspect");
-  app.add_option("FILE", o->file,
-                 "The matrices: JSON, an initialiser of C, HLSL, GLSL or NumPy, or rows of numbers; absent or - for "
-                 "standard input");
-  app.add_option("--which", o->which, "Of several matrices only these, by name")->type_name("NAMES");
+  addValue(app, "FILE", "", o->file, readFileName,
+           "The matrices: JSON, an initialiser of C, HLSL, GLSL or NumPy, or rows of numbers; absent or - for standard "
+           "input");
+  addValue(app, "--which", "NAMES", o->which, splitNames, "Of several matrices only these, by name");
   app.add_flag("--float", o->asFloat, "The numbers are float32s (default: doubles)");
-  app.add_option("--world", o->world, "Only readings of this handedness: right or left")->type_name("HAND");
-  app.add_option("--read-as", o->readAs, "Only readings of this convention: " + joined(presetNames()))
-      ->type_name("NAME");
-  app.add_option("--reading", o->number, "Only this reading, by its number")->type_name("N");
+  app.add_flag("--exact", o->exact, "The numbers are what they stand for, however few digits they have");
+  addChoice(app, "--world", "HAND", o->choice.world, namesOf(kWorldNames), "Only readings of this handedness", "both");
+  addChoice(app, "--read-as", "NAME", o->choice.readAs, presetConventions(), "Only readings of this convention", "all");
+  addValue(app, "--reading", "N", o->choice.number, wholeNumber(1, kMostReadings), "Only this reading, by its number");
   o->writing.addWriting(app);
-  app.add_option("--to", o->format,
-                 "Form of the output: table, json (default: table); with --convention: " + joined(matrixFormats()) +
-                     " (default: json)")
-      ->type_name("FORM");
-  return [o, &app] { return run(*o, app); };
+  std::vector<std::string_view> forms = matrixFormats();
+  forms.insert(forms.begin(), "table");
+  addChoice(app, "--to", "FORM", o->format, namesAlone(forms),
+            "Form of the output; with --convention any but table, without it table or json",
+            "table; with --convention json");
+  o->notes.add(app);
+  return [o] { return run(*o); };
 }
 
 }  // namespace viewproj::cmd

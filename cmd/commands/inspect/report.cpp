@@ -69,13 +69,19 @@ std::string presetText(const Reading& r, NumberOrder order) {
   return text.empty() ? "no preset" : text;
 }
 
-std::string plusMinus(double size) {
+std::string plusMinus(double size, int digits = 2) {
   char text[40];
-  std::snprintf(text, sizeof text, "%.2g", size);
+  std::snprintf(text, sizeof text, "%.*g", digits, size);
   return text;
 }
 
 std::string plusMinusText(double size) { return size == 0 ? "exact" : "+- " + plusMinus(size); }
+
+/// To a tenth of half the interval.
+std::string endText(double end, double half) {
+  const auto exponent = [](double number) { return static_cast<int>(std::floor(std::log10(std::fabs(number)))); };
+  return plusMinus(end, end == 0 ? 1 : std::clamp(exponent(end) - exponent(half) + 2, 2, 17));
+}
 
 std::string spread(const Estimate& e) {
   constexpr double kHardly = 0.01;
@@ -84,7 +90,7 @@ std::string spread(const Estimate& e) {
   const double half = e.high / 2 - e.low / 2;
   std::string text = "+- " + plusMinus(half);
   if (half > kHardly * std::fabs(e.value) && e.value != 0)
-    return text + " (" + plusMinus(e.low) + " to " + plusMinus(e.high) + ")";
+    return text + " (" + endText(e.low, half) + " to " + endText(e.high, half) + ")";
   return text;
 }
 

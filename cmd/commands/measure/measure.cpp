@@ -8,7 +8,6 @@
 #include "stream/filter.hpp"
 #include "text/error.hpp"
 #include "text/file.hpp"
-#include "text/parse_number.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -20,17 +19,23 @@ constexpr std::size_t kMostPoints = 1'000'000;
 struct Sample {
   std::vector<Vec3> points;
   std::size_t leftOut = 0;
+  std::size_t beyond = 0;  ///< with --keep-going, those beyond kMostPoints
 };
 
 /// Keeps the points of a stream.
 class SampleWork final : public RecordWork {
  public:
-  SampleWork(Sample& sample, const PointReading& reading) : sample_(sample), reading_(reading) {}
+  SampleWork(Sample& sample, const PointReading& reading, bool keepGoing)
+      : sample_(sample), reading_(reading), keepGoing_(keepGoing) {}
 
   Layout find(const RecordParts& record) const override { return findPoint(record, reading_); }
   Results results(const Layout&, OutputForm) const override { return {}; }
   void add(const Layout& layout, const Numbers& numbers) override {
     const Vec4 p = toPoint(layout, numbers);
+    if (sample_.points.size() == kMostPoints && keepGoing_) {
+      ++sample_.beyond;
+      return;
+    }
     if (sample_.points.size() == kMostPoints)
       throw RecordError(0, "is one more than the " + std::to_string(kMostPoints) +
                                " points that are measured at once; a sample of them will do");
@@ -45,6 +50,7 @@ class SampleWork final : public RecordWork {
  private:
   Sample& sample_;
   const PointReading& reading_;
+  bool keepGoing_;
 };
 
 std::vector<std::string> notesOn(const Measurement& m, std::size_t leftOut) {
@@ -64,27 +70,15 @@ std::vector<std::string> notesOn(const Measurement& m, std::size_t leftOut) {
   return notes;
 }
 
-double readSeconds(const std::string& text) {
-  constexpr double kDefault = 1, kMost = 3600;
-  if (text.empty()) return kDefault;
-  const auto seconds = parseNumber(text);
-  if (!seconds || !(*seconds > 0 && *seconds <= kMost))
-    throw UsageError("--seconds " + text + ": expected a number above 0, up to 3600");
-  return *seconds;
-}
-
 struct Options {
   CameraOptions camera;
   StreamOptions stream;
-  ToleranceOption tolerance;
-  std::string seconds, format = "table";
+  std::optional<double> tolerance;
+  double seconds = 1;
+  ReportForm form = ReportForm::table;
 };
 
 int run(const Options& o) {
-  static constexpr std::string_view kFormats[] = {"table", "json", "svg"};
-  requireKnown("--to", o.format, kFormats);
-  const double within = o.tolerance.value();
-  const double duration = readSeconds(o.seconds);
   FilterSetup setup = o.stream.setup(kPointColumns);
   o.stream.requireOneInput(setup, o.camera);
   const CameraFile file = o.camera.read();
@@ -93,17 +87,20 @@ int run(const Options& o) {
   Sample sample;
   o.stream.settleOnEarth(setup, file.worldIsEcef);
   const PointReading reading{.columns = setup.columns, .worldIsEcef = file.worldIsEcef};
-  readRecords(setup, [&] { return std::make_unique<SampleWork>(sample, reading); });
+  const int status = readRecords(setup, [&] { return std::make_unique<SampleWork>(sample, reading, setup.keepGoing); });
   if (sample.points.empty())
     throw InputError((setup.file == "-" ? kStandardInputName : setup.file) + ": has no points to measure" +
                      (sample.leftOut > 0 ? "; directions and weighted points are left out" : ""));
-  const Measurement m = measure(built, sample.points, within, duration);
+  const Measurement m = measure(built, sample.points, o.tolerance.value_or(kDefaultTolerance), o.seconds);
   const std::vector<std::string> notes = notesOn(m, sample.leftOut);
-  for (const std::string& note : notes) complain("note: " + note);
-  writeOutput(o.format == "json"  ? measurementAsJson(m, sample.leftOut, notes)
-              : o.format == "svg" ? measurementAsSvg(m)
-                                  : measurementAsTable(m));
-  return 0;
+  if (sample.beyond > 0)
+    o.camera.notes().say("the first " + std::to_string(kMostPoints) + " points are measured, and " +
+                         std::to_string(sample.beyond) + " left out");
+  for (const std::string& note : notes) o.camera.notes().say(note);
+  writeOutput(o.form == ReportForm::json  ? measurementAsJson(m, sample.leftOut, notes)
+              : o.form == ReportForm::svg ? measurementAsSvg(m)
+                                          : measurementAsTable(m));
+  return status;
 }
 
 }  // namespace
@@ -116,10 +113,12 @@ Action defineMeasure(CLI::App& app) {
   app.footer("viewproj measure -c samples/measuring-the-trade/camera.json samples/measuring-the-trade/points.txt");
   o->camera.add(app);
   o->stream.addInput(app, "points");
-  o->tolerance.add(app);
-  app.add_option("--seconds", o->seconds, "How long to time, seven rounds at least (default: 1)")->type_name("S");
-  app.add_option("--to", o->format, "Form of the output: table, json, svg: error over cost (default: table)")
-      ->type_name("FORM");
+  o->stream.addKeepGoing(app);
+  addTolerance(app, o->tolerance);
+  addValue(app, "--seconds", "S", o->seconds,
+           numberThat([](double seconds) { return seconds > 0 && seconds <= 3600; }, "a number above 0, up to 3600"),
+           "How long to time, seven rounds at least (default: 1)");
+  addReportForm(app, o->form, "error over cost");
   return [o] { return run(*o); };
 }
 

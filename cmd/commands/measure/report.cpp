@@ -4,9 +4,9 @@
 #include <cstdio>
 
 #include "output/plot.hpp"
-#include "output/record_writer.hpp"
 #include "output/table.hpp"
 #include "text/format_number.hpp"
+#include "text/json_build.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -55,26 +55,15 @@ std::string sampleOf(const Measurement& m) {
   return plural(m.points, "point") + ", " + std::to_string(m.visible) + " of them in the picture";
 }
 
-void appendField(std::string& out, const char* name, const std::optional<double>& value) {
-  out += ", \"" + std::string(name) + "\": " + (value ? formatNumber(*value) : "null");
-}
-
 std::string rowAsJson(const ModeRow& row) {
-  std::string out = "{\"mode\": ";
-  out += jsonString(row.mode);
-  out += ", \"precision\": " + (row.precision ? "\"" + std::string(precisionName(*row.precision)) + "\"" : "null");
-  appendField(out, "nsPerPoint", row.nsPerPoint);
-  appendField(out, "spread", row.spread);
-  appendField(out, "pointsPerSecond", 1e9 / row.nsPerPoint);
-  appendField(out, "maxErrorPx", row.maxErrorPx);
-  appendField(out, "p99ErrorPx", row.p99ErrorPx);
-  appendField(out, "maxErrorUlp", row.maxErrorUlp);
-  appendField(out, "maxErrorRadians", row.maxErrorRadians);
-  appendField(out, "p99ErrorRadians", row.p99ErrorRadians);
-  appendField(out, "boundPx", row.boundPx);
-  appendField(out, "escalated", row.escalated);
-  appendField(out, "uncertain", row.uncertain);
-  return out + ", \"missing\": " + (row.missing ? std::to_string(*row.missing) : "null") + "}";
+  JsonObject out;
+  out.add("mode", row.mode);
+  out.addText("precision", row.precision ? jsonOf(precisionName(*row.precision)) : "null");
+  out.add("nsPerPoint", row.nsPerPoint).add("spread", row.spread).add("pointsPerSecond", 1e9 / row.nsPerPoint);
+  out.add("maxErrorPx", row.maxErrorPx).add("p99ErrorPx", row.p99ErrorPx).add("maxErrorUlp", row.maxErrorUlp);
+  out.add("maxErrorRadians", row.maxErrorRadians).add("p99ErrorRadians", row.p99ErrorRadians);
+  out.add("boundPx", row.boundPx).add("escalated", row.escalated).add("uncertain", row.uncertain);
+  return out.add("missing", row.missing).text();
 }
 
 }  // namespace
@@ -105,23 +94,14 @@ std::string measurementAsTable(const Measurement& m) {
 }
 
 std::string measurementAsJson(const Measurement& m, std::size_t leftOut, std::span<const std::string> notes) {
-  std::string out = "{\"points\": " + std::to_string(m.points) + ", \"visible\": " + std::to_string(m.visible) +
-                    ", \"leftOut\": " + std::to_string(leftOut) + ", \"kernel\": ";
-  out += jsonString(m.kernel);
-  out += ", \"rounds\": " + std::to_string(m.rounds) + ", \"tolerance\": " + formatNumber(m.tolerance) +
-         ",\n \"notes\": [";
-  for (const std::string& note : notes) {
-    if (&note != notes.data()) out += ", ";
-    out += jsonString(note);
-  }
-  out += "],\n \"modes\": [";
-  const char* separator = "\n  ";
+  std::vector<std::string> modes;
   for (const auto* rows : {&m.projecting, &m.casting})
-    for (const ModeRow& row : *rows) {
-      out += separator + rowAsJson(row);
-      separator = ",\n  ";
-    }
-  return out + "\n ]}\n";
+    for (const ModeRow& row : *rows) modes.push_back(rowAsJson(row));
+  JsonObject out;
+  out.add("points", m.points).add("visible", m.visible).add("leftOut", leftOut).add("kernel", m.kernel);
+  out.add("rounds", m.rounds).add("tolerance", m.tolerance);
+  out.addText("notes", jsonListOf(notes), ",\n ").addText("modes", jsonList(modes, ",\n  "), ",\n ");
+  return out.text() + "\n";
 }
 
 std::string measurementAsSvg(const Measurement& m) {

@@ -27,6 +27,10 @@ struct HeldCamera {
 /// A perspective camera whose file knows no near plane (a camera of the real world) gets this one, and no far plane.
 inline constexpr double kDefaultNear = 0.01;
 
+/// Noted where --ignore-distortion was needed.
+inline constexpr const char* kDistortionLeftOut =
+    "distorts the picture and is left out: pixels are those of an ideal lens";
+
 struct Importer {
   std::string_view form;  ///< "a glTF file"
   bool (*recognises)(const nlohmann::json& root);

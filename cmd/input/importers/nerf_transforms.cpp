@@ -46,8 +46,17 @@ std::vector<HeldCamera> list(const Document& document) {
   return result;
 }
 
-/// Throws unless the lens is a pinhole, or its distortion is to be ignored.
+/// Throws unless the lens is a pinhole, or its distortion is to be ignored, which is noted.
 void requirePinhole(const Frame& frame, const CameraReading& reading) {
+  bool isNoted = false;
+  const auto refuse = [&](const char* key, const char* why) {
+    const ObjectReader& at = frame.with(key);
+    if (!reading.ignoreDistortion) at.fail(key, why);
+    Path path = at.path();
+    path.emplace_back(key);
+    if (!isNoted) at.document().note(path, kDistortionLeftOut);
+    isNoted = true;
+  };
   if (const auto model = frame.with("camera_model").string("camera_model")) {
     static constexpr std::string_view kPinholes[] = {"PINHOLE",       "SIMPLE_PINHOLE", "OPENCV",     "FULL_OPENCV",
                                                      "SIMPLE_RADIAL", "RADIAL",         "PERSPECTIVE"};
@@ -56,36 +65,41 @@ void requirePinhole(const Frame& frame, const CameraReading& reading) {
     const auto among = [&](auto& names) {
       return std::find(std::begin(names), std::end(names), *model) != std::end(names);
     };
-    if (among(kFisheyes)) {
-      if (!reading.ignoreDistortion)
-        frame.with("camera_model")
-            .fail("camera_model",
-                  "is no pinhole camera; --ignore-distortion takes it as one, for pixels near its middle");
-    } else if (!among(kPinholes)) {
+    if (among(kFisheyes))
+      refuse("camera_model", "is no pinhole camera; --ignore-distortion takes it as one, for pixels near its middle");
+    else if (!among(kPinholes))
       frame.with("camera_model").fail("camera_model", "is no pinhole camera; known are " + joined(kPinholes));
-    }
   }
-  if (reading.ignoreDistortion) return;
   if (frame.with("is_fisheye").flag("is_fisheye").value_or(false))
-    frame.with("is_fisheye").fail("is_fisheye", "is no pinhole camera; --ignore-distortion takes it as one");
+    refuse("is_fisheye", "is no pinhole camera; --ignore-distortion takes it as one");
   for (const char* key : {"k1", "k2", "k3", "k4", "k5", "k6", "p1", "p2"})
     if (frame.number(key).value_or(0) != 0)
-      frame.with(key).fail(key,
-                           "distorts the picture, which is not modelled; undistort it first, or give "
-                           "--ignore-distortion for pixels of an ideal lens");
+      refuse(key,
+             "distorts the picture, which is not modelled; undistort it first, or give --ignore-distortion for pixels "
+             "of an ideal lens");
 }
 
 /// Focal length in pixels: as such, or by the whole angle of view.
 std::optional<DoubleDouble> focalLength(const Frame& frame, const char* key, const char* angleKey, double pixels) {
-  if (const auto focal = frame.number(key)) {
-    if (!(*focal > 0)) frame.with(key).fail(key, "must be above 0");
-    return *focal;
-  }
-  const auto angle = frame.number(angleKey);
-  if (!angle) return std::nullopt;
+  const auto focal = frame.number(key), angle = frame.number(angleKey);
+  if (focal && !(*focal > 0)) frame.with(key).fail(key, "must be above 0");
+  if (!angle) return focal ? std::optional<DoubleDouble>(*focal) : std::nullopt;
   const DoubleDouble tangent = tanHalfRadians(*angle);
-  if (!(tangent.hi > 0)) frame.with(angleKey).fail(angleKey, "must be an angle between 0 and pi radians");
-  return timesPowerOfTwo(DoubleDouble(pixels), 0.5) / tangent;
+  if (!focal && !(tangent.hi > 0)) frame.with(angleKey).fail(angleKey, "must be an angle between 0 and pi radians");
+  const DoubleDouble ofAngle = timesPowerOfTwo(DoubleDouble(pixels), 0.5) / tangent;
+  if (!focal) return ofAngle;
+  // A frame's own focal length goes before the file's angle, and contradicts nothing.
+  constexpr double kSame = 1e-3;
+  const bool besides = frame.own.has(key) == frame.own.has(angleKey);
+  if (besides && !(std::fabs(ofAngle.hi - *focal) <= kSame * *focal)) {
+    Path path = frame.with(angleKey).path();
+    path.emplace_back(angleKey);
+    const bool isAngle = tangent.hi > 0;
+    frame.file.document().note(path, (isAngle ? "makes a focal length of " + shortNumber(ofAngle.hi) + " pixels"
+                                              : "is no angle between 0 and pi radians") +
+                                         std::string("; ") + key + " counts, which is " + shortNumber(*focal));
+  }
+  return *focal;
 }
 
 Pose readPose(const ObjectReader& frame) {

@@ -148,12 +148,14 @@ CameraFile read(const Document& document, std::size_t, const CameraReading& read
   const ObjectReader file(document, document.root(), {});
   const std::string_view kKey = nameIn(file, kK), distortionKey = nameIn(file, kDistortion);
   const Matrix3 k = readK(file, kKey);
-  if (const auto distortion = readMatrix(file, distortionKey, 0); distortion && !reading.ignoreDistortion)
-    for (double coefficient : *distortion)
-      if (coefficient != 0)
-        file.fail(distortionKey,
-                  "distorts the picture, which is not modelled; undistort points or picture first, or "
-                  "give --ignore-distortion for pixels of an ideal lens");
+  const auto distortion = readMatrix(file, distortionKey, 0);
+  if (distortion && std::any_of(distortion->begin(), distortion->end(), [](double c) { return c != 0; })) {
+    if (!reading.ignoreDistortion)
+      file.fail(distortionKey,
+                "distorts the picture, which is not modelled; undistort points or picture first, or "
+                "give --ignore-distortion for pixels of an ideal lens");
+    document.note({std::string(distortionKey)}, kDistortionLeftOut);
+  }
   const Size size = readSize(file);
   const auto viewport = importedViewport(document, {.width = size.width, .height = size.height, .pixelCenter = 0});
   // The pixels that K counts are the file's own; a viewport of another size shows the same picture.

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "catch.hpp"
+#include "viewproj/scene.hpp"
 #include "reference/scene.hpp"
 
 using namespace viewproj;

@@ -1,0 +1,17 @@
+#include "commands/notes.hpp"
+
+#include "commands/values.hpp"
+#include "output/output_file.hpp"
+
+namespace viewproj::cmd {
+
+void Notes::add(CLI::App& app) {
+  const Heading heading(app, "Messages");
+  app.add_flag("--quiet", quiet_, "Leave out the notes on standard error about what was probably not meant");
+}
+
+void Notes::say(const std::string& note) const {
+  if (!quiet_ && said_.insert(note).second) complain("note: " + note);
+}
+
+}  // namespace viewproj::cmd
