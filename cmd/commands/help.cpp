@@ -20,7 +20,7 @@ OptionHelp describe(const CLI::Option& option) {
   return {name, option.get_description()};
 }
 
-/// Broken between words, each line but the first behind `indent` blanks.
+/// Broken between words, each line but the first after `indent` blanks.
 std::string wrapped(const std::string& text, std::size_t indent) {
   std::string out, word;
   std::size_t column = indent;

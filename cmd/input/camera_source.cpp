@@ -45,7 +45,7 @@ NameCounts countNames(const std::vector<HeldCamera>& all) {
   return counts;
 }
 
-/// The shortest text behind # that picks the camera and no other, and that fits on a line.
+/// The shortest text after # that picks the camera and no other, and that fits on a line.
 std::string pickOf(const HeldCamera& camera, const NameCounts& counts) {
   const bool named = !camera.name.empty() && visible(camera.name) == camera.name && counts.at(camera.name) == 1;
   return named ? std::string(camera.name) : camera.number;
@@ -66,7 +66,7 @@ std::size_t choose(const Document& document, const std::vector<HeldCamera>& came
   if (!pick) {
     if (cameras.size() == 1) return 0;
     throw InputError(document.name() + ": holds " + std::to_string(cameras.size()) +
-                     " cameras; pick one behind the file's name: " + choices);
+                     " cameras; pick one after the file's name: " + choices);
   }
   using Field = std::string_view (*)(const HeldCamera&);
   constexpr Field kFields[] = {[](const HeldCamera& c) { return c.name; },

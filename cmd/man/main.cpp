@@ -78,7 +78,7 @@ std::string page(const std::string& version, const std::string& date, const std:
   out += roff::filled(
       "A camera is a JSON file. Every command but inspect, which reads matrices, and schema reads one, and writes its "
       "answer to standard output. FILE absent or - is standard input. Options that commands share are told once, "
-      "behind the commands; viewproj help command tells all options of one.");
+      "after the commands; viewproj help command tells all options of one.");
   out += ".PP\n" + roff::filled("The examples are for the folder " + folder + " of the installation (/usr/" + folder +
                                 " for a package), where samples/ is.");
   out += ".SH COMMANDS\n";

@@ -20,7 +20,7 @@ class SpilledTexts {
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
-  std::string recent_;  ///< each behind its length
+  std::string recent_;  ///< each after its length
   std::unique_ptr<std::FILE, Close> file_;
 };
 

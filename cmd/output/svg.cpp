@@ -16,7 +16,7 @@ std::string escaped(std::string_view text) {
     else if (c == '<')
       out += "&lt;";
     else if (c == '>')
-      out += "&gt;";  // behind ]] it must be
+      out += "&gt;";  // after ]] it must be
     else
       out += c;
   }

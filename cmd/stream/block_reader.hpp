@@ -15,7 +15,7 @@
 
 namespace viewproj::cmd {
 
-/// Bytes, and behind them room that may be read (simdjson looks that far beyond a record).
+/// Bytes, and after them room that may be read (simdjson looks that far beyond a record).
 class ByteBuffer {
  public:
   static constexpr std::size_t kPadding = 64;
@@ -39,17 +39,17 @@ struct StreamFault {
   std::string message;
 };
 
-/// A part of the input that ends behind a record.
+/// A part of the input that ends after a record.
 struct Block {
   ByteBuffer bytes;
   std::string_view records;          ///< in bytes. JSON: separated by white space alone, commas of an array made blank
   TextPosition position;             ///< of the first of records. f64: line is the record's number
   std::size_t inputBytes = 0;        ///< of the whole input that the block takes up
-  bool last = false;                 ///< the input ends behind it
+  bool last = false;                 ///< the input ends after it
   bool inArray = false;              ///< the records are an array's
   std::string opening;               ///< an array begins here: what stands before its first record
-  std::string closing;               ///< and ends here: what stands behind its last one
-  std::optional<StreamFault> fault;  ///< what is wrong behind the records: nothing follows
+  std::string closing;               ///< and ends here: what stands after its last one
+  std::optional<StreamFault> fault;  ///< what is wrong after the records: nothing follows
   JsonState state;                   ///< JSON, outside of an array: of all that comes before the records
   /// JSON, in an array: what is wrong between the records, or in their place, which was made blank, line breaks apart.
   struct Bad {
@@ -108,7 +108,7 @@ class BlockReader {
   bool mayEndRecord(std::string_view fresh) const;
   /// Reads into carried_ until what is new has a line break, or no more is to be had or to be kept.
   void readToLineBreak();
-  /// Reads once, behind what bytes hold, until they are `most` at the most. False when woken.
+  /// Reads once, after what bytes hold, until they are `most` at the most. False when woken.
   bool readMore(ByteBuffer& bytes, std::size_t most);
   void moveOn(std::string_view text);
 

@@ -1,11 +1,11 @@
-// Ctrl-C and its kin: a stream ends behind a whole record.
+// Ctrl-C and its kin: a stream ends after a whole record.
 #pragma once
 
 #include <atomic>
 
 namespace viewproj::cmd {
 
-/// Thrown behind the last whole record; whoever catches it dies of the signal.
+/// Thrown after the last whole record; whoever catches it dies of the signal.
 struct Interrupted {
   int signal;
 };

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t npos = std::string_view::npos;
 constexpr std::string_view kSpace = " \t\r\n";
 constexpr std::string_view kPoints = "points";
-constexpr const char* kNoSeparator = "expected , or ] behind a record of an array";
+constexpr const char* kNoSeparator = "expected , or ] after a record of an array";
 constexpr const char* kNotClosed = "the array is not closed; expected ]";
 
 using Place = JsonState::Place;
@@ -35,7 +35,7 @@ constexpr std::array<bool, 256> kOrdinary = [] {
   return ordinary;
 }();
 
-/// The first byte at `at` or behind it that counts within a string: a quote, a backslash or a line break.
+/// The first byte at `at` or after it that counts within a string: a quote, a backslash or a line break.
 std::size_t endOfPlain(std::string_view text, std::size_t at) {
   while (at < text.size() && text[at] != '"' && text[at] != '\\' && !isLineBreak(text[at])) ++at;
   return at;
@@ -180,7 +180,7 @@ JsonPiece JsonSplitter::behindRecord(std::string_view rest, std::size_t at, bool
 JsonPiece JsonSplitter::atEndOf(std::string_view rest, End end) {
   if (state_.place == Place::top) return piece(JsonEvent::end, rest, rest.size(), rest.size());
   const char* const message = end == End::ofBlock              ? kNotClosed
-                              : state_.place == Place::inArray ? "the input ends behind a comma; expected a record"
+                              : state_.place == Place::inArray ? "the input ends after a comma; expected a record"
                                                                : "the input ends inside an array; expected ]";
   return brokenEnd(rest, rest.size(), message);
 }
@@ -245,7 +245,7 @@ JsonPiece JsonSplitter::pass(std::string_view rest) {
   return piece(JsonEvent::passed, rest, at, at);
 }
 
-/// Whether an object that starts at `at` has "points" for its first key and an array behind it. looked_ is behind that
+/// Whether an object that starts at `at` has "points" for its first key and an array after it. looked_ is after that
 /// array's opening bracket then.
 JsonSplitter::DocumentStart JsonSplitter::documentStart(std::string_view rest, std::size_t at) {
   constexpr std::size_t kLongest = kPoints.size() * std::string_view("\\u0070").size();
@@ -310,7 +310,7 @@ JsonPiece JsonSplitter::atBracket(std::string_view rest, std::size_t at, bool at
       return unclosedRecord(rest, at, std::min(line, end), line == npos && state_.unclosedCutsLines, false);
     }
   }
-  // Of numbers, or in an array: no brackets belong into it. looked_: what comes behind the bracket.
+  // Of numbers, or in an array: no brackets belong into it. looked_: what comes after the bracket.
   const bool numbers = scanned_ == 0 && looked_ < rest.size() && beginsNumber(rest[looked_]);
   const bool flat = rest[at] == '[' && (insideArray() || numbers);
   switch (scan(rest, at, rest[at], flat, atEnd)) {
@@ -497,7 +497,7 @@ JsonPiece JsonSplitter::brokenEnd(std::string_view rest, std::size_t end, const 
 
 JsonPiece JsonSplitter::endOfArray(std::string_view rest, std::size_t at, bool atEnd) {
   if (state_.inDocument) {
-    // Behind its array and a comma a name stands.
+    // After its array and a comma a name stands.
     if (step_ == 0) {
       looked_ = skipSpace(rest, std::max(looked_, at + 1));
       if (looked_ == rest.size() && !atEnd) return {};

@@ -14,16 +14,16 @@ namespace viewproj::cmd {
 
 /// A line of JSON ends with LF, CRLF or CR.
 inline bool isLineBreak(char c) { return c == '\n' || c == '\r'; }
-/// The first or last line break at `at` or behind or before it, or npos.
+/// The first or last line break at `at` or after or before it, or npos.
 std::size_t findLineBreak(std::string_view text, std::size_t at);
 std::size_t findLastLineBreak(std::string_view text);
 
 /// A JSON record that is longer is an error, and so is one of any other form.
 inline constexpr std::size_t kLongestRecord = 64 << 20;
 
-/// A record border that needs no look at what comes before: a line that begins with an opening bracket behind one that
+/// A record border that needs no look at what comes before: a line that begins with an opening bracket after one that
 /// ends with a closing bracket. Valid JSON has none inside of a value, for a comma would stand there. Returns the
-/// offset of the last such opening bracket that is at `from` or behind it, or npos.
+/// offset of the last such opening bracket that is at `from` or after it, or npos.
 std::size_t lastBorder(std::string_view text, std::size_t from = 0);
 
 /// Whether an array or a document of records may begin in text; false is certain.
@@ -78,7 +78,7 @@ class JsonSplitter {
   explicit JsonSplitter(const JsonState& state = {}) : state_(state) {}
 
   enum class End { open, ofBlock, ofInput };
-  /// rest: all bytes behind the last piece, which begin with the same ones if the last call needed more. end: what it
+  /// rest: all bytes after the last piece, which begin with the same ones if the last call needed more. end: what it
   /// ends with; ofBlock: where another splitter found a piece to end.
   JsonPiece next(std::string_view rest, End end);
   /// Without it no time is spent on what exactly is wrong with a record that is not closed.

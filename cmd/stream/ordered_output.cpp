@@ -14,7 +14,7 @@
 namespace viewproj::cmd {
 namespace {
 
-/// Records that are written one behind the other.
+/// Records that are written one after the other.
 struct Records {
   std::string_view text;
   OutputForm form;
@@ -24,7 +24,7 @@ struct Records {
 
   std::size_t size() const { return count > 0 ? text.size() / count : text.size(); }  ///< f64
 
-  /// Behind the record that begins there, its line break included.
+  /// After the record that begins there, its line break included.
   std::size_t behind(std::size_t begin) const {
     const std::size_t line = form == OutputForm::csv ? endOfCsvRecord(text, begin) : text.find('\n', begin);
     return line >= text.size() ? text.size() : line + 1;
@@ -39,7 +39,7 @@ struct Records {
     return begin;
   }
 
-  /// The first place at `at` or behind it where a record ends, and an array if it stands in one.
+  /// The first place at `at` or after it where a record ends, and an array if it stands in one.
   std::size_t endBehind(std::size_t at) const {
     if (arrays) return text.size();
     if (joined) return std::min(text.find(",\n", at), text.size());

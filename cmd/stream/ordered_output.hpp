@@ -28,7 +28,7 @@ class OrderedOutput {
   /// Before the first block. Writes what stands before all records.
   void begin(std::string_view text);
   /// Writes the block's records whole. Throws InputError (UsageError) where the run ends with it, after all that came
-  /// before and an array's end; ClosedPipe and InputError where nothing can be written; Interrupted behind a whole
+  /// before and an array's end; ClosedPipe and InputError where nothing can be written; Interrupted after a whole
   /// record if a signal came.
   void put(const Block& block, const BlockResult& result);
   /// After the last block. Returns the exit status.
@@ -51,7 +51,7 @@ class OrderedOutput {
   OutputSetup setup_;
   Progress progress_;
   bool open_ = false, passedOver_ = false;
-  std::string closing_;  ///< behind the bracket: what ends a document
+  std::string closing_;  ///< after the bracket: what ends a document
   std::size_t inArray_ = 0;
   CsvAligner table_;
 };

@@ -34,7 +34,7 @@ class CsvEnds {
  public:
   /// The offset of the next one; npos if there is none yet. text begins as it did in the call before.
   std::size_t nextEnd(std::string_view text) { return scan(text, true); }
-  /// The offset behind the last one; 0 if there is none yet.
+  /// The offset after the last one; 0 if there is none yet.
   std::size_t lastEnd(std::string_view text) {
     scan(text, false);
     return behind_;

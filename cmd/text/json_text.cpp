@@ -181,7 +181,7 @@ std::size_t endOfValue(std::string_view text, std::size_t at) {
     } else if (c == '{' || c == '[') {
       ++depth;
     } else if (c == '}' || c == ']') {
-      if (depth == 0) return at;  // behind a scalar
+      if (depth == 0) return at;  // after a scalar
       --depth;
     } else if (depth == 0 && (c == ',' || isSpace(c))) {
       return at;
@@ -203,7 +203,7 @@ std::optional<JsonParts::Part> JsonParts::begin() {
     const std::size_t end = endOfString(text_, at_);
     part.key = text_.substr(at_ + 1, end - at_ - 2);
     at_ = afterSpace(text_, end);
-    at_ = afterSpace(text_, at_ + 1);  // behind the colon
+    at_ = afterSpace(text_, at_ + 1);  // after the colon
   }
   part.value = text_.substr(at_);
   return part;

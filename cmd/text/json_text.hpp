@@ -60,7 +60,7 @@ class JsonParts {
   std::size_t at_;
 };
 
-/// The offset behind the JSON value that starts at `at`. The text must be valid JSON.
+/// The offset after the JSON value that starts at `at`. The text must be valid JSON.
 std::size_t endOfValue(std::string_view text, std::size_t at);
 
 /// A key or string as written (without quotes) with its escapes resolved.

@@ -16,7 +16,7 @@ class TextBuffer {
   char back() const { return data_[size_ - 1]; }
 
   void clear() { size_ = 0; }
-  /// Forgets all behind the first `size` bytes.
+  /// Forgets all after the first `size` bytes.
   void truncate(std::size_t size) { size_ = size; }
 
   TextBuffer& operator+=(char c) {

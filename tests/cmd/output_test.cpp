@@ -8,7 +8,7 @@
 
 #include "catch.hpp"
 #include "input/coordinates.hpp"
-#include "output/plot.hpp"
+#include "output/cost_plot.hpp"
 #include "output/record_writer.hpp"
 #include "schema/schemas.hpp"
 #include "text/error.hpp"
@@ -186,7 +186,7 @@ TEST_CASE("labels of a plot lie on neither dots nor each other, however close th
   std::size_t inTheMiddle = 0;
   // The narrowest that a letter of a sans-serif face of 14 px is taken for here.
   const double letter = 5.5;
-  const std::regex label("<text x=\"([0-9.]+)\" y=\"([0-9.]+)\"([^>]*)class=\"label\"[^>]*>(label [0-9])</text>");
+  const std::regex label("<text x=\"([0-9.]+)\" y=\"([0-9.]+)\" class=\"label\"([^>]*)>(label [0-9])</text>");
   for (std::sregex_iterator it(svg.begin(), svg.end(), label), end; it != end; ++it) {
     const double x = std::stod((*it)[1]), y = std::stod((*it)[2]);
     const std::string anchor = (*it)[3];

@@ -16,6 +16,7 @@ function partOf({ command, options, flags }) {
     if (options["--prefix"] !== undefined || (to !== undefined && to !== "json" && to !== "ndjson")) return undefined;
     return flags.has("--planes") ? "planes" : command;
   }
+  if (command === "inspect" && options["--convention"] !== undefined) return undefined; // matrices under their own names
   if (command === "matrix") return to === undefined || to === "json" ? command : undefined;
   if (["explain", "inspect", "depth", "measure"].includes(command)) return to === "json" ? command : undefined;
   return undefined;

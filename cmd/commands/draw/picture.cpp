@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "commands/draw/labels.hpp"
 #include "commands/draw/sheet.hpp"
+#include "output/labels.hpp"
 #include "text/format_number.hpp"
 
 namespace viewproj::cmd {

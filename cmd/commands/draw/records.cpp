@@ -4,9 +4,9 @@
 #include <optional>
 #include <variant>
 
-#include "commands/draw/labels.hpp"
 #include "input/points.hpp"
 #include "input/shapes.hpp"
+#include "output/labels.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
 #include "text/json_text.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "commands/draw/labels.hpp"
+#include "output/labels.hpp"
 #include "text/format_number.hpp"
 
 namespace viewproj::cmd {

@@ -9,9 +9,9 @@
 
 namespace viewproj::cmd {
 
-/// Points, and outlines, that are drawn one by one; those behind them are counted.
+/// Points, and outlines, that are drawn one by one; those after them are counted.
 inline constexpr std::size_t kMostDrawn = 5000;
-/// No outline is drawn behind this many lines.
+/// No outline is drawn after this many lines.
 inline constexpr std::size_t kMostLines = 20000;
 
 struct DrawnPoint {

@@ -78,7 +78,7 @@ class Explanation {
   /// "M * v", or "v * M" where vectors are rows.
   std::string timesInWords(const std::string& matrix, const std::string& vector) const;
 
-  /// A line of text behind the last stage.
+  /// A line of text after the last stage.
   void remark(std::string text) { remarks_.push_back(std::move(text)); }
   void result(Result result) { results_.push_back(std::move(result)); }
 

@@ -89,11 +89,11 @@ std::vector<std::string> notesOn(const std::vector<Reading>& readings) {
   };
   if (all(needs(true)))
     notes.push_back(
-        "It needs a view whose z points back (RUB). Behind one whose z points forward, all in front of the camera has "
+        "It needs a view whose z points back (RUB). With one whose z points forward, all in front of the camera has "
         "w < 0: the picture is empty, or shows what is behind.");
   if (all(needs(false)))
     notes.push_back(
-        "It needs a view whose z points forward (RUF, RDF). Behind one whose z points back, all in front of the camera "
+        "It needs a view whose z points forward (RUF, RDF). With one whose z points back, all in front of the camera "
         "has w < 0: the picture is empty, or shows what is behind.");
   if (all([](const Reading& r) { return r.lens && r.convention.reverseZ; }))
     notes.push_back(

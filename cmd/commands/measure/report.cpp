@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "output/plot.hpp"
+#include "output/cost_plot.hpp"
 #include "output/table.hpp"
 #include "text/format_number.hpp"
 #include "text/json_build.hpp"

@@ -24,8 +24,10 @@ inline constexpr std::size_t kLongestLabel = 24;
 
 class Labels {
  public:
-  /// Nothing goes outside of the frame.
-  explicit Labels(const svg::Box& frame) : frame_(frame) {}
+  /// Nothing goes outside of the frame. farther: a label may stand a line away from its mark where there is no other
+  /// room.
+  explicit Labels(const svg::Box& frame, double textSize = kLabelText, bool farther = false)
+      : frame_(frame), textSize_(textSize), farther_(farther) {}
 
   /// No label lies on these.
   void avoid(const svg::Box& box);
@@ -47,6 +49,8 @@ class Labels {
   int linesThrough(const svg::Box& box) const;
 
   svg::Box frame_;
+  double textSize_;
+  bool farther_;
   std::unordered_map<int, std::vector<svg::Box>> taken_;  ///< by cell
   std::vector<Line> lines_;
   std::unordered_map<int, std::vector<std::size_t>> linesIn_;  ///< by cell: numbers of lines that may cross it

@@ -1,4 +1,4 @@
-#include "commands/draw/labels.hpp"
+#include "output/labels.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@ constexpr double kCell = 32;
 /// With so many marks in it, a cell has no room for a label; through so many lines, one place is as bad as another.
 constexpr std::size_t kMostBoxes = 512;
 constexpr int kMostLinesThrough = 1024;
-constexpr double kGap = 3, kLineHeight = 1.15 * kLabelText;
+constexpr double kGap = 3;
 
 /// Calls f with the number of each cell that the box touches.
 template <class F>
@@ -141,33 +141,36 @@ int Labels::linesThrough(const Box& box) const {
 }
 
 std::optional<std::string> Labels::place(const Box& marked, const std::string& words, const std::string& style) {
-  const double width = widthOf(words, kLabelText), x = (marked.left + marked.right) / 2,
+  const double width = widthOf(words, textSize_), lineHeight = 1.15 * textSize_, x = (marked.left + marked.right) / 2,
                y = (marked.top + marked.bottom) / 2;
   // Where the text begins (-1), is centred (0) or ends (1), and the middle of its line.
   struct Try {
     int anchor;
     double x, y;
   };
-  const double above = marked.top - kGap - kLineHeight / 2, below = marked.bottom + kGap + kLineHeight / 2;
+  const double above = marked.top - kGap - lineHeight / 2, below = marked.bottom + kGap + lineHeight / 2;
   const double right = marked.right + kGap, left = marked.left - kGap;
-  const std::array<Try, 9> tries = {{{0, x, y},
-                                     {-1, right, y},
-                                     {1, left, y},
-                                     {0, x, above},
-                                     {0, x, below},
-                                     {-1, x + kGap, above},
-                                     {1, x - kGap, above},
-                                     {-1, x + kGap, below},
-                                     {1, x - kGap, below}}};
+  const std::array<Try, 11> tries = {{{0, x, y},
+                                      {-1, right, y},
+                                      {1, left, y},
+                                      {0, x, above},
+                                      {0, x, below},
+                                      {-1, x + kGap, above},
+                                      {1, x - kGap, above},
+                                      {-1, x + kGap, below},
+                                      {1, x - kGap, below},
+                                      {0, x, above - lineHeight},
+                                      {0, x, below + lineHeight}}};
   // Within a shape, a label is its own; a mark it would hide.
-  const bool within = marked.right - marked.left > width && marked.bottom - marked.top > kLineHeight;
+  const bool within = marked.right - marked.left > width && marked.bottom - marked.top > lineHeight;
   const Try* best = nullptr;
   Box bestBox{};
   int fewest = 0;
   for (const Try& t : tries) {
     if (&t == &tries.front() && !within) continue;
+    if (&t >= tries.end() - 2 && !farther_) break;
     const double start = t.anchor < 0 ? t.x : t.anchor > 0 ? t.x - width : t.x - width / 2;
-    const Box box{start, t.y - kLineHeight / 2, start + width, t.y + kLineHeight / 2};
+    const Box box{start, t.y - lineHeight / 2, start + width, t.y + lineHeight / 2};
     if (!isFree(box)) continue;
     const int lines = linesThrough(box);
     if (best && lines >= fewest) continue;
@@ -182,7 +185,7 @@ std::optional<std::string> Labels::place(const Box& marked, const std::string& w
   }
   avoid(bestBox);
   static constexpr const char* kAnchors[] = {"", " text-anchor=\"middle\"", " text-anchor=\"end\""};
-  return svg::text(best->x, best->y + 0.36 * kLabelText, words, style + kAnchors[best->anchor + 1]);
+  return svg::text(best->x, best->y + 0.36 * textSize_, words, style + kAnchors[best->anchor + 1]);
 }
 
 }  // namespace viewproj::cmd
