@@ -41,24 +41,21 @@ struct ResultRow {
   double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
 
   constexpr ResultRow orNull() const {
-    return with([](ResultRow& row) { row.canBeNull = true; });
+    ResultRow row = *this;
+    row.canBeNull = true;
+    return row;
   }
-  constexpr ResultRow whereNamed() const {
-    return with([](ResultRow& row) { row.given = Given::named; });
-  }
-  constexpr ResultRow asked() const {
-    return with([](ResultRow& row) { row.given = Given::asked; });
+  constexpr ResultRow whereNamed() const { return givenAs(Given::named); }
+  constexpr ResultRow asked() const { return givenAs(Given::asked); }
+  constexpr ResultRow givenAs(Given when) const {
+    ResultRow row = *this;
+    row.given = when;
+    return row;
   }
   constexpr ResultRow within(double from, double to) const {
-    return with([&](ResultRow& row) {
-      row.least = from;
-      row.most = to;
-    });
-  }
-  template <class Change>
-  constexpr ResultRow with(const Change& change) const {
     ResultRow row = *this;
-    change(row);
+    row.least = from;
+    row.most = to;
     return row;
   }
 };

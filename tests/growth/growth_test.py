@@ -367,7 +367,7 @@ def options():
     many("--pixel, bad", 200, lambda n: ray(*["--pixel=1,2,9"] * n), 2, "beyond infinity")
     many("--at", 200, lambda n: ["depth", "-c", CAMERA, "--at", ",".join(f"{i + 1}" for i in range(n))], says="d24")
     many("--gap and --resolve", 40, lambda n: ["depth", "-c", CAMERA, *[f"--gap=0.{i + 1}" for i in range(n)], *[f"--resolve=0.01@{i + 1}" for i in range(n)]], says="d24")
-    many("--columns", 2000, lambda n: project("--columns", "x," * n, "--from", "csv"), 2, "named twice")
+    many("--columns", 10000, lambda n: project("--columns", "x," * n, "--from", "csv"), 2, "named twice")
     many("--columns, roles", 2000, lambda n: project("--columns", ",".join(f"x{i}=1{i}" for i in range(n)), "--from", "csv"), 2, "too many")
     many("# in the camera's name", 10000, lambda n: ["matrix", "-c", "#" * n], 1, "No such file|too long", memory="bounded")
     many("unknown words", 300, lambda n: ["matrix", *["word"] * n], 2, "was not expected")
