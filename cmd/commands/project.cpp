@@ -278,6 +278,7 @@ CameraOptions::Shown shownOf(const std::optional<std::vector<ResultField>>& fiel
 }
 
 int run(const Options& o) {
+  if (o.camera.lists()) return o.camera.list();
   FilterSetup setup = o.stream.setup(kPointCoordinates);
   setup.given = o.points;
   o.stream.requireOneInput(setup, o.camera, {"the model", isStandardInput(o.model)});

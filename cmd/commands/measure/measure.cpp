@@ -80,6 +80,7 @@ struct Options {
 };
 
 int run(const Options& o) {
+  if (o.camera.lists()) return o.camera.list();
   FilterSetup setup = o.stream.setup(kPointCoordinates);
   o.stream.requireOneInput(setup, o.camera);
   const CameraFile file = o.camera.read();
