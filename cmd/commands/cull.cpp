@@ -71,6 +71,7 @@ struct Options {
 };
 
 int run(const Options& o, const CLI::App& app) {
+  if (o.camera.lists()) return o.camera.list();
   if (o.planes)
     for (const CLI::Option* option : app.get_options())
       if (option->count() > 0 && (option->get_group() == "Input" || option->get_group() == "Output"))

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <memory>
 
 #include "input/convention_names.hpp"
 #include "input/points.hpp"
@@ -88,15 +89,22 @@ CameraSource CameraOptions::source() const {
   return splitPick(camera_ ? *camera_ : file_.value_or("-"));
 }
 
+std::unique_ptr<Document> CameraOptions::open(const CameraSource& picked) const {
+  auto document = std::make_unique<Document>(picked.file, camera_ ? "--camera" : "FILE");
+  if (viewport_) setViewportSize(*document, viewport_->width, viewport_->height);
+  for (const Assignment& assignment : set_) document->set(assignment);
+  return document;
+}
+
+int CameraOptions::list() const {
+  writeOutput(listCameras(*open(source())));
+  return 0;
+}
+
 CameraFile CameraOptions::read() const {
   const CameraSource picked = source();
-  Document document(picked.file, camera_ ? "--camera" : "FILE");
-  if (viewport_) setViewportSize(document, viewport_->width, viewport_->height);
-  for (const Assignment& assignment : set_) document.set(assignment);
-  if (list_) {
-    writeOutput(listCameras(document));
-    throw HelpGiven{};
-  }
+  const std::unique_ptr<const Document> opened = open(picked);
+  const Document& document = *opened;
   CameraFile file = readAnyCamera(document, picked.pick, {readAs_.value_or(""), allowStretch_, ignoreDistortion_});
   statesConvention_ = readAs_ || statesConvention(document) || file.worldIsEcef;
   for (const std::string& note : document.notes()) notes_.say(note);

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <initializer_list>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -39,7 +40,12 @@ class CameraOptions {
   /// FILE, for a command that reads nothing but the camera.
   void addFile(CLI::App& app);
 
-  /// From -c, or from FILE where the command has it. Throws HelpGiven after --list.
+  /// --list, which takes the place of all that the command does otherwise.
+  bool lists() const { return list_; }
+  /// Returns the exit status.
+  int list() const;
+
+  /// From -c, or from FILE where the command has it.
   CameraFile read() const;
   bool fromStandardInput() const;
   bool allowsStretch() const { return allowStretch_; }
@@ -63,6 +69,7 @@ class CameraOptions {
 
  private:
   CameraSource source() const;
+  std::unique_ptr<Document> open(const CameraSource& picked) const;
 
   std::optional<std::string> camera_, file_, readAs_;
   std::optional<Size> viewport_;

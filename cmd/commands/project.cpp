@@ -261,6 +261,7 @@ CameraOptions::Shown shownOf(const std::optional<Fields>& fields) {
 }
 
 int run(const Options& o) {
+  if (o.camera.lists()) return o.camera.list();
   FilterSetup setup = o.stream.setup(kPointColumns);
   setup.note = [&](const std::string& note) { o.camera.notes().say(note); };
   for (const GivenPoint& point : o.points) setup.given.push_back({point.text, point.json()});

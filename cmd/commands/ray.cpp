@@ -159,6 +159,7 @@ struct Options {
 };
 
 int run(const Options& o) {
+  if (o.camera.lists()) return o.camera.list();
   if (!o.scene && (o.allHits || o.clipped))
     throw UsageError(std::string(o.allHits ? "--all-hits" : "--clipped") + " is for --scene, which is not given");
   FilterSetup setup = o.stream.setup(kPixelColumns);

@@ -23,6 +23,7 @@ struct Options {
 };
 
 int run(const Options& o) {
+  if (o.camera.lists()) return o.camera.list();
   FilterSetup setup = o.stream.setup(kPointColumns);
   // With --pixel standard input is read only if asked for; with a scene also where something can be in it.
   const NamedInput ofScene{"the scene", isStandardInput(o.scene)};

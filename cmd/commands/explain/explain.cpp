@@ -30,6 +30,7 @@ struct Options {
 };
 
 int run(const Options& o) {
+  if (o.camera.lists()) return o.camera.list();
   if (!o.point && !o.pixel) throw UsageError("--point X,Y,Z or --pixel X,Y is needed: what to follow");
   if (o.point && o.pixel) throw UsageError("--point and --pixel are two explanations; leave out one of them");
   if (o.pixel && o.model) throw UsageError("--model goes with --point");

@@ -8,6 +8,7 @@
 #include "stream/filter.hpp"
 #include "text/error.hpp"
 #include "text/file.hpp"
+#include "text/visible.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -79,6 +80,7 @@ struct Options {
 };
 
 int run(const Options& o) {
+  if (o.camera.lists()) return o.camera.list();
   FilterSetup setup = o.stream.setup(kPointColumns);
   o.stream.requireOneInput(setup, o.camera);
   const CameraFile file = o.camera.read();
@@ -89,7 +91,7 @@ int run(const Options& o) {
   const PointReading reading{.columns = setup.columns, .worldIsEcef = file.worldIsEcef};
   const int status = readRecords(setup, [&] { return std::make_unique<SampleWork>(sample, reading, setup.keepGoing); });
   if (sample.points.empty())
-    throw InputError((setup.file == "-" ? kStandardInputName : setup.file) + ": has no points to measure" +
+    throw InputError((setup.file == "-" ? kStandardInputName : visible(setup.file)) + ": has no points to measure" +
                      (sample.leftOut > 0 ? "; directions and weighted points are left out" : ""));
   const Measurement m = measure(built, sample.points, o.tolerance.value_or(kDefaultTolerance), o.seconds);
   const std::vector<std::string> notes = notesOn(m, sample.leftOut);
