@@ -200,9 +200,8 @@ void StreamOptions::addInput(CLI::App& app, const std::string& what) {
   addValue(app, "FILE", "", file_, readFileName, "The " + what + "; absent or - for standard input");
   addChoice(app, "--from", "FORM", from_, namesOf(kFrom), "Form of FILE", "as its name and first bytes tell");
   addValue(app, "--columns", "COLUMNS", columns_, readText,
-           std::string("Columns of CSV, fields of JSON or numbers of a line that hold the coordinates, as in ") +
-               (what == "pixels" ? "u,v or 1,2 or x=u,y=v,depth=d" : "E,N,U or 2,3,4 or lat=la,lon=lo,height=h") +
-               " (default: by their names)");
+           "Columns of CSV, fields of JSON or numbers of a line that hold the coordinates: E,N,U or 2,3,4, or by their "
+           "roles, as in lat=la,lon=lo,height=h or, of pixels, x=u,y=v,depth=d (default: by their names)");
 }
 
 void StreamOptions::add(CLI::App& app, const std::string& what) {
