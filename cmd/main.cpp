@@ -15,6 +15,7 @@
 #include "stream/interrupt.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
+#include "text/visible.hpp"
 #include "viewproj/camera.hpp"
 
 namespace {
@@ -48,7 +49,10 @@ int run(int argc, char** argv) {
     writeOutput("viewproj " VIEWPROJ_VERSION "\n");
     return 0;
   }
-  if (name.empty()) throw UsageError("a command is needed\n\n" + helpText());
+  if (name.empty()) {
+    complain("a command is needed\n\n" + helpText());
+    return 2;
+  }
   return runCommand(find(name), argc - 1, argv + 1);
 }
 
@@ -59,7 +63,7 @@ void openStandardDescriptors() {
     if (::fcntl(descriptor, F_GETFD) < 0) (void)::open("/dev/null", O_RDONLY);
 }
 
-int fail(const char* message, int status) {
+int fail(const std::string& message, int status) {
   complain(message);
   return status;
 }
@@ -83,7 +87,7 @@ int main(int argc, char** argv) {
   } catch (const HelpGiven&) {
     return 0;
   } catch (const UsageError& e) {
-    return fail(e.what(), 2);
+    return fail(visible(e.what()), 2);
   } catch (const std::exception& e) {
     return fail(e.what(), 1);
   }

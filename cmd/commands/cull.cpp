@@ -1,6 +1,7 @@
 // viewproj cull: what of points and shapes lies in the view.
 #include "commands/command.hpp"
 #include "commands/options.hpp"
+#include "input/points.hpp"
 #include "input/shapes.hpp"
 #include "output/output_file.hpp"
 #include "output/side_names.hpp"
@@ -14,11 +15,12 @@ namespace {
 
 class CullWork final : public RecordWork {
  public:
-  CullWork(const Frustum& frustum, const std::vector<std::string>& columns, bool worldIsEcef)
-      : frustum_(frustum), columns_(columns), worldIsEcef_(worldIsEcef) {}
+  CullWork(const Frustum& frustum, const PointReading& reading) : frustum_(frustum), reading_(reading) {}
 
-  Layout find(const RecordParts& record) const override { return findShape(record, columns_, worldIsEcef_); }
-  void nameResults(const Layout&, ResultSink& sink) const override { writeCull({}, sink); }
+  Layout find(const RecordParts& record) const override { return findPoint(record, reading_); }
+  Results results(const Layout&, OutputForm) const override {
+    return {std::begin(results::kCull), std::end(results::kCull)};
+  }
   void add(const Layout& layout, const Numbers& numbers) override { shapes_.push_back(toShape(layout, numbers)); }
   void write(std::size_t i, ResultSink& sink) override {
     writeCull(std::visit([&](const auto& shape) { return cull(frustum_, shape); }, shapes_[i]), sink);
@@ -27,17 +29,30 @@ class CullWork final : public RecordWork {
 
  private:
   static void writeCull(const Cull& result, ResultSink& sink) {
-    if (sink.isText()) throw UsageError("the results of cull are words, which have no place in text and f64");
     const bool inside = result.verdict == CullVerdict::inside, outside = result.verdict == CullVerdict::outside;
-    sink.word("cull", inside ? "inside" : outside ? "outside" : "intersects");
-    sink.word("plane", sideName(result.side));
+    sink.word(results::cull, inside ? "inside" : outside ? "outside" : "intersects");
+    sink.word(results::plane, sideName(result.side));
   }
 
   const Frustum& frustum_;
-  const std::vector<std::string>& columns_;
-  bool worldIsEcef_;
+  const PointReading& reading_;
   std::vector<CullShape> shapes_;
 };
+
+/// Which names make which shape.
+std::string helpOnShapes() {
+  std::string columns, fields;
+  for (const Coordinate* row : coordinates::kShapes) {
+    fields += (fields.empty() ? "\"" : ", \"") + std::string(row->name) + "\": " + exampleOf(*row);
+    const std::vector<std::string> names = columnsOf(*row);
+    if (names.empty()) continue;
+    columns += (columns.empty() ? "" : ", or ");
+    for (std::size_t i = 0; i < names.size(); ++i) columns += (i > 0 ? "," : "") + names[i];
+    columns += " (a " + std::string(row->name) + ")";
+  }
+  return "A shape is in JSON " + fields + "; in CSV the columns " + columns +
+         ". A point (x,y,z, lat,lon,height or position) with a radius is a sphere too.";
+}
 
 std::string planesAsJson(const Frustum& frustum) {
   std::string out;
@@ -56,11 +71,12 @@ struct Options {
 };
 
 int run(const Options& o, const CLI::App& app) {
+  if (o.camera.lists()) return o.camera.list();
   if (o.planes)
     for (const CLI::Option* option : app.get_options())
       if (option->count() > 0 && (option->get_group() == "Input" || option->get_group() == "Output"))
         throw UsageError(option->get_name() + " is for records, and with --planes none are read");
-  FilterSetup setup = o.stream.setup(kPointCoordinates);
+  FilterSetup setup = o.stream.setup(kSphereColumns);
   if (!o.planes) o.stream.requireOneInput(setup, o.camera);
   const CameraFile file = o.camera.read();
   const Frustum frustum = viewFrustum(makeCamera(file));
@@ -68,11 +84,12 @@ int run(const Options& o, const CLI::App& app) {
     writeOutput(planesAsJson(frustum));
     return 0;
   }
-  setup.wordsOnly = true;
+  o.stream.settleOnEarth(setup, file.worldIsEcef);
+  const PointReading reading{
+      .columns = setup.columns, .worldIsEcef = file.worldIsEcef, .shapes = "culled", .radius = true};
+  setup.note = [&](const std::string& note) { o.camera.notes().say(note); };
   setup.writer.arrayName = "position";
-  const auto makeWork = [&] { return std::make_unique<CullWork>(frustum, setup.columns, file.worldIsEcef); };
-  setup.writer.exampleResults = [&](ResultSink& sink) { makeWork()->nameResults({}, sink); };
-  return runFilter(setup, makeWork);
+  return runFilter(setup, [&] { return std::make_unique<CullWork>(frustum, reading); });
 }
 
 }  // namespace
@@ -80,8 +97,9 @@ int run(const Options& o, const CLI::App& app) {
 Action defineCull(CLI::App& app) {
   const auto o = std::make_shared<Options>();
   app.description(
-      "Which points, spheres, boxes and triangles lie in the view: inside, intersects or outside, and by which plane. "
-      "A shape is a sphere, a box, a triangle or a position in a record of FILE.");
+      "Which points, spheres, boxes and triangles lie in the view: inside, intersects or outside, and by which "
+      "plane. " +
+      helpOnShapes());
   app.footer(
       "echo '{\"sphere\": {\"center\": [1, 1, 1], \"radius\": 0.5}}' |\n"
       "  viewproj cull -c samples/picking-a-pixel/camera.json");

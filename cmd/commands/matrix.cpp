@@ -135,6 +135,7 @@ void requireUse(const Wanted& wanted, const CameraFile& file) {
 }
 
 int run(const Options& o, const CLI::App& app) {
+  if (o.camera.lists()) return o.camera.list();
   const bool toCamera = o.format == "camera";
   if (o.type && !toCamera) throw UsageError("--type goes with --to camera");
   for (const char* option : {"--which", "--inverse", "--bake-viewport", "--relative-to-eye", "--float"})

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cctype>
+#include <memory>
 
 #include "input/convention_names.hpp"
+#include "input/points.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
 #include "text/names.hpp"
+#include "text/parse_number.hpp"
+#include "viewproj/geodesy.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -85,15 +89,22 @@ CameraSource CameraOptions::source() const {
   return splitPick(camera_ ? *camera_ : file_.value_or("-"));
 }
 
+std::unique_ptr<Document> CameraOptions::open(const CameraSource& picked) const {
+  auto document = std::make_unique<Document>(picked.file, camera_ ? "--camera" : "FILE");
+  if (viewport_) setViewportSize(*document, viewport_->width, viewport_->height);
+  for (const Assignment& assignment : set_) document->set(assignment);
+  return document;
+}
+
+int CameraOptions::list() const {
+  writeOutput(listCameras(*open(source())));
+  return 0;
+}
+
 CameraFile CameraOptions::read() const {
   const CameraSource picked = source();
-  Document document(picked.file, camera_ ? "--camera" : "FILE");
-  if (viewport_) setViewportSize(document, viewport_->width, viewport_->height);
-  for (const Assignment& assignment : set_) document.set(assignment);
-  if (list_) {
-    writeOutput(listCameras(document));
-    throw HelpGiven{};
-  }
+  const std::unique_ptr<const Document> opened = open(picked);
+  const Document& document = *opened;
   CameraFile file = readAnyCamera(document, picked.pick, {readAs_.value_or(""), allowStretch_, ignoreDistortion_});
   statesConvention_ = readAs_ || statesConvention(document) || file.worldIsEcef;
   for (const std::string& note : document.notes()) notes_.say(note);
@@ -130,14 +141,67 @@ void CameraOptions::noteWriting(const CameraFile& file, const Shown& shown, cons
              ", where the same numbers show the mirror image: --read-as " + name + " reads them so");
 }
 
+GivenPoint readGivenPoint(const std::string& option, const std::string& text) {
+  constexpr const char* kForms = "X,Y,Z or X,Y,Z,W, x=X,y=Y,z=Z or lat=LAT,lon=LON,height=HEIGHT";
+  GivenPoint point{option + " " + text, {}, text.find('=') != std::string::npos};
+  if (!point.named) {
+    const std::vector<double> numbers = readNumbers(option, text, 3, 4, kForms);
+    for (std::size_t i = 0; i < numbers.size(); ++i) point.numbers.emplace_back(coordinates::kXyzw[i].name, numbers[i]);
+    return point;
+  }
+  const UsageError wrong(point.text + ": expected " + kForms);
+  const std::vector<std::string> parts = splitNames(option, text);
+  for (const Coordinate* row : kPointRows) {
+    for (std::size_t i = 0; i < row->parts.size(); ++i) {
+      const std::string name(row->parts[i].name);
+      const auto part =
+          std::find_if(parts.begin(), parts.end(), [&](const std::string& one) { return one.starts_with(name + "="); });
+      if (part == parts.end() && i < row->fewest) break;
+      if (part == parts.end()) continue;
+      const auto number = parseNumber(part->substr(name.size() + 1));
+      if (!number) throw UsageError(point.text + ": " + name + " is no number");
+      point.numbers.emplace_back(name, *number);
+    }
+    if (point.numbers.empty()) continue;
+    if (point.numbers.size() < row->fewest || point.numbers.size() != parts.size()) throw wrong;
+    return point;
+  }
+  throw wrong;
+}
+
+std::string GivenPoint::json() const {
+  std::string json;
+  for (const auto& [name, number] : numbers)
+    json += (json.empty() ? "" : ",") + (named ? "\"" + name + "\":" : "") + formatNumber(number);
+  return named ? "{" + json + "}" : "[" + json + "]";
+}
+
+void GivenPoint::requireFit(bool worldIsEcef) const {
+  if (!named && worldIsEcef && numbers.size() == 3)
+    throw UsageError(text + ": " + bareTriple("lat=LAT,lon=LON,height=HEIGHT or x=X,y=Y,z=Z"));
+  if (numbers[0].first == "lat" && !worldIsEcef)
+    throw UsageError(text + ": a place needs a camera that stands on the Earth");
+}
+
+Vec4 GivenPoint::point() const {
+  if (numbers[0].first == "lat") {
+    const Geodetic place{numbers[0].second, numbers[1].second, numbers[2].second};
+    if (!isPlace(place)) throw UsageError(text + ": lat is not from -90 to 90 degrees");
+    const Vec3 p = geodeticToEcef(place);
+    return {p.x, p.y, p.z, 1};
+  }
+  return {numbers[0].second, numbers[1].second, numbers[2].second, numbers.size() > 3 ? numbers[3].second : 1};
+}
+
 void StreamOptions::addInput(CLI::App& app, const std::string& what) {
   static constexpr std::pair<std::string_view, Form> kFrom[] = {
       {"json", Form::json}, {"csv", Form::csv}, {"text", Form::text}, {"f64", Form::f64}};
   const Heading heading(app, "Input");
   addValue(app, "FILE", "", file_, readFileName, "The " + what + "; absent or - for standard input");
   addChoice(app, "--from", "FORM", from_, namesOf(kFrom), "Form of FILE", "as its name and first bytes tell");
-  addValue(app, "--columns", "NAMES", columns_, readText,
-           "CSV columns that hold the coordinates, as in E,N,U (default: by their names)");
+  addValue(app, "--columns", "COLUMNS", columns_, readText,
+           "Columns of CSV, fields of JSON or numbers of a line that hold the coordinates: E,N,U or 2,3,4, or by their "
+           "roles, as in lat=la,lon=lo,height=h or, of pixels, x=u,y=v,depth=d (default: by their names)");
 }
 
 void StreamOptions::add(CLI::App& app, const std::string& what) {
@@ -168,7 +232,7 @@ void StreamOptions::addKeepGoing(CLI::App& app) {
   app.add_flag("--keep-going", keepGoing_, "Leave a bad record out, with a message, and go on; the status is 1 then");
 }
 
-FilterSetup StreamOptions::setup(const Coordinates& coordinates) const {
+FilterSetup StreamOptions::setup(const ChoosableColumns& choosable) const {
   FilterSetup setup;
   setup.file = file_.value_or("-");
   setup.from = from_;
@@ -178,14 +242,30 @@ FilterSetup StreamOptions::setup(const Coordinates& coordinates) const {
   setup.firstLine = firstLine_.value_or(1);
   setup.writer.header = !noHeader_;
   setup.writer.prefix = prefix_.value_or("");
-  setup.csvDefaults.assign(coordinates.names.begin(), coordinates.names.end());
-  if (!columns_) return setup;
-  const auto& [names, fewest, most] = coordinates;
-  setup.columns = setup.csvDefaults = splitNames("--columns", *columns_);
-  if (setup.columns.size() < fewest || setup.columns.size() > most)
-    throw UsageError("--columns " + *columns_ + ": expected " + std::to_string(fewest) +
-                     (fewest == most ? "" : " or " + std::to_string(most)) + " names separated by commas");
+  if (columns_) {
+    setup.columns = chooseColumns(*columns_, choosable);
+    setup.csvDefaults = setup.writer.numberNames = setup.columns.columnNames();
+    return setup;
+  }
+  for (const auto& rows : {choosable.rows.first(1), choosable.others})
+    for (const Coordinate* row : rows)
+      for (const CoordinatePart& part : row->parts) setup.csvDefaults.emplace_back(part.name);
   return setup;
+}
+
+void StreamOptions::settleOnEarth(FilterSetup& setup, bool worldIsEcef) {
+  if (!worldIsEcef) return;
+  const ColumnChoice& columns = setup.columns;
+  if (columns.given() && !columns.saysWhat) {
+    std::string place, ecef;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::string end = "=" + columns.picks[i].name + (i < 2 ? "," : "");
+      place += std::string(coordinates::kPlace[i].name) + end;
+      ecef += std::string(coordinates::kXyzw[i].name) + end;
+    }
+    throw UsageError("--columns " + columns.text + ": " + bareTriple(place + " or " + ecef));
+  }
+  if (!columns.given()) setup.writer.numberNames = setup.csvDefaults;
 }
 
 void requireOneStandardInput(std::initializer_list<NamedInput> inputs) {

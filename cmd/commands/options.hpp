@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <initializer_list>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,6 +14,7 @@
 #include "commands/values.hpp"
 #include "input/camera_file.hpp"
 #include "input/camera_source.hpp"
+#include "input/column_choice.hpp"
 #include "stream/filter.hpp"
 #include "viewproj/screen.hpp"
 
@@ -38,7 +40,12 @@ class CameraOptions {
   /// FILE, for a command that reads nothing but the camera.
   void addFile(CLI::App& app);
 
-  /// From -c, or from FILE where the command has it. Throws HelpGiven after --list.
+  /// --list, which takes the place of all that the command does otherwise.
+  bool lists() const { return list_; }
+  /// Returns the exit status.
+  int list() const;
+
+  /// From -c, or from FILE where the command has it.
   CameraFile read() const;
   bool fromStandardInput() const;
   bool allowsStretch() const { return allowStretch_; }
@@ -62,6 +69,7 @@ class CameraOptions {
 
  private:
   CameraSource source() const;
+  std::unique_ptr<Document> open(const CameraSource& picked) const;
 
   std::optional<std::string> camera_, file_, readAs_;
   std::optional<Size> viewport_;
@@ -73,14 +81,6 @@ class CameraOptions {
   Notes notes_;
   mutable bool statesConvention_ = true;  ///< of the camera that was read
 };
-
-/// What records hold: the coordinates' names in CSV without a header, and how many of them --columns may name.
-struct Coordinates {
-  std::span<const std::string_view> names;
-  std::size_t fewest, most;
-};
-inline constexpr std::string_view kPointNames[] = {"x", "y", "z", "w"}, kPixelNames[] = {"x", "y", "depth"};
-inline constexpr Coordinates kPointCoordinates{kPointNames, 3, 4}, kPixelCoordinates{kPixelNames, 2, 2};
 
 /// Something that is read, and whether from standard input.
 struct NamedInput {
@@ -100,11 +100,15 @@ class StreamOptions {
   void addInput(CLI::App& app, const std::string& what);
 
   /// Throws UsageError for columns that are none.
-  FilterSetup setup(const Coordinates& coordinates) const;
+  FilterSetup setup(const ChoosableColumns& choosable) const;
 
   /// Throws UsageError where records come from the command line and from a file, or two inputs from standard input.
   /// other: what else the command reads.
   void requireOneInput(const FilterSetup& setup, const CameraOptions& camera, const NamedInput& other = {}) const;
+
+  /// With a camera on the Earth, columns that are named by neither lat, lon, height nor x, y, z are a UsageError; and
+  /// what has no names in the output gets x, y, z.
+  static void settleOnEarth(FilterSetup& setup, bool worldIsEcef);
 
   /// Throws UsageError for an option that tells how FILE is to be read. why: "--point takes the place of".
   void requireNoInputOption(const std::string& why) const;
@@ -121,6 +125,22 @@ class StreamOptions {
   std::optional<std::size_t> jobs_, firstLine_;
   bool keepGoing_ = false, noHeader_ = false;
 };
+
+/// A point of the command line: X,Y,Z[,W], or x=..,y=..,z=..[,w=..] or lat=..,lon=..,height=.. in any order.
+struct GivenPoint {
+  std::string text;  ///< as typed, after the option
+  std::vector<std::pair<std::string, double>> numbers;
+  bool named = false;
+
+  /// As a record.
+  std::string json() const;
+  /// Throws UsageError for a place with a camera elsewhere, and for numbers without names with one on the Earth.
+  void requireFit(bool worldIsEcef) const;
+  /// In the world.
+  Vec4 point() const;
+};
+inline constexpr const char* kPointForm = "X,Y,Z[,W]|lat=..,lon=..,height=..";
+GivenPoint readGivenPoint(const std::string& option, const std::string& text);
 
 /// The forms of a report.
 enum class ReportForm { table, json, svg };

@@ -24,48 +24,66 @@ namespace viewproj::cmd {
 using namespace detail;
 namespace {
 
-enum class ResultField { screen, depth, viewDistance, visible, outside, ndc, clip, view, bound };
-
-constexpr std::pair<std::string_view, ResultField> kFields[] = {
-    {"screen", ResultField::screen},   {"depth", ResultField::depth},     {"viewDistance", ResultField::viewDistance},
-    {"visible", ResultField::visible}, {"outside", ResultField::outside}, {"ndc", ResultField::ndc},
-    {"clip", ResultField::clip},       {"view", ResultField::view},       {"bound", ResultField::bound},
-};
-
+/// Those to give. In text and f64 names have no place.
 struct Fields {
-  std::vector<ResultField> wanted;
+  std::vector<const PointResult*> named, numbers;
   bool outsideAlways = false;
 };
 
-Fields chooseFields(const std::optional<std::vector<ResultField>>& asked, bool asText) {
-  using enum ResultField;
-  if (asked) return {*asked, true};
-  return {asText ? std::vector{screen, depth} : std::vector{screen, depth, viewDistance, visible, outside}};
+Fields defaultFields() {
+  Fields fields;
+  for (const PointResult& result : pointResults()) {
+    if (result.row.given != Given::asked) fields.named.push_back(&result);
+    if (result.row.given == Given::everywhere) fields.numbers.push_back(&result);
+  }
+  return fields;
 }
 
-/// The names of what a point lies beyond, in the interface's order.
-class Sides {
- public:
-  explicit Sides(const ScreenPoint& p) {
-    if (p.status == PointStatus::behind) names_[count_++] = "behind";
-    for (Side side : kSides)
-      if (p.outside & side) names_[count_++] = sideName(side);
+Fields readFields(const std::string& option, const std::string& text) {
+  constexpr std::string_view kAll = "all";
+  Names<const PointResult*> known = {{kAll, nullptr}};
+  for (const PointResult& result : pointResults()) known.emplace_back(result.row.name, &result);
+  Fields fields{.named = {}, .numbers = {}, .outsideAlways = true};
+  const std::vector<std::string> names = splitNames(option, text);
+  for (const std::string& name : names) {
+    const PointResult* const chosen = choose(option, name, known);
+    if (chosen)
+      fields.named.push_back(chosen);
+    else if (names.size() > 1)
+      throw UsageError(option + " all gives every result; leave the other names out");
   }
-  std::span<const std::string_view> names() const { return {names_.data(), count_}; }
+  fields.numbers = fields.named;
+  if (!fields.named.empty()) return fields;
+  for (const PointResult& result : pointResults()) {
+    fields.named.push_back(&result);
+    if (numbersOf(result.row) > 0) fields.numbers.push_back(&result);
+  }
+  return fields;
+}
 
- private:
-  std::array<std::string_view, 6> names_;
-  std::size_t count_ = 0;
-};
+/// What --fields says of itself.
+std::string helpOnFields() {
+  std::string all, named, everywhere;
+  const auto add = [](std::string& list, const ResultRow& row) {
+    list += (list.empty() ? "" : ",") + std::string(row.name);
+  };
+  for (const PointResult& result : pointResults()) {
+    add(all, result.row);
+    if (result.row.given != Given::asked) add(named, result.row);
+    if (result.row.given == Given::everywhere) add(everywhere, result.row);
+  }
+  return "Results to give, in this order: " + all + " or all (default: " + named + "; in text and f64: " + everywhere +
+         ")";
+}
 
 struct Projecting {
   Camera camera;
   Convention writing;                   ///< of ndc, clip and view
   std::optional<Precision> arithmetic;  ///< nothing: auto, within the tolerance
   double tolerance = 0;
-  std::vector<std::string> columns;
-  bool worldIsEcef = false;
-  Fields fields, textFields;
+  PointReading reading;
+  Fields fields;
+  std::vector<const PointResult*> ofText;   ///< by default
   std::optional<Mat4> worldFromLocal = {};  ///< of a model that the points are in
   std::optional<Frustum> frustum = {};      ///< for segments
 };
@@ -101,30 +119,28 @@ std::size_t countUsable(std::span<const Vec3> points, std::span<const Vec3> scre
   return i;
 }
 
-bool isScreenAndDepth(const Fields& fields) {
-  return fields.wanted == std::vector{ResultField::screen, ResultField::depth};
-}
-
 class ProjectWork final : public RecordWork {
  public:
   explicit ProjectWork(const Projecting& how)
       : how_(how), chosen_(how.arithmetic ? *how.arithmetic : precisionWithin(how.camera, how.tolerance)) {}
 
-  Layout find(const RecordParts& record) const override {
-    if (const auto segment = findSegment(record)) return *segment;
-    return findPoint(record, how_.columns, how_.worldIsEcef);
-  }
+  Layout find(const RecordParts& record) const override { return findPoint(record, how_.reading); }
 
-  void nameResults(const Layout& layout, ResultSink& sink) const override {
-    if (layout.kind == kindSegment || layout.kind == kindSegmentAndPixel)
-      writeSegment({.hasPixel = layout.kind == kindSegmentAndPixel}, sink);
-    else
-      writeFields({}, {0, 0, 0, 1}, sink);
+  Results results(const Layout& layout, OutputForm form) const override {
+    Results rows;
+    if (isSegment(layout)) {
+      rows.assign(std::begin(results::kSegment), std::end(results::kSegment));
+      if (layout.kind == kindSegment) rows.pop_back();
+      return rows;
+    }
+    const bool numbers = form == OutputForm::text || form == OutputForm::f64;
+    for (const PointResult* result : numbers ? how_.fields.numbers : how_.fields.named) rows.push_back(&result->row);
+    return rows;
   }
 
   void add(const Layout& layout, const Numbers& n) override {
     Vec4 point{0, 0, 0, 1};
-    if (layout.kind == kindSegment || layout.kind == kindSegmentAndPixel) {
+    if (isSegment(layout)) {
       SegmentRow segment{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, {}, layout.kind == kindSegmentAndPixel};
       if (segment.hasPixel && !std::isnan(n[6])) segment.pixel = Vec2{n[6], n[7]};
       segment.a = placed(segment.a);
@@ -165,7 +181,7 @@ class ProjectWork final : public RecordWork {
   }
 
   std::size_t convert(std::span<const double> in, TextBuffer& out) override {
-    if (!isScreenAndDepth(how_.textFields) || how_.worldFromLocal) return 0;
+    if (how_.fields.numbers != how_.ofText || how_.worldFromLocal) return 0;
     const std::size_t count = in.size() / 3;
     char* const room = out.room(count * sizeof(Vec3));
     const std::span points(reinterpret_cast<const Vec3*>(in.data()), count);
@@ -190,59 +206,31 @@ class ProjectWork final : public RecordWork {
     if (sink.isText() || sink.hasFixedColumns())
       throw RecordError(0, "has a segment, whose results have no place in columns; write JSON");
     const VisibleSegment segment = clipSegment(*how_.frustum, row.a, row.b);
-    sink.flag("visible", segment.visible);
-    const auto writeEnd = [&](std::string_view name, const SegmentEnd& end) {
-      sink.group(name, segment.visible, [&](ResultSink& part) {
-        part.number("t", end.t);
-        part.vector("screen", end.screen);
-        part.number("depth", end.depth);
-        part.number("viewDistance", end.viewDistance);
-        part.word("cutBy", sideName(end.side));
+    sink.flag(results::visible, segment.visible);
+    const auto writeEnd = [&](const ResultRow& result, const SegmentEnd& end) {
+      sink.group(result, segment.visible, [&](ResultSink& part) {
+        part.number(results::t, end.t);
+        part.vector(results::screen, end.screen);
+        part.number(results::depth, end.depth);
+        part.number(results::viewDistance, end.viewDistance);
+        part.word(results::cutBy, sideName(end.side));
       });
     };
-    writeEnd("start", segment.start);
-    writeEnd("end", segment.end);
+    writeEnd(results::start, segment.start);
+    writeEnd(results::end, segment.end);
     if (!row.hasPixel) return;
-    sink.group("under", segment.visible && row.pixel, [&](ResultSink& part) {
+    sink.group(results::under, segment.visible && row.pixel, [&](ResultSink& part) {
       const double t = parameterUnder(*how_.frustum, segment, *row.pixel);
       const Vec3 point = pointAlong(row.a, row.b, t);
-      part.number("t", t);
-      part.vector("point", point);
+      part.number(results::underT, t);
+      part.vector(results::underPoint, point);
     });
   }
 
-  void writeFields(const ScreenPoint& p, const Vec4& point, ResultSink& sink) const {
-    const Fields& fields = sink.isText() ? how_.textFields : how_.fields;
-    const Camera& camera = how_.camera;
-    for (ResultField field : fields.wanted) switch (field) {
-        case ResultField::screen:
-          sink.vector("screen", Vec2{p.x, p.y});
-          break;
-        case ResultField::depth:
-          sink.number("depth", p.depth);
-          break;
-        case ResultField::viewDistance:
-          sink.number("viewDistance", p.viewDistance);
-          break;
-        case ResultField::visible:
-          sink.flag("visible", p.visible());
-          break;
-        case ResultField::outside:
-          sink.names("outside", Sides(p).names(), fields.outsideAlways);
-          break;
-        case ResultField::ndc:
-          sink.vector("ndc", worldToNdc(camera, point, how_.writing));
-          break;
-        case ResultField::clip:
-          sink.vector("clip", worldToClip(camera, point, how_.writing));
-          break;
-        case ResultField::view:
-          sink.vector("view", worldToView(camera, point, how_.writing));
-          break;
-        case ResultField::bound:
-          sink.number("bound", boundOfPoint(camera, point, p.precision).screen);
-          break;
-      }
+  void writeFields(const ScreenPoint& screen, const Vec4& point, ResultSink& sink) const {
+    const ProjectedPoint projected{how_.camera, how_.writing, point, screen, how_.fields.outsideAlways};
+    for (const PointResult* result : sink.isText() ? how_.fields.numbers : how_.fields.named)
+      result->write(result->row, projected, sink);
   }
 
   const Projecting& how_;
@@ -254,54 +242,50 @@ class ProjectWork final : public RecordWork {
   std::vector<ScreenPoint> screen_;
 };
 
-/// A point of the command line as a JSON record.
-GivenRecord readPoint(const std::string& option, const std::string& text) {
-  std::string json;
-  for (double number : readPointNumbers(option, text)) json += (json.empty() ? "[" : ",") + formatNumber(number);
-  return {option + " " + text, json + "]"};
-}
-
 struct Options {
   CameraOptions camera;
   StreamOptions stream;
   PrecisionMode precision;
   std::optional<double> tolerance;
-  std::vector<GivenRecord> points;
-  std::optional<std::vector<ResultField>> fields;
+  std::vector<GivenPoint> points;
+  std::optional<Fields> fields;
   std::optional<std::string> model;
 };
 
 /// Fields that no option names show nothing of the convention that is written.
-CameraOptions::Shown shownOf(const std::optional<std::vector<ResultField>>& fields) {
-  const auto has = [&](ResultField field) {
-    return fields && std::find(fields->begin(), fields->end(), field) != fields->end();
-  };
-  const bool depth = has(ResultField::ndc) || has(ResultField::clip), view = has(ResultField::view);
-  return {.axes = depth || view, .range = depth, .reversal = depth, .world = depth || view};
+CameraOptions::Shown shownOf(const std::optional<Fields>& fields) {
+  bool view = false, depth = false;
+  if (fields)
+    for (const PointResult* result : fields->named) {
+      view |= result->shows != PointResult::Shows::nothing;
+      depth |= result->shows == PointResult::Shows::depth;
+    }
+  return {.axes = view, .range = depth, .reversal = depth, .world = view};
 }
 
 int run(const Options& o) {
-  FilterSetup setup = o.stream.setup(kPointCoordinates);
-  setup.given = o.points;
+  if (o.camera.lists()) return o.camera.list();
+  FilterSetup setup = o.stream.setup(kPointColumns);
+  setup.note = [&](const std::string& note) { o.camera.notes().say(note); };
+  for (const GivenPoint& point : o.points) setup.given.push_back({point.text, point.json()});
   o.stream.requireOneInput(setup, o.camera, {"the model", isStandardInput(o.model)});
   if (o.precision.arithmetic && o.tolerance)
     throw UsageError("--tolerance is for --precision auto, which chooses by it");
   const CameraFile file = o.camera.read();
+  for (const GivenPoint& point : o.points) point.requireFit(file.worldIsEcef);
+  o.stream.settleOnEarth(setup, file.worldIsEcef);
   Projecting how{.camera = makeCamera(file),
                  .writing = o.camera.writing(file),
                  .arithmetic = o.precision.arithmetic,
                  .tolerance = o.tolerance.value_or(kDefaultTolerance),
-                 .columns = setup.columns,
-                 .worldIsEcef = file.worldIsEcef,
-                 .fields = chooseFields(o.fields, false),
-                 .textFields = chooseFields(o.fields, true)};
+                 .reading = {.columns = setup.columns, .worldIsEcef = file.worldIsEcef, .segments = true},
+                 .fields = o.fields.value_or(defaultFields()),
+                 .ofText = defaultFields().numbers};
   how.frustum = viewFrustum(how.camera);
   if (o.model) how.worldFromLocal = readModel(*o.model);
   o.camera.noteWriting(file, shownOf(o.fields), "--fields with ndc or clip");
   setup.writer.arrayName = "position";
-  const auto makeWork = [&] { return std::make_unique<ProjectWork>(how); };
-  setup.writer.exampleResults = [&](ResultSink& sink) { makeWork()->nameResults({}, sink); };
-  return runFilter(setup, makeWork);
+  return runFilter(setup, [&] { return std::make_unique<ProjectWork>(how); });
 }
 
 }  // namespace
@@ -317,9 +301,8 @@ Action defineProject(CLI::App& app) {
   o->stream.add(app, "points");
   addPrecision(app, o->precision);
   addTolerance(app, o->tolerance);
-  addValues(app, "--point", "X,Y,Z[,W]", o->points, readPoint, "A point, in place of FILE and standard input");
-  addChoices(app, "--fields", o->fields, namesOf(kFields), "Results to give",
-             "the first five; in text and f64 the first two");
+  addValues(app, "--point", kPointForm, o->points, readGivenPoint, "A point, in place of FILE and standard input");
+  addValue(app, "--fields", "NAMES", o->fields, readFields, helpOnFields());
   addModelOption(app, o->model, "points");
   return [o] { return run(*o); };
 }

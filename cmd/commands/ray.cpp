@@ -38,7 +38,7 @@ struct Casting {
   Precision arithmetic = Precision::exact;
   RayOrigin origin = RayOrigin::eye;
   bool wantBound = false;
-  std::vector<std::string> columns;
+  ColumnChoice columns;
   std::optional<std::vector<SceneObject>> scene = {};
   bool sceneHasEllipsoid = false;
   bool allHits = false;
@@ -56,10 +56,14 @@ class RayWork final : public RecordWork {
   explicit RayWork(const Casting& how) : how_(how) {}
 
   Layout find(const RecordParts& record) const override { return findPixel(record, how_.columns); }
-  void nameResults(const Layout& layout, ResultSink& sink) const override {
-    Pixel pixel;
-    pixel.hasDistance = hasDistance(layout);
-    writeRay(pixel, sink);
+  Results results(const Layout& layout, OutputForm form) const override {
+    Results rows = {&results::origin, &results::direction};
+    if (hasDistance(layout) || hasColumns(form) || form == OutputForm::f64) {
+      rows.push_back(&results::point);
+      if (how_.wantBound) rows.push_back(&results::pointBound);
+    }
+    if (how_.scene) rows.push_back(how_.allHits ? &results::hits : &hitRow());
+    return rows;
   }
 
   void add(const Layout& layout, const Numbers& numbers) override { pixels_.push_back(toPixel(layout, numbers)); }
@@ -74,38 +78,40 @@ class RayWork final : public RecordWork {
       ray = screenToRay(how_.camera, *pixel.screen, how_.arithmetic, how_.origin);
       if (pixel.depth || pixel.viewDistance) point = pointBehind(how_.camera, pixel);
     }
-    sink.vector("origin", ray.origin);
-    sink.vector("direction", ray.direction);
+    sink.vector(results::origin, ray.origin);
+    sink.vector(results::direction, ray.direction);
     if (pixel.hasDistance || sink.hasFixedColumns()) {
-      sink.vector("point", point.position);
-      if (how_.wantBound) sink.number("bound", point.status == DepthStatus::point ? point.bound : kNaN);
+      sink.vector(results::point, point.position);
+      if (how_.wantBound) sink.number(results::pointBound, point.status == DepthStatus::point ? point.bound : kNaN);
       if (pixel.hasDistance) how_.hadDistance.store(true, std::memory_order_relaxed);
     }
     if (how_.scene) writeHits(ray, sink);
   }
 
+  const ResultRow& hitRow() const { return how_.sceneHasEllipsoid ? results::placedHit : results::hit; }
+
   void writeHits(const Ray& ray, ResultSink& sink) const {
     const std::vector<SceneHit> hits = hitsOf(ray);
     if (how_.allHits) {
-      sink.list("hits", hits.size(), [&](ResultSink& part, std::size_t i) { writeHit(hits[i], part); });
+      sink.list(results::hits, hits.size(), [&](ResultSink& part, std::size_t i) { writeHit(hits[i], part); });
       return;
     }
     const SceneHit none{nullptr, {kNaN, {kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}}};
-    sink.group("hit", !hits.empty(), [&](ResultSink& part) { writeHit(hits.empty() ? none : hits.front(), part); });
+    sink.group(hitRow(), !hits.empty(), [&](ResultSink& part) { writeHit(hits.empty() ? none : hits.front(), part); });
   }
 
   void writeHit(const SceneHit& hit, ResultSink& sink) const {
-    sink.json("id", hit.object ? std::string_view(hit.object->id) : "null");
-    sink.number("distance", hit.hit.distance);
-    sink.vector("point", hit.hit.point);
-    sink.vector("normal", hit.hit.normal);
+    sink.json(results::hitId, hit.object ? std::string_view(hit.object->id) : "null");
+    sink.number(results::distance, hit.hit.distance);
+    sink.vector(results::hitPoint, hit.hit.point);
+    sink.vector(results::normal, hit.hit.normal);
     // Only points of the Earth are places; where columns are fixed, they are empty for the others.
     const bool onEllipsoid = hit.object && std::holds_alternative<Ellipsoid>(hit.object->shape);
     if (!onEllipsoid && !(sink.hasFixedColumns() && how_.sceneHasEllipsoid)) return;
     const Geodetic place = onEllipsoid ? ecefToGeodetic(hit.hit.point) : Geodetic{kNaN, kNaN, kNaN};
-    sink.number("lat", place.lat);
-    sink.number("lon", place.lon);
-    sink.number("height", place.height);
+    sink.number(results::lat, place.lat);
+    sink.number(results::lon, place.lon);
+    sink.number(results::height, place.height);
   }
 
   /// Nearest first; of hits at the same distance, in the scene's order.
@@ -156,9 +162,10 @@ struct Options {
 };
 
 int run(const Options& o) {
+  if (o.camera.lists()) return o.camera.list();
   if (!o.scene && (o.allHits || o.clipped))
     throw UsageError(std::string(o.allHits ? "--all-hits" : "--clipped") + " is for --scene, which is not given");
-  FilterSetup setup = o.stream.setup(kPixelCoordinates);
+  FilterSetup setup = o.stream.setup(kPixelColumns);
   bool mayHaveDepth = o.pixels.empty();
   for (const GivenPixel& pixel : o.pixels) {
     setup.given.push_back(pixel.record);
@@ -184,9 +191,8 @@ int run(const Options& o) {
   setup.writer.arrayName = "screen";
   setup.writer.arraySize = 2;
   setup.writer.extraName = "depth";
-  const auto makeWork = [&] { return std::make_unique<RayWork>(how); };
-  setup.writer.exampleResults = [&](ResultSink& sink) { makeWork()->nameResults({}, sink); };
-  const int status = runFilter(setup, makeWork);
+  setup.note = [&](const std::string& note) { o.camera.notes().say(note); };
+  const int status = runFilter(setup, [&] { return std::make_unique<RayWork>(how); });
   if (o.wantBound && !how.hadDistance)
     o.camera.notes().say("--bound changes nothing here: it is of the point at a depth, and no pixel has one");
   return status;
@@ -198,7 +204,9 @@ Action defineRay(CLI::App& app) {
   const auto o = std::make_shared<Options>();
   app.description(
       "Pixels to rays: origin and unit direction, with a depth or viewDistance the point itself, and what of a scene "
-      "the ray hits.");
+      "the ray hits. Text has 6 numbers a record, origin and direction, or 9 with the point; f64 always 9, NaN where "
+      "there "
+      "is no point.");
   app.footer(
       "viewproj ray -c samples/picking-a-pixel/camera.json --scene samples/picking-in-a-scene/scene.json \\\n"
       "  --pixel 640,360 --to table");

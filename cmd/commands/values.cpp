@@ -107,10 +107,6 @@ std::vector<double> readNumbers(const std::string& option, const std::string& te
   return std::move(*numbers);
 }
 
-std::vector<double> readPointNumbers(const std::string& option, const std::string& text) {
-  return readNumbers(option, text, 3, 4, "X,Y,Z or X,Y,Z,W");
-}
-
 std::vector<double> readPixelNumbers(const std::string& option, const std::string& text) {
   return readNumbers(option, text, 2, 3, "X,Y or X,Y,DEPTH");
 }

@@ -161,8 +161,7 @@ Size readSize(const std::string& option, const std::string& text);
 std::vector<double> readNumbers(const std::string& option, const std::string& text, std::size_t fewest,
                                 std::size_t most, const std::string& form);
 
-/// X,Y,Z[,W] and X,Y[,DEPTH].
-std::vector<double> readPointNumbers(const std::string& option, const std::string& text);
+/// X,Y[,DEPTH].
 std::vector<double> readPixelNumbers(const std::string& option, const std::string& text);
 
 }  // namespace viewproj::cmd

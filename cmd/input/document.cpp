@@ -72,7 +72,7 @@ Document::Document(const std::string& source, const std::string& option, const c
     std::error_code ignored;
     if (first != std::string::npos && source[first] == '[' && !std::filesystem::exists(source, ignored))
       throw InputError(option + ": JSON on the command line must begin with '{', and there is no file of this name");
-    name_ = source == "-" ? kStandardInputName : source;
+    name_ = source == "-" ? kStandardInputName : visible(source);
     text_ = readJsonFile(source, kMostBytes);
     requireNarrow(name_, text_);
   }

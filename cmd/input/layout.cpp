@@ -1,5 +1,6 @@
 #include "input/layout.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "text/error.hpp"
@@ -73,6 +74,11 @@ std::size_t Layout::slots() const {
   std::size_t slots = 0;
   for (const NumberField& part : parts) slots += part.most;
   return slots;
+}
+
+bool Layout::fits(const std::vector<std::string_view>& values) const {
+  return std::all_of(forms.begin(), forms.end(),
+                     [&](const FormOfField& form) { return values[form.field].starts_with(form.first) == form.is; });
 }
 
 void readNumbers(const RecordParts& record, const Layout& layout, Numbers& numbers) {

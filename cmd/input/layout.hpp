@@ -20,12 +20,22 @@ struct NumberField {
   std::size_t item = 0, items = 0;   ///< JSON: this item of the field's array of so many; 0: the value itself
 };
 
+/// A field counts by the form of its value: such records have one that begins so, or that does not.
+struct FormOfField {
+  std::size_t field = 0;
+  char first = '{';  ///< of JSON: { [ or "
+  bool is = true;
+};
+
 /// Where records of one shape have their numbers.
 struct Layout {
   std::vector<NumberField> parts;
-  unsigned kind = 0;  ///< what the command makes of them, in its own words
+  unsigned kind = 0;                    ///< what the command makes of them, in its own words
+  std::vector<FormOfField> forms = {};  ///< of JSON values: records that differ in one have another layout
 
   std::size_t slots() const;
+  /// Whether records with these values, as written, have it.
+  bool fits(const std::vector<std::string_view>& values) const;
 };
 
 inline constexpr std::size_t kMostNumbers = 9;

@@ -12,8 +12,6 @@ namespace {
 /// What a pixel's numbers are, in this order.
 enum PixelParts : unsigned { depthKnown = 1, viewDistanceKnown = 2 };
 
-NumberField array(std::size_t field, std::size_t fewest, std::size_t most) { return {field, fewest, most, true}; }
-
 /// The first `count` fields, each a number.
 Layout firstFields(std::size_t count, bool mayBeAbsent) {
   Layout layout;
@@ -21,36 +19,9 @@ Layout firstFields(std::size_t count, bool mayBeAbsent) {
   return layout;
 }
 
-/// The fields of these names, if the record has the first of them. Throws RecordError if it lacks another.
-std::optional<Layout> namedNumbers(const Shape& shape, const std::vector<std::string>& names, std::size_t required,
-                                   bool mayBeAbsent = false) {
-  if (!shape.find(names[0])) return std::nullopt;
-  Layout layout;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const auto field = shape.find(names[i]);
-    if (field)
-      layout.parts.push_back({*field, 1, 1, false, mayBeAbsent});
-    else if (i < required)
-      throw RecordError(0, "has " + names[0] + " but no " + names[i]);
-    else
-      break;
-  }
-  return layout;
-}
-
-/// The columns NAME_x, NAME_y, ... of CSV.
-std::optional<Layout> suffixedNumbers(const Shape& shape, const std::string& name, std::size_t required,
-                                      std::size_t most, bool mayBeAbsent = false) {
-  static constexpr const char* kSuffixes[] = {"_x", "_y", "_z", "_w"};
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < most; ++i) names.push_back(name + kSuffixes[i]);
-  return namedNumbers(shape, names, required, mayBeAbsent);
-}
-
-Layout ofKind(PointKind kind, Layout layout) {
-  layout.kind = kind;
-  return layout;
-}
+constexpr const char* kNotOnEarth =
+    "lat, lon, height need a camera that stands on the Earth: a position by lat, lon, height, or \"world\": \"ecef\"";
+constexpr const char* kColumnsSay = "--columns lat,lon,height or --columns x,y,z";
 
 Vec4 toWorld(const Geodetic& place) {
   if (!isPlace(place)) throw RecordError(0, "lat: " + formatNumber(place.lat) + " is not from -90 to 90 degrees");
@@ -58,121 +29,186 @@ Vec4 toWorld(const Geodetic& place) {
   return {p.x, p.y, p.z, 1};
 }
 
-RecordError withoutColumn(const std::string& name) {
-  return RecordError(0, "has no column " + name + ", which --columns names");
+void append(Layout& layout, const Layout& more) {
+  layout.parts.insert(layout.parts.end(), more.parts.begin(), more.parts.end());
 }
 
-/// screen, pixel or x y: two slots.
-Layout findScreen(const RecordParts& record, const std::vector<std::string>& columns) {
-  const Shape& shape = record.shape;
-  const bool csv = shape.form == Form::csv;
-  if (csv && !columns.empty()) {
-    const auto named = namedNumbers(shape, columns, 2);
-    if (!named) throw withoutColumn(columns[0]);
-    return *named;
-  }
-  for (const char* name : {"screen", "pixel"}) {
-    if (csv) {
-      if (const auto named = suffixedNumbers(shape, name, 2, 2, true)) return *named;
-    } else if (const auto field = shape.find(name)) {
-      return {{{*field, 2, 2, true, true}}};
-    }
-  }
-  if (const auto z = shape.find("z"); z && shape.find("x"))
-    throw RecordError(record.offset(*z),
-                      "x, y, z is a point of the world, not a pixel; expected screen, pixel or x y alone");
-  const auto named = namedNumbers(shape, {"x", "y"}, 2);
-  if (!named)
-    throw RecordError(0, csv ? "has no columns screen_x, screen_y or x, y; --columns names the two"
-                             : "has no pixel; expected screen, pixel, or x y");
-  return *named;
+/// What --columns names of a row, in the row's order.
+void appendChosen(Layout& layout, const Coordinate& row, const ColumnChoice& choice, const RecordParts& record,
+                  bool mayBeAbsent) {
+  for (const CoordinatePart& part : row.parts)
+    if (const auto* pick = choice.find(part.name))
+      layout.parts.push_back({fieldOf(*pick, choice, record), 1, 1, false, mayBeAbsent});
 }
 
-}  // namespace
-
-Layout findPoint(const RecordParts& record, const std::vector<std::string>& columns, bool worldIsEcef) {
-  const Shape& shape = record.shape;
-  if (shape.isArray) {
-    if (shape.size != 3 && shape.size != 4)
-      throw RecordError(0, "has " + std::to_string(shape.size) + " numbers; expected x y z or x y z w");
-    return firstFields(shape.size, false);
-  }
-  if (shape.form == Form::csv) {
-    if (!columns.empty()) {
-      const auto named = namedNumbers(shape, columns, 3);
-      if (!named) throw withoutColumn(columns[0]);
-      return *named;
-    }
-    if (const auto named = suffixedNumbers(shape, "position", 3, 4)) return *named;
-  } else if (const auto position = shape.find("position")) {
-    return {{array(*position, 3, 4)}};
-  }
-  if (const auto named = namedNumbers(shape, {"x", "y", "z", "w"}, 3)) return *named;
-  if (const auto named = namedNumbers(shape, {"lat", "lon", "height"}, 3)) {
-    if (!worldIsEcef)
-      throw RecordError(0,
-                        "lat, lon, height need a camera that stands on the Earth: a position by lat, lon, height, or "
-                        "\"world\": \"ecef\"");
-    return ofKind(kindPlace, *named);
-  }
-  if (shape.form == Form::csv) {
-    if (const auto named = suffixedNumbers(shape, "direction", 3, 3)) return ofKind(kindDirection, *named);
-    throw RecordError(0, "has no columns x, y, z or lat, lon, height; --columns names x, y and z");
-  }
-  if (const auto field = shape.find("direction")) return ofKind(kindDirection, {{array(*field, 3, 3)}});
-  throw RecordError(0, "has no point; expected position, x y z, lat lon height, or direction");
-}
-
-std::optional<Layout> findSegment(const RecordParts& record) {
-  const Shape& shape = record.shape;
-  const auto field = shape.find("segment");
-  if (!field || shape.form != Form::json) return std::nullopt;
-  Layout layout;
-  layout.kind = kindSegment;
-  for (std::size_t end : {0u, 1u}) layout.parts.push_back({*field, 3, 3, true, false, {}, end, 2});
-  if (const auto pixel = shape.find("pixel")) {
-    layout.kind = kindSegmentAndPixel;
-    layout.parts.push_back({*pixel, 2, 2, true, true});
-  }
+/// A point with its radius, if it has one and that counts.
+Layout perhapsRound(Layout layout, std::optional<Layout> radius) {
+  if (!radius) return layout;
+  append(layout, *radius);
+  layout.kind = layout.kind == kindPlace ? kindPlacedSphere : kindRoundPoint;
   return layout;
 }
 
+Layout findChosenPoint(const RecordParts& record, const PointReading& reading, std::vector<FormOfField>& forms) {
+  const ColumnChoice& choice = reading.columns;
+  const Coordinate& row = choice.find("lat") ? coordinates::place : coordinates::xyz;
+  if (row.kind == kindPlace && !reading.worldIsEcef) throw RecordError(0, kNotOnEarth);
+  Layout layout;
+  layout.kind = row.kind;
+  appendChosen(layout, row, choice, record, false);
+  if (!reading.radius) return layout;
+  if (!choice.find("radius")) return perhapsRound(layout, find(coordinates::radius, record, forms));
+  Layout radius;
+  appendChosen(radius, coordinates::radius, choice, record, false);
+  return perhapsRound(layout, radius);
+}
+
+/// Of numbers without names.
+Layout findBarePoint(const RecordParts& record, bool worldIsEcef) {
+  const Shape& shape = record.shape;
+  const bool weighted = shape.form == Form::json;
+  const std::string count = "has " + std::to_string(shape.size) + " numbers";
+  if (!weighted && shape.size > 3)
+    throw RecordError(
+        0, count + ", and a point has three; --columns 1,2,3 takes these, --columns x,y,z,w reads the fourth as w");
+  if (shape.size != 3 && !(weighted && shape.size == 4))
+    throw RecordError(0, count + "; expected x y z" + (weighted ? " or x y z w" : ""));
+  if (worldIsEcef && shape.size == 3 && shape.form != Form::f64)
+    throw RecordError(
+        0, bareTriple(std::string(weighted ? "lat, lon, height or x, y, z of an object, " : "") + kColumnsSay));
+  return firstFields(shape.size, false);
+}
+
+/// Throws RecordError.
+Layout findNamedPoint(const RecordParts& record, const PointReading& reading, std::vector<FormOfField>& forms) {
+  const bool csv = record.shape.form == Form::csv;
+  const auto findRow = [&](const Coordinate& row) { return find(row, record, forms); };
+  if (reading.segments)
+    if (auto segment = findRow(coordinates::segment)) {
+      if (const auto pixel = findRow(coordinates::pixel)) {
+        append(*segment, *pixel);
+        segment->kind = kindSegmentAndPixel;
+      }
+      return *segment;
+    }
+  if (!reading.shapes.empty()) {
+    for (const Coordinate* row : coordinates::kShapes)
+      if (auto shape = findRow(*row)) return *shape;
+    for (const Coordinate* row : coordinates::kNotRead)
+      if (findRow(*row))
+        throw RecordError(record.offset(forms.back().field),
+                          std::string(row == &coordinates::ellipsoid ? "an " : "a ") + std::string(row->name) +
+                              " is not " + std::string(reading.shapes) + "; expected a point, " +
+                              (reading.segments ? "segment, " : "") + namesOf(coordinates::kShapes));
+  }
+  for (const Coordinate* row : coordinates::kPoints) {
+    auto layout = findRow(*row);
+    if (!layout) continue;
+    if (row->kind == kindPlace && !reading.worldIsEcef) throw RecordError(0, kNotOnEarth);
+    if (row == &coordinates::position && !csv && reading.worldIsEcef) layout->kind = kindWeightedPoint;
+    if (!reading.radius || row->kind == kindDirection) return *layout;
+    return perhapsRound(*layout, findRow(coordinates::radius));
+  }
+  // A field of a shape's name whose value is none.
+  for (const FormOfField& form : forms)
+    if (const auto* row = rowNamed(record.shape.names[form.field]); row && row->form != CoordinateForm::word)
+      throw RecordError(record.offset(form.field), std::string(row->name) + ": expected " + exampleOf(*row));
+  if (csv) throw RecordError(0, "has no columns x, y, z or lat, lon, height; --columns names x, y and z");
+  throw RecordError(0, "has no point; expected " + namesOf(coordinates::kPoints, ", or "));
+}
+
+/// screen, pixel or x y: two slots.
+Layout findScreen(const RecordParts& record, std::vector<FormOfField>& forms) {
+  const Shape& shape = record.shape;
+  for (const Coordinate* row : coordinates::kPixels) {
+    const auto layout = find(*row, record, forms);
+    if (!layout) continue;
+    if (const auto z = shape.find("z"); z && row == &coordinates::xy)
+      throw RecordError(record.offset(*z),
+                        "x, y, z is a point of the world, not a pixel; expected screen, pixel or x y alone");
+    return *layout;
+  }
+  throw RecordError(0, shape.form == Form::csv ? "has no columns screen_x, screen_y or x, y; --columns names the two"
+                                               : "has no pixel; expected " + namesOf(coordinates::kPixels, ", or "));
+}
+
+void appendDistance(Layout& layout, const Coordinate& row, const Layout& part) {
+  append(layout, part);
+  layout.kind |= &row == &coordinates::depth ? depthKnown : viewDistanceKnown;
+}
+
+/// Two or three numbers without names.
+Layout findBarePixel(const RecordParts& record) {
+  const Shape& shape = record.shape;
+  const std::string count = "has " + std::to_string(shape.size) + " numbers; expected ";
+  if (shape.form == Form::json && shape.size != 2)
+    throw RecordError(0, count + "[x, y], or {\"screen\": [x, y], \"depth\": d}");
+  if (shape.size != 2 && shape.size != 3)
+    throw RecordError(0, count + "x y or x y depth" + (shape.size > 3 ? "; --columns 1,2,3 takes three of them" : ""));
+  Layout layout = firstFields(shape.size, shape.form != Form::json);
+  if (shape.size == 3) layout.kind = depthKnown;
+  return layout;
+}
+
+Layout findChosenPixel(const RecordParts& record, const ColumnChoice& choice, std::vector<FormOfField>& forms) {
+  Layout layout;
+  appendChosen(layout, coordinates::xy, choice, record, true);
+  bool chosen = false;
+  for (const Coordinate* row : coordinates::kDistances) {
+    Layout part;
+    appendChosen(part, *row, choice, record, true);
+    if (part.parts.empty()) continue;
+    appendDistance(layout, *row, part);
+    chosen = true;
+  }
+  if (!chosen)
+    for (const Coordinate* row : coordinates::kDistances)
+      if (const auto part = find(*row, record, forms)) appendDistance(layout, *row, *part);
+  return layout;
+}
+
+bool isNameless(const Shape& shape) { return shape.isArray || (shape.form == Form::csv && !shape.hasHeader); }
+
+}  // namespace
+
+std::string bareTriple(const std::string& way) {
+  return "three numbers without names may be a place or metres from the Earth's centre; say which: " + way;
+}
+
+Layout findPoint(const RecordParts& record, const PointReading& reading) {
+  std::vector<FormOfField> forms;
+  Layout layout = reading.columns.given()    ? findChosenPoint(record, reading, forms)
+                  : isNameless(record.shape) ? findBarePoint(record, reading.worldIsEcef)
+                                             : findNamedPoint(record, reading, forms);
+  layout.forms = std::move(forms);
+  return layout;
+}
+
+bool isSegment(const Layout& layout) { return layout.kind == kindSegment || layout.kind == kindSegmentAndPixel; }
+bool isPoint(const Layout& layout) { return layout.kind <= kindPlace; }
+
 Vec4 toPoint(const Layout& layout, const Numbers& n) {
-  if (layout.kind == kindPlace) return toWorld({n[0], n[1], n[2]});
+  const bool round = layout.kind == kindPlacedSphere || layout.kind == kindRoundPoint;
+  if (layout.kind == kindPlace || layout.kind == kindPlacedSphere) return toWorld({n[0], n[1], n[2]});
   double w = 1;
   if (layout.kind == kindDirection)
     w = 0;
-  else if (layout.slots() == 4 && !std::isnan(n[3]))
+  else if (layout.slots() - (round ? 1 : 0) == 4 && !std::isnan(n[3]))
     w = n[3];
+  else if (layout.kind == kindWeightedPoint)
+    throw RecordError(0, "position: " + bareTriple("lat, lon, height or x, y, z, a field each"));
   const Vec4 point{n[0], n[1], n[2], w};
   if (point == Vec4{0, 0, 0, 0}) throw RecordError(0, "0 0 0 0 is neither a point nor a direction");
   return point;
 }
 
-Layout findPixel(const RecordParts& record, const std::vector<std::string>& columns) {
-  const Shape& shape = record.shape;
-  if (shape.isArray) {
-    const bool json = shape.form == Form::json;
-    if (json && shape.size != 2)
-      throw RecordError(
-          0, "has " + std::to_string(shape.size) + " numbers; expected [x, y], or {\"screen\": [x, y], \"depth\": d}");
-    if (shape.size != 2 && shape.size != 3)
-      throw RecordError(0, "has " + std::to_string(shape.size) + " numbers; expected x y or x y depth");
-    Layout layout = firstFields(shape.size, !json);
-    if (shape.size == 3) layout.kind = depthKnown;
-    return layout;
-  }
-  Layout layout = findScreen(record, columns);
-  if (const auto depth = shape.find("depth")) {
-    layout.parts.push_back({*depth, 1, 1, false, true});
-    layout.kind |= depthKnown;
-  }
-  auto distance = shape.find("viewDistance");
-  if (!distance && shape.form == Form::csv) distance = shape.find("view_distance");
-  if (distance) {
-    layout.parts.push_back({*distance, 1, 1, false, true});
-    layout.kind |= viewDistanceKnown;
-  }
+Layout findPixel(const RecordParts& record, const ColumnChoice& columns) {
+  std::vector<FormOfField> forms;
+  if (columns.given()) return findChosenPixel(record, columns, forms);
+  if (isNameless(record.shape)) return findBarePixel(record);
+  Layout layout = findScreen(record, forms);
+  for (const Coordinate* row : coordinates::kDistances)
+    if (const auto part = find(*row, record, forms)) appendDistance(layout, *row, *part);
   return layout;
 }
 

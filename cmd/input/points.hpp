@@ -1,29 +1,38 @@
-// Where records have their points and pixels, and what these are.
+// Where records have their points, shapes and pixels, and what these are.
 #pragma once
 
 #include <optional>
 #include <string>
-#include <vector>
 
+#include "input/column_choice.hpp"
 #include "input/layout.hpp"
 #include "viewproj/vectors.hpp"
 
 namespace viewproj::cmd {
 
-enum PointKind : unsigned { kindPoint, kindDirection, kindPlace, kindSegment, kindSegmentAndPixel };
+/// What a command reads of a record.
+struct PointReading {
+  ColumnChoice columns = {};
+  bool worldIsEcef = false;
+  bool segments = false;
+  std::string_view shapes = {};  ///< spheres, boxes, triangles too: what becomes of them, "culled". Empty: points alone
+  bool radius = false;           ///< a point with a radius is a sphere
+};
 
-/// The point of a record: [x,y,z], [x,y,z,w]; position, x y z (w), lat lon height or direction of an object or of a CSV
-/// line's columns; three or four numbers of a text line; the three of f64. columns: CSV names of the coordinates, or
-/// empty. Throws RecordError where records of this shape have none, and for lat, lon, height unless the camera's world
-/// is ECEF.
-Layout findPoint(const RecordParts& record, const std::vector<std::string>& columns, bool worldIsEcef);
+/// The point of a record: [x,y,z], [x,y,z,w]; what coordinates::kPoints has of an object or of a CSV line's columns;
+/// three numbers of a text line; the three of f64; or else a shape. Throws RecordError where records of this shape have
+/// none, for lat, lon, height unless the camera's world is ECEF, and for three numbers without names where it is.
+Layout findPoint(const RecordParts& record, const PointReading& reading);
 
-/// In the world: a place in ECEF. Throws RecordError for 0 0 0 0 and for a lat beyond 90.
+bool isPoint(const Layout& layout);
+bool isSegment(const Layout& layout);
+
+/// The point, or the middle of a sphere that is a point with a radius. In the world: a place in ECEF. Throws
+/// RecordError for 0 0 0 0 and for a lat beyond 90.
 Vec4 toPoint(const Layout& layout, const Numbers& numbers);
 
-/// Where records have {"segment": [a, b]}, two points of three numbers, and behind them the two of "pixel", if they
-/// have one. Nothing where they have no segment.
-std::optional<Layout> findSegment(const RecordParts& record);
+/// Three numbers that may be a place, or not, with a camera on the Earth. way: how to say which.
+std::string bareTriple(const std::string& way);
 
 /// A pixel to shoot a ray through, with what may be known of the point behind it. viewDistance wins over depth, because
 /// it keeps its digits.
@@ -34,9 +43,9 @@ struct Pixel {
   bool hasDistance = false;  ///< the record has a field for depth or viewDistance, be it null
 };
 
-/// [x,y]; screen, pixel or x y of an object or of a CSV line's columns, with depth or viewDistance; two or three
-/// numbers of a text line or f64, NaN for those that have no value. Throws RecordError.
-Layout findPixel(const RecordParts& record, const std::vector<std::string>& columns);
+/// [x,y]; what coordinates::kPixels has of an object or of a CSV line's columns, with a distance; two or three numbers
+/// of a text line or f64, NaN for those that have no value. Throws RecordError.
+Layout findPixel(const RecordParts& record, const ColumnChoice& columns);
 
 bool hasDistance(const Layout& layout);
 Pixel toPixel(const Layout& layout, const Numbers& numbers);

@@ -160,17 +160,26 @@ std::string csvValue(std::string_view field) {
   return value;
 }
 
-CsvHeader readCsvHeader(std::string_view line, const std::vector<std::string>& defaults) {
+std::string nameOfColumn(const std::vector<std::string>& names, std::size_t column) {
+  return column < names.size() && !names[column].empty() ? names[column] : "column" + std::to_string(column + 1);
+}
+
+CsvHeader readCsvHeader(std::string_view line, const std::vector<std::string>& defaults,
+                        const std::vector<std::size_t>& numbered) {
   CsvHeader header;
   std::vector<std::string_view> fields;
   splitCsvLine(line, fields, kMostFields + 1);
-  header.present = std::any_of(fields.begin(), fields.end(), [](std::string_view field) {
+  const auto isWord = [](std::string_view field) {
     const std::string value = csvValue(field);
     return value.find_first_not_of(" \t") != std::string::npos && !parseNumber(value);
-  });
+  };
+  header.present = numbered.empty() ? std::any_of(fields.begin(), fields.end(), isWord)
+                                    : std::any_of(numbered.begin(), numbered.end(), [&](std::size_t number) {
+                                        return number <= fields.size() && isWord(fields[number - 1]);
+                                      });
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (!header.present) {
-      header.names.push_back(i < defaults.size() ? defaults[i] : "column" + std::to_string(i + 1));
+      header.names.push_back(nameOfColumn(defaults, i));
       continue;
     }
     std::string name = csvValue(fields[i]);

@@ -26,6 +26,7 @@ struct Shape {
   bool isArray = false;            ///< a JSON array, a line of text, doubles: fields have no names
   std::size_t size = 0;            ///< how many fields
   std::vector<std::string> names;  ///< escapes resolved; empty if isArray
+  bool hasHeader = true;           ///< CSV: the names are the file's own
 
   std::optional<std::size_t> find(std::string_view name) const;
 };
@@ -107,7 +108,13 @@ std::optional<std::string> markedBad(const RecordParts& json);
 /// A CSV field without its quotes.
 std::string csvValue(std::string_view field);
 
-/// A header if the line has a field that is not a number; otherwise the default names in order.
-CsvHeader readCsvHeader(std::string_view line, const std::vector<std::string>& defaults);
+/// A header if the line has a field that is not a number; otherwise the default names in order, where there are any,
+/// and column1, ... for the others. numbered: columns, from 1, of which one is no number in a header, whatever others
+/// hold.
+CsvHeader readCsvHeader(std::string_view line, const std::vector<std::string>& defaults,
+                        const std::vector<std::size_t>& numbered = {});
+
+/// The name of a column without one.
+std::string nameOfColumn(const std::vector<std::string>& names, std::size_t column);
 
 }  // namespace viewproj::cmd

@@ -4,11 +4,12 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "output/columns.hpp"
+#include "input/coordinates.hpp"
 #include "output/record_writer.hpp"
 #include "text/csv_lines.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
+#include "text/names.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -24,49 +25,6 @@ std::string quotedIfNeeded(std::string_view text) {
   }
   return quoted + '"';
 }
-
-[[noreturn]] void failList(std::string_view name) {
-  throw UsageError("a list of " + std::string(name) + " has no place in the columns of CSV; use JSON");
-}
-
-/// Collects the column names of results.
-class ColumnCollector final : public ResultSink {
- public:
-  ColumnCollector(std::string prefix, bool table) : prefix_(std::move(prefix)), table_(table) {}
-
-  void number(std::string_view name, double) override { add(name, ""); }
-  void vector(std::string_view name, std::span<const double> values) override {
-    if (table_) {
-      add(name, "");
-      return;
-    }
-    for (std::size_t i = 0; i < values.size(); ++i) add(name, kColumnSuffixes[i]);
-  }
-  void flag(std::string_view name, bool) override { add(name, ""); }
-  void names(std::string_view name, std::span<const std::string_view>, bool) override { add(name, ""); }
-  void word(std::string_view name, std::string_view) override { add(name, ""); }
-  void json(std::string_view name, std::string_view) override { add(name, ""); }
-  void group(std::string_view name, bool, const std::function<void(ResultSink&)>& write) override {
-    group_ = columnName(name) + "_";
-    write(*this);
-    group_.clear();
-  }
-  void list(std::string_view name, std::size_t, const std::function<void(ResultSink&, std::size_t)>&) override {
-    failList(name);
-  }
-
-  bool hasFixedColumns() const override { return true; }
-
-  std::vector<std::string> columns;
-
- private:
-  void add(std::string_view name, std::string_view suffix) {
-    columns.push_back(prefix_ + group_ + columnName(name) + std::string(suffix));
-  }
-  std::string group_;
-  std::string prefix_;
-  bool table_;
-};
 
 /// A cell of a record that was not read as CSV.
 struct OwnCell {
@@ -108,34 +66,56 @@ void appendCells(std::vector<OwnCell>& cells, const std::string& name, std::stri
   cells.push_back({name, quotedIfNeeded(text)});
 }
 
+/// How many numbers a field has that is a vector of this tool: one of the results, or of what is read. 0: it is none.
+std::size_t sizeOfVector(std::string_view name) {
+  if (const ResultRow* row = findResult(name)) return row->kind == ResultKind::vector ? row->size : 0;
+  for (const Coordinate* row : allCoordinates())
+    if (row->name == name && row->form == CoordinateForm::array) return row->fewest;
+  return 0;
+}
+
 /// Into how many columns a field goes that is null: a vector of this tool into as many as it has numbers. With a prefix
 /// a name is one where a result of the same prefix stands beside it. 0: no vector.
 std::size_t columnsOfNull(const std::vector<std::string>& names, std::size_t field) {
   const std::string_view name = names[field];
-  for (const FieldSize& row : kFieldSizes) {
-    if (row.size == 1 || !name.ends_with(row.name)) continue;
-    const std::string_view prefix = name.substr(0, name.size() - row.name.size());
-    if (prefix.empty() || (field > 0 && findFieldSize(names[field - 1], prefix)) ||
-        (field + 1 < names.size() && findFieldSize(names[field + 1], prefix)))
-      return row.size;
+  if (const std::size_t size = sizeOfVector(name)) return size;
+  for (const ResultRow* row : allResults()) {
+    if (row->kind != ResultKind::vector || !name.ends_with(row->name)) continue;
+    const std::string_view prefix = name.substr(0, name.size() - row->name.size());
+    if ((field > 0 && findResult(names[field - 1], prefix)) ||
+        (field + 1 < names.size() && findResult(names[field + 1], prefix)))
+      return row->size;
   }
   return 0;
 }
 
-/// Finds where `project` left `outside` out: behind the other results of a visible point.
-class OutsideFinder {
- public:
-  explicit OutsideFinder(const std::vector<std::string>& names) : names_(names) {}
+/// What `project` writes before a list that it leaves out where that is empty, `outside`, and last that.
+const std::vector<std::string_view>& namesUpToTheList() {
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> upTo;
+    for (const PointResult& result : pointResults()) {
+      upTo.push_back(result.row.name);
+      if (result.row.kind == ResultKind::names) break;
+    }
+    return upTo;
+  }();
+  return names;
+}
 
-  /// Its name, if it would stand behind this field.
-  std::optional<std::string> behind(std::size_t field) {
-    constexpr std::string_view kResults[] = {"screen", "depth", "viewDistance", "visible"};
-    if (field < 3 || !names_[field].ends_with(kResults[3])) return std::nullopt;
-    const std::string prefix = names_[field].substr(0, names_[field].size() - kResults[3].size());
-    for (std::size_t i = 0; i < 3; ++i)
-      if (names_[field - 3 + i] != prefix + std::string(kResults[i])) return std::nullopt;
+/// Finds where that was: after the other results of a visible point.
+class LeftOutFinder {
+ public:
+  explicit LeftOutFinder(const std::vector<std::string>& names) : names_(names) {}
+
+  /// Its name, if it would stand after this field.
+  std::optional<std::string> after(std::size_t field) {
+    const auto before = std::span(namesUpToTheList()).first(namesUpToTheList().size() - 1);
+    if (field + 1 < before.size() || !names_[field].ends_with(before.back())) return std::nullopt;
+    const std::string prefix = names_[field].substr(0, names_[field].size() - before.back().size());
+    for (std::size_t i = 0; i < before.size(); ++i)
+      if (names_[field + 1 - before.size() + i] != prefix + std::string(before[i])) return std::nullopt;
     if (known_.empty()) known_.insert(names_.begin(), names_.end());
-    std::string name = prefix + "outside";
+    std::string name = prefix + std::string(namesUpToTheList().back());
     return known_.contains(name) ? std::nullopt : std::optional(std::move(name));
   }
 
@@ -150,14 +130,14 @@ std::vector<OwnCell> ownCells(const Record& record, const WriterSetup& setup) {
   if (record.shape->form == Form::json && !record.shape->isArray) {
     const auto values = valuesOf(record);
     const auto& names = record.shape->names;
-    OutsideFinder outside(names);
+    LeftOutFinder leftOut(names);
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (values[i] == "null")
         appendEmptyCells(cells, names[i], columnsOfNull(names, i), setup.table);
       else
         appendCells(cells, names[i], values[i], setup.table);
       if (values[i] != "true") continue;
-      if (auto name = outside.behind(i)) cells.push_back({std::move(*name), "", names[i]});
+      if (auto name = leftOut.after(i)) cells.push_back({std::move(*name), "", names[i]});
     }
   } else {
     for (const NamedJson& field : asJsonFields(record, setup)) appendCells(cells, field.name, field.json, setup.table);
@@ -268,9 +248,9 @@ class CsvWriter final : public RecordWriter {
   }
 
   bool hasFixedColumns() const override { return true; }
-  void number(std::string_view, double value) override { cell(value); }
+  void number(const ResultRow&, double value) override { cell(value); }
 
-  void vector(std::string_view, std::span<const double> values) override {
+  void vector(const ResultRow&, std::span<const double> values) override {
     const bool finite = std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
     if (!setup_.table) {
       for (double value : values) cell(finite ? value : NAN);
@@ -284,11 +264,11 @@ class CsvWriter final : public RecordWriter {
     }
   }
 
-  void flag(std::string_view, bool value) override {
+  void flag(const ResultRow&, bool value) override {
     out_ += value ? std::string_view(",true") : std::string_view(",false");
   }
 
-  void names(std::string_view, std::span<const std::string_view> values, bool) override {
+  void names(const ResultRow&, std::span<const std::string_view> values, bool) override {
     char before = ',';
     for (const std::string_view value : values) {
       out_ += before;
@@ -298,22 +278,18 @@ class CsvWriter final : public RecordWriter {
     if (values.empty()) out_ += ',';
   }
 
-  void word(std::string_view, std::string_view value) override {
-    out_ += ',';
-    out_ += quotedIfNeeded(value);
-  }
+  void word(const ResultRow&, std::string_view value) override { cell(value); }
 
-  void json(std::string_view, std::string_view value) override {
+  void json(const ResultRow&, std::string_view value) override {
     if (value.starts_with('"'))
-      word("", unescaped(value.substr(1, value.size() - 2)));
+      cell(std::string_view(unescaped(value.substr(1, value.size() - 2))));
     else
-      word("", value == "null" ? std::string_view() : value);
+      cell(value == "null" ? std::string_view() : value);
   }
 
-  void group(std::string_view, bool, const std::function<void(ResultSink&)>& write) override { write(*this); }
-  void list(std::string_view name, std::size_t, const std::function<void(ResultSink&, std::size_t)>&) override {
-    failList(name);
-  }
+  void group(const ResultRow&, bool, const std::function<void(ResultSink&)>& write) override { write(*this); }
+  // Refused before the first record.
+  void list(const ResultRow&, std::size_t, const std::function<void(ResultSink&, std::size_t)>&) override {}
 
  private:
   /// Under the columns of the first record, which has other fields or another order.
@@ -348,6 +324,11 @@ class CsvWriter final : public RecordWriter {
       appendNumber(out_, value);
   }
 
+  void cell(std::string_view text) {
+    out_ += ',';
+    out_ += quotedIfNeeded(text);
+  }
+
   const WriterSetup& setup_;
   CsvColumns& columns_;
   std::unordered_map<std::string_view, std::size_t> places_;  ///< of the columns, once they are needed by name
@@ -358,10 +339,8 @@ class CsvWriter final : public RecordWriter {
 }  // namespace
 
 CsvColumns csvColumns(const WriterSetup& setup, const CsvHeader* input, std::string_view line, TextBuffer& out) {
-  ColumnCollector collector(setup.prefix, setup.table);
-  setup.exampleResults(collector);
   CsvColumns columns;
-  columns.results = collector.columns;
+  columns.results = columnsOf(setup.results, setup.prefix, setup.table);
   if (setup.keepGoing) columns.results.push_back(setup.prefix + "error");
   if (!input) return columns;
   columns.known = columns.fromCsv = true;
@@ -373,12 +352,6 @@ CsvColumns csvColumns(const WriterSetup& setup, const CsvHeader* input, std::str
   for (const std::string& column : columns.results) out += "," + column;
   out += '\n';
   return columns;
-}
-
-std::string lastResultColumn(const WriterSetup& setup) {
-  ColumnCollector collector("", false);
-  setup.exampleResults(collector);
-  return collector.columns.empty() ? "" : collector.columns.back();
 }
 
 void writeDueHeader(CsvColumns& columns, const WriterSetup& setup, const std::function<void(std::string_view)>& write) {

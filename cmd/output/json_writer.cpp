@@ -38,6 +38,25 @@ void appendOnOneLine(TextBuffer& out, std::string_view json) {
     if (c != '\n' && c != '\r') out += c;
 }
 
+/// Each number under a name of its own.
+std::vector<NamedJson> namedNumbers(const Record& record, const std::vector<std::string>& names) {
+  std::vector<std::string> values;
+  const auto asJson = [&](std::string_view value) {
+    if (record.shape->form != Form::json)
+      return value == "NaN" || parseNumber(value) ? jsonNumber(value) : jsonCell(value);
+    TextBuffer line;
+    appendOnOneLine(line, value);
+    return std::string(line.view());
+  };
+  if (record.shape->form == Form::f64)
+    for (const double number : binaryNumbers(record.text)) values.push_back(formatNumber(number));
+  else
+    for (const std::string_view value : valuesOf(record)) values.push_back(asJson(value));
+  std::vector<NamedJson> fields;
+  for (std::size_t i = 0; i < values.size(); ++i) fields.push_back({nameOfColumn(names, i), std::move(values[i])});
+  return fields;
+}
+
 class JsonWriter final : public RecordWriter {
  public:
   JsonWriter(const WriterSetup& setup, TextBuffer& out) : RecordWriter(out), setup_(setup) {}
@@ -97,13 +116,13 @@ class JsonWriter final : public RecordWriter {
     finishItem();
   }
 
-  void number(std::string_view name, double value) override {
-    beginField(name);
+  void number(const ResultRow& row, double value) override {
+    beginField(row);
     appendNumber(out_, value);
   }
 
-  void vector(std::string_view name, std::span<const double> values) override {
-    beginField(name);
+  void vector(const ResultRow& row, std::span<const double> values) override {
+    beginField(row);
     for (double value : values)
       if (!std::isfinite(value)) {
         out_ += "null";
@@ -118,14 +137,14 @@ class JsonWriter final : public RecordWriter {
     out_ += ']';
   }
 
-  void flag(std::string_view name, bool value) override {
-    beginField(name);
+  void flag(const ResultRow& row, bool value) override {
+    beginField(row);
     out_ += value ? std::string_view("true") : std::string_view("false");
   }
 
-  void names(std::string_view name, std::span<const std::string_view> values, bool always) override {
+  void names(const ResultRow& row, std::span<const std::string_view> values, bool always) override {
     if (values.empty() && !always) return;
-    beginField(name);
+    beginField(row);
     char before = '[';
     for (const std::string_view value : values) {
       out_ += before;
@@ -138,18 +157,18 @@ class JsonWriter final : public RecordWriter {
     out_ += ']';
   }
 
-  void word(std::string_view name, std::string_view value) override {
-    beginField(name);
+  void word(const ResultRow& row, std::string_view value) override {
+    beginField(row);
     out_ += value.empty() ? std::string("null") : jsonString(value);
   }
 
-  void json(std::string_view name, std::string_view value) override {
-    beginField(name);
+  void json(const ResultRow& row, std::string_view value) override {
+    beginField(row);
     out_ += value;
   }
 
-  void group(std::string_view name, bool present, const std::function<void(ResultSink&)>& write) override {
-    beginField(name);
+  void group(const ResultRow& row, bool present, const std::function<void(ResultSink&)>& write) override {
+    beginField(row);
     if (!present) {
       out_ += "null";
       return;
@@ -161,9 +180,9 @@ class JsonWriter final : public RecordWriter {
     --depth_;
   }
 
-  void list(std::string_view name, std::size_t count,
+  void list(const ResultRow& row, std::size_t count,
             const std::function<void(ResultSink&, std::size_t)>& write) override {
-    beginField(name);
+    beginField(row);
     ++depth_;
     out_ += '[';
     for (std::size_t i = 0; i < count; ++i) {
@@ -192,18 +211,17 @@ class JsonWriter final : public RecordWriter {
   }
 
   /// The result's name as it stands behind the record's fields: results come in the same order again and again.
-  void beginField(std::string_view name) {
+  void beginField(const ResultRow& row) {
     if (depth_ > 0) {
       if (out_.back() != '{') out_ += ',';
       out_ += '"';
-      out_ += name;
+      out_ += row.name;
       out_ += "\":";
       return;
     }
-    for (; nextLabel_ < labels_.size() && labels_[nextLabel_].first != name.data(); ++nextLabel_) {
+    for (; nextLabel_ < labels_.size() && labels_[nextLabel_].first != &row; ++nextLabel_) {
     }
-    if (nextLabel_ == labels_.size())
-      labels_.emplace_back(name.data(), ",\"" + setup_.prefix + std::string(name) + "\":");
+    if (nextLabel_ == labels_.size()) labels_.emplace_back(&row, ",\"" + setup_.prefix + std::string(row.name) + "\":");
     std::string_view label = labels_[nextLabel_++].second;
     if (out_.back() == '{') label.remove_prefix(1);
     out_ += label;
@@ -213,7 +231,7 @@ class JsonWriter final : public RecordWriter {
   bool inArray_ = false, inDocument_ = false;
   std::size_t inThisArray_ = 0;
   std::size_t start_ = 0;
-  std::vector<std::pair<const char*, std::string>> labels_;
+  std::vector<std::pair<const ResultRow*, std::string>> labels_;
   std::size_t nextLabel_ = 0;
   int depth_ = 0;  ///< of objects within the results
 };
@@ -230,6 +248,7 @@ std::string jsonString(std::string_view text) {
 
 std::vector<NamedJson> asJsonFields(const Record& record, const WriterSetup& setup) {
   const Shape& shape = *record.shape;
+  if (!setup.numberNames.empty() && shape.isArray) return namedNumbers(record, setup.numberNames);
   if (shape.form == Form::json) {
     TextBuffer array;
     appendOnOneLine(array, record.text);

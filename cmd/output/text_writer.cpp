@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "output/record_writer.hpp"
-#include "text/error.hpp"
 #include "text/format_number.hpp"
 
 namespace viewproj::cmd {
@@ -18,40 +17,33 @@ class NumbersWriter : public RecordWriter {
 
   void badRecord(std::string_view, std::size_t, const std::string&) override {
     start_ = out_.size();
-    bad_ = true;
-    setup_.exampleResults(*this);
-    bad_ = false;
+    for (const ResultRow* row : setup_.results)
+      for (std::size_t count = numbersOf(*row); count > 0; --count) put(NAN);
     endRecord();
   }
 
   bool isText() const override { return true; }
 
-  void number(std::string_view, double value) override { put(bad_ ? NAN : value); }
+  void number(const ResultRow&, double value) override { put(value); }
 
-  void vector(std::string_view name, std::span<const double> values) override {
+  void vector(const ResultRow&, std::span<const double> values) override {
     const bool finite = std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
-    for (double value : values) number(name, finite ? value : NAN);
+    for (double value : values) put(finite ? value : NAN);
   }
 
-  void flag(std::string_view name, bool value) override { number(name, value ? 1 : 0); }
-  void names(std::string_view name, std::span<const std::string_view>, bool) override {
-    throw UsageError("--fields " + std::string(name) + ": text and f64 have numbers only; use JSON or CSV");
-  }
-  void word(std::string_view, std::string_view) override {}
-  void json(std::string_view, std::string_view) override {}
-  void group(std::string_view, bool, const std::function<void(ResultSink&)>& write) override { write(*this); }
-  void list(std::string_view name, std::size_t, const std::function<void(ResultSink&, std::size_t)>&) override {
-    throw UsageError("a list of " + std::string(name) + " has no place in text and f64; use JSON");
-  }
+  void flag(const ResultRow&, bool value) override { put(value ? 1 : 0); }
+  // What has no numbers is refused before the first record, or left out.
+  void names(const ResultRow&, std::span<const std::string_view>, bool) override {}
+  void word(const ResultRow&, std::string_view) override {}
+  void json(const ResultRow&, std::string_view) override {}
+  void group(const ResultRow&, bool, const std::function<void(ResultSink&)>& write) override { write(*this); }
+  void list(const ResultRow&, std::size_t, const std::function<void(ResultSink&, std::size_t)>&) override {}
 
  protected:
   virtual void put(double value) = 0;
 
   const WriterSetup& setup_;
   std::size_t start_ = 0;
-
- private:
-  bool bad_ = false;
 };
 
 /// A record a line.

@@ -143,6 +143,13 @@ Json has(const Field& field, const Json& value) {
   return {{"type", "object"}, {"required", {field.name}}, {"properties", {{std::string(field), value}}}};
 }
 
+Json recordsOf(const std::string& record) {
+  const Json records = {{"type", "array"}, {"items", reference(record)}};
+  return anyOf({reference(record),
+                records,
+                {{"type", "object"}, {"required", {"points"}}, {"properties", {{"points", records}}}}});
+}
+
 Json allOf(std::initializer_list<Json> parts) { return {{"allOf", Json(parts)}}; }
 Json anyOf(std::initializer_list<Json> parts) { return {{"anyOf", Json(parts)}}; }
 

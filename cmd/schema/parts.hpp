@@ -29,6 +29,9 @@ Json wordOf(const std::vector<std::string_view>& words, bool orNull = true);
 /// The object has this field, and of this schema; it is not null unless the schema says so.
 Json has(const Field& field, const Json& value = {{"not", {{"type", "null"}}}});
 
+/// What a filter prints: a record of this name, an array of some, a document.
+Json recordsOf(const std::string& record);
+
 Json allOf(std::initializer_list<Json> parts);
 Json anyOf(std::initializer_list<Json> parts);
 

@@ -12,6 +12,10 @@ std::string sceneSchema();
 std::string pointsSchema();
 std::string resultsSchema();
 
+/// Of the schema of results the definitions of reports: what commands print that are no records. A file beside this
+/// one.
+std::string reportsText();
+
 struct NamedSchema {
   std::string_view name;
   std::string (*text)();

@@ -13,6 +13,15 @@ constexpr std::size_t kNames = 1 << 16;
 
 }  // namespace
 
+void requireNoClash(const RecordParts& record, const Results& results, const std::string& prefix) {
+  for (const ResultRow* row : results) {
+    const std::string name = prefix + std::string(row->name);
+    if (const auto own = record.shape.find(name))
+      throw RecordError(record.offset(*own),
+                        "already has a field '" + name + "'; --prefix P puts P in front of the results' names");
+  }
+}
+
 Batch::Batch(const BatchSetup& setup, RecordWork& work, RecordWriter* writer, BlockResult& result)
     : setup_(setup), work_(work), writer_(writer), result_(result) {
   rows_.reserve(kRows);
@@ -30,20 +39,15 @@ void Batch::begin(const Block& block) {
 const Plan& Batch::planFor(const RecordParts& record) {
   for (std::size_t i = 0; i < plans_.size(); ++i) {
     const Shape& shape = plans_[i]->shape;
-    if (shape.isArray == record.shape.isArray && shape.size == record.shape.size && shape.names == record.shape.names) {
+    if (shape.isArray == record.shape.isArray && shape.size == record.shape.size && shape.names == record.shape.names &&
+        plans_[i]->layout.fits(record.values)) {
       usedAgain(i);
       return *plans_.front();
     }
   }
   Layout layout = work_.find(record);
-  if (setup_.checkNames && !record.shape.isArray) {
-    NameCollector names(setup_.prefix);
-    work_.nameResults(layout, names);
-    for (const std::string& name : names.found)
-      if (const auto own = record.shape.find(name))
-        throw RecordError(record.offset(*own),
-                          "already has a field '" + name + "'; --prefix P puts P in front of the results' names");
-  }
+  if (setup_.checkNames && !record.shape.isArray)
+    requireNoClash(record, work_.results(layout, OutputForm::lines), setup_.prefix);
   std::size_t names = record.shape.size;
   for (const auto& plan : plans_) names += plan->shape.size;
   if (plans_.size() == kPlans || names > kNames) {

@@ -36,6 +36,9 @@ struct BatchSetup {
   std::string prefix;
 };
 
+/// Throws RecordError where a field has the name of a result.
+void requireNoClash(const RecordParts& record, const Results& results, const std::string& prefix);
+
 class Batch {
  public:
   /// writer: null to read records only.
@@ -98,8 +101,7 @@ class RecordReader {
 
 /// fast: with simdjson, where it agrees with nlohmann-json; otherwise with the latter alone, for comparison.
 std::unique_ptr<RecordReader> makeJsonReader(bool fast = true);
-/// lastResult: the last column of this command's results, without a prefix.
-std::unique_ptr<RecordReader> makeCsvReader(const Shape& header, const std::string& lastResult);
+std::unique_ptr<RecordReader> makeCsvReader(const Shape& header, const Results& results);
 std::unique_ptr<RecordReader> makeTextReader();
 std::unique_ptr<RecordReader> makeBinaryReader();
 

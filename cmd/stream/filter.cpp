@@ -18,7 +18,6 @@ struct Stream {
   OutputForm to = OutputForm::lines;
   bool writes = true;
   Shape header = {};
-  std::string lastResult = {};  ///< CSV: its column, without a prefix
   BatchSetup batch = {};
   CsvColumns columns = {};
 };
@@ -26,7 +25,7 @@ struct Stream {
 std::unique_ptr<RecordReader> makeReader(const Stream& stream) {
   switch (stream.form) {
     case Form::csv:
-      return makeCsvReader(stream.header, stream.lastResult);
+      return makeCsvReader(stream.header, stream.setup.writer.results);
     case Form::text:
       return makeTextReader();
     case Form::f64:
@@ -91,9 +90,9 @@ TextBuffer readHeader(Stream& stream, BlockReader& reader) {
   std::optional<BlockReader::Line> line;
   CsvHeader header;
   if (stream.form == Form::csv && (line = reader.firstLine(false))) {
-    header = readCsvHeader(line->text, stream.setup.csvDefaults);
+    header = readCsvHeader(line->text, stream.setup.csvDefaults, stream.setup.columns.numbers());
     if (header.present) (void)reader.firstLine(true);
-    stream.header = {Form::csv, false, header.names.size(), header.names};
+    stream.header = {Form::csv, false, header.names.size(), header.names, header.present};
   }
   const bool fromCsv = line.has_value();
   try {
@@ -112,14 +111,8 @@ TextBuffer readHeader(Stream& stream, BlockReader& reader) {
       example.values.assign(header.names.size(), example.text);
       const auto work = stream.makeWork();
       const Layout layout = work->find(example);
-      if (stream.batch.checkNames) {
-        NameCollector names(stream.setup.writer.prefix);
-        work->nameResults(layout, names);
-        for (const std::string& name : names.found)
-          if (stream.header.find(name))
-            throw RecordError(0,
-                              "already has a field '" + name + "'; --prefix P puts P in front of the results' names");
-      }
+      if (stream.batch.checkNames)
+        requireNoClash(example, work->results(layout, OutputForm::lines), stream.setup.writer.prefix);
     }
     if (stream.writes && hasColumns(stream.to))
       stream.columns = csvColumns(stream.setup.writer, fromCsv ? &header : nullptr, fromCsv ? line->text : "", out);
@@ -129,12 +122,24 @@ TextBuffer readHeader(Stream& stream, BlockReader& reader) {
   return out;
 }
 
-/// Fields that a form cannot hold are the command line's fault, not a record's.
-void tryResults(Stream& stream) {
-  if (stream.to != OutputForm::text && stream.to != OutputForm::f64) return;
-  TextBuffer out;
-  const auto writer = makeWriter(stream, out);
-  stream.setup.writer.exampleResults(*writer);
+/// Results of words alone turn text and f64 into JSON.
+OutputForm formOfOutput(const FilterSetup& setup, const RecordWork& work, Form form) {
+  if (setup.to) return *setup.to;
+  const OutputForm same = sameForm(form);
+  if (same != OutputForm::text && same != OutputForm::f64) return same;
+  const Results results = work.results({}, same);
+  const bool numbers =
+      std::any_of(results.begin(), results.end(), [](const ResultRow* row) { return row->kind != ResultKind::word; });
+  return numbers || results.empty() ? same : OutputForm::lines;
+}
+
+/// What was typed for a part of the output that this form does not have is not passed over.
+void requireUse(const FilterSetup& setup, OutputForm form) {
+  const WriterSetup& writer = setup.writer;
+  if (!writer.header && !hasColumns(form))
+    throw UsageError("--no-header is for CSV and tables, and the output has no header; leave it out, or add --to csv");
+  if (!writer.prefix.empty() && (form == OutputForm::text || form == OutputForm::f64))
+    setup.note("--prefix " + writer.prefix + " changes nothing: in text and f64 results have no names");
 }
 
 Form formOfContent(BlockReader& reader, bool goesOn) {
@@ -159,8 +164,11 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
   stream.form = !setup.given.empty() ? Form::json : named ? *named : formOfContent(*reader, setup.keepGoing);
   if (stream.form != Form::f64) reader->requireUtf8();
   reader->setForm(stream.form);
-  const bool numbersOnly = stream.form == Form::text || stream.form == Form::f64;
-  stream.to = setup.to.value_or(setup.wordsOnly && numbersOnly ? OutputForm::lines : sameForm(stream.form));
+  if (stream.form == Form::f64 && setup.columns.given())
+    throw UsageError("--columns " + setup.columns.text + ": f64 has no columns; a record is three doubles, x, y, z");
+  if (stream.form == Form::text) setup.columns.requireNoNames("lines of text");
+  const auto work = makeWork();
+  stream.to = formOfOutput(setup, *work, stream.form);
   const bool toJson = stream.to == OutputForm::lines || stream.to == OutputForm::array;
   // JSON keeps its own arrangement, arrays included, unless an arrangement was asked for.
   setup.writer.keepArrays = writes && !setup.to && stream.form == Form::json;
@@ -171,8 +179,11 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
                   .checkNames = writes && toJson,
                   .prefix = setup.writer.prefix};
   setup.writer.table = stream.to == OutputForm::table;
-  if (stream.form == Form::csv && setup.writer.exampleResults) stream.lastResult = lastResultColumn(setup.writer);
-  if (writes) tryResults(stream);
+  setup.writer.results = work->results({}, stream.to);
+  if (writes) {
+    requireRoom(setup.writer.results, stream.to);
+    requireUse(setup, stream.to);
+  }
   const TextBuffer start = readHeader(stream, *reader);
 
   OutputSetup output{.form = stream.to,

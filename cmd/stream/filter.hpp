@@ -1,10 +1,12 @@
 // A filter: records in, the same records with results out, in order and in bounded memory.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "input/column_choice.hpp"
 #include "output/record_writer.hpp"
 #include "stream/block_reader.hpp"
 #include "stream/work.hpp"
@@ -23,13 +25,13 @@ struct FilterSetup {
   std::vector<GivenRecord> given;  ///< instead of a file
   std::optional<Form> from;
   std::optional<OutputForm> to;  ///< nothing: as the input
-  bool wordsOnly = false;        ///< results are words: from text and f64 come JSON lines
   bool keepGoing = false;
   unsigned jobs = 0;          ///< threads; 0: one a processor
   std::size_t firstLine = 1;  ///< the number of the input's first line (f64: record), for messages
   std::size_t blockSize = BlockReader::kBlock;
-  std::vector<std::string> columns;      ///< CSV columns that hold the coordinates, or none: by their names
+  ColumnChoice columns;                  ///< --columns
   std::vector<std::string> csvDefaults;  ///< column names of a CSV stream without a header
+  std::function<void(const std::string&)> note = [](const std::string&) {};  ///< of what is obeyed to no effect
   WriterSetup writer;
 };
 

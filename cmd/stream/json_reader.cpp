@@ -187,6 +187,7 @@ class JsonReader final : public RecordReader {
       const Shape& shape = plans[i]->shape;
       if (shape.isArray != isArray || !(isArray ? isOfSize(value, shape.size) : hasNames(value, shape.names))) continue;
       const Plan& plan = *plans[i];
+      if (!fits(plan.layout)) continue;
       Numbers numbers;
       if (!readNumbers(values_, plan.layout, text, numbers)) return false;
       passBadBefore(text);
@@ -211,6 +212,15 @@ class JsonReader final : public RecordReader {
       values_.push_back(item);
     }
     return values_.size() == names.size();
+  }
+
+  /// As Layout::fits.
+  bool fits(const Layout& layout) const {
+    return std::all_of(layout.forms.begin(), layout.forms.end(), [&](const FormOfField& form) {
+      const dom::element value = values_[form.field];
+      const bool is = form.first == '{' ? value.is_object() : form.first == '[' ? value.is_array() : value.is_string();
+      return is == form.is;
+    });
   }
 
   bool fast_;

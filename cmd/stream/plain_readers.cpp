@@ -30,8 +30,12 @@ bool readPlainNumbers(const std::vector<std::string_view>& values, const Layout&
 
 class CsvReader final : public RecordReader {
  public:
-  CsvReader(const Shape& header, const std::string& lastResult) : header_(header) {
+  /// results: those of this run; the columns of other runs' are known.
+  CsvReader(const Shape& header, const Results& results) : header_(header) {
     constexpr std::string_view kError = "error";
+    std::vector<std::string> last;  // columns that an error may stand after
+    for (const Results* rows : {&results, &allResults()})
+      for (const ResultRow* row : *rows) last.push_back(columnsOf(std::span(&row, 1)).back());
     for (std::size_t i = 0; i < header.names.size(); ++i) {
       std::string_view prefix = header.names[i];
       if (!prefix.ends_with(kError)) continue;
@@ -39,9 +43,7 @@ class CsvReader final : public RecordReader {
       std::string_view before = i > 0 ? std::string_view(header.names[i - 1]) : "";
       const bool prefixed = before.starts_with(prefix);
       if (prefixed) before.remove_prefix(prefix.size());
-      const bool isResult = prefixed && !before.empty() &&
-                            (before == lastResult || std::find(std::begin(kLastResults), std::end(kLastResults),
-                                                               before) != std::end(kLastResults));
+      const bool isResult = prefixed && !before.empty() && std::find(last.begin(), last.end(), before) != last.end();
       errors_.push_back({i, isResult});
       behindResults_ |= isResult;
     }
@@ -65,11 +67,6 @@ class CsvReader final : public RecordReader {
  private:
   static constexpr std::size_t npos = std::string_view::npos;
   static constexpr std::size_t kNoSlot = kMostNumbers;
-  /// Columns of results that may be a command's last, in front of the error.
-  static constexpr std::string_view kLastResults[] = {
-      "screen_y", "depth", "view_distance", "visible", "outside",      "ndc_z",      "clip_w",
-      "view_z",   "bound", "direction_z",   "point_z", "hit_normal_z", "hit_height", "plane"};
-
   /// For each field the slot of its number.
   static std::vector<std::size_t> slotsOf(const Layout& layout, std::size_t fields) {
     std::vector<std::size_t> slots(fields, kNoSlot);
@@ -225,8 +222,8 @@ class BinaryReader final : public RecordReader {
 
 }  // namespace
 
-std::unique_ptr<RecordReader> makeCsvReader(const Shape& header, const std::string& lastResult) {
-  return std::make_unique<CsvReader>(header, lastResult);
+std::unique_ptr<RecordReader> makeCsvReader(const Shape& header, const Results& results) {
+  return std::make_unique<CsvReader>(header, results);
 }
 std::unique_ptr<RecordReader> makeTextReader() { return std::make_unique<TextReader>(); }
 std::unique_ptr<RecordReader> makeBinaryReader() { return std::make_unique<BinaryReader>(); }

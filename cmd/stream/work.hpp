@@ -19,8 +19,8 @@ class RecordWork {
 
   /// Where records of this one's shape have their numbers. Throws RecordError where they lack some.
   virtual Layout find(const RecordParts& record) const = 0;
-  /// Names the results of such records, by calls of the sink.
-  virtual void nameResults(const Layout& layout, ResultSink& sink) const = 0;
+  /// The results of such records in a form, in order. Where a form has columns, all records get the same.
+  virtual Results results(const Layout& layout, OutputForm form) const = 0;
 
   /// Throws RecordError where the numbers are none to work on; nothing was added then.
   virtual void add(const Layout& layout, const Numbers& numbers) = 0;

@@ -19,7 +19,7 @@ struct InputError : std::runtime_error {
 /// Whoever reads the output has gone away: exit quietly.
 struct ClosedPipe {};
 
-/// What was asked for in place of the command's work (help, a list) has been written: exit with 0.
+/// The help has been written, in place of the command's work: exit with 0.
 struct HelpGiven {};
 
 /// A record is wrong, at a byte of its text.

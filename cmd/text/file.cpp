@@ -9,10 +9,11 @@
 #include <system_error>
 
 #include "text/error.hpp"
+#include "text/visible.hpp"
 
 namespace viewproj::cmd {
 InputFile::InputFile(const std::string& name)
-    : name_(name == "-" ? kStandardInputName : name),
+    : name_(name == "-" ? kStandardInputName : visible(name)),
       descriptor_(name == "-" ? STDIN_FILENO : ::open(name.c_str(), O_RDONLY | O_CLOEXEC)) {
   if (descriptor_ < 0) throw InputError(name_ + ": " + std::generic_category().message(errno));
 }

@@ -36,6 +36,7 @@ class InputFile {
   /// Bytes of a regular file from here to its end.
   std::optional<std::size_t> remaining() const;
 
+  /// As messages have it.
   const std::string& name() const { return name_; }
 
  private:

@@ -53,6 +53,15 @@ std::string suggestion(std::string_view name, std::span<const std::string_view> 
   return "; known are " + visible(joined(candidates));
 }
 
+std::string columnName(std::string_view name) {
+  std::string column;
+  for (const char c : name) {
+    if (std::isupper(static_cast<unsigned char>(c))) column += '_';
+    column += lower(c);
+  }
+  return column;
+}
+
 std::string alternatives(const std::vector<std::string_view>& names) { return enumerated(names, " or "); }
 
 std::string together(const std::vector<std::string_view>& names) { return enumerated(names, " and "); }

@@ -1,4 +1,4 @@
-// Helping with names that were mistyped.
+// Names: those of CSV's columns, and help with those that were mistyped.
 #pragma once
 
 #include <span>
@@ -13,6 +13,10 @@ std::string_view nearestName(std::string_view name, std::span<const std::string_
 
 /// "; did you mean 'fovY'?" or, with no near one, "; known are a, b, c".
 std::string suggestion(std::string_view name, std::span<const std::string_view> candidates);
+
+/// How a name's numbers spread over the columns of CSV: viewDistance is view_distance, screen is screen_x, screen_y.
+inline constexpr std::string_view kColumnSuffixes[] = {"_x", "_y", "_z", "_w"};
+std::string columnName(std::string_view name);
 
 /// "a, b or c".
 std::string alternatives(const std::vector<std::string_view>& names);

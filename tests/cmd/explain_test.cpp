@@ -121,6 +121,14 @@ std::string listed(const std::vector<double>& values) {
   return out;
 }
 
+/// A point as it is typed, by names: with a camera on the Earth three numbers alone are none.
+std::string named(const std::vector<double>& point) {
+  std::string out;
+  for (std::size_t i = 0; i < point.size(); ++i)
+    out += (i > 0 ? "," : "") + std::string(1, "xyzw"[i]) + "=" + number(point[i]);
+  return out;
+}
+
 struct Case {
   std::string name;
   std::vector<std::string> camera;
@@ -178,7 +186,7 @@ TEST_CASE("Every line of a point's way follows from those printed above it, and 
       points.push_back({sign * direction[0], sign * direction[1] + 0.01, sign * direction[2], 0});
     for (const auto& written : kWritten)
       for (const auto& point : points) {
-        const std::vector<std::string> which = joined(joined(c.camera, written), {"--point", listed(point)});
+        const std::vector<std::string> which = joined(joined(c.camera, written), {"--point", named(point)});
         INFO(c.name << (written.empty() ? "" : " in " + written[1]) << ", point " << listed(point));
         const std::vector<std::string> question = joined(joined({"explain"}, which), {"--to", "json"});
         const json brief = run(question);

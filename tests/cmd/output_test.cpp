@@ -1,11 +1,16 @@
 // What writers make of every kind of result, also of those that no command gives them; and where a plot puts its
 // labels.
 #include <cmath>
+#include <functional>
+#include <nlohmann/json.hpp>
 #include <regex>
+#include <set>
 
 #include "catch.hpp"
+#include "input/coordinates.hpp"
 #include "output/cost_plot.hpp"
 #include "output/record_writer.hpp"
+#include "schema/schemas.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
 
@@ -14,20 +19,33 @@ using namespace viewproj::cmd;
 
 namespace {
 
-/// All kinds but a list.
+constexpr ResultRow kNumber{"number"}, kVector{"vector", ResultKind::vector, 3}, kFlag{"flag", ResultKind::flag},
+    kWord{"word", ResultKind::word}, kJson{"json", ResultKind::json}, kInner{"inner", ResultKind::vector, 2},
+    kNames{"names", ResultKind::names}, kN{"n"};
+constexpr const ResultRow *kGroupParts[] = {&kInner}, *kListParts[] = {&kN};
+constexpr ResultRow kGroup = groupResult("group", kGroupParts, ""), kList = listResult("list", kListParts, "");
+
+/// All kinds but names and a list.
+const Results kEach = {&kNumber, &kVector, &kFlag, &kWord, &kJson, &kGroup};
+
 void writeEach(ResultSink& sink) {
-  sink.number("number", 1.5);
-  sink.vector("vector", Vec3{1, 2, 3});
-  sink.flag("flag", true);
-  sink.word("word", "near");
-  sink.json("json", "[1]");
-  sink.group("group", true, [](ResultSink& part) { part.vector("inner", Vec2{4, 5}); });
+  sink.number(kNumber, 1.5);
+  sink.vector(kVector, Vec3{1, 2, 3});
+  sink.flag(kFlag, true);
+  sink.word(kWord, "near");
+  sink.json(kJson, "[1]");
+  sink.group(kGroup, true, [](ResultSink& part) { part.vector(kInner, Vec2{4, 5}); });
 }
 
-void writeNames(ResultSink& sink) { sink.names("names", std::vector<std::string_view>{"left", "top"}, true); }
+void writeNames(ResultSink& sink) { sink.names(kNames, std::vector<std::string_view>{"left", "top"}, true); }
 
 void writeList(ResultSink& sink) {
-  sink.list("list", 1, [](ResultSink& part, std::size_t) { part.number("n", 1); });
+  sink.list(kList, 1, [](ResultSink& part, std::size_t) { part.number(kN, 1); });
+}
+
+Results with(Results rows, const ResultRow& row) {
+  rows.push_back(&row);
+  return rows;
 }
 
 /// Of a record [7,8].
@@ -40,15 +58,15 @@ std::string written(RecordWriter& writer, const TextBuffer& out, void (*results)
   return std::string(out.view());
 }
 
-WriterSetup setupFor(void (*results)(ResultSink&)) {
+WriterSetup setupFor(const Results& rows) {
   WriterSetup setup;
   setup.arrayName = "own";
-  setup.exampleResults = results;
+  setup.results = rows;
   return setup;
 }
 
-std::string asCsv(void (*results)(ResultSink&)) {
-  const WriterSetup setup = setupFor(results);
+std::string asCsv(const Results& given, void (*results)(ResultSink&)) {
+  const WriterSetup setup = setupFor(given);
   TextBuffer out;
   CsvColumns columns = csvColumns(setup, nullptr, "", out);
   const std::string rows = written(*makeCsvWriter(setup, columns, out), out, results);
@@ -57,8 +75,8 @@ std::string asCsv(void (*results)(ResultSink&)) {
   return header + rows;
 }
 
-std::string asText(void (*results)(ResultSink&)) {
-  const WriterSetup setup = setupFor(results);
+std::string asText(const Results& given, void (*results)(ResultSink&)) {
+  const WriterSetup setup = setupFor(given);
   TextBuffer out;
   return written(*makeTextWriter(setup, out), out, results);
 }
@@ -78,23 +96,15 @@ TEST_CASE("A count has three digits and the unit that suits them, whichever side
   }
 }
 
-TEST_CASE("every kind of result has its name") {
-  NameCollector names("p_");
-  writeEach(names);
-  writeNames(names);
-  writeList(names);
-  CHECK(names.found ==
-        std::vector<std::string>{"p_number", "p_vector", "p_flag", "p_word", "p_json", "p_group", "p_names", "p_list"});
-}
-
 TEST_CASE("every kind of result is written, or refused, in every form") {
   const auto both = [](ResultSink& sink) {
     writeEach(sink);
     writeNames(sink);
   };
+  const Results named = with(kEach, kNames);
   {
     TextBuffer out;
-    const WriterSetup setup = setupFor(both);
+    const WriterSetup setup = setupFor(named);
     const std::string json = written(*makeJsonWriter(setup, out), out, [](ResultSink& sink) {
       writeEach(sink);
       writeNames(sink);
@@ -104,18 +114,59 @@ TEST_CASE("every kind of result is written, or refused, in every form") {
           "{\"own\":[7,8],\"number\":1.5,\"vector\":[1,2,3],\"flag\":true,\"word\":\"near\",\"json\":[1],"
           "\"group\":{\"inner\":[4,5]},\"names\":[\"left\",\"top\"],\"list\":[{\"n\":1}]}\n");
   }
-  CHECK(asCsv(both) ==
+  CHECK(asCsv(named, both) ==
         "own_x,own_y,number,vector_x,vector_y,vector_z,flag,word,json,group_inner_x,group_inner_y,names\n"
         "7,8,1.5,1,2,3,true,near,[1],4,5,left top\n");
-  CHECK(asText(writeEach) == "1.5 1 2 3 1 4 5\n");  // words are left out
-  CHECK_THROWS_AS(asText(writeNames), UsageError);
-  CHECK_THROWS_AS(asText(writeList), UsageError);
-  CHECK_THROWS_AS(asCsv(writeList), UsageError);  // as soon as columns are asked for
+  CHECK(asText(kEach, writeEach) == "1.5 1 2 3 1 4 5\n");  // words are left out
+  const Results lists = with(kEach, kList);
+  for (const OutputForm form : {OutputForm::text, OutputForm::f64}) {
+    CHECK_NOTHROW(requireRoom(kEach, form));
+    CHECK_THROWS_AS(requireRoom(named, form), UsageError);
+    CHECK_THROWS_AS(requireRoom(lists, form), UsageError);
+    CHECK_THROWS_AS(requireRoom(Results{&kWord}, form), UsageError);
+  }
+  for (const OutputForm form : {OutputForm::csv, OutputForm::table}) {
+    CHECK_NOTHROW(requireRoom(named, form));
+    CHECK_THROWS_AS(requireRoom(lists, form), UsageError);
+  }
+  CHECK_NOTHROW(requireRoom(with(named, kList), OutputForm::lines));
+}
 
+TEST_CASE("a bad record has as many NaN as a good one has numbers") {
+  const WriterSetup setup = setupFor(kEach);
   TextBuffer out;
-  const WriterSetup setup = setupFor(writeEach);
-  CsvColumns columns = csvColumns(setup, nullptr, "", out);
-  CHECK_THROWS_AS(written(*makeCsvWriter(setup, columns, out), out, writeList), UsageError);
+  makeTextWriter(setup, out)->badRecord("", 1, "");
+  CHECK(out.view() == "NaN NaN NaN NaN NaN NaN NaN\n");
+}
+
+TEST_CASE("each result of a command is one row, with a name of its own, a kind and a line of help") {
+  std::set<std::string_view> ofProject;
+  for (const PointResult& result : pointResults()) CHECK(ofProject.insert(result.row.name).second);
+  const std::function<void(const ResultRow&)> check = [&](const ResultRow& row) {
+    INFO(row.name);
+    CHECK(findResult(row.name) != nullptr);
+    CHECK(!row.help.empty());
+    CHECK((row.kind == ResultKind::vector) == (row.size > 1));
+    CHECK((row.kind == ResultKind::group || row.kind == ResultKind::list) == !row.parts.empty());
+    for (const ResultRow* part : row.parts) CHECK(!part->help.empty());
+  };
+  for (const ResultRow* row : allResults()) check(*row);
+  CHECK(findResult("p_screen", "p_") != nullptr);
+  CHECK(findResult("scren") == nullptr);
+}
+
+TEST_CASE("the schemas of points and of results are JSON, and name every row") {
+  const std::string points = pointsSchema(), all = resultsSchema();
+  CHECK(nlohmann::json::accept(points));
+  CHECK(nlohmann::json::accept(all));
+  const auto names = [](const std::string& schema, std::string_view name) {
+    return schema.find("\"" + std::string(name) + "\": ") != std::string::npos;
+  };
+  for (const ResultRow* row : allResults()) CHECK(names(all, row->name));
+  for (const Coordinate* row : allCoordinates()) {
+    if (row->form != CoordinateForm::numbers) CHECK(names(points, row->name));
+    for (const CoordinatePart& part : row->parts) CHECK(names(points, part.name));
+  }
 }
 
 TEST_CASE("labels of a plot lie on neither dots nor each other, however close the dots are") {

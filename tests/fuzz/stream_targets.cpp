@@ -19,6 +19,10 @@ using namespace cmd;
 
 constexpr double kWidth = 1280, kHeight = 720;
 
+constexpr ResultRow kScreen{"screen", ResultKind::vector, 2}, kDepth{"depth"}, kClip{"clip", ResultKind::vector, 4},
+    kVisible{"visible", ResultKind::flag}, kDirection{"direction", ResultKind::vector, 3},
+    kPoint{"point", ResultKind::vector, 3};
+
 Camera someCamera(bool orthographicLens) {
   const Projection lens =
       orthographicLens ? orthographic(-8, 8, -4.5, 4.5, -1, 100) : perspectiveWindow(-1, 1, -0.5625, 0.5625, 0.1, 1000);
@@ -31,10 +35,11 @@ Camera someCamera(bool orthographicLens) {
 struct Setting {
   Camera camera = someCamera(false);
   Frustum frustum = viewFrustum(camera);
+  bool onEarth = false;  ///< places are points, and three numbers without names are none
 };
 
 const Setting& setting(bool orthographicLens) {
-  static const Setting perspective, flat{someCamera(true)};
+  static const Setting perspective{.onEarth = true}, flat{someCamera(true)};
   return orthographicLens ? flat : perspective;
 }
 
@@ -53,17 +58,16 @@ class Points final : public Work {
  public:
   using Work::Work;
   Layout find(const RecordParts& record) const override {
-    if (const auto segment = findSegment(record)) return *segment;
-    return findPoint(record, {}, true);
+    return findPoint(record, {.columns = {}, .worldIsEcef = in_.onEarth, .segments = true});
   }
-  void nameResults(const Layout&, ResultSink& sink) const override { writePoint({0, 0, 0, 1}, sink); }
+  Results results(const Layout&, OutputForm) const override { return {&kScreen, &kDepth, &kClip, &kVisible}; }
   void add(const Layout& layout, const Numbers& numbers) override {
-    if (layout.kind != kindSegment && layout.kind != kindSegmentAndPixel) (void)toPoint(layout, numbers);
+    if (!isSegment(layout)) (void)toPoint(layout, numbers);
     rows_.emplace_back(layout, numbers);
   }
   void write(std::size_t i, ResultSink& sink) override {
     const auto& [layout, n] = rows_[i];
-    if (layout.kind != kindSegment && layout.kind != kindSegmentAndPixel) return writePoint(toPoint(layout, n), sink);
+    if (!isSegment(layout)) return writePoint(toPoint(layout, n), sink);
     const VisibleSegment segment = clipSegment(in_.frustum, {n[0], n[1], n[2]}, {n[3], n[4], n[5]});
     if (segment.visible && !(segment.start.t >= 0 && segment.start.t <= segment.end.t && segment.end.t <= 1))
       found("the visible part of a segment is none");
@@ -75,11 +79,11 @@ class Points final : public Work {
     const ScreenPoint p = worldToScreen(in_.camera, point);
     if (p.visible() && !(p.x >= 0 && p.x <= kWidth && p.y >= 0 && p.y <= kHeight))
       found("a visible point lies outside of the picture");
-    sink.vector("screen", std::array{p.x, p.y});
-    sink.number("depth", p.depth);
+    sink.vector(kScreen, std::array{p.x, p.y});
+    sink.number(kDepth, p.depth);
     const Vec4 clip = worldToClip(in_.camera, point, in_.camera.convention());
-    sink.vector("clip", std::array{clip.x, clip.y, clip.z, clip.w});
-    sink.flag("visible", p.visible());
+    sink.vector(kClip, std::array{clip.x, clip.y, clip.z, clip.w});
+    sink.flag(kVisible, p.visible());
   }
 };
 
@@ -87,7 +91,7 @@ class Pixels final : public Work {
  public:
   using Work::Work;
   Layout find(const RecordParts& record) const override { return findPixel(record, {}); }
-  void nameResults(const Layout&, ResultSink& sink) const override { writePixel({}, sink); }
+  Results results(const Layout&, OutputForm) const override { return {&kDirection, &kPoint}; }
   void add(const Layout& layout, const Numbers& numbers) override { rows_.emplace_back(layout, numbers); }
   void write(std::size_t i, ResultSink& sink) override { writePixel(toPixel(rows_[i].first, rows_[i].second), sink); }
 
@@ -97,18 +101,20 @@ class Pixels final : public Work {
     const Ray ray = screenToRay(in_.camera, screen);
     const double length = std::hypot(ray.direction.x, ray.direction.y, ray.direction.z);
     if (std::isfinite(length) && !(std::fabs(length - 1) < 1e-12)) found("a ray's direction is not of unit length");
-    sink.vector("direction", std::array{ray.direction.x, ray.direction.y, ray.direction.z});
+    sink.vector(kDirection, std::array{ray.direction.x, ray.direction.y, ray.direction.z});
     const WorldPoint point = pixel.viewDistance ? screenToWorldAtDistance(in_.camera, screen, *pixel.viewDistance)
                                                 : screenToWorld(in_.camera, screen, pixel.depth.value_or(NAN));
-    sink.vector("point", std::array{point.position.x, point.position.y, point.position.z});
+    sink.vector(kPoint, std::array{point.position.x, point.position.y, point.position.z});
   }
 };
 
 class Shapes final : public Work {
  public:
   using Work::Work;
-  Layout find(const RecordParts& record) const override { return findShape(record, {}, true); }
-  void nameResults(const Layout&, ResultSink& sink) const override { sink.flag("visible", false); }
+  Layout find(const RecordParts& record) const override {
+    return findPoint(record, {.columns = {}, .worldIsEcef = in_.onEarth, .shapes = "culled", .radius = true});
+  }
+  Results results(const Layout&, OutputForm) const override { return {&kVisible}; }
   void add(const Layout& layout, const Numbers& numbers) override {
     (void)toShape(layout, numbers);
     rows_.emplace_back(layout, numbers);
@@ -117,7 +123,7 @@ class Shapes final : public Work {
     const CullShape shape = toShape(rows_[i].first, rows_[i].second);
     const Cull result = std::visit([&](const auto& one) { return cull(in_.frustum, one); }, shape);
     if (result.verdict == CullVerdict::inside && result.side != 0) found("what is inside lies beyond a plane");
-    sink.flag("visible", result.verdict != CullVerdict::outside);
+    sink.flag(kVisible, result.verdict != CullVerdict::outside);
   }
 };
 
@@ -151,7 +157,6 @@ Run run(std::string_view input, const How& how) {
   setup.blockSize = how.block;
   setup.csvDefaults = {"x", "y", "z", "w"};
   setup.writer.arrayName = how.work == 1 ? "screen" : "position";
-  setup.writer.exampleResults = [&](ResultSink& sink) { makeWork()->nameResults({}, sink); };
   giveInput(input);
   Run result;
   try {

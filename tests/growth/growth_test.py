@@ -191,6 +191,10 @@ def long_records():
     add("brackets that close nothing, keep going", 2000, project("--from", "json", "--keep-going"), lambda n: b"]\n" * n, status=1, says="<stdin>")
     add("an unclosed quote", 200000, project(), lambda n: b'x,y,z\n1,2,"' + b"x" * n, status=1, says="<stdin>", **more)
     add("an unclosed quote, lines", 20000, project("--keep-going"), lambda n: b'x,y,z\n1,2,"' + b"1,2,3\n" * n, status=1, says="<stdin>", **more)
+    add("a line of many words, columns by number", 5000, project("--from", "text", "--columns", "2,3,4", "--to", "json"), lambda n: b"a 1 2 3" + b" b" * n, says="column5", big=200000, **more)
+    add("an array of much, columns by number", 5000, project("--columns", "2,3,4"), lambda n: b"[0,1,2,3" + b',"b"' * n + b"]", says="column5", big=200000, **more)
+    add("many columns without a header, by number", 2000, project("--columns", "2,3,4", "--to", "json"), lambda n: b"a,1,2,3" + b",b" * n + b"\n", says="column5", big=200000, **more)
+    add("many fields, one of them asked for is not there", 2000, project("--columns", "E,N,U"), lambda n: b'{"x":1' + b"".join(b',"a%d":1' % i for i in range(n)) + b"}", status=1, says="no field E", big=200000, **more)
     add("a line of many words", 5000, project("--from", "text"), lambda n: b"1 " * n, status=1, says="<stdin>", **more)
 
 
@@ -363,7 +367,8 @@ def options():
     many("--pixel, bad", 200, lambda n: ray(*["--pixel=1,2,9"] * n), 2, "beyond infinity")
     many("--at", 200, lambda n: ["depth", "-c", CAMERA, "--at", ",".join(f"{i + 1}" for i in range(n))], says="d24")
     many("--gap and --resolve", 40, lambda n: ["depth", "-c", CAMERA, *[f"--gap=0.{i + 1}" for i in range(n)], *[f"--resolve=0.01@{i + 1}" for i in range(n)]], says="d24")
-    many("--columns", 2000, lambda n: project("--columns", "x," * n, "--from", "csv"), 2, "expected 3 or 4 names|expected")
+    many("--columns", 10000, lambda n: project("--columns", "x," * n, "--from", "csv"), 2, "named twice")
+    many("--columns, roles", 2000, lambda n: project("--columns", ",".join(f"x{i}=1{i}" for i in range(n)), "--from", "csv"), 2, "too many")
     many("# in the camera's name", 10000, lambda n: ["matrix", "-c", "#" * n], 1, "No such file|too long", memory="bounded")
     many("unknown words", 300, lambda n: ["matrix", *["word"] * n], 2, "was not expected")
     many("a long unknown option", 20000, lambda n: ["matrix", "--" + "x" * n], 2, "was not expected")

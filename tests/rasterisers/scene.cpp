@@ -211,8 +211,8 @@ Scene prepare(const CameraCase& c) {
       for (double& v : p) v = static_cast<double>(static_cast<float>(v));
     records.push_back(p);
   }
-  const std::vector<json> results =
-      filter({"project", "-c", file, "--fields", "screen,depth,viewDistance,visible,outside"}, records);
+  const std::vector<json> results = filter(
+      {"project", "-c", file, "--columns", "x,y,z", "--fields", "screen,depth,viewDistance,visible,outside"}, records);
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const json& result = results[i];
     Point point;

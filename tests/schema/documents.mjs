@@ -203,8 +203,15 @@ function pointRecord(r, kind = r.of(kPointKinds)) {
 }
 
 function shapeRecord(r) {
-  const kind = r.of(["point", "sphere", "box", "triangle"]);
-  if (kind === "point") return pointRecord(r, r.of(["array", "weighted", "position", "xyz", "xyzw", "place"]));
+  const kind = r.of(["point", "round", "sphere", "box", "triangle"]);
+  if (kind === "point") {
+    const point = pointRecord(r, r.of(["array", "weighted", "position", "xyz", "xyzw", "place"]));
+    if (Array.isArray(point)) return point;
+    maybe(r, point, "plane", () => "left"); // as cull writes it
+    maybe(r, point, "ellipsoid", () => 7);
+    return point;
+  }
+  if (kind === "round") return { ...pointRecord(r, r.of(["position", "xyz", "xyzw", "place"])), radius: r.of([0, 2.5]) };
   const record = { [kind]: shape(r, kind) };
   maybe(r, record, "id", () => kId(r));
   return record;

@@ -56,17 +56,30 @@ const kEarthCamera = JSON.stringify({
   world: "ecef", position: [6378137, 0, 0], direction: [1, 0, 0], up: [0, 0, 1],
   projection: { type: "perspective", fovY: 60, near: 1 }, viewport: { width: 640, height: 480 },
 });
+const kCamera = kEarthCamera.replace('"world":"ecef",', "");
+/// Of those places are points, and three numbers without names are none.
+const isOfTheEarth = (value) =>
+  value !== null && typeof value === "object" && ("lat" in value || Object.values(value).some(isOfTheEarth));
 const kCommandOf = { points: "project", shapes: "cull", pixels: "ray" };
 
 /// Each text is a line of its own. The prefix keeps results apart from the records' fields.
 function readRecords(kind, texts) {
+  const verdicts = texts.map(() => undefined);
+  for (const [camera, onEarth] of [[kEarthCamera, true], [kCamera, false]]) {
+    const places = texts.flatMap((text, i) => (isOfTheEarth(JSON.parse(text)) === onEarth ? [i] : []));
+    readWith(camera, kind, places.map((i) => texts[i])).forEach((verdict, i) => (verdicts[places[i]] = verdict));
+  }
+  return verdicts;
+}
+
+function readWith(camera, kind, texts) {
   const kLast = '{"id":"the last","x":1,"y":1' + (kind === "pixels" ? "}" : ',"z":1}');
   const lines = [...texts.map((text) => text.replaceAll(/[\r\n]/g, " ")), kLast];
   const verdicts = texts.map(() => undefined);
   // In an array some faults end a run: the next one goes on behind them.
   for (let begin = 0; begin < texts.length; ) {
     const args = ["--from", "json", "--keep-going", "--prefix", "result:", "--first-line", String(begin + 1)];
-    const done = run([kCommandOf[kind], "-c", kEarthCamera, ...args], lines.slice(begin).join("\n") + "\n");
+    const done = run([kCommandOf[kind], "-c", camera, ...args], lines.slice(begin).join("\n") + "\n");
     const errors = [...done.error.matchAll(/^viewproj: <stdin>:(\d+):\d+: (.*)$/gm)];
     for (const [, line, message] of errors) verdicts[line - 1] ??= message;
     if ((done.status !== 0) !== errors.length > 0) fault(`${kind}: status ${done.status} with ${errors.length} errors`);

@@ -16,6 +16,7 @@ function partOf({ command, options, flags }) {
     if (options["--prefix"] !== undefined || (to !== undefined && to !== "json" && to !== "ndjson")) return undefined;
     return flags.has("--planes") ? "planes" : command;
   }
+  if (command === "inspect" && options["--convention"] !== undefined) return undefined; // matrices under their own names
   if (command === "matrix") return to === undefined || to === "json" ? command : undefined;
   if (["explain", "inspect", "depth", "measure"].includes(command)) return to === "json" ? command : undefined;
   return undefined;
@@ -23,7 +24,7 @@ function partOf({ command, options, flags }) {
 
 /// Without the fields of a result's name that --fields left out: those are the record's own.
 function described(value, fields) {
-  if (fields === undefined || value === null || typeof value !== "object") return value;
+  if (fields === undefined || fields === "all" || value === null || typeof value !== "object") return value;
   if (Array.isArray(value)) return value.map((record) => described(record, fields));
   if (Array.isArray(value.points)) return { ...value, points: described(value.points, fields) };
   const chosen = fields.split(",");

@@ -27,14 +27,16 @@ export const kRules = {
   },
   points: {
     "points is a document's first key": hasPointsBehind,
+    "three numbers without names need a camera elsewhere": /three numbers without names/,
     "no key is given twice": /has the field '.*' twice/,
     "no number leaves the range of doubles": /number overflow/,
   },
   shapes: {
     "points is a document's first key": hasPointsBehind,
+    "three numbers without names need a camera elsewhere": /three numbers without names/,
     "max is not below min": /max must not be below min/,
     "no key is given twice": /has the field '.*' twice/,
-    "no number leaves the range of doubles": /number overflow/,
+    "no number leaves the range of doubles": /number overflow|beyond the range of doubles/,
   },
   pixels: {
     "points is a document's first key": hasPointsBehind,

@@ -36,8 +36,8 @@ struct Heard {
 /// Keeps the numbers that it is given.
 class Keeper final : public RecordWork {
  public:
-  Layout find(const RecordParts& record) const override { return findPoint(record, {}, false); }
-  void nameResults(const Layout&, ResultSink&) const override {}
+  Layout find(const RecordParts& record) const override { return findPoint(record, {}); }
+  Results results(const Layout&, OutputForm) const override { return {}; }
   void add(const Layout& layout, const Numbers& numbers) override {
     kept_.emplace_back();
     for (std::size_t i = 0; i < layout.slots(); ++i) kept_.back().push_back(std::bit_cast<std::uint64_t>(numbers[i]));
@@ -64,14 +64,14 @@ class Listener final : public RecordWriter {
   void badRecord(std::string_view text, std::size_t line, const std::string& message) override {
     heard_.push_back({std::string(text), message, {}, line, 0});
   }
-  void number(std::string_view, double) override {}
-  void vector(std::string_view, std::span<const double>) override {}
-  void flag(std::string_view, bool) override {}
-  void names(std::string_view, std::span<const std::string_view>, bool) override {}
-  void word(std::string_view, std::string_view) override {}
-  void json(std::string_view, std::string_view) override {}
-  void group(std::string_view, bool, const std::function<void(ResultSink&)>&) override {}
-  void list(std::string_view, std::size_t, const std::function<void(ResultSink&, std::size_t)>&) override {}
+  void number(const ResultRow&, double) override {}
+  void vector(const ResultRow&, std::span<const double>) override {}
+  void flag(const ResultRow&, bool) override {}
+  void names(const ResultRow&, std::span<const std::string_view>, bool) override {}
+  void word(const ResultRow&, std::string_view) override {}
+  void json(const ResultRow&, std::string_view) override {}
+  void group(const ResultRow&, bool, const std::function<void(ResultSink&)>&) override {}
+  void list(const ResultRow&, std::size_t, const std::function<void(ResultSink&, std::size_t)>&) override {}
 
  private:
   Keeper& keeper_;

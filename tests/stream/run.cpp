@@ -22,10 +22,12 @@ using namespace cmd;
 
 constexpr double kUnlucky = 4713, kSignalled = 4714;
 
+constexpr ResultRow kSum{"sum"}, kTwice{"twice", ResultKind::vector, 3};
+
 class SumWork final : public RecordWork {
  public:
-  Layout find(const RecordParts& record) const override { return findPoint(record, {}, false); }
-  void nameResults(const Layout&, ResultSink& sink) const override { write({1, 1, 1, 1}, sink); }
+  Layout find(const RecordParts& record) const override { return findPoint(record, {}); }
+  Results results(const Layout&, OutputForm) const override { return {&kSum, &kTwice}; }
   void add(const Layout& layout, const Numbers& numbers) override { points_.push_back(toPoint(layout, numbers)); }
   void write(std::size_t i, ResultSink& sink) override {
     if (points_[i].x == kUnlucky) throw RecordError(0, "x is 4713");
@@ -48,8 +50,8 @@ class SumWork final : public RecordWork {
 
  private:
   static void write(const Vec4& p, ResultSink& sink) {
-    sink.number("sum", p.x + p.y + p.z);
-    sink.vector("twice", std::array{2 * p.x, 2 * p.y, 2 * p.z});
+    sink.number(kSum, p.x + p.y + p.z);
+    sink.vector(kTwice, std::array{2 * p.x, 2 * p.y, 2 * p.z});
   }
   std::vector<Vec4> points_;
 };
@@ -129,7 +131,6 @@ StreamRun runStream(const std::string& input, const StreamHow& how) {
   setup.writer.prefix = how.prefix;
   std::signal(SIGPIPE, SIG_IGN);
   const MakeWork makeWork = sumWork();
-  setup.writer.exampleResults = [&](ResultSink& sink) { makeWork()->nameResults({}, sink); };
 
   Descriptor out(::memfd_create("out", MFD_CLOEXEC)), err(::memfd_create("err", MFD_CLOEXEC));
   int in[2] = {-1, -1};

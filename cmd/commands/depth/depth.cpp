@@ -143,6 +143,7 @@ struct Options {
 };
 
 int run(const Options& o) {
+  if (o.camera.lists()) return o.camera.list();
   if (o.form == ReportForm::svg && (o.at || !o.resolves.empty()))
     throw UsageError(std::string(o.at ? "--at" : "--resolve") +
                      " is for tables and JSON; --to svg plots every distance, and takes --gap");

@@ -23,7 +23,8 @@ struct Options {
 };
 
 int run(const Options& o) {
-  const FilterSetup setup = o.stream.setup(kPointCoordinates);
+  if (o.camera.lists()) return o.camera.list();
+  FilterSetup setup = o.stream.setup(kPointColumns);
   // With --pixel standard input is read only if asked for; with a scene also where something can be in it.
   const NamedInput ofScene{"the scene", isStandardInput(o.scene)};
   const bool isFree = !o.camera.fromStandardInput() && !ofScene.isStandard && !isTerminal();
@@ -36,6 +37,7 @@ int run(const Options& o) {
   }
 
   const CameraFile file = o.camera.read();
+  if (reads) o.stream.settleOnEarth(setup, file.worldIsEcef);
   View view{.camera = makeCamera(file)};
   const Frustum frustum = viewFrustum(view.camera);
   std::vector<SceneObject> scene;

@@ -33,25 +33,17 @@ std::optional<std::string> labelOf(const Record& record) {
 
 class DrawWork final : public RecordWork {
  public:
-  DrawWork(View& view, const Frustum& frustum, const std::vector<std::string>& columns, bool worldIsEcef)
-      : view_(view), frustum_(frustum), columns_(columns), worldIsEcef_(worldIsEcef) {}
+  DrawWork(View& view, const Frustum& frustum, const PointReading& reading)
+      : view_(view), frustum_(frustum), reading_(reading) {}
 
-  Layout find(const RecordParts& record) const override {
-    if (const auto segment = findSegment(record)) return *segment;
-    for (const char* name : {"plane", "ellipsoid"})
-      if (const auto field = record.shape.find(name); field && record.shape.form == Form::json)
-        throw RecordError(record.offset(*field),
-                          std::string("a ") + name +
-                              " is not drawn from a record; expected a point, segment, sphere, box or triangle");
-    return findShape(record, columns_, worldIsEcef_);
-  }
+  Layout find(const RecordParts& record) const override { return findPoint(record, reading_); }
 
-  void nameResults(const Layout&, ResultSink&) const override {}  // uncounted: there are none
+  Results results(const Layout&, OutputForm) const override { return {}; }
 
   void add(const Layout& layout, const Numbers& n) override {
-    if (layout.kind == kindSegment || layout.kind == kindSegmentAndPixel)
+    if (isSegment(layout))
       drawn_.push_back(Segment{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}});
-    else if (layout.kind == kindPoint || layout.kind == kindDirection || layout.kind == kindPlace)
+    else if (isPoint(layout))
       drawn_.push_back(toPoint(layout, n));
     else
       std::visit([&](const auto& shape) { keep(shape); }, toShape(layout, n));
@@ -81,8 +73,7 @@ class DrawWork final : public RecordWork {
 
   View& view_;
   const Frustum& frustum_;
-  const std::vector<std::string>& columns_;
-  bool worldIsEcef_;
+  const PointReading& reading_;
   std::vector<std::variant<Vec4, Segment, Sphere, Box, Triangle>> drawn_;
   std::size_t count_ = 0;  ///< records read
 };
@@ -90,7 +81,9 @@ class DrawWork final : public RecordWork {
 }  // namespace
 
 int addRecords(View& view, const Frustum& frustum, const FilterSetup& setup, bool worldIsEcef) {
-  return readRecords(setup, [&] { return std::make_unique<DrawWork>(view, frustum, setup.columns, worldIsEcef); });
+  const PointReading reading{
+      .columns = setup.columns, .worldIsEcef = worldIsEcef, .segments = true, .shapes = "drawn from a record"};
+  return readRecords(setup, [&] { return std::make_unique<DrawWork>(view, frustum, reading); });
 }
 
 void addScene(View& view, const Frustum& frustum, const std::vector<SceneObject>& scene) {

@@ -15,17 +15,17 @@ namespace {
 
 constexpr std::size_t kDefaultDigits = 9, kMostDigits = 17;
 
-Vec4 readPoint(const std::string& option, const std::string& text) {
-  const std::vector<double> n = readPointNumbers(option, text);
-  const Vec4 point{n[0], n[1], n[2], n.size() > 3 ? n[3] : 1};
+GivenPoint readPoint(const std::string& option, const std::string& text) {
+  const GivenPoint given = readGivenPoint(option, text);
+  const Vec4 point = given.point();
   if (maxAbs(Vec3{point.x, point.y, point.z}) == 0 && point.w == 0)
-    throw UsageError(option + " " + text + ": is neither a point nor a direction, all four numbers are 0");
-  return point;
+    throw UsageError(given.text + ": is neither a point nor a direction, all four numbers are 0");
+  return given;
 }
 
 struct Options {
   CameraOptions camera;
-  std::optional<Vec4> point;
+  std::optional<GivenPoint> point;
   std::optional<std::vector<double>> pixel;
   std::optional<std::string> model;
   std::size_t digits = kDefaultDigits;
@@ -33,17 +33,20 @@ struct Options {
 };
 
 int run(const Options& o) {
+  if (o.camera.lists()) return o.camera.list();
   if (!o.point && !o.pixel) throw UsageError("--point X,Y,Z or --pixel X,Y is needed: what to follow");
   if (o.point && o.pixel) throw UsageError("--point and --pixel are two explanations; leave out one of them");
   if (o.pixel && o.model) throw UsageError("--model goes with --point");
   requireOneStandardInput({{"the camera", o.camera.fromStandardInput()}, {"the model", isStandardInput(o.model)}});
   const CameraFile file = o.camera.read();
+  if (o.point) o.point->requireFit(file.worldIsEcef);
   const Camera built = makeCamera(file);
   const Convention writing = o.camera.writing(file);
   o.camera.noteWriting(file, {}, "");
   const auto explain = [&] {
     if (o.point)
-      return explainPoint(built, writing, *o.point, o.model ? std::optional(readModel(*o.model)) : std::nullopt);
+      return explainPoint(built, writing, o.point->point(),
+                          o.model ? std::optional(readModel(*o.model)) : std::nullopt);
     const std::vector<double>& n = *o.pixel;
     return explainPixel(built, writing, {n[0], n[1]}, n.size() > 2 ? std::optional(n[2]) : std::nullopt);
   };
@@ -64,7 +67,7 @@ Action defineExplain(CLI::App& app) {
   app.footer("viewproj explain -c samples/picking-a-pixel/camera.json --point 1,1,1 --convention d3d");
   o->camera.add(app);
   o->camera.addWriting(app);
-  addValue(app, "--point", "X,Y,Z[,W]", o->point, readPoint, "The point to follow");
+  addValue(app, "--point", kPointForm, o->point, readPoint, "The point to follow");
   addValue(app, "--pixel", "X,Y[,DEPTH]", o->pixel, readPixelNumbers,
            "The pixel to follow back, with a window depth if known");
   addModelOption(app, o->model, "point");

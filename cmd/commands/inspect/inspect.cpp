@@ -216,7 +216,7 @@ int run(const Options& o) {
   const std::string format = formOf(o, converts);
   const Choice& choice = o.choice;
 
-  const std::string source = o.file == "-" ? kStandardInputName : o.file;
+  const std::string source = o.file == "-" ? kStandardInputName : visible(o.file);
   WrittenMatrices given = parseMatrices(readWholeFile(o.file, kMostBytes), source);
   const std::vector<WrittenMatrix> chosen = chooseMatrices(std::move(given.matrices), o.which, source);
   // One at a time: its readings take many times the memory of its numbers.

@@ -8,6 +8,7 @@
 #include "stream/filter.hpp"
 #include "text/error.hpp"
 #include "text/file.hpp"
+#include "text/visible.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -25,11 +26,11 @@ struct Sample {
 /// Keeps the points of a stream.
 class SampleWork final : public RecordWork {
  public:
-  SampleWork(Sample& sample, const std::vector<std::string>& columns, bool worldIsEcef, bool keepGoing)
-      : sample_(sample), columns_(columns), worldIsEcef_(worldIsEcef), keepGoing_(keepGoing) {}
+  SampleWork(Sample& sample, const PointReading& reading, bool keepGoing)
+      : sample_(sample), reading_(reading), keepGoing_(keepGoing) {}
 
-  Layout find(const RecordParts& record) const override { return findPoint(record, columns_, worldIsEcef_); }
-  void nameResults(const Layout&, ResultSink&) const override {}  // uncounted: there are none
+  Layout find(const RecordParts& record) const override { return findPoint(record, reading_); }
+  Results results(const Layout&, OutputForm) const override { return {}; }
   void add(const Layout& layout, const Numbers& numbers) override {
     const Vec4 p = toPoint(layout, numbers);
     if (sample_.points.size() == kMostPoints && keepGoing_) {
@@ -49,8 +50,8 @@ class SampleWork final : public RecordWork {
 
  private:
   Sample& sample_;
-  const std::vector<std::string>& columns_;
-  bool worldIsEcef_, keepGoing_;
+  const PointReading& reading_;
+  bool keepGoing_;
 };
 
 std::vector<std::string> notesOn(const Measurement& m, std::size_t leftOut) {
@@ -79,16 +80,18 @@ struct Options {
 };
 
 int run(const Options& o) {
-  FilterSetup setup = o.stream.setup(kPointCoordinates);
+  if (o.camera.lists()) return o.camera.list();
+  FilterSetup setup = o.stream.setup(kPointColumns);
   o.stream.requireOneInput(setup, o.camera);
   const CameraFile file = o.camera.read();
   const Camera built = makeCamera(file);
 
   Sample sample;
-  const int status = readRecords(
-      setup, [&] { return std::make_unique<SampleWork>(sample, setup.columns, file.worldIsEcef, setup.keepGoing); });
+  o.stream.settleOnEarth(setup, file.worldIsEcef);
+  const PointReading reading{.columns = setup.columns, .worldIsEcef = file.worldIsEcef};
+  const int status = readRecords(setup, [&] { return std::make_unique<SampleWork>(sample, reading, setup.keepGoing); });
   if (sample.points.empty())
-    throw InputError((setup.file == "-" ? kStandardInputName : setup.file) + ": has no points to measure" +
+    throw InputError((setup.file == "-" ? kStandardInputName : visible(setup.file)) + ": has no points to measure" +
                      (sample.leftOut > 0 ? "; directions and weighted points are left out" : ""));
   const Measurement m = measure(built, sample.points, o.tolerance.value_or(kDefaultTolerance), o.seconds);
   const std::vector<std::string> notes = notesOn(m, sample.leftOut);

@@ -1,0 +1,192 @@
+#include "input/column_choice.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+#include "text/error.hpp"
+#include "text/names.hpp"
+#include "text/visible.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+using Pick = ColumnChoice::Pick;
+
+std::vector<std::string_view> partsAt(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, at), text.size());
+    parts.push_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  return parts;
+}
+
+UsageError wrong(const std::string& text, const std::string& what) {
+  return UsageError("--columns " + text + ": " + what);
+}
+
+bool has(const std::vector<Pick>& picks, std::string_view role) {
+  return std::any_of(picks.begin(), picks.end(), [&](const Pick& pick) { return pick.role == role; });
+}
+
+/// Whether they are all that a row needs, and no more than it and one of the others have.
+bool isWhole(const std::vector<Pick>& picks, const ChoosableColumns& choosable) {
+  return std::any_of(choosable.rows.begin(), choosable.rows.end(), [&](const Coordinate* row) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < row->parts.size(); ++i) {
+      if (has(picks, row->parts[i].name))
+        ++count;
+      else if (i < row->fewest)
+        return false;
+    }
+    for (const Coordinate* other : choosable.others)
+      if (has(picks, other->parts[0].name)) return picks.size() == count + 1;
+    return picks.size() == count;
+  });
+}
+
+std::vector<std::string_view> rolesOf(const ChoosableColumns& choosable) {
+  std::vector<std::string_view> roles;
+  for (const auto& rows : {choosable.rows, choosable.others})
+    for (const Coordinate* row : rows)
+      for (const CoordinatePart& part : row->parts) roles.push_back(part.name);
+  return roles;
+}
+
+/// "x, y, z (, w) or lat, lon, height".
+std::string expected(const ChoosableColumns& choosable) {
+  std::string text = "expected ";
+  for (const Coordinate* row : choosable.rows) {
+    if (row != choosable.rows[0]) text += " or ";
+    for (std::size_t i = 0; i < row->parts.size(); ++i)
+      text += (i == 0 ? "" : i < row->fewest ? ", " : " and perhaps ") + std::string(row->parts[i].name);
+  }
+  if (!choosable.others.empty()) text += ", and perhaps " + namesOf(choosable.others);
+  return text + ", as in " + std::string(choosable.example);
+}
+
+void place(Pick& pick, const std::string& text) {
+  if (pick.name.empty()) throw wrong(text, "a name is missing");
+  if (!std::all_of(pick.name.begin(), pick.name.end(), [](char c) { return c >= '0' && c <= '9'; })) return;
+  const auto [end, error] = std::from_chars(pick.name.data(), pick.name.data() + pick.name.size(), pick.number);
+  if (error != std::errc() || pick.number < 1 || pick.number > kMostFields)
+    throw wrong(text, "columns are numbered from 1 to " + std::to_string(kMostFields));
+}
+
+/// Names or numbers alone: the roles of a row in order, unless they are roles themselves.
+void giveRoles(ColumnChoice& choice, const ChoosableColumns& choosable) {
+  std::vector<Pick>& picks = choice.picks;
+  std::vector<Pick> named = picks;
+  for (Pick& pick : named) pick.role = pick.name;
+  std::vector<std::string_view> inOrder;
+  for (const CoordinatePart& part : choosable.rows[0]->parts) inOrder.push_back(part.name);
+  const std::size_t fewest = choosable.rows[0]->fewest;
+  if (inOrder.size() == fewest && !choosable.others.empty()) inOrder.push_back(choosable.others[0]->parts[0].name);
+  // x, y, z the other way round are columns that take one another's place.
+  bool exchanged = true;
+  for (std::size_t i = 0; i < picks.size(); ++i)
+    exchanged &= std::find(inOrder.begin(), inOrder.end(), picks[i].name) != inOrder.end();
+  for (std::size_t i = 0, equal = 0; i < std::min(picks.size(), inOrder.size()); ++i)
+    if (picks[i].name == inOrder[i] && ++equal == picks.size()) exchanged = false;
+  if (!exchanged && isWhole(named, choosable)) {
+    picks = std::move(named);
+    choice.saysWhat = choice.inOrder = true;
+    return;
+  }
+  if (picks.size() < fewest || picks.size() > inOrder.size())
+    throw wrong(choice.text, "expected " + std::to_string(fewest) + " or " + std::to_string(inOrder.size()) +
+                                 " names or numbers of columns, separated by commas");
+  for (std::size_t i = 0; i < picks.size(); ++i) picks[i].role = inOrder[i];
+}
+
+}  // namespace
+
+const Pick* ColumnChoice::find(std::string_view role) const {
+  const auto pick = std::find_if(picks.begin(), picks.end(), [&](const Pick& one) { return one.role == role; });
+  return pick == picks.end() ? nullptr : &*pick;
+}
+
+std::vector<std::size_t> ColumnChoice::numbers() const {
+  std::vector<std::size_t> numbers;
+  for (const Pick& pick : picks)
+    if (pick.number > 0) numbers.push_back(pick.number);
+  return numbers;
+}
+
+std::vector<std::string> ColumnChoice::columnNames() const {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < picks.size(); ++i) {
+    const std::size_t at = inOrder ? i : picks[i].number - 1;
+    if (!inOrder && picks[i].number == 0) continue;
+    names.resize(std::max(names.size(), at + 1));
+    names[at] = picks[i].role;
+  }
+  return names;
+}
+
+void ColumnChoice::requireNoNames(const std::string& of) const {
+  if (inOrder || std::all_of(picks.begin(), picks.end(), [](const Pick& pick) { return pick.number > 0; })) return;
+  throw wrong(text, of + " have no names; numbers are the way, as in 1,2,3");
+}
+
+ColumnChoice chooseColumns(const std::string& text, const ChoosableColumns& choosable) {
+  ColumnChoice choice{text, {}};
+  for (const std::string_view part : partsAt(text, ',')) {
+    const std::size_t equals = part.find('=');
+    const bool hasRole = equals != std::string_view::npos;
+    if (!choice.picks.empty() && hasRole != choice.saysWhat)
+      throw wrong(text, "either each column has a name and =, or none has; " + expected(choosable));
+    choice.saysWhat = hasRole;
+    Pick pick{.role = std::string(hasRole ? part.substr(0, equals) : ""),
+              .name = std::string(hasRole ? part.substr(equals + 1) : part)};
+    place(pick, text);
+    for (const Pick& other : choice.picks) {
+      if (other.name == pick.name) throw UsageError("--columns: " + pick.name + " is named twice");
+      if (hasRole && other.role == pick.role) throw UsageError("--columns: " + pick.role + " is given twice");
+    }
+    choice.picks.push_back(std::move(pick));
+    if (choice.picks.size() > 16) throw wrong(text, "too many; " + expected(choosable));
+  }
+  if (!choice.saysWhat) {
+    giveRoles(choice, choosable);
+    return choice;
+  }
+  const std::vector<std::string_view> roles = rolesOf(choosable);
+  for (const Pick& pick : choice.picks)
+    if (std::find(roles.begin(), roles.end(), pick.role) == roles.end())
+      throw UsageError("--columns: '" + pick.role + "' is not known" + suggestion(pick.role, roles));
+  if (!isWhole(choice.picks, choosable)) throw wrong(text, expected(choosable));
+  return choice;
+}
+
+std::size_t fieldOf(const Pick& pick, const ColumnChoice& choice, const RecordParts& record) {
+  const Shape& shape = record.shape;
+  const bool csv = shape.form == Form::csv, nameless = shape.isArray || (csv && !shape.hasHeader);
+  const std::string what = csv ? "column" : shape.isArray ? "number" : "field";
+  if (pick.number > 0 || (nameless && choice.inOrder)) {
+    if (!nameless && !csv) throw RecordError(0, "is an object; --columns takes its fields by name, as in x=E,y=N,z=U");
+    const std::size_t number =
+        pick.number > 0 ? pick.number : static_cast<std::size_t>(&pick - choice.picks.data()) + 1;
+    if (number > shape.size)
+      throw RecordError(0, "has " + std::to_string(shape.size) + " " + what + (shape.size == 1 ? "" : "s") +
+                               "; --columns names number " + std::to_string(number));
+    return number - 1;
+  }
+  if (nameless)
+    throw RecordError(0,
+                      (csv ? "has no header, so that no column has a name" : std::string("has numbers without names")) +
+                          "; --columns takes them by number, as in 1,2,3");
+  if (const auto field = shape.find(pick.name)) return *field;
+  constexpr std::size_t kFew = 16, kLong = 3;
+  const bool few = shape.names.size() <= kFew;
+  std::vector<std::string_view> names;
+  if (few) names.assign(shape.names.begin(), shape.names.end());
+  const std::string_view nearest = pick.name.size() < kLong ? "" : nearestName(pick.name, names);
+  throw RecordError(0, "has no " + what + " " + visible(pick.name) + ", which --columns names" +
+                           (!nearest.empty() ? "; did you mean " + quoted(nearest) + "?"
+                            : few            ? "; known are " + visible(joined(names))
+                                             : ""));
+}
+
+}  // namespace viewproj::cmd

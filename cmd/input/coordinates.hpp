@@ -1,0 +1,127 @@
+// What a record's numbers are called: each way to say a point, a shape or a pixel is a row, which the readers,
+// --columns, messages and the schema of points follow from. To add one: a row.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "input/layout.hpp"
+#include "input/record.hpp"
+
+namespace viewproj::cmd {
+
+enum class CoordinateForm : unsigned char {
+  numbers,  ///< a field or column for each part
+  array,    ///< a field with an array; columns NAME_x, NAME_y, ...
+  points,   ///< a field with an array of so many points; JSON alone
+  object,   ///< a field with an object of the parts; columns PART, or PART_x, ... for a part of three
+  word,     ///< a field that is known, and not read here
+};
+
+/// What becomes of the numbers.
+enum RecordKind : unsigned {
+  kindPoint,
+  kindWeightedPoint,  ///< of an array that must have a w
+  kindDirection,
+  kindPlace,
+  kindSegment,
+  kindSegmentAndPixel,
+  kindSphere,
+  kindRoundPoint,    ///< a point, and a radius behind it
+  kindPlacedSphere,  ///< a place, and a radius
+  kindBox,
+  kindTriangle
+};
+
+using Aliases = std::span<const std::string_view>;
+
+struct CoordinatePart {
+  std::string_view name;
+  std::size_t size = 1;
+  Aliases aliases = {};
+  double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
+};
+
+struct Coordinate {
+  std::string_view name;  ///< of the field; of `numbers`, how messages call them
+  CoordinateForm form;
+  std::size_t fewest, most;  ///< numbers; of `points`, points
+  std::string_view help;
+  unsigned kind = 0;
+  std::span<const CoordinatePart> parts = {};
+  bool orNull = false;  ///< null, an empty cell: stands for no value
+  char first = '{';     ///< of points, object, word: a field of the name counts where its value begins so
+  Aliases aliases = {};
+};
+
+// clang-format off
+namespace coordinates {
+
+using enum CoordinateForm;
+inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+
+inline constexpr CoordinatePart
+    kXyzw[] = {{"x"}, {"y"}, {"z"}, {"w"}},
+    kXy[] = {{"x"}, {"y"}},
+    kPlace[] = {{"lat", 1, {}, -90, 90}, {"lon"}, {"height"}},
+    kSphere[] = {{"center", 3}, {"radius", 1, {}, 0, kUnbounded}},
+    kBox[] = {{"min", 3}, {"max", 3}},
+    kRadius[] = {{"radius", 1, {}, 0, kUnbounded}},
+    kDepth[] = {{"depth"}},
+    kViewDistance[] = {{"viewDistance"}};
+
+// Points, in the order in which they count.
+inline constexpr Coordinate
+    position = {"position", array, 3, 4, "a point of the world, or homogeneous: (x/w, y/w, z/w), w = 0 a direction", kindPoint},
+    xyz = {"x y z", numbers, 3, 4, "the same, a field or column each", kindPoint, kXyzw},
+    place = {"lat lon height", numbers, 3, 3, "a place on the Earth: degrees on WGS84, metres above the ellipsoid", kindPlace, kPlace},
+    direction = {"direction", array, 3, 3, "stands for its vanishing point", kindDirection};
+inline constexpr const Coordinate* kPoints[] = {&position, &xyz, &place, &direction};
+
+// Shapes.
+inline constexpr Coordinate
+    segment = {"segment", points, 2, 2, "from one point to another", kindSegment, {}, false, '['},
+    sphere = {"sphere", object, 4, 4, "all within radius of center", kindSphere, kSphere},
+    box = {"box", object, 6, 6, "from min to max along the world's axes", kindBox, kBox},
+    triangle = {"triangle", points, 3, 3, "of three corners", kindTriangle, {}, false, '['},
+    plane = {"plane", word, 0, 0, "a shape of scenes"},
+    ellipsoid = {"ellipsoid", word, 0, 0, "a shape of scenes", 0, {}, false, '"'},
+    radius = {"radius", numbers, 1, 1, "beside a point, to cull: a sphere about it", 0, kRadius};
+inline constexpr const Coordinate *kShapes[] = {&sphere, &box, &triangle}, *kNotRead[] = {&plane, &ellipsoid};
+
+// Pixels, in the order in which they count, and how far away the point is.
+inline constexpr Coordinate
+    screen = {"screen", array, 2, 2, "a pixel, as project writes it", 0, {}, true},
+    pixel = {"pixel", array, 2, 2, "the same", 0, {}, true},
+    xy = {"x y", numbers, 2, 2, "the same, a field or column each, without z", 0, kXy},
+    depth = {"depth", numbers, 1, 1, "window depth of the point behind the pixel", 0, kDepth, true},
+    viewDistance = {"viewDistance", numbers, 1, 1, "its distance along the viewing axis; goes before depth", 0, kViewDistance, true};
+inline constexpr const Coordinate *kPixels[] = {&screen, &pixel, &xy}, *kDistances[] = {&depth, &viewDistance};
+
+}  // namespace coordinates
+// clang-format on
+
+/// Every row.
+std::span<const Coordinate* const> allCoordinates();
+
+/// The parts of a row in the fields of a record, if it has the first of them. Adds to forms which values it went by.
+/// Throws RecordError if another is missing.
+std::optional<Layout> find(const Coordinate& row, const RecordParts& record, std::vector<FormOfField>& forms);
+
+/// The columns of CSV, all that it may have.
+std::vector<std::string> columnsOf(const Coordinate& row);
+
+/// The row of a field's name that counts by the form of its value; null: none.
+const Coordinate* rowNamed(std::string_view field);
+
+/// How its value is written: {"center": [x, y, z], "radius": r}.
+std::string exampleOf(const Coordinate& row);
+
+/// "position, x y z, lat lon height or direction".
+std::string namesOf(std::span<const Coordinate* const> rows, std::string_view last = " or ");
+
+}  // namespace viewproj::cmd

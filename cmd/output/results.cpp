@@ -1,0 +1,148 @@
+#include "output/results.hpp"
+
+#include <array>
+#include <numeric>
+
+#include "output/side_names.hpp"
+#include "text/error.hpp"
+#include "text/names.hpp"
+#include "viewproj/clip.hpp"
+#include "viewproj/screen.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+constexpr std::string_view kOutside[] = {"behind", "left", "right", "bottom", "top", "near", "far"};
+constexpr std::string_view kVerdicts[] = {"inside", "intersects", "outside"};
+
+/// What a point lies beyond, in the interface's order.
+class Sides {
+ public:
+  explicit Sides(const ScreenPoint& p) {
+    if (p.status == PointStatus::behind) names_[count_++] = kOutside[0];
+    for (Side side : kSides)
+      if (p.outside & side) names_[count_++] = sideName(side);
+  }
+  std::span<const std::string_view> names() const { return {names_.data(), count_}; }
+
+ private:
+  std::array<std::string_view, 6> names_;
+  std::size_t count_ = 0;
+};
+
+using P = const ProjectedPoint&;
+using R = const ResultRow&;
+using S = ResultSink&;
+
+// clang-format off
+constexpr PointResult kPointResults[] = {
+    {results::screen,
+     [](R row, P p, S sink) { sink.vector(row, Vec2{p.screen.x, p.screen.y}); }},
+    {results::depth,
+     [](R row, P p, S sink) { sink.number(row, p.screen.depth); }},
+    {results::viewDistance,
+     [](R row, P p, S sink) { sink.number(row, p.screen.viewDistance); }},
+    {results::visible,
+     [](R row, P p, S sink) { sink.flag(row, p.screen.visible()); }},
+    {namesResult("outside", ResultWords::outside, "what the point lies beyond; left out where it is visible, unless --fields asks").whereNamed(),
+     [](R row, P p, S sink) { sink.names(row, Sides(p.screen).names(), p.outsideAlways); }},
+    {vectorResult("ndc", 3, "", "normalised device coordinates, as the convention written has them").asked().orNull(),
+     [](R row, P p, S sink) { sink.vector(row, worldToNdc(p.camera, p.point, p.writing)); },
+     PointResult::Shows::depth},
+    {vectorResult("clip", 4, "", "homogeneous clip coordinates, as the convention written has them").asked().orNull(),
+     [](R row, P p, S sink) { sink.vector(row, worldToClip(p.camera, p.point, p.writing)); },
+     PointResult::Shows::depth},
+    {vectorResult("view", 3, results::kWorldUnit, "view coordinates, as the convention written has them").asked().orNull(),
+     [](R row, P p, S sink) { sink.vector(row, worldToView(p.camera, p.point, p.writing)); },
+     PointResult::Shows::axes},
+    {numberResult("bound", "pixels", "that screen is proven to be right to").asked().orNull(),
+     [](R row, P p, S sink) { sink.number(row, boundOfPoint(p.camera, p.point, p.screen.precision).screen); }},
+};
+// clang-format on
+
+void addColumns(std::vector<std::string>& columns, const ResultRow& row, const std::string& prefix, bool table) {
+  const std::string name = prefix + columnName(row.name);
+  if (row.kind == ResultKind::group)
+    for (const ResultRow* part : row.parts) addColumns(columns, *part, name + "_", table);
+  else if (row.kind == ResultKind::vector && !table)
+    for (std::size_t i = 0; i < row.size; ++i) columns.push_back(name + std::string(kColumnSuffixes[i]));
+  else
+    columns.push_back(name);
+}
+
+}  // namespace
+
+std::span<const PointResult> pointResults() { return kPointResults; }
+
+const Results& allResults() {
+  static const Results all = [] {
+    Results rows;
+    for (const PointResult& result : kPointResults) rows.push_back(&result.row);
+    for (const auto& more : {std::span<const ResultRow* const>(results::kSegment), {results::kRay}, {results::kCull}})
+      rows.insert(rows.end(), more.begin(), more.end());
+    return rows;
+  }();
+  return all;
+}
+
+const ResultRow* findResult(std::string_view name, std::string_view prefix) {
+  if (!name.starts_with(prefix)) return nullptr;
+  name.remove_prefix(prefix.size());
+  for (const ResultRow* row : allResults())
+    if (row->name == name) return row;
+  return nullptr;
+}
+
+std::span<const std::string_view> wordsOf(ResultWords words) {
+  switch (words) {
+    case ResultWords::sides:
+      return std::span(kOutside).subspan(1);
+    case ResultWords::outside:
+      return kOutside;
+    case ResultWords::verdicts:
+      return kVerdicts;
+    case ResultWords::any:
+      break;
+  }
+  return {};
+}
+
+std::vector<std::string> columnsOf(std::span<const ResultRow* const> rows, std::string_view prefix, bool table) {
+  std::vector<std::string> columns;
+  for (const ResultRow* row : rows) addColumns(columns, *row, std::string(prefix), table);
+  return columns;
+}
+
+std::size_t numbersOf(const ResultRow& row) {
+  switch (row.kind) {
+    case ResultKind::number:
+    case ResultKind::flag:
+      return 1;
+    case ResultKind::vector:
+      return row.size;
+    case ResultKind::group:
+      return std::accumulate(row.parts.begin(), row.parts.end(), std::size_t{0},
+                             [](std::size_t sum, const ResultRow* part) { return sum + numbersOf(*part); });
+    default:
+      return 0;
+  }
+}
+
+void requireRoom(std::span<const ResultRow* const> rows, OutputForm form) {
+  const bool numbersOnly = form == OutputForm::text || form == OutputForm::f64;
+  if (!numbersOnly && !hasColumns(form)) return;
+  std::size_t numbers = 0;
+  for (const ResultRow* row : rows) {
+    const std::string name(row->name);
+    numbers += numbersOf(*row);
+    if (row->kind == ResultKind::list)
+      throw UsageError("a list of " + name + " has no place in " +
+                       (numbersOnly ? "text and f64" : "the columns of CSV") + "; use JSON");
+    if (numbersOnly && row->kind == ResultKind::names)
+      throw UsageError("--fields " + name + ": text and f64 have numbers only; use JSON or CSV");
+  }
+  if (numbersOnly && numbers == 0 && !rows.empty())
+    throw UsageError("the results are words, which have no place in text and f64; use JSON or CSV");
+}
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,179 @@
+// The JSON Schema of what is read from streams, from the rows of coordinates.
+#include <cmath>
+
+#include "input/coordinates.hpp"
+#include "schema/parts.hpp"
+#include "schema/schemas.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+using schema::Json;
+
+const Json kObject = {{"type", "object"}}, kArray = {{"type", "array"}}, kNumber = {{"type", "number"}},
+           kNotZero = {{"not", {{"const", 0}}}};
+
+Json numbers(std::size_t fewest, std::size_t most) {
+  return {{"type", "array"}, {"items", kNumber}, {"minItems", fewest}, {"maxItems", most}};
+}
+
+Json having(const Json& properties, const Json& required = Json::array()) {
+  Json schema = {{"type", "object"}, {"properties", properties}};
+  if (!required.empty()) schema["required"] = required;
+  return schema;
+}
+
+Json partOf(const CoordinatePart& part) {
+  if (part.size > 1) return numbers(part.size, part.size);
+  Json schema = kNumber;
+  if (std::isfinite(part.least)) schema["minimum"] = static_cast<int>(part.least);
+  if (std::isfinite(part.most)) schema["maximum"] = static_cast<int>(part.most);
+  return schema;
+}
+
+/// An object that has the row: its first field, in the form by which that counts.
+Json has(const Coordinate& row) {
+  const bool byForm = row.form != CoordinateForm::numbers && row.form != CoordinateForm::array;
+  const std::string field(row.form == CoordinateForm::numbers ? row.parts[0].name : row.name);
+  return having({{field, !byForm ? Json(true) : row.first == '[' ? kArray : kObject}}, {field});
+}
+
+/// What a record that has it must be.
+Json valueOf(const Coordinate& row) {
+  const std::string name(row.name);
+  Json properties = Json::object(), required = Json::array();
+  for (std::size_t i = 0; i < row.parts.size(); ++i) {
+    properties[std::string(row.parts[i].name)] = partOf(row.parts[i]);
+    if (row.form == CoordinateForm::object || i < row.fewest) required.push_back(row.parts[i].name);
+  }
+  switch (row.form) {
+    case CoordinateForm::array:
+      return having({{name, schema::reference(row.orNull              ? "pixelOrNull"
+                                              : row.kind == kindPoint ? "xyz"
+                                                                      : "nonzero3")}},
+                    {name});
+    case CoordinateForm::points:
+      return having(
+          {{name, {{"type", "array"}, {"items", numbers(3, 3)}, {"minItems", row.fewest}, {"maxItems", row.fewest}}}});
+    case CoordinateForm::object:
+      return having({{name, having(properties, required)}});
+    default:
+      return having(properties, required);
+  }
+}
+
+/// x, y, z, w that are not all 0.
+Json notAllZero(const Coordinate& row) {
+  Json zeros = Json::object();
+  for (const CoordinatePart& part : row.parts) zeros[std::string(part.name)] = {{"const", 0}};
+  return {{"not", having(zeros, {row.parts.back().name})}};
+}
+
+/// The first of the rows that a record has decides, or else the last word.
+template <class Then>
+Json firstOf(std::span<const Coordinate* const> rows, const Then& then, const Json& otherwise) {
+  if (rows.empty()) return otherwise;
+  return {{"description", std::string(rows[0]->name) + ": " + std::string(rows[0]->help)},
+          {"if", has(*rows[0])},
+          {"then", then(*rows[0])},
+          {"else", firstOf(rows.subspan(1), then, otherwise)}};
+}
+
+std::span<const Coordinate* const> allButLast(std::span<const Coordinate* const> rows) {
+  return rows.first(rows.size() - 1);
+}
+
+Json pointFields() {
+  const std::span rows(coordinates::kPoints);
+  const auto then = [](const Coordinate& row) {
+    const bool weighted = row.form == CoordinateForm::numbers && row.most > row.fewest;
+    return weighted ? schema::allOf({valueOf(row), notAllZero(row)}) : valueOf(row);
+  };
+  return schema::allOf({kObject, firstOf(allButLast(rows), then, valueOf(*rows.back()))});
+}
+
+Json objectOr(const Json& object, const Json& array) { return {{"if", kObject}, {"then", object}, {"else", array}}; }
+
+/// A point that is no direction, perhaps with the radius of a sphere about it.
+Json finitePoint() {
+  Json beside = Json::object();
+  for (const Coordinate* row : coordinates::kNotRead)
+    beside[std::string(row->name)] = {{"not", row->first == '{' ? kObject : Json{{"type", "string"}}}};
+  beside[std::string(coordinates::radius.name)] = partOf(coordinates::radius.parts[0]);
+  const auto weight = [](const Coordinate& row) -> Json {
+    if (row.kind != kindPoint) return true;
+    if (row.form == CoordinateForm::array) return having({{std::string(row.name), schema::reference("weighted")}});
+    return having({{"w", kNotZero}});
+  };
+  return objectOr(schema::allOf({having(beside), schema::reference("pointFields"),
+                                 firstOf(allButLast(coordinates::kPoints), weight, false)}),
+                  schema::allOf({schema::reference("xyz"), schema::reference("weighted")}));
+}
+
+Json pixelFields() {
+  Json distances = Json::object();
+  for (const Coordinate* row : coordinates::kDistances)
+    distances[std::string(row->name)] = {{"type", {"number", "null"}}};
+  const std::span rows(coordinates::kPixels);
+  const Json last = schema::allOf({valueOf(*rows.back()), having({{"z", false}})});
+  return schema::allOf({having(distances), firstOf(allButLast(rows), valueOf, last)});
+}
+
+/// A record, an array of records or a document.
+Json arranged(const std::string& record) {
+  const Json records = {{"type", "array"}, {"items", schema::reference(record)}};
+  return {{"if", schema::reference("isDocument")},
+          {"then", having({{"points", records}}, {"points"})},
+          {"else",
+           {{"if", schema::reference("isArrayOfRecords")}, {"then", records}, {"else", schema::reference(record)}}}};
+}
+
+}  // namespace
+
+std::string pointsSchema() {
+  Json all = schema::head(
+      "points", "Points for viewproj",
+      "One JSON value of a stream of points, as project and measure read it: a record, an array of records, or a "
+      "document {\"points\": [records], ...}. Of a sequence of values (NDJSON, jq) it describes each. #/$defs/shapes "
+      "describes what cull reads, #/$defs/pixels what ray reads; draw reads points and shapes. Points are in the "
+      "world's frame and unit, that of the camera; places (degrees on WGS84, metres above the ellipsoid) need a camera "
+      "on the Earth, and three numbers without names one elsewhere. A field counts as a shape where its value has the "
+      "form. Other fields of a record pass through, so names that results get are taken, unless --prefix names those "
+      "otherwise. null is a value here and does not count as absent. What a schema cannot say and the reader still "
+      "asks for: a document's first key is points; no coordinate of a box's max is below that of its min; a depth or "
+      "viewDistance is in front of the eye; no number leaves the range of doubles, and no key is given twice.");
+  const Json pixel = {{"anyOf", {schema::reference("numbers2"), {{"type", "null"}}}}};
+  const auto segment = [&](const Coordinate& row) {
+    return schema::allOf({valueOf(row), having({{std::string(coordinates::pixel.name), pixel}})});
+  };
+  const Coordinate* const segments[] = {&coordinates::segment};
+  Json& definitions = all["$defs"];
+  definitions["points"] = arranged("pointRecord");
+  definitions["shapes"] = arranged("shapeRecord");
+  definitions["pixels"] = arranged("pixelRecord");
+  definitions["isDocument"] = having({{"points", kArray}}, {"points"});
+  definitions["isArrayOfRecords"] = {{"description", "An array with a number in it is a record."},
+                                     {"type", "array"},
+                                     {"not", {{"type", "array"}, {"contains", kNumber}}}};
+  definitions["pointRecord"] =
+      objectOr(firstOf(segments, segment, schema::reference("pointFields")), schema::reference("xyz"));
+  definitions["pointFields"] = pointFields();
+  definitions["shapeRecord"] = firstOf(coordinates::kShapes, valueOf, schema::reference("finitePoint"));
+  definitions["finitePoint"] = finitePoint();
+  definitions["pixelRecord"] = objectOr(pixelFields(), schema::reference("numbers2"));
+  definitions["numbers2"] = numbers(2, 2);
+  definitions["xyz"] = numbers(3, 4);
+  definitions["xyz"]["not"] = {{"const", {0, 0, 0, 0}}};
+  definitions["nonzero3"] = numbers(3, 3);
+  definitions["nonzero3"]["contains"] = kNotZero;
+  definitions["weighted"] = {
+      {"type", "array"},
+      {"not",
+       {{"type", "array"}, {"prefixItems", {true, true, true, {{"const", 0}}}}, {"minItems", 4}, {"maxItems", 4}}}};
+  definitions["pixelOrNull"] = numbers(2, 2);
+  definitions["pixelOrNull"]["type"] = {"array", "null"};
+  all["$ref"] = "#/$defs/points";
+  return all.dump(2) + "\n";
+}
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,172 @@
+// The JSON Schema of results, from their rows.
+#include "output/results.hpp"
+
+#include <cmath>
+
+#include "schema/parts.hpp"
+#include "schema/schemas.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+using schema::Json;
+
+const Json kNull = {{"type", "null"}};
+
+Json words(ResultWords which, bool orNull) {
+  const auto known = wordsOf(which);
+  return schema::wordOf({known.begin(), known.end()}, orNull);
+}
+
+Json number(const ResultRow& row) {
+  Json schema = {{"type", "number"}};
+  if (std::isfinite(row.least)) schema["minimum"] = static_cast<int>(row.least);
+  if (std::isfinite(row.most)) schema["maximum"] = static_cast<int>(row.most);
+  return schema;
+}
+
+Json schemaOf(const ResultRow& row);
+
+/// An object of the parts and nothing else. Those that are not always given come together.
+Json objectOf(ResultParts parts) {
+  Json properties = Json::object(), required = Json::array(), asked = Json::array();
+  for (const ResultRow* part : parts) {
+    properties[std::string(part->name)] = schemaOf(*part);
+    (part->given == Given::asked ? asked : required).push_back(part->name);
+  }
+  Json schema = {
+      {"type", "object"}, {"properties", properties}, {"required", required}, {"additionalProperties", false}};
+  for (const Json& name : asked) schema["dependentRequired"][name.get<std::string>()] = asked;
+  return schema;
+}
+
+/// Of its value; null aside, but for words.
+Json valueOf(const ResultRow& row) {
+  switch (row.kind) {
+    case ResultKind::number:
+      return number(row);
+    case ResultKind::vector:
+      return {{"type", "array"}, {"items", number(row)}, {"minItems", row.size}, {"maxItems", row.size}};
+    case ResultKind::flag:
+      return {{"type", "boolean"}};
+    case ResultKind::names:
+      return {{"type", "array"}, {"uniqueItems", true}, {"items", words(row.words, false)}};
+    case ResultKind::word:
+      return words(row.words, row.canBeNull);
+    case ResultKind::json:
+      return schema::anyOf({{{"type", "string"}}, {{"type", "number"}}});
+    case ResultKind::group:
+      return objectOf(row.parts);
+    case ResultKind::list:
+      return {{"type", "array"}, {"items", objectOf(row.parts)}};
+  }
+  return true;
+}
+
+Json schemaOf(const ResultRow& row) {
+  Json schema = valueOf(row);
+  if (row.canBeNull && row.kind != ResultKind::word) schema = schema::anyOf({schema, kNull});
+  schema["description"] = std::string(row.help) + (row.unit.empty() ? "" : "; " + std::string(row.unit));
+  return schema;
+}
+
+/// The first row of a name counts: of a hit with a place and one without the former.
+Json propertiesOf(ResultParts rows) {
+  Json properties = Json::object();
+  for (const ResultRow* row : rows)
+    if (!properties.contains(std::string(row->name))) properties[std::string(row->name)] = schemaOf(*row);
+  return properties;
+}
+
+/// A record with these results.
+Json recordOf(ResultParts rows) {
+  Json required = Json::array();
+  for (const ResultRow* row : rows)
+    if (row->given != Given::asked) required.push_back(row->name);
+  return {{"type", "object"}, {"properties", propertiesOf(rows)}, {"required", required}};
+}
+
+/// An object whose field has this value.
+Json isThere(const std::string& name, const Json& value) {
+  return {{"type", "object"}, {"required", {name}}, {"properties", {{name, {{"const", value}}}}}};
+}
+
+Json having(const Json& properties) { return {{"type", "object"}, {"properties", properties}}; }
+
+/// With one result at least.
+Json projectedPoint() {
+  Results rows;
+  Json any = Json::array();
+  for (const PointResult& result : pointResults()) {
+    rows.push_back(&result.row);
+    const std::string name(result.row.name);
+    any.push_back({{"type", "object"}, {"required", {name}}, {"properties", {{name, true}}}});
+  }
+  return {{"type", "object"},
+          {"properties", propertiesOf(rows)},
+          {"minProperties", 2},
+          {"anyOf", any},
+          {"if", isThere("visible", true)},
+          {"then", having({{"screen", {{"type", "array"}}}, {"outside", {{"const", Json::array()}}}})}};
+}
+
+Json projectedSegment() {
+  Json schema = recordOf(results::kSegment), there = Json::object(), none = Json::object();
+  schema["properties"]["segment"] = {
+      {"type", "array"}, {"items", schema::reference("vector3")}, {"minItems", 2}, {"maxItems", 2}};
+  schema["required"].push_back("segment");
+  for (const ResultRow* row : results::kSegment) {
+    if (row->kind != ResultKind::group) continue;
+    if (row->given != Given::asked) there[std::string(row->name)] = {{"type", "object"}};
+    none[std::string(row->name)] = kNull;
+  }
+  schema["description"] = "The ends of what is visible of it, null where nothing is.";
+  schema["if"] = isThere("visible", true);
+  schema["then"] = having(there);
+  schema["else"] = having(none);
+  return schema;
+}
+
+Json culled() {
+  Json schema = recordOf(results::kCull);
+  schema["if"] = isThere("cull", "inside");
+  schema["then"] = having({{"plane", kNull}});
+  schema["else"] = having({{"plane", words(ResultWords::sides, false)}});
+  return schema;
+}
+
+}  // namespace
+
+std::string resultsSchema() {
+  Json all = schema::head(
+      "results", "Results of viewproj in JSON",
+      "One JSON value of what a command prints in JSON. Of lines (NDJSON) it describes each. #/$defs/NAME describes "
+      "what the command NAME alone prints: project, ray, cull, planes (cull --planes), matrix, explain, inspect, "
+      "depth, "
+      "measure. Screen positions are pixels as the viewport counts them, depth is window depth, distances and points "
+      "are in the world's unit and frame, angles in degrees unless named radians. What has no value is null. Records "
+      "keep the fields they came with in front of the results; those whose names --prefix changes, and fields of a "
+      "result's name that --fields leaves out, are not described.");
+  const Json reports = Json::parse(reportsText());
+  Json definitions = Json::object();
+  const auto filter = [&](const std::string& name, const std::string& record, const std::vector<Json>& records) {
+    definitions[name] = schema::recordsOf(record);
+    Json any = records;
+    any.push_back(schema::reference("errorRecord"));
+    definitions[record] = {{"anyOf", any}};
+  };
+  filter("project", "projectedRecord", {schema::reference("projectedPoint"), schema::reference("projectedSegment")});
+  filter("ray", "castRecord", {schema::reference("cast")});
+  filter("cull", "culledRecord", {schema::reference("culled")});
+  definitions["projectedPoint"] = projectedPoint();
+  definitions["projectedSegment"] = projectedSegment();
+  definitions["cast"] = recordOf(results::kRay);
+  definitions["culled"] = culled();
+  definitions.update(reports);
+  for (const char* name : {"project", "ray", "cull", "planes", "matrix", "explain", "inspect", "depth", "measure"})
+    all["anyOf"].push_back(schema::reference(name));
+  all["$defs"] = definitions;
+  return all.dump(2) + "\n";
+}
+
+}  // namespace viewproj::cmd
