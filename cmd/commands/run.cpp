@@ -1,14 +1,36 @@
 #include "commands/run.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include "commands/help.hpp"
+#include "commands/values.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
 
 namespace viewproj::cmd {
 namespace {
+
+/// As they are typed: CLI11 would take the argument after "--prefix=" for its value, and "=cam.json" for that of
+/// "-c=cam.json".
+void requireValuesAfterEquals(const CLI::App& app, int argc, char** argv) {
+  const std::vector<std::string_view> all(argv + 1, argv + argc);
+  for (const std::string_view help : {"--help", "-h"})  // which goes first
+    if (std::find(all.begin(), all.end(), help) != all.end()) return;
+  for (const std::string_view typed : all) {
+    if (typed == "--") return;
+    const std::size_t equals = typed.find('=');
+    if (!typed.starts_with('-') || equals == std::string_view::npos) continue;
+    const std::string name(typed.substr(0, equals));
+    const CLI::Option* const option = app.get_option_no_throw(name);
+    if (!option) continue;
+    if (option->get_items_expected_max() == 0) throw UsageError(name + " takes no value");
+    if (!name.starts_with("--"))
+      throw UsageError(std::string(typed) + ": the value of " + name + " follows after a blank, without =");
+    if (equals + 1 == typed.size()) throw UsageError(name + kEmptyValue);
+  }
+}
 
 /// Throws UsageError, or HelpGiven after writing the help.
 void parse(CLI::App& app, int argc, char** argv) {
@@ -17,6 +39,7 @@ void parse(CLI::App& app, int argc, char** argv) {
     return {};
   };
   try {
+    requireValuesAfterEquals(app, argc, argv);
     app.parse(argc, argv);
   } catch (const UsageError&) {  // of an option's value; help goes first
     if (app.get_help_ptr()->count() > 0) throw help();

@@ -19,9 +19,11 @@ CLI::Option* addOption(CLI::App& app, const std::string& name, const std::string
                        Times times, TakeValues take) {
   // By its long name, or that of an argument.
   const std::string option = name.substr(name.rfind(',') + 1);
-  const auto check = [option, times, take = std::move(take)](const CLI::results_t& given) {
-    if (std::find(given.begin(), given.end(), "") != given.end())
-      throw UsageError(option + " has an empty value; is a variable of a script not set?");
+  const auto check = [&app, option, times, take = std::move(take)](const CLI::results_t& given) {
+    if (std::find(given.begin(), given.end(), "") != given.end()) throw UsageError(option + kEmptyValue);
+    for (const std::string& value : given)
+      if (value.starts_with("--") && app.get_option_no_throw(value))
+        throw UsageError(option + " has no value: after it comes " + value);
     if (times == Times::once && given.size() > 1)
       throw UsageError(option + " is given twice: " + given[0] + " and " + given[1]);
     take(option, given);

@@ -14,6 +14,9 @@
 
 namespace viewproj::cmd {
 
+/// Of an option's value, after its name.
+inline constexpr const char* kEmptyValue = " has an empty value; is a variable of a script not set?";
+
 /// While it lives, options that are added stand under this heading in the help. The same heading has the same options
 /// in every command.
 class Heading {

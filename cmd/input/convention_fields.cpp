@@ -1,6 +1,7 @@
 #include "input/convention_fields.hpp"
 
 #include "input/camera_fields.hpp"
+#include "text/error.hpp"
 #include "text/json_build.hpp"
 #include "text/names.hpp"
 
@@ -47,6 +48,10 @@ std::optional<StatedConvention> readConvention(const ObjectReader& file, const C
 }
 
 StatedConvention readStated(const ObjectReader& file, const std::string& readAs, const ConventionPreset& fallback) {
+  if (!readAs.empty() && file.document().isSet(std::string(field::convention)))
+    throw UsageError("--set " + std::string(field::convention) + " and --read-as " + readAs +
+                     " both say how the file is read; --set convention=" + readAs +
+                     " with --set convention.AXIS=VALUE changes single axes");
   const ConventionPreset& preset = readAs.empty() ? fallback : *findPreset(readAs);
   const StatedConvention stated{preset.convention, &preset};
   return readAs.empty() ? readConvention(file, fallback).value_or(stated) : stated;

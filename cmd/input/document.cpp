@@ -149,6 +149,11 @@ void Document::noteRead(const Path& path, bool andBelow) const {
   if (andBelow) unread_.erase(unread_.lower_bound(name + '.'), unread_.lower_bound(name + char('.' + 1)));
 }
 
+bool Document::isSet(const std::string& field) const {
+  const auto within = set_.lower_bound(field + ".");
+  return set_.count(field) > 0 || (within != set_.end() && within->starts_with(field + "."));
+}
+
 void Document::requireSetsRead(const std::string& form) const {
   if (!unread_.empty()) throw InputError("--set " + *unread_.begin() + ": is no field that is read of " + form);
 }

@@ -47,6 +47,9 @@ class Document {
   /// Sets a field. Throws UsageError where there is no place for it.
   void set(const Assignment& assignment);
 
+  /// Whether the field or one within it was set.
+  bool isSet(const std::string& field) const;
+
   /// Throws for a field that was set and that no reader has looked at. form: what the file is.
   void requireSetsRead(const std::string& form) const;
 
