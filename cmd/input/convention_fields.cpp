@@ -48,7 +48,7 @@ std::optional<StatedConvention> readConvention(const ObjectReader& file, const C
 }
 
 StatedConvention readStated(const ObjectReader& file, const std::string& readAs, const ConventionPreset& fallback) {
-  if (!readAs.empty() && file.document().isSet(std::string(field::convention)))
+  if (!readAs.empty() && file.has(field::convention) && file.document().isSet(std::string(field::convention)))
     throw UsageError("--set " + std::string(field::convention) + " and --read-as " + readAs +
                      " both say how the file is read; --set convention=" + readAs +
                      " with --set convention.AXIS=VALUE changes single axes");
