@@ -101,7 +101,9 @@ CameraFile readChecked(const Document& document, const CameraReading& reading) {
 
 CameraFile readCamera(const Document& document, const CameraReading& reading) {
   try {
-    return readChecked(document, reading);
+    const CameraFile file = readChecked(document, reading);
+    document.requireSetsRead("this camera file");
+    return file;
   } catch (const CameraError& e) {
     document.fail(pathOf(e.field()), e.message());
   }

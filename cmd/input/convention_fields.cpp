@@ -41,7 +41,7 @@ std::optional<StatedConvention> readConvention(const ObjectReader& file, const C
   if (file.isString(field::convention)) return presetOf(file, field::convention);
   const ObjectReader fields = *file.object(field::convention);
   fields.allow(field::axes);
-  StatedConvention stated{fallback.convention, &fallback};
+  StatedConvention stated{fallback.convention, &fallback, false};
   if (fields.has(field::preset)) stated = presetOf(fields, field::preset);
   stated.convention = readAxes(fields, stated.convention);
   return stated;
@@ -53,7 +53,7 @@ StatedConvention readStated(const ObjectReader& file, const std::string& readAs,
                      " both say how the file is read; --set convention=" + readAs +
                      " with --set convention.AXIS=VALUE changes single axes");
   const ConventionPreset& preset = readAs.empty() ? fallback : *findPreset(readAs);
-  const StatedConvention stated{preset.convention, &preset};
+  const StatedConvention stated{preset.convention, &preset, !readAs.empty()};
   return readAs.empty() ? readConvention(file, fallback).value_or(stated) : stated;
 }
 

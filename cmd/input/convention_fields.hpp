@@ -13,6 +13,7 @@ namespace viewproj::cmd {
 struct StatedConvention {
   Convention convention;
   const ConventionPreset* preset;
+  bool isNamed = true;  ///< and not the one that stands for none
 };
 
 /// The field "convention" of the file, or nothing. What it does not name is its preset's, or the fallback's.

@@ -124,7 +124,10 @@ void Document::set(const Assignment& assignment) {
       at = &(*at)[element(path[i])];
       continue;
     }
-    if (value.is_null() && !at->contains(path[i])) return;
+    if (value.is_null() && !at->contains(path[i])) {
+      unread_.insert(dotted(path));
+      return;
+    }
     nlohmann::json& next = (*at)[path[i]];
     if (path[i] == "convention" && next.is_string()) next = {{"preset", next}};
     if (next.is_null()) next = nlohmann::json::object();
@@ -140,7 +143,7 @@ void Document::set(const Assignment& assignment) {
   else
     (*at)[path.back()] = value;
   set_.insert(dotted(path));
-  if (!value.is_null()) unread_.insert(dotted(path));
+  unread_.insert(dotted(path));
 }
 
 void Document::noteRead(const Path& path, bool andBelow) const {
@@ -199,7 +202,10 @@ void ObjectReader::fail(const std::string& message) const { document_->fail(path
 
 const nlohmann::json* ObjectReader::find(std::string_view key) const {
   const auto found = object_->find(key);
-  if (found == object_->end() || found->is_null()) return nullptr;
+  if (found == object_->end() || found->is_null()) {
+    if (!document_->isAllRead()) document_->noteRead(pathOf(key), true);
+    return nullptr;
+  }
   if (document_->isAllRead()) return &*found;
   // The objects within are read on their own.
   const bool hasObjects = found->is_object() || (found->is_array() && !found->empty() && found->front().is_object());

@@ -60,8 +60,15 @@ Typed typedNumber(std::string_view text, double value) {
   return number;
 }
 
+}  // namespace
+
+bool mayBeFloats(const WrittenMatrix& m) { return m.digits >= 7 && m.digits <= 9; }
+
+namespace {
+
 /// What the digits of sixteen numbers are worth: half a unit of the finest place that the matrix shows, or of the last
-/// of as many digits as its longest number has. 0, 1 and -1 are what they are, unless written out to that place.
+/// of as many digits as its longest number has; with as many as float32s have, also what these round away. 0, 1 and -1
+/// are what they are, unless written out.
 void setDigits(WrittenMatrix& m, const std::array<Typed, 16>& numbers) {
   int finest = 0;
   for (const Typed& number : numbers) {
@@ -72,10 +79,15 @@ void setDigits(WrittenMatrix& m, const std::array<Typed, 16>& numbers) {
     const auto& [value, significant, decimals, exponent] = numbers[i];
     m.numbers[i] = value;
     const bool isWord = value == 0 || std::fabs(value) == 1;
-    if (isWord && !(finest > 1 && decimals == finest)) continue;
+    const bool isWrittenOut = (finest > 1 && decimals == finest) || (value != 0 && significant > 2);
+    if (isWord && !isWrittenOut) continue;
     const double ofPlace = std::pow(10.0, -finest);
     const double ofDigits = value == 0 ? 0 : std::pow(10.0, exponent - m.digits + 1);
     m.within[i] = std::max(ofPlace, ofDigits) / 2;
+    if (mayBeFloats(m)) {
+      const float narrow = std::fabs(static_cast<float>(value));
+      m.within[i] = std::max(m.within[i], static_cast<double>(std::nextafter(narrow, HUGE_VALF) - narrow) / 2);
+    }
   }
 }
 
@@ -320,7 +332,8 @@ WrittenMatrices parseMatrices(const std::string& given, const std::string& name)
   }
   // As the comment in source code begins.
   const bool isOwn = text.find("-handed world; view x right, ") != std::string::npos;
-  return {Scanner(text, name).matrices(), std::nullopt, isOwn};
+  const auto has = [&](const char* word) { return text.find(word) != std::string::npos; };
+  return {Scanner(text, name).matrices(), std::nullopt, isOwn, has("float") || has("mat4") || has("f32")};
 }
 
 }  // namespace viewproj::cmd

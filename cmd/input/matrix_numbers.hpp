@@ -23,7 +23,11 @@ struct WrittenMatrices {
   std::vector<WrittenMatrix> matrices;
   std::optional<Convention> convention;  ///< what the input says of itself, as `matrix --to json` does
   bool isOwn = false;                    ///< written by `matrix`, which leaves no digit out
+  bool isFloat = false;                  ///< of a type that holds float32s, in the text's own words
 };
+
+/// It has as many digits as the shortest text of float32s has.
+bool mayBeFloats(const WrittenMatrix& m);
 
 /// The text is
 /// - a JSON object, whose values of 16 numbers or 4 rows of 4 are the matrices; or else

@@ -218,10 +218,11 @@ int run(const Options& o) {
 
   const std::string source = o.file == "-" ? kStandardInputName : visible(o.file);
   WrittenMatrices given = parseMatrices(readWholeFile(o.file, kMostBytes), source);
+  const bool isFloat = o.asFloat || (given.isFloat && !o.exact);
   const std::vector<WrittenMatrix> chosen = chooseMatrices(std::move(given.matrices), o.which, source);
   // One at a time: its readings take many times the memory of its numbers.
   const auto inspected = [&](const WrittenMatrix& m) {
-    return inspectOne(m, {o.asFloat, o.exact || given.isOwn}, choice, given.convention);
+    return inspectOne(m, {isFloat, o.exact || (given.isOwn && !mayBeFloats(m))}, choice, given.convention);
   };
 
   bool hasWorld = false;
@@ -234,12 +235,12 @@ int run(const Options& o) {
       set.matrices.push_back(convertOne(m, nameOf(chosen[i], i), source, chose ? std::nullopt : given.convention,
                                         o.writing, set.convention));
     }
-    set.asFloat = o.asFloat;
+    set.asFloat = isFloat;
     if (choice.world && !hasWorld) o.notes.say(kNoWorld);
     writeOutput(writeMatrices(set, format, source));
     return 0;
   }
-  Report report(format == "json", o.asFloat);
+  Report report(format == "json", isFloat);
   bool allFit = true;
   for (const WrittenMatrix& written : chosen) {
     const InspectedMatrix m = inspected(written);

@@ -213,8 +213,9 @@ std::optional<ReadViewport> readPicture(const ObjectReader& file, const StatedCo
   if (!picture || picture->is_object()) {
     // Where every axis is named and no preset, as `viewproj matrix` writes them, the preset is the one they are of.
     const ConventionPreset* preset = stated.preset;
-    for (const ConventionPreset& other : conventionPresets())
-      if (!(preset->convention == convention) && other.convention == convention) preset = &other;
+    if (!stated.isNamed)
+      for (const ConventionPreset& other : conventionPresets())
+        if (!(preset->convention == convention) && other.convention == convention) preset = &other;
     return importedViewport(file.document(), {.pixelCenter = preset->pixelCenter});
   }
   const auto rows = file.mat4(field::viewport);
@@ -247,6 +248,10 @@ CameraFile read(const Document& document, std::size_t, const CameraReading& read
       pose = located(file, {{"columns", given.key}, {"position", given.key}}, [&] { return poseOf(given, r); });
     if (!r.projection) continue;
     const ProjectionParts& p = parts(*r.projection);
+    if (given.slot.kind == MatrixKind::viewProjection && p.orthographic)
+      document.note({given.key},
+                    "is an orthographic product, which does not say how far back the eye is: distances along "
+                    "the view count from the plane through the origin");
     projection =
         located(file, {{"near", given.key}, {"far", given.key}, {"right", given.key}, {"top", given.key}}, [&] {
           return p.orthographic ? orthographic(p.left, p.right, p.bottom, p.top, p.near, p.far)
