@@ -71,7 +71,8 @@ ChosenWay chooseWay(const ObjectForm& form, const std::function<bool(const Field
   };
   Fields given;  // of the fields that the ways speak of
   for (const Field* field : form.fields)
-    if (!waysWith(*field).empty() && has(*field)) given.push_back(field);
+    if (std::any_of(all.begin(), all.end(), [&](const Way* way) { return way->uses(*field); }) && has(*field))
+      given.push_back(field);
 
   if (used.empty()) {
     if (!given.empty() && form.aim.empty())
@@ -79,8 +80,12 @@ ChosenWay chooseWay(const ObjectForm& form, const std::function<bool(const Field
     if (form.aim.empty()) return {};
     return {nullptr, "has no " + std::string(form.aim) + "; expected one of " + alternativesOf(all)};
   }
-  if (const std::vector<std::string> labels = labelsOf(used); labels.size() > 1)
+  const bool ofOneKey = std::all_of(used.begin(), used.end(),
+                                    [&](const Way* way) { return way->keys.front() == used.front()->keys.front(); });
+  if (!ofOneKey) {
+    const std::vector<std::string> labels = labelsOf(used);
     return {nullptr, "has " + together({labels.begin(), labels.end()}) + "; expected one of " + alternativesOf(all)};
+  }
 
   // All of these have the same key: the first into which what is given fits.
   std::vector<std::string_view> missing;
