@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -64,6 +65,8 @@ class RecordWriter : public ResultSink {
 /// are known, only one worker may write.
 struct CsvColumns {
   std::vector<std::string> own, results;
+  std::optional<std::size_t> marks =
+      {};  ///< the own column in which an earlier run said what was bad; this one does too
   bool known = false, fromCsv = false;
   bool headerIsDue = false;  ///< the columns have just become known
   SpilledTexts early;        ///< messages of bad records before the first good one
