@@ -51,7 +51,9 @@ std::string helpOnShapes() {
     columns += " (a " + std::string(row->name) + ")";
   }
   return "A shape is in JSON " + fields + "; in CSV the columns " + columns +
-         ". A point (x,y,z, lat,lon,height or position) with a radius is a sphere too.";
+         ". A point (x,y,z, lat,lon,height or position) with a radius is a sphere too. With --columns, a radius is "
+         "used if it is named: as radius=R, or by a fourth name that is radius. Planes decide one by one, so that a "
+         "shape outside near a corner of the view may be called intersects.";
 }
 
 std::string planesAsJson(const Frustum& frustum) {

@@ -12,6 +12,11 @@ namespace {
 
 using Pick = ColumnChoice::Pick;
 
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = std::min(text.find_first_not_of(" \t"), text.size());
+  return text.substr(first, text.find_last_not_of(" \t") + 1 - first);
+}
+
 std::vector<std::string_view> partsAt(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
   for (std::size_t at = 0; at <= text.size();) {
@@ -68,10 +73,30 @@ std::string expected(const ChoosableColumns& choosable) {
 
 void place(Pick& pick, const std::string& text) {
   if (pick.name.empty()) throw wrong(text, "a name is missing");
-  if (!std::all_of(pick.name.begin(), pick.name.end(), [](char c) { return c >= '0' && c <= '9'; })) return;
+  const bool hasSign = pick.name.size() > 1 && (pick.name[0] == '-' || pick.name[0] == '+');
+  if (!std::all_of(pick.name.begin() + hasSign, pick.name.end(), [](char c) { return c >= '0' && c <= '9'; })) return;
   const auto [end, error] = std::from_chars(pick.name.data(), pick.name.data() + pick.name.size(), pick.number);
   if (error != std::errc() || pick.number < 1 || pick.number > kMostFields)
     throw wrong(text, "columns are numbered from 1 to " + std::to_string(kMostFields));
+}
+
+/// The role behind the fewest that a column has by its name: viewDistance, and view_distance as CSV has it.
+std::string_view roleNamed(std::string_view name, const ChoosableColumns& choosable) {
+  const auto isOf = [&](const CoordinatePart& part) { return name == part.name || name == columnName(part.name); };
+  for (const CoordinatePart& part : choosable.rows[0]->parts.subspan(choosable.rows[0]->fewest))
+    if (isOf(part)) return part.name;
+  for (const Coordinate* other : choosable.others)
+    if (isOf(other->parts[0])) return other->parts[0].name;
+  return "";
+}
+
+/// "x=E,y=N,z=U,w=R or x=E,y=N,z=U,radius=R": all that a last column may be.
+std::string eitherRole(const std::vector<Pick>& picks, const ChoosableColumns& choosable) {
+  const Coordinate& row = *choosable.rows[0];
+  std::string all;
+  for (std::size_t i = 0; i < row.fewest; ++i) all += std::string(row.parts[i].name) + "=" + picks[i].name + ",";
+  const auto with = [&](std::string_view role) { return all + std::string(role) + "=" + picks[row.fewest].name; };
+  return "expected " + with(choosable.others[0]->parts[0].name) + " or " + with(row.parts[row.fewest].name);
 }
 
 /// Names or numbers alone: the roles of a row in order, unless they are roles themselves.
@@ -98,6 +123,11 @@ void giveRoles(ColumnChoice& choice, const ChoosableColumns& choosable) {
     throw wrong(choice.text, "expected " + std::to_string(fewest) + " or " + std::to_string(inOrder.size()) +
                                  " names or numbers of columns, separated by commas");
   for (std::size_t i = 0; i < picks.size(); ++i) picks[i].role = inOrder[i];
+  if (picks.size() == fewest) return;
+  if (const auto role = roleNamed(picks[fewest].name, choosable); !role.empty())
+    picks[fewest].role = role;
+  else if (inOrder.size() == choosable.rows[0]->parts.size() && !choosable.others.empty())
+    throw wrong(choice.text, "what the last one is, its name does not say; " + eitherRole(picks, choosable));
 }
 
 }  // namespace
@@ -138,8 +168,8 @@ ColumnChoice chooseColumns(const std::string& text, const ChoosableColumns& choo
     if (!choice.picks.empty() && hasRole != choice.saysWhat)
       throw wrong(text, "either each column has a name and =, or none has; " + expected(choosable));
     choice.saysWhat = hasRole;
-    Pick pick{.role = std::string(hasRole ? part.substr(0, equals) : ""),
-              .name = std::string(hasRole ? part.substr(equals + 1) : part)};
+    Pick pick{.role = std::string(trimmed(hasRole ? part.substr(0, equals) : "")),
+              .name = std::string(trimmed(hasRole ? part.substr(equals + 1) : part))};
     place(pick, text);
     for (const Pick& other : choice.picks) {
       if (other.name == pick.name) throw UsageError("--columns: " + pick.name + " is named twice");
@@ -178,6 +208,8 @@ std::size_t fieldOf(const Pick& pick, const ColumnChoice& choice, const RecordPa
                       (csv ? "has no header, so that no column has a name" : std::string("has numbers without names")) +
                           "; --columns takes them by number, as in 1,2,3");
   if (const auto field = shape.find(pick.name)) return *field;
+  if (const auto other = otherSeparator(shape))
+    throw RecordError(0, "has no " + what + " " + visible(pick.name) + ", which --columns names; " + *other);
   constexpr std::size_t kFew = 16, kLong = 3;
   const bool few = shape.names.size() <= kFew;
   std::vector<std::string_view> names;

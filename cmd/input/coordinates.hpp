@@ -31,8 +31,9 @@ enum RecordKind : unsigned {
   kindSegment,
   kindSegmentAndPixel,
   kindSphere,
-  kindRoundPoint,    ///< a point, and a radius behind it
-  kindPlacedSphere,  ///< a place, and a radius
+  kindRoundPoint,          ///< a point, and a radius behind it
+  kindRoundWeightedPoint,  ///< the same of an array that must have a w
+  kindPlacedSphere,        ///< a place, and a radius
   kindBox,
   kindTriangle
 };

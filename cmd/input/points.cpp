@@ -45,11 +45,14 @@ void appendChosen(Layout& layout, const Coordinate& row, const ColumnChoice& cho
 Layout perhapsRound(Layout layout, std::optional<Layout> radius) {
   if (!radius) return layout;
   append(layout, *radius);
-  layout.kind = layout.kind == kindPlace ? kindPlacedSphere : kindRoundPoint;
+  layout.kind = layout.kind == kindPlace           ? kindPlacedSphere
+                : layout.kind == kindWeightedPoint ? kindRoundWeightedPoint
+                                                   : kindRoundPoint;
   return layout;
 }
 
-Layout findChosenPoint(const RecordParts& record, const PointReading& reading, std::vector<FormOfField>& forms) {
+/// What the columns do not name, a w or a radius of another field, is not used.
+Layout findChosenPoint(const RecordParts& record, const PointReading& reading) {
   const ColumnChoice& choice = reading.columns;
   const Coordinate& row = choice.find("lat") ? coordinates::place : coordinates::xyz;
   if (row.kind == kindPlace && !reading.worldIsEcef) throw RecordError(0, kNotOnEarth);
@@ -57,23 +60,29 @@ Layout findChosenPoint(const RecordParts& record, const PointReading& reading, s
   layout.kind = row.kind;
   appendChosen(layout, row, choice, record, false);
   if (!reading.radius) return layout;
-  if (!choice.find("radius")) return perhapsRound(layout, find(coordinates::radius, record, forms));
+  if (!choice.find("radius")) return layout;
   Layout radius;
   appendChosen(radius, coordinates::radius, choice, record, false);
   return perhapsRound(layout, radius);
 }
 
+std::string numbersIn(const Shape& shape) {
+  return "has " + std::to_string(shape.size) + (shape.size == 1 ? " number" : " numbers");
+}
+
 /// Of numbers without names.
-Layout findBarePoint(const RecordParts& record, bool worldIsEcef) {
+Layout findBarePoint(const RecordParts& record, const PointReading& reading) {
   const Shape& shape = record.shape;
   const bool weighted = shape.form == Form::json;
-  const std::string count = "has " + std::to_string(shape.size) + " numbers";
+  const std::string count = numbersIn(shape);
   if (!weighted && shape.size > 3)
-    throw RecordError(
-        0, count + ", and a point has three; --columns 1,2,3 takes these, --columns x,y,z,w reads the fourth as w");
+    throw RecordError(0, count +
+                             ", and a point has three; --columns 1,2,3 takes these, --columns x,y,z,w reads the "
+                             "fourth as w" +
+                             (reading.radius ? ", --columns x,y,z,radius as the radius of a sphere" : ""));
   if (shape.size != 3 && !(weighted && shape.size == 4))
     throw RecordError(0, count + "; expected x y z" + (weighted ? " or x y z w" : ""));
-  if (worldIsEcef && shape.size == 3 && shape.form != Form::f64)
+  if (reading.worldIsEcef && shape.size == 3 && shape.form != Form::f64)
     throw RecordError(
         0, bareTriple(std::string(weighted ? "lat, lon, height or x, y, z of an object, " : "") + kColumnsSay));
   return firstFields(shape.size, false);
@@ -113,7 +122,9 @@ Layout findNamedPoint(const RecordParts& record, const PointReading& reading, st
   for (const FormOfField& form : forms)
     if (const auto* row = rowNamed(record.shape.names[form.field]); row && row->form != CoordinateForm::word)
       throw RecordError(record.offset(form.field), std::string(row->name) + ": expected " + exampleOf(*row));
-  if (csv) throw RecordError(0, "has no columns x, y, z or lat, lon, height; --columns names x, y and z");
+  if (csv)
+    throw RecordError(0, "has no columns x, y, z or lat, lon, height; " +
+                             otherSeparator(record.shape).value_or("--columns names x, y and z"));
   throw RecordError(0, "has no point; expected " + namesOf(coordinates::kPoints, ", or "));
 }
 
@@ -128,8 +139,10 @@ Layout findScreen(const RecordParts& record, std::vector<FormOfField>& forms) {
                         "x, y, z is a point of the world, not a pixel; expected screen, pixel or x y alone");
     return *layout;
   }
-  throw RecordError(0, shape.form == Form::csv ? "has no columns screen_x, screen_y or x, y; --columns names the two"
-                                               : "has no pixel; expected " + namesOf(coordinates::kPixels, ", or "));
+  if (shape.form == Form::csv)
+    throw RecordError(
+        0, "has no columns screen_x, screen_y or x, y; " + otherSeparator(shape).value_or("--columns names the two"));
+  throw RecordError(0, "has no pixel; expected " + namesOf(coordinates::kPixels, ", or "));
 }
 
 void appendDistance(Layout& layout, const Coordinate& row, const Layout& part) {
@@ -140,9 +153,9 @@ void appendDistance(Layout& layout, const Coordinate& row, const Layout& part) {
 /// Two or three numbers without names.
 Layout findBarePixel(const RecordParts& record) {
   const Shape& shape = record.shape;
-  const std::string count = "has " + std::to_string(shape.size) + " numbers; expected ";
-  if (shape.form == Form::json && shape.size != 2)
-    throw RecordError(0, count + "[x, y], or {\"screen\": [x, y], \"depth\": d}");
+  const std::string count = numbersIn(shape) + "; expected ";
+  if (shape.size != 2 && shape.size != 3 && shape.form == Form::json)
+    throw RecordError(0, count + "[x, y] or [x, y, depth]");
   if (shape.size != 2 && shape.size != 3)
     throw RecordError(0, count + "x y or x y depth" + (shape.size > 3 ? "; --columns 1,2,3 takes three of them" : ""));
   Layout layout = firstFields(shape.size, shape.form != Form::json);
@@ -150,20 +163,16 @@ Layout findBarePixel(const RecordParts& record) {
   return layout;
 }
 
-Layout findChosenPixel(const RecordParts& record, const ColumnChoice& choice, std::vector<FormOfField>& forms) {
+/// What the columns do not name, a distance of another field, is not used.
+Layout findChosenPixel(const RecordParts& record, const ColumnChoice& choice) {
   Layout layout;
   appendChosen(layout, coordinates::xy, choice, record, true);
-  bool chosen = false;
   for (const Coordinate* row : coordinates::kDistances) {
     Layout part;
     appendChosen(part, *row, choice, record, true);
     if (part.parts.empty()) continue;
     appendDistance(layout, *row, part);
-    chosen = true;
   }
-  if (!chosen)
-    for (const Coordinate* row : coordinates::kDistances)
-      if (const auto part = find(*row, record, forms)) appendDistance(layout, *row, *part);
   return layout;
 }
 
@@ -177,8 +186,8 @@ std::string bareTriple(const std::string& way) {
 
 Layout findPoint(const RecordParts& record, const PointReading& reading) {
   std::vector<FormOfField> forms;
-  Layout layout = reading.columns.given()    ? findChosenPoint(record, reading, forms)
-                  : isNameless(record.shape) ? findBarePoint(record, reading.worldIsEcef)
+  Layout layout = reading.columns.given()    ? findChosenPoint(record, reading)
+                  : isNameless(record.shape) ? findBarePoint(record, reading)
                                              : findNamedPoint(record, reading, forms);
   layout.forms = std::move(forms);
   return layout;
@@ -188,14 +197,14 @@ bool isSegment(const Layout& layout) { return layout.kind == kindSegment || layo
 bool isPoint(const Layout& layout) { return layout.kind <= kindPlace; }
 
 Vec4 toPoint(const Layout& layout, const Numbers& n) {
-  const bool round = layout.kind == kindPlacedSphere || layout.kind == kindRoundPoint;
+  const bool round = layout.kind == kindRoundPoint || layout.kind == kindRoundWeightedPoint;
   if (layout.kind == kindPlace || layout.kind == kindPlacedSphere) return toWorld({n[0], n[1], n[2]});
   double w = 1;
   if (layout.kind == kindDirection)
     w = 0;
   else if (layout.slots() - (round ? 1 : 0) == 4 && !std::isnan(n[3]))
     w = n[3];
-  else if (layout.kind == kindWeightedPoint)
+  else if (layout.kind == kindWeightedPoint || layout.kind == kindRoundWeightedPoint)
     throw RecordError(0, "position: " + bareTriple("lat, lon, height or x, y, z, a field each"));
   const Vec4 point{n[0], n[1], n[2], w};
   if (point == Vec4{0, 0, 0, 0}) throw RecordError(0, "0 0 0 0 is neither a point nor a direction");
@@ -203,9 +212,9 @@ Vec4 toPoint(const Layout& layout, const Numbers& n) {
 }
 
 Layout findPixel(const RecordParts& record, const ColumnChoice& columns) {
-  std::vector<FormOfField> forms;
-  if (columns.given()) return findChosenPixel(record, columns, forms);
+  if (columns.given()) return findChosenPixel(record, columns);
   if (isNameless(record.shape)) return findBarePixel(record);
+  std::vector<FormOfField> forms;
   Layout layout = findScreen(record, forms);
   for (const Coordinate* row : coordinates::kDistances)
     if (const auto part = find(*row, record, forms)) appendDistance(layout, *row, *part);

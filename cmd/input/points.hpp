@@ -43,8 +43,8 @@ struct Pixel {
   bool hasDistance = false;  ///< the record has a field for depth or viewDistance, be it null
 };
 
-/// [x,y]; what coordinates::kPixels has of an object or of a CSV line's columns, with a distance; two or three numbers
-/// of a text line or f64, NaN for those that have no value. Throws RecordError.
+/// [x,y], [x,y,depth]; what coordinates::kPixels has of an object or of a CSV line's columns, with a distance; two or
+/// three numbers of a text line or f64, NaN for those that have no value. Throws RecordError.
 Layout findPixel(const RecordParts& record, const ColumnChoice& columns);
 
 bool hasDistance(const Layout& layout);

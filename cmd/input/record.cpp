@@ -69,9 +69,10 @@ RecordParts csvParts(std::string_view text, const Shape& header) {
   requireClosedFields(text, record.values);
   const std::size_t size = record.values.size(), expected = header.size;
   if (size != expected)
-    throw RecordError(
-        size > expected ? record.offset(expected) : text.size(),
-        "has " + std::to_string(size) + " fields; expected " + std::to_string(expected) + " as the header has");
+    throw RecordError(size > expected ? record.offset(expected) : text.size(),
+                      "has " + std::to_string(size) + (size == 1 ? " field" : " fields") + "; expected " +
+                          std::to_string(expected) +
+                          (header.hasHeader ? " as the header has" : " as the first line has"));
   return record;
 }
 
@@ -160,6 +161,15 @@ std::string csvValue(std::string_view field) {
   return value;
 }
 
+std::optional<std::string> otherSeparator(const Shape& header) {
+  if (header.form != Form::csv || header.names.size() != 1) return std::nullopt;
+  constexpr std::pair<char, const char*> kOthers[] = {{';', "semicolons"}, {'\t', "tabs"}, {'|', "bars"}};
+  for (const auto& [separator, name] : kOthers)
+    if (header.names[0].find(separator) != std::string::npos)
+      return "columns of CSV are separated by commas, and here stand " + std::string(name);
+  return std::nullopt;
+}
+
 std::string nameOfColumn(const std::vector<std::string>& names, std::size_t column) {
   return column < names.size() && !names[column].empty() ? names[column] : "column" + std::to_string(column + 1);
 }
@@ -173,10 +183,18 @@ CsvHeader readCsvHeader(std::string_view line, const std::vector<std::string>& d
     const std::string value = csvValue(field);
     return value.find_first_not_of(" \t") != std::string::npos && !parseNumber(value);
   };
-  header.present = numbered.empty() ? std::any_of(fields.begin(), fields.end(), isWord)
-                                    : std::any_of(numbered.begin(), numbered.end(), [&](std::size_t number) {
-                                        return number <= fields.size() && isWord(fields[number - 1]);
-                                      });
+  if (numbered.empty()) {
+    header.present = std::any_of(fields.begin(), fields.end(), isWord);
+  } else {
+    // A record with a bad number has good ones beside it; a header has none.
+    bool hasNumber = false;
+    for (const std::size_t number : numbered) {
+      if (number > fields.size()) continue;
+      header.present |= isWord(fields[number - 1]);
+      hasNumber |= parseNumber(csvValue(fields[number - 1])).has_value();
+    }
+    header.present &= !hasNumber;
+  }
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (!header.present) {
       header.names.push_back(nameOfColumn(defaults, i));

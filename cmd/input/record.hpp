@@ -108,9 +108,12 @@ std::optional<std::string> markedBad(const RecordParts& json);
 /// A CSV field without its quotes.
 std::string csvValue(std::string_view field);
 
+/// What to say of a CSV header of one column in whose name other separators than commas stand.
+std::optional<std::string> otherSeparator(const Shape& header);
+
 /// A header if the line has a field that is not a number; otherwise the default names in order, where there are any,
-/// and column1, ... for the others. numbered: columns, from 1, of which one is no number in a header, whatever others
-/// hold.
+/// and column1, ... for the others. numbered: columns, from 1, of which none is a number in a header, and
+/// one a word, whatever others hold.
 CsvHeader readCsvHeader(std::string_view line, const std::vector<std::string>& defaults,
                         const std::vector<std::size_t>& numbered = {});
 

@@ -200,7 +200,7 @@ class CsvWriter final : public RecordWriter {
   }
 
   void endRecord() override {
-    out_ += setup_.keepGoing ? std::string_view(",\n") : std::string_view("\n");
+    out_ += setup_.keepGoing && !columns_.marks ? std::string_view(",\n") : std::string_view("\n");
     // From then on all workers read it. Whoever writes this block writes the header first.
     if (headerIsNew_) columns_.known = columns_.headerIsDue = true;
     ++records_;
@@ -235,16 +235,23 @@ class CsvWriter final : public RecordWriter {
       leftOut = text.substr(at);
       cells.pop_back();
     }
+    std::string full = leftOut.empty() ? message : message + "; not in this row: " + quoted(leftOut);
+    if (columns_.marks && *columns_.marks < cells.size()) {
+      const std::string before = csvValue(cells[*columns_.marks]);
+      if (full.find(before) == std::string::npos) full += "; in place of " + quoted(before);
+    }
     for (std::size_t i = 0; i < columns_.own.size(); ++i) {
       if (i > 0) out_ += ',';
-      if (i >= cells.size()) continue;
+      if (i == columns_.marks) out_ += quotedIfNeeded(full);
+      if (i >= cells.size() || i == columns_.marks) continue;
       if (cells[i].starts_with('"') && behindClosingQuote(cells[i]) == std::string_view::npos)
         out_ += cells[i];
       else
         out_ += quotedIfNeeded(cells[i]);
     }
     out_.append(columns_.results.size(), ',');
-    out_ += quotedIfNeeded(leftOut.empty() ? message : message + "; not in this row: " + quoted(leftOut)) + "\n";
+    if (!columns_.marks) out_ += quotedIfNeeded(full);
+    out_ += '\n';
   }
 
   bool hasFixedColumns() const override { return true; }
@@ -341,7 +348,11 @@ class CsvWriter final : public RecordWriter {
 CsvColumns csvColumns(const WriterSetup& setup, const CsvHeader* input, std::string_view line, TextBuffer& out) {
   CsvColumns columns;
   columns.results = columnsOf(setup.results, setup.prefix, setup.table);
-  if (setup.keepGoing) columns.results.push_back(setup.prefix + "error");
+  const std::string error = setup.prefix + std::string(kErrorName);
+  if (setup.keepGoing && input && input->present)
+    for (const ErrorColumn& own : errorColumns(input->names, setup.results))
+      if (own.behindResult && input->names[own.column] == error) columns.marks = own.column;
+  if (setup.keepGoing && !columns.marks) columns.results.push_back(error);
   if (!input) return columns;
   columns.known = columns.fromCsv = true;
   columns.own = input->names;

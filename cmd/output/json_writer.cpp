@@ -249,7 +249,7 @@ std::string jsonString(std::string_view text) {
 std::vector<NamedJson> asJsonFields(const Record& record, const WriterSetup& setup) {
   const Shape& shape = *record.shape;
   if (!setup.numberNames.empty() && shape.isArray) return namedNumbers(record, setup.numberNames);
-  if (shape.form == Form::json) {
+  if (shape.form == Form::json && (setup.arraySize == 0 || shape.size <= setup.arraySize)) {
     TextBuffer array;
     appendOnOneLine(array, record.text);
     return {{setup.arrayName, std::string(array.view())}};
@@ -264,7 +264,8 @@ std::vector<NamedJson> asJsonFields(const Record& record, const WriterSetup& set
   if (shape.form == Form::f64)
     for (double number : binaryNumbers(record.text)) numbers.push_back(formatNumber(number));
   else
-    for (std::string_view value : valuesOf(record)) numbers.push_back(jsonNumber(value));
+    for (std::string_view value : valuesOf(record))
+      numbers.push_back(shape.form == Form::json ? std::string(value) : jsonNumber(value));
   const std::size_t inArray = setup.arraySize == 0 ? numbers.size() : std::min(setup.arraySize, numbers.size());
   std::string array = "[";
   for (std::size_t i = 0; i < inArray; ++i) array += (i > 0 ? "," : "") + numbers[i];

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,7 +19,7 @@ namespace viewproj::cmd {
 struct WriterSetup {
   /// Names of the numbers that a bare JSON array or a text line holds: the array's, and that of a number behind it.
   std::string arrayName;
-  std::size_t arraySize = 0;  ///< how many numbers of a text line are the array's; 0: all
+  std::size_t arraySize = 0;  ///< how many numbers without names are the array's; 0: all
   std::string extraName;
   std::vector<std::string> numberNames;  ///< instead: of each number by itself; those behind are column4, ...
   std::string prefix;                    ///< in front of every result's name
@@ -64,6 +65,8 @@ class RecordWriter : public ResultSink {
 /// are known, only one worker may write.
 struct CsvColumns {
   std::vector<std::string> own, results;
+  std::optional<std::size_t> marks =
+      {};  ///< the own column in which an earlier run said what was bad; this one does too
   bool known = false, fromCsv = false;
   bool headerIsDue = false;  ///< the columns have just become known
   SpilledTexts early;        ///< messages of bad records before the first good one

@@ -1,5 +1,6 @@
 #include "output/results.hpp"
 
+#include <algorithm>
 #include <array>
 #include <numeric>
 
@@ -111,6 +112,30 @@ std::vector<std::string> columnsOf(std::span<const ResultRow* const> rows, std::
   std::vector<std::string> columns;
   for (const ResultRow* row : rows) addColumns(columns, *row, std::string(prefix), table);
   return columns;
+}
+
+std::vector<ErrorColumn> errorColumns(std::span<const std::string> names, const Results& results) {
+  std::vector<std::string> first, last;  // columns that an error may stand before or after
+  for (const Results* rows : {&results, &allResults()})
+    for (const ResultRow* row : *rows) {
+      const std::vector<std::string> columns = columnsOf(std::span(&row, 1));
+      first.push_back(columns.front());
+      last.push_back(columns.back());
+    }
+  std::vector<ErrorColumn> errors;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    std::string_view prefix = names[i];
+    if (!prefix.ends_with(kErrorName)) continue;
+    prefix.remove_suffix(kErrorName.size());
+    const auto isOne = [&](std::size_t column, const std::vector<std::string>& known) {
+      if (column >= names.size() || !names[column].starts_with(prefix)) return false;
+      return std::find(known.begin(), known.end(), std::string_view(names[column]).substr(prefix.size())) !=
+             known.end();
+    };
+    const bool behind = i > 0 && isOne(i - 1, last);
+    errors.push_back({i, behind, behind && isOne(i + 1, first)});
+  }
+  return errors;
 }
 
 std::size_t numbersOf(const ResultRow& row) {

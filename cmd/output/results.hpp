@@ -103,6 +103,16 @@ std::span<const std::string_view> wordsOf(ResultWords words);
 std::vector<std::string> columnsOf(std::span<const ResultRow* const> rows, std::string_view prefix = "",
                                    bool table = false);
 
+/// A column that may have what --keep-going of an earlier run said of a bad record.
+struct ErrorColumn {
+  std::size_t column;
+  bool behindResult;   ///< as that writes it
+  bool beforeResults;  ///< and other results follow: a later run took it over
+};
+/// Those called error, after a prefix or none. results: those of this run; the columns of other runs' are known.
+std::vector<ErrorColumn> errorColumns(std::span<const std::string> names, const Results& results);
+inline constexpr std::string_view kErrorName = "error";
+
 /// The numbers of text and f64.
 std::size_t numbersOf(const ResultRow& row);
 

@@ -160,7 +160,7 @@ std::string pointsSchema() {
   definitions["pointFields"] = pointFields();
   definitions["shapeRecord"] = firstOf(coordinates::kShapes, valueOf, schema::reference("finitePoint"));
   definitions["finitePoint"] = finitePoint();
-  definitions["pixelRecord"] = objectOr(pixelFields(), schema::reference("numbers2"));
+  definitions["pixelRecord"] = objectOr(pixelFields(), numbers(2, 3));
   definitions["numbers2"] = numbers(2, 2);
   definitions["xyz"] = numbers(3, 4);
   definitions["xyz"]["not"] = {{"const", {0, 0, 0, 0}}};

@@ -30,23 +30,9 @@ bool readPlainNumbers(const std::vector<std::string_view>& values, const Layout&
 
 class CsvReader final : public RecordReader {
  public:
-  /// results: those of this run; the columns of other runs' are known.
-  CsvReader(const Shape& header, const Results& results) : header_(header) {
-    constexpr std::string_view kError = "error";
-    std::vector<std::string> last;  // columns that an error may stand after
-    for (const Results* rows : {&results, &allResults()})
-      for (const ResultRow* row : *rows) last.push_back(columnsOf(std::span(&row, 1)).back());
-    for (std::size_t i = 0; i < header.names.size(); ++i) {
-      std::string_view prefix = header.names[i];
-      if (!prefix.ends_with(kError)) continue;
-      prefix.remove_suffix(kError.size());
-      std::string_view before = i > 0 ? std::string_view(header.names[i - 1]) : "";
-      const bool prefixed = before.starts_with(prefix);
-      if (prefixed) before.remove_prefix(prefix.size());
-      const bool isResult = prefixed && !before.empty() && std::find(last.begin(), last.end(), before) != last.end();
-      errors_.push_back({i, isResult});
-      behindResults_ |= isResult;
-    }
+  CsvReader(const Shape& header, const Results& results)
+      : header_(header), errors_(errorColumns(header.names, results)) {
+    for (const ErrorColumn& error : errors_) behindResults_ |= error.behindResult;
   }
 
   void read(Block& block, Batch& batch) override {
@@ -112,13 +98,15 @@ class CsvReader final : public RecordReader {
     return lineEnd;
   }
 
-  /// What --keep-going put in place of a bad record is one still: in such a row a message stands behind a result that
+  /// What --keep-going put in place of a bad record is one still: in such a row a message stands beside a result that
   /// is blank, or all numbers that are needed are blank. A message is no number.
   void requireNoError(const RecordParts& record, const Layout* layout) const {
-    const auto needed = [&](const NumberField& part) { return isBlank(csvValue(record.values[part.field])); };
+    const auto blank = [&](std::size_t field) { return isBlank(csvValue(record.values[field])); };
+    const auto needed = [&](const NumberField& part) { return blank(part.field); };
     if (layout && !std::all_of(layout->parts.begin(), layout->parts.end(), needed)) return;
     for (const ErrorColumn& error : errors_) {
-      if (!layout && !(error.behindResult && isBlank(csvValue(record.values[error.column - 1])))) continue;
+      const bool blankBefore = error.behindResult && blank(error.column - 1);
+      if (!layout && !blankBefore && !(error.beforeResults && blank(error.column + 1))) continue;
       const std::string message = csvValue(record.values[error.column]);
       if (!isBlank(message) && !parseNumber(message))
         throw RecordError(record.offset(error.column), markedBad(message));
@@ -141,11 +129,6 @@ class CsvReader final : public RecordReader {
   }
 
   const Shape& header_;
-  /// A column that may have what --keep-going said.
-  struct ErrorColumn {
-    std::size_t column;
-    bool behindResult;  ///< as that writes it
-  };
   std::vector<ErrorColumn> errors_;
   bool behindResults_ = false;  ///< one of them
   std::vector<std::size_t> slots_;

@@ -187,7 +187,7 @@ const kPointKinds = ["array", "weighted", "position", "xyz", "xyzw", "place", "d
 
 function pointRecord(r, kind = r.of(kPointKinds)) {
   const at = vector(r);
-  if (kind === "array") return at;
+  if (kind === "array") return r.chance(0.5) ? at : [...at, r.number(0, 0.99)];
   if (kind === "weighted") return [...at, r.of([1, 2, -0.5])];
   const record = {};
   maybe(r, record, "id", () => kId(r));
@@ -220,7 +220,7 @@ function shapeRecord(r) {
 function pixelRecord(r) {
   const at = [r.number(0, 640), r.number(0, 480)];
   const kind = r.of(["array", "screen", "pixel", "xy"]);
-  if (kind === "array") return at;
+  if (kind === "array") return r.chance(0.5) ? at : [...at, r.number(0, 0.99)];
   const record = {};
   maybe(r, record, "id", () => kId(r));
   if (kind === "xy") [record.x, record.y] = at;
