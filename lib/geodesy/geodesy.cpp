@@ -123,10 +123,12 @@ Pose lookAtPlace(const Geodetic& position, const Geodetic& target) {
 }
 
 Result<Pose> tryPoseFromHeadingPitchRoll(const Geodetic& position, const HeadingPitchRoll& turned) noexcept {
+  // cppcheck-suppress throwInNoexceptFunction  // attempt() catches
   return attempt([&] { return poseFromHeadingPitchRoll(position, turned); });
 }
 
 Result<Pose> tryLookAtPlace(const Geodetic& position, const Geodetic& target) noexcept {
+  // cppcheck-suppress throwInNoexceptFunction  // attempt() catches
   return attempt([&] { return lookAtPlace(position, target); });
 }
 

@@ -421,7 +421,7 @@ class Reader {
     EntryErrors errors = errors_;
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 4; ++j)
-        if (m_[i][j] == 0 && (i < 2 ? j != offsets : j < 2)) errors.within[i][j] = 0;
+        if ((i < 2 ? j != offsets : j < 2) && m_[i][j] == 0) errors.within[i][j] = 0;
     return errors;
   }
 
