@@ -145,7 +145,7 @@ int main(int argc, char** argv) {
       const std::string suffix = std::string(" ") + k->name;
       const auto run = [&](auto kernel) {
         return [&, kernel] {
-          kernel(camera.constants, kNoBand, kNoBand, &points[0].x, &screen[0].x, nullptr, count, unsettled);
+          kernel(parts(camera).constants, kNoBand, kNoBand, &points[0].x, &screen[0].x, nullptr, count, unsettled);
         };
       };
       add("fast" + suffix, 0.01, run(k->fast));
@@ -189,10 +189,10 @@ int main(int argc, char** argv) {
   building.push_back({"building a camera",
                       [&] {
                         for (std::size_t i = 0; i < 1000; ++i)
-                          directions[i] =
-                              makeCamera(lookAt({300 + double(i), 200, 500}, {0, 0, 0}, {0, 1, 0}, Handedness::right),
-                                         perspectiveFovY(60, 1.5, 0.1, 10000), viewport)
-                                  .constants.rayX;
+                          directions[i] = parts(makeCamera(lookAt({300 + double(i), 200, 500}, {0, 0, 0}, {0, 1, 0},
+                                                                  Handedness::right),
+                                                           perspectiveFovY(60, 1.5, 0.1, 10000), viewport))
+                                              .constants.rayX;
                       },
                       {},
                       0,
