@@ -3,7 +3,7 @@
 namespace viewproj::cmd::schema {
 namespace {
 
-const Json kNull = {{"type", "null"}}, kNotNull = {{"not", {{"type", "null"}}}};
+Json notNull() { return {{"not", ofType("null")}}; }
 
 Json numbers(int count) {
   return {{"type", {"array", "null"}}, {"items", {{"type", "number"}}}, {"minItems", count}, {"maxItems", count}};
@@ -25,7 +25,7 @@ Json withoutNull(Json schema) {
   if (schema.contains("type") && schema["type"].is_array() && schema["type"].size() == 2)
     schema["type"] = schema["type"][0];
   else
-    schema["not"] = kNull;
+    schema["not"] = ofType("null");
   return schema;
 }
 
@@ -44,7 +44,7 @@ Json formOf(const Field& field) {
     case ValueForm::text:
       return {{"type", {"string", "null"}}};
     case ValueForm::label:
-      return anyOf({{{"type", "string"}}, {{"type", "number"}}, kNull});
+      return anyOf({{{"type", "string"}}, {{"type", "number"}}, ofType("null")});
     case ValueForm::flag:
       return {{"type", {"boolean", "null"}}};
     case ValueForm::number:
@@ -102,10 +102,10 @@ Json usedAs(const ObjectForm& form, const Way* way) {
       any.push_back(has(*field));
     } else if (way && (contains(way->keys, field) || contains(way->with, field))) {
       required.push_back(name);
-      properties[name] = kNotNull;
+      properties[name] = notNull();
     } else if (!way || !way->uses(*field)) {
       for (const Way& other : form.ways)
-        if (other.uses(*field)) properties[name] = kNull;
+        if (other.uses(*field)) properties[name] = ofType("null");
     }
   }
   Json schema = {{"type", "object"}};
@@ -123,6 +123,8 @@ Json head(const std::string& name, const std::string& title, const std::string& 
           {"title", title},
           {"description", description}};
 }
+
+Json ofType(const char* type) { return {{"type", type}}; }
 
 Json reference(const std::string& name) { return {{"$ref", "#/$defs/" + name}}; }
 

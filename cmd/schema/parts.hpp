@@ -14,6 +14,9 @@ using Json = nlohmann::ordered_json;
 /// A schema's head: $schema, $id, title and description.
 Json head(const std::string& name, const std::string& title, const std::string& description);
 
+/// Any value of this type.
+Json ofType(const char* type);
+
 /// Where a part of that name stands.
 Json reference(const std::string& name);
 

@@ -10,11 +10,10 @@ namespace {
 
 using schema::Json;
 
-const Json kObject = {{"type", "object"}}, kArray = {{"type", "array"}}, kNumber = {{"type", "number"}},
-           kNotZero = {{"not", {{"const", 0}}}};
+Json notZero() { return {{"not", {{"const", 0}}}}; }
 
 Json numbers(std::size_t fewest, std::size_t most) {
-  return {{"type", "array"}, {"items", kNumber}, {"minItems", fewest}, {"maxItems", most}};
+  return {{"type", "array"}, {"items", schema::ofType("number")}, {"minItems", fewest}, {"maxItems", most}};
 }
 
 Json having(const Json& properties, const Json& required = Json::array()) {
@@ -25,7 +24,7 @@ Json having(const Json& properties, const Json& required = Json::array()) {
 
 Json partOf(const CoordinatePart& part) {
   if (part.size > 1) return numbers(part.size, part.size);
-  Json schema = kNumber;
+  Json schema = schema::ofType("number");
   if (std::isfinite(part.least)) schema["minimum"] = static_cast<int>(part.least);
   if (std::isfinite(part.most)) schema["maximum"] = static_cast<int>(part.most);
   return schema;
@@ -35,7 +34,10 @@ Json partOf(const CoordinatePart& part) {
 Json has(const Coordinate& row) {
   const bool byForm = row.form != CoordinateForm::numbers && row.form != CoordinateForm::array;
   const std::string field(row.form == CoordinateForm::numbers ? row.parts[0].name : row.name);
-  return having({{field, !byForm ? Json(true) : row.first == '[' ? kArray : kObject}}, {field});
+  return having({{field, !byForm            ? Json(true)
+                         : row.first == '[' ? schema::ofType("array")
+                                            : schema::ofType("object")}},
+                {field});
 }
 
 /// What a record that has it must be.
@@ -89,21 +91,23 @@ Json pointFields() {
     const bool weighted = row.form == CoordinateForm::numbers && row.most > row.fewest;
     return weighted ? schema::allOf({valueOf(row), notAllZero(row)}) : valueOf(row);
   };
-  return schema::allOf({kObject, firstOf(allButLast(rows), then, valueOf(*rows.back()))});
+  return schema::allOf({schema::ofType("object"), firstOf(allButLast(rows), then, valueOf(*rows.back()))});
 }
 
-Json objectOr(const Json& object, const Json& array) { return {{"if", kObject}, {"then", object}, {"else", array}}; }
+Json objectOr(const Json& object, const Json& array) {
+  return {{"if", schema::ofType("object")}, {"then", object}, {"else", array}};
+}
 
 /// A point that is no direction, perhaps with the radius of a sphere about it.
 Json finitePoint() {
   Json beside = Json::object();
   for (const Coordinate* row : coordinates::kNotRead)
-    beside[std::string(row->name)] = {{"not", row->first == '{' ? kObject : Json{{"type", "string"}}}};
+    beside[std::string(row->name)] = {{"not", row->first == '{' ? schema::ofType("object") : Json{{"type", "string"}}}};
   beside[std::string(coordinates::radius.name)] = partOf(coordinates::radius.parts[0]);
   const auto weight = [](const Coordinate& row) -> Json {
     if (row.kind != kindPoint) return true;
     if (row.form == CoordinateForm::array) return having({{std::string(row.name), schema::reference("weighted")}});
-    return having({{"w", kNotZero}});
+    return having({{"w", notZero()}});
   };
   return objectOr(schema::allOf({having(beside), schema::reference("pointFields"),
                                  firstOf(allButLast(coordinates::kPoints), weight, false)}),
@@ -151,10 +155,10 @@ std::string pointsSchema() {
   definitions["points"] = arranged("pointRecord");
   definitions["shapes"] = arranged("shapeRecord");
   definitions["pixels"] = arranged("pixelRecord");
-  definitions["isDocument"] = having({{"points", kArray}}, {"points"});
+  definitions["isDocument"] = having({{"points", schema::ofType("array")}}, {"points"});
   definitions["isArrayOfRecords"] = {{"description", "An array with a number in it is a record."},
                                      {"type", "array"},
-                                     {"not", {{"type", "array"}, {"contains", kNumber}}}};
+                                     {"not", {{"type", "array"}, {"contains", schema::ofType("number")}}}};
   definitions["pointRecord"] =
       objectOr(firstOf(segments, segment, schema::reference("pointFields")), schema::reference("xyz"));
   definitions["pointFields"] = pointFields();
@@ -165,7 +169,7 @@ std::string pointsSchema() {
   definitions["xyz"] = numbers(3, 4);
   definitions["xyz"]["not"] = {{"const", {0, 0, 0, 0}}};
   definitions["nonzero3"] = numbers(3, 3);
-  definitions["nonzero3"]["contains"] = kNotZero;
+  definitions["nonzero3"]["contains"] = notZero();
   definitions["weighted"] = {
       {"type", "array"},
       {"not",

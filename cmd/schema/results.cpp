@@ -11,8 +11,6 @@ namespace {
 
 using schema::Json;
 
-const Json kNull = {{"type", "null"}};
-
 Json words(ResultWords which, bool orNull) {
   const auto known = wordsOf(which);
   return schema::wordOf({known.begin(), known.end()}, orNull);
@@ -65,7 +63,7 @@ Json valueOf(const ResultRow& row) {
 
 Json schemaOf(const ResultRow& row) {
   Json schema = valueOf(row);
-  if (row.canBeNull && row.kind != ResultKind::word) schema = schema::anyOf({schema, kNull});
+  if (row.canBeNull && row.kind != ResultKind::word) schema = schema::anyOf({schema, schema::ofType("null")});
   schema["description"] = std::string(row.help) + (row.unit.empty() ? "" : "; " + std::string(row.unit));
   return schema;
 }
@@ -118,7 +116,7 @@ Json projectedSegment() {
   for (const ResultRow* row : results::kSegment) {
     if (row->kind != ResultKind::group) continue;
     if (row->given != Given::asked) there[std::string(row->name)] = {{"type", "object"}};
-    none[std::string(row->name)] = kNull;
+    none[std::string(row->name)] = schema::ofType("null");
   }
   schema["description"] = "The ends of what is visible of it, null where nothing is.";
   schema["if"] = isThere("visible", true);
@@ -130,7 +128,7 @@ Json projectedSegment() {
 Json culled() {
   Json schema = recordOf(results::kCull);
   schema["if"] = isThere("cull", "inside");
-  schema["then"] = having({{"plane", kNull}});
+  schema["then"] = having({{"plane", schema::ofType("null")}});
   schema["else"] = having({{"plane", words(ResultWords::sides, false)}});
   return schema;
 }
