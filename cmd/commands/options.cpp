@@ -90,11 +90,11 @@ CameraSource CameraOptions::source() const {
 }
 
 std::unique_ptr<Document> CameraOptions::open(const CameraSource& picked) const {
-  auto document = std::make_unique<Document>(picked.file, camera_ ? "--camera" : "FILE");
   for (const Assignment& assignment : set_)
     if (const std::string field = dotted(assignment.path);
         viewport_ && (field == "viewport" || field == "viewport.width" || field == "viewport.height"))
       throw UsageError("--viewport and --set " + assignment.text + " both give the size of the picture");
+  auto document = std::make_unique<Document>(picked.file, camera_ ? "--camera" : "FILE");
   if (viewport_) setViewportSize(*document, viewport_->width, viewport_->height);
   for (const Assignment& assignment : set_) document->set(assignment);
   return document;

@@ -60,12 +60,6 @@ Typed typedNumber(std::string_view text, double value) {
   return number;
 }
 
-}  // namespace
-
-bool mayBeFloats(const WrittenMatrix& m) { return m.digits >= 7 && m.digits <= 9; }
-
-namespace {
-
 /// What the digits of sixteen numbers are worth: half a unit of the finest place that the matrix shows, or of the last
 /// of as many digits as its longest number has; with as many as float32s have, also what these round away. 0, 1 and -1
 /// are what they are, unless written out.

@@ -27,7 +27,7 @@ struct WrittenMatrices {
 };
 
 /// It has as many digits as the shortest text of float32s has.
-bool mayBeFloats(const WrittenMatrix& m);
+inline bool mayBeFloats(const WrittenMatrix& m) { return m.digits >= 7 && m.digits <= 9; }
 
 /// The text is
 /// - a JSON object, whose values of 16 numbers or 4 rows of 4 are the matrices; or else
