@@ -75,4 +75,8 @@ std::string joined(std::span<const std::string_view> names, std::string_view sep
   return text;
 }
 
+std::string joined(const std::vector<std::string>& names, std::string_view separator) {
+  return joined(std::vector<std::string_view>(names.begin(), names.end()), separator);
+}
+
 }  // namespace viewproj::cmd

@@ -25,5 +25,6 @@ std::string together(const std::vector<std::string_view>& names);
 
 /// "a, b, c".
 std::string joined(std::span<const std::string_view> names, std::string_view separator = ", ");
+std::string joined(const std::vector<std::string>& names, std::string_view separator = ", ");
 
 }  // namespace viewproj::cmd

@@ -7,15 +7,10 @@
 #include "input/convention_names.hpp"
 #include "text/format_number.hpp"
 #include "text/json_build.hpp"
+#include "text/names.hpp"
 
 namespace viewproj::cmd {
 namespace {
-
-std::string listed(const std::vector<std::string>& parts, const std::string& separator = ", ") {
-  std::string out;
-  for (const std::string& part : parts) out += (out.empty() ? "" : separator) + part;
-  return out;
-}
 
 /// The part of a name before its last dot.
 std::string stemOf(const std::string& name) { return name.substr(0, name.rfind('.')); }
@@ -75,7 +70,7 @@ class Table {
     std::vector<std::string> parts;
     for (std::size_t i = from; i < to; ++i)
       parts.push_back((isVector ? "" : lines[i].name.substr(stem.size() + 1) + " ") + number(lines[i].value));
-    return "  " + stem + " = " + (isVector ? "(" + listed(parts) + ")" : listed(parts)) + "\n";
+    return "  " + stem + " = " + (isVector ? "(" + joined(parts) + ")" : joined(parts)) + "\n";
   }
 
   std::string matrixText(const ShownMatrix& m) const {
@@ -105,7 +100,7 @@ class Table {
     }
     // A lone first number needs no brackets.
     if (isFirst && !minus && term.size() == 1) factors[0] = number(e_.valueOf(term[0]));
-    return (isFirst ? (minus ? "-" : "") : minus ? " - " : " + ") + listed(factors, "*");
+    return (isFirst ? (minus ? "-" : "") : minus ? " - " : " + ") + joined(factors, "*");
   }
 
   std::string madeOf(const Line& line) const {
@@ -125,16 +120,16 @@ class Table {
     std::vector<std::string> notes;
     if (!line.remark.empty()) notes.push_back(line.remark);
     if (line.lost > 0) notes.push_back(lossInWords(line));
-    return out + (notes.empty() ? "" : "   " + listed(notes, "; ")) + "\n";
+    return out + (notes.empty() ? "" : "   " + joined(notes, "; ")) + "\n";
   }
 
   std::string resultText(const Result& r) const {
     if (r.flag) return r.name + ": " + (*r.flag ? "true" : "false");
-    if (r.words) return r.name + ": " + listed(*r.words, " ");
+    if (r.words) return r.name + ": " + joined(*r.words, " ");
     std::vector<std::string> parts;
     for (double value : r.numbers) parts.push_back(number(value));
     const bool isNone = std::any_of(r.numbers.begin(), r.numbers.end(), [](double v) { return !std::isfinite(v); });
-    return r.name + ": " + (isNone ? "null" : parts.size() == 1 ? parts[0] : "[" + listed(parts) + "]");
+    return r.name + ": " + (isNone ? "null" : parts.size() == 1 ? parts[0] : "[" + joined(parts) + "]");
   }
 
   const Explanation& e_;
