@@ -75,7 +75,7 @@ void CameraOptions::addWriting(CLI::App& app) {
          },
          "Write depth with near and far exchanged, or not (default: as the convention has it)")
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  addChoice(app, "--ndc-z", "RANGE", ndcZ_, namesOf(kNdcZNames), "Write this range of NDC z", "the convention's");
+  addChoice(app, "--ndc-z", "RANGE", ndcZ_, rowsOf(kNdcZNames), "Write this range of NDC z", "the convention's");
 }
 
 void CameraOptions::addFile(CLI::App& app) {
@@ -202,7 +202,7 @@ void StreamOptions::addInput(CLI::App& app, const std::string& what) {
       {"json", Form::json}, {"csv", Form::csv}, {"text", Form::text}, {"f64", Form::f64}};
   const Heading heading(app, "Input");
   addValue(app, "FILE", "", file_, readFileName, "The " + what + "; absent or - for standard input");
-  addChoice(app, "--from", "FORM", from_, namesOf(kFrom), "Form of FILE", "as its name and first bytes tell");
+  addChoice(app, "--from", "FORM", from_, rowsOf(kFrom), "Form of FILE", "as its name and first bytes tell");
   addValue(app, "--columns", "COLUMNS", columns_, readText,
            "Columns of CSV, fields of JSON or numbers of a line that hold the coordinates: E,N,U or 2,3,4, or by their "
            "roles, as in lat=la,lon=lo,height=h or, of pixels, x=u,y=v,depth=d (default: by their names)");
@@ -214,7 +214,7 @@ void StreamOptions::add(CLI::App& app, const std::string& what) {
       {"text", OutputForm::text},    {"f64", OutputForm::f64},    {"table", OutputForm::table}};
   addInput(app, what);
   const Heading heading(app, "Output");
-  addChoice(app, "--to", "FORM", to_, namesOf(kTo), "Form of the output", "as the input");
+  addChoice(app, "--to", "FORM", to_, rowsOf(kTo), "Form of the output", "as the input");
   addValue(
       app, "--prefix", "P", prefix_,
       [](const std::string& option, const std::string& text) {
@@ -303,7 +303,7 @@ void StreamOptions::requireNoInputOption(const std::string& why) const {
 void addReportForm(CLI::App& app, ReportForm& form, const std::string& svg) {
   static constexpr std::pair<std::string_view, ReportForm> kForms[] = {
       {"table", ReportForm::table}, {"json", ReportForm::json}, {"svg", ReportForm::svg}};
-  Names<ReportForm> forms = namesOf(kForms);
+  Names<ReportForm> forms = rowsOf(kForms);
   if (svg.empty()) forms.pop_back();
   addChoice(app, "--to", "FORM", form, forms, "Form of the output" + (svg.empty() ? "" : "; svg plots " + svg));
 }
@@ -319,7 +319,7 @@ void addPrecision(CLI::App& app, PrecisionMode& mode) {
                                                                           {"standard", {Precision::standard}},
                                                                           {"fast", {Precision::fast}},
                                                                           {"auto", {std::nullopt}}};
-  addChoice(app, "--precision", "MODE", mode, namesOf(kModes),
+  addChoice(app, "--precision", "MODE", mode, rowsOf(kModes),
             "Arithmetic; standard is double, fast float32, auto the cheapest that will do");
 }
 

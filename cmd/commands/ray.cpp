@@ -219,7 +219,7 @@ Action defineRay(CLI::App& app) {
   addPrecision(app, o->precision);
   addValues(app, "--pixel", "X,Y[,DEPTH]", o->pixels, readPixel,
             "A pixel, with a window depth if known, in place of FILE and standard input");
-  addChoice(app, "--ray-from", "PLACE", o->from, namesOf(kPlaces),
+  addChoice(app, "--ray-from", "PLACE", o->from, rowsOf(kPlaces),
             "Where rays begin, on the plane through the eye or on the near plane");
   app.add_flag("--bound", o->wantBound,
                "Give each point's bound: how far it can be from the true one if its depth was rounded to double");

@@ -77,7 +77,7 @@ using Names = std::vector<std::pair<std::string_view, T>>;
 
 /// A table of such rows.
 template <class T, std::size_t N>
-Names<T> namesOf(const std::pair<std::string_view, T> (&table)[N]) {
+Names<T> rowsOf(const std::pair<std::string_view, T> (&table)[N]) {
   return {std::begin(table), std::end(table)};
 }
 

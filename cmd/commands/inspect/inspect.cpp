@@ -267,7 +267,7 @@ Action defineInspect(CLI::App& app) {
   addValue(app, "--which", "NAMES", o->which, splitNames, "Of several matrices only these, by name");
   app.add_flag("--float", o->asFloat, "The numbers are float32s (default: doubles)");
   app.add_flag("--exact", o->exact, "The numbers are what they stand for, however few digits they have");
-  addChoice(app, "--world", "HAND", o->choice.world, namesOf(kWorldNames), "Only readings of this handedness", "both");
+  addChoice(app, "--world", "HAND", o->choice.world, rowsOf(kWorldNames), "Only readings of this handedness", "both");
   addChoice(app, "--read-as", "NAME", o->choice.readAs, presetConventions(), "Only readings of this convention", "all");
   addValue(app, "--reading", "N", o->choice.number, wholeNumber(1, kMostReadings), "Only this reading, by its number");
   o->writing.addWriting(app);
