@@ -372,8 +372,8 @@ Looking lookingAt(const Vec3& position, const Vec3& target, const Up& up) {
 
 }  // namespace
 
-Pose made(PoseParts parts) {
-  return Access::whole<Pose, PoseParts>(std::make_shared<const PoseParts>(std::move(parts)));
+Pose made(const PoseParts& parts) {
+  return Access::whole<Pose, PoseParts>(std::make_shared<const PoseParts>(parts));
 }
 
 Handedness worldOf(const PoseParts& p) noexcept {

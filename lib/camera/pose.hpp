@@ -29,7 +29,7 @@ struct PoseParts {
 };
 
 inline const PoseParts& parts(const Pose& pose) noexcept { return *Access::shared(pose); }
-Pose made(PoseParts parts);
+Pose made(const PoseParts& parts);
 
 /// The eye to double-double.
 DDVec3 unroundedEye(const PoseParts& pose) noexcept;

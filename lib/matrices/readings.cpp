@@ -176,7 +176,7 @@ Pose dividedBy(double scale, const Pose& whole) {
   pose.residual = pose.residual * by;
   ExactRows& exact = pose.exact;
   for (DoubleDouble* rowScale : {&exact.rightScale, &exact.upScale, &exact.forwardScale}) *rowScale = *rowScale * by;
-  return made(std::move(pose));
+  return made(pose);
 }
 
 /// The largest entry of M^T M - I of the 3x3.
