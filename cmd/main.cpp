@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "commands/help.hpp"
+#include "commands/help/command_help.hpp"
 #include "commands/run.hpp"
 #include "numbers/arithmetic.hpp"
 #include "output/output_file.hpp"
@@ -33,15 +33,10 @@ const Command& find(std::string_view name) {
 
 int run(int argc, char** argv) {
   const std::string_view name = argc > 1 ? argv[1] : "";
-  const int most = name == "help" ? 3 : name == "--help" || name == "-h" || name == "--version" ? 2 : argc;
+  const int most = name == "--help" || name == "-h" || name == "--version" ? 2 : argc;
   if (argc > most)
     throw UsageError("'" + std::string(argv[most]) + "' was not expected after " + std::string(argv[most - 1]));
-  if (name == "help" && argc > 2) {
-    char option[] = "--help";
-    char* arguments[] = {argv[2], option};
-    return runCommand(find(argv[2]), 2, arguments);
-  }
-  if (name == "--help" || name == "-h" || name == "help") {
+  if (name == "--help" || name == "-h") {
     writeOutput(helpText());
     return 0;
   }

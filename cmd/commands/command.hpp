@@ -21,6 +21,9 @@ struct Command {
   Action (*define)(CLI::App& app);
 };
 
+/// The heading of the options that every command has.
+inline constexpr const char* kEverywhere = "Output file and messages";
+
 std::span<const Command> allCommands();
 
 Action defineProject(CLI::App& app);
@@ -33,5 +36,6 @@ Action defineDepth(CLI::App& app);
 Action defineMeasure(CLI::App& app);
 Action defineDraw(CLI::App& app);
 Action defineSchema(CLI::App& app);
+Action defineHelp(CLI::App& app);
 
 }  // namespace viewproj::cmd

@@ -3,6 +3,7 @@
 
 #include "commands/command.hpp"
 #include "commands/options.hpp"
+#include "commands/output_option.hpp"
 #include "output/camera_text.hpp"
 #include "output/matrix_text.hpp"
 #include "output/output_file.hpp"
@@ -186,10 +187,10 @@ Action defineMatrix(CLI::App& app) {
   app.add_flag("--bake-viewport", o->wanted.bakeViewport, "Fold the viewport into the projection");
   app.add_flag("--relative-to-eye", o->wanted.relativeToEye, "Leave the translation out of the view and give the eye");
   app.add_flag("--float", o->asFloat, "Round to float32 (default: doubles)");
-  std::vector<std::string_view> formats = matrixFormats();
-  formats.push_back("camera");
-  addChoice(app, "--to", "FORM", o->format, namesAlone(formats),
-            "Form of the output; camera is the camera file itself");
+  std::vector<FormRow<std::string>> forms = matrixForms();
+  forms.push_back({"camera", "camera"});
+  addForm(app, o->format, std::span<const FormRow<std::string>>(forms),
+          "Form of the output; camera is the camera file itself");
   addChoice(app, "--type", "TYPE", o->type, namesAlone(cameraTypes()), "With --to camera the projection's form",
             "perspective or orthographic, or intrinsics where the camera's shape is not the viewport's");
   return [o, &app] { return run(*o, app); };

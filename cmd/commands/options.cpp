@@ -4,6 +4,7 @@
 #include <cctype>
 #include <memory>
 
+#include "commands/output_option.hpp"
 #include "input/convention_names.hpp"
 #include "input/points.hpp"
 #include "output/output_file.hpp"
@@ -198,23 +199,18 @@ Vec4 GivenPoint::point() const {
 }
 
 void StreamOptions::addInput(CLI::App& app, const std::string& what) {
-  static constexpr std::pair<std::string_view, Form> kFrom[] = {
-      {"json", Form::json}, {"csv", Form::csv}, {"text", Form::text}, {"f64", Form::f64}};
   const Heading heading(app, "Input");
   addValue(app, "FILE", "", file_, readFileName, "The " + what + "; absent or - for standard input");
-  addChoice(app, "--from", "FORM", from_, rowsOf(kFrom), "Form of FILE", "as its name and first bytes tell");
+  addChoice(app, "--from", "FORM", from_, namesOf(inputForms()), "Form of FILE", "as its name and first bytes tell");
   addValue(app, "--columns", "COLUMNS", columns_, readText,
            "Columns of CSV, fields of JSON or numbers of a line that hold the coordinates: E,N,U or 2,3,4, or by their "
            "roles, as in lat=la,lon=lo,height=h or, of pixels, x=u,y=v,depth=d (default: by their names)");
 }
 
 void StreamOptions::add(CLI::App& app, const std::string& what) {
-  static constexpr std::pair<std::string_view, OutputForm> kTo[] = {
-      {"ndjson", OutputForm::lines}, {"json", OutputForm::array}, {"csv", OutputForm::csv},
-      {"text", OutputForm::text},    {"f64", OutputForm::f64},    {"table", OutputForm::table}};
   addInput(app, what);
   const Heading heading(app, "Output");
-  addChoice(app, "--to", "FORM", to_, rowsOf(kTo), "Form of the output", "as the input");
+  addForm(app, to_, outputForms(), "Form of the output", "as the input");
   addValue(
       app, "--prefix", "P", prefix_,
       [](const std::string& option, const std::string& text) {
@@ -227,6 +223,7 @@ void StreamOptions::add(CLI::App& app, const std::string& what) {
       "Put this in front of the results' names");
   app.add_flag("--keep-going", keepGoing_, "Put an error record in a bad record's place and go on");
   addValue(app, "--jobs", "N", jobs_, wholeNumber(1, kMostJobs), "Threads to work with (default: one a processor)");
+  app.add_flag("--force", force_, "f64: write it to a terminal too");
   app.add_flag("--no-header", noHeader_, "CSV: write no header line");
   addValue(app, "--first-line", "N", firstLine_, wholeNumber(1, kMostLines),
            "Number of the input's first line in messages, where it is a part of a file (default: 1)");
@@ -244,6 +241,7 @@ FilterSetup StreamOptions::setup(const ChoosableColumns& choosable) const {
   setup.keepGoing = keepGoing_;
   setup.jobs = static_cast<unsigned>(jobs_.value_or(0));
   setup.firstLine = firstLine_.value_or(1);
+  setup.force = force_;
   setup.writer.header = !noHeader_;
   setup.writer.prefix = prefix_.value_or("");
   if (columns_) {
@@ -301,11 +299,10 @@ void StreamOptions::requireNoInputOption(const std::string& why) const {
 }
 
 void addReportForm(CLI::App& app, ReportForm& form, const std::string& svg) {
-  static constexpr std::pair<std::string_view, ReportForm> kForms[] = {
-      {"table", ReportForm::table}, {"json", ReportForm::json}, {"svg", ReportForm::svg}};
-  Names<ReportForm> forms = rowsOf(kForms);
-  if (svg.empty()) forms.pop_back();
-  addChoice(app, "--to", "FORM", form, forms, "Form of the output" + (svg.empty() ? "" : "; svg plots " + svg));
+  static constexpr FormRow<ReportForm> kForms[] = {
+      {"table", ReportForm::table, ".txt"}, {"json", ReportForm::json, ".json"}, {"svg", ReportForm::svg, ".svg"}};
+  addForm(app, form, std::span(kForms).first(svg.empty() ? 2 : 3),
+          "Form of the output" + (svg.empty() ? "" : "; svg plots " + svg));
 }
 
 void addTolerance(CLI::App& app, std::optional<double>& tolerance) {
@@ -314,12 +311,33 @@ void addTolerance(CLI::App& app, std::optional<double>& tolerance) {
            "Pixels that auto stays within, on screen x and y (default: 1e-6)");
 }
 
+std::span<const PrecisionRow> precisionModes() {
+  static constexpr PrecisionRow kModes[] = {
+      {"exact",
+       {Precision::exact},
+       "double-double, and exact sums where that is not certain",
+       "the double nearest the true value, certified number by number; a tie, or a number that cancels to about 0, is "
+       "within 0.51 ulp or 1e-26 of the picture's size"},
+      {"standard",
+       {Precision::standard},
+       "double, after the eye is subtracted",
+       "a proven bound: 5e-12 pixels at 60 degrees and 1080 lines"},
+      {"fast",
+       {Precision::fast},
+       "float32, after the eye is subtracted in double",
+       "a proven bound: 2e-3 pixels at 60 degrees and 1080 lines"},
+      {"auto",
+       {std::nullopt},
+       "the cheapest of these whose bound is within --tolerance",
+       "the tolerance, in the picture and one more picture on every side of it; exact elsewhere"},
+  };
+  return kModes;
+}
+
 void addPrecision(CLI::App& app, PrecisionMode& mode) {
-  static constexpr std::pair<std::string_view, PrecisionMode> kModes[] = {{"exact", {Precision::exact}},
-                                                                          {"standard", {Precision::standard}},
-                                                                          {"fast", {Precision::fast}},
-                                                                          {"auto", {std::nullopt}}};
-  addChoice(app, "--precision", "MODE", mode, rowsOf(kModes),
+  Names<PrecisionMode> modes;
+  for (const PrecisionRow& row : precisionModes()) modes.emplace_back(row.name, row.mode);
+  addChoice(app, "--precision", "MODE", mode, modes,
             "Arithmetic; standard is double, fast float32, auto the cheapest that will do");
 }
 

@@ -123,7 +123,7 @@ class StreamOptions {
   std::optional<Form> from_;
   std::optional<OutputForm> to_;
   std::optional<std::size_t> jobs_, firstLine_;
-  bool keepGoing_ = false, noHeader_ = false;
+  bool keepGoing_ = false, noHeader_ = false, force_ = false;
 };
 
 /// A point of the command line: X,Y,Z[,W], or x=..,y=..,z=..[,w=..] or lat=..,lon=..,height=.. in any order.
@@ -159,6 +159,12 @@ struct PrecisionMode {
   std::optional<Precision> arithmetic = Precision::exact;
   bool operator==(const PrecisionMode&) const = default;
 };
+struct PrecisionRow {
+  std::string_view name;
+  PrecisionMode mode;
+  std::string_view arithmetic, promise;  ///< the promise is of screen x, y and depth
+};
+std::span<const PrecisionRow> precisionModes();
 void addPrecision(CLI::App& app, PrecisionMode& mode);
 
 }  // namespace viewproj::cmd

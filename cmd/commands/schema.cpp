@@ -4,6 +4,7 @@
 
 #include "commands/command.hpp"
 #include "commands/options.hpp"
+#include "commands/output_option.hpp"
 #include "output/output_file.hpp"
 #include "schema/schemas.hpp"
 #include "text/error.hpp"
@@ -18,22 +19,29 @@ Names<const NamedSchema*> schemas() {
   return known;
 }
 
-int run(const std::optional<const NamedSchema*>& schema) {
-  if (!schema) throw UsageError("NAME is needed: " + joined(known(schemas())));
-  writeOutput((*schema)->text());
+struct Options {
+  std::optional<const NamedSchema*> schema;
+  Notes notes;
+};
+
+int run(const Options& o) {
+  if (!o.schema) throw UsageError("NAME is needed: " + joined(known(schemas())));
+  writeOutput((*o.schema)->text());
   return 0;
 }
 
 }  // namespace
 
 Action defineSchema(CLI::App& app) {
-  const auto schema = std::make_shared<std::optional<const NamedSchema*>>();
+  const auto o = std::make_shared<Options>();
   app.description(
       "The JSON Schema (draft 2020-12) of a camera file, of points, of a scene, or of results, for editors and "
       "validators.");
   app.footer("viewproj schema camera");
-  addChoice(app, "NAME", "", *schema, schemas(), "What the schema is of", "");
-  return [schema] { return run(*schema); };
+  addChoice(app, "NAME", "", o->schema, schemas(), "What the schema is of", "");
+  addOnlyForm(app, "JSON", ".json");
+  o->notes.add(app);
+  return [o] { return run(*o); };
 }
 
 }  // namespace viewproj::cmd

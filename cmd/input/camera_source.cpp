@@ -154,6 +154,12 @@ bool statesConvention(const Document& document) {
   return importer || (stated != document.root().end() && !stated->is_null());
 }
 
+std::vector<std::string_view> foreignForms() {
+  std::vector<std::string_view> forms;
+  for (const Importer* importer : kImporters) forms.push_back(importer->form);
+  return forms;
+}
+
 std::string listCameras(const Document& document) {
   const Importer* importer = importerOf(document);
   const std::vector<HeldCamera> cameras = importer ? importer->list(document) : listCanonical(document);

@@ -3,6 +3,8 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "input/camera_file.hpp"
 
@@ -25,6 +27,9 @@ CameraFile readAnyCamera(const Document& document, const std::optional<std::stri
 
 /// Whether the file says how its numbers are meant: it has a convention, or is of a form that says so.
 bool statesConvention(const Document& document);
+
+/// What else than a camera file is read: "a glTF file".
+std::vector<std::string_view> foreignForms();
 
 /// A line for each camera that the file holds: how it is picked, what it is, and a few words. Throws InputError where
 /// it holds none.

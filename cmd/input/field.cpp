@@ -57,6 +57,52 @@ std::vector<std::string_view> namesOf(FieldList fields) {
   return names;
 }
 
+std::string formInWords(const Field& field) {
+  switch (field.form) {
+    case ValueForm::anything:
+      return "any value";
+    case ValueForm::text:
+      return "text";
+    case ValueForm::label:
+      return "text or number";
+    case ValueForm::flag:
+      return "true or false";
+    case ValueForm::number:
+      return "number";
+    case ValueForm::positive:
+      return "number above 0";
+    case ValueForm::natural:
+      return "number from 0";
+    case ValueForm::zero:
+      return "0";
+    case ValueForm::angle:
+      return "0 to 180 degrees";
+    case ValueForm::elevation:
+      return "-90 to 90 degrees";
+    case ValueForm::pair:
+    case ValueForm::range:
+      return "[a, b]";
+    case ValueForm::point:
+    case ValueForm::direction:
+      return "[x, y, z]";
+    case ValueForm::position:
+      return "[x, y, z] or {" + joined(namesOf(field.object->fields)) + "}";
+    case ValueForm::quaternion:
+      return "[x, y, z, w]";
+    case ValueForm::rigid:
+      return "4 rows of 4";
+    case ValueForm::points:
+      return "3 of [x, y, z]";
+    case ValueForm::word:
+      return alternatives(field.words());
+    case ValueForm::object:
+      return field.object ? "{" + joined(namesOf(field.object->fields)) + "}" : "object";
+    case ValueForm::objects:
+      return "array of objects";
+  }
+  return "";
+}
+
 ChosenWay chooseWay(const ObjectForm& form, const std::function<bool(const Field&)>& has) {
   const auto lacks = [&](const Field& field) { return !has(field); };
   std::vector<const Way*> all, used;

@@ -57,6 +57,9 @@ struct Field {
   constexpr operator std::string_view() const noexcept { return name; }  // NOLINT(google-explicit-constructor)
 };
 
+/// What the value of a field is, in a few words: "degrees", "[x, y, z]", "top-left or bottom-left".
+std::string formInWords(const Field& field);
+
 using FieldList = std::span<const Field* const>;
 
 /// One of the ways in which an object can say what it has to.

@@ -9,19 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "commands/help.hpp"
+#include "commands/help/command_help.hpp"
 #include "man/roff.hpp"
 #include "text/file.hpp"
 
 namespace {
 
 using namespace viewproj::cmd;
-
-CommandHelp helpOf(const Command& command) {
-  CLI::App app("", "viewproj " + std::string(command.name));
-  command.define(app);
-  return describe(app);
-}
 
 std::string entry(const OptionHelp& option) {
   // Names in bold, the word for a value in italics.
@@ -68,7 +62,7 @@ std::vector<OptionGroup> sharedGroups(const std::vector<CommandHelp>& commands) 
 std::string page(const std::string& version, const std::string& date, const std::string& camera,
                  const std::string& folder) {
   std::vector<CommandHelp> commands;
-  for (const Command& command : allCommands()) commands.push_back(helpOf(command));
+  for (const Command& command : allCommands()) commands.push_back(describe(command));
 
   std::string out = ".TH VIEWPROJ 1 \"" + date + "\" \"viewproj " + version +
                     "\"\n.nh\n.ad l\n.SH NAME\nviewproj \\- " + roff::escaped(kSummary) + "\n.SH SYNOPSIS\n" +

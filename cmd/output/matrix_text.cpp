@@ -235,6 +235,8 @@ std::string asNumpy(const MatrixSet& set) {
 
 struct Format {
   std::string_view name;
+  std::string_view endings = {};  ///< of files' names, separated by blanks
+  std::string_view help;
   std::string (*write)(const MatrixSet&);
   bool onlyFloat = false;     ///< the language's matrices are float32
   bool floatRange = false;    ///< its numbers end where float32 does: browsers hold larger ones down to that
@@ -243,16 +245,31 @@ struct Format {
 };
 
 constexpr Format kMatrixFormats[] = {
-    {.name = "json", .write = asJson},
-    {.name = "text", .write = asText, .numbersAlone = true},
-    {.name = "flat", .write = asFlat, .numbersAlone = true},
-    {.name = "csv", .write = asCsv, .isCode = true, .numbersAlone = true},
-    {.name = "c", .write = asC, .isCode = true},
-    {.name = "glsl", .write = asGlsl, .onlyFloat = true, .isCode = true},
-    {.name = "hlsl", .write = asHlsl, .onlyFloat = true, .isCode = true},
-    {.name = "wgsl", .write = asWgsl, .onlyFloat = true, .isCode = true},
-    {.name = "css", .write = asCss, .floatRange = true, .isCode = true},
-    {.name = "numpy", .write = asNumpy, .isCode = true},
+    {.name = "json", .endings = ".json", .help = "rows on paper, with the convention they are in", .write = asJson},
+    {.name = "text", .endings = ".txt", .help = "rows in aligned columns", .write = asText, .numbersAlone = true},
+    {.name = "flat", .help = "16 numbers in memory order, a matrix a line", .write = asFlat, .numbersAlone = true},
+    {.name = "csv",
+     .endings = ".csv",
+     .help = "a row of the matrix a line",
+     .write = asCsv,
+     .isCode = true,
+     .numbersAlone = true},
+    {.name = "c", .endings = ".c .h", .help = "arrays in memory order", .write = asC, .isCode = true},
+    {.name = "glsl",
+     .endings = ".glsl .vert .frag",
+     .help = "mat4, for M * v",
+     .write = asGlsl,
+     .onlyFloat = true,
+     .isCode = true},
+    {.name = "hlsl", .endings = ".hlsl", .help = "float4x4", .write = asHlsl, .onlyFloat = true, .isCode = true},
+    {.name = "wgsl",
+     .endings = ".wgsl",
+     .help = "mat4x4<f32>, for M * v",
+     .write = asWgsl,
+     .onlyFloat = true,
+     .isCode = true},
+    {.name = "css", .endings = ".css", .help = "matrix3d()", .write = asCss, .floatRange = true, .isCode = true},
+    {.name = "numpy", .endings = ".py", .help = "np.array", .write = asNumpy, .isCode = true},
 };
 
 const Format& formatOf(std::string_view name) {
@@ -276,6 +293,10 @@ std::vector<std::string_view> matrixFormats() {
   for (const Format& format : kMatrixFormats) names.push_back(format.name);
   return names;
 }
+
+std::string_view helpOn(std::string_view format) { return formatOf(format).help; }
+
+std::string_view endingsOf(std::string_view format) { return formatOf(format).endings; }
 
 bool saysNumbersAlone(std::string_view format) { return formatOf(format).numbersAlone; }
 

@@ -27,6 +27,12 @@ struct MatrixSet {
 /// The names of the formats.
 std::vector<std::string_view> matrixFormats();
 
+/// The endings of names of files in a format, separated by blanks.
+std::string_view endingsOf(std::string_view format);
+
+/// A few words on a format.
+std::string_view helpOn(std::string_view format);
+
 /// Whether a format has the numbers without the convention they are in.
 bool saysNumbersAlone(std::string_view format);
 

@@ -20,6 +20,8 @@ namespace {
 /// Held while something is written.
 std::mutex writing;
 
+std::string outputName = "standard output";  // for messages
+
 Written write(int descriptor, std::string_view text, const Stop& stop) {
   Written all;
   while (all.bytes < text.size()) {
@@ -45,10 +47,16 @@ Written writeUntil(int descriptor, std::string_view text, const Stop& stop) {
   return write(descriptor, text, stop);
 }
 
+void nameOutput(const std::string& name) { outputName = name; }
+
+void failToWrite(int error) {
+  if (error == EPIPE) throw ClosedPipe{};
+  throw InputError(outputName + ": " + std::generic_category().message(error));
+}
+
 void writeOutput(std::string_view text) {
   const Written all = writeUntil(STDOUT_FILENO, text);
-  if (all.error == EPIPE) throw ClosedPipe{};
-  if (all.error != 0) throw InputError(std::string("standard output: ") + std::generic_category().message(all.error));
+  if (all.error != 0) failToWrite(all.error);
 }
 
 void complain(const std::string& message, const Stop& stop) {

@@ -11,6 +11,12 @@ namespace viewproj::cmd {
 /// Writes all of text. Throws ClosedPipe where nobody reads any more, InputError where it cannot be written.
 void writeOutput(std::string_view text);
 
+/// How messages call standard output from here on.
+void nameOutput(const std::string& name);
+
+/// Throws ClosedPipe where nobody reads any more, or else InputError. error: errno.
+[[noreturn]] void failToWrite(int error);
+
 struct Written {
   std::size_t bytes = 0;
   int error = 0;  ///< errno, or 0

@@ -5,6 +5,7 @@
 
 #include "input/record.hpp"
 #include "text/csv_lines.hpp"
+#include "text/layout.hpp"
 #include "text/visible.hpp"
 
 namespace viewproj::cmd {
@@ -18,7 +19,7 @@ void widen(std::vector<std::size_t>& widths, const Rows& rows, std::size_t wides
   for (const auto& row : rows)
     for (std::size_t i = 0; i < row.size(); ++i) {
       if (i == widths.size()) widths.push_back(0);
-      if (row[i].size() <= widest) widths[i] = std::max(widths[i], row[i].size());
+      if (row[i].size() <= widest) widths[i] = std::max(widths[i], columnsOf(row[i]));
     }
 }
 
@@ -26,7 +27,7 @@ void appendInColumns(std::string& out, const Rows& rows, const std::vector<std::
   for (const auto& row : rows) {
     for (std::size_t i = 0; i < row.size(); ++i) {
       const std::size_t width = i < widths.size() ? widths[i] : 0;
-      const std::size_t padding = width - std::min(width, row[i].size());
+      const std::size_t padding = width - std::min(width, columnsOf(row[i]));
       if (i > 0) out.append(padding + 2, ' ');
       out += row[i];
       if (i == 0 && row.size() > 1) out.append(padding, ' ');

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "input/camera_fields.hpp"
 #include "schema/parts.hpp"
 #include "schema/schemas.hpp"
 
@@ -133,6 +134,33 @@ Json culled() {
   return schema;
 }
 
+/// Planes of cull: an infinite far has none.
+Json planes() {
+  Json properties = Json::object(), required = Json::array();
+  for (const std::string_view side : wordsOf(ResultWords::sides)) {
+    properties[std::string(side)] = schema::reference("vector4");
+    if (side != "far") required.push_back(side);
+  }
+  return {{"description", "a, b, c, d, ax + by + cz + d >= 0 inside. An infinite far has no plane."},
+          {"type", "object"},
+          {"properties", properties},
+          {"required", required},
+          {"additionalProperties", false}};
+}
+
+/// Of a convention, as reports write it: without its preset, and with all axes or some.
+Json axes(bool all) {
+  Json properties = Json::object(), required = Json::array();
+  for (const Field* field : field::axes.fields) {
+    if (field == &field::preset) continue;
+    required.push_back(field->name);
+    properties[field->name] = field->words ? schema::wordOf(field->words(), false) : schema::ofType("boolean");
+  }
+  Json schema = {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
+  if (all) schema["required"] = required;
+  return schema;
+}
+
 }  // namespace
 
 std::string resultsSchema() {
@@ -160,6 +188,10 @@ std::string resultsSchema() {
   definitions["projectedSegment"] = projectedSegment();
   definitions["cast"] = recordOf(results::kRay);
   definitions["culled"] = culled();
+  definitions["outside"] = {{"type", "array"}, {"uniqueItems", true}, {"items", words(ResultWords::outside, false)}};
+  definitions["planes"] = planes();
+  definitions["axes"] = axes(false);
+  definitions["allAxes"] = axes(true);
   definitions.update(reports);
   for (const char* name : {"project", "ray", "cull", "planes", "matrix", "explain", "inspect", "depth", "measure"})
     all["anyOf"].push_back(schema::reference(name));

@@ -1,5 +1,7 @@
 #include "stream/filter.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <functional>
 #include <thread>
@@ -180,6 +182,9 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
                   .prefix = setup.writer.prefix};
   setup.writer.table = stream.to == OutputForm::table;
   setup.writer.results = work->results({}, stream.to);
+  if (writes && stream.to == OutputForm::f64 && !setup.force && ::isatty(STDOUT_FILENO))
+    throw UsageError(
+        "f64 is binary, and standard output is a terminal; -o FILE keeps it, --force shows it all the same");
   if (writes) {
     requireRoom(setup.writer.results, stream.to);
     requireUse(setup, stream.to);

@@ -26,6 +26,7 @@ struct FilterSetup {
   std::optional<Form> from;
   std::optional<OutputForm> to;  ///< nothing: as the input
   bool keepGoing = false;
+  bool force = false;         ///< f64 on a terminal too
   unsigned jobs = 0;          ///< threads; 0: one a processor
   std::size_t firstLine = 1;  ///< the number of the input's first line (f64: record), for messages
   std::size_t blockSize = BlockReader::kBlock;

@@ -142,8 +142,7 @@ void OrderedOutput::writeEnd(std::string_view text) {
 
 void OrderedOutput::failToWrite(int error) {
   if (const int signal = InterruptGuard::signal()) throw Interrupted{signal};
-  if (error == EPIPE) throw ClosedPipe{};
-  throw InputError(std::string("standard output: ") + std::generic_category().message(error));
+  cmd::failToWrite(error);
 }
 
 void OrderedOutput::endInterrupted() {

@@ -12,10 +12,21 @@
 #include "text/visible.hpp"
 
 namespace viewproj::cmd {
+namespace {
+
+/// Who waits on a person says so.
+void tellOfKeyboard() {
+  constexpr std::string_view kLine = "viewproj: reading from the keyboard; Ctrl-D ends the input, Ctrl-C the run\n";
+  if (::isatty(STDIN_FILENO) && ::isatty(STDERR_FILENO)) (void)!::write(STDERR_FILENO, kLine.data(), kLine.size());
+}
+
+}  // namespace
+
 InputFile::InputFile(const std::string& name)
     : name_(name == "-" ? kStandardInputName : visible(name)),
       descriptor_(name == "-" ? STDIN_FILENO : ::open(name.c_str(), O_RDONLY | O_CLOEXEC)) {
   if (descriptor_ < 0) throw InputError(name_ + ": " + std::generic_category().message(errno));
+  if (descriptor_ == STDIN_FILENO) tellOfKeyboard();
 }
 
 InputFile::~InputFile() {

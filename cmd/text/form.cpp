@@ -1,7 +1,6 @@
 #include "text/form.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "text/encoding.hpp"
 #include "text/parse_number.hpp"
@@ -35,13 +34,47 @@ OutputForm sameForm(Form form) {
   return OutputForm::lines;
 }
 
-std::optional<Form> formOfName(std::string_view fileName) {
-  static constexpr std::pair<std::string_view, Form> kEndings[] = {
-      {".json", Form::json}, {".ndjson", Form::json}, {".jsonl", Form::json}, {".csv", Form::csv},
-      {".txt", Form::text},  {".xyz", Form::text},    {".f64", Form::f64},    {".bin", Form::f64},
+std::span<const FormRow<Form>> inputForms() {
+  static constexpr FormRow<Form> kRows[] = {
+      {"json", Form::json, ".json .ndjson .jsonl",
+       "objects or [x,y,z]: one after the other, in an array, under \"points\""},
+      {"csv", Form::csv, ".csv", "a header and rows; without a header the first columns are the coordinates"},
+      {"text", Form::text, ".txt .xyz", "numbers separated by blanks, a point a line"},
+      {"f64", Form::f64, ".f64 .bin", "little-endian doubles, three a point"},
   };
-  for (const auto& [ending, form] : kEndings)
-    if (fileName.ends_with(ending)) return form;
+  return kRows;
+}
+
+std::span<const FormRow<OutputForm>> outputForms() {
+  static constexpr FormRow<OutputForm> kRows[] = {
+      {"ndjson", OutputForm::lines, ".ndjson .jsonl", "a JSON object a line"},
+      {"json", OutputForm::array, ".json", "one JSON array"},
+      {"csv", OutputForm::csv, ".csv", "a header and rows"},
+      {"text", OutputForm::text, ".txt .xyz", "the results' numbers alone, a line a record"},
+      {"f64", OutputForm::f64, ".f64 .bin", "the same as little-endian doubles"},
+      {"table", OutputForm::table, "", "aligned columns, for reading"},
+  };
+  return kRows;
+}
+
+std::string_view endingOf(std::string_view fileName) {
+  const std::string_view name = fileName.substr(fileName.rfind('/') + 1);
+  const std::size_t point = name.rfind('.');
+  return point == std::string_view::npos || point == 0 ? std::string_view() : name.substr(point);
+}
+
+bool isEnding(std::string_view ending, std::string_view endings) {
+  for (std::size_t at = 0; !ending.empty() && at < endings.size();) {
+    const std::size_t end = std::min(endings.find(' ', at), endings.size());
+    if (endings.substr(at, end - at) == ending) return true;
+    at = end + 1;
+  }
+  return false;
+}
+
+std::optional<Form> formOfName(std::string_view fileName) {
+  for (const FormRow<Form>& row : inputForms())
+    if (isEnding(endingOf(fileName), row.endings)) return row.form;
   return std::nullopt;
 }
 

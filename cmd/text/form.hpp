@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string_view>
 
 namespace viewproj::cmd {
@@ -11,6 +12,24 @@ enum class Form { json, csv, text, f64 };
 
 /// lines is a sequence of JSON values, array one array of them; table has the columns of CSV, aligned for people.
 enum class OutputForm { lines, array, csv, text, f64, table };
+
+/// A form's name, and the endings of files' names that tell it, separated by blanks: ".json .geojson".
+template <class T>
+struct FormRow {
+  std::string_view name;
+  T form;
+  std::string_view endings = {};
+  std::string_view help = {};
+};
+
+std::span<const FormRow<Form>> inputForms();
+std::span<const FormRow<OutputForm>> outputForms();
+
+/// ".csv" of "points.csv"; empty where a name has none.
+std::string_view endingOf(std::string_view fileName);
+
+/// Whether an ending is one of these, separated by blanks.
+bool isEnding(std::string_view ending, std::string_view endings);
 
 inline bool hasColumns(OutputForm form) { return form == OutputForm::csv || form == OutputForm::table; }
 

@@ -217,7 +217,7 @@ Pose relativeToEye(const Pose& pose) {
   relative.eye = relative.exact.origin = {};
   relative.exact.translation = {};
   relative.residual = {};
-  return made(std::move(relative));
+  return made(relative);
 }
 
 Mat4 laidOut(const Mat4& matrix, const Convention& c) noexcept {

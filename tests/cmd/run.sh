@@ -37,6 +37,7 @@ one=${one##*/}
 PATH=$bin:$PATH
 LC_ALL=C
 export PATH LC_ALL
+unset COLUMNS
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

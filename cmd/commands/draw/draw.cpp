@@ -3,6 +3,7 @@
 #include "commands/draw/picture.hpp"
 #include "commands/draw/records.hpp"
 #include "commands/options.hpp"
+#include "commands/output_option.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
 #include "text/file.hpp"
@@ -67,6 +68,7 @@ Action defineDraw(CLI::App& app) {
   addSceneOption(app, o->scene, ": its outlines are drawn");
   addValues(app, "--pixel", "X,Y", o->pixels, readPixel,
             "A pixel to mark, with --scene what its ray hits first; standard input is then read only for FILE -");
+  addOnlyForm(app, "SVG", ".svg");
   return [o] { return run(*o); };
 }
 

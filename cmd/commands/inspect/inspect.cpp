@@ -7,6 +7,7 @@
 #include "commands/inspect/notes.hpp"
 #include "commands/inspect/report.hpp"
 #include "commands/options.hpp"
+#include "commands/output_option.hpp"
 #include "input/convention_names.hpp"
 #include "output/matrix_text.hpp"
 #include "output/output_file.hpp"
@@ -271,11 +272,11 @@ Action defineInspect(CLI::App& app) {
   addChoice(app, "--read-as", "NAME", o->choice.readAs, presetConventions(), "Only readings of this convention", "all");
   addValue(app, "--reading", "N", o->choice.number, wholeNumber(1, kMostReadings), "Only this reading, by its number");
   o->writing.addWriting(app);
-  std::vector<std::string_view> forms = matrixFormats();
-  forms.insert(forms.begin(), "table");
-  addChoice(app, "--to", "FORM", o->format, namesAlone(forms),
-            "Form of the output; with --convention any but table, without it table or json",
-            "table; with --convention json");
+  std::vector<FormRow<std::string>> forms = matrixForms();
+  forms.insert(forms.begin(), {"table", "table", ".txt"});
+  addForm(app, o->format, std::span<const FormRow<std::string>>(forms),
+          "Form of the output; with --convention any but table, without it table or json",
+          "table; with --convention json");
   o->notes.add(app);
   return [o] { return run(*o); };
 }

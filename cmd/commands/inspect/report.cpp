@@ -9,6 +9,7 @@
 #include "input/convention_names.hpp"
 #include "output/table.hpp"
 #include "text/format_number.hpp"
+#include "text/layout.hpp"
 #include "text/names.hpp"
 
 namespace viewproj::cmd {
@@ -219,26 +220,6 @@ std::string plural(std::size_t count, const char* what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
-/// Lines of up to 110 characters, indented.
-std::string wrapped(const std::string& text) {
-  constexpr std::size_t kWidth = 110;
-  std::string out;
-  std::size_t column = 0;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find(' ', at), text.size());
-    if (column == 0 || column + end - at + 1 > kWidth) {
-      out += column == 0 ? "  " : "\n    ";
-      column = 2;
-    } else {
-      out += ' ';
-    }
-    out += text.substr(at, end - at);
-    column += end - at + 1;
-    at = end + 1;
-  }
-  return out + "\n";
-}
-
 /// A row a reading: the axes it determines, and the presets that fit.
 std::string readingTable(const InspectedMatrix& m) {
   std::vector<std::vector<std::string>> cells{{"#", "kind", "numbers", "world", "view", "ndcZ", "reverseZ", "ndcY"}};
@@ -283,7 +264,7 @@ std::string parameterTable(const InspectedMatrix& m) {
     }
   std::size_t nameWidth = 0, valueWidth = 0;
   for (const Row& row : rows) {
-    nameWidth = std::max(nameWidth, row.line.name.size());
+    nameWidth = std::max(nameWidth, columnsOf(row.line.name));
     valueWidth = std::max(valueWidth, row.line.value.size());
   }
   std::string out;
@@ -311,7 +292,7 @@ std::string asText(const InspectedMatrix& m, const std::string& name) {
   out +=
       plural(m.readings.size(), "reading") + (m.readings.size() == m.all ? "" : " of " + std::to_string(m.all)) + "\n";
   if (!m.readings.empty()) out += readingTable(m) + "\n" + parameterTable(m) + (m.notes.empty() ? "" : "\n");
-  for (const std::string& note : m.notes) out += wrapped(note);
+  for (const std::string& note : m.notes) out += "  " + wrapped(note, terminalWidth(), 4);
   return out;
 }
 

@@ -39,6 +39,7 @@ inline constexpr std::pair<const char*, const char*> kStatuses[] = {
 };
 
 CommandHelp describe(const CLI::App& app);
+CommandHelp describe(const Command& command);
 
 /// "viewproj project [options] [FILE]"
 std::string usage(const CommandHelp& help);

@@ -1,13 +1,16 @@
-#include "commands/help.hpp"
+#include "commands/help/command_help.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <sstream>
+
+#include "commands/help/topics.hpp"
+#include "commands/run.hpp"
+#include "text/layout.hpp"
 
 namespace viewproj::cmd {
 namespace {
 
-constexpr std::size_t kWidth = 100, kColumn = 30;
+constexpr std::size_t kColumn = 30;
 
 OptionHelp describe(const CLI::Option& option) {
   std::string name = option.get_name(true);
@@ -20,35 +23,13 @@ OptionHelp describe(const CLI::Option& option) {
   return {name, option.get_description()};
 }
 
-/// Broken between words, each line but the first after `indent` blanks.
-std::string wrapped(const std::string& text, std::size_t indent) {
-  std::string out, word;
-  std::size_t column = indent;
-  for (std::istringstream words(text); words >> word; column += word.size()) {
-    if (column > indent && column + 1 + word.size() > kWidth) {
-      out += "\n" + std::string(indent, ' ');
-      column = indent;
-    } else if (column > indent) {
-      out += " ";
-      ++column;
-    }
-    out += word;
-  }
-  return out + "\n";
-}
-
-std::string row(const OptionHelp& option) {
-  std::string line = "  " + option.name;
-  if (line.size() + 2 > kColumn) line += "\n" + std::string(kColumn, ' ');
-  if (line.size() < kColumn) line.resize(kColumn, ' ');
-  return line + wrapped(option.text, kColumn);
-}
-
-/// Each line two blanks further in.
-std::string indented(const std::string& text) {
-  std::string out, line;
-  for (std::istringstream lines(text); std::getline(lines, line);) out += "  " + line + "\n";
-  return out;
+std::string row(const OptionHelp& option, std::size_t width) {
+  // On a narrow terminal the text has the larger part of the line.
+  const std::size_t column = std::min(kColumn, width / 3);
+  const std::string name = "  " + option.name;
+  const bool fits = columnsOf(name) + 2 <= column;
+  return (fits ? paddedRight(name, column) : name + "\n" + std::string(column, ' ')) +
+         wrapped(option.text, width, column);
 }
 
 }  // namespace
@@ -69,6 +50,12 @@ CommandHelp describe(const CLI::App& app) {
   return help;
 }
 
+CommandHelp describe(const Command& command) {
+  CLI::App app("", "viewproj " + std::string(command.name));
+  (void)define(command, app);
+  return describe(app);
+}
+
 std::string usage(const CommandHelp& help) {
   std::string line = help.name + " [options]";
   for (const OptionHelp& argument : help.arguments) line += " [" + argument.name + "]";
@@ -76,27 +63,31 @@ std::string usage(const CommandHelp& help) {
 }
 
 std::string helpText(const CommandHelp& help) {
-  std::string out = wrapped(help.description, 0) + "\nUsage: " + usage(help) + "\n";
+  const std::size_t width = terminalWidth();
+  std::string out = wrapped(help.description, width) + "\nUsage: " + usage(help) + "\n";
   if (!help.arguments.empty()) out += "\n";
-  for (const OptionHelp& argument : help.arguments) out += row(argument);
+  for (const OptionHelp& argument : help.arguments) out += row(argument, width);
   for (const OptionGroup& group : help.groups) {
     out += "\n" + group.heading + ":\n";
-    for (const OptionHelp& option : group.options) out += row(option);
+    for (const OptionHelp& option : group.options) out += row(option, width);
   }
-  return out + "\nExample:\n" + indented(help.example);
+  return out + "\nExample:\n" + indented(help.example, 2);
 }
 
 std::string helpText() {
+  const std::size_t width = terminalWidth();
+  constexpr std::size_t kNames = 14;
+  const auto line = [&](std::string_view name, std::string_view text) {
+    return paddedRight("  " + std::string(name), kNames) + wrapped(text, width, kNames);
+  };
   std::string out =
       "viewproj: " + std::string(kSummary) + "\n\nUsage: viewproj <command> [options] [FILE]\n\nCommands:\n";
-  for (const Command& command : allCommands()) {
-    std::string line = "  " + std::string(command.name);
-    line.resize(12, ' ');
-    out += line + std::string(command.summary) + "\n";
-  }
+  for (const Command& command : allCommands()) out += line(command.name, command.summary);
+  out += "\nTopics, for viewproj help:\n";
+  for (const Topic& topic : topics()) out += line(topic.name, topic.summary);
   out += "\nExit status:\n";
-  for (const auto& [status, meaning] : kStatuses) out += "  " + std::string(status) + "         " + meaning + "\n";
-  return out + "\nviewproj <command> --help tells its options; viewproj --version the version.\n";
+  for (const auto& [status, meaning] : kStatuses) out += line(status, meaning);
+  return out + "\n" + wrapped("viewproj <command> --help tells its options; viewproj --version the version.", width);
 }
 
 }  // namespace viewproj::cmd

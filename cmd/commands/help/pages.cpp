@@ -1,0 +1,196 @@
+#include "commands/help/pages.hpp"
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "commands/options.hpp"
+#include "input/camera_fields.hpp"
+#include "input/camera_source.hpp"
+#include "input/coordinates.hpp"
+#include "input/projection_types.hpp"
+#include "input/scene_fields.hpp"
+#include "output/matrix_text.hpp"
+#include "output/table.hpp"
+#include "text/form.hpp"
+#include "text/format_number.hpp"
+#include "text/layout.hpp"
+#include "text/names.hpp"
+
+namespace viewproj::cmd::pages {
+namespace {
+
+/// A name, what its value is, and what it is for.
+struct Entry {
+  std::string name, form, text;
+};
+
+/// In three columns; what is too long for its own has its line.
+std::string listed(const std::vector<Entry>& entries, std::size_t width) {
+  constexpr std::size_t kMostName = 16, kMostForm = 18;
+  std::size_t nameWidth = 0, formWidth = 0;
+  for (const Entry& e : entries) {
+    if (columnsOf(e.name) <= kMostName) nameWidth = std::max(nameWidth, columnsOf(e.name));
+    if (columnsOf(e.form) <= kMostForm) formWidth = std::max(formWidth, columnsOf(e.form));
+  }
+  const std::size_t formAt = 2 + nameWidth + 2, textAt = formAt + (formWidth > 0 ? formWidth + 2 : 0);
+  std::string out;
+  for (const Entry& e : entries) {
+    std::string line = "  " + e.name;
+    if (!e.form.empty()) line = paddedRight(line + (columnsOf(e.name) > nameWidth ? " " : ""), formAt) + e.form;
+    const bool fits = columnsOf(line) + 2 <= textAt;
+    out += (fits ? paddedRight(line, textAt) : line + "\n" + std::string(textAt, ' ')) + wrapped(e.text, width, textAt);
+  }
+  return out;
+}
+
+std::vector<Entry> entriesOf(FieldList fields, FieldList without = {}) {
+  std::vector<Entry> entries;
+  for (const Field* field : fields)
+    if (std::find(without.begin(), without.end(), field) == without.end())
+      entries.push_back({std::string(field->name), formInWords(*field), std::string(field->help)});
+  return entries;
+}
+
+std::string paragraph(const std::string& text, std::size_t width) { return "\n" + wrapped(text, width); }
+
+std::vector<Entry> entriesOf(std::span<const Coordinate* const> rows) {
+  std::vector<Entry> entries;
+  for (const Coordinate* row : rows) {
+    if (row->form == CoordinateForm::word) continue;
+    const bool isArray = row->form == CoordinateForm::array;
+    std::string form = isArray ? (row->most > 2 ? "[x, y, z]" : "[x, y]") : "a number each";
+    if (row->form == CoordinateForm::object || row->form == CoordinateForm::points) form = exampleOf(*row);
+    if (row->form == CoordinateForm::numbers && row->parts.size() == 1) form = "a number";
+    entries.push_back({std::string(row->name), form, std::string(row->help)});
+  }
+  return entries;
+}
+
+template <class T>
+std::vector<Entry> entriesOf(std::span<const FormRow<T>> rows) {
+  std::vector<Entry> entries;
+  for (const FormRow<T>& row : rows)
+    entries.push_back({std::string(row.name), std::string(row.endings), std::string(row.help)});
+  return entries;
+}
+
+}  // namespace
+
+std::string camera(std::size_t width) {
+  constexpr FieldList kApart = field::list<field::projection, field::viewport>;
+  std::string out =
+      wrapped(
+          "A camera file is a JSON object: a pose, a projection, a viewport, and the convention their numbers are in.",
+          width) +
+      "\n" + listed(entriesOf(field::camera.fields, kApart), width);
+  out += paragraph("projection: the type, and its fields.", width);
+  std::vector<Entry> types;
+  std::vector<const Field*> all;
+  for (const ProjectionType& type : projectionTypes()) {
+    types.push_back({std::string(type.name), "", std::string(type.form.help)});
+    for (const Field* field : type.form.fields)
+      if (std::find(all.begin(), all.end(), field) == all.end()) all.push_back(field);
+  }
+  out += listed(types, width) + "\n" + listed(entriesOf(all), width);
+  out += paragraph("viewport: " + std::string(field::picture.help), width);
+  return out + listed(entriesOf(field::picture.fields), width);
+}
+
+std::string points(std::size_t width) {
+  std::string out = wrapped(
+                        "A record is [x, y, z], or an object or a row of CSV with one of these, in this order; all "
+                        "its other fields come out as they are.",
+                        width) +
+                    "\n" + listed(entriesOf(coordinates::kPoints), width);
+  out += paragraph("Shapes, for cull and draw; project takes a segment too.", width);
+  std::vector<const Coordinate*> shapes(std::begin(coordinates::kShapes), std::end(coordinates::kShapes));
+  shapes.insert(shapes.begin(), &coordinates::segment);
+  shapes.push_back(&coordinates::radius);
+  out += listed(entriesOf(shapes), width);
+  out += paragraph("Forms of files; --from names one where neither name nor first bytes tell.", width);
+  return out + listed(entriesOf(inputForms()), width);
+}
+
+std::string pixels(std::size_t width) {
+  std::string out = wrapped(
+      "A pixel is [x, y] or [x, y, depth], or an object or a row of CSV with one of these. x runs to the right and y "
+      "down from the picture's upper left corner; 0 is its edge and 0.5 the centre of the first pixel. In the camera "
+      "file viewport.origin bottom-left has y run up, and viewport.pixelCenter 0 (the convention opencv) has 0 be the "
+      "first pixel's centre.",
+      width);
+  return out + "\n" + listed(entriesOf(coordinates::kPixels), width) +
+         paragraph("And, for the point behind it:", width) + listed(entriesOf(coordinates::kDistances), width);
+}
+
+std::string scene(std::size_t width) {
+  return wrapped("A scene file is a JSON object: what rays are shot at, in the world's frame and unit.", width) + "\n" +
+         listed(entriesOf(field::scene.fields), width) + paragraph("Each of the objects has one shape.", width) +
+         listed(entriesOf(field::sceneObject.fields), width) +
+         paragraph("A plane, a sphere and a box are objects.", width) +
+         listed(entriesOf(field::planeForm.fields), width) + listed(entriesOf(field::sphereForm.fields), width) +
+         listed(entriesOf(field::boxForm.fields), width);
+}
+
+std::string conventions(std::size_t width) {
+  std::vector<std::vector<std::string>> rows{
+      {"name", "world", "view", "pose", "ndcZ", "reversed", "ndcY", "vectors", "storage"}};
+  for (const ConventionPreset& preset : conventionPresets()) {
+    const Convention& c = preset.convention;
+    rows.push_back({std::string(preset.name)});
+    for (const std::string_view cell :
+         {nameOf(kWorldNames, c.world), nameOf(kViewNames, c.view), nameOf(kCameraAxesNames, preset.cameraAxes),
+          nameOf(kNdcZNames, c.ndcZ), std::string_view(c.reverseZ ? "yes" : "no"), nameOf(kNdcYNames, c.ndcY),
+          nameOf(kVectorsNames, c.vectors), nameOf(kStorageNames, c.storage)})
+      rows.back().emplace_back(cell);
+  }
+  std::string out = wrapped(
+                        "\"convention\" in a camera file says how its numbers are read, --convention how matrices, "
+                        "NDC and clip coordinates are written; the world, and every pixel, stays the file's.",
+                        width) +
+                    "\n" + alignedTable(rows);
+  for (const ConventionPreset& preset : conventionPresets()) {
+    if (preset.up != conventionPresets().front().up)
+      out += paragraph(std::string(preset.name) + " has up " + formatNumber(preset.up.x) + " " +
+                           formatNumber(preset.up.y) + " " + formatNumber(preset.up.z) + " where a file names none.",
+                       width);
+    if (preset.pixelCenter != conventionPresets().front().pixelCenter)
+      out += paragraph(std::string(preset.name) + " counts pixels from the centre of the first: pixelCenter " +
+                           formatNumber(preset.pixelCenter) + ".",
+                       width);
+  }
+  out += paragraph("Axis by axis, as a camera file says it: {\"preset\": \"opengl\", \"ndcZ\": \"0..1\"}.", width);
+  return out + listed(entriesOf(field::axes.fields), width);
+}
+
+std::string formats(std::size_t width) {
+  std::string out = wrapped("Cameras: a camera file (viewproj help camera), and, known by what stands in them:", width);
+  for (const std::string_view form : foreignForms()) out += "  " + std::string(form) + "\n";
+  out += paragraph("FILE#NAME or FILE#INDEX picks one of several; --list names them.", width);
+  out += paragraph("Points and pixels, in:", width) + listed(entriesOf(inputForms()), width);
+  out +=
+      paragraph("Their results, as --to or the name after -o tells:", width) + listed(entriesOf(outputForms()), width);
+  std::vector<Entry> matrices;
+  for (const std::string_view format : matrixFormats())
+    matrices.push_back({std::string(format), std::string(endingsOf(format)), std::string(helpOn(format))});
+  return out + paragraph("Matrices:", width) + listed(matrices, width);
+}
+
+std::string precision(std::size_t width) {
+  std::string out = wrapped(
+                        "--precision says in which arithmetic points are projected, and so how near the true value "
+                        "screen x, y and depth are. measure shows both on your own points.",
+                        width) +
+                    "\n";
+  std::vector<Entry> modes;
+  for (const PrecisionRow& row : precisionModes())
+    modes.push_back(
+        {std::string(row.name), "", std::string(row.arithmetic) + ". Promised: " + std::string(row.promise) + "."});
+  out += listed(modes, width);
+  return out + paragraph(
+                   "The bounds hold wherever the eye is. A point that a precision cannot bound is projected exactly. "
+                   "Rays are within 1.2e-15 radians. Input counts as the doubles nearest its text.",
+                   width);
+}
+
+}  // namespace viewproj::cmd::pages

@@ -1,0 +1,62 @@
+#include "commands/output_option.hpp"
+
+#include <algorithm>
+
+#include "commands/command.hpp"
+#include "output/matrix_text.hpp"
+#include "text/error.hpp"
+#include "text/names.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+/// Endings that say what a file is, whether or not a command writes it.
+constexpr std::string_view kTelling[] = {
+    ".json", ".ndjson", ".jsonl", ".csv", ".tsv", ".txt", ".xyz",  ".f64", ".bin",  ".svg", ".c",    ".h",  ".glsl",
+    ".hlsl", ".wgsl",   ".css",   ".py",  ".png", ".jpg", ".jpeg", ".pdf", ".yaml", ".xml", ".gltf", ".glb"};
+
+}  // namespace
+
+void OutputOption::add(CLI::App& app) {
+  const Heading heading(app, kEverywhere);
+  addValue(app, "-o,--output", "FILE", file_, readText,
+           "Write to this file, whole or, after an error, not at all; its name tells the form (default: standard "
+           "output)");
+}
+
+void OutputOption::open() {
+  if (file_) output_ = std::make_unique<NamedOutput>(*file_);
+}
+
+void OutputOption::keep() {
+  if (output_) output_->keep();
+}
+
+std::optional<std::size_t> formOfOutputName(const std::string& file,
+                                            const std::vector<std::pair<std::string_view, std::string_view>>& forms) {
+  const std::string_view ending = endingOf(file);
+  if (ending.empty()) return std::nullopt;
+  for (std::size_t i = 0; i < forms.size(); ++i)
+    if (isEnding(ending, forms[i].second)) return i;
+  if (std::find(std::begin(kTelling), std::end(kTelling), ending) == std::end(kTelling)) return std::nullopt;
+  std::vector<std::string_view> names;
+  for (const auto& [name, endings] : forms) names.push_back(name);
+  throw UsageError("-o " + file + ": nothing that this command writes is called " + std::string(ending) +
+                   (names.size() > 1 ? "; --to tells the form: " : "; it writes ") + joined(names));
+}
+
+std::vector<FormRow<std::string>> matrixForms() {
+  std::vector<FormRow<std::string>> forms;
+  for (const std::string_view format : matrixFormats())
+    forms.push_back({format, std::string(format), endingsOf(format)});
+  return forms;
+}
+
+void addOnlyForm(CLI::App& app, std::string_view name, std::string_view endings) {
+  app.parse_complete_callback([&app, name, endings] {
+    const CLI::Option* const output = app.get_option_no_throw("--output");
+    if (output && output->count() > 0) (void)formOfOutputName(output->as<std::string>(), {{name, endings}});
+  });
+}
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,134 @@
+"""-o FILE is whole, or as it was; and what stands on a terminal."""
+import os
+import pty
+import signal
+import stat
+import subprocess
+import time
+from pathlib import Path
+
+import tool
+from tool import CAMERA, POINTS, FaultTest, run
+
+BAD = POINTS["json"] + b"[1,2]\n" + POINTS["json"]
+
+
+class NamedOutput(FaultTest):
+    def names(self):
+        return sorted(os.listdir("."))
+
+    def test_a_file_is_what_standard_output_would_be(self):
+        for arguments, given in tool.RUNS:
+            if "--help" in arguments or "--version" in arguments or arguments[0] == "measure":
+                continue
+            with self.subTest(" ".join(arguments)):
+                expected = run(arguments, given)
+                done = run([*arguments, "-o", "file"], given)
+                self.assertEqual((done.returncode, done.stdout, done.stderr), (expected.returncode, b"", expected.stderr))
+                self.assertEqual(Path("file").read_bytes(), expected.stdout)
+                self.assertEqual(self.names(), ["file"])
+
+    def test_after_an_error_it_is_as_it_was(self):
+        done = run(["project", "-c", CAMERA, "-o", "new"], BAD)
+        self.assertEqual((done.returncode, self.names()), (1, []))
+        self.file("old", "before")
+        done = run(["project", "-c", CAMERA, "-o", "old"], BAD)
+        self.assertEqual((done.returncode, Path("old").read_text(), self.names()), (1, "before", ["old"]))
+        done = run(["project", "-c", CAMERA, "--keep-going", "-o", "old"], BAD)
+        self.assertEqual((done.returncode, Path("old").read_bytes().count(b"\n")), (1, 5))
+
+    def test_a_file_may_be_read_and_written_at_once(self):
+        self.file("points.csv", "x,y,z\n" + "1,2,3\n" * 100000)
+        self.assertEqual(run(["cull", "-c", CAMERA, "points.csv", "-o", "points.csv"]).returncode, 0)
+        self.assertEqual(len(Path("points.csv").read_text().splitlines()), 100001)
+
+    def test_it_keeps_its_mode_and_where_a_link_leads(self):
+        self.file("old", "before")
+        os.chmod("old", 0o640)
+        os.symlink("old", "link")
+        self.assertEqual(run(["schema", "camera", "-o", "link"]).returncode, 0)
+        self.assertTrue(os.path.islink("link"))
+        self.assertEqual(stat.S_IMODE(os.stat("old").st_mode), 0o640)
+        self.assertIn("camera", Path("old").read_text())
+        before = os.umask(0o027)
+        try:
+            self.assertEqual(run(["schema", "camera", "-o", "new"]).returncode, 0)
+        finally:
+            os.umask(before)
+        self.assertEqual(stat.S_IMODE(os.stat("new").st_mode), 0o640)
+
+    def test_what_is_no_regular_file_is_written_as_it_is(self):
+        self.assertEqual(run(["schema", "camera", "-o", "/dev/null"]).returncode, 0)
+        self.assertTrue(stat.S_ISCHR(os.stat("/dev/null").st_mode))
+        self.assertIn(b"camera", run(["schema", "camera", "-o", "/dev/stdout"]).stdout)
+        self.assertIn(b"camera", run(["schema", "camera", "-o", "-"]).stdout)
+        os.mkfifo("pipe")
+        reader = subprocess.Popen(["cat", "pipe"], stdout=subprocess.PIPE)
+        self.assertEqual(run(["schema", "camera", "-o", "pipe"]).returncode, 0)
+        self.assertIn(b"camera", reader.communicate(timeout=tool.PATIENCE)[0])
+
+    def test_where_there_cannot_be_one_is_said_before_anything_is_read(self):
+        Path("folder").mkdir()
+        for name, message in (
+            ("folder", "Is a directory"),
+            ("missing/file", "No such file or directory"),
+            ("x" * 300, "File name too long"),
+            ("/dev/full", "No space left on device"),
+        ):
+            self.assert_fails(run(["schema", "camera", "-o", name]), f"{name}: {message}")
+
+    def test_a_signal_leaves_nothing(self):
+        for number in (signal.SIGTERM, signal.SIGINT, signal.SIGKILL):
+            feeder = subprocess.Popen(["yes", "[1,2,3]"], stdout=subprocess.PIPE)
+            process = tool.start(["project", "-c", CAMERA, "-o", "file"], stdin=feeder.stdout)
+            feeder.stdout.close()
+            time.sleep(0.3)
+            process.send_signal(number)
+            self.assertEqual(process.wait(tool.PATIENCE), -number)
+            feeder.wait(tool.PATIENCE)
+            self.assertEqual(self.names(), [])
+
+
+class Terminal(FaultTest):
+    def shown(self, arguments, typed=b""):
+        """What a terminal shows of it that is its input, its output and its messages."""
+        child, end = pty.fork()
+        if child == 0:
+            os.execv(tool.TOOL, [tool.TOOL, *arguments])
+        shown = b""
+        os.write(end, typed)
+        try:
+            while part := os.read(end, 1 << 16):
+                shown += part
+        except OSError:  # nobody has the other end any more
+            pass
+        os.close(end)
+        return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), shown.decode()
+
+    def test_who_waits_for_a_person_says_so(self):
+        status, shown = self.shown(["project", "-c", CAMERA], b"1 1 1\n\x04")
+        self.assertEqual(status, 0)
+        self.assertIn("viewproj: reading from the keyboard; Ctrl-D ends the input", shown)
+        self.assertNotIn("keyboard", self.shown(["project", "-c", CAMERA, "--point", "1,1,1"])[1])
+
+    def test_f64_is_not_for_terminals(self):
+        arguments = ["project", "-c", CAMERA, "--point", "1,1,1", "--to", "f64"]
+        status, shown = self.shown(arguments)
+        self.assertEqual(status, 2)
+        self.assertIn("--force", shown)
+        self.assertEqual(self.shown([*arguments, "--force"])[0], 0)
+        self.assertEqual(len(run(arguments).stdout), 24)
+
+    def test_help_is_as_wide_as_the_terminal(self):
+        for width in (40, 60, 132):
+            os.environ["COLUMNS"] = str(width)
+            try:
+                longest = max(len(line) for line in self.shown(["help", "precision"])[1].split("Examples")[0].splitlines())
+            finally:
+                del os.environ["COLUMNS"]
+            self.assertLessEqual(longest, width)
+            self.assertGreater(longest, width - 14)
+
+
+if __name__ == "__main__":
+    tool.main()
