@@ -21,7 +21,8 @@ struct Command {
   Action (*define)(CLI::App& app);
 };
 
-/// The heading of the options that every command has.
+/// Headings in the help: of the command's own options, and of those that every command has.
+inline constexpr const char* kOwnOptions = "Options";
 inline constexpr const char* kEverywhere = "Output file and messages";
 
 std::span<const Command> allCommands();

@@ -3,8 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "commands/definition.hpp"
 #include "commands/help/command_help.hpp"
-#include "commands/output_option.hpp"
 #include "commands/values.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
@@ -61,18 +61,6 @@ void parse(CLI::App& app, int argc, char** argv) {
 }
 
 }  // namespace
-
-Action define(const Command& command, CLI::App& app) {
-  const auto output = std::make_shared<OutputOption>();
-  const Action action = command.define(app);
-  output->add(app);
-  return [output, action] {
-    output->open();
-    const int status = action();
-    output->keep();
-    return status;
-  };
-}
 
 int runCommand(const Command& command, int argc, char** argv) {
   CLI::App app("", "viewproj " + std::string(command.name));

@@ -5,9 +5,6 @@
 
 namespace viewproj::cmd {
 
-/// The command with the options that every command has.
-Action define(const Command& command, CLI::App& app);
-
 /// argv[0] is the command's name. Returns the exit status; throws what text/error.hpp lists.
 int runCommand(const Command& command, int argc, char** argv);
 

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <unordered_set>
 
-#include "commands/help/command_help.hpp"
+#include "commands/command.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
 #include "text/parse_number.hpp"

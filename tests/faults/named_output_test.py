@@ -103,7 +103,7 @@ class Terminal(FaultTest):
         except OSError:  # nobody has the other end any more
             pass
         os.close(end)
-        return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), shown.decode()
+        return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), shown.decode(errors="replace")
 
     def test_who_waits_for_a_person_says_so(self):
         status, shown = self.shown(["project", "-c", CAMERA], b"1 1 1\n\x04")

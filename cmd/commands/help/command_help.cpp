@@ -3,8 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "commands/definition.hpp"
 #include "commands/help/topics.hpp"
-#include "commands/run.hpp"
 #include "text/layout.hpp"
 
 namespace viewproj::cmd {

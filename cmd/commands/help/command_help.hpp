@@ -28,7 +28,6 @@ struct CommandHelp {
   std::string example;                ///< a command line that works beside samples/
 };
 
-inline constexpr const char* kOwnOptions = "Options";
 inline constexpr const char* kHelpOption = "-h, --help";
 inline constexpr const char* kSummary =
     "world points to screen coordinates, pixels to picking rays, cameras to matrices";

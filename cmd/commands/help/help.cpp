@@ -7,7 +7,6 @@
 #include "commands/help/topics.hpp"
 #include "commands/notes.hpp"
 #include "commands/output_option.hpp"
-#include "commands/run.hpp"
 #include "commands/values.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
