@@ -4,86 +4,54 @@
 #include "commands/command.hpp"
 #include "commands/options.hpp"
 #include "commands/output_option.hpp"
+#include "input/model.hpp"
+#include "output/camera_matrices.hpp"
 #include "output/camera_text.hpp"
 #include "output/matrix_text.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
 #include "text/names.hpp"
-#include "viewproj/matrices.hpp"
 
 namespace viewproj::cmd {
 namespace {
-
-enum class Which { view, projection, viewProjection, viewport };
-
-struct WhichRow {
-  std::string_view name;
-  Which which;
-  bool pose, projection, viewport;  ///< what it needs of the camera
-};
-
-constexpr WhichRow kWhich[] = {
-    {"view", Which::view, true, false, false},
-    {"projection", Which::projection, false, true, false},
-    {"viewProjection", Which::viewProjection, true, true, false},
-    {"viewport", Which::viewport, false, false, true},
-};
 
 struct Wanted {
   bool inverse = false, bakeViewport = false, relativeToEye = false;
 };
 
 /// What the camera lacks for a matrix, or an empty string.
-std::string lacking(const WhichRow& row, const CameraFile& file, bool bakeViewport) {
-  const bool needsViewport = row.viewport || (bakeViewport && row.projection);
+std::string lacking(const CameraMatrix& row, const MatrixSource& source) {
+  const CameraFile& file = source.file;
+  const bool needsViewport = row.viewport || (source.bakeViewport && row.projection);
+  if (row.model && !source.worldFromLocal) return "--model, which says where the model stands";
   if (row.pose && !file.pose) return "a pose";
   if (row.projection && !file.projection) return "a projection";
   if (needsViewport && !file.viewport) return "a viewport; --viewport WIDTHxHEIGHT gives one";
   return "";
 }
 
-Mat4 matrixOf(Which which, bool inverse, const CameraFile& file, const Wanted& wanted, const Convention& c) {
-  const auto pose = [&] { return wanted.relativeToEye ? relativeToEye(*file.pose) : *file.pose; };
-  switch (which) {
-    case Which::view:
-      return inverse ? worldFromView(pose(), c) : viewFromWorld(pose(), c);
-    case Which::projection:
-      if (wanted.bakeViewport)
-        return inverse ? viewFromScreen(*file.projection, *file.viewport, c)
-                       : screenFromView(*file.projection, *file.viewport, c);
-      return inverse ? viewFromClip(*file.projection, c) : clipFromView(*file.projection, c);
-    case Which::viewProjection:
-      if (wanted.bakeViewport)
-        return inverse ? worldFromScreen(pose(), *file.projection, *file.viewport, c)
-                       : screenFromWorld(pose(), *file.projection, *file.viewport, c);
-      return inverse ? worldFromClip(pose(), *file.projection, c) : clipFromWorld(pose(), *file.projection, c);
-    case Which::viewport:
-      break;
-  }
-  return inverse ? ndcFromScreen(*file.viewport, c) : screenFromNdc(*file.viewport, c);
-}
+using Matrices = std::vector<const CameraMatrix*>;
 
-std::vector<WhichRow> chooseMatrices(const std::optional<std::vector<WhichRow>>& asked, const CameraFile& file,
-                                     bool bakeViewport) {
+Matrices chooseMatrices(const std::optional<Matrices>& asked, const MatrixSource& source) {
+  const std::string& name = source.file.name;
   if (!asked) {
-    std::vector<WhichRow> chosen;
+    Matrices chosen;
     // A baked viewport is in the projection already.
-    for (const WhichRow& row : kWhich)
-      if (lacking(row, file, bakeViewport).empty() && !(bakeViewport && row.which == Which::viewport))
-        chosen.push_back(row);
-    if (chosen.empty()) throw InputError(file.name + ": the camera has neither a pose, a projection nor a viewport");
+    for (const CameraMatrix& row : cameraMatrices())
+      if (lacking(row, source).empty() && !(source.bakeViewport && row.viewport)) chosen.push_back(&row);
+    if (chosen.empty()) throw InputError(name + ": the camera has neither a pose, a projection nor a viewport");
     return chosen;
   }
-  for (const WhichRow& row : *asked)
-    if (const std::string part = lacking(row, file, bakeViewport); !part.empty())
-      throw InputError(file.name + ": " + std::string(row.name) + " needs " + part);
+  for (const CameraMatrix* row : *asked)
+    if (const std::string part = lacking(*row, source); !part.empty())
+      throw InputError(name + ": " + std::string(row->name) + " needs " + part);
   return *asked;
 }
 
-Names<WhichRow> whichNames() {
-  Names<WhichRow> names;
-  for (const WhichRow& row : kWhich) names.emplace_back(row.name, row);
+Names<const CameraMatrix*> matrixNames() {
+  Names<const CameraMatrix*> names;
+  for (const CameraMatrix& row : cameraMatrices()) names.emplace_back(row.name, &row);
   return names;
 }
 
@@ -106,30 +74,36 @@ int runCamera(CameraFile file, const std::optional<std::string>& type, const Cam
 struct Options {
   CameraOptions camera;
   Wanted wanted;
-  std::optional<std::vector<WhichRow>> which;
-  std::optional<std::string> type;
+  std::optional<Matrices> which;
+  std::optional<std::string> type, model;
   std::string format = "json";
   bool asFloat = false;
 };
 
-bool any(const std::vector<WhichRow>& rows, bool WhichRow::*needs) {
-  return std::any_of(rows.begin(), rows.end(), [&](const WhichRow& row) { return row.*needs; });
+bool any(const Matrices& rows, bool CameraMatrix::*needs) {
+  return std::any_of(rows.begin(), rows.end(), [&](const CameraMatrix* row) { return row->*needs; });
 }
 
 /// Throws UsageError where what is typed has nothing to act on.
 void requireUse(const Options& o) {
-  if (o.wanted.bakeViewport && o.which && !any(*o.which, &WhichRow::projection))
+  if (o.wanted.bakeViewport && o.which && !any(*o.which, &CameraMatrix::projection))
     throw UsageError("--bake-viewport folds the viewport into the projection, and --which names no projection");
-  if (o.wanted.relativeToEye && o.which && !any(*o.which, &WhichRow::pose))
+  if (o.wanted.relativeToEye && o.which && !any(*o.which, &CameraMatrix::pose))
     throw UsageError("--relative-to-eye is of the view, and --which names no view");
+  if (o.wanted.relativeToEye && o.model)
+    throw UsageError("--relative-to-eye is for points of the world; modelView has no large numbers to be rid of");
+  if (o.model && o.which && !any(*o.which, &CameraMatrix::model))
+    throw UsageError("--model is of modelView and modelViewProjection, and --which names neither");
 }
 
 /// The same where the camera lacks it.
-void requireUse(const Wanted& wanted, const CameraFile& file) {
+void requireUse(const Options& o, const CameraFile& file) {
+  const Wanted& wanted = o.wanted;
   const auto lacks = [&](const std::string& option, const std::string& part) {
     return InputError(file.name + ": " + option + " needs " + part);
   };
   if (wanted.relativeToEye && !file.pose) throw lacks("--relative-to-eye", "a pose");
+  if (o.model && !file.pose) throw lacks("--model", "a pose");
   if (wanted.bakeViewport && !file.projection) throw lacks("--bake-viewport", "a projection");
   if (wanted.bakeViewport && !file.viewport)
     throw lacks("--bake-viewport", "a viewport; --viewport WIDTHxHEIGHT gives one");
@@ -139,29 +113,40 @@ int run(const Options& o, const CLI::App& app) {
   if (o.camera.lists()) return o.camera.list();
   const bool toCamera = o.format == "camera";
   if (o.type && !toCamera) throw UsageError("--type goes with --to camera");
-  for (const char* option : {"--which", "--inverse", "--bake-viewport", "--relative-to-eye", "--float"})
+  for (const char* option : {"--which", "--inverse", "--bake-viewport", "--relative-to-eye", "--float", "--model"})
     if (toCamera && app.count(option) > 0)
       throw UsageError(std::string(option) + " goes with matrices, not with --to camera");
   requireUse(o);
+  requireOneStandardInput({{"the camera", o.camera.fromStandardInput()}, {"the model", isStandardInput(o.model)}});
   const CameraFile read = o.camera.read();
   if (toCamera) return runCamera(read, o.type, o.camera);
-  requireUse(o.wanted, read);
+  requireUse(o, read);
   MatrixSet set;
   set.asFloat = o.asFloat;
   set.convention = o.camera.writing(read);
-  const std::vector<WhichRow> chosen = chooseMatrices(o.which, read, o.wanted.bakeViewport);
-  const bool sayConvention = !saysNumbersAlone(o.format), depth = any(chosen, &WhichRow::projection);
+  MatrixSource source{.file = read,
+                      .convention = set.convention,
+                      .bakeViewport = o.wanted.bakeViewport,
+                      .relativeToEye = o.wanted.relativeToEye};
+  if (o.model) source.worldFromLocal = readModel(*o.model);
+  const Matrices chosen = chooseMatrices(o.which, source);
+  const bool sayConvention = !saysNumbersAlone(o.format), depth = any(chosen, &CameraMatrix::projection);
   o.camera.noteWriting(read,
                        {.axes = true,
-                        .range = sayConvention || depth || any(chosen, &WhichRow::viewport),
+                        .range = sayConvention || depth || any(chosen, &CameraMatrix::viewport),
                         .reversal = sayConvention || depth,
-                        .world = any(chosen, &WhichRow::pose)},
+                        .world = any(chosen, &CameraMatrix::pose)},
                        "--which with a projection");
-  for (const WhichRow& row : chosen) {
-    set.matrices.push_back({std::string(row.name), matrixOf(row.which, false, read, o.wanted, set.convention)});
-    if (o.wanted.inverse)
-      set.matrices.push_back(
-          {std::string(row.name) + "Inverse", matrixOf(row.which, true, read, o.wanted, set.convention)});
+  const auto add = [&](const CameraMatrix& row, bool inverse) {
+    try {
+      set.matrices.push_back({std::string(row.name) + std::string(inverse ? kInverse : ""), row.make(source, inverse)});
+    } catch (const CameraError& e) {
+      throw InputError("--model " + *o.model + ": " + e.message());
+    }
+  };
+  for (const CameraMatrix* row : chosen) {
+    add(*row, false);
+    if (o.wanted.inverse) add(*row, true);
   }
   if (o.wanted.relativeToEye && read.pose) set.eye = read.pose->eye();
   if (set.eye && o.format == "flat")
@@ -182,10 +167,11 @@ Action defineMatrix(CLI::App& app) {
   o->camera.add(app);
   o->camera.addWriting(app);
   o->camera.addFile(app);
-  addChoices(app, "--which", o->which, whichNames(), "Matrices to write", "all that the camera determines");
+  addChoices(app, "--which", o->which, matrixNames(), "Matrices to write", "all that the camera determines");
   app.add_flag("--inverse", o->wanted.inverse, "Give each one's inverse too");
   app.add_flag("--bake-viewport", o->wanted.bakeViewport, "Fold the viewport into the projection");
   app.add_flag("--relative-to-eye", o->wanted.relativeToEye, "Leave the translation out of the view and give the eye");
+  addModelOption(app, o->model, "points", "modelView and modelViewProjection are written too");
   app.add_flag("--float", o->asFloat, "Round to float32 (default: doubles)");
   std::vector<FormRow<std::string>> forms = matrixForms();
   forms.push_back({"camera", "camera"});

@@ -34,12 +34,13 @@ Names<Convention> presetConventions() {
   return names;
 }
 
-void addModelOption(CLI::App& app, std::optional<std::string>& model, const std::string& what) {
+void addModelOption(CLI::App& app, std::optional<std::string>& model, const std::string& what,
+                    const std::string& effect) {
   addValue(app, "--model", "FILE", model, readFileName,
            "Where the model of the " + what +
                " stands in the world: 4 rows of a matrix, or a glTF node's translation, rotation and scale; a file or "
-               "the JSON itself (default: " +
-               what + " in world coordinates)");
+               "the JSON itself" +
+               (effect.empty() ? " (default: " + what + " in world coordinates)" : "; " + effect));
 }
 
 void addSceneOption(CLI::App& app, std::optional<std::string>& scene, const std::string& help) {
@@ -116,7 +117,10 @@ CameraFile CameraOptions::read() const {
   return file;
 }
 
-bool CameraOptions::fromStandardInput() const { return camera_ && splitPick(*camera_).file == "-"; }
+bool CameraOptions::fromStandardInput() const {
+  if (!camera_ && !takesFile_) return false;
+  return splitPick(camera_ ? *camera_ : file_.value_or("-")).file == "-";
+}
 
 Convention CameraOptions::writing(const CameraFile& file) const {
   Convention c = file.convention;

@@ -20,8 +20,9 @@
 
 namespace viewproj::cmd {
 
-/// --model FILE, which readModel() reads. what: "points".
-void addModelOption(CLI::App& app, std::optional<std::string>& model, const std::string& what);
+/// --model FILE, which readModel() reads. what: "points"; effect: of giving it.
+void addModelOption(CLI::App& app, std::optional<std::string>& model, const std::string& what,
+                    const std::string& effect = "");
 
 /// --scene FILE, which readScene() reads.
 void addSceneOption(CLI::App& app, std::optional<std::string>& scene, const std::string& help);

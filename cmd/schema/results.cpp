@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "input/camera_fields.hpp"
+#include "output/camera_matrices.hpp"
 #include "schema/parts.hpp"
 #include "schema/schemas.hpp"
 
@@ -161,6 +162,22 @@ Json axes(bool all) {
   return schema;
 }
 
+Json matrices() {
+  Json properties = {{"convention", schema::reference("allAxes")}};
+  properties["eye"] = schema::reference("vector3");
+  properties["eye"]["description"] = "With --relative-to-eye: to be subtracted before the view.";
+  for (const CameraMatrix& row : cameraMatrices())
+    for (const std::string_view after : {std::string_view(), kInverse})
+      properties[std::string(row.name) + std::string(after)] = schema::reference("matrix4");
+  return {
+      {"description", "Rows as the convention writes them on paper: with row vectors the translation is the last row."},
+      {"type", "object"},
+      {"properties", properties},
+      {"required", {"convention"}},
+      {"minProperties", 2},
+      {"additionalProperties", false}};
+}
+
 }  // namespace
 
 std::string resultsSchema() {
@@ -192,6 +209,7 @@ std::string resultsSchema() {
   definitions["planes"] = planes();
   definitions["axes"] = axes(false);
   definitions["allAxes"] = axes(true);
+  definitions["matrix"] = matrices();
   definitions.update(reports);
   for (const char* name : {"project", "ray", "cull", "planes", "matrix", "explain", "inspect", "depth", "measure"})
     all["anyOf"].push_back(schema::reference(name));

@@ -1,9 +1,11 @@
 #include "viewproj/matrices.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "camera/convention.hpp"
 #include "camera/lens.hpp"
+#include "numbers/expansion.hpp"
 
 namespace viewproj {
 
@@ -127,6 +129,44 @@ DDMat4 product(const DDMat4& a, const DDMat4& b) noexcept {
   return result;
 }
 
+DDMat4 asGiven(const Mat4& a) noexcept {
+  DDMat4 m{};
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j) m[i][j] = a[i][j];
+  return m;
+}
+
+/// | adjugate / determinant  -adjugate translation / determinant |
+/// | 0                       1                                   |
+DDMat4 inverseAffine(const Mat4& a) {
+  double largest = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) largest = std::max(largest, std::fabs(a[i][j]));
+  const int k = largest > 0 ? -std::ilogb(largest) : 0;  // at unit size no product leaves the doubles
+  double m[3][3];
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) m[i][j] = std::ldexp(a[i][j], k);
+  Expansion<4> cofactors[3][3];
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) {
+      const std::size_t i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+      cofactors[i][j].addProduct(m[i1][j1], m[i2][j2]);
+      cofactors[i][j].addProduct(-m[i1][j2], m[i2][j1]);
+    }
+  Expansion<24> determinant;
+  for (std::size_t j = 0; j < 3; ++j) determinant.addScaled(cofactors[0][j], m[0][j]);
+  if (determinant.isZero()) throw CameraError("model", "has no inverse: its axes lie in a plane");
+  DDMat4 inverse{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      inverse[i][j] = scaleByPowerOfTwo(cofactors[j][i].rounded() / determinant.rounded(), k);
+      inverse[i][3] += -(inverse[i][j] * DoubleDouble(a[j][3]));
+    }
+  }
+  inverse[3][3] = 1;
+  return inverse;
+}
+
 }  // namespace
 
 Mat4 viewFromWorld(const Pose& pose, const Convention& c) noexcept {
@@ -135,6 +175,33 @@ Mat4 viewFromWorld(const Pose& pose, const Convention& c) noexcept {
 
 Mat4 worldFromView(const Pose& pose, const Convention& c) noexcept {
   return rounded(fromViewAxes(worldFromAxes(parts(pose)), c.view));
+}
+
+Mat4 viewFromLocal(const Pose& pose, const Mat4& model, const Convention& c) noexcept {
+  return rounded(toViewAxes(product(axesFromWorld(parts(pose)), asGiven(model)), c.view));
+}
+
+Mat4 localFromView(const Pose& pose, const Mat4& model, const Convention& c) {
+  return rounded(fromViewAxes(product(inverseAffine(model), worldFromAxes(parts(pose))), c.view));
+}
+
+Mat4 clipFromLocal(const Pose& pose, const Projection& p, const Mat4& model, const Convention& c) noexcept {
+  return rounded(product(lensMatrix(ndcLens(parts(p), c)), product(axesFromWorld(parts(pose)), asGiven(model))));
+}
+
+Mat4 localFromClip(const Pose& pose, const Projection& p, const Mat4& model, const Convention& c) {
+  return rounded(
+      product(product(inverseAffine(model), worldFromAxes(parts(pose))), inverseLensMatrix(ndcLens(parts(p), c))));
+}
+
+Mat4 screenFromLocal(const Pose& pose, const Projection& p, const Viewport& v, const Mat4& model,
+                     const Convention& c) noexcept {
+  return rounded(product(lensMatrix(screenLens(parts(p), v, c)), product(axesFromWorld(parts(pose)), asGiven(model))));
+}
+
+Mat4 localFromScreen(const Pose& pose, const Projection& p, const Viewport& v, const Mat4& model, const Convention& c) {
+  return rounded(product(product(inverseAffine(model), worldFromAxes(parts(pose))),
+                         inverseLensMatrix(screenLens(parts(p), v, c))));
 }
 
 Mat4 clipFromView(const Projection& p, const Convention& c) noexcept {

@@ -54,6 +54,20 @@ std::array<double, 16> inStorageOrder(const Mat4& matrix, const Convention& conv
 /// the rotation is zero.
 Mat4 worldFromLocal(const Vec3& translation, const Quaternion& rotation, const Vec3& scale);
 
+/// A model's own coordinates to view, clip and screen space, and back: the closed forms above times worldFromLocal, an
+/// affine matrix with finite entries and the last row 0 0 0 1. Those back throw CameraError naming "model" where it has
+/// no inverse (its axes lie in a plane; decided exactly).
+Mat4 viewFromLocal(const Pose& pose, const Mat4& worldFromLocal, const Convention& convention) noexcept;
+Mat4 localFromView(const Pose& pose, const Mat4& worldFromLocal, const Convention& convention);
+Mat4 clipFromLocal(const Pose& pose, const Projection& projection, const Mat4& worldFromLocal,
+                   const Convention& convention) noexcept;
+Mat4 localFromClip(const Pose& pose, const Projection& projection, const Mat4& worldFromLocal,
+                   const Convention& convention);
+Mat4 screenFromLocal(const Pose& pose, const Projection& projection, const Viewport& viewport,
+                     const Mat4& worldFromLocal, const Convention& convention) noexcept;
+Mat4 localFromScreen(const Pose& pose, const Projection& projection, const Viewport& viewport,
+                     const Mat4& worldFromLocal, const Convention& convention);
+
 /// An affine matrix (last row 0 0 0 1) times a homogeneous point: each coordinate the double nearest the exact sum of
 /// products; the weight stays. From there on the world point counts as exact. Infinite where it leaves the doubles.
 Vec4 toWorld(const Mat4& worldFromLocal, const Vec4& local) noexcept;

@@ -86,6 +86,19 @@ void checkEntries(const char* name, const Mat4& got, const Real4x4& truth, const
     }
 }
 
+/// A model near the eye, of any shape, its axes not quite in a plane at times.
+Mat4 randomModel(Random& random, const Scene& scene) {
+  Mat4 m;
+  const double size = random.spread(1e-6, 1e6), flat = random.chance(0.3) ? 1e-9 : 1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 2; ++j) m[i][j] = size * random.uniform(-1, 1);
+    m[i][2] = m[i][0] - m[i][1] + flat * size * random.uniform(-1, 1);
+    m[i][3] = scene.position[i] + size * random.uniform(-1, 1);
+  }
+  m[3][3] = 1;
+  return m;
+}
+
 }  // namespace
 
 TEST_CASE("Every entry of a matrix and of its inverse is the double nearest the true one") {
@@ -123,6 +136,25 @@ TEST_CASE("Every entry of a matrix and of its inverse is the double nearest the 
                  product(magnitudes(clip), viewTerms));
     checkEntries("viewProjectionInverse", worldFromClip(pose, projection, c), product(viewInverse, clipInverse),
                  product(magnitudes(viewInverse), magnitudes(clipInverse)));
+
+    const Mat4 given = randomModel(random, scene);
+    Real4x4 model{};
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j < 4; ++j) model[i][j] = given[i][j];
+    const Real4x4 modelInverse = inverse(model);
+    Real4x4 inverseTerms = magnitudes(modelInverse);
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j)
+        inverseTerms[i][3] = inverseTerms[i][3] + abs(modelInverse[i][j] * model[j][3]);
+    const Real4x4 modelTerms = product(viewTerms, magnitudes(model));
+    checkEntries("modelView", viewFromLocal(pose, given, c), product(view, model), modelTerms);
+    checkEntries("modelViewInverse", localFromView(pose, given, c), product(modelInverse, viewInverse),
+                 product(inverseTerms, magnitudes(viewInverse)));
+    checkEntries("modelViewProjection", clipFromLocal(pose, projection, given, c), product(clip, product(view, model)),
+                 product(magnitudes(clip), modelTerms));
+    checkEntries("modelViewProjectionInverse", localFromClip(pose, projection, given, c),
+                 product(product(modelInverse, viewInverse), clipInverse),
+                 product(product(inverseTerms, magnitudes(viewInverse)), magnitudes(clipInverse)));
 
     orthographic += truth.lens.orthographic;
     infinite += std::isinf(scene.far);
