@@ -77,6 +77,7 @@ struct Options {
   std::optional<Matrices> which;
   std::optional<std::string> type, model;
   std::string format = "json";
+  std::optional<std::size_t> digits;
   bool asFloat = false;
 };
 
@@ -113,7 +114,8 @@ int run(const Options& o, const CLI::App& app) {
   if (o.camera.lists()) return o.camera.list();
   const bool toCamera = o.format == "camera";
   if (o.type && !toCamera) throw UsageError("--type goes with --to camera");
-  for (const char* option : {"--which", "--inverse", "--bake-viewport", "--relative-to-eye", "--float", "--model"})
+  for (const char* option :
+       {"--which", "--inverse", "--bake-viewport", "--relative-to-eye", "--float", "--digits", "--model"})
     if (toCamera && app.count(option) > 0)
       throw UsageError(std::string(option) + " goes with matrices, not with --to camera");
   requireUse(o);
@@ -123,6 +125,7 @@ int run(const Options& o, const CLI::App& app) {
   requireUse(o, read);
   MatrixSet set;
   set.asFloat = o.asFloat;
+  set.digits = static_cast<int>(o.digits.value_or(0));
   set.convention = o.camera.writing(read);
   MatrixSource source{.file = read,
                       .convention = set.convention,
@@ -172,6 +175,7 @@ Action defineMatrix(CLI::App& app) {
   app.add_flag("--bake-viewport", o->wanted.bakeViewport, "Fold the viewport into the projection");
   app.add_flag("--relative-to-eye", o->wanted.relativeToEye, "Leave the translation out of the view and give the eye");
   addModelOption(app, o->model, "points", "modelView and modelViewProjection are written too");
+  addDigits(app, o->digits, "all that tell the number from others");
   app.add_flag("--float", o->asFloat, "Round to float32 (default: doubles)");
   std::vector<FormRow<std::string>> forms = matrixForms();
   forms.push_back({"camera", "camera"});

@@ -215,6 +215,7 @@ void StreamOptions::add(CLI::App& app, const std::string& what) {
   addInput(app, what);
   const Heading heading(app, "Output");
   addForm(app, to_, outputForms(), "Form of the output", "as the input");
+  addDigits(app, digits_, "all that tell the number from others; in tables 9");
   addValue(
       app, "--prefix", "P", prefix_,
       [](const std::string& option, const std::string& text) {
@@ -246,6 +247,7 @@ FilterSetup StreamOptions::setup(const ChoosableColumns& choosable) const {
   setup.jobs = static_cast<unsigned>(jobs_.value_or(0));
   setup.firstLine = firstLine_.value_or(1);
   setup.force = force_;
+  setup.writer.digits = static_cast<int>(digits_.value_or(0));
   setup.writer.header = !noHeader_;
   setup.writer.prefix = prefix_.value_or("");
   if (columns_) {
@@ -300,6 +302,11 @@ void StreamOptions::requireNoInputOption(const std::string& why) const {
                                     {"--columns", columns_.has_value()},
                                     {"--first-line", firstLine_.has_value()}})
     if (given) throw UsageError(std::string(name) + " is for FILE, which " + why);
+}
+
+void addDigits(CLI::App& app, std::optional<std::size_t>& digits, const std::string& otherwise) {
+  addValue(app, "--digits", "N", digits, wholeNumber(1, kMostDigits),
+           "Significant digits of results, from 1 to " + std::to_string(kMostDigits) + " (default: " + otherwise + ")");
 }
 
 void addReportForm(CLI::App& app, ReportForm& form, const std::string& svg) {

@@ -123,7 +123,7 @@ class StreamOptions {
   std::optional<std::string> file_, prefix_, columns_;
   std::optional<Form> from_;
   std::optional<OutputForm> to_;
-  std::optional<std::size_t> jobs_, firstLine_;
+  std::optional<std::size_t> jobs_, firstLine_, digits_;
   bool keepGoing_ = false, noHeader_ = false, force_ = false;
 };
 
@@ -142,6 +142,9 @@ struct GivenPoint {
 };
 inline constexpr const char* kPointForm = "X,Y,Z[,W]|lat=..,lon=..,height=..";
 GivenPoint readGivenPoint(const std::string& option, const std::string& text);
+
+/// --digits N. otherwise: what holds where it is not given.
+void addDigits(CLI::App& app, std::optional<std::size_t>& digits, const std::string& otherwise);
 
 /// The forms of a report.
 enum class ReportForm { table, json, svg };

@@ -34,6 +34,14 @@ CLI::Option* addOption(CLI::App& app, const std::string& name, const std::string
   return added->expected(1)->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
+FactKeeper* FactKeeper::current_ = nullptr;
+
+OptionFacts FactKeeper::factsOf(const CLI::Option* option) {
+  if (!current_) return {};
+  const auto found = current_->facts_.find(option);
+  return found == current_->facts_.end() ? OptionFacts{} : found->second;
+}
+
 std::string readText(const std::string&, const std::string& text) { return text; }
 
 std::string readFileName(const std::string&, const std::string& text) {

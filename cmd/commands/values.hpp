@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -42,6 +43,37 @@ enum class Times {
 CLI::Option* addOption(CLI::App& app, const std::string& name, const std::string& form, const std::string& help,
                        Times times, TakeValues take);
 
+/// What machines are told of an option: the words that it takes, the one that holds without it, whether it may be given
+/// again.
+struct OptionFacts {
+  std::vector<std::string_view> choices = {};
+  std::string otherwise = {};
+  bool severalChoices = false, repeatable = false;
+  bool operator==(const OptionFacts&) const = default;
+};
+
+/// While it lives, the facts of options are kept as they are added.
+class FactKeeper {
+ public:
+  FactKeeper() { current_ = this; }
+  ~FactKeeper() { current_ = nullptr; }
+  FactKeeper(const FactKeeper&) = delete;
+  FactKeeper& operator=(const FactKeeper&) = delete;
+
+  /// Of an option that was added while one lived, or none.
+  static OptionFacts factsOf(const CLI::Option* option);
+  /// The option, of which the facts that make() gives are kept if somebody keeps some.
+  template <class Make>
+  static CLI::Option* keep(CLI::Option* option, Make make) {
+    if (current_) current_->facts_[option] = make();
+    return option;
+  }
+
+ private:
+  static FactKeeper* current_;
+  std::unordered_map<const CLI::Option*, OptionFacts> facts_;
+};
+
 /// One value, which read(option, text) makes of the text. value: where it goes; an optional is empty where the option
 /// is not given.
 template <class T, class Read>
@@ -57,10 +89,12 @@ CLI::Option* addValue(CLI::App& app, const std::string& name, const std::string&
 template <class T, class Read>
 CLI::Option* addValues(CLI::App& app, const std::string& name, const std::string& form, std::vector<T>& values,
                        Read read, const std::string& help) {
-  return addOption(app, name, form, help + "; repeatable", Times::often,
-                   [&values, read](const std::string& option, const std::vector<std::string>& given) {
-                     for (const std::string& text : given) values.push_back(read(option, text));
-                   });
+  CLI::Option* const added =
+      addOption(app, name, form, help + "; repeatable", Times::often,
+                [&values, read](const std::string& option, const std::vector<std::string>& given) {
+                  for (const std::string& text : given) values.push_back(read(option, text));
+                });
+  return FactKeeper::keep(added, [] { return OptionFacts{.repeatable = true}; });
 }
 
 /// The text itself.
@@ -112,20 +146,22 @@ CLI::Option* addChoice(CLI::App& app, const std::string& name, const std::string
   std::string_view otherwise;
   for (const auto& [row, each] : names)
     if (each == value) otherwise = row;
-  return addValue(
+  CLI::Option* const added = addValue(
       app, name, form, value,
       [names](const std::string& option, const std::string& text) { return choose(option, text, names); },
       withNames(help, known(names), otherwise));
+  return FactKeeper::keep(added, [&] { return OptionFacts{known(names), std::string(otherwise)}; });
 }
 
 /// otherwise: what holds where the option is not given, for the help.
 template <class T>
 CLI::Option* addChoice(CLI::App& app, const std::string& name, const std::string& form, std::optional<T>& value,
                        const Names<T>& names, const std::string& help, std::string_view otherwise) {
-  return addValue(
+  CLI::Option* const added = addValue(
       app, name, form, value,
       [names](const std::string& option, const std::string& text) { return choose(option, text, names); },
       withNames(help, known(names), otherwise));
+  return FactKeeper::keep(added, [&] { return OptionFacts{known(names), std::string(otherwise)}; });
 }
 
 /// "a,b,c" to its parts. Throws UsageError for one that is named twice.
@@ -135,7 +171,7 @@ std::vector<std::string> splitNames(const std::string& option, const std::string
 template <class T>
 CLI::Option* addChoices(CLI::App& app, const std::string& name, std::optional<std::vector<T>>& values,
                         const Names<T>& names, const std::string& help, std::string_view otherwise) {
-  return addValue(
+  CLI::Option* const added = addValue(
       app, name, "NAMES", values,
       [names](const std::string& option, const std::string& text) {
         std::vector<T> chosen;
@@ -143,6 +179,7 @@ CLI::Option* addChoices(CLI::App& app, const std::string& name, std::optional<st
         return chosen;
       },
       withNames(help, known(names), otherwise));
+  return FactKeeper::keep(added, [&] { return OptionFacts{known(names), std::string(otherwise), true}; });
 }
 
 // Numbers

@@ -266,7 +266,7 @@ class CsvWriter final : public RecordWriter {
     char before = ',';
     for (double value : values) {
       out_ += before;
-      if (finite) out_ += formatDigits(value, kTableDigits);
+      if (finite) out_ += formatDigits(value, tableDigits());
       before = ' ';
     }
   }
@@ -322,13 +322,15 @@ class CsvWriter final : public RecordWriter {
     }
   }
 
+  int tableDigits() const { return setup_.digits > 0 ? setup_.digits : kTableDigits; }
+
   void cell(double value) {
     out_ += ',';
     if (!std::isfinite(value)) return;
     if (setup_.table)
-      out_ += formatDigits(value, kTableDigits);
+      out_ += formatDigits(value, tableDigits());
     else
-      appendNumber(out_, value);
+      appendNumber(out_, toDigits(value, setup_.digits));
   }
 
   void cell(std::string_view text) {

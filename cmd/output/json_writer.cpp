@@ -118,7 +118,7 @@ class JsonWriter final : public RecordWriter {
 
   void number(const ResultRow& row, double value) override {
     beginField(row);
-    appendNumber(out_, value);
+    appendNumber(out_, toDigits(value, setup_.digits));
   }
 
   void vector(const ResultRow& row, std::span<const double> values) override {
@@ -131,7 +131,7 @@ class JsonWriter final : public RecordWriter {
     char before = '[';
     for (double value : values) {
       out_ += before;
-      appendNumber(out_, value);
+      appendNumber(out_, toDigits(value, setup_.digits));
       before = ',';
     }
     out_ += ']';

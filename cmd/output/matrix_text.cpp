@@ -303,6 +303,9 @@ bool saysNumbersAlone(std::string_view format) { return formatOf(format).numbers
 std::string writeMatrices(MatrixSet set, std::string_view format, const std::string& source) {
   const Format& known = formatOf(format);
   set.asFloat = set.asFloat || known.onlyFloat;
+  for (NamedMatrix& named : set.matrices)
+    for (auto& entries : named.matrix.m)
+      for (double& entry : entries) entry = toDigits(entry, set.digits);
   requireRepresentable(set, set.asFloat || known.floatRange, source);
   if (known.isCode) {
     std::vector<std::string> names;

@@ -20,6 +20,7 @@ struct MatrixSet {
   std::vector<NamedMatrix> matrices;
   Convention convention;
   std::optional<Vec3> eye;     ///< where the view was left without its translation
+  int digits = 0;              ///< significant; 0: all
   bool asFloat = false;        ///< round to float32 and write its shortest text
   bool bakesViewport = false;  ///< projections go to the screen, not to clip space
 };

@@ -26,6 +26,7 @@ struct WriterSetup {
   bool keepGoing = false;
   bool keepArrays = false;  ///< an array in the input is one in the output
   bool header = true;       ///< CSV: write one
+  int digits = 0;           ///< significant, of results; 0: all, in tables nine
   bool table = false;       ///< CSV for an aligned table: results to nine digits, vectors in one cell
   Results results;          ///< of a record, where all records get the same: not in JSON
 };

@@ -60,7 +60,7 @@ class TextWriter final : public NumbersWriter {
   void put(double value) override {
     if (out_.size() > start_) out_ += ' ';
     if (std::isfinite(value))
-      appendNumber(out_, value);
+      appendNumber(out_, toDigits(value, setup_.digits));
     else
       out_ += "NaN";
   }

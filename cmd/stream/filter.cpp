@@ -140,6 +140,8 @@ void requireUse(const FilterSetup& setup, OutputForm form) {
   const WriterSetup& writer = setup.writer;
   if (!writer.header && !hasColumns(form))
     throw UsageError("--no-header is for CSV and tables, and the output has no header; leave it out, or add --to csv");
+  if (writer.digits > 0 && form == OutputForm::f64)
+    throw UsageError("--digits is of numbers as text, and f64 has doubles; leave it out, or add --to text");
   if (!writer.prefix.empty() && (form == OutputForm::text || form == OutputForm::f64))
     setup.note("--prefix " + writer.prefix + " changes nothing: in text and f64 results have no names");
 }

@@ -34,16 +34,15 @@ char* write(char* out, T value) {
   return std::copy(from, static_cast<const char*>(end), to);
 }
 
-/// To so many significant digits.
-double rounded(double value, int digits) {
-  if (!std::isfinite(value)) return value;
+}  // namespace
+
+double toDigits(double value, int digits) {
+  if (digits == 0 || !std::isfinite(value)) return value;
   char text[kLongest];
   const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, digits - 1).ptr;
   std::from_chars(text, end, value);
   return value;
 }
-
-}  // namespace
 
 void appendNumber(std::string& out, double value) {
   char text[kLongest];
@@ -63,12 +62,12 @@ std::string formatNumber(double value) {
   return text;
 }
 
-std::string formatDigits(double value, int digits) { return formatNumber(rounded(value, digits)); }
+std::string formatDigits(double value, int digits) { return formatNumber(toDigits(value, digits)); }
 
 std::string formatCount(double value) {
   static constexpr std::pair<double, const char*> kUnits[] = {{1e12, " T"}, {1e9, " G"}, {1e6, " M"}, {1e3, " k"}};
   constexpr int kDigits = 3;
-  value = rounded(value, kDigits);  // first: 999.6 is 1 k
+  value = toDigits(value, kDigits);  // first: 999.6 is 1 k
   for (const auto& [unit, name] : kUnits)
     if (std::fabs(value) >= unit) return formatDigits(value / unit, kDigits) + name;
   return formatNumber(value);

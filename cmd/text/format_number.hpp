@@ -18,6 +18,11 @@ std::string formatNumber(double value);
 /// Rounded to so many significant digits first.
 std::string formatDigits(double value, int digits);
 
+/// The value to so many significant digits; 0: as it is.
+double toDigits(double value, int digits);
+/// What --digits takes.
+inline constexpr std::size_t kMostDigits = 17;
+
 /// A count, a rate or a size in three digits and the unit that suits them: "999", "1 k", "1.23 M", up to T.
 std::string formatCount(double value);
 

@@ -19,7 +19,7 @@ LAYERS = (
     ("cmd/output",),
     ("cmd/schema", "cmd/stream"),
     ("cmd/commands",),
-    ("cmd/man", "cmd"),
+    ("cmd/completion", "cmd/man", "cmd"),
 )
 # A public header counts as one of the module that implements it, or above all.
 PUBLIC = {

@@ -1,5 +1,6 @@
 #!/bin/sh
-# The example of every command's help works as it stands, beside samples/, and `help COMMAND` is `COMMAND --help`.
+# The examples of every command's and every topic's help work as they stand, beside samples/, and `help COMMAND` is
+# `COMMAND --help`.
 #   sh examples.sh VIEWPROJ SAMPLES
 set -eu
 # shellcheck source=tests/cmd/limits.sh
@@ -20,8 +21,8 @@ fail() {
 ran=0
 for command in $(viewproj --help | sed -n '/^Commands:/,/^$/s/^  \([a-z][a-z]*\) .*/\1/p'); do
   # Each in a folder of its own, so that what it writes is seen.
-  mkdir "$work/$command"
-  cd "$work/$command"
+  mkdir "$work/of-$command"
+  cd "$work/of-$command"
   ln -s "$samples" samples
   viewproj "$command" --help >../help
   viewproj help "$command" | cmp - ../help || fail 'help COMMAND says something else than COMMAND --help'
@@ -32,6 +33,17 @@ for command in $(viewproj --help | sed -n '/^Commands:/,/^$/s/^  \([a-z][a-z]*\)
   if [ -z "$(find . -type f -size +0)" ]; then fail 'the example writes nothing'; fi
   ran=$((ran + 1))
 done
+for command in $(viewproj help | sed -n '/^Topics/,/^$/s/^  \([a-z][a-z]*\) .*/\1/p'); do
+  mkdir "$work/of-$command"
+  cd "$work/of-$command"
+  ln -s "$samples" samples
+  viewproj help "$command" | sed '1,/^Examples:$/d' >../example
+  [ "$(grep -c 'viewproj' ../example)" = 2 ] || fail 'the page has not two examples'
+  limited sh -e ../example >out 2>../err || fail "an example fails: $(cat ../example ../err)"
+  if [ -s ../err ]; then fail "an example complains: $(cat ../err)"; fi
+  [ -s out ] || fail 'the examples write nothing'
+  ran=$((ran + 1))
+done
 command=viewproj
-[ "$ran" -ge 9 ] || fail "only $ran commands are listed"
+[ "$ran" -ge 17 ] || fail "only $ran commands are listed"
 echo "$ran examples work"

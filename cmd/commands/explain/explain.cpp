@@ -13,7 +13,7 @@ namespace viewproj::cmd {
 using namespace detail;
 namespace {
 
-constexpr std::size_t kDefaultDigits = 9, kMostDigits = 17;
+constexpr std::size_t kDefaultDigits = 9;
 
 GivenPoint readPoint(const std::string& option, const std::string& text) {
   const GivenPoint given = readGivenPoint(option, text);
@@ -28,7 +28,7 @@ struct Options {
   std::optional<GivenPoint> point;
   std::optional<std::vector<double>> pixel;
   std::optional<std::string> model;
-  std::size_t digits = kDefaultDigits;
+  std::optional<std::size_t> digits;
   ReportForm form = ReportForm::table;
 };
 
@@ -51,7 +51,7 @@ int run(const Options& o) {
     return explainPixel(built, writing, {n[0], n[1]}, n.size() > 2 ? std::optional(n[2]) : std::nullopt);
   };
   const Explanation explanation = explain();
-  const int shown = static_cast<int>(o.digits);
+  const int shown = static_cast<int>(o.digits.value_or(kDefaultDigits));
   writeOutput(o.form == ReportForm::json ? explanationAsJson(explanation, shown)
                                          : explanationAsTable(explanation, shown));
   return 0;
@@ -71,8 +71,7 @@ Action defineExplain(CLI::App& app) {
   addValue(app, "--pixel", "X,Y[,DEPTH]", o->pixel, readPixelNumbers,
            "The pixel to follow back, with a window depth if known");
   addModelOption(app, o->model, "point");
-  addValue(app, "--digits", "N", o->digits, wholeNumber(1, kMostDigits),
-           "Significant digits, from 1 to 17, which gives all (default: 9)");
+  addDigits(app, o->digits, std::to_string(kDefaultDigits));
   addReportForm(app, o->form);
   return [o] { return run(*o); };
 }

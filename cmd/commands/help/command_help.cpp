@@ -6,6 +6,7 @@
 #include "commands/definition.hpp"
 #include "commands/help/topics.hpp"
 #include "text/layout.hpp"
+#include "text/names.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -13,14 +14,18 @@ namespace {
 constexpr std::size_t kColumn = 30;
 
 OptionHelp describe(const CLI::Option& option) {
-  std::string name = option.get_name(true);
-  if (!option.get_positional()) {
-    name.clear();
-    for (const std::string& letter : option.get_snames()) name += (name.empty() ? "-" : ", -") + letter;
-    for (const std::string& word : option.get_lnames()) name += (name.empty() ? "--" : ", --") + word;
-    if (option.get_type_size() > 0 && !option.get_type_name().empty()) name += " " + option.get_type_name();
+  OptionHelp help{
+      .name = {}, .text = option.get_description(), .names = {}, .value = {}, .facts = FactKeeper::factsOf(&option)};
+  if (option.get_positional()) {
+    help.name = option.get_name(true);
+    return help;
   }
-  return {name, option.get_description()};
+  for (const std::string& letter : option.get_snames()) help.names.push_back("-" + letter);
+  for (const std::string& word : option.get_lnames()) help.names.push_back("--" + word);
+  if (option.get_type_size() > 0) help.value = option.get_type_name();
+  help.name = joined(help.names);
+  if (!help.value.empty()) help.name += " " + help.value;
+  return help;
 }
 
 std::string row(const OptionHelp& option, std::size_t width) {

@@ -6,12 +6,16 @@
 #include <vector>
 
 #include "commands/command.hpp"
+#include "commands/values.hpp"
 
 namespace viewproj::cmd {
 
 struct OptionHelp {
   std::string name;  ///< as it is typed: "-c, --camera FILE[#NAME]"
   std::string text;
+  std::vector<std::string> names;  ///< "-c", "--camera"
+  std::string value;               ///< "FILE[#NAME]"; empty where it takes none
+  OptionFacts facts;               ///< where a FactKeeper lives
   bool operator==(const OptionHelp&) const = default;
 };
 

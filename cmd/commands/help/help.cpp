@@ -4,6 +4,7 @@
 
 #include "commands/command.hpp"
 #include "commands/help/command_help.hpp"
+#include "commands/help/machine_help.hpp"
 #include "commands/help/topics.hpp"
 #include "commands/notes.hpp"
 #include "commands/output_option.hpp"
@@ -17,6 +18,7 @@ namespace {
 
 struct Options {
   std::optional<std::string> name;
+  bool json = false;
   Notes notes;
 };
 
@@ -35,7 +37,8 @@ std::string textOf(const std::optional<std::string>& name) {
 }
 
 int run(const Options& o) {
-  writeOutput(textOf(o.name));
+  if (o.json && o.name) throw UsageError("help --json tells of all; leave out one of it and " + *o.name);
+  writeOutput(o.json ? helpAsJson() : textOf(o.name));
   return 0;
 }
 
@@ -50,7 +53,8 @@ Action defineHelp(CLI::App& app) {
   }() + ".");
   app.footer("viewproj help camera");
   addValue(app, "NAME", "", o->name, readText, "A command or a topic; absent: all of them, a line each");
-  addOnlyForm(app, "text", ".txt");
+  app.add_flag("--json", o->json, "All commands, options, topics and fields, for editors and scripts");
+  addOnlyForm(app, "text or JSON", ".txt .json");
   o->notes.add(app);
   return [o] { return run(*o); };
 }

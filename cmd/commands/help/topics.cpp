@@ -42,7 +42,8 @@ constexpr Topic kTopics[] = {
      "what fast, standard, exact and auto promise",
      pages::precision,
      {"viewproj project -c samples/picking-a-pixel/camera.json --point 0,0,0 --fields screen,bound",
-      "viewproj measure -c samples/cornell-box/camera.json samples/cornell-box/quads.csv"}},
+      "viewproj project -c samples/cornell-box/camera.json samples/cornell-box/quads.csv \\\n"
+      "  --precision auto --tolerance 1e-3 --fields screen,bound"}},
 };
 
 }  // namespace
