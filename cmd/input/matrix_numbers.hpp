@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "matrices/readings.hpp"
+#include "input/readings/readings.hpp"
 #include "viewproj/convention.hpp"
 
 namespace viewproj::cmd {
@@ -14,9 +14,9 @@ namespace viewproj::cmd {
 struct WrittenMatrix {
   std::string name;  ///< as the input calls it, or empty
   std::array<double, 16> numbers{};
-  std::array<double, 16> within{};                          ///< how far each may be off, going by its digits
-  int digits = 0;                                           ///< the most significant ones that a number has
-  detail::NumberOrder order = detail::NumberOrder::memory;  ///< rows: written in four groups or on four lines of four
+  std::array<double, 16> within{};          ///< how far each may be off, going by its digits
+  int digits = 0;                           ///< the most significant ones that a number has
+  NumberOrder order = NumberOrder::memory;  ///< rows: written in four groups or on four lines of four
 };
 
 struct WrittenMatrices {

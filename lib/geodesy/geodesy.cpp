@@ -18,38 +18,38 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 /// Below this an entry is what rounding left of a sum that cancels.
 constexpr double kNoise = 0x1p-207;
 
-using FixedVec3 = std::array<Fixed, 3>;
+using Row = Vector3<Dyadic>;
 
-struct FixedAxes {
-  FixedVec3 right, up, forward;
+struct FineAxes {
+  Row right, up, forward;
   bool exact = true;  ///< turned by right angles only
 };
 
 /// Turns a and b in their plane:
 ///   | a' |   | cos  -sin | | a |
 ///   | b' | = | sin   cos | | b |
-void turn(FixedAxes& axes, FixedVec3 FixedAxes::*first, FixedVec3 FixedAxes::*second, double degrees) noexcept {
+void turn(FineAxes& axes, Row FineAxes::*first, Row FineAxes::*second, double degrees) noexcept {
   const SinCos angle = sinCosDegrees(degrees);
   for (std::size_t i = 0; i < 3; ++i) {
-    const Fixed a = (axes.*first)[i], b = (axes.*second)[i];
-    (axes.*first)[i] = a * angle.cosine - b * angle.sine;
-    (axes.*second)[i] = a * angle.sine + b * angle.cosine;
+    const Dyadic a = (axes.*first)[i], b = (axes.*second)[i];
+    (axes.*first)[i] = sinCosProduct(a, angle.cosine) - sinCosProduct(b, angle.sine);
+    (axes.*second)[i] = sinCosProduct(a, angle.sine) + sinCosProduct(b, angle.cosine);
   }
   axes.exact = axes.exact && isRightAngle(degrees);
 }
 
 /// Right is east, forward north.
-FixedAxes eastUpNorth(const Geodetic& place) noexcept {
-  FixedAxes axes{{0, 1, 0}, {1, 0, 0}, {0, 0, 1}};
-  turn(axes, &FixedAxes::right, &FixedAxes::up, place.lon);
-  turn(axes, &FixedAxes::forward, &FixedAxes::up, place.lat);
+FineAxes eastUpNorth(const Geodetic& place) noexcept {
+  FineAxes axes{{0, 1, 0}, {1, 0, 0}, {0, 0, 1}};
+  turn(axes, &FineAxes::right, &FineAxes::up, place.lon);
+  turn(axes, &FineAxes::forward, &FineAxes::up, place.lat);
   return axes;
 }
 
-ExactVec3 expansions(const FixedVec3& v) noexcept {
+ExactVec3 expansions(const Row& v) noexcept {
   ExactVec3 result;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Expansion<8> terms = v[i].expansion();
+    const Expansion<8> terms = v[i].expansion<8>();
     if (std::fabs(terms.rounded().hi) >= kNoise) result[i] = terms;
   }
   return result;
@@ -92,7 +92,7 @@ Geodetic ecefToGeodetic(const Vec3& point) noexcept {
 
 FineVec3 detail::ellipsoidNormal(const Geodetic& place) noexcept {
   if (!isPlace(place)) return {{Expansion<8>{kNaN}, Expansion<8>{kNaN}, Expansion<8>{kNaN}}, 0};
-  const FixedAxes axes = eastUpNorth(place);
+  const FineAxes axes = eastUpNorth(place);
   return {expansions(axes.up), axes.exact ? 0 : kGeodesyRowBound};
 }
 
@@ -102,10 +102,10 @@ Pose poseFromHeadingPitchRoll(const Geodetic& position, const HeadingPitchRoll& 
   requireFinite(turned.roll, "roll");
   if (!(turned.pitch >= -90 && turned.pitch <= 90))
     throw CameraError("pitch", "must be from -90 to 90 degrees; a camera upside down has a roll of 180");
-  FixedAxes axes = eastUpNorth(position);
-  turn(axes, &FixedAxes::right, &FixedAxes::forward, turned.heading);
-  turn(axes, &FixedAxes::up, &FixedAxes::forward, turned.pitch);
-  turn(axes, &FixedAxes::right, &FixedAxes::up, turned.roll);
+  FineAxes axes = eastUpNorth(position);
+  turn(axes, &FineAxes::right, &FineAxes::forward, turned.heading);
+  turn(axes, &FineAxes::up, &FineAxes::forward, turned.pitch);
+  turn(axes, &FineAxes::right, &FineAxes::up, turned.roll);
   const double error = axes.exact ? 0 : kGeodesyRowBound;
   return poseFromAxes(geodeticToEcef(position), {expansions(axes.right), error}, {expansions(axes.up), error},
                       {expansions(axes.forward), error});

@@ -45,8 +45,9 @@ DoubleDoubleSinCos sinCosUpTo45(DoubleDouble degrees) noexcept {
   return {sine * x, cosine};
 }
 
-/// pi / 4.
-constexpr Fixed kQuarterTurn({0x20bbea6, 0x8a67cc74, 0x29024e08, 0x80dc1cd1, 0xc4c6628b, 0x2168c234, 0xc90fdaa2, 0});
+/// Of kSinCosStep, in limbs.
+constexpr int kStep = -7;
+static_assert(kSinCosStep == 0x1p-224);
 
 }  // namespace
 
@@ -75,17 +76,21 @@ double degreesOfHalfTangent(DoubleDouble tangent) noexcept {
   return (DoubleDouble(angle) + rest * DoubleDouble(2 * kDegreesPerRadian)).hi;
 }
 
+Dyadic sinCosProduct(const Dyadic& a, const Dyadic& b) noexcept { return (a * b).truncated(kStep); }
+
 SinCos sinCosDegrees(double degrees) noexcept {
   const double turned = std::remainder(degrees, 360);  // exact, and so are the differences below
   const double size = std::fabs(turned);
   const double upTo90 = size > 90 ? 180 - size : size;
   const bool swapped = upTo90 > 45;
-  const Fixed x = Fixed(swapped ? 90 - upTo90 : upTo90).dividedBy(45) * kQuarterTurn;
-  const Fixed xx = x * x;
-  Fixed sine = x, cosine = 1, term = x;  // the Taylor series, x^n / n! after x^(n-1) / (n-1)!
-  for (std::uint32_t n = 2; !term.isZero(); n += 2) {
-    const Fixed even = (term * x).dividedBy(n);
-    term = (term * xx).dividedBy(n * (n + 1));
+  const auto product = sinCosProduct;
+  const Dyadic quarterTurn(kStep, {0x20bbea6, 0x8a67cc74, 0x29024e08, 0x80dc1cd1, 0xc4c6628b, 0x2168c234, 0xc90fdaa2});
+  const Dyadic x = product(Dyadic(swapped ? 90 - upTo90 : upTo90).truncated(kStep).dividedBy(45, kStep), quarterTurn);
+  const Dyadic xx = product(x, x);
+  Dyadic sine = x, cosine = 1, term = x;  // the Taylor series, x^n / n! after x^(n-1) / (n-1)!
+  for (std::uint32_t n = 2; term.sign() != 0; n += 2) {
+    const Dyadic even = product(term, x).dividedBy(n, kStep);
+    term = product(term, xx).dividedBy(n * (n + 1), kStep);
     const bool minus = n % 4 == 2;
     cosine = minus ? cosine - even : cosine + even;
     sine = minus ? sine - term : sine + term;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "numbers/double_double.hpp"
-#include "numbers/fixed.hpp"
+#include "numbers/dyadic.hpp"
 
 namespace viewproj::detail {
 
@@ -17,16 +17,21 @@ inline constexpr double kTanHalfDegreesBound = 0x1p-104;
 /// 0, 180 where no double below is nearer; NaN for NaN.
 double degreesOfHalfTangent(DoubleDouble tangent) noexcept;
 
+/// Multiples of kSinCosStep.
 struct SinCos {
-  Fixed sine, cosine;
+  Dyadic sine, cosine;
 };
+
+/// Products of sines and cosines drop what is below it.
+inline constexpr double kSinCosStep = 0x1p-224;
+Dyadic sinCosProduct(const Dyadic& a, const Dyadic& b) noexcept;
 
 /// Sine and cosine of any finite angle, each within kSinCosDegreesBound; exact at multiples of 90 degrees. The
 /// reduction to 0..45 degrees is exact. A few microseconds.
 SinCos sinCosDegrees(double degrees) noexcept;
 
-/// Some fifty operations that each drop less than Fixed::kStep.
-inline constexpr double kSinCosDegreesBound = 64 * Fixed::kStep;
+/// Some fifty operations that each drop less than a step.
+inline constexpr double kSinCosDegreesBound = 64 * kSinCosStep;
 
 /// A multiple of 90.
 bool isRightAngle(double degrees) noexcept;

@@ -9,7 +9,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 
+#include "numbers/expansion.hpp"
 #include "numbers/wide.hpp"
 
 namespace viewproj::detail {
@@ -20,7 +22,23 @@ class Dyadic {
   /// Products may have this many factors.
   static constexpr int kDegree = 6;
 
-  Dyadic() = default;
+  Dyadic() noexcept {}
+  /// The limbs that there are: a hundredth of all, mostly.
+  Dyadic(const Dyadic& a) noexcept : size_(a.size_), position_(a.position_), negative_(a.negative_) {
+    std::copy_n(a.limbs_.begin(), a.size_, limbs_.begin());
+  }
+  Dyadic& operator=(const Dyadic& a) noexcept {
+    std::copy_n(a.limbs_.begin(), a.size_, limbs_.begin());
+    size_ = a.size_;
+    position_ = a.position_;
+    negative_ = a.negative_;
+    return *this;
+  }
+  /// The sum of limbs[i] 2^(32 (position + i)).
+  Dyadic(int position, std::initializer_list<std::uint32_t> limbs) noexcept : position_(position) {
+    for (const std::uint32_t limb : limbs) append(limb);
+    trim();
+  }
   Dyadic(double value) noexcept : negative_(value < 0) {  // NOLINT: a finite double is exact
     if (value == 0) return;
     int power = 0;
@@ -49,6 +67,41 @@ class Dyadic {
     for (int i = size_ - 1; i >= 0 && i >= size_ - 5; --i, power -= 32)
       sum += DoubleDouble(std::ldexp(double(limbs_[std::size_t(i)]), power));
     return {negative_ ? -sum : sum, 32 * (position_ + size_ - 1)};
+  }
+
+  /// Without what is below 2^(32 position): towards zero.
+  Dyadic truncated(int position) const noexcept {
+    Dyadic result;
+    result.negative_ = negative_;
+    result.position_ = std::max(position, position_);
+    for (int p = result.position_; p < end(); ++p) result.append(limbAt(p));
+    result.trim();
+    return result;
+  }
+
+  /// The quotient, truncated likewise.
+  Dyadic dividedBy(std::uint32_t divisor, int position) const noexcept {
+    Dyadic quotient;
+    quotient.negative_ = negative_;
+    quotient.position_ = position;
+    for (int p = position; p < end(); ++p) quotient.append(0);
+    std::uint64_t rest = 0;
+    for (int p = end(); p-- > position; rest %= divisor) {
+      rest = rest << 32 | limbAt(p);
+      quotient.limbs_[std::size_t(p - position)] = static_cast<std::uint32_t>(rest / divisor);
+    }
+    quotient.trim();
+    return quotient;
+  }
+
+  /// Exact, of at most Terms limbs.
+  template <std::size_t Terms>
+  Expansion<Terms> expansion() const noexcept {
+    Expansion<Terms> sum;
+    for (int i = size_; i-- > 0;)
+      sum.add(std::ldexp(negative_ ? -double(limbs_[std::size_t(i)]) : double(limbs_[std::size_t(i)]),
+                         32 * (position_ + i)));
+    return sum;
   }
 
   friend Dyadic operator-(const Dyadic& a) noexcept {
@@ -138,5 +191,7 @@ class Dyadic {
   int position_ = 0;  // limbs_[0] counts 2^(32 position)
   bool negative_ = false;
 };
+
+inline Vector3<Dyadic> toDyadic(const Vec3& a) noexcept { return {a.x, a.y, a.z}; }
 
 }  // namespace viewproj::detail

@@ -33,7 +33,8 @@ constexpr DDVec3 cross(const DDVec3& a, const DDVec3& b) noexcept {
 
 constexpr DDVec3 toDoubleDouble(const Vec3& a) noexcept { return {a.x, a.y, a.z}; }
 /// The nearest doubles; adding 0 turns -0 into 0.
-constexpr Vec3 rounded(const DDVec3& a) noexcept { return {a.x.hi + 0.0, a.y.hi + 0.0, a.z.hi + 0.0}; }
+constexpr double rounded(DoubleDouble a) noexcept { return a.hi + 0.0; }
+constexpr Vec3 rounded(const DDVec3& a) noexcept { return {rounded(a.x), rounded(a.y), rounded(a.z)}; }
 
 inline DDVec3 scaleByPowerOfTwo(const DDVec3& a, int exponent) noexcept {
   return {scaleByPowerOfTwo(a.x, exponent), scaleByPowerOfTwo(a.y, exponent), scaleByPowerOfTwo(a.z, exponent)};

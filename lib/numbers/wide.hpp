@@ -122,7 +122,8 @@ inline DoubleDouble toDoubleDouble(const Wide& a) noexcept { return scaleByPower
 inline Wide toWide(DoubleDouble a) noexcept { return {a, 0}; }
 inline WideVec3 toWide(const DDVec3& a) noexcept { return {{a.x, 0}, {a.y, 0}, {a.z, 0}}; }
 inline WideVec3 toWide(const Vec3& a) noexcept { return {a.x, a.y, a.z}; }
-inline Vec3 rounded(const WideVec3& a) noexcept { return {nearestDouble(a.x), nearestDouble(a.y), nearestDouble(a.z)}; }
+inline double rounded(const Wide& a) noexcept { return nearestDouble(a); }
+inline Vec3 rounded(const WideVec3& a) noexcept { return {rounded(a.x), rounded(a.y), rounded(a.z)}; }
 
 /// The nearest doubles of a / |a|, for a that is not zero.
 inline Vec3 unitOf(const WideVec3& a) noexcept { return rounded(a * (Wide(1) / lengthOf(a))); }

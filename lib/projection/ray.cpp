@@ -1,12 +1,9 @@
 #include <cmath>
 #include <limits>
-#include <type_traits>
 
-#include "camera/lens.hpp"
 #include "numbers/ulp.hpp"
-#include "numbers/wide.hpp"
 #include "projection/kernels/formulas.hpp"
-#include "projection/stages.hpp"
+#include "projection/window_point.hpp"
 #include "viewproj/screen.hpp"
 
 namespace viewproj {
@@ -18,45 +15,6 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr Vec3 kNoVector{kNaN, kNaN, kNaN};
 
 bool isFinite(const Vec2& v) noexcept { return std::isfinite(v.x) && std::isfinite(v.y); }
-
-// Number is DoubleDouble, or Wide where products may leave the range of doubles.
-
-template <class Number>
-Number as(DoubleDouble a) noexcept {
-  if constexpr (std::is_same_v<Number, Wide>)
-    return toWide(a);
-  else
-    return a;
-}
-
-template <class Number>
-Vector3<Number> as(const DDVec3& a) noexcept {
-  return {as<Number>(a.x), as<Number>(a.y), as<Number>(a.z)};
-}
-
-/// A screen position in window coordinates, right and up.
-template <class Number>
-struct WindowPoint {
-  Number right, up;
-};
-
-template <class Number>
-WindowPoint<Number> toWindow(const CameraParts& c, const Vec2& screen) noexcept {
-  return {sumOrZero(as<Number>(screen.x), -as<Number>(c.screen.centerX)) / as<Number>(c.screen.scaleX),
-          sumOrZero(as<Number>(screen.y), -as<Number>(c.screen.centerY)) / as<Number>(c.screen.scaleY)};
-}
-
-/// The offset from the unrounded eye of the point at a window position and distance.
-template <class Number>
-Vector3<Number> offsetAt(const CameraParts& c, const WindowPoint<Number>& at, Number distance) noexcept {
-  const Axes& axes = c.pose.columns;
-  const Number spread = c.projection.orthographic ? as<Number>(1) : distance;
-  const Vector3<Number> along{at.right * spread, at.up * spread, distance};
-  const auto part = [&](std::size_t i) {
-    return dotOrZero(as<Number>(DDVec3{axes.right[i], axes.up[i], axes.forward[i]}), along);
-  };
-  return {part(0), part(1), part(2)};
-}
 
 /// The world point at a window position and distance.
 Vec3 worldPointAt(const CameraParts& c, const WindowPoint<DoubleDouble>& at, DoubleDouble distance) noexcept {
@@ -158,32 +116,6 @@ WorldPoint screenToWorld(const Camera& camera, const Vec2& screen, double depth)
   return pointAt(
       c, screen, distance,
       farthest.sign() > 0 ? distance * (shareError / farthest) : Wide(std::numeric_limits<double>::infinity()));
-}
-
-PixelStages detail::pixelStages(const Camera& camera, const Vec2& screen) noexcept {
-  const CameraParts& c = parts(camera);
-  const WindowPoint<Wide> at = toWindow<Wide>(c, screen);
-  const WideVec3 toward = c.projection.orthographic ? toWide(c.pose.columns.forward) : offsetAt(c, at, Wide(1));
-  return {{sumOrZero(screen.x, -c.screen.centerX).hi + 0.0, sumOrZero(screen.y, -c.screen.centerY).hi + 0.0},
-          {nearestDouble(at.right), nearestDouble(at.up)},
-          {nearestDouble(toward.x), nearestDouble(toward.y), nearestDouble(toward.z)},
-          nearestDouble(lengthOf(toward)),
-          screenToRay(camera, screen)};
-}
-
-DepthStages detail::depthStages(const Camera& camera, const Vec2& screen, double depth) noexcept {
-  const CameraParts& c = parts(camera);
-  const DepthLine line = inverseDepthLine(c.projection, c.depthAtNear, c.depthAtFar);
-  DepthStages s;
-  s.offset = line.offset.hi;
-  s.scale = line.scale.hi;
-  const DoubleDouble sum = sumOrZero(line.offset, line.scale * DoubleDouble(depth));
-  s.sum = sum.hi + 0.0;
-  s.point = screenToWorld(camera, screen, depth);
-  s.distance = s.point.status != DepthStatus::point ? kNaN
-               : c.projection.orthographic          ? s.sum
-                                                    : (DoubleDouble(1) / sum).hi;
-  return s;
 }
 
 WorldPoint screenToWorldAtDistance(const Camera& camera, const Vec2& screen, double viewDistance) noexcept {

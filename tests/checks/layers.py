@@ -28,7 +28,7 @@ PUBLIC = {
     "geodesy": "lib/geodesy", "viewproj": "lib/viewproj",
 }
 # What users never see; as words, comments left out.
-ARITHMETIC = re.compile(r"\b(DoubleDouble|DDVec3|Expansion|Exact(Rows|Vec3|Plane|Source)|FineVec3|Fixed|Dyadic|Wide\w*|Certified|"
+ARITHMETIC = re.compile(r"\b(DoubleDouble|DDVec3|Expansion|Exact(Rows|Vec3|Plane|Source)|FineVec3|Dyadic|Wide\w*|Certified|"
                         r"ProjectionConstants|\w*Lanes|Interval|near|far)\b")
 RANK = {module: rank for rank, layer in enumerate(LAYERS) for module in layer}
 

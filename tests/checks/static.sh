@@ -38,7 +38,6 @@ echo "cppcheck"
 #   unusedStructMember     it looks at one source at a time
 #   useStlAlgorithm        a loop may be the plainer of the two
 #   uninitMemberVar        the terms of an expansion are those that are counted
-#   containerOutOfBounds   it takes the number of limbs to be 1
 #   legacyUninitvar        it overlooks the initialisers of arrays of pointers
 #   unreadVariable         the last row of a table written by a macro shifts a bit that no row follows
 #   unassignedVariable     it overlooks constructors
@@ -47,7 +46,7 @@ echo "cppcheck"
 cppcheck --enable=warning,performance,portability,style --std=c++20 --language=c++ -j "$(nproc)" --quiet --error-exitcode=1 \
   --inline-suppr --suppress=missingReturn --suppress=noExplicitConstructor --suppress=shadowFunction \
   --suppress=unusedStructMember --suppress=useStlAlgorithm --suppress='uninitMemberVar:*/expansion.hpp' \
-  --suppress='containerOutOfBounds:*/fixed.hpp' --suppress='legacyUninitvar:*/pose_*.cpp' --suppress='unreadVariable:*/kernels/*' --suppress='unassignedVariable:*/block_reader.cpp' \
+  --suppress='legacyUninitvar:*/pose_*.cpp' --suppress='unreadVariable:*/kernels/*' --suppress='unassignedVariable:*/block_reader.cpp' \
   --suppress='unreachableCode:*/interrupt.cpp' --suppress='syntaxError:*/kernel_source.inc' \
   --suppress=unmatchedSuppression -I lib -I cmd lib cmd || failed="$failed cppcheck"
 

@@ -3,6 +3,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "catch.hpp"
+#include "input/readings/readings.hpp"
 #include "internals.hpp"
 #include "matrix_numbers.hpp"
 #include "random_cameras.hpp"
@@ -11,6 +12,7 @@
 
 using namespace viewproj;
 using namespace viewproj::detail;
+using namespace viewproj::cmd;
 using namespace peers;
 
 namespace {
@@ -73,11 +75,11 @@ TEST_CASE(
   const Inspection in = inspectMatrix(numbers);
   REQUIRE(readAs(in, "webgpu", MatrixKind::projection).size() == 1);
   REQUIRE(readAs(in, "d3d-rh", MatrixKind::projection).size() == 1);
-  for (const Reading& r : in.readings) CHECK(r.layout == Layout::transposed);
+  for (const Reading& r : in.readings) CHECK(r.layout == MatrixLayout::transposed);
   // On paper they are each other's transpose.
   const Inspection paper = inspectMatrix(rowsOf(laidOut(clipFromView(lens(), rows), rows)));
   CHECK(readAs(paper, "d3d-rh", MatrixKind::projection, NumberOrder::rows).size() == 1);
-  for (const Reading& r : paper.readings) CHECK(r.layout == Layout::transposed);
+  for (const Reading& r : paper.readings) CHECK(r.layout == MatrixLayout::transposed);
 }
 
 TEST_CASE(

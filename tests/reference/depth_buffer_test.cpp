@@ -1,5 +1,5 @@
 // What a depth buffer resolves, against depths in 480 bits and stored depths counted one by one.
-#include "projection/depth_buffer.hpp"
+#include "commands/depth/depth_buffer.hpp"
 
 #include <cstdint>
 #include <cstring>
@@ -10,6 +10,7 @@
 
 using namespace viewproj;
 using namespace viewproj::detail;
+using namespace viewproj::cmd;
 using namespace reference;
 
 namespace {

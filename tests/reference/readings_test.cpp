@@ -1,5 +1,7 @@
 // Cameras of matrices that were read, against the sixteen doubles themselves, taken as exact.
 
+#include "input/readings/readings.hpp"
+
 #include <map>
 
 #include "catch.hpp"
@@ -10,6 +12,7 @@
 
 using namespace viewproj;
 using namespace viewproj::detail;
+using namespace viewproj::cmd;
 using namespace reference;
 
 namespace {
@@ -35,7 +38,7 @@ Real real(DoubleDouble a) { return Real(a.hi) + Real(a.lo); }
 Mat4 matrixOf(const Numbers& numbers, const Reading& r) {
   Mat4 m;
   for (std::size_t i = 0; i < 16; ++i) m[i / 4][i % 4] = numbers[i];
-  return r.layout == Layout::transposed ? transposed(m) : m;
+  return r.layout == MatrixLayout::transposed ? transposed(m) : m;
 }
 
 /// By the textbook, from the matrix alone.

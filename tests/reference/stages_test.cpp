@@ -1,4 +1,6 @@
 // The stages that an explanation shows, each against its own truth in 480 bits.
+#include "commands/explain/stages.hpp"
+
 #include "catch.hpp"
 #include "internals.hpp"
 #include "reference/exactness.hpp"
@@ -6,6 +8,7 @@
 
 using namespace viewproj;
 using namespace viewproj::detail;
+using namespace viewproj::cmd;
 using namespace reference;
 
 namespace {

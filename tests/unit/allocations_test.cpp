@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "catch.hpp"
+#include "commands/depth/depth_buffer.hpp"
+#include "commands/explain/stages.hpp"
 #include "internals.hpp"
 #include "kernels.hpp"
 #include "viewproj/geodesy.hpp"
@@ -12,6 +14,7 @@
 
 using namespace viewproj;
 using namespace viewproj::detail;
+using namespace viewproj::cmd;
 
 namespace {
 

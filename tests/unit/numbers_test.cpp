@@ -5,7 +5,6 @@
 #include "numbers/certified.hpp"
 #include "numbers/dyadic.hpp"
 #include "numbers/expansion.hpp"
-#include "numbers/fixed.hpp"
 #include "viewproj/vectors.hpp"
 
 using namespace viewproj;
@@ -141,28 +140,31 @@ TEST_CASE("The leading terms of an expansion leave out less than the last of the
   CHECK(std::fabs(rest.rounded().hi) <= 0x1p-230);
 }
 
-TEST_CASE("Fixed-point numbers add exactly, multiply and divide to within a step, and mind the sign") {
-  const auto value = [](const Fixed& a) { return a.expansion(); };
+TEST_CASE("Integers times powers of two are cut off and divided towards zero, to within a step") {
+  constexpr int kPosition = -7;
+  constexpr double kStep = 0x1p-224;
+  const auto roundedOf = [](const Dyadic& a) { return a.expansion<16>().rounded().hi; };
   for (std::uint64_t trial = 0; trial < 2000; ++trial) {
     std::mt19937_64 random(trial);
     std::uniform_real_distribution<double> uniform(-1000, 1000);
     const double a = uniform(random), b = uniform(random);
     INFO(a << " " << b);
-    Expansion<16> sum, product;
-    for (double part : {-a, -b}) sum.add(part);
-    const Fixed added = Fixed(a) + Fixed(b);
-    for (std::size_t i = 0; i < value(added).size(); ++i) sum.add(value(added).term(i));
-    REQUIRE(sum.isZero());
-    product.addProduct(a, -b);
-    const Fixed multiplied = Fixed(a) * Fixed(b);
-    for (std::size_t i = 0; i < value(multiplied).size(); ++i) product.add(value(multiplied).term(i));
-    REQUIRE(product.isZero());  // two doubles between 2^-58 and 2^10 have no bits below a step
-    REQUIRE(((Fixed(a) * Fixed(-b)) + multiplied).isZero());
-    const Fixed third = Fixed(a).dividedBy(3);
-    const Fixed rest = Fixed(a) - third - third - third;
-    REQUIRE(std::fabs(rest.expansion().rounded().hi) <= 2 * Fixed::kStep);
-    REQUIRE((rest.isZero() || rest.isNegative() == (a < 0)));
+    const Dyadic product = Dyadic(a) * Dyadic(b), cut = product.truncated(-2);
+    REQUIRE((product - product.truncated(kPosition)).sign() == 0);  // two doubles of these sizes have no bits below
+    const double lost = roundedOf(product - cut);
+    REQUIRE(std::fabs(lost) < 0x1p-64);
+    REQUIRE((lost == 0 || (lost < 0) == (cut.sign() < 0)));
+    Expansion<32> difference;
+    difference.addProduct(-a, b);
+    const auto terms = product.expansion<16>();
+    for (std::size_t i = 0; i < terms.size(); ++i) difference.add(terms.term(i));
+    REQUIRE(difference.isZero());
+    const Dyadic third = Dyadic(a).dividedBy(3, kPosition);
+    const Dyadic rest = Dyadic(a) - third - third - third;
+    REQUIRE(std::fabs(roundedOf(rest)) <= 2 * kStep);
+    REQUIRE((rest.sign() == 0 || (rest.sign() < 0) == (a < 0)));
   }
-  CHECK(Fixed(0x1p-225).isZero());
-  CHECK(Fixed(-0x1p-224).expansion().rounded().hi == -Fixed::kStep);
+  CHECK(Dyadic(0x1p-225).truncated(kPosition).sign() == 0);
+  CHECK(roundedOf(Dyadic(-0x1p-224).truncated(kPosition)) == -kStep);
+  CHECK(roundedOf(Dyadic(kPosition, {0, 0, 0, 0, 0, 0, 0, 5})) == 5);
 }

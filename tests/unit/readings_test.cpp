@@ -1,4 +1,6 @@
 
+#include "input/readings/readings.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -13,6 +15,7 @@
 
 using namespace viewproj;
 using namespace viewproj::detail;
+using namespace viewproj::cmd;
 
 namespace {
 
@@ -349,7 +352,7 @@ TEST_CASE("The identity is a view, a pose and a projection, and every reading of
   std::map<MatrixKind, int> kinds;
   for (const Reading& r : in.readings) {
     ++kinds[r.kind];
-    CHECK(r.layout == Layout::either);
+    CHECK(r.layout == MatrixLayout::either);
   }
   CHECK(kinds ==
         std::map<MatrixKind, int>{{MatrixKind::projection, 6}, {MatrixKind::view, 3}, {MatrixKind::worldFromView, 3}});
@@ -369,7 +372,7 @@ TEST_CASE("A last entry a few units in the last place from 1 divides a view or a
       for (const Reading& r : in.readings) {
         if (r.kind != MatrixKind::view && r.kind != MatrixKind::worldFromView) continue;
         ++poses;
-        CHECK(r.layout == (turned ? Layout::transposed : Layout::asWritten));
+        CHECK(r.layout == (turned ? MatrixLayout::transposed : MatrixLayout::asWritten));
         CHECK(r.scale == last);
         Convention c = preset("opengl");
         c.view = r.convention.view;
@@ -393,7 +396,7 @@ TEST_CASE("A last entry a few units in the last place from 1 divides a view or a
 
 TEST_CASE("An infinite 0..1 projection with near 1 is symmetric, so that it does not tell its layout") {
   const Inspection in = inspectMatrix(rowsOf(clipFromView(perspectiveFovY(60, 1, 1, kInfiniteFar), preset("metal"))));
-  for (const Reading& r : in.readings) CHECK(r.layout == Layout::either);
+  for (const Reading& r : in.readings) CHECK(r.layout == MatrixLayout::either);
   CHECK(in.readings.size() == 2);
 }
 

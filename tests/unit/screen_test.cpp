@@ -2,11 +2,13 @@
 #include <cmath>
 
 #include "catch.hpp"
+#include "commands/explain/stages.hpp"
 #include "internals.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;
 using namespace viewproj::detail;
+using namespace viewproj::cmd;
 
 namespace {
 

@@ -4,19 +4,19 @@
 #include <string>
 #include <vector>
 
-#include "projection/depth_buffer.hpp"
+#include "commands/depth/depth_buffer.hpp"
 
 namespace viewproj::cmd {
 
 struct NamedMapping {
   std::string name;
-  detail::DepthMapping mapping;
+  DepthMapping mapping;
   bool own = false;  ///< the camera's
 };
 
 struct NamedFormat {
   std::string name;
-  detail::DepthFormat format;
+  DepthFormat format;
 };
 
 struct WantedGap {
@@ -32,7 +32,7 @@ struct DepthReport {
   std::vector<WantedGap> wanted;
   std::vector<std::string> notes;
 
-  const detail::DepthMapping& own() const;
+  const DepthMapping& own() const;
 };
 
 std::string depthAsTable(const DepthReport& report);

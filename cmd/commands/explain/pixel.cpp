@@ -3,7 +3,7 @@
 #include "camera/camera.hpp"
 #include "camera/convention.hpp"
 #include "commands/explain/explain.hpp"
-#include "projection/stages.hpp"
+#include "commands/explain/stages.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
 #include "viewproj/matrices.hpp"

@@ -50,10 +50,10 @@ std::vector<std::string> notesOn(const std::vector<Reading>& readings) {
   const auto isKind = [](MatrixKind kind) { return [kind](const Reading& r) { return r.kind == kind; }; };
   const auto isPose = [](const Reading& r) { return !r.lens; };
 
-  const auto isLaidOut = [](Layout layout) { return [layout](const Reading& r) { return r.layout == layout; }; };
-  if (any(isLaidOut(Layout::asWritten)))
+  const auto isLaidOut = [](MatrixLayout layout) { return [layout](const Reading& r) { return r.layout == layout; }; };
+  if (any(isLaidOut(MatrixLayout::asWritten)))
     notes.push_back("As written: the rows of column vectors (row-major), or the columns of row vectors.");
-  if (any(isLaidOut(Layout::transposed)))
+  if (any(isLaidOut(MatrixLayout::transposed)))
     notes.push_back(
         "Transposed: the rows of row vectors (row-major), or the columns of column vectors (column-major).");
   if (const auto scaled = std::find_if(readings.begin(), readings.end(), [](const Reading& r) { return r.scale != 1; });

@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "matrices/readings.hpp"
+#include "input/readings/readings.hpp"
 
 namespace viewproj::cmd {
 
 /// What the numbers leave open, and what is seen where one reading is taken for another.
-std::vector<std::string> notesOn(const std::vector<detail::Reading>& readings);
+std::vector<std::string> notesOn(const std::vector<Reading>& readings);
 
 /// A decimal number of the interval with as few digits as there is one.
-std::string shortestWithin(const detail::Estimate& estimate);
+std::string shortestWithin(const Estimate& estimate);
 
 }  // namespace viewproj::cmd

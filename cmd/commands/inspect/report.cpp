@@ -23,8 +23,9 @@ constexpr NameRow<MatrixKind> kKindNames[] = {{"projection", MatrixKind::project
                                               {"view", MatrixKind::view},
                                               {"worldFromView", MatrixKind::worldFromView},
                                               {"viewProjection", MatrixKind::viewProjection}};
-constexpr NameRow<Layout> kLayoutNames[] = {
-    {"as written", Layout::asWritten}, {"transposed", Layout::transposed}, {"either", Layout::either}};
+constexpr NameRow<MatrixLayout> kLayoutNames[] = {{"as written", MatrixLayout::asWritten},
+                                                  {"transposed", MatrixLayout::transposed},
+                                                  {"either", MatrixLayout::either}};
 
 bool determinesView(const Reading& r) { return r.kind != MatrixKind::viewProjection; }
 bool determinesWorld(const Reading& r) { return r.kind != MatrixKind::projection; }
@@ -161,7 +162,7 @@ Json asJson(const NumberedReading& numbered, NumberOrder order) {
   for (const auto& [vectors, vectorsValue] : kVectorsNames)
     for (const auto& [storage, storageValue] : kStorageNames) {
       const bool turned = (vectorsValue == Vectors::row) != (storageValue == Storage::columnMajor);
-      if (r.layout == Layout::either || turned == (r.layout == Layout::transposed))
+      if (r.layout == MatrixLayout::either || turned == (r.layout == MatrixLayout::transposed))
         layouts.push_back({{"vectors", vectors}, {"storage", storage}});
     }
   result["layouts"] = layouts;

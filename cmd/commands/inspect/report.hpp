@@ -10,7 +10,7 @@ namespace viewproj::cmd {
 
 struct NumberedReading {
   std::size_t number;  ///< among all readings of the matrix, from 1 on
-  detail::Reading reading;
+  Reading reading;
 };
 
 struct InspectedMatrix {
@@ -24,7 +24,7 @@ struct InspectedMatrix {
 std::string nameOf(const WrittenMatrix& matrix, std::size_t index);
 
 /// "1 projection, as written, view RUB, ndcZ -1..1, ... : opengl, unity".
-std::string oneLine(const NumberedReading& reading, detail::NumberOrder order);
+std::string oneLine(const NumberedReading& reading, NumberOrder order);
 
 /// The text or the JSON, matrix by matrix: what there is of it is to be written at once.
 class Report {

@@ -11,7 +11,7 @@
 #include "input/camera_fields.hpp"
 #include "input/convention_fields.hpp"
 #include "input/importers/importer.hpp"
-#include "matrices/readings.hpp"
+#include "input/readings/readings.hpp"
 #include "text/names.hpp"
 
 namespace viewproj::cmd {
@@ -58,9 +58,9 @@ bool isInOrigin(const GivenMatrix& m, const Reading& r) {
 const Reading* readingIn(const GivenMatrix& m, const Convention& c) {
   const bool rowVectors = c.vectors == Vectors::row;
   const bool turned = rowVectors != (m.order == NumberOrder::memory && c.storage == Storage::columnMajor);
-  const Layout layout = turned ? Layout::transposed : Layout::asWritten;
+  const MatrixLayout layout = turned ? MatrixLayout::transposed : MatrixLayout::asWritten;
   for (const Reading& r : m.inspection.readings) {
-    if (r.layout != Layout::either && r.layout != layout) continue;
+    if (r.layout != MatrixLayout::either && r.layout != layout) continue;
     if (r.kind != m.slot.kind && !isInOrigin(m, r)) continue;
     const Convention& own = r.convention;
     if (r.lens && (own.ndcZ != c.ndcZ || own.ndcY != c.ndcY || own.reverseZ != c.reverseZ)) continue;

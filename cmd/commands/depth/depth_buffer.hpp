@@ -16,7 +16,7 @@
 #include "camera/projection.hpp"
 #include "camera/require.hpp"
 
-namespace viewproj::detail {
+namespace viewproj::cmd {
 
 inline constexpr double kDepthBufferError = 1e-14;
 
@@ -28,7 +28,7 @@ struct DepthMapping {
 };
 
 /// depthFirst and depthSecond as in Viewport; reverseZ exchanges them.
-DepthMapping depthMapping(const ProjectionParts& projection, double depthFirst, double depthSecond,
+DepthMapping depthMapping(const detail::ProjectionParts& projection, double depthFirst, double depthSecond,
                           bool reverseZ) noexcept;
 
 /// How depths are stored.
@@ -71,4 +71,4 @@ double resolvedUpTo(const DepthMapping& mapping, const DepthFormat& format, doub
 /// below a depth of half the largest.
 double nearToResolve(const DepthMapping& mapping, const DepthFormat& format, double gap, double distance) noexcept;
 
-}  // namespace viewproj::detail
+}  // namespace viewproj::cmd

@@ -1,4 +1,4 @@
-#include "matrices/readings.hpp"
+#include "input/readings/readings.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -6,12 +6,13 @@
 
 #include "camera/convention.hpp"
 #include "camera/require.hpp"
-#include "matrices/clip_rows.hpp"
-#include "matrices/matrix_parts.hpp"
+#include "input/readings/clip_rows.hpp"
+#include "input/readings/matrix_parts.hpp"
 #include "numbers/degrees.hpp"
-#include "viewproj/matrices.hpp"
 
-namespace viewproj::detail {
+namespace viewproj::cmd {
+
+using namespace detail;
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -227,7 +228,8 @@ bool zero(std::initializer_list<double> numbers) noexcept {
 
 class Reader {
  public:
-  Reader(const Mat4& matrix, Layout layout, const EntryErrors& errors, bool anyScale, std::vector<Reading>& readings)
+  Reader(const Mat4& matrix, MatrixLayout layout, const EntryErrors& errors, bool anyScale,
+         std::vector<Reading>& readings)
       : m_(matrix), layout_(layout), errors_(errors), anyScale_(anyScale), readings_(readings) {}
 
   /// Of no use at any scale: the w row is as it should be, and something else is not.
@@ -426,7 +428,7 @@ class Reader {
   }
 
   const Mat4& m_;
-  Layout layout_;
+  MatrixLayout layout_;
   EntryErrors errors_;
   bool anyScale_;
   std::vector<Reading>& readings_;
@@ -454,58 +456,14 @@ Inspection inspectMatrix(const std::array<double, 16>& numbers, EntryPrecision p
   const Mat4 turned = transposed(written);
   const EntryErrors turnedErrors{precision, transposed(errors.within)};
   const bool symmetric = written == turned;
-  Reader rows(written, symmetric ? Layout::either : Layout::asWritten, errors, false, result.readings);
-  Reader columns(turned, Layout::transposed, turnedErrors, false, result.readings);
+  Reader rows(written, symmetric ? MatrixLayout::either : MatrixLayout::asWritten, errors, false, result.readings);
+  Reader columns(turned, MatrixLayout::transposed, turnedErrors, false, result.readings);
   result.asWrittenFault = rows.read();
   result.transposedFault = symmetric ? result.asWrittenFault : columns.read();
   if (!result.readings.empty() || rows.isRefuted() || columns.isRefuted()) return result;
-  Reader(written, symmetric ? Layout::either : Layout::asWritten, errors, true, result.readings).read();
-  if (!symmetric) Reader(turned, Layout::transposed, turnedErrors, true, result.readings).read();
+  Reader(written, symmetric ? MatrixLayout::either : MatrixLayout::asWritten, errors, true, result.readings).read();
+  if (!symmetric) Reader(turned, MatrixLayout::transposed, turnedErrors, true, result.readings).read();
   return result;
 }
 
-namespace {
-
-/// What is left where the parts of an entry cancel to their own error is 0.
-Mat4 withoutNoise(Mat4 m, const PoseParts& pose) noexcept {
-  for (auto& row : m.m) {
-    const double size = std::max({std::fabs(row[0]), std::fabs(row[1]), std::fabs(row[2])});
-    const double limits[] = {size, size, size, size * maxAbs(pose.eye)};
-    for (std::size_t j = 0; j < 4; ++j)
-      if (std::fabs(row[j]) <= limits[j] * kCancellation) row[j] = 0;
-  }
-  return m;
-}
-
-}  // namespace
-
-bool fits(const Reading& r, const Convention& c, NumberOrder order) noexcept {
-  const Convention& own = r.convention;
-  const bool hasLens = r.kind == MatrixKind::projection || r.kind == MatrixKind::viewProjection;
-  if (hasLens && (c.ndcZ != own.ndcZ || c.ndcY != own.ndcY)) return false;
-  if (r.kind != MatrixKind::viewProjection && c.view != own.view) return false;
-  if (r.layout == Layout::either) return true;
-  const bool paper = c.vectors == Vectors::row, memory = paper != (c.storage == Storage::columnMajor);
-  const bool turned = r.layout == Layout::transposed;
-  return memory == turned || (order == NumberOrder::rows && paper == turned);
-}
-
-Mat4 converted(const Reading& r, const Convention& target) {
-  if (r.lens && !(r.projection->zNear() < r.projection->zFar() && (r.lens->orthographic || r.projection->zNear() > 0)))
-    throw CameraError("near", "is not determined by the matrix");
-  if (r.kind != MatrixKind::projection && !r.pose)
-    throw CameraError("axes", "are further than 0.001 from right angles: its digits are too few for a camera");
-  switch (r.kind) {
-    case MatrixKind::projection:
-      return clipFromView(*r.projection, target);
-    case MatrixKind::view:
-      return viewFromWorld(*r.pose, target);
-    case MatrixKind::worldFromView:
-      return worldFromView(*r.pose, target);
-    case MatrixKind::viewProjection:
-      break;
-  }
-  return withoutNoise(clipFromWorld(*r.pose, *r.projection, target), parts(*r.pose));
-}
-
-}  // namespace viewproj::detail
+}  // namespace viewproj::cmd

@@ -1,11 +1,13 @@
-#include "projection/depth_buffer.hpp"
+#include "commands/depth/depth_buffer.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "camera/lens.hpp"
 
-namespace viewproj::detail {
+namespace viewproj::cmd {
+
+using namespace detail;
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -196,4 +198,4 @@ double nearToResolve(const DepthMapping& m, const DepthFormat& format, double ga
   return std::fmin(byLargest, byShare);
 }
 
-}  // namespace viewproj::detail
+}  // namespace viewproj::cmd

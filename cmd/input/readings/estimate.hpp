@@ -3,7 +3,7 @@
 
 #include "viewproj/vectors.hpp"
 
-namespace viewproj::detail {
+namespace viewproj::cmd {
 
 /// What the numbers are true to: half a unit in the last place of a double or of a float32. For float32 each number is
 /// rounded to one first.
@@ -21,4 +21,4 @@ struct Estimate {
   double value = 0, low = 0, high = 0;
 };
 
-}  // namespace viewproj::detail
+}  // namespace viewproj::cmd

@@ -4,7 +4,7 @@
 #include "viewproj/clip.hpp"
 #include "viewproj/screen.hpp"
 
-namespace viewproj::detail {
+namespace viewproj::cmd {
 
 /// How far inside each side of the view a point lies in clip space, as the clip inequalities have it: w + x, w - x and
 /// so on; negative outside. NaN: there is no such inequality.
@@ -50,4 +50,4 @@ struct DepthStages {
 
 DepthStages depthStages(const Camera& camera, const Vec2& screen, double depth) noexcept;
 
-}  // namespace viewproj::detail
+}  // namespace viewproj::cmd

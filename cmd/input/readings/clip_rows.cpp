@@ -1,6 +1,8 @@
-#include "matrices/clip_rows.hpp"
+#include "input/readings/clip_rows.hpp"
 
-namespace viewproj::detail {
+namespace viewproj::cmd {
+
+using namespace detail;
 namespace {
 
 /// Entries smaller than this beside the largest of their row give products whose last bits underflow; what is lost is
@@ -127,4 +129,4 @@ ClipRows orthographicRows(const Mat4& m, double up, double forward) noexcept {
   return r;
 }
 
-}  // namespace viewproj::detail
+}  // namespace viewproj::cmd

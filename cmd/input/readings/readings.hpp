@@ -11,10 +11,10 @@
 
 #include "camera/pose.hpp"
 #include "camera/projection.hpp"
-#include "matrices/estimate.hpp"
+#include "input/readings/estimate.hpp"
 #include "viewproj/convention.hpp"
 
-namespace viewproj::detail {
+namespace viewproj::cmd {
 
 enum class MatrixKind {
   projection,      ///< clipFromView; determines view, ndcZ, reverseZ, ndcY, each given the others
@@ -24,7 +24,7 @@ enum class MatrixKind {
 };
 
 /// How the numbers, row by row as they are written, make the matrix M of y = M x.
-enum class Layout {
+enum class MatrixLayout {
   asWritten,   ///< row i of M is numbers 4 i to 4 i + 3: column vectors by rows, or row vectors by columns
   transposed,  ///< column i of M is: column vectors by columns, or row vectors by rows
   either,      ///< the matrix is symmetric
@@ -55,7 +55,7 @@ struct PoseEstimate {
 
 struct Reading {
   MatrixKind kind = MatrixKind::projection;
-  Layout layout = Layout::asWritten;
+  MatrixLayout layout = MatrixLayout::asWritten;
   Convention convention;  ///< only the axes that the kind determines mean something
   double scale = 1;       ///< all sixteen numbers are this times the usual ones: the picture is the same
   std::optional<LensEstimate> lens;
@@ -110,4 +110,4 @@ bool fits(const Reading& reading, const Convention& convention, NumberOrder orde
 /// stays the reading's. Throws CameraError where near or far is not determined well enough to be a camera's.
 Mat4 converted(const Reading& reading, const Convention& convention);
 
-}  // namespace viewproj::detail
+}  // namespace viewproj::cmd

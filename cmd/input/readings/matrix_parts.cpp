@@ -1,11 +1,13 @@
-#include "matrices/matrix_parts.hpp"
+#include "input/readings/matrix_parts.hpp"
 
 #include <cmath>
 #include <limits>
 
 #include "numbers/ulp.hpp"
 
-namespace viewproj::detail {
+namespace viewproj::cmd {
+
+using namespace detail;
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -226,4 +228,4 @@ Estimate estimate(DoubleDouble value, Interval in) noexcept {
   return {value.hi + 0.0, low + 0.0, high + 0.0};
 }
 
-}  // namespace viewproj::detail
+}  // namespace viewproj::cmd

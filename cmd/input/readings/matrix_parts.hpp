@@ -4,22 +4,24 @@
 #include <array>
 #include <optional>
 
-#include "matrices/estimate.hpp"
+#include "input/readings/estimate.hpp"
 #include "numbers/vectors.hpp"
 
-namespace viewproj::detail {
+namespace viewproj::cmd {
 
 /// Ends in double-double; an end may be infinite.
 struct Interval {
-  DoubleDouble low, high;
+  detail::DoubleDouble low, high;
 };
 
 /// The value, and the most by which the entries' rounding moves it, to first order.
 struct Uncertain {
-  DoubleDouble value;
+  detail::DoubleDouble value;
   double error = 0;
 
-  Interval interval() const noexcept { return {value - DoubleDouble(error), value + DoubleDouble(error)}; }
+  Interval interval() const noexcept {
+    return {value - detail::DoubleDouble(error), value + detail::DoubleDouble(error)};
+  }
 };
 
 /// With X, Y, W the distances of a point along right, ndcUp, forward from the eye (orthographic: from the origin), in
@@ -32,7 +34,7 @@ struct ClipParts {
   bool orthographic = false;
   double scale = 1;
   Uncertain scaleX, offsetX, scaleY, offsetY, depthOffset, depthScale;
-  DDVec3 right, ndcUp, forward;
+  detail::DDVec3 right, ndcUp, forward;
   std::array<Uncertain, 3> eye;
   Vec3 axisErrors;           ///< the most by which a component of right, ndcUp, forward is moved
   double residual = 0;       ///< of the right angles, and of the z row's from the w row
@@ -54,9 +56,9 @@ HalfSteps halfSteps(double value, EntryPrecision precision, double within = 0) n
 
 /// a / b for b above 0 or reaching down to it.
 Interval quotient(Interval a, Interval b) noexcept;
-DoubleDouble quotient(DoubleDouble a, DoubleDouble b) noexcept;
+detail::DoubleDouble quotient(detail::DoubleDouble a, detail::DoubleDouble b) noexcept;
 
 /// Rounded outwards.
-Estimate estimate(DoubleDouble value, Interval interval) noexcept;
+Estimate estimate(detail::DoubleDouble value, Interval interval) noexcept;
 
-}  // namespace viewproj::detail
+}  // namespace viewproj::cmd

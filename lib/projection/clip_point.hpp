@@ -1,0 +1,93 @@
+// A point's coordinates along the camera's axes, and in clip space, before they are rounded. Internal.
+#pragma once
+
+#include <cstdlib>
+#include <limits>
+
+#include "camera/convention.hpp"
+#include "camera/lens.hpp"
+#include "projection/error_model.hpp"
+#include "projection/eye_point.hpp"
+
+namespace viewproj::detail {
+
+// Number is DoubleDouble, or Wide where products may leave the range of doubles.
+
+/// Coordinates along right, up, forward, and 1 for a point or 0 for a direction.
+template <class Number>
+struct AxisPoint {
+  Number right, up, forward, weight;
+};
+
+inline AxisPoint<DoubleDouble> toAxes(const EyePoint& e, const Vec4& p) noexcept {
+  const DoubleDouble perW = p.w == 0 ? DoubleDouble(1) : DoubleDouble(1) / DoubleDouble(p.w);
+  const auto inWorld = [&](DoubleDouble a) { return scaleByPowerOfTwo(a * perW, e.exponent); };
+  return {inWorld(e.right), inWorld(e.up), inWorld(e.forward), p.w == 0 ? 0.0 : 1.0};
+}
+
+inline AxisPoint<Wide> toAxes(const WideEyePoint& e, const Vec4& p) noexcept {
+  const Wide w = p.w == 0 ? 1 : p.w;
+  return {e.right / w, e.up / w, e.forward / w, p.w == 0 ? 0.0 : 1.0};
+}
+
+/// Gives the point's coordinates to use, in what has the range for them.
+template <class Use>
+auto withAxes(const CameraParts& camera, const Vec4& point, EyePoint (*toEyePoint)(const PoseParts&, const Vec4&),
+              const Use& use) noexcept {
+  const Vec4 p = withUnitWeight(point);
+  const EyePoint e = toEye(camera.pose, p);
+  const bool isNarrow = camera.constants.range < kLargestRangeExact && std::abs(e.exponent) <= kLargestExponent &&
+                        (p.w == 0) == (point.w == 0);
+  if (!isNarrow) return use(toAxes(toEyeWidely(camera.pose, point), point));
+  return use(toAxes(toEyePoint == toEye ? e : toEyePoint(camera.pose, p), p));
+}
+
+template <class Number>
+struct ClipPoint {
+  Number x, y, z, w;
+};
+
+inline ClipPoint<DoubleDouble> toClip(const CameraParts& camera, const AxisPoint<DoubleDouble>& a,
+                                      const Convention& convention) noexcept {
+  const Lens l = ndcLens(camera.projection, convention);
+  const DoubleDouble& w = l.orthographic ? a.weight : a.forward;
+  return {sumOrZero(l.scaleX * a.right, l.offsetX * w), sumOrZero(l.scaleY * a.up, l.offsetY * w),
+          l.orthographic ? sumOrZero(l.depth.scale * a.forward, l.depth.offset * a.weight)
+                         : sumOrZero(l.depth.offset * a.forward, l.depth.scale * a.weight),
+          w};
+}
+
+inline ClipPoint<Wide> toClip(const CameraParts& camera, const AxisPoint<Wide>& a,
+                              const Convention& convention) noexcept {
+  const ProjectionParts& p = camera.projection;
+  const Lens l = ndcLens(p, convention);
+  const Wide& w = l.orthographic ? a.weight : a.forward;
+  const NdcDepths depths = ndcDepths(convention);
+  const DepthShares shares = depthShares(p.orthographic, p.near, p.far, a.forward, a.weight);
+  return {sumOrZero(toWide(l.scaleX) * a.right, toWide(l.offsetX) * w),
+          sumOrZero(toWide(l.scaleY) * a.up, toWide(l.offsetY) * w),
+          Wide(depths.atNear) * shares.ofNear + Wide(depths.atFar) * shares.ofFar, w};
+}
+
+inline bool isAboveZero(DoubleDouble a) noexcept { return a.hi > 0; }
+inline bool isAboveZero(const Wide& a) noexcept { return a.sign() > 0; }
+
+template <class Number>
+Vec3 toView(const AxisPoint<Number>& a, const Convention& convention) noexcept {
+  const AxisSigns sign = axisSigns(convention.view);
+  return {rounded(a.right), sign.up * rounded(a.up) + 0.0, sign.forward * rounded(a.forward) + 0.0};
+}
+
+template <class Number>
+Vec4 toVector(const ClipPoint<Number>& c) noexcept {
+  return {rounded(c.x), rounded(c.y), rounded(c.z), rounded(c.w)};
+}
+
+template <class Number>
+Vec3 toNdc(const ClipPoint<Number>& c) noexcept {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  if (!isAboveZero(c.w)) return {kNaN, kNaN, kNaN};
+  return {rounded(c.x / c.w), rounded(c.y / c.w), rounded(c.z / c.w)};
+}
+
+}  // namespace viewproj::detail
