@@ -181,8 +181,7 @@ std::string GivenPoint::json() const {
 }
 
 void GivenPoint::requireFit(bool worldIsEcef) const {
-  if (!named && worldIsEcef && numbers.size() == 3)
-    throw UsageError(text + ": " + bareTriple("lat=LAT,lon=LON,height=HEIGHT or x=X,y=Y,z=Z"));
+  if (!named && worldIsEcef) throw UsageError(text + ": " + bareTriple("lat=LAT,lon=LON,height=HEIGHT or x=X,y=Y,z=Z"));
   if (numbers[0].first == "lat" && !worldIsEcef)
     throw UsageError(text + ": a place needs a camera that stands on the Earth");
 }

@@ -25,6 +25,7 @@ struct BlockResult {
   std::size_t records = 0;              ///< in out, the bad ones that --keep-going puts there included
   bool arrays = false;                  ///< some stand in arrays that begin and end in out
   std::vector<StreamFault> passedOver;  ///< --keep-going
+  std::vector<std::string> notes;       ///< each once
   std::optional<StreamFault> fault;     ///< a record that ends the run: out has what came before it
 };
 
@@ -75,6 +76,7 @@ class Batch {
     const Plan* plan;  ///< null: bad, and errors_ has the next error
   };
 
+  void note(const std::string& text);
   void writeBad(std::string_view text, const RecordError& error);
   TextPosition positionOf(const char* at);
 

@@ -195,6 +195,7 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
                          },
                      .fromCommandLine = !setup.given.empty(),
                      .nothing = !writes,
+                     .note = setup.note,
                      .before =
                          [&](const auto& write) {
                            if (stream.columns.headerIsDue) writeDueHeader(stream.columns, setup.writer, write);

@@ -82,7 +82,8 @@ void OrderedOutput::put(const Block& block, const BlockResult& result) {
     put(result.out.view(), result.records, result.arrays);
     inArray_ += result.records;
   }
-  if (!result.passedOver.empty()) progress_.clear();
+  if (!result.passedOver.empty() || !result.notes.empty()) progress_.clear();
+  if (setup_.note) std::for_each(result.notes.begin(), result.notes.end(), setup_.note);
   for (const StreamFault& bad : result.passedOver) {
     const WritingHere writing;
     complain(setup_.placeOf(bad.position) + ": " + visible(bad.message), [] { return InterruptGuard::signal() != 0; });

@@ -59,7 +59,7 @@ const kEarthCamera = JSON.stringify({
 const kCamera = kEarthCamera.replace('"world":"ecef",', "");
 /// Of those places are points, and three numbers without names are none.
 const isOfTheEarth = (value) =>
-  value !== null && typeof value === "object" && ("lat" in value || Object.values(value).some(isOfTheEarth));
+  value !== null && typeof value === "object" && (Object.keys(value).some((key) => /^lat(itude)?$/i.test(key)) || Object.values(value).some(isOfTheEarth));
 const kCommandOf = { points: "project", shapes: "cull", pixels: "ray" };
 
 /// Each text is a line of its own. The prefix keeps results apart from the records' fields.
