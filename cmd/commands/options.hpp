@@ -122,6 +122,7 @@ class StreamOptions {
   std::optional<std::string> file_, prefix_, columns_;
   std::optional<Form> from_;
   std::optional<OutputForm> to_;
+  std::optional<char> delimiter_, decimal_, comment_;
   std::optional<std::size_t> jobs_, firstLine_;
   bool keepGoing_ = false, noHeader_ = false;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "text/csv_format.hpp"
 #include "text/error.hpp"
 #include "text/parse_number.hpp"
 #include "viewproj/geodesy.hpp"
@@ -17,11 +18,16 @@ std::string nameOf(const RecordParts& record, std::size_t field) {
 }
 
 double numberAt(const RecordParts& record, std::size_t field, std::string_view text) {
-  const auto number = record.shape.form == Form::csv ? parseNumber(csvValue(text)) : parseNumber(text);
-  if (!number)
-    throw RecordError(static_cast<std::size_t>(text.data() - record.text.data()),
-                      nameOf(record, field) + quoted(text) + " is not a finite number");
-  return *number;
+  const Form form = record.shape.form;
+  const char decimal = form == Form::csv || form == Form::text ? record.shape.csv.decimal : '.';
+  const auto number = form == Form::csv ? parseDecimal(csvValue(text), decimal) : parseDecimal(text, decimal);
+  if (number) return *number;
+  const bool hasComma =
+      decimal == '.' && (form == Form::csv || form == Form::text) && parseDecimal(csvValue(text), ',').has_value();
+  throw RecordError(static_cast<std::size_t>(text.data() - record.text.data()),
+                    nameOf(record, field) + quoted(text) + " is not a finite number" +
+                        (decimal != '.' ? " with decimals after '" + std::string(1, decimal) + "'" : "") +
+                        (hasComma ? "; --decimal , reads decimal commas" : ""));
 }
 
 bool isAbsent(std::string_view value, Form form) {

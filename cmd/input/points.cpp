@@ -221,7 +221,9 @@ Layout findNamedPoint(const RecordParts& record, const PointReading& reading, st
   for (const Coordinate* row : coordinates::kPoints)
     if (const std::string part = partlyThere(*row, shape); !part.empty())
       throw RecordError(
-          0, part + whatIsThere(shape) + (shape.form == Form::csv ? "; --columns names the others" : "") + near);
+          0, part + whatIsThere(shape) +
+                 (shape.form == Form::csv ? "; " + otherSeparator(shape).value_or("--columns names the others") : "") +
+                 near);
   if (shape.form == Form::csv)
     throw RecordError(0, "has no columns x, y, z or lat, lon, height" + whatIsThere(shape) + "; " +
                              otherSeparator(shape).value_or("--columns names x, y and z") + near);

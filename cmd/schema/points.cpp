@@ -56,6 +56,9 @@ Json hasNamed(std::string_view name, Aliases aliases, const Json& value) {
 /// An object that has the parts of a row, in any case or by aliases.
 Json hasParts(const Coordinate& row) {
   std::vector<Json> parts;
+  Json properties = Json::object();
+  for (std::size_t i = 0; i < row.fewest; ++i) properties[std::string(row.parts[i].name)] = partOf(row.parts[i]);
+  parts.push_back(having(properties));
   for (std::size_t i = 0; i < row.fewest; ++i)
     parts.push_back(hasNamed(row.parts[i].name, row.parts[i].aliases, partOf(row.parts[i])));
   Json all = schema::ofType("object");
@@ -134,12 +137,17 @@ Json pointFields() {
   return schema::allOf({schema::ofType("object"), firstOf(rows, then, schema::reference("otherNames"))});
 }
 
+/// The w of x, y, z, or W of X, Y, Z.
+Json weightOf(const Json& weight) {
+  return {{"if", having({{"x", true}}, {"x"})}, {"then", having({{"w", weight}})}, {"else", having({{"W", weight}})}};
+}
+
 /// A point by names in another case and by aliases, where a record has none of the very names.
 Json otherNames() {
   return {{"anyOf",
            {hasNamed(coordinates::position.name, coordinates::position.aliases, schema::reference("point")),
-            hasParts(coordinates::xyz), hasParts(coordinates::place),
-            hasNamed(coordinates::direction.name, {}, schema::reference("direction"))}}};
+            schema::allOf({hasParts(coordinates::xyz), weightOf(schema::ofType("number"))}),
+            hasParts(coordinates::place), hasNamed(coordinates::direction.name, {}, schema::reference("direction"))}}};
 }
 
 /// An object of x, y, z or of lat, lon, height, or an array.
@@ -161,7 +169,7 @@ Json finitePoint() {
     return having({{"w", notZero()}});
   };
   return objectOr(schema::allOf({having(beside), schema::reference("pointFields"),
-                                 firstOf(coordinates::kPoints, weight, schema::reference("otherNames"))}),
+                                 firstOf(coordinates::kPoints, weight, having({{"W", notZero()}}))}),
                   schema::allOf({schema::reference("xyz"), schema::reference("weighted")}));
 }
 
@@ -173,7 +181,7 @@ Json pixelFields() {
   const auto then = [](const Coordinate& row) {
     return &row == &coordinates::xy ? schema::allOf({valueOf(row), having({{"z", false}})}) : valueOf(row);
   };
-  std::vector<Json> others = {hasParts(coordinates::xy)};
+  std::vector<Json> others = {schema::allOf({hasParts(coordinates::xy), having({{"z", false}, {"Z", false}})})};
   for (const Coordinate* row : {&coordinates::screen, &coordinates::pixel})
     others.push_back(hasNamed(row->name, {}, numbers(2, 2)));
   return schema::allOf({having(distances), firstOf(rows, then, {{"anyOf", others}})});
@@ -233,18 +241,18 @@ std::string pointsSchema() {
   const Json ofParts = {{"anyOf", {hasParts(coordinates::xyz), hasParts(coordinates::place)}}};
   const Json unweighted = schema::allOf({ofParts, having({{"w", false}})});
   Json ofXyz = schema::allOf({hasParts(coordinates::xyz), having({{"w", false}}), zeros});
-  definitions["point"] = pointOr(schema::reference("xyz"), schema::allOf({ofParts, notAllZero(coordinates::xyz)}));
+  definitions["point"] =
+      pointOr(schema::reference("xyz"),
+              schema::allOf({ofParts, weightOf(schema::ofType("number")), notAllZero(coordinates::xyz)}));
   definitions["vector"] = pointOr(numbers(3, 3), unweighted);
   definitions["direction"] = pointOr(schema::reference("nonzero3"), ofXyz);
   definitions["xyz"] = numbers(3, 4);
   definitions["xyz"]["not"] = {{"const", {0, 0, 0, 0}}};
   definitions["nonzero3"] = numbers(3, 3);
   definitions["nonzero3"]["contains"] = notZero();
-  definitions["weighted"] = {
-      {"type", {"array", "object"}},
-      {"properties", {{"w", notZero()}}},
-      {"not",
-       {{"type", "array"}, {"prefixItems", {true, true, true, {{"const", 0}}}}, {"minItems", 4}, {"maxItems", 4}}}};
+  const Json zeroAtEnd = {
+      {"type", "array"}, {"prefixItems", {true, true, true, {{"const", 0}}}}, {"minItems", 4}, {"maxItems", 4}};
+  definitions["weighted"] = {{"anyOf", {{{"type", "array"}, {"not", zeroAtEnd}}, having({{"w", notZero()}})}}};
   definitions["pixelOrNull"] = numbers(2, 2);
   definitions["pixelOrNull"]["type"] = {"array", "null"};
   all["$ref"] = "#/$defs/points";

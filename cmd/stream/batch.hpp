@@ -104,7 +104,7 @@ class RecordReader {
 /// fast: with simdjson, where it agrees with nlohmann-json; otherwise with the latter alone, for comparison.
 std::unique_ptr<RecordReader> makeJsonReader(bool fast = true);
 std::unique_ptr<RecordReader> makeCsvReader(const Shape& header, const Results& results);
-std::unique_ptr<RecordReader> makeTextReader();
+std::unique_ptr<RecordReader> makeTextReader(const CsvFormat& format);
 std::unique_ptr<RecordReader> makeBinaryReader();
 
 }  // namespace viewproj::cmd

@@ -18,6 +18,7 @@ namespace {
 struct Records {
   std::string_view text;
   OutputForm form;
+  CsvFormat csv;
   std::size_t count;
   bool joined;  ///< an array's: separated, not ended, by what stands between them
   bool arrays;  ///< some stand in arrays
@@ -26,7 +27,7 @@ struct Records {
 
   /// After the record that begins there, its line break included.
   std::size_t behind(std::size_t begin) const {
-    const std::size_t line = form == OutputForm::csv ? endOfCsvRecord(text, begin) : text.find('\n', begin);
+    const std::size_t line = form == OutputForm::csv ? endOfCsvRecord(text, begin, csv) : text.find('\n', begin);
     return line >= text.size() ? text.size() : line + 1;
   }
 
@@ -124,7 +125,7 @@ void OrderedOutput::write(std::string_view text, std::size_t count, bool arrays)
   const WritingHere writing;
   const Written all = writeUntil(STDOUT_FILENO, text, [] { return InterruptGuard::signal() != 0; });
   if (all.bytes == text.size()) return;
-  const Records records{text, setup_.form, count, open_, arrays};
+  const Records records{text, setup_.form, setup_.csv, count, open_, arrays};
   if (all.error != 0) {
     if (all.error != EPIPE) takeBack(all.bytes - records.beginBefore(all.bytes));
     failToWrite(all.error);

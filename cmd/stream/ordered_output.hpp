@@ -12,6 +12,7 @@ namespace viewproj::cmd {
 
 struct OutputSetup {
   OutputForm form = OutputForm::lines;
+  CsvFormat csv = {};
   bool keepArrays = false;  ///< an array in the input is one in the output
   /// Names the place of what is wrong.
   std::function<std::string(TextPosition)> placeOf;

@@ -38,14 +38,23 @@ OutputForm sameForm(Form form) {
 std::optional<Form> formOfName(std::string_view fileName) {
   static constexpr std::pair<std::string_view, Form> kEndings[] = {
       {".json", Form::json}, {".ndjson", Form::json}, {".jsonl", Form::json}, {".csv", Form::csv},
-      {".txt", Form::text},  {".xyz", Form::text},    {".f64", Form::f64},    {".bin", Form::f64},
+      {".tsv", Form::csv},   {".xyz", Form::text},    {".f64", Form::f64},    {".bin", Form::f64},
   };
   for (const auto& [ending, form] : kEndings)
     if (fileName.ends_with(ending)) return form;
   return std::nullopt;
 }
 
-std::optional<Form> formOfBytes(std::string_view start, bool goesOn) {
+std::string_view behindComments(std::string_view text, char comment) {
+  constexpr std::string_view kSpace = " \t\r\n";
+  for (;;) {
+    text.remove_prefix(std::min(text.find_first_not_of(kSpace), text.size()));
+    if (!isTextComment(text, comment)) return text;
+    text.remove_prefix(std::min(text.find('\n'), text.size()));
+  }
+}
+
+std::optional<Form> formOfBytes(std::string_view start, bool goesOn, char decimal) {
   if (start.starts_with("\xEF\xBB\xBF")) start.remove_prefix(3);
   const std::size_t first = start.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) return Form::text;
@@ -57,8 +66,9 @@ std::optional<Form> formOfBytes(std::string_view start, bool goesOn) {
   const std::string_view line = start.substr(0, start.find('\n'));
   const char c = start[0];
   const bool number = (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.' || line.starts_with("NaN");
-  if (line.find(',') != std::string_view::npos) return Form::csv;
-  return number || hasNumber(line) || (goesOn && line.find(';') == std::string_view::npos) ? Form::text : Form::csv;
+  if ((decimal != ',' && line.find(',') != std::string_view::npos) || line.find(';') != std::string_view::npos)
+    return Form::csv;
+  return number || hasNumber(line) || goesOn ? Form::text : Form::csv;
 }
 
 }  // namespace viewproj::cmd

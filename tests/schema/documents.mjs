@@ -157,12 +157,25 @@ export function camera(r, pose, way, whole = false) {
 
 const kId = (r) => r.of([7, "lamp", -1.5]);
 
-function shape(r, kind) {
+/// An array, an object or a place, the same way for all points of a record.
+function waysOf(r) {
+  return r.of([
+    (at) => at,
+    (at) => at,
+    ([x, y, z]) => ({ x, y, z }),
+    ([x, y, z]) => ({ lat: 46 + x / 10, lon: 7 + y / 10, height: z }),
+  ]);
+}
+
+function shape(r, kind, as = (at) => at) {
   const at = vector(r);
   if (kind === "plane") return { point: at, normal: [r.number(1, 2), 0, r.number(-1, 1)] };
-  if (kind === "sphere") return { center: at, radius: r.of([0, 2.5]) };
-  if (kind === "box") return { min: at, max: at.map((x) => x + r.number(0, 3)) };
-  if (kind === "triangle") return [at, vector(r), vector(r)];
+  if (kind === "sphere") return { center: as(at), radius: r.of([0, 2.5]) };
+  if (kind === "box") {
+    const min = as(at), max = as(at.map((x) => x + r.number(0, 3)));
+    return "lat" in min ? { min, max: min } : { min, max };
+  }
+  if (kind === "triangle") return [as(at), as(vector(r)), as(vector(r))];
   return "WGS84";
 }
 
@@ -199,7 +212,7 @@ function otherNames(r) {
 }
 const atOf = (r) => {
   const [x, y, z] = vector(r);
-  return r.of([{ x, y, z }, { X: x, y, z }, { lat: 46.5, lon: 7, height: z }]);
+  return r.of([{ x, y, z }, { x, y, z, w: 2 }, { X: x, Y: y, Z: z, W: 2 }, { X: x, y, z }, { lat: 46.5, lon: 7, height: z }]);
 };
 
 function pointRecord(r, kind = r.of(kPointKinds)) {
@@ -214,8 +227,11 @@ function pointRecord(r, kind = r.of(kPointKinds)) {
   if (kind === "alias") Object.assign(record, otherNames(r));
   if (kind === "object") record.position = atOf(r);
   if (kind === "place") Object.assign(record, place(r));
-  if (kind === "direction") record.direction = at;
-  if (kind.startsWith("segment")) record.segment = [at, vector(r)];
+  if (kind === "direction") record.direction = r.chance(0.3) ? { x: at[0], y: at[1], z: at[2] } : at;
+  if (kind.startsWith("segment")) {
+    const as = waysOf(r);
+    record.segment = [as(at), as(vector(r))];
+  }
   if (kind === "segment and pixel") record.pixel = r.chance(0.3) ? null : [100, 50];
   maybe(r, record, "colour", () => ({ red: [1, null] }));
   return record;
@@ -231,7 +247,7 @@ function shapeRecord(r) {
     return point;
   }
   if (kind === "round") return { ...pointRecord(r, r.of(["position", "xyz", "xyzw", "place", "alias", "object"])), radius: r.of([0, 2.5]) };
-  const record = { [kind]: shape(r, kind) };
+  const record = { [kind]: shape(r, kind, waysOf(r)) };
   maybe(r, record, "id", () => kId(r));
   return record;
 }
