@@ -8,6 +8,7 @@
 #include "input/convention_names.hpp"
 #include "input/points.hpp"
 #include "output/output_file.hpp"
+#include "text/csv_format.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
 #include "text/names.hpp"
@@ -21,6 +22,19 @@ Names<ConventionPreset> presets() {
   Names<ConventionPreset> names;
   for (const ConventionPreset& preset : conventionPresets()) names.emplace_back(preset.name, preset);
   return names;
+}
+
+/// What may stand between fields and be none of a number, a name or a quote.
+bool isPunctuation(char c) { return std::string_view("!#$%&()*/:;<=>?@[\\]^`{|}~,").find(c) != std::string_view::npos; }
+
+char readDelimiter(const std::string& option, const std::string& text) {
+  for (const SeparatorName& one : kSeparators)
+    if (text == one.name || text == one.plural || text == std::string(1, one.separator)) return one.separator;
+  if (text == "\\t") return '\t';
+  if (text.size() == 1 && isPunctuation(text[0])) return text[0];
+  std::vector<std::string_view> names;
+  for (const SeparatorName& one : kSeparators) names.push_back(one.name);
+  throw UsageError(option + " " + visible(text) + ": expected " + alternatives(names) + " or a character as ;");
 }
 
 constexpr std::size_t kMostJobs = 1024;
@@ -186,8 +200,7 @@ std::string GivenPoint::json() const {
 }
 
 void GivenPoint::requireFit(bool worldIsEcef) const {
-  if (!named && worldIsEcef && numbers.size() == 3)
-    throw UsageError(text + ": " + bareTriple("lat=LAT,lon=LON,height=HEIGHT or x=X,y=Y,z=Z"));
+  if (!named && worldIsEcef) throw UsageError(text + ": " + bareTriple("lat=LAT,lon=LON,height=HEIGHT or x=X,y=Y,z=Z"));
   if (numbers[0].first == "lat" && !worldIsEcef)
     throw UsageError(text + ": a place needs a camera that stands on the Earth");
 }
@@ -206,9 +219,30 @@ void StreamOptions::addInput(CLI::App& app, const std::string& what) {
   const Heading heading(app, "Input");
   addValue(app, "FILE", "", file_, readFileName, "The " + what + "; absent or - for standard input");
   addChoice(app, "--from", "FORM", from_, namesOf(inputForms()), "Form of FILE", "as its name and first bytes tell");
-  addValue(app, "--columns", "COLUMNS", columns_, readText,
-           "Columns of CSV, fields of JSON or numbers of a line that hold the coordinates: E,N,U or 2,3,4, or by their "
-           "roles, as in lat=la,lon=lo,height=h or, of pixels, x=u,y=v,depth=d (default: by their names)");
+  addValue(
+      app, "--columns", "COLUMNS", columns_, readText,
+      "Columns of CSV, fields of JSON or numbers of a line that hold the coordinates: names or numbers in order, as "
+      "in E,N,U or 2,3,4; roles in any order, as in w,x,y,z or lat,lon,height, or of pixels depth,x,y; or each with "
+      "its role, as in lat=la,lon=lo,height=h or x=u,y=v,depth=d (default: by their names)");
+  addValue(
+      app, "--delimiter", "CHAR", delimiter_, readDelimiter,
+      "What separates the columns of CSV, in and out: comma, semicolon, tab, blank, bar or a character (default: as "
+      "the first line tells)");
+  addValue(
+      app, "--decimal", "CHAR", decimal_,
+      [](const std::string& option, const std::string& text) {
+        if (text != "," && text != ".") throw UsageError(option + " " + text + ": expected , or .");
+        return text[0];
+      },
+      "What decimals of CSV and text follow, . or , (default: .)");
+  addValue(
+      app, "--comment", "CHAR", comment_,
+      [](const std::string& option, const std::string& text) {
+        if (text.size() != 1 || !isPunctuation(text[0]))
+          throw UsageError(option + " " + text + ": expected one character, as in '#'");
+        return text[0];
+      },
+      "What begins a line of CSV or text that is a comment (default: in text #, in CSV nothing)");
 }
 
 void StreamOptions::add(CLI::App& app, const std::string& what) {
@@ -248,6 +282,9 @@ FilterSetup StreamOptions::setup(const ChoosableColumns& choosable) const {
   setup.firstLine = firstLine_.value_or(1);
   setup.force = force_;
   setup.writer.digits = static_cast<int>(digits_.value_or(0));
+  setup.delimiter = delimiter_;
+  setup.decimal = decimal_;
+  setup.comment = comment_;
   setup.writer.header = !noHeader_;
   setup.writer.prefix = prefix_.value_or("");
   if (columns_) {
@@ -300,6 +337,8 @@ void StreamOptions::requireOneInput(const FilterSetup& setup, const CameraOption
 void StreamOptions::requireNoInputOption(const std::string& why) const {
   for (const auto& [name, given] : {std::pair("--from", from_.has_value()),
                                     {"--columns", columns_.has_value()},
+                                    {"--decimal", decimal_.has_value()},
+                                    {"--comment", comment_.has_value()},
                                     {"--first-line", firstLine_.has_value()}})
     if (given) throw UsageError(std::string(name) + " is for FILE, which " + why);
 }

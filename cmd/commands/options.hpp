@@ -123,6 +123,7 @@ class StreamOptions {
   std::optional<std::string> file_, prefix_, columns_;
   std::optional<Form> from_;
   std::optional<OutputForm> to_;
+  std::optional<char> delimiter_, decimal_, comment_;
   std::optional<std::size_t> jobs_, firstLine_, digits_;
   bool keepGoing_ = false, noHeader_ = false, force_ = false;
 };

@@ -80,6 +80,14 @@ void place(Pick& pick, const std::string& text) {
     throw wrong(text, "columns are numbered from 1 to " + std::to_string(kMostFields));
 }
 
+std::vector<const CoordinatePart*> partsOf(const ChoosableColumns& choosable) {
+  std::vector<const CoordinatePart*> parts;
+  for (const auto& rows : {choosable.rows, choosable.others})
+    for (const Coordinate* row : rows)
+      for (const CoordinatePart& part : row->parts) parts.push_back(&part);
+  return parts;
+}
+
 /// The role behind the fewest that a column has by its name: viewDistance, and view_distance as CSV has it.
 std::string_view roleNamed(std::string_view name, const ChoosableColumns& choosable) {
   const auto isOf = [&](const CoordinatePart& part) { return name == part.name || name == columnName(part.name); };
@@ -103,13 +111,13 @@ std::string eitherRole(const std::vector<Pick>& picks, const ChoosableColumns& c
 void giveRoles(ColumnChoice& choice, const ChoosableColumns& choosable) {
   std::vector<Pick>& picks = choice.picks;
   std::vector<Pick> named = picks;
-  for (Pick& pick : named) pick.role = pick.name;
+  for (Pick& pick : named) pick.role = roleOf(pick.name, choosable);
   std::vector<std::string_view> inOrder;
   for (const CoordinatePart& part : choosable.rows[0]->parts) inOrder.push_back(part.name);
   const std::size_t fewest = choosable.rows[0]->fewest;
   if (inOrder.size() == fewest && !choosable.others.empty()) inOrder.push_back(choosable.others[0]->parts[0].name);
   // x, y, z the other way round are columns that take one another's place.
-  bool exchanged = true;
+  bool exchanged = picks.size() == fewest;
   for (std::size_t i = 0; i < picks.size(); ++i)
     exchanged &= std::find(inOrder.begin(), inOrder.end(), picks[i].name) != inOrder.end();
   for (std::size_t i = 0, equal = 0; i < std::min(picks.size(), inOrder.size()); ++i)
@@ -131,6 +139,18 @@ void giveRoles(ColumnChoice& choice, const ChoosableColumns& choosable) {
 }
 
 }  // namespace
+
+std::string_view roleOf(std::string_view name, const ChoosableColumns& choosable) {
+  const std::vector<const CoordinatePart*> parts = partsOf(choosable);
+  for (const CoordinatePart* part : parts)
+    if (name == part->name) return part->name;
+  for (const CoordinatePart* part : parts) {
+    const auto is = [&](std::string_view other) { return sameButForCase(name, other); };
+    if (is(part->name) || is(columnName(part->name)) || std::any_of(part->aliases.begin(), part->aliases.end(), is))
+      return part->name;
+  }
+  return "";
+}
 
 const Pick* ColumnChoice::find(std::string_view role) const {
   const auto pick = std::find_if(picks.begin(), picks.end(), [&](const Pick& one) { return one.role == role; });
@@ -171,10 +191,8 @@ ColumnChoice chooseColumns(const std::string& text, const ChoosableColumns& choo
     Pick pick{.role = std::string(trimmed(hasRole ? part.substr(0, equals) : "")),
               .name = std::string(trimmed(hasRole ? part.substr(equals + 1) : part))};
     place(pick, text);
-    for (const Pick& other : choice.picks) {
+    for (const Pick& other : choice.picks)
       if (other.name == pick.name) throw UsageError("--columns: " + pick.name + " is named twice");
-      if (hasRole && other.role == pick.role) throw UsageError("--columns: " + pick.role + " is given twice");
-    }
     choice.picks.push_back(std::move(pick));
     if (choice.picks.size() > 16) throw wrong(text, "too many; " + expected(choosable));
   }
@@ -182,10 +200,16 @@ ColumnChoice chooseColumns(const std::string& text, const ChoosableColumns& choo
     giveRoles(choice, choosable);
     return choice;
   }
-  const std::vector<std::string_view> roles = rolesOf(choosable);
-  for (const Pick& pick : choice.picks)
-    if (std::find(roles.begin(), roles.end(), pick.role) == roles.end())
-      throw UsageError("--columns: '" + pick.role + "' is not known" + suggestion(pick.role, roles));
+  for (Pick& pick : choice.picks) {
+    const std::string_view role = roleOf(pick.role, choosable);
+    if (role.empty())
+      throw UsageError("--columns: '" + pick.role + "' is not known" + suggestion(pick.role, rolesOf(choosable)));
+    pick.role = role;
+  }
+  for (std::size_t i = 0; i < choice.picks.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (choice.picks[i].role == choice.picks[j].role)
+        throw UsageError("--columns: " + choice.picks[i].role + " is given twice");
   if (!isWhole(choice.picks, choosable)) throw wrong(text, expected(choosable));
   return choice;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "input/coordinates.hpp"
+#include "input/record.hpp"
 
 namespace viewproj::cmd {
 
@@ -42,6 +43,9 @@ struct ColumnChoice {
   /// Throws UsageError where records have no names and names were typed. of: "lines of text".
   void requireNoNames(const std::string& of) const;
 };
+
+/// The role that a name or an alias in any case says; empty: none.
+std::string_view roleOf(std::string_view name, const ChoosableColumns& choosable);
 
 /// "E,N,U", "2,3,4", "x=E,y=N,z=U". Throws UsageError.
 ColumnChoice chooseColumns(const std::string& text, const ChoosableColumns& choosable);

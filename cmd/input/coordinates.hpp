@@ -1,22 +1,19 @@
 // What a record's numbers are called: each way to say a point, a shape or a pixel is a row, which the readers,
-// --columns, messages and the schema of points follow from. To add one: a row.
+// --columns, messages and the schema of points follow from. To add one: a row; another name: an alias.
 #pragma once
 
+#include <cstddef>
 #include <limits>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "input/layout.hpp"
-#include "input/record.hpp"
-
 namespace viewproj::cmd {
 
 enum class CoordinateForm : unsigned char {
   numbers,  ///< a field or column for each part
-  array,    ///< a field with an array; columns NAME_x, NAME_y, ...
+  array,    ///< a field with an array, or an object of x, y, z; columns NAME_x, NAME_y, ...
   points,   ///< a field with an array of so many points; JSON alone
   object,   ///< a field with an object of the parts; columns PART, or PART_x, ... for a part of three
   word,     ///< a field that is known, and not read here
@@ -25,19 +22,18 @@ enum class CoordinateForm : unsigned char {
 /// What becomes of the numbers.
 enum RecordKind : unsigned {
   kindPoint,
-  kindWeightedPoint,  ///< of an array that must have a w
   kindDirection,
   kindPlace,
   kindSegment,
   kindSegmentAndPixel,
   kindSphere,
-  kindRoundPoint,          ///< a point, and a radius behind it
-  kindRoundWeightedPoint,  ///< the same of an array that must have a w
-  kindPlacedSphere,        ///< a place, and a radius
+  kindRoundPoint,    ///< a point, and a radius behind it
+  kindPlacedSphere,  ///< a place, and a radius
   kindBox,
   kindTriangle
 };
 
+/// Other names, in any case. Of a field of JSON they count where its value has the form.
 using Aliases = std::span<const std::string_view>;
 
 struct CoordinatePart {
@@ -57,6 +53,7 @@ struct Coordinate {
   bool orNull = false;  ///< null, an empty cell: stands for no value
   char first = '{';     ///< of points, object, word: a field of the name counts where its value begins so
   Aliases aliases = {};
+  Aliases elsewhere = {};  ///< what others call it, for messages
 };
 
 // clang-format off
@@ -65,10 +62,20 @@ namespace coordinates {
 using enum CoordinateForm;
 inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
+inline constexpr std::string_view
+    kPositionNames[] = {"pos", "point", "location", "xyz"},
+    kLatNames[] = {"latitude"},
+    kLonNames[] = {"lng", "long", "longitude"},
+    kSeaLevelNames[] = {"alt", "altitude", "ele", "elevation"},  // taken as heights, with a note
+    kBoxNames[] = {"aabb", "bbox", "bounds", "boundingBox"},
+    kSphereNames[] = {"ball", "boundingSphere"},
+    kSegmentNames[] = {"line", "edge"},
+    kTriangleNames[] = {"tri", "face"};
+
 inline constexpr CoordinatePart
     kXyzw[] = {{"x"}, {"y"}, {"z"}, {"w"}},
     kXy[] = {{"x"}, {"y"}},
-    kPlace[] = {{"lat", 1, {}, -90, 90}, {"lon"}, {"height"}},
+    kPlace[] = {{"lat", 1, kLatNames, -90, 90}, {"lon", 1, kLonNames}, {"height", 1, kSeaLevelNames}},
     kSphere[] = {{"center", 3}, {"radius", 1, {}, 0, kUnbounded}},
     kBox[] = {{"min", 3}, {"max", 3}},
     kRadius[] = {{"radius", 1, {}, 0, kUnbounded}},
@@ -77,7 +84,7 @@ inline constexpr CoordinatePart
 
 // Points, in the order in which they count.
 inline constexpr Coordinate
-    position = {"position", array, 3, 4, "a point of the world, or homogeneous: (x/w, y/w, z/w), w = 0 a direction", kindPoint},
+    position = {"position", array, 3, 4, "a point of the world, or homogeneous: (x/w, y/w, z/w), w = 0 a direction", kindPoint, {}, false, '{', kPositionNames},
     xyz = {"x y z", numbers, 3, 4, "the same, a field or column each", kindPoint, kXyzw},
     place = {"lat lon height", numbers, 3, 3, "a place on the Earth: degrees on WGS84, metres above the ellipsoid", kindPlace, kPlace},
     direction = {"direction", array, 3, 3, "stands for its vanishing point", kindDirection};
@@ -85,10 +92,10 @@ inline constexpr const Coordinate* kPoints[] = {&position, &xyz, &place, &direct
 
 // Shapes.
 inline constexpr Coordinate
-    segment = {"segment", points, 2, 2, "from one point to another", kindSegment, {}, false, '['},
-    sphere = {"sphere", object, 4, 4, "all within radius of center", kindSphere, kSphere},
-    box = {"box", object, 6, 6, "from min to max along the world's axes", kindBox, kBox},
-    triangle = {"triangle", points, 3, 3, "of three corners", kindTriangle, {}, false, '['},
+    segment = {"segment", points, 2, 2, "from one point to another", kindSegment, {}, false, '[', {}, kSegmentNames},
+    sphere = {"sphere", object, 4, 4, "all within radius of center", kindSphere, kSphere, false, '{', {}, kSphereNames},
+    box = {"box", object, 6, 6, "from min to max along the world's axes", kindBox, kBox, false, '{', {}, kBoxNames},
+    triangle = {"triangle", points, 3, 3, "of three corners", kindTriangle, {}, false, '[', {}, kTriangleNames},
     plane = {"plane", word, 0, 0, "a shape of scenes"},
     ellipsoid = {"ellipsoid", word, 0, 0, "a shape of scenes", 0, {}, false, '"'},
     radius = {"radius", numbers, 1, 1, "beside a point, to cull: a sphere about it", 0, kRadius};
@@ -108,10 +115,6 @@ inline constexpr const Coordinate *kPixels[] = {&screen, &pixel, &xy}, *kDistanc
 
 /// Every row.
 std::span<const Coordinate* const> allCoordinates();
-
-/// The parts of a row in the fields of a record, if it has the first of them. Adds to forms which values it went by.
-/// Throws RecordError if another is missing.
-std::optional<Layout> find(const Coordinate& row, const RecordParts& record, std::vector<FormOfField>& forms);
 
 /// The columns of CSV, all that it may have.
 std::vector<std::string> columnsOf(const Coordinate& row);

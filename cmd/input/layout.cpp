@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "text/csv_format.hpp"
 #include "text/error.hpp"
 #include "text/parse_number.hpp"
+#include "viewproj/geodesy.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -16,11 +18,16 @@ std::string nameOf(const RecordParts& record, std::size_t field) {
 }
 
 double numberAt(const RecordParts& record, std::size_t field, std::string_view text) {
-  const auto number = record.shape.form == Form::csv ? parseNumber(csvValue(text)) : parseNumber(text);
-  if (!number)
-    throw RecordError(static_cast<std::size_t>(text.data() - record.text.data()),
-                      nameOf(record, field) + quoted(text) + " is not a finite number");
-  return *number;
+  const Form form = record.shape.form;
+  const char decimal = form == Form::csv || form == Form::text ? record.shape.csv.decimal : '.';
+  const auto number = form == Form::csv ? parseDecimal(csvValue(text), decimal) : parseDecimal(text, decimal);
+  if (number) return *number;
+  const bool hasComma =
+      decimal == '.' && (form == Form::csv || form == Form::text) && parseDecimal(csvValue(text), ',').has_value();
+  throw RecordError(static_cast<std::size_t>(text.data() - record.text.data()),
+                    nameOf(record, field) + quoted(text) + " is not a finite number" +
+                        (decimal != '.' ? " with decimals after '" + std::string(1, decimal) + "'" : "") +
+                        (hasComma ? "; --decimal , reads decimal commas" : ""));
 }
 
 bool isAbsent(std::string_view value, Form form) {
@@ -49,12 +56,53 @@ std::string_view innerValue(const RecordParts& record, const NumberField& part) 
                                         : "has no " + part.inner));
 }
 
+/// Of an array that is none, or of an object.
+std::string expectedPoint(const NumberField& part) {
+  if (part.point == PointForm::ofTheEarth) return kObjectsSay;
+  const std::string array = "an array of " + std::to_string(part.fewest) +
+                            (part.fewest == part.most ? "" : " or " + std::to_string(part.most)) + " numbers";
+  return part.point == PointForm::none ? array : array + " or {\"x\": X, \"y\": Y, \"z\": Z}";
+}
+
+/// A point as an object; a place as the point that it is. Returns how many numbers there are.
+std::size_t readPointObject(const RecordParts& record, const NumberField& part, std::string_view value, double* numbers,
+                            std::string& seaLevel) {
+  const std::string name = nameOf(record, part.field);
+  const auto at = [&](std::string_view text) { return static_cast<std::size_t>(text.data() - record.text.data()); };
+  std::optional<PointObject> object;
+  try {
+    object = pointObject(value);
+  } catch (const RecordError& e) {
+    throw RecordError(at(value), name + e.what());
+  }
+  if (!object || object->count > part.most || (object->isPlace && part.point == PointForm::vector))
+    throw RecordError(at(value), name + "expected " + expectedPoint(part));
+  if (object->isPlace && part.point == PointForm::point) throw RecordError(at(value), name + kNotOnEarth);
+  for (std::size_t i = 0; i < object->count; ++i) {
+    const auto number = parseNumber(object->parts[i]);
+    if (!number)
+      throw RecordError(at(object->parts[i]), name + std::string(object->names[i]) + ": " + quoted(object->parts[i]) +
+                                                  " is not a finite number");
+    numbers[i] = *number;
+  }
+  if (!object->isPlace) return object->count;
+  seaLevel = object->seaLevel;
+  const Geodetic place{numbers[0], numbers[1], numbers[2]};
+  if (!isPlace(place))
+    throw RecordError(at(object->parts[0]),
+                      name + "lat: " + quoted(object->parts[0]) + " is not from -90 to 90 degrees");
+  const Vec3 p = geodeticToEcef(place);
+  numbers[0] = p.x;
+  numbers[1] = p.y;
+  numbers[2] = p.z;
+  return 3;
+}
+
 /// Returns how many there are.
 std::size_t readArray(const RecordParts& record, const NumberField& part, std::string_view value, double* numbers) {
   const auto expected = [&] {
     return RecordError(static_cast<std::size_t>(value.data() - record.text.data()),
-                       nameOf(record, part.field) + "expected an array of " + std::to_string(part.fewest) +
-                           (part.fewest == part.most ? "" : " or " + std::to_string(part.most)) + " numbers");
+                       nameOf(record, part.field) + "expected " + expectedPoint(part));
   };
   if (!value.starts_with('[')) throw expected();
   std::size_t count = 0;
@@ -65,6 +113,9 @@ std::size_t readArray(const RecordParts& record, const NumberField& part, std::s
     numbers[count++] = numberAt(record, part.field, item->value);
   }
   if (count < part.fewest) throw expected();
+  if (part.point == PointForm::ofTheEarth && count == 3)
+    throw RecordError(static_cast<std::size_t>(value.data() - record.text.data()),
+                      nameOf(record, part.field) + bareTriple(kObjectsSay));
   return count;
 }
 
@@ -78,7 +129,7 @@ std::size_t Layout::slots() const {
 
 bool Layout::fits(const std::vector<std::string_view>& values) const {
   return std::all_of(forms.begin(), forms.end(),
-                     [&](const FormOfField& form) { return values[form.field].starts_with(form.first) == form.is; });
+                     [&](const FormOfField& form) { return form.holds(values[form.field]); });
 }
 
 void readNumbers(const RecordParts& record, const Layout& layout, Numbers& numbers) {
@@ -88,6 +139,8 @@ void readNumbers(const RecordParts& record, const Layout& layout, Numbers& numbe
     std::size_t count = 0;
     if (part.mayBeAbsent && isAbsent(value, record.shape.form))
       count = 0;
+    else if (part.point != PointForm::none && value.starts_with('{') && record.shape.form == Form::json)
+      count = readPointObject(record, part, value, slot, numbers.seaLevel);
     else if (part.isArray)
       count = readArray(record, part, value, slot);
     else

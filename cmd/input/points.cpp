@@ -1,9 +1,12 @@
 #include "input/points.hpp"
 
+#include <algorithm>
 #include <cmath>
 
+#include "input/coordinate_fields.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
+#include "text/names.hpp"
 #include "viewproj/geodesy.hpp"
 
 namespace viewproj::cmd {
@@ -19,8 +22,6 @@ Layout firstFields(std::size_t count, bool mayBeAbsent) {
   return layout;
 }
 
-constexpr const char* kNotOnEarth =
-    "lat, lon, height need a camera that stands on the Earth: a position by lat, lon, height, or \"world\": \"ecef\"";
 constexpr const char* kColumnsSay = "--columns lat,lon,height or --columns x,y,z";
 
 Vec4 toWorld(const Geodetic& place) {
@@ -29,25 +30,43 @@ Vec4 toWorld(const Geodetic& place) {
   return {p.x, p.y, p.z, 1};
 }
 
+bool isOfTheSea(std::string_view name) {
+  return std::any_of(std::begin(coordinates::kSeaLevelNames), std::end(coordinates::kSeaLevelNames),
+                     [&](std::string_view one) { return sameButForCase(name, one); });
+}
+
 void append(Layout& layout, const Layout& more) {
+  layout.notes.insert(layout.notes.end(), more.notes.begin(), more.notes.end());
   layout.parts.insert(layout.parts.end(), more.parts.begin(), more.parts.end());
 }
 
-/// What --columns names of a row, in the row's order.
+/// What --columns names of a row, in the row's order. Notes what it does not name and the row's own name says. Throws
+/// RecordError for a column under two names.
 void appendChosen(Layout& layout, const Coordinate& row, const ColumnChoice& choice, const RecordParts& record,
                   bool mayBeAbsent) {
-  for (const CoordinatePart& part : row.parts)
-    if (const auto* pick = choice.find(part.name))
-      layout.parts.push_back({fieldOf(*pick, choice, record), 1, 1, false, mayBeAbsent});
+  for (const CoordinatePart& part : row.parts) {
+    const auto* pick = choice.find(part.name);
+    const bool hasOwnNames = choice.picks[0].name == choice.picks[0].role;
+    if (!pick && hasOwnNames && record.shape.find(part.name))
+      layout.notes.push_back("--columns " + choice.text + " does not name " + quoted(part.name) +
+                             ", which is there and is not used");
+    if (!pick) continue;
+    const std::size_t field = fieldOf(*pick, choice, record);
+    for (const NumberField& other : layout.parts)
+      if (other.field == field)
+        throw RecordError(0, "--columns " + choice.text + " names column " + std::to_string(field + 1) +
+                                 " twice, for " + pick->role + " as " + quoted(pick->name));
+    layout.parts.push_back({field, 1, 1, false, mayBeAbsent});
+    if (pick->role == coordinates::kPlace[2].name && isOfTheSea(pick->name))
+      layout.notes.push_back(seaLevelNote(pick->name));
+  }
 }
 
 /// A point with its radius, if it has one and that counts.
 Layout perhapsRound(Layout layout, std::optional<Layout> radius) {
   if (!radius) return layout;
   append(layout, *radius);
-  layout.kind = layout.kind == kindPlace           ? kindPlacedSphere
-                : layout.kind == kindWeightedPoint ? kindRoundWeightedPoint
-                                                   : kindRoundPoint;
+  layout.kind = layout.kind == kindPlace ? kindPlacedSphere : kindRoundPoint;
   return layout;
 }
 
@@ -60,10 +79,10 @@ Layout findChosenPoint(const RecordParts& record, const PointReading& reading) {
   layout.kind = row.kind;
   appendChosen(layout, row, choice, record, false);
   if (!reading.radius) return layout;
-  if (!choice.find("radius")) return layout;
-  Layout radius;
-  appendChosen(radius, coordinates::radius, choice, record, false);
-  return perhapsRound(layout, radius);
+  const std::size_t numbers = layout.parts.size();
+  appendChosen(layout, coordinates::radius, choice, record, false);
+  if (layout.parts.size() > numbers) layout.kind = layout.kind == kindPlace ? kindPlacedSphere : kindRoundPoint;
+  return layout;
 }
 
 std::string numbersIn(const Shape& shape) {
@@ -88,67 +107,152 @@ Layout findBarePoint(const RecordParts& record, const PointReading& reading) {
   return firstFields(shape.size, false);
 }
 
+struct Found {
+  const Coordinate* row;
+  Layout layout;
+};
+
+/// Those of the rows that the record has.
+std::vector<Found> findAll(std::span<const Coordinate* const> rows, const RecordParts& record,
+                           std::vector<FormOfField>& forms, NameRule rule) {
+  std::vector<Found> all;
+  for (const Coordinate* row : rows)
+    if (auto layout = find(*row, record, forms, rule)) all.push_back({row, std::move(*layout)});
+  return all;
+}
+
+/// "--columns x,y,z", where the columns are numbers each.
+std::string wayToName(const Layout& layout, const Shape& shape) {
+  const bool each =
+      std::none_of(layout.parts.begin(), layout.parts.end(), [](const auto& part) { return part.isArray; });
+  return each ? "--columns " + namesIn(layout, shape) : "";
+}
+
+[[noreturn]] void failTwoPoints(const RecordParts& record, const Layout& one, const Layout& other) {
+  const Shape& shape = record.shape;
+  const std::string ways[] = {wayToName(one, shape), wayToName(other, shape)};
+  throw RecordError(0, "has two points, " + namesIn(one, shape) + " and " + namesIn(other, shape) + "; expected one" +
+                           (ways[0].empty() && ways[1].empty() ? "" : ", or ") + ways[0] +
+                           (ways[0].empty() || ways[1].empty() ? "" : " or ") + ways[1]);
+}
+
+/// With a camera on the Earth three numbers of an array may be a place.
+void askWhich(Layout& layout) {
+  for (NumberField& part : layout.parts)
+    if (part.point == PointForm::point) part.point = PointForm::ofTheEarth;
+}
+
+/// The shape of a record, or nothing. Throws RecordError where it has two.
+std::optional<Layout> findShape(const RecordParts& record, const PointReading& reading,
+                                std::vector<FormOfField>& forms) {
+  std::vector<const Coordinate*> rows;
+  if (reading.segments) rows.push_back(&coordinates::segment);
+  if (!reading.shapes.empty())
+    rows.insert(rows.end(), std::begin(coordinates::kShapes), std::end(coordinates::kShapes));
+  std::vector<Found> all = findAll(rows, record, forms, NameRule::exact);
+  if (all.empty() && record.shape.form == Form::csv) all = findAll(rows, record, forms, NameRule::any);
+  if (all.size() > 1)
+    throw RecordError(0, "has two shapes, a " + std::string(all[0].row->name) + " and a " +
+                             std::string(all[1].row->name) + "; expected one");
+  if (all.empty()) return std::nullopt;
+  Layout& layout = all[0].layout;
+  if (all[0].row == &coordinates::segment)
+    if (const auto pixel = find(coordinates::pixel, record, forms)) {
+      append(layout, *pixel);
+      layout.kind = kindSegmentAndPixel;
+    }
+  if (reading.worldIsEcef) askWhich(layout);
+  return layout;
+}
+
+/// The point of a record, or nothing. Throws RecordError where it has two.
+std::optional<Layout> findNamed(const RecordParts& record, const PointReading& reading, std::vector<FormOfField>& forms,
+                                NameRule rule) {
+  std::vector<Found> all = findAll(coordinates::kPoints, record, forms, rule);
+  if (!reading.worldIsEcef && all.size() > 1)
+    std::erase_if(all, [](const Found& found) { return found.row->kind == kindPlace; });
+  if (all.size() > 1 && all.back().row->kind == kindDirection) all.pop_back();
+  if (all.empty()) return std::nullopt;
+  if (all.size() > 1) failTwoPoints(record, all[0].layout, all[1].layout);
+  auto& [row, layout] = all[0];
+  if (row->kind == kindPlace && !reading.worldIsEcef) throw RecordError(0, kNotOnEarth);
+  if (reading.worldIsEcef) {
+    askWhich(layout);
+    // Other names of the one beside the very names of the other.
+    for (const auto& [one, other] :
+         {std::pair(&coordinates::xyz, &coordinates::place), std::pair(&coordinates::place, &coordinates::xyz)})
+      if (row == one)
+        if (const auto second = find(*other, record, forms, NameRule::any)) failTwoPoints(record, layout, *second);
+  }
+  if (!reading.radius || row->kind == kindDirection) return layout;
+  return perhapsRound(layout, find(coordinates::radius, record, forms, NameRule::any));
+}
+
+/// What is meant by a name that others have for a shape.
+std::string nameElsewhere(const Shape& shape) {
+  for (const Coordinate* row : allCoordinates())
+    for (const std::string_view name : row->elsewhere)
+      for (const std::string& field : shape.names)
+        if (sameButForCase(name, field))
+          return "; " + quoted(field) + " is called " + std::string(row->name) + " here: {\"" + std::string(row->name) +
+                 "\": " + exampleOf(*row) + "}";
+  return "";
+}
+
 /// Throws RecordError.
 Layout findNamedPoint(const RecordParts& record, const PointReading& reading, std::vector<FormOfField>& forms) {
-  const bool csv = record.shape.form == Form::csv;
-  const auto findRow = [&](const Coordinate& row) { return find(row, record, forms); };
-  if (reading.segments)
-    if (auto segment = findRow(coordinates::segment)) {
-      if (const auto pixel = findRow(coordinates::pixel)) {
-        append(*segment, *pixel);
-        segment->kind = kindSegmentAndPixel;
-      }
-      return *segment;
-    }
-  if (!reading.shapes.empty()) {
-    for (const Coordinate* row : coordinates::kShapes)
-      if (auto shape = findRow(*row)) return *shape;
+  const Shape& shape = record.shape;
+  if (auto layout = findShape(record, reading, forms)) return *layout;
+  if (!reading.shapes.empty())
     for (const Coordinate* row : coordinates::kNotRead)
-      if (findRow(*row))
+      if (find(*row, record, forms))
         throw RecordError(record.offset(forms.back().field),
                           std::string(row == &coordinates::ellipsoid ? "an " : "a ") + std::string(row->name) +
                               " is not " + std::string(reading.shapes) + "; expected a point, " +
                               (reading.segments ? "segment, " : "") + namesOf(coordinates::kShapes));
-  }
-  for (const Coordinate* row : coordinates::kPoints) {
-    auto layout = findRow(*row);
-    if (!layout) continue;
-    if (row->kind == kindPlace && !reading.worldIsEcef) throw RecordError(0, kNotOnEarth);
-    if (row == &coordinates::position && !csv && reading.worldIsEcef) layout->kind = kindWeightedPoint;
-    if (!reading.radius || row->kind == kindDirection) return *layout;
-    return perhapsRound(*layout, findRow(coordinates::radius));
-  }
+  for (const NameRule rule : {NameRule::exact, NameRule::any})
+    if (auto layout = findNamed(record, reading, forms, rule)) return *layout;
   // A field of a shape's name whose value is none.
   for (const FormOfField& form : forms)
-    if (const auto* row = rowNamed(record.shape.names[form.field]); row && row->form != CoordinateForm::word)
+    if (const auto* row = rowNamed(shape.names[form.field]);
+        row && row->form != CoordinateForm::word && row->form != CoordinateForm::array)
       throw RecordError(record.offset(form.field), std::string(row->name) + ": expected " + exampleOf(*row));
-  if (csv)
-    throw RecordError(0, "has no columns x, y, z or lat, lon, height; " +
-                             otherSeparator(record.shape).value_or("--columns names x, y and z"));
-  throw RecordError(0, "has no point; expected " + namesOf(coordinates::kPoints, ", or "));
+  const std::string near = nearestField(coordinates::kPoints, shape);
+  for (const Coordinate* row : coordinates::kPoints)
+    if (const std::string part = partlyThere(*row, shape); !part.empty())
+      throw RecordError(
+          0, part + whatIsThere(shape) +
+                 (shape.form == Form::csv ? "; " + otherSeparator(shape).value_or("--columns names the others") : "") +
+                 near);
+  if (shape.form == Form::csv)
+    throw RecordError(0, "has no columns x, y, z or lat, lon, height" + whatIsThere(shape) + "; " +
+                             otherSeparator(shape).value_or("--columns names x, y and z") + near);
+  throw RecordError(0, "has no point; expected " + namesOf(coordinates::kPoints, ", or ") + whatIsThere(shape) +
+                           nameElsewhere(shape) + near);
 }
 
 /// screen, pixel or x y: two slots.
 Layout findScreen(const RecordParts& record, std::vector<FormOfField>& forms) {
   const Shape& shape = record.shape;
-  for (const Coordinate* row : coordinates::kPixels) {
-    const auto layout = find(*row, record, forms);
-    if (!layout) continue;
-    if (const auto z = shape.find("z"); z && row == &coordinates::xy)
-      throw RecordError(record.offset(*z),
-                        "x, y, z is a point of the world, not a pixel; expected screen, pixel or x y alone");
-    return *layout;
-  }
+  for (const NameRule rule : {NameRule::exact, NameRule::any})
+    for (const Coordinate* row : coordinates::kPixels) {
+      const auto layout = find(*row, record, forms, rule);
+      if (!layout) continue;
+      if (const auto z = matchName(shape.names, "z", "z", {}, rule).field; z && row == &coordinates::xy)
+        throw RecordError(record.offset(*z),
+                          "x, y, z is a point of the world, not a pixel; expected screen, pixel or x y alone");
+      return *layout;
+    }
+  const std::string there = whatIsThere(shape), near = nearestField(coordinates::kPixels, shape);
+  if (const std::string part = partlyThere(coordinates::xy, shape); !part.empty())
+    throw RecordError(0, part + there + near);
   if (shape.form == Form::csv)
-    throw RecordError(
-        0, "has no columns screen_x, screen_y or x, y; " + otherSeparator(shape).value_or("--columns names the two"));
-  throw RecordError(0, "has no pixel; expected " + namesOf(coordinates::kPixels, ", or "));
+    throw RecordError(0, "has no columns screen_x, screen_y or x, y" + there + "; " +
+                             otherSeparator(shape).value_or("--columns names the two") + near);
+  throw RecordError(0, "has no pixel; expected " + namesOf(coordinates::kPixels, ", or ") + there + near);
 }
 
-void appendDistance(Layout& layout, const Coordinate& row, const Layout& part) {
-  append(layout, part);
-  layout.kind |= &row == &coordinates::depth ? depthKnown : viewDistanceKnown;
-}
+unsigned distanceKind(const Coordinate& row) { return &row == &coordinates::depth ? depthKnown : viewDistanceKnown; }
 
 /// Two or three numbers without names.
 Layout findBarePixel(const RecordParts& record) {
@@ -168,10 +272,9 @@ Layout findChosenPixel(const RecordParts& record, const ColumnChoice& choice) {
   Layout layout;
   appendChosen(layout, coordinates::xy, choice, record, true);
   for (const Coordinate* row : coordinates::kDistances) {
-    Layout part;
-    appendChosen(part, *row, choice, record, true);
-    if (part.parts.empty()) continue;
-    appendDistance(layout, *row, part);
+    const std::size_t numbers = layout.parts.size();
+    appendChosen(layout, *row, choice, record, true);
+    if (layout.parts.size() > numbers) layout.kind |= distanceKind(*row);
   }
   return layout;
 }
@@ -179,10 +282,6 @@ Layout findChosenPixel(const RecordParts& record, const ColumnChoice& choice) {
 bool isNameless(const Shape& shape) { return shape.isArray || (shape.form == Form::csv && !shape.hasHeader); }
 
 }  // namespace
-
-std::string bareTriple(const std::string& way) {
-  return "three numbers without names may be a place or metres from the Earth's centre; say which: " + way;
-}
 
 Layout findPoint(const RecordParts& record, const PointReading& reading) {
   std::vector<FormOfField> forms;
@@ -197,15 +296,13 @@ bool isSegment(const Layout& layout) { return layout.kind == kindSegment || layo
 bool isPoint(const Layout& layout) { return layout.kind <= kindPlace; }
 
 Vec4 toPoint(const Layout& layout, const Numbers& n) {
-  const bool round = layout.kind == kindRoundPoint || layout.kind == kindRoundWeightedPoint;
+  const bool round = layout.kind == kindRoundPoint;
   if (layout.kind == kindPlace || layout.kind == kindPlacedSphere) return toWorld({n[0], n[1], n[2]});
   double w = 1;
   if (layout.kind == kindDirection)
     w = 0;
   else if (layout.slots() - (round ? 1 : 0) == 4 && !std::isnan(n[3]))
     w = n[3];
-  else if (layout.kind == kindWeightedPoint || layout.kind == kindRoundWeightedPoint)
-    throw RecordError(0, "position: " + bareTriple("lat, lon, height or x, y, z, a field each"));
   const Vec4 point{n[0], n[1], n[2], w};
   if (point == Vec4{0, 0, 0, 0}) throw RecordError(0, "0 0 0 0 is neither a point nor a direction");
   return point;
@@ -217,7 +314,11 @@ Layout findPixel(const RecordParts& record, const ColumnChoice& columns) {
   std::vector<FormOfField> forms;
   Layout layout = findScreen(record, forms);
   for (const Coordinate* row : coordinates::kDistances)
-    if (const auto part = find(*row, record, forms)) appendDistance(layout, *row, *part);
+    if (const auto part = find(*row, record, forms, NameRule::any)) {
+      append(layout, *part);
+      layout.kind |= distanceKind(*row);
+    }
+  layout.forms = std::move(forms);
   return layout;
 }
 

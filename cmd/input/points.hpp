@@ -20,8 +20,9 @@ struct PointReading {
 };
 
 /// The point of a record: [x,y,z], [x,y,z,w]; what coordinates::kPoints has of an object or of a CSV line's columns;
-/// three numbers of a text line; the three of f64; or else a shape. Throws RecordError where records of this shape have
-/// none, for lat, lon, height unless the camera's world is ECEF, and for three numbers without names where it is.
+/// three numbers of a text line; the three of f64; or else a shape. Names as they are come first, then those in another
+/// case and aliases. Throws RecordError where records of this shape have none or two, for lat, lon, height unless the
+/// camera's world is ECEF, and for three numbers without names where it is.
 Layout findPoint(const RecordParts& record, const PointReading& reading);
 
 bool isPoint(const Layout& layout);
@@ -30,9 +31,6 @@ bool isSegment(const Layout& layout);
 /// The point, or the middle of a sphere that is a point with a radius. In the world: a place in ECEF. Throws
 /// RecordError for 0 0 0 0 and for a lat beyond 90.
 Vec4 toPoint(const Layout& layout, const Numbers& numbers);
-
-/// Three numbers that may be a place, or not, with a camera on the Earth. way: how to say which.
-std::string bareTriple(const std::string& way);
 
 /// A pixel to shoot a ray through, with what may be known of the point behind it. viewDistance wins over depth, because
 /// it keeps its digits.

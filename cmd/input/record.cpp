@@ -4,7 +4,9 @@
 #include <cstring>
 #include <functional>
 
+#include "text/csv_format.hpp"
 #include "text/error.hpp"
+#include "text/names.hpp"
 #include "text/parse_number.hpp"
 
 namespace viewproj::cmd {
@@ -19,6 +21,13 @@ void splitText(std::string_view text, std::vector<std::string_view>& values) {
     values.push_back(text.substr(at, end - at));
     at = text.find_first_not_of(kBlanks, end);
   }
+}
+
+/// To the quote that closes, if one opens here; two are one of the field's own.
+void passQuotes(const char*& at, const char* end) {
+  if (at == end || *at != '"') return;
+  for (++at; at < end && (*at != '"' || (at + 1 < end && at[1] == '"')); ++at)
+    if (*at == '"') ++at;
 }
 
 }  // namespace
@@ -53,8 +62,9 @@ RecordParts jsonParts(std::string_view text) {
   return record;
 }
 
-RecordParts textParts(std::string_view text) {
+RecordParts textParts(std::string_view text, char decimal) {
   RecordParts record{text, {Form::text, true, 0, {}}, {}};
+  record.shape.csv.decimal = decimal;
   splitText(text, record.values);
   requireFewFields(text, record.values);
   record.shape.size = record.values.size();
@@ -63,10 +73,10 @@ RecordParts textParts(std::string_view text) {
 
 RecordParts csvParts(std::string_view text, const Shape& header) {
   RecordParts record{text, header, {}};
-  splitCsvLine(text, record.values, kMostFields + 1);
+  splitCsvLine(text, record.values, header.csv, kMostFields + 1);
   requireFewFields(text, record.values);
   requireNoLoneReturn(text, record.values);
-  requireClosedFields(text, record.values);
+  requireClosedFields(text, record.values, header.csv);
   const std::size_t size = record.values.size(), expected = header.size;
   if (size != expected)
     throw RecordError(size > expected ? record.offset(expected) : text.size(),
@@ -90,11 +100,15 @@ void requireNoLoneReturn(std::string_view record, const std::vector<std::string_
       throw RecordError(static_cast<std::size_t>(field.data() - record.data()) + at, kLoneReturn);
 }
 
-void requireClosedFields(std::string_view record, const std::vector<std::string_view>& fields) {
+void requireClosedFields(std::string_view record, const std::vector<std::string_view>& fields,
+                         const CsvFormat& format) {
+  const std::string_view name = nameOfSeparator(format.separator);
   for (const std::string_view field : fields)
     if (const std::size_t at = behindClosingQuote(field); at != std::string_view::npos)
       throw RecordError(static_cast<std::size_t>(field.data() - record.data()) + at,
-                        "text behind the quote that closes; expected a comma or the end of the line");
+                        "text behind the quote that closes; expected " +
+                            (name.empty() ? quoted(std::string_view(&format.separator, 1)) : "a " + std::string(name)) +
+                            " or the end of the line");
 }
 
 std::string markedBad(std::string_view written) {
@@ -119,7 +133,7 @@ std::vector<std::string_view> valuesOf(const Record& record) {
     JsonParts parts(record.text);
     while (const auto part = parts.next()) values.push_back(part->value);
   }
-  if (form == Form::csv) splitCsvLine(record.text, values);
+  if (form == Form::csv) splitCsvLine(record.text, values, record.shape->csv);
   if (form == Form::text) splitText(record.text, values);
   return values;
 }
@@ -130,16 +144,26 @@ std::vector<double> binaryNumbers(std::string_view bytes) {
   return numbers;
 }
 
-void splitCsvLine(std::string_view line, std::vector<std::string_view>& fields, std::size_t most) {
+void splitCsvLine(std::string_view line, std::vector<std::string_view>& fields, const CsvFormat& format,
+                  std::size_t most) {
   const char* at = line.data();
   const char* const end = at + line.size();
-  for (const char* begin = at;; begin = ++at) {
-    if (at < end && *at == '"') {
-      // To the quote that closes; two are one of the field's own.
-      for (++at; at < end && (*at != '"' || (at + 1 < end && at[1] == '"')); ++at)
-        if (*at == '"') ++at;
+  if (format.isBlanks()) {
+    const auto pass = [&] {
+      while (at < end && format.separates(*at)) ++at;
+    };
+    for (pass(); at < end && fields.size() < most; pass()) {
+      const char* const begin = at;
+      passQuotes(at, end);
+      while (at < end && !format.separates(*at)) ++at;
+      fields.emplace_back(begin, at - begin);
     }
-    while (at < end && *at != ',') ++at;
+    return;
+  }
+  const char separator = format.separator;
+  for (const char* begin = at;; begin = ++at) {
+    passQuotes(at, end);
+    while (at < end && *at != separator) ++at;
     fields.emplace_back(begin, at - begin);
     if (at == end || fields.size() == most) return;
   }
@@ -162,11 +186,18 @@ std::string csvValue(std::string_view field) {
 }
 
 std::optional<std::string> otherSeparator(const Shape& header) {
-  if (header.form != Form::csv || header.names.size() != 1) return std::nullopt;
-  constexpr std::pair<char, const char*> kOthers[] = {{';', "semicolons"}, {'\t', "tabs"}, {'|', "bars"}};
-  for (const auto& [separator, name] : kOthers)
-    if (header.names[0].find(separator) != std::string::npos)
-      return "columns of CSV are separated by commas, and here stand " + std::string(name);
+  if (header.form != Form::csv) return std::nullopt;
+  const std::string all = joined(header.names, ",");
+  constexpr std::string_view kOfNumbers = "0123456789+-.,; \t";
+  if (header.csv.decimal == '.' && all.find_first_not_of(kOfNumbers) == std::string::npos &&
+      all.find(',') != std::string::npos)
+    return "--decimal , reads numbers with decimal commas";
+  if (all.starts_with('#')) return "--comment '#' passes over lines that begin with #";
+  if (header.names.size() != 1) return std::nullopt;
+  for (const SeparatorName& other : kSeparators)
+    if (header.names[0].find(other.separator) != std::string::npos)
+      return "--delimiter " + std::string(other.name) + " separates columns by the " + std::string(other.plural) +
+             " that stand here";
   return std::nullopt;
 }
 
@@ -175,13 +206,16 @@ std::string nameOfColumn(const std::vector<std::string>& names, std::size_t colu
 }
 
 CsvHeader readCsvHeader(std::string_view line, const std::vector<std::string>& defaults,
-                        const std::vector<std::size_t>& numbered) {
+                        const std::vector<std::size_t>& numbered, const CsvFormat& format) {
   CsvHeader header;
   std::vector<std::string_view> fields;
-  splitCsvLine(line, fields, kMostFields + 1);
-  const auto isWord = [](std::string_view field) {
+  splitCsvLine(line, fields, format, kMostFields + 1);
+  const auto isNumber = [&](std::string_view value) {
+    return parseDecimal(value, format.decimal) || (format.separator != ',' && parseDecimal(value, ','));
+  };
+  const auto isWord = [&](std::string_view field) {
     const std::string value = csvValue(field);
-    return value.find_first_not_of(" \t") != std::string::npos && !parseNumber(value);
+    return value.find_first_not_of(" \t") != std::string::npos && !isNumber(value);
   };
   if (numbered.empty()) {
     header.present = std::any_of(fields.begin(), fields.end(), isWord);
@@ -191,7 +225,7 @@ CsvHeader readCsvHeader(std::string_view line, const std::vector<std::string>& d
     for (const std::size_t number : numbered) {
       if (number > fields.size()) continue;
       header.present |= isWord(fields[number - 1]);
-      hasNumber |= parseNumber(csvValue(fields[number - 1])).has_value();
+      hasNumber |= isNumber(csvValue(fields[number - 1]));
     }
     header.present &= !hasNumber;
   }
@@ -203,6 +237,7 @@ CsvHeader readCsvHeader(std::string_view line, const std::vector<std::string>& d
     std::string name = csvValue(fields[i]);
     const std::size_t first = name.find_first_not_of(" \t");
     name = first == std::string::npos ? "" : name.substr(first, name.find_last_not_of(" \t") - first + 1);
+    if (name.empty()) name = nameOfColumn(header.names, i);
     header.names.push_back(std::move(name));
   }
   return header;

@@ -8,6 +8,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "text/csv_format.hpp"
 #include "text/form.hpp"
 #include "text/json_text.hpp"
 #include "text/visible.hpp"
@@ -27,6 +28,7 @@ struct Shape {
   std::size_t size = 0;            ///< how many fields
   std::vector<std::string> names;  ///< escapes resolved; empty if isArray
   bool hasHeader = true;           ///< CSV: the names are the file's own
+  CsvFormat csv = {};              ///< of CSV; of text its decimals
 
   std::optional<std::size_t> find(std::string_view name) const;
 };
@@ -76,7 +78,7 @@ inline constexpr const char* kNoRecord = "expected a record: an array of numbers
 
 /// Throw RecordError at the byte that is wrong.
 RecordParts jsonParts(std::string_view text);
-RecordParts textParts(std::string_view text);
+RecordParts textParts(std::string_view text, char decimal = '.');
 RecordParts csvParts(std::string_view text, const Shape& header);
 
 /// The values of a record, which is known to be of its shape.
@@ -85,9 +87,10 @@ std::vector<std::string_view> valuesOf(const Record& record);
 /// The doubles of a record of f64.
 std::vector<double> binaryNumbers(std::string_view bytes);
 
-/// The fields of a CSV line as written, or the first `most`: separated by commas outside quotes. Quotes count where a
-/// field begins with one.
-void splitCsvLine(std::string_view line, std::vector<std::string_view>& fields, std::size_t most = SIZE_MAX);
+/// The fields of a CSV line as written, or the first `most`: separated outside quotes. Quotes count where a field
+/// begins with one.
+void splitCsvLine(std::string_view line, std::vector<std::string_view>& fields, const CsvFormat& format,
+                  std::size_t most = SIZE_MAX);
 
 /// Throws RecordError at the first value that is too many.
 void requireFewFields(std::string_view text, const std::vector<std::string_view>& values);
@@ -96,7 +99,7 @@ void requireFewFields(std::string_view text, const std::vector<std::string_view>
 void requireNoLoneReturn(std::string_view record, const std::vector<std::string_view>& fields);
 
 /// Throws RecordError where text stands behind the quote that closes a field. record: has the fields.
-void requireClosedFields(std::string_view record, const std::vector<std::string_view>& fields);
+void requireClosedFields(std::string_view record, const std::vector<std::string_view>& fields, const CsvFormat& format);
 /// Where such text begins, or npos.
 std::size_t behindClosingQuote(std::string_view field);
 
@@ -108,14 +111,15 @@ std::optional<std::string> markedBad(const RecordParts& json);
 /// A CSV field without its quotes.
 std::string csvValue(std::string_view field);
 
-/// What to say of a CSV header of one column in whose name other separators than commas stand.
+/// What to say of a CSV header of one column in whose name other separators stand than the one it was read by, or of
+/// one that looks like numbers with decimal commas.
 std::optional<std::string> otherSeparator(const Shape& header);
 
 /// A header if the line has a field that is not a number; otherwise the default names in order, where there are any,
 /// and column1, ... for the others. numbered: columns, from 1, of which none is a number in a header, and
-/// one a word, whatever others hold.
+/// one a word, whatever others hold. A column that the header leaves blank is called by its number.
 CsvHeader readCsvHeader(std::string_view line, const std::vector<std::string>& defaults,
-                        const std::vector<std::size_t>& numbered = {});
+                        const std::vector<std::size_t>& numbered = {}, const CsvFormat& format = {});
 
 /// The name of a column without one.
 std::string nameOfColumn(const std::vector<std::string>& names, std::size_t column);

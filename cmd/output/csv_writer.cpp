@@ -6,6 +6,7 @@
 
 #include "input/coordinates.hpp"
 #include "output/record_writer.hpp"
+#include "text/csv_format.hpp"
 #include "text/csv_lines.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
@@ -15,16 +16,6 @@ namespace viewproj::cmd {
 namespace {
 
 constexpr int kTableDigits = 9;
-
-std::string quotedIfNeeded(std::string_view text) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
-  std::string quoted = "\"";
-  for (char c : text) {
-    if (c == '"') quoted += '"';
-    quoted += c;
-  }
-  return quoted + '"';
-}
 
 /// A cell of a record that was not read as CSV.
 struct OwnCell {
@@ -41,7 +32,9 @@ void appendEmptyCells(std::vector<OwnCell>& cells, const std::string& name, std:
   for (std::size_t i = 0; !table && i < size; ++i) cells.push_back({name + std::string(kColumnSuffixes[i]), "", name});
 }
 
-void appendCells(std::vector<OwnCell>& cells, const std::string& name, std::string_view json, bool table) {
+void appendCells(std::vector<OwnCell>& cells, const std::string& name, std::string_view json,
+                 const WriterSetup& setup) {
+  const bool table = setup.table;
   if (json.starts_with('[')) {
     std::vector<std::string_view> items;
     JsonParts parts(json);
@@ -63,7 +56,7 @@ void appendCells(std::vector<OwnCell>& cells, const std::string& name, std::stri
   }
   std::string text = json == "null" ? "" : std::string(json);
   if (json.starts_with('"')) text = unescaped(json.substr(1, json.size() - 2));
-  cells.push_back({name, quotedIfNeeded(text)});
+  cells.push_back({name, quotedIfNeeded(text, setup.csv)});
 }
 
 /// How many numbers a field has that is a vector of this tool: one of the results, or of what is read. 0: it is none.
@@ -102,6 +95,20 @@ const std::vector<std::string_view>& namesUpToTheList() {
   return names;
 }
 
+/// A line of CSV as one of another format.
+void appendLine(std::string_view line, const CsvFormat& from, const CsvFormat& to, TextBuffer& out) {
+  if (from == to) {
+    out += line;
+    return;
+  }
+  std::vector<std::string_view> cells;
+  splitCsvLine(line, cells, from);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (i > 0) out += to.separator;
+    out += quotedIfNeeded(csvValue(cells[i]), to);
+  }
+}
+
 /// Finds where that was: after the other results of a visible point.
 class LeftOutFinder {
  public:
@@ -135,12 +142,12 @@ std::vector<OwnCell> ownCells(const Record& record, const WriterSetup& setup) {
       if (values[i] == "null")
         appendEmptyCells(cells, names[i], columnsOfNull(names, i), setup.table);
       else
-        appendCells(cells, names[i], values[i], setup.table);
+        appendCells(cells, names[i], values[i], setup);
       if (values[i] != "true") continue;
       if (auto name = leftOut.after(i)) cells.push_back({std::move(*name), "", names[i]});
     }
   } else {
-    for (const NamedJson& field : asJsonFields(record, setup)) appendCells(cells, field.name, field.json, setup.table);
+    for (const NamedJson& field : asJsonFields(record, setup)) appendCells(cells, field.name, field.json, setup);
   }
   if (const auto again = firstRepeated(cells, [](const OwnCell& cell) -> std::string_view { return cell.column; }))
     throw RecordError(0, "would fill the column '" + cells[*again].column + "' twice");
@@ -153,17 +160,18 @@ void requireNoClash(const std::vector<std::string>& own, const std::vector<std::
       throw RecordError(0, "already has a column '" + column + "'; --prefix P puts P in front of the results' names");
 }
 
-void writeBadCells(const CsvColumns& columns, const std::string& message, TextBuffer& out) {
-  out.append(columns.own.size() + columns.results.size() - 1, ',');
-  out += quotedIfNeeded(message) + "\n";
+void writeBadCells(const CsvColumns& columns, const std::string& message, const CsvFormat& format, TextBuffer& out) {
+  for (std::size_t count = columns.own.size() + columns.results.size() - 1; count > 0; --count)
+    out += quotedIfNeeded("", format) + format.separator;
+  out += quotedIfNeeded(message, format) + "\n";
 }
 
-void writeHeader(const CsvColumns& columns, TextBuffer& out) {
+void writeHeader(const CsvColumns& columns, const CsvFormat& format, TextBuffer& out) {
   std::string separator;
   for (const auto* names : {&columns.own, &columns.results})
     for (const std::string& column : *names) {
-      out += separator + quotedIfNeeded(column);
-      separator = ",";
+      out += separator + quotedIfNeeded(column, format);
+      separator = format.separator;
     }
   out += '\n';
 }
@@ -177,7 +185,7 @@ class CsvWriter final : public RecordWriter {
     start_ = out_.size();
     headerIsNew_ = false;
     if (record.shape->form == Form::csv) {
-      out_ += record.text;
+      appendLine(record.text, record.shape->csv, setup_.csv, out_);
       return;
     }
     const auto cells = ownCells(record, setup_);
@@ -191,8 +199,8 @@ class CsvWriter final : public RecordWriter {
     if (std::equal(cells.begin(), cells.end(), columns_.own.begin(), columns_.own.end(),
                    [](const OwnCell& cell, const std::string& column) { return cell.column == column; })) {
       for (std::size_t i = 0; i < cells.size(); ++i) {
-        if (i > 0) out_ += ',';
-        out_ += cells[i].text;
+        if (i > 0) out_ += setup_.csv.separator;
+        out_ += cells[i].text.empty() ? quotedIfNeeded("", setup_.csv) : cells[i].text;
       }
       return;
     }
@@ -200,7 +208,8 @@ class CsvWriter final : public RecordWriter {
   }
 
   void endRecord() override {
-    out_ += setup_.keepGoing && !columns_.marks ? std::string_view(",\n") : std::string_view("\n");
+    if (setup_.keepGoing && !columns_.marks) cell(std::string_view());
+    out_ += '\n';
     // From then on all workers read it. Whoever writes this block writes the header first.
     if (headerIsNew_) columns_.known = columns_.headerIsDue = true;
     ++records_;
@@ -218,15 +227,15 @@ class CsvWriter final : public RecordWriter {
     if (!columns_.fromCsv) {
       const std::string placed = "line " + std::to_string(line) + ": " + message;
       if (columns_.known)
-        writeBadCells(columns_, placed, out_);
+        writeBadCells(columns_, placed, setup_.csv, out_);
       else
         columns_.early.add(placed);
       return;
     }
     std::vector<std::string_view> cells;
-    splitCsvLine(text, cells, columns_.own.size() + 1);
+    splitCsvLine(text, cells, columns_.format, columns_.own.size() + 1);
     std::size_t unclosed = std::string_view::npos;
-    (void)endOfCsvRecord(text, 0, &unclosed);
+    (void)endOfCsvRecord(text, 0, columns_.format, &unclosed);
     // The rest of the row would be in its quotes.
     std::string_view leftOut;
     while (!cells.empty()) {
@@ -241,16 +250,21 @@ class CsvWriter final : public RecordWriter {
       if (full.find(before) == std::string::npos) full += "; in place of " + quoted(before);
     }
     for (std::size_t i = 0; i < columns_.own.size(); ++i) {
-      if (i > 0) out_ += ',';
-      if (i == columns_.marks) out_ += quotedIfNeeded(full);
-      if (i >= cells.size() || i == columns_.marks) continue;
-      if (cells[i].starts_with('"') && behindClosingQuote(cells[i]) == std::string_view::npos)
+      if (i > 0) out_ += setup_.csv.separator;
+      if (i == columns_.marks) {
+        out_ += quotedIfNeeded(full, setup_.csv);
+      } else if (i >= cells.size()) {
+        out_ += quotedIfNeeded("", setup_.csv);
+      } else if (columns_.format == setup_.csv && cells[i].starts_with('"') &&
+                 behindClosingQuote(cells[i]) == std::string_view::npos) {
         out_ += cells[i];
-      else
-        out_ += quotedIfNeeded(cells[i]);
+      } else {
+        const bool closed = behindClosingQuote(cells[i]) == std::string_view::npos;
+        out_ += quotedIfNeeded(closed ? csvValue(cells[i]) : std::string(cells[i]), setup_.csv);
+      }
     }
-    out_.append(columns_.results.size(), ',');
-    if (!columns_.marks) out_ += quotedIfNeeded(full);
+    for (std::size_t i = 0; i < columns_.results.size(); ++i)
+      cell(!columns_.marks && i + 1 == columns_.results.size() ? std::string_view(full) : std::string_view());
     out_ += '\n';
   }
 
@@ -263,26 +277,31 @@ class CsvWriter final : public RecordWriter {
       for (double value : values) cell(finite ? value : NAN);
       return;
     }
-    char before = ',';
+    char before = setup_.csv.separator;
     for (double value : values) {
       out_ += before;
-      if (finite) out_ += formatDigits(value, tableDigits());
+      if (finite) out_ += withDecimal(formatDigits(value, tableDigits()), setup_.csv.decimal);
       before = ' ';
     }
   }
 
   void flag(const ResultRow&, bool value) override {
-    out_ += value ? std::string_view(",true") : std::string_view(",false");
+    out_ += setup_.csv.separator;
+    out_ += value ? std::string_view("true") : std::string_view("false");
   }
 
   void names(const ResultRow&, std::span<const std::string_view> values, bool) override {
-    char before = ',';
+    if (setup_.csv.isBlanks()) {
+      cell(std::string_view(joined(values, " ")));
+      return;
+    }
+    char before = setup_.csv.separator;
     for (const std::string_view value : values) {
       out_ += before;
       out_ += value;
       before = ' ';
     }
-    if (values.empty()) out_ += ',';
+    if (values.empty()) out_ += before;
   }
 
   void word(const ResultRow&, std::string_view value) override { cell(value); }
@@ -317,25 +336,35 @@ class CsvWriter final : public RecordWriter {
                                "', which the first record has not; CSV columns are the first record's");
     }
     for (std::size_t i = 0; i < inOrder.size(); ++i) {
-      if (i > 0) out_ += ',';
-      if (inOrder[i]) out_ += inOrder[i]->text;
+      if (i > 0) out_ += setup_.csv.separator;
+      if (inOrder[i] && !inOrder[i]->text.empty())
+        out_ += inOrder[i]->text;
+      else
+        out_ += quotedIfNeeded("", setup_.csv);
     }
   }
 
   int tableDigits() const { return setup_.digits > 0 ? setup_.digits : kTableDigits; }
 
   void cell(double value) {
-    out_ += ',';
-    if (!std::isfinite(value)) return;
-    if (setup_.table)
-      out_ += formatDigits(value, tableDigits());
-    else
-      appendNumber(out_, toDigits(value, setup_.digits));
+    if (!std::isfinite(value)) {
+      cell(std::string_view());
+    } else if (setup_.csv.decimal != '.') {
+      cell(std::string_view(
+          withDecimal(formatDigits(value, setup_.table ? tableDigits() : setup_.digits), setup_.csv.decimal)));
+    } else {
+      out_ += setup_.csv.separator;
+      if (setup_.table)
+        out_ += formatDigits(value, tableDigits());
+      else
+        appendNumber(out_, toDigits(value, setup_.digits));
+    }
   }
 
   void cell(std::string_view text) {
-    out_ += ',';
-    out_ += quotedIfNeeded(text);
+    out_ += setup_.csv.separator;
+    if (text.empty() && !setup_.csv.isBlanks()) return;
+    out_ += quotedIfNeeded(text, setup_.csv);
   }
 
   const WriterSetup& setup_;
@@ -347,8 +376,10 @@ class CsvWriter final : public RecordWriter {
 
 }  // namespace
 
-CsvColumns csvColumns(const WriterSetup& setup, const CsvHeader* input, std::string_view line, TextBuffer& out) {
+CsvColumns csvColumns(const WriterSetup& setup, const CsvHeader* input, std::string_view line, const CsvFormat& format,
+                      TextBuffer& out) {
   CsvColumns columns;
+  columns.format = format;
   columns.results = columnsOf(setup.results, setup.prefix, setup.table);
   const std::string error = setup.prefix + std::string(kErrorName);
   if (setup.keepGoing && input && input->present)
@@ -361,8 +392,8 @@ CsvColumns csvColumns(const WriterSetup& setup, const CsvHeader* input, std::str
   if (!input->present) return columns;
   requireNoClash(columns.own, columns.results);
   if (!setup.header) return columns;
-  out += line;
-  for (const std::string& column : columns.results) out += "," + column;
+  appendLine(line, format, setup.csv, out);
+  for (const std::string& column : columns.results) out += setup.csv.separator + column;
   out += '\n';
   return columns;
 }
@@ -370,9 +401,9 @@ CsvColumns csvColumns(const WriterSetup& setup, const CsvHeader* input, std::str
 void writeDueHeader(CsvColumns& columns, const WriterSetup& setup, const std::function<void(std::string_view)>& write) {
   constexpr std::size_t kAtOnce = 64 << 10;
   TextBuffer out;
-  if (setup.header) writeHeader(columns, out);
+  if (setup.header) writeHeader(columns, setup.csv, out);
   columns.early.replay([&](const std::string& message) {
-    writeBadCells(columns, message, out);
+    writeBadCells(columns, message, setup.csv, out);
     if (out.size() < kAtOnce) return;
     write(out.view());
     out.clear();

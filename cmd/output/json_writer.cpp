@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "output/record_writer.hpp"
+#include "text/csv_format.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
 #include "text/json_text.hpp"
@@ -11,17 +12,28 @@
 namespace viewproj::cmd {
 namespace {
 
+/// A number with decimals after another mark; what has a point already is none, and stays.
+std::string withPoint(std::string_view written, char decimal) {
+  std::string text(written);
+  if (text.find('.') == std::string::npos) std::replace(text.begin(), text.end(), decimal, '.');
+  return text;
+}
+
 /// A text line's number: as written if that is a JSON number, otherwise formatted anew ("+1", ".5"), or null ("NaN").
-std::string jsonNumber(std::string_view text) {
-  if (isJson(text)) return std::string(text);
+std::string jsonNumber(std::string_view written, char decimal) {
+  const std::string text = decimal == '.' ? std::string(written) : withPoint(written, decimal);
+  if (isJson(text)) return text;
   const auto number = parseNumber(text);
   return number ? formatNumber(*number) : "null";
 }
 
 /// A CSV cell: numbers, true and false as JSON writes them, an empty cell as null, anything else ("007") as a string.
-std::string jsonCell(std::string_view cell) {
+std::string jsonCell(std::string_view cell, char decimal) {
   const std::string value = csvValue(cell);
   if (value.find_first_not_of(" \t") == std::string::npos) return "null";
+  if (decimal != '.' && value.find(decimal) != std::string::npos && parseDecimal(value, decimal))
+    return jsonNumber(value, decimal);
+  if (decimal != '.' && value.find('.') != std::string::npos) return jsonString(value);
   const char first = value[0];
   const bool bare = first == '-' || (first >= '0' && first <= '9') || value == "true" || value == "false";
   if (bare && !cell.starts_with('"') && isJson(value)) return value;
@@ -41,9 +53,10 @@ void appendOnOneLine(TextBuffer& out, std::string_view json) {
 /// Each number under a name of its own.
 std::vector<NamedJson> namedNumbers(const Record& record, const std::vector<std::string>& names) {
   std::vector<std::string> values;
+  const char decimal = record.shape->csv.decimal;
   const auto asJson = [&](std::string_view value) {
     if (record.shape->form != Form::json)
-      return value == "NaN" || parseNumber(value) ? jsonNumber(value) : jsonCell(value);
+      return value == "NaN" || parseDecimal(value, decimal) ? jsonNumber(value, decimal) : jsonCell(value, decimal);
     TextBuffer line;
     appendOnOneLine(line, value);
     return std::string(line.view());
@@ -257,7 +270,8 @@ std::vector<NamedJson> asJsonFields(const Record& record, const WriterSetup& set
   std::vector<NamedJson> fields;
   if (shape.form == Form::csv) {
     const auto values = valuesOf(record);
-    for (std::size_t i = 0; i < values.size(); ++i) fields.push_back({shape.names[i], jsonCell(values[i])});
+    for (std::size_t i = 0; i < values.size(); ++i)
+      fields.push_back({shape.names[i], jsonCell(values[i], shape.csv.decimal)});
     return fields;
   }
   std::vector<std::string> numbers;
@@ -265,7 +279,7 @@ std::vector<NamedJson> asJsonFields(const Record& record, const WriterSetup& set
     for (double number : binaryNumbers(record.text)) numbers.push_back(formatNumber(number));
   else
     for (std::string_view value : valuesOf(record))
-      numbers.push_back(shape.form == Form::json ? std::string(value) : jsonNumber(value));
+      numbers.push_back(shape.form == Form::json ? std::string(value) : jsonNumber(value, shape.csv.decimal));
   const std::size_t inArray = setup.arraySize == 0 ? numbers.size() : std::min(setup.arraySize, numbers.size());
   std::string array = "[";
   for (std::size_t i = 0; i < inArray; ++i) array += (i > 0 ? "," : "") + numbers[i];

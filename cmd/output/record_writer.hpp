@@ -27,6 +27,7 @@ struct WriterSetup {
   bool keepArrays = false;  ///< an array in the input is one in the output
   bool header = true;       ///< CSV: write one
   int digits = 0;           ///< significant, of results; 0: all, in tables nine
+  CsvFormat csv = {};       ///< of CSV; of text its decimals
   bool table = false;       ///< CSV for an aligned table: results to nine digits, vectors in one cell
   Results results;          ///< of a record, where all records get the same: not in JSON
 };
@@ -67,14 +68,16 @@ class RecordWriter : public ResultSink {
 struct CsvColumns {
   std::vector<std::string> own, results;
   std::optional<std::size_t> marks =
-      {};  ///< the own column in which an earlier run said what was bad; this one does too
+      {};                 ///< the own column in which an earlier run said what was bad; this one does too
+  CsvFormat format = {};  ///< of the input, where it was CSV
   bool known = false, fromCsv = false;
   bool headerIsDue = false;  ///< the columns have just become known
   SpilledTexts early;        ///< messages of bad records before the first good one
 };
 
 /// Throws RecordError where columns have the same name. Appends the header line to out, if there is one to be.
-CsvColumns csvColumns(const WriterSetup& setup, const CsvHeader* input, std::string_view line, TextBuffer& out);
+CsvColumns csvColumns(const WriterSetup& setup, const CsvHeader* input, std::string_view line, const CsvFormat& format,
+                      TextBuffer& out);
 
 /// The header of columns that were a record's, and the bad records that came before it; also after the last record,
 /// where there were bad ones alone.

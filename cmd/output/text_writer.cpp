@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "output/record_writer.hpp"
+#include "text/csv_format.hpp"
 #include "text/format_number.hpp"
 
 namespace viewproj::cmd {
@@ -59,10 +60,12 @@ class TextWriter final : public NumbersWriter {
  private:
   void put(double value) override {
     if (out_.size() > start_) out_ += ' ';
-    if (std::isfinite(value))
-      appendNumber(out_, toDigits(value, setup_.digits));
-    else
+    if (!std::isfinite(value))
       out_ += "NaN";
+    else if (setup_.csv.decimal != '.')
+      out_ += withDecimal(formatDigits(value, setup_.digits), setup_.csv.decimal);
+    else
+      appendNumber(out_, toDigits(value, setup_.digits));
   }
 };
 

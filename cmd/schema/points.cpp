@@ -1,5 +1,7 @@
 // The JSON Schema of what is read from streams, from the rows of coordinates.
+#include <cctype>
 #include <cmath>
+#include <vector>
 
 #include "input/coordinates.hpp"
 #include "schema/parts.hpp"
@@ -23,17 +25,59 @@ Json having(const Json& properties, const Json& required = Json::array()) {
 }
 
 Json partOf(const CoordinatePart& part) {
-  if (part.size > 1) return numbers(part.size, part.size);
+  if (part.size > 1) return schema::reference("vector");
   Json schema = schema::ofType("number");
   if (std::isfinite(part.least)) schema["minimum"] = static_cast<int>(part.least);
   if (std::isfinite(part.most)) schema["maximum"] = static_cast<int>(part.most);
   return schema;
 }
 
-/// An object that has the row: its first field, in the form by which that counts.
+/// The pattern of a name and its aliases in any case.
+std::string anyCase(std::string_view name, Aliases aliases) {
+  std::string pattern;
+  const auto add = [&](std::string_view one) {
+    pattern += pattern.empty() ? "^(" : "|";
+    for (const char c : one) {
+      const auto letter = static_cast<unsigned char>(c);
+      pattern +=
+          std::string("[") + static_cast<char>(std::tolower(letter)) + static_cast<char>(std::toupper(letter)) + "]";
+    }
+  };
+  add(name);
+  for (const std::string_view alias : aliases) add(alias);
+  return pattern + ")$";
+}
+
+/// An object with a field of the name, in any case, or of an alias, and a value that fits.
+Json hasNamed(std::string_view name, Aliases aliases, const Json& value) {
+  return {{"not", {{"type", "object"}, {"patternProperties", {{anyCase(name, aliases), {{"not", value}}}}}}}};
+}
+
+/// An object that has the parts of a row, in any case or by aliases.
+Json hasParts(const Coordinate& row) {
+  std::vector<Json> parts;
+  Json properties = Json::object();
+  for (std::size_t i = 0; i < row.fewest; ++i) properties[std::string(row.parts[i].name)] = partOf(row.parts[i]);
+  parts.push_back(having(properties));
+  for (std::size_t i = 0; i < row.fewest; ++i)
+    parts.push_back(hasNamed(row.parts[i].name, row.parts[i].aliases, partOf(row.parts[i])));
+  Json all = schema::ofType("object");
+  all["allOf"] = parts;
+  return all;
+}
+
+/// An object that has the row: its fields, in the form by which that counts.
 Json has(const Coordinate& row) {
   const bool byForm = row.form != CoordinateForm::numbers && row.form != CoordinateForm::array;
-  const std::string field(row.form == CoordinateForm::numbers ? row.parts[0].name : row.name);
+  if (row.form == CoordinateForm::numbers) {
+    Json properties = Json::object(), required = Json::array();
+    for (std::size_t i = 0; i < row.fewest; ++i) {
+      properties[std::string(row.parts[i].name)] = true;
+      required.push_back(row.parts[i].name);
+    }
+    return having(properties, required);
+  }
+  const std::string field(row.name);
   return having({{field, !byForm            ? Json(true)
                          : row.first == '[' ? schema::ofType("array")
                                             : schema::ofType("object")}},
@@ -51,12 +95,15 @@ Json valueOf(const Coordinate& row) {
   switch (row.form) {
     case CoordinateForm::array:
       return having({{name, schema::reference(row.orNull              ? "pixelOrNull"
-                                              : row.kind == kindPoint ? "xyz"
-                                                                      : "nonzero3")}},
+                                              : row.kind == kindPoint ? "point"
+                                                                      : "direction")}},
                     {name});
     case CoordinateForm::points:
-      return having(
-          {{name, {{"type", "array"}, {"items", numbers(3, 3)}, {"minItems", row.fewest}, {"maxItems", row.fewest}}}});
+      return having({{name,
+                      {{"type", "array"},
+                       {"items", schema::reference("vector")},
+                       {"minItems", row.fewest},
+                       {"maxItems", row.fewest}}}});
     case CoordinateForm::object:
       return having({{name, having(properties, required)}});
     default:
@@ -81,18 +128,30 @@ Json firstOf(std::span<const Coordinate* const> rows, const Then& then, const Js
           {"else", firstOf(rows.subspan(1), then, otherwise)}};
 }
 
-std::span<const Coordinate* const> allButLast(std::span<const Coordinate* const> rows) {
-  return rows.first(rows.size() - 1);
-}
-
 Json pointFields() {
   const std::span rows(coordinates::kPoints);
   const auto then = [](const Coordinate& row) {
     const bool weighted = row.form == CoordinateForm::numbers && row.most > row.fewest;
     return weighted ? schema::allOf({valueOf(row), notAllZero(row)}) : valueOf(row);
   };
-  return schema::allOf({schema::ofType("object"), firstOf(allButLast(rows), then, valueOf(*rows.back()))});
+  return schema::allOf({schema::ofType("object"), firstOf(rows, then, schema::reference("otherNames"))});
 }
+
+/// The w of x, y, z, or W of X, Y, Z.
+Json weightOf(const Json& weight) {
+  return {{"if", having({{"x", true}}, {"x"})}, {"then", having({{"w", weight}})}, {"else", having({{"W", weight}})}};
+}
+
+/// A point by names in another case and by aliases, where a record has none of the very names.
+Json otherNames() {
+  return {{"anyOf",
+           {hasNamed(coordinates::position.name, coordinates::position.aliases, schema::reference("point")),
+            schema::allOf({hasParts(coordinates::xyz), weightOf(schema::ofType("number"))}),
+            hasParts(coordinates::place), hasNamed(coordinates::direction.name, {}, schema::reference("direction"))}}};
+}
+
+/// An object of x, y, z or of lat, lon, height, or an array.
+Json pointOr(const Json& array, const Json& object) { return {{"anyOf", {array, object}}}; }
 
 Json objectOr(const Json& object, const Json& array) {
   return {{"if", schema::ofType("object")}, {"then", object}, {"else", array}};
@@ -105,12 +164,12 @@ Json finitePoint() {
     beside[std::string(row->name)] = {{"not", row->first == '{' ? schema::ofType("object") : Json{{"type", "string"}}}};
   beside[std::string(coordinates::radius.name)] = partOf(coordinates::radius.parts[0]);
   const auto weight = [](const Coordinate& row) -> Json {
-    if (row.kind != kindPoint) return true;
+    if (row.kind != kindPoint) return row.kind != kindDirection;
     if (row.form == CoordinateForm::array) return having({{std::string(row.name), schema::reference("weighted")}});
     return having({{"w", notZero()}});
   };
   return objectOr(schema::allOf({having(beside), schema::reference("pointFields"),
-                                 firstOf(allButLast(coordinates::kPoints), weight, false)}),
+                                 firstOf(coordinates::kPoints, weight, having({{"W", notZero()}}))}),
                   schema::allOf({schema::reference("xyz"), schema::reference("weighted")}));
 }
 
@@ -119,8 +178,13 @@ Json pixelFields() {
   for (const Coordinate* row : coordinates::kDistances)
     distances[std::string(row->name)] = {{"type", {"number", "null"}}};
   const std::span rows(coordinates::kPixels);
-  const Json last = schema::allOf({valueOf(*rows.back()), having({{"z", false}})});
-  return schema::allOf({having(distances), firstOf(allButLast(rows), valueOf, last)});
+  const auto then = [](const Coordinate& row) {
+    return &row == &coordinates::xy ? schema::allOf({valueOf(row), having({{"z", false}})}) : valueOf(row);
+  };
+  std::vector<Json> others = {schema::allOf({hasParts(coordinates::xy), having({{"z", false}, {"Z", false}})})};
+  for (const Coordinate* row : {&coordinates::screen, &coordinates::pixel})
+    others.push_back(hasNamed(row->name, {}, numbers(2, 2)));
+  return schema::allOf({having(distances), firstOf(rows, then, {{"anyOf", others}})});
 }
 
 /// A record, an array of records or a document.
@@ -142,7 +206,10 @@ std::string pointsSchema() {
       "describes what cull reads, #/$defs/pixels what ray reads; draw reads points and shapes. Points are in the "
       "world's frame and unit, that of the camera; places (degrees on WGS84, metres above the ellipsoid) need a camera "
       "on the Earth, and three numbers without names one elsewhere. A field counts as a shape where its value has the "
-      "form. Other fields of a record pass through, so names that results get are taken, unless --prefix names those "
+      "form. What none of these names, names in another case and the aliases do: see otherNames. Two points or two "
+      "shapes "
+      "in a record are an error. Other fields of a record pass through, so names that results get are taken, unless "
+      "--prefix names those "
       "otherwise. null is a value here and does not count as absent. What a schema cannot say and the reader still "
       "asks for: a document's first key is points; no coordinate of a box's max is below that of its min; a depth or "
       "viewDistance is in front of the eye; no number leaves the range of doubles, and no key is given twice.");
@@ -166,14 +233,26 @@ std::string pointsSchema() {
   definitions["finitePoint"] = finitePoint();
   definitions["pixelRecord"] = objectOr(pixelFields(), numbers(2, 3));
   definitions["numbers2"] = numbers(2, 2);
+  definitions["otherNames"] = otherNames();
+  const Json zeros = {{"not",
+                       {{"type", "object"},
+                        {"properties", {{"x", {{"const", 0}}}, {"y", {{"const", 0}}}, {"z", {{"const", 0}}}}},
+                        {"required", {"x", "y", "z"}}}}};
+  const Json ofParts = {{"anyOf", {hasParts(coordinates::xyz), hasParts(coordinates::place)}}};
+  const Json unweighted = schema::allOf({ofParts, having({{"w", false}})});
+  Json ofXyz = schema::allOf({hasParts(coordinates::xyz), having({{"w", false}}), zeros});
+  definitions["point"] =
+      pointOr(schema::reference("xyz"),
+              schema::allOf({ofParts, weightOf(schema::ofType("number")), notAllZero(coordinates::xyz)}));
+  definitions["vector"] = pointOr(numbers(3, 3), unweighted);
+  definitions["direction"] = pointOr(schema::reference("nonzero3"), ofXyz);
   definitions["xyz"] = numbers(3, 4);
   definitions["xyz"]["not"] = {{"const", {0, 0, 0, 0}}};
   definitions["nonzero3"] = numbers(3, 3);
   definitions["nonzero3"]["contains"] = notZero();
-  definitions["weighted"] = {
-      {"type", "array"},
-      {"not",
-       {{"type", "array"}, {"prefixItems", {true, true, true, {{"const", 0}}}}, {"minItems", 4}, {"maxItems", 4}}}};
+  const Json zeroAtEnd = {
+      {"type", "array"}, {"prefixItems", {true, true, true, {{"const", 0}}}}, {"minItems", 4}, {"maxItems", 4}};
+  definitions["weighted"] = {{"anyOf", {{{"type", "array"}, {"not", zeroAtEnd}}, having({{"w", notZero()}})}}};
   definitions["pixelOrNull"] = numbers(2, 2);
   definitions["pixelOrNull"]["type"] = {"array", "null"};
   all["$ref"] = "#/$defs/points";

@@ -112,8 +112,10 @@ Json projectedPoint() {
 
 Json projectedSegment() {
   Json schema = recordOf(results::kSegment), there = Json::object(), none = Json::object();
-  schema["properties"]["segment"] = {
-      {"type", "array"}, {"items", schema::reference("vector3")}, {"minItems", 2}, {"maxItems", 2}};
+  schema["properties"]["segment"] = {{"type", "array"},
+                                     {"items", schema::anyOf({schema::reference("vector3"), schema::ofType("object")})},
+                                     {"minItems", 2},
+                                     {"maxItems", 2}};
   schema["required"].push_back("segment");
   for (const ResultRow* row : results::kSegment) {
     if (row->kind != ResultKind::group) continue;

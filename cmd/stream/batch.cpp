@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "input/field_names.hpp"
+
 namespace viewproj::cmd {
 namespace {
 
@@ -46,6 +48,7 @@ const Plan& Batch::planFor(const RecordParts& record) {
     }
   }
   Layout layout = work_.find(record);
+  for (const std::string& text : layout.notes) note(text);
   if (setup_.checkNames && !record.shape.isArray)
     requireNoClash(record, work_.results(layout, OutputForm::lines), setup_.prefix);
   std::size_t names = record.shape.size;
@@ -70,6 +73,7 @@ void Batch::add(std::string_view text, const Plan& plan, const Numbers& numbers)
     bad(text, e);
     return;
   }
+  if (!numbers.seaLevel.empty()) note(seaLevelNote(numbers.seaLevel));
   rows_.push_back({text, &plan});
   if (rows_.size() == kRows) flush();
 }
@@ -117,6 +121,10 @@ void Batch::flush() {
   rows_.clear();
   errors_.clear();
   work_.clear();
+}
+
+void Batch::note(const std::string& text) {
+  if (std::find(result_.notes.begin(), result_.notes.end(), text) == result_.notes.end()) result_.notes.push_back(text);
 }
 
 void Batch::writeBad(std::string_view text, const RecordError& error) {

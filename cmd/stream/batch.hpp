@@ -25,6 +25,7 @@ struct BlockResult {
   std::size_t records = 0;              ///< in out, the bad ones that --keep-going puts there included
   bool arrays = false;                  ///< some stand in arrays that begin and end in out
   std::vector<StreamFault> passedOver;  ///< --keep-going
+  std::vector<std::string> notes;       ///< each once
   std::optional<StreamFault> fault;     ///< a record that ends the run: out has what came before it
 };
 
@@ -75,6 +76,7 @@ class Batch {
     const Plan* plan;  ///< null: bad, and errors_ has the next error
   };
 
+  void note(const std::string& text);
   void writeBad(std::string_view text, const RecordError& error);
   TextPosition positionOf(const char* at);
 
@@ -102,7 +104,7 @@ class RecordReader {
 /// fast: with simdjson, where it agrees with nlohmann-json; otherwise with the latter alone, for comparison.
 std::unique_ptr<RecordReader> makeJsonReader(bool fast = true);
 std::unique_ptr<RecordReader> makeCsvReader(const Shape& header, const Results& results);
-std::unique_ptr<RecordReader> makeTextReader();
+std::unique_ptr<RecordReader> makeTextReader(const CsvFormat& format);
 std::unique_ptr<RecordReader> makeBinaryReader();
 
 }  // namespace viewproj::cmd

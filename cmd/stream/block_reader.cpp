@@ -74,14 +74,15 @@ bool BlockReader::readMore(ByteBuffer& bytes, std::size_t most) {
   return true;
 }
 
-std::string_view BlockReader::firstBytes() {
+std::string_view BlockReader::firstBytes(char comment) {
   constexpr std::size_t kLongEnough = 64 << 10;
   /// How many tell the form; npos: more are needed.
-  const auto enough = [](std::string_view text) {
+  const auto enough = [comment](std::string_view text) {
     if (mayBeginBom(text)) return npos;
     const std::size_t bom = text.starts_with(kBom) ? kBom.size() : 0;
-    const std::size_t first = text.find_first_not_of(" \t\r\n", bom);
-    if (first == npos) return npos;
+    const std::string_view record = behindComments(text.substr(bom), comment);
+    if (record.empty()) return npos;
+    const std::size_t first = text.size() - record.size();
     const bool bracket = text[first] == '{' || text[first] == '[';
     const std::size_t most = bracket ? first + 2 : kLongEnough;  // the second may tell UTF-16
     const std::size_t end = std::min(text.find('\n', first), most);
@@ -102,8 +103,10 @@ void BlockReader::requireUtf8() {
   requireNarrow(name_, carried_.view());
 }
 
-void BlockReader::setForm(Form form) {
+void BlockReader::setForm(Form form, const CsvFormat& format) {
   form_ = form;
+  format_ = format;
+  csv_ = CsvEnds(format_);
   if (form == Form::f64) return;
   while (!atEnd_ && !over_ && mayBeginBom(carried_.view())) readMore(carried_, carried_.size() + block_);
   if (carried_.view().starts_with(kBom)) carried_.assign(carried_.view().substr(kBom.size()));
@@ -125,7 +128,7 @@ std::optional<BlockReader::Line> BlockReader::firstLine(bool take) {
     carried_.assign(text.substr(begin));
     begin = 0;
   };
-  for (CsvEnds ends; !over_;) {
+  for (CsvEnds ends(format_); !over_;) {
     std::size_t end = ends.nextEnd(carried_.view().substr(begin));
     if (end == npos && !atEnd_) {
       drop();
@@ -137,9 +140,9 @@ std::optional<BlockReader::Line> BlockReader::firstLine(bool take) {
     if (text.empty()) break;
     end = std::min(end, text.size());
     const std::string_view line = text.substr(0, end);
-    if (isBlank(line)) {
+    if (isBlank(line) || format_.isComment(line)) {
       begin += std::min(end + 1, text.size());
-      ends = {};
+      ends = CsvEnds(format_);
       continue;
     }
     drop();
@@ -237,7 +240,7 @@ void BlockReader::keepRest(Block& block, std::size_t from, std::size_t whole) {
   }
   block.records = bytes.view().substr(begin, size);
   lookedAt_ = 0;
-  csv_ = {};
+  csv_ = CsvEnds(format_);
   block.last = atEnd_ && rest == 0;
   over_ = block.fault || block.last;
 }

@@ -67,17 +67,19 @@ class BlockReader {
   /// Of bytes given instead of a file.
   explicit BlockReader(const std::string& bytes);
 
-  /// The first bytes of the input, enough to tell its form: to the end of the first line that is not blank; no more
-  /// than two where a bracket begins, so that a record is not waited for. However the input arrives, they are the same.
-  std::string_view firstBytes();
+  /// The first bytes of the input, enough to tell its form: to the end of the first line that is no blank or comment;
+  /// no more than two where a bracket begins, so that a record is not waited for. However the input arrives, they are
+  /// the same. comment: begins lines that are passed over.
+  std::string_view firstBytes(char comment = 0);
 
   /// Throws InputError where the first bytes are of text in UTF-16 or UTF-32.
   void requireUtf8();
 
   /// Passes over a byte order mark, where the form is text of any kind.
-  void setForm(Form form);
+  void setForm(Form form, const CsvFormat& format = {});
 
-  /// CSV: the first line that is not blank, and where it stands. It is taken, unless it is to be read again.
+  /// CSV: the first line that is not blank or a comment, and where it stands. It is taken, unless it is to be read
+  /// again.
   struct Line {
     std::string text;
     TextPosition position;
@@ -118,6 +120,7 @@ class BlockReader {
   int wake_ = -1;
   std::size_t block_ = kBlock;
   Form form_ = Form::json;
+  CsvFormat format_;
   ByteBuffer carried_;     ///< read, not yet given out
   std::size_t given_ = 0;  ///< but for so much of carried_
   bool atEnd_ = false, over_ = false, failed_ = false;

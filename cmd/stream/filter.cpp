@@ -17,6 +17,7 @@ struct Stream {
   const FilterSetup& setup;
   const MakeWork& makeWork;
   Form form = Form::json;
+  CsvFormat format = {};
   OutputForm to = OutputForm::lines;
   bool writes = true;
   Shape header = {};
@@ -29,7 +30,7 @@ std::unique_ptr<RecordReader> makeReader(const Stream& stream) {
     case Form::csv:
       return makeCsvReader(stream.header, stream.setup.writer.results);
     case Form::text:
-      return makeTextReader();
+      return makeTextReader(stream.format);
     case Form::f64:
       return makeBinaryReader();
     case Form::json:
@@ -85,6 +86,45 @@ class RecordWorker final : public BlockWorker {
   Batch batch_;
 };
 
+/// Whether a line is a header with the columns that are needed.
+bool namesColumns(const Stream& stream, std::string_view line, const CsvFormat& format) {
+  const CsvHeader header = readCsvHeader(line, {}, stream.setup.columns.numbers(), format);
+  if (!header.present) return false;
+  RecordParts example{line, {Form::csv, false, header.names.size(), header.names, true, format}, {}};
+  example.values.assign(header.names.size(), example.text);
+  try {
+    (void)stream.makeWork()->find(example);
+  } catch (const RecordError&) {
+    return false;
+  }
+  return true;
+}
+
+/// By the first line: what separates its columns. Where there are several such characters, the one that gives the
+/// columns that are needed.
+char separatorOf(const Stream& stream, std::string_view line) {
+  CsvFormat format = stream.format;
+  std::string there;
+  for (const char separator : {',', ';', '\t'})
+    if (line.find(separator) != std::string_view::npos && separator != format.decimal) there += separator;
+  if (there.empty()) return line.find_first_of(" \t") == std::string_view::npos ? ',' : CsvFormat::kBlanks;
+  if (there.size() > 1)
+    for (const char separator : there) {
+      format.separator = separator;
+      if (namesColumns(stream, line, format)) return separator;
+    }
+  return there.back();
+}
+
+/// The first line that is none of blanks and no comment, as far as it tells the form.
+std::string_view firstLineOf(const FilterSetup& setup, BlockReader& reader) {
+  std::string_view start = reader.firstBytes(setup.comment.value_or(0));
+  if (start.starts_with("\xEF\xBB\xBF")) start.remove_prefix(3);
+  start = behindComments(start, setup.comment.value_or(0));
+  start = start.substr(0, start.find('\n'));
+  return start.ends_with('\r') ? start.substr(0, start.size() - 1) : start;
+}
+
 /// Reads the header of CSV, and tries it: columns must have different names, and those of the numbers must be there.
 /// Returns what stands at the output's start.
 TextBuffer readHeader(Stream& stream, BlockReader& reader) {
@@ -92,24 +132,22 @@ TextBuffer readHeader(Stream& stream, BlockReader& reader) {
   std::optional<BlockReader::Line> line;
   CsvHeader header;
   if (stream.form == Form::csv && (line = reader.firstLine(false))) {
-    header = readCsvHeader(line->text, stream.setup.csvDefaults, stream.setup.columns.numbers());
+    header = readCsvHeader(line->text, stream.setup.csvDefaults, stream.setup.columns.numbers(), stream.format);
     if (header.present) (void)reader.firstLine(true);
-    stream.header = {Form::csv, false, header.names.size(), header.names, header.present};
+    stream.header = {Form::csv, false, header.names.size(), header.names, header.present, stream.format};
   }
   const bool fromCsv = line.has_value();
   try {
     if (fromCsv) {
       std::vector<std::string_view> fields;
-      splitCsvLine(line->text, fields, kMostFields + 1);
+      splitCsvLine(line->text, fields, stream.format, kMostFields + 1);
       requireNoLoneReturn(line->text, fields);
-      requireClosedFields(line->text, fields);
+      requireClosedFields(line->text, fields, stream.format);
       if (header.names.size() > kMostFields)
         throw RecordError(0, "has more than " + std::to_string(kMostFields) + " columns");
       RecordParts example{line->text, stream.header, {}};
-      std::vector<std::string> columns = header.names;
-      std::erase(columns, "");
-      if (const auto again = firstRepeated(columns, std::identity()))
-        throw RecordError(0, "has the column '" + columns[*again] + "' twice");
+      if (const auto again = firstRepeated(header.names, std::identity()))
+        throw RecordError(0, "has the column '" + header.names[*again] + "' twice");
       example.values.assign(header.names.size(), example.text);
       const auto work = stream.makeWork();
       const Layout layout = work->find(example);
@@ -117,7 +155,8 @@ TextBuffer readHeader(Stream& stream, BlockReader& reader) {
         requireNoClash(example, work->results(layout, OutputForm::lines), stream.setup.writer.prefix);
     }
     if (stream.writes && hasColumns(stream.to))
-      stream.columns = csvColumns(stream.setup.writer, fromCsv ? &header : nullptr, fromCsv ? line->text : "", out);
+      stream.columns =
+          csvColumns(stream.setup.writer, fromCsv ? &header : nullptr, fromCsv ? line->text : "", stream.format, out);
   } catch (const RecordError& e) {
     throw InputError(place(reader.name(), positionAt(line->text, e.offset, line->position)) + ": " + visible(e.what()));
   }
@@ -146,12 +185,44 @@ void requireUse(const FilterSetup& setup, OutputForm form) {
     setup.note("--prefix " + writer.prefix + " changes nothing: in text and f64 results have no names");
 }
 
-Form formOfContent(BlockReader& reader, bool goesOn) {
-  const std::string_view start = reader.firstBytes();
-  if (wideEncoding(start).empty())
-    if (const auto form = formOfBytes(start, goesOn)) return *form;
+Form formOfContent(const Stream& stream, BlockReader& reader) {
+  const FilterSetup& setup = stream.setup;
+  const std::string_view start = reader.firstBytes(setup.comment.value_or(0));
+  if (wideEncoding(start).empty()) {
+    const std::string_view line = firstLineOf(setup, reader);
+    const auto form = line.empty() && start.find('\0') == std::string_view::npos
+                          ? Form::text
+                          : formOfBytes(start.substr(static_cast<std::size_t>(line.data() - start.data())),
+                                        setup.keepGoing, setup.decimal.value_or('.'));
+    if (form == Form::text && !line.empty()) {
+      // A header, be there numbers among its names.
+      CsvFormat format = stream.format;
+      format.separator = separatorOf(stream, line);
+      if (setup.delimiter || namesColumns(stream, line, format)) return Form::csv;
+    }
+    if (form) return *form;
+  }
   reader.requireUtf8();
   throw InputError(reader.name() + ": is binary; expected JSON, CSV or text, or --from f64 for little-endian doubles");
+}
+
+/// How CSV and text are written, in and out.
+void settleFormat(Stream& stream, FilterSetup& setup, BlockReader& reader) {
+  if (stream.form == Form::csv)
+    stream.format.separator = setup.delimiter ? *setup.delimiter : separatorOf(stream, firstLineOf(setup, reader));
+  CsvFormat& out = setup.writer.csv;
+  const bool isSame = (stream.form == Form::csv && hasColumns(stream.to)) ||
+                      (stream.form == Form::text && stream.to == OutputForm::text);
+  if (isSame) out = stream.format;
+  out.comment = 0;
+  if (stream.to == OutputForm::table) out.separator = ',';
+  if (stream.to == OutputForm::csv && setup.delimiter) out.separator = *setup.delimiter;
+  const bool isText = stream.form == Form::csv || stream.form == Form::text;
+  if (setup.delimiter && stream.form != Form::csv && (!stream.writes || stream.to != OutputForm::csv))
+    throw UsageError(
+        "--delimiter is for CSV, and neither the input nor the output is that; --from csv reads it as CSV");
+  for (const auto& [name, given] : {std::pair("--decimal", setup.decimal), {"--comment", setup.comment}})
+    if (given && !isText) throw UsageError(std::string(name) + " is for CSV and text, and the input is neither");
 }
 
 int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
@@ -165,14 +236,17 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
            : std::make_unique<BlockReader>(given);
   Stream stream{.setup = setup, .makeWork = makeWork, .writes = writes};
   const auto named = setup.from ? setup.from : formOfName(setup.file);
-  stream.form = !setup.given.empty() ? Form::json : named ? *named : formOfContent(*reader, setup.keepGoing);
+  stream.format.decimal = setup.decimal.value_or('.');
+  stream.format.comment = setup.comment.value_or(0);
+  stream.form = !setup.given.empty() ? Form::json : named ? *named : formOfContent(stream, *reader);
   if (stream.form != Form::f64) reader->requireUtf8();
-  reader->setForm(stream.form);
   if (stream.form == Form::f64 && setup.columns.given())
     throw UsageError("--columns " + setup.columns.text + ": f64 has no columns; a record is three doubles, x, y, z");
   if (stream.form == Form::text) setup.columns.requireNoNames("lines of text");
   const auto work = makeWork();
   stream.to = formOfOutput(setup, *work, stream.form);
+  settleFormat(stream, setup, *reader);
+  reader->setForm(stream.form, stream.format);
   const bool toJson = stream.to == OutputForm::lines || stream.to == OutputForm::array;
   // JSON keeps its own arrangement, arrays included, unless an arrangement was asked for.
   setup.writer.keepArrays = writes && !setup.to && stream.form == Form::json;
@@ -194,6 +268,7 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
   const TextBuffer start = readHeader(stream, *reader);
 
   OutputSetup output{.form = stream.to,
+                     .csv = setup.writer.csv,
                      .keepArrays = setup.writer.keepArrays,
                      .placeOf =
                          [&](TextPosition position) {
@@ -202,6 +277,7 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
                          },
                      .fromCommandLine = !setup.given.empty(),
                      .nothing = !writes,
+                     .note = setup.note,
                      .before =
                          [&](const auto& write) {
                            if (stream.columns.headerIsDue) writeDueHeader(stream.columns, setup.writer, write);

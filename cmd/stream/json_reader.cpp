@@ -34,7 +34,19 @@ bool readInner(dom::element& value, const NumberField& part) {
   return !value.get_array().get(array) && array.size() == part.items && !array.at(part.item).get(value);
 }
 
-/// As readNumbers; false where it would throw.
+constexpr std::string_view kXyz[] = {"x", "y", "z"};
+
+/// A point as an object of x, y, z in order; false for any other, which may be one all the same.
+bool readXyz(const dom::object& object, std::string_view record, double* numbers) {
+  std::size_t count = 0;
+  for (const auto [name, value] : object) {
+    if (count == std::size(kXyz) || name != kXyz[count] || !readNumber(value, record, numbers[count])) return false;
+    ++count;
+  }
+  return count == std::size(kXyz);
+}
+
+/// As readNumbers; false where it would throw, and for points as other objects.
 bool readNumbers(const std::vector<dom::element>& values, const Layout& layout, std::string_view record,
                  Numbers& numbers) {
   double* slot = numbers.data();
@@ -44,12 +56,15 @@ bool readNumbers(const std::vector<dom::element>& values, const Layout& layout, 
     std::size_t count = 0;
     if (part.mayBeAbsent && value.is_null()) {
       // no numbers
+    } else if (dom::object object; part.point != PointForm::none && !value.get_object().get(object)) {
+      if (!readXyz(object, record, slot)) return false;
+      count = std::size(kXyz);
     } else if (part.isArray) {
       dom::array array;
       if (value.get_array().get(array)) return false;
       for (dom::element item : array)
         if (count == part.most || !readNumber(item, record, slot[count++])) return false;
-      if (count < part.fewest) return false;
+      if (count < part.fewest || (count == 3 && part.point == PointForm::ofTheEarth)) return false;
     } else if (!readNumber(value, record, slot[count++])) {
       return false;
     }
@@ -214,10 +229,27 @@ class JsonReader final : public RecordReader {
     return values_.size() == names.size();
   }
 
-  /// As Layout::fits.
+  /// As FormOfField::holds of a point; nothing where it takes a closer look.
+  static std::optional<bool> isPoint(dom::element value) {
+    if (value.is_object()) {
+      double unused[3];
+      return readXyz(dom::object(value), "", unused) ? std::optional(true) : std::nullopt;
+    }
+    if (!value.is_array()) return false;
+    std::size_t count = 0;
+    for (const dom::element item : dom::array(value))
+      if (!item.is_number() || ++count > 4) return false;
+    return count >= 3;
+  }
+
+  /// As Layout::fits; false too where that is not certain.
   bool fits(const Layout& layout) const {
     return std::all_of(layout.forms.begin(), layout.forms.end(), [&](const FormOfField& form) {
       const dom::element value = values_[form.field];
+      if (form.first == FormOfField::kPoint) {
+        const std::optional<bool> point = isPoint(value);
+        return point && *point == form.is;
+      }
       const bool is = form.first == '{' ? value.is_object() : form.first == '[' ? value.is_array() : value.is_string();
       return is == form.is;
     });

@@ -18,6 +18,7 @@ namespace {
 struct Records {
   std::string_view text;
   OutputForm form;
+  CsvFormat csv;
   std::size_t count;
   bool joined;  ///< an array's: separated, not ended, by what stands between them
   bool arrays;  ///< some stand in arrays
@@ -26,7 +27,7 @@ struct Records {
 
   /// After the record that begins there, its line break included.
   std::size_t behind(std::size_t begin) const {
-    const std::size_t line = form == OutputForm::csv ? endOfCsvRecord(text, begin) : text.find('\n', begin);
+    const std::size_t line = form == OutputForm::csv ? endOfCsvRecord(text, begin, csv) : text.find('\n', begin);
     return line >= text.size() ? text.size() : line + 1;
   }
 
@@ -82,7 +83,8 @@ void OrderedOutput::put(const Block& block, const BlockResult& result) {
     put(result.out.view(), result.records, result.arrays);
     inArray_ += result.records;
   }
-  if (!result.passedOver.empty()) progress_.clear();
+  if (!result.passedOver.empty() || !result.notes.empty()) progress_.clear();
+  if (setup_.note) std::for_each(result.notes.begin(), result.notes.end(), setup_.note);
   for (const StreamFault& bad : result.passedOver) {
     const WritingHere writing;
     complain(setup_.placeOf(bad.position) + ": " + visible(bad.message), [] { return InterruptGuard::signal() != 0; });
@@ -123,7 +125,7 @@ void OrderedOutput::write(std::string_view text, std::size_t count, bool arrays)
   const WritingHere writing;
   const Written all = writeUntil(STDOUT_FILENO, text, [] { return InterruptGuard::signal() != 0; });
   if (all.bytes == text.size()) return;
-  const Records records{text, setup_.form, count, open_, arrays};
+  const Records records{text, setup_.form, setup_.csv, count, open_, arrays};
   if (all.error != 0) {
     if (all.error != EPIPE) takeBack(all.bytes - records.beginBefore(all.bytes));
     failToWrite(all.error);

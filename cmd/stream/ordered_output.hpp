@@ -12,11 +12,13 @@ namespace viewproj::cmd {
 
 struct OutputSetup {
   OutputForm form = OutputForm::lines;
+  CsvFormat csv = {};
   bool keepArrays = false;  ///< an array in the input is one in the output
   /// Names the place of what is wrong.
   std::function<std::string(TextPosition)> placeOf;
   bool fromCommandLine = false;  ///< a bad record is a wrong command line
   bool nothing = false;          ///< write no records
+  std::function<void(const std::string&)> note = {};
   /// Calls back with what is to stand before the block's records, if anything.
   std::function<void(const std::function<void(std::string_view)>&)> before = {};
 };

@@ -38,6 +38,7 @@ class Pipeline {
         result.records = 0;
         result.arrays = false;
         result.passedOver.clear();
+        result.notes.clear();
         result.fault.reset();
         own->work(block, result);
         if (!waitForTurn(number)) return;

@@ -31,16 +31,21 @@ bool readPlainNumbers(const std::vector<std::string_view>& values, const Layout&
 class CsvReader final : public RecordReader {
  public:
   CsvReader(const Shape& header, const Results& results)
-      : header_(header), errors_(errorColumns(header.names, results)) {
+      : header_(header), separator_(header.csv.separator), errors_(errorColumns(header.names, results)) {
     for (const ErrorColumn& error : errors_) behindResults_ |= error.behindResult;
   }
 
   void read(Block& block, Batch& batch) override {
     const std::string_view text = block.records;
+    const char comment = header_.csv.comment;
     for (std::size_t at = 0, end; at < text.size(); at = end + 1) {
+      if (comment != 0 && text[at] == comment) {
+        end = std::min(text.find('\n', at), text.size());
+        continue;
+      }
       if ((end = readPlainRecord(text, at, batch)) != npos) continue;
       std::size_t unclosed = npos;
-      end = endOfCsvRecord(text, at, &unclosed);
+      end = endOfCsvRecord(text, at, header_.csv, &unclosed);
       std::string_view line = text.substr(at, end - at);
       if (line.ends_with('\r')) line.remove_suffix(1);
       if (unclosed != npos)
@@ -70,9 +75,10 @@ class CsvReader final : public RecordReader {
     if (slots_.empty()) return npos;
     const char* at = text.data() + begin;
     const char* const end = text.data() + text.size();
+    const char separator = separator_;
     Numbers numbers;
     for (std::size_t field = 0; field < slots_.size(); ++field) {
-      if (field > 0 && (at == end || *at++ != ',')) return npos;
+      if (field > 0 && (at == end || *at++ != separator)) return npos;
       if (slots_[field] != kNoSlot) {
         double& number = numbers[slots_[field]];
         const auto [stop, error] = std::from_chars(at, end, number);
@@ -85,7 +91,7 @@ class CsvReader final : public RecordReader {
           if (at >= end) return npos;
           ++at;
         } else {
-          while (at < end && *at != ',' && *at != '\n' && *at != '\r') ++at;
+          while (at < end && *at != separator && *at != '\n' && *at != '\r') ++at;
         }
       }
     }
@@ -108,7 +114,7 @@ class CsvReader final : public RecordReader {
       const bool blankBefore = error.behindResult && blank(error.column - 1);
       if (!layout && !blankBefore && !(error.beforeResults && blank(error.column + 1))) continue;
       const std::string message = csvValue(record.values[error.column]);
-      if (!isBlank(message) && !parseNumber(message))
+      if (!isBlank(message) && !parseDecimal(message, header_.csv.decimal))
         throw RecordError(record.offset(error.column), markedBad(message));
     }
   }
@@ -119,7 +125,8 @@ class CsvReader final : public RecordReader {
       if (!errors_.empty()) requireNoError(record, nullptr);
       const Plan& plan = batch.planFor(record);
       if (!errors_.empty()) requireNoError(record, &plan.layout);
-      if (slots_.empty() && !behindResults_) slots_ = slotsOf(plan.layout, header_.size);
+      const bool isPlain = !header_.csv.isBlanks() && header_.csv.decimal == '.';
+      if (slots_.empty() && !behindResults_ && isPlain) slots_ = slotsOf(plan.layout, header_.size);
       Numbers numbers;
       readNumbers(record, plan.layout, numbers);
       batch.add(line, plan, numbers);
@@ -129,6 +136,7 @@ class CsvReader final : public RecordReader {
   }
 
   const Shape& header_;
+  char separator_;
   std::vector<ErrorColumn> errors_;
   bool behindResults_ = false;  ///< one of them
   std::vector<std::size_t> slots_;
@@ -136,13 +144,15 @@ class CsvReader final : public RecordReader {
 
 class TextReader final : public RecordReader {
  public:
+  explicit TextReader(const CsvFormat& format) : format_(format) {}
+
   void read(Block& block, Batch& batch) override {
     const std::string_view text = block.records;
     for (std::size_t at = 0, end; at < text.size(); at = end + 1) {
       end = std::min(text.find('\n', at), text.size());
       std::string_view line = text.substr(at, end - at);
       if (line.ends_with('\r')) line.remove_suffix(1);
-      if (!isBlank(line)) readLine(line, batch);
+      if (!isBlank(line) && !isTextComment(line, format_.comment)) readLine(line, batch);
     }
   }
 
@@ -151,7 +161,7 @@ class TextReader final : public RecordReader {
     try {
       if (const std::size_t alone = line.find('\r'); alone != std::string_view::npos)
         throw RecordError(alone, kLoneReturn);
-      const RecordParts record = textParts(line);
+      const RecordParts record = textParts(line, format_.decimal);
       const Plan& plan = batch.planFor(record);
       Numbers numbers;
       if (!readPlainNumbers(record.values, plan.layout, numbers)) readNumbers(record, plan.layout, numbers);
@@ -160,6 +170,8 @@ class TextReader final : public RecordReader {
       batch.bad(line, e);
     }
   }
+
+  const CsvFormat format_;
 };
 
 class BinaryReader final : public RecordReader {
@@ -208,7 +220,7 @@ class BinaryReader final : public RecordReader {
 std::unique_ptr<RecordReader> makeCsvReader(const Shape& header, const Results& results) {
   return std::make_unique<CsvReader>(header, results);
 }
-std::unique_ptr<RecordReader> makeTextReader() { return std::make_unique<TextReader>(); }
+std::unique_ptr<RecordReader> makeTextReader(const CsvFormat& format) { return std::make_unique<TextReader>(format); }
 std::unique_ptr<RecordReader> makeBinaryReader() { return std::make_unique<BinaryReader>(); }
 
 }  // namespace viewproj::cmd

@@ -4,18 +4,22 @@
 #include <algorithm>
 #include <string_view>
 
+#include "text/csv_format.hpp"
+
 namespace viewproj::cmd {
 
 /// The offset of the line break that ends the record which begins at `from`, or the text's size. unclosed: is set to
-/// the offset of a quote that opens and does not close. Quotes count where a field begins with one.
-inline std::size_t endOfCsvRecord(std::string_view text, std::size_t from, std::size_t* unclosed = nullptr) {
+/// the offset of a quote that opens and does not close. Quotes count where a field begins with one, and in no comment.
+inline std::size_t endOfCsvRecord(std::string_view text, std::size_t from, const CsvFormat& format,
+                                  std::size_t* unclosed = nullptr) {
   constexpr std::size_t npos = std::string_view::npos;
   std::size_t line = std::min(text.find('\n', from), text.size());
+  if (format.isComment(text.substr(from))) return line;
   for (std::size_t field = from;;) {
     if (line < field) line = std::min(text.find('\n', field), text.size());  // it stood in quotes
     const std::size_t quote = text.substr(0, line).find('"', field);
     if (quote == npos) return line;
-    if (quote > from && text[quote - 1] != ',') {
+    if (quote > from && !format.separates(text[quote - 1])) {
       field = quote + 1;  // one of the field's own
       continue;
     }
@@ -32,6 +36,8 @@ inline std::size_t endOfCsvRecord(std::string_view text, std::size_t from, std::
 /// Finds the line breaks that end records in a text that grows, and looks at no byte twice.
 class CsvEnds {
  public:
+  explicit CsvEnds(const CsvFormat& format = {}) : format_(format) {}
+
   /// The offset of the next one; npos if there is none yet. text begins as it did in the call before.
   std::size_t nextEnd(std::string_view text) { return scan(text, true); }
   /// The offset after the last one; 0 if there is none yet.
@@ -70,12 +76,18 @@ class CsvEnds {
       }
       at_ = plain.size();
       if (quote == npos) break;
-      quoted_ = quote == behind_ || text[quote - 1] == ',';
+      if (format_.isComment(text.substr(behind_))) {
+        // To its end; where that is not there yet, the next call goes on in it.
+        at_ = std::min(text.find('\n', at_), text.size());
+        continue;
+      }
+      quoted_ = quote == behind_ || format_.separates(text[quote - 1]);
       ++at_;
     }
     return npos;
   }
 
+  CsvFormat format_;
   std::size_t at_ = 0, behind_ = 0;
   bool quoted_ = false;
 };

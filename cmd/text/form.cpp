@@ -38,8 +38,8 @@ std::span<const FormRow<Form>> inputForms() {
   static constexpr FormRow<Form> kRows[] = {
       {"json", Form::json, ".json .ndjson .jsonl",
        "objects or [x,y,z]: one after the other, in an array, under \"points\""},
-      {"csv", Form::csv, ".csv", "a header and rows; without a header the first columns are the coordinates"},
-      {"text", Form::text, ".txt .xyz", "numbers separated by blanks, a point a line"},
+      {"csv", Form::csv, ".csv .tsv", "a header and rows; without a header the first columns are the coordinates"},
+      {"text", Form::text, ".xyz", "numbers separated by blanks, a point a line"},
       {"f64", Form::f64, ".f64 .bin", "little-endian doubles, three a point"},
   };
   return kRows;
@@ -78,7 +78,16 @@ std::optional<Form> formOfName(std::string_view fileName) {
   return std::nullopt;
 }
 
-std::optional<Form> formOfBytes(std::string_view start, bool goesOn) {
+std::string_view behindComments(std::string_view text, char comment) {
+  constexpr std::string_view kSpace = " \t\r\n";
+  for (;;) {
+    text.remove_prefix(std::min(text.find_first_not_of(kSpace), text.size()));
+    if (!isTextComment(text, comment)) return text;
+    text.remove_prefix(std::min(text.find('\n'), text.size()));
+  }
+}
+
+std::optional<Form> formOfBytes(std::string_view start, bool goesOn, char decimal) {
   if (start.starts_with("\xEF\xBB\xBF")) start.remove_prefix(3);
   const std::size_t first = start.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) return Form::text;
@@ -90,8 +99,9 @@ std::optional<Form> formOfBytes(std::string_view start, bool goesOn) {
   const std::string_view line = start.substr(0, start.find('\n'));
   const char c = start[0];
   const bool number = (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.' || line.starts_with("NaN");
-  if (line.find(',') != std::string_view::npos) return Form::csv;
-  return number || hasNumber(line) || (goesOn && line.find(';') == std::string_view::npos) ? Form::text : Form::csv;
+  if ((decimal != ',' && line.find(',') != std::string_view::npos) || line.find(';') != std::string_view::npos)
+    return Form::csv;
+  return number || hasNumber(line) || goesOn ? Form::text : Form::csv;
 }
 
 }  // namespace viewproj::cmd

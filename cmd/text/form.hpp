@@ -35,12 +35,22 @@ inline bool hasColumns(OutputForm form) { return form == OutputForm::csv || form
 
 OutputForm sameForm(Form form);
 
+/// Lines of text that begin so, behind blanks, are no records.
+inline constexpr char kTextComment = '#';
+inline bool isTextComment(std::string_view line, char comment = 0) {
+  const std::size_t first = line.find_first_not_of(" \t");
+  return first != std::string_view::npos && line[first] == (comment != 0 ? comment : kTextComment);
+}
+
+/// From the first line on that is neither blank nor a comment.
+std::string_view behindComments(std::string_view text, char comment = 0);
+
 /// By the file's name, or nothing.
 std::optional<Form> formOfName(std::string_view fileName);
 
-/// By the first bytes: `{` or `[` begins JSON; a first line with a comma is CSV, any other with a number in it text,
-/// one of words alone a header. goesOn: a bad record may come first, so such words are one, unless `;` parts them.
-/// Nothing where they are no text at all; f64 is never guessed.
-std::optional<Form> formOfBytes(std::string_view start, bool goesOn);
+/// By the first bytes, behind comments: `{` or `[` begins JSON; a first line with a comma, unless that marks decimals,
+/// or with a semicolon is CSV, any other with a number in it text, one of words alone a header. goesOn: a bad record
+/// may come first, so such words are one. Nothing where they are no text at all; f64 is never guessed.
+std::optional<Form> formOfBytes(std::string_view start, bool goesOn, char decimal = '.');
 
 }  // namespace viewproj::cmd

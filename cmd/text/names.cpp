@@ -32,6 +32,10 @@ std::string enumerated(std::span<const std::string_view> names, const char* last
 
 }  // namespace
 
+bool sameButForCase(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return lower(x) == lower(y); });
+}
+
 std::string_view nearestName(std::string_view name, std::span<const std::string_view> candidates) {
   std::string_view best;
   if (name.size() > 100) return best;

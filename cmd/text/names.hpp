@@ -8,6 +8,8 @@
 
 namespace viewproj::cmd {
 
+bool sameButForCase(std::string_view a, std::string_view b);
+
 /// The candidate that takes the fewest edits from name, case aside; empty if none is near.
 std::string_view nearestName(std::string_view name, std::span<const std::string_view> candidates);
 

@@ -68,7 +68,7 @@ WriterSetup setupFor(const Results& rows) {
 std::string asCsv(const Results& given, void (*results)(ResultSink&)) {
   const WriterSetup setup = setupFor(given);
   TextBuffer out;
-  CsvColumns columns = csvColumns(setup, nullptr, "", out);
+  CsvColumns columns = csvColumns(setup, nullptr, "", {}, out);
   const std::string rows = written(*makeCsvWriter(setup, columns, out), out, results);
   std::string header;
   writeDueHeader(columns, setup, [&](std::string_view text) { header += text; });

@@ -103,11 +103,19 @@ def readers():
         "directions, places and segments": lines(
             b'{"direction":[1,2,-3]}\n{"segment":[[0,0,0],[4,2,9]]}\n{"position":[1,2,3]}'
         ),
+        "other names": lines(b'{"pos":[1,2,-3]}\n{"X":1,"Y":2,"Z":-3}\n{"location":{"X":1,"y":2,"z":-3},"point":"A12"}'),
+        "points as objects": lines(b'{"position":{"x":1,"y":2,"z":-3}}\n{"position":{"z":-3,"y":2,"x":1}}'),
     }
     for kind, text in inputs.items():
         add(f"read json: {kind}", 300, project(), text, says='"screen"|screen_x')
     add("read csv: plain", 300, project(), lines(b"p,1.5,2.25,-3", b"id,x,y,z\n"), says="screen_x")
     add("read csv: quoted line breaks", 300, project(), lines(b'"p\n""q""",1.5,2.25,-3', b"id,x,y,z\n"), says="screen_x")
+    for kind, separator in {"semicolons": b";", "tabs": b"\t", "blanks": b" "}.items():
+        add(f"read csv: {kind}", 300, project(), lines(separator.join([b'"p q"', b"1.5", b"2.25", b"-3"]), separator.join([b"id", b"X", b"Y", b"Z"]) + b"\n"), says="screen_x")
+    add("read csv: decimal commas", 300, project("--decimal", ","), lines(b"1,5;2,25;-3", b"x;y;z\n"), says="screen_x")
+    add("read csv: comments", 300, project("--comment", "#"), lines(b'#"q\n1.5,2.25,-3', b"x,y,z\n"), says="screen_x")
+    add("read csv: comments before the header", 3000, project("--comment", "#", "--from", "csv"), lambda n: b'# "q, and more\n' * n + b"x,y,z\n1,2,3\n", says="screen_x")
+    add("read text: comments", 300, project(), lines(b"# a, b\n1.5 2.25 -3"), says="[0-9]")
     add("read csv: no header", 300, project("--from", "csv"), lines(b"1.5,2.25,-3"), says="687|,")
     add("read text", 300, project(), lines(b"1.5 2.25 -3"), says="inFront|true|[0-9]")
     add("read f64", 20000, project("--from", "f64"), lambda n: struct.pack("<3d", 1.5, 2.25, -3) * n)
@@ -174,6 +182,11 @@ def long_records():
     add("many columns", 2000, project(), lambda n: b"x,y,z" + b"".join(b",a%d" % i for i in range(n)) + b"\n1,2,3" + b",1" * n + b"\n", says="a0", big=200000, **more)
     add("many columns, write json", 2000, project("--to", "json"), lambda n: b"x,y,z" + b"".join(b",a%d" % i for i in range(n)) + b"\n1,2,3" + b",1" * n + b"\n", says="screen", big=200000, **more)
     add("many columns of one name", 2000, project(), lambda n: b"x,y,z" + b",a" * n + b"\n1,2,3" + b",1" * n + b"\n", status=1, says="twice|same|column", big=200000, **more)
+    add("many keys in an object that may be a point", 2000, project(), lambda n: b'{"x":1,"y":2,"z":3}\n{"pos":{"x":1,"y":2,"z":3' + b"".join(b',"a%d":1' % i for i in range(n)) + b"}}", says="screen", **more)
+    add("many columns in blanks", 2000, project(), lambda n: b"x y z" + b"".join(b" a%d" % i for i in range(n)) + b"\n1 2 3" + b" 1" * n + b"\n", says="a0", big=200000, **more)
+    add("many columns without names", 2000, project("--to", "json"), lambda n: b"x,y,z" + b"," * n + b"\n1,2,3" + b",1" * n + b"\n", says="screen", big=200000, **more)
+    add("many columns beside names in another case", 2000, project(), lambda n: b"X,Y,Z" + b"".join(b",a%d" % i for i in range(n)) + b"\n1,2,3" + b",1" * n + b"\n", says="X,Y,Z", big=200000, **more)
+    add("a header of many words without coordinates", 2000, project(), lambda n: b",".join(b"a%d" % i for i in range(n)) + b"\n", status=1, says="has no columns", big=200000, **more)
     add("a long cell", 200000, project(), lambda n: b"x,y,z,a\n1,2,3," + b"x" * n + b"\n", says="screen", **more)
     add("many numbers beside one that overflows", 5000, project(), lambda n: b'{"x":1,"y":2,"z":3,"a":[' + b"1e308," * n + b"1e400]}", status=1, says="overflow", **more)
     add("many keys beside one given twice", 2000, project(), lambda n: b'{"x":1,"y":2,"z":3' + b"".join(b',"a%d":1' % i for i in range(n)) + b',"x":1}', status=1, says="twice", **more)

@@ -157,12 +157,25 @@ export function camera(r, pose, way, whole = false) {
 
 const kId = (r) => r.of([7, "lamp", -1.5]);
 
-function shape(r, kind) {
+/// An array, an object or a place, the same way for all points of a record.
+function waysOf(r) {
+  return r.of([
+    (at) => at,
+    (at) => at,
+    ([x, y, z]) => ({ x, y, z }),
+    ([x, y, z]) => ({ lat: 46 + x / 10, lon: 7 + y / 10, height: z }),
+  ]);
+}
+
+function shape(r, kind, as = (at) => at) {
   const at = vector(r);
   if (kind === "plane") return { point: at, normal: [r.number(1, 2), 0, r.number(-1, 1)] };
-  if (kind === "sphere") return { center: at, radius: r.of([0, 2.5]) };
-  if (kind === "box") return { min: at, max: at.map((x) => x + r.number(0, 3)) };
-  if (kind === "triangle") return [at, vector(r), vector(r)];
+  if (kind === "sphere") return { center: as(at), radius: r.of([0, 2.5]) };
+  if (kind === "box") {
+    const min = as(at), max = as(at.map((x) => x + r.number(0, 3)));
+    return "lat" in min ? { min, max: min } : { min, max };
+  }
+  if (kind === "triangle") return [as(at), as(vector(r)), as(vector(r))];
   return "WGS84";
 }
 
@@ -183,7 +196,24 @@ export function scene(r) {
   return s;
 }
 
-const kPointKinds = ["array", "weighted", "position", "xyz", "xyzw", "place", "direction", "segment", "segment and pixel"];
+const kPointKinds = ["array", "weighted", "position", "xyz", "xyzw", "place", "direction", "segment", "segment and pixel", "alias", "object"];
+
+/// x, y, z or lat, lon, height by the names that others have for them.
+function otherNames(r) {
+  const [x, y, z] = vector(r);
+  return r.of([
+    () => ({ X: x, Y: y, Z: z }),
+    () => ({ X: x, Y: y, Z: z, W: 2 }),
+    () => ({ Lat: 46.5, LON: 7, Height: z }),
+    () => ({ latitude: 46.5, lng: 7, altitude: z }),
+    () => ({ [r.of(["pos", "point", "location", "xyz", "Position"])]: r.of([[x, y, z], { x, y, z }, { X: x, Y: y, Z: z }]) }),
+    () => ({ point: "A12", location: { city: "Bern" }, pos: [x, y, z] }),
+  ])();
+}
+const atOf = (r) => {
+  const [x, y, z] = vector(r);
+  return r.of([{ x, y, z }, { x, y, z, w: 2 }, { X: x, Y: y, Z: z, W: 2 }, { X: x, y, z }, { lat: 46.5, lon: 7, height: z }]);
+};
 
 function pointRecord(r, kind = r.of(kPointKinds)) {
   const at = vector(r);
@@ -194,9 +224,14 @@ function pointRecord(r, kind = r.of(kPointKinds)) {
   if (kind === "position") record.position = r.chance(0.5) ? at : [...at, 2];
   if (kind === "xyz" || kind === "xyzw") [record.x, record.y, record.z] = at;
   if (kind === "xyzw") record.w = 3;
+  if (kind === "alias") Object.assign(record, otherNames(r));
+  if (kind === "object") record.position = atOf(r);
   if (kind === "place") Object.assign(record, place(r));
-  if (kind === "direction") record.direction = at;
-  if (kind.startsWith("segment")) record.segment = [at, vector(r)];
+  if (kind === "direction") record.direction = r.chance(0.3) ? { x: at[0], y: at[1], z: at[2] } : at;
+  if (kind.startsWith("segment")) {
+    const as = waysOf(r);
+    record.segment = [as(at), as(vector(r))];
+  }
   if (kind === "segment and pixel") record.pixel = r.chance(0.3) ? null : [100, 50];
   maybe(r, record, "colour", () => ({ red: [1, null] }));
   return record;
@@ -205,25 +240,27 @@ function pointRecord(r, kind = r.of(kPointKinds)) {
 function shapeRecord(r) {
   const kind = r.of(["point", "round", "sphere", "box", "triangle"]);
   if (kind === "point") {
-    const point = pointRecord(r, r.of(["array", "weighted", "position", "xyz", "xyzw", "place"]));
+    const point = pointRecord(r, r.of(["array", "weighted", "position", "xyz", "xyzw", "place", "alias", "object"]));
     if (Array.isArray(point)) return point;
     maybe(r, point, "plane", () => "left"); // as cull writes it
     maybe(r, point, "ellipsoid", () => 7);
     return point;
   }
-  if (kind === "round") return { ...pointRecord(r, r.of(["position", "xyz", "xyzw", "place"])), radius: r.of([0, 2.5]) };
-  const record = { [kind]: shape(r, kind) };
+  if (kind === "round") return { ...pointRecord(r, r.of(["position", "xyz", "xyzw", "place", "alias", "object"])), radius: r.of([0, 2.5]) };
+  const record = { [kind]: shape(r, kind, waysOf(r)) };
   maybe(r, record, "id", () => kId(r));
   return record;
 }
 
 function pixelRecord(r) {
   const at = [r.number(0, 640), r.number(0, 480)];
-  const kind = r.of(["array", "screen", "pixel", "xy"]);
+  const kind = r.of(["array", "screen", "pixel", "xy", "XY", "Screen"]);
   if (kind === "array") return r.chance(0.5) ? at : [...at, r.number(0, 0.99)];
   const record = {};
   maybe(r, record, "id", () => kId(r));
   if (kind === "xy") [record.x, record.y] = at;
+  else if (kind === "XY") [record.X, record.Y] = at;
+  else if (kind === "Screen") record.Screen = at;
   else record[kind] = r.chance(0.2) ? null : at;
   maybe(r, record, "depth", () => r.number(0, 0.99));
   maybe(r, record, "viewDistance", () => r.number(1, 99));

@@ -26,12 +26,14 @@ export const kRules = {
     "no key is given twice": /the key '.*' is given twice/,
   },
   points: {
+    "a record has one point or shape": /has two (points|shapes)|has both/,
     "points is a document's first key": hasPointsBehind,
     "three numbers without names need a camera elsewhere": /three numbers without names/,
     "no key is given twice": /has the field '.*' twice/,
     "no number leaves the range of doubles": /number overflow/,
   },
   shapes: {
+    "a record has one point or shape": /has two (points|shapes)|has both/,
     "points is a document's first key": hasPointsBehind,
     "three numbers without names need a camera elsewhere": /three numbers without names/,
     "max is not below min": /max must not be below min/,

@@ -71,6 +71,24 @@ void requireSame(const std::string& input, const StreamHow& a, const StreamHow& 
                << shown(other.err));
 }
 
+/// Other separators in place of commas, decimal commas, and comments with quotes in them.
+std::string inOtherFormat(const std::string& text, Form form, RandomText& random, StreamHow& how) {
+  if (random.oneIn(2)) how.comment = random.oneIn(2) ? '#' : '%';
+  if (random.oneIn(4)) how.decimal = ',';
+  if (form == Form::csv && random.oneIn(2)) how.delimiter = "; \t"[random.below(3)];
+  const char separator = how.delimiter.value_or(form == Form::csv && random.oneIn(2) ? ';' : ',');
+  const char comment = how.comment.value_or('#');
+  std::string other;
+  for (const char c : text) {
+    other += form == Form::csv && c == ',' ? separator : c == '.' && how.decimal ? ',' : c;
+    if (c != '\n' || !random.oneIn(6)) continue;
+    other += std::string(random.oneIn(3), ' ') + comment + (random.oneIn(2) ? separator : ' ');
+    other += random.oneIn(3) ? "\"not closed" : random.oneIn(2) ? "\"a\", b" : "";
+    other += random.oneIn(4) ? "\r\n" : "\n";
+  }
+  return other;
+}
+
 }  // namespace
 
 TEST_CASE("a stream gives the same wherever its blocks end") {
@@ -99,6 +117,36 @@ TEST_CASE("a stream gives the same wherever its blocks end") {
     }
   }
   for (const char* kind : {"good", "went on", "ended", "form 0", "form 1", "form 2", "form 3"}) {
+    INFO(kind);
+    CHECK(visited[kind] > 50);
+  }
+}
+
+TEST_CASE("a stream of other separators, decimals and comments gives the same wherever its blocks end") {
+  std::map<std::string, int> visited;
+  for (std::size_t trial = 0; trial < trials(1500); ++trial) {
+    RandomText random(trial);
+    const Form form = random.oneIn(3) ? Form::text : Form::csv;
+    StreamHow how{.from = form, .keepGoing = random.oneIn(2)};
+    if (random.oneIn(2)) how.to = random.oneOf(kOutputs);
+    std::string input = inputOf(form, random, 1 + random.below(40), random.oneIn(2) ? 0 : 2 + random.below(20));
+    input = inOtherFormat(input, form, random, how);
+    if (random.oneIn(4)) random.mutate(input);
+    const StreamRun expected = runStream(input, how);
+    ++visited[expected.status == 0 ? "good" : how.keepGoing ? "went on" : "ended"];
+    for (int i = 0; i < 3; ++i) {
+      StreamHow other = how;
+      other.block = random.oneIn(2) ? 1 + random.below(50) : 1 + random.below(input.size() + 2);
+      other.jobs = static_cast<unsigned>(1 + random.below(3));
+      if (random.oneIn(4)) {
+        other.largestPiece = 1 + random.below(200);
+        other.seed = trial;
+      }
+      INFO("trial " << trial);
+      requireSame(input, how, other, expected);
+    }
+  }
+  for (const char* kind : {"good", "went on", "ended"}) {
     INFO(kind);
     CHECK(visited[kind] > 50);
   }

@@ -1,6 +1,7 @@
 // Records go through simdjson where they can; what is valid, which numbers are in it and what is said of the rest is
 // what nlohmann-json says alone.
 #include <bit>
+#include <cctype>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -137,9 +138,22 @@ bool namesDiffer(const std::string& text) {
   return !nlohmann::json::parse(text, look).is_discarded() && differ;
 }
 
+/// The same fields with their names in lower case, where no such name is there; w as far as it is in the case of x.
+nlohmann::json inLowerCase(const nlohmann::json& value) {
+  nlohmann::json lower = value;
+  if (value.contains("w") && !value.contains("x")) lower.erase("w");
+  for (const auto& [name, field] : value.items()) {
+    std::string key = name;
+    std::transform(key.begin(), key.end(), key.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (name == "W" && value.contains("x")) continue;
+    if (!lower.contains(key)) lower[key] = field;
+  }
+  return lower;
+}
+
 /// What a record holds by nlohmann-json's DOM alone; nothing where it is none that is good.
 std::optional<std::vector<std::uint64_t>> byDom(const std::string& text) {
-  const nlohmann::json value = nlohmann::json::parse(text, nullptr, false);
+  nlohmann::json value = nlohmann::json::parse(text, nullptr, false);
   if (value.is_discarded()) return std::nullopt;
   std::vector<double> numbers;
   // 2^64 and beyond are doubles there; -0 as an integer is 0, but the text says what it is.
@@ -158,9 +172,14 @@ std::optional<std::vector<std::uint64_t>> byDom(const std::string& text) {
     if (!takeAll(value, value.size() == 4 ? 4 : 3)) return std::nullopt;
   } else {
     if (!value.is_object() || !namesDiffer(text)) return std::nullopt;
+    const auto has = [&](std::initializer_list<const char*> names) {
+      return std::all_of(names.begin(), names.end(), [&](const char* name) { return value.contains(name); });
+    };
+    if (!has({"position"}) && !has({"x", "y", "z"}) && !has({"direction"})) value = inLowerCase(value);
+    const bool hasXyz = value.contains("x") && value.contains("y") && value.contains("z");
     if (value.contains("position")) {
-      if (!takeAll(value["position"], 4)) return std::nullopt;
-    } else if (value.contains("x")) {
+      if (hasXyz || !takeAll(value["position"], 4)) return std::nullopt;
+    } else if (hasXyz) {
       for (const char* name : {"x", "y", "z", "w"}) {
         if (!value.contains(name) && *name == 'w') break;
         if (!value.contains(name) || !take(value[name])) return std::nullopt;

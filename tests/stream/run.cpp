@@ -126,6 +126,9 @@ StreamRun runStream(const std::string& input, const StreamHow& how) {
   setup.keepGoing = how.keepGoing;
   setup.jobs = how.jobs;
   setup.blockSize = how.block;
+  setup.delimiter = how.delimiter;
+  setup.decimal = how.decimal;
+  setup.comment = how.comment;
   setup.csvDefaults = {"x", "y", "z", "w"};
   setup.writer.arrayName = "position";
   setup.writer.prefix = how.prefix;

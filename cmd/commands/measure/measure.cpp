@@ -82,6 +82,7 @@ struct Options {
 int run(const Options& o) {
   if (o.camera.lists()) return o.camera.list();
   FilterSetup setup = o.stream.setup(kPointColumns);
+  setup.note = [&](const std::string& note) { o.camera.notes().say(note); };
   o.stream.requireOneInput(setup, o.camera);
   const CameraFile file = o.camera.read();
   const Camera built = makeCamera(file);

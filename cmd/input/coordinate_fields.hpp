@@ -1,0 +1,32 @@
+// Where a record has what a row of the coordinates says.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "input/coordinates.hpp"
+#include "input/field_names.hpp"
+#include "input/layout.hpp"
+#include "input/record.hpp"
+
+namespace viewproj::cmd {
+
+/// The parts of a row in the fields of a record, if it has all that are required. Adds to forms which values it went
+/// by. rule any: by other names too. Throws RecordError where two names are as good.
+std::optional<Layout> find(const Coordinate& row, const RecordParts& record, std::vector<FormOfField>& forms,
+                           NameRule rule = NameRule::exact);
+
+/// "has lat but no height", of a row of which a record has some parts; empty: it has none.
+std::string partlyThere(const Coordinate& row, const Shape& shape);
+
+/// What the record calls them: "x, y, z".
+std::string namesIn(const Layout& layout, const Shape& shape);
+
+/// "; the header is 'E,N,U'", or for JSON its fields, as far as they go.
+std::string whatIsThere(const Shape& shape);
+
+/// "; is 'lattitude' meant for latitude?", of the parts of these rows that are missing, or empty.
+std::string nearestField(std::span<const Coordinate* const> rows, const Shape& shape);
+
+}  // namespace viewproj::cmd

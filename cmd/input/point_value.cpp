@@ -1,0 +1,79 @@
+#include "input/point_value.hpp"
+
+#include "input/field_names.hpp"
+#include "text/error.hpp"
+#include "text/json_text.hpp"
+#include "text/visible.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+struct Members {
+  std::vector<std::string> names;
+  std::vector<std::string_view> values;
+};
+
+Members membersOf(std::string_view json) {
+  Members members;
+  JsonParts parts(json);
+  while (const auto part = parts.next()) {
+    members.names.push_back(unescaped(part->key));
+    members.values.push_back(part->value);
+  }
+  return members;
+}
+
+/// Of a row's parts, all that are required.
+std::vector<NameMatch> matchRow(const Members& members, const Coordinate& row) {
+  std::vector<NameMatch> matches = matchParts(members.names, row.parts, row.fewest, NameRule::any);
+  for (std::size_t i = 0; i < row.fewest; ++i)
+    if (!matches[i].field) return {};
+  return matches;
+}
+
+bool isNumberStart(std::string_view json) {
+  return !json.empty() && (json[0] == '-' || (json[0] >= '0' && json[0] <= '9'));
+}
+
+}  // namespace
+
+std::string bareTriple(const std::string& way) {
+  return "three numbers without names may be a place or metres from the Earth's centre; say which: " + way;
+}
+
+bool isPointValue(std::string_view json) {
+  if (json.starts_with('{')) {
+    const Members members = membersOf(json);
+    return !matchRow(members, coordinates::xyz).empty() || !matchRow(members, coordinates::place).empty();
+  }
+  if (!json.starts_with('[')) return false;
+  std::size_t count = 0;
+  JsonParts parts(json);
+  while (const auto part = parts.next())
+    if (!isNumberStart(part->value) || ++count > coordinates::position.most) return false;
+  return count >= coordinates::position.fewest;
+}
+
+std::optional<PointObject> pointObject(std::string_view json) {
+  const Members members = membersOf(json);
+  std::vector<NameMatch> matches = matchRow(members, coordinates::xyz);
+  const std::vector<NameMatch> place = matchRow(members, coordinates::place);
+  if (!matches.empty() && !place.empty())
+    throw RecordError(0, "has both x, y, z and lat, lon, height; expected one of the two");
+  PointObject object;
+  object.isPlace = !place.empty();
+  if (object.isPlace) matches = place;
+  for (const NameMatch& match : matches) {
+    if (!match.field) break;
+    if (match.also)
+      throw RecordError(0, "has both " + quoted(members.names[*match.field]) + " and " +
+                               quoted(members.names[*match.also]) + "; expected one of the two");
+    object.names[object.count] = (object.isPlace ? coordinates::place : coordinates::xyz).parts[object.count].name;
+    object.parts[object.count++] = members.values[*match.field];
+    if (object.isPlace && object.count == 3 && match.isAlias) object.seaLevel = members.names[*match.field];
+  }
+  if (object.count == 0) return std::nullopt;
+  return object;
+}
+
+}  // namespace viewproj::cmd
