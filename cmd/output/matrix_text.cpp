@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "camera/convention.hpp"
+#include "camera/depth.hpp"
 #include "input/convention_fields.hpp"
 #include "output/identifiers.hpp"
 #include "text/error.hpp"
@@ -106,7 +107,7 @@ std::string asCsv(const MatrixSet& set) {
 std::string axesInWords(const MatrixSet& set) {
   const Convention& c = set.convention;
   const AxisSigns view = axisSigns(c.view);
-  const NdcDepths z = ndcDepths(c);
+  const DepthEnds z = ndcDepths(c);
   return std::string(c.world == Handedness::right ? "Right" : "Left") + "-handed world; view x right, y " +
          (view.up > 0 ? "up" : "down") + ", z " + (view.forward > 0 ? "forward" : "back") +
          (set.bakesViewport ? "; the projection gives screen x, y and window depth, times w"

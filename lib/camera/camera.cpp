@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "camera/depth.hpp"
 #include "camera/require.hpp"
 #include "camera/viewport.hpp"
 #include "numbers/arithmetic.hpp"
@@ -18,19 +19,6 @@ namespace {
 
 /// Of pixels for a unit of the window, and of where its axis lies: one more factor of 2^20 is a double still.
 constexpr double kLargestScale = 0x1p1000;
-
-/// near / (far - near), far / (far - near) and 1 / (far - near), for finite far.
-struct RangeShares {
-  DoubleDouble near, far, one;
-};
-
-RangeShares rangeShares(const ProjectionParts& p) noexcept {
-  const double scale = std::max(std::fabs(p.near), std::fabs(p.far)) > 0x1p900 ? 0x1p-200 : 1;
-  const double n = p.near * scale;
-  const double f = p.far * scale;
-  const DoubleDouble range = twoDiff(f, n);
-  return {DoubleDouble(n) / range, DoubleDouble(f) / range, timesPowerOfTwo(DoubleDouble(1) / range, scale)};
-}
 
 /// Exactly: rows that are rounded to an axis do not count.
 bool forwardIsAxis(const PoseParts& pose) noexcept {
@@ -64,18 +52,6 @@ double rangeOf(std::initializer_list<double> numbers) noexcept {
 
 }  // namespace
 
-DepthLine detail::depthLine(const ProjectionParts& p, double atNear, double atFar) noexcept {
-  // perspective:   offset = (f atFar - n atNear) / (f - n)     scale = f n (atNear - atFar) / (f - n)
-  // infinite far:  offset = atFar                              scale = n (atNear - atFar)
-  // orthographic:  offset = (f atNear - n atFar) / (f - n)     scale = (atFar - atNear) / (f - n)
-  // f / (f - n) comes first, because f n may overflow.
-  const DoubleDouble step = twoDiff(atNear, atFar);
-  if (std::isinf(p.far)) return {atFar, DoubleDouble(p.near) * step};
-  const RangeShares share = rangeShares(p);
-  if (p.orthographic) return {share.far * DoubleDouble(atNear) - share.near * DoubleDouble(atFar), -step * share.one};
-  return {share.far * DoubleDouble(atFar) - share.near * DoubleDouble(atNear), share.far * DoubleDouble(p.near) * step};
-}
-
 Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport& viewport,
                   const Convention& convention) {
   if (const char* fault = arithmeticFault()) throw CameraError("arithmetic", fault);
@@ -100,13 +76,10 @@ Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport
       !isInRange(c.screen.centerY, c.screen.scaleY, c.screen.reachY))
     throw CameraError("projection", "has a window too small for doubles to tell its pixels apart");
 
-  c.depthAtNear = convention.reverseZ ? viewport.depthSecond : viewport.depthFirst;
-  c.depthAtFar = convention.reverseZ ? viewport.depthFirst : viewport.depthSecond;
-  if (c.projection.orthographic)
-    c.farOverRange = rangeShares(c.projection).one;
-  else
-    c.farOverRange = std::isinf(c.projection.far) ? DoubleDouble(1) : rangeShares(c.projection).far;
-  const DepthLine depth = depthLine(c.projection, c.depthAtNear, c.depthAtFar);
+  const DepthEnds ends = windowDepths(viewport, convention.reverseZ);
+  c.depthAtNear = ends.atNear;
+  c.depthAtFar = ends.atFar;
+  const DepthLine depth = depthLine(c.projection, ends);
   c.depthAtInfinity = depth.offset.hi;
 
   ProjectionConstants& k = c.constants;
@@ -124,7 +97,11 @@ Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport
   k.depthScale = depth.scale;
   k.reachX = map.reachX;
   k.reachY = map.reachY;
-  const double depths[] = {depth.offset.hi, depth.scale.hi, c.farOverRange.hi};
+  const RangeShares shares = rangeShares(c.projection.near, c.projection.far);
+  const double farOverRange = c.projection.orthographic      ? shares.one.hi
+                              : std::isinf(c.projection.far) ? 1
+                                                             : shares.far.hi;
+  const double depths[] = {depth.offset.hi, depth.scale.hi, farOverRange};
   const bool depthsAreNumbers = std::isfinite(depths[0]) && std::isfinite(depths[1]) && depths[1] != 0 &&
                                 std::isfinite(depths[2]) && depths[2] != 0;
   k.range = !depthsAreNumbers ? std::numeric_limits<double>::infinity()
@@ -140,9 +117,19 @@ Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport
   const auto isZero = [](DoubleDouble a) { return a.hi == 0; };
   if (k.residualReach == 0 && !(isZero(k.residual.x) && isZero(k.residual.y) && isZero(k.residual.z)))
     k.residualReach = std::numeric_limits<double>::min();
-  k.rayX = rounded(c.pose.columns.right * (DoubleDouble(1) / map.scaleX));
-  k.rayY = rounded(c.pose.columns.up * (DoubleDouble(1) / map.scaleY));
-  k.rayW = rounded(c.pose.columns.forward);
+  const Axes& columns = c.pose.columns;
+  c.rays.perX = columns.right * (DoubleDouble(1) / map.scaleX);
+  c.rays.perY = columns.up * (DoubleDouble(1) / map.scaleY);
+  if (k.orthographic) {
+    c.rays.start = unroundedEye(c.pose);
+    c.rays.direction = rounded(normalized(columns.forward));
+  }
+  k.rayX = rounded(c.rays.perX);
+  k.rayY = rounded(c.rays.perY);
+  k.rayW = rounded(columns.forward);
+  const ScreenCorner corner = screenCorner(viewport);
+  c.firstCorner = {corner.x.hi, corner.y.hi};
+  c.lastCorner = {corner.x.hi + viewport.width, corner.y.hi + viewport.height};
   return Access::whole<Camera, CameraParts>(made);
 }
 

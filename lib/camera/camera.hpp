@@ -41,23 +41,21 @@ struct CameraParts {
 
   ScreenMap screen;
 
-  double depthAtNear = 0;  ///< window depths of near and far, reverseZ taken into account
-  double depthAtFar = 1;
-  double depthAtInfinity = 1;  ///< perspective: the limit of window depth along the view, rounded
-  DoubleDouble
-      farOverRange;  ///< far / (far - near) in perspective (1 for infinite far), 1 / (far - near) in orthographic
+  double depthAtNear = 0, depthAtFar = 1;  ///< window depths, reverseZ taken into account
+  double depthAtInfinity = 1;              ///< perspective: the limit of window depth along the view, rounded
+
+  /// Of the picture, as screen numbers: the corner they are counted from, and the one across.
+  Vec2 firstCorner, lastCorner;
+
+  /// Orthographic: the ray of a screen position starts at start + (x - centerX) perX + (y - centerY) perY.
+  struct {
+    DDVec3 start, perX, perY;
+    Vec3 direction;
+  } rays;
 
   ProjectionConstants constants;
 };
 
 inline const CameraParts& parts(const Camera& camera) noexcept { return *Access::shared(camera); }
-
-/// offset + scale / W (perspective) or offset + scale * W (orthographic): the depth that is atNear at near, atFar at
-/// far.
-struct DepthLine {
-  DoubleDouble offset, scale;
-};
-
-DepthLine depthLine(const ProjectionParts& projection, double atNear, double atFar) noexcept;
 
 }  // namespace viewproj::detail

@@ -14,14 +14,4 @@ constexpr AxisSigns axisSigns(ViewAxes axes) noexcept {
   return {axes == ViewAxes::RDF ? -1.0 : 1.0, axes == ViewAxes::RUB ? -1.0 : 1.0};
 }
 
-/// NDC z of the near and the far plane.
-struct NdcDepths {
-  double atNear, atFar;
-};
-
-constexpr NdcDepths ndcDepths(const Convention& c) noexcept {
-  const double low = c.ndcZ == NdcZ::minusOneToOne ? -1 : 0;
-  return c.reverseZ ? NdcDepths{1, low} : NdcDepths{low, 1};
-}
-
 }  // namespace viewproj::detail

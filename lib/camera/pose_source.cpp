@@ -5,15 +5,7 @@
 namespace viewproj::detail {
 namespace {
 
-using Row = std::array<Dyadic, 3>;
-
-Row exactly(const Vec3& v) noexcept { return {v.x, v.y, v.z}; }
-
-Row cross(const Row& a, const Row& b) noexcept {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-Dyadic dot(const Row& a, const Row& b) noexcept { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+using Row = Vector3<Dyadic>;
 
 Wide inverseLength(const Row& a) noexcept {
   const Wide squared = dot(a, a).rounded();
@@ -37,8 +29,8 @@ ExactSource look(const PoseSource& source) noexcept {
   const auto& [from, to, up] = source.numbers;
   ExactSource result;
   for (std::size_t i = 0; i < 3; ++i) result.forward[i] = Dyadic::difference(to[i], from[i]);
-  result.right = cross(result.forward, exactly(up));
-  result.up = cross(result.right, result.forward);
+  result.right = crossOf(result.forward, toDyadic(up));
+  result.up = crossOf(result.right, result.forward);
   const Wide handed = source.leftHanded ? -1 : 1;
   result.forwardScale = inverseLength(result.forward);
   const Wide rightScale = inverseLength(result.right);
@@ -61,8 +53,8 @@ ExactSource rotation(const PoseSource& source) noexcept {
 }
 
 ExactSource columns(const PoseSource& source) noexcept {
-  const Row x = exactly(source.numbers[0]), y = exactly(source.numbers[1]), z = exactly(source.numbers[2]);
-  const std::array<Row, 3> adjugate = {cross(y, z), cross(z, x), cross(x, y)};
+  const Row x = toDyadic(source.numbers[0]), y = toDyadic(source.numbers[1]), z = toDyadic(source.numbers[2]);
+  const std::array<Row, 3> adjugate = {crossOf(y, z), crossOf(z, x), crossOf(x, y)};
   return named(source, adjugate, Wide(1) / dot(adjugate[0], x).rounded());
 }
 

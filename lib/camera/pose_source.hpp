@@ -1,8 +1,6 @@
 // A pose's rows as exact integers times powers of two, whatever the magnitudes of what they were made of. Internal.
 #pragma once
 
-#include <array>
-
 #include "camera/exact_rows.hpp"
 #include "numbers/dyadic.hpp"
 
@@ -10,7 +8,7 @@ namespace viewproj::detail {
 
 /// The distances along the axes are scale (row . d + translation), as in ExactRows.
 struct ExactSource {
-  std::array<Dyadic, 3> right, up, forward;
+  Vector3<Dyadic> right, up, forward;
   Wide rightScale, upScale, forwardScale;
 };
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "numbers/vectors.hpp"
 #include "viewproj/camera.hpp"
 
 namespace viewproj::detail {
@@ -14,6 +15,10 @@ inline void requirePositive(double value, const char* field) {
 
 inline void requireFinite(double value, const char* field) {
   if (!std::isfinite(value)) throw CameraError(field, "must be a finite number");
+}
+
+inline void requireFinite(const Vec3& v, const char* field) {
+  if (!isFinite(v)) throw CameraError(field, "has a component that is not a finite number");
 }
 
 }  // namespace viewproj::detail

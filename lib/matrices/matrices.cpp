@@ -5,6 +5,8 @@
 
 #include "camera/convention.hpp"
 #include "camera/lens.hpp"
+#include "camera/pose.hpp"
+#include "camera/screen_map.hpp"
 #include "numbers/expansion.hpp"
 
 namespace viewproj {
@@ -15,9 +17,8 @@ namespace {
 
 Lens screenLens(const ProjectionParts& p, const Viewport& v, const Convention& c) noexcept {
   const ScreenMap map = screenMap(p, v);
-  const double atNear = c.reverseZ ? v.depthSecond : v.depthFirst;
-  const double atFar = c.reverseZ ? v.depthFirst : v.depthSecond;
-  const DepthLine inverse = inverseDepthLine(p, atNear, atFar);
+  const DepthEnds ends = windowDepths(v, c.reverseZ);
+  const DepthLine inverse = inverseDepthLine(p, ends);
   return {p.orthographic,
           map.scaleX,
           map.centerX,
@@ -27,7 +28,7 @@ Lens screenLens(const ProjectionParts& p, const Viewport& v, const Convention& c
           -map.centerX / map.scaleX,
           DoubleDouble(1) / map.scaleY,
           -map.centerY / map.scaleY,
-          depthLine(p, atNear, atFar),
+          depthLine(p, ends),
           inverse.offset,
           inverse.scale};
 }

@@ -7,8 +7,8 @@ namespace viewproj {
 using namespace detail;
 
 Mat4 worldFromLocal(const Vec3& translation, const Quaternion& rotation, const Vec3& scale) {
-  if (!isFinite(translation)) throw CameraError("translation", "has a component that is not a finite number");
-  if (!isFinite(scale)) throw CameraError("scale", "has a component that is not a finite number");
+  requireFinite(translation, "translation");
+  requireFinite(scale, "scale");
   // The rotation is that of a camera whose axes are x right, y up, z back.
   const Pose turned = poseFromRotation({0, 0, 0}, rotation, CameraAxes::RUB, Handedness::right);
   const Axes& axis = parts(turned).columns;

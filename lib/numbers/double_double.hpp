@@ -80,6 +80,11 @@ inline DoubleDouble sqrt(DoubleDouble a) noexcept {
   return quickTwoSum(root, rest.hi / (2 * root));
 }
 
+/// Whether every number within the error rounds to the same double (Ziv's test).
+constexpr bool roundsAlike(DoubleDouble a, double error) noexcept {
+  return a.hi + (a.lo + error) == a.hi && a.hi + (a.lo - error) == a.hi;
+}
+
 inline bool isFinite(DoubleDouble a) noexcept { return std::isfinite(a.hi) && std::isfinite(a.lo); }
 
 }  // namespace viewproj::detail

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <type_traits>
 
 #include "numbers/vectors.hpp"
 
@@ -53,7 +54,7 @@ inline NearestDouble nearestDouble(const Wide& a, double share) noexcept {
   const double error = 2 * share;  // |value| < 2
   if (a.exponent >= -1022 || v.hi == 0 || !std::isfinite(v.hi)) {
     const double rounded = double(a);
-    return {rounded, std::isfinite(rounded) && v.hi + (v.lo + error) == v.hi && v.hi + (v.lo - error) == v.hi};
+    return {rounded, std::isfinite(rounded) && roundsAlike(v, error)};
   }
   // Subnormal: a whole number of the smallest double. Below 2^-100 of it nothing changes any more.
   const int power = (a.exponent < -1174 ? -1174 : a.exponent) + 1074;
@@ -107,7 +108,6 @@ inline Wide sumOrZero(const Wide& a, const Wide& b) noexcept {
 inline WideVec3 operator*(const WideVec3& a, const Wide& k) noexcept { return {a.x * k, a.y * k, a.z * k}; }
 inline WideVec3 operator+(const WideVec3& a, const WideVec3& b) noexcept { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 inline WideVec3 operator-(const WideVec3& a, const WideVec3& b) noexcept { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-inline Wide dot(const WideVec3& a, const WideVec3& b) noexcept { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline Wide lengthOf(const WideVec3& a) noexcept { return sqrt(dot(a, a)); }
 
 /// a . b, or 0 where the products cancel to less than the error of a and b.
@@ -122,6 +122,21 @@ inline DoubleDouble toDoubleDouble(const Wide& a) noexcept { return scaleByPower
 inline Wide toWide(DoubleDouble a) noexcept { return {a, 0}; }
 inline WideVec3 toWide(const DDVec3& a) noexcept { return {{a.x, 0}, {a.y, 0}, {a.z, 0}}; }
 inline WideVec3 toWide(const Vec3& a) noexcept { return {a.x, a.y, a.z}; }
+
+// What is written once for DoubleDouble, and for Wide where products may leave the range of doubles.
+template <class Number>
+Number as(DoubleDouble a) noexcept {
+  if constexpr (std::is_same_v<Number, Wide>)
+    return toWide(a);
+  else
+    return a;
+}
+
+template <class Number>
+Vector3<Number> as(const DDVec3& a) noexcept {
+  return {as<Number>(a.x), as<Number>(a.y), as<Number>(a.z)};
+}
+
 inline double rounded(const Wide& a) noexcept { return nearestDouble(a); }
 inline Vec3 rounded(const WideVec3& a) noexcept { return {rounded(a.x), rounded(a.y), rounded(a.z)}; }
 

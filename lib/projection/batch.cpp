@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "projection/kernels/kernels.hpp"
@@ -13,26 +14,25 @@ namespace {
 
 static_assert(sizeof(Vec3) == 3 * sizeof(double) && sizeof(Vec2) == 2 * sizeof(double));
 
-/// Points go in blocks: input and output may be the same memory, and a lane that is not settled is read again.
-constexpr std::size_t kBlock = 256;
+/// Points go in blocks: input and output may be the same memory, and a point that is not settled is read again.
+constexpr std::size_t kBlock = 512;
+
+/// Of a block, the points that a kernel has left: use(index) settles each.
+struct Left {
+  std::uint64_t bits[kBlock / 64] = {};
+
+  bool has(std::size_t i) const noexcept { return bits[i / 64] >> i % 64 & 1; }
+  template <class Use>
+  void each(const Use& use) const noexcept {
+    for (std::size_t i = 0; i < kBlock; i += 64)
+      for (std::uint64_t rest = bits[i / 64]; rest; rest &= rest - 1)
+        use(i + static_cast<std::size_t>(std::countr_zero(rest)));
+  }
+};
 
 void tally(BatchCounts& counts, const ScreenPoint& settled) noexcept {
   ++counts.escalated;
   if (settled.status == PointStatus::inFront && !settled.certain) ++counts.uncertain;
-}
-
-struct Settling {
-  const Camera& camera;
-  const Vec3* points;
-  Vec3* screen;
-  BatchCounts counts;
-};
-
-void settlePoint(void* context, std::size_t index) noexcept {
-  auto& s = *static_cast<Settling*>(context);
-  const ScreenPoint p = worldToScreen(s.camera, s.points[index], Precision::exact);
-  s.screen[index] = {p.x, p.y, p.depth};
-  tally(s.counts, p);
 }
 
 auto kernelOf(Precision precision) noexcept {
@@ -44,54 +44,43 @@ BatchCounts run(const Camera& camera, std::span<const Vec3> points, std::span<Ve
                 PictureReach band) noexcept {
   const auto kernel = kernelOf(precision);
   const std::size_t count = std::min(points.size(), screen.size());
-  BatchCounts total;
   const bool inPlace = points.data() < screen.data() + count && screen.data() < points.data() + count;
+  BatchCounts counts;
   Vec3 copy[kBlock];
-  const std::size_t step = inPlace ? kBlock : count;
-  for (std::size_t i = 0; i < count; i += step) {
-    const std::size_t size = std::min(step, count - i);
+  for (std::size_t i = 0; i < count; i += kBlock) {
+    const std::size_t size = std::min(kBlock, count - i);
     const Vec3* in = points.data() + i;
     if (inPlace) in = std::copy_n(in, size, copy) - size;
-    Settling settling{camera, in, screen.data() + i, {}};
-    kernel(parts(camera).constants, band.x, band.y, &in->x, &settling.screen->x, nullptr, size,
-           {settlePoint, &settling});
-    total.escalated += settling.counts.escalated;
-    total.uncertain += settling.counts.uncertain;
+    Vec3* out = screen.data() + i;
+    Left left;
+    kernel(parts(camera).constants, band.x, band.y, &in->x, &out->x, nullptr, size, left.bits);
+    left.each([&](std::size_t j) {
+      const ScreenPoint p = worldToScreen(camera, in[j], Precision::exact);
+      out[j] = {p.x, p.y, p.depth};
+      tally(counts, p);
+    });
   }
-  return total;
-}
-
-/// A block of points in full.
-struct FullSettling {
-  const Camera& camera;
-  const Vec3* points;
-  ScreenPoint* screen;
-  BatchCounts counts;
-  bool settled[kBlock] = {};
-};
-
-void settleInFull(void* context, std::size_t index) noexcept {
-  auto& s = *static_cast<FullSettling*>(context);
-  s.screen[index] = worldToScreen(s.camera, s.points[index], Precision::exact);
-  s.settled[index] = true;
-  tally(s.counts, s.screen[index]);
+  return counts;
 }
 
 BatchCounts run(const Camera& camera, std::span<const Vec3> points, std::span<ScreenPoint> screen, Precision precision,
                 PictureReach band) noexcept {
   const auto kernel = kernelOf(precision);
   const std::size_t count = std::min(points.size(), screen.size());
-  BatchCounts total;
+  BatchCounts counts;
   Vec3 position[kBlock];
   double distance[kBlock];
   for (std::size_t i = 0; i < count; i += kBlock) {
     const std::size_t size = std::min(kBlock, count - i);
-    FullSettling settling{camera, points.data() + i, screen.data() + i, {}};
-    kernel(parts(camera).constants, band.x, band.y, &settling.points->x, &position->x, distance, size,
-           {settleInFull, &settling});
+    Left left;
+    kernel(parts(camera).constants, band.x, band.y, &points[i].x, &position->x, distance, size, left.bits);
     for (std::size_t j = 0; j < size; ++j) {
-      if (settling.settled[j]) continue;
-      ScreenPoint& p = settling.screen[j];
+      ScreenPoint& p = screen[i + j];
+      if (left.has(j)) {
+        p = worldToScreen(camera, points[i + j], Precision::exact);
+        tally(counts, p);
+        continue;
+      }
       if (std::isnan(position[j].x)) {
         p = without(PointStatus::behind, distance[j]);
       } else {
@@ -101,10 +90,8 @@ BatchCounts run(const Camera& camera, std::span<const Vec3> points, std::span<Sc
       p.precision = precision;
       p.certain = precision == Precision::exact;
     }
-    total.escalated += settling.counts.escalated;
-    total.uncertain += settling.counts.uncertain;
   }
-  return total;
+  return counts;
 }
 
 template <class Screen>
@@ -113,17 +100,6 @@ BatchCounts runWithin(const Camera& camera, double tolerance, std::span<const Ve
   const Precision precision = precisionWithin(camera, tolerance);
   return run(camera, points, screen, precision,
              precision == Precision::exact ? PictureReach{} : pictureReach(parts(camera), kGuardBand));
-}
-
-struct RaySettling {
-  const Camera& camera;
-  const Vec2* pixels;
-  Vec3* directions;
-};
-
-void settleRay(void* context, std::size_t index) noexcept {
-  auto& s = *static_cast<RaySettling*>(context);
-  s.directions[index] = screenToRay(s.camera, s.pixels[index], Precision::exact).direction;
 }
 
 }  // namespace
@@ -150,14 +126,17 @@ BatchCounts worldToScreenWithin(const Camera& camera, double tolerance, std::spa
 
 void screenToRayDirections(const Camera& camera, std::span<const Vec2> pixels, std::span<Vec3> directions) noexcept {
   const std::size_t count = std::min(pixels.size(), directions.size());
-  if (count == 0) return;
   if (parts(camera).projection.orthographic) {
     const Vec3 direction = screenToRay(camera, {0, 0}, Precision::standard).direction;
     std::fill_n(directions.data(), count, direction);
     return;
   }
-  RaySettling settling{camera, pixels.data(), directions.data()};
-  kernels().rays(parts(camera).constants, &pixels.data()->x, &directions.data()->x, count, {settleRay, &settling});
+  for (std::size_t i = 0; i < count; i += kBlock) {
+    Left left;
+    kernels().rays(parts(camera).constants, &pixels[i].x, &directions[i].x, std::min(kBlock, count - i), left.bits);
+    left.each(
+        [&](std::size_t j) { directions[i + j] = screenToRay(camera, pixels[i + j], Precision::exact).direction; });
+  }
 }
 
 }  // namespace viewproj

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "camera/camera.hpp"
 #include "camera/convention.hpp"
 #include "camera/lens.hpp"
 #include "projection/error_model.hpp"
@@ -47,26 +48,16 @@ struct ClipPoint {
   Number x, y, z, w;
 };
 
-inline ClipPoint<DoubleDouble> toClip(const CameraParts& camera, const AxisPoint<DoubleDouble>& a,
-                                      const Convention& convention) noexcept {
-  const Lens l = ndcLens(camera.projection, convention);
-  const DoubleDouble& w = l.orthographic ? a.weight : a.forward;
-  return {sumOrZero(l.scaleX * a.right, l.offsetX * w), sumOrZero(l.scaleY * a.up, l.offsetY * w),
-          l.orthographic ? sumOrZero(l.depth.scale * a.forward, l.depth.offset * a.weight)
-                         : sumOrZero(l.depth.offset * a.forward, l.depth.scale * a.weight),
-          w};
-}
-
-inline ClipPoint<Wide> toClip(const CameraParts& camera, const AxisPoint<Wide>& a,
-                              const Convention& convention) noexcept {
+template <class Number>
+ClipPoint<Number> toClip(const CameraParts& camera, const AxisPoint<Number>& a, const Convention& convention) noexcept {
   const ProjectionParts& p = camera.projection;
   const Lens l = ndcLens(p, convention);
-  const Wide& w = l.orthographic ? a.weight : a.forward;
-  const NdcDepths depths = ndcDepths(convention);
-  const DepthShares shares = depthShares(p.orthographic, p.near, p.far, a.forward, a.weight);
-  return {sumOrZero(toWide(l.scaleX) * a.right, toWide(l.offsetX) * w),
-          sumOrZero(toWide(l.scaleY) * a.up, toWide(l.offsetY) * w),
-          Wide(depths.atNear) * shares.ofNear + Wide(depths.atFar) * shares.ofFar, w};
+  const Number& w = l.orthographic ? a.weight : a.forward;
+  const DepthEnds ends = ndcDepths(convention);
+  const auto shares = depthShares(p.orthographic, p.near, p.far, a.forward, a.weight);
+  return {sumOrZero(as<Number>(l.scaleX) * a.right, as<Number>(l.offsetX) * w),
+          sumOrZero(as<Number>(l.scaleY) * a.up, as<Number>(l.offsetY) * w),
+          Number(ends.atNear) * shares.ofNear + Number(ends.atFar) * shares.ofFar, w};
 }
 
 inline bool isAboveZero(DoubleDouble a) noexcept { return a.hi > 0; }

@@ -72,7 +72,7 @@ std::array<Expansion<64>, 3> exactCross(const ExactVec3& a, const ExactVec3& b) 
   return result;
 }
 
-using ExactRow = std::array<Dyadic, 3>;
+using ExactRow = Vector3<Dyadic>;
 
 template <std::size_t Terms>
 ExactRow toDyadic(const std::array<Expansion<Terms>, 3>& row) noexcept {
@@ -184,13 +184,12 @@ WideEyePoint toEyeWidely(const PoseParts& pose, const Vec4& point) noexcept {
   for (std::size_t i = 0; i < 3; ++i) d[i] = Dyadic(xyz[i]) - Dyadic(rows.origin[i]) * w;
   const ExactRow translation = toDyadic(rows.translation);
   const auto along = [&](const ExactRow& row, std::size_t i, const Wide& scale) {
-    const Dyadic sum = row[0] * d[0] + row[1] * d[1] + row[2] * d[2] + translation[i] * w;
-    return sum.rounded() * scale;
+    return (dot(row, d) + translation[i] * w).rounded() * scale;
   };
   WideEyePoint e{along(source.right, 0, source.rightScale), along(source.up, 1, source.upScale),
                  along(source.forward, 2, source.forwardScale), 0};
   if (rows.error > 0) {
-    for (const Dyadic& part : d) e.error = e.error + magnitude(part.rounded()) * Wide(rows.error);
+    for (const Dyadic& part : {d.x, d.y, d.z}) e.error = e.error + magnitude(part.rounded()) * Wide(rows.error);
     const Wide scales[] = {source.rightScale, source.upScale, source.forwardScale};
     Wide largest;
     for (std::size_t i = 0; i < 3; ++i)

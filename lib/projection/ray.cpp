@@ -1,6 +1,8 @@
 #include <cmath>
 #include <limits>
+#include <optional>
 
+#include "camera/depth.hpp"
 #include "numbers/ulp.hpp"
 #include "projection/kernels/formulas.hpp"
 #include "projection/window_point.hpp"
@@ -13,6 +15,10 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr Vec3 kNoVector{kNaN, kNaN, kNaN};
+
+/// Of a ray's origin, next to the sizes of what it is a sum of: more than any way to compute it in double-double is
+/// off.
+constexpr double kOriginShare = 0x1p-95;
 
 bool isFinite(const Vec2& v) noexcept { return std::isfinite(v.x) && std::isfinite(v.y); }
 
@@ -32,7 +38,6 @@ Vec3 worldPointAt(const CameraParts& c, const WindowPoint<Wide>& at, const Wide&
 
 template <class Number>
 Vec3 exactDirection(const CameraParts& c, const WindowPoint<Number>& at) noexcept {
-  if (c.projection.orthographic) return rounded(normalized(c.pose.columns.forward));
   if constexpr (std::is_same_v<Number, Wide>)
     return unitOf(offsetAt(c, at, Wide(1)));
   else
@@ -48,18 +53,43 @@ bool isOrdinary(const CameraParts& c, const Vec2& screen, double distance) noexc
 }
 
 Vec3 exactDirection(const CameraParts& c, const Vec2& screen) noexcept {
+  if (c.projection.orthographic) return c.rays.direction;
   return isOrdinary(c, screen, 1) ? exactDirection(c, toWindow<DoubleDouble>(c, screen))
                                   : exactDirection(c, toWindow<Wide>(c, screen));
 }
 
+/// Orthographic, with certified rounding; nothing where that fails.
+std::optional<Vec3> certainOrigin(const CameraParts& c, const Vec2& screen, double distance) noexcept {
+  // Where no product leaves the range of doubles, with its last bits.
+  constexpr double kLargest = 0x1p200, kUnderflow = 0x1p-800;
+  const DoubleDouble x = DoubleDouble(screen.x) - c.screen.centerX, y = DoubleDouble(screen.y) - c.screen.centerY;
+  const double sizeX = std::fabs(screen.x) + std::fabs(c.screen.centerX.hi);
+  const double sizeY = std::fabs(screen.y) + std::fabs(c.screen.centerY.hi);
+  if (!(c.constants.range < kLargest && sizeX < kLargest && sizeY < kLargest && maxAbs(c.pose.eye) < kLargest))
+    return std::nullopt;
+  const DDVec3 &perX = c.rays.perX, &perY = c.rays.perY, &forward = c.pose.columns.forward;
+  Vec3 result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    DoubleDouble sum = c.rays.start[i] + perX[i] * x + perY[i] * y;
+    if (distance != 0) sum += forward[i] * DoubleDouble(distance);
+    const double size = std::fabs(c.rays.start[i].hi) + std::fabs(perX[i].hi) * sizeX + std::fabs(perY[i].hi) * sizeY +
+                        std::fabs(forward[i].hi * distance);
+    if (size > 0 && !roundsAlike(sum, kOriginShare * size + kUnderflow)) return std::nullopt;
+    result[i] = rounded(sum);
+  }
+  return result;
+}
+
 Vec3 originAt(const CameraParts& c, const Vec2& screen, RayOrigin origin) noexcept {
   const double distance = origin == RayOrigin::nearPlane ? c.projection.near : 0;
+  if (c.projection.orthographic)
+    if (const auto certain = certainOrigin(c, screen, distance)) return *certain;
   return isOrdinary(c, screen, distance) ? worldPointAt(c, toWindow<DoubleDouble>(c, screen), distance)
                                          : worldPointAt(c, toWindow<Wide>(c, screen), distance);
 }
 
 Vec3 standardDirection(const CameraParts& c, const Vec2& screen) noexcept {
-  if (c.projection.orthographic) return exactDirection(c, Vec2{});
+  if (c.projection.orthographic) return c.rays.direction;
   const auto r = RayFormula<ScalarLanes>(c.constants)(screen.x, screen.y);
   if (!(r.squaredLength < kLargestSquaredLength)) return exactDirection(c, screen);
   return {r.x, r.y, r.z};
@@ -106,9 +136,7 @@ WorldPoint screenToWorld(const Camera& camera, const Vec2& screen, double depth)
     return pointAt(c, screen, Wide(p.near) * fromFar + Wide(p.far) * fromNear,
                    (Wide(p.far) - Wide(p.near)) * shareError);
   if (depth == c.depthAtInfinity) return {kNoVector, DepthStatus::infinity};
-  // fromNear = (1 - n/w) f/(f - n), so w = n / (fromFar + fromNear n/f).
-  Wide divisor = fromFar;
-  if (std::isfinite(p.far)) divisor = divisor + fromNear * (Wide(p.near) / Wide(p.far));
+  const Wide divisor = nearOverDistance(p.near, p.far, fromNear, fromFar);
   if (!(divisor.sign() > 0)) return {kNoVector, DepthStatus::beyond};
   const Wide distance = Wide(p.near) / divisor;
   // Towards infinity the distance changes most: by shareError in the divisor, at most.

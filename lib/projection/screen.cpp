@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <type_traits>
 
 #include "camera/lens.hpp"
 #include "projection/eye_point.hpp"
@@ -18,113 +19,91 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// value * 2^exponent, and how far value may be from the true one.
-struct Bounded {
-  DoubleDouble value;
-  double error = 0;
-  int exponent = 0;
+// Number is DoubleDouble, or Wide where products may leave the range of doubles. Size is what errors are counted in.
 
-  /// Whether every number within the error rounds to the same double (Ziv's test), and the exponent does not round
-  /// again.
-  bool certain() const noexcept {
-    const bool settled = value.hi + (value.lo + error) == value.hi && value.hi + (value.lo - error) == value.hi;
-    return settled && (exponent == 0 || value.hi == 0 || std::isnormal(std::ldexp(value.hi, exponent)));
+template <class Number>
+using Size = std::conditional_t<std::is_same_v<Number, Wide>, Wide, double>;
+
+double sizeOf(DoubleDouble a) noexcept { return std::fabs(a.hi); }
+Wide sizeOf(const Wide& a) noexcept { return magnitude(a); }
+
+bool isBelow(double a, double b) noexcept { return a < b; }
+bool isBelow(const Wide& a, const Wide& b) noexcept { return isLess(a, b); }
+
+int signOf(double a) noexcept { return a > 0 ? 1 : a < 0 ? -1 : 0; }
+int signOf(DoubleDouble a) noexcept { return signOf(a.hi); }
+int signOf(const Wide& a) noexcept { return a.sign(); }
+
+/// A number, and how far it may be from the true one.
+template <class Number>
+struct Bounded {
+  Number value;
+  Size<Number> error = 0;
+};
+
+NearestDouble nearest(const Bounded<DoubleDouble>& b) noexcept {
+  return {rounded(b.value), roundsAlike(b.value, b.error)};
+}
+
+NearestDouble nearest(const Bounded<Wide>& b) noexcept {
+  if (b.value.sign() == 0) return {double(b.value), b.error.sign() == 0 && std::isfinite(b.value.value.hi)};
+  const Wide share = b.error / magnitude(b.value);
+  if (!isLess(share, 1)) return {nearestDouble(b.value), false};
+  return nearestDouble(b.value, double(share));
+}
+
+/// A point's distances along the camera's axes times its weight, each off by at most `error`; forwardIsExact: forward
+/// by nothing.
+template <class Number>
+struct Distances {
+  Number right, up, forward;
+  Size<Number> error;
+  double weight;
+  bool forwardIsExact = false;
+
+  bool isDecided(const Number& distance) const noexcept {
+    return signOf(error) == 0 || isBelow(error, sizeOf(distance));
+  }
+  /// The weight divided out.
+  Bounded<Number> inWorld(const Number& distance) const noexcept {
+    if (weight == 1) return {distance, error + kExactParameter * sizeOf(distance)};
+    const Number divided = distance / Number(weight);
+    return {divided, error / std::fabs(weight) + kExactParameter * sizeOf(divided)};
+  }
+  /// X / W: |X/W - x/w| <= error (1 + |x/w|) / (|w| - error).
+  Bounded<Number> inWindow(const Number& distance) const noexcept {
+    const Number q = distance / forward;
+    const Size<Number> size = sizeOf(q);
+    return {q, error * (1.0 + size) / (sizeOf(forward) - error) + kExactParameter * size};
   }
 };
 
-/// Relative error of an operation in double-double, and of a camera's derived numbers (edges, scales, shares).
-constexpr double kOperation = 0x1p-101;
-constexpr double kParameter = 0x1p-98;
-constexpr double kUnderflow = kExactUnderflow;
-/// Beyond this the splitting of a product would overflow.
-constexpr double kLargestFactor = 0x1p900;
-
-/// Adding 0 turns -0 into 0.
-double rounded(const Bounded& b) noexcept { return std::ldexp(b.value.hi, b.exponent) + 0.0; }
-
-/// The same number with exponent 0.
-Bounded plain(const Bounded& b) noexcept {
-  return {scaleByPowerOfTwo(b.value, b.exponent), std::ldexp(b.error, b.exponent) + kUnderflow, 0};
-}
-
-/// X / W with both off by at most `error`: |X/W - x/w| <= error (1 + |x/w|) / (|w| - error).
-Bounded windowCoordinate(DoubleDouble x, DoubleDouble w, double error) noexcept {
-  const bool large = !(std::fabs(x.hi / w.hi) < kLargestFactor);
-  const double scale = large ? 0x1p-600 : 1;
-  const DoubleDouble q = timesPowerOfTwo(x, scale) / w;
-  const double size = std::fabs(q.hi);
-  return {q, error * (scale + size) / (std::fabs(w.hi) - error) + kOperation * size, large ? 600 : 0};
-}
-
 /// center + scale * h. reach: that of the center (ScreenMap).
-Bounded screenCoordinate(DoubleDouble center, double reach, DoubleDouble scale, Bounded h) noexcept {
-  if (!(std::fabs(scale.hi * h.value.hi) < kLargestFactor)) {
-    h.value = timesPowerOfTwo(h.value, 0x1p-600);
-    h.error *= 0x1p-600;
-    h.exponent += 600;
-  }
-  const DoubleDouble step = scale * h.value;
-  const DoubleDouble value = sumOrZero(scaleByPowerOfTwo(center, -h.exponent), step);
-  const double size = std::ldexp(std::max(std::fabs(center.hi), 2 * reach), -h.exponent) + std::fabs(step.hi);
-  return {value, std::fabs(scale.hi) * h.error + kParameter * size + kUnderflow, h.exponent};
+template <class Number>
+NearestDouble screenCoordinate(DoubleDouble center, double reach, DoubleDouble scale,
+                               const Bounded<Number>& h) noexcept {
+  const Number step = as<Number>(scale) * h.value;
+  return nearest(Bounded<Number>{sumOrZero(as<Number>(center), step),
+                                 std::fabs(scale.hi) * h.error + kExactParameter * (reach + sizeOf(step))});
 }
 
-/// Window depth at distance w > 0, from the nearer end of the depth range: near's and far's shares of it are
-///   perspective   n (f - w) / ((f - n) w)   and   f (w - n) / ((f - n) w)
-///   orthographic  (f - w) / (f - n)         and   (w - n) / (f - n)
-Bounded windowDepth(const CameraParts& c, const Bounded& distance) noexcept {
-  double n = c.projection.near, f = c.projection.far;
-  DoubleDouble shareOfNear, shareOfFar;
-  double distanceError;  // in shares
-  double underflow = 1;  // in shares, times kUnderflow
-  int exponent = 0;      // of the shares
-  // A difference that cancels to less than the distance's error is 0, unless it has none.
-  const auto difference = [&](DoubleDouble a, DoubleDouble b) {
-    return distance.error == 0 ? a + -b : sumOrZero(a, -b);
-  };
-  if (c.projection.orthographic) {
-    const Bounded w = distance.value.hi == 0 && distance.error == 0 ? distance : plain(distance);
-    shareOfNear = difference(f, w.value) * c.farOverRange;
-    shareOfFar = difference(w.value, n) * c.farOverRange;
-    distanceError = c.farOverRange.hi * (w.error + (distance.error == 0 ? 0 : kParameter * std::fabs(w.value.hi)));
-  } else {
-    // Only ratios count: brought away from the ends of the range first, and the shares too if they are near them.
-    const int size = std::ilogb(distance.value.hi) + distance.exponent;
-    const int shift = size < -400 ? 300 : size > 400 ? -300 : 0;
-    const DoubleDouble w = scaleByPowerOfTwo(distance.value, distance.exponent + shift);
-    n = std::ldexp(n, shift);
-    f = std::ldexp(f, shift);
-    const DoubleDouble fromFar = f > w.hi * 0x1p120 ? DoubleDouble(1) : difference(f, w) / DoubleDouble(f);
-    const DoubleDouble toNear = difference(w, n);
-    if (!(n / w.hi < kLargestFactor)) exponent = 600;
-    const double scale = exponent ? 0x1p-600 : 1;
-    const DoubleDouble nearOverW = DoubleDouble(n * scale) / w;
-    shareOfNear = nearOverW * fromFar * c.farOverRange;
-    shareOfFar = timesPowerOfTwo(toNear, scale) / w * c.farOverRange;
-    distanceError = nearOverW.hi * c.farOverRange.hi *
-                    (distance.error == 0 ? 0 : distance.error / std::fabs(distance.value.hi) + kParameter);
-    underflow = (1 + 1 / w.hi) * (1 + c.farOverRange.hi);
+template <class Number>
+NearestDouble windowDepth(const CameraParts& c, const Bounded<Number>& distance, bool distanceIsExact) noexcept {
+  const ProjectionParts& p = c.projection;
+  const Number& w = distance.value;
+  const DepthShares<Number> shares = depthShares<Number>(p.orthographic, p.near, p.far, w, 1, distanceIsExact);
+  Number first = Number(c.depthAtNear) * shares.ofNear, second = Number(c.depthAtFar) * shares.ofFar;
+  Size<Number> ofDistance = distanceIsExact ? 0 : distance.error + kExactParameter * sizeOf(w);
+  if (std::isfinite(p.far)) ofDistance = ofDistance / sizeOf(Number(p.far) - Number(p.near));
+  if (!p.orthographic) {
+    first = first / w;
+    second = second / w;
+    ofDistance = p.near / sizeOf(w) * (ofDistance / sizeOf(w));
+    if (std::isfinite(p.far)) ofDistance = p.far * ofDistance;
   }
-  const auto part = [](double of, DoubleDouble share) { return of == 0 ? DoubleDouble(0) : DoubleDouble(of) * share; };
-  const DoubleDouble first = part(c.depthAtNear, shareOfNear);
-  const DoubleDouble second = part(c.depthAtFar, shareOfFar);
-  const double sizes = std::fabs(first.hi) + std::fabs(second.hi);
-  if (sizes == 0 && distance.error == 0 && distance.value.hi == 0) return {};
-  const double lost = kUnderflow * (1 + underflow * (std::fabs(c.depthAtNear) + std::fabs(c.depthAtFar)));
-  return {first + second, std::fabs(c.depthAtFar - c.depthAtNear) * distanceError + kParameter * sizes + lost,
-          exponent};
-}
-
-/// Orthographic: a direction runs out of the picture through these sides.
-std::uint8_t sidesTowards(const EyePoint& e) noexcept {
-  unsigned sides = 0;
-  if (e.right.hi < 0) sides |= sideLeft;
-  if (e.right.hi > 0) sides |= sideRight;
-  if (e.up.hi < 0) sides |= sideBottom;
-  if (e.up.hi > 0) sides |= sideTop;
-  if (e.forward.hi < 0) sides |= sideNear;
-  if (e.forward.hi > 0) sides |= sideFar;
-  return static_cast<std::uint8_t>(sides);
+  const Size<Number> range = sizeOf(Number(c.depthAtFar) - Number(c.depthAtNear));
+  return nearest(
+      Bounded<Number>{first + second, range * ofDistance + kExactParameter * (sizeOf(first) + sizeOf(second))});
 }
 
 /// A result, and whether it is certain to be the double nearest the true value in each of its numbers.
@@ -133,150 +112,67 @@ struct Attempt {
   bool certain;
 };
 
-/// A direction (w = 0), from its coordinates along the camera's axes.
-Attempt directionToScreen(const CameraParts& c, const EyePoint& e) noexcept {
-  if (c.projection.orthographic) {
-    ScreenPoint p = without(PointStatus::atInfinity, kNaN);
-    p.outside = sidesTowards(e);
-    return {p, std::fabs(e.right.hi) > e.error && std::fabs(e.up.hi) > e.error && std::fabs(e.forward.hi) > e.error};
-  }
-  const bool signCertain = std::fabs(e.forward.hi) > e.error;
-  if (!(e.forward.hi > 0)) return {without(PointStatus::behind, kNaN), signCertain};
-  ScreenPoint p;
-  const Bounded x = screenCoordinate(c.screen.centerX, c.screen.reachX, c.screen.scaleX,
-                                     windowCoordinate(e.right, e.forward, e.error));
-  const Bounded y =
-      screenCoordinate(c.screen.centerY, c.screen.reachY, c.screen.scaleY, windowCoordinate(e.up, e.forward, e.error));
-  p.x = rounded(x);
-  p.y = rounded(y);
-  p.depth = c.depthAtInfinity;
-  p.viewDistance = kNaN;
-  p.outside = sidesBeyond(c, p);
-  if (std::isfinite(c.projection.far)) p.outside |= sideFar;
-  return {p, signCertain && x.certain() && y.certain()};
-}
-
-Attempt pointToScreen(const CameraParts& c, const EyePoint& e, double w) noexcept {
-  const auto inWorld = [&](DoubleDouble a) {
-    const DoubleDouble divided = w == 1 ? a : a / DoubleDouble(w);
-    return Bounded{divided, e.error + kOperation * std::fabs(divided.hi), e.exponent};
+/// Orthographic: a direction runs out of the picture through these sides.
+template <class Number>
+Attempt directionOut(const Distances<Number>& e) noexcept {
+  const auto side = [](const Number& a, Side below, Side above) {
+    return signOf(a) < 0 ? below : signOf(a) > 0 ? above : 0;
   };
-  const Bounded distance = e.forwardIsExact ? Bounded{e.forward, 0, e.exponent} : inWorld(e.forward);
-  ScreenPoint p;
-  p.viewDistance = rounded(distance);
-  Bounded x, y;
-  if (c.projection.orthographic) {
-    x = screenCoordinate(c.screen.centerX, c.screen.reachX, c.screen.scaleX, plain(inWorld(e.right)));
-    y = screenCoordinate(c.screen.centerY, c.screen.reachY, c.screen.scaleY, plain(inWorld(e.up)));
-  } else {
-    const bool signCertain = std::fabs(e.forward.hi) > e.error;
-    const bool inFront = w > 0 ? e.forward.hi > 0 : e.forward.hi < 0;
-    if (!inFront) return {without(PointStatus::behind, p.viewDistance), signCertain && distance.certain()};
-    x = screenCoordinate(c.screen.centerX, c.screen.reachX, c.screen.scaleX,
-                         windowCoordinate(e.right, e.forward, e.error));
-    y = screenCoordinate(c.screen.centerY, c.screen.reachY, c.screen.scaleY,
-                         windowCoordinate(e.up, e.forward, e.error));
-  }
-  const Bounded depth = windowDepth(c, distance);
-  p.x = rounded(x);
-  p.y = rounded(y);
-  p.depth = rounded(depth);
-  p.outside = sidesBeyond(c, p);
-  return {p, distance.certain() && x.certain() && y.certain() && depth.certain()};
+  ScreenPoint p = without(PointStatus::atInfinity, kNaN);
+  p.outside = static_cast<std::uint8_t>(side(e.right, sideLeft, sideRight) | side(e.up, sideBottom, sideTop) |
+                                        side(e.forward, sideNear, sideFar));
+  return {p, e.isDecided(e.right) && e.isDecided(e.up) && e.isDecided(e.forward)};
 }
 
-Attempt attempt(const CameraParts& c, const EyePoint& e, double w) noexcept {
-  return w == 0 ? directionToScreen(c, e) : pointToScreen(c, e, w);
-}
-
-// The same once more in numbers with exponents of their own, for cameras and points whose products leave the range of
-// doubles.
-
-struct WideBounded {
-  Wide value, error;
-};
-
-/// What an operation or a camera's number adds, relative.
-constexpr double kWideShare = 0x1p-97;
-
-NearestDouble nearest(const WideBounded& b) noexcept {
-  if (b.value.sign() == 0) return {double(b.value), b.error.sign() == 0 && std::isfinite(b.value.value.hi)};
-  const Wide share = b.error / magnitude(b.value);
-  if (!isLess(share, 1)) return {nearestDouble(b.value), false};
-  return nearestDouble(b.value, double(share));
-}
-
-/// X / W with both off by at most `error`, as windowCoordinate.
-WideBounded widelyToWindow(const Wide& x, const Wide& w, const Wide& error) noexcept {
-  const Wide q = x / w;
-  const Wide size = magnitude(q);
-  return {q, error * (Wide(1) + size) / (magnitude(w) - error) + kWideShare * size};
-}
-
-WideBounded widelyToScreen(DoubleDouble center, double reach, DoubleDouble scale, const WideBounded& h) noexcept {
-  const Wide step = toWide(scale) * h.value;
-  return {sumOrZero(toWide(center), step),
-          magnitude(toWide(scale)) * h.error + kWideShare * (Wide(reach) + magnitude(step))};
-}
-
-/// As windowDepth.
-WideBounded widelyToDepth(const CameraParts& c, const WideBounded& w) noexcept {
-  const ProjectionParts& p = c.projection;
-  const Wide n = p.near, f = p.far;
-  const DepthShares shares = depthShares(p.orthographic, p.near, p.far, w.value, 1);
-  Wide first = Wide(c.depthAtNear) * shares.ofNear, second = Wide(c.depthAtFar) * shares.ofFar;
-  Wide distanceError;
-  if (p.orthographic) {
-    distanceError = (w.error + kWideShare * magnitude(w.value)) / (f - n);
-  } else {
-    first = first / w.value;
-    second = second / w.value;
-    const Wide farOverRange = std::isinf(p.far) ? 1 : f / (f - n);
-    distanceError = n / w.value * farOverRange * (w.error / w.value + kWideShare);
-  }
-  return {first + second, magnitude(Wide(c.depthAtFar) - Wide(c.depthAtNear)) * distanceError +
-                              kWideShare * (magnitude(first) + magnitude(second))};
-}
-
-Attempt widelyToScreen(const CameraParts& c, const Vec4& point) noexcept {
-  const WideEyePoint e = toEyeWidely(c.pose, point);
+template <class Number>
+Attempt toScreen(const CameraParts& c, const Distances<Number>& e) noexcept {
+  const bool isDirection = e.weight == 0, orthographic = c.projection.orthographic;
+  if (isDirection && orthographic) return directionOut(e);
+  const Bounded<Number> distance = isDirection        ? Bounded<Number>{}
+                                   : e.forwardIsExact ? Bounded<Number>{e.forward}
+                                                      : e.inWorld(e.forward);
+  const NearestDouble viewDistance = isDirection ? NearestDouble{kNaN, true} : nearest(distance);
+  if (!orthographic && !(signOf(e.forward) * (e.weight < 0 ? -1 : 1) > 0))
+    return {without(PointStatus::behind, viewDistance.value), e.isDecided(e.forward) && viewDistance.certain};
   const ScreenMap& map = c.screen;
-  const bool signCertain = e.error.sign() == 0 || e.forward.sign() != 0;
-  const auto sideOf = [](const Wide& a) { return DoubleDouble(a.sign()); };
-  if (point.w == 0 && c.projection.orthographic) {
-    ScreenPoint p = without(PointStatus::atInfinity, kNaN);
-    p.outside = sidesTowards({sideOf(e.right), sideOf(e.up), sideOf(e.forward)});
-    return {p, e.error.sign() == 0};
-  }
-  const auto inWorld = [&](const Wide& a) {
-    const Wide weight = point.w == 0 ? 1 : point.w;
-    const Wide divided = a / weight;
-    return WideBounded{divided, e.error / magnitude(weight) + kWideShare * magnitude(divided)};
-  };
-  const WideBounded distance = inWorld(e.forward);
-  const NearestDouble viewDistance = point.w == 0 ? NearestDouble{kNaN, true} : nearest(distance);
-  WideBounded x, y;
-  if (c.projection.orthographic) {
-    x = inWorld(e.right);
-    y = inWorld(e.up);
-  } else {
-    if (!(distance.value.sign() > 0))
-      return {without(PointStatus::behind, viewDistance.value), signCertain && viewDistance.certain};
-    x = widelyToWindow(e.right, e.forward, e.error);
-    y = widelyToWindow(e.up, e.forward, e.error);
-  }
-  const NearestDouble screenX = nearest(widelyToScreen(map.centerX, map.reachX, map.scaleX, x));
-  const NearestDouble screenY = nearest(widelyToScreen(map.centerY, map.reachY, map.scaleY, y));
-  const NearestDouble depth =
-      point.w == 0 ? NearestDouble{c.depthAtInfinity, true} : nearest(widelyToDepth(c, distance));
+  const auto inWindow = [&](const Number& a) { return orthographic ? e.inWorld(a) : e.inWindow(a); };
+  const NearestDouble x = screenCoordinate(map.centerX, map.reachX, map.scaleX, inWindow(e.right));
+  const NearestDouble y = screenCoordinate(map.centerY, map.reachY, map.scaleY, inWindow(e.up));
+  const NearestDouble depth = isDirection ? NearestDouble{c.depthAtInfinity, e.isDecided(e.forward)}
+                                          : windowDepth(c, distance, e.forwardIsExact);
   ScreenPoint p;
-  p.x = screenX.value;
-  p.y = screenY.value;
+  p.x = x.value;
+  p.y = y.value;
   p.depth = depth.value;
   p.viewDistance = viewDistance.value;
   p.outside = sidesBeyond(c, p);
-  if (point.w == 0 && std::isfinite(c.projection.far)) p.outside |= sideFar;
-  return {p, viewDistance.certain && screenX.certain && screenY.certain && depth.certain};
+  if (isDirection && std::isfinite(c.projection.far)) p.outside |= sideFar;
+  return {p, viewDistance.certain && x.certain && y.certain && depth.certain};
+}
+
+Attempt toScreen(const CameraParts& c, const EyePoint& e, double weight) noexcept {
+  // So far from the ends of the range, products and quotients of all these stay in it, with their last bits.
+  constexpr double kLargest = 0x1p200, kSmallest = 0x1p-400;
+  const bool isScalable = std::abs(e.exponent) <= 1000;
+  const double scale = isScalable ? Wide::powerOfTwo(e.exponent) : 1;
+  const auto hasRange = [&](DoubleDouble a) {
+    const double size = std::fabs(a.hi * scale);
+    return a.hi == 0 || (kSmallest < size && size < kLargest);
+  };
+  if (isScalable && c.constants.range < kLargest && hasRange(e.right) && hasRange(e.up) && hasRange(e.forward)) {
+    const auto scaled = [&](DoubleDouble a) { return timesPowerOfTwo(a, scale); };
+    return toScreen(c, Distances<DoubleDouble>{scaled(e.right), scaled(e.up), scaled(e.forward), scale * e.error,
+                                               weight, e.forwardIsExact});
+  }
+  const auto wide = [&](DoubleDouble a) { return Wide(a, e.exponent); };
+  return toScreen(c,
+                  Distances<Wide>{wide(e.right), wide(e.up), wide(e.forward), wide(e.error), weight, e.forwardIsExact});
+}
+
+/// Whatever the magnitudes.
+Attempt widelyToScreen(const CameraParts& c, const Vec4& point) noexcept {
+  const WideEyePoint e = toEyeWidely(c.pose, point);
+  return toScreen(c, Distances<Wide>{e.right, e.up, e.forward, e.error, point.w});
 }
 
 /// Of a camera that looks along an axis of the world: whether the point's coordinate there is the eye's.
@@ -302,7 +198,7 @@ ScreenPoint exactToScreen(const CameraParts& c, const Vec4& point) noexcept {
     const bool isHuge = std::max(maxAbs(Vec3{point.x, point.y, point.z}), maxAbs(c.pose.eye)) > 0x1p900;
     e.forwardIsExact = c.constants.forwardIsAxis && point.w == 1 &&
                        ((std::fabs(e.forward.hi) > 0x1p-900 && !isHuge) || isBesideEye(c, point));
-    result = attempt(c, e, point.w);
+    result = toScreen(c, e, point.w);
     if (!result.certain && !isInExactRange(c.pose, point)) {
       result = widelyToScreen(c, point);
     } else if (!result.certain) {
@@ -311,10 +207,7 @@ ScreenPoint exactToScreen(const CameraParts& c, const Vec4& point) noexcept {
         exact.forward = scaleByPowerOfTwo(e.forward, e.exponent - exact.exponent);
         exact.forwardIsExact = true;
       }
-      result = attempt(c, exact, point.w);
-      // A number beyond the largest double on the way to one that is not.
-      const ScreenPoint& p = result.point;
-      if (p.status == PointStatus::inFront && !isFinite(Vec3{p.x, p.y, p.depth})) result = widelyToScreen(c, point);
+      result = toScreen(c, exact, point.w);
     }
   }
   result.point.certain = result.certain;
@@ -332,7 +225,7 @@ Projected<double, bool> byFormula(const ProjectionConstants& k, const Vec3& p, P
                                   Band band) noexcept {
   return precision == Precision::fast       ? byFormula<FastFormula>(k, p, band)
          : precision == Precision::standard ? byFormula<StandardFormula>(k, p, band)
-                                            : byFormula<ExactFormula>(k, p, band);
+                                            : kernels().exactPoint(k, p);
 }
 
 /// Exact rows for what the formula cannot bound or certify, and for what lies outside the band.

@@ -19,15 +19,13 @@ inline ScreenPoint without(PointStatus status, double viewDistance) noexcept {
 
 /// Beyond which sides of the picture and of near and far, judged on the numbers that are given out.
 inline std::uint8_t sidesBeyond(const CameraParts& c, const ScreenPoint& p) noexcept {
-  const double left = c.viewport.x + (c.viewport.pixelCenter - 0.5);
-  const double start = c.viewport.y + (c.viewport.pixelCenter - 0.5);
   const bool down = c.viewport.origin == Origin::topLeft;
   unsigned sides = 0;
   // Written so that a NaN would be outside.
-  if (!(p.x >= left)) sides |= sideLeft;
-  if (!(p.x <= left + c.viewport.width)) sides |= sideRight;
-  if (!(p.y >= start)) sides |= down ? sideTop : sideBottom;
-  if (!(p.y <= start + c.viewport.height)) sides |= down ? sideBottom : sideTop;
+  if (!(p.x >= c.firstCorner.x)) sides |= sideLeft;
+  if (!(p.x <= c.lastCorner.x)) sides |= sideRight;
+  if (!(p.y >= c.firstCorner.y)) sides |= down ? sideTop : sideBottom;
+  if (!(p.y <= c.lastCorner.y)) sides |= down ? sideBottom : sideTop;
   if (p.viewDistance < c.projection.near) sides |= sideNear;
   if (p.viewDistance > c.projection.far) sides |= sideFar;
   return static_cast<std::uint8_t>(sides);

@@ -1,27 +1,10 @@
 // A screen position in window coordinates, and the world's point there, before they are rounded. Internal.
 #pragma once
 
-#include <type_traits>
-
 #include "camera/camera.hpp"
 #include "numbers/wide.hpp"
 
 namespace viewproj::detail {
-
-// Number is DoubleDouble, or Wide where products may leave the range of doubles.
-
-template <class Number>
-Number as(DoubleDouble a) noexcept {
-  if constexpr (std::is_same_v<Number, Wide>)
-    return toWide(a);
-  else
-    return a;
-}
-
-template <class Number>
-Vector3<Number> as(const DDVec3& a) noexcept {
-  return {as<Number>(a.x), as<Number>(a.y), as<Number>(a.z)};
-}
 
 /// A screen position in window coordinates, right and up.
 template <class Number>

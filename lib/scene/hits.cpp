@@ -24,16 +24,6 @@ Vector3<Number> lifted(const Vec3& a) noexcept {
 }
 
 template <class Number>
-Number dotOf(const Vector3<Number>& a, const Vector3<Number>& b) noexcept {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-template <class Number>
-Vector3<Number> crossOf(const Vector3<Number>& a, const Vector3<Number>& b) noexcept {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-template <class Number>
 bool isWithin(const Vector3<Number>& v, double size) noexcept {
   return v.x.isWithin(size) && v.y.isWithin(size) && v.z.isWithin(size);
 }
@@ -72,8 +62,8 @@ Hits oneHit(Hit hit, const Vec3& normal) noexcept {
 template <class Number>
 std::optional<Hits> planeHits(const Ray& ray, const Plane& plane) noexcept {
   const Vector3<Number> normal = lifted<Number>(plane.normal);
-  const Number along = dotOf(normal, lifted<Number>(ray.direction));
-  const Number away = dotOf(normal, difference<Number>(plane.point, ray.origin));
+  const Number along = dot(normal, lifted<Number>(ray.direction));
+  const Number away = dot(normal, difference<Number>(plane.point, ray.origin));
   if (!along.isCertain() || !away.isCertain()) return {};
   if (along.sign() == 0 || along.sign() * away.sign() < 0) return Hits{};
   const std::optional<Hit> hit = hitAt(ray, away, along);
@@ -89,14 +79,14 @@ std::optional<Hits> triangleHits(const Ray& ray, const Triangle& t) noexcept {
   const Vector3<Number> b = difference<Number>(t.b, ray.origin);
   const Vector3<Number> c = difference<Number>(t.c, ray.origin);
   const Vector3<Number> bc = crossOf(b, c);
-  const Number u = dotOf(d, bc);
-  const Number v = dotOf(d, crossOf(c, a));
-  const Number w = dotOf(d, crossOf(a, b));
+  const Number u = dot(d, bc);
+  const Number v = dot(d, crossOf(c, a));
+  const Number w = dot(d, crossOf(a, b));
   if (!u.isCertain() || !v.isCertain() || !w.isCertain()) return {};
   const auto [low, high] = std::minmax({u.sign(), v.sign(), w.sign()});
   if (low * high < 0 || (low == 0 && high == 0)) return Hits{};
   const Number along = u + v + w;  // d . normal
-  const Number away = dotOf(a, bc);
+  const Number away = dot(a, bc);
   if (!along.isCertain() || !away.isCertain()) return {};
   if (along.sign() * away.sign() < 0) return Hits{};
   const std::optional<Hit> hit = hitAt(ray, away, along);

@@ -2,8 +2,10 @@
 //   projection_benchmark [ROUNDS [POINTS]]      15 rounds, of up to 16777216 points
 // Before they race, all are compared with the exact positions: status 1 where one differs. ROUNDS=0 does that only.
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -131,21 +133,22 @@ int main(int argc, char** argv) {
                            0,
                            {}});
     // What a kernel leaves unsettled has its answer already.
-    struct Settling {
-      std::vector<Vec3>& screen;
-      const std::vector<ScreenPoint>& exact;
-    } settling{screen, exact};
-    const Unsettled unsettled{[](void* context, std::size_t i) noexcept {
-                                const auto& [to, from] = *static_cast<Settling*>(context);
-                                to[i] = {from[i].x, from[i].y, from[i].depth};
-                              },
-                              &settling};
+    const auto settle = [&](std::vector<std::uint64_t>& unsettled) {
+      for (std::size_t word = 0; word < unsettled.size(); ++word)
+        for (std::uint64_t& rest = unsettled[word]; rest; rest &= rest - 1) {
+          const std::size_t i = 64 * word + static_cast<std::size_t>(std::countr_zero(rest));
+          screen[i] = {exact[i].x, exact[i].y, exact[i].depth};
+        }
+    };
+    std::vector<std::uint64_t> unsettled(count / 64 + 1);
     for (const Kernels* k : allKernels()) {
       if (!isSupported(*k)) continue;
       const std::string suffix = std::string(" ") + k->name;
       const auto run = [&](auto kernel) {
         return [&, kernel] {
-          kernel(parts(camera).constants, kNoBand, kNoBand, &points[0].x, &screen[0].x, nullptr, count, unsettled);
+          kernel(parts(camera).constants, kNoBand, kNoBand, &points[0].x, &screen[0].x, nullptr, count,
+                 unsettled.data());
+          settle(unsettled);
         };
       };
       add("fast" + suffix, 0.01, run(k->fast));

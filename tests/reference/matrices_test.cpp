@@ -1,4 +1,5 @@
 // Written matrices, entry by entry, against products and inverses in 480 bits.
+#include "camera/depth.hpp"
 #include "catch.hpp"
 #include "internals.hpp"
 #include "reference/exactness.hpp"
@@ -62,7 +63,7 @@ Real4x4 axesFromWorld(const TruePose& p) {
 }
 
 /// Distances along right, up and forward to clip space with y up.
-Real4x4 clipFromAxes(const Scene& s, const TrueLens& l, const NdcDepths& z) {
+Real4x4 clipFromAxes(const Scene& s, const TrueLens& l, const DepthEnds& z) {
   const Real width = l.right - l.left, height = l.top - l.bottom;
   const Real x = Real(2) / width, y = Real(2) / height;
   const Real offX = -(l.right + l.left) / width, offY = -(l.top + l.bottom) / height;
@@ -111,7 +112,7 @@ TEST_CASE("Every entry of a matrix and of its inverse is the double nearest the 
     const Truth truth(scene);
     const Camera camera = build(scene);
     const Convention& c = scene.convention;
-    const NdcDepths ends = ndcDepths(c);
+    const DepthEnds ends = ndcDepths(c);
     const AxisSigns sign = axisSigns(c.view);
     INFO("trial " << trial << ": " << describe(scene));
 

@@ -1,6 +1,7 @@
 // The stages that an explanation shows, each against its own truth in 480 bits.
 #include "commands/explain/stages.hpp"
 
+#include "camera/depth.hpp"
 #include "catch.hpp"
 #include "internals.hpp"
 #include "reference/exactness.hpp"
@@ -66,7 +67,7 @@ TEST_CASE("Each stage of a point is the double nearest its own true value") {
     const Real x = (screen.x - Real(v.x) - half) * Real(2) / Real(v.width) - Real(1);
     Real y = (screen.y - Real(v.y) - half) * Real(2) / Real(v.height) - Real(1);
     if ((v.origin == Origin::topLeft) == (writing.ndcY == NdcY::up)) y = -y;
-    const NdcDepths ends = ndcDepths(writing);
+    const DepthEnds ends = ndcDepths(writing);
     const Real z = Real(ends.atNear) + Real(ends.atFar - ends.atNear) * depthShare(scene, screen);
     const Mat4 p = clipFromView(camera.projection(), writing);
     const auto size = [&](std::size_t row) {

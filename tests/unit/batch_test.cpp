@@ -1,3 +1,4 @@
+#include <cstdint>
 #include <cstring>
 #include <iostream>
 #include <random>
@@ -207,7 +208,6 @@ TEST_CASE("A batch may be projected in place") {
 TEST_CASE("Every kernel that this processor supports gives the same bits") {
   // What a kernel leaves over is settled as a batch does.
   struct Run {
-    const Trial& trial;
     std::vector<Vec3> screen;
     std::vector<double> distance;
   };
@@ -219,19 +219,19 @@ TEST_CASE("Every kernel that this processor supports gives the same bits") {
       std::vector<Run> runs;
       for (const Kernels* k : allKernels()) {
         if (!isSupported(*k)) continue;
-        Run run{trial, std::vector<Vec3>(count), std::vector<double>(count)};
-        const Unsettled unsettled{[](void* context, std::size_t i) noexcept {
-                                    Run& r = *static_cast<Run*>(context);
-                                    const ScreenPoint p = worldToScreen(r.trial.camera, r.trial.points[i]);
-                                    r.screen[i] = {p.x, p.y, p.depth};
-                                    r.distance[i] = p.viewDistance;
-                                  },
-                                  &run};
+        Run run{std::vector<Vec3>(count), std::vector<double>(count)};
+        std::vector<std::uint64_t> unsettled(count / 64 + 1);
         const auto kernel = precision == Precision::fast       ? k->fast
                             : precision == Precision::standard ? k->standard
                                                                : k->exact;
         kernel(parts(trial.camera).constants, kNoBand, kNoBand, &trial.points[0].x, &run.screen[0].x,
-               seed % 2 ? run.distance.data() : nullptr, count, unsettled);
+               seed % 2 ? run.distance.data() : nullptr, count, unsettled.data());
+        for (std::size_t i = 0; i < count; ++i) {
+          if (!(unsettled[i / 64] >> i % 64 & 1)) continue;
+          const ScreenPoint p = worldToScreen(trial.camera, trial.points[i]);
+          run.screen[i] = {p.x, p.y, p.depth};
+          run.distance[i] = p.viewDistance;
+        }
         runs.push_back(std::move(run));
       }
       for (const Run& run : runs) {
@@ -250,8 +250,6 @@ TEST_CASE("Every kernel that this processor supports gives the same bits") {
 
 TEST_CASE("Every kernel that this processor supports casts the same rays, to the bit") {
   struct Run {
-    const Camera& camera;
-    const std::vector<Vec2>& pixels;
     std::vector<Vec3> directions;
     std::size_t settled = 0;
   };
@@ -268,14 +266,14 @@ TEST_CASE("Every kernel that this processor supports casts the same rays, to the
     std::vector<Run> runs;
     for (const Kernels* k : allKernels()) {
       if (!isSupported(*k)) continue;
-      Run run{trial.camera, pixels, std::vector<Vec3>(pixels.size())};
-      k->rays(parts(trial.camera).constants, &pixels[0].x, &run.directions[0].x, pixels.size(),
-              {[](void* context, std::size_t i) noexcept {
-                 Run& r = *static_cast<Run*>(context);
-                 r.directions[i] = screenToRay(r.camera, r.pixels[i], Precision::standard).direction;
-                 ++r.settled;
-               },
-               &run});
+      Run run{std::vector<Vec3>(pixels.size())};
+      std::uint64_t unsettled[2] = {};
+      k->rays(parts(trial.camera).constants, &pixels[0].x, &run.directions[0].x, pixels.size(), unsettled);
+      for (std::size_t i = 0; i < pixels.size(); ++i) {
+        if (!(unsettled[i / 64] >> i % 64 & 1)) continue;
+        run.directions[i] = screenToRay(trial.camera, pixels[i], Precision::standard).direction;
+        ++run.settled;
+      }
       runs.push_back(std::move(run));
     }
     for (const Run& run : runs) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "camera/lens.hpp"
+#include "camera/depth.hpp"
 
 namespace viewproj::cmd {
 
@@ -21,7 +21,7 @@ constexpr double kLargestFloatShare = 0x1p-23;
 
 /// Each end of the depth range by its share, so that the depth keeps its digits next to 0.
 Wide depthAt(const DepthMapping& m, const Wide& distance) {
-  const DepthShares shares = depthShares(m.orthographic, m.near, m.far, distance, 1);
+  const auto shares = depthShares<Wide>(m.orthographic, m.near, m.far, distance, 1);
   const Wide depth = Wide(m.atNear) * shares.ofNear + Wide(m.atFar) * shares.ofFar;
   return m.orthographic ? depth : depth / distance;
 }
@@ -64,8 +64,7 @@ struct Scaled {
     const DoubleDouble fromNear = twoDiff(depth, mapping.atNear) / span;
     const DoubleDouble fromFar = twoDiff(mapping.atFar, depth) / span;
     if (mapping.orthographic) return (DoubleDouble(near) * fromFar + DoubleDouble(far) * fromNear).hi;
-    DoubleDouble divisor = fromFar;
-    if (std::isfinite(far)) divisor += fromNear * (DoubleDouble(near) / DoubleDouble(far));
+    const DoubleDouble divisor = nearOverDistance(near, far, fromNear, fromFar);
     return divisor.hi > 0 ? (DoubleDouble(near) / divisor).hi : kInfiniteFar;
   }
 

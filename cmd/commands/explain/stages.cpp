@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "camera/lens.hpp"
+#include "camera/depth.hpp"
 #include "projection/clip_point.hpp"
 #include "projection/window_point.hpp"
 
@@ -86,7 +86,7 @@ PixelStages pixelStages(const Camera& camera, const Vec2& screen) noexcept {
 
 DepthStages depthStages(const Camera& camera, const Vec2& screen, double depth) noexcept {
   const CameraParts& c = parts(camera);
-  const DepthLine line = inverseDepthLine(c.projection, c.depthAtNear, c.depthAtFar);
+  const DepthLine line = inverseDepthLine(c.projection, {c.depthAtNear, c.depthAtFar});
   DepthStages s;
   s.offset = line.offset.hi;
   s.scale = line.scale.hi;

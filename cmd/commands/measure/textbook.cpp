@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "camera/convention.hpp"
+#include "camera/depth.hpp"
 #include "viewproj/matrices.hpp"
 
 namespace viewproj::cmd {
@@ -63,7 +64,7 @@ template void projectByMatrix<float>(const TextbookCamera<float>&, std::span<con
 
 TextbookInverse textbookInverse(const Camera& camera) {
   const Mat4 viewport = ndcFromScreen(camera.viewport(), camera.convention());
-  const NdcDepths depths = ndcDepths(camera.convention());
+  const DepthEnds depths = ndcDepths(camera.convention());
   return {worldFromClip(camera.pose(), camera.projection(), camera.convention()),
           {viewport[0][0], viewport[1][1]},
           {viewport[0][3], viewport[1][3]},

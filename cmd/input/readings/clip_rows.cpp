@@ -1,5 +1,7 @@
 #include "input/readings/clip_rows.hpp"
 
+#include "camera/exact_vectors.hpp"
+
 namespace viewproj::cmd {
 
 using namespace detail;
@@ -49,8 +51,6 @@ Kept kept(const Expansion<24>& sum) noexcept {
   k.lost = std::fabs(rest.rounded().hi);
   return k;
 }
-
-DDVec3 rounded(const ExactVec3& v) noexcept { return {v[0].rounded(), v[1].rounded(), v[2].rounded()}; }
 
 DoubleDouble lengthOf(const ExactVec3& v) noexcept { return DoubleDouble(1) / inverseLength(rounded(v)); }
 

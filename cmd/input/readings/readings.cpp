@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "camera/convention.hpp"
+#include "camera/depth.hpp"
 #include "camera/require.hpp"
 #include "input/readings/clip_rows.hpp"
 #include "input/readings/matrix_parts.hpp"
@@ -58,7 +59,7 @@ struct DepthPlanes {
 Interval times(Interval a, double sign) noexcept { return sign < 0 ? -a : a; }
 
 /// z / w = A + B / w is atNear at near: 1 / near = (atNear - A) / B, and so on, with 1 / near > 1 / far >= 0.
-std::optional<DepthPlanes> perspectiveDepth(const ClipParts& p, NdcDepths z) noexcept {
+std::optional<DepthPlanes> perspectiveDepth(const ClipParts& p, DepthEnds z) noexcept {
   const double sign = z.atNear > z.atFar ? 1 : -1;  // of B
   Interval b = times(p.depthScale.interval(), sign);
   if (!(b.high.hi > 0)) return std::nullopt;
@@ -82,7 +83,7 @@ std::optional<DepthPlanes> perspectiveDepth(const ClipParts& p, NdcDepths z) noe
 }
 
 /// z = A + B W with B > 0 along p.forward; forward is that, or against it where depth is reversed.
-DepthPlanes orthographicDepth(const ClipParts& p, NdcDepths z) noexcept {
+DepthPlanes orthographicDepth(const ClipParts& p, DepthEnds z) noexcept {
   const bool against = z.atNear > z.atFar;
   const auto plane = [&](double d) {
     const Ends end = windowEnd(d, p.depthOffset, p.depthScale);

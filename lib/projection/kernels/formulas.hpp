@@ -9,8 +9,8 @@
 #include <cmath>
 #include <limits>
 
-#include "camera/camera.hpp"
 #include "projection/error_model.hpp"
+#include "projection/kernels/kernels.hpp"
 #include "projection/picture_reach.hpp"
 
 namespace viewproj::detail {
@@ -30,15 +30,20 @@ struct ScalarLanes {
   static D larger(D a, D b) { return a > b ? a : b; }
   static F larger(F a, F b) { return a > b ? a : b; }
   static D squareRoot(D a) { return std::sqrt(a); }
-  /// a * b + c, rounded once or twice.
+  /// multiplyAdd: a * b + c, rounded once or twice. productError: the rounding error of a * b, whose rounded value is
+  /// product. remainder: a - b * c to one rounding, for b * c near a.
+#ifdef __FMA__
+  static D multiplyAdd(D a, D b, D c) { return __builtin_fma(a, b, c); }
+  static D productError(D a, D b, D product) { return __builtin_fma(a, b, -product); }
+  static D remainder(D a, D b, D c) { return __builtin_fma(-b, c, a); }
+#else
   static D multiplyAdd(D a, D b, D c) { return a * b + c; }
-  /// The rounding error of a * b, whose rounded value is product.
   static D productError(D a, D b, D) { return twoProd(a, b).lo; }
-  /// a - b * c to one rounding, for b * c near a.
   static D remainder(D a, D b, D c) {
     const DoubleDouble product = twoProd(b, c);
     return (a - product.hi) - product.lo;
   }
+#endif
 };
 
 /// The conjunction of conditions, lane by lane.
@@ -57,14 +62,6 @@ inline A all(A a, B b, More... more) {
 template <bool IsOrthographic, bool HasResidual, bool HasBand, bool WantsDistance = false>
 struct Traits {
   static constexpr bool orthographic = IsOrthographic, residual = HasResidual, band = HasBand, distance = WantsDistance;
-};
-
-/// valid: the numbers are within the precision's bound. behind: certainly beyond the eye plane. A lane that is neither
-/// is for the exact path to decide.
-template <class V, class Mask>
-struct Projected {
-  V x, y, depth, distance;
-  Mask valid, behind;
 };
 
 /// Whether a camera's numbers are in the range that a precision's bounds hold for.
@@ -95,7 +92,7 @@ struct Row {
 template <class T, class Traits>
 class WindowFormula {
  public:
-  WindowFormula(const ProjectionConstants& k, Band band, double sign, double smallest, double reach, double largestRow)
+  WindowFormula(const ProjectionConstants& k, Band band)
       : x_(k.x),
         y_(k.y),
         w_(k.w),
@@ -104,9 +101,9 @@ class WindowFormula {
         bandX_(static_cast<T>(band.x < kLargestBand ? band.x : kLargestBand)),
         bandY_(static_cast<T>(band.y < kLargestBand ? band.y : kLargestBand)),
         farthest_(band.x < kNoBand ? static_cast<T>(k.farthest) : std::numeric_limits<T>::max()),
-        sign_(static_cast<T>(sign)),
-        smallest_(static_cast<T>(smallest)),
-        reach_(isInRange(k, largestRow, kLargestRange) ? static_cast<T>(reach) : 0) {}
+        reach_(isInRange(k, isDouble ? kLargestRow : kLargestRowFast, kLargestRange)
+                   ? static_cast<T>(isDouble ? kLargestReach : kLargestReachFast)
+                   : 0) {}
 
   /// In perspective x and y are X/W and Y/W, and depth is 1/W; in orthographic they are X, Y and W.
   template <class L, class V, class Mask>
@@ -125,7 +122,7 @@ class WindowFormula {
       r.x = x;
       r.y = y;
       r.depth = w;
-      r.valid = all(reach < reach_, smallest_ < reach);
+      r.valid = all(reach < reach_, kSmallest < reach);
       // The bound of a band is that of points between near and far.
       if constexpr (Traits::band) r.valid = all(r.valid, L::absolute(w) <= farthest_);
       r.behind = reach < V{};
@@ -135,7 +132,7 @@ class WindowFormula {
       r.y = y * perW;
       r.depth = perW;
       // Not so near the eye plane that the sign of w is uncertain, and where nothing over- or underflows.
-      const V least = L::larger(reach * sign_, smallest_ - V{});
+      const V least = L::larger(reach * kSign, kSmallest - V{});
       const Mask inRange = reach < reach_;
       r.valid = all(inRange, w > least);
       r.behind = all(inRange, w < -least);
@@ -145,11 +142,14 @@ class WindowFormula {
   }
 
  private:
+  static constexpr bool isDouble = sizeof(T) == sizeof(double);
+  static constexpr T kSign = static_cast<T>(isDouble ? kSignUncertainty : kSignUncertaintyFast);
+  static constexpr T kSmallest = static_cast<T>(isDouble ? kSmallestDistance : kSmallestDistanceFast);
   /// No valid point of this type is farther from the principal point.
-  static constexpr double kLargestBand = sizeof(T) == sizeof(double) ? kNoBand : 0x1p100;
+  static constexpr double kLargestBand = isDouble ? kNoBand : 0x1p100;
 
   Row<T> x_, y_, w_, residual_;
-  T residualReach_, bandX_, bandY_, farthest_, sign_, smallest_, reach_;
+  T residualReach_, bandX_, bandY_, farthest_, reach_;
 };
 
 /// From window coordinates times pixels, as WindowFormula gives them, to the screen.
@@ -179,8 +179,7 @@ class StandardFormula {
   using D = typename L::D;
   using M = typename L::M;
 
-  StandardFormula(const ProjectionConstants& k, Band band)
-      : window_(k, band, kSignUncertainty, kSmallestDistance, kLargestReach, kLargestRow), screen_(k), eye_(k.eye) {}
+  StandardFormula(const ProjectionConstants& k, Band band) : window_(k, band), screen_(k), eye_(k.eye) {}
 
   Projected<D, M> point(D px, D py, D pz) const {
     Projected<D, M> r = window_.template at<L, D, M>(px - eye_.x, py - eye_.y, pz - eye_.z);
@@ -203,10 +202,7 @@ class FastFormula {
   using D = typename L::D;
   using F = typename L::F;
 
-  FastFormula(const ProjectionConstants& k, Band band)
-      : window_(k, band, kSignUncertaintyFast, kSmallestDistanceFast, kLargestReachFast, kLargestRowFast),
-        screen(k),
-        eye(k.eye) {}
+  FastFormula(const ProjectionConstants& k, Band band) : window_(k, band), screen(k), eye(k.eye) {}
 
   /// From the difference to the eye, in float.
   Projected<F, typename L::FM> window(F dx, F dy, F dz) const {

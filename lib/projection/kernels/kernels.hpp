@@ -2,16 +2,23 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "camera/camera.hpp"
 
 namespace viewproj::detail {
 
-/// What a kernel does with a lane that it cannot settle itself.
-struct Unsettled {
-  void (*settle)(void* context, std::size_t index) noexcept;
-  void* context;
+/// The points of a batch that a kernel cannot settle itself, 64 to a number, the first in the lowest bit. It sets bits
+/// and clears none.
+using Unsettled = std::uint64_t*;
+
+/// valid: the numbers are within the precision's bound. behind: certainly beyond the eye plane. What is neither is for
+/// the exact path to decide.
+template <class V, class Mask>
+struct Projected {
+  V x, y, depth, distance;
+  Mask valid, behind;
 };
 
 /// Everything is in arrays of three doubles a point: x y z in; screen x, screen y and depth out, NaN where a point has
@@ -22,14 +29,16 @@ struct Kernels {
   const char* name;
   unsigned features;  ///< of cpu_features.hpp: what its compiler was free to use
   void (*fast)(const ProjectionConstants&, double bandX, double bandY, const double* points, double* screen,
-               double* distance, std::size_t count, const Unsettled&) noexcept;
+               double* distance, std::size_t count, Unsettled) noexcept;
   void (*standard)(const ProjectionConstants&, double bandX, double bandY, const double* points, double* screen,
-                   double* distance, std::size_t count, const Unsettled&) noexcept;
+                   double* distance, std::size_t count, Unsettled) noexcept;
   void (*exact)(const ProjectionConstants&, double bandX, double bandY, const double* points, double* screen,
-                double* distance, std::size_t count, const Unsettled&) noexcept;
+                double* distance, std::size_t count, Unsettled) noexcept;
   /// Perspective ray directions of pixels (x y pairs in, x y z out).
   void (*rays)(const ProjectionConstants&, const double* pixels, double* directions, std::size_t count,
-               const Unsettled&) noexcept;
+               Unsettled) noexcept;
+  /// One point in exact.
+  Projected<double, bool> (*exactPoint)(const ProjectionConstants&, const Vec3& point) noexcept;
 };
 
 /// All that were compiled, the plainest first.
