@@ -58,6 +58,10 @@ Names<const CameraMatrix*> matrixNames() {
 /// --to camera: the file, and a note where its doubles do not suffice.
 int runCamera(CameraFile file, const std::optional<std::string>& type, const CameraOptions& camera) {
   camera.noteWriting(file, {}, "");
+  if (const auto typed = type || camera.allowsStretch() ? std::nullopt : camera.asTyped(file)) {
+    writeOutput(*typed);
+    return 0;
+  }
   file.convention = camera.writing(file);
   const WrittenCamera written = writeCamera(file, type.value_or(""), camera.allowsStretch());
   writeOutput(written.text);

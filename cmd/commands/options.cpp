@@ -5,8 +5,11 @@
 #include <memory>
 
 #include "commands/output_option.hpp"
+#include "input/camera_fields.hpp"
 #include "input/convention_names.hpp"
 #include "input/points.hpp"
+#include "input/typed_value.hpp"
+#include "output/camera_text.hpp"
 #include "output/output_file.hpp"
 #include "text/csv_format.hpp"
 #include "text/error.hpp"
@@ -76,6 +79,10 @@ void CameraOptions::add(CLI::App& app) {
       "Set a field of the camera file, as in projection.fovY=75");
   addChoice(app, "--read-as", "NAME", readAs_, namesAlone(presetNames()), "Read the camera in this convention",
             "the file's, or opengl");
+  if (auto* const line = dynamic_cast<CommandLine*>(&app))
+    line->later(isCameraOption, [this, line] { addFields(*line); });
+  else
+    addFields(app);
   app.add_flag("--allow-stretch", allowStretch_, "Let the camera's shape differ from the viewport's");
   app.add_flag("--ignore-distortion", ignoreDistortion_, "Take a lens that distorts as one that does not");
 }
@@ -99,9 +106,25 @@ void CameraOptions::addFile(CLI::App& app) {
   addValue(app, "FILE", "", file_, readFileName, "Camera file, where -c was not given; absent or - for standard input");
 }
 
+void CameraOptions::addFields(CLI::App& app) {
+  const Heading heading(app, "The camera's fields, over a file's or without one");
+  for (const CameraOption& option : cameraOptions())
+    if (option.field)
+      addOption(app, std::string(option.name), std::string(valueWord(option.field->form)),
+                std::string(option.field->help), Times::once,
+                [this, option](const std::string&, const std::vector<std::string>& given) {
+                  typed_.add(option, given.front());
+                });
+    else
+      app.add_flag_function(
+          std::string(option.name), [this, option](std::int64_t) { typed_.add(option, ""); },
+          "The projection is " + std::string(option.type->name) + ", where its fields could be another's too");
+}
+
 CameraSource CameraOptions::source() const {
   if (camera_ && file_) throw UsageError("-c gives the camera already; leave out one of it and " + *file_);
-  if (!camera_ && !takesFile_) throw UsageError("-c FILE is needed: the camera");
+  if (!camera_ && !takesFile_)
+    throw UsageError("-c FILE is needed: the camera; or options that say it, such as --position, --target and --fov-y");
   return splitPick(camera_ ? *camera_ : file_.value_or("-"));
 }
 
@@ -110,29 +133,53 @@ std::unique_ptr<Document> CameraOptions::open(const CameraSource& picked) const 
     if (const std::string field = dotted(assignment.path);
         viewport_ && (field == "viewport" || field == "viewport.width" || field == "viewport.height"))
       throw UsageError("--viewport and --set " + assignment.text + " both give the size of the picture");
-  auto document = std::make_unique<Document>(picked.file, camera_ ? "--camera" : "FILE");
+  auto document = isTyped() ? std::make_unique<Document>(Document::Typed{}, "the command line")
+                            : std::make_unique<Document>(picked.file, camera_ ? "--camera" : "FILE");
   if (viewport_) setViewportSize(*document, viewport_->width, viewport_->height);
   for (const Assignment& assignment : set_) document->set(assignment);
   return document;
 }
 
 int CameraOptions::list() const {
+  typed_.requireConsistent();
+  if (isTyped()) throw UsageError("--list names the cameras of a file, and there is none");
   writeOutput(listCameras(*open(source())));
   return 0;
 }
 
+std::string CameraOptions::readAs() const {
+  if (readAs_ || !isTyped() || !convention_) return readAs_.value_or("");
+  // A place makes the world right-handed.
+  if (typed_.hasPlace() && convention_->convention.world == Handedness::left) return "";
+  return std::string(convention_->name);
+}
+
 CameraFile CameraOptions::read() const {
-  const CameraSource picked = source();
-  const std::unique_ptr<const Document> opened = open(picked);
-  const Document& document = *opened;
-  CameraFile file = readAnyCamera(document, picked.pick, {readAs_.value_or(""), allowStretch_, ignoreDistortion_});
-  statesConvention_ = readAs_ || statesConvention(document) || file.worldIsEcef;
+  typed_.requireConsistent();
+  const CameraSource picked = isTyped() ? CameraSource{} : source();
+  std::unique_ptr<Document> opened = open(picked);
+  Document& document = *opened;
+  CameraFile file = readAnyCamera(document, picked.pick, {readAs(), allowStretch_, ignoreDistortion_}, typed_);
+  statesConvention_ = readAs_ || isTyped() || statesConvention(document) || file.worldIsEcef;
   for (const std::string& note : document.notes()) notes_.say(note);
+  if (isTyped()) fields_ = std::move(opened);
   return file;
 }
 
+std::optional<std::string> CameraOptions::asTyped(const CameraFile& file) const {
+  if (!fields_ || fields_->isSet(std::string(field::convention))) return std::nullopt;
+  const ConventionPreset* preset = readAs().empty() ? &conventionPresets().front() : findPreset(readAs());
+  if (convention_ && convention_->name != preset->name) {
+    // On the Earth a preset says nothing but which way a rotation's axes point.
+    const ObjectReader fields(*fields_, fields_->root(), {});
+    if (readAs_ || !typed_.hasPlace() || fields.has(field::rotation)) return std::nullopt;
+    preset = findPreset(convention_->name);
+  }
+  return writeFields(*fields_, writing(file), *preset);
+}
+
 bool CameraOptions::fromStandardInput() const {
-  if (!camera_ && !takesFile_) return false;
+  if (isTyped() || (!camera_ && !takesFile_)) return false;
   return splitPick(camera_ ? *camera_ : file_.value_or("-")).file == "-";
 }
 

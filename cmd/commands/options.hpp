@@ -49,6 +49,9 @@ class CameraOptions {
   /// From -c, or from FILE where the command has it.
   CameraFile read() const;
   bool fromStandardInput() const;
+  /// The fields that options gave in place of a file, as a camera file: where they say all of the camera that is
+  /// written.
+  std::optional<std::string> asTyped(const CameraFile& file) const;
   bool allowsStretch() const { return allowStretch_; }
   const Notes& notes() const { return notes_; }
 
@@ -71,6 +74,10 @@ class CameraOptions {
  private:
   CameraSource source() const;
   std::unique_ptr<Document> open(const CameraSource& picked) const;
+  void addFields(CLI::App& app);
+  /// The camera is what options say of it, and no file's.
+  bool isTyped() const { return !camera_ && !file_ && !typed_.empty(); }
+  std::string readAs() const;
 
   std::optional<std::string> camera_, file_, readAs_;
   std::optional<Size> viewport_;
@@ -78,9 +85,11 @@ class CameraOptions {
   std::optional<NdcZ> ndcZ_;
   std::optional<bool> reverseZ_;
   std::vector<Assignment> set_;
+  TypedCamera typed_;
   bool takesFile_ = false, allowStretch_ = false, ignoreDistortion_ = false, list_ = false;
   Notes notes_;
-  mutable bool statesConvention_ = true;  ///< of the camera that was read
+  mutable bool statesConvention_ = true;            ///< of the camera that was read
+  mutable std::unique_ptr<const Document> fields_;  ///< of a camera that options give
 };
 
 /// Something that is read, and whether from standard input.

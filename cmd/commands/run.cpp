@@ -15,8 +15,7 @@ namespace {
 
 /// As they are typed: CLI11 would take the argument after "--prefix=" for its value, and "=cam.json" for that of
 /// "-c=cam.json".
-void requireValuesAfterEquals(const CLI::App& app, int argc, char** argv) {
-  const std::vector<std::string_view> all(argv + 1, argv + argc);
+void requireValuesAfterEquals(const CLI::App& app, std::span<const std::string_view> all) {
   for (const std::string_view help : {"--help", "-h"})  // which goes first
     if (std::find(all.begin(), all.end(), help) != all.end()) return;
   for (const std::string_view typed : all) {
@@ -34,13 +33,16 @@ void requireValuesAfterEquals(const CLI::App& app, int argc, char** argv) {
 }
 
 /// Throws UsageError, or HelpGiven after writing the help.
-void parse(CLI::App& app, int argc, char** argv) {
+void parse(CommandLine& app, int argc, char** argv) {
+  const std::vector<std::string_view> all(argv + 1, argv + argc);
   const auto help = [&]() -> HelpGiven {
+    app.addAll();
     writeOutput(helpText(describe(app)));
     return {};
   };
   try {
-    requireValuesAfterEquals(app, argc, argv);
+    app.addTyped(all);
+    requireValuesAfterEquals(app, all);
     app.parse(argc, argv);
   } catch (const UsageError&) {  // of an option's value; help goes first
     if (app.get_help_ptr()->count() > 0) throw help();
@@ -49,6 +51,7 @@ void parse(CLI::App& app, int argc, char** argv) {
     throw help();
   } catch (const CLI::ExtrasError&) {
     const std::string extra = app.remaining().front();
+    app.addAll();
     std::vector<std::string> names;
     for (const CLI::Option* option : app.get_options())
       for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
@@ -63,7 +66,7 @@ void parse(CLI::App& app, int argc, char** argv) {
 }  // namespace
 
 int runCommand(const Command& command, int argc, char** argv) {
-  CLI::App app("", "viewproj " + std::string(command.name));
+  CommandLine app("", "viewproj " + std::string(command.name));
   const Action action = define(command, app);
   parse(app, argc, argv);
   return action();

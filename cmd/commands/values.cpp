@@ -11,6 +11,20 @@
 
 namespace viewproj::cmd {
 
+void CommandLine::addTyped(std::span<const std::string_view> typed) {
+  for (const std::string_view argument : typed)
+    if (argument.starts_with("--")) {
+      const std::string_view name = argument.substr(0, argument.find('='));
+      for (const Waiting& waiting : waiting_)
+        if (waiting.knows(name)) return addAll();
+    }
+}
+
+void CommandLine::addAll() {
+  for (const Waiting& waiting : waiting_) waiting.add();
+  waiting_.clear();
+}
+
 Heading::Heading(CLI::App& app, const std::string& name) : app_(app) { app.option_defaults()->group(name); }
 // NOLINTNEXTLINE(bugprone-exception-escape): where no memory is left, the program has ended
 Heading::~Heading() { app_.option_defaults()->group(kOwnOptions); }

@@ -18,6 +18,28 @@ namespace viewproj::cmd {
 /// Of an option's value, after its name.
 inline constexpr const char* kEmptyValue = " has an empty value; is a variable of a script not set?";
 
+/// The options of a command, of which some wait until one of them is typed, or all are asked for: they are many, and
+/// most command lines have none.
+class CommandLine : public CLI::App {
+ public:
+  using CLI::App::App;
+
+  /// knows: whether a name is of one of them.
+  void later(bool (*knows)(std::string_view), std::function<void()> add) {
+    waiting_.push_back({knows, std::move(add)});
+  }
+  /// Adds those that are waiting, if one of them is typed.
+  void addTyped(std::span<const std::string_view> typed);
+  void addAll();
+
+ private:
+  struct Waiting {
+    bool (*knows)(std::string_view);
+    std::function<void()> add;
+  };
+  std::vector<Waiting> waiting_;
+};
+
 /// While it lives, options that are added stand under this heading in the help. The same heading has the same options
 /// in every command.
 class Heading {

@@ -26,7 +26,7 @@ inline constexpr Field name{"name", ValueForm::text, "What it is called."};
 // A place on the Earth.
 
 inline constexpr Field lat{"lat", ValueForm::elevation, "Latitude in degrees."};
-inline constexpr Field lon{"lon", ValueForm::number, "Longitude in degrees, east."};
+inline constexpr Field lon{"lon", ValueForm::turn, "Longitude in degrees, east."};
 inline constexpr Field height{"height", ValueForm::number, "Metres above the ellipsoid WGS84."};
 inline constexpr ObjectForm place{
     .help = "A place on WGS84.", .fields = list<lat, lon, height>, .required = list<lat, lon, height>};
@@ -38,17 +38,28 @@ inline constexpr Field world{"world", ValueForm::word,
                              "ecef: the world's numbers are Earth-centred, Earth-fixed metres. So they are where "
                              "position or target is a place.",
                              namesOf<kWorlds>};
-inline constexpr Field position{"position", ValueForm::position, "Of the eye, in the world: x, y, z or a place.",
-                                nullptr, &place};
-inline constexpr Field target{"target", ValueForm::position,
-                              "What the middle of the view is on, before any shift: x, y, z or a place.", nullptr,
-                              &place};
-inline constexpr Field direction{"direction", ValueForm::direction, "Along which the camera looks, of any length."};
-inline constexpr Field up{"up", ValueForm::direction,
-                          "What is upwards in the picture. Default: 0 1 0; unreal 0 0 1; on the Earth: away from the "
-                          "ellipsoid."};
-inline constexpr Field rotation{"rotation", ValueForm::quaternion,
-                                "World from camera, a quaternion x, y, z, w of any length."};
+inline constexpr Field position =
+    Field{"position", ValueForm::position, "Of the eye, in the world: x, y, z or a place.", nullptr, &place}
+        .typed("--position")
+        .also({"eye", "from"});
+inline constexpr Field target =
+    Field{"target", ValueForm::position, "What the middle of the view is on, before any shift: x, y, z or a place.",
+          nullptr, &place}
+        .typed("--target")
+        .also({"lookAt", "at", "center", "to"});
+inline constexpr Field direction =
+    Field{"direction", ValueForm::direction, "Along which the camera looks, of any length."}
+        .typed("--direction")
+        .also({"forward"});
+inline constexpr Field up =
+    Field{"up", ValueForm::direction,
+          "What is upwards in the picture. Default: 0 1 0; unreal 0 0 1; on the Earth: away from the "
+          "ellipsoid."}
+        .typed("--up");
+inline constexpr Field rotation =
+    Field{"rotation", ValueForm::quaternion, "World from camera, a quaternion x, y, z, w of any length."}
+        .typed("--rotation")
+        .also({"quaternion", "orientation"});
 inline constexpr Field worldFromCamera{"worldFromCamera", ValueForm::rigid,
                                        "Four rows of four; column vectors: world = M camera."};
 inline constexpr Field cameraFromWorld{"cameraFromWorld", ValueForm::rigid,
@@ -57,16 +68,34 @@ inline constexpr Field cameraAxes{"cameraAxes", ValueForm::word,
                                   "Where the camera's x, y, z of a rotation or a matrix point: right, up, back, and so "
                                   "on. Default: the convention's.",
                                   namesOf<kCameraAxesNames>};
-inline constexpr Field heading{"heading", ValueForm::number,
-                               "Degrees clockwise from north. With a place for the position, as pitch and roll; those "
-                               "that are absent are 0."};
-inline constexpr Field pitch{"pitch", ValueForm::elevation, "Degrees above the horizon."};
-inline constexpr Field roll{"roll", ValueForm::number, "Degrees, right side down."};
+inline constexpr Field heading =
+    Field{"heading", ValueForm::turn,
+          "Degrees clockwise from north. With a place for the position, as pitch and roll; those "
+          "that are absent are 0."}
+        .typed("--heading");
+inline constexpr Field pitch = Field{"pitch", ValueForm::elevation, "Degrees above the horizon."}.typed("--pitch");
+inline constexpr Field roll = Field{"roll", ValueForm::turn, "Degrees, right side down."}.typed("--roll");
+
+inline constexpr NameRow<std::array<std::size_t, 3>> kEulerOrders[] = {
+    {"XYZ", {0, 1, 2}}, {"XZY", {0, 2, 1}}, {"YXZ", {1, 0, 2}}, {"YZX", {1, 2, 0}},
+    {"ZXY", {2, 0, 1}}, {"ZYX", {2, 1, 0}}, {"XYX", {0, 1, 0}}, {"XZX", {0, 2, 0}},
+    {"YXY", {1, 0, 1}}, {"YZY", {1, 2, 1}}, {"ZXZ", {2, 0, 2}}, {"ZYZ", {2, 1, 2}},
+};
+inline constexpr Field eulerOrder{"order", ValueForm::word,
+                                  "The axes in the order of the turns, each about the axis as the turns before it left "
+                                  "it.",
+                                  namesOf<kEulerOrders>};
+inline constexpr Field eulerDegrees{"degrees", ValueForm::triple, "An angle for each turn, in their order."};
+inline constexpr ObjectForm turns{.help = "Turns about the camera's own axes, from where those lie along the world's.",
+                                  .fields = list<eulerOrder, eulerDegrees>,
+                                  .required = list<eulerOrder, eulerDegrees>};
+inline constexpr Field euler{"euler", ValueForm::object, turns.help, nullptr, &turns};
 
 inline constexpr Way poseWays[] = {
     {.keys = list<target>, .with = list<position>, .may = list<up>},
     {.keys = list<direction>, .with = list<position>, .may = list<up>},
     {.keys = list<rotation>, .with = list<position>, .may = list<cameraAxes>},
+    {.keys = list<euler>, .with = list<position>, .may = list<cameraAxes>},
     {.keys = list<worldFromCamera>, .may = list<cameraAxes>},
     {.keys = list<cameraFromWorld>, .may = list<cameraAxes>},
     {.keys = list<heading, pitch, roll>, .with = list<position>, .anyKey = true},
@@ -75,41 +104,58 @@ inline constexpr Way poseWays[] = {
 // The projection.
 
 inline constexpr Field type{"type", ValueForm::word, "Which fields say what the camera sees.", projectionTypeNames};
-inline constexpr Field fovY{"fovY", ValueForm::angle, "Degrees from the lower edge of the picture to the upper."};
-inline constexpr Field fovX{"fovX", ValueForm::angle, "Degrees from the left edge of the picture to the right."};
-inline constexpr Field fovDiagonal{"fovDiagonal", ValueForm::angle, "Degrees from corner to corner of the picture."};
+inline constexpr Field fovY =
+    Field{"fovY", ValueForm::angle, "Degrees from the lower edge of the picture to the upper."}.typed("--fov-y");
+inline constexpr Field fovX =
+    Field{"fovX", ValueForm::angle, "Degrees from the left edge of the picture to the right."}.typed("--fov-x");
+inline constexpr Field fovDiagonal =
+    Field{"fovDiagonal", ValueForm::angle, "Degrees from corner to corner of the picture."}.typed("--fov-diagonal");
 inline constexpr Field nearWidth{"nearWidth", ValueForm::positive, "Width of the window on the near plane."};
 inline constexpr Field nearHeight{"nearHeight", ValueForm::positive, "Height of the window on the near plane."};
-inline constexpr Field focalLength{"focalLength", ValueForm::positive,
-                                   "In the unit of the sensor, such as millimetres."};
-inline constexpr Field sensorWidth{"sensorWidth", ValueForm::positive, "In the unit of focalLength."};
-inline constexpr Field sensorHeight{"sensorHeight", ValueForm::positive, "In the unit of focalLength."};
-inline constexpr Field aspect{"aspect", ValueForm::positive, "Width over height. Default: the viewport's."};
-inline constexpr Field left{"left", ValueForm::number,
-                            "Edge of the window: frustum on the near plane, orthographic in view space."};
-inline constexpr Field right{"right", ValueForm::number, "Edge of the window, above left."};
-inline constexpr Field bottom{"bottom", ValueForm::number, "Edge of the window."};
-inline constexpr Field top{"top", ValueForm::number, "Edge of the window, above bottom."};
-inline constexpr Field orthoWidth{"width", ValueForm::positive, "Width of the window around the viewing axis."};
-inline constexpr Field orthoHeight{"height", ValueForm::positive, "Height of the window around the viewing axis."};
-inline constexpr Field fx{"fx", ValueForm::positive, "Focal length in pixels of the viewport, across."};
-inline constexpr Field fy{"fy", ValueForm::positive, "Focal length in pixels of the viewport, down."};
-inline constexpr Field cx{"cx", ValueForm::number, "Screen x of the viewing axis, as the viewport counts pixels."};
-inline constexpr Field cy{"cy", ValueForm::number, "Screen y of the viewing axis, as the viewport counts pixels."};
+inline constexpr Field focalLength =
+    Field{"focalLength", ValueForm::positive, "In the unit of the sensor, such as millimetres."}.typed(
+        "--focal-length");
+inline constexpr Field sensorWidth =
+    Field{"sensorWidth", ValueForm::positive, "In the unit of focalLength."}.typed("--sensor-width");
+inline constexpr Field sensorHeight =
+    Field{"sensorHeight", ValueForm::positive, "In the unit of focalLength."}.typed("--sensor-height");
+inline constexpr Field aspect =
+    Field{"aspect", ValueForm::ratio, "Width over height. Default: the viewport's."}.typed("--aspect");
+inline constexpr Field left =
+    Field{"left", ValueForm::number, "Edge of the window: frustum on the near plane, orthographic in view space."}
+        .typed("--left");
+inline constexpr Field right = Field{"right", ValueForm::number, "Edge of the window, above left."}.typed("--right");
+inline constexpr Field bottom = Field{"bottom", ValueForm::number, "Edge of the window."}.typed("--bottom");
+inline constexpr Field top = Field{"top", ValueForm::number, "Edge of the window, above bottom."}.typed("--top");
+inline constexpr Field orthoWidth =
+    Field{"width", ValueForm::positive, "Width of the window around the viewing axis."}.typed("--ortho-width");
+inline constexpr Field orthoHeight =
+    Field{"height", ValueForm::positive, "Height of the window around the viewing axis."}.typed("--ortho-height");
+inline constexpr Field fx =
+    Field{"fx", ValueForm::positive, "Focal length in pixels of the viewport, across."}.typed("--fx");
+inline constexpr Field fy =
+    Field{"fy", ValueForm::positive, "Focal length in pixels of the viewport, down."}.typed("--fy");
+inline constexpr Field cx =
+    Field{"cx", ValueForm::number, "Screen x of the viewing axis, as the viewport counts pixels."}.typed("--cx");
+inline constexpr Field cy =
+    Field{"cy", ValueForm::number, "Screen y of the viewing axis, as the viewport counts pixels."}.typed("--cy");
 inline constexpr Field skew{"skew", ValueForm::zero, "Skew of the pixels; other than 0 is not modelled."};
 inline constexpr Field scrz{"scrz", ValueForm::positive, "Distance of the screen: screen x = cx + ax scrz X/Z."};
 inline constexpr Field ax{"ax", ValueForm::positive, "Shape of a pixel, across."};
 inline constexpr Field ay{"ay", ValueForm::positive, "Shape of a pixel, down."};
 inline constexpr Field zMin{"zMin", ValueForm::number, "Depth at far."};
 inline constexpr Field zMax{"zMax", ValueForm::number, "Depth at near."};
-inline constexpr Field zNear{"near", ValueForm::positive, "Distance of the near plane."};
-inline constexpr Field zFar{"far", ValueForm::positive, "Distance of the far plane. Default: infinite."};
-inline constexpr Field orthoNear{"near", ValueForm::number,
-                                 "Distance of the near plane, which may lie behind the eye."};
-inline constexpr Field orthoFar{"far", ValueForm::number, "Distance of the far plane."};
-inline constexpr Field shift{"shift", ValueForm::pair,
-                             "Moves the picture right by the first times half its width, and up by the second times "
-                             "half its height."};
+inline constexpr Field zNear = Field{"near", ValueForm::positive, "Distance of the near plane."}.typed("--near");
+inline constexpr Field zFar =
+    Field{"far", ValueForm::positive, "Distance of the far plane. Default: infinite."}.typed("--far");
+inline constexpr Field orthoNear =
+    Field{"near", ValueForm::number, "Distance of the near plane, which may lie behind the eye."}.typed("--near");
+inline constexpr Field orthoFar = Field{"far", ValueForm::number, "Distance of the far plane."}.typed("--far");
+inline constexpr Field shift =
+    Field{"shift", ValueForm::pair,
+          "Moves the picture right by the first times half its width, and up by the second times "
+          "half its height."}
+        .typed("--shift");
 
 inline constexpr Way perspectiveWays[] = {
     {.keys = list<fovY>, .may = list<aspect>},
@@ -120,13 +166,18 @@ inline constexpr Way perspectiveWays[] = {
     {.keys = list<focalLength>, .with = list<sensorHeight>, .may = list<aspect>},
     {.keys = list<focalLength>, .with = list<sensorWidth, sensorHeight>},
 };
+inline constexpr VagueName kVagueAngles[] = {
+    {"fov",
+     "does not say which angle it is: fovY is from the lower edge of the picture to the upper (OpenGL, "
+     "Direct3D, three.js, Unity), fovX from the left to the right (Unreal)"}};
 inline constexpr ObjectForm perspective{
     .help = "An opening, and aspect: width over height.",
     .fields = list<type, fovY, fovX, fovDiagonal, nearWidth, nearHeight, focalLength, sensorWidth, sensorHeight, aspect,
                    zNear, zFar, shift>,
     .required = list<zNear>,
     .ways = perspectiveWays,
-    .aim = "opening"};
+    .aim = "opening",
+    .vague = kVagueAngles};
 inline constexpr ObjectForm frustum{.help = "The edges of the window on the near plane.",
                                     .fields = list<type, left, right, bottom, top, zNear, zFar, shift>,
                                     .required = list<left, right, bottom, top, zNear>};
@@ -137,10 +188,14 @@ inline constexpr ObjectForm intrinsics{
 inline constexpr Way orthographicWays[] = {
     {.keys = list<left, right, bottom, top>},
     {.keys = list<orthoWidth, orthoHeight>},
+    {.keys = list<orthoWidth>, .may = list<aspect>},
+    {.keys = list<orthoHeight>, .may = list<aspect>},
 };
 inline constexpr ObjectForm orthographic{
-    .help = "The edges of the window, or its width and height. near may be negative; far has an end.",
-    .fields = list<type, left, right, bottom, top, orthoWidth, orthoHeight, orthoNear, orthoFar, shift>,
+    .help =
+        "The edges of the window, its width and height, or one of these and its aspect. near may be negative; far has "
+        "an end.",
+    .fields = list<type, left, right, bottom, top, orthoWidth, orthoHeight, aspect, orthoNear, orthoFar, shift>,
     .required = list<orthoNear, orthoFar>,
     .ways = orthographicWays,
     .aim = "window"};
@@ -204,8 +259,8 @@ inline constexpr Field projection{"projection", ValueForm::object, "What the cam
 inline constexpr Field viewport{"viewport", ValueForm::object, picture.help, nullptr, &picture};
 inline constexpr ObjectForm camera{
     .help = "A pose, a projection, a viewport and the convention their numbers are in.",
-    .fields = list<convention, position, target, direction, up, rotation, worldFromCamera, cameraFromWorld, cameraAxes,
-                   heading, pitch, roll, world, projection, viewport, name, schema>,
+    .fields = list<convention, position, target, direction, up, rotation, euler, worldFromCamera, cameraFromWorld,
+                   cameraAxes, heading, pitch, roll, world, projection, viewport, name, schema>,
     .ways = poseWays};
 
 }  // namespace viewproj::cmd::field

@@ -3,8 +3,10 @@
 #include "camera/camera.hpp"
 #include "camera/viewport.hpp"
 #include "geodesy/normal.hpp"
+#include "input/adjusted.hpp"
 #include "input/camera_fields.hpp"
 #include "input/convention_fields.hpp"
+#include "input/euler.hpp"
 #include "input/geodetic.hpp"
 #include "input/projection_types.hpp"
 #include "input/viewport_fields.hpp"
@@ -14,7 +16,6 @@
 namespace viewproj::cmd {
 
 using namespace detail;
-namespace {
 
 std::optional<Pose> readPose(const ObjectReader& camera, const Convention& convention, const ConventionPreset& preset) {
   const auto place = readPlace(camera, field::position);
@@ -40,18 +41,25 @@ std::optional<Pose> readPose(const ObjectReader& camera, const Convention& conve
     if (worldIsEcef(camera)) return look(ellipsoidNormal(place ? *place : ecefToGeodetic(*position)));
     return look(preset.up);
   }
+  if (key == &field::euler) return readEuler(camera, *position, axes, world);
   if (const auto q = camera.numbers(field::rotation, 4, 4))
     return poseFromRotation(*position, {(*q)[0], (*q)[1], (*q)[2], (*q)[3]}, axes, world);
   if (const auto matrix = camera.mat4(field::worldFromCamera)) return poseFromWorldFromCamera(*matrix, axes, world);
   return poseFromCameraFromWorld(*camera.mat4(field::cameraFromWorld), axes, world);
 }
 
-/// Where a field that the library complains about stands in the file.
-Path pathOf(const std::string& name) {
+Path pathInCamera(const Document& document, const std::string& name) {
   Path path = undotted(name);
-  if (!field::camera.has(path.front())) path.insert(path.begin(), std::string(field::projection));
+  for (const Field* field : field::camera.fields)
+    if (field->name == path.front()) {
+      path.front() = ObjectReader(document, document.root(), {}).pathOf(*field).front();
+      return path;
+    }
+  path.insert(path.begin(), std::string(field::projection));
   return path;
 }
+
+namespace {
 
 CameraFile readChecked(const Document& document, const CameraReading& reading) {
   const ObjectReader camera(document, document.root(), {});
@@ -77,6 +85,7 @@ CameraFile readChecked(const Document& document, const CameraReading& reading) {
                 "makes the world left-handed, but Earth-centred coordinates are right-handed: read the file in a "
                 "right-handed convention, and --convention says how to write");
   file.pose = readPose(camera, file.convention, *stated.preset);
+  if (reading.eye && file.pose) file.pose = movedTo(*file.pose, *reading.eye, file.convention.world);
   auto viewport = readViewport(camera, {.pixelCenter = stated.preset->pixelCenter});
   if (viewport && type && type->placeViewport) {
     type->placeViewport(camera, *projection, viewport->frame);
@@ -85,13 +94,10 @@ CameraFile readChecked(const Document& document, const CameraReading& reading) {
   std::optional<Viewport> frame;
   if (viewport) frame = viewport->frame;
   if (type) {
-    ReadProjection read = type->read(*projection, frame);
-    if (frame && read.hasOwnShape && !read.hasOwnPixelShape && !reading.allowStretch)
-      requireShape(windowAspect(parts(read.projection)), *frame, *projection);
-    if (const auto shift = projection->numbers(field::shift, 2, 2))
-      read.projection = shifted(read.projection, (*shift)[0], (*shift)[1]);
-    if (viewport && viewport->crop) read.projection = cropped(read.projection, *frame, *viewport->crop);
-    file.projection = read.projection;
+    Projection read = readProjection(*projection, *type, frame, reading.allowStretch);
+    if (reading.near || reading.far) read = withRange(read, reading.near, reading.far);
+    if (viewport && viewport->crop) read = cropped(read, *frame, *viewport->crop);
+    file.projection = read;
   }
   if (viewport) file.viewport = viewport->tile();
   return file;
@@ -105,7 +111,7 @@ CameraFile readCamera(const Document& document, const CameraReading& reading) {
     document.requireSetsRead("this camera file");
     return file;
   } catch (const CameraError& e) {
-    document.fail(pathOf(e.field()), e.message());
+    document.fail(pathInCamera(document, e.field()), e.message());
   }
 }
 

@@ -23,10 +23,19 @@ struct CameraReading {
   std::string readAs;  ///< a preset's name, or empty for the file's own convention
   bool allowStretch = false;
   bool ignoreDistortion = false;
+  std::optional<Vec3> eye = {};               ///< in place of the file's
+  std::optional<double> near = {}, far = {};  ///< the same, with the window as it is
 };
 
 /// Throws InputError with the place of what is wrong.
 CameraFile readCamera(const Document& document, const CameraReading& reading);
+
+/// The pose of a camera's fields, or nothing where they have none. preset: for what they leave out. Throws InputError,
+/// or CameraError.
+std::optional<Pose> readPose(const ObjectReader& camera, const Convention& convention, const ConventionPreset& preset);
+
+/// Where a field that the library complains about stands.
+Path pathInCamera(const Document& document, const std::string& field);
 
 /// All parts together; throws InputError naming what the file lacks for it.
 Camera makeCamera(const CameraFile& file);

@@ -141,8 +141,24 @@ CameraFile readAnyCamera(const Document& document, const std::optional<std::stri
   return file;
 }
 
+CameraFile readAnyCamera(Document& document, const std::optional<std::string>& pick, const CameraReading& reading,
+                         const TypedCamera& typed) {
+  if (typed.empty()) return readAnyCamera(document, pick, reading);
+  // A lens that is replaced need not fit the picture.
+  CameraReading ofFile = reading, ofBoth = reading;
+  if (typed.replacesLens()) ofFile.allowStretch = true;
+  if (importerOf(document)) return typed.over(readAnyCamera(document, pick, ofFile), document, reading);
+  typed.mergeInto(document, ofBoth, [&] { return readCamera(document, ofFile); });
+  return readAnyCamera(document, pick, ofBoth);
+}
+
 void setViewportSize(Document& document, double width, double height) {
   const auto viewport = document.root().find("viewport");
+  if (viewport != document.root().end() && viewport->is_array() && viewport->size() == 4) {  // x, y, width, height
+    document.set(readAssignment("viewport.2=" + formatNumber(width)));
+    document.set(readAssignment("viewport.3=" + formatNumber(height)));
+    return;
+  }
   if (viewport != document.root().end() && !viewport->is_object()) document.set(readAssignment("viewport=null"));
   document.set(readAssignment("viewport.width=" + formatNumber(width)));
   document.set(readAssignment("viewport.height=" + formatNumber(height)));

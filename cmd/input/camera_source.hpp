@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "input/camera_file.hpp"
+#include "input/typed_camera.hpp"
 
 namespace viewproj::cmd {
 
@@ -24,6 +25,10 @@ CameraSource splitPick(const std::string& given);
 /// Throws InputError with the place of what is wrong.
 CameraFile readAnyCamera(const Document& document, const std::optional<std::string>& pick,
                          const CameraReading& reading);
+
+/// The same with the fields that the command line gives over those of the file.
+CameraFile readAnyCamera(Document& document, const std::optional<std::string>& pick, const CameraReading& reading,
+                         const TypedCamera& typed);
 
 /// Whether the file says how its numbers are meant: it has a convention, or is of a form that says so.
 bool statesConvention(const Document& document);

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "input/importers/glb.hpp"
+#include "input/value_form.hpp"
 #include "text/encoding.hpp"
 #include "text/error.hpp"
 #include "text/file.hpp"
@@ -77,6 +78,7 @@ Document::Document(const std::string& source, const std::string& option, const c
     requireNarrow(name_, text_);
   }
   if (text_.starts_with("\xEF\xBB\xBF")) text_.erase(0, 3);
+  blankComments(text_);
   if (const auto at = tooDeepAt(text_))
     throw InputError(place(name_, positionAt(text_, *at)) + ": nested deeper than " + std::to_string(kDeepest));
   root_ = std::make_unique<nlohmann::json>();
@@ -85,6 +87,9 @@ Document::Document(const std::string& source, const std::string& option, const c
   if (arrayKey && root_->is_array()) *root_ = {{arrayKey, std::move(*root_)}};
   if (!root_->is_object()) throw InputError(place(name_, {}) + ": expected a JSON object");
 }
+
+Document::Document(Typed, const std::string& name)
+    : name_(name), text_("{}"), root_(std::make_unique<nlohmann::json>(nlohmann::json::object())), isTyped_(true) {}
 
 Document::~Document() = default;
 
@@ -146,6 +151,21 @@ void Document::set(const Assignment& assignment) {
   unread_.insert(dotted(path));
 }
 
+void Document::give(const Path& path, nlohmann::json value, const std::string& option) {
+  nlohmann::json* at = root_.get();
+  for (const std::string& step : path) at = &(*at)[step];
+  *at = std::move(value);
+  if (!option.empty()) label(path, option);
+}
+
+void Document::drop(const Path& path) {
+  nlohmann::json* at = root_.get();
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) at = &(*at)[path[i]];
+  at->erase(path.back());
+}
+
+void Document::label(const Path& path, const std::string& option) { options_[dotted(path)] = option; }
+
 void Document::noteRead(const Path& path, bool andBelow) const {
   const std::string name = dotted(path);
   unread_.erase(name);
@@ -172,234 +192,26 @@ void Document::fail(const Path& path, const std::string& message, bool showValue
     value = next;
     if (!value) break;
   }
-  throw InputError(placed(path, message + (value && showValue ? shown(*value) : "")));
+  const std::string text = placed(path, message + (value && showValue ? shown(*value) : ""));
+  if (isTyped_) throw UsageError(text);
+  throw InputError(text);
 }
 
 std::string Document::placed(const Path& path, const std::string& message) const {
   const std::string what = visible((path.empty() ? "" : dotted(path) + ": ") + message);
   if (set_.count(dotted(path))) return "--set " + what;
+  for (Path given = path, rest; !given.empty(); given.pop_back()) {
+    if (const auto option = options_.find(dotted(given)); option != options_.end())
+      return option->second + ": " + visible((rest.empty() ? "" : dotted(rest) + ": ") + message);
+    rest.insert(rest.begin(), given.back());
+  }
+  if (isTyped_) {
+    const bool isPart = path.empty() || path.back() == "projection";  // whose fields are told by their options
+    return name_ + ": " + visible((isPart ? "" : path.back() + ": ") + message);
+  }
   return place(name_, positionAt(text_, locate(text_, path))) + ": " + what;
 }
 
 void Document::note(const Path& path, const std::string& message) const { notes_.push_back(placed(path, message)); }
-
-ObjectReader::ObjectReader(const Document& document, const nlohmann::json& object, Path path)
-    : document_(&document), object_(&object), path_(std::move(path)) {
-  if (!object.is_object()) document.fail(path_, "expected an object");
-}
-
-Path ObjectReader::pathOf(std::string_view key) const {
-  Path path = path_;
-  path.emplace_back(key);
-  return path;
-}
-
-void ObjectReader::fail(std::string_view key, const std::string& message) const {
-  document_->fail(pathOf(key), message);
-}
-
-void ObjectReader::fail(const std::string& message) const { document_->fail(path_, message); }
-
-const nlohmann::json* ObjectReader::find(std::string_view key) const {
-  const auto found = object_->find(key);
-  if (found == object_->end() || found->is_null()) {
-    if (!document_->isAllRead()) document_->noteRead(pathOf(key), true);
-    return nullptr;
-  }
-  if (document_->isAllRead()) return &*found;
-  // The objects within are read on their own.
-  const bool hasObjects = found->is_object() || (found->is_array() && !found->empty() && found->front().is_object());
-  document_->noteRead(pathOf(key), !hasObjects);
-  return &*found;
-}
-
-bool ObjectReader::has(std::string_view key) const { return find(key) != nullptr; }
-
-bool ObjectReader::isString(std::string_view key) const {
-  const nlohmann::json* value = find(key);
-  return value && value->is_string();
-}
-
-bool ObjectReader::isObject(std::string_view key) const {
-  const nlohmann::json* value = find(key);
-  return value && value->is_object();
-}
-
-std::optional<double> ObjectReader::number(std::string_view key) const {
-  const nlohmann::json* value = find(key);
-  if (!value) return std::nullopt;
-  if (!value->is_number()) fail(key, "expected a number");
-  return value->get<double>();
-}
-
-double ObjectReader::requireNumber(std::string_view key) const {
-  const auto value = number(key);
-  if (!value) fail("needs " + std::string(key));
-  return *value;
-}
-
-std::optional<bool> ObjectReader::flag(std::string_view key) const {
-  const nlohmann::json* value = find(key);
-  if (!value) return std::nullopt;
-  if (!value->is_boolean()) fail(key, "expected true or false");
-  return value->get<bool>();
-}
-
-std::optional<std::string> ObjectReader::string(std::string_view key) const {
-  if (const auto found = text(key)) return std::string(*found);
-  return std::nullopt;
-}
-
-std::optional<std::string_view> ObjectReader::text(std::string_view key) const {
-  const nlohmann::json* value = find(key);
-  if (!value) return std::nullopt;
-  if (!value->is_string()) fail(key, "expected a string");
-  return value->get_ref<const std::string&>();
-}
-
-std::optional<std::vector<double>> ObjectReader::numbers(std::string_view key, std::size_t fewest,
-                                                         std::size_t most) const {
-  const nlohmann::json* value = find(key);
-  if (!value) return std::nullopt;
-  const bool good = value->is_array() && value->size() >= fewest && value->size() <= most &&
-                    std::all_of(value->begin(), value->end(), [](const auto& v) { return v.is_number(); });
-  if (!good)
-    fail(key, "expected " +
-                  (fewest == most ? std::to_string(fewest) : std::to_string(fewest) + " to " + std::to_string(most)) +
-                  " numbers in an array");
-  return value->get<std::vector<double>>();
-}
-
-std::optional<Vec3> ObjectReader::vec3(std::string_view key) const {
-  const auto v = numbers(key, 3, 3);
-  if (!v) return std::nullopt;
-  return Vec3{(*v)[0], (*v)[1], (*v)[2]};
-}
-
-std::optional<Mat4> ObjectReader::mat4(std::string_view key) const {
-  const nlohmann::json* value = find(key);
-  if (!value) return std::nullopt;
-  Mat4 matrix;
-  bool good = value->is_array() && value->size() == 4;
-  for (std::size_t i = 0; good && i < 4; ++i) {
-    good = (*value)[i].is_array() && (*value)[i].size() == 4;
-    for (std::size_t j = 0; good && j < 4; ++j) {
-      good = (*value)[i][j].is_number();
-      if (good) matrix[i][j] = (*value)[i][j].get<double>();
-    }
-  }
-  if (!good) fail(key, "expected 4 rows of 4 numbers");
-  return matrix;
-}
-
-std::optional<std::string> ObjectReader::label(std::string_view key) const {
-  const nlohmann::json* value = find(key);
-  if (!value) return std::nullopt;
-  if (!value->is_string() && !value->is_number()) fail(key, "expected a string or a number");
-  return value->dump();
-}
-
-std::optional<std::vector<Vec3>> ObjectReader::vec3s(std::string_view key, std::size_t count) const {
-  const nlohmann::json* value = find(key);
-  if (!value) return std::nullopt;
-  std::vector<Vec3> vectors;
-  for (const auto& item : *value) {
-    const bool good = item.is_array() && item.size() == 3 &&
-                      std::all_of(item.begin(), item.end(), [](const auto& v) { return v.is_number(); });
-    if (!good) break;
-    vectors.push_back({item[0].get<double>(), item[1].get<double>(), item[2].get<double>()});
-  }
-  if (!value->is_array() || vectors.size() != count || value->size() != count)
-    fail(key, "expected " + std::to_string(count) + " points [x, y, z]");
-  return vectors;
-}
-
-std::optional<ObjectReader> ObjectReader::object(std::string_view key) const {
-  const nlohmann::json* value = find(key);
-  if (!value) return std::nullopt;
-  return ObjectReader(*document_, *value, pathOf(key));
-}
-
-ObjectList ObjectReader::objects(std::string_view key) const {
-  const nlohmann::json* value = find(key);
-  if (!value) return {};
-  if (!value->is_array()) fail(key, "expected an array of objects");
-  return {*document_, *value, pathOf(key)};
-}
-
-ObjectList::ObjectList(const Document& document, const nlohmann::json& array, Path path)
-    : document_(&document), array_(&array), path_(std::move(path)) {
-  for (std::size_t i = 0; i < array.size(); ++i) {
-    if (!document.isAllRead()) document.noteRead(pathOf(i), false);
-    if (!array[i].is_object()) (void)(*this)[i];  // throws
-  }
-}
-
-std::size_t ObjectList::size() const { return array_ ? array_->size() : 0; }
-
-ObjectReader ObjectList::operator[](std::size_t index) const { return {*document_, (*array_)[index], pathOf(index)}; }
-
-Path ObjectList::pathOf(std::size_t index) const {
-  Path path = path_;
-  path.push_back(std::to_string(index));
-  return path;
-}
-
-namespace {
-
-std::optional<std::size_t> indexBelow(const nlohmann::json& value, std::size_t count) {
-  if (!value.is_number_unsigned() || value.get<std::uint64_t>() >= count) return std::nullopt;
-  return value.get<std::size_t>();
-}
-
-std::string expectedIndex(std::size_t count, const char* what) {
-  return "expected a whole number below " + std::to_string(count) + ", the number of " + what;
-}
-
-}  // namespace
-
-std::optional<std::size_t> ObjectReader::index(std::string_view key, std::size_t count, const char* what) const {
-  const nlohmann::json* value = find(key);
-  if (!value) return std::nullopt;
-  const auto number = indexBelow(*value, count);
-  if (!number) fail(key, expectedIndex(count, what));
-  return number;
-}
-
-std::vector<std::size_t> ObjectReader::indices(std::string_view key, std::size_t count, const char* what) const {
-  const nlohmann::json* value = find(key);
-  if (!value) return {};
-  if (!value->is_array()) fail(key, "expected an array of numbers");
-  std::vector<std::size_t> result;
-  for (std::size_t i = 0; i < value->size(); ++i) {
-    const auto number = indexBelow((*value)[i], count);
-    if (!number) {
-      Path path = pathOf(key);
-      path.push_back(std::to_string(i));
-      document_->fail(path, expectedIndex(count, what));
-    }
-    result.push_back(*number);
-  }
-  return result;
-}
-
-void ObjectReader::allow(const ObjectForm& form) const {
-  for (const auto& item : object_->items())
-    if (!form.has(item.key()))
-      document_->fail(pathOf(item.key()), "is not a known field here" + suggestion(item.key(), namesOf(form.fields)),
-                      false);
-}
-
-const Way* ObjectReader::way(const ObjectForm& form) const {
-  const ChosenWay chosen = chooseWay(form, [&](const Field& field) { return has(field); });
-  if (chosen.fault.empty()) return chosen.way;
-  if (chosen.at) fail(*chosen.at, chosen.fault);
-  fail(chosen.fault);
-}
-
-void ObjectReader::failChoice(std::string_view key, const std::string& name,
-                              const std::vector<std::string_view>& known) const {
-  fail(key, "is none of the known names" + suggestion(name, known));
-}
 
 }  // namespace viewproj::cmd

@@ -1,6 +1,7 @@
 // A JSON document read as a whole (a camera file), whose every complaint names a line and a column.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -37,6 +38,9 @@ class Document {
   /// it counts, places too. option names it in messages. arrayKey: a document that is an array counts as an object
   /// whose only field, of this name, it is; the JSON itself may then start with "[" too.
   Document(const std::string& source, const std::string& option, const char* arrayKey = nullptr);
+  struct Typed {};
+  /// An empty object that the command line fills: what is wrong in it is a UsageError, in the words of options.
+  Document(Typed, const std::string& name);
   ~Document();
   Document(const Document&) = delete;
   Document& operator=(const Document&) = delete;
@@ -46,6 +50,15 @@ class Document {
 
   /// Sets a field. Throws UsageError where there is no place for it.
   void set(const Assignment& assignment);
+
+  /// Sets a field to what an option gives; empty: to what follows from one. Of a path, all but the last step is an
+  /// object or not there.
+  void give(const Path& path, nlohmann::json value, const std::string& option);
+  void drop(const Path& path);
+  /// Names a field in messages after the option that gives it.
+  void label(const Path& path, const std::string& option);
+  /// Whether all of it comes from options.
+  bool isTyped() const { return isTyped_; }
 
   /// Whether the field or one within it was set.
   bool isSet(const std::string& field) const;
@@ -70,45 +83,60 @@ class Document {
   std::string name_;
   std::string text_;
   std::unique_ptr<nlohmann::json> root_;
+  bool isTyped_ = false;
   std::set<std::string> set_;
-  mutable std::set<std::string> unread_;  ///< of set_
+  std::map<std::string, std::string> options_;  ///< by the fields that they give
+  mutable std::set<std::string> unread_;        ///< of set_
   mutable std::vector<std::string> notes_;
 };
 
 class ObjectList;
+
+/// What a value of an object is looked for by: its name, or the row of its field, whose other names and forms then
+/// count too.
+struct Key {
+  Key(const char* text) : name(text) {}              // NOLINT(google-explicit-constructor)
+  Key(std::string_view text) : name(text) {}         // NOLINT(google-explicit-constructor)
+  Key(const std::string& text) : name(text) {}       // NOLINT(google-explicit-constructor)
+  Key(const Field& row) : name(row), field(&row) {}  // NOLINT(google-explicit-constructor)
+
+  std::string_view name;
+  const Field* field = nullptr;
+};
 
 /// An object of a document, read key by key. A key whose value is null counts as absent.
 class ObjectReader {
  public:
   ObjectReader(const Document& document, const nlohmann::json& object, Path path);
 
-  bool has(std::string_view key) const;
-  bool isString(std::string_view key) const;
-  bool isObject(std::string_view key) const;
-  std::optional<double> number(std::string_view key) const;
-  std::optional<bool> flag(std::string_view key) const;
-  std::optional<std::string> string(std::string_view key) const;
-  std::optional<std::string_view> text(std::string_view key) const;  ///< a string, which stays the document's
-  std::optional<std::vector<double>> numbers(std::string_view key, std::size_t fewest, std::size_t most) const;
-  std::optional<Vec3> vec3(std::string_view key) const;
-  std::optional<Mat4> mat4(std::string_view key) const;
-  std::optional<std::vector<Vec3>> vec3s(std::string_view key, std::size_t count) const;
-  std::optional<ObjectReader> object(std::string_view key) const;
+  bool has(const Key& key) const;
+  bool isString(const Key& key) const;
+  bool isObject(const Key& key) const;
+  bool isArray(const Key& key) const;
+  std::optional<double> number(const Key& key) const;
+  std::optional<bool> flag(const Key& key) const;
+  std::optional<std::string> string(const Key& key) const;
+  std::optional<std::string_view> text(const Key& key) const;  ///< a string, which stays the document's
+  std::optional<std::vector<double>> numbers(const Key& key, std::size_t fewest, std::size_t most) const;
+  std::optional<Vec3> vec3(const Key& key) const;
+  std::optional<Mat4> mat4(const Key& key) const;
+  std::optional<std::vector<Vec3>> vec3s(const Key& key, std::size_t count) const;
+  std::optional<ObjectReader> object(const Key& key) const;
 
   /// The value of key as JSON text, where it is a string or a number.
-  std::optional<std::string> label(std::string_view key) const;
+  std::optional<std::string> label(const Key& key) const;
   /// The objects of an array; none where it is absent.
-  ObjectList objects(std::string_view key) const;
+  ObjectList objects(const Key& key) const;
   /// A whole number from 0 on and below count, which is how many `what` there are.
-  std::optional<std::size_t> index(std::string_view key, std::size_t count, const char* what) const;
-  std::vector<std::size_t> indices(std::string_view key, std::size_t count, const char* what) const;
+  std::optional<std::size_t> index(const Key& key, std::size_t count, const char* what) const;
+  std::vector<std::size_t> indices(const Key& key, std::size_t count, const char* what) const;
 
-  double numberOr(std::string_view key, double fallback) const { return number(key).value_or(fallback); }
-  double requireNumber(std::string_view key) const;
+  double numberOr(const Key& key, double fallback) const { return number(key).value_or(fallback); }
+  double requireNumber(const Key& key) const;
 
   /// The value of key as a name of a table of {name, value} rows.
   template <class Table>
-  auto choice(std::string_view key, const Table& table) const {
+  auto choice(const Key& key, const Table& table) const {
     std::optional<decltype(std::begin(table)->second)> result;
     if (const auto name = string(key)) {
       std::vector<std::string_view> names;
@@ -131,17 +159,21 @@ class ObjectReader {
   const Document& document() const { return *document_; }
   const Path& path() const { return path_; }
 
-  [[noreturn]] void fail(std::string_view key, const std::string& message) const;
+  [[noreturn]] void fail(const Key& key, const std::string& message) const;
   /// For the object as a whole.
   [[noreturn]] void fail(const std::string& message) const;
 
   /// The value of key, unless it is absent or null.
-  const nlohmann::json* find(std::string_view key) const;
+  const nlohmann::json* find(const Key& key) const;
+  /// Where it stands.
+  Path pathOf(const Key& key) const;
 
  private:
-  [[noreturn]] void failChoice(std::string_view key, const std::string& name,
+  [[noreturn]] void failChoice(const Key& key, const std::string& name,
                                const std::vector<std::string_view>& known) const;
-  Path pathOf(std::string_view key) const;
+  /// The name that it has in the object, and its value; or null.
+  std::pair<std::string_view, const nlohmann::json*> lookUp(const Key& key) const;
+  void allowKey(const std::string& key, const ObjectForm& form) const;
 
   const Document* document_;
   const nlohmann::json* object_;

@@ -11,27 +11,41 @@ using Fields = std::vector<const Field*>;
 
 bool contains(FieldList list, const Field& field) { return std::find(list.begin(), list.end(), &field) != list.end(); }
 
-/// "nearWidth and nearHeight", or what one of is enough.
-std::string labelOf(const Way& way) {
-  std::vector<std::string_view> names = namesOf(way.keys);
+std::vector<std::string_view> spelledNames(const Fields& fields, Spelling spelled) {
+  std::vector<std::string_view> names;
+  for (const Field* field : fields) names.push_back(spelled(*field));
+  return names;
+}
+
+/// "nearWidth and nearHeight", or what one of is enough; empty where one of them has no name.
+std::string labelOf(const Way& way, Spelling spelled) {
+  std::vector<std::string_view> names = spelledNames({way.keys.begin(), way.keys.end()}, spelled);
   if (way.anyKey) names.resize(1);
+  for (const std::string_view name : names)
+    if (name.empty()) return "";
   return joined(names, " and ");
 }
 
 /// Of those of one label one, in order.
-std::vector<std::string> labelsOf(const std::vector<const Way*>& ways) {
+std::vector<std::string> labelsOf(const std::vector<const Way*>& ways, Spelling spelled) {
   std::vector<std::string> labels;
   for (const Way* way : ways)
-    if (labels.empty() || labels.back() != labelOf(*way)) labels.push_back(labelOf(*way));
+    if (const std::string label = labelOf(*way, spelled); !label.empty() && (labels.empty() || labels.back() != label))
+      labels.push_back(label);
   return labels;
 }
 
-std::string alternativesOf(const std::vector<const Way*>& ways) {
-  std::vector<std::string> labels = labelsOf(ways);
+std::string alternativesOf(const std::vector<const Way*>& ways, Spelling spelled) {
+  std::vector<std::string> labels = labelsOf(ways, spelled);
   for (const Way* way : ways)
     if (way->anyKey)
-      for (const Field* key : way->keys.subspan(1)) labels.emplace_back(*key);
+      for (const Field* key : way->keys.subspan(1)) labels.emplace_back(spelled(*key));
   return alternatives({labels.begin(), labels.end()});
+}
+
+/// The two have a key in common.
+bool shareKey(const Way& one, const Way& other) {
+  return std::any_of(one.keys.begin(), one.keys.end(), [&](const Field* key) { return contains(other.keys, *key); });
 }
 
 /// The first that holds, or null.
@@ -75,13 +89,19 @@ std::string formInWords(const Field& field) {
       return "number from 0";
     case ValueForm::zero:
       return "0";
+    case ValueForm::ratio:
+      return "number or \"16/9\"";
     case ValueForm::angle:
       return "0 to 180 degrees";
     case ValueForm::elevation:
       return "-90 to 90 degrees";
+    case ValueForm::turn:
+      return "degrees";
     case ValueForm::pair:
     case ValueForm::range:
       return "[a, b]";
+    case ValueForm::triple:
+      return "[a, b, c]";
     case ValueForm::point:
     case ValueForm::direction:
       return "[x, y, z]";
@@ -103,7 +123,7 @@ std::string formInWords(const Field& field) {
   return "";
 }
 
-ChosenWay chooseWay(const ObjectForm& form, const std::function<bool(const Field&)>& has) {
+ChosenWay chooseWay(const ObjectForm& form, const std::function<bool(const Field&)>& has, Spelling spelled) {
   const auto lacks = [&](const Field& field) { return !has(field); };
   std::vector<const Way*> all, used;
   for (const Way& way : form.ways) {
@@ -113,7 +133,7 @@ ChosenWay chooseWay(const ObjectForm& form, const std::function<bool(const Field
   const auto waysWith = [&](const Field& field) {
     std::vector<const Way*> ways = all;
     std::erase_if(ways, [&](const Way* way) { return !way->uses(field); });
-    return alternativesOf(ways);
+    return alternativesOf(ways, spelled);
   };
   Fields given;  // of the fields that the ways speak of
   for (const Field* field : form.fields)
@@ -124,16 +144,21 @@ ChosenWay chooseWay(const ObjectForm& form, const std::function<bool(const Field
     if (!given.empty() && form.aim.empty())
       return {nullptr, "needs one of " + waysWith(*given.front()) + " beside it", given.front()};
     if (form.aim.empty()) return {};
-    return {nullptr, "has no " + std::string(form.aim) + "; expected one of " + alternativesOf(all)};
+    return {nullptr, "has no " + std::string(form.aim) + "; expected one of " + alternativesOf(all, spelled)};
   }
-  const bool ofOneKey = std::all_of(used.begin(), used.end(),
-                                    [&](const Way* way) { return way->keys.front() == used.front()->keys.front(); });
+  const bool ofOneKey =
+      std::all_of(used.begin(), used.end(), [&](const Way* way) { return shareKey(*way, *used.front()); });
   if (!ofOneKey) {
-    const std::vector<std::string> labels = labelsOf(used);
-    return {nullptr, "has " + together({labels.begin(), labels.end()}) + "; expected one of " + alternativesOf(all)};
+    std::vector<const Way*> apart;
+    for (const Way* way : used)
+      if (std::none_of(apart.begin(), apart.end(), [&](const Way* other) { return shareKey(*way, *other); }))
+        apart.push_back(way);
+    const std::vector<std::string> labels = labelsOf(apart, spelled);
+    return {nullptr,
+            "has " + together({labels.begin(), labels.end()}) + "; expected one of " + alternativesOf(all, spelled)};
   }
 
-  // All of these have the same key: the first into which what is given fits.
+  // All of these have a key of the first: the first into which what is given fits.
   std::vector<std::string_view> missing;
   const Field* surplus = nullptr;
   for (const Way* way : used) {
@@ -143,17 +168,20 @@ ChosenWay chooseWay(const ObjectForm& form, const std::function<bool(const Field
     if (!unfit && !lacking) return {way, "", nullptr};
     if (unfit)
       surplus = unfit;
-    else if (std::find(missing.begin(), missing.end(), lacking->name) == missing.end())
-      missing.push_back(*lacking);
+    else if (std::find(missing.begin(), missing.end(), spelled(*lacking)) == missing.end())
+      missing.push_back(spelled(*lacking));
   }
   if (!missing.empty())
-    return {nullptr, "needs " + alternatives(missing) + " beside " + std::string(*firstOf(used.front()->keys, has))};
+    return {nullptr,
+            "needs " + alternatives(missing) + " beside " + std::string(spelled(*firstOf(used.front()->keys, has)))};
   // Where another way of the same key takes it, all the rest is in its way.
   const bool oftenGoes = std::any_of(used.begin(), used.end(), [&](const Way* way) { return way->uses(*surplus); });
   std::erase_if(given, [&](const Field* field) {
     return field == surplus || (!oftenGoes && !contains(used.front()->keys, *field));
   });
-  return {nullptr, "does not go with " + together(namesOf(given)) + "; it goes with " + waysWith(*surplus), surplus};
+  return {nullptr,
+          "does not go with " + together(spelledNames(given, spelled)) + "; it goes with " + waysWith(*surplus),
+          surplus};
 }
 
 }  // namespace viewproj::cmd

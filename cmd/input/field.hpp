@@ -2,7 +2,9 @@
 // the row.
 #pragma once
 
+#include <array>
 #include <functional>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,10 +22,13 @@ enum class ValueForm {
   positive,    ///< a number above 0
   natural,     ///< a number from 0 on
   zero,        ///< a number that can only be 0
-  angle,       ///< degrees between 0 and 180
+  ratio,       ///< a number above 0, or a text as in 16/9
+  angle,       ///< degrees between 0 and 180; like all angles also a text with a unit, 60deg or 1.0472rad
   elevation,   ///< degrees from -90 to 90
+  turn,        ///< degrees
   pair,        ///< two numbers
   range,       ///< two numbers that differ
+  triple,      ///< three numbers
   point,       ///< x, y, z
   direction,   ///< x, y, z of any length but 0
   position,    ///< x, y, z, or a place
@@ -50,9 +55,30 @@ struct ObjectForm;
 struct Field {
   std::string_view name;
   ValueForm form;
-  std::string_view help;               ///< one line: what it is, its unit, what it is by default
-  Words words = nullptr;               ///< of a word
-  const ObjectForm* object = nullptr;  ///< of an object
+  std::string_view help;                        ///< one line: what it is, its unit, what it is by default
+  Words words = nullptr;                        ///< of a word
+  const ObjectForm* object = nullptr;           ///< of an object
+  std::string_view option = {};                 ///< by which the command line gives it
+  std::array<std::string_view, 4> others = {};  ///< names that count too where their value has the form; empty: none
+
+  /// The row with an option.
+  constexpr Field typed(std::string_view name_) const {
+    Field row = *this;
+    row.option = name_;
+    return row;
+  }
+  /// The row with other names.
+  constexpr Field also(std::initializer_list<std::string_view> names) const {
+    Field row = *this;
+    std::size_t count = 0;
+    for (const std::string_view other : names) row.others[count++] = other;
+    return row;
+  }
+  constexpr std::span<const std::string_view> aliases() const {
+    std::size_t count = 0;
+    while (count < others.size() && !others[count].empty()) ++count;
+    return std::span(others).first(count);
+  }
 
   constexpr operator std::string_view() const noexcept { return name; }  // NOLINT(google-explicit-constructor)
 };
@@ -72,6 +98,11 @@ struct Way {
   bool uses(const Field& field) const noexcept;
 };
 
+/// A name that says too little, and what to write instead.
+struct VagueName {
+  std::string_view name, message;
+};
+
 /// An object's fields, and the ways of which it uses one.
 struct ObjectForm {
   std::string_view help;
@@ -79,6 +110,7 @@ struct ObjectForm {
   FieldList required = {};
   std::span<const Way> ways = {};
   std::string_view aim = "";  ///< what the ways give; empty where none of them need be used
+  std::span<const VagueName> vague = {};
 
   bool has(std::string_view name) const noexcept;
 };
@@ -93,6 +125,11 @@ struct ChosenWay {
   const Field* at = nullptr;  ///< the field at fault, or null for the object as a whole
 };
 
-ChosenWay chooseWay(const ObjectForm& form, const std::function<bool(const Field&)>& has);
+/// spelled: how messages name a field; what it leaves empty is not named among the alternatives.
+using Spelling = std::string_view (*)(const Field&);
+inline std::string_view byName(const Field& field) { return field.name; }
+inline std::string_view byOption(const Field& field) { return field.option; }
+
+ChosenWay chooseWay(const ObjectForm& form, const std::function<bool(const Field&)>& has, Spelling spelled = byName);
 
 }  // namespace viewproj::cmd

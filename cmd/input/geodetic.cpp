@@ -1,17 +1,28 @@
 #include "input/geodetic.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "input/camera_fields.hpp"
+#include "input/value_form.hpp"
 
 namespace viewproj::cmd {
+namespace {
 
-bool worldIsEcef(const ObjectReader& camera) {
-  return camera.choice(field::world, field::kWorlds).value_or(false) || camera.isObject(field::position) ||
-         camera.isObject(field::target);
+bool saysPlace(const ObjectReader& camera, const Field& field) {
+  const nlohmann::json* const value = camera.find(field);
+  return value && value->is_object() && !hasCoordinates(*value);
 }
 
-std::optional<Geodetic> readPlace(const ObjectReader& camera, std::string_view key) {
-  if (!camera.isObject(key)) return std::nullopt;
-  const ObjectReader fields = *camera.object(key);
+}  // namespace
+
+bool worldIsEcef(const ObjectReader& camera) {
+  return camera.choice(field::world, field::kWorlds).value_or(false) || saysPlace(camera, field::position) ||
+         saysPlace(camera, field::target);
+}
+
+std::optional<Geodetic> readPlace(const ObjectReader& camera, const Field& field) {
+  if (!saysPlace(camera, field)) return std::nullopt;
+  const ObjectReader fields = *camera.object(field);
   fields.allow(field::place);
   const Geodetic place{fields.requireNumber(field::lat), fields.requireNumber(field::lon),
                        fields.requireNumber(field::height)};
@@ -19,9 +30,9 @@ std::optional<Geodetic> readPlace(const ObjectReader& camera, std::string_view k
   return place;
 }
 
-std::optional<Vec3> readPosition(const ObjectReader& camera, std::string_view key) {
-  if (const auto place = readPlace(camera, key)) return geodeticToEcef(*place);
-  return camera.vec3(key);
+std::optional<Vec3> readPosition(const ObjectReader& camera, const Field& field) {
+  if (const auto place = readPlace(camera, field)) return geodeticToEcef(*place);
+  return camera.vec3(field);
 }
 
 HeadingPitchRoll readTurn(const ObjectReader& camera) {

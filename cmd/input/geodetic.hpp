@@ -12,11 +12,11 @@ namespace viewproj::cmd {
 /// The camera has "world": "ecef", or its position or target is a place.
 bool worldIsEcef(const ObjectReader& camera);
 
-/// The value of key as a place, if it is an object. Throws InputError for a lat beyond 90.
-std::optional<Geodetic> readPlace(const ObjectReader& camera, std::string_view key);
+/// The value of key as a place, if it is an object, and not one of x, y, z. Throws InputError for a lat beyond 90.
+std::optional<Geodetic> readPlace(const ObjectReader& camera, const Field& field);
 
 /// Three numbers, or the ECEF coordinates of a place.
-std::optional<Vec3> readPosition(const ObjectReader& camera, std::string_view key);
+std::optional<Vec3> readPosition(const ObjectReader& camera, const Field& field);
 
 /// Those it lacks are 0.
 HeadingPitchRoll readTurn(const ObjectReader& camera);

@@ -58,15 +58,22 @@ ReadProjection readFrustum(const ObjectReader& f, const std::optional<Viewport>&
   return {frustum(left, right, bottom, top, near, readFar(f)), true};
 }
 
-ReadProjection readOrthographic(const ObjectReader& f, const std::optional<Viewport>&) {
+ReadProjection readOrthographic(const ObjectReader& f, const std::optional<Viewport>& viewport) {
   f.way(field::orthographic);
   const double near = f.requireNumber(field::orthoNear);
   const double far = f.requireNumber(field::orthoFar);
-  if (const auto width = positive(f, field::orthoWidth)) {
-    const double w = *width / 2, h = *positive(f, field::orthoHeight) / 2;
-    if (!(w > 0)) f.fail(field::orthoWidth, kAboveZero);
-    if (!(h > 0)) f.fail(field::orthoHeight, kAboveZero);
-    return {orthographic(-w, w, -h, h, near, far), true};
+  const auto width = positive(f, field::orthoWidth), height = positive(f, field::orthoHeight);
+  if (width || height) {
+    const double w = width.value_or(0) / 2, h = height.value_or(0) / 2;
+    if (width && !(w > 0)) f.fail(field::orthoWidth, kAboveZero);
+    if (height && !(h > 0)) f.fail(field::orthoHeight, kAboveZero);
+    if (width && height) return {orthographic(-w, w, -h, h, near, far), true};
+    const auto ownAspect = positive(f, field::aspect);
+    const DoubleDouble aspect =
+        ownAspect ? DoubleDouble(*ownAspect) : viewportAspect(requireViewport(f, viewport, "or an aspect"));
+    const DoubleDouble halfWidth = width ? DoubleDouble(w) : DoubleDouble(h) * aspect;
+    const DoubleDouble halfHeight = width ? DoubleDouble(w) / aspect : DoubleDouble(h);
+    return {orthographic(-halfWidth, halfWidth, -halfHeight, halfHeight, near, far), ownAspect.has_value()};
   }
   const double left = f.requireNumber(field::left), right = f.requireNumber(field::right);
   const double bottom = f.requireNumber(field::bottom), top = f.requireNumber(field::top);
@@ -110,7 +117,7 @@ constexpr ProjectionType kTypes[] = {
     {kPerspective, field::perspective, readPerspective},
     {kFrustum, field::frustum, readFrustum},
     {kIntrinsics, field::intrinsics, readIntrinsics, true},
-    {kOrthographic, field::orthographic, readOrthographic},
+    {kOrthographic, field::orthographic, readOrthographic, false, nullptr, false, nullptr, "--orthographic"},
     {kPs2, field::ps2, readPs2, true, "ps2", true, placePs2Viewport},
 };
 
@@ -122,6 +129,15 @@ std::vector<std::string_view> projectionTypeNames() {
   std::vector<std::string_view> names;
   for (const ProjectionType& type : kTypes) names.push_back(type.name);
   return names;
+}
+
+Projection readProjection(const ObjectReader& fields, const ProjectionType& type,
+                          const std::optional<Viewport>& viewport, bool allowStretch) {
+  const ReadProjection read = type.read(fields, viewport);
+  if (viewport && read.hasOwnShape && !read.hasOwnPixelShape && !allowStretch)
+    requireShape(windowAspect(parts(read.projection)), *viewport, fields);
+  const auto shift = fields.numbers(field::shift, 2, 2);
+  return shift ? shifted(read.projection, (*shift)[0], (*shift)[1]) : read.projection;
 }
 
 const ProjectionType& requireProjectionType(const ObjectReader& fields) {

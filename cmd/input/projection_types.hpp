@@ -30,12 +30,18 @@ struct ProjectionType {
   bool isReversed = false;
   /// Where the projection says itself where the picture lies. camera: the whole file.
   void (*placeViewport)(const ObjectReader& camera, const ObjectReader& fields, Viewport& viewport) = nullptr;
+  /// A flag that asks for this type where the fields could be another's too.
+  std::string_view option = "";
 };
 
 inline constexpr std::string_view kPerspective = "perspective", kFrustum = "frustum", kIntrinsics = "intrinsics",
                                   kOrthographic = "orthographic", kPs2 = "ps2";
 
 std::span<const ProjectionType> projectionTypes();
+
+/// By the type's reader, and shifted; where it has a viewport, of its shape. Throws as the reader does.
+Projection readProjection(const ObjectReader& fields, const ProjectionType& type,
+                          const std::optional<Viewport>& viewport, bool allowStretch);
 
 /// That of the field "type". Throws InputError, with the names of all, where it is none of them.
 const ProjectionType& requireProjectionType(const ObjectReader& fields);

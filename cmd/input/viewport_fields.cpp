@@ -5,6 +5,7 @@
 #include "camera/camera.hpp"
 #include "camera/viewport.hpp"
 #include "input/camera_fields.hpp"
+#include "input/value_form.hpp"
 #include "text/format_number.hpp"
 
 namespace viewproj::cmd {
@@ -18,9 +19,19 @@ constexpr double kAspectTolerance = 1e-3;
 }  // namespace
 
 std::optional<ReadViewport> readViewport(const ObjectReader& file, const ViewportDefaults& defaults) {
-  const auto fields = file.object(field::viewport);
   Viewport v;
   v.pixelCenter = defaults.pixelCenter;
+  if (file.isArray(field::viewport)) {
+    const auto numbers = coordinatesIn(*file.find(field::viewport), 4, 4);
+    if (!numbers) file.fail(field::viewport, "expected an object or [x, y, width, height]");
+    v.x = (*numbers)[0];
+    v.y = (*numbers)[1];
+    v.width = (*numbers)[2];
+    v.height = (*numbers)[3];
+    validate(v);
+    return ReadViewport{v, std::nullopt};
+  }
+  const auto fields = file.object(field::viewport);
   if (!fields) {
     if (!defaults.width || !defaults.height) return std::nullopt;
     v.width = *defaults.width;

@@ -8,12 +8,18 @@
 #include "camera/camera.hpp"
 #include "input/camera_file.hpp"
 #include "text/json_build.hpp"
+#include "viewproj/matrices.hpp"
 
 namespace viewproj::cmd {
 
 inline std::string jsonOf(const Vec3& v) { return jsonListOf(std::array{v.x, v.y, v.z}); }
 /// The nearer half.
 inline std::string jsonOf(detail::DoubleDouble number) { return jsonOf(number.hi); }
+
+/// A preset's name, with the axes that differ from it.
+std::string conventionAsJson(const Convention& convention, const ConventionPreset& preset);
+
+std::string matrixAsJson(const Mat4& matrix);
 
 /// A pose in the forms that a file has for one, what people read most easily first. Any rotation fits into that but for
 /// its last bits, which count in a very narrow field of view; the others hold to the last bit what was given in their

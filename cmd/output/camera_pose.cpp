@@ -10,13 +10,13 @@ namespace viewproj::cmd {
 
 using namespace detail;
 
-namespace {
-
 std::string matrixAsJson(const Mat4& m) {
   std::vector<std::string> rows;
   for (const auto& row : m.m) rows.push_back(jsonListOf(row));
   return jsonList(rows);
 }
+
+namespace {
 
 Vec3 roundedUnlessTiny(const DDVec3& v) {
   Vec3 result = rounded(v);

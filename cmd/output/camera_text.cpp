@@ -17,6 +17,21 @@
 namespace viewproj::cmd {
 
 using namespace detail;
+std::string conventionAsJson(const Convention& c, const ConventionPreset& preset) {
+  const Convention& p = preset.convention;
+  if (p == c) return jsonOf(preset.name);
+  JsonObject out;
+  out.add(field::preset, preset.name);
+  if (p.world != c.world) out.add(field::handedness, nameOf(kWorldNames, c.world));
+  if (p.view != c.view) out.add(field::view, nameOf(kViewNames, c.view));
+  if (p.ndcZ != c.ndcZ) out.add(field::ndcZ, nameOf(kNdcZNames, c.ndcZ));
+  if (p.reverseZ != c.reverseZ) out.add(field::reverseZ, c.reverseZ);
+  if (p.ndcY != c.ndcY) out.add(field::ndcY, nameOf(kNdcYNames, c.ndcY));
+  if (p.vectors != c.vectors) out.add(field::vectors, nameOf(kVectorsNames, c.vectors));
+  if (p.storage != c.storage) out.add(field::storage, nameOf(kStorageNames, c.storage));
+  return out.text();
+}
+
 namespace {
 
 // Convention
@@ -31,21 +46,6 @@ const ConventionPreset& nearestPreset(const Convention& c) {
   for (const ConventionPreset& preset : conventionPresets())
     if (differing(preset.convention) < differing(nearest->convention)) nearest = &preset;
   return *nearest;
-}
-
-std::string conventionAsJson(const Convention& c, const ConventionPreset& preset) {
-  const Convention& p = preset.convention;
-  if (p == c) return jsonOf(preset.name);
-  JsonObject out;
-  out.add(field::preset, preset.name);
-  if (p.world != c.world) out.add(field::handedness, nameOf(kWorldNames, c.world));
-  if (p.view != c.view) out.add(field::view, nameOf(kViewNames, c.view));
-  if (p.ndcZ != c.ndcZ) out.add(field::ndcZ, nameOf(kNdcZNames, c.ndcZ));
-  if (p.reverseZ != c.reverseZ) out.add(field::reverseZ, c.reverseZ);
-  if (p.ndcY != c.ndcY) out.add(field::ndcY, nameOf(kNdcYNames, c.ndcY));
-  if (p.vectors != c.vectors) out.add(field::vectors, nameOf(kVectorsNames, c.vectors));
-  if (p.storage != c.storage) out.add(field::storage, nameOf(kStorageNames, c.storage));
-  return out.text();
 }
 
 // Projection

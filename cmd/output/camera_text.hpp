@@ -37,6 +37,9 @@ std::vector<std::string_view> cameraTypes();
 /// a camera shape unlike the viewport's. Throws InputError for what the type cannot hold.
 WrittenCamera writeCamera(const CameraFile& camera, std::string_view type, bool allowStretch);
 
+/// The fields of a camera file as they stand, in the order of the tables, in this convention.
+std::string writeFields(const Document& fields, const Convention& convention, const ConventionPreset& preset);
+
 /// From where the first camera shows what is in its picture to where the second does, from near to far: over the
 /// corners, the sides' middles and the centre. Parts that a file lacks are the same in both; no viewport counts as
 /// 1920 by 1080 pixels.

@@ -67,14 +67,14 @@ Json rotationRule() {
   const Json stated = schema::has(field::cameraAxes);
   const Json left = schema::reference("worldIsLeft"), leftPreset = schema::reference("namesLeftPreset");
   return {{"description", "A rotation keeps handedness, so the camera's axes have the world's."},
-          {"if", schema::has(field::rotation)},
+          {"if", schema::anyOf({schema::has(field::rotation), schema::has(field::euler)})},
           {"then",
            {{"if", left},
             {"then", schema::allOf({axes("RUF", "FRU"), schema::anyOf({leftPreset, stated})})},
             {"else", schema::allOf({axes("RUB", "RDF"), schema::anyOf({{{"not", leftPreset}}, stated})})}}}};
 }
 
-Json isPlace(const Field& field) { return schema::has(field, {{"type", "object"}}); }
+Json isPlace(const Field& field) { return schema::has(field, schema::place()); }
 
 Json earthRule() {
   return {{"description", "Earth-centred coordinates are right-handed; a heading is one of a place."},
@@ -91,10 +91,10 @@ Json usesType(const Json& type, const Json& further = Json::object()) {
   return schema::has(field::projection, value);
 }
 
-/// Of the ways to open a perspective camera those that tell the picture's shape themselves, and the aspect.
-Json tellsShape() {
+/// Of the ways to give a window those that tell the picture's shape themselves, and the aspect.
+Json tellsShape(std::span<const Way> ways) {
   Json shapes = Json::array({schema::has(field::aspect)});
-  for (const Way& way : field::perspectiveWays) {
+  for (const Way& way : ways) {
     if (way.uses(field::aspect)) continue;
     Json parts = Json::array();
     for (const FieldList list : {way.keys, way.with})
@@ -110,8 +110,20 @@ Json viewportRule() {
     if (type.countsPixels) counting.push_back(type.name);
   return {{"description", "Some projections count the viewport's pixels, or take its shape for their own."},
           {"if", schema::anyOf({usesType(schema::wordOf(counting, false)),
-                                usesType({{"const", kPerspective}}, {{"not", tellsShape()}})})},
-          {"then", schema::has(field::viewport, {{"type", "object"}})}};
+                                usesType({{"const", kPerspective}}, {{"not", tellsShape(field::perspectiveWays)}}),
+                                usesType({{"const", kOrthographic}}, {{"not", tellsShape(field::orthographicWays)}})})},
+          {"then", schema::has(field::viewport)}};
+}
+
+/// x, y, width and height, or an object of all.
+Json viewport() {
+  const Json number = schema::ofType("number"), positive = {{"type", "number"}, {"exclusiveMinimum", 0}};
+  return {
+      {"description", field::viewport.help},
+      {"if", {{"type", "array"}}},
+      {"then",
+       {{"type", "array"}, {"prefixItems", {number, number, positive, positive}}, {"minItems", 4}, {"maxItems", 4}}},
+      {"else", schema::objectOf(field::picture, true)}};
 }
 
 Json reversedRules() {
@@ -142,12 +154,14 @@ std::string cameraSchema() {
           "--set would add does not count. Files of other programs, which viewproj also reads (glTF, transforms.json, "
           "three.js, calibrations, bare matrices), are not described here. What a schema cannot say and the reader "
           "still asks for: far is above near, right above left and top above bottom; the two numbers of a ps2 depth "
-          "range differ; a camera shape fits the viewport's to 0.1 %; target is not the eye, and up not along the "
+          "range differ; an angle or a ratio that is a text lies in the range of a number in its place; a camera shape "
+          "fits the viewport's to 0.1 %; target is not the eye, and up not along the "
           "view; a matrix is orthogonal to 0.001 and its axes have the world's handedness; no number leaves the range "
           "of doubles on the way; no key is given twice.");
   schema["allOf"] = {schema::objectOf(field::camera, false,
                                       {{std::string(field::convention), convention()},
-                                       {std::string(field::projection), projection()}}),
+                                       {std::string(field::projection), projection()},
+                                       {std::string(field::viewport), viewport()}}),
                      rotationRule(), earthRule(), reversedRules(), viewportRule()};
   Json& parts = schema["$defs"];
   for (const ProjectionType& type : projectionTypes())

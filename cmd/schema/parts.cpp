@@ -22,11 +22,42 @@ Json number(std::initializer_list<std::pair<std::string, double>> limits) {
 }
 
 Json withoutNull(Json schema) {
-  if (schema.contains("type") && schema["type"].is_array() && schema["type"].size() == 2)
-    schema["type"] = schema["type"][0];
-  else
+  if (!schema.contains("type") || !schema["type"].is_array()) {
     schema["not"] = ofType("null");
+    return schema;
+  }
+  Json types = Json::array();
+  for (const Json& type : schema["type"])
+    if (type != "null") types.push_back(type);
+  schema["type"] = types.size() == 1 ? types[0] : types;
   return schema;
+}
+
+/// The same for numbers, and for texts that match.
+Json orText(const Json& number, const std::string& pattern) {
+  return anyOf({number, {{"type", "string"}, {"pattern", pattern}}});
+}
+
+/// As parseNumber takes it.
+const std::string kNumber = "[ \\t]*[+-]?([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][+-]?[0-9]+)?[ \\t]*";
+
+Json angle(std::initializer_list<std::pair<std::string, double>> limits) {
+  return orText(number(limits), "^" + kNumber + "(deg|rad|\xC2\xB0)$");
+}
+
+/// An object of so many coordinates, or else what an array is to be.
+Json orCoordinates(Json array, std::size_t count, bool notZero) {
+  Json object = {{"type", "object"}, {"properties", Json::object()}, {"required", Json::array()}};
+  Json zero = Json::object();
+  for (const char* name : {"x", "y", "z", "w"}) {
+    if (object["required"].size() == count) break;
+    object["properties"][name] = ofType("number");
+    object["required"].push_back(name);
+    zero[name] = {{"const", 0}};
+  }
+  object["additionalProperties"] = false;
+  if (notZero) object["not"] = {{"type", "object"}, {"properties", zero}};
+  return {{"if", {{"type", "object"}}}, {"then", object}, {"else", std::move(array)}};
 }
 
 Json matrix() {
@@ -55,10 +86,14 @@ Json formOf(const Field& field) {
       return number({{"minimum", 0}});
     case ValueForm::zero:
       return {{"enum", {0, nullptr}}};
+    case ValueForm::ratio:
+      return orText(number({{"exclusiveMinimum", 0}}), "^" + kNumber + "/" + kNumber + "$");
     case ValueForm::angle:
-      return number({{"exclusiveMinimum", 0}, {"exclusiveMaximum", 180}});
+      return angle({{"exclusiveMinimum", 0}, {"exclusiveMaximum", 180}});
     case ValueForm::elevation:
-      return number({{"minimum", -90}, {"maximum", 90}});
+      return angle({{"minimum", -90}, {"maximum", 90}});
+    case ValueForm::turn:
+      return angle({});
     case ValueForm::pair:
       return numbers(2);
     case ValueForm::range: {
@@ -66,19 +101,21 @@ Json formOf(const Field& field) {
       schema["uniqueItems"] = true;
       return schema;
     }
-    case ValueForm::point:
+    case ValueForm::triple:
       return numbers(3);
+    case ValueForm::point:
+      return orCoordinates(numbers(3), 3, false);
     case ValueForm::direction:
-      return notAllZero(3);
+      return orCoordinates(notAllZero(3), 3, true);
     case ValueForm::quaternion:
-      return notAllZero(4);
+      return orCoordinates(notAllZero(4), 4, true);
     case ValueForm::position:
-      return {{"if", {{"type", "object"}}}, {"then", objectOf(*field.object, false)}, {"else", numbers(3)}};
+      return {{"if", place()}, {"then", objectOf(*field.object, false)}, {"else", orCoordinates(numbers(3), 3, false)}};
     case ValueForm::rigid:
       return matrix();
     case ValueForm::points: {
       Json schema = numbers(3);
-      schema["items"] = withoutNull(numbers(3));
+      schema["items"] = orCoordinates(withoutNull(numbers(3)), 3, false);
       return schema;
     }
     case ValueForm::word:
@@ -91,26 +128,51 @@ Json formOf(const Field& field) {
   return Json::object();
 }
 
+std::vector<std::string> allNames(const Field& field) {
+  std::vector<std::string> names{std::string(field)};
+  for (const std::string_view other : field.aliases()) names.emplace_back(other);
+  return names;
+}
+
+/// At most one of the names has a value.
+Json underOneName(const Field& field) {
+  Json ways = Json::array();
+  const std::vector<std::string> names = allNames(field);
+  for (const std::string& name : names) {
+    Json others = Json::object();
+    for (const std::string& other : names)
+      if (other != name) others[other] = ofType("null");
+    ways.push_back({{"type", "object"}, {"properties", others}});
+  }
+  return {{"anyOf", ways}};
+}
+
 bool contains(FieldList list, const Field* field) { return std::find(list.begin(), list.end(), field) != list.end(); }
 
 /// The fields that a form's ways speak of are used as this one does; null: none is there.
 Json usedAs(const ObjectForm& form, const Way* way) {
-  Json required = Json::array(), properties = Json::object(), any = Json::array();
+  Json required = Json::array(), properties = Json::object(), any = Json::array(), all = Json::array();
   for (const Field* field : form.fields) {
     const std::string name(*field);
     if (way && contains(way->keys, field) && way->anyKey) {
       any.push_back(has(*field));
     } else if (way && (contains(way->keys, field) || contains(way->with, field))) {
+      if (!field->aliases().empty()) {
+        all.push_back(has(*field));
+        continue;
+      }
       required.push_back(name);
       properties[name] = notNull();
     } else if (!way || !way->uses(*field)) {
       for (const Way& other : form.ways)
-        if (other.uses(*field)) properties[name] = ofType("null");
+        if (other.uses(*field))
+          for (const std::string& one : allNames(*field)) properties[one] = ofType("null");
     }
   }
   Json schema = {{"type", "object"}};
   if (!required.empty()) schema["required"] = required;
   if (!any.empty()) schema["anyOf"] = any;
+  if (!all.empty()) schema["allOf"] = all;
   schema["properties"] = properties;
   return schema;
 }
@@ -141,8 +203,16 @@ Json valueOf(const Field& field) {
   return schema;
 }
 
+Json place() {
+  const Json hasX = {{"type", "object"}, {"required", {"x"}}, {"properties", {{"x", Json::object()}}}};
+  return {{"type", "object"}, {"not", hasX}};
+}
+
 Json has(const Field& field, const Json& value) {
-  return {{"type", "object"}, {"required", {field.name}}, {"properties", {{std::string(field), value}}}};
+  Json ways = Json::array();
+  for (const std::string& name : allNames(field))
+    ways.push_back({{"type", "object"}, {"required", {name}}, {"properties", {{name, value}}}});
+  return ways.size() == 1 ? ways[0] : Json{{"anyOf", ways}};
 }
 
 Json recordsOf(const std::string& record) {
@@ -167,6 +237,13 @@ Json objectOf(const ObjectForm& form, bool orNull, const Json& own) {
       value = withoutNull(value);
     }
     schema["properties"][name] = value;
+    if (field->aliases().empty()) continue;
+    for (const std::string_view other : field->aliases()) {
+      Json same = valueOf(*field);
+      same["description"] = "Another name of " + name + ".";
+      schema["properties"][std::string(other)] = same;
+    }
+    schema["allOf"].push_back(underOneName(*field));
   }
   if (!required.empty()) schema["required"] = required;
   schema["additionalProperties"] = false;

@@ -29,8 +29,11 @@ Json valueOf(const Field& field);
 /// One of the words, or null.
 Json wordOf(const std::vector<std::string_view>& words, bool orNull = true);
 
-/// The object has this field, and of this schema; it is not null unless the schema says so.
+/// The object has this field, under any of its names, and of this schema; it is not null unless the schema says so.
 Json has(const Field& field, const Json& value = {{"not", {{"type", "null"}}}});
+
+/// An object that is a place, not x, y, z.
+Json place();
 
 /// What a filter prints: a record of this name, an array of some, a document.
 Json recordsOf(const std::string& record);

@@ -168,6 +168,28 @@ std::optional<JsonFault> parseJson(std::string_view text, nlohmann::json& value)
                    "the key " + cmd::quoted(builder.twice->key) + " is given twice"};
 }
 
+void blankComments(std::string& text) {
+  if (text.find('/') == std::string::npos) return;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] == '"') {
+      at = endOfString(text, at) - 1;
+      continue;
+    }
+    if (text[at] != '/' || at + 1 == text.size()) continue;
+    std::size_t end = at;
+    if (text[at + 1] == '/')
+      end = std::min(text.find('\n', at), text.size());
+    else if (text[at + 1] == '*')
+      end = text.find("*/", at + 2);
+    if (end == std::string::npos) return;
+    if (end == at) continue;
+    if (text[at + 1] == '*') end += 2;
+    for (; at < end; ++at)
+      if (text[at] != '\n' && text[at] != '\r') text[at] = ' ';
+    --at;
+  }
+}
+
 bool isJson(std::string_view text) {
   return text.find('\0') == std::string_view::npos && nlohmann::json::accept(text.begin(), text.end());
 }

@@ -34,6 +34,9 @@ bool isJson(std::string_view text);
 /// Reads the value of a text, unless the text has a fault, or else an object of it a key twice: that is returned.
 std::optional<JsonFault> parseJson(std::string_view text, nlohmann::json& value);
 
+/// Blanks in place of // and /* */ comments, so that all else stays where it is. One that does not end stays.
+void blankComments(std::string& text);
+
 /// The parts of an array or object, one after the other. The text must be valid JSON.
 class JsonParts {
  public:

@@ -48,8 +48,30 @@ function poseMatrix(r, mirrored) {
   return [0, 1, 2].map((i) => [x[i], y[i], sign * z[i], eye[i]]).concat([[0, 0, 0, 1]]);
 }
 
+/// An angle, at times as a text.
+function withUnit(r, degrees) {
+  return r.chance(0.8) ? degrees : r.chance(0.5) ? `${degrees}deg` : `${(degrees * Math.PI) / 180}rad`;
+}
+
+/// At times an array of coordinates as an object, and a field under another of its names.
+const kNames = {
+  position: ["eye", "from"], target: ["lookAt", "at", "center", "to"], direction: ["forward"], up: [],
+  rotation: ["quaternion", "orientation"],
+};
+function otherwise(r, camera) {
+  for (const [name, others] of Object.entries(kNames)) {
+    if ((camera[name] ?? null) === null) continue;
+    if (Array.isArray(camera[name]) && r.chance(0.2))
+      camera[name] = Object.fromEntries(camera[name].map((number, i) => ["xyzw"[i], number]));
+    if (others.length === 0 || r.chance(0.6)) continue;
+    camera[r.of(others)] = camera[name];
+    if (r.chance(0.2)) camera[name] = null;
+    else delete camera[name];
+  }
+}
+
 export const kPoses = [
-  "no pose", "target", "direction", "rotation", "worldFromCamera", "cameraFromWorld", "turn", "target place", "ecef",
+  "no pose", "target", "direction", "rotation", "euler", "worldFromCamera", "cameraFromWorld", "turn", "target place", "ecef",
 ];
 
 function addPose(r, camera, way, world) {
@@ -60,9 +82,10 @@ function addPose(r, camera, way, world) {
     if (way === "target") camera.target = camera.position.map((x) => x + r.number(1, 5));
     else camera.direction = [r.number(1, 2), r.number(1, 2), r.number(1, 2)];
     maybe(r, camera, "up", () => [r.number(-1, 0), r.number(-1, 0), 3]);
-  } else if (way === "rotation") {
+  } else if (way === "rotation" || way === "euler") {
     camera.position = vector(r);
-    camera.rotation = [...vector(r), 1];
+    if (way === "rotation") camera.rotation = [...vector(r), 1];
+    else camera.euler = { order: r.of(["XYZ", "YXZ", "ZXZ"]), degrees: vector(r, 360) };
     const axes = r.of(left ? ["RUF", "FRU"] : ["RUB", "RDF", null]);
     if (axes || r.chance(0.5)) camera.cameraAxes = axes;
   } else if (way === "worldFromCamera" || way === "cameraFromWorld") {
@@ -71,8 +94,8 @@ function addPose(r, camera, way, world) {
     camera.cameraAxes = leftAxes ? r.of(["RUF", "FRU"]) : r.of(["RUB", "RDF", null]);
   } else if (way === "turn") {
     camera.position = place(r);
-    if (r.chance(0.7)) camera.pitch = r.number(-90, 90);
-    maybe(r, camera, "roll", () => r.number(-360, 360));
+    if (r.chance(0.7)) camera.pitch = withUnit(r, r.number(-89, 89));
+    maybe(r, camera, "roll", () => withUnit(r, r.number(-360, 360)));
     if (r.chance(0.7) || (camera.pitch ?? camera.roll ?? null) === null) camera.heading = r.number(-360, 720);
   } else if (way === "target place") {
     camera.position = place(r);
@@ -83,14 +106,14 @@ function addPose(r, camera, way, world) {
 
 export const kProjections = [
   "no projection", "fovY", "fovX", "fovDiagonal", "nearSize", "focalLength", "both sides", "frustum", "intrinsics",
-  "edges", "width", "ps2",
+  "edges", "width", "one side", "ps2",
 ];
 
 function projection(r, way, viewport) {
   const p = { type: "perspective" };
   const shape = viewport ? viewport.width / viewport.height : r.number(1, 2);
-  const own = (object) => maybe(r, object, "aspect", () => shape);
-  const angle = () => r.number(1, 179);
+  const own = (object) => maybe(r, object, "aspect", () => r.chance(0.2) ? `${shape} / 1.0` : shape);
+  const angle = () => withUnit(r, r.number(1, 179));
   if (way === "fovY") p.fovY = angle(), own(p);
   if (way === "fovX") p.fovX = angle(), own(p);
   if (way === "fovDiagonal") p.fovDiagonal = angle(), own(p);
@@ -104,6 +127,7 @@ function projection(r, way, viewport) {
     p.left = r.number(-2, 0);
     p.right = p.left + (p.top - p.bottom) * shape;
   }
+  if (way === "one side") p.type = "orthographic", p[r.of(["width", "height"])] = r.number(1, 9), own(p);
   if (way === "width") p.type = "orthographic", p.height = r.number(1, 9), p.width = p.height * shape;
   if (way === "intrinsics") {
     p.type = way;
@@ -152,6 +176,10 @@ export function camera(r, pose, way, whole = false) {
     c.projection = projection(r, way, c.viewport);
     if (!whole && (c.projection.aspect ?? null) !== null && r.chance(0.5)) delete c.viewport;
   }
+  const picture = c.viewport;
+  if (!isPs2 && picture && r.chance(0.2))
+    c.viewport = [picture.x ?? 0, picture.y ?? 0, picture.width, picture.height];
+  otherwise(r, c);
   return c;
 }
 
@@ -169,7 +197,7 @@ function waysOf(r) {
 
 function shape(r, kind, as = (at) => at) {
   const at = vector(r);
-  if (kind === "plane") return { point: at, normal: [r.number(1, 2), 0, r.number(-1, 1)] };
+  if (kind === "plane") return { point: r.chance(0.3) ? { x: at[0], y: at[1], z: at[2] } : at, normal: [r.number(1, 2), 0, r.number(-1, 1)] };
   if (kind === "sphere") return { center: as(at), radius: r.of([0, 2.5]) };
   if (kind === "box") {
     const min = as(at), max = as(at.map((x) => x + r.number(0, 3)));

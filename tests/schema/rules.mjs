@@ -12,7 +12,7 @@ export const kRules = {
     "a ps2 depth range has two ends": (message, value) =>
       value.projection?.type === "ps2" && /viewport\.depthRange: must span more than one value/.test(message),
     "the shape fits the viewport's": /times as wide as high, but the viewport/,
-    "target is not the eye": /target: is the camera's own position/,
+    "target is not the eye": /: is the camera's own position/,
     "up is not along the view": /up: is parallel to the viewing direction|target: is straight above or below the camera/,
     "a matrix is a rotation": /has a 3x3 part that is not a rotation/,
     "a matrix has the world's handedness": /(worldFromCamera|cameraFromWorld): is a (mirroring|rotation) of camera axes/,

@@ -12,6 +12,7 @@
 #include "input/convention_fields.hpp"
 #include "input/importers/importer.hpp"
 #include "input/readings/readings.hpp"
+#include "input/value_form.hpp"
 #include "text/names.hpp"
 
 namespace viewproj::cmd {
@@ -20,19 +21,19 @@ using namespace detail;
 namespace {
 
 struct Slot {
-  std::string_view name, longName;
   MatrixKind kind;
+  std::array<std::string_view, 4> names;  ///< of the same; empty: none
 };
 
-constexpr Slot kView{"view", "viewMatrix", MatrixKind::view};
-constexpr Slot kViewInverse{"viewInverse", "viewMatrixInverse", MatrixKind::worldFromView};
-constexpr Slot kProjection{"projection", "projectionMatrix", MatrixKind::projection};
-constexpr Slot kViewProjection{"viewProjection", "viewProjectionMatrix", MatrixKind::viewProjection};
+constexpr Slot kView{MatrixKind::view, {"view", "viewMatrix", "modelview", "modelViewMatrix"}};
+constexpr Slot kViewInverse{MatrixKind::worldFromView, {"viewInverse", "viewMatrixInverse"}};
+constexpr Slot kProjection{MatrixKind::projection, {"projection", "projectionMatrix"}};
+constexpr Slot kViewProjection{MatrixKind::viewProjection, {"viewProjection", "viewProjectionMatrix"}};
 
 bool recognises(const nlohmann::json& root) {
   for (const Slot& slot : {kView, kViewInverse, kProjection, kViewProjection})
-    for (std::string_view name : {slot.name, slot.longName})
-      if (const auto value = root.find(name); value != root.end() && value->is_array()) return true;
+    for (const std::string_view name : slot.names)
+      if (const auto value = root.find(name); !name.empty() && value != root.end() && value->is_array()) return true;
   return false;
 }
 
@@ -81,7 +82,13 @@ std::optional<Pose> poseOf(const GivenMatrix& m, const Reading& r) {
 }
 
 std::optional<GivenMatrix> readGiven(const ObjectReader& file, const Slot& slot) {
-  const std::string key(file.has(slot.name) || !file.has(slot.longName) ? slot.name : slot.longName);
+  std::string key;
+  for (const std::string_view name : slot.names) {
+    if (name.empty() || !file.has(name)) continue;
+    if (!key.empty()) file.fail(name, "is another name of " + key + ", which is given too; leave out one of them");
+    key = name;
+  }
+  if (key.empty()) return std::nullopt;
   const auto numbers = flatNumbers(file, key, 16);
   if (!numbers) return std::nullopt;
   const nlohmann::json& value = *file.find(key);
@@ -210,7 +217,7 @@ Viewport viewportOf(const Mat4& m, const Convention& c) {
 std::optional<ReadViewport> readPicture(const ObjectReader& file, const StatedConvention& stated) {
   const Convention& convention = stated.convention;
   const nlohmann::json* picture = file.find(field::viewport);
-  if (!picture || picture->is_object()) {
+  if (!picture || picture->is_object() || (picture->is_array() && coordinatesIn(*picture, 4, 4))) {
     // Where every axis is named and no preset, as `viewproj matrix` writes them, the preset is the one they are of.
     const ConventionPreset* preset = stated.preset;
     if (!stated.isNamed)
