@@ -82,7 +82,7 @@ struct Options {
   std::optional<std::string> type, model;
   std::string format = "json";
   std::optional<std::size_t> digits;
-  bool asFloat = false;
+  bool asFloat = false, all = false;
 };
 
 bool any(const Matrices& rows, bool CameraMatrix::*needs) {
@@ -114,28 +114,17 @@ void requireUse(const Options& o, const CameraFile& file) {
     throw lacks("--bake-viewport", "a viewport; --viewport WIDTHxHEIGHT gives one");
 }
 
-int run(const Options& o, const CLI::App& app) {
-  if (o.camera.lists()) return o.camera.list();
-  const bool toCamera = o.format == "camera";
-  if (o.type && !toCamera) throw UsageError("--type goes with --to camera");
-  for (const char* option :
-       {"--which", "--inverse", "--bake-viewport", "--relative-to-eye", "--float", "--digits", "--model"})
-    if (toCamera && app.count(option) > 0)
-      throw UsageError(std::string(option) + " goes with matrices, not with --to camera");
-  requireUse(o);
-  requireOneStandardInput({{"the camera", o.camera.fromStandardInput()}, {"the model", isStandardInput(o.model)}});
-  const CameraFile read = o.camera.read();
-  if (toCamera) return runCamera(read, o.type, o.camera);
+MatrixSet matricesOf(const CameraFile& read, const std::optional<Mat4>& model, const Options& o) {
   requireUse(o, read);
   MatrixSet set;
   set.asFloat = o.asFloat;
   set.digits = static_cast<int>(o.digits.value_or(0));
   set.convention = o.camera.writing(read);
-  MatrixSource source{.file = read,
-                      .convention = set.convention,
-                      .bakeViewport = o.wanted.bakeViewport,
-                      .relativeToEye = o.wanted.relativeToEye};
-  if (o.model) source.worldFromLocal = readModel(*o.model);
+  const MatrixSource source{.file = read,
+                            .convention = set.convention,
+                            .worldFromLocal = model,
+                            .bakeViewport = o.wanted.bakeViewport,
+                            .relativeToEye = o.wanted.relativeToEye};
   const Matrices chosen = chooseMatrices(o.which, source);
   const bool sayConvention = !saysNumbersAlone(o.format), depth = any(chosen, &CameraMatrix::projection);
   o.camera.noteWriting(read,
@@ -160,7 +149,32 @@ int run(const Options& o, const CLI::App& app) {
     o.camera.notes().say("--to flat has no place for the eye: " + formatNumber(set.eye->x) + ", " +
                          formatNumber(set.eye->y) + ", " + formatNumber(set.eye->z));
   set.bakesViewport = o.wanted.bakeViewport;
-  writeOutput(writeMatrices(set, o.format, read.name));
+  return set;
+}
+
+int run(const Options& o, const CLI::App& app) {
+  if (o.camera.lists()) return o.camera.list();
+  const bool toCamera = o.format == "camera";
+  if (o.type && !toCamera) throw UsageError("--type goes with --to camera");
+  for (const char* option :
+       {"--which", "--inverse", "--bake-viewport", "--relative-to-eye", "--float", "--digits", "--model"})
+    if (toCamera && app.count(option) > 0)
+      throw UsageError(std::string(option) + " goes with matrices, not with --to camera");
+  if (o.all && o.format != "json") throw UsageError("--all writes JSON, a line a camera; leave out --to " + o.format);
+  requireUse(o);
+  requireOneStandardInput({{"the camera", o.camera.fromStandardInput()}, {"the model", isStandardInput(o.model)}});
+  const auto model = o.model ? std::optional(readModel(*o.model)) : std::nullopt;
+  if (o.all) {
+    for (const auto& [pick, camera] : o.camera.readAll()) {
+      MatrixSet set = matricesOf(camera, model, o);
+      set.camera = pick;
+      writeOutput(writeMatrices(set, o.format, camera.name));
+    }
+    return 0;
+  }
+  const CameraFile read = o.camera.read();
+  if (toCamera) return runCamera(read, o.type, o.camera);
+  writeOutput(writeMatrices(matricesOf(read, model, o), o.format, read.name));
   return 0;
 }
 
@@ -175,6 +189,7 @@ Action defineMatrix(CLI::App& app) {
   o->camera.addWriting(app);
   o->camera.addFile(app);
   addChoices(app, "--which", o->which, matrixNames(), "Matrices to write", "all that the camera determines");
+  app.add_flag("--all", o->all, "Of every camera of the file, a line of JSON each");
   app.add_flag("--inverse", o->wanted.inverse, "Give each one's inverse too");
   app.add_flag("--bake-viewport", o->wanted.bakeViewport, "Fold the viewport into the projection");
   app.add_flag("--relative-to-eye", o->wanted.relativeToEye, "Leave the translation out of the view and give the eye");

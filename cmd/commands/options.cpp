@@ -166,6 +166,20 @@ CameraFile CameraOptions::read() const {
   return file;
 }
 
+std::vector<std::pair<std::string, CameraFile>> CameraOptions::readAll() const {
+  typed_.requireConsistent();
+  if (isTyped()) throw UsageError("--all is of the cameras of a file, and there is none");
+  const CameraSource picked = source();
+  if (picked.pick) throw UsageError("--all is of every camera of the file; leave out #" + *picked.pick);
+  const std::unique_ptr<Document> document = open(picked);
+  std::vector<std::pair<std::string, CameraFile>> cameras;
+  for (const std::string& pick : picksOf(*document))
+    cameras.emplace_back(pick, readAnyCamera(*document, pick, {readAs(), allowStretch_, ignoreDistortion_}, typed_));
+  statesConvention_ = readAs_ || statesConvention(*document);
+  for (const std::string& note : document->notes()) notes_.say(note);
+  return cameras;
+}
+
 std::optional<std::string> CameraOptions::asTyped(const CameraFile& file) const {
   if (!fields_ || fields_->isSet(std::string(field::convention))) return std::nullopt;
   const ConventionPreset* preset = readAs().empty() ? &conventionPresets().front() : findPreset(readAs());

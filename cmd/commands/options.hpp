@@ -48,6 +48,8 @@ class CameraOptions {
 
   /// From -c, or from FILE where the command has it.
   CameraFile read() const;
+  /// Every camera of the file, and what picks it.
+  std::vector<std::pair<std::string, CameraFile>> readAll() const;
   bool fromStandardInput() const;
   /// The fields that options gave in place of a file, as a camera file: where they say all of the camera that is
   /// written.

@@ -32,6 +32,24 @@ void requireValuesAfterEquals(const CLI::App& app, std::span<const std::string_v
   }
 }
 
+/// "; it is an option of project and ray", or the nearest that the command has.
+std::string adviceOn(const std::string& extra, CommandLine& app) {
+  if (!extra.starts_with('-')) return "";
+  const std::string name = extra.substr(0, extra.find('='));
+  std::vector<std::string_view> owners;
+  for (const Command& command : allCommands()) {
+    CLI::App other;
+    (void)define(command, other);
+    if (other.get_option_no_throw(name)) owners.push_back(command.name);
+  }
+  if (!owners.empty()) return "; it is an option of " + together(owners);
+  app.addAll();
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& known : option->get_lnames()) names.push_back("--" + known);
+  return suggestion(name, std::vector<std::string_view>(names.begin(), names.end()));
+}
+
 /// Throws UsageError, or HelpGiven after writing the help.
 void parse(CommandLine& app, int argc, char** argv) {
   const std::vector<std::string_view> all(argv + 1, argv + argc);
@@ -51,13 +69,7 @@ void parse(CommandLine& app, int argc, char** argv) {
     throw help();
   } catch (const CLI::ExtrasError&) {
     const std::string extra = app.remaining().front();
-    app.addAll();
-    std::vector<std::string> names;
-    for (const CLI::Option* option : app.get_options())
-      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-    const std::vector<std::string_view> known(names.begin(), names.end());
-    throw UsageError("'" + extra + "' was not expected" +
-                     (extra.starts_with('-') ? suggestion(extra.substr(0, extra.find('=')), known) : ""));
+    throw UsageError("'" + extra + "' was not expected" + adviceOn(extra, app));
   } catch (const CLI::ParseError& e) {
     throw UsageError(e.what());
   }

@@ -36,6 +36,11 @@ std::vector<HeldCamera> listCanonical(const Document& document) {
   return {{root.isString("name") ? *root.text("name") : "", "0", "", kind, "a camera file"}};
 }
 
+std::vector<HeldCamera> heldBy(const Document& document) {
+  const Importer* importer = importerOf(document);
+  return importer ? importer->list(document) : listCanonical(document);
+}
+
 /// How many cameras have a name.
 using NameCounts = std::unordered_map<std::string_view, std::size_t>;
 
@@ -176,9 +181,16 @@ std::vector<std::string_view> foreignForms() {
   return forms;
 }
 
+std::vector<std::string> picksOf(const Document& document) {
+  const std::vector<HeldCamera> cameras = heldBy(document);
+  const NameCounts counts = countNames(cameras);
+  std::vector<std::string> picks;
+  for (const HeldCamera& camera : cameras) picks.push_back(pickOf(camera, counts));
+  return picks;
+}
+
 std::string listCameras(const Document& document) {
-  const Importer* importer = importerOf(document);
-  const std::vector<HeldCamera> cameras = importer ? importer->list(document) : listCanonical(document);
+  const std::vector<HeldCamera> cameras = heldBy(document);
   const NameCounts counts = countNames(cameras);
   // A longer name than this stands out, and does not make every line as long.
   static constexpr std::size_t kWidest = 60;

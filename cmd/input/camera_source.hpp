@@ -36,6 +36,9 @@ bool statesConvention(const Document& document);
 /// What else than a camera file is read: "a glTF file".
 std::vector<std::string_view> foreignForms();
 
+/// What picks each camera that the file holds. Throws InputError where it holds none.
+std::vector<std::string> picksOf(const Document& document);
+
 /// A line for each camera that the file holds: how it is picked, what it is, and a few words. Throws InputError where
 /// it holds none.
 std::string listCameras(const Document& document);

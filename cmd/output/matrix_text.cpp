@@ -35,18 +35,20 @@ std::string row(const std::array<double, 4>& entries, std::string_view separator
 
 /// Rows as the convention writes them on paper, and every axis of the convention.
 std::string asJson(const MatrixSet& set) {
-  constexpr std::string_view kLine = ",\n  ";
+  const std::string_view line = set.camera ? ", " : ",\n  ";
   JsonObject out;
-  out.addText("convention", jsonOf(set.convention), kLine);
-  if (set.eye) out.addText("eye", jsonListOf(std::array{set.eye->x, set.eye->y, set.eye->z}), kLine);
+  if (set.camera) out.add("camera", *set.camera);
+  out.addText("convention", jsonOf(set.convention), line);
+  if (set.eye) out.addText("eye", jsonListOf(std::array{set.eye->x, set.eye->y, set.eye->z}), line);
   for (const NamedMatrix& named : set.matrices) {
     std::vector<std::string> rows;
     for (const auto& entries : laidOut(named.matrix, set.convention).m)
       rows.push_back("[" + row(entries, ", ", set.asFloat) + "]");
-    std::string matrix = jsonList(rows, ",\n    ");
-    out.addText(named.name, matrix.insert(matrix.size() - 1, "\n  "), kLine);
+    std::string matrix = jsonList(rows, set.camera ? ", " : ",\n    ");
+    if (!set.camera) matrix.insert(matrix.size() - 1, "\n  ");
+    out.addText(named.name, matrix, line);
   }
-  return "{\n  " + out.members() + "\n}\n";
+  return set.camera ? out.text() + "\n" : "{\n  " + out.members() + "\n}\n";
 }
 
 /// Rows on paper in aligned columns, under a line with the name.

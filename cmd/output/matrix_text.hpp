@@ -18,6 +18,7 @@ struct NamedMatrix {
 
 struct MatrixSet {
   std::vector<NamedMatrix> matrices;
+  std::optional<std::string> camera = {};  ///< of several: JSON is one line that names it
   Convention convention;
   std::optional<Vec3> eye;     ///< where the view was left without its translation
   int digits = 0;              ///< significant; 0: all

@@ -166,6 +166,7 @@ Json axes(bool all) {
 
 Json matrices() {
   Json properties = {{"convention", schema::reference("allAxes")}};
+  properties["camera"] = {{"type", "string"}, {"description", "With --all: what picks it of its file."}};
   properties["eye"] = schema::reference("vector3");
   properties["eye"]["description"] = "With --relative-to-eye: to be subtracted before the view.";
   for (const CameraMatrix& row : cameraMatrices())

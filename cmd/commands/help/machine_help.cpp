@@ -46,6 +46,8 @@ std::string commandAsJson(const Command& command) {
 std::string fieldAsJson(const Field& field) {
   JsonObject out;
   out.add("name", field.name).add("type", formInWords(field));
+  if (!field.aliases().empty()) out.addText("aliases", jsonListOf(field.aliases()));
+  if (!field.option.empty()) out.add("option", field.option);
   if (field.words) out.addText("choices", jsonListOf(field.words()));
   return out.add("help", field.help).text();
 }
@@ -63,6 +65,7 @@ std::string coordinatesAsJson() {
     out.add("name", row->name);
     std::vector<std::string_view> parts;
     for (const CoordinatePart& part : row->parts) parts.push_back(part.name);
+    if (!row->aliases.empty()) out.addText("aliases", jsonListOf(row->aliases));
     if (!parts.empty()) out.addText("parts", jsonListOf(parts));
     objects.push_back(out.add("help", row->help).text());
   }

@@ -44,11 +44,18 @@ std::string listed(const std::vector<Entry>& entries, std::size_t width) {
   return out;
 }
 
+/// "position, eye, from".
+std::string spellings(std::string_view name, std::span<const std::string_view> aliases) {
+  std::string text(name);
+  for (const std::string_view alias : aliases) text += ", " + std::string(alias);
+  return text;
+}
+
 std::vector<Entry> entriesOf(FieldList fields, FieldList without = {}) {
   std::vector<Entry> entries;
   for (const Field* field : fields)
     if (std::find(without.begin(), without.end(), field) == without.end())
-      entries.push_back({std::string(field->name), formInWords(*field), std::string(field->help)});
+      entries.push_back({spellings(field->name, field->aliases()), formInWords(*field), std::string(field->help)});
   return entries;
 }
 
@@ -62,7 +69,7 @@ std::vector<Entry> entriesOf(std::span<const Coordinate* const> rows) {
     std::string form = isArray ? (row->most > 2 ? "[x, y, z]" : "[x, y]") : "a number each";
     if (row->form == CoordinateForm::object || row->form == CoordinateForm::points) form = exampleOf(*row);
     if (row->form == CoordinateForm::numbers && row->parts.size() == 1) form = "a number";
-    entries.push_back({std::string(row->name), form, std::string(row->help)});
+    entries.push_back({spellings(row->name, row->aliases), form, std::string(row->help)});
   }
   return entries;
 }
@@ -81,7 +88,9 @@ std::string camera(std::size_t width) {
   constexpr FieldList kApart = field::list<field::projection, field::viewport>;
   std::string out =
       wrapped(
-          "A camera file is a JSON object: a pose, a projection, a viewport, and the convention their numbers are in.",
+          "A camera file is a JSON object: a pose, a projection, a viewport, and the convention their numbers are "
+          "in. Fields are options too, as --fov-y for fovY: without a file they are the camera, over a file they "
+          "change it.",
           width) +
       "\n" + listed(entriesOf(field::camera.fields, kApart), width);
   out += paragraph("projection: the type, and its fields.", width);
