@@ -20,7 +20,13 @@ struct Lens {
   DoubleDouble inverseDepthOffset, inverseDepthScale;  // 1/W or W = inverseDepthOffset + inverseDepthScale out.z
 };
 
-/// To normalised device coordinates of the convention.
+/// The first four of them, to normalised device coordinates of the convention.
+struct NdcWindow {
+  DoubleDouble scaleX, offsetX, scaleY, offsetY;
+};
+NdcWindow ndcWindow(const ProjectionParts& projection, const Convention& convention) noexcept;
+
+/// All of them.
 Lens ndcLens(const ProjectionParts& projection, const Convention& convention) noexcept;
 
 }  // namespace viewproj::detail

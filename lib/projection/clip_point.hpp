@@ -51,8 +51,8 @@ struct ClipPoint {
 template <class Number>
 ClipPoint<Number> toClip(const CameraParts& camera, const AxisPoint<Number>& a, const Convention& convention) noexcept {
   const ProjectionParts& p = camera.projection;
-  const Lens l = ndcLens(p, convention);
-  const Number& w = l.orthographic ? a.weight : a.forward;
+  const NdcWindow l = ndcWindow(p, convention);
+  const Number& w = p.orthographic ? a.weight : a.forward;
   const DepthEnds ends = ndcDepths(convention);
   const auto shares = depthShares(p.orthographic, p.near, p.far, a.forward, a.weight);
   return {sumOrZero(as<Number>(l.scaleX) * a.right, as<Number>(l.offsetX) * w),
