@@ -247,6 +247,7 @@ void StreamOptions::add(CLI::App& app, const std::string& what) {
       {"ndjson", OutputForm::lines}, {"json", OutputForm::array}, {"csv", OutputForm::csv},
       {"text", OutputForm::text},    {"f64", OutputForm::f64},    {"table", OutputForm::table}};
   addInput(app, what);
+  writes_ = true;
   const Heading heading(app, "Output");
   addChoice(app, "--to", "FORM", to_, rowsOf(kTo), "Form of the output", "as the input");
   addValue(
@@ -333,6 +334,7 @@ void StreamOptions::requireOneInput(const FilterSetup& setup, const CameraOption
 void StreamOptions::requireNoInputOption(const std::string& why) const {
   for (const auto& [name, given] : {std::pair("--from", from_.has_value()),
                                     {"--columns", columns_.has_value()},
+                                    {"--delimiter", delimiter_ && !writes_},
                                     {"--decimal", decimal_.has_value()},
                                     {"--comment", comment_.has_value()},
                                     {"--first-line", firstLine_.has_value()}})
