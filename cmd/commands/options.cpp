@@ -308,6 +308,7 @@ void StreamOptions::addInput(CLI::App& app, const std::string& what) {
 
 void StreamOptions::add(CLI::App& app, const std::string& what) {
   addInput(app, what);
+  writes_ = true;
   const Heading heading(app, "Output");
   addForm(app, to_, outputForms(), "Form of the output", "as the input");
   addDigits(app, digits_, "all that tell the number from others; in tables 9");
@@ -398,6 +399,7 @@ void StreamOptions::requireOneInput(const FilterSetup& setup, const CameraOption
 void StreamOptions::requireNoInputOption(const std::string& why) const {
   for (const auto& [name, given] : {std::pair("--from", from_.has_value()),
                                     {"--columns", columns_.has_value()},
+                                    {"--delimiter", delimiter_ && !writes_},
                                     {"--decimal", decimal_.has_value()},
                                     {"--comment", comment_.has_value()},
                                     {"--first-line", firstLine_.has_value()}})

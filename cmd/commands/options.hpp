@@ -136,7 +136,7 @@ class StreamOptions {
   std::optional<OutputForm> to_;
   std::optional<char> delimiter_, decimal_, comment_;
   std::optional<std::size_t> jobs_, firstLine_, digits_;
-  bool keepGoing_ = false, noHeader_ = false, force_ = false;
+  bool keepGoing_ = false, noHeader_ = false, force_ = false, writes_ = false;
 };
 
 /// A point of the command line: X,Y,Z[,W], or x=..,y=..,z=..[,w=..] or lat=..,lon=..,height=.. in any order.

@@ -47,7 +47,11 @@ std::string adviceOn(const std::string& extra, CommandLine& app) {
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options())
     for (const std::string& known : option->get_lnames()) names.push_back("--" + known);
-  return suggestion(name, std::vector<std::string_view>(names.begin(), names.end()));
+  std::vector<std::string_view> begun, all(names.begin(), names.end());
+  std::copy_if(all.begin(), all.end(), std::back_inserter(begun), [&](auto known) { return known.starts_with(name); });
+  if (!begun.empty() && name.size() > 2) return "; did you mean " + alternatives(begun) + "?";
+  if (nearestName(name, all).empty()) return "; " + app.get_name() + " --help tells its options";
+  return suggestion(name, all);
 }
 
 /// Throws UsageError, or HelpGiven after writing the help.

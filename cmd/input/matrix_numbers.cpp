@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "camera/camera.hpp"
 #include "input/convention_fields.hpp"
@@ -85,6 +86,21 @@ void setDigits(WrittenMatrix& m, const std::array<Typed, 16>& numbers) {
   }
 }
 
+/// A row and a column, from 0 or from 1.
+struct Cell {
+  int row, column;
+};
+
+/// What a label says: m01, M12, _44.
+std::optional<Cell> cellOf(std::string_view word) {
+  constexpr int kMost = 4;
+  if (word.size() < 3 || isDigit(word[word.size() - 3])) return std::nullopt;
+  const Cell cell{word[word.size() - 2] - '0', word[word.size() - 1] - '0'};
+  if (!isDigit(word[word.size() - 2]) || !isDigit(word.back()) || cell.row > kMost || cell.column > kMost)
+    return std::nullopt;
+  return cell;
+}
+
 /// Reads one text from front to back; numbers gather until they are sixteen.
 class Scanner {
  public:
@@ -102,6 +118,7 @@ class Scanner {
   struct Gathered {
     Typed number;
     std::size_t line, group, offset;
+    std::optional<Cell> cell;  ///< as a label says: M12:
   };
 
   [[noreturn]] void fail(std::size_t offset, const std::string& message) const {
@@ -122,8 +139,13 @@ class Scanner {
     if (isSpace(c) || c == ',' || c == '|') {
       ++at_;
     } else if (c == ';') {
-      if (brackets_.empty()) word_.clear();
+      if (brackets_.empty())
+        word_.clear();
+      else
+        ++group_;  // a row of MATLAB's
       ++at_;
+    } else if (c == '>' || (c == '<' && at_ + 1 < text_.size() && isWordStart(text_[at_ + 1]))) {
+      ++at_;  // about a print of an object
     } else if (c == '#') {
       const std::size_t end = std::min(text_.find('\n', at_), text_.size());
       if (first) heading(text_.substr(at_ + 1, end - at_ - 1));
@@ -136,6 +158,8 @@ class Scanner {
       line_ += static_cast<std::size_t>(
           std::count(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(end - at_), '\n'));
       at_ = end + 2;
+    } else if ((c == '=' || c == ':') && label_) {
+      ++at_;
     } else if (c == '=' || c == ':') {
       // What stood before was a declaration: float m[4][4] =
       if (!areArraySizes()) requireNothingGathered();
@@ -186,12 +210,46 @@ class Scanner {
     const std::string word = text_.substr(begin, at_ - begin);
     const std::string lower = lowered(word);
     if (lower == "nan" || lower == "inf" || lower == "infinity") fail(begin, "'" + word + "' is not a finite number");
+    label_ = cellOf(word);
+    if (label_ && behindBlanks(at_) < text_.size() &&
+        (text_[behindBlanks(at_)] == ':' || text_[behindBlanks(at_)] == '='))
+      return;
+    label_.reset();
+    if (passNumbersOf(lower)) return;
     if (brackets_.empty()) word_ = word;
     if (at_ < text_.size() && text_[at_] == '<') at_ = std::min(text_.find('>', at_), text_.size() - 1) + 1;
   }
 
+  std::size_t behindBlanks(std::size_t at) const { return std::min(text_.find_first_not_of(" \t", at), text_.size()); }
+  std::size_t behindDigits(std::size_t at) const {
+    return std::min(text_.find_first_not_of("0123456789", at), text_.size());
+  }
+
+  /// A number that belongs to the word before it: Array(16), Row 0:. Returns whether there was one.
+  bool passNumbersOf(std::string_view lower) {
+    std::size_t at = behindBlanks(at_);
+    if (lower.ends_with("array") && at < text_.size() && text_[at] == '(') {
+      const std::size_t begin = at + 1, end = behindDigits(begin);
+      if (end == begin || end == text_.size() || text_[end] != ')') return false;
+      at_ = end + 1;
+      return true;
+    }
+    if (lower != "row" && lower != "column" && lower != "col") return false;
+    const std::size_t end = behindDigits(at), colon = behindBlanks(end);
+    if (end == at || colon == text_.size() || (text_[colon] != ':' && text_[colon] != '=')) return false;
+    at_ = colon + 1;
+    ++group_;
+    return true;
+  }
+
   void number() {
     const std::size_t begin = at_;
+    // The size of what follows: Matrix 4x4.
+    if (const std::size_t x = behindDigits(begin); x > begin && x + 1 < text_.size() && text_[x] == 'x')
+      if (const std::size_t end = behindDigits(x + 1); end > x + 1 && (end == text_.size() || !isWord(text_[end]))) {
+        at_ = end;
+        return;
+      }
     if (text_[at_] == '+' || text_[at_] == '-') ++at_;
     while (at_ < text_.size() &&
            (isWord(text_[at_]) || ((text_[at_] == '+' || text_[at_] == '-') && std::tolower(text_[at_ - 1]) == 'e')))
@@ -202,7 +260,7 @@ class Scanner {
       digits.pop_back();
     const auto value = parseNumber(digits);
     if (!value || digits.size() + 2 < token.size()) fail(begin, "'" + token + "' is not a finite number");
-    gathered_.push_back({typedNumber(digits, *value), line_, group_, begin});
+    gathered_.push_back({typedNumber(digits, *value), line_, group_, begin, std::exchange(label_, std::nullopt)});
     if (gathered_.size() == 16) flush();
   }
 
@@ -213,13 +271,34 @@ class Scanner {
     return true;
   }
 
+  /// Puts numbers in the places that their labels say. False where none has one.
+  bool arrange() {
+    const auto isLabelled = [](const Gathered& g) { return g.cell.has_value(); };
+    const auto plain = std::find_if_not(gathered_.begin(), gathered_.end(), isLabelled);
+    if (std::none_of(gathered_.begin(), gathered_.end(), isLabelled)) return false;
+    if (plain != gathered_.end()) fail(plain->offset, "has no label, and others of the same matrix have one");
+    // They count from 0 or from 1.
+    int first = 1;
+    for (const Gathered& g : gathered_) first = std::min({first, g.cell->row, g.cell->column});
+    std::vector<std::optional<Gathered>> places(16);
+    for (const Gathered& g : gathered_) {
+      const int row = g.cell->row - first, column = g.cell->column - first;
+      if (row > 3 || column > 3 || places[static_cast<std::size_t>(4 * row + column)])
+        fail(g.offset, "has a label that is none of the rows and columns of 16 numbers, or one of before");
+      places[static_cast<std::size_t>(4 * row + column)] = g;
+    }
+    for (std::size_t i = 0; i < 16; ++i) gathered_[i] = *places[i];
+    return true;
+  }
+
   void flush() {
     WrittenMatrix m;
     m.name = visible(name_);
+    const bool labelled = arrange();
     std::array<Typed, 16> numbers;
     for (std::size_t i = 0; i < 16; ++i) numbers[i] = gathered_[i].number;
     setDigits(m, numbers);
-    if (fourByFour([&](std::size_t i) { return gathered_[i].line; }) ||
+    if (labelled || fourByFour([&](std::size_t i) { return gathered_[i].line; }) ||
         fourByFour([&](std::size_t i) { return gathered_[i].group; }))
       m.order = NumberOrder::rows;
     found_.push_back(m);
@@ -255,6 +334,7 @@ class Scanner {
   bool lineIsEmpty_ = true;
   std::vector<std::size_t> brackets_;
   std::string word_, name_;
+  std::optional<Cell> label_;  ///< of the number that follows
   std::vector<Gathered> gathered_;
   std::vector<WrittenMatrix> found_;
 };
@@ -271,6 +351,50 @@ std::array<Typed, 16> typedNumbers(std::string_view json, const std::vector<doub
     at = end;
   }
   return numbers;
+}
+
+/// As `matrix --to csv` writes them.
+constexpr std::string_view kCsvHeader = "matrix,row,column1,column2,column3,column4";
+
+WrittenMatrices parseCsv(std::string_view text, const std::string& name) {
+  WrittenMatrices result;
+  result.isOwn = true;
+  std::array<Typed, 16> numbers;
+  std::size_t line = 1, row = 0;
+  std::string matrix;
+  const auto fail = [&](const std::string& message) {
+    throw InputError(place(name, {line, 1}) + ": " + visible(message));
+  };
+  for (std::size_t at = std::min(text.find('\n'), text.size()); at < text.size();) {
+    const std::size_t begin = at + 1;
+    at = std::min(text.find('\n', begin), text.size());
+    std::string_view rest = text.substr(begin, at - begin);
+    if (rest.ends_with('\r')) rest.remove_suffix(1);
+    ++line;
+    if (isBlank(rest) || rest.starts_with("eye,")) continue;
+    std::array<std::string_view, 6> cells;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const std::size_t comma = i + 1 < cells.size() ? std::min(rest.find(','), rest.size()) : rest.size();
+      cells[i] = rest.substr(0, comma);
+      rest.remove_prefix(std::min(comma + 1, rest.size()));
+    }
+    if (row == 0) matrix = cells[0];
+    if (cells[0] != matrix || cells[1] != std::to_string(row + 1))
+      fail("expected row " + std::to_string(row + 1) + " of " + (matrix.empty() ? "a matrix" : matrix));
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto value = parseNumber(cells[2 + i]);
+      if (!value) fail(quoted(cells[2 + i]) + " is not a finite number");
+      numbers[4 * row + i] = typedNumber(cells[2 + i], *value);
+    }
+    if (++row < 4) continue;
+    WrittenMatrix& m = result.matrices.emplace_back();
+    m.name = visible(matrix);
+    m.order = NumberOrder::rows;
+    setDigits(m, numbers);
+    row = 0;
+  }
+  if (row > 0 || result.matrices.empty()) fail("ends after " + std::to_string(row) + " rows; a matrix has 4");
+  return result;
 }
 
 WrittenMatrices parseObject(const std::string& text, const std::string& name) {
@@ -324,6 +448,7 @@ WrittenMatrices parseMatrices(const std::string& given, const std::string& name)
     const std::size_t second = text.find_first_not_of(" \t\r\n", first + 1);
     if (second != std::string::npos && (text[second] == '"' || text[second] == '}')) return parseObject(text, name);
   }
+  if (text.starts_with(kCsvHeader)) return parseCsv(text, name);
   // As the comment in source code begins.
   const bool isOwn = text.find("-handed world; view x right, ") != std::string::npos;
   const auto has = [&](const char* word) { return text.find(word) != std::string::npos; };

@@ -89,18 +89,33 @@ std::string numbersIn(const Shape& shape) {
   return "has " + std::to_string(shape.size) + (shape.size == 1 ? " number" : " numbers");
 }
 
+constexpr std::size_t kMatrix = 16;
+
+/// What else has these fields: a camera file or what `matrix` writes.
+std::string whatItMayBe(const Shape& shape) {
+  const auto has = [&](const char* name) { return shape.find(name).has_value(); };
+  if (has("convention") && (has("view") || has("viewProjection"))) return "looks like matrices, which inspect reads";
+  const bool isCamera =
+      has("projection") && (has("viewport") || has("target") || has("rotation") || has("direction") || has("heading"));
+  return isCamera ? "looks like a camera, which -c takes" : "";
+}
+
 /// Of numbers without names.
 Layout findBarePoint(const RecordParts& record, const PointReading& reading) {
   const Shape& shape = record.shape;
   const bool weighted = shape.form == Form::json;
   const std::string count = numbersIn(shape);
   if (!weighted && shape.size > 3)
-    throw RecordError(0, count +
-                             ", and a point has three; --columns 1,2,3 takes these, --columns x,y,z,w reads the "
-                             "fourth as w" +
-                             (reading.radius ? ", --columns x,y,z,radius as the radius of a sphere" : ""));
+    throw RecordError(
+        0,
+        count +
+            ", and a point has three; --columns 1,2,3 takes these, --columns x,y,z,w reads the "
+            "fourth as w" +
+            (reading.radius ? ", --columns x,y,z,radius as the radius of a sphere" : "") +
+            (shape.form == Form::text && (shape.size == 4 || shape.size == kMatrix) ? "; inspect reads a matrix" : ""));
   if (shape.size != 3 && !(weighted && shape.size == 4))
-    throw RecordError(0, count + "; expected x y z" + (weighted ? " or x y z w" : ""));
+    throw RecordError(0, count + "; expected x y z" + (weighted ? " or x y z w" : "") +
+                             (shape.size == kMatrix ? "; inspect reads a matrix" : ""));
   if (reading.worldIsEcef && shape.size == 3 && shape.form != Form::f64)
     throw RecordError(
         0, bareTriple(std::string(weighted ? "lat, lon, height or x, y, z of an object, " : "") + kColumnsSay));
@@ -210,8 +225,14 @@ Layout findNamedPoint(const RecordParts& record, const PointReading& reading, st
                           std::string(row == &coordinates::ellipsoid ? "an " : "a ") + std::string(row->name) +
                               " is not " + std::string(reading.shapes) + "; expected a point, " +
                               (reading.segments ? "segment, " : "") + namesOf(coordinates::kShapes));
+  const std::string other = shape.form == Form::json ? whatItMayBe(shape) : "";
   for (const NameRule rule : {NameRule::exact, NameRule::any})
-    if (auto layout = findNamed(record, reading, forms, rule)) return *layout;
+    if (auto layout = findNamed(record, reading, forms, rule)) {
+      if (!other.empty())
+        layout->notes.push_back("a record " + other + "; its " + namesIn(*layout, shape) + " is taken for a point");
+      return *layout;
+    }
+  if (!other.empty()) throw RecordError(0, "has no point; it " + other);
   // A field of a shape's name whose value is none.
   for (const FormOfField& form : forms)
     if (const auto* row = rowNamed(shape.names[form.field]);

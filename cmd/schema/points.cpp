@@ -238,13 +238,14 @@ std::string pointsSchema() {
                        {{"type", "object"},
                         {"properties", {{"x", {{"const", 0}}}, {"y", {{"const", 0}}}, {"z", {{"const", 0}}}}},
                         {"required", {"x", "y", "z"}}}}};
-  const Json ofParts = {{"anyOf", {hasParts(coordinates::xyz), hasParts(coordinates::place)}}};
-  const Json unweighted = schema::allOf({ofParts, having({{"w", false}})});
-  Json ofXyz = schema::allOf({hasParts(coordinates::xyz), having({{"w", false}}), zeros});
-  definitions["point"] =
-      pointOr(schema::reference("xyz"),
-              schema::allOf({ofParts, weightOf(schema::ofType("number")), notAllZero(coordinates::xyz)}));
-  definitions["vector"] = pointOr(numbers(3, 3), unweighted);
+  const auto ofParts = [](const Json& weight) {
+    return Json{{"anyOf",
+                 {schema::allOf({hasParts(coordinates::xyz), weightOf(weight), notAllZero(coordinates::xyz)}),
+                  hasParts(coordinates::place)}}};
+  };
+  const Json ofXyz = schema::allOf({hasParts(coordinates::xyz), having({{"w", false}}), zeros});
+  definitions["point"] = pointOr(schema::reference("xyz"), ofParts(schema::ofType("number")));
+  definitions["vector"] = pointOr(numbers(3, 3), ofParts(false));
   definitions["direction"] = pointOr(schema::reference("nonzero3"), ofXyz);
   definitions["xyz"] = numbers(3, 4);
   definitions["xyz"]["not"] = {{"const", {0, 0, 0, 0}}};
@@ -252,7 +253,7 @@ std::string pointsSchema() {
   definitions["nonzero3"]["contains"] = notZero();
   const Json zeroAtEnd = {
       {"type", "array"}, {"prefixItems", {true, true, true, {{"const", 0}}}}, {"minItems", 4}, {"maxItems", 4}};
-  definitions["weighted"] = {{"anyOf", {{{"type", "array"}, {"not", zeroAtEnd}}, having({{"w", notZero()}})}}};
+  definitions["weighted"] = {{"anyOf", {{{"type", "array"}, {"not", zeroAtEnd}}, weightOf(notZero())}}};
   definitions["pixelOrNull"] = numbers(2, 2);
   definitions["pixelOrNull"]["type"] = {"array", "null"};
   all["$ref"] = "#/$defs/points";

@@ -39,6 +39,13 @@ bool sameButForCase(std::string_view a, std::string_view b) {
 std::string_view nearestName(std::string_view name, std::span<const std::string_view> candidates) {
   std::string_view best;
   if (name.size() > 100) return best;
+  // Who adds to a name, as in d3d-lh and d3d11, means that name.
+  for (const std::string_view candidate : candidates)
+    if (candidate.size() > std::max<std::size_t>(best.size(), 2) && name.size() > candidate.size() &&
+        sameButForCase(name.substr(0, candidate.size()), candidate) &&
+        (name[candidate.size()] == '-' || std::isdigit(static_cast<unsigned char>(name[candidate.size()]))))
+      best = candidate;
+  if (!best.empty() && std::find(candidates.begin(), candidates.end(), name) == candidates.end()) return best;
   std::size_t fewest = std::max<std::size_t>(1, name.size() / 3) + 1;
   for (std::string_view candidate : candidates) {
     // So many letters more or fewer are as many edits.

@@ -312,6 +312,8 @@ def inspected():
 
     text = lambda n: (("# m\n" + "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n\n") * n).encode()
     bad = lambda n: ("7 " * 16 * n).encode()
+    inspect("matrices of CSV, the last is short", 400, lambda n: (b"matrix,row,column1,column2,column3,column4\n" + b"".join(b"m%d,1,1,0,0,0\nm%d,2,0,1,0,0\nm%d,3,0,0,1,0\nm%d,4,0,0,0,1\n" % (i, i, i, i) for i in range(n)) + b"z,1,1,0\n"), 1, "not a finite number")
+    inspect("numbers with labels, the last has none", 400, lambda n: (b" ".join(b"m%d%d:1" % (r, c) for r in range(4) for c in range(4)) + b"\n") * n + b" ".join([b"m00:1"] + [b"1"] * 15), 1, "has no label")
     inspect("matrices of JSON", 40, lambda n: number_of_matrices(n).encode(), says="m5: ")
     inspect("matrices of JSON, none known", 100, lambda n: number_of_matrices(n).replace(",1]", ",0]").encode(), 1, "nothing known")
     inspect("matrices of JSON, the last is short", 400, lambda n: (number_of_matrices(n)[:-1] + ',"z":[[1],[2]]}').encode(), 1, "expected 16 numbers")

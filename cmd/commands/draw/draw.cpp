@@ -26,6 +26,7 @@ struct Options {
 int run(const Options& o) {
   if (o.camera.lists()) return o.camera.list();
   FilterSetup setup = o.stream.setup(kPointColumns);
+  setup.note = [&](const std::string& note) { o.camera.notes().say(note); };
   // With --pixel standard input is read only if asked for; with a scene also where something can be in it.
   const NamedInput ofScene{"the scene", isStandardInput(o.scene)};
   const bool isFree = !o.camera.fromStandardInput() && !ofScene.isStandard && !isTerminal();
