@@ -36,10 +36,13 @@ inline constexpr Way shapeWays[] = {{.keys = list<plane>},
                                     {.keys = list<box>},
                                     {.keys = list<triangle>},
                                     {.keys = list<ellipsoid>}};
+inline constexpr VagueName kOtherBoxes[] = {{"aabb", "is called box here: {\"min\": [x, y, z], \"max\": [x, y, z]}"},
+                                            {"bbox", "is called box here: {\"min\": [x, y, z], \"max\": [x, y, z]}"}};
 inline constexpr ObjectForm sceneObject{.help = "One shape.",
                                         .fields = list<id, name, plane, sphere, box, triangle, ellipsoid>,
                                         .ways = shapeWays,
-                                        .aim = "shape"};
+                                        .aim = "shape",
+                                        .vague = kOtherBoxes};
 
 inline constexpr Field objects{"objects", ValueForm::objects, "What rays may hit.", nullptr, &sceneObject};
 inline constexpr ObjectForm scene{
