@@ -82,7 +82,8 @@ bool fits(const nlohmann::json& value, const Field& field) {
     case ValueForm::direction:
       return coordinatesIn(value, 3, 3).has_value();
     case ValueForm::position:
-      return coordinatesIn(value, 3, 3) || (value.is_object() && !value.empty() && field.object->has(value.begin().key()));
+      return coordinatesIn(value, 3, 3) ||
+             (value.is_object() && !value.empty() && field.object->has(value.begin().key()));
     case ValueForm::quaternion:
       return coordinatesIn(value, 4, 4).has_value();
     case ValueForm::object:

@@ -185,13 +185,27 @@ export function camera(r, pose, way, whole = false) {
 
 const kId = (r) => r.of([7, "lamp", -1.5]);
 
+/// At times as an object.
+const point = (r, at) => (r.chance(0.3) ? { x: at[0], y: at[1], z: at[2] } : at);
+
 function shape(r, kind) {
   const at = vector(r);
-  if (kind === "plane") return { point: r.chance(0.3) ? { x: at[0], y: at[1], z: at[2] } : at, normal: [r.number(1, 2), 0, r.number(-1, 1)] };
-  if (kind === "sphere") return { center: at, radius: r.of([0, 2.5]) };
-  if (kind === "box") return { min: at, max: at.map((x) => x + r.number(0, 3)) };
-  if (kind === "triangle") return [at, vector(r), vector(r)];
+  if (kind === "plane") return { point: point(r, at), normal: point(r, [r.number(1, 2), 0, r.number(-1, 1)]) };
+  if (kind === "sphere") return { center: point(r, at), radius: r.of([0, 2.5]) };
+  if (kind === "box") return { min: point(r, at), max: point(r, at.map((x) => x + r.number(0, 3))) };
+  if (kind === "triangle") return [point(r, at), point(r, vector(r)), point(r, vector(r))];
   return "WGS84";
+}
+
+/// Of a record, which takes arrays alone.
+function plainShape(r, kind) {
+  const plain = (value) => {
+    if (value === null || typeof value !== "object") return value;
+    if (Array.isArray(value)) return value.map(plain);
+    if ("x" in value) return [value.x, value.y, value.z];
+    return Object.fromEntries(Object.entries(value).map(([key, part]) => [key, plain(part)]));
+  };
+  return plain(shape(r, kind));
 }
 
 export const kShapes = ["plane", "sphere", "box", "triangle", "ellipsoid"];
@@ -240,7 +254,7 @@ function shapeRecord(r) {
     return point;
   }
   if (kind === "round") return { ...pointRecord(r, r.of(["position", "xyz", "xyzw", "place"])), radius: r.of([0, 2.5]) };
-  const record = { [kind]: shape(r, kind) };
+  const record = { [kind]: plainShape(r, kind) };
   maybe(r, record, "id", () => kId(r));
   return record;
 }
