@@ -12,11 +12,11 @@ namespace viewproj::cmd {
 using namespace detail;
 namespace {
 
-using FixedVec3 = std::array<Fixed, 3>;
+using Column = Vector3<Dyadic>;
 
 /// The camera's axes in the world, as columns.
 struct Turned {
-  std::array<FixedVec3, 3> columns{FixedVec3{1, 0, 0}, FixedVec3{0, 1, 0}, FixedVec3{0, 0, 1}};
+  std::array<Column, 3> columns{Column{1, 0, 0}, Column{0, 1, 0}, Column{0, 0, 1}};
   bool exact = true;  ///< turned by right angles only
 
   /// With i and j the axes after this one:
@@ -24,11 +24,11 @@ struct Turned {
   ///   | j' | = | -sin  cos | | j |
   void turn(std::size_t axis, double degrees) {
     const SinCos angle = sinCosDegrees(degrees);
-    FixedVec3 &i = columns[(axis + 1) % 3], &j = columns[(axis + 2) % 3];
+    Column &i = columns[(axis + 1) % 3], &j = columns[(axis + 2) % 3];
     for (std::size_t k = 0; k < 3; ++k) {
-      const Fixed a = i[k], b = j[k];
-      i[k] = a * angle.cosine + b * angle.sine;
-      j[k] = b * angle.cosine - a * angle.sine;
+      const Dyadic a = i[k], b = j[k];
+      i[k] = sinCosProduct(a, angle.cosine) + sinCosProduct(b, angle.sine);
+      j[k] = sinCosProduct(b, angle.cosine) - sinCosProduct(a, angle.sine);
     }
     exact = exact && isRightAngle(degrees);
   }
@@ -38,7 +38,7 @@ struct Turned {
     constexpr double kNoise = 0x1p-207;  // below it is what rounding left of a sum that cancels
     FineVec3 v;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Expansion<8> terms = (opposite ? -columns[axis][k] : columns[axis][k]).expansion();
+      const Expansion<8> terms = (opposite ? -columns[axis][k] : columns[axis][k]).expansion<8>();
       if (std::fabs(terms.rounded().hi) >= kNoise) v.terms[k] = terms;
     }
     v.error = exact ? 0 : kGeodesyRowBound;

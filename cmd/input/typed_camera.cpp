@@ -279,6 +279,7 @@ void TypedCamera::mergeLens(Document& document, CameraReading& reading,
   if (fields.isString(field::type))
     for (const ProjectionType& type : projectionTypes())
       if (*fields.text(field::type) == type.name) own = &type;
+  if (hadOne && !own && (fields.has(field::type) || !document.isTyped())) return;  // which the reader complains about
   const auto holds = [&](const ProjectionType& type) {
     return std::all_of(lens.begin(), lens.end(), [&](const Given& given) {
       return given.option.type ? given.option.type == &type : type.form.has(*given.option.field);

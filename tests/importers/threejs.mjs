@@ -334,9 +334,22 @@ const matricesCases = {
   })),
 };
 
+/// Under other names.
+const renamedCases = {
+  'matrices of an object without a model': () => writeMatrices('matrices of an object without a model', (c, flat) =>
+    ({ modelViewMatrix: flat(c.matrixWorldInverse), projectionMatrix: flat(c.projectionMatrix) })),
+  'matrices of fixed-function OpenGL': () => writeMatrices('matrices of fixed-function OpenGL', (c, flat) =>
+    ({ modelview: flat(c.matrixWorldInverse), projection: flat(c.projectionMatrix) })),
+};
+
 let seed = 0;
 for (let trial = 0; trial < 4; ++trial)
   for (const make of [...Object.values(threeCases), ...Object.values(gltfCases), ...Object.values(matricesCases)]) {
     random = generator(++seed);
     await make();
+  }
+for (let trial = 0; trial < 4; ++trial)
+  for (const make of Object.values(renamedCases)) {
+    random = generator(++seed);
+    make();
   }

@@ -195,9 +195,12 @@ function waysOf(r) {
   ]);
 }
 
-function shape(r, kind, as = (at) => at) {
+/// At times as an object.
+const point = (r, at) => (r.chance(0.3) ? { x: at[0], y: at[1], z: at[2] } : at);
+
+function shape(r, kind, as = (at) => point(r, at)) {
   const at = vector(r);
-  if (kind === "plane") return { point: r.chance(0.3) ? { x: at[0], y: at[1], z: at[2] } : at, normal: [r.number(1, 2), 0, r.number(-1, 1)] };
+  if (kind === "plane") return { point: as(at), normal: as([r.number(1, 2), 0, r.number(-1, 1)]) };
   if (kind === "sphere") return { center: as(at), radius: r.of([0, 2.5]) };
   if (kind === "box") {
     const min = as(at), max = as(at.map((x) => x + r.number(0, 3)));

@@ -8,6 +8,8 @@ function hasPointsBehind(message, value) {
 export const kRules = {
   camera: {
     "far is above near": /projection\.far: must be greater than near/,
+    "a text is in the range of a number":
+      /expected a number or "16\/9" \(is "|must be (an angle between 0 and 180|from -90 to 90) degrees.*\(is "|aspect: must be above 0 \(is "/,
     "edges are in order": /projection\.(right|top): must be greater than (left|bottom)/,
     "a ps2 depth range has two ends": (message, value) =>
       value.projection?.type === "ps2" && /viewport\.depthRange: must span more than one value/.test(message),
