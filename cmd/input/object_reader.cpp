@@ -11,7 +11,7 @@ namespace {
 
 std::string shortened(std::string text) {
   constexpr std::size_t kMost = 60;
-  if (text.size() > kMost) text = text.substr(0, kMost) + "...";
+  if (text.size() > kMost) text.replace(kMost, std::string::npos, "...");
   return text;
 }
 
