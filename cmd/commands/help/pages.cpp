@@ -69,7 +69,10 @@ std::vector<Entry> entriesOf(std::span<const Coordinate* const> rows) {
     std::string form = isArray ? (row->most > 2 ? "[x, y, z]" : "[x, y]") : "a number each";
     if (row->form == CoordinateForm::object || row->form == CoordinateForm::points) form = exampleOf(*row);
     if (row->form == CoordinateForm::numbers && row->parts.size() == 1) form = "a number";
-    entries.push_back({spellings(row->name, row->aliases), form, std::string(row->help)});
+    std::string text(row->help);
+    for (const CoordinatePart& part : row->parts)
+      if (!part.aliases.empty()) text += "; " + spellings(part.name, part.aliases);
+    entries.push_back({spellings(row->name, row->aliases), form, text});
   }
   return entries;
 }
