@@ -127,9 +127,7 @@ Looking lookingAt(const Vec3& position, const Vec3& target, const Up& up) {
 
 }  // namespace
 
-Pose made(const PoseParts& parts) {
-  return Access::whole<Pose, PoseParts>(std::make_shared<const PoseParts>(parts));
-}
+Pose made(const PoseParts& parts) { return Access::whole<Pose, PoseParts>(std::make_shared<const PoseParts>(parts)); }
 
 Handedness worldOf(const PoseParts& p) noexcept {
   return dot(cross(p.rows.right, p.rows.up), p.rows.forward).hi < 0 ? Handedness::right : Handedness::left;
