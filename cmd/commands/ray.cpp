@@ -205,7 +205,7 @@ Action defineRay(CLI::App& app) {
   app.description(
       "Pixels to rays: origin and unit direction, with a depth or viewDistance the point itself, and what of a scene "
       "the ray hits. Text has 6 numbers a record, origin and direction, or 9 with the point where there is a depth; "
-      "f64 always 9, NaN where there is no point. --bound adds one behind the point; --scene adds 7 at the end, "
+      "f64 always 9, NaN where there is no point. --bound adds one after the point; --scene adds 7 at the end, "
       "distance, point and normal of the hit, NaN where there is none: 13 without a point, 16 with it; and if the "
       "scene has an ellipsoid, 3 more: lat, lon, height. With --columns, a third column called depth or viewDistance "
       "is that, one of another name a depth, and a distance that is not named is not used.");

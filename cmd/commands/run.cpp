@@ -38,8 +38,9 @@ std::string adviceOn(const std::string& extra, CommandLine& app) {
   const std::string name = extra.substr(0, extra.find('='));
   std::vector<std::string_view> owners;
   for (const Command& command : allCommands()) {
-    CLI::App other;
+    CommandLine other;
     (void)define(command, other);
+    other.addAll();
     if (other.get_option_no_throw(name)) owners.push_back(command.name);
   }
   if (!owners.empty()) return "; it is an option of " + together(owners);

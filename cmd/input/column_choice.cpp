@@ -88,7 +88,7 @@ std::vector<const CoordinatePart*> partsOf(const ChoosableColumns& choosable) {
   return parts;
 }
 
-/// The role behind the fewest that a column has by its name: viewDistance, and view_distance as CSV has it.
+/// The role after the fewest that a column has by its name: viewDistance, and view_distance as CSV has it.
 std::string_view roleNamed(std::string_view name, const ChoosableColumns& choosable) {
   const auto isOf = [&](const CoordinatePart& part) { return name == part.name || name == columnName(part.name); };
   for (const CoordinatePart& part : choosable.rows[0]->parts.subspan(choosable.rows[0]->fewest))

@@ -27,7 +27,7 @@ enum RecordKind : unsigned {
   kindSegment,
   kindSegmentAndPixel,
   kindSphere,
-  kindRoundPoint,    ///< a point, and a radius behind it
+  kindRoundPoint,    ///< a point, and a radius after it
   kindPlacedSphere,  ///< a place, and a radius
   kindBox,
   kindTriangle

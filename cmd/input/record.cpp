@@ -86,7 +86,7 @@ RecordParts csvParts(std::string_view text, const Shape& header) {
   return record;
 }
 
-std::size_t behindClosingQuote(std::string_view field) {
+std::size_t afterClosingQuote(std::string_view field) {
   constexpr std::size_t npos = std::string_view::npos;
   if (!field.starts_with('"')) return npos;
   std::size_t close = field.find('"', 1);
@@ -104,9 +104,9 @@ void requireClosedFields(std::string_view record, const std::vector<std::string_
                          const CsvFormat& format) {
   const std::string_view name = nameOfSeparator(format.separator);
   for (const std::string_view field : fields)
-    if (const std::size_t at = behindClosingQuote(field); at != std::string_view::npos)
+    if (const std::size_t at = afterClosingQuote(field); at != std::string_view::npos)
       throw RecordError(static_cast<std::size_t>(field.data() - record.data()) + at,
-                        "text behind the quote that closes; expected " +
+                        "text after the quote that closes; expected " +
                             (name.empty() ? quoted(std::string_view(&format.separator, 1)) : "a " + std::string(name)) +
                             " or the end of the line");
 }

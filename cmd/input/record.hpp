@@ -98,10 +98,10 @@ void requireFewFields(std::string_view text, const std::vector<std::string_view>
 /// Throws RecordError at the first carriage return of a line of CSV outside of quotes.
 void requireNoLoneReturn(std::string_view record, const std::vector<std::string_view>& fields);
 
-/// Throws RecordError where text stands behind the quote that closes a field. record: has the fields.
+/// Throws RecordError where text stands after the quote that closes a field. record: has the fields.
 void requireClosedFields(std::string_view record, const std::vector<std::string_view>& fields, const CsvFormat& format);
 /// Where such text begins, or npos.
-std::size_t behindClosingQuote(std::string_view field);
+std::size_t afterClosingQuote(std::string_view field);
 
 /// The message of a record which --keep-going of an earlier run put in place of a bad one. written: its own message.
 std::string markedBad(std::string_view written);

@@ -256,10 +256,10 @@ class CsvWriter final : public RecordWriter {
       } else if (i >= cells.size()) {
         out_ += quotedIfNeeded("", setup_.csv);
       } else if (columns_.format == setup_.csv && cells[i].starts_with('"') &&
-                 behindClosingQuote(cells[i]) == std::string_view::npos) {
+                 afterClosingQuote(cells[i]) == std::string_view::npos) {
         out_ += cells[i];
       } else {
-        const bool closed = behindClosingQuote(cells[i]) == std::string_view::npos;
+        const bool closed = afterClosingQuote(cells[i]) == std::string_view::npos;
         out_ += quotedIfNeeded(closed ? csvValue(cells[i]) : std::string(cells[i]), setup_.csv);
       }
     }
@@ -384,7 +384,7 @@ CsvColumns csvColumns(const WriterSetup& setup, const CsvHeader* input, std::str
   const std::string error = setup.prefix + std::string(kErrorName);
   if (setup.keepGoing && input && input->present)
     for (const ErrorColumn& own : errorColumns(input->names, setup.results))
-      if (own.behindResult && input->names[own.column] == error) columns.marks = own.column;
+      if (own.afterResult && input->names[own.column] == error) columns.marks = own.column;
   if (setup.keepGoing && !columns.marks) columns.results.push_back(error);
   if (!input) return columns;
   columns.known = columns.fromCsv = true;

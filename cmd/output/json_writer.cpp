@@ -223,7 +223,7 @@ class JsonWriter final : public RecordWriter {
     if (!inArray_ && !joined_) out_ += '\n';
   }
 
-  /// The result's name as it stands behind the record's fields: results come in the same order again and again.
+  /// The result's name as it stands after the record's fields: results come in the same order again and again.
   void beginField(const ResultRow& row) {
     if (depth_ > 0) {
       if (out_.back() != '{') out_ += ',';

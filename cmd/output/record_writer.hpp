@@ -17,11 +17,11 @@
 namespace viewproj::cmd {
 
 struct WriterSetup {
-  /// Names of the numbers that a bare JSON array or a text line holds: the array's, and that of a number behind it.
+  /// Names of the numbers that a bare JSON array or a text line holds: the array's, and that of a number after it.
   std::string arrayName;
   std::size_t arraySize = 0;  ///< how many numbers without names are the array's; 0: all
   std::string extraName;
-  std::vector<std::string> numberNames;  ///< instead: of each number by itself; those behind are column4, ...
+  std::vector<std::string> numberNames;  ///< instead: of each number by itself; those after it are column4, ...
   std::string prefix;                    ///< in front of every result's name
   bool keepGoing = false;
   bool keepArrays = false;  ///< an array in the input is one in the output

@@ -132,8 +132,8 @@ std::vector<ErrorColumn> errorColumns(std::span<const std::string> names, const 
       return std::find(known.begin(), known.end(), std::string_view(names[column]).substr(prefix.size())) !=
              known.end();
     };
-    const bool behind = i > 0 && isOne(i - 1, last);
-    errors.push_back({i, behind, behind && isOne(i + 1, first)});
+    const bool after = i > 0 && isOne(i - 1, last);
+    errors.push_back({i, after, after && isOne(i + 1, first)});
   }
   return errors;
 }

@@ -106,7 +106,7 @@ std::vector<std::string> columnsOf(std::span<const ResultRow* const> rows, std::
 /// A column that may have what --keep-going of an earlier run said of a bad record.
 struct ErrorColumn {
   std::size_t column;
-  bool behindResult;   ///< as that writes it
+  bool afterResult;    ///< as that writes it
   bool beforeResults;  ///< and other results follow: a later run took it over
 };
 /// Those called error, after a prefix or none. results: those of this run; the columns of other runs' are known.

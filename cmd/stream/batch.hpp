@@ -67,7 +67,7 @@ class Batch {
   void beginArray(std::string_view asWritten);
   void endArray(std::string_view asWritten);
 
-  /// Ends the run behind what was added.
+  /// Ends the run after what was added.
   struct StopBlock {};
 
  private:
@@ -97,7 +97,7 @@ class Batch {
 class RecordReader {
  public:
   virtual ~RecordReader() = default;
-  /// What stands behind the block's records may be overwritten. Throws Batch::StopBlock.
+  /// What stands after the block's records may be overwritten. Throws Batch::StopBlock.
   virtual void read(Block& block, Batch& batch) = 0;
 };
 

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t npos = std::string_view::npos;
 constexpr std::string_view kBom = "\xEF\xBB\xBF";
 
-std::size_t behindLastLine(std::string_view text) {
+std::size_t afterLastLine(std::string_view text) {
   const std::size_t end = text.rfind('\n');
   return end == npos ? 0 : end + 1;
 }
@@ -80,7 +80,7 @@ std::string_view BlockReader::firstBytes(char comment) {
   const auto enough = [comment](std::string_view text) {
     if (mayBeginBom(text)) return npos;
     const std::size_t bom = text.starts_with(kBom) ? kBom.size() : 0;
-    const std::string_view record = behindComments(text.substr(bom), comment);
+    const std::string_view record = afterComments(text.substr(bom), comment);
     if (record.empty()) return npos;
     const std::size_t first = text.size() - record.size();
     const bool bracket = text[first] == '{' || text[first] == '[';
@@ -256,7 +256,7 @@ std::size_t BlockReader::wholeRecords(Block& block, std::string_view text) {
     case Form::csv:
       return atEnd_ ? text.size() : csv_.lastEnd(text);
     case Form::text:
-      return atEnd_ ? text.size() : behindLastLine(text);
+      return atEnd_ ? text.size() : afterLastLine(text);
     case Form::f64:
       break;
   }
@@ -285,14 +285,14 @@ std::size_t BlockReader::wholeJson(Block& block, std::string_view text) {
     if (piece.event == JsonEvent::needMore) return whole;
     if (piece.event == JsonEvent::end) return text.size();
     if (piece.event == JsonEvent::beginArray) {
-      const JsonSplitter behindOpening = splitter_;
+      const JsonSplitter afterOpening = splitter_;
       const std::size_t array = wholeArray(splitter_, text.substr(whole + piece.end));
       if (array == 0 && whole > 0) {
         splitter_ = JsonSplitter(state_);
         return whole;
       }
       if (array == 0) {
-        splitter_ = behindOpening;
+        splitter_ = afterOpening;
         state_ = splitter_.state();
         block.opening = piece.text;
         block.records = text.substr(piece.end, 0);

@@ -120,7 +120,7 @@ char separatorOf(const Stream& stream, std::string_view line) {
 std::string_view firstLineOf(const FilterSetup& setup, BlockReader& reader) {
   std::string_view start = reader.firstBytes(setup.comment.value_or(0));
   if (start.starts_with("\xEF\xBB\xBF")) start.remove_prefix(3);
-  start = behindComments(start, setup.comment.value_or(0));
+  start = afterComments(start, setup.comment.value_or(0));
   start = start.substr(0, start.find('\n'));
   return start.ends_with('\r') ? start.substr(0, start.size() - 1) : start;
 }

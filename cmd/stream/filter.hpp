@@ -39,7 +39,7 @@ struct FilterSetup {
 };
 
 /// Returns the exit status: 1 if --keep-going passed over a bad record. Throws InputError at the first bad record
-/// otherwise, after everything before it has been written and an open array closed; Interrupted behind a whole record.
+/// otherwise, after everything before it has been written and an open array closed; Interrupted after a whole record.
 int runFilter(FilterSetup setup, const MakeWork& makeWork);
 
 /// Reads the records alone, in order: they are added to the work, batch by batch, and nothing is written. Throws

@@ -86,7 +86,7 @@ class JsonReader final : public RecordReader {
     batch_ = &batch;
     text_ = block.records;
     bad_ = block.bad;
-    // Where the last record is none, as [1,2 3], parse_many cuts it short and takes the byte behind the text, whatever
+    // Where the last record is none, as [1,2 3], parse_many cuts it short and takes the byte after the text, whatever
     // it is, for what comes next.
     if (!text_.empty()) *(block.bytes.data() + (text_.data() - block.bytes.data()) + text_.size()) = 0;
     if (block.inArray)
@@ -96,7 +96,7 @@ class JsonReader final : public RecordReader {
   }
 
  private:
-  /// How many records are read one by one behind one that the fast way rejected: more and more, so that many of them do
+  /// How many records are read one by one after one that the fast way rejected: more and more, so that many of them do
   /// not cost a pass over the rest each.
   static constexpr std::size_t kOneByOne = 32;
 

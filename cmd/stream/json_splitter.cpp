@@ -51,7 +51,7 @@ JsonFault unclosedFault(std::string_view text) {
   return *fault;
 }
 
-std::string_view withoutSpaceBehind(std::string_view text) { return text.substr(0, text.find_last_not_of(kSpace) + 1); }
+std::string_view withoutSpaceAfter(std::string_view text) { return text.substr(0, text.find_last_not_of(kSpace) + 1); }
 
 }  // namespace
 
@@ -144,7 +144,7 @@ JsonPiece JsonSplitter::next(std::string_view rest, End end) {
       return opens(rest[at]) ? atBracket(rest, at, atEnd) : junk(rest, at, kNoRecord);
     case Place::afterRecord:
     case Place::afterBad:
-      return behindRecord(rest, at, atEnd);
+      return afterRecord(rest, at, atEnd);
     case Place::firstInArray:
       if (rest[at] == ']') return endOfArray(rest, at, atEnd);
       break;
@@ -161,7 +161,7 @@ JsonPiece JsonSplitter::next(std::string_view rest, End end) {
   return atBracket(rest, at, atEnd);
 }
 
-JsonPiece JsonSplitter::behindRecord(std::string_view rest, std::size_t at, bool atEnd) {
+JsonPiece JsonSplitter::afterRecord(std::string_view rest, std::size_t at, bool atEnd) {
   if (rest[at] == ',') {
     JsonPiece comma = piece(JsonEvent::passed, rest, at, at + 1);
     state_.place = Place::inArray;
@@ -402,9 +402,9 @@ JsonSplitter::Scan JsonSplitter::scan(std::string_view rest, std::size_t begin, 
   if (open_.empty()) {
     if (lastEnd_ == npos || rest[begin] == ']') return Scan::closed;
     // It may have been closed by what closes the array.
-    const std::size_t behind = skipSpace(rest, scanned_);
-    if (behind == rest.size() && !atEnd) return Scan::needMore;
-    if (behind < rest.size() && (rest[behind] == ',' || rest[behind] == ']')) return Scan::closed;
+    const std::size_t after = skipSpace(rest, scanned_);
+    if (after == rest.size() && !atEnd) return Scan::needMore;
+    if (after < rest.size() && (rest[after] == ',' || rest[after] == ']')) return Scan::closed;
     scanned_ = lastEnd_;
     return Scan::failed;
   }
@@ -475,7 +475,7 @@ JsonPiece JsonSplitter::unclosedRecord(std::string_view rest, std::size_t at, st
   const JsonFault fault = !explains_ ? JsonFault{0, kNotClosed}
                           : tooLong
                               ? JsonFault{0, "a record longer than " + std::to_string(kLongestRecord >> 20) + " MiB"}
-                              : unclosedFault(withoutSpaceBehind(bad.text));
+                              : unclosedFault(withoutSpaceAfter(bad.text));
   bad.message = fault.message;
   bad.at = at + fault.offset;
   if (passLines) {

@@ -96,7 +96,7 @@ class JsonSplitter {
   enum class DocumentStart { no, yes, undecided };
 
   JsonPiece pass(std::string_view rest);
-  JsonPiece behindRecord(std::string_view rest, std::size_t at, bool atEnd);
+  JsonPiece afterRecord(std::string_view rest, std::size_t at, bool atEnd);
   JsonPiece atEndOf(std::string_view rest, End end);
   JsonPiece atBracket(std::string_view rest, std::size_t at, bool atEnd);
   JsonPiece endOfArray(std::string_view rest, std::size_t at, bool atEnd);

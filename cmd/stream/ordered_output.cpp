@@ -26,7 +26,7 @@ struct Records {
   std::size_t size() const { return count > 0 ? text.size() / count : text.size(); }  ///< f64
 
   /// After the record that begins there, its line break included.
-  std::size_t behind(std::size_t begin) const {
+  std::size_t after(std::size_t begin) const {
     const std::size_t line = form == OutputForm::csv ? endOfCsvRecord(text, begin, csv) : text.find('\n', begin);
     return line >= text.size() ? text.size() : line + 1;
   }
@@ -36,17 +36,17 @@ struct Records {
     if (form == OutputForm::f64) return at / size() * size();
     if (form != OutputForm::csv) return at == 0 ? 0 : text.rfind('\n', at - 1) + 1;  // npos + 1 is 0
     std::size_t begin = 0;
-    for (std::size_t end; begin < at && (end = behind(begin)) <= at;) begin = end;
+    for (std::size_t end; begin < at && (end = after(begin)) <= at;) begin = end;
     return begin;
   }
 
   /// The first place at `at` or after it where a record ends, and an array if it stands in one.
-  std::size_t endBehind(std::size_t at) const {
+  std::size_t endAfter(std::size_t at) const {
     if (arrays) return text.size();
     if (joined) return std::min(text.find(",\n", at), text.size());
     const std::size_t begin = beginBefore(at);
     if (begin == at) return at;
-    return form == OutputForm::f64 ? begin + size() : behind(begin);
+    return form == OutputForm::f64 ? begin + size() : after(begin);
   }
 };
 
@@ -70,8 +70,8 @@ void OrderedOutput::openArray(std::string_view asWritten) {
 void OrderedOutput::closeArray(std::string_view asWritten) {
   if (!open_) return;
   open_ = false;
-  const std::string_view behind = asWritten.empty() ? std::string_view(closing_) : asWritten.substr(1);
-  writeEnd((inArray_ == 0 ? "]" : "\n]") + std::string(behind) + "\n");
+  const std::string_view after = asWritten.empty() ? std::string_view(closing_) : asWritten.substr(1);
+  writeEnd((inArray_ == 0 ? "]" : "\n]") + std::string(after) + "\n");
 }
 
 void OrderedOutput::put(const Block& block, const BlockResult& result) {
@@ -130,7 +130,7 @@ void OrderedOutput::write(std::string_view text, std::size_t count, bool arrays)
     if (all.error != EPIPE) takeBack(all.bytes - records.beginBefore(all.bytes));
     failToWrite(all.error);
   }
-  const std::size_t end = records.endBehind(all.bytes);
+  const std::size_t end = records.endAfter(all.bytes);
   writeEnd(text.substr(all.bytes, end - all.bytes));
   inArray_ += open_;
   endInterrupted();

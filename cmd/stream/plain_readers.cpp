@@ -32,7 +32,7 @@ class CsvReader final : public RecordReader {
  public:
   CsvReader(const Shape& header, const Results& results)
       : header_(header), separator_(header.csv.separator), errors_(errorColumns(header.names, results)) {
-    for (const ErrorColumn& error : errors_) behindResults_ |= error.behindResult;
+    for (const ErrorColumn& error : errors_) afterResults_ |= error.afterResult;
   }
 
   void read(Block& block, Batch& batch) override {
@@ -111,7 +111,7 @@ class CsvReader final : public RecordReader {
     const auto needed = [&](const NumberField& part) { return blank(part.field); };
     if (layout && !std::all_of(layout->parts.begin(), layout->parts.end(), needed)) return;
     for (const ErrorColumn& error : errors_) {
-      const bool blankBefore = error.behindResult && blank(error.column - 1);
+      const bool blankBefore = error.afterResult && blank(error.column - 1);
       if (!layout && !blankBefore && !(error.beforeResults && blank(error.column + 1))) continue;
       const std::string message = csvValue(record.values[error.column]);
       if (!isBlank(message) && !parseDecimal(message, header_.csv.decimal))
@@ -126,7 +126,7 @@ class CsvReader final : public RecordReader {
       const Plan& plan = batch.planFor(record);
       if (!errors_.empty()) requireNoError(record, &plan.layout);
       const bool isPlain = !header_.csv.isBlanks() && header_.csv.decimal == '.';
-      if (slots_.empty() && !behindResults_ && isPlain) slots_ = slotsOf(plan.layout, header_.size);
+      if (slots_.empty() && !afterResults_ && isPlain) slots_ = slotsOf(plan.layout, header_.size);
       Numbers numbers;
       readNumbers(record, plan.layout, numbers);
       batch.add(line, plan, numbers);
@@ -138,7 +138,7 @@ class CsvReader final : public RecordReader {
   const Shape& header_;
   char separator_;
   std::vector<ErrorColumn> errors_;
-  bool behindResults_ = false;  ///< one of them
+  bool afterResults_ = false;  ///< one of them
   std::vector<std::size_t> slots_;
 };
 
@@ -183,7 +183,7 @@ class BinaryReader final : public RecordReader {
     const std::size_t count = text.size() / kBinaryRecord;
     const auto* doubles = reinterpret_cast<const double*>(text.data());  // blocks begin with their buffer
     for (std::size_t i = 0; i < count;) {
-      // Not all at once: those behind one that the work does not take are done again.
+      // Not all at once: those after one that the work does not take are done again.
       const std::size_t some = std::min(count - i, kAtOnce);
       const std::size_t done = batch.convert({doubles + 3 * i, 3 * some});
       i += done;

@@ -32,7 +32,7 @@ class RecordWork {
   virtual void clear() = 0;
 
   /// From f64 to f64, many records at once: three numbers a record in, what the writer would write out. Returns how
-  /// many records from the start it took: those behind are for add and write.
+  /// many records from the start it took: those after it are for add and write.
   virtual std::size_t convert(std::span<const double> /*in*/, TextBuffer& /*out*/) { return 0; }
 };
 

@@ -43,7 +43,7 @@ class CsvEnds {
   /// The offset after the last one; 0 if there is none yet.
   std::size_t lastEnd(std::string_view text) {
     scan(text, false);
-    return behind_;
+    return after_;
   }
 
  private:
@@ -68,27 +68,27 @@ class CsvEnds {
       const std::string_view plain = text.substr(0, std::min(quote, text.size()));
       const std::size_t line = first ? (quote == npos ? lineBreak : npos) : plain.substr(at_).rfind('\n');
       if (line != npos) {
-        behind_ = first ? line + 1 : at_ + line + 1;
+        after_ = first ? line + 1 : at_ + line + 1;
         if (first) {
-          at_ = behind_;
+          at_ = after_;
           return line;
         }
       }
       at_ = plain.size();
       if (quote == npos) break;
-      if (format_.isComment(text.substr(behind_))) {
+      if (format_.isComment(text.substr(after_))) {
         // To its end; where that is not there yet, the next call goes on in it.
         at_ = std::min(text.find('\n', at_), text.size());
         continue;
       }
-      quoted_ = quote == behind_ || format_.separates(text[quote - 1]);
+      quoted_ = quote == after_ || format_.separates(text[quote - 1]);
       ++at_;
     }
     return npos;
   }
 
   CsvFormat format_;
-  std::size_t at_ = 0, behind_ = 0;
+  std::size_t at_ = 0, after_ = 0;
   bool quoted_ = false;
 };
 

@@ -78,7 +78,7 @@ std::optional<Form> formOfName(std::string_view fileName) {
   return std::nullopt;
 }
 
-std::string_view behindComments(std::string_view text, char comment) {
+std::string_view afterComments(std::string_view text, char comment) {
   constexpr std::string_view kSpace = " \t\r\n";
   for (;;) {
     text.remove_prefix(std::min(text.find_first_not_of(kSpace), text.size()));

@@ -35,7 +35,7 @@ inline bool hasColumns(OutputForm form) { return form == OutputForm::csv || form
 
 OutputForm sameForm(Form form);
 
-/// Lines of text that begin so, behind blanks, are no records.
+/// Lines of text that begin so, after blanks, are no records.
 inline constexpr char kTextComment = '#';
 inline bool isTextComment(std::string_view line, char comment = 0) {
   const std::size_t first = line.find_first_not_of(" \t");
@@ -43,12 +43,12 @@ inline bool isTextComment(std::string_view line, char comment = 0) {
 }
 
 /// From the first line on that is neither blank nor a comment.
-std::string_view behindComments(std::string_view text, char comment = 0);
+std::string_view afterComments(std::string_view text, char comment = 0);
 
 /// By the file's name, or nothing.
 std::optional<Form> formOfName(std::string_view fileName);
 
-/// By the first bytes, behind comments: `{` or `[` begins JSON; a first line with a comma, unless that marks decimals,
+/// By the first bytes, after comments: `{` or `[` begins JSON; a first line with a comma, unless that marks decimals,
 /// or with a semicolon is CSV, any other with a number in it text, one of words alone a header. goesOn: a bad record
 /// may come first, so such words are one. Nothing where they are no text at all; f64 is never guessed.
 std::optional<Form> formOfBytes(std::string_view start, bool goesOn, char decimal = '.');

@@ -63,6 +63,7 @@ function randomRuns(run, makeCamera, Random) {
     add("cull", ["--planes"]);
     const matrices = add("matrix", ["--inverse"]);
     add("matrix", ["--relative-to-eye", "--bake-viewport", "--float"]);
+    add("matrix", ["--inverse", "--model", `{"scale":[1,2,3]}`]);
     add("explain", ["--to", "json", "--point", "0.5,1,2"]);
     add("explain", ["--to", "json", "--pixel", "100,80"]);
     add("explain", ["--to", "json", "--pixel", "100,80,0.5"]);

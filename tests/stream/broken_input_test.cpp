@@ -406,22 +406,22 @@ TEST_CASE("what --keep-going put in the place of a bad record keeps its first me
   }
 }
 
-TEST_CASE("text behind the quote that closes is an error of its record, however it is read") {
+TEST_CASE("text after the quote that closes is an error of its record, however it is read") {
   const std::string input =
       "name,x,y,z\nl,1,2,3\n\"a,1,2,3\n\"b,1,2,4\n\"c\" ,4,5,6\r\n\"d\"\r\"d\",4,5,6\n\"e\"\"\",7,8,9\n";
   const StreamRun all = runStream(input, {.from = Form::csv, .keepGoing = true});
   INFO(all.out << all.err);
-  CHECK(all.err.starts_with("viewproj: <stdin>:4:2: text behind the quote that closes"));
+  CHECK(all.err.starts_with("viewproj: <stdin>:4:2: text after the quote that closes"));
   CHECK(linesOf(all.err).size() == 3);
   CHECK(all.out.find("\n\"e\"\"\",7,8,9,24,14,16,18,\n") != std::string::npos);
   // What is written is read again.
   const StreamRun again = runStream(all.out, {.from = Form::csv, .keepGoing = true, .prefix = "p."});
   CHECK(linesOf(again.err).size() == 3);
-  CHECK(again.err.find("marked bad by an earlier run: text behind") != std::string::npos);
+  CHECK(again.err.find("marked bad by an earlier run: text after") != std::string::npos);
   for (const unsigned jobs : {1u, 3u})
     for (std::size_t block = 1; block < 90; ++block)
       CHECK(runStream(input, {.from = Form::csv, .keepGoing = true, .jobs = jobs, .block = block}) == all);
-  CHECK(runStream("a,\"b\"c,x,y,z\n1,2,3,4,5\n", {.from = Form::csv}).err.starts_with("<stdin>:1:6: text behind"));
+  CHECK(runStream("a,\"b\"c,x,y,z\n1,2,3,4,5\n", {.from = Form::csv}).err.starts_with("<stdin>:1:6: text after"));
 }
 
 TEST_CASE("a stream of text whose first record is bad is text") {

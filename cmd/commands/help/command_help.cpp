@@ -56,8 +56,9 @@ CommandHelp describe(const CLI::App& app) {
 }
 
 CommandHelp describe(const Command& command) {
-  CLI::App app("", "viewproj " + std::string(command.name));
+  CommandLine app("", "viewproj " + std::string(command.name));
   (void)define(command, app);
+  app.addAll();
   return describe(app);
 }
 
