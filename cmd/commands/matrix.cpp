@@ -24,7 +24,7 @@ struct Wanted {
 std::string lacking(const CameraMatrix& row, const MatrixSource& source) {
   const CameraFile& file = source.file;
   const bool needsViewport = row.viewport || (source.bakeViewport && row.projection);
-  if (row.model && !source.worldFromLocal) return "--model, which says where the model stands";
+  if (row.model && !source.worldFromLocal) return "--model";
   if (row.pose && !file.pose) return "a pose";
   if (row.projection && !file.projection) return "a projection";
   if (needsViewport && !file.viewport) return "a viewport; --viewport WIDTHxHEIGHT gives one";
@@ -97,6 +97,8 @@ void requireUse(const Options& o) {
     throw UsageError("--relative-to-eye is of the view, and --which names no view");
   if (o.wanted.relativeToEye && o.model)
     throw UsageError("--relative-to-eye is for points of the world; modelView has no large numbers to be rid of");
+  if (!o.model && o.which && any(*o.which, &CameraMatrix::model))
+    throw UsageError("modelView and modelViewProjection need --model, which says where the model stands");
   if (o.model && o.which && !any(*o.which, &CameraMatrix::model))
     throw UsageError("--model is of modelView and modelViewProjection, and --which names neither");
 }

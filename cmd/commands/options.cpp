@@ -89,7 +89,8 @@ void CameraOptions::add(CLI::App& app) {
 
 void CameraOptions::addWriting(CLI::App& app) {
   const Heading heading(app, "Convention written");
-  addChoice(app, "--convention", "NAME", convention_, presets(), "Write in this convention", "the one that was read");
+  addChoice(app, "--convention", "NAME", convention_, presets(),
+            "Write in this convention; without a camera file also read the options in it", "the one that was read");
   app.add_flag_function(
          "--reverse-z,!--no-reverse-z",
          [this](std::int64_t sum) {
@@ -210,7 +211,8 @@ Convention CameraOptions::writing(const CameraFile& file) const {
 
 void CameraOptions::noteWriting(const CameraFile& file, const Shown& shown, const std::string& where) const {
   std::vector<std::string_view> idle;
-  if (convention_ && !shown.axes && !shown.range && !shown.reversal) idle.push_back("--convention");
+  // Without a file it also says how the options are read.
+  if (convention_ && !isTyped() && !shown.axes && !shown.range && !shown.reversal) idle.push_back("--convention");
   if (reverseZ_ && !shown.reversal) idle.push_back(*reverseZ_ ? "--reverse-z" : "--no-reverse-z");
   if (ndcZ_ && !shown.range) idle.push_back("--ndc-z");
   if (!idle.empty())

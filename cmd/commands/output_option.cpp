@@ -11,9 +11,10 @@ namespace viewproj::cmd {
 namespace {
 
 /// Endings that say what a file is, whether or not a command writes it.
-constexpr std::string_view kTelling[] = {
-    ".json", ".ndjson", ".jsonl", ".csv", ".tsv", ".txt", ".xyz",  ".f64", ".bin",  ".svg", ".c",    ".h",  ".glsl",
-    ".hlsl", ".wgsl",   ".css",   ".py",  ".png", ".jpg", ".jpeg", ".pdf", ".yaml", ".xml", ".gltf", ".glb"};
+constexpr std::string_view kTelling =
+    ".json .geojson .ndjson .jsonl .csv .tsv .txt .xyz .f64 .bin .svg .c .h .cpp .hpp .glsl .vert .frag .hlsl .wgsl "
+    ".css .py .png "
+    ".jpg .jpeg .gif .pdf .html .md .yaml .yml .toml .xml .xlsx .ods .gltf .glb .obj .ply";
 
 }  // namespace
 
@@ -38,7 +39,7 @@ std::optional<std::size_t> formOfOutputName(const std::string& file,
   if (ending.empty()) return std::nullopt;
   for (std::size_t i = 0; i < forms.size(); ++i)
     if (isEnding(ending, forms[i].second)) return i;
-  if (std::find(std::begin(kTelling), std::end(kTelling), ending) == std::end(kTelling)) return std::nullopt;
+  if (!isEnding(ending, kTelling)) return std::nullopt;
   std::vector<std::string_view> names;
   for (const auto& [name, endings] : forms) names.push_back(name);
   throw UsageError("-o " + file + ": nothing that this command writes is called " + std::string(ending) +

@@ -22,7 +22,6 @@ struct Completed {
 };
 
 std::vector<Completed> completed() {
-  const FactKeeper keeper;
   std::vector<Completed> all;
   for (const Command& command : allCommands()) {
     const CommandHelp help = describe(command);

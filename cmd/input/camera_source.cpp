@@ -159,7 +159,8 @@ CameraFile readAnyCamera(Document& document, const std::optional<std::string>& p
 
 void setViewportSize(Document& document, double width, double height) {
   const auto viewport = document.root().find("viewport");
-  if (viewport != document.root().end() && viewport->is_array() && viewport->size() == 4) {  // x, y, width, height
+  if (viewport != document.root().end() && viewport->is_array() && viewport->size() == 4 &&
+      viewport->front().is_number()) {  // x, y, width, height
     document.set(readAssignment("viewport.2=" + formatNumber(width)));
     document.set(readAssignment("viewport.3=" + formatNumber(height)));
     return;

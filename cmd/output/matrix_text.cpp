@@ -257,7 +257,7 @@ constexpr Format kMatrixFormats[] = {
      .write = asCsv,
      .isCode = true,
      .numbersAlone = true},
-    {.name = "c", .endings = ".c .h", .help = "arrays in memory order", .write = asC, .isCode = true},
+    {.name = "c", .endings = ".c .h .cpp .hpp", .help = "arrays in memory order", .write = asC, .isCode = true},
     {.name = "glsl",
      .endings = ".glsl .vert .frag",
      .help = "mat4, for M * v",

@@ -49,6 +49,8 @@ Written writeUntil(int descriptor, std::string_view text, const Stop& stop) {
 
 void nameOutput(const std::string& name) { outputName = name; }
 
+std::string_view nameOfOutput() { return outputName; }
+
 void failToWrite(int error) {
   if (error == EPIPE) throw ClosedPipe{};
   throw InputError(outputName + ": " + std::generic_category().message(error));

@@ -13,6 +13,7 @@ void writeOutput(std::string_view text);
 
 /// How messages call standard output from here on.
 void nameOutput(const std::string& name);
+std::string_view nameOfOutput();
 
 /// Throws ClosedPipe where nobody reads any more, or else InputError. error: errno.
 [[noreturn]] void failToWrite(int error);

@@ -6,6 +6,7 @@
 #include <functional>
 #include <thread>
 
+#include "output/output_file.hpp"
 #include "stream/pipeline.hpp"
 #include "text/encoding.hpp"
 
@@ -217,6 +218,13 @@ void settleFormat(Stream& stream, FilterSetup& setup, BlockReader& reader) {
   out.comment = 0;
   if (stream.to == OutputForm::table) out.separator = ',';
   if (stream.to == OutputForm::csv && setup.delimiter) out.separator = *setup.delimiter;
+  if (stream.to == OutputForm::csv && isEnding(endingOf(nameOfOutput()), ".tsv") && out.separator != '\t') {
+    if (isSame || setup.delimiter)
+      throw UsageError(std::string(nameOfOutput()) +
+                       ": CSV leaves with the separator that it came with or --delimiter names, and that is no tab; "
+                       "call it .csv");
+    out.separator = '\t';
+  }
   const bool isText = stream.form == Form::csv || stream.form == Form::text;
   if (setup.delimiter && stream.form != Form::csv && (!stream.writes || stream.to != OutputForm::csv))
     throw UsageError(

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "text/encoding.hpp"
+#include "text/names.hpp"
 #include "text/parse_number.hpp"
 
 namespace viewproj::cmd {
@@ -49,7 +50,7 @@ std::span<const FormRow<OutputForm>> outputForms() {
   static constexpr FormRow<OutputForm> kRows[] = {
       {"ndjson", OutputForm::lines, ".ndjson .jsonl", "a JSON object a line"},
       {"json", OutputForm::array, ".json", "one JSON array"},
-      {"csv", OutputForm::csv, ".csv", "a header and rows"},
+      {"csv", OutputForm::csv, ".csv .tsv", "a header and rows; .tsv: separated by tabs"},
       {"text", OutputForm::text, ".txt .xyz", "the results' numbers alone, a line a record"},
       {"f64", OutputForm::f64, ".f64 .bin", "the same as little-endian doubles"},
       {"table", OutputForm::table, "", "aligned columns, for reading"},
@@ -66,7 +67,7 @@ std::string_view endingOf(std::string_view fileName) {
 bool isEnding(std::string_view ending, std::string_view endings) {
   for (std::size_t at = 0; !ending.empty() && at < endings.size();) {
     const std::size_t end = std::min(endings.find(' ', at), endings.size());
-    if (endings.substr(at, end - at) == ending) return true;
+    if (sameButForCase(endings.substr(at, end - at), ending)) return true;
     at = end + 1;
   }
   return false;

@@ -177,8 +177,8 @@ void giveResults(Explanation& e, const ScreenPoint& p) {
 
 void explainCamera(Explanation& e, const Camera& camera) {
   const Projection& p = camera.projection();
-  e.stage("camera", p.isOrthographic() ? "the file's camera; window edges are lengths"
-                                       : "the file's camera; window edges are tangents, at distance 1");
+  e.stage("camera", p.isOrthographic() ? "as it was read; window edges are lengths"
+                                       : "as it was read; window edges are tangents, at distance 1");
   const Vec3 eye = rounded(unroundedEye(parts(camera).pose));
   const auto names = components("eye");
   for (std::size_t i = 0; i < 3; ++i) e.given(names[i], eye[i]);

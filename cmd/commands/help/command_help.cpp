@@ -56,6 +56,7 @@ CommandHelp describe(const CLI::App& app) {
 }
 
 CommandHelp describe(const Command& command) {
+  const FactKeeper keeper;  // of this command alone: the next one's options may lie where these did
   CommandLine app("", "viewproj " + std::string(command.name));
   (void)define(command, app);
   app.addAll();

@@ -15,7 +15,7 @@ struct OptionHelp {
   std::string text;
   std::vector<std::string> names;  ///< "-c", "--camera"
   std::string value;               ///< "FILE[#NAME]"; empty where it takes none
-  OptionFacts facts;               ///< where a FactKeeper lives
+  OptionFacts facts;               ///< of describe(const Command&)
   bool operator==(const OptionHelp&) const = default;
 };
 

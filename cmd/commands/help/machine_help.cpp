@@ -75,7 +75,6 @@ std::string coordinatesAsJson() {
 }  // namespace
 
 std::string helpAsJson() {
-  const FactKeeper keeper;
   std::vector<std::string> commands, pages;
   for (const Command& command : allCommands()) commands.push_back(commandAsJson(command));
   for (const Topic& topic : topics())
