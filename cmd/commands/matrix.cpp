@@ -162,6 +162,13 @@ int run(const Options& o, const CLI::App& app) {
        {"--which", "--inverse", "--bake-viewport", "--relative-to-eye", "--float", "--digits", "--model"})
     if (toCamera && app.count(option) > 0)
       throw UsageError(std::string(option) + " goes with matrices, not with --to camera");
+  if (const CLI::Option* const output = app.get_option("--output"); output->count() > 0 && app.count("--to") == 0) {
+    const bool isLines = isEnding(endingOf(output->as<std::string>()), ".ndjson .jsonl");
+    if (o.all && isEnding(endingOf(output->as<std::string>()), ".json"))
+      throw UsageError("--all writes JSON, a line a camera, which is no .json; call the file .ndjson");
+    if (!o.all && isLines)
+      throw UsageError("-o: one camera's matrices are one JSON document, a .json; --all writes lines");
+  }
   if (o.all && o.format != "json") throw UsageError("--all writes JSON, a line a camera; leave out --to " + o.format);
   requireUse(o);
   requireOneStandardInput({{"the camera", o.camera.fromStandardInput()}, {"the model", isStandardInput(o.model)}});

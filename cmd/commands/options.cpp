@@ -53,11 +53,13 @@ Names<Convention> presetConventions() {
 
 void addModelOption(CLI::App& app, std::optional<std::string>& model, const std::string& what,
                     const std::string& effect) {
-  addValue(app, "--model", "FILE", model, readFileName,
-           "Where the model of the " + what +
-               " stands in the world: 4 rows of a matrix, or a glTF node's translation, rotation and scale; a file or "
-               "the JSON itself" +
-               (effect.empty() ? " (default: " + what + " in world coordinates)" : "; " + effect));
+  addValue(
+      app, "--model", "FILE", model, readFileName,
+      "Where the model of the " + what +
+          " stands in the world: 4 rows of a matrix, or a glTF node's translation, rotation and scale; a file or "
+          "the JSON itself" +
+          (effect.empty() ? "; world coordinates are rounded to doubles (default: " + what + " in world coordinates)"
+                          : "; " + effect));
 }
 
 void addSceneOption(CLI::App& app, std::optional<std::string>& scene, const std::string& help) {

@@ -45,11 +45,15 @@ std::string_view innerValue(const RecordParts& record, const NumberField& part) 
   if (value.starts_with(part.items > 0 ? '[' : '{')) {
     JsonParts parts(value);
     for (auto item = parts.next(); item; item = parts.next(), ++count) {
-      if (part.items == 0 && unescaped(item->key) == part.inner) return item->value;
-      if (count == part.item) found = item->value;
+      if (part.items == 0 && unescaped(item->key) == part.inner) {
+        if (!found.empty())
+          throw RecordError(record.offset(part.field), nameOf(record, part.field) + "has " + part.inner + " twice");
+        found = item->value;
+      }
+      if (part.items > 0 && count == part.item) found = item->value;
     }
   }
-  if (part.items > 0 && count == part.items) return found;
+  if (part.items > 0 ? count == part.items : !found.empty()) return found;
   throw RecordError(record.offset(part.field),
                     nameOf(record, part.field) +
                         (part.items > 0 ? "expected an array of " + std::to_string(part.items) + " points [x, y, z]"

@@ -1,6 +1,9 @@
 #include "input/point_value.hpp"
 
+#include <functional>
+
 #include "input/field_names.hpp"
+#include "input/record.hpp"
 #include "text/error.hpp"
 #include "text/json_text.hpp"
 #include "text/visible.hpp"
@@ -56,6 +59,8 @@ bool isPointValue(std::string_view json) {
 
 std::optional<PointObject> pointObject(std::string_view json) {
   const Members members = membersOf(json);
+  if (const auto again = firstRepeated(members.names, std::identity()))
+    throw RecordError(0, "has " + quoted(members.names[*again]) + " twice");
   std::vector<NameMatch> matches = matchRow(members, coordinates::xyz);
   const std::vector<NameMatch> place = matchRow(members, coordinates::place);
   if (!matches.empty() && !place.empty())

@@ -295,6 +295,12 @@ void TypedCamera::mergeLens(Document& document, CameraReading& reading,
       typed.push_back(fieldOf(type.form, *given.option.field));
       if (!isOfEveryType(*typed.back())) shaping.push_back(typed.back());
     }
+  // Edges of the file are on its near plane.
+  if (sameType && type.name == kFrustum && typed.size() > shaping.size() && !shaping.empty() && shaping.size() < 4 &&
+      std::find(typed.begin(), typed.end(), &field::zNear) != typed.end())
+    throw UsageError(
+        "--near moves the plane that the frustum's edges are on; give all of --left, --right, --bottom and --top "
+        "with it, or none");
   const Way* const was = sameType ? wayOf(type.form, fields) : nullptr;
   const auto usesAll = [&](const Way& way) {
     return std::all_of(shaping.begin(), shaping.end(), [&](const Field* field) { return way.uses(*field); });
@@ -329,8 +335,8 @@ void TypedCamera::mergeLens(Document& document, CameraReading& reading,
     for (const Field* field : type.form.fields)
       if (isOfAWay(type.form, *field) && !next->uses(*field)) drop(document, fields, *field, first);
   }
-  if (!sameType) give(document, base, field::type, type.name, "");
-  if (shape) give(document, base, field::aspect, *shape, "");
+  if (!sameType) give(document, base, field::type, type.name, first);
+  if (shape) give(document, base, field::aspect, *shape, first);
 
   // Edges on the near plane, whose opening stays where only that moves.
   const bool isOnNear =

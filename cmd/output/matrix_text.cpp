@@ -248,7 +248,10 @@ struct Format {
 };
 
 constexpr Format kMatrixFormats[] = {
-    {.name = "json", .endings = ".json", .help = "rows on paper, with the convention they are in", .write = asJson},
+    {.name = "json",
+     .endings = ".json .ndjson .jsonl",
+     .help = "rows on paper, with the convention they are in",
+     .write = asJson},
     {.name = "text", .endings = ".txt", .help = "rows in aligned columns", .write = asText, .numbersAlone = true},
     {.name = "flat", .help = "16 numbers in memory order, a matrix a line", .write = asFlat, .numbersAlone = true},
     {.name = "csv",

@@ -5,8 +5,10 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
 #include <cstdio>
 #include <filesystem>
+#include <string_view>
 #include <system_error>
 
 #include "output/output_file.hpp"
@@ -20,6 +22,33 @@ constexpr const char* kBesides = ".viewproj-XXXXXX";  // after the file's own na
 
 constexpr const char* kDescriptors = "/proc/self/fd";
 
+/// The descriptor that is open already under such a name: /dev/stdout, /dev/fd/3; -1: it is no such name.
+int descriptorOf(std::string_view name) {
+  if (name == "/dev/stdout") return STDOUT_FILENO;
+  if (name == "/dev/stderr") return STDERR_FILENO;
+  for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+    int number = -1;
+    if (name.starts_with(folder) &&
+        std::from_chars(name.data() + folder.size(), name.data() + name.size(), number).ptr ==
+            name.data() + name.size())
+      return number;
+  }
+  return -1;
+}
+
+/// Where a name leads that may be a link to a file that is not there yet.
+std::filesystem::path followed(std::filesystem::path path, std::error_code& error) {
+  constexpr int kMostLinks = 40;
+  int links = 0;
+  for (std::error_code none; std::filesystem::is_symlink(path, none); ++links) {
+    if (links == kMostLinks) error = std::make_error_code(std::errc::too_many_symbolic_link_levels);
+    if (error) return path;
+    const std::filesystem::path next = std::filesystem::read_symlink(path, error);
+    path = next.is_absolute() ? next : path.parent_path() / next;
+  }
+  return path;
+}
+
 /// That a new file would have.
 mode_t usualMode() {
   const mode_t mask = ::umask(0);
@@ -31,6 +60,11 @@ mode_t usualMode() {
 
 NamedOutput::NamedOutput(const std::string& name) : name_(name) {
   if (name == "-") return;
+  if (const int open = descriptorOf(name); open >= 0) {  // it goes on where that stands
+    if (::dup2(open, STDOUT_FILENO) < 0) fail(errno);
+    nameOutput(visible(name));
+    return;
+  }
   struct stat state = {};
   const bool exists = ::stat(name.c_str(), &state) == 0;
   int descriptor = -1;
@@ -39,7 +73,7 @@ NamedOutput::NamedOutput(const std::string& name) : name_(name) {
   } else {
     if (exists && ::access(name.c_str(), W_OK) != 0) fail(errno);
     std::error_code error;
-    const auto target = exists ? std::filesystem::canonical(name, error) : std::filesystem::path(name);
+    const std::filesystem::path target = followed(name, error);
     if (error) fail(error.value());
     target_ = target.string();
     const mode_t mode = exists ? state.st_mode & 0777 : usualMode();
@@ -53,6 +87,7 @@ NamedOutput::NamedOutput(const std::string& name) : name_(name) {
       descriptor = ::mkstemp(written_.data());
       if (descriptor < 0) written_.clear();
     }
+    if (descriptor >= 0 && exists) (void)!::fchown(descriptor, state.st_uid, state.st_gid);  // where that is allowed
     if (descriptor >= 0) (void)::fchmod(descriptor, mode);
   }
   if (descriptor < 0 || ::dup2(descriptor, STDOUT_FILENO) < 0) fail(errno);

@@ -211,6 +211,9 @@ Form formOfContent(const Stream& stream, BlockReader& reader) {
 void settleFormat(Stream& stream, FilterSetup& setup, BlockReader& reader) {
   if (stream.form == Form::csv)
     stream.format.separator = setup.delimiter ? *setup.delimiter : separatorOf(stream, firstLineOf(setup, reader));
+  if (stream.form == Form::csv && setup.comment == stream.format.separator)
+    throw UsageError("--comment '" + std::string(1, *setup.comment) +
+                     "': the columns are separated by that; another character has to begin a comment");
   CsvFormat& out = setup.writer.csv;
   const bool isSame = (stream.form == Form::csv && hasColumns(stream.to)) ||
                       (stream.form == Form::text && stream.to == OutputForm::text);

@@ -28,7 +28,13 @@ bool readNumber(dom::element value, std::string_view record, double& number) {
 /// What a part is of its field's value.
 bool readInner(dom::element& value, const NumberField& part) {
   dom::object object;
-  if (!part.inner.empty()) return !value.get_object().get(object) && !object.at_key(part.inner).get(value);
+  if (!part.inner.empty()) {
+    if (value.get_object().get(object)) return false;
+    std::size_t count = 0;
+    for (const auto [name, inner] : object)
+      if (name == part.inner && count++ == 0) value = inner;
+    return count == 1;
+  }
   dom::array array;
   if (part.items == 0) return true;
   return !value.get_array().get(array) && array.size() == part.items && !array.at(part.item).get(value);

@@ -50,6 +50,11 @@ class NamedOutput(FaultTest):
         self.assertTrue(os.path.islink("link"))
         self.assertEqual(stat.S_IMODE(os.stat("old").st_mode), 0o640)
         self.assertIn("camera", Path("old").read_text())
+        os.symlink("nowhere", "dangling")
+        self.assertEqual(run(["schema", "camera", "-o", "dangling"]).returncode, 0)
+        self.assertTrue(os.path.islink("dangling") and Path("nowhere").exists())
+        os.symlink("loop", "loop")
+        self.assert_fails(run(["schema", "camera", "-o", "loop"]), "loop: Too many levels of symbolic links")
         before = os.umask(0o027)
         try:
             self.assertEqual(run(["schema", "camera", "-o", "new"]).returncode, 0)
@@ -62,6 +67,16 @@ class NamedOutput(FaultTest):
         self.assertTrue(stat.S_ISCHR(os.stat("/dev/null").st_mode))
         self.assertIn(b"camera", run(["schema", "camera", "-o", "/dev/stdout"]).stdout)
         self.assertIn(b"camera", run(["schema", "camera", "-o", "-"]).stdout)
+        # A descriptor's file goes on where it stands.
+        one = [tool.TOOL, "project", "-c", CAMERA, "--point", "1,1,1", "--fields", "visible", "-o"]
+        for name in ("/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"):
+            with open("log", "wb") as log:
+                for _ in range(3):
+                    subprocess.run([*one, name], stdout=log, check=True, timeout=tool.PATIENCE)
+            self.assertEqual(Path("log").read_bytes().count(b"\n"), 3)
+        with open("log", "ab") as log:
+            subprocess.run([*one, "/dev/stderr"], stderr=log, check=True, timeout=tool.PATIENCE)
+        self.assertEqual(Path("log").read_bytes().count(b"\n"), 4)
         os.mkfifo("pipe")
         reader = subprocess.Popen(["cat", "pipe"], stdout=subprocess.PIPE)
         self.assertEqual(run(["schema", "camera", "-o", "pipe"]).returncode, 0)
