@@ -56,6 +56,7 @@ std::optional<Layout> findSpread(const Coordinate& row, const RecordParts& recor
   search(columnName(row.name), kJoints[0]);
   if (found || rule == NameRule::exact) return found;
   for (const std::string_view joint : kJoints) search(row.name, joint);
+  // cppcheck-suppress knownConditionTrueFalse  ; search() sets it
   if (found) return found;
   for (const std::string_view alias : row.aliases)
     for (const std::string_view joint : kJoints) search(alias, joint);
