@@ -46,7 +46,8 @@ std::optional<Layout> findSpread(const Coordinate& row, const RecordParts& recor
     std::vector<std::string> columns;
     for (std::size_t i = 0; i < row.most; ++i)
       columns.push_back(std::string(name) + std::string(joint) + std::string(kColumnSuffixes[i].substr(1)));
-    std::vector<CoordinatePart> parts(columns.begin(), columns.end());
+    std::vector<CoordinatePart> parts;
+    for (const std::string& column : columns) parts.push_back({column});
     auto layout = findEach(record, parts, row.fewest, row.orNull, rule);
     if (layout && found && layout->parts[0].field != found->parts[0].field)
       throw RecordError(0, "has both " + namesIn(*found, record.shape) + " and " + namesIn(*layout, record.shape) +

@@ -136,7 +136,10 @@ class Scanner {
     }
     const bool first = lineIsEmpty_;
     if (!isSpace(c)) lineIsEmpty_ = false;
-    if (isSpace(c) || c == ',' || c == '|') {
+    // About a print of an object.
+    const bool isAngle = c == '>' || (c == '<' && at_ + 1 < text_.size() && isWordStart(text_[at_ + 1]));
+    const bool endsLabel = (c == '=' || c == ':') && label_;
+    if (isSpace(c) || c == ',' || c == '|' || isAngle || endsLabel) {
       ++at_;
     } else if (c == ';') {
       if (brackets_.empty())
@@ -144,8 +147,6 @@ class Scanner {
       else
         ++group_;  // a row of MATLAB's
       ++at_;
-    } else if (c == '>' || (c == '<' && at_ + 1 < text_.size() && isWordStart(text_[at_ + 1]))) {
-      ++at_;  // about a print of an object
     } else if (c == '#') {
       const std::size_t end = std::min(text_.find('\n', at_), text_.size());
       if (first) heading(text_.substr(at_ + 1, end - at_ - 1));
@@ -158,8 +159,6 @@ class Scanner {
       line_ += static_cast<std::size_t>(
           std::count(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(end - at_), '\n'));
       at_ = end + 2;
-    } else if ((c == '=' || c == ':') && label_) {
-      ++at_;
     } else if (c == '=' || c == ':') {
       // What stood before was a declaration: float m[4][4] =
       if (!areArraySizes()) requireNothingGathered();

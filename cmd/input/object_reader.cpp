@@ -9,10 +9,9 @@
 namespace viewproj::cmd {
 namespace {
 
-std::string shortened(std::string text) {
+std::string shortened(const std::string& text) {
   constexpr std::size_t kMost = 60;
-  if (text.size() > kMost) text.replace(kMost, std::string::npos, "...");
-  return text;
+  return text.size() > kMost ? text.substr(0, kMost) + "..." : text;
 }
 
 }  // namespace
