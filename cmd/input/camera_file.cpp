@@ -71,7 +71,8 @@ CameraFile readChecked(const Document& document, const CameraReading& reading) {
   const auto projection = camera.object(field::projection);
   const ProjectionType* const type = projection ? &requireProjectionType(*projection) : nullptr;
 
-  const ConventionPreset& fallback = type && type->preset ? *findPreset(type->preset) : conventionPresets().front();
+  const ConventionPreset* const own = type && type->preset ? findPreset(type->preset) : nullptr;
+  const ConventionPreset& fallback = own ? *own : conventionPresets().front();
   const StatedConvention stated = readStated(camera, reading.readAs, fallback);
   file.convention = stated.convention;
   if (type && type->isReversed && !file.convention.reverseZ)

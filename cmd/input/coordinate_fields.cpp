@@ -39,6 +39,12 @@ std::optional<Layout> findEach(const RecordParts& record, std::span<const Coordi
   return layout;
 }
 
+std::vector<CoordinatePart> partsOf(const std::vector<std::string>& names) {
+  std::vector<CoordinatePart> parts;
+  for (const std::string& name : names) parts.push_back({name});
+  return parts;
+}
+
 /// The columns NAME_x, NAME_y, ... of an array, where its name, an alias or the joint may be another.
 std::optional<Layout> findSpread(const Coordinate& row, const RecordParts& record, NameRule rule) {
   std::optional<Layout> found;
@@ -46,8 +52,7 @@ std::optional<Layout> findSpread(const Coordinate& row, const RecordParts& recor
     std::vector<std::string> columns;
     for (std::size_t i = 0; i < row.most; ++i)
       columns.push_back(std::string(name) + std::string(joint) + std::string(kColumnSuffixes[i].substr(1)));
-    std::vector<CoordinatePart> parts;
-    for (const std::string& column : columns) parts.push_back({column});
+    const std::vector<CoordinatePart> parts = partsOf(columns);
     auto layout = findEach(record, parts, row.fewest, row.orNull, rule);
     if (layout && found && layout->parts[0].field != found->parts[0].field)
       throw RecordError(0, "has both " + namesIn(*found, record.shape) + " and " + namesIn(*layout, record.shape) +
@@ -70,7 +75,7 @@ std::optional<Layout> findColumns(const Coordinate& row, const RecordParts& reco
   if (row.form == CoordinateForm::array) return findSpread(row, record, rule);
   const std::vector<std::string> names = columnsOf(row);
   if (names.empty()) return std::nullopt;
-  const std::vector<CoordinatePart> parts(names.begin(), names.end());
+  const std::vector<CoordinatePart> parts = partsOf(names);
   return findEach(record, parts, row.fewest, row.orNull, rule);
 }
 
