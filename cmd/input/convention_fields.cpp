@@ -52,7 +52,8 @@ StatedConvention readStated(const ObjectReader& file, const std::string& readAs,
     throw UsageError("--set " + std::string(field::convention) + " and --read-as " + readAs +
                      " both say how the file is read; --set convention=" + readAs +
                      " with --set convention.AXIS=VALUE changes single axes");
-  const ConventionPreset& preset = readAs.empty() ? fallback : *findPreset(readAs);
+  const ConventionPreset* const named = findPreset(readAs);
+  const ConventionPreset& preset = named ? *named : fallback;
   const StatedConvention stated{preset.convention, &preset, !readAs.empty()};
   return readAs.empty() ? readConvention(file, fallback).value_or(stated) : stated;
 }

@@ -88,6 +88,7 @@ std::string indented(std::string_view text, std::size_t blanks) {
 std::size_t terminalWidth() {
   constexpr std::size_t kUsual = 80, kLeast = 40;
   std::size_t columns = 0;
+  // NOLINTNEXTLINE(concurrency-mt-unsafe): nobody changes the environment
   if (const char* const told = std::getenv("COLUMNS"))
     (void)std::from_chars(told, told + std::string_view(told).size(), columns);
   winsize size = {};
