@@ -31,7 +31,7 @@ export const kRules = {
     "a record has one point or shape": /has two (points|shapes)|has both/,
     "points is a document's first key": hasPointsBehind,
     "three numbers without names need a camera elsewhere": /three numbers without names/,
-    "no key is given twice": /has the field '.*' twice/,
+    "no key is given twice": /has (the field )?'?\w+'? twice|has the field '.*' twice/,
     "no number leaves the range of doubles": /number overflow/,
   },
   shapes: {
@@ -39,13 +39,13 @@ export const kRules = {
     "points is a document's first key": hasPointsBehind,
     "three numbers without names need a camera elsewhere": /three numbers without names/,
     "max is not below min": /max must not be below min/,
-    "no key is given twice": /has the field '.*' twice/,
+    "no key is given twice": /has (the field )?'?\w+'? twice|has the field '.*' twice/,
     "no number leaves the range of doubles": /number overflow|beyond the range of doubles/,
   },
   pixels: {
     "points is a document's first key": hasPointsBehind,
     "the point is in front of the eye": /lies beyond infinity|is not in front of the eye/,
-    "no key is given twice": /has the field '.*' twice/,
+    "no key is given twice": /has (the field )?'?\w+'? twice|has the field '.*' twice/,
     "no number leaves the range of doubles": /number overflow/,
   },
 };
