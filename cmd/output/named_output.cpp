@@ -60,6 +60,8 @@ mode_t usualMode() {
 
 NamedOutput::NamedOutput(const std::string& name) : name_(name) {
   if (name == "-") return;
+  constexpr int kApart = 100;  // from the descriptors that a shell opens by number
+  before_ = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, kApart);
   if (const int open = descriptorOf(name); open >= 0) {  // it goes on where that stands
     if (::dup2(open, STDOUT_FILENO) < 0) fail(errno);
     nameOutput(visible(name));
@@ -96,6 +98,10 @@ NamedOutput::NamedOutput(const std::string& name) : name_(name) {
 }
 
 NamedOutput::~NamedOutput() {
+  if (before_ >= 0) {
+    (void)::dup2(before_, STDOUT_FILENO);
+    ::close(before_);
+  }
   if (!written_.empty()) ::unlink(written_.c_str());
 }
 

@@ -23,6 +23,7 @@ class NamedOutput {
 
   std::string name_;
   std::string target_;   ///< with links followed; empty where nothing is to be renamed
+  int before_ = -1;      ///< what standard output was
   std::string written_;  ///< the file's name until it is kept; empty while it has none
 };
 

@@ -16,7 +16,8 @@ bool isJson(const std::vector<std::string>& arguments) {
   return json;
 }
 
-/// No file but those in the folder that the fuzzer runs in, and none of a form whose numbers are not.
+/// None is written, and none read but those in the folder that the fuzzer runs in, and none of a form whose numbers are
+/// not.
 void runArguments(std::string_view input) {
   std::vector<std::string> arguments{"viewproj"};
   std::size_t end = 0;
@@ -25,6 +26,7 @@ void runArguments(std::string_view input) {
     input.remove_prefix(end + 1);
     const bool isText = arguments.back().find_first_of("{[") != std::string::npos;
     if (!isText && arguments.back().find('/') != std::string::npos) return;
+    if (arguments.back().starts_with("-o") || arguments.back().starts_with("--o")) return;  // it would leave files
   }
   if (arguments.size() > 1 && arguments[1] == "measure") return;
   giveInput(input);
