@@ -79,8 +79,6 @@ int main(int argc, char** argv) {
     return 0;
   } catch (const Interrupted& e) {
     dieOf(e);
-  } catch (const HelpGiven&) {
-    return 0;
   } catch (const UsageError& e) {
     return fail(visible(e.what()), 2);
   } catch (const std::exception& e) {

@@ -13,6 +13,7 @@ constexpr Command kCommands[] = {
     {"depth", "what a depth buffer resolves at each distance", defineDepth},
     {"measure", "speed and error of every precision on your own points", defineMeasure},
     {"draw", "an SVG of what the camera sees", defineDraw},
+    {"fit", "the camera moved, or its lens opened, so that all of it is seen", defineFit},
     {"schema", "the JSON Schema of a camera, of points, a scene or results", defineSchema},
     {"help", "what a command or one of the topics below is about", defineHelp},
 };

@@ -1,6 +1,12 @@
 // viewproj cull: what of points and shapes lies in the view.
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "camera/camera.hpp"
 #include "commands/command.hpp"
-#include "commands/options.hpp"
+#include "commands/output_option.hpp"
+#include "commands/stream_options.hpp"
 #include "input/points.hpp"
 #include "input/shapes.hpp"
 #include "output/output_file.hpp"
@@ -8,9 +14,12 @@
 #include "stream/filter.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
+#include "text/json_build.hpp"
 #include "viewproj/scene.hpp"
 
 namespace viewproj::cmd {
+
+using namespace detail;
 namespace {
 
 class CullWork final : public RecordWork {
@@ -66,24 +75,59 @@ std::string planesAsJson(const Frustum& frustum) {
   return out + "}\n";
 }
 
+/// The corners of the view, on near and, where far is not infinite, on far; or the directions to these.
+std::string cornersAsJson(const Camera& camera) {
+  static constexpr struct {
+    std::string_view name;
+    bool right, top;
+  } kCorners[] = {
+      {"BottomLeft", false, false}, {"BottomRight", true, false}, {"TopRight", true, true}, {"TopLeft", false, true}};
+  const CameraParts& c = parts(camera);
+  const bool down = c.viewport.origin == Origin::topLeft;
+  JsonObject out;
+  const auto pixel = [&](bool right, bool top) {
+    return Vec2{right ? c.lastCorner.x : c.firstCorner.x, top == down ? c.firstCorner.y : c.lastCorner.y};
+  };
+  const auto add = [&](const std::string& name, const Vec3& v) {
+    if (!isFinite(v)) throw InputError(name + " of the view is beyond the range of doubles");
+    out.addText(name, jsonListOf(std::array{v.x, v.y, v.z}), ",\n ");
+  };
+  const auto addAt = [&](const char* plane, double distance) {
+    for (const auto& [name, right, top] : kCorners)
+      add(plane + std::string(name), screenToWorldAtDistance(camera, pixel(right, top), distance).position);
+  };
+  addAt("near", c.projection.near);
+  if (std::isfinite(c.projection.far))
+    addAt("far", c.projection.far);
+  else
+    for (const auto& [name, right, top] : kCorners)
+      add("direction" + std::string(name), screenToRay(camera, pixel(right, top)).direction);
+  return out.text() + "\n";
+}
+
 struct Options {
   CameraOptions camera;
   StreamOptions stream;
-  bool planes = false;
+  bool planes = false, corners = false;
 };
 
-int run(const Options& o, const CLI::App& app) {
+int run(const Options& o, const CommandLine& line) {
   if (o.camera.lists()) return o.camera.list();
-  if (o.planes)
-    for (const CLI::Option* option : app.get_options())
-      if (option->count() > 0 && (option->get_group() == "Input" || option->get_group() == "Output"))
-        throw UsageError(option->get_name() + " is for records, and with --planes none are read");
+  const char* const alone = o.planes ? "--planes" : "--corners";
+  const bool readsNothing = o.planes || o.corners;
+  if (o.planes && o.corners) throw UsageError("--planes and --corners are one JSON document each; ask for one of them");
+  if (readsNothing)
+    for (const Option& option : line.options())
+      if (option.isGiven && (option.heading == kInput || option.heading == kOutput))
+        throw UsageError(option.name() + " is for records, and with " + alone + " none are read");
   FilterSetup setup = o.stream.setup(kSphereColumns);
-  if (!o.planes) o.stream.requireOneInput(setup, o.camera);
+  if (const auto file = line.valueOf(kOutputOption); readsNothing && file)
+    (void)formOfOutputName(*file, {{"JSON", ".json"}});
+  if (!readsNothing) o.stream.requireOneInput(setup, o.camera);
   const CameraFile file = o.camera.read();
   const Frustum frustum = viewFrustum(makeCamera(file));
-  if (o.planes) {
-    writeOutput(planesAsJson(frustum));
+  if (readsNothing) {
+    writeOutput(o.planes ? planesAsJson(frustum) : cornersAsJson(frustum.camera()));
     return 0;
   }
   o.stream.settleOnEarth(setup, file.worldIsEcef);
@@ -96,20 +140,23 @@ int run(const Options& o, const CLI::App& app) {
 
 }  // namespace
 
-Action defineCull(CLI::App& app) {
+Action defineCull(CommandLine& line) {
   const auto o = std::make_shared<Options>();
-  app.description(
+  line.setDescription(
       "Which points, spheres, boxes and triangles lie in the view: inside, intersects or outside, and by which "
       "plane. " +
       helpOnShapes());
-  app.footer(
+  line.setExample(
       "echo '{\"sphere\": {\"center\": [1, 1, 1], \"radius\": 0.5}}' |\n"
       "  viewproj cull -c samples/picking-a-pixel/camera.json");
-  o->camera.add(app);
-  o->stream.add(app, "points and shapes");
-  app.add_flag("--planes", o->planes,
+  o->camera.add(line);
+  o->stream.add(line, "points and shapes");
+  line.addFlag("--planes", o->planes,
                "Print the view's planes [a,b,c,d], ax + by + cz + d >= 0 inside, and read nothing");
-  return [o, &app] { return run(*o, app); };
+  line.addFlag("--corners", o->corners,
+               "Print the view's corners on near and far, or where far is infinite the directions to these, and read "
+               "nothing");
+  return [o, &line] { return run(*o, line); };
 }
 
 }  // namespace viewproj::cmd

@@ -1,11 +1,15 @@
 // viewproj matrix: a camera's matrices, and the camera itself in another form.
 #include <algorithm>
+#include <cmath>
 
+#include "commands/camera_options.hpp"
 #include "commands/command.hpp"
 #include "commands/options.hpp"
 #include "commands/output_option.hpp"
+#include "input/adjusted.hpp"
 #include "input/model.hpp"
 #include "output/camera_matrices.hpp"
+#include "output/camera_summary.hpp"
 #include "output/camera_text.hpp"
 #include "output/matrix_text.hpp"
 #include "output/output_file.hpp"
@@ -15,6 +19,9 @@
 
 namespace viewproj::cmd {
 namespace {
+
+constexpr std::string_view kCamera = "camera", kSummary = "summary", kDigits = "--digits";
+constexpr std::size_t kSummaryDigits = 9;
 
 struct Wanted {
   bool inverse = false, bakeViewport = false, relativeToEye = false;
@@ -55,23 +62,48 @@ Names<const CameraMatrix*> matrixNames() {
   return names;
 }
 
+struct TypedMap {
+  std::string text;
+  WorldMap map = {};
+};
+
+/// "x,y,-z".
+TypedMap readMap(const std::string& option, const std::string& text) {
+  const std::vector<std::string> parts = splitNames(option, text);
+  const UsageError wrong(option + " " + text +
+                         ": expected the new x, y, z in terms of the old, as in x,y,-z or -z,x,y");
+  if (parts.size() != 3) throw wrong;
+  TypedMap typed{text};
+  WorldMap& map = typed.map;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const bool against = parts[i].starts_with('-');
+    const std::string axis = parts[i].substr(against || parts[i].starts_with('+') ? 1 : 0);
+    const std::size_t from = std::string("xyz").find(axis);
+    if (axis.size() != 1 || from == std::string::npos) throw wrong;
+    map.from[i] = from;
+    map.signs[i] = against ? -1 : 1;
+  }
+  if (map.from[0] == map.from[1] || map.from[0] == map.from[2] || map.from[1] == map.from[2]) throw wrong;
+  return typed;
+}
+
 /// --to camera: the file, and a note where its doubles do not suffice.
-int runCamera(CameraFile file, const std::optional<std::string>& type, const CameraOptions& camera) {
-  camera.noteWriting(file, {}, "");
-  if (const auto typed = type || camera.allowsStretch() ? std::nullopt : camera.asTyped(file)) {
+int runCamera(CameraFile file, const std::optional<std::string>& type, const CameraOptions& camera, bool asGiven) {
+  if (const auto typed = type || camera.allowsStretch() || !asGiven ? std::nullopt : camera.asTyped(file)) {
     writeOutput(*typed);
     return 0;
   }
+  camera.notePlace(file);
   file.convention = camera.writing(file);
   const WrittenCamera written = writeCamera(file, type.value_or(""), camera.allowsStretch());
   writeOutput(written.text);
   const auto& [pixels, depth] = written.moved;
-  if (!(pixels <= kKeptPixels))
-    camera.notes().say(file.name + ": in doubles, as written, points move by up to " + formatDigits(pixels, 1) +
-                       " pixels");
-  if (!(depth <= kKeptDepth))
-    camera.notes().say(file.name + ": in doubles, as written, depths move by up to " + formatDigits(depth, 1) +
-                       " of their range");
+  const auto say = [&](const char* what, double much, const char* unit) {
+    camera.notes().say(file.name + ": in doubles, as written, " + what + " move by " +
+                       (std::isfinite(much) ? "up to " + formatDigits(much, 1) + unit : "more than can be told"));
+  };
+  if (!(pixels <= kKeptPixels)) say("points", pixels, " pixels");
+  if (!(depth <= kKeptDepth)) say("depths", depth, " of their range");
   return 0;
 }
 
@@ -80,7 +112,9 @@ struct Options {
   Wanted wanted;
   std::optional<Matrices> which;
   std::optional<std::string> type, model;
-  std::string format = "json";
+  std::optional<TypedMap> map;
+  std::optional<double> scale;
+  std::string_view format = "json";
   std::optional<std::size_t> digits;
   bool asFloat = false, all = false;
 };
@@ -116,6 +150,21 @@ void requireUse(const Options& o, const CameraFile& file) {
     throw lacks("--bake-viewport", "a viewport; --viewport WIDTHxHEIGHT gives one");
 }
 
+std::string mapText(const Options& o) { return o.map ? o.map->text : ""; }
+
+/// In the world of --map and --scale.
+CameraFile mapped(CameraFile file, const Options& o) {
+  if (!o.map && !o.scale) return file;
+  const WorldMap map = o.map ? o.map->map : WorldMap{};
+  const double scale = o.scale.value_or(1);
+  if (map.mirrors())
+    file.convention.world = file.convention.world == Handedness::right ? Handedness::left : Handedness::right;
+  if (file.pose) file.pose = mappedTo(*file.pose, map, scale, file.convention.world);
+  if (file.projection) file.projection = scaledBy(*file.projection, scale);
+  file.worldIsEcef = false;
+  return file;
+}
+
 MatrixSet matricesOf(const CameraFile& read, const std::optional<Mat4>& model, const Options& o) {
   requireUse(o, read);
   MatrixSet set;
@@ -133,7 +182,9 @@ MatrixSet matricesOf(const CameraFile& read, const std::optional<Mat4>& model, c
                        {.axes = true,
                         .range = sayConvention || depth || any(chosen, &CameraMatrix::viewport),
                         .reversal = sayConvention || depth,
-                        .world = any(chosen, &CameraMatrix::pose)},
+                        .world = any(chosen, &CameraMatrix::pose),
+                        .leaves = true,
+                        .map = mapText(o)},
                        "--which with a projection");
   const auto add = [&](const CameraMatrix& row, bool inverse) {
     try {
@@ -154,64 +205,81 @@ MatrixSet matricesOf(const CameraFile& read, const std::optional<Mat4>& model, c
   return set;
 }
 
-int run(const Options& o, const CLI::App& app) {
+int run(const Options& o, const CommandLine& line) {
   if (o.camera.lists()) return o.camera.list();
-  const bool toCamera = o.format == "camera";
+  const bool toCamera = o.format == kCamera, toSummary = o.format == kSummary;
+  if (o.model && (o.map || o.scale))
+    throw UsageError("--map and --scale are of the world, and with --model matrices begin in the model's");
   if (o.type && !toCamera) throw UsageError("--type goes with --to camera");
-  for (const char* option :
-       {"--which", "--inverse", "--bake-viewport", "--relative-to-eye", "--float", "--digits", "--model"})
-    if (toCamera && app.count(option) > 0)
-      throw UsageError(std::string(option) + " goes with matrices, not with --to camera");
-  if (const CLI::Option* const output = app.get_option("--output"); output->count() > 0 && app.count("--to") == 0) {
-    const bool isLines = isEnding(endingOf(output->as<std::string>()), ".ndjson .jsonl");
-    if (o.all && isEnding(endingOf(output->as<std::string>()), ".json"))
+  for (const std::string_view option : std::initializer_list<std::string_view>{
+           "--which", "--inverse", "--bake-viewport", "--relative-to-eye", "--float", kDigits, "--model"})
+    if ((toCamera || (toSummary && option != kDigits)) && line.has(option))
+      throw UsageError(std::string(option) + " goes with matrices, not with --to " + std::string(o.format));
+  if (const auto output = line.valueOf(kOutputOption); output && !line.has(kFormOption)) {
+    const bool isLines = isEnding(endingOf(*output), ".ndjson .jsonl");
+    if (o.all && isEnding(endingOf(*output), ".json"))
       throw UsageError("--all writes JSON, a line a camera, which is no .json; call the file .ndjson");
     if (!o.all && isLines)
       throw UsageError("-o: one camera's matrices are one JSON document, a .json; --all writes lines");
   }
-  if (o.all && o.format != "json") throw UsageError("--all writes JSON, a line a camera; leave out --to " + o.format);
+  if (o.all && o.format != "json")
+    throw UsageError("--all writes JSON, a line a camera; leave out --to " + std::string(o.format));
   requireUse(o);
   requireOneStandardInput({{"the camera", o.camera.fromStandardInput()}, {"the model", isStandardInput(o.model)}});
   const auto model = o.model ? std::optional(readModel(*o.model)) : std::nullopt;
-  if (o.all) {
-    for (const auto& [pick, camera] : o.camera.readAll()) {
-      MatrixSet set = matricesOf(camera, model, o);
+  const bool needsPicture =
+      !o.which || any(*o.which, &CameraMatrix::projection) || any(*o.which, &CameraMatrix::viewport);
+  if (o.all)
+    return o.camera.writeEach(needsPicture, [&](const std::string& pick, const CameraFile& camera) {
+      MatrixSet set = matricesOf(mapped(camera, o), model, o);
       set.camera = pick;
-      writeOutput(writeMatrices(set, o.format, camera.name));
-    }
+      return writeMatrices(set, o.format, camera.name);
+    });
+  const CameraFile read = mapped(o.camera.read(needsPicture), o);
+  if (toCamera || toSummary) o.camera.noteWriting(read, {.leaves = true, .map = mapText(o)}, "");
+  if (toCamera) return runCamera(read, o.type, o.camera, !o.map && !o.scale);
+  if (toSummary) {
+    CameraFile shown = read;
+    shown.convention = o.camera.writing(read);
+    writeOutput(summaryOf(shown, o.camera.writtenAxes(read), static_cast<int>(o.digits.value_or(kSummaryDigits))));
     return 0;
   }
-  const CameraFile read = o.camera.read();
-  if (toCamera) return runCamera(read, o.type, o.camera);
   writeOutput(writeMatrices(matricesOf(read, model, o), o.format, read.name));
   return 0;
 }
 
 }  // namespace
 
-Action defineMatrix(CLI::App& app) {
+Action defineMatrix(CommandLine& line) {
   const auto o = std::make_shared<Options>();
-  app.description(
+  line.setDescription(
       "A camera's matrices, in any convention, as JSON, text or source code; or the camera itself in another form.");
-  app.footer("viewproj matrix samples/picking-a-pixel/camera.json --convention d3d --which projection --to text");
-  o->camera.add(app);
-  o->camera.addWriting(app);
-  o->camera.addFile(app);
-  addChoices(app, "--which", o->which, matrixNames(), "Matrices to write", "all that the camera determines");
-  app.add_flag("--all", o->all, "Of every camera of the file, a line of JSON each");
-  app.add_flag("--inverse", o->wanted.inverse, "Give each one's inverse too");
-  app.add_flag("--bake-viewport", o->wanted.bakeViewport, "Fold the viewport into the projection");
-  app.add_flag("--relative-to-eye", o->wanted.relativeToEye, "Leave the translation out of the view and give the eye");
-  addModelOption(app, o->model, "points", "modelView and modelViewProjection are written too");
-  addDigits(app, o->digits, "all that tell the number from others");
-  app.add_flag("--float", o->asFloat, "Round to float32 (default: doubles)");
-  std::vector<FormRow<std::string>> forms = matrixForms();
-  forms.push_back({"camera", "camera"});
-  addForm(app, o->format, std::span<const FormRow<std::string>>(forms),
-          "Form of the output; camera is the camera file itself");
-  addChoice(app, "--type", "TYPE", o->type, namesAlone(cameraTypes()), "With --to camera the projection's form",
+  line.setExample("viewproj matrix samples/picking-a-pixel/camera.json --convention d3d --which projection --to text");
+  o->camera.add(line);
+  o->camera.addWriting(line);
+  o->camera.addFile(line);
+  addChoices(line, "--which", o->which, matrixNames(), "Matrices to write", "all that the camera determines");
+  line.addFlag("--all", o->all, "Of every camera of the file, a line of JSON each");
+  line.addFlag("--inverse", o->wanted.inverse, "Give each one's inverse too");
+  line.addFlag("--bake-viewport", o->wanted.bakeViewport, "Fold the viewport into the projection");
+  line.addFlag("--relative-to-eye", o->wanted.relativeToEye, "Leave the translation out of the view and give the eye");
+  addModelOption(line, o->model, "points", "modelView and modelViewProjection are written too");
+  addDigits(line, o->digits, "all that tell the number from others");
+  line.addFlag("--float", o->asFloat, "Round to float32 (default: doubles)");
+  auto forms = matrixForms();
+  forms.push_back({kCamera, kCamera});
+  forms.push_back({kSummary, kSummary});
+  addForm(line, o->format, std::span<const FormRow<std::string_view>>(forms),
+          "Form of the output; camera is the camera file itself, summary a page about it");
+  addValue(line, "--map", "X,Y,Z", o->map, readMap,
+           "Into another world: its x, y, z in terms of this one's, as in x,y,-z; a map that mirrors changes the "
+           "world's handedness");
+  addValue(line, "--scale", "N", o->scale,
+           numberThat([](double scale) { return scale > 0 && std::isfinite(scale); }, "a number above 0"),
+           "Into a world whose unit is so many times smaller: lengths are multiplied by this");
+  addChoice(line, "--type", "TYPE", o->type, namesAlone(cameraTypes()), "With --to camera the projection's form",
             "perspective or orthographic, or intrinsics where the camera's shape is not the viewport's");
-  return [o, &app] { return run(*o, app); };
+  return [o, &line] { return run(*o, line); };
 }
 
 }  // namespace viewproj::cmd

@@ -1,14 +1,13 @@
 #include "commands/notes.hpp"
 
-#include "commands/command.hpp"
-#include "commands/values.hpp"
+#include "commands/command_line.hpp"
 #include "output/output_file.hpp"
 
 namespace viewproj::cmd {
 
-void Notes::add(CLI::App& app) {
-  const Heading heading(app, kEverywhere);
-  app.add_flag("--quiet", quiet_, "Leave out the notes on standard error about what was probably not meant");
+void Notes::add(CommandLine& line) {
+  const Heading heading(line, kEverywhere);
+  line.addFlag("--quiet", quiet_, "Leave out the notes on standard error about what was probably not meant");
 }
 
 void Notes::say(const std::string& note) const {

@@ -4,16 +4,14 @@
 #include <set>
 #include <string>
 
-namespace CLI {
-class App;
-}
-
 namespace viewproj::cmd {
+
+class CommandLine;
 
 class Notes {
  public:
   /// --quiet.
-  void add(CLI::App& app);
+  void add(CommandLine& line);
 
   /// `viewproj: note: ...`, once a run each.
   void say(const std::string& note) const;

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "commands/command.hpp"
-#include "output/matrix_text.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
 
@@ -13,14 +12,17 @@ namespace {
 /// Endings that say what a file is, whether or not a command writes it.
 constexpr std::string_view kTelling =
     ".json .geojson .ndjson .jsonl .csv .tsv .txt .xyz .f64 .bin .svg .c .h .cpp .hpp .glsl .vert .frag .hlsl .wgsl "
-    ".css .py .png "
-    ".jpg .jpeg .gif .pdf .html .md .yaml .yml .toml .xml .xlsx .ods .gltf .glb .obj .ply";
+    ".css .py .js .ts .java .cs .rs .lua .png .jpg .jpeg .gif .pdf .html .md .yaml .yml .toml .xml .xlsx .ods .xls "
+    ".gltf .glb .obj .ply .stl .pcd .e57 .las .laz .fbx "
+    ".usd .usda .shp .kml .gpkg .parquet .arrow .feather .npy .npz .mat .h5 .hdf5 .db .sqlite .gz .bz2 .xz .zst .zip "
+    ".tif .tiff .bmp "
+    ".webp .exr";
 
 }  // namespace
 
-void OutputOption::add(CLI::App& app) {
-  const Heading heading(app, kEverywhere);
-  addValue(app, "-o,--output", "FILE", file_, readText,
+void OutputOption::add(CommandLine& line) {
+  const Heading heading(line, kEverywhere);
+  addValue(line, kOutputOption, "FILE", file_, readText,
            "Write to this file, whole or, after an error, not at all; its name tells the form (default: standard "
            "output)");
 }
@@ -46,17 +48,9 @@ std::optional<std::size_t> formOfOutputName(const std::string& file,
                    (names.size() > 1 ? "; --to tells the form: " : "; it writes ") + joined(names));
 }
 
-std::vector<FormRow<std::string>> matrixForms() {
-  std::vector<FormRow<std::string>> forms;
-  for (const std::string_view format : matrixFormats())
-    forms.push_back({format, std::string(format), endingsOf(format)});
-  return forms;
-}
-
-void addOnlyForm(CLI::App& app, std::string_view name, std::string_view endings) {
-  app.parse_complete_callback([&app, name, endings] {
-    const CLI::Option* const output = app.get_option_no_throw("--output");
-    if (output && output->count() > 0) (void)formOfOutputName(output->as<std::string>(), {{name, endings}});
+void addOnlyForm(CommandLine& line, std::string_view name, std::string_view endings) {
+  line.afterwards([&line, name, endings] {
+    if (const auto file = line.valueOf(kOutputOption)) (void)formOfOutputName(*file, {{name, endings}});
   });
 }
 

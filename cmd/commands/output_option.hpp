@@ -1,7 +1,6 @@
 // -o FILE, and the form of the output, which its name tells where --to does not.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
 #include <span>
@@ -16,10 +15,12 @@
 
 namespace viewproj::cmd {
 
+inline constexpr std::string_view kOutputOption = "-o,--output", kFormOption = "--to";
+
 class OutputOption {
  public:
   /// -o FILE, which every command has.
-  void add(CLI::App& app);
+  void add(CommandLine& line);
   /// From here on, what the command writes goes there. Throws InputError.
   void open();
   /// The command has written all that it was to write.
@@ -45,27 +46,24 @@ std::optional<std::size_t> formOfOutputName(const std::string& file,
 
 /// --to FORM. chosen: a form, or an optional of one, which keeps what it is where neither --to nor -o tells one.
 template <class T, class Chosen>
-void addForm(CLI::App& app, Chosen& chosen, std::span<const FormRow<T>> rows, const std::string& help,
+void addForm(CommandLine& line, Chosen& chosen, std::span<const FormRow<T>> rows, const std::string& help,
              std::string_view otherwise = {}) {
+  if (!line.wants(kFormOption) && !line.wants(kOutputOption)) return;
   const Names<T> names = namesOf(rows);
   std::vector<std::pair<std::string_view, std::string_view>> endings;
   for (const FormRow<T>& row : rows) endings.emplace_back(row.name, row.endings);
-  const CLI::Option* to = nullptr;
   if constexpr (std::is_same_v<Chosen, std::optional<T>>)
-    to = addChoice(app, "--to", "FORM", chosen, names, help, otherwise);
+    addChoice(line, kFormOption, "FORM", chosen, names, help, otherwise);
   else
-    to = addChoice(app, "--to", "FORM", chosen, names, help);
-  app.parse_complete_callback([&app, &chosen, names, endings, to] {
-    const CLI::Option* const output = app.get_option_no_throw("--output");
-    if (!output || output->count() == 0 || to->count() > 0) return;
-    if (const auto told = formOfOutputName(output->as<std::string>(), endings)) chosen = names[*told].second;
+    addChoice(line, kFormOption, "FORM", chosen, names, help);
+  line.afterwards([&line, &chosen, names, endings] {
+    const auto file = line.valueOf(kOutputOption);
+    if (!file || line.has(kFormOption)) return;
+    if (const auto told = formOfOutputName(*file, endings)) chosen = names[*told].second;
   });
 }
 
-/// Those of matrices.
-std::vector<FormRow<std::string>> matrixForms();
-
 /// The one form that a command writes.
-void addOnlyForm(CLI::App& app, std::string_view name, std::string_view endings);
+void addOnlyForm(CommandLine& line, std::string_view name, std::string_view endings);
 
 }  // namespace viewproj::cmd

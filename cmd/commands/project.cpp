@@ -1,15 +1,21 @@
 // viewproj project: world points to screen positions.
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <type_traits>
 
 #include "camera/camera.hpp"
 #include "commands/command.hpp"
 #include "commands/options.hpp"
+#include "commands/stream_options.hpp"
 #include "input/model.hpp"
 #include "input/points.hpp"
+#include "input/shapes.hpp"
 #include "output/side_names.hpp"
+#include "projection/sides.hpp"
 #include "stream/filter.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
@@ -24,11 +30,28 @@ namespace viewproj::cmd {
 using namespace detail;
 namespace {
 
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
 /// Those to give. In text and f64 names have no place.
 struct Fields {
   std::vector<const PointResult*> named, numbers;
+  std::vector<const PointResult*> ofShapes;  ///< where it is not these that are named
   bool outsideAlways = false;
+
+  bool names(const ResultRow& row) const {
+    return std::any_of(named.begin(), named.end(), [&](const PointResult* one) { return one->row.name == row.name; });
+  }
 };
+
+std::vector<const PointResult*> resultsOfShapes() {
+  std::vector<const PointResult*> rows;
+  for (const PointResult& result : pointResults())
+    if (result.row.name == results::visible.name || result.row.kind == ResultKind::names)
+      rows.push_back(&result);
+    else if (result.row.name == results::screenBox.name)
+      rows.insert(rows.begin(), &result);
+  return rows;
+}
 
 Fields defaultFields() {
   Fields fields;
@@ -36,28 +59,28 @@ Fields defaultFields() {
     if (result.row.given != Given::asked) fields.named.push_back(&result);
     if (result.row.given == Given::everywhere) fields.numbers.push_back(&result);
   }
+  fields.ofShapes = resultsOfShapes();
   return fields;
 }
 
 Fields readFields(const std::string& option, const std::string& text) {
-  constexpr std::string_view kAll = "all";
-  Names<const PointResult*> known = {{kAll, nullptr}};
+  Names<const PointResult*> known;
   for (const PointResult& result : pointResults()) known.emplace_back(result.row.name, &result);
-  Fields fields{.named = {}, .numbers = {}, .outsideAlways = true};
-  const std::vector<std::string> names = splitNames(option, text);
-  for (const std::string& name : names) {
-    const PointResult* const chosen = choose(option, name, known);
-    if (chosen)
-      fields.named.push_back(chosen);
-    else if (names.size() > 1)
-      throw UsageError(option + " all gives every result; leave the other names out");
+  Fields fields{.named = {}, .numbers = {}, .ofShapes = {}, .outsideAlways = true};
+  for (const std::string& name : splitNames(option, text))
+    if (const std::string_view owner = otherCommandOf(name); !owner.empty())
+      throw UsageError(option + ": " + name + " is a result of " + std::string(owner) + ", not of points");
+  const auto several = chooseSeveral(option, text, known);
+  if (!several.all) {
+    fields.named = fields.numbers = several.named;
+    return fields;
   }
-  fields.numbers = fields.named;
-  if (!fields.named.empty()) return fields;
   for (const PointResult& result : pointResults()) {
+    if (result.row.name == results::screenBox.name) continue;  // of shapes alone
     fields.named.push_back(&result);
     if (numbersOf(result.row) > 0) fields.numbers.push_back(&result);
   }
+  fields.ofShapes = resultsOfShapes();
   return fields;
 }
 
@@ -86,6 +109,7 @@ struct Projecting {
   std::vector<const PointResult*> ofText;   ///< by default
   std::optional<Mat4> worldFromLocal = {};  ///< of a model that the points are in
   std::optional<Frustum> frustum = {};      ///< for segments
+  mutable std::atomic<bool> hadShape = {};  ///< a record
 };
 
 /// A segment among the points, and the pixel to find a point of it under.
@@ -94,6 +118,17 @@ struct SegmentRow {
   std::optional<Vec2> pixel = {};
   bool hasPixel = false;
 };
+
+/// What of the world a screen position and a distance speak of is no single point.
+constexpr ScreenPoint kNoPoint{.x = kNaN, .y = kNaN, .depth = kNaN, .viewDistance = kNaN};
+
+/// The sides of the picture beyond which all of a rectangle lies.
+std::uint8_t sidesBeyond(const CameraParts& c, const ScreenBox& box) {
+  const auto ofCorner = [&](double x, double y) {
+    return detail::sidesBeyond(c, ScreenPoint{.x = x, .y = y, .viewDistance = c.projection.near});
+  };
+  return static_cast<std::uint8_t>(ofCorner(box.left, box.top) & ofCorner(box.right, box.bottom));
+}
 
 /// Eight at a time, which compilers make vector instructions of: zero times a number is a number.
 bool areFinite(std::span<const Vec3> points) {
@@ -134,7 +169,7 @@ class ProjectWork final : public RecordWork {
       return rows;
     }
     const bool numbers = form == OutputForm::text || form == OutputForm::f64;
-    for (const PointResult* result : numbers ? how_.fields.numbers : how_.fields.named) rows.push_back(&result->row);
+    for (const PointResult* result : rowsOf(isShape(layout), hasColumns(form), numbers)) rows.push_back(&result->row);
     return rows;
   }
 
@@ -146,6 +181,12 @@ class ProjectWork final : public RecordWork {
       segment.a = placed(segment.a);
       segment.b = placed(segment.b);
       segments_.emplace_back(points_.size(), segment);
+    } else if (isShape(layout)) {
+      if (how_.worldFromLocal) throw RecordError(0, "has a shape; --model places points and segments alone");
+      shapes_.push_back({points_.size(), toShape(layout, n)});
+      if (const auto* const sphere = std::get_if<Sphere>(&shapes_.back().shape))
+        point = {sphere->center.x, sphere->center.y, sphere->center.z, 1};
+      how_.hadShape.store(true, std::memory_order_relaxed);
     } else {
       point = toPoint(layout, n);
       if (how_.worldFromLocal) point = toWorld(*how_.worldFromLocal, point);
@@ -169,13 +210,16 @@ class ProjectWork final : public RecordWork {
   void write(std::size_t i, ResultSink& sink) override {
     if (nextSegment_ < segments_.size() && segments_[nextSegment_].first == i)
       writeSegment(segments_[nextSegment_++].second, sink);
+    else if (nextShape_ < shapes_.size() && shapes_[nextShape_].index == i)
+      writeShape(shapes_[nextShape_++], sink);
     else
-      writeFields(screen_[i], points_[i], sink);
+      writeFields(screen_[i], points_[i], sink, std::nullopt, rowsOf(false, false, sink.isText()));
   }
 
   void clear() override {
     segments_.clear();
-    nextSegment_ = 0;
+    shapes_.clear();
+    nextSegment_ = nextShape_ = 0;
     points_.clear();
     positions_.clear();
   }
@@ -227,18 +271,56 @@ class ProjectWork final : public RecordWork {
     });
   }
 
-  void writeFields(const ScreenPoint& screen, const Vec4& point, ResultSink& sink) const {
-    const ProjectedPoint projected{how_.camera, how_.writing, point, screen, how_.fields.outsideAlways};
-    for (const PointResult* result : sink.isText() ? how_.fields.numbers : how_.fields.named)
-      result->write(result->row, projected, sink);
+  /// Of a shape where columns are fixed, those of the points, by name.
+  const std::vector<const PointResult*>& rowsOf(bool isShape, bool fixed, bool numbers) const {
+    if (isShape && !fixed && !numbers && !how_.fields.ofShapes.empty()) return how_.fields.ofShapes;
+    return numbers ? how_.fields.numbers : how_.fields.named;
+  }
+
+  struct ShapeRow {
+    std::size_t index;
+    CullShape shape;
+  };
+
+  void writeShape(const ShapeRow& row, ResultSink& sink) const {
+    const CullShape& shape = row.shape;
+    if ((sink.hasFixedColumns() || sink.isText()) && !how_.fields.names(results::screenBox))
+      throw RecordError(0,
+                        "has a shape, for whose screenBox there is no column; --fields screenBox,visible makes them");
+    const auto box = std::visit(
+        [&](const auto& one) -> std::optional<ScreenBox> {
+          if constexpr (std::is_same_v<decltype(one), const Vec3&>)
+            return std::nullopt;  // uncounted: a point is none of these
+          else
+            return screenBox(*how_.frustum, one);
+        },
+        shape);
+    const Cull verdict = std::visit([&](const auto& one) { return cull(*how_.frustum, one); }, shape);
+    // Of a sphere what is of one point is its center's.
+    const bool isSphere = std::holds_alternative<Sphere>(shape);
+    ScreenPoint screen = isSphere ? screen_[row.index] : kNoPoint;
+    screen.status = PointStatus::inFront;
+    if (verdict.verdict == CullVerdict::outside)
+      screen.outside = verdict.side;
+    else
+      screen.outside = box ? sidesBeyond(parts(how_.camera), *box) : static_cast<std::uint8_t>(sideNear);
+    const Vec4 point = isSphere ? points_[row.index] : Vec4{kNaN, kNaN, kNaN, 1};
+    writeFields(screen, point, sink, box, rowsOf(true, sink.hasFixedColumns(), sink.isText()));
+  }
+
+  void writeFields(const ScreenPoint& screen, const Vec4& point, ResultSink& sink, const std::optional<ScreenBox>& box,
+                   const std::vector<const PointResult*>& rows) const {
+    const ProjectedPoint projected{how_.camera, how_.writing, point, screen, box, how_.fields.outsideAlways};
+    for (const PointResult* result : rows) result->write(result->row, projected, sink);
   }
 
   const Projecting& how_;
   Precision chosen_;
-  std::vector<Vec4> points_;  ///< a segment has a place among them that is not used
+  std::vector<Vec4> points_;  ///< a segment or a shape has a place among them that is not used
   std::vector<Vec3> positions_;
   std::vector<std::pair<std::size_t, SegmentRow>> segments_;
-  std::size_t nextSegment_ = 0;
+  std::vector<ShapeRow> shapes_;
+  std::size_t nextSegment_ = 0, nextShape_ = 0;
   std::vector<ScreenPoint> screen_;
 };
 
@@ -265,7 +347,9 @@ CameraOptions::Shown shownOf(const std::optional<Fields>& fields) {
 
 int run(const Options& o) {
   if (o.camera.lists()) return o.camera.list();
-  FilterSetup setup = o.stream.setup(kPointColumns);
+  // Then a point with a radius is a sphere.
+  const bool asksForBoxes = o.fields && o.fields->names(results::screenBox);
+  FilterSetup setup = o.stream.setup(asksForBoxes ? kSphereColumns : kPointColumns);
   setup.note = [&](const std::string& note) { o.camera.notes().say(note); };
   for (const GivenPoint& point : o.points) setup.given.push_back({point.text, point.json()});
   o.stream.requireOneInput(setup, o.camera, {"the model", isStandardInput(o.model)});
@@ -278,32 +362,41 @@ int run(const Options& o) {
                  .writing = o.camera.writing(file),
                  .arithmetic = o.precision.arithmetic,
                  .tolerance = o.tolerance.value_or(kDefaultTolerance),
-                 .reading = {.columns = setup.columns, .worldIsEcef = file.worldIsEcef, .segments = true},
+                 .reading = {.columns = setup.columns,
+                             .worldIsEcef = file.worldIsEcef,
+                             .segments = true,
+                             .shapes = "projected",
+                             .radius = asksForBoxes,
+                             .pointsFirst = true},
                  .fields = o.fields.value_or(defaultFields()),
                  .ofText = defaultFields().numbers};
   how.frustum = viewFrustum(how.camera);
   if (o.model) how.worldFromLocal = readModel(*o.model);
   o.camera.noteWriting(file, shownOf(o.fields), "--fields with ndc or clip");
   setup.writer.arrayName = "position";
-  return runFilter(setup, [&] { return std::make_unique<ProjectWork>(how); });
+  const int status = runFilter(setup, [&] { return std::make_unique<ProjectWork>(how); });
+  if (asksForBoxes && !how.hadShape)
+    o.camera.notes().say(
+        "no record has a screenBox: it is of spheres, boxes and triangles; a point with a radius is a sphere");
+  return status;
 }
 
 }  // namespace
 
-Action defineProject(CLI::App& app) {
+Action defineProject(CommandLine& line) {
   const auto o = std::make_shared<Options>();
-  app.description(
+  line.setDescription(
       "World points to screen positions: every record of FILE comes out with its pixel, its depth and whether it is "
       "visible.");
-  app.footer("viewproj project -c samples/cornell-box/camera.json samples/cornell-box/quads.csv");
-  o->camera.add(app);
-  o->camera.addWriting(app);
-  o->stream.add(app, "points");
-  addPrecision(app, o->precision);
-  addTolerance(app, o->tolerance);
-  addValues(app, "--point", kPointForm, o->points, readGivenPoint, "A point, in place of FILE and standard input");
-  addValue(app, "--fields", "NAMES", o->fields, readFields, helpOnFields());
-  addModelOption(app, o->model, "points");
+  line.setExample("viewproj project -c samples/cornell-box/camera.json samples/cornell-box/quads.csv");
+  o->camera.add(line);
+  o->camera.addWriting(line);
+  o->stream.add(line, "points");
+  addPrecision(line, o->precision);
+  addTolerance(line, o->tolerance);
+  addValues(line, "--point", kPointForm, o->points, readGivenPoint, "A point, in place of FILE and standard input");
+  addValue(line, "--fields", "NAMES", o->fields, readFields, helpOnFields());
+  addModelOption(line, o->model, "points");
   return [o] { return run(*o); };
 }
 

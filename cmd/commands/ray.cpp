@@ -1,16 +1,19 @@
 // viewproj ray: pixels to rays, and to the points behind them.
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <limits>
 
 #include "camera/camera.hpp"
 #include "commands/command.hpp"
 #include "commands/options.hpp"
+#include "commands/stream_options.hpp"
 #include "input/points.hpp"
 #include "input/scene.hpp"
 #include "stream/filter.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
+#include "text/names.hpp"
 #include "viewproj/geodesy.hpp"
 #include "viewproj/scene.hpp"
 #include "viewproj/screen.hpp"
@@ -30,7 +33,8 @@ WorldPoint pointBehind(const Camera& camera, const Pixel& pixel) {
   if (pixel.viewDistance)
     throw RecordError(0, "viewDistance " + formatNumber(*pixel.viewDistance) + " is not in front of the eye");
   throw RecordError(0, "depth " + formatNumber(*pixel.depth) + " lies beyond infinity, whose window depth is " +
-                           formatNumber(parts(camera).depthAtInfinity) + ": no point in front of the eye has it");
+                           formatNumber(parts(camera).depthAtInfinity) +
+                           ": no point in front of the eye has it; a distance along the viewing axis is viewDistance");
 }
 
 struct Casting {
@@ -39,56 +43,127 @@ struct Casting {
   RayOrigin origin = RayOrigin::eye;
   bool wantBound = false;
   ColumnChoice columns;
+  std::optional<Results> fields = {};  ///< nothing: what is given by default
   std::optional<std::vector<SceneObject>> scene = {};
-  bool sceneHasEllipsoid = false;
+  bool worldIsEcef = false, sceneHasEllipsoid = false;
   bool allHits = false;
-  bool clipped = false;                           ///< hits between near and far alone
-  mutable std::atomic<bool> hadDistance = false;  ///< of a record
+  bool clipped = false;                                             ///< hits between near and far alone
+  mutable std::atomic<bool> hadDistance = false, hadDepth = false;  ///< of a record
+
+  bool placesHits() const { return worldIsEcef || sceneHasEllipsoid; }
+  const ResultRow& hits() const { return allHits ? results::hits : placesHits() ? results::placedHit : results::hit; }
 };
+
+bool isOfTheEarth(const SceneObject& object) {
+  return std::holds_alternative<Ellipsoid>(object.shape) || std::holds_alternative<HeightSurface>(object.shape);
+}
 
 struct SceneHit {
   const SceneObject* object = nullptr;
   Hit hit;
 };
 
+/// A pixel, and what is behind it.
+struct Cast {
+  const Pixel& pixel;
+  Ray ray{{kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}};
+  WorldPoint point{{kNaN, kNaN, kNaN}, DepthStatus::notFinite};
+};
+
 class RayWork final : public RecordWork {
  public:
-  explicit RayWork(const Casting& how) : how_(how) {}
-
-  Layout find(const RecordParts& record) const override { return findPixel(record, how_.columns); }
-  Results results(const Layout& layout, OutputForm form) const override {
-    Results rows = {&results::origin, &results::direction};
-    if (hasDistance(layout) || hasColumns(form) || form == OutputForm::f64) {
-      rows.push_back(&results::point);
-      if (how_.wantBound) rows.push_back(&results::pointBound);
-    }
-    if (how_.scene) rows.push_back(how_.allHits ? &results::hits : &hitRow());
-    return rows;
+  explicit RayWork(const Casting& how) : how_(how) {
+    for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i] = how.fields ? *how.fields : defaultRows(i);
   }
 
-  void add(const Layout& layout, const Numbers& numbers) override { pixels_.push_back(toPixel(layout, numbers)); }
-  void write(std::size_t i, ResultSink& sink) override { writeRay(pixels_[i], sink); }
+  Layout find(const RecordParts& record) const override {
+    Layout layout = findPixel(record, how_.columns);
+    const auto& names = record.shape.names;
+    if (std::find(names.begin(), names.end(), results::pointDistance.name) == names.end()) layout.kind |= kNoDistance;
+    return layout;
+  }
+
+  Results results(const Layout& layout, OutputForm form) const override {
+    const bool fixed = hasColumns(form) || form == OutputForm::f64, isText = form == OutputForm::text;
+    return rowsOf(hasDistance(layout), (layout.kind & kNoDistance) != 0, fixed, isText);
+  }
+
+  void add(const Layout& layout, const Numbers& numbers) override {
+    pixels_.push_back({toPixel(layout, numbers), (layout.kind & kNoDistance) != 0});
+  }
+
+  void write(std::size_t i, ResultSink& sink) override {
+    const auto& [pixel, tellsDistance] = pixels_[i];
+    Cast cast{.pixel = pixel};
+    if (pixel.screen) {
+      cast.ray = screenToRay(how_.camera, *pixel.screen, how_.arithmetic, how_.origin);
+      if (pixel.depth || pixel.viewDistance) cast.point = pointBehind(how_.camera, pixel);
+    }
+    if (pixel.depth && !pixel.viewDistance) how_.hadDepth.store(true, std::memory_order_relaxed);
+    if (pixel.hasDistance) how_.hadDistance.store(true, std::memory_order_relaxed);
+    for (const ResultRow* row : rowsOf(pixel.hasDistance, tellsDistance, sink.hasFixedColumns(), sink.isText()))
+      writeResult(*row, cast, sink);
+  }
+
   void clear() override { pixels_.clear(); }
 
  private:
-  void writeRay(const Pixel& pixel, ResultSink& sink) const {
-    Ray ray{{kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}};
-    WorldPoint point{{kNaN, kNaN, kNaN}, DepthStatus::notFinite};
-    if (pixel.screen) {
-      ray = screenToRay(how_.camera, *pixel.screen, how_.arithmetic, how_.origin);
-      if (pixel.depth || pixel.viewDistance) point = pointBehind(how_.camera, pixel);
-    }
-    sink.vector(results::origin, ray.origin);
-    sink.vector(results::direction, ray.direction);
-    if (pixel.hasDistance || sink.hasFixedColumns()) {
-      sink.vector(results::point, point.position);
-      if (how_.wantBound) sink.number(results::pointBound, point.status == DepthStatus::point ? point.bound : kNaN);
-      if (pixel.hasDistance) how_.hadDistance.store(true, std::memory_order_relaxed);
-    }
-    if (how_.scene) writeHits(ray, sink);
+  static constexpr unsigned kNoDistance = 1u << 16;  ///< of a layout: no field is called viewDistance
+
+  // Of the rows of a record.
+  static constexpr std::size_t kHasDistance = 1, kTellsDistance = 2, kFixed = 4, kText = 8;
+
+  const Results& rowsOf(bool hasDistance, bool tellsDistance, bool fixed, bool isText) const {
+    return rows_[(hasDistance ? kHasDistance : 0) | (tellsDistance ? kTellsDistance : 0) | (fixed ? kFixed : 0) |
+                 (isText ? kText : 0)];
   }
 
-  const ResultRow& hitRow() const { return how_.sceneHasEllipsoid ? results::placedHit : results::hit; }
+  Results defaultRows(std::size_t kind) const {
+    const bool isJson = (kind & (kFixed | kText)) == 0;
+    Results rows = {&results::origin, &results::direction};
+    if (kind & (kHasDistance | kFixed)) {
+      rows.push_back(&results::point);
+      if (isJson && how_.worldIsEcef) rows.push_back(&results::place);
+      if (isJson && (kind & kTellsDistance)) rows.push_back(&results::pointDistance);
+      if (how_.wantBound) rows.push_back(&results::pointBound);
+    }
+    if (how_.scene) rows.push_back(&how_.hits());
+    return rows;
+  }
+
+  void writeResult(const ResultRow& row, const Cast& cast, ResultSink& sink) const {
+    const bool isPoint = cast.point.status == DepthStatus::point;
+    if (&row == &results::origin)
+      sink.vector(row, cast.ray.origin);
+    else if (&row == &results::direction)
+      sink.vector(row, cast.ray.direction);
+    else if (&row == &results::point)
+      sink.vector(row, cast.point.position);
+    else if (&row == &results::place)
+      sink.group(row, isPoint, [&](ResultSink& part) { writePlace(cast.point.position, part); });
+    else if (&row == &results::pointDistance)
+      sink.number(row, distanceOf(cast));
+    else if (&row == &results::pixelSize)
+      sink.vector(row, pixelSize(how_.camera, distanceOf(cast)));
+    else if (&row == &results::pointBound)
+      sink.number(row, isPoint ? cast.point.bound : kNaN);
+    else
+      writeHits(cast.ray, sink);
+  }
+
+  /// Of the point behind the pixel, or of what the ray hits where the record has none.
+  double distanceOf(const Cast& cast) const {
+    if (!std::isnan(cast.point.viewDistance) || !how_.scene || cast.pixel.hasDistance) return cast.point.viewDistance;
+    const std::vector<SceneHit> hits = hitsOf(cast.ray);
+    return hits.empty() ? kNaN : worldToScreen(how_.camera, hits.front().hit.point).viewDistance;
+  }
+
+  static void writePlace(const Vec3& point, ResultSink& sink) {
+    const Geodetic place = ecefToGeodetic(point);
+    sink.number(results::lat, place.lat);
+    sink.number(results::lon, place.lon);
+    sink.number(results::height, place.height);
+  }
 
   void writeHits(const Ray& ray, ResultSink& sink) const {
     const std::vector<SceneHit> hits = hitsOf(ray);
@@ -97,7 +172,8 @@ class RayWork final : public RecordWork {
       return;
     }
     const SceneHit none{nullptr, {kNaN, {kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}}};
-    sink.group(hitRow(), !hits.empty(), [&](ResultSink& part) { writeHit(hits.empty() ? none : hits.front(), part); });
+    sink.group(how_.hits(), !hits.empty(),
+               [&](ResultSink& part) { writeHit(hits.empty() ? none : hits.front(), part); });
   }
 
   void writeHit(const SceneHit& hit, ResultSink& sink) const {
@@ -106,12 +182,10 @@ class RayWork final : public RecordWork {
     sink.vector(results::hitPoint, hit.hit.point);
     sink.vector(results::normal, hit.hit.normal);
     // Only points of the Earth are places; where columns are fixed, they are empty for the others.
-    const bool onEllipsoid = hit.object && std::holds_alternative<Ellipsoid>(hit.object->shape);
-    if (!onEllipsoid && !(sink.hasFixedColumns() && how_.sceneHasEllipsoid)) return;
-    const Geodetic place = onEllipsoid ? ecefToGeodetic(hit.hit.point) : Geodetic{kNaN, kNaN, kNaN};
-    sink.number(results::lat, place.lat);
-    sink.number(results::lon, place.lon);
-    sink.number(results::height, place.height);
+    const bool onEllipsoid = hit.object && isOfTheEarth(*hit.object);
+    const bool isPlace = onEllipsoid || (hit.object && how_.worldIsEcef);
+    if (isPlace || (sink.hasFixedColumns() && how_.placesHits()))
+      writePlace(isPlace ? hit.hit.point : Vec3{kNaN, kNaN, kNaN}, sink);
   }
 
   /// Nearest first; of hits at the same distance, in the scene's order.
@@ -135,7 +209,8 @@ class RayWork final : public RecordWork {
   }
 
   const Casting& how_;
-  std::vector<Pixel> pixels_;
+  std::array<Results, 16> rows_;
+  std::vector<std::pair<Pixel, bool>> pixels_;  ///< and whether no field is called viewDistance
 };
 
 /// A pixel of the command line as a JSON record.
@@ -151,18 +226,59 @@ GivenPixel readPixel(const std::string& option, const std::string& text) {
   return {{option + " " + text, json + "}"}, n.size() > 2};
 }
 
+/// What --fields can name: all that `ray` writes, of a hit the one name. Those of the scene are settled once it is
+/// read.
+constexpr const ResultRow* kFields[] = {
+    &results::origin,        &results::direction, &results::point,      &results::place,
+    &results::pointDistance, &results::pixelSize, &results::pointBound, &results::hit};
+
+std::string helpOnFields() {
+  std::vector<std::string_view> names;
+  for (const ResultRow* row : kFields) names.push_back(row->name);
+  return "Results to give, in this order: " + joined(names) +
+         " or all (default: origin and direction; with a depth point, in JSON viewDistance too; with --scene hit)";
+}
+
+Several<const ResultRow*> readFields(const std::string& option, const std::string& text) {
+  Names<const ResultRow*> names;
+  for (const ResultRow* row : kFields) names.emplace_back(row->name, row);
+  return chooseSeveral(option, text, names);
+}
+
 struct Options {
   CameraOptions camera;
   StreamOptions stream;
   PrecisionMode precision;
+  std::optional<Several<const ResultRow*>> fields;
   std::vector<GivenPixel> pixels;
   RayOrigin from = RayOrigin::eye;
   std::optional<std::string> scene;
   bool wantBound = false, allHits = false, clipped = false;
 };
 
+/// Throws UsageError for those that need what is not there; of all, those are left out.
+void settleFields(Casting& how, const Several<const ResultRow*>& fields) {
+  how.fields = fields.named;
+  if (fields.all)
+    for (const ResultRow* row : kFields)
+      if ((row != &results::place || how.worldIsEcef) && (row != &results::hit || how.scene))
+        how.fields->push_back(row);
+  const bool hasHit = std::find(how.fields->begin(), how.fields->end(), &results::hit) != how.fields->end();
+  if (!hasHit && (how.allHits || how.clipped))
+    throw UsageError(std::string(how.allHits ? "--all-hits" : "--clipped") +
+                     " is of hits, and --fields leaves hit out");
+  for (const ResultRow*& row : *how.fields) {
+    if (row == &results::place && !how.worldIsEcef)
+      throw UsageError("--fields place needs a camera that stands on the Earth");
+    if (row != &results::hit) continue;
+    if (!how.scene) throw UsageError("--fields hit needs --scene");
+    row = &how.hits();
+  }
+}
+
 int run(const Options& o) {
   if (o.camera.lists()) return o.camera.list();
+  if (o.fields && o.wantBound) throw UsageError("--fields bound takes the place of --bound; leave out one of the two");
   if (!o.scene && (o.allHits || o.clipped))
     throw UsageError(std::string(o.allHits ? "--all-hits" : "--clipped") + " is for --scene, which is not given");
   FilterSetup setup = o.stream.setup(kPixelColumns);
@@ -176,23 +292,29 @@ int run(const Options& o) {
   o.stream.requireOneInput(setup, o.camera, {"the scene", isStandardInput(o.scene)});
   // Rays are within kRayDirectionBound in standard already: fast and auto need nothing else.
   const bool exact = o.precision.arithmetic == Precision::exact;
-  Casting how{.camera = makeCamera(o.camera.read()),
+  const CameraFile file = o.camera.read();
+  Casting how{.camera = makeCamera(file),
               .arithmetic = exact ? Precision::exact : Precision::standard,
               .origin = o.from,
               .wantBound = o.wantBound,
               .columns = setup.columns,
+              .worldIsEcef = file.worldIsEcef,
               .allHits = o.allHits,
               .clipped = o.clipped};
   if (o.scene) {
-    how.scene = readScene(*o.scene);
-    for (const SceneObject& object : *how.scene)
-      how.sceneHasEllipsoid |= std::holds_alternative<Ellipsoid>(object.shape);
+    how.scene = readScene(*o.scene, file.worldIsEcef);
+    for (const SceneObject& object : *how.scene) how.sceneHasEllipsoid |= isOfTheEarth(object);
   }
+  if (o.fields) settleFields(how, *o.fields);
   setup.writer.arrayName = "screen";
   setup.writer.arraySize = 2;
   setup.writer.extraName = "depth";
   setup.note = [&](const std::string& note) { o.camera.notes().say(note); };
   const int status = runFilter(setup, [&] { return std::make_unique<RayWork>(how); });
+  if (file.assumesNear && how.hadDepth)
+    o.camera.notes().say("depth is window depth, here of a near plane at " + formatNumber(file.projection->zNear()) +
+                         ", as the camera's file has none (--near gives it); a distance along the viewing axis is "
+                         "called viewDistance");
   if (o.wantBound && !how.hadDistance)
     o.camera.notes().say("--bound changes nothing here: it is of the point at a depth, and no pixel has one");
   return status;
@@ -200,32 +322,33 @@ int run(const Options& o) {
 
 }  // namespace
 
-Action defineRay(CLI::App& app) {
+Action defineRay(CommandLine& line) {
   const auto o = std::make_shared<Options>();
-  app.description(
+  line.setDescription(
       "Pixels to rays: origin and unit direction, with a depth or viewDistance the point itself, and what of a scene "
       "the ray hits. Text has 6 numbers a record, origin and direction, or 9 with the point where there is a depth; "
       "f64 always 9, NaN where there is no point. --bound adds one after the point; --scene adds 7 at the end, "
       "distance, point and normal of the hit, NaN where there is none: 13 without a point, 16 with it; and if the "
       "scene has an ellipsoid, 3 more: lat, lon, height. With --columns, a third column called depth or viewDistance "
       "is that, one of another name a depth, and a distance that is not named is not used.");
-  app.footer(
+  line.setExample(
       "viewproj ray -c samples/picking-a-pixel/camera.json --scene samples/picking-in-a-scene/scene.json \\\n"
       "  --pixel 640,360 --to table");
-  o->camera.add(app);
-  o->stream.add(app, "pixels");
+  o->camera.add(line);
+  o->stream.add(line, "pixels");
   static constexpr std::pair<std::string_view, RayOrigin> kPlaces[] = {{"eye", RayOrigin::eye},
                                                                        {"near", RayOrigin::nearPlane}};
-  addPrecision(app, o->precision);
-  addValues(app, "--pixel", "X,Y[,DEPTH]", o->pixels, readPixel,
+  addPrecision(line, o->precision);
+  addValues(line, "--pixel", "X,Y[,DEPTH]", o->pixels, readPixel,
             "A pixel, with a window depth if known, in place of FILE and standard input");
-  addChoice(app, "--ray-from", "PLACE", o->from, rowsOf(kPlaces),
+  addChoice(line, "--ray-from", "PLACE", o->from, rowsOf(kPlaces),
             "Where rays begin, on the plane through the eye or on the near plane");
-  app.add_flag("--bound", o->wantBound,
+  addValue(line, "--fields", "NAMES", o->fields, readFields, helpOnFields());
+  line.addFlag("--bound", o->wantBound,
                "Give each point's bound: how far it can be from the true one if its depth was rounded to double");
-  addSceneOption(app, o->scene, ", to shoot at: the nearest hit of each ray");
-  app.add_flag("--all-hits", o->allHits, "Every hit with the scene, nearest first");
-  app.add_flag("--clipped", o->clipped, "Only hits between near and far");
+  addSceneOption(line, o->scene, ", to shoot at: the nearest hit of each ray");
+  line.addFlag("--all-hits", o->allHits, "Every hit with the scene, nearest first");
+  line.addFlag("--clipped", o->clipped, "Only hits between near and far");
   return [o] { return run(*o); };
 }
 

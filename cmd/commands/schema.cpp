@@ -1,9 +1,8 @@
 // viewproj schema: the JSON Schemas of what is read and written.
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "commands/command.hpp"
-#include "commands/options.hpp"
+#include "commands/notes.hpp"
 #include "commands/output_option.hpp"
 #include "output/output_file.hpp"
 #include "schema/schemas.hpp"
@@ -32,15 +31,15 @@ int run(const Options& o) {
 
 }  // namespace
 
-Action defineSchema(CLI::App& app) {
+Action defineSchema(CommandLine& line) {
   const auto o = std::make_shared<Options>();
-  app.description(
+  line.setDescription(
       "The JSON Schema (draft 2020-12) of a camera file, of points, of a scene, or of results, for editors and "
       "validators.");
-  app.footer("viewproj schema camera");
-  addChoice(app, "NAME", "", o->schema, schemas(), "What the schema is of", "");
-  addOnlyForm(app, "JSON", ".json");
-  o->notes.add(app);
+  line.setExample("viewproj schema camera");
+  addChoice(line, "NAME", "", o->schema, schemas(), "What the schema is of", "");
+  addOnlyForm(line, "JSON", ".json");
+  o->notes.add(line);
   return [o] { return run(*o); };
 }
 

@@ -4,57 +4,11 @@
 #include <charconv>
 #include <unordered_set>
 
-#include "commands/command.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
 #include "text/parse_number.hpp"
 
 namespace viewproj::cmd {
-
-void CommandLine::addTyped(std::span<const std::string_view> typed) {
-  for (const std::string_view argument : typed)
-    if (argument.starts_with("--")) {
-      const std::string_view name = argument.substr(0, argument.find('='));
-      for (const Waiting& waiting : waiting_)
-        if (waiting.knows(name)) return addAll();
-    }
-}
-
-void CommandLine::addAll() {
-  for (const Waiting& waiting : waiting_) waiting.add();
-  waiting_.clear();
-}
-
-Heading::Heading(CLI::App& app, const std::string& name) : app_(app) { app.option_defaults()->group(name); }
-// NOLINTNEXTLINE(bugprone-exception-escape): where no memory is left, the program has ended
-Heading::~Heading() { app_.option_defaults()->group(kOwnOptions); }
-
-CLI::Option* addOption(CLI::App& app, const std::string& name, const std::string& form, const std::string& help,
-                       Times times, TakeValues take) {
-  // By its long name, or that of an argument.
-  const std::string option = name.substr(name.rfind(',') + 1);
-  const auto check = [&app, option, times, take = std::move(take)](const CLI::results_t& given) {
-    if (std::find(given.begin(), given.end(), "") != given.end()) throw UsageError(option + kEmptyValue);
-    for (const std::string& value : given)
-      if (value.starts_with("--") && app.get_option_no_throw(value))
-        throw UsageError(option + " has no value: after it comes " + value);
-    if (times == Times::once && given.size() > 1)
-      throw UsageError(option + " is given twice: " + given[0] + " and " + given[1]);
-    take(option, given);
-    return true;
-  };
-  CLI::Option* const added = app.add_option(name, CLI::callback_t(check), help);
-  if (!form.empty()) added->type_name(form);
-  return added->expected(1)->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-}
-
-FactKeeper* FactKeeper::current_ = nullptr;
-
-OptionFacts FactKeeper::factsOf(const CLI::Option* option) {
-  if (!current_) return {};
-  const auto found = current_->facts_.find(option);
-  return found == current_->facts_.end() ? OptionFacts{} : found->second;
-}
 
 std::string readText(const std::string&, const std::string& text) { return text; }
 
@@ -75,11 +29,11 @@ void failUnknown(const std::string& option, std::string_view name, std::span<con
   throw UsageError(option + ": '" + std::string(name) + "' is not known" + suggestion(name, known));
 }
 
-std::string withNames(const std::string& help, std::span<const std::string_view> names, std::string_view otherwise) {
+std::string withNames(std::string_view help, std::span<const std::string_view> names, std::string_view otherwise) {
   const std::size_t end = std::min(help.find(';'), help.size());
-  std::string text = help.substr(0, end) + ": " + joined(names);
+  std::string text = std::string(help.substr(0, end)) + ": " + joined(names);
   if (!otherwise.empty()) text += " (default: " + std::string(otherwise) + ")";
-  return text + help.substr(end);
+  return text + std::string(help.substr(end));
 }
 
 std::vector<std::string> splitNames(const std::string& option, const std::string& text) {

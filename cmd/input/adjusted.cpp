@@ -11,6 +11,35 @@ Pose movedTo(const Pose& pose, const Vec3& eye, Handedness world) {
   return poseFromColumns({axes.right, axes.up, axes.forward}, toDoubleDouble(eye), CameraAxes::RUF, world);
 }
 
+bool WorldMap::mirrors() const {
+  const bool isTurn = (from[0] + 1) % 3 == from[1];
+  return (signs[0] * signs[1] * signs[2] > 0) != isTurn;
+}
+
+Pose mappedTo(const Pose& pose, const WorldMap& map, double scale, Handedness newWorld) {
+  const auto mapped = [&](const DDVec3& v) {
+    DDVec3 result;
+    for (std::size_t i = 0; i < 3; ++i) result[i] = map.signs[i] < 0 ? -v[map.from[i]] : v[map.from[i]];
+    return result;
+  };
+  const Axes& axes = parts(pose).columns;
+  return poseFromColumns({mapped(axes.right), mapped(axes.up), mapped(axes.forward)},
+                         mapped(unroundedEye(parts(pose))) * DoubleDouble(scale), CameraAxes::RUF, newWorld);
+}
+
+Projection scaledBy(const Projection& projection, double scale) {
+  ProjectionParts p = parts(projection);
+  p.near *= scale;
+  p.far *= scale;
+  if (p.orthographic) {
+    for (DoubleDouble* edge : {&p.left, &p.right, &p.bottom, &p.top, &p.width, &p.height})
+      *edge = *edge * DoubleDouble(scale);
+    p.reachX *= scale;
+    p.reachY *= scale;
+  }
+  return made(p);
+}
+
 Projection withRange(const Projection& projection, std::optional<double> near, std::optional<double> far) {
   ProjectionParts p = parts(projection);
   p.near = near.value_or(p.near);

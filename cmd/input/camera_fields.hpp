@@ -85,7 +85,7 @@ inline constexpr Field eulerOrder{"order", ValueForm::word,
                                   "The axes in the order of the turns, each about the axis as the turns before it left "
                                   "it.",
                                   namesOf<kEulerOrders>};
-inline constexpr Field eulerDegrees{"degrees", ValueForm::triple, "An angle for each turn, in their order."};
+inline constexpr Field eulerDegrees{"degrees", ValueForm::turns, "An angle for each turn, in their order."};
 inline constexpr ObjectForm turns{.help = "Turns about the camera's own axes, from where those lie along the world's.",
                                   .fields = list<eulerOrder, eulerDegrees>,
                                   .required = list<eulerOrder, eulerDegrees>};
@@ -112,13 +112,18 @@ inline constexpr Field fovDiagonal =
     Field{"fovDiagonal", ValueForm::angle, "Degrees from corner to corner of the picture."}.typed("--fov-diagonal");
 inline constexpr Field nearWidth{"nearWidth", ValueForm::positive, "Width of the window on the near plane."};
 inline constexpr Field nearHeight{"nearHeight", ValueForm::positive, "Height of the window on the near plane."};
+inline constexpr std::string_view kSensorUnit =
+    " without a unit: focalLength, sensorWidth and sensorHeight are in the same one";
 inline constexpr Field focalLength =
-    Field{"focalLength", ValueForm::positive, "In the unit of the sensor, such as millimetres."}.typed(
-        "--focal-length");
-inline constexpr Field sensorWidth =
-    Field{"sensorWidth", ValueForm::positive, "In the unit of focalLength."}.typed("--sensor-width");
-inline constexpr Field sensorHeight =
-    Field{"sensorHeight", ValueForm::positive, "In the unit of focalLength."}.typed("--sensor-height");
+    Field{"focalLength", ValueForm::positive, "In the unit of the sensor, such as millimetres."}
+        .hinting(kSensorUnit)
+        .typed("--focal-length");
+inline constexpr Field sensorWidth = Field{"sensorWidth", ValueForm::positive, "In the unit of focalLength."}
+                                         .typed("--sensor-width")
+                                         .hinting(kSensorUnit);
+inline constexpr Field sensorHeight = Field{"sensorHeight", ValueForm::positive, "In the unit of focalLength."}
+                                          .typed("--sensor-height")
+                                          .hinting(kSensorUnit);
 inline constexpr Field aspect =
     Field{"aspect", ValueForm::ratio, "Width over height. Default: the viewport's."}.typed("--aspect");
 inline constexpr Field left =
@@ -147,7 +152,8 @@ inline constexpr Field zMin{"zMin", ValueForm::number, "Depth at far."};
 inline constexpr Field zMax{"zMax", ValueForm::number, "Depth at near."};
 inline constexpr Field zNear = Field{"near", ValueForm::positive, "Distance of the near plane."}.typed("--near");
 inline constexpr Field zFar =
-    Field{"far", ValueForm::positive, "Distance of the far plane. Default: infinite."}.typed("--far");
+    Field{"far", ValueForm::positive, "Distance of the far plane. Default: infinite."}.typed("--far").hinting(
+        "; without it, or where it is null, it is infinite");
 inline constexpr Field orthoNear =
     Field{"near", ValueForm::number, "Distance of the near plane, which may lie behind the eye."}.typed("--near");
 inline constexpr Field orthoFar = Field{"far", ValueForm::number, "Distance of the far plane."}.typed("--far");

@@ -1,16 +1,20 @@
 #include "input/camera_file.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "camera/camera.hpp"
 #include "camera/viewport.hpp"
 #include "geodesy/normal.hpp"
 #include "input/adjusted.hpp"
 #include "input/camera_fields.hpp"
 #include "input/convention_fields.hpp"
+#include "input/distortion_names.hpp"
 #include "input/euler.hpp"
 #include "input/geodetic.hpp"
 #include "input/projection_types.hpp"
 #include "input/viewport_fields.hpp"
 #include "text/error.hpp"
+#include "text/names.hpp"
 #include "viewproj/camera.hpp"
 
 namespace viewproj::cmd {
@@ -61,8 +65,29 @@ Path pathInCamera(const Document& document, const std::string& name) {
 
 namespace {
 
+/// Throws for a document that has fields, and none that is a camera's, or near to one.
+void requireCamera(const ObjectReader& camera) {
+  const std::vector<std::string_view> names = namesOf(field::camera.fields);
+  bool isOther = false;
+  for (const auto& item : camera.json().items()) {
+    const std::string& key = item.key();
+    if (key == field::name.name || key == field::schema.name) continue;
+    if (field::camera.has(key) || !nearestName(key, names).empty() || distortionName(key) != DistortionName::none)
+      return;
+    for (const Field* field : field::camera.fields)
+      for (const std::string_view other : field->aliases())
+        if (other == key) return;
+    isOther = true;
+  }
+  if (isOther && !camera.document().isTyped())
+    camera.fail(
+        "is no camera file, and of no other kind that is known: viewproj help formats lists those, and --format FILE "
+        "reads one more by a row of your own");
+}
+
 CameraFile readChecked(const Document& document, const CameraReading& reading) {
   const ObjectReader camera(document, document.root(), {});
+  requireCamera(camera);
   camera.allow(field::camera);
   for (const Field* text : {&field::name, &field::schema}) (void)camera.string(*text);
   CameraFile file;
@@ -75,12 +100,14 @@ CameraFile readChecked(const Document& document, const CameraReading& reading) {
   const ConventionPreset& fallback = own ? *own : conventionPresets().front();
   const StatedConvention stated = readStated(camera, reading.readAs, fallback);
   file.convention = stated.convention;
+  if (stated.preset->convention.world == stated.convention.world) file.cameraAxes = stated.preset->cameraAxes;
   if (type && type->isReversed && !file.convention.reverseZ)
     camera.fail(field::convention, "has reverseZ false, but a " + std::string(type->name) +
                                        " projection maps near to zMax: leave the convention out to read the file as " +
                                        std::string(fallback.name) + ", and --convention says how to write");
 
   file.worldIsEcef = worldIsEcef(camera);
+  file.hasPlace = readPlace(camera, field::position).has_value();
   if (file.worldIsEcef && file.convention.world == Handedness::left)
     camera.fail(field::convention,
                 "makes the world left-handed, but Earth-centred coordinates are right-handed: read the file in a "
@@ -117,10 +144,14 @@ CameraFile readCamera(const Document& document, const CameraReading& reading) {
 }
 
 Camera makeCamera(const CameraFile& file) {
-  const auto lacks = [&](const char* part) { return InputError(file.name + ": the camera has no " + part); };
-  if (!file.pose) throw lacks("pose; give a position with a target, a direction or a rotation");
-  if (!file.projection) throw lacks("projection");
-  if (!file.viewport) throw lacks("viewport; --viewport WIDTHxHEIGHT gives one");
+  const auto require = [&](bool good, const char* part) {
+    const std::string message = file.name + ": the camera has no " + part;
+    if (!good && file.isTyped) throw UsageError(message);
+    if (!good) throw InputError(message);
+  };
+  require(file.pose.has_value(), "pose; give a position with a target, a direction or a rotation");
+  require(file.projection.has_value(), "projection");
+  require(file.viewport.has_value(), "viewport; --viewport WIDTHxHEIGHT gives one");
   try {
     return makeCamera(*file.pose, *file.projection, *file.viewport, file.convention);
   } catch (const CameraError& e) {

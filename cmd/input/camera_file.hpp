@@ -16,13 +16,21 @@ struct CameraFile {
   std::optional<Projection> projection;
   std::optional<Viewport> viewport;
   Convention convention;
-  bool worldIsEcef = false;  ///< Earth-centred metres: points may be given by lat, lon, height
+  std::optional<CameraAxes> cameraAxes = {};  ///< where its rotation's axes point, of a file that says so
+  bool worldIsEcef = false;                   ///< Earth-centred metres: points may be given by lat, lon, height
+  bool hasPlace = false;                      ///< its position was given by lat, lon, height
+  bool isTyped = false;                       ///< of the command line, and no file's
+  bool assumesNear = false;                   ///< where it has none, as calibrations: window depths depend on it
+  bool isForeign = false;                     ///< of a form that is not the tool's own
+  bool statesConvention = false;              ///< the file has one, or is of a form that says how its numbers are meant
 };
 
 struct CameraReading {
   std::string readAs;  ///< a preset's name, or empty for the file's own convention
   bool allowStretch = false;
   bool ignoreDistortion = false;
+  bool needsPicture = true;                   ///< false: of a file without its size the pose, near and far count alone
+  bool replacesPose = false;                  ///< the file's need not be one that is read
   std::optional<Vec3> eye = {};               ///< in place of the file's
   std::optional<double> near = {}, far = {};  ///< the same, with the window as it is
 };
@@ -37,7 +45,7 @@ std::optional<Pose> readPose(const ObjectReader& camera, const Convention& conve
 /// Where a field that the library complains about stands.
 Path pathInCamera(const Document& document, const std::string& field);
 
-/// All parts together; throws InputError naming what the file lacks for it.
+/// All parts together; throws InputError, or of the command line UsageError, naming what is lacking for it.
 Camera makeCamera(const CameraFile& file);
 
 }  // namespace viewproj::cmd

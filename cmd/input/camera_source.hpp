@@ -1,6 +1,7 @@
 // Whatever describes a camera: which form of file it is, and which of its cameras is meant.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,17 +31,25 @@ CameraFile readAnyCamera(const Document& document, const std::optional<std::stri
 CameraFile readAnyCamera(Document& document, const std::optional<std::string>& pick, const CameraReading& reading,
                          const TypedCamera& typed);
 
-/// Whether the file says how its numbers are meant: it has a convention, or is of a form that says so.
-bool statesConvention(const Document& document);
+/// All that the file holds, in its order: what picks each, and itself. refuse: takes the message of one that cannot be
+/// read. Throws InputError where it holds none.
+void readEachCamera(Document& document, const CameraReading& reading, const TypedCamera& typed,
+                    const std::function<void(const std::string& pick, const CameraFile& camera)>& take,
+                    const std::function<void(const std::string& message)>& refuse);
 
-/// What else than a camera file is read: "a glTF file".
-std::vector<std::string_view> foreignForms();
+/// Whether it is another program's file, and none of our own.
+bool isForeign(const Document& document);
 
-/// What picks each camera that the file holds. Throws InputError where it holds none.
-std::vector<std::string> picksOf(const Document& document);
+/// What else than a camera file is read.
+struct ForeignFile {
+  std::string_view name;  ///< "3dgs"
+  std::string_view form;  ///< "a glTF file"
+  std::string_view help;  ///< more about it, or empty
+};
+std::vector<ForeignFile> foreignFiles();
 
 /// A line for each camera that the file holds: how it is picked, what it is, and a few words. Throws InputError where
 /// it holds none.
-std::string listCameras(const Document& document);
+std::string listCameras(Document& document);
 
 }  // namespace viewproj::cmd

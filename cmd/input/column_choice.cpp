@@ -17,11 +17,32 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") + 1 - first);
 }
 
-std::vector<std::string_view> partsAt(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
+/// What stands between commas; in quotes, as CSV has them, a comma is one of the name's. role: whether = stands between
+/// the role and the name.
+struct Part {
+  std::string_view role, name;
+  bool hasRole = false;
+};
+
+std::vector<Part> partsOf(std::string_view text) {
+  const auto passBlanks = [&](std::size_t at) { return std::min(text.find_first_not_of(" \t", at), text.size()); };
+  const auto passQuotes = [&](std::size_t at) {
+    if (at == text.size() || text[at] != '"') return at;
+    const std::size_t close = text.find('"', at + 1);
+    return close == std::string_view::npos ? at : close + 1;
+  };
+  std::vector<Part> parts;
   for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t end = std::min(text.find(separator, at), text.size());
-    parts.push_back(text.substr(at, end - at));
+    Part part;
+    std::size_t begin = at, end = std::min(text.find_first_of(",=", passQuotes(passBlanks(at))), text.size());
+    if (end < text.size() && text[end] == '=') {
+      part.role = trimmed(text.substr(at, end - at));
+      part.hasRole = true;
+      begin = end + 1;
+      end = std::min(text.find(',', passQuotes(passBlanks(begin))), text.size());
+    }
+    part.name = trimmed(text.substr(begin, end - begin));
+    parts.push_back(part);
     at = end + 1;
   }
   return parts;
@@ -182,14 +203,11 @@ void ColumnChoice::requireNoNames(const std::string& of) const {
 
 ColumnChoice chooseColumns(const std::string& text, const ChoosableColumns& choosable) {
   ColumnChoice choice{text, {}};
-  for (const std::string_view part : partsAt(text, ',')) {
-    const std::size_t equals = part.find('=');
-    const bool hasRole = equals != std::string_view::npos;
-    if (!choice.picks.empty() && hasRole != choice.saysWhat)
+  for (const Part& part : partsOf(text)) {
+    if (!choice.picks.empty() && part.hasRole != choice.saysWhat)
       throw wrong(text, "either each column has a name and =, or none has; " + expected(choosable));
-    choice.saysWhat = hasRole;
-    Pick pick{.role = std::string(trimmed(hasRole ? part.substr(0, equals) : "")),
-              .name = std::string(trimmed(hasRole ? part.substr(equals + 1) : part))};
+    choice.saysWhat = part.hasRole;
+    Pick pick{.role = std::string(part.role), .name = csvValue(part.name)};
     place(pick, text);
     for (const Pick& other : choice.picks)
       if (other.name == pick.name) throw UsageError("--columns: " + pick.name + " is named twice");

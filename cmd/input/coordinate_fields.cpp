@@ -39,6 +39,7 @@ std::optional<Layout> findEach(const RecordParts& record, std::span<const Coordi
   return layout;
 }
 
+/// The names have to outlive them.
 std::vector<CoordinatePart> partsOf(const std::vector<std::string>& names) {
   std::vector<CoordinatePart> parts;
   for (const std::string& name : names) parts.push_back({name});
@@ -69,14 +70,37 @@ std::optional<Layout> findSpread(const Coordinate& row, const RecordParts& recor
   return found;
 }
 
+/// min.x, minX, or with the axis first x_min, xmin.
+std::vector<std::string> joinedColumns(const Coordinate& row, std::string_view joint, bool axisFirst) {
+  std::vector<std::string> columns;
+  for (const CoordinatePart& part : row.parts)
+    for (std::size_t i = 0; i < part.size; ++i) {
+      const std::string_view axis = part.size > 1 ? kColumnSuffixes[i].substr(1) : "";
+      const std::string between(axis.empty() ? "" : joint);
+      columns.push_back(axisFirst ? std::string(axis) + between + std::string(part.name)
+                                  : std::string(part.name) + between + std::string(axis));
+    }
+  return columns;
+}
+
 /// In CSV.
 std::optional<Layout> findColumns(const Coordinate& row, const RecordParts& record, NameRule rule) {
   if (row.form == CoordinateForm::numbers) return findEach(record, row.parts, row.fewest, row.orNull, rule);
   if (row.form == CoordinateForm::array) return findSpread(row, record, rule);
   const std::vector<std::string> names = columnsOf(row);
   if (names.empty()) return std::nullopt;
-  const std::vector<CoordinatePart> parts = partsOf(names);
-  return findEach(record, parts, row.fewest, row.orNull, rule);
+  if (auto found = findEach(record, partsOf(names), row.fewest, row.orNull, rule); found || rule == NameRule::exact)
+    return found;
+  std::optional<Layout> found;
+  for (const std::string_view joint : kJoints)
+    for (const bool axisFirst : {false, true}) {
+      auto layout = findEach(record, partsOf(joinedColumns(row, joint, axisFirst)), row.fewest, row.orNull, rule);
+      if (layout && found && layout->parts[0].field != found->parts[0].field)
+        throw RecordError(0, "has both " + namesIn(*found, record.shape) + " and " + namesIn(*layout, record.shape) +
+                                 " for a " + std::string(row.name) + "; expected one of the two");
+      if (layout && !found) found = std::move(layout);
+    }
+  return found;
 }
 
 /// A field of JSON with a point: of the row's own name whatever its value; else where that has the form.
@@ -183,6 +207,8 @@ std::string whatIsThere(const Shape& shape) {
 std::string nearestField(std::span<const Coordinate* const> rows, const Shape& shape) {
   constexpr std::size_t kFew = 64, kLong = 3;
   if (shape.names.size() > kFew) return "";
+  if (shape.form == Form::json && std::find(shape.names.begin(), shape.names.end(), kRecordsField) != shape.names.end())
+    return "; " + quoted(kRecordsField) + " holds records where it is an object's first field";
   std::vector<std::string_view> fields(shape.names.begin(), shape.names.end());
   const auto nearest = [&](std::string_view name) {
     const std::string_view near = name.size() < kLong ? "" : nearestName(name, fields);
@@ -196,9 +222,9 @@ std::string nearestField(std::span<const Coordinate* const> rows, const Shape& s
       if (!shape.find(column)) known.push_back(column);
     if (!columns.empty() && known.size() == columns.size()) known.clear();
     if (!columns.empty()) {
-      std::erase_if(fields, [&](std::string_view field) {
-        return std::find(columns.begin(), columns.end(), field) != columns.end();
-      });
+      // Each keeps its place among the names.
+      for (std::string_view& field : fields)
+        if (std::find(columns.begin(), columns.end(), field) != columns.end()) field = "";
     } else if (row->form == CoordinateForm::numbers) {
       const std::vector<NameMatch> matches = matchParts(shape.names, row->parts, row->fewest, NameRule::any);
       for (std::size_t i = 0; i < row->fewest; ++i) {

@@ -98,7 +98,7 @@ inline constexpr Coordinate
     triangle = {"triangle", points, 3, 3, "of three corners", kindTriangle, {}, false, '[', {}, kTriangleNames},
     plane = {"plane", word, 0, 0, "a shape of scenes"},
     ellipsoid = {"ellipsoid", word, 0, 0, "a shape of scenes", 0, {}, false, '"'},
-    radius = {"radius", numbers, 1, 1, "beside a point, to cull: a sphere about it", 0, kRadius};
+    radius = {"radius", numbers, 1, 1, "beside a point, to cull and fit, and to project where --fields asks for screenBox: a sphere about it", 0, kRadius};
 inline constexpr const Coordinate *kShapes[] = {&sphere, &box, &triangle}, *kNotRead[] = {&plane, &ellipsoid};
 
 // Pixels, in the order in which they count, and how far away the point is.

@@ -1,19 +1,25 @@
-// A JSON document read as a whole (a camera file), whose every complaint names a line and a column.
+// A JSON or YAML document read as a whole (a camera file), whose every complaint names a line and a column.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "input/field.hpp"
 #include "viewproj/vectors.hpp"
 
 namespace viewproj::cmd {
+
+struct Kind;
 
 /// Keys from the root on.
 using Path = std::vector<std::string>;
@@ -36,7 +42,8 @@ class Document {
  public:
   /// source: a file name, "-" for standard input, or the JSON itself if it starts with "{". Of a .glb file the JSON in
   /// it counts, places too. option names it in messages. arrayKey: a document that is an array counts as an object
-  /// whose only field, of this name, it is; the JSON itself may then start with "[" too.
+  /// whose only field, of this name, it is; the JSON itself may then start with "[" too. Under a key of no letters its
+  /// entries are told by their numbers alone.
   Document(const std::string& source, const std::string& option, const char* arrayKey = nullptr);
   struct Typed {};
   /// An empty object that the command line fills: what is wrong in it is a UsageError, in the words of options.
@@ -47,6 +54,12 @@ class Document {
 
   const nlohmann::json& root() const { return *root_; }
   const std::string& name() const { return name_; }
+  /// Whether it was an array.
+  bool isArray() const { return isArray_; }
+
+  /// The kinds of camera files that are tried before those that are built in. They must outlive the document.
+  void setKinds(std::span<const Kind> kinds) { ownKinds_ = kinds; }
+  std::span<const Kind> ownKinds() const { return ownKinds_; }
 
   /// Sets a field. Throws UsageError where there is no place for it.
   void set(const Assignment& assignment);
@@ -63,17 +76,50 @@ class Document {
   /// Whether the field or one within it was set.
   bool isSet(const std::string& field) const;
 
+  /// The paths of the fields that were set.
+  const std::vector<Path>& sets() const { return setPaths_; }
+  /// What stands there; null where nothing does.
+  const nlohmann::json* at(const Path& path) const;
+  /// Calls look while another value stands at a path, where there is one. No note is kept of what it reads.
+  void tryOut(const Path& path, nlohmann::json value, const std::function<void()>& look);
+
   /// Throws for a field that was set and that no reader has looked at. form: what the file is.
   void requireSetsRead(const std::string& form) const;
 
   /// Names the place of the path and, unless told not to, the value there.
   [[noreturn]] void fail(const Path& path, const std::string& message, bool showValue = true) const;
 
+  /// So many messages of one document have places: each takes a look through the text.
+  static constexpr std::size_t kMostPlaced = 100;
+
   /// What is read as it stands, but probably not meant; with its place.
   void note(const Path& path, const std::string& message) const;
   const std::vector<std::string>& notes() const { return notes_; }
+  /// Those since the last time.
+  std::vector<std::string> takeNotes() const { return std::exchange(notes_, {}); }
+  /// Takes over what was noted of a document that options made.
+  void addNotes(const Document& other) const { notes_.insert(notes_.end(), other.notes_.begin(), other.notes_.end()); }
+
+  /// Something that holds as long as it is there.
+  class [[nodiscard]] Meanwhile {
+   public:
+    explicit Meanwhile(bool& flag) : flag_(&flag), before_(std::exchange(flag, true)) {}
+    ~Meanwhile() { *flag_ = before_; }
+    Meanwhile(const Meanwhile&) = delete;
+    Meanwhile& operator=(const Meanwhile&) = delete;
+
+   private:
+    bool* flag_;
+    bool before_;
+  };
+  /// Messages name no line: looking one up takes a look through the text.
+  Meanwhile withoutPlaces() const { return Meanwhile(leavesPlacesOut_); }
+  /// What is looked at does not count as read.
+  Meanwhile withoutReading() const { return Meanwhile(countsNoReads_); }
 
  private:
+  /// The text as a value. Throws InputError.
+  void readText();
   std::string placed(const Path& path, const std::string& message) const;
   friend class ObjectReader;
   friend class ObjectList;
@@ -83,11 +129,16 @@ class Document {
   std::string name_;
   std::string text_;
   std::unique_ptr<nlohmann::json> root_;
-  bool isTyped_ = false;
+  bool isTyped_ = false, isArray_ = false, isYaml_ = false;
   std::set<std::string> set_;
-  std::map<std::string, std::string> options_;  ///< by the fields that they give
-  mutable std::set<std::string> unread_;        ///< of set_
+  std::vector<Path> setPaths_;
+  std::span<const Kind> ownKinds_;
+  std::unordered_map<std::string, std::string> places_;  ///< of what is no JSON and no YAML, by its first two keys
+  std::map<std::string, std::string> options_;           ///< by the fields that they give
+  mutable std::set<std::string> unread_;                 ///< of set_
   mutable std::vector<std::string> notes_;
+  mutable std::size_t noted_ = 0;  ///< in all
+  mutable bool leavesPlacesOut_ = false, countsNoReads_ = false;
 };
 
 class ObjectList;

@@ -73,8 +73,8 @@ std::vector<std::string_view> namesOf(FieldList fields) {
 
 std::string formInWords(const Field& field) {
   switch (field.form) {
-    case ValueForm::anything:
-      return "any value";
+    case ValueForm::anything:  // uncounted: as its value
+      return "any value";      // uncounted: a node of glTF has them, which no page is about
     case ValueForm::text:
       return "text";
     case ValueForm::label:
@@ -100,9 +100,9 @@ std::string formInWords(const Field& field) {
     case ValueForm::pair:
     case ValueForm::range:
       return "[a, b]";
-    case ValueForm::triple:
-      return "[a, b, c]";
-    case ValueForm::point:
+    case ValueForm::triple:  // uncounted: as its value
+    case ValueForm::turns:   // uncounted: the same
+      return "[a, b, c]";    // uncounted: turns have them, which no page lists
     case ValueForm::direction:
       return "[x, y, z]";
     case ValueForm::position:
@@ -120,7 +120,7 @@ std::string formInWords(const Field& field) {
     case ValueForm::objects:
       return "array of objects";
   }
-  return "";
+  return "";  // uncounted: these are all
 }
 
 ChosenWay chooseWay(const ObjectForm& form, const std::function<bool(const Field&)>& has, Spelling spelled) {
@@ -153,7 +153,9 @@ ChosenWay chooseWay(const ObjectForm& form, const std::function<bool(const Field
     for (const Way* way : used)
       if (std::none_of(apart.begin(), apart.end(), [&](const Way* other) { return shareKey(*way, *other); }))
         apart.push_back(way);
-    const std::vector<std::string> labels = labelsOf(apart, spelled);
+    std::vector<std::string> labels = labelsOf(apart, spelled);
+    for (std::size_t i = 0; i < apart.size(); ++i)  // of several that are keys, the one that is there
+      if (apart[i]->anyKey) labels[i] = spelled(*firstOf(apart[i]->keys, has));
     return {nullptr,
             "has " + together({labels.begin(), labels.end()}) + "; expected one of " + alternativesOf(all, spelled)};
   }

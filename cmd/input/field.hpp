@@ -29,7 +29,7 @@ enum class ValueForm {
   pair,        ///< two numbers
   range,       ///< two numbers that differ
   triple,      ///< three numbers
-  point,       ///< x, y, z
+  turns,       ///< three turns
   direction,   ///< x, y, z of any length but 0
   position,    ///< x, y, z, or a place
   quaternion,  ///< x, y, z, w of any length but 0
@@ -60,18 +60,25 @@ struct Field {
   const ObjectForm* object = nullptr;           ///< of an object
   std::string_view option = {};                 ///< by which the command line gives it
   std::array<std::string_view, 4> others = {};  ///< names that count too where their value has the form; empty: none
+  std::string_view hint = {};                   ///< after what was expected in place of a value that is none
 
   /// The row with an option.
-  constexpr Field typed(std::string_view name_) const {
+  consteval Field typed(std::string_view name_) const {
     Field row = *this;
     row.option = name_;
     return row;
   }
   /// The row with other names.
-  constexpr Field also(std::initializer_list<std::string_view> names) const {
+  consteval Field also(std::initializer_list<std::string_view> names) const {
     Field row = *this;
     std::size_t count = 0;
     for (const std::string_view other : names) row.others[count++] = other;
+    return row;
+  }
+  /// The row with a hint.
+  consteval Field hinting(std::string_view text) const {
+    Field row = *this;
+    row.hint = text;
     return row;
   }
   constexpr std::span<const std::string_view> aliases() const {

@@ -1,5 +1,5 @@
-// Which field of a record is meant by a name: the one of that very name, else of the name in another case, else of an
-// alias in any case.
+// Which fields of a record are meant by the names of a row's parts: those of the very names, else of these names in
+// another case, else of aliases too.
 #pragma once
 
 #include <optional>
@@ -17,15 +17,12 @@ enum class NameRule { exact, any };
 struct NameMatch {
   std::optional<std::size_t> field;
   std::optional<std::size_t> also = {};  ///< another that is as good
-  bool isExact = false, isAlias = false;
+  bool isAlias = false;
 };
 
-/// Among the fields' names. columnNames: a column of CSV has it too, exactly.
-NameMatch matchName(std::span<const std::string> fields, std::string_view name, std::string_view columnName,
-                    Aliases aliases, NameRule rule);
-
-/// The fields of the parts, as many from the first on as there are. A part behind the first `required` counts where it
-/// is in the case of the first: w beside x, W beside X.
+/// The fields of the parts, as many as there are. They are of one set: where several fields may be a part, those that
+/// are cased alike go together. A part behind the first `required` counts where it is cased as the first: w beside x,
+/// W beside X.
 std::vector<NameMatch> matchParts(std::span<const std::string> fields, std::span<const CoordinatePart> parts,
                                   std::size_t required, NameRule rule);
 

@@ -20,14 +20,17 @@ bool worldIsEcef(const ObjectReader& camera) {
          saysPlace(camera, field::target);
 }
 
-std::optional<Geodetic> readPlace(const ObjectReader& camera, const Field& field) {
-  if (!saysPlace(camera, field)) return std::nullopt;
-  const ObjectReader fields = *camera.object(field);
+Geodetic requirePlace(const ObjectReader& fields) {
   fields.allow(field::place);
   const Geodetic place{fields.requireNumber(field::lat), fields.requireNumber(field::lon),
                        fields.requireNumber(field::height)};
   if (!isPlace(place)) fields.fail(field::lat, "must be from -90 to 90 degrees");
   return place;
+}
+
+std::optional<Geodetic> readPlace(const ObjectReader& camera, const Field& field) {
+  if (!saysPlace(camera, field)) return std::nullopt;
+  return requirePlace(*camera.object(field));
 }
 
 std::optional<Vec3> readPosition(const ObjectReader& camera, const Field& field) {

@@ -15,6 +15,9 @@ bool worldIsEcef(const ObjectReader& camera);
 /// The value of key as a place, if it is an object, and not one of x, y, z. Throws InputError for a lat beyond 90.
 std::optional<Geodetic> readPlace(const ObjectReader& camera, const Field& field);
 
+/// A place's own fields. Throws InputError.
+Geodetic requirePlace(const ObjectReader& fields);
+
 /// Three numbers, or the ECEF coordinates of a place.
 std::optional<Vec3> readPosition(const ObjectReader& camera, const Field& field);
 

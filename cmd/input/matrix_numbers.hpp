@@ -1,23 +1,14 @@
 // Matrices as people have them: JSON, an initialiser of a program, or plain text.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "input/readings/readings.hpp"
+#include "input/written_matrix.hpp"
 #include "viewproj/convention.hpp"
 
 namespace viewproj::cmd {
-
-struct WrittenMatrix {
-  std::string name;  ///< as the input calls it, or empty
-  std::array<double, 16> numbers{};
-  std::array<double, 16> within{};          ///< how far each may be off, going by its digits
-  int digits = 0;                           ///< the most significant ones that a number has
-  NumberOrder order = NumberOrder::memory;  ///< rows: written in four groups or on four lines of four
-};
 
 struct WrittenMatrices {
   std::vector<WrittenMatrix> matrices;
@@ -25,9 +16,6 @@ struct WrittenMatrices {
   bool isOwn = false;                    ///< written by `matrix`, which leaves no digit out
   bool isFloat = false;                  ///< of a type that holds float32s, in the text's own words
 };
-
-/// It has as many digits as the shortest text of float32s has.
-inline bool mayBeFloats(const WrittenMatrix& m) { return m.digits >= 7 && m.digits <= 9; }
 
 /// The text is
 /// - a JSON object, whose values of 16 numbers or 4 rows of 4 are the matrices; or

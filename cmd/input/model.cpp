@@ -9,9 +9,9 @@ namespace {
 
 constexpr Field kRows{"rows", ValueForm::rigid, "What an array by itself is read as."};
 constexpr Field kMatrix{"matrix", ValueForm::rigid, "16 numbers by columns."};
-constexpr Field kTranslation{"translation", ValueForm::point, "x, y, z."};
+constexpr Field kTranslation{"translation", ValueForm::triple, "x, y, z."};
 constexpr Field kRotation{"rotation", ValueForm::quaternion, "x, y, z, w."};
-constexpr Field kScale{"scale", ValueForm::point, "x, y, z."};
+constexpr Field kScale{"scale", ValueForm::triple, "x, y, z."};
 // What else a glTF node says does not bear on where it is.
 constexpr Field kMesh{"mesh", ValueForm::anything, ""}, kCamera{"camera", ValueForm::anything, ""},
     kSkin{"skin", ValueForm::anything, ""}, kWeights{"weights", ValueForm::anything, ""},

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "input/camera_forms.hpp"
+#include "input/distortion_names.hpp"
 #include "input/document.hpp"
 #include "input/value_form.hpp"
 #include "text/names.hpp"
@@ -77,13 +79,15 @@ std::optional<double> ObjectReader::number(const Key& key) const {
   if (!value) return std::nullopt;
   const ValueForm form = key.field ? key.field->form : ValueForm::number;
   const auto number = numberIn(*value, form);
-  if (!number) fail(key, "expected " + expectedNumber(form));
+  if (!number)
+    fail(key, "expected " + expectedNumber(form) + std::string(key.field ? key.field->hint : std::string_view()));
   return number;
 }
 
 double ObjectReader::requireNumber(const Key& key) const {
   const auto value = number(key);
-  if (!value) fail("needs " + std::string(document_->isTyped() && key.field ? key.field->option : key.name));
+  const bool isOption = document_->isTyped() && key.field && !key.field->option.empty();
+  if (!value) fail("needs " + std::string(isOption ? key.field->option : key.name));
   return *value;
 }
 
@@ -109,8 +113,11 @@ std::optional<std::string_view> ObjectReader::text(const Key& key) const {
 std::optional<std::vector<double>> ObjectReader::numbers(const Key& key, std::size_t fewest, std::size_t most) const {
   const nlohmann::json* value = find(key);
   if (!value) return std::nullopt;
+  const ValueForm form = key.field ? key.field->form : ValueForm::number;
   const bool takesObject = key.field && key.field->form != ValueForm::pair && key.field->form != ValueForm::range;
-  auto numbers = takesObject || value->is_array() ? coordinatesIn(*value, fewest, most) : std::nullopt;
+  auto numbers = takesObject || value->is_array() ? coordinatesIn(*value, fewest, most, form) : std::nullopt;
+  if (!numbers && form == ValueForm::turns)
+    fail(key, "expected " + std::to_string(fewest) + " angles in an array, each " + expectedNumber(form));
   if (!numbers)
     fail(key, "expected " +
                   (fewest == most ? std::to_string(fewest) : std::to_string(fewest) + " to " + std::to_string(most)) +
@@ -250,7 +257,13 @@ void ObjectReader::allowKey(const std::string& key, const ObjectForm& form) cons
                     (other ? ": " + shortened(other->dump()) + " and " + shortened(value.dump()) : ""));
     return;
   }
-  document_->fail(pathOf(key), "is not a known field here" + suggestion(key, namesOf(form.fields)), false);
+  if (key.size() > 1 && distortionName(key) != DistortionName::none)
+    document_->fail(
+        pathOf(key),
+        "is not a known field here: a lens that distorts is not modelled; undistort points or picture first", false);
+  const std::string place = whereItBelongs(key, form);
+  document_->fail(pathOf(key),
+                  "is not a known field here" + (place.empty() ? suggestion(key, namesOf(form.fields)) : place), false);
 }
 
 const Way* ObjectReader::way(const ObjectForm& form) const {

@@ -1,7 +1,6 @@
 #include "input/placement.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "camera/camera.hpp"
 #include "input/importers/importer.hpp"
@@ -10,13 +9,6 @@ namespace viewproj::cmd {
 
 using namespace detail;
 namespace {
-
-struct Affine {
-  std::array<DDVec3, 3> columns{DDVec3{1, 0, 0}, DDVec3{0, 1, 0}, DDVec3{0, 0, 1}};
-  DDVec3 origin;
-
-  DDVec3 turned(const DDVec3& v) const { return columns[0] * v.x + columns[1] * v.y + columns[2] * v.z; }
-};
 
 /// Scales of which the largest is at most this much above the smallest count as one.
 constexpr double kUniform = 1e-9;
@@ -30,8 +22,8 @@ Pose ownPose(const PlacedNode& node) {
   });
 }
 
-Affine affineOf(const PlacedNode& node) {
-  Affine a;
+Chain affineOf(const PlacedNode& node) {
+  Chain a;
   if (node.matrix) {
     const Mat4& m = *node.matrix;
     for (std::size_t i = 0; i < 3; ++i)
@@ -52,7 +44,7 @@ struct Lengths {
 };
 
 /// Of the columns.
-Lengths lengthsOf(const Affine& a) {
+Lengths lengthsOf(const Chain& a) {
   double lengths[3];
   for (std::size_t j = 0; j < 3; ++j) lengths[j] = sqrt(dot(a.columns[j], a.columns[j])).hi;
   return {*std::min_element(std::begin(lengths), std::end(lengths)),
@@ -67,7 +59,7 @@ const PlacedNode& firstNode(const std::vector<PlacedNode>& chain, Condition cond
   return chain.back();
 }
 
-bool mirrors(const Affine& a) { return dot(cross(a.columns[0], a.columns[1]), a.columns[2]).hi < 0; }
+bool mirrors(const Chain& a) { return dot(cross(a.columns[0], a.columns[1]), a.columns[2]).hi < 0; }
 
 }  // namespace
 
@@ -85,27 +77,36 @@ std::optional<Mat4> readColumnMajor(const ObjectReader& fields, std::string_view
   return m;
 }
 
-Pose poseAtEndOf(const std::vector<PlacedNode>& chain) {
-  const PlacedNode& own = chain.back();
-  const bool alone = std::none_of(chain.begin(), chain.end() - 1, [](const PlacedNode& n) { return n.moves(); });
-  if (alone && !own.matrix) return ownPose(own);
+Chain behind(const Chain& chain, const PlacedNode& node) {
+  const auto turned = [&](const DDVec3& v) {
+    return chain.columns[0] * v.x + chain.columns[1] * v.y + chain.columns[2] * v.z;
+  };
+  const Chain local = affineOf(node);
+  Chain next;
+  for (std::size_t j = 0; j < 3; ++j) next.columns[j] = turned(local.columns[j]);
+  next.origin = turned(local.origin) + chain.origin;
+  next.moves = chain.moves || node.moves();
+  return next;
+}
 
-  Affine world;
-  for (const PlacedNode& node : chain) {
-    PlacedNode unscaled = node;
-    if (&node == &own) unscaled.scale.reset();
-    const Affine local = affineOf(unscaled);
-    Affine next;
-    for (std::size_t j = 0; j < 3; ++j) next.columns[j] = world.turned(local.columns[j]);
-    next.origin = world.turned(local.origin) + world.origin;
-    world = next;
-  }
+Pose poseAtEndOf(const std::vector<PlacedNode>& nodes) {
+  Chain above;
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) above = behind(above, nodes[i]);
+  return poseAtEndOf(above, nodes.back(), [&] { return nodes; });
+}
+
+Pose poseAtEndOf(const Chain& above, const PlacedNode& own, const std::function<std::vector<PlacedNode>()>& nodes) {
+  if (!above.moves && !own.matrix) return ownPose(own);
+
+  PlacedNode unscaled = own;
+  unscaled.scale.reset();
+  Chain world = behind(above, unscaled);
   if (mirrors(world))
-    firstNode(chain, mirrors)
+    firstNode(nodes(), mirrors)
         .fields.fail("mirrors the camera (a negative scale), which leaves open which way its picture lies");
   for (DDVec3& column : world.columns) {
     if (maxAbs(column) == 0)
-      firstNode(chain, [](const Affine& a) {
+      firstNode(nodes(), [](const Chain& a) {
         return lengthsOf(a).least == 0;
       }).fields.fail("has a scale of 0: no camera can stand in it");
     column = normalized(column);
@@ -115,11 +116,12 @@ Pose poseAtEndOf(const std::vector<PlacedNode>& chain) {
   } catch (const CameraError& e) {
     if (e.field() != "columns" || e.message().find(": ") == std::string::npos)
       own.fields.fail("stands where no double reaches");
-    const PlacedNode& uneven = firstNode(chain, [](const Affine& a) {
+    const std::vector<PlacedNode> chain = nodes();
+    const PlacedNode& uneven = firstNode(chain, [](const Chain& a) {
       const Lengths lengths = lengthsOf(a);
       return !(lengths.most - lengths.least <= kUniform * lengths.most);
     });
-    const std::string how = &uneven == &own
+    const std::string how = &uneven == &chain.back()
                                 ? "has a matrix that shears the camera"
                                 : "scales its axes differently, which with a turn below it shears the camera";
     uneven.fields.fail(how + e.message().substr(e.message().find(": ")));

@@ -214,17 +214,30 @@ std::string nameElsewhere(const Shape& shape) {
   return "";
 }
 
+/// "Latitude (deg)" and "Longitude (deg)".
+bool looksLikePlaces(const Shape& shape) {
+  const auto has = [&](std::string_view begin) {
+    return std::any_of(shape.names.begin(), shape.names.end(),
+                       [&](std::string_view name) { return sameButForCase(name.substr(0, begin.size()), begin); });
+  };
+  return has(coordinates::kPlace[0].name) && has(coordinates::kPlace[1].name);
+}
+
 /// Throws RecordError.
 Layout findNamedPoint(const RecordParts& record, const PointReading& reading, std::vector<FormOfField>& forms) {
   const Shape& shape = record.shape;
-  if (auto layout = findShape(record, reading, forms)) return *layout;
-  if (!reading.shapes.empty())
+  const auto requireNoOther = [&] {
     for (const Coordinate* row : coordinates::kNotRead)
       if (find(*row, record, forms))
         throw RecordError(record.offset(forms.back().field),
                           std::string(row == &coordinates::ellipsoid ? "an " : "a ") + std::string(row->name) +
                               " is not " + std::string(reading.shapes) + "; expected a point, " +
                               (reading.segments ? "segment, " : "") + namesOf(coordinates::kShapes));
+  };
+  PointReading first = reading;
+  if (reading.pointsFirst) first.shapes = {};
+  if (auto layout = findShape(record, first, forms)) return *layout;
+  if (!first.shapes.empty()) requireNoOther();
   const std::string other = shape.form == Form::json ? whatItMayBe(shape) : "";
   for (const NameRule rule : {NameRule::exact, NameRule::any})
     if (auto layout = findNamed(record, reading, forms, rule)) {
@@ -232,6 +245,10 @@ Layout findNamedPoint(const RecordParts& record, const PointReading& reading, st
         layout->notes.push_back("a record " + other + "; its " + namesIn(*layout, shape) + " is taken for a point");
       return *layout;
     }
+  if (reading.pointsFirst) {
+    if (auto layout = findShape(record, reading, forms)) return *layout;
+    requireNoOther();
+  }
   if (!other.empty()) throw RecordError(0, "has no point; it " + other);
   // A field of a shape's name whose value is none.
   for (const FormOfField& form : forms)
@@ -247,7 +264,11 @@ Layout findNamedPoint(const RecordParts& record, const PointReading& reading, st
                  near);
   if (shape.form == Form::csv)
     throw RecordError(0, "has no columns x, y, z or lat, lon, height" + whatIsThere(shape) + "; " +
-                             otherSeparator(shape).value_or("--columns names x, y and z") + near);
+                             otherSeparator(shape).value_or(
+                                 looksLikePlaces(shape) ? "--columns names lat, lon and height"
+                                 : reading.worldIsEcef  ? "--columns names lat, lon and height, or x, y and z"
+                                                        : "--columns names x, y and z") +
+                             near);
   throw RecordError(0, "has no point; expected " + namesOf(coordinates::kPoints, ", or ") + whatIsThere(shape) +
                            nameElsewhere(shape) + near);
 }
@@ -259,7 +280,8 @@ Layout findScreen(const RecordParts& record, std::vector<FormOfField>& forms) {
     for (const Coordinate* row : coordinates::kPixels) {
       const auto layout = find(*row, record, forms, rule);
       if (!layout) continue;
-      if (const auto z = matchName(shape.names, "z", "z", {}, rule).field; z && row == &coordinates::xy)
+      const auto z = matchParts(shape.names, std::span(coordinates::kXyzw).subspan(2, 1), 1, rule)[0].field;
+      if (z && row == &coordinates::xy)
         throw RecordError(record.offset(*z),
                           "x, y, z is a point of the world, not a pixel; expected screen, pixel or x y alone");
       return *layout;
@@ -315,6 +337,10 @@ Layout findPoint(const RecordParts& record, const PointReading& reading) {
 
 bool isSegment(const Layout& layout) { return layout.kind == kindSegment || layout.kind == kindSegmentAndPixel; }
 bool isPoint(const Layout& layout) { return layout.kind <= kindPlace; }
+bool isShape(const Layout& layout) {
+  return layout.kind == kindSphere || layout.kind == kindBox || layout.kind == kindTriangle ||
+         layout.kind == kindRoundPoint || layout.kind == kindPlacedSphere;
+}
 
 Vec4 toPoint(const Layout& layout, const Numbers& n) {
   const bool round = layout.kind == kindRoundPoint;
@@ -343,7 +369,7 @@ Layout findPixel(const RecordParts& record, const ColumnChoice& columns) {
   return layout;
 }
 
-bool hasDistance(const Layout& layout) { return layout.kind != 0; }
+bool hasDistance(const Layout& layout) { return (layout.kind & (depthKnown | viewDistanceKnown)) != 0; }
 
 Pixel toPixel(const Layout& layout, const Numbers& n) {
   Pixel pixel;

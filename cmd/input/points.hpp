@@ -17,6 +17,7 @@ struct PointReading {
   bool segments = false;
   std::string_view shapes = {};  ///< spheres, boxes, triangles too: what becomes of them, "culled". Empty: points alone
   bool radius = false;           ///< a point with a radius is a sphere
+  bool pointsFirst = false;      ///< beside a point a shape is a field like any other
 };
 
 /// The point of a record: [x,y,z], [x,y,z,w]; what coordinates::kPoints has of an object or of a CSV line's columns;
@@ -26,6 +27,8 @@ struct PointReading {
 Layout findPoint(const RecordParts& record, const PointReading& reading);
 
 bool isPoint(const Layout& layout);
+/// A sphere, be it a point with a radius, a box or a triangle.
+bool isShape(const Layout& layout);
 bool isSegment(const Layout& layout);
 
 /// The point, or the middle of a sphere that is a point with a radius. In the world: a place in ECEF. Throws

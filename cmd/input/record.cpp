@@ -193,9 +193,14 @@ std::optional<std::string> otherSeparator(const Shape& header) {
       all.find(',') != std::string::npos)
     return "--decimal , reads numbers with decimal commas";
   if (all.starts_with('#')) return "--comment '#' passes over lines that begin with #";
-  if (header.names.size() != 1) return std::nullopt;
+  // In the only name, or as one between blanks.
+  const auto isIn = [&](char separator) {
+    return header.names.size() == 1
+               ? header.names[0].find(separator) != std::string::npos
+               : std::find(header.names.begin(), header.names.end(), std::string(1, separator)) != header.names.end();
+  };
   for (const SeparatorName& other : kSeparators)
-    if (header.names[0].find(other.separator) != std::string::npos)
+    if (isIn(other.separator))
       return "--delimiter " + std::string(other.name) + " separates columns by the " + std::string(other.plural) +
              " that stand here";
   return std::nullopt;

@@ -15,6 +15,9 @@
 
 namespace viewproj::cmd {
 
+/// Of an object that holds records: its first field, an array.
+inline constexpr std::string_view kRecordsField = "points";
+
 /// Bytes of a record of f64: three little-endian doubles.
 inline constexpr std::size_t kBinaryRecord = 24;
 

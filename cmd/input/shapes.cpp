@@ -25,7 +25,8 @@ CullShape toShape(const Layout& layout, const Numbers& n) {
       return checked({vec3(&n[0]), n[3]});
     case kindBox: {
       const Box box{vec3(&n[0]), vec3(&n[3])};
-      if (const auto fault = faultOf(box); !fault.empty()) throw RecordError(0, "max " + std::string(fault));
+      if (const auto fault = faultOf(box, layout.parts[0].point == PointForm::ofTheEarth); !fault.empty())
+        throw RecordError(0, "max " + std::string(fault));
       return box;
     }
     case kindTriangle:

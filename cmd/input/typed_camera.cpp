@@ -1,6 +1,7 @@
 #include "input/typed_camera.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "camera/camera.hpp"
@@ -9,6 +10,7 @@
 #include "input/geodetic.hpp"
 #include "input/typed_value.hpp"
 #include "text/error.hpp"
+#include "text/format_number.hpp"
 #include "text/names.hpp"
 
 namespace viewproj::cmd {
@@ -121,6 +123,33 @@ void give(Document& document, const Path& base, const Field& field, const Json& 
 
 double numberOf(const Json& value) { return value.get<double>(); }
 
+/// One focal length over a file of square pixels leaves the other, which was probably not meant.
+void noteLoneFocalLength(const Document& fields, const Path& base, const ObjectReader& given, const ScreenMap& map) {
+  constexpr double kSquare = 1e-9;
+  const double fx = map.scaleX.hi, fy = std::fabs(map.scaleY.hi);
+  const bool hasX = given.has(field::fx);
+  if (hasX == given.has(field::fy) || std::fabs(fx - fy) > kSquare * fx) return;
+  const Field &own = hasX ? field::fx : field::fy, &other = hasX ? field::fy : field::fx;
+  if (given.requireNumber(own) == fx) return;
+  Path path = base;
+  path.emplace_back(own.name);
+  fields.note(path, "makes pixels that are not square: " + std::string(other.name) + " stays " + formatDigits(fx, 4) +
+                        "; " + std::string(other.option) + " gives it too");
+}
+
+/// Of fx, fy, cx and cy what no option gives stays the file's.
+void keepIntrinsics(Document& fields, const CameraFile& camera) {
+  if (!camera.projection || !camera.viewport || parts(*camera.projection).orthographic) return;
+  const ScreenMap map = screenMap(parts(*camera.projection), *camera.viewport);
+  const Path base{std::string(field::projection)};
+  const ObjectReader given = *rootOf(fields).object(field::projection);
+  noteLoneFocalLength(fields, base, given, map);
+  for (const auto& [field, number] :
+       {std::pair(&field::fx, map.scaleX.hi), std::pair(&field::fy, std::fabs(map.scaleY.hi)),
+        std::pair(&field::cx, rounded(map.centerX)), std::pair(&field::cy, rounded(map.centerY))})
+    if (!given.has(*field)) give(fields, base, *field, number, "");
+}
+
 const Way* wayOf(const ObjectForm& form, const ObjectReader& object) {
   for (const Way& way : form.ways)
     for (const Field* key : way.keys)
@@ -145,17 +174,6 @@ std::vector<CameraOption> cameraOptions() {
   return options;
 }
 
-bool isCameraOption(std::string_view name) {
-  const auto has = [&](const ObjectForm& form) {
-    return std::any_of(form.fields.begin(), form.fields.end(),
-                       [&](const Field* field) { return field->option == name; });
-  };
-  const auto types = projectionTypes();
-  return has(field::camera) || std::any_of(types.begin(), types.end(), [&](const ProjectionType& type) {
-           return has(type.form) || type.option == name;
-         });
-}
-
 void TypedCamera::add(const CameraOption& option, const std::string& text) {
   Given given{option, nullptr};
   if (option.field) {
@@ -164,9 +182,22 @@ void TypedCamera::add(const CameraOption& option, const std::string& text) {
     for (const ProjectionType& type : projectionTypes())
       for (const Field* field : type.form.fields)
         if (option.ofLens && field->option == option.name && field->form != form) form = ValueForm::number;
-    given.value = std::make_shared<const Json>(typedValue(form, std::string(option.name), text));
+    given.value = std::make_shared<const Json>(typedValue(form, std::string(option.name), text, option.field->hint));
   }
   given_.push_back(std::move(given));
+}
+
+std::vector<std::string_view> TypedCamera::names() const {
+  Names names;
+  for (const Given& given : given_)
+    if (!contains(names, given.option.name)) names.push_back(given.option.name);
+  return names;
+}
+
+TypedCamera TypedCamera::without(std::string_view option) const {
+  TypedCamera rest = *this;
+  std::erase_if(rest.given_, [&](const Given& given) { return given.option.name == option; });
+  return rest;
 }
 
 bool TypedCamera::hasPlace() const {
@@ -181,10 +212,31 @@ std::vector<TypedCamera::Given> TypedCamera::of(bool lens) const {
   return some;
 }
 
+bool TypedCamera::replacesPose() const {
+  const std::vector<Given> pose = of(false);
+  return pose.size() > 1 && std::any_of(pose.begin(), pose.end(),
+                                        [](const Given& given) { return given.option.field == &field::position; });
+}
+
 bool TypedCamera::replacesLens() const {
   return std::any_of(given_.begin(), given_.end(), [](const Given& given) {
     return given.option.ofLens && !(given.option.field && isOfEveryType(*given.option.field));
   });
+}
+
+void TypedCamera::assumeOpening(bool hasViewport) {
+  const auto isLens = [](const Given& given) { return given.option.ofLens; };
+  const auto isOpening = [](const Given& given) {
+    return given.option.ofLens && given.option.field && !isOfEveryType(*given.option.field);
+  };
+  if (std::none_of(given_.begin(), given_.end(), isLens) || std::any_of(given_.begin(), given_.end(), isOpening))
+    return;
+  const auto isType = [](const Given& given) { return given.option.type != nullptr; };
+  const bool orthographic = std::any_of(given_.begin(), given_.end(), isType);
+  for (const CameraOption& option : cameraOptions())
+    if (option.name == (orthographic ? field::orthoHeight : field::fovY).option ||
+        (option.name == field::aspect.option && !hasViewport))
+      add(option, "60");
 }
 
 void TypedCamera::requireConsistent() const {
@@ -386,7 +438,10 @@ CameraFile TypedCamera::over(const CameraFile& camera, const Document& document,
     locate([&] { file.pose = readPose(root, camera.convention, *preset); });
     file.worldIsEcef = worldIsEcef(root);
   }
-  if (lens.empty()) return file;
+  if (lens.empty()) {
+    document.addNotes(fields);
+    return file;
+  }
 
   std::optional<double> near, far;
   std::optional<std::pair<double, double>> shift;
@@ -394,7 +449,7 @@ CameraFile TypedCamera::over(const CameraFile& camera, const Document& document,
   for (const Given& given : lens) {
     const Field* const field = given.option.field;
     if (field == &field::zNear)
-      near = numberOf(*given.value);
+      near = numberOf(*given.value), file.assumesNear = false;
     else if (field == &field::zFar)
       far = numberOf(*given.value);
     else if (field == &field::shift)
@@ -425,11 +480,13 @@ CameraFile TypedCamera::over(const CameraFile& camera, const Document& document,
   }
   for (const Given& given : lens)
     if (given.option.field) give(fields, base, *given.option.field, *given.value, given.option.name);
+  if (type.name == kIntrinsics) keepIntrinsics(fields, camera);
   const ObjectReader projection = *root.object(field::projection);
   const Way* const way = wayOf(type.form, projection);
   if (way && way->uses(field::aspect) && !projection.has(field::aspect) && !camera.viewport && camera.projection)
     give(fields, base, field::aspect, windowAspect(parts(*camera.projection)).hi, "");
   locate([&] { file.projection = readProjection(projection, type, camera.viewport, reading.allowStretch); });
+  document.addNotes(fields);
   return file;
 }
 

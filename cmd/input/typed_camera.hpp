@@ -26,19 +26,24 @@ struct CameraOption {
 /// In the order of the tables.
 std::vector<CameraOption> cameraOptions();
 
-/// Whether it is the name of one.
-bool isCameraOption(std::string_view name);
-
 class TypedCamera {
  public:
   /// Throws UsageError where the text is no value of the option.
   void add(const CameraOption& option, const std::string& text);
   bool empty() const { return given_.empty(); }
+  /// "--near", each once.
+  std::vector<std::string_view> names() const;
+  TypedCamera without(std::string_view option) const;
   /// A place stands for the position or the target.
   bool hasPlace() const;
 
+  /// The position and more: nothing of the file's pose is left.
+  bool replacesPose() const;
   /// More than near, far and shift of the projection.
   bool replacesLens() const;
+
+  /// An opening like any other, where near and far are all that is given of the lens, and all that matters.
+  void assumeOpening(bool hasViewport);
 
   /// Throws UsageError, with their names, where options say the same thing twice.
   void requireConsistent() const;

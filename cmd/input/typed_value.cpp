@@ -74,25 +74,23 @@ Json namedNumbers(const std::string& option, const std::string& text, const std:
 
 }  // namespace
 
-nlohmann::json typedValue(ValueForm form, const std::string& option, const std::string& text) {
+nlohmann::json typedValue(ValueForm form, const std::string& option, const std::string& text, std::string_view hint) {
   constexpr const char* kPlace = "X,Y,Z or lat=LAT,lon=LON,height=HEIGHT";
+  const auto good = [&](std::optional<double> number, bool (*isGood)(double), const std::string& wanted) {
+    if (!number || !isGood(*number)) fail(option, text, wanted);
+    return numberAsJson(*number);
+  };
   const auto angle = [&](bool (*isGood)(double), const std::string& range) {
-    const auto degrees = degreesIn(text, false);
-    if (!degrees || !isGood(*degrees)) fail(option, text, "an angle" + range + ", as in 60, 60deg or 1.0472rad");
-    return numberAsJson(*degrees);
+    return good(degreesIn(text, false), isGood, "an angle" + range + ", as in 60, 60deg or 1.0472rad");
   };
   switch (form) {
-    case ValueForm::positive: {
-      const auto number = parseNumber(text);
-      if (!number || !(*number > 0)) fail(option, text, "a number above 0");
-      return numberAsJson(*number);
-    }
-    case ValueForm::ratio: {
-      const auto number = ratioOrNumber(text);
-      if (!number || !(*number > 0 && std::isfinite(*number)))
-        fail(option, text, "a ratio above 0, as in 16/9 or 1.78");
-      return numberAsJson(*number);
-    }
+    case ValueForm::positive:
+      return good(
+          parseNumber(text), [](double n) { return n > 0; }, "a number above 0" + std::string(hint));
+    case ValueForm::ratio:
+      return good(
+          ratioOrNumber(text), [](double n) { return n > 0 && std::isfinite(n); },
+          "a ratio above 0, as in 16/9 or 1.78");
     case ValueForm::angle:
       return angle([](double degrees) { return degrees > 0 && degrees < 180; }, " between 0 and 180 degrees");
     case ValueForm::elevation:
@@ -112,7 +110,7 @@ nlohmann::json typedValue(ValueForm form, const std::string& option, const std::
       break;
   }
   const auto number = parseNumber(text);
-  if (!number) fail(option, text, "a number");
+  if (!number) fail(option, text, "a number" + std::string(hint));
   return numberAsJson(*number);
 }
 

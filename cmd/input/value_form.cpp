@@ -16,7 +16,8 @@ namespace {
 constexpr DoubleDouble kDegreesOfRadian{57.29577951308232, -1.9878495670576283e-15};
 
 bool isAngle(ValueForm form) {
-  return form == ValueForm::angle || form == ValueForm::elevation || form == ValueForm::turn;
+  return form == ValueForm::angle || form == ValueForm::elevation || form == ValueForm::turn ||
+         form == ValueForm::turns;
 }
 
 constexpr std::array<const char*, 4> kCoordinates = {"x", "y", "z", "w"};
@@ -59,15 +60,19 @@ std::string expectedNumber(ValueForm form) {
 
 bool hasCoordinates(const nlohmann::json& value) { return value.is_object() && value.contains(kCoordinates[0]); }
 
-std::optional<std::vector<double>> coordinatesIn(const nlohmann::json& value, std::size_t fewest, std::size_t most) {
-  const auto isNumber = [](const nlohmann::json& part) { return part.is_number(); };
+std::optional<std::vector<double>> coordinatesIn(const nlohmann::json& value, std::size_t fewest, std::size_t most,
+                                                 ValueForm form) {
   if (value.size() < fewest || value.size() > most) return std::nullopt;
+  std::vector<double> numbers;
   if (value.is_array()) {
-    if (!std::all_of(value.begin(), value.end(), isNumber)) return std::nullopt;
-    return value.get<std::vector<double>>();
+    for (const nlohmann::json& part : value) {
+      const auto number = numberIn(part, form);
+      if (!number) return std::nullopt;
+      numbers.push_back(*number);
+    }
+    return numbers;
   }
   if (!value.is_object() || value.size() > kCoordinates.size()) return std::nullopt;
-  std::vector<double> numbers;
   for (std::size_t i = 0; i < value.size(); ++i) {
     const auto part = value.find(kCoordinates[i]);
     if (part == value.end() || !part->is_number()) return std::nullopt;
@@ -77,20 +82,10 @@ std::optional<std::vector<double>> coordinatesIn(const nlohmann::json& value, st
 }
 
 bool fits(const nlohmann::json& value, const Field& field) {
-  switch (field.form) {
-    case ValueForm::point:
-    case ValueForm::direction:
-      return coordinatesIn(value, 3, 3).has_value();
-    case ValueForm::position:
-      return coordinatesIn(value, 3, 3) ||
-             (value.is_object() && !value.empty() && field.object->has(value.begin().key()));
-    case ValueForm::quaternion:
-      return coordinatesIn(value, 4, 4).has_value();
-    case ValueForm::object:
-      return value.is_object();
-    default:
-      return numberIn(value, field.form).has_value();
-  }
+  const std::size_t count = field.form == ValueForm::quaternion ? 4 : 3;
+  if (coordinatesIn(value, count, count)) return true;
+  return field.form == ValueForm::position && value.is_object() && !value.empty() &&
+         field.object->has(value.begin().key());
 }
 
 }  // namespace viewproj::cmd

@@ -27,10 +27,12 @@ std::string expectedNumber(ValueForm form);
 /// {"x", "y", "z"} or, of four, with "w".
 bool hasCoordinates(const nlohmann::json& value);
 
-/// [x, y, z] or an object of the coordinates, of fewest to most; otherwise nothing.
-std::optional<std::vector<double>> coordinatesIn(const nlohmann::json& value, std::size_t fewest, std::size_t most);
+/// [x, y, z] or an object of the coordinates, of fewest to most; otherwise nothing. form: of each.
+std::optional<std::vector<double>> coordinatesIn(const nlohmann::json& value, std::size_t fewest, std::size_t most,
+                                                 ValueForm form = ValueForm::number);
 
-/// Whether the value looks as the field's do: what makes another name of the field one.
+/// Whether the value looks as those of the field do, a position, direction or quaternion: what makes another name of
+/// the field one.
 bool fits(const nlohmann::json& value, const Field& field);
 
 }  // namespace viewproj::cmd

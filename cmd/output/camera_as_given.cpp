@@ -1,4 +1,4 @@
-// A camera file's fields as they were given.
+// A camera's fields as the command line gave them.
 #include "input/camera_fields.hpp"
 #include "input/projection_types.hpp"
 #include "output/camera_json.hpp"
@@ -14,10 +14,6 @@ std::string valueOf(const ObjectReader& object, const Field& field) {
     case ValueForm::text:
     case ValueForm::word:
       return jsonOf(*object.string(field));
-    case ValueForm::flag:
-      return jsonOf(*object.flag(field));
-    case ValueForm::rigid:
-      return matrixAsJson(*object.mat4(field));
     case ValueForm::object:
       return objectOf(*object.object(field), field.object->fields);
     case ValueForm::position:
@@ -26,6 +22,7 @@ std::string valueOf(const ObjectReader& object, const Field& field) {
     case ValueForm::pair:
     case ValueForm::range:
     case ValueForm::triple:
+    case ValueForm::turns:
     case ValueForm::direction:
     case ValueForm::quaternion:
       return jsonListOf(*object.numbers(field, 0, 4));

@@ -21,6 +21,9 @@ std::string conventionAsJson(const Convention& convention, const ConventionPrese
 
 std::string matrixAsJson(const Mat4& matrix);
 
+/// World from camera, of unit length: x, y, z, w.
+std::array<detail::DoubleDouble, 4> rotationOf(const Pose& pose, CameraAxes axes);
+
 /// A pose in the forms that a file has for one, what people read most easily first. Any rotation fits into that but for
 /// its last bits, which count in a very narrow field of view; the others hold to the last bit what was given in their
 /// form. One empty form where the camera has no pose.

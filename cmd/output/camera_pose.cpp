@@ -25,17 +25,23 @@ Vec3 roundedUnlessTiny(const DDVec3& v) {
   return result;
 }
 
-/// The multiple by a power of two that takes the fewest digits: [-3, -2, -5] for [-0.75, -0.5, -1.25].
+/// The multiple by a power of two that takes the fewest digits: [-3, -2, -5] for [-0.75, -0.5, -1.25]; of those that
+/// take as few the nearest to unit length.
 Vec3 shortest(const Vec3& direction) {
+  const double size = maxAbs(direction);
+  if (!(size > 0x1p-1000 && size < 0x1p1000)) return direction;
+  constexpr int kMost = 20;  // a longer number is none that somebody wrote
+  const int unit = -std::ilogb(size);
   Vec3 best = direction;
-  for (int k = 1; k <= 60; ++k)
-    for (int exponent : {k, -k}) {
+  for (int k = 0; k <= kMost; ++k)
+    for (int exponent : {unit - k, unit + k}) {
       Vec3 scaled;
       for (std::size_t i = 0; i < 3; ++i) scaled[i] = std::ldexp(direction[i], exponent);
       const bool isExact = std::ldexp(scaled.x, -exponent) == direction.x &&
                            std::ldexp(scaled.y, -exponent) == direction.y &&
                            std::ldexp(scaled.z, -exponent) == direction.z;
-      if (isExact && jsonOf(scaled).size() < jsonOf(best).size()) best = scaled;
+      const auto length = jsonOf(scaled).size(), least = jsonOf(best).size();
+      if (isExact && (length < least || (k == 0 && length == least))) best = scaled;
     }
   return best;
 }
@@ -113,6 +119,14 @@ std::array<DDVec3, 3> columnsOf(const Axes& a, CameraAxes axes) {
   return {a.forward, a.right, a.up};
 }
 
+}  // namespace
+
+std::array<DoubleDouble, 4> rotationOf(const Pose& pose, CameraAxes axes) {
+  return quaternionOf(columnsOf(parts(pose).columns, axes));
+}
+
+namespace {
+
 /// Of the length it was given in, where it was given: then its parts are doubles.
 void addRotation(std::vector<std::string>& forms, const Pose& pose, CameraAxes axes, const ConventionPreset& preset) {
   const DoubleDouble scale = parts(pose).exact.rightScale;
@@ -122,8 +136,7 @@ void addRotation(std::vector<std::string>& forms, const Pose& pose, CameraAxes a
   out.addText(field::position, jsonOf(pose.eye()));
   addAxes(out, axes, preset);
   std::vector<std::string> numbers;
-  for (const DoubleDouble& part : quaternionOf(columnsOf(parts(pose).columns, axes)))
-    numbers.push_back(jsonOf(part * length));
+  for (const DoubleDouble& part : rotationOf(pose, axes)) numbers.push_back(jsonOf(part * length));
   out.addText(field::rotation, jsonList(numbers));
   forms.push_back(out.members());
 }

@@ -238,7 +238,7 @@ std::string asNumpy(const MatrixSet& set) {
 
 struct Format {
   std::string_view name;
-  std::string_view endings = {};  ///< of files' names, separated by blanks
+  std::string_view endings = {};
   std::string_view help;
   std::string (*write)(const MatrixSet&);
   bool onlyFloat = false;     ///< the language's matrices are float32
@@ -294,15 +294,11 @@ void requireRepresentable(const MatrixSet& set, bool asFloat, const std::string&
 
 }  // namespace
 
-std::vector<std::string_view> matrixFormats() {
-  std::vector<std::string_view> names;
-  for (const Format& format : kMatrixFormats) names.push_back(format.name);
-  return names;
+std::vector<FormRow<std::string_view>> matrixForms() {
+  std::vector<FormRow<std::string_view>> forms;
+  for (const Format& format : kMatrixFormats) forms.push_back({format.name, format.name, format.endings, format.help});
+  return forms;
 }
-
-std::string_view helpOn(std::string_view format) { return formatOf(format).help; }
-
-std::string_view endingsOf(std::string_view format) { return formatOf(format).endings; }
 
 bool saysNumbersAlone(std::string_view format) { return formatOf(format).numbersAlone; }
 

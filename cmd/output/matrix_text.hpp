@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "text/form.hpp"
 #include "viewproj/convention.hpp"
 #include "viewproj/vectors.hpp"
 
@@ -26,19 +27,13 @@ struct MatrixSet {
   bool bakesViewport = false;  ///< projections go to the screen, not to clip space
 };
 
-/// The names of the formats.
-std::vector<std::string_view> matrixFormats();
-
-/// The endings of names of files in a format, separated by blanks.
-std::string_view endingsOf(std::string_view format);
-
-/// A few words on a format.
-std::string_view helpOn(std::string_view format);
+/// A form is its name.
+std::vector<FormRow<std::string_view>> matrixForms();
 
 /// Whether a format has the numbers without the convention they are in.
 bool saysNumbersAlone(std::string_view format);
 
-/// format: one of matrixFormats(). What its language knows only as float32 is rounded to that. Throws InputError, after
+/// format: one of matrixForms(). What its language knows only as float32 is rounded to that. Throws InputError, after
 /// the source's name, for an entry too large for what is written.
 std::string writeMatrices(MatrixSet set, std::string_view format, const std::string& source);
 

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "text/names.hpp"
+
 namespace viewproj::cmd {
 
 enum class ResultKind : unsigned char {
@@ -39,20 +41,26 @@ struct ResultRow {
   Given given = Given::everywhere;
   bool canBeNull = false;  ///< where it has no value
   double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
+  std::span<const std::string_view> suffixes = kColumnSuffixes;  ///< of a vector's columns
 
-  constexpr ResultRow orNull() const {
+  consteval ResultRow orNull() const {
     ResultRow row = *this;
     row.canBeNull = true;
     return row;
   }
-  constexpr ResultRow whereNamed() const { return givenAs(Given::named); }
-  constexpr ResultRow asked() const { return givenAs(Given::asked); }
-  constexpr ResultRow givenAs(Given when) const {
+  consteval ResultRow whereNamed() const { return givenAs(Given::named); }
+  consteval ResultRow asked() const { return givenAs(Given::asked); }
+  consteval ResultRow givenAs(Given when) const {
     ResultRow row = *this;
     row.given = when;
     return row;
   }
-  constexpr ResultRow within(double from, double to) const {
+  consteval ResultRow inColumns(std::span<const std::string_view> names) const {
+    ResultRow row = *this;
+    row.suffixes = names;
+    return row;
+  }
+  consteval ResultRow within(double from, double to) const {
     ResultRow row = *this;
     row.least = from;
     row.most = to;
@@ -62,29 +70,29 @@ struct ResultRow {
 
 using ResultParts = std::span<const ResultRow* const>;
 
-constexpr ResultRow numberResult(std::string_view name, std::string_view unit, std::string_view help) {
+consteval ResultRow numberResult(std::string_view name, std::string_view unit, std::string_view help) {
   return {name, ResultKind::number, 1, unit, help};
 }
-constexpr ResultRow vectorResult(std::string_view name, std::size_t size, std::string_view unit,
+consteval ResultRow vectorResult(std::string_view name, std::size_t size, std::string_view unit,
                                  std::string_view help) {
   return {name, ResultKind::vector, size, unit, help};
 }
-constexpr ResultRow flagResult(std::string_view name, std::string_view help) {
+consteval ResultRow flagResult(std::string_view name, std::string_view help) {
   return {name, ResultKind::flag, 1, "", help};
 }
-constexpr ResultRow wordResult(std::string_view name, ResultWords words, std::string_view help) {
+consteval ResultRow wordResult(std::string_view name, ResultWords words, std::string_view help) {
   return {name, ResultKind::word, 1, "", help, {}, words};
 }
-constexpr ResultRow namesResult(std::string_view name, ResultWords words, std::string_view help) {
+consteval ResultRow namesResult(std::string_view name, ResultWords words, std::string_view help) {
   return {name, ResultKind::names, 1, "", help, {}, words};
 }
-constexpr ResultRow jsonResult(std::string_view name, std::string_view help) {
+consteval ResultRow jsonResult(std::string_view name, std::string_view help) {
   return {name, ResultKind::json, 1, "", help};
 }
-constexpr ResultRow groupResult(std::string_view name, ResultParts parts, std::string_view help) {
+consteval ResultRow groupResult(std::string_view name, ResultParts parts, std::string_view help) {
   return {name, ResultKind::group, 1, "", help, parts};
 }
-constexpr ResultRow listResult(std::string_view name, ResultParts parts, std::string_view help) {
+consteval ResultRow listResult(std::string_view name, ResultParts parts, std::string_view help) {
   return {name, ResultKind::list, 1, "", help, parts};
 }
 

@@ -13,6 +13,7 @@
 namespace viewproj::cmd {
 namespace {
 
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::string_view kOutside[] = {"behind", "left", "right", "bottom", "top", "near", "far"};
 constexpr std::string_view kVerdicts[] = {"inside", "intersects", "outside"};
 
@@ -56,6 +57,13 @@ constexpr PointResult kPointResults[] = {
     {vectorResult("view", 3, results::kWorldUnit, "view coordinates, as the convention written has them").asked().orNull(),
      [](R row, P p, S sink) { sink.vector(row, worldToView(p.camera, p.point, p.writing)); },
      PointResult::Shows::axes},
+    {results::pixelSize,
+     [](R row, P p, S sink) { sink.vector(row, pixelSize(p.camera, p.screen.viewDistance)); }},
+    {results::screenBox,
+     [](R row, P p, S sink) {
+       const ScreenBox box = p.box.value_or(ScreenBox{kNaN, kNaN, kNaN, kNaN});
+       sink.vector(row, std::array{box.left, box.top, box.right, box.bottom});
+     }},
     {numberResult("bound", "pixels", "that screen is proven to be right to").asked().orNull(),
      [](R row, P p, S sink) { sink.number(row, boundOfPoint(p.camera, p.point, p.screen.precision).screen); }},
 };
@@ -66,7 +74,7 @@ void addColumns(std::vector<std::string>& columns, const ResultRow& row, const s
   if (row.kind == ResultKind::group)
     for (const ResultRow* part : row.parts) addColumns(columns, *part, name + "_", table);
   else if (row.kind == ResultKind::vector && !table)
-    for (std::size_t i = 0; i < row.size; ++i) columns.push_back(name + std::string(kColumnSuffixes[i]));
+    for (std::size_t i = 0; i < row.size; ++i) columns.push_back(name + std::string(row.suffixes[i]));
   else
     columns.push_back(name);
 }
@@ -94,18 +102,18 @@ const ResultRow* findResult(std::string_view name, std::string_view prefix) {
   return nullptr;
 }
 
+std::string_view otherCommandOf(std::string_view name) {
+  const auto has = [&](std::span<const ResultRow* const> rows) {
+    return std::any_of(rows.begin(), rows.end(), [&](const ResultRow* row) { return row->name == name; });
+  };
+  for (const PointResult& result : pointResults())
+    if (result.row.name == name) return "";
+  return has(results::kRay) ? "ray" : has(results::kCull) ? "cull" : "";
+}
+
 std::span<const std::string_view> wordsOf(ResultWords words) {
-  switch (words) {
-    case ResultWords::sides:
-      return std::span(kOutside).subspan(1);
-    case ResultWords::outside:
-      return kOutside;
-    case ResultWords::verdicts:
-      return kVerdicts;
-    case ResultWords::any:
-      break;
-  }
-  return {};
+  if (words == ResultWords::verdicts) return kVerdicts;
+  return std::span(kOutside).subspan(words == ResultWords::sides ? 1 : 0);
 }
 
 std::vector<std::string> columnsOf(std::span<const ResultRow* const> rows, std::string_view prefix, bool table) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,6 +13,7 @@
 #include "output/result_sink.hpp"
 #include "text/form.hpp"
 #include "viewproj/camera.hpp"
+#include "viewproj/scene.hpp"
 #include "viewproj/screen.hpp"
 #include "viewproj/vectors.hpp"
 
@@ -28,6 +30,10 @@ inline constexpr ResultRow
     depth = numberResult("depth", "window depth", "depthRange's first at near, its second at far; reverseZ exchanges them").orNull(),
     viewDistance = numberResult("viewDistance", kWorldUnit, "along the viewing axis; null for a direction").whereNamed().orNull(),
     visible = flagResult("visible", "within the picture, near and far").whereNamed();
+inline constexpr std::string_view kAcross[] = {"_across", "_down"}, kEdges[] = {"_left", "_top", "_right", "_bottom"};
+inline constexpr ResultRow
+    pixelSize = vectorResult("pixelSize", 2, kWorldUnit, "what a pixel spans there, across and down").inColumns(kAcross).asked().orNull(),
+    screenBox = vectorResult("screenBox", 4, "pixels", "of a shape: left, top, right, bottom of what lies in front of near").inColumns(kEdges).asked().orNull();
 
 // A segment: the ends of what is visible of it, and the point of it under the record's pixel.
 inline constexpr ResultRow
@@ -53,16 +59,20 @@ inline constexpr ResultRow
     distance = numberResult("distance", kWorldUnit, "from the ray's origin").within(0, kInfinity),
     hitPoint = vectorResult("point", 3, kWorldUnit, "where it hits"),
     normal = vectorResult("normal", 3, "unit length", "of the surface there"),
-    lat = numberResult("lat", "degrees", "where the ellipsoid is hit").asked(),
-    lon = numberResult("lon", "degrees", "where the ellipsoid is hit").asked(),
+    lat = numberResult("lat", "degrees", "with a camera on the Earth, and where an ellipsoid is hit").asked(),
+    lon = numberResult("lon", "degrees", "with a camera on the Earth, and where an ellipsoid is hit").asked(),
     height = numberResult("height", "metres", "above the ellipsoid").asked();
 inline constexpr const ResultRow *kHitParts[] = {&hitId, &distance, &hitPoint, &normal},
                                  *kPlacedHitParts[] = {&hitId, &distance, &hitPoint, &normal, &lat, &lon, &height};
 inline constexpr ResultRow
     hit = groupResult("hit", kHitParts, "the nearest of a scene").asked().orNull(),
     placedHit = groupResult("hit", kPlacedHitParts, "the nearest of a scene").asked().orNull(),
-    hits = listResult("hits", kPlacedHitParts, "all of a scene, nearest first").asked();
-inline constexpr const ResultRow* kRay[] = {&origin, &direction, &point, &pointBound, &placedHit, &hit, &hits};
+    hits = listResult("hits", kPlacedHitParts, "all of a scene, nearest first").asked(),
+    pointDistance = numberResult("viewDistance", kWorldUnit, "of the point, along the viewing axis; where the record has it not").asked().orNull();
+inline constexpr const ResultRow *kPlaceParts[] = {&lat, &lon, &height};
+inline constexpr ResultRow
+    place = groupResult("place", kPlaceParts, "of the point, with a camera on the Earth").asked().orNull();
+inline constexpr const ResultRow* kRay[] = {&origin, &direction, &point, &place, &pointDistance, &pixelSize, &pointBound, &placedHit, &hit, &hits};
 
 inline constexpr ResultRow
     cull = wordResult("cull", ResultWords::verdicts, "where it lies").whereNamed(),
@@ -78,7 +88,8 @@ struct ProjectedPoint {
   const Convention& writing;  ///< of ndc, clip and view
   const Vec4& point;
   const ScreenPoint& screen;
-  bool outsideAlways = false;  ///< `outside` is written where it is empty too
+  const std::optional<ScreenBox>& box;  ///< of a shape
+  bool outsideAlways = false;           ///< `outside` is written where it is empty too
 };
 
 /// A result of project.
@@ -95,6 +106,9 @@ std::span<const PointResult> pointResults();
 const Results& allResults();
 /// The one of this name, after the prefix; null: none.
 const ResultRow* findResult(std::string_view name, std::string_view prefix = "");
+
+/// The command that writes a result which project does not; empty: none.
+std::string_view otherCommandOf(std::string_view name);
 
 /// The words that a result of words can have, as JSON knows them; empty: any.
 std::span<const std::string_view> wordsOf(ResultWords words);

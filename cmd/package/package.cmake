@@ -34,6 +34,8 @@ set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # For find_package(viewproj): the tool itself does not need it.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS libgeographiclib-dev)
+# What the package has and an installation has not.
+set(CPACK_INSTALLED_DIRECTORIES ${PROJECT_SOURCE_DIR}/cmd/package/lintian /usr/share/lintian/overrides)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "world points to pixels, pixels to rays, cameras to matrices")
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
 "A command-line tool and a C++20 library that turn world points into screen

@@ -68,10 +68,16 @@ Json matrix() {
           {"maxItems", 4}};
 }
 
+Json range() {
+  Json schema = numbers(2);
+  schema["uniqueItems"] = true;
+  return schema;
+}
+
 Json formOf(const Field& field) {
   switch (field.form) {
-    case ValueForm::anything:
-      return Json::object();
+    case ValueForm::anything:  // uncounted: as its value
+      return Json::object();   // uncounted: a node of glTF has them, of which there is no schema
     case ValueForm::text:
       return {{"type", {"string", "null"}}};
     case ValueForm::label:
@@ -96,15 +102,15 @@ Json formOf(const Field& field) {
       return angle({});
     case ValueForm::pair:
       return numbers(2);
-    case ValueForm::range: {
-      Json schema = numbers(2);
-      schema["uniqueItems"] = true;
-      return schema;
-    }
+    case ValueForm::range:
+      return range();
     case ValueForm::triple:
       return numbers(3);
-    case ValueForm::point:
-      return orCoordinates(numbers(3), 3, false);
+    case ValueForm::turns: {
+      Json schema = numbers(3);
+      schema["items"] = withoutNull(angle({}));
+      return schema;
+    }
     case ValueForm::direction:
       return orCoordinates(notAllZero(3), 3, true);
     case ValueForm::quaternion:
@@ -116,7 +122,11 @@ Json formOf(const Field& field) {
     case ValueForm::points: {
       Json schema = numbers(3);
       schema["items"] = orCoordinates(withoutNull(numbers(3)), 3, false);
-      return schema;
+      if (!field.object) return schema;
+      Json places = schema;
+      places["type"] = "array";
+      places["items"] = objectOf(*field.object, false);
+      return {{"anyOf", {schema, places}}};
     }
     case ValueForm::word:
       return wordOf(field.words());
@@ -125,7 +135,7 @@ Json formOf(const Field& field) {
     case ValueForm::objects:
       return {{"type", {"array", "null"}}, {"items", objectOf(*field.object, false)}};
   }
-  return Json::object();
+  return Json::object();  // uncounted: these are all
 }
 
 std::vector<std::string> allNames(const Field& field) {

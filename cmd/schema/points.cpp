@@ -134,7 +134,16 @@ Json pointFields() {
     const bool weighted = row.form == CoordinateForm::numbers && row.most > row.fewest;
     return weighted ? schema::allOf({valueOf(row), notAllZero(row)}) : valueOf(row);
   };
-  return schema::allOf({schema::ofType("object"), firstOf(rows, then, schema::reference("otherNames"))});
+  const auto named = [](const Coordinate& row) {
+    std::vector<Json> parts;
+    for (std::size_t i = 0; i < row.fewest; ++i)
+      parts.push_back(hasNamed(row.parts[i].name, row.parts[i].aliases, true));
+    return Json{{"allOf", parts}};
+  };
+  const Json others = {{"if", {{"anyOf", {named(coordinates::xyz), named(coordinates::place)}}}},
+                       {"then", schema::reference("otherNames")},
+                       {"else", {{"anyOf", {schema::reference("otherNames"), schema::reference("shape")}}}}};
+  return schema::allOf({schema::ofType("object"), firstOf(rows, then, others)});
 }
 
 /// The w of x, y, z, or W of X, Y, Z.
@@ -202,7 +211,8 @@ std::string pointsSchema() {
   Json all = schema::head(
       "points", "Points for viewproj",
       "One JSON value of a stream of points, as project and measure read it: a record, an array of records, or a "
-      "document {\"points\": [records], ...}. Of a sequence of values (NDJSON, jq) it describes each. #/$defs/shapes "
+      "document {\"points\": [records], ...}; project reads shapes too. Of a sequence of values (NDJSON, jq) it "
+      "describes each. #/$defs/shapes "
       "describes what cull reads, #/$defs/pixels what ray reads; draw reads points and shapes. Points are in the "
       "world's frame and unit, that of the camera; places (degrees on WGS84, metres above the ellipsoid) need a camera "
       "on the Earth, and three numbers without names one elsewhere. A field counts as a shape where its value has the "
@@ -230,6 +240,7 @@ std::string pointsSchema() {
       objectOr(firstOf(segments, segment, schema::reference("pointFields")), schema::reference("xyz"));
   definitions["pointFields"] = pointFields();
   definitions["shapeRecord"] = firstOf(coordinates::kShapes, valueOf, schema::reference("finitePoint"));
+  definitions["shape"] = firstOf(coordinates::kShapes, valueOf, false);
   definitions["finitePoint"] = finitePoint();
   definitions["pixelRecord"] = objectOr(pixelFields(), numbers(2, 3));
   definitions["numbers2"] = numbers(2, 2);

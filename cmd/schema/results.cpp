@@ -60,7 +60,7 @@ Json valueOf(const ResultRow& row) {
     case ResultKind::list:
       return {{"type", "array"}, {"items", objectOf(row.parts)}};
   }
-  return true;
+  return true;  // uncounted: these are all
 }
 
 Json schemaOf(const ResultRow& row) {
@@ -93,21 +93,24 @@ Json isThere(const std::string& name, const Json& value) {
 
 Json having(const Json& properties) { return {{"type", "object"}, {"properties", properties}}; }
 
-/// With one result at least.
-Json projectedPoint() {
-  Results rows;
+/// A record with one of these results at least.
+Json someOf(ResultParts rows) {
   Json any = Json::array();
-  for (const PointResult& result : pointResults()) {
-    rows.push_back(&result.row);
-    const std::string name(result.row.name);
+  for (const ResultRow* row : rows) {
+    const std::string name(row->name);
     any.push_back({{"type", "object"}, {"required", {name}}, {"properties", {{name, true}}}});
   }
-  return {{"type", "object"},
-          {"properties", propertiesOf(rows)},
-          {"minProperties", 2},
-          {"anyOf", any},
-          {"if", isThere("visible", true)},
-          {"then", having({{"screen", {{"type", "array"}}}, {"outside", {{"const", Json::array()}}}})}};
+  return {{"type", "object"}, {"properties", propertiesOf(rows)}, {"minProperties", 2}, {"anyOf", any}};
+}
+
+/// Or a shape.
+Json projectedPoint() {
+  Results rows;
+  for (const PointResult& result : pointResults()) rows.push_back(&result.row);
+  Json schema = someOf(rows);
+  schema["if"] = isThere("visible", true);
+  schema["then"] = having({{"outside", {{"const", Json::array()}}}});
+  return schema;
 }
 
 Json projectedSegment() {
@@ -151,6 +154,22 @@ Json planes() {
           {"additionalProperties", false}};
 }
 
+/// Of cull: on near and far, or where that is infinite the directions to it.
+Json corners() {
+  const auto of = [](const std::vector<std::string>& planes) {
+    Json properties = Json::object(), required = Json::array();
+    for (const std::string& plane : planes)
+      for (const char* corner : {"BottomLeft", "BottomRight", "TopRight", "TopLeft"}) {
+        properties[plane + corner] = schema::reference("vector3");
+        required.push_back(plane + corner);
+      }
+    return Json{
+        {"type", "object"}, {"properties", properties}, {"required", required}, {"additionalProperties", false}};
+  };
+  return {{"description", "Of the view; the directions to those of a far that is infinite."},
+          {"anyOf", {of({"near", "far"}), of({"near", "direction"})}}};
+}
+
 /// Of a convention, as reports write it: without its preset, and with all axes or some.
 Json axes(bool all) {
   Json properties = Json::object(), required = Json::array();
@@ -187,9 +206,10 @@ std::string resultsSchema() {
   Json all = schema::head(
       "results", "Results of viewproj in JSON",
       "One JSON value of what a command prints in JSON. Of lines (NDJSON) it describes each. #/$defs/NAME describes "
-      "what the command NAME alone prints: project, ray, cull, planes (cull --planes), matrix, explain, inspect, "
-      "depth, "
-      "measure. Screen positions are pixels as the viewport counts them, depth is window depth, distances and points "
+      "what the command NAME alone prints: project, ray, cull, planes (cull --planes), corners (cull --corners), "
+      "matrix, "
+      "explain, inspect, depth, depths (depth --depth), measure. Screen positions are pixels as the viewport counts "
+      "them, depth is window depth, distances and points "
       "are in the world's unit and frame, angles in degrees unless named radians. What has no value is null. Records "
       "keep the fields they came with in front of the results; those whose names --prefix changes, and fields of a "
       "result's name that --fields leaves out, are not described.");
@@ -206,15 +226,17 @@ std::string resultsSchema() {
   filter("cull", "culledRecord", {schema::reference("culled")});
   definitions["projectedPoint"] = projectedPoint();
   definitions["projectedSegment"] = projectedSegment();
-  definitions["cast"] = recordOf(results::kRay);
+  definitions["cast"] = someOf(results::kRay);
   definitions["culled"] = culled();
   definitions["outside"] = {{"type", "array"}, {"uniqueItems", true}, {"items", words(ResultWords::outside, false)}};
   definitions["planes"] = planes();
+  definitions["corners"] = corners();
   definitions["axes"] = axes(false);
   definitions["allAxes"] = axes(true);
   definitions["matrix"] = matrices();
   definitions.update(reports);
-  for (const char* name : {"project", "ray", "cull", "planes", "matrix", "explain", "inspect", "depth", "measure"})
+  for (const char* name :
+       {"project", "ray", "cull", "planes", "corners", "matrix", "explain", "inspect", "depth", "depths", "measure"})
     all["anyOf"].push_back(schema::reference(name));
   all["$defs"] = definitions;
   return all.dump(2) + "\n";

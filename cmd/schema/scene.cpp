@@ -11,7 +11,8 @@ std::string sceneSchema() {
       "scene", "Scene file of viewproj",
       std::string(field::scene.help) +
           " ray --scene and draw --scene read it. What is null counts as absent. What a schema cannot say and the "
-          "reader still asks for: no coordinate of a box's max is below that of its min; no key is given twice.");
+          "reader still asks for: no coordinate of a box's max is below that of its min; a height is not below "
+          "-1000000; no key is given twice.");
   Json form = schema::objectOf(field::scene, false);
   form.erase("description");
   schema.update(form);

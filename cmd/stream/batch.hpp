@@ -58,7 +58,6 @@ class Batch {
   /// text: in the block's records. Throws StopBlock where the run ends.
   void add(std::string_view text, const Plan& plan, const Numbers& numbers);
   void bad(std::string_view text, const RecordError& error);
-  bool keepsGoing() const { return setup_.keepGoing; }
   /// Ends the run, --keep-going or not. at: in the block's records.
   [[noreturn]] void fail(const char* at, const std::string& message);
   /// How many of the records from the start the work took as a whole.

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t npos = std::string_view::npos;
 constexpr std::string_view kSpace = " \t\r\n";
-constexpr std::string_view kPoints = "points";
+constexpr std::string_view kPoints = kRecordsField;
 constexpr const char* kNoSeparator = "expected , or ] after a record of an array";
 constexpr const char* kNotClosed = "the array is not closed; expected ]";
 

@@ -19,9 +19,6 @@ struct InputError : std::runtime_error {
 /// Whoever reads the output has gone away: exit quietly.
 struct ClosedPipe {};
 
-/// The help has been written, in place of the command's work: exit with 0.
-struct HelpGiven {};
-
 /// A record is wrong, at a byte of its text.
 struct RecordError : std::runtime_error {
   RecordError(std::size_t at, const std::string& message) : runtime_error(message), offset(at) {}

@@ -51,10 +51,6 @@ std::string paddedRight(std::string_view text, std::size_t columns) {
   return std::string(text) + std::string(columns - std::min(columns, columnsOf(text)), ' ');
 }
 
-std::string paddedLeft(std::string_view text, std::size_t columns) {
-  return std::string(columns - std::min(columns, columnsOf(text)), ' ') + std::string(text);
-}
-
 std::string wrapped(std::string_view text, std::size_t width, std::size_t indent) {
   std::string out;
   std::size_t column = indent;
@@ -74,6 +70,11 @@ std::string wrapped(std::string_view text, std::size_t width, std::size_t indent
     at = end;
   }
   return out + "\n";
+}
+
+std::string entry(const std::string& left, std::size_t column, std::string_view text, std::size_t width) {
+  const bool fits = columnsOf(left) + 2 <= column;
+  return (fits ? paddedRight(left, column) : left + "\n" + std::string(column, ' ')) + wrapped(text, width, column);
 }
 
 std::string indented(std::string_view text, std::size_t blanks) {

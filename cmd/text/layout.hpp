@@ -11,13 +11,15 @@ namespace viewproj::cmd {
 /// ones none.
 std::size_t columnsOf(std::string_view text);
 
-/// With blanks after it, or before it, up to so many columns.
+/// With blanks after it up to so many columns.
 std::string paddedRight(std::string_view text, std::size_t columns);
-std::string paddedLeft(std::string_view text, std::size_t columns);
 
 /// Lines of words of up to `width` columns, each but the first after `indent` blanks; the first goes on where `indent`
 /// columns are taken. Ends in a line break.
 std::string wrapped(std::string_view text, std::size_t width, std::size_t indent = 0);
+
+/// An entry of a list: text from a column on, wrapped, beside what stands left of it, or below where that is too long.
+std::string entry(const std::string& left, std::size_t column, std::string_view text, std::size_t width);
 
 /// Each line after so many blanks.
 std::string indented(std::string_view text, std::size_t blanks);

@@ -30,11 +30,6 @@ class TextBuffer {
     size_ += text.size();
     return *this;
   }
-  void append(std::size_t count, char c) {
-    if (count == 0) return;
-    std::memset(room(count), c, count);
-    size_ += count;
-  }
 
   /// Where to write up to `most` bytes; written() says how many it were.
   char* room(std::size_t most) {

@@ -127,9 +127,8 @@ Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport
   k.rayX = rounded(c.rays.perX);
   k.rayY = rounded(c.rays.perY);
   k.rayW = rounded(columns.forward);
-  const ScreenCorner corner = screenCorner(viewport);
-  c.firstCorner = {corner.x.hi, corner.y.hi};
-  c.lastCorner = {corner.x.hi + viewport.width, corner.y.hi + viewport.height};
+  c.firstCorner = roundedCorner(viewport);
+  c.lastCorner = {c.firstCorner.x + viewport.width, c.firstCorner.y + viewport.height};
   return Access::whole<Camera, CameraParts>(made);
 }
 

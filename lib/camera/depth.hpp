@@ -64,11 +64,29 @@ DepthShares<Number> depthShares(bool orthographic, double near, double far, cons
   return {n * ofNear, f * ofFar};
 }
 
-/// The way back: near over the distance of a depth, from how far that is from near's and from far's, as shares of the
-/// range: fromNear = (1 - n/w) f/(f - n), and the two sum to 1.
+/// The way back: how far a depth is from near's and from far's, as shares of the range; they sum to 1.
+///   perspective   fromNear = (1 - n/w) f/(f - n)
+///   orthographic  fromNear = (w - n)/(f - n)
 template <class Number>
-Number nearOverDistance(double near, double far, const Number& fromNear, const Number& fromFar) noexcept {
-  return std::isfinite(far) ? fromFar + fromNear * (Number(near) / Number(far)) : fromFar;
+struct DepthFraction {
+  Number fromNear, fromFar;
+};
+
+template <class Number>
+DepthFraction<Number> depthFraction(double depth, const DepthEnds& ends) noexcept {
+  const Number range = Number(ends.atFar) - Number(ends.atNear);
+  return {(Number(depth) - Number(ends.atNear)) / range, (Number(ends.atFar) - Number(depth)) / range};
+}
+
+/// Perspective: near over the distance.
+template <class Number>
+Number nearOverDistance(double near, double far, const DepthFraction<Number>& at) noexcept {
+  return std::isfinite(far) ? at.fromFar + at.fromNear * (Number(near) / Number(far)) : at.fromFar;
+}
+
+template <class Number>
+Number orthographicDistance(double near, double far, const DepthFraction<Number>& at) noexcept {
+  return Number(near) * at.fromFar + Number(far) * at.fromNear;
 }
 
 }  // namespace viewproj::detail

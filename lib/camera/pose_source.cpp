@@ -61,17 +61,8 @@ ExactSource columns(const PoseSource& source) noexcept {
 }  // namespace
 
 ExactSource exactSource(const PoseSource& source) noexcept {
-  switch (source.kind) {
-    case PoseSource::Kind::look:
-      return look(source);
-    case PoseSource::Kind::rotation:
-      return rotation(source);
-    case PoseSource::Kind::columns:
-      return columns(source);
-    case PoseSource::Kind::rows:
-      break;
-  }
-  return {};
+  if (source.kind == PoseSource::Kind::rotation) return rotation(source);
+  return source.kind == PoseSource::Kind::columns ? columns(source) : look(source);
 }
 
 }  // namespace viewproj::detail

@@ -5,8 +5,8 @@
 
 #include "camera/attempts.hpp"
 #include "camera/require.hpp"
+#include "camera/turned_axes.hpp"
 #include "geodesy/normal.hpp"
-#include "numbers/degrees.hpp"
 
 namespace viewproj {
 
@@ -15,44 +15,14 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// Below this an entry is what rounding left of a sum that cancels.
-constexpr double kNoise = 0x1p-207;
-
-using Row = Vector3<Dyadic>;
-
-struct FineAxes {
-  Row right, up, forward;
-  bool exact = true;  ///< turned by right angles only
-};
-
-/// Turns a and b in their plane:
-///   | a' |   | cos  -sin | | a |
-///   | b' | = | sin   cos | | b |
-void turn(FineAxes& axes, Row FineAxes::*first, Row FineAxes::*second, double degrees) noexcept {
-  const SinCos angle = sinCosDegrees(degrees);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Dyadic a = (axes.*first)[i], b = (axes.*second)[i];
-    (axes.*first)[i] = sinCosProduct(a, angle.cosine) - sinCosProduct(b, angle.sine);
-    (axes.*second)[i] = sinCosProduct(a, angle.sine) + sinCosProduct(b, angle.cosine);
-  }
-  axes.exact = axes.exact && isRightAngle(degrees);
-}
+enum : std::size_t { kRight, kUpward, kForward };
 
 /// Right is east, forward north.
-FineAxes eastUpNorth(const Geodetic& place) noexcept {
-  FineAxes axes{{0, 1, 0}, {1, 0, 0}, {0, 0, 1}};
-  turn(axes, &FineAxes::right, &FineAxes::up, place.lon);
-  turn(axes, &FineAxes::forward, &FineAxes::up, place.lat);
+TurnedAxes eastUpNorth(const Geodetic& place) noexcept {
+  TurnedAxes axes({{{0, 1, 0}, {1, 0, 0}, {0, 0, 1}}});
+  axes.turn(kRight, kUpward, place.lon);
+  axes.turn(kForward, kUpward, place.lat);
   return axes;
-}
-
-ExactVec3 expansions(const Row& v) noexcept {
-  ExactVec3 result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Expansion<8> terms = v[i].expansion<8>();
-    if (std::fabs(terms.rounded().hi) >= kNoise) result[i] = terms;
-  }
-  return result;
 }
 
 void requirePlace(const Geodetic& place, const std::string& field) {
@@ -92,8 +62,7 @@ Geodetic ecefToGeodetic(const Vec3& point) noexcept {
 
 FineVec3 detail::ellipsoidNormal(const Geodetic& place) noexcept {
   if (!isPlace(place)) return {{Expansion<8>{kNaN}, Expansion<8>{kNaN}, Expansion<8>{kNaN}}, 0};
-  const FineAxes axes = eastUpNorth(place);
-  return {expansions(axes.up), axes.exact ? 0 : kGeodesyRowBound};
+  return eastUpNorth(place).axis(kUpward);
 }
 
 Pose poseFromHeadingPitchRoll(const Geodetic& position, const HeadingPitchRoll& turned) {
@@ -102,13 +71,11 @@ Pose poseFromHeadingPitchRoll(const Geodetic& position, const HeadingPitchRoll& 
   requireFinite(turned.roll, "roll");
   if (!(turned.pitch >= -90 && turned.pitch <= 90))
     throw CameraError("pitch", "must be from -90 to 90 degrees; a camera upside down has a roll of 180");
-  FineAxes axes = eastUpNorth(position);
-  turn(axes, &FineAxes::right, &FineAxes::forward, turned.heading);
-  turn(axes, &FineAxes::up, &FineAxes::forward, turned.pitch);
-  turn(axes, &FineAxes::right, &FineAxes::up, turned.roll);
-  const double error = axes.exact ? 0 : kGeodesyRowBound;
-  return poseFromAxes(geodeticToEcef(position), {expansions(axes.right), error}, {expansions(axes.up), error},
-                      {expansions(axes.forward), error});
+  TurnedAxes axes = eastUpNorth(position);
+  axes.turn(kRight, kForward, turned.heading);
+  axes.turn(kUpward, kForward, turned.pitch);
+  axes.turn(kRight, kUpward, turned.roll);
+  return poseFromAxes(geodeticToEcef(position), axes.axis(kRight), axes.axis(kUpward), axes.axis(kForward));
 }
 
 Pose lookAtPlace(const Geodetic& position, const Geodetic& target) {

@@ -6,9 +6,6 @@
 
 namespace viewproj::detail {
 
-/// What sums of products of sines and cosines may be off by in a row of unit length.
-inline constexpr double kGeodesyRowBound = 0x1p-206;
-
 /// The ellipsoid's outward normal, of unit length: up for lookAt and lookAlong. NaN for what is no place.
 FineVec3 ellipsoidNormal(const Geodetic& place) noexcept;
 

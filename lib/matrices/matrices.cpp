@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "camera/camera.hpp"
 #include "camera/convention.hpp"
 #include "camera/lens.hpp"
 #include "camera/pose.hpp"
@@ -41,6 +43,21 @@ Mat4 rounded(const DDMat4& a) noexcept {
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = 0; j < 4; ++j) result[i][j] = a[i][j].hi + 0.0;
   return result;
+}
+
+/// Rounded once: a double-double next to the middle of two floats does not go by way of the double on it.
+template <class Number>
+Number entry(const DoubleDouble& a) noexcept {
+  const Number nearest = static_cast<Number>(a.hi + 0.0);
+  if constexpr (sizeof(Number) < sizeof(double)) {
+    const double rest = a.hi - double{nearest};
+    const Number other =
+        std::nextafter(nearest, std::copysign(std::numeric_limits<Number>::infinity(), static_cast<Number>(rest)));
+    // On the middle between the two, lo decides.
+    if (rest != 0 && std::isfinite(other) && rest == double{other} - a.hi && a.lo != 0 && (a.lo > 0) == (rest > 0))
+      return other;
+  }
+  return nearest;
 }
 
 /// From coordinates (X, Y, W, 1) along right, up, forward to the lens's output.
@@ -157,10 +174,11 @@ DDMat4 inverseAffine(const Mat4& a) {
   Expansion<24> determinant;
   for (std::size_t j = 0; j < 3; ++j) determinant.addScaled(cofactors[0][j], m[0][j]);
   if (determinant.isZero()) throw CameraError("model", "has no inverse: its axes lie in a plane");
+  const DoubleDouble divisor = determinant.rounded();
   DDMat4 inverse{};
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
-      inverse[i][j] = scaleByPowerOfTwo(cofactors[j][i].rounded() / determinant.rounded(), k);
+      inverse[i][j] = scaleByPowerOfTwo(cofactors[j][i].rounded() / divisor, k);
       inverse[i][3] += -(inverse[i][j] * DoubleDouble(a[j][3]));
     }
   }
@@ -168,14 +186,55 @@ DDMat4 inverseAffine(const Mat4& a) {
   return inverse;
 }
 
+/// The matrices before they are rounded.
+namespace fine {
+DDMat4 viewFromWorld(const PoseParts& pose, const Convention& c) noexcept {
+  return toViewAxes(axesFromWorld(pose), c.view);
+}
+DDMat4 worldFromView(const PoseParts& pose, const Convention& c) noexcept {
+  return fromViewAxes(worldFromAxes(pose), c.view);
+}
+DDMat4 clipFromView(const ProjectionParts& p, const Convention& c) noexcept {
+  return fromViewAxes(lensMatrix(ndcLens(p, c)), c.view);
+}
+DDMat4 viewFromClip(const ProjectionParts& p, const Convention& c) noexcept {
+  return toViewAxes(inverseLensMatrix(ndcLens(p, c)), c.view);
+}
+DDMat4 clipFromWorld(const PoseParts& pose, const ProjectionParts& p, const Convention& c) noexcept {
+  return product(lensMatrix(ndcLens(p, c)), axesFromWorld(pose));
+}
+DDMat4 worldFromClip(const PoseParts& pose, const ProjectionParts& p, const Convention& c) noexcept {
+  return product(worldFromAxes(pose), inverseLensMatrix(ndcLens(p, c)));
+}
+DDMat4 screenFromWorld(const PoseParts& pose, const ProjectionParts& p, const Viewport& v,
+                       const Convention& c) noexcept {
+  return product(lensMatrix(screenLens(p, v, c)), axesFromWorld(pose));
+}
+DDMat4 worldFromScreen(const PoseParts& pose, const ProjectionParts& p, const Viewport& v,
+                       const Convention& c) noexcept {
+  return product(worldFromAxes(pose), inverseLensMatrix(screenLens(p, v, c)));
+}
+}  // namespace fine
+
+/// In the order in which the convention keeps a matrix in memory: row vectors and columns first are one transposition
+/// each.
+template <class Number, class Matrix>
+StoredMatrix<Number> stored(const Matrix& m, const Convention& c) noexcept {
+  const bool isTurned = (c.vectors == Vectors::row) != (c.storage == Storage::columnMajor);
+  StoredMatrix<Number> flat{};
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j) flat[4 * i + j] = entry<Number>(isTurned ? m[j][i] : m[i][j]);
+  return flat;
+}
+
 }  // namespace
 
 Mat4 viewFromWorld(const Pose& pose, const Convention& c) noexcept {
-  return rounded(toViewAxes(axesFromWorld(parts(pose)), c.view));
+  return rounded(fine::viewFromWorld(parts(pose), c));
 }
 
 Mat4 worldFromView(const Pose& pose, const Convention& c) noexcept {
-  return rounded(fromViewAxes(worldFromAxes(parts(pose)), c.view));
+  return rounded(fine::worldFromView(parts(pose), c));
 }
 
 Mat4 viewFromLocal(const Pose& pose, const Mat4& model, const Convention& c) noexcept {
@@ -206,19 +265,19 @@ Mat4 localFromScreen(const Pose& pose, const Projection& p, const Viewport& v, c
 }
 
 Mat4 clipFromView(const Projection& p, const Convention& c) noexcept {
-  return rounded(fromViewAxes(lensMatrix(ndcLens(parts(p), c)), c.view));
+  return rounded(fine::clipFromView(parts(p), c));
 }
 
 Mat4 viewFromClip(const Projection& p, const Convention& c) noexcept {
-  return rounded(toViewAxes(inverseLensMatrix(ndcLens(parts(p), c)), c.view));
+  return rounded(fine::viewFromClip(parts(p), c));
 }
 
 Mat4 clipFromWorld(const Pose& pose, const Projection& p, const Convention& c) noexcept {
-  return rounded(product(lensMatrix(ndcLens(parts(p), c)), axesFromWorld(parts(pose))));
+  return rounded(fine::clipFromWorld(parts(pose), parts(p), c));
 }
 
 Mat4 worldFromClip(const Pose& pose, const Projection& p, const Convention& c) noexcept {
-  return rounded(product(worldFromAxes(parts(pose)), inverseLensMatrix(ndcLens(parts(p), c))));
+  return rounded(fine::worldFromClip(parts(pose), parts(p), c));
 }
 
 Mat4 screenFromView(const Projection& p, const Viewport& v, const Convention& c) noexcept {
@@ -230,11 +289,11 @@ Mat4 viewFromScreen(const Projection& p, const Viewport& v, const Convention& c)
 }
 
 Mat4 screenFromWorld(const Pose& pose, const Projection& p, const Viewport& v, const Convention& c) noexcept {
-  return rounded(product(lensMatrix(screenLens(parts(p), v, c)), axesFromWorld(parts(pose))));
+  return rounded(fine::screenFromWorld(parts(pose), parts(p), v, c));
 }
 
 Mat4 worldFromScreen(const Pose& pose, const Projection& p, const Viewport& v, const Convention& c) noexcept {
-  return rounded(product(worldFromAxes(parts(pose)), inverseLensMatrix(screenLens(parts(p), v, c))));
+  return rounded(fine::worldFromScreen(parts(pose), parts(p), v, c));
 }
 
 namespace {
@@ -293,12 +352,71 @@ Mat4 laidOut(const Mat4& matrix, const Convention& c) noexcept {
 }
 
 std::array<double, 16> inStorageOrder(const Mat4& matrix, const Convention& c) noexcept {
-  const Mat4 paper = laidOut(matrix, c);
-  const Mat4 byRows = c.storage == Storage::columnMajor ? transposed(paper) : paper;
-  std::array<double, 16> flat{};
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < 4; ++j) flat[4 * i + j] = byRows[i][j];
-  return flat;
+  return stored<double>(matrix.m, c);
 }
+
+template <class Number>
+StoredMatrix<Number> viewFromWorld(const Camera& camera) noexcept {
+  const CameraParts& c = parts(camera);
+  return stored<Number>(fine::viewFromWorld(c.pose, c.convention), c.convention);
+}
+template StoredMatrix<float> viewFromWorld<float>(const Camera&) noexcept;
+template StoredMatrix<double> viewFromWorld<double>(const Camera&) noexcept;
+
+template <class Number>
+StoredMatrix<Number> worldFromView(const Camera& camera) noexcept {
+  const CameraParts& c = parts(camera);
+  return stored<Number>(fine::worldFromView(c.pose, c.convention), c.convention);
+}
+template StoredMatrix<float> worldFromView<float>(const Camera&) noexcept;
+template StoredMatrix<double> worldFromView<double>(const Camera&) noexcept;
+
+template <class Number>
+StoredMatrix<Number> clipFromView(const Camera& camera) noexcept {
+  const CameraParts& c = parts(camera);
+  return stored<Number>(fine::clipFromView(c.projection, c.convention), c.convention);
+}
+template StoredMatrix<float> clipFromView<float>(const Camera&) noexcept;
+template StoredMatrix<double> clipFromView<double>(const Camera&) noexcept;
+
+template <class Number>
+StoredMatrix<Number> viewFromClip(const Camera& camera) noexcept {
+  const CameraParts& c = parts(camera);
+  return stored<Number>(fine::viewFromClip(c.projection, c.convention), c.convention);
+}
+template StoredMatrix<float> viewFromClip<float>(const Camera&) noexcept;
+template StoredMatrix<double> viewFromClip<double>(const Camera&) noexcept;
+
+template <class Number>
+StoredMatrix<Number> clipFromWorld(const Camera& camera) noexcept {
+  const CameraParts& c = parts(camera);
+  return stored<Number>(fine::clipFromWorld(c.pose, c.projection, c.convention), c.convention);
+}
+template StoredMatrix<float> clipFromWorld<float>(const Camera&) noexcept;
+template StoredMatrix<double> clipFromWorld<double>(const Camera&) noexcept;
+
+template <class Number>
+StoredMatrix<Number> worldFromClip(const Camera& camera) noexcept {
+  const CameraParts& c = parts(camera);
+  return stored<Number>(fine::worldFromClip(c.pose, c.projection, c.convention), c.convention);
+}
+template StoredMatrix<float> worldFromClip<float>(const Camera&) noexcept;
+template StoredMatrix<double> worldFromClip<double>(const Camera&) noexcept;
+
+template <class Number>
+StoredMatrix<Number> screenFromWorld(const Camera& camera) noexcept {
+  const CameraParts& c = parts(camera);
+  return stored<Number>(fine::screenFromWorld(c.pose, c.projection, c.viewport, c.convention), c.convention);
+}
+template StoredMatrix<float> screenFromWorld<float>(const Camera&) noexcept;
+template StoredMatrix<double> screenFromWorld<double>(const Camera&) noexcept;
+
+template <class Number>
+StoredMatrix<Number> worldFromScreen(const Camera& camera) noexcept {
+  const CameraParts& c = parts(camera);
+  return stored<Number>(fine::worldFromScreen(c.pose, c.projection, c.viewport, c.convention), c.convention);
+}
+template StoredMatrix<float> worldFromScreen<float>(const Camera&) noexcept;
+template StoredMatrix<double> worldFromScreen<double>(const Camera&) noexcept;
 
 }  // namespace viewproj

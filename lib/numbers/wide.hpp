@@ -99,23 +99,23 @@ inline Wide sqrt(const Wide& a) noexcept {
 inline Wide magnitude(const Wide& a) noexcept { return a.sign() < 0 ? -a : a; }
 inline bool isLess(const Wide& a, const Wide& b) noexcept { return (a - b).sign() < 0; }
 
-/// a + b, or 0 where the terms cancel to less than their own error (kCancellation).
-inline Wide sumOrZero(const Wide& a, const Wide& b) noexcept {
-  const Wide sum = a + b;
-  return isLess(magnitude(a) * Wide(kCancellation), magnitude(sum)) ? sum : Wide();
+/// A sum, or 0 where its terms, of this size, cancel to less than their own error (kCancellation).
+inline Wide orZero(const Wide& sum, const Wide& size) noexcept {
+  return isLess(size * Wide(kCancellation), magnitude(sum)) || !std::isfinite(sum.value.hi) ? sum : Wide();
 }
+
+inline Wide sumOrZero(const Wide& a, const Wide& b) noexcept { return orZero(a + b, magnitude(a)); }
 
 inline WideVec3 operator*(const WideVec3& a, const Wide& k) noexcept { return {a.x * k, a.y * k, a.z * k}; }
 inline WideVec3 operator+(const WideVec3& a, const WideVec3& b) noexcept { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 inline WideVec3 operator-(const WideVec3& a, const WideVec3& b) noexcept { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 inline Wide lengthOf(const WideVec3& a) noexcept { return sqrt(dot(a, a)); }
+inline Wide oneNorm(const WideVec3& a) noexcept { return magnitude(a.x) + magnitude(a.y) + magnitude(a.z); }
 
 /// a . b, or 0 where the products cancel to less than the error of a and b.
 inline Wide dotOrZero(const WideVec3& a, const WideVec3& b) noexcept {
-  const Wide x = a.x * b.x, y = a.y * b.y, z = a.z * b.z;
-  const Wide sum = x + y + z;
-  const Wide sizes = magnitude(x) + magnitude(y) + magnitude(z);
-  return isLess(sizes * Wide(kCancellation), magnitude(sum)) ? sum : Wide();
+  const WideVec3 p{a.x * b.x, a.y * b.y, a.z * b.z};
+  return orZero(p.x + p.y + p.z, oneNorm(p));
 }
 
 inline DoubleDouble toDoubleDouble(const Wide& a) noexcept { return scaleByPowerOfTwo(a.value, a.exponent); }

@@ -7,8 +7,8 @@
 #include "camera/camera.hpp"
 #include "camera/convention.hpp"
 #include "camera/lens.hpp"
-#include "projection/error_model.hpp"
 #include "projection/eye_point.hpp"
+#include "projection/kernels/error_model.hpp"
 
 namespace viewproj::detail {
 

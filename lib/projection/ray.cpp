@@ -110,7 +110,7 @@ WorldPoint pointAt(const CameraParts& c, const Vec2& screen, const Wide& distanc
   const double rounding = halfUlp(position.x) + halfUlp(position.y) + halfUlp(position.z);
   const bool hasError = distanceError.sign() > 0 || !std::isfinite(distanceError.value.hi);
   return {position, DepthStatus::point,
-          1.01 * (hasError ? double(distanceError * slant(c, screen)) + rounding : rounding)};
+          1.01 * (hasError ? double(distanceError * slant(c, screen)) + rounding : rounding), double(distance)};
 }
 
 }  // namespace
@@ -127,16 +127,12 @@ WorldPoint screenToWorld(const Camera& camera, const Vec2& screen, double depth)
   const CameraParts& c = parts(camera);
   if (!isFinite(screen) || !std::isfinite(depth)) return {kNoVector, DepthStatus::notFinite};
   const ProjectionParts& p = c.projection;
-  const Wide range = Wide(c.depthAtFar) - Wide(c.depthAtNear);
-  // How far the depth is from near's and from far's, as shares of the range: they sum to 1.
-  const Wide fromNear = (Wide(depth) - Wide(c.depthAtNear)) / range;
-  const Wide fromFar = (Wide(c.depthAtFar) - Wide(depth)) / range;
-  const Wide shareError = Wide(halfUlp(depth)) / magnitude(range);
+  const auto at = depthFraction<Wide>(depth, {c.depthAtNear, c.depthAtFar});
+  const Wide shareError = Wide(halfUlp(depth)) / magnitude(Wide(c.depthAtFar) - Wide(c.depthAtNear));
   if (p.orthographic)
-    return pointAt(c, screen, Wide(p.near) * fromFar + Wide(p.far) * fromNear,
-                   (Wide(p.far) - Wide(p.near)) * shareError);
+    return pointAt(c, screen, orthographicDistance(p.near, p.far, at), (Wide(p.far) - Wide(p.near)) * shareError);
   if (depth == c.depthAtInfinity) return {kNoVector, DepthStatus::infinity};
-  const Wide divisor = nearOverDistance(p.near, p.far, fromNear, fromFar);
+  const Wide divisor = nearOverDistance(p.near, p.far, at);
   if (!(divisor.sign() > 0)) return {kNoVector, DepthStatus::beyond};
   const Wide distance = Wide(p.near) / divisor;
   // Towards infinity the distance changes most: by shareError in the divisor, at most.
@@ -151,6 +147,12 @@ WorldPoint screenToWorldAtDistance(const Camera& camera, const Vec2& screen, dou
   if (!isFinite(screen) || !std::isfinite(viewDistance)) return {kNoVector, DepthStatus::notFinite};
   if (!c.projection.orthographic && !(viewDistance > 0)) return {kNoVector, DepthStatus::beyond};
   return pointAt(c, screen, viewDistance, 0);
+}
+
+Vec2 pixelSize(const Camera& camera, double viewDistance) noexcept {
+  const CameraParts& c = parts(camera);
+  const DoubleDouble span = c.projection.orthographic ? 1 : viewDistance > 0 ? viewDistance : kNaN;
+  return {std::fabs((span / c.screen.scaleX).hi), std::fabs((span / c.screen.scaleY).hi)};
 }
 
 double distancePerDepth(const Camera& camera, const Vec2& screen, double viewDistance) noexcept {

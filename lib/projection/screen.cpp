@@ -9,7 +9,7 @@
 #include "camera/lens.hpp"
 #include "projection/eye_point.hpp"
 #include "projection/kernels/formulas.hpp"
-#include "projection/picture_reach.hpp"
+#include "projection/kernels/picture_reach.hpp"
 #include "projection/sides.hpp"
 
 namespace viewproj {

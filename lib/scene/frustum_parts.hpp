@@ -16,10 +16,13 @@ struct ExactPlane {
   WideVec3 normal;
   Wide offset;
   /// A distance is within normalBound r + offsetBound of the true one, with r = |p - eye|_1 of a point, |center -
-  /// eye|_1 + radius of a sphere, |min - eye|_1 + |max - eye|_1 of a box. What is no farther beyond a plane than that
-  /// counts as on it. normalBound is kPlaneBound times what FrustumPlane says, offsetBound is normalBound times the
-  /// size of what the offset is made of.
+  /// eye|_1 + radius of a sphere, |min - eye|_1 + |max - eye|_1 of a box. What is no farther from a plane than that is
+  /// measured again, by the exact rows. normalBound is kPlaneBound times what FrustumPlane says, offsetBound is
+  /// normalBound times the size of what the offset is made of.
   double normalBound = 0, offsetBound = 0;
+  /// The same plane by a point's distances along the camera's axes: scale (X - edge W), Y for X of the lower and the
+  /// upper side; in orthographic scale (X - edge); of near and far scale (W - edge).
+  Wide edge, scale;
 };
 
 struct FrustumParts {
@@ -32,7 +35,8 @@ struct FrustumParts {
   const ExactPlane* end() const noexcept { return planes.data() + count; }
 };
 
-/// How far inside a plane a point lies, in world units; negative beyond it, 0 within the bound.
+/// How far inside a plane a point lies, in world units; negative beyond it, 0 where it cannot be told from one on it by
+/// exact arithmetic either.
 Wide distanceInside(const FrustumParts& frustum, const ExactPlane& plane, const Vec3& point) noexcept;
 
 inline const FrustumParts& parts(const Frustum& frustum) noexcept { return *Access::shared(frustum); }

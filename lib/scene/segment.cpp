@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "scene/frustum_parts.hpp"
+#include "scene/view_space.hpp"
 
 namespace viewproj {
 
@@ -29,35 +30,19 @@ SegmentEnd ownEnd(const Camera& camera, const Vec3& point, double t) noexcept {
 
 SegmentEnd cutEnd(const CameraParts& c, const WideVec3& fromEyeToA, const WideVec3& fromEyeToB,
                   const Cut& cut) noexcept {
-  const WideVec3 p = fromEyeToA * cut.rest + fromEyeToB * cut.t;
-  const auto along = [&](const DDVec3& axis, DoubleDouble residual) {
-    return dot(toWide(axis), p) + Wide(residual, 0);
-  };
-  Wide x = along(c.pose.rows.right, c.pose.residual.x), y = along(c.pose.rows.up, c.pose.residual.y);
-  const Wide w = along(c.pose.rows.forward, c.pose.residual.z);
-  const bool orthographic = c.projection.orthographic;
-  if (!orthographic) {
-    x = x / w;
-    y = y / w;
-  }
-  const ScreenMap& m = c.screen;
+  const ViewPoint p = toView(c.pose, fromEyeToA * cut.rest + fromEyeToB * cut.t);
+  const WindowXY at = onWindow(c, p);
+  const Wide& w = p.forward;
   const ProjectionConstants& k = c.constants;
-  const Wide depth = Wide(k.depthOffset, 0) + (orthographic ? Wide(k.depthScale, 0) * w : Wide(k.depthScale, 0) / w);
-  SegmentEnd end{
-      double(cut.t),
-      {double(Wide(m.centerX, 0) + Wide(m.scaleX, 0) * x), double(Wide(m.centerY, 0) + Wide(m.scaleY, 0) * y)},
-      double(depth),
-      double(w),
-      cut.side};
+  const Wide scale = toWide(k.depthScale);
+  const Wide depth = toWide(k.depthOffset) + (k.orthographic ? scale * w : scale / w);
+  SegmentEnd end{double(cut.t), {screenX(c.screen, at.x), screenY(c.screen, at.y)}, double(depth), double(w), cut.side};
   // On the boundary it lies on it, to the last bit.
-  const Viewport& v = c.viewport;
-  const double left = v.x + (v.pixelCenter - 0.5), first = v.y + (v.pixelCenter - 0.5);
-  const double top = v.origin == Origin::topLeft ? first : first + v.height;
-  const double bottom = v.origin == Origin::topLeft ? first + v.height : first;
-  if (cut.side == sideLeft) end.screen.x = left;
-  if (cut.side == sideRight) end.screen.x = left + v.width;
-  if (cut.side == sideBottom) end.screen.y = bottom;
-  if (cut.side == sideTop) end.screen.y = top;
+  const bool down = c.viewport.origin == Origin::topLeft;
+  if (cut.side == sideLeft) end.screen.x = c.firstCorner.x;
+  if (cut.side == sideRight) end.screen.x = c.lastCorner.x;
+  if (cut.side == sideBottom) end.screen.y = down ? c.lastCorner.y : c.firstCorner.y;
+  if (cut.side == sideTop) end.screen.y = down ? c.firstCorner.y : c.lastCorner.y;
   if (cut.side == sideNear) end.depth = c.depthAtNear, end.viewDistance = c.projection.near;
   if (cut.side == sideFar) end.depth = c.depthAtFar, end.viewDistance = c.projection.far;
   return end;
@@ -78,10 +63,11 @@ VisibleSegment clipSegment(const Frustum& frustum, const Vec3& a, const Vec3& b)
     if (atA.sign() < 0 ? isFurther(cut, first) : isFurther(last, cut)) (atA.sign() < 0 ? first : last) = cut;
   }
   if (isFurther(first, last)) return result;
-  const WideVec3 eye = toWide(parts(f.camera).pose.eye), fromEyeToA = toWide(a) - eye, fromEyeToB = toWide(b) - eye;
+  const CameraParts& c = parts(f.camera);
+  const WideVec3 toA = fromEye(c.pose, a), toB = fromEye(c.pose, b);
   result.visible = true;
-  result.start = first.side == 0 ? ownEnd(f.camera, a, 0) : cutEnd(parts(f.camera), fromEyeToA, fromEyeToB, first);
-  result.end = last.side == 0 ? ownEnd(f.camera, b, 1) : cutEnd(parts(f.camera), fromEyeToA, fromEyeToB, last);
+  result.start = first.side == 0 ? ownEnd(f.camera, a, 0) : cutEnd(c, toA, toB, first);
+  result.end = last.side == 0 ? ownEnd(f.camera, b, 1) : cutEnd(c, toA, toB, last);
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -159,6 +160,8 @@ class Frustum {
 /// in orthographic, a pose matrix that is not quite orthogonal.
 Frustum viewFrustum(const Camera& camera);
 
+inline constexpr double kCullBound = 0x1p-96;
+
 enum class CullVerdict : std::uint8_t { inside, intersects, outside };
 
 struct Cull {
@@ -170,11 +173,14 @@ struct Cull {
 
 // What touches a plane from within is inside, what touches it from without intersects.
 //
-// `inside` and `outside` are always right, up to the bound above. `intersects` may be said of a sphere or a box that is
-// outside: near an edge or a corner of the frustum a shape may lie beyond no single plane and yet miss it. (Exact
-// answers need the frustum's edges against the shape; nothing that is seen is ever lost.) Source: Assarsson & Möller,
-// "Optimized view frustum culling algorithms for bounding boxes", 2000: a box is outside of a plane if its corner
-// farthest along the normal is (p-vertex), and inside if the opposite corner is (n-vertex).
+// `inside` and `outside` are always right: what double-double leaves open is decided by the exact rows, so that a shape
+// may be as large and as far aside as doubles go. What is nearer to a plane than kCullBound of |X| + |edge W|, the
+// distances along the camera's axes of its point there, counts as on it; of a sphere, of its radius too. `intersects`
+// may be said of a sphere or a box that is outside: near an edge or a corner of the frustum a shape may lie beyond no
+// single plane and yet miss it. (Exact answers need the frustum's edges against the shape; nothing that is seen is ever
+// lost.) Source: Assarsson & Möller, "Optimized view frustum culling algorithms for bounding boxes", 2000: a box is
+// outside of a plane if its corner farthest along the normal is (p-vertex), and inside if the opposite corner is
+// (n-vertex).
 
 /// inside or outside, as a sphere of radius 0 there is inside or not. worldToScreen judges the pixel and the distance
 /// that it gives out instead, and so forgives half an ulp of them. A point behind the eye of a perspective is beyond
@@ -184,6 +190,28 @@ Cull cull(const Frustum& frustum, const Vec3& point) noexcept;
 Cull cull(const Frustum& frustum, const Sphere& sphere) noexcept;
 Cull cull(const Frustum& frustum, const Box& box) noexcept;
 Cull cull(const Frustum& frustum, const Triangle& triangle) noexcept;
+
+// ---- How large it is on the screen
+
+/// Screen positions: of the left, upper, right and lower edge of a rectangle. top is above bottom in the picture, and
+/// so the smaller number where the viewport's origin is topLeft.
+struct ScreenBox {
+  double left = 0, top = 0, right = 0, bottom = 0;
+};
+
+/// Each number is within this of the true one, relative to itself and the size of the picture; of a sphere whose
+/// surface is nearer to the eye than 1e-9 of its radius it may be more.
+inline constexpr double kScreenBoxBound = 0x1.1p-53;
+
+/// The smallest that holds what of the shape lies in front of near or on it, however far out of the picture and beyond
+/// far; nothing where nothing does, and for a shape that is not valid. Infinite beyond the largest double.
+///
+/// A sphere is seen as an ellipse (perspective) between the lines through the eye that touch it; where near cuts it,
+/// the circle of the cut counts too. Source of the touching lines: Mara & McGuire, "2D polyhedral bounds of a clipped,
+/// perspective-projected 3D sphere", 2013.
+std::optional<ScreenBox> screenBox(const Frustum& frustum, const Sphere& sphere) noexcept;
+std::optional<ScreenBox> screenBox(const Frustum& frustum, const Box& box) noexcept;
+std::optional<ScreenBox> screenBox(const Frustum& frustum, const Triangle& triangle) noexcept;
 
 // ---- Segments
 

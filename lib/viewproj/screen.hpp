@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "viewproj/camera.hpp"
@@ -166,12 +167,18 @@ struct WorldPoint {
   /// true one; infinite where that double could also be the depth of infinity. What the arithmetic adds, half a unit in
   /// the last place of each coordinate, is included; of a point by its distance it is all.
   double bound = 0;
+  /// Along the viewing axis, the double nearest that of the depth given; NaN unless status is point.
+  double viewDistance = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// How far a point moves along its ray, per unit of window depth: W^2 / |depthScale| times the slant of the ray in
 /// perspective, with W the view distance. At standard depth and W far beyond near it is enormous: a depth near 1 says
 /// little. Multiply by half the step of the depth buffer that a depth was read from.
 double distancePerDepth(const Camera& camera, const Vec2& screen, double viewDistance) noexcept;
+
+/// How much of the world one pixel spans at a distance along the viewing axis, across and down, in world units: each
+/// within 1 ulp. In orthographic the same everywhere; NaN in perspective where the distance is not above 0.
+Vec2 pixelSize(const Camera& camera, double viewDistance) noexcept;
 
 /// The point at this screen position and window depth (as worldToScreen gives it; not clamped). In double-double and
 /// rounded once; what the depth's own last digit is worth in distance is the depth's, not the arithmetic's.

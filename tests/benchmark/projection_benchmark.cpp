@@ -17,7 +17,7 @@
 #include "camera/camera.hpp"
 #include "peers.hpp"
 #include "projection/kernels/kernels.hpp"
-#include "projection/picture_reach.hpp"
+#include "projection/kernels/picture_reach.hpp"
 
 using namespace viewproj;
 using namespace viewproj::detail;
@@ -124,6 +124,22 @@ int main(int argc, char** argv) {
                            [&] { peersO3.glmProjectFloat(peer, singles, singleScreen); },
                            errorOf(singleScreen),
                            1,
+                           {}});
+    contestants.push_back(
+        {"fast, vertices of float32",
+         [&] { worldToScreen(camera, vertices(&singles[0].x, count), positions(&singleScreen[0].x)); },
+         errorOf(singleScreen),
+         1,
+         {}});
+    std::vector<float> x(count), y(count), z(count), screenX(count), screenY(count), depth(count);
+    for (std::size_t i = 0; i < count; ++i) x[i] = singles[i].x, y[i] = singles[i].y, z[i] = singles[i].z;
+    contestants.push_back({"fast, arrays of float32",
+                           [&] {
+                             worldToScreen(camera, FloatPoints{x.data(), y.data(), z.data(), count},
+                                           FloatPositions{screenX.data(), screenY.data(), depth.data()});
+                           },
+                           {},
+                           0,
                            {}});
     add("Eigen double, cached product, -O2", 1e-8, [&] { peersO2.eigenCachedDouble(peer, points, screen); });
     add("Imath double, cached product, -O3", 1e-8, [&] { peersO3.imathDouble(peer, points, screen); });

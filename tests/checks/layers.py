@@ -24,7 +24,7 @@ LAYERS = (
 # A public header counts as one of the module that implements it, or above all.
 PUBLIC = {
     "vectors": "lib/numbers", "version": "lib/numbers", "convention": "lib/camera", "camera": "lib/camera",
-    "screen": "lib/projection", "clip": "lib/projection", "matrices": "lib/matrices", "scene": "lib/scene",
+    "screen": "lib/projection", "floats": "lib/projection", "clip": "lib/projection", "matrices": "lib/matrices", "scene": "lib/scene",
     "geodesy": "lib/geodesy", "viewproj": "lib/viewproj",
 }
 # What users never see; as words, comments left out.

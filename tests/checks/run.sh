@@ -2,13 +2,13 @@
 # The checks that are more than ctest, one after the other, and the time each took. `sh samples/setup.sh checks` gets what
 # they need.
 #   sh tests/checks/run.sh [NAME...]
-# Of the long ones CI=true runs a third, as the commit has it; LONG=1 in the environment: all.
+# Of the long ones CI=true runs a third, another after each commit; LONG=1 in the environment: all.
 set -eu
 cd "$(dirname "$0")/../.."
 if [ $# -eq 0 ]; then
   set -- benchmark static install sanitized coverage fuzz threads mutation
   if [ "${CI-}" = true ] && [ "${LONG-}" != 1 ]; then
-    turn=$(printf %d "0x$(git rev-parse --short=6 HEAD 2>/dev/null || echo 0)")
+    turn=$(git rev-list --count HEAD 2>/dev/null || echo 0)
     case $((turn % 3)) in
       0) set -- benchmark static install sanitized coverage ;;
       1) set -- benchmark static install threads fuzz ;;

@@ -1,6 +1,7 @@
 """The tool as the fault tests run it: every command in every form that it writes."""
 import os
 import resource
+import signal
 import subprocess
 import sys
 import tempfile
@@ -10,6 +11,8 @@ from pathlib import Path
 
 TOOL = os.environ.get("VIEWPROJ_TOOL", "viewproj")
 PATIENCE = 60  # seconds; who needs them hangs
+# What a shell starts in the background ignores it, and so would what is started here.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 SANITIZED = any(name in Path(TOOL).read_bytes() for name in (b"__asan_init", b"__tsan_init"))
 
 CAMERA = (

@@ -79,7 +79,7 @@ void writeAndReadAgain(const CameraFile& file) {
 void readAndUse(std::string_view input) {
   const std::size_t end = std::min(input.find('\0', input.starts_with("glTF") ? 20 : 0), input.size());
   giveInput(input.substr(0, input.starts_with("glTF") ? input.size() : end));
-  Document document("-", "--camera");
+  Document document("-", "--camera", "");
   std::optional<std::string> pick;
   for (std::size_t at = end; at < input.size();) {
     const std::size_t next = std::min(input.find('\0', at + 1), input.size());

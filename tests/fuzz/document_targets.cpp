@@ -24,7 +24,7 @@ using namespace cmd;
 void readScene(std::string_view input) {
   giveInput(input);
   constexpr Ray kRays[] = {{{0, 0, 0}, {0, 0, -1}}, {{3, 2, 5}, {-0.48, -0.64, -0.6}}, {{1e7, 0, 0}, {-1, 0, 0}}};
-  for (const SceneObject& object : cmd::readScene("-")) {
+  for (const SceneObject& object : cmd::readScene("-", true)) {
     requireJson(object.id, "an id");
     for (const Ray& ray : kRays) {
       const Hits hits = std::visit([&](const auto& shape) { return intersect(ray, shape); }, object.shape);

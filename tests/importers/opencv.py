@@ -53,15 +53,16 @@ def calibration():
     return size, K
 
 
-def stored(matrices):
-    """Matrices as cv2.FileStorage writes them to JSON."""
-    path = tempfile.mktemp(suffix=".json")
-    storage = cv2.FileStorage(path, cv2.FILE_STORAGE_WRITE | cv2.FILE_STORAGE_FORMAT_JSON)
+def stored(matrices, form="json"):
+    """Matrices as cv2.FileStorage writes them to JSON, or the text that it writes to YAML."""
+    path = tempfile.mktemp(suffix="." + form)
+    format_ = cv2.FILE_STORAGE_FORMAT_JSON if form == "json" else cv2.FILE_STORAGE_FORMAT_YAML
+    storage = cv2.FileStorage(path, cv2.FILE_STORAGE_WRITE | format_)
     for key, value in matrices.items():
         storage.write(key, value)
     storage.release()
     with open(path) as text:
-        result = json.load(text)
+        result = json.load(text) if form == "json" else text.read()
     os.remove(path)
     return result
 
@@ -109,6 +110,19 @@ def opencv_names():
               {k: K.tolist() if i % 2 else {"rows": 3, "cols": 3, "data": K.ravel().tolist()}, dist: [0.0] * 5,
                translation: t.tolist(), **({"R": R.tolist()} if i % 2 else {"rvec": rvec.tolist()}),
                width: size[0], height: size[1]}, R, t, K, size)
+
+
+def opencv_yaml():
+    """As other programs have it too: with a size as a node of its own, and with a stereo pair in one file."""
+    size, K = calibration()
+    rvec, t = rotation_vector(random.uniform(0.1, 3)), random_vector(5)
+    R = cv2.Rodrigues(rvec)[0]
+    own = {"calibration_time": "Tue 01 Jan 2019 12:34:56", "image_width": size[0], "image_height": size[1],
+           "distortion_coefficients": np.zeros((5, 1)), "avg_reprojection_error": 0.25}
+    write("OpenCV FileStorage YAML", stored({**own, "camera_matrix": K, "rvec": rvec.reshape(3, 1), "tvec": t.reshape(3, 1)}, "yml"),
+          R, t, K, size)
+    pair = {**own, "M1": np.eye(3), "D1": np.ones((1, 5)), "M2": K, "D2": np.zeros((1, 5)), "R": R, "T": t.reshape(3, 1)}
+    write("OpenCV FileStorage YAML, stereo", stored(pair, "yml"), R, t, K, size, pick="M2")
 
 
 def nerf_frame(worldFromCamera, path, **more):
@@ -197,3 +211,5 @@ for trial in range(3):
     nerf_cases()
     opencv_names()
     nerf_names()
+    random.seed(f"yaml {trial}")
+    opencv_yaml()

@@ -1,7 +1,7 @@
 // What exact promises, as a check.
 #pragma once
 
-#include "projection/error_model.hpp"
+#include "projection/kernels/error_model.hpp"
 #include "reference/real.hpp"
 #include "viewproj/screen.hpp"
 

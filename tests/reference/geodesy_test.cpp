@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "camera/turned_axes.hpp"
 #include "catch.hpp"
 #include "internals.hpp"
 #include "numbers/degrees.hpp"
@@ -204,7 +205,7 @@ TEST_CASE("The axes of heading, pitch and roll are within 2^-100, and their exac
     add(errors, parts(pose).rows.up, parts(pose).exact.up, truth.up);
     add(errors, parts(pose).rows.forward, parts(pose).exact.forward, truth.forward);
     REQUIRE(errors.rounded <= 0x1p-100);
-    REQUIRE(errors.exact <= kGeodesyRowBound);
+    REQUIRE(errors.exact <= kTurnedRowBound);
     const FineVec3 normal = ellipsoidNormal(place);
     const EastNorthUp frame = trueFrame(place);
     for (std::size_t i = 0; i < 3; ++i) REQUIRE(double(abs(sumOf(normal.terms[i]) - frame.up[i])) <= normal.error);

@@ -210,6 +210,19 @@ function shape(r, kind, as = (at) => point(r, at)) {
   return "WGS84";
 }
 
+/// Of a scene with a camera on the Earth.
+function placedShape(r, kind) {
+  const at = () => {
+    const { lat, lon, height } = place(r);
+    return { lat, lon, height };
+  };
+  if (kind === "plane") return { point: at(), normal: [r.number(1, 2), 0, r.number(-1, 1)] };
+  if (kind === "sphere") return { center: at(), radius: r.of([0, 2.5]) };
+  if (kind === "triangle") return [at(), at(), at()];
+  const corner = at();
+  return kind === "box" ? { min: corner, max: corner } : "WGS84";
+}
+
 export const kShapes = ["plane", "sphere", "box", "triangle", "ellipsoid"];
 
 export function scene(r) {
@@ -218,7 +231,8 @@ export function scene(r) {
   maybe(r, s, "$schema", () => "scene.json");
   for (let count = r.below(4); count > 0; --count) {
     const kind = r.of(kShapes);
-    const object = { [kind]: shape(r, kind) };
+    const object = { [kind]: r.chance(0.2) ? placedShape(r, kind) : shape(r, kind) };
+    if (kind === "ellipsoid") maybe(r, object, "height", () => r.number(-1000, 5000));
     maybe(r, object, "id", () => kId(r));
     maybe(r, object, "name", () => "crate");
     if (r.chance(0.1)) object[r.of(kShapes.filter((other) => other !== kind))] = null;
@@ -227,7 +241,7 @@ export function scene(r) {
   return s;
 }
 
-const kPointKinds = ["array", "weighted", "position", "xyz", "xyzw", "place", "direction", "segment", "segment and pixel", "alias", "object"];
+const kPointKinds = ["array", "weighted", "position", "xyz", "xyzw", "place", "direction", "segment", "segment and pixel", "alias", "object", "sphere", "box", "triangle"];
 
 /// x, y, z or lat, lon, height by the names that others have for them.
 function otherNames(r) {
@@ -263,6 +277,7 @@ function pointRecord(r, kind = r.of(kPointKinds)) {
     const as = waysOf(r);
     record.segment = [as(at), as(vector(r))];
   }
+  if (kShapes.includes(kind)) record[kind] = shape(r, kind, waysOf(r));
   if (kind === "segment and pixel") record.pixel = r.chance(0.3) ? null : [100, 50];
   maybe(r, record, "colour", () => ({ red: [1, null] }));
   return record;

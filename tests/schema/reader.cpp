@@ -10,7 +10,6 @@
 
 #include "input/camera_source.hpp"
 #include "input/document.hpp"
-#include "input/importers/importer.hpp"
 #include "input/scene.hpp"
 #include "text/error.hpp"
 
@@ -20,15 +19,14 @@ using namespace viewproj::cmd;
 
 std::string judgeCamera(const std::string& source) {
   const Document document(source, "camera");
-  for (const Importer* importer : {&kGltf, &kThreeJs, &kNerfTransforms, &kOpenCv, &kMatrices})
-    if (importer->recognises(document.root())) return "foreign";
+  if (isForeign(document)) return "foreign";
   const CameraFile file = readAnyCamera(document, std::nullopt, {});
   if (file.pose && file.projection && file.viewport) (void)makeCamera(file);
   return "accepted";
 }
 
 std::string judgeScene(const std::string& source) {
-  (void)readScene(source);
+  (void)readScene(source, true);
   return "accepted";
 }
 

@@ -6,7 +6,7 @@ import { Tally } from "./random.mjs";
 import { parsed, valuesOf } from "./runs.mjs";
 
 const kAlways = new Set(["project", "ray", "cull"]); // JSON where their input is
-const kFields = ["screen", "depth", "viewDistance", "visible", "outside", "ndc", "clip", "view", "bound"];
+const kFields = ["screen", "depth", "viewDistance", "visible", "outside", "ndc", "clip", "view", "pixelSize", "screenBox", "bound"];
 
 /// The part of the schema that a run's output is of; nothing where it is no JSON.
 function partOf({ command, options, flags }) {
@@ -14,10 +14,11 @@ function partOf({ command, options, flags }) {
   const to = options["--to"];
   if (kAlways.has(command)) {
     if (options["--prefix"] !== undefined || (to !== undefined && to !== "json" && to !== "ndjson")) return undefined;
-    return flags.has("--planes") ? "planes" : command;
+    return flags.has("--planes") ? "planes" : flags.has("--corners") ? "corners" : command;
   }
   if (command === "inspect" && options["--convention"] !== undefined) return undefined; // matrices under their own names
   if (command === "matrix") return to === undefined || to === "json" ? command : undefined;
+  if (command === "depth" && options["--depth"] !== undefined) return to === "json" ? "depths" : undefined;
   if (["explain", "inspect", "depth", "measure"].includes(command)) return to === "json" ? command : undefined;
   return undefined;
 }
@@ -59,7 +60,11 @@ function randomRuns(run, makeCamera, Random) {
     add("project", ["--keep-going", "--to", "json"], kPoints);
     add("ray", ["--bound", "--keep-going", "--scene", kScene], '[10,20] {"pixel":[1,2],"depth":0.5} {"screen":null,"viewDistance":2} {"screen":[3,4],"viewDistance":7} [1]');
     add("ray", ["--all-hits", "--scene", kScene, "--to", "json"], "[[100,100],[0,0]]");
+    add("ray", ["--fields", "pixelSize,viewDistance,direction"], '[10,20] {"pixel":[1,2],"depth":0.5}');
+    add("project", [], kShapes);
     add("cull", [], kShapes);
+    add("cull", ["--corners"]);
+    add("depth", ["--to", "json", "--depth", "0,0.5,1.5"]);
     add("cull", ["--planes"]);
     const matrices = add("matrix", ["--inverse"]);
     add("matrix", ["--relative-to-eye", "--bake-viewport", "--float"]);
@@ -77,7 +82,7 @@ function randomRuns(run, makeCamera, Random) {
 
 /// No value of a closed form is one any more after these mutations.
 const kTelling = ["write a number as a string", "put an object"];
-const kClosed = ["planes", "matrix", "explain", "inspect", "depth", "measure"];
+const kClosed = ["planes", "corners", "matrix", "explain", "inspect", "depth", "depths", "measure"];
 
 export function checkResults({ ajv, runs, run, fault, makeCamera, Random }) {
   const whole = ajv.getSchema("urn:viewproj:schema:results");

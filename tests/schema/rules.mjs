@@ -25,12 +25,14 @@ export const kRules = {
   },
   scene: {
     "max is not below min": /box\.max: must not be below min/,
+    "a height is not below -1000000": /height: must not be below -1000000 metres/,
     "no key is given twice": /the key '.*' is given twice/,
   },
   points: {
     "a record has one point or shape": /has two (points|shapes)|has both/,
     "points is a document's first key": hasPointsBehind,
     "three numbers without names need a camera elsewhere": /three numbers without names/,
+    "max is not below min": /max must not be below min/,
     "no key is given twice": /has (the field )?'?\w+'? twice|has the field '.*' twice/,
     "no number leaves the range of doubles": /number overflow/,
   },
@@ -43,6 +45,7 @@ export const kRules = {
     "no number leaves the range of doubles": /number overflow|beyond the range of doubles/,
   },
   pixels: {
+    "the parts of a point come from one set of names": /[A-Z]\w*: '.*' is not a finite number/,
     "points is a document's first key": hasPointsBehind,
     "the point is in front of the eye": /lies beyond infinity|is not in front of the eye/,
     "no key is given twice": /has (the field )?'?\w+'? twice|has the field '.*' twice/,

@@ -6,7 +6,8 @@ const kLargest = 300000;
 const kWithValue = new Set(
   ("-c --camera --viewport --set --read-as --convention --ndc-z --which --to --type --from --columns --prefix --jobs " +
     "--first-line --precision --tolerance --fields --model --point --pixel --ray-from --scene --at --gap --resolve " +
-    "--format --seconds --digits --world --reading --float-digits").split(" "),
+    "--format --seconds --digits --world --reading --float-digits --depth --map --scale --margin --pixels --by -o --output " +
+    "--delimiter --decimal --comment").split(" "),
 );
 
 /// The text of a file that is not too large, or nothing.

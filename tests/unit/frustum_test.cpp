@@ -135,8 +135,8 @@ TEST_CASE("What touches a plane from within is inside, from without intersects")
   CHECK(cull(f, Box{{-8, 0, -6}, {std::nextafter(-6.0, -7), 1, -5}}).verdict == CullVerdict::outside);
 }
 
-TEST_CASE("What is no farther beyond a plane than its bound counts as on it, and what is farther does not") {
-  // A bound a million million times the true one, so that both sides of it can be told apart in doubles.
+TEST_CASE("What is no farther from a plane than its bound is told by the exact rows, and what is farther without") {
+  // A bound a million million times the true one, so that all is told by the exact rows up to there.
   FrustumParts numbers = parts(plainFrustum());
   numbers.planes[4].normalBound = 0x1p-10;
   numbers.planes[4].offsetBound = 0x1p-14;
@@ -147,10 +147,10 @@ TEST_CASE("What is no farther beyond a plane than its bound counts as on it, and
   const auto at = [&](double reach, double share) {
     return -1 + share * (near.normalBound * reach + near.offsetBound);
   };
-  for (const double share : {0.98, 1.02}) {
+  for (const double share : {0.0, 0x1p-30, 0.98, 1.02}) {
     CAPTURE(share);
-    const CullVerdict whole = share < 1 ? CullVerdict::intersects : CullVerdict::outside;
-    const CullVerdict part = share < 1 ? CullVerdict::inside : CullVerdict::intersects;
+    const CullVerdict whole = share == 0 ? CullVerdict::intersects : CullVerdict::outside;
+    const CullVerdict part = share == 0 ? CullVerdict::inside : CullVerdict::intersects;
     // The corner farthest inside, and the one farthest beyond.
     Box box{{-0.25, -0.125, -1}, {0.25, 0.125, -0.5}};
     box.min.z = at(size(box.min) + size(box.max), share);
@@ -168,7 +168,7 @@ TEST_CASE("What is no farther beyond a plane than its bound counts as on it, and
     CHECK(cull(f, Triangle{c, {0, 0, -1.5}, {0, 0, at(size(c), share)}}).verdict == part);
     for (const double side : {-1.0, 1.0}) {
       const Vec3 point{0.125, 0.25, at(size({0.125, 0.25, -1}), side * share)};
-      const double expected = share < 1 ? 0 : -side;
+      const double expected = share == 0 ? 0 : -side;
       const int sign = distanceInside(parts(f), near, point).sign();
       CHECK(sign == expected);
       CHECK(cull(f, point).verdict == (expected < 0 ? CullVerdict::outside : CullVerdict::inside));

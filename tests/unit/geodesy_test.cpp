@@ -1,5 +1,9 @@
 #include "viewproj/geodesy.hpp"
 
+#include <cmath>
+#include <limits>
+#include <random>
+
 #include "catch.hpp"
 #include "field_at_fault.hpp"
 #include "internals.hpp"
@@ -204,4 +208,69 @@ TEST_CASE("A centimetre at a kilometre is 10 pixels of a lens of a millionth, an
       CHECK(at(0.01).x - at(0).x == Approx(10).margin(4e-6));
       CHECK(at(0.01).y == Approx(500).margin(4e-6));
     }
+}
+
+TEST_CASE("A ray meets a surface of constant height where its height is that, once on its way in and once out") {
+  std::mt19937_64 engine(7);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  int inwards = 0, outwards = 0, twice = 0, grazing = 0;
+  for (int trial = 0; trial < 5000; ++trial) {
+    const double size = std::pow(10, 3 + 3 * unit(engine));
+    const double height = trial % 10 == 0 ? 0 : std::max(size * unit(engine), kLeastCrossedHeight);
+    const Geodetic place{90 * unit(engine), 180 * unit(engine), height};
+    const Vec3 point = geodeticToEcef(place), above = geodeticToEcef({place.lat, place.lon, height + 1e7});
+    Vec3 normal, direction;
+    for (std::size_t i = 0; i < 3; ++i) normal[i] = (above[i] - point[i]) / 1e7, direction[i] = unit(engine);
+    // Some nearly along the surface.
+    double slope = normal.x * direction.x + normal.y * direction.y + normal.z * direction.z;
+    if (trial % 5 == 0)
+      for (std::size_t i = 0; i < 3; ++i) direction[i] -= slope * (1 - 1e-4) * normal[i];
+    const double length = std::hypot(direction.x, direction.y, direction.z);
+    for (std::size_t i = 0; i < 3; ++i) direction[i] /= length;
+    slope = normal.x * direction.x + normal.y * direction.y + normal.z * direction.z;
+    const double before = 1e5 * (1 + unit(engine));
+    Ray ray{{}, direction};
+    for (std::size_t i = 0; i < 3; ++i) ray.origin[i] = point[i] - before * direction[i];
+    CAPTURE(trial, place.lat, place.lon, height, before, slope);
+    const HeightCrossings got = crossingsOfHeight(ray, height);
+    REQUIRE(got.count >= 1);
+    // One of them is the point that the ray was made to go through.
+    double nearest = 1e300;
+    for (int k = 0; k < got.count; ++k) {
+      const double t = got.distances[static_cast<std::size_t>(k)];
+      nearest = std::min(nearest, std::fabs(t - before));
+      const Vec3 at{ray.origin.x + t * direction.x, ray.origin.y + t * direction.y, ray.origin.z + t * direction.z};
+      CHECK(std::fabs(ecefToGeodetic(at).height - height) <= kCrossingBound);
+    }
+    CHECK(nearest <= 1e-7 / std::fabs(slope));
+    if (got.count == 2) CHECK(got.distances[0] < got.distances[1]);
+    twice += got.count == 2;
+    grazing += std::fabs(slope) < 1e-4;
+    (slope < 0 ? inwards : outwards)++;
+  }
+  CHECK(inwards > 2000);
+  CHECK(outwards > 2000);
+  CHECK(twice > 500);
+  CHECK(grazing > 500);
+}
+
+TEST_CASE("A surface of constant height is missed, touched and begun on") {
+  const double a = 6378137;
+  const auto count = [](const Vec3& origin, const Vec3& direction, double height) {
+    return crossingsOfHeight({origin, direction}, height).count;
+  };
+  CHECK(count({a + 2000, -1e6, 0}, {0, 1, 0}, 1000) == 0);
+  CHECK(count({a + 1000, -1e6, 0}, {0, 1, 0}, 1000.001) == 2);
+  CHECK(count({a + 1000, -1e6, 0}, {0, 1, 0}, 999.999) == 0);
+  // Away from it, from below it, and from the Earth's centre.
+  CHECK(count({a + 2000, 0, 0}, {1, 0, 0}, 1000) == 0);
+  CHECK(count({a, 0, 0}, {1, 0, 0}, 1000) == 1);
+  CHECK(count({0, 0, 0}, {0, 0, 1}, 1000) == 1);
+  const HeightCrossings on = crossingsOfHeight({{a + 1000, 0, 0}, {-1, 0, 0}}, 1000);
+  REQUIRE(on.count == 2);
+  CHECK(on.distances[0] <= kCrossingBound);
+  CHECK(std::fabs(on.distances[1] - 2 * (a + 1000)) < 1e-6);
+  CHECK(count({a, 0, 0}, {0, 0, 0}, 1000) == 0);
+  CHECK(count({std::numeric_limits<double>::infinity(), 0, 0}, {1, 0, 0}, 1000) == 0);
+  CHECK(count({a + 1000, 0, 0}, {-1, 0, 0}, -1.1e6) == 0);
 }

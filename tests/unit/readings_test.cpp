@@ -437,6 +437,11 @@ TEST_CASE("What no camera has written is told with its fault, either way round")
   CHECK(fault({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -2}).find("w row is 0 0 0 -2") != std::string::npos);
   CHECK(fault({1, 0.5, 0, 3, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}).find("right angles") != std::string::npos);
   CHECK(fault({1, 0, 0, 3, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}).find("flattens") != std::string::npos);
+  // Nothing but rounding is left of x across the picture.
+  for (double n : {7.0, 1.1, 1e-3}) {
+    CHECK(fault({n, n, n, n, n, n, n, n, n, n, n, n, n, n, n, n}).find("across the picture") != std::string::npos);
+    CHECK(fault({1, 0, 0, 0, n, n, n, n, 0, 0, 1, 0, n, n, n, n}).find("across the picture") != std::string::npos);
+  }
   CHECK(fault({1, 0, 0, 0, 0, 1, 0, 0, 0.2, 0.1, -1, -0.5, 0, 0, -1, 0}).find("oblique") != std::string::npos);
   CHECK(fault({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -0.5, 100, 0, 0, -1, 0}).find("viewport") != std::string::npos);
   CHECK(fault({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, NAN, 0, 0, -1, 0}).find("finite") != std::string::npos);
@@ -458,5 +463,14 @@ TEST_CASE("Angles of view come back, from the narrowest to the widest, and only 
     }
   const Inspection in = inspectMatrix(rowsOf(clipFromView(frustum(-1, 1, -1, 2, 1, 9), {})));
   CHECK(in.readings[0].lens->fovX);
-  CHECK_FALSE(in.readings[0].lens->fovY);
+  const LensEstimate& lens = *in.readings[0].lens;
+  REQUIRE(lens.fovY);
+  // atan(2) + atan(1); 2 atan(1); and between (-1, 2, 1) and (1, -1, 1), as (-1, -1, 1) and (1, 2, 1) are apart.
+  CHECK(holds(*lens.fovX, 90));
+  CHECK(holds(*lens.fovY, 108.43494882292202));
+  CHECK(holds(*lens.fovDiagonal, 118.12550570205571));
+  CHECK(holds((*lens.focalLength)[0], 0.5));
+  CHECK(holds((*lens.focalLength)[1], 1.0 / 3));
+  CHECK(holds((*lens.principalPoint)[0], 0.5));
+  CHECK(holds((*lens.principalPoint)[1], 2.0 / 3));
 }

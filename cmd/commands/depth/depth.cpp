@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "camera/camera.hpp"
+#include "commands/camera_options.hpp"
 #include "commands/command.hpp"
 #include "commands/depth/report.hpp"
 #include "commands/options.hpp"
@@ -70,6 +71,10 @@ std::vector<double> readDistances(const std::string& option, const std::string& 
   return readNumbers(option, text, 1, SIZE_MAX, "distances separated by commas, as in 1,10,100");
 }
 
+std::vector<double> readDepths(const std::string& option, const std::string& text) {
+  return readNumbers(option, text, 1, SIZE_MAX, "depths separated by commas, as in 0.9,0.99");
+}
+
 /// --resolve as it was typed.
 struct Resolve {
   std::string text;
@@ -112,7 +117,8 @@ std::vector<NamedMapping> mappingsOf(const Projection& projection, double first,
       mappings.push_back({reversed   ? (infinite ? "infinite reversed" : "reversed")
                           : infinite ? "infinite"
                                      : "forward",
-                          depthMapping(p, first, second, reversed), infinite != finite && reversed == reverseZ});
+                          depthMapping(p, first, second, reversed), infinite != finite && reversed == reverseZ,
+                          reversed});
   }
   return mappings;
 }
@@ -136,7 +142,7 @@ std::vector<NamedFormat> formatsFor(double largest, std::vector<std::string>& no
 
 struct Options {
   CameraOptions camera;
-  std::optional<std::vector<double>> at;
+  std::optional<std::vector<double>> at, depths;
   std::vector<double> gaps;
   std::vector<Resolve> resolves;
   ReportForm form = ReportForm::table;
@@ -147,6 +153,11 @@ int run(const Options& o) {
   if (o.form == ReportForm::svg && (o.at || !o.resolves.empty()))
     throw UsageError(std::string(o.at ? "--at" : "--resolve") +
                      " is for tables and JSON; --to svg plots every distance, and takes --gap");
+  for (const auto& [name, given] :
+       {std::pair("--at", o.at.has_value()), {"--gap", !o.gaps.empty()}, {"--resolve", !o.resolves.empty()}})
+    if (o.depths && given) throw UsageError(std::string("--depth only turns depths into distances; leave out ") + name);
+  if (o.depths && o.form == ReportForm::svg)
+    throw UsageError("--depth is for tables and JSON; --to svg plots what a depth buffer resolves");
   const CameraFile read = o.camera.read();
   if (!read.projection) throw InputError(read.name + ": the camera has no projection");
   const Viewport viewport = read.viewport.value_or(Viewport{});
@@ -154,6 +165,11 @@ int run(const Options& o) {
   if (std::min(first, second) < 0)
     throw InputError(read.name + ": viewport.depthRange reaches below 0, where no depth buffer stores anything");
 
+  if (o.depths) {
+    const DepthsReport distances{mappingsOf(*read.projection, first, second, read.convention.reverseZ), *o.depths};
+    writeOutput(o.form == ReportForm::json ? distancesAsJson(distances) : distancesAsTable(distances));
+    return 0;
+  }
   DepthReport report;
   report.mappings = mappingsOf(*read.projection, first, second, read.convention.reverseZ);
   report.formats = formatsFor(std::max(first, second), report.notes);
@@ -179,21 +195,26 @@ int run(const Options& o) {
 
 }  // namespace
 
-Action defineDepth(CLI::App& app) {
+Action defineDepth(CommandLine& line) {
   const auto o = std::make_shared<Options>();
-  app.description(
+  line.setDescription(
       "What a depth buffer resolves: the camera's window depth, its slope, and one step of d16, d24 and d32f as a "
       "length at each distance; forward, reversed and infinite side by side. Lengths are in the camera's unit.");
-  app.footer("viewproj depth samples/reversed-infinite-depth/camera.json --at 1,10,100 --gap 0.01 --resolve 0.01@500");
-  o->camera.add(app);
-  o->camera.addFile(app);
-  addValue(app, "--at", "DISTANCES", o->at, readDistances,
+  line.setExample(
+      "viewproj depth samples/reversed-infinite-depth/camera.json --at 1,10,100 --gap 0.01 --resolve 0.01@500");
+  o->camera.add(line);
+  o->camera.addFile(line);
+  o->camera.takeAnyOpening();
+  addValue(line, "--at", "DISTANCES", o->at, readDistances,
            "Distances along the viewing axis (default: decades from near to far)");
-  addValues(app, "--gap", "GAP", o->gaps, numberThat([](double gap) { return gap > 0; }, "a length above 0"),
+  addValue(line, "--depth", "DEPTHS", o->depths, readDepths,
+           "Only turn these depths into distances along the viewing axis, of each mapping: window depths, and NDC z of "
+           "-1..1");
+  addValues(line, "--gap", "GAP", o->gaps, numberThat([](double gap) { return gap > 0; }, "a length above 0"),
             "Tell up to which distance surfaces this far apart are stored apart, by default powers of ten about near");
-  addValues(app, "--resolve", "GAP@DISTANCE", o->resolves, readResolve,
+  addValues(line, "--resolve", "GAP@DISTANCE", o->resolves, readResolve,
             "Tell the near needed to store surfaces GAP apart apart at DISTANCE");
-  addReportForm(app, o->form, "the gap resolved over distance");
+  addReportForm(line, o->form, "the gap resolved over distance");
   return [o] { return run(*o); };
 }
 

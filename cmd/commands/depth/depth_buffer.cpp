@@ -60,11 +60,9 @@ struct Scaled {
 
   /// The inverse, for a depth between near's and far's. Infinite at infinity's depth.
   double distance(double depth) const {
-    const DoubleDouble span = twoDiff(mapping.atFar, mapping.atNear);
-    const DoubleDouble fromNear = twoDiff(depth, mapping.atNear) / span;
-    const DoubleDouble fromFar = twoDiff(mapping.atFar, depth) / span;
-    if (mapping.orthographic) return (DoubleDouble(near) * fromFar + DoubleDouble(far) * fromNear).hi;
-    const DoubleDouble divisor = nearOverDistance(near, far, fromNear, fromFar);
+    const auto at = depthFraction<DoubleDouble>(depth, {mapping.atNear, mapping.atFar});
+    if (mapping.orthographic) return orthographicDistance(near, far, at).hi;
+    const DoubleDouble divisor = nearOverDistance(near, far, at);
     return divisor.hi > 0 ? (DoubleDouble(near) / divisor).hi : kInfiniteFar;
   }
 
@@ -120,6 +118,15 @@ DepthMapping depthMapping(const ProjectionParts& p, double depthFirst, double de
 }
 
 double depthAtDistance(const DepthMapping& m, double distance) noexcept { return nearestDouble(depthAt(m, distance)); }
+
+double distanceAtDepth(const DepthMapping& m, double depth) noexcept {
+  if (!std::isfinite(depth)) return kNaN;
+  const auto at = depthFraction<Wide>(depth, {m.atNear, m.atFar});
+  if (m.orthographic) return double(orthographicDistance(m.near, m.far, at));
+  const Wide share = nearOverDistance(m.near, m.far, at);
+  if (share.sign() < 0) return kNaN;
+  return share.sign() == 0 ? kInfiniteFar : double(Wide(m.near) / share);
+}
 
 double depthSlope(const DepthMapping& m, double distance) noexcept {
   const Wide n = m.near, w = distance;

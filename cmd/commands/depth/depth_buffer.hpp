@@ -53,6 +53,9 @@ inline constexpr DepthFormat kFloatDepth{0, 0x1.fffffep127};
 double depthAtDistance(const DepthMapping& mapping, double distance) noexcept;
 double depthSlope(const DepthMapping& mapping, double distance) noexcept;
 
+/// The way back; infinite at the depth of infinity, NaN at one that no point in front of the eye has.
+double distanceAtDepth(const DepthMapping& mapping, double depth) noexcept;
+
 /// The step by which stored depths differ next to the depth of a surface at this distance, towards the eye.
 double depthStep(const DepthMapping& mapping, const DepthFormat& format, double distance) noexcept;
 

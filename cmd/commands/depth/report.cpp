@@ -61,14 +61,14 @@ Rows ownRows(const DepthReport& r) {
 }
 
 /// A heading, and a column for every mapping.
-std::vector<std::string> sideBySideHeader(const DepthReport& r, const std::string& heading) {
+std::vector<std::string> sideBySideHeader(const std::vector<NamedMapping>& mappings, const std::string& heading) {
   std::vector<std::string> header = {heading};
-  for (const NamedMapping& m : r.mappings) header.push_back(m.name + (m.own ? " *" : ""));
+  for (const NamedMapping& m : mappings) header.push_back(m.name + (m.own ? " *" : ""));
   return header;
 }
 
 Rows comparedRows(const DepthReport& r, const NamedFormat& f) {
-  Rows rows = {sideBySideHeader(r, f.name)};
+  Rows rows = {sideBySideHeader(r.mappings, f.name)};
   for (double distance : r.distances) {
     rows.push_back({formatNumber(distance)});
     for (const NamedMapping& m : r.mappings) rows.back().push_back(asGap(m.mapping, f.format, distance));
@@ -77,7 +77,7 @@ Rows comparedRows(const DepthReport& r, const NamedFormat& f) {
 }
 
 Rows reachRows(const DepthReport& r) {
-  Rows rows = {sideBySideHeader(r, "gap")};
+  Rows rows = {sideBySideHeader(r.mappings, "gap")};
   for (double gap : r.gaps)
     for (const NamedFormat& f : r.formats) {
       rows.push_back({formatNumber(gap) + " in " + f.name});
@@ -88,7 +88,7 @@ Rows reachRows(const DepthReport& r) {
 }
 
 Rows nearRows(const DepthReport& r) {
-  Rows rows = {sideBySideHeader(r, "gap@distance")};
+  Rows rows = {sideBySideHeader(r.mappings, "gap@distance")};
   for (const WantedGap& w : r.wanted)
     for (const NamedFormat& f : r.formats) {
       rows.push_back({formatNumber(w.gap) + "@" + formatNumber(w.distance) + " in " + f.name});
@@ -173,10 +173,59 @@ bool coincide(const PlotCurve& a, const PlotCurve& b) {
   return true;
 }
 
+/// NDC z in place of window depth.
+DepthMapping ofNdc(const NamedMapping& named) {
+  DepthMapping m = named.mapping;
+  m.atNear = named.reversed ? 1 : -1;
+  m.atFar = -m.atNear;
+  return m;
+}
+
+const DepthMapping& ownOf(const std::vector<NamedMapping>& mappings) {
+  return std::find_if(mappings.begin(), mappings.end(), [](const NamedMapping& m) { return m.own; })->mapping;
+}
+
 }  // namespace
 
-const DepthMapping& DepthReport::own() const {
-  return std::find_if(mappings.begin(), mappings.end(), [](const NamedMapping& m) { return m.own; })->mapping;
+const DepthMapping& DepthReport::own() const { return ownOf(mappings); }
+
+std::string distancesAsTable(const DepthsReport& r) {
+  const DepthMapping& m = ownOf(r.mappings);
+  const auto rows = [&](const char* heading, bool isNdc) {
+    Rows all = {sideBySideHeader(r.mappings, heading)};
+    for (const double depth : r.depths) {
+      all.push_back({formatNumber(depth)});
+      for (const NamedMapping& named : r.mappings) {
+        const double distance = distanceAtDepth(isNdc ? ofNdc(named) : named.mapping, depth);
+        all.back().push_back(std::isnan(distance)   ? "none"
+                             : std::isinf(distance) ? "infinite"
+                                                    : formatDigits(distance, 9));
+      }
+    }
+    return alignedTable(all);
+  };
+  return describe(m) + "; window depth " + formatNumber(m.atNear) + " at near, " + formatNumber(m.atFar) +
+         " at far\nHow far along the viewing axis what has these depths is; * is this camera's mapping.\n\n" +
+         rows("window depth", false) + "\n" + rows("NDC z of -1..1", true);
+}
+
+std::string distancesAsJson(const DepthsReport& r) {
+  const DepthMapping& m = ownOf(r.mappings);
+  std::vector<std::string> mappings;
+  for (const NamedMapping& named : r.mappings) {
+    std::vector<std::string> distances;
+    for (const double depth : r.depths) {
+      JsonObject out;
+      out.add("depth", depth).add("distance", distanceAtDepth(named.mapping, depth));
+      distances.push_back(out.add("distanceOfNdc", distanceAtDepth(ofNdc(named), depth)).text());
+    }
+    JsonObject out;
+    out.add("name", named.name).add("own", named.own);
+    mappings.push_back(out.addText("distances", jsonList(distances, ",\n    "), ",\n   ").text());
+  }
+  JsonObject out;
+  out.add("projection", m.orthographic ? "orthographic" : "perspective").add("near", m.near).add("far", m.far);
+  return out.addText("mappings", jsonList(mappings, ",\n  "), ",\n ").text() + "\n";
 }
 
 std::string depthAsTable(const DepthReport& r) {

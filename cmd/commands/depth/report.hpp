@@ -11,7 +11,8 @@ namespace viewproj::cmd {
 struct NamedMapping {
   std::string name;
   DepthMapping mapping;
-  bool own = false;  ///< the camera's
+  bool own = false;       ///< the camera's
+  bool reversed = false;  ///< near has the greatest NDC z
 };
 
 struct NamedFormat {
@@ -34,6 +35,15 @@ struct DepthReport {
 
   const DepthMapping& own() const;
 };
+
+/// Depths to distances: of window depths, and of NDC z from -1 to 1.
+struct DepthsReport {
+  std::vector<NamedMapping> mappings;
+  std::vector<double> depths;
+};
+
+std::string distancesAsTable(const DepthsReport& report);
+std::string distancesAsJson(const DepthsReport& report);
 
 std::string depthAsTable(const DepthReport& report);
 std::string depthAsJson(const DepthReport& report);

@@ -4,6 +4,7 @@
 #include "commands/draw/records.hpp"
 #include "commands/options.hpp"
 #include "commands/output_option.hpp"
+#include "commands/stream_options.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
 #include "text/file.hpp"
@@ -27,16 +28,8 @@ int run(const Options& o) {
   if (o.camera.lists()) return o.camera.list();
   FilterSetup setup = o.stream.setup(kPointColumns);
   setup.note = [&](const std::string& note) { o.camera.notes().say(note); };
-  // With --pixel standard input is read only if asked for; with a scene also where something can be in it.
-  const NamedInput ofScene{"the scene", isStandardInput(o.scene)};
-  const bool isFree = !o.camera.fromStandardInput() && !ofScene.isStandard && !isTerminal();
-  const bool reads = o.stream.hasFile() || (o.pixels.empty() && (!o.scene || isFree));
-  if (reads) {
-    o.stream.requireOneInput(setup, o.camera, ofScene);
-  } else {
-    o.stream.requireNoInputOption(o.pixels.empty() ? "is not given" : "--pixel takes the place of; - reads it as well");
-    requireOneStandardInput({{"the camera", o.camera.fromStandardInput()}, ofScene});
-  }
+  const bool reads = o.stream.readsBeside(o.scene, setup, o.camera,
+                                          o.pixels.empty() ? "" : "--pixel takes the place of; - reads it as well");
 
   const CameraFile file = o.camera.read();
   if (reads) o.stream.settleOnEarth(setup, file.worldIsEcef);
@@ -44,7 +37,7 @@ int run(const Options& o) {
   const Frustum frustum = viewFrustum(view.camera);
   std::vector<SceneObject> scene;
   if (o.scene) {
-    scene = readScene(*o.scene);
+    scene = readScene(*o.scene, file.worldIsEcef);
     addScene(view, frustum, scene);
   }
   const int status = reads ? addRecords(view, frustum, setup, file.worldIsEcef) : 0;
@@ -55,21 +48,21 @@ int run(const Options& o) {
 
 }  // namespace
 
-Action defineDraw(CLI::App& app) {
+Action defineDraw(CommandLine& line) {
   const auto o = std::make_shared<Options>();
-  app.description(
+  line.setDescription(
       "An SVG of what the camera sees: points under their id or name, segments, boxes, triangles and spheres, and "
       "where pixels hit a scene.");
-  app.footer(
+  line.setExample(
       "viewproj draw -c samples/a-picture-of-a-harbour/camera.json samples/a-picture-of-a-harbour/points.ndjson \\\n"
       "  --scene samples/a-picture-of-a-harbour/scene.json --pixel 700,250 > view.svg");
-  o->camera.add(app);
-  o->stream.addInput(app, "points and shapes");
-  o->stream.addKeepGoing(app);
-  addSceneOption(app, o->scene, ": its outlines are drawn");
-  addValues(app, "--pixel", "X,Y", o->pixels, readPixel,
+  o->camera.add(line);
+  o->stream.addInput(line, "points and shapes");
+  o->stream.addKeepGoing(line);
+  addSceneOption(line, o->scene, ": its outlines are drawn");
+  addValues(line, "--pixel", "X,Y", o->pixels, readPixel,
             "A pixel to mark, with --scene what its ray hits first; standard input is then read only for FILE -");
-  addOnlyForm(app, "SVG", ".svg");
+  addOnlyForm(line, "SVG", ".svg");
   return [o] { return run(*o); };
 }
 

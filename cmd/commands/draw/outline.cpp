@@ -25,8 +25,8 @@ double length(const Vec3& a) { return std::hypot(a.x, a.y, a.z); }
 /// Whether an end is in the picture, a hundredth of its size aside. Of a segment with one end 1e30 times as far away as
 /// the other, it need not be.
 bool isInPicture(const Viewport& v, const SegmentEnd& end) {
-  const double x = (end.screen.x - (v.x + (v.pixelCenter - 0.5))) / v.width;
-  const double y = (end.screen.y - (v.y + (v.pixelCenter - 0.5))) / v.height;
+  const Vec2 corner = detail::roundedCorner(v);
+  const double x = (end.screen.x - corner.x) / v.width, y = (end.screen.y - corner.y) / v.height;
   return std::fabs(x - 0.5) <= 0.51 && std::fabs(y - 0.5) <= 0.51;
 }
 
@@ -160,6 +160,10 @@ Outline outlineOf(const Frustum& frustum, const Sphere& sphere) {
 
 Outline outlineOf(const Frustum& frustum, const Ellipsoid& ellipsoid) {
   return silhouette(frustum, {{0, 0, 0}, ellipsoid.equatorial}, ellipsoid.polar / ellipsoid.equatorial);
+}
+
+Outline outlineOf(const Frustum& frustum, const HeightSurface& surface) {
+  return outlineOf(frustum, Ellipsoid{kWgs84.equatorial + surface.height, kWgs84.polar + surface.height});
 }
 
 }  // namespace viewproj::cmd

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "input/scene.hpp"
 #include "viewproj/scene.hpp"
 
 namespace viewproj::cmd {
@@ -33,5 +34,7 @@ Outline outlineOf(const Frustum& frustum, const Triangle& triangle);
 // plane cuts has an edge there too, which is not drawn; an eye within it sees no silhouette.
 Outline outlineOf(const Frustum& frustum, const Sphere& sphere);
 Outline outlineOf(const Frustum& frustum, const Ellipsoid& ellipsoid);
+/// As an ellipsoid, which leaves the surface by less than a line's width.
+Outline outlineOf(const Frustum& frustum, const HeightSurface& surface);
 
 }  // namespace viewproj::cmd

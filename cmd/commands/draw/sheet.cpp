@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "camera/screen_corner.hpp"
 #include "output/labels.hpp"
 #include "text/format_number.hpp"
 
@@ -11,9 +12,6 @@ namespace viewproj::cmd {
 namespace {
 
 constexpr double kRight = 20, kAxis = 24, kTallest = 620;
-
-/// The screen position of the picture's corner that screen numbers are counted from.
-Vec2 cornerOf(const Viewport& v) { return {v.x + (v.pixelCenter - 0.5), v.y + (v.pixelCenter - 0.5)}; }
 
 std::string pixelText(double value) { return formatDigits(value == 0 ? 0 : value, 12); }
 
@@ -52,7 +50,7 @@ double widestNumber(double from, double length) {
 }  // namespace
 
 Vec2 Sheet::operator()(const Vec2& screen) const {
-  const Vec2 corner = cornerOf(viewport);
+  const Vec2 corner = detail::roundedCorner(viewport);
   const double x = (screen.x - corner.x) / viewport.width, y = (screen.y - corner.y) / viewport.height;
   const bool down = viewport.origin == Origin::topLeft;
   return {frame.left + x * (frame.right - frame.left),
@@ -62,7 +60,7 @@ Vec2 Sheet::operator()(const Vec2& screen) const {
 Sheet makeSheet(const Viewport& viewport, double top) {
   Sheet sheet;
   sheet.viewport = viewport;
-  const double left = 14 + widestNumber(cornerOf(viewport).y, viewport.height);
+  const double left = 14 + widestNumber(detail::roundedCorner(viewport).y, viewport.height);
   const double shape = viewport.width / viewport.height;
   const double drawn = std::clamp(shape, 1 / kLongestSheet, kLongestSheet);
   sheet.stretched = drawn != shape;
@@ -81,7 +79,7 @@ double bottomOf(const Sheet& sheet) {
 std::string gridOf(const Sheet& sheet) {
   const svg::Box& frame = sheet.frame;
   const Viewport& v = sheet.viewport;
-  const Vec2 corner = cornerOf(v);
+  const Vec2 corner = detail::roundedCorner(v);
   const bool down = v.origin == Origin::topLeft;
   const double perUnitX = v.width / (frame.right - frame.left), perUnitY = v.height / (frame.bottom - frame.top);
   const double apartX = std::max(60.0, widestNumber(corner.x, v.width) + 12) * perUnitX;

@@ -2,6 +2,7 @@
 #include "commands/explain/explain.hpp"
 
 #include "camera/camera.hpp"
+#include "commands/camera_options.hpp"
 #include "commands/command.hpp"
 #include "commands/options.hpp"
 #include "input/model.hpp"
@@ -59,20 +60,20 @@ int run(const Options& o) {
 
 }  // namespace
 
-Action defineExplain(CLI::App& app) {
+Action defineExplain(CommandLine& line) {
   const auto o = std::make_shared<Options>();
-  app.description(
+  line.setDescription(
       "Every stage of one point's way to its pixel, or of one pixel's way back: world, view, clip and where w comes "
       "from, the clip inequalities, NDC, screen, each number with what it is made of.");
-  app.footer("viewproj explain -c samples/picking-a-pixel/camera.json --point 1,1,1 --convention d3d");
-  o->camera.add(app);
-  o->camera.addWriting(app);
-  addValue(app, "--point", kPointForm, o->point, readPoint, "The point to follow");
-  addValue(app, "--pixel", "X,Y[,DEPTH]", o->pixel, readPixelNumbers,
+  line.setExample("viewproj explain -c samples/picking-a-pixel/camera.json --point 1,1,1 --convention d3d");
+  o->camera.add(line);
+  o->camera.addWriting(line);
+  addValue(line, "--point", kPointForm, o->point, readPoint, "The point to follow");
+  addValue(line, "--pixel", "X,Y[,DEPTH]", o->pixel, readPixelNumbers,
            "The pixel to follow back, with a window depth if known");
-  addModelOption(app, o->model, "point");
-  addDigits(app, o->digits, std::to_string(kDefaultDigits));
-  addReportForm(app, o->form);
+  addModelOption(line, o->model, "point");
+  addDigits(line, o->digits, std::to_string(kDefaultDigits));
+  addReportForm(line, o->form);
   return [o] { return run(*o); };
 }
 

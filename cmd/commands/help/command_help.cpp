@@ -1,6 +1,5 @@
 #include "commands/help/command_help.hpp"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "commands/definition.hpp"
@@ -13,16 +12,10 @@ namespace {
 
 constexpr std::size_t kColumn = 30;
 
-OptionHelp describe(const CLI::Option& option) {
-  OptionHelp help{
-      .name = {}, .text = option.get_description(), .names = {}, .value = {}, .facts = FactKeeper::factsOf(&option)};
-  if (option.get_positional()) {
-    help.name = option.get_name(true);
-    return help;
-  }
-  for (const std::string& letter : option.get_snames()) help.names.push_back("-" + letter);
-  for (const std::string& word : option.get_lnames()) help.names.push_back("--" + word);
-  if (option.get_type_size() > 0) help.value = option.get_type_name();
+OptionHelp describe(const Option& option) {
+  OptionHelp help{.name = option.names, .text = option.help, .names = {}, .value = option.form, .facts = option.facts};
+  if (option.isOperand()) return help;
+  help.names = option.spelled();
   help.name = joined(help.names);
   if (!help.value.empty()) help.name += " " + help.value;
   return help;
@@ -31,36 +24,27 @@ OptionHelp describe(const CLI::Option& option) {
 std::string row(const OptionHelp& option, std::size_t width) {
   // On a narrow terminal the text has the larger part of the line.
   const std::size_t column = std::min(kColumn, width / 3);
-  const std::string name = "  " + option.name;
-  const bool fits = columnsOf(name) + 2 <= column;
-  return (fits ? paddedRight(name, column) : name + "\n" + std::string(column, ' ')) +
-         wrapped(option.text, width, column);
+  return entry("  " + option.name, column, option.text, width);
 }
 
 }  // namespace
 
-CommandHelp describe(const CLI::App& app) {
-  CommandHelp help{app.get_name(), app.get_description(), {}, {{kOwnOptions, {}}}, app.get_footer()};
-  for (const CLI::Option* option : app.get_options()) {
-    if (option->get_positional()) {
-      help.arguments.push_back(describe(*option));
+CommandHelp describe(const Command& command) {
+  const CommandLine line = wholeCommand(command);
+  CommandHelp help{line.name(), line.description(), {}, {{kOwnOptions, {}}}, line.example()};
+  for (const Option& option : line.options()) {
+    if (option.isOperand()) {
+      help.arguments.push_back(describe(option));
       continue;
     }
-    const std::string& heading = option->get_group();
     auto group = std::find_if(help.groups.begin(), help.groups.end(),
-                              [&](const OptionGroup& known) { return known.heading == heading; });
-    if (group == help.groups.end()) group = help.groups.insert(group, {heading, {}});
-    group->options.push_back(describe(*option));
+                              [&](const OptionGroup& known) { return known.heading == option.heading; });
+    if (group == help.groups.end()) group = help.groups.insert(group, {option.heading, {}});
+    group->options.push_back(describe(option));
   }
+  std::stable_partition(help.groups.begin(), help.groups.end(),
+                        [](const OptionGroup& group) { return group.heading != kCameraFields; });
   return help;
-}
-
-CommandHelp describe(const Command& command) {
-  const FactKeeper keeper;  // of this command alone: the next one's options may lie where these did
-  CommandLine app("", "viewproj " + std::string(command.name));
-  (void)define(command, app);
-  app.addAll();
-  return describe(app);
 }
 
 std::string usage(const CommandHelp& help) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "commands/command.hpp"
-#include "commands/values.hpp"
+#include "commands/command_line.hpp"
 
 namespace viewproj::cmd {
 
@@ -15,7 +15,7 @@ struct OptionHelp {
   std::string text;
   std::vector<std::string> names;  ///< "-c", "--camera"
   std::string value;               ///< "FILE[#NAME]"; empty where it takes none
-  OptionFacts facts;               ///< of describe(const Command&)
+  OptionFacts facts;
   bool operator==(const OptionHelp&) const = default;
 };
 
@@ -41,7 +41,6 @@ inline constexpr std::pair<const char*, const char*> kStatuses[] = {
     {"2", "The command line was wrong."},
 };
 
-CommandHelp describe(const CLI::App& app);
 CommandHelp describe(const Command& command);
 
 /// "viewproj project [options] [FILE]"

@@ -1,5 +1,4 @@
 // viewproj help: the tool, a command, or a topic.
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "commands/command.hpp"
@@ -44,18 +43,18 @@ int run(const Options& o) {
 
 }  // namespace
 
-Action defineHelp(CLI::App& app) {
+Action defineHelp(CommandLine& line) {
   const auto o = std::make_shared<Options>();
-  app.description("What a command is about, with its options, or one of the topics: " + [] {
+  line.setDescription("What a command is about, with its options, or one of the topics: " + [] {
     std::vector<std::string_view> names;
     for (const Topic& topic : topics()) names.push_back(topic.name);
     return joined(names);
   }() + ".");
-  app.footer("viewproj help camera");
-  addValue(app, "NAME", "", o->name, readText, "A command or a topic; absent: all of them, a line each");
-  app.add_flag("--json", o->json, "All commands, options, topics and fields, for editors and scripts");
-  addOnlyForm(app, "text or JSON", ".txt .json");
-  o->notes.add(app);
+  line.setExample("viewproj help camera");
+  addValue(line, "NAME", "", o->name, readText, "A command or a topic; absent: all of them, a line each");
+  line.addFlag("--json", o->json, "All commands, options, topics and fields, for editors and scripts");
+  addOnlyForm(line, "text or JSON", ".txt .json");
+  o->notes.add(line);
   return [o] { return run(*o); };
 }
 

@@ -8,6 +8,8 @@
 #include "input/camera_fields.hpp"
 #include "input/camera_source.hpp"
 #include "input/coordinates.hpp"
+#include "input/kinds/kind.hpp"
+#include "input/kinds/unread.hpp"
 #include "input/projection_types.hpp"
 #include "input/scene_fields.hpp"
 #include "output/matrix_text.hpp"
@@ -38,8 +40,7 @@ std::string listed(const std::vector<Entry>& entries, std::size_t width) {
   for (const Entry& e : entries) {
     std::string line = "  " + e.name;
     if (!e.form.empty()) line = paddedRight(line + (columnsOf(e.name) > nameWidth ? " " : ""), formAt) + e.form;
-    const bool fits = columnsOf(line) + 2 <= textAt;
-    out += (fits ? paddedRight(line, textAt) : line + "\n" + std::string(textAt, ' ')) + wrapped(e.text, width, textAt);
+    out += entry(line, textAt, e.text, width);
   }
   return out;
 }
@@ -51,11 +52,10 @@ std::string spellings(std::string_view name, std::span<const std::string_view> a
   return text;
 }
 
-std::vector<Entry> entriesOf(FieldList fields, FieldList without = {}) {
+std::vector<Entry> entriesOf(FieldList fields) {
   std::vector<Entry> entries;
   for (const Field* field : fields)
-    if (std::find(without.begin(), without.end(), field) == without.end())
-      entries.push_back({spellings(field->name, field->aliases()), formInWords(*field), std::string(field->help)});
+    entries.push_back({spellings(field->name, field->aliases()), formInWords(*field), std::string(field->help)});
   return entries;
 }
 
@@ -88,15 +88,18 @@ std::vector<Entry> entriesOf(std::span<const FormRow<T>> rows) {
 }  // namespace
 
 std::string camera(std::size_t width) {
-  constexpr FieldList kApart = field::list<field::projection, field::viewport>;
+  return wrapped(
+             "A camera file is a JSON object: a pose, a projection, a viewport, and the convention their numbers are "
+             "in. Fields are options too, as --fov-y for fovY: without a file they are the camera, over a file they "
+             "change it. viewproj help projection and help viewport tell the fields of these two.",
+             width) +
+         "\n" + listed(entriesOf(field::camera.fields), width);
+}
+
+std::string projection(std::size_t width) {
   std::string out =
-      wrapped(
-          "A camera file is a JSON object: a pose, a projection, a viewport, and the convention their numbers are "
-          "in. Fields are options too, as --fov-y for fovY: without a file they are the camera, over a file they "
-          "change it.",
-          width) +
-      "\n" + listed(entriesOf(field::camera.fields, kApart), width);
-  out += paragraph("projection: the type, and its fields.", width);
+      wrapped("projection, of a camera file, says what the camera sees: its type, and fields of that type.", width) +
+      "\n";
   std::vector<Entry> types;
   std::vector<const Field*> all;
   for (const ProjectionType& type : projectionTypes()) {
@@ -104,9 +107,14 @@ std::string camera(std::size_t width) {
     for (const Field* field : type.form.fields)
       if (std::find(all.begin(), all.end(), field) == all.end()) all.push_back(field);
   }
-  out += listed(types, width) + "\n" + listed(entriesOf(all), width);
-  out += paragraph("viewport: " + std::string(field::picture.help), width);
-  return out + listed(entriesOf(field::picture.fields), width);
+  return out + listed(types, width) + "\n" + listed(entriesOf(all), width);
+}
+
+std::string viewport(std::size_t width) {
+  return wrapped("viewport, of a camera file, is the picture: a size in pixels, or [x, y, width, height]. " +
+                     std::string(field::picture.help),
+                 width) +
+         "\n" + listed(entriesOf(field::picture.fields), width);
 }
 
 std::string points(std::size_t width) {
@@ -177,15 +185,61 @@ std::string conventions(std::size_t width) {
 
 std::string formats(std::size_t width) {
   std::string out = wrapped("Cameras: a camera file (viewproj help camera), and, known by what stands in them:", width);
-  for (const std::string_view form : foreignForms()) out += "  " + std::string(form) + "\n";
-  out += paragraph("FILE#NAME or FILE#INDEX picks one of several; --list names them.", width);
+  std::vector<Entry> files;
+  for (const ForeignFile& file : foreignFiles())
+    files.push_back({std::string(file.name), "",
+                     std::string(file.form) + (file.help.empty() ? "" : "; " + std::string(file.help))});
+  out += listed(files, width);
+  out += paragraph(
+      "FILE#NAME or FILE#INDEX picks one of several, FILE##INDEX where a number is a name too; --list tells what picks "
+      "each.",
+      width);
+  out +=
+      paragraph("Known and not read, with a word about what to copy from them: " + joined(unreadForms()) + ".", width);
   out += paragraph("Points and pixels, in:", width) + listed(entriesOf(inputForms()), width);
   out +=
       paragraph("Their results, as --to or the name after -o tells:", width) + listed(entriesOf(outputForms()), width);
-  std::vector<Entry> matrices;
-  for (const std::string_view format : matrixFormats())
-    matrices.push_back({std::string(format), std::string(endingsOf(format)), std::string(helpOn(format))});
-  return out + paragraph("Matrices:", width) + listed(matrices, width);
+  const auto matrices = matrixForms();
+  return out + paragraph("Matrices:", width) + listed(entriesOf(std::span(matrices)), width);
+}
+
+std::string kinds(std::size_t width) {
+  std::string out = wrapped(
+      "A row describes a kind of camera file in JSON or YAML: what it is known by, and where in it the numbers of a "
+      "camera stand. --format FILE reads the camera file as the row in FILE says, or the first that fits of several in "
+      "an array.",
+      width);
+  out += paragraph(
+      "A place is keys with dots between them, as in lens.focal.0; * is each entry of an array or an object. Several "
+      "places in an array: the one of them that the file has. A number in place of a place holds for every file.",
+      width);
+  out += paragraph(
+      "Three numbers may stand apart, each in a place of its own, and turns are angles. What the camera only names is "
+      "beside it under that name. Views are several cameras in one:",
+      width);
+  out += R"(
+  form: a flight log                    form: a pair
+  knownBy: [px, yaw, lens]              knownBy: [f, left, right]
+  cameras: "log.*"                      fx: f
+  beside: "lenses.{lens}"               size: picture
+  fovY: fov                             pose: cameraFromWorld
+  size: picture                         convention: opencv
+  position: [px, py, pz]                views:
+  euler:                                  left: {matrix: left}
+    order: ZYX                            right: {matrix: right}
+    degrees: [yaw, pitch, roll]
+  pose: worldFromCamera
+  axes: FLU
+  convention: opengl
+)";
+  std::vector<Entry> entries;
+  for (const KindField& field : kindFields()) {
+    std::string words;
+    for (const std::string_view word : field.words)
+      if (!word.empty()) words += (words.empty() ? "" : ", ") + std::string(word);
+    entries.push_back({std::string(field.name), "", std::string(field.help) + (words.empty() ? "" : ": " + words)});
+  }
+  return out + paragraph("Its words:", width) + listed(entries, width);
 }
 
 std::string precision(std::size_t width) {

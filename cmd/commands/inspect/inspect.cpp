@@ -3,10 +3,10 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "commands/camera_options.hpp"
 #include "commands/command.hpp"
 #include "commands/inspect/notes.hpp"
 #include "commands/inspect/report.hpp"
-#include "commands/options.hpp"
 #include "commands/output_option.hpp"
 #include "input/convention_names.hpp"
 #include "output/matrix_text.hpp"
@@ -190,19 +190,20 @@ struct Options {
   std::string file = "-";
   std::optional<std::vector<std::string>> which;
   Choice choice;
-  std::optional<std::string> format;
+  std::optional<std::string_view> format;
   bool asFloat = false, exact = false;
 };
 
-constexpr std::string_view kReports[] = {"table", "json"};
+constexpr std::string_view kTable = "table", kReports[] = {kTable, "json"};
 
 /// The form of the output, of a report or of converted matrices.
-std::string formOf(const Options& o, bool converts) {
-  if (!o.format) return converts ? "json" : "table";
+std::string_view formOf(const Options& o, bool converts) {
+  if (!o.format) return converts ? "json" : kTable;
   const std::vector<std::string_view> forms =
-      converts ? matrixFormats() : std::vector<std::string_view>(std::begin(kReports), std::end(kReports));
+      converts ? known(namesOf(std::span<const FormRow<std::string_view>>(matrixForms())))
+               : std::vector<std::string_view>(std::begin(kReports), std::end(kReports));
   if (std::find(forms.begin(), forms.end(), *o.format) == forms.end())
-    throw UsageError("--to " + *o.format +
+    throw UsageError("--to " + std::string(*o.format) +
                      (converts
                           ? " is of readings; with --convention there are "
                           : " is of a matrix in another convention, which --convention names; without it there are ") +
@@ -210,15 +211,26 @@ std::string formOf(const Options& o, bool converts) {
   return *o.format;
 }
 
+/// A calibration's whole file holds its matrices among much else.
+WrittenMatrices parsed(const std::string& text, const std::string& source) {
+  try {
+    return parseMatrices(text, source);
+  } catch (const InputError& e) {
+    const auto has = [&](const char* word) { return text.find(word) != std::string::npos; };
+    if (!text.starts_with("%YAML") && !has("camera_matrix") && !has("image_width") && !has("distortion")) throw;
+    throw InputError(std::string(e.what()) + "; a camera file is read by matrix FILE --to summary");
+  }
+}
+
 int run(const Options& o) {
   const bool converts = o.writing.namesConvention();
   if (o.writing.namesAxis() && !converts)
     throw UsageError("--reverse-z and --ndc-z go with --convention NAME, the convention to write");
-  const std::string format = formOf(o, converts);
+  const std::string_view format = formOf(o, converts);
   const Choice& choice = o.choice;
 
   const std::string source = o.file == "-" ? kStandardInputName : visible(o.file);
-  WrittenMatrices given = parseMatrices(readWholeFile(o.file, kMostBytes), source);
+  WrittenMatrices given = parsed(readWholeFile(o.file, kMostBytes), source);
   const bool isFloat = o.asFloat || (given.isFloat && !o.exact);
   const std::vector<WrittenMatrix> chosen = chooseMatrices(std::move(given.matrices), o.which, source);
   // One at a time: its readings take many times the memory of its numbers.
@@ -231,6 +243,11 @@ int run(const Options& o) {
     MatrixSet set;
     const bool chose = choice.readAs || choice.number;
     for (std::size_t i = 0; i < chosen.size(); ++i) {
+      if (chosen[i].isCalibration)
+        throw InputError(
+            source + ": " + nameOf(chosen[i], i) +
+            ": is a calibration in pixels, and has no form in other conventions; without --convention inspect "
+            "tells the camera in it, and matrix takes that");
       const InspectedMatrix m = inspected(chosen[i]);
       hasWorld |= isOfAWorld(m);
       set.matrices.push_back(convertOne(m, nameOf(chosen[i], i), source, chose ? std::nullopt : given.convention,
@@ -244,6 +261,21 @@ int run(const Options& o) {
   Report report(format == "json", isFloat);
   bool allFit = true;
   for (const WrittenMatrix& written : chosen) {
+    if (written.isCalibration) {
+      if (choice.readAs || choice.number)
+        throw UsageError(choice.asked() + ": a calibration of three rows has one reading, in no convention");
+      hasWorld = hasWorld || written.columns == 4;
+      const bool isExact = o.exact || (given.isOwn && !mayBeFloats(written));
+      try {
+        writeOutput(report.add(
+            written,
+            inspectCalibration(written, isFloat ? EntryPrecision::float32 : EntryPrecision::float64, isExact)));
+      } catch (const CameraError& e) {
+        throw InputError(source + ": " + (written.name.empty() ? e.field() : written.name) + ": " + e.message() +
+                         "; three rows are K or K [R | t], and any other matrix has 16 numbers");
+      }
+      continue;
+    }
     const InspectedMatrix m = inspected(written);
     allFit &= !m.readings.empty();
     hasWorld |= isOfAWorld(m);
@@ -256,28 +288,31 @@ int run(const Options& o) {
 
 }  // namespace
 
-Action defineInspect(CLI::App& app) {
+Action defineInspect(CommandLine& line) {
   const auto o = std::make_shared<Options>();
-  app.description(
+  line.setDescription(
       "Every reading of a 4x4 matrix: which conventions it can be written in, and the camera in it; with --convention "
-      "the same matrix in another convention. Status 1 where nothing fits.");
-  app.footer("viewproj matrix samples/picking-a-pixel/camera.json --which projection --to flat | viewproj inspect");
-  addValue(app, "FILE", "", o->file, readFileName,
+      "the same matrix in another convention. Of three rows of three or four numbers, K or P of a calibration, the "
+      "camera. Status 1 where nothing fits.");
+  line.setExample(
+      "viewproj matrix samples/picking-a-pixel/camera.json --which projection --to flat | viewproj inspect");
+  addValue(line, "FILE", "", o->file, readFileName,
            "The matrices: JSON, an initialiser of C, HLSL, GLSL or NumPy, or rows of numbers; absent or - for standard "
            "input");
-  addValue(app, "--which", "NAMES", o->which, splitNames, "Of several matrices only these, by name");
-  app.add_flag("--float", o->asFloat, "The numbers are float32s (default: doubles)");
-  app.add_flag("--exact", o->exact, "The numbers are what they stand for, however few digits they have");
-  addChoice(app, "--world", "HAND", o->choice.world, rowsOf(kWorldNames), "Only readings of this handedness", "both");
-  addChoice(app, "--read-as", "NAME", o->choice.readAs, presetConventions(), "Only readings of this convention", "all");
-  addValue(app, "--reading", "N", o->choice.number, wholeNumber(1, kMostReadings), "Only this reading, by its number");
-  o->writing.addWriting(app);
-  std::vector<FormRow<std::string>> forms = matrixForms();
-  forms.insert(forms.begin(), {"table", "table", ".txt"});
-  addForm(app, o->format, std::span<const FormRow<std::string>>(forms),
+  addValue(line, "--which", "NAMES", o->which, splitNames, "Of several matrices only these, by name");
+  line.addFlag("--float", o->asFloat, "The numbers are float32s (default: doubles)");
+  line.addFlag("--exact", o->exact, "The numbers are what they stand for, however few digits they have");
+  addChoice(line, "--world", "HAND", o->choice.world, rowsOf(kWorldNames), "Only readings of this handedness", "both");
+  addChoice(line, "--read-as", "NAME", o->choice.readAs, presetConventions(), "Only readings of this convention",
+            "all");
+  addValue(line, "--reading", "N", o->choice.number, wholeNumber(1, kMostReadings), "Only this reading, by its number");
+  o->writing.addWriting(line);
+  auto forms = matrixForms();
+  forms.insert(forms.begin(), {kTable, kTable, ".txt"});
+  addForm(line, o->format, std::span<const FormRow<std::string_view>>(forms),
           "Form of the output; with --convention any but table, without it table or json",
           "table; with --convention json");
-  o->notes.add(app);
+  o->notes.add(line);
   return [o] { return run(*o); };
 }
 

@@ -35,11 +35,15 @@ std::string depthNote(const Reading& centred, const Reading& half) {
 std::string shortestWithin(const Estimate& e) {
   if (std::isinf(e.value)) return "infinite";
   if (!std::isfinite(e.low) || !std::isfinite(e.high)) return formatNumber(e.value);
+  // A number that digits leave wide open is told near its middle, a sharp one as it was probably meant.
+  constexpr double kWide = 0.01;
+  const bool isWide = e.high / 2 - e.low / 2 > kWide * std::fabs(e.value);
+  const double low = isWide ? e.low / 2 + e.value / 2 : e.low, high = isWide ? e.high / 2 + e.value / 2 : e.high;
   for (int digits = 0;; ++digits) {
     char text[40];
     std::snprintf(text, sizeof text, "%.*e", digits, e.value);
     const double number = std::strtod(text, nullptr);
-    if (digits == 16 || (e.low <= number && number <= e.high)) return formatNumber(number);
+    if (digits == 16 || (low <= number && number <= high)) return formatNumber(number);
   }
 }
 

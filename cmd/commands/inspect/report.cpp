@@ -113,19 +113,37 @@ struct Line {
   std::string name, value, spread;
 };
 
+Line lineOf(const char* name, const Estimate& e) { return {name, shortestWithin(e), spread(e)}; }
+
+Line eyeLine(const std::array<Estimate, 3>& eye) {
+  std::string text;
+  double most = 0;
+  for (const Estimate& e : eye) {
+    text += (text.empty() ? "" : " ") + shortestWithin(e);
+    most = std::max(most, e.high / 2 - e.low / 2);
+  }
+  return {"eye", text, plusMinusText(most)};
+}
+
+std::string asText(const std::vector<Line>& lines) {
+  std::size_t nameWidth = 0, valueWidth = 0;
+  for (const Line& line : lines) {
+    nameWidth = std::max(nameWidth, columnsOf(line.name));
+    valueWidth = std::max(valueWidth, columnsOf(line.value));
+  }
+  std::string out;
+  for (const Line& line : lines) {
+    out += "  " + paddedRight(line.name, nameWidth + 2);
+    out += (line.spread.empty() ? line.value : paddedRight(line.value, valueWidth + 2) + line.spread) + "\n";
+  }
+  return out;
+}
+
 std::vector<Line> parametersOf(const Reading& r) {
   std::vector<Line> lines;
-  const auto add = [&](const char* name, const Estimate& e) { lines.push_back({name, shortestWithin(e), spread(e)}); };
+  const auto add = [&](const char* name, const Estimate& e) { lines.push_back(lineOf(name, e)); };
   if (r.place) {
-    if (r.place->eyeIsKnown) {
-      std::string eye;
-      double most = 0;
-      for (const Estimate& e : r.place->eye) {
-        eye += (eye.empty() ? "" : " ") + shortestWithin(e);
-        most = std::max(most, e.high / 2 - e.low / 2);
-      }
-      lines.push_back({"eye", eye, plusMinusText(most)});
-    }
+    if (r.place->eyeIsKnown) lines.push_back(eyeLine(r.place->eye));
     lines.push_back({"right", vectorText(r.place->right), plusMinusText(r.place->axisErrors.x)});
     lines.push_back({"up", vectorText(r.place->up), plusMinusText(r.place->axisErrors.y)});
     lines.push_back({"forward", vectorText(r.place->forward), plusMinusText(r.place->axisErrors.z)});
@@ -139,6 +157,15 @@ std::vector<Line> parametersOf(const Reading& r) {
     add("window top", lens.top);
     if (lens.fovX) add("fovX", *lens.fovX);
     if (lens.fovY) add("fovY", *lens.fovY);
+    if (lens.fovDiagonal) add("fovDiagonal", *lens.fovDiagonal);
+    // In widths and heights of the picture.
+    const auto addShares = [&](const char* name, const std::array<Estimate, 2>& shares) {
+      const auto half = [](const Estimate& e) { return e.high / 2 - e.low / 2; };
+      lines.push_back({name, shortestWithin(shares[0]) + " w " + shortestWithin(shares[1]) + " h",
+                       plusMinusText(std::max(half(shares[0]), half(shares[1])))});
+    };
+    if (lens.focalLength) addShares("focal length", *lens.focalLength);
+    if (lens.principalPoint) addShares("principal point", *lens.principalPoint);
     add("aspect", lens.aspect);
     add("near", lens.near);
     add("far", lens.far);
@@ -196,8 +223,11 @@ Json asJson(const NumberedReading& numbered, NumberOrder order) {
               {"top", asJson(lens.top)},
               {"aspect", asJson(lens.aspect)}};
     if (!lens.orthographic) {
-      part["fovX"] = lens.fovX ? asJson(*lens.fovX) : Json(nullptr);
-      part["fovY"] = lens.fovY ? asJson(*lens.fovY) : Json(nullptr);
+      part["fovX"] = asJson(*lens.fovX);
+      part["fovY"] = asJson(*lens.fovY);
+      part["fovDiagonal"] = asJson(*lens.fovDiagonal);
+      part["focalLength"] = {asJson((*lens.focalLength)[0]), asJson((*lens.focalLength)[1])};
+      part["principalPoint"] = {asJson((*lens.principalPoint)[0]), asJson((*lens.principalPoint)[1])};
     }
     part["near"] = asJson(lens.near);
     part["far"] = asJson(lens.far);
@@ -263,24 +293,16 @@ std::string parameterTable(const InspectedMatrix& m) {
       if (!shared) place = rows.insert(place, {line, {}});
       place->readings.push_back(n.number);
     }
-  std::size_t nameWidth = 0, valueWidth = 0;
-  for (const Row& row : rows) {
-    nameWidth = std::max(nameWidth, columnsOf(row.line.name));
-    valueWidth = std::max(valueWidth, row.line.value.size());
-  }
-  std::string out;
-  for (const auto& [line, readings] : rows) {
-    std::string tail = line.spread;
+  std::vector<Line> lines;
+  for (auto& [line, readings] : rows) {
     if (readings.size() != m.readings.size()) {
-      tail += tail.empty() ? "[" : "  [";
-      for (std::size_t number : readings) tail += (tail.back() == '[' ? "" : " ") + std::to_string(number);
-      tail += "]";
+      std::string which;
+      for (std::size_t number : readings) which += (which.empty() ? "" : " ") + std::to_string(number);
+      line.spread += (line.spread.empty() ? "[" : "  [") + which + "]";
     }
-    out += "  " + line.name + std::string(nameWidth - line.name.size() + 2, ' ') + line.value;
-    if (!tail.empty()) out += std::string(valueWidth - line.value.size() + 2, ' ') + tail;
-    out += "\n";
+    lines.push_back(line);
   }
-  return out;
+  return asText(lines);
 }
 
 std::string asText(const InspectedMatrix& m, const std::string& name) {
@@ -295,6 +317,39 @@ std::string asText(const InspectedMatrix& m, const std::string& name) {
   if (!m.readings.empty()) out += readingTable(m) + "\n" + parameterTable(m) + (m.notes.empty() ? "" : "\n");
   for (const std::string& note : m.notes) out += "  " + wrapped(note, terminalWidth(), 4);
   return out;
+}
+
+std::vector<Line> parametersOf(const Calibration& c) {
+  std::vector<Line> lines = {lineOf("fx", c.fx), lineOf("fy", c.fy), lineOf("cx", c.cx), lineOf("cy", c.cy),
+                             lineOf("skew", c.skew)};
+  if (!c.eye) return lines;
+  lines.push_back(eyeLine(*c.eye));
+  lines.push_back({"right", vectorText(c.right), ""});
+  lines.push_back({"down", vectorText(c.down), ""});
+  lines.push_back({"forward", vectorText(c.forward), ""});
+  return lines;
+}
+
+std::string asText(const Calibration& c, const std::string& name) {
+  std::string out = name + ": " +
+                    (c.eye ? "P = K [R | t], a calibrated camera in the world" : "K, the intrinsics of a camera") +
+                    ", in pixels\n\n";
+  out += asText(parametersOf(c)) + "\n";
+  for (const std::string& note : c.notes) out += "  " + wrapped(note, terminalWidth(), 4);
+  return out;
+}
+
+Json asJson(const Calibration& c, const std::string& name) {
+  Json part{{"name", name},       {"kind", c.eye ? "P" : "K"}, {"fx", asJson(c.fx)},    {"fy", asJson(c.fy)},
+            {"cx", asJson(c.cx)}, {"cy", asJson(c.cy)},        {"skew", asJson(c.skew)}};
+  if (c.eye) {
+    part["eye"] = {asJson((*c.eye)[0]), asJson((*c.eye)[1]), asJson((*c.eye)[2])};
+    part["right"] = asJson(c.right);
+    part["down"] = asJson(c.down);
+    part["forward"] = asJson(c.forward);
+  }
+  part["notes"] = c.notes;
+  return part;
 }
 
 Json asJson(const InspectedMatrix& m, const std::string& name) {
@@ -329,11 +384,22 @@ std::string oneLine(const NumberedReading& numbered, NumberOrder order) {
 
 std::string Report::add(const InspectedMatrix& m) {
   const std::string name = nameOf(m.written, count_);
+  return json_ ? item({}, asJson(m, name).dump(2, ' ', false, Json::error_handler_t::replace))
+               : item(asText(m, name), {});
+}
+
+std::string Report::add(const WrittenMatrix& m, const Calibration& calibration) {
+  const std::string name = nameOf(m, count_);
+  return json_ ? item({}, asJson(calibration, name).dump(2, ' ', false, Json::error_handler_t::replace))
+               : item(asText(calibration, name), {});
+}
+
+std::string Report::item(const std::string& text, const std::string& json) {
   const bool first = count_++ == 0;
-  if (!json_) return (first ? "" : "\n") + asText(m, name);
+  if (!json_) return (first ? "" : "\n") + text;
   std::string out =
       first ? std::string("{\n  \"entries\": \"") + (asFloat_ ? "float32" : "float64") + "\",\n  \"matrices\": [" : ",";
-  for (const char c : "\n" + asJson(m, name).dump(2, ' ', false, Json::error_handler_t::replace)) {
+  for (const char c : "\n" + json) {
     out += c;
     if (c == '\n') out += "    ";
   }

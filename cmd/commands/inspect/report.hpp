@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "commands/inspect/calibration.hpp"
 #include "input/matrix_numbers.hpp"
 
 namespace viewproj::cmd {
@@ -31,10 +32,13 @@ class Report {
  public:
   Report(bool json, bool asFloat) : json_(json), asFloat_(asFloat) {}
   std::string add(const InspectedMatrix& matrix);
+  std::string add(const WrittenMatrix& matrix, const Calibration& calibration);
   /// After one matrix or more.
   std::string end() const;
 
  private:
+  std::string item(const std::string& text, const std::string& json);
+
   bool json_, asFloat_;
   std::size_t count_ = 0;
 };

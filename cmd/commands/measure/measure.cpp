@@ -3,6 +3,7 @@
 #include "commands/measure/measurement.hpp"
 #include "commands/measure/report.hpp"
 #include "commands/options.hpp"
+#include "commands/stream_options.hpp"
 #include "input/points.hpp"
 #include "output/output_file.hpp"
 #include "stream/filter.hpp"
@@ -108,20 +109,20 @@ int run(const Options& o) {
 
 }  // namespace
 
-Action defineMeasure(CLI::App& app) {
+Action defineMeasure(CommandLine& line) {
   const auto o = std::make_shared<Options>();
-  app.description(
+  line.setDescription(
       "Speed and error of every precision on your own points, beside the textbook way: the view-projection matrix in "
       "double and in float, and rays by its inverse.");
-  app.footer("viewproj measure -c samples/measuring-the-trade/camera.json samples/measuring-the-trade/points.txt");
-  o->camera.add(app);
-  o->stream.addInput(app, "points");
-  o->stream.addKeepGoing(app);
-  addTolerance(app, o->tolerance);
-  addValue(app, "--seconds", "S", o->seconds,
+  line.setExample("viewproj measure -c samples/measuring-the-trade/camera.json samples/measuring-the-trade/points.txt");
+  o->camera.add(line);
+  o->stream.addInput(line, "points");
+  o->stream.addKeepGoing(line);
+  addTolerance(line, o->tolerance);
+  addValue(line, "--seconds", "S", o->seconds,
            numberThat([](double seconds) { return seconds > 0 && seconds <= 3600; }, "a number above 0, up to 3600"),
            "How long to time, seven rounds at least (default: 1)");
-  addReportForm(app, o->form, "error over cost");
+  addReportForm(line, o->form, "error over cost");
   return [o] { return run(*o); };
 }
 

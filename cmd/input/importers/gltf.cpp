@@ -2,11 +2,13 @@
 // Source: glTF 2.0 specification, "Nodes and Hierarchy" and "Cameras".
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <unordered_map>
 
 #include "camera/camera.hpp"
 #include "input/importers/importer.hpp"
 #include "input/placement.hpp"
 #include "numbers/radians.hpp"
+#include "text/error.hpp"
 
 namespace viewproj::cmd {
 
@@ -29,40 +31,47 @@ struct Gltf {
     nodes = root.objects("nodes");
     cameras = root.objects("cameras");
     for (std::size_t i = 0; i < nodes.size(); ++i)
-      if (cameraOf(i)) cameraNodes.push_back(i);
+      if (nodes[i].has("camera")) cameraNodes.push_back(i);
     if (!cameraNodes.empty()) return;
     if (cameras.empty()) root.fail("has no cameras");
     root.fail("cameras", "stand on no node: none says where one is");
   }
 
-  std::optional<std::size_t> cameraOf(std::size_t node) const {
-    return nodes[node].index("camera", cameras.size(), "cameras");
+  /// Of one of cameraNodes. Throws where there is none of the number.
+  ObjectReader cameraOf(std::size_t node) const {
+    return cameras[*nodes[node].index("camera", cameras.size(), "cameras")];
   }
 };
 
 std::vector<HeldCamera> list(const Document& document) {
   const Gltf gltf(document);
+  const auto meanwhile = document.withoutPlaces();
   std::vector<HeldCamera> result;
   for (std::size_t node : gltf.cameraNodes) {
-    const ObjectReader camera = gltf.cameras[*gltf.cameraOf(node)];
     HeldCamera held;
-    held.name = gltf.nodes[node].text("name").value_or("");
     held.number = std::to_string(node);
-    held.alias = camera.text("name").value_or("");
-    held.kind = camera.text("type").value_or("");
     held.note = "node " + held.number;
-    if (const auto lens = camera.object("perspective"))
-      held.note += shortNumbers(*lens, {"yfov", "aspectRatio", "znear", "zfar"});
-    else if (const auto box = camera.object("orthographic"))
-      held.note += shortNumbers(*box, {"xmag", "ymag", "znear", "zfar"});
+    try {
+      held.name = gltf.nodes[node].text("name").value_or("");
+      const ObjectReader camera = gltf.cameraOf(node);
+      held.alias = camera.text("name").value_or("");
+      held.kind = camera.text("type").value_or("");
+      if (const auto lens = camera.object("perspective"))
+        held.note += shortNumbers(*lens, {"yfov", "aspectRatio", "znear", "zfar"});
+      else if (const auto box = camera.object("orthographic"))
+        held.note += shortNumbers(*box, {"xmag", "ymag", "znear", "zfar"});
+    } catch (const InputError& e) {  // reading it says the same
+      held.note += ", cannot be read: " + std::string(e.what());
+    }
     result.push_back(held);
   }
   return result;
 }
 
-/// From the root of the node's tree to the node.
-std::vector<PlacedNode> chainTo(const Gltf& gltf, std::size_t node) {
-  constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+/// Of each node.
+std::vector<std::size_t> parentsIn(const Gltf& gltf) {
   std::vector<std::size_t> parents(gltf.nodes.size(), kNone);
   for (std::size_t i = 0; i < gltf.nodes.size(); ++i)
     for (std::size_t child : gltf.nodes[i].indices("children", gltf.nodes.size(), "nodes")) {
@@ -71,20 +80,52 @@ std::vector<PlacedNode> chainTo(const Gltf& gltf, std::size_t node) {
                                            std::to_string(parents[child]) + " already");
       parents[child] = i;
     }
-  std::vector<PlacedNode> chain;
-  for (std::size_t at = node; at != kNone; at = parents[at]) {
-    if (chain.size() == gltf.nodes.size()) gltf.nodes[node].fail("has ancestors that run in a circle");
-    const ObjectReader fields = gltf.nodes[at];
-    PlacedNode placed{fields, readColumnMajor(fields, "matrix"), fields.vec3("translation"), fields.vec3("scale"), {}};
-    if (const auto q = fields.numbers("rotation", 4, 4))
-      placed.rotation = Quaternion{(*q)[0], (*q)[1], (*q)[2], (*q)[3]};
-    if (placed.matrix && (placed.translation || placed.scale || placed.rotation))
-      fields.fail("matrix", "is given beside translation, rotation or scale; one of them is expected");
-    chain.push_back(std::move(placed));
-  }
-  std::reverse(chain.begin(), chain.end());
-  return chain;
+  return parents;
 }
+
+PlacedNode placedNode(const ObjectReader& fields) {
+  PlacedNode placed{fields, readColumnMajor(fields, "matrix"), fields.vec3("translation"), fields.vec3("scale"), {}};
+  if (const auto q = fields.numbers("rotation", 4, 4)) placed.rotation = Quaternion{(*q)[0], (*q)[1], (*q)[2], (*q)[3]};
+  if (placed.matrix && (placed.translation || placed.scale || placed.rotation))
+    fields.fail("matrix", "is given beside translation, rotation or scale; one of them is expected");
+  return placed;
+}
+
+/// The nodes and what each hangs from.
+struct Tree {
+  Gltf gltf;
+  std::vector<std::size_t> parents = parentsIn(gltf);
+  std::unordered_map<std::size_t, Chain> chains = {};  ///< to nodes that have others below them, as far as asked for
+
+  /// From the root of the node's tree to the node.
+  std::vector<PlacedNode> nodesTo(std::size_t node) const {
+    std::vector<PlacedNode> nodes;
+    for (std::size_t at = node; at != kNone; at = parents[at]) nodes.push_back(placedNode(gltf.nodes[at]));
+    std::reverse(nodes.begin(), nodes.end());
+    return nodes;
+  }
+
+  Pose poseOf(std::size_t node) {
+    const PlacedNode own = placedNode(gltf.nodes[node]);
+    struct Link {
+      std::size_t node;
+      PlacedNode placed;
+    };
+    std::vector<Link> links;  // from the node's parent on, to what is known
+    Chain chain;
+    for (std::size_t at = parents[node]; at != kNone; at = parents[at]) {
+      if (links.size() == gltf.nodes.size()) gltf.nodes[node].fail("has ancestors that run in a circle");
+      if (const auto known = chains.find(at); known != chains.end()) {
+        chain = known->second;
+        break;
+      }
+      links.push_back({at, placedNode(gltf.nodes[at])});
+    }
+    for (auto link = links.rbegin(); link != links.rend(); ++link)
+      chain = chains.emplace(link->node, behind(chain, link->placed)).first->second;
+    return poseAtEndOf(chain, own, [&] { return nodesTo(node); });
+  }
+};
 
 Projection readPerspective(const ObjectReader& lens, const std::optional<ReadViewport>& viewport,
                            const CameraReading& reading) {
@@ -118,10 +159,12 @@ Projection readOrthographic(const ObjectReader& box, const std::optional<ReadVie
                  [&] { return orthographic(-x, x, -y, y, near, far); });
 }
 
-CameraFile read(const Document& document, std::size_t which, const CameraReading& reading) {
-  const Gltf gltf(document);
-  const std::size_t node = gltf.cameraNodes[which];
-  const ObjectReader camera = gltf.cameras[*gltf.cameraOf(node)];
+CameraFile read(Tree& tree, std::size_t node, const CameraReading& reading) {
+  const Gltf& gltf = tree.gltf;
+  const Document& document = gltf.root.document();
+  (void)gltf.nodes[node].text("name");
+  const ObjectReader camera = gltf.cameraOf(node);
+  (void)camera.text("name");
   const auto viewport = importedViewport(document);
   const auto type = camera.string("type").value_or("");
   if (type.empty()) camera.fail("needs a type");
@@ -129,13 +172,19 @@ CameraFile read(const Document& document, std::size_t which, const CameraReading
   const auto lens = camera.object(type);
   if (!lens) camera.fail("needs " + type);
   return imported(
-      document, *conventionPreset("opengl"), poseAtEndOf(chainTo(gltf, node)),
+      document, *conventionPreset("opengl"), tree.poseOf(node),
       type == "perspective" ? readPerspective(*lens, viewport, reading) : readOrthographic(*lens, viewport, reading),
       viewport);
 }
 
+CameraReader open(const Document& document) {
+  return [tree = Tree{Gltf(document)}](std::size_t which, const CameraReading& reading) mutable {
+    return read(tree, tree.gltf.cameraNodes[which], reading);
+  };
+}
+
 }  // namespace
 
-const Importer kGltf{"a glTF file", recognises, list, read};
+const Importer kGltf{"gltf", "a glTF file", recognises, list, open};
 
 }  // namespace viewproj::cmd

@@ -1,7 +1,9 @@
-// Cameras that people already have. A form of file is a file here that ends in CameraFile, the few numbers that every
-// camera is, and a row in camera_source.cpp, which tells the forms apart.
+// Cameras that people already have, in files that no row of input/kinds can describe. A form of file is a file here
+// that ends in CameraFile, the few numbers that every camera is, and a row in camera_source.cpp, which tells the forms
+// apart.
 #pragma once
 
+#include <functional>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -18,7 +20,8 @@ namespace viewproj::cmd {
 /// One of the cameras that a file holds. What the file says stays the document's: many may share a long name.
 struct HeldCamera {
   std::string_view name;   ///< as the file calls it, or empty
-  std::string number;      ///< picks it where the name does not
+  std::string id;          ///< a number or a text that picks it too, or empty
+  std::string number;      ///< its place in the file: picks it where nothing else does
   std::string_view alias;  ///< another name, or empty
   std::string_view kind;   ///< perspective, orthographic, ...
   std::string note;        ///< a few words: what the file says of it
@@ -31,15 +34,19 @@ inline constexpr double kDefaultNear = 0.01;
 inline constexpr const char* kDistortionLeftOut =
     "distorts the picture and is left out: pixels are those of an ideal lens";
 
+/// Reads one of the cameras of a document. which: its place in the list.
+using CameraReader = std::function<CameraFile(std::size_t which, const CameraReading& reading)>;
+
 struct Importer {
+  std::string_view name;  ///< as help lists it
   std::string_view form;  ///< "a glTF file"
   bool (*recognises)(const nlohmann::json& root);
   std::vector<HeldCamera> (*list)(const Document&);
-  /// camera: its place in the list.
-  CameraFile (*read)(const Document&, std::size_t camera, const CameraReading&);
+  /// What all cameras have in common is read once. The document must outlive the reader.
+  CameraReader (*open)(const Document&);
 };
 
-extern const Importer kGltf, kNerfTransforms, kThreeJs, kOpenCv, kMatrices;
+extern const Importer kGltf, kThreeJs, kMatrices;
 
 /// What make gives. What the library complains about is at `at`, under the file's own name for the field.
 template <class Make>

@@ -11,6 +11,7 @@
 #include "input/camera_fields.hpp"
 #include "input/convention_fields.hpp"
 #include "input/importers/importer.hpp"
+#include "input/kinds/distortion.hpp"
 #include "input/readings/readings.hpp"
 #include "input/value_form.hpp"
 #include "text/names.hpp"
@@ -241,8 +242,9 @@ std::optional<ReadViewport> readPicture(const ObjectReader& file, const StatedCo
   });
 }
 
-CameraFile read(const Document& document, std::size_t, const CameraReading& reading) {
+CameraFile read(const Document& document, const CameraReading& reading) {
   const ObjectReader file(document, document.root(), {});
+  refuseDistortion(document, distortionIn(document, {{}, &document.root()}), std::nullopt, reading);
   const std::vector<GivenMatrix> givens = readGivens(file);
   const StatedConvention stated = conventionOf(file, givens, reading);
   const Convention& convention = stated.convention;
@@ -268,6 +270,12 @@ CameraFile read(const Document& document, std::size_t, const CameraReading& read
   }
   // Matrices relative to the eye have it beside them.
   if (const auto eye = file.vec3("eye"); eye && pose) {
+    constexpr double kNothing = 1e-6;  // of the eye, as matrices in float have it
+    const Vec3 own = pose->eye();
+    if (maxAbs(own) > kNothing * maxAbs(*eye))
+      document.fail({"eye"},
+                    "stands beside matrices that have an eye of their own; it counts beside those that are "
+                    "relative to it, whose view has no translation; --set eye=null leaves it out");
     const Axes& columns = parts(*pose).columns;
     pose = located(file, {{"position", "eye"}}, [&] {
       return poseFromColumns({columns.right, columns.up, columns.forward},
@@ -281,11 +289,15 @@ std::vector<HeldCamera> list(const Document& document) {
   const ObjectReader file(document, document.root(), {});
   std::string names;
   for (const GivenMatrix& given : readGivens(file)) names += (names.empty() ? "" : ", ") + given.key;
-  return {{"", "0", "", "matrices", names}};
+  return {{"", "", "0", "", "matrices", names}};
+}
+
+CameraReader open(const Document& document) {
+  return [&document](std::size_t, const CameraReading& reading) { return read(document, reading); };
 }
 
 }  // namespace
 
-const Importer kMatrices{"a file of matrices", recognises, list, read};
+const Importer kMatrices{"matrices", "a file of matrices", recognises, list, open};
 
 }  // namespace viewproj::cmd

@@ -14,12 +14,22 @@ namespace {
 
 constexpr std::string_view kPerspective = "PerspectiveCamera", kOrthographic = "OrthographicCamera";
 
-bool recognises(const nlohmann::json& root) {
-  const auto object = root.find("object");
-  if (object == root.end() || !object->is_object()) return false;
+bool isObject3D(const nlohmann::json& file) {
+  const auto object = file.is_object() ? file.find("object") : file.end();
+  if (object == file.end() || !object->is_object()) return false;
   const auto type = object->find("type");
   return type != object->end() && type->is_string();
 }
+
+/// Where the editor's app.json has files of their own.
+constexpr const char* kParts[] = {"camera", "scene"};
+
+bool isApp(const nlohmann::json& root) {
+  const auto camera = root.find(kParts[0]);
+  return camera != root.end() && isObject3D(*camera);
+}
+
+bool recognises(const nlohmann::json& root) { return isObject3D(root) || isApp(root); }
 
 /// A camera and what it hangs from, outermost first.
 using Branch = std::vector<ObjectReader>;
@@ -38,8 +48,14 @@ void eachCamera(Branch& branch, const Visit& visit) {
 
 template <class Visit>
 void eachCamera(const Document& document, const Visit& visit) {
-  Branch branch{*ObjectReader(document, document.root(), {}).object("object")};
-  eachCamera(branch, visit);
+  const ObjectReader root(document, document.root(), {});
+  const auto eachOf = [&](const ObjectReader& file) {
+    Branch branch{*file.object("object")};
+    eachCamera(branch, visit);
+  };
+  if (isObject3D(document.root())) return eachOf(root);
+  for (const char* const part : kParts)
+    if (const nlohmann::json* const file = root.find(part); file && isObject3D(*file)) eachOf(*root.object(part));
 }
 
 std::vector<HeldCamera> list(const Document& document) {
@@ -47,17 +63,20 @@ std::vector<HeldCamera> list(const Document& document) {
   eachCamera(document, [&](const Branch& branch) {
     const ObjectReader& camera = branch.back();
     const bool perspective = camera.text("type") == kPerspective;
-    HeldCamera held{camera.text("name").value_or(""), std::to_string(result.size()), camera.text("uuid").value_or(""),
-                    perspective ? "perspective" : "orthographic", ""};
+    HeldCamera held{camera.text("name").value_or(""),
+                    "",
+                    std::to_string(result.size()),
+                    camera.text("uuid").value_or(""),
+                    perspective ? "perspective" : "orthographic",
+                    ""};
     held.note = perspective ? shortNumbers(camera, {"fov", "aspect", "zoom", "near", "far"})
                             : shortNumbers(camera, {"left", "right", "top", "bottom", "zoom", "near", "far"});
     if (!held.note.empty()) held.note.erase(0, 2);
     result.push_back(held);
   });
   if (result.empty())
-    ObjectReader(document, document.root(), {})
-        .object("object")
-        ->fail("has no PerspectiveCamera and no OrthographicCamera");
+    document.fail(isApp(document.root()) ? Path{} : Path{"object"},
+                  "has no PerspectiveCamera and no OrthographicCamera");
   return result;
 }
 
@@ -151,12 +170,20 @@ Window orthographicOf(const ObjectReader& camera, const std::optional<View>& vie
   return view ? window.part(*view) : window;
 }
 
-CameraFile read(const Document& document, std::size_t which, const CameraReading& reading) {
+/// The objects on the way to a camera, whose paths are two steps apart: "children" and a number.
+Branch branchTo(const Document& document, const Path& camera, std::size_t outermost) {
   Branch branch;
-  std::size_t at = 0;
-  eachCamera(document, [&](const Branch& each) {
-    if (at++ == which) branch = each;
-  });
+  const nlohmann::json* at = &document.root();
+  for (std::size_t i = 0; i < camera.size(); ++i) {
+    at = at->is_array() ? &(*at)[std::stoul(camera[i])] : &at->at(camera[i]);
+    if (i + 1 >= outermost && (i + 1 - outermost) % 2 == 0)
+      branch.emplace_back(document, *at, Path(camera.begin(), camera.begin() + static_cast<std::ptrdiff_t>(i) + 1));
+  }
+  return branch;
+}
+
+CameraFile read(const Branch& branch, const CameraReading& reading) {
+  const Document& document = branch.front().document();
   const ObjectReader& camera = branch.back();
   const bool perspective = *camera.string("type") == kPerspective;
   const auto view = readView(camera);
@@ -176,8 +203,20 @@ CameraFile read(const Document& document, std::size_t which, const CameraReading
   return imported(document, *conventionPreset("opengl"), poseAtEndOf(chain), projection, viewport);
 }
 
+CameraReader open(const Document& document) {
+  struct Place {
+    Path path;
+    std::size_t outermost;
+  };
+  std::vector<Place> places;
+  eachCamera(document, [&](const Branch& each) { places.push_back({each.back().path(), each.front().path().size()}); });
+  return [&document, places = std::move(places)](std::size_t which, const CameraReading& reading) {
+    return read(branchTo(document, places[which].path, places[which].outermost), reading);
+  };
+}
+
 }  // namespace
 
-const Importer kThreeJs{"a three.js file", recognises, list, read};
+const Importer kThreeJs{"threejs", "a three.js file", recognises, list, open};
 
 }  // namespace viewproj::cmd

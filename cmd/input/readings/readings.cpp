@@ -7,6 +7,7 @@
 #include "camera/convention.hpp"
 #include "camera/depth.hpp"
 #include "camera/require.hpp"
+#include "input/field_of_view.hpp"
 #include "input/readings/clip_rows.hpp"
 #include "input/readings/matrix_parts.hpp"
 #include "numbers/degrees.hpp"
@@ -40,13 +41,46 @@ Ends windowEnd(double numerator, const Uncertain& offset, const Uncertain& scale
   return {estimate(value, quotient(DoubleDouble(numerator) - offset.interval(), scale.interval())), value};
 }
 
-std::optional<Estimate> angleEstimate(const Uncertain& scale, const Uncertain& offset) noexcept {
-  if (!(std::fabs(offset.value.hi) <= offset.error)) return std::nullopt;
+/// Between two edges of the window.
+Estimate angleEstimate(const Uncertain& scale, const Uncertain& offset, const Ends& from, const Ends& to) noexcept {
+  // Correct to an ulp, and so stepped outwards by one.
+  if (!(std::fabs(offset.value.hi) <= offset.error))
+    return {degreesAcross(from.value, to.value), std::nextafter(degreesAcross(from.estimate.high, to.estimate.low), 0),
+            std::nextafter(degreesAcross(from.estimate.low, to.estimate.high), 180)};
   const Interval in = scale.interval();
   const auto half = [](DoubleDouble s) { return quotient(DoubleDouble(1), s); };
-  // Correct to an ulp, and so stepped outwards by one.
-  return Estimate{degreesOfHalfTangent(half(scale.value)), std::nextafter(degreesOfHalfTangent(half(in.high)), 0),
-                  in.low.hi > 0 ? std::nextafter(degreesOfHalfTangent(half(in.low)), 180) : 180};
+  return {degreesOfHalfTangent(half(scale.value)), std::nextafter(degreesOfHalfTangent(half(in.high)), 0),
+          in.low.hi > 0 ? std::nextafter(degreesOfHalfTangent(half(in.low)), 180) : 180};
+}
+
+/// Of corners across from each other, whichever are farther apart.
+Estimate diagonalEstimate(const Ends& left, const Ends& right, const Ends& bottom, const Ends& top) noexcept {
+  const auto widest = [](const auto& between) { return std::max(between(false), between(true)); };
+  Estimate angle;
+  angle.value = widest([&](bool falling) {
+    return degreesBetween(left.value, falling ? top.value : bottom.value, right.value,
+                          falling ? bottom.value : top.value);
+  });
+  angle.low = angle.high = angle.value;
+  // The ends of the intervals are so near that nothing between them is farther or nearer.
+  for (unsigned i = 0; i < 16; ++i) {
+    const auto end = [&](const Ends& edge, unsigned bit) {
+      return DoubleDouble((i & bit) != 0 ? edge.estimate.high : edge.estimate.low);
+    };
+    const DoubleDouble l = end(left, 1), r = end(right, 2), b = end(bottom, 4), t = end(top, 8);
+    const double there = widest([&](bool falling) { return degreesBetween(l, falling ? t : b, r, falling ? b : t); });
+    angle.low = std::min(angle.low, std::nextafter(there, 0));
+    angle.high = std::max(angle.high, std::nextafter(there, 180));
+  }
+  return angle;
+}
+
+/// (sign a + start) / 2.
+Estimate shareOf(const Uncertain& a, double sign, double start) noexcept {
+  const auto half = [&](DoubleDouble number) { return timesPowerOfTwo(number * sign + DoubleDouble(start), 0.5); };
+  const Interval in = a.interval();
+  const DoubleDouble ends[] = {half(in.low), half(in.high)};
+  return estimate(half(a.value), {ends[sign < 0], ends[sign > 0]});
 }
 
 // Lenses
@@ -105,8 +139,11 @@ void setLens(Reading& reading, const ClipParts& p, const DepthPlanes& depth) noe
   lens.top = top.estimate;
   lens.aspect = estimate(quotient(p.scaleY.value, p.scaleX.value), quotient(p.scaleY.interval(), p.scaleX.interval()));
   if (!p.orthographic) {
-    lens.fovX = angleEstimate(p.scaleX, p.offsetX);
-    lens.fovY = angleEstimate(p.scaleY, p.offsetY);
+    lens.fovX = angleEstimate(p.scaleX, p.offsetX, left, right);
+    lens.fovY = angleEstimate(p.scaleY, p.offsetY, bottom, top);
+    lens.fovDiagonal = diagonalEstimate(left, right, bottom, top);
+    lens.focalLength = {shareOf(p.scaleX, 1, 0), shareOf(p.scaleY, 1, 0)};
+    lens.principalPoint = {shareOf(p.offsetX, 1, 1), shareOf(p.offsetY, down ? 1 : -1, 1)};
   }
   lens.near = depth.near;
   lens.far = depth.far;
@@ -264,7 +301,9 @@ class Reader {
   std::string readPerspective() {
     const bool zeros = zero({m_[0][1], m_[0][3], m_[1][0], m_[1][3], m_[2][0], m_[2][1], m_[3][0], m_[3][1], m_[3][3]});
     const auto parts = perspectiveParts(m_, zeros ? withExactZeros(2) : errors_);
-    if (!parts) return "x or y does not change across the picture";
+    const auto changes = [](const Uncertain& scale) { return scale.interval().low.hi > 0; };
+    if (!parts || !changes(parts->scaleX) || !changes(parts->scaleY))
+      return "x or y does not change across the picture, as far as its digits show";
     double unitError = 0;  // of the squared length of the w row
     for (std::size_t j = 0; j < 3; ++j) unitError += 2 * std::fabs(m_[3][j]) * errors_.within[3][j];
     const bool unit =

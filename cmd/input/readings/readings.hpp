@@ -38,11 +38,16 @@ enum class NumberOrder {
 
 struct LensEstimate {
   bool orthographic = false;
-  Estimate left, right, bottom, top;   ///< as in Projection: at distance 1, or lengths
-  Estimate aspect;                     ///< width / height of the window
-  std::optional<Estimate> fovX, fovY;  ///< degrees, in perspective where symmetric to within the entries
-  Estimate near, far;                  ///< orthographic: with a view in it, counted from the world's origin
-  bool beyondInfinity = false;         ///< infinite, and infinity a little inside the range ("tweaked")
+  Estimate left, right, bottom, top;  ///< as in Projection: at distance 1, or lengths
+  Estimate aspect;                    ///< width / height of the window
+  /// In perspective, in degrees: between the edges, and between the corners across from each other that are farther
+  /// apart.
+  std::optional<Estimate> fovX, fovY, fovDiagonal;
+  /// In perspective: the focal lengths in widths and in heights of the picture, and where the viewing axis meets it, in
+  /// its widths from the left and its heights from the top.
+  std::optional<std::array<Estimate, 2>> focalLength, principalPoint;
+  Estimate near, far;           ///< orthographic: with a view in it, counted from the world's origin
+  bool beyondInfinity = false;  ///< infinite, and infinity a little inside the range ("tweaked")
 };
 
 struct PoseEstimate {

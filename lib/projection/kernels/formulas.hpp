@@ -9,9 +9,9 @@
 #include <cmath>
 #include <limits>
 
-#include "projection/error_model.hpp"
+#include "projection/kernels/error_model.hpp"
 #include "projection/kernels/kernels.hpp"
-#include "projection/picture_reach.hpp"
+#include "projection/kernels/picture_reach.hpp"
 
 namespace viewproj::detail {
 namespace {
@@ -92,7 +92,7 @@ struct Row {
 template <class T, class Traits>
 class WindowFormula {
  public:
-  WindowFormula(const ProjectionConstants& k, Band band)
+  WindowFormula(const ProjectionConstants& k, Band band, double largestRange = kLargestRange)
       : x_(k.x),
         y_(k.y),
         w_(k.w),
@@ -101,7 +101,7 @@ class WindowFormula {
         bandX_(static_cast<T>(band.x < kLargestBand ? band.x : kLargestBand)),
         bandY_(static_cast<T>(band.y < kLargestBand ? band.y : kLargestBand)),
         farthest_(band.x < kNoBand ? static_cast<T>(k.farthest) : std::numeric_limits<T>::max()),
-        reach_(isInRange(k, isDouble ? kLargestRow : kLargestRowFast, kLargestRange)
+        reach_(isInRange(k, isDouble ? kLargestRow : kLargestRowFast, largestRange)
                    ? static_cast<T>(isDouble ? kLargestReach : kLargestReachFast)
                    : 0) {}
 
@@ -223,6 +223,48 @@ class FastFormula {
   const Vec3 eye;
 };
 
+/// The difference of a float32 to a coordinate of the eye, by its high and low part: of a float32 next to the eye the
+/// first difference is exact, of any other low is nothing; two roundings in all.
+struct FloatEye {
+  float high, low;
+  explicit FloatEye(double eye) : high(static_cast<float>(eye)), low(static_cast<float>(eye - double{high})) {}
+
+  template <class F>
+  F to(F coordinate) const {
+    return (coordinate - high) - low;
+  }
+};
+
+/// fast from float32 to float32: all of it in float.
+template <class L, class Traits>
+class FloatFormula {
+ public:
+  using F = typename L::F;
+
+  explicit FloatFormula(const ProjectionConstants& k)
+      : window_(k, {}, kLargestRangeFloat),
+        eyeX_(k.eye.x),
+        eyeY_(k.eye.y),
+        eyeZ_(k.eye.z),
+        centerX_(static_cast<float>(k.centerX.hi)),
+        centerY_(static_cast<float>(k.centerY.hi)),
+        depthOffset_(static_cast<float>(k.depthOffset.hi)),
+        depthScale_(static_cast<float>(k.depthScale.hi)) {}
+
+  Projected<F, typename L::FM> point(F px, F py, F pz) const {
+    auto r = window_.template at<L, F, typename L::FM>(eyeX_.to(px), eyeY_.to(py), eyeZ_.to(pz));
+    r.x = centerX_ + r.x;
+    r.y = centerY_ + r.y;
+    r.depth = depthOffset_ + depthScale_ * r.depth;
+    return r;
+  }
+
+ private:
+  WindowFormula<float, Traits> window_;
+  FloatEye eyeX_, eyeY_, eyeZ_;
+  float centerX_, centerY_, depthOffset_, depthScale_;
+};
+
 /// A double-double of lanes.
 template <class D>
 struct Pair {
@@ -336,9 +378,12 @@ class ExactFormula {
         (L::productError(r0, d[0].hi, p0) + L::productError(r1, d[1].hi, p1)) + L::productError(r2, d[2].hi, p2);
     const D low = ((crossed0 + crossed1) + (crossed2 + errors)) + (s.lo + t.lo);
     const Pair<D> result = quickSum(t.hi, low);
-    if constexpr (!Traits::residual) return result;
-    const Pair<D> shifted = sum(result.hi, L::splat(residual.hi));
-    return quickSum(shifted.hi, shifted.lo + (result.lo + residual.lo));
+    if constexpr (Traits::residual) {
+      const Pair<D> shifted = sum(result.hi, L::splat(residual.hi));
+      return quickSum(shifted.hi, shifted.lo + (result.lo + residual.lo));
+    } else {
+      return result;
+    }
   }
 
   /// a / w, given 1 / w.hi; lo is a few units of hi, not brought below half of one.

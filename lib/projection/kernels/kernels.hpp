@@ -21,6 +21,18 @@ struct Projected {
   Mask valid, behind;
 };
 
+/// Coordinates of points in float32: an array each, or x y z of one point after the other's, where x is the first.
+template <class Float>
+struct FloatColumns {
+  Float *x, *y, *z;
+  bool packed;
+
+  FloatColumns from(std::size_t first) const noexcept {
+    const std::size_t by = packed ? 3 * first : first;
+    return {x + by, y + by, z + by, packed};
+  }
+};
+
 /// Everything is in arrays of three doubles a point: x y z in; screen x, screen y and depth out, NaN where a point has
 /// none. bandX, bandY: farther than this from the principal point, in pixels, a point counts as unsettled. distance:
 /// one double a point, its distance along the viewing axis, also of a point behind the eye plane; null where nobody
@@ -34,6 +46,9 @@ struct Kernels {
                    double* distance, std::size_t count, Unsettled) noexcept;
   void (*exact)(const ProjectionConstants&, double bandX, double bandY, const double* points, double* screen,
                 double* distance, std::size_t count, Unsettled) noexcept;
+  /// As fast, from float32 to float32.
+  void (*floats)(const ProjectionConstants&, const FloatColumns<const float>& points, const FloatColumns<float>& screen,
+                 std::size_t count, Unsettled) noexcept;
   /// Perspective ray directions of pixels (x y pairs in, x y z out).
   void (*rays)(const ProjectionConstants&, const double* pixels, double* directions, std::size_t count,
                Unsettled) noexcept;

@@ -30,6 +30,7 @@ typedef std::int64_t MaskLanes __attribute__((vector_size(kLanes * 8)));
 typedef std::int32_t FloatMaskLanes __attribute__((vector_size(kLanes * 8)));
 /// The same, at any address.
 typedef double LooseLanes __attribute__((vector_size(kLanes * 8), aligned(8), may_alias));
+typedef float LooseFloatLanes __attribute__((vector_size(kLanes * 8), aligned(4), may_alias));
 
 /// F has twice as many lanes as D: those of a lower and an upper D.
 struct VectorLanes {
@@ -47,6 +48,8 @@ struct VectorLanes {
   static D withSignOf(D size, D sign) { return (D)((M)size | ((M)sign & kSign)); }
   static D load(const double* p) { return *reinterpret_cast<const LooseLanes*>(p); }
   static void store(double* p, D a) { *reinterpret_cast<LooseLanes*>(p) = a; }
+  static F load(const float* p) { return *reinterpret_cast<const LooseFloatLanes*>(p); }
+  static void store(float* p, F a) { *reinterpret_cast<LooseFloatLanes*>(p) = a; }
 
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
   static D larger(D a, D b) { return (D)_mm512_max_pd((__m512d)a, (__m512d)b); }
@@ -80,6 +83,29 @@ struct VectorLanes {
                                          5, 12, 7));
     store(p + 16, __builtin_shufflevector(__builtin_shufflevector(x, y, 13, -1, 6, 14, -1, 7, 15, -1), z, 0, 13, 2, 3,
                                           14, 5, 6, 15));
+  }
+  static void loadPoints(const float* p, F& x, F& y, F& z) {
+    const F a = load(p), b = load(p + 16), c = load(p + 32);
+    x = __builtin_shufflevector(
+        __builtin_shufflevector(a, b, 0, 3, 6, 9, 12, 15, 18, 21, 24, 27, 30, -1, -1, -1, -1, -1), c, 0, 1, 2, 3, 4, 5,
+        6, 7, 8, 9, 10, 17, 20, 23, 26, 29);
+    y = __builtin_shufflevector(
+        __builtin_shufflevector(a, b, 1, 4, 7, 10, 13, 16, 19, 22, 25, 28, 31, -1, -1, -1, -1, -1), c, 0, 1, 2, 3, 4, 5,
+        6, 7, 8, 9, 10, 18, 21, 24, 27, 30);
+    z = __builtin_shufflevector(
+        __builtin_shufflevector(a, b, 2, 5, 8, 11, 14, 17, 20, 23, 26, 29, -1, -1, -1, -1, -1, -1), c, 0, 1, 2, 3, 4, 5,
+        6, 7, 8, 9, 16, 19, 22, 25, 28, 31);
+  }
+  static void storePoints(float* p, F x, F y, F z) {
+    store(p, __builtin_shufflevector(
+                 __builtin_shufflevector(x, y, 0, 16, -1, 1, 17, -1, 2, 18, -1, 3, 19, -1, 4, 20, -1, 5), z, 0, 1, 16,
+                 3, 4, 17, 6, 7, 18, 9, 10, 19, 12, 13, 20, 15));
+    store(p + 16, __builtin_shufflevector(
+                      __builtin_shufflevector(x, y, 21, -1, 6, 22, -1, 7, 23, -1, 8, 24, -1, 9, 25, -1, 10, 26), z, 0,
+                      21, 2, 3, 22, 5, 6, 23, 8, 9, 24, 11, 12, 25, 14, 15));
+    store(p + 32, __builtin_shufflevector(
+                      __builtin_shufflevector(x, y, -1, 11, 27, -1, 12, 28, -1, 13, 29, -1, 14, 30, -1, 15, 31, -1), z,
+                      26, 1, 2, 27, 4, 5, 28, 7, 8, 29, 10, 11, 30, 13, 14, 31));
   }
   static void loadPixels(const double* p, D& x, D& y) {
     const D a = load(p), b = load(p + 8);
@@ -119,6 +145,22 @@ struct VectorLanes {
     store(p, (D)_mm256_permute2f128_pd(xy, zx, 0x20));
     store(p + 4, (D)_mm256_permute2f128_pd(yz, xy, 0x30));
     store(p + 8, (D)_mm256_permute2f128_pd(zx, yz, 0x31));
+  }
+  static void loadPoints(const float* p, F& x, F& y, F& z) {
+    const F a = load(p), b = load(p + 8), c = load(p + 16);
+    x = __builtin_shufflevector(__builtin_shufflevector(a, b, 0, 3, 6, 9, 12, 15, -1, -1), c, 0, 1, 2, 3, 4, 5, 10, 13);
+    y = __builtin_shufflevector(__builtin_shufflevector(a, b, 1, 4, 7, 10, 13, -1, -1, -1), c, 0, 1, 2, 3, 4, 8, 11,
+                                14);
+    z = __builtin_shufflevector(__builtin_shufflevector(a, b, 2, 5, 8, 11, 14, -1, -1, -1), c, 0, 1, 2, 3, 4, 9, 12,
+                                15);
+  }
+  static void storePoints(float* p, F x, F y, F z) {
+    store(p,
+          __builtin_shufflevector(__builtin_shufflevector(x, y, 0, 8, -1, 1, 9, -1, 2, 10), z, 0, 1, 8, 3, 4, 9, 6, 7));
+    store(p + 8, __builtin_shufflevector(__builtin_shufflevector(x, y, -1, 3, 11, -1, 4, 12, -1, 5), z, 10, 1, 2, 11, 4,
+                                         5, 12, 7));
+    store(p + 16, __builtin_shufflevector(__builtin_shufflevector(x, y, 13, -1, 6, 14, -1, 7, 15, -1), z, 0, 13, 2, 3,
+                                          14, 5, 6, 15));
   }
   static void loadPixels(const double* p, D& x, D& y) {
     const D a = load(p), b = load(p + 4);
@@ -161,6 +203,17 @@ struct VectorLanes {
     store(p, __builtin_shufflevector(x, y, 0, 2));
     store(p + 2, __builtin_shufflevector(z, x, 0, 3));
     store(p + 4, __builtin_shufflevector(y, z, 1, 3));
+  }
+  static void loadPoints(const float* p, F& x, F& y, F& z) {
+    const F a = load(p), b = load(p + 4), c = load(p + 8);
+    x = __builtin_shufflevector(__builtin_shufflevector(a, b, 0, 3, 6, -1), c, 0, 1, 2, 5);
+    y = __builtin_shufflevector(__builtin_shufflevector(a, b, 1, 4, 7, -1), c, 0, 1, 2, 6);
+    z = __builtin_shufflevector(__builtin_shufflevector(a, b, 2, 5, -1, -1), c, 0, 1, 4, 7);
+  }
+  static void storePoints(float* p, F x, F y, F z) {
+    store(p, __builtin_shufflevector(__builtin_shufflevector(x, y, 0, 4, -1, 1), z, 0, 1, 4, 3));
+    store(p + 4, __builtin_shufflevector(__builtin_shufflevector(x, y, 5, -1, 2, 6), z, 0, 5, 2, 3));
+    store(p + 8, __builtin_shufflevector(__builtin_shufflevector(x, y, -1, 3, 7, -1), z, 6, 1, 2, 7));
   }
   static void loadPixels(const double* p, D& x, D& y) {
     const D a = load(p), b = load(p + 2);

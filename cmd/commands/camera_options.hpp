@@ -1,0 +1,97 @@
+// The options of a camera: the file, its fields, how it is read and in which convention it is written.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "commands/notes.hpp"
+#include "commands/values.hpp"
+#include "input/camera_file.hpp"
+#include "input/camera_source.hpp"
+#include "input/kinds/kind.hpp"
+
+namespace viewproj::cmd {
+
+/// The presets of conventions by name.
+Names<Convention> presetConventions();
+
+/// The camera, how it is read, and the convention it is written in.
+class CameraOptions {
+ public:
+  void add(CommandLine& line);
+  void addWriting(CommandLine& line);
+  /// FILE, for a command that reads nothing but the camera.
+  void addFile(CommandLine& line);
+  /// For a command that asks for near and far alone: options without an opening are enough.
+  void takeAnyOpening() { anyOpening_ = true; }
+
+  /// --list, which takes the place of all that the command does otherwise.
+  bool lists() const { return list_; }
+  /// Returns the exit status.
+  int list() const;
+
+  /// From -c, or from FILE where the command has it. needsPicture: as in CameraReading.
+  CameraFile read(bool needsPicture = true) const;
+  /// Writes a text of every camera of the file; pick: what picks it. A camera that cannot be read, or of which there is
+  /// no such text, has a message instead. Returns the exit status.
+  int writeEach(bool needsPicture,
+                const std::function<std::string(const std::string& pick, const CameraFile& camera)>& textOf) const;
+  bool fromStandardInput() const;
+  bool isGiven() const { return camera_ || file_ || !typed_.empty(); }
+  /// The fields that options gave in place of a file, as a camera file: where they say all of the camera that is
+  /// written.
+  std::optional<std::string> asTyped(const CameraFile& file) const;
+  bool allowsStretch() const { return allowStretch_; }
+  const Notes& notes() const { return notes_; }
+
+  /// Where the camera's x, y, z point in the convention that is written: of an unnamed one as the file or the world has
+  /// them.
+  CameraAxes writtenAxes(const CameraFile& file) const;
+
+  /// The convention to write in: the file's world, and the axes that options name.
+  Convention writing(const CameraFile& file) const;
+
+  /// What of the convention that is written can be seen in what a command prints.
+  struct Shown {
+    bool axes = true;      ///< the axes of view space, row or column vectors, storage
+    bool range = true;     ///< that of NDC z
+    bool reversal = true;  ///< whether depth is reversed
+    bool world = true;     ///< the handedness of the world
+    bool leaves = false;   ///< it goes to another program, so that a world which the file names counts too
+    std::string map = {};  ///< what --map says, where the world is that of it
+  };
+  /// Notes what of the convention was named to no effect, and a preset of the other handedness than the world's. where:
+  /// what would show it, "--fields ndc or clip".
+  void noteWriting(const CameraFile& file, const Shown& shown, const std::string& where) const;
+  /// Notes that a camera file is written with x, y, z where the position was a place.
+  void notePlace(const CameraFile& file) const;
+  bool namesConvention() const { return convention_.has_value(); }
+  bool namesAxis() const { return reverseZ_.has_value() || ndcZ_.has_value(); }
+
+ private:
+  CameraSource source() const;
+  CameraReading reading(bool needsPicture) const;
+  std::unique_ptr<Document> open(const CameraSource& picked) const;
+  void addFields(CommandLine& line);
+  /// The camera is what options say of it, and no file's.
+  bool isTyped() const { return !camera_ && !file_ && !typed_.empty(); }
+  std::string readAs() const;
+
+  std::optional<std::string> camera_, file_, readAs_, format_;
+  std::optional<Size> viewport_;
+  std::optional<ConventionPreset> convention_;
+  std::optional<NdcZ> ndcZ_;
+  std::optional<bool> reverseZ_;
+  std::vector<Assignment> set_;
+  TypedCamera typed_;
+  bool takesFile_ = false, anyOpening_ = false, allowStretch_ = false, ignoreDistortion_ = false, list_ = false;
+  Notes notes_;
+  mutable bool statesConvention_ = true;            ///< of the camera that was read
+  mutable std::vector<Kind> kinds_;                 ///< of --format
+  mutable std::unique_ptr<const Document> fields_;  ///< of a camera that options give
+};
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,170 @@
+#include "commands/stream_options.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include "commands/output_option.hpp"
+#include "input/points.hpp"
+#include "output/output_file.hpp"
+#include "text/csv_format.hpp"
+#include "text/error.hpp"
+#include "text/names.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+/// What may stand between fields and be none of a number, a name or a quote.
+bool isPunctuation(char c) { return std::string_view("!#$%&()*/:;<=>?@[\\]^`{|}~,").find(c) != std::string_view::npos; }
+
+char readDelimiter(const std::string& option, const std::string& text) {
+  for (const SeparatorName& one : kSeparators)
+    if (text == one.name || text == one.plural || text == std::string(1, one.separator)) return one.separator;
+  if (text == "\\t") return '\t';
+  if (text.size() == 1 && isPunctuation(text[0])) return text[0];
+  std::vector<std::string_view> names;
+  for (const SeparatorName& one : kSeparators) names.push_back(one.name);
+  throw UsageError(option + " " + visible(text) + ": expected " + alternatives(names) + " or a character as ;");
+}
+
+constexpr std::size_t kMostJobs = 1024;
+constexpr std::size_t kMostLines = 1ull << 53;
+
+}  // namespace
+
+void StreamOptions::addInput(CommandLine& line, const std::string& what) {
+  const Heading heading(line, kInput);
+  addValue(line, "FILE", "", file_, readFileName, "The " + what + "; absent or - for standard input");
+  addChoice(line, "--from", "FORM", from_, namesOf(inputForms()), "Form of FILE", "as its name and first bytes tell");
+  addValue(
+      line, "--columns", "COLUMNS", columns_, readText,
+      "Columns of CSV, fields of JSON or numbers of a line that hold the coordinates: names or numbers in order, as "
+      "in E,N,U or 2,3,4; roles in any order, as in w,x,y,z or lat,lon,height, or of pixels depth,x,y; or each with "
+      "its role, as in lat=la,lon=lo,height=h or x=u,y=v,depth=d (default: by their names)");
+  addValue(
+      line, "--delimiter", "CHAR", delimiter_, readDelimiter,
+      "What separates the columns of CSV, in and out: comma, semicolon, tab, blank, bar or a character (default: as "
+      "the first line tells)");
+  addValue(
+      line, "--decimal", "CHAR", decimal_,
+      [](const std::string& option, const std::string& text) {
+        if (text != "," && text != ".") throw UsageError(option + " " + text + ": expected , or .");
+        return text[0];
+      },
+      "What decimals of CSV and text follow, . or , (default: .)");
+  addValue(
+      line, "--comment", "CHAR", comment_,
+      [](const std::string& option, const std::string& text) {
+        if (text.size() != 1 || !isPunctuation(text[0]))
+          throw UsageError(option + " " + text + ": expected one character, as in '#'");
+        return text[0];
+      },
+      "What begins a line of CSV or text that is a comment (default: in text #, in CSV nothing)");
+}
+
+void StreamOptions::add(CommandLine& line, const std::string& what) {
+  addInput(line, what);
+  writes_ = true;
+  const Heading heading(line, kOutput);
+  addForm(line, to_, outputForms(), "Form of the output", "as the input");
+  addDigits(line, digits_, "all that tell the number from others; in tables 9");
+  addValue(
+      line, "--prefix", "P", prefix_,
+      [](const std::string& option, const std::string& text) {
+        const bool plain = std::all_of(text.begin(), text.end(), [](unsigned char c) {
+          return c >= 0x80 || std::isalnum(c) || c == '_' || c == '-' || c == '.' || c == ':';
+        });
+        if (!plain) throw UsageError(option + " " + text + ": expected letters, digits or any of _ - . :");
+        return text;
+      },
+      "Put this in front of the results' names");
+  line.addFlag("--keep-going", keepGoing_, "Put an error record in a bad record's place and go on");
+  addValue(line, "--jobs", "N", jobs_, wholeNumber(1, kMostJobs), "Threads to work with (default: one a processor)");
+  line.addFlag("--force", force_, "f64: write it to a terminal too");
+  line.addFlag("--no-header", noHeader_, "CSV: write no header line");
+  addValue(line, "--first-line", "N", firstLine_, wholeNumber(1, kMostLines),
+           "Number of the input's first line in messages, where it is a part of a file (default: 1)");
+}
+
+void StreamOptions::addKeepGoing(CommandLine& line) {
+  line.addFlag("--keep-going", keepGoing_, "Leave a bad record out, with a message, and go on; the status is 1 then");
+}
+
+FilterSetup StreamOptions::setup(const ChoosableColumns& choosable) const {
+  FilterSetup setup;
+  setup.file = file_.value_or("-");
+  setup.from = from_;
+  setup.to = to_;
+  setup.keepGoing = keepGoing_;
+  setup.jobs = static_cast<unsigned>(jobs_.value_or(0));
+  setup.firstLine = firstLine_.value_or(1);
+  setup.force = force_;
+  setup.writer.digits = static_cast<int>(digits_.value_or(0));
+  setup.delimiter = delimiter_;
+  setup.decimal = decimal_;
+  setup.comment = comment_;
+  setup.writer.header = !noHeader_;
+  setup.writer.prefix = prefix_.value_or("");
+  if (columns_) {
+    setup.columns = chooseColumns(*columns_, choosable);
+    setup.csvDefaults = setup.writer.numberNames = setup.columns.columnNames();
+    return setup;
+  }
+  for (const auto& rows : {choosable.rows.first(1), choosable.others})
+    for (const Coordinate* row : rows)
+      for (const CoordinatePart& part : row->parts) setup.csvDefaults.emplace_back(part.name);
+  return setup;
+}
+
+void StreamOptions::settleOnEarth(FilterSetup& setup, bool worldIsEcef) {
+  if (!worldIsEcef) return;
+  const ColumnChoice& columns = setup.columns;
+  if (columns.given() && !columns.saysWhat) {
+    std::string place, ecef;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::string end = "=" + columns.picks[i].name + (i < 2 ? "," : "");
+      place += std::string(coordinates::kPlace[i].name) + end;
+      ecef += std::string(coordinates::kXyzw[i].name) + end;
+    }
+    throw UsageError("--columns " + columns.text + ": " + bareTriple(place + " or " + ecef));
+  }
+  if (!columns.given()) setup.writer.numberNames = setup.csvDefaults;
+}
+
+void StreamOptions::requireOneInput(const FilterSetup& setup, const CameraOptions& camera,
+                                    const NamedInput& other) const {
+  if (!setup.given.empty()) {
+    const std::string& given = setup.given.front().option;
+    if (file_)
+      throw UsageError(given + " takes the place of FILE; leave out one of it and " + *file_ +
+                       (camera.isGiven() ? "" : "; -c FILE gives the camera"));
+    requireNoInputOption(given.substr(0, given.find(' ')) + " takes the place of");
+  }
+  requireOneStandardInput(
+      {{"the camera", camera.fromStandardInput()}, other, {"the records", setup.given.empty() && setup.file == "-"}});
+}
+
+bool StreamOptions::readsBeside(const std::optional<std::string>& scene, const FilterSetup& setup,
+                                const CameraOptions& camera, const std::string& instead) const {
+  const NamedInput ofScene{"the scene", isStandardInput(scene)}, ofCamera{"the camera", camera.fromStandardInput()};
+  const bool isFree = !ofCamera.isStandard && !ofScene.isStandard && !isTerminal();
+  const bool reads = file_ || (instead.empty() && (!scene || isFree));
+  if (reads) {
+    requireOneInput(setup, camera, ofScene);
+  } else {
+    requireNoInputOption(instead.empty() ? "is not given" : instead);
+    requireOneStandardInput({ofCamera, ofScene});
+  }
+  return reads;
+}
+
+void StreamOptions::requireNoInputOption(const std::string& why) const {
+  for (const auto& [name, given] : {std::pair("--from", from_.has_value()),
+                                    {"--columns", columns_.has_value()},
+                                    {"--delimiter", delimiter_ && !writes_},
+                                    {"--decimal", decimal_.has_value()},
+                                    {"--comment", comment_.has_value()},
+                                    {"--first-line", firstLine_.has_value()}})
+    if (given) throw UsageError(std::string(name) + " is for FILE, which " + why);
+}
+
+}  // namespace viewproj::cmd

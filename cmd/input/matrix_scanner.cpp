@@ -1,0 +1,329 @@
+#include "input/matrix_scanner.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "input/written_digits.hpp"
+#include "text/error.hpp"
+#include "text/json_text.hpp"
+#include "text/parse_number.hpp"
+#include "text/visible.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+bool isDigit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+bool isWordStart(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+bool isWord(char c) { return isWordStart(c) || isDigit(c) || c == '.'; }
+bool isSpace(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
+
+std::string lowered(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+/// A row and a column, from 0 or from 1.
+struct Cell {
+  int row, column;
+};
+
+/// What a label says: m01, M12, _44.
+std::optional<Cell> cellOf(std::string_view word) {
+  constexpr int kMost = 4;
+  if (word.size() < 3 || isDigit(word[word.size() - 3])) return std::nullopt;
+  const Cell cell{word[word.size() - 2] - '0', word[word.size() - 1] - '0'};
+  if (!isDigit(word[word.size() - 2]) || !isDigit(word.back()) || cell.row > kMost || cell.column > kMost)
+    return std::nullopt;
+  return cell;
+}
+
+/// Reads one text from front to back; numbers gather until they are sixteen.
+class Scanner {
+ public:
+  Scanner(const std::string& text, const std::string& file) : text_(text), file_(file) {}
+
+  std::vector<WrittenMatrix> matrices() {
+    while (at_ < text_.size()) step();
+    if (!brackets_.empty()) fail(brackets_.back(), std::string("'") + text_[brackets_.back()] + "' is never closed");
+    requireNothingGathered();
+    if (found_.empty()) fail(0, "has no numbers; expected the 16 of a matrix");
+    return std::move(found_);
+  }
+
+ private:
+  struct Gathered {
+    WrittenNumber number;
+    std::size_t line, group, offset;
+    std::optional<Cell> cell;  ///< as a label says: M12:
+  };
+
+  [[noreturn]] void fail(std::size_t offset, const std::string& message) const {
+    throw InputError(place(file_, positionAt(text_, offset)) + ": " + visible(message));
+  }
+
+  void step() {
+    const char c = text_[at_];
+    const std::string_view rest = std::string_view(text_).substr(at_);
+    if (c == '\n') {
+      ++line_;
+      ++at_;
+      lineIsEmpty_ = true;
+      return;
+    }
+    const bool first = lineIsEmpty_;
+    if (!isSpace(c)) lineIsEmpty_ = false;
+    // About a print of an object.
+    const bool isAngle = c == '>' || (c == '<' && at_ + 1 < text_.size() && isWordStart(text_[at_ + 1]));
+    const bool endsLabel = (c == '=' || c == ':') && label_;
+    if (isSpace(c) || c == ',' || c == '|' || isAngle || endsLabel) {
+      ++at_;
+    } else if (c == ';') {
+      if (brackets_.empty())
+        word_.clear();
+      else
+        ++group_;  // a row of MATLAB's
+      ++at_;
+    } else if (c == '#') {
+      const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+      if (first) heading(text_.substr(at_ + 1, end - at_ - 1));
+      at_ = end;
+    } else if (rest.starts_with("//")) {
+      at_ = std::min(text_.find('\n', at_), text_.size());
+    } else if (rest.starts_with("/*")) {
+      const std::size_t end = text_.find("*/", at_);
+      if (end == std::string::npos) fail(at_, "'/*' is never closed");
+      line_ += static_cast<std::size_t>(
+          std::count(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(end - at_), '\n'));
+      at_ = end + 2;
+    } else if (c == '=' || c == ':') {
+      // What stood before was a declaration: float m[4][4] =
+      if (!areArraySizes()) requireNothingGathered();
+      gathered_.clear();
+      name_ = word_;
+      ++at_;
+    } else if (c == '{' || c == '[' || c == '(') {
+      brackets_.push_back(at_++);
+      ++group_;
+    } else if (c == '}' || c == ']' || c == ')') {
+      close(c);
+    } else if (rest.size() > 2 && rest.starts_with("--") && isWordStart(rest[2])) {
+      property();
+    } else if (isWordStart(c)) {
+      word();
+    } else if (isDigit(c) || c == '.' || c == '-' || c == '+') {
+      number();
+    } else {
+      fail(at_, "'" + character() + "' was not expected in a matrix of 16 numbers");
+    }
+  }
+
+  /// As in m[4][4].
+  bool areArraySizes() const {
+    return std::all_of(gathered_.begin(), gathered_.end(), [](const Gathered& g) {
+      return g.number.value > 0 && g.number.value <= 16 && g.number.value == std::floor(g.number.value);
+    });
+  }
+
+  void close(char c) {
+    const char opening = c == '}' ? '{' : c == ']' ? '[' : '(';
+    if (brackets_.empty()) fail(at_, std::string("'") + c + "' closes nothing");
+    if (text_[brackets_.back()] != opening)
+      fail(at_, std::string("'") + c + "' closes a '" + text_[brackets_.back()] + "'");
+    brackets_.pop_back();
+    ++group_;
+    ++at_;
+  }
+
+  void heading(const std::string& text) {
+    requireNothingGathered();
+    const std::size_t begin = text.find_first_not_of("# \t\r");
+    const std::size_t end = text.find_last_not_of(" \t\r");
+    name_ = begin == std::string::npos ? "" : text.substr(begin, end - begin + 1);
+  }
+
+  /// The name of a custom property of CSS: --projection.
+  void property() {
+    const std::size_t begin = at_ += 2;
+    while (at_ < text_.size() && (isWord(text_[at_]) || text_[at_] == '-')) ++at_;
+    word_ = text_.substr(begin, at_ - begin);
+  }
+
+  void word() {
+    const std::size_t begin = at_;
+    while (at_ < text_.size() && isWord(text_[at_])) ++at_;
+    const std::string word = text_.substr(begin, at_ - begin);
+    const std::string lower = lowered(word);
+    if (lower == "nan" || lower == "inf" || lower == "infinity") fail(begin, "'" + word + "' is not a finite number");
+    label_ = cellOf(word);
+    if (label_ && behindBlanks(at_) < text_.size() &&
+        (text_[behindBlanks(at_)] == ':' || text_[behindBlanks(at_)] == '='))
+      return;
+    label_.reset();
+    if (passNumbersOf(lower)) return;
+    if (brackets_.empty()) word_ = word;
+    if (at_ < text_.size() && text_[at_] == '<') at_ = std::min(text_.find('>', at_), text_.size() - 1) + 1;
+  }
+
+  std::size_t behindBlanks(std::size_t at) const { return std::min(text_.find_first_not_of(" \t", at), text_.size()); }
+  std::size_t behindDigits(std::size_t at) const {
+    return std::min(text_.find_first_not_of("0123456789", at), text_.size());
+  }
+
+  /// A number that belongs to the word before it: Array(16), Row 0:. Returns whether there was one.
+  bool passNumbersOf(std::string_view lower) {
+    std::size_t at = behindBlanks(at_);
+    if (lower.ends_with("array") && at < text_.size() && text_[at] == '(') {
+      const std::size_t begin = at + 1, end = behindDigits(begin);
+      if (end == begin || end == text_.size() || text_[end] != ')') return false;
+      at_ = end + 1;
+      return true;
+    }
+    if (lower != "row" && lower != "column" && lower != "col") return false;
+    const std::size_t end = behindDigits(at), colon = behindBlanks(end);
+    if (end == at || colon == text_.size() || (text_[colon] != ':' && text_[colon] != '=')) return false;
+    at_ = colon + 1;
+    ++group_;
+    return true;
+  }
+
+  void number() {
+    const std::size_t begin = at_;
+    // The size of what follows: Matrix 4x4.
+    if (const std::size_t x = behindDigits(begin); x > begin && x + 1 < text_.size() && text_[x] == 'x')
+      if (const std::size_t end = behindDigits(x + 1); end > x + 1 && (end == text_.size() || !isWord(text_[end]))) {
+        at_ = end;
+        return;
+      }
+    if (text_[at_] == '+' || text_[at_] == '-') ++at_;
+    while (at_ < text_.size() &&
+           (isWord(text_[at_]) || ((text_[at_] == '+' || text_[at_] == '-') && std::tolower(text_[at_ - 1]) == 'e')))
+      ++at_;
+    const std::string token = text_.substr(begin, at_ - begin);
+    std::string digits = token;
+    while (!digits.empty() && std::string_view("fFlLhH").find(digits.back()) != std::string_view::npos)
+      digits.pop_back();
+    const auto value = parseNumber(digits);
+    if (!value || digits.size() + 2 < token.size()) fail(begin, "'" + token + "' is not a finite number");
+    gathered_.push_back({writtenNumber(digits, *value), line_, group_, begin, std::exchange(label_, std::nullopt)});
+    if (gathered_.size() == 16) flush();
+  }
+
+  template <class Key>
+  bool fourByFour(Key key) const {
+    for (std::size_t i = 0; i < 16; ++i)
+      if (i % 4 != 0 ? key(i) != key(i - 1) : i > 0 && key(i) == key(i - 1)) return false;
+    return true;
+  }
+
+  /// Puts numbers in the places that their labels say. False where none has one.
+  bool arrange() {
+    const auto isLabelled = [](const Gathered& g) { return g.cell.has_value(); };
+    const auto plain = std::find_if_not(gathered_.begin(), gathered_.end(), isLabelled);
+    if (std::none_of(gathered_.begin(), gathered_.end(), isLabelled)) return false;
+    if (plain != gathered_.end()) fail(plain->offset, "has no label, and others of the same matrix have one");
+    // They count from 0 or from 1.
+    int first = 1;
+    for (const Gathered& g : gathered_) first = std::min({first, g.cell->row, g.cell->column});
+    std::vector<std::optional<Gathered>> places(16);
+    for (const Gathered& g : gathered_) {
+      const int row = g.cell->row - first, column = g.cell->column - first;
+      if (row > 3 || column > 3 || places[static_cast<std::size_t>(4 * row + column)])
+        fail(g.offset, "has a label that is none of the rows and columns of 16 numbers, or one of before");
+      places[static_cast<std::size_t>(4 * row + column)] = g;
+    }
+    for (std::size_t i = 0; i < 16; ++i) gathered_[i] = *places[i];
+    return true;
+  }
+
+  void flush() {
+    WrittenMatrix m;
+    m.name = visible(name_);
+    const bool labelled = arrange();
+    std::array<WrittenNumber, 16> numbers;
+    for (std::size_t i = 0; i < 16; ++i) numbers[i] = gathered_[i].number;
+    setDigits(m, numbers);
+    if (labelled || fourByFour([&](std::size_t i) { return gathered_[i].line; }) ||
+        fourByFour([&](std::size_t i) { return gathered_[i].group; }))
+      m.order = NumberOrder::rows;
+    found_.push_back(m);
+    gathered_.clear();
+    name_.clear();
+    word_.clear();
+  }
+
+  /// Of three rows, on lines or in brackets of their own or all in one.
+  bool isOfThreeRows() const {
+    const std::size_t count = gathered_.size(), columns = count / 3;
+    if (count != 9 && count != 12) return false;
+    const auto is = [&](const auto& key) {
+      bool rows = true, flat = true;
+      for (std::size_t i = 1; i < count; ++i) {
+        const bool isNew = key(gathered_[i]) != key(gathered_[i - 1]);
+        rows = rows && isNew == (i % columns == 0);
+        flat = flat && !isNew;
+      }
+      return std::pair(rows, flat);
+    };
+    const auto [byLine, oneLine] = is([](const Gathered& g) { return g.line; });
+    const auto [byGroup, oneGroup] = is([](const Gathered& g) { return g.group; });
+    return byLine || byGroup || (oneLine && oneGroup);
+  }
+
+  void flushCalibration() {
+    WrittenMatrix m;
+    m.name = visible(name_);
+    m.isCalibration = true;
+    m.columns = gathered_.size() / 3;
+    std::array<WrittenNumber, 16> numbers;
+    for (std::size_t i = 0; i < gathered_.size(); ++i) numbers[i] = gathered_[i].number;
+    setDigits(m, numbers);
+    found_.push_back(m);
+    gathered_.clear();
+    name_.clear();
+  }
+
+  void requireNothingGathered() {
+    const std::size_t count = gathered_.size();
+    if (count == 0) return;
+    if (isOfThreeRows()) return flushCalibration();
+    if (name_ == "eye" && count == 3) {  // beside matrices relative to the eye
+      gathered_.clear();
+      return;
+    }
+    const std::string what = std::to_string(count) + (count == 1 ? " number" : " numbers");
+    if (found_.empty() || !name_.empty())
+      fail(gathered_.back().offset, (name_.empty() ? "" : name_ + ": ") + "ends after " + what + "; a matrix has 16");
+    fail(gathered_.front().offset,
+         "has " + what + " more than " + (found_.size() == 1 ? "the 16 of a matrix" : "matrices of 16 each"));
+  }
+
+  /// The character at hand, of one byte or more.
+  std::string character() const {
+    std::size_t end = at_ + 1;
+    while (end < text_.size() && (static_cast<unsigned char>(text_[end]) & 0xC0) == 0x80) ++end;
+    return text_.substr(at_, end - at_);
+  }
+
+  const std::string& text_;
+  const std::string& file_;
+  std::size_t at_ = 0, line_ = 0, group_ = 0;
+  bool lineIsEmpty_ = true;
+  std::vector<std::size_t> brackets_;
+  std::string word_, name_;
+  std::optional<Cell> label_;  ///< of the number that follows
+  std::vector<Gathered> gathered_;
+  std::vector<WrittenMatrix> found_;
+};
+
+}  // namespace
+
+std::vector<WrittenMatrix> scanMatrices(const std::string& text, const std::string& name) {
+  return Scanner(text, name).matrices();
+}
+
+}  // namespace viewproj::cmd

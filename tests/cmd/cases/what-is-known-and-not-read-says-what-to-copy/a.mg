@@ -1,0 +1,1 @@
+{"header": {"releaseVersion": "2023.3.0"}, "graph": {}}
