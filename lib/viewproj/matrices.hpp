@@ -47,6 +47,31 @@ Mat4 laidOut(const Mat4& matrix, const Convention& convention) noexcept;
 /// The sixteen numbers in the convention's memory order.
 std::array<double, 16> inStorageOrder(const Mat4& matrix, const Convention& convention) noexcept;
 
+// ---- As a graphics API takes them
+
+/// The sixteen numbers of a matrix of the camera in the order in which its convention keeps them in memory: what
+/// glUniformMatrix4fv (with GL_FALSE) and its like take. Entries are rounded once from double-double: to the nearest
+/// float or double unless the true value lies within 2^-90 of its size from the middle of two.
+template <class Number>
+using StoredMatrix = std::array<Number, 16>;
+
+template <class Number>
+StoredMatrix<Number> viewFromWorld(const Camera& camera) noexcept;
+template <class Number>
+StoredMatrix<Number> worldFromView(const Camera& camera) noexcept;
+template <class Number>
+StoredMatrix<Number> clipFromView(const Camera& camera) noexcept;
+template <class Number>
+StoredMatrix<Number> viewFromClip(const Camera& camera) noexcept;
+template <class Number>
+StoredMatrix<Number> clipFromWorld(const Camera& camera) noexcept;
+template <class Number>
+StoredMatrix<Number> worldFromClip(const Camera& camera) noexcept;
+template <class Number>
+StoredMatrix<Number> screenFromWorld(const Camera& camera) noexcept;
+template <class Number>
+StoredMatrix<Number> worldFromScreen(const Camera& camera) noexcept;
+
 // ---- A model's own coordinates
 
 /// translation * rotation * scale, column vectors, as a glTF node has them. The quaternion is normalised. Each entry is
@@ -69,7 +94,8 @@ Mat4 localFromScreen(const Pose& pose, const Projection& projection, const Viewp
                      const Mat4& worldFromLocal, const Convention& convention);
 
 /// An affine matrix (last row 0 0 0 1) times a homogeneous point: each coordinate the double nearest the exact sum of
-/// products; the weight stays. From there on the world point counts as exact. Infinite where it leaves the doubles.
+/// products (within 0.5001 ulp where a product is beyond 2^900 or below 2^-900); the weight stays. From there on the
+/// world point counts as exact. Infinite where it leaves the doubles.
 Vec4 toWorld(const Mat4& worldFromLocal, const Vec4& local) noexcept;
 
 }  // namespace viewproj

@@ -1,5 +1,6 @@
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "catch.hpp"
 #include "commands/explain/stages.hpp"
@@ -23,6 +24,12 @@ Camera plainCamera(double near = 1, double far = 10, Convention convention = {})
 Camera orthographicCamera() {
   return makeCamera(lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Handedness::right), orthographic(-2, 2, -1, 1, -5, 5),
                     {200, 100});
+}
+
+std::array<double, 4> times(const Mat4& m, const Vec4& v) {
+  std::array<double, 4> r{};
+  for (std::size_t i = 0; i < 4; ++i) r[i] = m[i][0] * v.x + m[i][1] * v.y + m[i][2] * v.z + m[i][3] * v.w;
+  return r;
 }
 
 }  // namespace
@@ -289,14 +296,8 @@ TEST_CASE("Clip, NDC and view coordinates are what the matrices give") {
           orthographicLens ? orthographic(-3, 2, -1, 4, 0.5, 20) : frustum(-0.3, 0.2, -0.1, 0.4, 0.5, 20);
       const Camera camera = makeCamera(pose, projection, {100, 100}, c);
       const Vec4 point{0.5, 0.25, -1, 1};
-      const auto times = [&](const Mat4& m) {
-        std::array<double, 4> r{};
-        for (std::size_t i = 0; i < 4; ++i)
-          r[i] = m[i][0] * point.x + m[i][1] * point.y + m[i][2] * point.z + m[i][3] * point.w;
-        return r;
-      };
-      const auto clip = times(clipFromWorld(pose, projection, c));
-      const auto view = times(viewFromWorld(pose, c));
+      const auto clip = times(clipFromWorld(pose, projection, c), point);
+      const auto view = times(viewFromWorld(pose, c), point);
       const Vec4 gotClip = worldToClip(camera, point, c);
       const Vec3 gotView = worldToView(camera, point, c);
       const Vec3 gotNdc = worldToNdc(camera, point, c);
@@ -313,6 +314,49 @@ TEST_CASE("Clip, NDC and view coordinates are what the matrices give") {
       CHECK(gotNdc.y == near(clip[1] / clip[3]));
       CHECK(gotNdc.z == near(clip[2] / clip[3]));
     }
+}
+
+TEST_CASE("Matrices with the viewport folded in take a model's points to their pixels, and back") {
+  const Mat4 model{{{{0, 2, 0, 1}, {-2, 0, 0, 0.5}, {0, 0, 3, -1}, {0, 0, 0, 1}}}};
+  for (const ConventionPreset& preset : conventionPresets())
+    for (const bool orthographicLens : {false, true}) {
+      INFO(preset.name);
+      const Convention& c = preset.convention;
+      const Pose pose = lookAt({3, 2, 5}, {0, 1, 0}, {0, 1, 0}, c.world);
+      const Projection projection =
+          orthographicLens ? orthographic(-3, 2, -1, 4, 0.5, 20) : frustum(-0.3, 0.2, -0.1, 0.4, 0.5, 20);
+      const Viewport viewport{300, 200};
+      const Camera camera = makeCamera(pose, projection, viewport, c);
+      const auto near = [](double x) { return Approx(x).epsilon(1e-12).margin(1e-12); };
+      for (const Vec3& local : {Vec3{0.5, 0.25, -0.5}, Vec3{0, 0, 0}, Vec3{-0.25, 0.5, 0.125}}) {
+        const Vec4 world = toWorld(model, {local.x, local.y, local.z, 1});
+        const ScreenPoint truth = worldToScreen(camera, Vec3{world.x, world.y, world.z});
+        const auto there = times(screenFromLocal(pose, projection, viewport, model, c), {local.x, local.y, local.z, 1});
+        CHECK(there[0] / there[3] == near(truth.x));
+        CHECK(there[1] / there[3] == near(truth.y));
+        CHECK(there[2] / there[3] == near(truth.depth));
+        const auto back =
+            times(localFromScreen(pose, projection, viewport, model, c), {truth.x, truth.y, truth.depth, 1});
+        for (std::size_t i = 0; i < 3; ++i) CHECK(back[i] / back[3] == near(local[i]));
+      }
+    }
+}
+
+TEST_CASE("A model's matrix and its points keep their digits at both ends of the range of doubles") {
+  constexpr double kLarge = 1e308, kSmall = 1e-308;
+  const Quaternion none{}, half{0.6, 0, 0, 0.8};  // 0.28 and 0.96 along y and z
+  CHECK(worldFromLocal({0, 0, 0}, none, {kLarge, 1, kSmall})[0][0] == kLarge);
+  CHECK(worldFromLocal({0, 0, 0}, none, {kLarge, 1, kSmall})[2][2] == kSmall);
+  CHECK(worldFromLocal({0, 0, 0}, half, {1, kLarge, 1})[1][1] == Approx(0.28 * kLarge).epsilon(1e-15));
+  CHECK(worldFromLocal({0, 0, 0}, half, {1, kLarge, 1})[2][1] == Approx(0.96 * kLarge).epsilon(1e-15));
+  Mat4 wide = worldFromLocal({-kLarge, 0, kSmall}, none, {kLarge, 1e200, kSmall});
+  CHECK(toWorld(wide, {1.5, 1e108, -0.5, 1}).x == Approx(kLarge / 2).epsilon(1e-15));
+  CHECK(toWorld(wide, {1, 1e108, -0.5, 1}).x == 0);
+  CHECK(toWorld(wide, {1, 1e109, 0, 1}).y == std::numeric_limits<double>::infinity());
+  CHECK(toWorld(wide, {1, 1e-200, -0.5, 1}).y == 1);
+  CHECK(toWorld(wide, {1, 1, -0.5, 1}).z == kSmall / 2);
+  wide[0] = {kLarge, -kLarge, 1, 0};  // what cancels leaves the smallest term
+  CHECK(toWorld(wide, {16, 16, 0.1, 1}).x == 0.1);
 }
 
 TEST_CASE("Along an axis of the world a viewDistance is a difference, and certain even where it is a tie") {
