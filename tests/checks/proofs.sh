@@ -1,13 +1,13 @@
 #!/bin/sh
 # Proves the error bounds of standard and fast, and of exact's dot products: Gappa runs the scripts of tests/proofs with
-# the constants that lib/projection/kernels/error_model.hpp has now.
+# the constants that the headers have now.
 #   sh tests/checks/proofs.sh [NAME...]     some scripts, such as dot
 # In a script "#: RUN: DEFINITIONS" is a run with these definitions, and "#! RUN: NAME = VALUE" the same run with another
 # value of one of them, or of a constant, which must not be proved. Each run has one at least: premises that contradict
 # each other would prove anything.
 set -eu
 cd "$(dirname "$0")/../.."
-header=lib/projection/kernels/error_model.hpp
+headers="lib/projection/kernels/error_model.hpp lib/viewproj/screen.hpp"
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 status=0
@@ -26,7 +26,8 @@ gappa_says() {
   sed '/^Warning: renaming identifier/d; /^Warning: maximum number of iterations/d' "$folder/words"
 }
 
-sed -n 's/^inline constexpr double \(k[A-Za-z]*\) = \([^;]*\);.*/\1 = \2;/p' "$header" >"$folder/constants"
+# shellcheck disable=SC2086  # a list of words
+sed -n 's/^inline constexpr double \(k[A-Za-z]*\) = \([^;]*\);.*/\1 = \2;/p' $headers >"$folder/constants"
 [ $# -gt 0 ] || set -- tests/proofs/*.g
 for script; do
   name=$(basename "$script" .g)

@@ -3,7 +3,7 @@
 #   smallest (1 + 1 / |W|),
 # lo what the offset's double leaves of it. y = F D / |W|, S = |scale's double / W|, Z = |z|.
 #
-# Taken from dot.g: W is within k F D. Taken from the text: offset and scale are doubled doubles within kExactParameter,
+# Taken from dot.g: W is within k F D. Taken from the text: offset and scale are double-doubles within kExactParameter,
 # the bound's own roundings take 2^-48 of it, and a product that underflows loses smallest / 8 at most.
 #
 # narrowed: whether scale and offset are rounded to float32.
