@@ -19,10 +19,10 @@
 // off by u of itself, which is at most the spacing of floats there, and so at most d. Two roundings, where fast has
 // one. The last sums and the parameters are off by u, and the centre and the offset by what float32 leaves of them.
 // For every point whose pixel lies in the picture, d = W (C + qx RX + qy RY) with C, RX, RY the columns of the pose, so
-// t <= |C|_1 + |qx| |RX|_1 + |qy| |RY|_1: a bound for the camera alone, of points at any distance. (d is off from that by
-// what rounding the eye left, which is half of a component of d at most, and near a half only where that component is so
-// few last places of the eye that neither it nor its product takes a rounding.)
-// All but this paragraph stands in tests/proofs for a machine.
+// t <= |C|_1 + |qx| |RX|_1 + |qy| |RY|_1: a bound for the camera alone, of points at any distance. (d is off from that
+// by what rounding the eye left, which is half of a component of d at most, and near a half only where that component
+// is so few last places of the eye that neither it nor its product takes a rounding.) All but this paragraph stands in
+// tests/proofs for a machine.
 #pragma once
 
 namespace viewproj::detail {
