@@ -1,6 +1,7 @@
 # A coordinate of exact in orthographic, before it is certified, against the true one, x = center + X: within margin, of the
 # kZivMargin (4) that the code takes, of kExactDotX M D + kExactParameter (|X| + reach). And a depth, with the offset for the
-# centre and scale W for X: dot is kExactDotW then, m is |scale| F D. m = M D, Q = |X|, r = reach.
+# centre and scale W for X: dot is kExactDotW then, m is |scale| F D, or 0
+# (forwardIsAxis). m = M D, Q = |X|, r = reach.
 #
 # Taken from exact_dot.g: X and W. From product.g: the depth's product; a coordinate has none. From the text: the rest, as in
 # exact_perspective.g.

@@ -2,7 +2,7 @@
 # margin, of the kZivMargin (4) that the code takes, of
 #   kExactDotX M D / |W| + kExactDotW F D / |W| |q| + kExactParameter (|q| + reach),
 # and a depth the same without the first term, with the offset for the centre and scale for X. m = M D / |W|, y = F D / |W|,
-# Q = |q|, r = reach.
+# Q = |q|, r = reach. Where W is a coordinate's difference to the eye (forwardIsAxis), it has no error and y is 0.
 #
 # Taken from exact_dot.g: X and W. From quotient.g: the quotient and its low part. From the text: the centre is within half of
 # kExactParameter * reach, and scale within half of kExactParameter; high parts of centre and X are about as large as the
