@@ -29,7 +29,10 @@
 // 12 in all. kExactDot is 13: second order and the scaled rows' own 2^-98 are within the rest. Without a fused
 // multiply-add q and W are cut in halves likewise, and the products with low halves are off by 6 2^-79 of the quotient.
 // For every point whose pixel lies in the picture, d = W (C + qx RX + qy RY) with C, RX, RY the columns of the pose, so
-// t <= |C|_1 + |qx| |RX|_1 + |qy| |RY|_1: a bound for the camera alone, of points at any distance.
+// t <= |C|_1 + |qx| |RX|_1 + |qy| |RY|_1: a bound for the camera alone, of points at any distance. (d is off from that
+// by what rounding the eye left, which is half of a component of d at most, and near a half only where that component
+// is so few last places of the eye that neither it nor its product takes a rounding.) All but this paragraph stands in
+// tests/proofs for a machine.
 #pragma once
 
 namespace viewproj::detail {
