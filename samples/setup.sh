@@ -3,6 +3,7 @@
 #   sh samples/setup.sh          the tool, and what else an installation takes
 #   sh samples/setup.sh tests    the tool and the tests, with their judges
 #   sh samples/setup.sh checks   these, and what tests/checks and tests/benchmark need
+#   sh samples/setup.sh platforms    the tool, and what tests/checks/platforms.sh needs: its compilers, wine and qemu
 # VIEWPROJ_OPTIONS in the environment: further options of CMake.
 set -eu
 cd "$(dirname "$0")/.."
@@ -26,6 +27,10 @@ if [ "${1:-}" = checks ]; then
   packages="$packages clang clang-format clang-tidy cppcheck libclang-rt-14-dev llvm shellcheck"
   packages="$packages dpkg-dev file lintian mandoc pkgconf debootstrap"
   packages="$packages jq miller mawk gawk proj-bin"
+fi
+
+if [ "${1:-}" = platforms ]; then
+  packages="$packages clang libc++-dev libc++abi-dev g++-mingw-w64-x86-64-posix wine64 g++-aarch64-linux-gnu qemu-user"
 fi
 
 if command -v dpkg-query >/dev/null 2>&1; then

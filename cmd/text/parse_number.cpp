@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace viewproj::cmd {
 
@@ -11,6 +12,13 @@ const char* readNumber(const char* begin, const char* end, double& number) {
   // Newer versions call what is beyond all doubles, or next to zero, an error, and give its value all the same.
   const auto [stop, error] = fast_float::from_chars(begin, end, number);
   return error == std::errc::invalid_argument ? nullptr : stop;
+}
+
+double powerOfTen(int exponent) {
+  const std::string text = "1e" + std::to_string(exponent);
+  double power = 0;
+  readNumber(text.data(), text.data() + text.size(), power);
+  return power;
 }
 
 std::optional<double> parseNumber(std::string_view text) {

@@ -12,6 +12,9 @@ namespace viewproj::cmd {
 /// there is none.
 const char* readNumber(const char* begin, const char* end, double& number);
 
+/// The double nearest 10^exponent, which std::pow does not give everywhere.
+double powerOfTen(int exponent);
+
 /// The double nearest the decimal text, blanks around it and a leading + allowed; nothing if the text is not a finite
 /// number as a whole.
 std::optional<double> parseNumber(std::string_view text);

@@ -85,7 +85,13 @@ void restoreCodePage() { ::SetConsoleOutputCP(codePage); }
 
 void prepareSystem(int& argc, char**& argv) {
   for (int descriptor = 0; descriptor <= 2; ++descriptor) {
-    if (::_get_osfhandle(descriptor) < 0) (void)::_open("NUL", _O_RDONLY);
+    if (::_get_osfhandle(descriptor) < 0 || kindOf(descriptor) == FILE_TYPE_UNKNOWN) {
+      const int nothing = ::_open("NUL", _O_RDONLY);
+      if (nothing >= 0 && nothing != descriptor) {
+        (void)::_dup2(nothing, descriptor);
+        ::_close(nothing);
+      }
+    }
     ::_setmode(descriptor, _O_BINARY);
   }
   if (isTerminal(kStandardOutput) || isTerminal(kStandardError)) {
@@ -107,7 +113,7 @@ void prepareSystem(int& argc, char**& argv) {
 }
 
 std::filesystem::path pathOf(const std::string& name) { return wide(name); }
-std::string nameOf(const std::filesystem::path& path) { return narrow(path.native()); }
+std::string nameOf(const std::filesystem::path& path) { return narrow(path.generic_wstring()); }
 
 bool isTerminal(int descriptor) {
   DWORD mode = 0;
@@ -132,6 +138,7 @@ int openToRead(const std::string& name) {
   const std::wstring path = wide(name);
   const int descriptor = ::_wopen(path.c_str(), _O_RDONLY | _O_BINARY | _O_NOINHERIT);
   if (descriptor < 0 && isFolder(path)) errno = EISDIR;
+  if (descriptor < 0 && errno == EINVAL) errno = ENOENT;  // no file has such a name
   return descriptor;
 }
 
@@ -143,20 +150,30 @@ std::ptrdiff_t readSome(int descriptor, char* to, std::size_t most) {
   return got < 0 && errno == EPIPE ? 0 : got;  // the writer has gone: the end
 }
 
+namespace {
+
+/// Whether a pipe has bytes, or its end; nothing where it cannot be asked.
+std::optional<bool> pipeIsReady(int descriptor) {
+  DWORD bytes = 0;
+  if (::PeekNamedPipe(handleOf(descriptor), nullptr, 0, nullptr, &bytes, nullptr)) return bytes > 0;
+  if (errorOf(::GetLastError()) == EPIPE) return true;
+  return std::nullopt;
+}
+
+}  // namespace
+
 bool isReady(int descriptor) {
-  if (kindOf(descriptor) == FILE_TYPE_PIPE) {
-    DWORD bytes = 0;
-    return !::PeekNamedPipe(handleOf(descriptor), nullptr, 0, nullptr, &bytes, nullptr) || bytes > 0;
-  }
+  if (kindOf(descriptor) == FILE_TYPE_PIPE) return pipeIsReady(descriptor).value_or(false);
   return ::WaitForSingleObject(handleOf(descriptor), 0) != WAIT_TIMEOUT;
 }
 
 bool waitUnless(int descriptor, int other) {
   // Nothing waits for a pipe and for something else at once.
   constexpr DWORD kMilliseconds = 1;
+  const bool isPipe = kindOf(descriptor) == FILE_TYPE_PIPE;
   while (!isReady(other)) {
-    if (isReady(descriptor)) return true;
-    if (kindOf(descriptor) == FILE_TYPE_PIPE)
+    if (isPipe ? pipeIsReady(descriptor).value_or(true) : isReady(descriptor)) return true;
+    if (isPipe)
       ::Sleep(kMilliseconds);
     else
       ::WaitForSingleObject(handleOf(descriptor), kMilliseconds);
