@@ -24,7 +24,7 @@ if [ "${1:-}" = tests ] || [ "${1:-}" = checks ]; then
 fi
 if [ "${1:-}" = checks ]; then
   packages="$packages ccache ninja-build"
-  packages="$packages clang clang-format clang-tidy cppcheck libclang-rt-14-dev llvm shellcheck"
+  packages="$packages clang clang-format clang-tidy cppcheck gappa libclang-rt-14-dev llvm shellcheck"
   packages="$packages dpkg-dev file lintian mandoc pkgconf debootstrap"
   packages="$packages jq miller mawk gawk proj-bin"
 fi

@@ -50,6 +50,20 @@ double rangeOf(std::initializer_list<double> numbers) noexcept {
   return range;
 }
 
+/// A row whose largest entry is not a normal double stays whole: exact leaves such cameras to numbers of wider range.
+SplitRow splitRow(const DDVec3& row) noexcept {
+  constexpr int kBits = 25;
+  SplitRow split{rounded(row), {}};
+  const double largest = maxAbs(row);
+  if (!std::isnormal(largest)) return split;
+  const double grid = std::ldexp(1.5, std::ilogb(largest) + 1 - kBits + 52);
+  for (std::size_t i = 0; i < 3; ++i) {
+    split.high[i] = (row[i].hi + grid) - grid;
+    split.low[i] = (row[i].hi - split.high[i]) + row[i].lo;
+  }
+  return split;
+}
+
 }  // namespace
 
 Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport& viewport,
@@ -90,6 +104,9 @@ Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport
   k.x = c.pose.rows.right * map.scaleX;
   k.y = c.pose.rows.up * map.scaleY;
   k.w = c.pose.rows.forward;
+  k.splitX = splitRow(k.x);
+  k.splitY = splitRow(k.y);
+  k.splitW = splitRow(k.w);
   k.residual = {c.pose.residual.x * map.scaleX, c.pose.residual.y * map.scaleY, c.pose.residual.z};
   k.centerX = map.centerX;
   k.centerY = map.centerY;

@@ -7,6 +7,11 @@
 
 namespace viewproj::detail {
 
+/// A row of three in two parts: high has 25 bits of the largest entry, all multiples of one power of two, low the rest.
+struct SplitRow {
+  Vec3 high, low;
+};
+
 /// What projecting a point needs of a camera. In perspective, with d = point - eye and q = (x . d) / (w . d),
 ///   screen x = centerX + q,  window depth = depthOffset + depthScale / (w . d)
 /// and in orthographic
@@ -14,8 +19,9 @@ namespace viewproj::detail {
 struct ProjectionConstants {
   bool orthographic = false;
   Vec3 eye;
-  DDVec3 x, y, w;   ///< rows scaled to pixels: scaleX right, scaleY up, forward
-  DDVec3 residual;  ///< the pose's, scaled likewise, to be added to x . d, y . d, w . d
+  DDVec3 x, y, w;                   ///< rows scaled to pixels: scaleX right, scaleY up, forward
+  SplitRow splitX, splitY, splitW;  ///< of the same rows
+  DDVec3 residual;                  ///< the pose's, scaled likewise, to be added to x . d, y . d, w . d
   DoubleDouble centerX, centerY, depthOffset, depthScale;
 
   /// forward is an axis of the world, and residual 0: W is a coordinate's difference to the eye, without an error.

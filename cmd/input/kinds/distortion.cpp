@@ -98,7 +98,7 @@ class Gatherer {
     if (std::all_of(numbers.begin(), numbers.end(), isZero)) return;
     put(field.path);
     for (std::size_t i = 0; i < numbers.size(); ++i)
-      if (std::isfinite(numbers[i]) && i < std::size(kOrder))
+      if (i < std::size(kOrder) && std::isfinite(numbers[i]))
         set(kOrder[i], numbers[i]);
       else if (numbers[i] != 0)
         isUnknown_ = true;

@@ -18,8 +18,21 @@
 // within a factor of two of high the first difference is exact, of any other at least half of high and off by u; low is
 // off by u of itself, which is at most the spacing of floats there, and so at most d. Two roundings, where fast has
 // one. The last sums and the parameters are off by u, and the centre and the offset by what float32 leaves of them.
+// exact: a row's entries and d are cut in two. The high part of a row has 25 bits of M, and all three are multiples of
+// one number; that of d, by adding and subtracting 2^27 D, 27 bits of D, multiples of one number too. So the three
+// products of high parts have at most 52 bits, and their sum is exact. The low parts are below 2^-25 M and 2^-26 D, and
+// the six products with them below (1/2 + 3/4) 2^-24 M D in all. In units of 2^-77 M D they are off by 5/4, their five
+// sums, one after the other, by 4, the low parts of d by 3/4, those of the row by 1/2, and what is left out, low times
+// d's second part, is 1/2: 7. High and low sum stay apart. What follows, the remainder of a quotient or the sum with
+// the center, takes one of them from something of its size and then the other, which costs u of the low sums each time:
+// 5/4 twice of X; of W, whose products with q are rounded too where there is no fused multiply-add, 5/4 four times, and
+// 12 in all. kExactDot is 13: second order and the scaled rows' own 2^-98 are within the rest. Without a fused
+// multiply-add q and W are cut in halves likewise, and the products with low halves are off by 6 2^-79 of the quotient.
 // For every point whose pixel lies in the picture, d = W (C + qx RX + qy RY) with C, RX, RY the columns of the pose, so
-// t <= |C|_1 + |qx| |RX|_1 + |qy| |RY|_1: a bound for the camera alone, of points at any distance.
+// t <= |C|_1 + |qx| |RX|_1 + |qy| |RY|_1: a bound for the camera alone, of points at any distance. (d is off from that
+// by what rounding the eye left, which is half of a component of d at most, and near a half only where that component
+// is so few last places of the eye that neither it nor its product takes a rounding.) All but this paragraph stands in
+// tests/proofs for a machine.
 #pragma once
 
 namespace viewproj::detail {
@@ -61,10 +74,10 @@ inline constexpr double kLargestRange = 0x1p600;
 inline constexpr double kLargestRangeFloat = 0x1p60;
 inline constexpr double kLargestRangeExact = 0x1p500;
 
-/// exact, before the final rounding: a numerator is within kExactDotX M D (128 u^2 of the dot product and 2^-98 of the
-/// scaled rows), W within kExactDotW F D, and every parameter and operation within kExactParameter, all relative.
-inline constexpr double kExactDotX = 0x1.1p-97;
-inline constexpr double kExactDotW = 0x1.1p-98;
+/// exact, before the final rounding: a numerator is within kExactDot M D, W within kExactDot F D, a quotient within
+/// kExactQuotient, and every parameter within kExactParameter, all relative.
+inline constexpr double kExactDot = 0x1.ap-74;
+inline constexpr double kExactQuotient = 0x1p-76;
 inline constexpr double kExactParameter = 0x1p-97;
 /// What low parts may lose below the smallest double.
 inline constexpr double kExactUnderflow = 0x1p-1070;

@@ -26,23 +26,19 @@ struct ScalarLanes {
   static D splat(double a) { return a; }
   static D absolute(D a) { return std::fabs(a); }
   static F absolute(F a) { return std::fabs(a); }
-  static D withSignOf(D size, D sign) { return std::copysign(size, sign); }
   static D larger(D a, D b) { return a > b ? a : b; }
   static F larger(F a, F b) { return a > b ? a : b; }
   static D squareRoot(D a) { return std::sqrt(a); }
   /// multiplyAdd: a * b + c, rounded once or twice. productError: the rounding error of a * b, whose rounded value is
-  /// product. remainder: a - b * c to one rounding, for b * c near a.
+  /// product.
 #if defined(__FMA__) || defined(__ARM_FEATURE_FMA)
+  static constexpr bool hasFusedMultiplyAdd = true;
   static D multiplyAdd(D a, D b, D c) { return __builtin_fma(a, b, c); }
   static D productError(D a, D b, D product) { return __builtin_fma(a, b, -product); }
-  static D remainder(D a, D b, D c) { return __builtin_fma(-b, c, a); }
 #else
+  static constexpr bool hasFusedMultiplyAdd = false;
   static D multiplyAdd(D a, D b, D c) { return a * b + c; }
   static D productError(D a, D b, D) { return twoProd(a, b).lo; }
-  static D remainder(D a, D b, D c) {
-    const DoubleDouble product = twoProd(b, c);
-    return (a - product.hi) - product.lo;
-  }
 #endif
 };
 
@@ -265,13 +261,13 @@ class FloatFormula {
   float centerX_, centerY_, depthOffset_, depthScale_;
 };
 
-/// A double-double of lanes.
+/// A number of lanes as the sum of two. lo is small beside what the number is made of, not always beside hi.
 template <class D>
 struct Pair {
   D hi, lo;
 };
 
-/// exact: double-double, with a certificate for every number: valid lanes are the doubles nearest the true values.
+/// exact: about 75 bits, with a certificate for every number: valid lanes are the doubles nearest the true values.
 template <class L, class Traits>
 class ExactFormula {
  public:
@@ -280,69 +276,72 @@ class ExactFormula {
 
   ExactFormula(const ProjectionConstants& k, Band)
       : eye_(k.eye),
-        x_(k.x),
-        y_(k.y),
-        w_(k.w),
+        x_(k.splitX),
+        y_(k.splitY),
+        w_(k.splitW),
         residual_(k.residual),
         centerX_(k.centerX),
         centerY_(k.centerY),
         offset_(k.depthOffset),
         scale_(k.depthScale),
+        forwardIsAxis_(k.forwardIsAxis),
         residualReach_(k.residualReach * kSecondOrder),
-        errorXY_(kZivMargin * kExactDotX * k.sizeXY),
-        errorW_(k.forwardIsAxis ? 0 : kZivMargin * kExactDotW * k.sizeW),
-        errorCenterX_(kZivMargin * kExactParameter * k.reachX),
-        errorCenterY_(kZivMargin * kExactParameter * k.reachY),
+        errorXY_(kZivMargin * (kExactDot + (k.orthographic ? 0 : kExactQuotient)) * k.sizeXY),
+        errorW_(k.forwardIsAxis ? 0 : kZivMargin * kExactDot * k.sizeW),
+        sizeXY_(k.sizeXY),
+        errorCenter_(kZivMargin * kExactParameter * (k.reachX > k.reachY ? k.reachX : k.reachY)),
         errorOffset_(kZivMargin * (kExactParameter * std::fabs(k.depthOffset.hi) + kExactUnderflow)),
         reach_(isInRange(k, kLargestRow, kLargestRangeExact) && std::fabs(k.depthScale.hi) > kSmallestReachExact
                    ? kLargestReachExact
                    : 0) {}
 
-  Projected<D, M> point(D px, D py, D pz) const {
+  [[gnu::always_inline]] Projected<D, M> point(D px, D py, D pz) const {
     const Pair<D> d[3] = {sum(px, L::splat(-eye_.x)), sum(py, L::splat(-eye_.y)), sum(pz, L::splat(-eye_.z))};
-    const Pair<D> x = dot(x_, d, residual_.x);
-    const Pair<D> y = dot(y_, d, residual_.y);
-    const Pair<D> w = dot(w_, d, residual_.z);
     D reach = L::absolute(d[0].hi) + L::absolute(d[1].hi) + L::absolute(d[2].hi);
     if constexpr (Traits::residual) reach = reach + residualReach_;
+    const D grid = reach * kSplit;
+    const SplitLanes s[3] = {split(d[0], grid), split(d[1], grid), split(d[2], grid)};
+    const Pair<D> x = dot(x_, s, residual_.x);
+    const Pair<D> y = dot(y_, s, residual_.y);
+    // Along an axis of the world it is a difference, without an error.
+    const Pair<D> w = forwardIsAxis_ ? along(w_.high, d) : dot(w_, s, residual_.z);
     const M inRange = all(reach < reach_, kSmallestReachExact < reach);
-    constexpr double kParameter = kZivMargin * kExactParameter;
     Projected<D, M> r;
-    r.distance = w.hi;
+    r.distance = w.hi + w.lo;
     if constexpr (Traits::orthographic) {
-      const Pair<D> sx = add(centerX_, x), sy = add(centerY_, y);
-      const Pair<D> scaled = times(scale_, w);
-      const Pair<D> z = add(offset_, scaled);
-      const D error = errorXY_ * reach;
-      const D errorZ = errorOffset_ + L::absolute(scaled.hi) * kParameter + std::fabs(scale_.hi) * (errorW_ * reach);
-      r.x = sx.hi;
-      r.y = sy.hi;
-      r.depth = z.hi;
+      const Pair<D> z = times(scale_, w);
+      const D error = errorXY_ * reach + errorCenter_;
+      const D errorZ =
+          errorOffset_ + L::absolute(z.hi) * (kZivMargin * kExactParameter) + std::fabs(scale_.hi) * (errorW_ * reach);
       // Of a distance without an error, the product with scale might have underflowed.
-      const D size = L::absolute(w.hi);
+      const D size = L::absolute(r.distance);
       const M hasDigits = (size > kSmallestDistanceExact) | (size == D{});
-      r.valid = all(inRange, hasDigits, certain(sx, error + (errorCenterX_ + L::absolute(x.hi) * kParameter)),
-                    certain(sy, error + (errorCenterY_ + L::absolute(y.hi) * kParameter)), certain(z, errorZ));
+      const M xIsNearest = isNearestSum(centerX_, x, error, r.x), yIsNearest = isNearestSum(centerY_, y, error, r.y);
+      r.valid = all(inRange, hasDigits, xIsNearest, yIsNearest, isNearestSum(offset_, z, errorZ, r.depth));
       r.behind = reach < D{};
     } else {
-      const D perW = 1.0 / w.hi;
-      const Pair<D> qx = quotient(x, w, perW), qy = quotient(y, w, perW);
-      const Pair<D> qz = quotient({L::splat(scale_.hi), L::splat(scale_.lo)}, w, perW);
-      const Pair<D> sx = add(centerX_, qx), sy = add(centerY_, qy), z = add(offset_, qz);
-      const D t = reach * L::absolute(perW);
-      const D relative = t * errorW_ + kParameter;
-      const D error = t * errorXY_;
-      r.x = sx.hi;
-      r.y = sy.hi;
-      r.depth = z.hi;
+      const Divisor by(w, r.distance);
+      const Pair<D> z = quotient({L::splat(scale_.hi), L::splat(scale_.lo)}, by);
+      // Negative with w, which is not valid then, whatever the errors.
+      const D t = reach * by.inverse;
+      // |X/W| is at most t times the largest entry of a row.
+      const D error =
+          L::multiplyAdd(t, L::multiplyAdd(t, L::splat(errorW_ * sizeXY_), L::splat(errorXY_)), L::splat(errorCenter_));
+      const M xIsNearest = isNearestSum(centerX_, quotient(x, by), by.inverse, error, r.x);
+      const M yIsNearest = isNearestSum(centerY_, quotient(y, by), by.inverse, error, r.y);
+      const D errorZ = L::multiplyAdd(by.inverse,
+                                      L::multiplyAdd(t, L::splat(errorW_ * std::fabs(scale_.hi)),
+                                                     L::splat(kZivMargin * kExactQuotient * std::fabs(scale_.hi))),
+                                      L::splat(errorOffset_));
       const D least = reach * kSignUncertaintyExact;
-      r.valid = all(inRange, w.hi > least, certain(sx, L::absolute(qx.hi) * relative + (error + errorCenterX_)),
-                    certain(sy, L::absolute(qy.hi) * relative + (error + errorCenterY_)),
-                    certain(z, L::absolute(qz.hi) * relative + errorOffset_));
-      r.behind = all(inRange, w.hi < -least);
+      const M zIsNearest = isNearestSum(offset_, z, by.inverse, errorZ, r.depth);
+      r.valid = all(inRange, r.distance > least, xIsNearest, yIsNearest, zIsNearest);
+      r.behind = all(inRange, r.distance < -least);
     }
     if constexpr (Traits::distance) {
-      const M settled = certain(w, errorW_ * reach);
+      const D error = errorW_ * reach;
+      r.distance = w.hi + (w.lo + error);
+      const M settled = r.distance == w.hi + (w.lo - error);
       r.valid = all(r.valid, settled);
       r.behind = all(r.behind, settled);
     }
@@ -350,69 +349,105 @@ class ExactFormula {
   }
 
  private:
-  /// Errors are taken four times as large, so that one side of Ziv's test is enough: what rounds safely on lo's side by
-  /// this much is at least half of that away from the border on the other, at powers of two as well.
-  static constexpr double kZivMargin = 4;
+  /// Errors are taken twice as large as they can be: that covers the roundings of Ziv's test itself.
+  static constexpr double kZivMargin = 2;
+  /// Adding and subtracting this many |d| rounds a coordinate of d to 27 bits of |d|, all to multiples of one number.
+  static constexpr double kSplit = 0x1p27;
+
+  /// A coordinate: high has the bits that kSplit leaves, low the rest, hi both (as of Pair).
+  struct SplitLanes {
+    D high, low, hi;
+  };
+
+  /// w to divide by: the inverse of its rounded value, and in two parts, as SplitLanes, where that takes the place of a
+  /// fused multiply-add.
+  struct Divisor {
+    Pair<D> w;
+    D rounded, inverse, high, low;
+    Divisor(const Pair<D>& parts, D value) : w(parts), rounded(value), inverse(1.0 / value), high(), low() {
+      if constexpr (!L::hasFusedMultiplyAdd) {
+        high = upperHalf(w.hi);
+        low = (w.hi - high) + w.lo;
+      }
+    }
+  };
+
+  /// 26 bits of a (Veltkamp).
+  static D upperHalf(D a) {
+    const D scaled = (0x1p27 + 1) * a;
+    return scaled - (scaled - a);
+  }
 
   static Pair<D> sum(D a, D b) {
     const D s = a + b;
     const D part = s - a;
     return {s, (a - (s - part)) + (b - part)};
   }
-  static Pair<D> quickSum(D a, D b) {
-    const D s = a + b;
-    return {s, b - (s - a)};
+
+  static SplitLanes split(const Pair<D>& d, D grid) {
+    const D high = (d.hi + grid) - grid;
+    return {high, (d.hi - high) + d.lo, d.hi};
   }
 
-  /// row . d + residual, to 128 u^2 of the sum of sizes.
-  static Pair<D> dot(const DDVec3& row, const Pair<D>* d, const DoubleDouble& residual) {
-    const D r0 = L::splat(row.x.hi), r1 = L::splat(row.y.hi), r2 = L::splat(row.z.hi);
-    const D p0 = r0 * d[0].hi, p1 = r1 * d[1].hi, p2 = r2 * d[2].hi;
-    const Pair<D> s = sum(p0, p1);
-    const Pair<D> t = sum(s.hi, p2);
-    // Short chains, side by side: waiting for one another is what costs here.
-    const D crossed0 = L::multiplyAdd(r0, d[0].lo, row.x.lo * d[0].hi);
-    const D crossed1 = L::multiplyAdd(r1, d[1].lo, row.y.lo * d[1].hi);
-    const D crossed2 = L::multiplyAdd(r2, d[2].lo, row.z.lo * d[2].hi);
-    const D errors =
-        (L::productError(r0, d[0].hi, p0) + L::productError(r1, d[1].hi, p1)) + L::productError(r2, d[2].hi, p2);
-    const D low = ((crossed0 + crossed1) + (crossed2 + errors)) + (s.lo + t.lo);
-    const Pair<D> result = quickSum(t.hi, low);
-    if constexpr (Traits::residual) {
-      const Pair<D> shifted = sum(result.hi, L::splat(residual.hi));
-      return quickSum(shifted.hi, shifted.lo + (result.lo + residual.lo));
+  /// row . d + residual, to kExactDot of the sum of sizes. The products of high parts, and their sums, are exact.
+  static Pair<D> dot(const SplitRow& row, const SplitLanes* d, const DoubleDouble& residual) {
+    const D high = L::multiplyAdd(L::splat(row.high.x), d[0].high,
+                                  L::multiplyAdd(L::splat(row.high.y), d[1].high, row.high.z * d[2].high));
+    D low = row.low.x * d[0].hi;
+    low = L::multiplyAdd(L::splat(row.low.y), d[1].hi, low);
+    low = L::multiplyAdd(L::splat(row.low.z), d[2].hi, low);
+    low = L::multiplyAdd(L::splat(row.high.x), d[0].low, low);
+    low = L::multiplyAdd(L::splat(row.high.y), d[1].low, low);
+    low = L::multiplyAdd(L::splat(row.high.z), d[2].low, low);
+    if constexpr (!Traits::residual) return {high, low};
+    const Pair<D> shifted = sum(high, L::splat(residual.hi));
+    return {shifted.hi, shifted.lo + (low + residual.lo)};
+  }
+
+  /// axis . d, of a row that has one entry of 1 or -1, and zeros.
+  static Pair<D> along(const Vec3& axis, const Pair<D>* d) {
+    return {axis.x * d[0].hi + axis.y * d[1].hi + axis.z * d[2].hi,
+            axis.x * d[0].lo + axis.y * d[1].lo + axis.z * d[2].lo};
+  }
+
+  /// a / w as q and the rest, whose product with the inverse is to be added to q.
+  static Pair<D> quotient(const Pair<D>& a, const Divisor& by) {
+    const D q = (a.hi + a.lo) * by.inverse;
+    if constexpr (L::hasFusedMultiplyAdd) {
+      return {q, L::multiplyAdd(-q, by.w.hi, a.hi) + L::multiplyAdd(-q, by.w.lo, a.lo)};
     } else {
-      return result;
+      const D high = upperHalf(q);
+      return {q, (a.hi - high * by.high) + (a.lo - (high * by.low + (q - high) * by.rounded))};
     }
-  }
-
-  /// a / w, given 1 / w.hi; lo is a few units of hi, not brought below half of one.
-  static Pair<D> quotient(const Pair<D>& a, const Pair<D>& w, D perW) {
-    const D q = a.hi * perW;
-    const D rest = L::remainder(a.hi, q, w.hi) + L::multiplyAdd(-q, w.lo, a.lo);
-    return {q, rest * perW};
   }
 
   static Pair<D> times(const DoubleDouble& a, const Pair<D>& b) {
     const D high = L::splat(a.hi);
     const D p = high * b.hi;
-    return quickSum(p, L::productError(high, b.hi, p) + (a.hi * b.lo + a.lo * b.hi));
+    return {p, L::productError(high, b.hi, p) + (a.hi * b.lo + a.lo * b.hi)};
   }
 
-  static Pair<D> add(const DoubleDouble& a, const Pair<D>& b) {
-    const Pair<D> s = sum(L::splat(a.hi), b.hi);
-    return quickSum(s.hi, s.lo + (b.lo + a.lo));
+  /// start + q + rest * factor to the nearest double, for q and rest as quotient() gives them; whether every number
+  /// within the error rounds to the same one (Ziv's test).
+  static M isNearestSum(const DoubleDouble& start, const Pair<D>& quotient, D factor, D error, D& nearest) {
+    const Pair<D> s = sum(L::splat(start.hi), quotient.hi);
+    const D low = L::multiplyAdd(quotient.lo, factor, s.lo + start.lo);
+    nearest = s.hi + (low + error);
+    return nearest == s.hi + (low - error);
   }
-
-  /// Ziv's test: every number within the error rounds to the same double.
-  static M certain(const Pair<D>& value, D error) {
-    return value.hi + (value.lo + L::withSignOf(error, value.lo)) == value.hi;
+  static M isNearestSum(const DoubleDouble& start, const Pair<D>& value, D error, D& nearest) {
+    const Pair<D> s = sum(L::splat(start.hi), value.hi);
+    const D low = s.lo + (value.lo + start.lo);
+    nearest = s.hi + (low + error);
+    return nearest == s.hi + (low - error);
   }
 
   Vec3 eye_;
-  DDVec3 x_, y_, w_, residual_;
+  SplitRow x_, y_, w_;
+  DDVec3 residual_;
   DoubleDouble centerX_, centerY_, offset_, scale_;
-  double residualReach_, errorXY_, errorW_, errorCenterX_, errorCenterY_, errorOffset_, reach_;
+  bool forwardIsAxis_;
+  double residualReach_, errorXY_, errorW_, sizeXY_, errorCenter_, errorOffset_, reach_;
 };
 
 /// The unit direction of the ray through a screen position, in double.

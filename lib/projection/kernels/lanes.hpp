@@ -50,19 +50,18 @@ struct VectorLanes {
   static D splat(double a) { return a - D{}; }
   static D absolute(D a) { return (D)((M)a & ~kSign); }
   static F absolute(F a) { return (F)((FM)a & 0x7fffffff); }
-  static D withSignOf(D size, D sign) { return (D)((M)size | ((M)sign & kSign)); }
   static D load(const double* p) { return *reinterpret_cast<const LooseLanes*>(p); }
   static void store(double* p, D a) { *reinterpret_cast<LooseLanes*>(p) = a; }
   static F load(const float* p) { return *reinterpret_cast<const LooseFloatLanes*>(p); }
   static void store(float* p, F a) { *reinterpret_cast<LooseFloatLanes*>(p) = a; }
 
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
+  static constexpr bool hasFusedMultiplyAdd = true;
   static D larger(D a, D b) { return (D)_mm512_max_pd((__m512d)a, (__m512d)b); }
   static F larger(F a, F b) { return (F)_mm512_max_ps((__m512)a, (__m512)b); }
   static D squareRoot(D a) { return (D)_mm512_sqrt_pd((__m512d)a); }
   static D multiplyAdd(D a, D b, D c) { return (D)_mm512_fmadd_pd((__m512d)a, (__m512d)b, (__m512d)c); }
   static D productError(D a, D b, D product) { return (D)_mm512_fmsub_pd((__m512d)a, (__m512d)b, (__m512d)product); }
-  static D remainder(D a, D b, D c) { return (D)_mm512_fnmadd_pd((__m512d)b, (__m512d)c, (__m512d)a); }
   static unsigned bits(M m) { return _mm512_movepi64_mask((__m512i)m); }
   static unsigned floatBits(FM m) { return _mm512_movepi32_mask((__m512i)m); }
 
@@ -118,12 +117,12 @@ struct VectorLanes {
     y = __builtin_shufflevector(a, b, 1, 3, 5, 7, 9, 11, 13, 15);
   }
 #elif defined(__AVX2__) && defined(__FMA__)
+  static constexpr bool hasFusedMultiplyAdd = true;
   static D larger(D a, D b) { return (D)_mm256_max_pd((__m256d)a, (__m256d)b); }
   static F larger(F a, F b) { return (F)_mm256_max_ps((__m256)a, (__m256)b); }
   static D squareRoot(D a) { return (D)_mm256_sqrt_pd((__m256d)a); }
   static D multiplyAdd(D a, D b, D c) { return (D)_mm256_fmadd_pd((__m256d)a, (__m256d)b, (__m256d)c); }
   static D productError(D a, D b, D product) { return (D)_mm256_fmsub_pd((__m256d)a, (__m256d)b, (__m256d)product); }
-  static D remainder(D a, D b, D c) { return (D)_mm256_fnmadd_pd((__m256d)b, (__m256d)c, (__m256d)a); }
   static unsigned bits(M m) { return static_cast<unsigned>(_mm256_movemask_pd((__m256d)m)); }
   static unsigned floatBits(FM m) { return static_cast<unsigned>(_mm256_movemask_ps((__m256)m)); }
 
@@ -174,12 +173,12 @@ struct VectorLanes {
   }
 #else
 #ifdef __aarch64__
+  static constexpr bool hasFusedMultiplyAdd = true;
   static D larger(D a, D b) { return a > b ? a : b; }
   static F larger(F a, F b) { return a > b ? a : b; }
   static D squareRoot(D a) { return (D)vsqrtq_f64((float64x2_t)a); }
   static D multiplyAdd(D a, D b, D c) { return (D)vfmaq_f64((float64x2_t)c, (float64x2_t)a, (float64x2_t)b); }
   static D productError(D a, D b, D product) { return multiplyAdd(a, b, -product); }
-  static D remainder(D a, D b, D c) { return (D)vfmsq_f64((float64x2_t)a, (float64x2_t)b, (float64x2_t)c); }
   static unsigned bits(M m) { return static_cast<unsigned>((m[0] & 1) | (m[1] & 2)); }
   static unsigned floatBits(FM m) { return vaddvq_u32((uint32x4_t)(m & FM{1, 2, 4, 8})); }
 
@@ -189,6 +188,7 @@ struct VectorLanes {
   static D lowerToDouble(F a) { return (D)vcvt_f64_f32(vget_low_f32((float32x4_t)a)); }
   static D upperToDouble(F a) { return (D)vcvt_high_f64_f32((float32x4_t)a); }
 #else
+  static constexpr bool hasFusedMultiplyAdd = false;
   static D larger(D a, D b) { return (D)_mm_max_pd((__m128d)a, (__m128d)b); }
   static F larger(F a, F b) { return (F)_mm_max_ps((__m128)a, (__m128)b); }
   static D squareRoot(D a) { return (D)_mm_sqrt_pd((__m128d)a); }
@@ -202,10 +202,6 @@ struct VectorLanes {
     const D aHigh = aScaled - (aScaled - a), bHigh = bScaled - (bScaled - b);
     const D aLow = a - aHigh, bLow = b - bHigh;
     return ((aHigh * bHigh - product) + aHigh * bLow + aLow * bHigh) + aLow * bLow;
-  }
-  static D remainder(D a, D b, D c) {
-    const D product = b * c;
-    return (a - product) - productError(b, c, product);
   }
 
   static F toFloat(D lower, D upper) {
