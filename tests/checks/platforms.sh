@@ -60,7 +60,7 @@ build() {
   folder=build-platforms/$1
   shift
   # shellcheck disable=SC2086  # a list of words
-  cmake -B "$folder" -DVIEWPROJ_WERROR=ON -DVIEWPROJ_PRECOMPILED=ON -DCMAKE_CXX_FLAGS_RELEASE=-O1 $options "$@" -Wno-dev \
+  cmake -B "$folder" -DVIEWPROJ_WERROR=ON -DCMAKE_CXX_FLAGS_RELEASE=-O1 $options "$@" -Wno-dev \
     >"$work/log" 2>&1 || fail "cmake: $(tail -n 20 "$work/log")"
   cmake --build "$folder" --parallel "$(nproc)" --target viewproj >"$work/log" 2>&1 || fail "$(tail -n 40 "$work/log")"
 }
