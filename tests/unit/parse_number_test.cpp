@@ -77,7 +77,8 @@ TEST_CASE("A million doubles and odd texts are read as the standard library read
     double value = 0;
     const auto [end, error] = std::from_chars(text, text + length, value);
     const bool isNone = error == std::errc::invalid_argument;
-    if (error == std::errc::result_out_of_range) value = std::strtod(std::string(text, end).c_str(), nullptr);
+    if (error == std::errc::result_out_of_range)
+      value = std::strtod(std::string(text, static_cast<std::size_t>(end - text)).c_str(), nullptr);
     wrong += isNone ? r.length != -1 : r.length != end - text || r.value != value;
 #else
     if (!isOdd) wrong += r.length != length || r.value != std::strtod(text, nullptr);
