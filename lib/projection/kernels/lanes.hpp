@@ -1,10 +1,15 @@
-// Vectors of lanes of the instruction set this file is compiled for: 8 doubles in AVX-512, 4 in AVX2, 2 in SSE2.
+// Vectors of lanes of the instruction set this file is compiled for: 8 doubles in AVX-512, 4 in AVX2, 2 in SSE2 and
+// NEON.
 #pragma once
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(VIEWPROJ_PORTABLE_KERNEL)
+#if (defined(__x86_64__) || defined(__aarch64__)) && defined(__GNUC__) && !defined(VIEWPROJ_PORTABLE_KERNEL)
 #define VIEWPROJ_HAS_LANES 1
 
+#ifdef __aarch64__
+#include <arm_neon.h>
+#else
 #include <immintrin.h>
+#endif
 
 #include <cstdint>
 
@@ -167,6 +172,22 @@ struct VectorLanes {
     y = __builtin_shufflevector(a, b, 1, 3, 5, 7);
   }
 #else
+#ifdef __aarch64__
+  static constexpr bool hasFusedMultiplyAdd = true;
+  static D larger(D a, D b) { return a > b ? a : b; }
+  static F larger(F a, F b) { return a > b ? a : b; }
+  static D squareRoot(D a) { return (D)vsqrtq_f64((float64x2_t)a); }
+  static D multiplyAdd(D a, D b, D c) { return (D)vfmaq_f64((float64x2_t)c, (float64x2_t)a, (float64x2_t)b); }
+  static D productError(D a, D b, D product) { return multiplyAdd(a, b, -product); }
+  static unsigned bits(M m) { return static_cast<unsigned>((m[0] & 1) | (m[1] & 2)); }
+  static unsigned floatBits(FM m) { return vaddvq_u32((uint32x4_t)(m & FM{1, 2, 4, 8})); }
+
+  static F toFloat(D lower, D upper) {
+    return (F)vcvt_high_f32_f64(vcvt_f32_f64((float64x2_t)lower), (float64x2_t)upper);
+  }
+  static D lowerToDouble(F a) { return (D)vcvt_f64_f32(vget_low_f32((float32x4_t)a)); }
+  static D upperToDouble(F a) { return (D)vcvt_high_f64_f32((float32x4_t)a); }
+#else
   static constexpr bool hasFusedMultiplyAdd = false;
   static D larger(D a, D b) { return (D)_mm_max_pd((__m128d)a, (__m128d)b); }
   static F larger(F a, F b) { return (F)_mm_max_ps((__m128)a, (__m128)b); }
@@ -188,6 +209,7 @@ struct VectorLanes {
   }
   static D lowerToDouble(F a) { return (D)_mm_cvtps_pd((__m128)a); }
   static D upperToDouble(F a) { return (D)_mm_cvtps_pd(_mm_movehl_ps((__m128)a, (__m128)a)); }
+#endif
 
   static void loadPoints(const double* p, D& x, D& y, D& z) {
     const D a = load(p), b = load(p + 2), c = load(p + 4);
