@@ -153,7 +153,7 @@ inline constexpr Field zMax{"zMax", ValueForm::number, "Depth at near."};
 inline constexpr Field zNear = Field{"near", ValueForm::positive, "Distance of the near plane."}.typed("--near");
 inline constexpr Field zFar =
     Field{"far", ValueForm::positive, "Distance of the far plane. Default: infinite."}.typed("--far").hinting(
-        "; without it, or where it is null, it is infinite");
+        "; without it, or where a file has null (--set projection.far=null), it is infinite");
 inline constexpr Field orthoNear =
     Field{"near", ValueForm::number, "Distance of the near plane, which may lie behind the eye."}.typed("--near");
 inline constexpr Field orthoFar = Field{"far", ValueForm::number, "Distance of the far plane."}.typed("--far");

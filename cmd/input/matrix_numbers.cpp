@@ -144,9 +144,15 @@ WrittenMatrices parseObject(const std::string& text, const std::string& name) {
     if (auto m = matrixOf(document, unescaped(part->key), part->value)) result.matrices.push_back(std::move(*m));
   if (result.matrices.empty()) document.fail({}, "has no matrix: no value of 16 numbers or 4 rows of 4");
   const auto convention = document.root().find("convention");
-  if (convention != document.root().end() && convention->is_object())
+  if (convention != document.root().end() && convention->is_object()) {
     result.convention = readAxes(ObjectReader(document, *convention, {"convention"}), {});
-  result.isOwn = result.convention.has_value();
+    result.isOwn = true;
+  } else if (convention != document.root().end() && convention->is_string()) {
+    if (const ConventionPreset* const preset = findPreset(convention->get_ref<const std::string&>()))
+      result.convention = preset->convention;
+    else
+      document.note({"convention"}, "is no convention that is known here, and is not read");
+  }
   return result;
 }
 

@@ -127,11 +127,12 @@ Hits intersect(const Ray& ray, const Ellipsoid& ellipsoid) noexcept;
 
 struct FrustumPlane {
   Side side = sideLeft;
-  /// a, b, c, d with (a, b, c) the inward unit normal: a x + b y + c z + d >= 0 inside. Each is within 0.51 ulp of the
-  /// true one, or within kPlaneBound times (1 + e) / |n|, where e is the larger of the two window edges across from
-  /// each other (0 for near and far, and in orthographic) and |n| the length of right - edge forward, between 1 and
-  /// 1 + |edge|; d within that times what the offset is made of (near, far, orthographic edges, what rounding the eye
-  /// left) and |eye|_1 more. As doubles they give distances to half an ulp of d: 5e-10 m for an eye in ECEF.
+  /// (a, b, c, d) as x, y, z, w, with (a, b, c) the inward unit normal: a x + b y + c z + d >= 0 inside. Each is within
+  /// 0.51 ulp of the true one, or within kPlaneBound times (1 + e) / |n|, where e is the larger of the two window edges
+  /// across from each other (0 for near and far, and in orthographic) and |n| the length of right - edge forward,
+  /// between 1 and 1 + |edge|; d within that times what the offset is made of (near, far, orthographic edges, what
+  /// rounding the eye left) and |eye|_1 more. As doubles they give distances to half an ulp of d: 5e-10 m for an eye in
+  /// ECEF.
   Vec4 equation;
 };
 

@@ -268,7 +268,10 @@ CameraFile KindCameras::read(std::size_t which, const CameraReading& reading) {
     noteContradictions(camera, lens, pixels);
     noteOtherLens(camera, lens, pixels);
   }
-  const auto near = camera.number("near"), far = camera.number("far");
+  auto near = camera.number("near"), far = camera.number("far");
+  if (const auto scale = camera.kind().numbers.find("scale"); scale != camera.kind().numbers.end())
+    for (auto* const plane : {&near, &far})
+      if (*plane) **plane *= scale->second;
   const auto projection = [&] {
     try {
       return intrinsics(lens.fx, lens.fy, lens.cx, lens.cy, pixels, near.value_or(kDefaultNear),

@@ -78,7 +78,7 @@ constexpr KindField kFields[] = {
     {"translation", KindValue::path, "3 numbers beside the rotation", {}, 3},
     {"position", KindValue::path, "3 numbers: the eye in the world", {}, 3},
     {"order", KindValue::word, "how matrices stand in the file (default: rows)", {"rows", "columns"}},
-    {"scale", KindValue::number, "what lengths of the pose are multiplied by, as in 0.001 (default: 1)"},
+    {"scale", KindValue::number, "what lengths of the pose, near and far are multiplied by, as in 0.001 (default: 1)"},
     {"convention", KindValue::preset, "the convention whose world, camera axes and pixel centres the file has"},
     {"axes", KindValue::axes, "where the camera's x, y, z point, as in RDF or FLU (default: the convention's)"},
     {"pixelCenter", KindValue::number, "where in a pixel its centre is, 0 or 0.5 (default: the convention's)"},
