@@ -1,8 +1,5 @@
 // Finds the command, runs it, and turns what went wrong into one message and an exit status:
 // 0 all went well, 1 an input was wrong or an output could not be written, 2 the command line was wrong.
-#include <fcntl.h>
-
-#include <csignal>
 #include <new>
 #include <string>
 #include <string_view>
@@ -15,6 +12,7 @@
 #include "stream/interrupt.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
+#include "text/system.hpp"
 #include "text/visible.hpp"
 #include "viewproj/camera.hpp"
 
@@ -51,13 +49,6 @@ int run(int argc, char** argv) {
   return runCommand(find(name), argc - 1, argv + 1);
 }
 
-/// A descriptor that came closed is not to be taken by the next file that is opened. Input is empty then, and output
-/// fails.
-void openStandardDescriptors() {
-  for (int descriptor = 0; descriptor <= 2; ++descriptor)
-    if (::fcntl(descriptor, F_GETFD) < 0) (void)::open("/dev/null", O_RDONLY);
-}
-
 int fail(const std::string& message, int status) {
   complain(message);
   return status;
@@ -66,10 +57,7 @@ int fail(const std::string& message, int status) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // Where it cannot be written further, write() says so.
-  std::signal(SIGPIPE, SIG_IGN);
-  std::signal(SIGXFSZ, SIG_IGN);
-  openStandardDescriptors();
+  prepareSystem(argc, argv);
   // What is preloaded or linked may have changed it for the whole program.
   if (const char* fault = viewproj::detail::arithmeticFault()) return fail(fault, 1);
   std::set_new_handler(endWithoutMemory);

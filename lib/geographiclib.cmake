@@ -1,6 +1,9 @@
 # viewproj_use_geographiclib(TARGET): links an installed GeographicLib, or compiles in the two sources of it that are
 # needed. VIEWPROJ_LINKS_GEOGRAPHICLIB says which: users of the library then need it too.
 include(FetchContent)
+if(POLICY CMP0135)
+  cmake_policy(SET CMP0135 NEW)
+endif()
 include(${CMAKE_CURRENT_LIST_DIR}/package/geographiclib.cmake)
 if(TARGET viewproj::geographiclib)
   set(VIEWPROJ_LINKS_GEOGRAPHICLIB ON)
@@ -16,7 +19,8 @@ function(viewproj_use_geographiclib target)
   message(STATUS "GeographicLib is not installed: fetching it")
   # Its own build makes tools and documentation too; there is no CMakeLists.txt in include.
   FetchContent_Declare(GeographicLib SOURCE_SUBDIR include
-    URL https://github.com/geographiclib/geographiclib/archive/refs/tags/v2.1.2.tar.gz)
+    URL https://github.com/geographiclib/geographiclib/archive/refs/tags/v2.1.2.tar.gz
+    URL_HASH SHA256=6833c4b33b2aa37b0c4c9fe1b36f958b44afafaafd1b16d7742d80c5e7737777)
   FetchContent_MakeAvailable(GeographicLib)
   set(fetched ${CMAKE_CURRENT_BINARY_DIR}/geographiclib)
   file(WRITE ${fetched}/GeographicLib/Config.h

@@ -3,11 +3,12 @@
 #   sh samples/setup.sh          the tool, and what else an installation takes
 #   sh samples/setup.sh tests    the tool and the tests, with their judges
 #   sh samples/setup.sh checks   these, and what tests/checks and tests/benchmark need
+#   sh samples/setup.sh platforms    the tool, and what tests/checks/platforms.sh needs: its compilers, wine and qemu
 # VIEWPROJ_OPTIONS in the environment: further options of CMake.
 set -eu
 cd "$(dirname "$0")/.."
 
-packages="g++ cmake make libcli11-dev nlohmann-json3-dev libsimdjson-dev libyaml-dev libgeographiclib-dev"
+packages="g++ cmake make libcli11-dev nlohmann-json3-dev libsimdjson-dev libfast-float-dev libyaml-dev libgeographiclib-dev"
 tests=OFF
 if [ "${1:-}" = tests ] || [ "${1:-}" = checks ]; then
   packages="$packages catch2 libmpfr-dev libglm-dev libeigen3-dev libimath-dev geographiclib-tools glslang-tools"
@@ -26,6 +27,10 @@ if [ "${1:-}" = checks ]; then
   packages="$packages clang clang-format clang-tidy cppcheck gappa libclang-rt-14-dev llvm shellcheck"
   packages="$packages dpkg-dev file lintian mandoc pkgconf debootstrap"
   packages="$packages jq miller mawk gawk proj-bin"
+fi
+
+if [ "${1:-}" = platforms ]; then
+  packages="$packages clang libc++-dev libc++abi-dev g++-mingw-w64-x86-64-posix wine64 g++-aarch64-linux-gnu qemu-user"
 fi
 
 if command -v dpkg-query >/dev/null 2>&1; then

@@ -120,6 +120,7 @@ void CommandLine::parse(int argc, const char* const* argv) {
   requireValuesAfterEquals(all);
   requireValues(all);
   CLI::App app;
+  app.allow_windows_style_options(false);  // a name of a file may begin with a slash
   for (std::size_t i = 0; i < options_.size(); ++i) {
     Option& option = options_[i];
     const Taker& taker = takers_[i];

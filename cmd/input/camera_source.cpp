@@ -14,6 +14,7 @@
 #include "text/error.hpp"
 #include "text/format_number.hpp"
 #include "text/names.hpp"
+#include "text/system.hpp"
 #include "text/visible.hpp"
 
 namespace viewproj::cmd {
@@ -212,17 +213,18 @@ void noteRadians(const Document& document) {
 CameraSource splitPick(const std::string& given) {
   const std::size_t first = given.find_first_not_of(" \t\r\n");
   std::error_code ignored;
-  const bool isArray = first != std::string::npos && given[first] == '[' && !std::filesystem::exists(given, ignored);
+  const bool isArray =
+      first != std::string::npos && given[first] == '[' && !std::filesystem::exists(pathOf(given), ignored);
   if (first != std::string::npos && (given[first] == '{' || isArray)) {
     const std::size_t mark = given.find('#', given.rfind(isArray ? ']' : '}'));
     if (mark == std::string::npos) return {given, std::nullopt};
     return {given.substr(0, mark), given.substr(mark + 1)};
   }
   std::size_t mark = given.find('#');
-  if (mark == std::string::npos || std::filesystem::exists(given, ignored)) return {given, std::nullopt};
+  if (mark == std::string::npos || std::filesystem::exists(pathOf(given), ignored)) return {given, std::nullopt};
   constexpr std::size_t kLongestName = 4096;  // PATH_MAX: none that is longer can be opened
   for (std::size_t at = mark; at < kLongestName; at = given.find('#', at + 1))
-    if (const std::string file = given.substr(0, at); file == "-" || std::filesystem::exists(file, ignored)) {
+    if (const std::string file = given.substr(0, at); file == "-" || std::filesystem::exists(pathOf(file), ignored)) {
       mark = at;
       break;
     }

@@ -15,6 +15,7 @@
 #include "text/file.hpp"
 #include "text/json_text.hpp"
 #include "text/names.hpp"
+#include "text/system.hpp"
 #include "text/visible.hpp"
 #include "text/yaml_text.hpp"
 
@@ -91,7 +92,7 @@ Document::Document(const std::string& source, const std::string& option, const c
     text_ = source;
   } else {
     std::error_code ignored;
-    if (first != std::string::npos && source[first] == '[' && !std::filesystem::exists(source, ignored))
+    if (first != std::string::npos && source[first] == '[' && !std::filesystem::exists(pathOf(source), ignored))
       throw InputError(option + ": JSON on the command line must begin with '{', and there is no file of this name");
     name_ = source == "-" ? kStandardInputName : visible(source);
     const bool isCamera = arrayKey && !*arrayKey;

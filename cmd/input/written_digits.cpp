@@ -44,8 +44,8 @@ void setDigits(WrittenMatrix& m, const std::array<WrittenNumber, 16>& numbers) {
     const bool isWord = value == 0 || std::fabs(value) == 1;
     const bool isWrittenOut = (finest > 1 && decimals == finest) || (value != 0 && significant > 2);
     if (isWord && !isWrittenOut) continue;
-    const double ofPlace = std::pow(10.0, -finest);
-    const double ofDigits = value == 0 ? 0 : std::pow(10.0, exponent - m.digits + 1);
+    const double ofPlace = powerOfTen(-finest);
+    const double ofDigits = value == 0 ? 0 : powerOfTen(exponent - m.digits + 1);
     m.within[i] = std::max(ofPlace, ofDigits) / 2;
     if (mayBeFloats(m)) {
       const float narrow = std::fabs(static_cast<float>(value));

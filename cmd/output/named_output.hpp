@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "text/system.hpp"
+
 namespace viewproj::cmd {
 
 /// While it lives, what goes to standard output goes to a file of no name beside the one that is named; keep() gives it
@@ -19,12 +21,11 @@ class NamedOutput {
   void keep();
 
  private:
-  [[noreturn]] void fail(int error) const;
+  /// Throws InputError for an errno.
+  void requireNone(int error) const;
 
   std::string name_;
-  std::string target_;   ///< with links followed; empty where nothing is to be renamed
-  int before_ = -1;      ///< what standard output was
-  std::string written_;  ///< the file's name until it is kept; empty while it has none
+  Replacement replacement_;
 };
 
 }  // namespace viewproj::cmd

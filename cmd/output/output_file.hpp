@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "text/system.hpp"
+
 namespace viewproj::cmd {
 
 /// Writes all of text. Throws ClosedPipe where nobody reads any more, InputError where it cannot be written.
@@ -17,11 +19,6 @@ std::string_view nameOfOutput();
 
 /// Throws ClosedPipe where nobody reads any more, or else InputError. error: errno.
 [[noreturn]] void failToWrite(int error);
-
-struct Written {
-  std::size_t bytes = 0;
-  int error = 0;  ///< errno, or 0
-};
 
 using Stop = std::function<bool()>;
 

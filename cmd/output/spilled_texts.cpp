@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "text/error.hpp"
+#include "text/system.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -21,7 +22,7 @@ void SpilledTexts::add(const std::string& text) {
   recent_.append(reinterpret_cast<const char*>(&size), sizeof size);
   recent_ += text;
   if (recent_.size() < kInMemory) return;
-  if (!file_) file_.reset(std::tmpfile());
+  if (!file_) file_.reset(openTemporary());
   if (!file_ || std::fwrite(recent_.data(), 1, recent_.size(), file_.get()) != recent_.size()) fail();
   recent_.clear();
 }

@@ -1,7 +1,5 @@
 #include "stream/filter.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <functional>
 #include <thread>
@@ -271,7 +269,7 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
                   .prefix = setup.writer.prefix};
   setup.writer.table = stream.to == OutputForm::table;
   setup.writer.results = work->results({}, stream.to);
-  if (writes && stream.to == OutputForm::f64 && !setup.force && ::isatty(STDOUT_FILENO))
+  if (writes && stream.to == OutputForm::f64 && !setup.force && isTerminal(kStandardOutput))
     throw UsageError(
         "f64 is binary, and standard output is a terminal; -o FILE keeps it, --force shows it all the same");
   if (writes) {

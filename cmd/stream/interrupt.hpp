@@ -1,8 +1,6 @@
 // Ctrl-C and its kin: a stream ends after a whole record.
 #pragma once
 
-#include <atomic>
-
 namespace viewproj::cmd {
 
 /// Thrown after the last whole record; whoever catches it dies of the signal.

@@ -1,7 +1,5 @@
 #include "stream/ordered_output.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <system_error>
@@ -123,7 +121,7 @@ void OrderedOutput::put(std::string_view text, std::size_t count, bool arrays) {
 void OrderedOutput::write(std::string_view text, std::size_t count, bool arrays) {
   if (setup_.nothing || text.empty()) return;
   const WritingHere writing;
-  const Written all = writeUntil(STDOUT_FILENO, text, [] { return InterruptGuard::signal() != 0; });
+  const Written all = writeUntil(kStandardOutput, text, [] { return InterruptGuard::signal() != 0; });
   if (all.bytes == text.size()) return;
   const Records records{text, setup_.form, setup_.csv, count, open_, arrays};
   if (all.error != 0) {
@@ -138,7 +136,7 @@ void OrderedOutput::write(std::string_view text, std::size_t count, bool arrays)
 
 void OrderedOutput::writeEnd(std::string_view text) {
   if (setup_.nothing) return;
-  const Written all = writeUntil(STDOUT_FILENO, text);
+  const Written all = writeUntil(kStandardOutput, text);
   if (all.error != 0) failToWrite(all.error);
 }
 

@@ -1,7 +1,6 @@
 // Records of CSV, text and f64.
 #include <algorithm>
 #include <bit>
-#include <charconv>
 #include <cmath>
 
 #include "stream/batch.hpp"
@@ -17,8 +16,7 @@ static_assert(std::endian::native == std::endian::little, "f64 is written as it 
 /// A number that is plainly one, from its first byte to its last; false is not yet a verdict.
 bool readPlainNumber(std::string_view text, double& number) {
   const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number);
-  return stop == end && error == std::errc() && std::isfinite(number);
+  return readNumber(text.data(), end, number) == end && std::isfinite(number);
 }
 
 bool readPlainNumbers(const std::vector<std::string_view>& values, const Layout& layout, Numbers& numbers) {
@@ -81,9 +79,8 @@ class CsvReader final : public RecordReader {
       if (field > 0 && (at == end || *at++ != separator)) return npos;
       if (slots_[field] != kNoSlot) {
         double& number = numbers[slots_[field]];
-        const auto [stop, error] = std::from_chars(at, end, number);
-        if (error != std::errc() || !std::isfinite(number)) return npos;
-        at = stop;
+        at = readNumber(at, end, number);
+        if (!at || !std::isfinite(number)) return npos;
       } else {
         if (at < end && *at == '"') {
           // To the quote that closes; two are one of the field's own.

@@ -1,14 +1,12 @@
 #include "stream/progress.hpp"
 
-#include <poll.h>
-#include <unistd.h>
-
 #include <cmath>
 #include <cstdio>
 #include <string>
 #include <string_view>
 
 #include "text/format_number.hpp"
+#include "text/system.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -28,15 +26,12 @@ std::string clockTime(double seconds) {
 }
 
 /// Not on a terminal that was stopped (Ctrl-S): the run would wait for it, and no signal would end it.
-void put(std::string_view text) {
-  pollfd state{STDERR_FILENO, POLLOUT, 0};
-  if (::poll(&state, 1, 0) > 0) (void)!::write(STDERR_FILENO, text.data(), text.size());
-}
+void put(std::string_view text) { writeAtOnce(kStandardError, text); }
 
 }  // namespace
 
 Progress::Progress(std::optional<std::size_t> totalBytes)
-    : wanted_(::isatty(STDERR_FILENO) && !::isatty(STDOUT_FILENO)),
+    : wanted_(obeysEscapes(kStandardError) && !isTerminal(kStandardOutput)),
       total_(totalBytes),
       start_(Clock::now()),
       next_(start_ + kFirst) {}

@@ -12,9 +12,6 @@ inline constexpr const char* kStandardInputName = "<stdin>";
 /// name "-" is standard input. Throws InputError, also if the file is longer than most.
 std::string readWholeFile(const std::string& name, std::size_t most);
 
-/// Whether standard input is a terminal, where nobody can have put anything before he is asked.
-bool isTerminal();
-
 /// A file descriptor that closes itself.
 class InputFile {
  public:

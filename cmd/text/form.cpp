@@ -94,7 +94,7 @@ std::optional<Form> formOfBytes(std::string_view start, bool goesOn, char decima
   if (first == std::string_view::npos) return Form::text;
   start.remove_prefix(first);
   if (start[0] == '{' || start[0] == '[') return Form::json;
-  const auto isControl = [](char c) { return (c >= 0 && c < '\t') || (c > '\r' && c < ' ') || c == 0x7f; };
+  const auto isControl = [](unsigned char c) { return c < '\t' || (c > '\r' && c < ' ') || c == 0x7f; };
   const bool controls = std::any_of(start.begin(), start.end(), isControl);
   if (start.find('\0') != std::string_view::npos || (controls && !isUtf8(start, true))) return std::nullopt;
   const std::string_view line = start.substr(0, start.find('\n'));

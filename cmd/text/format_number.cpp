@@ -6,6 +6,8 @@
 #include <cstring>
 #include <utility>
 
+#include "text/parse_number.hpp"
+
 namespace viewproj::cmd {
 namespace {
 
@@ -40,7 +42,7 @@ double toDigits(double value, int digits) {
   if (digits == 0 || !std::isfinite(value)) return value;
   char text[kLongest];
   const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, digits - 1).ptr;
-  std::from_chars(text, end, value);
+  readNumber(text, end, value);
   return value;
 }
 

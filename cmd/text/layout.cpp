@@ -1,12 +1,11 @@
 #include "text/layout.hpp"
 
-#include <sys/ioctl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
 #include <iterator>
+
+#include "text/system.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -92,8 +91,7 @@ std::size_t terminalWidth() {
   // NOLINTNEXTLINE(concurrency-mt-unsafe): nobody changes the environment
   if (const char* const told = std::getenv("COLUMNS"))
     (void)std::from_chars(told, told + std::string_view(told).size(), columns);
-  winsize size = {};
-  if (columns == 0 && ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0) columns = size.ws_col;
+  if (columns == 0) columns = terminalColumns();
   return columns == 0 ? kUsual : std::max(kLeast, columns);
 }
 

@@ -1,11 +1,25 @@
 #include "text/parse_number.hpp"
 
-#include <charconv>
+#include <fast_float/fast_float.h>
+
+#include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <string>
 
 namespace viewproj::cmd {
+
+const char* readNumber(const char* begin, const char* end, double& number) {
+  // Newer versions call what is beyond all doubles, or next to zero, an error, and give its value all the same.
+  const auto [stop, error] = fast_float::from_chars(begin, end, number);
+  return error == std::errc::invalid_argument ? nullptr : stop;
+}
+
+double powerOfTen(int exponent) {
+  const std::string text = "1e" + std::to_string(exponent);
+  double power = 0;
+  readNumber(text.data(), text.data() + text.size(), power);
+  return power;
+}
 
 std::optional<double> parseNumber(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");
@@ -13,11 +27,8 @@ std::optional<double> parseNumber(std::string_view text) {
   text = text.substr(first, text.find_last_not_of(" \t") - first + 1);
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
   double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (end != text.data() + text.size()) return std::nullopt;
-  if (error == std::errc::result_out_of_range)
-    value = std::strtod(std::string(text).c_str(), nullptr);  // tells overflow from a number next to zero
-  if (!std::isfinite(value)) return std::nullopt;
+  const char* const end = text.data() + text.size();
+  if (readNumber(text.data(), end, value) != end || !std::isfinite(value)) return std::nullopt;
   return value;
 }
 

@@ -7,6 +7,14 @@
 
 namespace viewproj::cmd {
 
+/// Reads the double nearest the decimal number that a text begins with, as std::from_chars does where a standard
+/// library has it for doubles: infinite beyond the largest, 0 next to zero. Returns where the number ends, or null if
+/// there is none.
+const char* readNumber(const char* begin, const char* end, double& number);
+
+/// The double nearest 10^exponent, which std::pow does not give everywhere.
+double powerOfTen(int exponent);
+
 /// The double nearest the decimal text, blanks around it and a leading + allowed; nothing if the text is not a finite
 /// number as a whole.
 std::optional<double> parseNumber(std::string_view text);

@@ -216,15 +216,29 @@ DDMat4 worldFromScreen(const PoseParts& pose, const ProjectionParts& p, const Vi
 }
 }  // namespace fine
 
+/// Whether what is a column for column vectors lies together in memory.
+bool areColumnsTogether(const Convention& c) noexcept {
+  return (c.vectors == Vectors::row) != (c.storage == Storage::columnMajor);
+}
+
 /// In the order in which the convention keeps a matrix in memory: row vectors and columns first are one transposition
 /// each.
 template <class Number, class Matrix>
 StoredMatrix<Number> stored(const Matrix& m, const Convention& c) noexcept {
-  const bool isTurned = (c.vectors == Vectors::row) != (c.storage == Storage::columnMajor);
+  const bool byColumns = areColumnsTogether(c);
   StoredMatrix<Number> flat{};
   for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < 4; ++j) flat[4 * i + j] = entry<Number>(isTurned ? m[j][i] : m[i][j]);
+    for (std::size_t j = 0; j < 4; ++j) flat[4 * i + j] = entry<Number>(byColumns ? m[j][i] : m[i][j]);
   return flat;
+}
+
+template <class Numbers>
+Mat4 unstored(const Numbers& flat, const Convention& c) noexcept {
+  const bool byColumns = areColumnsTogether(c);
+  Mat4 m;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j) (byColumns ? m[j][i] : m[i][j]) = flat[4 * i + j];
+  return m;
 }
 
 }  // namespace
@@ -354,6 +368,11 @@ Mat4 laidOut(const Mat4& matrix, const Convention& c) noexcept {
 std::array<double, 16> inStorageOrder(const Mat4& matrix, const Convention& c) noexcept {
   return stored<double>(matrix.m, c);
 }
+
+Mat4 fromStorageOrder(std::span<const double, 16> numbers, const Convention& c) noexcept {
+  return unstored(numbers, c);
+}
+Mat4 fromStorageOrder(std::span<const float, 16> numbers, const Convention& c) noexcept { return unstored(numbers, c); }
 
 template <class Number>
 StoredMatrix<Number> viewFromWorld(const Camera& camera) noexcept {

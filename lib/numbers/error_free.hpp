@@ -55,7 +55,7 @@ constexpr DoubleDouble quickTwoSum(double a, double b) noexcept {
 /// a * b exactly.
 constexpr DoubleDouble twoProd(double a, double b) noexcept {
   const double product = a * b;
-#ifdef __FMA__
+#if defined(__FMA__) || defined(__ARM_FEATURE_FMA)
   if (!__builtin_is_constant_evaluated()) return {product, __builtin_fma(a, b, -product)};
 #endif
   constexpr double splitter = 0x1p27 + 1;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 
 #include "projection/kernels/kernels.hpp"
 #include "projection/left.hpp"
@@ -18,10 +19,16 @@ struct Shape {
   std::size_t strideBytes;
 
   bool isTogether() const noexcept { return y == x + 1 && z == x + 2; }
-  bool isPacked() const noexcept { return isTogether() && strideBytes == 3 * sizeof(float); }
-  /// Whether a kernel takes the arrays as they are.
-  bool isDirect() const noexcept { return isPacked() || strideBytes == sizeof(float); }
-  FloatColumns<Float> columns() const noexcept { return {x, y, z, isPacked()}; }
+  /// As a kernel takes them, if it does.
+  std::optional<FloatShape> shape() const noexcept {
+    for (const void* first : {static_cast<const void*>(x), static_cast<const void*>(y), static_cast<const void*>(z)})
+      if (reinterpret_cast<std::uintptr_t>(first) % alignof(float) != 0) return std::nullopt;
+    if (strideBytes == sizeof(float)) return FloatShape::columns;
+    if (!isTogether() || strideBytes < 3 * sizeof(float)) return std::nullopt;
+    if (strideBytes == 3 * sizeof(float)) return FloatShape::packed;
+    return strideBytes % sizeof(float) != 0 ? std::nullopt : std::optional(FloatShape::vertices);
+  }
+  FloatColumns<Float> columns() const noexcept { return {x, y, z, *shape(), strideBytes}; }
 };
 
 Shape<const float> shapeOf(const FloatPoints& p) noexcept { return {p.x, p.y, p.z, p.strideBytes}; }
@@ -82,17 +89,19 @@ BatchCounts worldToScreen(const Camera& camera, const FloatPoints& points, const
   const Shape<const float> from = shapeOf(points);
   const Shape<float> to = shapeOf(screen);
   const bool isFast = precision == Precision::fast;
-  const bool reads = isFast && from.isDirect() && !mayOverlap(from, to, points.count);
-  const bool writes = isFast && to.isDirect();
+  const bool reads = isFast && from.shape() && !mayOverlap(from, to, points.count);
+  // A fourth float of the last vertex may be nobody's.
+  const std::size_t readable = !reads ? 0 : from.shape() == FloatShape::vertices ? points.count - 1 : points.count;
+  const bool writes = isFast && to.shape();
   BatchCounts counts;
   float given[3 * kBlock], results[3 * kBlock];
   for (std::size_t i = 0; i < points.count; i += kBlock) {
     const std::size_t size = std::min(kBlock, points.count - i);
-    if (!reads) gather(from, i, size, given);
+    const bool isRead = i + size <= readable;
+    if (!isRead) gather(from, i, size, given);
     const FloatColumns<const float> in =
-        reads ? from.columns().from(i) : FloatColumns<const float>{given, given + 1, given + 2, true};
-    const FloatColumns<float> out =
-        writes ? to.columns().from(i) : FloatColumns<float>{results, results + 1, results + 2, true};
+        isRead ? from.columns().from(i) : packedColumns(static_cast<const float*>(given));
+    const FloatColumns<float> out = writes ? to.columns().from(i) : packedColumns(results);
     const auto point = [&](std::size_t j) {
       const auto p = in.from(j);
       return Vec3{*p.x, *p.y, *p.z};

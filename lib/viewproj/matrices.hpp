@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "viewproj/camera.hpp"
 
@@ -46,6 +47,9 @@ Mat4 laidOut(const Mat4& matrix, const Convention& convention) noexcept;
 
 /// The sixteen numbers in the convention's memory order.
 std::array<double, 16> inStorageOrder(const Mat4& matrix, const Convention& convention) noexcept;
+/// The other way: the matrix, for column vectors, of sixteen numbers that stand in the convention's memory order.
+Mat4 fromStorageOrder(std::span<const double, 16> numbers, const Convention& convention) noexcept;
+Mat4 fromStorageOrder(std::span<const float, 16> numbers, const Convention& convention) noexcept;
 
 // ---- As a graphics API takes them
 

@@ -141,6 +141,22 @@ int main(int argc, char** argv) {
                            {},
                            0,
                            {}});
+    struct Vertex {
+      float x, y, z, others[5];
+    };
+    std::vector<Vertex> buffer(count), screenBuffer(count);
+    for (std::size_t i = 0; i < count; ++i) buffer[i] = {singles[i].x, singles[i].y, singles[i].z, {}};
+    const FloatPoints apart = vertices(&buffer[0].x, count, sizeof(Vertex));
+    contestants.push_back({"fast, vertices of 32 bytes to packed ones",
+                           [&] { worldToScreen(camera, apart, positions(&singleScreen[0].x)); },
+                           errorOf(singleScreen),
+                           1,
+                           {}});
+    contestants.push_back({"fast, vertices of 32 bytes to such",
+                           [&] { worldToScreen(camera, apart, positions(&screenBuffer[0].x, sizeof(Vertex))); },
+                           {},
+                           0,
+                           {}});
     add("Eigen double, cached product, -O2", 1e-8, [&] { peersO2.eigenCachedDouble(peer, points, screen); });
     add("Imath double, cached product, -O3", 1e-8, [&] { peersO3.imathDouble(peer, points, screen); });
     contestants.push_back({"copy of the bytes",

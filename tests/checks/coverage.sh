@@ -3,6 +3,7 @@
 #   sh tests/checks/coverage.sh [BUILD FOLDER]     build-sanitized, after sanitized.sh
 # A comment "uncounted: WHY" says why a line is not among them; alone on a line, why all up to the next empty line are not.
 # Functions that are consteval run in the compiler, and are not among them either.
+# So are lines that are compiled for AVX-512 alone, where this processor lacks it.
 # Less than this many percent of the lines is an error.
 least=99.8
 set -eu
@@ -24,12 +25,16 @@ llvm llvm-cov export -format=lcov -instr-profile "$build/profile" "$@" lib cmd 2
   cat "$build/coverage.err"
   exit 1
 }
-awk -F '[:,]' -v root="$PWD/" -v least=$least '
+lacking='^$'
+grep -qw avx512dq /proc/cpuinfo || lacking='^#if defined\\(__AVX512F__\\)'
+awk -F '[:,]' -v root="$PWD/" -v least=$least -v lacking="$lacking" '
   # As ccache has it, the path goes by way of the build folder.
   $1 == "SF" { file = substr($0, 4); while (sub(/\/[^\/]+\/\.\.\//, "/", file)); if (index(file, root) == 1) file = substr(file, length(root) + 1) }
   $1 == "DA" && file ~ /^(lib|cmd)\// { if (!((file, $2) in runs)) { runs[file, $2] = 0; lines[file] = lines[file] " " $2 } runs[file, $2] += $3 }
-  function readReasons(file,   line, number, span, inCompiler) {
+  function readReasons(file,   line, number, span, inCompiler, isLacking) {
     for (number = 1; (getline line <file) > 0; ++number) {
+      if (line ~ /^#/) isLacking = line ~ lacking
+      if (isLacking) excused[file, number] = 1
       if (line == "") span = 0
       if (line ~ /^ *consteval /) { match(line, /^ */); inCompiler = line ~ /}$/ ? "" : "^" substr(line, 1, RLENGTH) "}"; excused[file, number] = 1 }
       if (inCompiler) excused[file, number] = 1

@@ -2,17 +2,19 @@
 # The checks that are more than ctest, one after the other, and the time each took. `sh samples/setup.sh checks` gets what
 # they need.
 #   sh tests/checks/run.sh [NAME...]
-# Of the long ones CI=true runs a third, another after each commit; LONG=1 in the environment: all.
+# CI=true runs a part of them, another after each commit, so that it ends within half an hour; LONG=1: all.
 set -eu
 cd "$(dirname "$0")/../.."
 if [ $# -eq 0 ]; then
-  set -- benchmark static install sanitized coverage fuzz threads mutation
+  set -- benchmark proofs static install sanitized coverage fuzz threads mutation platforms
   if [ "${CI-}" = true ] && [ "${LONG-}" != 1 ]; then
     turn=$(git rev-list --count HEAD 2>/dev/null || echo 0)
-    case $((turn % 3)) in
-      0) set -- benchmark static install sanitized coverage ;;
-      1) set -- benchmark static install threads fuzz ;;
-      2) set -- benchmark static install mutation ;;
+    case $((turn % 5)) in
+      0) set -- benchmark proofs sanitized coverage ;;
+      1) set -- benchmark proofs static install threads ;;
+      2) set -- benchmark proofs static install fuzz ;;
+      3) set -- benchmark proofs static mutation ;;
+      4) set -- benchmark proofs static platforms ;;
     esac
   fi
 fi

@@ -47,7 +47,7 @@ cppcheck --enable=warning,performance,portability,style --std=c++20 --language=c
   --inline-suppr --suppress=missingReturn --suppress=noExplicitConstructor --suppress=shadowFunction \
   --suppress=unusedStructMember --suppress=useStlAlgorithm --suppress='uninitMemberVar:*/expansion.hpp' \
   --suppress='legacyUninitvar:*/pose_*.cpp' --suppress='unreadVariable:*/kernels/*' --suppress='unassignedVariable:*/block_reader.cpp' \
-  --suppress='unreachableCode:*/interrupt.cpp' --suppress='syntaxError:*/kernel_source.inc' \
+  --suppress='unreachableCode:*/system_posix.cpp' --suppress='syntaxError:*/kernel_source.inc' \
   --suppress=unmatchedSuppression -I lib -I cmd lib cmd || failed="$failed cppcheck"
 
 echo "clang-tidy"
@@ -57,7 +57,7 @@ cmake -S . -B "$build" -DCMAKE_CXX_COMPILER=clang++ >/dev/null
 share=1
 if [ "${CI-}" = true ] && [ "${LONG-}" != 1 ]; then share=3; fi
 turn=$(git rev-list --count HEAD 2>/dev/null || echo 0)
-files 'lib/*.cpp' 'cmd/*.cpp' | grep -v 'kernel_v' | xargs wc -c | grep -v ' total$' | sort -rn |
+files 'lib/*.cpp' 'cmd/*.cpp' | grep -v -e kernel_v -e system_windows | xargs wc -c | grep -v ' total$' | sort -rn |
   awk -v share=$share -v turn="$turn" '(NR + turn) % share == 0 { print $2 }' |
   xargs -P "$(nproc)" -n 4 clang-tidy --quiet -p "$build" 2>"$build/counts" || {
   sed '/warnings\{0,1\} \(generated\|treated\)/d' "$build/counts"

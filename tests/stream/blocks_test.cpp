@@ -17,10 +17,10 @@ constexpr Form kForms[] = {Form::json, Form::csv, Form::text, Form::f64};
 constexpr OutputForm kOutputs[] = {OutputForm::lines, OutputForm::array, OutputForm::csv, OutputForm::text,
                                    OutputForm::f64};
 
-/// VIEWPROJ_STREAM_TRIALS in the environment: so many times as long.
+/// VIEWPROJ_STREAM_TRIALS in the environment: so many percent.
 std::size_t trials(std::size_t usual) {
-  const char* times = std::getenv("VIEWPROJ_STREAM_TRIALS");
-  return times ? usual * std::strtoull(times, nullptr, 10) : usual;
+  const char* percent = std::getenv("VIEWPROJ_STREAM_TRIALS");
+  return percent ? usual * std::strtoull(percent, nullptr, 10) / 100 : usual;
 }
 
 std::string inputOf(Form form, RandomText& random, std::size_t records, std::size_t bad) {

@@ -12,6 +12,7 @@
 #include "text/file.hpp"
 #include "text/json_text.hpp"
 #include "text/parse_number.hpp"
+#include "text/system.hpp"
 #include "text/visible.hpp"
 
 namespace viewproj::cmd {
@@ -220,8 +221,8 @@ ColmapText::ColmapText(ColmapText&&) noexcept = default;
 
 bool isColmapFile(const std::string& name) {
   std::error_code ignored;
-  if (std::filesystem::is_directory(name, ignored)) return true;
-  if (!name.ends_with(".txt") || !std::filesystem::is_regular_file(name, ignored)) return false;
+  if (std::filesystem::is_directory(pathOf(name), ignored)) return true;
+  if (!name.ends_with(".txt") || !std::filesystem::is_regular_file(pathOf(name), ignored)) return false;
   const std::string start = startOf(name);
   return looksLikeCamera(firstLine(start)) || looksLikeImage(firstLine(start));
 }
@@ -230,15 +231,15 @@ ColmapText readColmap(const std::string& folderOrFile) {
   namespace fs = std::filesystem;
   std::error_code ignored;
   ColmapText colmap;
-  const bool isFolder = fs::is_directory(folderOrFile, ignored);
-  const fs::path folder = isFolder ? fs::path(folderOrFile) : fs::path(folderOrFile).parent_path();
-  std::string cameras = (folder / "cameras.txt").string(), images = (folder / "images.txt").string();
-  bool hasImages = isFolder && fs::exists(images, ignored);
+  const bool isFolder = fs::is_directory(pathOf(folderOrFile), ignored);
+  const fs::path folder = isFolder ? pathOf(folderOrFile) : pathOf(folderOrFile).parent_path();
+  std::string cameras = nameOf(folder / "cameras.txt"), images = nameOf(folder / "images.txt");
+  bool hasImages = isFolder && fs::exists(pathOf(images), ignored);
   if (!isFolder) {
     (looksLikeCamera(firstLine(startOf(folderOrFile))) ? cameras : images) = folderOrFile;
     hasImages = images == folderOrFile;
   }
-  if (isFolder && !fs::exists(cameras, ignored)) {
+  if (isFolder && !fs::exists(pathOf(cameras), ignored)) {
     const std::string name = visible(folderOrFile);
     if (fs::exists(folder / "cameras.bin", ignored)) refuseUnread(name + "/cameras.bin", "");
     throw InputError(name + ": is a folder without cameras.txt and images.txt, as COLMAP writes them");

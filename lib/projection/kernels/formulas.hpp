@@ -31,7 +31,7 @@ struct ScalarLanes {
   static D squareRoot(D a) { return std::sqrt(a); }
   /// multiplyAdd: a * b + c, rounded once or twice. productError: the rounding error of a * b, whose rounded value is
   /// product.
-#ifdef __FMA__
+#if defined(__FMA__) || defined(__ARM_FEATURE_FMA)
   static constexpr bool hasFusedMultiplyAdd = true;
   static D multiplyAdd(D a, D b, D c) { return __builtin_fma(a, b, c); }
   static D productError(D a, D b, D product) { return __builtin_fma(a, b, -product); }

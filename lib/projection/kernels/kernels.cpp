@@ -11,8 +11,10 @@
 namespace viewproj::detail {
 
 extern const Kernels kPortableKernels;
-#ifdef VIEWPROJ_X86_KERNELS
+#ifdef VIEWPROJ_BASELINE_KERNEL
 extern const Kernels kBaselineKernels;
+#endif
+#ifdef VIEWPROJ_X86_KERNELS
 extern const Kernels kV3Kernels;
 extern const Kernels kV4Kernels;
 #endif
@@ -45,8 +47,10 @@ unsigned processorFeatures() noexcept {
 std::span<const Kernels* const> allKernels() noexcept {
   static constexpr const Kernels* kAll[] = {
       &kPortableKernels,
-#ifdef VIEWPROJ_X86_KERNELS
+#ifdef VIEWPROJ_BASELINE_KERNEL
       &kBaselineKernels,
+#endif
+#ifdef VIEWPROJ_X86_KERNELS
       &kV3Kernels,
       &kV4Kernels,
 #endif

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 #include "camera/camera.hpp"
 
@@ -21,17 +22,30 @@ struct Projected {
   Mask valid, behind;
 };
 
-/// Coordinates of points in float32: an array each, or x y z of one point after the other's, where x is the first.
+/// How coordinates of points in float32 lie: an array each; x y z of one point after the other's; or x y z of vertices
+/// that are four floats apart or more, of each of which a fourth float may be read.
+enum class FloatShape { columns, packed, vertices };
+
 template <class Float>
 struct FloatColumns {
   Float *x, *y, *z;
-  bool packed;
+  FloatShape shape;
+  std::size_t strideBytes;  ///< from one x to the next
 
   FloatColumns from(std::size_t first) const noexcept {
-    const std::size_t by = packed ? 3 * first : first;
-    return {x + by, y + by, z + by, packed};
+    using Byte = std::conditional_t<std::is_const_v<Float>, const char, char>;
+    const auto moved = [&](Float* p) {
+      return reinterpret_cast<Float*>(reinterpret_cast<Byte*>(p) + first * strideBytes);
+    };
+    return {moved(x), moved(y), moved(z), shape, strideBytes};
   }
 };
+
+/// Of memory of one's own.
+template <class Float>
+FloatColumns<Float> packedColumns(Float* first) noexcept {
+  return {first, first + 1, first + 2, FloatShape::packed, 3 * sizeof(float)};
+}
 
 /// Everything is in arrays of three doubles a point: x y z in; screen x, screen y and depth out, NaN where a point has
 /// none. bandX, bandY: farther than this from the principal point, in pixels, a point counts as unsettled. distance:

@@ -1,0 +1,152 @@
+#!/bin/sh
+# The same bits where users are: builds the tool with clang++ and libc++, for Windows (run by wine), for aarch64 (run by
+# qemu) and with every dependency from its source, warnings as errors, and compares what they print.
+#   sh tests/checks/platforms.sh [libcxx|windows|aarch64|fetched]...      default: all
+# Each prints what platforms/bits.sh asks for, byte for byte as build/viewproj does, and passes a share of the golden
+# cases: one in SHARE (environment; default 8, 1 is all). Dependencies come as Debian's source packages, or from the
+# folder SOURCES of an earlier run; `sh samples/setup.sh platforms` installs the compilers, wine and qemu.
+# CI=true: two of the four, the others another time, and what is missing is installed; LONG=1: all.
+set -eu
+cd "$(dirname "$0")/../.."
+if [ $# -eq 0 ]; then
+  set -- libcxx windows aarch64 fetched
+  if [ "${CI-}" = true ]; then
+    sh samples/setup.sh platforms
+    if [ "${LONG-}" != 1 ]; then
+      turn=$(git rev-list --count HEAD 2>/dev/null || echo 0)
+      if [ $((turn / 5 % 2)) = 0 ]; then set -- libcxx windows; else set -- aarch64 fetched; fi
+    fi
+  fi
+fi
+here=$(pwd)/tests/checks/platforms
+share=${SHARE:-8}
+
+fail() {
+  echo "platforms: $1" >&2
+  exit 1
+}
+
+work=$(mktemp -d)
+wine=""
+finish() {
+  # The server of this run's own wine.
+  if [ -n "$wine" ]; then WINEPREFIX=$work/wine "$(dirname "$wine")/wineserver" -k 2>/dev/null || true; fi
+  rm -rf "$work"
+}
+trap finish EXIT
+trap 'exit 1' HUP INT TERM
+
+# The sources, by the names that FetchContent has for them.
+sources=${SOURCES:-$work/sources}
+if [ ! -d "$sources" ]; then
+  mkdir -p "$work/lists/partial" "$work/archives" "$sources"
+  key=/usr/share/keyrings/debian-archive-keyring.gpg
+  echo "deb-src [signed-by=$key] http://deb.debian.org/debian bookworm main" >"$work/sources.list"
+  apt="-qq -o Dir::Etc::SourceList=$work/sources.list -o Dir::Etc::SourceParts=- -o Dir::State::Lists=$work/lists"
+  apt="$apt -o Dir::Cache::srcpkgcache= -o Dir::Cache::pkgcache= -o APT::Sandbox::User=root"
+  packages="cli11 nlohmann-json3 simdjson fast-float libyaml geographiclib"
+  # shellcheck disable=SC2086  # lists of words
+  (apt-get $apt update && cd "$work/archives" && apt-get $apt --download-only --tar-only source $packages) >"$work/log" 2>&1 ||
+    fail "apt-get source: $(tail -n 5 "$work/log")"
+  for name in cli11 nlohmann_json simdjson fastfloat libyaml geographiclib; do
+    archive=$(find "$work/archives" -name "$(echo "$name" | sed 's/_/-/; s/fastfloat/fast-float/')*.orig.tar.*")
+    mkdir "$sources/$name"
+    tar -xf "$archive" -C "$sources/$name" --strip-components=1
+  done
+fi
+options="-DYAML_INCLUDE=OFF -DGEOGRAPHICLIB_INCLUDE=OFF"
+for package in CLI11 nlohmann_json simdjson FastFloat libyaml GeographicLib; do
+  name=$(echo "$package" | tr '[:lower:]' '[:upper:]')
+  folder=$sources/$(echo "$package" | tr '[:upper:]' '[:lower:]')
+  options="$options -DFETCHCONTENT_SOURCE_DIR_$name=$folder -DCMAKE_DISABLE_FIND_PACKAGE_$package=ON"
+done
+if command -v ccache >/dev/null; then
+  options="$options -DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DCMAKE_C_COMPILER_LAUNCHER=ccache"
+fi
+
+# build NAME OPTION...: the tool in build-platforms/NAME. Optimised a little: what takes time is the building. (The
+# kernels of the library are optimised always.)
+build() {
+  folder=build-platforms/$1
+  shift
+  # shellcheck disable=SC2086  # a list of words
+  cmake -B "$folder" -DVIEWPROJ_WERROR=ON -DCMAKE_CXX_FLAGS_RELEASE=-O1 $options "$@" -Wno-dev \
+    >"$work/log" 2>&1 || fail "cmake: $(tail -n 20 "$work/log")"
+  cmake --build "$folder" --parallel "$(nproc)" --target viewproj >"$work/log" 2>&1 || fail "$(tail -n 40 "$work/log")"
+}
+
+# compare NAME COMMAND...: the bits.
+compare() {
+  name=$1
+  shift
+  sh "$here/bits.sh" build/viewproj >"$work/bits"
+  sh "$here/bits.sh" "$@" >"$work/$name.bits" || fail "$name: the tool fails"
+  cmp "$work/bits" "$work/$name.bits" || fail "$name gives other bits than build/viewproj"
+  echo "$name: $(sha256sum <"$work/$name.bits" | cut -c 1-16), $(wc -c <"$work/$name.bits") bytes as build/viewproj has them"
+}
+
+# cases NAME [PATTERN]: a share of the golden cases, but those whose folders are named in NAME-skip.txt.
+cases() {
+  mkdir -p "$work/$1-cases"
+  turn=0
+  for folder in tests/cmd/cases/*; do
+    turn=$((turn + 1))
+    if [ -d "$folder" ]; then
+      if [ $((turn % share)) != 0 ]; then continue; fi
+      if grep -qx "$(basename "$folder")" "$here/$1-skip.txt" 2>/dev/null; then continue; fi
+    fi
+    cp -R "$folder" "$work/$1-cases/"
+  done
+  sh tests/cmd/run.sh "$2" "$work/$1-cases" || fail "$1: these golden cases"
+}
+
+# wrapped NAME COMMAND...: an executable called viewproj that runs the command.
+wrapped() {
+  mkdir -p "$work/$1-bin"
+  printf '#!/bin/sh\nexec %s "$@"\n' "$2" >"$work/$1-bin/viewproj"
+  chmod +x "$work/$1-bin/viewproj"
+}
+
+libcxx() {
+  build libcxx -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_FLAGS=-stdlib=libc++
+  compare libcxx build-platforms/libcxx/viewproj
+  cases libcxx build-platforms/libcxx/viewproj
+}
+
+fetched() {
+  build fetched
+  compare fetched build-platforms/fetched/viewproj
+  cases fetched build-platforms/fetched/viewproj
+}
+
+aarch64() {
+  build aarch64 --toolchain "$here/aarch64.cmake" -DCMAKE_EXE_LINKER_FLAGS=-static
+  wrapped aarch64 "qemu-aarch64 $(pwd)/build-platforms/aarch64/viewproj"
+  compare aarch64 "$work/aarch64-bin/viewproj"
+  cases aarch64 "$work/aarch64-bin/viewproj"
+}
+
+windows() {
+  for wine in /usr/lib/wine/wine64 "$(command -v wine64 || true)" "$(command -v wine || true)"; do
+    if [ -x "$wine" ]; then break; fi
+  done
+  [ -x "$wine" ] || fail 'wine is not installed'
+  export WINEPREFIX="$work/wine" WINEDEBUG=-all WINEDLLOVERRIDES=mscoree,mshtml= DISPLAY=
+  "$wine" wineboot --init >/dev/null 2>&1 || true
+  build windows --toolchain "$here/windows.cmake"
+  wrapped windows "$wine $(pwd)/build-platforms/windows/viewproj.exe"
+  # The last bit of a sine is another there, and so now and then that of a point on the Earth.
+  export PLACES=0
+  compare windows "$work/windows-bin/viewproj"
+  unset PLACES
+  sh "$here/windows.sh" "$work/windows-bin/viewproj" || fail 'windows: that'
+  cases windows "$work/windows-bin/viewproj"
+}
+
+[ -x build/viewproj ] || fail 'build/viewproj is not there: cmake -B build && cmake --build build'
+for platform; do
+  echo "== $platform"
+  start=$(date +%s)
+  "$platform"
+  echo "== $platform: $(($(date +%s) - start)) s"
+done
