@@ -24,10 +24,11 @@ high = (1 - isProduct) * (m * k * g) + isProduct * (H * g);
 productLow = isProduct * (H * u * e);
 wide = wLow * m * l + isProduct * (H * pu * f);
 scaleLow = isProduct * (pu * a);
-value = high + wide + scaleLow * (H * g + wide) + off * k * m * b + isProduct * (kExactParameter * 1.001 * (H + m) * q);
+value = high + wide + scaleLow * (H * g + wide) + off * k * m * b +
+        isProduct * (kExactParameter * 1.001 * (H + m) * q);
 
-low = (productLow + (wide * (1 + isProduct * u * i1) + scaleLow * (H * g) * (1 + isProduct * u * i2)) * (1 + isProduct * u * i3)) *
-      (1 + isProduct * u * i4);
+low = (productLow + (wide * (1 + isProduct * u * i1) + scaleLow * (H * g) * (1 + isProduct * u * i2)) *
+       (1 + isProduct * u * i3)) * (1 + isProduct * u * i4);
 sLow = u * (1.01 * (r + m + isProduct * H)) * s;
 sHigh = center + high - productLow - sLow;
 centerLow = u * 1.01 * r * d;

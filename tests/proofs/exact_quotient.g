@@ -49,7 +49,8 @@ bound = Q * ofQ + V * Q * ofV + N * (2.01 * u);
 # And what is added alone.
 size = Q * (4.01 * u) + V * Q * ofV + N * (2.01 * u);
 
-{ Q in [0, 0x1p900] /\ N in [0, 0x1p900] /\ V in [0, 0x1p38] /\ |g| <= 1 /\ |f| <= 1 /\ |l| <= 1 /\ |h1| <= 1 /\ |h2| <= 1 /\
+{ Q in [0, 0x1p900] /\ N in [0, 0x1p900] /\ V in [0, 0x1p38] /\ |g| <= 1 /\ |f| <= 1 /\ |l| <= 1 /\
+  |h1| <= 1 /\ |h2| <= 1 /\
   |e1| <= 1 /\ |e2| <= 1 /\ |e3| <= 2.00001 /\ |f1| <= 1 /\ |f2| <= 1 /\ |f3| <= 1 /\ |f4| <= 3.00001 /\ |f5| <= 2.00001
 -> error - bound <= 0 /\ error + bound >= 0 /\ added - size <= 0 /\ added + size >= 0 }
 

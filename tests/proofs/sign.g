@@ -3,8 +3,8 @@
 # below kLargestRelativeError. Everything in shares of D: of W and computed W, of the reach that the kernel has added up.
 # sizeW, F, is an entry of a row that is at most a little longer than 1 (kPoseOrthogonality).
 #
-# Taken from dot.g: W is within k F D. In exact, from exact_dot.g, both parts of it are within kExactDot F D, and their sum is
-# a rounding of itself off.
+# Taken from dot.g: W is within k F D. In exact, from exact_dot.g, both parts of it are within kExactDot F D, and their sum
+# is a rounding of itself off.
 #: standard: unit = kUnitDouble; roundings = kRoundings; sign = kSignUncertainty;
 #: fast: unit = kUnitFloat; roundings = kRoundings; sign = kSignUncertaintyFast;
 #: float: unit = kUnitFloat; roundings = kRoundingsFloat; sign = kSignUncertaintyFast;
