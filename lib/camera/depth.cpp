@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "numbers/dyadic.hpp"
+
 namespace viewproj::detail {
 
 RangeShares rangeShares(double near, double far) noexcept {
@@ -12,6 +14,20 @@ RangeShares rangeShares(double near, double far) noexcept {
   return {DoubleDouble(n) / range, DoubleDouble(f) / range, timesPowerOfTwo(DoubleDouble(1) / range, scale)};
 }
 
+namespace {
+
+/// (f ofFar - n ofNear) / (f - n), within 2^-97 of itself: where it cancels, as for depths that are to each other as
+/// near and far are, from exact products.
+DoubleDouble depthOffset(const ProjectionParts& p, const RangeShares& share, double ofFar, double ofNear) noexcept {
+  const DoubleDouble first = share.far * DoubleDouble(ofFar), second = share.near * DoubleDouble(ofNear);
+  const DoubleDouble offset = first - second;
+  if (8 * std::fabs(offset.hi) >= std::fabs(first.hi) + std::fabs(second.hi)) return offset;
+  const Dyadic near = p.near, far = p.far;
+  return toDoubleDouble((far * Dyadic(ofFar) - near * Dyadic(ofNear)).rounded() / (far - near).rounded());
+}
+
+}  // namespace
+
 DepthLine depthLine(const ProjectionParts& p, const DepthEnds& ends) noexcept {
   // perspective:   offset = (f atFar - n atNear) / (f - n)     scale = f n (atNear - atFar) / (f - n)
   // infinite far:  offset = atFar                              scale = n (atNear - atFar)
@@ -21,8 +37,8 @@ DepthLine depthLine(const ProjectionParts& p, const DepthEnds& ends) noexcept {
   const DoubleDouble step = twoDiff(atNear, atFar);
   if (std::isinf(p.far)) return {atFar, DoubleDouble(p.near) * step};
   const RangeShares share = rangeShares(p.near, p.far);
-  if (p.orthographic) return {share.far * DoubleDouble(atNear) - share.near * DoubleDouble(atFar), -step * share.one};
-  return {share.far * DoubleDouble(atFar) - share.near * DoubleDouble(atNear), share.far * DoubleDouble(p.near) * step};
+  if (p.orthographic) return {depthOffset(p, share, atNear, atFar), -step * share.one};
+  return {depthOffset(p, share, atFar, atNear), share.far * DoubleDouble(p.near) * step};
 }
 
 DepthLine inverseDepthLine(const ProjectionParts& p, const DepthEnds& ends) noexcept {

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Proves the error bounds of standard and fast, and of exact's dot products: Gappa runs the scripts of tests/proofs with
+# Proves the error bounds of standard and fast, and what exact certifies: Gappa runs the scripts of tests/proofs with
 # the constants that the headers have now.
 #   sh tests/checks/proofs.sh [NAME...]     some scripts, such as dot
 # In a script "#: RUN: DEFINITIONS" is a run with these definitions, and "#! RUN: NAME = VALUE" the same run with another
@@ -7,7 +7,7 @@
 # each other would prove anything.
 set -eu
 cd "$(dirname "$0")/../.."
-headers="lib/projection/kernels/error_model.hpp lib/viewproj/screen.hpp"
+headers="lib/projection/kernels/error_model.hpp lib/projection/kernels/formulas.hpp lib/viewproj/screen.hpp"
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 status=0
@@ -27,7 +27,8 @@ gappa_says() {
 }
 
 # shellcheck disable=SC2086  # a list of words
-sed -n 's/^inline constexpr double \(k[A-Za-z]*\) = \([^;]*\);.*/\1 = \2;/p' $headers >"$folder/constants"
+sed -n -e 's/^inline constexpr double \(k[A-Za-z]*\) = \([^;]*\);.*/\1 = \2;/p' \
+  -e 's/^  static constexpr double \(k[A-Za-z]*\) = \([^;?]*\);.*/\1 = \2;/p' $headers >"$folder/constants"
 [ $# -gt 0 ] || set -- tests/proofs/*.g
 for script; do
   name=$(basename "$script" .g)

@@ -1,44 +1,61 @@
-# A coordinate of exact in orthographic, before it is certified, against the true one, x = center + X: within margin, of the
-# kZivMargin (4) that the code takes, of kExactDotX M D + kExactParameter (|X| + reach). And a depth, with the offset for the
-# centre and scale W for X: dot is kExactDotW then, m is |scale| F D, or 0
-# (forwardIsAxis). m = M D, Q = |X|, r = reach.
+# Ziv's test of exact in orthographic, as in exact_perspective.g: of a coordinate, center + X, of a depth, offset + scale W,
+# by times(), and of a distance, which is W without a center. m = M D, of a depth |scale| F D, or nothing where W is a
+# coordinate's difference to the eye (forwardIsAxis); H = |scale.hi w.hi|; r = reach, of a depth |offset|; T = the
+# smallest that error allows for underflow. The error is kZivMargin times
+#   kExactDot m + kExactParameter (r + the depth's |product|) + T.
 #
-# Taken from exact_dot.g: X and W. From product.g: the depth's product; a coordinate has none. From the text: the rest, as in
-# exact_perspective.g.
-#: x: margin = 1.01; dot = kExactDotX;
-#: depth: margin = 1.01; dot = kExactDotW;
-#! x: margin = 0.99
-#! depth: margin = 0.99
+# Taken from exact_dot.g: X and W, and their low parts. From the text: the product of high parts is a pair without an
+# error, and the rest, as in exact_perspective.g. isProduct: whether there is a scale.
+#: x: isProduct = 0; off = 9.51 * 0x1p-77;
+#: depth: isProduct = 1; off = 9.51 * 0x1p-77;
+#! x: kZivMargin = 1.01
+#! x: kExactDot = 6.6 * 0x1p-77
+#! depth: kZivMargin = 1.39
+#! depth: off = 18 * 0x1p-77
+#! depth: kExactParameter = 0x1p-105
 u = kUnitDouble;
-part = u * (1 + 0x1p-20);
-X = Q * g;
-H = (1.01 * Q + 0x1p-90 * m) * p;
-N = (part * H + 16 * u * u * m) * n;
-product = X * (1 + kExactParameter * 0.5 * f) + dot * m * (1 + kExactParameter) * a + (H * (6.1 * u * u) + N * (5.1 * u)) * v;
-low = (H * (2.1 * u) + N * 1.1) * l;
-center = c0 + kExactParameter * 0.5 * r * c;
-centerLow = part * (1.01 * r) * d;
-x = c0 + X;
+evaluated = 1 - 0x1p-48;
+k = 1 + 0x1p-18;
+wLow = 1.25001 * 0x1p-24;
+pu = u * 1.001;
 
-sumLow = part * (1.01 * (r + H)) * s;
-rest = (sumLow + (low + centerLow) * (1 + u * e1)) * (1 + u * e2);
-computed = (center - centerLow) + (product - low) - sumLow + rest + part * rest * z;
-bound = margin * (dot * m + kExactParameter * (Q + r));
+# The high part of X, or of the product with its error; the low part of X, or of W times scale.hi.
+high = (1 - isProduct) * (m * k * g) + isProduct * (H * g);
+productLow = isProduct * (H * u * e);
+wide = wLow * m * l + isProduct * (H * pu * f);
+scaleLow = isProduct * (pu * a);
+value = high + wide + scaleLow * (H * g + wide) + off * k * m * b +
+        isProduct * (kExactParameter * 1.001 * (H + m) * q);
 
-e12 = e1 + e2 + u * e1 * e2;
-oS = u * e2 + part * z * (1 + u * e2);
-oL = u * e12 + part * z * (1 + u * e12);
-cH = (6.1 * u * u + 5.1 * u * (part * n)) * v + (2.1 * u + part * n * 1.1) * l * oL + part * 1.01 * s * oS;
-cQ = kExactParameter * 0.5 * f * g + 1.01 * p * cH;
-cm = dot * (1 + kExactParameter) * a + 0x1p-90 * p * cH + 16 * u * u * n * (5.1 * u * v + 1.1 * l * oL);
-cr = kExactParameter * 0.5 * c + part * 1.01 * (d * oL + s * oS);
+low = (productLow + (wide * (1 + isProduct * u * i1) + scaleLow * (H * g) * (1 + isProduct * u * i2)) *
+       (1 + isProduct * u * i3)) * (1 + isProduct * u * i4);
+sLow = u * (1.01 * (r + m + isProduct * H)) * s;
+sHigh = center + high - productLow - sLow;
+centerLow = u * 1.01 * r * d;
+x = center + centerLow + kExactParameter * r * p + value;
 
-{ m in [0, 0x1p1000] /\ Q in [0, 0x1p1000] /\ r in [0, 0x1p1000] /\ p in [0, 1] /\ n in [0, 1] /\
-  |g| <= 1 /\ |a| <= 1 /\ |f| <= 1 /\ |v| <= 1 /\ |l| <= 1 /\ |c| <= 1 /\ |d| <= 1 /\ |s| <= 1 /\ |z| <= 1 /\
-  |e1| <= 1 /\ |e2| <= 1 /\ |c0| <= 0x1p1000
--> computed - x - bound <= 0 /\ computed - x + bound >= 0 }
+sum = (sLow + (low + centerLow) * (1 + u * e1)) * (1 + u * e2) + isProduct * (T * 0.5 * h);
+error = kZivMargin * (kExactDot * m + kExactParameter * (r + isProduct * (1 - pu) * H) + isProduct * T) * evaluated;
+upper = (sum + error) * (1 + u * e3);
 
-computed - x - bound ->
-  m * (cm - margin * dot) + Q * (cQ - margin * kExactParameter) + r * (cr - margin * kExactParameter);
-computed - x + bound ->
-  m * (cm + margin * dot) + Q * (cQ + margin * kExactParameter) + r * (cr + margin * kExactParameter);
+# Of each size, a share of upper + s.hi - x.
+e23 = e2 + e3 + u * e2 * e3;
+x1 = e1 + e23 + u * e1 * e23;
+y4 = isProduct * i4 + x1 + u * (isProduct * i4) * x1;
+y3 = isProduct * i3 + y4 + u * (isProduct * i3) * y4;
+y1 = isProduct * i1 + y3 + u * (isProduct * i1) * y3;
+y2 = isProduct * i2 + y3 + u * (isProduct * i2) * y3;
+grows = kZivMargin * evaluated * (1 + u * e3);
+cm = grows * kExactDot + wLow * l * (u * y1 - scaleLow) + u * 1.01 * s * (u * e23) - off * k * b -
+     isProduct * (kExactParameter * 1.001 * q);
+cH = grows * kExactParameter * (1 - pu) + u * e * (u * y4) + pu * f * (u * y1 - scaleLow) + scaleLow * g * (u * y2) +
+     u * 1.01 * s * (u * e23) - kExactParameter * 1.001 * q;
+cr = grows * kExactParameter + u * 1.01 * s * (u * e23) + u * 1.01 * d * (u * x1) - kExactParameter * p;
+cT = grows + 0.5 * h * (1 + u * e3);
+
+{ m in [0, 0x1p1000] /\ H in [0, 0x1p1000] /\ r in [0, 0x1p1000] /\ T in [0, 1] /\ |center| <= 0x1p1000 /\
+  |g| <= 1 /\ |e| <= 1 /\ |l| <= 1 /\ |f| <= 1 /\ |a| <= 1 /\ |b| <= 1 /\ |q| <= 1 /\ |s| <= 1 /\ |d| <= 1 /\ |p| <= 1 /\
+  |h| <= 1 /\ |i1| <= 1 /\ |i2| <= 1 /\ |i3| <= 1 /\ |i4| <= 1 /\ |e1| <= 1 /\ |e2| <= 1 /\ |e3| <= 1
+-> sHigh + upper - x >= 0 }
+
+sHigh + upper - x -> m * cm + isProduct * (H * cH) + r * cr + isProduct * (T * cT);

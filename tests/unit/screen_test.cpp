@@ -237,6 +237,27 @@ TEST_CASE("A result of zero is positive zero") {
   CHECK_FALSE(std::signbit(screenFromNdc({.width = 2, .height = 2, .depthFirst = -0.0}, zeroToOne)[2][3]));
 }
 
+TEST_CASE("Where the offset of depth cancels, certain depths are the nearest doubles") {
+  const Pose pose = lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Handedness::right);
+  struct Row {
+    Projection projection;
+    double first, second, distance, depth;
+  };
+  const Row rows[] = {
+      {perspectiveFovY(60, 1, 0.9790644480897627, 1.468596672134644), 1.4535107490988497, 0.9690071660658999, 1e30,
+       1.1216276120247303e-16},
+      {orthographic(-1, 1, -1, 1, 0.3325787499389463, 0.8314468748473658), 0.32811233408627394, 0.8202808352156848,
+       2.5e-40, 2.466425877679404e-40},
+  };
+  for (const Row& row : rows) {
+    const Camera camera =
+        makeCamera(pose, row.projection, {.width = 2, .height = 2, .depthFirst = row.first, .depthSecond = row.second});
+    const ScreenPoint p = worldToScreen(camera, Vec3{0, 0, -row.distance});
+    CHECK(p.certain);
+    CHECK(p.depth == row.depth);
+  }
+}
+
 TEST_CASE("A signed zero in the input changes nothing") {
   const ScreenPoint plus = worldToScreen(plainCamera(), Vec3{0.0, 0.0, -2});
   const ScreenPoint minus = worldToScreen(plainCamera(), Vec3{-0.0, -0.0, -2});

@@ -23,11 +23,13 @@
 // products of high parts have at most 52 bits, and their sum is exact. The low parts are below 2^-25 M and 2^-26 D, and
 // the six products with them below (1/2 + 3/4) 2^-24 M D in all. In units of 2^-77 M D they are off by 5/4, their five
 // sums, one after the other, by 4, the low parts of d by 3/4, those of the row by 1/2, and what is left out, low times
-// d's second part, is 1/2: 7. High and low sum stay apart. What follows, the remainder of a quotient or the sum with
-// the center, takes one of them from something of its size and then the other, which costs u of the low sums each time:
-// 5/4 twice of X; of W, whose products with q are rounded too where there is no fused multiply-add, 5/4 four times, and
-// 12 in all. kExactDot is 13: second order and the scaled rows' own 2^-98 are within the rest. Without a fused
-// multiply-add q and W are cut in halves likewise, and the products with low halves are off by 6 2^-79 of the quotient.
+// d's second part, is 1/2: 7. High and low sum stay apart. What follows takes one of them from something of its size
+// and then the other, and each time costs u of the low sums, 5/4. A residual costs two: X and W are within 9 1/2. A
+// quotient costs two of X, and of W two, or five without a fused multiply-add, where q and W are cut in halves
+// likewise; the products with low halves are off by 10 2^-79 of the quotient. In orthographic the sum with the center
+// costs two, the product with the depth's scale four before it. So X is within 12, and W within 17. kExactDot is 13,
+// and kExactQuotient 8 2^-79: kZivMargin covers what is beyond them, Ziv's test's own roundings (5/4 once more), second
+// order and the scaled rows' own 2^-98; of its 2, 1.41 is needed.
 // For every point whose pixel lies in the picture, d = W (C + qx RX + qy RY) with C, RX, RY the columns of the pose, so
 // t <= |C|_1 + |qx| |RX|_1 + |qy| |RY|_1: a bound for the camera alone, of points at any distance. (d is off from that
 // by what rounding the eye left, which is half of a component of d at most, and near a half only where that component
@@ -74,8 +76,8 @@ inline constexpr double kLargestRange = 0x1p600;
 inline constexpr double kLargestRangeFloat = 0x1p60;
 inline constexpr double kLargestRangeExact = 0x1p500;
 
-/// exact, before the final rounding: a numerator is within kExactDot M D, W within kExactDot F D, a quotient within
-/// kExactQuotient, and every parameter within kExactParameter, all relative.
+/// exact, before the final rounding, in shares of which kZivMargin is allowed for: a numerator is within kExactDot M D,
+/// W within kExactDot F D, a quotient within kExactQuotient, and every parameter within kExactParameter, all relative.
 inline constexpr double kExactDot = 0x1.ap-74;
 inline constexpr double kExactQuotient = 0x1p-76;
 inline constexpr double kExactParameter = 0x1p-97;

@@ -349,7 +349,7 @@ class ExactFormula {
   }
 
  private:
-  /// Errors are taken twice as large as they can be: that covers the roundings of Ziv's test itself.
+  /// Covers the roundings of Ziv's test itself and what error_model.hpp says that it does.
   static constexpr double kZivMargin = 2;
   /// Adding and subtracting this many |d| rounds a coordinate of d to 27 bits of |d|, all to multiples of one number.
   static constexpr double kSplit = 0x1p27;
