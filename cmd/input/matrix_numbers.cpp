@@ -148,10 +148,7 @@ WrittenMatrices parseObject(const std::string& text, const std::string& name) {
     result.convention = readAxes(ObjectReader(document, *convention, {"convention"}), {});
     result.isOwn = true;
   } else if (convention != document.root().end() && convention->is_string()) {
-    if (const ConventionPreset* const preset = findPreset(convention->get_ref<const std::string&>()))
-      result.convention = preset->convention;
-    else
-      document.note({"convention"}, "is no convention that is known here, and is not read");
+    result.convention = readConvention(ObjectReader(document, document.root(), {}), {})->convention;
   }
   return result;
 }
