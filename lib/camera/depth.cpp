@@ -42,13 +42,20 @@ DepthLine depthLine(const ProjectionParts& p, const DepthEnds& ends) noexcept {
 }
 
 DepthLine inverseDepthLine(const ProjectionParts& p, const DepthEnds& ends) noexcept {
+  // perspective:   offset = (f atFar - n atNear) / (n f (atFar - atNear))   scale = (n - f) / (n f (atFar - atNear))
+  // infinite far:  offset = atFar / (n (atFar - atNear))                    scale = -1 / (n (atFar - atNear))
+  // orthographic:  offset = (n atFar - f atNear) / (atFar - atNear)         scale = (f - n) / (atFar - atNear)
+  // Of exact products: they may cancel.
   const auto [atNear, atFar] = ends;
-  const DoubleDouble step = twoDiff(atFar, atNear);
-  const DoubleDouble near = p.orthographic ? DoubleDouble(p.near) : DoubleDouble(1) / DoubleDouble(p.near);
-  const DoubleDouble far = p.orthographic      ? DoubleDouble(p.far)
-                           : std::isinf(p.far) ? DoubleDouble(0)
-                                               : DoubleDouble(1) / DoubleDouble(p.far);
-  return {(near * DoubleDouble(atFar) - far * DoubleDouble(atNear)) / step, (far - near) / step};
+  const Dyadic near = p.near, step = Dyadic::difference(atFar, atNear);
+  const auto line = [](const Dyadic& offset, const Dyadic& scale, const Dyadic& divisor) {
+    const Wide by = divisor.rounded();
+    return DepthLine{toDoubleDouble(offset.rounded() / by), toDoubleDouble(scale.rounded() / by)};
+  };
+  if (std::isinf(p.far)) return line(atFar, -1.0, near * step);
+  const Dyadic far = p.far;
+  if (p.orthographic) return line(near * Dyadic(atFar) - far * Dyadic(atNear), far - near, step);
+  return line(far * Dyadic(atFar) - near * Dyadic(atNear), near - far, near * far * step);
 }
 
 }  // namespace viewproj::detail

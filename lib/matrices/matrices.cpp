@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "camera/camera.hpp"
 #include "camera/convention.hpp"
 #include "camera/lens.hpp"
 #include "camera/pose.hpp"
 #include "camera/screen_map.hpp"
-#include "numbers/expansion.hpp"
+#include "numbers/dyadic.hpp"
 
 namespace viewproj {
 
@@ -97,8 +98,8 @@ DDMat4 inverseLensMatrix(const Lens& l) noexcept {
 DDMat4 fromViewAxes(DDMat4 m, ViewAxes axes) noexcept {
   const AxisSigns sign = axisSigns(axes);
   for (auto& row : m) {
-    row[1] = row[1] * sign.up;
-    row[2] = row[2] * sign.forward;
+    row[1] = timesPowerOfTwo(row[1], sign.up);
+    row[2] = timesPowerOfTwo(row[2], sign.forward);
   }
   return m;
 }
@@ -106,8 +107,8 @@ DDMat4 fromViewAxes(DDMat4 m, ViewAxes axes) noexcept {
 DDMat4 toViewAxes(DDMat4 m, ViewAxes axes) noexcept {
   const AxisSigns sign = axisSigns(axes);
   for (std::size_t j = 0; j < 4; ++j) {
-    m[1][j] = m[1][j] * sign.up;
-    m[2][j] = m[2][j] * sign.forward;
+    m[1][j] = timesPowerOfTwo(m[1][j], sign.up);
+    m[2][j] = timesPowerOfTwo(m[2][j], sign.forward);
   }
   return m;
 }
@@ -137,14 +138,33 @@ DDMat4 worldFromAxes(const PoseParts& p) noexcept {
   return m;
 }
 
-/// In double-double, so that the rounded entries are those of the closed form.
-DDMat4 product(const DDMat4& a, const DDMat4& b) noexcept {
+template <class Number>
+DDMat4 productIn(const DDMat4& a, const DDMat4& b) noexcept {
   DDMat4 result{};
   for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < 4; ++j)
+    for (std::size_t j = 0; j < 4; ++j) {
+      Number sum;
       for (std::size_t k = 0; k < 4; ++k)
-        if (a[i][k].hi != 0 && b[k][j].hi != 0) result[i][j] += a[i][k] * b[k][j];
+        if (a[i][k].hi != 0 && b[k][j].hi != 0) sum = sum + as<Number>(a[i][k]) * as<Number>(b[k][j]);
+      if constexpr (std::is_same_v<Number, Wide>)
+        result[i][j] = toDoubleDouble(sum);
+      else
+        result[i][j] = sum;
+    }
   return result;
+}
+
+/// Whether products of entries keep all their digits.
+bool isNarrow(const DDMat4& m) noexcept {
+  for (const auto& row : m)
+    for (const DoubleDouble& entry : row)
+      if (const double size = std::fabs(entry.hi); size != 0 && !(size > 0x1p-400 && size < 0x1p400)) return false;
+  return true;
+}
+
+/// In double-double, so that the rounded entries are those of the closed form; or in numbers of wider range.
+DDMat4 product(const DDMat4& a, const DDMat4& b) noexcept {
+  return isNarrow(a) && isNarrow(b) ? productIn<DoubleDouble>(a, b) : productIn<Wide>(a, b);
 }
 
 DDMat4 asGiven(const Mat4& a) noexcept {
@@ -157,30 +177,25 @@ DDMat4 asGiven(const Mat4& a) noexcept {
 /// | adjugate / determinant  -adjugate translation / determinant |
 /// | 0                       1                                   |
 DDMat4 inverseAffine(const Mat4& a) {
-  double largest = 0;
+  Dyadic m[3][4], cofactors[3][3], determinant;
   for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) largest = std::max(largest, std::fabs(a[i][j]));
-  const int k = largest > 0 ? -std::ilogb(largest) : 0;  // at unit size no product leaves the doubles
-  double m[3][3];
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) m[i][j] = std::ldexp(a[i][j], k);
-  Expansion<4> cofactors[3][3];
+    for (std::size_t j = 0; j < 4; ++j) m[i][j] = a[i][j];
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) {
       const std::size_t i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-      cofactors[i][j].addProduct(m[i1][j1], m[i2][j2]);
-      cofactors[i][j].addProduct(-m[i1][j2], m[i2][j1]);
+      cofactors[i][j] = m[i1][j1] * m[i2][j2] - m[i1][j2] * m[i2][j1];
     }
-  Expansion<24> determinant;
-  for (std::size_t j = 0; j < 3; ++j) determinant.addScaled(cofactors[0][j], m[0][j]);
-  if (determinant.isZero()) throw CameraError("model", "has no inverse: its axes lie in a plane");
-  const DoubleDouble divisor = determinant.rounded();
+  for (std::size_t j = 0; j < 3; ++j) determinant = determinant + cofactors[0][j] * m[0][j];
+  if (determinant.sign() == 0) throw CameraError("model", "has no inverse: its axes lie in a plane");
+  const Wide divisor = determinant.rounded();
   DDMat4 inverse{};
   for (std::size_t i = 0; i < 3; ++i) {
+    Dyadic translation;
     for (std::size_t j = 0; j < 3; ++j) {
-      inverse[i][j] = scaleByPowerOfTwo(cofactors[j][i].rounded() / divisor, k);
-      inverse[i][3] += -(inverse[i][j] * DoubleDouble(a[j][3]));
+      inverse[i][j] = toDoubleDouble(cofactors[j][i].rounded() / divisor);
+      translation = translation - cofactors[j][i] * m[j][3];
     }
+    inverse[i][3] = toDoubleDouble(translation.rounded() / divisor);
   }
   inverse[3][3] = 1;
   return inverse;

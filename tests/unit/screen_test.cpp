@@ -380,6 +380,30 @@ TEST_CASE("A model's matrix and its points keep their digits at both ends of the
   CHECK(toWorld(wide, {16, 16, 0.1, 1}).x == 0.1);
 }
 
+TEST_CASE("The inverse of a model, or of a lens, keeps its digits however its numbers differ in size") {
+  const Convention c;
+  const Pose pose = lookAt({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, c.world);
+  const Mat4 thin = worldFromLocal({1e308, 1, 0}, {}, {1e308, 1e-308, 1});
+  const Mat4 back = localFromView(pose, thin, c);
+  CHECK(back[0][0] == 1e-308);
+  CHECK(back[1][1] == 1 / 1e-308);
+  CHECK(back[0][3] == -1);
+  CHECK(back[1][3] == -1 / 1e-308);
+  CHECK(viewFromLocal(pose, thin, c)[0][0] == 1e308);
+  const Mat4 lopsided{{{{0.38657873214981797, 2.2951981166007252e-155, -2.713965713352535e-155, 0},
+                        {0.9021322338081337, 2.4645853084211475e-155, -6.8789491785606e-155, 0},
+                        {-0.8645671835810627, 9.475800985852006e-155, 9.75637713530295e-155, 0},
+                        {0, 0, 0, 1}}}};
+  CHECK(localFromView(pose, lopsided, c)[0][0] == -85.79330356029764);  // by fractions
+  const Mat4 flat{{{{1e200, 1e-160, 0, 0}, {1e200, 1e-160, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}}};
+  CHECK_THROWS_AS(localFromView(pose, flat, c), CameraError);
+  Viewport viewport{100, 100};
+  viewport.depthFirst = 0.2240809957474883;
+  const Mat4 slab = viewFromScreen(perspectiveFovY(60, 1, 1.5052038720446184, 1.5052038720446188), viewport, c);
+  CHECK(slab[3][2] == -2.526173520109471e-16);  // by fractions
+  CHECK(slab[3][3] == 0.6643618306944917);
+}
+
 TEST_CASE("Along an axis of the world a viewDistance is a difference, and certain even where it is a tie") {
   const Camera camera = makeCamera(lookAt({0, 0, 50}, {0, 0, 0}, {0, 1, 0}, Handedness::right),
                                    perspectiveFovY(60, 16.0 / 9, 0.1, 1000), {1920, 1080});
