@@ -99,7 +99,7 @@ TEST_CASE("Points of float32 have the same bits in every shape, of every size an
         check(p.x.data(), p.y.data(), p.depth.data(), 1);
         for (const std::size_t stride : {3u, 4u, 8u}) {
           // Not a float more than there has to be.
-          const std::size_t size = count == 0 ? 0 : stride * (count - 1) + 3;
+          const std::size_t size = count == 0 ? 3 : stride * (count - 1) + 3;
           std::vector<float> buffer(size), results(size, -1);
           for (std::size_t i = 0; i < count; ++i) {
             buffer[stride * i] = t.x[i];
