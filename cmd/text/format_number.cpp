@@ -1,8 +1,12 @@
 #include "text/format_number.hpp"
 
-#include <algorithm>
+#include <dragonbox/dragonbox.h>
+
+#include <array>
+#include <bit>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <utility>
 
@@ -11,8 +15,100 @@
 namespace viewproj::cmd {
 namespace {
 
-/// No number is longer.
+/// No number is longer, nor what is written on the way to it.
 constexpr std::size_t kLongest = 40;
+
+/// As many digits as the shortest text of a double may have.
+constexpr int kDigits = 17;
+
+constexpr auto kPowersOfTen = [] {
+  std::array<std::uint64_t, kDigits + 1> powers{1};
+  for (std::size_t i = 1; i < powers.size(); ++i) powers[i] = 10 * powers[i - 1];
+  return powers;
+}();
+
+/// 0 < number < 10^17.
+int countDigits(std::uint64_t number) {
+  const double size = static_cast<double>(static_cast<std::int64_t>(number));
+  const int bits = static_cast<int>(std::bit_cast<std::uint64_t>(size) >> 52) - 1022;
+  const int atLeast = bits * 1233 >> 12;  // by log10(2)
+  return atLeast + (number >= kPowersOfTen[static_cast<std::size_t>(atLeast)] ? 1 : 0);
+}
+
+/// The digits of a number below 10^8, a byte each, the first in the highest byte.
+std::uint64_t eightDigits(std::uint32_t number) {
+  std::uint64_t digits = number % 10000 | static_cast<std::uint64_t>(number / 10000) << 32;
+  const std::uint64_t hundreds = digits * 10486 >> 20 & 0x7f0000007f;
+  digits = (digits - 100 * hundreds) | hundreds << 16;
+  const std::uint64_t tens = digits * 103 >> 10 & 0xf000f000f000f;
+  return (digits - 10 * tens) | tens << 8;
+}
+
+/// Each of them as a character.
+std::uint64_t asText(std::uint64_t digits) { return digits | 0x3030303030303030; }
+
+/// A point after the first `before` of eight digits, 1 to 7; the last digit falls out.
+std::uint64_t withPoint(std::uint64_t text, int before) {
+  const std::uint64_t after = ~std::uint64_t{0} >> 8 * before;
+  return (text & ~after) | std::uint64_t{'.'} << (56 - 8 * before) | (text & after) >> 8;
+}
+
+void put(char* out, std::uint64_t text) {
+  if (std::endian::native == std::endian::little) text = __builtin_bswap64(text);
+  std::memcpy(out, &text, sizeof text);
+}
+
+/// 0.DIGITS * 10^point, and so many of the digits up to the last that is not 0.
+struct Digits {
+  std::uint64_t first, second;  ///< eight each, as text
+  char last;
+  int count, point;
+};
+
+/// The shortest digits that read back to the same number, which is finite and not 0.
+template <class T>
+Digits shortestDigits(T value) {
+  namespace policy = jkj::dragonbox::policy;
+  const auto decimal = jkj::dragonbox::to_decimal(value, policy::sign::ignore, policy::trailing_zero::ignore);
+  std::uint64_t number = decimal.significand;
+  int size;
+  if (number >= kPowersOfTen[15]) {  // nearly every double of many digits
+    const bool all = number >= kPowersOfTen[16];
+    size = all ? kDigits : kDigits - 1;
+    number = all ? number : 10 * number;
+  } else {
+    size = countDigits(number);
+    number *= kPowersOfTen[static_cast<std::size_t>(kDigits - size)];
+  }
+  const auto rest = static_cast<std::uint32_t>(number % 1'000'000'000), last = rest % 10;
+  const std::uint64_t first = eightDigits(static_cast<std::uint32_t>(number / 1'000'000'000));
+  const std::uint64_t second = eightDigits(rest / 10);
+  const auto ended = [](std::uint64_t digits) { return 8 - (std::countr_zero(digits) >> 3); };
+  const int count = last != 0 ? kDigits : second != 0 ? 8 + ended(second) : ended(first);
+  return {asText(first), asText(second), static_cast<char>('0' + last), count, size + decimal.exponent};
+}
+
+void putAll(char* out, const Digits& digits) {
+  put(out, digits.first);
+  put(out + 8, digits.second);
+  out[16] = digits.last;
+}
+
+/// With `point` digits before the point, 1 to 16. What comes after the end that it returns is overwritten too.
+char* putPlain(char* out, Digits digits) {
+  if (digits.point > 8) {
+    put(out, digits.first);
+    out += 8;
+    const std::uint64_t rest = static_cast<std::uint64_t>(digits.last) << 56 | asText(0) >> 8;
+    digits = {digits.second, rest, '0', digits.count - 8, digits.point - 8};
+  }
+  const bool whole = digits.point == 8;
+  put(out, whole ? digits.first : withPoint(digits.first, digits.point));
+  out[8] = whole ? '.' : static_cast<char>(digits.first & 0xff);
+  put(out + 9, digits.second);
+  out[17] = digits.last;
+  return out + (digits.count > digits.point ? digits.count + 1 : digits.point);
+}
 
 /// Returns the end of what it wrote.
 template <class T>
@@ -21,19 +117,28 @@ char* write(char* out, T value) {
     std::memcpy(out, "null", 4);
     return out + 4;
   }
-  const double size = std::fabs(static_cast<double>(value));
+  *out = '-';
+  out += std::signbit(value) ? 1 : 0;
+  if (value == 0) {
+    *out = '0';
+    return out + 1;
+  }
+  const Digits digits = shortestDigits(value);
   // Beyond the integers that T holds exactly, plain digits would be longer than the shortest.
-  const double largestPlain = sizeof(T) == sizeof(double) ? 1e16 : 1e7;
-  if (value == 0 || (size >= 1e-5 && size < largestPlain))
-    return std::to_chars(out, out + kLongest, value, std::chars_format::fixed).ptr;
-  // 5e-06 and 1e+16 become 5e-6 and 1e16.
-  char* const end = std::to_chars(out, out + kLongest, value, std::chars_format::scientific).ptr;
-  const char* from = std::find(out, end, 'e') + 1;
-  char* to = const_cast<char*>(from);
-  if (*from == '-') ++to;
-  ++from;
-  while (from + 1 < end && *from == '0') ++from;
-  return std::copy(from, static_cast<const char*>(end), to);
+  const int largestPlain = sizeof(T) == sizeof(double) ? 16 : 7;
+  if (digits.point > 0 && digits.point <= largestPlain) return putPlain(out, digits);
+  if (digits.point <= 0 && digits.point >= -4) {
+    std::memcpy(out, "0.0000", 6);
+    out += 2 - digits.point;
+    putAll(out, digits);
+    return out + digits.count;
+  }
+  putAll(out + 1, digits);
+  out[0] = out[1];
+  out[1] = '.';
+  out += digits.count > 1 ? digits.count + 1 : 1;
+  *out++ = 'e';
+  return std::to_chars(out, out + kLongest / 4, digits.point - 1).ptr;
 }
 
 }  // namespace
@@ -68,10 +173,10 @@ std::string formatDigits(double value, int digits) { return formatNumber(toDigit
 
 std::string formatCount(double value) {
   static constexpr std::pair<double, const char*> kUnits[] = {{1e12, " T"}, {1e9, " G"}, {1e6, " M"}, {1e3, " k"}};
-  constexpr int kDigits = 3;
-  value = toDigits(value, kDigits);  // first: 999.6 is 1 k
+  constexpr int kFew = 3;
+  value = toDigits(value, kFew);  // first: 999.6 is 1 k
   for (const auto& [unit, name] : kUnits)
-    if (std::fabs(value) >= unit) return formatDigits(value / unit, kDigits) + name;
+    if (std::fabs(value) >= unit) return formatDigits(value / unit, kFew) + name;
   return formatNumber(value);
 }
 
