@@ -227,12 +227,14 @@ class JsonReader final : public RecordReader {
 
   bool hasNames(dom::element value, const std::vector<std::string>& names) {
     if (names.empty() || names[0] == "points") return false;  // it may be a document
-    values_.clear();
-    for (const auto [name, item] : dom::object(value)) {
-      if (values_.size() == names.size() || name != names[values_.size()]) return false;
-      values_.push_back(item);
+    const dom::object object(value);
+    values_.resize(names.size());
+    std::size_t count = 0;
+    for (auto field = object.begin(), end = object.end(); field != end; ++field) {
+      if (count == names.size() || !field.key_equals(names[count])) return false;
+      values_[count++] = field.value();
     }
-    return values_.size() == names.size();
+    return count == names.size();
   }
 
   /// As FormOfField::holds of a point; nothing where it takes a closer look.
