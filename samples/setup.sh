@@ -30,7 +30,7 @@ if [ "${1:-}" = checks ]; then
 fi
 
 if [ "${1:-}" = platforms ]; then
-  packages="$packages clang libc++-dev libc++abi-dev g++-mingw-w64-x86-64-posix wine64 g++-aarch64-linux-gnu qemu-user"
+  packages="$packages file clang libc++-dev libc++abi-dev g++-mingw-w64-x86-64-posix wine64 g++-aarch64-linux-gnu qemu-user"
 fi
 
 if command -v dpkg-query >/dev/null 2>&1; then

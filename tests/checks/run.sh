@@ -9,11 +9,12 @@ if [ $# -eq 0 ]; then
   set -- benchmark proofs static install sanitized coverage fuzz threads mutation platforms
   if [ "${CI-}" = true ] && [ "${LONG-}" != 1 ]; then
     turn=$(git rev-list --count HEAD 2>/dev/null || echo 0)
-    case $((turn % 4)) in
+    case $((turn % 5)) in
       0) set -- benchmark proofs sanitized coverage ;;
       1) set -- benchmark proofs static install threads ;;
       2) set -- benchmark proofs static install fuzz ;;
       3) set -- benchmark proofs static mutation ;;
+      4) set -- benchmark proofs static platforms ;;
     esac
   fi
 fi
