@@ -146,7 +146,15 @@ void closeDescriptor(int descriptor) { ::_close(descriptor); }
 
 std::ptrdiff_t readSome(int descriptor, char* to, std::size_t most) {
   constexpr std::size_t kMost = 1 << 30;
+  ::SetLastError(ERROR_SUCCESS);
   const int got = ::_read(descriptor, to, static_cast<unsigned>(std::min(most, kMost)));
+  // Ctrl-C ends a line, and only then is who asked for it told.
+  constexpr int kMilliseconds = 1000;
+  const bool isConsole = isTerminal(descriptor);
+  if (got == 0 && isConsole && ::GetLastError() == ERROR_OPERATION_ABORTED)
+    for (int i = 0; i < kMilliseconds && notedSignal() == 0; ++i) ::Sleep(1);
+  constexpr char kCtrlZ = 0x1a;
+  if (got > 0 && isConsole && *to == kCtrlZ) return 0;
   return got < 0 && errno == EPIPE ? 0 : got;  // the writer has gone: the end
 }
 
@@ -160,19 +168,32 @@ std::optional<bool> pipeIsReady(int descriptor) {
   return std::nullopt;
 }
 
+/// Whether a key was pressed at a console; what else it tells (keys that go up, the mouse) is taken away.
+bool keyWaits(HANDLE console) {
+  INPUT_RECORD event = {};
+  DWORD count = 0;
+  while (::PeekConsoleInputW(console, &event, 1, &count) && count > 0) {
+    if (event.EventType == KEY_EVENT && event.Event.KeyEvent.bKeyDown) return true;
+    ::ReadConsoleInputW(console, &event, 1, &count);
+  }
+  return false;
+}
+
 }  // namespace
 
 bool isReady(int descriptor) {
   if (kindOf(descriptor) == FILE_TYPE_PIPE) return pipeIsReady(descriptor).value_or(false);
+  if (isTerminal(descriptor)) return false;  // the next line may not be whole, and who reads it waits for that
   return ::WaitForSingleObject(handleOf(descriptor), 0) != WAIT_TIMEOUT;
 }
 
 bool waitUnless(int descriptor, int other) {
   // Nothing waits for a pipe and for something else at once.
   constexpr DWORD kMilliseconds = 1;
-  const bool isPipe = kindOf(descriptor) == FILE_TYPE_PIPE;
+  const bool isPipe = kindOf(descriptor) == FILE_TYPE_PIPE, isConsole = isTerminal(descriptor);
   while (!isReady(other)) {
-    if (isPipe ? pipeIsReady(descriptor).value_or(true) : isReady(descriptor)) return true;
+    if (isPipe && pipeIsReady(descriptor).value_or(true)) return true;
+    if (isConsole ? keyWaits(handleOf(descriptor)) : !isPipe && isReady(descriptor)) return true;
     if (isPipe)
       ::Sleep(kMilliseconds);
     else

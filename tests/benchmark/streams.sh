@@ -32,6 +32,21 @@ m_json="[$(echo "$m" | tr ' ' ',')]"
 affine=$(rows view | awk '{ printf "+s11=%s +s12=%s +s13=%s +xoff=%s +s21=%s +s22=%s +s23=%s +yoff=%s +s31=%s +s32=%s +s33=%s +zoff=%s",
                              $1, $2, $3, $4, $5, $6, $7, $8, $9, $10, $11, $12 }')
 
+# inlined PROGRAM MATRIX FIRST: with the camera's numbers in place of variables, which is faster; MATRIX is the pattern of
+# the matrix's name, FIRST its first index.
+inlined() {
+  i=$3
+  script=""
+  for number in $m; do
+    script="$script; s/$2\\[$i\\]/($number)/g"
+    i=$((i + 1))
+  done
+  sed "s/\\\$width/1920/g; s/\\\$height/1080/g; s/ \\* width/ * 1920/; s/ \\* height/ * 1080/$script" "$here/$1"
+}
+# shellcheck disable=SC2016  # a pattern
+inlined project.jq '\$m' 0 >inlined.jq
+inlined project.awk a 1 >inlined.awk
+
 has() { command -v "$1" >/dev/null; }
 absent=""
 for tool in jq mlr mawk gawk cct CartConvert node; do has $tool || absent="$absent $tool"; done
@@ -53,7 +68,10 @@ text() {
 
 text ndjson
 if has node; then add "ndjson|node, JSON.parse a line|$points|$node p.ndjson"; fi
-if has jq; then add "ndjson|$(jq --version)|$few|$jq few.ndjson"; fi
+if has jq; then
+  add "ndjson|$(jq --version)|$few|$jq few.ndjson"
+  add "ndjson|jq, constants inlined|$few|jq -c -f inlined.jq few.ndjson"
+fi
 if has mlr; then add "ndjson|mlr|$few|mlr --ijsonl --ojsonl $mlr_put few.ndjson"; fi
 add "ndjson|cat|$points|cat p.ndjson"
 add "ndjson in pipes|cat, viewproj and cat|$points|cat p.ndjson | $project --jobs 1 | cat"
@@ -61,7 +79,10 @@ add "ndjson in pipes|cat, cat and cat|$points|cat p.ndjson | cat | cat"
 
 text csv
 for awk in mawk gawk; do
-  if has $awk; then add "csv|$awk|$points|$awk $awk_options p.csv"; fi
+  if has $awk; then
+    add "csv|$awk|$points|$awk $awk_options p.csv"
+    add "csv|$awk, constants inlined|$points|$awk -f inlined.awk p.csv"
+  fi
 done
 if has cct; then
   add "csv|cct affine, to view coordinates|$points|$cct p.text"
@@ -82,6 +103,16 @@ add "f64 in pipes|cat, cat and cat|$many|cat p.f64 | cat | cat"
 add "f64 to a file|viewproj --precision standard|$many|$f64 1 p.f64 >$out/f64"
 add "f64 to a file|cat|$many|cat p.f64 >$out/f64"
 
+# A start, a hundred after each other.
+# shellcheck disable=SC2016  # for a shell of its own
+starts='i=0; while [ $i -lt 100 ]; do'
+# shellcheck disable=SC2016
+ends='; i=$((i + 1)); done'
+add "one shot|true|100|$starts /bin/true$ends"
+add "one shot|viewproj matrix|100|$starts $viewproj matrix $camera$ends"
+add "one shot|viewproj project, a point|100|$starts echo 1 2 3 | $viewproj project -c $camera$ends"
+if has jq; then add "one shot|jq|100|$starts jq -n 1$ends"; fi
+
 # agree NAME TOLERANCE: standard input and the file `ours` have the same numbers on a line, in the same order.
 agree() {
   paste -d ' ' ours - | awk -v name="$1" -v tolerance="$2" '
@@ -98,11 +129,17 @@ numbers_of_csv() { sed '1d; s/^[^,]*,[^,]*,[^,]*,[^,]*,//; s/,/ /g'; }
 $project few.text >ours
 $project few.ndjson | numbers_of_json | agree "ndjson" 0
 $project few.csv | numbers_of_csv | agree "csv" 0
-if has jq; then eval "$jq few.ndjson" | numbers_of_json | agree jq 1e-9; fi
+if has jq; then
+  eval "$jq few.ndjson" | numbers_of_json | agree jq 1e-9
+  jq -c -f inlined.jq few.ndjson | numbers_of_json | agree "jq inlined" 1e-9
+fi
 if has node; then eval "$node few.ndjson" | numbers_of_json | agree node 1e-9; fi
 if has mlr; then eval "mlr --ijsonl --ojsonl $mlr_put few.ndjson" | numbers_of_json | agree mlr 1e-9; fi
 for awk in mawk gawk; do
-  if has $awk; then eval "$awk $awk_options few.csv" | numbers_of_csv | agree $awk 1e-9; fi
+  if has $awk; then
+    eval "$awk $awk_options few.csv" | numbers_of_csv | agree $awk 1e-9
+    $awk -f inlined.awk few.csv | numbers_of_csv | agree "$awk inlined" 1e-9
+  fi
 done
 $viewproj project -c "$camera" --fields view few.text >ours
 if has cct; then $cct few.text | awk '{ print $1, $2, $3 }' | agree "cct affine" 1e-9; fi
