@@ -20,11 +20,12 @@ cmake --build "$build" --parallel "$(nproc)" --target viewproj_fuzz
 build=$(cd "$build" && pwd)
 
 # Seeds: every case runs with record.sh for viewproj.
-rm -rf "$build/seeds" "$build/recorder" "$build/found" "$build/empty"
+rm -rf "$build/seeds" "$build/recorder" "$build/found" "$build/empty" "$build/cases"
 mkdir -p "$build/seeds" "$build/recorder" "$build/found" "$build/empty" "$build/logs"
 cp tests/fuzz/record.sh "$build/recorder/viewproj"
 chmod +x "$build/recorder/viewproj"
-for case in tests/cmd/cases/*/ samples/*/; do
+python3 -B tests/cmd/transcripts.py "$build/recorder/viewproj" --folders "$build/cases"
+for case in "$build"/cases/*/ samples/*/; do
   # What a case makes of no output at all is its own affair.
   (cd "$case" && SEEDS=$build/seeds PATH=$build/recorder:$PATH timeout 2 sh ./cmd) >/dev/null 2>&1 </dev/null || :
 done

@@ -22,7 +22,8 @@ chmod +x "$scratch/bin/viewproj"
 # Every run of the golden cases and of the samples, with what goes in and out.
 # What the cases' own tests say of them is not asked again.
 export PATH="$scratch/bin:$PATH" VIEWPROJ_TOOL="$viewproj" VIEWPROJ_RECORDED="$scratch/recorded" LC_ALL=C
-for directory in "$tests"/cmd/cases/*/ "$tests"/../samples/*/; do
+python3 -B "$tests/cmd/transcripts.py" "$viewproj" --folders "$scratch/cases"
+for directory in "$scratch"/cases/*/ "$tests"/../samples/*/; do
   status=0
   (cd "$directory" && exec timeout -s KILL 30 sh ./cmd) </dev/null >/dev/null 2>&1 || status=$?
   if [ "$status" -ge 124 ]; then

@@ -37,7 +37,10 @@ class Suite:
         self.lock = threading.Lock()
 
     def _cases(self, name):
-        return sorted(path.parent.name for path in Path(self.tests[name]["command"][-1]).glob("*/cmd"))
+        command = self.tests[name]["command"]
+        if name == "cmd":
+            return subprocess.run([*command, "--list"], capture_output=True, check=True, text=True).stdout.split()
+        return sorted(path.parent.name for path in Path(command[-1]).glob("*/cmd"))
 
     def wrong(self, row):
         for test, part in row.tests:

@@ -1,1 +1,0 @@
-//Maya ASCII 2022 scene

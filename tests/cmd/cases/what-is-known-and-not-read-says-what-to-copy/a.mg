@@ -1,1 +1,0 @@
-{"header": {"releaseVersion": "2023.3.0"}, "graph": {}}
