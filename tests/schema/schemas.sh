@@ -23,13 +23,10 @@ chmod +x "$scratch/bin/viewproj"
 # What the cases' own tests say of them is not asked again.
 export PATH="$scratch/bin:$PATH" VIEWPROJ_TOOL="$viewproj" VIEWPROJ_RECORDED="$scratch/recorded" LC_ALL=C
 python3 -B "$tests/cmd/transcripts.py" "$viewproj" --folders "$scratch/cases"
-for directory in "$scratch"/cases/*/ "$tests"/../samples/*/; do
+# shellcheck disable=SC2016  # for a shell of its own
+find "$scratch/cases" "$tests/../samples" -mindepth 2 -name cmd | sed 's/cmd$//' | xargs -P "$(nproc)" -n 1 sh -c '
   status=0
-  (cd "$directory" && exec timeout -s KILL 30 sh ./cmd) </dev/null >/dev/null 2>&1 || status=$?
-  if [ "$status" -ge 124 ]; then
-    echo "$directory: status $status"
-    exit 1
-  fi
-done
+  (cd "$0" && exec timeout -s KILL 30 sh ./cmd) </dev/null >/dev/null 2>&1 || status=$?
+  [ "$status" -lt 124 ] || { echo "$0: status $status"; exit 1; }'
 
 node "$tests/schema/judge.mjs" "$viewproj" "$2" "$scratch"
