@@ -22,8 +22,10 @@ for projection in \
     for convention in opengl opengl-lh d3d d3d-rh vulkan metal webgpu unity unreal opencv ps2; do
       for which in view,projection,viewProjection projection viewProjection; do
         for form in json text flat c numpy; do
-          # A view alone in a flat array may as well be its inverse.
+          # A view alone in a flat array may as well be its inverse. How a form is written does not depend on the projection:
+          # two of them are enough.
           case $which-$form in *,*-flat | projection-[!f]* | viewProjection-[!f]*) continue ;; esac
+          case $form-$projection in json-* | *60*1000* | *orthographic*) ;; *) continue ;; esac
           number=$((number + 1))
           set -- --convention "$convention" "$reverse" --to "$form"
           viewproj matrix -c "{$view,\"projection\":$projection}" --which "$which" "$@" >"$work/written"
@@ -45,5 +47,5 @@ for projection in \
     done
   done
 done
-[ "$number" = 660 ]
+[ "$number" = 330 ]
 echo "$number matrices or sets of them read back"
