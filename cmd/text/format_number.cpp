@@ -125,8 +125,7 @@ char* write(char* out, T value) {
   }
   const Digits digits = shortestDigits(value);
   // Beyond the integers that T holds exactly, plain digits would be longer than the shortest.
-  const int largestPlain = sizeof(T) == sizeof(double) ? 16 : 7;
-  if (digits.point > 0 && digits.point <= largestPlain) return putPlain(out, digits);
+  if (digits.point > 0 && digits.point <= (sizeof(T) == sizeof(double) ? 16 : 7)) return putPlain(out, digits);
   if (digits.point <= 0 && digits.point >= -4) {
     std::memcpy(out, "0.0000", 6);
     out += 2 - digits.point;
