@@ -25,16 +25,16 @@ BatchCounts run(const Camera& camera, std::span<const Vec3> points, std::span<Ve
   const std::size_t count = std::min(points.size(), screen.size());
   const bool inPlace = points.data() < screen.data() + count && screen.data() < points.data() + count;
   BatchCounts counts;
-  Vec3 copy[kBlock];
+  double copy[3 * kBlock];  // unlike vectors, not made zero
   for (std::size_t i = 0; i < count; i += kBlock) {
     const std::size_t size = std::min(kBlock, count - i);
-    const Vec3* in = points.data() + i;
-    if (inPlace) in = std::copy_n(in, size, copy) - size;
+    const double* in = &points[i].x;
+    if (inPlace) in = std::copy_n(in, 3 * size, copy) - 3 * size;
     Vec3* out = screen.data() + i;
     Left left;
-    kernel(parts(camera).constants, band.x, band.y, &in->x, &out->x, nullptr, size, left.bits);
+    kernel(parts(camera).constants, band.x, band.y, in, &out->x, nullptr, size, left.bits);
     left.each([&](std::size_t j) {
-      const ScreenPoint p = worldToScreen(camera, in[j], Precision::exact);
+      const ScreenPoint p = worldToScreen(camera, {in[3 * j], in[3 * j + 1], in[3 * j + 2]}, Precision::exact);
       out[j] = {p.x, p.y, p.depth};
       tally(counts, p);
     });
@@ -47,12 +47,11 @@ BatchCounts run(const Camera& camera, std::span<const Vec3> points, std::span<Sc
   const auto kernel = kernelOf(precision);
   const std::size_t count = std::min(points.size(), screen.size());
   BatchCounts counts;
-  Vec3 position[kBlock];
-  double distance[kBlock];
+  double position[3 * kBlock], distance[kBlock];
   for (std::size_t i = 0; i < count; i += kBlock) {
     const std::size_t size = std::min(kBlock, count - i);
     Left left;
-    kernel(parts(camera).constants, band.x, band.y, &points[i].x, &position->x, distance, size, left.bits);
+    kernel(parts(camera).constants, band.x, band.y, &points[i].x, position, distance, size, left.bits);
     for (std::size_t j = 0; j < size; ++j) {
       ScreenPoint& p = screen[i + j];
       if (left.has(j)) {
@@ -60,10 +59,11 @@ BatchCounts run(const Camera& camera, std::span<const Vec3> points, std::span<Sc
         tally(counts, p);
         continue;
       }
-      if (std::isnan(position[j].x)) {
+      const double* const xyz = position + 3 * j;
+      if (std::isnan(xyz[0])) {
         p = without(PointStatus::behind, distance[j]);
       } else {
-        p = {position[j].x, position[j].y, position[j].z, distance[j]};
+        p = {xyz[0], xyz[1], xyz[2], distance[j]};
         p.outside = sidesBeyond(parts(camera), p);
       }
       p.precision = precision;
