@@ -21,6 +21,9 @@ bool isWordStart(char c) { return std::isalpha(static_cast<unsigned char>(c)) !=
 bool isWord(char c) { return isWordStart(c) || isDigit(c) || c == '.'; }
 bool isSpace(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
 
+// Around the times that gdb says a number stands.
+constexpr std::string_view kRepeats = "<repeats ", kTimes = " times>";
+
 std::string lowered(std::string_view text) {
   std::string result(text);
   for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -78,6 +81,7 @@ class Scanner {
     const bool first = lineIsEmpty_;
     if (!isSpace(c)) lineIsEmpty_ = false;
     // About a print of an object.
+    if (rest.starts_with(kRepeats)) return repeat();
     const bool isAngle = c == '>' || (c == '<' && at_ + 1 < text_.size() && isWordStart(text_[at_ + 1]));
     const bool endsLabel = (c == '=' || c == ':') && label_;
     if (isSpace(c) || c == ',' || c == '|' || isAngle || endsLabel) {
@@ -107,12 +111,18 @@ class Scanner {
       name_ = word_;
       ++at_;
     } else if (c == '{' || c == '[' || c == '(') {
+      if (c == '{' && brackets_.empty() && areArraySizes()) gathered_.clear();  // a type before it: (float [16]) {
       brackets_.push_back(at_++);
       ++group_;
     } else if (c == '}' || c == ']' || c == ')') {
       close(c);
     } else if (rest.size() > 2 && rest.starts_with("--") && isWordStart(rest[2])) {
       property();
+    } else if (c == '$') {  // a debugger's answer: $1 =
+      word_.clear();
+      at_ = behindDigits(at_ + 1);
+    } else if (const std::size_t end = closingQuote(); end != std::string::npos) {  // of an option: device='cuda:0'
+      at_ = end + 1;
     } else if (isWordStart(c)) {
       word();
     } else if (isDigit(c) || c == '.' || c == '-' || c == '+') {
@@ -174,9 +184,35 @@ class Scanner {
     return std::min(text_.find_first_not_of("0123456789", at), text_.size());
   }
 
-  /// A number that belongs to the word before it: Array(16), Row 0:. Returns whether there was one.
+  /// Where what is quoted here ends, on this line.
+  std::size_t closingQuote() const {
+    const char quote = text_[at_];
+    if (quote != '\'' && quote != '"') return std::string::npos;
+    const std::size_t end = text_.find_first_of(std::string("\n") + quote, at_ + 1);
+    return end != std::string::npos && text_[end] == quote ? end : std::string::npos;
+  }
+
+  /// The number before it, so many times in all: <repeats 4 times>.
+  void repeat() {
+    const std::size_t begin = at_ + kRepeats.size(), end = behindDigits(begin);
+    const std::string_view written = std::string_view(text_).substr(begin, end - begin);
+    std::size_t times = 0;
+    std::from_chars(written.data(), written.data() + written.size(), times);
+    if (gathered_.empty() || times < 2 || times > 16 || text_.compare(end, kTimes.size(), kTimes) != 0)
+      fail(at_, "expected <repeats N times> after a number of a matrix");
+    const Gathered last = gathered_.back();
+    for (std::size_t i = 1; i < times; ++i) gather(last);
+    at_ = end + kTimes.size();
+  }
+
+  /// A number that belongs to the word before it: Array(16), Row 0:. Or the name of a column: x_axis:. Returns whether
+  /// there was one.
   bool passNumbersOf(std::string_view lower) {
     std::size_t at = behindBlanks(at_);
+    if (lower.ends_with("_axis") && at < text_.size() && text_[at] == ':') {
+      at_ = at + 1;
+      return true;
+    }
     if (lower.ends_with("array") && at < text_.size() && text_[at] == '(') {
       const std::size_t begin = at + 1, end = behindDigits(begin);
       if (end == begin || end == text_.size() || text_[end] != ')') return false;
@@ -209,7 +245,11 @@ class Scanner {
       digits.pop_back();
     const auto value = parseNumber(digits);
     if (!value || digits.size() + 2 < token.size()) fail(begin, "'" + token + "' is not a finite number");
-    gathered_.push_back({writtenNumber(digits, *value), line_, group_, begin, std::exchange(label_, std::nullopt)});
+    gather({writtenNumber(digits, *value), line_, group_, begin, std::exchange(label_, std::nullopt)});
+  }
+
+  void gather(const Gathered& one) {
+    gathered_.push_back(one);
     if (gathered_.size() == 16) flush();
   }
 

@@ -277,12 +277,10 @@ class CsvWriter final : public RecordWriter {
       for (double value : values) cell(finite ? value : NAN);
       return;
     }
-    char before = setup_.csv.separator;
-    for (double value : values) {
-      out_ += before;
-      if (finite) out_ += withDecimal(formatDigits(value, tableDigits()), setup_.csv.decimal);
-      before = ' ';
-    }
+    std::string text;
+    for (std::size_t i = 0; finite && i < values.size(); ++i)
+      text += (i > 0 ? " " : "") + withDecimal(formatDigits(values[i], tableDigits()), setup_.csv.decimal);
+    cell(std::string_view(text));
   }
 
   void flag(const ResultRow&, bool value) override {
