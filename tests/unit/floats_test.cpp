@@ -149,6 +149,26 @@ TEST_CASE("Vertices need not lie at addresses of float32") {
   for (std::size_t i = 0; i < 100; ++i) CHECK(sameBits(p.x[i], expected.x[i]));
 }
 
+TEST_CASE("Coordinates in arrays of their own may lie some floats apart, and results at any address") {
+  const Trial t = randomTrial(5, 100);
+  const Positions expected = separately(t, Precision::fast);
+  constexpr std::size_t kStep = 3, kStride = kStep * sizeof(float);
+  std::vector<float> in[3] = {}, out[3] = {};
+  for (std::size_t part = 0; part < 3; ++part) {
+    const std::vector<float>& from = part == 0 ? t.x : part == 1 ? t.y : t.z;
+    for (std::size_t i = 0; i < 100; ++i) in[part].insert(in[part].end(), {from[i], -1, -1});
+    out[part].assign(in[part].size(), -2);
+  }
+  worldToScreen(t.camera, FloatPoints{in[0].data(), in[1].data(), in[2].data(), 100, kStride},
+                FloatPositions{out[0].data(), out[1].data(), out[2].data(), kStride});
+  for (std::size_t i = 0; i < 100; ++i) {
+    CHECK(sameBits(out[0][kStep * i], expected.x[i]));
+    CHECK(sameBits(out[1][kStep * i], expected.y[i]));
+    CHECK(sameBits(out[2][kStep * i], expected.depth[i]));
+    for (const auto& array : out) CHECK((array[kStep * i + 1] == -2 && array[kStep * i + 2] == -2));
+  }
+}
+
 TEST_CASE(
     "Results in float32 are within their bound, point by point and in the picture, and those of doubles rounded") {
   double worst[3] = {}, worstDepth[3] = {}, worstInPicture[3] = {};

@@ -65,6 +65,7 @@ struct VectorLanes {
       return *reinterpret_cast<const LooseFour*>(reinterpret_cast<const char*>(p) + i * strideBytes);
     };
     const auto everyFourth = [&](auto i) {
+      // uncounted: each of these is of another processor
       if constexpr (lanes == 2) {
         return F(four(i));
       } else if constexpr (lanes == 4) {
@@ -75,6 +76,7 @@ struct VectorLanes {
         return F(__builtin_shufflevector(lower, upper, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15));
       }
     };
+
     // Four by four they are transposed.
     const F a = everyFourth(std::size_t{0}), b = everyFourth(std::size_t{1}), c = everyFourth(std::size_t{2}),
             d = everyFourth(std::size_t{3});
