@@ -111,7 +111,8 @@ std::span<const PrecisionRow> precisionModes() {
        {Precision::exact},
        "double-double, and exact sums where that is not certain",
        "the double nearest the true value, certified number by number; a tie, or a number that cancels to about 0, is "
-       "within 0.51 ulp or 1e-26 of the picture's size"},
+       "within 0.51 ulp or 1e-26 of the picture's size (a depth where near and far are nearly the same: 2^-96 / "
+       "(far/near - 1))"},
       {"standard",
        {Precision::standard},
        "double, after the eye is subtracted",

@@ -108,7 +108,8 @@ inline constexpr double kExactUlps = 0.51;
 inline constexpr double kExactAbsolute = 1e-26;
 
 /// exact, of a window depth that is not certain: the distance is known to this share, and the depth to this share of
-/// depthScale / W (perspective) or depthScale W (orthographic). It counts in slabs of far/near - 1 below 1e-11.
+/// depthScale / W (perspective) or depthScale W (orthographic). It counts in slabs of far/near - 1
+/// below 2e-3, where it is beyond kExactAbsolute.
 inline constexpr double kExactDistance = 0x1p-96;
 
 /// The largest error of screen x and y, in pixels, and of window depth. Infinite where nothing is promised.
@@ -177,7 +178,8 @@ struct WorldPoint {
 double distancePerDepth(const Camera& camera, const Vec2& screen, double viewDistance) noexcept;
 
 /// How much of the world one pixel spans at a distance along the viewing axis, across and down, in world units: each
-/// within 1 ulp. In orthographic the same everywhere; NaN in perspective where the distance is not above 0.
+/// within 1 ulp of what the distance given makes it. In orthographic the same everywhere; NaN in perspective where the
+/// distance is not above 0.
 Vec2 pixelSize(const Camera& camera, double viewDistance) noexcept;
 
 /// The point at this screen position and window depth (as worldToScreen gives it; not clamped). In double-double and

@@ -1,7 +1,10 @@
 #!/bin/sh
 # Stands for viewproj on the PATH: runs $VIEWPROJ_TOOL, and keeps its arguments, input and output in $VIEWPROJ_RECORDED.
 kept=$VIEWPROJ_RECORDED/$$
-mkdir "$kept" || exit 1
+while ! mkdir "$kept" 2>/dev/null; do
+  [ -d "$kept" ] || exit 125  # nothing can be kept
+  kept=$kept-  # a process of before had that number
+done
 echo "$PWD" >"$kept/cwd"
 printf '%s\0' "$@" >"$kept/args"
 run() {

@@ -24,7 +24,7 @@ chmod +x "$scratch/bin/viewproj"
 export PATH="$scratch/bin:$PATH" VIEWPROJ_TOOL="$viewproj" VIEWPROJ_RECORDED="$scratch/recorded" LC_ALL=C
 python3 -B "$tests/cmd/transcripts.py" "$viewproj" --folders "$scratch/cases"
 # shellcheck disable=SC2016  # for a shell of its own
-find "$scratch/cases" "$tests/../samples" -mindepth 2 -name cmd | sed 's/cmd$//' | xargs -P "$(nproc)" -n 1 sh -c '
+find "$scratch/cases" "$tests/../samples" -mindepth 2 -name cmd | sed 's/cmd$//' | xargs -r -P "$(nproc)" -n 1 sh -c '
   status=0
   (cd "$0" && exec timeout -s KILL 30 sh ./cmd) </dev/null >/dev/null 2>&1 || status=$?
   [ "$status" -lt 124 ] || { echo "$0: status $status"; exit 1; }'
