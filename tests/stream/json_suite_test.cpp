@@ -3,6 +3,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -92,6 +93,62 @@ bool isSequence(const std::string& bytes) {
   return true;
 }
 
+std::string recordWith(const std::string& value) { return "{\"x\":1,\"y\":2,\"z\":3,\"v\":" + value + "}"; }
+
+std::size_t linesIn(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+std::string shown(const std::string& text) { return text.substr(0, 300); }
+
+constexpr const char* kFirst = "{\"position\":[1,2,3],\"sum\":6,\"twice\":[2,4,6]}\n";
+constexpr const char* kThird = "{\"position\":[4,5,6],\"sum\":15,\"twice\":[8,10,12]}\n";
+
+void checkCase(const Case& one, std::size_t block) {
+  const std::string record = recordWith(one.bytes);
+  const bool valid = isValid(record);
+  INFO(one.name << ", block " << block);
+  const std::string three = "[1,2,3]\n" + record + "\n[4,5,6]\n";
+  const StreamHow how{.from = Form::json, .jobs = 2, .block = block};
+  StreamHow keepGoing = how;
+  keepGoing.keepGoing = true;
+  const StreamRun alone = runStream(record, how), second = runStream(three, how), all = runStream(three, keepGoing);
+  INFO("alone: " << shown(alone.out + alone.err) << "\nsecond: " << shown(second.out + second.err)
+                 << "\nkeep going: " << shown(all.out + all.err));
+  if (valid) {
+    std::string line = record;
+    std::erase(line, '\n');
+    std::erase(line, '\r');
+    line.pop_back();
+    line.erase(line.find_last_not_of(" \t") + 1);  // blanks before the brace
+    line += ",\"sum\":6,\"twice\":[2,4,6]}\n";
+    CHECK(alone.status == 0);
+    CHECK((alone.out == line && alone.err.empty()));
+    CHECK((second.status == 0 && second.out == kFirst + line + kThird && second.err.empty()));
+    CHECK(all == second);
+    return;
+  }
+  CHECK((alone.status == 1 && second.status == 1 && all.status == 1));
+  CHECK((linesIn(alone.err) == 0 && linesIn(second.err) == 0));
+  CHECK(all.out.starts_with(kFirst));
+  CHECK(all.out.ends_with(kThird));
+  // A brace of its own ends the record before what is wrong.
+  if (one.name != "n_structure_object_followed_by_closing_object") {
+    CHECK((alone.out.empty() && second.out == kFirst));
+    CHECK(linesIn(all.out) == linesIn(all.err) + 2);
+  }
+  // A bracket too many makes it more than one, and line breaks in it leave open on which line it is found.
+  const bool hasBreaks = one.bytes.find('\n') != std::string::npos;
+  if (one.bytes.find_first_of("]}") == std::string::npos && !hasBreaks) CHECK(linesIn(all.err) == 1);
+  if (!hasBreaks) {
+    CHECK(alone.err.starts_with("<stdin>:1:"));
+    CHECK(second.err.starts_with("<stdin>:2:"));
+    CHECK(all.err.starts_with("viewproj: <stdin>:2:"));
+  }
+  for (std::size_t at = 0; at < all.out.size(); at = all.out.find('\n', at) + 1)
+    CHECK(nlohmann::json::accept(all.out.substr(at, all.out.find('\n', at) - at)));
+}
+
 }  // namespace
 
 TEST_CASE("the suite is there as a whole") {
@@ -113,30 +170,14 @@ TEST_CASE("the suite is there as a whole") {
   CHECK(valid >= 95);
 }
 
-TEST_CASE("in a record of a stream is valid what nlohmann-json calls valid") {
-  const std::string before = "{\"x\":1,\"y\":2,\"z\":3,\"v\":", good = before + "0}\n";
-  const std::string first = runStream(good, {}).out;
-  int accepted = 0, rejected = 0;
+TEST_CASE("in a record of a stream is valid what nlohmann-json calls valid, and other records are as they are") {
   std::set<std::string> onlyAlone;
   for (const Case& one : allCases()) {
-    const std::string record = before + one.bytes + "}";
-    // The first time the record's shape is new, the second time it is known.
-    for (const std::string& text : {record, good + record})
-      for (const std::size_t block : {BlockReader::kBlock, std::size_t(7)}) {
-        if (block < text.size() / 1000) continue;
-        const bool valid = isValid(record);
-        const StreamRun run = runStream(text, {.from = Form::json, .block = block});
-        INFO(one.name << ", " << run.err);
-        if (valid != one.valid()) onlyAlone.insert(one.name);
-        CHECK(run.status == (valid ? 0 : 1));
-        CHECK(run.err.empty() == valid);
-        if (text != record) CHECK(run.out.starts_with(first));
-        ++(valid ? accepted : rejected);
-      }
+    if (isValid(recordWith(one.bytes)) != one.valid()) onlyAlone.insert(one.name);
+    for (const std::size_t block : {BlockReader::kBlock, std::size_t(7)})
+      if (block >= one.bytes.size() / 1000) checkCase(one, block);
   }
   CHECK(onlyAlone == std::set<std::string>{"i_structure_UTF-8_BOM_empty_object"});
-  CHECK(accepted >= 4 * 95);
-  CHECK(rejected >= 4 * 186);
 }
 
 TEST_CASE("a stream is a sequence of values, and only so more is valid in it than one value") {
