@@ -45,18 +45,18 @@ if [ ! -d "$sources" ]; then
   echo "deb-src [signed-by=$key] http://deb.debian.org/debian bookworm main" >"$work/sources.list"
   apt="-qq -o Dir::Etc::SourceList=$work/sources.list -o Dir::Etc::SourceParts=- -o Dir::State::Lists=$work/lists"
   apt="$apt -o Dir::Cache::srcpkgcache= -o Dir::Cache::pkgcache= -o APT::Sandbox::User=root"
-  packages="cli11 nlohmann-json3 simdjson fast-float dragonbox libyaml geographiclib"
+  packages="cli11 nlohmann-json3 simdjson fast-float dragonbox libyaml geographiclib catch2"
   # shellcheck disable=SC2086  # lists of words
   (apt-get $apt update && cd "$work/archives" && apt-get $apt --download-only --tar-only source $packages) >"$work/log" 2>&1 ||
     fail "apt-get source: $(tail -n 5 "$work/log")"
-  for name in cli11 nlohmann_json simdjson fastfloat dragonbox libyaml geographiclib; do
+  for name in cli11 nlohmann_json simdjson fastfloat dragonbox libyaml geographiclib catch2; do
     archive=$(find "$work/archives" -name "$(echo "$name" | sed 's/_/-/; s/fastfloat/fast-float/')*.orig.tar.*")
     mkdir "$sources/$name"
     tar -xf "$archive" -C "$sources/$name" --strip-components=1
   done
 fi
 options="-DYAML_INCLUDE=OFF -DGEOGRAPHICLIB_INCLUDE=OFF"
-for package in CLI11 nlohmann_json simdjson FastFloat dragonbox libyaml GeographicLib; do
+for package in CLI11 nlohmann_json simdjson FastFloat dragonbox libyaml GeographicLib Catch2; do
   name=$(echo "$package" | tr '[:lower:]' '[:upper:]')
   folder=$sources/$(echo "$package" | tr '[:upper:]' '[:lower:]')
   options="$options -DFETCHCONTENT_SOURCE_DIR_$name=$folder -DCMAKE_DISABLE_FIND_PACKAGE_$package=ON"
@@ -129,7 +129,12 @@ windows() {
   [ -x "$wine" ] || fail 'wine is not installed'
   export WINEPREFIX="$work/wine" WINEDEBUG=-all WINEDLLOVERRIDES=mscoree,mshtml= DISPLAY=
   "$wine" wineboot --init >/dev/null 2>&1 || true
-  build windows --toolchain "$here/windows.cmake"
+  build windows --toolchain "$here/windows.cmake" -DVIEWPROJ_TESTS=ON
+  cmake --build build-platforms/windows --parallel "$(nproc)" --target unit_tests output_tests camera_text_tests \
+    >"$work/log" 2>&1 || fail "$(tail -n 40 "$work/log")"
+  for tests in unit output camera_text; do
+    "$wine" build-platforms/windows/${tests}_tests.exe || fail "windows: the tests $tests"
+  done
   wrapped windows "$wine $(pwd)/build-platforms/windows/viewproj.exe"
   # The last bit of a sine is another there, and so now and then that of a point on the Earth.
   export PLACES=0

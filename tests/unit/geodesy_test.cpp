@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <random>
 
 #include "catch.hpp"
@@ -175,7 +176,7 @@ TEST_CASE("From Gornergrat each peak stands where its azimuth says") {
       {"Dom", {46.09500, 7.86000, 4596}, 25.03998033894},
   };
   const Viewport viewport{3000, 600};
-  const double tangent = std::tan(73 * M_PI / 180);
+  const double tangent = std::tan(73 * std::numbers::pi / 180);
   for (const Peak& peak : kPeaks)
     for (double heading : {198.0, 340.0}) {
       const Camera camera = makeCamera(poseFromHeadingPitchRoll({45.98333, 7.785, 3185}, {.heading = heading}),
@@ -185,7 +186,7 @@ TEST_CASE("From Gornergrat each peak stands where its azimuth says") {
       INFO(peak.name << " in the frame of " << heading);
       REQUIRE((p.status == PointStatus::inFront) == (std::fabs(off) < 90));
       if (p.status != PointStatus::inFront) continue;
-      const double azimuth = std::atan((p.x - 1500) / 1500 * tangent) * 180 / M_PI;
+      const double azimuth = std::atan((p.x - 1500) / 1500 * tangent) * 180 / std::numbers::pi;
       CHECK(std::fabs(azimuth - off) < 1e-4);
       CHECK(p.y < 300);  // above the horizon
     }
