@@ -21,11 +21,14 @@ constexpr std::size_t kLongest = 40;
 /// As many digits as the shortest text of a double may have.
 constexpr int kDigits = 17;
 
-constexpr auto kPowersOfTen = [] {
-  std::array<std::uint64_t, kDigits + 1> powers{1};
-  for (std::size_t i = 1; i < powers.size(); ++i) powers[i] = 10 * powers[i - 1];
+constexpr std::size_t kPowers = kDigits + 1;
+
+consteval auto powersOfTen() {
+  std::array<std::uint64_t, kPowers> powers = {1};
+  for (std::size_t i = 1; i < kPowers; ++i) powers[i] = 10 * powers[i - 1];
   return powers;
-}();
+}
+constexpr auto kPowersOfTen = powersOfTen();
 
 /// 0 < number < 10^17.
 int countDigits(std::uint64_t number) {
