@@ -1,5 +1,4 @@
 // Inputs that are no stream of records as a whole.
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "catch.hpp"
