@@ -184,10 +184,11 @@ class Scanner {
     return std::min(text_.find_first_not_of("0123456789", at), text_.size());
   }
 
-  /// Where what is quoted here ends, on this line.
+  /// Where a word that is quoted here as the value of an option ends, on this line. Numbers are not passed over so.
   std::size_t closingQuote() const {
     const char quote = text_[at_];
-    if (quote != '\'' && quote != '"') return std::string::npos;
+    const bool isValue = at_ > 0 && text_[at_ - 1] == '=' && at_ + 1 < text_.size() && isWordStart(text_[at_ + 1]);
+    if (!isValue || (quote != '\'' && quote != '"')) return std::string::npos;
     const std::size_t end = text_.find_first_of(std::string("\n") + quote, at_ + 1);
     return end != std::string::npos && text_[end] == quote ? end : std::string::npos;
   }
