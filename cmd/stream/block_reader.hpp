@@ -39,18 +39,22 @@ struct StreamFault {
   std::string message;
 };
 
-/// A part of the input that ends after a record.
-struct Block {
-  ByteBuffer bytes;
-  std::string_view records;          ///< in bytes. JSON: separated by white space alone, commas of an array made blank
-  TextPosition position;             ///< of the first of records. f64: line is the record's number
+/// What stands around a block's records.
+struct BlockFrame {
   std::size_t inputBytes = 0;        ///< of the whole input that the block takes up
-  bool last = false;                 ///< the input ends after it
-  bool inArray = false;              ///< the records are an array's
   std::string opening;               ///< an array begins here: what stands before its first record
   std::string closing;               ///< and ends here: what stands after its last one
   std::optional<StreamFault> fault;  ///< what is wrong after the records: nothing follows
-  JsonState state;                   ///< JSON, outside of an array: of all that comes before the records
+};
+
+/// A part of the input that ends after a record.
+struct Block : BlockFrame {
+  ByteBuffer bytes;
+  std::string_view records;  ///< in bytes. JSON: separated by white space alone, commas of an array made blank
+  TextPosition position;     ///< of the first of records. f64: line is the record's number
+  bool last = false;         ///< the input ends after it
+  bool inArray = false;      ///< the records are an array's
+  JsonState state;           ///< JSON, outside of an array: of all that comes before the records
   /// JSON, in an array: what is wrong between the records, or in their place, which was made blank, line breaks apart.
   struct Bad {
     std::size_t begin, at;  ///< offsets in records: of what is wrong, and where the message points
@@ -61,7 +65,7 @@ struct Block {
 
 class BlockReader {
  public:
-  static constexpr std::size_t kBlock = 256 << 10;  ///< bytes that are read at a time
+  static constexpr std::size_t kBlock = 64 << 10;  ///< bytes that are read at a time
   /// wake: a descriptor that interrupts waiting for input. block: in place of kBlock.
   BlockReader(std::unique_ptr<InputFile> file, std::size_t firstLine, int wake, std::size_t block = kBlock);
   /// Of bytes given instead of a file.

@@ -106,9 +106,10 @@ class JsonReader final : public RecordReader {
   /// not cost a pass over the rest each.
   static constexpr std::size_t kOneByOne = 32;
 
-  bool mayReadMany(std::size_t at) const {
-    return fast_ && at < text_.size() && text_.size() - at <= BlockReader::kBlock + ByteBuffer::kPadding;
-  }
+  /// Bytes. Of what is longer, simdjson would need several times its size at once.
+  static constexpr std::size_t kMostFast = 256 << 10;
+
+  bool mayReadMany(std::size_t at) const { return fast_ && at < text_.size() && text_.size() - at <= kMostFast; }
 
   /// All records up to the first that is not an ordinary one. Returns where that begins, or the end.
   std::size_t readMany(std::size_t begin) {
@@ -184,7 +185,7 @@ class JsonReader final : public RecordReader {
   void readRecord(std::string_view text) {
     passBadBefore(text);
     dom::element value;
-    const bool accepted = fast_ && text.size() <= BlockReader::kBlock &&
+    const bool accepted = fast_ && text.size() <= kMostFast &&
                           parser_.parse(text.data(), text.size(), false).get(value) == simdjson::SUCCESS;
     if (accepted && add(value, text)) return;
     try {

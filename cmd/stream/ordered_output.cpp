@@ -72,7 +72,7 @@ void OrderedOutput::closeArray(std::string_view asWritten) {
   writeEnd((inArray_ == 0 ? "]" : "\n]") + std::string(after) + "\n");
 }
 
-void OrderedOutput::put(const Block& block, const BlockResult& result) {
+void OrderedOutput::put(const BlockFrame& block, const BlockResult& result) {
   if (InterruptGuard::signal() != 0) endInterrupted();
   if (setup_.keepArrays && !block.opening.empty()) openArray(block.opening);
   if (setup_.before) setup_.before([&](std::string_view text) { put(text, 0); });

@@ -32,7 +32,7 @@ class OrderedOutput {
   /// Writes the block's records whole. Throws InputError (UsageError) where the run ends with it, after all that came
   /// before and an array's end; ClosedPipe and InputError where nothing can be written; Interrupted after a whole
   /// record if a signal came.
-  void put(const Block& block, const BlockResult& result);
+  void put(const BlockFrame& block, const BlockResult& result);
   /// After the last block. Returns the exit status.
   int finish();
   /// Writes what ends an array, if one is open, and throws Interrupted.

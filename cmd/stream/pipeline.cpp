@@ -4,10 +4,15 @@
 #include <exception>
 #include <mutex>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace viewproj::cmd {
 namespace {
+
+/// So many blocks, and one for each worker, may be done before their turn. Fewer, and pipes let workers sleep; more,
+/// and nothing is faster.
+constexpr std::size_t kAhead = 4;
 
 class Pipeline {
  public:
@@ -29,7 +34,7 @@ class Pipeline {
       const auto own = setup_.makeWorker(result);
       std::size_t number = 0;
       while (read(block, number)) {
-        if (mayStart > 1 && block.bytes.size() >= reader_.blockSize()) {
+        if (mayStart > 1 && isWorthMore(block)) {
           start(mayStart - 1);
           mayStart = 1;
         }
@@ -41,14 +46,15 @@ class Pipeline {
         result.notes.clear();
         result.fault.reset();
         own->work(block, result);
-        if (!waitForTurn(number)) return;
-        output_.put(block, result);
-        passOn();
+        if (!finish(number, block, result)) return;
       }
     } catch (...) {
       stop(std::current_exception());
     }
   }
+
+  /// Whether there is more to come, and as much at a time as work for others. Pipes often give less than a full block.
+  bool isWorthMore(const Block& block) const { return !block.last && block.bytes.size() >= reader_.blockSize() / 4; }
 
   void start(unsigned count) {
     for (unsigned i = 0; i < count; ++i) {
@@ -74,16 +80,30 @@ class Pipeline {
     return !stopped_;
   }
 
-  void passOn() {
-    {
-      const std::lock_guard lock(ordering_);
+  /// Hands over what was made of a block for its buffers of before, and puts out what is next, unless another one does.
+  bool finish(std::size_t number, BlockFrame& frame, BlockResult& result) {
+    std::unique_lock lock(ordering_);
+    turned_.wait(lock, [&] { return stopped_ || number - turn_ < finished_.size(); });
+    if (stopped_) return false;
+    Finished& own = finished_[number % finished_.size()];
+    std::swap(own.frame, frame);
+    std::swap(own.result, result);
+    own.ready = true;
+    if (std::exchange(writing_, true)) return true;
+    for (Finished* next; (next = &finished_[turn_ % finished_.size()])->ready;) {
+      lock.unlock();
+      output_.put(next->frame, next->result);
+      lock.lock();
+      next->ready = false;
       inOrder_ = setup_.inOrder();
       ++turn_;
+      turned_.notify_all();
     }
-    turned_.notify_all();
+    writing_ = false;
+    return true;
   }
 
-  /// Only the one whose turn it is can fail, or one that keeps all others from theirs.
+  /// Only the one who puts blocks out can fail, or one that keeps all others from theirs.
   void stop(const std::exception_ptr& error) {
     {
       const std::lock_guard lock(ordering_);
@@ -104,7 +124,15 @@ class Pipeline {
 
   std::mutex ordering_;
   std::condition_variable turned_;
-  std::size_t turn_ = 0;
+  std::size_t turn_ = 0;  ///< the block that is to be put out next
+  /// What is done before its turn, the block with number n at n modulo the size.
+  struct Finished {
+    BlockFrame frame;
+    BlockResult result;
+    bool ready = false;
+  };
+  std::vector<Finished> finished_ = std::vector<Finished>(setup_.jobs + kAhead);
+  bool writing_ = false;  ///< one of the workers is putting blocks out
   std::exception_ptr error_;
   std::atomic<bool> stopped_{false};
   std::atomic<bool> inOrder_{setup_.inOrder()};

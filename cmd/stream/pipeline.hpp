@@ -1,8 +1,9 @@
 // A stream's blocks through identical workers, in order and in bounded memory.
 //
 // Each worker takes the reader's lock, reads a block into its own buffer and takes the next number, gives the lock
-// back, works, waits for its number's turn and puts out what it made. Memory is workers times two buffers, however long
-// the input and however slow the reader downstream.
+// back, works and hands over what it made; whoever hands over the block whose turn it is puts it out, and those that
+// are done behind it. So none sleeps while there is input, unless it is some blocks ahead. Memory is workers times
+// three buffers and a few more, however long the input and however slow the reader downstream.
 #pragma once
 
 #include <functional>
@@ -27,8 +28,8 @@ struct PipelineSetup {
   std::function<bool()> inOrder = [] { return false; };
 };
 
-/// Runs to the end of the input, or until the guard is woken. Threads are started once a first full block has been
-/// read. Throws what a worker or the output throws.
+/// Runs to the end of the input, or until the guard is woken. Threads are started with the
+/// first block of some size that is not the last one. Throws what a worker or the output throws.
 void runPipeline(const PipelineSetup& setup, BlockReader& reader, OrderedOutput& output, InterruptGuard& guard);
 
 }  // namespace viewproj::cmd

@@ -354,6 +354,38 @@ TEST_CASE("progress is told on a terminal alone, and taken away in the end") {
   CHECK(shown.ends_with("\r\033[K"));
 }
 
+TEST_CASE("workers are started where there is work for them, by a pipe or a file") {
+  constexpr std::size_t kOwn = WATCHED;  // threads that a sanitizer may have
+  const std::string some = times("[1,2,33]\n", 1000);
+  for (const bool fromFile : {false, true}) {
+    INFO(fromFile);
+    const TemporaryFile file(times(some, 100));
+    Pipe in, out;
+    Tool tool({"--from", "json", "--jobs", "4", fromFile ? file.name() : "-"}, {.in = in.read, .out = out.write});
+    in.read.close();
+    out.write.close();
+    const Feeder feeder(std::move(in.write), "", some);
+    CHECK(waitUntilStill(out.read) > 0);
+    CHECK(tool.threads() >= 4);
+    CHECK(tool.threads() <= 4 + kOwn);
+    tool.signal(SIGKILL);
+    (void)tool.wait();
+  }
+  // A little at a time, or all of it at once.
+  Pipe in, out;
+  Tool tool({"--from", "json", "--jobs", "4"}, {.in = in.read, .out = out.write});
+  in.read.close();
+  (void)writeAll(in.write, some);
+  (void)readLines(out.read, 1000);
+  for (int i = 0; i < 20; ++i) {
+    (void)writeAll(in.write, "[1,2,33]\n");
+    (void)readLines(out.read, 1);
+  }
+  CHECK(tool.threads() <= 1 + kOwn);
+  in.write.close();
+  CHECK(exitedWith(tool.wait(), 0));
+}
+
 TEST_CASE("memory does not grow with the input") {
   // VIEWPROJ_STREAM_MEGABYTES in the environment: of each form.
   const char* wanted = std::getenv("VIEWPROJ_STREAM_MEGABYTES");

@@ -127,10 +127,14 @@ int Tool::wait() {
 
 void Tool::signal(int number) const { ::kill(process_, number); }
 
-std::size_t Tool::peakMemory() const {
+std::size_t Tool::peakMemory() const { return status("VmHWM:") << 10; }
+
+std::size_t Tool::threads() const { return status("Threads:"); }
+
+std::size_t Tool::status(const std::string& name) const {
   std::ifstream status("/proc/" + std::to_string(process_) + "/status");
   for (std::string line; std::getline(status, line);)
-    if (line.starts_with("VmHWM:")) return std::strtoull(line.c_str() + 6, nullptr, 10) << 10;
+    if (line.starts_with(name)) return std::strtoull(line.c_str() + name.size(), nullptr, 10);
   return 0;
 }
 

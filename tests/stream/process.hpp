@@ -71,8 +71,13 @@ class Tool {
   void signal(int number) const;
   /// The most memory that it has had so far, in bytes. It must be running.
   std::size_t peakMemory() const;
+  /// How many threads it has. It must be running.
+  std::size_t threads() const;
 
  private:
+  /// A number of its status by the system. name: with a colon.
+  std::size_t status(const std::string& name) const;
+
   pid_t process_ = -1;
 };
 
