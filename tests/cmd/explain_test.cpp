@@ -184,18 +184,24 @@ TEST_CASE("Every line of a point's way follows from those printed above it, and 
     }
     for (double sign : {1.0, -1.0})
       points.push_back({sign * direction[0], sign * direction[1] + 0.01, sign * direction[2], 0});
-    for (const auto& written : kWritten)
-      for (const auto& point : points) {
-        const std::vector<std::string> which = joined(joined(c.camera, written), {"--point", named(point)});
-        INFO(c.name << (written.empty() ? "" : " in " + written[1]) << ", point " << listed(point));
-        const std::vector<std::string> question = joined(joined({"explain"}, which), {"--to", "json"});
+    for (const auto& written : kWritten) {
+      const std::vector<std::string> which = joined(c.camera, written);
+      const json matrices = run(joined({"matrix"}, which));
+      std::vector<std::string> project =
+          joined(joined({"project"}, which),
+                 {"--to", "json", "--fields", "screen,depth,viewDistance,visible,outside,ndc,view"});
+      for (const auto& point : points) project = joined(project, {"--point", named(point)});
+      const json all = run(project);
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        INFO(c.name << (written.empty() ? "" : " in " + written[1]) << ", point " << listed(points[i]));
+        const std::vector<std::string> question =
+            joined(joined({"explain"}, which), {"--point", named(points[i]), "--to", "json"});
         const json brief = run(question);
         recompute(brief, kNineDigits, kSeven, tally);
 
         const json whole = run(joined(question, {"--digits", "17"}));
         const Printed values = recompute(whole, kDouble, kDoubleAgreed, tally);
-        const json projected =
-            run(joined(joined({"project"}, which), {"--fields", "screen,depth,viewDistance,visible,outside,ndc,view"}));
+        const json& projected = all[i];
         json result = whole["result"];
         if (!result.contains("outside")) result["outside"] = json::array();
         for (const char* field : {"screen", "depth", "viewDistance", "visible", "outside"})
@@ -218,7 +224,6 @@ TEST_CASE("Every line of a point's way follows from those printed above it, and 
         }
         CHECK(values["view.x"] == projected["view"][0].get<double>());
 
-        const json matrices = run(joined(joined({"matrix"}, c.camera), written));
         CHECK(sameMatrix(values, "V", matrices["view"]));
         CHECK(sameMatrix(values, "P", matrices["projection"]));
         if (!projected["screen"].is_null()) CHECK(sameMatrix(values, "S", matrices["viewport"]));
@@ -230,6 +235,7 @@ TEST_CASE("Every line of a point's way follows from those printed above it, and 
             CHECK(stage["lines"][3]["remark"].get<std::string>().find(byRows ? "fourth column" : "fourth row") !=
                   std::string::npos);
       }
+    }
   }
   CAPTURE(tally.sums, tally.quotients, tally.cancelling, tally.zeros, tally.behind, tally.noFar, tally.rows);
   CHECK(tally.sums > 10000);

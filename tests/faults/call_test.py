@@ -10,7 +10,7 @@ import tool
 from tool import FaultTest, RUNS, run
 
 LIBRARY = os.environ["VIEWPROJ_FAULT_LIBRARY"]
-MOST_A_RUN = 10**9 if "VIEWPROJ_FAULT_ALL" in os.environ else 5
+MOST_A_RUN = 10**9 if "VIEWPROJ_FAULT_ALL" in os.environ else 3
 
 
 def faulty(arguments, given, call, number, kind):

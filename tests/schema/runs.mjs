@@ -1,4 +1,4 @@
-// The recorded runs of the tool (see record.sh): what they read and printed.
+// The recorded runs of the tool (see record.cpp): what they read and printed.
 import { existsSync, readdirSync, readFileSync, statSync } from "node:fs";
 import { join, resolve } from "node:path";
 

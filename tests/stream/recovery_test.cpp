@@ -153,7 +153,7 @@ std::vector<std::size_t> linesNamed(const std::string& err) {
 
 TEST_CASE("every good record comes out once, in order, whatever is broken around it") {
   std::map<std::string, int> visited;
-  for (std::size_t trial = 0; trial < 3000; ++trial) {
+  for (std::size_t trial = 0; trial < 1500; ++trial) {
     RandomText random(trial);
     const auto arrangement = static_cast<Arrangement>(random.below(5));
     const Broken made = make(random, arrangement);
@@ -197,7 +197,7 @@ TEST_CASE("every good record comes out once, in order, whatever is broken around
   for (const char* kind : {"balanced", "junk", "comma missing", "bracket too many", "cut off", "not closed",
                            "arrangement 0", "arrangement 1", "arrangement 2", "arrangement 3", "arrangement 4"}) {
     INFO(kind);
-    CHECK(visited[kind] > 200);
+    CHECK(visited[kind] > 100);
   }
 }
 

@@ -22,7 +22,7 @@ LEFT_OUT = ("kernels_share_no_code", "arithmetic", "headers")
 MEMORY = 4 << 20  # KiB: who needs them has lost its way
 THREADS = ("faults_limit",)  # of which a thousand have more stack
 # Random tests are as long as they need be to tell.
-SHORTER = {"VIEWPROJ_BOUND_POINTS": "500000", "VIEWPROJ_SHAPE_CASES": "10000", "VIEWPROJ_JSON_LINES": "20000"}
+SHORTER = {"VIEWPROJ_SHAPE_CASES": "10000", "VIEWPROJ_JSON_LINES": "20000"}
 
 
 class Suite:

@@ -30,7 +30,7 @@ constexpr int kRaysOfCamera = 8;
 
 std::size_t pointsWanted() {
   const char* wanted = std::getenv("VIEWPROJ_BOUND_POINTS");
-  return wanted ? std::strtoull(wanted, nullptr, 10) : 1000000;
+  return wanted ? std::strtoull(wanted, nullptr, 10) : 500000;
 }
 
 std::string text(const char* format, auto... values) {
