@@ -283,13 +283,18 @@ const Format& formatOf(std::string_view name) {
                        [&](const Format& f) { return f.name == name; });
 }
 
-void requireRepresentable(const MatrixSet& set, bool asFloat, const std::string& source) {
+void requireRepresentable(const MatrixSet& set, const Format& format, const std::string& source) {
+  const bool floatRange = set.asFloat || format.floatRange;
   for (const NamedMatrix& named : set.matrices)
     for (const auto& entries : named.matrix.m)
-      for (double entry : entries)
-        if (!std::isfinite(asFloat ? static_cast<float>(entry) : entry))
+      for (double entry : entries) {
+        if (!std::isfinite(floatRange ? static_cast<float>(entry) : entry))
           throw InputError(source + ": " + named.name + " has an entry too large for " +
-                           (asFloat ? "float32" : "a double"));
+                           (floatRange ? "float32" : "a double"));
+        if (set.asFloat && entry != 0 && static_cast<float>(entry) == 0)
+          throw InputError(source + ": " + named.name + " has an entry too small for float32: " + formatNumber(entry) +
+                           " would be 0");
+      }
 }
 
 }  // namespace
@@ -308,7 +313,7 @@ std::string writeMatrices(MatrixSet set, std::string_view format, const std::str
   for (NamedMatrix& named : set.matrices)
     for (auto& entries : named.matrix.m)
       for (double& entry : entries) entry = toDigits(entry, set.digits);
-  requireRepresentable(set, set.asFloat || known.floatRange, source);
+  requireRepresentable(set, known, source);
   if (known.isCode) {
     std::vector<std::string> names;
     for (const NamedMatrix& named : set.matrices) names.push_back(named.name);
