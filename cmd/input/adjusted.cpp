@@ -47,4 +47,12 @@ Projection withRange(const Projection& projection, std::optional<double> near, s
   return made(p);
 }
 
+std::optional<Projection> withAspect(const Projection& projection, double aspect) {
+  const ProjectionParts& p = parts(projection);
+  if ((p.left + p.right).hi != 0 || (p.bottom + p.top).hi != 0) return std::nullopt;
+  const DoubleDouble half = p.top * DoubleDouble(aspect);
+  return p.orthographic ? orthographic(-half, half, p.bottom, p.top, p.near, p.far)
+                        : perspectiveWindow(-half, half, p.bottom, p.top, p.near, p.far);
+}
+
 }  // namespace viewproj::cmd

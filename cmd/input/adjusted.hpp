@@ -28,4 +28,7 @@ Projection scaledBy(const Projection& projection, double scale);
 /// The same window with the ends that are given.
 Projection withRange(const Projection& projection, std::optional<double> near, std::optional<double> far);
 
+/// The same height with another width; nothing where the window's middle is not the view's.
+std::optional<Projection> withAspect(const Projection& projection, double aspect);
+
 }  // namespace viewproj::cmd

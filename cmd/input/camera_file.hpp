@@ -31,6 +31,7 @@ struct CameraReading {
   bool ignoreDistortion = false;
   bool needsPicture = true;                   ///< false: of a file without its size the pose, near and far count alone
   bool replacesPose = false;                  ///< the file's need not be one that is read
+  std::optional<double> aspect = {};          ///< where a file of another program leaves it open
   std::optional<Vec3> eye = {};               ///< in place of the file's
   std::optional<double> near = {}, far = {};  ///< the same, with the window as it is
 };

@@ -243,6 +243,7 @@ void requireNoReadAs(const Document& document, const ForeignForm& form, const Ca
 CameraReading readingUnder(const TypedCamera& typed, CameraReading reading) {
   if (typed.replacesLens()) reading.allowStretch = true;
   reading.replacesPose = typed.replacesPose();
+  reading.aspect = typed.aspect();
   return reading;
 }
 

@@ -9,6 +9,7 @@
 #include "input/camera_fields.hpp"
 #include "input/geodetic.hpp"
 #include "input/typed_value.hpp"
+#include "input/viewport_fields.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
 #include "text/names.hpp"
@@ -222,6 +223,12 @@ bool TypedCamera::replacesLens() const {
   return std::any_of(given_.begin(), given_.end(), [](const Given& given) {
     return given.option.ofLens && !(given.option.field && isOfEveryType(*given.option.field));
   });
+}
+
+std::optional<double> TypedCamera::aspect() const {
+  for (const Given& given : given_)
+    if (given.option.field == &field::aspect) return numberOf(*given.value);
+  return std::nullopt;
 }
 
 void TypedCamera::assumeOpening(bool hasViewport) {
@@ -445,6 +452,7 @@ CameraFile TypedCamera::over(const CameraFile& camera, const Document& document,
 
   std::optional<double> near, far;
   std::optional<std::pair<double, double>> shift;
+  std::optional<Projection> shaped;
   bool replaces = false;
   for (const Given& given : lens) {
     const Field* const field = given.option.field;
@@ -454,7 +462,8 @@ CameraFile TypedCamera::over(const CameraFile& camera, const Document& document,
       far = numberOf(*given.value);
     else if (field == &field::shift)
       shift = {numberOf((*given.value)[0]), numberOf((*given.value)[1])};
-    else
+    else if (field != &field::aspect || !camera.projection ||
+             !(shaped = withAspect(*camera.projection, numberOf(*given.value))))
       replaces = true;
   }
   for (const Given& given : lens)
@@ -462,7 +471,10 @@ CameraFile TypedCamera::over(const CameraFile& camera, const Document& document,
       fields.label({std::string(field::projection), std::string(*given.option.field)}, std::string(given.option.name));
   if (!replaces && camera.projection) {
     locate([&] {
-      if (near || far) file.projection = withRange(*camera.projection, near, far);
+      if (shaped) file.projection = shaped;
+      if (shaped && camera.viewport && !reading.allowStretch)
+        requireShape(windowAspect(parts(*shaped)), *camera.viewport, rootOf(fields));
+      if (near || far) file.projection = withRange(*file.projection, near, far);
       if (shift) file.projection = shifted(*file.projection, shift->first, shift->second);
     });
     return file;

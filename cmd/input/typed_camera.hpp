@@ -41,6 +41,7 @@ class TypedCamera {
   bool replacesPose() const;
   /// More than near, far and shift of the projection.
   bool replacesLens() const;
+  std::optional<double> aspect() const;
 
   /// An opening like any other, where near and far are all that is given of the lens, and all that matters.
   void assumeOpening(bool hasViewport);

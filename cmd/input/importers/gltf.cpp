@@ -129,16 +129,16 @@ struct Tree {
 
 Projection readPerspective(const ObjectReader& lens, const std::optional<ReadViewport>& viewport,
                            const CameraReading& reading) {
-  const auto ownAspect = lens.number("aspectRatio");
+  const auto ownAspect = lens.number("aspectRatio"), wanted = ownAspect ? ownAspect : reading.aspect;
   const double yfov = lens.requireNumber("yfov");
   const double near = lens.requireNumber("znear");
   const double far = lens.number("zfar").value_or(kInfiniteFar);
   if (ownAspect && !(*ownAspect > 0)) lens.fail("aspectRatio", "must be above 0");
-  if (!ownAspect && !viewport) lens.fail("has no aspectRatio and needs a viewport; --viewport WIDTHxHEIGHT gives one");
+  if (!wanted && !viewport) lens.fail("has no aspectRatio and needs a viewport; --viewport WIDTHxHEIGHT gives one");
   const DoubleDouble halfHeight = tanHalfRadians(yfov);
   if (!(halfHeight.hi > 0)) lens.fail("yfov", "must be an angle between 0 and pi radians");
   const DoubleDouble aspect =
-      ownAspect ? DoubleDouble(*ownAspect) : DoubleDouble(viewport->frame.width) / DoubleDouble(viewport->frame.height);
+      wanted ? DoubleDouble(*wanted) : DoubleDouble(viewport->frame.width) / DoubleDouble(viewport->frame.height);
   if (ownAspect && viewport && !reading.allowStretch)
     requireShape(aspect, viewport->frame, lens,
                  "take the viewport's with --set " + dotted(lens.path()) + ".aspectRatio=null, ");

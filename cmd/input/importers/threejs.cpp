@@ -134,14 +134,14 @@ struct Window {
 };
 
 Window perspectiveOf(const ObjectReader& camera, const std::optional<View>& view,
-                     const std::optional<ReadViewport>& viewport) {
-  const auto ownAspect = camera.number("aspect");
+                     const std::optional<ReadViewport>& viewport, const CameraReading& reading) {
+  const auto ownAspect = camera.number("aspect"), wanted = ownAspect ? ownAspect : reading.aspect;
   if (ownAspect && !(*ownAspect > 0)) camera.fail("aspect", "must be above 0");
-  if (!ownAspect && !viewport) camera.fail("has no aspect and needs a viewport; --viewport WIDTHxHEIGHT gives one");
+  if (!wanted && !viewport) camera.fail("has no aspect and needs a viewport; --viewport WIDTHxHEIGHT gives one");
   const DoubleDouble tangent = tanHalfDegrees(camera.requireNumber("fov"));
   if (!(tangent.hi > 0)) camera.fail("fov", "must be an angle between 0 and 180 degrees");
   const DoubleDouble aspect =
-      ownAspect ? DoubleDouble(*ownAspect) : DoubleDouble(viewport->frame.width) / DoubleDouble(viewport->frame.height);
+      wanted ? DoubleDouble(*wanted) : DoubleDouble(viewport->frame.width) / DoubleDouble(viewport->frame.height);
   const DoubleDouble height = tangent / DoubleDouble(readZoom(camera)), width = height * aspect;
   Window window{-width, width, -height, height};
   if (view) window = window.part(*view);
@@ -189,7 +189,7 @@ CameraFile read(const Branch& branch, const CameraReading& reading) {
   const auto view = readView(camera);
   const auto viewport = importedViewport(
       document, view ? ViewportDefaults{.width = view->width, .height = view->height} : ViewportDefaults{});
-  const Window window = perspective ? perspectiveOf(camera, view, viewport) : orthographicOf(camera, view);
+  const Window window = perspective ? perspectiveOf(camera, view, viewport, reading) : orthographicOf(camera, view);
   const double near = camera.requireNumber("near"), far = readFar(camera);
   const Projection projection = located(camera, {{"near", "near"}, {"far", "far"}}, [&] {
     return perspective ? perspectiveWindow(window.left, window.right, window.bottom, window.top, near, far)
