@@ -3,4 +3,4 @@
 set -eu
 cd "$(dirname "$0")/.."
 sh samples/setup.sh tests
-ctest --test-dir build --output-on-failure --no-tests=error --parallel "$(nproc)"
+ctest --test-dir build --output-on-failure --no-tests=error --parallel "$(($(nproc) + 1))"  # some wait, for processes and for time
