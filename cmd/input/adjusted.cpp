@@ -47,9 +47,14 @@ Projection withRange(const Projection& projection, std::optional<double> near, s
   return made(p);
 }
 
-std::optional<Projection> withAspect(const Projection& projection, double aspect) {
+bool isCentred(const Projection& projection) {
   const ProjectionParts& p = parts(projection);
-  if ((p.left + p.right).hi != 0 || (p.bottom + p.top).hi != 0) return std::nullopt;
+  return (p.left + p.right).hi == 0 && (p.bottom + p.top).hi == 0;
+}
+
+std::optional<Projection> withAspect(const Projection& projection, double aspect) {
+  if (!isCentred(projection)) return std::nullopt;
+  const ProjectionParts& p = parts(projection);
   const DoubleDouble half = p.top * DoubleDouble(aspect);
   return p.orthographic ? orthographic(-half, half, p.bottom, p.top, p.near, p.far)
                         : perspectiveWindow(-half, half, p.bottom, p.top, p.near, p.far);

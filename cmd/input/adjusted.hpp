@@ -28,7 +28,10 @@ Projection scaledBy(const Projection& projection, double scale);
 /// The same window with the ends that are given.
 Projection withRange(const Projection& projection, std::optional<double> near, std::optional<double> far);
 
-/// The same height with another width; nothing where the window's middle is not the view's.
+/// Whether the view goes through the middle of the picture.
+bool isCentred(const Projection& projection);
+
+/// The same height with another width; nothing where it is not centred.
 std::optional<Projection> withAspect(const Projection& projection, double aspect);
 
 }  // namespace viewproj::cmd

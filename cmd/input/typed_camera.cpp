@@ -151,10 +151,19 @@ void keepIntrinsics(Document& fields, const CameraFile& camera) {
     if (!given.has(*field)) give(fields, base, *field, number, "");
 }
 
+[[noreturn]] void failToWiden(const std::string& camera) {
+  throw UsageError(
+      "--aspect alone does not widen the view of " + camera +
+      ", which is given by its edges or focal lengths, or is off the middle; --fov-y with it gives another "
+      "view");
+}
+
 const Way* wayOf(const ObjectForm& form, const ObjectReader& object) {
+  const auto holds = [&](const Field* key) { return object.has(*key); };
   for (const Way& way : form.ways)
-    for (const Field* key : way.keys)
-      if (object.has(*key)) return &way;
+    if (std::all_of(way.keys.begin(), way.keys.end(), holds)) return &way;
+  for (const Way& way : form.ways)
+    if (std::any_of(way.keys.begin(), way.keys.end(), holds)) return &way;
   return nullptr;
 }
 
@@ -257,6 +266,21 @@ void TypedCamera::requireConsistent() const {
   requireTogether(lenses, lens);
 }
 
+void TypedCamera::noteCentred(const Document& document, const std::vector<Given>& lens) {
+  const auto shaping = std::find_if(lens.begin(), lens.end(), [](const Given& given) {
+    return !given.option.field || !isOfEveryType(*given.option.field);
+  });
+  document.note({}, std::string(shaping->option.name) +
+                        " puts the middle of the view into that of the picture, where the file has it elsewhere; "
+                        "--shift X,Y moves it");
+}
+
+bool TypedCamera::shapesByAspectAlone(const std::vector<Given>& lens) {
+  return std::all_of(lens.begin(), lens.end(), [](const Given& given) {
+    return given.option.field && (given.option.field == &field::aspect || isOfEveryType(*given.option.field));
+  });
+}
+
 const ProjectionType& TypedCamera::typeFor(const std::vector<Given>& lens) const {
   Names names;
   for (const Given& given : lens) names.push_back(given.option.name);
@@ -345,6 +369,7 @@ void TypedCamera::mergeLens(Document& document, CameraReading& reading,
     });
   };
   const ProjectionType& type = own && holds(*own) ? *own : typeFor(lens);
+  if (hadOne && &type != own && shapesByAspectAlone(lens)) failToWiden(document.name());
   const bool sameType = own == &type;
   const std::string_view first = lens.front().option.name;
 
@@ -386,6 +411,15 @@ void TypedCamera::mergeLens(Document& document, CameraReading& reading,
   if (hadOne && replaces && takesAspect && !fields.has(field::aspect) && !root.has(field::viewport) &&
       std::find(typed.begin(), typed.end(), &field::aspect) == typed.end())
     if (const CameraFile file = unchanged(); file.projection) shape = windowAspect(parts(*file.projection)).hi;
+
+  if (own && !sameType && takesAspect && !fields.has(field::shift) &&
+      std::find(typed.begin(), typed.end(), &field::shift) == typed.end()) {
+    try {
+      if (const CameraFile file = unchanged(); file.projection && !isCentred(*file.projection))
+        noteCentred(document, lens);
+    } catch (const std::runtime_error&) {  // what is replaced need not be right
+    }
+  }
 
   if (own && !sameType) {
     for (const Field* field : own->form.fields)
@@ -473,7 +507,8 @@ CameraFile TypedCamera::over(const CameraFile& camera, const Document& document,
     locate([&] {
       if (shaped) file.projection = shaped;
       if (shaped && camera.viewport && !reading.allowStretch)
-        requireShape(windowAspect(parts(*shaped)), *camera.viewport, rootOf(fields));
+        requireShape(windowAspect(parts(*shaped)), *camera.viewport,
+                     ObjectReader(fields, fields.root(), {std::string(field::projection), std::string(field::aspect)}));
       if (near || far) file.projection = withRange(*file.projection, near, far);
       if (shift) file.projection = shifted(*file.projection, shift->first, shift->second);
     });
@@ -482,6 +517,7 @@ CameraFile TypedCamera::over(const CameraFile& camera, const Document& document,
   if (const auto tile = rootOf(document).find(field::viewport); tile && tile->is_object() && tile->contains("crop"))
     throw UsageError(std::string(lens.front().option.name) + " is of the whole picture, and viewport.crop of " +
                      document.name() + " leaves a tile of it");
+  if (camera.projection && shapesByAspectAlone(lens)) failToWiden(document.name());
   const Path base{std::string(field::projection)};
   const ProjectionType& type = typeFor(lens);
   give(fields, base, field::type, type.name, "");
@@ -498,6 +534,8 @@ CameraFile TypedCamera::over(const CameraFile& camera, const Document& document,
   if (way && way->uses(field::aspect) && !projection.has(field::aspect) && !camera.viewport && camera.projection)
     give(fields, base, field::aspect, windowAspect(parts(*camera.projection)).hi, "");
   locate([&] { file.projection = readProjection(projection, type, camera.viewport, reading.allowStretch); });
+  if (camera.projection && !isCentred(*camera.projection) && isCentred(*file.projection) && !shift)
+    noteCentred(document, lens);
   document.addNotes(fields);
   return file;
 }

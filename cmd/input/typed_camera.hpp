@@ -64,6 +64,10 @@ class TypedCamera {
   std::vector<Given> of(bool lens) const;
   void mergePose(Document& document, CameraReading& reading, const std::function<CameraFile()>& unchanged) const;
   void mergeLens(Document& document, CameraReading& reading, const std::function<CameraFile()>& unchanged) const;
+  /// That the view is no more off the middle.
+  static void noteCentred(const Document& document, const std::vector<Given>& lens);
+  /// Besides near, far and shift, of which there may be none, an aspect is all.
+  static bool shapesByAspectAlone(const std::vector<Given>& lens);
   const ProjectionType& typeFor(const std::vector<Given>& lens) const;
 
   std::vector<Given> given_;
