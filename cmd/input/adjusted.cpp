@@ -52,8 +52,7 @@ bool isCentred(const Projection& projection) {
   return (p.left + p.right).hi == 0 && (p.bottom + p.top).hi == 0;
 }
 
-std::optional<Projection> withAspect(const Projection& projection, double aspect) {
-  if (!isCentred(projection)) return std::nullopt;
+Projection withAspect(const Projection& projection, double aspect) {
   const ProjectionParts& p = parts(projection);
   const DoubleDouble half = p.top * DoubleDouble(aspect);
   return p.orthographic ? orthographic(-half, half, p.bottom, p.top, p.near, p.far)

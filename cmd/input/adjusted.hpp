@@ -31,7 +31,7 @@ Projection withRange(const Projection& projection, std::optional<double> near, s
 /// Whether the view goes through the middle of the picture.
 bool isCentred(const Projection& projection);
 
-/// The same height with another width; nothing where it is not centred.
-std::optional<Projection> withAspect(const Projection& projection, double aspect);
+/// The same height with another width, of one that is centred.
+Projection withAspect(const Projection& projection, double aspect);
 
 }  // namespace viewproj::cmd

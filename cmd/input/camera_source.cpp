@@ -253,6 +253,7 @@ void requireSetsCount(Document& document, const ForeignForm& form, const std::op
   if (document.sets().empty() || typed.empty()) return;
   CameraReading ofFile = reading;
   ofFile.allowStretch = true;
+  ofFile.aspect = typed.aspect();
   const auto anew = [&] { return form.importer ? ForeignForm(form.importer) : ForeignForm(form.kind); };
   const auto read = [&](std::size_t first, std::size_t end) {
     ForeignForm again = anew();
@@ -348,6 +349,11 @@ void readEachCamera(Document& document, const CameraReading& reading, const Type
     } catch (const InputError& e) {
       const std::string message = e.what();
       refuse((isPlaced || message.starts_with(document.name()) ? "" : document.name() + ": ") + message);
+      ++bad;
+    } catch (const UsageError& e) {
+      const std::string message = e.what(), file = document.name() + ": ";
+      refuse(document.name() + "#" + pickOf(cameras[i], counts) + ": " +
+             message.substr(message.starts_with(file) ? file.size() : 0));
       ++bad;
     }
     if (file) take(pickOf(cameras[i], counts), *file);

@@ -486,7 +486,7 @@ CameraFile TypedCamera::over(const CameraFile& camera, const Document& document,
 
   std::optional<double> near, far;
   std::optional<std::pair<double, double>> shift;
-  std::optional<Projection> shaped;
+  std::optional<double> aspect;
   bool replaces = false;
   for (const Given& given : lens) {
     const Field* const field = given.option.field;
@@ -496,19 +496,27 @@ CameraFile TypedCamera::over(const CameraFile& camera, const Document& document,
       far = numberOf(*given.value);
     else if (field == &field::shift)
       shift = {numberOf((*given.value)[0]), numberOf((*given.value)[1])};
-    else if (field != &field::aspect || !camera.projection ||
-             !(shaped = withAspect(*camera.projection, numberOf(*given.value))))
+    else if (field == &field::aspect && camera.projection)
+      aspect = numberOf(*given.value);
+    else
       replaces = true;
   }
   for (const Given& given : lens)
     if (given.option.field)
       fields.label({std::string(field::projection), std::string(*given.option.field)}, std::string(given.option.name));
   if (!replaces && camera.projection) {
+    if (aspect && !camera.tookAspect) {
+      if (!isCentred(*camera.projection)) failToWiden(document.name());
+      try {
+        file.projection = withAspect(*camera.projection, *aspect);
+      } catch (const CameraError& e) {
+        fields.fail({std::string(field::projection), std::string(field::aspect)}, e.message());
+      }
+    }
+    if (aspect && camera.viewport && !reading.allowStretch)
+      requireShape(windowAspect(parts(*file.projection)), *camera.viewport,
+                   ObjectReader(fields, fields.root(), {std::string(field::projection), std::string(field::aspect)}));
     locate([&] {
-      if (shaped) file.projection = shaped;
-      if (shaped && camera.viewport && !reading.allowStretch)
-        requireShape(windowAspect(parts(*shaped)), *camera.viewport,
-                     ObjectReader(fields, fields.root(), {std::string(field::projection), std::string(field::aspect)}));
       if (near || far) file.projection = withRange(*file.projection, near, far);
       if (shift) file.projection = shifted(*file.projection, shift->first, shift->second);
     });
@@ -517,7 +525,6 @@ CameraFile TypedCamera::over(const CameraFile& camera, const Document& document,
   if (const auto tile = rootOf(document).find(field::viewport); tile && tile->is_object() && tile->contains("crop"))
     throw UsageError(std::string(lens.front().option.name) + " is of the whole picture, and viewport.crop of " +
                      document.name() + " leaves a tile of it");
-  if (camera.projection && shapesByAspectAlone(lens)) failToWiden(document.name());
   const Path base{std::string(field::projection)};
   const ProjectionType& type = typeFor(lens);
   give(fields, base, field::type, type.name, "");

@@ -283,6 +283,21 @@ const Format& formatOf(std::string_view name) {
                        [&](const Format& f) { return f.name == name; });
 }
 
+/// Throws InputError where float32 makes a row or column all 0, and the matrix singular.
+void requireEntries(const NamedMatrix& named, const std::string& source) {
+  for (const bool byRows : {true, false})
+    for (std::size_t i = 0; i < 4; ++i) {
+      double largest = 0;
+      for (std::size_t j = 0; j < 4; ++j) {
+        const double entry = byRows ? named.matrix[i][j] : named.matrix[j][i];
+        if (std::fabs(entry) > std::fabs(largest)) largest = entry;
+      }
+      if (largest != 0 && static_cast<float>(largest) == 0)
+        throw InputError(source + ": " + named.name + " is singular in float32: " + formatNumber(largest) +
+                         " would be 0, and all beside it is");
+    }
+}
+
 void requireRepresentable(const MatrixSet& set, const Format& format, const std::string& source) {
   const bool floatRange = set.asFloat || format.floatRange;
   for (const NamedMatrix& named : set.matrices)
@@ -291,10 +306,9 @@ void requireRepresentable(const MatrixSet& set, const Format& format, const std:
         if (!std::isfinite(floatRange ? static_cast<float>(entry) : entry))
           throw InputError(source + ": " + named.name + " has an entry too large for " +
                            (floatRange ? "float32" : "a double"));
-        if (set.asFloat && entry != 0 && static_cast<float>(entry) == 0)
-          throw InputError(source + ": " + named.name + " has an entry too small for float32: " + formatNumber(entry) +
-                           " would be 0");
       }
+  for (const NamedMatrix& named : set.matrices)
+    if (set.asFloat) requireEntries(named, source);
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ std::vector<FormRow<std::string_view>> matrixForms();
 bool saysNumbersAlone(std::string_view format);
 
 /// format: one of matrixForms(). What its language knows only as float32 is rounded to that. Throws InputError, after
-/// the source's name, for an entry too large for what is written, or one that float32 would make 0.
+/// the source's name, for an entry too large for what is written, or where float32 leaves a row or column of 0.
 std::string writeMatrices(MatrixSet set, std::string_view format, const std::string& source);
 
 }  // namespace viewproj::cmd

@@ -171,10 +171,12 @@ CameraFile read(Tree& tree, std::size_t node, const CameraReading& reading) {
   if (type != "perspective" && type != "orthographic") camera.fail("type", "is neither perspective nor orthographic");
   const auto lens = camera.object(type);
   if (!lens) camera.fail("needs " + type);
-  return imported(
+  const bool perspective = type == "perspective";
+  CameraFile file = imported(
       document, *conventionPreset("opengl"), tree.poseOf(node),
-      type == "perspective" ? readPerspective(*lens, viewport, reading) : readOrthographic(*lens, viewport, reading),
-      viewport);
+      perspective ? readPerspective(*lens, viewport, reading) : readOrthographic(*lens, viewport, reading), viewport);
+  file.tookAspect = perspective && reading.aspect && !lens->number("aspectRatio");
+  return file;
 }
 
 CameraReader open(const Document& document) {

@@ -124,11 +124,17 @@ double readFar(const ObjectReader& camera) {
 struct Window {
   DoubleDouble left, right, bottom, top;
 
+  /// By its middle, which stays exactly where it is for a part in the middle.
   Window part(const View& view) const {
-    const DoubleDouble x = (right - left) / DoubleDouble(view.fullWidth);
-    const DoubleDouble y = (top - bottom) / DoubleDouble(view.fullHeight);
-    const DoubleDouble start = left + x * DoubleDouble(view.offsetX), above = top - y * DoubleDouble(view.offsetY);
-    return {start, start + x * DoubleDouble(view.width), above - y * DoubleDouble(view.height), above};
+    const DoubleDouble x = (right - left) / DoubleDouble(2 * view.fullWidth);
+    const DoubleDouble y = (top - bottom) / DoubleDouble(2 * view.fullHeight);
+    const auto off = [](double offset, double size, double full) {
+      return twoSum(offset, offset) + DoubleDouble(size) - DoubleDouble(full);
+    };
+    const DoubleDouble across = timesPowerOfTwo(left + right, 0.5) + x * off(view.offsetX, view.width, view.fullWidth);
+    const DoubleDouble up = timesPowerOfTwo(bottom + top, 0.5) - y * off(view.offsetY, view.height, view.fullHeight);
+    const DoubleDouble halfWidth = x * DoubleDouble(view.width), halfHeight = y * DoubleDouble(view.height);
+    return {across - halfWidth, across + halfWidth, up - halfHeight, up + halfHeight};
   }
   DoubleDouble aspect() const { return (right - left) / (top - bottom); }
 };
@@ -200,7 +206,9 @@ CameraFile read(const Branch& branch, const CameraReading& reading) {
                  perspective ? "take the viewport's with --set " + dotted(camera.path()) + ".aspect=null, " : "");
   std::vector<PlacedNode> chain;
   for (const ObjectReader& object : branch) chain.push_back(placed(object));
-  return imported(document, *conventionPreset("opengl"), poseAtEndOf(chain), projection, viewport);
+  CameraFile file = imported(document, *conventionPreset("opengl"), poseAtEndOf(chain), projection, viewport);
+  file.tookAspect = perspective && reading.aspect && !camera.number("aspect");
+  return file;
 }
 
 CameraReader open(const Document& document) {
