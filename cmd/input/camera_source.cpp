@@ -351,9 +351,9 @@ void readEachCamera(Document& document, const CameraReading& reading, const Type
       refuse((isPlaced || message.starts_with(document.name()) ? "" : document.name() + ": ") + message);
       ++bad;
     } catch (const UsageError& e) {
-      const std::string message = e.what(), file = document.name() + ": ";
+      const std::string message = e.what(), before = document.name() + ": ";
       refuse(document.name() + "#" + pickOf(cameras[i], counts) + ": " +
-             message.substr(message.starts_with(file) ? file.size() : 0));
+             message.substr(message.starts_with(before) ? before.size() : 0));
       ++bad;
     }
     if (file) take(pickOf(cameras[i], counts), *file);
