@@ -252,7 +252,8 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
   stream.form = !setup.given.empty() ? Form::json : named ? *named : formOfContent(stream, *reader);
   if (stream.form != Form::f64) reader->requireUtf8();
   if (stream.form == Form::f64 && setup.columns.given())
-    throw UsageError("--columns " + setup.columns.text + ": f64 has no columns; a record is three doubles, x, y, z");
+    throw UsageError("--columns " + setup.columns.text +
+                     ": f64 has no columns; a record is three doubles, x, y, z, or of a pixel x, y, depth");
   if (stream.form == Form::text) setup.columns.requireNoNames("lines of text");
   const auto work = makeWork();
   stream.to = formOfOutput(setup, *work, stream.form);

@@ -41,7 +41,7 @@ std::span<const FormRow<Form>> inputForms() {
        "objects or [x,y,z]: one after the other, in an array, under \"points\""},
       {"csv", Form::csv, ".csv .tsv", "a header and rows; without a header the first columns are the coordinates"},
       {"text", Form::text, ".xyz", "numbers separated by blanks, a point a line"},
-      {"f64", Form::f64, ".f64 .bin", "little-endian doubles, three a point"},
+      {"f64", Form::f64, ".f64 .bin", "little-endian doubles, three a point (a pixel: x, y, depth)"},
   };
   return kRows;
 }
