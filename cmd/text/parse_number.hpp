@@ -12,6 +12,9 @@ namespace viewproj::cmd {
 /// there is none.
 const char* readNumber(const char* begin, const char* end, double& number);
 
+/// As readNumber, of a number that JSON has and that is finite: null for 01, 1. and .5, and for 1e999.
+const char* readJsonNumber(const char* begin, const char* end, double& number);
+
 /// The double nearest 10^exponent, which std::pow does not give everywhere.
 double powerOfTen(int exponent);
 

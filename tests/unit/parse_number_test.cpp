@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <map>
+#include <nlohmann/json.hpp>
 #include <random>
 #include <string>
 
@@ -88,4 +90,60 @@ TEST_CASE("A million doubles and odd texts are read as the standard library read
   CHECK(wrong == 0);
   CHECK(plain > 800'000);
   CHECK(odd > 100'000);
+}
+
+TEST_CASE("Short decimals are the double nearest, wherever the digits and the text end") {
+  std::mt19937_64 random(1);
+  int wrong = 0;
+  std::map<int, int> digitsOfAll;
+  for (int i = 0; i < 1'000'000; ++i) {
+    std::string text = random() % 3 == 0 ? "-" : "";
+    const auto addDigits = [&](std::uint64_t count) {
+      for (std::uint64_t d = 0; d < count; ++d)
+        text += static_cast<char>('0' + (random() % 4 == 0 ? 9 : random() % 10));
+    };
+    addDigits(random() % 11);
+    if (random() % 4 > 0) text += '.';
+    addDigits(random() % 11);
+    ++digitsOfAll[static_cast<int>(text.size())];
+    // So that it ends within what is read at once, or beyond it.
+    text += ",]} \n./:;eE+-x\xb0\xff"[random() % 16];
+    text += std::string(random() % 24, "0, "[random() % 3]);
+    const Read r = read(text);
+#ifdef __cpp_lib_to_chars
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    wrong += error == std::errc::invalid_argument
+                 ? r.length != -1
+                 : r.length != end - text.data() ||
+                       std::bit_cast<std::uint64_t>(r.value) != std::bit_cast<std::uint64_t>(value);
+#else
+    wrong +=
+        r.length >= 0 && r.value != std::strtod(text.substr(0, static_cast<std::size_t>(r.length)).c_str(), nullptr);
+#endif
+  }
+  CHECK(wrong == 0);
+  for (int length = 1; length <= 21; ++length) CHECK(digitsOfAll[length] > 1000);
+}
+
+TEST_CASE("JSON's numbers are read as nlohmann-json judges them") {
+  std::mt19937_64 random(2);
+  int wrong = 0, numbers = 0, none = 0;
+  for (int i = 0; i < 1'000'000; ++i) {
+    std::string text;
+    for (std::uint64_t left = 1 + random() % 9; left > 0; --left) text += "0123456789012345..--+eE"[random() % 23];
+    const std::string ended = text + "," + std::string(random() % 3 == 0 ? 0 : 24, '1');
+    double value = 0, expected = 0;
+    const char* const end = readJsonNumber(ended.data(), ended.data() + ended.size(), value);
+    const bool isWhole = end == ended.data() + text.size();
+    const bool isNumber = nlohmann::json::accept(text);
+    if (isNumber) readNumber(text.data(), text.data() + text.size(), expected);
+    wrong += isNumber && std::isfinite(expected)
+                 ? !isWhole || std::bit_cast<std::uint64_t>(value) != std::bit_cast<std::uint64_t>(expected)
+                 : isWhole;
+    (isNumber ? numbers : none) += 1;
+  }
+  CHECK(wrong == 0);
+  CHECK(numbers > 100'000);
+  CHECK(none > 100'000);
 }
