@@ -77,7 +77,9 @@ std::size_t lastBorder(std::string_view text, std::size_t from) {
 }
 
 bool mayOpenArray(std::string_view text) {
-  for (std::size_t at = text.find('['); at != npos; at = text.find('[', at + 1)) {
+  const std::size_t first = text.find('[');
+  if (first == npos) return false;
+  for (std::size_t at = first; at != npos; at = text.find('[', at + 1)) {
     const std::size_t inner = skipSpace(text, at + 1);
     if (inner == text.size() || opens(text[inner]) || text[inner] == ']') return true;
   }

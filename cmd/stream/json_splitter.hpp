@@ -26,7 +26,7 @@ inline constexpr std::size_t kLongestRecord = 64 << 20;
 /// offset of the last such opening bracket that is at `from` or after it, or npos.
 std::size_t lastBorder(std::string_view text, std::size_t from = 0);
 
-/// Whether an array or a document of records may begin in text; false is certain.
+/// Whether an array or a document of records may begin in text, bracket and all; false is certain.
 bool mayOpenArray(std::string_view text);
 
 /// What the next bytes of a stream are.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <memory>
 #include <string_view>
@@ -26,7 +27,7 @@ class TextBuffer {
   }
   TextBuffer& operator+=(std::string_view text) {
     if (text.empty()) return *this;  // which may be nowhere
-    std::memcpy(room(text.size()), text.data(), text.size());
+    copy(room(text.size()), text.data(), text.size());
     size_ += text.size();
     return *this;
   }
@@ -39,6 +40,25 @@ class TextBuffer {
   void written(const char* end) { size_ = static_cast<std::size_t>(end - data_.get()); }
 
  private:
+  /// As memcpy, without a call for what is short: its first bytes and its last ones.
+  static void copy(char* to, const char* from, std::size_t size) {
+    if (size >= 8 && size <= 16) {
+      copyEnds<std::uint64_t>(to, from, size);
+    } else if (size >= 4 && size < 8) {
+      copyEnds<std::uint32_t>(to, from, size);
+    } else {
+      std::memcpy(to, from, size);
+    }
+  }
+  template <class Part>
+  static void copyEnds(char* to, const char* from, std::size_t size) {
+    Part first, last;
+    std::memcpy(&first, from, sizeof(Part));
+    std::memcpy(&last, from + size - sizeof(Part), sizeof(Part));
+    std::memcpy(to, &first, sizeof(Part));
+    std::memcpy(to + size - sizeof(Part), &last, sizeof(Part));
+  }
+
   void grow(std::size_t more) {
     const std::size_t capacity = 2 * capacity_ + more + 1024;
     std::unique_ptr<char[]> data(new char[capacity]);  // not made zero
