@@ -68,9 +68,10 @@ std::string expectedPoint(const NumberField& part) {
   return part.point == PointForm::none ? array : array + " or {\"x\": X, \"y\": Y, \"z\": Z}";
 }
 
-/// A point as an object; a place as the point that it is. Returns how many numbers there are.
+/// A point as an object; a place as the point that it is, whose numbers stand nowhere. texts: null, or those of its
+/// slots. Returns how many numbers there are.
 std::size_t readPointObject(const RecordParts& record, const NumberField& part, std::string_view value, double* numbers,
-                            std::string& seaLevel) {
+                            std::string& seaLevel, std::string_view* texts) {
   const std::string name = nameOf(record, part.field);
   const auto at = [&](std::string_view text) { return static_cast<std::size_t>(text.data() - record.text.data()); };
   std::optional<PointObject> object;
@@ -83,6 +84,7 @@ std::size_t readPointObject(const RecordParts& record, const NumberField& part, 
     throw RecordError(at(value), name + "expected " + expectedPoint(part));
   if (object->isPlace && part.point == PointForm::point) throw RecordError(at(value), name + kNotOnEarth);
   for (std::size_t i = 0; i < object->count; ++i) {
+    if (texts && !object->isPlace) texts[i] = object->parts[i];
     const auto number = parseNumber(object->parts[i]);
     if (!number)
       throw RecordError(at(object->parts[i]), name + std::string(object->names[i]) + ": " + quoted(object->parts[i]) +
@@ -103,7 +105,8 @@ std::size_t readPointObject(const RecordParts& record, const NumberField& part, 
 }
 
 /// Returns how many there are.
-std::size_t readArray(const RecordParts& record, const NumberField& part, std::string_view value, double* numbers) {
+std::size_t readArray(const RecordParts& record, const NumberField& part, std::string_view value, double* numbers,
+                      std::string_view* texts) {
   const auto expected = [&] {
     return RecordError(static_cast<std::size_t>(value.data() - record.text.data()),
                        nameOf(record, part.field) + "expected " + expectedPoint(part));
@@ -114,6 +117,7 @@ std::size_t readArray(const RecordParts& record, const NumberField& part, std::s
   while (const auto item = parts.next()) {
     const char c = item->value.empty() ? ' ' : item->value[0];
     if (count == part.most || (c != '-' && (c < '0' || c > '9'))) throw expected();
+    if (texts) texts[count] = item->value;
     numbers[count++] = numberAt(record, part.field, item->value);
   }
   if (count < part.fewest) throw expected();
@@ -136,21 +140,25 @@ bool Layout::fits(const std::vector<std::string_view>& values) const {
                      [&](const FormOfField& form) { return form.holds(values[form.field]); });
 }
 
-void readNumbers(const RecordParts& record, const Layout& layout, Numbers& numbers) {
+void readNumbers(const RecordParts& record, const Layout& layout, Numbers& numbers, NumberTexts* texts) {
   double* slot = numbers.data();
+  std::string_view* text = texts ? texts->data() : nullptr;
   for (const NumberField& part : layout.parts) {
     const std::string_view value = innerValue(record, part);
     std::size_t count = 0;
-    if (part.mayBeAbsent && isAbsent(value, record.shape.form))
+    if (part.mayBeAbsent && isAbsent(value, record.shape.form)) {
       count = 0;
-    else if (part.point != PointForm::none && value.starts_with('{') && record.shape.form == Form::json)
-      count = readPointObject(record, part, value, slot, numbers.seaLevel);
-    else if (part.isArray)
-      count = readArray(record, part, value, slot);
-    else
+    } else if (part.point != PointForm::none && value.starts_with('{') && record.shape.form == Form::json) {
+      count = readPointObject(record, part, value, slot, numbers.seaLevel, text);
+    } else if (part.isArray) {
+      count = readArray(record, part, value, slot, text);
+    } else {
+      if (text) *text = value;
       slot[count++] = numberAt(record, part.field, value);
+    }
     for (; count < part.most; ++count) slot[count] = kNone;
     slot += part.most;
+    if (text) text += part.most;
   }
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "input/point_value.hpp"
@@ -53,7 +54,10 @@ struct Numbers : std::array<double, kMostNumbers> {
   std::string seaLevel = {};  ///< the name of a height that may be counted from the sea
 };
 
+/// For each slot the part of a record that its number was read from, as it stands there; empty where there is none.
+using NumberTexts = std::array<std::string_view, kMostNumbers>;
+
 /// Throws RecordError.
-void readNumbers(const RecordParts& record, const Layout& layout, Numbers& numbers);
+void readNumbers(const RecordParts& record, const Layout& layout, Numbers& numbers, NumberTexts* texts = nullptr);
 
 }  // namespace viewproj::cmd

@@ -57,7 +57,7 @@ const Plan& Batch::planFor(const RecordParts& record) {
     flush();  // rows speak of their plans
     plans_.resize(names > kNames ? 0 : kPlans / 2);
   }
-  plans_.insert(plans_.begin(), std::make_unique<Plan>(Plan{record.shape, std::move(layout)}));
+  plans_.insert(plans_.begin(), std::make_unique<Plan>(Plan{record.shape, std::move(layout), {}}));
   return *plans_.front();
 }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "input/record_pattern.hpp"
 #include "stream/block_reader.hpp"
 #include "stream/work.hpp"
 #include "text/error.hpp"
@@ -17,6 +18,7 @@ namespace viewproj::cmd {
 struct Plan {
   Shape shape;
   Layout layout;
+  RecordPattern pattern = {};  ///< of a JSON record of it that was met
 };
 
 /// What became of a block.

@@ -1,4 +1,5 @@
-// The one file that knows simdjson. What it rejects, or what is of a shape not met before, goes to the parts that
+// The one file that knows simdjson. Records that are like one of before but for numbers and strings are read by its
+// pattern, the others by simdjson. What that rejects, or what is of a shape not met before, goes to the parts that
 // nlohmann-json judges: so that is valid which nlohmann-json calls valid, and its words are in the messages.
 #include <simdjson.h>
 
@@ -8,6 +9,7 @@
 
 #include "stream/batch.hpp"
 #include "stream/json_splitter.hpp"
+#include "text/json_text.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -17,7 +19,7 @@ namespace dom = simdjson::dom;
 static_assert(simdjson::SIMDJSON_PADDING <= ByteBuffer::kPadding);
 
 constexpr std::size_t npos = std::string_view::npos;
-constexpr std::string_view kSpace = " \t\r\n";
+bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
 /// False where it is none, or -0 written as an integer, whose sign simdjson drops.
 bool readNumber(dom::element value, std::string_view record, double& number) {
@@ -106,6 +108,12 @@ class JsonReader final : public RecordReader {
   /// not cost a pass over the rest each.
   static constexpr std::size_t kOneByOne = 32;
 
+  /// Records of a block that may be read one by one between those that are alike, and one for every four of those.
+  static constexpr std::size_t kFewOthers = 8;
+
+  /// Plans used last whose patterns are tried.
+  static constexpr std::size_t kPatterns = 4;
+
   /// Bytes. Of what is longer, simdjson would need several times its size at once.
   static constexpr std::size_t kMostFast = 256 << 10;
 
@@ -113,6 +121,8 @@ class JsonReader final : public RecordReader {
 
   /// All records up to the first that is not an ordinary one. Returns where that begins, or the end.
   std::size_t readMany(std::size_t begin) {
+    begin = readAlike(begin);
+    if (begin == text_.size()) return begin;
     const std::size_t size = text_.size() - begin;
     dom::document_stream stream =
         parser_.parse_many(text_.data() + begin, size, std::max(size, dom::MINIMAL_BATCH_SIZE));
@@ -125,6 +135,44 @@ class JsonReader final : public RecordReader {
       done = offset(source) + source.size();
     }
     return skipSpace(done);
+  }
+
+  /// Records as they were before but for their numbers and strings, and some others between them. Returns where the
+  /// first one begins that is left, or the end.
+  std::size_t readAlike(std::size_t at) {
+    at = skipSpace(at);
+    for (std::size_t alike = 0, others = 0; at < text_.size(); at = skipSpace(at)) {
+      if (const std::size_t size = addAlike(at)) {
+        at += size;
+        ++alike;
+        continue;
+      }
+      if (others++ > kFewOthers + alike / 4) break;
+      const std::string_view record = text_.substr(at, endOfValue(text_, at) - at);
+      dom::element value;
+      if (parser_.parse(record.data(), record.size(), false).get(value) || !add(value, record)) break;
+      Plan& plan = *batch_->plans().front();
+      plan.pattern = RecordPattern(jsonParts(record), plan.layout);
+      at += record.size();
+    }
+    return at;
+  }
+
+  /// Returns how long the record is that begins there, or 0 if it is like none of before.
+  std::size_t addAlike(std::size_t at) {
+    const auto& plans = batch_->plans();
+    Numbers numbers;
+    for (std::size_t i = 0; i < std::min(plans.size(), kPatterns); ++i) {
+      const Plan& plan = *plans[i];
+      const std::size_t size = plan.pattern.read(text_.substr(at), numbers);
+      if (size == 0) continue;
+      const std::string_view record = text_.substr(at, size);
+      passBadBefore(record);
+      batch_->usedAgain(i);
+      batch_->add(record, plan, numbers);
+      return size;
+    }
+    return 0;
   }
 
   /// An array's records, separated by white space, and between them what the block says is wrong.
@@ -180,7 +228,10 @@ class JsonReader final : public RecordReader {
   }
 
   std::size_t offset(std::string_view part) const { return static_cast<std::size_t>(part.data() - text_.data()); }
-  std::size_t skipSpace(std::size_t at) const { return std::min(text_.find_first_not_of(kSpace, at), text_.size()); }
+  std::size_t skipSpace(std::size_t at) const {
+    while (at < text_.size() && isSpace(text_[at])) ++at;
+    return at;
+  }
 
   void readRecord(std::string_view text) {
     passBadBefore(text);
