@@ -266,13 +266,23 @@ void TypedCamera::requireConsistent() const {
   requireTogether(lenses, lens);
 }
 
+std::string_view TypedCamera::firstShaping(const std::vector<Given>& lens) {
+  return std::find_if(lens.begin(), lens.end(),
+                      [](const Given& given) { return !given.option.field || !isOfEveryType(*given.option.field); })
+      ->option.name;
+}
+
 void TypedCamera::noteCentred(const Document& document, const std::vector<Given>& lens) {
-  const auto shaping = std::find_if(lens.begin(), lens.end(), [](const Given& given) {
-    return !given.option.field || !isOfEveryType(*given.option.field);
-  });
-  document.note({}, std::string(shaping->option.name) +
+  document.note({}, std::string(firstShaping(lens)) +
                         " puts the middle of the view into that of the picture, where the file has it elsewhere; "
                         "--shift X,Y moves it");
+}
+
+void TypedCamera::noteShape(const Document& document, const std::vector<Given>& lens, const Viewport& viewport,
+                            double shape) {
+  document.note({}, std::string(firstShaping(lens)) + " gives the view the viewport's shape, " +
+                        formatDigits(viewportAspect(viewport).hi, 4) + " times as wide as high, where the file's is " +
+                        formatDigits(shape, 4) + " times");
 }
 
 bool TypedCamera::shapesByAspectAlone(const std::vector<Given>& lens) {
@@ -538,8 +548,13 @@ CameraFile TypedCamera::over(const CameraFile& camera, const Document& document,
   if (type.name == kIntrinsics) keepIntrinsics(fields, camera);
   const ObjectReader projection = *root.object(field::projection);
   const Way* const way = wayOf(type.form, projection);
-  if (way && way->uses(field::aspect) && !projection.has(field::aspect) && !camera.viewport && camera.projection)
-    give(fields, base, field::aspect, windowAspect(parts(*camera.projection)).hi, "");
+  if (way && way->uses(field::aspect) && !projection.has(field::aspect) && camera.projection) {
+    const DoubleDouble shape = windowAspect(parts(*camera.projection));
+    if (!camera.viewport)
+      give(fields, base, field::aspect, shape.hi, "");
+    else if (!camera.tookAspect && !hasShape(*camera.viewport, shape))
+      noteShape(document, lens, *camera.viewport, shape.hi);
+  }
   locate([&] { file.projection = readProjection(projection, type, camera.viewport, reading.allowStretch); });
   if (camera.projection && !isCentred(*camera.projection) && isCentred(*file.projection) && !shift)
     noteCentred(document, lens);
