@@ -8,7 +8,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 
-packages="g++ cmake make libcli11-dev nlohmann-json3-dev libsimdjson-dev libfast-float-dev libdragonbox-dev libyaml-dev libgeographiclib-dev"
+packages="g++ cmake make libcli11-dev nlohmann-json3-dev libfast-float-dev libdragonbox-dev libyaml-dev libgeographiclib-dev"
 tests=OFF
 if [ "${1:-}" = tests ] || [ "${1:-}" = checks ]; then
   packages="$packages catch2 libmpfr-dev libglm-dev libeigen3-dev libimath-dev geographiclib-tools glslang-tools"

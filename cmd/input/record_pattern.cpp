@@ -1,8 +1,10 @@
 #include "input/record_pattern.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
+#include <optional>
 
 #include "text/encoding.hpp"
 #include "text/json_text.hpp"
@@ -11,75 +13,155 @@
 namespace viewproj::cmd {
 namespace {
 
-/// Bytes of a record: longer ones cost too much to remember.
-constexpr std::size_t kLongest = 4096;
+/// Of a record.
+constexpr std::size_t kMostPieces = 1024, kMostCommon = 16384;
+/// Arrays and objects within each other in a field that is not read.
+constexpr int kDeepest = 4;
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+bool beginsNumber(char c) { return c == '-' || (c >= '0' && c <= '9'); }
 
-/// Where a string ends that begins here, or null, as for one that has characters by their numbers.
+const char* passSpace(const char* at, const char* end) {
+  while (at < end && isSpace(*at)) ++at;
+  return at;
+}
+
+// Each returns where a value of JSON ends that begins here, or null: what is no JSON, and what is rare.
+
+bool isHexDigit(char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'); }
+
+/// After its backslash. Rare: half of a character.
+const char* passEscape(const char* at, const char* end) {
+  if (at == end) return nullptr;
+  if (*at != 'u') return std::string_view("\"\\/bfnrt").find(*at) == std::string_view::npos ? nullptr : at + 1;
+  constexpr std::ptrdiff_t kSize = 5;
+  if (end - at < kSize || !std::all_of(at + 1, at + kSize, isHexDigit)) return nullptr;
+  const bool isHalf = (at[1] == 'd' || at[1] == 'D') && at[2] >= '8';
+  return isHalf ? nullptr : at + kSize;
+}
+
 const char* passString(const char* at, const char* end) {
   if (at == end || *at != '"') return nullptr;
   const char* const begin = ++at;
   bool isAscii = true;
-  for (; at < end && *at != '"'; ++at) {
-    if (*at == '\\' && (++at == end || std::string_view("\"\\/bfnrt").find(*at) == std::string_view::npos))
-      return nullptr;
-    const auto byte = static_cast<unsigned char>(*at);
+  while (at < end && *at != '"') {
+    const auto byte = static_cast<unsigned char>(*at++);
     if (byte < ' ') return nullptr;
+    if (byte == '\\' && !(at = passEscape(at, end))) return nullptr;
     isAscii = isAscii && byte < 0x80;
   }
   if (at == end || (!isAscii && !isUtf8({begin, at}))) return nullptr;
   return at + 1;
 }
 
-const char* passFlag(const char* at, const char* end) {
-  for (const std::string_view flag : {"true", "false"})
-    if (std::string_view(at, end).starts_with(flag)) return at + flag.size();
-  return nullptr;
+const char* passWord(const char* at, const char* end, std::string_view word) {
+  return std::string_view(at, end).starts_with(word) ? at + word.size() : nullptr;
 }
 
-/// Whether the string that ends before `at` is a name.
-bool isName(std::string_view text, std::size_t at) {
-  while (at < text.size() && isSpace(text[at])) ++at;
-  return at < text.size() && text[at] == ':';
+const char* passFlag(const char* at, const char* end) {
+  const char* const after = passWord(at, end, "true");
+  return after ? after : passWord(at, end, "false");
+}
+
+const char* passItems(const char* at, const char* end, int depth);
+
+const char* passAny(const char* at, const char* end, int depth = kDeepest) {
+  double unused = 0;
+  switch (at < end ? *at : '\0') {
+    case '"':
+      return passString(at, end);
+    case '[':
+    case '{':
+      return depth > 0 ? passItems(at, end, depth - 1) : nullptr;
+    case 'n':
+      return passWord(at, end, "null");
+    case 't':
+    case 'f':
+      return passFlag(at, end);
+    default:
+      return readJsonNumber(at, end, unused);
+  }
+}
+
+/// Of an array or object.
+const char* passItems(const char* at, const char* end, int depth) {
+  const bool isObject = *at == '{';
+  const char close = isObject ? '}' : ']';
+  at = passSpace(at + 1, end);
+  if (at < end && *at == close) return at + 1;
+  for (;;) {
+    if (isObject) {
+      if (!(at = passString(at, end))) return nullptr;
+      at = passSpace(at, end);
+      if (at == end || *at != ':') return nullptr;
+      at = passSpace(at + 1, end);
+    }
+    if (!(at = passAny(at, end, depth))) return nullptr;
+    at = passSpace(at, end);
+    if (at == end) return nullptr;
+    if (*at == close) return at + 1;
+    if (*at != ',') return nullptr;
+    at = passSpace(at + 1, end);
+  }
+}
+
+/// For each field whether its value may be anything: no part of the layout, nor what makes the text a document, or an
+/// array of records.
+std::vector<bool> freeFields(const RecordParts& record, const Layout& layout) {
+  const Shape& shape = record.shape;
+  std::vector<bool> isFree(record.values.size(), !shape.isArray);
+  for (const NumberField& part : layout.parts) isFree[part.field] = false;
+  for (const FormOfField& form : layout.forms) isFree[form.field] = false;
+  if (shape.find(kRecordsField) == 0) isFree[0] = false;
+  return isFree;
 }
 
 }  // namespace
 
-RecordPattern::RecordPattern(const RecordParts& record, const Layout& layout) {
-  const std::string_view text = record.text;
-  if (text.size() > kLongest) return;
-  Numbers numbers;
-  NumberTexts texts;
-  readNumbers(record, layout, numbers, &texts);
+RecordPattern::RecordPattern(const RecordParts& record, const Layout& layout, const Numbers& numbers,
+                             const NumberTexts& texts) {
+  if (record.values.size() > kMostPieces) return;
   for (std::size_t i = 0; i < layout.slots(); ++i) {
-    absent_[i] = numbers[i];
     if (texts[i].empty() && !std::isnan(numbers[i])) return;
+    absent_[i] = numbers[i];
   }
-  std::size_t begin = 0;
-  for (std::size_t at = 0; at < text.size();) {
-    const char c = text[at];
-    const Kind kind = c == '"' ? Kind::string : c == 't' || c == 'f' ? Kind::flag : Kind::number;
-    if (kind == Kind::number && c != '-' && !isDigit(c)) {
-      ++at;
+  const std::string_view text = record.text;
+  const std::vector<bool> isFree = freeFields(record, layout);
+  std::size_t done = 0;
+  const auto addPiece = [&](std::size_t begin, std::size_t end, Kind kind) {
+    const auto slot = std::find_if(texts.begin(), texts.end(),
+                                   [&](std::string_view value) { return value.data() == text.data() + begin; });
+    common_ += text.substr(done, begin - done);
+    pieces_.push_back({begin - done, kind, static_cast<std::size_t>(slot - texts.begin())});
+    done = end;
+  };
+  for (std::size_t field = 0; field < record.values.size(); ++field) {
+    const std::string_view value = record.values[field];
+    const std::size_t begin = record.offset(field);
+    if (isFree[field]) {
+      addPiece(begin, begin + value.size(), Kind::any);
       continue;
     }
-    const std::size_t end = endOfValue(text, at);
-    if (kind != Kind::string || !isName(text, end)) {
-      const auto slot = std::find_if(texts.begin(), texts.end(),
-                                     [&](std::string_view value) { return value.data() == text.data() + at; });
-      common_ += text.substr(begin, at - begin);
-      pieces_.push_back({at - begin, kind, static_cast<std::size_t>(slot - texts.begin())});
-      begin = end;
+    for (std::size_t at = 0; at < value.size();) {
+      const char c = value[at];
+      if (c != '"' && c != 't' && c != 'f' && !beginsNumber(c)) {
+        ++at;
+        continue;
+      }
+      const std::size_t end = endOfValue(value, at);
+      const char* const after = passSpace(value.data() + end, value.data() + value.size());
+      const bool isName = c == '"' && after < value.data() + value.size() && *after == ':';
+      if (!isName)
+        addPiece(begin + at, begin + end, c == '"' ? Kind::string : beginsNumber(c) ? Kind::number : Kind::flag);
+      at = end;
     }
-    at = end;
   }
-  common_ += text.substr(begin);
+  common_ += text.substr(done);
+  if (common_.size() > kMostCommon) common_.clear();
 }
 
 std::size_t RecordPattern::read(std::string_view text, Numbers& numbers) const {
-  if (common_.empty()) return 0;
+  if (isEmpty()) return 0;
   const char* at = text.data();
   const char* const end = at + text.size();
   const char* common = common_.data();
@@ -102,6 +184,9 @@ std::size_t RecordPattern::read(std::string_view text, Numbers& numbers) const {
         break;
       case Kind::flag:
         at = passFlag(at, end);
+        break;
+      case Kind::any:
+        at = passAny(at, end);
         break;
     }
     if (!at) return 0;

@@ -1,4 +1,4 @@
-// JSON records that are alike but for their numbers, strings and flags: read without taking them apart.
+// JSON records that are alike but for their numbers and the fields that are not read, without taking them apart.
 #pragma once
 
 #include <cstddef>
@@ -10,22 +10,23 @@
 
 namespace viewproj::cmd {
 
-/// What such records have in common: every byte outside of numbers, of strings that are no names, and of true and
-/// false. So they have one shape and one layout, and are valid JSON where these parts are.
+/// What such records have in common: every byte outside of the numbers, strings and flags of the fields that a layout
+/// is about, and outside of the other fields, which may be any JSON. So they have one shape and one layout.
 class RecordPattern {
  public:
-  /// Of no records.
-  RecordPattern() = default;
-  /// Of those like this one, which has this layout; of none where its numbers are more than read, as a place's are, or
-  /// where it is longer than a few pages.
-  RecordPattern(const RecordParts& record, const Layout& layout);
+  /// Of records like this one, which has this layout, and these numbers where readNumbers found them; of none where
+  /// its numbers are more than read, as a place's are, or where too much would have to be remembered.
+  RecordPattern(const RecordParts& record, const Layout& layout, const Numbers& numbers, const NumberTexts& texts);
 
-  /// Where a record of the pattern ends that text begins with, and its numbers as readNumbers reads them; 0 where it
-  /// begins with none, or with one whose strings have escapes as \u0041.
+  /// Where a record of the pattern ends that text begins with, and its numbers as readNumbers reads them; 0 where text
+  /// begins with none, or with one that nests deeply.
   std::size_t read(std::string_view text, Numbers& numbers) const;
 
+  /// No record is read.
+  bool isEmpty() const { return common_.empty(); }
+
  private:
-  enum class Kind : char { number, string, flag };
+  enum class Kind : char { number, string, flag, any };
   static constexpr std::size_t kNoSlot = kMostNumbers;
 
   /// Some bytes that are the same in all, and what differs after them.

@@ -28,7 +28,7 @@ Written writeUntil(int descriptor, std::string_view text, const Stop& stop = {})
 /// Writes `viewproj: MESSAGE` to standard error, until stop() says so. Where that cannot be written, nobody is told.
 void complain(const std::string& message, const Stop& stop = {});
 
-/// What operator new does in place of throwing: parts of libraries end or go on with less (simdjson, streams, the
+/// What operator new does in place of throwing: parts of libraries end or go on with less (streams, the
 /// destructor of nlohmann's JSON). Waits for what another thread is writing, so that it is whole.
 [[noreturn]] void endWithoutMemory();
 

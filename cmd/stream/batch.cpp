@@ -38,7 +38,7 @@ void Batch::begin(const Block& block) {
   work_.clear();
 }
 
-const Plan& Batch::planFor(const RecordParts& record) {
+Plan& Batch::planFor(const RecordParts& record) {
   for (std::size_t i = 0; i < plans_.size(); ++i) {
     const Shape& shape = plans_[i]->shape;
     if (shape.isArray == record.shape.isArray && shape.size == record.shape.size && shape.names == record.shape.names &&

@@ -18,7 +18,7 @@ namespace viewproj::cmd {
 struct Plan {
   Shape shape;
   Layout layout;
-  RecordPattern pattern = {};  ///< of a JSON record of it that was met
+  std::vector<RecordPattern> patterns = {};  ///< of JSON records of it that were met, the one used last first
 };
 
 /// What became of a block.
@@ -52,7 +52,7 @@ class Batch {
   void flush();
 
   /// The plan for records like this one. Throws RecordError. It holds until the next begin().
-  const Plan& planFor(const RecordParts& record);
+  Plan& planFor(const RecordParts& record);
   /// The plans of before, the one used last first.
   const std::vector<std::unique_ptr<Plan>>& plans() const { return plans_; }
   void usedAgain(std::size_t plan);
@@ -98,12 +98,12 @@ class Batch {
 class RecordReader {
  public:
   virtual ~RecordReader() = default;
-  /// What stands after the block's records may be overwritten. Throws Batch::StopBlock.
-  virtual void read(Block& block, Batch& batch) = 0;
+  /// Throws Batch::StopBlock.
+  virtual void read(const Block& block, Batch& batch) = 0;
 };
 
-/// fast: with simdjson, where it agrees with nlohmann-json; otherwise with the latter alone, for comparison.
-std::unique_ptr<RecordReader> makeJsonReader(bool fast = true);
+/// byPattern: false to take every record apart, for comparison.
+std::unique_ptr<RecordReader> makeJsonReader(bool byPattern = true);
 std::unique_ptr<RecordReader> makeCsvReader(const Shape& header, const Results& results);
 std::unique_ptr<RecordReader> makeTextReader(const CsvFormat& format);
 std::unique_ptr<RecordReader> makeBinaryReader();

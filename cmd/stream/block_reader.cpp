@@ -40,8 +40,7 @@ bool mayBeginBom(std::string_view text) { return text.size() < kBom.size() && kB
 
 void ByteBuffer::reserve(std::size_t capacity) {
   if (capacity <= capacity_) return;
-  std::unique_ptr<char[]> data(new char[capacity + kPadding]);
-  std::memset(data.get() + capacity, 0, kPadding);
+  std::unique_ptr<char[]> data(new char[capacity]);
   if (size_ > 0) std::memcpy(data.get(), data_.get(), size_);
   data_ = std::move(data);
   capacity_ = capacity;

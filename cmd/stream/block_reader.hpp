@@ -15,11 +15,9 @@
 
 namespace viewproj::cmd {
 
-/// Bytes, and after them room that may be read (simdjson looks that far beyond a record).
+/// Bytes, which no one makes zero first.
 class ByteBuffer {
  public:
-  static constexpr std::size_t kPadding = 64;
-
   char* data() { return data_.get(); }
   std::size_t size() const { return size_; }
   std::size_t capacity() const { return capacity_; }

@@ -33,7 +33,7 @@ class CsvReader final : public RecordReader {
     for (const ErrorColumn& error : errors_) afterResults_ |= error.afterResult;
   }
 
-  void read(Block& block, Batch& batch) override {
+  void read(const Block& block, Batch& batch) override {
     const std::string_view text = block.records;
     const char comment = header_.csv.comment;
     for (std::size_t at = 0, end; at < text.size(); at = end + 1) {
@@ -143,7 +143,7 @@ class TextReader final : public RecordReader {
  public:
   explicit TextReader(const CsvFormat& format) : format_(format) {}
 
-  void read(Block& block, Batch& batch) override {
+  void read(const Block& block, Batch& batch) override {
     const std::string_view text = block.records;
     for (std::size_t at = 0, end; at < text.size(); at = end + 1) {
       end = std::min(text.find('\n', at), text.size());
@@ -175,7 +175,7 @@ class BinaryReader final : public RecordReader {
  public:
   static constexpr std::size_t kAtOnce = 1024;
 
-  void read(Block& block, Batch& batch) override {
+  void read(const Block& block, Batch& batch) override {
     const std::string_view text = block.records;
     const std::size_t count = text.size() / kBinaryRecord;
     const auto* doubles = reinterpret_cast<const double*>(text.data());  // blocks begin with their buffer

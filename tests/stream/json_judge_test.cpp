@@ -1,4 +1,4 @@
-// Records go through simdjson where they can; what is valid, which numbers are in it and what is said of the rest is
+// Records are read by patterns where they can be; what is valid, which numbers are in it and what is said of the rest is
 // what nlohmann-json says alone.
 #include <bit>
 #include <cctype>

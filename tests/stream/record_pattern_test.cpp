@@ -18,10 +18,16 @@ using namespace viewproj::tests;
 
 namespace {
 
+RecordPattern patternOf(const RecordParts& record, const Layout& layout) {
+  Numbers numbers;
+  NumberTexts texts;
+  readNumbers(record, layout, numbers, &texts);
+  return RecordPattern(record, layout, numbers, texts);
+}
+
 RecordPattern patternOf(const std::string& text) {
   const RecordParts record = jsonParts(text);
-  return RecordPattern(record,
-                       findPoint(record, {.columns = {}, .worldIsEcef = text.find("lat") != std::string::npos}));
+  return patternOf(record, findPoint(record, {.columns = {}, .worldIsEcef = text.find("lat") != std::string::npos}));
 }
 
 std::size_t lengthOf(const std::string& pattern, const std::string& text) {
@@ -39,9 +45,9 @@ bool sameBits(const Numbers& a, const Numbers& b, std::size_t count) {
 
 }  // namespace
 
-TEST_CASE("Records are alike but for numbers, strings and flags") {
-  const std::string record = R"({"id":"p1", "x":1,"y":-2.5,"z":3e2,"on":true,"at":null,"n":[1,"a"]})";
-  const auto with = [&](const std::string& other, std::string_view part) {
+TEST_CASE("Records are alike but for their numbers and the fields that are not read") {
+  const std::string record = R"({"id":"p1", "tag":"P","x":1,"y":-2.5,"z":3e2,"n":{"a":[1,null]}})";
+  const auto with = [&](std::string_view part, const std::string& other) {
     std::string text = record;
     return text.replace(text.find(part), part.size(), other);
   };
@@ -49,42 +55,51 @@ TEST_CASE("Records are alike but for numbers, strings and flags") {
   for (const auto& [part, other] : std::initializer_list<std::pair<const char*, const char*>>{
            {"p1", ""},
            {"p1", "\xc3\xa9"},
-           {"p1", R"(\"\\\/\b\f\n\r\t)"},
+           {"p1", R"(\"\\\/\b\f\n\r\t\u00e9\uD7fF\uE000)"},
+           {"\"p1\"", "7"},
+           {"\"p1\"", "-1e3"},
+           {"\"p1\"", "null"},
+           {"\"p1\"", "[]"},
+           {"\"p1\"", "{ }"},
+           {"\"p1\"", "[true ,\tfalse,\n[{\"b\" : {\"c\":0}, \"\":1}] ]"},
+           {"\"P\"", "\"Q\""},
            {"1,", "-0,"},
            {"-2.5", "1234567.12345678"},
            {"3e2", "0.1"},
-           {"true", "false"},
-           {"[1,", "[7,"},
        }) {
-    INFO(with(other, part));
-    CHECK(isLike(record, with(other, part)));
+    INFO(with(part, other));
+    CHECK(isLike(record, with(part, other)));
   }
   // What stands after it is another's.
   CHECK(lengthOf(record, record + " {}") == record.size());
 
   for (const auto& [part, other] : std::initializer_list<std::pair<const char*, const char*>>{
-           {", ", ","},
-           {"\"y\"", "\"Y\""},
-           {"-2.5", "\"2\""},
-           {"\"p1\"", "7"},
-           {"true", "null"},
-           {"null", "true"},
-           {"[1,", "[1,2,"},
-           {"p1", "\\u0041"},
-           {"p1", "\\a"},
-           {"p1", "p1\\"},
-           {"p1", "p\n1"},
-           {"p1", "p\xc3"},
-           {"1,", "01,"},
-           {"-2.5", "-2."},
-           {"3e2", "3e999"},
-           {"[1,", "[1e999,"},  // nlohmann-json has none such
-           {"]}", "]"},
+           {", ", ","},           {"\"y\"", "\"Y\""},
+           {"-2.5", "\"2\""},     {"-2.5", "null"},
+           {"1,", "01,"},         {"-2.5", "-2."},
+           {"3e2", "3e999"},      {"}}", "}"},
+           {"p1", R"(\a)"},       {"p1", R"(p1\)"},
+           {"p1", R"(\u00g0)"},   {"p1", R"(\uD83D\uDE00)"},  // of two, which is rare
+           {"p1", R"(\udc00)"},   {"p1", "p\n1"},
+           {"p1", "p\xc3"},       {"\"p1\"", "1e999"},  // nlohmann-json has none such
+           {"\"p1\"", "nul"},     {"\"p1\"", "tru"},
+           {"\"p1\"", ""},        {"\"p1\"", "[1,]"},
+           {"\"p1\"", "[1 2]"},   {"\"p1\"", "[1}"},
+           {"\"p1\"", "{\"a\"}"}, {"\"p1\"", "{\"a\":}"},
+           {"\"p1\"", "{a:1}"},   {"\"p1\"", "[[[[[]]]]]"},  // deeper than any
        }) {
-    INFO(with(other, part));
-    CHECK(lengthOf(record, with(other, part)) == 0);
+    INFO(with(part, other));
+    CHECK(lengthOf(record, with(part, other)) == 0);
   }
-  for (const char* none : {"", "{"}) CHECK(lengthOf(record, none) == 0);
+  for (std::size_t size = 0; size < record.size(); ++size) CHECK(lengthOf(record, record.substr(0, size)) == 0);
+}
+
+TEST_CASE("What would make a record another, an array of them, or a document, is none like it") {
+  const std::string pos = R"({"point":"A12","pos":[1,2,3]})";
+  CHECK(isLike(pos, R"({"point":"","pos":[1,2,3e5]})"));
+  CHECK(lengthOf(pos, R"({"point":[4,5,6],"pos":[1,2,3]})") == 0);
+  CHECK(lengthOf(R"({"points":1,"x":1,"y":2,"z":3})", R"({"points":[],"x":1,"y":2,"z":3})") == 0);
+  CHECK(isLike(R"({"x":1,"points":1,"y":2,"z":3})", R"({"x":1,"points":[],"y":2,"z":3})"));
 }
 
 TEST_CASE("Records whose numbers are more than read, and long ones, have no pattern") {
@@ -94,8 +109,11 @@ TEST_CASE("Records whose numbers are more than read, and long ones, have no patt
   CHECK(isLike(fields, fields));
   const std::string in = R"({"position":{"x":1,"y":2,"z":3}})";
   CHECK(isLike(in, R"({"position":{"x":-1.5,"y":20,"z":3e3}})"));
-  const std::string tag(5000, 'a'), longer = R"({"x":1,"y":2,"z":3,"tag":")" + tag + "\"}";
-  CHECK(lengthOf(longer, longer) == 0);
+  CHECK(lengthOf(in, R"({"position":{"x":1,"z":2,"y":3}})") == 0);
+  const std::string tag(20000, 'a');
+  CHECK(isLike(R"({"x":1,"y":2,"z":3,"tag":""})", R"({"x":1,"y":2,"z":3,"tag":")" + tag + "\"}"));
+  const std::string named = R"({"x":1,"y":2,"z":3,")" + tag + "\":1}";
+  CHECK(lengthOf(named, named) == 0);
 }
 
 TEST_CASE("What a pattern takes is what nlohmann-json takes, number for number") {
@@ -111,7 +129,7 @@ TEST_CASE("What a pattern takes is what nlohmann-json takes, number for number")
     } catch (const RecordError&) {
       continue;
     }
-    const RecordPattern pattern(before, layout);
+    const RecordPattern pattern = patternOf(before, layout);
     std::string text = first;
     std::string kind(random.mutate(text));
     if (random.oneIn(2)) kind = random.mutate(text);
