@@ -23,7 +23,7 @@ class Limits(FaultTest):
             ["matrix", big],
         ):
             expected = run(arguments)
-            for space in range(8 << 20, most, 6 << 20):
+            for space in range(10 << 20, most, 6 << 20):
                 with self.subTest(f"{arguments} in {space >> 20} MiB"):
                     done = run(arguments, before=tool.limited(resource.RLIMIT_AS, space))
                     if done.returncode == 127 or b"error while loading" in done.stderr:

@@ -1,5 +1,5 @@
-// Records are read by patterns where they can be; what is valid, which numbers are in it and what is said of the rest is
-// what nlohmann-json says alone.
+// Records are read by patterns where they can be; what is valid, which numbers are in it and what is said of the rest
+// is what nlohmann-json says alone.
 #include <bit>
 #include <cctype>
 #include <chrono>
