@@ -16,28 +16,46 @@ namespace {
 /// Of a record.
 constexpr std::size_t kMostPieces = 1024, kMostCommon = 16384;
 /// Arrays and objects within each other in a field that is not read.
-constexpr int kDeepest = 4;
+constexpr int kDeepest = 16;
 
 bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 bool beginsNumber(char c) { return c == '-' || (c >= '0' && c <= '9'); }
+
+/// Not empty, as no comma or bracket is.
+std::string_view withoutSpaceAround(std::string_view text) {
+  while (isSpace(text.front())) text.remove_prefix(1);
+  while (isSpace(text.back())) text.remove_suffix(1);
+  return text;
+}
 
 const char* passSpace(const char* at, const char* end) {
   while (at < end && isSpace(*at)) ++at;
   return at;
 }
 
-// Each returns where a value of JSON ends that begins here, or null: what is no JSON, and what is rare.
+// Each returns where what is called so ends that begins here, or null where it is not valid JSON.
 
 bool isHexDigit(char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'); }
 
-/// After its backslash. Rare: half of a character.
+/// The code unit of four digits that stand here, or -1.
+int codeUnit(const char* at, const char* end) {
+  if (end - at < 4 || !std::all_of(at, at + 4, isHexDigit)) return -1;
+  int unit = 0;
+  for (int i = 0; i < 4; ++i) unit = 16 * unit + (at[i] <= '9' ? at[i] - '0' : (at[i] | 0x20) - 'a' + 10);
+  return unit;
+}
+
+/// After its backslash; the first half of a character with the other half.
 const char* passEscape(const char* at, const char* end) {
   if (at == end) return nullptr;
   if (*at != 'u') return std::string_view("\"\\/bfnrt").find(*at) == std::string_view::npos ? nullptr : at + 1;
-  constexpr std::ptrdiff_t kSize = 5;
-  if (end - at < kSize || !std::all_of(at + 1, at + kSize, isHexDigit)) return nullptr;
-  const bool isHalf = (at[1] == 'd' || at[1] == 'D') && at[2] >= '8';
-  return isHalf ? nullptr : at + kSize;
+  const int unit = codeUnit(++at, end);
+  if (unit < 0 || (unit >= 0xdc00 && unit <= 0xdfff)) return nullptr;
+  at += 4;
+  if (unit < 0xd800 || unit > 0xdbff) return at;
+  if (end - at < 2 || at[0] != '\\' || at[1] != 'u') return nullptr;
+  const int second = codeUnit(at + 2, end);
+  return second >= 0xdc00 && second <= 0xdfff ? at + 6 : nullptr;
 }
 
 const char* passString(const char* at, const char* end) {
@@ -105,8 +123,17 @@ const char* passItems(const char* at, const char* end, int depth) {
   }
 }
 
-/// For each field whether its value may be anything: no part of the layout, nor what makes the text a document, or an
-/// array of records.
+bool isBracket(char c) { return c == '[' || c == '{'; }
+
+/// What is no record everywhere: where it begins as an array of records or a document does, or as an array in which a
+/// line may begin as a record does.
+bool mayBeOther(const RecordParts& record) {
+  if (!record.shape.isArray) return record.shape.find(kRecordsField) == 0 && record.values[0].starts_with('[');
+  return std::any_of(record.values.begin(), record.values.end(),
+                     [](std::string_view value) { return isBracket(value[0]); });
+}
+
+/// For each field whether its value may be anything: no part of the layout, and what leaves the record one.
 std::vector<bool> freeFields(const RecordParts& record, const Layout& layout) {
   const Shape& shape = record.shape;
   std::vector<bool> isFree(record.values.size(), !shape.isArray);
@@ -120,7 +147,7 @@ std::vector<bool> freeFields(const RecordParts& record, const Layout& layout) {
 
 RecordPattern::RecordPattern(const RecordParts& record, const Layout& layout, const Numbers& numbers,
                              const NumberTexts& texts) {
-  if (record.values.size() > kMostPieces) return;
+  if (record.values.size() > kMostPieces || mayBeOther(record)) return;
   for (std::size_t i = 0; i < layout.slots(); ++i) {
     if (texts[i].empty() && !std::isnan(numbers[i])) return;
     absent_[i] = numbers[i];
@@ -131,8 +158,9 @@ RecordPattern::RecordPattern(const RecordParts& record, const Layout& layout, co
   const auto addPiece = [&](std::size_t begin, std::size_t end, Kind kind) {
     const auto slot = std::find_if(texts.begin(), texts.end(),
                                    [&](std::string_view value) { return value.data() == text.data() + begin; });
-    common_ += text.substr(done, begin - done);
-    pieces_.push_back({begin - done, kind, static_cast<std::size_t>(slot - texts.begin())});
+    const std::string_view before = withoutSpaceAround(text.substr(done, begin - done));
+    common_ += before;
+    pieces_.push_back({before.size(), kind, static_cast<std::size_t>(slot - texts.begin())});
     done = end;
   };
   for (std::size_t field = 0; field < record.values.size(); ++field) {
@@ -156,7 +184,7 @@ RecordPattern::RecordPattern(const RecordParts& record, const Layout& layout, co
       at = end;
     }
   }
-  common_ += text.substr(done);
+  common_ += withoutSpaceAround(text.substr(done));
   if (common_.size() > kMostCommon) common_.clear();
 }
 
@@ -174,6 +202,7 @@ std::size_t RecordPattern::read(std::string_view text, Numbers& numbers) const {
   std::copy(absent_.begin(), absent_.end(), numbers.begin());
   for (const Piece& piece : pieces_) {
     if (!passCommon(piece.size)) return 0;
+    at = passSpace(at, end);
     double unused = 0;
     switch (piece.kind) {
       case Kind::number:
@@ -190,6 +219,7 @@ std::size_t RecordPattern::read(std::string_view text, Numbers& numbers) const {
         break;
     }
     if (!at) return 0;
+    at = passSpace(at, end);
   }
   const auto left = static_cast<std::size_t>(common_.data() + common_.size() - common);
   return passCommon(left) ? static_cast<std::size_t>(at - text.data()) : 0;

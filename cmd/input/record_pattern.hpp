@@ -11,15 +11,17 @@
 namespace viewproj::cmd {
 
 /// What such records have in common: every byte outside of the numbers, strings and flags of the fields that a layout
-/// is about, and outside of the other fields, which may be any JSON. So they have one shape and one layout.
+/// is about, of the other fields, which may be any JSON, and of the white space around all these. So they have one
+/// shape and one layout, and are records wherever they stand.
 class RecordPattern {
  public:
   /// Of records like this one, which has this layout, and these numbers where readNumbers found them; of none where
-  /// its numbers are more than read, as a place's are, or where too much would have to be remembered.
+  /// its numbers are more than read, as a place's are, where it is a record in some places only, or where too much
+  /// would have to be remembered.
   RecordPattern(const RecordParts& record, const Layout& layout, const Numbers& numbers, const NumberTexts& texts);
 
-  /// Where a record of the pattern ends that text begins with, and its numbers as readNumbers reads them; 0 where text
-  /// begins with none, or with one that nests deeply.
+  /// The size of the record of the pattern that text begins with, and its numbers as readNumbers reads them; 0 where
+  /// text begins with none, or with one that nests deeply.
   std::size_t read(std::string_view text, Numbers& numbers) const;
 
   /// No record is read.

@@ -35,14 +35,13 @@ class JsonReader final : public RecordReader {
   /// Records by their patterns up to the first that has none. Returns where that begins, or the end.
   std::size_t readAlike(std::size_t at) {
     at = skipSpace(at);
-    while (const std::size_t size = addAlike(at)) at = skipSpace(at + size);
+    while (const std::size_t size = addAlike(text_.substr(at, kLongestRecord))) at = skipSpace(at + size);
     return at;
   }
 
   /// Returns how long the record is that begins there, or 0 if it is like none of before.
-  std::size_t addAlike(std::size_t at) {
+  std::size_t addAlike(std::string_view text) {
     const auto& plans = batch_->plans();
-    const std::string_view text = text_.substr(at);
     Numbers numbers;
     std::size_t tried = 0;
     for (std::size_t i = 0; i < plans.size(); ++i)
@@ -111,7 +110,9 @@ class JsonReader final : public RecordReader {
     return at;
   }
 
+  /// text: a record that was found to be one, if it is valid.
   void readRecord(std::string_view text) {
+    if (addAlike(text) > 0) return;  // all of it, since its brackets close at its end
     passBadBefore(text);
     try {
       const RecordParts record = jsonParts(text);

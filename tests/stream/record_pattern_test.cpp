@@ -55,7 +55,7 @@ TEST_CASE("Records are alike but for their numbers and the fields that are not r
   for (const auto& [part, other] : std::initializer_list<std::pair<const char*, const char*>>{
            {"p1", ""},
            {"p1", "\xc3\xa9"},
-           {"p1", R"(\"\\\/\b\f\n\r\t\u00e9\uD7fF\uE000)"},
+           {"p1", R"(\"\\\/\b\f\n\r\t\u00e9\uD7fF\uE000\uD83D\uDE00)"},
            {"\"p1\"", "7"},
            {"\"p1\"", "-1e3"},
            {"\"p1\"", "null"},
@@ -64,6 +64,7 @@ TEST_CASE("Records are alike but for their numbers and the fields that are not r
            {"\"p1\"", "[true ,\tfalse,\n[{\"b\" : {\"c\":0}, \"\":1}] ]"},
            {"\"P\"", "\"Q\""},
            {"1,", "-0,"},
+           {"1,", " \t1 \r\n,"},
            {"-2.5", "1234567.12345678"},
            {"3e2", "0.1"},
        }) {
@@ -74,19 +75,35 @@ TEST_CASE("Records are alike but for their numbers and the fields that are not r
   CHECK(lengthOf(record, record + " {}") == record.size());
 
   for (const auto& [part, other] : std::initializer_list<std::pair<const char*, const char*>>{
-           {", ", ","},           {"\"y\"", "\"Y\""},
-           {"-2.5", "\"2\""},     {"-2.5", "null"},
-           {"1,", "01,"},         {"-2.5", "-2."},
-           {"3e2", "3e999"},      {"}}", "}"},
-           {"p1", R"(\a)"},       {"p1", R"(p1\)"},
-           {"p1", R"(\u00g0)"},   {"p1", R"(\uD83D\uDE00)"},  // of two, which is rare
-           {"p1", R"(\udc00)"},   {"p1", "p\n1"},
-           {"p1", "p\xc3"},       {"\"p1\"", "1e999"},  // nlohmann-json has none such
-           {"\"p1\"", "nul"},     {"\"p1\"", "tru"},
-           {"\"p1\"", ""},        {"\"p1\"", "[1,]"},
-           {"\"p1\"", "[1 2]"},   {"\"p1\"", "[1}"},
-           {"\"p1\"", "{\"a\"}"}, {"\"p1\"", "{\"a\":}"},
-           {"\"p1\"", "{a:1}"},   {"\"p1\"", "[[[[[]]]]]"},  // deeper than any
+           {", ", ","},
+           {"\"y\"", "\"Y\""},
+           {"-2.5", "\"2\""},
+           {"-2.5", "null"},
+           {"1,", "01,"},
+           {"-2.5", "-2."},
+           {"3e2", "3e999"},
+           {"}}", "}"},
+           {"p1", R"(\a)"},
+           {"p1", R"(p1\)"},
+           {"p1", R"(\u00g0)"},
+           {"p1", R"(\ud800)"},
+           {"p1", R"(\ud800\n)"},
+           {"p1", R"(\ud800\u0041)"},
+           {"p1", R"(\udc00)"},
+           {"p1", "p\n1"},
+           {"p1", "p\xc3"},
+           {"\"p1\"", "1e999"},  // nlohmann-json has none such
+           {"\"p1\"", "nul"},
+           {"\"p1\"", "tru"},
+           {"\"p1\"", ""},
+           {"\"p1\"", "[1,]"},
+           {"\"p1\"", "[1 2]"},
+           {"\"p1\"", "[1}"},
+           {"\"p1\"", "[1 22]"},
+           {"\"p1\"", "{\"a\"}"},
+           {"\"p1\"", "{\"a\":}"},
+           {"\"p1\"", "{a:1}"},
+           {"\"p1\"", "[[[[[[[[[[[[[[[[[]]]]]]]]]]]]]]]]]"},  // deeper than any
        }) {
     INFO(with(part, other));
     CHECK(lengthOf(record, with(part, other)) == 0);
@@ -99,6 +116,7 @@ TEST_CASE("What would make a record another, an array of them, or a document, is
   CHECK(isLike(pos, R"({"point":"","pos":[1,2,3e5]})"));
   CHECK(lengthOf(pos, R"({"point":[4,5,6],"pos":[1,2,3]})") == 0);
   CHECK(lengthOf(R"({"points":1,"x":1,"y":2,"z":3})", R"({"points":[],"x":1,"y":2,"z":3})") == 0);
+  CHECK(lengthOf(R"({"points":[],"x":1,"y":2,"z":3})", R"({"points":[],"x":1,"y":2,"z":3})") == 0);
   CHECK(isLike(R"({"x":1,"points":1,"y":2,"z":3})", R"({"x":1,"points":[],"y":2,"z":3})"));
 }
 
