@@ -48,7 +48,7 @@ void CameraOptions::add(CommandLine& line) {
   addValues(
       line, "--set", "FIELD=VALUE", set_,
       [](const std::string&, const std::string& text) { return readAssignment(text); },
-      "Set a field of the camera file, as in projection.fovY=75");
+      "Set a field of the camera file, as in projection.fovY=75; of two of the same the later counts");
   addChoice(line, "--read-as", "NAME", readAs_, namesAlone(presetNames()), "Read the camera in this convention",
             "the file's, or opengl");
   addFields(line);

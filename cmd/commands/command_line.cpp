@@ -108,6 +108,7 @@ void CommandLine::requireValues(std::span<const std::string_view> all) const {
     const Option* const option = all[i].starts_with('-') ? find(all[i]) : nullptr;
     if (option == &options_.front()) return;  // help
     if (!option || option->times == Times::never) continue;
+    if (fault.empty() && i + 1 == all.size()) fault = option->name() + " has no value; expected " + option->form;
     ++i;
     if (fault.empty() && i < all.size() && all[i].starts_with('-') && (find(all[i]) || all[i] == "--"))
       fault = option->name() + " has no value: after it comes " + std::string(all[i]);

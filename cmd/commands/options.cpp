@@ -129,11 +129,10 @@ std::span<const PrecisionRow> precisionModes() {
   return kModes;
 }
 
-void addPrecision(CommandLine& line, PrecisionMode& mode) {
+void addPrecision(CommandLine& line, PrecisionMode& mode, const std::string& what) {
   Names<PrecisionMode> modes;
   for (const PrecisionRow& row : precisionModes()) modes.emplace_back(row.name, row.mode);
-  addChoice(line, "--precision", "MODE", mode, modes,
-            "Arithmetic; standard is double, fast float32, auto the cheapest that will do");
+  addChoice(line, "--precision", "MODE", mode, modes, "Arithmetic; " + what);
 }
 
 }  // namespace viewproj::cmd

@@ -75,6 +75,8 @@ struct PrecisionRow {
   std::string_view arithmetic, promise;  ///< the promise is of screen x, y and depth
 };
 std::span<const PrecisionRow> precisionModes();
-void addPrecision(CommandLine& line, PrecisionMode& mode);
+/// what: of its help, what the modes are.
+void addPrecision(CommandLine& line, PrecisionMode& mode,
+                  const std::string& what = "standard is double, fast float32, auto the cheapest that will do");
 
 }  // namespace viewproj::cmd

@@ -263,10 +263,14 @@ void settleFields(Casting& how, const Several<const ResultRow*>& fields) {
     for (const ResultRow* row : kFields)
       if ((row != &results::place || how.worldIsEcef) && (row != &results::hit || how.scene))
         how.fields->push_back(row);
-  const bool hasHit = std::find(how.fields->begin(), how.fields->end(), &results::hit) != how.fields->end();
-  if (!hasHit && (how.allHits || how.clipped))
+  const auto has = [&](const ResultRow& row) {
+    return std::find(how.fields->begin(), how.fields->end(), &row) != how.fields->end();
+  };
+  if (!has(results::hit) && (how.allHits || how.clipped))
     throw UsageError(std::string(how.allHits ? "--all-hits" : "--clipped") +
                      " is of hits, and --fields leaves hit out");
+  if (how.scene && !has(results::hit) && !has(results::pointDistance) && !has(results::pixelSize))
+    throw UsageError("--scene is for hit, viewDistance and pixelSize, and --fields leaves these out");
   for (const ResultRow*& row : *how.fields) {
     if (row == &results::place && !how.worldIsEcef)
       throw UsageError("--fields place needs a camera that stands on the Earth");
@@ -338,7 +342,7 @@ Action defineRay(CommandLine& line) {
   o->stream.add(line, "pixels");
   static constexpr std::pair<std::string_view, RayOrigin> kPlaces[] = {{"eye", RayOrigin::eye},
                                                                        {"near", RayOrigin::nearPlane}};
-  addPrecision(line, o->precision);
+  addPrecision(line, o->precision, "of rays standard is double, and good enough to be fast and auto as well");
   addValues(line, "--pixel", "X,Y[,DEPTH]", o->pixels, readPixel,
             "A pixel, with a window depth if known, in place of FILE and standard input");
   addChoice(line, "--ray-from", "PLACE", o->from, rowsOf(kPlaces),

@@ -208,7 +208,7 @@ std::string nearestField(std::span<const Coordinate* const> rows, const Shape& s
   constexpr std::size_t kFew = 64, kLong = 3;
   if (shape.names.size() > kFew) return "";
   if (shape.form == Form::json && std::find(shape.names.begin(), shape.names.end(), kRecordsField) != shape.names.end())
-    return "; " + quoted(kRecordsField) + " holds records where it is an object's first field";
+    return "; " + quoted(kRecordsField) + " holds records where it is an array, and the object's first field";
   std::vector<std::string_view> fields(shape.names.begin(), shape.names.end());
   const auto nearest = [&](std::string_view name) {
     const std::string_view near = name.size() < kLong ? "" : nearestName(name, fields);

@@ -82,7 +82,8 @@ SceneObject readObject(const ObjectReader& fields, std::size_t index, const Shap
   fields.allow(field::sceneObject);
   (void)fields.string(field::name);
   SceneObject object;
-  object.id = fields.label(field::id).value_or(std::to_string(index));
+  const auto name = fields.label(field::name);
+  object.id = fields.label(field::id).value_or(name.value_or(std::to_string(index)));
   (void)fields.way(field::sceneObject);
   if (const auto plane = fields.object(field::plane)) object.shape = reader.readPlane(*plane);
   if (const auto sphere = fields.object(field::sphere)) object.shape = reader.readSphere(*sphere);

@@ -24,7 +24,8 @@ inline constexpr ObjectForm boxForm{
 
 inline constexpr NameRow<Ellipsoid> kEllipsoids[] = {{"WGS84", kWgs84}};
 
-inline constexpr Field id{"id", ValueForm::label, "By which hits name it. Default: its place in the list, from 0."};
+inline constexpr Field id{"id", ValueForm::label,
+                          "By which hits name it. Default: its name, or its place in the list, from 0."};
 inline constexpr Field plane{"plane", ValueForm::object, planeForm.help, nullptr, &planeForm};
 inline constexpr Field sphere{"sphere", ValueForm::object, sphereForm.help, nullptr, &sphereForm};
 inline constexpr Field box{"box", ValueForm::object, boxForm.help, nullptr, &boxForm};

@@ -270,6 +270,8 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
                   .prefix = setup.writer.prefix};
   setup.writer.table = stream.to == OutputForm::table;
   setup.writer.results = work->results({}, stream.to);
+  if (setup.force && stream.to != OutputForm::f64)
+    throw UsageError("--force shows f64 on a terminal, and the output is of another form");
   if (writes && stream.to == OutputForm::f64 && !setup.force && isTerminal(kStandardOutput))
     throw UsageError(
         "f64 is binary, and standard output is a terminal; -o FILE keeps it, --force shows it all the same");

@@ -123,7 +123,7 @@ std::string points(std::size_t width) {
                         "its other fields come out as they are.",
                         width) +
                     "\n" + listed(entriesOf(coordinates::kPoints), width);
-  out += paragraph("Shapes, for cull and draw; project takes a segment too.", width);
+  out += paragraph("Shapes, for project, fit, draw and cull, which takes no segment.", width);
   std::vector<const Coordinate*> shapes(std::begin(coordinates::kShapes), std::end(coordinates::kShapes));
   shapes.insert(shapes.begin(), &coordinates::segment);
   shapes.push_back(&coordinates::radius);
@@ -134,7 +134,8 @@ std::string points(std::size_t width) {
 
 std::string pixels(std::size_t width) {
   std::string out = wrapped(
-      "A pixel is [x, y] or [x, y, depth], or an object or a row of CSV with one of these. x runs to the right and y "
+      "A pixel is [x, y] or [x, y, depth], or an object or a row of CSV with one of these, of which the first counts. "
+      "x runs to the right and y "
       "down from the picture's upper left corner; 0 is its edge and 0.5 the centre of the first pixel. In the camera "
       "file viewport.origin bottom-left has y run up, and viewport.pixelCenter 0 (the convention opencv) has 0 be the "
       "first pixel's centre.",
