@@ -104,6 +104,8 @@ class Scanner {
       line_ += static_cast<std::size_t>(
           std::count(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(end - at_), '\n'));
       at_ = end + 2;
+    } else if (rest.starts_with("::")) {  // of a namespace, whose word is no name: glm::mat4
+      at_ += 2;
     } else if (c == '=' || c == ':') {
       // What stood before was a declaration: float m[4][4] =
       if (!areArraySizes()) requireNothingGathered();
