@@ -111,6 +111,7 @@ std::unique_ptr<Document> CameraOptions::open(const CameraSource& picked) const 
     kinds_ = readKinds(Document(*format_, "--format", ""), builtInKinds());
     document->setKinds(kinds_);
   }
+  if (viewport_ && !typed_.replacesLens()) noteKeptPixels(*document, viewport_->width, viewport_->height);
   if (viewport_) setViewportSize(*document, viewport_->width, viewport_->height);
   for (const Assignment& assignment : set_) document->set(assignment);
   return document;

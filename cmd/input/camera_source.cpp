@@ -6,10 +6,12 @@
 #include <numbers>
 #include <unordered_map>
 
+#include "input/camera_fields.hpp"
 #include "input/importers/importer.hpp"
 #include "input/kinds/interpreter.hpp"
 #include "input/kinds/lookup.hpp"
 #include "input/kinds/unread.hpp"
+#include "input/projection_types.hpp"
 #include "input/replaced_sets.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
@@ -372,6 +374,21 @@ void setViewportSize(Document& document, double width, double height) {
   if (viewport != document.root().end() && !viewport->is_object()) document.set(readAssignment("viewport=null"));
   document.set(readAssignment("viewport.width=" + formatNumber(width)));
   document.set(readAssignment("viewport.height=" + formatNumber(height)));
+}
+
+void noteKeptPixels(const Document& document, double width, double height) {
+  const ObjectReader camera(document, document.root(), {});
+  if (isForeign(document) || !camera.isObject(field::projection) || !camera.isObject(field::viewport)) return;
+  const ObjectReader projection = *camera.object(field::projection), viewport = *camera.object(field::viewport);
+  if (!projection.isString(field::type) || *projection.text(field::type) != kIntrinsics) return;
+  const auto own = [&](const Field& field) { return viewport.find(field) && viewport.find(field)->is_number(); };
+  if (!own(field::pixelWidth) || !own(field::pixelHeight)) return;
+  const double ownWidth = *viewport.number(field::pixelWidth), ownHeight = *viewport.number(field::pixelHeight);
+  if (ownWidth == width && ownHeight == height) return;
+  document.note(
+      {std::string(field::projection)},
+      "fx, fy, cx and cy stay as many pixels, so that another part of the world is seen than in a picture of " +
+          formatNumber(ownWidth) + " x " + formatNumber(ownHeight));
 }
 
 bool isForeign(const Document& document) { return static_cast<bool>(formOf(document)); }
