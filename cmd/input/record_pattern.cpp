@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <optional>
 
 #include "text/encoding.hpp"
 #include "text/json_text.hpp"
@@ -13,8 +12,8 @@
 namespace viewproj::cmd {
 namespace {
 
-/// Of a record.
-constexpr std::size_t kMostPieces = 1024, kMostCommon = 16384;
+/// Of a record that is remembered.
+constexpr std::size_t kMostValues = 1024, kMostCommon = 16384;  // bytes
 /// Arrays and objects within each other in a field that is not read.
 constexpr int kDeepest = 16;
 
@@ -147,7 +146,7 @@ std::vector<bool> freeFields(const RecordParts& record, const Layout& layout) {
 
 RecordPattern::RecordPattern(const RecordParts& record, const Layout& layout, const Numbers& numbers,
                              const NumberTexts& texts) {
-  if (record.values.size() > kMostPieces || mayBeOther(record)) return;
+  if (record.values.size() > kMostValues || mayBeOther(record)) return;
   for (std::size_t i = 0; i < layout.slots(); ++i) {
     if (texts[i].empty() && !std::isnan(numbers[i])) return;
     absent_[i] = numbers[i];
