@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "text/encoding.hpp"
+#include "text/json_scan.hpp"
 #include "text/json_text.hpp"
 #include "text/parse_number.hpp"
 
@@ -17,109 +17,13 @@ constexpr std::size_t kMostValues = 1024, kMostCommon = 16384;  // bytes
 /// Arrays and objects within each other in a field that is not read.
 constexpr int kDeepest = 16;
 
-bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 bool beginsNumber(char c) { return c == '-' || (c >= '0' && c <= '9'); }
 
 /// Not empty, as no comma or bracket is.
 std::string_view withoutSpaceAround(std::string_view text) {
-  while (isSpace(text.front())) text.remove_prefix(1);
-  while (isSpace(text.back())) text.remove_suffix(1);
+  while (isJsonSpace(text.front())) text.remove_prefix(1);
+  while (isJsonSpace(text.back())) text.remove_suffix(1);
   return text;
-}
-
-const char* passSpace(const char* at, const char* end) {
-  while (at < end && isSpace(*at)) ++at;
-  return at;
-}
-
-// Each returns where what is called so ends that begins here, or null where it is not valid JSON.
-
-bool isHexDigit(char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'); }
-
-/// The code unit of four digits that stand here, or -1.
-int codeUnit(const char* at, const char* end) {
-  if (end - at < 4 || !std::all_of(at, at + 4, isHexDigit)) return -1;
-  int unit = 0;
-  for (int i = 0; i < 4; ++i) unit = 16 * unit + (at[i] <= '9' ? at[i] - '0' : (at[i] | 0x20) - 'a' + 10);
-  return unit;
-}
-
-/// After its backslash; the first half of a character with the other half.
-const char* passEscape(const char* at, const char* end) {
-  if (at == end) return nullptr;
-  if (*at != 'u') return std::string_view("\"\\/bfnrt").find(*at) == std::string_view::npos ? nullptr : at + 1;
-  const int unit = codeUnit(++at, end);
-  if (unit < 0 || (unit >= 0xdc00 && unit <= 0xdfff)) return nullptr;
-  at += 4;
-  if (unit < 0xd800 || unit > 0xdbff) return at;
-  if (end - at < 2 || at[0] != '\\' || at[1] != 'u') return nullptr;
-  const int second = codeUnit(at + 2, end);
-  return second >= 0xdc00 && second <= 0xdfff ? at + 6 : nullptr;
-}
-
-const char* passString(const char* at, const char* end) {
-  if (at == end || *at != '"') return nullptr;
-  const char* const begin = ++at;
-  bool isAscii = true;
-  while (at < end && *at != '"') {
-    const auto byte = static_cast<unsigned char>(*at++);
-    if (byte < ' ') return nullptr;
-    if (byte == '\\' && !(at = passEscape(at, end))) return nullptr;
-    isAscii = isAscii && byte < 0x80;
-  }
-  if (at == end || (!isAscii && !isUtf8({begin, at}))) return nullptr;
-  return at + 1;
-}
-
-const char* passWord(const char* at, const char* end, std::string_view word) {
-  return std::string_view(at, end).starts_with(word) ? at + word.size() : nullptr;
-}
-
-const char* passFlag(const char* at, const char* end) {
-  const char* const after = passWord(at, end, "true");
-  return after ? after : passWord(at, end, "false");
-}
-
-const char* passItems(const char* at, const char* end, int depth);
-
-const char* passAny(const char* at, const char* end, int depth = kDeepest) {
-  double unused = 0;
-  switch (at < end ? *at : '\0') {
-    case '"':
-      return passString(at, end);
-    case '[':
-    case '{':
-      return depth > 0 ? passItems(at, end, depth - 1) : nullptr;
-    case 'n':
-      return passWord(at, end, "null");
-    case 't':
-    case 'f':
-      return passFlag(at, end);
-    default:
-      return readJsonNumber(at, end, unused);
-  }
-}
-
-/// Of an array or object.
-const char* passItems(const char* at, const char* end, int depth) {
-  const bool isObject = *at == '{';
-  const char close = isObject ? '}' : ']';
-  at = passSpace(at + 1, end);
-  if (at < end && *at == close) return at + 1;
-  for (;;) {
-    if (isObject) {
-      if (!(at = passString(at, end))) return nullptr;
-      at = passSpace(at, end);
-      if (at == end || *at != ':') return nullptr;
-      at = passSpace(at + 1, end);
-    }
-    if (!(at = passAny(at, end, depth))) return nullptr;
-    at = passSpace(at, end);
-    if (at == end) return nullptr;
-    if (*at == close) return at + 1;
-    if (*at != ',') return nullptr;
-    at = passSpace(at + 1, end);
-  }
 }
 
 bool isBracket(char c) { return c == '[' || c == '{'; }
@@ -176,7 +80,7 @@ RecordPattern::RecordPattern(const RecordParts& record, const Layout& layout, co
         continue;
       }
       const std::size_t end = endOfValue(value, at);
-      const char* const after = passSpace(value.data() + end, value.data() + value.size());
+      const char* const after = passJsonSpace(value.data() + end, value.data() + value.size());
       const bool isName = c == '"' && after < value.data() + value.size() && *after == ':';
       if (!isName)
         addPiece(begin + at, begin + end, c == '"' ? Kind::string : beginsNumber(c) ? Kind::number : Kind::flag);
@@ -184,7 +88,7 @@ RecordPattern::RecordPattern(const RecordParts& record, const Layout& layout, co
     }
   }
   common_ += withoutSpaceAround(text.substr(done));
-  if (common_.size() > kMostCommon) common_.clear();
+  if (common_.size() > kMostCommon || pieces_.size() > kMostValues) *this = {};
 }
 
 std::size_t RecordPattern::read(std::string_view text, Numbers& numbers) const {
@@ -201,24 +105,24 @@ std::size_t RecordPattern::read(std::string_view text, Numbers& numbers) const {
   std::copy(absent_.begin(), absent_.end(), numbers.begin());
   for (const Piece& piece : pieces_) {
     if (!passCommon(piece.size)) return 0;
-    at = passSpace(at, end);
+    at = passJsonSpace(at, end);
     double unused = 0;
     switch (piece.kind) {
       case Kind::number:
         at = readJsonNumber(at, end, piece.slot == kNoSlot ? unused : numbers[piece.slot]);
         break;
       case Kind::string:
-        at = passString(at, end);
+        at = passJsonString(at, end);
         break;
       case Kind::flag:
-        at = passFlag(at, end);
+        at = passJsonFlag(at, end);
         break;
       case Kind::any:
-        at = passAny(at, end);
+        at = passJson(at, end, kDeepest);
         break;
     }
     if (!at) return 0;
-    at = passSpace(at, end);
+    at = passJsonSpace(at, end);
   }
   const auto left = static_cast<std::size_t>(common_.data() + common_.size() - common);
   return passCommon(left) ? static_cast<std::size_t>(at - text.data()) : 0;

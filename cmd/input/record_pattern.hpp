@@ -15,6 +15,8 @@ namespace viewproj::cmd {
 /// shape and one layout, and are records wherever they stand.
 class RecordPattern {
  public:
+  /// Of no records.
+  RecordPattern() = default;
   /// Of records like this one, which has this layout, and these numbers where readNumbers found them; of none where
   /// its numbers are more than read, as a place's are, where it is a record in some places only, or where too much
   /// would have to be remembered.

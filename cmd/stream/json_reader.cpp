@@ -1,10 +1,12 @@
-// Records that are like one of before but for their numbers are read by its pattern. All others go to the parts that
-// nlohmann-json judges: so that is valid which it calls valid, and its words are in the messages.
+// Records that are like one of before but for their numbers are read by its pattern; others of its shape are taken
+// apart here. All others go to the parts that nlohmann-json judges: so that is valid which it calls valid, and its
+// words are in the messages.
 #include <algorithm>
 #include <span>
 
 #include "stream/batch.hpp"
 #include "stream/json_splitter.hpp"
+#include "text/json_scan.hpp"
 #include "text/json_text.hpp"
 
 namespace viewproj::cmd {
@@ -12,10 +14,12 @@ namespace {
 
 constexpr std::size_t npos = std::string_view::npos;
 
-/// Patterns of a plan that are remembered, and those of all plans that a record is compared with.
+/// Patterns of a plan that are remembered, and those of all plans that a record is compared with at most.
 constexpr std::size_t kPatternsOfPlan = 4, kPatterns = 8;
-
-bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+/// A pattern is made of one in so many records that are like none.
+constexpr std::size_t kLearningPause = 16;
+/// Arrays and objects within each other.
+constexpr int kDeepest = 256;
 
 class JsonReader final : public RecordReader {
  public:
@@ -32,11 +36,13 @@ class JsonReader final : public RecordReader {
   }
 
  private:
-  /// Records by their patterns up to the first that has none. Returns where that begins, or the end.
+  /// Records by their patterns up to the first that has none. Returns where the last one ends, or at.
   std::size_t readAlike(std::size_t at) {
-    at = skipSpace(at);
-    while (const std::size_t size = addAlike(text_.substr(at, kLongestRecord))) at = skipSpace(at + size);
-    return at;
+    for (std::size_t next = skipSpace(at);; next = skipSpace(at)) {
+      const std::size_t size = addAlike(text_.substr(next, kLongestRecord));
+      if (size == 0) return at;
+      at = next + size;
+    }
   }
 
   /// Returns how long the record is that begins there, or 0 if it is like none of before.
@@ -44,11 +50,13 @@ class JsonReader final : public RecordReader {
     const auto& plans = batch_->plans();
     Numbers numbers;
     std::size_t tried = 0;
-    for (std::size_t i = 0; i < plans.size(); ++i)
-      for (auto pattern = plans[i]->patterns.begin(); pattern != plans[i]->patterns.end(); ++pattern) {
-        if (tried++ == kPatterns) return 0;
+    for (std::size_t i = 0; i < plans.size() && tried < tries_; ++i)
+      for (auto pattern = plans[i]->patterns.begin(); pattern != plans[i]->patterns.end() && tried < tries_;
+           ++pattern) {
+        ++tried;
         const std::size_t size = pattern->read(text, numbers);
         if (size == 0) continue;
+        tries_ = kPatterns;
         Plan& plan = *plans[i];
         if (pattern != plan.patterns.begin()) std::rotate(plan.patterns.begin(), pattern, pattern + 1);
         batch_->usedAgain(i);
@@ -56,12 +64,73 @@ class JsonReader final : public RecordReader {
         batch_->add(text.substr(0, size), plan, numbers);
         return size;
       }
+    if (tries_ > 1) tries_ /= 2;  // until one fits
     return 0;
+  }
+
+  /// False where it is of no shape met before, or lacks its numbers, or is not valid as far as can be said here.
+  bool addKnown(std::string_view text) {
+    if (!byPattern_ || batch_->plans().empty() || !takeApart(text)) return false;
+    const auto& plans = batch_->plans();
+    for (std::size_t i = 0; i < plans.size(); ++i) {
+      Plan& plan = *plans[i];
+      const Shape& shape = plan.shape;
+      const bool isIts = shape.isArray == text.starts_with('[') && shape.size == parts_.values.size() &&
+                         std::equal(names_.begin(), names_.end(), shape.names.begin(), shape.names.end());
+      if (!isIts || !plan.layout.fits(parts_.values)) continue;
+      parts_.text = text;
+      parts_.shape = shape;
+      Numbers numbers;
+      NumberTexts texts;
+      try {
+        readNumbers(parts_, plan.layout, numbers, &texts);
+      } catch (const RecordError&) {
+        return false;
+      }
+      if (++unlike_ % kLearningPause == 0) learn(plan, RecordPattern(parts_, plan.layout, numbers, texts));
+      batch_->usedAgain(i);
+      batch_->add(text, plan, numbers);
+      return true;
+    }
+    return false;
+  }
+
+  /// Into names and values; false where it is not valid, or where names have escapes.
+  bool takeApart(std::string_view text) {
+    names_.clear();
+    parts_.values.clear();
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    const bool isObject = *at == '{';
+    if (!isObject && *at != '[') return false;
+    const char close = isObject ? '}' : ']';
+    for (at = passJsonSpace(at + 1, end); at < end && *at != close;) {
+      if (isObject) {
+        const char* const begin = at + 1;
+        if (!(at = passJsonString(at, end))) return false;
+        names_.emplace_back(begin, at - 1 - begin);
+        if (names_.back().find('\\') != npos) return false;
+        at = passJsonSpace(at, end);
+        if (at == end || *at != ':') return false;
+        at = passJsonSpace(at + 1, end);
+      }
+      const char* const begin = at;
+      if (!(at = passJson(at, end, kDeepest))) return false;
+      parts_.values.emplace_back(begin, at - begin);
+      at = passJsonSpace(at, end);
+      if (at < end && *at == ',') {
+        at = passJsonSpace(at + 1, end);
+        if (at < end && *at == close) return false;
+      } else if (at < end && *at != close) {
+        return false;
+      }
+    }
+    return at + 1 == end;
   }
 
   /// An array's records, separated by white space, and between them what the block says is wrong.
   void readElements() {
-    for (std::size_t at = readAlike(0); at < text_.size(); at = readAlike(at)) {
+    for (std::size_t at = skipSpace(readAlike(0)); at < text_.size(); at = skipSpace(readAlike(at))) {
       const std::size_t end = endOfValue(text_, at);
       readRecord(text_.substr(at, end - at));
       at = end;
@@ -84,9 +153,10 @@ class JsonReader final : public RecordReader {
     for (std::size_t at = 0;;) {
       if (splitter.isFresh())
         if (const std::size_t next = readAlike(at); next > at) {
+          const std::string_view over = text_.substr(at, next - at);
+          const std::size_t line = findLastLineBreak(over);
           JsonState state;
-          const std::size_t line = findLastLineBreak(text_.substr(0, next));
-          state.column = line == npos ? block.state.column + next : next - line - 1;
+          state.column = line == npos ? splitter.state().column + over.size() : over.size() - line - 1;
           splitter = JsonSplitter(state);
           at = next;
         }
@@ -106,7 +176,7 @@ class JsonReader final : public RecordReader {
 
   std::size_t offset(std::string_view part) const { return static_cast<std::size_t>(part.data() - text_.data()); }
   std::size_t skipSpace(std::size_t at) const {
-    while (at < text_.size() && isSpace(text_[at])) ++at;
+    while (at < text_.size() && isJsonSpace(text_[at])) ++at;
     return at;
   }
 
@@ -114,6 +184,7 @@ class JsonReader final : public RecordReader {
   void readRecord(std::string_view text) {
     if (addAlike(text) > 0) return;  // all of it, since its brackets close at its end
     passBadBefore(text);
+    if (addKnown(text)) return;
     try {
       const RecordParts record = jsonParts(text);
       if (const auto message = markedBad(record)) throw RecordError(0, *message);
@@ -135,6 +206,9 @@ class JsonReader final : public RecordReader {
   }
 
   bool byPattern_;
+  std::size_t tries_ = kPatterns, unlike_ = 0;
+  RecordParts parts_;
+  std::vector<std::string_view> names_;
   Batch* batch_ = nullptr;
   std::string_view text_;
   std::span<const Block::Bad> bad_;
