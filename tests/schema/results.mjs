@@ -23,12 +23,13 @@ function partOf({ command, options, flags }) {
   return undefined;
 }
 
-/// Without the fields of a result's name that --fields left out: those are the record's own.
-function described(value, fields) {
+/// Without the fields of a result's name that --fields left out: those are the record's own. A pixel's is no result.
+function described(value, fields, part) {
   if (fields === undefined || fields === "all" || value === null || typeof value !== "object") return value;
-  if (Array.isArray(value)) return value.map((record) => described(record, fields));
-  if (Array.isArray(value.points)) return { ...value, points: described(value.points, fields) };
+  if (Array.isArray(value)) return value.map((record) => described(record, fields, part));
+  if (Array.isArray(value.points)) return { ...value, points: described(value.points, fields, part) };
   const chosen = fields.split(",");
+  if (part === "ray") chosen.push("screen");
   return Object.fromEntries(Object.entries(value).filter(([key]) => !kFields.includes(key) || chosen.includes(key)));
 }
 
@@ -99,7 +100,7 @@ export function checkResults({ ajv, runs, run, fault, makeCamera, Random }) {
     }
     const schema = ajv.getSchema(`urn:viewproj:schema:results#/$defs/${part}`);
     for (const text of values) {
-      const value = described(JSON.parse(text), r.options["--fields"]);
+      const value = described(JSON.parse(text), r.options["--fields"], part);
       count(part);
       if (!met.has(part)) met.set(part, new Tally());
       countFields(value, met.get(part));
