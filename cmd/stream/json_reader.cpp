@@ -50,13 +50,12 @@ class JsonReader final : public RecordReader {
     const auto& plans = batch_->plans();
     Numbers numbers;
     std::size_t tried = 0;
-    for (std::size_t i = 0; i < plans.size() && tried < tries_; ++i)
-      for (auto pattern = plans[i]->patterns.begin(); pattern != plans[i]->patterns.end() && tried < tries_;
+    for (std::size_t i = 0; i < plans.size() && tried < kPatterns; ++i)
+      for (auto pattern = plans[i]->patterns.begin(); pattern != plans[i]->patterns.end() && tried < kPatterns;
            ++pattern) {
         ++tried;
         const std::size_t size = pattern->read(text, numbers);
         if (size == 0) continue;
-        tries_ = kPatterns;
         Plan& plan = *plans[i];
         if (pattern != plan.patterns.begin()) std::rotate(plan.patterns.begin(), pattern, pattern + 1);
         batch_->usedAgain(i);
@@ -64,7 +63,6 @@ class JsonReader final : public RecordReader {
         batch_->add(text.substr(0, size), plan, numbers);
         return size;
       }
-    if (tries_ > 1) tries_ /= 2;  // until one fits
     return 0;
   }
 
@@ -132,7 +130,7 @@ class JsonReader final : public RecordReader {
   void readElements() {
     for (std::size_t at = skipSpace(readAlike(0)); at < text_.size(); at = skipSpace(readAlike(at))) {
       const std::size_t end = endOfValue(text_, at);
-      readRecord(text_.substr(at, end - at));
+      readRecord(text_.substr(at, end - at), true);
       at = end;
     }
     passBadBefore(text_.substr(text_.size()));
@@ -160,16 +158,17 @@ class JsonReader final : public RecordReader {
           splitter = JsonSplitter(state);
           at = next;
         }
+      const bool isUnlike = splitter.isFresh();
       const JsonPiece piece = splitter.next(text_.substr(at), end);
       if (piece.event == JsonEvent::end || piece.event == JsonEvent::needMore) return;
-      take(piece, at);
+      take(piece, at, isUnlike);
       at += piece.end;
     }
   }
 
-  void take(const JsonPiece& piece, std::size_t at) {
+  void take(const JsonPiece& piece, std::size_t at, bool isUnlike) {
     if (!piece.message.empty()) batch_->bad(piece.text, RecordError(at + piece.at - offset(piece.text), piece.message));
-    if (piece.event == JsonEvent::record) readRecord(piece.text);
+    if (piece.event == JsonEvent::record) readRecord(piece.text, isUnlike);
     if (piece.event == JsonEvent::beginArray) batch_->beginArray(piece.text);
     if (piece.event == JsonEvent::endArray) batch_->endArray(piece.text);
   }
@@ -180,9 +179,9 @@ class JsonReader final : public RecordReader {
     return at;
   }
 
-  /// text: a record that was found to be one, if it is valid.
-  void readRecord(std::string_view text) {
-    if (addAlike(text) > 0) return;  // all of it, since its brackets close at its end
+  /// text: a record that was found to be one, if it is valid. isUnlike: no pattern fits it.
+  void readRecord(std::string_view text, bool isUnlike) {
+    if (!isUnlike && addAlike(text) > 0) return;  // all of it, since its brackets close at its end
     passBadBefore(text);
     if (addKnown(text)) return;
     try {
@@ -206,7 +205,7 @@ class JsonReader final : public RecordReader {
   }
 
   bool byPattern_;
-  std::size_t tries_ = kPatterns, unlike_ = 0;
+  std::size_t unlike_ = 0;
   RecordParts parts_;
   std::vector<std::string_view> names_;
   Batch* batch_ = nullptr;
