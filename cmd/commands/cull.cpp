@@ -115,7 +115,8 @@ int run(const Options& o, const CommandLine& line) {
   if (o.camera.lists()) return o.camera.list();
   const char* const alone = o.planes ? "--planes" : "--corners";
   const bool readsNothing = o.planes || o.corners;
-  if (line.has("--digits")) throw UsageError("--digits is of results that are numbers, and cull has none");
+  if (line.has(kDigitsOption))
+    throw UsageError(std::string(kDigitsOption) + " is of results that are numbers, and cull has none");
   if (o.planes && o.corners) throw UsageError("--planes and --corners are one JSON document each; ask for one of them");
   if (readsNothing)
     for (const Option& option : line.options())

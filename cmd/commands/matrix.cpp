@@ -20,7 +20,7 @@
 namespace viewproj::cmd {
 namespace {
 
-constexpr std::string_view kCamera = "camera", kSummary = "summary", kDigits = "--digits";
+constexpr std::string_view kCamera = "camera", kSummary = "summary";
 constexpr std::size_t kSummaryDigits = 9;
 
 struct Wanted {
@@ -212,8 +212,8 @@ int run(const Options& o, const CommandLine& line) {
     throw UsageError("--map and --scale are of the world, and with --model matrices begin in the model's");
   if (o.type && !toCamera) throw UsageError("--type goes with --to camera");
   for (const std::string_view option : std::initializer_list<std::string_view>{
-           "--which", "--inverse", "--bake-viewport", "--relative-to-eye", "--float", kDigits, "--model"})
-    if ((toCamera || (toSummary && option != kDigits)) && line.has(option))
+           "--which", "--inverse", "--bake-viewport", "--relative-to-eye", "--float", kDigitsOption, "--model"})
+    if ((toCamera || (toSummary && option != kDigitsOption)) && line.has(option))
       throw UsageError(std::string(option) + " goes with matrices, not with --to " + std::string(o.format));
   if (const auto output = line.valueOf(kOutputOption); output && !line.has(kFormOption)) {
     const bool isLines = isEnding(endingOf(*output), ".ndjson .jsonl");

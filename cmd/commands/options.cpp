@@ -88,7 +88,7 @@ Vec4 GivenPoint::point() const {
 }
 
 void addDigits(CommandLine& line, std::optional<std::size_t>& digits, const std::string& otherwise) {
-  addValue(line, "--digits", "N", digits, wholeNumber(1, kMostDigits),
+  addValue(line, std::string(kDigitsOption), "N", digits, wholeNumber(1, kMostDigits),
            "Significant digits of results, from 1 to " + std::to_string(kMostDigits) + " (default: " + otherwise + ")");
 }
 

@@ -49,6 +49,7 @@ struct GivenPoint {
 inline constexpr const char* kPointForm = "X,Y,Z[,W]|lat=..,lon=..,height=..";
 GivenPoint readGivenPoint(const std::string& option, const std::string& text);
 
+inline constexpr std::string_view kDigitsOption = "--digits";
 /// --digits N. otherwise: what holds where it is not given.
 void addDigits(CommandLine& line, std::optional<std::size_t>& digits, const std::string& otherwise);
 

@@ -1,7 +1,6 @@
 #include "input/record_pattern.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -17,8 +16,6 @@ constexpr std::size_t kMostValues = 1024, kMostCommon = 16384;  // bytes
 /// Arrays and objects within each other in a field that is not read.
 constexpr int kDeepest = 16;
 
-bool beginsNumber(char c) { return c == '-' || (c >= '0' && c <= '9'); }
-
 /// Not empty, as no comma or bracket is.
 std::string_view withoutSpaceAround(std::string_view text) {
   while (isJsonSpace(text.front())) text.remove_prefix(1);
@@ -26,14 +23,12 @@ std::string_view withoutSpaceAround(std::string_view text) {
   return text;
 }
 
-bool isBracket(char c) { return c == '[' || c == '{'; }
-
 /// What is no record everywhere: where it begins as an array of records or a document does, or as an array in which a
 /// line may begin as a record does.
 bool mayBeOther(const RecordParts& record) {
   if (!record.shape.isArray) return record.shape.find(kRecordsField) == 0 && record.values[0].starts_with('[');
   return std::any_of(record.values.begin(), record.values.end(),
-                     [](std::string_view value) { return isBracket(value[0]); });
+                     [](std::string_view value) { return opensJson(value[0]); });
 }
 
 /// For each field whether its value may be anything: no part of the layout, and what leaves the record one.
@@ -75,7 +70,7 @@ RecordPattern::RecordPattern(const RecordParts& record, const Layout& layout, co
     }
     for (std::size_t at = 0; at < value.size();) {
       const char c = value[at];
-      if (c != '"' && c != 't' && c != 'f' && !beginsNumber(c)) {
+      if (c != '"' && c != 't' && c != 'f' && !beginsJsonNumber(c)) {
         ++at;
         continue;
       }
@@ -83,7 +78,7 @@ RecordPattern::RecordPattern(const RecordParts& record, const Layout& layout, co
       const char* const after = passJsonSpace(value.data() + end, value.data() + value.size());
       const bool isName = c == '"' && after < value.data() + value.size() && *after == ':';
       if (!isName)
-        addPiece(begin + at, begin + end, c == '"' ? Kind::string : beginsNumber(c) ? Kind::number : Kind::flag);
+        addPiece(begin + at, begin + end, c == '"' ? Kind::string : beginsJsonNumber(c) ? Kind::number : Kind::flag);
       at = end;
     }
   }

@@ -6,6 +6,7 @@
 #include "text/csv_format.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
+#include "text/json_scan.hpp"
 #include "text/json_text.hpp"
 #include "text/parse_number.hpp"
 
@@ -110,7 +111,7 @@ class JsonWriter final : public RecordWriter {
     }
     // As written, without the closing brace.
     std::size_t end = record.text.size() - 1;
-    while (isSpace(record.text[end - 1])) --end;
+    while (isJsonSpace(record.text[end - 1])) --end;
     appendOnOneLine(out_, record.text.substr(0, end));
   }
 
@@ -208,8 +209,6 @@ class JsonWriter final : public RecordWriter {
   }
 
  private:
-  static bool isSpace(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
-
   void beginItem() {
     if (inArray_)
       out_ += inThisArray_ == 0 ? std::string_view("\n") : std::string_view(",\n");

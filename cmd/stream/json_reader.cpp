@@ -38,7 +38,7 @@ class JsonReader final : public RecordReader {
  private:
   /// Records by their patterns up to the first that has none. Returns where the last one ends, or at.
   std::size_t readAlike(std::size_t at) {
-    for (std::size_t next = skipSpace(at);; next = skipSpace(at)) {
+    for (std::size_t next = afterJsonSpace(text_, at);; next = afterJsonSpace(text_, at)) {
       const std::size_t size = addAlike(text_.substr(next, kLongestRecord));
       if (size == 0) return at;
       at = next + size;
@@ -95,40 +95,24 @@ class JsonReader final : public RecordReader {
 
   /// Into names and values; false where it is not valid, or where names have escapes.
   bool takeApart(std::string_view text) {
+    if (!opensJson(text.front())) return false;
     names_.clear();
     parts_.values.clear();
-    const char* at = text.data();
-    const char* const end = at + text.size();
-    const bool isObject = *at == '{';
-    if (!isObject && *at != '[') return false;
-    const char close = isObject ? '}' : ']';
-    for (at = passJsonSpace(at + 1, end); at < end && *at != close;) {
-      if (isObject) {
-        const char* const begin = at + 1;
-        if (!(at = passJsonString(at, end))) return false;
-        names_.emplace_back(begin, at - 1 - begin);
-        if (names_.back().find('\\') != npos) return false;
-        at = passJsonSpace(at, end);
-        if (at == end || *at != ':') return false;
-        at = passJsonSpace(at + 1, end);
-      }
-      const char* const begin = at;
-      if (!(at = passJson(at, end, kDeepest))) return false;
-      parts_.values.emplace_back(begin, at - begin);
-      at = passJsonSpace(at, end);
-      if (at < end && *at == ',') {
-        at = passJsonSpace(at + 1, end);
-        if (at < end && *at == close) return false;
-      } else if (at < end && *at != close) {
-        return false;
-      }
-    }
-    return at + 1 == end;
+    bool isPlain = true;
+    const char* const end = text.data() + text.size();
+    const auto take = [&](std::string_view name, std::string_view value) {
+      parts_.values.push_back(value);
+      if (name.empty()) return;
+      names_.push_back(name.substr(1, name.size() - 2));
+      isPlain = isPlain && name.find('\\') == npos;
+    };
+    return passJsonItems(text.data(), end, kDeepest, take) == end && isPlain;
   }
 
   /// An array's records, separated by white space, and between them what the block says is wrong.
   void readElements() {
-    for (std::size_t at = skipSpace(readAlike(0)); at < text_.size(); at = skipSpace(readAlike(at))) {
+    for (std::size_t at = afterJsonSpace(text_, readAlike(0)); at < text_.size();
+         at = afterJsonSpace(text_, readAlike(at))) {
       const std::size_t end = endOfValue(text_, at);
       readRecord(text_.substr(at, end - at), true);
       at = end;
@@ -174,10 +158,6 @@ class JsonReader final : public RecordReader {
   }
 
   std::size_t offset(std::string_view part) const { return static_cast<std::size_t>(part.data() - text_.data()); }
-  std::size_t skipSpace(std::size_t at) const {
-    while (at < text_.size() && isJsonSpace(text_[at])) ++at;
-    return at;
-  }
 
   /// text: a record that was found to be one, if it is valid. isUnlike: no pattern fits it.
   void readRecord(std::string_view text, bool isUnlike) {

@@ -5,6 +5,7 @@
 
 #include "input/record.hpp"
 #include "text/error.hpp"
+#include "text/json_scan.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -18,13 +19,6 @@ constexpr const char* kNotClosed = "the array is not closed; expected ]";
 using Place = JsonState::Place;
 using Passing = JsonState::Passing;
 
-std::size_t skipSpace(std::string_view text, std::size_t at) {
-  return std::min(text.find_first_not_of(kSpace, at), text.size());
-}
-
-bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
-bool beginsNumber(char c) { return c == '-' || (c >= '0' && c <= '9'); }
-bool opens(char c) { return c == '{' || c == '['; }
 bool closes(char c) { return c == '}' || c == ']'; }
 
 /// What a scan for brackets passes over at once: all but white space, quotes and brackets.
@@ -69,7 +63,7 @@ std::size_t findLastLineBreak(std::string_view text) {
 std::size_t lastBorder(std::string_view text, std::size_t from) {
   for (std::size_t at = text.find_last_of("{["); at != npos && at > 0 && at >= from;
        at = text.find_last_of("{[", at - 1)) {
-    if (!isSpace(text[at - 1])) continue;
+    if (!isJsonSpace(text[at - 1])) continue;
     const std::size_t before = text.find_last_not_of(kSpace, at - 1);
     if (before != npos && closes(text[before]) && findLineBreak(text.substr(0, at), before) != npos) return at;
   }
@@ -80,11 +74,11 @@ bool mayOpenArray(std::string_view text) {
   const std::size_t first = text.find('[');
   if (first == npos) return false;
   for (std::size_t at = first; at != npos; at = text.find('[', at + 1)) {
-    const std::size_t inner = skipSpace(text, at + 1);
-    if (inner == text.size() || opens(text[inner]) || text[inner] == ']') return true;
+    const std::size_t inner = afterJsonSpace(text, at + 1);
+    if (inner == text.size() || opensJson(text[inner]) || text[inner] == ']') return true;
   }
   for (std::size_t at = text.find('{'); at != npos; at = text.find('{', at + 1)) {
-    const std::size_t quote = skipSpace(text, at + 1);
+    const std::size_t quote = afterJsonSpace(text, at + 1);
     if (quote == text.size()) return true;
     if (text[quote] != '"') continue;
     const std::string_view key = text.substr(quote + 1, kPoints.size());
@@ -134,7 +128,7 @@ JsonPiece JsonSplitter::next(std::string_view rest, End end) {
   if (state_.passing != Passing::nothing)
     if (const JsonPiece passed = pass(rest); passed.end > 0) return passed;
   if (scanned_ > 0) return rest[looked_] == ']' ? endOfDocument(rest, looked_, atEnd) : atBracket(rest, looked_, atEnd);
-  const std::size_t at = skipSpace(rest, 0);
+  const std::size_t at = afterJsonSpace(rest, 0);
   if (at >= rest.size()) {
     if (atEnd) return atEndOf(rest, end);
     if (rest.empty()) return {};
@@ -143,7 +137,7 @@ JsonPiece JsonSplitter::next(std::string_view rest, End end) {
   }
   switch (state_.place) {
     case Place::top:
-      return opens(rest[at]) ? atBracket(rest, at, atEnd) : junk(rest, at, kNoRecord);
+      return opensJson(rest[at]) ? atBracket(rest, at, atEnd) : junk(rest, at, kNoRecord);
     case Place::afterRecord:
     case Place::afterBad:
       return afterRecord(rest, at, atEnd);
@@ -154,7 +148,7 @@ JsonPiece JsonSplitter::next(std::string_view rest, End end) {
       break;
   }
   if (rest[at] == ',' || rest[at] == ']') return missing(rest, at, kNoRecord, Place::afterBad);
-  if (!opens(rest[at])) return junk(rest, at, kNoRecord);
+  if (!opensJson(rest[at])) return junk(rest, at, kNoRecord);
   if (endsArraysLine(rest, at) && state_.place == Place::inArray) {
     const DocumentStart start = arrayStart(rest, at);
     if (start == DocumentStart::undecided && !atEnd) return {};
@@ -170,7 +164,7 @@ JsonPiece JsonSplitter::afterRecord(std::string_view rest, std::size_t at, bool 
     return comma;
   }
   if (rest[at] == ']') return endOfArray(rest, at, atEnd);
-  if (!opens(rest[at])) return junk(rest, at, kNoSeparator);
+  if (!opensJson(rest[at])) return junk(rest, at, kNoSeparator);
   DocumentStart start = DocumentStart::yes;
   if (!endsArraysLine(rest, at)) start = arrayStart(rest, at);
   if (start == DocumentStart::undecided && !atEnd) return {};
@@ -219,7 +213,7 @@ JsonPiece JsonSplitter::pass(std::string_view rest) {
         state_.escaped = true;
       else if (c == '"')
         state_.inString = !state_.inString;
-      else if (!state_.inString && (opens(c) || (insideArray() && (c == ',' || c == ']'))))
+      else if (!state_.inString && (opensJson(c) || (insideArray() && (c == ',' || c == ']'))))
         break;
     }
     if (at < rest.size()) state_.passing = Passing::nothing;
@@ -232,8 +226,8 @@ JsonPiece JsonSplitter::pass(std::string_view rest) {
       if (isLineBreak(c)) {
         blank = true;
         column = npos;  // 0 at the next
-      } else if (!isSpace(c)) {
-        const bool asRecord = opens(c) && (column <= state_.linesColumn || closes(before));
+      } else if (!isJsonSpace(c)) {
+        const bool asRecord = opensJson(c) && (column <= state_.linesColumn || closes(before));
         if (blank && (asRecord || (c == ']' && insideArray() && column <= state_.linesColumn))) {
           state_.passing = Passing::nothing;
           break;
@@ -256,7 +250,7 @@ JsonSplitter::DocumentStart JsonSplitter::documentStart(std::string_view rest, s
     step_ = 1;
   }
   for (;;) {
-    looked_ = skipSpace(rest, looked_);
+    looked_ = afterJsonSpace(rest, looked_);
     if (looked_ >= rest.size()) return DocumentStart::undecided;
     const char c = rest[looked_];
     if (step_ == 1) {
@@ -283,10 +277,10 @@ JsonSplitter::DocumentStart JsonSplitter::documentStart(std::string_view rest, s
 /// Whether what starts at `at` is an array or a document of records, were it not in an array.
 JsonSplitter::DocumentStart JsonSplitter::arrayStart(std::string_view rest, std::size_t at) {
   if (rest[at] == '{') return documentStart(rest, at);
-  looked_ = skipSpace(rest, std::max(looked_, at + 1));
+  looked_ = afterJsonSpace(rest, std::max(looked_, at + 1));
   if (looked_ >= rest.size()) return DocumentStart::undecided;
   const char c = rest[looked_];
-  return opens(c) || c == ']' ? DocumentStart::yes : DocumentStart::no;
+  return opensJson(c) || c == ']' ? DocumentStart::yes : DocumentStart::no;
 }
 
 JsonPiece JsonSplitter::atBracket(std::string_view rest, std::size_t at, bool atEnd) {
@@ -313,7 +307,7 @@ JsonPiece JsonSplitter::atBracket(std::string_view rest, std::size_t at, bool at
     }
   }
   // Of numbers, or in an array: no brackets belong into it. looked_: what comes after the bracket.
-  const bool numbers = scanned_ == 0 && looked_ < rest.size() && beginsNumber(rest[looked_]);
+  const bool numbers = scanned_ == 0 && looked_ < rest.size() && beginsJsonNumber(rest[looked_]);
   const bool flat = rest[at] == '[' && (insideArray() || numbers);
   switch (scan(rest, at, rest[at], flat, atEnd)) {
     case Scan::needMore:
@@ -368,7 +362,7 @@ JsonSplitter::Scan JsonSplitter::scan(std::string_view rest, std::size_t begin, 
       lineBegins_ = false;
       continue;
     }
-    if (isSpace(c)) {
+    if (isJsonSpace(c)) {
       if (isLineBreak(c)) {
         lineBegins_ = true;
         line_ = scanned_ + 1;
@@ -380,7 +374,7 @@ JsonSplitter::Scan JsonSplitter::scan(std::string_view rest, std::size_t begin, 
     lineBegins_ = false;
     if (c == '"') {
       inString_ = true;
-    } else if (opens(c)) {
+    } else if (opensJson(c)) {
       if (lineBegins) {
         if (closes(before_)) return Scan::failed;
         if (scanned_ - line_ <= column_) {
@@ -404,7 +398,7 @@ JsonSplitter::Scan JsonSplitter::scan(std::string_view rest, std::size_t begin, 
   if (open_.empty()) {
     if (lastEnd_ == npos || rest[begin] == ']') return Scan::closed;
     // It may have been closed by what closes the array.
-    const std::size_t after = skipSpace(rest, scanned_);
+    const std::size_t after = afterJsonSpace(rest, scanned_);
     if (after == rest.size() && !atEnd) return Scan::needMore;
     if (after < rest.size() && (rest[after] == ',' || rest[after] == ']')) return Scan::closed;
     scanned_ = lastEnd_;
@@ -425,7 +419,7 @@ void JsonSplitter::noteUnclosed(std::string_view rest, std::size_t begin) {
     const char c = text[at];
     if (c == '"') {
       for (++at; at < text.size() && text[at] != '"'; ++at) at += text[at] == '\\';
-    } else if (opens(c) || closes(c)) {
+    } else if (opensJson(c) || closes(c)) {
       (*unclosed)[at] = true;
     }
   }
@@ -456,7 +450,7 @@ std::size_t JsonSplitter::nextLineOfRecord(std::string_view rest, std::size_t fr
        lineBreak = findLineBreak(text, lineBreak + 1)) {
     const std::size_t first = text.find_first_not_of(" \t", lineBreak + 1);
     if (first == npos) break;
-    const bool asRecord = opens(text[first]) || (text[first] == ']' && insideArray());
+    const bool asRecord = opensJson(text[first]) || (text[first] == ']' && insideArray());
     if (asRecord && first - lineBreak - 1 <= column) return first;
   }
   return npos;
@@ -501,13 +495,13 @@ JsonPiece JsonSplitter::endOfArray(std::string_view rest, std::size_t at, bool a
   if (state_.inDocument) {
     // After its array and a comma a name stands.
     if (step_ == 0) {
-      looked_ = skipSpace(rest, std::max(looked_, at + 1));
+      looked_ = afterJsonSpace(rest, std::max(looked_, at + 1));
       if (looked_ == rest.size() && !atEnd) return {};
       if (looked_ < rest.size() && rest[looked_] == ',') ++looked_;
       step_ = looked_ > at && looked_ <= rest.size() && rest[looked_ - 1] == ',' ? 1 : 2;
     }
     if (step_ == 1) {
-      looked_ = skipSpace(rest, looked_);
+      looked_ = afterJsonSpace(rest, looked_);
       if (looked_ == rest.size() && !atEnd) return {};
       if (looked_ < rest.size() && rest[looked_] != '"' && rest[looked_] != '}') return junk(rest, at, kNoSeparator);
       step_ = 2;

@@ -62,28 +62,6 @@ const char* passNumber(const char* at, const char* end) {
   return after ? after : readJsonNumber(at, end, unused);
 }
 
-/// Of an array or object.
-const char* passItems(const char* at, const char* end, int depth) {
-  const bool isObject = *at == '{';
-  const char close = isObject ? '}' : ']';
-  at = passJsonSpace(at + 1, end);
-  if (at < end && *at == close) return at + 1;
-  for (;;) {
-    if (isObject) {
-      if (!(at = passJsonString(at, end))) return nullptr;
-      at = passJsonSpace(at, end);
-      if (at == end || *at != ':') return nullptr;
-      at = passJsonSpace(at + 1, end);
-    }
-    if (!(at = passJson(at, end, depth))) return nullptr;
-    at = passJsonSpace(at, end);
-    if (at == end) return nullptr;
-    if (*at == close) return at + 1;
-    if (*at != ',') return nullptr;
-    at = passJsonSpace(at + 1, end);
-  }
-}
-
 }  // namespace
 
 const char* passJsonString(const char* at, const char* end) {
@@ -111,7 +89,7 @@ const char* passJson(const char* at, const char* end, int depth) {
       return passJsonString(at, end);
     case '[':
     case '{':
-      return depth > 0 ? passItems(at, end, depth - 1) : nullptr;
+      return depth > 0 ? passJsonItems(at, end, depth - 1, [](std::string_view, std::string_view) {}) : nullptr;
     case 'n':
       return passWord(at, end, "null");
     case 't':

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "text/json_scan.hpp"
 #include "text/visible.hpp"
 
 namespace viewproj::cmd {
 namespace {
-
-bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
 std::size_t endOfString(std::string_view text, std::size_t at) {
   for (++at; at < text.size() && text[at] != '"'; ++at)
@@ -122,16 +121,11 @@ std::optional<JsonFault> faultOf(std::string_view text, Judge& judge) {
   return std::nullopt;
 }
 
-std::size_t afterSpace(std::string_view text, std::size_t at) {
-  while (at < text.size() && isSpace(text[at])) ++at;
-  return at;
-}
-
 /// Where a key of valid JSON stands, which are counted from 0.
 std::size_t offsetOfKey(std::string_view text, std::size_t number) {
   for (std::size_t at = 0; at < text.size(); ++at) {
     if (text[at] != '"') continue;
-    const std::size_t end = endOfString(text, at), next = afterSpace(text, end);
+    const std::size_t end = endOfString(text, at), next = afterJsonSpace(text, end);
     if (next < text.size() && text[next] == ':' && number-- == 0) return at;
     at = end - 1;
   }
@@ -205,7 +199,7 @@ std::size_t endOfValue(std::string_view text, std::size_t at) {
     } else if (c == '}' || c == ']') {
       if (depth == 0) return at;  // after a scalar
       --depth;
-    } else if (depth == 0 && (c == ',' || isSpace(c))) {
+    } else if (depth == 0 && (c == ',' || isJsonSpace(c))) {
       return at;
     } else {
       continue;
@@ -216,16 +210,16 @@ std::size_t endOfValue(std::string_view text, std::size_t at) {
 }
 
 std::optional<JsonParts::Part> JsonParts::begin() {
-  at_ = afterSpace(text_, at_);
+  at_ = afterJsonSpace(text_, at_);
   if (at_ < text_.size() && text_[at_] == ',') ++at_;
-  at_ = afterSpace(text_, at_);
+  at_ = afterJsonSpace(text_, at_);
   if (at_ >= text_.size() || text_[at_] == '}' || text_[at_] == ']') return std::nullopt;
   Part part{{}, {}, at_};
   if (isObject_) {
     const std::size_t end = endOfString(text_, at_);
     part.key = text_.substr(at_ + 1, end - at_ - 2);
-    at_ = afterSpace(text_, end);
-    at_ = afterSpace(text_, at_ + 1);  // after the colon
+    at_ = afterJsonSpace(text_, end);
+    at_ = afterJsonSpace(text_, at_ + 1);  // after the colon
   }
   part.value = text_.substr(at_);
   return part;
