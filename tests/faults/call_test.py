@@ -3,6 +3,7 @@
 VIEWPROJ_FAULT_ALL=1 in the environment: every allocation, where a sample is tried otherwise.
 """
 import errno
+import functools
 import os
 import unittest
 
@@ -11,6 +12,18 @@ from tool import FaultTest, RUNS, run
 
 LIBRARY = os.environ["VIEWPROJ_FAULT_LIBRARY"]
 MOST_A_RUN = 10**9 if "VIEWPROJ_FAULT_ALL" in os.environ else 3
+
+
+@functools.cache
+def counted():
+    """Every run without a fault: its arguments and input, what it does, and how often it makes which call."""
+    found = []
+    for arguments, given in RUNS:
+        counts = {"LD_PRELOAD": LIBRARY, "VIEWPROJ_FAULT_COUNTS": "counts"}
+        done = run(arguments, given, env={**os.environ, **counts})
+        with open("counts", encoding="ascii") as lines:
+            found.append((arguments, given, done, {call: int(count) for call, count in map(str.split, lines)}))
+    return found
 
 
 def faulty(arguments, given, call, number, kind):
@@ -24,13 +37,10 @@ class Calls(FaultTest):
         """check(arguments, given, number, expected) for the calls of that name in every run; expected: without fault."""
         tried = 0
         seen = 0
-        for arguments, given in RUNS:
+        for arguments, given, expected, counts in counted():
             if not wanted(arguments):
                 continue
-            count = {"LD_PRELOAD": LIBRARY, "VIEWPROJ_FAULT_COUNTS": "counts"}
-            expected = run(arguments, given, env={**os.environ, **count})
-            with open("counts") as counts:
-                calls = int(dict(line.split() for line in counts)[call])
+            calls = counts[call]
             step = max(1, calls // MOST_A_RUN)
             seen += 1
             for number in range(1 + seen % step, calls + 1, step):

@@ -6,7 +6,7 @@ import time
 from pathlib import Path
 
 import tool
-from tool import CAMERA, FaultTest, run
+from tool import CAMERA, FaultTest, run, untroubled
 
 
 def many_points(count):
@@ -16,7 +16,7 @@ def many_points(count):
 class Outputs(FaultTest):
     def test_without_a_fault_all_goes_well(self):
         def check(arguments, given):
-            done = run(arguments, given)
+            done = untroubled(arguments, given)
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertNotEqual(done.stdout, b"")
             if arguments[0] != "measure":
@@ -35,7 +35,7 @@ class Outputs(FaultTest):
 
     def test_messages_that_cannot_be_written_change_nothing_else(self):
         def check(arguments, given):
-            told = run(arguments, given)
+            told = untroubled(arguments, given)
             with open("/dev/full", "wb") as full:
                 untold = run(arguments, given, stderr=full)
             self.assertEqual(untold.returncode, told.returncode)
@@ -65,7 +65,7 @@ class Outputs(FaultTest):
 
     def test_a_closed_standard_error_changes_nothing_else(self):
         def check(arguments, given):
-            told = run(arguments, given)
+            told = untroubled(arguments, given)
             untold = run(arguments, given, before=lambda: os.close(2))
             self.assertEqual(untold.returncode, told.returncode)
             if arguments[0] != "measure":
@@ -165,7 +165,7 @@ class SlowReaders(FaultTest):
         def check(arguments, given):
             if not given:
                 return
-            expected = run(arguments, given)
+            expected = untroubled(arguments, given)
             for nonblocking in (False, True):
                 reading, writing = os.pipe()
                 os.set_blocking(reading, not nonblocking)

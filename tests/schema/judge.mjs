@@ -1,5 +1,5 @@
 // ajv against the readers. See schemas.sh.
-//   node judge.mjs VIEWPROJ SCHEMA_READER SCRATCH
+//   node judge.mjs VIEWPROJ SCHEMA_READER TRANSCRIPTS SCRATCH
 import { spawnSync } from "node:child_process";
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -12,7 +12,7 @@ import { checkResults } from "./results.mjs";
 import { kRules, ruleOf } from "./rules.mjs";
 import { parsed, readRuns, valuesOf } from "./runs.mjs";
 
-const [tool, reader, scratch] = process.argv.slice(2);
+const [tool, reader, transcripts, scratch] = process.argv.slice(2);
 
 const faults = [];
 const fault = (text) => faults.push(text);
@@ -115,8 +115,8 @@ function compare(kind, given, by, tally, rules) {
   });
 }
 
-// What the golden cases and the samples read.
-const runs = readRuns(join(scratch, "recorded"));
+// What the transcripts read.
+const runs = readRuns(transcripts);
 const rules = new Tally();
 {
   const texts = { camera: new Set(), scene: new Set(), points: new Set(), shapes: new Set(), pixels: new Set() };
@@ -133,9 +133,9 @@ const rules = new Tally();
   for (const kind of Object.keys(texts)) {
     texts[kind].delete(undefined);
     compare(kind, [...texts[kind]], undefined, tally, rules);
-    if (tally.get(`${kind}: accepted by the reader`) < 5) fault(`${kind}: too few in the golden cases and samples`);
+    if (tally.get(`${kind}: accepted by the reader`) < 5) fault(`${kind}: too few in the transcripts`);
   }
-  say("documents of the golden cases and samples:\n" + tally);
+  say("documents of the transcripts:\n" + tally);
 }
 
 // The names that a field may have: those that the reader knows are those of the schema.

@@ -32,7 +32,7 @@ const kUnknown = ["colour", "fov", "fovy", "Position", "extra", "points", "z", "
 const kBeyond90 = [90, -90, 90.5, -90.5], kAngle = [0, 180, 179.5, 180.5], kZero = [0, 5e-324, -5e-324];
 const kLimits = {
   lat: kBeyond90, pitch: kBeyond90, fovY: kAngle, fovX: kAngle, fovDiagonal: kAngle, near: kZero, far: kZero, fx: kZero, fy: kZero,
-  scrz: kZero, ax: kZero, ay: kZero, width: kZero, height: kZero, aspect: kZero, nearWidth: kZero, nearHeight: kZero,
+  scrz: kZero, ax: kZero, ay: kZero, width: kZero, height: [...kZero, -1000000.5], aspect: kZero, nearWidth: kZero, nearHeight: kZero,
   focalLength: kZero, sensorWidth: kZero, sensorHeight: kZero, radius: kZero, skew: kZero, w: kZero, viewDistance: kZero,
 };
 
@@ -40,6 +40,7 @@ const kLimits = {
 const kNeighbours = {
   type: { fovY: 60, fovX: 60, aspect: 1.5, nearWidth: 1, nearHeight: 1, focalLength: 35, sensorWidth: 36, sensorHeight: 24, width: 2, left: -1 },
   position: { up: [0, 0.5, 1], cameraAxes: "RUB", heading: 10, target: [50, 40, 30], direction: [1, 1, 1], world: "ecef" },
+  direction: { up: (at) => at.direction },
   worldFromCamera: { position: [1, 2, 3], up: [0, 1, 0] },
   cameraFromWorld: { position: [1, 2, 3], up: [0, 1, 0] },
   screen: { z: 1, x: 1, pixel: [1, 2] },
@@ -97,10 +98,10 @@ export const kMutations = {
     const found = objects.flatMap((at) => Object.keys(at).filter((key) => key in kNeighbours).map((key) => [at, kNeighbours[key]]));
     if (found.length === 0) return false;
     const [at, fields] = r.of(found), name = r.of(Object.keys(fields));
-    at[name] = structuredClone(fields[name]);
+    at[name] = structuredClone(fields[name] instanceof Function ? fields[name](at) : fields[name]);
   },
   "scale a number": (r, root) => replace(r, root, (v) => typeof v === "number", (v) => v * r.of([2, 1000, -10, 0.001])),
-  "write a number as a string": (r, root) => replace(r, root, (v) => typeof v === "number", (v) => String(v)),
+  "write a number as a string": (r, root) => replace(r, root, (v) => typeof v === "number", (v) => String(v) + r.of(["", "deg", "e3deg"])),
   "put all 0": (r, root) => replace(r, root, Array.isArray, (v) => v.map(() => 0)),
   "shorten an array": (r, root) => replace(r, root, (v) => Array.isArray(v) && v.length > 0, (v) => v.slice(0, -1)),
   "lengthen an array": (r, root) => replace(r, root, (v) => Array.isArray(v) && v.length > 0, (v) => [...v, v[r.below(v.length)]]),

@@ -1,8 +1,8 @@
-// The recorded runs of the tool (see record.cpp): what they read and printed.
-import { existsSync, readdirSync, readFileSync, statSync } from "node:fs";
-import { join, resolve } from "node:path";
+// The runs of the transcripts (see cmd/transcripts.py) that can be told without a shell: their arguments and input, and what
+// they print.
+import { existsSync, readdirSync, readFileSync } from "node:fs";
+import { join } from "node:path";
 
-const kLargest = 300000;
 const kWithValue = new Set(
   ("-c --camera --viewport --set --read-as --convention --ndc-z --which --to --type --from --columns --prefix --jobs " +
     "--first-line --precision --tolerance --fields --model --point --pixel --ray-from --scene --at --gap --resolve " +
@@ -10,35 +10,76 @@ const kWithValue = new Set(
     "--delimiter --decimal --comment").split(" "),
 );
 
-/// The text of a file that is not too large, or nothing.
-export function textOf(file) {
-  if (!existsSync(file)) return undefined;
-  const status = statSync(file);
-  if (!status.isFile() || status.size > kLargest) return undefined;
-  return readFileSync(file, "utf8").replace(/^\uFEFF/, "");
+/// The words of a line, "|" and "<" among them; nothing where a shell does more than put words together.
+function wordsOf(line) {
+  const kPart = /'([^']*)'|"([^"$`\\]*)"|(\||<(?!<))|([^\s'"|<>$`\\;&*?()]+)|(\s+)/y;
+  const words = [];
+  let word;
+  const end = () => void (word !== undefined && words.push(word), (word = undefined));
+  for (let part; kPart.lastIndex < line.length; ) {
+    if (!(part = kPart.exec(line))) return undefined;
+    const [, single, double, sign, plain, blank] = part;
+    if (sign || blank) end();
+    if (sign) words.push({ sign });
+    else if (!blank) word = (word ?? "") + (single ?? double ?? plain);
+  }
+  end();
+  return words;
+}
+
+/// What a command before the pipe prints, or nothing.
+function printed([program, ...words]) {
+  if (program === "echo") return words.join(" ");
+  if (program !== "printf" || words.length === 0 || /%|\\[^n]/.test(words[0].replace(/^%s\\n$/, ""))) return undefined;
+  return words[0] === "%s\\n" ? words.slice(1).join("\n") : words[0].replaceAll("\\n", "\n");
+}
+
+/// The run that a line is, or nothing. fileOf: the text of a file, or nothing.
+function runOf(line, fileOf) {
+  const words = wordsOf(line);
+  if (!words) return undefined;
+  const stages = [[]];
+  for (const word of words) word.sign === "|" ? stages.push([]) : stages.at(-1).push(word);
+  const [program, command, ...args] = stages.pop();
+  if (program !== "viewproj" || stages.length > 1) return undefined;
+  const run = { command, options: {}, flags: new Set(), files: [] };
+  let input = stages.length ? printed(stages[0]) : undefined;
+  for (let i = 0; i < args.length; ++i) {
+    if (args[i].sign) input = fileOf(args[++i]);
+    else if (kWithValue.has(args[i])) run.options[args[i] === "-c" ? "--camera" : args[i]] = args[++i];
+    else if (args[i].startsWith("--") && args[i].includes("=")) run.options[args[i].split("=")[0]] = args[i].replace(/^[^=]*=/, "");
+    else if (args[i].startsWith("-") && args[i] !== "-") run.flags.add(args[i]);
+    else run.files.push(args[i]);
+  }
+  run.text = (given) => {
+    if (given === undefined || given === "-") return input;
+    return given.trimStart().startsWith("{") ? given : fileOf(given.replace(/#.*$/, ""));
+  };
+  return run;
 }
 
 export function readRuns(folder) {
-  return readdirSync(folder).map((name) => {
-    const at = (part) => join(folder, name, part);
-    const [command, ...args] = readFileSync(at("args"), "utf8").split("\0").slice(0, -1);
-    const run = { command, options: {}, flags: new Set(), files: [], folder: readFileSync(at("cwd"), "utf8").trim() };
-    for (let i = 0; i < args.length; ++i) {
-      if (kWithValue.has(args[i])) run.options[args[i] === "-c" ? "--camera" : args[i]] = args[++i];
-      else if (args[i].startsWith("--") && args[i].includes("=")) run.options[args[i].split("=")[0]] = args[i].replace(/^[^=]*=/, "");
-      else if (args[i].startsWith("-") && args[i] !== "-") run.flags.add(args[i]);
-      else run.files.push(args[i]);
-    }
-    const standardInput = () => textOf(at("in"));
-    run.text = (given) => {
-      if (given === undefined || given === "-") return standardInput();
-      if (given.trimStart().startsWith("{")) return given;
-      return textOf(resolve(run.folder, given.replace(/#.*$/, "")));
+  const runs = [];
+  for (const name of readdirSync(folder).filter((name) => name.endsWith(".txt"))) {
+    let files, lines; // of the case; and those that a file or an output has
+    const fileOf = (file) => {
+      if (files.has(file)) return files.get(file).join("\n");
+      const beside = file.startsWith("../") && join(folder, file.slice(3));
+      return beside && existsSync(beside) ? readFileSync(beside, "utf8").replace(/^\uFEFF/, "") : undefined;
     };
-    run.status = existsSync(at("status")) ? Number(readFileSync(at("status"), "utf8")) : NaN;
-    run.output = textOf(at("out")) ?? "";
-    return run;
-  });
+    for (const line of readFileSync(join(folder, name), "utf8").split("\n")) {
+      const mark = line.slice(0, 2), output = [];
+      if (mark === "==") files = new Map();
+      else if (mark === "--") files.set(line.slice(3), (lines = output));
+      else if (mark === "$ ") {
+        const run = runOf(line.slice(2), fileOf);
+        lines = output;
+        if (run) runs.push({ ...run, lines });
+      } else if (mark === "> " && runs.at(-1)?.lines === lines) runs.pop();
+      else if (mark === "  " || line === "") lines?.push(line.slice(2).replace(/ \(no-eol\)$/, ""));
+    }
+  }
+  return runs.map((run) => ({ ...run, output: run.lines.join("\n") }));
 }
 
 /// The values of a JSON sequence, as text; nothing if it is none.

@@ -9,7 +9,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// Long against the clock's resolution, short against the machine's moods.
-constexpr double kShortestTurn = 2e-3;
+constexpr double kTurn = 2e-3;
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -19,18 +19,19 @@ double secondsOf(const std::function<void()>& work, std::size_t repeats) {
   return secondsSince(start);
 }
 
-std::size_t repeatsFor(const std::function<void()>& work) {
+std::size_t repeatsFor(const std::function<void()>& work, double turn) {
   secondsOf(work, 1);
   std::size_t repeats = 1;
-  while (secondsOf(work, repeats) < kShortestTurn) repeats *= 2;
+  while (secondsOf(work, repeats) < turn) repeats *= 2;
   return repeats;
 }
 
 }  // namespace
 
 InterleavedTimings timeInterleaved(std::span<const std::function<void()>> works, double seconds) {
+  const double turn = std::min(kTurn, seconds / static_cast<double>(kFewestRounds * works.size()));
   std::vector<std::size_t> repeats;
-  for (const auto& work : works) repeats.push_back(repeatsFor(work));
+  for (const auto& work : works) repeats.push_back(repeatsFor(work, turn));
   std::vector<std::vector<double>> runs(works.size());
   InterleavedTimings timings;
   const Clock::time_point start = Clock::now();
