@@ -11,7 +11,7 @@ namespace tool {
 
 /// What it prints; it must succeed. arguments: as a shell takes them.
 inline std::string printed(const std::string& arguments) {
-  const std::string command = std::string(VIEWPROJ_TOOL) + " " + arguments;
+  const std::string command = "exec " VIEWPROJ_TOOL " " + arguments;
   INFO(command);
   FILE* pipe = popen(command.c_str(), "r");
   REQUIRE(pipe);

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The recipes for GNU parallel, run as the page of commands states them: each must give what one run of viewproj gives, byte for
+# The recipes for GNU parallel of the page of commands, with blocks of a tenth of the size: each must give what one run of viewproj gives, byte for
 # byte, and those with --first-line the same place of what is wrong.
 #   sh parallel.sh VIEWPROJ cmd/README.md
 # 77: GNU parallel is not there. Recipes are the paragraphs of the sh blocks that call parallel. Hosts are this one: a stand-in takes the place of ssh.
@@ -41,10 +41,10 @@ END
 awk 'BEGIN {
   s = 1
   print "id,x,y,z" >"points.csv"
-  for (i = 1; i <= 1100000; ++i) {
+  for (i = 1; i <= 110000; ++i) {
     for (k = 0; k < 3; ++k) { s = s * 16807 % 2147483647; p[k] = s % 100001 / 1000 - 50 }
     print p[0], p[1], p[2] >"points.txt"
-    if (i > 500000) continue
+    if (i > 50000) continue
     printf "{\"id\":\"p%d\",\"x\":%g,\"y\":%g,\"z\":%g}\n", i, p[0], p[1], p[2] >"points.ndjson"
     printf "p%d,%g,%g,%g\n", i, p[0], p[1], p[2] >"points.csv"
   }
@@ -54,7 +54,10 @@ viewproj project -c camera.json --to f64 points.txt >points.f64
 awk '
   /^```sh$/ { inside = 1; text = ""; next }
   inside && (/^```$/ || /^$/) {
-    if (text ~ /parallel/) printf "%s", text >("recipes/" ++count)
+    sizes = gsub(/--block 10M/, "--block 1M", text) + gsub(/--block 24m/, "--block 2400000", text) + gsub(/--block 50M/, "--block 5M", text)
+    gsub(/100000/, "10000", text)
+    if (sizes) printf "%s", text >("recipes/" ++count)
+    else if (text ~ /parallel/) exit 1
     if (/^```$/) inside = 0
     text = ""
     next
@@ -90,9 +93,9 @@ done
 [ -s "$HOSTS" ] || { recipe=/dev/null; complain 'no recipe went to another host'; }
 
 # Something wrong near the end: a number that is a word, or not a number.
-sed -i '480000s/:\([-0-9.]*\),/:x\1,/' points.ndjson
-sed -i '480000s/,/,x/' points.csv
-{ head -c 25000008 points.f64; printf '\0\0\0\0\0\0\370\177'; tail -c +25000017 points.f64; } >bad && mv bad points.f64
+sed -i '48000s/:\([-0-9.]*\),/:x\1,/' points.ndjson
+sed -i '48000s/,/,x/' points.csv
+{ head -c 2500008 points.f64; printf '\0\0\0\0\0\0\370\177'; tail -c +2500017 points.f64; } >bad && mv bad points.f64
 for recipe in recipes/*; do
   try 1
   if viewproj project -c camera.json "points.$form" >plain 2>plainly; then complain 'one run takes it'; fi

@@ -145,29 +145,32 @@ def shaders(cases):
     """Compiled by Khronos's compiler; in the order that each language's constructor takes."""
     if not shutil.which("glslangValidator"):
         missing("glslangValidator")
-    compiled = 0
-    for expected in cases:
-        names = list(expected.paper)
-        glsl, hlsl, wgsl = (matrix(expected.case, form) for form in ("glsl", "hlsl", "wgsl"))
-        check(numbers_in(glsl) == numbers_in(wgsl), f"wgsl and glsl {expected.case}")
-        for name in names:
-            columns = sum(floats(transposed(expected.acting[name])), [])
-            check(numbers_in(glsl)[name] == columns, f"glsl {expected.case} {name}")
-            check(numbers_in(hlsl)[name] == sum(floats(expected.paper[name]), []), f"hlsl {expected.case} {name}")
-        if not (expected.case[0] == "perspective" or expected.case[1] in ("opengl", "d3d")):
-            continue
-        compiled += 1
-        product = " + ".join(f"{name} * vec4(1.0)" for name in names)
-        for version in ("#version 300 es\nprecision highp float;\n", "#version 450\n"):
-            source = version + glsl + f"void main() {{ gl_Position = {product}; }}\n"
-            status, out, _ = run("glslangValidator", "--stdin", "-S", "vert", text=source)
-            check(status == 0, f"glsl {expected.case}: {out}")
-        row = expected.convention["vectors"] == "row"
-        product = " + ".join(f"mul(p, {name})" if row else f"mul({name}, p)" for name in names)
-        source = hlsl + f"float4 main(float4 p : POSITION) : SV_Position {{ return {product}; }}\n"
-        status, out, _ = run("glslangValidator", "--stdin", "-D", "-S", "vert", "-e", "main", "-V", "-o", os.devnull,
-                             text=source)
-        check(status == 0, f"hlsl {expected.case}: {out}")
+    versions = {"es": "#version 300 es\nprecision highp float;\n", "core": "#version 450\n"}
+    hlsl_text, products, compiled = "", "", 0
+    with tempfile.TemporaryDirectory() as work:
+        for expected in cases:
+            names = list(expected.paper)
+            glsl, hlsl, wgsl = (matrix(expected.case, form) for form in ("glsl", "hlsl", "wgsl"))
+            check(numbers_in(glsl) == numbers_in(wgsl), f"wgsl and glsl {expected.case}")
+            for name in names:
+                columns = sum(floats(transposed(expected.acting[name])), [])
+                check(numbers_in(glsl)[name] == columns, f"glsl {expected.case} {name}")
+                check(numbers_in(hlsl)[name] == sum(floats(expected.paper[name]), []), f"hlsl {expected.case} {name}")
+            compiled += 1
+            case = identifier(expected.case)
+            product = " + ".join(f"{name} * vec4(1.0)" for name in names)
+            for version, head in versions.items():
+                with open(f"{work}/{case}.{version}.vert", "w") as file:
+                    file.write(f"{head}{glsl}void main() {{ gl_Position = {product}; }}\n")
+            row = expected.convention["vectors"] == "row"
+            product = " + ".join(f"mul(p, {case}::{name})" if row else f"mul({case}::{name}, p)" for name in names)
+            hlsl_text += f"namespace {case} {{\n{hlsl}}}\n"
+            products += f" + {product}"
+        status, out, _ = run("glslangValidator", *(f"{work}/{name}" for name in sorted(os.listdir(work))))
+        check(status == 0 and out.count(".vert") == 2 * compiled, f"glsl: {out}")
+    hlsl_text += f"float4 main(float4 p : POSITION) : SV_Position {{ return p{products}; }}\n"
+    status, out, _ = run("glslangValidator", "--stdin", "-D", "-S", "vert", "-e", "main", "-V", "-o", os.devnull, text=hlsl_text)
+    check(status == 0, f"hlsl: {out}")
     check(compiled >= 55, f"only {compiled} compiled")
     print(f"glslangValidator: {compiled} sets of matrices compiled as GLSL and as HLSL")
 

@@ -217,8 +217,7 @@ TEST_CASE("Every kernel that this processor supports gives the same bits") {
     const std::size_t count = trial.points.size();
     for (Precision precision : kPrecisions) {
       std::vector<Run> runs;
-      for (const Kernels* k : allKernels()) {
-        if (!isSupported(*k)) continue;
+      for (const Kernels* k : supportedKernels()) {
         Run run{std::vector<Vec3>(count), std::vector<double>(count)};
         std::vector<std::uint64_t> unsettled(count / 64 + 1);
         const auto kernel = precision == Precision::fast       ? k->fast
@@ -264,8 +263,7 @@ TEST_CASE("Every kernel that this processor supports casts the same rays, to the
     pixels[5] = {NAN, 1};
     pixels[6] = {1e200, -1e300};
     std::vector<Run> runs;
-    for (const Kernels* k : allKernels()) {
-      if (!isSupported(*k)) continue;
+    for (const Kernels* k : supportedKernels()) {
       Run run{std::vector<Vec3>(pixels.size())};
       std::uint64_t unsettled[2] = {};
       k->rays(parts(trial.camera).constants, &pixels[0].x, &run.directions[0].x, pixels.size(), unsettled);
