@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace reference {
 
@@ -15,20 +16,21 @@ class Real {
   static inline mpfr_prec_t bits = kBits;
 
   Real() : Real(0.0) {}
-  Real(double value) {  // NOLINT: a double is exact
-    mpfr_init2(value_, bits);
+  Real(double value) : Real(Unset{bits}) {  // NOLINT: a double is exact
     mpfr_set_d(value_, value, MPFR_RNDN);
   }
-  Real(const Real& other) {
-    mpfr_init2(value_, mpfr_get_prec(other.value_));
-    mpfr_set(value_, other.value_, MPFR_RNDN);
-  }
+  Real(const Real& other) : Real(Unset{mpfr_get_prec(other.value_)}) { mpfr_set(value_, other.value_, MPFR_RNDN); }
   Real& operator=(const Real& other) {
     mpfr_set_prec(value_, mpfr_get_prec(other.value_));
     mpfr_set(value_, other.value_, MPFR_RNDN);
     return *this;
   }
-  ~Real() { mpfr_clear(value_); }
+  ~Real() {
+    if (mpfr_get_prec(value_) == kBits)
+      spare().push_back(*value_);
+    else
+      mpfr_clear(value_);
+  }
 
   /// The nearest double.
   explicit operator double() const { return mpfr_get_d(value_, MPFR_RNDN); }
@@ -49,7 +51,7 @@ class Real {
   friend Real abs(const Real& a) { return with(a, mpfr_abs); }
 
   static Real pi() {
-    Real r;
+    Real r(Unset{bits});
     mpfr_const_pi(r.value_, MPFR_RNDN);
     return r;
   }
@@ -59,15 +61,32 @@ class Real {
   friend Real cosDegrees(const Real& a) { return withoutNoise(with(within(a, 360) * pi() / Real(180), mpfr_cos), a); }
 
  private:
+  struct Unset {
+    mpfr_prec_t bits;
+  };
+  explicit Real(Unset of) {
+    if (of.bits != kBits || spare().empty()) {
+      mpfr_init2(value_, of.bits);
+      return;
+    }
+    *value_ = spare().back();
+    spare().pop_back();
+  }
+  /// Numbers of kBits that are not in use: most of the time would go into asking for memory.
+  static std::vector<__mpfr_struct>& spare() {
+    static auto* numbers = new std::vector<__mpfr_struct>;
+    return *numbers;
+  }
+
   template <class F>
   static Real with(const Real& a, const Real& b, F f) {
-    Real r;
+    Real r(Unset{bits});
     f(r.value_, a.value_, b.value_, MPFR_RNDN);
     return r;
   }
   template <class F>
   static Real with(const Real& a, F f) {
-    Real r;
+    Real r(Unset{bits});
     f(r.value_, a.value_, MPFR_RNDN);
     return r;
   }
