@@ -39,7 +39,11 @@ std::string listed(const std::vector<Entry>& entries, std::size_t width) {
   std::string out;
   for (const Entry& e : entries) {
     std::string line = "  " + e.name;
-    if (!e.form.empty()) line = paddedRight(line + (columnsOf(e.name) > nameWidth ? " " : ""), formAt) + e.form;
+    if (!e.form.empty()) {
+      line = paddedRight(line + (columnsOf(e.name) > nameWidth ? " " : ""), formAt);
+      line += wrapped(e.form, width, columnsOf(line));
+      line.pop_back();  // what ends the line
+    }
     out += entry(line, textAt, e.text, width);
   }
   return out;
