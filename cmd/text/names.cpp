@@ -59,7 +59,10 @@ std::string_view nearestName(std::string_view name, std::span<const std::string_
 }
 
 std::string suggestion(std::string_view name, std::span<const std::string_view> candidates) {
-  const std::string_view nearest = nearestName(name, candidates);
+  std::string_view nearest = nearestName(name, candidates);
+  if (nearest.empty() && name.size() > 2)  // or its beginning, as in proj
+    for (const std::string_view candidate : candidates)
+      if (nearest.empty() && sameButForCase(candidate.substr(0, name.size()), name)) nearest = candidate;
   if (!nearest.empty()) return "; did you mean '" + visible(nearest) + "'?";
   return "; known are " + visible(joined(candidates));
 }

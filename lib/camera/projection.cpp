@@ -1,6 +1,7 @@
 #include "camera/projection.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <string>
 
@@ -24,8 +25,11 @@ void requireRange(bool orthographic, double near, double far) {
     requirePositive(near, "near");
     if (!(far > 0)) throw CameraError("far", "must be a number above near, or infinite");
   }
-  if (!(near < far))
-    throw CameraError("far", "must be greater than near; for reversed depth keep near < far and set reverseZ");
+  if (near < far) return;
+  char text[32];
+  const std::string nearText(text, std::to_chars(text, text + sizeof text, near).ptr);
+  throw CameraError("far", "must be greater than near, " + nearText +
+                               "; for reversed depth keep near < far and set reverseZ");
 }
 
 /// The window checked: edges in order, and wide enough for its inverse to be a double.
