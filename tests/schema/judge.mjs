@@ -116,7 +116,7 @@ function compare(kind, given, by, tally, rules) {
 }
 
 // What the transcripts read.
-const runs = readRuns(transcripts);
+const runs = readRuns(transcripts, JSON.parse(run(["help", "--json"]).output));
 const rules = new Tally();
 {
   const texts = { camera: new Set(), scene: new Set(), points: new Set(), shapes: new Set(), pixels: new Set() };

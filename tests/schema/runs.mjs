@@ -3,13 +3,6 @@
 import { existsSync, readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 
-const kWithValue = new Set(
-  ("-c --camera --viewport --set --read-as --convention --ndc-z --which --to --type --from --columns --prefix --jobs " +
-    "--first-line --precision --tolerance --fields --model --point --pixel --ray-from --scene --at --gap --resolve " +
-    "--format --seconds --digits --world --reading --float-digits --depth --map --scale --margin --pixels --by -o --output " +
-    "--delimiter --decimal --comment").split(" "),
-);
-
 /// The words of a line, "|" and "<" among them; nothing where a shell does more than put words together.
 function wordsOf(line) {
   const kPart = /'([^']*)'|"([^"$`\\]*)"|(\||<(?!<))|([^\s'"|<>$`\\;&*?()]+)|(\s+)/y;
@@ -34,8 +27,8 @@ function printed([program, ...words]) {
   return words[0] === "%s\\n" ? words.slice(1).join("\n") : words[0].replaceAll("\\n", "\n");
 }
 
-/// The run that a line is, or nothing. fileOf: the text of a file, or nothing.
-function runOf(line, fileOf) {
+/// The run that a line is, or nothing. fileOf: the text of a file, or nothing; withValue: the options that take one.
+function runOf(line, fileOf, withValue) {
   const words = wordsOf(line);
   if (!words) return undefined;
   const stages = [[]];
@@ -46,7 +39,7 @@ function runOf(line, fileOf) {
   let input = stages.length ? printed(stages[0]) : undefined;
   for (let i = 0; i < args.length; ++i) {
     if (args[i].sign) input = fileOf(args[++i]);
-    else if (kWithValue.has(args[i])) run.options[args[i] === "-c" ? "--camera" : args[i]] = args[++i];
+    else if (withValue.has(args[i])) run.options[args[i] === "-c" ? "--camera" : args[i]] = args[++i];
     else if (args[i].startsWith("--") && args[i].includes("=")) run.options[args[i].split("=")[0]] = args[i].replace(/^[^=]*=/, "");
     else if (args[i].startsWith("-") && args[i] !== "-") run.flags.add(args[i]);
     else run.files.push(args[i]);
@@ -58,7 +51,10 @@ function runOf(line, fileOf) {
   return run;
 }
 
-export function readRuns(folder) {
+/// help: what `viewproj help --json` prints.
+export function readRuns(folder, help) {
+  const options = help.commands.flatMap((command) => command.options);
+  const withValue = new Set(options.filter((option) => option.value).flatMap((option) => option.names));
   const runs = [];
   for (const name of readdirSync(folder).filter((name) => name.endsWith(".txt"))) {
     let files, lines; // of the case; and those that a file or an output has
@@ -72,7 +68,7 @@ export function readRuns(folder) {
       if (mark === "==") files = new Map();
       else if (mark === "--") files.set(line.slice(3), (lines = output));
       else if (mark === "$ ") {
-        const run = runOf(line.slice(2), fileOf);
+        const run = runOf(line.slice(2), fileOf, withValue);
         lines = output;
         if (run) runs.push({ ...run, lines });
       } else if (mark === "> " && runs.at(-1)?.lines === lines) runs.pop();
