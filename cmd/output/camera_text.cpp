@@ -258,4 +258,15 @@ WrittenCamera writeCamera(const CameraFile& camera, std::string_view wanted, boo
   return *best;
 }
 
+double turnedByWriting(const CameraFile& camera, bool allowStretch) {
+  const std::string text = writeCamera(camera, "", allowStretch).text;
+  const CameraFile again = readCamera(Document(text, "the file written"), {"", true});
+  const Axes &before = parts(*camera.pose).rows, &after = parts(*again.pose).rows;
+  double most = 0;
+  for (const auto& [a, b] :
+       {std::pair(before.right, after.right), {before.up, after.up}, {before.forward, after.forward}})
+    for (std::size_t i = 0; i < 3; ++i) most = std::max(most, std::fabs((a[i] - b[i]).hi));
+  return 2 * most;
+}
+
 }  // namespace viewproj::cmd

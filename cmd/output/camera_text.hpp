@@ -37,6 +37,9 @@ std::vector<std::string_view> cameraTypes();
 /// a camera shape unlike the viewport's. Throws InputError for what the type cannot hold.
 WrittenCamera writeCamera(const CameraFile& camera, std::string_view type, bool allowStretch);
 
+/// By how much the axes turn, in radians, for who reads the file that writeCamera() makes: its numbers are doubles.
+double turnedByWriting(const CameraFile& camera, bool allowStretch);
+
 /// The fields of a camera file as they stand, in the order of the tables, in this convention.
 std::string writeFields(const Document& fields, const Convention& convention, const ConventionPreset& preset);
 

@@ -117,7 +117,11 @@ double openingFor(const Viewport& v, const ScreenMap& screen, const Extent& e, c
   const auto [x, y] = roundedCorner(v);
   const bool down = v.origin == Origin::topLeft;
   const double first = down ? 1 - room.top : room.bottom, last = down ? 1 - room.bottom : room.top;
-  const auto factor = [](double end, double side, double middle) { return (end - middle) / (side - middle); };
+  // What is off the axis counts to the next double: a screen box is rounded.
+  const auto factor = [](double end, double side, double middle) {
+    const double share = (end - middle) / (side - middle);
+    return share > 0 ? (std::nextafter(end, side < middle ? -INFINITY : INFINITY) - middle) / (side - middle) : share;
+  };
   const double sides[] = {x + room.left * v.width, x + room.right * v.width, y + first * v.height, y + last * v.height};
   if (!(sides[0] < cx && cx < sides[1] && sides[2] < cy && cy < sides[3]))
     throw InputError("the viewing axis lies outside the part of the picture to fill; --by fov opens the lens about it");
@@ -125,9 +129,15 @@ double openingFor(const Viewport& v, const ScreenMap& screen, const Extent& e, c
                    factor(e.last(), sides[3], cy)});
 }
 
+/// How many times wider a window of that half tangent is made, lest the rounding of its angle, or of what it holds,
+/// leave some out.
+double wider(double tangent, double turn) {
+  return 1 + 0x1p-52 * 4 + (0x1p-52 * std::atan(tangent) + turn) * (tangent + 1 / tangent);
+}
+
 /// The window times a factor, about the viewing axis.
 Projection opened(const Projection& projection, const Viewport& v, const ScreenMap& screen, const Extent& e,
-                  const Wanted& wanted) {
+                  const Wanted& wanted, double turn) {
   double k = 0;
   if (wanted.pixels) {
     k = std::max(e.right() - e.left(), e.last() - e.first()) / *wanted.pixels;
@@ -138,12 +148,19 @@ Projection opened(const Projection& projection, const Viewport& v, const ScreenM
   if (!(k > 0 && std::isfinite(k)))
     throw InputError("all of it lies on the viewing axis, or is one point: any lens shows it");
   ProjectionParts p = parts(projection);
+  if (!wanted.pixels)
+    k *= wider(k * std::max({std::fabs(p.left.hi), std::fabs(p.right.hi), std::fabs(p.bottom.hi), std::fabs(p.top.hi)}),
+               turn);
   for (DoubleDouble* edge : {&p.left, &p.right, &p.bottom, &p.top, &p.width, &p.height})
     *edge = *edge * DoubleDouble(k);
   p.reachX *= k;
   p.reachY *= k;
   return made(p);
 }
+
+/// The double next to it, not above and not below.
+double below(const DoubleDouble& x) { return x.lo < 0 ? std::nextafter(x.hi, -INFINITY) : x.hi; }
+double above(const DoubleDouble& x) { return -below(-x); }
 
 /// An orthographic window about all, of the picture's shape.
 Projection around(const Projection& projection, const Viewport& v, const Hull::Reach& reach, const Wanted& wanted) {
@@ -159,10 +176,10 @@ Projection around(const Projection& projection, const Viewport& v, const Hull::R
   const DoubleDouble toSide = windowWidth(p) * share * half, toTop = windowHeight(p) * share * half;
   ProjectionParts fitted;
   fitted.orthographic = true;
-  fitted.left = x - toSide;
-  fitted.right = x + toSide;
-  fitted.bottom = y - toTop;
-  fitted.top = y + toTop;
+  fitted.left = below(x - toSide);
+  fitted.right = above(x + toSide);
+  fitted.bottom = below(y - toTop);
+  fitted.top = above(y + toTop);
   fitted.near = p.near;
   fitted.far = p.far;
   return made(fitted);
@@ -214,16 +231,20 @@ int run(const Options& o) {
   } else if (by == Means::lens) {
     if (!(range.nearest > 0))
       throw InputError("something of it lies on or behind the plane through the eye; no lens shows that");
-    file.projection = opened(*file.projection, *file.viewport, parts(camera).screen, fitting.extent, wanted);
+    file.projection = opened(*file.projection, *file.viewport, parts(camera).screen, fitting.extent, wanted,
+                             turnedByWriting(file, o.camera.allowsStretch()));
   } else {
-    const Hull::Place place = fitting.hull.place();
+    const Pose pose = *file.pose;
+    Hull::Place place = fitting.hull.place();
+    file.pose = movedTo(pose, place.eye, file.convention.world);
+    place = fitting.hull.place(turnedByWriting(file, o.camera.allowsStretch()));
     if (place.by == Hull::Place::By::near)
       o.camera.notes().say(
           "it fits from as near as one likes, up to a point that is one of it; this one comes to lie on near");
     else if (o.pixels &&
              *o.pixels > (place.by == Hull::Place::By::width ? file.viewport->width : file.viewport->height))
       failToHold(wanted, *file.viewport);
-    file.pose = movedTo(*file.pose, place.eye, file.convention.world);
+    file.pose = movedTo(pose, place.eye, file.convention.world);
     range = place.range;
   }
   const double near = file.projection->zNear(), far = file.projection->zFar();

@@ -1,5 +1,7 @@
 #include "commands/fit/hull.hpp"
 
+#include <cmath>
+
 #include "camera/projection.hpp"
 #include "scene/view_space.hpp"
 
@@ -47,7 +49,7 @@ void Hull::add(const Triangle& triangle) {
   for (const Vec3& corner : {triangle.a, triangle.b, triangle.c}) add(corner);
 }
 
-Hull::Place Hull::place() const {
+Hull::Place Hull::place(double turn) const {
   const auto farthestOn = [](const Push& high, const Push& low) {
     return -(high.most + low.most) / (toWide(high.edge) - toWide(low.edge));
   };
@@ -58,14 +60,38 @@ Hull::Place Hull::place() const {
   Place::By by = isLess(byWidth, byHeight) ? Place::By::width : Place::By::height;
   if (!isLess((magnitude(nearest_) + magnitude(z)) * Wide(kNone), nearest_ - z)) by = Place::By::near;
   if (by == Place::By::near) z = nearest_ - Wide(camera_->projection.near);
-  const auto middle = [&](const Push& high, const Push& low) {
-    const Wide from = high.most + toWide(high.edge) * z, to = toWide(low.edge) * z - low.most;
+  const auto middle = [&](const Push& high, const Push& low, const Wide& along) {
+    const Wide from = high.most + toWide(high.edge) * along, to = toWide(low.edge) * along - low.most;
     return sumOrZero(from, to) * Wide(0.5);
   };
-  const Wide x = middle(right_, left_), y = middle(top_, bottom_);
   const Axes& axes = camera_->pose.columns;
-  const WideVec3 moved = toWide(axes.right) * x + toWide(axes.up) * y + toWide(axes.forward) * z;
-  return Place{rounded(toWide(unroundedEye(camera_->pose)) + moved), {double(nearest_ - z), double(farthest_ - z)}, by};
+  const auto eyeAt = [&](const Wide& along) {
+    const WideVec3 moved = toWide(axes.right) * middle(right_, left_, along) +
+                           toWide(axes.up) * middle(top_, bottom_, along) + toWide(axes.forward) * along;
+    return rounded(toWide(unroundedEye(camera_->pose)) + moved);
+  };
+  // Rounded, the eye may leave something out: then it goes back, as little as helps.
+  const PoseParts& pose = camera_->pose;
+  const auto holds = [&](const Vec3& eye) {
+    const WideVec3 moved = toWide(toDoubleDouble(eye)) - toWide(unroundedEye(pose));
+    const Wide forward = dot(toWide(pose.rows.forward), moved);
+    const Wide off = Wide(turn) * (farthest_ - forward);
+    for (const Push* push : {&right_, &left_, &top_, &bottom_}) {
+      const Wide reach = dot(toWide(*push->row), moved) - toWide(push->edge) * forward;
+      if (isLess(push->upwards ? reach : -reach, push->most + off * push->length * push->length)) return false;
+    }
+    return by != Place::By::near || !isLess(nearest_ - forward, Wide(camera_->projection.near) + off);
+  };
+  // (A lens so wide that a turn by a rounding leaves out what is seen is left as it is.)
+  const Wide exact = z;
+  Vec3 eye = eyeAt(exact);
+  const double ulps = std::fabs(eye.x) + std::fabs(eye.y) + std::fabs(eye.z) + double(magnitude(farthest_ - exact));
+  for (int doubled = -54; !holds(eye); ++doubled) {
+    z = doubled < -30 ? exact - Wide(std::ldexp(ulps, doubled)) : exact;
+    eye = eyeAt(z);
+    if (doubled == -30) break;
+  }
+  return Place{eye, {double(nearest_ - z), double(farthest_ - z)}, by};
 }
 
 Hull::Reach Hull::reach() const {

@@ -45,8 +45,9 @@ class Hull {
     enum class By { width, height, near } by;  ///< what keeps it from going on
   };
   /// Nearest along the view, and in the middle of what is left across it. Where the things fit from as near as one
-  /// likes, up to a point that is one of them, the nearest of them comes to lie on near.
-  Place place() const;
+  /// likes, up to a point that is one of them, the nearest of them comes to lie on near. All is within the room of the
+  /// camera with this eye of doubles, its axes turned by as much as `turn` radians.
+  Place place(double turn = 0) const;
 
   /// Orthographic: how far the things reach.
   struct Reach {
