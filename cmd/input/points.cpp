@@ -70,6 +70,15 @@ Layout perhapsRound(Layout layout, std::optional<Layout> radius) {
   return layout;
 }
 
+/// Who calls it r has points where spheres are meant. (Not where it is red.)
+void noteOtherRadius(Layout& layout, const RecordParts& record) {
+  if (record.shape.find("g") && record.shape.find("b")) return;
+  for (const char* name : {"r", "rad", "diameter"})
+    if (record.shape.find(name))
+      layout.notes.push_back("'" + std::string(name) +
+                             "' is a field like any other, and its record a point; a sphere has a field 'radius'");
+}
+
 /// What the columns do not name, a w or a radius of another field, is not used.
 Layout findChosenPoint(const RecordParts& record, const PointReading& reading) {
   const ColumnChoice& choice = reading.columns;
@@ -200,7 +209,9 @@ std::optional<Layout> findNamed(const RecordParts& record, const PointReading& r
         if (const auto second = find(*other, record, forms, NameRule::any)) failTwoPoints(record, layout, *second);
   }
   if (!reading.radius || row->kind == kindDirection) return layout;
-  return perhapsRound(layout, find(coordinates::radius, record, forms, NameRule::any));
+  const auto radius = find(coordinates::radius, record, forms, NameRule::any);
+  if (!radius) noteOtherRadius(layout, record);
+  return perhapsRound(layout, radius);
 }
 
 /// What is meant by a name that others have for a shape.

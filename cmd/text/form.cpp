@@ -41,7 +41,7 @@ std::span<const FormRow<Form>> inputForms() {
        "objects or [x,y,z]: one after the other, in an array, under \"points\""},
       {"csv", Form::csv, ".csv .tsv", "a header and rows; without a header the first columns are the coordinates"},
       {"text", Form::text, ".xyz", "numbers separated by blanks, a point a line"},
-      {"f64", Form::f64, ".f64 .bin", "little-endian doubles, three a point (a pixel: x, y, depth)"},
+      {"f64", Form::f64, ".f64", "little-endian doubles, three a point (a pixel: x, y, depth)"},
   };
   return kRows;
 }
@@ -52,7 +52,7 @@ std::span<const FormRow<OutputForm>> outputForms() {
       {"json", OutputForm::array, ".json", "one JSON array"},
       {"csv", OutputForm::csv, ".csv .tsv", "a header and rows; .tsv: separated by tabs"},
       {"text", OutputForm::text, ".txt .xyz", "the results' numbers alone, a line a record"},
-      {"f64", OutputForm::f64, ".f64 .bin", "the same as little-endian doubles"},
+      {"f64", OutputForm::f64, ".f64", "the same as little-endian doubles"},
       {"table", OutputForm::table, "", "aligned columns, for reading"},
   };
   return kRows;

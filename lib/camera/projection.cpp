@@ -28,8 +28,8 @@ void requireRange(bool orthographic, double near, double far) {
   if (near < far) return;
   char text[32];
   const std::string nearText(text, std::to_chars(text, text + sizeof text, near).ptr);
-  throw CameraError("far", "must be greater than near, " + nearText +
-                               "; for reversed depth keep near < far and set reverseZ");
+  throw CameraError("far",
+                    "must be greater than near, " + nearText + "; for reversed depth keep near < far and set reverseZ");
 }
 
 /// The window checked: edges in order, and wide enough for its inverse to be a double.

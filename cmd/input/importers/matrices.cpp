@@ -2,6 +2,7 @@
 // convention is the file's, or follows where the matrices fit only one.
 #include "viewproj/matrices.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -10,11 +11,13 @@
 #include "camera/viewport.hpp"
 #include "input/camera_fields.hpp"
 #include "input/convention_fields.hpp"
+#include "input/distortion_names.hpp"
 #include "input/importers/importer.hpp"
 #include "input/kinds/distortion.hpp"
 #include "input/readings/readings.hpp"
 #include "input/value_form.hpp"
 #include "text/names.hpp"
+#include "text/visible.hpp"
 
 namespace viewproj::cmd {
 
@@ -23,16 +26,44 @@ namespace {
 
 struct Slot {
   MatrixKind kind;
-  std::array<std::string_view, 4> names;  ///< of the same; empty: none
+  std::array<std::string_view, 5> names;  ///< of the same; empty: none
 };
 
-constexpr Slot kView{MatrixKind::view, {"view", "viewMatrix", "modelview", "modelViewMatrix"}};
-constexpr Slot kViewInverse{MatrixKind::worldFromView, {"viewInverse", "viewMatrixInverse"}};
-constexpr Slot kProjection{MatrixKind::projection, {"projection", "projectionMatrix"}};
+constexpr Slot kView{MatrixKind::view, {"view", "viewMatrix", "modelview", "modelViewMatrix", "worldToCameraMatrix"}};
+constexpr Slot kViewInverse{MatrixKind::worldFromView, {"viewInverse", "viewMatrixInverse", "cameraToWorldMatrix"}};
+constexpr Slot kProjection{MatrixKind::projection, {"projection", "projectionMatrix", "proj", "projMatrix"}};
 constexpr Slot kViewProjection{MatrixKind::viewProjection, {"viewProjection", "viewProjectionMatrix"}};
+constexpr Slot kSlots[] = {kView, kViewInverse, kProjection, kViewProjection};
+constexpr std::string_view kEye = "eye";
+/// What follows from those, as `viewproj matrix` writes it.
+constexpr std::string_view kFollowing[] = {"projectionInverse", "projectionMatrixInverse", "viewProjectionInverse",
+                                           "viewportInverse"};
+
+bool isName(const Slot& slot, std::string_view key) {
+  return !key.empty() && std::find(slot.names.begin(), slot.names.end(), key) != slot.names.end();
+}
+
+/// Numbers beside the matrices: a near, a model, a matrix under a name that is none here.
+void noteOthers(const Document& document, const std::optional<Distortion>& distortion) {
+  std::vector<std::string_view> others;
+  for (const auto& [key, value] : document.root().items()) {
+    const bool isKnown = (distortion && key == distortion->at.front()) || isAmong(kCoefficientNames, key) ||
+                         isAmong(kDistortionArrays, plainName(key)) || key == kEye || key == field::viewport.name ||
+                         key == field::convention.name ||
+                         std::find(std::begin(kFollowing), std::end(kFollowing), key) != std::end(kFollowing) ||
+                         std::any_of(std::begin(kSlots), std::end(kSlots), [&](auto& s) { return isName(s, key); });
+    if (!isKnown && (value.is_number() || value.is_structured())) others.push_back(key);
+  }
+  if (others.empty()) return;
+  const std::string first(others.front());
+  others.erase(others.begin());
+  document.note({first}, "is not read" + (others.empty() ? "" : ", nor are " + visible(joined(others))) +
+                             ": of a file of matrices count view or viewInverse, projection, viewProjection, eye, "
+                             "viewport and convention");
+}
 
 bool recognises(const nlohmann::json& root) {
-  for (const Slot& slot : {kView, kViewInverse, kProjection, kViewProjection})
+  for (const Slot& slot : kSlots)
     for (const std::string_view name : slot.names)
       if (const auto value = root.find(name); !name.empty() && value != root.end() && value->is_array()) return true;
   return false;
@@ -244,7 +275,9 @@ std::optional<ReadViewport> readPicture(const ObjectReader& file, const StatedCo
 
 CameraFile read(const Document& document, const CameraReading& reading) {
   const ObjectReader file(document, document.root(), {});
-  refuseDistortion(document, distortionIn(document, {{}, &document.root()}), std::nullopt, reading);
+  const auto distortion = distortionIn(document, {{}, &document.root()});
+  refuseDistortion(document, distortion, std::nullopt, reading);
+  noteOthers(document, distortion);
   const std::vector<GivenMatrix> givens = readGivens(file);
   const StatedConvention stated = conventionOf(file, givens, reading);
   const Convention& convention = stated.convention;
@@ -269,7 +302,7 @@ CameraFile read(const Document& document, const CameraReading& reading) {
     if (viewport && !reading.allowStretch) requireShape(windowAspect(p), viewport->frame, file);
   }
   // Matrices relative to the eye have it beside them.
-  if (const auto eye = file.vec3("eye"); eye && pose) {
+  if (const auto eye = file.vec3(kEye); eye && pose) {
     constexpr double kNothing = 1e-6;  // of the eye, as matrices in float have it
     const Vec3 own = pose->eye();
     if (maxAbs(own) > kNothing * maxAbs(*eye))
