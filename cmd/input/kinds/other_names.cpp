@@ -399,6 +399,25 @@ std::optional<Found> poseWithin(const CameraPlace& camera, const Found& field) {
   return first ? within(*first) : std::nullopt;
 }
 
+/// Whether it places something, whatever its name: a rotation with a translation, or the centre that goes with K.
+bool isPlacing(const Document& document, const Found& field) {
+  constexpr double kSlack = 1e-3;
+  std::vector<double> n;
+  if (!numbersOf(document, field, n)) return false;
+  if (field.path.back() == "C") return n.size() == 3;
+  if (n.size() != 12 && n.size() != 16) return false;
+  const bool isTransposed = n.size() == 16 && (n[12] != 0 || n[13] != 0 || n[14] != 0);
+  const auto entry = [&](std::size_t i, std::size_t j) { return isTransposed ? n[4 * j + i] : n[4 * i + j]; };
+  if (n.size() == 16 && (entry(3, 0) != 0 || entry(3, 1) != 0 || entry(3, 2) != 0 || entry(3, 3) != 1)) return false;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j <= i; ++j) {
+      double dot = 0;
+      for (std::size_t k = 0; k < 3; ++k) dot += entry(i, k) * entry(j, k);
+      if (!(std::fabs(dot - (i == j ? 1 : 0)) <= kSlack)) return false;
+    }
+  return true;
+}
+
 }  // namespace
 
 void requirePoseRead(const CameraPlace& camera, const CameraReading& reading) {
@@ -415,7 +434,9 @@ void requirePoseRead(const CameraPlace& camera, const CameraReading& reading) {
     const PoseName said = poseName(item.key());
     const auto found = unread(camera, camera.own(), item.key());
     if (!found) continue;
-    if (said == PoseName::none || !saysSomething(document, *found)) {
+    if (said == PoseName::none && !read && isPlacing(document, *found) && saysSomething(document, *found)) {
+      note(*found);
+    } else if (said == PoseName::none || !saysSomething(document, *found)) {
       if (const auto within = read ? std::nullopt : poseWithin(camera, *found)) note(*within);
     } else if (read) {
       if (said != PoseName::loose) note(*found);

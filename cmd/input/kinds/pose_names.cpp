@@ -61,6 +61,8 @@ constexpr PoseWord kWords[] = {
     {"ypr", Word::part},
     {"eye", Word::part},
     {"lookat", Word::part},
+    {"center", Word::part},
+    {"centre", Word::part},
     {"cameracenter", Word::part},
     {"cameracentre", Word::part},
     {"cameraorigin", Word::part},
