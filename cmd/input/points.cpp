@@ -214,14 +214,26 @@ std::optional<Layout> findNamed(const RecordParts& record, const PointReading& r
   return perhapsRound(layout, radius);
 }
 
-/// What is meant by a name that others have for a shape.
-std::string nameElsewhere(const Shape& shape) {
+/// What is meant by a name that others have for a shape, by a shape's parts without it, or by a field of records.
+std::string nameElsewhere(const RecordParts& record) {
+  const Shape& shape = record.shape;
   for (const Coordinate* row : allCoordinates())
     for (const std::string_view name : row->elsewhere)
       for (const std::string& field : shape.names)
         if (sameButForCase(name, field))
           return "; " + quoted(field) + " is called " + std::string(row->name) + " here: {\"" + std::string(row->name) +
                  "\": " + exampleOf(*row) + "}";
+  for (const Coordinate* row : coordinates::kShapes)
+    if (row->form == CoordinateForm::object && std::all_of(row->parts.begin(), row->parts.end(), [&](auto& part) {
+          return shape.find(part.name).has_value();
+        }))
+      return "; those of a " + std::string(row->name) + " are within it: {\"" + std::string(row->name) +
+             "\": " + exampleOf(*row) + "}";
+  if (shape.find("features")) return "; of GeoJSON jq -c '.features[].geometry.coordinates' brings them out";
+  const bool holdsRecords = shape.size == 1 && !rowNamed(shape.names[0]) &&
+                            (record.values[0].starts_with("[[") || record.values[0].starts_with("[{"));
+  if (holdsRecords)
+    return "; jq -c " + quoted("." + std::string(shape.names[0]) + "[]") + " brings out what that holds";
   return "";
 }
 
@@ -281,7 +293,7 @@ Layout findNamedPoint(const RecordParts& record, const PointReading& reading, st
                                                         : "--columns names x, y and z") +
                              near);
   throw RecordError(0, "has no point; expected " + namesOf(coordinates::kPoints, ", or ") + whatIsThere(shape) +
-                           nameElsewhere(shape) + near);
+                           nameElsewhere(record) + near);
 }
 
 /// screen, pixel or x y: two slots.

@@ -60,9 +60,10 @@ std::string_view nearestName(std::string_view name, std::span<const std::string_
 
 std::string suggestion(std::string_view name, std::span<const std::string_view> candidates) {
   std::string_view nearest = nearestName(name, candidates);
-  if (nearest.empty() && name.size() > 2)  // or its beginning, as in proj
-    for (const std::string_view candidate : candidates)
-      if (nearest.empty() && sameButForCase(candidate.substr(0, name.size()), name)) nearest = candidate;
+  std::vector<std::string_view> begun;  // as proj is; of a letter, which is near any other, before all
+  for (const std::string_view candidate : candidates)
+    if (sameButForCase(candidate.substr(0, name.size()), name)) begun.push_back(candidate);
+  if (name.size() == 1 ? begun.size() == 1 : nearest.empty() && name.size() > 2 && !begun.empty()) nearest = begun[0];
   if (!nearest.empty()) return "; did you mean '" + visible(nearest) + "'?";
   return "; known are " + visible(joined(candidates));
 }
