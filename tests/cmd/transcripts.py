@@ -136,8 +136,10 @@ def parse(path):
     number = 0
     try:
         lines = path.read_bytes().decode().split("\n")
-        if lines.pop() != "" or not lines[0].startswith("# "):
-            raise Malformed("begins with no words, or ends without a newline")
+        if not lines[0].startswith("# "):
+            raise Malformed("begins with no line of # words")
+        if lines.pop() != "":
+            raise Malformed("ends without a newline")
         for number, line in enumerate(lines, 1):
             if line.startswith("== ") and re.fullmatch(r"[^\s/-]+( [^\s/-]+)*", line[3:]):
                 cases.append(Case(path, number, line[3:]))
@@ -242,9 +244,10 @@ def main():
         every[case.name] = case
     chosen = {} if arguments.names else every
     for name in arguments.names:
-        its = [case for case in every.values() if case.name == name or case.path == Path(name).resolve()]
+        its = [case for case in every.values() if case.name == name.replace(" ", "-") or case.path == Path(name).resolve()]
         if not its:
-            raise Malformed(f"there is no case {name}")
+            near = "".join(f"; did you mean {other}?" for other in difflib.get_close_matches(name, every, 1))
+            raise Malformed(f"there is no case {name}, nor such a file in {FOLDER}{near}")
         chosen.update((case.name, case) for case in its)
     if not chosen:
         raise Malformed(f"no cases in {FOLDER}")
