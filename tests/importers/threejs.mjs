@@ -342,6 +342,16 @@ const renamedCases = {
     ({ modelview: flat(c.matrixWorldInverse), projection: flat(c.projectionMatrix) })),
 };
 
+/// Under the names of engines, beside what follows from them.
+const engineCases = {
+  'matrices as Unity calls them': () => writeMatrices('matrices as Unity calls them', (c, flat, rows) =>
+    ({ worldToCameraMatrix: rows(c.matrixWorldInverse), proj: rows(c.projectionMatrix),
+      projectionInverse: rows(c.projectionMatrixInverse), viewportInverse: [] })),
+  'matrices of an engine': () => writeMatrices('matrices of an engine', (c, flat, rows, product) =>
+    ({ cameraToWorldMatrix: flat(c.matrixWorld), projMatrix: flat(c.projectionMatrix),
+      projectionMatrixInverse: flat(c.projectionMatrixInverse), viewProjectionInverse: flat(product.clone().invert()) })),
+};
+
 let seed = 0;
 for (let trial = 0; trial < 4; ++trial)
   for (const make of [...Object.values(threeCases), ...Object.values(gltfCases), ...Object.values(matricesCases)]) {
@@ -350,6 +360,11 @@ for (let trial = 0; trial < 4; ++trial)
   }
 for (let trial = 0; trial < 4; ++trial)
   for (const make of Object.values(renamedCases)) {
+    random = generator(++seed);
+    make();
+  }
+for (let trial = 0; trial < 4; ++trial)
+  for (const make of Object.values(engineCases)) {
     random = generator(++seed);
     make();
   }
