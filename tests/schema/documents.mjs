@@ -50,7 +50,9 @@ function poseMatrix(r, mirrored) {
 
 /// An angle, at times as a text.
 function withUnit(r, degrees) {
-  return r.chance(0.8) ? degrees : r.chance(0.5) ? `${degrees}deg` : `${(degrees * Math.PI) / 180}rad`;
+  if (r.chance(0.8)) return degrees;
+  const [plus, text] = [r.chance(0.3) && degrees >= 0 ? "+" : "", String(degrees).replace(/^0\./, ".")];
+  return r.of([`${plus}${text}deg`, `${plus}${text}°`, `${(degrees * Math.PI) / 180} rad`, `${(degrees * Math.PI) / 180}rad`]);
 }
 
 /// At times an array of coordinates as an object, and a field under another of its names.

@@ -44,6 +44,7 @@ const kNeighbours = {
   worldFromCamera: { position: [1, 2, 3], up: [0, 1, 0] },
   cameraFromWorld: { position: [1, 2, 3], up: [0, 1, 0] },
   screen: { z: 1, x: 1, pixel: [1, 2] },
+  X: { Z: 1, W: 0 },
   x: { z: 1, w: 0, position: [1, 2, 3], lat: 1 },
 };
 
@@ -102,7 +103,9 @@ export const kMutations = {
   },
   "scale a number": (r, root) => replace(r, root, (v) => typeof v === "number", (v) => v * r.of([2, 1000, -10, 0.001])),
   "write a number as a string": (r, root) => replace(r, root, (v) => typeof v === "number", (v) => String(v) + r.of(["", "deg", "e3deg"])),
-  "put all 0": (r, root) => replace(r, root, Array.isArray, (v) => v.map(() => 0)),
+  "put all 0": (r, root) => replace(r, root, (v) => Array.isArray(v) || (isObject(v) && Object.values(v).every((n) => typeof n === "number")),
+    (v) => (Array.isArray(v) ? v.map(() => 0) : Object.fromEntries(Object.keys(v).map((key) => [key, 0])))),
+  "add to a text": (r, root) => replace(r, root, (v) => typeof v === "string", (v) => v + r.of(["x", " ", "0"])),
   "shorten an array": (r, root) => replace(r, root, (v) => Array.isArray(v) && v.length > 0, (v) => v.slice(0, -1)),
   "lengthen an array": (r, root) => replace(r, root, (v) => Array.isArray(v) && v.length > 0, (v) => [...v, v[r.below(v.length)]]),
   "empty an array or object": (r, root) =>

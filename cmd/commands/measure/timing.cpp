@@ -9,7 +9,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// Long against the clock's resolution, short against the machine's moods.
-constexpr double kTurn = 2e-3;
+constexpr double kTurn = 2e-3, kShortestTurn = 2e-5;
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -29,7 +29,7 @@ std::size_t repeatsFor(const std::function<void()>& work, double turn) {
 }  // namespace
 
 InterleavedTimings timeInterleaved(std::span<const std::function<void()>> works, double seconds) {
-  const double turn = std::min(kTurn, seconds / static_cast<double>(kFewestRounds * works.size()));
+  const double turn = std::clamp(seconds / static_cast<double>(kFewestRounds * works.size()), kShortestTurn, kTurn);
   std::vector<std::size_t> repeats;
   for (const auto& work : works) repeats.push_back(repeatsFor(work, turn));
   std::vector<std::vector<double>> runs(works.size());

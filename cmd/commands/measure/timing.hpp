@@ -22,8 +22,8 @@ inline constexpr std::size_t kFewestRounds = 7;
 
 /// Times every work once a round, so that what slows the machine for a while slows all of them: at least kFewestRounds
 /// rounds, and more until `seconds` have passed. A work is repeated within its turn until that lasts two milliseconds,
-/// or less where seven rounds of such turns would outlast `seconds`. Runs each beforehand, so that memory and caches
-/// are warm.
+/// or as long as seven rounds within `seconds` allow, but twenty microseconds at least, for clocks have ticks. Runs
+/// each beforehand, so that memory and caches are warm.
 InterleavedTimings timeInterleaved(std::span<const std::function<void()>> works, double seconds);
 
 }  // namespace viewproj::cmd
