@@ -111,11 +111,20 @@ Json valueOf(const Coordinate& row) {
   }
 }
 
-/// x, y, z, w that are not all 0.
+/// x, y, z, w, or X, Y, Z, W, that are not all 0.
 Json notAllZero(const Coordinate& row) {
-  Json zeros = Json::object();
-  for (const CoordinatePart& part : row.parts) zeros[std::string(part.name)] = {{"const", 0}};
-  return {{"not", having(zeros, {row.parts.back().name})}};
+  Json zeros = Json::object(), upperZeros = Json::object();
+  const auto upper = [](std::string_view name) {
+    std::string letters(name);
+    for (char& c : letters) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    return letters;
+  };
+  for (const CoordinatePart& part : row.parts)
+    zeros[std::string(part.name)] = upperZeros[upper(part.name)] = {{"const", 0}};
+  const std::string_view first = row.parts.front().name, last = row.parts.back().name;
+  return {{"if", having({{std::string(first), true}}, {first})},
+          {"then", {{"not", having(zeros, {last})}}},
+          {"else", {{"not", having(upperZeros, {upper(last)})}}}};
 }
 
 /// The first of the rows that a record has decides, or else the last word.
@@ -153,10 +162,11 @@ Json weightOf(const Json& weight) {
 
 /// A point by names in another case and by aliases, where a record has none of the very names.
 Json otherNames() {
-  return {{"anyOf",
-           {hasNamed(coordinates::position.name, coordinates::position.aliases, schema::reference("point")),
-            schema::allOf({hasParts(coordinates::xyz), weightOf(schema::ofType("number"))}),
-            hasParts(coordinates::place), hasNamed(coordinates::direction.name, {}, schema::reference("direction"))}}};
+  return {
+      {"anyOf",
+       {hasNamed(coordinates::position.name, coordinates::position.aliases, schema::reference("point")),
+        schema::allOf({hasParts(coordinates::xyz), weightOf(schema::ofType("number")), notAllZero(coordinates::xyz)}),
+        hasParts(coordinates::place), hasNamed(coordinates::direction.name, {}, schema::reference("direction"))}}};
 }
 
 /// An object of x, y, z or of lat, lon, height, or an array.
@@ -177,9 +187,13 @@ Json finitePoint() {
     if (row.form == CoordinateForm::array) return having({{std::string(row.name), schema::reference("weighted")}});
     return having({{"w", notZero()}});
   };
-  return objectOr(schema::allOf({having(beside), schema::reference("pointFields"),
-                                 firstOf(coordinates::kPoints, weight, having({{"W", notZero()}}))}),
-                  schema::allOf({schema::reference("xyz"), schema::reference("weighted")}));
+  Json others = having({{"W", notZero()}});
+  others["patternProperties"] = {
+      {anyCase(coordinates::position.name, coordinates::position.aliases),
+       Json{{"anyOf", {schema::reference("weighted"), {{"not", schema::reference("point")}}}}}}};
+  return objectOr(
+      schema::allOf({having(beside), schema::reference("pointFields"), firstOf(coordinates::kPoints, weight, others)}),
+      schema::allOf({schema::reference("xyz"), schema::reference("weighted")}));
 }
 
 Json pixelFields() {

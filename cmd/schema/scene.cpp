@@ -12,7 +12,7 @@ std::string sceneSchema() {
       std::string(field::scene.help) +
           " ray --scene and draw --scene read it. What is null counts as absent. What a schema cannot say and the "
           "reader still asks for: no coordinate of a box's max is below that of its min; a height is not below "
-          "-1000000; no key is given twice.");
+          "-1000000; an angle that is a text lies in the range of a number; no key is given twice.");
   Json form = schema::objectOf(field::scene, false);
   form.erase("description");
   schema.update(form);

@@ -24,6 +24,7 @@ export const kRules = {
     "no key is given twice": /the key '.*' is given twice/,
   },
   scene: {
+    "a text is in the range of a number": /must be from -90 to 90 degrees.*\(is "/,
     "max is not below min": /box\.max: must not be below min/,
     "a height is not below -1000000": /height: must not be below -1000000 metres/,
     "no key is given twice": /the key '.*' is given twice/,
