@@ -81,6 +81,69 @@ function randomRuns(run, makeCamera, Random) {
   return runs;
 }
 
+/// Values, and what makes each of them none that is printed: undefined leaves a field out.
+const kEnd = { t: 0, screen: [100, 50], depth: 0.6, viewDistance: 2, cutBy: null };
+const kWrong = [
+  ["project", { position: [0, 0, -2], screen: [100, 50], depth: 0.6, viewDistance: 2, visible: true },
+    [{ outside: ["left"] }, { screen: [100] }, { screen: "100" }, { depth: "0.6" }, { visible: "yes" }, { visible: null }]],
+  ["project", { position: [9, 0, -2], screen: [300, 50], depth: 0.6, viewDistance: 2, visible: false, outside: ["right"] },
+    [{ outside: ["beside"] }, { outside: "right" }, { outside: ["right", "right"] }]],
+  ["projectedSegment", { segment: [[0, 0, -2], [0, 0, -3]], visible: true, start: kEnd, end: { ...kEnd, t: 1 } },
+    [{ start: null }, { end: null }, { end: { ...kEnd, t: 1.5 } }, { start: { ...kEnd, t: -0.5 } }, { start: { ...kEnd, cutBy: "side" } },
+      { start: { ...kEnd, screen: undefined } }]],
+  ["ray", { pixel: [1, 2], origin: [0, 0, 0], direction: [0, 0, -1] },
+    [{ direction: [2, 0, 0] }, { direction: [0, -1] }, { direction: "up" }, { origin: [0, 0] }, { pixelSize: -1 }]],
+  ["cull", { position: [0, 0, -2], cull: "inside", plane: null }, [{ plane: "left" }, { cull: "within" }, { cull: "outside" }, { plane: 1 }]],
+  ["cull", { position: [0, 0, 2], cull: "outside", plane: "near" }, [{ plane: null }, { plane: "nearest" }]],
+  ["cull", { line: 2, error: "has no point" }, [{ line: undefined }, { error: undefined }, { error: 3 }, { line: "2" }, { more: 1 }]],
+];
+
+/// A wrong value is refused, by the part and by the whole.
+function checkWrong(ajv, whole, fault) {
+  let refused = 0;
+  for (const [part, value, changes] of kWrong) {
+    const schema = ajv.getSchema(`urn:viewproj:schema:results#/$defs/${part}`);
+    if (!schema(value)) fault(`${part}: refused: ${JSON.stringify(value)}`);
+    for (const change of changes) {
+      const wrong = JSON.parse(JSON.stringify({ ...value, ...change }));
+      if (schema(wrong)) fault(`${part}: accepted: ${JSON.stringify(wrong)}`);
+      else ++refused;
+    }
+  }
+  return refused;
+}
+
+/// The objects of a value by where they stand, whatever the place in an array.
+function objectsIn(value, path = "", found = []) {
+  if (Array.isArray(value)) for (const one of value) objectsIn(one, path, found);
+  else if (value !== null && typeof value === "object") {
+    found.push([path, value]);
+    for (const [key, inner] of Object.entries(value)) objectsIn(inner, `${path}.${key}`, found);
+  }
+  return found;
+}
+
+/// A field that all objects of a place have is one that none may lack, but for a format, which other depths have not.
+const kMayLack = /\.d(16|24|32f)$/;
+function checkFields(part, values, schema, fault) {
+  const places = new Map();
+  for (const value of values)
+    for (const [path, object] of objectsIn(value)) {
+      const keys = Object.keys(object), before = places.get(path);
+      places.set(path, { count: (before?.count ?? 0) + 1, keys: before ? before.keys.filter((key) => keys.includes(key)) : keys });
+    }
+  let refused = 0;
+  for (const [path, { count, keys }] of places)
+    for (const key of keys) {
+      if (count < 3 || kMayLack.test(`${part}${path}.${key}`)) continue;
+      const changed = structuredClone(values.find((value) => objectsIn(value).some(([other]) => other === path)));
+      delete objectsIn(changed).find(([other]) => other === path)[1][key];
+      if (schema(changed)) fault(`${part}: accepted without ${path}.${key}`);
+      else ++refused;
+    }
+  return refused;
+}
+
 /// No value of a closed form is one any more after these mutations.
 const kTelling = ["write a number as a string", "put an object"];
 const kClosed = ["planes", "corners", "matrix", "explain", "inspect", "depth", "depths", "measure"];
@@ -89,6 +152,7 @@ export function checkResults({ ajv, runs, run, fault, makeCamera, Random }) {
   const whole = ajv.getSchema("urn:viewproj:schema:results");
   const counts = new Map(), met = new Map();
   const count = (name) => counts.set(name, (counts.get(name) ?? 0) + 1);
+  const printed = new Map(kClosed.map((part) => [part, []]));
   let seed = 0;
   for (const r of [...runs, ...randomRuns(run, makeCamera, Random)]) {
     const part = partOf(r);
@@ -107,6 +171,7 @@ export function checkResults({ ajv, runs, run, fault, makeCamera, Random }) {
       if (!schema(value)) fault(`${part}: ${ajv.errorsText(schema.errors)}: ${text}`);
       if (!whole(value)) fault(`results: ${ajv.errorsText(whole.errors)}: ${text}`);
       if (!kClosed.includes(part)) continue;
+      printed.get(part).push(value);
       const name = kTelling[seed % kTelling.length];
       const changed = structuredClone(value);
       if (kMutations[name](new Random(seed++), changed) === false) continue;
@@ -122,5 +187,8 @@ export function checkResults({ ajv, runs, run, fault, makeCamera, Random }) {
     for (const field of fieldsOf(whole.schema.$defs[part], whole.schema, new Set()))
       // A reading's layout stands beside its convention.
       if (tally.get(field) === 0 && !/^matrices.readings.convention.(vectors|storage)$/.test(field)) fault(`results of ${part}: the field ${field} was never printed`);
+  counts.set("wrong values refused", checkWrong(ajv, whole, fault));
+  for (const [part, values] of printed)
+    counts.set(`${part}, without a field and rejected`, checkFields(part, values, ajv.getSchema(`urn:viewproj:schema:results#/$defs/${part}`), fault));
   return [...counts].map(([name, number]) => `  ${number} ${name}`).join("\n");
 }
