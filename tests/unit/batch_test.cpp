@@ -303,7 +303,8 @@ TEST_CASE("A batch of rays gives the bits of single rays") {
       screenToRayDirections(trial.camera, pixels, directions);
       for (std::size_t i = 0; i < pixels.size(); ++i) {
         INFO("seed " << seed << ", pixel " << i << ", kernel " << kernel.name);
-        if (parts(trial.camera).projection.orthographic && std::isnan(pixels[i].x)) continue;  // a direction that no pixel changes
+        if (parts(trial.camera).projection.orthographic && std::isnan(pixels[i].x))
+          continue;  // a direction that no pixel changes
         REQUIRE(sameBits(directions[i], screenToRay(trial.camera, pixels[i], Precision::standard).direction));
       }
     });
