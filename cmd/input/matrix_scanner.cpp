@@ -363,9 +363,34 @@ class Scanner {
   std::vector<WrittenMatrix> found_;
 };
 
+/// Throws at numbers as 1,5 beside others, separated by blanks: a comma would come between two.
+void requireDecimalPoints(const std::string& text, const std::string& name) {
+  constexpr std::string_view kBetween = " \t\r\n;|[](){}";
+  std::size_t withComma = 0, first = 0;
+  for (std::size_t at = 0; (at = text.find_first_not_of(kBetween, at)) != std::string::npos;) {
+    const std::size_t end = std::min(text.find_first_of(kBetween, at), text.size());
+    const std::string_view word = std::string_view(text).substr(at, end - at);
+    const std::size_t comma = word.find(',');
+    if (comma != std::string_view::npos) {
+      if (comma == 0 || comma + 1 == word.size() || !isDigit(word[comma - 1]) || !isDigit(word[comma + 1]) ||
+          word.find_first_of(",.", comma + 1) != std::string_view::npos)
+        return;
+      if (withComma++ == 0) first = at + comma;
+    } else if (word.find('.') != std::string_view::npos) {
+      return;
+    }
+    at = end;
+  }
+  constexpr std::size_t kFewest = 4;
+  if (withComma >= kFewest)
+    throw InputError(place(name, positionAt(text, first)) +
+                     ": a comma separates numbers here; of decimal commas tr , . makes points");
+}
+
 }  // namespace
 
 std::vector<WrittenMatrix> scanMatrices(const std::string& text, const std::string& name) {
+  requireDecimalPoints(text, name);
   return Scanner(text, name).matrices();
 }
 
