@@ -56,23 +56,25 @@ class Outputs(FaultTest):
         self.each_run(check)
 
     def test_a_pipe_without_a_reader_ends_what_waits_for_input(self):
-        """Workers wait for more of it while another finds that nobody reads."""
-        for jobs in ("1", "4"):
-            feeder = subprocess.Popen(["sh", "-c", "yes 0 0 2 | head -n 43000; exec sleep 60"], stdout=subprocess.PIPE)
-            reader, writer = os.pipe()
-            arguments = ["project", "-c", CAMERA, "--jobs", jobs, "--from", "text", "--to", "ndjson"]
-            process = tool.start(arguments, stdin=feeder.stdout, stdout=writer, stderr=subprocess.PIPE)
-            feeder.stdout.close()
-            os.close(writer)
-            time.sleep(0.3)  # until the feeder has started
+        """All of it is read, and workers wait for more, when another finds that nobody reads."""
+        feeder = subprocess.Popen(["sh", "-c", "yes 0 0 2 | head -n 43000; exec sleep 60"], stdout=subprocess.PIPE)
+        reader, writer = os.pipe()
+        arguments = ["project", "-c", CAMERA, "--jobs", "4", "--from", "text", "--to", "ndjson"]
+        process = tool.start(arguments, stdin=feeder.stdout, stdout=writer, stderr=subprocess.PIPE)
+        feeder.stdout.close()
+        os.close(writer)
+        try:
+            patience = time.monotonic() + tool.PATIENCE
+            while tool.read_by(process) < 6 * 43000 and time.monotonic() < patience:
+                time.sleep(0.02)
             tool.wait_until_still(process)
             os.close(reader)
-            try:
-                self.assertEqual((process.wait(20), process.stderr.read()), (0, b""))
-            finally:
-                feeder.kill()
-                feeder.wait()
-                process.stderr.close()
+            self.assertEqual((process.wait(20), process.stderr.read()), (0, b""))
+        finally:
+            process.kill()
+            feeder.kill()
+            feeder.wait()
+            process.stderr.close()
 
     def test_a_closed_standard_output_is_one_message_and_status_1(self):
         def check(arguments, given):
