@@ -224,9 +224,9 @@ std::string nameElsewhere(const RecordParts& record) {
           return "; " + quoted(field) + " is called " + std::string(row->name) + " here: {\"" + std::string(row->name) +
                  "\": " + exampleOf(*row) + "}";
   for (const Coordinate* row : coordinates::kShapes)
-    if (row->form == CoordinateForm::object && std::all_of(row->parts.begin(), row->parts.end(), [&](auto& part) {
-          return shape.find(part.name).has_value();
-        }))
+    if (row->form == CoordinateForm::object &&
+        std::all_of(row->parts.begin(), row->parts.end(),
+                    [&](const CoordinatePart& part) { return shape.find(part.name).has_value(); }))
       return "; those of a " + std::string(row->name) + " are within it: {\"" + std::string(row->name) +
              "\": " + exampleOf(*row) + "}";
   if (shape.find("features")) return "; of GeoJSON jq -c '.features[].geometry.coordinates' brings them out";

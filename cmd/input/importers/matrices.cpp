@@ -47,11 +47,12 @@ bool isName(const Slot& slot, std::string_view key) {
 void noteOthers(const Document& document, const std::optional<Distortion>& distortion) {
   std::vector<std::string_view> others;
   for (const auto& [key, value] : document.root().items()) {
-    const bool isKnown = (distortion && key == distortion->at.front()) || isAmong(kCoefficientNames, key) ||
-                         isAmong(kDistortionArrays, plainName(key)) || key == kEye || key == field::viewport.name ||
-                         key == field::convention.name ||
-                         std::find(std::begin(kFollowing), std::end(kFollowing), key) != std::end(kFollowing) ||
-                         std::any_of(std::begin(kSlots), std::end(kSlots), [&](auto& s) { return isName(s, key); });
+    const bool isKnown =
+        (distortion && key == distortion->at.front()) || isAmong(kCoefficientNames, key) ||
+        isAmong(kDistortionArrays, plainName(key)) || key == kEye || key == field::viewport.name ||
+        key == field::convention.name ||
+        std::find(std::begin(kFollowing), std::end(kFollowing), key) != std::end(kFollowing) ||
+        std::any_of(std::begin(kSlots), std::end(kSlots), [&](const Slot& slot) { return isName(slot, key); });
     if (!isKnown && (value.is_number() || value.is_structured())) others.push_back(key);
   }
   if (others.empty()) return;
