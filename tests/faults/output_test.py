@@ -71,7 +71,7 @@ class Outputs(FaultTest):
                         time.sleep(0.02)
                     tool.wait_until_still(process)
                     os.close(reader)
-                    self.assertEqual((process.wait(20), process.stderr.read()), (0, b""))
+                    self.assertEqual((process.wait(10), process.stderr.read()), (0, b""))
                 finally:
                     process.kill()
                     feeder.kill()

@@ -46,14 +46,15 @@ bool isName(const Slot& slot, std::string_view key) {
 /// Numbers beside the matrices: a near, a model, a matrix under a name that is none here.
 void noteOthers(const Document& document, const std::optional<Distortion>& distortion) {
   std::vector<std::string_view> others;
-  for (const auto& [key, value] : document.root().items()) {
+  for (const auto& item : document.root().items()) {
+    const std::string& key = item.key();
     const bool isKnown =
         (distortion && key == distortion->at.front()) || isAmong(kCoefficientNames, key) ||
         isAmong(kDistortionArrays, plainName(key)) || key == kEye || key == field::viewport.name ||
         key == field::convention.name ||
         std::find(std::begin(kFollowing), std::end(kFollowing), key) != std::end(kFollowing) ||
         std::any_of(std::begin(kSlots), std::end(kSlots), [&](const Slot& slot) { return isName(slot, key); });
-    if (!isKnown && (value.is_number() || value.is_structured())) others.push_back(key);
+    if (!isKnown && (item.value().is_number() || item.value().is_structured())) others.push_back(key);
   }
   if (others.empty()) return;
   const std::string first(others.front());
