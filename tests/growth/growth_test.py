@@ -22,7 +22,7 @@ from typing import Callable, Optional
 
 TOOL = os.path.abspath(os.environ.get("VIEWPROJ_TOOL", "viewproj"))
 MOST_SECONDS = 100  # of processor time; what needs more does not grow linearly
-SHARES = 64  # how many runs it takes to run every row
+SHARES = 96  # how many runs it takes to run every row
 TIMES = 4
 # Four times the input is four times the work; sorting adds a little, a quadratic term would make it sixteen.
 MOST_WORK = 5.2

@@ -23,7 +23,7 @@ namespace {
 /// VIEWPROJ_JSON_LINES in the environment.
 std::size_t linesWanted() {
   const char* wanted = std::getenv("VIEWPROJ_JSON_LINES");
-  return wanted ? std::strtoull(wanted, nullptr, 10) : 60000;
+  return wanted ? std::strtoull(wanted, nullptr, 10) : 30000;
 }
 
 /// A record that was read, or what was said of one that is bad.

@@ -17,7 +17,7 @@ namespace {
 
 std::size_t casesWanted() {
   const char* wanted = std::getenv("VIEWPROJ_SHAPE_CASES");
-  return wanted ? std::strtoull(wanted, nullptr, 10) : 30000;
+  return wanted ? std::strtoull(wanted, nullptr, 10) : 15000;
 }
 
 /// A shape's numbers in a row, to print or to spoil.
