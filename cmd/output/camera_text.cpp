@@ -229,6 +229,17 @@ std::string fileOf(const CameraFile& camera, const ConventionPreset& preset, con
   return "{\n  " + out.members() + "\n}\n";
 }
 
+/// By how much the axes turn from one to the other, in radians at the most.
+double turnedBetween(const CameraFile& first, const CameraFile& second) {
+  if (!first.pose || !second.pose) return 0;
+  const Axes &before = parts(*first.pose).rows, &after = parts(*second.pose).rows;
+  double most = 0;
+  for (const auto& [a, b] :
+       {std::pair(before.right, after.right), {before.up, after.up}, {before.forward, after.forward}})
+    for (std::size_t i = 0; i < 3; ++i) most = std::max(most, std::fabs((a[i] - b[i]).hi));
+  return 2 * most;
+}
+
 }  // namespace
 
 std::vector<std::string_view> cameraTypes() {
@@ -248,7 +259,7 @@ WrittenCamera writeCamera(const CameraFile& camera, std::string_view wanted, boo
         const std::string text = fileOf(camera, preset, pose, type);
         const CameraFile again = readCamera(Document(text, "the file written"), {"", true});
         const Moved moved = movedBetween(camera, again);
-        if (!best || moved.size() < best->moved.size()) best = {text, moved};
+        if (!best || moved.size() < best->moved.size()) best = {text, moved, turnedBetween(camera, again)};
       } catch (const std::exception& e) {  // a number that leaves the range of doubles in this form
         fault = e.what();
       }
@@ -256,17 +267,6 @@ WrittenCamera writeCamera(const CameraFile& camera, std::string_view wanted, boo
     }
   if (!best) throw InputError(camera.name + ": its numbers leave the range of doubles: " + fault);
   return *best;
-}
-
-double turnedByWriting(const CameraFile& camera, bool allowStretch) {
-  const std::string text = writeCamera(camera, "", allowStretch).text;
-  const CameraFile again = readCamera(Document(text, "the file written"), {"", true});
-  const Axes &before = parts(*camera.pose).rows, &after = parts(*again.pose).rows;
-  double most = 0;
-  for (const auto& [a, b] :
-       {std::pair(before.right, after.right), {before.up, after.up}, {before.forward, after.forward}})
-    for (std::size_t i = 0; i < 3; ++i) most = std::max(most, std::fabs((a[i] - b[i]).hi));
-  return 2 * most;
 }
 
 }  // namespace viewproj::cmd

@@ -27,7 +27,8 @@ struct Moved {
 
 struct WrittenCamera {
   std::string text;
-  Moved moved;  ///< when the file is read instead
+  Moved moved;        ///< when the file is read instead
+  double turned = 0;  ///< its axes then, by so many radians at the most
 };
 
 /// The names of the forms of a projection.
@@ -36,9 +37,6 @@ std::vector<std::string_view> cameraTypes();
 /// type: one of cameraTypes(), or empty for one that keeps the pixels. allowStretch: whoever reads the file will allow
 /// a camera shape unlike the viewport's. Throws InputError for what the type cannot hold.
 WrittenCamera writeCamera(const CameraFile& camera, std::string_view type, bool allowStretch);
-
-/// By how much the axes turn, in radians, for who reads the file that writeCamera() makes: its numbers are doubles.
-double turnedByWriting(const CameraFile& camera, bool allowStretch);
 
 /// The fields of a camera file as they stand, in the order of the tables, in this convention.
 std::string writeFields(const Document& fields, const Convention& convention, const ConventionPreset& preset);

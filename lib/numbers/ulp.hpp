@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "numbers/double_double.hpp"
+
 namespace viewproj::detail {
 
 /// Half a unit in the last place of numbers up to this size, or the smallest double; infinite for a size that is not
@@ -16,5 +18,11 @@ inline double halfUlp(double size) noexcept {
   if (size == std::numeric_limits<double>::max()) return (size - std::nextafter(size, 0)) / 2;
   return std::max((std::nextafter(size, kInfinity) - size) / 2, std::numeric_limits<double>::denorm_min());
 }
+
+/// The double next to a number, not above and not below it.
+inline double lowerDouble(const DoubleDouble& x) noexcept {
+  return x.lo < 0 ? std::nextafter(x.hi, -std::numeric_limits<double>::infinity()) : x.hi;
+}
+inline double upperDouble(const DoubleDouble& x) noexcept { return -lowerDouble(-x); }
 
 }  // namespace viewproj::detail

@@ -12,6 +12,7 @@
 #include "input/points.hpp"
 #include "input/scene.hpp"
 #include "input/shapes.hpp"
+#include "numbers/ulp.hpp"
 #include "output/camera_text.hpp"
 #include "output/output_file.hpp"
 #include "stream/filter.hpp"
@@ -158,10 +159,6 @@ Projection opened(const Projection& projection, const Viewport& v, const ScreenM
   return made(p);
 }
 
-/// The double next to it, not above and not below.
-double below(const DoubleDouble& x) { return x.lo < 0 ? std::nextafter(x.hi, -INFINITY) : x.hi; }
-double above(const DoubleDouble& x) { return -below(-x); }
-
 /// An orthographic window about all, of the picture's shape.
 Projection around(const Projection& projection, const Viewport& v, const Hull::Reach& reach, const Wanted& wanted) {
   const Room& room = wanted.room;
@@ -176,10 +173,10 @@ Projection around(const Projection& projection, const Viewport& v, const Hull::R
   const DoubleDouble toSide = windowWidth(p) * share * half, toTop = windowHeight(p) * share * half;
   ProjectionParts fitted;
   fitted.orthographic = true;
-  fitted.left = below(x - toSide);
-  fitted.right = above(x + toSide);
-  fitted.bottom = below(y - toTop);
-  fitted.top = above(y + toTop);
+  fitted.left = lowerDouble(x - toSide);
+  fitted.right = upperDouble(x + toSide);
+  fitted.bottom = lowerDouble(y - toTop);
+  fitted.top = upperDouble(y + toTop);
   fitted.near = p.near;
   fitted.far = p.far;
   return made(fitted);
@@ -232,12 +229,12 @@ int run(const Options& o) {
     if (!(range.nearest > 0))
       throw InputError("something of it lies on or behind the plane through the eye; no lens shows that");
     file.projection = opened(*file.projection, *file.viewport, parts(camera).screen, fitting.extent, wanted,
-                             turnedByWriting(file, o.camera.allowsStretch()));
+                             writeCamera(file, "", o.camera.allowsStretch()).turned);
   } else {
     const Pose pose = *file.pose;
     Hull::Place place = fitting.hull.place();
     file.pose = movedTo(pose, place.eye, file.convention.world);
-    place = fitting.hull.place(turnedByWriting(file, o.camera.allowsStretch()));
+    place = fitting.hull.place(writeCamera(file, "", o.camera.allowsStretch()).turned);
     if (place.by == Hull::Place::By::near)
       o.camera.notes().say(
           "it fits from as near as one likes, up to a point that is one of it; this one comes to lie on near");

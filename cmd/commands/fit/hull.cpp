@@ -64,14 +64,14 @@ Hull::Place Hull::place(double turn) const {
     const Wide from = high.most + toWide(high.edge) * along, to = toWide(low.edge) * along - low.most;
     return sumOrZero(from, to) * Wide(0.5);
   };
-  const Axes& axes = camera_->pose.columns;
+  const PoseParts& pose = camera_->pose;
+  const Axes& axes = pose.columns;
   const auto eyeAt = [&](const Wide& along) {
     const WideVec3 moved = toWide(axes.right) * middle(right_, left_, along) +
                            toWide(axes.up) * middle(top_, bottom_, along) + toWide(axes.forward) * along;
-    return rounded(toWide(unroundedEye(camera_->pose)) + moved);
+    return rounded(toWide(unroundedEye(pose)) + moved);
   };
   // Rounded, the eye may leave something out: then it goes back, as little as helps.
-  const PoseParts& pose = camera_->pose;
   const auto holds = [&](const Vec3& eye) {
     const WideVec3 moved = toWide(toDoubleDouble(eye)) - toWide(unroundedEye(pose));
     const Wide forward = dot(toWide(pose.rows.forward), moved);
@@ -86,10 +86,10 @@ Hull::Place Hull::place(double turn) const {
   const Wide exact = z;
   Vec3 eye = eyeAt(exact);
   const double ulps = std::fabs(eye.x) + std::fabs(eye.y) + std::fabs(eye.z) + double(magnitude(farthest_ - exact));
-  for (int doubled = -54; !holds(eye); ++doubled) {
-    z = doubled < -30 ? exact - Wide(std::ldexp(ulps, doubled)) : exact;
+  constexpr int kLast = -30;
+  for (int doubled = -54; !holds(eye) && doubled <= kLast; ++doubled) {
+    z = doubled < kLast ? exact - Wide(std::ldexp(ulps, doubled)) : exact;
     eye = eyeAt(z);
-    if (doubled == -30) break;
   }
   return Place{eye, {double(nearest_ - z), double(farthest_ - z)}, by};
 }

@@ -39,21 +39,16 @@ constexpr std::string_view kEye = "eye";
 constexpr std::string_view kFollowing[] = {"projectionInverse", "projectionMatrixInverse", "viewProjectionInverse",
                                            "viewportInverse"};
 
-bool isName(const Slot& slot, std::string_view key) {
-  return !key.empty() && std::find(slot.names.begin(), slot.names.end(), key) != slot.names.end();
-}
-
 /// Numbers beside the matrices: a near, a model, a matrix under a name that is none here.
 void noteOthers(const Document& document, const std::optional<Distortion>& distortion) {
   std::vector<std::string_view> others;
   for (const auto& item : document.root().items()) {
     const std::string& key = item.key();
-    const bool isKnown =
-        (distortion && key == distortion->at.front()) || isAmong(kCoefficientNames, key) ||
-        isAmong(kDistortionArrays, plainName(key)) || key == kEye || key == field::viewport.name ||
-        key == field::convention.name ||
-        std::find(std::begin(kFollowing), std::end(kFollowing), key) != std::end(kFollowing) ||
-        std::any_of(std::begin(kSlots), std::end(kSlots), [&](const Slot& slot) { return isName(slot, key); });
+    const bool isKnown = (distortion && key == distortion->at.front()) || isAmong(kCoefficientNames, key) ||
+                         isAmong(kDistortionArrays, plainName(key)) || key == kEye || key == field::viewport.name ||
+                         key == field::convention.name || isAmong(kFollowing, key) ||
+                         std::any_of(std::begin(kSlots), std::end(kSlots),
+                                     [&](const Slot& slot) { return !key.empty() && isAmong(slot.names, key); });
     if (!isKnown && (item.value().is_number() || item.value().is_structured())) others.push_back(key);
   }
   if (others.empty()) return;

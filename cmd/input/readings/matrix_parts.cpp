@@ -223,9 +223,7 @@ Interval quotient(Interval a, Interval b) noexcept {
 }
 
 Estimate estimate(DoubleDouble value, Interval in) noexcept {
-  const double low = in.low.lo < 0 ? std::nextafter(in.low.hi, -kInfinity) : in.low.hi;
-  const double high = in.high.lo > 0 ? std::nextafter(in.high.hi, kInfinity) : in.high.hi;
-  return {value.hi + 0.0, low + 0.0, high + 0.0};
+  return {value.hi + 0.0, lowerDouble(in.low) + 0.0, upperDouble(in.high) + 0.0};
 }
 
 }  // namespace viewproj::cmd
