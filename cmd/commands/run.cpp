@@ -22,6 +22,27 @@ struct InPlace {
 };
 constexpr InPlace kInPlace[] = {{"--convention", "--read-as", "says how a camera's numbers are meant"}};
 
+/// Options that are gone, and what to use. For one release.
+struct GoneOption {
+  std::string_view option, instead;
+};
+constexpr GoneOption kGoneOptions[] = {
+    {"--bound", "use --fields bound"},
+    {"--clipped", "a window depth in the third place of --pixel gives the points on near and far"},
+    {"--comment", "remove comment lines first, as with grep -v '^#'"},
+    {"--decimal", "replace decimal commas first, as with tr , ."},
+    {"--exact", "numbers are taken as written"},
+    {"--first-line", "lines are counted from the start of the input"},
+    {"--force", "pipe the output, as in --to f64 | cat"},
+    {"--gap", "the table tells the gap at each distance"},
+    {"--ray-from", "--pixel X,Y,0 gives the point on near"},
+    {"--reading", "use --read-as NAME"},
+    {"--resolve", "the table tells the gap at each distance"},
+    {"--seconds", "measure chooses how long it runs"},
+    {"--tolerance", "use --precision standard, and --fields bound for its error"},
+    {"--world", "use --read-as NAME"},
+};
+
 /// "; --read-as says ...".
 std::string inPlaceOf(const std::string& name, const CommandLine& whole) {
   for (const auto& [of, option, help] : kInPlace)
@@ -56,6 +77,9 @@ std::string adviceOn(const std::string& argument, const Command& command, const 
   std::vector<std::string_view> owners;
   for (const Command& other : allCommands())
     if (wholeCommand(other).find(name)) owners.push_back(other.name);
+  if (owners.empty())
+    for (const GoneOption& gone : kGoneOptions)
+      if (gone.option == name) return "; it is gone: " + std::string(gone.instead);
   const CommandLine whole = wholeCommand(command);
   const std::string alias = optionOfAlias(name, whole);
   if (!owners.empty()) return "; it is an option of " + together(owners) + inPlaceOf(name, whole) + alias;
