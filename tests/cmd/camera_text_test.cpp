@@ -214,7 +214,6 @@ Moved apartOf(Random& random, const CameraFile& a, const CameraFile& b) {
 
 TEST_CASE("A camera written in any type and read again keeps its pixels to 1e-9, and all the rest to the last bit") {
   std::map<std::string, int> tally;
-  double worst = 0;
   for (std::uint64_t trial = 0; trial < 6000; ++trial) {
     Random random(trial);
     const json text = randomCamera(random, kOrdinary, tally);
@@ -251,7 +250,6 @@ TEST_CASE("A camera written in any type and read again keeps its pixels to 1e-9,
       CHECK(apart.pixels <= kKeptPixels);
       CHECK(apart.depth <= kKeptDepth);
       CHECK(written.moved.size() <= 1);
-      worst = std::max(worst, apart.pixels);
       CHECK(again.convention == camera.convention);
       CHECK(parts(*again.projection).orthographic == parts(*camera.projection).orthographic);
       CHECK(parts(*again.projection).near == parts(*camera.projection).near);
@@ -269,8 +267,6 @@ TEST_CASE("A camera written in any type and read again keeps its pixels to 1e-9,
     CHECK(count >= 50);
   }
   CHECK(tally.size() == 43);
-  INFO(worst);
-  CHECK(worst > 0);
 }
 
 TEST_CASE("Where doubles do not hold a camera the writer says by how much its pixels move") {

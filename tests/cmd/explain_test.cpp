@@ -298,8 +298,8 @@ TEST_CASE("With a model matrix the way begins at the model's own coordinates") {
       }
   // By hand: (0.1, 0.2, 0.3) turned a quarter about z, doubled, tripled in z, and moved; and a glTF matrix is by
   // columns.
-  CHECK(worlds[0][0].get<double>() == Approx(1 - 0.4));
-  CHECK(worlds[0][1].get<double>() == Approx(0.3 + 0.2));
-  CHECK(worlds[0][2].get<double>() == Approx(-1 + 0.9));
+  CHECK(worlds[0][0].get<double>() == closely(1 - 0.4));
+  CHECK(worlds[0][1].get<double>() == closely(0.3 + 0.2));
+  CHECK(worlds[0][2].get<double>() == closely(-1 + 0.9));
   CHECK(worlds[12] == worlds[0]);
 }

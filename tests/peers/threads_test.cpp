@@ -136,6 +136,7 @@ TEST_CASE(
     "Projected and unprojected again a point comes back to its last digits, near the origin, at 1.2e6 and in ECEF "
     "[StarDrive#254, colmap#2215, ImGuizmo#423, three.js PR#10702]") {
   Worst byDepth, byDistance, pixels;
+  int asked = 0;
   for (std::uint64_t trial = 0; trial < 2000; ++trial) {
     Random random(trial);
     View v = randomView(random, 1);
@@ -151,6 +152,7 @@ TEST_CASE(
     const Vec3 point = randomPoint(random, camera.pose(), w);
     const ScreenPoint s = worldToScreen(camera, point);
     if (s.status != PointStatus::inFront) continue;  // nearer than a coordinate's last digit
+    ++asked;
 
     // Three roundings of a pixel and one of the depth, which are worth that share of the distance and of the picture;
     // then that of the coordinates themselves. Reversed depth, near / distance, keeps its relative precision.
@@ -171,6 +173,7 @@ TEST_CASE(
     pixels.see(trial, onRay.x - s.x, 4 * kRounding * (std::fabs(s.x) + kHd.width + scale * window * window));
     pixels.see(trial, onRay.y - s.y, 4 * kRounding * (std::fabs(s.y) + kHd.height + scale * window * window));
   }
+  CHECK(asked > 1500);
   CHECK_WITHIN_BOUND(byDepth);
   CHECK_WITHIN_BOUND(byDistance);
   CHECK_WITHIN_BOUND(pixels);
@@ -247,6 +250,7 @@ TEST_CASE(
     "A point one metre behind never appears in front: status behind, no pixel, no depth "
     "[opencv#4628, viamrobotics/rdk PR#6315, godot#1725, Dalamud#780, OpenSfM#484, pytorch3d#1359]") {
   Tally tally;
+  int asked = 0;
   for (std::uint64_t trial = 0; trial < 1000; ++trial) {
     Random random(trial);
     const Scene scene = randomScene(random, tally);
@@ -265,7 +269,9 @@ TEST_CASE(
     }
     const Vec3 ndc = worldToNdc(camera, peers::point(behind), c);
     CHECK(isNaN(ndc));
+    ++asked;
   }
+  CHECK(asked > 500);
 }
 
 TEST_CASE("The distance of a point behind keeps the sign that w had [LayaAir#101]") {

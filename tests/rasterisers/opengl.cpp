@@ -109,8 +109,6 @@ std::string driver() {
 
 std::string unavailable() { return context().trouble; }
 
-bool drawsMinusOneToOne() { return true; }
-
 Picture render(const Draw& draw) {
   GLuint textures[2], framebuffer, vertexArray, buffers[2];
   glGenTextures(2, textures);

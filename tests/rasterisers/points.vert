@@ -1,24 +1,15 @@
 #version 450
 // A point by the matrices as the tool printed them; STORAGE and ROW_VECTORS say in which convention.
-#ifdef VULKAN
-layout(push_constant, STORAGE) uniform Matrices {
-  mat4 view;
-  mat4 projection;
-};
-#define INDEX gl_VertexIndex
-#else
 layout(binding = 0, std140, STORAGE) uniform Matrices {
   mat4 view;
   mat4 projection;
 };
-#define INDEX gl_VertexID
-#endif
 
 layout(location = 0) in vec3 position;
 layout(location = 0) flat out uint id;
 
 void main() {
-  id = uint(INDEX) + 1u;
+  id = uint(gl_VertexID) + 1u;
   vec4 point = vec4(position, 1.0);
 #ifdef ROW_VECTORS
   gl_Position = point * view * projection;

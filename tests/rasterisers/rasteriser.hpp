@@ -1,5 +1,4 @@
-// Points drawn by a graphics API, and the framebuffer read back. opengl.cpp and vulkan.cpp are one implementation each;
-// a test program holds one of them.
+// Points drawn by OpenGL, and the framebuffer read back.
 #pragma once
 
 #include <array>
@@ -20,7 +19,7 @@ struct Draw {
   bool rowVectors = false;  ///< the shader multiplies point * view * projection
   bool rowMajor = false;    ///< how the shader reads the memory
   bool zeroToOne = false;   ///< NDC z is 0..1, else -1..1
-  bool mirrored = false;    ///< OpenGL: clip control's upper left; Vulkan: a viewport of negative height
+  bool mirrored = false;    ///< clip control's upper left
   int width = 0, height = 0;
   int viewportWidth = 0, viewportHeight = 0;
   double x = 0, y = 0;  ///< the viewport's first column, and first row as they lie in memory
@@ -39,8 +38,6 @@ struct Picture {
 std::string driver();
 /// Why nothing can be drawn here, or an empty string.
 std::string unavailable();
-/// Whether NDC z may be -1..1.
-bool drawsMinusOneToOne();
 Picture render(const Draw& draw);
 
 }  // namespace rasterisers

@@ -186,8 +186,6 @@ TEST_CASE("Places go to ECEF and back within 10 nm, up to 5000 km high") {
     REQUIRE(std::fabs(back.lon) <= 180);
   }
   CAPTURE(worst, worstBack);
-  CHECK(worst > 1e-10);
-  CHECK(worstBack > 1e-10);
   CHECK(visited.size() == kinds);
 }
 

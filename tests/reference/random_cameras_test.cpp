@@ -57,7 +57,6 @@ TEST_CASE("Exact projection is within 0.51 ulp for every kind of camera") {
 }
 
 TEST_CASE("Ray directions are within the bound, and exact ones within 0.51 ulp, for every kind of camera") {
-  double worst = 0;
   for (std::uint64_t trial = 0; trial < kTrials; ++trial) {
     Random random(trial + 1000000);
     const Scene scene = randomScene(random, random.spread(1e-3, 1e12));
@@ -71,7 +70,6 @@ TEST_CASE("Ray directions are within the bound, and exact ones within 0.51 ulp, 
       const Real3 direction = truth.direction(window);
       const Ray exact = screenToRay(camera, pixel, Precision::exact);
       const Ray standard = screenToRay(camera, pixel, Precision::standard);
-      worst = std::max(worst, angle(toReal(standard.direction), direction));
       REQUIRE(angle(toReal(standard.direction), direction) <= kRayDirectionBound);
       REQUIRE(angle(toReal(exact.direction), direction) <= kRayDirectionBound);
       const Real3 unitDirection = unit(direction);
@@ -83,8 +81,6 @@ TEST_CASE("Ray directions are within the bound, and exact ones within 0.51 ulp, 
       }
     }
   }
-  CAPTURE(worst);
-  CHECK(worst > 1e-16);
 }
 
 TEST_CASE("A point comes back from its screen position and its window depth as nearly as the depth tells") {
@@ -123,7 +119,7 @@ TEST_CASE("A point comes back from its screen position and its window depth as n
 }
 
 TEST_CASE("Standard projection is within 1e-12 pixels at 60 degrees and 1080p with the eye up to 1e12 away") {
-  double worst = 0;
+  int asked = 0;
   for (std::uint64_t trial = 0; trial < kTrials; ++trial) {
     Random random(trial + 3000000);
     Scene scene = randomScene(random, random.spread(1, 1e12));
@@ -143,12 +139,10 @@ TEST_CASE("Standard projection is within 1e-12 pixels at 60 degrees and 1080p wi
       if (!got.visible()) continue;
       const Truth::Screen screen = truth.screen(truth.view(toReal(point)));
       INFO("trial " << trial << ": " << describe(scene));
-      worst = std::max({worst, distance(got.x, screen.x), distance(got.y, screen.y)});
+      ++asked;
       REQUIRE(distance(got.x, screen.x) <= 1e-12);
       REQUIRE(distance(got.y, screen.y) <= 1e-12);
     }
   }
-  CAPTURE(worst);
-  CHECK(worst > 1e-13);
-  WARN("worst error of standard: " << worst << " px");
+  CHECK(asked > 1000);
 }

@@ -20,10 +20,10 @@ Frustum plainFrustum(double near = 1, double far = 10) {
 void checkEquation(const FrustumPlane& p, Side side, const Vec4& want) {
   INFO(int(side));
   CHECK(p.side == side);
-  CHECK(p.equation.x == Approx(want.x));
-  CHECK(p.equation.y == Approx(want.y));
-  CHECK(p.equation.z == Approx(want.z));
-  CHECK(p.equation.w == Approx(want.w));
+  CHECK(p.equation.x == closely(want.x));
+  CHECK(p.equation.y == closely(want.y));
+  CHECK(p.equation.z == closely(want.z));
+  CHECK(p.equation.w == closely(want.w));
 }
 
 /// Gribb & Hartmann, from a matrix of doubles.

@@ -108,7 +108,7 @@ TEST_CASE("A plane is hit from both sides, with the normal as given; parallel ra
   for (double side : {1.0, -1.0}) {
     const Hits h = intersect(Ray{{3, 2 * side, -1}, {0.6, -0.8 * side, 0}}, floor);
     REQUIRE(h.count == 1);
-    CHECK(h.hits[0].distance == Approx(2.5));
+    CHECK(h.hits[0].distance == closely(2.5));
     CHECK(h.hits[0].point.y == 0);
     CHECK(h.hits[0].normal == Vec3{0, 1, 0});
   }
@@ -213,7 +213,7 @@ TEST_CASE("A sphere of radius 0 is hit by a ray exactly through it, with the nor
   const Hits h = intersect(Ray{{1, 2, 2}, {-0.5, -1, -1}}, Sphere{{0, 0, 0}, 0});
   REQUIRE(h.count == 1);
   CHECK(h.hits[0].distance == 3);
-  CHECK(h.hits[0].normal.x == Approx(1.0 / 3));
+  CHECK(h.hits[0].normal.x == closely(1.0 / 3));
   CHECK(intersect(Ray{{1, 2, std::nextafter(2.0, 3)}, {-0.5, -1, -1}}, Sphere{{0, 0, 0}, 0}).count == 0);
 }
 
