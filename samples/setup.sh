@@ -2,35 +2,37 @@
 # Installs what is missing from Debian's packages, and from npm's, and builds Release into build/.
 #   sh samples/setup.sh          the tool, and what else an installation takes
 #   sh samples/setup.sh tests    the tool and the tests, with their judges
-#   sh samples/setup.sh checks   these, and what tests/checks and tests/benchmark need
-#   sh samples/setup.sh platforms    the tool, and what tests/checks/platforms.sh needs: its compilers, wine and qemu
+#   sh samples/setup.sh checks   these, and what .ci/run needs
+#   sh samples/setup.sh deep     these, and what tests/checks/deep.sh and tests/benchmark need
 # VIEWPROJ_OPTIONS in the environment: further options of CMake.
 set -eu
 cd "$(dirname "$0")/.."
 
 packages="g++ cmake make libcli11-dev nlohmann-json3-dev libfast-float-dev libdragonbox-dev libyaml-dev libgeographiclib-dev"
+part=${1:-tool}
 tests=OFF
-if [ "${1:-}" = tests ] || [ "${1:-}" = checks ]; then
+case $part in
+  tool) ;;
+  tests | checks | deep) tests=ON ;;
+  *) echo "setup.sh $part: expected tests, checks or deep" >&2; exit 2 ;;
+esac
+if [ $tests = ON ]; then
   packages="$packages catch2 libmpfr-dev libglm-dev libeigen3-dev libimath-dev geographiclib-tools glslang-tools"
-  packages="$packages python3 python3-numpy python3-opencv parallel qemu-user time valgrind"
-  packages="$packages libegl-dev libgl-dev libopengl-dev libgl1-mesa-dri libvulkan-dev mesa-vulkan-drivers"
+  packages="$packages python3 python3-numpy python3-opencv libegl-dev libgl-dev libopengl-dev libgl1-mesa-dri"
   # Those from elsewhere do as well.
   command -v node >/dev/null || packages="$packages nodejs"
   command -v npm >/dev/null || packages="$packages npm"
+fi
+if [ "$part" = checks ] || [ "$part" = deep ]; then
+  packages="$packages ninja-build clang clang-format cppcheck gappa libclang-rt-14-dev llvm shellcheck"
+  packages="$packages dpkg-dev file lintian mandoc pkgconf"
+fi
+if [ "$part" = deep ]; then
+  packages="$packages ccache clang-tidy debootstrap jq miller mawk gawk proj-bin parallel qemu-user time valgrind"
+  packages="$packages libc++-dev libc++abi-dev g++-mingw-w64-x86-64-posix wine64 g++-aarch64-linux-gnu"
   browser=chromium
   for name in chromium chromium-browser google-chrome; do if command -v $name >/dev/null; then browser=""; fi; done
   packages="$packages $browser"
-  tests=ON
-fi
-if [ "${1:-}" = checks ]; then
-  packages="$packages ccache ninja-build"
-  packages="$packages clang clang-format clang-tidy cppcheck gappa libclang-rt-14-dev llvm shellcheck"
-  packages="$packages dpkg-dev file lintian mandoc pkgconf debootstrap"
-  packages="$packages jq miller mawk gawk proj-bin"
-fi
-
-if [ "${1:-}" = platforms ]; then
-  packages="$packages file clang libc++-dev libc++abi-dev g++-mingw-w64-x86-64-posix wine64 g++-aarch64-linux-gnu qemu-user"
 fi
 
 if command -v dpkg-query >/dev/null 2>&1; then

@@ -3,4 +3,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 sh samples/setup.sh tests
-ctest --test-dir build --output-on-failure --no-tests=error --parallel "$(($(nproc) + 1))"  # some wait, for processes and for time
+status=0
+ctest --test-dir build --output-on-failure --no-tests=error --parallel "$(($(nproc) + 1))" || status=1  # some wait, for processes and for time
+cat build/left-out
+exit "$status"

@@ -1,8 +1,8 @@
 #!/bin/sh
-# Builds the fuzz targets (tests/fuzz) with clang and runs them, two minutes in all.
+# Builds the fuzz targets (tests/fuzz) with clang and runs them, always with the same inputs.
 #   sh tests/checks/fuzz.sh [BUILD FOLDER]     build-sanitized, where sanitized.sh has built, or else build-fuzz
-# FUZZ_SECONDS=N      so long in all
-# FUZZ_EXECUTIONS=N   so many executions in all instead, however long they take
+# FUZZ_EXECUTIONS=N   so many executions in all (400000)
+# FUZZ_SECONDS=N      so long in all instead; what was found interesting before is tried again first
 # FUZZ_TARGETS="A B"  only these targets
 # FUZZ_SEED=N         other inputs (the default is 1)
 # The seeds are what the golden cases and samples read, and tests/fuzz/corpus. An input that is a finding is kept in
@@ -21,6 +21,7 @@ build=$(cd "$build" && pwd)
 
 # Seeds: every case runs with record.sh for viewproj.
 rm -rf "$build/seeds" "$build/recorder" "$build/found" "$build/empty" "$build/cases"
+[ -n "${FUZZ_SECONDS-}" ] || rm -rf "$build/corpus"
 mkdir -p "$build/seeds" "$build/recorder" "$build/found" "$build/empty" "$build/logs"
 cp tests/fuzz/record.sh "$build/recorder/viewproj"
 chmod +x "$build/recorder/viewproj"
@@ -71,10 +72,10 @@ export LLVM_PROFILE_FILE=/dev/null
 total=0
 status=0
 for target in $targets; do
-  if [ -n "${FUZZ_EXECUTIONS-}" ]; then
-    limit=-runs=$((FUZZ_EXECUTIONS * $(share "$target") / shares + 1))
+  if [ -n "${FUZZ_SECONDS-}" ]; then
+    limit=-max_total_time=$((FUZZ_SECONDS / count))
   else
-    limit=-max_total_time=$((${FUZZ_SECONDS:-120} / count))
+    limit=-runs=$((${FUZZ_EXECUTIONS:-400000} * $(share "$target") / shares + 1))
   fi
   words=$build/words
   if [ "$target" = arguments ]; then words=$build/arguments; fi

@@ -4,7 +4,7 @@
 #   sh tests/checks/install.sh [BUILD [CLEAN]]
 # BUILD is a build folder; build/ by default, or build-install/, which is made. `cmake --install` and the Debian package
 # are checked always. CLEAN is a folder with a bare Debian 12, made by debootstrap if it is not there: the package is
-# installed in it (as root). Without CLEAN that is left out, but for continuous integration (CI=true), which makes one.
+# installed in it (as root). Without CLEAN that is left out.
 set -eu
 cd "$(dirname "$0")/../.."
 source=$(pwd)
@@ -133,7 +133,6 @@ lintian --allow-root --fail-on error "$package" || fail 'lintian finds errors'
 echo "$(basename "$package"): $(wc -c <"$package") bytes"
 
 clean=${2-}
-if [ -z "$clean" ] && [ "${CI-}" = true ]; then clean=$work/clean; fi
 if [ -z "$clean" ]; then
   echo '== a clean Debian: left out, no folder for it was given'
   exit 0
@@ -141,7 +140,7 @@ fi
 echo '== a clean Debian'
 [ "$(id -u)" -eq 0 ] || fail 'a clean Debian takes root'
 if [ ! -d "$clean/usr" ]; then
-  command -v debootstrap >/dev/null || fail 'debootstrap is not installed; sh samples/setup.sh checks installs it'
+  command -v debootstrap >/dev/null || fail 'debootstrap is not installed; sh samples/setup.sh deep installs it'
   debootstrap --variant=minbase bookworm "$clean" >"$work/log" 2>&1 || fail "debootstrap: $(tail -n 5 "$work/log")"
 fi
 clean=$(cd "$clean" && pwd)

@@ -1,13 +1,11 @@
 #!/bin/sh
 # Runs a build's tests, which sanitizers watch.
 #   sh tests/checks/watched_tests.sh BUILD [OPTIONS OF CTEST...]
-# Random tests get fewer cases here; LONG=1 in the environment: as many as everywhere.
+# Random tests get fewer cases here.
 set -eu
 build=$(cd "$1" && pwd)
 shift
-if [ "${LONG-}" != 1 ]; then
-  export VIEWPROJ_JSON_LINES=10000 VIEWPROJ_STREAM_TRIALS=40
-fi
+export VIEWPROJ_JSON_LINES=10000 VIEWPROJ_STREAM_TRIALS=40
 # Reports go to files: a test may hold the standard error, and expect a failure.
 rm -rf "$build/reports"
 mkdir "$build/reports"

@@ -42,4 +42,5 @@ while IFS= read -r link; do
   case $link in http*) continue ;; esac
   [ -e "$folder/$link" ] || { echo "$page links to $link, which is not there"; exit 1; }
 done <"$work/links"
+[ -s "$work/commands" ] || [ -s "$work/links" ] || { echo "$page has neither commands nor links"; exit 1; }
 echo "$page: $(wc -l <"$work/commands") commands print what it shows, $(wc -l <"$work/links") links lead somewhere"

@@ -1,10 +1,10 @@
 """Twice the input, twice the work, and in a stream the same memory: every reader, writer and command, bad input included.
 
-    VIEWPROJ_TOOL=build/viewproj python3 growth_test.py [--table] [--all] [WORDS]
+    VIEWPROJ_TOOL=build/viewproj python3 growth_test.py [--table] [WORDS]
 
 A row of the table is a path through the tool and a kind of input. Work is counted in instructions, by valgrind, at a
 size and at four times that; memory is the peak of runs without valgrind on more of the same. WORDS: only rows whose
-names have all of them. Without one, a share of the rows, another for each commit; --all: all. --table: print what was counted.
+names have all of them. --table: print what was counted.
 """
 import concurrent.futures
 import dataclasses
@@ -22,7 +22,6 @@ from typing import Callable, Optional
 
 TOOL = os.path.abspath(os.environ.get("VIEWPROJ_TOOL", "viewproj"))
 MOST_SECONDS = 100  # of processor time; what needs more does not grow linearly
-SHARES = 96  # how many runs it takes to run every row
 TIMES = 4
 # Four times the input is four times the work; sorting adds a little, a quadratic term would make it sixteen.
 MOST_WORK = 5.2
@@ -550,12 +549,6 @@ def measure(row, least):
         return line, ""
 
 
-def judged(row, least):
-    """A fault has to show twice: on a busy machine pipes come in other pieces, and threads are told of it at other times."""
-    line, fault = measure(row, least)
-    return measure(row, least) if fault else (line, fault)
-
-
 def shown(line):
     text = f"{line['row'][:70]:70}"
     for unit, keys, size in (("Minstr", ("bytes", "instructions"), 1e6), ("MiB", ("big", "peaks"), 1 << 20)):
@@ -563,12 +556,6 @@ def shown(line):
             for given, value in zip(line[keys[0]], line[keys[1]]):
                 text += f"{given / 1000:10.1f} kB {value / size:8.1f} {unit}"
     return text
-
-
-def turn_of_this_commit():
-    """Another share of the rows for each commit."""
-    git = subprocess.run(["git", "-C", Path(__file__).parent, "rev-list", "--count", "HEAD"], capture_output=True, text=True, check=False)
-    return int(git.stdout) % SHARES if git.returncode == 0 else 0
 
 
 def main():
@@ -581,10 +568,6 @@ def main():
         assert len(ROWS) > before
     assert len({row.name for row in ROWS}) == len(ROWS), "two rows of one name"
     chosen = [row for row in ROWS if all(word in row.name for word in words)]
-    if not words and not table and "--all" not in arguments:
-        turn = turn_of_this_commit()
-        chosen = chosen[turn::SHARES]
-        print(f"rows {turn + 1}, {turn + 1 + SHARES}, ... of {len(ROWS)}; --all runs them all", flush=True)
     missing = [program for program in ("valgrind", "time") if not shutil.which(program)]
     if missing or any(name in Path(TOOL).read_bytes() for name in (b"__asan_init", b"__tsan_init")):
         print(f"skipped: without {' and '.join(missing)}" if missing else "skipped: valgrind runs no sanitized program")
@@ -593,7 +576,7 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         least = instructions(Row("", 0, constant(["--version"]), constant(b"")), 0, Path(name))[1]
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        for line, fault in pool.map(lambda row: judged(row, least), chosen):
+        for line, fault in pool.map(lambda row: measure(row, least), chosen):
             if table:
                 print(shown(line), flush=True)
             if fault:

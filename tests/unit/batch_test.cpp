@@ -87,7 +87,7 @@ TEST_CASE("The best of the supported kernels is used, unless another is forced, 
   CHECK(&kernels() == last);
 }
 
-// For kernels.sh, under a processor that lacks this or that.
+// For processors.sh, under a processor that lacks this or that.
 TEST_CASE("Which kernel is used here", "[.kernel]") {
   std::cout << "kernel " << kernels().name << '\n';
   withEachKernel([&](const Kernels& kernel) { std::cout << "supports " << kernel.name << '\n'; });
