@@ -1,9 +1,8 @@
-"""Builds the mutants and runs the tests under each: see ../mutation.sh."""
+"""Builds the mutants of tables and runs the tests under each: see README.md."""
 import argparse
 import concurrent.futures
 import json
 import os
-import random
 import signal
 import subprocess
 import sys
@@ -153,24 +152,22 @@ def table(rows, results):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("names", nargs="*", help="these mutations alone")
-    parser.add_argument("--all", action="store_true", help="every one, however long it takes")
-    parser.add_argument("--seconds", type=float, default=300, help="for the mutants, after the build")
-    parser.add_argument("--seed", help="the choice; the commit's hash unless given")
-    parser.add_argument("--build", type=Path, default=ROOT / "build-mutation")
+    parser.add_argument("tables", nargs="+", type=Path)
+    parser.add_argument("--only", nargs="+", default=[], metavar="NAME", help="these mutations alone")
+    parser.add_argument("--build", type=Path, default=ROOT / "build-mutants")
     parser.add_argument("--named", action="store_true", help="no tests but those the rows name")
     parser.add_argument("--list", action="store_true", help="check the rows against the sources, and list them")
     arguments = parser.parse_args()
 
     build = arguments.build.resolve()
     source = build / "source"
-    rows = mutants.read_tables(Path(__file__).parent)
+    rows = mutants.read_tables(arguments.tables)
     mutants.write_sources(ROOT, source, rows)
     if arguments.list:
         for row in rows:
             print(f"{row.number:10} {row.name:40} {row.kind:14} {row.file}")
         return 0
-    unknown = set(arguments.names) - {row.name for row in rows}
+    unknown = set(arguments.only) - {row.name for row in rows}
     if unknown:
         raise mutants.BrokenRow(f"there is no {' '.join(sorted(unknown))}")
 
@@ -184,22 +181,10 @@ def main():
     suite = Suite(build)  # ctest says how a program is run once it is there
     print(f"{len(rows)} mutations, built in {time.monotonic() - begun:.0f} s")
 
-    chosen = [row for row in rows if row.name in arguments.names] if arguments.names else list(rows)
-    deadline = None
-    if not arguments.names and not arguments.all:
-        seed = arguments.seed or subprocess.run(
-            ["git", "-C", ROOT, "rev-parse", "--short", "HEAD"], capture_output=True, text=True, check=False
-        ).stdout.strip()
-        print(f"seed {seed}")
-        chosen = [row for row in chosen if not row.equivalent]  # they take the whole suite, each
-        random.Random(seed).shuffle(chosen)
-        deadline = time.monotonic() + arguments.seconds
-
+    chosen = [row for row in rows if row.name in arguments.only] if arguments.only else list(rows)
     results = {}
 
     def one(row):
-        if deadline and time.monotonic() > deadline:
-            return
         begun = time.monotonic()
         killer, named = judge(suite, row, arguments.named)
         results[row.name] = (killer, named)

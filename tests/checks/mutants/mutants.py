@@ -1,4 +1,4 @@
-"""The table of mutations, and the copy of the sources in which all of them are compiled behind one switch."""
+"""Tables of mutations, and the copy of the sources in which all of them are compiled behind one switch."""
 import re
 import zlib
 from dataclasses import dataclass, field
@@ -26,7 +26,7 @@ class BrokenRow(Exception):
 
 @dataclass
 class Mutation:
-    """A row: see tests/README.md."""
+    """A row: see README.md."""
 
     name: str
     kind: str
@@ -82,9 +82,9 @@ def read_table(path):
     return rows
 
 
-def read_tables(folder):
+def read_tables(paths):
     """Every row, checked for itself."""
-    rows = [row for path in sorted(folder.glob("*.txt")) for row in read_table(path)]
+    rows = [row for path in paths for row in read_table(path)]
     names, numbers = {}, {}
     for row in rows:
         if row.name in names:
