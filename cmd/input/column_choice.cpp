@@ -254,7 +254,7 @@ std::size_t fieldOf(const Pick& pick, const ColumnChoice& choice, const RecordPa
     throw RecordError(0, "has no " + what + " " + visible(pick.name) + ", which --columns names; " + *other);
   if (const std::string outer = pick.name.substr(0, pick.name.find('.')); shape.form == Form::json && shape.find(outer))
     throw RecordError(0, "has no field " + visible(pick.name) + ", which --columns names: what is inside of " +
-                             visible(outer) + " is not read; jq -c " + quoted("." + outer) + " brings it out");
+                             visible(outer) + " is not read; jq -c " + cmd::quoted("." + outer) + " brings it out");
   constexpr std::size_t kFew = 16, kLong = 3;
   const bool few = shape.names.size() <= kFew;
   std::vector<std::string_view> names;

@@ -14,7 +14,7 @@ constexpr std::string_view kJoints[] = {"_", ".", ""};
 RecordError twoAsGood(const RecordParts& record, std::size_t one, std::size_t other, std::string_view part) {
   const auto& names = record.shape.names;
   return {record.shape.form == Form::csv ? 0 : record.offset(other),
-          "has both " + quoted(names[one]) + " and " + quoted(names[other]) + " for " + std::string(part) +
+          "has both " + cmd::quoted(names[one]) + " and " + cmd::quoted(names[other]) + " for " + std::string(part) +
               "; --columns says which, as in " + std::string(part) + "=" + visible(names[one])};
 }
 
@@ -124,8 +124,9 @@ std::optional<Layout> findArray(const Coordinate& row, const RecordParts& record
       if (forms.back().is) (found ? also : found) = i;
     }
     if (also)
-      throw RecordError(record.offset(*also), "has both " + quoted(names[*found]) + " and " + quoted(names[*also]) +
-                                                  " for " + std::string(row.name) + "; expected one of the two");
+      throw RecordError(record.offset(*also), "has both " + cmd::quoted(names[*found]) + " and " +
+                                                  cmd::quoted(names[*also]) + " for " + std::string(row.name) +
+                                                  "; expected one of the two");
     return found;
   };
   if (const auto other = search([&](std::string_view name) { return sameButForCase(name, row.name); }))

@@ -60,7 +60,7 @@ bool isPointValue(std::string_view json) {
 std::optional<PointObject> pointObject(std::string_view json) {
   const Members members = membersOf(json);
   if (const auto again = firstRepeated(members.names, std::identity()))
-    throw RecordError(0, "has " + quoted(members.names[*again]) + " twice");
+    throw RecordError(0, "has " + cmd::quoted(members.names[*again]) + " twice");
   std::vector<NameMatch> matches = matchRow(members, coordinates::xyz);
   const std::vector<NameMatch> place = matchRow(members, coordinates::place);
   if (!matches.empty() && !place.empty())
@@ -71,8 +71,8 @@ std::optional<PointObject> pointObject(std::string_view json) {
   for (const NameMatch& match : matches) {
     if (!match.field) break;
     if (match.also)
-      throw RecordError(0, "has both " + quoted(members.names[*match.field]) + " and " +
-                               quoted(members.names[*match.also]) + "; expected one of the two");
+      throw RecordError(0, "has both " + cmd::quoted(members.names[*match.field]) + " and " +
+                               cmd::quoted(members.names[*match.also]) + "; expected one of the two");
     object.names[object.count] = (object.isPlace ? coordinates::place : coordinates::xyz).parts[object.count].name;
     object.parts[object.count++] = members.values[*match.field];
     if (object.isPlace && object.count == 3 && match.isAlias) object.seaLevel = members.names[*match.field];

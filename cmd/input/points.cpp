@@ -55,7 +55,7 @@ void appendChosen(Layout& layout, const Coordinate& row, const ColumnChoice& cho
     for (const NumberField& other : layout.parts)
       if (other.field == field)
         throw RecordError(0, "--columns " + choice.text + " names column " + std::to_string(field + 1) +
-                                 " twice, for " + pick->role + " as " + quoted(pick->name));
+                                 " twice, for " + pick->role + " as " + cmd::quoted(pick->name));
     layout.parts.push_back({field, 1, 1, false, mayBeAbsent});
     if (pick->role == coordinates::kPlace[2].name && isOfTheSea(pick->name))
       layout.notes.push_back(seaLevelNote(pick->name));
@@ -221,8 +221,8 @@ std::string nameElsewhere(const RecordParts& record) {
     for (const std::string_view name : row->elsewhere)
       for (const std::string& field : shape.names)
         if (sameButForCase(name, field))
-          return "; " + quoted(field) + " is called " + std::string(row->name) + " here: {\"" + std::string(row->name) +
-                 "\": " + exampleOf(*row) + "}";
+          return "; " + cmd::quoted(field) + " is called " + std::string(row->name) + " here: {\"" +
+                 std::string(row->name) + "\": " + exampleOf(*row) + "}";
   for (const Coordinate* row : coordinates::kShapes)
     if (row->form == CoordinateForm::object &&
         std::all_of(row->parts.begin(), row->parts.end(),
@@ -233,7 +233,7 @@ std::string nameElsewhere(const RecordParts& record) {
   const bool holdsRecords = shape.size == 1 && !rowNamed(shape.names[0]) &&
                             (record.values[0].starts_with("[[") || record.values[0].starts_with("[{"));
   if (holdsRecords)
-    return "; jq -c " + quoted("." + std::string(shape.names[0]) + "[]") + " brings out what that holds";
+    return "; jq -c " + cmd::quoted("." + std::string(shape.names[0]) + "[]") + " brings out what that holds";
   return "";
 }
 

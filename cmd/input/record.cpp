@@ -57,7 +57,7 @@ RecordParts jsonParts(std::string_view text) {
     requireFewFields(text, record.values);
   }
   if (const auto again = firstRepeated(record.shape.names, std::identity()))
-    throw RecordError(offsets[*again], "has the field " + quoted(record.shape.names[*again]) + " twice");
+    throw RecordError(offsets[*again], "has the field " + cmd::quoted(record.shape.names[*again]) + " twice");
   record.shape.size = record.values.size();
   return record;
 }
