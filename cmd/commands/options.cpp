@@ -99,40 +99,22 @@ void addReportForm(CommandLine& line, ReportForm& form, const std::string& svg) 
           "Form of the output" + (svg.empty() ? "" : "; svg plots " + svg));
 }
 
-void addTolerance(CommandLine& line, std::optional<double>& tolerance) {
-  addValue(line, "--tolerance", "PX", tolerance,
-           numberThat([](double pixels) { return pixels >= 0; }, "pixels, a number not below 0"),
-           "Pixels that auto stays within, on screen x and y (default: 1e-6)");
-}
-
-std::span<const PrecisionRow> precisionModes() {
-  static constexpr PrecisionRow kModes[] = {
-      {"exact",
-       {Precision::exact},
-       "double-double, and exact sums where that is not certain",
+std::span<const PrecisionRow> precisions() {
+  static constexpr PrecisionRow kPrecisions[] = {
+      {"exact", Precision::exact, "double-double, and exact sums where that is not certain",
        "the double nearest the true value, certified number by number; a tie, or a number that cancels to about 0, is "
        "within 0.51 ulp or 1e-26 of the picture's size (a depth where near and far are nearly the same: 2^-96 / "
        "(far/near - 1))"},
-      {"standard",
-       {Precision::standard},
-       "double, after the eye is subtracted",
+      {"standard", Precision::standard, "double, after the eye is subtracted",
        "a proven bound: 5e-12 pixels at 60 degrees and 1080 lines"},
-      {"fast",
-       {Precision::fast},
-       "float32, after the eye is subtracted in double",
-       "a proven bound: 2e-3 pixels at 60 degrees and 1080 lines"},
-      {"auto",
-       {std::nullopt},
-       "the cheapest of these whose bound is within --tolerance",
-       "the tolerance, in the picture and one more picture on every side of it; exact elsewhere"},
   };
-  return kModes;
+  return kPrecisions;
 }
 
-void addPrecision(CommandLine& line, PrecisionMode& mode, const std::string& what) {
-  Names<PrecisionMode> modes;
-  for (const PrecisionRow& row : precisionModes()) modes.emplace_back(row.name, row.mode);
-  addChoice(line, "--precision", "MODE", mode, modes, "Arithmetic; " + what);
+void addPrecision(CommandLine& line, Precision& precision) {
+  Names<Precision> names;
+  for (const PrecisionRow& row : precisions()) names.emplace_back(row.name, row.precision);
+  addChoice(line, "--precision", "MODE", precision, names, "Arithmetic; standard is double");
 }
 
 }  // namespace viewproj::cmd

@@ -59,25 +59,13 @@ enum class ReportForm { table, json, svg };
 /// --to table or json, or else svg, if there is one. svg: what it plots.
 void addReportForm(CommandLine& line, ReportForm& form, const std::string& svg = "");
 
-/// What `auto` keeps on screen x and y, in pixels, where nothing else is asked for.
-inline constexpr double kDefaultTolerance = 1e-6;
-
-/// --tolerance PX.
-void addTolerance(CommandLine& line, std::optional<double>& tolerance);
-
-/// The arithmetic, or nothing for `auto`.
-struct PrecisionMode {
-  std::optional<Precision> arithmetic = Precision::exact;
-  bool operator==(const PrecisionMode&) const = default;
-};
 struct PrecisionRow {
   std::string_view name;
-  PrecisionMode mode;
+  Precision precision;
   std::string_view arithmetic, promise;  ///< the promise is of screen x, y and depth
 };
-std::span<const PrecisionRow> precisionModes();
-/// what: of its help, what the modes are.
-void addPrecision(CommandLine& line, PrecisionMode& mode,
-                  const std::string& what = "standard is double, fast float32, auto the cheapest that will do");
+std::span<const PrecisionRow> precisions();
+/// --precision MODE.
+void addPrecision(CommandLine& line, Precision& precision);
 
 }  // namespace viewproj::cmd

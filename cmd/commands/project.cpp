@@ -101,9 +101,8 @@ std::string helpOnFields() {
 
 struct Projecting {
   Camera camera;
-  Convention writing;                   ///< of ndc, clip and view
-  std::optional<Precision> arithmetic;  ///< nothing: auto, within the tolerance
-  double tolerance = 0;
+  Convention writing;  ///< of ndc, clip and view
+  Precision precision;
   PointReading reading;
   Fields fields;
   std::vector<const PointResult*> ofText;   ///< by default
@@ -156,8 +155,7 @@ std::size_t countUsable(std::span<const Vec3> points, std::span<const Vec3> scre
 
 class ProjectWork final : public RecordWork {
  public:
-  explicit ProjectWork(const Projecting& how)
-      : how_(how), chosen_(how.arithmetic ? *how.arithmetic : precisionWithin(how.camera, how.tolerance)) {}
+  explicit ProjectWork(const Projecting& how) : how_(how) {}
 
   Layout find(const RecordParts& record) const override { return findPoint(record, how_.reading); }
 
@@ -197,14 +195,9 @@ class ProjectWork final : public RecordWork {
 
   void compute() override {
     screen_.resize(points_.size());
-    if (how_.arithmetic)
-      worldToScreen(how_.camera, positions_, screen_, chosen_);
-    else
-      worldToScreenWithin(how_.camera, how_.tolerance, positions_, screen_);
+    worldToScreen(how_.camera, positions_, screen_, how_.precision);
     for (std::size_t i = 0; i < points_.size(); ++i)
-      if (points_[i].w != 1)
-        screen_[i] = how_.arithmetic ? worldToScreen(how_.camera, points_[i], chosen_)
-                                     : worldToScreenWithin(how_.camera, chosen_, points_[i]);
+      if (points_[i].w != 1) screen_[i] = worldToScreen(how_.camera, points_[i], how_.precision);
   }
 
   void write(std::size_t i, ResultSink& sink) override {
@@ -230,10 +223,7 @@ class ProjectWork final : public RecordWork {
     char* const room = out.room(count * sizeof(Vec3));
     const std::span points(reinterpret_cast<const Vec3*>(in.data()), count);
     const std::span screen(reinterpret_cast<Vec3*>(room), count);
-    if (how_.arithmetic)
-      worldToScreen(how_.camera, points, screen, chosen_);
-    else
-      worldToScreenWithin(how_.camera, how_.tolerance, points, screen);
+    worldToScreen(how_.camera, points, screen, how_.precision);
     const std::size_t good = countUsable(points, screen);
     out.written(room + good * sizeof(Vec3));
     return good;
@@ -315,7 +305,6 @@ class ProjectWork final : public RecordWork {
   }
 
   const Projecting& how_;
-  Precision chosen_;
   std::vector<Vec4> points_;  ///< a segment or a shape has a place among them that is not used
   std::vector<Vec3> positions_;
   std::vector<std::pair<std::size_t, SegmentRow>> segments_;
@@ -327,8 +316,7 @@ class ProjectWork final : public RecordWork {
 struct Options {
   CameraOptions camera;
   StreamOptions stream;
-  PrecisionMode precision;
-  std::optional<double> tolerance;
+  Precision precision = Precision::exact;
   std::vector<GivenPoint> points;
   std::optional<Fields> fields;
   std::optional<std::string> model;
@@ -353,15 +341,12 @@ int run(const Options& o) {
   setup.note = [&](const std::string& note) { o.camera.notes().say(note); };
   for (const GivenPoint& point : o.points) setup.given.push_back({point.text, point.json()});
   o.stream.requireOneInput(setup, o.camera, {"the model", isStandardInput(o.model)});
-  if (o.precision.arithmetic && o.tolerance)
-    throw UsageError("--tolerance is for --precision auto, which chooses by it");
   const CameraFile file = o.camera.read();
   for (const GivenPoint& point : o.points) point.requireFit(file.worldIsEcef);
   o.stream.settleOnEarth(setup, file.worldIsEcef);
   Projecting how{.camera = makeCamera(file),
                  .writing = o.camera.writing(file),
-                 .arithmetic = o.precision.arithmetic,
-                 .tolerance = o.tolerance.value_or(kDefaultTolerance),
+                 .precision = o.precision,
                  .reading = {.columns = setup.columns,
                              .worldIsEcef = file.worldIsEcef,
                              .segments = true,
@@ -393,7 +378,6 @@ Action defineProject(CommandLine& line) {
   o->camera.addWriting(line);
   o->stream.add(line, "points");
   addPrecision(line, o->precision);
-  addTolerance(line, o->tolerance);
   addValues(line, "--point", kPointForm, o->points, readGivenPoint, "A point, in place of FILE and standard input");
   addValue(line, "--fields", "NAMES", o->fields, readFields, helpOnFields());
   addModelOption(line, o->model, "points");

@@ -39,7 +39,7 @@ WorldPoint pointBehind(const Camera& camera, const Pixel& pixel) {
 
 struct Casting {
   Camera camera;
-  Precision arithmetic = Precision::exact;
+  Precision precision = Precision::exact;
   RayOrigin origin = RayOrigin::eye;
   bool wantBound = false;
   ColumnChoice columns;
@@ -96,7 +96,7 @@ class RayWork final : public RecordWork {
     const auto& [pixel, tellsDistance] = pixels_[i];
     Cast cast{.pixel = pixel};
     if (pixel.screen) {
-      cast.ray = screenToRay(how_.camera, *pixel.screen, how_.arithmetic, how_.origin);
+      cast.ray = screenToRay(how_.camera, *pixel.screen, how_.precision, how_.origin);
       if (pixel.depth || pixel.viewDistance) cast.point = pointBehind(how_.camera, pixel);
     }
     if (pixel.depth && !pixel.viewDistance) how_.hadDepth.store(true, std::memory_order_relaxed);
@@ -248,7 +248,7 @@ Several<const ResultRow*> readFields(const std::string& option, const std::strin
 struct Options {
   CameraOptions camera;
   StreamOptions stream;
-  PrecisionMode precision;
+  Precision precision = Precision::exact;
   std::optional<Several<const ResultRow*>> fields;
   std::vector<GivenPixel> pixels;
   RayOrigin from = RayOrigin::eye;
@@ -294,11 +294,9 @@ int run(const Options& o) {
   if (o.wantBound && !mayHaveDepth)
     throw UsageError("--bound is of the point at a pixel's DEPTH, and --pixel gives none");
   o.stream.requireOneInput(setup, o.camera, {"the scene", isStandardInput(o.scene)});
-  // Rays are within kRayDirectionBound in standard already: fast and auto need nothing else.
-  const bool exact = o.precision.arithmetic == Precision::exact;
   const CameraFile file = o.camera.read();
   Casting how{.camera = makeCamera(file),
-              .arithmetic = exact ? Precision::exact : Precision::standard,
+              .precision = o.precision,
               .origin = o.from,
               .wantBound = o.wantBound,
               .columns = setup.columns,
@@ -342,7 +340,7 @@ Action defineRay(CommandLine& line) {
   o->stream.add(line, "pixels");
   static constexpr std::pair<std::string_view, RayOrigin> kPlaces[] = {{"eye", RayOrigin::eye},
                                                                        {"near", RayOrigin::nearPlane}};
-  addPrecision(line, o->precision, "of rays standard is double, and good enough to be fast and auto as well");
+  addPrecision(line, o->precision);
   addValues(line, "--pixel", "X,Y[,DEPTH]", o->pixels, readPixel,
             "A pixel, with a window depth if known, in place of FILE and standard input");
   addChoice(line, "--ray-from", "PLACE", o->from, rowsOf(kPlaces),

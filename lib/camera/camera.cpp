@@ -127,7 +127,6 @@ Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport
                                          c.depthAtFar - c.depthAtNear, c.projection.near, c.projection.far});
   k.sizeXY = std::max(maxAbs(k.x), maxAbs(k.y));
   k.sizeW = maxAbs(k.w);
-  k.farthest = std::max(std::fabs(c.projection.near), std::fabs(c.projection.far));
   k.residualReach = std::max(std::max(std::fabs(k.residual.x.hi), std::fabs(k.residual.y.hi)) / k.sizeXY,
                              std::fabs(k.residual.z.hi) / k.sizeW);
   // A residual that is there counts, however small: whether it does is told from this.

@@ -32,7 +32,6 @@ struct ProjectionConstants {
   /// the largest; infinite where one is not a normal double.
   double range = 0;
   double sizeXY = 0, sizeW = 0;  ///< largest entry of x and y, and of w
-  double farthest = 0;           ///< the larger of |near| and |far|
   double residualReach = 0;      ///< the residual's part in |d0| + |d1| + |d2|, as error bounds count it
 
   Vec3 rayX, rayY, rayW;  ///< columns: right / scaleX, up / scaleY, forward

@@ -3,7 +3,6 @@
 #include <limits>
 #include <string>
 
-#include "camera/attempts.hpp"
 #include "camera/require.hpp"
 #include "camera/turned_axes.hpp"
 #include "geodesy/normal.hpp"
@@ -87,16 +86,6 @@ Pose lookAtPlace(const Geodetic& position, const Geodetic& target) {
                                     : "is straight above or below the camera, so it does not say which way is up; give "
                                       "a heading and a pitch, or an up");
   return lookAt(geodeticToEcef(position), geodeticToEcef(target), ellipsoidNormal(position), Handedness::right);
-}
-
-Result<Pose> tryPoseFromHeadingPitchRoll(const Geodetic& position, const HeadingPitchRoll& turned) noexcept {
-  // cppcheck-suppress throwInNoexceptFunction  // attempt() catches
-  return attempt([&] { return poseFromHeadingPitchRoll(position, turned); });
-}
-
-Result<Pose> tryLookAtPlace(const Geodetic& position, const Geodetic& target) noexcept {
-  // cppcheck-suppress throwInNoexceptFunction  // attempt() catches
-  return attempt([&] { return lookAtPlace(position, target); });
 }
 
 }  // namespace viewproj

@@ -1,9 +1,8 @@
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "projection/kernels/kernels.hpp"
-#include "projection/kernels/picture_reach.hpp"
-#include "projection/left.hpp"
 #include "projection/sides.hpp"
 #include "viewproj/screen.hpp"
 
@@ -14,13 +13,35 @@ namespace {
 
 static_assert(sizeof(Vec3) == 3 * sizeof(double) && sizeof(Vec2) == 2 * sizeof(double));
 
-auto kernelOf(Precision precision) noexcept {
-  const Kernels& k = kernels();
-  return precision == Precision::fast ? k.fast : precision == Precision::standard ? k.standard : k.exact;
+/// Points go in blocks: input and output may be the same memory, and a point that is not settled is read again.
+constexpr std::size_t kBlock = 512;
+
+/// Of a block, the points that a kernel has left: use(index) settles each.
+struct Left {
+  std::uint64_t bits[kBlock / 64] = {};
+
+  bool has(std::size_t i) const noexcept { return bits[i / 64] >> i % 64 & 1; }
+  template <class Use>
+  void each(const Use& use) const noexcept {
+    for (std::size_t i = 0; i < kBlock; i += 64)
+      for (std::uint64_t rest = bits[i / 64]; rest; rest &= rest - 1)
+        use(i + static_cast<std::size_t>(std::countr_zero(rest)));
+  }
+};
+
+void tally(BatchCounts& counts, const ScreenPoint& settled) noexcept {
+  ++counts.escalated;
+  if (settled.status == PointStatus::inFront && !settled.certain) ++counts.uncertain;
 }
 
-BatchCounts run(const Camera& camera, std::span<const Vec3> points, std::span<Vec3> screen, Precision precision,
-                PictureReach band) noexcept {
+Kernels::Project kernelOf(Precision precision) noexcept {
+  return precision == Precision::standard ? kernels().standard : kernels().exact;
+}
+
+}  // namespace
+
+BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, std::span<Vec3> screen,
+                          Precision precision) noexcept {
   const auto kernel = kernelOf(precision);
   const std::size_t count = std::min(points.size(), screen.size());
   const bool inPlace = points.data() < screen.data() + count && screen.data() < points.data() + count;
@@ -32,7 +53,7 @@ BatchCounts run(const Camera& camera, std::span<const Vec3> points, std::span<Ve
     if (inPlace) in = std::copy_n(in, 3 * size, copy) - 3 * size;
     Vec3* out = screen.data() + i;
     Left left;
-    kernel(parts(camera).constants, band.x, band.y, in, &out->x, nullptr, size, left.bits);
+    kernel(parts(camera).constants, in, &out->x, nullptr, size, left.bits);
     left.each([&](std::size_t j) {
       const ScreenPoint p = worldToScreen(camera, {in[3 * j], in[3 * j + 1], in[3 * j + 2]}, Precision::exact);
       out[j] = {p.x, p.y, p.depth};
@@ -42,8 +63,8 @@ BatchCounts run(const Camera& camera, std::span<const Vec3> points, std::span<Ve
   return counts;
 }
 
-BatchCounts run(const Camera& camera, std::span<const Vec3> points, std::span<ScreenPoint> screen, Precision precision,
-                PictureReach band) noexcept {
+BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, std::span<ScreenPoint> screen,
+                          Precision precision) noexcept {
   const auto kernel = kernelOf(precision);
   const std::size_t count = std::min(points.size(), screen.size());
   BatchCounts counts;
@@ -51,7 +72,7 @@ BatchCounts run(const Camera& camera, std::span<const Vec3> points, std::span<Sc
   for (std::size_t i = 0; i < count; i += kBlock) {
     const std::size_t size = std::min(kBlock, count - i);
     Left left;
-    kernel(parts(camera).constants, band.x, band.y, &points[i].x, position, distance, size, left.bits);
+    kernel(parts(camera).constants, &points[i].x, position, distance, size, left.bits);
     for (std::size_t j = 0; j < size; ++j) {
       ScreenPoint& p = screen[i + j];
       if (left.has(j)) {
@@ -71,36 +92,6 @@ BatchCounts run(const Camera& camera, std::span<const Vec3> points, std::span<Sc
     }
   }
   return counts;
-}
-
-template <class Screen>
-BatchCounts runWithin(const Camera& camera, double tolerance, std::span<const Vec3> points,
-                      std::span<Screen> screen) noexcept {
-  const Precision precision = precisionWithin(camera, tolerance);
-  return run(camera, points, screen, precision,
-             precision == Precision::exact ? PictureReach{} : pictureReach(parts(camera), kGuardBand));
-}
-
-}  // namespace
-
-BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, std::span<Vec3> screen,
-                          Precision precision) noexcept {
-  return run(camera, points, screen, precision, {});
-}
-
-BatchCounts worldToScreenWithin(const Camera& camera, double tolerance, std::span<const Vec3> points,
-                                std::span<Vec3> screen) noexcept {
-  return runWithin(camera, tolerance, points, screen);
-}
-
-BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, std::span<ScreenPoint> screen,
-                          Precision precision) noexcept {
-  return run(camera, points, screen, precision, {});
-}
-
-BatchCounts worldToScreenWithin(const Camera& camera, double tolerance, std::span<const Vec3> points,
-                                std::span<ScreenPoint> screen) noexcept {
-  return runWithin(camera, tolerance, points, screen);
 }
 
 void screenToRayDirections(const Camera& camera, std::span<const Vec2> pixels, std::span<Vec3> directions) noexcept {

@@ -155,11 +155,4 @@ Vec2 pixelSize(const Camera& camera, double viewDistance) noexcept {
   return {std::fabs((span / c.screen.scaleX).hi), std::fabs((span / c.screen.scaleY).hi)};
 }
 
-double distancePerDepth(const Camera& camera, const Vec2& screen, double viewDistance) noexcept {
-  const CameraParts& c = parts(camera);
-  const double scale = c.constants.depthScale.hi;
-  const double perDepth = c.projection.orthographic ? 1 / scale : viewDistance * (viewDistance / scale);
-  return std::fabs(perDepth) * double(slant(c, screen));
-}
-
 }  // namespace viewproj

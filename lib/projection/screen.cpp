@@ -9,7 +9,6 @@
 #include "camera/lens.hpp"
 #include "projection/eye_point.hpp"
 #include "projection/kernels/formulas.hpp"
-#include "projection/kernels/picture_reach.hpp"
 #include "projection/sides.hpp"
 
 namespace viewproj {
@@ -214,24 +213,19 @@ ScreenPoint exactToScreen(const CameraParts& c, const Vec4& point) noexcept {
   return result.point;
 }
 
-/// The parts of a formula that a camera does not need add zeros and compare with infinity here: the same bits.
-template <template <class, class> class Formula>
-Projected<double, bool> byFormula(const ProjectionConstants& k, const Vec3& p, Band band) noexcept {
-  return k.orthographic ? Formula<ScalarLanes, Traits<true, true, true, true>>(k, band).point(p.x, p.y, p.z)
-                        : Formula<ScalarLanes, Traits<false, true, true, true>>(k, band).point(p.x, p.y, p.z);
+/// A residual that a camera does not have adds zeros: the same bits.
+Projected<double, bool> byStandard(const ProjectionConstants& k, const Vec3& p) noexcept {
+  return k.orthographic ? StandardFormula<ScalarLanes, Traits<true, true, true>>(k).point(p.x, p.y, p.z)
+                        : StandardFormula<ScalarLanes, Traits<false, true, true>>(k).point(p.x, p.y, p.z);
 }
 
-Projected<double, bool> byFormula(const ProjectionConstants& k, const Vec3& p, Precision precision,
-                                  Band band) noexcept {
-  return precision == Precision::fast       ? byFormula<FastFormula>(k, p, band)
-         : precision == Precision::standard ? byFormula<StandardFormula>(k, p, band)
-                                            : kernels().exactPoint(k, p);
-}
+}  // namespace
 
-/// Exact rows for what the formula cannot bound or certify, and for what lies outside the band.
-ScreenPoint pointToScreen(const CameraParts& c, const Vec3& point, Precision precision, Band band) noexcept {
+ScreenPoint worldToScreen(const Camera& camera, const Vec3& point, Precision precision) noexcept {
   if (!isFinite(point)) return without(PointStatus::notFinite, kNaN);
-  const Projected<double, bool> r = byFormula(c.constants, point, precision, band);
+  const CameraParts& c = parts(camera);
+  const Projected<double, bool> r =
+      precision == Precision::standard ? byStandard(c.constants, point) : kernels().exactPoint(c.constants, point);
   ScreenPoint p;
   if (r.behind) {
     p = without(PointStatus::behind, r.distance);
@@ -249,8 +243,6 @@ ScreenPoint pointToScreen(const CameraParts& c, const Vec3& point, Precision pre
   return p;
 }
 
-}  // namespace
-
 ScreenPoint worldToScreen(const Camera& camera, const Vec4& point, Precision precision) noexcept {
   const Vec3 xyz{point.x, point.y, point.z};
   if (point.w == 1) return worldToScreen(camera, xyz, precision);
@@ -265,20 +257,6 @@ ScreenPoint worldToScreen(const Camera& camera, const Vec4& point, Precision pre
   ScreenPoint p = result.point;
   p.certain = result.certain;
   return p;
-}
-
-ScreenPoint worldToScreen(const Camera& camera, const Vec3& point, Precision precision) noexcept {
-  return pointToScreen(parts(camera), point, precision, {});
-}
-
-ScreenPoint worldToScreenWithin(const Camera& camera, Precision chosen, const Vec3& point) noexcept {
-  const PictureReach reach = pictureReach(parts(camera), kGuardBand);
-  return pointToScreen(parts(camera), point, chosen, {reach.x, reach.y});
-}
-
-ScreenPoint worldToScreenWithin(const Camera& camera, Precision chosen, const Vec4& point) noexcept {
-  if (point.w != 1) return worldToScreen(camera, point, Precision::exact);
-  return worldToScreenWithin(camera, chosen, Vec3{point.x, point.y, point.z});
 }
 
 }  // namespace viewproj

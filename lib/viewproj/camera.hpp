@@ -12,7 +12,6 @@
 
 #include <limits>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -29,44 +28,18 @@ struct ProjectionParts;
 struct CameraParts;
 }  // namespace detail
 
-/// What is wrong with a camera.
-struct CameraFault {
-  std::string field;  ///< the parameter at fault, named as in a camera file ("up", "far", "viewport.width", ...)
-  std::string message;
-};
-
 /// Thrown while a camera is described, never while points are projected.
 class CameraError : public std::invalid_argument {
  public:
+  /// field: the parameter at fault, named as in a camera file ("up", "far", "viewport.width", ...).
   CameraError(std::string field, const std::string& message)
-      : std::invalid_argument(field + ": " + message), fault_{std::move(field), message} {}
+      : std::invalid_argument(field + ": " + message), field_(std::move(field)), message_(message) {}
 
-  const std::string& field() const noexcept { return fault_.field; }
-  const std::string& message() const noexcept { return fault_.message; }
-  const CameraFault& fault() const noexcept { return fault_; }
-
- private:
-  CameraFault fault_;
-};
-
-/// What a function that throws CameraError would return, or what it would throw: for code without exceptions. Each such
-/// function has a twin whose name begins with try. (Out of memory ends the program there.)
-template <class T>
-class Result {
- public:
-  Result(T value) noexcept : value_(std::move(value)) {}            // NOLINT: a value is a result
-  Result(CameraFault fault) noexcept : fault_(std::move(fault)) {}  // NOLINT: so is a fault
-
-  explicit operator bool() const noexcept { return value_.has_value(); }
-  /// Only where there is a value.
-  const T& operator*() const noexcept { return *value_; }
-  const T* operator->() const noexcept { return &*value_; }
-  /// Empty where there is a value.
-  const CameraFault& fault() const noexcept { return fault_; }
+  const std::string& field() const noexcept { return field_; }
+  const std::string& message() const noexcept { return message_; }
 
  private:
-  std::optional<T> value_;
-  CameraFault fault_;
+  std::string field_, message_;
 };
 
 // ---- Pose
@@ -118,13 +91,6 @@ Pose poseFromWorldFromCamera(const Mat4& worldFromCamera, CameraAxes axes, Hande
 
 /// The inverse of the above: a view matrix.
 Pose poseFromCameraFromWorld(const Mat4& cameraFromWorld, CameraAxes axes, Handedness world);
-
-Result<Pose> tryLookAlong(const Vec3& position, const Vec3& direction, const Vec3& up, Handedness world) noexcept;
-Result<Pose> tryLookAt(const Vec3& position, const Vec3& target, const Vec3& up, Handedness world) noexcept;
-Result<Pose> tryPoseFromRotation(const Vec3& position, const Quaternion& worldFromCamera, CameraAxes axes,
-                                 Handedness world) noexcept;
-Result<Pose> tryPoseFromWorldFromCamera(const Mat4& worldFromCamera, CameraAxes axes, Handedness world) noexcept;
-Result<Pose> tryPoseFromCameraFromWorld(const Mat4& cameraFromWorld, CameraAxes axes, Handedness world) noexcept;
 
 // ---- Viewport
 
@@ -219,22 +185,6 @@ Projection shifted(const Projection& projection, double dx, double dy);
 /// The window of a tile of the viewport's picture; its viewport is cropped(viewport, crop).
 Projection cropped(const Projection& projection, const Viewport& viewport, const Crop& crop);
 
-Result<Projection> tryPerspectiveFovY(double degrees, double aspect, double zNear, double zFar) noexcept;
-Result<Projection> tryPerspectiveFovX(double degrees, double aspect, double zNear, double zFar) noexcept;
-Result<Projection> tryPerspectiveFovDiagonal(double degrees, double aspect, double zNear, double zFar) noexcept;
-Result<Projection> tryPerspectiveNearSize(double nearWidth, double nearHeight, double zNear, double zFar) noexcept;
-Result<Projection> tryPerspectiveFocalLength(double focalLength, double sensorWidth, double sensorHeight, double aspect,
-                                             double zNear, double zFar) noexcept;
-Result<Projection> tryFrustum(double left, double right, double bottom, double top, double zNear, double zFar) noexcept;
-Result<Projection> tryPerspectiveWindow(double left, double right, double bottom, double top, double zNear,
-                                        double zFar) noexcept;
-Result<Projection> tryOrthographic(double left, double right, double bottom, double top, double zNear,
-                                   double zFar) noexcept;
-Result<Projection> tryIntrinsics(double fx, double fy, double cx, double cy, const Viewport& viewport, double zNear,
-                                 double zFar) noexcept;
-Result<Projection> tryShifted(const Projection& projection, double dx, double dy) noexcept;
-Result<Projection> tryCropped(const Projection& projection, const Viewport& viewport, const Crop& crop) noexcept;
-
 // ---- Camera
 
 class Camera {
@@ -259,7 +209,5 @@ class Camera {
 /// not IEEE's. Takes a few microseconds: build once, use for every point.
 Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport& viewport,
                   const Convention& convention = {});
-Result<Camera> tryMakeCamera(const Pose& pose, const Projection& projection, const Viewport& viewport,
-                             const Convention& convention = {}) noexcept;
 
 }  // namespace viewproj

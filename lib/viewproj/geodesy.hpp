@@ -70,7 +70,4 @@ Pose poseFromHeadingPitchRoll(const Geodetic& position, const HeadingPitchRoll& 
 /// open where up is.
 Pose lookAtPlace(const Geodetic& position, const Geodetic& target);
 
-Result<Pose> tryPoseFromHeadingPitchRoll(const Geodetic& position, const HeadingPitchRoll& turned) noexcept;
-Result<Pose> tryLookAtPlace(const Geodetic& position, const Geodetic& target) noexcept;
-
 }  // namespace viewproj

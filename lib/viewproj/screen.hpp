@@ -13,9 +13,8 @@
 
 namespace viewproj {
 
-/// Which arithmetic a result is computed in: each rung costs more and promises more.
+/// Which arithmetic a result is computed in.
 enum class Precision {
-  fast,      ///< float32 after the eye is subtracted in double
   standard,  ///< double, relative to the eye
   exact,     ///< the double nearest the true value
 };
@@ -55,20 +54,13 @@ struct ScreenPoint {
   bool visible() const noexcept { return status == PointStatus::inFront && outside == 0; }
 };
 
-/// Projects a point, as near the true value as ErrorBound says of the precision; points that fast or standard
-/// cannot bound are projected exactly. Subtracts the eye first (exactly, in exact), then three dot products and one
-/// division: no matrix.
+/// Projects a point, as near the true value as ErrorBound says of the precision; points that standard cannot bound are
+/// projected exactly. Subtracts the eye first (exactly, in exact), then three dot products and one division: no matrix.
 ScreenPoint worldToScreen(const Camera& camera, const Vec3& point, Precision precision = Precision::exact) noexcept;
 
 /// Homogeneous: (x/w, y/w, z/w), negative w included; with w = 0 a direction, whose vanishing point is given. Weights
 /// other than 1 are worked on in double-double whatever the precision.
 ScreenPoint worldToScreen(const Camera& camera, const Vec4& point, Precision precision = Precision::exact) noexcept;
-
-/// A single point as the batch of this name projects it, bit for bit: in the precision chosen where
-/// its pixel lies in the picture or one more picture on any side of it, exactly elsewhere. chosen is
-/// precisionWithin(camera, tolerance), found once for all points; tolerance is in pixels.
-ScreenPoint worldToScreenWithin(const Camera& camera, Precision chosen, const Vec3& point) noexcept;
-ScreenPoint worldToScreenWithin(const Camera& camera, Precision chosen, const Vec4& point) noexcept;
 
 // ---- Many points or pixels at a time
 
@@ -84,17 +76,10 @@ struct BatchCounts {
 BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, std::span<Vec3> screen,
                           Precision precision = Precision::exact) noexcept;
 
-/// The cheapest precision that is within tolerance pixels (precisionWithin) for points in the picture and one more
-/// picture on every side of it; exact for every other.
-BatchCounts worldToScreenWithin(const Camera& camera, double tolerance, std::span<const Vec3> points,
-                                std::span<Vec3> screen) noexcept;
-
 /// The same in full, with viewDistance, status and the sides a point lies beyond: the single point's, bit for bit.
 /// Takes about a third longer.
 BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, std::span<ScreenPoint> screen,
                           Precision precision = Precision::exact) noexcept;
-BatchCounts worldToScreenWithin(const Camera& camera, double tolerance, std::span<const Vec3> points,
-                                std::span<ScreenPoint> screen) noexcept;
 
 /// The unit directions of the rays through screen positions, within kRayDirectionBound of the true ones.
 void screenToRayDirections(const Camera& camera, std::span<const Vec2> pixels, std::span<Vec3> directions) noexcept;
@@ -118,19 +103,15 @@ struct ErrorBound {
   double depth = 0;
 };
 
-/// For every point whose true pixel lies in the picture enlarged band times about its middle, between near and far in
-/// orthographic (and whose depth lies between near and far, for the depth's bound).
-ErrorBound boundInPicture(const Camera& camera, Precision precision, double band = 1) noexcept;
+/// For every point whose true pixel lies in the picture, between near and far in orthographic (and whose depth lies
+/// between near and far, for the depth's bound).
+ErrorBound boundInPicture(const Camera& camera, Precision precision) noexcept;
 
 /// For one point, wherever it lies.
 ErrorBound boundOfPoint(const Camera& camera, const Vec3& point, Precision precision) noexcept;
 
 /// Homogeneous: weights other than 1 have the bound of exact, whatever the precision, as worldToScreen works on them.
 ErrorBound boundOfPoint(const Camera& camera, const Vec4& point, Precision precision) noexcept;
-
-/// The cheapest precision that is within tolerance pixels in the whole picture and one more picture on every side of it
-/// (band 3). exact where none is.
-Precision precisionWithin(const Camera& camera, double tolerance) noexcept;
 
 // ---- Back to the world
 
@@ -171,11 +152,6 @@ struct WorldPoint {
   /// Along the viewing axis, the double nearest that of the depth given; NaN unless status is point.
   double viewDistance = std::numeric_limits<double>::quiet_NaN();
 };
-
-/// How far a point moves along its ray, per unit of window depth: W^2 / |depthScale| times the slant of the ray in
-/// perspective, with W the view distance. At standard depth and W far beyond near it is enormous: a depth near 1 says
-/// little. Multiply by half the step of the depth buffer that a depth was read from.
-double distancePerDepth(const Camera& camera, const Vec2& screen, double viewDistance) noexcept;
 
 /// How much of the world one pixel spans at a distance along the viewing axis, across and down, in world units: each
 /// within 1 ulp of what the distance given makes it. In orthographic the same everywhere; NaN in perspective where the

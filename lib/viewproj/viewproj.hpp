@@ -4,7 +4,6 @@
 #include "viewproj/camera.hpp"
 #include "viewproj/clip.hpp"
 #include "viewproj/convention.hpp"
-#include "viewproj/floats.hpp"
 #include "viewproj/matrices.hpp"
 #include "viewproj/screen.hpp"
 #include "viewproj/vectors.hpp"

@@ -254,12 +254,12 @@ std::string precision(std::size_t width) {
                         width) +
                     "\n";
   std::vector<Entry> modes;
-  for (const PrecisionRow& row : precisionModes())
+  for (const PrecisionRow& row : precisions())
     modes.push_back(
         {std::string(row.name), "", std::string(row.arithmetic) + ". Promised: " + std::string(row.promise) + "."});
   out += listed(modes, width);
   return out + paragraph(
-                   "The bounds hold wherever the eye is. A point that a precision cannot bound is projected exactly. "
+                   "The bounds hold wherever the eye is. A point that standard cannot bound is projected exactly. "
                    "Rays are within 1.2e-15 radians. Input counts as the doubles nearest its text.",
                    width);
 }

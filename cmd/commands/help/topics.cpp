@@ -57,11 +57,11 @@ constexpr Topic kTopics[] = {
       "viewproj matrix --list samples/a-kind-of-ones-own/drone.yaml --format "
       "samples/a-kind-of-ones-own/drone.kind.yaml"}},
     {"precision",
-     "what fast, standard, exact and auto promise",
+     "what exact and standard promise",
      pages::precision,
      {"viewproj project -c samples/picking-a-pixel/camera.json --point 0,0,0 --fields screen,bound",
       "viewproj project -c samples/cornell-box/camera.json samples/cornell-box/quads.csv \\\n"
-      "  --precision auto --tolerance 1e-3 --fields screen,bound"}},
+      "  --precision standard --fields screen,bound"}},
 };
 
 }  // namespace

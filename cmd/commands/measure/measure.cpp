@@ -75,8 +75,6 @@ std::vector<std::string> notesOn(const Measurement& m, std::size_t leftOut) {
 struct Options {
   CameraOptions camera;
   StreamOptions stream;
-  std::optional<double> tolerance;
-  double seconds = 1;
   ReportForm form = ReportForm::table;
 };
 
@@ -95,15 +93,13 @@ int run(const Options& o) {
   if (sample.points.empty())
     throw InputError((setup.file == "-" ? kStandardInputName : visible(setup.file)) + ": has no points to measure" +
                      (sample.leftOut > 0 ? "; directions and weighted points are left out" : ""));
-  const Measurement m = measure(built, sample.points, o.tolerance.value_or(kDefaultTolerance), o.seconds);
+  const Measurement m = measure(built, sample.points);
   const std::vector<std::string> notes = notesOn(m, sample.leftOut);
   if (sample.beyond > 0)
     o.camera.notes().say("the first " + std::to_string(kMostPoints) + " points are measured, and " +
                          std::to_string(sample.beyond) + " left out");
   for (const std::string& note : notes) o.camera.notes().say(note);
-  writeOutput(o.form == ReportForm::json  ? measurementAsJson(m, sample.leftOut, notes)
-              : o.form == ReportForm::svg ? measurementAsSvg(m)
-                                          : measurementAsTable(m));
+  writeOutput(o.form == ReportForm::json ? measurementAsJson(m, sample.leftOut, notes) : measurementAsTable(m));
   return status;
 }
 
@@ -118,11 +114,7 @@ Action defineMeasure(CommandLine& line) {
   o->camera.add(line);
   o->stream.addInput(line, "points");
   o->stream.addKeepGoing(line);
-  addTolerance(line, o->tolerance);
-  addValue(line, "--seconds", "S", o->seconds,
-           numberThat([](double seconds) { return seconds > 0 && seconds <= 3600; }, "a number above 0, up to 3600"),
-           "How long to time, seven rounds at least (default: 1)");
-  addReportForm(line, o->form, "error over cost");
+  addReportForm(line, o->form);
   return [o] { return run(*o); };
 }
 

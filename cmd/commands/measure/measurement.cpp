@@ -55,9 +55,10 @@ struct Bench {
 
 /// The library's batches: each is run once for its errors, then kept for the timing.
 void addLibrary(Bench& bench, const Camera& camera, std::span<const Vec3> points, std::span<Vec3> screen,
-                std::span<const Visible> visible, double tolerance) {
-  const auto add = [&](std::string mode, Precision precision, const std::function<BatchCounts()>& run) {
-    ModeRow row(std::move(mode), precision);
+                std::span<const Visible> visible) {
+  for (const Precision precision : {Precision::standard, Precision::exact}) {
+    ModeRow row(std::string(precisionName(precision)), precision);
+    const auto run = [=, &camera] { return worldToScreen(camera, points, screen, precision); };
     const BatchCounts counts = run();
     const double all = static_cast<double>(points.size());
     row.boundPx = boundInPicture(camera, precision).screen;
@@ -70,12 +71,7 @@ void addLibrary(Bench& bench, const Camera& camera, std::span<const Vec3> points
       gConsumed = screen.back().x;
     });
     bench.counts.push_back(points.size());
-  };
-  for (Precision precision : {Precision::fast, Precision::standard, Precision::exact})
-    add(std::string(precisionName(precision)), precision,
-        [=, &camera] { return worldToScreen(camera, points, screen, precision); });
-  add("auto", precisionWithin(camera, tolerance),
-      [=, &camera] { return worldToScreenWithin(camera, tolerance, points, screen); });
+  }
 }
 
 template <class T>
@@ -142,11 +138,9 @@ void addRays(Bench& bench, const Camera& camera, std::span<const Vec2> pixels, s
 
 }  // namespace
 
-std::string_view precisionName(Precision precision) {
-  return precision == Precision::fast ? "fast" : precision == Precision::standard ? "standard" : "exact";
-}
+std::string_view precisionName(Precision precision) { return precision == Precision::standard ? "standard" : "exact"; }
 
-Measurement measure(const Camera& camera, std::span<const Vec3> points, double tolerance, double seconds) {
+Measurement measure(const Camera& camera, std::span<const Vec3> points) {
   const std::vector<Visible> visible = visiblePoints(camera, points);
   std::vector<Vec3> screen(points.size());
   std::vector<Vector3<float>> floatPoints, floatScreen(points.size());
@@ -157,15 +151,15 @@ Measurement measure(const Camera& camera, std::span<const Vec3> points, double t
   std::vector<Vec3> directions(pixels.size());
 
   Bench bench;
-  addLibrary(bench, camera, points, screen, visible, tolerance);
+  addLibrary(bench, camera, points, screen, visible);
   addTextbook<double>(bench, "matrix double", camera, points, screen, visible);
   addTextbook<float>(bench, "matrix float", camera, floatPoints, floatScreen, visible);
   const std::size_t projecting = bench.rows.size();
   addRays(bench, camera, pixels, directions);
 
-  const InterleavedTimings timings = timeInterleaved(bench.works, seconds);
+  const std::vector<Timing> timings = timeInterleaved(bench.works);
   for (std::size_t i = 0; i < bench.rows.size(); ++i) {
-    const Timing& t = timings.works[i];
+    const Timing& t = timings[i];
     bench.rows[i].nsPerPoint = t.least * 1e9 / static_cast<double>(bench.counts[i]);
     bench.rows[i].spread = t.median / t.least;
   }
@@ -173,9 +167,7 @@ Measurement measure(const Camera& camera, std::span<const Vec3> points, double t
   Measurement m;
   m.points = points.size();
   m.visible = visible.size();
-  m.rounds = timings.rounds;
   m.kernel = detail::kernels().name;
-  m.tolerance = tolerance;
   const auto firstRay = bench.rows.begin() + static_cast<std::ptrdiff_t>(projecting);
   m.projecting.assign(bench.rows.begin(), firstRay);
   m.casting.assign(firstRay, bench.rows.end());

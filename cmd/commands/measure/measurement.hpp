@@ -34,15 +34,12 @@ struct ModeRow {
 struct Measurement {
   std::size_t points = 0;
   std::size_t visible = 0;  ///< those in the picture, whose errors count and whose pixels the rays go through
-  std::size_t rounds = 0;
   std::string kernel;
-  double tolerance = 0;  ///< of auto, pixels
   std::vector<ModeRow> projecting;
   std::vector<ModeRow> casting;  ///< empty where no point is in the picture
 };
 
-/// Takes about `seconds` for the timing, and longer where seven rounds do.
-Measurement measure(const Camera& camera, std::span<const Vec3> points, double tolerance, double seconds);
+Measurement measure(const Camera& camera, std::span<const Vec3> points);
 
 std::string_view precisionName(Precision precision);
 

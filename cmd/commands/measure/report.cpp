@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "output/cost_plot.hpp"
+#include "commands/measure/timing.hpp"
 #include "output/table.hpp"
 #include "text/format_number.hpp"
 #include "text/json_build.hpp"
@@ -42,17 +42,8 @@ std::string asTime(double ns) { return ns < 1000 ? formatDigits(ns, 3) : printed
 
 std::string asCount(const std::optional<std::size_t>& count) { return count ? std::to_string(*count) : "-"; }
 
-/// auto says what it chose.
-std::string nameOf(const ModeRow& row) {
-  return row.mode == "auto" ? "auto (" + std::string(precisionName(*row.precision)) + ")" : row.mode;
-}
-
 std::string plural(std::size_t count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
-std::string sampleOf(const Measurement& m) {
-  return plural(m.points, "point") + ", " + std::to_string(m.visible) + " of them in the picture";
 }
 
 std::string rowAsJson(const ModeRow& row) {
@@ -72,7 +63,7 @@ std::string measurementAsTable(const Measurement& m) {
   std::vector<std::vector<std::string>> rows = {{"project", "ns/point", "median/min", "points/s", "max px", "p99 px",
                                                  "max ulp", "bound px", "escalated", "uncertain", "missing"}};
   for (const ModeRow& row : m.projecting)
-    rows.push_back({nameOf(row), asTime(row.nsPerPoint), printed("%.2f", row.spread), formatCount(1e9 / row.nsPerPoint),
+    rows.push_back({row.mode, asTime(row.nsPerPoint), printed("%.2f", row.spread), formatCount(1e9 / row.nsPerPoint),
                     orDash(row.maxErrorPx, asError), orDash(row.p99ErrorPx, asError), orDash(row.maxErrorUlp, asUlps),
                     asBound(row), orDash(row.escalated, asShare), orDash(row.uncertain, asShare),
                     asCount(row.missing)});
@@ -87,9 +78,10 @@ std::string measurementAsTable(const Measurement& m) {
                       asCount(row.missing)});
     out += "\n" + alignedTable(rows);
   }
-  return out + "\n" + sampleOf(m) + "; kernel " + m.kernel + "; " + std::to_string(m.rounds) +
-         " interleaved rounds, the fastest shown; auto within " + formatNumber(m.tolerance) +
-         " px.\nErrors: the larger of x and y, on the points in the picture, against the exact result (itself within "
+  return out + "\n" + plural(m.points, "point") + ", " + std::to_string(m.visible) +
+         " of them in the picture; kernel " + m.kernel + "; " + std::to_string(kRounds) +
+         " interleaved rounds, the fastest shown.\nErrors: the larger of x and y, on the points in the picture, "
+         "against the exact result (itself within "
          "0.51 ulp).\nShares: of all points. missing: points in the picture whose result is not finite.\n";
 }
 
@@ -99,20 +91,9 @@ std::string measurementAsJson(const Measurement& m, std::size_t leftOut, std::sp
     for (const ModeRow& row : *rows) modes.push_back(rowAsJson(row));
   JsonObject out;
   out.add("points", m.points).add("visible", m.visible).add("leftOut", leftOut).add("kernel", m.kernel);
-  out.add("rounds", m.rounds).add("tolerance", m.tolerance);
+  out.add("rounds", kRounds);
   out.addText("notes", jsonListOf(notes), ",\n ").addText("modes", jsonList(modes, ",\n  "), ",\n ");
   return out.text() + "\n";
-}
-
-std::string measurementAsSvg(const Measurement& m) {
-  CostPlot plot;
-  plot.title = "Largest error over cost";
-  plot.caption = sampleOf(m) + "; kernel " + m.kernel + "; fastest of " + std::to_string(m.rounds) + " rounds";
-  plot.series = {"points projected", "rays cast"};
-  for (const ModeRow& row : m.projecting)
-    plot.dots.push_back({nameOf(row), row.nsPerPoint, row.maxErrorPx, row.boundPx, 0});
-  for (const ModeRow& row : m.casting) plot.dots.push_back({row.mode, row.nsPerPoint, row.maxErrorPx, row.boundPx, 1});
-  return costPlotSvg(plot);
 }
 
 }  // namespace viewproj::cmd

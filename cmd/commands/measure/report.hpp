@@ -1,4 +1,4 @@
-// A measurement as text: a table, JSON, a plot.
+// A measurement as text: a table, JSON.
 #pragma once
 
 #include <span>
@@ -12,8 +12,5 @@ std::string measurementAsTable(const Measurement& m);
 
 /// notes: what standard error says of this run.
 std::string measurementAsJson(const Measurement& m, std::size_t leftOut, std::span<const std::string> notes);
-
-/// Largest error over time per point, both logarithmic.
-std::string measurementAsSvg(const Measurement& m);
 
 }  // namespace viewproj::cmd

@@ -13,17 +13,10 @@ struct Timing {
   double least = 0, median = 0;
 };
 
-struct InterleavedTimings {
-  std::vector<Timing> works;  ///< in the order given
-  std::size_t rounds = 0;
-};
+inline constexpr std::size_t kRounds = 7;
 
-inline constexpr std::size_t kFewestRounds = 7;
-
-/// Times every work once a round, so that what slows the machine for a while slows all of them: at least kFewestRounds
-/// rounds, and more until `seconds` have passed. A work is repeated within its turn until that lasts two milliseconds,
-/// or as long as seven rounds within `seconds` allow, but twenty microseconds at least, for clocks have ticks. Runs
-/// each beforehand, so that memory and caches are warm.
-InterleavedTimings timeInterleaved(std::span<const std::function<void()>> works, double seconds);
+/// Times every work once a round, so that what slows the machine for a while slows all of them. A work is repeated
+/// within its turn until that lasts two milliseconds. Runs each beforehand, so that memory and caches are warm.
+std::vector<Timing> timeInterleaved(std::span<const std::function<void()>> works);
 
 }  // namespace viewproj::cmd

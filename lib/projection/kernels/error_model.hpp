@@ -1,23 +1,18 @@
 // How far a projected point can be from the true one, proven, as named constants.
 //
-// Derivation (perspective, one coordinate; u is the rounding unit, 2^-53 in double and 2^-24 in float32). A scaled row
-// A is off by u of each entry, d = P - E by u, each product by u, the two sums and the residual's by 3 u: with D = |d0|
+// Derivation (perspective, one coordinate; u is the rounding unit, 2^-53). A scaled row A is off by u of each entry, d
+// = P - E by u, each product by u, the two sums and the residual's by 3 u: with D = |d0|
 // + |d1| + |d2| + residualReach and to first order
 //   |X^ - X| <= 6 u M D,  |W^ - W| <= 6 u F D          M = largest entry of the rows x and y, F = of the row w.
 // From X/W - X^/W^ = ((X - X^) - (X^/W^)(W - W^)) / W, with r = 1/W and t = D |r|, the rounding of r and of the product
 // (u each) and of the sum with the center (u) and the center's own error cE (its rounding, and what its parts leave,
 // 2^-97 of the largest):
 //   |x^ - x| <= t (c1 + c2 |q|) + u' (2 |q| + |x|) + cE      c1 = 6 u M (1 + 2^-8), c2 = 6 u F (1 + 2^-8)
-// provided c2 t < 2^-10; 2^-8 takes up the second order and the evaluation of the bound itself. The last sum is in
-// double in fast too: u' of |x| is 2^-53 (1 + 2^-8) there. Window depth: the rounding of r (u), and in double those of
-// depthScale, of the product and of the sum, and the offset's own zE,
-//   |z^ - z| <= |depthScale r| (c2 t + u' + 2^-52 (1 + 2^-8)) + 2^-53 (1 + 2^-8) |z| + zE
+// with u' = u (1 + 2^-8), provided c2 t < 2^-10; 2^-8 takes up the second order and the evaluation of the bound itself.
+// Window depth: the roundings of r, of depthScale, of the product and of the sum, and the offset's own zE,
+//   |z^ - z| <= |depthScale r| (c2 t + 3 u') + u' |z| + zE
 // and a few of the smallest doubles where numbers are subnormal. Orthographic, where x and W are the sums themselves:
-//   |x^ - x| <= c1 D + u' |x| + cE,   |z^ - z| <= |depthScale| (c2 D + 2^-52 (1 + 2^-8) |W|) + 2^-53 (...) |z| + zE.
-// From float32 to float32 d = (P - high) - low, with high the float32 nearest E and low that nearest the rest: of a P
-// within a factor of two of high the first difference is exact, of any other at least half of high and off by u; low is
-// off by u of itself, which is at most the spacing of floats there, and so at most d. Two roundings, where fast has
-// one. The last sums and the parameters are off by u, and the centre and the offset by what float32 leaves of them.
+//   |x^ - x| <= c1 D + u' |x| + cE,   |z^ - z| <= |depthScale| (c2 D + 2 u' |W|) + u' |z| + zE.
 // exact: a row's entries and d are cut in two. The high part of a row has 25 bits of M, and all three are multiples of
 // one number; that of d, by adding and subtracting 2^27 D, 27 bits of D, multiples of one number too. So the three
 // products of high parts have at most 52 bits, and their sum is exact. The low parts are below 2^-25 M and 2^-26 D, and
@@ -39,13 +34,11 @@
 
 namespace viewproj::detail {
 
-/// Rounding units.
+/// The rounding unit.
 inline constexpr double kUnitDouble = 0x1p-53;
-inline constexpr double kUnitFloat = 0x1p-24;
 
 /// Roundings on the way of a coordinate's numerator; 2^-8 covers second-order terms.
 inline constexpr double kRoundings = 6;
-inline constexpr double kRoundingsFloat = 7;  ///< from float32 to float32
 inline constexpr double kSecondOrder = 1 + 0x1p-8;
 
 /// The relative error of W must stay below this for the bounds to hold: nearer the eye plane, the exact path decides.
@@ -54,26 +47,21 @@ inline constexpr double kLargestRelativeError = 0x1p-10;
 /// |W| above this many D: the sign of W is certain, and its relative error below kLargestRelativeError (rows are at
 /// most a little over unit length: F <= 1 + 2^-9).
 inline constexpr double kSignUncertainty = 0x1p-40;
-inline constexpr double kSignUncertaintyFast = 0x1p-11;
 inline constexpr double kSignUncertaintyExact = 0x1p-60;
 
 /// Where neither overflow nor underflow disturbs the bounds; points outside are left to the exact path.
 inline constexpr double kLargestReach = 0x1p700;
 inline constexpr double kSmallestDistance = 0x1p-700;
-inline constexpr double kLargestReachFast = 0x1p60;
-inline constexpr double kSmallestDistanceFast = 0x1p-60;
 inline constexpr double kLargestReachExact = 0x1p400;
 inline constexpr double kSmallestReachExact = 0x1p-400;
 inline constexpr double kSmallestDistanceExact = 0x1p-450;
 
 /// The entries of the scaled rows must lie between 1 / this and this; other cameras are left to the exact path whole.
 inline constexpr double kLargestRow = 0x1p300;
-inline constexpr double kLargestRowFast = 0x1p40;
 
 /// Nonzero centres, depth offsets and depth scales lie between 1 / this and this; other cameras are left to the exact
 /// path whole, and in exact to numbers with an exponent of their own.
 inline constexpr double kLargestRange = 0x1p600;
-inline constexpr double kLargestRangeFloat = 0x1p60;
 inline constexpr double kLargestRangeExact = 0x1p500;
 
 /// exact, before the final rounding, in shares of which kZivMargin is allowed for: a numerator is within kExactDot M D,

@@ -1,33 +1,26 @@
 // The arithmetic of one point in each precision, written once for a double and for a vector of lanes.
 //
-// fast and standard are single IEEE operations in a fixed order, so a lane gives the bits that a double gives, on every
+// standard is single IEEE operations in a fixed order, so a lane gives the bits that a double gives, on every
 // instruction set. exact may use a fused multiply-add where there is one: its results are certified to be the doubles
 // nearest the true values, whatever their last bits before rounding were. Everything here has internal linkage: each
 // kernel is compiled for its own processor, and a linker must not take one's code for another's.
 #pragma once
 
 #include <cmath>
-#include <limits>
 
 #include "projection/kernels/error_model.hpp"
 #include "projection/kernels/kernels.hpp"
-#include "projection/kernels/picture_reach.hpp"
 
 namespace viewproj::detail {
 namespace {
 
-/// What formulas are written in terms of: D a double or a vector of doubles, F a float or a vector of floats, M and FM
-/// what comparisons of two D and of two F give.
+/// What formulas are written in terms of: D a double or a vector of doubles, M what comparisons of two D give.
 struct ScalarLanes {
   using D = double;
-  using F = float;
   using M = bool;
-  using FM = bool;
   static D splat(double a) { return a; }
   static D absolute(D a) { return std::fabs(a); }
-  static F absolute(F a) { return std::fabs(a); }
   static D larger(D a, D b) { return a > b ? a : b; }
-  static F larger(F a, F b) { return a > b ? a : b; }
   static D squareRoot(D a) { return std::sqrt(a); }
   /// multiplyAdd: a * b + c, rounded once or twice. productError: the rounding error of a * b, whose rounded value is
   /// product.
@@ -55,118 +48,16 @@ inline A all(A a, B b, More... more) {
 
 /// Which parts of a formula a camera needs, and whether the distance is asked for (in exact, it has to be certain
 /// then).
-template <bool IsOrthographic, bool HasResidual, bool HasBand, bool WantsDistance = false>
+template <bool IsOrthographic, bool HasResidual, bool WantsDistance = false>
 struct Traits {
-  static constexpr bool orthographic = IsOrthographic, residual = HasResidual, band = HasBand, distance = WantsDistance;
+  static constexpr bool orthographic = IsOrthographic, residual = HasResidual, distance = WantsDistance;
 };
 
 /// Whether a camera's numbers are in the range that a precision's bounds hold for.
-inline bool isInRange(const ProjectionConstants& k, double largestRow, double largestRange) {
-  return k.sizeXY < largestRow && k.sizeXY > 1 / largestRow && k.sizeW < 2 && k.sizeW > 0.25 && k.range < largestRange;
+inline bool isInRange(const ProjectionConstants& k, double largestRange) {
+  return k.sizeXY < kLargestRow && k.sizeXY > 1 / kLargestRow && k.sizeW < 2 && k.sizeW > 0.25 &&
+         k.range < largestRange;
 }
-
-/// Results farther than this from the principal point are left to the exact path.
-struct Band {
-  double x = kNoBand, y = kNoBand;
-};
-
-/// A row of three, rounded to T.
-template <class T>
-struct Row {
-  T x, y, z;
-  explicit Row(const DDVec3& row)
-      : x(static_cast<T>(row.x.hi)), y(static_cast<T>(row.y.hi)), z(static_cast<T>(row.z.hi)) {}
-
-  template <class V>
-  V along(V dx, V dy, V dz) const {
-    return x * dx + y * dy + z * dz;
-  }
-};
-
-/// The window coordinates of a point, times pixels, and what they are certain of. T is double or float, V as many
-/// lanes.
-template <class T, class Traits>
-class WindowFormula {
- public:
-  WindowFormula(const ProjectionConstants& k, Band band, double largestRange = kLargestRange)
-      : x_(k.x),
-        y_(k.y),
-        w_(k.w),
-        residual_(k.residual),
-        residualReach_(static_cast<T>(k.residualReach * kSecondOrder)),
-        bandX_(static_cast<T>(band.x < kLargestBand ? band.x : kLargestBand)),
-        bandY_(static_cast<T>(band.y < kLargestBand ? band.y : kLargestBand)),
-        farthest_(band.x < kNoBand ? static_cast<T>(k.farthest) : std::numeric_limits<T>::max()),
-        reach_(isInRange(k, isDouble ? kLargestRow : kLargestRowFast, largestRange)
-                   ? static_cast<T>(isDouble ? kLargestReach : kLargestReachFast)
-                   : 0) {}
-
-  /// In perspective x and y are X/W and Y/W, and depth is 1/W; in orthographic they are X, Y and W.
-  template <class L, class V, class Mask>
-  Projected<V, Mask> at(V dx, V dy, V dz) const {
-    V x = x_.along(dx, dy, dz), y = y_.along(dx, dy, dz), w = w_.along(dx, dy, dz);
-    V reach = L::absolute(dx) + L::absolute(dy) + L::absolute(dz);
-    if constexpr (Traits::residual) {
-      x = x + residual_.x;
-      y = y + residual_.y;
-      w = w + residual_.z;
-      reach = reach + residualReach_;
-    }
-    Projected<V, Mask> r;
-    r.distance = w;
-    if constexpr (Traits::orthographic) {
-      r.x = x;
-      r.y = y;
-      r.depth = w;
-      r.valid = all(reach < reach_, kSmallest < reach);
-      // The bound of a band is that of points between near and far.
-      if constexpr (Traits::band) r.valid = all(r.valid, L::absolute(w) <= farthest_);
-      r.behind = reach < V{};
-    } else {
-      const V perW = T(1) / w;
-      r.x = x * perW;
-      r.y = y * perW;
-      r.depth = perW;
-      // Not so near the eye plane that the sign of w is uncertain, and where nothing over- or underflows.
-      const V least = L::larger(reach * kSign, kSmallest - V{});
-      const Mask inRange = reach < reach_;
-      r.valid = all(inRange, w > least);
-      r.behind = all(inRange, w < -least);
-    }
-    if constexpr (Traits::band) r.valid = all(r.valid, L::absolute(r.x) < bandX_, L::absolute(r.y) < bandY_);
-    return r;
-  }
-
- private:
-  static constexpr bool isDouble = sizeof(T) == sizeof(double);
-  static constexpr T kSign = static_cast<T>(isDouble ? kSignUncertainty : kSignUncertaintyFast);
-  static constexpr T kSmallest = static_cast<T>(isDouble ? kSmallestDistance : kSmallestDistanceFast);
-  /// No valid point of this type is farther from the principal point.
-  static constexpr double kLargestBand = isDouble ? kNoBand : 0x1p100;
-
-  Row<T> x_, y_, w_, residual_;
-  T residualReach_, bandX_, bandY_, farthest_, reach_;
-};
-
-/// From window coordinates times pixels, as WindowFormula gives them, to the screen.
-struct ScreenSums {
-  double centerX, centerY, depthOffset, depthScale;
-  explicit ScreenSums(const ProjectionConstants& k)
-      : centerX(k.centerX.hi), centerY(k.centerY.hi), depthOffset(k.depthOffset.hi), depthScale(k.depthScale.hi) {}
-
-  template <class D>
-  D x(D window) const {
-    return centerX + window;
-  }
-  template <class D>
-  D y(D window) const {
-    return centerY + window;
-  }
-  template <class D>
-  D depth(D window) const {
-    return depthOffset + depthScale * window;
-  }
-};
 
 /// standard: double, relative to the eye.
 template <class L, class Traits>
@@ -175,90 +66,57 @@ class StandardFormula {
   using D = typename L::D;
   using M = typename L::M;
 
-  StandardFormula(const ProjectionConstants& k, Band band) : window_(k, band), screen_(k), eye_(k.eye) {}
+  explicit StandardFormula(const ProjectionConstants& k)
+      : x_(highs(k.x)),
+        y_(highs(k.y)),
+        w_(highs(k.w)),
+        residual_(highs(k.residual)),
+        eye_(k.eye),
+        residualReach_(k.residualReach * kSecondOrder),
+        reach_(isInRange(k, kLargestRange) ? kLargestReach : 0),
+        centerX_(k.centerX.hi),
+        centerY_(k.centerY.hi),
+        depthOffset_(k.depthOffset.hi),
+        depthScale_(k.depthScale.hi) {}
 
   Projected<D, M> point(D px, D py, D pz) const {
-    Projected<D, M> r = window_.template at<L, D, M>(px - eye_.x, py - eye_.y, pz - eye_.z);
-    r.x = screen_.x(r.x);
-    r.y = screen_.y(r.y);
-    r.depth = screen_.depth(r.depth);
+    const D dx = px - eye_.x, dy = py - eye_.y, dz = pz - eye_.z;
+    D x = along(x_, dx, dy, dz), y = along(y_, dx, dy, dz), w = along(w_, dx, dy, dz);
+    D reach = L::absolute(dx) + L::absolute(dy) + L::absolute(dz);
+    if constexpr (Traits::residual) {
+      x = x + residual_.x;
+      y = y + residual_.y;
+      w = w + residual_.z;
+      reach = reach + residualReach_;
+    }
+    Projected<D, M> r;
+    r.distance = w;
+    if constexpr (Traits::orthographic) {
+      r.x = centerX_ + x;
+      r.y = centerY_ + y;
+      r.depth = depthOffset_ + depthScale_ * w;
+      r.valid = all(reach < reach_, kSmallestDistance < reach);
+      r.behind = reach < D{};
+    } else {
+      const D perW = 1.0 / w;
+      r.x = centerX_ + x * perW;
+      r.y = centerY_ + y * perW;
+      r.depth = depthOffset_ + depthScale_ * perW;
+      // Not so near the eye plane that the sign of w is uncertain, and where nothing over- or underflows.
+      const D least = L::larger(reach * kSignUncertainty, L::splat(kSmallestDistance));
+      const M inRange = reach < reach_;
+      r.valid = all(inRange, w > least);
+      r.behind = all(inRange, w < -least);
+    }
     return r;
   }
 
  private:
-  WindowFormula<double, Traits> window_;
-  ScreenSums screen_;
-  Vec3 eye_;
-};
+  static Vec3 highs(const DDVec3& a) { return {a.x.hi, a.y.hi, a.z.hi}; }
+  static D along(const Vec3& row, D dx, D dy, D dz) { return row.x * dx + row.y * dy + row.z * dz; }
 
-/// fast: float32 after the eye is subtracted in double; the last sums in double again.
-template <class L, class Traits>
-class FastFormula {
- public:
-  using D = typename L::D;
-  using F = typename L::F;
-
-  FastFormula(const ProjectionConstants& k, Band band) : window_(k, band), screen(k), eye(k.eye) {}
-
-  /// From the difference to the eye, in float.
-  Projected<F, typename L::FM> window(F dx, F dy, F dz) const {
-    return window_.template at<L, F, typename L::FM>(dx, dy, dz);
-  }
-
-  /// All of it for one point (D a double).
-  Projected<D, typename L::M> point(D px, D py, D pz) const {
-    const auto r = window(static_cast<F>(px - eye.x), static_cast<F>(py - eye.y), static_cast<F>(pz - eye.z));
-    return {screen.x(D(r.x)), screen.y(D(r.y)), screen.depth(D(r.depth)), r.distance, r.valid, r.behind};
-  }
-
- private:
-  WindowFormula<float, Traits> window_;
-
- public:
-  const ScreenSums screen;
-  const Vec3 eye;
-};
-
-/// The difference of a float32 to a coordinate of the eye, by its high and low part: of a float32 next to the eye the
-/// first difference is exact, of any other low is nothing; two roundings in all.
-struct FloatEye {
-  float high, low;
-  explicit FloatEye(double eye) : high(static_cast<float>(eye)), low(static_cast<float>(eye - double{high})) {}
-
-  template <class F>
-  F to(F coordinate) const {
-    return (coordinate - high) - low;
-  }
-};
-
-/// fast from float32 to float32: all of it in float.
-template <class L, class Traits>
-class FloatFormula {
- public:
-  using F = typename L::F;
-
-  explicit FloatFormula(const ProjectionConstants& k)
-      : window_(k, {}, kLargestRangeFloat),
-        eyeX_(k.eye.x),
-        eyeY_(k.eye.y),
-        eyeZ_(k.eye.z),
-        centerX_(static_cast<float>(k.centerX.hi)),
-        centerY_(static_cast<float>(k.centerY.hi)),
-        depthOffset_(static_cast<float>(k.depthOffset.hi)),
-        depthScale_(static_cast<float>(k.depthScale.hi)) {}
-
-  Projected<F, typename L::FM> point(F px, F py, F pz) const {
-    auto r = window_.template at<L, F, typename L::FM>(eyeX_.to(px), eyeY_.to(py), eyeZ_.to(pz));
-    r.x = centerX_ + r.x;
-    r.y = centerY_ + r.y;
-    r.depth = depthOffset_ + depthScale_ * r.depth;
-    return r;
-  }
-
- private:
-  WindowFormula<float, Traits> window_;
-  FloatEye eyeX_, eyeY_, eyeZ_;
-  float centerX_, centerY_, depthOffset_, depthScale_;
+  Vec3 x_, y_, w_, residual_, eye_;
+  double residualReach_, reach_, centerX_, centerY_, depthOffset_, depthScale_;
 };
 
 /// A number of lanes as the sum of two. lo is small beside what the number is made of, not always beside hi.
@@ -274,7 +132,7 @@ class ExactFormula {
   using D = typename L::D;
   using M = typename L::M;
 
-  ExactFormula(const ProjectionConstants& k, Band)
+  explicit ExactFormula(const ProjectionConstants& k)
       : eye_(k.eye),
         x_(k.splitX),
         y_(k.splitY),
@@ -291,9 +149,8 @@ class ExactFormula {
         sizeXY_(k.sizeXY),
         errorCenter_(kZivMargin * kExactParameter * (k.reachX > k.reachY ? k.reachX : k.reachY)),
         errorOffset_(kZivMargin * (kExactParameter * std::fabs(k.depthOffset.hi) + kExactUnderflow)),
-        reach_(isInRange(k, kLargestRow, kLargestRangeExact) && std::fabs(k.depthScale.hi) > kSmallestReachExact
-                   ? kLargestReachExact
-                   : 0) {}
+        reach_(isInRange(k, kLargestRangeExact) && std::fabs(k.depthScale.hi) > kSmallestReachExact ? kLargestReachExact
+                                                                                                    : 0) {}
 
   [[gnu::always_inline]] Projected<D, M> point(D px, D py, D pz) const {
     const Pair<D> d[3] = {sum(px, L::splat(-eye_.x)), sum(py, L::splat(-eye_.y)), sum(pz, L::splat(-eye_.z))};

@@ -2,12 +2,6 @@
 
 #include <atomic>
 
-#include "projection/kernels/cpu_features.hpp"
-
-#ifdef VIEWPROJ_X86_KERNELS
-#include <cpuid.h>
-#endif
-
 namespace viewproj::detail {
 
 extern const Kernels kPortableKernels;
@@ -22,25 +16,6 @@ extern const Kernels kV4Kernels;
 namespace {
 
 std::atomic<const Kernels*> forced = nullptr;
-
-#ifdef VIEWPROJ_X86_KERNELS
-/// A bit of ecx.
-bool cpuidBit(unsigned leaf, unsigned bit) noexcept {
-  unsigned a = 0, b = 0, c = 0, d = 0;
-  return __get_cpuid(leaf, &a, &b, &c, &d) != 0 && (c >> bit & 1) != 0;
-}
-
-/// As compiledFeatures numbers them.
-unsigned processorFeatures() noexcept {
-  unsigned bits = 0, bit = 1;
-#define VIEWPROJ_PROCESSOR_FEATURE(macro, supported) \
-  if (supported) bits |= bit;                        \
-  bit <<= 1;
-  VIEWPROJ_CPU_FEATURES(VIEWPROJ_PROCESSOR_FEATURE)
-#undef VIEWPROJ_PROCESSOR_FEATURE
-  return bits;
-}
-#endif
 
 }  // namespace
 
@@ -60,10 +35,12 @@ std::span<const Kernels* const> allKernels() noexcept {
 
 bool isSupported([[maybe_unused]] const Kernels& kernels) noexcept {
 #ifdef VIEWPROJ_X86_KERNELS
-  return (kernels.features & ~processorFeatures()) == 0;
-#else
-  return true;
+  if (&kernels == &kV3Kernels) return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  if (&kernels == &kV4Kernels)
+    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+           __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("fma");
 #endif
+  return true;
 }
 
 const Kernels& kernels() noexcept {

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <type_traits>
 
 #include "camera/camera.hpp"
 
@@ -22,47 +21,14 @@ struct Projected {
   Mask valid, behind;
 };
 
-/// How coordinates of points in float32 lie: an array each; x y z of one point after the other's; or x y z of vertices
-/// that are four floats apart or more, of each of which a fourth float may be read.
-enum class FloatShape { columns, packed, vertices };
-
-template <class Float>
-struct FloatColumns {
-  Float *x, *y, *z;
-  FloatShape shape;
-  std::size_t strideBytes;  ///< from one x to the next
-
-  FloatColumns from(std::size_t first) const noexcept {
-    using Byte = std::conditional_t<std::is_const_v<Float>, const char, char>;
-    const auto moved = [&](Float* p) {
-      return reinterpret_cast<Float*>(reinterpret_cast<Byte*>(p) + first * strideBytes);
-    };
-    return {moved(x), moved(y), moved(z), shape, strideBytes};
-  }
-};
-
-/// Of memory of one's own.
-template <class Float>
-FloatColumns<Float> packedColumns(Float* first) noexcept {
-  return {first, first + 1, first + 2, FloatShape::packed, 3 * sizeof(float)};
-}
-
 /// Everything is in arrays of three doubles a point: x y z in; screen x, screen y and depth out, NaN where a point has
-/// none. bandX, bandY: farther than this from the principal point, in pixels, a point counts as unsettled. distance:
-/// one double a point, its distance along the viewing axis, also of a point behind the eye plane; null where nobody
-/// asks.
+/// none. distance: one double a point, its distance along the viewing axis, also of a point behind the eye plane; null
+/// where nobody asks.
 struct Kernels {
+  using Project = void (*)(const ProjectionConstants&, const double* points, double* screen, double* distance,
+                           std::size_t count, Unsettled) noexcept;
   const char* name;
-  unsigned features;  ///< of cpu_features.hpp: what its compiler was free to use
-  void (*fast)(const ProjectionConstants&, double bandX, double bandY, const double* points, double* screen,
-               double* distance, std::size_t count, Unsettled) noexcept;
-  void (*standard)(const ProjectionConstants&, double bandX, double bandY, const double* points, double* screen,
-                   double* distance, std::size_t count, Unsettled) noexcept;
-  void (*exact)(const ProjectionConstants&, double bandX, double bandY, const double* points, double* screen,
-                double* distance, std::size_t count, Unsettled) noexcept;
-  /// As fast, from float32 to float32.
-  void (*floats)(const ProjectionConstants&, const FloatColumns<const float>& points, const FloatColumns<float>& screen,
-                 std::size_t count, Unsettled) noexcept;
+  Project standard, exact;
   /// Perspective ray directions of pixels (x y pairs in, x y z out).
   void (*rays)(const ProjectionConstants&, const double* pixels, double* directions, std::size_t count,
                Unsettled) noexcept;
