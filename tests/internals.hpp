@@ -9,7 +9,6 @@
 #include "numbers/ulp.hpp"
 #include "numbers/wide.hpp"
 #include "projection/kernels/error_model.hpp"
-#include "projection/kernels/picture_reach.hpp"
 #include "scene/frustum_parts.hpp"
 #include "viewproj/matrices.hpp"
 #include "viewproj/scene.hpp"

@@ -17,7 +17,6 @@
 #include "camera/camera.hpp"
 #include "peers.hpp"
 #include "projection/kernels/kernels.hpp"
-#include "projection/kernels/picture_reach.hpp"
 
 using namespace viewproj;
 using namespace viewproj::detail;
@@ -125,38 +124,6 @@ int main(int argc, char** argv) {
                            errorOf(singleScreen),
                            1,
                            {}});
-    contestants.push_back(
-        {"fast, vertices of float32",
-         [&] { worldToScreen(camera, vertices(&singles[0].x, count), positions(&singleScreen[0].x)); },
-         errorOf(singleScreen),
-         1,
-         {}});
-    std::vector<float> x(count), y(count), z(count), screenX(count), screenY(count), depth(count);
-    for (std::size_t i = 0; i < count; ++i) x[i] = singles[i].x, y[i] = singles[i].y, z[i] = singles[i].z;
-    contestants.push_back({"fast, arrays of float32",
-                           [&] {
-                             worldToScreen(camera, FloatPoints{x.data(), y.data(), z.data(), count},
-                                           FloatPositions{screenX.data(), screenY.data(), depth.data()});
-                           },
-                           {},
-                           0,
-                           {}});
-    struct Vertex {
-      float x, y, z, others[5];
-    };
-    std::vector<Vertex> buffer(count), screenBuffer(count);
-    for (std::size_t i = 0; i < count; ++i) buffer[i] = {singles[i].x, singles[i].y, singles[i].z, {}};
-    const FloatPoints apart = vertices(&buffer[0].x, count, sizeof(Vertex));
-    contestants.push_back({"fast, vertices of 32 bytes to packed ones",
-                           [&] { worldToScreen(camera, apart, positions(&singleScreen[0].x)); },
-                           errorOf(singleScreen),
-                           1,
-                           {}});
-    contestants.push_back({"fast, vertices of 32 bytes to such",
-                           [&] { worldToScreen(camera, apart, positions(&screenBuffer[0].x, sizeof(Vertex))); },
-                           {},
-                           0,
-                           {}});
     add("Eigen double, cached product, -O2", 1e-8, [&] { peersO2.eigenCachedDouble(peer, points, screen); });
     add("Imath double, cached product, -O3", 1e-8, [&] { peersO3.imathDouble(peer, points, screen); });
     contestants.push_back({"copy of the bytes",
@@ -178,17 +145,13 @@ int main(int argc, char** argv) {
       const std::string suffix = std::string(" ") + k->name;
       const auto run = [&](auto kernel) {
         return [&, kernel] {
-          kernel(parts(camera).constants, kNoBand, kNoBand, &points[0].x, &screen[0].x, nullptr, count,
-                 unsettled.data());
+          kernel(parts(camera).constants, &points[0].x, &screen[0].x, nullptr, count, unsettled.data());
           settle(unsettled);
         };
       };
-      add("fast" + suffix, 0.01, run(k->fast));
       add("standard" + suffix, 1e-8, run(k->standard));
       add("exact" + suffix, 0, run(k->exact));
     }
-    add("auto 1e-2 px (fast)", 0.01, [&] { worldToScreenWithin(camera, 1e-2, points, screen); });
-    add("auto 1e-6 px (standard)", 1e-6, [&] { worldToScreenWithin(camera, 1e-6, points, screen); });
     race(std::to_string(count) + " points", count,
          count > (1u << 22) ? std::min(rounds, std::max(3, rounds / 3)) : rounds, contestants);
     if (worldToScreen(camera, points, screen, Precision::exact).escalated > count / 1000) {

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Proves the error bounds of standard and fast, and what exact certifies: Gappa runs the scripts of tests/proofs with
+# Proves the error bounds of standard, and what exact certifies: Gappa runs the scripts of tests/proofs with
 # the constants that the headers have now.
 #   sh tests/checks/proofs.sh [NAME...]     some scripts, such as dot
 # In a script "#: RUN: DEFINITIONS" is a run with these definitions, and "#! RUN: NAME = VALUE" the same run with another

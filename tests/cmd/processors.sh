@@ -20,7 +20,6 @@ Nehalem x86-64
 Haswell x86-64-v3
 Haswell,-avx2 x86-64
 Haswell,-fma x86-64
-Haswell,-popcnt x86-64
 Haswell,-xsave x86-64
 Haswell,-movbe x86-64-v3
 Haswell,-bmi1,-bmi2,-abm,-movbe,-f16c x86-64-v3

@@ -10,7 +10,6 @@ from pathlib import Path
 import tool
 from tool import CAMERA, MATRIX, PIXELS, POINTS, SCENE, FaultTest, run
 
-SHORT = ["--seconds", "0.001"]
 # Where the file goes in the command line, what else is on standard input, and what the file holds.
 FILES = [
     (lambda file: ["project", "-c", file], POINTS["json"], CAMERA),
@@ -21,14 +20,14 @@ FILES = [
     (lambda file: ["explain", "-c", file, "--point", "1,1,1"], b"", CAMERA),
     (lambda file: ["depth", "-c", file], b"", CAMERA),
     (lambda file: ["depth", file], b"", CAMERA),
-    (lambda file: ["measure", *SHORT, "-c", file], POINTS["json"], CAMERA),
+    (lambda file: ["measure", "-c", file], POINTS["json"], CAMERA),
     (lambda file: ["draw", "-c", file], POINTS["json"], CAMERA),
     (lambda file: ["inspect", file], b"", MATRIX),
     (lambda file: ["ray", "-c", CAMERA, "--scene", file], PIXELS["json"], SCENE),
     (lambda file: ["draw", "-c", CAMERA, "--scene", file], b"", SCENE),
     (lambda file: ["ray", "-c", CAMERA, file], b"", PIXELS["json"]),
     (lambda file: ["cull", "-c", CAMERA, file], b"", POINTS["json"]),
-    (lambda file: ["measure", *SHORT, "-c", CAMERA, file], b"", POINTS["json"]),
+    (lambda file: ["measure", "-c", CAMERA, file], b"", POINTS["json"]),
     (lambda file: ["draw", "-c", CAMERA, file], b"", POINTS["json"]),
     *((lambda file, form=form: ["project", "-c", CAMERA, "--from", form, file], b"", text) for form, text in POINTS.items()),
 ]

@@ -99,15 +99,6 @@ class Signals(FaultTest):
                     tool.wait_until_still(process)
                     self.assertEqual(self.end(process, number), b"")
 
-    def test_a_signal_ends_a_long_measurement(self):
-        for number in ENDING:
-            process = self.start(["measure", "-c", CAMERA, "--seconds", "3000"], stdin=subprocess.PIPE)
-            process.stdin.write(POINTS["json"])
-            process.stdin.close()
-            tool.wait_until_still(process)
-            process.send_signal(number)
-            self.assertEqual(process.wait(tool.PATIENCE), -number)
-
     def test_a_signal_ends_a_stream_behind_whole_records(self):
         """Endless input; the output is read slowly at first, so that the tool is in the midst of writing."""
         for arguments in FILTERS:

@@ -1,7 +1,7 @@
 # A screen coordinate and the window depth in orthographic against the true ones, x = center + X and z = offset + scale W:
 # the bounds that bounds.cpp computes,
-#   c1 D + last kSecondOrder |x| + lo + K   and
-#   (|scale| + smallest) (c2 D + 2 last kSecondOrder |W|) + last kSecondOrder |z| + lo + smallest (1 + |W|),
+#   c1 D + unit kSecondOrder |x| + lo + K   and
+#   (|scale| + smallest) (c2 D + 2 unit kSecondOrder |W|) + unit kSecondOrder |z| + lo + smallest (1 + |W|),
 # lo what the centre's or the offset's double leaves of it, K = kExactParameter * reach. m = M D, S = |x|; V = |scale's
 # double| F D, U = |scale's double W|, Z = |z|.
 #
@@ -9,48 +9,42 @@
 # offset and scale are within kExactParameter, the bound's own roundings take 2^-48 of it, and a product that
 # underflows loses smallest / 8 at most. |X| <= M D (1 + 2^-20), as D is a sum of sizes.
 #
-# narrowed: whether scale and offset are rounded to float32.
-#: standard: unit = kUnitDouble; roundings = kRoundings; last = kUnitDouble; narrowed = 0;
-#: fast: unit = kUnitFloat; roundings = kRoundings; last = kUnitDouble; narrowed = 0;
-#: float: unit = kUnitFloat; roundings = kRoundingsFloat; last = kUnitFloat; narrowed = 1;
+#: standard: unit = kUnitDouble; roundings = kRoundings;
 #! standard: kSecondOrder = 1 + 0x1p-12
-#! fast: kSecondOrder = 1 + 0x1p-12
-#! float: kSecondOrder = 1 + 0x1p-12
 k = roundings * unit * (1 + 0x1p-12);
 coefficient = roundings * unit * kSecondOrder;
 evaluated = 1 - 0x1p-48;
 near = kUnitDouble * (1 + 0x1p-20);
-third = 1 + last * e3;
-l = last * (1 + 0x1p-20) * part;
+third = 1 + unit * e3;
+l = unit * (1 + 0x1p-20) * part;
 el = -o * third;
 
 x = S * gx;
 X = m * g * (1 + 0x1p-20);
 lo = l * (S + m * (1 + 0x1p-20) + K);
-computed = (x - X - o * (lo + K * 0.5) + (X + k * m * a)) * (1 + last * e3);
-bound = (m * coefficient + last * kSecondOrder * S + (lo + K)) * evaluated;
+computed = (x - X - o * (lo + K * 0.5) + (X + k * m * a)) * (1 + unit * e3);
+bound = (m * coefficient + unit * kSecondOrder * S + (lo + K)) * evaluated;
 
 z = Z * gz;
 slope = U * g * (1 + near * s);
 size = Z + U * (1 + 0x1p-20);
 lz = l * size;
-product = (U * g + k * V * b) * (1 + narrowed * last * (1 + 0x1p-20) * n) * (1 + last * e2) + T * 0.125 * h;
-computedZ = (z - slope - o * (lz + kExactParameter * size) + product) * (1 + last * e3);
-boundZ = (V * coefficient + U * (2 * last * kSecondOrder) + last * kSecondOrder * Z + lz + T) * evaluated;
+product = (U * g + k * V * b) * (1 + unit * e2) + T * 0.125 * h;
+computedZ = (z - slope - o * (lz + kExactParameter * size) + product) * (1 + unit * e3);
+boundZ = (V * coefficient + U * (2 * unit * kSecondOrder) + unit * kSecondOrder * Z + lz + T) * evaluated;
 
 bm = coefficient * evaluated;
-bs = last * kSecondOrder * evaluated;
+bs = unit * kSecondOrder * evaluated;
 em = k * a * third;
-es = last * (gx * e3);
-n2 = narrowed * (1 + 0x1p-20) * n + e2 + last * (narrowed * (1 + 0x1p-20) * n) * e2;
-ev = k * b * (1 + last * n2) * third;
-eu = (last * n2 - near * s) * g * third + kExactParameter * (1 + 0x1p-20) * el;
-ez = last * (gz * e3) + kExactParameter * el;
-bu = 2 * last * kSecondOrder * evaluated;
+es = unit * (gx * e3);
+ev = k * b * (1 + unit * e2) * third;
+eu = (unit * e2 - near * s) * g * third + kExactParameter * (1 + 0x1p-20) * el;
+ez = unit * (gz * e3) + kExactParameter * el;
+bu = 2 * unit * kSecondOrder * evaluated;
 
 { m in [0, 0x1p1010] /\ S in [0, 0x1p1010] /\ K in [0, 0x1p1000] /\ V in [0, 0x1p1010] /\ U in [0, 0x1p1010] /\
   Z in [0, 0x1p1010] /\ T in [0, 0x1p1010] /\ |gx| <= 1 /\ |g| <= 1 /\ |gz| <= 1 /\ |o| <= 1 /\ part in [0, 1] /\
-  |a| <= 1 /\ |b| <= 1 /\ |s| <= 1 /\ |n| <= 1 /\ |e2| <= 1 /\ |e3| <= 1 /\ |h| <= 1
+  |a| <= 1 /\ |b| <= 1 /\ |s| <= 1 /\ |e2| <= 1 /\ |e3| <= 1 /\ |h| <= 1
 -> computed - x - bound <= 0 /\ computed - x + bound >= 0 /\ computedZ - z - boundZ <= 0 /\ computedZ - z + boundZ >= 0 }
 
 computed - x - bound ->

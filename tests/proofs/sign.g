@@ -6,12 +6,8 @@
 # Taken from dot.g: W is within k F D. In exact, from exact_dot.g, both parts of it are within kExactDot F D, and their sum
 # is a rounding of itself off.
 #: standard: unit = kUnitDouble; roundings = kRoundings; sign = kSignUncertainty;
-#: fast: unit = kUnitFloat; roundings = kRoundings; sign = kSignUncertaintyFast;
-#: float: unit = kUnitFloat; roundings = kRoundingsFloat; sign = kSignUncertaintyFast;
 #: exact: unit = kExactDot; roundings = 1; sign = kSignUncertaintyExact;
 #! standard: kSignUncertainty = 0x1p-41
-#! fast: kSignUncertaintyFast = 0x1p-12
-#! float: kSignUncertaintyFast = 0x1p-12
 #! exact: kSignUncertaintyExact = 0x1p-64
 k = roundings * unit * (1 + 0x1p-12);
 F = (1 + 0x1p-9) * f;

@@ -43,12 +43,9 @@ TEST_CASE("A point from its rounded window depth is within the bound it comes wi
   CHECK(tight > points / 4);
 }
 
-TEST_CASE("A depth near 1 says little: one step of it, far beyond near, is metres") {
+TEST_CASE("A depth near 1 says little: half a step of it, far beyond near, is kilometres") {
   const Camera camera = makeCamera(lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Handedness::right),
                                    perspectiveFovY(60, 1, 0.1, kInfiniteFar), {100, 100});
-  // 10 km away, near 0.1: a float32 depth buffer's step just below 1 is 2^-24.
-  CHECK(distancePerDepth(camera, {50, 50}, 1e4) == Approx(1e9).epsilon(1e-12));
-  CHECK(distancePerDepth(camera, {50, 50}, 1e4) * 0x1p-24 == Approx(59.6).epsilon(1e-3));
   const ScreenPoint p = worldToScreen(camera, Vec3{0, 0, -1e12});
   const WorldPoint back = screenToWorld(camera, {p.x, p.y}, p.depth);
   CHECK(back.bound > 1e7);

@@ -73,7 +73,7 @@ function randomRuns(run, makeCamera, Random) {
     add("explain", ["--to", "json", "--point", "0.5,1,2"]);
     add("explain", ["--to", "json", "--pixel", "100,80"]);
     add("explain", ["--to", "json", "--pixel", "100,80,0.5"]);
-    if (seed % 6 === 0) add("measure", ["--seconds", "0.002", "--to", "json"], "[0,0,0] [1,2,3]");
+    if (seed % 6 === 0) add("measure", ["--to", "json"], "[0,0,0] [1,2,3]");
     add("depth", ["--to", "json", "--gap", "0.01"]);
     const { output } = run(["inspect", "--to", "json"], matrices);
     runs.push({ command: "inspect", options: { "--to": "json" }, flags: new Set(), output });

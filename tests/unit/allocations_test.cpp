@@ -85,13 +85,12 @@ TEST_CASE("Nothing allocates or throws once the camera is built") {
       std::vector<ScreenPoint> full(points.size());
       std::vector<Vec2> pixels(points.size(), Vec2{300.5, 17});
       pixels[4].x = 1e300;
-      for (const Precision precision : {Precision::fast, Precision::standard, Precision::exact}) {
+      for (const Precision precision : {Precision::standard, Precision::exact}) {
         none("worldToScreen", [&] {
           for (const Vec3& p : points) {
             (void)worldToScreen(c, p, precision);
             (void)worldToScreen(c, Vec4{p.x, p.y, p.z, 0}, precision);
             (void)worldToScreen(c, Vec4{p.x, p.y, p.z, 2}, precision);
-            (void)worldToScreenWithin(c, precision, p);
             (void)boundOfPoint(c, p, precision);
           }
         });
@@ -106,17 +105,11 @@ TEST_CASE("Nothing allocates or throws once the camera is built") {
           });
         });
       }
-      none("batches", [&] {
-        worldToScreenWithin(c, 1e-6, points, screen);
-        worldToScreenWithin(c, 1e-6, points, full);
-        screenToRayDirections(c, pixels, screen);
-        (void)precisionWithin(c, 1e-6);
-      });
+      none("batches", [&] { screenToRayDirections(c, pixels, screen); });
       none("screenToWorld", [&] {
         for (const Vec2& p : pixels) {
           (void)screenToWorld(c, p, 0.5);
           (void)screenToWorldAtDistance(c, p, 3);
-          (void)distancePerDepth(c, p, 3);
           (void)pixelStages(c, p);
           (void)depthStages(c, p, 0.5);
         }

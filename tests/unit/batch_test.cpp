@@ -14,7 +14,7 @@ using namespace viewproj::detail;
 
 namespace {
 
-constexpr Precision kPrecisions[] = {Precision::fast, Precision::standard, Precision::exact};
+constexpr Precision kPrecisions[] = {Precision::standard, Precision::exact};
 
 bool sameBits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b)); }
 bool sameBits(const Vec3& a, const Vec3& b) { return sameBits(a.x, b.x) && sameBits(a.y, b.y) && sameBits(a.z, b.z); }
@@ -99,60 +99,12 @@ TEST_CASE("Points that are settled one by one are counted in every block of a ba
   const std::vector<Vec3> points(5000, Vec3{1e250, 2e250, -1e251});  // beyond every kernel's reach
   std::vector<Vec3> screen(points.size());
   std::vector<ScreenPoint> full(points.size());
-  for (const Precision precision : {Precision::fast, Precision::standard, Precision::exact}) {
+  for (const Precision precision : {Precision::standard, Precision::exact}) {
     CHECK(worldToScreen(camera, points, screen, precision).escalated == points.size());
     CHECK(worldToScreen(camera, points, full, precision).escalated == points.size());
     std::vector<Vec3> inPlace = points;
     CHECK(worldToScreen(camera, inPlace, inPlace, precision).escalated == points.size());
   }
-}
-
-TEST_CASE("A precision is within a tolerance where its bound is, in the picture and one more on every side of it") {
-  const Camera camera = makeCamera(lookAt({3, 2, 5}, {0, 0, 0}, {0, 1, 0}, Handedness::right),
-                                   perspectiveFovY(60, 1.5, 0.1, 100), {600, 400});
-  const auto bound = [&](Precision precision, double band) { return boundInPicture(camera, precision, band).screen; };
-  REQUIRE(bound(Precision::fast, 1) < bound(Precision::fast, 3));
-  REQUIRE(bound(Precision::standard, 1) < bound(Precision::standard, 3));
-  CHECK(precisionWithin(camera, bound(Precision::fast, 3)) == Precision::fast);
-  CHECK(precisionWithin(camera, bound(Precision::fast, 2.9)) == Precision::standard);
-  CHECK(precisionWithin(camera, bound(Precision::fast, 1)) == Precision::standard);
-  CHECK(precisionWithin(camera, bound(Precision::standard, 3)) == Precision::standard);
-  CHECK(precisionWithin(camera, bound(Precision::standard, 2.9)) == Precision::exact);
-}
-
-TEST_CASE("An orthographic camera that sees farther behind the eye than before it need not be exact there") {
-  const Camera camera = makeCamera(lookAlong({0, 0, 0}, {0.6, 0, -0.8}, {0, 1, 0}, Handedness::right),
-                                   orthographic(-10, 10, -10, 10, -100, 1), {600, 600});
-  const double tolerance = 10 * boundInPicture(camera, Precision::standard, kGuardBand).screen;
-  REQUIRE(precisionWithin(camera, tolerance) == Precision::standard);
-  const Vec3 points[] = {{-0.6 * 90, 1, 0.8 * 90}, {-0.6 * 0.5, 1, 0.8 * 0.5}};
-  Vec3 screen[2];
-  CHECK(worldToScreenWithin(camera, tolerance, points, screen).escalated == 0);
-  for (const Vec3& point : points)
-    CHECK(worldToScreenWithin(camera, Precision::standard, point).precision == Precision::standard);
-  const Vec3 beyond{-0.6 * 200, 1, 0.8 * 200};
-  CHECK(worldToScreenWithin(camera, Precision::standard, beyond).precision == Precision::exact);
-}
-
-TEST_CASE("A single point within a tolerance has the bits of the batch's, and says what it was computed in") {
-  std::size_t cheaper = 0, exact = 0;
-  for (unsigned seed = 0; seed < 60; ++seed)
-    for (const double tolerance : {1e-1, 1e-3, 1e-6, 1e-12}) {
-      const Trial trial = randomTrial(seed, 200);
-      std::vector<Vec3> screen(trial.points.size());
-      worldToScreenWithin(trial.camera, tolerance, trial.points, screen);
-      const Precision chosen = precisionWithin(trial.camera, tolerance);
-      for (std::size_t i = 0; i < screen.size(); ++i) {
-        const ScreenPoint single = worldToScreenWithin(trial.camera, chosen, trial.points[i]);
-        INFO("seed " << seed << ", point " << i << ", tolerance " << tolerance);
-        REQUIRE(sameBits(screen[i], {single.x, single.y, single.depth}));
-        const bool hasBound = single.status == PointStatus::inFront && chosen != Precision::exact;
-        if (hasBound) (single.precision == Precision::exact ? exact : cheaper)++;
-      }
-    }
-  CAPTURE(cheaper, exact);
-  CHECK(cheaper > 1000);
-  CHECK(exact > 1000);
 }
 
 TEST_CASE("A batch in full is what single points are: distance, status and sides as well") {
@@ -178,14 +130,6 @@ TEST_CASE("A batch in full is what single points are: distance, status and sides
           }
         });
         for (const ScreenPoint& p : singles) ++byStatus[int(p.status)];
-      }
-      const double tolerance = 1e-4;
-      const Precision chosen = precisionWithin(trial.camera, tolerance);
-      worldToScreenWithin(trial.camera, tolerance, trial.points, screen);
-      for (std::size_t i = 0; i < count; ++i) {
-        const Vec3& p = trial.points[i];
-        REQUIRE(same(screen[i], worldToScreenWithin(trial.camera, chosen, p)));
-        REQUIRE(same(screen[i], worldToScreenWithin(trial.camera, chosen, Vec4{p.x, p.y, p.z, 1})));
       }
     }
   CAPTURE(escalated);
@@ -220,10 +164,8 @@ TEST_CASE("Every kernel that this processor supports gives the same bits") {
       for (const Kernels* k : supportedKernels()) {
         Run run{std::vector<Vec3>(count), std::vector<double>(count)};
         std::vector<std::uint64_t> unsettled(count / 64 + 1);
-        const auto kernel = precision == Precision::fast       ? k->fast
-                            : precision == Precision::standard ? k->standard
-                                                               : k->exact;
-        kernel(parts(trial.camera).constants, kNoBand, kNoBand, &trial.points[0].x, &run.screen[0].x,
+        const auto kernel = precision == Precision::standard ? k->standard : k->exact;
+        kernel(parts(trial.camera).constants, &trial.points[0].x, &run.screen[0].x,
                seed % 2 ? run.distance.data() : nullptr, count, unsettled.data());
         for (std::size_t i = 0; i < count; ++i) {
           if (!(unsettled[i / 64] >> i % 64 & 1)) continue;
@@ -244,7 +186,7 @@ TEST_CASE("Every kernel that this processor supports gives the same bits") {
     }
   }
   CAPTURE(compared);
-  CHECK(compared >= 360);
+  CHECK(compared >= 240);
 }
 
 TEST_CASE("Every kernel that this processor supports casts the same rays, to the bit") {

@@ -211,69 +211,6 @@ TEST_CASE("A tile of no picture, or that is none, is refused by name") {
   CHECK(fieldOf({600, 400}, {10, 10, 100, 0}) == "viewport.crop.height");
 }
 
-namespace {
-
-constexpr Mat4 kIdentity{{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}}};
-
-Mat4 matrixOf(const Pose& pose) { return viewFromWorld(pose, {}); }
-Mat4 matrixOf(const Projection& projection) { return clipFromView(projection, {}); }
-Mat4 matrixOf(const Camera& camera) {
-  return screenFromLocal(camera.pose(), camera.projection(), camera.viewport(), kIdentity, camera.convention());
-}
-
-/// Of a function and its twin without exceptions: the same numbers, or the same fault.
-template <class Make, class Try>
-void checkTwins(const Make& make, const Try& tryIt) {
-  const auto result = tryIt();
-  try {
-    const auto made = make();
-    REQUIRE(result);
-    CHECK(result.fault().field.empty());
-    CHECK(matrixOf(made) == matrixOf(*result));
-  } catch (const CameraError& error) {
-    CHECK_FALSE(result);
-    CHECK(result.fault().field == error.field());
-    CHECK(result.fault().message == error.message());
-  }
-}
-
-}  // namespace
-
-TEST_CASE("What is made without exceptions is what is made with them, or the fault that they would have") {
-  constexpr Handedness kWorld = Handedness::right;
-  const Viewport viewport{600, 400};
-  const Vec3 eye{3, 2, 5}, up{0, 1, 0};
-  const Pose pose = lookAt(eye, {0, 0, 0}, up, kWorld);
-  const Projection lens = perspectiveFovY(60, 1.5, 0.1, 100);
-#define TWINS(function, other, ...) \
-  checkTwins([&] { return function(__VA_ARGS__); }, [&] { return other(__VA_ARGS__); })
-  for (double good : {1.0, 0.0, double(NAN)}) {
-    INFO("a number is " << good);
-    TWINS(lookAlong, tryLookAlong, eye, (Vec3{good, 0, 0}), up, kWorld);
-    TWINS(lookAt, tryLookAt, eye, (Vec3{3, 2, 5 - good}), up, kWorld);
-    TWINS(poseFromRotation, tryPoseFromRotation, eye, (Quaternion{0, 0, 0, good}), CameraAxes::RUB, kWorld);
-    const Mat4 matrix{{{{good, 0, 0, 3}, {0, 1, 0, 2}, {0, 0, 1, 5}, {0, 0, 0, 1}}}};
-    TWINS(poseFromWorldFromCamera, tryPoseFromWorldFromCamera, matrix, CameraAxes::RUB, kWorld);
-    TWINS(poseFromCameraFromWorld, tryPoseFromCameraFromWorld, matrix, CameraAxes::RUB, kWorld);
-    TWINS(perspectiveFovY, tryPerspectiveFovY, 60 * good, 1.5, 0.1, 100);
-    TWINS(perspectiveFovX, tryPerspectiveFovX, 60 * good, 1.5, 0.1, 100);
-    TWINS(perspectiveFovDiagonal, tryPerspectiveFovDiagonal, 60 * good, 1.5, 0.1, 100);
-    TWINS(perspectiveNearSize, tryPerspectiveNearSize, good, 1, 0.1, 100);
-    TWINS(perspectiveFocalLength, tryPerspectiveFocalLength, 50 * good, 36, 24, 1.5, 0.1, 100);
-    TWINS(viewproj::frustum, tryFrustum, -1, good - 0.5, -1, 1, 0.1 * good, 100);
-    TWINS(perspectiveWindow, tryPerspectiveWindow, -1, 1, -1, 1, 0.1 * good, 100);
-    TWINS(orthographic, tryOrthographic, 0, good, -1, 1, -5, 100);
-    TWINS(intrinsics, tryIntrinsics, 600 * good, 600, 300, 200, viewport, 0.1, 100);
-    TWINS(shifted, tryShifted, lens, 1 / good, 0);
-    TWINS(cropped, tryCropped, lens, viewport, (Crop{0, 0, 10 * good, 10}));
-    TWINS(makeCamera, tryMakeCamera, pose, lens, (Viewport{600 * good, 400}), Convention{});
-    TWINS(poseFromHeadingPitchRoll, tryPoseFromHeadingPitchRoll, (Geodetic{47 / good, 8, 500}),
-          (HeadingPitchRoll{10, 20, 30}));
-    TWINS(lookAtPlace, tryLookAtPlace, (Geodetic{47, 8, 500}), (Geodetic{47 + 0.1 * good, 8, 500}));
-  }
-#undef TWINS
-}
-
 TEST_CASE("An aspect and a tile beyond what doubles can tell apart are refused") {
   for (double aspect : {1e-280, 1e280}) CHECK(fieldAtFault([&] { perspectiveFovY(60, aspect, 0.1, 100); }) == "aspect");
   const Projection lens = perspectiveFovY(60, 1.5, 0.1, 100);

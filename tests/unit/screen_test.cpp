@@ -158,7 +158,7 @@ TEST_CASE(
 }
 
 TEST_CASE("A weighted point has the bound of exact, whatever the precision") {
-  for (Precision precision : {Precision::fast, Precision::standard, Precision::exact}) {
+  for (Precision precision : {Precision::standard, Precision::exact}) {
     const ErrorBound weighted = boundOfPoint(plainCamera(), Vec4{2, 1, -6, 2}, precision);
     const ErrorBound plain = boundOfPoint(plainCamera(), Vec3{1, 0.5, -3}, Precision::exact);
     CHECK(weighted.screen == plain.screen);

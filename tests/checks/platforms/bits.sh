@@ -54,7 +54,7 @@ for convention in opengl opengl-lh d3d d3d-rh vulkan metal webgpu unity unreal o
     3) lens="--fov-x 117.$turn --near 0.1 --far 1000 --shift 0.1,-0.2" ;;
   esac
   camera="--position 3.1,2.$turn,5.3 --target 0.1,0.2,0.3 --viewport 1280x720 --read-as $convention $lens"
-  for precision in fast standard exact auto; do
+  for precision in standard exact; do
     echo "== $convention project $precision"
     # shellcheck disable=SC2086  # a list of words
     "$@" project $camera --precision $precision --to f64 "$work/points.csv"

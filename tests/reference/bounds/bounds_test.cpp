@@ -21,9 +21,9 @@ using namespace reference;
 
 namespace {
 
-constexpr Precision kRungs[] = {Precision::fast, Precision::standard, Precision::exact};
-constexpr const char* kRungNames[] = {"fast", "standard", "exact"};
-constexpr double kTolerances[] = {1e-3, 1e-6, 1e-9};
+constexpr Precision kRungs[] = {Precision::standard, Precision::exact};
+constexpr const char* kRungNames[] = {"standard", "exact"};
+constexpr std::size_t kRungCount = 2, kStandard = 0, kExact = 1;
 constexpr mpfr_prec_t kBits = 256;
 constexpr std::size_t kPointsOfCamera = 200;
 constexpr int kRaysOfCamera = 8;
@@ -69,9 +69,9 @@ Sizes common(const ProjectionConstants& k, const Vec3& d) {
 }
 
 /// The bound of bounds.hpp with another number of roundings, in x and in y.
-Vec2 boundWith(double roundings, const Sizes& s, const Camera& c, const Oracle::Answer& truth, Precision rung) {
+Vec2 boundWith(double roundings, const Sizes& s, const Camera& c, const Oracle::Answer& truth) {
   const ProjectionConstants& k = parts(c).constants;
-  const double u = rung == Precision::fast ? kUnitFloat : kUnitDouble;
+  const double u = kUnitDouble;
   const auto one = [&](double size, double position, const DoubleDouble& center) {
     const double q = std::fabs(position - center.hi);
     const double sum = kUnitDouble * kSecondOrder * std::fabs(position) + std::fabs(center.lo);
@@ -87,10 +87,10 @@ struct Shares {
 };
 
 struct Tally {
-  std::size_t points = 0, inPicture = 0, inBand = 0, behind = 0, onEyePlane = 0, uncertain = 0, overflowed = 0;
+  std::size_t points = 0, inPicture = 0, behind = 0, onEyePlane = 0, uncertain = 0, overflowed = 0;
   std::size_t undecided = 0;
-  std::size_t inRung[3] = {};  ///< not handed on to exact
-  Shares shares[3];
+  std::size_t inRung[kRungCount] = {};  ///< not handed on to exact
+  Shares shares[kRungCount];
   double worstRay = 0;
   std::size_t failures = 0;
 };
@@ -101,8 +101,8 @@ struct Mutation {
   double roundings;
   bool isComponentwise;
   bool mustShow;  ///< points must be found that violate it
-  std::size_t violations[2] = {};
-  double worst[2] = {};
+  std::size_t violations = 0;
+  double worst = 0;
 };
 
 class Trial {
@@ -115,31 +115,24 @@ class Trial {
         truth_(scene_),
         camera_(build(scene_)),
         oracle_(truth_, kBits) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      inPicture_[i] = boundInPicture(camera_, kRungs[i]);
-      inBand_[i] = boundInPicture(camera_, kRungs[i], kGuardBand);
-    }
+    for (std::size_t i = 0; i < kRungCount; ++i) inPicture_[i] = boundInPicture(camera_, kRungs[i]);
   }
 
   void run(Tally& tally, std::span<Mutation> mutations, std::size_t count) {
     std::vector<Vec3> points(count);
     for (Vec3& point : points) point = family_.point(random_, scene_, camera_);
-    std::vector<Vec3> batch[3], within[std::size(kTolerances)];
-    for (std::size_t i = 0; i < 3; ++i) {
+    std::vector<Vec3> batch[kRungCount];
+    for (std::size_t i = 0; i < kRungCount; ++i) {
       batch[i].resize(count);
       worldToScreen(camera_, points, batch[i], kRungs[i]);
     }
-    for (std::size_t i = 0; i < std::size(kTolerances); ++i) {
-      within[i].resize(count);
-      worldToScreenWithin(camera_, kTolerances[i], points, within[i]);
-    }
-    checkKernels(points, batch, within);
+    checkKernels(points, batch);
     for (std::size_t p = 0; p < count; ++p) {
       const Vec3& point = points[p];
       ++tally.points;
       const Oracle::Answer truth = ask(tally, point);
-      ScreenPoint got[3];
-      for (std::size_t i = 0; i < 3; ++i) {
+      ScreenPoint got[kRungCount];
+      for (std::size_t i = 0; i < kRungCount; ++i) {
         got[i] = worldToScreen(camera_, point, kRungs[i]);
         if (!sameBits(batch[i][p], got[i]))
           fail(point, kRungNames[i],
@@ -150,30 +143,20 @@ class Trial {
       }
       if (!truth.inFront) {
         ++tally.behind;
-        for (const auto& screen : within)
-          if (!std::isnan(screen[p].x)) fail(point, "within", "a screen position behind the eye");
         continue;
       }
       if (truth.undecided) continue;
-      const double across[2] = {beyond(truth, 1), beyond(truth, kGuardBand)};
-      tally.inPicture += across[0] <= 0;
-      tally.inBand += across[1] <= 0;
+      const bool isInPicture = beyond(truth) <= 0;
+      tally.inPicture += isInPicture;
       if (!std::isfinite(truth.x.hi) || !std::isfinite(truth.y.hi) || !std::isfinite(truth.depth.hi))
         ++tally.overflowed;
-      if (!got[2].certain) ++tally.uncertain;
-      checkExact(got[2], truth, point);
-      for (std::size_t i = 0; i < 3; ++i) {
-        checkBounds(tally.shares[i], i, got[i], truth, point, across[0] <= 0, across[1] <= 0);
+      if (!got[kExact].certain) ++tally.uncertain;
+      checkExact(got[kExact], truth, point);
+      for (std::size_t i = 0; i < kRungCount; ++i) {
+        checkBounds(tally.shares[i], i, got[i], truth, point, isInPicture);
         if (got[i].precision != kRungs[i]) continue;
         ++tally.inRung[i];
-        if (i < 2) mutate(mutations, i, got[i], truth, point);
-      }
-      const ErrorBound exactBound = boundOfPoint(camera_, point, Precision::exact);
-      for (std::size_t t = 0; t < std::size(kTolerances); ++t) {
-        const double error = errorsOf(within[t][p].x, within[t][p].y, 0, truth).screen();
-        const double allowed = std::max(isOutOfReach(truth) ? 0 : kTolerances[t], exactBound.screen);
-        if (!(error <= allowed))
-          fail(point, "within", text("tolerance %g: error %a, allowed %a", kTolerances[t], error, allowed));
+        if (i == kStandard) mutate(mutations, got[i], truth, point);
       }
     }
     rays(tally);
@@ -183,7 +166,7 @@ class Trial {
 
  private:
   /// One of the kernels, another in each trial, against the batches of the best.
-  void checkKernels(const std::vector<Vec3>& points, const std::vector<Vec3>* batch, const std::vector<Vec3>* within) {
+  void checkKernels(const std::vector<Vec3>& points, const std::vector<Vec3>* batch) {
     std::vector<Vec3> got(points.size());
     withKernels(*supportedKernels()[seed_ % supportedKernels().size()], [&](const Kernels& kernel) {
       const auto compare = [&](const std::vector<Vec3>& want, const char* what) {
@@ -192,13 +175,9 @@ class Trial {
             fail(points[i], what,
                  std::string("kernel ") + kernel.name + " gives " + exactText(got[i]) + ", not " + exactText(want[i]));
       };
-      for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t i = 0; i < kRungCount; ++i) {
         worldToScreen(camera_, points, got, kRungs[i]);
         compare(batch[i], kRungNames[i]);
-      }
-      for (std::size_t i = 0; i < std::size(kTolerances); ++i) {
-        worldToScreenWithin(camera_, kTolerances[i], points, got);
-        compare(within[i], "within");
       }
     });
   }
@@ -226,21 +205,14 @@ class Trial {
 
   double size() const { return std::max(camera_.viewport().width, camera_.viewport().height); }
 
-  /// How many pixels outside the picture enlarged band times; infinite outside near and far in orthographic.
-  double beyond(const Oracle::Answer& truth, double band) const {
+  /// How many pixels outside the picture; infinite outside near and far in orthographic.
+  double beyond(const Oracle::Answer& truth) const {
     const Viewport& v = camera_.viewport();
     const double half = v.pixelCenter - 0.5;
-    const double x = std::fabs(truth.x.hi - (v.x + half + v.width / 2)) - band * v.width / 2;
-    const double y = std::fabs(truth.y.hi - (v.y + half + v.height / 2)) - band * v.height / 2;
+    const double x = std::fabs(truth.x.hi - (v.x + half + v.width / 2)) - v.width / 2;
+    const double y = std::fabs(truth.y.hi - (v.y + half + v.height / 2)) - v.height / 2;
     if (parts(camera_).projection.orthographic && !betweenNearAndFar(truth)) return INFINITY;
     return std::max(x, y);
-  }
-
-  /// Farther from the principal point than the tolerance is kept: exact.
-  bool isOutOfReach(const Oracle::Answer& truth) const {
-    const PictureReach reach = pictureReach(parts(camera_), kGuardBand);
-    return std::fabs(truth.x.hi - parts(camera_).constants.centerX.hi) > reach.x * (1 + 1e-6) ||
-           std::fabs(truth.y.hi - parts(camera_).constants.centerY.hi) > reach.y * (1 + 1e-6);
   }
 
   bool betweenNearAndFar(const Oracle::Answer& truth) const {
@@ -273,7 +245,7 @@ class Trial {
   }
 
   void checkBounds(Shares& shares, std::size_t rung, const ScreenPoint& got, const Oracle::Answer& truth,
-                   const Vec3& point, bool isInPicture, bool isInBand) {
+                   const Vec3& point, bool isInPicture) {
     const Errors error = errorsOf(got.x, got.y, got.depth, truth);
     const auto check = [&](const char* what, double wrong, double bound, double& share) {
       if (!(wrong <= bound))
@@ -294,33 +266,27 @@ class Trial {
       if (betweenNearAndFar(truth))
         check("depth, bound in the picture", error.depth, inPicture_[rung].depth, shares.pictureDepth);
     }
-    if (isInBand) {
-      check("screen, bound in the band", error.screen(), inBand_[rung].screen, shares.pictureScreen);
-      if (betweenNearAndFar(truth))
-        check("depth, bound in the band", error.depth, inBand_[rung].depth, shares.pictureDepth);
-    }
   }
 
-  void mutate(std::span<Mutation> mutations, std::size_t rung, const ScreenPoint& got, const Oracle::Answer& truth,
-              const Vec3& point) {
+  void mutate(std::span<Mutation> mutations, const ScreenPoint& got, const Oracle::Answer& truth, const Vec3& point) {
     const ProjectionConstants& k = parts(camera_).constants;
     const Vec3 d{point.x - k.eye.x, point.y - k.eye.y, point.z - k.eye.z};
     const Errors error = errorsOf(got.x, got.y, got.depth, truth);
     const Sizes sizes[2] = {common(k, d), componentwise(k, d)};
-    if (underflows(d, kRungs[rung])) return;
+    if (underflows(d)) return;
     // What breaks the true bound breaks a smaller one too, and shows nothing.
-    if (!(error.screen() <= boundOfPoint(camera_, point, kRungs[rung]).screen)) return;
+    if (!(error.screen() <= boundOfPoint(camera_, point, Precision::standard).screen)) return;
     for (Mutation& m : mutations) {
-      const Vec2 bound = boundWith(m.roundings, sizes[m.isComponentwise], camera_, truth, kRungs[rung]);
-      m.violations[rung] += error.x > bound.x || error.y > bound.y;
-      if (bound.x > 0 && bound.y > 0) m.worst[rung] = std::max({m.worst[rung], error.x / bound.x, error.y / bound.y});
+      const Vec2 bound = boundWith(m.roundings, sizes[m.isComponentwise], camera_, truth);
+      m.violations += error.x > bound.x || error.y > bound.y;
+      if (bound.x > 0 && bound.y > 0) m.worst = std::max({m.worst, error.x / bound.x, error.y / bound.y});
     }
   }
 
   /// Whether a coordinate or a product is so small that it has fewer digits, which the componentwise bound leaves out.
-  bool underflows(const Vec3& d, Precision rung) const {
+  bool underflows(const Vec3& d) const {
     const ProjectionConstants& k = parts(camera_).constants;
-    const double least = rung == Precision::fast ? 0x1p-100 : 0x1p-900;
+    const double least = 0x1p-900;
     for (std::size_t i = 0; i < 3; ++i) {
       const double row = std::max({std::fabs(k.x[i].hi), std::fabs(k.y[i].hi), std::fabs(k.w[i].hi), 1.0});
       if (d[i] != 0 && !(std::fabs(d[i]) > least * row)) return true;
@@ -372,14 +338,14 @@ class Trial {
   Camera camera_;
   Oracle oracle_;
   std::unique_ptr<Oracle> finer_;
-  ErrorBound inPicture_[3], inBand_[3];
+  ErrorBound inPicture_[kRungCount];
 };
 
 std::string row(const char* name, const Tally& t) {
   const double n = double(t.points) / 100;
   std::string line = text("%-50s %8zu %5.1f %5.1f %5.1f", name, t.points, double(t.inPicture) / n, double(t.behind) / n,
                           double(t.uncertain) / n);
-  for (std::size_t i = 0; i < 3; ++i)
+  for (std::size_t i = 0; i < kRungCount; ++i)
     line += text(" |%4.0f %5.3f %5.3f %5.3f", double(t.inRung[i]) / n, t.shares[i].screen, t.shares[i].depth,
                  t.shares[i].pictureScreen);
   line += text(" | %.2g", t.worstRay);
@@ -437,8 +403,8 @@ TEST_CASE("No result is farther from the truth than its bound, and too small a b
   std::string table =
       "shares of the bound: screen and depth of the point's, screen of the picture's\n"
       "(shares of points that the rung settled itself, and how many % those are)\n"
-      "family                                               points   in%  beh%  unc% | fast                 "
-      "| standard             | exact                | ray\n";
+      "family                                               points   in%  beh%  unc% | "
+      "standard             | exact                | ray\n";
   Tally total;
   for (const Family& family : families()) {
     Tally tally;
@@ -455,27 +421,24 @@ TEST_CASE("No result is farther from the truth than its bound, and too small a b
     total.onEyePlane += tally.onEyePlane;
     total.uncertain += tally.uncertain;
     total.overflowed += tally.overflowed;
-    for (std::size_t i = 0; i < 3; ++i) total.inRung[i] += tally.inRung[i];
+    for (std::size_t i = 0; i < kRungCount; ++i) total.inRung[i] += tally.inRung[i];
   }
   table += text("points %zu, on the eye plane %zu, overflowed %zu\n", total.points, total.onEyePlane, total.overflowed);
   for (const Mutation& m : mutations)
-    table += text("%-50s violations: fast %zu, standard %zu; worst error / bound %.3f, %.3f\n", m.name, m.violations[0],
-                  m.violations[1], m.worst[0], m.worst[1]);
+    table += text("%-50s violations: %zu; worst error / bound %.3f\n", m.name, m.violations, m.worst);
   std::fputs(table.c_str(), stdout);
   CHECK(Trial::failures() == 0);
   CHECK(total.points >= wanted);
   CHECK(total.onEyePlane > wanted / 10000);
   CHECK(total.overflowed > wanted / 1000);
   CHECK(total.uncertain > wanted / 1000);
-  for (std::size_t i = 0; i < 3; ++i) CHECK(total.inRung[i] > wanted / 10);
+  for (std::size_t i = 0; i < kRungCount; ++i) CHECK(total.inRung[i] > wanted / 10);
   for (const Mutation& m : mutations) {
     INFO(m.name);
-    for (std::size_t i = 0; i < 2; ++i) {
-      CAPTURE(kRungNames[i], m.worst[i]);
-      if (m.mustShow)
-        CHECK(m.violations[i] > 0);
-      else if (m.roundings == kRoundings)
-        CHECK(m.violations[i] == 0);
-    }
+    CAPTURE(m.worst);
+    if (m.mustShow)
+      CHECK(m.violations > 0);
+    else if (m.roundings == kRoundings)
+      CHECK(m.violations == 0);
   }
 }
