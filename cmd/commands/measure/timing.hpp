@@ -13,7 +13,7 @@ struct Timing {
   double least = 0, median = 0;
 };
 
-inline constexpr std::size_t kRounds = 7;
+inline constexpr std::size_t kRounds = 15;
 
 /// Times every work once a round, so that what slows the machine for a while slows all of them. A work is repeated
 /// within its turn until that lasts two milliseconds. Runs each beforehand, so that memory and caches are warm.
