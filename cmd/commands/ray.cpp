@@ -40,15 +40,12 @@ WorldPoint pointBehind(const Camera& camera, const Pixel& pixel) {
 struct Casting {
   Camera camera;
   Precision precision = Precision::exact;
-  RayOrigin origin = RayOrigin::eye;
-  bool wantBound = false;
   ColumnChoice columns;
   std::optional<Results> fields = {};  ///< nothing: what is given by default
   std::optional<std::vector<SceneObject>> scene = {};
   bool worldIsEcef = false, sceneHasEllipsoid = false;
   bool allHits = false;
-  bool clipped = false;                                             ///< hits between near and far alone
-  mutable std::atomic<bool> hadDistance = false, hadDepth = false;  ///< of a record
+  mutable std::atomic<bool> hadDepth = false;  ///< of a record
 
   bool placesHits() const { return worldIsEcef || sceneHasEllipsoid; }
   const ResultRow& hits() const { return allHits ? results::hits : placesHits() ? results::placedHit : results::hit; }
@@ -96,11 +93,10 @@ class RayWork final : public RecordWork {
     const auto& [pixel, tellsDistance] = pixels_[i];
     Cast cast{.pixel = pixel};
     if (pixel.screen) {
-      cast.ray = screenToRay(how_.camera, *pixel.screen, how_.precision, how_.origin);
+      cast.ray = screenToRay(how_.camera, *pixel.screen, how_.precision);
       if (pixel.depth || pixel.viewDistance) cast.point = pointBehind(how_.camera, pixel);
     }
     if (pixel.depth && !pixel.viewDistance) how_.hadDepth.store(true, std::memory_order_relaxed);
-    if (pixel.hasDistance) how_.hadDistance.store(true, std::memory_order_relaxed);
     for (const ResultRow* row : rowsOf(pixel.hasDistance, tellsDistance, sink.hasFixedColumns(), sink.isText()))
       writeResult(*row, cast, sink);
   }
@@ -125,7 +121,6 @@ class RayWork final : public RecordWork {
       rows.push_back(&results::point);
       if (isJson && how_.worldIsEcef) rows.push_back(&results::place);
       if (isJson && (kind & kTellsDistance)) rows.push_back(&results::pointDistance);
-      if (how_.wantBound) rows.push_back(&results::pointBound);
     }
     if (how_.scene) rows.push_back(&how_.hits());
     return rows;
@@ -194,18 +189,12 @@ class RayWork final : public RecordWork {
     for (const SceneObject& object : *how_.scene)
       std::visit(
           [&](const auto& shape) {
-            for (const Hit& hit : intersect(ray, shape))
-              if (!how_.clipped || isBetweenNearAndFar(hit)) found.push_back({&object, hit});
+            for (const Hit& hit : intersect(ray, shape)) found.push_back({&object, hit});
           },
           object.shape);
     std::stable_sort(found.begin(), found.end(),
                      [](const SceneHit& a, const SceneHit& b) { return a.hit.distance < b.hit.distance; });
     return found;
-  }
-
-  bool isBetweenNearAndFar(const Hit& hit) const {
-    const ScreenPoint p = worldToScreen(how_.camera, hit.point);
-    return p.status == PointStatus::inFront && (p.outside & (sideNear | sideFar)) == 0;
   }
 
   const Casting& how_;
@@ -214,16 +203,11 @@ class RayWork final : public RecordWork {
 };
 
 /// A pixel of the command line as a JSON record.
-struct GivenPixel {
-  GivenRecord record;
-  bool hasDepth = false;
-};
-
-GivenPixel readPixel(const std::string& option, const std::string& text) {
+GivenRecord readPixel(const std::string& option, const std::string& text) {
   const std::vector<double> n = readPixelNumbers(option, text);
   std::string json = "{\"screen\":[" + formatNumber(n[0]) + "," + formatNumber(n[1]) + "]";
   if (n.size() > 2) json += ",\"depth\":" + formatNumber(n[2]);
-  return {{option + " " + text, json + "}"}, n.size() > 2};
+  return {option + " " + text, json + "}"};
 }
 
 /// What --fields can name: all that `ray` writes, of a hit the one name. Those of the scene are settled once it is
@@ -250,10 +234,9 @@ struct Options {
   StreamOptions stream;
   Precision precision = Precision::exact;
   std::optional<Several<const ResultRow*>> fields;
-  std::vector<GivenPixel> pixels;
-  RayOrigin from = RayOrigin::eye;
+  std::vector<GivenRecord> pixels;
   std::optional<std::string> scene;
-  bool wantBound = false, allHits = false, clipped = false;
+  bool allHits = false;
 };
 
 /// Throws UsageError for those that need what is not there; of all, those are left out.
@@ -266,9 +249,7 @@ void settleFields(Casting& how, const Several<const ResultRow*>& fields) {
   const auto has = [&](const ResultRow& row) {
     return std::find(how.fields->begin(), how.fields->end(), &row) != how.fields->end();
   };
-  if (!has(results::hit) && (how.allHits || how.clipped))
-    throw UsageError(std::string(how.allHits ? "--all-hits" : "--clipped") +
-                     " is of hits, and --fields leaves hit out");
+  if (!has(results::hit) && how.allHits) throw UsageError("--all-hits is of hits, and --fields leaves hit out");
   if (how.scene && !has(results::hit) && !has(results::pointDistance) && !has(results::pixelSize))
     throw UsageError("--scene is for hit, viewDistance and pixelSize, and --fields leaves these out");
   for (const ResultRow*& row : *how.fields) {
@@ -282,27 +263,16 @@ void settleFields(Casting& how, const Several<const ResultRow*>& fields) {
 
 int run(const Options& o) {
   if (o.camera.lists()) return o.camera.list();
-  if (o.fields && o.wantBound) throw UsageError("--fields bound takes the place of --bound; leave out one of the two");
-  if (!o.scene && (o.allHits || o.clipped))
-    throw UsageError(std::string(o.allHits ? "--all-hits" : "--clipped") + " is for --scene, which is not given");
+  if (!o.scene && o.allHits) throw UsageError("--all-hits is for --scene, which is not given");
   FilterSetup setup = o.stream.setup(kPixelColumns);
-  bool mayHaveDepth = o.pixels.empty();
-  for (const GivenPixel& pixel : o.pixels) {
-    setup.given.push_back(pixel.record);
-    mayHaveDepth = mayHaveDepth || pixel.hasDepth;
-  }
-  if (o.wantBound && !mayHaveDepth)
-    throw UsageError("--bound is of the point at a pixel's DEPTH, and --pixel gives none");
+  setup.given = o.pixels;
   o.stream.requireOneInput(setup, o.camera, {"the scene", isStandardInput(o.scene)});
   const CameraFile file = o.camera.read();
   Casting how{.camera = makeCamera(file),
               .precision = o.precision,
-              .origin = o.from,
-              .wantBound = o.wantBound,
               .columns = setup.columns,
               .worldIsEcef = file.worldIsEcef,
-              .allHits = o.allHits,
-              .clipped = o.clipped};
+              .allHits = o.allHits};
   if (o.scene) {
     how.scene = readScene(*o.scene, file.worldIsEcef);
     for (const SceneObject& object : *how.scene) how.sceneHasEllipsoid |= isOfTheEarth(object);
@@ -317,8 +287,6 @@ int run(const Options& o) {
     o.camera.notes().say("depth is window depth, here of a near plane at " + formatNumber(file.projection->zNear()) +
                          ", as the camera's file has none (--near gives it); a distance along the viewing axis is "
                          "called viewDistance");
-  if (o.wantBound && !how.hadDistance)
-    o.camera.notes().say("--bound changes nothing here: it is of the point at a depth, and no pixel has one");
   return status;
 }
 
@@ -329,7 +297,7 @@ Action defineRay(CommandLine& line) {
   line.setDescription(
       "Pixels to rays: origin and unit direction, with a depth or viewDistance the point itself, and what of a scene "
       "the ray hits. Text has 6 numbers a record, origin and direction, or 9 with the point where there is a depth; "
-      "f64 always 9, NaN where there is no point. --bound adds one after the point; --scene adds 7 at the end, "
+      "f64 always 9, NaN where there is no point. --scene adds 7 at the end, "
       "distance, point and normal of the hit, NaN where there is none: 13 without a point, 16 with it; and if the "
       "scene has an ellipsoid, 3 more: lat, lon, height. With --columns, a third column called depth or viewDistance "
       "is that, one of another name a depth, and a distance that is not named is not used.");
@@ -338,19 +306,12 @@ Action defineRay(CommandLine& line) {
       "  --pixel 640,360 --to table");
   o->camera.add(line);
   o->stream.add(line, "pixels");
-  static constexpr std::pair<std::string_view, RayOrigin> kPlaces[] = {{"eye", RayOrigin::eye},
-                                                                       {"near", RayOrigin::nearPlane}};
   addPrecision(line, o->precision);
   addValues(line, "--pixel", "X,Y[,DEPTH]", o->pixels, readPixel,
             "A pixel, with a window depth if known, in place of FILE and standard input");
-  addChoice(line, "--ray-from", "PLACE", o->from, rowsOf(kPlaces),
-            "Where rays begin, on the plane through the eye or on the near plane");
   addValue(line, "--fields", "NAMES", o->fields, readFields, helpOnFields());
-  line.addFlag("--bound", o->wantBound,
-               "Give each point's bound: how far it can be from the true one if its depth was rounded to double");
   addSceneOption(line, o->scene, ", to shoot at: the nearest hit of each ray");
   line.addFlag("--all-hits", o->allHits, "Every hit with the scene, nearest first");
-  line.addFlag("--clipped", o->clipped, "Only hits between near and far");
   return [o] { return run(*o); };
 }
 

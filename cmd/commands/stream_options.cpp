@@ -28,7 +28,6 @@ char readDelimiter(const std::string& option, const std::string& text) {
 }
 
 constexpr std::size_t kMostJobs = 1024;
-constexpr std::size_t kMostLines = 1ull << 53;
 
 }  // namespace
 
@@ -43,23 +42,8 @@ void StreamOptions::addInput(CommandLine& line, const std::string& what) {
       "its role, as in lat=la,lon=lo,height=h or x=u,y=v,depth=d (default: by their names)");
   addValue(
       line, "--delimiter", "CHAR", delimiter_, readDelimiter,
-      "What separates the columns of CSV, in and out: comma, semicolon, tab, blank, bar or a character (default: as "
-      "the first line tells)");
-  addValue(
-      line, "--decimal", "CHAR", decimal_,
-      [](const std::string& option, const std::string& text) {
-        if (text != "," && text != ".") throw UsageError(option + " " + text + ": expected , or .");
-        return text[0];
-      },
-      "What decimals of CSV and text follow, . or , (default: .)");
-  addValue(
-      line, "--comment", "CHAR", comment_,
-      [](const std::string& option, const std::string& text) {
-        if (text.size() != 1 || !isPunctuation(text[0]))
-          throw UsageError(option + " " + text + ": expected one character, as in '#'");
-        return text[0];
-      },
-      "What begins a line of CSV or text that is a comment (default: in text #, in CSV nothing)");
+      "What separates the columns of CSV, in and out: comma, semicolon, tab, blank, bar or a character (default: which "
+      "of the first three the first line tells)");
 }
 
 void StreamOptions::add(CommandLine& line, const std::string& what) {
@@ -80,10 +64,7 @@ void StreamOptions::add(CommandLine& line, const std::string& what) {
       "Put this in front of the results' names");
   line.addFlag("--keep-going", keepGoing_, "Put an error record in a bad record's place and go on");
   addValue(line, "--jobs", "N", jobs_, wholeNumber(1, kMostJobs), "Threads to work with (default: one a processor)");
-  line.addFlag("--force", force_, "f64: write it to a terminal too");
   line.addFlag("--no-header", noHeader_, "CSV: write no header line");
-  addValue(line, "--first-line", "N", firstLine_, wholeNumber(1, kMostLines),
-           "Number of the input's first line in messages, where it is a part of a file (default: 1)");
 }
 
 void StreamOptions::addKeepGoing(CommandLine& line) {
@@ -97,12 +78,8 @@ FilterSetup StreamOptions::setup(const ChoosableColumns& choosable) const {
   setup.to = to_;
   setup.keepGoing = keepGoing_;
   setup.jobs = static_cast<unsigned>(jobs_.value_or(0));
-  setup.firstLine = firstLine_.value_or(1);
-  setup.force = force_;
   setup.writer.digits = static_cast<int>(digits_.value_or(0));
   setup.delimiter = delimiter_;
-  setup.decimal = decimal_;
-  setup.comment = comment_;
   setup.writer.header = !noHeader_;
   setup.writer.prefix = prefix_.value_or("");
   if (columns_) {
@@ -161,10 +138,7 @@ bool StreamOptions::readsBeside(const std::optional<std::string>& scene, const F
 void StreamOptions::requireNoInputOption(const std::string& why) const {
   for (const auto& [name, given] : {std::pair("--from", from_.has_value()),
                                     {"--columns", columns_.has_value()},
-                                    {"--delimiter", delimiter_ && !writes_},
-                                    {"--decimal", decimal_.has_value()},
-                                    {"--comment", comment_.has_value()},
-                                    {"--first-line", firstLine_.has_value()}})
+                                    {"--delimiter", delimiter_ && !writes_}})
     if (given) throw UsageError(std::string(name) + " is for FILE, which " + why);
 }
 

@@ -50,9 +50,9 @@ class StreamOptions {
   std::optional<std::string> file_, prefix_, columns_;
   std::optional<Form> from_;
   std::optional<OutputForm> to_;
-  std::optional<char> delimiter_, decimal_, comment_;
-  std::optional<std::size_t> jobs_, firstLine_, digits_;
-  bool keepGoing_ = false, noHeader_ = false, force_ = false, writes_ = false;
+  std::optional<char> delimiter_;
+  std::optional<std::size_t> jobs_, digits_;
+  bool keepGoing_ = false, noHeader_ = false, writes_ = false;
 };
 
 }  // namespace viewproj::cmd

@@ -18,16 +18,11 @@ std::string nameOf(const RecordParts& record, std::size_t field) {
 }
 
 double numberAt(const RecordParts& record, std::size_t field, std::string_view text) {
-  const Form form = record.shape.form;
-  const char decimal = form == Form::csv || form == Form::text ? record.shape.csv.decimal : '.';
-  const auto number = form == Form::csv ? parseDecimal(csvValue(text), decimal) : parseDecimal(text, decimal);
+  const auto number = record.shape.form == Form::csv ? parseNumber(csvValue(text)) : parseNumber(text);
   if (number) return *number;
-  const bool hasComma =
-      decimal == '.' && (form == Form::csv || form == Form::text) && parseDecimal(csvValue(text), ',').has_value();
   throw RecordError(static_cast<std::size_t>(text.data() - record.text.data()),
                     nameOf(record, field) + quoted(text) + " is not a finite number" +
-                        (decimal != '.' ? " with decimals after '" + std::string(1, decimal) + "'" : "") +
-                        (hasComma ? "; --decimal , reads decimal commas" : ""));
+                        (text.find(',') == std::string_view::npos ? "" : "; decimals follow a point"));
 }
 
 bool isAbsent(std::string_view value, Form form) {

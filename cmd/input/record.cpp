@@ -62,9 +62,8 @@ RecordParts jsonParts(std::string_view text) {
   return record;
 }
 
-RecordParts textParts(std::string_view text, char decimal) {
+RecordParts textParts(std::string_view text) {
   RecordParts record{text, {Form::text, true, 0, {}}, {}};
-  record.shape.csv.decimal = decimal;
   splitText(text, record.values);
   requireFewFields(text, record.values);
   record.shape.size = record.values.size();
@@ -187,12 +186,6 @@ std::string csvValue(std::string_view field) {
 
 std::optional<std::string> otherSeparator(const Shape& header) {
   if (header.form != Form::csv) return std::nullopt;
-  const std::string all = joined(header.names, ",");
-  constexpr std::string_view kOfNumbers = "0123456789+-.,; \t";
-  if (header.csv.decimal == '.' && all.find_first_not_of(kOfNumbers) == std::string::npos &&
-      all.find(',') != std::string::npos)
-    return "--decimal , reads numbers with decimal commas";
-  if (all.starts_with('#')) return "--comment '#' passes over lines that begin with #";
   // In the only name, or as one between blanks.
   const auto isIn = [&](char separator) {
     return header.names.size() == 1
@@ -215,12 +208,9 @@ CsvHeader readCsvHeader(std::string_view line, const std::vector<std::string>& d
   CsvHeader header;
   std::vector<std::string_view> fields;
   splitCsvLine(line, fields, format, kMostFields + 1);
-  const auto isNumber = [&](std::string_view value) {
-    return parseDecimal(value, format.decimal) || (format.separator != ',' && parseDecimal(value, ','));
-  };
   const auto isWord = [&](std::string_view field) {
     const std::string value = csvValue(field);
-    return value.find_first_not_of(" \t") != std::string::npos && !isNumber(value);
+    return value.find_first_not_of(" \t") != std::string::npos && !parseNumber(value);
   };
   if (numbered.empty()) {
     header.present = std::any_of(fields.begin(), fields.end(), isWord);
@@ -230,7 +220,7 @@ CsvHeader readCsvHeader(std::string_view line, const std::vector<std::string>& d
     for (const std::size_t number : numbered) {
       if (number > fields.size()) continue;
       header.present |= isWord(fields[number - 1]);
-      hasNumber |= isNumber(csvValue(fields[number - 1]));
+      hasNumber |= parseNumber(csvValue(fields[number - 1])).has_value();
     }
     header.present &= !hasNumber;
   }

@@ -31,7 +31,7 @@ struct Shape {
   std::size_t size = 0;            ///< how many fields
   std::vector<std::string> names;  ///< escapes resolved; empty if isArray
   bool hasHeader = true;           ///< CSV: the names are the file's own
-  CsvFormat csv = {};              ///< of CSV; of text its decimals
+  CsvFormat csv = {};              ///< of CSV
 
   std::optional<std::size_t> find(std::string_view name) const;
 };
@@ -81,7 +81,7 @@ inline constexpr const char* kNoRecord = "expected a record: an array of numbers
 
 /// Throw RecordError at the byte that is wrong.
 RecordParts jsonParts(std::string_view text);
-RecordParts textParts(std::string_view text, char decimal = '.');
+RecordParts textParts(std::string_view text);
 RecordParts csvParts(std::string_view text, const Shape& header);
 
 /// The values of a record, which is known to be of its shape.
@@ -114,8 +114,7 @@ std::optional<std::string> markedBad(const RecordParts& json);
 /// A CSV field without its quotes.
 std::string csvValue(std::string_view field);
 
-/// What to say of a CSV header of one column in whose name other separators stand than the one it was read by, or of
-/// one that looks like numbers with decimal commas.
+/// What to say of a CSV header of one column in whose name other separators stand than the one it was read by.
 std::optional<std::string> otherSeparator(const Shape& header);
 
 /// A header if the line has a field that is not a number; otherwise the default names in order, where there are any,

@@ -279,7 +279,7 @@ class CsvWriter final : public RecordWriter {
     }
     std::string text;
     for (std::size_t i = 0; finite && i < values.size(); ++i)
-      text += (i > 0 ? " " : "") + withDecimal(formatDigits(values[i], tableDigits()), setup_.csv.decimal);
+      text += (i > 0 ? " " : "") + formatDigits(values[i], tableDigits());
     cell(std::string_view(text));
   }
 
@@ -347,9 +347,6 @@ class CsvWriter final : public RecordWriter {
   void cell(double value) {
     if (!std::isfinite(value)) {
       cell(std::string_view());
-    } else if (setup_.csv.decimal != '.') {
-      cell(std::string_view(
-          withDecimal(formatDigits(value, setup_.table ? tableDigits() : setup_.digits), setup_.csv.decimal)));
     } else {
       out_ += setup_.csv.separator;
       if (setup_.table)

@@ -13,28 +13,17 @@
 namespace viewproj::cmd {
 namespace {
 
-/// A number with decimals after another mark; what has a point already is none, and stays.
-std::string withPoint(std::string_view written, char decimal) {
-  std::string text(written);
-  if (text.find('.') == std::string::npos) std::replace(text.begin(), text.end(), decimal, '.');
-  return text;
-}
-
 /// A text line's number: as written if that is a JSON number, otherwise formatted anew ("+1", ".5"), or null ("NaN").
-std::string jsonNumber(std::string_view written, char decimal) {
-  const std::string text = decimal == '.' ? std::string(written) : withPoint(written, decimal);
-  if (isJson(text)) return text;
-  const auto number = parseNumber(text);
+std::string jsonNumber(std::string_view written) {
+  if (isJson(written)) return std::string(written);
+  const auto number = parseNumber(written);
   return number ? formatNumber(*number) : "null";
 }
 
 /// A CSV cell: numbers, true and false as JSON writes them, an empty cell as null, anything else ("007") as a string.
-std::string jsonCell(std::string_view cell, char decimal) {
+std::string jsonCell(std::string_view cell) {
   const std::string value = csvValue(cell);
   if (value.find_first_not_of(" \t") == std::string::npos) return "null";
-  if (decimal != '.' && value.find(decimal) != std::string::npos && parseDecimal(value, decimal))
-    return jsonNumber(value, decimal);
-  if (decimal != '.' && value.find('.') != std::string::npos) return jsonString(value);
   const char first = value[0];
   const bool bare = first == '-' || (first >= '0' && first <= '9') || value == "true" || value == "false";
   if (bare && !cell.starts_with('"') && isJson(value)) return value;
@@ -54,10 +43,9 @@ void appendOnOneLine(TextBuffer& out, std::string_view json) {
 /// Each number under a name of its own.
 std::vector<NamedJson> namedNumbers(const Record& record, const std::vector<std::string>& names) {
   std::vector<std::string> values;
-  const char decimal = record.shape->csv.decimal;
   const auto asJson = [&](std::string_view value) {
     if (record.shape->form != Form::json)
-      return value == "NaN" || parseDecimal(value, decimal) ? jsonNumber(value, decimal) : jsonCell(value, decimal);
+      return value == "NaN" || parseNumber(value) ? jsonNumber(value) : jsonCell(value);
     TextBuffer line;
     appendOnOneLine(line, value);
     return std::string(line.view());
@@ -270,7 +258,7 @@ std::vector<NamedJson> asJsonFields(const Record& record, const WriterSetup& set
   if (shape.form == Form::csv) {
     const auto values = valuesOf(record);
     for (std::size_t i = 0; i < values.size(); ++i)
-      fields.push_back({shape.names[i], jsonCell(values[i], shape.csv.decimal)});
+      fields.push_back({shape.names[i], jsonCell(values[i])});
     return fields;
   }
   std::vector<std::string> numbers;
@@ -278,7 +266,7 @@ std::vector<NamedJson> asJsonFields(const Record& record, const WriterSetup& set
     for (double number : binaryNumbers(record.text)) numbers.push_back(formatNumber(number));
   else
     for (std::string_view value : valuesOf(record))
-      numbers.push_back(shape.form == Form::json ? std::string(value) : jsonNumber(value, shape.csv.decimal));
+      numbers.push_back(shape.form == Form::json ? std::string(value) : jsonNumber(value));
   const std::size_t inArray = setup.arraySize == 0 ? numbers.size() : std::min(setup.arraySize, numbers.size());
   std::string array = "[";
   for (std::size_t i = 0; i < inArray; ++i) array += (i > 0 ? "," : "") + numbers[i];

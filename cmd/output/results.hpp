@@ -54,7 +54,7 @@ inline constexpr ResultRow
     origin = vectorResult("origin", 3, kWorldUnit, "where the ray begins").orNull(),
     direction = vectorResult("direction", 3, "unit length", "where it goes").within(-1, 1).orNull(),
     point = vectorResult("point", 3, kWorldUnit, "of the record's depth or viewDistance").asked().orNull(),
-    pointBound = numberResult("bound", kWorldUnit, "with --bound: how far point may be off as its depth was rounded").asked().orNull(),
+    pointBound = numberResult("bound", kWorldUnit, "with --fields bound: how far point may be off as its depth was rounded").asked().orNull(),
     hitId = jsonResult("id", "of the object"),
     distance = numberResult("distance", kWorldUnit, "from the ray's origin").within(0, kInfinity),
     hitPoint = vectorResult("point", 3, kWorldUnit, "where it hits"),

@@ -63,8 +63,6 @@ class TextWriter final : public NumbersWriter {
     if (out_.size() > start_) out_ += ' ';
     if (!std::isfinite(value))
       out_ += "NaN";
-    else if (setup_.csv.decimal != '.')
-      out_ += withDecimal(formatDigits(value, setup_.digits), setup_.csv.decimal);
     else
       appendNumber(out_, toDigits(value, setup_.digits));
   }

@@ -105,7 +105,7 @@ class RecordReader {
 /// byPattern: false to take every record apart, for comparison.
 std::unique_ptr<RecordReader> makeJsonReader(bool byPattern = true);
 std::unique_ptr<RecordReader> makeCsvReader(const Shape& header, const Results& results);
-std::unique_ptr<RecordReader> makeTextReader(const CsvFormat& format);
+std::unique_ptr<RecordReader> makeTextReader();
 std::unique_ptr<RecordReader> makeBinaryReader();
 
 }  // namespace viewproj::cmd

@@ -52,11 +52,10 @@ void ByteBuffer::assign(std::string_view bytes) {
   size_ = bytes.size();
 }
 
-BlockReader::BlockReader(std::unique_ptr<InputFile> file, std::size_t firstLine, int wake, std::size_t block)
+BlockReader::BlockReader(std::unique_ptr<InputFile> file, int wake, std::size_t block)
     : file_(std::move(file)), wake_(wake), block_(block) {
   name_ = file_->name();
   total_ = file_->remaining();
-  position_.line = firstLine;
 }
 
 BlockReader::BlockReader(const std::string& bytes) : atEnd_(true) { carried_.assign(bytes); }
@@ -73,13 +72,13 @@ bool BlockReader::readMore(ByteBuffer& bytes, std::size_t most) {
   return true;
 }
 
-std::string_view BlockReader::firstBytes(char comment) {
+std::string_view BlockReader::firstBytes() {
   constexpr std::size_t kLongEnough = 64 << 10;
   /// How many tell the form; npos: more are needed.
-  const auto enough = [comment](std::string_view text) {
+  const auto enough = [](std::string_view text) {
     if (mayBeginBom(text)) return npos;
     const std::size_t bom = text.starts_with(kBom) ? kBom.size() : 0;
-    const std::string_view record = afterComments(text.substr(bom), comment);
+    const std::string_view record = afterComments(text.substr(bom));
     if (record.empty()) return npos;
     const std::size_t first = text.size() - record.size();
     const bool bracket = text[first] == '{' || text[first] == '[';
@@ -139,7 +138,7 @@ std::optional<BlockReader::Line> BlockReader::firstLine(bool take) {
     if (text.empty()) break;
     end = std::min(end, text.size());
     const std::string_view line = text.substr(0, end);
-    if (isBlank(line) || format_.isComment(line)) {
+    if (isBlank(line)) {
       begin += std::min(end + 1, text.size());
       ends = CsvEnds(format_);
       continue;

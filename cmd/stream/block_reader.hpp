@@ -65,14 +65,14 @@ class BlockReader {
  public:
   static constexpr std::size_t kBlock = 64 << 10;  ///< bytes that are read at a time
   /// wake: a descriptor that interrupts waiting for input. block: in place of kBlock.
-  BlockReader(std::unique_ptr<InputFile> file, std::size_t firstLine, int wake, std::size_t block = kBlock);
+  BlockReader(std::unique_ptr<InputFile> file, int wake, std::size_t block = kBlock);
   /// Of bytes given instead of a file.
   explicit BlockReader(const std::string& bytes);
 
   /// The first bytes of the input, enough to tell its form: to the end of the first line that is no blank or comment;
   /// no more than two where a bracket begins, so that a record is not waited for. However the input arrives, they are
-  /// the same. comment: begins lines that are passed over.
-  std::string_view firstBytes(char comment = 0);
+  /// the same.
+  std::string_view firstBytes();
 
   /// Throws InputError where the first bytes are of text in UTF-16 or UTF-32.
   void requireUtf8();
@@ -80,8 +80,7 @@ class BlockReader {
   /// Passes over a byte order mark, where the form is text of any kind.
   void setForm(Form form, const CsvFormat& format = {});
 
-  /// CSV: the first line that is not blank or a comment, and where it stands. It is taken, unless it is to be read
-  /// again.
+  /// CSV: the first line that is not blank, and where it stands. It is taken, unless it is to be read again.
   struct Line {
     std::string text;
     TextPosition position;

@@ -29,7 +29,7 @@ std::unique_ptr<RecordReader> makeReader(const Stream& stream) {
     case Form::csv:
       return makeCsvReader(stream.header, stream.setup.writer.results);
     case Form::text:
-      return makeTextReader(stream.format);
+      return makeTextReader();
     case Form::f64:
       return makeBinaryReader();
     case Form::json:
@@ -99,27 +99,23 @@ bool namesColumns(const Stream& stream, std::string_view line, const CsvFormat& 
   return true;
 }
 
-/// By the first line: what separates its columns. Where there are several such characters, the one that gives the
-/// columns that are needed.
+/// What separates the columns of the first line: of comma, semicolon and tab the first by which it names the columns that
+/// are needed, or the last that it has.
 char separatorOf(const Stream& stream, std::string_view line) {
-  CsvFormat format = stream.format;
-  std::string there;
-  for (const char separator : {',', ';', '\t'})
-    if (line.find(separator) != std::string_view::npos && separator != format.decimal) there += separator;
-  if (there.empty()) return line.find_first_of(" \t") == std::string_view::npos ? ',' : CsvFormat::kBlanks;
-  if (there.size() > 1)
-    for (const char separator : there) {
-      format.separator = separator;
-      if (namesColumns(stream, line, format)) return separator;
-    }
-  return there.back();
+  CsvFormat format;
+  for (const char separator : {',', ';', '\t'}) {
+    if (line.find(separator) == std::string_view::npos) continue;
+    format.separator = separator;
+    if (namesColumns(stream, line, format)) break;
+  }
+  return format.separator;
 }
 
-/// The first line that is none of blanks and no comment, as far as it tells the form.
-std::string_view firstLineOf(const FilterSetup& setup, BlockReader& reader) {
-  std::string_view start = reader.firstBytes(setup.comment.value_or(0));
+/// The first line that is none of blanks and no comment of text, as far as it tells the form.
+std::string_view firstLineOf(BlockReader& reader) {
+  std::string_view start = reader.firstBytes();
   if (start.starts_with("\xEF\xBB\xBF")) start.remove_prefix(3);
-  start = afterComments(start, setup.comment.value_or(0));
+  start = afterComments(start);
   start = start.substr(0, start.find('\n'));
   return start.ends_with('\r') ? start.substr(0, start.size() - 1) : start;
 }
@@ -188,13 +184,13 @@ void requireUse(const FilterSetup& setup, OutputForm form) {
 
 Form formOfContent(const Stream& stream, BlockReader& reader) {
   const FilterSetup& setup = stream.setup;
-  const std::string_view start = reader.firstBytes(setup.comment.value_or(0));
+  const std::string_view start = reader.firstBytes();
   if (wideEncoding(start).empty()) {
-    const std::string_view line = firstLineOf(setup, reader);
+    const std::string_view line = firstLineOf(reader);
     const auto form = line.empty() && start.find('\0') == std::string_view::npos
                           ? Form::text
                           : formOfBytes(start.substr(static_cast<std::size_t>(line.data() - start.data())),
-                                        setup.keepGoing, setup.decimal.value_or('.'));
+                                        setup.keepGoing);
     if (form == Form::text && !line.empty()) {
       // A header, be there numbers among its names.
       CsvFormat format = stream.format;
@@ -207,18 +203,13 @@ Form formOfContent(const Stream& stream, BlockReader& reader) {
   throw InputError(reader.name() + ": is binary; expected JSON, CSV or text, or --from f64 for little-endian doubles");
 }
 
-/// How CSV and text are written, in and out.
+/// How CSV is written, in and out.
 void settleFormat(Stream& stream, FilterSetup& setup, BlockReader& reader) {
   if (stream.form == Form::csv)
-    stream.format.separator = setup.delimiter ? *setup.delimiter : separatorOf(stream, firstLineOf(setup, reader));
-  if (stream.form == Form::csv && setup.comment == stream.format.separator)
-    throw UsageError("--comment '" + std::string(1, *setup.comment) +
-                     "': the columns are separated by that; another character has to begin a comment");
+    stream.format.separator = setup.delimiter ? *setup.delimiter : separatorOf(stream, firstLineOf(reader));
   CsvFormat& out = setup.writer.csv;
-  const bool isSame = (stream.form == Form::csv && hasColumns(stream.to)) ||
-                      (stream.form == Form::text && stream.to == OutputForm::text);
+  const bool isSame = stream.form == Form::csv && hasColumns(stream.to);
   if (isSame) out = stream.format;
-  out.comment = 0;
   if (stream.to == OutputForm::table) out.separator = ',';
   if (stream.to == OutputForm::csv && setup.delimiter) out.separator = *setup.delimiter;
   if (stream.to == OutputForm::csv && isEnding(endingOf(nameOfOutput()), ".tsv") && out.separator != '\t') {
@@ -228,12 +219,9 @@ void settleFormat(Stream& stream, FilterSetup& setup, BlockReader& reader) {
                        "call it .csv");
     out.separator = '\t';
   }
-  const bool isText = stream.form == Form::csv || stream.form == Form::text;
   if (setup.delimiter && stream.form != Form::csv && (!stream.writes || stream.to != OutputForm::csv))
     throw UsageError(
         "--delimiter is for CSV, and neither the input nor the output is that; --from csv reads it as CSV");
-  for (const auto& [name, given] : {std::pair("--decimal", setup.decimal), {"--comment", setup.comment}})
-    if (given && !isText) throw UsageError(std::string(name) + " is for CSV and text, and the input is neither");
 }
 
 int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
@@ -243,12 +231,10 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
   std::string given;
   for (const GivenRecord& record : setup.given) given += record.json + "\n";
   auto reader =
-      file ? std::make_unique<BlockReader>(std::move(file), setup.firstLine, guard.descriptor(), setup.blockSize)
+      file ? std::make_unique<BlockReader>(std::move(file), guard.descriptor(), setup.blockSize)
            : std::make_unique<BlockReader>(given);
   Stream stream{.setup = setup, .makeWork = makeWork, .writes = writes};
   const auto named = setup.from ? setup.from : formOfName(setup.file);
-  stream.format.decimal = setup.decimal.value_or('.');
-  stream.format.comment = setup.comment.value_or(0);
   stream.form = !setup.given.empty() ? Form::json : named ? *named : formOfContent(stream, *reader);
   if (stream.form != Form::f64) reader->requireUtf8();
   if (stream.form == Form::f64 && setup.columns.given())
@@ -270,11 +256,8 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
                   .prefix = setup.writer.prefix};
   setup.writer.table = stream.to == OutputForm::table;
   setup.writer.results = work->results({}, stream.to);
-  if (setup.force && stream.to != OutputForm::f64)
-    throw UsageError("--force shows f64 on a terminal, and the output is of another form");
-  if (writes && stream.to == OutputForm::f64 && !setup.force && isTerminal(kStandardOutput))
-    throw UsageError(
-        "f64 is binary, and standard output is a terminal; -o FILE keeps it, --force shows it all the same");
+  if (writes && stream.to == OutputForm::f64 && isTerminal(kStandardOutput))
+    throw UsageError("f64 is binary, and standard output is a terminal; -o FILE keeps it, | cat shows it");
   if (writes) {
     requireRoom(setup.writer.results, stream.to);
     requireUse(setup, stream.to);

@@ -26,12 +26,9 @@ struct FilterSetup {
   std::optional<Form> from;
   std::optional<OutputForm> to;  ///< nothing: as the input
   bool keepGoing = false;
-  bool force = false;         ///< f64 on a terminal too
-  unsigned jobs = 0;          ///< threads; 0: one a processor
-  std::size_t firstLine = 1;  ///< the number of the input's first line (f64: record), for messages
+  unsigned jobs = 0;  ///< threads; 0: one a processor
   std::size_t blockSize = BlockReader::kBlock;
   std::optional<char> delimiter;         ///< of CSV's columns; nothing: as the first line tells
-  std::optional<char> decimal, comment;  ///< of CSV and text
   ColumnChoice columns;                  ///< --columns
   std::vector<std::string> csvDefaults;  ///< column names of a CSV stream without a header
   std::function<void(const std::string&)> note = [](const std::string&) {};  ///< of what is obeyed to no effect

@@ -35,12 +35,7 @@ class CsvReader final : public RecordReader {
 
   void read(const Block& block, Batch& batch) override {
     const std::string_view text = block.records;
-    const char comment = header_.csv.comment;
     for (std::size_t at = 0, end; at < text.size(); at = end + 1) {
-      if (comment != 0 && text[at] == comment) {
-        end = std::min(text.find('\n', at), text.size());
-        continue;
-      }
       if ((end = readPlainRecord(text, at, batch)) != npos) continue;
       std::size_t unclosed = npos;
       end = endOfCsvRecord(text, at, header_.csv, &unclosed);
@@ -111,7 +106,7 @@ class CsvReader final : public RecordReader {
       const bool blankBefore = error.afterResult && blank(error.column - 1);
       if (!layout && !blankBefore && !(error.beforeResults && blank(error.column + 1))) continue;
       const std::string message = csvValue(record.values[error.column]);
-      if (!isBlank(message) && !parseDecimal(message, header_.csv.decimal))
+      if (!isBlank(message) && !parseNumber(message))
         throw RecordError(record.offset(error.column), markedBad(message));
     }
   }
@@ -122,8 +117,7 @@ class CsvReader final : public RecordReader {
       if (!errors_.empty()) requireNoError(record, nullptr);
       const Plan& plan = batch.planFor(record);
       if (!errors_.empty()) requireNoError(record, &plan.layout);
-      const bool isPlain = !header_.csv.isBlanks() && header_.csv.decimal == '.';
-      if (slots_.empty() && !afterResults_ && isPlain) slots_ = slotsOf(plan.layout, header_.size);
+      if (slots_.empty() && !afterResults_ && !header_.csv.isBlanks()) slots_ = slotsOf(plan.layout, header_.size);
       Numbers numbers;
       readNumbers(record, plan.layout, numbers);
       batch.add(line, plan, numbers);
@@ -141,15 +135,13 @@ class CsvReader final : public RecordReader {
 
 class TextReader final : public RecordReader {
  public:
-  explicit TextReader(const CsvFormat& format) : format_(format) {}
-
   void read(const Block& block, Batch& batch) override {
     const std::string_view text = block.records;
     for (std::size_t at = 0, end; at < text.size(); at = end + 1) {
       end = std::min(text.find('\n', at), text.size());
       std::string_view line = text.substr(at, end - at);
       if (line.ends_with('\r')) line.remove_suffix(1);
-      if (!isBlank(line) && !isTextComment(line, format_.comment)) readLine(line, batch);
+      if (!isBlank(line) && !isTextComment(line)) readLine(line, batch);
     }
   }
 
@@ -158,7 +150,7 @@ class TextReader final : public RecordReader {
     try {
       if (const std::size_t alone = line.find('\r'); alone != std::string_view::npos)
         throw RecordError(alone, kLoneReturn);
-      const RecordParts record = textParts(line, format_.decimal);
+      const RecordParts record = textParts(line);
       const Plan& plan = batch.planFor(record);
       Numbers numbers;
       if (!readPlainNumbers(record.values, plan.layout, numbers)) readNumbers(record, plan.layout, numbers);
@@ -167,8 +159,6 @@ class TextReader final : public RecordReader {
       batch.bad(line, e);
     }
   }
-
-  const CsvFormat format_;
 };
 
 class BinaryReader final : public RecordReader {
@@ -217,7 +207,7 @@ class BinaryReader final : public RecordReader {
 std::unique_ptr<RecordReader> makeCsvReader(const Shape& header, const Results& results) {
   return std::make_unique<CsvReader>(header, results);
 }
-std::unique_ptr<RecordReader> makeTextReader(const CsvFormat& format) { return std::make_unique<TextReader>(format); }
+std::unique_ptr<RecordReader> makeTextReader() { return std::make_unique<TextReader>(); }
 std::unique_ptr<RecordReader> makeBinaryReader() { return std::make_unique<BinaryReader>(); }
 
 }  // namespace viewproj::cmd

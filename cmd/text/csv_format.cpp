@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "text/parse_number.hpp"
-
 namespace viewproj::cmd {
 
 std::string_view nameOfSeparator(char separator) {
@@ -22,20 +20,6 @@ std::string quotedIfNeeded(std::string_view cell, const CsvFormat& format) {
     quoted += c;
   }
   return quoted + '"';
-}
-
-std::optional<double> parseDecimal(std::string_view text, char decimal) {
-  if (decimal == '.') return parseNumber(text);
-  if (text.find('.') != std::string_view::npos) return std::nullopt;
-  std::string plain(text);
-  std::replace(plain.begin(), plain.end(), decimal, '.');
-  return parseNumber(plain);
-}
-
-std::string withDecimal(std::string_view number, char decimal) {
-  std::string text(number);
-  std::replace(text.begin(), text.end(), '.', decimal);
-  return text;
 }
 
 }  // namespace viewproj::cmd

@@ -9,12 +9,11 @@
 namespace viewproj::cmd {
 
 /// The offset of the line break that ends the record which begins at `from`, or the text's size. unclosed: is set to
-/// the offset of a quote that opens and does not close. Quotes count where a field begins with one, and in no comment.
+/// the offset of a quote that opens and does not close. Quotes count where a field begins with one.
 inline std::size_t endOfCsvRecord(std::string_view text, std::size_t from, const CsvFormat& format,
                                   std::size_t* unclosed = nullptr) {
   constexpr std::size_t npos = std::string_view::npos;
   std::size_t line = std::min(text.find('\n', from), text.size());
-  if (format.isComment(text.substr(from))) return line;
   for (std::size_t field = from;;) {
     if (line < field) line = std::min(text.find('\n', field), text.size());  // it stood in quotes
     const std::size_t quote = text.substr(0, line).find('"', field);
@@ -76,11 +75,6 @@ class CsvEnds {
       }
       at_ = plain.size();
       if (quote == npos) break;
-      if (format_.isComment(text.substr(after_))) {
-        // To its end; where that is not there yet, the next call goes on in it.
-        at_ = std::min(text.find('\n', at_), text.size());
-        continue;
-      }
       quoted_ = quote == after_ || format_.separates(text[quote - 1]);
       ++at_;
     }

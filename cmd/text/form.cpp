@@ -79,16 +79,16 @@ std::optional<Form> formOfName(std::string_view fileName) {
   return std::nullopt;
 }
 
-std::string_view afterComments(std::string_view text, char comment) {
+std::string_view afterComments(std::string_view text) {
   constexpr std::string_view kSpace = " \t\r\n";
   for (;;) {
     text.remove_prefix(std::min(text.find_first_not_of(kSpace), text.size()));
-    if (!isTextComment(text, comment)) return text;
+    if (!isTextComment(text)) return text;
     text.remove_prefix(std::min(text.find('\n'), text.size()));
   }
 }
 
-std::optional<Form> formOfBytes(std::string_view start, bool goesOn, char decimal) {
+std::optional<Form> formOfBytes(std::string_view start, bool goesOn) {
   if (start.starts_with("\xEF\xBB\xBF")) start.remove_prefix(3);
   const std::size_t first = start.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) return Form::text;
@@ -100,8 +100,7 @@ std::optional<Form> formOfBytes(std::string_view start, bool goesOn, char decima
   const std::string_view line = start.substr(0, start.find('\n'));
   const char c = start[0];
   const bool number = (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.' || line.starts_with("NaN");
-  if ((decimal != ',' && line.find(',') != std::string_view::npos) || line.find(';') != std::string_view::npos)
-    return Form::csv;
+  if (line.find_first_of(",;") != std::string_view::npos) return Form::csv;
   return number || hasNumber(line) || goesOn ? Form::text : Form::csv;
 }
 

@@ -37,20 +37,19 @@ OutputForm sameForm(Form form);
 
 /// Lines of text that begin so, after blanks, are no records.
 inline constexpr char kTextComment = '#';
-inline bool isTextComment(std::string_view line, char comment = 0) {
+inline bool isTextComment(std::string_view line) {
   const std::size_t first = line.find_first_not_of(" \t");
-  return first != std::string_view::npos && line[first] == (comment != 0 ? comment : kTextComment);
+  return first != std::string_view::npos && line[first] == kTextComment;
 }
 
 /// From the first line on that is neither blank nor a comment.
-std::string_view afterComments(std::string_view text, char comment = 0);
+std::string_view afterComments(std::string_view text);
 
 /// By the file's name, or nothing.
 std::optional<Form> formOfName(std::string_view fileName);
 
-/// By the first bytes, after comments: `{` or `[` begins JSON; a first line with a comma, unless that marks decimals,
-/// or with a semicolon is CSV, any other with a number in it text, one of words alone a header. goesOn: a bad record
+/// By the first bytes, after comments: `{` or `[` begins JSON; a first line with a comma or a semicolon is CSV, any other with a number in it text, one of words alone a header. goesOn: a bad record
 /// may come first, so such words are one. Nothing where they are no text at all; f64 is never guessed.
-std::optional<Form> formOfBytes(std::string_view start, bool goesOn, char decimal = '.');
+std::optional<Form> formOfBytes(std::string_view start, bool goesOn);
 
 }  // namespace viewproj::cmd
