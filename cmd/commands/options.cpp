@@ -47,12 +47,11 @@ GivenPoint readGivenPoint(const std::string& option, const std::string& text) {
   const UsageError wrong(point.text + ": expected " + kForms);
   const std::vector<std::string> parts = splitNames(option, text);
   for (const Coordinate* row : kPointRows) {
-    for (std::size_t i = 0; i < row->parts.size(); ++i) {
+    for (std::size_t i = 0; i < row->fewest; ++i) {
       const std::string name(row->parts[i].name);
       const auto part =
           std::find_if(parts.begin(), parts.end(), [&](const std::string& one) { return one.starts_with(name + "="); });
-      if (part == parts.end() && i < row->fewest) break;
-      if (part == parts.end()) continue;
+      if (part == parts.end()) break;
       const auto number = parseNumber(part->substr(name.size() + 1));
       if (!number) throw UsageError(point.text + ": " + name + " is no number");
       point.numbers.emplace_back(name, *number);

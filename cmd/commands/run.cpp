@@ -28,11 +28,11 @@ struct GoneOption {
 };
 constexpr GoneOption kGoneOptions[] = {
     {"--bound", "use --fields bound"},
-    {"--clipped", "a window depth in the third place of --pixel gives the points on near and far"},
+    {"--clipped", "--pixel X,Y,0 and X,Y,1 give the points on near and far; choose hits by their distance"},
     {"--comment", "remove comment lines first, as with grep -v '^#'"},
     {"--decimal", "replace decimal commas first, as with tr , ."},
     {"--exact", "numbers are taken as written"},
-    {"--first-line", "lines are counted from the start of the input"},
+    {"--first-line", "messages count lines from the start of the input"},
     {"--force", "pipe the output, as in --to f64 | cat"},
     {"--gap", "the table tells the gap at each distance"},
     {"--ray-from", "--pixel X,Y,0 gives the point on near"},

@@ -72,14 +72,6 @@ bool isWhole(const std::vector<Pick>& picks, const ChoosableColumns& choosable) 
   });
 }
 
-std::vector<std::string_view> rolesOf(const ChoosableColumns& choosable) {
-  std::vector<std::string_view> roles;
-  for (const auto& rows : {choosable.rows, choosable.others})
-    for (const Coordinate* row : rows)
-      for (const CoordinatePart& part : row->parts) roles.push_back(part.name);
-  return roles;
-}
-
 /// "x, y, z (, w) or lat, lon, height".
 std::string expected(const ChoosableColumns& choosable) {
   std::string text = "expected ";
@@ -119,15 +111,6 @@ std::string_view roleNamed(std::string_view name, const ChoosableColumns& choosa
   return "";
 }
 
-/// "x=E,y=N,z=U,w=R or x=E,y=N,z=U,radius=R": all that a last column may be.
-std::string eitherRole(const std::vector<Pick>& picks, const ChoosableColumns& choosable) {
-  const Coordinate& row = *choosable.rows[0];
-  std::string all;
-  for (std::size_t i = 0; i < row.fewest; ++i) all += std::string(row.parts[i].name) + "=" + picks[i].name + ",";
-  const auto with = [&](std::string_view role) { return all + std::string(role) + "=" + picks[row.fewest].name; };
-  return "expected " + with(choosable.others[0]->parts[0].name) + " or " + with(row.parts[row.fewest].name);
-}
-
 /// Names or numbers alone: the roles of a row in order, unless they are roles themselves.
 void giveRoles(ColumnChoice& choice, const ChoosableColumns& choosable) {
   std::vector<Pick>& picks = choice.picks;
@@ -156,7 +139,9 @@ void giveRoles(ColumnChoice& choice, const ChoosableColumns& choosable) {
   if (const auto role = roleNamed(picks[fewest].name, choosable); !role.empty())
     picks[fewest].role = role;
   else if (inOrder.size() == choosable.rows[0]->parts.size() && !choosable.others.empty())
-    throw wrong(choice.text, "what the last one is, its name does not say; " + eitherRole(picks, choosable));
+    throw wrong(choice.text, "the last one may be " + std::string(inOrder.back()) + " or " +
+                                 std::string(choosable.others[0]->parts[0].name) +
+                                 "; expected a role for each, as in " + std::string(choosable.example));
 }
 
 }  // namespace
@@ -220,8 +205,7 @@ ColumnChoice chooseColumns(const std::string& text, const ChoosableColumns& choo
   }
   for (Pick& pick : choice.picks) {
     const std::string_view role = roleOf(pick.role, choosable);
-    if (role.empty())
-      throw UsageError("--columns: '" + pick.role + "' is not known" + suggestion(pick.role, rolesOf(choosable)));
+    if (role.empty()) throw wrong(text, cmd::quoted(pick.role) + " is no role; " + expected(choosable));
     pick.role = role;
   }
   for (std::size_t i = 0; i < choice.picks.size(); ++i)
@@ -252,18 +236,7 @@ std::size_t fieldOf(const Pick& pick, const ColumnChoice& choice, const RecordPa
   if (const auto field = shape.find(pick.name)) return *field;
   if (const auto other = otherSeparator(shape))
     throw RecordError(0, "has no " + what + " " + visible(pick.name) + ", which --columns names; " + *other);
-  if (const std::string outer = pick.name.substr(0, pick.name.find('.')); shape.form == Form::json && shape.find(outer))
-    throw RecordError(0, "has no field " + visible(pick.name) + ", which --columns names: what is inside of " +
-                             visible(outer) + " is not read; jq -c " + cmd::quoted("." + outer) + " brings it out");
-  constexpr std::size_t kFew = 16, kLong = 3;
-  const bool few = shape.names.size() <= kFew;
-  std::vector<std::string_view> names;
-  if (few) names.assign(shape.names.begin(), shape.names.end());
-  const std::string_view nearest = pick.name.size() < kLong ? "" : nearestName(pick.name, names);
-  throw RecordError(0, "has no " + what + " " + visible(pick.name) + ", which --columns names" +
-                           (!nearest.empty() ? "; did you mean " + quoted(nearest) + "?"
-                            : few            ? "; known are " + visible(joined(names))
-                                             : ""));
+  throw RecordError(0, "has no " + what + " " + visible(pick.name) + ", which --columns names" + whatIsThere(shape));
 }
 
 }  // namespace viewproj::cmd

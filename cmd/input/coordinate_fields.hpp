@@ -13,7 +13,7 @@
 namespace viewproj::cmd {
 
 /// The parts of a row in the fields of a record, if it has all that are required. Adds to forms which values it went
-/// by. rule any: by other names too. Throws RecordError where two names are as good.
+/// by. rule any: in any letter case and by aliases too. Throws RecordError where two names fit as well.
 std::optional<Layout> find(const Coordinate& row, const RecordParts& record, std::vector<FormOfField>& forms,
                            NameRule rule = NameRule::exact);
 
@@ -22,11 +22,5 @@ std::string partlyThere(const Coordinate& row, const Shape& shape);
 
 /// What the record calls them: "x, y, z".
 std::string namesIn(const Layout& layout, const Shape& shape);
-
-/// "; the header is 'E,N,U'", or for JSON its fields, as far as they go.
-std::string whatIsThere(const Shape& shape);
-
-/// "; is 'lattitude' meant for latitude?", of the parts of these rows that are missing, or empty.
-std::string nearestField(std::span<const Coordinate* const> rows, const Shape& shape);
 
 }  // namespace viewproj::cmd

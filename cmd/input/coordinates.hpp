@@ -1,5 +1,5 @@
 // What a record's numbers are called: each way to say a point, a shape or a pixel is a row, which the readers,
-// --columns, messages and the schema of points follow from. To add one: a row; another name: an alias.
+// --columns, messages and the schema of points follow from.
 #pragma once
 
 #include <cstddef>
@@ -33,7 +33,7 @@ enum RecordKind : unsigned {
   kindTriangle
 };
 
-/// Other names, in any case. Of a field of JSON they count where its value has the form.
+/// Other names, in any letter case. Of a field of JSON they count where its value has the form.
 using Aliases = std::span<const std::string_view>;
 
 struct CoordinatePart {
@@ -53,7 +53,6 @@ struct Coordinate {
   bool orNull = false;  ///< null, an empty cell: stands for no value
   char first = '{';     ///< of points, object, word: a field of the name counts where its value begins so
   Aliases aliases = {};
-  Aliases elsewhere = {};  ///< what others call it, for messages
 };
 
 // clang-format off
@@ -65,12 +64,8 @@ inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 inline constexpr std::string_view
     kPositionNames[] = {"pos", "point", "location", "xyz"},
     kLatNames[] = {"latitude"},
-    kLonNames[] = {"lng", "long", "longitude"},
-    kSeaLevelNames[] = {"alt", "altitude", "ele", "elevation"},  // taken as heights, with a note
-    kBoxNames[] = {"aabb", "bbox", "bounds", "boundingBox"},
-    kSphereNames[] = {"ball", "boundingSphere"},
-    kSegmentNames[] = {"line", "edge"},
-    kTriangleNames[] = {"tri", "face"};
+    kLonNames[] = {"lng", "longitude"},
+    kSeaLevelNames[] = {"alt", "altitude", "elevation"};  // taken as heights, with a note
 
 inline constexpr CoordinatePart
     kXyzw[] = {{"x"}, {"y"}, {"z"}, {"w"}},
@@ -84,18 +79,18 @@ inline constexpr CoordinatePart
 
 // Points, in the order in which they count.
 inline constexpr Coordinate
-    position = {"position", array, 3, 4, "a point of the world, or homogeneous: (x/w, y/w, z/w), w = 0 a direction", kindPoint, {}, false, '{', kPositionNames},
-    xyz = {"x y z", numbers, 3, 4, "the same, a field or column each", kindPoint, kXyzw},
+    position = {"position", array, 3, 4, "a point of the world; with a fourth number w it is (x/w, y/w, z/w), and w = 0 makes it a direction", kindPoint, {}, false, '{', kPositionNames},
+    xyz = {"x y z", numbers, 3, 3, "a point of the world, a field or column each", kindPoint, kXyzw},
     place = {"lat lon height", numbers, 3, 3, "a place on the Earth: degrees on WGS84, metres above the ellipsoid", kindPlace, kPlace},
     direction = {"direction", array, 3, 3, "stands for its vanishing point", kindDirection};
 inline constexpr const Coordinate* kPoints[] = {&position, &xyz, &place, &direction};
 
 // Shapes.
 inline constexpr Coordinate
-    segment = {"segment", points, 2, 2, "from one point to another", kindSegment, {}, false, '[', {}, kSegmentNames},
-    sphere = {"sphere", object, 4, 4, "all within radius of center", kindSphere, kSphere, false, '{', {}, kSphereNames},
-    box = {"box", object, 6, 6, "from min to max along the world's axes", kindBox, kBox, false, '{', {}, kBoxNames},
-    triangle = {"triangle", points, 3, 3, "of three corners", kindTriangle, {}, false, '[', {}, kTriangleNames},
+    segment = {"segment", points, 2, 2, "from one point to another", kindSegment, {}, false, '['},
+    sphere = {"sphere", object, 4, 4, "all within radius of center", kindSphere, kSphere},
+    box = {"box", object, 6, 6, "from min to max along the world's axes", kindBox, kBox},
+    triangle = {"triangle", points, 3, 3, "of three corners", kindTriangle, {}, false, '['},
     plane = {"plane", word, 0, 0, "a shape of scenes"},
     ellipsoid = {"ellipsoid", word, 0, 0, "a shape of scenes", 0, {}, false, '"'},
     radius = {"radius", numbers, 1, 1, "beside a point, to cull and fit, and to project where --fields asks for screenBox: a sphere about it", 0, kRadius};

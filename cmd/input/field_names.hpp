@@ -1,5 +1,4 @@
-// Which fields of a record are meant by the names of a row's parts: those of the very names, else of these names in
-// another case, else of aliases too.
+// Which fields of a record are meant by the names of a row's parts.
 #pragma once
 
 #include <optional>
@@ -16,17 +15,19 @@ enum class NameRule { exact, any };
 
 struct NameMatch {
   std::optional<std::size_t> field;
-  std::optional<std::size_t> also = {};  ///< another that is as good
-  bool isAlias = false;
+  std::optional<std::size_t> also = {};  ///< another that fits as well
 };
 
-/// The fields of the parts, as many as there are. They are of one set: where several fields may be a part, those that
-/// are cased alike go together. A part behind the first `required` counts where it is cased as the first: w beside x,
-/// W beside X.
+/// The field of each part, by its very name or its column's; with the rule any, unless these give all that are
+/// required, by its name or an alias in any letter case.
 std::vector<NameMatch> matchParts(std::span<const std::string> fields, std::span<const CoordinatePart> parts,
                                   std::size_t required, NameRule rule);
 
-/// What a place's height is called that may be counted from the sea, and is taken as it is.
+/// Whether the first `required` parts have a field.
+bool isWhole(std::span<const NameMatch> matches, std::size_t required);
+
+/// Whether a place's height is called so that it may be counted from the sea.
+bool isSeaLevelName(std::string_view name);
 std::string seaLevelNote(std::string_view name);
 
 }  // namespace viewproj::cmd

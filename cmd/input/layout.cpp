@@ -75,10 +75,10 @@ std::size_t readPointObject(const RecordParts& record, const NumberField& part, 
   } catch (const RecordError& e) {
     throw RecordError(at(value), name + e.what());
   }
-  if (!object || object->count > part.most || (object->isPlace && part.point == PointForm::vector))
+  if (!object || (object->isPlace && part.point == PointForm::vector))
     throw RecordError(at(value), name + "expected " + expectedPoint(part));
   if (object->isPlace && part.point == PointForm::point) throw RecordError(at(value), name + kNotOnEarth);
-  for (std::size_t i = 0; i < object->count; ++i) {
+  for (std::size_t i = 0; i < object->parts.size(); ++i) {
     if (texts && !object->isPlace) texts[i] = object->parts[i];
     const auto number = parseNumber(object->parts[i]);
     if (!number)
@@ -86,7 +86,7 @@ std::size_t readPointObject(const RecordParts& record, const NumberField& part, 
                                                   " is not a finite number");
     numbers[i] = *number;
   }
-  if (!object->isPlace) return object->count;
+  if (!object->isPlace) return object->parts.size();
   seaLevel = object->seaLevel;
   const Geodetic place{numbers[0], numbers[1], numbers[2]};
   if (!isPlace(place))

@@ -26,11 +26,10 @@ Members membersOf(std::string_view json) {
   return members;
 }
 
-/// Of a row's parts, all that are required.
+/// Of a row's parts, all that are required; empty where one is missing.
 std::vector<NameMatch> matchRow(const Members& members, const Coordinate& row) {
-  std::vector<NameMatch> matches = matchParts(members.names, row.parts, row.fewest, NameRule::any);
-  for (std::size_t i = 0; i < row.fewest; ++i)
-    if (!matches[i].field) return {};
+  auto matches = matchParts(members.names, row.parts.first(row.fewest), row.fewest, NameRule::any);
+  if (!isWhole(matches, row.fewest)) matches.clear();
   return matches;
 }
 
@@ -65,19 +64,19 @@ std::optional<PointObject> pointObject(std::string_view json) {
   const std::vector<NameMatch> place = matchRow(members, coordinates::place);
   if (!matches.empty() && !place.empty())
     throw RecordError(0, "has both x, y, z and lat, lon, height; expected one of the two");
+  if (matches.empty() && place.empty()) return std::nullopt;
   PointObject object;
   object.isPlace = !place.empty();
   if (object.isPlace) matches = place;
-  for (const NameMatch& match : matches) {
-    if (!match.field) break;
-    if (match.also)
-      throw RecordError(0, "has both " + cmd::quoted(members.names[*match.field]) + " and " +
-                               cmd::quoted(members.names[*match.also]) + "; expected one of the two");
-    object.names[object.count] = (object.isPlace ? coordinates::place : coordinates::xyz).parts[object.count].name;
-    object.parts[object.count++] = members.values[*match.field];
-    if (object.isPlace && object.count == 3 && match.isAlias) object.seaLevel = members.names[*match.field];
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    const auto& [field, also] = matches[i];
+    if (also)
+      throw RecordError(0, "has both " + cmd::quoted(members.names[*field]) + " and " + cmd::quoted(members.names[*also]) +
+                               "; expected one of the two");
+    object.names[i] = (object.isPlace ? coordinates::place : coordinates::xyz).parts[i].name;
+    object.parts[i] = members.values[*field];
+    if (isSeaLevelName(members.names[*field])) object.seaLevel = members.names[*field];
   }
-  if (object.count == 0) return std::nullopt;
   return object;
 }
 

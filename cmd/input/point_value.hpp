@@ -1,7 +1,7 @@
 // One point as a value of JSON: [x, y, z], {"x": ..., "y": ..., "z": ...} or {"lat": ..., "lon": ..., "height": ...}.
 #pragma once
 
-#include <cstddef>
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -29,9 +29,7 @@ bool isPointValue(std::string_view json);
 
 /// What stands where in an object: the values as written. isPlace: lat, lon, height.
 struct PointObject {
-  std::string_view parts[4];
-  std::string_view names[4];
-  std::size_t count = 0;
+  std::array<std::string_view, 3> parts, names;
   bool isPlace = false;
   std::string seaLevel;  ///< the name of a height that may be counted from the sea
 };

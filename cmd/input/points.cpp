@@ -30,26 +30,16 @@ Vec4 toWorld(const Geodetic& place) {
   return {p.x, p.y, p.z, 1};
 }
 
-bool isOfTheSea(std::string_view name) {
-  return std::any_of(std::begin(coordinates::kSeaLevelNames), std::end(coordinates::kSeaLevelNames),
-                     [&](std::string_view one) { return sameButForCase(name, one); });
-}
-
 void append(Layout& layout, const Layout& more) {
   layout.notes.insert(layout.notes.end(), more.notes.begin(), more.notes.end());
   layout.parts.insert(layout.parts.end(), more.parts.begin(), more.parts.end());
 }
 
-/// What --columns names of a row, in the row's order. Notes what it does not name and the row's own name says. Throws
-/// RecordError for a column under two names.
+/// What --columns names of a row, in the row's order. Throws RecordError for a column under two names.
 void appendChosen(Layout& layout, const Coordinate& row, const ColumnChoice& choice, const RecordParts& record,
                   bool mayBeAbsent) {
   for (const CoordinatePart& part : row.parts) {
     const auto* pick = choice.find(part.name);
-    const bool hasOwnNames = choice.picks[0].name == choice.picks[0].role;
-    if (!pick && hasOwnNames && record.shape.find(part.name))
-      layout.notes.push_back("--columns " + choice.text + " does not name " + quoted(part.name) +
-                             ", which is there and is not used");
     if (!pick) continue;
     const std::size_t field = fieldOf(*pick, choice, record);
     for (const NumberField& other : layout.parts)
@@ -57,26 +47,9 @@ void appendChosen(Layout& layout, const Coordinate& row, const ColumnChoice& cho
         throw RecordError(0, "--columns " + choice.text + " names column " + std::to_string(field + 1) +
                                  " twice, for " + pick->role + " as " + cmd::quoted(pick->name));
     layout.parts.push_back({field, 1, 1, false, mayBeAbsent});
-    if (pick->role == coordinates::kPlace[2].name && isOfTheSea(pick->name))
+    if (pick->role == coordinates::kPlace[2].name && isSeaLevelName(pick->name))
       layout.notes.push_back(seaLevelNote(pick->name));
   }
-}
-
-/// A point with its radius, if it has one and that counts.
-Layout perhapsRound(Layout layout, std::optional<Layout> radius) {
-  if (!radius) return layout;
-  append(layout, *radius);
-  layout.kind = layout.kind == kindPlace ? kindPlacedSphere : kindRoundPoint;
-  return layout;
-}
-
-/// Who calls it r has points where spheres are meant. (Not where it is red.)
-void noteOtherRadius(Layout& layout, const RecordParts& record) {
-  if (record.shape.find("g") && record.shape.find("b")) return;
-  for (const char* name : {"r", "rad", "diameter"})
-    if (record.shape.find(name))
-      layout.notes.push_back("'" + std::string(name) +
-                             "' is a field like any other, and its record a point; a sphere has a field 'radius'");
 }
 
 /// What the columns do not name, a w or a radius of another field, is not used.
@@ -99,15 +72,6 @@ std::string numbersIn(const Shape& shape) {
 }
 
 constexpr std::size_t kMatrix = 16;
-
-/// What else has these fields: a camera file or what `matrix` writes.
-std::string whatItMayBe(const Shape& shape) {
-  const auto has = [&](const char* name) { return shape.find(name).has_value(); };
-  if (has("convention") && (has("view") || has("viewProjection"))) return "looks like matrices, which inspect reads";
-  const bool isCamera =
-      has("projection") && (has("viewport") || has("target") || has("rotation") || has("direction") || has("heading"));
-  return isCamera ? "looks like a camera, which -c takes" : "";
-}
 
 /// Of numbers without names.
 Layout findBarePoint(const RecordParts& record, const PointReading& reading) {
@@ -145,19 +109,9 @@ std::vector<Found> findAll(std::span<const Coordinate* const> rows, const Record
   return all;
 }
 
-/// "--columns x,y,z", where the columns are numbers each.
-std::string wayToName(const Layout& layout, const Shape& shape) {
-  const bool each =
-      std::none_of(layout.parts.begin(), layout.parts.end(), [](const auto& part) { return part.isArray; });
-  return each ? "--columns " + namesIn(layout, shape) : "";
-}
-
 [[noreturn]] void failTwoPoints(const RecordParts& record, const Layout& one, const Layout& other) {
-  const Shape& shape = record.shape;
-  const std::string ways[] = {wayToName(one, shape), wayToName(other, shape)};
-  throw RecordError(0, "has two points, " + namesIn(one, shape) + " and " + namesIn(other, shape) + "; expected one" +
-                           (ways[0].empty() && ways[1].empty() ? "" : ", or ") + ways[0] +
-                           (ways[0].empty() || ways[1].empty() ? "" : " or ") + ways[1]);
+  throw RecordError(0, "has two points, " + namesIn(one, record.shape) + " and " + namesIn(other, record.shape) +
+                           "; expected one, or --columns to choose");
 }
 
 /// With a camera on the Earth three numbers of an array may be a place.
@@ -209,41 +163,11 @@ std::optional<Layout> findNamed(const RecordParts& record, const PointReading& r
         if (const auto second = find(*other, record, forms, NameRule::any)) failTwoPoints(record, layout, *second);
   }
   if (!reading.radius || row->kind == kindDirection) return layout;
-  const auto radius = find(coordinates::radius, record, forms, NameRule::any);
-  if (!radius) noteOtherRadius(layout, record);
-  return perhapsRound(layout, radius);
-}
-
-/// What is meant by a name that others have for a shape, by a shape's parts without it, or by a field of records.
-std::string nameElsewhere(const RecordParts& record) {
-  const Shape& shape = record.shape;
-  for (const Coordinate* row : allCoordinates())
-    for (const std::string_view name : row->elsewhere)
-      for (const std::string& field : shape.names)
-        if (sameButForCase(name, field))
-          return "; " + cmd::quoted(field) + " is called " + std::string(row->name) + " here: {\"" +
-                 std::string(row->name) + "\": " + exampleOf(*row) + "}";
-  for (const Coordinate* row : coordinates::kShapes)
-    if (row->form == CoordinateForm::object &&
-        std::all_of(row->parts.begin(), row->parts.end(),
-                    [&](const CoordinatePart& part) { return shape.find(part.name).has_value(); }))
-      return "; those of a " + std::string(row->name) + " are within it: {\"" + std::string(row->name) +
-             "\": " + exampleOf(*row) + "}";
-  if (shape.find("features")) return "; of GeoJSON jq -c '.features[].geometry.coordinates' brings them out";
-  const bool holdsRecords = shape.size == 1 && !rowNamed(shape.names[0]) &&
-                            (record.values[0].starts_with("[[") || record.values[0].starts_with("[{"));
-  if (holdsRecords)
-    return "; jq -c " + cmd::quoted("." + std::string(shape.names[0]) + "[]") + " brings out what that holds";
-  return "";
-}
-
-/// "Latitude (deg)" and "Longitude (deg)".
-bool looksLikePlaces(const Shape& shape) {
-  const auto has = [&](std::string_view begin) {
-    return std::any_of(shape.names.begin(), shape.names.end(),
-                       [&](std::string_view name) { return sameButForCase(name.substr(0, begin.size()), begin); });
-  };
-  return has(coordinates::kPlace[0].name) && has(coordinates::kPlace[1].name);
+  if (const auto radius = find(coordinates::radius, record, forms, NameRule::any)) {
+    append(layout, *radius);
+    layout.kind = layout.kind == kindPlace ? kindPlacedSphere : kindRoundPoint;
+  }
+  return layout;
 }
 
 /// Throws RecordError.
@@ -261,39 +185,28 @@ Layout findNamedPoint(const RecordParts& record, const PointReading& reading, st
   if (reading.pointsFirst) first.shapes = {};
   if (auto layout = findShape(record, first, forms)) return *layout;
   if (!first.shapes.empty()) requireNoOther();
-  const std::string other = shape.form == Form::json ? whatItMayBe(shape) : "";
   for (const NameRule rule : {NameRule::exact, NameRule::any})
-    if (auto layout = findNamed(record, reading, forms, rule)) {
-      if (!other.empty())
-        layout->notes.push_back("a record " + other + "; its " + namesIn(*layout, shape) + " is taken for a point");
-      return *layout;
-    }
+    if (const auto layout = findNamed(record, reading, forms, rule)) return *layout;
   if (reading.pointsFirst) {
     if (auto layout = findShape(record, reading, forms)) return *layout;
     requireNoOther();
   }
-  if (!other.empty()) throw RecordError(0, "has no point; it " + other);
   // A field of a shape's name whose value is none.
   for (const FormOfField& form : forms)
     if (const auto* row = rowNamed(shape.names[form.field]);
         row && row->form != CoordinateForm::word && row->form != CoordinateForm::array)
       throw RecordError(record.offset(form.field), std::string(row->name) + ": expected " + exampleOf(*row));
-  const std::string near = nearestField(coordinates::kPoints, shape);
   for (const Coordinate* row : coordinates::kPoints)
     if (const std::string part = partlyThere(*row, shape); !part.empty())
       throw RecordError(
           0, part + whatIsThere(shape) +
-                 (shape.form == Form::csv ? "; " + otherSeparator(shape).value_or("--columns names the others") : "") +
-                 near);
+                 (shape.form == Form::csv ? "; " + otherSeparator(shape).value_or("--columns names the others") : ""));
   if (shape.form == Form::csv)
-    throw RecordError(0, "has no columns x, y, z or lat, lon, height" + whatIsThere(shape) + "; " +
-                             otherSeparator(shape).value_or(
-                                 looksLikePlaces(shape) ? "--columns names lat, lon and height"
-                                 : reading.worldIsEcef  ? "--columns names lat, lon and height, or x, y and z"
-                                                        : "--columns names x, y and z") +
-                             near);
-  throw RecordError(0, "has no point; expected " + namesOf(coordinates::kPoints, ", or ") + whatIsThere(shape) +
-                           nameElsewhere(record) + near);
+    throw RecordError(
+        0, "has no columns x, y, z or lat, lon, height" + whatIsThere(shape) + "; " +
+               otherSeparator(shape).value_or(reading.worldIsEcef ? "--columns names lat, lon and height, or x, y and z"
+                                                                  : "--columns names x, y and z"));
+  throw RecordError(0, "has no point; expected " + namesOf(coordinates::kPoints, ", or ") + whatIsThere(shape));
 }
 
 /// screen, pixel or x y: two slots.
@@ -309,13 +222,12 @@ Layout findScreen(const RecordParts& record, std::vector<FormOfField>& forms) {
                           "x, y, z is a point of the world, not a pixel; expected screen, pixel or x y alone");
       return *layout;
     }
-  const std::string there = whatIsThere(shape), near = nearestField(coordinates::kPixels, shape);
-  if (const std::string part = partlyThere(coordinates::xy, shape); !part.empty())
-    throw RecordError(0, part + there + near);
+  const std::string there = whatIsThere(shape);
+  if (const std::string part = partlyThere(coordinates::xy, shape); !part.empty()) throw RecordError(0, part + there);
   if (shape.form == Form::csv)
     throw RecordError(0, "has no columns screen_x, screen_y or x, y" + there + "; " +
-                             otherSeparator(shape).value_or("--columns names the two") + near);
-  throw RecordError(0, "has no pixel; expected " + namesOf(coordinates::kPixels, ", or ") + there + near);
+                             otherSeparator(shape).value_or("--columns names the two"));
+  throw RecordError(0, "has no pixel; expected " + namesOf(coordinates::kPixels, ", or ") + there);
 }
 
 unsigned distanceKind(const Coordinate& row) { return &row == &coordinates::depth ? depthKnown : viewDistanceKnown; }

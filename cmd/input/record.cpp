@@ -199,6 +199,18 @@ std::optional<std::string> otherSeparator(const Shape& header) {
   return std::nullopt;
 }
 
+std::string whatIsThere(const Shape& shape) {
+  constexpr std::size_t kMostShown = 60;
+  if (shape.isArray || !shape.hasHeader || shape.names.empty()) return "";
+  const bool csv = shape.form == Form::csv;
+  std::string all;
+  for (const std::string& name : shape.names) {
+    if (all.size() > kMostShown) break;
+    all += (all.empty() ? "" : csv ? "," : ", ") + name;
+  }
+  return (csv ? "; the header is " : "; its fields are ") + quoted(all, kMostShown);
+}
+
 std::string nameOfColumn(const std::vector<std::string>& names, std::size_t column) {
   return column < names.size() && !names[column].empty() ? names[column] : "column" + std::to_string(column + 1);
 }

@@ -117,6 +117,9 @@ std::string csvValue(std::string_view field);
 /// What to say of a CSV header of one column in whose name other separators stand than the one it was read by.
 std::optional<std::string> otherSeparator(const Shape& header);
 
+/// "; the header is 'E,N,U'", or for JSON its fields, as far as they go.
+std::string whatIsThere(const Shape& shape);
+
 /// A header if the line has a field that is not a number; otherwise the default names in order, where there are any,
 /// and column1, ... for the others. numbered: columns, from 1, of which none is a number in a header, and
 /// one a word, whatever others hold. A column that the header leaves blank is called by its number.

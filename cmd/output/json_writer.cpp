@@ -257,8 +257,7 @@ std::vector<NamedJson> asJsonFields(const Record& record, const WriterSetup& set
   std::vector<NamedJson> fields;
   if (shape.form == Form::csv) {
     const auto values = valuesOf(record);
-    for (std::size_t i = 0; i < values.size(); ++i)
-      fields.push_back({shape.names[i], jsonCell(values[i])});
+    for (std::size_t i = 0; i < values.size(); ++i) fields.push_back({shape.names[i], jsonCell(values[i])});
     return fields;
   }
   std::vector<std::string> numbers;

@@ -99,8 +99,8 @@ bool namesColumns(const Stream& stream, std::string_view line, const CsvFormat& 
   return true;
 }
 
-/// What separates the columns of the first line: of comma, semicolon and tab the first by which it names the columns that
-/// are needed, or the last that it has.
+/// What separates the columns of the first line: of comma, semicolon and tab the first by which it names the columns
+/// that are needed, or the last that it has.
 char separatorOf(const Stream& stream, std::string_view line) {
   CsvFormat format;
   for (const char separator : {',', ';', '\t'}) {
@@ -178,8 +178,6 @@ void requireUse(const FilterSetup& setup, OutputForm form) {
     throw UsageError("--no-header is for CSV and tables, and the output has no header; leave it out, or add --to csv");
   if (writer.digits > 0 && form == OutputForm::f64)
     throw UsageError("--digits is of numbers as text, and f64 has doubles; leave it out, or add --to text");
-  if (!writer.prefix.empty() && (form == OutputForm::text || form == OutputForm::f64))
-    setup.note("--prefix " + writer.prefix + " changes nothing: in text and f64 results have no names");
 }
 
 Form formOfContent(const Stream& stream, BlockReader& reader) {
@@ -187,10 +185,10 @@ Form formOfContent(const Stream& stream, BlockReader& reader) {
   const std::string_view start = reader.firstBytes();
   if (wideEncoding(start).empty()) {
     const std::string_view line = firstLineOf(reader);
-    const auto form = line.empty() && start.find('\0') == std::string_view::npos
-                          ? Form::text
-                          : formOfBytes(start.substr(static_cast<std::size_t>(line.data() - start.data())),
-                                        setup.keepGoing);
+    const auto form =
+        line.empty() && start.find('\0') == std::string_view::npos
+            ? Form::text
+            : formOfBytes(start.substr(static_cast<std::size_t>(line.data() - start.data())), setup.keepGoing);
     if (form == Form::text && !line.empty()) {
       // A header, be there numbers among its names.
       CsvFormat format = stream.format;
@@ -230,9 +228,8 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
   InterruptGuard guard;
   std::string given;
   for (const GivenRecord& record : setup.given) given += record.json + "\n";
-  auto reader =
-      file ? std::make_unique<BlockReader>(std::move(file), guard.descriptor(), setup.blockSize)
-           : std::make_unique<BlockReader>(given);
+  auto reader = file ? std::make_unique<BlockReader>(std::move(file), guard.descriptor(), setup.blockSize)
+                     : std::make_unique<BlockReader>(given);
   Stream stream{.setup = setup, .makeWork = makeWork, .writes = writes};
   const auto named = setup.from ? setup.from : formOfName(setup.file);
   stream.form = !setup.given.empty() ? Form::json : named ? *named : formOfContent(stream, *reader);

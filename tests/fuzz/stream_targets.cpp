@@ -155,7 +155,7 @@ Run run(std::string_view input, const How& how) {
   setup.keepGoing = how.keepGoing;
   setup.jobs = 1;
   setup.blockSize = how.block;
-  setup.csvDefaults = {"x", "y", "z", "w"};
+  setup.csvDefaults = {"x", "y", "z"};
   setup.writer.arrayName = how.work == 1 ? "screen" : "position";
   giveInput(input);
   Run result;

@@ -138,14 +138,12 @@ bool namesDiffer(const std::string& text) {
   return !nlohmann::json::parse(text, look).is_discarded() && differ;
 }
 
-/// The same fields with their names in lower case, where no such name is there; w as far as it is in the case of x.
+/// The same fields with their names in lower case, where no such name is there.
 nlohmann::json inLowerCase(const nlohmann::json& value) {
   nlohmann::json lower = value;
-  if (value.contains("w") && !value.contains("x")) lower.erase("w");
   for (const auto& [name, field] : value.items()) {
     std::string key = name;
     std::transform(key.begin(), key.end(), key.begin(), [](unsigned char c) { return std::tolower(c); });
-    if (name == "W" && value.contains("x")) continue;
     if (!lower.contains(key)) lower[key] = field;
   }
   return lower;
@@ -180,10 +178,8 @@ std::optional<std::vector<std::uint64_t>> byDom(const std::string& text) {
     if (value.contains("position")) {
       if (hasXyz || !takeAll(value["position"], 4)) return std::nullopt;
     } else if (hasXyz) {
-      for (const char* name : {"x", "y", "z", "w"}) {
-        if (!value.contains(name) && *name == 'w') break;
-        if (!value.contains(name) || !take(value[name])) return std::nullopt;
-      }
+      for (const char* name : {"x", "y", "z"})
+        if (!take(value[name])) return std::nullopt;
     } else if (!value.contains("direction") || !takeAll(value["direction"], 3)) {
       return std::nullopt;
     }

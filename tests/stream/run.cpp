@@ -127,9 +127,7 @@ StreamRun runStream(const std::string& input, const StreamHow& how) {
   setup.jobs = how.jobs;
   setup.blockSize = how.block;
   setup.delimiter = how.delimiter;
-  setup.decimal = how.decimal;
-  setup.comment = how.comment;
-  setup.csvDefaults = {"x", "y", "z", "w"};
+  setup.csvDefaults = {"x", "y", "z"};
   setup.writer.arrayName = "position";
   setup.writer.prefix = how.prefix;
   std::signal(SIGPIPE, SIG_IGN);

@@ -24,7 +24,7 @@ struct StreamHow {
   std::size_t largestPiece = 0;
   std::uint64_t seed = 0;
   std::string prefix = {};
-  std::optional<char> delimiter = std::nullopt, decimal = std::nullopt, comment = std::nullopt;
+  std::optional<char> delimiter = std::nullopt;
 };
 
 /// Results of a point: its numbers' sum, and their doubles. A point whose x is 4713 has none; at one whose x is 4714
