@@ -42,7 +42,7 @@ void StreamOptions::addInput(CommandLine& line, const std::string& what) {
       "its role, as in lat=la,lon=lo,height=h or x=u,y=v,depth=d (default: by their names)");
   addValue(
       line, "--delimiter", "CHAR", delimiter_, readDelimiter,
-      "What separates the columns of CSV, in and out: comma, semicolon, tab, blank, bar or a character (default: which "
+      "What separates the columns of CSV, in and out: comma, semicolon, tab, bar, blank or a character (default: which "
       "of the first three the first line tells)");
 }
 

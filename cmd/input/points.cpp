@@ -198,9 +198,7 @@ Layout findNamedPoint(const RecordParts& record, const PointReading& reading, st
       throw RecordError(record.offset(form.field), std::string(row->name) + ": expected " + exampleOf(*row));
   for (const Coordinate* row : coordinates::kPoints)
     if (const std::string part = partlyThere(*row, shape); !part.empty())
-      throw RecordError(
-          0, part + whatIsThere(shape) +
-                 (shape.form == Form::csv ? "; " + otherSeparator(shape).value_or("--columns names the others") : ""));
+      throw RecordError(0, part + whatIsThere(shape) + (shape.form == Form::csv ? "; --columns names the others" : ""));
   if (shape.form == Form::csv)
     throw RecordError(
         0, "has no columns x, y, z or lat, lon, height" + whatIsThere(shape) + "; " +

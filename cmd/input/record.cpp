@@ -185,15 +185,9 @@ std::string csvValue(std::string_view field) {
 }
 
 std::optional<std::string> otherSeparator(const Shape& header) {
-  if (header.form != Form::csv) return std::nullopt;
-  // In the only name, or as one between blanks.
-  const auto isIn = [&](char separator) {
-    return header.names.size() == 1
-               ? header.names[0].find(separator) != std::string::npos
-               : std::find(header.names.begin(), header.names.end(), std::string(1, separator)) != header.names.end();
-  };
+  if (header.form != Form::csv || header.names.size() != 1) return std::nullopt;
   for (const SeparatorName& other : kSeparators)
-    if (isIn(other.separator))
+    if (header.names[0].find(other.separator) != std::string::npos)
       return "--delimiter " + std::string(other.name) + " separates columns by the " + std::string(other.plural) +
              " that stand here";
   return std::nullopt;

@@ -141,10 +141,8 @@ TextBuffer readHeader(Stream& stream, BlockReader& reader) {
       if (header.names.size() > kMostFields)
         throw RecordError(0, "has more than " + std::to_string(kMostFields) + " columns");
       RecordParts example{line->text, stream.header, {}};
-      if (const auto again = firstRepeated(header.names, std::identity())) {
-        const auto other = otherSeparator(stream.header);
-        throw RecordError(0, "has the column '" + header.names[*again] + "' twice" + (other ? "; " + *other : ""));
-      }
+      if (const auto again = firstRepeated(header.names, std::identity()))
+        throw RecordError(0, "has the column '" + header.names[*again] + "' twice");
       example.values.assign(header.names.size(), example.text);
       const auto work = stream.makeWork();
       const Layout layout = work->find(example);

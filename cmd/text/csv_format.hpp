@@ -24,8 +24,8 @@ struct SeparatorName {
 inline constexpr SeparatorName kSeparators[] = {{"comma", "commas", ','},
                                                 {"semicolon", "semicolons", ';'},
                                                 {"tab", "tabs", '\t'},
-                                                {"blank", "blanks", CsvFormat::kBlanks},
-                                                {"bar", "bars", '|'}};
+                                                {"bar", "bars", '|'},
+                                                {"blank", "blanks", CsvFormat::kBlanks}};
 std::string_view nameOfSeparator(char separator);
 
 /// As a column of the output: in quotes where it has a separator, a quote or a line break, or would be lost.
