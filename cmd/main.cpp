@@ -9,11 +9,9 @@
 #include "commands/run.hpp"
 #include "numbers/arithmetic.hpp"
 #include "output/output_file.hpp"
-#include "stream/interrupt.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
 #include "text/system.hpp"
-#include "text/visible.hpp"
 #include "viewproj/camera.hpp"
 
 namespace {
@@ -49,27 +47,19 @@ int run(int argc, char** argv) {
   return runCommand(find(name), argc - 1, argv + 1);
 }
 
-int fail(const std::string& message, int status) {
-  complain(message);
-  return status;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-  prepareSystem(argc, argv);
+  prepareSystem();
   // What is preloaded or linked may have changed it for the whole program.
-  if (const char* fault = viewproj::detail::arithmeticFault()) return fail(fault, 1);
+  if (const char* fault = viewproj::detail::arithmeticFault()) {
+    complain(fault);
+    return 1;
+  }
   std::set_new_handler(endWithoutMemory);
   try {
     return run(argc, argv);
-  } catch (const ClosedPipe&) {
-    return 0;
-  } catch (const Interrupted& e) {
-    dieOf(e);
-  } catch (const UsageError& e) {
-    return fail(visible(e.what()), 2);
-  } catch (const std::exception& e) {
-    return fail(e.what(), 1);
+  } catch (...) {
+    return reportException();
   }
 }

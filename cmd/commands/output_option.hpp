@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "commands/values.hpp"
-#include "output/named_output.hpp"
+#include "output/output_file.hpp"
 #include "text/form.hpp"
 
 namespace viewproj::cmd {

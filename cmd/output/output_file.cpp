@@ -1,68 +1,174 @@
 #include "output/output_file.hpp"
 
+#include <unistd.h>
+
+#include <atomic>
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <cstdlib>
 #include <mutex>
-#include <string>
 #include <system_error>
 
 #include "text/error.hpp"
+#include "text/system.hpp"
 #include "text/visible.hpp"
 
 namespace viewproj::cmd {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 /// Held while something is written.
 std::mutex writing;
 
 std::string outputName = "standard output";  // for messages
 
-Written write(int descriptor, std::string_view text, const Stop& stop) {
-  Written all;
-  while (all.bytes < text.size()) {
-    const Written part = writeSome(descriptor, text.substr(all.bytes));
-    all.bytes += part.bytes;
-    all.error = part.error;
-    if (all.error != 0) return all;
-    if (stop && stop()) return all;
+/// Returns errno, or 0.
+int writeUnlocked(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const std::ptrdiff_t written = writeSome(descriptor, text);
+    if (written < 0) return errno;
+    text.remove_prefix(static_cast<std::size_t>(written));
   }
-  return all;
+  return 0;
+}
+
+int writeAll(int descriptor, std::string_view text) {
+  const std::lock_guard lock(writing);
+  return writeUnlocked(descriptor, text);
+}
+
+[[noreturn]] void fail(int error) { throw InputError(outputName + ": " + std::generic_category().message(error)); }
+
+/// What a signal handler may touch: the name of the temporary file while there is one, else null.
+std::atomic<const char*> temporary{nullptr};
+
+void removeTemporary() {
+  if (const char* const name = temporary.exchange(nullptr)) ::unlink(name);
+}
+
+void removeAndDie(int signal) {
+  removeTemporary();
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+void catchSignals() {
+  for (const int signal : {
+           SIGINT,
+           SIGTERM,
+#ifdef SIGHUP
+           SIGHUP,
+#endif
+       })
+    if (std::signal(signal, removeAndDie) == SIG_IGN) std::signal(signal, SIG_IGN);
+}
+
+/// The descriptor that has such a name (/dev/stdout, /dev/fd/3): opened by it, a file would begin anew. Else -1.
+int descriptorOf(std::string_view name) {
+  if (name == "/dev/stdout") return kStandardOutput;
+  if (name == "/dev/stderr") return kStandardError;
+  for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+    int number = -1;
+    const char* const end = name.data() + name.size();
+    if (name.starts_with(folder) && std::from_chars(name.data() + folder.size(), end, number).ptr == end) return number;
+  }
+  return -1;
+}
+
+/// Where a name leads that may be a link to a file that is not there yet.
+fs::path followed(fs::path path) {
+  std::error_code error;
+  while (fs::is_symlink(path, error)) path = path.parent_path() / fs::read_symlink(path, error);
+  return path;
+}
+
+/// Creates the temporary file beside the target, with its permissions or those of a new file. Returns a descriptor.
+int createTemporary(const std::string& target, bool exists) {
+  static std::string name;
+  std::error_code error;
+  const fs::perms permissions =
+      exists ? fs::status(pathOf(target), error).permissions() & fs::perms::all : fs::perms(0666);
+  int descriptor = -1, i = 0;
+  do {
+    name = target + ".viewproj-" + std::to_string(i++);
+    descriptor = createFile(name, static_cast<int>(permissions));
+  } while (descriptor < 0 && errno == EEXIST);
+  if (descriptor < 0) fail(errno);
+  temporary = name.c_str();
+  if (exists) fs::permissions(pathOf(name), permissions, error);  // the umask took some of them
+  return descriptor;
 }
 
 }  // namespace
 
-Written writeUntil(int descriptor, std::string_view text, const Stop& stop) {
-  const std::lock_guard lock(writing);
-  return write(descriptor, text, stop);
+NamedOutput::NamedOutput(const std::string& name) {
+  if (name == "-") return;
+  outputName = visible(name);
+  const int given = descriptorOf(name);
+  int descriptor = given >= 0 ? given : openToWrite(name);
+  const bool exists = descriptor >= 0;
+  if (!exists && errno != ENOENT) fail(errno);
+  if (!exists || (given < 0 && bytesLeft(descriptor))) {
+    if (exists) closeDescriptor(descriptor);
+    catchSignals();
+    target_ = followed(pathOf(name)).string();
+    descriptor = createTemporary(target_, exists);
+  }
+  if (becomeStandardOutput(descriptor) < 0) fail(errno);
 }
 
-void nameOutput(const std::string& name) { outputName = name; }
+NamedOutput::~NamedOutput() { removeTemporary(); }
+
+void NamedOutput::keep() {
+  if (target_.empty()) return;
+  std::error_code error;
+  fs::rename(pathOf(temporary.load()), pathOf(target_), error);
+  if (error) fail(error.value());
+  temporary = nullptr;
+}
 
 std::string_view nameOfOutput() { return outputName; }
 
-void failToWrite(int error) {
-  if (error == EPIPE) throw ClosedPipe{};
-  throw InputError(outputName + ": " + std::generic_category().message(error));
-}
-
 void writeOutput(std::string_view text) {
-  const Written all = writeUntil(kStandardOutput, text);
-  if (all.error != 0) failToWrite(all.error);
+  const int error = writeAll(kStandardOutput, text);
+  if (error == EPIPE) throw ClosedPipe{};
+  if (error != 0) fail(error);
 }
 
-void complain(const std::string& message, const Stop& stop) {
+void complain(const std::string& message) {
   // Whatever a message quotes, it commands no terminal.
-  writeUntil(kStandardError, "viewproj: " + visible(message, "\n") + "\n", stop);
+  writeAll(kStandardError, "viewproj: " + visible(message, "\n") + "\n");
+}
+
+int reportException() {
+  try {
+    throw;
+  } catch (const ClosedPipe&) {
+    return 0;
+  } catch (const UsageError& e) {
+    complain(visible(e.what()));
+    return 2;
+  } catch (const std::exception& e) {
+    complain(e.what());
+    return 1;
+  }
+}
+
+void endWithException() {
+  const int status = reportException();
+  removeTemporary();
+  std::_Exit(status);
 }
 
 // uncounted: faults_limit takes memory away, but not beside sanitizers
 void endWithoutMemory() {
   writing.lock();
-  write(kStandardError, "viewproj: out of memory\n", {});
+  writeUnlocked(kStandardError, "viewproj: out of memory\n");
+  removeTemporary();
   std::_Exit(1);
 }
-
-void takeBack(std::size_t bytes) noexcept { cutOff(kStandardOutput, bytes); }
 
 }  // namespace viewproj::cmd

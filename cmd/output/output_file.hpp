@@ -1,38 +1,46 @@
-// Standard output, written whole or with an error, and messages.
+// Standard output, written whole or with an error, -o FILE, and messages.
 #pragma once
 
-#include <cstddef>
-#include <functional>
 #include <string>
 #include <string_view>
 
-#include "text/system.hpp"
-
 namespace viewproj::cmd {
+
+/// While it lives, standard output is a temporary file beside the one that is named; keep() gives it the name. What is
+/// no regular file (a pipe, a device) is written as it is.
+class NamedOutput {
+ public:
+  /// "-": standard output itself. Throws InputError where there cannot be such a file.
+  explicit NamedOutput(const std::string& name);
+  /// Removes what was not kept.
+  ~NamedOutput();
+  NamedOutput(const NamedOutput&) = delete;
+  NamedOutput& operator=(const NamedOutput&) = delete;
+
+  /// All is written. Throws InputError where the file cannot have its name.
+  void keep();
+
+ private:
+  std::string target_;  ///< empty where nothing is to be renamed
+};
+
+/// As messages name it.
+std::string_view nameOfOutput();
 
 /// Writes all of text. Throws ClosedPipe where nobody reads any more, InputError where it cannot be written.
 void writeOutput(std::string_view text);
 
-/// How messages call standard output from here on.
-void nameOutput(const std::string& name);
-std::string_view nameOfOutput();
+/// Writes `viewproj: MESSAGE` to standard error. Where that cannot be written, nobody is told.
+void complain(const std::string& message);
 
-/// Throws ClosedPipe where nobody reads any more, or else InputError. error: errno.
-[[noreturn]] void failToWrite(int error);
+/// In a catch block: complains of the exception. Returns the exit status.
+int reportException();
 
-using Stop = std::function<bool()>;
-
-/// Writes text to a descriptor until all is out, writing fails, or stop() says so between two writes.
-Written writeUntil(int descriptor, std::string_view text, const Stop& stop = {});
-
-/// Writes `viewproj: MESSAGE` to standard error, until stop() says so. Where that cannot be written, nobody is told.
-void complain(const std::string& message, const Stop& stop = {});
+/// The same, and ends the process, whatever other threads wait for.
+[[noreturn]] void endWithException();
 
 /// What operator new does in place of throwing: parts of libraries end or go on with less (streams, the
 /// destructor of nlohmann's JSON). Waits for what another thread is writing, so that it is whole.
 [[noreturn]] void endWithoutMemory();
-
-/// Removes the last bytes written, where standard output is a file that ends with them.
-void takeBack(std::size_t bytes) noexcept;
 
 }  // namespace viewproj::cmd

@@ -86,7 +86,6 @@ void Batch::bad(std::string_view text, const RecordError& error) {
 
 void Batch::beginArray(std::string_view asWritten) {
   flush();
-  result_.arrays = true;
   if (writer_) writer_->beginArray(asWritten);
 }
 

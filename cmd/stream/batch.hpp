@@ -25,7 +25,6 @@ struct Plan {
 struct BlockResult {
   TextBuffer out;
   std::size_t records = 0;              ///< in out, the bad ones that --keep-going puts there included
-  bool arrays = false;                  ///< some stand in arrays that begin and end in out
   std::vector<StreamFault> passedOver;  ///< --keep-going
   std::vector<std::string> notes;       ///< each once
   std::optional<StreamFault> fault;     ///< a record that ends the run: out has what came before it

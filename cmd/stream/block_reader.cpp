@@ -52,24 +52,19 @@ void ByteBuffer::assign(std::string_view bytes) {
   size_ = bytes.size();
 }
 
-BlockReader::BlockReader(std::unique_ptr<InputFile> file, int wake, std::size_t block)
-    : file_(std::move(file)), wake_(wake), block_(block) {
+BlockReader::BlockReader(std::unique_ptr<InputFile> file, std::size_t block)
+    : file_(std::move(file)), block_(block) {
   name_ = file_->name();
   total_ = file_->remaining();
 }
 
 BlockReader::BlockReader(const std::string& bytes) : atEnd_(true) { carried_.assign(bytes); }
 
-bool BlockReader::readMore(ByteBuffer& bytes, std::size_t most) {
+void BlockReader::readMore(ByteBuffer& bytes, std::size_t most) {
   bytes.reserve(most);
-  if (wake_ >= 0 && !file_->waitUnless(wake_)) {
-    over_ = true;
-    return false;
-  }
   const std::size_t got = file_->read(bytes.data() + bytes.size(), most - bytes.size());
   bytes.resize(bytes.size() + got);
   atEnd_ = got == 0;
-  return true;
 }
 
 std::string_view BlockReader::firstBytes() {
@@ -87,7 +82,7 @@ std::string_view BlockReader::firstBytes() {
     return end <= text.size() ? end : npos;
   };
   std::size_t end = npos;
-  while ((end = enough(carried_.view())) == npos && !atEnd_ && !over_ && carried_.size() < kLongEnough)
+  while ((end = enough(carried_.view())) == npos && !atEnd_ && carried_.size() < kLongEnough)
     readMore(carried_, carried_.size() + block_);
   return carried_.view().substr(0, std::min(end, kLongEnough));
 }
@@ -97,7 +92,7 @@ void BlockReader::requireUtf8() {
     const std::string_view text = carried_.view();
     return text.size() < 2 || text[0] == 0 || text[1] == 0 || text[0] == '\xFF' || text[0] == '\xFE';
   };
-  while (!atEnd_ && !over_ && carried_.size() < 4 && mayBeWide()) readMore(carried_, carried_.size() + block_);
+  while (!atEnd_ && carried_.size() < 4 && mayBeWide()) readMore(carried_, carried_.size() + block_);
   requireNarrow(name_, carried_.view());
 }
 
@@ -106,7 +101,7 @@ void BlockReader::setForm(Form form, const CsvFormat& format) {
   format_ = format;
   csv_ = CsvEnds(format_);
   if (form == Form::f64) return;
-  while (!atEnd_ && !over_ && mayBeginBom(carried_.view())) readMore(carried_, carried_.size() + block_);
+  while (!atEnd_ && mayBeginBom(carried_.view())) readMore(carried_, carried_.size() + block_);
   if (carried_.view().starts_with(kBom)) carried_.assign(carried_.view().substr(kBom.size()));
 }
 
@@ -115,7 +110,7 @@ void BlockReader::readToLineBreak() {
   do {
     had = carried_.size();
     readMore(carried_, had < carried_.capacity() ? carried_.capacity() : std::max(2 * had, block_));
-  } while (!atEnd_ && !over_ && carried_.size() < kLongestRecord && carried_.view().substr(had).find('\n') == npos);
+  } while (!atEnd_ && carried_.size() < kLongestRecord && carried_.view().substr(had).find('\n') == npos);
 }
 
 std::optional<BlockReader::Line> BlockReader::firstLine(bool take) {
@@ -126,7 +121,7 @@ std::optional<BlockReader::Line> BlockReader::firstLine(bool take) {
     carried_.assign(text.substr(begin));
     begin = 0;
   };
-  for (CsvEnds ends(format_); !over_;) {
+  for (CsvEnds ends(format_);;) {
     std::size_t end = ends.nextEnd(carried_.view().substr(begin));
     if (end == npos && !atEnd_) {
       drop();
@@ -205,7 +200,7 @@ bool BlockReader::next(Block& block) {
         }
         if (full) most *= 2;
       }
-      if (!readMore(bytes, most)) return false;
+      readMore(bytes, most);
     }
   } catch (const InputError& e) {
     // What was read before goes out; a record that the error cut off does not.

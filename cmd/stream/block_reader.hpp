@@ -64,8 +64,8 @@ struct Block : BlockFrame {
 class BlockReader {
  public:
   static constexpr std::size_t kBlock = 64 << 10;  ///< bytes that are read at a time
-  /// wake: a descriptor that interrupts waiting for input. block: in place of kBlock.
-  BlockReader(std::unique_ptr<InputFile> file, int wake, std::size_t block = kBlock);
+  /// block: in place of kBlock.
+  explicit BlockReader(std::unique_ptr<InputFile> file, std::size_t block = kBlock);
   /// Of bytes given instead of a file.
   explicit BlockReader(const std::string& bytes);
 
@@ -87,7 +87,7 @@ class BlockReader {
   };
   std::optional<Line> firstLine(bool take);
 
-  /// False at the end of the input, or when woken. What the block held before is lost.
+  /// False at the end of the input. What the block held before is lost.
   bool next(Block& block);
 
   const std::string& name() const { return name_; }
@@ -111,14 +111,13 @@ class BlockReader {
   bool mayEndRecord(std::string_view fresh) const;
   /// Reads into carried_ until what is new has a line break, or no more is to be had or to be kept.
   void readToLineBreak();
-  /// Reads once, after what bytes hold, until they are `most` at the most. False when woken.
-  bool readMore(ByteBuffer& bytes, std::size_t most);
+  /// Reads once, after what bytes hold, until they are `most` at the most.
+  void readMore(ByteBuffer& bytes, std::size_t most);
   void moveOn(std::string_view text);
 
   std::string name_;
   std::unique_ptr<InputFile> file_;
   std::optional<std::size_t> total_;
-  int wake_ = -1;
   std::size_t block_ = kBlock;
   Form form_ = Form::json;
   CsvFormat format_;

@@ -4,7 +4,6 @@
 #include <functional>
 #include <thread>
 
-#include "output/output_file.hpp"
 #include "stream/pipeline.hpp"
 #include "text/encoding.hpp"
 
@@ -221,12 +220,10 @@ void settleFormat(Stream& stream, FilterSetup& setup, BlockReader& reader) {
 }
 
 int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
-  // Opened before signals are taken care of: a named pipe may wait for its writer.
   auto file = setup.given.empty() ? std::make_unique<InputFile>(setup.file) : nullptr;
-  InterruptGuard guard;
   std::string given;
   for (const GivenRecord& record : setup.given) given += record.json + "\n";
-  auto reader = file ? std::make_unique<BlockReader>(std::move(file), guard.descriptor(), setup.blockSize)
+  auto reader = file ? std::make_unique<BlockReader>(std::move(file), setup.blockSize)
                      : std::make_unique<BlockReader>(given);
   Stream stream{.setup = setup, .makeWork = makeWork, .writes = writes};
   const auto named = setup.from ? setup.from : formOfName(setup.file);
@@ -260,7 +257,6 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
   const TextBuffer start = readHeader(stream, *reader);
 
   OutputSetup output{.form = stream.to,
-                     .csv = setup.writer.csv,
                      .keepArrays = setup.writer.keepArrays,
                      .placeOf =
                          [&](TextPosition position) {
@@ -280,9 +276,9 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
   const PipelineSetup pipeline{
       .jobs = setup.jobs > 0 ? setup.jobs : processors,
       .makeWorker = [&](BlockResult& result) { return std::make_unique<RecordWorker>(stream, result); },
-      .inOrder = [&] { return writes && hasColumns(stream.to) && !stream.columns.known; }};
-  runPipeline(pipeline, *reader, ordered, guard);
-  if (InterruptGuard::signal() != 0) ordered.endInterrupted();
+      .inOrder = [&] { return writes && hasColumns(stream.to) && !stream.columns.known; },
+      .failed = setup.failed};
+  runPipeline(pipeline, *reader, ordered);
   stream.columns.headerIsDue = !stream.columns.early.empty();
   return ordered.finish();
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "input/column_choice.hpp"
+#include "output/output_file.hpp"
 #include "output/record_writer.hpp"
 #include "stream/block_reader.hpp"
 #include "stream/work.hpp"
@@ -32,11 +33,13 @@ struct FilterSetup {
   ColumnChoice columns;                  ///< --columns
   std::vector<std::string> csvDefaults;  ///< column names of a CSV stream without a header
   std::function<void(const std::string&)> note = [](const std::string&) {};  ///< of what is obeyed to no effect
+  /// As PipelineSetup has it.
+  void (*failed)() = endWithException;
   WriterSetup writer;
 };
 
 /// Returns the exit status: 1 if --keep-going passed over a bad record. Throws InputError at the first bad record
-/// otherwise, after everything before it has been written and an open array closed; Interrupted after a whole record.
+/// otherwise, after everything before it has been written and an open array closed.
 int runFilter(FilterSetup setup, const MakeWork& makeWork);
 
 /// Reads the records alone, in order: they are added to the work, batch by batch, and nothing is written. Throws

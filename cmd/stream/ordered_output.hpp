@@ -12,7 +12,6 @@ namespace viewproj::cmd {
 
 struct OutputSetup {
   OutputForm form = OutputForm::lines;
-  CsvFormat csv = {};
   bool keepArrays = false;  ///< an array in the input is one in the output
   /// Names the place of what is wrong.
   std::function<std::string(TextPosition)> placeOf;
@@ -30,24 +29,17 @@ class OrderedOutput {
   /// Before the first block. Writes what stands before all records.
   void begin(std::string_view text);
   /// Writes the block's records whole. Throws InputError (UsageError) where the run ends with it, after all that came
-  /// before and an array's end; ClosedPipe and InputError where nothing can be written; Interrupted after a whole
-  /// record if a signal came.
+  /// before and an array's end; ClosedPipe and InputError where nothing can be written.
   void put(const BlockFrame& block, const BlockResult& result);
   /// After the last block. Returns the exit status.
   int finish();
-  /// Writes what ends an array, if one is open, and throws Interrupted.
-  [[noreturn]] void endInterrupted();
 
  private:
   void closeArray(std::string_view asWritten = "");
   void openArray(std::string_view asWritten);
   /// As write does, a table once its columns are known.
-  void put(std::string_view text, std::size_t count, bool arrays = false);
-  /// count: how many records text is. arrays: some of them stand in arrays.
-  void write(std::string_view text, std::size_t count = 0, bool arrays = false);
-  /// Writes to the end, signal or not.
-  void writeEnd(std::string_view text);
-  [[noreturn]] void failToWrite(int error);
+  void put(std::string_view text);
+  void write(std::string_view text);
   [[noreturn]] void fail(const StreamFault& fault);
 
   OutputSetup setup_;

@@ -16,8 +16,8 @@ constexpr std::size_t kAhead = 4;
 
 class Pipeline {
  public:
-  Pipeline(const PipelineSetup& setup, BlockReader& reader, OrderedOutput& output, InterruptGuard& guard)
-      : setup_(setup), reader_(reader), output_(output), guard_(guard) {}
+  Pipeline(const PipelineSetup& setup, BlockReader& reader, OrderedOutput& output)
+      : setup_(setup), reader_(reader), output_(output) {}
 
   void run() {
     worker(setup_.jobs);
@@ -41,7 +41,6 @@ class Pipeline {
         if (inOrder_ && !waitForTurn(number)) return;
         result.out.clear();
         result.records = 0;
-        result.arrays = false;
         result.passedOver.clear();
         result.notes.clear();
         result.fault.reset();
@@ -49,6 +48,7 @@ class Pipeline {
         if (!finish(number, block, result)) return;
       }
     } catch (...) {
+      if (setup_.jobs > 1 && setup_.failed) setup_.failed();
       stop(std::current_exception());
     }
   }
@@ -111,13 +111,11 @@ class Pipeline {
       stopped_ = true;
     }
     turned_.notify_all();
-    guard_.wake();
   }
 
   const PipelineSetup& setup_;
   BlockReader& reader_;
   OrderedOutput& output_;
-  InterruptGuard& guard_;
 
   std::mutex reading_;
   std::size_t blocks_ = 0;
@@ -142,8 +140,8 @@ class Pipeline {
 
 }  // namespace
 
-void runPipeline(const PipelineSetup& setup, BlockReader& reader, OrderedOutput& output, InterruptGuard& guard) {
-  Pipeline(setup, reader, output, guard).run();
+void runPipeline(const PipelineSetup& setup, BlockReader& reader, OrderedOutput& output) {
+  Pipeline(setup, reader, output).run();
 }
 
 }  // namespace viewproj::cmd

@@ -10,7 +10,6 @@
 #include <memory>
 
 #include "stream/block_reader.hpp"
-#include "stream/interrupt.hpp"
 #include "stream/ordered_output.hpp"
 
 namespace viewproj::cmd {
@@ -26,10 +25,13 @@ struct PipelineSetup {
   std::function<std::unique_ptr<BlockWorker>(BlockResult&)> makeWorker;
   /// While it says so, a block may only be worked on when all before it are out. Asked in that order.
   std::function<bool()> inOrder = [] { return false; };
+  /// With several jobs, called in the catch block of the worker that fails: it ends the process, or else the run ends
+  /// once no other worker waits for input.
+  void (*failed)() = nullptr;
 };
 
-/// Runs to the end of the input, or until the guard is woken. Threads are started with the
-/// first block of some size that is not the last one. Throws what a worker or the output throws.
-void runPipeline(const PipelineSetup& setup, BlockReader& reader, OrderedOutput& output, InterruptGuard& guard);
+/// Runs to the end of the input. Threads are started with the first block of some size that is not the last one. Throws
+/// what a worker or the output throws.
+void runPipeline(const PipelineSetup& setup, BlockReader& reader, OrderedOutput& output);
 
 }  // namespace viewproj::cmd

@@ -25,8 +25,7 @@ std::string clockTime(double seconds) {
   return text;
 }
 
-/// Not on a terminal that was stopped (Ctrl-S): the run would wait for it, and no signal would end it.
-void put(std::string_view text) { writeAtOnce(kStandardError, text); }
+void put(std::string_view text) { (void)writeSome(kStandardError, text); }
 
 }  // namespace
 

@@ -37,8 +37,6 @@ std::size_t InputFile::read(char* to, std::size_t most) {
 
 bool InputFile::isReady() const { return cmd::isReady(descriptor_); }
 
-bool InputFile::waitUnless(int other) const { return cmd::waitUnless(descriptor_, other); }
-
 std::optional<std::size_t> InputFile::remaining() const { return bytesLeft(descriptor_); }
 
 std::string readWholeFile(const std::string& name, std::size_t most) {

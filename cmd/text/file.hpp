@@ -24,11 +24,8 @@ class InputFile {
   /// Reads up to `most` bytes, as many as there are at once; 0 at the end of the file. Throws InputError.
   std::size_t read(char* to, std::size_t most);
 
-  /// Whether reading would return at once.
+  /// Whether there is something to read now.
   bool isReady() const;
-
-  /// Waits until reading would return at once, or another descriptor has something to read. Returns false for that.
-  bool waitUnless(int other) const;
 
   /// Bytes of a regular file from here to its end.
   std::optional<std::size_t> remaining() const;

@@ -128,10 +128,8 @@ windows() {
   compare windows "$work/windows-bin/viewproj"
   unset PLACES
   sh "$here/windows.sh" "$work/windows-bin/viewproj" || fail 'windows: that'
-  x86_64-w64-mingw32-g++ -std=c++20 -Wall -Wextra -Werror -static -o "$work/ctrl_c.exe" "$here/ctrl_c.cpp"
   camera=$(pwd)/samples/picking-a-pixel/camera.json
   answer=$(echo 1 1 1 | build/viewproj project -c "$camera")
-  "$wine" "$work/ctrl_c.exe" "Z:$(pwd)/build-platforms/windows/viewproj.exe" "Z:$camera" "$answer" || fail 'windows: Ctrl-C'
   python3 -B "$here/console.py" "$camera" "$answer" "$wine" build-platforms/windows/viewproj.exe || fail 'windows: a console'
   cases windows "$work/windows-bin/viewproj"
 }

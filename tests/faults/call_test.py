@@ -109,11 +109,6 @@ class Calls(FaultTest):
         self.each_call("write", check)
 
     def test_descriptors_that_are_not_to_be_had_are_one_message_and_status_1(self):
-        def check(arguments, given, number, expected):
-            done = faulty(arguments, given, "pipe", number, errno.EMFILE)
-            self.assert_fails(done, "a pipe for signals: Too many open files")
-
-        self.each_call("pipe", check, lambda arguments: tool.is_stream(arguments) or arguments[0] in ("draw", "measure"))
         camera = self.file("camera.json", tool.CAMERA)
         points = self.file("points.json", tool.POINTS["json"])
         done = faulty(["project", "-c", camera, points], b"", "open", 1, errno.EMFILE)

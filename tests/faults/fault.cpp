@@ -17,8 +17,8 @@
 
 namespace {
 
-enum Call { kMalloc, kOpen, kRead, kWrite, kPoll, kPipe, kStat, kSeek, kThread, kCalls };
-constexpr const char* kNames[kCalls] = {"malloc", "open", "read", "write", "poll", "pipe", "stat", "seek", "thread"};
+enum Call { kMalloc, kOpen, kRead, kWrite, kPoll, kStat, kSeek, kThread, kCalls };
+constexpr const char* kNames[kCalls] = {"malloc", "open", "read", "write", "poll", "stat", "seek", "thread"};
 
 std::atomic<long> counts[kCalls];
 std::atomic<bool> inMain{false};
@@ -108,8 +108,6 @@ ssize_t write(int file, const void* from, size_t size) {
 int poll(pollfd* files, nfds_t count, int milliseconds) {
   return fails(kPoll) ? -1 : static_cast<int>(::syscall(SYS_poll, files, count, milliseconds));
 }
-
-int pipe2(int* ends, int flags) { return fails(kPipe) ? -1 : static_cast<int>(::syscall(SYS_pipe2, ends, flags)); }
 
 int fstat(int file, struct stat* state) { return fails(kStat) ? -1 : next<decltype(&fstat)>("fstat")(file, state); }
 

@@ -1,5 +1,4 @@
 """Files that cannot be read, are none, or are strange, as every file that a command reads."""
-import ctypes
 import os
 import socket
 import subprocess
@@ -31,14 +30,6 @@ FILES = [
     (lambda file: ["draw", "-c", CAMERA, file], b"", POINTS["json"]),
     *((lambda file, form=form: ["project", "-c", CAMERA, "--from", form, file], b"", text) for form, text in POINTS.items()),
 ]
-
-
-def without_power_over_files():
-    """Root is like others then."""
-    prctl = ctypes.CDLL(None).prctl
-    drop_from_bounding_set, dac_override, dac_read_search = 24, 1, 2
-    for power in (dac_override, dac_read_search):
-        prctl(drop_from_bounding_set, power, 0, 0, 0)
 
 
 class Files(FaultTest):
@@ -85,7 +76,7 @@ class Files(FaultTest):
                 ("x" * 300, "File name too long"),
                 ("x/" * 2500, "File name too long"),
             ):
-                done = run(arguments(name), given, before=without_power_over_files)
+                done = run(arguments(name), given, before=tool.without_power_over_files)
                 if message == "Is a directory" and content == CAMERA.encode():  # which may be COLMAP's folder
                     message = "is a folder without cameras.txt and images.txt, as COLMAP writes them"
                 self.assert_fails(done, f"{name}: {message}")

@@ -1,10 +1,9 @@
 """-o FILE is whole, or as it was; and what stands on a terminal."""
 import os
 import pty
-import signal
+import resource
 import stat
 import subprocess
-import time
 from pathlib import Path
 
 import tool
@@ -92,16 +91,27 @@ class NamedOutput(FaultTest):
         ):
             self.assert_fails(run(["schema", "camera", "-o", name]), f"{name}: {message}")
 
-    def test_a_signal_leaves_nothing(self):
-        for number in (signal.SIGTERM, signal.SIGINT, signal.SIGKILL):
-            feeder = subprocess.Popen(["yes", "[1,2,3]"], stdout=subprocess.PIPE)
-            process = tool.start(["project", "-c", CAMERA, "-o", "file"], stdin=feeder.stdout)
-            feeder.stdout.close()
-            time.sleep(0.3)
-            process.send_signal(number)
-            self.assertEqual(process.wait(tool.PATIENCE), -number)
-            feeder.wait(tool.PATIENCE)
-            self.assertEqual(self.names(), [])
+    def test_what_another_run_left_is_no_hindrance(self):
+        self.file("file.viewproj-0", "left")
+        self.assertEqual(run(["schema", "camera", "-o", "file"]).returncode, 0)
+        self.assertEqual((self.names(), Path("file.viewproj-0").read_text()), (["file", "file.viewproj-0"], "left"))
+
+    def test_what_cannot_be_written_or_replaced_is_as_it_was(self):
+        self.file("old", "before")
+        full = tool.limited(resource.RLIMIT_FSIZE, 1000)
+        for jobs in ("1", "4"):
+            done = run(["project", "-c", CAMERA, "--jobs", jobs, "-o", "old"], POINTS["text"] * 50000, before=full)
+            self.assert_fails(done, "old: File too large")
+        os.mkdir("closed")
+        self.file("closed/old", "before")
+        os.chmod("closed", 0o500)
+        os.chmod("old", 0o400)
+        for name in ("old", "closed/old", "closed/new"):
+            done = run(["schema", "camera", "-o", name], before=tool.without_power_over_files)
+            self.assert_fails(done, f"{name}: Permission denied")
+        os.chmod("closed", 0o700)
+        self.assertEqual((self.names(), os.listdir("closed")), (["closed", "old"], ["old"]))
+        self.assertEqual((Path("old").read_text(), Path("closed/old").read_text()), ("before", "before"))
 
 
 class Terminal(FaultTest):

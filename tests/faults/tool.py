@@ -1,4 +1,5 @@
 """The tool as the fault tests run it: every command in every form that it writes."""
+import ctypes
 import functools
 import os
 import resource
@@ -124,15 +125,17 @@ def wait_until_still(process):
         time.sleep(0.05)
 
 
-def read_by(process):
-    """How many bytes it has read so far; of all its calls, those of the loader among them."""
-    with open(f"/proc/{process.pid}/io", encoding="ascii") as io:
-        return int(io.readline().split()[1])
-
-
 def limited(which, soft):
     """A limit of the process, to be set before it becomes the tool."""
     return lambda: resource.setrlimit(which, (soft, soft))
+
+
+def without_power_over_files():
+    """Root is like others then."""
+    prctl = ctypes.CDLL(None).prctl
+    drop_from_bounding_set, dac_override, dac_read_search = 24, 1, 2
+    for power in (dac_override, dac_read_search):
+        prctl(drop_from_bounding_set, power, 0, 0, 0)
 
 
 def is_one_message(err):
@@ -157,6 +160,13 @@ class FaultTest(unittest.TestCase):
         for arguments, given in tried:
             with self.subTest(" ".join(arguments)):
                 check(arguments, given)
+
+    def started(self, arguments, **more):
+        """A process that is gone when the test ends."""
+        process = start(arguments, **more)
+        self.addCleanup(process.__exit__, None, None, None)
+        self.addCleanup(process.kill)
+        return process
 
     def file(self, name, content):
         Path(os.fsdecode(name)).write_bytes(content.encode() if isinstance(content, str) else content)

@@ -11,7 +11,6 @@
 #include <thread>
 
 #include "input/points.hpp"
-#include "stream/interrupt.hpp"
 #include "stream/random_text.hpp"
 #include "text/error.hpp"
 
@@ -20,7 +19,7 @@ namespace {
 
 using namespace cmd;
 
-constexpr double kUnlucky = 4713, kSignalled = 4714;
+constexpr double kUnlucky = 4713;
 
 constexpr ResultRow kSum{"sum"}, kTwice{"twice", ResultKind::vector, 3};
 
@@ -31,7 +30,6 @@ class SumWork final : public RecordWork {
   void add(const Layout& layout, const Numbers& numbers) override { points_.push_back(toPoint(layout, numbers)); }
   void write(std::size_t i, ResultSink& sink) override {
     if (points_[i].x == kUnlucky) throw RecordError(0, "x is 4713");
-    if (points_[i].x == kSignalled) std::raise(SIGTERM);
     write(points_[i], sink);
   }
   void clear() override { points_.clear(); }
@@ -125,6 +123,7 @@ StreamRun runStream(const std::string& input, const StreamHow& how) {
   setup.to = how.to;
   setup.keepGoing = how.keepGoing;
   setup.jobs = how.jobs;
+  setup.failed = nullptr;
   setup.blockSize = how.block;
   setup.delimiter = how.delimiter;
   setup.csvDefaults = {"x", "y", "z"};
@@ -167,8 +166,6 @@ StreamRun runStream(const std::string& input, const StreamHow& how) {
     } catch (const UsageError& e) {
       run.status = 2;
       run.err = e.what();
-    } catch (const Interrupted& e) {
-      run.status = 128 + e.signal;
     } catch (...) {
       run.status = -1;
       run.err = "something unknown";

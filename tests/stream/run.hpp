@@ -27,8 +27,7 @@ struct StreamHow {
   std::optional<char> delimiter = std::nullopt;
 };
 
-/// Results of a point: its numbers' sum, and their doubles. A point whose x is 4713 has none; at one whose x is 4714
-/// the process gets a SIGTERM. A run that a signal ends has the status 128 and the signal's number.
+/// Results of a point: its numbers' sum, and their doubles. A point whose x is 4713 has none.
 StreamRun runStream(const std::string& input, const StreamHow& how);
 
 /// The work that it does.

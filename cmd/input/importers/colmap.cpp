@@ -233,7 +233,7 @@ ColmapText readColmap(const std::string& folderOrFile) {
   ColmapText colmap;
   const bool isFolder = fs::is_directory(pathOf(folderOrFile), ignored);
   const fs::path folder = isFolder ? pathOf(folderOrFile) : pathOf(folderOrFile).parent_path();
-  std::string cameras = nameOf(folder / "cameras.txt"), images = nameOf(folder / "images.txt");
+  std::string cameras = (folder / "cameras.txt").generic_string(), images = (folder / "images.txt").generic_string();
   bool hasImages = isFolder && fs::exists(pathOf(images), ignored);
   if (!isFolder) {
     (looksLikeCamera(firstLine(startOf(folderOrFile))) ? cameras : images) = folderOrFile;
