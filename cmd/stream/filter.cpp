@@ -6,6 +6,7 @@
 
 #include "stream/pipeline.hpp"
 #include "text/encoding.hpp"
+#include "text/system.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -48,7 +48,7 @@ class Pipeline {
         if (!finish(number, block, result)) return;
       }
     } catch (...) {
-      if (setup_.jobs > 1 && setup_.failed) setup_.failed();
+      if (setup_.jobs > 1 && setup_.failed) setup_.failed();  // others may wait for input
       stop(std::current_exception());
     }
   }
