@@ -31,7 +31,7 @@ constexpr GoneOption kGoneOptions[] = {
     {"--clipped", "--pixel X,Y,0 and X,Y,1 give the points on near and far; choose hits by their distance"},
     {"--comment", "remove comment lines first, as with grep -v '^#'"},
     {"--decimal", "replace decimal commas first, as with tr , ."},
-    {"--exact", "numbers are taken as written"},
+    {"--exact", "the intervals of near and far go by the digits as written"},
     {"--first-line", "messages count lines from the start of the input"},
     {"--force", "pipe the output, as in --to f64 | cat"},
     {"--gap", "the table tells the gap at each distance"},

@@ -10,7 +10,6 @@
 #include "input/importers/importer.hpp"
 #include "input/kinds/interpreter.hpp"
 #include "input/kinds/lookup.hpp"
-#include "input/kinds/unread.hpp"
 #include "input/projection_types.hpp"
 #include "input/replaced_sets.hpp"
 #include "text/error.hpp"
@@ -81,7 +80,6 @@ ForeignForm formOf(const Document& document) {
   for (const Importer* importer : kLast)
     if (importer->recognises(document.root())) return ForeignForm(importer);
   if (!isPlainlyCanonical(document)) {
-    refuseUnreadKeys(document.name(), document.root());
     for (const Kind& kind : builtInKinds())
       if (const auto odd = oddShapeFor(document, kind))
         document.fail(odd->path,

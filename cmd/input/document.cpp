@@ -8,7 +8,6 @@
 #include "input/camera_fields.hpp"
 #include "input/importers/colmap.hpp"
 #include "input/importers/glb.hpp"
-#include "input/kinds/unread.hpp"
 #include "input/value_form.hpp"
 #include "text/encoding.hpp"
 #include "text/error.hpp"
@@ -55,11 +54,8 @@ std::optional<std::size_t> tooDeepAt(std::string_view text) {
   return std::nullopt;
 }
 
-/// What else to do about text that is wrong there: of records, and of a far that is too large.
+/// What else to do about JSON that is wrong there: of records, and of a far that is too large.
 std::string_view hintOn(std::string_view text, std::size_t number) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  if (first != std::string_view::npos && text[first] != '{' && text[first] != '[')
-    return "; records, as of points, are read by commands that take them as FILE";
   if (number < text.size() && text[number] == '{' && text.substr(0, number).find_last_not_of(" \t\r\n") != text.npos &&
       text[text.substr(0, number).find_last_not_of(" \t\r\n")] == '}')
     return "; lines of JSON are records, which are read by commands that take them as FILE";
@@ -104,7 +100,6 @@ Document::Document(const std::string& source, const std::string& option, const c
       return;
     }
     text_ = readJsonFile(source, kMostBytes);
-    refuseUnread(name_, text_);
     requireNarrow(name_, text_);
   }
   if (text_.starts_with("\xEF\xBB\xBF")) text_.erase(0, 3);
@@ -128,8 +123,13 @@ void Document::readText() {
   blankComments(text_);
   if (const auto at = tooDeepAt(text_))
     throw InputError(place(name_, positionAt(text_, *at)) + ": nested deeper than " + std::to_string(kDeepest));
-  if (text_.find_first_not_of(" \t\r\n") == std::string::npos) throw InputError(name_ + ": is empty; expected JSON");
+  const std::size_t start = text_.find_first_not_of(" \t\r\n");
+  if (start == std::string::npos) throw InputError(name_ + ": is empty; expected JSON");
   if (auto fault = parseJson(text_, *root_)) {
+    if (text_[start] != '{' && text_[start] != '[')
+      throw InputError(name_ +
+                       ": is neither JSON nor YAML; viewproj help formats lists the files that are read; records, as "
+                       "of points, are read by commands that take them as FILE");
     // As other programs write and read it.
     const std::size_t before = text_.find_last_not_of(" \t\r\n", fault->offset == 0 ? 0 : fault->offset - 1);
     if (fault->offset < text_.size() && (text_[fault->offset] == ']' || text_[fault->offset] == '}') &&
@@ -295,9 +295,9 @@ std::string Document::placed(const Path& path, const std::string& message) const
   if (leavesPlacesOut_) return what;
   if (path.size() >= 2)
     if (const auto at = places_.find(path[0] + "\n" + path[1]); at != places_.end()) return at->second + ": " + what;
+  if (isYaml_) return name_ + ": " + what;
   const std::span<const std::string> inText = std::span(path).subspan(isArray_ && !path.empty() ? 1 : 0);
-  const std::size_t at = isYaml_ ? locateInYaml(text_, inText) : locate(text_, inText);
-  return place(name_, positionAt(text_, at)) + ": " + what;
+  return place(name_, positionAt(text_, locate(text_, inText))) + ": " + what;
 }
 
 void Document::note(const Path& path, const std::string& message) const {

@@ -1,4 +1,5 @@
-// A JSON or YAML document read as a whole (a camera file), whose every complaint names a line and a column.
+// A JSON or YAML document read as a whole (a camera file), whose every complaint names the field: of JSON its line and
+// column too.
 #pragma once
 
 #include <functional>
@@ -86,7 +87,7 @@ class Document {
   /// Throws for a field that was set and that no reader has looked at. form: what the file is.
   void requireSetsRead(const std::string& form) const;
 
-  /// Names the place of the path and, unless told not to, the value there.
+  /// Names the path, in JSON its place, and, unless told not to, the value there.
   [[noreturn]] void fail(const Path& path, const std::string& message, bool showValue = true) const;
 
   /// So many messages of one document have places: each takes a look through the text.

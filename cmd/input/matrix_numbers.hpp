@@ -21,9 +21,8 @@ struct WrittenMatrices {
 /// - a JSON object, whose values of 16 numbers or 4 rows of 4 are the matrices; or
 /// - CSV as `matrix` writes it; or else
 /// - any text in which sixteen numbers after the other are a matrix: brackets, commas, bars, words, f suffixes and
-///   // or /* */ comments are passed over, and so are the numbers of words, Matrix 4x4, Array(16) and Row 0:; labels
-///   such as M12: say where a number stands; all else before a = or a colon is passed over but the name there; a line
-///   that starts with # names what follows.
+///   // or /* */ comments are passed over, and so is all before a = or a colon but the name there; a line that starts
+///   with # names what follows.
 /// Throws InputError with the place of what is wrong.
 WrittenMatrices parseMatrices(const std::string& text, const std::string& name);
 

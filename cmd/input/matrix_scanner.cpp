@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "input/written_digits.hpp"
@@ -21,28 +19,10 @@ bool isWordStart(char c) { return std::isalpha(static_cast<unsigned char>(c)) !=
 bool isWord(char c) { return isWordStart(c) || isDigit(c) || c == '.'; }
 bool isSpace(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
 
-// Around the times that gdb says a number stands.
-constexpr std::string_view kRepeats = "<repeats ", kTimes = " times>";
-
 std::string lowered(std::string_view text) {
   std::string result(text);
   for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return result;
-}
-
-/// A row and a column, from 0 or from 1.
-struct Cell {
-  int row, column;
-};
-
-/// What a label says: m01, M12, _44.
-std::optional<Cell> cellOf(std::string_view word) {
-  constexpr int kMost = 4;
-  if (word.size() < 3 || isDigit(word[word.size() - 3])) return std::nullopt;
-  const Cell cell{word[word.size() - 2] - '0', word[word.size() - 1] - '0'};
-  if (!isDigit(word[word.size() - 2]) || !isDigit(word.back()) || cell.row > kMost || cell.column > kMost)
-    return std::nullopt;
-  return cell;
 }
 
 /// Reads one text from front to back; numbers gather until they are sixteen.
@@ -62,7 +42,6 @@ class Scanner {
   struct Gathered {
     WrittenNumber number;
     std::size_t line, group, offset;
-    std::optional<Cell> cell;  ///< as a label says: M12:
   };
 
   [[noreturn]] void fail(std::size_t offset, const std::string& message) const {
@@ -80,11 +59,7 @@ class Scanner {
     }
     const bool first = lineIsEmpty_;
     if (!isSpace(c)) lineIsEmpty_ = false;
-    // About a print of an object.
-    if (rest.starts_with(kRepeats)) return repeat();
-    const bool isAngle = c == '>' || (c == '<' && at_ + 1 < text_.size() && isWordStart(text_[at_ + 1]));
-    const bool endsLabel = (c == '=' || c == ':') && label_;
-    if (isSpace(c) || c == ',' || c == '|' || isAngle || endsLabel) {
+    if (isSpace(c) || c == ',' || c == '|') {
       ++at_;
     } else if (c == ';') {
       if (brackets_.empty())
@@ -113,18 +88,11 @@ class Scanner {
       name_ = word_;
       ++at_;
     } else if (c == '{' || c == '[' || c == '(') {
-      if (c == '{' && brackets_.empty() && areArraySizes()) gathered_.clear();  // a type before it: (float [16]) {
+      if (c == '{' && brackets_.empty() && areArraySizes()) gathered_.clear();  // float m[16]{
       brackets_.push_back(at_++);
       ++group_;
     } else if (c == '}' || c == ']' || c == ')') {
       close(c);
-    } else if (rest.size() > 2 && rest.starts_with("--") && isWordStart(rest[2])) {
-      property();
-    } else if (c == '$') {  // a debugger's answer: $1 =
-      word_.clear();
-      at_ = behindDigits(at_ + 1);
-    } else if (const std::size_t end = closingQuote(); end != std::string::npos) {  // of an option: device='cuda:0'
-      at_ = end + 1;
     } else if (isWordStart(c)) {
       word();
     } else if (isDigit(c) || c == '.' || c == '-' || c == '+') {
@@ -158,86 +126,18 @@ class Scanner {
     name_ = begin == std::string::npos ? "" : text.substr(begin, end - begin + 1);
   }
 
-  /// The name of a custom property of CSS: --projection.
-  void property() {
-    const std::size_t begin = at_ += 2;
-    while (at_ < text_.size() && (isWord(text_[at_]) || text_[at_] == '-')) ++at_;
-    word_ = text_.substr(begin, at_ - begin);
-  }
-
   void word() {
     const std::size_t begin = at_;
     while (at_ < text_.size() && isWord(text_[at_])) ++at_;
     const std::string word = text_.substr(begin, at_ - begin);
     const std::string lower = lowered(word);
     if (lower == "nan" || lower == "inf" || lower == "infinity") fail(begin, "'" + word + "' is not a finite number");
-    label_ = cellOf(word);
-    if (label_ && behindBlanks(at_) < text_.size() &&
-        (text_[behindBlanks(at_)] == ':' || text_[behindBlanks(at_)] == '='))
-      return;
-    label_.reset();
-    if (passNumbersOf(lower)) return;
     if (brackets_.empty()) word_ = word;
     if (at_ < text_.size() && text_[at_] == '<') at_ = std::min(text_.find('>', at_), text_.size() - 1) + 1;
   }
 
-  std::size_t behindBlanks(std::size_t at) const { return std::min(text_.find_first_not_of(" \t", at), text_.size()); }
-  std::size_t behindDigits(std::size_t at) const {
-    return std::min(text_.find_first_not_of("0123456789", at), text_.size());
-  }
-
-  /// Where a word that is quoted here as the value of an option ends, on this line. Numbers are not passed over so.
-  std::size_t closingQuote() const {
-    const char quote = text_[at_];
-    const bool isValue = at_ > 0 && text_[at_ - 1] == '=' && at_ + 1 < text_.size() && isWordStart(text_[at_ + 1]);
-    if (!isValue || (quote != '\'' && quote != '"')) return std::string::npos;
-    const std::size_t end = text_.find_first_of(std::string("\n") + quote, at_ + 1);
-    return end != std::string::npos && text_[end] == quote ? end : std::string::npos;
-  }
-
-  /// The number before it, so many times in all: <repeats 4 times>.
-  void repeat() {
-    const std::size_t begin = at_ + kRepeats.size(), end = behindDigits(begin);
-    const std::string_view written = std::string_view(text_).substr(begin, end - begin);
-    std::size_t times = 0;
-    std::from_chars(written.data(), written.data() + written.size(), times);
-    if (gathered_.empty() || times < 2 || times > 16 || text_.compare(end, kTimes.size(), kTimes) != 0)
-      fail(at_, "expected <repeats N times> after a number of a matrix");
-    const Gathered last = gathered_.back();
-    for (std::size_t i = 1; i < times; ++i) gather(last);
-    at_ = end + kTimes.size();
-  }
-
-  /// A number that belongs to the word before it: Array(16), Row 0:. Or the name of a column: x_axis:. Returns whether
-  /// there was one.
-  bool passNumbersOf(std::string_view lower) {
-    std::size_t at = behindBlanks(at_);
-    if (lower.ends_with("_axis") && at < text_.size() && text_[at] == ':') {
-      at_ = at + 1;
-      return true;
-    }
-    if (lower.ends_with("array") && at < text_.size() && text_[at] == '(') {
-      const std::size_t begin = at + 1, end = behindDigits(begin);
-      if (end == begin || end == text_.size() || text_[end] != ')') return false;
-      at_ = end + 1;
-      return true;
-    }
-    if (lower != "row" && lower != "column" && lower != "col") return false;
-    const std::size_t end = behindDigits(at), colon = behindBlanks(end);
-    if (end == at || colon == text_.size() || (text_[colon] != ':' && text_[colon] != '=')) return false;
-    at_ = colon + 1;
-    ++group_;
-    return true;
-  }
-
   void number() {
     const std::size_t begin = at_;
-    // The size of what follows: Matrix 4x4.
-    if (const std::size_t x = behindDigits(begin); x > begin && x + 1 < text_.size() && text_[x] == 'x')
-      if (const std::size_t end = behindDigits(x + 1); end > x + 1 && (end == text_.size() || !isWord(text_[end]))) {
-        at_ = end;
-        return;
-      }
     if (text_[at_] == '+' || text_[at_] == '-') ++at_;
     while (at_ < text_.size() &&
            (isWord(text_[at_]) || ((text_[at_] == '+' || text_[at_] == '-') && std::tolower(text_[at_ - 1]) == 'e')))
@@ -248,11 +148,7 @@ class Scanner {
       digits.pop_back();
     const auto value = parseNumber(digits);
     if (!value || digits.size() + 2 < token.size()) fail(begin, "'" + token + "' is not a finite number");
-    gather({writtenNumber(digits, *value), line_, group_, begin, std::exchange(label_, std::nullopt)});
-  }
-
-  void gather(const Gathered& one) {
-    gathered_.push_back(one);
+    gathered_.push_back({writtenNumber(digits, *value), line_, group_, begin});
     if (gathered_.size() == 16) flush();
   }
 
@@ -263,34 +159,13 @@ class Scanner {
     return true;
   }
 
-  /// Puts numbers in the places that their labels say. False where none has one.
-  bool arrange() {
-    const auto isLabelled = [](const Gathered& g) { return g.cell.has_value(); };
-    const auto plain = std::find_if_not(gathered_.begin(), gathered_.end(), isLabelled);
-    if (std::none_of(gathered_.begin(), gathered_.end(), isLabelled)) return false;
-    if (plain != gathered_.end()) fail(plain->offset, "has no label, and others of the same matrix have one");
-    // They count from 0 or from 1.
-    int first = 1;
-    for (const Gathered& g : gathered_) first = std::min({first, g.cell->row, g.cell->column});
-    std::vector<std::optional<Gathered>> places(16);
-    for (const Gathered& g : gathered_) {
-      const int row = g.cell->row - first, column = g.cell->column - first;
-      if (row > 3 || column > 3 || places[static_cast<std::size_t>(4 * row + column)])
-        fail(g.offset, "has a label that is none of the rows and columns of 16 numbers, or one of before");
-      places[static_cast<std::size_t>(4 * row + column)] = g;
-    }
-    for (std::size_t i = 0; i < 16; ++i) gathered_[i] = *places[i];
-    return true;
-  }
-
   void flush() {
     WrittenMatrix m;
     m.name = visible(name_);
-    const bool labelled = arrange();
     std::array<WrittenNumber, 16> numbers;
     for (std::size_t i = 0; i < 16; ++i) numbers[i] = gathered_[i].number;
     setDigits(m, numbers);
-    if (labelled || fourByFour([&](std::size_t i) { return gathered_[i].line; }) ||
+    if (fourByFour([&](std::size_t i) { return gathered_[i].line; }) ||
         fourByFour([&](std::size_t i) { return gathered_[i].group; }))
       m.order = NumberOrder::rows;
     found_.push_back(m);
@@ -358,7 +233,6 @@ class Scanner {
   bool lineIsEmpty_ = true;
   std::vector<std::size_t> brackets_;
   std::string word_, name_;
-  std::optional<Cell> label_;  ///< of the number that follows
   std::vector<Gathered> gathered_;
   std::vector<WrittenMatrix> found_;
 };

@@ -96,11 +96,11 @@ class Parser {
   yaml_event_t event_{};
 };
 
-/// Takes the parser's events as a value, and finds where a path leads.
+/// Takes the parser's events as a value.
 class Builder {
  public:
-  Builder(Parser& parser, std::size_t deepest, std::size_t mostCopied, std::span<const std::string> path)
-      : parser_(parser), deepest_(deepest), budget_(mostCopied), path_(path) {}
+  Builder(Parser& parser, std::size_t deepest, std::size_t mostCopied)
+      : parser_(parser), deepest_(deepest), budget_(mostCopied) {}
 
   std::optional<JsonFault> build(json& root) {
     root_ = &root;
@@ -136,13 +136,11 @@ class Builder {
     return parser_.fault();
   }
 
-  std::size_t foundAt() const { return foundAt_; }
-
  private:
   struct Open {
     json* value;
     std::string key, anchor;
-    bool hasKey = false, isOnPath = false;
+    bool hasKey = false;
     std::size_t weight = 0;  ///< of what is in it
   };
 
@@ -213,34 +211,25 @@ class Builder {
   }
 
   /// Where the next value goes. Throws nothing: the place is there once it is known to be one.
-  std::optional<JsonFault> place(json*& at, bool& isOnPath) {
-    isOnPath = stack_.empty();
-    if (stack_.empty()) {
-      at = root_;
+  std::optional<JsonFault> place(json*& at) {
+    at = root_;
+    if (stack_.empty()) return std::nullopt;
+    Open& parent = stack_.back();
+    if (parent.value->is_array()) {
+      parent.value->push_back(nullptr);
+      at = &parent.value->back();
     } else {
-      Open& parent = stack_.back();
-      std::string step;
-      if (parent.value->is_array()) {
-        if (parent.isOnPath) step = std::to_string(parent.value->size());
-        parent.value->push_back(nullptr);
-        at = &parent.value->back();
-      } else {
-        if (!parent.hasKey) return JsonFault{parser_.offset(), "a key that is no text"};
-        if (parent.isOnPath) step = parent.key;
-        at = &(*parent.value)[parent.key];
-        parent.weight += parent.key.size();
-        parent.hasKey = false;
-      }
-      isOnPath = parent.isOnPath && stack_.size() <= path_.size() && path_[stack_.size() - 1] == step;
+      if (!parent.hasKey) return JsonFault{parser_.offset(), "a key that is no text"};
+      at = &(*parent.value)[parent.key];
+      parent.weight += parent.key.size();
+      parent.hasKey = false;
     }
-    if (isOnPath) foundAt_ = parser_.offset();
     return std::nullopt;
   }
 
   std::optional<JsonFault> put(json value, std::size_t weight, const std::string& anchor) {
     json* at = nullptr;
-    bool isOnPath = false;
-    if (auto fault = place(at, isOnPath)) return fault;
+    if (auto fault = place(at)) return fault;
     *at = std::move(value);
     if (!stack_.empty()) stack_.back().weight += weight;
     return anchored(*at, weight, anchor);
@@ -249,7 +238,7 @@ class Builder {
   std::optional<JsonFault> open(json value, const yaml_char_t* anchor) {
     if (stack_.size() == deepest_) return JsonFault{parser_.offset(), "nested deeper than " + std::to_string(deepest_)};
     Open opened{nullptr, {}, textOf(anchor)};
-    if (auto fault = place(opened.value, opened.isOnPath)) return fault;
+    if (auto fault = place(opened.value)) return fault;
     *opened.value = std::move(value);
     stack_.push_back(std::move(opened));
     return std::nullopt;
@@ -289,12 +278,10 @@ class Builder {
 
   Parser& parser_;
   std::size_t deepest_, budget_;
-  std::span<const std::string> path_;
   json* root_ = nullptr;
   std::vector<Open> stack_;
   std::unordered_map<std::string, json> anchors_;
   std::unordered_map<std::string, std::size_t> weights_;  ///< of the anchors
-  std::size_t foundAt_ = 0;
 };
 
 }  // namespace
@@ -323,15 +310,7 @@ std::optional<JsonFault> parseYaml(std::string_view text, std::size_t deepest, j
   if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos)
     return JsonFault{nul, "not valid YAML: a NUL"};
   Parser parser(text);
-  return Builder(parser, deepest, text.size(), {}).build(value);
-}
-
-std::size_t locateInYaml(std::string_view text, std::span<const std::string> path) {
-  Parser parser(text);
-  json value;
-  Builder builder(parser, static_cast<std::size_t>(-1), text.size(), path);
-  (void)builder.build(value);
-  return builder.foundAt();
+  return Builder(parser, deepest, text.size()).build(value);
 }
 
 }  // namespace viewproj::cmd

@@ -1,7 +1,7 @@
-// YAML as text: what it says as JSON would, and where things stand in it. The one place that calls libyaml.
+// YAML as text: what it says as JSON would. The one place that calls libyaml.
 #pragma once
 
-#include <span>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -18,9 +18,5 @@ bool looksLikeYaml(std::string_view text);
 /// what is wrong with the text: a key twice, nesting deeper than `deepest`, and aliases that make more of the text than
 /// it has bytes are faults too.
 std::optional<JsonFault> parseYaml(std::string_view text, std::size_t deepest, nlohmann::json& value);
-
-/// The offset of the value at a path of keys and array indices, or of the innermost part of the path that exists. The
-/// text must be valid.
-std::size_t locateInYaml(std::string_view text, std::span<const std::string> path);
 
 }  // namespace viewproj::cmd

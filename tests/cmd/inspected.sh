@@ -29,7 +29,7 @@ for projection in \
           number=$((number + 1))
           set -- --convention "$convention" "$reverse" --to "$form"
           viewproj matrix -c "{$view,\"projection\":$projection}" --which "$which" "$@" >"$work/written"
-          viewproj inspect --world right --read-as "$convention" "$@" <"$work/written" >"$work/again" || {
+          viewproj inspect --read-as "$convention" "$@" <"$work/written" >"$work/again" || {
             echo "$convention $reverse $form $projection: not read"
             exit 1
           }

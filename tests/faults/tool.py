@@ -55,7 +55,7 @@ def _runs():
     yield ["matrix", "-c", CAMERA, "--list"], b""
     yield ["inspect"], MATRIX
     yield ["inspect", "--to", "json"], MATRIX
-    yield ["inspect", "--convention", "d3d", "--reading", "1", "--to", "text"], MATRIX
+    yield ["inspect", "--convention", "d3d", "--read-as", "opengl", "--to", "text"], MATRIX
     for form in ("table", "json"):
         yield ["explain", "-c", CAMERA, "--to", form, "--point", "1,1,1"], b""
         yield ["explain", "-c", CAMERA, "--to", form, "--pixel", "1,2,0.5"], b""

@@ -2,6 +2,7 @@
 #include "input/readings/readings.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <string>
@@ -25,6 +26,9 @@ Numbers asFloats(Numbers n) {
 }
 
 bool holds(const Estimate& e, double number) { return e.low <= number && number <= e.high; }
+
+/// Up to what the rounding of the entries leaves of numbers of this size.
+bool isNear(double value, double truth, double size) { return std::fabs(value - truth) <= 1e-13 * size; }
 
 Convention preset(const char* name) { return conventionPreset(name).value(); }
 
@@ -65,10 +69,12 @@ void checkParameters(const Reading& r, const Pose& pose, const Projection& p, co
     const auto counted = [&](DoubleDouble number, const DDVec3& axis) {
       return fromOrigin ? (number + dot(axis, eye)).hi : number.hi;
     };
-    CHECK(holds(r.lens->left, counted(parts(p).left, parts(pose).rows.right)));
-    CHECK(holds(r.lens->right, counted(parts(p).right, parts(pose).rows.right)));
-    CHECK(holds(r.lens->bottom, counted(parts(p).bottom, parts(pose).rows.up)));
-    CHECK(holds(r.lens->top, counted(parts(p).top, parts(pose).rows.up)));
+    const double size = std::max({std::fabs(parts(p).left.hi), std::fabs(parts(p).right.hi),
+                                  std::fabs(parts(p).bottom.hi), std::fabs(parts(p).top.hi), maxAbs(eye)});
+    CHECK(isNear(r.lens->left, counted(parts(p).left, parts(pose).rows.right), size));
+    CHECK(isNear(r.lens->right, counted(parts(p).right, parts(pose).rows.right), size));
+    CHECK(isNear(r.lens->bottom, counted(parts(p).bottom, parts(pose).rows.up), size));
+    CHECK(isNear(r.lens->top, counted(parts(p).top, parts(pose).rows.up), size));
     CHECK(holds(r.lens->near, counted(parts(p).near, parts(pose).rows.forward)));
     CHECK(
         holds(r.lens->far, std::isinf(parts(p).far) ? parts(p).far : counted(parts(p).far, parts(pose).rows.forward)));
@@ -76,13 +82,12 @@ void checkParameters(const Reading& r, const Pose& pose, const Projection& p, co
   if (!r.pose) return;
   CHECK(r.convention.world == c.world);
   if (r.place->eyeIsKnown)
-    for (std::size_t i = 0; i < 3; ++i) CHECK(holds(r.place->eye[i], pose.eye()[i]));
+    for (std::size_t i = 0; i < 3; ++i) CHECK(isNear(r.place->eye[i], pose.eye()[i], maxAbs(pose.eye())));
   const Vec3 got[] = {r.place->right, r.place->up, r.place->forward};
   const Vec3 want[] = {rounded(parts(pose).rows.right), rounded(parts(pose).rows.up),
                        rounded(parts(pose).rows.forward)};
   for (std::size_t a = 0; a < 3; ++a)
-    for (std::size_t i = 0; i < 3; ++i)
-      CHECK(std::fabs(got[a][i] - want[a][i]) <= r.place->axisErrors[a] * 1.001 + 0x1p-52);
+    for (std::size_t i = 0; i < 3; ++i) CHECK(isNear(got[a][i], want[a][i], 1));
 }
 
 /// How often a test has met each case.
@@ -177,7 +182,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("Intervals hold the true parameters of random cameras, in doubles and in float32") {
+TEST_CASE("Intervals hold near and far of random cameras, in doubles and in float32") {
   Tally tally;
   for (std::uint64_t trial = 0; trial < 1500; ++trial) {
     Random random(trial);
@@ -213,9 +218,13 @@ TEST_CASE("Intervals hold the true parameters of random cameras, in doubles and 
       c.storage = Storage::rowMajor;
       const std::vector<Reading> rows = fitting(in, kind, c, NumberOrder::memory);
       REQUIRE(rows.size() == 1);
-      checkParameters(rows.front(), pose, p, c);
       if (!rows.front().lens) continue;
       const Estimate& f = rows.front().lens->far;
+      // An orthographic view-projection counts from the world's origin.
+      const double from =
+          ortho && kind == MatrixKind::viewProjection ? dot(parts(pose).rows.forward, toDoubleDouble(eye)).hi : 0;
+      CHECK(holds(rows.front().lens->near, near + from));
+      CHECK(holds(f, far + from));
       tally["far not determined"] += !infinite && std::isinf(f.high);
       tally["far determined"] += !infinite && f.high - f.low < 1e-3 * std::fabs(f.value);
       tally["near not determined"] += rows.front().lens->near.low == 0;
@@ -251,14 +260,9 @@ TEST_CASE("Intervals are no wider than the rounding of the entries makes them") 
         return found.front();
       };
       const Reading whole = only(numbers, EntryPrecision::float32);
-      const auto parameters = [](const Reading& r) {
-        std::vector<Estimate> all{r.lens->left,   r.lens->right, r.lens->bottom, r.lens->top,
-                                  r.lens->aspect, r.lens->near,  r.lens->far};
-        if (r.place) all.insert(all.end(), r.place->eye.begin(), r.place->eye.end());
-        return all;
-      };
-      const std::vector<Estimate> of = parameters(whole);
-      std::vector<double> reached(of.size());
+      const auto parameters = [](const Reading& r) { return std::array<Estimate, 2>{r.lens->near, r.lens->far}; };
+      const std::array<Estimate, 2> of = parameters(whole);
+      std::array<double, 2> reached{};
       for (int sample = 0; sample < 256; ++sample) {
         Numbers moved = numbers;
         const std::size_t count = kind == MatrixKind::projection ? 12 : 16;  // a w row of 0 0 +-1 0 stays
@@ -269,7 +273,7 @@ TEST_CASE("Intervals are no wider than the rounding of the entries makes them") 
           const double to = static_cast<double>(std::nextafter(narrow, random.coin() ? INFINITY : -INFINITY));
           number += (to - number) / 2;
         }
-        const std::vector<Estimate> there = parameters(only(moved, EntryPrecision::float64));
+        const std::array<Estimate, 2> there = parameters(only(moved, EntryPrecision::float64));
         for (std::size_t k = 0; k < of.size(); ++k) {
           const double half = (of[k].high - of[k].low) / 2, off = there[k].value - (of[k].low + half);
           INFO("trial " << trial << " parameter " << k);
@@ -285,8 +289,8 @@ TEST_CASE("Intervals are no wider than the rounding of the entries makes them") 
       }
     }
   }
-  CHECK(tally["projection"] == kTrials * 7);
-  CHECK(tally["viewProjection"] == kTrials * 10);
+  CHECK(tally["projection"] == kTrials * 2);
+  CHECK(tally["viewProjection"] == kTrials * 2);
 }
 
 TEST_CASE("A forward matrix of doubles does not determine a far plane 1e15 or 1e17 times as far as near") {
@@ -382,8 +386,7 @@ TEST_CASE("A last entry a few units in the last place from 1 divides a view or a
         for (std::size_t i = 0; i < 3; ++i)
           for (std::size_t j = 0; j < 4; ++j)
             CHECK(m[i][j] == static_cast<double>(static_cast<long double>(n[turned ? 4 * j + i : 4 * i + j]) / last));
-        CHECK(r.place->eye[0].low <= parts(*r.pose).eye.x);
-        CHECK(parts(*r.pose).eye.x <= r.place->eye[0].high);
+        for (std::size_t i = 0; i < 3; ++i) CHECK(isNear(r.place->eye[i], parts(*r.pose).eye[i], 1));
         CHECK(worldOf(parts(*r.pose)) == r.convention.world);
       }
       CHECK(poses == (steps < -4 || steps > 4 ? 0 : 6));
@@ -457,21 +460,20 @@ TEST_CASE("Angles of view come back, from the narrowest to the widest, and only 
       INFO(fov << " " << aspect);
       REQUIRE(lens.fovY);
       REQUIRE(lens.fovX);
-      CHECK(holds(*lens.fovY, fov));
-      CHECK(holds(lens.aspect, aspect));
-      // The angle's own rounding and a half ulp of its tangent: no wider than that.
-      CHECK(lens.fovY->high - lens.fovY->low <= 8 * halfUlp(fov));
+      // The angle's own rounding and a half ulp of its tangent: no more than that.
+      CHECK(std::fabs(*lens.fovY - fov) <= 4 * halfUlp(fov));
+      CHECK(std::fabs(lens.aspect - aspect) <= 4 * halfUlp(aspect));
     }
   const Inspection in = inspectMatrix(rowsOf(clipFromView(frustum(-1, 1, -1, 2, 1, 9), {})));
   CHECK(in.readings[0].lens->fovX);
   const LensEstimate& lens = *in.readings[0].lens;
   REQUIRE(lens.fovY);
   // atan(2) + atan(1); 2 atan(1); and between (-1, 2, 1) and (1, -1, 1), as (-1, -1, 1) and (1, 2, 1) are apart.
-  CHECK(holds(*lens.fovX, 90));
-  CHECK(holds(*lens.fovY, 108.43494882292202));
-  CHECK(holds(*lens.fovDiagonal, 118.12550570205571));
-  CHECK(holds((*lens.focalLength)[0], 0.5));
-  CHECK(holds((*lens.focalLength)[1], 1.0 / 3));
-  CHECK(holds((*lens.principalPoint)[0], 0.5));
-  CHECK(holds((*lens.principalPoint)[1], 2.0 / 3));
+  CHECK(isNear(*lens.fovX, 90, 90));
+  CHECK(isNear(*lens.fovY, 108.43494882292202, 90));
+  CHECK(isNear(*lens.fovDiagonal, 118.12550570205571, 90));
+  CHECK(isNear((*lens.focalLength)[0], 0.5, 1));
+  CHECK(isNear((*lens.focalLength)[1], 1.0 / 3, 1));
+  CHECK(isNear((*lens.principalPoint)[0], 0.5, 1));
+  CHECK(isNear((*lens.principalPoint)[1], 2.0 / 3, 1));
 }

@@ -28,6 +28,9 @@ double decimal(const char* digit, int exponent) {
   return parseNumber(digit + ("e" + std::to_string(exponent))).value_or(kInfiniteFar);
 }
 
+/// As far as an infinite view is told of by default: this many near distances.
+constexpr double kInfiniteReach = 1e8;
+
 /// In a table; of a longer range every second, third, ... decade is told.
 constexpr int kMostDecades = 24;
 
@@ -57,16 +60,6 @@ std::vector<double> defaultDistances(const DepthMapping& m) {
   return distances;
 }
 
-/// Gaps of the scene's own size: powers of ten about near, or far below the range of an orthographic view.
-std::vector<double> defaultGaps(const DepthMapping& m) {
-  const double size = m.orthographic ? (m.far - m.near) * 1e-5 : m.near;
-  const int exponent = static_cast<int>(std::lround(std::log10(size)));
-  std::vector<double> gaps;
-  for (int e = exponent - 1; e <= exponent + 1; ++e)
-    if (const double gap = decimal("1", e); gap > 0 && gap <= kLargest) gaps.push_back(gap);
-  return gaps;
-}
-
 std::vector<double> readDistances(const std::string& option, const std::string& text) {
   return readNumbers(option, text, 1, SIZE_MAX, "distances separated by commas, as in 1,10,100");
 }
@@ -75,34 +68,11 @@ std::vector<double> readDepths(const std::string& option, const std::string& tex
   return readNumbers(option, text, 1, SIZE_MAX, "depths separated by commas, as in 0.9,0.99");
 }
 
-/// --resolve as it was typed.
-struct Resolve {
-  std::string text;
-  WantedGap wanted;
-};
-
-Resolve readResolve(const std::string& option, const std::string& text) {
-  const std::size_t at = text.find('@');
-  const auto gap = parseNumber(text.substr(0, at));
-  const auto distance = at == std::string::npos ? std::nullopt : parseNumber(text.substr(at + 1));
-  if (!gap || !distance || !(*gap > 0))
-    throw UsageError(option + " " + text + ": expected GAP@DISTANCE, as in 0.01@500");
-  return {text, {*gap, *distance}};
-}
-
-/// Throw UsageError for what the camera cannot see.
+/// Throws UsageError for what the camera cannot see.
 void requireInFront(const std::vector<double>& distances, const DepthMapping& m) {
   for (double distance : distances)
     if (!m.orthographic && !(distance > 0))
       throw UsageError("--at " + formatNumber(distance) + ": expected a distance above 0, in front of the eye");
-}
-
-void requireInView(const Resolve& resolve, const DepthMapping& m) {
-  const auto& [gap, distance] = resolve.wanted;
-  if (!m.orthographic && !(gap < distance))
-    throw UsageError("--resolve " + resolve.text + ": the nearer surface would not be in front of the eye");
-  if (distance > m.far)
-    throw UsageError("--resolve " + resolve.text + ": lies beyond far, which is " + formatNumber(m.far));
 }
 
 /// The camera's near and far forward, reversed, and with far infinite.
@@ -143,21 +113,12 @@ std::vector<NamedFormat> formatsFor(double largest, std::vector<std::string>& no
 struct Options {
   CameraOptions camera;
   std::optional<std::vector<double>> at, depths;
-  std::vector<double> gaps;
-  std::vector<Resolve> resolves;
   ReportForm form = ReportForm::table;
 };
 
 int run(const Options& o) {
   if (o.camera.lists()) return o.camera.list();
-  if (o.form == ReportForm::svg && (o.at || !o.resolves.empty()))
-    throw UsageError(std::string(o.at ? "--at" : "--resolve") +
-                     " is for tables and JSON; --to svg plots every distance, and takes --gap");
-  for (const auto& [name, given] :
-       {std::pair("--at", o.at.has_value()), {"--gap", !o.gaps.empty()}, {"--resolve", !o.resolves.empty()}})
-    if (o.depths && given) throw UsageError(std::string("--depth only turns depths into distances; leave out ") + name);
-  if (o.depths && o.form == ReportForm::svg)
-    throw UsageError("--depth is for tables and JSON; --to svg plots what a depth buffer resolves");
+  if (o.depths && o.at) throw UsageError("--depth only turns depths into distances; leave out --at");
   const CameraFile read = o.camera.read();
   if (!read.projection) throw InputError(read.name + ": the camera has no projection");
   const Viewport viewport = read.viewport.value_or(Viewport{});
@@ -176,20 +137,12 @@ int run(const Options& o) {
   const DepthMapping& own = report.own();
   if (o.at) requireInFront(*o.at, own);
   report.distances = o.at ? *o.at : defaultDistances(own);
-  report.gapsAsked = !o.gaps.empty();
-  report.gaps = report.gapsAsked ? o.gaps : defaultGaps(own);
-  for (const Resolve& resolve : o.resolves) {
-    requireInView(resolve, own);
-    report.wanted.push_back(resolve.wanted);
-  }
   if (read.convention.ndcZ == NdcZ::minusOneToOne)
     report.notes.push_back(
         "With NDC z of -1..1 reversed d32f gains nothing: (z + 1) / 2 in float32 rounds to 2^-24 first. What is told "
         "of it needs 0..1 (glClipControl).");
   report.notes.push_back("Depths are taken as exact until they are stored; float32 in matrix and shader comes on top.");
-  writeOutput(o.form == ReportForm::json  ? depthAsJson(report)
-              : o.form == ReportForm::svg ? depthAsSvg(report)
-                                          : depthAsTable(report));
+  writeOutput(o.form == ReportForm::json ? depthAsJson(report) : depthAsTable(report));
   return 0;
 }
 
@@ -200,8 +153,7 @@ Action defineDepth(CommandLine& line) {
   line.setDescription(
       "What a depth buffer resolves: the camera's window depth, its slope, and one step of d16, d24 and d32f as a "
       "length at each distance; forward, reversed and infinite side by side. Lengths are in the camera's unit.");
-  line.setExample(
-      "viewproj depth samples/reversed-infinite-depth/camera.json --at 1,10,100 --gap 0.01 --resolve 0.01@500");
+  line.setExample("viewproj depth samples/reversed-infinite-depth/camera.json --at 1,10,100");
   o->camera.add(line);
   o->camera.addFile(line);
   o->camera.takeAnyOpening();
@@ -210,11 +162,7 @@ Action defineDepth(CommandLine& line) {
   addValue(line, "--depth", "DEPTHS", o->depths, readDepths,
            "Only turn these depths into distances along the viewing axis, of each mapping: window depths, and NDC z of "
            "-1..1");
-  addValues(line, "--gap", "GAP", o->gaps, numberThat([](double gap) { return gap > 0; }, "a length above 0"),
-            "Tell up to which distance surfaces this far apart are stored apart, by default powers of ten about near");
-  addValues(line, "--resolve", "GAP@DISTANCE", o->resolves, readResolve,
-            "Tell the near needed to store surfaces GAP apart apart at DISTANCE");
-  addReportForm(line, o->form, "the gap resolved over distance");
+  addReportForm(line, o->form);
   return [o] { return run(*o); };
 }
 

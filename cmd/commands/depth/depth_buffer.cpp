@@ -16,8 +16,6 @@ constexpr double kSmallestSize = 0x1p-800;
 constexpr int kFloatDigits = 24;
 constexpr double kSmallestFloat = 0x1p-149;
 constexpr int kSmallestFloatExponent = -126;
-/// A float's step below a depth is at most this share of the depth.
-constexpr double kLargestFloatShare = 0x1p-23;
 
 /// Each end of the depth range by its share, so that the depth keeps its digits next to 0.
 Wide depthAt(const DepthMapping& m, const Wide& distance) {
@@ -58,14 +56,6 @@ struct Scaled {
 
   DoubleDouble depth(double w) const { return toDoubleDouble(depthAt(mapping, {w, -exponent})); }
 
-  /// The inverse, for a depth between near's and far's. Infinite at infinity's depth.
-  double distance(double depth) const {
-    const auto at = depthFraction<DoubleDouble>(depth, {mapping.atNear, mapping.atFar});
-    if (mapping.orthographic) return orthographicDistance(near, far, at).hi;
-    const DoubleDouble divisor = nearOverDistance(near, far, at);
-    return divisor.hi > 0 ? (DoubleDouble(near) / divisor).hi : kInfiniteFar;
-  }
-
   DepthMapping mapping;
   int exponent = 0;
   double near, far;
@@ -100,14 +90,6 @@ double stepAt(const Scaled& s, const DepthFormat& format, double w) {
     step = std::min(step, floatStep(binadeBelow(largestDepth(s.mapping))));
   }
   return step;
-}
-
-/// How far the nearer of two surfaces a gap apart may be while they differ by a step: the solution of
-///   rate (1/v - 1/(v + gap)) = step.
-double nearerResolved(const Scaled& s, double gap, double step) {
-  if (s.mapping.orthographic) return s.rate * gap >= step ? kInfiniteFar : -kInfiniteFar;
-  const double product = gap * (s.rate / step);
-  return product / (gap / 2 + std::hypot(gap / 2, std::sqrt(product)));
 }
 
 }  // namespace
@@ -149,59 +131,6 @@ double resolvedGap(const DepthMapping& m, const DepthFormat& format, double dist
   if (m.orthographic) return s.unscaled(step / s.rate);
   // w^2 step / (rate + w step)
   return distance / (1 + s.rate / w / step);
-}
-
-double resolvedUpTo(const DepthMapping& m, const DepthFormat& format, double gap) noexcept {
-  const Scaled s(m);
-  const double apart = std::ldexp(gap, s.exponent);
-  const double last = s.far - apart;  // the nearer surface of the last pair
-  const auto upTo = [&](double nearer) {
-    if (!(nearer > s.near)) return m.near;
-    return nearer < last ? s.unscaled(nearer + apart) : m.far;
-  };
-  if (!(s.near < last)) return m.far;
-  if (format.step > 0) return upTo(nearerResolved(s, apart, format.step));
-  // From near to far through the powers of two that the larger depth passes.
-  const double first = s.reversed ? s.near : s.near + apart;
-  const double end = s.reversed ? last : s.far;
-  const int from = binadeBelow(s.depth(first));
-  const DoubleDouble farthest = std::isinf(end) ? DoubleDouble(m.atFar) : s.depth(end);
-  const int to = binadeBelow(farthest);
-  const int by = s.reversed ? -1 : 1;
-  double begin = s.near;  // of the binade, for the nearer surface
-  for (int k = from; k != to + by; k += by) {
-    const double resolved = nearerResolved(s, apart, floatStep(k));
-    double binadeEnd = last;
-    if (k != to) binadeEnd = s.reversed ? s.distance(std::ldexp(1.0, k)) : s.distance(std::ldexp(1.0, k + 1)) - apart;
-    if (resolved < binadeEnd) return upTo(std::max(begin, resolved));
-    begin = binadeEnd;
-  }
-  return m.far;
-}
-
-double nearToResolve(const DepthMapping& m, const DepthFormat& format, double gap, double distance) noexcept {
-  // The change of depth over the gap must be a step: rate * lever >= step, with lever = 1/v - 1/distance or gap.
-  const double span = std::fabs(m.atNear - m.atFar);
-  const double nearer = distance - gap;
-  const double scale = m.orthographic ? 1 : distance;  // makes distances in perspective shares of this one
-  const double lever = m.orthographic ? gap : gap / nearer;
-  const double inverseFar = std::isinf(m.far) ? 0 : scale / m.far;
-  // rate = span / (1/near - 1/far) in perspective, span / (far - near) in orthographic
-  const auto nearForRate = [&](double rate) {
-    if (rate == 0) return m.orthographic ? -kInfiniteFar : 0;
-    const double near = m.orthographic ? m.far - span / rate : scale / (inverseFar + span / rate);
-    return near <= nearer ? near : kNaN;
-  };
-  if (format.step > 0) return nearForRate(format.step / lever);
-  const double byLargest = nearForRate(floatStep(binadeBelow(largestDepth(m))) / lever);
-  // The step is also at most a share of the larger depth, which is atFar + rate * beyond:
-  //   rate * lever >= share (atFar + rate * beyond)
-  const bool reversed = m.atFar < m.atNear;
-  const double larger = reversed ? nearer : distance;
-  const double beyond = (reversed ? 1 : -1) * (m.orthographic ? m.far - larger : scale / larger - inverseFar);
-  const double factor = lever - kLargestFloatShare * beyond;
-  const double byShare = factor > 0 ? nearForRate(kLargestFloatShare * m.atFar / factor) : kNaN;
-  return std::fmin(byLargest, byShare);
 }
 
 }  // namespace viewproj::cmd

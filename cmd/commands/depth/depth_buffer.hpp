@@ -63,15 +63,4 @@ double depthStep(const DepthMapping& mapping, const DepthFormat& format, double 
 /// length. Finite at every distance.
 double resolvedGap(const DepthMapping& mapping, const DepthFormat& format, double distance) noexcept;
 
-/// The distance up to which surfaces this gap > 0 apart are stored apart for certain (the farther one at it). Beyond it
-/// some pairs are not. far where all pairs between near and far are; near where not even the first pair is.
-double resolvedUpTo(const DepthMapping& mapping, const DepthFormat& format, double gap) noexcept;
-
-/// The near distance from which on a surface at this distance and one a gap nearer are stored apart for certain, far
-/// staying as it is; the mapping's own near does not matter. 0 < gap, distance <= far, and in perspective gap <
-/// distance. Where any near will do it is 0 (down to 2^-100 of distance), or in orthographic -infinity; NaN where none
-/// will. For float32 it is enough whatever power of two a depth lies above, and up to twice (in near) what is needed
-/// below a depth of half the largest.
-double nearToResolve(const DepthMapping& mapping, const DepthFormat& format, double gap, double distance) noexcept;
-
 }  // namespace viewproj::cmd

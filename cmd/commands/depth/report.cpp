@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "output/line_plot.hpp"
 #include "output/table.hpp"
 #include "text/format_number.hpp"
 #include "text/json_build.hpp"
@@ -28,16 +27,6 @@ bool isClipped(const DepthMapping& m, double distance) { return !(distance >= m.
 
 std::string asGap(const DepthMapping& m, const DepthFormat& format, double distance) {
   return isClipped(m, distance) ? "clipped" : brief(resolvedGap(m, format, distance));
-}
-
-std::string asReach(const DepthMapping& m, double reach) {
-  return reach == m.far ? "everywhere" : reach == m.near ? "nowhere" : formatDigits(reach, 6);
-}
-
-bool isAnyNear(const DepthMapping& m, double near) { return near == (m.orthographic ? -kInfiniteFar : 0); }
-
-std::string asNear(const DepthMapping& m, double near) {
-  return std::isnan(near) ? "none" : isAnyNear(m, near) ? "any" : formatDigits(near, 4);
 }
 
 std::string describeFar(const DepthMapping& m) { return std::isinf(m.far) ? "infinite" : formatNumber(m.far); }
@@ -76,28 +65,6 @@ Rows comparedRows(const DepthReport& r, const NamedFormat& f) {
   return rows;
 }
 
-Rows reachRows(const DepthReport& r) {
-  Rows rows = {sideBySideHeader(r.mappings, "gap")};
-  for (double gap : r.gaps)
-    for (const NamedFormat& f : r.formats) {
-      rows.push_back({formatNumber(gap) + " in " + f.name});
-      for (const NamedMapping& m : r.mappings)
-        rows.back().push_back(asReach(m.mapping, resolvedUpTo(m.mapping, f.format, gap)));
-    }
-  return rows;
-}
-
-Rows nearRows(const DepthReport& r) {
-  Rows rows = {sideBySideHeader(r.mappings, "gap@distance")};
-  for (const WantedGap& w : r.wanted)
-    for (const NamedFormat& f : r.formats) {
-      rows.push_back({formatNumber(w.gap) + "@" + formatNumber(w.distance) + " in " + f.name});
-      for (const NamedMapping& m : r.mappings)
-        rows.back().push_back(asNear(m.mapping, nearToResolve(m.mapping, f.format, w.gap, w.distance)));
-    }
-  return rows;
-}
-
 /// {"d16": value, ...}; value: of a format, as JSON
 template <class Value>
 std::string perFormat(const DepthReport& r, Value value) {
@@ -108,8 +75,7 @@ std::string perFormat(const DepthReport& r, Value value) {
 
 std::string mappingAsJson(const DepthReport& r, const NamedMapping& named) {
   const DepthMapping& m = named.mapping;
-  constexpr std::string_view kLine = ",\n   ", kItem = ",\n    ";
-  std::vector<std::string> distances, gaps, wanted;
+  std::vector<std::string> distances;
   for (double distance : r.distances) {
     const auto ifSeen = [&](double value) { return isClipped(m, distance) ? "null" : jsonOf(value); };
     JsonObject out;
@@ -118,59 +84,10 @@ std::string mappingAsJson(const DepthReport& r, const NamedMapping& named) {
     out.addText("resolves", perFormat(r, [&](const DepthFormat& f) { return ifSeen(resolvedGap(m, f, distance)); }));
     distances.push_back(out.text());
   }
-  for (double gap : r.gaps) {
-    JsonObject out;
-    out.add("gap", gap);
-    out.addText("apartUpTo", perFormat(r, [&](const DepthFormat& f) { return jsonOf(resolvedUpTo(m, f, gap)); }));
-    gaps.push_back(out.text());
-  }
-  for (const WantedGap& w : r.wanted) {
-    JsonObject out;
-    out.add("gap", w.gap).add("distance", w.distance);
-    out.addText("near", perFormat(r, [&](const DepthFormat& f) {
-                  const double near = nearToResolve(m, f, w.gap, w.distance);
-                  return isAnyNear(m, near) ? jsonOf("any") : jsonOf(near);
-                }));
-    wanted.push_back(out.text());
-  }
   JsonObject out;
   out.add("name", named.name).add("own", named.own).add("near", m.near).add("far", m.far);
   out.add("depthAtNear", m.atNear).add("depthAtFar", m.atFar);
-  out.addText("distances", jsonList(distances, kItem), kLine).addText("gaps", jsonList(gaps, kItem), kLine);
-  return out.addText("wanted", jsonList(wanted, kItem), kLine).text();
-}
-
-constexpr int kSamples = 240;
-
-std::vector<std::pair<double, double>> sampled(const DepthMapping& m, const DepthFormat& f) {
-  std::vector<std::pair<double, double>> points;
-  const double far = std::isinf(m.far) ? kInfiniteReach * m.near : m.far;
-  for (int i = 0; i < kSamples; ++i) {
-    // Between the ends: a float's steps next to depth 0 have no end downwards.
-    const double share = (i + 0.5) / kSamples;
-    const double w = m.orthographic ? m.near + (far - m.near) * share : m.near * std::pow(far / m.near, share);
-    points.emplace_back(w, resolvedGap(m, f, w));
-  }
-  return points;
-}
-
-/// d24 is drawn wide, because forward d32f lies on it.
-PlotCurve curveOf(const DepthMapping& m, const NamedFormat& f) {
-  const bool reversed = m.atFar < m.atNear;
-  PlotCurve curve{reversed ? "reversed" : "forward", sampled(m, f.format)};
-  if (f.format.step == 0)
-    curve.colour = reversed ? 3 : 2;
-  else
-    curve.colour = f.name == "d16" ? 0 : 1;
-  curve.wide = curve.colour == 1;
-  return curve;
-}
-
-/// Nothing that the eye could tell apart in the plot.
-bool coincide(const PlotCurve& a, const PlotCurve& b) {
-  for (std::size_t i = 0; i < a.points.size(); ++i)
-    if (!(std::fabs(std::log10(a.points[i].second / b.points[i].second)) < 0.02)) return false;
-  return true;
+  return out.addText("distances", jsonList(distances, ",\n    "), ",\n   ").text();
 }
 
 /// NDC z in place of window depth.
@@ -235,11 +152,6 @@ std::string depthAsTable(const DepthReport& r) {
                     "to be stored apart from it.\n\n" +
                     alignedTable(ownRows(r)) + "\nThe same side by side; * is this camera's mapping.\n";
   for (const NamedFormat& f : r.formats) out += "\n" + alignedTable(comparedRows(r, f));
-  out += "\nUp to this distance surfaces a gap apart are stored apart; beyond it some merge.\n\n" +
-         alignedTable(reachRows(r));
-  if (!r.wanted.empty())
-    out +=
-        "\nThe near from which on surfaces a gap apart at a distance are stored apart.\n\n" + alignedTable(nearRows(r));
   out += "\n";
   for (const std::string& note : r.notes) out += note + "\n";
   return out;
@@ -253,44 +165,6 @@ std::string depthAsJson(const DepthReport& r) {
   out.add("projection", m.orthographic ? "orthographic" : "perspective").add("near", m.near).add("far", m.far);
   out.addText("notes", jsonListOf(r.notes), ",\n ").addText("mappings", jsonList(mappings, ",\n  "), ",\n ");
   return out.text() + "\n";
-}
-
-std::string depthAsSvg(const DepthReport& r) {
-  const DepthMapping& own = r.own();
-  LinePlot plot;
-  plot.title = "What a depth buffer resolves";
-  plot.xTitle = own.orthographic ? "distance along the viewing axis" : "distance";
-  plot.yTitle = "smallest gap stored apart";
-  plot.logarithmicX = !own.orthographic;
-  bool dashes = false;
-  for (std::size_t i = 0; i < r.formats.size(); ++i) {
-    std::vector<PlotCurve> curves;
-    for (const NamedMapping& named : r.mappings) {
-      const DepthMapping& m = named.mapping;
-      PlotCurve curve = curveOf(m, r.formats[i]);
-      if (std::isinf(m.far) && !std::isinf(own.far)) {
-        // As far as the others go.
-        curve.points.clear();
-        for (const auto& [w, gap] : sampled(own, r.formats[i].format))
-          curve.points.emplace_back(w, resolvedGap(m, r.formats[i].format, w));
-        curve.dashed = true;
-      }
-      const bool isNew =
-          std::none_of(curves.begin(), curves.end(), [&](const PlotCurve& c) { return coincide(c, curve); });
-      if (isNew) curves.push_back(curve);
-    }
-    const auto solid = std::count_if(curves.begin(), curves.end(), [](const PlotCurve& c) { return !c.dashed; });
-    for (PlotCurve& curve : curves) {
-      dashes |= curve.dashed;
-      curve.label = curve.dashed ? "" : solid == 1 ? r.formats[i].name : r.formats[i].name + " " + curve.label;
-      plot.curves.push_back(curve);
-    }
-  }
-  plot.caption =
-      describe(own) + (own.atFar < own.atNear ? ", reversed" : "") + (dashes ? "; dashed: with far infinite" : "");
-  if (r.gapsAsked)
-    for (double gap : r.gaps) plot.levels.push_back({"gap " + formatNumber(gap), gap});
-  return linePlotSvg(plot);
 }
 
 }  // namespace viewproj::cmd

@@ -1,4 +1,4 @@
-// What a depth buffer resolves, as text: a table, JSON, a plot.
+// What a depth buffer resolves, as a table or JSON.
 #pragma once
 
 #include <string>
@@ -20,17 +20,11 @@ struct NamedFormat {
   DepthFormat format;
 };
 
-struct WantedGap {
-  double gap, distance;
-};
-
 /// Everything that is asked; the answers are computed as they are written.
 struct DepthReport {
   std::vector<NamedMapping> mappings;
   std::vector<NamedFormat> formats;
-  std::vector<double> distances, gaps;
-  bool gapsAsked = false;  ///< not the default ones
-  std::vector<WantedGap> wanted;
+  std::vector<double> distances;
   std::vector<std::string> notes;
 
   const DepthMapping& own() const;
@@ -47,10 +41,5 @@ std::string distancesAsJson(const DepthsReport& report);
 
 std::string depthAsTable(const DepthReport& report);
 std::string depthAsJson(const DepthReport& report);
-/// The gap resolved over distance, for every mapping and format.
-std::string depthAsSvg(const DepthReport& report);
-
-/// As far as an infinite view is told of by default: this many near distances.
-inline constexpr double kInfiniteReach = 1e8;
 
 }  // namespace viewproj::cmd

@@ -9,7 +9,6 @@
 #include "input/camera_source.hpp"
 #include "input/coordinates.hpp"
 #include "input/kinds/kind.hpp"
-#include "input/kinds/unread.hpp"
 #include "input/projection_types.hpp"
 #include "input/scene_fields.hpp"
 #include "output/matrix_text.hpp"
@@ -199,8 +198,6 @@ std::string formats(std::size_t width) {
       "FILE#NAME or FILE#INDEX picks one of several, FILE##INDEX where a number is a name too; --list tells what picks "
       "each.",
       width);
-  out +=
-      paragraph("Known and not read, with a word about what to copy from them: " + joined(unreadForms()) + ".", width);
   out += paragraph("Points and pixels, in:", width) + listed(entriesOf(inputForms()), width);
   out +=
       paragraph("Their results, as --to or the name after -o tells:", width) + listed(entriesOf(outputForms()), width);

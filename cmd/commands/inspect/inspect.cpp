@@ -23,30 +23,6 @@ using namespace detail;
 namespace {
 
 constexpr std::size_t kMostBytes = 1 << 20;
-constexpr std::size_t kMostReadings = 1000;
-
-/// Which readings are wanted.
-struct Choice {
-  std::optional<Handedness> world;
-  std::optional<Convention> readAs;
-  std::optional<std::size_t> number;
-
-  /// The options that choose.
-  std::string asked() const {
-    std::vector<std::string_view> given;
-    if (world) given.push_back("--world");
-    if (readAs) given.push_back("--read-as");
-    if (number) given.push_back("--reading");
-    return joined(given, " and ");
-  }
-
-  bool takes(const NumberedReading& n, NumberOrder order) const {
-    const Reading& r = n.reading;
-    if (number && *number != n.number) return false;
-    if (world && r.kind != MatrixKind::projection && r.convention.world != *world) return false;
-    return !readAs || fits(r, *readAs, order);
-  }
-};
 
 /// Matrices that `matrix` writes and that are none of a camera alone.
 bool isPassedOver(const std::string& name) {
@@ -109,39 +85,32 @@ std::string statedNote(const InspectedMatrix& m, const Convention& stated) {
   return "Of the convention that the input states: reading " + numbers + ".";
 }
 
-/// How numbers count: as they stand, or as far as their digits show.
-struct Precision {
-  bool isFloat = false, isExact = false;
+/// As many digits as these are all that a float32 or a double has, but for one.
+bool hasAllDigits(const WrittenMatrix& m, bool isFloat) {
+  constexpr int kFloat = 8, kDouble = 16;
+  return m.digits >= (isFloat ? kFloat : kDouble);
+}
 
-  bool trusts(const WrittenMatrix& m) const {
-    // As many digits as these are all that a float32 or a double has, but for one.
-    constexpr int kFloat = 8, kDouble = 16;
-    return isExact || m.digits >= (isFloat ? kFloat : kDouble);
-  }
-};
-
-InspectedMatrix inspectOne(const WrittenMatrix& written, const Precision& precision, const Choice& choice,
-                           const std::optional<Convention>& stated) {
-  const bool byDigits = !precision.trusts(written) && written.within != std::array<double, 16>{};
+/// isExact: its numbers are what they stand for, however few digits they have.
+InspectedMatrix inspectOne(const WrittenMatrix& written, bool isFloat, bool isExact,
+                           const std::optional<Convention>& readAs, const std::optional<Convention>& stated) {
+  const bool byDigits = !isExact && !hasAllDigits(written, isFloat) && written.within != std::array<double, 16>{};
   const Inspection inspection =
-      inspectMatrix(written.numbers, precision.isFloat ? EntryPrecision::float32 : EntryPrecision::float64,
+      inspectMatrix(written.numbers, isFloat ? EntryPrecision::float32 : EntryPrecision::float64,
                     byDigits ? written.within : std::array<double, 16>{});
   InspectedMatrix m{written, {}, inspection.readings.size(), inspection.asWrittenFault, inspection.transposedFault, {}};
   std::vector<Reading> plain;
   for (std::size_t i = 0; i < inspection.readings.size(); ++i) {
-    const NumberedReading numbered{i + 1, inspection.readings[i]};
-    if (!choice.takes(numbered, written.order)) continue;
-    m.readings.push_back(numbered);
-    plain.push_back(numbered.reading);
+    const Reading& r = inspection.readings[i];
+    if (readAs && !fits(r, *readAs, written.order)) continue;
+    m.readings.push_back({i + 1, r});
+    plain.push_back(r);
   }
   m.notes = notesOn(plain);
-  if (plain.empty() && m.all > 0)
-    m.notes.push_back("None of its readings, of which there are " + std::to_string(m.all) + ", is as " +
-                      choice.asked() + " asks.");
-  if (byDigits && !plain.empty())
-    m.notes.push_back(
-        "The intervals take each number to be known as far as its digits show; --exact takes it as it "
-        "stands.");
+  if (plain.empty() && m.all > 0) m.notes.push_back("No reading of it fits --read-as.");
+  const bool hasLens = std::any_of(plain.begin(), plain.end(), [](const Reading& r) { return r.lens.has_value(); });
+  if (byDigits && hasLens)
+    m.notes.push_back("The intervals of near and far take each number to be known as far as its digits show.");
   if (stated && !plain.empty()) m.notes.insert(m.notes.begin(), statedNote(m, *stated));
   return m;
 }
@@ -167,7 +136,9 @@ NamedMatrix convertOne(const InspectedMatrix& m, const std::string& name, const 
       throw fail(e.what());
     }
     if (result && !(*result == matrix)) {
-      std::string message = "its readings give different matrices; --read-as NAME, --world HAND or --reading N picks:";
+      std::string message =
+          "its readings give different matrices; --read-as NAME picks a convention, a name as in "
+          "{\"view\": [...]} (view, viewInverse, projection) a kind, sixteen numbers in a row the order in memory:";
       for (const NumberedReading& each : left) message += "\n  " + oneLine(each, m.written.order);
       throw fail(message);
     }
@@ -176,22 +147,14 @@ NamedMatrix convertOne(const InspectedMatrix& m, const std::string& name, const 
   return {name, *result};
 }
 
-/// A projection is none.
-bool isOfAWorld(const InspectedMatrix& m) {
-  return std::any_of(m.readings.begin(), m.readings.end(),
-                     [](const NumberedReading& n) { return n.reading.kind != MatrixKind::projection; });
-}
-
-constexpr const char* kNoWorld = "--world changes nothing here: a projection is the same in a world of either hand";
-
 struct Options {
   CameraOptions writing;
   Notes notes;
   std::string file = "-";
   std::optional<std::vector<std::string>> which;
-  Choice choice;
+  std::optional<Convention> readAs;
   std::optional<std::string_view> format;
-  bool asFloat = false, exact = false;
+  bool asFloat = false;
 };
 
 constexpr std::string_view kTable = "table", kReports[] = {kTable, "json"};
@@ -227,34 +190,27 @@ int run(const Options& o) {
   if (o.writing.namesAxis() && !converts)
     throw UsageError("--reverse-z and --ndc-z go with --convention NAME, the convention to write");
   const std::string_view format = formOf(o, converts);
-  const Choice& choice = o.choice;
-
   const std::string source = o.file == "-" ? kStandardInputName : visible(o.file);
   WrittenMatrices given = parsed(readWholeFile(o.file, kMostBytes), source);
-  const bool isFloat = o.asFloat || (given.isFloat && !o.exact);
+  const bool isFloat = o.asFloat || given.isFloat;
   const std::vector<WrittenMatrix> chosen = chooseMatrices(std::move(given.matrices), o.which, source);
   // One at a time: its readings take many times the memory of its numbers.
   const auto inspected = [&](const WrittenMatrix& m) {
-    return inspectOne(m, {isFloat, o.exact || (given.isOwn && !mayBeFloats(m))}, choice, given.convention);
+    return inspectOne(m, isFloat, given.isOwn && !mayBeFloats(m), o.readAs, given.convention);
   };
 
-  bool hasWorld = false;
   if (converts) {
     MatrixSet set;
-    const bool chose = choice.readAs || choice.number;
     for (std::size_t i = 0; i < chosen.size(); ++i) {
       if (chosen[i].isCalibration)
         throw InputError(
             source + ": " + nameOf(chosen[i], i) +
             ": is a calibration in pixels, and has no form in other conventions; without --convention inspect "
             "tells the camera in it, and matrix takes that");
-      const InspectedMatrix m = inspected(chosen[i]);
-      hasWorld |= isOfAWorld(m);
-      set.matrices.push_back(convertOne(m, nameOf(chosen[i], i), source, chose ? std::nullopt : given.convention,
-                                        o.writing, set.convention));
+      set.matrices.push_back(convertOne(inspected(chosen[i]), nameOf(chosen[i], i), source,
+                                        o.readAs ? std::nullopt : given.convention, o.writing, set.convention));
     }
     set.asFloat = isFloat;
-    if (choice.world && !hasWorld) o.notes.say(kNoWorld);
     writeOutput(writeMatrices(set, format, source));
     return 0;
   }
@@ -262,14 +218,9 @@ int run(const Options& o) {
   bool allFit = true;
   for (const WrittenMatrix& written : chosen) {
     if (written.isCalibration) {
-      if (choice.readAs || choice.number)
-        throw UsageError(choice.asked() + ": a calibration of three rows has one reading, in no convention");
-      hasWorld = hasWorld || written.columns == 4;
-      const bool isExact = o.exact || (given.isOwn && !mayBeFloats(written));
+      if (o.readAs) throw UsageError("--read-as: a calibration of three rows has one reading, in no convention");
       try {
-        writeOutput(report.add(
-            written,
-            inspectCalibration(written, isFloat ? EntryPrecision::float32 : EntryPrecision::float64, isExact)));
+        writeOutput(report.add(written, inspectCalibration(written)));
       } catch (const CameraError& e) {
         throw InputError(source + ": " + (written.name.empty() ? e.field() : written.name) + ": " + e.message() +
                          "; three rows are K or K [R | t], and any other matrix has 16 numbers");
@@ -278,11 +229,9 @@ int run(const Options& o) {
     }
     const InspectedMatrix m = inspected(written);
     allFit &= !m.readings.empty();
-    hasWorld |= isOfAWorld(m);
     writeOutput(report.add(m));
   }
   writeOutput(report.end());
-  if (choice.world && allFit && !hasWorld) o.notes.say(kNoWorld);
   return allFit ? 0 : 1;
 }
 
@@ -301,11 +250,7 @@ Action defineInspect(CommandLine& line) {
            "input");
   addValue(line, "--which", "NAMES", o->which, splitNames, "Of several matrices only these, by name");
   line.addFlag("--float", o->asFloat, "The numbers are float32s (default: doubles)");
-  line.addFlag("--exact", o->exact, "The numbers are what they stand for, however few digits they have");
-  addChoice(line, "--world", "HAND", o->choice.world, rowsOf(kWorldNames), "Only readings of this handedness", "both");
-  addChoice(line, "--read-as", "NAME", o->choice.readAs, presetConventions(), "Only readings of this convention",
-            "all");
-  addValue(line, "--reading", "N", o->choice.number, wholeNumber(1, kMostReadings), "Only this reading, by its number");
+  addChoice(line, "--read-as", "NAME", o->readAs, presetConventions(), "Only readings of this convention", "all");
   o->writing.addWriting(line);
   auto forms = matrixForms();
   forms.insert(forms.begin(), {kTable, kTable, ".txt"});

@@ -86,7 +86,7 @@ std::vector<std::string> notesOn(const std::vector<Reading>& readings) {
     notes.push_back(
         all(isKind(MatrixKind::viewProjection))
             ? "A right-handed world with NDC y up and a left-handed one with y down, or the other way round, "
-              "have the same numbers; taken the wrong way the picture is upside down. --world picks."
+              "have the same numbers; taken the wrong way the picture is upside down. --read-as picks."
             : "NDC y up and down are both possible; taken the wrong way the picture is upside down.");
   const auto needs = [](bool back) {
     return [back](const Reading& r) {
@@ -107,8 +107,8 @@ std::vector<std::string> notesOn(const std::vector<Reading>& readings) {
   if (any([](const Reading& r) {
         if (!r.lens || r.lens->orthographic) return false;
         constexpr double kFarOff = 4;  // widths and heights
-        const auto isFarOff = [](const Estimate& low, const Estimate& high) {
-          return std::fabs(low.value + high.value) > 2 * kFarOff * (high.value - low.value);
+        const auto isFarOff = [](double low, double high) {
+          return std::fabs(low + high) > 2 * kFarOff * (high - low);
         };
         return isFarOff(r.lens->left, r.lens->right) && isFarOff(r.lens->bottom, r.lens->top);
       }))

@@ -79,8 +79,6 @@ std::string plusMinus(double size, int digits = 2) {
   return text;
 }
 
-std::string plusMinusText(double size) { return size == 0 ? "exact" : "+- " + plusMinus(size); }
-
 /// To a tenth of half the interval.
 std::string endText(double end, double half) {
   const auto exponent = [](double number) { return static_cast<int>(std::floor(std::log10(std::fabs(number)))); };
@@ -98,6 +96,9 @@ std::string spread(const Estimate& e) {
   return text;
 }
 
+/// Of a matrix of as many digits as doubles have, and of one of as many as float32s have.
+std::string brief(double value, bool isRough) { return formatDigits(value, isRough ? 7 : 15); }
+
 /// Nine decimals, without the noise of components that are 0.
 std::string vectorText(const Vec3& v) {
   std::string text;
@@ -113,16 +114,8 @@ struct Line {
   std::string name, value, spread;
 };
 
-Line lineOf(const char* name, const Estimate& e) { return {name, shortestWithin(e), spread(e)}; }
-
-Line eyeLine(const std::array<Estimate, 3>& eye) {
-  std::string text;
-  double most = 0;
-  for (const Estimate& e : eye) {
-    text += (text.empty() ? "" : " ") + shortestWithin(e);
-    most = std::max(most, e.high / 2 - e.low / 2);
-  }
-  return {"eye", text, plusMinusText(most)};
+std::string eyeText(const Vec3& eye, bool isRough) {
+  return brief(eye.x, isRough) + " " + brief(eye.y, isRough) + " " + brief(eye.z, isRough);
 }
 
 std::string asText(const std::vector<Line>& lines) {
@@ -139,14 +132,15 @@ std::string asText(const std::vector<Line>& lines) {
   return out;
 }
 
-std::vector<Line> parametersOf(const Reading& r) {
+std::vector<Line> parametersOf(const Reading& r, bool isRough) {
   std::vector<Line> lines;
-  const auto add = [&](const char* name, const Estimate& e) { lines.push_back(lineOf(name, e)); };
+  const auto text = [&](double value) { return brief(value, isRough); };
+  const auto add = [&](const char* name, double value) { lines.push_back({name, text(value), ""}); };
   if (r.place) {
-    if (r.place->eyeIsKnown) lines.push_back(eyeLine(r.place->eye));
-    lines.push_back({"right", vectorText(r.place->right), plusMinusText(r.place->axisErrors.x)});
-    lines.push_back({"up", vectorText(r.place->up), plusMinusText(r.place->axisErrors.y)});
-    lines.push_back({"forward", vectorText(r.place->forward), plusMinusText(r.place->axisErrors.z)});
+    if (r.place->eyeIsKnown) lines.push_back({"eye", eyeText(r.place->eye, isRough), ""});
+    lines.push_back({"right", vectorText(r.place->right), ""});
+    lines.push_back({"up", vectorText(r.place->up), ""});
+    lines.push_back({"forward", vectorText(r.place->forward), ""});
     lines.push_back({"off a rotation by", plusMinus(r.place->residual), ""});
   }
   if (r.lens) {
@@ -159,16 +153,14 @@ std::vector<Line> parametersOf(const Reading& r) {
     if (lens.fovY) add("fovY", *lens.fovY);
     if (lens.fovDiagonal) add("fovDiagonal", *lens.fovDiagonal);
     // In widths and heights of the picture.
-    const auto addShares = [&](const char* name, const std::array<Estimate, 2>& shares) {
-      const auto half = [](const Estimate& e) { return e.high / 2 - e.low / 2; };
-      lines.push_back({name, shortestWithin(shares[0]) + " w " + shortestWithin(shares[1]) + " h",
-                       plusMinusText(std::max(half(shares[0]), half(shares[1])))});
+    const auto addShares = [&](const char* name, const std::array<double, 2>& shares) {
+      lines.push_back({name, text(shares[0]) + " w " + text(shares[1]) + " h", ""});
     };
     if (lens.focalLength) addShares("focal length", *lens.focalLength);
     if (lens.principalPoint) addShares("principal point", *lens.principalPoint);
     add("aspect", lens.aspect);
-    add("near", lens.near);
-    add("far", lens.far);
+    lines.push_back({"near", shortestWithin(lens.near), spread(lens.near)});
+    lines.push_back({"far", shortestWithin(lens.far), spread(lens.far)});
   }
   return lines;
 }
@@ -179,7 +171,7 @@ Json asJson(const Estimate& e) {
   return {{"value", number(e.value)}, {"low", number(e.low)}, {"high", number(e.high)}};
 }
 
-Json asJson(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
+Json asJson(const Vec3& v) { return Json::array({number(v.x), number(v.y), number(v.z)}); }
 
 Json asJson(const NumberedReading& numbered, NumberOrder order) {
   const Reading& r = numbered.reading;
@@ -217,17 +209,17 @@ Json asJson(const NumberedReading& numbered, NumberOrder order) {
   if (r.lens) {
     const LensEstimate& lens = *r.lens;
     Json part{{"type", lens.orthographic ? "orthographic" : "perspective"},
-              {"left", asJson(lens.left)},
-              {"right", asJson(lens.right)},
-              {"bottom", asJson(lens.bottom)},
-              {"top", asJson(lens.top)},
-              {"aspect", asJson(lens.aspect)}};
+              {"left", number(lens.left)},
+              {"right", number(lens.right)},
+              {"bottom", number(lens.bottom)},
+              {"top", number(lens.top)},
+              {"aspect", number(lens.aspect)}};
     if (!lens.orthographic) {
-      part["fovX"] = asJson(*lens.fovX);
-      part["fovY"] = asJson(*lens.fovY);
-      part["fovDiagonal"] = asJson(*lens.fovDiagonal);
-      part["focalLength"] = {asJson((*lens.focalLength)[0]), asJson((*lens.focalLength)[1])};
-      part["principalPoint"] = {asJson((*lens.principalPoint)[0]), asJson((*lens.principalPoint)[1])};
+      part["fovX"] = number(*lens.fovX);
+      part["fovY"] = number(*lens.fovY);
+      part["fovDiagonal"] = number(*lens.fovDiagonal);
+      part["focalLength"] = {number((*lens.focalLength)[0]), number((*lens.focalLength)[1])};
+      part["principalPoint"] = {number((*lens.principalPoint)[0]), number((*lens.principalPoint)[1])};
     }
     part["near"] = asJson(lens.near);
     part["far"] = asJson(lens.far);
@@ -235,13 +227,10 @@ Json asJson(const NumberedReading& numbered, NumberOrder order) {
     result["projection"] = part;
   }
   if (r.place) {
-    Json eye = Json::array();
-    for (const Estimate& e : r.place->eye) eye.push_back(asJson(e));
-    result["pose"] = {{"eye", r.place->eyeIsKnown ? eye : Json(nullptr)},
+    result["pose"] = {{"eye", r.place->eyeIsKnown ? asJson(r.place->eye) : Json(nullptr)},
                       {"right", asJson(r.place->right)},
                       {"up", asJson(r.place->up)},
                       {"forward", asJson(r.place->forward)},
-                      {"axisErrors", asJson(r.place->axisErrors)},
                       {"residual", r.place->residual}};
   }
   return result;
@@ -275,14 +264,14 @@ std::string readingTable(const InspectedMatrix& m) {
 }
 
 /// A row a parameter; readings that agree on one share it.
-std::string parameterTable(const InspectedMatrix& m) {
+std::string parameterTable(const InspectedMatrix& m, bool isRough) {
   struct Row {
     Line line;
     std::vector<std::size_t> readings;
   };
   std::vector<Row> rows;
   for (const NumberedReading& n : m.readings)
-    for (const Line& line : parametersOf(n.reading)) {
+    for (const Line& line : parametersOf(n.reading, isRough)) {
       auto place = rows.end();  // beside the others of its name
       bool shared = false;
       for (auto row = rows.begin(); row != rows.end() && !shared; ++row)
@@ -297,7 +286,7 @@ std::string parameterTable(const InspectedMatrix& m) {
   for (auto& [line, readings] : rows) {
     if (readings.size() != m.readings.size()) {
       std::string which;
-      for (std::size_t number : readings) which += (which.empty() ? "" : " ") + std::to_string(number);
+      for (const std::size_t number : readings) which += (which.empty() ? "" : " ") + std::to_string(number);
       line.spread += (line.spread.empty() ? "[" : "  [") + which + "]";
     }
     lines.push_back(line);
@@ -305,7 +294,7 @@ std::string parameterTable(const InspectedMatrix& m) {
   return asText(lines);
 }
 
-std::string asText(const InspectedMatrix& m, const std::string& name) {
+std::string asText(const InspectedMatrix& m, const std::string& name, bool isRough) {
   std::string out = name + ": ";
   if (m.all == 0) {
     out += "nothing known\n  as written: " + m.asWrittenFault + "\n";
@@ -314,36 +303,41 @@ std::string asText(const InspectedMatrix& m, const std::string& name) {
   }
   out +=
       plural(m.readings.size(), "reading") + (m.readings.size() == m.all ? "" : " of " + std::to_string(m.all)) + "\n";
-  if (!m.readings.empty()) out += readingTable(m) + "\n" + parameterTable(m) + (m.notes.empty() ? "" : "\n");
+  if (!m.readings.empty()) out += readingTable(m) + "\n" + parameterTable(m, isRough) + (m.notes.empty() ? "" : "\n");
   for (const std::string& note : m.notes) out += "  " + wrapped(note, terminalWidth(), 4);
   return out;
 }
 
-std::vector<Line> parametersOf(const Calibration& c) {
-  std::vector<Line> lines = {lineOf("fx", c.fx), lineOf("fy", c.fy), lineOf("cx", c.cx), lineOf("cy", c.cy),
-                             lineOf("skew", c.skew)};
+std::vector<Line> parametersOf(const Calibration& c, bool isRough) {
+  std::vector<Line> lines;
+  const auto add = [&](const char* name, double value) { lines.push_back({name, brief(value, isRough), ""}); };
+  add("fx", c.fx);
+  add("fy", c.fy);
+  add("cx", c.cx);
+  add("cy", c.cy);
+  add("skew", c.skew);
   if (!c.eye) return lines;
-  lines.push_back(eyeLine(*c.eye));
+  lines.push_back({"eye", eyeText(*c.eye, isRough), ""});
   lines.push_back({"right", vectorText(c.right), ""});
   lines.push_back({"down", vectorText(c.down), ""});
   lines.push_back({"forward", vectorText(c.forward), ""});
   return lines;
 }
 
-std::string asText(const Calibration& c, const std::string& name) {
+std::string asText(const Calibration& c, const std::string& name, bool isRough) {
   std::string out = name + ": " +
                     (c.eye ? "P = K [R | t], a calibrated camera in the world" : "K, the intrinsics of a camera") +
                     ", in pixels\n\n";
-  out += asText(parametersOf(c)) + "\n";
+  out += asText(parametersOf(c, isRough)) + "\n";
   for (const std::string& note : c.notes) out += "  " + wrapped(note, terminalWidth(), 4);
   return out;
 }
 
 Json asJson(const Calibration& c, const std::string& name) {
-  Json part{{"name", name},       {"kind", c.eye ? "P" : "K"}, {"fx", asJson(c.fx)},    {"fy", asJson(c.fy)},
-            {"cx", asJson(c.cx)}, {"cy", asJson(c.cy)},        {"skew", asJson(c.skew)}};
+  Json part{{"name", name},       {"kind", c.eye ? "P" : "K"}, {"fx", number(c.fx)},    {"fy", number(c.fy)},
+            {"cx", number(c.cx)}, {"cy", number(c.cy)},        {"skew", number(c.skew)}};
   if (c.eye) {
-    part["eye"] = {asJson((*c.eye)[0]), asJson((*c.eye)[1]), asJson((*c.eye)[2])};
+    part["eye"] = asJson(*c.eye);
     part["right"] = asJson(c.right);
     part["down"] = asJson(c.down);
     part["forward"] = asJson(c.forward);
@@ -385,13 +379,18 @@ std::string oneLine(const NumberedReading& numbered, NumberOrder order) {
 std::string Report::add(const InspectedMatrix& m) {
   const std::string name = nameOf(m.written, count_);
   return json_ ? item({}, asJson(m, name).dump(2, ' ', false, Json::error_handler_t::replace))
-               : item(asText(m, name), {});
+               : item(asText(m, name, isRough(m.written)), {});
 }
 
 std::string Report::add(const WrittenMatrix& m, const Calibration& calibration) {
   const std::string name = nameOf(m, count_);
   return json_ ? item({}, asJson(calibration, name).dump(2, ' ', false, Json::error_handler_t::replace))
-               : item(asText(calibration, name), {});
+               : item(asText(calibration, name, isRough(m)), {});
+}
+
+bool Report::isRough(const WrittenMatrix& m) const {
+  constexpr int kFloatDigits = 9;
+  return asFloat_ || m.digits <= kFloatDigits;
 }
 
 std::string Report::item(const std::string& text, const std::string& json) {

@@ -37,6 +37,8 @@ class Report {
   std::string end() const;
 
  private:
+  /// Its numbers have no more digits than float32s.
+  bool isRough(const WrittenMatrix& matrix) const;
   std::string item(const std::string& text, const std::string& json);
 
   bool json_, asFloat_;

@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "input/kinds/unread.hpp"
 #include "text/error.hpp"
 #include "text/file.hpp"
 #include "text/json_text.hpp"
@@ -239,11 +238,8 @@ ColmapText readColmap(const std::string& folderOrFile) {
     (looksLikeCamera(firstLine(startOf(folderOrFile))) ? cameras : images) = folderOrFile;
     hasImages = images == folderOrFile;
   }
-  if (isFolder && !fs::exists(pathOf(cameras), ignored)) {
-    const std::string name = visible(folderOrFile);
-    if (fs::exists(folder / "cameras.bin", ignored)) refuseUnread(name + "/cameras.bin", "");
-    throw InputError(name + ": is a folder without cameras.txt and images.txt, as COLMAP writes them");
-  }
+  if (isFolder && !fs::exists(pathOf(cameras), ignored))
+    throw InputError(visible(folderOrFile) + ": is a folder without cameras.txt and images.txt, as COLMAP writes them");
   readCameras(colmap, cameras);
   if (hasImages) readImages(colmap, images);
   const char* const list = hasImages ? "images" : "cameras";

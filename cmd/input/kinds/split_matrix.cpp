@@ -61,10 +61,13 @@ SplitMatrix splitMatrix(std::span<const double> p) {
   return split;
 }
 
-void requireNoSkew(const SplitMatrix& split) {
+bool hasSkew(const SplitMatrix& split) {
   constexpr double kSkew = 1e-6;  // of fx
-  if (!(std::fabs(split.skew.hi) <= kSkew * split.fx.hi))
-    throw CameraError("P", "has a skew: pixels of a skewed grid are not modelled");
+  return !(std::fabs(split.skew.hi) <= kSkew * split.fx.hi);
+}
+
+void requireNoSkew(const SplitMatrix& split) {
+  if (hasSkew(split)) throw CameraError("P", "has a skew: pixels of a skewed grid are not modelled");
 }
 
 }  // namespace viewproj::cmd

@@ -17,7 +17,9 @@ struct SplitMatrix {
 /// Of twelve numbers by rows. Throws CameraError for what is no such matrix.
 SplitMatrix splitMatrix(std::span<const double> p);
 
-/// Throws CameraError where its pixels are of a skewed grid, up to what rounding to seven digits leaves.
+/// Whether its pixels are of a skewed grid, up to what rounding to seven digits leaves.
+bool hasSkew(const SplitMatrix& split);
+/// Throws CameraError where they are.
 void requireNoSkew(const SplitMatrix& split);
 
 }  // namespace viewproj::cmd

@@ -40,20 +40,10 @@ DDVec3 pointAt(const DDVec3& right, const DDVec3& up, const DDVec3& forward, con
   return divided(sum, dot(right, a));
 }
 
-/// What the uncertainty is told of, in this order: scaleX, offsetX, scaleY, offsetY, depthOffset, depthScale, eye;
-/// then the axes and the residual.
-constexpr std::size_t kNumbers = 19, kResidual = 18;
-
 struct Solved {
-  std::array<DoubleDouble, kNumbers> numbers;
-  DDVec3 right, ndcUp, forward;
+  DoubleDouble scaleX, offsetX, scaleY, offsetY, depthOffset, depthScale;
+  DDVec3 right, ndcUp, forward, eye;
   double scale = 1, residual = 0;
-
-  void addAxes() noexcept {
-    const DDVec3* const axes[] = {&right, &ndcUp, &forward};
-    for (std::size_t k = 0; k < 9; ++k) numbers[9 + k] = (*axes[k / 3])[k % 3];
-    numbers[kResidual] = residual;
-  }
 };
 
 /// | scaleX right + offsetX forward       ... |
@@ -84,10 +74,14 @@ std::optional<Solved> solvePerspective(const Entries& m) noexcept {
   // Distances of the world's origin.
   const DDVec3 along{quotient(last[0] - offsetX * last[3], scaleX), quotient(last[1] - offsetY * last[3], scaleY),
                      last[3]};
-  const DDVec3 eye = pointAt(s.right, s.ndcUp, s.forward, -along);
-  s.numbers = {scaleX, offsetX, scaleY, offsetY, depthOffset, last[2] - depthOffset * last[3], eye.x, eye.y, eye.z};
+  s.eye = pointAt(s.right, s.ndcUp, s.forward, -along);
+  s.scaleX = scaleX;
+  s.offsetX = offsetX;
+  s.scaleY = scaleY;
+  s.offsetY = offsetY;
+  s.depthOffset = depthOffset;
+  s.depthScale = last[2] - depthOffset * last[3];
   s.residual = std::max(std::fabs(dot(s.right, s.ndcUp).hi), maxAbs(z) / std::max(1.0, maxAbs(rows[2])));
-  s.addAxes();
   return s;
 }
 
@@ -99,40 +93,36 @@ std::optional<Solved> solveOrthographic(const Entries& m) noexcept {
   Solved s;
   const DoubleDouble scale = m[3][3];
   s.scale = scale.hi;
-  std::array<DoubleDouble, 3> scales;
+  DoubleDouble* const scales[] = {&s.scaleX, &s.scaleY, &s.depthScale};
+  DoubleDouble* const offsets[] = {&s.offsetX, &s.offsetY, &s.depthOffset};
   DDVec3* const axes[] = {&s.right, &s.ndcUp, &s.forward};
   for (std::size_t i = 0; i < 3; ++i) {
     const DDVec3 row = axisPart(m[i]);
     if (maxAbs(row) == 0) return std::nullopt;
-    scales[i] = length(row);
-    *axes[i] = divided(row, scales[i]);
-    scales[i] = quotient(scales[i], scale);
+    const DoubleDouble size = length(row);
+    *axes[i] = divided(row, size);
+    *scales[i] = quotient(size, scale);
+    *offsets[i] = quotient(m[i][3], scale);
   }
-  const auto offset = [&](std::size_t i) { return quotient(m[i][3], scale); };
-  s.numbers = {scales[0], offset(0), scales[1], offset(1), offset(2), scales[2], 0, 0, 0};
   s.residual = std::max({std::fabs(dot(s.right, s.ndcUp).hi), std::fabs(dot(s.ndcUp, s.forward).hi),
                          std::fabs(dot(s.forward, s.right).hi)});
-  s.addAxes();
-  return s;
-}
-
-/// The eye alone.
-std::optional<Solved> solveView(const Entries& m) noexcept {
-  Solved s;
-  const DDVec3 eye = pointAt(axisPart(m[0]), axisPart(m[1]), axisPart(m[2]), {-m[0][3], -m[1][3], -m[2][3]});
-  s.numbers[6] = eye.x;
-  s.numbers[7] = eye.y;
-  s.numbers[8] = eye.z;
   return s;
 }
 
 using Solve = std::optional<Solved> (*)(const Entries&) noexcept;
 
+/// The numbers whose errors count: the depth's two, the scales and the residual.
+using Errors = std::array<double, 5>;
+
+Errors changes(const Solved& a, const Solved& b) noexcept {
+  return {std::fabs((a.depthOffset - b.depthOffset).hi), std::fabs((a.depthScale - b.depthScale).hi),
+          std::fabs((a.scaleX - b.scaleX).hi), std::fabs((a.scaleY - b.scaleY).hi),
+          std::fabs((DoubleDouble(a.residual) - DoubleDouble(b.residual)).hi)};
+}
+
 /// How far each of the numbers moves when each entry moves to the ends of its interval.
-std::array<Uncertain, kNumbers> withErrors(const Mat4& matrix, const EntryErrors& errors, const Solved& solved,
-                                           Solve solve) noexcept {
-  std::array<Uncertain, kNumbers> result;
-  for (std::size_t k = 0; k < kNumbers; ++k) result[k].value = solved.numbers[k];
+Errors errorsOf(const Mat4& matrix, const EntryErrors& errors, const Solved& solved, Solve solve) noexcept {
+  Errors result{};
   Entries entries = entriesOf(matrix);
   const auto& w = matrix[3];
   const bool wIsExact = w[0] == 0 && w[1] == 0 && std::fabs(w[2]) + std::fabs(w[3]) == 1 && w[2] * w[3] == 0;
@@ -141,52 +131,56 @@ std::array<Uncertain, kNumbers> withErrors(const Mat4& matrix, const EntryErrors
       DoubleDouble& entry = entries[i][j];
       const DoubleDouble kept = entry;
       const HalfSteps steps = halfSteps(kept.hi, errors.precision, errors.within[i][j]);
-      std::array<double, kNumbers> most{};
+      Errors most{};
       for (double step : {-steps.down, steps.up}) {
         entry = kept + DoubleDouble(step);
         const auto moved = solve(entries);
-        for (std::size_t k = 0; k < kNumbers; ++k) {
-          const double change = moved ? std::fabs((moved->numbers[k] - solved.numbers[k]).hi) : kInfinity;
+        for (std::size_t k = 0; k < most.size(); ++k) {
+          const double change = moved ? changes(*moved, solved)[k] : kInfinity;
           if (!(change <= most[k])) most[k] = change;
         }
       }
       entry = kept;
-      for (std::size_t k = 0; k < kNumbers; ++k) result[k].error += most[k];
+      for (std::size_t k = 0; k < most.size(); ++k) result[k] += most[k];
     }
   return result;
 }
 
-ClipParts parts(const Mat4& matrix, const EntryErrors& errors, const Solved& s, Solve solve,
-                bool orthographic) noexcept {
-  const std::array<Uncertain, kNumbers> n = withErrors(matrix, errors, s, solve);
-  ClipParts p{orthographic, s.scale,    n[0],
-              n[1],         n[2],       n[3],
-              n[4],         n[5],       s.right,
-              s.ndcUp,      s.forward,  {n[6], n[7], n[8]},
-              {},           s.residual, n[kResidual].error};
-  for (std::size_t k = 0; k < 9; ++k)
-    if (n[9 + k].error > kCancellation) p.axisErrors[k / 3] = std::max(p.axisErrors[k / 3], n[9 + k].error);
-  return p;
+std::optional<ClipParts> partsOf(const Mat4& matrix, const EntryErrors& errors, Solve solve, bool orthographic) {
+  const auto solved = solve(entriesOf(matrix));
+  if (!solved) return std::nullopt;
+  const Solved& s = *solved;
+  const auto [ofOffset, ofDepth, ofX, ofY, ofResidual] = errorsOf(matrix, errors, s, solve);
+  if (!orthographic && !(s.scaleX.hi > ofX && s.scaleY.hi > ofY)) return std::nullopt;
+  return ClipParts{orthographic,
+                   s.scale,
+                   s.scaleX,
+                   s.offsetX,
+                   s.scaleY,
+                   s.offsetY,
+                   {s.depthOffset, ofOffset},
+                   {s.depthScale, ofDepth},
+                   s.right,
+                   s.ndcUp,
+                   s.forward,
+                   s.eye,
+                   s.residual,
+                   ofResidual};
 }
 
 }  // namespace
 
 std::optional<ClipParts> perspectiveParts(const Mat4& matrix, const EntryErrors& errors) noexcept {
-  const auto solved = solvePerspective(entriesOf(matrix));
-  if (!solved) return std::nullopt;
-  return parts(matrix, errors, *solved, solvePerspective, false);
+  return partsOf(matrix, errors, solvePerspective, false);
 }
 
 std::optional<ClipParts> orthographicParts(const Mat4& matrix, const EntryErrors& errors) noexcept {
-  const auto solved = solveOrthographic(entriesOf(matrix));
-  if (!solved) return std::nullopt;
-  return parts(matrix, errors, *solved, solveOrthographic, true);
+  return partsOf(matrix, errors, solveOrthographic, true);
 }
 
-std::array<Uncertain, 3> eyeOfView(const Mat4& matrix, const EntryErrors& errors) noexcept {
-  const auto solved = solveView(entriesOf(matrix));
-  const auto n = withErrors(matrix, errors, *solved, solveView);
-  return {n[6], n[7], n[8]};
+DDVec3 eyeOfView(const Mat4& matrix) noexcept {
+  const Entries m = entriesOf(matrix);
+  return pointAt(axisPart(m[0]), axisPart(m[1]), axisPart(m[2]), {-m[0][3], -m[1][3], -m[2][3]});
 }
 
 HalfSteps halfSteps(double value, EntryPrecision precision, double within) noexcept {

@@ -1,7 +1,6 @@
-// A clip or view matrix taken apart, with what the rounding of its entries leaves of each part. Internal.
+// A clip or view matrix taken apart, with what the rounding of its entries leaves of its depth. Internal.
 #pragma once
 
-#include <array>
 #include <optional>
 
 #include "input/readings/estimate.hpp"
@@ -33,20 +32,20 @@ struct Uncertain {
 struct ClipParts {
   bool orthographic = false;
   double scale = 1;
-  Uncertain scaleX, offsetX, scaleY, offsetY, depthOffset, depthScale;
-  detail::DDVec3 right, ndcUp, forward;
-  std::array<Uncertain, 3> eye;
-  Vec3 axisErrors;           ///< the most by which a component of right, ndcUp, forward is moved
+  detail::DoubleDouble scaleX, offsetX, scaleY, offsetY;
+  Uncertain depthOffset, depthScale;
+  detail::DDVec3 right, ndcUp, forward, eye;
   double residual = 0;       ///< of the right angles, and of the z row's from the w row
   double residualError = 0;  ///< the most by which the residual is moved
 };
 
-/// A matrix that acts on column vectors.
+/// A matrix that acts on column vectors. Nothing where x or y does not change across the picture, as far as the entries
+/// tell.
 std::optional<ClipParts> perspectiveParts(const Mat4& matrix, const EntryErrors& errors) noexcept;
 std::optional<ClipParts> orthographicParts(const Mat4& matrix, const EntryErrors& errors) noexcept;
 
 /// The eye of a view matrix.
-std::array<Uncertain, 3> eyeOfView(const Mat4& matrix, const EntryErrors& errors) noexcept;
+detail::DDVec3 eyeOfView(const Mat4& matrix) noexcept;
 
 /// The most by which a number is off downwards and upwards: half the distances to its neighbours, or further.
 struct HalfSteps {

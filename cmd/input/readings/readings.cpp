@@ -22,66 +22,20 @@ constexpr ViewAxes kViews[] = {ViewAxes::RUB, ViewAxes::RUF, ViewAxes::RDF};
 constexpr NdcZ kNdcZs[] = {NdcZ::minusOneToOne, NdcZ::zeroToOne};
 constexpr NdcY kNdcYs[] = {NdcY::up, NdcY::down};
 
-// Intervals and estimates
+// Intervals
 
 Interval operator-(DoubleDouble a, Interval b) noexcept { return {a - b.high, a - b.low}; }
 Interval operator-(Interval a) noexcept { return {-a.high, -a.low}; }
-Estimate operator-(const Estimate& a) noexcept { return {0 - a.value, 0 - a.high, 0 - a.low}; }
-
-struct Ends {
-  Estimate estimate;
-  DoubleDouble value;
-};
-
-Ends operator-(const Ends& a) noexcept { return {-a.estimate, -a.value}; }
 
 /// (numerator - offset) / scale.
-Ends windowEnd(double numerator, const Uncertain& offset, const Uncertain& scale) noexcept {
-  const DoubleDouble value = quotient(DoubleDouble(numerator) - offset.value, scale.value);
-  return {estimate(value, quotient(DoubleDouble(numerator) - offset.interval(), scale.interval())), value};
+DoubleDouble windowEnd(double numerator, DoubleDouble offset, DoubleDouble scale) noexcept {
+  return quotient(DoubleDouble(numerator) - offset, scale);
 }
 
-/// Between two edges of the window.
-Estimate angleEstimate(const Uncertain& scale, const Uncertain& offset, const Ends& from, const Ends& to) noexcept {
-  // Correct to an ulp, and so stepped outwards by one.
-  if (!(std::fabs(offset.value.hi) <= offset.error))
-    return {degreesAcross(from.value, to.value), std::nextafter(degreesAcross(from.estimate.high, to.estimate.low), 0),
-            std::nextafter(degreesAcross(from.estimate.low, to.estimate.high), 180)};
-  const Interval in = scale.interval();
-  const auto half = [](DoubleDouble s) { return quotient(DoubleDouble(1), s); };
-  return {degreesOfHalfTangent(half(scale.value)), std::nextafter(degreesOfHalfTangent(half(in.high)), 0),
-          in.low.hi > 0 ? std::nextafter(degreesOfHalfTangent(half(in.low)), 180) : 180};
-}
+/// The nearest double; never -0.
+double plain(DoubleDouble number) noexcept { return number.hi + 0.0; }
 
-/// Of corners across from each other, whichever are farther apart.
-Estimate diagonalEstimate(const Ends& left, const Ends& right, const Ends& bottom, const Ends& top) noexcept {
-  const auto widest = [](const auto& between) { return std::max(between(false), between(true)); };
-  Estimate angle;
-  angle.value = widest([&](bool falling) {
-    return degreesBetween(left.value, falling ? top.value : bottom.value, right.value,
-                          falling ? bottom.value : top.value);
-  });
-  angle.low = angle.high = angle.value;
-  // The ends of the intervals are so near that nothing between them is farther or nearer.
-  for (unsigned i = 0; i < 16; ++i) {
-    const auto end = [&](const Ends& edge, unsigned bit) {
-      return DoubleDouble((i & bit) != 0 ? edge.estimate.high : edge.estimate.low);
-    };
-    const DoubleDouble l = end(left, 1), r = end(right, 2), b = end(bottom, 4), t = end(top, 8);
-    const double there = widest([&](bool falling) { return degreesBetween(l, falling ? t : b, r, falling ? b : t); });
-    angle.low = std::min(angle.low, std::nextafter(there, 0));
-    angle.high = std::max(angle.high, std::nextafter(there, 180));
-  }
-  return angle;
-}
-
-/// (sign a + start) / 2.
-Estimate shareOf(const Uncertain& a, double sign, double start) noexcept {
-  const auto half = [&](DoubleDouble number) { return timesPowerOfTwo(number * sign + DoubleDouble(start), 0.5); };
-  const Interval in = a.interval();
-  const DoubleDouble ends[] = {half(in.low), half(in.high)};
-  return estimate(half(a.value), {ends[sign < 0], ends[sign > 0]});
-}
+Vec3 plain(const DDVec3& v) noexcept { return {plain(v.x), plain(v.y), plain(v.z)}; }
 
 // Lenses
 
@@ -120,54 +74,52 @@ std::optional<DepthPlanes> perspectiveDepth(const ClipParts& p, DepthEnds z) noe
 DepthPlanes orthographicDepth(const ClipParts& p, DepthEnds z) noexcept {
   const bool against = z.atNear > z.atFar;
   const auto plane = [&](double d) {
-    const Ends end = windowEnd(d, p.depthOffset, p.depthScale);
-    return against ? -end.estimate : end.estimate;
+    const Estimate e = estimate(windowEnd(d, p.depthOffset.value, p.depthScale.value),
+                                quotient(DoubleDouble(d) - p.depthOffset.interval(), p.depthScale.interval()));
+    return against ? Estimate{0 - e.value, 0 - e.high, 0 - e.low} : e;
   };
   return {plane(z.atNear), plane(z.atFar), false};
 }
 
 void setLens(Reading& reading, const ClipParts& p, const DepthPlanes& depth) noexcept {
-  const Ends left = windowEnd(-1, p.offsetX, p.scaleX), right = windowEnd(1, p.offsetX, p.scaleX);
-  const Ends low = windowEnd(-1, p.offsetY, p.scaleY), high = windowEnd(1, p.offsetY, p.scaleY);
+  const DoubleDouble left = windowEnd(-1, p.offsetX, p.scaleX), right = windowEnd(1, p.offsetX, p.scaleX);
+  const DoubleDouble low = windowEnd(-1, p.offsetY, p.scaleY), high = windowEnd(1, p.offsetY, p.scaleY);
   const bool down = reading.convention.ndcY == NdcY::down;
-  const Ends bottom = down ? -high : low, top = down ? -low : high;
+  const DoubleDouble bottom = down ? -high : low, top = down ? -low : high;
   LensEstimate lens;
   lens.orthographic = p.orthographic;
-  lens.left = left.estimate;
-  lens.right = right.estimate;
-  lens.bottom = bottom.estimate;
-  lens.top = top.estimate;
-  lens.aspect = estimate(quotient(p.scaleY.value, p.scaleX.value), quotient(p.scaleY.interval(), p.scaleX.interval()));
+  lens.left = plain(left);
+  lens.right = plain(right);
+  lens.bottom = plain(bottom);
+  lens.top = plain(top);
+  lens.aspect = plain(quotient(p.scaleY, p.scaleX));
   if (!p.orthographic) {
-    lens.fovX = angleEstimate(p.scaleX, p.offsetX, left, right);
-    lens.fovY = angleEstimate(p.scaleY, p.offsetY, bottom, top);
-    lens.fovDiagonal = diagonalEstimate(left, right, bottom, top);
-    lens.focalLength = {shareOf(p.scaleX, 1, 0), shareOf(p.scaleY, 1, 0)};
-    lens.principalPoint = {shareOf(p.offsetX, 1, 1), shareOf(p.offsetY, down ? 1 : -1, 1)};
+    const auto angle = [](DoubleDouble offset, DoubleDouble from, DoubleDouble to) {
+      return offset.hi == 0 ? degreesOfHalfTangent(to) : degreesAcross(from, to);
+    };
+    const auto half = [](DoubleDouble number) { return plain(timesPowerOfTwo(number, 0.5)); };
+    lens.fovX = angle(p.offsetX, left, right);
+    lens.fovY = angle(p.offsetY, bottom, top);
+    lens.fovDiagonal = std::max(degreesBetween(left, bottom, right, top), degreesBetween(left, top, right, bottom));
+    lens.focalLength = {half(p.scaleX), half(p.scaleY)};
+    lens.principalPoint = {half(DoubleDouble(1) + p.offsetX), half(DoubleDouble(1) + (down ? p.offsetY : -p.offsetY))};
   }
   lens.near = depth.near;
   lens.far = depth.far;
   lens.beyondInfinity = depth.beyondInfinity;
   // Not checked: whether its numbers are a camera's is for who makes one of it.
-  reading.projection =
-      Access::whole<Projection, ProjectionParts>(std::make_shared<const ProjectionParts>(ProjectionParts{
-          p.orthographic, left.value, right.value, bottom.value, top.value, depth.near.value, depth.far.value}));
+  reading.projection = Access::whole<Projection, ProjectionParts>(std::make_shared<const ProjectionParts>(
+      ProjectionParts{p.orthographic, left, right, bottom, top, depth.near.value, depth.far.value}));
   reading.lens = lens;
 }
 
 // Poses
 
-std::array<Estimate, 3> estimates(const std::array<Uncertain, 3>& eye) noexcept {
-  std::array<Estimate, 3> result;
-  for (std::size_t i = 0; i < 3; ++i) result[i] = estimate(eye[i].value, eye[i].interval());
-  return result;
-}
-
 /// The pose of exact rows, whose origin is the world's.
-PoseParts poseOf(const ExactRows& exact, const std::array<Uncertain, 3>& eye) noexcept {
+PoseParts poseOf(const ExactRows& exact, const Vec3& eye) noexcept {
   PoseParts pose;
   pose.exact = exact;
-  pose.eye = {eye[0].value.hi + 0.0, eye[1].value.hi + 0.0, eye[2].value.hi + 0.0};
+  pose.eye = eye;
   const ExactVec3* const rows[] = {&exact.right, &exact.up, &exact.forward};
   const DoubleDouble scales[] = {exact.rightScale, exact.upScale, exact.forwardScale};
   DDVec3* const axes[] = {&pose.rows.right, &pose.rows.up, &pose.rows.forward};
@@ -193,14 +145,14 @@ PoseParts poseOf(const ExactRows& exact, const std::array<Uncertain, 3>& eye) no
 /// Up and forward along or against the parts' ndcUp and forward. The lens's numbers become those of the exact rows.
 void setPose(Reading& reading, ClipParts& p, const Mat4& matrix, double up, double forward) {
   const ClipRows clip = p.orthographic ? orthographicRows(matrix, up, forward) : perspectiveRows(matrix, up);
-  p.scaleX.value = clip.scaleX;
-  p.offsetX.value = clip.offsetX;
-  p.scaleY.value = clip.scaleY;
-  p.offsetY.value = clip.offsetY;
-  reading.pose = made(poseOf(clip.rows, p.eye));
+  p.scaleX = clip.scaleX;
+  p.offsetX = clip.offsetX;
+  p.scaleY = clip.scaleY;
+  p.offsetY = clip.offsetY;
+  const Vec3 eye = plain(p.eye);
+  reading.pose = made(poseOf(clip.rows, eye));
   const Axes& r = parts(*reading.pose).rows;
-  reading.place = PoseEstimate{!p.orthographic,    estimates(p.eye), rounded(r.right), rounded(r.up),
-                               rounded(r.forward), p.axisErrors,     p.residual};
+  reading.place = PoseEstimate{!p.orthographic, eye, rounded(r.right), rounded(r.up), rounded(r.forward), p.residual};
   reading.convention.world = dot(cross(r.right, r.up), r.forward).hi < 0 ? Handedness::right : Handedness::left;
 }
 
@@ -301,9 +253,7 @@ class Reader {
   std::string readPerspective() {
     const bool zeros = zero({m_[0][1], m_[0][3], m_[1][0], m_[1][3], m_[2][0], m_[2][1], m_[3][0], m_[3][1], m_[3][3]});
     const auto parts = perspectiveParts(m_, zeros ? withExactZeros(2) : errors_);
-    const auto changes = [](const Uncertain& scale) { return scale.interval().low.hi > 0; };
-    if (!parts || !changes(parts->scaleX) || !changes(parts->scaleY))
-      return "x or y does not change across the picture, as far as its digits show";
+    if (!parts) return "x or y does not change across the picture, as far as its digits show";
     double unitError = 0;  // of the squared length of the w row
     for (std::size_t j = 0; j < 3; ++j) unitError += 2 * std::fabs(m_[3][j]) * errors_.within[3][j];
     const bool unit =
@@ -392,8 +342,6 @@ class Reader {
   void addPoses(double residual) {
     const double scale = m_[3][3];
     const bool isRigid = residual <= kReadingOrthogonality;
-    const HalfSteps scaleSteps = scale == 1 ? HalfSteps{} : stepsOf(3, 3);
-    const Interval scaleIn{twoDiff(scale, scaleSteps.down), twoSum(scale, scaleSteps.up)};
     Mat4 unscaled = m_;
     unscaled[3][3] = 1;
     constexpr CameraAxes kAxes[] = {CameraAxes::RUB, CameraAxes::RUF, CameraAxes::RDF};
@@ -405,27 +353,14 @@ class Reader {
         r.convention.world = mirrored == (kViews[i] == ViewAxes::RUF) ? Handedness::right : Handedness::left;
         PoseEstimate place;
         place.residual = residual;
-        for (std::size_t k = 0; k < 9; ++k) {
-          // An axis is a row of a view and a column of a pose.
-          double& error = place.axisErrors[k / 3];
-          const std::size_t row = kind == MatrixKind::view ? k / 3 : k % 3,
-                            column = kind == MatrixKind::view ? k % 3 : k / 3;
-          const HalfSteps steps = stepsOf(row, column);
-          const double ofScale = std::fabs(m_[row][column]) * std::max(scaleSteps.down, scaleSteps.up);
-          error = std::max(error, (std::max(steps.down, steps.up) + ofScale) / scale);
-        }
         if (kind == MatrixKind::view) {
           if (isRigid) r.pose = dividedBy(scale, poseFromCameraFromWorld(unscaled, kAxes[i], r.convention.world));
-          place.eye = estimates(eyeOfView(m_, errors_));
+          place.eye = plain(eyeOfView(m_));
         } else {
           if (isRigid)
             r.pose = scale == 1 ? poseFromWorldFromCamera(m_, kAxes[i], r.convention.world)
                                 : scaledColumns(kAxes[i], r.convention.world);
-          for (std::size_t k = 0; k < 3; ++k) {
-            const HalfSteps steps = stepsOf(k, 3);
-            place.eye[k] = estimate(quotient(DoubleDouble(m_[k][3]), scale),
-                                    quotient({twoDiff(m_[k][3], steps.down), twoSum(m_[k][3], steps.up)}, scaleIn));
-          }
+          for (std::size_t k = 0; k < 3; ++k) place.eye[k] = plain(quotient(DoubleDouble(m_[k][3]), scale));
         }
         if (r.pose) {
           const Axes& axes = kind == MatrixKind::view ? parts(*r.pose).rows : parts(*r.pose).columns;
@@ -452,10 +387,6 @@ class Reader {
       return DDVec3{entry(0), entry(1), entry(2)};
     };
     return poseFromColumns({column(0), column(1), column(2)}, column(3), axes, world);
-  }
-
-  HalfSteps stepsOf(std::size_t i, std::size_t j) const {
-    return halfSteps(m_[i][j], errors_.precision, errors_.within[i][j]);
   }
 
   /// The zeros that make the matrix what it is taken for. offsets: the column of the window's offsets, which are none.

@@ -1,7 +1,7 @@
 // Sixteen numbers read backwards: every camera, and every convention, that a matrix can have been written from.
 //
-// Nothing is guessed. Where the numbers admit several readings all are given, each with its parameters and with the
-// interval that the entries leave them.
+// Nothing is guessed. Where the numbers admit several readings all are given, each with its parameters, and with the
+// interval that the entries leave near and far.
 #pragma once
 
 #include <array>
@@ -38,23 +38,22 @@ enum class NumberOrder {
 
 struct LensEstimate {
   bool orthographic = false;
-  Estimate left, right, bottom, top;  ///< as in Projection: at distance 1, or lengths
-  Estimate aspect;                    ///< width / height of the window
+  double left = 0, right = 0, bottom = 0, top = 0;  ///< as in Projection: at distance 1, or lengths
+  double aspect = 1;                                ///< width / height of the window
   /// In perspective, in degrees: between the edges, and between the corners across from each other that are farther
   /// apart.
-  std::optional<Estimate> fovX, fovY, fovDiagonal;
+  std::optional<double> fovX, fovY, fovDiagonal;
   /// In perspective: the focal lengths in widths and in heights of the picture, and where the viewing axis meets it, in
   /// its widths from the left and its heights from the top.
-  std::optional<std::array<Estimate, 2>> focalLength, principalPoint;
+  std::optional<std::array<double, 2>> focalLength, principalPoint;
   Estimate near, far;           ///< orthographic: with a view in it, counted from the world's origin
   bool beyondInfinity = false;  ///< infinite, and infinity a little inside the range ("tweaked")
 };
 
 struct PoseEstimate {
   bool eyeIsKnown = true;  ///< false in an orthographic view-projection: its edges are counted from the origin
-  std::array<Estimate, 3> eye;
+  Vec3 eye;
   Vec3 right, up, forward;  ///< in the world; a view's rows, a pose's columns
-  Vec3 axisErrors;          ///< the most by which a component of right, up, forward may be off
   double residual = 0;      ///< how far the axes are from a rotation's: the largest entry of M^T M - I
 };
 
@@ -96,10 +95,10 @@ inline constexpr double kReadingTweak = 0x1p-16;
 /// of unit length, else an orthographic view-projection; if it is diagonal apart from the translation, an orthographic
 /// projection too. Only where nothing fits are the numbers tried as a multiple of a matrix.
 ///
-/// Intervals: a w row of 0 0 +-1 0 or 0 0 0 1 and zeros are exact; each other entry is moved to both ends of its own
-/// interval, with all else computed in double-double; the changes of the lens's scales and offsets and of the eye add
-/// up, and edges, near and far follow in interval arithmetic. An entry is true to the precision, and no better than to
-/// its number of `within`, which makes rows that are at right angles to that good. Depth is A + B / w, and near = B /
+/// Intervals of near and far: a w row of 0 0 +-1 0 or 0 0 0 1 and zeros are exact; each other entry is moved to both
+/// ends of its own interval, with all else computed in double-double; the changes of the depth's scale and offset add
+/// up, and near and far follow in interval arithmetic. An entry is true to the precision, and no better than to its
+/// number of `within`, which makes rows that are at right angles to that good. Depth is A + B / w, and near = B /
 /// (D - A), where D is the NDC z at near: no digits are lost that the entries have. Exact to first order in an ulp.
 ///
 /// Formulas: the closed forms of matrices.hpp, solved for their parameters.
