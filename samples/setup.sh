@@ -65,7 +65,7 @@ if [ "$tests" = ON ]; then options="$options -DVIEWPROJ_TESTS=ON"; fi
 # shellcheck disable=SC2086  # a list of words
 cmake -B build -DCMAKE_BUILD_TYPE=Release $options >/dev/null
 # What an installation takes, or all.
-targets="viewproj libviewproj_scene libviewproj_geodesy manual changelog"
+targets="viewproj libviewproj_scene libviewproj_geodesy"
 if [ "$tests" = ON ]; then targets=all; fi
 # shellcheck disable=SC2086  # a list of words
 cmake --build build --parallel "$(nproc)" --target $targets

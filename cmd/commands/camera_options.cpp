@@ -20,12 +20,6 @@ Names<ConventionPreset> presets() {
   return names;
 }
 
-/// "y,x,z" of "x,y,z".
-std::string mirrored(const std::string& map) {
-  const std::size_t first = map.find(','), second = map.find(',', first + 1);
-  return map.substr(first + 1, second - first - 1) + "," + map.substr(0, first) + map.substr(second);
-}
-
 }  // namespace
 
 Names<Convention> presetConventions() {
@@ -111,7 +105,6 @@ std::unique_ptr<Document> CameraOptions::open(const CameraSource& picked) const 
     kinds_ = readKinds(Document(*format_, "--format", ""), builtInKinds());
     document->setKinds(kinds_);
   }
-  if (viewport_ && !typed_.replacesLens()) noteKeptPixels(*document, viewport_->width, viewport_->height);
   if (viewport_) setViewportSize(*document, viewport_->width, viewport_->height);
   for (const Assignment& assignment : set_) document->set(assignment);
   return document;
@@ -219,38 +212,14 @@ CameraAxes CameraOptions::writtenAxes(const CameraFile& file) const {
   return file.cameraAxes.value_or(right ? CameraAxes::RUB : CameraAxes::RUF);
 }
 
-void CameraOptions::noteWriting(const CameraFile& file, const Shown& shown, const std::string& where) const {
-  std::vector<std::string_view> idle;
-  // Without a file it also says how the options are read.
-  if (convention_ && !isTyped() && !shown.axes && !shown.range && !shown.reversal) idle.push_back("--convention");
-  if (reverseZ_ && !shown.reversal) idle.push_back(*reverseZ_ ? "--reverse-z" : "--no-reverse-z");
-  if (ndcZ_ && !shown.range) idle.push_back("--ndc-z");
-  if (!idle.empty())
-    notes_.say(joined(idle) + (idle.size() == 1 ? " changes" : " change") + " nothing that is printed here; " + where +
-               " would show it");
-  // A file of our own that says its convention is meant so; one of another program's is how its kind is.
-  const bool isMeant = statesConvention_ && !(shown.leaves && (file.isForeign || !shown.map.empty()));
-  if (!convention_ || !shown.world || isMeant) return;
-  if (convention_->convention.world == file.convention.world) return;
+void CameraOptions::noteHandedness(const CameraFile& file) const {
+  if (!convention_ || statesConvention_ || convention_->convention.world == file.convention.world) return;
   const std::string name(convention_->name);
   const auto hand = [](Handedness world) { return std::string(nameOf(kWorldNames, world)) + "-handed"; };
-  const std::string hands = hand(file.convention.world) + "; " + name + "'s is " + hand(convention_->convention.world);
-  if (!shown.map.empty())
-    return notes_.say(file.name + ": by --map " + shown.map + " its world is " + hands +
-                      ", which takes two axes exchanged or one negated, as in --map " + mirrored(shown.map));
-  notes_.say(file.name + ": " + (statesConvention_ ? "" : "names no convention, so ") + "its world stays " + hands +
-             (statesConvention_ ? ", and matrix "
-                                : ", where the same numbers show the mirror image: --read-as " + name +
-                                      " reads them so, and matrix ") +
-             (convention_->up.z > 0 ? "--map -z,x,y --scale 100" : "--map x,y,-z or -x,y,z") +
+  notes_.say(file.name + ": names no convention, so its world stays " + hand(file.convention.world) + "; " + name +
+             "'s is " + hand(convention_->convention.world) + ": --read-as " + name +
+             " reads the file so, and matrix " + (convention_->up.z > 0 ? "--map -z,x,y --scale 100" : "--map x,y,-z") +
              " writes the camera for such a world");
-}
-
-void CameraOptions::notePlace(const CameraFile& file) const {
-  if (file.worldIsEcef && file.hasPlace)
-    notes_.say(file.name +
-               ": its place on the Earth is written as x, y, z of ECEF; matrix --to summary tells lat, lon, " +
-               "height, heading and pitch");
 }
 
 }  // namespace viewproj::cmd

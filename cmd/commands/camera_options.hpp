@@ -54,20 +54,8 @@ class CameraOptions {
   /// The convention to write in: the file's world, and the axes that options name.
   Convention writing(const CameraFile& file) const;
 
-  /// What of the convention that is written can be seen in what a command prints.
-  struct Shown {
-    bool axes = true;      ///< the axes of view space, row or column vectors, storage
-    bool range = true;     ///< that of NDC z
-    bool reversal = true;  ///< whether depth is reversed
-    bool world = true;     ///< the handedness of the world
-    bool leaves = false;   ///< it goes to another program, so that a world which the file names counts too
-    std::string map = {};  ///< what --map says, where the world is that of it
-  };
-  /// Notes what of the convention was named to no effect, and a preset of the other handedness than the world's. where:
-  /// what would show it, "--fields ndc or clip".
-  void noteWriting(const CameraFile& file, const Shown& shown, const std::string& where) const;
-  /// Notes that a camera file is written with x, y, z where the position was a place.
-  void notePlace(const CameraFile& file) const;
+  /// Notes a --convention whose world has another handedness than that of a file which states none.
+  void noteHandedness(const CameraFile& file) const;
   bool namesConvention() const { return convention_.has_value(); }
   bool namesAxis() const { return reverseZ_.has_value() || ndcZ_.has_value(); }
 

@@ -14,7 +14,7 @@ constexpr Command kCommands[] = {
     {"measure", "speed and error of every precision on your own points", defineMeasure},
     {"draw", "an SVG of what the camera sees", defineDraw},
     {"fit", "the camera moved, or its lens opened, so that all of it is seen", defineFit},
-    {"schema", "the JSON Schema of a camera, of points, a scene or results", defineSchema},
+    {"schema", "the JSON Schema of a camera file", defineSchema},
     {"help", "what a command or one of the topics below is about", defineHelp},
 };
 

@@ -26,15 +26,6 @@ inline constexpr const char* kCameraHeading = "Camera";
 inline constexpr const char* kEverywhere = "Output file and messages";
 inline constexpr const char* kCameraFields = "The camera's fields, over a file's or without one";
 
-/// What machines are told of an option: the words that it takes, the one that holds without it, whether it may be given
-/// again.
-struct OptionFacts {
-  std::vector<std::string_view> choices = {};
-  std::string otherwise = {};
-  bool severalChoices = false, repeatable = false;
-  bool operator==(const OptionFacts&) const = default;
-};
-
 enum class Times {
   never,  ///< a flag: no value
   once,   ///< given twice is an error
@@ -51,7 +42,6 @@ struct Option {
   std::string help;
   Times times = Times::once;
   std::string heading = {};
-  OptionFacts facts = {};
   std::vector<std::string> given = {};  ///< the values, once parsed
   bool isGiven = false;
 

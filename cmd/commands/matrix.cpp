@@ -14,7 +14,6 @@
 #include "output/matrix_text.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
-#include "text/format_number.hpp"
 #include "text/names.hpp"
 
 namespace viewproj::cmd {
@@ -62,19 +61,13 @@ Names<const CameraMatrix*> matrixNames() {
   return names;
 }
 
-struct TypedMap {
-  std::string text;
-  WorldMap map = {};
-};
-
 /// "x,y,-z".
-TypedMap readMap(const std::string& option, const std::string& text) {
+WorldMap readMap(const std::string& option, const std::string& text) {
   const std::vector<std::string> parts = splitNames(option, text);
   const UsageError wrong(option + " " + text +
                          ": expected the new x, y, z in terms of the old, as in x,y,-z or -z,x,y");
   if (parts.size() != 3) throw wrong;
-  TypedMap typed{text};
-  WorldMap& map = typed.map;
+  WorldMap map;
   for (std::size_t i = 0; i < 3; ++i) {
     const bool against = parts[i].starts_with('-');
     const std::string axis = parts[i].substr(against || parts[i].starts_with('+') ? 1 : 0);
@@ -84,26 +77,17 @@ TypedMap readMap(const std::string& option, const std::string& text) {
     map.signs[i] = against ? -1 : 1;
   }
   if (map.from[0] == map.from[1] || map.from[0] == map.from[2] || map.from[1] == map.from[2]) throw wrong;
-  return typed;
+  return map;
 }
 
-/// --to camera: the file, and a note where its doubles do not suffice.
+/// --to camera.
 int runCamera(CameraFile file, const std::optional<std::string>& type, const CameraOptions& camera, bool asGiven) {
   if (const auto typed = type || camera.allowsStretch() || !asGiven ? std::nullopt : camera.asTyped(file)) {
     writeOutput(*typed);
     return 0;
   }
-  camera.notePlace(file);
   file.convention = camera.writing(file);
-  const WrittenCamera written = writeCamera(file, type.value_or(""), camera.allowsStretch());
-  writeOutput(written.text);
-  const auto& [pixels, depth] = written.moved;
-  const auto say = [&](const char* what, double much, const char* unit) {
-    camera.notes().say(file.name + ": in doubles, as written, " + what + " move by " +
-                       (std::isfinite(much) ? "up to " + formatDigits(much, 1) + unit : "more than can be told"));
-  };
-  if (!(pixels <= kKeptPixels)) say("points", pixels, " pixels");
-  if (!(depth <= kKeptDepth)) say("depths", depth, " of their range");
+  writeOutput(writeCamera(file, type.value_or(""), camera.allowsStretch()).text);
   return 0;
 }
 
@@ -112,7 +96,7 @@ struct Options {
   Wanted wanted;
   std::optional<Matrices> which;
   std::optional<std::string> type, model;
-  std::optional<TypedMap> map;
+  std::optional<WorldMap> map;
   std::optional<double> scale;
   std::string_view format = "json";
   std::optional<std::size_t> digits;
@@ -150,12 +134,10 @@ void requireUse(const Options& o, const CameraFile& file) {
     throw lacks("--bake-viewport", "a viewport; --viewport WIDTHxHEIGHT gives one");
 }
 
-std::string mapText(const Options& o) { return o.map ? o.map->text : ""; }
-
 /// In the world of --map and --scale.
 CameraFile mapped(CameraFile file, const Options& o) {
   if (!o.map && !o.scale) return file;
-  const WorldMap map = o.map ? o.map->map : WorldMap{};
+  const WorldMap map = o.map.value_or(WorldMap{});
   const double scale = o.scale.value_or(1);
   if (map.mirrors())
     file.convention.world = file.convention.world == Handedness::right ? Handedness::left : Handedness::right;
@@ -177,15 +159,7 @@ MatrixSet matricesOf(const CameraFile& read, const std::optional<Mat4>& model, c
                             .bakeViewport = o.wanted.bakeViewport,
                             .relativeToEye = o.wanted.relativeToEye};
   const Matrices chosen = chooseMatrices(o.which, source);
-  const bool sayConvention = !saysNumbersAlone(o.format), depth = any(chosen, &CameraMatrix::projection);
-  o.camera.noteWriting(read,
-                       {.axes = true,
-                        .range = sayConvention || depth || any(chosen, &CameraMatrix::viewport),
-                        .reversal = sayConvention || depth,
-                        .world = any(chosen, &CameraMatrix::pose),
-                        .leaves = true,
-                        .map = mapText(o)},
-                       "--which with a projection");
+  if (any(chosen, &CameraMatrix::pose)) o.camera.noteHandedness(read);
   const auto add = [&](const CameraMatrix& row, bool inverse) {
     try {
       set.matrices.push_back({std::string(row.name) + std::string(inverse ? kInverse : ""), row.make(source, inverse)});
@@ -198,9 +172,6 @@ MatrixSet matricesOf(const CameraFile& read, const std::optional<Mat4>& model, c
     if (o.wanted.inverse) add(*row, true);
   }
   if (o.wanted.relativeToEye && read.pose) set.eye = read.pose->eye();
-  if (set.eye && o.format == "flat")
-    o.camera.notes().say("--to flat has no place for the eye: " + formatNumber(set.eye->x) + ", " +
-                         formatNumber(set.eye->y) + ", " + formatNumber(set.eye->z));
   set.bakesViewport = o.wanted.bakeViewport;
   return set;
 }
@@ -236,7 +207,7 @@ int run(const Options& o, const CommandLine& line) {
       return writeMatrices(set, o.format, camera.name);
     });
   const CameraFile read = mapped(o.camera.read(needsPicture), o);
-  if (toCamera || toSummary) o.camera.noteWriting(read, {.leaves = true, .map = mapText(o)}, "");
+  if (toCamera || toSummary) o.camera.noteHandedness(read);
   if (toCamera) return runCamera(read, o.type, o.camera, !o.map && !o.scale);
   if (toSummary) {
     CameraFile shown = read;

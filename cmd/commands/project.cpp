@@ -1,7 +1,6 @@
 // viewproj project: world points to screen positions.
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -18,7 +17,6 @@
 #include "projection/sides.hpp"
 #include "stream/filter.hpp"
 #include "text/error.hpp"
-#include "text/format_number.hpp"
 #include "text/names.hpp"
 #include "viewproj/clip.hpp"
 #include "viewproj/matrices.hpp"
@@ -108,7 +106,6 @@ struct Projecting {
   std::vector<const PointResult*> ofText;   ///< by default
   std::optional<Mat4> worldFromLocal = {};  ///< of a model that the points are in
   std::optional<Frustum> frustum = {};      ///< for segments
-  mutable std::atomic<bool> hadShape = {};  ///< a record
 };
 
 /// A segment among the points, and the pixel to find a point of it under.
@@ -184,7 +181,6 @@ class ProjectWork final : public RecordWork {
       shapes_.push_back({points_.size(), toShape(layout, n)});
       if (const auto* const sphere = std::get_if<Sphere>(&shapes_.back().shape))
         point = {sphere->center.x, sphere->center.y, sphere->center.z, 1};
-      how_.hadShape.store(true, std::memory_order_relaxed);
     } else {
       point = toPoint(layout, n);
       if (how_.worldFromLocal) point = toWorld(*how_.worldFromLocal, point);
@@ -322,17 +318,6 @@ struct Options {
   std::optional<std::string> model;
 };
 
-/// Fields that no option names show nothing of the convention that is written.
-CameraOptions::Shown shownOf(const std::optional<Fields>& fields) {
-  bool view = false, depth = false;
-  if (fields)
-    for (const PointResult* result : fields->named) {
-      view |= result->shows != PointResult::Shows::nothing;
-      depth |= result->shows == PointResult::Shows::depth;
-    }
-  return {.axes = view, .range = depth, .reversal = depth, .world = view};
-}
-
 int run(const Options& o) {
   if (o.camera.lists()) return o.camera.list();
   // Then a point with a radius is a sphere.
@@ -357,13 +342,9 @@ int run(const Options& o) {
                  .ofText = defaultFields().numbers};
   how.frustum = viewFrustum(how.camera);
   if (o.model) how.worldFromLocal = readModel(*o.model);
-  o.camera.noteWriting(file, shownOf(o.fields), "--fields with ndc or clip");
+  o.camera.noteHandedness(file);
   setup.writer.arrayName = "position";
-  const int status = runFilter(setup, [&] { return std::make_unique<ProjectWork>(how); });
-  if (asksForBoxes && !how.hadShape)
-    o.camera.notes().say(
-        "no record has a screenBox: it is of spheres, boxes and triangles; a point with a radius is a sphere");
-  return status;
+  return runFilter(setup, [&] { return std::make_unique<ProjectWork>(how); });
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // viewproj ray: pixels to rays, and to the points behind them.
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <limits>
 
 #include "camera/camera.hpp"
@@ -45,7 +44,6 @@ struct Casting {
   std::optional<std::vector<SceneObject>> scene = {};
   bool worldIsEcef = false, sceneHasEllipsoid = false;
   bool allHits = false;
-  mutable std::atomic<bool> hadDepth = false;  ///< of a record
 
   bool placesHits() const { return worldIsEcef || sceneHasEllipsoid; }
   const ResultRow& hits() const { return allHits ? results::hits : placesHits() ? results::placedHit : results::hit; }
@@ -96,7 +94,6 @@ class RayWork final : public RecordWork {
       cast.ray = screenToRay(how_.camera, *pixel.screen, how_.precision);
       if (pixel.depth || pixel.viewDistance) cast.point = pointBehind(how_.camera, pixel);
     }
-    if (pixel.depth && !pixel.viewDistance) how_.hadDepth.store(true, std::memory_order_relaxed);
     for (const ResultRow* row : rowsOf(pixel.hasDistance, tellsDistance, sink.hasFixedColumns(), sink.isText()))
       writeResult(*row, cast, sink);
   }
@@ -282,12 +279,7 @@ int run(const Options& o) {
   setup.writer.arraySize = 2;
   setup.writer.extraName = "depth";
   setup.note = [&](const std::string& note) { o.camera.notes().say(note); };
-  const int status = runFilter(setup, [&] { return std::make_unique<RayWork>(how); });
-  if (file.assumesNear && how.hadDepth)
-    o.camera.notes().say("depth is window depth, here of a near plane at " + formatNumber(file.projection->zNear()) +
-                         ", as the camera's file has none (--near gives it); a distance along the viewing axis is "
-                         "called viewDistance");
-  return status;
+  return runFilter(setup, [&] { return std::make_unique<RayWork>(how); });
 }
 
 }  // namespace

@@ -21,9 +21,9 @@ namespace viewproj::cmd {
 /// is not given.
 template <class T, class Read>
 void addValue(CommandLine& line, std::string_view names, std::string_view form, T& value, Read read,
-              std::string_view help, OptionFacts facts = {}) {
+              std::string_view help) {
   if (!line.wants(names)) return;
-  line.add({std::string(names), std::string(form), std::string(help), Times::once, {}, std::move(facts)},
+  line.add({std::string(names), std::string(form), std::string(help), Times::once},
            [&value, read](const std::string& option, const std::vector<std::string>& given) {
              value = read(option, given.front());
            });
@@ -34,12 +34,7 @@ template <class T, class Read>
 void addValues(CommandLine& line, std::string_view names, std::string_view form, std::vector<T>& values, Read read,
                std::string_view help) {
   if (!line.wants(names)) return;
-  line.add({std::string(names),
-            std::string(form),
-            std::string(help) + "; repeatable",
-            Times::often,
-            {},
-            OptionFacts{.repeatable = true}},
+  line.add({std::string(names), std::string(form), std::string(help) + "; repeatable", Times::often},
            [&values, read](const std::string& option, const std::vector<std::string>& given) {
              for (const std::string& text : given) values.push_back(read(option, text));
            });
@@ -92,9 +87,10 @@ template <class T, class Value>
 void addChoice(CommandLine& line, std::string_view option, std::string_view form, Value& value, const Names<T>& names,
                std::string_view help, std::string_view otherwise) {
   if (!line.wants(option)) return;
-  addValue(line, option, form, value,
-           [names](const std::string& given, const std::string& text) { return choose(given, text, names); },
-           withNames(help, known(names), otherwise), {known(names), std::string(otherwise)});
+  addValue(
+      line, option, form, value,
+      [names](const std::string& given, const std::string& text) { return choose(given, text, names); },
+      withNames(help, known(names), otherwise));
 }
 
 /// One of the names; what value is before is the default that the help tells.
@@ -137,13 +133,14 @@ template <class T>
 void addChoices(CommandLine& line, std::string_view option, std::optional<std::vector<T>>& values,
                 const Names<T>& names, std::string_view help, std::string_view otherwise) {
   if (!line.wants(option)) return;
-  addValue(line, option, "NAMES", values,
-           [names](const std::string& given, const std::string& text) {
-             std::vector<T> chosen;
-             for (const std::string& part : splitNames(given, text)) chosen.push_back(choose(given, part, names));
-             return chosen;
-           },
-           withNames(help, known(names), otherwise), {known(names), std::string(otherwise), true});
+  addValue(
+      line, option, "NAMES", values,
+      [names](const std::string& given, const std::string& text) {
+        std::vector<T> chosen;
+        for (const std::string& part : splitNames(given, text)) chosen.push_back(choose(given, part, names));
+        return chosen;
+      },
+      withNames(help, known(names), otherwise));
 }
 
 // Numbers

@@ -107,7 +107,6 @@ CameraFile readChecked(const Document& document, const CameraReading& reading) {
                                        std::string(fallback.name) + ", and --convention says how to write");
 
   file.worldIsEcef = worldIsEcef(camera);
-  file.hasPlace = readPlace(camera, field::position).has_value();
   if (file.worldIsEcef && file.convention.world == Handedness::left)
     camera.fail(field::convention,
                 "makes the world left-handed, but Earth-centred coordinates are right-handed: read the file in a "

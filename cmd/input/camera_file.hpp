@@ -18,11 +18,8 @@ struct CameraFile {
   Convention convention;
   std::optional<CameraAxes> cameraAxes = {};  ///< where its rotation's axes point, of a file that says so
   bool worldIsEcef = false;                   ///< Earth-centred metres: points may be given by lat, lon, height
-  bool hasPlace = false;                      ///< its position was given by lat, lon, height
   bool isTyped = false;                       ///< of the command line, and no file's
-  bool assumesNear = false;                   ///< where it has none, as calibrations: window depths depend on it
   bool tookAspect = false;                    ///< its shape is the reading's aspect
-  bool isForeign = false;                     ///< of a form that is not the tool's own
   bool statesConvention = false;              ///< the file has one, or is of a form that says how its numbers are meant
 };
 

@@ -288,7 +288,7 @@ CameraFile readForm(ForeignForm& form, const Document& document, const std::opti
   const std::vector<HeldCamera> cameras = form.list(document, false);
   CameraFile file = form.read(document, choose(document, cameras, pick), reading);
   document.requireSetsRead(std::string(form.name()));
-  file.statesConvention = file.isForeign = true;
+  file.statesConvention = true;
   return file;
 }
 
@@ -332,7 +332,7 @@ void readEachCamera(Document& document, const CameraReading& reading, const Type
   const auto read = [&](std::size_t which) {
     CameraFile file = form.read(document, which, ofFile);
     if (!typed.empty()) file = typed.over(file, document, reading);
-    file.statesConvention = file.isForeign = true;
+    file.statesConvention = true;
     return file;
   };
   std::size_t bad = 0;
@@ -372,21 +372,6 @@ void setViewportSize(Document& document, double width, double height) {
   if (viewport != document.root().end() && !viewport->is_object()) document.set(readAssignment("viewport=null"));
   document.set(readAssignment("viewport.width=" + formatNumber(width)));
   document.set(readAssignment("viewport.height=" + formatNumber(height)));
-}
-
-void noteKeptPixels(const Document& document, double width, double height) {
-  const ObjectReader camera(document, document.root(), {});
-  if (isForeign(document) || !camera.isObject(field::projection) || !camera.isObject(field::viewport)) return;
-  const ObjectReader projection = *camera.object(field::projection), viewport = *camera.object(field::viewport);
-  if (!projection.isString(field::type) || *projection.text(field::type) != kIntrinsics) return;
-  const auto own = [&](const Field& field) { return viewport.find(field) && viewport.find(field)->is_number(); };
-  if (!own(field::pixelWidth) || !own(field::pixelHeight)) return;
-  const double ownWidth = *viewport.number(field::pixelWidth), ownHeight = *viewport.number(field::pixelHeight);
-  if (ownWidth == width && ownHeight == height) return;
-  document.note(
-      {std::string(field::projection)},
-      "fx, fy, cx and cy stay as many pixels, so that another part of the world is seen than in a picture of " +
-          formatNumber(ownWidth) + " x " + formatNumber(ownHeight));
 }
 
 bool isForeign(const Document& document) { return static_cast<bool>(formOf(document)); }

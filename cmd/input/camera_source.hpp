@@ -21,9 +21,6 @@ struct CameraSource {
 /// Gives or replaces the size of the viewport.
 void setViewportSize(Document& document, double width, double height);
 
-/// Notes it where a file of ours counts in pixels of a picture of another size than this.
-void noteKeptPixels(const Document& document, double width, double height);
-
 CameraSource splitPick(const std::string& given);
 
 /// Throws InputError with the place of what is wrong.

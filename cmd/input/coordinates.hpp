@@ -1,9 +1,8 @@
 // What a record's numbers are called: each way to say a point, a shape or a pixel is a row, which the readers,
-// --columns, messages and the schema of points follow from.
+// --columns, messages and help follow from. To add one: a row; another name: an alias.
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -40,7 +39,6 @@ struct CoordinatePart {
   std::string_view name;
   std::size_t size = 1;
   Aliases aliases = {};
-  double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
 };
 
 struct Coordinate {
@@ -59,7 +57,6 @@ struct Coordinate {
 namespace coordinates {
 
 using enum CoordinateForm;
-inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 inline constexpr std::string_view
     kPositionNames[] = {"pos", "point", "location", "xyz"},
@@ -70,10 +67,10 @@ inline constexpr std::string_view
 inline constexpr CoordinatePart
     kXyzw[] = {{"x"}, {"y"}, {"z"}, {"w"}},
     kXy[] = {{"x"}, {"y"}},
-    kPlace[] = {{"lat", 1, kLatNames, -90, 90}, {"lon", 1, kLonNames}, {"height", 1, kSeaLevelNames}},
-    kSphere[] = {{"center", 3}, {"radius", 1, {}, 0, kUnbounded}},
+    kPlace[] = {{"lat", 1, kLatNames}, {"lon", 1, kLonNames}, {"height", 1, kSeaLevelNames}},
+    kSphere[] = {{"center", 3}, {"radius"}},
     kBox[] = {{"min", 3}, {"max", 3}},
-    kRadius[] = {{"radius", 1, {}, 0, kUnbounded}},
+    kRadius[] = {{"radius"}},
     kDepth[] = {{"depth"}},
     kViewDistance[] = {{"viewDistance"}};
 

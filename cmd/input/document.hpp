@@ -98,8 +98,6 @@ class Document {
   const std::vector<std::string>& notes() const { return notes_; }
   /// Those since the last time.
   std::vector<std::string> takeNotes() const { return std::exchange(notes_, {}); }
-  /// Takes over what was noted of a document that options made.
-  void addNotes(const Document& other) const { notes_.insert(notes_.end(), other.notes_.begin(), other.notes_.end()); }
 
   /// Something that holds as long as it is there.
   class [[nodiscard]] Meanwhile {

@@ -1,4 +1,4 @@
-// What a document may say. A field is declared once, as a row; its readers, its schema and what is told about it go by
+// What a document may say. A field is declared once, as a row; its readers, the schema of a camera and help go by
 // the row.
 #pragma once
 

@@ -11,7 +11,6 @@
 #include "input/typed_value.hpp"
 #include "input/viewport_fields.hpp"
 #include "text/error.hpp"
-#include "text/format_number.hpp"
 #include "text/names.hpp"
 
 namespace viewproj::cmd {
@@ -124,27 +123,12 @@ void give(Document& document, const Path& base, const Field& field, const Json& 
 
 double numberOf(const Json& value) { return value.get<double>(); }
 
-/// One focal length over a file of square pixels leaves the other, which was probably not meant.
-void noteLoneFocalLength(const Document& fields, const Path& base, const ObjectReader& given, const ScreenMap& map) {
-  constexpr double kSquare = 1e-9;
-  const double fx = map.scaleX.hi, fy = std::fabs(map.scaleY.hi);
-  const bool hasX = given.has(field::fx);
-  if (hasX == given.has(field::fy) || std::fabs(fx - fy) > kSquare * fx) return;
-  const Field &own = hasX ? field::fx : field::fy, &other = hasX ? field::fy : field::fx;
-  if (given.requireNumber(own) == fx) return;
-  Path path = base;
-  path.emplace_back(own.name);
-  fields.note(path, "makes pixels that are not square: " + std::string(other.name) + " stays " + formatDigits(fx, 4) +
-                        "; " + std::string(other.option) + " gives it too");
-}
-
 /// Of fx, fy, cx and cy what no option gives stays the file's.
 void keepIntrinsics(Document& fields, const CameraFile& camera) {
   if (!camera.projection || !camera.viewport || parts(*camera.projection).orthographic) return;
   const ScreenMap map = screenMap(parts(*camera.projection), *camera.viewport);
   const Path base{std::string(field::projection)};
   const ObjectReader given = *rootOf(fields).object(field::projection);
-  noteLoneFocalLength(fields, base, given, map);
   for (const auto& [field, number] :
        {std::pair(&field::fx, map.scaleX.hi), std::pair(&field::fy, std::fabs(map.scaleY.hi)),
         std::pair(&field::cx, rounded(map.centerX)), std::pair(&field::cy, rounded(map.centerY))})
@@ -264,25 +248,6 @@ void TypedCamera::requireConsistent() const {
   for (const Variant& variant : lensVariants()) lenses.push_back(variant.options);
   requireTogether(poses, pose);
   requireTogether(lenses, lens);
-}
-
-std::string_view TypedCamera::firstShaping(const std::vector<Given>& lens) {
-  return std::find_if(lens.begin(), lens.end(),
-                      [](const Given& given) { return !given.option.field || !isOfEveryType(*given.option.field); })
-      ->option.name;
-}
-
-void TypedCamera::noteCentred(const Document& document, const std::vector<Given>& lens) {
-  document.note({}, std::string(firstShaping(lens)) +
-                        " puts the middle of the view into that of the picture, where the file has it elsewhere; "
-                        "--shift X,Y moves it");
-}
-
-void TypedCamera::noteShape(const Document& document, const std::vector<Given>& lens, const Viewport& viewport,
-                            double shape) {
-  document.note({}, std::string(firstShaping(lens)) + " gives the view the viewport's shape, " +
-                        formatDigits(viewportAspect(viewport).hi, 4) + " times as wide as high, where the file's is " +
-                        formatDigits(shape, 4) + " times");
 }
 
 bool TypedCamera::shapesByAspectAlone(const std::vector<Given>& lens) {
@@ -422,15 +387,6 @@ void TypedCamera::mergeLens(Document& document, CameraReading& reading,
       std::find(typed.begin(), typed.end(), &field::aspect) == typed.end())
     if (const CameraFile file = unchanged(); file.projection) shape = windowAspect(parts(*file.projection)).hi;
 
-  if (own && !sameType && takesAspect && !fields.has(field::shift) &&
-      std::find(typed.begin(), typed.end(), &field::shift) == typed.end()) {
-    try {
-      if (const CameraFile file = unchanged(); file.projection && !isCentred(*file.projection))
-        noteCentred(document, lens);
-    } catch (const std::runtime_error&) {  // what is replaced need not be right
-    }
-  }
-
   if (own && !sameType) {
     for (const Field* field : own->form.fields)
       if (!isOfEveryType(*field) && !(takesAspect && field == &field::aspect)) drop(document, fields, *field, first);
@@ -489,10 +445,7 @@ CameraFile TypedCamera::over(const CameraFile& camera, const Document& document,
     locate([&] { file.pose = readPose(root, camera.convention, *preset); });
     file.worldIsEcef = worldIsEcef(root);
   }
-  if (lens.empty()) {
-    document.addNotes(fields);
-    return file;
-  }
+  if (lens.empty()) return file;
 
   std::optional<double> near, far;
   std::optional<std::pair<double, double>> shift;
@@ -501,7 +454,7 @@ CameraFile TypedCamera::over(const CameraFile& camera, const Document& document,
   for (const Given& given : lens) {
     const Field* const field = given.option.field;
     if (field == &field::zNear)
-      near = numberOf(*given.value), file.assumesNear = false;
+      near = numberOf(*given.value);
     else if (field == &field::zFar)
       far = numberOf(*given.value);
     else if (field == &field::shift)
@@ -550,15 +503,9 @@ CameraFile TypedCamera::over(const CameraFile& camera, const Document& document,
   const Way* const way = wayOf(type.form, projection);
   if (way && way->uses(field::aspect) && !projection.has(field::aspect) && camera.projection) {
     const DoubleDouble shape = windowAspect(parts(*camera.projection));
-    if (!camera.viewport)
-      give(fields, base, field::aspect, shape.hi, "");
-    else if (!camera.tookAspect && !hasShape(*camera.viewport, shape))
-      noteShape(document, lens, *camera.viewport, shape.hi);
+    if (!camera.viewport) give(fields, base, field::aspect, shape.hi, "");
   }
   locate([&] { file.projection = readProjection(projection, type, camera.viewport, reading.allowStretch); });
-  if (camera.projection && !isCentred(*camera.projection) && isCentred(*file.projection) && !shift)
-    noteCentred(document, lens);
-  document.addNotes(fields);
   return file;
 }
 

@@ -64,13 +64,6 @@ class TypedCamera {
   std::vector<Given> of(bool lens) const;
   void mergePose(Document& document, CameraReading& reading, const std::function<CameraFile()>& unchanged) const;
   void mergeLens(Document& document, CameraReading& reading, const std::function<CameraFile()>& unchanged) const;
-  /// The option that makes another view of it.
-  static std::string_view firstShaping(const std::vector<Given>& lens);
-  /// That the view has the viewport's shape, and not the file's, so many times as wide as high.
-  static void noteShape(const Document& document, const std::vector<Given>& lens, const Viewport& viewport,
-                        double shape);
-  /// That the view is no more off the middle.
-  static void noteCentred(const Document& document, const std::vector<Given>& lens);
   /// Besides near, far and shift, of which there may be none, an aspect is all.
   static bool shapesByAspectAlone(const std::vector<Given>& lens);
   const ProjectionType& typeFor(const std::vector<Given>& lens) const;

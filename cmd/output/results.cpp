@@ -14,14 +14,12 @@ namespace viewproj::cmd {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr std::string_view kOutside[] = {"behind", "left", "right", "bottom", "top", "near", "far"};
-constexpr std::string_view kVerdicts[] = {"inside", "intersects", "outside"};
 
 /// What a point lies beyond, in the interface's order.
 class Sides {
  public:
   explicit Sides(const ScreenPoint& p) {
-    if (p.status == PointStatus::behind) names_[count_++] = kOutside[0];
+    if (p.status == PointStatus::behind) names_[count_++] = "behind";
     for (Side side : kSides)
       if (p.outside & side) names_[count_++] = sideName(side);
   }
@@ -46,17 +44,14 @@ constexpr PointResult kPointResults[] = {
      [](R row, P p, S sink) { sink.number(row, p.screen.viewDistance); }},
     {results::visible,
      [](R row, P p, S sink) { sink.flag(row, p.screen.visible()); }},
-    {namesResult("outside", ResultWords::outside, "what the point lies beyond; left out where it is visible, unless --fields asks").whereNamed(),
+    {ResultRow{"outside", ResultKind::names}.whereNamed(),
      [](R row, P p, S sink) { sink.names(row, Sides(p.screen).names(), p.outsideAlways); }},
-    {vectorResult("ndc", 3, "", "normalised device coordinates, as the convention written has them").asked().orNull(),
-     [](R row, P p, S sink) { sink.vector(row, worldToNdc(p.camera, p.point, p.writing)); },
-     PointResult::Shows::depth},
-    {vectorResult("clip", 4, "", "homogeneous clip coordinates, as the convention written has them").asked().orNull(),
-     [](R row, P p, S sink) { sink.vector(row, worldToClip(p.camera, p.point, p.writing)); },
-     PointResult::Shows::depth},
-    {vectorResult("view", 3, results::kWorldUnit, "view coordinates, as the convention written has them").asked().orNull(),
-     [](R row, P p, S sink) { sink.vector(row, worldToView(p.camera, p.point, p.writing)); },
-     PointResult::Shows::axes},
+    {vectorResult("ndc", 3).asked(),
+     [](R row, P p, S sink) { sink.vector(row, worldToNdc(p.camera, p.point, p.writing)); }},
+    {vectorResult("clip", 4).asked(),
+     [](R row, P p, S sink) { sink.vector(row, worldToClip(p.camera, p.point, p.writing)); }},
+    {vectorResult("view", 3).asked(),
+     [](R row, P p, S sink) { sink.vector(row, worldToView(p.camera, p.point, p.writing)); }},
     {results::pixelSize,
      [](R row, P p, S sink) { sink.vector(row, pixelSize(p.camera, p.screen.viewDistance)); }},
     {results::screenBox,
@@ -64,7 +59,7 @@ constexpr PointResult kPointResults[] = {
        const ScreenBox box = p.box.value_or(ScreenBox{kNaN, kNaN, kNaN, kNaN});
        sink.vector(row, std::array{box.left, box.top, box.right, box.bottom});
      }},
-    {numberResult("bound", "pixels", "that screen is proven to be right to").asked().orNull(),
+    {numberResult("bound").asked(),
      [](R row, P p, S sink) { sink.number(row, boundOfPoint(p.camera, p.point, p.screen.precision).screen); }},
 };
 // clang-format on
@@ -109,11 +104,6 @@ std::string_view otherCommandOf(std::string_view name) {
   for (const PointResult& result : pointResults())
     if (result.row.name == name) return "";
   return has(results::kRay) ? "ray" : has(results::kCull) ? "cull" : "";
-}
-
-std::span<const std::string_view> wordsOf(ResultWords words) {
-  if (words == ResultWords::verdicts) return kVerdicts;
-  return std::span(kOutside).subspan(words == ResultWords::sides ? 1 : 0);
 }
 
 std::vector<std::string> columnsOf(std::span<const ResultRow* const> rows, std::string_view prefix, bool table) {

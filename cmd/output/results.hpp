@@ -1,8 +1,7 @@
-// What commands append to records: each result is a row, which the writers, --fields, the columns of CSV, messages and
-// the schema follow from. To add one: a row in results.cpp (project), or here, with its call in the command.
+// What commands append to records: each result is a row, which the writers, --fields, the columns of CSV and messages
+// follow from. To add one: a row in results.cpp (project), or here, with its call in the command.
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -22,61 +21,58 @@ namespace viewproj::cmd {
 // clang-format off
 namespace results {
 
-inline constexpr std::string_view kWorldUnit = "the world's unit";
-inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 inline constexpr ResultRow
-    screen = vectorResult("screen", 2, "pixels", "position in the picture, as the viewport counts").orNull(),
-    depth = numberResult("depth", "window depth", "depthRange's first at near, its second at far; reverseZ exchanges them").orNull(),
-    viewDistance = numberResult("viewDistance", kWorldUnit, "along the viewing axis; null for a direction").whereNamed().orNull(),
-    visible = flagResult("visible", "within the picture, near and far").whereNamed();
+    screen = vectorResult("screen", 2),
+    depth = numberResult("depth"),
+    viewDistance = numberResult("viewDistance").whereNamed(),
+    visible = ResultRow{"visible", ResultKind::flag}.whereNamed();
 inline constexpr std::string_view kAcross[] = {"_across", "_down"}, kEdges[] = {"_left", "_top", "_right", "_bottom"};
 inline constexpr ResultRow
-    pixelSize = vectorResult("pixelSize", 2, kWorldUnit, "what a pixel spans there, across and down").inColumns(kAcross).asked().orNull(),
-    screenBox = vectorResult("screenBox", 4, "pixels", "of a shape: left, top, right, bottom of what lies in front of near").inColumns(kEdges).asked().orNull();
+    pixelSize = vectorResult("pixelSize", 2).inColumns(kAcross).asked(),
+    screenBox = vectorResult("screenBox", 4).inColumns(kEdges).asked();
 
 // A segment: the ends of what is visible of it, and the point of it under the record's pixel.
 inline constexpr ResultRow
-    t = numberResult("t", "0 to 1", "share of the whole segment").within(0, 1),
-    cutBy = wordResult("cutBy", ResultWords::sides, "the side that cuts it there").orNull(),
-    underT = numberResult("t", "0 to 1", "share of the whole segment").orNull(),
-    underPoint = vectorResult("point", 3, kWorldUnit, "the point itself").orNull();
+    t = numberResult("t"),
+    cutBy = {"cutBy", ResultKind::word},
+    underT = numberResult("t"),
+    underPoint = vectorResult("point", 3);
 inline constexpr const ResultRow *kEndParts[] = {&t, &screen, &depth, &viewDistance, &cutBy},
                                  *kUnderParts[] = {&underT, &underPoint};
 inline constexpr ResultRow
-    start = groupResult("start", kEndParts, "where it becomes visible").whereNamed().orNull(),
-    end = groupResult("end", kEndParts, "where it ceases to be").whereNamed().orNull(),
-    under = groupResult("under", kUnderParts, "the point of it under the record's pixel").asked().orNull();
+    start = groupResult("start", kEndParts).whereNamed(),
+    end = groupResult("end", kEndParts).whereNamed(),
+    under = groupResult("under", kUnderParts).asked();
 inline constexpr const ResultRow* kSegment[] = {&visible, &start, &end, &under};
 
 // A ray, the point on it, and what it hits.
 inline constexpr ResultRow
-    origin = vectorResult("origin", 3, kWorldUnit, "where the ray begins").orNull(),
-    direction = vectorResult("direction", 3, "unit length", "where it goes").within(-1, 1).orNull(),
-    point = vectorResult("point", 3, kWorldUnit, "of the record's depth or viewDistance").asked().orNull(),
-    pointBound = numberResult("bound", kWorldUnit, "with --fields bound: how far point may be off as its depth was rounded").asked().orNull(),
-    hitId = jsonResult("id", "of the object"),
-    distance = numberResult("distance", kWorldUnit, "from the ray's origin").within(0, kInfinity),
-    hitPoint = vectorResult("point", 3, kWorldUnit, "where it hits"),
-    normal = vectorResult("normal", 3, "unit length", "of the surface there"),
-    lat = numberResult("lat", "degrees", "with a camera on the Earth, and where an ellipsoid is hit").asked(),
-    lon = numberResult("lon", "degrees", "with a camera on the Earth, and where an ellipsoid is hit").asked(),
-    height = numberResult("height", "metres", "above the ellipsoid").asked();
+    origin = vectorResult("origin", 3),
+    direction = vectorResult("direction", 3),
+    point = vectorResult("point", 3).asked(),
+    pointBound = numberResult("bound").asked(),
+    hitId = {"id", ResultKind::json},
+    distance = numberResult("distance"),
+    hitPoint = vectorResult("point", 3),
+    normal = vectorResult("normal", 3),
+    lat = numberResult("lat").asked(),
+    lon = numberResult("lon").asked(),
+    height = numberResult("height").asked();
 inline constexpr const ResultRow *kHitParts[] = {&hitId, &distance, &hitPoint, &normal},
                                  *kPlacedHitParts[] = {&hitId, &distance, &hitPoint, &normal, &lat, &lon, &height};
 inline constexpr ResultRow
-    hit = groupResult("hit", kHitParts, "the nearest of a scene").asked().orNull(),
-    placedHit = groupResult("hit", kPlacedHitParts, "the nearest of a scene").asked().orNull(),
-    hits = listResult("hits", kPlacedHitParts, "all of a scene, nearest first").asked(),
-    pointDistance = numberResult("viewDistance", kWorldUnit, "of the point, along the viewing axis; where the record has it not").asked().orNull();
+    hit = groupResult("hit", kHitParts).asked(),
+    placedHit = groupResult("hit", kPlacedHitParts).asked(),
+    hits = ResultRow{"hits", ResultKind::list, 1, kPlacedHitParts}.asked(),
+    pointDistance = numberResult("viewDistance").asked();
 inline constexpr const ResultRow *kPlaceParts[] = {&lat, &lon, &height};
 inline constexpr ResultRow
-    place = groupResult("place", kPlaceParts, "of the point, with a camera on the Earth").asked().orNull();
+    place = groupResult("place", kPlaceParts).asked();
 inline constexpr const ResultRow* kRay[] = {&origin, &direction, &point, &place, &pointDistance, &pixelSize, &pointBound, &placedHit, &hit, &hits};
 
 inline constexpr ResultRow
-    cull = wordResult("cull", ResultWords::verdicts, "where it lies").whereNamed(),
-    plane = wordResult("plane", ResultWords::sides, "which one decides; null for inside").whereNamed().orNull();
+    cull = ResultRow{"cull", ResultKind::word}.whereNamed(),
+    plane = ResultRow{"plane", ResultKind::word}.whereNamed();
 inline constexpr const ResultRow* kCull[] = {&cull, &plane};
 
 }  // namespace results
@@ -96,8 +92,6 @@ struct ProjectedPoint {
 struct PointResult {
   ResultRow row;
   void (*write)(const ResultRow& row, const ProjectedPoint& point, ResultSink& sink);
-  /// Of the convention that is written: nothing, its axes, or its range of depth too.
-  enum class Shows : unsigned char { nothing, axes, depth } shows = Shows::nothing;
 };
 
 std::span<const PointResult> pointResults();
@@ -109,9 +103,6 @@ const ResultRow* findResult(std::string_view name, std::string_view prefix = "")
 
 /// The command that writes a result which project does not; empty: none.
 std::string_view otherCommandOf(std::string_view name);
-
-/// The words that a result of words can have, as JSON knows them; empty: any.
-std::span<const std::string_view> wordsOf(ResultWords words);
 
 /// The columns of CSV. table: a vector has one cell.
 std::vector<std::string> columnsOf(std::span<const ResultRow* const> rows, std::string_view prefix = "",

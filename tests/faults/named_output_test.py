@@ -45,27 +45,27 @@ class NamedOutput(FaultTest):
         self.file("old", "before")
         os.chmod("old", 0o640)
         os.symlink("old", "link")
-        self.assertEqual(run(["schema", "camera", "-o", "link"]).returncode, 0)
+        self.assertEqual(run(["schema", "-o", "link"]).returncode, 0)
         self.assertTrue(os.path.islink("link"))
         self.assertEqual(stat.S_IMODE(os.stat("old").st_mode), 0o640)
         self.assertIn("camera", Path("old").read_text())
         os.symlink("nowhere", "dangling")
-        self.assertEqual(run(["schema", "camera", "-o", "dangling"]).returncode, 0)
+        self.assertEqual(run(["schema", "-o", "dangling"]).returncode, 0)
         self.assertTrue(os.path.islink("dangling") and Path("nowhere").exists())
         os.symlink("loop", "loop")
-        self.assert_fails(run(["schema", "camera", "-o", "loop"]), "loop: Too many levels of symbolic links")
+        self.assert_fails(run(["schema", "-o", "loop"]), "loop: Too many levels of symbolic links")
         before = os.umask(0o027)
         try:
-            self.assertEqual(run(["schema", "camera", "-o", "new"]).returncode, 0)
+            self.assertEqual(run(["schema", "-o", "new"]).returncode, 0)
         finally:
             os.umask(before)
         self.assertEqual(stat.S_IMODE(os.stat("new").st_mode), 0o640)
 
     def test_what_is_no_regular_file_is_written_as_it_is(self):
-        self.assertEqual(run(["schema", "camera", "-o", "/dev/null"]).returncode, 0)
+        self.assertEqual(run(["schema", "-o", "/dev/null"]).returncode, 0)
         self.assertTrue(stat.S_ISCHR(os.stat("/dev/null").st_mode))
-        self.assertIn(b"camera", run(["schema", "camera", "-o", "/dev/stdout"]).stdout)
-        self.assertIn(b"camera", run(["schema", "camera", "-o", "-"]).stdout)
+        self.assertIn(b"camera", run(["schema", "-o", "/dev/stdout"]).stdout)
+        self.assertIn(b"camera", run(["schema", "-o", "-"]).stdout)
         # A descriptor's file goes on where it stands.
         one = [tool.TOOL, "project", "-c", CAMERA, "--point", "1,1,1", "--fields", "visible", "-o"]
         for name in ("/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"):
@@ -78,7 +78,7 @@ class NamedOutput(FaultTest):
         self.assertEqual(Path("log").read_bytes().count(b"\n"), 4)
         os.mkfifo("pipe")
         reader = subprocess.Popen(["cat", "pipe"], stdout=subprocess.PIPE)
-        self.assertEqual(run(["schema", "camera", "-o", "pipe"]).returncode, 0)
+        self.assertEqual(run(["schema", "-o", "pipe"]).returncode, 0)
         self.assertIn(b"camera", reader.communicate(timeout=tool.PATIENCE)[0])
 
     def test_where_there_cannot_be_one_is_said_before_anything_is_read(self):
@@ -89,7 +89,7 @@ class NamedOutput(FaultTest):
             ("x" * 300, "File name too long"),
             ("/dev/full", "No space left on device"),
         ):
-            self.assert_fails(run(["schema", "camera", "-o", name]), f"{name}: {message}")
+            self.assert_fails(run(["schema", "-o", name]), f"{name}: {message}")
 
     def test_what_another_run_left_is_no_hindrance(self):
         self.file("file.viewproj-0", "left")

@@ -68,7 +68,7 @@ def _runs():
     for command in commands():
         yield [command, "--help"], b""
     if "schema" in commands():
-        yield ["schema", "camera"], b""
+        yield ["schema"], b""
 
 
 def commands():

@@ -43,7 +43,7 @@ int run(const Options& o) {
   if (o.point) o.point->requireFit(file.worldIsEcef);
   const Camera built = makeCamera(file);
   const Convention writing = o.camera.writing(file);
-  o.camera.noteWriting(file, {}, "");
+  o.camera.noteHandedness(file);
   const auto explain = [&] {
     if (o.point)
       return explainPoint(built, writing, o.point->point(),

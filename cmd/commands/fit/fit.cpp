@@ -222,11 +222,10 @@ int run(const Options& o) {
   const int status = reads ? readRecords(setup, [&] { return std::make_unique<FitWork>(fitting, reading); }) : 0;
   if (fitting.hull.isEmpty()) throw InputError("there is nothing to fit");
 
-  auto range = fitting.hull.range();
   if (orthographic) {
     file.projection = around(*file.projection, *file.viewport, fitting.hull.reach(), wanted);
   } else if (by == Means::lens) {
-    if (!(range.nearest > 0))
+    if (!(fitting.hull.range().nearest > 0))
       throw InputError("something of it lies on or behind the plane through the eye; no lens shows that");
     file.projection = opened(*file.projection, *file.viewport, parts(camera).screen, fitting.extent, wanted,
                              writeCamera(file, "", o.camera.allowsStretch()).turned);
@@ -235,23 +234,11 @@ int run(const Options& o) {
     Hull::Place place = fitting.hull.place();
     file.pose = movedTo(pose, place.eye, file.convention.world);
     place = fitting.hull.place(writeCamera(file, "", o.camera.allowsStretch()).turned);
-    if (place.by == Hull::Place::By::near)
-      o.camera.notes().say(
-          "it fits from as near as one likes, up to a point that is one of it; this one comes to lie on near");
-    else if (o.pixels &&
-             *o.pixels > (place.by == Hull::Place::By::width ? file.viewport->width : file.viewport->height))
+    if (place.by != Hull::Place::By::near && o.pixels &&
+        *o.pixels > (place.by == Hull::Place::By::width ? file.viewport->width : file.viewport->height))
       failToHold(wanted, *file.viewport);
     file.pose = movedTo(pose, place.eye, file.convention.world);
-    range = place.range;
   }
-  const double near = file.projection->zNear(), far = file.projection->zFar();
-  if (range.nearest < near * (1 - 1e-9))
-    o.camera.notes().say("some of it is nearer than near, " + formatNumber(near) + ": at " +
-                         formatDigits(range.nearest, 6));
-  if (range.farthest > far)
-    o.camera.notes().say("some of it is farther than far, " + formatNumber(far) + ": at " +
-                         formatDigits(range.farthest, 6));
-  o.camera.notePlace(file);
   writeOutput(writeCamera(file, "", o.camera.allowsStretch()).text);
   return status;
 }

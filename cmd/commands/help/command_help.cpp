@@ -11,14 +11,15 @@ namespace viewproj::cmd {
 namespace {
 
 constexpr std::size_t kColumn = 30;
+constexpr std::pair<const char*, const char*> kStatuses[] = {
+    {"0", "All went well."},
+    {"1", "An input was wrong, or an output could not be written."},
+    {"2", "The command line was wrong."},
+};
 
 OptionHelp describe(const Option& option) {
-  OptionHelp help{.name = option.names, .text = option.help, .names = {}, .value = option.form, .facts = option.facts};
-  if (option.isOperand()) return help;
-  help.names = option.spelled();
-  help.name = joined(help.names);
-  if (!help.value.empty()) help.name += " " + help.value;
-  return help;
+  if (option.isOperand()) return {option.names, option.help};
+  return {joined(option.spelled()) + (option.form.empty() ? "" : " " + option.form), option.help};
 }
 
 std::string row(const OptionHelp& option, std::size_t width) {
@@ -47,15 +48,11 @@ CommandHelp describe(const Command& command) {
   return help;
 }
 
-std::string usage(const CommandHelp& help) {
-  std::string line = help.name + " [options]";
-  for (const OptionHelp& argument : help.arguments) line += " [" + argument.name + "]";
-  return line;
-}
-
 std::string helpText(const CommandHelp& help) {
   const std::size_t width = terminalWidth();
-  std::string out = wrapped(help.description, width) + "\nUsage: " + usage(help) + "\n";
+  std::string out = wrapped(help.description, width) + "\nUsage: " + help.name + " [options]";
+  for (const OptionHelp& argument : help.arguments) out += " [" + argument.name + "]";
+  out += "\n";
   if (!help.arguments.empty()) out += "\n";
   for (const OptionHelp& argument : help.arguments) out += row(argument, width);
   for (const OptionGroup& group : help.groups) {
@@ -72,7 +69,8 @@ std::string helpText() {
     return paddedRight("  " + std::string(name), kNames) + wrapped(text, width, kNames);
   };
   std::string out =
-      "viewproj: " + std::string(kSummary) + "\n\nUsage: viewproj <command> [options] [FILE]\n\nCommands:\n";
+      "viewproj: world points to screen coordinates, pixels to picking rays, cameras to matrices\n\n"
+      "Usage: viewproj <command> [options] [FILE]\n\nCommands:\n";
   for (const Command& command : allCommands()) out += line(command.name, command.summary);
   out += "\nTopics, for viewproj help:\n";
   for (const Topic& topic : topics()) out += line(topic.name, topic.summary);

@@ -1,8 +1,7 @@
-// What a command's options say of themselves, for --help and for the manual page.
+// What a command's options say of themselves.
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "commands/command.hpp"
@@ -13,10 +12,6 @@ namespace viewproj::cmd {
 struct OptionHelp {
   std::string name;  ///< as it is typed: "-c, --camera FILE[#NAME]"
   std::string text;
-  std::vector<std::string> names;  ///< "-c", "--camera"
-  std::string value;               ///< "FILE[#NAME]"; empty where it takes none
-  OptionFacts facts;
-  bool operator==(const OptionHelp&) const = default;
 };
 
 struct OptionGroup {
@@ -32,19 +27,7 @@ struct CommandHelp {
   std::string example;                ///< a command line that works beside samples/
 };
 
-inline constexpr const char* kHelpOption = "-h, --help";
-inline constexpr const char* kSummary =
-    "world points to screen coordinates, pixels to picking rays, cameras to matrices";
-inline constexpr std::pair<const char*, const char*> kStatuses[] = {
-    {"0", "All went well."},
-    {"1", "An input was wrong, or an output could not be written."},
-    {"2", "The command line was wrong."},
-};
-
 CommandHelp describe(const Command& command);
-
-/// "viewproj project [options] [FILE]"
-std::string usage(const CommandHelp& help);
 
 /// Of one command, for a terminal.
 std::string helpText(const CommandHelp& help);

@@ -3,7 +3,6 @@
 
 #include "commands/command.hpp"
 #include "commands/help/command_help.hpp"
-#include "commands/help/machine_help.hpp"
 #include "commands/help/topics.hpp"
 #include "commands/notes.hpp"
 #include "commands/output_option.hpp"
@@ -17,7 +16,6 @@ namespace {
 
 struct Options {
   std::optional<std::string> name;
-  bool json = false;
   Notes notes;
 };
 
@@ -36,8 +34,7 @@ std::string textOf(const std::optional<std::string>& name) {
 }
 
 int run(const Options& o) {
-  if (o.json && o.name) throw UsageError("help --json tells of all; leave out one of it and " + *o.name);
-  writeOutput(o.json ? helpAsJson() : textOf(o.name));
+  writeOutput(textOf(o.name));
   return 0;
 }
 
@@ -52,8 +49,7 @@ Action defineHelp(CommandLine& line) {
   }() + ".");
   line.setExample("viewproj help camera");
   addValue(line, "NAME", "", o->name, readText, "A command or a topic; absent: all of them, a line each");
-  line.addFlag("--json", o->json, "All commands, options, topics and fields, for editors and scripts");
-  addOnlyForm(line, "text or JSON", ".txt .json");
+  addOnlyForm(line, "text", ".txt");
   o->notes.add(line);
   return [o] { return run(*o); };
 }

@@ -10,8 +10,7 @@ constexpr Topic kTopics[] = {
     {"camera",
      "the fields of a camera file",
      pages::camera,
-     {"viewproj matrix samples/picking-a-pixel/camera.json --set projection.fovY=75 --to camera",
-      "viewproj schema camera"}},
+     {"viewproj matrix samples/picking-a-pixel/camera.json --set projection.fovY=75 --to camera", "viewproj schema"}},
     {"projection",
      "what a camera sees: fields of view, windows, focal lengths",
      pages::projection,
@@ -37,7 +36,8 @@ constexpr Topic kTopics[] = {
      pages::scene,
      {"viewproj ray -c samples/a-picture-of-a-harbour/camera.json --pixel 700,250 \\\n"
       "  --scene samples/a-picture-of-a-harbour/scene.json",
-      "viewproj schema scene"}},
+      "viewproj ray -c samples/a-picture-of-a-harbour/camera.json --pixel 700,250 \\\n"
+      "  --scene samples/a-picture-of-a-harbour/scene.json --all-hits"}},
     {"conventions",
      "OpenGL, Direct3D and the others, axis by axis",
      pages::conventions,

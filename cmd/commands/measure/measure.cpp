@@ -21,7 +21,6 @@ constexpr std::size_t kMostPoints = 1'000'000;
 struct Sample {
   std::vector<Vec3> points;
   std::size_t leftOut = 0;
-  std::size_t beyond = 0;  ///< with --keep-going, those beyond kMostPoints
 };
 
 /// Keeps the points of a stream.
@@ -34,10 +33,7 @@ class SampleWork final : public RecordWork {
   Results results(const Layout&, OutputForm) const override { return {}; }
   void add(const Layout& layout, const Numbers& numbers) override {
     const Vec4 p = toPoint(layout, numbers);
-    if (sample_.points.size() == kMostPoints && keepGoing_) {
-      ++sample_.beyond;
-      return;
-    }
+    if (sample_.points.size() == kMostPoints && keepGoing_) return;
     if (sample_.points.size() == kMostPoints)
       throw RecordError(0, "is one more than the " + std::to_string(kMostPoints) +
                                " points that are measured at once; a sample of them will do");
@@ -54,23 +50,6 @@ class SampleWork final : public RecordWork {
   const PointReading& reading_;
   bool keepGoing_;
 };
-
-std::vector<std::string> notesOn(const Measurement& m, std::size_t leftOut) {
-  std::vector<std::string> notes;
-  const auto records = [](std::size_t count) { return std::to_string(count) + (count == 1 ? " point" : " points"); };
-  if (leftOut > 0)
-    notes.push_back("left out " + records(leftOut) + " with a weight or a direction; batches take x y z alone");
-  if (m.points < kEnoughToTime)
-    notes.push_back("too few points to time: with " + records(m.points) +
-                    " the cost of a call is part of ns per point; repeat them to " + std::to_string(kEnoughToTime) +
-                    " or more");
-  if (m.visible == 0)
-    notes.push_back("none of the points is in the picture: there are no errors to tell, and no rays");
-  else if (m.points >= kEnoughToTime && m.visible < kEnoughToTime)
-    notes.push_back("too few pixels to time: with " + records(m.visible) +
-                    " in the picture the cost of a call is part of ns per ray");
-  return notes;
-}
 
 struct Options {
   CameraOptions camera;
@@ -94,12 +73,7 @@ int run(const Options& o) {
     throw InputError((setup.file == "-" ? kStandardInputName : visible(setup.file)) + ": has no points to measure" +
                      (sample.leftOut > 0 ? "; directions and weighted points are left out" : ""));
   const Measurement m = measure(built, sample.points);
-  const std::vector<std::string> notes = notesOn(m, sample.leftOut);
-  if (sample.beyond > 0)
-    o.camera.notes().say("the first " + std::to_string(kMostPoints) + " points are measured, and " +
-                         std::to_string(sample.beyond) + " left out");
-  for (const std::string& note : notes) o.camera.notes().say(note);
-  writeOutput(o.form == ReportForm::json ? measurementAsJson(m, sample.leftOut, notes) : measurementAsTable(m));
+  writeOutput(o.form == ReportForm::json ? measurementAsJson(m, sample.leftOut) : measurementAsTable(m));
   return status;
 }
 

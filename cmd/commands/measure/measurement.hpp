@@ -12,7 +12,6 @@
 namespace viewproj::cmd {
 
 /// Below this many points the cost of a call counts beside the cost of its points.
-inline constexpr std::size_t kEnoughToTime = 1000;
 
 /// One way to project, or to cast. Numbers that do not exist are absent; errors may be infinite or NaN, where a result
 /// is.

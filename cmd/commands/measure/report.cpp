@@ -85,14 +85,14 @@ std::string measurementAsTable(const Measurement& m) {
          "0.51 ulp).\nShares: of all points. missing: points in the picture whose result is not finite.\n";
 }
 
-std::string measurementAsJson(const Measurement& m, std::size_t leftOut, std::span<const std::string> notes) {
+std::string measurementAsJson(const Measurement& m, std::size_t leftOut) {
   std::vector<std::string> modes;
   for (const auto* rows : {&m.projecting, &m.casting})
     for (const ModeRow& row : *rows) modes.push_back(rowAsJson(row));
   JsonObject out;
   out.add("points", m.points).add("visible", m.visible).add("leftOut", leftOut).add("kernel", m.kernel);
   out.add("rounds", kRounds);
-  out.addText("notes", jsonListOf(notes), ",\n ").addText("modes", jsonList(modes, ",\n  "), ",\n ");
+  out.addText("modes", jsonList(modes, ",\n  "), ",\n ");
   return out.text() + "\n";
 }
 

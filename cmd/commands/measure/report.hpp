@@ -1,7 +1,6 @@
 // A measurement as text: a table, JSON.
 #pragma once
 
-#include <span>
 #include <string>
 
 #include "commands/measure/measurement.hpp"
@@ -10,7 +9,6 @@ namespace viewproj::cmd {
 
 std::string measurementAsTable(const Measurement& m);
 
-/// notes: what standard error says of this run.
-std::string measurementAsJson(const Measurement& m, std::size_t leftOut, std::span<const std::string> notes);
+std::string measurementAsJson(const Measurement& m, std::size_t leftOut);
 
 }  // namespace viewproj::cmd

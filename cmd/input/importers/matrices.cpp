@@ -11,13 +11,11 @@
 #include "camera/viewport.hpp"
 #include "input/camera_fields.hpp"
 #include "input/convention_fields.hpp"
-#include "input/distortion_names.hpp"
 #include "input/importers/importer.hpp"
 #include "input/kinds/distortion.hpp"
 #include "input/readings/readings.hpp"
 #include "input/value_form.hpp"
 #include "text/names.hpp"
-#include "text/visible.hpp"
 
 namespace viewproj::cmd {
 
@@ -35,30 +33,6 @@ constexpr Slot kProjection{MatrixKind::projection, {"projection", "projectionMat
 constexpr Slot kViewProjection{MatrixKind::viewProjection, {"viewProjection", "viewProjectionMatrix"}};
 constexpr Slot kSlots[] = {kView, kViewInverse, kProjection, kViewProjection};
 constexpr std::string_view kEye = "eye";
-/// What follows from those, as `viewproj matrix` writes it.
-constexpr std::string_view kFollowing[] = {"projectionInverse", "projectionMatrixInverse", "viewProjectionInverse",
-                                           "viewportInverse"};
-
-/// Numbers beside the matrices: a near, a model, a matrix under a name that is none here.
-void noteOthers(const Document& document, const std::optional<Distortion>& distortion) {
-  std::vector<std::string_view> others;
-  for (const auto& item : document.root().items()) {
-    const std::string& key = item.key();
-    const bool isKnown = (distortion && key == distortion->at.front()) || isAmong(kCoefficientNames, key) ||
-                         isAmong(kDistortionArrays, plainName(key)) || key == kEye || key == field::viewport.name ||
-                         key == field::convention.name || isAmong(kFollowing, key) ||
-                         std::any_of(std::begin(kSlots), std::end(kSlots),
-                                     [&](const Slot& slot) { return !key.empty() && isAmong(slot.names, key); });
-    if (!isKnown && (item.value().is_number() || item.value().is_structured())) others.push_back(key);
-  }
-  if (others.empty()) return;
-  const std::string first(others.front());
-  others.erase(others.begin());
-  document.note({first}, "is not read" + (others.empty() ? "" : ", nor are " + visible(joined(others))) +
-                             ": of a file of matrices count view or viewInverse, projection, viewProjection, eye, "
-                             "viewport and convention");
-}
-
 bool recognises(const nlohmann::json& root) {
   for (const Slot& slot : kSlots)
     for (const std::string_view name : slot.names)
@@ -274,7 +248,6 @@ CameraFile read(const Document& document, const CameraReading& reading) {
   const ObjectReader file(document, document.root(), {});
   const auto distortion = distortionIn(document, {{}, &document.root()});
   refuseDistortion(document, distortion, std::nullopt, reading);
-  noteOthers(document, distortion);
   const std::vector<GivenMatrix> givens = readGivens(file);
   const StatedConvention stated = conventionOf(file, givens, reading);
   const Convention& convention = stated.convention;
@@ -287,10 +260,6 @@ CameraFile read(const Document& document, const CameraReading& reading) {
       pose = located(file, {{"columns", given.key}, {"position", given.key}}, [&] { return poseOf(given, r); });
     if (!r.projection) continue;
     const ProjectionParts& p = parts(*r.projection);
-    if (given.slot.kind == MatrixKind::viewProjection && p.orthographic)
-      document.note({given.key},
-                    "is an orthographic product, which does not say how far back the eye is: distances along "
-                    "the view count from the plane through the origin");
     projection =
         located(file, {{"near", given.key}, {"far", given.key}, {"right", given.key}, {"top", given.key}}, [&] {
           return p.orthographic ? orthographic(p.left, p.right, p.bottom, p.top, p.near, p.far)

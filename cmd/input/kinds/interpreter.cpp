@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <utility>
 
 #include "input/convention_names.hpp"
 #include "input/kinds/distortion.hpp"
@@ -25,25 +24,6 @@ const ConventionPreset& presetOf(const Kind& kind) { return *findPreset(kind.wor
 double pixelCenterOf(const Kind& kind) {
   const auto own = kind.numbers.find("pixelCenter");
   return own == kind.numbers.end() ? presetOf(kind).pixelCenter : own->second;
-}
-
-/// Notes what the row has to say of some fields.
-void giveNotes(const CameraPlace& camera) {
-  for (const Kind::Note& note : camera.kind().notes)
-    for (const Steps& path : note.paths) {
-      const auto found = camera.find(path);
-      if (!found) continue;
-      if (found->value->is_boolean() || found->value->is_number()) {
-        if (*found->value != false && *found->value != 0 && *found->value != 1)
-          camera.document().note(found->path, note.text);
-        continue;
-      }
-      std::vector<double> numbers;
-      const bool allRead = numbersOf(camera.document(), *found, numbers);
-      const bool allZero = std::all_of(numbers.begin(), numbers.end(), [](double n) { return n == 0; });
-      if (!allRead ? found->value->is_array() || found->value->is_string() : !isIdentity(numbers) && !allZero)
-        camera.document().note(found->path, note.text);
-    }
 }
 
 /// Throws at a field whose value the row does not allow.
@@ -109,36 +89,6 @@ void requireReadable(const CameraPlace& camera) {
   requireAllowed(camera);
   refuseSkew(camera);
   refuseOddP(camera);
-}
-
-/// A row of --format may be new: notes where it says that a number stands and none does, which has a default.
-void noteAbsent(const CameraPlace& camera) {
-  const Document& document = camera.document();
-  if (document.ownKinds().empty()) return;
-  struct Default {
-    const char *word, *meaning;
-  };
-  static constexpr Default kDefaults[] = {{"near", "the near plane is at 0.01"},
-                                          {"far", "there is no far plane"},
-                                          {"cx", "the middle of the lens is that of the picture"},
-                                          {"cy", "the middle of the lens is that of the picture"}};
-  for (const Default& each : kDefaults)
-    if (const Where& where = camera.kind().at(each.word); !where.paths.empty() && !camera.find(each.word))
-      document.note(camera.own().path, std::string("has no ") + dotted(where.paths.front()) +
-                                           ", where --format looks for " + each.word + ": " + each.meaning);
-  bool placesIt = camera.kind().has("translation") || camera.kind().has("position");
-  for (const char* const word : kTurnWords) placesIt = placesIt || camera.kind().has(word);
-  if (placesIt && !poseField(camera))
-    document.note(camera.own().path, "has no pose where --format looks for it: the camera is at the origin");
-}
-
-/// Of several cameras in one file, notes one that the file would place and does not.
-void noteUnplaced(const CameraPlace& camera) {
-  const Kind& kind = camera.kind();
-  if (kind.view.empty() || !kind.has("rotation") || !kind.has("translation") || poseField(camera)) return;
-  camera.document().note(camera.pathOf("K"), "has no " + dotted(kind.at("rotation").paths.front()) + " and " +
-                                                 dotted(kind.at("translation").paths.front()) +
-                                                 " beside it, which place it: the camera is at the origin");
 }
 
 }  // namespace
@@ -235,7 +185,6 @@ CameraFile KindCameras::read(std::size_t which, const CameraReading& reading) {
   requireReadable(camera);
   const ObjectReader place(document, *camera.own().value, camera.own().path);
   requirePoseRead(camera, reading);
-  if (!reading.replacesPose && !std::exchange(hasNotedAround_, true)) notePosesAround(document, around_, *kind_);
   const auto distortion = this->distortion(camera);
   const auto viewport = importedViewport(
       document, {.width = size.width, .height = size.height, .pixelCenter = pixelCenterOf(camera.kind())});
@@ -253,21 +202,7 @@ CameraFile KindCameras::read(std::size_t which, const CameraReading& reading) {
                         .pixelCenter = frame.pixelCenter};
   requireWholePicture(camera, viewport ? std::optional(pixels) : std::nullopt);
   const LensOf lens = lensOf(camera, pixels);
-  noteAbsent(camera);
-  giveNotes(camera);
-  if (!reading.replacesPose) {
-    noteUnplaced(camera);
-    if (!anyPosed_) anyPosed_ = std::any_of(all_.begin(), all_.end(), [](const auto& one) { return poseField(one); });
-    const bool isLinked = kind_->word("pose") == "cameraFromPrevious";
-    if (*anyPosed_ && kind_->views.empty() && !isLinked && !poseField(camera))
-      document.note(camera.own().path, "has no pose, as others of the file have: the camera is at the origin");
-  }
-  noteUnreadMeaning(camera);
   refuseDistortion(document, distortion, viewport ? std::optional(pinhole(lens, pixels)) : std::nullopt, reading);
-  if (viewport) {
-    noteContradictions(camera, lens, pixels);
-    noteOtherLens(camera, lens, pixels);
-  }
   auto near = camera.number("near"), far = camera.number("far");
   if (const auto scale = camera.kind().numbers.find("scale"); scale != camera.kind().numbers.end())
     for (auto* const plane : {&near, &far})
@@ -287,7 +222,6 @@ CameraFile KindCameras::read(std::size_t which, const CameraReading& reading) {
     requireShape(DoubleDouble(pixels.width) / DoubleDouble(pixels.height), frame, place);
   const auto pose = reading.replacesPose ? std::nullopt : std::optional(poses_.of(camera));
   CameraFile file = imported(document, presetOf(camera.kind()).convention, pose, projection, viewport);
-  file.assumesNear = !near;
   return file;
 }
 

@@ -38,8 +38,6 @@ class KindCameras {
   std::vector<Found> around_;       ///< of all cameras: looked at once
   std::vector<Found> distortions_;  ///< objects that have an array for each camera, by its name
   std::optional<Distortion> distortionAround_;
-  bool hasNotedAround_ = false;
-  std::optional<bool> anyPosed_;
 };
 
 }  // namespace viewproj::cmd

@@ -87,9 +87,6 @@ constexpr KindField kFields[] = {
     {"passedOver", KindValue::paths, "names that say nothing of the camera, though they look so"},
     {"only", KindValue::allowed,
      "places, and the values that are no obstacle there: numbers, \"identity\", or the place of the same number"},
-    {"notes", KindValue::notes,
-     "texts, and for each the places of which it tells; noted where one has numbers that are no identity and not all "
-     "0"},
 };
 
 }  // namespace

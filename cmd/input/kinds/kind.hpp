@@ -26,7 +26,6 @@ enum class KindValue {
   axes,     ///< where a camera's x, y, z point, in letters of right or left, up or down, forward or back
   views,    ///< names, and for each what differs
   allowed,  ///< places, and the values that are no obstacle there
-  notes,    ///< texts, and the places that each is about
   euler,    ///< an order, and the places of its angles
 };
 
@@ -82,11 +81,6 @@ struct Kind {
     std::vector<Steps> sameAs;
   };
   std::vector<Allowed> only;
-  struct Note {
-    std::string text;
-    std::vector<Steps> paths;
-  };
-  std::vector<Note> notes;
   std::optional<std::vector<Steps>> distortion;  ///< nothing: wherever it is
   std::vector<std::string> passedOver;
   std::string view;  ///< its name, where it is one of the views of another

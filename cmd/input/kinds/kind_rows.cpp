@@ -105,9 +105,6 @@ class RowReader {
       case KindValue::allowed:
         kind.only = allowed(name, value);
         break;
-      case KindValue::notes:
-        readNotes(kind, value);
-        break;
       case KindValue::euler:
         readEuler(kind, value);
         break;
@@ -149,13 +146,6 @@ class RowReader {
     if (axes.size() != 3 || seen[0] != 1 || seen[1] != 1 || seen[2] != 1)
       fail("axes", "expected three letters: one of R and L, one of U and D, one of F and B, as in RDF");
     kind.words["axes"] = axes;
-  }
-
-  void readNotes(Kind& kind, const nlohmann::json& value) const {
-    kind.notes.clear();
-    if (value.is_null()) return;
-    if (!value.is_object()) fail("notes", "expected texts, and for each a place or a list of them");
-    for (const auto& [said, paths] : value.items()) kind.notes.push_back({said, pathsOf("notes", paths)});
   }
 
   void readEuler(Kind& kind, const nlohmann::json& value) const {

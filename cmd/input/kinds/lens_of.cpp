@@ -70,24 +70,13 @@ std::optional<DoubleDouble> focalLength(const CameraPlace& camera, bool vertical
   const bool hasSides = camera.kind().has("sensorWidth") && camera.kind().has("sensorHeight");
   if (!given && !angle && camera.kind().word("focalIn") == "sensor" && hasSides)
     given = camera.number(vertical ? "fx" : "fy");
-  std::optional<DoubleDouble> focal;
-  if (given) focal = DoubleDouble(*given) * focalUnit(camera, vertical, pixels);
-  if (!angle) return focal;
+  if (given) return DoubleDouble(*given) * focalUnit(camera, vertical, pixels);
+  if (!angle) return std::nullopt;
   const bool inRadians = camera.kind().word("angles") == "radians";
   const DoubleDouble tangent = inRadians ? tanHalfRadians(*angle) : tanHalfDegrees(*angle);
   const char* const range = inRadians ? " an angle between 0 and pi radians" : " an angle between 0 and 180 degrees";
-  if (!focal && !(tangent.hi > 0)) camera.fail(angleWord, std::string("must be") + range);
-  const DoubleDouble ofAngle = timesPowerOfTwo(DoubleDouble(vertical ? pixels.height : pixels.width), 0.5) / tangent;
-  if (!focal) return ofAngle;
-  // A focal length nearer to the camera goes before an angle farther off, and contradicts nothing.
-  constexpr double kSame = 1e-3;
-  const Path ofFocal = camera.pathOf(word), at = camera.pathOf(angleWord);
-  const bool isFarther = ofFocal.size() > at.size();
-  if (!isFarther && !(std::fabs(ofAngle.hi - focal->hi) <= kSame * focal->hi))
-    camera.document().note(at, (tangent.hi > 0 ? "makes a focal length of " + shortNumber(ofAngle.hi) + " pixels"
-                                               : std::string("is not") + range) +
-                                   "; " + ofFocal.back() + " counts, which is " + shortNumber(focal->hi));
-  return focal;
+  if (!(tangent.hi > 0)) camera.fail(angleWord, std::string("must be") + range);
+  return timesPowerOfTwo(DoubleDouble(vertical ? pixels.height : pixels.width), 0.5) / tangent;
 }
 
 double middle(double size, const Viewport& pixels) { return size / 2 + (pixels.pixelCenter - 0.5); }
@@ -148,18 +137,6 @@ LensOf lensOf(const CameraPlace& camera, const Viewport& pixels) {
 bool countsInPixels(const CameraPlace& camera) {
   if (camera.find("K") || camera.find("intrinsics") || camera.find("P")) return true;
   return camera.kind().word("focalIn") == "pixels" && (camera.find("fx") || camera.find("fy"));
-}
-
-void noteContradictions(const CameraPlace& camera, const LensOf& lens, const Viewport& pixels) {
-  const double corner = pixels.pixelCenter - 0.5, x = lens.cx - corner, y = lens.cy - corner;
-  const auto outside = [](double at, double size) { return !(at >= 0 && at <= size); };
-  if (!outside(x, pixels.width) && !outside(y, pixels.height)) return;
-  const std::string where = shortNumber(lens.cx) + ", " + shortNumber(lens.cy);
-  const std::string size = shortNumber(pixels.width) + " x " + shortNumber(pixels.height);
-  const bool fitsTurned = !outside(x, pixels.height) && !outside(y, pixels.width);
-  camera.document().note(camera.pathOf(camera.find("cx") ? "cx" : lens.word),
-                         "puts the middle of the lens at " + where + ", outside of the picture of " + size +
-                             (fitsTurned ? "; with width and height exchanged it would lie in it" : ""));
 }
 
 }  // namespace viewproj::cmd

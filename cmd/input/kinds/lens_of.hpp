@@ -32,7 +32,4 @@ bool isPinhole(const CameraPlace& camera);
 /// Whether that is known without a size of the picture.
 bool countsInPixels(const CameraPlace& camera);
 
-/// Notes what in the file contradicts the lens.
-void noteContradictions(const CameraPlace& camera, const LensOf& lens, const Viewport& pixels);
-
 }  // namespace viewproj::cmd

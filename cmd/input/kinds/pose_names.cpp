@@ -156,8 +156,6 @@ struct Words {
       is = PoseName::certain;
     else if (parts > 0 || (letters > 0 && frames > 0) || (links > 0 && frames > 1) || isNumbered)
       is = PoseName::vague;
-    else if (count(Word::turn) > 0)
-      is = PoseName::loose;
     return ofSeveral ? std::min(is, PoseName::vague) : is;
   }
 };
@@ -193,31 +191,10 @@ PoseName meaningOf(std::string_view rest, const Words& before) {
   return most;
 }
 
-/// Visits what stands between underscores, hyphens, blanks and capitals.
-template <class Visit>
-void eachPart(std::string_view name, const Visit& visit) {
-  std::string part;
-  for (const char c : name) {
-    const bool isCapital = c >= 'A' && c <= 'Z', isGap = c == '_' || c == '-' || c == ' ';
-    if (isCapital || isGap) {
-      visit(part);
-      part.clear();
-    }
-    if (!isGap) part += plainName(std::string_view(&c, 1));
-  }
-  visit(part);
-}
-
 }  // namespace
 
 PoseName poseName(std::string_view name) {
-  if (name.size() > kLongest) return PoseName::none;
-  if (const PoseName whole = meaningOf(plainName(name), {}); whole != PoseName::none) return whole;
-  PoseName loose = PoseName::none;
-  eachPart(name, [&](std::string_view part) {
-    if (part.size() > 2 && meaningOf(part, {}) != PoseName::none) loose = PoseName::loose;
-  });
-  return loose;
+  return name.size() > kLongest ? PoseName::none : meaningOf(plainName(name), {});
 }
 
 bool isTurnName(std::string_view name) {

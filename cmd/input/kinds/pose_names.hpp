@@ -7,7 +7,6 @@ namespace viewproj::cmd {
 
 enum class PoseName {
   none,
-  loose,    ///< an angle, or a word of a pose among others
   vague,    ///< the camera's place, or that of a part of a machine; or several poses
   certain,  ///< a pose: extrinsics, rvec, T_cam_world, c2w
 };

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "camera/camera.hpp"
 #include "input/convention_names.hpp"
 #include "input/distortion_names.hpp"
-#include "input/importers/importer.hpp"
 #include "input/kinds/split_matrix.hpp"
 #include "numbers/degrees.hpp"
 #include "numbers/radians.hpp"
@@ -137,9 +135,8 @@ std::optional<Vec3> vectorOf(const CameraPlace& camera, std::string_view word) {
   return Vec3{(*n)[0], (*n)[1], (*n)[2]};
 }
 
-/// Throws where a field beside a rotation vector says that it is in degrees, and notes one that looks so.
-void requireRadians(const CameraPlace& camera, const Vec3& r) {
-  constexpr double kTurn = 2 * std::numbers::pi;
+/// Throws where a field beside a rotation vector says that it is in degrees.
+void requireRadians(const CameraPlace& camera) {
   const Found vector = *camera.find("rotationVector");
   const auto singular = [](std::string_view name) {
     const std::string plain = plainName(name);
@@ -156,11 +153,6 @@ void requireRadians(const CameraPlace& camera, const Vec3& r) {
     camera.document().fail(path,
                            "is degrees, and " + dotted(vector.path) + " is read in radians; multiply it by pi/180");
   }
-  const double length = std::hypot(r.x, r.y, r.z);
-  if (length > kTurn)
-    camera.document().note(vector.path, "turns by " + shortNumber(length) +
-                                            " radians, which is more than once; in degrees it would be " +
-                                            shortNumber(length * std::numbers::pi / 180) + " radians");
 }
 
 /// What the library complains about, at the place of the word.
@@ -244,7 +236,7 @@ Parts readParts(const CameraPlace& camera) {
   }
   if (const auto v = vectorOf(camera, "rotationVector")) {
     take("rotationVector");
-    requireRadians(camera, *v);
+    requireRadians(camera);
     parts.columns = locatedAt(camera, "rotationVector", "", [&] { return columnsOfVector(*v); });
   }
   if (const auto n = camera.numbers("euler", 3)) {
@@ -395,8 +387,6 @@ void Poses::requireLink(const CameraPlace& camera) const {
 Pose Poses::inChain(const CameraPlace& camera) {
   const AxesOfKind axes = axesOf(camera.kind(), *findPreset(camera.kind().words.at("convention")));
   const Handedness world = worldOf(camera.kind());
-  Mat4 identity{};
-  for (std::size_t i = 0; i < 4; ++i) identity[i][i] = 1;
   struct Link {
     std::string path;
     Placed own;
@@ -417,9 +407,6 @@ Pose Poses::inChain(const CameraPlace& camera) {
       break;
     }
     std::optional<CameraPlace> before = previousOf(*at);
-    if (!before && *parts.matrix != identity)
-      at->document().note(at->pathOf("matrix"),
-                          "is a link of the first camera: the world is the frame that it counts from");
     links.push_back({std::move(path), placed(*at, parts)});
     if (links.size() == 1 && before && axes.isNative && !readParts(*before).matrix && startsChain(*before))  // exact
       return locatedAt(camera, "matrix", "matrix",
@@ -459,12 +446,7 @@ Pose Poses::of(const CameraPlace& camera) {
     return locatedAt(camera, "P", "P",
                      [&] { return poseFromColumns(split.columns, split.eye, CameraAxes::RDF, world); });
   }
-  if (kind.word("pose") == "cameraFromPrevious") {
-    if (!hasLinks_ && cameras_.size() > 1 && kind.has("matrix"))
-      camera.document().note(camera.own().path, "has no " + dotted(kind.at("matrix").paths.front()) +
-                                                    ", nor has another camera: each stands in a frame of its own");
-    return inChain(camera);
-  }
+  if (kind.word("pose") == "cameraFromPrevious") return inChain(camera);
   const Parts parts = readParts(camera);
   if (parts.rotationWord.empty()) return poseFromColumns(rearranged(Placed{}.columns, axes), {}, axes.axes, world);
   return locatedAt(camera, parts.rotationWord, parts.placeWord, [&] {
