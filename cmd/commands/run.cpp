@@ -35,6 +35,7 @@ constexpr GoneOption kGoneOptions[] = {
     {"--first-line", "messages count lines from the start of the input"},
     {"--force", "pipe the output, as in --to f64 | cat"},
     {"--gap", "the table tells the gap at each distance"},
+    {"--json", "COMMAND --help tells the options, help TOPIC the fields"},
     {"--ray-from", "--pixel X,Y,0 gives the point on near"},
     {"--reading", "use --read-as NAME"},
     {"--resolve", "the table tells the gap at each distance"},
