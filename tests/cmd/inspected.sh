@@ -26,10 +26,14 @@ for projection in \
           # two of them are enough.
           case $which-$form in *,*-flat | projection-[!f]* | viewProjection-[!f]*) continue ;; esac
           case $form-$projection in json-* | *60*1000* | *orthographic*) ;; *) continue ;; esac
+          # An orthographic product is one in a world of either hand: only JSON says which.
+          case $which-$form-$projection in *viewProjection-json-*) ;; *viewProjection-*orthographic*) continue ;; esac
+          case $form in json) read_as= ;; *) read_as="--read-as $convention" ;; esac
           number=$((number + 1))
           set -- --convention "$convention" "$reverse" --to "$form"
           viewproj matrix -c "{$view,\"projection\":$projection}" --which "$which" "$@" >"$work/written"
-          viewproj inspect --read-as "$convention" "$@" <"$work/written" >"$work/again" || {
+          # shellcheck disable=SC2086
+          viewproj inspect $read_as "$@" <"$work/written" >"$work/again" || {
             echo "$convention $reverse $form $projection: not read"
             exit 1
           }
@@ -47,5 +51,5 @@ for projection in \
     done
   done
 done
-[ "$number" = 330 ]
+[ "$number" = 242 ]
 echo "$number matrices or sets of them read back"

@@ -163,8 +163,6 @@ TEST_CASE("Nothing allocates or throws once the camera is built") {
           (void)depthSlope(m, 3);
           (void)depthStep(m, format, 3);
           (void)resolvedGap(m, format, 3);
-          (void)resolvedUpTo(m, format, 0.01);
-          (void)nearToResolve(m, format, 0.01, 3);
         }
       });
       none("places", [&] {

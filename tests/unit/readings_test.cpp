@@ -221,10 +221,12 @@ TEST_CASE("Intervals hold near and far of random cameras, in doubles and in floa
       if (!rows.front().lens) continue;
       const Estimate& f = rows.front().lens->far;
       // An orthographic view-projection counts from the world's origin.
-      const double from =
-          ortho && kind == MatrixKind::viewProjection ? dot(parts(pose).rows.forward, toDoubleDouble(eye)).hi : 0;
-      CHECK(holds(rows.front().lens->near, near + from));
-      CHECK(holds(f, far + from));
+      const bool fromOrigin = ortho && kind == MatrixKind::viewProjection;
+      const auto counted = [&](double distance) {
+        return fromOrigin ? (DoubleDouble(distance) + dot(parts(pose).rows.forward, toDoubleDouble(eye))).hi : distance;
+      };
+      CHECK(holds(rows.front().lens->near, counted(near)));
+      CHECK(holds(f, counted(far)));
       tally["far not determined"] += !infinite && std::isinf(f.high);
       tally["far determined"] += !infinite && f.high - f.low < 1e-3 * std::fabs(f.value);
       tally["near not determined"] += rows.front().lens->near.low == 0;
