@@ -59,7 +59,7 @@ class Outputs(FaultTest):
         """Workers wait for more of it when another finds that nobody reads, or that a record is bad."""
         runs = []
         arguments = ["project", "-c", CAMERA, "--jobs", "4", "--from", "text", "--to", "ndjson"]
-        for lines in range(20000, 44000, 4000):  # who waits where is chance
+        for lines in range(20000, 32000, 4000):  # who waits where is chance
             for last in ("0 0 2", "0 0"):
                 feed = ["sh", "-c", f"yes 0 0 2 | head -n {lines}; echo {last}; exec sleep 60"]
                 feeder = subprocess.Popen(feed, stdout=subprocess.PIPE)
