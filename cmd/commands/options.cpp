@@ -91,11 +91,10 @@ void addDigits(CommandLine& line, std::optional<std::size_t>& digits, const std:
            "Significant digits of results, from 1 to " + std::to_string(kMostDigits) + " (default: " + otherwise + ")");
 }
 
-void addReportForm(CommandLine& line, ReportForm& form, const std::string& svg) {
-  static constexpr FormRow<ReportForm> kForms[] = {
-      {"table", ReportForm::table, ".txt"}, {"json", ReportForm::json, ".json"}, {"svg", ReportForm::svg, ".svg"}};
-  addForm(line, form, std::span(kForms).first(svg.empty() ? 2 : 3),
-          "Form of the output" + (svg.empty() ? "" : "; svg plots " + svg));
+void addReportForm(CommandLine& line, ReportForm& form) {
+  static constexpr FormRow<ReportForm> kForms[] = {{"table", ReportForm::table, ".txt"},
+                                                   {"json", ReportForm::json, ".json"}};
+  addForm(line, form, std::span(kForms), "Form of the output");
 }
 
 std::span<const PrecisionRow> precisions() {

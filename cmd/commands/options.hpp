@@ -54,10 +54,10 @@ inline constexpr std::string_view kDigitsOption = "--digits";
 void addDigits(CommandLine& line, std::optional<std::size_t>& digits, const std::string& otherwise);
 
 /// The forms of a report.
-enum class ReportForm { table, json, svg };
+enum class ReportForm { table, json };
 
-/// --to table or json, or else svg, if there is one. svg: what it plots.
-void addReportForm(CommandLine& line, ReportForm& form, const std::string& svg = "");
+/// --to table or json.
+void addReportForm(CommandLine& line, ReportForm& form);
 
 struct PrecisionRow {
   std::string_view name;

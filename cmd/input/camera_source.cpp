@@ -184,12 +184,12 @@ std::size_t choose(const Document& document, const std::vector<HeldCamera>& came
     if (found.empty()) continue;
     std::vector<HeldCamera> several;
     for (std::size_t i : found) several.push_back(cameras[i]);
-    throw InputError(document.name() + ": has " + std::to_string(found.size()) + " cameras called " +
-                     cmd::quoted(*pick) + "; their numbers tell them apart: " + someOf(cameras, several));
+    throw InputError(document.name() + ": has " + std::to_string(found.size()) + " cameras called " + inQuotes(*pick) +
+                     "; their numbers tell them apart: " + someOf(cameras, several));
   }
   for (std::size_t i = 0; i < cameras.size(); ++i)
     if ("#" + cameras[i].number == *pick) return i;
-  throw InputError(document.name() + ": has no camera " + cmd::quoted(*pick) + "; it has " + choices);
+  throw InputError(document.name() + ": has no camera " + inQuotes(*pick) + "; it has " + choices);
 }
 
 /// Angles in degrees that look like radians: half a turn is 3.14 of them, and few lenses see less than 3 degrees.

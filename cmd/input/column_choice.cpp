@@ -205,7 +205,7 @@ ColumnChoice chooseColumns(const std::string& text, const ChoosableColumns& choo
   }
   for (Pick& pick : choice.picks) {
     const std::string_view role = roleOf(pick.role, choosable);
-    if (role.empty()) throw wrong(text, cmd::quoted(pick.role) + " is no role; " + expected(choosable));
+    if (role.empty()) throw wrong(text, inQuotes(pick.role) + " is no role; " + expected(choosable));
     pick.role = role;
   }
   for (std::size_t i = 0; i < choice.picks.size(); ++i)

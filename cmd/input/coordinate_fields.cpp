@@ -11,7 +11,7 @@ namespace {
 RecordError twoAsGood(const RecordParts& record, std::size_t one, std::size_t other, std::string_view part) {
   const auto& names = record.shape.names;
   return {record.shape.form == Form::csv ? 0 : record.offset(other),
-          "has both " + cmd::quoted(names[one]) + " and " + cmd::quoted(names[other]) + " for " + std::string(part) +
+          "has both " + inQuotes(names[one]) + " and " + inQuotes(names[other]) + " for " + std::string(part) +
               "; --columns says which, as in " + std::string(part) + "=" + visible(names[one])};
 }
 
@@ -74,8 +74,8 @@ std::optional<Layout> findArray(const Coordinate& row, const RecordParts& record
     forms.back().is = forms.back().holds(record.values[i]);
     if (!forms.back().is) continue;
     if (found)
-      throw RecordError(record.offset(i), "has both " + cmd::quoted(names[*found]) + " and " + cmd::quoted(names[i]) + " for " +
-                                              std::string(row.name) + "; expected one of the two");
+      throw RecordError(record.offset(i), "has both " + inQuotes(names[*found]) + " and " + inQuotes(names[i]) +
+                                              " for " + std::string(row.name) + "; expected one of the two");
     found = i;
   }
   return found ? std::optional(layoutOf(*found)) : std::nullopt;

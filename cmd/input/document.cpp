@@ -27,7 +27,7 @@ std::string shown(const nlohmann::json& value) {
   // A list has as many such messages as cameras, which may share a text.
   constexpr std::size_t kLongest = 200;
   if (value.is_string() && value.get_ref<const std::string&>().size() > kLongest)
-    return " (is " + quoted(value.get_ref<const std::string&>(), kLongest) + ")";
+    return " (is " + inQuotes(value.get_ref<const std::string&>(), kLongest) + ")";
   if (value.is_string() || value.is_number() || value.is_boolean()) return " (is " + value.dump() + ")";
   return "";
 }

@@ -47,7 +47,7 @@ std::vector<NameMatch> matchParts(std::span<const std::string> fields, std::span
 bool isSeaLevelName(std::string_view name) { return isIn(coordinates::kSeaLevelNames, name); }
 
 std::string seaLevelNote(std::string_view name) {
-  return quoted(name) +
+  return inQuotes(name) +
          " is taken as height above the ellipsoid; heights above sea level differ from it by up to 107 m";
 }
 

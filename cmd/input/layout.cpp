@@ -21,7 +21,7 @@ double numberAt(const RecordParts& record, std::size_t field, std::string_view t
   const auto number = record.shape.form == Form::csv ? parseNumber(csvValue(text)) : parseNumber(text);
   if (number) return *number;
   throw RecordError(static_cast<std::size_t>(text.data() - record.text.data()),
-                    nameOf(record, field) + quoted(text) + " is not a finite number" +
+                    nameOf(record, field) + inQuotes(text) + " is not a finite number" +
                         (text.find(',') == std::string_view::npos ? "" : "; decimals follow a point"));
 }
 
@@ -82,7 +82,7 @@ std::size_t readPointObject(const RecordParts& record, const NumberField& part, 
     if (texts && !object->isPlace) texts[i] = object->parts[i];
     const auto number = parseNumber(object->parts[i]);
     if (!number)
-      throw RecordError(at(object->parts[i]), name + std::string(object->names[i]) + ": " + quoted(object->parts[i]) +
+      throw RecordError(at(object->parts[i]), name + std::string(object->names[i]) + ": " + inQuotes(object->parts[i]) +
                                                   " is not a finite number");
     numbers[i] = *number;
   }
@@ -91,7 +91,7 @@ std::size_t readPointObject(const RecordParts& record, const NumberField& part, 
   const Geodetic place{numbers[0], numbers[1], numbers[2]};
   if (!isPlace(place))
     throw RecordError(at(object->parts[0]),
-                      name + "lat: " + quoted(object->parts[0]) + " is not from -90 to 90 degrees");
+                      name + "lat: " + inQuotes(object->parts[0]) + " is not from -90 to 90 degrees");
   const Vec3 p = geodeticToEcef(place);
   numbers[0] = p.x;
   numbers[1] = p.y;

@@ -64,7 +64,7 @@ WrittenMatrices parseCsv(std::string_view text, const std::string& name) {
       fail("expected row " + std::to_string(row + 1) + " of " + (matrix.empty() ? "a matrix" : matrix));
     for (std::size_t i = 0; i < 4; ++i) {
       const auto value = parseNumber(cells[2 + i]);
-      if (!value) fail(quoted(cells[2 + i]) + " is not a finite number");
+      if (!value) fail(inQuotes(cells[2 + i]) + " is not a finite number");
       numbers[4 * row + i] = writtenNumber(cells[2 + i], *value);
     }
     if (++row < 4) continue;

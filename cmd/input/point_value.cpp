@@ -59,7 +59,7 @@ bool isPointValue(std::string_view json) {
 std::optional<PointObject> pointObject(std::string_view json) {
   const Members members = membersOf(json);
   if (const auto again = firstRepeated(members.names, std::identity()))
-    throw RecordError(0, "has " + cmd::quoted(members.names[*again]) + " twice");
+    throw RecordError(0, "has " + inQuotes(members.names[*again]) + " twice");
   std::vector<NameMatch> matches = matchRow(members, coordinates::xyz);
   const std::vector<NameMatch> place = matchRow(members, coordinates::place);
   if (!matches.empty() && !place.empty())
@@ -71,7 +71,7 @@ std::optional<PointObject> pointObject(std::string_view json) {
   for (std::size_t i = 0; i < matches.size(); ++i) {
     const auto& [field, also] = matches[i];
     if (also)
-      throw RecordError(0, "has both " + cmd::quoted(members.names[*field]) + " and " + cmd::quoted(members.names[*also]) +
+      throw RecordError(0, "has both " + inQuotes(members.names[*field]) + " and " + inQuotes(members.names[*also]) +
                                "; expected one of the two");
     object.names[i] = (object.isPlace ? coordinates::place : coordinates::xyz).parts[i].name;
     object.parts[i] = members.values[*field];

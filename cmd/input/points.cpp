@@ -45,7 +45,7 @@ void appendChosen(Layout& layout, const Coordinate& row, const ColumnChoice& cho
     for (const NumberField& other : layout.parts)
       if (other.field == field)
         throw RecordError(0, "--columns " + choice.text + " names column " + std::to_string(field + 1) +
-                                 " twice, for " + pick->role + " as " + cmd::quoted(pick->name));
+                                 " twice, for " + pick->role + " as " + inQuotes(pick->name));
     layout.parts.push_back({field, 1, 1, false, mayBeAbsent});
     if (pick->role == coordinates::kPlace[2].name && isSeaLevelName(pick->name))
       layout.notes.push_back(seaLevelNote(pick->name));

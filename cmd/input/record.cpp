@@ -57,7 +57,7 @@ RecordParts jsonParts(std::string_view text) {
     requireFewFields(text, record.values);
   }
   if (const auto again = firstRepeated(record.shape.names, std::identity()))
-    throw RecordError(offsets[*again], "has the field " + cmd::quoted(record.shape.names[*again]) + " twice");
+    throw RecordError(offsets[*again], "has the field " + inQuotes(record.shape.names[*again]) + " twice");
   record.shape.size = record.values.size();
   return record;
 }
@@ -104,10 +104,11 @@ void requireClosedFields(std::string_view record, const std::vector<std::string_
   const std::string_view name = nameOfSeparator(format.separator);
   for (const std::string_view field : fields)
     if (const std::size_t at = afterClosingQuote(field); at != std::string_view::npos)
-      throw RecordError(static_cast<std::size_t>(field.data() - record.data()) + at,
-                        "text after the quote that closes; expected " +
-                            (name.empty() ? quoted(std::string_view(&format.separator, 1)) : "a " + std::string(name)) +
-                            " or the end of the line");
+      throw RecordError(
+          static_cast<std::size_t>(field.data() - record.data()) + at,
+          "text after the quote that closes; expected " +
+              (name.empty() ? inQuotes(std::string_view(&format.separator, 1)) : "a " + std::string(name)) +
+              " or the end of the line");
 }
 
 std::string markedBad(std::string_view written) {
@@ -202,7 +203,7 @@ std::string whatIsThere(const Shape& shape) {
     if (all.size() > kMostShown) break;
     all += (all.empty() ? "" : csv ? "," : ", ") + name;
   }
-  return (csv ? "; the header is " : "; its fields are ") + quoted(all, kMostShown);
+  return (csv ? "; the header is " : "; its fields are ") + inQuotes(all, kMostShown);
 }
 
 std::string nameOfColumn(const std::vector<std::string>& names, std::size_t column) {

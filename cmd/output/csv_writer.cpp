@@ -244,10 +244,10 @@ class CsvWriter final : public RecordWriter {
       leftOut = text.substr(at);
       cells.pop_back();
     }
-    std::string full = leftOut.empty() ? message : message + "; not in this row: " + quoted(leftOut);
+    std::string full = leftOut.empty() ? message : message + "; not in this row: " + inQuotes(leftOut);
     if (columns_.marks && *columns_.marks < cells.size()) {
       const std::string before = csvValue(cells[*columns_.marks]);
-      if (full.find(before) == std::string::npos) full += "; in place of " + cmd::quoted(before);
+      if (full.find(before) == std::string::npos) full += "; in place of " + inQuotes(before);
     }
     for (std::size_t i = 0; i < columns_.own.size(); ++i) {
       if (i > 0) out_ += setup_.csv.separator;

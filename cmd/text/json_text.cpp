@@ -159,7 +159,7 @@ std::optional<JsonFault> parseJson(std::string_view text, nlohmann::json& value)
   if (auto fault = faultOf(text, builder)) return fault;
   if (!builder.twice) return std::nullopt;
   return JsonFault{offsetOfKey(text, builder.twice->number),
-                   "the key " + cmd::quoted(builder.twice->key) + " is given twice"};
+                   "the key " + inQuotes(builder.twice->key) + " is given twice"};
 }
 
 void blankComments(std::string& text) {

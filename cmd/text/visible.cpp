@@ -46,7 +46,7 @@ std::string visible(std::string_view text, std::string_view kept) {
   return shown;
 }
 
-std::string quoted(std::string_view text, std::size_t most) {
+std::string inQuotes(std::string_view text, std::size_t most) {
   std::size_t end = std::min(text.size(), most);
   if (end < text.size())
     while (end > 0 && (text[end] & 0xC0) == 0x80) --end;  // not within a character

@@ -11,8 +11,6 @@ namespace viewproj::cmd {
 std::string visible(std::string_view text, std::string_view kept = "");
 
 /// The beginning of a text in quotes, visible and on one line.
-std::string quoted(std::string_view text, std::size_t most = 40);
-/// Goes before std::quoted of <iomanip>.
-inline std::string quoted(const std::string& text) { return quoted(std::string_view(text)); }
+std::string inQuotes(std::string_view text, std::size_t most = 40);
 
 }  // namespace viewproj::cmd

@@ -183,7 +183,7 @@ class Builder {
   std::optional<JsonFault> key(const std::string& text) {
     Open& parent = stack_.back();
     if (parent.value->contains(text))
-      return JsonFault{parser_.offset(), "the key " + cmd::quoted(text) + " is given twice"};
+      return JsonFault{parser_.offset(), "the key " + inQuotes(text) + " is given twice"};
     parent.key = text;
     parent.hasKey = true;
     return std::nullopt;
@@ -205,7 +205,7 @@ class Builder {
     } else if (const auto number = parseNumber(text)) {
       value = *number;
     } else {
-      return JsonFault{parser_.offset(), "number overflow parsing " + cmd::quoted(text)};
+      return JsonFault{parser_.offset(), "number overflow parsing " + inQuotes(text)};
     }
     return std::nullopt;
   }
@@ -269,7 +269,7 @@ class Builder {
     const std::string name = textOf(event.data.alias.anchor);
     const auto known = anchors_.find(name);
     if (known == anchors_.end())
-      return JsonFault{parser_.offset(), "the alias " + cmd::quoted(name) + " is of nothing before it"};
+      return JsonFault{parser_.offset(), "the alias " + inQuotes(name) + " is of nothing before it"};
     const std::size_t weight = weights_.at(name);
     if (auto fault = spend(weight)) return fault;
     if (expectsKey() && known->second.is_string()) return key(known->second.get<std::string>());

@@ -47,7 +47,7 @@ std::vector<WrittenMatrix> chooseMatrices(std::vector<WrittenMatrix> given,
   for (const std::string& name : *asked) {
     const auto found = places.find(name);
     if (found == places.end())
-      throw InputError(source + ": has no matrix " + cmd::quoted(name) +
+      throw InputError(source + ": has no matrix " + inQuotes(name) +
                        suggestion(name, std::vector<std::string_view>(names.begin(), names.end())));
     chosen.push_back(given[found->second]);
   }

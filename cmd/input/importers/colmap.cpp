@@ -106,13 +106,13 @@ bool isPassedOver(std::string_view line) {
 
 double numberAt(const Lines& lines, std::string_view text, const char* what) {
   const auto number = parseNumber(text);
-  if (!number) lines.fail(cmd::quoted(text) + " is no number: expected " + what);
+  if (!number) lines.fail(inQuotes(text) + " is no number: expected " + what);
   return *number;
 }
 
 void put(ColmapText& colmap, const Lines& lines, const char* list, const std::string& key, json value) {
   json& all = (*colmap.root)[list];
-  if (all.contains(key)) lines.fail(cmd::quoted(key) + " is given twice");
+  if (all.contains(key)) lines.fail(inQuotes(key) + " is given twice");
   all[key] = std::move(value);
   colmap.places[std::string(list) + "\n" + key] = lines.place();
 }
@@ -127,7 +127,7 @@ void readCameras(ColmapText& colmap, const std::string& file) {
     const std::string id(word(rest)), name(word(rest));
     if (!isWhole(id)) lines.fail("expected CAMERA_ID MODEL WIDTH HEIGHT and the model's parameters");
     const Model* const model = modelNamed(name);
-    if (!model) lines.fail(cmd::quoted(name) + " is no camera model of COLMAP that is known");
+    if (!model) lines.fail(inQuotes(name) + " is no camera model of COLMAP that is known");
     json camera{{"camera_model", name},
                 {"width", numberAt(lines, word(rest), "the width")},
                 {"height", numberAt(lines, word(rest), "the height")}};
