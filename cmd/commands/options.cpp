@@ -94,7 +94,7 @@ void addDigits(CommandLine& line, std::optional<std::size_t>& digits, const std:
 void addReportForm(CommandLine& line, ReportForm& form) {
   static constexpr FormRow<ReportForm> kForms[] = {{"table", ReportForm::table, ".txt"},
                                                    {"json", ReportForm::json, ".json"}};
-  addForm(line, form, std::span(kForms), "Form of the output");
+  addForm(line, form, std::span<const FormRow<ReportForm>>(kForms), "Form of the output");
 }
 
 std::span<const PrecisionRow> precisions() {

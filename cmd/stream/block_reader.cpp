@@ -52,8 +52,7 @@ void ByteBuffer::assign(std::string_view bytes) {
   size_ = bytes.size();
 }
 
-BlockReader::BlockReader(std::unique_ptr<InputFile> file, std::size_t block)
-    : file_(std::move(file)), block_(block) {
+BlockReader::BlockReader(std::unique_ptr<InputFile> file, std::size_t block) : file_(std::move(file)), block_(block) {
   name_ = file_->name();
   total_ = file_->remaining();
 }

@@ -224,8 +224,8 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
   auto file = setup.given.empty() ? std::make_unique<InputFile>(setup.file) : nullptr;
   std::string given;
   for (const GivenRecord& record : setup.given) given += record.json + "\n";
-  auto reader = file ? std::make_unique<BlockReader>(std::move(file), setup.blockSize)
-                     : std::make_unique<BlockReader>(given);
+  auto reader =
+      file ? std::make_unique<BlockReader>(std::move(file), setup.blockSize) : std::make_unique<BlockReader>(given);
   Stream stream{.setup = setup, .makeWork = makeWork, .writes = writes};
   const auto named = setup.from ? setup.from : formOfName(setup.file);
   stream.form = !setup.given.empty() ? Form::json : named ? *named : formOfContent(stream, *reader);
