@@ -71,7 +71,8 @@ std::string GivenPoint::json() const {
 }
 
 void GivenPoint::requireFit(bool worldIsEcef) const {
-  if (!named && worldIsEcef) throw UsageError(text + ": " + bareTriple("lat=LAT,lon=LON,height=HEIGHT or x=X,y=Y,z=Z"));
+  if (!named && numbers.size() == 3 && worldIsEcef)
+    throw UsageError(text + ": " + bareTriple("lat=LAT,lon=LON,height=HEIGHT or x=X,y=Y,z=Z"));
   if (numbers[0].first == "lat" && !worldIsEcef)
     throw UsageError(text + ": a place needs a camera that stands on the Earth");
 }

@@ -93,7 +93,7 @@ class NamedOutput(FaultTest):
 
     def test_what_another_run_left_is_no_hindrance(self):
         self.file("file.viewproj-0", "left")
-        self.assertEqual(run(["schema", "camera", "-o", "file"]).returncode, 0)
+        self.assertEqual(run(["schema", "-o", "file"]).returncode, 0)
         self.assertEqual((self.names(), Path("file.viewproj-0").read_text()), (["file", "file.viewproj-0"], "left"))
 
     def test_what_cannot_be_written_or_replaced_is_as_it_was(self):
@@ -107,7 +107,7 @@ class NamedOutput(FaultTest):
         os.chmod("closed", 0o500)
         os.chmod("old", 0o400)
         for name in ("old", "closed/old", "closed/new"):
-            done = run(["schema", "camera", "-o", name], before=tool.without_power_over_files)
+            done = run(["schema", "-o", name], before=tool.without_power_over_files)
             self.assert_fails(done, f"{name}: Permission denied")
         os.chmod("closed", 0o700)
         self.assertEqual((self.names(), os.listdir("closed")), (["closed", "old"], ["old"]))

@@ -22,7 +22,7 @@ CAMERA = (
     '"viewport":{"width":1280,"height":720}}'
 )
 SCENE = '{"objects":[{"id":"floor","plane":{"point":[0,0,0],"normal":[0,1,0]}},{"sphere":{"center":[1,1,1],"radius":2}}]}'
-MATRIX = b"1.5 0 0 0  0 2 0 0  0 0 -1.002 -0.2002  0 0 -1 0\n"
+MATRIX = b"1.5 0 0 0\n0 2 0 0\n0 0 -1.002 -0.2002\n0 0 -1 0\n"
 
 POINTS = {
     "json": b'{"id":"a","x":1,"y":1,"z":1}\n{"id":"b","x":3,"y":2,"z":6}\n',
@@ -59,7 +59,6 @@ def _runs():
     for form in ("table", "json"):
         yield ["explain", "-c", CAMERA, "--to", form, "--point", "1,1,1"], b""
         yield ["explain", "-c", CAMERA, "--to", form, "--pixel", "1,2,0.5"], b""
-    for form in ("table", "json", "svg"):
         yield ["depth", "--to", form], CAMERA.encode()
     yield ["measure", "-c", CAMERA, "--to", "json"], POINTS["json"]
     yield ["draw", "-c", CAMERA, "--scene", SCENE, "--pixel", "1,2", "-"], POINTS["json"]
