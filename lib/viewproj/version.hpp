@@ -2,7 +2,7 @@
 #pragma once
 
 #define VIEWPROJ_VERSION_MAJOR 0
-#define VIEWPROJ_VERSION_MINOR 1
+#define VIEWPROJ_VERSION_MINOR 2
 #define VIEWPROJ_VERSION_PATCH 0
 
 /// One number to compare with: 10000 major + 100 minor + patch.

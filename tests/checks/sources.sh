@@ -1,3 +1,4 @@
+# shellcheck shell=sh
 # Sourced by the checks. sources PATTERN...: the project's files, as Git knows them; without Git, all.
 sources() {
   git ls-files --cached --others --exclude-standard "$@" 2>/dev/null | while IFS= read -r file; do
