@@ -276,7 +276,7 @@ class ProjectWork final : public RecordWork {
     const auto box = std::visit(
         [&](const auto& one) -> std::optional<ScreenBox> {
           if constexpr (std::is_same_v<decltype(one), const Vec3&>)
-            return std::nullopt;  // uncounted: a point is none of these
+            return std::nullopt;  // a point is none of these
           else
             return screenBox(*how_.frustum, one);
         },

@@ -73,8 +73,8 @@ std::vector<std::string_view> namesOf(FieldList fields) {
 
 std::string formInWords(const Field& field) {
   switch (field.form) {
-    case ValueForm::anything:  // uncounted: as its value
-      return "any value";      // uncounted: a node of glTF has them, which no page is about
+    case ValueForm::anything:  // as its value
+      return "any value";      // a node of glTF has them, which no page is about
     case ValueForm::text:
       return "text";
     case ValueForm::label:
@@ -100,9 +100,9 @@ std::string formInWords(const Field& field) {
     case ValueForm::pair:
     case ValueForm::range:
       return "[a, b]";
-    case ValueForm::triple:  // uncounted: as its value
-    case ValueForm::turns:   // uncounted: the same
-      return "[a, b, c]";    // uncounted: turns have them, which no page lists
+    case ValueForm::triple:  // as its value
+    case ValueForm::turns:   // the same
+      return "[a, b, c]";    // turns have them, which no page lists
     case ValueForm::direction:
       return "[x, y, z]";
     case ValueForm::position:
@@ -120,7 +120,7 @@ std::string formInWords(const Field& field) {
     case ValueForm::objects:
       return "array of objects";
   }
-  return "";  // uncounted: these are all
+  return "";  // these are all
 }
 
 ChosenWay chooseWay(const ObjectForm& form, const std::function<bool(const Field&)>& has, Spelling spelled) {

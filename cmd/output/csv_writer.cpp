@@ -312,7 +312,6 @@ class CsvWriter final : public RecordWriter {
   }
 
   void group(const ResultRow&, bool, const std::function<void(ResultSink&)>& write) override { write(*this); }
-  // uncounted: refused before the first record
   void list(const ResultRow&, std::size_t, const std::function<void(ResultSink&, std::size_t)>&) override {}
 
  private:

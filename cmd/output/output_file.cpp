@@ -163,7 +163,6 @@ void endWithException() {
   std::_Exit(status);
 }
 
-// uncounted: faults_limit takes memory away, but not beside sanitizers
 void endWithoutMemory() {
   writing.lock();
   writeUnlocked(kStandardError, "viewproj: out of memory\n");

@@ -12,7 +12,6 @@ namespace {
 
 constexpr std::size_t kInMemory = 1 << 20;
 
-// uncounted: where no file can be written, no count is
 [[noreturn]] void fail() { throw InputError("a temporary file: " + std::generic_category().message(errno)); }
 
 }  // namespace

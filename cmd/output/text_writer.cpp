@@ -33,12 +33,11 @@ class NumbersWriter : public RecordWriter {
   }
 
   void flag(const ResultRow&, bool value) override { put(value ? 1 : 0); }
-  void names(const ResultRow&, std::span<const std::string_view>, bool) override {}  // uncounted: refused before
+  void names(const ResultRow&, std::span<const std::string_view>, bool) override {}  // refused before
   // Left out.
   void word(const ResultRow&, std::string_view) override {}
   void json(const ResultRow&, std::string_view) override {}
   void group(const ResultRow&, bool, const std::function<void(ResultSink&)>& write) override { write(*this); }
-  // uncounted: refused before the first record
   void list(const ResultRow&, std::size_t, const std::function<void(ResultSink&, std::size_t)>&) override {}
 
  protected:

@@ -144,7 +144,7 @@ Json formOf(const Field& field) {
     case ValueForm::objects:
       break;
   }
-  return Json::object();  // uncounted: no field of a camera file has these forms
+  return Json::object();  // no field of a camera file has these forms
 }
 
 /// A value of this field, or null.

@@ -38,7 +38,7 @@ std::size_t endOfPlain(std::string_view text, std::size_t at) {
 /// What is said of a record that ends unclosed.
 JsonFault unclosedFault(std::string_view text) {
   auto fault = jsonFault(text);
-  if (!fault) return {0, "not closed"};  // uncounted: brackets that do not close are none of JSON
+  if (!fault) return {0, "not closed"};  // brackets that do not close are none of JSON
   constexpr std::string_view kTheirs = "end of input", kOurs = "end of the record";
   if (const std::size_t at = fault->message.find(kTheirs); at != npos)
     fault->message.replace(at, kTheirs.size(), kOurs);

@@ -61,7 +61,6 @@ class Pipeline {
       try {
         threads_.emplace_back([this] { worker(1); });
       } catch (const std::system_error&) {
-        // uncounted: faults_call has it fail, but not beside sanitizers
         return;  // with fewer, then
       }
     }

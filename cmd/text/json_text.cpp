@@ -36,7 +36,7 @@ struct Judge : nlohmann::json_sax<nlohmann::json> {
   bool number_unsigned(number_unsigned_t) override { return true; }
   bool number_float(number_float_t, const string_t&) override { return true; }
   bool string(string_t&) override { return true; }
-  bool binary(binary_t&) override { return true; }  // uncounted: text has none
+  bool binary(binary_t&) override { return true; }  // text has none
   bool start_object(std::size_t) override { return true; }
   bool key(string_t&) override { return true; }
   bool end_object() override { return true; }
@@ -129,7 +129,7 @@ std::size_t offsetOfKey(std::string_view text, std::size_t number) {
     if (next < text.size() && text[next] == ':' && number-- == 0) return at;
     at = end - 1;
   }
-  return 0;  // uncounted: there are as many
+  return 0;  // there are as many
 }
 
 }  // namespace

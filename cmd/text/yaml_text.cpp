@@ -63,7 +63,7 @@ bool isOne(std::string_view text, Words... words) {
 class Parser {
  public:
   explicit Parser(std::string_view text) : text_(withoutDirective(text)) {
-    if (!yaml_parser_initialize(&parser_)) throw std::bad_alloc();  // uncounted
+    if (!yaml_parser_initialize(&parser_)) throw std::bad_alloc();
     yaml_parser_set_encoding(&parser_, YAML_UTF8_ENCODING);
     yaml_parser_set_input_string(&parser_, reinterpret_cast<const unsigned char*>(text_.data()), text_.size());
   }

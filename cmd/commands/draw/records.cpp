@@ -55,7 +55,7 @@ class DrawWork final : public RecordWork {
     std::visit([&](const auto& what) { draw(label, what); }, drawn_[i]);
   }
 
-  void write(std::size_t, ResultSink&) override {}  // uncounted: records are read alone
+  void write(std::size_t, ResultSink&) override {}  // records are read alone
   void clear() override { drawn_.clear(); }
 
  private:

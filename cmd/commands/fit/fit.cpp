@@ -80,7 +80,7 @@ class FitWork final : public RecordWork {
       std::visit([&](const auto& shape) { fitting_.add(shape); }, toShape(layout, n));
   }
 
-  void write(std::size_t, ResultSink&) override {}  // uncounted: records are read alone
+  void write(std::size_t, ResultSink&) override {}  // records are read alone
   void clear() override {}
 
  private:

@@ -42,7 +42,7 @@ class SampleWork final : public RecordWork {
     else
       ++sample_.leftOut;
   }
-  void write(std::size_t, ResultSink&) override {}  // uncounted: records are read alone
+  void write(std::size_t, ResultSink&) override {}  // records are read alone
   void clear() override {}
 
  private:

@@ -256,7 +256,6 @@ class ExactFormula {
     low = L::multiplyAdd(L::splat(row.high.x), d[0].low, low);
     low = L::multiplyAdd(L::splat(row.high.y), d[1].low, low);
     low = L::multiplyAdd(L::splat(row.high.z), d[2].low, low);
-    // uncounted: what is left out of a template is counted as not reached
     if constexpr (!Traits::residual) return {high, low};
     const Pair<D> shifted = sum(high, L::splat(residual.hi));
     return {shifted.hi, shifted.lo + (low + residual.lo)};
