@@ -29,6 +29,12 @@ void runArguments(std::string_view input) {
     if (arguments.back().starts_with("-o") || arguments.back().starts_with("--o")) return;  // it would leave files
   }
   if (arguments.size() > 1 && arguments[1] == "measure") return;
+  // A worker among several that fails ends the process.
+  if (arguments.size() > 1 && (arguments[1] == "project" || arguments[1] == "ray" || arguments[1] == "cull")) {
+    for (const std::string& argument : arguments)
+      if (argument.starts_with("--j")) return;
+    arguments.insert(arguments.begin() + 2, "--jobs=1");
+  }
   giveInput(input);
   std::vector<char*> argv;
   for (std::string& argument : arguments) argv.push_back(argument.data());
