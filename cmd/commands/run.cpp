@@ -22,26 +22,31 @@ struct InPlace {
 };
 constexpr InPlace kInPlace[] = {{"--convention", "--read-as", "says how a camera's numbers are meant"}};
 
-/// Options that are gone, and what to use. For one release.
-struct GoneOption {
-  std::string_view option, instead;
+/// Arguments that are gone, and what to use. For one release.
+struct GoneArgument {
+  std::string_view command;  ///< empty: several
+  std::string_view argument, instead;
 };
-constexpr GoneOption kGoneOptions[] = {
-    {"--bound", "use --fields bound"},
-    {"--clipped", "--pixel X,Y,0 and X,Y,1 give the points on near and far; choose hits by their distance"},
-    {"--comment", "remove comment lines first, as with grep -v '^#'"},
-    {"--decimal", "replace decimal commas first, as with tr , ."},
-    {"--exact", "the intervals of near and far go by the digits as written"},
-    {"--first-line", "messages count lines from the start of the input"},
-    {"--force", "pipe the output, as in --to f64 | cat"},
-    {"--gap", "the table tells the gap at each distance"},
-    {"--json", "COMMAND --help tells the options, help TOPIC the fields"},
-    {"--ray-from", "--pixel X,Y,0 gives the point on near"},
-    {"--reading", "use --read-as NAME"},
-    {"--resolve", "the table tells the gap at each distance"},
-    {"--seconds", "measure chooses how long it runs"},
-    {"--tolerance", "use --precision standard, and --fields bound for its error"},
-    {"--world", "use --read-as NAME"},
+constexpr GoneArgument kGone[] = {
+    {"", "--comment", "remove comment lines first, as with grep -v '^#'"},
+    {"", "--decimal", "replace decimal commas first, as with tr , ."},
+    {"", "--first-line", "messages count lines from the start of the input"},
+    {"", "--force", "pipe the output, as in --to f64 | cat"},
+    {"", "--tolerance", "use --precision standard, and --fields bound for its error"},
+    {"depth", "--gap", "the table tells the gap at each distance"},
+    {"depth", "--resolve", "the table tells the gap at each distance"},
+    {"help", "--json", "COMMAND --help tells the options, help TOPIC the fields"},
+    {"inspect", "--exact", "the intervals of near and far go by the digits as written"},
+    {"inspect", "--reading", "use --read-as NAME"},
+    {"inspect", "--world", "use --read-as NAME"},
+    {"measure", "--seconds", "measure chooses how long it runs"},
+    {"ray", "--bound", "use --fields bound"},
+    {"ray", "--clipped", "--pixel X,Y,0 and X,Y,1 give the points on near and far; choose hits by their distance"},
+    {"ray", "--ray-from", "--pixel X,Y,0 gives the point on near"},
+    {"schema", "camera", "schema prints the schema of a camera"},
+    {"schema", "points", "help points tells the fields"},
+    {"schema", "results", "help points and help pixels tell the results"},
+    {"schema", "scene", "help scene tells the fields"},
 };
 
 /// "; --read-as says ...".
@@ -67,6 +72,10 @@ std::string optionOfAlias(const std::string& name, const CommandLine& whole) {
 
 /// "; it is an option of project and ray", what does the same here, or the nearest that the command has.
 std::string adviceOn(const std::string& argument, const Command& command, const CommandLine& line) {
+  const std::string name = argument.substr(0, argument.find('='));
+  for (const GoneArgument& gone : kGone)
+    if (gone.argument == name && (gone.command.empty() || gone.command == command.name))
+      return "; it is gone: " + std::string(gone.instead);
   if (!argument.starts_with('-')) {
     const CommandLine whole = wholeCommand(command);
     const bool takesCamera = std::any_of(whole.options().begin(), whole.options().end(), [](const Option& option) {
@@ -74,13 +83,9 @@ std::string adviceOn(const std::string& argument, const Command& command, const 
     });
     return whole.find(kCameraOption) && !takesCamera && !line.has(kCameraOption) ? "; -c FILE gives the camera" : "";
   }
-  const std::string name = argument.substr(0, argument.find('='));
   std::vector<std::string_view> owners;
   for (const Command& other : allCommands())
     if (wholeCommand(other).find(name)) owners.push_back(other.name);
-  if (owners.empty())
-    for (const GoneOption& gone : kGoneOptions)
-      if (gone.option == name) return "; it is gone: " + std::string(gone.instead);
   const CommandLine whole = wholeCommand(command);
   const std::string alias = optionOfAlias(name, whole);
   if (!owners.empty()) return "; it is an option of " + together(owners) + inPlaceOf(name, whole) + alias;

@@ -201,7 +201,8 @@ std::string whatIsThere(const Shape& shape) {
   std::string all;
   for (const std::string& name : shape.names) {
     if (all.size() > kMostShown) break;
-    all += (all.empty() ? "" : csv ? "," : ", ") + name;
+    if (!all.empty()) all += csv ? std::string(1, shape.csv.separator) : ", ";
+    all += name;
   }
   return (csv ? "; the header is " : "; its fields are ") + inQuotes(all, kMostShown);
 }

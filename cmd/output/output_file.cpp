@@ -42,7 +42,8 @@ int writeAll(int descriptor, std::string_view text) {
 
 [[noreturn]] void fail(int error) { throw InputError(outputName + ": " + std::generic_category().message(error)); }
 
-/// What a signal handler may touch: the name of the temporary file while there is one, else null.
+std::string temporaryName;
+/// What a signal handler may touch: that name while there is such a file, else null.
 std::atomic<const char*> temporary{nullptr};
 
 void removeTemporary() {
@@ -61,6 +62,9 @@ void catchSignals() {
            SIGTERM,
 #ifdef SIGHUP
            SIGHUP,
+           SIGQUIT,
+           SIGALRM,
+           SIGXCPU,
 #endif
        })
     if (std::signal(signal, removeAndDie) == SIG_IGN) std::signal(signal, SIG_IGN);
@@ -87,18 +91,17 @@ fs::path followed(fs::path path) {
 
 /// Creates the temporary file beside the target, with its permissions or those of a new file. Returns a descriptor.
 int createTemporary(const std::string& target, bool exists) {
-  static std::string name;
   std::error_code error;
   const fs::perms permissions =
       exists ? fs::status(pathOf(target), error).permissions() & fs::perms::all : fs::perms(0666);
-  int descriptor = -1, i = 0;
+  int descriptor = -1, number = static_cast<int>(::getpid());
   do {
-    name = target + ".viewproj-" + std::to_string(i++);
-    descriptor = createFile(name, static_cast<int>(permissions));
+    temporaryName = target + ".viewproj-" + std::to_string(number++);
+    descriptor = createFile(temporaryName, static_cast<int>(permissions));
   } while (descriptor < 0 && errno == EEXIST);
   if (descriptor < 0) fail(errno);
-  temporary = name.c_str();
-  if (exists) fs::permissions(pathOf(name), permissions, error);  // the umask took some of them
+  temporary = temporaryName.c_str();
+  if (exists) fs::permissions(pathOf(temporaryName), permissions, error);  // the umask took some of them
   return descriptor;
 }
 
@@ -125,7 +128,7 @@ NamedOutput::~NamedOutput() { removeTemporary(); }
 void NamedOutput::keep() {
   if (target_.empty()) return;
   std::error_code error;
-  fs::rename(pathOf(temporary.load()), pathOf(target_), error);
+  fs::rename(pathOf(temporaryName), pathOf(target_), error);
   if (error) fail(error.value());
   temporary = nullptr;
 }

@@ -7,7 +7,7 @@ from pathlib import Path
 import tool
 from tool import CAMERA, POINTS, FaultTest, run
 
-ENDING = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+ENDING = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT)
 
 
 def defaults():
