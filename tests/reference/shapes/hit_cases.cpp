@@ -204,7 +204,8 @@ HitCase wholeBox(Random& r) {
   Vec3 target = b.min;
   for (std::size_t i = 0; i < 3; ++i) target[i] = r.chance(0.4) ? b.max[i] : r.chance(0.6) ? b.min[i] : whole(r, 4);
   const Vec3 d = wholeDirection(r, 4);
-  HitCase c = placed(placing(r), {target - d * whole(r, 4), d}, b);
+  const Vec3 origin = target - d * whole(r, 4);  // drawn first: compilers differ in which argument they take first
+  HitCase c = placed(placing(r), {origin, d}, b);
   if (r.chance(0.2)) c.ray.direction = unitOf(d);
   if (r.chance(0.1)) c.ray.origin.z = neighbour(r, c.ray.origin.z);
   return c;
