@@ -106,7 +106,8 @@ std::optional<std::size_t> bytesLeft(int descriptor) {
 
 std::ptrdiff_t writeSome(int descriptor, std::string_view text) {
   const int written = ::_write(descriptor, text.data(), static_cast<unsigned>(std::min(text.size(), kMost)));
-  if (written < 0 && (_doserrno == ERROR_NO_DATA || _doserrno == ERROR_PIPE_NOT_CONNECTED)) errno = EPIPE;
+  // A pipe fails in several ways, some without a code, and all of them mean that nobody reads.
+  if (written < 0 && ::GetFileType(handleOf(descriptor)) == FILE_TYPE_PIPE) errno = EPIPE;
   return written;
 }
 
