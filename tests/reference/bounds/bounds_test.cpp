@@ -1,5 +1,5 @@
-// No result is farther from the truth than its bound: every family, every rung, millions of points. (How near errors
-// come to their bounds, search_test.cpp tells.)
+// No result is farther from the truth than its bound: every family, every rung, millions of points, and at the end a
+// few that need each of its terms.
 //
 // Every point is held against MPFR itself, in 256 bits; that these tell what 480 bits of the textbook's formulas tell,
 // the first test shows. The number of points: VIEWPROJ_BOUND_POINTS in the environment.
@@ -440,5 +440,87 @@ TEST_CASE("No result is farther from the truth than its bound, and too small a b
       CHECK(m.violations > 0);
     else if (m.roundings == kRoundings)
       CHECK(m.violations == 0);
+  }
+}
+
+namespace {
+
+enum class Of { screen, depth, picture };
+
+/// A point that needs a term of a bound: without it, or with half of it, the bound would be too small.
+struct TightPoint {
+  const char* term;
+  Of bound;
+  double leastShare;  ///< of the error in the bound as it is
+  Vec3 point;
+  void (*change)(Scene&);
+};
+
+/// The first axis's row is a little longer than 1, and so is the point's way along it: each rounding but the
+/// residual's, which there is not, loses nearly half a last place there, all the same way.
+void allRoundAlike(Scene& s) {
+  constexpr double a = 1 - 0x1.4p-18, e = 0x1p-16;
+  s.poseKind = PoseKind::worldFromCamera;
+  s.matrix = {{{{a, e, e, -0x1.fp-54}, {0, a, 0, 0}, {0, 0, a, 0}, {0, 0, 0, 1}}}};
+  s.viewport = {64, 64};
+}
+constexpr Vec3 kAllRoundAlike{0x1.000032d37000ap+0, -0x1.effep-38, -0x1.effep-38};
+
+const TightPoint kTightPoints[] = {
+    {"roundings of X", Of::screen, 0.65, kAllRoundAlike,
+     [](Scene& s) {
+       allRoundAlike(s);
+       s.lensKind = LensKind::orthographic;
+       s.left = 0, s.right = 2, s.bottom = -2, s.top = 0, s.near = -1;
+     }},
+    // And those of a depth's scale, its 1 / W and their product.
+    {"roundings of W and of a quotient", Of::depth, 0.8, kAllRoundAlike,
+     [](Scene& s) {
+       allRoundAlike(s);
+       s.axes = CameraAxes::FRU;
+       s.convention.world = Handedness::left;
+       s.lensKind = LensKind::frustum;
+       s.near = 0x1.0000144cp+0, s.far = kInfiniteFar, s.viewport.depthSecond = 0x1.0001eap+0;
+     }},
+    // Nothing else puts the picture 1000 pixels from the principal point.
+    {"pixel centre", Of::picture, 4e-5, Vec3{-333.4, 333.4, -0x1.55555p-2},
+     [](Scene& s) {
+       s.poseKind = PoseKind::direction;
+       s.target = {0, 0, -1};
+       s.viewport = {1, 1}, s.viewport.pixelCenter = -1000;
+       s.lensKind = LensKind::intrinsics;
+       s.fx = s.fy = 1, s.cx = s.cy = 0;
+     }},
+    // In last places of the eye: it is (0.47 0 0.39) off, and the point 1 from it, too few for many roundings; but the
+    // point's own bound counts them.
+    {"what rounding the eye left over", Of::picture, 0, Vec3{-550944905.509449, 0, -599940005.9994001},
+     [](Scene& s) {
+       s.poseKind = PoseKind::cameraFromWorld;
+       s.matrix = {{{{1.0001, 0, 0, 551e6}, {0, 1.0001, 0, 0}, {0, 0, 1.0001, 600e6}, {0, 0, 0, 1}}}};
+       s.viewport = {1, 1};
+       s.lensKind = LensKind::intrinsics;
+       s.cx = -775, s.cy = 0, s.near = 0x1p-24;
+     }},
+};
+
+}  // namespace
+
+TEST_CASE("Points that need a term of a bound keep the bound") {
+  for (const TightPoint& tight : kTightPoints) {
+    Scene scene;
+    tight.change(scene);
+    const Camera camera = build(scene);
+    const Oracle::Answer truth = Oracle(Truth(scene), kBits).at(tight.point);
+    const ScreenPoint got = worldToScreen(camera, tight.point, Precision::standard);
+    const Errors error = errorsOf(got.x, got.y, got.depth, truth);
+    const ErrorBound own = boundOfPoint(camera, tight.point, Precision::standard);
+    const ErrorBound bound = tight.bound == Of::picture ? boundInPicture(camera, Precision::standard) : own;
+    const double share = tight.bound == Of::depth ? error.depth / bound.depth : error.screen() / bound.screen;
+    INFO(tight.term);
+    CHECK(got.precision == Precision::standard);
+    CHECK(got.outside == 0);
+    CHECK(share <= 1);
+    CHECK(share >= tight.leastShare);
+    CHECK(own.screen <= bound.screen);
   }
 }
