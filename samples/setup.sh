@@ -1,6 +1,6 @@
 #!/bin/sh
 # Installs what is missing from Debian's packages, and from npm's, and builds Release into build/.
-#   sh samples/setup.sh          the tool, and what else an installation takes
+#   sh samples/setup.sh          the tool, what else an installation takes, and what the samples need
 #   sh samples/setup.sh tests    the tool and the tests, with their judges
 #   sh samples/setup.sh checks   these, and what .ci/run needs
 #   sh samples/setup.sh deep     these, and what tests/checks/deep.sh and tests/benchmark need
@@ -8,7 +8,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 
-packages="g++ cmake make libcli11-dev nlohmann-json3-dev libfast-float-dev libdragonbox-dev libyaml-dev libgeographiclib-dev"
+packages="g++ cmake make libcli11-dev nlohmann-json3-dev libfast-float-dev libdragonbox-dev libyaml-dev libgeographiclib-dev jq"
 part=${1:-tool}
 tests=OFF
 case $part in
@@ -28,7 +28,7 @@ if [ "$part" = checks ] || [ "$part" = deep ]; then
   packages="$packages dpkg-dev file lintian mandoc pkgconf"
 fi
 if [ "$part" = deep ]; then
-  packages="$packages ccache clang-tidy debootstrap jq miller mawk gawk proj-bin parallel qemu-user time valgrind"
+  packages="$packages ccache clang-tidy debootstrap miller mawk gawk proj-bin parallel qemu-user time valgrind"
   packages="$packages libc++-dev libc++abi-dev g++-mingw-w64-x86-64-posix wine64 g++-aarch64-linux-gnu"
   browser=chromium
   for name in chromium chromium-browser google-chrome; do if command -v $name >/dev/null; then browser=""; fi; done

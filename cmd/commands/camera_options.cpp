@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <memory>
+#include <nlohmann/json.hpp>
 
-#include "input/camera_fields.hpp"
-#include "input/convention_names.hpp"
-#include "input/typed_value.hpp"
+#include "camera/check.hpp"
+#include "camera/fields.hpp"
+#include "camera/read_pose.hpp"
 #include "output/camera_text.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
+#include "text/format_number.hpp"
 #include "text/names.hpp"
 
 namespace viewproj::cmd {
@@ -18,6 +20,21 @@ Names<ConventionPreset> presets() {
   Names<ConventionPreset> names;
   for (const ConventionPreset& preset : conventionPresets()) names.emplace_back(preset.name, preset);
   return names;
+}
+
+/// For a command that asks for near and far alone: an opening like any other where the options name none.
+void assumeOpening(std::vector<Patch>& patches, bool hasViewport) {
+  bool hasLens = false, isOrthographic = false;
+  for (const Patch& patch : patches) {
+    const Field* const field = findField(patch.path);
+    if (!field || field->types == 0) continue;
+    if (field->group == Group::lens) return;
+    hasLens = true;
+    isOrthographic = isOrthographic || *patch.value == "orthographic";
+  }
+  if (!hasLens) return;
+  patches.push_back(optionPatch(*findField(isOrthographic ? "projection.height" : "projection.fovY"), "60"));
+  if (!hasViewport) patches.push_back(optionPatch(*findField("projection.aspect"), "1"));
 }
 
 }  // namespace
@@ -34,15 +51,15 @@ void CameraOptions::add(CommandLine& line) {
   addValue(line, "-c,--camera", "FILE[#NAME]", camera_, readFileName,
            "Camera file, or the JSON itself; also glTF, transforms.json, three.js, calibrations of OpenCV, ROS and "
            "others (help formats), or matrices. #NAME picks one of several cameras");
-  addValue(line, "--format", "FILE", format_, readFileName,
-           "Read the camera file as the kind that FILE describes (help kinds)");
   line.addFlag(kListOption, list_, "Name the cameras that the camera file holds, and do nothing else");
   addValue(line, "--viewport", "WxH", viewport_, readSize,
            "Viewport size in pixels, as in 1920x1080 (default: the file's)");
-  addValues(
-      line, "--set", "FIELD=VALUE", set_,
-      [](const std::string&, const std::string& text) { return readAssignment(text); },
-      "Set a field of the camera file, as in projection.fovY=75; of two of the same the later counts");
+  line.add({"--set", "FIELD=VALUE",
+            "Set a field of the camera file, as in projection.fovY=75; of two of the same the later counts; repeatable",
+            Times::often},
+           [this](const std::string&, const std::vector<std::string>& given) {
+             for (const std::string& text : given) patches_.push_back(setPatch(text));
+           });
   addChoice(line, "--read-as", "NAME", readAs_, namesAlone(presetNames()), "Read the camera in this convention",
             "the file's, or opengl");
   addFields(line);
@@ -71,18 +88,15 @@ void CameraOptions::addFile(CommandLine& line) {
 
 void CameraOptions::addFields(CommandLine& line) {
   const Heading heading(line, kCameraFields);
-  for (const CameraOption& option : cameraOptions())
-    if (!line.wants(option.name))
-      continue;
-    else if (option.field)
-      line.add({std::string(option.name), std::string(valueWord(option.field->form)), std::string(option.field->help)},
-               [this, option](const std::string&, const std::vector<std::string>& given) {
-                 typed_.add(option, given.front());
+  for (const Field& field : kFields)
+    if (!field.option.empty() && line.wants(field.option))
+      line.add({std::string(field.option), std::string(placeholder(field.kind)), std::string(field.help)},
+               [this, &field](const std::string&, const std::vector<std::string>& given) {
+                 patches_.push_back(optionPatch(field, given.front()));
                });
-    else
-      line.addFlag(
-          option.name, [this, option](std::int64_t) { typed_.add(option, ""); },
-          "The projection is " + std::string(option.type->name) + ", where its fields could be another's too");
+  line.addFlag(
+      "--orthographic", [this](std::int64_t) { patches_.push_back(orthographicPatch()); },
+      "The projection is orthographic, where its fields could be another's too");
 }
 
 CameraSource CameraOptions::source() const {
@@ -92,101 +106,104 @@ CameraSource CameraOptions::source() const {
   return splitPick(camera_ ? *camera_ : file_.value_or("-"));
 }
 
-std::unique_ptr<Document> CameraOptions::open(const CameraSource& picked) const {
-  for (const Assignment& assignment : set_)
-    if (const std::string field = dotted(assignment.path);
-        viewport_ && (field == "viewport" || field == "viewport.width" || field == "viewport.height"))
-      throw UsageError("--viewport and --set " + assignment.text + " both give the size of the picture");
-  if (format_ && isTyped()) throw UsageError("--format tells how a camera file is read, and there is none");
-  auto document = isTyped() ? std::make_unique<Document>(Document::Typed{}, "the command line")
-                            : std::make_unique<Document>(picked.file, camera_ ? "--camera" : "FILE", "");
-  if (format_) {
-    if (*format_ == "-") throw UsageError("--format -: a file is expected; standard input is for cameras and records");
-    kinds_ = readKinds(Document(*format_, "--format", ""), builtInKinds());
-    document->setKinds(kinds_);
-  }
-  if (viewport_) setViewportSize(*document, viewport_->width, viewport_->height);
-  for (const Assignment& assignment : set_) document->set(assignment);
-  return document;
+bool CameraOptions::isTyped() const {
+  return !camera_ && !file_ &&
+         std::any_of(patches_.begin(), patches_.end(), [](const Patch& patch) { return patch.isOption; });
+}
+
+bool CameraOptions::hasPlace() const {
+  return std::any_of(patches_.begin(), patches_.end(), [](const Patch& patch) {
+    return (patch.path == "position" || patch.path == "target") && patch.value->is_object() &&
+           patch.value->contains("lat");
+  });
+}
+
+CameraPatches CameraOptions::patches() const {
+  CameraPatches all{readAs(), patches_};
+  if (viewport_)
+    for (const Patch& patch : viewportPatches(viewport_->width, viewport_->height)) all.patches.push_back(patch);
+  requireConsistent(all.patches);
+  if (readAs_)
+    for (const Patch& patch : patches_)
+      if (patch.path == "convention" || patch.path == "convention.preset")
+        throw UsageError(patch.label + " and --read-as both say how the file is read; keep one");
+  if (anyOpening_ && isTyped()) assumeOpening(all.patches, viewport_.has_value());
+  return all;
+}
+
+std::unique_ptr<CameraDocuments> CameraOptions::open(const CameraSource& picked) const {
+  CameraPatches all = patches();  // whatever is wrong with the options is told before any file is opened
+  if (isTyped()) return std::make_unique<CameraDocuments>(std::move(all));
+  return std::make_unique<CameraDocuments>(load(picked.file, camera_ ? "--camera" : "FILE"), std::move(all));
 }
 
 int CameraOptions::list() const {
-  typed_.requireConsistent();
   if (isTyped()) throw UsageError("--list names the cameras of a file, and there is none");
-  writeOutput(listCameras(*open(source())));
+  const auto cameras = open(source());
+  for (std::size_t i = 0; i < cameras->size(); ++i) {
+    std::string line = "#" + cameras->pickOf(i);
+    try {
+      const Document document = cameras->document(i);
+      const Json* const type = valueAt(*document.root, "projection.type");
+      line += "  " + (type && type->is_string() ? type->get<std::string>() : "no projection");
+    } catch (const InputError& e) {
+      line += std::string("  cannot be read: ") + e.what();
+    }
+    writeOutput(line + "\n");
+  }
   return 0;
 }
 
 std::string CameraOptions::readAs() const {
   if (readAs_ || !isTyped() || !convention_) return readAs_.value_or("");
   // A place makes the world right-handed.
-  if (typed_.hasPlace() && convention_->convention.world == Handedness::left) return "";
+  if (hasPlace() && convention_->convention.world == Handedness::left) return "";
   return std::string(convention_->name);
 }
 
-CameraReading CameraOptions::reading(bool needsPicture) const {
-  return {.readAs = readAs(),
-          .allowStretch = allowStretch_,
-          .ignoreDistortion = ignoreDistortion_,
-          .needsPicture = needsPicture && !anyOpening_};
+ReadOptions CameraOptions::reading(bool needsPicture) const {
+  return {allowStretch_, ignoreDistortion_, needsPicture && !anyOpening_};
 }
 
 CameraFile CameraOptions::read(bool needsPicture) const {
-  typed_.requireConsistent();
   const CameraSource picked = isTyped() ? CameraSource{} : source();
-  std::unique_ptr<Document> opened = open(picked);
-  Document& document = *opened;
-  TypedCamera typed = typed_;
-  if (anyOpening_ && isTyped()) typed.assumeOpening(viewport_.has_value());
-  CameraFile file = readAnyCamera(document, picked.pick, reading(needsPicture), typed);
+  const auto cameras = open(picked);
+  Document document = cameras->document(cameras->choose(picked.pick));
+  CameraFile file = readCamera(document, reading(needsPicture));
   statesConvention_ = readAs_ || isTyped() || file.statesConvention || file.worldIsEcef;
-  for (const std::string& note : document.notes()) notes_.say(note);
-  file.isTyped = isTyped();
-  if (isTyped()) fields_ = std::move(opened);
+  for (const std::string& note : file.notes) notes_.say(note);
+  if (isTyped()) given_ = std::move(document);
   return file;
 }
 
 int CameraOptions::writeEach(
     bool needsPicture,
     const std::function<std::string(const std::string& pick, const CameraFile& camera)>& textOf) const {
-  typed_.requireConsistent();
   if (isTyped()) throw UsageError("--all is of the cameras of a file, and there is none");
   const CameraSource picked = source();
   if (picked.pick) throw UsageError("--all is of every camera of the file; leave out #" + *picked.pick);
-  const std::unique_ptr<Document> document = open(picked);
+  const auto cameras = open(picked);
   int status = 0;
-  const auto refuse = [&](const std::string& message) {
-    complain(message);
-    status = 1;
-  };
-  const auto write = [&](const std::string& pick, const CameraFile& camera) {
-    for (const std::string& note : document->takeNotes()) notes_.say(note);
-    statesConvention_ = readAs_ || camera.statesConvention;
+  for (std::size_t i = 0; i < cameras->size(); ++i) {
     std::string text;
     try {
-      text = textOf(pick, camera);
+      const CameraFile camera = readCamera(cameras->document(i), reading(needsPicture));
+      for (const std::string& note : camera.notes) notes_.say(note);
+      statesConvention_ = readAs_ || camera.statesConvention;
+      text = textOf(cameras->pickOf(i), camera);
     } catch (const InputError& e) {
-      const std::string message = e.what();
-      const bool isNamed = message.starts_with(camera.name + ":");
-      return refuse(isNamed ? camera.name + "#" + pick + message.substr(camera.name.size()) : message);
+      complain(e.what());
+      status = 1;
+      continue;
     }
     writeOutput(text);
-  };
-  readEachCamera(*document, reading(needsPicture), typed_, write, refuse);
-  for (const std::string& note : document->takeNotes()) notes_.say(note);
+  }
   return status;
 }
 
 std::optional<std::string> CameraOptions::asTyped(const CameraFile& file) const {
-  if (!fields_ || fields_->isSet(std::string(field::convention))) return std::nullopt;
-  const ConventionPreset* preset = readAs().empty() ? &conventionPresets().front() : findPreset(readAs());
-  if (convention_ && convention_->name != preset->name) {
-    // On the Earth a preset says nothing but which way a rotation's axes point.
-    const ObjectReader fields(*fields_, fields_->root(), {});
-    if (readAs_ || !typed_.hasPlace() || fields.has(field::rotation)) return std::nullopt;
-    preset = findPreset(convention_->name);
-  }
-  return writeFields(*fields_, writing(file), *preset);
+  if (!given_) return std::nullopt;
+  return writeDocument(*given_, convention_ ? *convention_ : *readConvention(*given_).preset, writing(file));
 }
 
 bool CameraOptions::fromStandardInput() const {
@@ -206,20 +223,27 @@ Convention CameraOptions::writing(const CameraFile& file) const {
 }
 
 CameraAxes CameraOptions::writtenAxes(const CameraFile& file) const {
-  const bool right = file.convention.world == Handedness::right;
   const bool fits = convention_ && convention_->convention.world == file.convention.world;
-  if (fits) return convention_->cameraAxes;
-  return file.cameraAxes.value_or(right ? CameraAxes::RUB : CameraAxes::RUF);
+  return fits ? convention_->cameraAxes : file.cameraAxes;
 }
 
 void CameraOptions::noteHandedness(const CameraFile& file) const {
-  if (!convention_ || statesConvention_ || convention_->convention.world == file.convention.world) return;
+  if (!convention_) return;
   const std::string name(convention_->name);
   const auto hand = [](Handedness world) { return std::string(nameOf(kWorldNames, world)) + "-handed"; };
-  notes_.say(file.name + ": names no convention, so its world stays " + hand(file.convention.world) + "; " + name +
-             "'s is " + hand(convention_->convention.world) + ": --read-as " + name +
-             " reads the file so, and matrix " + (convention_->up.z > 0 ? "--map -z,x,y --scale 100" : "--map x,y,-z") +
-             " writes the camera for such a world");
+  const ConventionPreset& usual = conventionPresets().front();
+  if (isTyped()) {
+    if (readAs_ || readAs().empty()) return;
+    const Vec3 up = convention_->up;
+    if (convention_->convention.world == usual.convention.world && up == usual.up) return;
+    notes_.say("--convention " + name + " also says how the options are read: the world is " +
+               hand(convention_->convention.world) + " and up is " + formatNumber(up.x) + "," + formatNumber(up.y) +
+               "," + formatNumber(up.z) + "; --read-as opengl reads them in the default convention");
+    return;
+  }
+  if (statesConvention_ || convention_->convention.world == file.convention.world) return;
+  notes_.say(file.name + ": states no convention, so its world stays " + hand(file.convention.world) + "; " + name +
+             "'s is " + hand(convention_->convention.world) + "; --read-as " + name + " reads the file so");
 }
 
 }  // namespace viewproj::cmd

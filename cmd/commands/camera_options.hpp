@@ -7,11 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "camera/read_camera.hpp"
+#include "camera/source.hpp"
 #include "commands/notes.hpp"
 #include "commands/values.hpp"
-#include "input/camera_file.hpp"
-#include "input/camera_source.hpp"
-#include "input/kinds/kind.hpp"
 
 namespace viewproj::cmd {
 
@@ -33,14 +32,14 @@ class CameraOptions {
   /// Returns the exit status.
   int list() const;
 
-  /// From -c, or from FILE where the command has it. needsPicture: as in CameraReading.
+  /// From -c, or from FILE where the command has it. needsPicture: as in ReadOptions.
   CameraFile read(bool needsPicture = true) const;
   /// Writes a text of every camera of the file; pick: what picks it. A camera that cannot be read, or of which there is
   /// no such text, has a message instead. Returns the exit status.
   int writeEach(bool needsPicture,
                 const std::function<std::string(const std::string& pick, const CameraFile& camera)>& textOf) const;
   bool fromStandardInput() const;
-  bool isGiven() const { return camera_ || file_ || !typed_.empty(); }
+  bool isGiven() const { return camera_ || file_ || isTyped(); }
   /// The fields that options gave in place of a file, as a camera file: where they say all of the camera that is
   /// written.
   std::optional<std::string> asTyped(const CameraFile& file) const;
@@ -61,25 +60,26 @@ class CameraOptions {
 
  private:
   CameraSource source() const;
-  CameraReading reading(bool needsPicture) const;
-  std::unique_ptr<Document> open(const CameraSource& picked) const;
+  ReadOptions reading(bool needsPicture) const;
+  CameraPatches patches() const;
+  /// The cameras of the file, or of options alone.
+  std::unique_ptr<CameraDocuments> open(const CameraSource& picked) const;
   void addFields(CommandLine& line);
   /// The camera is what options say of it, and no file's.
-  bool isTyped() const { return !camera_ && !file_ && !typed_.empty(); }
+  bool isTyped() const;
+  bool hasPlace() const;
   std::string readAs() const;
 
-  std::optional<std::string> camera_, file_, readAs_, format_;
+  std::optional<std::string> camera_, file_, readAs_;
   std::optional<Size> viewport_;
   std::optional<ConventionPreset> convention_;
   std::optional<NdcZ> ndcZ_;
   std::optional<bool> reverseZ_;
-  std::vector<Assignment> set_;
-  TypedCamera typed_;
+  std::vector<Patch> patches_;  ///< of options and of --set, in their order
   bool takesFile_ = false, anyOpening_ = false, allowStretch_ = false, ignoreDistortion_ = false, list_ = false;
   Notes notes_;
-  mutable bool statesConvention_ = true;            ///< of the camera that was read
-  mutable std::vector<Kind> kinds_;                 ///< of --format
-  mutable std::unique_ptr<const Document> fields_;  ///< of a camera that options give
+  mutable bool statesConvention_ = true;   ///< of the camera that was read
+  mutable std::optional<Document> given_;  ///< of a camera that options give
 };
 
 }  // namespace viewproj::cmd

@@ -86,7 +86,7 @@ std::string cornersAsJson(const Camera& camera) {
   const bool down = c.viewport.origin == Origin::topLeft;
   JsonObject out;
   const auto pixel = [&](bool right, bool top) {
-    return Vec2{right ? c.lastCorner.x : c.firstCorner.x, top == down ? c.firstCorner.y : c.lastCorner.y};
+    return Vec2{right ? c.corners.last.x : c.corners.first.x, top == down ? c.corners.first.y : c.corners.last.y};
   };
   const auto add = [&](const std::string& name, const Vec3& v) {
     if (!isFinite(v)) throw InputError(name + " of the view is beyond the range of doubles");
@@ -96,7 +96,7 @@ std::string cornersAsJson(const Camera& camera) {
     for (const auto& [name, right, top] : kCorners)
       add(plane + std::string(name), screenToWorldAtDistance(camera, pixel(right, top), distance).position);
   };
-  addAt("near", c.projection.near);
+  if (hasDepth(camera.projection())) addAt("near", c.projection.near);
   if (std::isfinite(c.projection.far))
     addAt("far", c.projection.far);
   else

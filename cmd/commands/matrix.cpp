@@ -33,6 +33,7 @@ std::string lacking(const CameraMatrix& row, const MatrixSource& source) {
   if (row.model && !source.worldFromLocal) return "--model";
   if (row.pose && !file.pose) return "a pose";
   if (row.projection && !file.projection) return "a projection";
+  if (row.projection && !hasDepth(*file.projection)) return "near; --near gives it";
   if (needsViewport && !file.viewport) return "a viewport; --viewport WIDTHxHEIGHT gives one";
   return "";
 }
@@ -46,7 +47,10 @@ Matrices chooseMatrices(const std::optional<Matrices>& asked, const MatrixSource
     // A baked viewport is in the projection already.
     for (const CameraMatrix& row : cameraMatrices())
       if (lacking(row, source).empty() && !(source.bakeViewport && row.viewport)) chosen.push_back(&row);
-    if (chosen.empty()) throw InputError(name + ": the camera has neither a pose, a projection nor a viewport");
+    if (chosen.empty()) {
+      requireNear(source.file, "projection");
+      throw InputError(name + ": the camera has neither a pose, a projection nor a viewport");
+    }
     return chosen;
   }
   for (const CameraMatrix* row : *asked)

@@ -103,10 +103,25 @@ struct Projecting {
   Precision precision;
   PointReading reading;
   Fields fields;
+  bool hasDepth = true;
   std::vector<const PointResult*> ofText;   ///< by default
   std::optional<Mat4> worldFromLocal = {};  ///< of a model that the points are in
   std::optional<Frustum> frustum = {};      ///< for segments
 };
+
+/// Of a camera without near: throws for results of depth that are asked for by name; of all, they are left out.
+void leaveDepthOut(Projecting& how, const CameraFile& file) {
+  how.hasDepth = false;
+  const auto isOfDepth = [](const PointResult* result) {
+    return result->row.name == "ndc" || result->row.name == "clip" || result->row.name == results::depth.name;
+  };
+  if (how.fields.ofShapes.empty())
+    for (const PointResult* result : how.fields.named)
+      if (isOfDepth(result)) requireNear(file, "--fields " + std::string(result->row.name));
+  for (auto* rows : {&how.fields.named, &how.fields.numbers})
+    std::erase_if(*rows,
+                  [&](const PointResult* result) { return result->row.name == "ndc" || result->row.name == "clip"; });
+}
 
 /// A segment among the points, and the pixel to find a point of it under.
 struct SegmentRow {
@@ -170,6 +185,9 @@ class ProjectWork final : public RecordWork {
 
   void add(const Layout& layout, const Numbers& n) override {
     Vec4 point{0, 0, 0, 1};
+    if (!how_.hasDepth && (isSegment(layout) || isShape(layout)))
+      throw RecordError(
+          0, std::string(isSegment(layout) ? "a segment" : "a shape") + " needs a camera with near; --near gives it");
     if (isSegment(layout)) {
       SegmentRow segment{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, {}, layout.kind == kindSegmentAndPixel};
       if (segment.hasPixel && !std::isnan(n[6])) segment.pixel = Vec2{n[6], n[7]};
@@ -342,6 +360,7 @@ int run(const Options& o) {
                  .ofText = defaultFields().numbers};
   how.frustum = viewFrustum(how.camera);
   if (o.model) how.worldFromLocal = readModel(*o.model);
+  if (!hasDepth(*file.projection)) leaveDepthOut(how, file);
   o.camera.noteHandedness(file);
   setup.writer.arrayName = "position";
   return runFilter(setup, [&] { return std::make_unique<ProjectWork>(how); });

@@ -31,6 +31,8 @@ WorldPoint pointBehind(const Camera& camera, const Pixel& pixel) {
   if (point.status != DepthStatus::beyond) return point;
   if (pixel.viewDistance)
     throw RecordError(0, "viewDistance " + formatNumber(*pixel.viewDistance) + " is not in front of the eye");
+  if (!hasDepth(camera.projection()))
+    throw RecordError(0, "a window depth needs a camera with near; a distance along the viewing axis is viewDistance");
   throw RecordError(0, "depth " + formatNumber(*pixel.depth) + " lies beyond infinity, whose window depth is " +
                            formatNumber(parts(camera).depthAtInfinity) +
                            ": no point in front of the eye has it; a distance along the viewing axis is viewDistance");

@@ -8,7 +8,6 @@
 
 #include "commands/definition.hpp"
 #include "commands/help/command_help.hpp"
-#include "input/typed_camera.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
@@ -31,6 +30,7 @@ constexpr GoneArgument kGone[] = {
     {"", "--comment", "remove comment lines first, as with grep -v '^#'"},
     {"", "--decimal", "replace decimal commas first, as with tr , ."},
     {"", "--first-line", "messages count lines from the start of the input"},
+    {"", "--format", "make the file a camera file with jq: samples/cameras-from-elsewhere has recipes"},
     {"", "--force", "pipe the output, as in --to f64 | cat"},
     {"", "--tolerance", "use --precision standard, and --fields bound for its error"},
     {"depth", "--gap", "the table tells the gap at each distance"},
@@ -56,20 +56,6 @@ std::string inPlaceOf(const std::string& name, const CommandLine& whole) {
   return "";
 }
 
-/// "; did you mean --target?" for --lookAt and --look-at, another name of its field.
-std::string optionOfAlias(const std::string& name, const CommandLine& whole) {
-  for (const CameraOption& option : cameraOptions()) {
-    if (!option.field || !whole.find(std::string(option.name))) continue;
-    for (const std::string_view alias : option.field->aliases()) {
-      std::string words = columnName(alias);
-      std::replace(words.begin(), words.end(), '_', '-');
-      if (sameButForCase(name, "--" + std::string(alias)) || name == "--" + words)
-        return "; did you mean " + std::string(option.name) + "?";
-    }
-  }
-  return "";
-}
-
 /// "; it is an option of project and ray", what does the same here, or the nearest that the command has.
 std::string adviceOn(const std::string& argument, const Command& command, const CommandLine& line) {
   const std::string name = argument.substr(0, argument.find('='));
@@ -87,9 +73,7 @@ std::string adviceOn(const std::string& argument, const Command& command, const 
   for (const Command& other : allCommands())
     if (wholeCommand(other).find(name)) owners.push_back(other.name);
   const CommandLine whole = wholeCommand(command);
-  const std::string alias = optionOfAlias(name, whole);
-  if (!owners.empty()) return "; it is an option of " + together(owners) + inPlaceOf(name, whole) + alias;
-  if (!alias.empty()) return alias;
+  if (!owners.empty()) return "; it is an option of " + together(owners) + inPlaceOf(name, whole);
   std::vector<std::string> names;
   for (const Option& option : whole.options())
     for (const std::string& known : option.spelled())

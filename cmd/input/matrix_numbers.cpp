@@ -4,10 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "input/convention_fields.hpp"
-#include "input/distortion_names.hpp"
-#include "input/document.hpp"
-#include "input/kinds/pose_names.hpp"
+#include "camera/check.hpp"
+#include "camera/read_pose.hpp"
 #include "input/matrix_scanner.hpp"
 #include "input/written_digits.hpp"
 #include "text/encoding.hpp"
@@ -39,7 +37,6 @@ constexpr std::string_view kCsvHeader = "matrix,row,column1,column2,column3,colu
 
 WrittenMatrices parseCsv(std::string_view text, const std::string& name) {
   WrittenMatrices result;
-  result.isOwn = true;
   std::array<WrittenNumber, 16> numbers;
   std::size_t line = 1, row = 0;
   std::string matrix;
@@ -71,7 +68,7 @@ WrittenMatrices parseCsv(std::string_view text, const std::string& name) {
     WrittenMatrix& m = result.matrices.emplace_back();
     m.name = visible(matrix);
     m.order = NumberOrder::rows;
-    setDigits(m, numbers);
+    setNumbers(m, numbers);
     row = 0;
   }
   if (row > 0 || result.matrices.empty()) fail("ends after " + std::to_string(row) + " rows; a matrix has 4");
@@ -90,8 +87,8 @@ std::pair<const nlohmann::json*, std::string_view> arrayAt(const nlohmann::json&
 }
 
 /// Of a value of an object that inspect reads; nothing for one that is no matrix and stands beside them.
-std::optional<WrittenMatrix> matrixOf(const Document& document, const std::string& key, std::string_view text) {
-  const nlohmann::json& whole = document.root()[key];
+std::optional<WrittenMatrix> matrixOf(const Node& document, const std::string& key, std::string_view text) {
+  const Json& whole = document.json()[key];
   const auto [array, written] = arrayAt(whole, text);
   if (!array) return std::nullopt;
   const nlohmann::json& value = *array;
@@ -117,38 +114,36 @@ std::optional<WrittenMatrix> matrixOf(const Document& document, const std::strin
                                    [&](const auto& row) { return row.is_array() && row.size() == columns; }));
   };
   const bool isK = isOf(3, 3), isP = isOf(3, 4);
-  // A rotation, or a vector for each of three pictures.
-  if (isK && poseName(key) >= PoseName::vague) return std::nullopt;
+  // A rotation; an eye, the coefficients of a lens: one row or one column.
+  if (isK && (numbers[3] != 0 || numbers[6] != 0 || numbers[7] != 0)) return std::nullopt;
   if (!isK && !isP && !isOf(4, 4)) {
-    // An eye, a position, the coefficients of a lens: one row or one column.
-    const bool isVector =
-        (!nested && (says("rows", 1) || says("cols", 1))) || isOf(1, numbers.size()) || isOf(numbers.size(), 1);
-    if ((isVector && numbers.size() < 9 && value.size() < 9) || distortionName(key) == DistortionName::array)
-      return std::nullopt;
-    document.fail({key}, "expected 16 numbers or 4 rows of 4; or 3 rows of 3 or 4, a calibration", false);
+    if (!nested || isOf(1, numbers.size()) || isOf(numbers.size(), 1)) return std::nullopt;
+    Node(document.document(), whole, key)
+        .fail("expected 16 numbers or 4 rows of 4; or 3 rows of 3 or 4, a calibration");
   }
   WrittenMatrix m;
   m.name = visible(key);
   m.isCalibration = isK || isP;
   m.columns = isK ? 3 : 4;
   m.order = nested || whole.is_object() ? NumberOrder::rows : NumberOrder::memory;
-  setDigits(m, writtenNumbers(written, numbers));
+  setNumbers(m, writtenNumbers(written, numbers));
   return m;
 }
 
-WrittenMatrices parseObject(const std::string& text, const std::string& name) {
-  const Document document(text, name);
+WrittenMatrices parseObject(std::string text, const std::string& name) {
+  blankComments(text);
+  const Document document = load(text, name);
+  const Node root(document);
   WrittenMatrices result;
   JsonParts parts(std::string_view(text).substr(text.find('{')));
   while (const auto part = parts.next())
-    if (auto m = matrixOf(document, unescaped(part->key), part->value)) result.matrices.push_back(std::move(*m));
-  if (result.matrices.empty()) document.fail({}, "has no matrix: no value of 16 numbers or 4 rows of 4");
-  const auto convention = document.root().find("convention");
-  if (convention != document.root().end() && convention->is_object()) {
-    result.convention = readAxes(ObjectReader(document, *convention, {"convention"}), {});
-    result.isOwn = true;
-  } else if (convention != document.root().end() && convention->is_string()) {
-    result.convention = readConvention(ObjectReader(document, document.root(), {}), {})->convention;
+    if (auto m = matrixOf(root, unescaped(part->key), part->value)) result.matrices.push_back(std::move(*m));
+  if (result.matrices.empty()) root.fail("has no matrix: no value of 16 numbers or 4 rows of 4");
+  if (const auto convention = root.find("convention")) {
+    Document stated{name, std::make_shared<Json>(Json{{"convention", convention->json()}})};
+    normalize(stated);
+    check(stated);
+    result.convention = readConvention(stated).convention;
   }
   return result;
 }
@@ -164,10 +159,8 @@ WrittenMatrices parseMatrices(const std::string& given, const std::string& name)
     if (second != std::string::npos && (text[second] == '"' || text[second] == '}')) return parseObject(text, name);
   }
   if (text.starts_with(kCsvHeader)) return parseCsv(text, name);
-  // As the comment in source code begins.
-  const bool isOwn = text.find("-handed world; view x right, ") != std::string::npos;
   const auto has = [&](const char* word) { return text.find(word) != std::string::npos; };
-  return {scanMatrices(text, name), std::nullopt, isOwn, has("float") || has("mat4") || has("f32")};
+  return {scanMatrices(text, name), std::nullopt, has("float") || has("mat4") || has("f32")};
 }
 
 }  // namespace viewproj::cmd

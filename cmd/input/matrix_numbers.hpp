@@ -13,7 +13,6 @@ namespace viewproj::cmd {
 struct WrittenMatrices {
   std::vector<WrittenMatrix> matrices;
   std::optional<Convention> convention;  ///< what the input says of itself, as `matrix --to json` does
-  bool isOwn = false;                    ///< written by `matrix`, which leaves no digit out
   bool isFloat = false;                  ///< of a type that holds float32s, in the text's own words
 };
 

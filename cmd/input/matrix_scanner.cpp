@@ -164,7 +164,7 @@ class Scanner {
     m.name = visible(name_);
     std::array<WrittenNumber, 16> numbers;
     for (std::size_t i = 0; i < 16; ++i) numbers[i] = gathered_[i].number;
-    setDigits(m, numbers);
+    setNumbers(m, numbers);
     if (fourByFour([&](std::size_t i) { return gathered_[i].line; }) ||
         fourByFour([&](std::size_t i) { return gathered_[i].group; }))
       m.order = NumberOrder::rows;
@@ -199,7 +199,7 @@ class Scanner {
     m.columns = gathered_.size() / 3;
     std::array<WrittenNumber, 16> numbers;
     for (std::size_t i = 0; i < gathered_.size(); ++i) numbers[i] = gathered_[i].number;
-    setDigits(m, numbers);
+    setNumbers(m, numbers);
     found_.push_back(m);
     gathered_.clear();
     name_.clear();

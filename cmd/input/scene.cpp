@@ -5,91 +5,83 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "camera/check.hpp"
 #include "camera/exact_vectors.hpp"
+#include "camera/read_pose.hpp"
 #include "geodesy/normal.hpp"
-#include "input/document.hpp"
-#include "input/geodetic.hpp"
-#include "input/scene_fields.hpp"
-#include "input/value_form.hpp"
+#include "text/names.hpp"
 #include "viewproj/geodesy.hpp"
 
 namespace viewproj::cmd {
 namespace {
 
-constexpr const char* kNotOnEarth = "is a place, which needs a camera that stands on the Earth";
-
-/// Reads shapes.
-struct ShapeReader {
-  bool worldIsEcef;
-
-  Vec3 point(const ObjectReader& fields, const Field& key) const {
-    if (!worldIsEcef && readPlace(fields, key)) fields.fail(key, kNotOnEarth);
-    const auto v = readPosition(fields, key);
-    if (!v) fields.fail("has no " + std::string(key.name) + "; expected [x, y, z]");
-    return *v;
-  }
-
-  Plane readPlane(const ObjectReader& fields) const {
-    fields.allow(field::planeForm);
-    const Plane plane{point(fields, field::point), point(fields, field::normal)};
-    if (!isValid(plane)) fields.fail(field::normal, "is no direction");
-    return plane;
-  }
-
-  Sphere readSphere(const ObjectReader& fields) const {
-    fields.allow(field::sphereForm);
-    const Sphere sphere{point(fields, field::center), fields.requireNumber(field::radius)};
-    if (const auto fault = faultOf(sphere); !fault.empty()) fields.fail(field::radius, std::string(fault));
-    return sphere;
-  }
-
-  Box readBox(const ObjectReader& fields) const {
-    fields.allow(field::boxForm);
-    const Box box{point(fields, field::min), point(fields, field::max)};
-    if (const auto fault = faultOf(box, worldIsEcef); !fault.empty()) fields.fail(field::max, std::string(fault));
-    return box;
-  }
-
-  Triangle readTriangle(const ObjectReader& fields) const {
-    const nlohmann::json& value = *fields.find(field::triangle);
-    const bool arePlaces =
-        value.is_array() && value.size() == 3 && std::all_of(value.begin(), value.end(), [](const auto& corner) {
-          return corner.is_object() && !hasCoordinates(corner);
-        });
-    std::vector<Vec3> corners;
-    if (arePlaces)
-      for (const ObjectReader& corner : fields.objects(field::triangle)) {
-        if (!worldIsEcef) corner.fail(kNotOnEarth);
-        corners.push_back(geodeticToEcef(requirePlace(corner)));
-      }
-    else
-      corners = *fields.vec3s(field::triangle, 3);
-    const Triangle triangle{corners[0], corners[1], corners[2]};
-    if (!isValid(triangle)) fields.fail(field::triangle, "has a coordinate that is not finite");
-    return triangle;
-  }
-};
-
-decltype(SceneObject::shape) readEllipsoid(const ObjectReader& fields) {
-  const Ellipsoid ellipsoid = *fields.choice(field::ellipsoid, field::kEllipsoids);
-  const double height = fields.number(field::height).value_or(0);
-  if (height == 0) return ellipsoid;
-  if (!(height >= kLeastCrossedHeight)) fields.fail(field::height, "must not be below -1000000 metres");
-  return HeightSurface{height};
+/// [x, y, z], or a place where the camera stands on the Earth.
+Vec3 pointOf(const Node& value, bool worldIsEcef) {
+  checkValue(value, *findField("position"));
+  if (isPlaceValue(value) && !worldIsEcef) value.fail("is a place, which needs a camera that stands on the Earth");
+  return positionOf(value);
 }
 
-SceneObject readObject(const ObjectReader& fields, std::size_t index, const ShapeReader& reader) {
-  fields.allow(field::sceneObject);
-  (void)fields.string(field::name);
+decltype(SceneObject::shape) shapeOf(const Node& value, std::string_view name, bool worldIsEcef) {
+  const auto point = [&](std::string_view key) { return pointOf(value.require(key), worldIsEcef); };
+  if (name == "plane") {
+    allowMembers(value, {"point", "normal"});
+    const Plane plane{point("point"), point("normal")};
+    if (!isValid(plane)) value.require("normal").fail("must not be all 0");
+    return plane;
+  }
+  if (name == "sphere") {
+    allowMembers(value, {"center", "radius"});
+    const Sphere sphere{point("center"), value.require("radius").number()};
+    if (const auto fault = faultOf(sphere); !fault.empty()) value.require("radius").fail(std::string(fault));
+    return sphere;
+  }
+  if (name == "box") {
+    allowMembers(value, {"min", "max"});
+    const Box box{point("min"), point("max")};
+    if (const auto fault = faultOf(box, worldIsEcef); !fault.empty()) value.require("max").fail(std::string(fault));
+    return box;
+  }
+  if (value.size() != 3) value.fail("expected three corners");
+  const Triangle triangle{pointOf(value[0], worldIsEcef), pointOf(value[1], worldIsEcef),
+                          pointOf(value[2], worldIsEcef)};
+  if (!isValid(triangle)) value.fail("has a coordinate that is not finite");
+  return triangle;
+}
+
+decltype(SceneObject::shape) ellipsoidOf(const Node& object) {
+  if (const Node name = object.require("ellipsoid"); name.text() != "WGS84") name.fail("is not known; known is WGS84");
+  const auto height = object.find("height");
+  if (!height || height->number() == 0) return kWgs84;
+  if (!(height->number() >= kLeastCrossedHeight)) height->fail("must not be below -1000000 metres");
+  return HeightSurface{height->number()};
+}
+
+/// A text or a number as JSON.
+std::optional<std::string> labelOf(const Node& object, std::string_view key) {
+  const auto value = object.find(key);
+  if (!value) return std::nullopt;
+  if (!value->json().is_number() && !value->json().is_string()) value->fail("expected a text or a number");
+  return value->json().dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+SceneObject readObject(const Node& fields, std::size_t index, bool worldIsEcef) {
+  for (const char* other : {"aabb", "bbox"})
+    if (const auto value = fields.find(other))
+      value->fail("is called box here: {\"min\": [x, y, z], \"max\": [x, y, z]}");
+  allowMembers(fields, {"id", "name", "plane", "sphere", "box", "triangle", "ellipsoid", "height"});
   SceneObject object;
-  const auto name = fields.label(field::name);
-  object.id = fields.label(field::id).value_or(name.value_or(std::to_string(index)));
-  (void)fields.way(field::sceneObject);
-  if (const auto plane = fields.object(field::plane)) object.shape = reader.readPlane(*plane);
-  if (const auto sphere = fields.object(field::sphere)) object.shape = reader.readSphere(*sphere);
-  if (const auto box = fields.object(field::box)) object.shape = reader.readBox(*box);
-  if (fields.has(field::triangle)) object.shape = reader.readTriangle(fields);
-  if (fields.has(field::ellipsoid)) object.shape = readEllipsoid(fields);
+  const auto name = labelOf(fields, "name");
+  object.id = labelOf(fields, "id").value_or(name.value_or(std::to_string(index)));
+  std::vector<std::string_view> shapes;
+  for (const char* shape : {"plane", "sphere", "box", "triangle", "ellipsoid"})
+    if (fields.find(shape)) shapes.emplace_back(shape);
+  if (shapes.empty()) fields.fail("needs a shape: plane, sphere, box, triangle or ellipsoid");
+  if (shapes.size() > 1) fields.fail("has " + together(shapes) + "; expected one of them");
+  const bool isEllipsoid = shapes.front() == "ellipsoid";
+  if (const auto height = fields.find("height"); height && !isEllipsoid) height->fail("goes with ellipsoid alone");
+  object.shape =
+      isEllipsoid ? ellipsoidOf(fields) : shapeOf(fields.require(shapes.front()), shapes.front(), worldIsEcef);
   return object;
 }
 
@@ -117,15 +109,16 @@ std::string_view faultOf(const Box& box, bool ofTheEarth) {
 }
 
 std::vector<SceneObject> readScene(const std::string& source, bool worldIsEcef) {
-  const Document document(source, "--scene");
-  const ObjectReader scene(document, document.root(), {});
-  scene.allow(field::scene);
-  for (const Field* text : {&field::name, &field::schema}) (void)scene.string(*text);
-  if (!scene.has(field::objects))
-    scene.fail("has no objects; expected {\"objects\": [{\"id\": ..., \"sphere\": {...}}, ...]}");
+  const Document document = load(source, "--scene");
+  const Node scene(document);
+  if (!scene.json().is_object() || !scene.find("objects"))
+    scene.fail("needs objects: {\"objects\": [{\"id\": ..., \"sphere\": {...}}, ...]}");
+  allowMembers(scene, {"$schema", "name", "objects"});
+  for (const char* key : {"$schema", "name"})
+    if (const auto text = scene.find(key)) (void)text->text();
+  const Node all = scene.require("objects");
   std::vector<SceneObject> objects;
-  for (const ObjectReader& object : scene.objects(field::objects))
-    objects.push_back(readObject(object, objects.size(), {worldIsEcef}));
+  for (std::size_t i = 0; i < all.size(); ++i) objects.push_back(readObject(all[i], i, worldIsEcef));
   return objects;
 }
 

@@ -1,58 +1,65 @@
-// A camera's fields as the command line gave them.
-#include "input/camera_fields.hpp"
-#include "input/projection_types.hpp"
+// A camera document as text, in the order of the table of fields.
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "camera/check.hpp"
+#include "camera/fields.hpp"
+#include "camera/read_pose.hpp"
 #include "output/camera_json.hpp"
 #include "output/camera_text.hpp"
 
 namespace viewproj::cmd {
 namespace {
 
-std::string objectOf(const ObjectReader& object, FieldList fields);
-
-std::string valueOf(const ObjectReader& object, const Field& field) {
-  switch (field.form) {
-    case ValueForm::text:
-    case ValueForm::word:
-      return jsonOf(*object.string(field));
-    case ValueForm::object:
-      return objectOf(*object.object(field), field.object->fields);
-    case ValueForm::position:
-      if (object.isObject(field)) return objectOf(*object.object(field), field.object->fields);
-      [[fallthrough]];
-    case ValueForm::pair:
-    case ValueForm::range:
-    case ValueForm::triple:
-    case ValueForm::turns:
-    case ValueForm::direction:
-    case ValueForm::quaternion:
-      return jsonListOf(*object.numbers(field, 0, 4));
-    default:
-      return object.isString(field) ? jsonOf(*object.string(field)) : jsonOf(*object.number(field));
+std::string textOf(const Json& value) {
+  if (value.is_number()) return jsonOf(value.get<double>());
+  if (value.is_string()) return jsonOf(value.get<std::string>());
+  if (!value.is_structured()) return value.dump();
+  if (value.is_array()) {
+    std::vector<std::string> items;
+    for (const Json& item : value) items.push_back(textOf(item));
+    return jsonList(items);
   }
+  JsonObject out;
+  for (const char* name : {"lat", "lon", "height", "order", "degrees", "rotation", "rotationVector", "translation",
+                           "model", "k", "p", "limit", "radius", "x", "y", "z", "w", "width"})
+    if (const auto member = value.find(name); member != value.end() && !member->is_null())
+      out.addText(name, textOf(*member));
+  return out.text();
 }
 
-std::string objectOf(const ObjectReader& object, FieldList fields) {
+/// An object of the document, its members in the order of the table.
+std::string objectAt(const Json& document, const std::string& path) {
   JsonObject out;
-  for (const Field* field : fields)
-    if (object.has(*field)) out.addText(*field, valueOf(object, *field));
+  for (const std::string_view name : namesUnder(path)) {
+    const std::string member = joinedPath(path, name);
+    if (const Json* const value = valueAt(document, member))
+      out.addText(name, findField(member) ? textOf(*value) : objectAt(document, member));
+  }
   return out.text();
 }
 
 }  // namespace
 
-std::string writeFields(const Document& document, const Convention& convention, const ConventionPreset& preset) {
-  const ObjectReader camera(document, document.root(), {});
-  JsonObject out;
+std::string writeDocument(const Document& given, const ConventionPreset& preset, const Convention& convention) {
+  Json document = *given.root;
+  const ConventionPreset& from = *readConvention(given).preset;
+  const auto has = [&](std::initializer_list<const char*> paths) {
+    return std::any_of(paths.begin(), paths.end(), [&](const char* path) { return valueAt(document, path); });
+  };
+  if (from.up != preset.up && has({"target", "direction"}) && !has({"up"}) && !worldIsEcef(given))
+    document["up"] = {from.up.x, from.up.y, from.up.z};
+  if (from.cameraAxes != preset.cameraAxes && has({"rotation", "euler", "worldFromCamera", "cameraFromWorld"}) &&
+      !has({"cameraAxes"}))
+    document["cameraAxes"] = nameOf(kCameraAxesNames, from.cameraAxes);
+  if (from.pixelCenter != preset.pixelCenter && has({"viewport"}) && !has({"viewport.pixelCenter"}))
+    document["viewport"]["pixelCenter"] = from.pixelCenter;
   constexpr std::string_view kLine = ",\n  ";
-  out.addText(field::convention, conventionAsJson(convention, preset), kLine);
-  for (const Field* field : field::camera.fields) {
-    if (field == &field::convention || !camera.has(*field)) continue;
-    if (field == &field::projection) {
-      const ObjectReader projection = *camera.object(*field);
-      out.addText(*field, objectOf(projection, requireProjectionType(projection).form.fields), kLine);
-    } else {
-      out.addText(*field, valueOf(camera, *field), kLine);
-    }
+  JsonObject out;
+  out.addText("convention", conventionAsJson(convention, preset), kLine);
+  for (const std::string_view name : namesUnder("")) {
+    const Json* const value = name == "convention" ? nullptr : valueAt(document, name);
+    if (value) out.addText(name, findField(name) ? textOf(*value) : objectAt(document, std::string(name)), kLine);
   }
   return "{\n  " + out.members() + "\n}\n";
 }

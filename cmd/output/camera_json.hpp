@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "camera/camera.hpp"
-#include "input/camera_file.hpp"
+#include "camera/read_camera.hpp"
 #include "text/json_build.hpp"
 #include "viewproj/matrices.hpp"
 
@@ -15,6 +15,9 @@ namespace viewproj::cmd {
 inline std::string jsonOf(const Vec3& v) { return jsonListOf(std::array{v.x, v.y, v.z}); }
 /// The nearer half.
 inline std::string jsonOf(detail::DoubleDouble number) { return jsonOf(number.hi); }
+
+/// {"world": ..., every axis}.
+std::string jsonOf(const Convention& convention);
 
 /// A preset's name, with the axes that differ from it.
 std::string conventionAsJson(const Convention& convention, const ConventionPreset& preset);

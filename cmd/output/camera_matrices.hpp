@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "input/camera_file.hpp"
+#include "camera/read_camera.hpp"
 #include "viewproj/matrices.hpp"
 
 namespace viewproj::cmd {

@@ -29,6 +29,7 @@ Place placeOf(const DDVec3& offset, const PoseParts& pose, const ProjectionParts
 /// Between the depths at two distances, given over that distance in perspective.
 double depthBetween(DoubleDouble a, DoubleDouble b, double distance, const ProjectionParts& p) {
   if (p.orthographic) return ((b - a) / twoDiff(p.far, p.near)).hi;
+  if (!(p.near > 0)) return 0;
   const double farOverRange = std::isinf(p.far) ? 1 : p.far / (p.far - p.near);
   return ((b - a) / (a * b)).hi * farOverRange * (p.near / distance);
 }
@@ -59,7 +60,8 @@ Moved movedBetween(const CameraFile& first, const CameraFile& second) {
     for (double along : {0.0, 0.5, 1.0}) {
       const DoubleDouble x = p.left + (p.right - p.left) * DoubleDouble(across);
       const DoubleDouble y = p.bottom + (p.top - p.bottom) * DoubleDouble(along);
-      for (double distance : {p.near, p.far}) {
+      const bool hasNear = p.orthographic || p.near > 0;
+      for (double distance : {hasNear ? p.near : 1, p.far}) {
         // In perspective the offsets over the distance: at infinity the eyes' distance counts for nothing.
         const DoubleDouble ahead = p.orthographic ? DoubleDouble(distance) : DoubleDouble(1);
         const DDVec3 offset = axes.right * x + axes.up * y + axes.forward * ahead;

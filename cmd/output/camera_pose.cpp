@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "camera/camera.hpp"
-#include "input/camera_fields.hpp"
+#include "camera/names.hpp"
 #include "output/camera_json.hpp"
 #include "viewproj/matrices.hpp"
 
@@ -52,9 +52,9 @@ void addLooking(std::vector<std::string>& forms, const Pose& pose, Vec3 defaultU
     // An axis of the world that gives the same picture before the camera's own.
     const auto addWith = [&](const Vec3& up) {
       JsonObject out;
-      out.addText(field::position, jsonOf(pose.eye()));
+      out.addText("position", jsonOf(pose.eye()));
       out.addText(name, jsonOf(where));
-      if (!(up == defaultUp)) out.addText(field::up, jsonOf(up));
+      if (!(up == defaultUp)) out.addText("up", jsonOf(up));
       forms.push_back(out.members());
     };
     const Vec3 axes[] = {defaultUp, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}, {0, -1, 0}, {0, 0, -1}, {-1, 0, 0}};
@@ -67,7 +67,7 @@ void addLooking(std::vector<std::string>& forms, const Pose& pose, Vec3 defaultU
     }
     addWith(roundedUnlessTiny(parts(pose).rows.up));
   };
-  if (!parts(pose).exact.upIsCross) return add(field::direction, roundedUnlessTiny(parts(pose).rows.forward));
+  if (!parts(pose).exact.upIsCross) return add("direction", roundedUnlessTiny(parts(pose).rows.forward));
   // As it was given, up to a power of two: the direction, or a target where that is longer than doubles.
   DDVec3 given;
   for (std::size_t i = 0; i < 3; ++i) given[i] = parts(pose).exact.forward[i].rounded();
@@ -76,10 +76,10 @@ void addLooking(std::vector<std::string>& forms, const Pose& pose, Vec3 defaultU
     for (int k = -60; k <= 60; ++k) {
       const DDVec3 target = toDoubleDouble(pose.eye()) + scaleByPowerOfTwo(given, k);
       if (!isRound(target) || !isFinite(rounded(target))) continue;
-      add(field::target, rounded(target));
+      add("target", rounded(target));
       break;
     }
-  add(field::direction, shortest(rounded(given)));
+  add("direction", shortest(rounded(given)));
 }
 
 /// x, y, z, w of the rotation with these columns.
@@ -102,7 +102,7 @@ std::array<DoubleDouble, 4> quaternionOf(const std::array<DDVec3, 3>& c) {
 }
 
 void addAxes(JsonObject& out, CameraAxes axes, const ConventionPreset& preset) {
-  if (axes != preset.cameraAxes) out.add(field::cameraAxes, nameOf(kCameraAxesNames, axes));
+  if (axes != preset.cameraAxes) out.add("cameraAxes", nameOf(kCameraAxesNames, axes));
 }
 
 std::array<DDVec3, 3> columnsOf(const Axes& a, CameraAxes axes) {
@@ -133,11 +133,11 @@ void addRotation(std::vector<std::string>& forms, const Pose& pose, CameraAxes a
   const DoubleDouble length =
       parts(pose).exact.upIsCross ? DoubleDouble(1) : sqrt(DoubleDouble(1) / (scale.hi < 0 ? -scale : scale));
   JsonObject out;
-  out.addText(field::position, jsonOf(pose.eye()));
+  out.addText("position", jsonOf(pose.eye()));
   addAxes(out, axes, preset);
   std::vector<std::string> numbers;
   for (const DoubleDouble& part : rotationOf(pose, axes)) numbers.push_back(jsonOf(part * length));
-  out.addText(field::rotation, jsonList(numbers));
+  out.addText("rotation", jsonList(numbers));
   forms.push_back(out.members());
 }
 
@@ -154,14 +154,14 @@ std::vector<std::string> poseForms(const CameraFile& camera, const ConventionPre
   addRotation(forms, *camera.pose, axes, preset);
   if (!right) addRotation(forms, *camera.pose, CameraAxes::FRU, preset);
   const Convention read{.world = world, .view = downwards ? ViewAxes::RDF : right ? ViewAxes::RUB : ViewAxes::RUF};
-  const auto addMatrix = [&](const Field& field, const Mat4& matrix) {
+  const auto addMatrix = [&](std::string_view field, const Mat4& matrix) {
     JsonObject out;
     addAxes(out, axes, preset);
     out.addText(field, matrixAsJson(matrix));
     forms.push_back(out.members());
   };
-  addMatrix(field::worldFromCamera, worldFromView(*camera.pose, read));
-  addMatrix(field::cameraFromWorld, viewFromWorld(*camera.pose, read));
+  addMatrix("worldFromCamera", worldFromView(*camera.pose, read));
+  addMatrix("cameraFromWorld", viewFromWorld(*camera.pose, read));
   return forms;
 }
 

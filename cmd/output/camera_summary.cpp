@@ -5,8 +5,7 @@
 #include <numbers>
 
 #include "camera/camera.hpp"
-#include "input/convention_names.hpp"
-#include "input/field_of_view.hpp"
+#include "camera/names.hpp"
 #include "output/camera_json.hpp"
 #include "output/side_names.hpp"
 #include "text/format_number.hpp"
@@ -95,14 +94,13 @@ void addLens(Page& page, const CameraFile& camera) {
     page.add("window", edges);
   } else {
     page.add("projection", "perspective");
-    page.add("field of view", page.number(degreesAcross(p.left, p.right)) + " across, " +
-                                  page.number(degreesAcross(p.bottom, p.top)) + " down, " +
-                                  page.number(std::max(degreesBetween(p.left, p.bottom, p.right, p.top),
-                                                       degreesBetween(p.left, p.top, p.right, p.bottom))) +
-                                  " from corner to corner, degrees");
+    const Projection& lens = *camera.projection;
+    page.add("field of view", page.number(lens.fov(Fov::horizontal)) + " across, " +
+                                  page.number(lens.fov(Fov::vertical)) + " down, " +
+                                  page.number(lens.fov(Fov::diagonal)) + " from corner to corner, degrees");
     page.add("window", edges + ", at distance 1");
   }
-  page.add("near, far", page.numbers({p.near, p.far}));
+  page.add("near, far", (hasDepth(*camera.projection) ? page.number(p.near) : "none") + ", " + page.number(p.far));
 }
 
 void addPicture(Page& page, const CameraFile& file) {
@@ -119,7 +117,8 @@ void addWhole(Page& page, const CameraFile& file) {
   if (!c.projection.orthographic)
     page.add("focal length", page.numbers({std::fabs(c.screen.scaleX.hi), std::fabs(c.screen.scaleY.hi)}) + " pixels");
   page.add("axis", "meets the picture at " + page.numbers({c.screen.centerX.hi, c.screen.centerY.hi}));
-  page.add("depth", page.number(c.depthAtNear) + " at near, " + page.number(c.depthAtFar) + " at far");
+  if (hasDepth(camera.projection()))
+    page.add("depth", page.number(c.depthAtNear) + " at near, " + page.number(c.depthAtFar) + " at far");
   if (c.projection.orthographic) {
     const Vec2 size = pixelSize(camera, 1);
     page.add("a pixel spans", page.number(size.x) + " x " + page.number(size.y));

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "input/camera_file.hpp"
+#include "camera/read_camera.hpp"
 
 namespace viewproj::cmd {
 

@@ -5,10 +5,8 @@
 #include <optional>
 
 #include "camera/camera.hpp"
+#include "camera/names.hpp"
 #include "camera/screen_map.hpp"
-#include "input/camera_fields.hpp"
-#include "input/projection_types.hpp"
-#include "input/viewport_fields.hpp"
 #include "numbers/degrees.hpp"
 #include "output/camera_json.hpp"
 #include "text/error.hpp"
@@ -17,18 +15,26 @@
 namespace viewproj::cmd {
 
 using namespace detail;
+std::string jsonOf(const Convention& c) {
+  JsonObject out;
+  out.add("world", nameOf(kWorldNames, c.world)).add("view", nameOf(kViewNames, c.view));
+  out.add("ndcZ", nameOf(kNdcZNames, c.ndcZ)).add("reverseZ", c.reverseZ);
+  out.add("ndcY", nameOf(kNdcYNames, c.ndcY)).add("vectors", nameOf(kVectorsNames, c.vectors));
+  return out.add("storage", nameOf(kStorageNames, c.storage)).text();
+}
+
 std::string conventionAsJson(const Convention& c, const ConventionPreset& preset) {
   const Convention& p = preset.convention;
   if (p == c) return jsonOf(preset.name);
   JsonObject out;
-  out.add(field::preset, preset.name);
-  if (p.world != c.world) out.add(field::handedness, nameOf(kWorldNames, c.world));
-  if (p.view != c.view) out.add(field::view, nameOf(kViewNames, c.view));
-  if (p.ndcZ != c.ndcZ) out.add(field::ndcZ, nameOf(kNdcZNames, c.ndcZ));
-  if (p.reverseZ != c.reverseZ) out.add(field::reverseZ, c.reverseZ);
-  if (p.ndcY != c.ndcY) out.add(field::ndcY, nameOf(kNdcYNames, c.ndcY));
-  if (p.vectors != c.vectors) out.add(field::vectors, nameOf(kVectorsNames, c.vectors));
-  if (p.storage != c.storage) out.add(field::storage, nameOf(kStorageNames, c.storage));
+  out.add("preset", preset.name);
+  if (p.world != c.world) out.add("world", nameOf(kWorldNames, c.world));
+  if (p.view != c.view) out.add("view", nameOf(kViewNames, c.view));
+  if (p.ndcZ != c.ndcZ) out.add("ndcZ", nameOf(kNdcZNames, c.ndcZ));
+  if (p.reverseZ != c.reverseZ) out.add("reverseZ", c.reverseZ);
+  if (p.ndcY != c.ndcY) out.add("ndcY", nameOf(kNdcYNames, c.ndcY));
+  if (p.vectors != c.vectors) out.add("vectors", nameOf(kVectorsNames, c.vectors));
+  if (p.storage != c.storage) out.add("storage", nameOf(kStorageNames, c.storage));
   return out.text();
 }
 
@@ -50,9 +56,17 @@ const ConventionPreset& nearestPreset(const Convention& c) {
 
 // Projection
 
+DoubleDouble aspectOf(const Viewport& viewport) { return DoubleDouble(viewport.width) / DoubleDouble(viewport.height); }
+
+/// Shapes that differ by no more than 0.1 % are one.
+bool hasShape(const Viewport& viewport, DoubleDouble shape) {
+  const double picture = aspectOf(viewport).hi;
+  return std::fabs(shape.hi - picture) <= 1e-3 * picture;
+}
+
 void addRange(JsonObject& out, const ProjectionParts& p) {
-  out.add(field::zNear, p.near);
-  if (!std::isinf(p.far)) out.add(field::zFar, p.far);
+  if (p.orthographic || p.near != 0) out.add("near", p.near);
+  if (!std::isinf(p.far)) out.add("far", p.far);
 }
 
 /// The shift that moves base's window to where p has it, unless they agree.
@@ -62,7 +76,7 @@ void addShift(JsonObject& out, const ProjectionParts& base, const ProjectionPart
     return std::fabs(moved.hi) <= 16 * kCancellation ? 0 : moved.hi;
   };
   const double x = shift(base.left, base.right, p.left, p.right), y = shift(base.bottom, base.top, p.bottom, p.top);
-  if (x != 0 || y != 0) out.addText(field::shift, jsonListOf(std::array{x, y}));
+  if (x != 0 || y != 0) out.addText("shift", jsonListOf(std::array{x, y}));
 }
 
 ProjectionParts centred(const ProjectionParts& p) {
@@ -74,10 +88,10 @@ ProjectionParts centred(const ProjectionParts& p) {
 void writePerspective(JsonObject& out, const CameraFile& camera) {
   const ProjectionParts& p = parts(*camera.projection);
   const DoubleDouble aspect = windowAspect(p);
-  out.addText(field::fovY, jsonOf(degreesOfHalfTangent(timesPowerOfTwo(p.top - p.bottom, 0.5))));
+  out.addText("fovY", jsonOf(degreesOfHalfTangent(timesPowerOfTwo(p.top - p.bottom, 0.5))));
   const bool isViewports =
-      camera.viewport && std::fabs((aspect - viewportAspect(*camera.viewport)).hi) <= 16 * kCancellation * aspect.hi;
-  if (!isViewports) out.addText(field::aspect, jsonOf(aspect));
+      camera.viewport && std::fabs((aspect - aspectOf(*camera.viewport)).hi) <= 16 * kCancellation * aspect.hi;
+  if (!isViewports) out.addText("aspect", jsonOf(aspect));
   addRange(out, p);
   addShift(out, centred(p), p);
 }
@@ -85,8 +99,8 @@ void writePerspective(JsonObject& out, const CameraFile& camera) {
 /// An angle next to 180 degrees has too few digits for its tangent.
 void writeNearSize(JsonObject& out, const CameraFile& camera) {
   const ProjectionParts& p = parts(*camera.projection);
-  out.addText(field::nearWidth, jsonOf((p.right - p.left) * DoubleDouble(p.near)));
-  out.addText(field::nearHeight, jsonOf((p.top - p.bottom) * DoubleDouble(p.near)));
+  out.addText("nearWidth", jsonOf((p.right - p.left) * DoubleDouble(p.near)));
+  out.addText("nearHeight", jsonOf((p.top - p.bottom) * DoubleDouble(p.near)));
   addRange(out, p);
   addShift(out, centred(p), p);
 }
@@ -94,28 +108,28 @@ void writeNearSize(JsonObject& out, const CameraFile& camera) {
 void writeFrustum(JsonObject& out, const CameraFile& camera) {
   const ProjectionParts& p = parts(*camera.projection);
   const DoubleDouble near = p.near;
-  out.addText(field::left, jsonOf(p.left * near));
-  out.addText(field::right, jsonOf(p.right * near));
-  out.addText(field::bottom, jsonOf(p.bottom * near));
-  out.addText(field::top, jsonOf(p.top * near));
+  out.addText("left", jsonOf(p.left * near));
+  out.addText("right", jsonOf(p.right * near));
+  out.addText("bottom", jsonOf(p.bottom * near));
+  out.addText("top", jsonOf(p.top * near));
   addRange(out, p);
 }
 
 void writeIntrinsics(JsonObject& out, const CameraFile& camera) {
   const ScreenMap map = screenMap(parts(*camera.projection), *camera.viewport);
-  out.addText(field::fx, jsonOf(map.scaleX));
-  out.add(field::fy, std::fabs(map.scaleY.hi));
-  out.addText(field::cx, jsonOf(map.centerX));
-  out.addText(field::cy, jsonOf(map.centerY));
+  out.addText("fx", jsonOf(map.scaleX));
+  out.add("fy", std::fabs(map.scaleY.hi));
+  out.addText("cx", jsonOf(map.centerX));
+  out.addText("cy", jsonOf(map.centerY));
   addRange(out, parts(*camera.projection));
 }
 
 void writeOrthographic(JsonObject& out, const CameraFile& camera) {
   const ProjectionParts& p = parts(*camera.projection);
-  out.addText(field::left, jsonOf(p.left));
-  out.addText(field::right, jsonOf(p.right));
-  out.addText(field::bottom, jsonOf(p.bottom));
-  out.addText(field::top, jsonOf(p.top));
+  out.addText("left", jsonOf(p.left));
+  out.addText("right", jsonOf(p.right));
+  out.addText("bottom", jsonOf(p.bottom));
+  out.addText("top", jsonOf(p.top));
   addRange(out, p);
 }
 
@@ -126,31 +140,31 @@ void writePs2(JsonObject& out, const CameraFile& camera) {
   const ScreenMap map = screenMap(p, v);
   const double scrz = map.scaleX.hi, ay = (map.scaleY / map.scaleX).hi;
   const double cx = v.x + v.width / 2, cy = v.y + v.height / 2;
-  out.add(field::scrz, scrz);
-  out.add(field::ax, 1.0);
-  out.add(field::ay, std::fabs(ay));
-  out.addText(field::cx, jsonOf(cx));
-  out.addText(field::cy, jsonOf(cy));
-  out.add(field::zMin, v.depthFirst);
-  out.add(field::zMax, v.depthSecond);
+  out.add("scrz", scrz);
+  out.add("ax", 1.0);
+  out.add("ay", std::fabs(ay));
+  out.addText("cx", jsonOf(cx));
+  out.addText("cy", jsonOf(cy));
+  out.add("zMin", v.depthFirst);
+  out.add("zMax", v.depthSecond);
   addRange(out, p);
-  addShift(out, parts(intrinsics(scrz, twoProd(std::fabs(ay), scrz), cx, cy, v, p.near, p.far)), p);
+  addShift(out, parts(intrinsics(scrz, std::fabs(ay) * scrz, cx, cy, v, p.near, p.far)), p);
 }
 
 struct Type {
   std::string_view name;
   void (*write)(JsonObject&, const CameraFile&);
-  bool orthographic, needsViewport, needsReversedDepth, hasOwnPixelShape;
+  bool orthographic, needsViewport, needsReversedDepth, hasOwnPixelShape, needsNear = false;
 };
 
 /// Of two rows of one name the first that keeps the pixels.
 constexpr Type kTypes[] = {
-    {kPerspective, writePerspective, false, false, false, false},
-    {kPerspective, writeNearSize, false, false, false, false},
-    {kFrustum, writeFrustum, false, false, false, false},
-    {kIntrinsics, writeIntrinsics, false, true, false, true},
-    {kPs2, writePs2, false, true, true, true},
-    {kOrthographic, writeOrthographic, true, false, false, false},
+    {"perspective", writePerspective, false, false, false, false},
+    {"perspective", writeNearSize, false, false, false, false, true},
+    {"frustum", writeFrustum, false, false, false, false, true},
+    {"intrinsics", writeIntrinsics, false, true, false, true},
+    {"ps2", writePs2, false, true, true, true, true},
+    {"orthographic", writeOrthographic, true, false, false, false},
 };
 
 /// What the type cannot hold of the camera, or an empty string.
@@ -159,12 +173,13 @@ std::string beyond(const Type& type, const CameraFile& camera, bool allowStretch
     return type.orthographic ? "a perspective camera" : "an orthographic camera";
   if (type.needsViewport && !camera.viewport)
     return "a camera without a viewport, in whose pixels it counts; --viewport WIDTHxHEIGHT gives one";
+  if (type.needsNear && !hasDepth(*camera.projection)) return "a camera without near";
   if (type.needsReversedDepth && !camera.convention.reverseZ)
     return "depth that is not reversed, since it maps near to zMax; --reverse-z or --convention ps2 writes it so";
   if (!type.hasOwnPixelShape && !allowStretch && camera.viewport &&
       !hasShape(*camera.viewport, windowAspect(parts(*camera.projection))))
     return "a camera shape unlike the viewport's (" + formatNumber(windowAspect(parts(*camera.projection)).hi) +
-           " times as wide as high, and " + formatNumber(viewportAspect(*camera.viewport).hi) + " times)" +
+           " times as wide as high, and " + formatNumber(aspectOf(*camera.viewport).hi) + " times)" +
            (type.orthographic ? "; --allow-stretch writes it for readers that allow it too"
                               : "; --type intrinsics can, and --allow-stretch writes it for readers that allow it too");
   return "";
@@ -187,7 +202,7 @@ std::vector<const Type*> typesFor(const CameraFile& camera, std::string_view wan
   // A shape unlike the viewport's goes into a type that says itself how wide a pixel is, if one can.
   std::vector<const Type*> types;
   for (const Type& type : kTypes)
-    if (type.name != kPs2 && beyond(type, camera, false).empty()) types.push_back(&type);
+    if (type.name != "ps2" && beyond(type, camera, false).empty()) types.push_back(&type);
   if (types.empty())  // an orthographic camera that was read so itself
     for (const Type& type : kTypes)
       if (beyond(type, camera, true).empty()) types.push_back(&type);
@@ -198,16 +213,16 @@ std::vector<const Type*> typesFor(const CameraFile& camera, std::string_view wan
 
 std::string viewportAsJson(const Viewport& v, const ConventionPreset& preset, bool isPs2) {
   JsonObject fields;
-  fields.add(field::pixelWidth, v.width);
-  fields.add(field::pixelHeight, v.height);
+  fields.add("width", v.width);
+  fields.add("height", v.height);
   if (!isPs2) {
-    if (v.x != 0) fields.add(field::x, v.x);
-    if (v.y != 0) fields.add(field::y, v.y);
+    if (v.x != 0) fields.add("x", v.x);
+    if (v.y != 0) fields.add("y", v.y);
     if (!(v.depthFirst == 0 && v.depthSecond == 1))
-      fields.addText(field::depthRange, jsonListOf(std::array{v.depthFirst, v.depthSecond}));
+      fields.addText("depthRange", jsonListOf(std::array{v.depthFirst, v.depthSecond}));
   }
-  if (v.origin != Origin::topLeft) fields.add(field::origin, nameOf(kOriginNames, v.origin));
-  if (v.pixelCenter != preset.pixelCenter) fields.add(field::pixelCenter, v.pixelCenter);
+  if (v.origin != Origin::topLeft) fields.add("origin", nameOf(kOriginNames, v.origin));
+  if (v.pixelCenter != preset.pixelCenter) fields.add("pixelCenter", v.pixelCenter);
   return fields.text();
 }
 
@@ -215,17 +230,17 @@ std::string fileOf(const CameraFile& camera, const ConventionPreset& preset, con
                    const Type* type) {
   JsonObject out;
   constexpr std::string_view kLine = ",\n  ";
-  out.addText(field::convention, conventionAsJson(camera.convention, preset), kLine);
-  if (camera.worldIsEcef) out.addText(field::world, jsonOf(nameOf(field::kWorlds, true)), kLine);
+  out.addText("convention", conventionAsJson(camera.convention, preset), kLine);
+  if (camera.worldIsEcef) out.addText("world", jsonOf(nameOf(kWorlds, true)), kLine);
   out.addMembers(pose, kLine);
   if (type) {
     JsonObject fields;
-    fields.add(field::type, type->name);
+    fields.add("type", type->name);
     type->write(fields, camera);
-    out.addText(field::projection, fields.text(), kLine);
+    out.addText("projection", fields.text(), kLine);
   }
   if (camera.viewport)
-    out.addText(field::viewport, viewportAsJson(*camera.viewport, preset, type && type->name == kPs2), kLine);
+    out.addText("viewport", viewportAsJson(*camera.viewport, preset, type && type->name == "ps2"), kLine);
   return "{\n  " + out.members() + "\n}\n";
 }
 
@@ -257,7 +272,7 @@ WrittenCamera writeCamera(const CameraFile& camera, std::string_view wanted, boo
     for (const std::string& pose : poseForms(camera, preset)) {
       try {
         const std::string text = fileOf(camera, preset, pose, type);
-        const CameraFile again = readCamera(Document(text, "the file written"), {"", true});
+        const CameraFile again = readCamera(load(text, "the file written"), {.allowStretch = true});
         const Moved moved = movedBetween(camera, again);
         if (!best || moved.size() < best->moved.size()) best = {text, moved, turnedBetween(camera, again)};
       } catch (const std::exception& e) {  // a number that leaves the range of doubles in this form

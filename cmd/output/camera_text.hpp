@@ -9,7 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "input/camera_file.hpp"
+#include "camera/document.hpp"
+#include "camera/read_camera.hpp"
 
 namespace viewproj::cmd {
 
@@ -38,8 +39,9 @@ std::vector<std::string_view> cameraTypes();
 /// a camera shape unlike the viewport's. Throws InputError for what the type cannot hold.
 WrittenCamera writeCamera(const CameraFile& camera, std::string_view type, bool allowStretch);
 
-/// The fields of a camera file as they stand, in the order of the tables, in this convention.
-std::string writeFields(const Document& fields, const Convention& convention, const ConventionPreset& preset);
+/// A checked camera document as it stands, in this convention, of which preset is the nearest. What it leaves to the
+/// preset that it was read in is added where the other one has something else.
+std::string writeDocument(const Document& document, const ConventionPreset& preset, const Convention& convention);
 
 /// From where the first camera shows what is in its picture to where the second does, from near to far: over the
 /// corners, the sides' middles and the centre. Parts that a file lacks are the same in both; no viewport counts as

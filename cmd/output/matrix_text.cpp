@@ -5,7 +5,7 @@
 
 #include "camera/convention.hpp"
 #include "camera/depth.hpp"
-#include "input/convention_fields.hpp"
+#include "output/camera_json.hpp"
 #include "output/identifiers.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"

@@ -132,6 +132,24 @@ std::size_t offsetOfKey(std::string_view text, std::size_t number) {
   return 0;  // there are as many
 }
 
+/// Where brackets are nested too deep; blind to what is wrong otherwise.
+std::optional<std::size_t> tooDeepAt(std::string_view text) {
+  std::size_t depth = 0;
+  bool inString = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (inString && c == '\\')
+      ++i;
+    else if (c == '"')
+      inString = !inString;
+    else if (!inString && (c == '{' || c == '[') && ++depth > kDeepestJson)
+      return i;
+    else if (!inString && (c == '}' || c == ']') && depth > 0)
+      --depth;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 TextPosition positionAt(std::string_view text, std::size_t offset, TextPosition start) {
@@ -155,6 +173,7 @@ std::optional<JsonFault> jsonFault(std::string_view text) {
 }
 
 std::optional<JsonFault> parseJson(std::string_view text, nlohmann::json& value) {
+  if (const auto at = tooDeepAt(text)) return JsonFault{*at, "nested deeper than " + std::to_string(kDeepestJson)};
   Builder builder(value);
   if (auto fault = faultOf(text, builder)) return fault;
   if (!builder.twice) return std::nullopt;

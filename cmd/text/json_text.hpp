@@ -31,7 +31,11 @@ struct JsonFault {
 std::optional<JsonFault> jsonFault(std::string_view text);
 bool isJson(std::string_view text);
 
-/// Reads the value of a text, unless the text has a fault, or else an object of it a key twice: that is returned.
+/// How deep a value may be nested: what reads it calls itself for each level.
+inline constexpr std::size_t kDeepestJson = 200;
+
+/// Reads the value of a text, unless the text is nested too deep or has another fault, or an object of it has a key
+/// twice: that is returned.
 std::optional<JsonFault> parseJson(std::string_view text, nlohmann::json& value);
 
 /// Blanks in place of // and /* */ comments, so that all else stays where it is. One that does not end stays.

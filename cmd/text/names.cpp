@@ -58,14 +58,16 @@ std::string_view nearestName(std::string_view name, std::span<const std::string_
   return best;
 }
 
-std::string suggestion(std::string_view name, std::span<const std::string_view> candidates) {
+std::string suggestion(std::string_view name, std::span<const std::string_view> candidates, std::string_view page) {
+  constexpr std::size_t kMost = 8;
   std::string_view nearest = nearestName(name, candidates);
   std::vector<std::string_view> begun;  // as proj is; of a letter, which is near any other, before all
   for (const std::string_view candidate : candidates)
     if (sameButForCase(candidate.substr(0, name.size()), name)) begun.push_back(candidate);
   if (name.size() == 1 ? begun.size() == 1 : nearest.empty() && name.size() > 2 && !begun.empty()) nearest = begun[0];
   if (!nearest.empty()) return "; did you mean '" + visible(nearest) + "'?";
-  return "; known are " + visible(joined(candidates));
+  if (!page.empty() && candidates.size() > kMost) return "; viewproj " + std::string(page) + " lists them";
+  return (candidates.size() == 1 ? "; known is " : "; known are ") + visible(joined(candidates));
 }
 
 std::string columnName(std::string_view name) {

@@ -13,8 +13,9 @@ bool sameButForCase(std::string_view a, std::string_view b);
 /// The candidate that takes the fewest edits from name, case aside; empty if none is near.
 std::string_view nearestName(std::string_view name, std::span<const std::string_view> candidates);
 
-/// "; did you mean 'fovY'?" or, with no near one, "; known are a, b, c".
-std::string suggestion(std::string_view name, std::span<const std::string_view> candidates);
+/// "; did you mean 'fovY'?" or, with no near one, "; known are a, b, c"; in place of more than eight of these, where
+/// page is "help camera", "; viewproj help camera lists them".
+std::string suggestion(std::string_view name, std::span<const std::string_view> candidates, std::string_view page = "");
 
 /// How a name's numbers spread over the columns of CSV: viewDistance is view_distance, screen is screen_x, screen_y.
 inline constexpr std::string_view kColumnSuffixes[] = {"_x", "_y", "_z", "_w"};

@@ -97,13 +97,6 @@ const char* readJsonNumber(const char* begin, const char* end, double& number) {
   return std::isfinite(number) ? stop : nullptr;
 }
 
-double powerOfTen(int exponent) {
-  const std::string text = "1e" + std::to_string(exponent);
-  double power = 0;
-  readNumber(text.data(), text.data() + text.size(), power);
-  return power;
-}
-
 std::optional<double> parseNumber(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");
   if (first == std::string_view::npos) return std::nullopt;

@@ -15,9 +15,6 @@ const char* readNumber(const char* begin, const char* end, double& number);
 /// As readNumber, of a number that JSON has and that is finite: null for 01, 1. and .5, and for 1e999.
 const char* readJsonNumber(const char* begin, const char* end, double& number);
 
-/// The double nearest 10^exponent, which std::pow does not give everywhere.
-double powerOfTen(int exponent);
-
 /// The double nearest the decimal text, blanks around it and a leading + allowed; nothing if the text is not a finite
 /// number as a whole.
 std::optional<double> parseNumber(std::string_view text);

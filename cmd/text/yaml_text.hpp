@@ -14,7 +14,7 @@ namespace viewproj::cmd {
 bool looksLikeYaml(std::string_view text);
 
 /// Reads the value of one document, as OpenCV's FileStorage, ROS and others write it: objects, arrays, texts, numbers,
-/// true, false and null. Tags say nothing more but !!str. What JSON has no word for (.inf, .nan) stays a text. Returns
+/// true, false and null. Tags say nothing. What JSON has no word for (.inf, .nan) stays a text. Returns
 /// what is wrong with the text: a key twice, nesting deeper than `deepest`, and aliases that make more of the text than
 /// it has bytes are faults too.
 std::optional<JsonFault> parseYaml(std::string_view text, std::size_t deepest, nlohmann::json& value);

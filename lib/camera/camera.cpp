@@ -44,7 +44,7 @@ double rangeOf(std::initializer_list<double> numbers) noexcept {
   double range = 1;
   for (const double number : numbers) {
     const double size = std::fabs(number);
-    if (size == 0 || std::isinf(size)) continue;
+    if (size == 0 || !std::isfinite(size)) continue;
     range = std::max({range, size, 1 / size});
   }
   return range;
@@ -70,7 +70,7 @@ Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport
                   const Convention& convention) {
   if (const char* fault = arithmeticFault()) throw CameraError("arithmetic", fault);
   validate(viewport);
-  const Handedness world = worldOf(parts(pose));
+  const Handedness world = pose.world();
   if (world != convention.world)
     throw CameraError("pose", std::string("is of a ") + nameOf(world) + "-handed world, and the convention's is " +
                                   nameOf(convention.world) + "-handed");
@@ -91,10 +91,13 @@ Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport
     throw CameraError("projection", "has a window too small for doubles to tell its pixels apart");
 
   const DepthEnds ends = windowDepths(viewport, convention.reverseZ);
-  c.depthAtNear = ends.atNear;
-  c.depthAtFar = ends.atFar;
-  const DepthLine depth = depthLine(c.projection, ends);
-  c.depthAtInfinity = depth.offset.hi;
+  DepthLine depth{NAN, 1};  // a scale in the range of every bound
+  if (hasDepth(c.projection)) {
+    c.depthAtNear = ends.atNear;
+    c.depthAtFar = ends.atFar;
+    depth = depthLine(c.projection, ends);
+  }
+  if (!c.projection.orthographic) c.depthAtInfinity = depth.offset.hi;
 
   ProjectionConstants& k = c.constants;
   k.forwardIsAxis = forwardIsAxis(c.pose);
@@ -118,7 +121,7 @@ Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport
   const double farOverRange = c.projection.orthographic      ? shares.one.hi
                               : std::isinf(c.projection.far) ? 1
                                                              : shares.far.hi;
-  const double depths[] = {depth.offset.hi, depth.scale.hi, farOverRange};
+  const double depths[] = {hasDepth(c.projection) ? depth.offset.hi : 1, depth.scale.hi, farOverRange};
   const bool depthsAreNumbers = std::isfinite(depths[0]) && std::isfinite(depths[1]) && depths[1] != 0 &&
                                 std::isfinite(depths[2]) && depths[2] != 0;
   k.range = !depthsAreNumbers ? std::numeric_limits<double>::infinity()
@@ -143,8 +146,7 @@ Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport
   k.rayX = rounded(c.rays.perX);
   k.rayY = rounded(c.rays.perY);
   k.rayW = rounded(columns.forward);
-  c.firstCorner = roundedCorner(viewport);
-  c.lastCorner = {c.firstCorner.x + viewport.width, c.firstCorner.y + viewport.height};
+  c.corners = pictureCorners(viewport);
   return Access::whole<Camera, CameraParts>(made);
 }
 
@@ -154,5 +156,20 @@ Projection Camera::projection() const noexcept {
 }
 const Viewport& Camera::viewport() const noexcept { return parts_->viewport; }
 const Convention& Camera::convention() const noexcept { return parts_->convention; }
+
+Intrinsics Camera::intrinsics() const noexcept {
+  const ScreenMap& map = parts_->screen;
+  return {map.scaleX.hi, std::fabs(map.scaleY.hi), map.centerX.hi, map.centerY.hi};
+}
+
+WindowDepths Camera::depths() const noexcept {
+  return {parts_->depthAtNear, parts_->depthAtFar, parts_->depthAtInfinity};
+}
+
+Camera cropped(const Camera& camera, const Crop& crop) {
+  const Viewport& whole = camera.viewport();
+  return makeCamera(camera.pose(), cropped(camera.projection(), whole, crop), cropped(whole, crop),
+                    camera.convention());
+}
 
 }  // namespace viewproj

@@ -22,7 +22,7 @@ struct ProjectionConstants {
   DDVec3 x, y, w;                   ///< rows scaled to pixels: scaleX right, scaleY up, forward
   SplitRow splitX, splitY, splitW;  ///< of the same rows
   DDVec3 residual;                  ///< the pose's, scaled likewise, to be added to x . d, y . d, w . d
-  DoubleDouble centerX, centerY, depthOffset, depthScale;
+  DoubleDouble centerX, centerY, depthOffset, depthScale;  ///< depthOffset: NaN where there is no depth
 
   /// forward is an axis of the world, and residual 0: W is a coordinate's difference to the eye, without an error.
   bool forwardIsAxis = false;
@@ -46,11 +46,10 @@ struct CameraParts {
 
   ScreenMap screen;
 
-  double depthAtNear = 0, depthAtFar = 1;  ///< window depths, reverseZ taken into account
-  double depthAtInfinity = 1;              ///< perspective: the limit of window depth along the view, rounded
+  double depthAtNear = NAN, depthAtFar = NAN;  ///< window depths, reverseZ taken into account
+  double depthAtInfinity = NAN;                ///< perspective: the limit of window depth along the view, rounded
 
-  /// Of the picture, as screen numbers: the corner they are counted from, and the one across.
-  Vec2 firstCorner, lastCorner;
+  PictureCorners corners;
 
   /// Orthographic: the ray of a screen position starts at start + (x - centerX) perX + (y - centerY) perY.
   struct {

@@ -10,7 +10,12 @@ NdcWindow ndcWindow(const ProjectionParts& p, const Convention& c) noexcept {
           -(up * (p.top + p.bottom)) / height};
 }
 
-Lens ndcLens(const ProjectionParts& p, const Convention& c) noexcept {
+void requireDepth(const ProjectionParts& p) {
+  if (!hasDepth(p)) throw CameraError("near", "needs near: without a near plane there is no depth, and no clip space");
+}
+
+Lens ndcLens(const ProjectionParts& p, const Convention& c) {
+  requireDepth(p);
   const DoubleDouble up = c.ndcY == NdcY::up ? 1 : -1;
   const NdcWindow window = ndcWindow(p, c);
   const DepthEnds z = ndcDepths(c);

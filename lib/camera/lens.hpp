@@ -26,7 +26,10 @@ struct NdcWindow {
 };
 NdcWindow ndcWindow(const ProjectionParts& projection, const Convention& convention) noexcept;
 
-/// All of them.
-Lens ndcLens(const ProjectionParts& projection, const Convention& convention) noexcept;
+/// Throws CameraError naming "near" where there is no depth.
+void requireDepth(const ProjectionParts& projection);
+
+/// All of them. Throws as requireDepth.
+Lens ndcLens(const ProjectionParts& projection, const Convention& convention);
 
 }  // namespace viewproj::detail

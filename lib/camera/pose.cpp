@@ -129,10 +129,6 @@ Looking lookingAt(const Vec3& position, const Vec3& target, const Up& up) {
 
 Pose made(const PoseParts& parts) { return Access::whole<Pose, PoseParts>(std::make_shared<const PoseParts>(parts)); }
 
-Handedness worldOf(const PoseParts& p) noexcept {
-  return dot(cross(p.rows.right, p.rows.up), p.rows.forward).hi < 0 ? Handedness::right : Handedness::left;
-}
-
 Pose lookAlong(const Vec3& position, const Vec3& direction, const FineVec3& up, Handedness world) {
   return lookAlongExactly(lookingAlong(position, direction, up), world, "direction");
 }
@@ -168,6 +164,10 @@ Vec3 Pose::eye() const noexcept { return parts_->eye; }
 Vec3 Pose::right() const noexcept { return detail::rounded(parts_->rows.right); }
 Vec3 Pose::up() const noexcept { return detail::rounded(parts_->rows.up); }
 Vec3 Pose::forward() const noexcept { return detail::rounded(parts_->rows.forward); }
+Handedness Pose::world() const noexcept {
+  const Axes& rows = parts_->rows;
+  return dot(cross(rows.right, rows.up), rows.forward).hi < 0 ? Handedness::right : Handedness::left;
+}
 
 Pose lookAlong(const Vec3& position, const Vec3& direction, const Vec3& up, Handedness world) {
   return lookAlongExactly(lookingAlong(position, direction, up), world, "direction");

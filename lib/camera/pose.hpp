@@ -34,9 +34,6 @@ Pose made(const PoseParts& parts);
 /// The eye to double-double.
 DDVec3 unroundedEye(const PoseParts& pose) noexcept;
 
-/// The handedness of the world that its axes fit.
-Handedness worldOf(const PoseParts& pose) noexcept;
-
 /// The same with an up of unit length to more than double precision. Parallel is what its digits cannot tell from it.
 Pose lookAlong(const Vec3& position, const Vec3& direction, const FineVec3& up, Handedness world);
 Pose lookAt(const Vec3& position, const Vec3& target, const FineVec3& up, Handedness world);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "camera/require.hpp"
@@ -10,6 +11,7 @@
 #include "camera/viewport.hpp"
 #include "numbers/degrees.hpp"
 #include "numbers/expansion.hpp"
+#include "numbers/radians.hpp"
 
 namespace viewproj {
 
@@ -22,7 +24,7 @@ void requireRange(bool orthographic, double near, double far) {
     if (!std::isfinite(far) || (near < far && !std::isfinite(far - near)))
       throw CameraError("far", "must be a finite number in an orthographic projection");
   } else {
-    requirePositive(near, "near");
+    if (near != 0) requirePositive(near, "near");
     if (!(far > 0)) throw CameraError("far", "must be a number above near, or infinite");
   }
   if (near < far) return;
@@ -46,8 +48,9 @@ void check(const ProjectionParts& p) {
   requireSide(p.bottom, p.top, windowHeight(p).hi, p.reachY, "bottom", "top");
 }
 
-Projection symmetric(DoubleDouble halfWidth, DoubleDouble halfHeight, double near, double far) {
-  return made({false, -halfWidth, halfWidth, -halfHeight, halfHeight, near, far});
+Projection symmetric(DoubleDouble halfWidth, DoubleDouble halfHeight, double near, double far,
+                     bool orthographic = false) {
+  return made({orthographic, -halfWidth, halfWidth, -halfHeight, halfHeight, near, far});
 }
 
 /// (high - low) / by, where the quotients of high and low may have lost it.
@@ -78,15 +81,19 @@ double largest(double reach, DoubleDouble a, DoubleDouble b) {
   return std::max({reach, std::fabs(a.hi), std::fabs(b.hi)});
 }
 
-DoubleDouble tangent(double degrees, const char* field) {
-  if (!(degrees > 0 && degrees < 180)) throw CameraError(field, "must be an angle between 0 and 180 degrees");
-  return tanHalfDegrees(degrees);
+DoubleDouble tangentOfHalf(Angle angle, const char* field) {
+  const DoubleDouble tangent = angle.isRadians ? tanHalfRadians(angle.value) : tanHalfDegrees(angle.value);
+  if (!(tangent.hi > 0)) throw CameraError(field, "must be an angle between 0 and 180 degrees");
+  return tangent;
 }
 
-void requireAspect(DoubleDouble aspect) {
-  requirePositive(aspect.hi, "aspect");
-  if (!(aspect.hi > kSmallestWindow && aspect.hi < kLargestWindow))
+DoubleDouble ratioOf(Aspect aspect) {
+  requirePositive(aspect.width, "aspect");
+  requirePositive(aspect.height, "aspect");
+  const DoubleDouble exact = ratio(aspect.width, aspect.height);
+  if (!(exact.hi > kSmallestWindow && exact.hi < kLargestWindow))
     throw CameraError("aspect", "must be between 1.2e-271 and 8.4e270");
+  return exact;
 }
 
 }  // namespace
@@ -103,38 +110,39 @@ double Projection::bottom() const noexcept { return parts_->bottom.hi; }
 double Projection::top() const noexcept { return parts_->top.hi; }
 double Projection::zNear() const noexcept { return parts_->near; }
 double Projection::zFar() const noexcept { return parts_->far; }
-
-Projection detail::perspectiveFovY(double degrees, DoubleDouble aspect, double near, double far) {
-  requireAspect(aspect);
-  const DoubleDouble halfHeight = tangent(degrees, "fovY");
-  return symmetric(halfHeight * aspect, halfHeight, near, far);
+double Projection::aspect() const noexcept { return windowAspect(*parts_).hi; }
+double Projection::fov(Fov of) const noexcept {
+  const ProjectionParts& p = *parts_;
+  if (p.orthographic) return std::numeric_limits<double>::quiet_NaN();
+  if (of == Fov::vertical) return degreesAcross(p.bottom, p.top);
+  if (of == Fov::horizontal) return degreesAcross(p.left, p.right);
+  return std::max(degreesBetween(p.left, p.bottom, p.right, p.top), degreesBetween(p.left, p.top, p.right, p.bottom));
 }
 
-Projection detail::perspectiveFovX(double degrees, DoubleDouble aspect, double near, double far) {
-  requireAspect(aspect);
-  const DoubleDouble halfWidth = tangent(degrees, "fovX");
-  return symmetric(halfWidth, halfWidth / aspect, near, far);
-}
-
-Projection detail::perspectiveFovDiagonal(double degrees, DoubleDouble aspect, double near, double far) {
-  requireAspect(aspect);
-  // halfWidth = aspect * halfHeight and halfWidth^2 + halfHeight^2 = tangent^2, where a square may overflow
-  const bool isWide = aspect.hi > 0x1p400;
-  const DoubleDouble diagonal = isWide ? aspect : sqrt(aspect * aspect + DoubleDouble(1));
-  const DoubleDouble halfHeight = tangent(degrees, "fovDiagonal") / diagonal;
-  return symmetric(halfHeight * aspect, halfHeight, near, far);
+Projection perspective(Angle angle, Aspect aspect, double near, double far, Fov of) {
+  const DoubleDouble shape = ratioOf(aspect);
+  if (of == Fov::horizontal) {
+    const DoubleDouble halfWidth = tangentOfHalf(angle, "fovX");
+    return symmetric(halfWidth, halfWidth / shape, near, far);
+  }
+  DoubleDouble halfHeight = tangentOfHalf(angle, of == Fov::vertical ? "fovY" : "fovDiagonal");
+  // halfWidth = shape * halfHeight and halfWidth^2 + halfHeight^2 = tangent^2, where a square may overflow
+  if (of == Fov::diagonal)
+    halfHeight = halfHeight / (shape.hi > 0x1p400 ? shape : sqrt(shape * shape + DoubleDouble(1)));
+  return symmetric(halfHeight * shape, halfHeight, near, far);
 }
 
 Projection perspectiveNearSize(double nearWidth, double nearHeight, double near, double far) {
   requirePositive(nearWidth, "nearWidth");
   requirePositive(nearHeight, "nearHeight");
+  requirePositive(near, "near");
   requireRange(false, near, far);
   return symmetric(timesPowerOfTwo(ratio(nearWidth, near), 0.5), timesPowerOfTwo(ratio(nearHeight, near), 0.5), near,
                    far);
 }
 
-Projection detail::perspectiveFocalLength(double focalLength, double sensorWidth, double sensorHeight,
-                                          DoubleDouble aspect, double near, double far) {
+Projection perspectiveFocalLength(double focalLength, double sensorWidth, double sensorHeight, Aspect aspect,
+                                  double near, double far) {
   requirePositive(focalLength, "focalLength");
   if (sensorWidth == 0 && sensorHeight == 0)
     throw CameraError("focalLength", "needs sensorWidth or sensorHeight, in the same unit");
@@ -143,14 +151,15 @@ Projection detail::perspectiveFocalLength(double focalLength, double sensorWidth
   DoubleDouble halfWidth = timesPowerOfTwo(ratio(sensorWidth, focalLength), 0.5);
   DoubleDouble halfHeight = timesPowerOfTwo(ratio(sensorHeight, focalLength), 0.5);
   if (sensorWidth == 0 || sensorHeight == 0) {
-    requireAspect(aspect);
-    if (sensorWidth == 0) halfWidth = halfHeight * aspect;
-    if (sensorHeight == 0) halfHeight = halfWidth / aspect;
+    const DoubleDouble shape = ratioOf(aspect);
+    if (sensorWidth == 0) halfWidth = halfHeight * shape;
+    if (sensorHeight == 0) halfHeight = halfWidth / shape;
   }
   return symmetric(halfWidth, halfHeight, near, far);
 }
 
 Projection frustum(double left, double right, double bottom, double top, double near, double far) {
+  requirePositive(near, "near");
   requireRange(false, near, far);
   return made({false, ratio(left, near), ratio(right, near), ratio(bottom, near), ratio(top, near), near, far,
                differenceOver(left, right, near), differenceOver(bottom, top, near)});
@@ -166,11 +175,11 @@ Projection detail::orthographic(DoubleDouble left, DoubleDouble right, DoubleDou
   return made({true, left, right, bottom, top, near, far});
 }
 
-Projection detail::intrinsics(DoubleDouble fx, DoubleDouble fy, double cx, double cy, const Viewport& viewport,
-                              double near, double far) {
+Projection intrinsics(double focalX, double focalY, double cx, double cy, const Viewport& viewport, double near,
+                      double far) {
   validate(viewport);
-  requirePositive(fx.hi, "fx");
-  requirePositive(fy.hi, "fy");
+  requirePositive(focalX, "fx");
+  requirePositive(focalY, "fy");
   requireFinite(cx, "cx");
   requireFinite(cy, "cy");
   // From the picture's left edge and from its edge where y starts: exactly, because the three may cancel.
@@ -179,28 +188,11 @@ Projection detail::intrinsics(DoubleDouble fx, DoubleDouble fy, double cx, doubl
   };
   const DoubleDouble fromLeft = from(viewport.x, cx);
   const DoubleDouble fromStart = from(viewport.y, cy);
-  const DoubleDouble width = viewport.width, height = viewport.height;
+  const DoubleDouble fx = focalX, fy = focalY, width = viewport.width, height = viewport.height;
   const DoubleDouble toEnd = height - fromStart;
   const bool down = viewport.origin == Origin::topLeft;
   return made({false, -(fromLeft / fx), (width - fromLeft) / fx, -((down ? toEnd : fromStart) / fy),
                (down ? fromStart : toEnd) / fy, near, far, width / fx, height / fy});
-}
-
-Projection perspectiveFovY(double degrees, double aspect, double near, double far) {
-  return perspectiveFovY(degrees, DoubleDouble(aspect), near, far);
-}
-
-Projection perspectiveFovX(double degrees, double aspect, double near, double far) {
-  return perspectiveFovX(degrees, DoubleDouble(aspect), near, far);
-}
-
-Projection perspectiveFovDiagonal(double degrees, double aspect, double near, double far) {
-  return perspectiveFovDiagonal(degrees, DoubleDouble(aspect), near, far);
-}
-
-Projection perspectiveFocalLength(double focalLength, double sensorWidth, double sensorHeight, double aspect,
-                                  double near, double far) {
-  return perspectiveFocalLength(focalLength, sensorWidth, sensorHeight, DoubleDouble(aspect), near, far);
 }
 
 Projection perspectiveWindow(double left, double right, double bottom, double top, double near, double far) {
@@ -211,8 +203,16 @@ Projection orthographic(double left, double right, double bottom, double top, do
   return orthographic(DoubleDouble(left), right, bottom, top, near, far);
 }
 
-Projection intrinsics(double fx, double fy, double cx, double cy, const Viewport& viewport, double near, double far) {
-  return intrinsics(DoubleDouble(fx), fy, cx, cy, viewport, near, far);
+Projection orthographicHeight(double height, Aspect aspect, double near, double far) {
+  const DoubleDouble half = height / 2;
+  requirePositive(half.hi, "height");
+  return symmetric(half * ratioOf(aspect), half, near, far, true);
+}
+
+Projection orthographicWidth(double width, Aspect aspect, double near, double far) {
+  const DoubleDouble half = width / 2;
+  requirePositive(half.hi, "width");
+  return symmetric(half, half / ratioOf(aspect), near, far, true);
 }
 
 Projection shifted(const Projection& projection, double dx, double dy) {

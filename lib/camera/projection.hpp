@@ -14,8 +14,8 @@ namespace viewproj::detail {
 struct ProjectionParts {
   bool orthographic = false;
   DoubleDouble left, right, bottom, top;
-  double near = 0;
-  double far = 0;  ///< may be infinite in perspective
+  double near = 0;  ///< perspective: 0 for none
+  double far = 0;   ///< may be infinite in perspective
 
   /// right - left and top - bottom to 2^-98 of themselves, which edges that lie far off the axis do not give; 0: they
   /// do.
@@ -24,6 +24,9 @@ struct ProjectionParts {
   /// 0: the larger of the two edges.
   double reachX = 0, reachY = 0;
 };
+
+/// A perspective with near 0 has no near plane, and so no depth.
+inline bool hasDepth(const ProjectionParts& p) noexcept { return p.orthographic || p.near > 0; }
 
 inline DoubleDouble windowWidth(const ProjectionParts& p) noexcept {
   return p.width.hi > 0 ? p.width : p.right - p.left;
@@ -39,16 +42,9 @@ inline const ProjectionParts& parts(const Projection& projection) noexcept { ret
 Projection made(const ProjectionParts& parts);
 
 // As in camera.hpp.
-Projection perspectiveFovY(double degrees, DoubleDouble aspect, double near, double far);
-Projection perspectiveFovX(double degrees, DoubleDouble aspect, double near, double far);
-Projection perspectiveFovDiagonal(double degrees, DoubleDouble aspect, double near, double far);
-Projection perspectiveFocalLength(double focalLength, double sensorWidth, double sensorHeight, DoubleDouble aspect,
-                                  double near, double far);
 Projection perspectiveWindow(DoubleDouble left, DoubleDouble right, DoubleDouble bottom, DoubleDouble top, double near,
                              double far);
 Projection orthographic(DoubleDouble left, DoubleDouble right, DoubleDouble bottom, DoubleDouble top, double near,
                         double far);
-Projection intrinsics(DoubleDouble fx, DoubleDouble fy, double cx, double cy, const Viewport& viewport, double near,
-                      double far);
 
 }  // namespace viewproj::detail

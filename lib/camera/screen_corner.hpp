@@ -17,9 +17,4 @@ constexpr ScreenCorner screenCorner(const Viewport& v) noexcept {
   return {DoubleDouble(v.x) + halfPixel, DoubleDouble(v.y) + halfPixel};
 }
 
-constexpr Vec2 roundedCorner(const Viewport& v) noexcept {
-  const ScreenCorner corner = screenCorner(v);
-  return {corner.x.hi, corner.y.hi};
-}
-
 }  // namespace viewproj::detail

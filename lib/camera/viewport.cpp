@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "camera/require.hpp"
+#include "camera/screen_corner.hpp"
 
 namespace viewproj {
 
@@ -52,8 +53,13 @@ Viewport cropped(const Viewport& viewport, const Crop& crop) {
   Viewport tile = viewport;
   tile.width = crop.width;
   tile.height = crop.height;
-  tile.x = tile.y = 0;
   return tile;
+}
+
+PictureCorners pictureCorners(const Viewport& viewport) noexcept {
+  const ScreenCorner corner = screenCorner(viewport);
+  const Vec2 first{corner.x.hi, corner.y.hi};
+  return {first, {first.x + viewport.width, first.y + viewport.height}};
 }
 
 }  // namespace viewproj

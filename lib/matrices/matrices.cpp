@@ -18,7 +18,8 @@ using namespace detail;
 
 namespace {
 
-Lens screenLens(const ProjectionParts& p, const Viewport& v, const Convention& c) noexcept {
+Lens screenLens(const ProjectionParts& p, const Viewport& v, const Convention& c) {
+  requireDepth(p);
   const ScreenMap map = screenMap(p, v);
   const DepthEnds ends = windowDepths(v, c.reverseZ);
   const DepthLine inverse = inverseDepthLine(p, ends);
@@ -209,24 +210,22 @@ DDMat4 viewFromWorld(const PoseParts& pose, const Convention& c) noexcept {
 DDMat4 worldFromView(const PoseParts& pose, const Convention& c) noexcept {
   return fromViewAxes(worldFromAxes(pose), c.view);
 }
-DDMat4 clipFromView(const ProjectionParts& p, const Convention& c) noexcept {
+DDMat4 clipFromView(const ProjectionParts& p, const Convention& c) {
   return fromViewAxes(lensMatrix(ndcLens(p, c)), c.view);
 }
-DDMat4 viewFromClip(const ProjectionParts& p, const Convention& c) noexcept {
+DDMat4 viewFromClip(const ProjectionParts& p, const Convention& c) {
   return toViewAxes(inverseLensMatrix(ndcLens(p, c)), c.view);
 }
-DDMat4 clipFromWorld(const PoseParts& pose, const ProjectionParts& p, const Convention& c) noexcept {
+DDMat4 clipFromWorld(const PoseParts& pose, const ProjectionParts& p, const Convention& c) {
   return product(lensMatrix(ndcLens(p, c)), axesFromWorld(pose));
 }
-DDMat4 worldFromClip(const PoseParts& pose, const ProjectionParts& p, const Convention& c) noexcept {
+DDMat4 worldFromClip(const PoseParts& pose, const ProjectionParts& p, const Convention& c) {
   return product(worldFromAxes(pose), inverseLensMatrix(ndcLens(p, c)));
 }
-DDMat4 screenFromWorld(const PoseParts& pose, const ProjectionParts& p, const Viewport& v,
-                       const Convention& c) noexcept {
+DDMat4 screenFromWorld(const PoseParts& pose, const ProjectionParts& p, const Viewport& v, const Convention& c) {
   return product(lensMatrix(screenLens(p, v, c)), axesFromWorld(pose));
 }
-DDMat4 worldFromScreen(const PoseParts& pose, const ProjectionParts& p, const Viewport& v,
-                       const Convention& c) noexcept {
+DDMat4 worldFromScreen(const PoseParts& pose, const ProjectionParts& p, const Viewport& v, const Convention& c) {
   return product(worldFromAxes(pose), inverseLensMatrix(screenLens(p, v, c)));
 }
 }  // namespace fine
@@ -274,7 +273,7 @@ Mat4 localFromView(const Pose& pose, const Mat4& model, const Convention& c) {
   return rounded(fromViewAxes(product(inverseAffine(model), worldFromAxes(parts(pose))), c.view));
 }
 
-Mat4 clipFromLocal(const Pose& pose, const Projection& p, const Mat4& model, const Convention& c) noexcept {
+Mat4 clipFromLocal(const Pose& pose, const Projection& p, const Mat4& model, const Convention& c) {
   return rounded(product(lensMatrix(ndcLens(parts(p), c)), product(axesFromWorld(parts(pose)), asGiven(model))));
 }
 
@@ -283,8 +282,7 @@ Mat4 localFromClip(const Pose& pose, const Projection& p, const Mat4& model, con
       product(product(inverseAffine(model), worldFromAxes(parts(pose))), inverseLensMatrix(ndcLens(parts(p), c))));
 }
 
-Mat4 screenFromLocal(const Pose& pose, const Projection& p, const Viewport& v, const Mat4& model,
-                     const Convention& c) noexcept {
+Mat4 screenFromLocal(const Pose& pose, const Projection& p, const Viewport& v, const Mat4& model, const Convention& c) {
   return rounded(product(lensMatrix(screenLens(parts(p), v, c)), product(axesFromWorld(parts(pose)), asGiven(model))));
 }
 
@@ -293,35 +291,31 @@ Mat4 localFromScreen(const Pose& pose, const Projection& p, const Viewport& v, c
                          inverseLensMatrix(screenLens(parts(p), v, c))));
 }
 
-Mat4 clipFromView(const Projection& p, const Convention& c) noexcept {
-  return rounded(fine::clipFromView(parts(p), c));
-}
+Mat4 clipFromView(const Projection& p, const Convention& c) { return rounded(fine::clipFromView(parts(p), c)); }
 
-Mat4 viewFromClip(const Projection& p, const Convention& c) noexcept {
-  return rounded(fine::viewFromClip(parts(p), c));
-}
+Mat4 viewFromClip(const Projection& p, const Convention& c) { return rounded(fine::viewFromClip(parts(p), c)); }
 
-Mat4 clipFromWorld(const Pose& pose, const Projection& p, const Convention& c) noexcept {
+Mat4 clipFromWorld(const Pose& pose, const Projection& p, const Convention& c) {
   return rounded(fine::clipFromWorld(parts(pose), parts(p), c));
 }
 
-Mat4 worldFromClip(const Pose& pose, const Projection& p, const Convention& c) noexcept {
+Mat4 worldFromClip(const Pose& pose, const Projection& p, const Convention& c) {
   return rounded(fine::worldFromClip(parts(pose), parts(p), c));
 }
 
-Mat4 screenFromView(const Projection& p, const Viewport& v, const Convention& c) noexcept {
+Mat4 screenFromView(const Projection& p, const Viewport& v, const Convention& c) {
   return rounded(fromViewAxes(lensMatrix(screenLens(parts(p), v, c)), c.view));
 }
 
-Mat4 viewFromScreen(const Projection& p, const Viewport& v, const Convention& c) noexcept {
+Mat4 viewFromScreen(const Projection& p, const Viewport& v, const Convention& c) {
   return rounded(toViewAxes(inverseLensMatrix(screenLens(parts(p), v, c)), c.view));
 }
 
-Mat4 screenFromWorld(const Pose& pose, const Projection& p, const Viewport& v, const Convention& c) noexcept {
+Mat4 screenFromWorld(const Pose& pose, const Projection& p, const Viewport& v, const Convention& c) {
   return rounded(fine::screenFromWorld(parts(pose), parts(p), v, c));
 }
 
-Mat4 worldFromScreen(const Pose& pose, const Projection& p, const Viewport& v, const Convention& c) noexcept {
+Mat4 worldFromScreen(const Pose& pose, const Projection& p, const Viewport& v, const Convention& c) {
   return rounded(fine::worldFromScreen(parts(pose), parts(p), v, c));
 }
 
@@ -406,51 +400,51 @@ template StoredMatrix<float> worldFromView<float>(const Camera&) noexcept;
 template StoredMatrix<double> worldFromView<double>(const Camera&) noexcept;
 
 template <class Number>
-StoredMatrix<Number> clipFromView(const Camera& camera) noexcept {
+StoredMatrix<Number> clipFromView(const Camera& camera) {
   const CameraParts& c = parts(camera);
   return stored<Number>(fine::clipFromView(c.projection, c.convention), c.convention);
 }
-template StoredMatrix<float> clipFromView<float>(const Camera&) noexcept;
-template StoredMatrix<double> clipFromView<double>(const Camera&) noexcept;
+template StoredMatrix<float> clipFromView<float>(const Camera&);
+template StoredMatrix<double> clipFromView<double>(const Camera&);
 
 template <class Number>
-StoredMatrix<Number> viewFromClip(const Camera& camera) noexcept {
+StoredMatrix<Number> viewFromClip(const Camera& camera) {
   const CameraParts& c = parts(camera);
   return stored<Number>(fine::viewFromClip(c.projection, c.convention), c.convention);
 }
-template StoredMatrix<float> viewFromClip<float>(const Camera&) noexcept;
-template StoredMatrix<double> viewFromClip<double>(const Camera&) noexcept;
+template StoredMatrix<float> viewFromClip<float>(const Camera&);
+template StoredMatrix<double> viewFromClip<double>(const Camera&);
 
 template <class Number>
-StoredMatrix<Number> clipFromWorld(const Camera& camera) noexcept {
+StoredMatrix<Number> clipFromWorld(const Camera& camera) {
   const CameraParts& c = parts(camera);
   return stored<Number>(fine::clipFromWorld(c.pose, c.projection, c.convention), c.convention);
 }
-template StoredMatrix<float> clipFromWorld<float>(const Camera&) noexcept;
-template StoredMatrix<double> clipFromWorld<double>(const Camera&) noexcept;
+template StoredMatrix<float> clipFromWorld<float>(const Camera&);
+template StoredMatrix<double> clipFromWorld<double>(const Camera&);
 
 template <class Number>
-StoredMatrix<Number> worldFromClip(const Camera& camera) noexcept {
+StoredMatrix<Number> worldFromClip(const Camera& camera) {
   const CameraParts& c = parts(camera);
   return stored<Number>(fine::worldFromClip(c.pose, c.projection, c.convention), c.convention);
 }
-template StoredMatrix<float> worldFromClip<float>(const Camera&) noexcept;
-template StoredMatrix<double> worldFromClip<double>(const Camera&) noexcept;
+template StoredMatrix<float> worldFromClip<float>(const Camera&);
+template StoredMatrix<double> worldFromClip<double>(const Camera&);
 
 template <class Number>
-StoredMatrix<Number> screenFromWorld(const Camera& camera) noexcept {
+StoredMatrix<Number> screenFromWorld(const Camera& camera) {
   const CameraParts& c = parts(camera);
   return stored<Number>(fine::screenFromWorld(c.pose, c.projection, c.viewport, c.convention), c.convention);
 }
-template StoredMatrix<float> screenFromWorld<float>(const Camera&) noexcept;
-template StoredMatrix<double> screenFromWorld<double>(const Camera&) noexcept;
+template StoredMatrix<float> screenFromWorld<float>(const Camera&);
+template StoredMatrix<double> screenFromWorld<double>(const Camera&);
 
 template <class Number>
-StoredMatrix<Number> worldFromScreen(const Camera& camera) noexcept {
+StoredMatrix<Number> worldFromScreen(const Camera& camera) {
   const CameraParts& c = parts(camera);
   return stored<Number>(fine::worldFromScreen(c.pose, c.projection, c.viewport, c.convention), c.convention);
 }
-template StoredMatrix<float> worldFromScreen<float>(const Camera&) noexcept;
-template StoredMatrix<double> worldFromScreen<double>(const Camera&) noexcept;
+template StoredMatrix<float> worldFromScreen<float>(const Camera&);
+template StoredMatrix<double> worldFromScreen<double>(const Camera&);
 
 }  // namespace viewproj

@@ -17,6 +17,12 @@ inline constexpr double kTanHalfDegreesBound = 0x1p-104;
 /// 0, 180 where no double below is nearer; NaN for NaN.
 double degreesOfHalfTangent(DoubleDouble tangent) noexcept;
 
+/// Degrees between the directions (from, 1) and (to, 1), from <= to: those of a window at unit distance. Within an ulp.
+double degreesAcross(DoubleDouble from, DoubleDouble to) noexcept;
+
+/// Degrees between the directions to two corners, (x0, y0, 1) and (x1, y1, 1). Within an ulp.
+double degreesBetween(DoubleDouble x0, DoubleDouble y0, DoubleDouble x1, DoubleDouble y1) noexcept;
+
 /// Multiples of kSinCosStep.
 struct SinCos {
   Dyadic sine, cosine;

@@ -36,7 +36,8 @@ ErrorBound boundOfStandard(const CameraParts& c, const Situation& s) {
       std::max(std::fabs(k.centerX.lo), std::fabs(k.centerY.lo)) + kExactParameter * std::max(k.reachX, k.reachY);
   if (!isInRange(k, kLargestRange)) return {kInfinity, kInfinity};
   const double scale = std::fabs(k.depthScale.hi) + kSubnormal;
-  const double last = kUnit * s.depth + std::fabs(k.depthOffset.lo) + kSubnormal * (1 + s.perDistance);
+  const double depth = std::isnan(s.depth) ? kInfinity : s.depth;  // nothing is promised of what there is not
+  const double last = kUnit * depth + std::fabs(k.depthOffset.lo) + kSubnormal * (1 + s.perDistance);
   if (k.orthographic)
     return {c1 * s.t + kUnit * s.position + center, scale * (c2 * s.t + 2 * kUnit * s.perDistance) + last};
   if (!(c2 * s.t < kLargestRelativeError)) return {kInfinity, kInfinity};
@@ -77,14 +78,15 @@ ErrorBound boundInPicture(const Camera& camera, Precision precision) noexcept {
   Situation s;
   s.q = std::max(reach.x, reach.y);
   s.position = std::max(std::fabs(k.centerX.hi) + reach.x, std::fabs(k.centerY.hi) + reach.y);
-  s.depth = std::max(std::fabs(c.viewport.depthFirst), std::fabs(c.viewport.depthSecond));
+  s.depth = std::max(std::fabs(c.depthAtNear), std::fabs(c.depthAtFar));
   const double across = oneNorm(k.rayX) * reach.x + oneNorm(k.rayY) * reach.y;
   if (k.orthographic) {
     s.perDistance = std::max(std::fabs(c.projection.near), std::fabs(c.projection.far));
     s.t = (across + oneNorm(k.rayW) * s.perDistance + k.residualReach) * kSecondOrder;
   } else {
     s.perDistance = 1 / c.projection.near;
-    s.t = (oneNorm(k.rayW) + across + k.residualReach * s.perDistance) * kSecondOrder;
+    const double ofResidual = k.residualReach > 0 ? k.residualReach * s.perDistance : 0;
+    s.t = (oneNorm(k.rayW) + across + ofResidual) * kSecondOrder;
   }
   if (precision == Precision::standard) return boundOfStandard(c, s);
   return {std::max(halfUlp(s.position) * 1.02, kExactAbsolute * std::max(k.reachX, k.reachY)),

@@ -53,7 +53,7 @@ ClipPoint<Number> toClip(const CameraParts& camera, const AxisPoint<Number>& a, 
   const ProjectionParts& p = camera.projection;
   const NdcWindow l = ndcWindow(p, convention);
   const Number& w = p.orthographic ? a.weight : a.forward;
-  const DepthEnds ends = ndcDepths(convention);
+  const DepthEnds ends = hasDepth(p) ? ndcDepths(convention) : DepthEnds{NAN, NAN};
   const auto shares = depthShares(p.orthographic, p.near, p.far, a.forward, a.weight);
   return {sumOrZero(as<Number>(l.scaleX) * a.right, as<Number>(l.offsetX) * w),
           sumOrZero(as<Number>(l.scaleY) * a.up, as<Number>(l.offsetY) * w),

@@ -131,6 +131,7 @@ WorldPoint screenToWorld(const Camera& camera, const Vec2& screen, double depth)
   const Wide shareError = Wide(halfUlp(depth)) / magnitude(Wide(c.depthAtFar) - Wide(c.depthAtNear));
   if (p.orthographic)
     return pointAt(c, screen, orthographicDistance(p.near, p.far, at), (Wide(p.far) - Wide(p.near)) * shareError);
+  if (!hasDepth(p)) return {kNoVector, DepthStatus::beyond};
   if (depth == c.depthAtInfinity) return {kNoVector, DepthStatus::infinity};
   const Wide divisor = nearOverDistance(p.near, p.far, at);
   if (!(divisor.sign() > 0)) return {kNoVector, DepthStatus::beyond};

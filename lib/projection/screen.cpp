@@ -137,8 +137,9 @@ Attempt toScreen(const CameraParts& c, const Distances<Number>& e) noexcept {
   const auto inWindow = [&](const Number& a) { return orthographic ? e.inWorld(a) : e.inWindow(a); };
   const NearestDouble x = screenCoordinate(map.centerX, map.reachX, map.scaleX, inWindow(e.right));
   const NearestDouble y = screenCoordinate(map.centerY, map.reachY, map.scaleY, inWindow(e.up));
-  const NearestDouble depth = isDirection ? NearestDouble{c.depthAtInfinity, e.isDecided(e.forward)}
-                                          : windowDepth(c, distance, e.forwardIsExact);
+  const NearestDouble depth = isDirection              ? NearestDouble{c.depthAtInfinity, e.isDecided(e.forward)}
+                              : hasDepth(c.projection) ? windowDepth(c, distance, e.forwardIsExact)
+                                                       : NearestDouble{kNaN, true};
   ScreenPoint p;
   p.x = x.value;
   p.y = y.value;

@@ -22,10 +22,10 @@ inline std::uint8_t sidesBeyond(const CameraParts& c, const ScreenPoint& p) noex
   const bool down = c.viewport.origin == Origin::topLeft;
   unsigned sides = 0;
   // Written so that a NaN would be outside.
-  if (!(p.x >= c.firstCorner.x)) sides |= sideLeft;
-  if (!(p.x <= c.lastCorner.x)) sides |= sideRight;
-  if (!(p.y >= c.firstCorner.y)) sides |= down ? sideTop : sideBottom;
-  if (!(p.y <= c.lastCorner.y)) sides |= down ? sideBottom : sideTop;
+  if (!(p.x >= c.corners.first.x)) sides |= sideLeft;
+  if (!(p.x <= c.corners.last.x)) sides |= sideRight;
+  if (!(p.y >= c.corners.first.y)) sides |= down ? sideTop : sideBottom;
+  if (!(p.y <= c.corners.last.y)) sides |= down ? sideBottom : sideTop;
   if (p.viewDistance < c.projection.near) sides |= sideNear;
   if (p.viewDistance > c.projection.far) sides |= sideFar;
   return static_cast<std::uint8_t>(sides);

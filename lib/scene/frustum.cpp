@@ -142,11 +142,10 @@ Frustum viewFrustum(const Camera& camera) {
   f.planes = {windowPlane(c, sideLeft, pose.rows.right, pose.residual.x, p.left, p.right, 1),
               windowPlane(c, sideRight, pose.rows.right, pose.residual.x, p.right, p.left, -1),
               windowPlane(c, sideBottom, pose.rows.up, pose.residual.y, p.bottom, p.top, 1),
-              windowPlane(c, sideTop, pose.rows.up, pose.residual.y, p.top, p.bottom, -1),
-              depthPlane(c, sideNear, p.near, 1),
-              {}};
-  f.count = std::isfinite(p.far) ? 6 : 5;
-  if (f.count == 6) f.planes[5] = depthPlane(c, sideFar, p.far, -1);
+              windowPlane(c, sideTop, pose.rows.up, pose.residual.y, p.top, p.bottom, -1)};
+  f.count = 4;
+  if (hasDepth(p)) f.planes[f.count++] = depthPlane(c, sideNear, p.near, 1);
+  if (std::isfinite(p.far)) f.planes[f.count++] = depthPlane(c, sideFar, p.far, -1);
   for (std::size_t i = 0; i < f.count; ++i) f.rounded[i] = {f.planes[i].side, f.planes[i].equation};
   return Access::whole<Frustum, FrustumParts>(made);
 }

@@ -28,7 +28,7 @@ struct ExactPlane {
 struct FrustumParts {
   Camera camera;
   std::array<ExactPlane, 6> planes{};
-  std::size_t count = 6;
+  std::size_t count = 0;
   std::array<FrustumPlane, 6> rounded{};
 
   const ExactPlane* begin() const noexcept { return planes.data(); }

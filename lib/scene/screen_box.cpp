@@ -32,6 +32,7 @@ ScreenBox onScreen(const CameraParts& c, const WindowRange& window) noexcept {
   return {screenX(m, window.x.least), screenY(m, window.y.most), screenX(m, window.x.most), screenY(m, window.y.least)};
 }
 
+bool hasNear(const FrustumParts& f) noexcept { return hasDepth(parts(f.camera).projection); }
 const ExactPlane& nearPlane(const FrustumParts& f) noexcept { return f.planes[4]; }
 
 /// With all digits of what is left where a point is much farther aside than away.
@@ -49,6 +50,7 @@ ViewPoint preciseView(const CameraParts& c, const Vec3& point) noexcept {
 template <std::size_t Count>
 std::optional<ScreenBox> boxOfCorners(const FrustumParts& f, const std::array<Vec3, Count>& corners,
                                       bool (*isEdge)(std::size_t, std::size_t)) noexcept {
+  if (!hasNear(f)) return std::nullopt;
   const CameraParts& c = parts(f.camera);
   std::array<ViewPoint, Count> points;
   std::array<Wide, Count> inFront;
@@ -132,7 +134,7 @@ Disc discOf(const CameraParts& c, const DDVec3& row, const Wide& along, const Wi
 
 std::optional<ScreenBox> screenBox(const Frustum& frustum, const Sphere& sphere) noexcept {
   const FrustumParts& f = parts(frustum);
-  if (!isValid(sphere)) return std::nullopt;
+  if (!isValid(sphere) || !hasNear(f)) return std::nullopt;
   if ((distanceInside(f, nearPlane(f), sphere.center) + Wide(sphere.radius)).sign() < 0) return std::nullopt;
   const CameraParts& c = parts(f.camera);
   const ViewPoint p = preciseView(c, sphere.center);

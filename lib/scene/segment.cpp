@@ -39,10 +39,10 @@ SegmentEnd cutEnd(const CameraParts& c, const WideVec3& fromEyeToA, const WideVe
   SegmentEnd end{double(cut.t), {screenX(c.screen, at.x), screenY(c.screen, at.y)}, double(depth), double(w), cut.side};
   // On the boundary it lies on it, to the last bit.
   const bool down = c.viewport.origin == Origin::topLeft;
-  if (cut.side == sideLeft) end.screen.x = c.firstCorner.x;
-  if (cut.side == sideRight) end.screen.x = c.lastCorner.x;
-  if (cut.side == sideBottom) end.screen.y = down ? c.lastCorner.y : c.firstCorner.y;
-  if (cut.side == sideTop) end.screen.y = down ? c.firstCorner.y : c.lastCorner.y;
+  if (cut.side == sideLeft) end.screen.x = c.corners.first.x;
+  if (cut.side == sideRight) end.screen.x = c.corners.last.x;
+  if (cut.side == sideBottom) end.screen.y = down ? c.corners.last.y : c.corners.first.y;
+  if (cut.side == sideTop) end.screen.y = down ? c.corners.first.y : c.corners.last.y;
   if (cut.side == sideNear) end.depth = c.depthAtNear, end.viewDistance = c.projection.near;
   if (cut.side == sideFar) end.depth = c.depthAtFar, end.viewDistance = c.projection.far;
   return end;
@@ -53,7 +53,7 @@ SegmentEnd cutEnd(const CameraParts& c, const WideVec3& fromEyeToA, const WideVe
 VisibleSegment clipSegment(const Frustum& frustum, const Vec3& a, const Vec3& b) noexcept {
   const FrustumParts& f = parts(frustum);
   VisibleSegment result;
-  if (!isFinite(a) || !isFinite(b)) return result;
+  if (!isFinite(a) || !isFinite(b) || !hasDepth(parts(f.camera).projection)) return result;
   Cut first{0, 1, 0}, last{1, 0, 0};
   for (const ExactPlane& p : f) {
     const Wide atA = distanceInside(f, p, a), atB = distanceInside(f, p, b);

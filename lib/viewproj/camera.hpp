@@ -61,6 +61,8 @@ class Pose {
   Vec3 right() const noexcept;
   Vec3 up() const noexcept;
   Vec3 forward() const noexcept;
+  /// The handedness of the world that the axes fit.
+  Handedness world() const noexcept;
 
  private:
   friend struct detail::Access;
@@ -121,10 +123,19 @@ inline constexpr double kLargestWindow = 0x1p900;
 /// How many of its widths (heights) a viewport's corner, and its pixels' centre, may lie away from 0.
 inline constexpr double kLargestCorner = 0x1p40;
 
-/// The tile as a viewport of its own: screen numbers start at its corner.
+/// The tile as a viewport of its own, whose corner lies where the whole picture's did.
 Viewport cropped(const Viewport& viewport, const Crop& crop);
 
+/// Screen positions of the picture's edges: of the corner that x and y are counted from, and of the one across.
+struct PictureCorners {
+  Vec2 first, last;
+};
+PictureCorners pictureCorners(const Viewport& viewport) noexcept;
+
 // ---- Projection
+
+/// What an angle of view spans: the picture's height, its width, or from corner to corner.
+enum class Fov { vertical, horizontal, diagonal };
 
 /// What part of space a camera sees: four window edges, near and far.
 class Projection {
@@ -139,9 +150,13 @@ class Projection {
   double right() const noexcept;
   double bottom() const noexcept;
   double top() const noexcept;
-  /// Distances along the viewing axis. zFar may be infinite in perspective.
+  /// Distances along the viewing axis. In perspective zNear may be 0, for no near plane, and zFar infinite.
   double zNear() const noexcept;
   double zFar() const noexcept;
+  /// Width / height of the window, rounded.
+  double aspect() const noexcept;
+  /// In degrees, within an ulp for edges up to 1e150; of the two diagonals the wider one. NaN in orthographic.
+  double fov(Fov of) const noexcept;
 
  private:
   friend struct detail::Access;
@@ -152,22 +167,44 @@ class Projection {
 
 inline constexpr double kInfiniteFar = std::numeric_limits<double>::infinity();
 
-// Each function throws CameraError naming the parameter at fault. Perspective needs 0 < zNear < zFar <= infinity,
+// Each function throws CameraError naming the parameter at fault. Perspective needs 0 <= zNear < zFar <= infinity,
 // orthographic finite zNear < zFar. Edges come out within 2^-98 of the true ones, relative to the wider of the two.
+// A perspective with zNear 0 has no near plane, and so no depth: its points have a pixel and a distance, and depth NaN.
 
-/// degrees: the full vertical, horizontal or diagonal angle, between 0 and 180; aspect: width / height of the picture.
-Projection perspectiveFovY(double degrees, double aspect, double zNear, double zFar);
-Projection perspectiveFovX(double degrees, double aspect, double zNear, double zFar);
-Projection perspectiveFovDiagonal(double degrees, double aspect, double zNear, double zFar);
+/// A number alone is degrees. Nothing is rounded from one unit to the other.
+struct Angle {
+  constexpr Angle(double degrees) noexcept : value(degrees) {}  // NOLINT(google-explicit-constructor)
+  static constexpr Angle radians(double radians) noexcept {
+    Angle angle(radians);
+    angle.isRadians = true;
+    return angle;
+  }
 
-/// The window's width and height on the near plane (XMMatrixPerspectiveLH).
+  double value;
+  bool isRadians = false;
+};
+
+/// Width / height of a picture: the exact ratio, which 1920 / 1080 as a double is not.
+struct Aspect {
+  constexpr Aspect(double ratio) noexcept : width(ratio) {}  // NOLINT(google-explicit-constructor)
+  constexpr Aspect(double pictureWidth, double pictureHeight) noexcept : width(pictureWidth), height(pictureHeight) {}
+  // NOLINTNEXTLINE(google-explicit-constructor)
+  constexpr Aspect(const Viewport& viewport) noexcept : width(viewport.width), height(viewport.height) {}
+
+  double width, height = 1;
+};
+
+/// angle: the full one, above 0 and below 180 degrees. Names "fovY", "fovX" or "fovDiagonal" where it is not.
+Projection perspective(Angle angle, Aspect aspect, double zNear, double zFar = kInfiniteFar, Fov of = Fov::vertical);
+
+/// The window's width and height on the near plane (XMMatrixPerspectiveLH), with zNear above 0.
 Projection perspectiveNearSize(double nearWidth, double nearHeight, double zNear, double zFar);
 
 /// focalLength and the sensor's sides in one unit; a sensor side of 0 follows from the other and aspect.
-Projection perspectiveFocalLength(double focalLength, double sensorWidth, double sensorHeight, double aspect,
+Projection perspectiveFocalLength(double focalLength, double sensorWidth, double sensorHeight, Aspect aspect,
                                   double zNear, double zFar);
 
-/// Edges on the near plane (glFrustum).
+/// Edges on the near plane (glFrustum), with zNear above 0.
 Projection frustum(double left, double right, double bottom, double top, double zNear, double zFar);
 
 /// Edges on the plane at distance 1 from the eye: tangents.
@@ -175,6 +212,10 @@ Projection perspectiveWindow(double left, double right, double bottom, double to
 
 /// Edges anywhere along the view (glOrtho); zNear may be negative.
 Projection orthographic(double left, double right, double bottom, double top, double zNear, double zFar);
+
+/// Around the viewing axis, of this height or width; the other side follows from aspect.
+Projection orthographicHeight(double height, Aspect aspect, double zNear, double zFar);
+Projection orthographicWidth(double width, Aspect aspect, double zNear, double zFar);
 
 /// Focal lengths and principal point in pixels of the viewport, as its origin and pixelCenter count them.
 Projection intrinsics(double fx, double fy, double cx, double cy, const Viewport& viewport, double zNear, double zFar);
@@ -187,6 +228,18 @@ Projection cropped(const Projection& projection, const Viewport& viewport, const
 
 // ---- Camera
 
+/// Pixels for a unit of the window, both above 0, and where the viewing axis meets the screen, as the viewport counts.
+/// Each is rounded once; of a perspective, intrinsics(...) makes the projection again but for that rounding.
+struct Intrinsics {
+  double fx = 0, fy = 0, cx = 0, cy = 0;
+};
+
+/// Window depths, reverseZ taken into account: atInfinity, which orthographic has not, is the limit along the view.
+/// What does not exist is NaN, all of it without a near plane.
+struct WindowDepths {
+  double atNear, atFar, atInfinity;
+};
+
 class Camera {
  public:
   Camera(const Camera&) noexcept = default;
@@ -196,6 +249,9 @@ class Camera {
   Projection projection() const noexcept;
   const Viewport& viewport() const noexcept;
   const Convention& convention() const noexcept;
+
+  Intrinsics intrinsics() const noexcept;
+  WindowDepths depths() const noexcept;
 
  private:
   friend struct detail::Access;
@@ -209,5 +265,8 @@ class Camera {
 /// not IEEE's. Takes a few microseconds: build once, use for every point.
 Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport& viewport,
                   const Convention& convention = {});
+
+/// The camera of a tile of the picture: window and viewport together.
+Camera cropped(const Camera& camera, const Crop& crop);
 
 }  // namespace viewproj

@@ -11,7 +11,7 @@ namespace viewproj {
 /// View space, axes as the convention's. A direction stays one: its translation is left out.
 Vec3 worldToView(const Camera& camera, const Vec4& point, const Convention& convention) noexcept;
 
-/// Clip space, before the division by w.
+/// Clip space, before the division by w. z is NaN of a camera without near plane, in NDC too.
 Vec4 worldToClip(const Camera& camera, const Vec4& point, const Convention& convention) noexcept;
 
 /// Normalised device coordinates; NaN on or behind the eye plane, and for a direction in an orthographic camera.

@@ -1,7 +1,6 @@
 // Conventions as data: which way the axes of each space point, and how a matrix is laid out.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string_view>
 
@@ -42,19 +41,23 @@ struct Convention {
 /// Where x, y, z of a rotation or pose matrix point.
 enum class CameraAxes { RUB, RUF, RDF, FRU };
 
-/// All that a name means.
+/// All that a name means: a convention, and what programs of that name leave unsaid.
 struct ConventionPreset {
   std::string_view name;
   Convention convention;
   CameraAxes cameraAxes = CameraAxes::RUB;  ///< of poses
   Vec3 up{0, 1, 0};                         ///< of the world
   double pixelCenter = 0.5;                 ///< of viewports
+
+  // NOLINTNEXTLINE(google-explicit-constructor)
+  constexpr operator const Convention&() const noexcept { return convention; }
 };
 
 namespace detail {
 /// To add a preset, add its row here and its constant below; tests ask for the rest.
 /// Sources: the OpenGL, Direct3D, Vulkan, Metal and WebGPU specifications; Unity's Camera.worldToCameraMatrix and
-/// projectionMatrix; Unreal's FReversedZPerspectiveMatrix; OpenCV's calib3d; ps2sdk's create_view_screen.
+/// projectionMatrix; Unreal's FReversedZPerspectiveMatrix; OpenCV's calib3d; ps2sdk's create_view_screen. Where y of
+/// view space points down, so it does in the worlds of such cameras.
 // clang-format off
 inline constexpr Handedness kR = Handedness::right, kL = Handedness::left;
 inline constexpr ViewAxes kRUB = ViewAxes::RUB, kRUF = ViewAxes::RUF, kRDF = ViewAxes::RDF;
@@ -73,33 +76,33 @@ inline constexpr ConventionPreset kConventionPresets[] = {
     {"webgpu",    {kR,   kRUB, kZO, false,   kUp,   kColumn, kColumns}, CameraAxes::RUB},
     {"unity",     {kL,   kRUB, kNO, false,   kUp,   kColumn, kColumns}, CameraAxes::RUF},
     {"unreal",    {kL,   kRUF, kZO, true,    kUp,   kRow,    kRows}, CameraAxes::FRU, {0, 0, 1}},
-    {"opencv",    {kR,   kRDF, kZO, false,   kUp,   kColumn, kRows}, CameraAxes::RDF, {0, 1, 0}, 0},
-    {"ps2",       {kR,   kRDF, kZO, true,    kDown, kRow,    kRows}, CameraAxes::RDF},
+    {"opencv",    {kR,   kRDF, kZO, false,   kUp,   kColumn, kRows}, CameraAxes::RDF, {0, -1, 0}, 0},
+    {"ps2",       {kR,   kRDF, kZO, true,    kDown, kRow,    kRows}, CameraAxes::RDF, {0, -1, 0}},
 };
 // clang-format on
 
 /// A name that is no preset's does not compile: this is no function for constants.
-Convention noSuchConvention();
-consteval Convention presetNamed(std::string_view name) {
+const ConventionPreset& noSuchPreset();
+consteval const ConventionPreset& presetNamed(std::string_view name) {
   for (const ConventionPreset& preset : kConventionPresets)
-    if (preset.name == name) return preset.convention;
-  return noSuchConvention();
+    if (preset.name == name) return preset;
+  return noSuchPreset();
 }
 }  // namespace detail
 
-/// The presets as constants: viewproj::conventions::d3d.
+/// The presets as constants: conventions::d3d, which is a Convention too.
 namespace conventions {
-inline constexpr Convention opengl = detail::presetNamed("opengl");
-inline constexpr Convention openglLh = detail::presetNamed("opengl-lh");
-inline constexpr Convention d3d = detail::presetNamed("d3d");
-inline constexpr Convention d3dRh = detail::presetNamed("d3d-rh");
-inline constexpr Convention vulkan = detail::presetNamed("vulkan");
-inline constexpr Convention metal = detail::presetNamed("metal");
-inline constexpr Convention webgpu = detail::presetNamed("webgpu");
-inline constexpr Convention unity = detail::presetNamed("unity");
-inline constexpr Convention unreal = detail::presetNamed("unreal");
-inline constexpr Convention opencv = detail::presetNamed("opencv");
-inline constexpr Convention ps2 = detail::presetNamed("ps2");
+inline constexpr const ConventionPreset& opengl = detail::presetNamed("opengl");
+inline constexpr const ConventionPreset& openglLh = detail::presetNamed("opengl-lh");
+inline constexpr const ConventionPreset& d3d = detail::presetNamed("d3d");
+inline constexpr const ConventionPreset& d3dRh = detail::presetNamed("d3d-rh");
+inline constexpr const ConventionPreset& vulkan = detail::presetNamed("vulkan");
+inline constexpr const ConventionPreset& metal = detail::presetNamed("metal");
+inline constexpr const ConventionPreset& webgpu = detail::presetNamed("webgpu");
+inline constexpr const ConventionPreset& unity = detail::presetNamed("unity");
+inline constexpr const ConventionPreset& unreal = detail::presetNamed("unreal");
+inline constexpr const ConventionPreset& opencv = detail::presetNamed("opencv");
+inline constexpr const ConventionPreset& ps2 = detail::presetNamed("ps2");
 }  // namespace conventions
 
 /// All of them by name; the first is the default.
@@ -110,12 +113,6 @@ constexpr const ConventionPreset* findPreset(std::string_view name) noexcept {
   for (const ConventionPreset& preset : conventionPresets())
     if (preset.name == name) return &preset;
   return nullptr;
-}
-
-/// The convention of that name, or nothing.
-constexpr std::optional<Convention> conventionPreset(std::string_view name) noexcept {
-  const ConventionPreset* const preset = findPreset(name);
-  return preset ? std::optional(preset->convention) : std::nullopt;
 }
 
 }  // namespace viewproj

@@ -4,6 +4,8 @@
 // storage say: laidOut and inStorageOrder apply those at the end. Entries are computed in double-double and rounded
 // once; an entry too large for a double comes out infinite.
 //
+// Those to and from clip space and the screen throw CameraError naming "near" for a projection without near plane.
+//
 // A viewport is one that makeCamera takes; of another the entries mean nothing.
 #pragma once
 
@@ -19,12 +21,12 @@ Mat4 viewFromWorld(const Pose& pose, const Convention& convention) noexcept;
 Mat4 worldFromView(const Pose& pose, const Convention& convention) noexcept;
 
 /// View space to clip space.
-Mat4 clipFromView(const Projection& projection, const Convention& convention) noexcept;
-Mat4 viewFromClip(const Projection& projection, const Convention& convention) noexcept;
+Mat4 clipFromView(const Projection& projection, const Convention& convention);
+Mat4 viewFromClip(const Projection& projection, const Convention& convention);
 
 /// World to clip space: not the rounded product of the two, but its own closed form.
-Mat4 clipFromWorld(const Pose& pose, const Projection& projection, const Convention& convention) noexcept;
-Mat4 worldFromClip(const Pose& pose, const Projection& projection, const Convention& convention) noexcept;
+Mat4 clipFromWorld(const Pose& pose, const Projection& projection, const Convention& convention);
+Mat4 worldFromClip(const Pose& pose, const Projection& projection, const Convention& convention);
 
 /// Normalised device coordinates to screen x, screen y and window depth, as a graphics API's viewport transform maps
 /// them: NDC z of the low end goes to depthFirst.
@@ -32,12 +34,12 @@ Mat4 screenFromNdc(const Viewport& viewport, const Convention& convention) noexc
 Mat4 ndcFromScreen(const Viewport& viewport, const Convention& convention) noexcept;
 
 /// clipFromView with the viewport folded in: division by w then gives screen x, screen y and window depth.
-Mat4 screenFromView(const Projection& projection, const Viewport& viewport, const Convention& convention) noexcept;
-Mat4 viewFromScreen(const Projection& projection, const Viewport& viewport, const Convention& convention) noexcept;
+Mat4 screenFromView(const Projection& projection, const Viewport& viewport, const Convention& convention);
+Mat4 viewFromScreen(const Projection& projection, const Viewport& viewport, const Convention& convention);
 Mat4 screenFromWorld(const Pose& pose, const Projection& projection, const Viewport& viewport,
-                     const Convention& convention) noexcept;
+                     const Convention& convention);
 Mat4 worldFromScreen(const Pose& pose, const Projection& projection, const Viewport& viewport,
-                     const Convention& convention) noexcept;
+                     const Convention& convention);
 
 /// The pose with its eye at the origin: what float32 at planet scale needs, with the eye subtracted beforehand.
 Pose relativeToEye(const Pose& pose);
@@ -64,17 +66,17 @@ StoredMatrix<Number> viewFromWorld(const Camera& camera) noexcept;
 template <class Number>
 StoredMatrix<Number> worldFromView(const Camera& camera) noexcept;
 template <class Number>
-StoredMatrix<Number> clipFromView(const Camera& camera) noexcept;
+StoredMatrix<Number> clipFromView(const Camera& camera);
 template <class Number>
-StoredMatrix<Number> viewFromClip(const Camera& camera) noexcept;
+StoredMatrix<Number> viewFromClip(const Camera& camera);
 template <class Number>
-StoredMatrix<Number> clipFromWorld(const Camera& camera) noexcept;
+StoredMatrix<Number> clipFromWorld(const Camera& camera);
 template <class Number>
-StoredMatrix<Number> worldFromClip(const Camera& camera) noexcept;
+StoredMatrix<Number> worldFromClip(const Camera& camera);
 template <class Number>
-StoredMatrix<Number> screenFromWorld(const Camera& camera) noexcept;
+StoredMatrix<Number> screenFromWorld(const Camera& camera);
 template <class Number>
-StoredMatrix<Number> worldFromScreen(const Camera& camera) noexcept;
+StoredMatrix<Number> worldFromScreen(const Camera& camera);
 
 // ---- A model's own coordinates
 
@@ -85,15 +87,16 @@ Mat4 worldFromLocal(const Vec3& translation, const Quaternion& rotation, const V
 
 /// A model's own coordinates to view, clip and screen space, and back: the closed forms above times worldFromLocal, an
 /// affine matrix with finite entries and the last row 0 0 0 1. Those back throw CameraError naming "model" where it has
-/// no inverse (its axes lie in a plane; decided exactly).
+/// no inverse (its axes lie in a plane; decided exactly), and from clip and screen space "near" where there is no
+/// depth.
 Mat4 viewFromLocal(const Pose& pose, const Mat4& worldFromLocal, const Convention& convention) noexcept;
 Mat4 localFromView(const Pose& pose, const Mat4& worldFromLocal, const Convention& convention);
 Mat4 clipFromLocal(const Pose& pose, const Projection& projection, const Mat4& worldFromLocal,
-                   const Convention& convention) noexcept;
+                   const Convention& convention);
 Mat4 localFromClip(const Pose& pose, const Projection& projection, const Mat4& worldFromLocal,
                    const Convention& convention);
 Mat4 screenFromLocal(const Pose& pose, const Projection& projection, const Viewport& viewport,
-                     const Mat4& worldFromLocal, const Convention& convention) noexcept;
+                     const Mat4& worldFromLocal, const Convention& convention);
 Mat4 localFromScreen(const Pose& pose, const Projection& projection, const Viewport& viewport,
                      const Mat4& worldFromLocal, const Convention& convention);
 

@@ -147,7 +147,7 @@ class Frustum {
   Frustum& operator=(const Frustum&) noexcept = default;
 
   const Camera& camera() const noexcept;
-  /// left, right, bottom, top, near, and far unless it is infinite.
+  /// left, right, bottom, top, near unless there is none, and far unless it is infinite.
   std::span<const FrustumPlane> planes() const noexcept;
 
  private:
@@ -185,7 +185,7 @@ struct Cull {
 
 /// inside or outside, as a sphere of radius 0 there is inside or not. worldToScreen judges the pixel and the distance
 /// that it gives out instead, and so forgives half an ulp of them. A point behind the eye of a perspective is beyond
-/// near.
+/// near, or without near beyond a side; the eye itself, on all four sides, is inside then.
 Cull cull(const Frustum& frustum, const Vec3& point) noexcept;
 
 Cull cull(const Frustum& frustum, const Sphere& sphere) noexcept;
@@ -205,7 +205,8 @@ struct ScreenBox {
 inline constexpr double kScreenBoxBound = 0x1.1p-53;
 
 /// The smallest that holds what of the shape lies in front of near or on it, however far out of the picture and beyond
-/// far; nothing where nothing does, and for a shape that is not valid. Infinite beyond the largest double.
+/// far; nothing where nothing does, for a shape that is not valid, and without a near plane, which it needs. Infinite
+/// beyond the largest double.
 ///
 /// A sphere is seen as an ellipse (perspective) between the lines through the eye that touch it; where near cuts it,
 /// the circle of the cut counts too. Source of the touching lines: Mara & McGuire, "2D polyhedral bounds of a clipped,
@@ -235,7 +236,8 @@ inline constexpr double kSegmentBound = 0x1p-50;
 
 /// Clipped against the planes before any division (Liang & Barsky, "A new concept and method for line clipping", 1984,
 /// in homogeneous coordinates), so that a segment through the eye plane is cut and not mirrored. A segment that lies on
-/// a boundary is visible. Its own ends have the numbers of worldToScreen. Input that is not finite is not visible.
+/// a boundary is visible. Its own ends have the numbers of worldToScreen. Input that is not finite is not visible, and
+/// nothing is without a near plane, which cutting needs.
 VisibleSegment clipSegment(const Frustum& frustum, const Vec3& a, const Vec3& b) noexcept;
 
 /// t of the segment's point that is seen nearest the pixel. In perspective equal steps on the screen are not equal

@@ -40,7 +40,7 @@ enum Side : std::uint8_t {
 /// Numbers that do not exist are NaN.
 struct ScreenPoint {
   double x = 0, y = 0;      ///< position, in the viewport's origin and pixelCenter
-  double depth = 0;         ///< window depth, not clamped
+  double depth = 0;         ///< window depth, not clamped; NaN of a camera without near plane
   double viewDistance = 0;  ///< along the viewing axis; NaN for a direction
   PointStatus status = PointStatus::inFront;
   std::uint8_t outside = 0;  ///< Sides the point lies beyond; a point on a boundary is inside
@@ -70,9 +70,9 @@ struct BatchCounts {
   std::size_t uncertain = 0;  ///< exact: of those, the ones that no arithmetic here decides (ties, numbers about 0)
 };
 
-/// Screen x, screen y and window depth of each point, NaN where it has none (behind the eye plane, or not finite): the
-/// numbers of worldToScreen for a single point, bit for bit, on every processor. Both spans have the same size and may
-/// be the same memory.
+/// Screen x, screen y and window depth of each point, NaN where it has none (behind the eye plane, not finite; depth
+/// without a near plane): the numbers of worldToScreen for a single point, bit for bit, on every processor. Both spans
+/// have the same size and may be the same memory.
 BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, std::span<Vec3> screen,
                           Precision precision = Precision::exact) noexcept;
 
@@ -121,8 +121,8 @@ struct Ray {
 };
 
 enum class RayOrigin {
-  eye,  ///< the plane through the eye: the eye itself in perspective, a point per pixel in orthographic
-  nearPlane,
+  eye,        ///< the plane through the eye: the eye itself in perspective, a point per pixel in orthographic
+  nearPlane,  ///< the eye where there is none
 };
 
 /// Largest angle in radians between a ray's direction and the true one, for pixels of the picture, in every precision
@@ -138,7 +138,7 @@ Ray screenToRay(const Camera& camera, const Vec2& screen, Precision precision = 
 enum class DepthStatus : std::uint8_t {
   point,
   infinity,   ///< the window depth of points infinitely far away: a direction, no point
-  beyond,     ///< a depth that no point in front of the eye has
+  beyond,     ///< a depth that no point in front of the eye has; every depth, of a camera without near plane
   notFinite,  ///< the input had a NaN or an infinity
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "viewproj/camera.hpp"
+#include "viewproj/cameras_of.hpp"
 #include "viewproj/clip.hpp"
 #include "viewproj/convention.hpp"
 #include "viewproj/matrices.hpp"

@@ -80,7 +80,7 @@ int main(int argc, char** argv) {
   }
   const Viewport viewport{.width = 1920, .height = 1080, .origin = Origin::bottomLeft};
   const Pose pose = lookAt({300, 200, 500}, {0, 0, 0}, {0, 1, 0}, Handedness::right);
-  const Projection projection = perspectiveFovY(60, DoubleDouble(16) / DoubleDouble(9), 0.1, 10000);
+  const Projection projection = perspective(60, Aspect(16, 9), 0.1, 10000);
   const Camera camera = makeCamera(pose, projection, viewport);
   const benchmark::PeerCamera peer{viewFromWorld(pose, {}), clipFromView(projection, {}), 1920, 1080};
   std::printf("best kernel here: %s, %d rounds\n", kernels().name, rounds);
@@ -189,7 +189,7 @@ int main(int argc, char** argv) {
                         for (std::size_t i = 0; i < 1000; ++i)
                           directions[i] = parts(makeCamera(lookAt({300 + double(i), 200, 500}, {0, 0, 0}, {0, 1, 0},
                                                                   Handedness::right),
-                                                           perspectiveFovY(60, 1.5, 0.1, 10000), viewport))
+                                                           perspective(60, 1.5, 0.1, 10000), viewport))
                                               .constants.rayX;
                       },
                       {},

@@ -36,11 +36,11 @@ sed -n 's/.*"file":\({.*}\),"points":.*/\1/p' tests/importers/fixtures/*.jsonl |
 done
 
 # Words: what the readers themselves compare with.
-grep -rohE --include='*.?pp' '"[A-Za-z][A-Za-z0-9_.-]*"' cmd/input cmd/commands | sort -u |
+grep -rohE --include='*.?pp' '"[A-Za-z][A-Za-z0-9_.-]*"' cmd/camera cmd/input cmd/commands | sort -u |
   sed 's/^"\(.*\)"$/"\\"\1\\""/' >"$build/words"
 cp "$build/words" "$build/arguments"
 sed 's/\\"//g' "$build/words" >>"$build/arguments"
-grep -rohE --include='*.cpp' -e '--[a-z]+(-[a-z]+)*' cmd/commands | sort -u | sed 's/.*/"&"/' >>"$build/arguments"
+grep -rohE --include='*.?pp' -e '--[a-z]+(-[a-z]+)*' cmd/camera cmd/commands | sort -u | sed 's/.*/"&"/' >>"$build/arguments"
 
 for target in camera scene model matrices json csv text f64 arguments; do
   seeds=$(find "$build/seeds/$target" -type f | wc -l)

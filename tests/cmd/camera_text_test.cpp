@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "camera/camera.hpp"
+#include "camera/names.hpp"
 #include "catch.hpp"
-#include "input/convention_names.hpp"
 #include "random.hpp"
 #include "text/error.hpp"
 #include "viewproj/viewproj.hpp"
@@ -174,7 +174,9 @@ json randomCamera(Random& random, const Extent& extent, std::map<std::string, in
   return camera;
 }
 
-CameraFile read(const std::string& text) { return readCamera(Document(text, "camera"), {"", true}); }
+CameraFile read(const std::string& text, bool allowStretch = true) {
+  return readCamera(load(text, "camera"), {.allowStretch = allowStretch});
+}
 
 /// The most by which pixels of the picture differ, and depths but for their rounding, of points between near and far.
 Moved apartOf(Random& random, const CameraFile& a, const CameraFile& b) {
@@ -259,7 +261,7 @@ TEST_CASE("A camera written in any type and read again keeps its pixels to 1e-9,
       CHECK((a.depthFirst == b.depthFirst && a.depthSecond == b.depthSecond));
       if (type != "ps2") CHECK((a.x == b.x && a.y == b.y));
       // Whoever reads it need not allow a stretch unless the writer was told so.
-      if (!allowStretch) CHECK_NOTHROW(readCamera(Document(written.text, "camera"), {"", false}));
+      if (!allowStretch) CHECK_NOTHROW(read(written.text, false));
     }
   }
   for (const auto& [what, count] : tally) {

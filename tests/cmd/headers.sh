@@ -14,13 +14,13 @@ trap 'rm -rf "$work"' EXIT
   cat <<'END'
 
 static_assert(VIEWPROJ_VERSION >= 100);
-static_assert(viewproj::conventions::d3d == viewproj::conventionPreset("d3d"));
+static_assert(viewproj::conventions::d3d == viewproj::findPreset("d3d")->convention);
 
 // With braces for vectors.
 double user() {
   using namespace viewproj;
   const Pose pose = lookAt({3, 2, 5}, {0, 0, 0}, {0, 1, 0}, Handedness::right);
-  const Projection lens = perspectiveFovY(60, 1.5, 0.1, kInfiniteFar);
+  const Projection lens = perspective(60, Aspect(3, 2), 0.1);
   const Camera camera = makeCamera(pose, lens, {.width = 600, .height = 400}, conventions::opengl);
   return worldToScreen(camera, {1, 1, 1}).x + worldToScreen(camera, {1, 1, 1, 0}).x + camera.pose().eye().x;
 }

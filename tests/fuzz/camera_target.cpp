@@ -1,10 +1,10 @@
-// Cameras: every form of file, --set and a pick behind it. What was read is used and written, and what was written is
-// read again.
+// Cameras: every form of file, with patches and a pick behind it. What was read is used and written, and what was
+// written is read again.
+#include <algorithm>
 #include <cmath>
 
-#include "camera/camera.hpp"
+#include "camera/source.hpp"
 #include "fuzz.hpp"
-#include "input/camera_source.hpp"
 #include "output/camera_text.hpp"
 #include "output/matrix_text.hpp"
 #include "targets.hpp"
@@ -14,18 +14,16 @@
 
 namespace viewproj::fuzz {
 
-using namespace detail;
 namespace {
 
 using namespace cmd;
 
 /// A point in front of the camera, and back.
 void project(const Camera& camera) {
-  const DDVec3& forward = parts(camera).pose.columns.forward;
-  const double distance =
-      parts(camera).projection.near > 0 ? 2 * parts(camera).projection.near : parts(camera).projection.near;
-  const Vec3& eye = parts(camera).pose.eye;
-  const Vec3 ahead{eye.x + distance * forward.x.hi, eye.y + distance * forward.y.hi, eye.z + distance * forward.z.hi};
+  const double near = camera.projection().zNear();
+  const double distance = near > 0 ? 2 * near : hasDepth(camera.projection()) ? near : 1;
+  const Vec3 eye = camera.pose().eye(), forward = camera.pose().forward();
+  const Vec3 ahead{eye.x + distance * forward.x, eye.y + distance * forward.y, eye.z + distance * forward.z};
   const ScreenPoint p = worldToScreen(camera, ahead);
   if (!p.visible()) return;
   const Viewport& v = camera.viewport();
@@ -45,12 +43,12 @@ void writeAll(const CameraFile& file) {
     set.matrices.push_back({"view", viewFromWorld(*file.pose, c)});
     set.matrices.push_back({"viewInverse", worldFromView(*file.pose, c)});
   }
-  if (file.projection) {
+  const bool hasClip = file.projection && hasDepth(*file.projection);
+  if (hasClip) {
     set.matrices.push_back({"projection", clipFromView(*file.projection, c)});
     set.matrices.push_back({"projectionInverse", viewFromClip(*file.projection, c)});
   }
-  if (file.projection && file.viewport)
-    set.matrices.push_back({"baked", screenFromView(*file.projection, *file.viewport, c)});
+  if (hasClip && file.viewport) set.matrices.push_back({"baked", screenFromView(*file.projection, *file.viewport, c)});
   if (file.viewport) set.matrices.push_back({"viewport", screenFromNdc(*file.viewport, c)});
   if (set.matrices.empty()) return;
   requireJson(writeMatrices(set, "json", "the fuzzer"), "matrix");
@@ -62,8 +60,7 @@ void writeAndReadAgain(const CameraFile& file) {
   const WrittenCamera written = writeCamera(file, "", true);
   requireJson(written.text, "matrix --to camera");
   try {
-    const Document document(written.text, "the file written");
-    const CameraFile again = readAnyCamera(document, std::nullopt, {"", true});
+    const CameraFile again = readCamera(load(written.text, "the file written"), {.allowStretch = true});
     const Moved moved = movedBetween(file, again);
     if (moved.pixels != written.moved.pixels || moved.depth != written.moved.depth || std::isnan(moved.size()))
       found("a camera that was written is another when it is read: " + written.text);
@@ -76,22 +73,31 @@ void writeAndReadAgain(const CameraFile& file) {
   }
 }
 
+/// "#NAME" picks a camera, "--fov-x 60" is an option, and "projection.near=1" of --set. Between NULs, after the file.
 void readAndUse(std::string_view input) {
-  const std::size_t end = std::min(input.find('\0', input.starts_with("glTF") ? 20 : 0), input.size());
-  giveInput(input.substr(0, input.starts_with("glTF") ? input.size() : end));
-  Document document("-", "--camera", "");
+  const bool isGlb = input.starts_with("glTF");
+  const std::size_t end = isGlb ? input.size() : std::min(input.find('\0'), input.size());
+  giveInput(input.substr(0, end));
   std::optional<std::string> pick;
+  CameraPatches patches;
   for (std::size_t at = end; at < input.size();) {
     const std::size_t next = std::min(input.find('\0', at + 1), input.size());
     const std::string part(input.substr(at + 1, next - at - 1));
-    if (part.starts_with('#'))
-      pick = part.substr(1);
-    else if (!input.starts_with("glTF"))
-      document.set(readAssignment(part));
+    const std::size_t blank = std::min(part.find(' '), part.size());
+    if (part.starts_with('#')) pick = part.substr(1);
+    if (part.starts_with('-'))
+      for (const Field& field : kFields)
+        if (!field.option.empty() && part.substr(0, blank) == field.option && blank < part.size())
+          patches.patches.push_back(optionPatch(field, part.substr(blank + 1)));
+    if (part.find('=') < blank) patches.patches.push_back(setPatch(part));
     at = next;
   }
-  const CameraFile file = readAnyCamera(document, pick, {"", true, true});
-  (void)listCameras(document);
+  requireConsistent(patches.patches);
+  const CameraDocuments cameras(load("-", "--camera"), patches);
+  for (std::size_t i = 0; i < std::min<std::size_t>(cameras.size(), 8); ++i)
+    if (cameras.choose(cameras.pickOf(i)) != i) found("a camera's pick picks another");
+  const Document document = cameras.document(cameras.choose(pick));
+  const CameraFile file = readCamera(document, {.allowStretch = true, .ignoreDistortion = true});
   writeAll(file);
   writeAndReadAgain(file);
   project(makeCamera(file));

@@ -44,25 +44,21 @@ void readModelMatrix(std::string_view input) {
   (void)toWorld(m, {1, 2, 3, 1});
 }
 
-void inspectOne(const WrittenMatrix& written, EntryPrecision precision) {
+void inspectOne(const WrittenMatrix& written, bool float32) {
   constexpr std::size_t kMostConverted = 4;
-  const Inspection inspection = inspectMatrix(written.numbers, precision);
-  InspectedMatrix one{written,
-                      {},
-                      inspection.readings.size(),
-                      inspection.asWrittenFault,
-                      inspection.transposedFault,
-                      notesOn(inspection.readings)};
-  for (const Reading& reading : inspection.readings) one.readings.push_back({one.readings.size() + 1, reading});
-  Report json(true, precision == EntryPrecision::float32), text(false, false);
+  const Mat4 rows = fromStorageOrder(written.numbers, Convention{.storage = Storage::rowMajor});
+  const MatrixCameras found = camerasOf(rows, {.float32 = float32});
+  InspectedMatrix one{written, {}, found.cameras.size(), found.fault, found.transposedFault, notesOn(found.cameras)};
+  for (const MatrixCamera& reading : found.cameras) one.readings.push_back({one.readings.size() + 1, reading});
+  Report json(true, float32), text(false, false);
   const std::string part = json.add(one);
   requireJson(part + json.end(), "inspect");
   (void)text.add(one);
-  for (std::size_t i = 0; i < std::min(kMostConverted, inspection.readings.size()); ++i) try {
+  for (std::size_t i = 0; i < std::min(kMostConverted, found.cameras.size()); ++i) try {
       MatrixSet set;
-      set.convention = *conventionPreset("d3d");
-      set.convention.world = inspection.readings[i].convention.world;
-      set.matrices.push_back({written.name, converted(inspection.readings[i], set.convention)});
+      set.convention = conventions::d3d;
+      set.convention.world = found.cameras[i].convention.world;
+      set.matrices.push_back({written.name, converted(found.cameras[i], set.convention)});
       requireJson(writeMatrices(set, "json", "the fuzzer"), "inspect --convention");
     } catch (const CameraError&) {
     }
@@ -75,7 +71,7 @@ void inspect(std::string_view input) {
     if (++count > kMostInspected) return;
     for (const double number : written.numbers)
       if (!std::isfinite(number)) found("an entry that is not finite was read");
-    inspectOne(written, count % 2 == 0 ? EntryPrecision::float32 : EntryPrecision::float64);
+    inspectOne(written, count % 2 == 0);
   }
 }
 

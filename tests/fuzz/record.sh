@@ -72,11 +72,11 @@ while [ $# -gt 1 ]; do
         shift
       fi
       ;;
-    --set)
+    --*) # an option of a camera's field patches it as --set does
+      if [ "$1" = --set ]; then patch=${2-}; else patch="$1 ${2-}"; fi
       sets="$sets${sets:+
-}${2-}"
+}$patch"
       ;;
-    --*) ;;
     *) if [ -f "${1%%#*}" ]; then file=$1; fi ;;
   esac
 done

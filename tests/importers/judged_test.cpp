@@ -71,8 +71,7 @@ Compared compare(const std::string& fixture, double tolerance) {
   Compared compared;
   for (std::string line; std::getline(lines, line);) {
     const json test = json::parse(line);
-    const std::string name =
-        (test.contains("kind") ? test["kind"].get<std::string>() + ": " : "") + test["name"].get<std::string>();
+    const std::string name = test["name"];
     std::string camera = scratch.write("camera", test["file"]);
     if (test.contains("files")) {  // the camera's is a folder
       for (const auto& [file, text] : test["files"].items())
@@ -120,17 +119,11 @@ TEST_CASE("three.js, glTF and matrices put points where three.js puts them, to 1
   report(compared.worst);
   for (const char* name : {"three perspective",
                            "three perspective zoom",
-                           "three view offset",
                            "three view that is not enabled",
                            "three view that does not say whether it is enabled",
-                           "three view without offsets",
-                           "three film offset",
-                           "three film offset in portrait",
                            "three orthographic",
-                           "three orthographic view offset",
                            "three position, quaternion and scale",
                            "three camera by its uuid",
-                           "three in a viewport of the file",
                            "three scene",
                            "glTF perspective",
                            "glTF without aspectRatio",
@@ -143,15 +136,16 @@ TEST_CASE("three.js, glTF and matrices put points where three.js puts them, to 1
                            "matrices as rows",
                            "matrices with the inverse view",
                            "matrices with the world matrix",
-                           "matrices multiplied",
-                           "matrices multiplied, flat",
                            "matrices and an eye",
+                           "matrices of fixed-function OpenGL",
+                           "matrices as Unity calls them",
+                           "matrices of an engine",
                            "matrices and a viewport matrix"}) {
     INFO(name);
     CHECK(compared.worst.count(name) == 1);
   }
   for (const char* field : {"screen", "depth", "viewDistance", "visible", "outside"})
-    CHECK(compared.fields[field] >= 900);
+    CHECK(compared.fields[field] >= 800);
   for (const char* side : {"left", "right", "bottom", "top", "near", "far", "behind"})
     CHECK(compared.fields[side] >= 50);
 }
@@ -167,7 +161,6 @@ TEST_CASE("Calibrations and transforms.json put points where OpenCV puts them, t
                            "OpenCV rvec beyond pi",
                            "OpenCV FileStorage",
                            "OpenCV FileStorage YAML",
-                           "OpenCV FileStorage YAML, stereo",
                            "OpenCV without a pose",
                            "OpenCV R nearly a rotation",
                            "OpenCV near and far",
@@ -188,11 +181,13 @@ TEST_CASE("Calibrations and transforms.json put points where OpenCV puts them, t
     CHECK(compared.fields[side] >= 6);
 }
 
-TEST_CASE("Files of every kind put points where forty digits put them, to 1e-9 px, and show what those show") {
-  Compared compared = compare("kinds.jsonl", 1e-9);
+TEST_CASE("Files of other programs put points where forty digits put them, to 1e-9 px, and show what those show") {
+  Compared compared = compare("decimals.jsonl", 1e-9);
   report(compared.worst);
-  for (const char* field : {"screen", "viewDistance", "visible", "outside"}) CHECK(compared.fields[field] >= 200);
-  for (const char* side : {"left", "right", "bottom", "top", "near", "behind"}) CHECK(compared.fields[side] >= 3);
+  CHECK(compared.worst.size() == 27);
+  for (const char* field : {"screen", "viewDistance", "visible", "outside"}) CHECK(compared.fields[field] >= 1000);
+  for (const char* side : {"left", "right", "bottom", "top", "behind"}) CHECK(compared.fields[side] >= 100);
+  for (const char* side : {"near", "far"}) CHECK(compared.fields[side] >= 3);
 }
 
 TEST_CASE("What matrix writes in any convention is read as the camera again, to 1e-9 px") {
@@ -208,25 +203,21 @@ TEST_CASE("What matrix writes in any convention is read as the camera again, to 
   };
   const Scratch scratch;
   const std::string points = scratch.write("points.json", json::parse("[[1, 1, -2], [0.5, -0.25, -1], [-1, 0.5, -4]]"));
-  int compared = 0, withInverse = 0;
+  int compared = 0;
   for (const json& camera : cameras) {
     const std::string file = scratch.write("camera.json", camera);
     const json truth = run({"project", "-c", file, points, "--viewport", "1280x720"});
     for (const char* reverse : {"--reverse-z", "--no-reverse-z"})
       for (const char* convention :
            {"opengl", "opengl-lh", "d3d", "d3d-rh", "vulkan", "metal", "webgpu", "unity", "unreal", "opencv", "ps2"})
-        for (const char* which : {"view,projection,viewport", "viewProjection,viewport", "inverse"}) {
-          INFO(camera.dump() << " " << convention << " " << reverse << " " << which);
-          const bool inverse = which == std::string("inverse");
-          std::vector<std::string> arguments{"matrix",   file,           "--viewport",
-                                             "1280x720", "--convention", convention,
-                                             reverse,    "--which",      inverse ? "view,projection,viewport" : which};
+        for (const bool inverse : {false, true}) {
+          INFO(camera.dump() << " " << convention << " " << reverse << " " << inverse);
+          std::vector<std::string> arguments{
+              "matrix",       file,       "--viewport", "1280x720", "--quiet",
+              "--convention", convention, reverse,      "--which",  "view,projection,viewport"};
           if (inverse) arguments.push_back("--inverse");
           json matrices = run(arguments);
-          if (inverse) {
-            matrices.erase("view");
-            ++withInverse;
-          }
+          if (inverse) matrices.erase("view");
           const json again = run({"project", "-c", scratch.write("matrices.json", matrices), points});
           REQUIRE(again.size() == truth.size());
           for (std::size_t i = 0; i < truth.size(); ++i) {
@@ -238,6 +229,5 @@ TEST_CASE("What matrix writes in any convention is read as the camera again, to 
           }
         }
   }
-  CHECK(compared == 4 * 2 * 11 * 3 * 3);
-  CHECK(withInverse == 4 * 2 * 11);
+  CHECK(compared == 4 * 2 * 11 * 2 * 3);
 }

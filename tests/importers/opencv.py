@@ -113,7 +113,6 @@ def opencv_names():
 
 
 def opencv_yaml():
-    """As other programs have it too: with a size as a node of its own, and with a stereo pair in one file."""
     size, K = calibration()
     rvec, t = rotation_vector(random.uniform(0.1, 3)), random_vector(5)
     R = cv2.Rodrigues(rvec)[0]
@@ -121,8 +120,6 @@ def opencv_yaml():
            "distortion_coefficients": np.zeros((5, 1)), "avg_reprojection_error": 0.25}
     write("OpenCV FileStorage YAML", stored({**own, "camera_matrix": K, "rvec": rvec.reshape(3, 1), "tvec": t.reshape(3, 1)}, "yml"),
           R, t, K, size)
-    pair = {**own, "M1": np.eye(3), "D1": np.ones((1, 5)), "M2": K, "D2": np.zeros((1, 5)), "R": R, "T": t.reshape(3, 1)}
-    write("OpenCV FileStorage YAML, stereo", stored(pair, "yml"), R, t, K, size, pick="M2")
 
 
 def nerf_frame(worldFromCamera, path, **more):
@@ -184,8 +181,7 @@ def nerf_names():
     near, far = random.uniform(0.1, 1), random.uniform(50, 500)
     lens = {"fl_x": K[0, 0], "fl_y": K[1, 1], "cx": K[0, 2], "cy": K[1, 2], "w": size[0], "h": size[1]}
     for own in (False, True):
-        fisheye = {"camera_model": "OPENCV_FISHEYE", "is_fisheye": True, "k3": 0.1, "k4": 0.2, "k5": -0.1, "k6": 0.3, "p1": 1,
-                   "p2": 2}
+        fisheye = {"camera_model": "OPENCV_FISHEYE", "is_fisheye": True, "k3": 0.1, "k4": 0.2}
         file = {**({} if own else fisheye), **lens, "near": near, "far": far,
                 "frames": [nerf_frame(pose, "a.png", **(fisheye if own else {}))]}
         write("transforms.json of a fisheye", file, R, t, centred, size, shift=0.5, options=["--ignore-distortion"],

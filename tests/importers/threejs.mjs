@@ -55,7 +55,7 @@ function seen(camera, point) {
 }
 
 /// Some points in the picture and around it, before near and beyond far, and behind the eye; each with what is seen of it.
-function judged(camera, width, height, { depth = true, distance: known = true, x = 0, y = 0, up = false, centre = 0.5, range = [0, 1] }) {
+function judged(camera, width, height, { depth = true }) {
   camera.updateMatrixWorld(true);
   camera.updateProjectionMatrix();
   const points = [], judgements = [];
@@ -71,14 +71,14 @@ function judged(camera, width, height, { depth = true, distance: known = true, x
     const { ndc, viewDistance, visible, outside } = told;
     points.push(point.toArray());
     judgements.push({
-      screen: ndc && [x + ((ndc.x + 1) / 2) * width + centre - 0.5, y + ((up ? 1 + ndc.y : 1 - ndc.y) / 2) * height + centre - 0.5],
-      ...(depth ? { depth: ndc && range[0] + ((ndc.z + 1) / 2) * (range[1] - range[0]) } : {}), ...(known ? { viewDistance } : {}), visible, outside,
+      screen: ndc && [((ndc.x + 1) / 2) * width, ((1 - ndc.y) / 2) * height],
+      ...(depth ? { depth: ndc && (ndc.z + 1) / 2 } : {}), viewDistance, visible, outside,
     });
   }
   return { points, judgements };
 }
 
-/// options: depth, distance: whether they are known; ownViewport: whether the file has it; what judged takes.
+/// options: depth: whether it is known; ownViewport: whether the file has it.
 function write(name, file, pick, camera, width, height, options = {}) {
   const viewport = options.ownViewport ? null : `${width}x${height}`;
   console.log(JSON.stringify({ name, pick, viewport, file, ...judged(camera, width, height, options) }));
@@ -119,38 +119,11 @@ const threeCases = {
     place(c);
     writeObject('three perspective zoom', c, 0, w, h);
   },
-  'three view offset': () => {
-    const [w, h] = size(), c = perspective(w, h);
-    c.zoom = between(0.5, 2);
-    c.setViewOffset(w, h, between(0, w / 2), between(0, h / 2), w / 4, h / 3);
-    place(c);
-    writeObject('three view offset', c, 0, w / 4, h / 3, { ownViewport: true });
-  },
-  'three film offset': () => {
-    const [w, h] = size(), c = perspective(w, h);
-    c.filmGauge = between(8, 70);
-    c.filmOffset = between(-10, 10);
-    place(c);
-    writeObject('three film offset', c, 0, w, h);
-  },
-  'three film offset in portrait': () => {
-    const [h, w] = size(), c = perspective(w, h);
-    c.filmOffset = between(-10, 10);
-    place(c);
-    writeObject('three film offset in portrait', c, 0, w, h);
-  },
   'three orthographic': () => {
     const [w, h] = size(), c = orthographic(w, h);
     c.zoom = between(0.5, 4);
     place(c);
     writeObject('three orthographic', c, 0, w, h);
-  },
-  'three orthographic view offset': () => {
-    const [w, h] = size(), c = orthographic(w, h);
-    c.zoom = between(0.5, 4);
-    c.setViewOffset(w, h, between(0, w / 2), between(0, h / 2), w / 4, h / 3);
-    place(c);
-    writeObject('three orthographic view offset', c, 0, w / 4, h / 3, { ownViewport: true });
   },
   'three view that is not enabled': () => {
     const [w, h] = size(), c = perspective(w, h);
@@ -165,12 +138,6 @@ const threeCases = {
     place(c);
     const change = file => delete file.object.view.enabled;
     writeObject('three view that does not say whether it is enabled', c, 0, w, h, { change });
-  },
-  'three view without offsets': () => {
-    const [w, h] = size(), c = perspective(w, h);
-    c.setViewOffset(w, h, 0, 0, w / 4, h / 3);
-    place(c);
-    writeObject('three view without offsets', c, 0, w / 4, h / 3, { ownViewport: true });
   },
   'three position, quaternion and scale': () => {
     const [w, h] = size(), rig = new THREE.Group(), c = perspective(w, h);
@@ -196,13 +163,6 @@ const threeCases = {
     scene.add(first, second);
     scene.traverse(o => o.updateMatrix());
     writeObject('three camera by its uuid', scene, 1, w, h, { pick: second.uuid });
-  },
-  'three in a viewport of the file': () => {
-    const [w, h] = size(), c = perspective(w, h);
-    place(c);
-    const options = { ownViewport: true, x: 100, y: -20, up: true, centre: 0, range: [1, 0.25] };
-    const viewport = { width: w, height: h, x: 100, y: -20, origin: 'bottom-left', pixelCenter: 0, depthRange: [1, 0.25] };
-    writeObject('three in a viewport of the file', c, 0, w, h, { ...options, change: file => { file.viewport = viewport; } });
   },
   'three scene': () => {
     const [w, h] = size(), scene = new THREE.Scene(), group = new THREE.Group(), rig = new THREE.Group();
@@ -305,10 +265,8 @@ function writeMatrices(name, make) {
   } while (c.matrixWorldInverse.elements[15] !== 1);
   c.updateProjectionMatrix();
   const rows = m => [0, 1, 2, 3].map(i => [0, 1, 2, 3].map(j => m.elements[4 * j + i]));
-  const product = new THREE.Matrix4().multiplyMatrices(c.projectionMatrix, c.matrixWorldInverse);
-  // Where along its axis an orthographic camera stands, its product does not tell.
-  const { convention = 'opengl', ownViewport, distance = true, ...matrices } = make(c, m => m.toArray(), rows, product, w, h);
-  write(name, { ...(convention ? { convention } : {}), ...matrices }, null, c, w, h, { ownViewport, distance });
+  const { convention = 'opengl', ownViewport, ...matrices } = make(c, m => m.toArray(), rows, w, h);
+  write(name, { ...(convention ? { convention } : {}), ...matrices }, null, c, w, h, { ownViewport });
 }
 
 const matricesCases = {
@@ -320,36 +278,21 @@ const matricesCases = {
     ({ viewInverse: rows(c.matrixWorld), projectionMatrix: rows(c.projectionMatrix) })),
   'matrices with the world matrix': () => writeMatrices('matrices with the world matrix', (c, flat) =>
     ({ viewMatrixInverse: flat(c.matrixWorld), projection: flat(c.projectionMatrix) })),
-  'matrices multiplied': () => writeMatrices('matrices multiplied', (c, flat, rows, product) =>
-    ({ viewProjection: rows(product), distance: c.isPerspectiveCamera === true })),
-  'matrices multiplied, flat': () => writeMatrices('matrices multiplied, flat', (c, flat, rows, product) =>
-    ({ viewProjectionMatrix: flat(product), distance: c.isPerspectiveCamera === true })),
   'matrices and an eye': () => writeMatrices('matrices and an eye', (c, flat, rows) => {
     const turned = new THREE.Matrix4().extractRotation(c.matrixWorldInverse);
     return { view: rows(turned), projection: rows(c.projectionMatrix), eye: c.position.toArray() };
   }),
-  'matrices and a viewport matrix': () => writeMatrices('matrices and a viewport matrix', (c, flat, rows, product, w, h) => ({
-    view: rows(c.matrixWorldInverse), projection: rows(c.projectionMatrix), ownViewport: true,
-    viewport: [[w / 2, 0, 0, w / 2], [0, -h / 2, 0, h / 2], [0, 0, 0.5, 0.5], [0, 0, 0, 1]],
-  })),
-};
-
-/// Under other names.
-const renamedCases = {
-  'matrices of an object without a model': () => writeMatrices('matrices of an object without a model', (c, flat) =>
-    ({ modelViewMatrix: flat(c.matrixWorldInverse), projectionMatrix: flat(c.projectionMatrix) })),
-  'matrices of fixed-function OpenGL': () => writeMatrices('matrices of fixed-function OpenGL', (c, flat) =>
-    ({ modelview: flat(c.matrixWorldInverse), projection: flat(c.projectionMatrix) })),
-};
-
-/// Under the names of engines, beside what follows from them.
-const engineCases = {
+  'matrices of fixed-function OpenGL': () => writeMatrices('matrices of fixed-function OpenGL', (c, flat, rows, w, h) =>
+    ({ modelview: flat(c.matrixWorldInverse), projection: flat(c.projectionMatrix), viewport: [0, 0, w, h], ownViewport: true })),
   'matrices as Unity calls them': () => writeMatrices('matrices as Unity calls them', (c, flat, rows) =>
     ({ worldToCameraMatrix: rows(c.matrixWorldInverse), proj: rows(c.projectionMatrix),
       projectionInverse: rows(c.projectionMatrixInverse), viewportInverse: [] })),
-  'matrices of an engine': () => writeMatrices('matrices of an engine', (c, flat, rows, product) =>
-    ({ cameraToWorldMatrix: flat(c.matrixWorld), projMatrix: flat(c.projectionMatrix),
-      projectionMatrixInverse: flat(c.projectionMatrixInverse), viewProjectionInverse: flat(product.clone().invert()) })),
+  'matrices of an engine': () => writeMatrices('matrices of an engine', (c, flat) =>
+    ({ cameraToWorldMatrix: flat(c.matrixWorld), projectionMatrix: flat(c.projectionMatrix) })),
+  'matrices and a viewport matrix': () => writeMatrices('matrices and a viewport matrix', (c, flat, rows, w, h) => ({
+    view: rows(c.matrixWorldInverse), projection: rows(c.projectionMatrix), ownViewport: true,
+    viewport: [[w / 2, 0, 0, w / 2], [0, -h / 2, 0, h / 2], [0, 0, 0.5, 0.5], [0, 0, 0, 1]],
+  })),
 };
 
 let seed = 0;
@@ -357,14 +300,4 @@ for (let trial = 0; trial < 4; ++trial)
   for (const make of [...Object.values(threeCases), ...Object.values(gltfCases), ...Object.values(matricesCases)]) {
     random = generator(++seed);
     await make();
-  }
-for (let trial = 0; trial < 4; ++trial)
-  for (const make of Object.values(renamedCases)) {
-    random = generator(++seed);
-    make();
-  }
-for (let trial = 0; trial < 4; ++trial)
-  for (const make of Object.values(engineCases)) {
-    random = generator(++seed);
-    make();
   }

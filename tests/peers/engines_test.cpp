@@ -193,7 +193,7 @@ TEST_CASE("Unity: Camera.projectionMatrix as Matrix4x4.Perspective and Perspecti
     const double fov = degrees(random), aspect = random.logUniform(0.3, 3);
     const double near = random.logUniform(0.01, 10), far = near * random.logUniform(2, 1e6);
     const double top = near * std::tan(fov / 2 * kRadiansPerDegree);
-    most = std::max(most, apart(clipFromView(perspectiveFovY(fov, aspect, near, far), unity()).m,
+    most = std::max(most, apart(clipFromView(perspective(fov, aspect, near, far), unity()).m,
                                 perspectiveOffCenter(-top * aspect, top * aspect, -top, top, near, far)));
     const double left = -random.logUniform(0.1, 10), right = random.logUniform(0.1, 10);
     const double bottom = -random.logUniform(0.1, 10), upper = random.logUniform(0.1, 10);
@@ -210,7 +210,7 @@ TEST_CASE("Unity: GL.GetGPUProjectionMatrix is reversed, 0 to 1, and upside down
   for (std::uint64_t trial = 0; trial < 500; ++trial) {
     Random random(trial);
     const double near = random.logUniform(0.01, 10), far = near * random.logUniform(2, 100);
-    const Projection p = perspectiveFovY(degrees(random), 1.6, near, far);
+    const Projection p = perspective(degrees(random), 1.6, near, far);
     const Rows gl = clipFromView(p, unity()).m;
     for (bool renderIntoTexture : {false, true}) {
       Rows expected = gl;
@@ -230,9 +230,9 @@ TEST_CASE("Unity: GL.GetGPUProjectionMatrix is reversed, 0 to 1, and upside down
 }
 
 TEST_CASE("Unity: WorldToScreenPoint counts pixels from the bottom left, and z along the view in world units") {
-  const Camera camera = makeCamera(poseFromRotation({0, 1, -10}, {0, 0, 0, 1}, CameraAxes::RUF, Handedness::left),
-                                   perspectiveFovY(90, 2, 0.3, 1000),
-                                   {.width = 800, .height = 400, .origin = Origin::bottomLeft}, unity());
+  const Camera camera =
+      makeCamera(poseFromRotation({0, 1, -10}, {0, 0, 0, 1}, CameraAxes::RUF, Handedness::left),
+                 perspective(90, 2, 0.3, 1000), {.width = 800, .height = 400, .origin = Origin::bottomLeft}, unity());
   const ScreenPoint corner = worldToScreen(camera, Vec3{10, 6, -5});
   CHECK((corner.x == 800 && corner.y == 400 && corner.viewDistance == 5));
   const ScreenPoint left = worldToScreen(camera, Vec3{-10, -4, -5});
@@ -250,7 +250,7 @@ TEST_CASE("Unreal: FReversedZPerspectiveMatrix, whose angle is half of the horiz
     infinite += isInfinite;
     const double far = isInfinite ? near : near * random.logUniform(2, 1e6);
     const Projection p =
-        perspectiveFovX(fov, DoubleDouble(width) / DoubleDouble(height), near, isInfinite ? kInfiniteFar : far);
+        perspective(fov, Aspect(width, height), near, isInfinite ? kInfiniteFar : far, Fov::horizontal);
     most = std::max(most, apart(laidOut(clipFromView(p, unreal()), unreal()).m,
                                 reversedZPerspectiveMatrix(fov / 2 * kRadiansPerDegree, width, height, near, far)));
   }
@@ -260,8 +260,8 @@ TEST_CASE("Unreal: FReversedZPerspectiveMatrix, whose angle is half of the horiz
 }
 
 TEST_CASE("Unreal: the default view of 90 degrees in 1920 x 1080 with GNearClippingPlane 10 and no far plane") {
-  const Mat4 m = laidOut(
-      clipFromView(perspectiveFovX(90, DoubleDouble(1920) / DoubleDouble(1080), 10, kInfiniteFar), unreal()), unreal());
+  const Mat4 m =
+      laidOut(clipFromView(perspective(90, Aspect(1920, 1080), 10, kInfiniteFar, Fov::horizontal), unreal()), unreal());
   CHECK(m.m == Rows{{{1, 0, 0, 0}, {0, 1920.0 / 1080, 0, 0}, {0, 0, 0, 1}, {0, 0, 10, 0}}});
 }
 
@@ -314,7 +314,7 @@ TEST_CASE("Unreal: FLookFromMatrix has z along the view, x along up ^ z, y along
 
 TEST_CASE("Unreal: a level in centimetres, z up, y to the right of x, depth reversed") {
   const Camera camera = makeCamera(lookAlong({100, 200, 170}, {1, 0, 0}, {0, 0, 1}, Handedness::left),
-                                   perspectiveFovX(90, DoubleDouble(1920) / DoubleDouble(1080), 10, kInfiniteFar),
+                                   perspective(90, Aspect(1920, 1080), 10, kInfiniteFar, Fov::horizontal),
                                    {.width = 1920, .height = 1080}, unreal());
   const ScreenPoint right = worldToScreen(camera, Vec3{1100, 1200, 170});
   CHECK((right.x == 1920 && right.y == 540 && right.depth == 0.01 && right.viewDistance == 1000));

@@ -142,10 +142,10 @@ TEST_CASE(
         see(worst, trial, clipFromView(projectionOf(w), c), fromGlm(projection));
         see(worst, trial, clipFromWorld(poseOf(v, c.world), projectionOf(w), c), fromGlm(projection * view));
         const double first = reverseZ ? 100 * near : near, second = reverseZ ? near : 100 * near;
-        see(worst, trial, clipFromView(perspectiveFovY(fovY, aspect, near, 100 * near), c),
+        see(worst, trial, clipFromView(perspective(fovY, aspect, near, 100 * near), c),
             fromGlm(kPerspective[space](radians(fovY), aspect, first, second)));
       }
-    const Projection infinite = perspectiveFovY(fovY, aspect, near, kInfiniteFar);
+    const Projection infinite = perspective(fovY, aspect, near, kInfiniteFar);
     see(worst, trial, clipFromView(infinite, conventionOf(0, false)),
         fromGlm(glm::infinitePerspectiveRH(radians(fovY), aspect, near)));
     see(worst, trial, clipFromView(infinite, conventionOf(2, false)),
@@ -222,8 +222,9 @@ TEST_CASE("Imath: projectionMatrix for row vectors, window, fields of view, and 
                toImath(w).window(crop.x - 1, crop.x + crop.width - 1, crop.y + crop.height - 1, crop.y - 1));
     const double degrees = random.uniform(5, 150), aspect = random.logUniform(0.3, 3),
                  near = random.logUniform(0.01, 9);
-    seeFrustum(perspectiveFovX(degrees, aspect, near, 9 * near), {near, 9 * near, radians(degrees), 0, aspect});
-    seeFrustum(perspectiveFovY(degrees, aspect, near, 9 * near), {near, 9 * near, 0, radians(degrees), aspect});
+    seeFrustum(perspective(degrees, aspect, near, 9 * near, Fov::horizontal),
+               {near, 9 * near, radians(degrees), 0, aspect});
+    seeFrustum(perspective(degrees, aspect, near, 9 * near), {near, 9 * near, 0, radians(degrees), aspect});
     const auto stored = inStorageOrder(clipFromView(projectionOf(w), c), c);
     const Imath::M44d theirs = toImath(w).projectionMatrix();
     for (std::size_t k = 0; k < 16; ++k) CHECK(stored[k] == Approx(theirs.getValue()[k]).margin(kAgreed));

@@ -88,7 +88,7 @@ inline viewproj::Vec3 alongAxes(const viewproj::Pose& pose, double a, double b, 
           eye.z + a * right.z + b * up.z + c * forward.z};
 }
 
-inline viewproj::Convention preset(std::string_view name) { return viewproj::conventionPreset(name).value(); }
+inline viewproj::Convention preset(std::string_view name) { return *viewproj::findPreset(name); }
 
 /// error <= bound, failing for NaN, with the worst trial told.
 #define CHECK_WITHIN_BOUND(worst)               \

@@ -68,7 +68,7 @@ TEST_CASE("Magnum: perspectiveProjection off-centre from (-9, -5) to (7, 4), fin
 }
 
 TEST_CASE("Magnum: perspectiveProjection(27 degrees, 2.35, 32, 100), whose angle is the horizontal one") {
-  checkEntries(clipFromView(perspectiveFovX(27, 2.35, 32, 100), gl()),
+  checkEntries(clipFromView(perspective(27, 2.35, 32, 100, Fov::horizontal), gl()),
                {{{{4.1652994, 0, 0, 0}, {0, 9.788454, 0, 0}, {0, 0, -1.9411764, -94.1176452}, {0, 0, -1, 0}}}}, kFloat);
 }
 
@@ -84,7 +84,7 @@ TEST_CASE("Magnum: lookAt from (5.3, -8.9, -10) to (19, 29.3, 0) with +X up") {
 // three.js, test/unit/src/cameras and test/unit/src/core
 
 TEST_CASE("three.js: PerspectiveCamera(75, 16/9, 0.1, 300)") {
-  const Mat4 ours = clipFromView(perspectiveFovY(75, DoubleDouble(16) / DoubleDouble(9), 0.1, 300), gl());
+  const Mat4 ours = clipFromView(perspective(75, Aspect(16, 9), 0.1, 300), gl());
   // The reference there came from glMatrix, whose matrices are float32.
   checkEntries(ours,
                {{{{0.7330642938613892, 0, 0, 0},
@@ -106,7 +106,7 @@ TEST_CASE("three.js: OrthographicCamera(-1, 1, 1, -1, 1, 3)") {
 TEST_CASE("three.js: Raycaster.setFromCamera of PerspectiveCamera(90, 1, 1, 1000) points along (x, y, -1)") {
   const Viewport ndc{2, 2, -1, -1, 0, 1, Origin::bottomLeft};
   const Camera camera =
-      makeCamera(lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Handedness::right), perspectiveFovY(90, 1, 1, 1000), ndc);
+      makeCamera(lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Handedness::right), perspective(90, 1, 1, 1000), ndc);
   CHECK(screenToRay(camera, {0, 0}).direction == Vec3{0, 0, -1});
   Worst worst;
   for (int i = -10; i <= 10; ++i)
@@ -131,11 +131,11 @@ TEST_CASE("three.js: Raycaster.setFromCamera of OrthographicCamera(-1, 1, 1, -1,
 
 TEST_CASE("glTF: the Cameras sample's perspective camera, yfov 0.7, aspect 1, 0.01 to 100") {
   const double yfov = 0.7, n = 0.01, f = 100, t = std::tan(0.5 * yfov);
-  const Projection p = perspectiveFovY(yfov * kDegreesPerRadian, 1, n, f);
+  const Projection p = perspective(yfov * kDegreesPerRadian, 1, n, f);
   checkEntries(clipFromView(p, gl()),
                {{{{1 / t, 0, 0, 0}, {0, 1 / t, 0, 0}, {0, 0, (f + n) / (n - f), 2 * f * n / (n - f)}, {0, 0, -1, 0}}}},
                kFewRoundings);
-  checkEntries(clipFromView(perspectiveFovY(yfov * kDegreesPerRadian, 1, n, kInfiniteFar), gl()),
+  checkEntries(clipFromView(perspective(yfov * kDegreesPerRadian, 1, n, kInfiniteFar), gl()),
                {{{{1 / t, 0, 0, 0}, {0, 1 / t, 0, 0}, {0, 0, -1, -2 * n}, {0, 0, -1, 0}}}}, kFewRoundings);
 }
 
@@ -277,7 +277,7 @@ TEST_CASE("Direct3D 11 functional specification: the viewport scale matrix") {
 
 TEST_CASE("Direct3D: D3DXMatrixPerspectiveFovLH and RH, OrthoOffCenterLH, as documented") {
   const double zn = 0.5, zf = 200, yScale = 1 / std::tan(30 / kDegreesPerRadian), xScale = yScale / 1.5;
-  const Projection p = perspectiveFovY(60, 1.5, zn, zf);
+  const Projection p = perspective(60, 1.5, zn, zf);
   checkEntries(laidOut(clipFromView(p, preset("d3d")), preset("d3d")),
                {{{{xScale, 0, 0, 0}, {0, yScale, 0, 0}, {0, 0, zf / (zf - zn), 1}, {0, 0, -zn * zf / (zf - zn), 0}}}},
                kFewRoundings);
@@ -334,7 +334,7 @@ TEST_CASE(
 }
 
 TEST_CASE("Vulkan: a projection is OpenGL's with y negated and depth halved, as its guides say") {
-  const Projection p = perspectiveFovY(45, 1.5, 0.1, 100);
+  const Projection p = perspective(45, 1.5, 0.1, 100);
   const Mat4 g = clipFromView(p, gl());
   Mat4 expected = g;
   for (std::size_t j = 0; j < 4; ++j) {
@@ -358,7 +358,7 @@ TEST_CASE("WebGPU specification: vp.x + 0.5 (n.x + 1) w, vp.y + 0.5 (-n.y + 1) h
 // Engines; engines_test.cpp has more of Unity and Unreal
 
 TEST_CASE("Unity and Filament: the GPU's reversed matrix has row z replaced by (row w - row z) / 2") {
-  const Projection p = perspectiveFovY(60, 1.5, 0.3, 1000);
+  const Projection p = perspective(60, 1.5, 0.3, 1000);
   const Mat4 g = clipFromView(p, preset("unity"));
   Convention gpu = preset("unity");
   gpu.ndcZ = NdcZ::zeroToOne;
@@ -371,7 +371,7 @@ TEST_CASE("Unity and Filament: the GPU's reversed matrix has row z replaced by (
 TEST_CASE("Unreal: a camera without rotation looks along +X, its right is +Y and Z is up") {
   const Pose pose = poseFromRotation({0, 0, 0}, {0, 0, 0, 1}, CameraAxes::FRU, Handedness::left);
   const Camera camera =
-      makeCamera(pose, perspectiveFovX(90, 1, 10, kInfiniteFar), Viewport{100, 100}, preset("unreal"));
+      makeCamera(pose, perspective(90, 1, 10, kInfiniteFar, Fov::horizontal), Viewport{100, 100}, preset("unreal"));
   CHECK(worldToScreen(camera, Vec3{100, 0, 0}).x == 50);
   CHECK(worldToScreen(camera, Vec3{100, 50, 0}).x == 75);
   CHECK(worldToScreen(camera, Vec3{100, 0, 50}).y == 25);

@@ -20,8 +20,7 @@ inline viewproj::Pose plainPose() {
   return viewproj::lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, viewproj::Handedness::right);
 }
 inline viewproj::Projection lens(double near = 0.1, double far = 1000) {
-  return viewproj::detail::perspectiveFovY(
-      60, viewproj::detail::DoubleDouble(kHd.width) / viewproj::detail::DoubleDouble(kHd.height), near, far);
+  return viewproj::perspective(60, kHd, near, far);
 }
 
 inline bool isNaN(const viewproj::Vec3& v) { return std::isnan(v.x) && std::isnan(v.y) && std::isnan(v.z); }

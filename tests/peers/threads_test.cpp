@@ -184,7 +184,7 @@ TEST_CASE("What is 0 comes out as exactly 0, without a sign [godot#84007]") {
   // The middle of the picture is 0, 0.
   for (double fovY : {1.0, 35.0, 60.0, 90.0, 123.0}) {
     const Viewport v{1920, 1080, -960, -540};
-    const Projection p = perspectiveFovY(fovY, DoubleDouble(16) / DoubleDouble(9), 0.1, 1000);
+    const Projection p = perspective(fovY, Aspect(16, 9), 0.1, 1000);
     const Vec3 target{-0.3, 0.7, 1e3};
     const ScreenPoint middle =
         worldToScreen(makeCamera(lookAt({0.1, 0.2, 0.3}, target, {0, 1, 0}, Handedness::right), p, v), target);

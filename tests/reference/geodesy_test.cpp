@@ -95,9 +95,7 @@ void add(RowErrors& errors, const DDVec3& row, const ExactVec3& exact, const Rea
 }
 
 Camera cameraOf(const Scene& s, const Pose& pose) {
-  return makeCamera(
-      pose, perspectiveFovY(s.fov, DoubleDouble(s.viewport.width) / DoubleDouble(s.viewport.height), s.near, s.far),
-      s.viewport);
+  return makeCamera(pose, perspective(s.fov, s.viewport, s.near, s.far), s.viewport);
 }
 
 /// Projects points in the picture, behind and next to the eye plane; true if the camera's numbers are all exact.

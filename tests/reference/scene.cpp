@@ -12,8 +12,6 @@ using namespace viewproj::detail;
 
 namespace {
 
-DoubleDouble aspectOf(const Viewport& v) { return DoubleDouble(v.width) / DoubleDouble(v.height); }
-
 Pose buildPose(const Scene& s) {
   const Handedness world = s.convention.world;
   switch (s.poseKind) {
@@ -32,14 +30,14 @@ Pose buildPose(const Scene& s) {
 }
 
 Projection buildLens(const Scene& s) {
-  const DoubleDouble aspect = aspectOf(s.viewport);
+  const Aspect aspect = s.viewport;
   switch (s.lensKind) {
     case LensKind::fovY:
-      return perspectiveFovY(s.fov, aspect, s.near, s.far);
+      return perspective(s.fov, aspect, s.near, s.far);
     case LensKind::fovX:
-      return perspectiveFovX(s.fov, aspect, s.near, s.far);
+      return perspective(s.fov, aspect, s.near, s.far, Fov::horizontal);
     case LensKind::fovDiagonal:
-      return perspectiveFovDiagonal(s.fov, aspect, s.near, s.far);
+      return perspective(s.fov, aspect, s.near, s.far, Fov::diagonal);
     case LensKind::nearSize:
       return perspectiveNearSize(s.right, s.top, s.near, s.far);
     case LensKind::sensorBoth:
@@ -177,13 +175,8 @@ TrueLens trueLens(const Scene& s) {
 }  // namespace
 
 Camera build(const Scene& s) {
-  Projection projection = shifted(buildLens(s), s.shiftX, s.shiftY);
-  Viewport viewport = s.viewport;
-  if (s.hasCrop) {
-    projection = cropped(projection, viewport, s.crop);
-    viewport = cropped(viewport, s.crop);
-  }
-  return makeCamera(buildPose(s), projection, viewport, s.convention);
+  const Camera whole = makeCamera(buildPose(s), shifted(buildLens(s), s.shiftX, s.shiftY), s.viewport, s.convention);
+  return s.hasCrop ? cropped(whole, s.crop) : whole;
 }
 
 Truth::Truth(const Scene& s) : scene(s), pose(truePose(s)), lens(trueLens(s)) {}
@@ -206,13 +199,8 @@ Truth::Screen Truth::screen(const View& v) const {
   s.x = (ndcX + Real(1)) * W / Real(2) + Real(scene.shiftX) * W / Real(2) + half;
   s.y = (down ? Real(1) - ndcY : ndcY + Real(1)) * H / Real(2) +
         Real(down ? -scene.shiftY : scene.shiftY) * H / Real(2) + half;
-  if (scene.hasCrop) {
-    s.x = s.x - Real(scene.crop.x);
-    s.y = s.y - Real(scene.crop.y);
-  } else {
-    s.x = s.x + Real(port.x);
-    s.y = s.y + Real(port.y);
-  }
+  s.x = s.x + Real(port.x) - Real(scene.hasCrop ? scene.crop.x : 0);
+  s.y = s.y + Real(port.y) - Real(scene.hasCrop ? scene.crop.y : 0);
   // 0 at near, 1 at far.
   const Real n = scene.near, f = scene.far, w = v.forward;
   Real z;
@@ -235,8 +223,8 @@ Truth::Window Truth::window(const Real& x, const Real& y) const {
   const Real W = port.width, H = port.height;
   Real fromLeft = x - half - Real(scene.shiftX) * W / Real(2);
   Real fromStart = y - half - Real(down ? -scene.shiftY : scene.shiftY) * H / Real(2);
-  fromLeft = scene.hasCrop ? fromLeft + Real(scene.crop.x) : fromLeft - Real(port.x);
-  fromStart = scene.hasCrop ? fromStart + Real(scene.crop.y) : fromStart - Real(port.y);
+  fromLeft = fromLeft - Real(port.x) + Real(scene.hasCrop ? scene.crop.x : 0);
+  fromStart = fromStart - Real(port.y) + Real(scene.hasCrop ? scene.crop.y : 0);
   const Real right = lens.left + (lens.right - lens.left) * fromLeft / W;
   const Real up = down ? lens.top - (lens.top - lens.bottom) * fromStart / H
                        : lens.bottom + (lens.top - lens.bottom) * fromStart / H;

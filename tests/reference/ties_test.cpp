@@ -25,7 +25,7 @@ Camera cameraAt(const Vec3& eye, bool orthographic) {
   Convention convention;
   convention.reverseZ = true;
   return makeCamera(pose,
-                    orthographic ? viewproj::orthographic(-2, 2, -2, 2, 1, 9) : perspectiveFovY(90, 1, 1, kInfiniteFar),
+                    orthographic ? viewproj::orthographic(-2, 2, -2, 2, 1, 9) : perspective(90, 1, 1, kInfiniteFar),
                     {1024, 1024}, convention);
 }
 

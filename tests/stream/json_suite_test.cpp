@@ -10,8 +10,8 @@
 #include <set>
 #include <sstream>
 
+#include "camera/document.hpp"
 #include "catch.hpp"
-#include "input/document.hpp"
 #include "stream/run.hpp"
 #include "text/error.hpp"
 
@@ -68,7 +68,7 @@ std::string faultOfFile(const std::string& bytes) {
   REQUIRE(::write(memory, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size()));
   std::string fault;
   try {
-    const Document document("/proc/self/fd/" + std::to_string(memory), "--camera");
+    (void)load("/proc/self/fd/" + std::to_string(memory), "--camera");
   } catch (const InputError& e) {
     fault = e.what();
   }

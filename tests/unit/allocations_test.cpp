@@ -65,7 +65,7 @@ TEST_CASE("Nothing allocates or throws once the camera is built") {
       lookAt({3, 2, 5}, {0, 0, 0}, {0, 1, 0}, Handedness::right), poseFromHeadingPitchRoll({47, 8, 400}, {10, -20, 30}),
       poseFromCameraFromWorld(viewFromWorld(lookAt({3, 2, 5}, {0, 0, 0}, {0, 1, 0}, Handedness::right), {}),
                               CameraAxes::RUB, Handedness::right)};
-  const Projection lenses[] = {perspectiveFovY(60, 1.5, 0.1, kInfiniteFar), orthographic(-3, 3, -2, 2, -10, 10)};
+  const Projection lenses[] = {perspective(60, 1.5, 0.1, kInfiniteFar), orthographic(-3, 3, -2, 2, -10, 10)};
   for (const Pose& pose : poses)
     for (const Projection& lens : lenses) {
       const Viewport viewport{600, 400};

@@ -38,9 +38,10 @@ Trial randomTrial(unsigned seed, std::size_t count) {
     pose = poseFromCameraFromWorld(view, CameraAxes::RUB, Handedness::right);
   }
   const double near = 0.01 * size;
-  const Projection projection = seed % 3 == 0   ? orthographic(-size, size, -size, size, -size, 3 * size)
-                                : seed % 3 == 1 ? perspectiveFovY(60, 1, near, seed % 2 ? kInfiniteFar : 100 * size)
-                                                : frustum(-near, 2 * near, 0, near, near, 50 * size);
+  const Projection projection = seed % 3 == 0 ? orthographic(-size, size, -size, size, -size, 3 * size)
+                                : seed % 3 == 1
+                                    ? perspective(60, 1, seed % 5 ? near : 0, seed % 2 ? kInfiniteFar : 100 * size)
+                                    : frustum(-near, 2 * near, 0, near, near, 50 * size);
   Trial trial{makeCamera(pose, projection, {1000, 1000}), {}};
   for (std::size_t i = 0; i < count; ++i) {
     const Vec3 offset = vector(size * std::pow(10.0, 2 * unit(random)));
@@ -95,7 +96,7 @@ TEST_CASE("Which kernel is used here", "[.kernel]") {
 
 TEST_CASE("Points that are settled one by one are counted in every block of a batch") {
   const Camera camera = makeCamera(lookAt({3, 2, 5}, {0, 0, 0}, {0, 1, 0}, Handedness::right),
-                                   perspectiveFovY(60, 1.5, 0.1, 100), {600, 400});
+                                   perspective(60, 1.5, 0.1, 100), {600, 400});
   const std::vector<Vec3> points(5000, Vec3{1e250, 2e250, -1e251});  // beyond every kernel's reach
   std::vector<Vec3> screen(points.size());
   std::vector<ScreenPoint> full(points.size());
@@ -251,4 +252,49 @@ TEST_CASE("A batch of rays gives the bits of single rays") {
       }
     });
   }
+}
+
+TEST_CASE("Without a near plane points have the same pixels, at the same speed, and no depth") {
+  std::size_t points = 0, nearer = 0, certain = 0, behind = 0;
+  for (unsigned seed = 1; seed < 240; ++seed) {
+    const Trial trial = randomTrial(seed, 400);
+    const Projection& p = trial.camera.projection();
+    if (p.isOrthographic() || p.zNear() == 0) continue;
+    Convention c = conventionPresets()[seed % conventionPresets().size()].convention;
+    c.world = Handedness::right;
+    const auto withNear = [&](double near) {
+      return makeCamera(trial.camera.pose(),
+                        perspectiveWindow(p.left(), p.right(), p.bottom(), p.top(), near, p.zFar()),
+                        trial.camera.viewport(), c);
+    };
+    const Camera with = withNear(p.zNear()), without = withNear(0);
+    for (const Precision precision : kPrecisions) {
+      std::vector<ScreenPoint> expected(trial.points.size()), got(trial.points.size());
+      withEachKernel([&](const Kernels&) {
+        const std::size_t escalated = worldToScreen(with, trial.points, expected, precision).escalated;
+        CHECK(worldToScreen(without, trial.points, got, precision).escalated <= escalated);
+      });
+      for (std::size_t i = 0; i < got.size(); ++i) {
+        const ScreenPoint &a = got[i], &b = expected[i];
+        INFO("seed " << seed << ", point " << i << ", precision " << int(precision));
+        REQUIRE((sameBits(a.x, b.x) && sameBits(a.y, b.y) && sameBits(a.viewDistance, b.viewDistance)));
+        REQUIRE(std::isnan(a.depth));
+        REQUIRE(a.status == b.status);
+        REQUIRE(a.outside == (b.outside & ~sideNear));
+        REQUIRE(a.certain >= b.certain);
+        const ErrorBound bound = boundOfPoint(without, trial.points[i], precision);
+        REQUIRE(bound.screen == boundOfPoint(with, trial.points[i], precision).screen);
+        REQUIRE(bound.depth == INFINITY);
+        ++points;
+        nearer += (b.outside & sideNear) != 0;
+        certain += a.certain;
+        behind += a.status == PointStatus::behind;
+      }
+      const ErrorBound picture = boundInPicture(without, precision);
+      CHECK((precision == Precision::exact || parts(without).constants.residualReach == 0) ==
+            (picture.screen == boundInPicture(with, precision).screen));
+      CHECK(picture.depth == INFINITY);
+    }
+  }
+  CHECK((points > 50000 && nearer > 100 && certain > 10000 && behind > 10000));
 }

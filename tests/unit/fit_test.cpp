@@ -77,7 +77,7 @@ TEST_CASE("A fitted camera touches both sides of its room and shows all, from th
     const Viewport viewport{640 + 400 * unit(engine), 480 + 300 * unit(engine)};
     const double fov = 60 + 50 * unit(engine);
     const Projection projection =
-        shifted(perspectiveFovY(fov, viewport.width / viewport.height, size * 1e-2, kInfiniteFar),
+        shifted(perspective(fov, viewport.width / viewport.height, size * 1e-2, kInfiniteFar),
                 trial % 7 == 0 ? 0.3 * unit(engine) : 0, trial % 7 == 0 ? 0.3 * unit(engine) : 0);
     const Handedness world = trial % 2 ? Handedness::left : Handedness::right;
     const Pose pose = lookAlong(about(10 * size), vector(1), {0, 1, 0.1}, world);
@@ -121,8 +121,8 @@ TEST_CASE("A fitted camera touches both sides of its room and shows all, from th
 }
 
 TEST_CASE("What fits from as near as one likes is on near") {
-  const Camera camera = makeCamera(lookAt({0, 0, 5}, {0, 0, 0}, {0, 1, 0}, Handedness::right),
-                                   perspectiveFovY(60, 1, 0.1, 100), {100, 100});
+  const Camera camera =
+      makeCamera(lookAt({0, 0, 5}, {0, 0, 0}, {0, 1, 0}, Handedness::right), perspective(60, 1, 0.1, 100), {100, 100});
   Hull hull(camera, {});
   CHECK(hull.isEmpty());
   hull.add(Vec3{1, 2, 0});

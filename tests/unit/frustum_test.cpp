@@ -14,7 +14,7 @@ namespace {
 /// Looks along -z from the origin; 90 degrees wide and high.
 Frustum plainFrustum(double near = 1, double far = 10) {
   return viewFrustum(makeCamera(lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Handedness::right),
-                                frustum(-near, near, -near, near, near, far), {100, 100}));
+                                perspectiveWindow(-1, 1, -1, 1, near, far), {100, 100}));
 }
 
 void checkEquation(const FrustumPlane& p, Side side, const Vec4& want, double within = 1e-15) {
@@ -58,6 +58,25 @@ TEST_CASE("An infinite far has no plane, and nothing is too far") {
   CHECK(cull(f, Sphere{{0, 0, -1e300}, 1e299}).verdict == CullVerdict::inside);
 }
 
+TEST_CASE("Without a near plane there are the other planes, and what needs near gives nothing") {
+  for (double far : {10.0, kInfiniteFar}) {
+    const Frustum f = plainFrustum(0, far);
+    CHECK(f.planes().size() == (std::isinf(far) ? 4 : 5));
+    for (const FrustumPlane& plane : f.planes()) CHECK(plane.side != sideNear);
+    CHECK(cull(f, Vec3{0, 0, -1e-300}).verdict == CullVerdict::inside);
+    CHECK(cull(f, Vec3{0, 0, 1e-300}).verdict == CullVerdict::outside);
+    CHECK(cull(f, Vec3{0, 0, 0}).verdict == CullVerdict::inside);
+    CHECK(cull(f, Sphere{{0, 0, 5}, 1}).verdict == CullVerdict::outside);
+    CHECK(cull(f, Sphere{{0, 0, 0}, 1}).verdict == CullVerdict::intersects);
+    CHECK(cull(f, Box{{-1, -1, -5}, {1, 1, -4}}).verdict == CullVerdict::inside);
+    CHECK(cull(f, Triangle{{-9, 0, 1}, {9, 0, 1}, {0, 9, 1}}).verdict == CullVerdict::outside);
+    CHECK(cull(f, Vec3{0, 0, -11}).side == (std::isinf(far) ? 0 : sideFar));
+    CHECK_FALSE(clipSegment(f, {0, 0, -5}, {1, 0, -5}).visible);
+    CHECK_FALSE(screenBox(f, Sphere{{0, 0, -5}, 1}));
+    CHECK_FALSE(screenBox(f, Box{{-1, -1, -5}, {1, 1, -4}}));
+  }
+}
+
 TEST_CASE("An orthographic view is a box, whose near may lie behind the eye") {
   const Frustum f = viewFrustum(makeCamera(lookAlong({1, 2, 3}, {0, 0, -1}, {0, 1, 0}, Handedness::right),
                                            orthographic(-2, 3, -1, 4, -5, 5), {100, 100}));
@@ -80,7 +99,7 @@ TEST_CASE("Every convention's matrix holds the same planes") {
         c.reverseZ = reverse;
         INFO(preset.name << (reverse ? " reversed" : ""));
         const Camera camera = makeCamera(lookAt({3, 2, 5}, {0, 1, 0}, {0, 1, 0}, c.world),
-                                         shifted(perspectiveFovY(60, 1.5, 0.5, far), 0.25, -0.5), {300, 200}, c);
+                                         shifted(perspective(60, 1.5, 0.5, far), 0.25, -0.5), {300, 200}, c);
         const Mat4 m = clipFromWorld(camera.pose(), camera.projection(), c);
         const double up = c.ndcY == NdcY::up ? 1 : -1, low = c.ndcZ == NdcZ::zeroToOne ? 0 : 1;
         const Frustum f = viewFrustum(camera);

@@ -41,9 +41,9 @@ constexpr Place kPlaces[] = {
 
 /// The level camera's coordinates of a point are east, up, north, when it looks north.
 Vec3 eastNorthUp(const Geodetic& eye, const Geodetic& point) {
-  const Camera camera = makeCamera(poseFromHeadingPitchRoll(eye, {}), perspectiveFovY(60, 1, 1, kInfiniteFar), {1, 1});
+  const Camera camera = makeCamera(poseFromHeadingPitchRoll(eye, {}), perspective(60, 1, 1, kInfiniteFar), {1, 1});
   const Vec3 p = geodeticToEcef(point);
-  const Vec3 view = worldToView(camera, {p.x, p.y, p.z, 1}, *conventionPreset("opengl"));
+  const Vec3 view = worldToView(camera, {p.x, p.y, p.z, 1}, conventions::opengl);
   return {view.x, -view.z, view.y};
 }
 
@@ -180,7 +180,7 @@ TEST_CASE("From Gornergrat each peak stands where its azimuth says") {
   for (const Peak& peak : kPeaks)
     for (double heading : {198.0, 340.0}) {
       const Camera camera = makeCamera(poseFromHeadingPitchRoll({45.98333, 7.785, 3185}, {.heading = heading}),
-                                       perspectiveFovX(146, 5, 1, kInfiniteFar), viewport);
+                                       perspective(146, 5, 1, kInfiniteFar, Fov::horizontal), viewport);
       const ScreenPoint p = worldToScreen(camera, geodeticToEcef(peak.place));
       const double off = std::remainder(peak.azimuth - heading, 360);
       INFO(peak.name << " in the frame of " << heading);

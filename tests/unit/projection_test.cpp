@@ -21,12 +21,12 @@ ScreenPoint project(const Projection& projection, const Viewport& viewport, cons
 TEST_CASE("near and far out of order are named, and the message names reverseZ") {
   for (auto [near, far] : {std::pair{1.0, 1.0}, {2.0, 1.0}, {1.0, double(NAN)}}) {
     INFO(near << " " << far);
-    CHECK(fieldAtFault([&, n = near, f = far] { perspectiveFovY(60, 1, n, f); }) == "far");
+    CHECK(fieldAtFault([&, n = near, f = far] { perspective(60, 1, n, f); }) == "far");
     CHECK(fieldAtFault([&, n = near, f = far] { frustum(-1, 1, -1, 1, n, f); }) == "far");
     CHECK(fieldAtFault([&, n = near, f = far] { orthographic(-1, 1, -1, 1, n, f); }) == "far");
   }
   try {
-    perspectiveFovY(60, 1, 100, 0.1);
+    perspective(60, 1, 100, 0.1);
     FAIL("no error");
   } catch (const CameraError& e) {
     CHECK(e.message().find("reverseZ") != std::string::npos);
@@ -34,14 +34,20 @@ TEST_CASE("near and far out of order are named, and the message names reverseZ")
 }
 
 TEST_CASE("near must be positive and finite in perspective, and may be negative in orthographic") {
-  for (double near : {0.0, -1.0, double(NAN), double(INFINITY)}) {
+  for (double near : {-1.0, double(NAN), double(INFINITY)}) {
     INFO(near);
-    CHECK(fieldAtFault([&] { perspectiveFovY(60, 1, near, kInfiniteFar); }) == "near");
+    CHECK(fieldAtFault([&] { perspective(60, 1, near, kInfiniteFar); }) == "near");
   }
+  // 0: no near plane, but for those whose window lies on it.
+  CHECK(perspective(60, 1, 0).zNear() == 0);
+  CHECK(intrinsics(500, 500, 320, 240, kViewport, 0, 10).zNear() == 0);
+  CHECK(fieldAtFault([] { perspective(60, 1, 0, 0); }) == "far");
+  CHECK(fieldAtFault([] { perspectiveNearSize(2, 1, 0, 10); }) == "near");
+  CHECK(fieldAtFault([] { frustum(-1, 1, -1, 1, 0, 10); }) == "near");
   CHECK(fieldAtFault([] { orthographic(-1, 1, -1, 1, -5, 5); }).empty());
   CHECK(fieldAtFault([] { orthographic(-1, 1, -1, 1, 0, kInfiniteFar); }) == "far");
   CHECK(fieldAtFault([] { orthographic(-1, 1, -1, 1, -1e308, 1e308); }) == "far");
-  const Mat4 wide = clipFromView(orthographic(-1, 1, -1, 1, -8e307, 8e307), *conventionPreset("d3d"));
+  const Mat4 wide = clipFromView(orthographic(-1, 1, -1, 1, -8e307, 8e307), conventions::d3d);
   CHECK(wide[2][3] == 0.5);
   CHECK(std::fabs(std::fabs(wide[2][2]) - 1 / 1.6e308) <= 0x1p-1074);
 }
@@ -49,9 +55,56 @@ TEST_CASE("near must be positive and finite in perspective, and may be negative 
 TEST_CASE("An opening angle outside 0 to 180 degrees is named") {
   for (double fov : {0.0, 180.0, -60.0, 360.0, double(NAN)}) {
     INFO(fov);
-    CHECK(fieldAtFault([&] { perspectiveFovY(fov, 1, 1, 2); }) == "fovY");
-    CHECK(fieldAtFault([&] { perspectiveFovX(fov, 1, 1, 2); }) == "fovX");
-    CHECK(fieldAtFault([&] { perspectiveFovDiagonal(fov, 1, 1, 2); }) == "fovDiagonal");
+    CHECK(fieldAtFault([&] { perspective(fov, 1, 1, 2); }) == "fovY");
+    CHECK(fieldAtFault([&] { perspective(fov, 1, 1, 2, Fov::horizontal); }) == "fovX");
+    CHECK(fieldAtFault([&] { perspective(fov, 1, 1, 2, Fov::diagonal); }) == "fovDiagonal");
+  }
+}
+
+TEST_CASE("Radians are no degrees that were rounded") {
+  // tan of half, from mpmath at 400 bits
+  const struct {
+    double radians;
+    DoubleDouble tangent;
+  } rows[] = {
+      {1e-5, {0x1.4f8b588e42918p-18, 0x1.4526af5c254e7p-72}},
+      {0.7, {0x1.75ca079d9e7e4p-2, -0x1.8121859d9308bp-57}},
+      {1.0471975511965976, {0x1.279a74590331cp-1, -0x1.8d985307c7b36p-55}},
+      {3.0, {0x1.c33ed50b88777p+3, 0x1.697584f023122p-51}},
+  };
+  for (const auto& [radians, tangent] : rows) {
+    INFO(radians);
+    const DoubleDouble top = parts(perspective(Angle::radians(radians), 1, 1)).top;
+    CHECK(std::fabs((top - tangent).hi) <= 0x1p-97 * tangent.hi);
+  }
+  for (double radians : {0.0, -1.0, 3.1415926535897936, double(NAN), double(INFINITY)})
+    CHECK(fieldAtFault([&] { perspective(Angle::radians(radians), 1, 1); }) == "fovY");
+}
+
+TEST_CASE("An aspect is the exact ratio of two sides, also of a viewport's") {
+  const DoubleDouble exact{0x1.c71c71c71c71cp+0, 0x1.c71c71c71c71cp-54};
+  for (const Aspect& aspect : {Aspect(16, 9), Aspect(Viewport{1920, 1080})}) {
+    const ProjectionParts p = parts(perspective(90, aspect, 1));
+    CHECK(std::fabs((p.right - exact).hi) <= 0x1p-102 * exact.hi);
+  }
+  CHECK(std::fabs((parts(perspective(90, 16.0 / 9, 1)).right - DoubleDouble(16.0 / 9)).hi) <= 0x1p-102);
+  for (const Aspect& aspect : {Aspect(0), Aspect(-16, -9), Aspect(1, 0), Aspect(NAN), Aspect(Viewport{})})
+    CHECK(fieldAtFault([&] { perspective(90, aspect, 1); }) == "aspect");
+}
+
+TEST_CASE("The other side of an orthographic window follows from the aspect") {
+  const DoubleDouble width{0x1.5555555555555p+2, 0x1.5555555555555p-52}, height{0x1.b000000000000p+0, 0x0.0p+0};
+  const ProjectionParts byHeight = parts(orthographicHeight(6, {16, 9}, -1, 1)),
+                        byWidth = parts(orthographicWidth(6, {16, 9}, -1, 1));
+  CHECK(byHeight.orthographic);
+  CHECK((byHeight.top.hi == 3 && byHeight.bottom.hi == -3 && byWidth.right.hi == 3 && byWidth.left.hi == -3));
+  CHECK(std::fabs((byHeight.right - width).hi) <= 0x1p-102 * width.hi);
+  CHECK(std::fabs((byHeight.left + width).hi) <= 0x1p-102 * width.hi);
+  CHECK(std::fabs((byWidth.top - height).hi) <= 0x1p-102 * height.hi);
+  CHECK(std::fabs((byWidth.bottom + height).hi) <= 0x1p-102 * height.hi);
+  for (double side : {0.0, -1.0, 5e-324, double(NAN), double(INFINITY)}) {
+    CHECK(fieldAtFault([&] { orthographicHeight(side, 1, -1, 1); }) == "height");
+    CHECK(fieldAtFault([&] { orthographicWidth(side, 1, -1, 1); }) == "width");
   }
 }
 
@@ -81,10 +134,10 @@ TEST_CASE("Every way to give the same lens ends in the same window") {
   const DoubleDouble aspect = DoubleDouble(kViewport.width) / DoubleDouble(kViewport.height);
   const double tangent = tanHalfDegrees(90).hi;
   const Projection same[] = {
-      perspectiveFovY(90, aspect, 2, 9),
-      perspectiveFovX(degreesOfHalfTangent(aspect), aspect, 2, 9),
+      perspective(90, kViewport, 2, 9),
+      perspective(degreesOfHalfTangent(aspect), kViewport, 2, 9, Fov::horizontal),
       perspectiveNearSize(4 * tangent * kViewport.width / kViewport.height, 4 * tangent, 2, 9),
-      perspectiveFocalLength(12, 0, 24, aspect, 2, 9),
+      perspectiveFocalLength(12, 0, 24, kViewport, 2, 9),
       frustum(-2 * kViewport.width / kViewport.height, 2 * kViewport.width / kViewport.height, -2, 2, 2, 9),
       intrinsics(360, 360, 640, 360, kViewport, 2, 9),
   };
@@ -97,13 +150,13 @@ TEST_CASE("Every way to give the same lens ends in the same window") {
 }
 
 TEST_CASE("A diagonal angle spans the picture's corners") {
-  const Projection p = perspectiveFovDiagonal(90, DoubleDouble(4) / DoubleDouble(3), 1, 2);
+  const Projection p = perspective(90, Aspect(4, 3), 1, 2, Fov::diagonal);
   CHECK(parts(p).right.hi == Approx(0.8).epsilon(1e-15));
   CHECK(parts(p).top.hi == Approx(0.6).epsilon(1e-15));
 }
 
 TEST_CASE("A shift moves the picture right and up by halves of its size") {
-  const Projection plain = perspectiveFovY(60, DoubleDouble(1280) / DoubleDouble(720), 0.1, 100);
+  const Projection plain = perspective(60, Aspect(1280, 720), 0.1, 100);
   const ScreenPoint before = project(plain, kViewport, {1, 2, -7});
   const ScreenPoint after = project(shifted(plain, 0.5, 0.25), kViewport, {1, 2, -7});
   CHECK(after.x - before.x == Approx(0.5 * 640).epsilon(1e-13));
@@ -111,31 +164,72 @@ TEST_CASE("A shift moves the picture right and up by halves of its size") {
   CHECK(after.depth == before.depth);
 }
 
-TEST_CASE("A tile shows the same picture from its corner, whichever corner y starts at") {
-  const Crop crop{100, 50, 320, 200};
+TEST_CASE("A tile shows the same picture from its corner, which lies where the whole picture's did") {
   for (Origin origin : {Origin::topLeft, Origin::bottomLeft}) {
     Viewport full = kViewport;
+    full.x = -700, full.y = 30;
     full.origin = origin;
-    const Projection plain = perspectiveFovY(60, DoubleDouble(1280) / DoubleDouble(720), 0.1, 100);
-    const ScreenPoint whole = project(plain, full, {1, 2, -7});
-    const ScreenPoint tile = project(cropped(plain, full, crop), cropped(full, crop), {1, 2, -7});
-    CHECK(whole.x - tile.x == Approx(100).epsilon(1e-14));
-    CHECK(whole.y - tile.y == Approx(50).epsilon(1e-14));
+    const Camera whole = makeCamera(kPose, perspective(60, full, 0.1, 100), full),
+                 tile = cropped(whole, {100, 50, 320, 200});
+    const ScreenPoint before = worldToScreen(whole, Vec3{1, 2, -7}), after = worldToScreen(tile, Vec3{1, 2, -7});
+    CHECK(before.x - after.x == Approx(100).epsilon(1e-14));
+    CHECK(before.y - after.y == Approx(50).epsilon(1e-14));
+    CHECK(pictureCorners(tile.viewport()).first == Vec2{-700, 30});
+    CHECK(pictureCorners(tile.viewport()).last == Vec2{-380, 230});
   }
+  CHECK(pictureCorners({.width = 640, .height = 480, .x = 3, .pixelCenter = 0}).first == Vec2{2.5, -0.5});
 }
 
 TEST_CASE("The principal point is a screen position: the viewport's corner and pixel centre count") {
   for (Origin origin : {Origin::topLeft, Origin::bottomLeft})
     for (double center : {0.0, 0.5}) {
       const Viewport v{.width = 640, .height = 480, .x = 30, .y = 20, .origin = origin, .pixelCenter = center};
-      const ScreenPoint p = project(intrinsics(500, 600, 331.5, 252.25, v, 0.1, 10), v, {0, 0, -1});
+      const Camera camera = makeCamera(kPose, intrinsics(500, 600, 331.5, 252.25, v, 0.1, 10), v);
+      const ScreenPoint p = worldToScreen(camera, Vec3{0, 0, -1});
       CHECK(p.x == 331.5);
       CHECK(p.y == 252.25);
+      const Intrinsics k = camera.intrinsics();
+      CHECK((k.fx == 500 && k.fy == 600 && k.cx == 331.5 && k.cy == 252.25));
     }
 }
 
+TEST_CASE("A projection tells its shape and its angles") {
+  // From mpmath at 400 bits: 60 degrees at 16:9, and a window off the axis.
+  const struct {
+    Projection projection;
+    double aspect, vertical, horizontal, diagonal;
+  } rows[] = {
+      {perspective(60, {16, 9}, 1), 16.0 / 9, 60, 91.49284451967723, 99.32700682675518},
+      {perspectiveWindow(-0.25, 1, -0.5, 0.125, 1, 2), 2, 33.690067525979785, 59.036243467926475, 64.9956982216016},
+  };
+  for (const auto& row : rows) {
+    CHECK(row.projection.aspect() == row.aspect);
+    CHECK(std::fabs(row.projection.fov(Fov::vertical) - row.vertical) <= 0x1p-47);
+    CHECK(std::fabs(row.projection.fov(Fov::horizontal) - row.horizontal) <= 0x1p-46);
+    CHECK(std::fabs(row.projection.fov(Fov::diagonal) - row.diagonal) <= 0x1p-46);
+  }
+  CHECK(std::isnan(orthographicHeight(6, 1, -1, 1).fov(Fov::vertical)));
+}
+
+TEST_CASE("A camera tells its window depths, and a pose the world that it fits") {
+  const Viewport v{.width = 640, .height = 480, .depthFirst = 0.25, .depthSecond = 1};
+  const auto depths = [&](const Projection& p, bool reverseZ) {
+    return makeCamera(kPose, p, v, {.reverseZ = reverseZ}).depths();
+  };
+  const WindowDepths finite = depths(perspective(60, v, 1, 4), false);
+  CHECK((finite.atNear == 0.25 && finite.atFar == 1 && finite.atInfinity == 1.25));
+  const WindowDepths reversed = depths(perspective(60, v, 1), true);
+  CHECK((reversed.atNear == 1 && reversed.atFar == 0.25 && reversed.atInfinity == 0.25));
+  const WindowDepths none = depths(perspective(60, v, 0), true);
+  CHECK((std::isnan(none.atNear) && std::isnan(none.atFar) && std::isnan(none.atInfinity)));
+  const WindowDepths box = depths(orthographicHeight(6, v, -1, 1), false);
+  CHECK((box.atNear == 0.25 && box.atFar == 1 && std::isnan(box.atInfinity)));
+  for (const Handedness world : {Handedness::right, Handedness::left})
+    CHECK(lookAlong({1, 2, 3}, {1, 0, 2}, {0, 1, 0}, world).world() == world);
+}
+
 TEST_CASE("A viewport's numbers are checked") {
-  const Projection p = perspectiveFovY(60, 1, 1, 2);
+  const Projection p = perspective(60, 1, 1, 2);
   CHECK(fieldAtFault([&] { makeCamera(kPose, p, {0, 10}); }) == "viewport.width");
   CHECK(fieldAtFault([&] { makeCamera(kPose, p, {10, -1}); }) == "viewport.height");
   CHECK(fieldAtFault([&] { makeCamera(kPose, p, {NAN, 10}); }) == "viewport.width");

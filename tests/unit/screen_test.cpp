@@ -1,9 +1,11 @@
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "catch.hpp"
 #include "commands/explain/stages.hpp"
+#include "field_at_fault.hpp"
 #include "internals.hpp"
 #include "viewproj/viewproj.hpp"
 
@@ -170,7 +172,7 @@ TEST_CASE("A weighted point has the bound of exact, whatever the precision") {
 TEST_CASE("A vanishing point lies beyond a far that is finite, and beyond none") {
   for (const double far : {100.0, kInfiniteFar}) {
     const Camera camera = makeCamera(lookAlong({1, 2, 3}, {0, 0, -1}, {0, 1, 0}, Handedness::right),
-                                     perspectiveFovY(90, 2, 1, far), {200, 100});
+                                     perspective(90, 2, 1, far), {200, 100});
     CHECK(worldToScreen(camera, Vec4{0, 0, -1, 0}).outside == (far == 100 ? sideFar : 0));
     CHECK(worldToScreen(camera, Vec4{0, 0, -1e-300, 0}).outside == (far == 100 ? sideFar : 0));
   }
@@ -187,7 +189,7 @@ TEST_CASE("A depth of an orthographic camera is that share of the way from near 
 
 TEST_CASE("A pixel's point at the ends of doubles is the one nearby, brought there") {
   const Camera camera = makeCamera(lookAlong({0, 0, 0}, {0.3, -0.7, -1}, {0, 1, 0}, Handedness::right),
-                                   perspectiveFovY(50, 2, 1, kInfiniteFar), {200, 100});
+                                   perspective(50, 2, 1, kInfiniteFar), {200, 100});
   for (int i = 0; i < 200; ++i) {
     const Vec2 pixel{i * 0.97, i * 0.49};
     const Vec3 near = screenToWorldAtDistance(camera, pixel, 1.1).position;
@@ -244,7 +246,7 @@ TEST_CASE("Where the offset of depth cancels, certain depths are the nearest dou
     double first, second, distance, depth;
   };
   const Row rows[] = {
-      {perspectiveFovY(60, 1, 0.9790644480897627, 1.468596672134644), 1.4535107490988497, 0.9690071660658999, 1e30,
+      {perspective(60, 1, 0.9790644480897627, 1.468596672134644), 1.4535107490988497, 0.9690071660658999, 1e30,
        1.1216276120247303e-16},
       {orthographic(-1, 1, -1, 1, 0.3325787499389463, 0.8314468748473658), 0.32811233408627394, 0.8202808352156848,
        2.5e-40, 2.466425877679404e-40},
@@ -399,14 +401,14 @@ TEST_CASE("The inverse of a model, or of a lens, keeps its digits however its nu
   CHECK_THROWS_AS(localFromView(pose, flat, c), CameraError);
   Viewport viewport{100, 100};
   viewport.depthFirst = 0.2240809957474883;
-  const Mat4 slab = viewFromScreen(perspectiveFovY(60, 1, 1.5052038720446184, 1.5052038720446188), viewport, c);
+  const Mat4 slab = viewFromScreen(perspective(60, 1, 1.5052038720446184, 1.5052038720446188), viewport, c);
   CHECK(slab[3][2] == -2.526173520109471e-16);  // by fractions
   CHECK(slab[3][3] == 0.6643618306944917);
 }
 
 TEST_CASE("Along an axis of the world a viewDistance is a difference, and certain even where it is a tie") {
   const Camera camera = makeCamera(lookAt({0, 0, 50}, {0, 0, 0}, {0, 1, 0}, Handedness::right),
-                                   perspectiveFovY(60, 16.0 / 9, 0.1, 1000), {1920, 1080});
+                                   perspective(60, 16.0 / 9, 0.1, 1000), {1920, 1080});
   std::vector<Vec3> points;
   for (int i = 0; i < 4000; ++i) points.push_back({0.37 * i - 700, 0.11 * i - 200, 40 - 0.01 * i});
   std::vector<ScreenPoint> screen(points.size());
@@ -436,7 +438,7 @@ TEST_CASE("Numbers whose products leave the range of doubles are projected exact
   }
   SECTION("a subnormal far") {
     const Camera camera = makeCamera(lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Handedness::right),
-                                     perspectiveFovY(60, 1, 5e-324, 2e-321), square);
+                                     perspective(60, 1, 5e-324, 2e-321), square);
     CHECK(worldToScreen(camera, Vec3{0, 0, -1e-322}).depth == 0.9523514851485149);
     const ScreenPoint p = worldToScreen(camera, Vec3{1e-322, 0, -1.5e-321});
     CHECK(p.depth == 0.9991776315789473);
@@ -454,9 +456,60 @@ TEST_CASE("Numbers whose products leave the range of doubles are projected exact
   }
   SECTION("a weight that leaves the coordinates below the smallest double") {
     const Camera camera = makeCamera(lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Handedness::right),
-                                     perspectiveFovY(90, 1, 1, kInfiniteFar), square);
+                                     perspective(90, 1, 1, kInfiniteFar), square);
     const ScreenPoint p = worldToScreen(camera, Vec4{1e-80, 0, -3e-80, 1e300});
     CHECK(p.status == PointStatus::inFront);
     CHECK(p.x == 66.66666666666667);
   }
+}
+
+TEST_CASE("Without a near plane a pixel has a ray, and a point by its distance, but none by a depth") {
+  for (const double far : {10.0, kInfiniteFar}) {
+    const Camera camera = makeCamera(lookAlong({3, 2, 5}, {0, 0, -1}, {0, 1, 0}, Handedness::right),
+                                     perspective(90, 2, 0, far), {200, 100});
+    const ScreenPoint p = worldToScreen(camera, Vec3{5, 2, 3});
+    CHECK((p.x == 150 && p.y == 50 && std::isnan(p.depth) && p.viewDistance == 2 && p.visible() && p.certain));
+    CHECK(worldToScreen(camera, Vec3{3, 2, std::nextafter(5, 0)}).visible());
+    CHECK(worldToScreen(camera, Vec3{3, 2, 5}).status == PointStatus::behind);
+    const ScreenPoint away = worldToScreen(camera, Vec4{1, 0, -1, 0});
+    CHECK((away.x == 150 && std::isnan(away.depth) && away.status == PointStatus::inFront && away.certain));
+    CHECK(std::isnan(worldToScreen(camera, Vec4{15, 6, 9, 3}).depth));
+    CHECK(screenToRay(camera, {150, 50}, Precision::exact, RayOrigin::nearPlane).origin == Vec3{3, 2, 5});
+    CHECK(screenToWorldAtDistance(camera, {150, 50}, 2).position == Vec3{5, 2, 3});
+    for (const double depth : {0.0, 0.5, 1.0})
+      CHECK(screenToWorld(camera, {150, 50}, depth).status == DepthStatus::beyond);
+    CHECK(worldToView(camera, {5, 2, 3, 1}, {}) == Vec3{2, 0, -2});
+    const Vec4 clip = worldToClip(camera, {5, 2, 3, 1}, {});
+    CHECK((clip.x == 1 && clip.y == 0 && std::isnan(clip.z) && clip.w == 2));
+    const Vec3 ndc = worldToNdc(camera, {5, 2, 3, 1}, {});
+    CHECK((ndc.x == 0.5 && ndc.y == 0 && std::isnan(ndc.z)));
+  }
+}
+
+TEST_CASE("A projection without near plane has no matrix to clip space or the screen, and names near") {
+  const Projection p = perspective(90, 2, 0);
+  const Pose pose = lookAlong({3, 2, 5}, {1, 2, -3}, {0, 1, 0}, Handedness::right);
+  const Viewport v{200, 100};
+  const Camera camera = makeCamera(pose, p, v);
+  const Convention c;
+  Mat4 model;
+  for (std::size_t i = 0; i < 4; ++i) model[i][i] = 1;
+  const std::function<void()> matrices[] = {
+      [&] { clipFromView(p, c); },
+      [&] { viewFromClip(p, c); },
+      [&] { clipFromWorld(pose, p, c); },
+      [&] { worldFromClip(pose, p, c); },
+      [&] { screenFromView(p, v, c); },
+      [&] { viewFromScreen(p, v, c); },
+      [&] { screenFromWorld(pose, p, v, c); },
+      [&] { worldFromScreen(pose, p, v, c); },
+      [&] { clipFromLocal(pose, p, model, c); },
+      [&] { localFromClip(pose, p, model, c); },
+      [&] { screenFromLocal(pose, p, v, model, c); },
+      [&] { localFromScreen(pose, p, v, model, c); },
+      [&] { clipFromWorld<float>(camera); },
+      [&] { worldFromScreen<double>(camera); },
+  };
+  for (const auto& matrix : matrices) CHECK(fieldAtFault(matrix) == "near");
+  CHECK(fieldAtFault([&] { viewFromWorld<float>(camera); }).empty());
 }

@@ -121,6 +121,7 @@ int run(const Options& o) {
   if (o.depths && o.at) throw UsageError("--depth only turns depths into distances; leave out --at");
   const CameraFile read = o.camera.read();
   if (!read.projection) throw InputError(read.name + ": the camera has no projection");
+  requireNear(read, "depth");
   const Viewport viewport = read.viewport.value_or(Viewport{});
   const double first = viewport.depthFirst, second = viewport.depthSecond;
   if (std::min(first, second) < 0)

@@ -37,6 +37,7 @@ int run(const Options& o) {
   const Frustum frustum = viewFrustum(view.camera);
   std::vector<SceneObject> scene;
   if (o.scene) {
+    requireNear(file, "--scene");
     scene = readScene(*o.scene, file.worldIsEcef);
     addScene(view, frustum, scene);
   }

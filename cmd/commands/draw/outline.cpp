@@ -25,7 +25,7 @@ double length(const Vec3& a) { return std::hypot(a.x, a.y, a.z); }
 /// Whether an end is in the picture, a hundredth of its size aside. Of a segment with one end 1e30 times as far away as
 /// the other, it need not be.
 bool isInPicture(const Viewport& v, const SegmentEnd& end) {
-  const Vec2 corner = detail::roundedCorner(v);
+  const Vec2 corner = pictureCorners(v).first;
   const double x = (end.screen.x - corner.x) / v.width, y = (end.screen.y - corner.y) / v.height;
   return std::fabs(x - 0.5) <= 0.51 && std::fabs(y - 0.5) <= 0.51;
 }

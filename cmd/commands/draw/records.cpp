@@ -4,6 +4,7 @@
 #include <optional>
 #include <variant>
 
+#include "camera/read_camera.hpp"
 #include "input/points.hpp"
 #include "input/shapes.hpp"
 #include "output/labels.hpp"
@@ -41,6 +42,8 @@ class DrawWork final : public RecordWork {
   Results results(const Layout&, OutputForm) const override { return {}; }
 
   void add(const Layout& layout, const Numbers& n) override {
+    if (!isPoint(layout) && !hasDepth(view_.camera.projection()))
+      throw RecordError(0, "a shape needs a camera with near; --near gives it");
     if (isSegment(layout))
       drawn_.push_back(Segment{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}});
     else if (isPoint(layout))

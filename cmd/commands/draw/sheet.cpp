@@ -4,7 +4,6 @@
 #include <cmath>
 #include <vector>
 
-#include "camera/screen_corner.hpp"
 #include "output/labels.hpp"
 #include "text/format_number.hpp"
 
@@ -50,7 +49,7 @@ double widestNumber(double from, double length) {
 }  // namespace
 
 Vec2 Sheet::operator()(const Vec2& screen) const {
-  const Vec2 corner = detail::roundedCorner(viewport);
+  const Vec2 corner = pictureCorners(viewport).first;
   const double x = (screen.x - corner.x) / viewport.width, y = (screen.y - corner.y) / viewport.height;
   const bool down = viewport.origin == Origin::topLeft;
   return {frame.left + x * (frame.right - frame.left),
@@ -60,7 +59,7 @@ Vec2 Sheet::operator()(const Vec2& screen) const {
 Sheet makeSheet(const Viewport& viewport, double top) {
   Sheet sheet;
   sheet.viewport = viewport;
-  const double left = 14 + widestNumber(detail::roundedCorner(viewport).y, viewport.height);
+  const double left = 14 + widestNumber(pictureCorners(viewport).first.y, viewport.height);
   const double shape = viewport.width / viewport.height;
   const double drawn = std::clamp(shape, 1 / kLongestSheet, kLongestSheet);
   sheet.stretched = drawn != shape;
@@ -79,7 +78,7 @@ double bottomOf(const Sheet& sheet) {
 std::string gridOf(const Sheet& sheet) {
   const svg::Box& frame = sheet.frame;
   const Viewport& v = sheet.viewport;
-  const Vec2 corner = detail::roundedCorner(v);
+  const Vec2 corner = pictureCorners(v).first;
   const bool down = v.origin == Origin::topLeft;
   const double perUnitX = v.width / (frame.right - frame.left), perUnitY = v.height / (frame.bottom - frame.top);
   const double apartX = std::max(60.0, widestNumber(corner.x, v.width) + 12) * perUnitX;

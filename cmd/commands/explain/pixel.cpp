@@ -2,6 +2,7 @@
 
 #include "camera/camera.hpp"
 #include "camera/convention.hpp"
+#include "camera/read_camera.hpp"
 #include "commands/explain/explain.hpp"
 #include "commands/explain/stages.hpp"
 #include "text/error.hpp"
@@ -96,6 +97,8 @@ Explanation explainPixel(const Camera& camera, const Convention& writing, const 
   e.result({"origin", numbers(s.ray.origin), {}, {}});
   e.result({"direction", numbers(s.ray.direction), {}, {}});
   if (!depth) return e;
+  if (!hasDepth(camera.projection()))
+    throw InputError("--pixel: a window depth needs a camera with near; --near gives it");
   const DepthStages d = depthStages(camera, pixel, *depth);
   if (d.point.status == DepthStatus::beyond)
     throw InputError("--pixel: depth " + formatNumber(*depth) + " lies beyond infinity, whose window depth is " +

@@ -2,6 +2,7 @@
 
 #include "camera/camera.hpp"
 #include "camera/convention.hpp"
+#include "camera/read_camera.hpp"
 #include "commands/explain/explain.hpp"
 #include "commands/explain/stages.hpp"
 #include "text/error.hpp"
@@ -158,6 +159,26 @@ void explainScreen(Explanation& e, const Camera& camera, const Vec4& point, cons
   explainDepth(e, camera, point, s);
 }
 
+/// From view space straight to the pixel: without near there is neither clip space nor NDC.
+void explainPixel(Explanation& e, const Camera& camera, const PointStages& s) {
+  if (std::isnan(s.screen.x)) {
+    e.remark("the point lies on or behind the plane through the eye: it has no pixel");
+    return;
+  }
+  const Intrinsics k = camera.intrinsics();
+  const bool viewIsUp = axisSigns(e.writing().view).up > 0, screenIsUp = camera.viewport().origin == Origin::bottomLeft;
+  e.stage("screen", "the pixel straight from view space; clip, NDC and depth need near, which this camera has not");
+  e.given("fx", k.fx);
+  e.given("fy", viewIsUp == screenIsUp ? k.fy : -k.fy,
+          viewIsUp == screenIsUp ? "" : "negative: y of view and screen run opposite ways");
+  e.given("cx", k.cx);
+  e.given("cy", k.cy);
+  e.quotient("slope.x", "view.x", "viewDistance", s.view[0] / s.screen.viewDistance);
+  e.quotient("slope.y", "view.y", "viewDistance", s.view[1] / s.screen.viewDistance);
+  e.sum("screen.x", {{"cx"}, {"fx", "slope.x"}}, s.screen.x);
+  e.sum("screen.y", {{"cy"}, {"fy", "slope.y"}}, s.screen.y);
+}
+
 void giveResults(Explanation& e, const ScreenPoint& p) {
   static constexpr std::pair<Side, const char*> kSides[] = {{sideLeft, "left"},     {sideRight, "right"},
                                                             {sideBottom, "bottom"}, {sideTop, "top"},
@@ -186,7 +207,7 @@ void explainCamera(Explanation& e, const Camera& camera) {
   e.given("window.right", p.right());
   e.given("window.bottom", p.bottom());
   e.given("window.top", p.top());
-  e.given("near", p.zNear());
+  if (hasDepth(p)) e.given("near", p.zNear());
   if (std::isfinite(p.zFar())) e.given("far", p.zFar());
 }
 
@@ -202,9 +223,13 @@ Explanation explainPoint(const Camera& camera, const Convention& writing, const 
   explainWorld(e, local, model, placed, s.world);
   explainRelative(e, s.relative, local.w == 0);
   explainView(e, camera, s, local.w == 0);
-  explainClip(e, camera, s);
-  explainInequalities(e, s);
-  explainScreen(e, camera, placed, s);
+  if (hasDepth(camera.projection())) {
+    explainClip(e, camera, s);
+    explainInequalities(e, s);
+    explainScreen(e, camera, placed, s);
+  } else {
+    explainPixel(e, camera, s);
+  }
   giveResults(e, s.screen);
   return e;
 }

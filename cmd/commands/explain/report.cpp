@@ -2,9 +2,9 @@
 #include <array>
 #include <cmath>
 
+#include "camera/names.hpp"
 #include "commands/explain/explain.hpp"
-#include "input/convention_fields.hpp"
-#include "input/convention_names.hpp"
+#include "output/camera_json.hpp"
 #include "text/format_number.hpp"
 #include "text/json_build.hpp"
 #include "text/names.hpp"
@@ -136,9 +136,9 @@ class Table {
   int digits_;
 };
 
-class Json {
+class JsonText {
  public:
-  Json(const Explanation& explanation, int digits) : e_(explanation), digits_(digits) {}
+  JsonText(const Explanation& explanation, int digits) : e_(explanation), digits_(digits) {}
 
   std::string text() const {
     std::vector<std::string> stages;
@@ -208,6 +208,8 @@ class Json {
 
 std::string explanationAsTable(const Explanation& explanation, int digits) { return Table(explanation, digits).text(); }
 
-std::string explanationAsJson(const Explanation& explanation, int digits) { return Json(explanation, digits).text(); }
+std::string explanationAsJson(const Explanation& explanation, int digits) {
+  return JsonText(explanation, digits).text();
+}
 
 }  // namespace viewproj::cmd

@@ -115,7 +115,7 @@ struct Wanted {
 /// How many times the window opens so that all of it lies in the room.
 double openingFor(const Viewport& v, const ScreenMap& screen, const Extent& e, const Room& room) {
   const double cx = screen.centerX.hi, cy = screen.centerY.hi;
-  const auto [x, y] = roundedCorner(v);
+  const auto [x, y] = pictureCorners(v).first;
   const bool down = v.origin == Origin::topLeft;
   const double first = down ? 1 - room.top : room.bottom, last = down ? 1 - room.bottom : room.top;
   // What is off the axis counts to the next double: a screen box is rounded.

@@ -30,7 +30,7 @@ std::string textOf(const std::optional<std::string>& name) {
     if (topic.name == *name) return helpText(topic);
     known.push_back(topic.name);
   }
-  throw UsageError("'" + *name + "' is no command and no topic" + suggestion(*name, known));
+  throw UsageError("'" + *name + "' is no command and no topic" + suggestion(*name, known, "help"));
 }
 
 int run(const Options& o) {

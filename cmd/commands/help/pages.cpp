@@ -4,13 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "camera/fields.hpp"
+#include "camera/importers/importer.hpp"
 #include "commands/options.hpp"
-#include "input/camera_fields.hpp"
-#include "input/camera_source.hpp"
 #include "input/coordinates.hpp"
-#include "input/kinds/kind.hpp"
-#include "input/projection_types.hpp"
-#include "input/scene_fields.hpp"
 #include "output/matrix_text.hpp"
 #include "output/table.hpp"
 #include "text/form.hpp"
@@ -55,10 +52,65 @@ std::string spellings(std::string_view name, std::span<const std::string_view> a
   return text;
 }
 
-std::vector<Entry> entriesOf(FieldList fields) {
+/// What a value is, in a few words.
+std::string formOf(const Field& field) {
+  switch (field.kind) {
+    case Kind::text:
+      return "text";
+    case Kind::word:
+      return alternatives(field.words());
+    case Kind::flag:
+      return "true or false";
+    case Kind::number:
+      return "number";
+    case Kind::positive:
+      return "number above 0";
+    case Kind::far:
+      return "number or \"inf\"";
+    case Kind::zero:
+      return "0";
+    case Kind::ratio:
+      return "number or \"16/9\"";
+    case Kind::angle:
+      return "0 to 180 degrees";
+    case Kind::elevation:
+      return "-90 to 90 degrees";
+    case Kind::turn:
+      return "degrees";
+    case Kind::pair:
+    case Kind::range:
+    case Kind::size:
+      return "[a, b]";
+    case Kind::direction:
+      return "[x, y, z]";
+    case Kind::place:
+      return "[x, y, z] or {lat, lon, height}";
+    case Kind::quaternion:
+      return "[x, y, z, w]";
+    case Kind::euler:
+      return "{order, degrees}";
+    case Kind::rigid:
+      return "4 rows of 4, or {rotation, translation}";
+    case Kind::matrix:
+      return "16 numbers";
+    case Kind::lens:
+      return "{model, k, p}";
+  }
+  return "";
+}
+
+/// The fields of an object of the camera file; "" for those that stand at its top.
+std::vector<Entry> fieldsUnder(std::string_view object) {
   std::vector<Entry> entries;
-  for (const Field* field : fields)
-    entries.push_back({spellings(field->name, field->aliases()), formInWords(*field), std::string(field->help)});
+  for (const Field& field : kFields) {
+    const bool isWithin =
+        object.empty() ? field.path.find('.') == std::string_view::npos : field.path.starts_with(object);
+    if (!isWithin) continue;
+    std::string name(field.path.substr(object.size()));
+    for (const char c : field.others.empty() ? std::string() : " " + std::string(field.others))
+      name += c == ' ' ? ", " : std::string(1, c);
+    entries.push_back({name, formOf(field), std::string(field.help)});
+  }
   return entries;
 }
 
@@ -96,28 +148,29 @@ std::string camera(std::size_t width) {
              "in. Fields are options too, as --fov-y for fovY: without a file they are the camera, over a file they "
              "change it. viewproj help projection and help viewport tell the fields of these two.",
              width) +
-         "\n" + listed(entriesOf(field::camera.fields), width);
+         "\n" + listed(fieldsUnder(""), width);
 }
 
 std::string projection(std::size_t width) {
-  std::string out =
-      wrapped("projection, of a camera file, says what the camera sees: its type, and fields of that type.", width) +
-      "\n";
+  constexpr std::pair<const char*, const char*> kTypes[] = {
+      {"perspective",
+       "one of fovY, fovX, fovDiagonal, nearWidth with nearHeight, focalLength with a sensor's side; aspect"},
+      {"frustum", "left, right, bottom, top on the near plane"},
+      {"intrinsics", "fx, fy, cx, cy in pixels of the viewport, or of pixels"},
+      {"orthographic", "left, right, bottom, top; or width and height, or one of them with aspect; near and far"},
+      {"ps2", "screen x = cx + ax scrz X/Z, y = cy + ay scrz Y/Z; depth is zMax at near, zMin at far"},
+      {"matrix", "a projection matrix, beside a stated convention"}};
   std::vector<Entry> types;
-  std::vector<const Field*> all;
-  for (const ProjectionType& type : projectionTypes()) {
-    types.push_back({std::string(type.name), "", std::string(type.form.help)});
-    for (const Field* field : type.form.fields)
-      if (std::find(all.begin(), all.end(), field) == all.end()) all.push_back(field);
-  }
-  return out + listed(types, width) + "\n" + listed(entriesOf(all), width);
+  for (const auto& [name, text] : kTypes) types.push_back({name, "", text});
+  return wrapped("projection says what the camera sees: its type, the fields of that type, near, far and shift.",
+                 width) +
+         "\n" + listed(types, width) + "\n" + listed(fieldsUnder("projection."), width);
 }
 
 std::string viewport(std::size_t width) {
-  return wrapped("viewport, of a camera file, is the picture: a size in pixels, or [x, y, width, height]. " +
-                     std::string(field::picture.help),
+  return wrapped("viewport is the picture. The centre of pixel (i, j) is at (i + pixelCenter, j + pixelCenter).",
                  width) +
-         "\n" + listed(entriesOf(field::picture.fields), width);
+         "\n" + listed(fieldsUnder("viewport."), width);
 }
 
 std::string points(std::size_t width) {
@@ -148,12 +201,16 @@ std::string pixels(std::size_t width) {
 }
 
 std::string scene(std::size_t width) {
-  return wrapped("A scene file is a JSON object: what rays are shot at, in the world's frame and unit.", width) + "\n" +
-         listed(entriesOf(field::scene.fields), width) + paragraph("Each of the objects has one shape.", width) +
-         listed(entriesOf(field::sceneObject.fields), width) +
-         paragraph("A plane, a sphere and a box are objects.", width) +
-         listed(entriesOf(field::planeForm.fields), width) + listed(entriesOf(field::sphereForm.fields), width) +
-         listed(entriesOf(field::boxForm.fields), width);
+  return wrapped("A scene is {\"objects\": [...]}: shapes in the world's coordinates, each {\"id\": ID, SHAPE}.",
+                 width) +
+         "\n" +
+         listed({{"plane", "{point, normal}", "Endless; the normal of any length."},
+                 {"sphere", "{center, radius}", "The radius is 0 or more."},
+                 {"box", "{min, max}", "Its edges lie along the world's axes."},
+                 {"triangle", "[a, b, c]", "Three corners; the normal is (b - a) x (c - a)."},
+                 {"ellipsoid", "\"WGS84\"", "The Earth, for a camera on it; height is metres above it."}},
+                width) +
+         paragraph("A point is [x, y, z], or {lat, lon, height} for a camera on the Earth.", width);
 }
 
 std::string conventions(std::size_t width) {
@@ -184,15 +241,14 @@ std::string conventions(std::size_t width) {
                        width);
   }
   out += paragraph("Axis by axis, as a camera file says it: {\"preset\": \"opengl\", \"ndcZ\": \"0..1\"}.", width);
-  return out + listed(entriesOf(field::axes.fields), width);
+  return out + listed(fieldsUnder("convention."), width);
 }
 
 std::string formats(std::size_t width) {
   std::string out = wrapped("Cameras: a camera file (viewproj help camera), and, known by what stands in them:", width);
   std::vector<Entry> files;
-  for (const ForeignFile& file : foreignFiles())
-    files.push_back({std::string(file.name), "",
-                     std::string(file.form) + (file.help.empty() ? "" : "; " + std::string(file.help))});
+  for (const Importer* importer : importers())
+    files.push_back({std::string(importer->name), "", std::string(importer->form)});
   out += listed(files, width);
   out += paragraph(
       "FILE#NAME or FILE#INDEX picks one of several, FILE##INDEX where a number is a name too; --list tells what picks "
@@ -203,45 +259,6 @@ std::string formats(std::size_t width) {
       paragraph("Their results, as --to or the name after -o tells:", width) + listed(entriesOf(outputForms()), width);
   const auto matrices = matrixForms();
   return out + paragraph("Matrices:", width) + listed(entriesOf(std::span(matrices)), width);
-}
-
-std::string kinds(std::size_t width) {
-  std::string out = wrapped(
-      "A row describes a kind of camera file in JSON or YAML: what it is known by, and where in it the numbers of a "
-      "camera stand. --format FILE reads the camera file as the row in FILE says, or the first that fits of several in "
-      "an array.",
-      width);
-  out += paragraph(
-      "A place is keys with dots between them, as in lens.focal.0; * is each entry of an array or an object. Several "
-      "places in an array: the one of them that the file has. A number in place of a place holds for every file.",
-      width);
-  out += paragraph(
-      "Three numbers may stand apart, each in a place of its own, and turns are angles. What the camera only names is "
-      "beside it under that name. Views are several cameras in one:",
-      width);
-  out += R"(
-  form: a flight log                    form: a pair
-  knownBy: [px, yaw, lens]              knownBy: [f, left, right]
-  cameras: "log.*"                      fx: f
-  beside: "lenses.{lens}"               size: picture
-  fovY: fov                             pose: cameraFromWorld
-  size: picture                         convention: opencv
-  position: [px, py, pz]                views:
-  euler:                                  left: {matrix: left}
-    order: ZYX                            right: {matrix: right}
-    degrees: [yaw, pitch, roll]
-  pose: worldFromCamera
-  axes: FLU
-  convention: opengl
-)";
-  std::vector<Entry> entries;
-  for (const KindField& field : kindFields()) {
-    std::string words;
-    for (const std::string_view word : field.words)
-      if (!word.empty()) words += (words.empty() ? "" : ", ") + std::string(word);
-    entries.push_back({std::string(field.name), "", std::string(field.help) + (words.empty() ? "" : ": " + words)});
-  }
-  return out + paragraph("Its words:", width) + listed(entries, width);
 }
 
 std::string precision(std::size_t width) {

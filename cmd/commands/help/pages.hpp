@@ -13,7 +13,6 @@ std::string pixels(std::size_t width);
 std::string scene(std::size_t width);
 std::string conventions(std::size_t width);
 std::string formats(std::size_t width);
-std::string kinds(std::size_t width);
 std::string precision(std::size_t width);
 
 }  // namespace viewproj::cmd::pages

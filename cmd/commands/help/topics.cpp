@@ -48,14 +48,6 @@ constexpr Topic kTopics[] = {
      pages::formats,
      {"viewproj matrix samples/picking-a-pixel/camera.json --to numpy",
       "viewproj project -c samples/picking-a-pixel/camera.json --point 0,0,0 --to csv"}},
-    {"kinds",
-     "how to describe camera files of a kind of one's own, for --format",
-     pages::kinds,
-     {"viewproj project -c samples/a-kind-of-ones-own/stage.json#left --format "
-      "samples/a-kind-of-ones-own/stage.kind.json \\\n"
-      "  --point 0,1,0",
-      "viewproj matrix --list samples/a-kind-of-ones-own/drone.yaml --format "
-      "samples/a-kind-of-ones-own/drone.kind.yaml"}},
     {"precision",
      "what exact and standard promise",
      pages::precision,

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "input/kinds/split_matrix.hpp"
+#include "camera/split_matrix.hpp"
 #include "text/format_number.hpp"
 #include "viewproj/camera.hpp"
 

@@ -3,12 +3,12 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "camera/names.hpp"
 #include "commands/camera_options.hpp"
 #include "commands/command.hpp"
 #include "commands/inspect/notes.hpp"
 #include "commands/inspect/report.hpp"
 #include "commands/output_option.hpp"
-#include "input/convention_names.hpp"
 #include "output/matrix_text.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
@@ -66,7 +66,7 @@ bool nameAllows(const std::string& name, MatrixKind kind) {
 std::vector<NumberedReading> asStated(const InspectedMatrix& m, const std::optional<Convention>& stated) {
   std::vector<NumberedReading> result;
   for (const NumberedReading& n : m.readings) {
-    const Reading& r = n.reading;
+    const MatrixCamera& r = n.reading;
     if (!nameAllows(m.written.name, r.kind)) continue;
     if (stated && !(fits(r, *stated, m.written.order) && (!r.lens || r.convention.reverseZ == stated->reverseZ) &&
                     (r.kind == MatrixKind::projection || r.convention.world == stated->world)))
@@ -85,32 +85,21 @@ std::string statedNote(const InspectedMatrix& m, const Convention& stated) {
   return "Of the convention that the input states: reading " + numbers + ".";
 }
 
-/// As many digits as these are all that a float32 or a double has, but for one.
-bool hasAllDigits(const WrittenMatrix& m, bool isFloat) {
-  constexpr int kFloat = 8, kDouble = 16;
-  return m.digits >= (isFloat ? kFloat : kDouble);
-}
-
-/// isExact: its numbers are what they stand for, however few digits they have.
-InspectedMatrix inspectOne(const WrittenMatrix& written, bool isFloat, bool isExact,
-                           const std::optional<Convention>& readAs, const std::optional<Convention>& stated) {
-  const bool byDigits = !isExact && !hasAllDigits(written, isFloat) && written.within != std::array<double, 16>{};
-  const Inspection inspection =
-      inspectMatrix(written.numbers, isFloat ? EntryPrecision::float32 : EntryPrecision::float64,
-                    byDigits ? written.within : std::array<double, 16>{});
-  InspectedMatrix m{written, {}, inspection.readings.size(), inspection.asWrittenFault, inspection.transposedFault, {}};
-  std::vector<Reading> plain;
-  for (std::size_t i = 0; i < inspection.readings.size(); ++i) {
-    const Reading& r = inspection.readings[i];
+InspectedMatrix inspectOne(const WrittenMatrix& written, bool isFloat, const std::optional<Convention>& readAs,
+                           const std::optional<Convention>& stated) {
+  Mat4 matrix;
+  for (std::size_t i = 0; i < 16; ++i) matrix[i / 4][i % 4] = written.numbers[i];
+  const MatrixCameras found = camerasOf(matrix, {.float32 = isFloat});
+  InspectedMatrix m{written, {}, found.cameras.size(), found.fault, found.transposedFault, {}};
+  std::vector<MatrixCamera> plain;
+  for (std::size_t i = 0; i < found.cameras.size(); ++i) {
+    const MatrixCamera& r = found.cameras[i];
     if (readAs && !fits(r, *readAs, written.order)) continue;
     m.readings.push_back({i + 1, r});
     plain.push_back(r);
   }
   m.notes = notesOn(plain);
   if (plain.empty() && m.all > 0) m.notes.push_back("No reading of it fits --read-as.");
-  const bool hasLens = std::any_of(plain.begin(), plain.end(), [](const Reading& r) { return r.lens.has_value(); });
-  if (byDigits && hasLens)
-    m.notes.push_back("The intervals of near and far take each number to be known as far as its digits show.");
   if (stated && !plain.empty()) m.notes.insert(m.notes.begin(), statedNote(m, *stated));
   return m;
 }
@@ -195,9 +184,7 @@ int run(const Options& o) {
   const bool isFloat = o.asFloat || given.isFloat;
   const std::vector<WrittenMatrix> chosen = chooseMatrices(std::move(given.matrices), o.which, source);
   // One at a time: its readings take many times the memory of its numbers.
-  const auto inspected = [&](const WrittenMatrix& m) {
-    return inspectOne(m, isFloat, given.isOwn && !mayBeFloats(m), o.readAs, given.convention);
-  };
+  const auto inspected = [&](const WrittenMatrix& m) { return inspectOne(m, isFloat, o.readAs, given.convention); };
 
   if (converts) {
     MatrixSet set;

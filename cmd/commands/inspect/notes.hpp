@@ -4,14 +4,17 @@
 #include <string>
 #include <vector>
 
-#include "input/readings/readings.hpp"
+#include "viewproj/cameras_of.hpp"
 
 namespace viewproj::cmd {
 
+/// That of an orthographic view-projection is not in the matrix.
+inline bool isEyeKnown(const MatrixCamera& r) noexcept { return r.pose && !(r.lens && r.lens->orthographic); }
+
 /// What the numbers leave open, and what is seen where one reading is taken for another.
-std::vector<std::string> notesOn(const std::vector<Reading>& readings);
+std::vector<std::string> notesOn(const std::vector<MatrixCamera>& readings);
 
 /// A decimal number of the interval with as few digits as there is one.
-std::string shortestWithin(const Estimate& estimate);
+std::string shortestWithin(const PlaneDistance& estimate);
 
 }  // namespace viewproj::cmd

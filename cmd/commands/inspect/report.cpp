@@ -5,8 +5,12 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "camera/names.hpp"
+#include "camera/pose.hpp"
+#include "camera/projection.hpp"
 #include "commands/inspect/notes.hpp"
-#include "input/convention_names.hpp"
+#include "input/field_of_view.hpp"
+#include "numbers/degrees.hpp"
 #include "output/table.hpp"
 #include "text/format_number.hpp"
 #include "text/layout.hpp"
@@ -27,17 +31,19 @@ constexpr NameRow<MatrixLayout> kLayoutNames[] = {{"as written", MatrixLayout::a
                                                   {"transposed", MatrixLayout::transposed},
                                                   {"either", MatrixLayout::either}};
 
-bool determinesView(const Reading& r) { return r.kind != MatrixKind::viewProjection; }
-bool determinesWorld(const Reading& r) { return r.kind != MatrixKind::projection; }
+bool determinesView(const MatrixCamera& r) { return r.kind != MatrixKind::viewProjection; }
+bool determinesWorld(const MatrixCamera& r) { return r.kind != MatrixKind::projection; }
 
 /// A name of each axis that the reading determines.
-std::string_view worldOf(const Reading& r) {
+std::string_view worldOf(const MatrixCamera& r) {
   return determinesWorld(r) ? nameOf(kWorldNames, r.convention.world) : "-";
 }
-std::string_view viewOf(const Reading& r) { return determinesView(r) ? nameOf(kViewNames, r.convention.view) : "-"; }
-std::string_view ndcZOf(const Reading& r) { return r.lens ? nameOf(kNdcZNames, r.convention.ndcZ) : "-"; }
-std::string_view ndcYOf(const Reading& r) { return r.lens ? nameOf(kNdcYNames, r.convention.ndcY) : "-"; }
-std::string_view reversedOf(const Reading& r) { return !r.lens ? "-" : r.convention.reverseZ ? "yes" : "no"; }
+std::string_view viewOf(const MatrixCamera& r) {
+  return determinesView(r) ? nameOf(kViewNames, r.convention.view) : "-";
+}
+std::string_view ndcZOf(const MatrixCamera& r) { return r.lens ? nameOf(kNdcZNames, r.convention.ndcZ) : "-"; }
+std::string_view ndcYOf(const MatrixCamera& r) { return r.lens ? nameOf(kNdcYNames, r.convention.ndcY) : "-"; }
+std::string_view reversedOf(const MatrixCamera& r) { return !r.lens ? "-" : r.convention.reverseZ ? "yes" : "no"; }
 
 /// A preset that fits, and what of it does not.
 struct FittingPreset {
@@ -45,7 +51,7 @@ struct FittingPreset {
   bool otherWorld, otherwiseReversed;
 };
 
-std::vector<FittingPreset> presetsOf(const Reading& r, NumberOrder order) {
+std::vector<FittingPreset> presetsOf(const MatrixCamera& r, NumberOrder order) {
   std::vector<FittingPreset> result;
   for (const ConventionPreset& preset : conventionPresets()) {
     const Convention& c = preset.convention;
@@ -57,7 +63,7 @@ std::vector<FittingPreset> presetsOf(const Reading& r, NumberOrder order) {
 }
 
 /// "opengl, unity; with --reverse-z d3d; of a left-handed world d3d-rh".
-std::string presetText(const Reading& r, NumberOrder order) {
+std::string presetText(const MatrixCamera& r, NumberOrder order) {
   std::string text;
   for (bool otherWorld : {false, true})
     for (bool otherwiseReversed : {false, true}) {
@@ -85,7 +91,7 @@ std::string endText(double end, double half) {
   return plusMinus(end, end == 0 ? 1 : std::clamp(exponent(end) - exponent(half) + 2, 2, 17));
 }
 
-std::string spread(const Estimate& e) {
+std::string spread(const PlaneDistance& e) {
   constexpr double kHardly = 0.01;
   if (e.low == e.high) return "exact";
   if (std::isinf(e.high)) return "not determined: above " + plusMinus(e.low);
@@ -132,49 +138,89 @@ std::string asText(const std::vector<Line>& lines) {
   return out;
 }
 
-std::vector<Line> parametersOf(const Reading& r, bool isRough) {
+/// Right, up and forward: a view's rows, a pose's columns.
+std::array<Vec3, 3> axesOf(const MatrixCamera& r) {
+  const Axes& axes = r.kind == MatrixKind::worldFromView ? parts(*r.pose).columns : parts(*r.pose).rows;
+  return {rounded(axes.right), rounded(axes.up), rounded(axes.forward)};
+}
+
+struct WindowFigures {
+  double aspect;                   ///< width / height
+  double fovX, fovY, fovDiagonal;  ///< degrees
+  /// The focal lengths in widths and in heights of the picture, and where the viewing axis meets it, in its widths from
+  /// the left and its heights from the top.
+  std::array<double, 2> focalLength, principalPoint;
+};
+
+/// In perspective all of it means something, in orthographic the aspect.
+WindowFigures figuresOf(const MatrixLens& lens) {
+  DoubleDouble left = lens.left, right = lens.right, bottom = lens.bottom, top = lens.top;
+  if (lens.projection) {  // with all their digits
+    const ProjectionParts& p = parts(*lens.projection);
+    left = p.left;
+    right = p.right;
+    bottom = p.bottom;
+    top = p.top;
+  }
+  const DoubleDouble width = right - left, height = top - bottom, one(1);
+  const auto angle = [](DoubleDouble from, DoubleDouble to) {
+    return (from + to).hi == 0 ? degreesOfHalfTangent(to) : degreesAcross(from, to);
+  };
+  return {(width / height).hi,
+          angle(left, right),
+          angle(bottom, top),
+          std::max(degreesBetween(left, bottom, right, top), degreesBetween(left, top, right, bottom)),
+          {(one / width).hi, (one / height).hi},
+          {rounded(-left / width), rounded(top / height)}};
+}
+
+std::vector<Line> parametersOf(const MatrixCamera& r, bool isRough) {
   std::vector<Line> lines;
   const auto text = [&](double value) { return brief(value, isRough); };
   const auto add = [&](const char* name, double value) { lines.push_back({name, text(value), ""}); };
-  if (r.place) {
-    if (r.place->eyeIsKnown) lines.push_back({"eye", eyeText(r.place->eye, isRough), ""});
-    lines.push_back({"right", vectorText(r.place->right), ""});
-    lines.push_back({"up", vectorText(r.place->up), ""});
-    lines.push_back({"forward", vectorText(r.place->forward), ""});
-    lines.push_back({"off a rotation by", plusMinus(r.place->residual), ""});
+  if (r.pose) {
+    const auto [right, up, forward] = axesOf(r);
+    if (isEyeKnown(r)) lines.push_back({"eye", eyeText(r.pose->eye(), isRough), ""});
+    lines.push_back({"right", vectorText(right), ""});
+    lines.push_back({"up", vectorText(up), ""});
+    lines.push_back({"forward", vectorText(forward), ""});
+    lines.push_back({"off a rotation by", plusMinus(r.residual), ""});
   }
   if (r.lens) {
-    const LensEstimate& lens = *r.lens;
+    const MatrixLens& lens = *r.lens;
+    const WindowFigures figures = figuresOf(lens);
     add("window left", lens.left);
     add("window right", lens.right);
     add("window bottom", lens.bottom);
     add("window top", lens.top);
-    if (lens.fovX) add("fovX", *lens.fovX);
-    if (lens.fovY) add("fovY", *lens.fovY);
-    if (lens.fovDiagonal) add("fovDiagonal", *lens.fovDiagonal);
-    // In widths and heights of the picture.
-    const auto addShares = [&](const char* name, const std::array<double, 2>& shares) {
-      lines.push_back({name, text(shares[0]) + " w " + text(shares[1]) + " h", ""});
-    };
-    if (lens.focalLength) addShares("focal length", *lens.focalLength);
-    if (lens.principalPoint) addShares("principal point", *lens.principalPoint);
-    add("aspect", lens.aspect);
-    lines.push_back({"near", shortestWithin(lens.near), spread(lens.near)});
-    lines.push_back({"far", shortestWithin(lens.far), spread(lens.far)});
+    if (!lens.orthographic) {
+      // In widths and heights of the picture.
+      const auto addShares = [&](const char* name, const std::array<double, 2>& shares) {
+        lines.push_back({name, text(shares[0]) + " w " + text(shares[1]) + " h", ""});
+      };
+      add("fovX", figures.fovX);
+      add("fovY", figures.fovY);
+      add("fovDiagonal", figures.fovDiagonal);
+      addShares("focal length", figures.focalLength);
+      addShares("principal point", figures.principalPoint);
+    }
+    add("aspect", figures.aspect);
+    lines.push_back({"near", shortestWithin(lens.zNear), spread(lens.zNear)});
+    lines.push_back({"far", shortestWithin(lens.zFar), spread(lens.zFar)});
   }
   return lines;
 }
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-Json asJson(const Estimate& e) {
+Json asJson(const PlaneDistance& e) {
   return {{"value", number(e.value)}, {"low", number(e.low)}, {"high", number(e.high)}};
 }
 
 Json asJson(const Vec3& v) { return Json::array({number(v.x), number(v.y), number(v.z)}); }
 
 Json asJson(const NumberedReading& numbered, NumberOrder order) {
-  const Reading& r = numbered.reading;
+  const MatrixCamera& r = numbered.reading;
   Json result{
       {"reading", numbered.number}, {"kind", nameOf(kKindNames, r.kind)}, {"layout", nameOf(kLayoutNames, r.layout)}};
   Json layouts = Json::array();
@@ -207,31 +253,33 @@ Json asJson(const NumberedReading& numbered, NumberOrder order) {
   }
   result["scale"] = r.scale;
   if (r.lens) {
-    const LensEstimate& lens = *r.lens;
+    const MatrixLens& lens = *r.lens;
+    const WindowFigures figures = figuresOf(lens);
     Json part{{"type", lens.orthographic ? "orthographic" : "perspective"},
               {"left", number(lens.left)},
               {"right", number(lens.right)},
               {"bottom", number(lens.bottom)},
               {"top", number(lens.top)},
-              {"aspect", number(lens.aspect)}};
+              {"aspect", number(figures.aspect)}};
     if (!lens.orthographic) {
-      part["fovX"] = number(*lens.fovX);
-      part["fovY"] = number(*lens.fovY);
-      part["fovDiagonal"] = number(*lens.fovDiagonal);
-      part["focalLength"] = {number((*lens.focalLength)[0]), number((*lens.focalLength)[1])};
-      part["principalPoint"] = {number((*lens.principalPoint)[0]), number((*lens.principalPoint)[1])};
+      part["fovX"] = number(figures.fovX);
+      part["fovY"] = number(figures.fovY);
+      part["fovDiagonal"] = number(figures.fovDiagonal);
+      part["focalLength"] = {number(figures.focalLength[0]), number(figures.focalLength[1])};
+      part["principalPoint"] = {number(figures.principalPoint[0]), number(figures.principalPoint[1])};
     }
-    part["near"] = asJson(lens.near);
-    part["far"] = asJson(lens.far);
+    part["near"] = asJson(lens.zNear);
+    part["far"] = asJson(lens.zFar);
     part["beyondInfinity"] = lens.beyondInfinity;
     result["projection"] = part;
   }
-  if (r.place) {
-    result["pose"] = {{"eye", r.place->eyeIsKnown ? asJson(r.place->eye) : Json(nullptr)},
-                      {"right", asJson(r.place->right)},
-                      {"up", asJson(r.place->up)},
-                      {"forward", asJson(r.place->forward)},
-                      {"residual", r.place->residual}};
+  if (r.pose) {
+    const auto [right, up, forward] = axesOf(r);
+    result["pose"] = {{"eye", isEyeKnown(r) ? asJson(r.pose->eye()) : Json(nullptr)},
+                      {"right", asJson(right)},
+                      {"up", asJson(up)},
+                      {"forward", asJson(forward)},
+                      {"residual", r.residual}};
   }
   return result;
 }
@@ -245,7 +293,7 @@ std::string readingTable(const InspectedMatrix& m) {
   std::vector<std::vector<std::string>> cells{{"#", "kind", "numbers", "world", "view", "ndcZ", "reverseZ", "ndcY"}};
   std::vector<std::string> presets{"fits"};
   for (const NumberedReading& n : m.readings) {
-    const Reading& r = n.reading;
+    const MatrixCamera& r = n.reading;
     cells.push_back({std::to_string(n.number)});
     for (std::string_view cell : {nameOf(kKindNames, r.kind), nameOf(kLayoutNames, r.layout), worldOf(r), viewOf(r),
                                   ndcZOf(r), reversedOf(r), ndcYOf(r)})
@@ -362,7 +410,7 @@ std::string nameOf(const WrittenMatrix& matrix, std::size_t index) {
 }
 
 std::string oneLine(const NumberedReading& numbered, NumberOrder order) {
-  const Reading& r = numbered.reading;
+  const MatrixCamera& r = numbered.reading;
   std::string text = std::to_string(numbered.number) + ": " + std::string(nameOf(kKindNames, r.kind)) + ", " +
                      std::string(nameOf(kLayoutNames, r.layout));
   const auto add = [&](const char* name, std::string_view value) {

@@ -5,13 +5,14 @@
 #include <vector>
 
 #include "commands/inspect/calibration.hpp"
+#include "commands/inspect/conversion.hpp"
 #include "input/matrix_numbers.hpp"
 
 namespace viewproj::cmd {
 
 struct NumberedReading {
   std::size_t number;  ///< among all readings of the matrix, from 1 on
-  Reading reading;
+  MatrixCamera reading;
 };
 
 struct InspectedMatrix {

@@ -63,6 +63,7 @@ int run(const Options& o) {
   setup.note = [&](const std::string& note) { o.camera.notes().say(note); };
   o.stream.requireOneInput(setup, o.camera);
   const CameraFile file = o.camera.read();
+  requireNear(file, "measure");
   const Camera built = makeCamera(file);
 
   Sample sample;

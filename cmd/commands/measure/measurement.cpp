@@ -95,7 +95,7 @@ void addTextbook(Bench& bench, const char* mode, const Camera& camera, std::span
 std::optional<double> pixelsPerRadian(const Camera& camera) {
   if (camera.projection().isOrthographic()) return std::nullopt;
   const Viewport& v = camera.viewport();
-  const Vec2 corner = detail::roundedCorner(v);
+  const Vec2 corner = pictureCorners(v).first;
   const double x = corner.x + v.width / 2, y = corner.y + v.height / 2;
   const auto across = [&](double dx, double dy) {
     const Vec3 a = screenToRay(camera, {x - dx / 2, y - dy / 2}).direction;

@@ -191,7 +191,9 @@ class ExactFormula {
                                                      L::splat(kZivMargin * kExactQuotient * std::fabs(scale_.hi))),
                                       L::splat(errorOffset_));
       const D least = reach * kSignUncertaintyExact;
-      const M zIsNearest = isNearestSum(offset_, z, by.inverse, errorZ, r.depth);
+      // A depth that there is not is NaN, and certain.
+      const D offset = L::splat(offset_.hi);
+      const M zIsNearest = isNearestSum(offset_, z, by.inverse, errorZ, r.depth) | (offset != offset);
       r.valid = all(inRange, r.distance > least, xIsNearest, yIsNearest, zIsNearest);
       r.behind = all(inRange, r.distance < -least);
     }

@@ -368,7 +368,7 @@ TEST_CASE("A shape on a plane counts as on it, and one beyond by less than doubl
     const double side = 8 / (13 * std::sqrt(2.0));  // of the plane's unit normal, along z
     const auto frustumAt = [&](double eyeZ) {
       const Pose pose = lookAlong({0, 0, eyeZ}, {3, 4, 12}, {4, -12, 3}, Handedness::right);
-      return viewFrustum(makeCamera(pose, perspectiveFovY(90, 1, 1e-3, kInfiniteFar), {100, 100}));
+      return viewFrustum(makeCamera(pose, perspective(90, 1, 1e-3, kInfiniteFar), {100, 100}));
     };
     // Seen from the eye, both of a box's corners count, and a sphere's centre and radius.
     const ExactPlane left = *parts(frustumAt(0)).begin();

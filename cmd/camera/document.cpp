@@ -1,0 +1,206 @@
+#include "camera/document.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "camera/importers/importer.hpp"
+#include "text/encoding.hpp"
+#include "text/error.hpp"
+#include "text/file.hpp"
+#include "text/format_number.hpp"
+#include "text/json_text.hpp"
+#include "text/system.hpp"
+#include "text/visible.hpp"
+#include "text/yaml_text.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+constexpr std::size_t kMostBytes = 64 << 20;
+
+Json parsed(const std::string& name, std::string text) {
+  const auto fail = [&](std::size_t offset, const std::string& message) {
+    throw InputError(place(name, positionAt(text, offset)) + ": " + visible(message));
+  };
+  Json root;
+  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+  const std::size_t start = text.find_first_not_of(" \t\r\n");
+  if (start == std::string::npos) throw InputError(name + ": is empty; expected JSON");
+  if (text[start] != '{' && text[start] != '[' && looksLikeYaml(text)) {
+    if (const auto fault = parseYaml(text, kDeepestJson, root)) fail(fault->offset, fault->message);
+    return root;
+  }
+  blankComments(text);
+  if (const auto fault = parseJson(text, root)) {
+    if (text[start] != '{' && text[start] != '[')
+      throw InputError(name + ": is neither JSON nor YAML; viewproj help formats lists the files that are read");
+    fail(fault->offset, fault->message);
+  }
+  return root;
+}
+
+/// Numbers, or rows of the same length, as they stand. False where something else is among them.
+bool flatten(const Json& value, std::vector<double>& numbers) {
+  if (value.is_number()) {
+    numbers.push_back(value.get<double>());
+    return true;
+  }
+  if (value.is_array()) {
+    const auto isAlike = [&](const Json& part) {
+      return part.is_array() == value.front().is_array() && part.size() == value.front().size();
+    };
+    return std::all_of(value.begin(), value.end(),
+                       [&](const Json& part) { return isAlike(part) && flatten(part, numbers); });
+  }
+  if (!value.is_object()) return false;
+  if (const auto data = value.find("data"); data != value.end()) {
+    const auto rows = value.find("rows"), cols = value.find("cols");
+    if (!data->is_array() || !flatten(*data, numbers)) return false;
+    if (rows == value.end() || !rows->is_number() || cols == value.end() || !cols->is_number()) return true;
+    // Each entry may have several channels.
+    const double entries = rows->get<double>() * cols->get<double>(), count = static_cast<double>(numbers.size());
+    return entries == 0 ? count == 0 : count > 0 && std::fmod(count, entries) == 0;
+  }
+  constexpr std::string_view kNames = "xyzw";
+  if (value.size() < 2 || value.size() > kNames.size()) return false;
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    const auto part = value.find(kNames.substr(i, 1));
+    if (part == value.end() || !part->is_number()) return false;
+    numbers.push_back(part->get<double>());
+  }
+  return true;
+}
+
+std::string shown(const Json& value) {
+  if (value.is_string()) return " (is " + inQuotes(value.get_ref<const std::string&>(), 200) + ")";
+  if (value.is_number_float()) return " (is " + formatNumber(value.get<double>()) + ")";
+  return value.is_number() || value.is_boolean() ? " (is " + value.dump() + ")" : "";
+}
+
+}  // namespace
+
+Document load(const std::string& source, const std::string& option) {
+  const std::size_t first = source.find_first_not_of(" \t\r\n");
+  std::error_code ignored;
+  const bool isInline =
+      first != std::string::npos &&
+      (source[first] == '{' || (source[first] == '[' && !std::filesystem::exists(pathOf(source), ignored)));
+  Document document{isInline ? option : source == "-" ? kStandardInputName : visible(source), nullptr};
+  if (isInline) {
+    document.root = std::make_shared<Json>(parsed(document.name, source));
+  } else if (isColmap(source)) {
+    document.root = std::make_shared<Json>(readColmap(source));
+  } else {
+    std::string text = readWithoutGlb(source, kMostBytes);
+    requireNarrow(document.name, text);
+    document.root = std::make_shared<Json>(parsed(document.name, std::move(text)));
+  }
+  return document;
+}
+
+std::string joinedPath(std::string_view path, std::string_view key) {
+  return std::string(path) + (path.empty() ? "" : ".") + std::string(key);
+}
+
+Node::Node(const Document& document) : Node(document, *document.root, "") {}
+Node::Node(const Document& document, const Json& value, std::string path)
+    : document_(&document), value_(&value), path_(std::move(path)) {}
+
+std::optional<Node> Node::find(std::string_view key) const {
+  if (!value_->is_object()) fail("expected an object");
+  const auto member = value_->find(key);
+  if (member == value_->end() || member->is_null()) return std::nullopt;
+  return Node(*document_, *member, joinedPath(path_, key));
+}
+
+std::optional<Node> Node::findAny(std::initializer_list<std::string_view> keys) const {
+  for (const std::string_view key : keys)
+    if (auto member = find(key)) return member;
+  return std::nullopt;
+}
+
+Node Node::require(std::string_view key) const {
+  if (auto member = find(key)) return *member;
+  fail("needs " + std::string(key));
+}
+
+std::size_t Node::size() const {
+  if (!value_->is_array()) fail("expected an array");
+  return value_->size();
+}
+
+Node Node::operator[](std::size_t index) const {
+  if (index >= size()) fail("has no element " + std::to_string(index));
+  return {*document_, (*value_)[index], joinedPath(path_, std::to_string(index))};
+}
+
+double Node::number() const {
+  if (!value_->is_number()) fail("expected a number");
+  return value_->get<double>();
+}
+
+const std::string& Node::text() const {
+  if (!value_->is_string()) fail("expected a text");
+  return value_->get_ref<const std::string&>();
+}
+
+bool Node::flag() const {
+  if (!value_->is_boolean()) fail("expected true or false");
+  return value_->get<bool>();
+}
+
+bool Node::holdsNumbers(std::size_t count) const {
+  std::vector<double> numbers;
+  return value_->is_structured() && flatten(*value_, numbers) && numbers.size() == count;
+}
+
+std::vector<double> Node::numbers(std::size_t count) const {
+  std::vector<double> numbers;
+  if (!value_->is_structured() || !flatten(*value_, numbers) || (count != 0 && numbers.size() != count))
+    fail("expected " + (count == 0 ? "numbers" : std::to_string(count) + " numbers"));
+  return numbers;
+}
+
+Vec3 Node::vec3() const {
+  const std::vector<double> v = numbers(3);
+  return {v[0], v[1], v[2]};
+}
+
+Mat4 Node::mat4() const {
+  std::vector<double> flat;
+  const bool isFlat = !value_->is_array() || value_->empty() || !value_->front().is_array();
+  const auto isRow = [](const Json& row) { return row.is_array() && row.size() == 4; };
+  const bool good = value_->is_structured() && flatten(*value_, flat) && (flat.size() == 12 || flat.size() == 16) &&
+                    (isFlat || std::all_of(value_->begin(), value_->end(), isRow));
+  if (!good) fail("expected 4 rows of 4 numbers, or 3 rows of 4");
+  Mat4 m;
+  m[3] = {0, 0, 0, 1};
+  for (std::size_t i = 0; i < flat.size(); ++i) m[i / 4][i % 4] = flat[i];
+  return m;
+}
+
+std::pair<std::string, bool> Node::place() const {
+  // The option that gave the field, or the object or array that it is in.
+  std::string_view part = path_;
+  auto label = document_->labels.find(part);
+  while (label == document_->labels.end() && !part.empty()) {
+    const std::size_t dot = part.rfind('.');
+    part = part.substr(0, dot == std::string_view::npos ? 0 : dot);
+    label = document_->labels.find(part);
+  }
+  const bool isLabelled = label != document_->labels.end();
+  const std::string field = path_.substr(part.empty() ? 0 : std::min(part.size() + 1, path_.size()));
+  return {(isLabelled ? visible(label->second) : document_->name) + (field.empty() ? "" : ": ") + visible(field),
+          isLabelled && label->second.starts_with("--") && !label->second.starts_with("--set")};
+}
+
+void Node::fail(const std::string& message) const {
+  const auto [name, isOption] = place();
+  const std::string text = name + ": " + visible(message) + shown(*value_);
+  if (document_->isTyped || isOption) throw UsageError(text);
+  throw InputError(text);
+}
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,69 @@
+// The words that camera files and options use for what is one of a few.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "viewproj/camera.hpp"
+#include "viewproj/convention.hpp"
+
+namespace viewproj::cmd {
+
+template <class T>
+using NameRow = std::pair<std::string_view, T>;
+
+inline constexpr NameRow<Handedness> kWorldNames[] = {{"right", Handedness::right}, {"left", Handedness::left}};
+inline constexpr NameRow<ViewAxes> kViewNames[] = {
+    {"RUB", ViewAxes::RUB}, {"RUF", ViewAxes::RUF}, {"RDF", ViewAxes::RDF}};
+inline constexpr NameRow<NdcZ> kNdcZNames[] = {{"-1..1", NdcZ::minusOneToOne}, {"0..1", NdcZ::zeroToOne}};
+inline constexpr NameRow<NdcY> kNdcYNames[] = {{"up", NdcY::up}, {"down", NdcY::down}};
+inline constexpr NameRow<Vectors> kVectorsNames[] = {{"column", Vectors::column}, {"row", Vectors::row}};
+inline constexpr NameRow<Storage> kStorageNames[] = {{"column-major", Storage::columnMajor},
+                                                     {"row-major", Storage::rowMajor}};
+inline constexpr NameRow<CameraAxes> kCameraAxesNames[] = {
+    {"RUB", CameraAxes::RUB}, {"RUF", CameraAxes::RUF}, {"RDF", CameraAxes::RDF}, {"FRU", CameraAxes::FRU}};
+inline constexpr NameRow<Origin> kOriginNames[] = {{"top-left", Origin::topLeft}, {"bottom-left", Origin::bottomLeft}};
+
+/// World coordinates that are known by name.
+inline constexpr NameRow<bool> kWorlds[] = {{"ecef", true}};
+
+/// The axes of three turns.
+inline constexpr NameRow<std::array<std::size_t, 3>> kEulerOrders[] = {
+    {"XYZ", {0, 1, 2}}, {"XZY", {0, 2, 1}}, {"YXZ", {1, 0, 2}}, {"YZX", {1, 2, 0}},
+    {"ZXY", {2, 0, 1}}, {"ZYX", {2, 1, 0}}, {"XYX", {0, 1, 0}}, {"XZX", {0, 2, 0}},
+    {"YXY", {1, 0, 1}}, {"YZY", {1, 2, 1}}, {"ZXZ", {2, 0, 2}}, {"ZYZ", {2, 1, 2}},
+};
+
+/// The names of a table.
+using Words = std::vector<std::string_view> (*)();
+template <const auto& Table>
+std::vector<std::string_view> wordsOf() {
+  std::vector<std::string_view> names;
+  for (const auto& row : Table) names.push_back(row.first);
+  return names;
+}
+
+/// The value of a name, which the table has.
+template <class Table>
+auto valueOf(const Table& table, std::string_view name) {
+  return std::find_if(std::begin(table), std::end(table), [&](const auto& row) { return row.first == name; })->second;
+}
+
+/// The name of a value of one of the tables above.
+template <class Table, class T>
+std::string_view nameOf(const Table& table, T value) {
+  return std::find_if(std::begin(table), std::end(table), [&](const auto& row) { return row.second == value; })->first;
+}
+
+inline std::vector<std::string_view> presetNames() {
+  std::vector<std::string_view> names;
+  for (const ConventionPreset& preset : conventionPresets()) names.push_back(preset.name);
+  return names;
+}
+
+}  // namespace viewproj::cmd

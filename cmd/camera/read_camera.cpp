@@ -1,0 +1,360 @@
+#include "camera/read_camera.hpp"
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "camera/check.hpp"
+#include "camera/read_pose.hpp"
+#include "text/error.hpp"
+#include "text/format_number.hpp"
+#include "viewproj/cameras_of.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+double numberOr(const Node& object, std::string_view key, double fallback) {
+  const auto value = object.find(key);
+  return value ? value->number() : fallback;
+}
+
+/// The picture, and the tile of it that is the camera's.
+struct Picture {
+  Viewport frame;
+  std::optional<Crop> crop;
+};
+
+/// pixels: the size where the viewport does not say it.
+std::optional<Picture> readViewport(const Node& root, double pixelCenter, const std::optional<Vec2>& pixels) {
+  const auto viewport = root.find("viewport");
+  if (!viewport && !pixels) return std::nullopt;
+  Picture picture;
+  Viewport& v = picture.frame;
+  v.pixelCenter = pixelCenter;
+  if (pixels) {
+    v.width = pixels->x;
+    v.height = pixels->y;
+  }
+  if (!viewport) return picture;
+  for (const auto& [key, side] : {std::pair("width", &v.width), std::pair("height", &v.height)})
+    *side = pixels ? numberOr(*viewport, key, *side) : viewport->require(key).number();
+  v.x = numberOr(*viewport, "x", 0);
+  v.y = numberOr(*viewport, "y", 0);
+  v.pixelCenter = numberOr(*viewport, "pixelCenter", pixelCenter);
+  if (const auto origin = viewport->find("origin")) v.origin = valueOf(kOriginNames, origin->text());
+  if (const auto range = viewport->find("depthRange")) {
+    v.depthFirst = range->numbers(2)[0];
+    v.depthSecond = range->numbers(2)[1];
+  }
+  if (const auto crop = viewport->find("crop"))
+    picture.crop = Crop{crop->require("x").number(), crop->require("y").number(), crop->require("width").number(),
+                        crop->require("height").number()};
+  return picture;
+}
+
+/// Shapes that differ by no more than 0.1 % are one.
+void requireShape(double shape, const Viewport& viewport, const Node& at, const ReadOptions& reading,
+                  const std::string& mend) {
+  const double picture = viewport.width / viewport.height;
+  if (reading.allowStretch || std::fabs(shape - picture) <= 1e-3 * picture) return;
+  at.fail("the aspect is " + formatDigits(shape, 6) + ", but the viewport's is " + formatDigits(picture, 6) + "; " +
+          mend + " or give --allow-stretch");
+}
+
+/// What the fields of a projection are read with.
+struct LensReader {
+  const Document& document;
+  Node fields;
+  std::optional<Picture> picture;
+  const DocumentConvention& convention;
+  const ReadOptions& reading;
+  double near, far;
+
+  std::optional<double> find(std::string_view key) const {
+    const auto value = fields.find(key);
+    return value ? std::optional(value->number()) : std::nullopt;
+  }
+  double require(std::string_view key) const { return fields.require(key).number(); }
+
+  void requireNear(std::string_view why) const {
+    if (near == 0) fields.fail("needs near" + std::string(why));
+  }
+
+  const Viewport& viewport(const char* why) const {
+    if (!picture) fields.fail("needs a viewport" + std::string(why) + "; --viewport WIDTHxHEIGHT gives one");
+    return picture->frame;
+  }
+
+  Aspect aspect() const {
+    const auto own = fields.find("aspect");
+    return own ? ratioOf(*own) : Aspect(viewport(" or an aspect"));
+  }
+
+  void requireNoAspect(bool follows, const char* from) const {
+    const auto own = fields.find("aspect");
+    if (own && follows) own->fail(std::string("follows from ") + from + "; leave one of the three out");
+  }
+
+  Projection perspective() const {
+    for (const auto& [key, of] :
+         {std::pair("fovY", Fov::vertical), {"fovX", Fov::horizontal}, {"fovDiagonal", Fov::diagonal}})
+      if (const auto angle = fields.find(key)) return viewproj::perspective(angleOf(*angle), aspect(), near, far, of);
+    if (fields.find("nearWidth") || fields.find("nearHeight")) {
+      requireNear(" for a window on it");
+      const double width = require("nearWidth"), height = require("nearHeight");
+      return perspectiveNearSize(width, height, near, far);
+    }
+    if (!fields.find("focalLength") && !fields.find("sensorWidth") && !fields.find("sensorHeight"))
+      fields.fail("needs one of fovY, fovX, fovDiagonal, nearWidth with nearHeight, focalLength with a sensor's side");
+    const double focalLength = require("focalLength");
+    const auto width = find("sensorWidth"), height = find("sensorHeight");
+    if (!width && !height) fields.fail("needs sensorWidth or sensorHeight beside focalLength");
+    requireNoAspect(width && height, "sensorWidth and sensorHeight");
+    return perspectiveFocalLength(focalLength, width.value_or(0), height.value_or(0),
+                                  width && height ? Aspect(1) : aspect(), near, far);
+  }
+
+  /// Braces: in this order.
+  std::array<double, 4> edges() const { return {require("left"), require("right"), require("bottom"), require("top")}; }
+
+  Projection frustum() const {
+    requireNear("");
+    const auto [left, right, bottom, top] = edges();
+    return viewproj::frustum(left, right, bottom, top, near, far);
+  }
+
+  Projection orthographic() const {
+    if (!fields.find("near")) fields.fail("needs near");
+    if (!fields.find("far")) fields.fail("needs far");
+    const auto width = find("width"), height = find("height");
+    if (width && height) {
+      requireNoAspect(true, "width and height");
+      return viewproj::orthographic(-*width / 2, *width / 2, -*height / 2, *height / 2, near, far);
+    }
+    if (height) return orthographicHeight(*height, aspect(), near, far);
+    if (width) return orthographicWidth(*width, aspect(), near, far);
+    if (!fields.find("left") && !fields.find("right") && !fields.find("bottom") && !fields.find("top"))
+      fields.fail("needs left, right, bottom and top, or width or height");
+    const auto [left, right, bottom, top] = edges();
+    return viewproj::orthographic(left, right, bottom, top, near, far);
+  }
+
+  /// In pixels of a picture whose corners are the viewport's.
+  Projection intrinsics() const {
+    const double fx = require("fx"), fy = require("fy"), cx = require("cx"), cy = require("cy");
+    if (!picture && !reading.needsPicture) return perspectiveWindow(-1, 1, -1, 1, near, far);
+    Viewport counted = viewport(", whose pixels fx, fy, cx, cy count");
+    if (const auto pixels = fields.find("pixels")) {
+      const std::vector<double> size = pixels->numbers(2);
+      requireShape(size[0] / size[1], counted, *pixels, reading, "crop one of the pictures");
+      // As screen numbers of pixels' own scale, so that cx' = (cx - c + 0.5) W/w + c - 0.5, c the pixel centre.
+      counted.x *= size[0] / counted.width;
+      counted.y *= size[1] / counted.height;
+      counted.width = size[0];
+      counted.height = size[1];
+    }
+    return viewproj::intrinsics(fx, fy, cx, cy, counted, near, far);
+  }
+
+  /// x = cx + ax scrz X/Z, y = cy + ay scrz Y/Z, in a picture around (cx, cy).
+  Projection ps2() const {
+    requireNear("");
+    const double scrz = require("scrz"), ax = require("ax"), ay = require("ay"), cx = require("cx"), cy = require("cy");
+    return viewproj::intrinsics(ax * scrz, ay * scrz, cx, cy, viewport(" around cx, cy"), near, far);
+  }
+
+  Projection matrix() const {
+    const Node value = fields.require("matrix");
+    if (!convention.isStated)
+      value.fail("needs a convention; state it, or give --read-as NAME (viewproj inspect lists those that fit)");
+    const Convention& c = convention.convention;
+    // Rows are as on paper, 16 numbers in a row as in memory.
+    const bool isStored = value.size() == 16 && c.storage == Storage::columnMajor;
+    const bool isTransposed = isStored != (c.vectors == Vectors::row);
+    const MatrixCameras found = camerasOf(isTransposed ? transposed(value.mat4()) : value.mat4(),
+                                          {.kind = MatrixKind::projection, .convention = c});
+    if (found.cameras.empty()) value.fail("is not a projection matrix of this convention: " + found.fault);
+    const MatrixLens& lens = *found.cameras.front().lens;
+    if (!lens.projection) value.fail("does not determine near and far");
+    return *lens.projection;
+  }
+};
+
+/// The types whose window need not have the viewport's shape.
+bool hasOwnPixelShape(std::uint8_t type) { return type == kIntrinsics || type == kPs2; }
+
+Projection readProjection(const LensReader& lens, std::uint8_t type) {
+  const Projection read = type == kPerspective    ? lens.perspective()
+                          : type == kFrustum      ? lens.frustum()
+                          : type == kIntrinsics   ? lens.intrinsics()
+                          : type == kOrthographic ? lens.orthographic()
+                          : type == kPs2          ? lens.ps2()
+                                                  : lens.matrix();
+  if (lens.picture && !hasOwnPixelShape(type)) {
+    const auto aspect = lens.fields.find("aspect");
+    requireShape(read.aspect(), lens.picture->frame, aspect ? *aspect : lens.fields, lens.reading,
+                 aspect ? "leave aspect out" : "change one of them");
+  }
+  const auto shift = lens.fields.find("shift");
+  return shift ? shifted(read, shift->numbers(2)[0], shift->numbers(2)[1]) : read;
+}
+
+double readFar(const Node& projection) {
+  const auto far = projection.find("far");
+  return far && far->json().is_number() ? far->number() : kInfiniteFar;
+}
+
+/// Angles in degrees that look like radians: half a turn is 3.14 of them, and few lenses see less than 3 degrees.
+void noteRadians(const Node& projection, std::vector<std::string>& notes) {
+  for (const char* key : {"fovY", "fovX", "fovDiagonal"}) {
+    const auto angle = projection.find(key);
+    if (!angle || !angle->json().is_number() || !(angle->number() >= 0.05 && angle->number() < 3.2)) continue;
+    notes.push_back(angle->place().first + ": is " + formatNumber(angle->number()) + " degrees; \"" +
+                    formatNumber(angle->number()) + "rad\" would be " +
+                    formatDigits(angle->number() * 180 / std::numbers::pi, 6) + " degrees");
+  }
+}
+
+void readLens(const Node& root, const ReadOptions& reading, CameraFile& file) {
+  const auto distortion = root.find("distortion");
+  if (!distortion) return;
+  const auto isZero = [&](const char* key) {
+    const auto numbers = distortion->find(key);
+    if (!numbers || numbers->size() == 0) return true;
+    const std::vector<double> all = numbers->numbers();
+    return std::all_of(all.begin(), all.end(), [](double n) { return n == 0; });
+  };
+  if (distortion->require("model").text() == "brown" && isZero("k") && isZero("p")) return;
+  if (!reading.ignoreDistortion)
+    distortion->fail("a lens with distortion is not supported yet; --ignore-distortion leaves it out");
+  file.notes.push_back(file.name + ": the lens distortion is left out");
+}
+
+CameraFile readChecked(const Document& document, const ReadOptions& reading) {
+  const Node root(document);
+  CameraFile file;
+  file.name = document.name;
+  file.isTyped = document.isTyped;
+  const DocumentConvention stated = readConvention(document);
+  file.convention = stated.convention;
+  file.statesConvention = stated.isStated;
+  const bool isPresetsWorld = stated.preset->convention.world == stated.convention.world;
+  file.cameraAxes = isPresetsWorld                               ? stated.preset->cameraAxes
+                    : file.convention.world == Handedness::right ? CameraAxes::RUB
+                                                                 : CameraAxes::RUF;
+  file.worldIsEcef = worldIsEcef(document);
+  if (file.worldIsEcef && file.convention.world == Handedness::left)
+    root.fail(
+        "the convention's world is left-handed, but Earth-centred coordinates are right-handed; --convention says "
+        "how to write");
+  file.pose = readPose(document);
+  readLens(root, reading, file);
+
+  const auto projection = root.find("projection");
+  const std::uint8_t type = projection ? valueOf(kTypeNames, projection->require("type").text()) : 0;
+  std::optional<Vec2> pixels;
+  if (projection)
+    if (const auto size = projection->find("pixels")) pixels = Vec2{size->numbers(2)[0], size->numbers(2)[1]};
+  auto picture = readViewport(root, stated.preset->pixelCenter, pixels);
+  if (type == kPs2) {
+    if (!file.convention.reverseZ) root.fail("a ps2 projection is reversed, but the convention has reverseZ false");
+    if (picture) {
+      for (const char* key : {"viewport.x", "viewport.y", "viewport.depthRange"})
+        if (const Json* const value = valueAt(*document.root, key))
+          Node(document, *value, key).fail("follows from cx, cy, zMin and zMax of the ps2 projection; leave it out");
+      Viewport& v = picture->frame;
+      v.x = projection->require("cx").number() - v.width / 2;
+      v.y = projection->require("cy").number() - v.height / 2;
+      v.depthFirst = projection->require("zMin").number();
+      v.depthSecond = projection->require("zMax").number();
+    }
+  }
+  if (projection) {
+    const auto near = projection->find("near");
+    if (near && type != kOrthographic && !(near->number() > 0)) near->fail("expected a number above 0");
+    file.projection = readProjection(
+        {document, *projection, picture, stated, reading, near ? near->number() : 0, readFar(*projection)}, type);
+    noteRadians(*projection, file.notes);
+  }
+  if (picture && picture->crop) {
+    if (file.projection) file.projection = cropped(*file.projection, picture->frame, *picture->crop);
+    const Viewport frame = picture->frame;
+    picture->frame = cropped(frame, *picture->crop);
+    picture->frame.x = frame.x;
+    picture->frame.y = frame.y;
+  }
+  if (picture) file.viewport = picture->frame;
+  return file;
+}
+
+/// Where the document has what the library complains about.
+Node nodeOf(const Document& document, const std::string& field) {
+  for (const std::string& path : {field, "projection." + field, "viewport." + field})
+    if (const Json* value = valueAt(*document.root, path)) return {document, *value, path};
+  if (field == "rotation" || field == "columns")
+    for (const char* path : {"euler", "worldFromCamera", "cameraFromWorld"})
+      if (const Json* value = valueAt(*document.root, path)) return {document, *value, path};
+  return Node(document, *document.root, "");
+}
+
+}  // namespace
+
+DocumentConvention readConvention(const Document& document) {
+  const Node root(document);
+  const Json* const type = valueAt(*document.root, "projection.type");
+  DocumentConvention result{type && *type == "ps2" ? &conventions::ps2 : &conventions::opengl, {}, false};
+  const auto fields = root.find("convention");
+  result.isStated = fields && !fields->json().empty();
+  if (fields)
+    if (const auto preset = fields->find("preset")) result.preset = findPreset(preset->text());
+  Convention& c = result.convention = result.preset->convention;
+  if (!fields) return result;
+  const auto read = [&](const char* key, const auto& names, auto& axis) {
+    if (const auto value = fields->find(key)) axis = valueOf(names, value->text());
+  };
+  read("world", kWorldNames, c.world);
+  read("view", kViewNames, c.view);
+  read("ndcZ", kNdcZNames, c.ndcZ);
+  read("ndcY", kNdcYNames, c.ndcY);
+  read("vectors", kVectorsNames, c.vectors);
+  read("storage", kStorageNames, c.storage);
+  if (const auto value = fields->find("reverseZ")) c.reverseZ = value->flag();
+  return result;
+}
+
+CameraFile readCamera(Document document, const ReadOptions& reading) {
+  normalize(document);
+  check(document);
+  try {
+    return readChecked(document, reading);
+  } catch (const CameraError& e) {
+    const Node at = nodeOf(document, e.field());
+    at.fail((at.path().empty() ? e.field() + ": " : "") + e.message());
+  }
+}
+
+void requireNear(const CameraFile& file, const std::string& what) {
+  if (!file.projection || hasDepth(*file.projection)) return;
+  const std::string message = what + " needs near, which " + file.name + " does not have; --near gives it";
+  if (file.isTyped) throw UsageError(message);
+  throw InputError(message);
+}
+
+Camera makeCamera(const CameraFile& file) {
+  const auto require = [&](bool good, const char* part) {
+    const std::string message = file.name + ": the camera has no " + part;
+    if (!good && file.isTyped) throw UsageError(message);
+    if (!good) throw InputError(message);
+  };
+  require(file.pose.has_value(), "pose; give a position with a target, a direction or a rotation");
+  require(file.projection.has_value(), "projection");
+  require(file.viewport.has_value(), "viewport; --viewport WIDTHxHEIGHT gives one");
+  try {
+    return makeCamera(*file.pose, *file.projection, *file.viewport, file.convention);
+  } catch (const CameraError& e) {
+    throw InputError(file.name + ": " + e.what());
+  }
+}
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,45 @@
+// A camera document as the few numbers that every camera is.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "camera/document.hpp"
+#include "viewproj/camera.hpp"
+
+namespace viewproj::cmd {
+
+/// What a document says of a camera. It may lack a part that the command does not need.
+struct CameraFile {
+  std::string name;
+  std::optional<Pose> pose;
+  std::optional<Projection> projection;
+  std::optional<Viewport> viewport;
+  Convention convention;
+  CameraAxes cameraAxes = CameraAxes::RUB;  ///< of the convention's preset
+  bool worldIsEcef = false;                 ///< Earth-centred metres: points may be given by lat, lon, height
+  bool isTyped = false;                     ///< of options alone, and no file's
+  bool statesConvention = false;
+  std::vector<std::string> notes;  ///< what is read as it stands, but probably not meant
+};
+
+struct ReadOptions {
+  bool allowStretch = false;
+  bool ignoreDistortion = false;
+  bool needsPicture = true;  ///< false: intrinsics without a picture's size give near and far alone
+};
+
+/// Normalizes the document, which its copies share, checks it, and reads it. Throws InputError (of options UsageError)
+/// naming a field.
+CameraFile readCamera(Document document, const ReadOptions& reading);
+
+/// Whether there is a near plane to measure depth from; a perspective camera may do without.
+inline bool hasDepth(const Projection& projection) { return projection.isOrthographic() || projection.zNear() > 0; }
+/// Throws InputError, naming what needs it, where there is none.
+void requireNear(const CameraFile& file, const std::string& what);
+
+/// All parts together; throws InputError (of options UsageError) naming what is lacking for it.
+Camera makeCamera(const CameraFile& file);
+
+}  // namespace viewproj::cmd

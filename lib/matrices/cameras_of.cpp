@@ -1,0 +1,456 @@
+#include "viewproj/cameras_of.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <utility>
+
+#include "camera/convention.hpp"
+#include "camera/depth.hpp"
+#include "camera/pose.hpp"
+#include "camera/projection.hpp"
+#include "numbers/dyadic.hpp"
+#include "numbers/ulp.hpp"
+
+namespace viewproj {
+
+using namespace detail;
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// The last entry of an affine matrix may be this many units in the last place away from 1, as where an inverse was
+/// computed: the whole matrix is divided by it.
+constexpr double kUnits = 4;
+
+/// A far plane beyond infinity by up to this share of 1/near counts as infinite.
+constexpr double kTweak = 0x1p-16;
+
+// A clip matrix taken apart
+
+struct Row {
+  Vector3<Dyadic> axis;
+  Dyadic last;
+};
+using Rows = std::array<Row, 4>;
+
+Rows rowsOf(const Mat4& m) noexcept {
+  Rows rows;
+  for (std::size_t i = 0; i < 4; ++i) rows[i] = {{m[i][0], m[i][1], m[i][2]}, m[i][3]};
+  return rows;
+}
+
+WideVec3 wideOf(const Vector3<Dyadic>& a) noexcept { return {a.x.rounded(), a.y.rounded(), a.z.rounded()}; }
+
+DDVec3 quotient(const WideVec3& a, const Wide& by) noexcept {
+  return {toDoubleDouble(a.x / by), toDoubleDouble(a.y / by), toDoubleDouble(a.z / by)};
+}
+
+/// With X, Y, W the distances of a point along the axes right, ndcUp, forward from the eye (orthographic: from the
+/// origin), clip is scale times
+///   (x.scale X + x.offset W, y.scale Y + y.offset W, depth.offset W + depth.scale, W)   in perspective
+///   (x.scale X + x.offset,   y.scale Y + y.offset,   depth.offset + depth.scale W, 1)   in orthographic
+/// The scales of x and y, and in orthographic that of depth, are positive.
+struct ClipParts {
+  bool orthographic;
+  DoubleDouble scale;
+  std::array<DepthLine, 3> lines;  ///< x, y, depth
+  std::array<DDVec3, 3> axes;
+  double residual;
+};
+
+/// Nothing where x or y does not change across the picture.
+std::optional<ClipParts> perspectiveParts(const Rows& m) noexcept {
+  const Row& w = m[3];
+  const Dyadic exactSquare = dot(w.axis, w.axis);
+  const Wide square = exactSquare.rounded(), length = sqrt(square), unit = square * length;
+  ClipParts parts{false, toDoubleDouble(length), {}, {}, 0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    // What lies across the w row, times w . w: cancels to 0 where it should.
+    const Dyadic along = dot(m[i].axis, w.axis);
+    const auto across = [&](const Dyadic& a, const Dyadic& b) { return (a * exactSquare - b * along).rounded(); };
+    WideVec3 axis;
+    for (std::size_t j = 0; j < 3; ++j) axis[j] = across(m[i].axis[j], w.axis[j]);
+    const Wide size = lengthOf(axis);
+    if (i < 2 && size.sign() == 0) return std::nullopt;
+    parts.lines[i] = {toDoubleDouble(along.rounded() / square),
+                      toDoubleDouble((i < 2 ? size : across(m[i].last, w.last)) / unit)};
+    if (i < 2)
+      parts.axes[i] = quotient(axis, size);
+    else
+      parts.residual = maxAbs(quotient(axis, unit)) / std::max(1.0, maxAbs(quotient(wideOf(m[i].axis), length)));
+  }
+  parts.axes[2] = quotient(wideOf(w.axis), length);
+  parts.residual = std::max(parts.residual, std::fabs(dot(parts.axes[0], parts.axes[1]).hi));
+  return parts;
+}
+
+std::optional<ClipParts> orthographicParts(const Rows& m) noexcept {
+  const Wide whole = m[3].last.rounded();
+  ClipParts parts{true, toDoubleDouble(whole), {}, {}, 0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const WideVec3 axis = wideOf(m[i].axis);
+    const Wide size = lengthOf(axis);
+    if (size.sign() == 0) return std::nullopt;
+    parts.lines[i] = {toDoubleDouble(m[i].last.rounded() / whole), toDoubleDouble(size / whole)};
+    parts.axes[i] = quotient(axis, size);
+  }
+  for (std::size_t i = 0; i < 3; ++i)
+    parts.residual = std::max(parts.residual, std::fabs(dot(parts.axes[i], parts.axes[(i + 1) % 3]).hi));
+  return parts;
+}
+
+// Near and far
+
+/// How far offset and scale of depth move, all in all, when each entry moves by half a unit in its last place.
+struct DepthErrors {
+  double offset = 0, scale = 0;
+};
+
+DepthErrors depthErrors(const Mat4& m, bool float32, const ClipParts& parts) noexcept {
+  const auto &z = m[2], &w = m[3];
+  const bool wIsExact = w[0] == 0 && w[1] == 0 && std::fabs(w[2]) + std::fabs(w[3]) == 1;
+  const auto step = [&](std::size_t i, std::size_t j) -> double {
+    if (m[i][j] == 0 || (i == 3 && wIsExact)) return 0;
+    if (!float32) return halfUlp(m[i][j]);
+    const float entry = std::fabs(static_cast<float>(m[i][j]));
+    return (double{std::nextafter(entry, HUGE_VALF)} - double{entry}) / 2;
+  };
+  const double a = parts.lines[2].offset.hi, b = parts.lines[2].scale.hi, s = parts.scale.hi;
+  // The last column of perspective, A = z . w / s^2 and B = (z3 - A w3) / s, or of orthographic, A = z3 / s.
+  DepthErrors errors;
+  (parts.orthographic ? errors.offset : errors.scale) = (step(2, 3) + std::fabs(a) * step(3, 3)) / s;
+  if (parts.orthographic) errors.scale = std::fabs(b) * step(3, 3) / s;  // B = |z| / s
+  for (std::size_t j = 0; j < 3; ++j) {
+    if (parts.orthographic) {
+      errors.scale += std::fabs(parts.axes[2][j].hi) * step(2, j) / s;
+      continue;
+    }
+    const double axis = w[j] / s, byW = (z[j] / s - 2 * a * axis) / s;  // of A by z[j], times s, and by w[j]
+    errors.offset += std::fabs(axis) / s * step(2, j) + std::fabs(byW) * step(3, j);
+    errors.scale +=
+        std::fabs(axis / s * (w[3] / s)) * step(2, j) + std::fabs(byW * (w[3] / s) + b * axis / s) * step(3, j);
+  }
+  return errors;
+}
+
+struct Interval {
+  DoubleDouble value, low, high;
+};
+
+Interval around(DoubleDouble value, double error) noexcept {
+  return {value, value - DoubleDouble(error), value + DoubleDouble(error)};
+}
+
+/// For b above 0, or reaching down to it.
+PlaneDistance quotient(const Interval& a, const Interval& b) noexcept {
+  const auto over = [](DoubleDouble end, DoubleDouble divisor) {
+    return divisor.hi > 0 ? end / divisor : DoubleDouble(end.hi == 0 ? 0 : std::copysign(kInfinity, end.hi));
+  };
+  return {over(a.value, b.value).hi + 0.0, lowerDouble(over(a.low, a.low.hi < 0 ? b.low : b.high)) + 0.0,
+          upperDouble(over(a.high, a.high.hi > 0 ? b.low : b.high)) + 0.0};
+}
+
+/// z / w = A + B / w is atNear at near: near = B / (atNear - A), and so on, with 1 / near > 1 / far >= 0. False where
+/// no near and far are so.
+bool setPerspectiveDepth(MatrixLens& lens, DepthLine depth, DepthErrors errors, DepthEnds z) noexcept {
+  const DoubleDouble sign = z.atNear > z.atFar ? 1 : -1;  // of B
+  Interval b = around(depth.scale * sign, errors.scale);
+  if (!(b.high.hi > 0)) return false;
+  if (b.low.hi < 0) b.low = 0;
+  if (b.value.hi < 0) b.value = 0;
+  const auto below = [&](double d) { return around((DoubleDouble(d) - depth.offset) * sign, errors.offset); };
+  const Interval toNear = below(z.atNear), toFar = below(z.atFar);
+  lens.beyondInfinity = toFar.high.hi < 0;
+  if (lens.beyondInfinity && !(-toFar.high.hi <= kTweak * toNear.high.hi)) return false;
+  lens.zNear = quotient(b, toNear);
+  lens.zFar = lens.beyondInfinity ? PlaneDistance{kInfinity, kInfinity, kInfinity} : quotient(b, toFar);
+  return true;
+}
+
+/// z = A + B W with B > 0 along the parts' forward; the camera's is that, or against it where depth is reversed.
+void setOrthographicDepth(MatrixLens& lens, DepthLine depth, DepthErrors errors, DepthEnds z) noexcept {
+  const auto plane = [&](double d) {
+    const Interval fromOffset = around(DoubleDouble(d) - depth.offset, errors.offset);
+    const PlaneDistance at = quotient(fromOffset, around(depth.scale, errors.scale));
+    return z.atNear > z.atFar ? PlaneDistance{0 - at.value, 0 - at.high, 0 - at.low} : at;
+  };
+  lens.zNear = plane(z.atNear);
+  lens.zFar = plane(z.atFar);
+}
+
+/// The window, and the projection if there is one.
+void setWindow(MatrixLens& lens, const ClipParts& p, NdcY ndcY) {
+  const auto edge = [](double ndc, DepthLine line) { return (DoubleDouble(ndc) - line.offset) / line.scale; };
+  const DoubleDouble left = edge(-1, p.lines[0]), right = edge(1, p.lines[0]);
+  const DoubleDouble low = edge(-1, p.lines[1]), high = edge(1, p.lines[1]);
+  const DoubleDouble bottom = ndcY == NdcY::up ? low : -high, top = ndcY == NdcY::up ? high : -low;
+  lens.left = rounded(left);
+  lens.right = rounded(right);
+  lens.bottom = rounded(bottom);
+  lens.top = rounded(top);
+  const double near = lens.zNear.value, far = lens.zFar.value;
+  try {
+    if (lens.orthographic)
+      lens.projection = orthographic(left, right, bottom, top, near, far);
+    else if (near > 0)
+      lens.projection = perspectiveWindow(left, right, bottom, top, near, far);
+  } catch (const CameraError&) {  // NOLINT: there is none
+  }
+}
+
+// Poses
+
+/// The largest entry of M^T M - I of the 3x3.
+double rigidity(const Mat4& m) noexcept {
+  double worst = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = i; j < 3; ++j) {
+      const double product = m[0][i] * m[0][j] + m[1][i] * m[1][j] + m[2][i] * m[2][j];
+      const double off = std::fabs(product - (i == j ? 1 : 0));
+      if (!(off <= worst)) worst = off;
+    }
+  return worst;
+}
+
+/// The columns of the inverse of these rows.
+std::array<DDVec3, 3> inverse(const std::array<DDVec3, 3>& rows) noexcept {
+  const DoubleDouble scale = DoubleDouble(1) / dot(rows[0], cross(rows[1], rows[2]));
+  return {cross(rows[1], rows[2]) * scale, cross(rows[2], rows[0]) * scale, cross(rows[0], rows[1]) * scale};
+}
+
+/// The point at which three rows are 0: exact until it is rounded.
+DDVec3 commonPoint(const Row& a, const Row& b, const Row& c) noexcept {
+  const Vector3<Dyadic> bc = crossOf(b.axis, c.axis), ca = crossOf(c.axis, a.axis), ab = crossOf(a.axis, b.axis);
+  WideVec3 point;
+  for (std::size_t i = 0; i < 3; ++i) point[i] = -(bc[i] * a.last + ca[i] * b.last + ab[i] * c.last).rounded();
+  return quotient(point, dot(a.axis, bc).rounded());
+}
+
+/// Of a view or its inverse, all of it divided by its last entry.
+Pose poseOf(const Mat4& m, MatrixKind kind, CameraAxes axes, Handedness world) {
+  const bool isView = kind == MatrixKind::view;
+  if (m[3][3] == 1) return isView ? poseFromCameraFromWorld(m, axes, world) : poseFromWorldFromCamera(m, axes, world);
+  const Mat4 given = isView ? m : transposed(m);
+  const DoubleDouble by = DoubleDouble(1) / DoubleDouble(m[3][3]);
+  std::array<DDVec3, 3> vectors;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const DDVec3 vector{given[i][0], given[i][1], given[i][2]};
+    vectors[i] = vector * by;
+  }
+  if (!isView) return poseFromColumns(vectors, DDVec3{m[0][3], m[1][3], m[2][3]} * by, axes, world);
+  const Rows rows = rowsOf(m);
+  return poseFromColumns(inverse(vectors), commonPoint(rows[0], rows[1], rows[2]), axes, world);
+}
+
+// The matrix taken one way
+
+std::string text(const char* format, double number) {
+  char out[200];
+  std::snprintf(out, sizeof out, format, number);
+  return out;
+}
+
+/// Which axes of its convention are not those, of the ones that its kind determines.
+std::string differences(const MatrixCamera& camera, const Convention& c) {
+  const Convention& own = camera.convention;
+  std::string names;
+  const auto add = [&](bool differs, const char* name) {
+    if (differs) names += (names.empty() ? "" : ", ") + std::string(name);
+  };
+  add(camera.pose && own.world != c.world, "world");
+  add(camera.kind != MatrixKind::viewProjection && own.view != c.view, "view");
+  add(camera.lens && own.ndcZ != c.ndcZ, "ndcZ");
+  add(camera.lens && own.reverseZ != c.reverseZ, "reverseZ");
+  add(camera.lens && own.ndcY != c.ndcY, "ndcY");
+  return names;
+}
+
+class Solver {
+ public:
+  Solver(const Mat4& matrix, MatrixLayout layout, const MatrixQuery& query)
+      : m_(matrix), layout_(layout), query_(query) {}
+
+  /// Finds the cameras that are asked for; what is wrong where there is none.
+  std::string solve(bool anyScale) {
+    anyScale_ = anyScale;
+    const std::string fault = read();
+    if (!cameras.empty() || !fault.empty()) return fault;
+    return mismatch_.empty() ? "it is of another kind" : mismatch_;
+  }
+
+  std::vector<MatrixCamera> cameras;
+  bool isRefuted = false;  ///< of no use at any scale: the w row is as it should be
+
+ private:
+  std::string read() {
+    const auto& w = m_[3];
+    const bool affine = w[0] == 0 && w[1] == 0 && w[2] == 0;
+    if (affine && w[3] == 0) return "its w row is 0 0 0 0";
+    const bool isNearlyOne = std::fabs(w[3] - 1) <= kUnits * (query_.float32 ? 0x1p-23 : 0x1p-52);
+    if (affine && !(isNearlyOne || (anyScale_ && w[3] > 0)))
+      return text("its w row is 0 0 0 %.6g: w is the same for every point, and not 1", w[3]);
+    return affine ? readAffine(isNearlyOne) : readPerspective();
+  }
+
+  bool isZero(std::initializer_list<std::size_t> entries) const {
+    for (const std::size_t entry : entries)
+      if (m_[entry / 4][entry % 4] != 0) return false;
+    return true;
+  }
+
+  std::string readPerspective() {
+    const auto parts = perspectiveParts(rowsOf(m_));
+    if (!parts) return "x or y does not change across the picture";
+    const bool hasZeros = isZero({1, 3, 4, 7, 8, 9, 12, 13, 15});
+    const double scale = parts->scale.hi;
+    const bool isUnit = hasZeros ? scale == 1 : std::fabs(scale * scale - 1) <= kPoseOrthogonality;
+    if (!isUnit && !anyScale_)
+      return text("the first three numbers of its w row have length %.6g, not 1: no row of a view", scale);
+    isRefuted = true;
+    if (!(parts->residual <= kPoseOrthogonality))
+      return text(
+          "its rows are not at right angles, or its z row not along its w row: off by %.2g, 0.001 is allowed; an "
+          "oblique near plane or a sheared or stretched model does that",
+          parts->residual);
+    if (addClip(*parts, hasZeros)) return "";
+    return text("its depth is %.6g", parts->lines[2].offset.hi) + text(" %+.6g / w", parts->lines[2].scale.hi) +
+           ", which takes in neither -1 to 1 nor 0 to 1 in front of the eye; a viewport folded in does that, or a "
+           "matrix that is none of a camera";
+  }
+
+  std::string readAffine(bool isNearlyOne) {
+    isRefuted = true;
+    const auto parts = orthographicParts(rowsOf(m_));
+    if (!parts) return "it flattens space: one of its rows has no x, y, z";
+    const double rigid = rigidity(m_);
+    const bool isPose = isNearlyOne && rigid <= kPoseOrthogonality, isDiagonal = isZero({1, 2, 4, 6, 8, 9});
+    if (isPose) addPoses(*parts, rigid);
+    if (isPose && !(isDiagonal && m_[0][0] > 0) && query_.kind != MatrixKind::viewProjection) return "";
+    if (!(parts->residual <= kPoseOrthogonality))
+      return text("its rows are not at right angles: the largest cosine is %.2g, 0.001 is allowed", parts->residual);
+    addClip(*parts, isDiagonal);
+    return "";
+  }
+
+  void addPoses(const ClipParts& parts, double residual) {
+    constexpr std::pair<ViewAxes, CameraAxes> kAxes[] = {
+        {ViewAxes::RUB, CameraAxes::RUB}, {ViewAxes::RUF, CameraAxes::RUF}, {ViewAxes::RDF, CameraAxes::RDF}};
+    for (const MatrixKind kind : {MatrixKind::view, MatrixKind::worldFromView})
+      for (const auto& [view, axes] : kAxes) {
+        MatrixCamera camera{kind, layout_, {}, m_[3][3], residual, {}, {}};
+        camera.convention.view = view;
+        camera.convention.world =
+            (view == ViewAxes::RUF) == isMirrored(parts.axes) ? Handedness::right : Handedness::left;
+        add(camera, [&, axes = axes] { return poseOf(m_, kind, axes, camera.convention.world); });
+      }
+  }
+
+  /// Projections where the axes are those of a view, else view-projections. False where there is no depth.
+  bool addClip(const ClipParts& parts, bool hasZeros) {
+    const bool isProjection = hasZeros && m_[0][0] > 0 && query_.kind != MatrixKind::viewProjection;
+    const MatrixKind kind = isProjection ? MatrixKind::projection : MatrixKind::viewProjection;
+    const DepthErrors errors = depthErrors(m_, query_.float32, parts);
+    const bool orthographic = parts.orthographic;
+    DDVec3 eye;
+    if (!isProjection && !orthographic) {
+      const Rows rows = rowsOf(m_);
+      eye = commonPoint(rows[0], rows[1], rows[3]);
+    }
+    bool hasDepth = false;
+    for (const NdcZ ndcZ : {NdcZ::minusOneToOne, NdcZ::zeroToOne})
+      for (const bool reverseZ : {false, true}) {
+        MatrixCamera camera{kind, layout_, {}, anyScale_ || orthographic ? parts.scale.hi : 1, parts.residual, {}, {}};
+        Convention& c = camera.convention;
+        c.ndcZ = ndcZ;
+        c.reverseZ = reverseZ;
+        MatrixLens lens;
+        lens.orthographic = orthographic;
+        if (orthographic)
+          setOrthographicDepth(lens, parts.lines[2], errors, ndcDepths(c));
+        else if (!setPerspectiveDepth(lens, parts.lines[2], errors, ndcDepths(c)))
+          continue;
+        hasDepth = true;
+        for (const ViewAxes view : {ViewAxes::RUB, ViewAxes::RUF, ViewAxes::RDF})
+          for (const NdcY ndcY : {NdcY::up, NdcY::down}) {
+            std::array<DDVec3, 3> axes = parts.axes;
+            if (ndcY == NdcY::down) axes[1] = -axes[1];
+            if (orthographic && reverseZ) axes[2] = -axes[2];
+            const AxisSigns sign = axisSigns(view);
+            if (isProjection ? !(axes[1].y.hi * sign.up > 0 && axes[2].z.hi * sign.forward > 0) : view != ViewAxes::RUB)
+              continue;
+            c.view = view;
+            c.ndcY = ndcY;
+            if (!isProjection) c.world = isMirrored(axes) ? Handedness::right : Handedness::left;
+            camera.lens = lens;
+            setWindow(*camera.lens, parts, ndcY);
+            add(camera, [&]() -> std::optional<Pose> {
+              if (isProjection) return std::nullopt;
+              return poseFromColumns(inverse(axes), eye, CameraAxes::RUF, c.world);
+            });
+          }
+      }
+    return hasDepth;
+  }
+
+  static bool isMirrored(const std::array<DDVec3, 3>& axes) noexcept {
+    return dot(cross(axes[0], axes[1]), axes[2]).hi < 0;
+  }
+
+  /// With its pose, if it is what is asked for; else why not.
+  template <class MakePose>
+  void add(MatrixCamera& camera, MakePose makePose) {
+    if (query_.kind && *query_.kind != camera.kind) return;
+    std::string fault;
+    try {
+      camera.pose = makePose();
+      const std::string other = query_.convention ? differences(camera, *query_.convention) : "";
+      if (!other.empty())
+        fault = "it is of a convention with another " + other;
+      else if (query_.convention && camera.lens && !camera.lens->projection)
+        fault = "it does not determine near and far";
+    } catch (const CameraError& e) {
+      fault = e.message();
+    }
+    if (fault.empty())
+      cameras.push_back(camera);
+    else if (mismatch_.empty() || fault.size() < mismatch_.size())
+      mismatch_ = fault;
+  }
+
+  const Mat4 m_;
+  MatrixLayout layout_;
+  const MatrixQuery& query_;
+  std::string mismatch_;
+  bool anyScale_ = false;
+};
+
+}  // namespace
+
+MatrixCameras camerasOf(const Mat4& matrix, const MatrixQuery& query) {
+  Mat4 m = matrix;
+  for (auto& row : m.m)
+    for (double& entry : row) {
+      if (query.float32) entry = static_cast<double>(static_cast<float>(entry));
+      if (!std::isfinite(entry))
+        return {{}, "it has a number that is not finite", "it has a number that is not finite"};
+    }
+  const bool isSymmetric = m == transposed(m);
+  Solver written(m, isSymmetric ? MatrixLayout::either : MatrixLayout::asWritten, query);
+  Solver turned(transposed(m), MatrixLayout::transposed, query);
+  MatrixCameras result{{}, written.solve(false), {}};
+  result.transposedFault = isSymmetric ? result.fault : turned.solve(false);
+  const auto mayBeMultiple = [](const Solver& solver) { return solver.cameras.empty() && !solver.isRefuted; };
+  if (mayBeMultiple(written) && (query.convention || mayBeMultiple(turned))) {
+    written.solve(true);
+    if (!isSymmetric && !query.convention) turned.solve(true);
+  }
+  result.cameras = written.cameras;
+  if (!query.convention)
+    result.cameras.insert(result.cameras.end(), turned.cameras.begin(), turned.cameras.end());
+  else if (result.cameras.empty() && !turned.cameras.empty())
+    result.fault += "; its transpose fits";
+  return result;
+}
+
+}  // namespace viewproj
