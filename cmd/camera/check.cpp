@@ -57,7 +57,7 @@ void checkAngle(const Node& value, double least, double most, const char* range)
 
 void checkRigid(const Node& value) {
   if (!value.json().is_object() || value.json().contains("data")) {
-    (void)value.mat4();
+    requireAffine(value.mat4(), value);
     return;
   }
   allowMembers(value, {"rotation", "rotationVector", "translation"});
@@ -135,6 +135,12 @@ void allowMembers(const Node& object, const std::vector<std::string_view>& names
     if (std::find(names.begin(), names.end(), item.key()) == names.end())
       failUnknown(Node(object.document(), item.value(), joinedPath(object.path(), item.key())),
                   suggestion(item.key(), names));
+}
+
+void requireAffine(const Mat4& m, const Node& value) {
+  if (m[3] == std::array<double, 4>{0, 0, 0, 1}) return;
+  const bool isTransposed = m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0 && m[3][3] == 1;
+  value.fail(std::string("the last row is not 0 0 0 1") + (isTransposed ? "; transpose the matrix" : ""));
 }
 
 std::string meantField(std::string_view path, std::string_view name, const std::vector<std::string_view>& names) {

@@ -22,6 +22,9 @@ void check(const Document& document);
 /// Throws at a member of the object that is not among the names.
 void allowMembers(const Node& object, const std::vector<std::string_view>& names);
 
+/// Throws where the last row of the value's matrix is not 0 0 0 1.
+void requireAffine(const Mat4& matrix, const Node& value);
+
 /// "; did you mean 'projection.fovY'?" of a path that is no field's; else what suggestion() tells of name among names.
 std::string meantField(std::string_view path, std::string_view name, const std::vector<std::string_view>& names);
 

@@ -36,6 +36,40 @@ enum class Kind : std::uint8_t {
   lens,        ///< a distortion
 };
 
+/// What help calls a value: of an option, and in a file. Of a word the words themselves.
+struct KindWords {
+  Kind kind;
+  std::string_view placeholder, form;
+};
+inline constexpr KindWords kKindWords[] = {
+    {Kind::text, "TEXT", "text"},
+    {Kind::word, "NAME", ""},
+    {Kind::flag, "N", "true or false"},
+    {Kind::number, "N", "number"},
+    {Kind::positive, "N", "number above 0"},
+    {Kind::far, "N", "number or \"inf\""},
+    {Kind::zero, "N", "0"},
+    {Kind::ratio, "W/H", "number or \"16/9\""},
+    {Kind::angle, "DEGREES", "0 to 180 degrees"},
+    {Kind::elevation, "DEGREES", "-90 to 90 degrees"},
+    {Kind::turn, "DEGREES", "degrees"},
+    {Kind::pair, "X,Y", "[a, b]"},
+    {Kind::range, "A,B", "[a, b]"},
+    {Kind::size, "W,H", "[a, b]"},
+    {Kind::direction, "X,Y,Z", "[x, y, z]"},
+    {Kind::place, "X,Y,Z|lat=..,lon=..,height=..", "[x, y, z] or {lat, lon, height}"},
+    {Kind::quaternion, "X,Y,Z,W", "[x, y, z, w]"},
+    {Kind::euler, "YXZ:A,B,C", "{order, degrees}"},
+    {Kind::rigid, "M", "4 rows of 4, or {rotation, translation}"},
+    {Kind::matrix, "M", "16 numbers"},
+    {Kind::lens, "JSON", "{model, k, p}"},
+};
+constexpr const KindWords& wordsOfKind(Kind kind) {
+  for (const KindWords& row : kKindWords)
+    if (row.kind == kind) return row;
+  return kKindWords[0];  // none: every kind has its row
+}
+
 /// The types of a projection, as bits: those that a field belongs to.
 enum Types : std::uint8_t {
   kPerspective = 1,

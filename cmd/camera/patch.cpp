@@ -38,7 +38,7 @@ Json listOrObject(const std::string& text) {
   return object;
 }
 
-Json valueOf(Kind kind, const std::string& text) {
+Json parsedValue(Kind kind, const std::string& text) {
   switch (kind) {
     case Kind::pair:
     case Kind::direction:
@@ -138,14 +138,17 @@ void displace(const Document& document, const Field& field) {
   }
 }
 
+/// Whether one of two paths is the other, or leads to it.
+bool overlap(std::string_view a, std::string_view b) {
+  if (a.size() > b.size()) std::swap(a, b);
+  return b.starts_with(a) && (a.size() == b.size() || b[a.size()] == '.');
+}
+
 /// Throws for what is no field, nor part of one.
 void requireField(const Patch& patch) {
-  const auto isPart = [](std::string_view inner, std::string_view outer) {
-    return inner.starts_with(outer) && (inner.size() == outer.size() || inner[outer.size()] == '.');
-  };
   std::vector<std::string_view> paths;
   for (const Field& field : kFields) {
-    if (isPart(field.path, patch.path) || isPart(patch.path, field.path)) return;
+    if (overlap(field.path, patch.path)) return;
     paths.push_back(field.path);
   }
   throw InputError(patch.label + ": is not known" + meantField(patch.path, patch.path, paths));
@@ -183,7 +186,7 @@ void put(Json& root, const Patch& patch) {
 }  // namespace
 
 Patch optionPatch(const Field& field, const std::string& text) {
-  Patch patch{std::string(field.path), std::make_shared<const Json>(valueOf(field.kind, text)),
+  Patch patch{std::string(field.path), std::make_shared<const Json>(parsedValue(field.kind, text)),
               std::string(field.option)};
   Document alone{"", std::make_shared<Json>(*patch.value), true, {{patch.path, patch.label}}};
   checkValue(Node(alone, *alone.root, patch.path), field);
@@ -218,43 +221,15 @@ std::vector<Patch> viewportPatches(double width, double height) {
           {"viewport.height", std::make_shared<const Json>(height), "--viewport"}};
 }
 
-std::string_view placeholder(Kind kind) {
-  switch (kind) {
-    case Kind::ratio:
-      return "W/H";
-    case Kind::angle:
-    case Kind::elevation:
-    case Kind::turn:
-      return "DEGREES";
-    case Kind::pair:
-      return "X,Y";
-    case Kind::direction:
-      return "X,Y,Z";
-    case Kind::place:
-      return "X,Y,Z|lat=..,lon=..,height=..";
-    case Kind::quaternion:
-      return "X,Y,Z,W";
-    case Kind::euler:
-      return "YXZ:A,B,C";
-    case Kind::lens:
-      return "JSON";
-    default:
-      return "N";
-  }
-}
-
 void requireConsistent(const std::vector<Patch>& patches) {
   const auto typesOf = [](const Field& field) {
     return field.path == kType ? std::uint8_t{kOrthographic} : field.types;
-  };
-  const auto isWithin = [](const std::string& inner, const std::string& outer) {
-    return inner == outer || inner.starts_with(outer + ".");
   };
   for (const Patch& second : patches)
     for (const Patch& first : patches) {
       if (&first == &second) break;
       if (!first.isOption && !second.isOption) continue;
-      if (isWithin(first.path, second.path) || isWithin(second.path, first.path))
+      if (overlap(first.path, second.path))
         throw UsageError(first.label + " and " + second.label + " give the same field; keep one");
       const Field *const a = findField(first.path), *const b = findField(second.path);
       if (!a || !b || first.value->is_null() || second.value->is_null()) continue;

@@ -27,9 +27,6 @@ Patch setPatch(const std::string& text);
 /// --viewport.
 std::vector<Patch> viewportPatches(double width, double height);
 
-/// What help shows in place of a value: "DEGREES".
-std::string_view placeholder(Kind kind);
-
 /// Throws UsageError for options that contradict each other, and for an option and a --set of one field.
 void requireConsistent(const std::vector<Patch>& patches);
 

@@ -53,13 +53,11 @@ std::optional<Picture> readViewport(const Node& root, double pixelCenter, const 
   return picture;
 }
 
-/// Shapes that differ by no more than 0.1 % are one.
-void requireShape(double shape, const Viewport& viewport, const Node& at, const ReadOptions& reading,
+void requireShape(double aspect, const Viewport& viewport, const Node& at, const ReadOptions& reading,
                   const std::string& mend) {
-  const double picture = viewport.width / viewport.height;
-  if (reading.allowStretch || std::fabs(shape - picture) <= 1e-3 * picture) return;
-  at.fail("the aspect is " + formatDigits(shape, 6) + ", but the viewport's is " + formatDigits(picture, 6) + "; " +
-          mend + " or give --allow-stretch");
+  if (reading.allowStretch || hasShape(viewport, aspect)) return;
+  at.fail("the aspect is " + formatDigits(aspect, 6) + ", but the viewport's is " +
+          formatDigits(viewport.width / viewport.height, 6) + "; " + mend + " or give --allow-stretch");
 }
 
 /// What the fields of a projection are read with.
@@ -279,10 +277,7 @@ CameraFile readChecked(const Document& document, const ReadOptions& reading) {
   }
   if (picture && picture->crop) {
     if (file.projection) file.projection = cropped(*file.projection, picture->frame, *picture->crop);
-    const Viewport frame = picture->frame;
-    picture->frame = cropped(frame, *picture->crop);
-    picture->frame.x = frame.x;
-    picture->frame.y = frame.y;
+    picture->frame = cropped(picture->frame, *picture->crop);
   }
   if (picture) file.viewport = picture->frame;
   return file;
@@ -332,6 +327,11 @@ CameraFile readCamera(Document document, const ReadOptions& reading) {
     const Node at = nodeOf(document, e.field());
     at.fail((at.path().empty() ? e.field() + ": " : "") + e.message());
   }
+}
+
+bool hasShape(const Viewport& viewport, double aspect) {
+  const double picture = viewport.width / viewport.height;
+  return std::fabs(aspect - picture) <= 1e-3 * picture;
 }
 
 void requireNear(const CameraFile& file, const std::string& what) {

@@ -34,6 +34,9 @@ struct ReadOptions {
 /// naming a field.
 CameraFile readCamera(Document document, const ReadOptions& reading);
 
+/// Whether a camera of this aspect fits the viewport: shapes that differ by no more than 0.1 % are one.
+bool hasShape(const Viewport& viewport, double aspect);
+
 /// Whether there is a near plane to measure depth from; a perspective camera may do without.
 inline bool hasDepth(const Projection& projection) { return projection.isOrthographic() || projection.zNear() > 0; }
 /// Throws InputError, naming what needs it, where there is none.

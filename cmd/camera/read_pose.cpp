@@ -65,12 +65,6 @@ Mat4 affine(const std::vector<double>& rotation, const Vec3& translation) {
   return m;
 }
 
-void requireAffine(const Mat4& m, const Node& value) {
-  if (m[3] == std::array<double, 4>{0, 0, 0, 1}) return;
-  const bool isTransposed = m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0 && m[3][3] == 1;
-  value.fail(std::string("the last row is not 0 0 0 1") + (isTransposed ? "; transpose the matrix" : ""));
-}
-
 /// worldFromCamera or cameraFromWorld, in any of their forms. eye: in place of the matrix's own.
 Pose matrixPose(const Node& value, bool isInverse, const std::optional<Vec3>& eye, CameraAxes axes, Handedness world) {
   const auto poseOf = [&](Mat4 m) {
@@ -82,11 +76,7 @@ Pose matrixPose(const Node& value, bool isInverse, const std::optional<Vec3>& ey
     const Axes& own = parts(pose).columns;
     return poseFromColumns({own.right, own.up, own.forward}, toDoubleDouble(*eye), CameraAxes::RUF, world);
   };
-  if (!value.json().is_object() || value.json().contains("data")) {
-    const Mat4 m = value.mat4();
-    requireAffine(m, value);
-    return poseOf(m);
-  }
+  if (!value.json().is_object() || value.json().contains("data")) return poseOf(value.mat4());
   const Vec3 translation = value.require("translation").vec3();
   const auto rotation = value.find("rotation");
   if (rotation && rotation->holdsNumbers(9)) return poseOf(affine(rotation->numbers(9), translation));

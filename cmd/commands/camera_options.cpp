@@ -90,7 +90,7 @@ void CameraOptions::addFields(CommandLine& line) {
   const Heading heading(line, kCameraFields);
   for (const Field& field : kFields)
     if (!field.option.empty() && line.wants(field.option))
-      line.add({std::string(field.option), std::string(placeholder(field.kind)), std::string(field.help)},
+      line.add({std::string(field.option), std::string(wordsOfKind(field.kind).placeholder), std::string(field.help)},
                [this, &field](const std::string&, const std::vector<std::string>& given) {
                  patches_.push_back(optionPatch(field, given.front()));
                });

@@ -8,12 +8,6 @@
 namespace viewproj::cmd {
 namespace {
 
-void requireAffine(const Mat4& m, const Node& value) {
-  if (m[3] == std::array<double, 4>{0, 0, 0, 1}) return;
-  const bool isTransposed = m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0 && m[3][3] == 1;
-  value.fail(std::string("the last row is not 0 0 0 1") + (isTransposed ? "; transpose the matrix" : ""));
-}
-
 Mat4 readParts(const Node& model) {
   const auto vector = [&](const char* key, const Vec3& fallback) {
     const auto value = model.find(key);

@@ -58,12 +58,6 @@ const ConventionPreset& nearestPreset(const Convention& c) {
 
 DoubleDouble aspectOf(const Viewport& viewport) { return DoubleDouble(viewport.width) / DoubleDouble(viewport.height); }
 
-/// Shapes that differ by no more than 0.1 % are one.
-bool hasShape(const Viewport& viewport, DoubleDouble shape) {
-  const double picture = aspectOf(viewport).hi;
-  return std::fabs(shape.hi - picture) <= 1e-3 * picture;
-}
-
 void addRange(JsonObject& out, const ProjectionParts& p) {
   if (p.orthographic || p.near != 0) out.add("near", p.near);
   if (!std::isinf(p.far)) out.add("far", p.far);
@@ -177,7 +171,7 @@ std::string beyond(const Type& type, const CameraFile& camera, bool allowStretch
   if (type.needsReversedDepth && !camera.convention.reverseZ)
     return "depth that is not reversed, since it maps near to zMax; --reverse-z or --convention ps2 writes it so";
   if (!type.hasOwnPixelShape && !allowStretch && camera.viewport &&
-      !hasShape(*camera.viewport, windowAspect(parts(*camera.projection))))
+      !hasShape(*camera.viewport, camera.projection->aspect()))
     return "a camera shape unlike the viewport's (" + formatNumber(windowAspect(parts(*camera.projection)).hi) +
            " times as wide as high, and " + formatNumber(aspectOf(*camera.viewport).hi) + " times)" +
            (type.orthographic ? "; --allow-stretch writes it for readers that allow it too"

@@ -160,7 +160,7 @@ void explainScreen(Explanation& e, const Camera& camera, const Vec4& point, cons
 }
 
 /// From view space straight to the pixel: without near there is neither clip space nor NDC.
-void explainPixel(Explanation& e, const Camera& camera, const PointStages& s) {
+void explainScreenOfView(Explanation& e, const Camera& camera, const PointStages& s) {
   if (std::isnan(s.screen.x)) {
     e.remark("the point lies on or behind the plane through the eye: it has no pixel");
     return;
@@ -228,7 +228,7 @@ Explanation explainPoint(const Camera& camera, const Convention& writing, const 
     explainInequalities(e, s);
     explainScreen(e, camera, placed, s);
   } else {
-    explainPixel(e, camera, s);
+    explainScreenOfView(e, camera, s);
   }
   giveResults(e, s.screen);
   return e;

@@ -54,49 +54,7 @@ std::string spellings(std::string_view name, std::span<const std::string_view> a
 
 /// What a value is, in a few words.
 std::string formOf(const Field& field) {
-  switch (field.kind) {
-    case Kind::text:
-      return "text";
-    case Kind::word:
-      return alternatives(field.words());
-    case Kind::flag:
-      return "true or false";
-    case Kind::number:
-      return "number";
-    case Kind::positive:
-      return "number above 0";
-    case Kind::far:
-      return "number or \"inf\"";
-    case Kind::zero:
-      return "0";
-    case Kind::ratio:
-      return "number or \"16/9\"";
-    case Kind::angle:
-      return "0 to 180 degrees";
-    case Kind::elevation:
-      return "-90 to 90 degrees";
-    case Kind::turn:
-      return "degrees";
-    case Kind::pair:
-    case Kind::range:
-    case Kind::size:
-      return "[a, b]";
-    case Kind::direction:
-      return "[x, y, z]";
-    case Kind::place:
-      return "[x, y, z] or {lat, lon, height}";
-    case Kind::quaternion:
-      return "[x, y, z, w]";
-    case Kind::euler:
-      return "{order, degrees}";
-    case Kind::rigid:
-      return "4 rows of 4, or {rotation, translation}";
-    case Kind::matrix:
-      return "16 numbers";
-    case Kind::lens:
-      return "{model, k, p}";
-  }
-  return "";
+  return field.words ? alternatives(field.words()) : std::string(wordsOfKind(field.kind).form);
 }
 
 /// The fields of an object of the camera file; "" for those that stand at its top.

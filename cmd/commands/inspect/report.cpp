@@ -9,7 +9,6 @@
 #include "camera/pose.hpp"
 #include "camera/projection.hpp"
 #include "commands/inspect/notes.hpp"
-#include "input/field_of_view.hpp"
 #include "numbers/degrees.hpp"
 #include "output/table.hpp"
 #include "text/format_number.hpp"
