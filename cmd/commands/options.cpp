@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "commands/output_option.hpp"
-#include "input/points.hpp"
+#include "records/points.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
 #include "text/names.hpp"

@@ -4,8 +4,8 @@
 #include <cctype>
 
 #include "commands/output_option.hpp"
-#include "input/points.hpp"
 #include "output/output_file.hpp"
+#include "records/points.hpp"
 #include "text/csv_format.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"

@@ -4,8 +4,8 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "input/coordinates.hpp"
 #include "output/record_writer.hpp"
+#include "records/coordinates.hpp"
 #include "text/csv_format.hpp"
 #include "text/csv_lines.hpp"
 #include "text/error.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "input/record.hpp"
+#include "records/record.hpp"
 #include "text/csv_lines.hpp"
 #include "text/layout.hpp"
 #include "text/visible.hpp"

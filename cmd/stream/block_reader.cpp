@@ -4,7 +4,7 @@
 #include <cstring>
 #include <utility>
 
-#include "input/record.hpp"
+#include "records/record.hpp"
 #include "text/csv_lines.hpp"
 #include "text/encoding.hpp"
 #include "text/error.hpp"

@@ -5,9 +5,9 @@
 #include <variant>
 
 #include "camera/read_camera.hpp"
-#include "input/points.hpp"
-#include "input/shapes.hpp"
 #include "output/labels.hpp"
+#include "records/points.hpp"
+#include "records/shapes.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
 #include "text/json_text.hpp"

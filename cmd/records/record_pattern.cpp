@@ -1,4 +1,4 @@
-#include "input/record_pattern.hpp"
+#include "records/record_pattern.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
-#include "input/point_value.hpp"
+#include "records/point_value.hpp"
 
 #include <functional>
 
-#include "input/field_names.hpp"
-#include "input/record.hpp"
+#include "records/field_names.hpp"
+#include "records/record.hpp"
 #include "text/error.hpp"
 #include "text/json_text.hpp"
 #include "text/visible.hpp"

@@ -1,9 +1,9 @@
-#include "input/points.hpp"
+#include "records/points.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "input/coordinate_fields.hpp"
+#include "records/coordinate_fields.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
 #include "text/names.hpp"

@@ -1,4 +1,4 @@
-#include "input/layout.hpp"
+#include "records/layout.hpp"
 
 #include <algorithm>
 #include <limits>

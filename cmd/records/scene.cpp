@@ -1,4 +1,4 @@
-#include "input/scene.hpp"
+#include "records/scene.hpp"
 
 #include <algorithm>
 #include <cmath>

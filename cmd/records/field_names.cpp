@@ -1,4 +1,4 @@
-#include "input/field_names.hpp"
+#include "records/field_names.hpp"
 
 #include <algorithm>
 

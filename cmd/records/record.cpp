@@ -1,4 +1,4 @@
-#include "input/record.hpp"
+#include "records/record.hpp"
 
 #include <algorithm>
 #include <cstring>

@@ -1,4 +1,4 @@
-#include "input/column_choice.hpp"
+#include "records/column_choice.hpp"
 
 #include <algorithm>
 #include <charconv>
