@@ -9,8 +9,9 @@
 #include "commands/stream_options.hpp"
 #include "output/output_file.hpp"
 #include "output/side_names.hpp"
+#include "records/arguments.hpp"
 #include "records/points.hpp"
-#include "records/shapes.hpp"
+#include "records/scene.hpp"
 #include "stream/filter.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
@@ -108,6 +109,7 @@ std::string cornersAsJson(const Camera& camera) {
 struct Options {
   CameraOptions camera;
   StreamOptions stream;
+  std::vector<GivenRecord> shapes;
   bool planes = false, corners = false;
 };
 
@@ -123,9 +125,10 @@ int run(const Options& o, const CommandLine& line) {
       if (option.isGiven && (option.heading == kInput || option.heading == kOutput))
         throw UsageError(option.name() + " is for records, and with " + alone + " none are read");
   FilterSetup setup = o.stream.setup(kSphereColumns);
+  setup.given.insert(setup.given.end(), o.shapes.begin(), o.shapes.end());
   if (const auto file = line.valueOf(kOutputOption); readsNothing && file)
     (void)formOfOutputName(*file, {{"JSON", ".json"}});
-  if (!readsNothing) o.stream.requireOneInput(setup, o.camera);
+  if (!readsNothing) o.stream.reads(setup, o.camera);
   const CameraFile file = o.camera.read();
   const Frustum frustum = viewFrustum(makeCamera(file));
   if (readsNothing) {
@@ -133,8 +136,7 @@ int run(const Options& o, const CommandLine& line) {
     return 0;
   }
   o.stream.settleOnEarth(setup, file.worldIsEcef);
-  const PointReading reading{
-      .columns = setup.columns, .worldIsEcef = file.worldIsEcef, .shapes = "culled", .radius = true};
+  const PointReading reading{.columns = setup.columns, .worldIsEcef = file.worldIsEcef, .shapes = true, .radius = true};
   setup.note = [&](const std::string& note) { o.camera.notes().say(note); };
   setup.writer.arrayName = "position";
   return runFilter(setup, [&] { return std::make_unique<CullWork>(frustum, reading); });
@@ -153,6 +155,16 @@ Action defineCull(CommandLine& line) {
       "  viewproj cull -c samples/picking-a-pixel/camera.json");
   o->camera.add(line);
   o->stream.add(line, "points and shapes");
+  o->stream.addPoints(line);
+  const auto shapeOf = [](std::string (*read)(const std::string&, const std::string&)) {
+    return [read](const std::string& option, const std::string& text) {
+      return GivenRecord{option + " " + text, read(option, text)};
+    };
+  };
+  addValues(line, "--sphere", "X,Y,Z,R", o->shapes, shapeOf(readSphereArgument),
+            "A sphere, in place of FILE and standard input");
+  addValues(line, "--box", "X,Y,Z,X,Y,Z", o->shapes, shapeOf(readBoxArgument),
+            "A box, from its lower to its upper corner, in place of FILE and standard input");
   line.addFlag("--planes", o->planes,
                "Print the view's planes [a,b,c,d], ax + by + cz + d >= 0 inside, and read nothing");
   line.addFlag("--corners", o->corners,

@@ -9,7 +9,6 @@
 #include "text/csv_format.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
-#include "text/system.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -32,6 +31,7 @@ constexpr std::size_t kMostJobs = 1024;
 }  // namespace
 
 void StreamOptions::addInput(CommandLine& line, const std::string& what) {
+  line_ = &line;
   const Heading heading(line, kInput);
   addValue(line, "FILE", "", file_, readFileName, "The " + what + "; absent or - for standard input");
   addChoice(line, "--from", "FORM", from_, namesOf(inputForms()), "Form of FILE", "as its name and first bytes tell");
@@ -67,6 +67,10 @@ void StreamOptions::add(CommandLine& line, const std::string& what) {
   line.addFlag("--no-header", noHeader_, "CSV: write no header line");
 }
 
+void StreamOptions::addPoints(CommandLine& line) {
+  addValues(line, "--point", kPointForm, points_, readPointArgument, "A point, in place of FILE and standard input");
+}
+
 void StreamOptions::addKeepGoing(CommandLine& line) {
   line.addFlag("--keep-going", keepGoing_, "Leave a bad record out, with a message, and go on; the status is 1 then");
 }
@@ -82,6 +86,7 @@ FilterSetup StreamOptions::setup(const ChoosableColumns& choosable) const {
   setup.delimiter = delimiter_;
   setup.writer.header = !noHeader_;
   setup.writer.prefix = prefix_.value_or("");
+  for (const PointArgument& point : points_) setup.given.push_back({point.text, point.json()});
   if (columns_) {
     setup.columns = chooseColumns(*columns_, choosable);
     setup.csvDefaults = setup.writer.numberNames = setup.columns.columnNames();
@@ -93,10 +98,11 @@ FilterSetup StreamOptions::setup(const ChoosableColumns& choosable) const {
   return setup;
 }
 
-void StreamOptions::settleOnEarth(FilterSetup& setup, bool worldIsEcef) {
+void StreamOptions::settleOnEarth(FilterSetup& setup, bool worldIsEcef) const {
+  for (const PointArgument& point : points_) point.requireFit(worldIsEcef);
   if (!worldIsEcef) return;
   const ColumnChoice& columns = setup.columns;
-  if (columns.given() && !columns.saysWhat) {
+  if (columns.given() && !columns.hasRoles) {
     std::string place, ecef;
     for (std::size_t i = 0; i < 3; ++i) {
       const std::string end = "=" + columns.picks[i].name + (i < 2 ? "," : "");
@@ -108,38 +114,23 @@ void StreamOptions::settleOnEarth(FilterSetup& setup, bool worldIsEcef) {
   if (!columns.given()) setup.writer.numberNames = setup.csvDefaults;
 }
 
-void StreamOptions::requireOneInput(const FilterSetup& setup, const CameraOptions& camera,
-                                    const NamedInput& other) const {
-  if (!setup.given.empty()) {
-    const std::string& given = setup.given.front().option;
-    if (file_)
-      throw UsageError(given + " takes the place of FILE; leave out one of it and " + *file_ +
-                       (camera.isGiven() ? "" : "; -c FILE gives the camera"));
-    requireNoInputOption(given.substr(0, given.find(' ')) + " takes the place of");
+bool StreamOptions::reads(const FilterSetup& setup, const CameraOptions& camera, const NamedInput& other) const {
+  const bool areTyped = !setup.given.empty();
+  if (areTyped && file_) {
+    const std::string option = setup.given.front().option;
+    throw UsageError(option + " takes the place of FILE; leave out one of it and " + *file_ +
+                     (camera.isGiven() ? "" : "; -c FILE gives the camera"));
   }
-  requireOneStandardInput(
-      {{"the camera", camera.fromStandardInput()}, other, {"the records", setup.given.empty() && setup.file == "-"}});
-}
-
-bool StreamOptions::readsBeside(const std::optional<std::string>& scene, const FilterSetup& setup,
-                                const CameraOptions& camera, const std::string& instead) const {
-  const NamedInput ofScene{"the scene", isStandardInput(scene)}, ofCamera{"the camera", camera.fromStandardInput()};
-  const bool isFree = !ofCamera.isStandard && !ofScene.isStandard && !isTerminal(kStandardInput);
-  const bool reads = file_ || (instead.empty() && (!scene || isFree));
-  if (reads) {
-    requireOneInput(setup, camera, ofScene);
-  } else {
-    requireNoInputOption(instead.empty() ? "is not given" : instead);
-    requireOneStandardInput({ofCamera, ofScene});
-  }
-  return reads;
-}
-
-void StreamOptions::requireNoInputOption(const std::string& why) const {
-  for (const auto& [name, given] : {std::pair("--from", from_.has_value()),
-                                    {"--columns", columns_.has_value()},
-                                    {"--delimiter", delimiter_ && !writes_}})
-    if (given) throw UsageError(std::string(name) + " is for FILE, which " + why);
+  const std::string_view command = std::string_view(line_->name()).substr(line_->name().rfind(' ') + 1);
+  const bool isStandard =
+      readsStandardInput(command, file_, [&](std::string_view option) { return line_->has(option); });
+  if (!file_ && !isStandard)
+    for (const auto& [name, isGiven] : {std::pair("--from", from_.has_value()),
+                                        {"--columns", columns_.has_value()},
+                                        {"--delimiter", delimiter_ && !writes_}})
+      if (isGiven) throw UsageError(std::string(name) + " is for FILE, and none is read");
+  requireOneStandardInput({{"the camera", camera.fromStandardInput()}, other, {"the records", isStandard}});
+  return areTyped || file_ || isStandard;
 }
 
 }  // namespace viewproj::cmd

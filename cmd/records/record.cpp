@@ -185,15 +185,6 @@ std::string csvValue(std::string_view field) {
   return value;
 }
 
-std::optional<std::string> otherSeparator(const Shape& header) {
-  if (header.form != Form::csv || header.names.size() != 1) return std::nullopt;
-  for (const SeparatorName& other : kSeparators)
-    if (header.names[0].find(other.separator) != std::string::npos)
-      return "--delimiter " + std::string(other.name) + " separates columns by the " + std::string(other.plural) +
-             " that stand here";
-  return std::nullopt;
-}
-
 std::string whatIsThere(const Shape& shape) {
   constexpr std::size_t kMostShown = 60;
   if (shape.isArray || !shape.hasHeader || shape.names.empty()) return "";
@@ -204,7 +195,11 @@ std::string whatIsThere(const Shape& shape) {
     if (!all.empty()) all += csv ? std::string(1, shape.csv.separator) : ", ";
     all += name;
   }
-  return (csv ? "; the header is " : "; its fields are ") + inQuotes(all, kMostShown);
+  std::string text = (csv ? "; the header is " : "; its fields are ") + inQuotes(all, kMostShown);
+  for (const SeparatorName& other : kSeparators)
+    if (csv && shape.names.size() == 1 && all.find(other.separator) != std::string::npos)
+      return text + "; --delimiter " + std::string(other.name) + " separates its columns";
+  return text;
 }
 
 std::string nameOfColumn(const std::vector<std::string>& names, std::size_t column) {

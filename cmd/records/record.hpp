@@ -114,10 +114,7 @@ std::optional<std::string> markedBad(const RecordParts& json);
 /// A CSV field without its quotes.
 std::string csvValue(std::string_view field);
 
-/// What to say of a CSV header of one column in whose name other separators stand than the one it was read by.
-std::optional<std::string> otherSeparator(const Shape& header);
-
-/// "; the header is 'E,N,U'", or for JSON its fields, as far as they go.
+/// "; the header is 'E,N,U'", or for JSON its fields, as far as they go; and the separator that it seems to have.
 std::string whatIsThere(const Shape& shape);
 
 /// A header if the line has a field that is not a number; otherwise the default names in order, where there are any,

@@ -28,9 +28,7 @@ int run(const Options& o) {
   if (o.camera.lists()) return o.camera.list();
   FilterSetup setup = o.stream.setup(kPointColumns);
   setup.note = [&](const std::string& note) { o.camera.notes().say(note); };
-  const bool reads = o.stream.readsBeside(o.scene, setup, o.camera,
-                                          o.pixels.empty() ? "" : "--pixel takes the place of; - reads it as well");
-
+  const bool reads = o.stream.reads(setup, o.camera, {"the scene", isStandardInput(o.scene)});
   const CameraFile file = o.camera.read();
   if (reads) o.stream.settleOnEarth(setup, file.worldIsEcef);
   View view{.camera = makeCamera(file)};
@@ -59,10 +57,10 @@ Action defineDraw(CommandLine& line) {
       "  --scene samples/a-picture-of-a-harbour/scene.json --pixel 700,250 > view.svg");
   o->camera.add(line);
   o->stream.addInput(line, "points and shapes");
+  o->stream.addPoints(line);
   o->stream.addKeepGoing(line);
   addSceneOption(line, o->scene, ": its outlines are drawn");
-  addValues(line, "--pixel", "X,Y", o->pixels, readPixel,
-            "A pixel to mark, with --scene what its ray hits first; standard input is then read only for FILE -");
+  addValues(line, "--pixel", "X,Y", o->pixels, readPixel, "A pixel to mark, with --scene what its ray hits first");
   addOnlyForm(line, "SVG", ".svg");
   return [o] { return run(*o); };
 }

@@ -7,7 +7,6 @@
 #include "camera/read_camera.hpp"
 #include "output/labels.hpp"
 #include "records/points.hpp"
-#include "records/shapes.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
 #include "text/json_text.hpp"
@@ -84,8 +83,7 @@ class DrawWork final : public RecordWork {
 }  // namespace
 
 int addRecords(View& view, const Frustum& frustum, const FilterSetup& setup, bool worldIsEcef) {
-  const PointReading reading{
-      .columns = setup.columns, .worldIsEcef = worldIsEcef, .segments = true, .shapes = "drawn from a record"};
+  const PointReading reading{.columns = setup.columns, .worldIsEcef = worldIsEcef, .segments = true, .shapes = true};
   return readRecords(setup, [&] { return std::make_unique<DrawWork>(view, frustum, reading); });
 }
 

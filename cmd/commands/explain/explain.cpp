@@ -6,6 +6,7 @@
 #include "commands/command.hpp"
 #include "commands/options.hpp"
 #include "output/output_file.hpp"
+#include "records/arguments.hpp"
 #include "records/model.hpp"
 #include "text/error.hpp"
 
@@ -16,17 +17,9 @@ namespace {
 
 constexpr std::size_t kDefaultDigits = 9;
 
-GivenPoint readPoint(const std::string& option, const std::string& text) {
-  const GivenPoint given = readGivenPoint(option, text);
-  const Vec4 point = given.point();
-  if (maxAbs(Vec3{point.x, point.y, point.z}) == 0 && point.w == 0)
-    throw UsageError(given.text + ": is neither a point nor a direction, all four numbers are 0");
-  return given;
-}
-
 struct Options {
   CameraOptions camera;
-  std::optional<GivenPoint> point;
+  std::optional<PointArgument> point;
   std::optional<std::vector<double>> pixel;
   std::optional<std::string> model;
   std::optional<std::size_t> digits;
@@ -68,7 +61,7 @@ Action defineExplain(CommandLine& line) {
   line.setExample("viewproj explain -c samples/picking-a-pixel/camera.json --point 1,1,1 --convention d3d");
   o->camera.add(line);
   o->camera.addWriting(line);
-  addValue(line, "--point", kPointForm, o->point, readPoint, "The point to follow");
+  addValue(line, "--point", kPointForm, o->point, readPointArgument, "The point to follow");
   addValue(line, "--pixel", "X,Y[,DEPTH]", o->pixel, readPixelNumbers,
            "The pixel to follow back, with a window depth if known");
   addModelOption(line, o->model, "point");

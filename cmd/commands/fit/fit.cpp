@@ -14,7 +14,6 @@
 #include "output/output_file.hpp"
 #include "records/points.hpp"
 #include "records/scene.hpp"
-#include "records/shapes.hpp"
 #include "stream/filter.hpp"
 #include "text/error.hpp"
 #include "text/file.hpp"
@@ -203,8 +202,7 @@ int run(const Options& o) {
   if (o.margin && o.pixels) throw UsageError("--margin and --pixels both say how large it is; leave out one of them");
   FilterSetup setup = o.stream.setup(kSphereColumns);
   setup.note = [&](const std::string& note) { o.camera.notes().say(note); };
-  const bool reads = o.stream.readsBeside(o.scene, setup, o.camera);
-
+  const bool reads = o.stream.reads(setup, o.camera, {"the scene", isStandardInput(o.scene)});
   CameraFile file = o.camera.read();
   if (reads) o.stream.settleOnEarth(setup, file.worldIsEcef);
   const Camera camera = makeCamera(file);
@@ -217,7 +215,7 @@ int run(const Options& o) {
   const Wanted wanted = wantedBy(o, *file.viewport);
   Fitting fitting{Hull(camera, wanted.room), Extent(frustum)};
   const PointReading reading{
-      .columns = setup.columns, .worldIsEcef = file.worldIsEcef, .segments = true, .shapes = "fitted", .radius = true};
+      .columns = setup.columns, .worldIsEcef = file.worldIsEcef, .segments = true, .shapes = true, .radius = true};
   if (o.scene) addScene(fitting, readScene(*o.scene, file.worldIsEcef));
   const int status = reads ? readRecords(setup, [&] { return std::make_unique<FitWork>(fitting, reading); }) : 0;
   if (fitting.hull.isEmpty()) throw InputError("there is nothing to fit");
@@ -257,6 +255,7 @@ Action defineFit(CommandLine& line) {
       "  viewproj project -c - samples/cornell-box/quads.csv --to table");
   o->camera.add(line);
   o->stream.addInput(line, "points and shapes");
+  o->stream.addPoints(line);
   o->stream.addKeepGoing(line);
   addSceneOption(line, o->scene, ", to fit as well");
   static constexpr std::pair<std::string_view, Means> kMeans[] = {{"place", Means::place}, {"fov", Means::lens}};

@@ -61,7 +61,7 @@ int run(const Options& o) {
   if (o.camera.lists()) return o.camera.list();
   FilterSetup setup = o.stream.setup(kPointColumns);
   setup.note = [&](const std::string& note) { o.camera.notes().say(note); };
-  o.stream.requireOneInput(setup, o.camera);
+  o.stream.reads(setup, o.camera);
   const CameraFile file = o.camera.read();
   requireNear(file, "measure");
   const Camera built = makeCamera(file);
@@ -71,7 +71,10 @@ int run(const Options& o) {
   const PointReading reading{.columns = setup.columns, .worldIsEcef = file.worldIsEcef};
   const int status = readRecords(setup, [&] { return std::make_unique<SampleWork>(sample, reading, setup.keepGoing); });
   if (sample.points.empty())
-    throw InputError((setup.file == "-" ? kStandardInputName : visible(setup.file)) + ": has no points to measure" +
+    throw InputError((!setup.given.empty() ? setup.given[0].option
+                      : setup.file == "-"  ? kStandardInputName
+                                           : visible(setup.file)) +
+                     ": has no points to measure" +
                      (sample.leftOut > 0 ? "; directions and weighted points are left out" : ""));
   const Measurement m = measure(built, sample.points);
   writeOutput(o.form == ReportForm::json ? measurementAsJson(m, sample.leftOut) : measurementAsTable(m));
@@ -88,6 +91,7 @@ Action defineMeasure(CommandLine& line) {
   line.setExample("viewproj measure -c samples/measuring-the-trade/camera.json samples/measuring-the-trade/points.txt");
   o->camera.add(line);
   o->stream.addInput(line, "points");
+  o->stream.addPoints(line);
   o->stream.addKeepGoing(line);
   addReportForm(line, o->form);
   return [o] { return run(*o); };
