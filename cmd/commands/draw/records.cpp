@@ -9,8 +9,8 @@
 #include "input/shapes.hpp"
 #include "output/labels.hpp"
 #include "text/error.hpp"
-#include "text/format_number.hpp"
 #include "text/json_text.hpp"
+#include "text/number.hpp"
 #include "viewproj/scene.hpp"
 
 namespace viewproj::cmd {
