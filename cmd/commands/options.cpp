@@ -1,7 +1,7 @@
 #include "commands/options.hpp"
 
 #include "commands/output_option.hpp"
-#include "text/format_number.hpp"
+#include "text/number.hpp"
 
 namespace viewproj::cmd {
 void addModelOption(CommandLine& line, std::optional<std::string>& model, const std::string& what,

@@ -6,7 +6,7 @@
 #include "commands/output_option.hpp"
 #include "output/output_file.hpp"
 #include "records/points.hpp"
-#include "text/csv_format.hpp"
+#include "text/csv.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
 

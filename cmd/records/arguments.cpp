@@ -5,8 +5,7 @@
 
 #include "records/columns.hpp"
 #include "text/error.hpp"
-#include "text/format_number.hpp"
-#include "text/parse_number.hpp"
+#include "text/number.hpp"
 #include "viewproj/geodesy.hpp"
 
 namespace viewproj::cmd {

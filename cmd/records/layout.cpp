@@ -5,10 +5,9 @@
 #include <optional>
 
 #include "records/coordinates.hpp"
-#include "text/csv_format.hpp"
 #include "text/error.hpp"
 #include "text/json_scan.hpp"
-#include "text/parse_number.hpp"
+#include "text/number.hpp"
 #include "viewproj/geodesy.hpp"
 
 namespace viewproj::cmd {

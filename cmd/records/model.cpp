@@ -4,7 +4,7 @@
 
 #include "camera/check.hpp"
 #include "text/error.hpp"
-#include "text/parse_number.hpp"
+#include "text/number.hpp"
 #include "viewproj/camera.hpp"
 
 namespace viewproj::cmd {

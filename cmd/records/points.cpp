@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "text/error.hpp"
-#include "text/format_number.hpp"
 #include "text/names.hpp"
+#include "text/number.hpp"
 #include "viewproj/geodesy.hpp"
 
 namespace viewproj::cmd {

@@ -8,8 +8,8 @@
 #include "output/labels.hpp"
 #include "records/points.hpp"
 #include "text/error.hpp"
-#include "text/format_number.hpp"
 #include "text/json_text.hpp"
+#include "text/number.hpp"
 #include "viewproj/scene.hpp"
 
 namespace viewproj::cmd {

@@ -17,7 +17,7 @@
 #include "stream/filter.hpp"
 #include "text/error.hpp"
 #include "text/file.hpp"
-#include "text/format_number.hpp"
+#include "text/number.hpp"
 
 namespace viewproj::cmd {
 
