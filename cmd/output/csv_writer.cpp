@@ -4,13 +4,12 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "input/coordinates.hpp"
 #include "output/record_writer.hpp"
-#include "text/csv_format.hpp"
-#include "text/csv_lines.hpp"
+#include "records/coordinates.hpp"
+#include "text/csv.hpp"
 #include "text/error.hpp"
-#include "text/format_number.hpp"
 #include "text/names.hpp"
+#include "text/number.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "input/record.hpp"
 #include "output/results.hpp"
 #include "output/spilled_texts.hpp"
+#include "records/record.hpp"
 #include "text/form.hpp"
 #include "text/text_buffer.hpp"
 

@@ -4,10 +4,10 @@
 #include <cstring>
 #include <utility>
 
-#include "input/record.hpp"
-#include "text/csv_lines.hpp"
-#include "text/encoding.hpp"
+#include "records/record.hpp"
+#include "text/csv.hpp"
 #include "text/error.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "input/record.hpp"
+#include "records/record.hpp"
 #include "text/error.hpp"
 #include "text/json_scan.hpp"
 

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "input/layout.hpp"
 #include "output/record_writer.hpp"
+#include "records/layout.hpp"
 
 namespace viewproj::cmd {
 
