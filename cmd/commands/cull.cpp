@@ -10,7 +10,7 @@
 #include "input/points.hpp"
 #include "input/shapes.hpp"
 #include "output/output_file.hpp"
-#include "output/side_names.hpp"
+#include "output/results.hpp"
 #include "stream/filter.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"

@@ -9,6 +9,7 @@
 #include "commands/stream_options.hpp"
 #include "input/points.hpp"
 #include "input/scene.hpp"
+#include "output/results.hpp"
 #include "stream/filter.hpp"
 #include "text/error.hpp"
 #include "text/format_number.hpp"
