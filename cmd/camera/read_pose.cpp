@@ -5,10 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "camera/camera.hpp"
 #include "camera/check.hpp"
-#include "camera/turned_axes.hpp"
-#include "geodesy/normal.hpp"
 #include "numbers/radians.hpp"
 
 namespace viewproj::cmd {
@@ -72,9 +69,7 @@ Pose matrixPose(const Node& value, bool isInverse, const std::optional<Vec3>& ey
       for (std::size_t i = 0; i < 3; ++i) m[i][3] = (*eye)[i];
     if (!isInverse) return poseFromWorldFromCamera(m, axes, world);
     const Pose pose = poseFromCameraFromWorld(m, axes, world);
-    if (!eye) return pose;
-    const Axes& own = parts(pose).columns;
-    return poseFromColumns({own.right, own.up, own.forward}, toDoubleDouble(*eye), CameraAxes::RUF, world);
+    return eye ? movedTo(pose, *eye) : pose;
   };
   if (!value.json().is_object() || value.json().contains("data")) return poseOf(value.mat4());
   const Vec3 translation = value.require("translation").vec3();
@@ -87,27 +82,16 @@ Pose matrixPose(const Node& value, bool isInverse, const std::optional<Vec3>& ey
     columns = {DDVec3{c[0].x, c[1].x, c[2].x}, DDVec3{c[0].y, c[1].y, c[2].y}, DDVec3{c[0].z, c[1].z, c[2].z}};
     origin = -(columns[0] * origin.x + columns[1] * origin.y + columns[2] * origin.z);
   }
-  return poseFromColumns(columns, eye ? toDoubleDouble(*eye) : origin, axes, world);
+  return poseFromColumns({split(columns[0]), split(columns[1]), split(columns[2])},
+                         eye ? SplitVec3{*eye, {}} : split(origin), axes, world);
 }
 
 Pose eulerPose(const Node& value, const Vec3& position, CameraAxes axes, Handedness world) {
   const auto order = viewproj::cmd::valueOf(kEulerOrders, value.require("order").text());
   const Node degrees = value.require("degrees");
-  (void)poseFromRotation(position, {}, axes, world);  // throws where the axes are of the other handedness
-  // The camera's axes in the world; about one of them the two after it turn, the first towards the second.
-  TurnedAxes t({{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}});
-  for (std::size_t i = 0; i < 3; ++i) t.turn((order[i] + 2) % 3, (order[i] + 1) % 3, degreesOf(degrees[i]));
-  switch (axes) {
-    case CameraAxes::RUB:
-      return poseFromAxes(position, t.axis(0), t.axis(1), t.axis(2, true));
-    case CameraAxes::RUF:
-      return poseFromAxes(position, t.axis(0), t.axis(1), t.axis(2));
-    case CameraAxes::RDF:
-      return poseFromAxes(position, t.axis(0), t.axis(1, true), t.axis(2));
-    case CameraAxes::FRU:
-      break;
-  }
-  return poseFromAxes(position, t.axis(1), t.axis(2), t.axis(0));
+  std::array<Turn, 3> turns;
+  for (std::size_t i = 0; i < 3; ++i) turns[i] = {static_cast<int>(order[i]), degreesOf(degrees[i])};
+  return poseFromTurns(position, turns, axes, world);
 }
 
 }  // namespace
@@ -166,13 +150,16 @@ std::optional<Pose> readPose(const Document& document) {
   }
   if (target && !up && isPlaceValue(*position) && isPlaceValue(*target))
     return lookAtPlace(placeOf(*position), placeOf(*target));
-  const auto look = [&](const auto& upward) {
+  const auto look = [&](const Vec3& upward) {
     return target ? lookAt(*eye, positionOf(*target), upward, world)
                   : lookAlong(*eye, direction->vec3(), upward, world);
   };
   if (up) return look(up->vec3());
-  if (worldIsEcef(document))
-    return look(ellipsoidNormal(isPlaceValue(*position) ? placeOf(*position) : ecefToGeodetic(*eye)));
+  if (worldIsEcef(document)) {
+    const Geodetic place = isPlaceValue(*position) ? placeOf(*position) : ecefToGeodetic(*eye);
+    return target ? lookAtOnEarth(*eye, positionOf(*target), place, world)
+                  : lookAlongOnEarth(*eye, direction->vec3(), place, world);
+  }
   return look(preset->up);
 }
 

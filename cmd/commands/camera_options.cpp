@@ -10,8 +10,8 @@
 #include "output/camera_text.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
-#include "text/format_number.hpp"
 #include "text/names.hpp"
+#include "text/number.hpp"
 
 namespace viewproj::cmd {
 namespace {

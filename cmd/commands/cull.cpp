@@ -7,14 +7,14 @@
 #include "commands/command.hpp"
 #include "commands/output_option.hpp"
 #include "commands/stream_options.hpp"
-#include "input/points.hpp"
-#include "input/shapes.hpp"
 #include "output/output_file.hpp"
 #include "output/results.hpp"
+#include "records/points.hpp"
+#include "records/shapes.hpp"
 #include "stream/filter.hpp"
 #include "text/error.hpp"
-#include "text/format_number.hpp"
-#include "text/json_build.hpp"
+#include "text/json_text.hpp"
+#include "text/number.hpp"
 #include "viewproj/scene.hpp"
 
 namespace viewproj::cmd {

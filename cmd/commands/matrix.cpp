@@ -7,12 +7,12 @@
 #include "commands/options.hpp"
 #include "commands/output_option.hpp"
 #include "input/adjusted.hpp"
-#include "input/model.hpp"
 #include "output/camera_matrices.hpp"
 #include "output/camera_summary.hpp"
 #include "output/camera_text.hpp"
 #include "output/matrix_text.hpp"
 #include "output/output_file.hpp"
+#include "records/model.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
 

@@ -3,11 +3,10 @@
 #include <algorithm>
 
 #include "commands/output_option.hpp"
-#include "input/points.hpp"
+#include "records/points.hpp"
 #include "text/error.hpp"
-#include "text/format_number.hpp"
 #include "text/names.hpp"
-#include "text/parse_number.hpp"
+#include "text/number.hpp"
 #include "viewproj/geodesy.hpp"
 
 namespace viewproj::cmd {

@@ -4,9 +4,9 @@
 #include <cctype>
 
 #include "commands/output_option.hpp"
-#include "input/points.hpp"
 #include "output/output_file.hpp"
-#include "text/csv_format.hpp"
+#include "records/points.hpp"
+#include "text/csv.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
 #include "text/system.hpp"

@@ -7,7 +7,7 @@
 
 #include "commands/camera_options.hpp"
 #include "commands/options.hpp"
-#include "input/column_choice.hpp"
+#include "records/column_choice.hpp"
 #include "stream/filter.hpp"
 
 namespace viewproj::cmd {

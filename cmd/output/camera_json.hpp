@@ -7,7 +7,7 @@
 
 #include "camera/camera.hpp"
 #include "camera/read_camera.hpp"
-#include "text/json_build.hpp"
+#include "text/json_text.hpp"
 #include "viewproj/matrices.hpp"
 
 namespace viewproj::cmd {

@@ -10,7 +10,7 @@
 #include "numbers/degrees.hpp"
 #include "output/camera_json.hpp"
 #include "text/error.hpp"
-#include "text/format_number.hpp"
+#include "text/number.hpp"
 
 namespace viewproj::cmd {
 

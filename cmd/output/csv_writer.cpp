@@ -3,14 +3,15 @@
 #include <functional>
 #include <unordered_map>
 
-#include "input/coordinates.hpp"
 #include "output/record_writer.hpp"
 #include "output/results.hpp"
-#include "text/csv_format.hpp"
+#include "records/coordinates.hpp"
+#include "text/csv.hpp"
 #include "text/error.hpp"
-#include "text/format_number.hpp"
 #include "text/json_scan.hpp"
 #include "text/json_text.hpp"
+#include "text/names.hpp"
+#include "text/number.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -8,8 +8,8 @@
 #include "output/camera_json.hpp"
 #include "output/identifiers.hpp"
 #include "text/error.hpp"
-#include "text/format_number.hpp"
-#include "text/json_build.hpp"
+#include "text/json_text.hpp"
+#include "text/number.hpp"
 #include "viewproj/matrices.hpp"
 
 namespace viewproj::cmd {

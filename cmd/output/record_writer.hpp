@@ -7,8 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "input/record.hpp"
 #include "output/result.hpp"
+#include "output/results.hpp"
+#include "records/record.hpp"
 #include "text/form.hpp"
 #include "text/text_buffer.hpp"
 

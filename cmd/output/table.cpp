@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "input/record.hpp"
-#include "text/csv_lines.hpp"
+#include "records/record.hpp"
+#include "text/csv.hpp"
 #include "text/layout.hpp"
-#include "text/visible.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -3,7 +3,8 @@
 
 #include "output/record_writer.hpp"
 #include "output/results.hpp"
-#include "text/format_number.hpp"
+#include "text/csv.hpp"
+#include "text/number.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "input/field_names.hpp"
+#include "records/field_names.hpp"
 
 namespace viewproj::cmd {
 namespace {

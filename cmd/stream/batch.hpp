@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "input/record_pattern.hpp"
+#include "records/record_pattern.hpp"
 #include "stream/block_reader.hpp"
 #include "stream/work.hpp"
 #include "text/error.hpp"

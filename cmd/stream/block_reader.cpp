@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "input/record.hpp"
-#include "text/encoding.hpp"
+#include "records/record.hpp"
+#include "text/csv.hpp"
 #include "text/error.hpp"
 #include "text/json_scan.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -148,7 +149,8 @@ bool BlockReader::next(Block& block) {
       readMore(bytes, most);
     }
   } catch (const InputError& e) {
-    // What was read before goes out; a record that the error cut off does not.
+    // What was read before goes out, to the last whole record; one that the error cut off does not.
+    if (form_ == Form::json) searched_ = bytes.size();
     whole = wholeRecords(bytes.view());
     block.fault = {{0, 0}, e.what()};
   }
@@ -196,7 +198,8 @@ std::size_t BlockReader::wholeJson(std::string_view text) {
     const JsonPiece piece = splitter_.next(text.substr(lookedAt_), JsonSplitter::End::open);
     if (piece.event == JsonEvent::needMore) return whole_;
     lookedAt_ += piece.end;
-    // What has no bytes is for the block of what comes next, and so is an array's beginning: alone it may be a record's.
+    // What has no bytes is for the block of what comes next, and so is an array's beginning: alone it may be a
+    // record's.
     if (piece.end == 0 || splitter_.state().place == JsonState::Place::first) continue;
     whole_ = lookedAt_;
     state_ = splitter_.state();

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "input/column_choice.hpp"
 #include "output/output_file.hpp"
 #include "output/record_writer.hpp"
+#include "records/column_choice.hpp"
 #include "stream/block_reader.hpp"
 #include "stream/work.hpp"
 #include "text/form.hpp"

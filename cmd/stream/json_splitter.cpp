@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "input/record.hpp"
+#include "records/record.hpp"
 #include "text/error.hpp"
 #include "text/json_scan.hpp"
 #include "text/json_text.hpp"
@@ -203,15 +203,17 @@ bool JsonSplitter::endsRecord(char c) const {
   return isCut_ || !(isItem || before_ == ':');
 }
 
-/// To the string's end, or the text's.
-void JsonSplitter::passString(std::string_view rest) {
-  looked_ = endOfString(rest, looked_);
-  if (looked_ >= rest.size()) return;
+/// To the string's end. False where it goes on after the text.
+bool JsonSplitter::passString(std::string_view rest) {
+  const std::size_t end = endOfString(rest, looked_);
+  looked_ = std::min(end, rest.size() - (end > rest.size() ? 1 : 0));  // on a backslash whose byte is to come
+  if (end >= rest.size()) return false;
   inString_ = false;
-  if (rest[looked_] == '"')
+  if (rest[end] == '"')
     ++looked_;
   else
     isCut_ = true;
+  return true;
 }
 
 /// Goes on to where all that is open is closed, or to where it certainly does not close: looked_.
@@ -225,7 +227,7 @@ JsonSplitter::Answer JsonSplitter::isClosed(std::string_view rest, char open, bo
   }
   while (looked_ < rest.size()) {
     if (inString_) {
-      passString(rest);
+      if (!passString(rest)) break;
       continue;
     }
     const char c = rest[looked_];
@@ -303,12 +305,15 @@ JsonPiece JsonSplitter::junk(std::string_view rest, bool atEnd, const char* mess
     return isLineBreak(c) || opensJson(c) || (state_.insideArray() && (c == ',' || c == ']'));
   };
   while (looked_ < rest.size() && (looked_ == 0 || inString_ || !ends(rest[looked_]))) {
-    if (inString_)
-      passString(rest);
-    else
+    if (!inString_)
       inString_ = rest[looked_++] == '"';
+    else if (!passString(rest))
+      break;
   }
-  if (looked_ >= rest.size() && !atEnd) return {};
+  if (inString_ || looked_ == rest.size()) {
+    if (!atEnd) return {};
+    looked_ = rest.size();
+  }
   return bad(rest.substr(0, looked_), 0, message);
 }
 

@@ -81,7 +81,7 @@ class JsonSplitter {
   JsonPiece junk(std::string_view rest, bool atEnd, const char* message);
   Answer beginsArray(std::string_view rest);
   Answer isClosed(std::string_view rest, char open, bool atEnd);
-  void passString(std::string_view rest);
+  bool passString(std::string_view rest);
   bool endsRecord(char c) const;
 
   JsonState state_;

@@ -4,7 +4,7 @@
 
 #include "output/output_file.hpp"
 #include "text/error.hpp"
-#include "text/visible.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 

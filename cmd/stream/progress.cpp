@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "text/format_number.hpp"
+#include "text/number.hpp"
 #include "text/system.hpp"
 
 namespace viewproj::cmd {

@@ -5,8 +5,8 @@
 #include <memory>
 #include <span>
 
-#include "input/layout.hpp"
 #include "output/record_writer.hpp"
+#include "records/layout.hpp"
 
 namespace viewproj::cmd {
 

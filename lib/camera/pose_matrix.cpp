@@ -236,6 +236,15 @@ namespace viewproj {
 
 using namespace detail;
 
+Pose poseFromColumns(const std::array<SplitVec3, 3>& columns, const SplitVec3& eye, CameraAxes axes, Handedness world) {
+  return poseFromColumns({joined(columns[0]), joined(columns[1]), joined(columns[2])}, joined(eye), axes, world);
+}
+
+Pose movedTo(const Pose& pose, const Vec3& eye) {
+  const Axes& c = parts(pose).columns;
+  return poseFromColumns({c.right, c.up, c.forward}, toDoubleDouble(eye), CameraAxes::RUF, pose.world());
+}
+
 Pose poseFromRotation(const Vec3& position, const Quaternion& q, CameraAxes axes, Handedness world) {
   requireFinite(position, "position");
   requireFinite({q.x, q.y, q.z}, "rotation");

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "camera/pose.hpp"
+#include "camera/require.hpp"
 #include "numbers/degrees.hpp"
 
 namespace viewproj::detail {
@@ -30,3 +32,31 @@ FineVec3 TurnedAxes::axis(std::size_t index, bool opposite) const noexcept {
 }
 
 }  // namespace viewproj::detail
+
+namespace viewproj {
+
+using namespace detail;
+
+Pose poseFromTurns(const Vec3& position, const std::array<Turn, 3>& turns, CameraAxes axes, Handedness world) {
+  (void)poseFromRotation(position, {}, axes, world);  // throws where the axes are of the other handedness
+  TurnedAxes t({{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}});
+  for (const Turn& turn : turns) {
+    if (turn.axis < 0 || turn.axis > 2) throw CameraError("euler", "has an axis that is not 0, 1 or 2");
+    requireFinite(turn.degrees, "euler");
+    const auto axis = static_cast<std::size_t>(turn.axis);
+    t.turn((axis + 2) % 3, (axis + 1) % 3, turn.degrees);
+  }
+  switch (axes) {
+    case CameraAxes::RUB:
+      return poseFromAxes(position, t.axis(0), t.axis(1), t.axis(2, true));
+    case CameraAxes::RUF:
+      return poseFromAxes(position, t.axis(0), t.axis(1), t.axis(2));
+    case CameraAxes::RDF:
+      return poseFromAxes(position, t.axis(0), t.axis(1, true), t.axis(2));
+    case CameraAxes::FRU:
+      break;
+  }
+  return poseFromAxes(position, t.axis(1), t.axis(2), t.axis(0));
+}
+
+}  // namespace viewproj

@@ -3,6 +3,7 @@
 #include <limits>
 #include <string>
 
+#include "camera/exact_vectors.hpp"
 #include "camera/require.hpp"
 #include "camera/turned_axes.hpp"
 #include "geodesy/normal.hpp"
@@ -59,7 +60,7 @@ Geodetic ecefToGeodetic(const Vec3& point) noexcept {
   return {place.lat + 0.0, place.lon + 0.0, place.height + 0.0};
 }
 
-FineVec3 detail::ellipsoidNormal(const Geodetic& place) noexcept {
+FineVec3 detail::exactNormal(const Geodetic& place) noexcept {
   if (!isPlace(place)) return {{Expansion<8>{kNaN}, Expansion<8>{kNaN}, Expansion<8>{kNaN}}, 0};
   return eastUpNorth(place).axis(kUpward);
 }
@@ -85,7 +86,17 @@ Pose lookAtPlace(const Geodetic& position, const Geodetic& target) {
                                     ? "is the camera's own position: there is no direction to look in"
                                     : "is straight above or below the camera, so it does not say which way is up; give "
                                       "a heading and a pitch, or an up");
-  return lookAt(geodeticToEcef(position), geodeticToEcef(target), ellipsoidNormal(position), Handedness::right);
+  return lookAt(geodeticToEcef(position), geodeticToEcef(target), exactNormal(position), Handedness::right);
 }
+
+Pose lookAtOnEarth(const Vec3& position, const Vec3& target, const Geodetic& upFrom, Handedness world) {
+  return lookAt(position, target, exactNormal(upFrom), world);
+}
+
+Pose lookAlongOnEarth(const Vec3& position, const Vec3& direction, const Geodetic& upFrom, Handedness world) {
+  return lookAlong(position, direction, exactNormal(upFrom), world);
+}
+
+Vec3 ellipsoidNormal(const Geodetic& place) noexcept { return rounded(rounded(exactNormal(place).terms)); }
 
 }  // namespace viewproj

@@ -7,6 +7,6 @@
 namespace viewproj::detail {
 
 /// The ellipsoid's outward normal, of unit length: up for lookAt and lookAlong. NaN for what is no place.
-FineVec3 ellipsoidNormal(const Geodetic& place) noexcept;
+FineVec3 exactNormal(const Geodetic& place) noexcept;
 
 }  // namespace viewproj::detail

@@ -41,6 +41,10 @@ constexpr DDVec3 cross(const DDVec3& a, const DDVec3& b) noexcept {
 }
 
 constexpr DDVec3 toDoubleDouble(const Vec3& a) noexcept { return {a.x, a.y, a.z}; }
+constexpr DDVec3 joined(const SplitVec3& a) noexcept {
+  return {{a.high.x, a.low.x}, {a.high.y, a.low.y}, {a.high.z, a.low.z}};
+}
+constexpr SplitVec3 split(const DDVec3& a) noexcept { return {{a.x.hi, a.y.hi, a.z.hi}, {a.x.lo, a.y.lo, a.z.lo}}; }
 /// The nearest doubles; adding 0 turns -0 into 0.
 constexpr double rounded(DoubleDouble a) noexcept { return a.hi + 0.0; }
 constexpr Vec3 rounded(const DDVec3& a) noexcept { return {rounded(a.x), rounded(a.y), rounded(a.z)}; }

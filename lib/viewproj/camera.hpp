@@ -10,6 +10,7 @@
 // looks for it; what is called with a camera afterwards, in whatever thread, does not look again.
 #pragma once
 
+#include <array>
 #include <limits>
 #include <memory>
 #include <stdexcept>
@@ -93,6 +94,23 @@ Pose poseFromWorldFromCamera(const Mat4& worldFromCamera, CameraAxes axes, Hande
 
 /// The inverse of the above: a view matrix.
 Pose poseFromCameraFromWorld(const Mat4& cameraFromWorld, CameraAxes axes, Handedness world);
+
+/// From the camera's axes along the world's by three turns, each in degrees, any finite number, about an axis of the
+/// camera as the turns before left it: 0, 1, 2 for x, y, z. With the axes that follow, x, y, z, x, ..., a turn about x
+/// brings y towards z. Throws naming "euler" where an axis or an angle is no such number, "rotation" if axes has not
+/// the world's handedness. Quarter turns are exact.
+struct Turn {
+  int axis = 0;
+  double degrees = 0;
+};
+Pose poseFromTurns(const Vec3& position, const std::array<Turn, 3>& turns, CameraAxes axes, Handedness world);
+
+/// The camera's x, y, z axes in the world and its eye where they come of arithmetic with more digits than doubles have.
+/// Names "columns" and "position" where they are wrong. The inverse of the columns counts as exact from there on.
+Pose poseFromColumns(const std::array<SplitVec3, 3>& columns, const SplitVec3& eye, CameraAxes axes, Handedness world);
+
+/// The same axes at another eye. Throws naming "position" where it is not finite.
+Pose movedTo(const Pose& pose, const Vec3& eye);
 
 // ---- Viewport
 

@@ -70,4 +70,12 @@ Pose poseFromHeadingPitchRoll(const Geodetic& position, const HeadingPitchRoll& 
 /// open where up is.
 Pose lookAtPlace(const Geodetic& position, const Geodetic& target);
 
+/// lookAt and lookAlong of ECEF positions. Up in the picture is away from the ellipsoid at a place: its normal there,
+/// to more digits than doubles have. Throws as those two, naming "up" for what is no place.
+Pose lookAtOnEarth(const Vec3& position, const Vec3& target, const Geodetic& upFrom, Handedness world);
+Pose lookAlongOnEarth(const Vec3& position, const Vec3& direction, const Geodetic& upFrom, Handedness world);
+
+/// The outward normal of the ellipsoid at a place, of unit length, rounded; NaN for what is no place.
+Vec3 ellipsoidNormal(const Geodetic& place) noexcept;
+
 }  // namespace viewproj

@@ -17,6 +17,11 @@ struct Vector3 {
 
 using Vec3 = Vector3<double>;
 
+/// Of more digits than doubles have, about 106 bits: the sum of the two, low at most half an ulp of high.
+struct SplitVec3 {
+  Vec3 high, low;
+};
+
 struct Vec2 {
   double x = 0, y = 0;
   friend constexpr bool operator==(const Vec2&, const Vec2&) = default;

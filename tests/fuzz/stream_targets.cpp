@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "fuzz.hpp"
-#include "input/points.hpp"
-#include "input/shapes.hpp"
+#include "records/points.hpp"
+#include "records/shapes.hpp"
 #include "stream/filter.hpp"
 #include "targets.hpp"
 #include "text/error.hpp"

@@ -202,7 +202,7 @@ TEST_CASE("The axes of heading, pitch and roll are within 2^-100, and their exac
     add(errors, parts(pose).rows.forward, parts(pose).exact.forward, truth.forward);
     REQUIRE(errors.rounded <= 0x1p-100);
     REQUIRE(errors.exact <= kTurnedRowBound);
-    const FineVec3 normal = ellipsoidNormal(place);
+    const FineVec3 normal = exactNormal(place);
     const EastNorthUp frame = trueFrame(place);
     for (std::size_t i = 0; i < 3; ++i) REQUIRE(double(abs(sumOf(normal.terms[i]) - frame.up[i])) <= normal.error);
   }

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "catch.hpp"
-#include "input/points.hpp"
+#include "records/points.hpp"
 #include "stream/batch.hpp"
 #include "stream/random_text.hpp"
 

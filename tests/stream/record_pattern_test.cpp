@@ -1,5 +1,5 @@
 // A record that a pattern takes is one by nlohmann-json, of the same shape and with the numbers that it has there.
-#include "input/record_pattern.hpp"
+#include "records/record_pattern.hpp"
 
 #include <bit>
 #include <cstdint>
@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "catch.hpp"
-#include "input/points.hpp"
+#include "records/points.hpp"
 #include "stream/random_text.hpp"
 #include "text/error.hpp"
 

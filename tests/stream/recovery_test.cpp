@@ -67,9 +67,10 @@ constexpr const char* kUnbalanced[] = {"[1,2,",
                                        "{\"position\":[1,2}"};
 constexpr const char* kJunk[] = {"x", "NaN", "nul y", "+", "\"a,]b\"", "1 2", ":", "-"};
 
-/// With a comma behind it the next record may be an item of an array in it.
-bool mayGoOn(const std::string& text) {
-  return text[0] == '{' && std::count(text.begin(), text.end(), '[') > std::count(text.begin(), text.end(), ']');
+/// Cut before an array that does not close in an object: there records of an array could be its items.
+std::string withoutOpenArray(const std::string& text) {
+  const bool isOpen = std::count(text.begin(), text.end(), '[') > std::count(text.begin(), text.end(), ']');
+  return text[0] == '{' && isOpen ? text.substr(0, text.find('[')) : text;
 }
 
 Broken make(RandomText& random, Arrangement arrangement) {
@@ -120,14 +121,17 @@ Broken make(RandomText& random, Arrangement arrangement) {
         // Cut off anywhere, but where the next record may be its value.
         const std::string whole = record(random, 4713);
         std::string part = whole.substr(0, 2 + random.below(whole.size() - 2));  // `[` alone on a line begins an array
+        if (array) part = withoutOpenArray(part);
         while (whole[0] == '{' && std::string_view(":[,").find(part.back()) != std::string_view::npos) part.pop_back();
         put(part);
-        if (random.oneIn(2) || mayGoOn(part)) comma.clear();
+        if (random.oneIn(2)) comma.clear();
         ++made.mutations["cut off"];
       } else {
-        const std::string text = lines ? random.oneOf(kUnbalanced) : random.oneOf(kBalanced);
+        std::string text = lines ? random.oneOf(kUnbalanced) : random.oneOf(kBalanced);
+        if (array && lines) text = withoutOpenArray(text);
+        if (text.ends_with(':')) text.pop_back();
         put(text);
-        if (random.oneIn(2) || mayGoOn(text)) comma.clear();
+        if (random.oneIn(2)) comma.clear();
         ++made.mutations["not closed"];
       }
     }

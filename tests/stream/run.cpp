@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "input/points.hpp"
+#include "records/points.hpp"
 #include "stream/random_text.hpp"
 #include "text/error.hpp"
 

@@ -125,7 +125,7 @@ TEST_CASE("What is no place has no coordinates, and a pose there is an error tha
     CHECK(std::isnan(geodeticToEcef(bad).z));
     CHECK(fieldAtFault([&] { poseFromHeadingPitchRoll(bad, {}); }).starts_with("position."));
     CHECK(fieldAtFault([&] { lookAtPlace({1, 2, 3}, bad); }).starts_with("target."));
-    CHECK(fieldAtFault([&] { lookAt({1, 2, 3}, {4, 5, 6}, ellipsoidNormal(bad), Handedness::right); }) == "up");
+    CHECK(fieldAtFault([&] { lookAtOnEarth({1, 2, 3}, {4, 5, 6}, bad, Handedness::right); }) == "up");
   }
   CHECK(std::isnan(ecefToGeodetic({0, nan, 0}).lat));
   CHECK(std::isnan(ecefToGeodetic({0, 0, inf}).height));

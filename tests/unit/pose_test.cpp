@@ -187,3 +187,33 @@ TEST_CASE("Columns that are no rotation, or mirror, are named") {
         }).first == "columns");
   CHECK(complaint([&] { poseFromColumns({x, y, z}, {INFINITY, 0, 0}, CameraAxes::RUB, right); }).first == "position");
 }
+
+TEST_CASE("Turns bring the axis after theirs towards the one after that, each about the axes that the last one left") {
+  // About y a quarter turn brings z to x, so that x, which the second turn is about, points along -z.
+  const auto pose = [](CameraAxes axes, Handedness world) {
+    return poseFromTurns({1, 2, 3}, {{{1, 90}, {0, 90}, {2, 0}}}, axes, world);
+  };
+  const auto axesAre = [](const Pose& p, const Vec3& x, const Vec3& y, const Vec3& z) {
+    return p.right() == x && p.up() == y && p.forward() == z;
+  };
+  CHECK(axesAre(pose(CameraAxes::RUB, right), {0, 0, -1}, {1, 0, 0}, {0, 1, 0}));
+  CHECK(axesAre(pose(CameraAxes::RDF, right), {0, 0, -1}, {-1, 0, 0}, {0, -1, 0}));
+  CHECK(axesAre(pose(CameraAxes::RUF, left), {0, 0, -1}, {1, 0, 0}, {0, -1, 0}));
+  CHECK(axesAre(pose(CameraAxes::FRU, left), {1, 0, 0}, {0, -1, 0}, {0, 0, -1}));
+  CHECK(complaint([&] { pose(CameraAxes::RUF, right); }).first == "rotation");
+  for (const Turn& bad : {Turn{3, 1}, Turn{-1, 1}, Turn{0, NAN}, Turn{0, INFINITY}})
+    CHECK(complaint([&] { poseFromTurns({}, {{{0, 1}, bad, {2, 3}}}, CameraAxes::RUB, right); }).first == "euler");
+}
+
+TEST_CASE("A moved pose has its axes, and the eye's low part is left behind") {
+  const Pose pose = poseFromColumns({SplitVec3{{0, 0, -1}, {}}, SplitVec3{{0, 1, 0}, {}}, SplitVec3{{1, 0, 0}, {}}},
+                                    {{1, 2, 3}, {1e-17, 0, 0}}, CameraAxes::RUB, right);
+  const Pose moved = movedTo(pose, {7, 8, 9});
+  CHECK(moved.eye() == Vec3{7, 8, 9});
+  CHECK(moved.right() == pose.right());
+  CHECK(moved.forward() == pose.forward());
+  CHECK(moved.world() == right);
+  CHECK(parts(pose).residual.z.hi != 0);
+  CHECK(parts(moved).residual.z.hi == 0);
+  CHECK(complaint([&] { movedTo(pose, {NAN, 0, 0}); }).first == "position");
+}

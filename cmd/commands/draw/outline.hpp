@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "input/scene.hpp"
+#include "records/scene.hpp"
 #include "viewproj/scene.hpp"
 
 namespace viewproj::cmd {

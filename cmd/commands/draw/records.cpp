@@ -5,12 +5,12 @@
 #include <variant>
 
 #include "camera/read_camera.hpp"
-#include "input/points.hpp"
-#include "input/shapes.hpp"
 #include "output/labels.hpp"
+#include "records/points.hpp"
+#include "records/shapes.hpp"
 #include "text/error.hpp"
-#include "text/format_number.hpp"
 #include "text/json_text.hpp"
+#include "text/number.hpp"
 #include "viewproj/scene.hpp"
 
 namespace viewproj::cmd {

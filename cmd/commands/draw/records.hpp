@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "commands/draw/view.hpp"
-#include "input/scene.hpp"
+#include "records/scene.hpp"
 #include "stream/filter.hpp"
 
 namespace viewproj::cmd {

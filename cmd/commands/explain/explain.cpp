@@ -5,8 +5,8 @@
 #include "commands/camera_options.hpp"
 #include "commands/command.hpp"
 #include "commands/options.hpp"
-#include "input/model.hpp"
 #include "output/output_file.hpp"
+#include "records/model.hpp"
 #include "text/error.hpp"
 
 namespace viewproj::cmd {

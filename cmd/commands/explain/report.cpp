@@ -5,9 +5,9 @@
 #include "camera/names.hpp"
 #include "commands/explain/explain.hpp"
 #include "output/camera_json.hpp"
-#include "text/format_number.hpp"
-#include "text/json_build.hpp"
+#include "text/json_text.hpp"
 #include "text/names.hpp"
+#include "text/number.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -9,16 +9,16 @@
 #include "commands/output_option.hpp"
 #include "commands/stream_options.hpp"
 #include "input/adjusted.hpp"
-#include "input/points.hpp"
-#include "input/scene.hpp"
-#include "input/shapes.hpp"
 #include "numbers/ulp.hpp"
 #include "output/camera_text.hpp"
 #include "output/output_file.hpp"
+#include "records/points.hpp"
+#include "records/scene.hpp"
+#include "records/shapes.hpp"
 #include "stream/filter.hpp"
 #include "text/error.hpp"
 #include "text/file.hpp"
-#include "text/format_number.hpp"
+#include "text/number.hpp"
 
 namespace viewproj::cmd {
 

@@ -7,13 +7,13 @@
 #include "camera/fields.hpp"
 #include "camera/importers/importer.hpp"
 #include "commands/options.hpp"
-#include "input/coordinates.hpp"
 #include "output/matrix_text.hpp"
 #include "output/table.hpp"
+#include "records/coordinates.hpp"
 #include "text/form.hpp"
-#include "text/format_number.hpp"
 #include "text/layout.hpp"
 #include "text/names.hpp"
+#include "text/number.hpp"
 
 namespace viewproj::cmd::pages {
 namespace {

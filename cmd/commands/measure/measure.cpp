@@ -4,12 +4,12 @@
 #include "commands/measure/report.hpp"
 #include "commands/options.hpp"
 #include "commands/stream_options.hpp"
-#include "input/points.hpp"
 #include "output/output_file.hpp"
+#include "records/points.hpp"
 #include "stream/filter.hpp"
 #include "text/error.hpp"
 #include "text/file.hpp"
-#include "text/visible.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -40,7 +40,7 @@ class Mutation:
 
     @property
     def module(self):
-        """lib/projection/ray.cpp: projection; cmd/input/points.cpp: input."""
+        """lib/projection/ray.cpp: projection; cmd/records/points.cpp: input."""
         parts = self.file.split("/")
         return parts[1] if len(parts) > 2 else "main"
 

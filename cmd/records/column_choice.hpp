@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "input/coordinates.hpp"
-#include "input/record.hpp"
+#include "records/coordinates.hpp"
+#include "records/record.hpp"
 
 namespace viewproj::cmd {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "input/coordinates.hpp"
+#include "records/coordinates.hpp"
 
 namespace viewproj::cmd {
 

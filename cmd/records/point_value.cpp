@@ -1,12 +1,12 @@
-#include "input/point_value.hpp"
+#include "records/point_value.hpp"
 
 #include <functional>
 
-#include "input/field_names.hpp"
-#include "input/record.hpp"
+#include "records/field_names.hpp"
+#include "records/record.hpp"
 #include "text/error.hpp"
 #include "text/json_text.hpp"
-#include "text/visible.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {

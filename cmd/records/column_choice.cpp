@@ -1,11 +1,11 @@
-#include "input/column_choice.hpp"
+#include "records/column_choice.hpp"
 
 #include <algorithm>
 #include <charconv>
 
 #include "text/error.hpp"
 #include "text/names.hpp"
-#include "text/visible.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <variant>
 
-#include "input/layout.hpp"
+#include "records/layout.hpp"
 #include "viewproj/scene.hpp"
 
 namespace viewproj::cmd {

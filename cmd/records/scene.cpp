@@ -1,4 +1,4 @@
-#include "input/scene.hpp"
+#include "records/scene.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,9 +6,7 @@
 #include <optional>
 
 #include "camera/check.hpp"
-#include "camera/exact_vectors.hpp"
 #include "camera/read_pose.hpp"
-#include "geodesy/normal.hpp"
 #include "text/names.hpp"
 #include "viewproj/geodesy.hpp"
 
@@ -94,7 +92,7 @@ Hits intersect(const Ray& ray, const HeightSurface& surface) {
     Hit& hit = hits.hits[static_cast<std::size_t>(hits.count++)];
     hit.distance = crossings.distances[static_cast<std::size_t>(i)];
     for (std::size_t k = 0; k < 3; ++k) hit.point[k] = ray.origin[k] + hit.distance * ray.direction[k];
-    hit.normal = detail::rounded(detail::rounded(detail::ellipsoidNormal(ecefToGeodetic(hit.point)).terms));
+    hit.normal = ellipsoidNormal(ecefToGeodetic(hit.point));
   }
   return hits;
 }

@@ -1,4 +1,4 @@
-#include "input/coordinates.hpp"
+#include "records/coordinates.hpp"
 
 #include "text/names.hpp"
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "input/layout.hpp"
+#include "records/layout.hpp"
 
 namespace viewproj::cmd {
 

@@ -1,4 +1,4 @@
-#include "input/coordinate_fields.hpp"
+#include "records/coordinate_fields.hpp"
 
 #include <algorithm>
 

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "input/coordinates.hpp"
-#include "input/field_names.hpp"
-#include "input/layout.hpp"
-#include "input/record.hpp"
+#include "records/coordinates.hpp"
+#include "records/field_names.hpp"
+#include "records/layout.hpp"
+#include "records/record.hpp"
 
 namespace viewproj::cmd {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "input/column_choice.hpp"
-#include "input/layout.hpp"
+#include "records/column_choice.hpp"
+#include "records/layout.hpp"
 #include "viewproj/vectors.hpp"
 
 namespace viewproj::cmd {

@@ -1,4 +1,4 @@
-#include "input/model.hpp"
+#include "records/model.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,4 @@
-#include "input/record_pattern.hpp"
+#include "records/record_pattern.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "text/json_scan.hpp"
 #include "text/json_text.hpp"
-#include "text/parse_number.hpp"
+#include "text/number.hpp"
 
 namespace viewproj::cmd {
 namespace {

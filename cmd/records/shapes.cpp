@@ -1,8 +1,8 @@
-#include "input/shapes.hpp"
+#include "records/shapes.hpp"
 
-#include "input/points.hpp"
-#include "input/scene.hpp"
 #include "numbers/vectors.hpp"
+#include "records/points.hpp"
+#include "records/scene.hpp"
 #include "text/error.hpp"
 
 namespace viewproj::cmd {

@@ -1,9 +1,9 @@
-#include "input/field_names.hpp"
+#include "records/field_names.hpp"
 
 #include <algorithm>
 
 #include "text/names.hpp"
-#include "text/visible.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {

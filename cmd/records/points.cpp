@@ -1,12 +1,12 @@
-#include "input/points.hpp"
+#include "records/points.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "input/coordinate_fields.hpp"
+#include "records/coordinate_fields.hpp"
 #include "text/error.hpp"
-#include "text/format_number.hpp"
 #include "text/names.hpp"
+#include "text/number.hpp"
 #include "viewproj/geodesy.hpp"
 
 namespace viewproj::cmd {

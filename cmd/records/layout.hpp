@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "input/point_value.hpp"
-#include "input/record.hpp"
+#include "records/point_value.hpp"
+#include "records/record.hpp"
 
 namespace viewproj::cmd {
 
