@@ -8,7 +8,7 @@
 #include "commands/output_option.hpp"
 #include "commands/stream_options.hpp"
 #include "output/output_file.hpp"
-#include "output/side_names.hpp"
+#include "output/results.hpp"
 #include "records/points.hpp"
 #include "records/shapes.hpp"
 #include "stream/filter.hpp"
