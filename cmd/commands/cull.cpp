@@ -8,7 +8,7 @@
 #include "commands/output_option.hpp"
 #include "commands/stream_options.hpp"
 #include "output/output_file.hpp"
-#include "output/side_names.hpp"
+#include "output/results.hpp"
 #include "records/arguments.hpp"
 #include "records/points.hpp"
 #include "records/scene.hpp"

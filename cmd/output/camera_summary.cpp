@@ -7,7 +7,7 @@
 #include "camera/camera.hpp"
 #include "camera/names.hpp"
 #include "output/camera_json.hpp"
-#include "output/side_names.hpp"
+#include "output/results.hpp"
 #include "text/layout.hpp"
 #include "text/number.hpp"
 #include "viewproj/geodesy.hpp"
