@@ -5,7 +5,7 @@
 #include "commands/inspect/report.hpp"
 #include "fuzz.hpp"
 #include "output/matrix_text.hpp"
-#include "records/matrix_numbers.hpp"
+#include "input/matrix_numbers.hpp"
 #include "records/model.hpp"
 #include "records/scene.hpp"
 #include "targets.hpp"
