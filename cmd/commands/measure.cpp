@@ -102,7 +102,7 @@ class Textbook {
 struct Errors {
   double largest = std::numeric_limits<double>::quiet_NaN();
   double percentile99 = largest;  ///< 99 of 100 are no larger
-  std::size_t missing = 0;  ///< how many results are not finite
+  std::size_t missing = 0;        ///< how many results are not finite
 };
 
 Errors errorsOf(std::vector<double> errors) {
