@@ -3,7 +3,7 @@
 
 #include "commands/command.hpp"
 #include "commands/stream_options.hpp"
-#include "output/side_names.hpp"
+#include "output/results.hpp"
 #include "records/points.hpp"
 #include "records/shapes.hpp"
 #include "stream/filter.hpp"

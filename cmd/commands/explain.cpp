@@ -10,7 +10,7 @@
 #include "commands/camera_options.hpp"
 #include "commands/command.hpp"
 #include "commands/options.hpp"
-#include "output/side_names.hpp"
+#include "output/results.hpp"
 #include "records/model.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
@@ -271,8 +271,8 @@ void explainWithoutNear(Steps& steps, const Camera& camera, const Vec3& view, co
 OrderedJson resultOf(const ScreenPoint& p) {
   OrderedJson outside = OrderedJson::array();
   if (p.status == PointStatus::behind) outside.push_back("behind");
-  for (const Side side : kSides)
-    if (p.outside & side) outside.push_back(sideName(side));
+  for (const auto& [side, name] : kSides)
+    if (p.outside & side) outside.push_back(name);
   return {{"screen", std::isnan(p.x) ? OrderedJson() : asJson(Vec2{p.x, p.y})},
           {"depth", p.depth},
           {"viewDistance", p.viewDistance},

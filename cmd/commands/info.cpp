@@ -13,7 +13,7 @@
 #include "commands/options.hpp"
 #include "numbers/vectors.hpp"
 #include "output/output_file.hpp"
-#include "output/side_names.hpp"
+#include "output/results.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
 #include "viewproj/geodesy.hpp"

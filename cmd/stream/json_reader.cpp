@@ -2,7 +2,6 @@
 // apart here. All others go to the parts that nlohmann-json judges: so that is valid which it calls valid, and its
 // words are in the messages.
 #include <algorithm>
-#include <span>
 
 #include "stream/batch.hpp"
 #include "stream/json_splitter.hpp"
@@ -27,22 +26,41 @@ class JsonReader final : public RecordReader {
 
   void read(const Block& block, Batch& batch) override {
     batch_ = &batch;
-    text_ = block.records;
-    bad_ = block.bad;
-    if (block.inArray)
-      readElements();
-    else
-      readPieces(block);
+    text_ = block.bytes.view();
+    const auto end = block.last ? JsonSplitter::End::input : JsonSplitter::End::block;
+    JsonSplitter splitter(block.state);
+    for (std::size_t at = 0;;) {
+      at = readAlike(at, splitter);
+      const JsonPiece piece = splitter.next(text_.substr(at), end);
+      if (piece.event == JsonEvent::end) return;
+      take(piece);
+      at += piece.end;
+    }
   }
 
  private:
-  /// Records by their patterns up to the first that has none. Returns where the last one ends, or at.
-  std::size_t readAlike(std::size_t at) {
-    for (std::size_t next = afterJsonSpace(text_, at);; next = afterJsonSpace(text_, at)) {
-      const std::size_t size = addAlike(text_.substr(next, kLongestRecord));
-      if (size == 0) return at;
-      at = next + size;
+  /// Records by their patterns, and what stands between them, up to the first that has none. Returns where that begins.
+  std::size_t readAlike(const std::size_t from, JsonSplitter& splitter) {
+    using Place = JsonState::Place;
+    JsonState state = splitter.state();
+    std::size_t at = from;
+    for (;;) {
+      at = afterJsonSpace(text_, at);
+      if (state.place == Place::record || state.place == Place::bad) {
+        if (at == text_.size() || text_[at] != ',') break;
+        state.place = Place::comma;
+        at = afterJsonSpace(text_, at + 1);
+      }
+      const std::size_t size = addAlike(text_.substr(at, kLongestRecord));
+      if (size == 0) break;
+      at += size;
+      if (state.insideArray()) state.place = Place::record;
     }
+    if (at > from) {
+      state.moveOver(text_.substr(from, at - from));
+      splitter = JsonSplitter(state);
+    }
+    return at;
   }
 
   /// Returns how long the record is that begins there, or 0 if it is like none of before.
@@ -59,7 +77,6 @@ class JsonReader final : public RecordReader {
         Plan& plan = *plans[i];
         if (pattern != plan.patterns.begin()) std::rotate(plan.patterns.begin(), pattern, pattern + 1);
         batch_->usedAgain(i);
-        passBadBefore(text);
         batch_->add(text.substr(0, size), plan, numbers);
         return size;
       }
@@ -109,64 +126,17 @@ class JsonReader final : public RecordReader {
     return passJsonItems(text.data(), end, kDeepest, take) == end && isPlain;
   }
 
-  /// An array's records, separated by white space, and between them what the block says is wrong.
-  void readElements() {
-    for (std::size_t at = afterJsonSpace(text_, readAlike(0)); at < text_.size();
-         at = afterJsonSpace(text_, readAlike(at))) {
-      const std::size_t end = endOfValue(text_, at);
-      readRecord(text_.substr(at, end - at), true);
-      at = end;
-    }
-    passBadBefore(text_.substr(text_.size()));
-  }
-
-  /// What is missing before a record stands where it begins.
-  void passBadBefore(std::string_view record) {
-    for (; !bad_.empty() && bad_.front().begin <= offset(record); bad_ = bad_.subspan(1)) {
-      const Block::Bad& bad = bad_.front();
-      batch_->bad(text_.substr(bad.begin, 0), RecordError(bad.at - bad.begin, bad.message));
-    }
-  }
-
-  /// Records, and arrays of them.
-  void readPieces(const Block& block) {
-    const auto end = block.last ? JsonSplitter::End::ofInput : JsonSplitter::End::ofBlock;
-    JsonSplitter splitter(block.state);
-    for (std::size_t at = 0;;) {
-      if (splitter.isFresh())
-        if (const std::size_t next = readAlike(at); next > at) {
-          const std::string_view over = text_.substr(at, next - at);
-          const std::size_t line = findLastLineBreak(over);
-          JsonState state;
-          state.column = line == npos ? splitter.state().column + over.size() : over.size() - line - 1;
-          splitter = JsonSplitter(state);
-          at = next;
-        }
-      const bool isUnlike = splitter.isFresh();
-      const JsonPiece piece = splitter.next(text_.substr(at), end);
-      if (piece.event == JsonEvent::end || piece.event == JsonEvent::needMore) return;
-      take(piece, at, isUnlike);
-      at += piece.end;
-    }
-  }
-
-  void take(const JsonPiece& piece, std::size_t at, bool isUnlike) {
-    if (!piece.message.empty()) batch_->bad(piece.text, RecordError(at + piece.at - offset(piece.text), piece.message));
-    if (piece.event == JsonEvent::record) readRecord(piece.text, isUnlike);
+  void take(const JsonPiece& piece) {
+    if (!piece.message.empty()) batch_->bad(piece.text, RecordError(piece.at, piece.message));
+    if (piece.event == JsonEvent::record && !addKnown(piece.text)) readRecord(piece.text);
     if (piece.event == JsonEvent::beginArray) batch_->beginArray(piece.text);
-    if (piece.event == JsonEvent::endArray) batch_->endArray(piece.text);
+    if (piece.event == JsonEvent::endArray) batch_->endArray(piece.message.empty() ? piece.text : std::string_view());
   }
 
-  std::size_t offset(std::string_view part) const { return static_cast<std::size_t>(part.data() - text_.data()); }
-
-  /// text: a record that was found to be one, if it is valid. isUnlike: no pattern fits it.
-  void readRecord(std::string_view text, bool isUnlike) {
-    if (!isUnlike && addAlike(text) > 0) return;  // all of it, since its brackets close at its end
-    passBadBefore(text);
-    if (addKnown(text)) return;
+  /// text: a record that was found to be one, if it is valid.
+  void readRecord(std::string_view text) {
     try {
       const RecordParts record = jsonParts(text);
-      if (const auto message = markedBad(record)) throw RecordError(0, *message);
       Plan& plan = batch_->planFor(record);
       Numbers numbers;
       NumberTexts texts;
@@ -190,7 +160,6 @@ class JsonReader final : public RecordReader {
   std::vector<std::string_view> names_;
   Batch* batch_ = nullptr;
   std::string_view text_;
-  std::span<const Block::Bad> bad_;
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A line on the terminal that tells how far a long run has come.
+// A line on the terminal that shows how far a long run has come.
 #pragma once
 
 #include <chrono>
@@ -19,12 +19,11 @@ class Progress {
 
  private:
   using Clock = std::chrono::steady_clock;
-  void show(Clock::time_point now);
 
-  bool wanted_, shown_ = false;
+  bool enabled_, visible_ = false;
   std::optional<std::size_t> total_;
   std::size_t bytes_ = 0, records_ = 0;
-  Clock::time_point start_, next_;
+  Clock::time_point start_ = Clock::now(), next_ = start_ + std::chrono::seconds(1);
 };
 
 }  // namespace viewproj::cmd

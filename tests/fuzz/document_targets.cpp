@@ -4,6 +4,7 @@
 #include "commands/inspect_report.hpp"
 #include "fuzz.hpp"
 #include "output/matrix_text.hpp"
+#include "input/matrix_numbers.hpp"
 #include "records/model.hpp"
 #include "records/scene.hpp"
 #include "targets.hpp"
