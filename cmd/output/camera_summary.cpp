@@ -1,3 +1,4 @@
+#include "camera/change_camera.hpp"
 #include "output/camera_summary.hpp"
 
 #include <algorithm>
@@ -6,7 +7,6 @@
 
 #include "camera/camera.hpp"
 #include "camera/names.hpp"
-#include "output/camera_json.hpp"
 #include "output/side_names.hpp"
 #include "text/format_number.hpp"
 #include "text/layout.hpp"
@@ -80,9 +80,14 @@ void addPose(Page& page, const CameraFile& camera, CameraAxes axes) {
   page.add("right", page.numbers(pose.right()));
   page.add("up", page.numbers(pose.up()));
   page.add("forward", page.numbers(pose.forward()));
-  const auto q = rotationOf(pose, axes);
+  const Vec3 r = pose.right(), u = pose.up(), f = pose.forward();
+  const auto minus = [](const Vec3& v) { return Vec3{-v.x, -v.y, -v.z}; };
+  const auto q = quaternionOf(axes == CameraAxes::FRU   ? std::array{f, r, u}
+                              : axes == CameraAxes::RUF ? std::array{r, u, f}
+                              : axes == CameraAxes::RUB ? std::array{r, u, minus(f)}
+                                                        : std::array{r, minus(u), f});
   page.add("rotation", "x, y, z, w of " + std::string(nameOf(kCameraAxesNames, axes)) + ": " +
-                           page.numbers({q[0].hi, q[1].hi, q[2].hi, q[3].hi}));
+                           page.numbers({q[0], q[1], q[2], q[3]}));
 }
 
 void addLens(Page& page, const CameraFile& camera) {

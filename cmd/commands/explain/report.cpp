@@ -2,9 +2,9 @@
 #include <array>
 #include <cmath>
 
+#include "camera/write_camera.hpp"
 #include "camera/names.hpp"
 #include "commands/explain/explain.hpp"
-#include "output/camera_json.hpp"
 #include "text/format_number.hpp"
 #include "text/json_build.hpp"
 #include "text/names.hpp"
