@@ -7,7 +7,7 @@
 #include "numbers/double_double.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
-#include "text/parse_number.hpp"
+#include "text/number.hpp"
 
 namespace viewproj::cmd {
 

@@ -6,13 +6,12 @@
 #include <nlohmann/json.hpp>
 
 #include "camera/importers/importer.hpp"
-#include "text/encoding.hpp"
 #include "text/error.hpp"
 #include "text/file.hpp"
-#include "text/format_number.hpp"
 #include "text/json_text.hpp"
+#include "text/number.hpp"
 #include "text/system.hpp"
-#include "text/visible.hpp"
+#include "text/utf8.hpp"
 #include "text/yaml_text.hpp"
 
 namespace viewproj::cmd {

@@ -6,11 +6,11 @@
 
 #include "camera/check.hpp"
 #include "camera/read_camera.hpp"
-#include "text/encoding.hpp"
 #include "text/error.hpp"
 #include "text/json_text.hpp"
 #include "text/names.hpp"
-#include "text/parse_number.hpp"
+#include "text/number.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -8,7 +8,7 @@
 #include "camera/check.hpp"
 #include "camera/read_pose.hpp"
 #include "text/error.hpp"
-#include "text/format_number.hpp"
+#include "text/number.hpp"
 #include "viewproj/cameras_of.hpp"
 
 namespace viewproj::cmd {

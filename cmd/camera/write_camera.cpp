@@ -8,7 +8,7 @@
 #include "camera/fields.hpp"
 #include "camera/read_pose.hpp"
 #include "text/error.hpp"
-#include "text/json_build.hpp"
+#include "text/json_text.hpp"
 #include "viewproj/matrices.hpp"
 
 namespace viewproj::cmd {

@@ -13,8 +13,8 @@
 #include "records/shapes.hpp"
 #include "stream/filter.hpp"
 #include "text/error.hpp"
-#include "text/format_number.hpp"
-#include "text/json_build.hpp"
+#include "text/json_text.hpp"
+#include "text/number.hpp"
 #include "viewproj/scene.hpp"
 
 namespace viewproj::cmd {

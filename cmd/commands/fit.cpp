@@ -1,9 +1,9 @@
 // viewproj fit: the camera that shows all of something.
-#include "camera/change_camera.hpp"
+#include <CLI/CLI.hpp>
+
 #include "commands/command.hpp"
 #include "commands/fitting.hpp"
 #include "commands/options.hpp"
-#include "commands/output_option.hpp"
 #include "commands/stream_options.hpp"
 #include "output/output_file.hpp"
 #include "records/points.hpp"
@@ -11,7 +11,7 @@
 #include "records/shapes.hpp"
 #include "stream/filter.hpp"
 #include "text/error.hpp"
-#include "text/parse_number.hpp"
+#include "text/number.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -73,7 +73,6 @@ double readMargin(const std::string& option, const std::string& text) {
 }
 
 int run(const Options& o) {
-  if (o.camera.lists()) return o.camera.list();
   FilterSetup setup = o.stream.setup(kSphereColumns);
   setup.note = [&](const std::string& note) { o.camera.notes().say(note); };
   for (const GivenPoint& point : o.points) setup.given.push_back({point.text, point.json()});
@@ -98,26 +97,26 @@ int run(const Options& o) {
 
 }  // namespace
 
-Action defineFit(CommandLine& line) {
+Action declareFit(CLI::App& app) {
   const auto o = std::make_shared<Options>();
-  line.setDescription(
-      "The camera that shows all of it: points, spheres, boxes, triangles and segments of FILE, a scene or both. "
-      "Direction and lens stay, and the camera moves to the place nearest along its view from which everything is in "
-      "the picture, in the middle of what room is left across it; or, with --by fov, it stays and its lens opens or "
-      "closes. An orthographic window is scaled and centred. Out comes a camera file.");
-  line.setExample(
-      "viewproj fit -c samples/cornell-box/camera.json samples/cornell-box/quads.csv |\n"
-      "  viewproj project -c - samples/cornell-box/quads.csv --to table");
-  o->camera.add(line);
-  o->stream.addInput(line, "points and shapes");
-  o->stream.addKeepGoing(line);
-  addSceneOption(line, o->scene, ", to fit as well");
-  addValues(line, "--point", kPointForm, o->points, readGivenPoint, "A point to fit, in place of FILE");
+  app.description(
+      "The camera that shows all of it: points, segments, spheres, boxes and triangles of FILE, a scene, or both. The "
+      "camera moves along its view, and to the middle of the room that is left across it; with --by fov it stays, and "
+      "its lens opens or closes. An orthographic window is scaled and centred. Writes a camera file.");
+  app.footer(
+      "Examples:\n"
+      "  viewproj fit --position 3,2,5 --target 0,0,0 --fov-y 60 --near 0.1 --viewport 640x480 \\\n"
+      "    --point 0,0,0 --point 9,1,0\n"
+      "  viewproj fit -c camera.json points.csv --margin 10% -o fitted.json");
+  addValues(app, "--point", kPointForm, o->points, readGivenPoint, "A point to fit, in place of FILE");
+  addScene(app, o->scene, "Shapes to fit: a scene file, or the JSON itself");
   static constexpr std::pair<std::string_view, Means> kMeans[] = {{"place", Means::place}, {"fov", Means::lens}};
-  addChoice(line, "--by", "WHAT", o->by, rowsOf(kMeans), "What changes", "place");
-  addValue(line, "--margin", "SHARE", o->margin, readMargin,
+  addChoice(app, "--by", "WHAT", o->by, rowsOf(kMeans), "What changes", "place");
+  addValue(app, "--margin", "SHARE", o->margin, readMargin,
            "Share of the picture to leave free on each side, as in 0.05 or 5% (default: 0.05)");
-  addOnlyForm(line, "JSON", ".json");
+  o->stream.addInput(app, "points and shapes");
+  o->camera.add(app);
+  addOnlyForm(app, "a camera file", ".json");
   return [o] { return run(*o); };
 }
 

@@ -6,7 +6,7 @@
 #include "camera/change_camera.hpp"
 #include "numbers/vectors.hpp"
 #include "text/error.hpp"
-#include "text/format_number.hpp"
+#include "text/number.hpp"
 
 namespace viewproj::cmd {
 

@@ -1,12 +1,13 @@
 // viewproj matrix: a camera's matrices, and the camera itself in another form.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 
 #include "camera/change_camera.hpp"
 #include "commands/camera_options.hpp"
+#include "commands/cli.hpp"
 #include "commands/command.hpp"
 #include "commands/options.hpp"
-#include "commands/output_option.hpp"
 #include "output/camera_matrices.hpp"
 #include "output/camera_summary.hpp"
 #include "output/matrix_text.hpp"
@@ -19,7 +20,7 @@ namespace viewproj::cmd {
 namespace {
 
 constexpr std::string_view kCamera = "camera", kSummary = "summary";
-constexpr std::size_t kSummaryDigits = 9;
+constexpr int kSummaryDigits = 9;
 
 struct Wanted {
   bool inverse = false, bakeViewport = false, relativeToEye = false;
@@ -91,7 +92,6 @@ struct Options {
   std::optional<AxisMap> map;
   std::optional<double> scale;
   std::string_view format = "json";
-  std::optional<std::size_t> digits;
   bool asFloat = false, all = false;
 };
 
@@ -160,24 +160,13 @@ MatrixSet matricesOf(const CameraFile& read, const std::optional<Mat4>& model, c
   return set;
 }
 
-int run(const Options& o, const CommandLine& line) {
-  if (o.camera.lists()) return o.camera.list();
+int run(const Options& o, const CLI::App& app) {
   const bool toCamera = o.format == kCamera, toSummary = o.format == kSummary;
   if (o.model && (o.map || o.scale))
     throw UsageError("--map and --scale are of the world, and with --model matrices begin in the model's");
-  for (const std::string_view option : std::initializer_list<std::string_view>{
-           "--which", "--inverse", "--bake-viewport", "--relative-to-eye", "--float", "--model"})
-    if ((toCamera || toSummary) && line.has(option))
+  for (const char* option : {"--which", "--inverse", "--bake-viewport", "--relative-to-eye", "--float", "--model"})
+    if ((toCamera || toSummary) && app.count(option) > 0)
       throw UsageError(std::string(option) + " goes with matrices, not with --to " + std::string(o.format));
-  if (const auto output = line.valueOf(kOutputOption); output && !line.has(kFormOption)) {
-    const bool isLines = isEnding(endingOf(*output), ".ndjson .jsonl");
-    if (o.all && isEnding(endingOf(*output), ".json"))
-      throw UsageError("--all writes JSON, a line a camera, which is no .json; call the file .ndjson");
-    if (!o.all && isLines)
-      throw UsageError("-o: one camera's matrices are one JSON document, a .json; --all writes lines");
-  }
-  if (!toSummary && line.has(kDigitsOption))
-    throw UsageError("--digits goes with --to summary; --float rounds matrices");
   if (o.all && o.format != "json")
     throw UsageError("--all writes JSON, a line a camera; leave out --to " + std::string(o.format));
   requireUse(o);
@@ -200,7 +189,7 @@ int run(const Options& o, const CommandLine& line) {
   if (toSummary) {
     CameraFile shown = read;
     shown.convention = o.camera.writing(read);
-    writeOutput(summaryOf(shown, o.camera.writtenAxes(read), static_cast<int>(o.digits.value_or(kSummaryDigits))));
+    writeOutput(summaryOf(shown, o.camera.writtenAxes(read), kSummaryDigits));
     return 0;
   }
   writeOutput(writeMatrices(matricesOf(read, model, o), o.format, read.name));
@@ -209,34 +198,36 @@ int run(const Options& o, const CommandLine& line) {
 
 }  // namespace
 
-Action defineMatrix(CommandLine& line) {
+Action declareMatrix(CLI::App& app) {
   const auto o = std::make_shared<Options>();
-  line.setDescription(
-      "A camera's matrices, in any convention, as JSON, text or source code; or the camera itself in another form.");
-  line.setExample("viewproj matrix samples/picking-a-pixel/camera.json --convention d3d --which projection --to text");
-  o->camera.add(line);
-  o->camera.addWriting(line);
-  o->camera.addFile(line);
-  addChoices(line, "--which", o->which, matrixNames(), "Matrices to write", "all that the camera determines");
-  line.addFlag("--all", o->all, "Of every camera of the file, a line of JSON each");
-  line.addFlag("--inverse", o->wanted.inverse, "Give each one's inverse too");
-  line.addFlag("--bake-viewport", o->wanted.bakeViewport, "Fold the viewport into the projection");
-  line.addFlag("--relative-to-eye", o->wanted.relativeToEye, "Leave the translation out of the view and give the eye");
-  addModelOption(line, o->model, "points", "modelView and modelViewProjection are written too");
-  addDigits(line, o->digits, "all that tell the number from others");
-  line.addFlag("--float", o->asFloat, "Round to float32 (default: doubles)");
+  app.description(
+      "A camera's matrices in any convention, as JSON, text or source code; or the camera itself as a camera file.");
+  app.footer(
+      "Examples:\n"
+      "  viewproj matrix --fov-y 60 --aspect 16/9 --near 0.1 --convention d3d --to hlsl\n"
+      "  viewproj matrix --position 3,2,5 --target 0,0,0 --which view --to text\n"
+      "  viewproj matrix --fx 800 --fy 800 --cx 320 --cy 240 --viewport 640x480 --to camera");
+  addChoices(app, "--which", o->which, matrixNames(), "Matrices to write", "all that the camera determines");
+  app.add_flag("--inverse", o->wanted.inverse, "Write each one's inverse too");
+  app.add_flag("--bake-viewport", o->wanted.bakeViewport, "Fold the viewport into the projection");
+  app.add_flag("--relative-to-eye", o->wanted.relativeToEye,
+               "Leave the translation out of the view, and write the eye beside it");
+  addModel(app, o->model, "Place of a model in the world, for modelView and modelViewProjection");
+  app.add_flag("--float", o->asFloat, "Round to float32 (default: doubles)");
   auto forms = matrixForms();
   forms.push_back({kCamera, kCamera});
   forms.push_back({kSummary, kSummary});
-  addForm(line, o->format, std::span<const FormRow<std::string_view>>(forms),
-          "Form of the output; camera is the camera file itself, summary a page about it");
-  addValue(line, "--map", "X,Y,Z", o->map, readMap,
-           "Into another world: its x, y, z in terms of this one's, as in x,y,-z; a map that mirrors changes the "
-           "world's handedness");
-  addValue(line, "--scale", "N", o->scale,
+  addForm(app, o->format, std::span<const FormRow<std::string_view>>(forms), "Output format; camera is a camera file");
+  app.add_flag("--all", o->all, "Write one JSON object per camera of the file");
+  addValue(app, "--map", "X,Y,Z", o->map, readMap,
+           "Write the camera for a world with these axes in terms of this one's, as in x,y,-z");
+  addValue(app, "--scale", "N", o->scale,
            numberThat([](double scale) { return scale > 0 && std::isfinite(scale); }, "a number above 0"),
-           "Into a world whose unit is so many times smaller: lengths are multiplied by this");
-  return [o, &line] { return run(*o, line); };
+           "Write the camera for a world whose lengths are so many times longer");
+  o->camera.addFile(app);
+  o->camera.add(app);
+  o->camera.addWriting(app);
+  return [o, &app] { return run(*o, app); };
 }
 
 }  // namespace viewproj::cmd

@@ -5,12 +5,32 @@
 #include "commands/output_option.hpp"
 #include "records/points.hpp"
 #include "text/error.hpp"
-#include "text/format_number.hpp"
 #include "text/names.hpp"
-#include "text/parse_number.hpp"
+#include "text/number.hpp"
 #include "viewproj/geodesy.hpp"
 
 namespace viewproj::cmd {
+
+void addModel(CLI::App& app, std::optional<std::string>& model, const std::string& help) {
+  addValue(app, "--model", "FILE", model, readFileName,
+           help + ": 4 rows of a matrix, or {translation, rotation, scale}; a file or the JSON itself");
+}
+
+CLI::Option* addScene(CLI::App& app, std::optional<std::string>& scene, const std::string& help) {
+  return addValue(app, "--scene", "FILE", scene, readFileName, "Scene file, or the JSON itself: " + help);
+}
+
+void addDigits(CLI::App& app, std::optional<std::size_t>& digits, const std::string& otherwise) {
+  addValue(app, "--digits", "N", digits, wholeNumber(1, kMostDigits),
+           "Significant digits, 1 to " + std::to_string(kMostDigits) + " (default: " + otherwise + ")");
+}
+
+void addPrecision(CLI::App& app, Precision& precision) {
+  Names<Precision> names;
+  for (const PrecisionRow& row : precisions()) names.emplace_back(row.name, row.precision);
+  addChoice(app, "--precision", "MODE", precision, names, "Arithmetic");
+}
+
 void addModelOption(CommandLine& line, std::optional<std::string>& model, const std::string& what,
                     const std::string& effect) {
   addValue(

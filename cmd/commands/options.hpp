@@ -9,10 +9,20 @@
 #include <utility>
 #include <vector>
 
+#include "commands/cli.hpp"
 #include "commands/values.hpp"
 #include "viewproj/screen.hpp"
 
 namespace viewproj::cmd {
+
+/// --model FILE, which readModel() reads. what: "points".
+void addModel(CLI::App& app, std::optional<std::string>& model, const std::string& help);
+/// --scene FILE, which readScene() reads.
+CLI::Option* addScene(CLI::App& app, std::optional<std::string>& scene, const std::string& help);
+/// --digits N. otherwise: what holds where it is not given.
+void addDigits(CLI::App& app, std::optional<std::size_t>& digits, const std::string& otherwise);
+/// --precision MODE.
+void addPrecision(CLI::App& app, Precision& precision);
 
 /// --model FILE, which readModel() reads. what: "points"; effect: of giving it.
 void addModelOption(CommandLine& line, std::optional<std::string>& model, const std::string& what,

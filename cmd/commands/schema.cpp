@@ -1,11 +1,10 @@
 // viewproj schema: the JSON Schema of a camera file, from the table of its fields.
-#include <memory>
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "camera/check.hpp"
+#include "commands/cli.hpp"
 #include "commands/command.hpp"
-#include "commands/notes.hpp"
-#include "commands/output_option.hpp"
 #include "output/output_file.hpp"
 
 namespace viewproj::cmd {
@@ -83,13 +82,11 @@ std::string cameraSchema() {
 
 }  // namespace
 
-Action defineSchema(CommandLine& line) {
-  const auto notes = std::make_shared<Notes>();
-  line.setDescription("The JSON Schema (draft 2020-12) of a camera file, for editors and validators.");
-  line.setExample("viewproj schema > camera.schema.json");
-  addOnlyForm(line, "JSON", ".json");
-  notes->add(line);
-  return [notes] {
+Action declareSchema(CLI::App& app) {
+  app.description("The JSON Schema (draft 2020-12) of a camera file, for editors and validators.");
+  app.footer("Example:\n  viewproj schema > camera.schema.json");
+  addOnlyForm(app, "JSON", ".json");
+  return [] {
     writeOutput(cameraSchema());
     return 0;
   };

@@ -19,6 +19,11 @@ inline constexpr std::string_view kInput = "Input", kOutput = "Output";
 class StreamOptions {
  public:
   /// For a filter, with results in the records. what: "points" or "pixels".
+  void add(CLI::App& app, const std::string& what);
+  /// For a command that only reads them: a bad one need not end it.
+  void addInput(CLI::App& app, const std::string& what);
+
+  /// For a filter, with results in the records. what: "points" or "pixels".
   void add(CommandLine& line, const std::string& what);
   /// For a command that only reads them.
   void addInput(CommandLine& line, const std::string& what);
@@ -47,6 +52,8 @@ class StreamOptions {
   void addKeepGoing(CommandLine& line);
 
  private:
+  void addReading(CLI::App& app, const std::string& what);
+
   std::optional<std::string> file_, prefix_, columns_;
   std::optional<Form> from_;
   std::optional<OutputForm> to_;

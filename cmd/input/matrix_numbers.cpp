@@ -8,11 +8,10 @@
 #include "camera/read_pose.hpp"
 #include "input/matrix_scanner.hpp"
 #include "input/written_digits.hpp"
-#include "text/encoding.hpp"
 #include "text/error.hpp"
 #include "text/json_text.hpp"
-#include "text/parse_number.hpp"
-#include "text/visible.hpp"
+#include "text/number.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 

@@ -8,8 +8,8 @@
 #include "input/written_digits.hpp"
 #include "text/error.hpp"
 #include "text/json_text.hpp"
-#include "text/parse_number.hpp"
-#include "text/visible.hpp"
+#include "text/number.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -6,11 +6,10 @@
 
 #include "output/record_writer.hpp"
 #include "records/coordinates.hpp"
-#include "text/csv_format.hpp"
-#include "text/csv_lines.hpp"
+#include "text/csv.hpp"
 #include "text/error.hpp"
-#include "text/format_number.hpp"
 #include "text/names.hpp"
+#include "text/number.hpp"
 
 namespace viewproj::cmd {
 namespace {

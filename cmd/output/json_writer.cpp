@@ -3,12 +3,11 @@
 #include <nlohmann/json.hpp>
 
 #include "output/record_writer.hpp"
-#include "text/csv_format.hpp"
+#include "text/csv.hpp"
 #include "text/error.hpp"
-#include "text/format_number.hpp"
 #include "text/json_scan.hpp"
 #include "text/json_text.hpp"
-#include "text/parse_number.hpp"
+#include "text/number.hpp"
 
 namespace viewproj::cmd {
 namespace {

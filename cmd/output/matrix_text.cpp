@@ -10,8 +10,9 @@
 #include "camera/write_camera.hpp"
 #include "output/camera_matrices.hpp"
 #include "text/error.hpp"
-#include "text/format_number.hpp"
-#include "text/json_build.hpp"
+#include "text/json_text.hpp"
+#include "text/number.hpp"
+#include "viewproj/matrices.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "text/format_number.hpp"
+#include "text/number.hpp"
 
 namespace viewproj::cmd::svg {
 

@@ -4,9 +4,9 @@
 #include <cstdint>
 
 #include "records/record.hpp"
-#include "text/csv_lines.hpp"
+#include "text/csv.hpp"
 #include "text/layout.hpp"
-#include "text/visible.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "output/record_writer.hpp"
-#include "text/csv_format.hpp"
-#include "text/format_number.hpp"
+#include "text/csv.hpp"
+#include "text/number.hpp"
 
 namespace viewproj::cmd {
 namespace {

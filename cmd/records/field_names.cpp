@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "text/names.hpp"
-#include "text/visible.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "text/csv_format.hpp"
+#include "text/csv.hpp"
 #include "text/error.hpp"
-#include "text/parse_number.hpp"
+#include "text/number.hpp"
 #include "viewproj/geodesy.hpp"
 
 namespace viewproj::cmd {

@@ -6,7 +6,7 @@
 #include "records/record.hpp"
 #include "text/error.hpp"
 #include "text/json_text.hpp"
-#include "text/visible.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {

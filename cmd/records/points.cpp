@@ -5,8 +5,8 @@
 
 #include "records/coordinate_fields.hpp"
 #include "text/error.hpp"
-#include "text/format_number.hpp"
 #include "text/names.hpp"
+#include "text/number.hpp"
 #include "viewproj/geodesy.hpp"
 
 namespace viewproj::cmd {

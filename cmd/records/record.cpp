@@ -4,10 +4,10 @@
 #include <cstring>
 #include <functional>
 
-#include "text/csv_format.hpp"
+#include "text/csv.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
-#include "text/parse_number.hpp"
+#include "text/number.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -8,10 +8,10 @@
 #include <unordered_set>
 #include <vector>
 
-#include "text/csv_format.hpp"
+#include "text/csv.hpp"
 #include "text/form.hpp"
 #include "text/json_text.hpp"
-#include "text/visible.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 

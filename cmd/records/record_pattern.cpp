@@ -6,7 +6,7 @@
 
 #include "text/json_scan.hpp"
 #include "text/json_text.hpp"
-#include "text/parse_number.hpp"
+#include "text/number.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "records/record.hpp"
-#include "text/csv_lines.hpp"
-#include "text/encoding.hpp"
+#include "text/csv.hpp"
 #include "text/error.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "stream/json_splitter.hpp"
-#include "text/csv_lines.hpp"
+#include "text/csv.hpp"
 #include "text/file.hpp"
 #include "text/form.hpp"
 #include "text/json_text.hpp"

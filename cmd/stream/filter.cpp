@@ -5,8 +5,8 @@
 #include <thread>
 
 #include "stream/pipeline.hpp"
-#include "text/encoding.hpp"
 #include "text/system.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {

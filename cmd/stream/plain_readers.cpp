@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "stream/batch.hpp"
-#include "text/csv_lines.hpp"
-#include "text/encoding.hpp"
-#include "text/parse_number.hpp"
+#include "text/csv.hpp"
+#include "text/number.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {

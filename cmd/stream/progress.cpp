@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "text/format_number.hpp"
+#include "text/number.hpp"
 #include "text/system.hpp"
 
 namespace viewproj::cmd {

@@ -1,8 +1,10 @@
 // What goes wrong outside the library, as exceptions that main turns into a message and an exit status.
 #pragma once
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace viewproj::cmd {
 
@@ -24,5 +26,27 @@ struct RecordError : std::runtime_error {
   RecordError(std::size_t at, const std::string& message) : runtime_error(message), offset(at) {}
   std::size_t offset;
 };
+
+/// Counted from 1; columns in bytes.
+struct TextPosition {
+  std::size_t line = 1, column = 1;
+};
+
+/// Where the byte at offset stands in text, if text begins at start.
+inline TextPosition positionAt(std::string_view text, std::size_t offset, TextPosition start = {}) {
+  for (char c : text.substr(0, offset))
+    if (c == '\n') {
+      ++start.line;
+      start.column = 1;
+    } else {
+      ++start.column;
+    }
+  return start;
+}
+
+/// "FILE:LINE:COLUMN".
+inline std::string place(std::string_view file, TextPosition position) {
+  return std::string(file) + ":" + std::to_string(position.line) + ":" + std::to_string(position.column);
+}
 
 }  // namespace viewproj::cmd

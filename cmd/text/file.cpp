@@ -5,7 +5,7 @@
 
 #include "text/error.hpp"
 #include "text/system.hpp"
-#include "text/visible.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "text/encoding.hpp"
 #include "text/names.hpp"
-#include "text/parse_number.hpp"
+#include "text/number.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {

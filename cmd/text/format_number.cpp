@@ -1,5 +1,3 @@
-#include "text/format_number.hpp"
-
 #include <dragonbox/dragonbox.h>
 
 #include <array>
@@ -10,7 +8,7 @@
 #include <cstring>
 #include <utility>
 
-#include "text/parse_number.hpp"
+#include "text/number.hpp"
 
 namespace viewproj::cmd {
 namespace {

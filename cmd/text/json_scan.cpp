@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <string_view>
 
-#include "text/encoding.hpp"
-#include "text/parse_number.hpp"
+#include "text/number.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {

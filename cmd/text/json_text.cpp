@@ -4,7 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "text/json_scan.hpp"
-#include "text/visible.hpp"
+#include "text/number.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -152,21 +153,6 @@ std::optional<std::size_t> tooDeepAt(std::string_view text) {
 
 }  // namespace
 
-TextPosition positionAt(std::string_view text, std::size_t offset, TextPosition start) {
-  for (char c : text.substr(0, offset))
-    if (c == '\n') {
-      ++start.line;
-      start.column = 1;
-    } else {
-      ++start.column;
-    }
-  return start;
-}
-
-std::string place(std::string_view file, TextPosition position) {
-  return std::string(file) + ":" + std::to_string(position.line) + ":" + std::to_string(position.column);
-}
-
 std::optional<JsonFault> jsonFault(std::string_view text) {
   Judge nothing;
   return faultOf(text, nothing);
@@ -261,28 +247,31 @@ std::string unescaped(std::string_view raw) {
   return nlohmann::json::parse("\"" + std::string(raw) + "\"").get<std::string>();
 }
 
-std::size_t locate(std::string_view text, std::span<const std::string> path) {
-  std::size_t base = text.find_first_not_of(" \t\r\n");
-  if (base == std::string_view::npos) return 0;
-  for (const std::string& step : path) {
-    // Ends where the text does: where the value ends is found on the way.
-    const std::string_view value = text.substr(base);
-    if (value.empty() || (value[0] != '{' && value[0] != '[')) break;
-    JsonParts parts(value);
-    std::size_t index = 0;
-    bool found = false;
-    while (auto part = parts.begin()) {
-      if (value[0] == '{' ? unescaped(part->key) == step : std::to_string(index) == step) {
-        base += static_cast<std::size_t>(part->value.data() - value.data());
-        found = true;
-        break;
-      }
-      parts.pass(*part);
-      ++index;
-    }
-    if (!found) break;
+std::string jsonOf(std::string_view text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string jsonOf(double number) { return formatNumber(number); }
+
+std::string jsonOf(bool flag) { return flag ? "true" : "false"; }
+
+std::string jsonList(const std::vector<std::string>& items, std::string_view between) {
+  std::string text = "[";
+  for (const std::string& item : items) {
+    text += text.size() > 1 ? between : between.substr(std::min(between.find('\n'), between.size()));
+    text += item;
   }
-  return base;
+  return text + "]";
+}
+
+JsonObject& JsonObject::addText(std::string_view name, std::string_view json, std::string_view between) {
+  return addMembers(jsonOf(name) + ": " + std::string(json), between);
+}
+
+JsonObject& JsonObject::addMembers(std::string_view members, std::string_view between) {
+  if (!members.empty() && !members_.empty()) members_ += between;
+  members_ += members;
+  return *this;
 }
 
 }  // namespace viewproj::cmd

@@ -1,25 +1,18 @@
 // JSON as text: where things stand in it, and its parts byte for byte. nlohmann-json judges what is valid.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "text/error.hpp"
 
 namespace viewproj::cmd {
-
-/// Counted from 1; columns in bytes.
-struct TextPosition {
-  std::size_t line = 1, column = 1;
-};
-
-/// Where the byte at offset stands in text, if text begins at start.
-TextPosition positionAt(std::string_view text, std::size_t offset, TextPosition start = {});
-
-/// "FILE:LINE:COLUMN".
-std::string place(std::string_view file, TextPosition position);
 
 struct JsonFault {
   std::size_t offset;
@@ -73,7 +66,50 @@ std::size_t endOfValue(std::string_view text, std::size_t at);
 /// A key or string as written (without quotes) with its escapes resolved.
 std::string unescaped(std::string_view raw);
 
-/// The offset of the value at a path of keys and array indices, or of the innermost part of the path that exists.
-std::size_t locate(std::string_view text, std::span<const std::string> path);
+/// What is not UTF-8 is replaced.
+std::string jsonOf(std::string_view text);
+inline std::string jsonOf(const std::string& text) { return jsonOf(std::string_view(text)); }
+inline std::string jsonOf(const char* text) { return jsonOf(std::string_view(text)); }
+/// The shortest number that reads back as the same; null for what is not finite.
+std::string jsonOf(double number);
+std::string jsonOf(bool flag);
+template <std::unsigned_integral Integer>
+std::string jsonOf(Integer number) {
+  return std::to_string(number);
+}
+template <class T>
+std::string jsonOf(const std::optional<T>& value) {
+  return value ? jsonOf(*value) : "null";
+}
+
+/// [a, b] of JSON texts. between: what stands between two; where that breaks the line, so does what stands before the
+/// first.
+std::string jsonList(const std::vector<std::string>& items, std::string_view between = ", ");
+
+/// [a, b] of values.
+template <class Values>
+std::string jsonListOf(const Values& values) {
+  std::vector<std::string> items;
+  for (const auto& value : values) items.push_back(jsonOf(value));
+  return jsonList(items);
+}
+
+/// {"name": value, ...} in the order in which they are added.
+class JsonObject {
+ public:
+  template <class T>
+  JsonObject& add(std::string_view name, const T& value) {
+    return addText(name, jsonOf(value));
+  }
+  /// json: a value. between: what stands between it and the one before.
+  JsonObject& addText(std::string_view name, std::string_view json, std::string_view between = ", ");
+  /// Of another object; none is nothing.
+  JsonObject& addMembers(std::string_view members, std::string_view between = ", ");
+  const std::string& members() const { return members_; }
+  std::string text() const { return "{" + members_ + "}"; }
+
+ private:
+  std::string members_;
+};
 
 }  // namespace viewproj::cmd

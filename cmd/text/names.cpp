@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "text/visible.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -1,5 +1,3 @@
-#include "text/parse_number.hpp"
-
 #include <fast_float/fast_float.h>
 
 #include <algorithm>
@@ -10,6 +8,8 @@
 #include <cstring>
 #include <limits>
 #include <string>
+
+#include "text/number.hpp"
 
 namespace viewproj::cmd {
 

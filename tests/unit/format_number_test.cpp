@@ -1,5 +1,3 @@
-#include "text/format_number.hpp"
-
 #include <array>
 #include <bit>
 #include <charconv>
@@ -12,6 +10,7 @@
 
 #include "catch.hpp"
 #include "random.hpp"
+#include "text/number.hpp"
 
 using namespace viewproj::cmd;
 

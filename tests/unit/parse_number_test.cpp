@@ -1,5 +1,3 @@
-#include "text/parse_number.hpp"
-
 #include <bit>
 #include <charconv>
 #include <cmath>
@@ -12,6 +10,7 @@
 #include <string>
 
 #include "catch.hpp"
+#include "text/number.hpp"
 
 using namespace viewproj::cmd;
 

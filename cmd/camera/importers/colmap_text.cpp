@@ -9,10 +9,9 @@
 
 #include "camera/importers/importer.hpp"
 #include "text/error.hpp"
-#include "text/format_number.hpp"
-#include "text/parse_number.hpp"
+#include "text/number.hpp"
 #include "text/system.hpp"
-#include "text/visible.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "camera/importers/chain.hpp"
 #include "camera/importers/importer.hpp"
-#include "text/format_number.hpp"
+#include "text/number.hpp"
 
 namespace viewproj::cmd {
 namespace {

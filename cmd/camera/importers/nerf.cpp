@@ -4,7 +4,7 @@
 #include "camera/importers/importer.hpp"
 #include "numbers/radians.hpp"
 #include "numbers/vectors.hpp"
-#include "text/format_number.hpp"
+#include "text/number.hpp"
 
 namespace viewproj::cmd {
 

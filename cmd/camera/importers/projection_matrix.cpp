@@ -6,7 +6,7 @@
 
 #include "camera/importers/calibration.hpp"
 #include "camera/split_matrix.hpp"
-#include "text/parse_number.hpp"
+#include "text/number.hpp"
 #include "viewproj/camera.hpp"
 
 namespace viewproj::cmd {

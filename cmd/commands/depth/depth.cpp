@@ -10,8 +10,7 @@
 #include "commands/options.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
-#include "text/format_number.hpp"
-#include "text/parse_number.hpp"
+#include "text/number.hpp"
 
 namespace viewproj::cmd {
 

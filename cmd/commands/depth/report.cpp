@@ -4,9 +4,8 @@
 #include <cmath>
 
 #include "output/table.hpp"
-#include "text/format_number.hpp"
-#include "text/json_build.hpp"
-#include "text/parse_number.hpp"
+#include "text/json_text.hpp"
+#include "text/number.hpp"
 
 namespace viewproj::cmd {
 

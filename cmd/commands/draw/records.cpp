@@ -9,8 +9,8 @@
 #include "records/points.hpp"
 #include "records/shapes.hpp"
 #include "text/error.hpp"
-#include "text/format_number.hpp"
 #include "text/json_text.hpp"
+#include "text/number.hpp"
 #include "viewproj/scene.hpp"
 
 namespace viewproj::cmd {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "output/labels.hpp"
-#include "text/format_number.hpp"
+#include "text/number.hpp"
 
 namespace viewproj::cmd {
 namespace {

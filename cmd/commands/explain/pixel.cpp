@@ -6,7 +6,7 @@
 #include "commands/explain/explain.hpp"
 #include "commands/explain/stages.hpp"
 #include "text/error.hpp"
-#include "text/format_number.hpp"
+#include "text/number.hpp"
 #include "viewproj/matrices.hpp"
 #include "viewproj/screen.hpp"
 

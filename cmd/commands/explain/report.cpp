@@ -2,12 +2,12 @@
 #include <array>
 #include <cmath>
 
-#include "camera/write_camera.hpp"
 #include "camera/names.hpp"
+#include "camera/write_camera.hpp"
 #include "commands/explain/explain.hpp"
-#include "text/format_number.hpp"
-#include "text/json_build.hpp"
+#include "text/json_text.hpp"
 #include "text/names.hpp"
+#include "text/number.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -11,9 +11,9 @@
 #include "output/table.hpp"
 #include "records/coordinates.hpp"
 #include "text/form.hpp"
-#include "text/format_number.hpp"
 #include "text/layout.hpp"
 #include "text/names.hpp"
+#include "text/number.hpp"
 
 namespace viewproj::cmd::pages {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "camera/split_matrix.hpp"
-#include "text/format_number.hpp"
+#include "text/number.hpp"
 #include "viewproj/camera.hpp"
 
 namespace viewproj::cmd {

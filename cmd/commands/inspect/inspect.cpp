@@ -14,7 +14,7 @@
 #include "text/error.hpp"
 #include "text/file.hpp"
 #include "text/names.hpp"
-#include "text/visible.hpp"
+#include "text/utf8.hpp"
 #include "viewproj/camera.hpp"
 
 namespace viewproj::cmd {

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "text/format_number.hpp"
+#include "text/number.hpp"
 
 namespace viewproj::cmd {
 

@@ -11,9 +11,9 @@
 #include "commands/inspect/notes.hpp"
 #include "numbers/degrees.hpp"
 #include "output/table.hpp"
-#include "text/format_number.hpp"
 #include "text/layout.hpp"
 #include "text/names.hpp"
+#include "text/number.hpp"
 
 namespace viewproj::cmd {
 

@@ -9,7 +9,7 @@
 #include "stream/filter.hpp"
 #include "text/error.hpp"
 #include "text/file.hpp"
-#include "text/visible.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {

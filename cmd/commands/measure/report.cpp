@@ -5,8 +5,8 @@
 
 #include "commands/measure/timing.hpp"
 #include "output/table.hpp"
-#include "text/format_number.hpp"
-#include "text/json_build.hpp"
+#include "text/json_text.hpp"
+#include "text/number.hpp"
 
 namespace viewproj::cmd {
 namespace {

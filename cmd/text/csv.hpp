@@ -1,12 +1,36 @@
-// Where a record of CSV ends: a line break inside the quotes of a field belongs to the record.
+// Lines of CSV: what separates their columns, quotes, and where a record ends.
 #pragma once
 
 #include <algorithm>
+#include <string>
 #include <string_view>
 
-#include "text/csv_format.hpp"
-
 namespace viewproj::cmd {
+
+struct CsvFormat {
+  static constexpr char kBlanks = ' ';  ///< any run of blanks and tabs is one separator
+
+  char separator = ',';
+
+  bool isBlanks() const { return separator == kBlanks; }
+  bool separates(char c) const { return c == separator || (isBlanks() && c == '\t'); }
+  bool operator==(const CsvFormat&) const = default;
+};
+
+/// What separates columns, by name or as the character itself.
+struct SeparatorName {
+  std::string_view name, plural;
+  char separator;
+};
+inline constexpr SeparatorName kSeparators[] = {{"comma", "commas", ','},
+                                                {"semicolon", "semicolons", ';'},
+                                                {"tab", "tabs", '\t'},
+                                                {"bar", "bars", '|'},
+                                                {"blank", "blanks", CsvFormat::kBlanks}};
+std::string_view nameOfSeparator(char separator);
+
+/// As a column of the output: in quotes where it has a separator, a quote or a line break, or would be lost.
+std::string quotedIfNeeded(std::string_view cell, const CsvFormat& format = {});
 
 /// The offset of the line break that ends the record which begins at `from`, or the text's size. unclosed: is set to
 /// the offset of a quote that opens and does not close. Quotes count where a field begins with one.

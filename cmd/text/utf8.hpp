@@ -1,4 +1,4 @@
-// What characters an input's bytes are.
+// The characters of a text: whether its bytes are UTF-8, and how messages and terminals can have them.
 #pragma once
 
 #include <string>
@@ -18,5 +18,12 @@ std::string_view wideEncoding(std::string_view start);
 
 /// Throws InputError where there is such an encoding.
 void requireNarrow(const std::string& name, std::string_view start);
+
+/// With <U+001B> and the like for control characters (of ASCII, of Unicode, and those that turn the direction of
+/// writing), which a terminal would obey. kept: characters that stay.
+std::string visible(std::string_view text, std::string_view kept = "");
+
+/// The beginning of a text in quotes, visible and on one line.
+std::string inQuotes(std::string_view text, std::size_t most = 40);
 
 }  // namespace viewproj::cmd

@@ -1,4 +1,4 @@
-#include "text/csv_format.hpp"
+#include "text/csv.hpp"
 
 #include <algorithm>
 
