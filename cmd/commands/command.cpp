@@ -12,7 +12,7 @@ constexpr Command kCommands[] = {
     {"explain", "every stage of one point or pixel, by hand", nullptr, defineExplain},
     {"depth", "what a depth buffer resolves at each distance", nullptr, defineDepth},
     {"measure", "speed and error of every precision on your own points", nullptr, defineMeasure},
-    {"draw", "an SVG of what the camera sees", nullptr, defineDraw},
+    {"draw", "an SVG of what the camera sees", declareDraw},
     {"fit", "the camera moved, or its lens opened, so that all of it is seen", declareFit},
     {"schema", "the JSON Schema of a camera file", declareSchema},
     {"help", "what a command or one of the topics below is about", declareHelp},

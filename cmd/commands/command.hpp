@@ -35,7 +35,7 @@ Action defineInspect(CommandLine& line);
 Action defineExplain(CommandLine& line);
 Action defineDepth(CommandLine& line);
 Action defineMeasure(CommandLine& line);
-Action defineDraw(CommandLine& line);
+Action declareDraw(CLI::App& app);
 Action declareFit(CLI::App& app);
 Action declareSchema(CLI::App& app);
 Action declareHelp(CLI::App& app);
