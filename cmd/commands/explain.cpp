@@ -231,22 +231,16 @@ void explainScreen(Steps& steps, const Camera& camera, const Convention& c, cons
   steps.step("ndc.y", "clip.y / clip.w", ndc.y);
   steps.step("ndc.z", "clip.z / clip.w", ndc.z);
   steps.stage("screen");
-  steps.matrix("S", screenFromNdc(camera.viewport(), c));
+  // Window depth is the camera's own, whatever is written: NDC z the other way round meets the range's other end.
+  Viewport viewport = camera.viewport();
+  const bool isExchanged = c.reverseZ != camera.convention().reverseZ;
+  if (isExchanged) std::swap(viewport.depthFirst, viewport.depthSecond);
+  steps.matrix("S", screenFromNdc(viewport, c));
   steps.sum("screen.x", steps.product("S", 0, vector), p.x);
   steps.sum("screen.y", steps.product("S", 1, vector), p.y);
-  if (c.reverseZ == camera.convention().reverseZ)
-    return steps.sum("depth", steps.product("S", 2, vector), p.depth, "window depth");
-  // The camera's own depth: near and far change places.
-  const double first = camera.viewport().depthFirst, second = camera.viewport().depthSecond;
-  Convention exchanged = camera.convention();
-  exchanged.reverseZ = c.reverseZ;
-  const Camera written = makeCamera(camera.pose(), camera.projection(), camera.viewport(), exchanged);
-  steps.given("depth.first", first);
-  steps.given("depth.second", second);
-  steps.sum("depth.written", steps.product("S", 2, vector), worldToScreen(written, point).depth,
-            "in the convention written");
-  steps.sum("depth", {{"depth.first"}, {"depth.second"}, {"-", "depth.written"}}, p.depth,
-            std::string("window depth: the camera has reverseZ ") + (c.reverseZ ? "false" : "true"));
+  steps.sum("depth", steps.product("S", 2, vector), p.depth,
+            isExchanged ? "window depth; S exchanges its range, as the camera's reverseZ is not the one written"
+                        : "window depth");
 }
 
 /// From view space straight to the pixel: there is no near plane.
