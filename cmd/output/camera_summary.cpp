@@ -1,4 +1,3 @@
-#include "camera/change_camera.hpp"
 #include "output/camera_summary.hpp"
 
 #include <algorithm>
@@ -6,6 +5,7 @@
 #include <numbers>
 
 #include "camera/camera.hpp"
+#include "camera/change_camera.hpp"
 #include "camera/names.hpp"
 #include "output/side_names.hpp"
 #include "text/layout.hpp"
