@@ -135,7 +135,8 @@ int run(const Options& o) {
         o.scene ? hitLabel(picture.camera(), pixel, scene) : formatNumber(pixel.x) + ", " + formatNumber(pixel.y),
         pixel);
   const Viewport& v = *file.viewport;
-  writeOutput(picture.svg(file.name + ", " + formatNumber(v.width) + " x " + formatNumber(v.height) + " pixels"));
+  writeOutput(picture.svg(formatNumber(v.width) + " x " + formatNumber(v.height) + " pixels from the " +
+                          (v.origin == Origin::topLeft ? "top" : "bottom") + " left"));
   return status;
 }
 

@@ -55,6 +55,7 @@ void Fitting::add(const Sphere& sphere) {
   for (Side& side : sides_) side.room = std::min(side.room, along(side.normal, d) - sphere.radius - rounding);
   const double distance = along(ahead_.normal, d);
   ahead_.room = std::min(ahead_.room, distance - sphere.radius - rounding);
+  nearest_ = std::min(nearest_, distance - sphere.radius);
   farthest_ = std::max(farthest_, distance + sphere.radius);
   const auto box = screenBox(open_, sphere);
   if (!box) return;
@@ -74,7 +75,7 @@ void Fitting::add(const Triangle& triangle) {
 }
 
 void Fitting::requireSomething() const {
-  if (!(farthest_ >= ahead_.room)) throw InputError("there is nothing to fit");
+  if (!(farthest_ >= nearest_)) throw InputError("there is nothing to fit");
 }
 
 Document Fitting::byPlace() const {
@@ -125,11 +126,10 @@ Document Fitting::byPlace() const {
 Document Fitting::byWindow() const {
   requireSomething();
   const Projection& p = *file_.projection;
-  if (!p.isOrthographic() && !(ahead_.room > 0))
+  if (!p.isOrthographic() && !(nearest_ > 0))
     throw InputError("something of it lies on or behind the plane through the eye; no lens shows that");
-  if (ahead_.room < p.zNear() || farthest_ > p.zFar())
-    throw InputError(file_.name + ": it lies from " + formatDigits(ahead_.room, 6) + " to " +
-                     formatDigits(farthest_, 6) +
+  if (nearest_ < p.zNear() || farthest_ > p.zFar())
+    throw InputError(file_.name + ": it lies from " + formatDigits(nearest_, 6) + " to " + formatDigits(farthest_, 6) +
                      " along the view, which near and far cut; --near and --far give others");
   return p.isOrthographic() ? orthographicAround() : openedPerspective();
 }

@@ -38,10 +38,10 @@ class Fitting {
   CameraFile file_;
   Camera camera_;
   double margin_;
-  Frustum open_;               ///< of all in front of the eye, near and far or not
-  std::array<Side, 4> sides_;  ///< left, right, bottom, top, the margin taken off
-  Side ahead_;                 ///< of which the room is the nearest thing's distance
-  double farthest_ = -HUGE_VAL;
+  Frustum open_;                                              ///< of all in front of the eye, near and far or not
+  std::array<Side, 4> sides_;                                 ///< left, right, bottom, top, the margin taken off
+  Side ahead_;                                                ///< straight ahead
+  double nearest_ = HUGE_VAL, farthest_ = -HUGE_VAL;          ///< along the view
   ScreenBox seen_{HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL};  ///< top is the smaller y
 };
 

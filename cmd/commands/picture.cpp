@@ -157,7 +157,7 @@ std::string Picture::svg(const std::string& title) const {
   const std::string seen =
       added_ == 0 ? "" : ": " + std::to_string(seen_) + " of " + std::to_string(added_) + " in view";
   return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + number(width + 2 * kMargin) + " " +
-         number(height + kTitle + kMargin) + "\">\n<title>" + escaped(title) + "</title>\n" + kStyle +
+         number(height + kTitle + kMargin) + "\">\n<title>What the camera sees</title>\n" + kStyle +
          "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n<rect class=\"frame\" x=\"" + number(kMargin) +
          "\" y=\"" + number(kTitle) + "\" width=\"" + number(width) + "\" height=\"" + number(height) + "\"/>\n" +
          "<text x=\"" + number(kMargin) + "\" y=\"23\">" + escaped(title + seen) + "</text>\n" + shapes_ + points_ +

@@ -48,7 +48,7 @@ TEST_CASE("Points in view are drawn where they are seen, others are not, and out
     picture.add("ball", Sphere{{5 * unit(engine), 5 * unit(engine), 5 * unit(engine)}, 2 + unit(engine)});
     picture.add("box", Box{{-3, -1, -5}, {4 * std::fabs(unit(engine)), 2, 12}});
     const std::string svg = picture.svg("a & b");
-    CHECK(svg.find("<title>a &amp; b</title>") != std::string::npos);
+    CHECK(svg.find(">a &amp; b: ") != std::string::npos);
     const std::string frame = elements(svg, "<rect class=\"frame\"[^>]*>").at(0);
     const double x = attribute(frame, "x"), y = attribute(frame, "y");
     const double width = attribute(frame, "width"), height = attribute(frame, "height");

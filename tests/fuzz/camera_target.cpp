@@ -69,8 +69,8 @@ void writeAndReadAgain(const CameraFile& file) {
     const auto sameEye = [](const Vec3& a, const Vec3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
     if (file.pose && !(sameEye(file.pose->eye(), again.pose->eye()) && sameEye(file.pose->up(), again.pose->up())))
       found("a camera that was written stands elsewhere when it is read: " + written);
-    if (file.projection && (file.projection->left() != again.projection->left() ||
-                            file.projection->top() != again.projection->top()))
+    if (file.projection &&
+        (file.projection->left() != again.projection->left() || file.projection->top() != again.projection->top()))
       found("a camera that was written sees something else when it is read: " + written);
   } catch (const InputError& e) {
     found(std::string("a camera that was written cannot be read: ") + e.what() + ": " + written);
