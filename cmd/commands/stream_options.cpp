@@ -38,9 +38,19 @@ std::string readPrefix(const std::string& option, const std::string& text) {
 
 constexpr std::size_t kMostJobs = 1024;
 
+constexpr const char* kPointHelp = "A point, in place of FILE and standard input";
+
+/// "project" of "viewproj project".
+std::string lastWord(const std::string& name) { return name.substr(name.rfind(' ') + 1); }
+
 }  // namespace
 
 void StreamOptions::addReading(CLI::App& app, const std::string& what) {
+  command_ = lastWord(app.get_name());
+  isGiven_ = [&app](std::string_view name) {
+    const CLI::Option* const option = app.get_option_no_throw(std::string(name));
+    return option && option->count() > 0;
+  };
   addValue(app, "FILE", "", file_, readFileName, "The " + what + "; absent or - for standard input");
   app.option_defaults()->group(kStreamGroup);
   addChoice(app, "--from", "FORM", from_, namesOf(inputForms()), "Format of FILE", "by its name and first bytes");
@@ -70,7 +80,8 @@ void StreamOptions::add(CLI::App& app, const std::string& what) {
 }
 
 void StreamOptions::addInput(CommandLine& line, const std::string& what) {
-  line_ = &line;
+  command_ = lastWord(line.name());
+  isGiven_ = [&line](std::string_view name) { return line.has(name); };
   const Heading heading(line, kInput);
   addValue(line, "FILE", "", file_, readFileName, "The " + what + "; absent or - for standard input");
   addChoice(line, "--from", "FORM", from_, namesOf(inputForms()), "Form of FILE", "as its name and first bytes tell");
@@ -97,8 +108,12 @@ void StreamOptions::add(CommandLine& line, const std::string& what) {
   line.addFlag("--no-header", noHeader_, "CSV: write no header line");
 }
 
+void StreamOptions::addPoints(CLI::App& app) {
+  addValues(app, "--point", kPointForm, points_, readPointArgument, kPointHelp);
+}
+
 void StreamOptions::addPoints(CommandLine& line) {
-  addValues(line, "--point", kPointForm, points_, readPointArgument, "A point, in place of FILE and standard input");
+  addValues(line, "--point", kPointForm, points_, readPointArgument, kPointHelp);
 }
 
 void StreamOptions::addKeepGoing(CommandLine& line) {
@@ -146,14 +161,10 @@ void StreamOptions::settleOnEarth(FilterSetup& setup, bool worldIsEcef) const {
 
 bool StreamOptions::reads(const FilterSetup& setup, const CameraOptions& camera, const NamedInput& other) const {
   const bool areTyped = !setup.given.empty();
-  if (areTyped && file_) {
-    const std::string option = setup.given.front().option;
-    throw UsageError(option + " takes the place of FILE; leave out one of it and " + *file_ +
+  if (areTyped && file_)
+    throw UsageError(setup.given.front().option + " takes the place of FILE; leave out one of it and " + *file_ +
                      (camera.isGiven() ? "" : "; -c FILE gives the camera"));
-  }
-  const std::string_view command = std::string_view(line_->name()).substr(line_->name().rfind(' ') + 1);
-  const bool isStandard =
-      readsStandardInput(command, file_, [&](std::string_view option) { return line_->has(option); });
+  const bool isStandard = readsStandardInput(command_, file_, isGiven_);
   if (!file_ && !isStandard)
     for (const auto& [name, isGiven] : {std::pair("--from", from_.has_value()),
                                         {"--columns", columns_.has_value()},

@@ -1,6 +1,7 @@
 // The options of a stream of records.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -34,6 +35,7 @@ class StreamOptions {
   FilterSetup setup(const ChoosableColumns& choosable) const;
 
   /// --point, in place of FILE and standard input.
+  void addPoints(CLI::App& app);
   void addPoints(CommandLine& line);
 
   /// Whether there are records, of FILE, standard input or the command line. Throws UsageError where they come from two
@@ -57,7 +59,8 @@ class StreamOptions {
   std::optional<char> delimiter_;
   std::optional<std::size_t> jobs_, digits_;
   std::vector<PointArgument> points_;
-  const CommandLine* line_ = nullptr;
+  std::string command_;
+  std::function<bool(std::string_view option)> isGiven_;
   bool keepGoing_ = false, noHeader_ = false, writes_ = false;
 };
 
