@@ -234,6 +234,8 @@ CameraFile readChecked(const Document& document, const ReadOptions& reading) {
   CameraFile file;
   file.name = document.name;
   file.isTyped = document.isTyped;
+  file.document = document;
+  file.reading = reading;
   const DocumentConvention stated = readConvention(document);
   file.convention = stated.convention;
   file.statesConvention = stated.isStated;

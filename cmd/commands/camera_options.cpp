@@ -8,7 +8,7 @@
 #include "camera/check.hpp"
 #include "camera/fields.hpp"
 #include "camera/read_pose.hpp"
-#include "output/camera_text.hpp"
+#include "camera/write_camera.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
@@ -212,11 +212,10 @@ ReadOptions CameraOptions::reading(bool needsPicture) const {
 CameraFile CameraOptions::read(bool needsPicture) const {
   const CameraSource picked = isTyped() ? CameraSource{} : source();
   const auto cameras = open(picked);
-  Document document = cameras->document(cameras->choose(picked.pick));
+  const Document document = cameras->document(cameras->choose(picked.pick));
   CameraFile file = readCamera(document, reading(needsPicture));
   statesConvention_ = readAs_ || isTyped() || file.statesConvention || file.worldIsEcef;
   for (const std::string& note : file.notes) notes_.say(note);
-  if (isTyped()) given_ = std::move(document);
   return file;
 }
 
@@ -245,9 +244,8 @@ int CameraOptions::writeEach(
   return status;
 }
 
-std::optional<std::string> CameraOptions::asTyped(const CameraFile& file) const {
-  if (!given_) return std::nullopt;
-  return writeDocument(*given_, convention_ ? *convention_ : *readConvention(*given_).preset, writing(file));
+std::string CameraOptions::written(const CameraFile& file) const {
+  return writeCamera(file, convention_ ? *convention_ : *readConvention(file.document).preset, writing(file));
 }
 
 std::pair<std::unique_ptr<CameraDocuments>, std::optional<std::string>> CameraOptions::readAll() const {

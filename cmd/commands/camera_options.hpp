@@ -50,9 +50,8 @@ class CameraOptions {
   CameraFile readOne(const CameraDocuments& cameras, std::size_t which) const;
   bool fromStandardInput() const;
   bool isGiven() const { return camera_ || file_ || isTyped(); }
-  /// The fields that options gave in place of a file, as a camera file: where they say all of the camera that is
-  /// written.
-  std::optional<std::string> asTyped(const CameraFile& file) const;
+  /// The camera's document, in the convention that is written.
+  std::string written(const CameraFile& file) const;
   bool allowsStretch() const { return allowStretch_; }
   const Notes& notes() const { return notes_; }
 
@@ -88,8 +87,7 @@ class CameraOptions {
   std::vector<Patch> patches_;  ///< of options and of --set, in their order
   bool takesFile_ = false, anyOpening_ = false, allowStretch_ = false, ignoreDistortion_ = false, list_ = false;
   Notes notes_;
-  mutable bool statesConvention_ = true;   ///< of the camera that was read
-  mutable std::optional<Document> given_;  ///< of a camera that options give
+  mutable bool statesConvention_ = true;  ///< of the camera that was read
 };
 
 }  // namespace viewproj::cmd

@@ -13,8 +13,8 @@ constexpr Command kCommands[] = {
     {"explain", "every stage of one point or pixel, by hand", declareExplain},
     {"depth", "what a depth buffer resolves at each distance", declareDepth},
     {"measure", "time and error of every precision on your own points", declareMeasure},
-    {"draw", "an SVG of what the camera sees", nullptr, defineDraw},
-    {"fit", "the camera moved, or its lens opened, so that all of it is seen", nullptr, defineFit},
+    {"draw", "an SVG of what the camera sees", declareDraw},
+    {"fit", "the camera moved, or its lens opened, so that all of it is seen", declareFit},
     {"schema", "the JSON Schema of a camera file", declareSchema},
     {"help", "what a command or one of the topics below is about", declareHelp},
 };

@@ -36,8 +36,8 @@ Action declareInspect(CLI::App& app);
 Action declareExplain(CLI::App& app);
 Action declareDepth(CLI::App& app);
 Action declareMeasure(CLI::App& app);
-Action defineDraw(CommandLine& line);
-Action defineFit(CommandLine& line);
+Action declareDraw(CLI::App& app);
+Action declareFit(CLI::App& app);
 Action declareSchema(CLI::App& app);
 Action declareHelp(CLI::App& app);
 

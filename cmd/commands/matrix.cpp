@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "camera/change_camera.hpp"
 #include "commands/camera_options.hpp"
 #include "commands/cli.hpp"
 #include "commands/command.hpp"
 #include "commands/options.hpp"
-#include "input/adjusted.hpp"
 #include "output/camera_matrices.hpp"
-#include "output/camera_text.hpp"
 #include "output/matrix_text.hpp"
 #include "output/output_file.hpp"
 #include "records/model.hpp"
@@ -65,12 +64,12 @@ Names<const CameraMatrix*> matrixNames() {
 }
 
 /// "x,y,-z".
-WorldMap readMap(const std::string& option, const std::string& text) {
+AxisMap readMap(const std::string& option, const std::string& text) {
   const std::vector<std::string> parts = splitNames(option, text);
   const UsageError wrong(option + " " + text +
                          ": expected the new x, y, z in terms of the old, as in x,y,-z or -z,x,y");
   if (parts.size() != 3) throw wrong;
-  WorldMap map;
+  AxisMap map;
   for (std::size_t i = 0; i < 3; ++i) {
     const bool against = parts[i].starts_with('-');
     const std::string axis = parts[i].substr(against || parts[i].starts_with('+') ? 1 : 0);
@@ -83,26 +82,14 @@ WorldMap readMap(const std::string& option, const std::string& text) {
   return map;
 }
 
-/// --to camera.
-int runCamera(CameraFile file, const std::optional<std::string>& type, const CameraOptions& camera, bool asGiven) {
-  if (const auto typed = type || camera.allowsStretch() || !asGiven ? std::nullopt : camera.asTyped(file)) {
-    writeOutput(*typed);
-    return 0;
-  }
-  file.convention = camera.writing(file);
-  writeOutput(writeCamera(file, type.value_or(""), camera.allowsStretch()).text);
-  return 0;
-}
-
 struct Options {
   CameraOptions camera;
   Wanted wanted;
   std::optional<Matrices> which;
-  std::optional<std::string> type, model;
-  std::optional<WorldMap> map;
+  std::optional<std::string> model;
+  std::optional<AxisMap> map;
   std::optional<double> scale;
   std::string_view format = "json";
-  std::optional<std::size_t> digits;
   bool asFloat = false, all = false;
 };
 
@@ -138,23 +125,15 @@ void requireUse(const Options& o, const CameraFile& file) {
 }
 
 /// In the world of --map and --scale.
-CameraFile mapped(CameraFile file, const Options& o) {
+CameraFile inMappedWorld(const CameraFile& file, const Options& o) {
   if (!o.map && !o.scale) return file;
-  const WorldMap map = o.map.value_or(WorldMap{});
-  const double scale = o.scale.value_or(1);
-  if (map.mirrors())
-    file.convention.world = file.convention.world == Handedness::right ? Handedness::left : Handedness::right;
-  if (file.pose) file.pose = mappedTo(*file.pose, map, scale, file.convention.world);
-  if (file.projection) file.projection = scaledBy(*file.projection, scale);
-  file.worldIsEcef = false;
-  return file;
+  return readCamera(mapped(file, o.map.value_or(AxisMap{}), o.scale.value_or(1)), file.reading);
 }
 
 MatrixSet matricesOf(const CameraFile& read, const std::optional<Mat4>& model, const Options& o) {
   requireUse(o, read);
   MatrixSet set;
   set.asFloat = o.asFloat;
-  set.digits = static_cast<int>(o.digits.value_or(0));
   set.convention = o.camera.writing(read);
   const MatrixSource source{.file = read,
                             .convention = set.convention,
@@ -183,9 +162,7 @@ int run(const Options& o, const CLI::App& app) {
   const bool toCamera = o.format == kCamera;
   if (o.model && (o.map || o.scale))
     throw UsageError("--map and --scale are of the world, and with --model matrices begin in the model's");
-  if (o.type && !toCamera) throw UsageError("--type goes with --to camera");
-  for (const char* option :
-       {"--which", "--inverse", "--bake-viewport", "--relative-to-eye", "--float", "--digits", "--model"})
+  for (const char* option : {"--which", "--inverse", "--bake-viewport", "--relative-to-eye", "--float", "--model"})
     if (toCamera && app.count(option) > 0)
       throw UsageError(std::string(option) + " goes with matrices, not with --to " + std::string(o.format));
   if (o.all && o.format != "json")
@@ -197,14 +174,15 @@ int run(const Options& o, const CLI::App& app) {
       !o.which || any(*o.which, &CameraMatrix::projection) || any(*o.which, &CameraMatrix::viewport);
   if (o.all)
     return o.camera.writeEach(needsPicture, [&](const std::string& pick, const CameraFile& camera) {
-      MatrixSet set = matricesOf(mapped(camera, o), model, o);
+      MatrixSet set = matricesOf(inMappedWorld(camera, o), model, o);
       set.camera = pick;
       return writeMatrices(set, o.format, camera.name);
     });
-  const CameraFile read = mapped(o.camera.read(needsPicture), o);
+  const CameraFile read = inMappedWorld(o.camera.read(needsPicture), o);
   if (toCamera) {
     o.camera.noteHandedness(read);
-    return runCamera(read, o.type, o.camera, !o.map && !o.scale);
+    writeOutput(o.camera.written(read));
+    return 0;
   }
   writeOutput(writeMatrices(matricesOf(read, model, o), o.format, read.name));
   return 0;
@@ -227,7 +205,6 @@ Action declareMatrix(CLI::App& app) {
   app.add_flag("--relative-to-eye", o->wanted.relativeToEye,
                "Leave the translation out of the view, and write the eye beside it");
   addModel(app, o->model, "Place of a model in the world, for modelView and modelViewProjection");
-  addDigits(app, o->digits, "all that tell the number from others");
   app.add_flag("--float", o->asFloat, "Round to float32 (default: doubles)");
   auto forms = matrixForms();
   forms.push_back({kCamera, kCamera});
@@ -238,8 +215,6 @@ Action declareMatrix(CLI::App& app) {
   addValue(app, "--scale", "N", o->scale,
            numberThat([](double scale) { return scale > 0 && std::isfinite(scale); }, "a number above 0"),
            "Write the camera for a world whose lengths are so many times longer");
-  addChoice(app, "--type", "TYPE", o->type, namesAlone(cameraTypes()), "With --to camera the projection's form",
-            "perspective or orthographic, or intrinsics where the camera's shape is not the viewport's");
   o->camera.addFile(app);
   o->camera.add(app);
   o->camera.addWriting(app);

@@ -153,8 +153,7 @@ void StreamOptions::requireOneInput(const FilterSetup& setup, const CameraOption
 bool StreamOptions::readsBeside(const std::optional<std::string>& scene, const FilterSetup& setup,
                                 const CameraOptions& camera, const std::string& instead) const {
   const NamedInput ofScene{"the scene", isStandardInput(scene)}, ofCamera{"the camera", camera.fromStandardInput()};
-  const bool isFree = !ofCamera.isStandard && !ofScene.isStandard && !isTerminal(kStandardInput);
-  const bool reads = file_ || (instead.empty() && (!scene || isFree));
+  const bool reads = file_ || (instead.empty() && !scene);
   if (reads) {
     requireOneInput(setup, camera, ofScene);
   } else {

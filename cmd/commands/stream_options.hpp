@@ -35,8 +35,8 @@ class StreamOptions {
   /// other: what else the command reads.
   void requireOneInput(const FilterSetup& setup, const CameraOptions& camera, const NamedInput& other = {}) const;
 
-  /// Whether records are read where a scene may be enough: without FILE only where standard input is free, or nothing
-  /// else is given. instead: after "FILE, which", what stands in their place. Throws UsageError as requireOneInput
+  /// Whether records are read where a scene may be enough: those of FILE, or without a scene of standard input.
+  /// instead: after "FILE, which", what stands in their place. Throws UsageError as requireOneInput
   /// does, and for an option that tells how to read what is not read.
   bool readsBeside(const std::optional<std::string>& scene, const FilterSetup& setup, const CameraOptions& camera,
                    const std::string& instead = {}) const;
