@@ -11,6 +11,7 @@
 #include "commands/command.hpp"
 #include "commands/options.hpp"
 #include "output/results.hpp"
+#include "records/arguments.hpp"
 #include "records/model.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
@@ -389,16 +390,9 @@ OrderedJson explainPixel(const Camera& camera, const Convention& convention, con
 
 namespace {
 
-GivenPoint readPoint(const std::string& option, const std::string& text) {
-  const GivenPoint given = readGivenPoint(option, text);
-  if (given.point() == Vec4{0, 0, 0, 0})
-    throw UsageError(given.text + ": is neither a point nor a direction, all four numbers are 0");
-  return given;
-}
-
 struct Options {
   CameraOptions camera;
-  std::optional<GivenPoint> point;
+  std::optional<PointArgument> point;
   std::optional<std::vector<double>> pixel;
   std::optional<std::string> model;
   ReportOptions report;
@@ -449,7 +443,7 @@ Action declareExplain(CLI::App& app) {
       "Examples:\n"
       "  viewproj explain --position 3,2,5 --target 0,0,0 --fov-y 60 --near 0.1 --viewport 1280x720 --point 1,1,1\n"
       "  viewproj explain --position 3,2,5 --target 0,0,0 --fov-y 60 --near 0.1 --viewport 1280x720 --pixel 640,300");
-  CLI::Option* const point = addValue(app, "--point", kPointForm, o->point, readPoint, "The point to follow");
+  CLI::Option* const point = addValue(app, "--point", kPointForm, o->point, readPointArgument, "The point to follow");
   addValue(app, "--pixel", "X,Y[,DEPTH]", o->pixel, readPixelNumbers,
            "The pixel to follow back, with a window depth if known")
       ->excludes(point);

@@ -77,7 +77,6 @@ std::string paragraph(const std::string& text, std::size_t width) { return "\n" 
 std::vector<Entry> entriesOf(std::span<const Coordinate* const> rows) {
   std::vector<Entry> entries;
   for (const Coordinate* row : rows) {
-    if (row->form == CoordinateForm::word) continue;
     const bool isArray = row->form == CoordinateForm::array;
     std::string form = isArray ? (row->most > 2 ? "[x, y, z]" : "[x, y]") : "a number each";
     if (row->form == CoordinateForm::object || row->form == CoordinateForm::points) form = exampleOf(*row);
