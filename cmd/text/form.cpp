@@ -104,7 +104,8 @@ std::optional<Form> formOfBytes(std::string_view start) {
   const bool controls = std::any_of(start.begin(), start.end(), isControl);
   std::string_view whole = start;  // without a character that may be cut off
   while (!whole.empty() && continuesCharacter(whole.back())) whole.remove_suffix(1);
-  if (!whole.empty() && static_cast<unsigned char>(whole.back()) >= 0xC0) whole.remove_suffix(1);
+  const auto last = static_cast<unsigned char>(whole.empty() ? 0 : whole.back());
+  if (last >= 0xC2 && last <= 0xF4) whole.remove_suffix(1);
   if (start.find('\0') != std::string_view::npos || (controls && !isUtf8(whole))) return std::nullopt;
   const std::string_view line = start.substr(0, start.find('\n'));
   const char c = start[0];

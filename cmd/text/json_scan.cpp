@@ -140,7 +140,7 @@ JsonFault faultOf(std::string_view text, const JsonStop& stop) {
   const std::string_view token = tokenAt(text, at);
   if (!isValue || !isOfWord(token[0])) return fault(", got " + visible(token));
   if (isLargerThanDoubles(token)) return {at, inQuotes(token) + " is larger than any double"};
-  return fault("; JSON has no " + inQuotes(token));
+  return fault("; JSON has no " + std::string(token.substr(0, 40)));
 }
 
 std::optional<JsonFault> jsonFault(std::string_view text) {
