@@ -366,7 +366,7 @@ def inspected():
     inspect("matrices of JSON, which is not there", 1000, lambda n: number_of_matrices(n).encode(), 1, "has no matrix 'q'", arguments=["--which", "q"], big=5000)
     inspect("matrices of long names, which is not there", 10, lambda n: ("{" + ",".join(f'"{"m" * 1000}{i}":{IDENTITY}' for i in range(n)) + "}").encode(), 1, "has no matrix", arguments=["--which", "q" * 90], big=200)
     add("inspect: which, many names", 200, lambda n: ["inspect", "--which", ",".join(f"m{i}" for i in range(n)), "--read-as", "vulkan", "input"],
-        file=lambda n: number_of_matrices(n).encode(), says="m5: 2 readings of 12", memory="linear", big=2000)
+        file=lambda n: number_of_matrices(n).encode(), says="name  m", memory="linear", big=2000)
     inspect("matrices of text", 40, text, says="name  m")
     inspect("matrices of text, none known", 100, bad, 1, "nothing known")
     inspect("matrices of text, the last is short", 400, lambda n: text(n) + b"1 2 3", 1, "ends after|more than", big=5000)
