@@ -27,9 +27,10 @@ struct CameraFile {
   bool worldIsEcef = false;                 ///< Earth-centred metres: points may be given by lat, lon, height
   bool isTyped = false;                     ///< of options alone, and no file's
   bool statesConvention = false;
-  std::vector<std::string> notes;  ///< what is read as it stands, but probably not meant
-  Document document = {};          ///< normalized; not to be changed
-  ReadOptions reading = {};        ///< that it was read with
+  std::optional<double> targetDistance;  ///< of a camera that looks at a target
+  std::vector<std::string> notes;        ///< what is read as it stands, but probably not meant
+  Document document = {};                ///< normalized; not to be changed
+  ReadOptions reading = {};              ///< that it was read with
 };
 
 /// Normalizes the document, which its copies share, checks it, and reads it. Throws InputError (of options UsageError)

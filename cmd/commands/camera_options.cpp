@@ -253,6 +253,12 @@ std::pair<std::unique_ptr<CameraDocuments>, std::optional<std::string>> CameraOp
   return {open(picked), picked.pick};
 }
 
+CameraFile CameraOptions::readOne(const CameraDocuments& cameras, std::size_t which) const {
+  CameraFile file = readCamera(cameras.document(which), reading(true));
+  for (const std::string& note : file.notes) notes_.say(note);
+  return file;
+}
+
 bool CameraOptions::fromStandardInput() const {
   if (isTyped() || (!camera_ && !takesFile_)) return false;
   return splitPick(camera_ ? *camera_ : file_.value_or("-")).file == "-";

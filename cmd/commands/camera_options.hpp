@@ -47,6 +47,7 @@ class CameraOptions {
                 const std::function<std::string(const std::string& pick, const CameraFile& camera)>& textOf) const;
   /// All cameras of the file, or the one of options; and what #NAME picks among them.
   std::pair<std::unique_ptr<CameraDocuments>, std::optional<std::string>> readAll() const;
+  CameraFile readOne(const CameraDocuments& cameras, std::size_t which) const;
   bool fromStandardInput() const;
   bool isGiven() const { return camera_ || file_ || isTyped(); }
   /// The camera's document, in the convention that is written.

@@ -9,7 +9,6 @@
 #include "commands/command.hpp"
 #include "commands/options.hpp"
 #include "output/camera_matrices.hpp"
-#include "output/camera_summary.hpp"
 #include "output/matrix_text.hpp"
 #include "output/output_file.hpp"
 #include "records/model.hpp"
@@ -19,8 +18,7 @@
 namespace viewproj::cmd {
 namespace {
 
-constexpr std::string_view kCamera = "camera", kSummary = "summary";
-constexpr int kSummaryDigits = 9;
+constexpr std::string_view kCamera = "camera";
 
 struct Wanted {
   bool inverse = false, bakeViewport = false, relativeToEye = false;
@@ -161,11 +159,11 @@ MatrixSet matricesOf(const CameraFile& read, const std::optional<Mat4>& model, c
 }
 
 int run(const Options& o, const CLI::App& app) {
-  const bool toCamera = o.format == kCamera, toSummary = o.format == kSummary;
+  const bool toCamera = o.format == kCamera;
   if (o.model && (o.map || o.scale))
     throw UsageError("--map and --scale are of the world, and with --model matrices begin in the model's");
   for (const char* option : {"--which", "--inverse", "--bake-viewport", "--relative-to-eye", "--float", "--model"})
-    if ((toCamera || toSummary) && app.count(option) > 0)
+    if (toCamera && app.count(option) > 0)
       throw UsageError(std::string(option) + " goes with matrices, not with --to " + std::string(o.format));
   if (o.all && o.format != "json")
     throw UsageError("--all writes JSON, a line a camera; leave out --to " + std::string(o.format));
@@ -181,15 +179,9 @@ int run(const Options& o, const CLI::App& app) {
       return writeMatrices(set, o.format, camera.name);
     });
   const CameraFile read = inMappedWorld(o.camera.read(needsPicture), o);
-  if (toCamera || toSummary) o.camera.noteHandedness(read);
   if (toCamera) {
+    o.camera.noteHandedness(read);
     writeOutput(o.camera.written(read));
-    return 0;
-  }
-  if (toSummary) {
-    CameraFile shown = read;
-    shown.convention = o.camera.writing(read);
-    writeOutput(summaryOf(shown, o.camera.writtenAxes(read), kSummaryDigits));
     return 0;
   }
   writeOutput(writeMatrices(matricesOf(read, model, o), o.format, read.name));
@@ -216,7 +208,6 @@ Action declareMatrix(CLI::App& app) {
   app.add_flag("--float", o->asFloat, "Round to float32 (default: doubles)");
   auto forms = matrixForms();
   forms.push_back({kCamera, kCamera});
-  forms.push_back({kSummary, kSummary});
   addForm(app, o->format, std::span<const FormRow<std::string_view>>(forms), "Output format; camera is a camera file");
   app.add_flag("--all", o->all, "Write one JSON object per camera of the file");
   addValue(app, "--map", "X,Y,Z", o->map, readMap,

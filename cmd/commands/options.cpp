@@ -1,8 +1,10 @@
 #include "commands/options.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "commands/output_option.hpp"
+#include "output/output_file.hpp"
 #include "records/points.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
@@ -112,10 +114,25 @@ void addDigits(CommandLine& line, std::optional<std::size_t>& digits, const std:
            "Significant digits of results, from 1 to " + std::to_string(kMostDigits) + " (default: " + otherwise + ")");
 }
 
-void addReportForm(CommandLine& line, ReportForm& form) {
-  static constexpr FormRow<ReportForm> kForms[] = {{"table", ReportForm::table, ".txt"},
-                                                   {"json", ReportForm::json, ".json"}};
-  addForm(line, form, std::span<const FormRow<ReportForm>>(kForms), "Form of the output");
+void ReportOptions::add(CLI::App& app, int tableDigits) {
+  static constexpr FormRow<ReportForm> kForms[] = {
+      {"table", ReportForm::table, ".txt"}, {"json", ReportForm::json, ".json"}, {"csv", ReportForm::csv, ".csv"}};
+  addForm(app, form_, std::span<const FormRow<ReportForm>>(kForms), "Output format");
+  addDigits(app, digits_, "all in JSON and CSV, " + std::to_string(tableDigits) + " in a table");
+  tableDigits_ = tableDigits;
+}
+
+int ReportOptions::digits() const {
+  return digits_ ? static_cast<int>(*digits_) : form_ == ReportForm::table ? tableDigits_ : 0;
+}
+
+void ReportOptions::write(const OrderedJson& report, const char* rows) const {
+  if (form_ == ReportForm::table)
+    writeOutput(tableText(report, digits()));
+  else if (form_ == ReportForm::json)
+    writeOutput(jsonText(report, digits()) + "\n");
+  else
+    writeOutput(csvText(*rows ? report.at(rows) : report, digits()));
 }
 
 std::span<const PrecisionRow> precisions() {
