@@ -4,8 +4,9 @@
 #include "commands/command.hpp"
 #include "commands/stream_options.hpp"
 #include "output/results.hpp"
+#include "records/arguments.hpp"
 #include "records/points.hpp"
-#include "records/shapes.hpp"
+#include "records/scene.hpp"
 #include "stream/filter.hpp"
 #include "text/error.hpp"
 #include "viewproj/scene.hpp"
@@ -61,6 +62,7 @@ std::string helpOnShapes() {
 struct Options {
   CameraOptions camera;
   StreamOptions stream;
+  std::vector<GivenRecord> shapes;
 };
 
 int run(const Options& o, const CommandLine& line) {
@@ -68,12 +70,12 @@ int run(const Options& o, const CommandLine& line) {
   if (line.has(kDigitsOption))
     throw UsageError(std::string(kDigitsOption) + " is of results that are numbers, and cull has none");
   FilterSetup setup = o.stream.setup(kSphereColumns);
-  o.stream.requireOneInput(setup, o.camera);
+  setup.given.insert(setup.given.end(), o.shapes.begin(), o.shapes.end());
+  o.stream.reads(setup, o.camera);
   const CameraFile file = o.camera.read();
   const Frustum frustum = viewFrustum(makeCamera(file));
   o.stream.settleOnEarth(setup, file.worldIsEcef);
-  const PointReading reading{
-      .columns = setup.columns, .worldIsEcef = file.worldIsEcef, .shapes = "culled", .radius = true};
+  const PointReading reading{.columns = setup.columns, .worldIsEcef = file.worldIsEcef, .shapes = true, .radius = true};
   setup.note = [&](const std::string& note) { o.camera.notes().say(note); };
   setup.writer.arrayName = "position";
   return runFilter(setup, [&] { return std::make_unique<CullWork>(frustum, reading); });
@@ -92,6 +94,16 @@ Action defineCull(CommandLine& line) {
       "  viewproj cull -c samples/picking-a-pixel/camera.json");
   o->camera.add(line);
   o->stream.add(line, "points and shapes");
+  o->stream.addPoints(line);
+  const auto shapeOf = [](std::string (*read)(const std::string&, const std::string&)) {
+    return [read](const std::string& option, const std::string& text) {
+      return GivenRecord{option + " " + text, read(option, text)};
+    };
+  };
+  addValues(line, "--sphere", "X,Y,Z,R", o->shapes, shapeOf(readSphereArgument),
+            "A sphere, in place of FILE and standard input");
+  addValues(line, "--box", "X,Y,Z,X,Y,Z", o->shapes, shapeOf(readBoxArgument),
+            "A box, from its lower to its upper corner, in place of FILE and standard input");
   return [o, &line] { return run(*o, line); };
 }
 

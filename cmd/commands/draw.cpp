@@ -10,7 +10,6 @@
 #include "output/output_file.hpp"
 #include "records/points.hpp"
 #include "records/scene.hpp"
-#include "records/shapes.hpp"
 #include "stream/filter.hpp"
 #include "text/csv.hpp"
 #include "text/error.hpp"
@@ -106,19 +105,14 @@ std::string hitLabel(const Camera& camera, const Vec2& pixel, const std::vector<
 struct Options {
   CameraOptions camera;
   StreamOptions stream;
-  std::vector<GivenPoint> points;
   std::vector<Vec2> pixels;
   std::optional<std::string> scene;
 };
 
 int run(const Options& o) {
   FilterSetup setup = o.stream.setup(kPointColumns);
-  for (const GivenPoint& point : o.points) setup.given.push_back({point.text, point.json()});
-  const bool reads = !o.points.empty() || o.stream.readsBeside(o.scene, setup, o.camera,
-                                                               o.pixels.empty() ? "" : "--pixel takes the place of");
-  if (!o.points.empty()) o.stream.requireOneInput(setup, o.camera, {"the scene", isStandardInput(o.scene)});
+  const bool reads = o.stream.reads(setup, o.camera, {"the scene", isStandardInput(o.scene)});
   const CameraFile file = o.camera.read();
-  for (const GivenPoint& point : o.points) point.requireFit(file.worldIsEcef);
   if (reads) o.stream.settleOnEarth(setup, file.worldIsEcef);
   Picture picture(makeCamera(file));
   std::vector<SceneObject> scene;
@@ -128,7 +122,7 @@ int run(const Options& o) {
     for (const SceneObject& object : scene) draw(picture, object);
   }
   const PointReading reading{
-      .columns = setup.columns, .worldIsEcef = file.worldIsEcef, .segments = true, .shapes = "drawn from a record"};
+      .columns = setup.columns, .worldIsEcef = file.worldIsEcef, .segments = true, .shapes = true};
   const int status = reads ? readRecords(setup, [&] { return std::make_unique<DrawWork>(picture, reading); }) : 0;
   for (const Vec2& pixel : o.pixels)
     picture.addPixel(
@@ -152,7 +146,7 @@ Action declareDraw(CLI::App& app) {
       "  viewproj draw --position 3,2,5 --target 0,0,0 --fov-y 60 --near 0.1 --viewport 640x480 \\\n"
       "    --point 0,0,0 --point 1,1,1 -o view.svg\n"
       "  viewproj draw -c camera.json points.csv --scene scene.json --pixel 320,240 -o view.svg");
-  addValues(app, "--point", kPointForm, o->points, readGivenPoint, "A point, in place of FILE");
+  o->stream.addPoints(app);
   addValues(
       app, "--pixel", "X,Y", o->pixels,
       [](const std::string& option, const std::string& text) {

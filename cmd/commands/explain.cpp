@@ -11,6 +11,7 @@
 #include "commands/command.hpp"
 #include "commands/options.hpp"
 #include "output/results.hpp"
+#include "records/arguments.hpp"
 #include "records/model.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
@@ -231,22 +232,16 @@ void explainScreen(Steps& steps, const Camera& camera, const Convention& c, cons
   steps.step("ndc.y", "clip.y / clip.w", ndc.y);
   steps.step("ndc.z", "clip.z / clip.w", ndc.z);
   steps.stage("screen");
-  steps.matrix("S", screenFromNdc(camera.viewport(), c));
+  // Window depth is the camera's own, whatever is written: NDC z the other way round meets the range's other end.
+  Viewport viewport = camera.viewport();
+  const bool isExchanged = c.reverseZ != camera.convention().reverseZ;
+  if (isExchanged) std::swap(viewport.depthFirst, viewport.depthSecond);
+  steps.matrix("S", screenFromNdc(viewport, c));
   steps.sum("screen.x", steps.product("S", 0, vector), p.x);
   steps.sum("screen.y", steps.product("S", 1, vector), p.y);
-  if (c.reverseZ == camera.convention().reverseZ)
-    return steps.sum("depth", steps.product("S", 2, vector), p.depth, "window depth");
-  // The camera's own depth: near and far change places.
-  const double first = camera.viewport().depthFirst, second = camera.viewport().depthSecond;
-  Convention exchanged = camera.convention();
-  exchanged.reverseZ = c.reverseZ;
-  const Camera written = makeCamera(camera.pose(), camera.projection(), camera.viewport(), exchanged);
-  steps.given("depth.first", first);
-  steps.given("depth.second", second);
-  steps.sum("depth.written", steps.product("S", 2, vector), worldToScreen(written, point).depth,
-            "in the convention written");
-  steps.sum("depth", {{"depth.first"}, {"depth.second"}, {"-", "depth.written"}}, p.depth,
-            std::string("window depth: the camera has reverseZ ") + (c.reverseZ ? "false" : "true"));
+  steps.sum("depth", steps.product("S", 2, vector), p.depth,
+            isExchanged ? "window depth; S exchanges its range, as the camera's reverseZ is not the one written"
+                        : "window depth");
 }
 
 /// From view space straight to the pixel: there is no near plane.
@@ -395,16 +390,9 @@ OrderedJson explainPixel(const Camera& camera, const Convention& convention, con
 
 namespace {
 
-GivenPoint readPoint(const std::string& option, const std::string& text) {
-  const GivenPoint given = readGivenPoint(option, text);
-  if (given.point() == Vec4{0, 0, 0, 0})
-    throw UsageError(given.text + ": is neither a point nor a direction, all four numbers are 0");
-  return given;
-}
-
 struct Options {
   CameraOptions camera;
-  std::optional<GivenPoint> point;
+  std::optional<PointArgument> point;
   std::optional<std::vector<double>> pixel;
   std::optional<std::string> model;
   ReportOptions report;
@@ -455,7 +443,7 @@ Action declareExplain(CLI::App& app) {
       "Examples:\n"
       "  viewproj explain --position 3,2,5 --target 0,0,0 --fov-y 60 --near 0.1 --viewport 1280x720 --point 1,1,1\n"
       "  viewproj explain --position 3,2,5 --target 0,0,0 --fov-y 60 --near 0.1 --viewport 1280x720 --pixel 640,300");
-  CLI::Option* const point = addValue(app, "--point", kPointForm, o->point, readPoint, "The point to follow");
+  CLI::Option* const point = addValue(app, "--point", kPointForm, o->point, readPointArgument, "The point to follow");
   addValue(app, "--pixel", "X,Y[,DEPTH]", o->pixel, readPixelNumbers,
            "The pixel to follow back, with a window depth if known")
       ->excludes(point);

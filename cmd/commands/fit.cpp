@@ -8,7 +8,6 @@
 #include "output/output_file.hpp"
 #include "records/points.hpp"
 #include "records/scene.hpp"
-#include "records/shapes.hpp"
 #include "stream/filter.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
@@ -57,7 +56,6 @@ struct Options {
   CameraOptions camera;
   StreamOptions stream;
   std::optional<std::string> scene;
-  std::vector<GivenPoint> points;
   std::optional<Means> by;
   double margin = 0.05;
 };
@@ -75,18 +73,15 @@ double readMargin(const std::string& option, const std::string& text) {
 int run(const Options& o) {
   FilterSetup setup = o.stream.setup(kSphereColumns);
   setup.note = [&](const std::string& note) { o.camera.notes().say(note); };
-  for (const GivenPoint& point : o.points) setup.given.push_back({point.text, point.json()});
-  const bool reads = !o.points.empty() || o.stream.readsBeside(o.scene, setup, o.camera);
-  if (!o.points.empty()) o.stream.requireOneInput(setup, o.camera, {"the scene", isStandardInput(o.scene)});
+  const bool reads = o.stream.reads(setup, o.camera, {"the scene", isStandardInput(o.scene)});
   const CameraFile file = o.camera.read();
-  for (const GivenPoint& point : o.points) point.requireFit(file.worldIsEcef);
   if (reads) o.stream.settleOnEarth(setup, file.worldIsEcef);
   (void)makeCamera(file);  // names the part that it lacks
   const bool orthographic = file.projection->isOrthographic();
   if (orthographic && o.by) throw UsageError("--by is for a perspective; an orthographic window is scaled and centred");
   Fitting fitting(file, o.margin);
   const PointReading reading{
-      .columns = setup.columns, .worldIsEcef = file.worldIsEcef, .segments = true, .shapes = "fitted", .radius = true};
+      .columns = setup.columns, .worldIsEcef = file.worldIsEcef, .segments = true, .shapes = true, .radius = true};
   if (o.scene) addScene(fitting, readScene(*o.scene, file.worldIsEcef));
   const int status = reads ? readRecords(setup, [&] { return std::make_unique<FitWork>(fitting, reading); }) : 0;
   const bool byWindow = orthographic || o.by == Means::lens;
@@ -108,7 +103,7 @@ Action declareFit(CLI::App& app) {
       "  viewproj fit --position 3,2,5 --target 0,0,0 --fov-y 60 --near 0.1 --viewport 640x480 \\\n"
       "    --point 0,0,0 --point 9,1,0\n"
       "  viewproj fit -c camera.json points.csv --margin 10% -o fitted.json");
-  addValues(app, "--point", kPointForm, o->points, readGivenPoint, "A point to fit, in place of FILE");
+  o->stream.addPoints(app);
   addScene(app, o->scene, "Shapes to fit: a scene file, or the JSON itself");
   static constexpr std::pair<std::string_view, Means> kMeans[] = {{"place", Means::place}, {"fov", Means::lens}};
   addChoice(app, "--by", "WHAT", o->by, rowsOf(kMeans), "What changes", "place");

@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <unordered_map>
 
 #include "commands/camera_options.hpp"
 #include "commands/command.hpp"
@@ -35,16 +36,17 @@ std::vector<WrittenMatrix> chooseMatrices(std::vector<WrittenMatrix> matrices,
       throw InputError(source + ": has only " + first + "; --which " + first + " inspects it all the same");
     return matrices;
   }
+  std::unordered_map<std::string_view, const WrittenMatrix*> byName;  // of a name that several have, the first
+  for (const WrittenMatrix& m : matrices) byName.emplace(m.name, &m);
   std::vector<WrittenMatrix> chosen;
   for (const std::string& name : *which) {
-    const auto found =
-        std::find_if(matrices.begin(), matrices.end(), [&](const WrittenMatrix& m) { return m.name == name; });
-    if (found == matrices.end()) {
+    const auto found = byName.find(name);
+    if (found == byName.end()) {
       std::vector<std::string_view> names;
       for (const WrittenMatrix& m : matrices) names.push_back(m.name);
       throw InputError(source + ": has no matrix " + inQuotes(name) + suggestion(name, names));
     }
-    chosen.push_back(*found);
+    chosen.push_back(*found->second);
   }
   return chosen;
 }

@@ -12,8 +12,8 @@ namespace viewproj::cmd {
 /// What is known of a matrix beside its numbers.
 struct InspectQuery {
   bool isFloat = false;
-  std::optional<Convention> readAs;  ///< only readings of this convention
-  std::optional<Convention> stated;  ///< the input's own
+  std::optional<Convention> readAs = {};  ///< only readings of this convention
+  std::optional<Convention> stated = {};  ///< the input's own
 };
 
 /// Whether a matrix of this camera would be written like that in this convention, apart from reverseZ and world, which

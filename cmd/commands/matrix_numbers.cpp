@@ -7,7 +7,6 @@
 
 #include "camera/check.hpp"
 #include "camera/read_pose.hpp"
-#include "output/report.hpp"
 #include "text/error.hpp"
 #include "text/json_text.hpp"
 #include "text/number.hpp"
@@ -24,20 +23,20 @@ bool isWord(char c) { return isWordStart(c) || isDigit(c) || c == '.'; }
 // ---- JSON
 
 /// Of a value of an object; nothing for one that is no matrix and stands beside them.
-std::optional<WrittenMatrix> matrixOf(const std::string& key, const OrderedJson& whole, const std::string& source) {
+std::optional<WrittenMatrix> matrixOf(const std::string& key, const Json& whole, const std::string& source) {
   const bool isStored = whole.is_object() && whole.contains("data");  // as OpenCV's FileStorage has it
-  const OrderedJson& value = isStored ? whole["data"] : whole;
+  const Json& value = isStored ? whole["data"] : whole;
   if (!value.is_array() || value.empty()) return std::nullopt;
   WrittenMatrix m;
   bool isNumeric = true;
   std::size_t columns = 0;  // of rows of one length; 0: of none
-  const auto gather = [&](const OrderedJson& entry) {
+  const auto gather = [&](const Json& entry) {
     isNumeric = isNumeric && entry.is_number();
     if (isNumeric) m.numbers.push_back(entry.get<double>());
   };
   const bool nested = value.front().is_array();
   if (nested) columns = value.front().size();
-  for (const OrderedJson& row : value) {
+  for (const Json& row : value) {
     if (nested && row.size() != columns) columns = 0;
     if (row.is_array())
       std::for_each(row.begin(), row.end(), gather);
@@ -63,12 +62,15 @@ std::optional<WrittenMatrix> matrixOf(const std::string& key, const OrderedJson&
   return m;
 }
 
+/// text: without comments.
 WrittenMatrices parseObject(const std::string& text, const std::string& source) {
   const Document document = load(text, source);  // says what is wrong with it
   WrittenMatrices result;
-  const OrderedJson inOrder = OrderedJson::parse(text, nullptr, true, true);
-  for (const auto& [key, value] : inOrder.items())
-    if (auto m = matrixOf(key, value, source)) result.matrices.push_back(std::move(*m));
+  JsonParts parts(std::string_view(text).substr(text.find('{')));
+  while (const auto part = parts.next()) {  // in the order of the text
+    const std::string key = unescaped(part->key);
+    if (auto m = matrixOf(key, document.root->at(key), source)) result.matrices.push_back(std::move(*m));
+  }
   if (result.matrices.empty()) throw InputError(source + ": has no matrix: no value of 16 numbers or 4 rows of 4");
   if (const auto convention = Node(document).find("convention")) {
     Document stated{source, std::make_shared<Json>(Json{{"convention", convention->json()}})};
@@ -264,7 +266,7 @@ WrittenMatrices parseMatrices(const std::string& given, const std::string& sourc
     std::string blank = text;
     blankComments(blank);
     const std::size_t second = blank.find_first_not_of(" \t\r\n", first + 1);
-    if (second != std::string::npos && isOneOf(blank[second], "\"}")) return parseObject(text, source);
+    if (second != std::string::npos && isOneOf(blank[second], "\"}")) return parseObject(blank, source);
   }
   const auto has = [&](const char* word) { return text.find(word) != std::string::npos; };
   return {Scanner(text, source).matrices(), std::nullopt, has("float") || has("mat4") || has("f32")};

@@ -256,7 +256,7 @@ struct Options {
 int run(const Options& o) {
   FilterSetup setup = o.stream.setup(kPointColumns);
   setup.note = [&](const std::string& note) { o.camera.notes().say(note); };
-  o.stream.requireOneInput(setup, o.camera);
+  o.stream.reads(setup, o.camera);
   const CameraFile file = o.camera.read();
   requireNear(file, "measure");
   const Camera built = makeCamera(file);
@@ -266,7 +266,10 @@ int run(const Options& o) {
   const PointReading reading{.columns = setup.columns, .worldIsEcef = file.worldIsEcef};
   const int status = readRecords(setup, [&] { return std::make_unique<SampleWork>(sample, reading, setup.keepGoing); });
   if (sample.points.empty())
-    throw InputError((setup.file == "-" ? kStandardInputName : visible(setup.file)) + ": has no points to measure" +
+    throw InputError((!setup.given.empty() ? setup.given[0].option
+                      : setup.file == "-"  ? kStandardInputName
+                                           : visible(setup.file)) +
+                     ": has no points to measure" +
                      (sample.leftOut > 0 ? "; directions and weighted points are left out" : ""));
   o.report.write(measureReport(built, sample.points, sample.leftOut), "modes");
   return status;
@@ -286,6 +289,7 @@ Action declareMeasure(CLI::App& app) {
   o->report.add(app, 3);
   o->camera.add(app);
   o->stream.addInput(app, "points");
+  o->stream.addPoints(app);
   return [o] { return run(*o); };
 }
 

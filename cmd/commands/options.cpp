@@ -5,11 +5,9 @@
 
 #include "commands/output_option.hpp"
 #include "output/output_file.hpp"
-#include "records/points.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
 #include "text/number.hpp"
-#include "viewproj/geodesy.hpp"
 
 namespace viewproj::cmd {
 
@@ -38,7 +36,7 @@ void addModelOption(CommandLine& line, std::optional<std::string>& model, const 
   addValue(
       line, "--model", "FILE", model, readFileName,
       "Where the model of the " + what +
-          " stands in the world: 4 rows of a matrix, or a glTF node's translation, rotation and scale; a file or "
+          " stands in the world: 4 rows of a matrix, or {translation, rotation, scale}; a file or "
           "the JSON itself" +
           (effect.empty() ? "; world coordinates are rounded to doubles (default: " + what + " in world coordinates)"
                           : "; " + effect));
@@ -46,67 +44,6 @@ void addModelOption(CommandLine& line, std::optional<std::string>& model, const 
 
 void addSceneOption(CommandLine& line, std::optional<std::string>& scene, const std::string& help) {
   addValue(line, "--scene", "FILE", scene, readFileName, "Scene file, or the JSON itself" + help);
-}
-
-void requireOneStandardInput(std::initializer_list<NamedInput> inputs) {
-  const NamedInput* first = nullptr;
-  for (const NamedInput& input : inputs) {
-    if (!input.isStandard) continue;
-    if (first)
-      throw UsageError(std::string(first->what) + " and " + input.what + " cannot both come from standard input");
-    first = &input;
-  }
-}
-
-GivenPoint readGivenPoint(const std::string& option, const std::string& text) {
-  constexpr const char* kForms = "X,Y,Z or X,Y,Z,W, x=X,y=Y,z=Z or lat=LAT,lon=LON,height=HEIGHT";
-  GivenPoint point{option + " " + text, {}, text.find('=') != std::string::npos};
-  if (!point.named) {
-    const std::vector<double> numbers = readNumbers(option, text, 3, 4, kForms);
-    for (std::size_t i = 0; i < numbers.size(); ++i) point.numbers.emplace_back(coordinates::kXyzw[i].name, numbers[i]);
-    return point;
-  }
-  const UsageError wrong(point.text + ": expected " + kForms);
-  const std::vector<std::string> parts = splitNames(option, text);
-  for (const Coordinate* row : kPointRows) {
-    for (std::size_t i = 0; i < row->fewest; ++i) {
-      const std::string name(row->parts[i].name);
-      const auto part =
-          std::find_if(parts.begin(), parts.end(), [&](const std::string& one) { return one.starts_with(name + "="); });
-      if (part == parts.end()) break;
-      const auto number = parseNumber(part->substr(name.size() + 1));
-      if (!number) throw UsageError(point.text + ": " + name + " is no number");
-      point.numbers.emplace_back(name, *number);
-    }
-    if (point.numbers.empty()) continue;
-    if (point.numbers.size() < row->fewest || point.numbers.size() != parts.size()) throw wrong;
-    return point;
-  }
-  throw wrong;
-}
-
-std::string GivenPoint::json() const {
-  std::string json;
-  for (const auto& [name, number] : numbers)
-    json += (json.empty() ? "" : ",") + (named ? "\"" + name + "\":" : "") + formatNumber(number);
-  return named ? "{" + json + "}" : "[" + json + "]";
-}
-
-void GivenPoint::requireFit(bool worldIsEcef) const {
-  if (!named && numbers.size() == 3 && worldIsEcef)
-    throw UsageError(text + ": " + bareTriple("lat=LAT,lon=LON,height=HEIGHT or x=X,y=Y,z=Z"));
-  if (numbers[0].first == "lat" && !worldIsEcef)
-    throw UsageError(text + ": a place needs a camera that stands on the Earth");
-}
-
-Vec4 GivenPoint::point() const {
-  if (numbers[0].first == "lat") {
-    const Geodetic place{numbers[0].second, numbers[1].second, numbers[2].second};
-    if (!isPlace(place)) throw UsageError(text + ": lat is not from -90 to 90 degrees");
-    const Vec3 p = geodeticToEcef(place);
-    return {p.x, p.y, p.z, 1};
-  }
-  return {numbers[0].second, numbers[1].second, numbers[2].second, numbers.size() > 3 ? numbers[3].second : 1};
 }
 
 void addDigits(CommandLine& line, std::optional<std::size_t>& digits, const std::string& otherwise) {

@@ -2,15 +2,13 @@
 #pragma once
 
 #include <cstdint>
-#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 #include "commands/cli.hpp"
+#include "commands/standard_input.hpp"
 #include "commands/values.hpp"
 #include "output/report.hpp"
 #include "viewproj/screen.hpp"
@@ -32,34 +30,6 @@ void addModelOption(CommandLine& line, std::optional<std::string>& model, const 
 
 /// --scene FILE, which readScene() reads.
 void addSceneOption(CommandLine& line, std::optional<std::string>& scene, const std::string& help);
-
-/// Whether a file is standard input, which is then read for it.
-inline bool isStandardInput(const std::optional<std::string>& file) { return file == "-"; }
-
-/// Something that is read, and whether from standard input.
-struct NamedInput {
-  const char* what = "";
-  bool isStandard = false;
-};
-
-/// Throws UsageError where two of these come from standard input.
-void requireOneStandardInput(std::initializer_list<NamedInput> inputs);
-
-/// A point of the command line: X,Y,Z[,W], or x=..,y=..,z=..[,w=..] or lat=..,lon=..,height=.. in any order.
-struct GivenPoint {
-  std::string text;  ///< as typed, after the option
-  std::vector<std::pair<std::string, double>> numbers;
-  bool named = false;
-
-  /// As a record.
-  std::string json() const;
-  /// Throws UsageError for a place with a camera elsewhere, and for numbers without names with one on the Earth.
-  void requireFit(bool worldIsEcef) const;
-  /// In the world.
-  Vec4 point() const;
-};
-inline constexpr const char* kPointForm = "X,Y,Z[,W]|lat=..,lon=..,height=..";
-GivenPoint readGivenPoint(const std::string& option, const std::string& text);
 
 inline constexpr std::string_view kDigitsOption = "--digits";
 /// --digits N. otherwise: what holds where it is not given.

@@ -14,7 +14,7 @@
 #include "projection/sides.hpp"
 #include "records/model.hpp"
 #include "records/points.hpp"
-#include "records/shapes.hpp"
+#include "records/scene.hpp"
 #include "stream/filter.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
@@ -329,7 +329,6 @@ struct Options {
   CameraOptions camera;
   StreamOptions stream;
   Precision precision = Precision::exact;
-  std::vector<GivenPoint> points;
   std::optional<Fields> fields;
   std::optional<std::string> model;
 };
@@ -340,10 +339,8 @@ int run(const Options& o) {
   const bool asksForBoxes = o.fields && o.fields->names(results::screenBox);
   FilterSetup setup = o.stream.setup(asksForBoxes ? kSphereColumns : kPointColumns);
   setup.note = [&](const std::string& note) { o.camera.notes().say(note); };
-  for (const GivenPoint& point : o.points) setup.given.push_back({point.text, point.json()});
-  o.stream.requireOneInput(setup, o.camera, {"the model", isStandardInput(o.model)});
+  o.stream.reads(setup, o.camera, {"the model", isStandardInput(o.model)});
   const CameraFile file = o.camera.read();
-  for (const GivenPoint& point : o.points) point.requireFit(file.worldIsEcef);
   o.stream.settleOnEarth(setup, file.worldIsEcef);
   Projecting how{.camera = makeCamera(file),
                  .writing = o.camera.writing(file),
@@ -351,9 +348,8 @@ int run(const Options& o) {
                  .reading = {.columns = setup.columns,
                              .worldIsEcef = file.worldIsEcef,
                              .segments = true,
-                             .shapes = "projected",
-                             .radius = asksForBoxes,
-                             .pointsFirst = true},
+                             .shapes = true,
+                             .radius = asksForBoxes},
                  .fields = o.fields.value_or(defaultFields()),
                  .ofText = defaultFields().numbers};
   how.frustum = viewFrustum(how.camera);
@@ -376,7 +372,7 @@ Action defineProject(CommandLine& line) {
   o->camera.addWriting(line);
   o->stream.add(line, "points");
   addPrecision(line, o->precision);
-  addValues(line, "--point", kPointForm, o->points, readGivenPoint, "A point, in place of FILE and standard input");
+  o->stream.addPoints(line);
   addValue(line, "--fields", "NAMES", o->fields, readFields, helpOnFields());
   addModelOption(line, o->model, "points");
   return [o] { return run(*o); };

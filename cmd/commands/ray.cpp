@@ -8,6 +8,7 @@
 #include "commands/options.hpp"
 #include "commands/stream_options.hpp"
 #include "output/results.hpp"
+#include "records/arguments.hpp"
 #include "records/points.hpp"
 #include "records/scene.hpp"
 #include "stream/filter.hpp"
@@ -236,6 +237,7 @@ struct Options {
   std::optional<Several<const ResultRow*>> fields;
   std::vector<GivenRecord> pixels;
   std::optional<std::string> scene;
+  std::vector<Plane> planes;
   bool allHits = false;
 };
 
@@ -256,25 +258,28 @@ void settleFields(Casting& how, const Several<const ResultRow*>& fields) {
     if (row == &results::place && !how.worldIsEcef)
       throw UsageError("--fields place needs a camera that stands on the Earth");
     if (row != &results::hit) continue;
-    if (!how.scene) throw UsageError("--fields hit needs --scene");
+    if (!how.scene) throw UsageError("--fields hit needs --scene or --plane");
     row = &how.hits();
   }
 }
 
 int run(const Options& o) {
   if (o.camera.lists()) return o.camera.list();
-  if (!o.scene && o.allHits) throw UsageError("--all-hits is for --scene, which is not given");
+  const bool hasScene = o.scene || !o.planes.empty();
+  if (!hasScene && o.allHits) throw UsageError("--all-hits needs --scene or --plane");
   FilterSetup setup = o.stream.setup(kPixelColumns);
   setup.given = o.pixels;
-  o.stream.requireOneInput(setup, o.camera, {"the scene", isStandardInput(o.scene)});
+  o.stream.reads(setup, o.camera, {"the scene", isStandardInput(o.scene)});
   const CameraFile file = o.camera.read();
   Casting how{.camera = makeCamera(file),
               .precision = o.precision,
               .columns = setup.columns,
               .worldIsEcef = file.worldIsEcef,
               .allHits = o.allHits};
-  if (o.scene) {
-    how.scene = readScene(*o.scene, file.worldIsEcef);
+  if (hasScene) {
+    how.scene.emplace();
+    if (o.scene) how.scene = readScene(*o.scene, file.worldIsEcef);
+    for (const Plane& plane : o.planes) how.scene->push_back({std::to_string(how.scene->size()), plane});
     for (const SceneObject& object : *how.scene) how.sceneHasEllipsoid |= isOfTheEarth(object);
   }
   if (o.fields) settleFields(how, *o.fields);
@@ -306,7 +311,9 @@ Action defineRay(CommandLine& line) {
             "A pixel, with a window depth if known, in place of FILE and standard input");
   addValue(line, "--fields", "NAMES", o->fields, readFields, helpOnFields());
   addSceneOption(line, o->scene, ", to shoot at: the nearest hit of each ray");
-  line.addFlag("--all-hits", o->allHits, "Every hit with the scene, nearest first");
+  addValues(line, "--plane", "z=0|A,B,C,D", o->planes, readPlaneArgument,
+            "A plane to shoot at, z=0, x=.., y=.. or Ax + By + Cz + D = 0, as one more object of the scene");
+  line.addFlag("--all-hits", o->allHits, "Every hit, nearest first");
   return [o] { return run(*o); };
 }
 

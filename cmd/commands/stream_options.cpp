@@ -38,9 +38,19 @@ std::string readPrefix(const std::string& option, const std::string& text) {
 
 constexpr std::size_t kMostJobs = 1024;
 
+constexpr const char* kPointHelp = "A point, in place of FILE and standard input";
+
+/// "project" of "viewproj project".
+std::string lastWord(const std::string& name) { return name.substr(name.rfind(' ') + 1); }
+
 }  // namespace
 
 void StreamOptions::addReading(CLI::App& app, const std::string& what) {
+  command_ = lastWord(app.get_name());
+  isGiven_ = [&app](std::string_view name) {
+    const CLI::Option* const option = app.get_option_no_throw(std::string(name));
+    return option && option->count() > 0;
+  };
   addValue(app, "FILE", "", file_, readFileName, "The " + what + "; absent or - for standard input");
   app.option_defaults()->group(kStreamGroup);
   addChoice(app, "--from", "FORM", from_, namesOf(inputForms()), "Format of FILE", "by its name and first bytes");
@@ -70,6 +80,8 @@ void StreamOptions::add(CLI::App& app, const std::string& what) {
 }
 
 void StreamOptions::addInput(CommandLine& line, const std::string& what) {
+  command_ = lastWord(line.name());
+  isGiven_ = [&line](std::string_view name) { return line.has(name); };
   const Heading heading(line, kInput);
   addValue(line, "FILE", "", file_, readFileName, "The " + what + "; absent or - for standard input");
   addChoice(line, "--from", "FORM", from_, namesOf(inputForms()), "Form of FILE", "as its name and first bytes tell");
@@ -96,6 +108,14 @@ void StreamOptions::add(CommandLine& line, const std::string& what) {
   line.addFlag("--no-header", noHeader_, "CSV: write no header line");
 }
 
+void StreamOptions::addPoints(CLI::App& app) {
+  addValues(app, "--point", kPointForm, points_, readPointArgument, kPointHelp);
+}
+
+void StreamOptions::addPoints(CommandLine& line) {
+  addValues(line, "--point", kPointForm, points_, readPointArgument, kPointHelp);
+}
+
 void StreamOptions::addKeepGoing(CommandLine& line) {
   line.addFlag("--keep-going", keepGoing_, "Leave a bad record out, with a message, and go on; the status is 1 then");
 }
@@ -111,6 +131,7 @@ FilterSetup StreamOptions::setup(const ChoosableColumns& choosable) const {
   setup.delimiter = delimiter_;
   setup.writer.header = !noHeader_;
   setup.writer.prefix = prefix_.value_or("");
+  for (const PointArgument& point : points_) setup.given.push_back({point.text, point.json()});
   if (columns_) {
     setup.columns = chooseColumns(*columns_, choosable);
     setup.csvDefaults = setup.writer.numberNames = setup.columns.columnNames();
@@ -122,10 +143,11 @@ FilterSetup StreamOptions::setup(const ChoosableColumns& choosable) const {
   return setup;
 }
 
-void StreamOptions::settleOnEarth(FilterSetup& setup, bool worldIsEcef) {
+void StreamOptions::settleOnEarth(FilterSetup& setup, bool worldIsEcef) const {
+  for (const PointArgument& point : points_) point.requireFit(worldIsEcef);
   if (!worldIsEcef) return;
   const ColumnChoice& columns = setup.columns;
-  if (columns.given() && !columns.saysWhat) {
+  if (columns.given() && !columns.hasRoles) {
     std::string place, ecef;
     for (std::size_t i = 0; i < 3; ++i) {
       const std::string end = "=" + columns.picks[i].name + (i < 2 ? "," : "");
@@ -137,37 +159,19 @@ void StreamOptions::settleOnEarth(FilterSetup& setup, bool worldIsEcef) {
   if (!columns.given()) setup.writer.numberNames = setup.csvDefaults;
 }
 
-void StreamOptions::requireOneInput(const FilterSetup& setup, const CameraOptions& camera,
-                                    const NamedInput& other) const {
-  if (!setup.given.empty()) {
-    const std::string& given = setup.given.front().option;
-    if (file_)
-      throw UsageError(given + " takes the place of FILE; leave out one of it and " + *file_ +
-                       (camera.isGiven() ? "" : "; -c FILE gives the camera"));
-    requireNoInputOption(given.substr(0, given.find(' ')) + " takes the place of");
-  }
-  requireOneStandardInput(
-      {{"the camera", camera.fromStandardInput()}, other, {"the records", setup.given.empty() && setup.file == "-"}});
-}
-
-bool StreamOptions::readsBeside(const std::optional<std::string>& scene, const FilterSetup& setup,
-                                const CameraOptions& camera, const std::string& instead) const {
-  const NamedInput ofScene{"the scene", isStandardInput(scene)}, ofCamera{"the camera", camera.fromStandardInput()};
-  const bool reads = file_ || (instead.empty() && !scene);
-  if (reads) {
-    requireOneInput(setup, camera, ofScene);
-  } else {
-    requireNoInputOption(instead.empty() ? "is not given" : instead);
-    requireOneStandardInput({ofCamera, ofScene});
-  }
-  return reads;
-}
-
-void StreamOptions::requireNoInputOption(const std::string& why) const {
-  for (const auto& [name, given] : {std::pair("--from", from_.has_value()),
-                                    {"--columns", columns_.has_value()},
-                                    {"--delimiter", delimiter_ && !writes_}})
-    if (given) throw UsageError(std::string(name) + " is for FILE, which " + why);
+bool StreamOptions::reads(const FilterSetup& setup, const CameraOptions& camera, const NamedInput& other) const {
+  const bool areTyped = !setup.given.empty();
+  if (areTyped && file_)
+    throw UsageError(setup.given.front().option + " takes the place of FILE; leave out one of it and " + *file_ +
+                     (camera.isGiven() ? "" : "; -c FILE gives the camera"));
+  const bool isStandard = readsStandardInput(command_, file_, isGiven_);
+  if (!file_ && !isStandard)
+    for (const auto& [name, isGiven] : {std::pair("--from", from_.has_value()),
+                                        {"--columns", columns_.has_value()},
+                                        {"--delimiter", delimiter_ && !writes_}})
+      if (isGiven) throw UsageError(std::string(name) + " is for FILE, and none is read");
+  requireOneStandardInput({{"the camera", camera.fromStandardInput()}, other, {"the records", isStandard}});
+  return areTyped || file_ || isStandard;
 }
 
 }  // namespace viewproj::cmd

@@ -1,13 +1,16 @@
 // The options of a stream of records.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "commands/camera_options.hpp"
 #include "commands/options.hpp"
-#include "records/column_choice.hpp"
+#include "records/arguments.hpp"
+#include "records/columns.hpp"
 #include "stream/filter.hpp"
 
 namespace viewproj::cmd {
@@ -31,22 +34,18 @@ class StreamOptions {
   /// Throws UsageError for columns that are none.
   FilterSetup setup(const ChoosableColumns& choosable) const;
 
-  /// Throws UsageError where records come from the command line and from a file, or two inputs from standard input.
+  /// --point, in place of FILE and standard input.
+  void addPoints(CLI::App& app);
+  void addPoints(CommandLine& line);
+
+  /// Whether there are records, of FILE, standard input or the command line. Throws UsageError where they come from two
+  /// of these, where two inputs come from standard input, and for an option on how to read a FILE that is not read.
   /// other: what else the command reads.
-  void requireOneInput(const FilterSetup& setup, const CameraOptions& camera, const NamedInput& other = {}) const;
+  bool reads(const FilterSetup& setup, const CameraOptions& camera, const NamedInput& other = {}) const;
 
-  /// Whether records are read where a scene may be enough: those of FILE, or without a scene of standard input.
-  /// instead: after "FILE, which", what stands in their place. Throws UsageError as requireOneInput
-  /// does, and for an option that tells how to read what is not read.
-  bool readsBeside(const std::optional<std::string>& scene, const FilterSetup& setup, const CameraOptions& camera,
-                   const std::string& instead = {}) const;
-
-  /// With a camera on the Earth, columns that are named by neither lat, lon, height nor x, y, z are a UsageError; and
-  /// what has no names in the output gets x, y, z.
-  static void settleOnEarth(FilterSetup& setup, bool worldIsEcef);
-
-  /// Throws UsageError for an option that tells how FILE is to be read. why: "--point takes the place of".
-  void requireNoInputOption(const std::string& why) const;
+  /// With a camera on the Earth, points and columns that are named by neither lat, lon, height nor x, y, z are a
+  /// UsageError; and what has no names in the output gets x, y, z.
+  void settleOnEarth(FilterSetup& setup, bool worldIsEcef) const;
 
   /// For a command that only reads records: a bad one need not end it.
   void addKeepGoing(CommandLine& line);
@@ -59,6 +58,9 @@ class StreamOptions {
   std::optional<OutputForm> to_;
   std::optional<char> delimiter_;
   std::optional<std::size_t> jobs_, digits_;
+  std::vector<PointArgument> points_;
+  std::string command_;
+  std::function<bool(std::string_view option)> isGiven_;
   bool keepGoing_ = false, noHeader_ = false, writes_ = false;
 };
 

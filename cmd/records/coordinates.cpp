@@ -1,16 +1,22 @@
 #include "records/coordinates.hpp"
 
+#include <algorithm>
+
 #include "text/names.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {
 
 namespace all = coordinates;
 
-constexpr const Coordinate* kAll[] = {&all::position, &all::xyz,       &all::place,  &all::direction,
-                                      &all::segment,  &all::sphere,    &all::box,    &all::triangle,
-                                      &all::plane,    &all::ellipsoid, &all::radius, &all::screen,
-                                      &all::pixel,    &all::xy,        &all::depth,  &all::viewDistance};
+constexpr const Coordinate* kAll[] = {&all::position, &all::xyz, &all::place,    &all::direction,   &all::segment,
+                                      &all::sphere,   &all::box, &all::triangle, &all::radius,      &all::screen,
+                                      &all::pixel,    &all::xy,  &all::depth,    &all::viewDistance};
+
+bool isAmong(Aliases names, std::string_view field) {
+  return std::any_of(names.begin(), names.end(), [&](std::string_view name) { return sameButForCase(field, name); });
+}
 
 }  // namespace
 
@@ -23,25 +29,19 @@ std::vector<std::string> columnsOf(const Coordinate& row) {
       names.push_back(columnName(name) + std::string(size > 1 ? kColumnSuffixes[i] : ""));
   };
   if (row.form == CoordinateForm::array) add(row.name, row.most);
-  if (row.form == CoordinateForm::object || row.form == CoordinateForm::numbers)
-    for (const CoordinatePart& part : row.parts) add(part.name, part.size);
+  for (const CoordinatePart& part : row.parts) add(part.name, part.size);
   return names;
-}
-
-const Coordinate* rowNamed(std::string_view field) {
-  for (const Coordinate* row : kAll)
-    if (row->name == field && row->form != CoordinateForm::numbers) return row;
-  return nullptr;
 }
 
 std::string exampleOf(const Coordinate& row) {
   std::string text;
+  const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
   if (row.form == CoordinateForm::object) {
     for (const CoordinatePart& part : row.parts)
-      text += (text.empty() ? "{\"" : ", \"") + std::string(part.name) + "\": " + (part.size > 1 ? "[x, y, z]" : "r");
-    return text + "}";
+      add("\"" + std::string(part.name) + "\": " + (part.size > 1 ? "[x, y, z]" : "r"));
+    return "{" + text + "}";
   }
-  for (std::size_t i = 0; i < row.fewest; ++i) text += (text.empty() ? "" : ", ") + std::string("[x, y, z]");
+  for (std::size_t i = 0; i < row.fewest; ++i) add("[x, y, z]");
   return "[" + text + "]";
 }
 
@@ -50,6 +50,30 @@ std::string namesOf(std::span<const Coordinate* const> rows, std::string_view la
   for (std::size_t i = 0; i < rows.size(); ++i)
     text += (i == 0 ? "" : i + 1 == rows.size() ? std::string(last) : ", ") + std::string(rows[i]->name);
   return text;
+}
+
+bool isNamed(std::string_view field, const CoordinatePart& part) {
+  return sameButForCase(field, part.name) || sameButForCase(field, columnName(part.name)) ||
+         isAmong(part.aliases, field);
+}
+
+std::vector<PartMatch> matchParts(std::span<const std::string> fields, std::span<const CoordinatePart> parts) {
+  std::vector<PartMatch> matches(parts.size());
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    for (std::size_t field = 0; field < fields.size(); ++field)
+      if (isNamed(fields[field], parts[i])) (matches[i].field ? matches[i].also : matches[i].field) = field;
+  return matches;
+}
+
+bool isWhole(std::span<const PartMatch> matches) {
+  return std::all_of(matches.begin(), matches.end(), [](const PartMatch& match) { return match.field.has_value(); });
+}
+
+bool isSeaLevelName(std::string_view name) { return isAmong(coordinates::kSeaLevelNames, name); }
+
+std::string seaLevelNote(std::string_view name) {
+  return inQuotes(name) +
+         " is taken as height above the ellipsoid; heights above sea level differ from it by up to 107 m";
 }
 
 }  // namespace viewproj::cmd

@@ -1,8 +1,10 @@
-// What a record's numbers are called: each way to say a point, a shape or a pixel is a row, which the readers,
-// --columns, messages and help follow from. To add one: a row; another name: an alias.
+// What a record's numbers are called: each way to write a point, a shape or a pixel is a row, which the readers,
+// --columns, messages and help follow from. Names count in any letter case. To add a way: a row; another name: an
+// alias.
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,7 +17,6 @@ enum class CoordinateForm : unsigned char {
   array,    ///< a field with an array, or an object of x, y, z; columns NAME_x, NAME_y, ...
   points,   ///< a field with an array of so many points; JSON alone
   object,   ///< a field with an object of the parts; columns PART, or PART_x, ... for a part of three
-  word,     ///< a field that is known, and not read here
 };
 
 /// What becomes of the numbers.
@@ -32,7 +33,6 @@ enum RecordKind : unsigned {
   kindTriangle
 };
 
-/// Other names, in any letter case. Of a field of JSON they count where its value has the form.
 using Aliases = std::span<const std::string_view>;
 
 struct CoordinatePart {
@@ -48,9 +48,10 @@ struct Coordinate {
   std::string_view help;
   unsigned kind = 0;
   std::span<const CoordinatePart> parts = {};
-  bool orNull = false;  ///< null, an empty cell: stands for no value
-  char first = '{';     ///< of points, object, word: a field of the name counts where its value begins so
-  Aliases aliases = {};
+  bool orNull = false;   ///< null, an empty cell: stands for no value
+  Aliases aliases = {};  ///< of an array. Of a field of JSON they count where its value is a point
+
+  std::span<const CoordinatePart> required() const { return parts.first(fewest); }
 };
 
 // clang-format off
@@ -62,7 +63,7 @@ inline constexpr std::string_view
     kPositionNames[] = {"pos", "point", "location", "xyz"},
     kLatNames[] = {"latitude"},
     kLonNames[] = {"lng", "longitude"},
-    kSeaLevelNames[] = {"alt", "altitude", "elevation"};  // taken as heights, with a note
+    kSeaLevelNames[] = {"alt", "altitude", "elevation"};  // read as heights, with a note
 
 inline constexpr CoordinatePart
     kXyzw[] = {{"x"}, {"y"}, {"z"}, {"w"}},
@@ -74,24 +75,22 @@ inline constexpr CoordinatePart
     kDepth[] = {{"depth"}},
     kViewDistance[] = {{"viewDistance"}};
 
-// Points, in the order in which they count.
+// Points. A record has one of them, or of the shapes.
 inline constexpr Coordinate
-    position = {"position", array, 3, 4, "a point of the world; with a fourth number w it is (x/w, y/w, z/w), and w = 0 makes it a direction", kindPoint, {}, false, '{', kPositionNames},
+    position = {"position", array, 3, 4, "a point of the world; with a fourth number w it is (x/w, y/w, z/w), and w = 0 makes it a direction", kindPoint, {}, false, kPositionNames},
     xyz = {"x y z", numbers, 3, 3, "a point of the world, a field or column each", kindPoint, kXyzw},
     place = {"lat lon height", numbers, 3, 3, "a place on the Earth: degrees on WGS84, metres above the ellipsoid", kindPlace, kPlace},
-    direction = {"direction", array, 3, 3, "stands for its vanishing point", kindDirection};
+    direction = {"direction", array, 3, 3, "its vanishing point; counts where a record has no other point or shape", kindDirection};
 inline constexpr const Coordinate* kPoints[] = {&position, &xyz, &place, &direction};
 
 // Shapes.
 inline constexpr Coordinate
-    segment = {"segment", points, 2, 2, "from one point to another", kindSegment, {}, false, '['},
+    segment = {"segment", points, 2, 2, "from one point to another", kindSegment},
     sphere = {"sphere", object, 4, 4, "all within radius of center", kindSphere, kSphere},
     box = {"box", object, 6, 6, "from min to max along the world's axes", kindBox, kBox},
-    triangle = {"triangle", points, 3, 3, "of three corners", kindTriangle, {}, false, '['},
-    plane = {"plane", word, 0, 0, "a shape of scenes"},
-    ellipsoid = {"ellipsoid", word, 0, 0, "a shape of scenes", 0, {}, false, '"'},
+    triangle = {"triangle", points, 3, 3, "of three corners", kindTriangle},
     radius = {"radius", numbers, 1, 1, "beside a point, to cull and fit, and to project where --fields asks for screenBox: a sphere about it", 0, kRadius};
-inline constexpr const Coordinate *kShapes[] = {&sphere, &box, &triangle}, *kNotRead[] = {&plane, &ellipsoid};
+inline constexpr const Coordinate* kShapes[] = {&sphere, &box, &triangle};
 
 // Pixels, in the order in which they count, and how far away the point is.
 inline constexpr Coordinate
@@ -111,13 +110,28 @@ std::span<const Coordinate* const> allCoordinates();
 /// The columns of CSV, all that it may have.
 std::vector<std::string> columnsOf(const Coordinate& row);
 
-/// The row of a field's name that counts by the form of its value; null: none.
-const Coordinate* rowNamed(std::string_view field);
-
 /// How its value is written: {"center": [x, y, z], "radius": r}.
 std::string exampleOf(const Coordinate& row);
 
 /// "position, x y z, lat lon height or direction".
 std::string namesOf(std::span<const Coordinate* const> rows, std::string_view last = " or ");
+
+// Names of fields and columns
+
+/// Whether a field has one of a part's names: its own, as a column's (view_distance) or another.
+bool isNamed(std::string_view field, const CoordinatePart& part);
+
+/// The field of a part, and another that fits as well.
+struct PartMatch {
+  std::optional<std::size_t> field, also;
+};
+std::vector<PartMatch> matchParts(std::span<const std::string> fields, std::span<const CoordinatePart> parts);
+
+/// Whether each part has a field.
+bool isWhole(std::span<const PartMatch> matches);
+
+/// Whether a place's height has a name of heights that may be counted from the sea.
+bool isSeaLevelName(std::string_view name);
+std::string seaLevelNote(std::string_view name);
 
 }  // namespace viewproj::cmd

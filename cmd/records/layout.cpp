@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
-#include "text/csv.hpp"
+#include "records/coordinates.hpp"
 #include "text/error.hpp"
+#include "text/json_scan.hpp"
 #include "text/number.hpp"
 #include "viewproj/geodesy.hpp"
 
@@ -13,16 +15,23 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-std::string nameOf(const RecordParts& record, std::size_t field) {
-  return record.shape.isArray ? "" : record.shape.names[field] + ": ";
+constexpr const char* kEarthObjects =
+    "{\"lat\": LAT, \"lon\": LON, \"height\": HEIGHT} or {\"x\": X, \"y\": Y, \"z\": Z}";
+
+/// Of a part of the record's text. The name of the field stands in front of the message.
+RecordError errorAt(const RecordParts& record, const NumberField& part, std::string_view text,
+                    const std::string& message) {
+  const std::string name = record.shape.isArray ? "" : record.shape.names[part.field] + ": ";
+  return {static_cast<std::size_t>(text.data() - record.text.data()), name + message};
 }
 
-double numberAt(const RecordParts& record, std::size_t field, std::string_view text) {
+std::string notFinite(std::string_view text) { return inQuotes(text) + " is not a finite number"; }
+
+double numberAt(const RecordParts& record, const NumberField& part, std::string_view text) {
   const auto number = record.shape.form == Form::csv ? parseNumber(csvValue(text)) : parseNumber(text);
   if (number) return *number;
-  throw RecordError(static_cast<std::size_t>(text.data() - record.text.data()),
-                    nameOf(record, field) + inQuotes(text) + " is not a finite number" +
-                        (text.find(',') == std::string_view::npos ? "" : "; decimals follow a point"));
+  const bool hasComma = text.find(',') != std::string_view::npos;
+  throw errorAt(record, part, text, notFinite(text) + (hasComma ? "; decimals follow a point" : ""));
 }
 
 bool isAbsent(std::string_view value, Form form) {
@@ -40,89 +49,113 @@ std::string_view innerValue(const RecordParts& record, const NumberField& part) 
   if (value.starts_with(part.items > 0 ? '[' : '{')) {
     JsonParts parts(value);
     for (auto item = parts.next(); item; item = parts.next(), ++count) {
-      if (part.items == 0 && unescaped(item->key) == part.inner) {
-        if (!found.empty())
-          throw RecordError(record.offset(part.field), nameOf(record, part.field) + "has " + part.inner + " twice");
-        found = item->value;
-      }
-      if (part.items > 0 && count == part.item) found = item->value;
+      const bool isIt = part.items > 0 ? count == part.item : unescaped(item->key) == part.inner;
+      if (isIt && !found.empty()) throw errorAt(record, part, value, "has " + part.inner + " twice");
+      if (isIt) found = item->value;
     }
   }
   if (part.items > 0 ? count == part.items : !found.empty()) return found;
-  throw RecordError(record.offset(part.field),
-                    nameOf(record, part.field) +
-                        (part.items > 0 ? "expected an array of " + std::to_string(part.items) + " points [x, y, z]"
-                                        : "has no " + part.inner));
+  throw errorAt(record, part, value,
+                part.items > 0 ? "expected an array of " + std::to_string(part.items) + " points [x, y, z]"
+                               : "has no " + part.inner);
 }
 
-/// Of an array that is none, or of an object.
-std::string expectedPoint(const NumberField& part) {
-  if (part.point == PointForm::ofTheEarth) return kObjectsSay;
-  const std::string array = "an array of " + std::to_string(part.fewest) +
-                            (part.fewest == part.most ? "" : " or " + std::to_string(part.most)) + " numbers";
-  return part.point == PointForm::none ? array : array + " or {\"x\": X, \"y\": Y, \"z\": Z}";
+std::string expectedArray(const NumberField& part) {
+  if (part.point == PointForm::ofTheEarth) return std::string("expected ") + kEarthObjects;
+  return "expected an array of " + std::to_string(part.fewest) +
+         (part.fewest == part.most ? "" : " or " + std::to_string(part.most)) + " numbers" +
+         (part.point == PointForm::none ? "" : " or {\"x\": X, \"y\": Y, \"z\": Z}");
 }
 
-/// A point as an object; a place as the point that it is, whose numbers stand nowhere. texts: null, or those of its
-/// slots. Returns how many numbers there are.
-std::size_t readPointObject(const RecordParts& record, const NumberField& part, std::string_view value, double* numbers,
+/// The members of an object that is a point: those of x, y, z or of lat, lon, height.
+class PointObject {
+ public:
+  explicit PointObject(std::string_view json) {
+    JsonParts parts(json);
+    while (const auto part = parts.next()) {
+      names_.push_back(unescaped(part->key));
+      values_.push_back(part->value);
+    }
+    xyz_ = matchParts(names_, coordinates::xyz.required());
+    place_ = matchParts(names_, coordinates::place.required());
+  }
+
+  bool isPoint() const { return isWhole(xyz_) || isPlace(); }
+  bool isPlace() const { return isWhole(place_); }
+  /// What leaves open which numbers it has; empty: nothing.
+  std::string fault() const {
+    if (isWhole(xyz_) && isPlace()) return "has both x, y, z and lat, lon, height; keep one of them";
+    for (const PartMatch& match : matches())
+      if (match.also)
+        return "has both " + inQuotes(names_[*match.field]) + " and " + inQuotes(names_[*match.also]) +
+               "; keep one of them";
+    return "";
+  }
+  std::string_view name(std::size_t part) const { return row().parts[part].name; }
+  std::string_view value(std::size_t part) const { return values_[*matches()[part].field]; }
+  std::string seaLevelName() const {
+    const std::string& height = names_[*matches()[2].field];
+    return isPlace() && isSeaLevelName(height) ? height : "";
+  }
+
+ private:
+  const Coordinate& row() const { return isPlace() ? coordinates::place : coordinates::xyz; }
+  const std::vector<PartMatch>& matches() const { return isPlace() ? place_ : xyz_; }
+
+  std::vector<std::string> names_;
+  std::vector<std::string_view> values_;
+  std::vector<PartMatch> xyz_, place_;
+};
+
+/// A place becomes the point that it is, whose numbers stand nowhere. texts: null, or those of its slots. Returns how
+/// many numbers there are.
+std::size_t readPointObject(const RecordParts& record, const NumberField& part, std::string_view value, double* slots,
                             std::string& seaLevel, std::string_view* texts) {
-  const std::string name = nameOf(record, part.field);
-  const auto at = [&](std::string_view text) { return static_cast<std::size_t>(text.data() - record.text.data()); };
-  std::optional<PointObject> object;
-  try {
-    object = pointObject(value);
-  } catch (const RecordError& e) {
-    throw RecordError(at(value), name + e.what());
-  }
-  if (!object || (object->isPlace && part.point == PointForm::vector))
-    throw RecordError(at(value), name + "expected " + expectedPoint(part));
-  if (object->isPlace && part.point == PointForm::point) throw RecordError(at(value), name + kNotOnEarth);
-  for (std::size_t i = 0; i < object->parts.size(); ++i) {
-    if (texts && !object->isPlace) texts[i] = object->parts[i];
-    const auto number = parseNumber(object->parts[i]);
+  const PointObject object(value);
+  if (!object.isPoint() || (object.isPlace() && part.point == PointForm::vector))
+    throw errorAt(record, part, value, expectedArray(part));
+  if (const std::string fault = object.fault(); !fault.empty()) throw errorAt(record, part, value, fault);
+  if (object.isPlace() && part.point == PointForm::point) throw errorAt(record, part, value, kNotOnEarth);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto number = parseNumber(object.value(i));
     if (!number)
-      throw RecordError(at(object->parts[i]), name + std::string(object->names[i]) + ": " + inQuotes(object->parts[i]) +
-                                                  " is not a finite number");
-    numbers[i] = *number;
+      throw errorAt(record, part, object.value(i), std::string(object.name(i)) + ": " + notFinite(object.value(i)));
+    slots[i] = *number;
+    if (texts && !object.isPlace()) texts[i] = object.value(i);
   }
-  if (!object->isPlace) return object->parts.size();
-  seaLevel = object->seaLevel;
-  const Geodetic place{numbers[0], numbers[1], numbers[2]};
+  if (!object.isPlace()) return 3;
+  seaLevel = object.seaLevelName();
+  const Geodetic place{slots[0], slots[1], slots[2]};
   if (!isPlace(place))
-    throw RecordError(at(object->parts[0]),
-                      name + "lat: " + inQuotes(object->parts[0]) + " is not from -90 to 90 degrees");
-  const Vec3 p = geodeticToEcef(place);
-  numbers[0] = p.x;
-  numbers[1] = p.y;
-  numbers[2] = p.z;
+    throw errorAt(record, part, object.value(0),
+                  "lat: " + inQuotes(object.value(0)) + " is not from -90 to 90 degrees");
+  const Vec3 point = geodeticToEcef(place);
+  for (std::size_t i = 0; i < 3; ++i) slots[i] = point[i];
   return 3;
 }
 
-/// Returns how many there are.
-std::size_t readArray(const RecordParts& record, const NumberField& part, std::string_view value, double* numbers,
+/// Returns how many numbers there are.
+std::size_t readArray(const RecordParts& record, const NumberField& part, std::string_view value, double* slots,
                       std::string_view* texts) {
-  const auto expected = [&] {
-    return RecordError(static_cast<std::size_t>(value.data() - record.text.data()),
-                       nameOf(record, part.field) + "expected " + expectedPoint(part));
-  };
+  const auto expected = [&] { return errorAt(record, part, value, expectedArray(part)); };
   if (!value.starts_with('[')) throw expected();
   std::size_t count = 0;
   JsonParts parts(value);
   while (const auto item = parts.next()) {
-    const char c = item->value.empty() ? ' ' : item->value[0];
-    if (count == part.most || (c != '-' && (c < '0' || c > '9'))) throw expected();
+    if (count == part.most || item->value.empty() || !beginsJsonNumber(item->value[0])) throw expected();
     if (texts) texts[count] = item->value;
-    numbers[count++] = numberAt(record, part.field, item->value);
+    slots[count++] = numberAt(record, part, item->value);
   }
   if (count < part.fewest) throw expected();
-  if (part.point == PointForm::ofTheEarth && count == 3)
-    throw RecordError(static_cast<std::size_t>(value.data() - record.text.data()),
-                      nameOf(record, part.field) + bareTriple(kObjectsSay));
+  if (part.point == PointForm::ofTheEarth && count == 3) throw errorAt(record, part, value, bareTriple(kEarthObjects));
   return count;
 }
 
 }  // namespace
+
+bool FormOfField::holds(std::string_view value) const {
+  return (first == kPoint ? isPointValue(value) : value.starts_with(first)) == is;
+}
 
 std::size_t Layout::slots() const {
   std::size_t slots = 0;
@@ -133,6 +166,11 @@ std::size_t Layout::slots() const {
 bool Layout::fits(const std::vector<std::string_view>& values) const {
   return std::all_of(forms.begin(), forms.end(),
                      [&](const FormOfField& form) { return form.holds(values[form.field]); });
+}
+
+void Layout::append(const Layout& more) {
+  parts.insert(parts.end(), more.parts.begin(), more.parts.end());
+  notes.insert(notes.end(), more.notes.begin(), more.notes.end());
 }
 
 void readNumbers(const RecordParts& record, const Layout& layout, Numbers& numbers, NumberTexts* texts) {
@@ -149,12 +187,26 @@ void readNumbers(const RecordParts& record, const Layout& layout, Numbers& numbe
       count = readArray(record, part, value, slot, text);
     } else {
       if (text) *text = value;
-      slot[count++] = numberAt(record, part.field, value);
+      slot[count++] = numberAt(record, part, value);
     }
     for (; count < part.most; ++count) slot[count] = kNone;
     slot += part.most;
     if (text) text += part.most;
   }
+}
+
+bool isPointValue(std::string_view json) {
+  if (json.starts_with('{')) return PointObject(json).isPoint();
+  if (!json.starts_with('[')) return false;
+  std::size_t count = 0;
+  JsonParts parts(json);
+  while (const auto part = parts.next())
+    if (part->value.empty() || !beginsJsonNumber(part->value[0]) || ++count > coordinates::position.most) return false;
+  return count >= coordinates::position.fewest;
+}
+
+std::string bareTriple(const std::string& way) {
+  return "three numbers without names may be a place or metres from the Earth's centre; say which: " + way;
 }
 
 }  // namespace viewproj::cmd

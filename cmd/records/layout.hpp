@@ -1,4 +1,4 @@
-// Which numbers of a record a command works on.
+// Which numbers of a record a command works on, and how they are read.
 #pragma once
 
 #include <array>
@@ -7,10 +7,17 @@
 #include <string_view>
 #include <vector>
 
-#include "records/point_value.hpp"
 #include "records/record.hpp"
 
 namespace viewproj::cmd {
+
+/// What an array of three numbers may be, and an object in its place.
+enum class PointForm : unsigned char {
+  none,
+  vector,      ///< x, y, z and no place
+  point,       ///< x, y, z
+  ofTheEarth,  ///< a place as well, so that it is none: an object says which
+};
 
 /// A field, or a part of one, that is a number or an array of numbers.
 struct NumberField {
@@ -27,24 +34,23 @@ struct NumberField {
 struct FormOfField {
   static constexpr char kPoint = 'p';  ///< instead of a first character: it is a point by isPointValue
   std::size_t field = 0;
-  char first = '{';  ///< of JSON: { [ or "
+  char first = '{';  ///< of JSON: { or [
   bool is = true;
 
-  bool holds(std::string_view value) const {
-    return (first == kPoint ? isPointValue(value) : value.starts_with(first)) == is;
-  }
+  bool holds(std::string_view value) const;
 };
 
 /// Where records of one shape have their numbers.
 struct Layout {
-  std::vector<NumberField> parts;
+  std::vector<NumberField> parts = {};
   unsigned kind = 0;                    ///< what the command makes of them, in its own words
   std::vector<FormOfField> forms = {};  ///< of JSON values: records that differ in one have another layout
-  std::vector<std::string> notes = {};  ///< on what the fields are taken for
+  std::vector<std::string> notes = {};  ///< on how fields are read
 
   std::size_t slots() const;
   /// Whether records with these values, as written, have it.
   bool fits(const std::vector<std::string_view>& values) const;
+  void append(const Layout& more);
 };
 
 inline constexpr std::size_t kMostNumbers = 9;
@@ -59,5 +65,14 @@ using NumberTexts = std::array<std::string_view, kMostNumbers>;
 
 /// Throws RecordError.
 void readNumbers(const RecordParts& record, const Layout& layout, Numbers& numbers, NumberTexts* texts = nullptr);
+
+/// Whether a JSON value has the form of a point, whatever its numbers: three or four in an array, or an object of x, y,
+/// z or lat, lon, height.
+bool isPointValue(std::string_view json);
+
+/// Of three numbers that may be a place or not, with a camera on the Earth. way: how to say which.
+std::string bareTriple(const std::string& way);
+inline constexpr const char* kNotOnEarth =
+    "lat, lon, height need a camera that stands on the Earth: a position by lat, lon, height, or \"world\": \"ecef\"";
 
 }  // namespace viewproj::cmd

@@ -3,6 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "camera/check.hpp"
+#include "text/error.hpp"
+#include "text/number.hpp"
 #include "viewproj/camera.hpp"
 
 namespace viewproj::cmd {
@@ -28,25 +30,20 @@ Mat4 readParts(const Node& model) {
 }  // namespace
 
 Mat4 readModel(const std::string& source) {
+  constexpr const char* kForms =
+      "4 rows of 4 numbers, or {\"translation\": [x, y, z], \"rotation\": [x, y, z, w], \"scale\": [x, y, z]}";
+  if (source.find(',') != std::string::npos && parseNumberList(source))
+    throw UsageError("--model " + source + ": expected a file or the JSON itself: " + kForms);
   const Document document = load(source, "--model");
   const Node model(document);
-  if (model.json().is_array()) {
-    if (!model.holdsNumbers(16) || model.size() != 4) model.fail("expected 4 rows of 4 numbers");
-    const Mat4 rows = model.mat4();
-    requireAffine(rows, model);
-    return rows;
+  if (model.json().is_object()) {
+    allowMembers(model, {"name", "translation", "rotation", "scale"});
+    return readParts(model);
   }
-  // A node of glTF may say more, which does not bear on where it is.
-  allowMembers(model, {"matrix", "translation", "rotation", "scale", "name", "mesh", "camera", "skin", "weights",
-                       "children", "extensions", "extras"});
-  const auto matrix = model.find("matrix");
-  const bool hasParts = model.find("translation") || model.find("rotation") || model.find("scale");
-  if (matrix && hasParts) matrix->fail("leave out translation, rotation and scale beside a matrix");
-  if (!matrix && !hasParts) model.fail("needs matrix, translation, rotation or scale");
-  if (!matrix) return readParts(model);
-  const Mat4 m = transposed(matrix->mat4());  // 16 numbers by columns
-  requireAffine(m, *matrix);
-  return m;
+  if (!model.holdsNumbers(16) || model.size() != 4) model.fail(std::string("expected ") + kForms);
+  const Mat4 rows = model.mat4();
+  requireAffine(rows, model);
+  return rows;
 }
 
 }  // namespace viewproj::cmd

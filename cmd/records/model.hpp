@@ -7,9 +7,9 @@
 
 namespace viewproj::cmd {
 
-/// source: a file name or the JSON itself. Four rows of four numbers for column vectors, or an object as a glTF node
-/// has it: translation, rotation [x, y, z, w] and scale, or matrix, 16 numbers by columns. The last row is 0 0 0 1.
-/// Throws InputError with the place of what is wrong.
+/// source: a file name or the JSON itself. Four rows of four numbers for column vectors, of which the last is 0 0 0 1,
+/// or an object of translation, rotation [x, y, z, w] and scale. Throws InputError with the place of what is wrong, and
+/// UsageError for numbers that are neither.
 Mat4 readModel(const std::string& source);
 
 }  // namespace viewproj::cmd

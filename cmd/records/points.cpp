@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "records/coordinate_fields.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
 #include "text/number.hpp"
@@ -12,58 +11,124 @@
 namespace viewproj::cmd {
 namespace {
 
-/// What a pixel's numbers are, in this order.
+using Forms = std::vector<FormOfField>;
+
+/// The kind of a pixel's layout: which distances come after its two numbers, in this order.
 enum PixelParts : unsigned { depthKnown = 1, viewDistanceKnown = 2 };
 
-/// The first `count` fields, each a number.
-Layout firstFields(std::size_t count, bool mayBeAbsent) {
+bool isNameless(const Shape& shape) { return shape.isArray || (shape.form == Form::csv && !shape.hasHeader); }
+
+/// What the record calls the parts of a layout: "x,y,z".
+std::string namesIn(const Layout& layout, const Shape& shape) {
+  std::vector<std::string_view> names;
+  for (const NumberField& part : layout.parts)
+    if (names.empty() || names.back() != shape.names[part.field]) names.push_back(shape.names[part.field]);
+  return visible(joined(names, ","));
+}
+
+RecordError hasBoth(std::size_t offset, const std::string& one, const std::string& other, bool choosable) {
+  return {offset, "has both " + one + " and " + other +
+                      (choosable ? "; keep one of them, or choose by --columns" : "; keep one of them")};
+}
+
+// A row in the names of a record
+
+/// A column or field for each part; nothing where one is missing.
+std::optional<Layout> findEach(const RecordParts& record, std::span<const CoordinatePart> parts, std::size_t required,
+                               bool orNull) {
+  const auto& names = record.shape.names;
+  const std::vector<PartMatch> matches = matchParts(names, parts);
+  if (!isWhole(std::span(matches).first(required))) return std::nullopt;
   Layout layout;
-  for (std::size_t i = 0; i < count; ++i) layout.parts.push_back({i, 1, 1, false, mayBeAbsent});
+  for (const auto& [field, also] : matches) {
+    if (!field) break;
+    if (also) throw hasBoth(record.offset(*also), inQuotes(names[*field]), inQuotes(names[*also]), true);
+    if (isSeaLevelName(names[*field])) layout.notes.push_back(seaLevelNote(names[*field]));
+    layout.parts.push_back({*field, 1, 1, false, orNull});
+  }
   return layout;
 }
 
-constexpr const char* kColumnsSay = "--columns lat,lon,height or --columns x,y,z";
-
-Vec4 toWorld(const Geodetic& place) {
-  if (!isPlace(place)) throw RecordError(0, "lat: " + formatNumber(place.lat) + " is not from -90 to 90 degrees");
-  const Vec3 p = geodeticToEcef(place);
-  return {p.x, p.y, p.z, 1};
-}
-
-void append(Layout& layout, const Layout& more) {
-  layout.notes.insert(layout.notes.end(), more.notes.begin(), more.notes.end());
-  layout.parts.insert(layout.parts.end(), more.parts.begin(), more.parts.end());
-}
-
-/// What --columns names of a row, in the row's order. Throws RecordError for a column under two names.
-void appendChosen(Layout& layout, const Coordinate& row, const ColumnChoice& choice, const RecordParts& record,
-                  bool mayBeAbsent) {
-  for (const CoordinatePart& part : row.parts) {
-    const auto* pick = choice.find(part.name);
-    if (!pick) continue;
-    const std::size_t field = fieldOf(*pick, choice, record);
-    for (const NumberField& other : layout.parts)
-      if (other.field == field)
-        throw RecordError(0, "--columns " + choice.text + " names column " + std::to_string(field + 1) +
-                                 " twice, for " + pick->role + " as " + inQuotes(pick->name));
-    layout.parts.push_back({field, 1, 1, false, mayBeAbsent});
-    if (pick->role == coordinates::kPlace[2].name && isSeaLevelName(pick->name))
-      layout.notes.push_back(seaLevelNote(pick->name));
+/// In CSV. Those of an array are NAME_x, NAME_y, ..., where NAME may be an alias.
+std::optional<Layout> findColumns(const Coordinate& row, const RecordParts& record) {
+  std::vector<std::vector<std::string>> spellings = {columnsOf(row)};
+  for (const std::string_view alias : row.aliases) {
+    spellings.emplace_back();
+    for (std::size_t i = 0; i < row.most; ++i)
+      spellings.back().push_back(std::string(alias) + std::string(kColumnSuffixes[i]));
   }
+  std::optional<Layout> found;
+  for (const std::vector<std::string>& names : spellings) {
+    std::vector<CoordinatePart> parts;
+    for (const std::string& name : names) parts.push_back({name});
+    auto layout = parts.empty() ? std::nullopt : findEach(record, parts, row.fewest, row.orNull);
+    if (layout && found) throw hasBoth(0, namesIn(*found, record.shape), namesIn(*layout, record.shape), true);
+    if (layout) found = std::move(layout);
+  }
+  return found;
 }
 
-/// What the columns do not name, a w or a radius of another field, is not used.
-Layout findChosenPoint(const RecordParts& record, const PointReading& reading) {
-  const ColumnChoice& choice = reading.columns;
-  const Coordinate& row = choice.find("lat") ? coordinates::place : coordinates::xyz;
-  if (row.kind == kindPlace && !reading.worldIsEcef) throw RecordError(0, kNotOnEarth);
+/// A field of JSON by its name: of an array whatever its value; of a shape, or by another name, if its value is one.
+/// Adds to forms which values counted.
+std::optional<Layout> findField(const Coordinate& row, const RecordParts& record, Forms& forms) {
+  const auto& names = record.shape.names;
+  const CoordinatePart own{row.name}, any{row.name, 1, row.aliases};
+  const bool isArray = row.form == CoordinateForm::array;
+  std::optional<std::size_t> found;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (!isNamed(names[i], any)) continue;
+    if (!isArray || !isNamed(names[i], own)) {
+      FormOfField form{i, row.form == CoordinateForm::object ? '{' : isArray ? FormOfField::kPoint : '['};
+      form.is = form.holds(record.values[i]);
+      forms.push_back(form);
+      if (!form.is) continue;
+    }
+    if (found) throw hasBoth(record.offset(i), inQuotes(names[*found]), inQuotes(names[i]), false);
+    found = i;
+  }
+  if (!found) return std::nullopt;
   Layout layout;
-  layout.kind = row.kind;
-  appendChosen(layout, row, choice, record, false);
-  if (!reading.radius) return layout;
-  const std::size_t numbers = layout.parts.size();
-  appendChosen(layout, coordinates::radius, choice, record, false);
-  if (layout.parts.size() > numbers) layout.kind = layout.kind == kindPlace ? kindPlacedSphere : kindRoundPoint;
+  const auto add = [&](NumberField part) {
+    part.field = *found;
+    part.isArray = part.most > 1;
+    if (part.most > 2) part.point = row.kind == kindDirection ? PointForm::vector : PointForm::point;
+    layout.parts.push_back(std::move(part));
+  };
+  if (isArray) add({.fewest = row.fewest, .most = row.most, .mayBeAbsent = row.orNull});
+  for (const CoordinatePart& part : row.parts)
+    add({.fewest = part.size, .most = part.size, .inner = std::string(part.name)});
+  if (row.form == CoordinateForm::points)
+    for (std::size_t i = 0; i < row.fewest; ++i) add({.fewest = 3, .most = 3, .item = i, .items = row.fewest});
+  return layout;
+}
+
+/// The parts of a row in the fields of a record, if it has all that are required. Throws RecordError where two fields
+/// fit.
+std::optional<Layout> find(const Coordinate& row, const RecordParts& record, Forms& forms) {
+  std::optional<Layout> layout = row.form == CoordinateForm::numbers
+                                     ? findEach(record, row.required(), row.fewest, row.orNull)
+                                 : record.shape.form == Form::csv ? findColumns(row, record)
+                                                                  : findField(row, record, forms);
+  if (layout) layout->kind = row.kind;
+  return layout;
+}
+
+/// "has lat but no height", of a row of which a record has some parts; empty: it has none.
+std::string partlyThere(const Coordinate& row, const Shape& shape) {
+  const std::vector<PartMatch> matches = matchParts(shape.names, row.required());
+  std::vector<std::string_view> there, missing;
+  for (std::size_t i = 0; i < matches.size(); ++i)
+    (matches[i].field ? there : missing)
+        .push_back(matches[i].field ? shape.names[*matches[i].field] : row.parts[i].name);
+  // One of them that is not the first may be anything.
+  if (!matches[0].field && there.size() < 2) return "";
+  return "has " + visible(together(there)) + " but no " + std::string(missing[0]) + whatIsThere(shape);
+}
+
+/// The first fields, a number each.
+Layout firstFields(std::size_t count, bool mayBeAbsent) {
+  Layout layout;
+  for (std::size_t i = 0; i < count; ++i) layout.parts.push_back({i, 1, 1, false, mayBeAbsent});
   return layout;
 }
 
@@ -71,27 +136,31 @@ std::string numbersIn(const Shape& shape) {
   return "has " + std::to_string(shape.size) + (shape.size == 1 ? " number" : " numbers");
 }
 
-constexpr std::size_t kMatrix = 16;
+// Points and shapes
+
+Layout findChosenPoint(const RecordParts& record, const PointReading& reading) {
+  Layout layout = chosenFields(reading.columns, record, false);
+  const bool isPlace = reading.columns.has("lat"), isSphere = reading.columns.has("radius");
+  if (isPlace && !reading.worldIsEcef) throw RecordError(0, kNotOnEarth);
+  layout.kind = isSphere ? (isPlace ? kindPlacedSphere : kindRoundPoint) : (isPlace ? kindPlace : kindPoint);
+  return layout;
+}
 
 /// Of numbers without names.
 Layout findBarePoint(const RecordParts& record, const PointReading& reading) {
+  constexpr std::size_t kMatrix = 16;
   const Shape& shape = record.shape;
-  const bool weighted = shape.form == Form::json;
-  const std::string count = numbersIn(shape);
-  if (!weighted && shape.size > 3)
-    throw RecordError(
-        0,
-        count +
-            ", and a point has three; --columns 1,2,3 takes these, --columns x,y,z,w reads the "
-            "fourth as w" +
-            (reading.radius ? ", --columns x,y,z,radius as the radius of a sphere" : "") +
-            (shape.form == Form::text && (shape.size == 4 || shape.size == kMatrix) ? "; inspect reads a matrix" : ""));
-  if (shape.size != 3 && !(weighted && shape.size == 4))
-    throw RecordError(0, count + "; expected x y z" + (weighted ? " or x y z w" : "") +
-                             (shape.size == kMatrix ? "; inspect reads a matrix" : ""));
+  const bool isJson = shape.form == Form::json;
+  const std::string matrix = shape.size == kMatrix ? "; inspect reads a matrix" : "";
+  if (shape.size != 3 && !(isJson && shape.size == 4))
+    throw RecordError(0, numbersIn(shape) + "; expected x y z" +
+                             (isJson           ? " or x y z w"
+                              : shape.size > 3 ? ", or --columns, as in 1,2,3, or x,y,z,w for four"
+                                               : "") +
+                             matrix);
   if (reading.worldIsEcef && shape.size == 3 && shape.form != Form::f64)
-    throw RecordError(
-        0, bareTriple(std::string(weighted ? "lat, lon, height or x, y, z of an object, " : "") + kColumnsSay));
+    throw RecordError(0, bareTriple(std::string(isJson ? "lat, lon, height or x, y, z of an object, " : "") +
+                                    "--columns lat,lon,height or --columns x,y,z"));
   return firstFields(shape.size, false);
 }
 
@@ -100,203 +169,150 @@ struct Found {
   Layout layout;
 };
 
-/// Those of the rows that the record has.
-std::vector<Found> findAll(std::span<const Coordinate* const> rows, const RecordParts& record,
-                           std::vector<FormOfField>& forms, NameRule rule) {
+/// Throws RecordError where a record has two.
+std::optional<Found> findOne(const RecordParts& record, const PointReading& reading, Forms& forms) {
   std::vector<Found> all;
-  for (const Coordinate* row : rows)
-    if (auto layout = find(*row, record, forms, rule)) all.push_back({row, std::move(*layout)});
-  return all;
-}
-
-[[noreturn]] void failTwoPoints(const RecordParts& record, const Layout& one, const Layout& other) {
-  throw RecordError(0, "has two points, " + namesIn(one, record.shape) + " and " + namesIn(other, record.shape) +
-                           "; expected one, or --columns to choose");
-}
-
-/// With a camera on the Earth three numbers of an array may be a place.
-void askWhich(Layout& layout) {
-  for (NumberField& part : layout.parts)
-    if (part.point == PointForm::point) part.point = PointForm::ofTheEarth;
-}
-
-/// The shape of a record, or nothing. Throws RecordError where it has two.
-std::optional<Layout> findShape(const RecordParts& record, const PointReading& reading,
-                                std::vector<FormOfField>& forms) {
-  std::vector<const Coordinate*> rows;
-  if (reading.segments) rows.push_back(&coordinates::segment);
-  if (!reading.shapes.empty())
-    rows.insert(rows.end(), std::begin(coordinates::kShapes), std::end(coordinates::kShapes));
-  std::vector<Found> all = findAll(rows, record, forms, NameRule::exact);
-  if (all.empty() && record.shape.form == Form::csv) all = findAll(rows, record, forms, NameRule::any);
-  if (all.size() > 1)
-    throw RecordError(0, "has two shapes, a " + std::string(all[0].row->name) + " and a " +
-                             std::string(all[1].row->name) + "; expected one");
-  if (all.empty()) return std::nullopt;
-  Layout& layout = all[0].layout;
-  if (all[0].row == &coordinates::segment)
-    if (const auto pixel = find(coordinates::pixel, record, forms)) {
-      append(layout, *pixel);
-      layout.kind = kindSegmentAndPixel;
-    }
-  if (reading.worldIsEcef) askWhich(layout);
-  return layout;
-}
-
-/// The point of a record, or nothing. Throws RecordError where it has two.
-std::optional<Layout> findNamed(const RecordParts& record, const PointReading& reading, std::vector<FormOfField>& forms,
-                                NameRule rule) {
-  std::vector<Found> all = findAll(coordinates::kPoints, record, forms, rule);
+  for (const auto& rows : {std::span<const Coordinate* const>(coordinates::kPoints), {coordinates::kShapes}})
+    for (const Coordinate* row : rows)
+      if (row != &coordinates::direction)
+        if (auto layout = find(*row, record, forms)) all.push_back({row, std::move(*layout)});
+  if (auto layout = find(coordinates::segment, record, forms))
+    all.push_back({&coordinates::segment, std::move(*layout)});
   if (!reading.worldIsEcef && all.size() > 1)
-    std::erase_if(all, [](const Found& found) { return found.row->kind == kindPlace; });
-  if (all.size() > 1 && all.back().row->kind == kindDirection) all.pop_back();
-  if (all.empty()) return std::nullopt;
-  if (all.size() > 1) failTwoPoints(record, all[0].layout, all[1].layout);
-  auto& [row, layout] = all[0];
-  if (row->kind == kindPlace && !reading.worldIsEcef) throw RecordError(0, kNotOnEarth);
-  if (reading.worldIsEcef) {
-    askWhich(layout);
-    // Other names of the one beside the very names of the other.
-    for (const auto& [one, other] :
-         {std::pair(&coordinates::xyz, &coordinates::place), std::pair(&coordinates::place, &coordinates::xyz)})
-      if (row == one)
-        if (const auto second = find(*other, record, forms, NameRule::any)) failTwoPoints(record, layout, *second);
-  }
-  if (!reading.radius || row->kind == kindDirection) return layout;
-  if (const auto radius = find(coordinates::radius, record, forms, NameRule::any)) {
-    append(layout, *radius);
-    layout.kind = layout.kind == kindPlace ? kindPlacedSphere : kindRoundPoint;
-  }
-  return layout;
+    std::erase_if(all, [](const Found& found) { return found.row == &coordinates::place; });
+  if (all.size() > 1)
+    throw hasBoth(0, namesIn(all[0].layout, record.shape), namesIn(all[1].layout, record.shape),
+                  isPoint(all[1].layout) || record.shape.form == Form::csv);
+  if (all.empty())
+    if (auto layout = find(coordinates::direction, record, forms))
+      all.push_back({&coordinates::direction, std::move(*layout)});
+  return all.empty() ? std::nullopt : std::optional(std::move(all[0]));
 }
 
-/// Throws RecordError.
-Layout findNamedPoint(const RecordParts& record, const PointReading& reading, std::vector<FormOfField>& forms) {
+/// What a command reads, in the order of the table.
+std::vector<const Coordinate*> rowsRead(const PointReading& reading) {
+  std::vector<const Coordinate*> rows(std::begin(coordinates::kPoints), std::end(coordinates::kPoints));
+  if (reading.segments) rows.push_back(&coordinates::segment);
+  if (reading.shapes) rows.insert(rows.end(), std::begin(coordinates::kShapes), std::end(coordinates::kShapes));
+  return rows;
+}
+
+[[noreturn]] void failWithoutPoint(const RecordParts& record, const PointReading& reading, const Forms& forms) {
   const Shape& shape = record.shape;
-  const auto requireNoOther = [&] {
-    for (const Coordinate* row : coordinates::kNotRead)
-      if (find(*row, record, forms))
-        throw RecordError(record.offset(forms.back().field),
-                          std::string(row == &coordinates::ellipsoid ? "an " : "a ") + std::string(row->name) +
-                              " is not " + std::string(reading.shapes) + "; expected a point, " +
-                              (reading.segments ? "segment, " : "") + namesOf(coordinates::kShapes));
-  };
-  PointReading first = reading;
-  if (reading.pointsFirst) first.shapes = {};
-  if (auto layout = findShape(record, first, forms)) return *layout;
-  if (!first.shapes.empty()) requireNoOther();
-  for (const NameRule rule : {NameRule::exact, NameRule::any})
-    if (const auto layout = findNamed(record, reading, forms, rule)) return *layout;
-  if (reading.pointsFirst) {
-    if (auto layout = findShape(record, reading, forms)) return *layout;
-    requireNoOther();
-  }
+  const bool csv = shape.form == Form::csv;
   // A field of a shape's name whose value is none.
   for (const FormOfField& form : forms)
-    if (const auto* row = rowNamed(shape.names[form.field]);
-        row && row->form != CoordinateForm::word && row->form != CoordinateForm::array)
-      throw RecordError(record.offset(form.field), std::string(row->name) + ": expected " + exampleOf(*row));
-  for (const Coordinate* row : coordinates::kPoints)
-    if (const std::string part = partlyThere(*row, shape); !part.empty())
-      throw RecordError(0, part + whatIsThere(shape) + (shape.form == Form::csv ? "; --columns names the others" : ""));
-  if (shape.form == Form::csv)
-    throw RecordError(
-        0, "has no columns x, y, z or lat, lon, height" + whatIsThere(shape) + "; " +
-               otherSeparator(shape).value_or(reading.worldIsEcef ? "--columns names lat, lon and height, or x, y and z"
-                                                                  : "--columns names x, y and z"));
-  throw RecordError(0, "has no point; expected " + namesOf(coordinates::kPoints, ", or ") + whatIsThere(shape));
+    for (const Coordinate* row : allCoordinates())
+      if (row->form != CoordinateForm::array && sameButForCase(row->name, shape.names[form.field]))
+        throw RecordError(record.offset(form.field), std::string(row->name) + ": expected " + exampleOf(*row));
+  const char* const choose = csv ? "; --columns names the others" : "";
+  for (const Coordinate* row : {&coordinates::xyz, &coordinates::place})
+    if (const std::string part = partlyThere(*row, shape); !part.empty()) throw RecordError(0, part + choose);
+  if (csv)
+    throw RecordError(0, "has no columns x, y, z or lat, lon, height" + whatIsThere(shape) +
+                             "; --columns names them, as in x=E,y=N,z=U");
+  throw RecordError(0, "has no point" + std::string(reading.shapes ? " or shape" : "") + "; expected " +
+                           namesOf(rowsRead(reading)) + whatIsThere(shape));
 }
 
-/// screen, pixel or x y: two slots.
-Layout findScreen(const RecordParts& record, std::vector<FormOfField>& forms) {
-  const Shape& shape = record.shape;
-  for (const NameRule rule : {NameRule::exact, NameRule::any})
-    for (const Coordinate* row : coordinates::kPixels) {
-      const auto layout = find(*row, record, forms, rule);
-      if (!layout) continue;
-      const auto z = matchParts(shape.names, std::span(coordinates::kXyzw).subspan(2, 1), 1, rule)[0].field;
-      if (z && row == &coordinates::xy)
-        throw RecordError(record.offset(*z),
-                          "x, y, z is a point of the world, not a pixel; expected screen, pixel or x y alone");
-      return *layout;
+Layout findNamedPoint(const RecordParts& record, const PointReading& reading) {
+  Forms forms;
+  auto found = findOne(record, reading, forms);
+  if (!found) failWithoutPoint(record, reading, forms);
+  auto& [row, layout] = *found;
+  if (row == &coordinates::place && !reading.worldIsEcef) throw RecordError(0, kNotOnEarth);
+  const bool isSegment = row == &coordinates::segment;
+  if (isSegment ? !reading.segments : isShape(layout) && !reading.shapes)
+    throw RecordError(record.offset(layout.parts[0].field),
+                      "a " + std::string(row->name) + " is not read here; expected " + namesOf(rowsRead(reading)));
+  const Coordinate* const more = isSegment ? &coordinates::pixel
+                                 : reading.radius && isPoint(layout) && row->kind != kindDirection
+                                     ? &coordinates::radius
+                                     : nullptr;
+  if (more)
+    if (const auto beside = find(*more, record, forms)) {
+      layout.append(*beside);
+      layout.kind = isSegment ? kindSegmentAndPixel : layout.kind == kindPlace ? kindPlacedSphere : kindRoundPoint;
     }
-  const std::string there = whatIsThere(shape);
-  if (const std::string part = partlyThere(coordinates::xy, shape); !part.empty()) throw RecordError(0, part + there);
-  if (shape.form == Form::csv)
-    throw RecordError(0, "has no columns screen_x, screen_y or x, y" + there + "; " +
-                             otherSeparator(shape).value_or("--columns names the two"));
-  throw RecordError(0, "has no pixel; expected " + namesOf(coordinates::kPixels, ", or ") + there);
-}
-
-unsigned distanceKind(const Coordinate& row) { return &row == &coordinates::depth ? depthKnown : viewDistanceKnown; }
-
-/// Two or three numbers without names.
-Layout findBarePixel(const RecordParts& record) {
-  const Shape& shape = record.shape;
-  const std::string count = numbersIn(shape) + "; expected ";
-  if (shape.size != 2 && shape.size != 3 && shape.form == Form::json)
-    throw RecordError(0, count + "[x, y] or [x, y, depth]");
-  if (shape.size != 2 && shape.size != 3)
-    throw RecordError(0, count + "x y or x y depth" + (shape.size > 3 ? "; --columns 1,2,3 takes three of them" : ""));
-  Layout layout = firstFields(shape.size, shape.form != Form::json);
-  if (shape.size == 3) layout.kind = depthKnown;
-  return layout;
-}
-
-/// What the columns do not name, a distance of another field, is not used.
-Layout findChosenPixel(const RecordParts& record, const ColumnChoice& choice) {
-  Layout layout;
-  appendChosen(layout, coordinates::xy, choice, record, true);
-  for (const Coordinate* row : coordinates::kDistances) {
-    const std::size_t numbers = layout.parts.size();
-    appendChosen(layout, *row, choice, record, true);
-    if (layout.parts.size() > numbers) layout.kind |= distanceKind(*row);
-  }
-  return layout;
-}
-
-bool isNameless(const Shape& shape) { return shape.isArray || (shape.form == Form::csv && !shape.hasHeader); }
-
-}  // namespace
-
-Layout findPoint(const RecordParts& record, const PointReading& reading) {
-  std::vector<FormOfField> forms;
-  Layout layout = reading.columns.given()    ? findChosenPoint(record, reading)
-                  : isNameless(record.shape) ? findBarePoint(record, reading)
-                                             : findNamedPoint(record, reading, forms);
+  // With a camera on the Earth three numbers of an array may be a place.
+  if (reading.worldIsEcef)
+    for (NumberField& part : layout.parts)
+      if (part.point == PointForm::point) part.point = PointForm::ofTheEarth;
   layout.forms = std::move(forms);
   return layout;
 }
 
-bool isSegment(const Layout& layout) { return layout.kind == kindSegment || layout.kind == kindSegmentAndPixel; }
-bool isPoint(const Layout& layout) { return layout.kind <= kindPlace; }
-bool isShape(const Layout& layout) {
-  return layout.kind == kindSphere || layout.kind == kindBox || layout.kind == kindTriangle ||
-         layout.kind == kindRoundPoint || layout.kind == kindPlacedSphere;
+// Pixels
+
+/// Two or three numbers without names.
+Layout findBarePixel(const RecordParts& record) {
+  const Shape& shape = record.shape;
+  const bool isJson = shape.form == Form::json;
+  if (shape.size != 2 && shape.size != 3)
+    throw RecordError(0, numbersIn(shape) + "; expected " + (isJson ? "[x, y] or [x, y, depth]" : "x y or x y depth") +
+                             (shape.size > 3 && !isJson ? ", or --columns, as in 1,2,3" : ""));
+  Layout layout = firstFields(shape.size, !isJson);
+  if (shape.size == 3) layout.kind = depthKnown;
+  return layout;
 }
 
+/// screen, pixel or x y: two slots.
+Layout findScreen(const RecordParts& record, Forms& forms) {
+  const Shape& shape = record.shape;
+  for (const Coordinate* row : coordinates::kPixels) {
+    const auto layout = find(*row, record, forms);
+    if (!layout) continue;
+    const auto z = matchParts(shape.names, std::span(coordinates::kXyzw).subspan(2, 1))[0].field;
+    if (z && row == &coordinates::xy)
+      throw RecordError(record.offset(*z),
+                        "x, y, z is a point of the world, not a pixel; expected screen, pixel or x y alone");
+    return *layout;
+  }
+  if (const std::string part = partlyThere(coordinates::xy, shape); !part.empty()) throw RecordError(0, part);
+  if (shape.form == Form::csv)
+    throw RecordError(
+        0, "has no columns screen_x, screen_y or x, y" + whatIsThere(shape) + "; --columns names them, as in x=u,y=v");
+  throw RecordError(0, "has no pixel; expected " + namesOf(coordinates::kPixels, ", or ") + whatIsThere(shape));
+}
+
+}  // namespace
+
+Layout findPoint(const RecordParts& record, const PointReading& reading) {
+  if (reading.columns.given()) return findChosenPoint(record, reading);
+  return isNameless(record.shape) ? findBarePoint(record, reading) : findNamedPoint(record, reading);
+}
+
+bool isSegment(const Layout& layout) { return layout.kind == kindSegment || layout.kind == kindSegmentAndPixel; }
+bool isPoint(const Layout& layout) { return layout.kind <= kindPlace; }
+bool isShape(const Layout& layout) { return !isPoint(layout) && !isSegment(layout); }
+
 Vec4 toPoint(const Layout& layout, const Numbers& n) {
-  const bool round = layout.kind == kindRoundPoint;
-  if (layout.kind == kindPlace || layout.kind == kindPlacedSphere) return toWorld({n[0], n[1], n[2]});
-  double w = 1;
-  if (layout.kind == kindDirection)
-    w = 0;
-  else if (layout.slots() - (round ? 1 : 0) == 4 && !std::isnan(n[3]))
-    w = n[3];
-  const Vec4 point{n[0], n[1], n[2], w};
+  if (layout.kind == kindPlace || layout.kind == kindPlacedSphere) {
+    const Geodetic place{n[0], n[1], n[2]};
+    if (!isPlace(place)) throw RecordError(0, "lat: " + formatNumber(place.lat) + " is not from -90 to 90 degrees");
+    const Vec3 p = geodeticToEcef(place);
+    return {p.x, p.y, p.z, 1};
+  }
+  const bool hasWeight = layout.slots() - (layout.kind == kindRoundPoint ? 1 : 0) == 4 && !std::isnan(n[3]);
+  const Vec4 point{n[0], n[1], n[2], layout.kind == kindDirection ? 0 : hasWeight ? n[3] : 1};
   if (point == Vec4{0, 0, 0, 0}) throw RecordError(0, "0 0 0 0 is neither a point nor a direction");
   return point;
 }
 
 Layout findPixel(const RecordParts& record, const ColumnChoice& columns) {
-  if (columns.given()) return findChosenPixel(record, columns);
+  Layout layout;
+  if (columns.given()) {
+    layout = chosenFields(columns, record, true);
+    layout.kind = (columns.has("depth") ? depthKnown : 0u) | (columns.has("viewDistance") ? viewDistanceKnown : 0u);
+    return layout;
+  }
   if (isNameless(record.shape)) return findBarePixel(record);
-  std::vector<FormOfField> forms;
-  Layout layout = findScreen(record, forms);
+  Forms forms;
+  layout = findScreen(record, forms);
   for (const Coordinate* row : coordinates::kDistances)
-    if (const auto part = find(*row, record, forms, NameRule::any)) {
-      append(layout, *part);
-      layout.kind |= distanceKind(*row);
+    if (const auto part = find(*row, record, forms)) {
+      layout.append(*part);
+      layout.kind |= row == &coordinates::depth ? depthKnown : viewDistanceKnown;
     }
   layout.forms = std::move(forms);
   return layout;

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "records/column_choice.hpp"
+#include "records/columns.hpp"
 #include "records/layout.hpp"
 #include "viewproj/vectors.hpp"
 
@@ -15,15 +15,14 @@ struct PointReading {
   ColumnChoice columns = {};
   bool worldIsEcef = false;
   bool segments = false;
-  std::string_view shapes = {};  ///< spheres, boxes, triangles too: what becomes of them, "culled". Empty: points alone
-  bool radius = false;           ///< a point with a radius is a sphere
-  bool pointsFirst = false;      ///< beside a point a shape is a field like any other
+  bool shapes = false;  ///< spheres, boxes, triangles too
+  bool radius = false;  ///< a point with a radius is a sphere
 };
 
-/// The point of a record: [x,y,z], [x,y,z,w]; what coordinates::kPoints has of an object or of a CSV line's columns;
-/// three numbers of a text line; the three of f64; or else a shape. Names as they are come first, then those in another
-/// case and aliases. Throws RecordError where records of this shape have none or two, for lat, lon, height unless the
-/// camera's world is ECEF, and for three numbers without names where it is.
+/// The one point or shape of a record: [x,y,z], [x,y,z,w]; what coordinates::kPoints, segment and kShapes have of an
+/// object or of a CSV line's columns; three numbers of a text line; the three of f64. Throws RecordError where records
+/// of this shape have none, two, or one that is not read; for lat, lon, height unless the camera's world is ECEF, and
+/// for three numbers without names where it is.
 Layout findPoint(const RecordParts& record, const PointReading& reading);
 
 bool isPoint(const Layout& layout);
@@ -35,8 +34,8 @@ bool isSegment(const Layout& layout);
 /// RecordError for 0 0 0 0 and for a lat beyond 90.
 Vec4 toPoint(const Layout& layout, const Numbers& numbers);
 
-/// A pixel to shoot a ray through, with what may be known of the point behind it. viewDistance wins over depth, because
-/// it keeps its digits.
+/// A pixel to shoot a ray through, with what may be known of the point behind it. viewDistance goes before depth,
+/// because it keeps its digits.
 struct Pixel {
   std::optional<Vec2> screen;  ///< nothing where the record says null
   std::optional<double> depth;

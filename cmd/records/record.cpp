@@ -111,21 +111,6 @@ void requireClosedFields(std::string_view record, const std::vector<std::string_
               " or the end of the line");
 }
 
-std::string markedBad(std::string_view written) {
-  constexpr std::string_view kMark = "marked bad by an earlier run: ";
-  const std::size_t again = written.find(kMark);
-  return std::string(kMark) +
-         std::string(again == std::string_view::npos ? written : written.substr(again + kMark.size()));
-}
-
-std::optional<std::string> markedBad(const RecordParts& json) {
-  const auto& names = json.shape.names;
-  if (names.size() != 2 || names[0] != "line" || !names[1].ends_with("error")) return std::nullopt;
-  const std::string_view line = json.values[0], message = json.values[1];
-  if (!parseNumber(line) || !message.starts_with('"')) return std::nullopt;
-  return markedBad("line " + std::string(line) + ": " + unescaped(message.substr(1, message.size() - 2)));
-}
-
 std::vector<std::string_view> valuesOf(const Record& record) {
   std::vector<std::string_view> values;
   const Form form = record.shape->form;
@@ -185,15 +170,6 @@ std::string csvValue(std::string_view field) {
   return value;
 }
 
-std::optional<std::string> otherSeparator(const Shape& header) {
-  if (header.form != Form::csv || header.names.size() != 1) return std::nullopt;
-  for (const SeparatorName& other : kSeparators)
-    if (header.names[0].find(other.separator) != std::string::npos)
-      return "--delimiter " + std::string(other.name) + " separates columns by the " + std::string(other.plural) +
-             " that stand here";
-  return std::nullopt;
-}
-
 std::string whatIsThere(const Shape& shape) {
   constexpr std::size_t kMostShown = 60;
   if (shape.isArray || !shape.hasHeader || shape.names.empty()) return "";
@@ -204,7 +180,11 @@ std::string whatIsThere(const Shape& shape) {
     if (!all.empty()) all += csv ? std::string(1, shape.csv.separator) : ", ";
     all += name;
   }
-  return (csv ? "; the header is " : "; its fields are ") + inQuotes(all, kMostShown);
+  std::string text = (csv ? "; the header is " : "; its fields are ") + inQuotes(all, kMostShown);
+  for (const SeparatorName& other : kSeparators)
+    if (csv && shape.names.size() == 1 && all.find(other.separator) != std::string::npos)
+      return text + "; --delimiter " + std::string(other.name) + " separates its columns";
+  return text;
 }
 
 std::string nameOfColumn(const std::vector<std::string>& names, std::size_t column) {

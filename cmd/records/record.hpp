@@ -106,18 +106,10 @@ void requireClosedFields(std::string_view record, const std::vector<std::string_
 /// Where such text begins, or npos.
 std::size_t afterClosingQuote(std::string_view field);
 
-/// The message of a record which --keep-going of an earlier run put in place of a bad one. written: its own message.
-std::string markedBad(std::string_view written);
-/// The message if a JSON record is one: {"line": N, "error": "..."}, whatever stands in front of "error".
-std::optional<std::string> markedBad(const RecordParts& json);
-
 /// A CSV field without its quotes.
 std::string csvValue(std::string_view field);
 
-/// What to say of a CSV header of one column in whose name other separators stand than the one it was read by.
-std::optional<std::string> otherSeparator(const Shape& header);
-
-/// "; the header is 'E,N,U'", or for JSON its fields, as far as they go.
+/// "; the header is 'E,N,U'", or for JSON its fields, as far as they go; and the separator that it seems to have.
 std::string whatIsThere(const Shape& shape);
 
 /// A header if the line has a field that is not a number; otherwise the default names in order, where there are any,

@@ -7,11 +7,27 @@
 
 #include "camera/check.hpp"
 #include "camera/read_pose.hpp"
+#include "numbers/vectors.hpp"
+#include "records/points.hpp"
+#include "text/error.hpp"
 #include "text/names.hpp"
 #include "viewproj/geodesy.hpp"
 
 namespace viewproj::cmd {
 namespace {
+
+constexpr const char* kSceneForm =
+    "{\"objects\": [{\"id\": \"a\", \"sphere\": {\"center\": [0, 0, 0], \"radius\": 1}}]}";
+
+// What is wrong with a shape, or empty.
+
+std::string faultOf(const Sphere& sphere) { return isValid(sphere) ? "" : "must not be below 0"; }
+
+std::string faultOf(const Box& box, bool worldIsEcef) {
+  if (isValid(box)) return "";
+  return std::string("must not be below min in any coordinate") +
+         (worldIsEcef ? "; of places these are x, y and z of ECEF" : "");
+}
 
 /// [x, y, z], or a place where the camera stands on the Earth.
 Vec3 pointOf(const Node& value, bool worldIsEcef) {
@@ -20,7 +36,20 @@ Vec3 pointOf(const Node& value, bool worldIsEcef) {
   return positionOf(value);
 }
 
-decltype(SceneObject::shape) shapeOf(const Node& value, std::string_view name, bool worldIsEcef) {
+using Shape = decltype(SceneObject::shape);
+
+Shape ellipsoidOf(const Node& object) {
+  if (const Node name = object.require("ellipsoid"); name.text() != "WGS84") name.fail("is not known; known is WGS84");
+  const auto height = object.find("height");
+  if (!height || height->number() == 0) return kWgs84;
+  if (!(height->number() >= kLeastCrossedHeight)) height->fail("must not be below -1000000 metres");
+  return HeightSurface{height->number()};
+}
+
+/// name: of the member that has the shape.
+Shape shapeOf(const Node& object, std::string_view name, bool worldIsEcef) {
+  if (name == "ellipsoid") return ellipsoidOf(object);
+  const Node value = object.require(name);
   const auto point = [&](std::string_view key) { return pointOf(value.require(key), worldIsEcef); };
   if (name == "plane") {
     allowMembers(value, {"point", "normal"});
@@ -31,28 +60,17 @@ decltype(SceneObject::shape) shapeOf(const Node& value, std::string_view name, b
   if (name == "sphere") {
     allowMembers(value, {"center", "radius"});
     const Sphere sphere{point("center"), value.require("radius").number()};
-    if (const auto fault = faultOf(sphere); !fault.empty()) value.require("radius").fail(std::string(fault));
+    if (const auto fault = faultOf(sphere); !fault.empty()) value.require("radius").fail(fault);
     return sphere;
   }
   if (name == "box") {
     allowMembers(value, {"min", "max"});
     const Box box{point("min"), point("max")};
-    if (const auto fault = faultOf(box, worldIsEcef); !fault.empty()) value.require("max").fail(std::string(fault));
+    if (const auto fault = faultOf(box, worldIsEcef); !fault.empty()) value.require("max").fail(fault);
     return box;
   }
   if (value.size() != 3) value.fail("expected three corners");
-  const Triangle triangle{pointOf(value[0], worldIsEcef), pointOf(value[1], worldIsEcef),
-                          pointOf(value[2], worldIsEcef)};
-  if (!isValid(triangle)) value.fail("has a coordinate that is not finite");
-  return triangle;
-}
-
-decltype(SceneObject::shape) ellipsoidOf(const Node& object) {
-  if (const Node name = object.require("ellipsoid"); name.text() != "WGS84") name.fail("is not known; known is WGS84");
-  const auto height = object.find("height");
-  if (!height || height->number() == 0) return kWgs84;
-  if (!(height->number() >= kLeastCrossedHeight)) height->fail("must not be below -1000000 metres");
-  return HeightSurface{height->number()};
+  return Triangle{pointOf(value[0], worldIsEcef), pointOf(value[1], worldIsEcef), pointOf(value[2], worldIsEcef)};
 }
 
 /// A text or a number as JSON.
@@ -63,24 +81,18 @@ std::optional<std::string> labelOf(const Node& object, std::string_view key) {
   return value->json().dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-SceneObject readObject(const Node& fields, std::size_t index, bool worldIsEcef) {
-  for (const char* other : {"aabb", "bbox"})
-    if (const auto value = fields.find(other))
-      value->fail("is called box here: {\"min\": [x, y, z], \"max\": [x, y, z]}");
-  allowMembers(fields, {"id", "name", "plane", "sphere", "box", "triangle", "ellipsoid", "height"});
-  SceneObject object;
-  const auto name = labelOf(fields, "name");
-  object.id = labelOf(fields, "id").value_or(name.value_or(std::to_string(index)));
+SceneObject readObject(const Node& object, std::size_t index, bool worldIsEcef) {
+  allowMembers(object, {"id", "name", "plane", "sphere", "box", "triangle", "ellipsoid", "height"});
   std::vector<std::string_view> shapes;
   for (const char* shape : {"plane", "sphere", "box", "triangle", "ellipsoid"})
-    if (fields.find(shape)) shapes.emplace_back(shape);
-  if (shapes.empty()) fields.fail("needs a shape: plane, sphere, box, triangle or ellipsoid");
-  if (shapes.size() > 1) fields.fail("has " + together(shapes) + "; expected one of them");
-  const bool isEllipsoid = shapes.front() == "ellipsoid";
-  if (const auto height = fields.find("height"); height && !isEllipsoid) height->fail("goes with ellipsoid alone");
-  object.shape =
-      isEllipsoid ? ellipsoidOf(fields) : shapeOf(fields.require(shapes.front()), shapes.front(), worldIsEcef);
-  return object;
+    if (object.find(shape)) shapes.emplace_back(shape);
+  if (shapes.empty()) object.fail("needs a shape: plane, sphere, box, triangle or ellipsoid");
+  if (shapes.size() > 1) object.fail("has " + together(shapes) + "; expected one of them");
+  if (const auto height = object.find("height"); height && shapes[0] != "ellipsoid")
+    height->fail("goes with ellipsoid alone");
+  const auto name = labelOf(object, "name");
+  return {labelOf(object, "id").value_or(name.value_or(std::to_string(index))),
+          shapeOf(object, shapes[0], worldIsEcef)};
 }
 
 }  // namespace
@@ -97,20 +109,13 @@ Hits intersect(const Ray& ray, const HeightSurface& surface) {
   return hits;
 }
 
-std::string_view faultOf(const Sphere& sphere) { return isValid(sphere) ? "" : "must not be below 0"; }
-
-std::string_view faultOf(const Box& box, bool ofTheEarth) {
-  if (isValid(box)) return "";
-  return ofTheEarth ? "must not be below min in any coordinate: on the Earth those are x, y and z of ECEF, for corners "
-                      "by lat, lon, height too"
-                    : "must not be below min in any coordinate";
-}
-
 std::vector<SceneObject> readScene(const std::string& source, bool worldIsEcef) {
   const Document document = load(source, "--scene");
   const Node scene(document);
-  if (!scene.json().is_object() || !scene.find("objects"))
-    scene.fail("needs objects: {\"objects\": [{\"id\": ..., \"sphere\": {...}}, ...]}");
+  if (!scene.json().is_object()) scene.fail(std::string("expected ") + kSceneForm);
+  for (const char* shape : {"plane", "sphere", "box", "triangle", "ellipsoid"})
+    if (scene.find(shape)) scene.fail(std::string("put the ") + shape + " under objects, as in " + kSceneForm);
+  if (!scene.find("objects")) scene.fail(std::string("needs objects, as in ") + kSceneForm);
   allowMembers(scene, {"$schema", "name", "objects"});
   for (const char* key : {"$schema", "name"})
     if (const auto text = scene.find(key)) (void)text->text();
@@ -118,6 +123,28 @@ std::vector<SceneObject> readScene(const std::string& source, bool worldIsEcef) 
   std::vector<SceneObject> objects;
   for (std::size_t i = 0; i < all.size(); ++i) objects.push_back(readObject(all[i], i, worldIsEcef));
   return objects;
+}
+
+CullShape toShape(const Layout& layout, const Numbers& n) {
+  const auto vector = [&](std::size_t first) { return Vec3{n[first], n[first + 1], n[first + 2]}; };
+  const auto checked = [](const Sphere& sphere) {
+    if (const std::string fault = faultOf(sphere); !fault.empty()) throw RecordError(0, "radius " + fault);
+    return sphere;
+  };
+  if (layout.kind == kindSphere) return checked({vector(0), n[3]});
+  if (layout.kind == kindTriangle) return Triangle{vector(0), vector(3), vector(6)};
+  if (layout.kind == kindBox) {
+    const Box box{vector(0), vector(3)};
+    const std::string fault = faultOf(box, layout.parts[0].point == PointForm::ofTheEarth);
+    if (!fault.empty()) throw RecordError(0, "max " + fault);
+    return box;
+  }
+  const Vec4 point = toPoint(layout, n);
+  if (point.w == 0) throw RecordError(0, "is a direction, which is nowhere in the view; expected a point or a shape");
+  const Vec3 position{point.x / point.w, point.y / point.w, point.z / point.w};
+  if (isPoint(layout)) return position;
+  if (!detail::isFinite(position)) throw RecordError(0, "has a center beyond the range of doubles");
+  return checked({position, n[layout.slots() - 1]});
 }
 
 }  // namespace viewproj::cmd

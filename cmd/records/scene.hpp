@@ -1,4 +1,4 @@
-// Scenes: shapes with a name each, for rays to hit.
+// Shapes: those of a scene, with a name each, for rays to hit; and those of records.
 #pragma once
 
 #include <string>
@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "records/layout.hpp"
 #include "viewproj/scene.hpp"
 
 namespace viewproj::cmd {
@@ -16,7 +17,7 @@ struct HeightSurface {
 };
 
 struct SceneObject {
-  std::string id;  ///< as JSON text: its id, or its place in the list, counted from 0
+  std::string id;  ///< as JSON text: its id, its name, or its place in the list, counted from 0
   std::variant<Plane, Sphere, Box, Triangle, Ellipsoid, HeightSurface> shape;
 };
 
@@ -27,8 +28,9 @@ std::vector<SceneObject> readScene(const std::string& source, bool worldIsEcef);
 /// The normal is away from the ellipsoid.
 Hits intersect(const Ray& ray, const HeightSurface& surface);
 
-/// What is wrong with a shape, or empty. For messages.
-std::string_view faultOf(const Sphere& sphere);
-std::string_view faultOf(const Box& box, bool ofTheEarth);
+using CullShape = std::variant<Vec3, Sphere, Box, Triangle>;
+
+/// What a record holds. Throws RecordError where the numbers make no shape, and for a direction.
+CullShape toShape(const Layout& layout, const Numbers& numbers);
 
 }  // namespace viewproj::cmd

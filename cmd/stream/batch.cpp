@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "records/field_names.hpp"
+#include "records/coordinates.hpp"
 
 namespace viewproj::cmd {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "output/output_file.hpp"
 #include "output/record_writer.hpp"
-#include "records/column_choice.hpp"
+#include "records/columns.hpp"
 #include "stream/block_reader.hpp"
 #include "stream/work.hpp"
 #include "text/form.hpp"

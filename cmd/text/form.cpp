@@ -102,7 +102,11 @@ std::optional<Form> formOfBytes(std::string_view start) {
   if (start[0] == '{' || start[0] == '[') return Form::json;
   const auto isControl = [](unsigned char c) { return c < '\t' || (c > '\r' && c < ' ') || c == 0x7f; };
   const bool controls = std::any_of(start.begin(), start.end(), isControl);
-  if (start.find('\0') != std::string_view::npos || (controls && !isUtf8(start, true))) return std::nullopt;
+  std::string_view whole = start;  // without a character that may be cut off
+  while (!whole.empty() && continuesCharacter(whole.back())) whole.remove_suffix(1);
+  const auto last = static_cast<unsigned char>(whole.empty() ? 0 : whole.back());
+  if (last >= 0xC2 && last <= 0xF4) whole.remove_suffix(1);
+  if (start.find('\0') != std::string_view::npos || (controls && !isUtf8(whole))) return std::nullopt;
   const std::string_view line = start.substr(0, start.find('\n'));
   const char c = start[0];
   const bool number = (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.' || line.starts_with("NaN");

@@ -80,8 +80,9 @@ cases() {
   skip=$here/$1-skip.txt
   if [ ! -f "$skip" ]; then skip=/dev/null; fi
   names=$(python3 -B tests/cmd/transcripts.py "$2" --list | awk -v share="$share" 'NR % share == 0' | grep -vxF -f "$skip")
+  # An emulator takes twenty times as long.
   # shellcheck disable=SC2086  # names without blanks
-  python3 -B tests/cmd/transcripts.py "$2" $names || fail "$1: these golden cases"
+  VIEWPROJ_PATIENCE=600 python3 -B tests/cmd/transcripts.py "$2" $names || fail "$1: these golden cases"
 }
 
 # wrapped NAME COMMAND...: an executable called viewproj that runs the command.

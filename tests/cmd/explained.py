@@ -94,7 +94,7 @@ def main():
         count("behind", "behind" in explanation["result"]["outside"])
         count("orthographic", document["projection"]["type"] == "orthographic")
         count("without near", not has_near)
-        count("exchanged", "depth.written" in values)
+        count("exchanged", any("exchanges" in (step["note"] or "") for step in explanation["steps"]))
 
         pixel = [rng.uniform(-100, 700), rng.uniform(-100, 500)] + ([rng.uniform(0.1, 0.9)] if has_near else [])
         given = "=" + ",".join(map(repr, pixel))

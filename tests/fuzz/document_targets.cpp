@@ -1,10 +1,10 @@
 // Scenes, model matrices and what inspect reads: files of JSON or text that are read as a whole.
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "commands/inspect_report.hpp"
 #include "fuzz.hpp"
 #include "output/matrix_text.hpp"
-#include "input/matrix_numbers.hpp"
 #include "records/model.hpp"
 #include "records/scene.hpp"
 #include "targets.hpp"

@@ -4,7 +4,7 @@
 
 #include "fuzz.hpp"
 #include "records/points.hpp"
-#include "records/shapes.hpp"
+#include "records/scene.hpp"
 #include "stream/filter.hpp"
 #include "targets.hpp"
 #include "text/error.hpp"
@@ -112,7 +112,7 @@ class Shapes final : public Work {
  public:
   using Work::Work;
   Layout find(const RecordParts& record) const override {
-    return findPoint(record, {.columns = {}, .worldIsEcef = in_.onEarth, .shapes = "culled", .radius = true});
+    return findPoint(record, {.columns = {}, .worldIsEcef = in_.onEarth, .shapes = true, .radius = true});
   }
   Results results(const Layout&, OutputForm) const override { return {&kVisible}; }
   void add(const Layout& layout, const Numbers& numbers) override {

@@ -269,7 +269,7 @@ TEST_CASE("minus zero is minus zero, however it is read") {
 
 TEST_CASE("an overflow is placed at the number that overflows") {
   const StreamRun run = runStream("{\"s\":\"1e309\",\"x\":0.001e309,\"y\":2,\"z\":1e309}\n", {.from = Form::json});
-  CHECK(run.err == "<stdin>:1:38: number overflow parsing '1e309'");
+  CHECK(run.err == "<stdin>:1:38: '1e309' is larger than any double");
 }
 
 TEST_CASE("columns of CSV are those of the first good record, however many bad ones come before") {
@@ -311,9 +311,7 @@ TEST_CASE("carriage returns alone are quoted in CSV, white space in JSON, and re
 TEST_CASE("f64 is never guessed, and UTF-16 and UTF-32 are named") {
   using namespace std::string_literals;
   for (const auto& [input, message] : {std::pair("\xFF\xFE[\0001\0,\0"s, "is UTF-16"),
-                                       {"[\0001\0,\0"s, "is UTF-16"},
-                                       {"\0[\0001\0,"s, "is UTF-16"},
-                                       {"x\0\0\0,\0\0\0"s, "is UTF-32"},
+                                       {"x\0,\0"s, "is binary"},
                                        {"\0\0\xFE\xFF\0\0\0x"s, "is UTF-32"},
                                        {"\xFE\xFF\0x"s, "is UTF-16"},
                                        {doubles({1, 2, 3}), "is binary"},
@@ -325,15 +323,8 @@ TEST_CASE("f64 is never guessed, and UTF-16 and UTF-32 are named") {
     INFO(run.err);
     CHECK((run.status == 1 && run.out.empty() && run.err.starts_with("<stdin>: "s + message)));
   }
-  CHECK(runStream("x\0,\0"s, {.from = Form::csv}).err.starts_with("<stdin>: is UTF-16"));
-  // iconv knows the order of bytes from a byte order mark, or must be told.
-  for (const auto& [input, encoding] : {std::pair("\xFE\xFF\0001"s, "UTF-16"),
-                                        {"1\0 \0"s, "UTF-16LE"},
-                                        {"\0001\0 "s, "UTF-16BE"},
-                                        {"1\0\0\0"s, "UTF-32LE"},
-                                        {"\0\0\0001"s, "UTF-32BE"}})
-    CHECK(runStream(input, {}).err ==
-          "<stdin>: is "s + encoding + "; expected UTF-8, as iconv -f " + encoding + " -t UTF-8 makes it");
+  CHECK(runStream("\xFE\xFF\0001"s, {}).err ==
+        "<stdin>: is UTF-16; expected UTF-8, as iconv -f UTF-16 -t UTF-8 makes it");
   CHECK(runStream("x,y,z,\xED\xA0\x80\x01\n1,2,3,4\n", {}).err.starts_with("<stdin>: is binary"));
   CHECK(runStream("x,y,z,a\x7F\n1,2,3,4\n", {}).out.starts_with("x,y,z,a\x7F,sum"));
   CHECK(runStream("x,y,z,\xC3\xA9\x01\n1,2,3,4\n", {}).status == 0);

@@ -41,7 +41,7 @@ TEST_CASE("whole inputs that are no stream of records get one message with its p
       {"1:10: a comma missing on the line", "[[1,2,3] [4,5,6]]"},
       {"1:2: an array of commas", "[,]"},
       {"1:2: an array of words", "[abc]"},
-      {"1:7: an array of strings that do not end", "[\"abc]"},
+      {"1:2: an array of strings that do not end", "[\"abc]"},
       {"1:1: an array that begins with null is one record", "[null,[1,2,3]]"},
       {"1:20: a document that does not end", "{\"points\":[[1,2,3]]"},
       {"1:21: a document with a comma too many", "{\"points\":[[1,2,3]],}"},

@@ -77,7 +77,6 @@ std::string paragraph(const std::string& text, std::size_t width) { return "\n" 
 std::vector<Entry> entriesOf(std::span<const Coordinate* const> rows) {
   std::vector<Entry> entries;
   for (const Coordinate* row : rows) {
-    if (row->form == CoordinateForm::word) continue;
     const bool isArray = row->form == CoordinateForm::array;
     std::string form = isArray ? (row->most > 2 ? "[x, y, z]" : "[x, y]") : "a number each";
     if (row->form == CoordinateForm::object || row->form == CoordinateForm::points) form = exampleOf(*row);
@@ -209,8 +208,8 @@ std::string formats(std::size_t width) {
     files.push_back({std::string(importer->name), "", std::string(importer->form)});
   out += listed(files, width);
   out += paragraph(
-      "FILE#NAME or FILE#INDEX picks one of several, FILE##INDEX where a number is a name too; --list tells what picks "
-      "each.",
+      "FILE#NAME or FILE#INDEX picks one of several, FILE##INDEX where a number is a name too; info FILE tells what "
+      "picks each.",
       width);
   out += paragraph("Points and pixels, in:", width) + listed(entriesOf(inputForms()), width);
   out +=
