@@ -67,10 +67,9 @@ void addLooking(std::vector<std::string>& forms, const Pose& pose, Vec3 defaultU
     }
     addWith(roundedUnlessTiny(parts(pose).rows.up));
   };
-  if (!parts(pose).exact.upIsCross) return add("direction", roundedUnlessTiny(parts(pose).rows.forward));
+  const DDVec3& given = parts(pose).way;
+  if (maxAbs(given) == 0) return add("direction", roundedUnlessTiny(parts(pose).rows.forward));
   // As it was given, up to a power of two: the direction, or a target where that is longer than doubles.
-  DDVec3 given;
-  for (std::size_t i = 0; i < 3; ++i) given[i] = parts(pose).exact.forward[i].rounded();
   const auto isRound = [](const DDVec3& v) { return v.x.lo == 0 && v.y.lo == 0 && v.z.lo == 0; };
   if (!isRound(given))
     for (int k = -60; k <= 60; ++k) {
@@ -129,9 +128,7 @@ namespace {
 
 /// Of the length it was given in, where it was given: then its parts are doubles.
 void addRotation(std::vector<std::string>& forms, const Pose& pose, CameraAxes axes, const ConventionPreset& preset) {
-  const DoubleDouble scale = parts(pose).exact.rightScale;
-  const DoubleDouble length =
-      parts(pose).exact.upIsCross ? DoubleDouble(1) : sqrt(DoubleDouble(1) / (scale.hi < 0 ? -scale : scale));
+  const DoubleDouble length = parts(pose).rotationLength;
   JsonObject out;
   out.addText("position", jsonOf(pose.eye()));
   addAxes(out, axes, preset);

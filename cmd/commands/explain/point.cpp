@@ -215,7 +215,7 @@ Explanation explainPoint(const Camera& camera, const Convention& writing, const 
                          const std::optional<Mat4>& model) {
   const Vec4 placed = model ? toWorld(*model, local) : local;
   const PointStages s = pointStages(camera, placed, writing);
-  if (s.screen.status == PointStatus::notFinite)
+  if (s.screen.status == PointStatus::outOfRange)
     throw InputError(model && local.w == 0 ? "--model takes the direction to 0"
                                            : "--model takes the point out of the range of numbers");
   Explanation e(writing);

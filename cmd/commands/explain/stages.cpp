@@ -37,9 +37,7 @@ DDVec3 relativeTo(const Vec3& origin, const Vec4& p) noexcept {
   if (p.w == 0) return toDoubleDouble(xyz);
   DDVec3 result;
   for (std::size_t i = 0; i < 3; ++i) {
-    Expansion<3> sum{xyz[i]};
-    if (origin[i] != 0) sum.addProduct(-origin[i], p.w);
-    result[i] = sum.rounded() / DoubleDouble(p.w);
+    result[i] = (DoubleDouble(xyz[i]) + twoProd(-origin[i], p.w)) / DoubleDouble(p.w);
   }
   return result;
 }
@@ -49,27 +47,25 @@ DDVec3 relativeTo(const Vec3& origin, const Vec4& p) noexcept {
 PointStages pointStages(const Camera& camera, const Vec4& point, const Convention& convention) noexcept {
   PointStages s;
   s.screen = worldToScreen(camera, point);
-  if (s.screen.status == PointStatus::notFinite) {
+  if (s.screen.status == PointStatus::outOfRange) {
     s.world = s.relative = s.view = s.ndc = {kNaN, kNaN, kNaN};
     s.clip = {kNaN, kNaN, kNaN, kNaN};
     s.margins = {kNaN, kNaN, kNaN, kNaN, kNaN, kNaN};
     return s;
   }
   const PoseParts& pose = parts(camera).pose;
-  const Vec4 p = withUnitWeight(point);
-  s.world = rounded(relativeTo({}, p));
-  DDVec3 relative = relativeTo(pose.eye, p);
-  if (p.w != 0)
+  s.world = rounded(relativeTo({}, point));
+  DDVec3 relative = relativeTo(pose.eye, point);
+  if (point.w != 0)
     relative = relative + (pose.columns.right * pose.residual.x + pose.columns.up * pose.residual.y +
                            pose.columns.forward * pose.residual.z);
   s.relative = rounded(relative);
-  withAxes(parts(camera), point, toEyeExactly, [&](const auto& a) {
-    const auto c = toClip(parts(camera), a, convention);
-    s.view = toView(a, convention);
-    s.clip = toVector(c);
-    s.margins = marginsOf(c, parts(camera).projection, convention);
-    s.ndc = toNdc(c);
-  });
+  const AxisPoint<Wide> a = toAxesExactly(pose, point);
+  const auto c = toClip(parts(camera), a, convention);
+  s.view = toView(a, convention);
+  s.clip = toVector(c);
+  s.margins = marginsOf(c, parts(camera).projection, convention);
+  s.ndc = toNdc(c);
   return s;
 }
 

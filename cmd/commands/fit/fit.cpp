@@ -212,7 +212,7 @@ int run(const Options& o) {
   if (orthographic && o.by) throw UsageError("--by is for a perspective; an orthographic window is scaled and centred");
   const Means by = o.by.value_or(orthographic ? Means::lens : Means::place);
   // With all of space in front of near: it is the things that say what is behind.
-  const Projection open = orthographic ? *file.projection : withRange(*file.projection, 0x1p-1000, kInfiniteFar);
+  const Projection open = orthographic ? *file.projection : withRange(*file.projection, kSmallestNumber, kInfiniteFar);
   const Frustum frustum = viewFrustum(makeCamera(*file.pose, open, *file.viewport, file.convention));
   const Wanted wanted = wantedBy(o, *file.viewport);
   Fitting fitting{Hull(camera, wanted.room), Extent(frustum)};
