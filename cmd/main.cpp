@@ -1,5 +1,6 @@
 // Finds the command, runs it, and turns what went wrong into one message and an exit status:
 // 0 all went well, 1 an input was wrong or an output could not be written, 2 the command line was wrong.
+#include <algorithm>
 #include <new>
 #include <string>
 #include <string_view>
@@ -27,24 +28,20 @@ const Command& find(std::string_view name) {
   throw UsageError("'" + std::string(name) + "' is no command" + suggestion(name, known));
 }
 
-int run(int argc, char** argv) {
-  const std::string_view name = argc > 1 ? argv[1] : "";
-  const int most = name == "--help" || name == "-h" || name == "--version" ? 2 : argc;
-  if (argc > most)
-    throw UsageError("'" + std::string(argv[most]) + "' was not expected after " + std::string(argv[most - 1]));
-  if (name == "--help" || name == "-h") {
-    writeOutput(helpText());
-    return 0;
-  }
-  if (name == "--version") {
-    writeOutput("viewproj " VIEWPROJ_VERSION "\n");
-    return 0;
-  }
-  if (name.empty()) {
+int run(std::vector<std::string> arguments) {
+  if (arguments.empty()) {
     complain("a command is needed\n\n" + helpText());
     return 2;
   }
-  return runCommand(find(name), argc - 1, argv + 1);
+  std::string name = arguments.front();
+  arguments.erase(arguments.begin());
+  if (name == "--version") {
+    if (!arguments.empty()) throw UsageError("'" + arguments.front() + "' was not expected after --version");
+    writeOutput("viewproj " VIEWPROJ_VERSION "\n");
+    return 0;
+  }
+  if (name == "--help" || name == "-h") name = "help";
+  return runCommand(find(name), arguments);
 }
 
 }  // namespace
@@ -58,7 +55,7 @@ int main(int argc, char** argv) {
   }
   std::set_new_handler(endWithoutMemory);
   try {
-    return run(argc, argv);
+    return run({argv + std::min(argc, 1), argv + argc});
   } catch (...) {
     return reportException();
   }

@@ -234,6 +234,8 @@ CameraFile readChecked(const Document& document, const ReadOptions& reading) {
   CameraFile file;
   file.name = document.name;
   file.isTyped = document.isTyped;
+  file.document = document;
+  file.reading = reading;
   const DocumentConvention stated = readConvention(document);
   file.convention = stated.convention;
   file.statesConvention = stated.isStated;
@@ -247,6 +249,10 @@ CameraFile readChecked(const Document& document, const ReadOptions& reading) {
         "the convention's world is left-handed, but Earth-centred coordinates are right-handed; --convention says "
         "how to write");
   file.pose = readPose(document);
+  if (const auto target = Node(document).find("target"); target && file.pose) {
+    const Vec3 eye = file.pose->eye(), at = positionOf(*target);
+    file.targetDistance = std::hypot(at.x - eye.x, at.y - eye.y, at.z - eye.z);
+  }
   readLens(root, reading, file);
 
   const auto projection = root.find("projection");

@@ -10,6 +10,12 @@
 
 namespace viewproj::cmd {
 
+struct ReadOptions {
+  bool allowStretch = false;
+  bool ignoreDistortion = false;
+  bool needsPicture = true;  ///< false: intrinsics without a picture's size give near and far alone
+};
+
 /// What a document says of a camera. It may lack a part that the command does not need.
 struct CameraFile {
   std::string name;
@@ -21,13 +27,10 @@ struct CameraFile {
   bool worldIsEcef = false;                 ///< Earth-centred metres: points may be given by lat, lon, height
   bool isTyped = false;                     ///< of options alone, and no file's
   bool statesConvention = false;
-  std::vector<std::string> notes;  ///< what is read as it stands, but probably not meant
-};
-
-struct ReadOptions {
-  bool allowStretch = false;
-  bool ignoreDistortion = false;
-  bool needsPicture = true;  ///< false: intrinsics without a picture's size give near and far alone
+  std::optional<double> targetDistance;  ///< of a camera that looks at a target
+  std::vector<std::string> notes;        ///< what is read as it stands, but probably not meant
+  Document document = {};                ///< normalized; not to be changed
+  ReadOptions reading = {};              ///< that it was read with
 };
 
 /// Normalizes the document, which its copies share, checks it, and reads it. Throws InputError (of options UsageError)

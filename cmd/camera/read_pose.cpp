@@ -71,10 +71,9 @@ Pose matrixPose(const Node& value, bool isInverse, const std::optional<Vec3>& ey
     const Pose pose = poseFromCameraFromWorld(m, axes, world);
     return eye ? movedTo(pose, *eye) : pose;
   };
-  if (!value.json().is_object() || value.json().contains("data")) return poseOf(value.mat4());
+  if (const auto matrix = rigidMatrix(value)) return poseOf(*matrix);
   const Vec3 translation = value.require("translation").vec3();
   const auto rotation = value.find("rotation");
-  if (rotation && rotation->holdsNumbers(9)) return poseOf(affine(rotation->numbers(9), translation));
   Columns columns = columnsOf(rotation ? scaledQuaternion(*rotation) : quaternionOf(value.require("rotationVector")));
   DDVec3 origin = toDoubleDouble(translation);
   if (isInverse) {  // p_camera = R p_world + t: the rows of R are the camera's axes, and the eye is -R^T t
@@ -95,6 +94,13 @@ Pose eulerPose(const Node& value, const Vec3& position, CameraAxes axes, Handedn
 }
 
 }  // namespace
+
+std::optional<Mat4> rigidMatrix(const Node& value) {
+  if (!value.json().is_object() || value.json().contains("data")) return value.mat4();
+  const auto rotation = value.find("rotation");
+  if (!rotation || !rotation->holdsNumbers(9)) return std::nullopt;
+  return affine(rotation->numbers(9), value.require("translation").vec3());
+}
 
 std::array<DDVec3, 3> rotationColumns(const Node& quaternion) { return columnsOf(scaledQuaternion(quaternion)); }
 

@@ -30,6 +30,9 @@ Vec3 positionOf(const Node& value);
 /// Of the rotation that x, y, z, w of any length are. Throws where they are all 0.
 std::array<detail::DDVec3, 3> rotationColumns(const Node& quaternion);
 
+/// Of worldFromCamera or cameraFromWorld; nothing where its rotation is a quaternion or a rotation vector.
+std::optional<Mat4> rigidMatrix(const Node& value);
+
 /// Nothing where the document says nothing of how the camera is turned. The document is normalized. Throws InputError,
 /// and CameraError naming a field.
 std::optional<Pose> readPose(const Document& document);

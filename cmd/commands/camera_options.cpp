@@ -1,5 +1,6 @@
 #include "commands/camera_options.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -7,7 +8,7 @@
 #include "camera/check.hpp"
 #include "camera/fields.hpp"
 #include "camera/read_pose.hpp"
-#include "output/camera_text.hpp"
+#include "camera/write_camera.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
@@ -43,6 +44,49 @@ Names<Convention> presetConventions() {
   Names<Convention> names;
   for (const ConventionPreset& preset : conventionPresets()) names.emplace_back(preset.name, preset.convention);
   return names;
+}
+
+void CameraOptions::add(CLI::App& app) {
+  app.option_defaults()->group(kCameraGroup);
+  addValue(app, "-c,--camera", "FILE[#NAME]", camera_, readFileName,
+           "Camera file, or the JSON itself; #NAME picks one of several cameras. help formats lists the files");
+  addValue(app, "--viewport", "WxH", viewport_, readSize, "Size of the picture in pixels, as in 1920x1080");
+  addRepeatable(
+      app, "--set", "FIELD=VALUE",
+      [this](const std::string&, const std::string& text) { patches_.push_back(setPatch(text)); },
+      "Set a field of the camera file, as in projection.fovY=75; the last one counts");
+  addChoice(app, "--read-as", "NAME", readAs_, namesAlone(presetNames()), "Read the camera in this convention",
+            "the file's, or opengl");
+  for (const Field& field : kFields)
+    if (!field.option.empty())
+      addOption(
+          app, std::string(field.option), std::string(wordsOfKind(field.kind).placeholder),
+          [this, &field](const std::string&, const std::string& text) { patches_.push_back(optionPatch(field, text)); },
+          std::string(field.help));
+  app.add_flag_callback(
+      "--orthographic", [this] { patches_.push_back(orthographicPatch()); },
+      "The projection is orthographic, where its other options do not tell");
+  app.add_flag("--allow-stretch", allowStretch_, "Allow a camera of another aspect ratio than the viewport's");
+  app.add_flag("--ignore-distortion", ignoreDistortion_, "Leave out the distortion of the lens");
+  app.option_defaults()->group("Options");
+}
+
+void CameraOptions::addWriting(CLI::App& app) {
+  app.option_defaults()->group(kConventionGroup);
+  addChoice(app, "--convention", "NAME", convention_, presets(),
+            "Write in this convention; without a camera file also read the options in it", "the one that was read");
+  CLI::Option* const reversed = app.add_flag_callback(
+      "--reverse-z", [this] { reverseZ_ = true; }, "Write depth with near and far exchanged");
+  app.add_flag_callback(
+         "--no-reverse-z", [this] { reverseZ_ = false; }, "Write depth that grows with the distance")
+      ->excludes(reversed);
+  addChoice(app, "--ndc-z", "RANGE", ndcZ_, rowsOf(kNdcZNames), "Write this range of NDC z", "the convention's");
+  app.option_defaults()->group("Options");
+}
+
+void CameraOptions::addFile(CLI::App& app) {
+  takesFile_ = true;
+  addValue(app, "FILE", "", file_, readFileName, "Camera file, where -c was not given; absent or - for standard input");
 }
 
 void CameraOptions::add(CommandLine& line) {
@@ -168,11 +212,10 @@ ReadOptions CameraOptions::reading(bool needsPicture) const {
 CameraFile CameraOptions::read(bool needsPicture) const {
   const CameraSource picked = isTyped() ? CameraSource{} : source();
   const auto cameras = open(picked);
-  Document document = cameras->document(cameras->choose(picked.pick));
+  const Document document = cameras->document(cameras->choose(picked.pick));
   CameraFile file = readCamera(document, reading(needsPicture));
   statesConvention_ = readAs_ || isTyped() || file.statesConvention || file.worldIsEcef;
   for (const std::string& note : file.notes) notes_.say(note);
-  if (isTyped()) given_ = std::move(document);
   return file;
 }
 
@@ -201,9 +244,19 @@ int CameraOptions::writeEach(
   return status;
 }
 
-std::optional<std::string> CameraOptions::asTyped(const CameraFile& file) const {
-  if (!given_) return std::nullopt;
-  return writeDocument(*given_, convention_ ? *convention_ : *readConvention(*given_).preset, writing(file));
+std::string CameraOptions::written(const CameraFile& file) const {
+  return writeCamera(file, convention_ ? *convention_ : *readConvention(file.document).preset, writing(file));
+}
+
+std::pair<std::unique_ptr<CameraDocuments>, std::optional<std::string>> CameraOptions::readAll() const {
+  const CameraSource picked = isTyped() ? CameraSource{} : source();
+  return {open(picked), picked.pick};
+}
+
+CameraFile CameraOptions::readOne(const CameraDocuments& cameras, std::size_t which) const {
+  CameraFile file = readCamera(cameras.document(which), reading(true));
+  for (const std::string& note : file.notes) notes_.say(note);
+  return file;
 }
 
 bool CameraOptions::fromStandardInput() const {

@@ -9,6 +9,7 @@
 
 #include "camera/read_camera.hpp"
 #include "camera/source.hpp"
+#include "commands/cli.hpp"
 #include "commands/notes.hpp"
 #include "commands/values.hpp"
 
@@ -20,6 +21,12 @@ Names<Convention> presetConventions();
 /// The camera, how it is read, and the convention it is written in.
 class CameraOptions {
  public:
+  void add(CLI::App& app);
+  /// --convention and what changes it.
+  void addWriting(CLI::App& app);
+  /// FILE, for a command that reads nothing but the camera.
+  void addFile(CLI::App& app);
+
   void add(CommandLine& line);
   void addWriting(CommandLine& line);
   /// FILE, for a command that reads nothing but the camera.
@@ -38,11 +45,13 @@ class CameraOptions {
   /// no such text, has a message instead. Returns the exit status.
   int writeEach(bool needsPicture,
                 const std::function<std::string(const std::string& pick, const CameraFile& camera)>& textOf) const;
+  /// All cameras of the file, or the one of options; and what #NAME picks among them.
+  std::pair<std::unique_ptr<CameraDocuments>, std::optional<std::string>> readAll() const;
+  CameraFile readOne(const CameraDocuments& cameras, std::size_t which) const;
   bool fromStandardInput() const;
   bool isGiven() const { return camera_ || file_ || isTyped(); }
-  /// The fields that options gave in place of a file, as a camera file: where they say all of the camera that is
-  /// written.
-  std::optional<std::string> asTyped(const CameraFile& file) const;
+  /// The camera's document, in the convention that is written.
+  std::string written(const CameraFile& file) const;
   bool allowsStretch() const { return allowStretch_; }
   const Notes& notes() const { return notes_; }
 
@@ -78,8 +87,7 @@ class CameraOptions {
   std::vector<Patch> patches_;  ///< of options and of --set, in their order
   bool takesFile_ = false, anyOpening_ = false, allowStretch_ = false, ignoreDistortion_ = false, list_ = false;
   Notes notes_;
-  mutable bool statesConvention_ = true;   ///< of the camera that was read
-  mutable std::optional<Document> given_;  ///< of a camera that options give
+  mutable bool statesConvention_ = true;  ///< of the camera that was read
 };
 
 }  // namespace viewproj::cmd

@@ -5,6 +5,10 @@
 #include <span>
 #include <string_view>
 
+namespace CLI {
+class App;
+}
+
 namespace viewproj::cmd {
 
 class CommandLine;
@@ -15,23 +19,26 @@ using Action = std::function<int()>;
 struct Command {
   std::string_view name;
   std::string_view summary;
-  /// Gives the line its description, its options and its example. The action works on what the line has parsed.
-  Action (*define)(CommandLine& line);
+  /// Gives the App its description, its options and its examples. The action works on what the App has parsed.
+  Action (*declare)(CLI::App& app) = nullptr;
+  /// In its place.
+  Action (*define)(CommandLine& line) = nullptr;
 };
 
 std::span<const Command> allCommands();
 
 Action defineProject(CommandLine& line);
 Action defineRay(CommandLine& line);
-Action defineMatrix(CommandLine& line);
+Action declareMatrix(CLI::App& app);
 Action defineCull(CommandLine& line);
-Action defineInspect(CommandLine& line);
-Action defineExplain(CommandLine& line);
-Action defineDepth(CommandLine& line);
-Action defineMeasure(CommandLine& line);
-Action defineDraw(CommandLine& line);
-Action defineFit(CommandLine& line);
-Action defineSchema(CommandLine& line);
-Action defineHelp(CommandLine& line);
+Action declareInfo(CLI::App& app);
+Action declareInspect(CLI::App& app);
+Action declareExplain(CLI::App& app);
+Action declareDepth(CLI::App& app);
+Action declareMeasure(CLI::App& app);
+Action declareDraw(CLI::App& app);
+Action declareFit(CLI::App& app);
+Action declareSchema(CLI::App& app);
+Action declareHelp(CLI::App& app);
 
 }  // namespace viewproj::cmd

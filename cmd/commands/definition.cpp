@@ -22,7 +22,7 @@ Action define(const Command& command, CommandLine& line) {
 
 CommandLine wholeCommand(const Command& command) {
   CommandLine line(fullName(command));
-  (void)define(command, line);
+  if (command.define) (void)define(command, line);
   return line;
 }
 

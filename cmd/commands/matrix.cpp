@@ -1,15 +1,14 @@
 // viewproj matrix: a camera's matrices, and the camera itself in another form.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 
+#include "camera/change_camera.hpp"
 #include "commands/camera_options.hpp"
+#include "commands/cli.hpp"
 #include "commands/command.hpp"
 #include "commands/options.hpp"
-#include "commands/output_option.hpp"
-#include "input/adjusted.hpp"
 #include "output/camera_matrices.hpp"
-#include "output/camera_summary.hpp"
-#include "output/camera_text.hpp"
 #include "output/matrix_text.hpp"
 #include "output/output_file.hpp"
 #include "records/model.hpp"
@@ -19,8 +18,7 @@
 namespace viewproj::cmd {
 namespace {
 
-constexpr std::string_view kCamera = "camera", kSummary = "summary";
-constexpr std::size_t kSummaryDigits = 9;
+constexpr std::string_view kCamera = "camera";
 
 struct Wanted {
   bool inverse = false, bakeViewport = false, relativeToEye = false;
@@ -66,12 +64,12 @@ Names<const CameraMatrix*> matrixNames() {
 }
 
 /// "x,y,-z".
-WorldMap readMap(const std::string& option, const std::string& text) {
+AxisMap readMap(const std::string& option, const std::string& text) {
   const std::vector<std::string> parts = splitNames(option, text);
   const UsageError wrong(option + " " + text +
                          ": expected the new x, y, z in terms of the old, as in x,y,-z or -z,x,y");
   if (parts.size() != 3) throw wrong;
-  WorldMap map;
+  AxisMap map;
   for (std::size_t i = 0; i < 3; ++i) {
     const bool against = parts[i].starts_with('-');
     const std::string axis = parts[i].substr(against || parts[i].starts_with('+') ? 1 : 0);
@@ -84,26 +82,14 @@ WorldMap readMap(const std::string& option, const std::string& text) {
   return map;
 }
 
-/// --to camera.
-int runCamera(CameraFile file, const std::optional<std::string>& type, const CameraOptions& camera, bool asGiven) {
-  if (const auto typed = type || camera.allowsStretch() || !asGiven ? std::nullopt : camera.asTyped(file)) {
-    writeOutput(*typed);
-    return 0;
-  }
-  file.convention = camera.writing(file);
-  writeOutput(writeCamera(file, type.value_or(""), camera.allowsStretch()).text);
-  return 0;
-}
-
 struct Options {
   CameraOptions camera;
   Wanted wanted;
   std::optional<Matrices> which;
-  std::optional<std::string> type, model;
-  std::optional<WorldMap> map;
+  std::optional<std::string> model;
+  std::optional<AxisMap> map;
   std::optional<double> scale;
   std::string_view format = "json";
-  std::optional<std::size_t> digits;
   bool asFloat = false, all = false;
 };
 
@@ -139,23 +125,15 @@ void requireUse(const Options& o, const CameraFile& file) {
 }
 
 /// In the world of --map and --scale.
-CameraFile mapped(CameraFile file, const Options& o) {
+CameraFile inMappedWorld(const CameraFile& file, const Options& o) {
   if (!o.map && !o.scale) return file;
-  const WorldMap map = o.map.value_or(WorldMap{});
-  const double scale = o.scale.value_or(1);
-  if (map.mirrors())
-    file.convention.world = file.convention.world == Handedness::right ? Handedness::left : Handedness::right;
-  if (file.pose) file.pose = mappedTo(*file.pose, map, scale, file.convention.world);
-  if (file.projection) file.projection = scaledBy(*file.projection, scale);
-  file.worldIsEcef = false;
-  return file;
+  return readCamera(mapped(file, o.map.value_or(AxisMap{}), o.scale.value_or(1)), file.reading);
 }
 
 MatrixSet matricesOf(const CameraFile& read, const std::optional<Mat4>& model, const Options& o) {
   requireUse(o, read);
   MatrixSet set;
   set.asFloat = o.asFloat;
-  set.digits = static_cast<int>(o.digits.value_or(0));
   set.convention = o.camera.writing(read);
   const MatrixSource source{.file = read,
                             .convention = set.convention,
@@ -180,23 +158,13 @@ MatrixSet matricesOf(const CameraFile& read, const std::optional<Mat4>& model, c
   return set;
 }
 
-int run(const Options& o, const CommandLine& line) {
-  if (o.camera.lists()) return o.camera.list();
-  const bool toCamera = o.format == kCamera, toSummary = o.format == kSummary;
+int run(const Options& o, const CLI::App& app) {
+  const bool toCamera = o.format == kCamera;
   if (o.model && (o.map || o.scale))
     throw UsageError("--map and --scale are of the world, and with --model matrices begin in the model's");
-  if (o.type && !toCamera) throw UsageError("--type goes with --to camera");
-  for (const std::string_view option : std::initializer_list<std::string_view>{
-           "--which", "--inverse", "--bake-viewport", "--relative-to-eye", "--float", kDigitsOption, "--model"})
-    if ((toCamera || (toSummary && option != kDigitsOption)) && line.has(option))
+  for (const char* option : {"--which", "--inverse", "--bake-viewport", "--relative-to-eye", "--float", "--model"})
+    if (toCamera && app.count(option) > 0)
       throw UsageError(std::string(option) + " goes with matrices, not with --to " + std::string(o.format));
-  if (const auto output = line.valueOf(kOutputOption); output && !line.has(kFormOption)) {
-    const bool isLines = isEnding(endingOf(*output), ".ndjson .jsonl");
-    if (o.all && isEnding(endingOf(*output), ".json"))
-      throw UsageError("--all writes JSON, a line a camera, which is no .json; call the file .ndjson");
-    if (!o.all && isLines)
-      throw UsageError("-o: one camera's matrices are one JSON document, a .json; --all writes lines");
-  }
   if (o.all && o.format != "json")
     throw UsageError("--all writes JSON, a line a camera; leave out --to " + std::string(o.format));
   requireUse(o);
@@ -206,17 +174,14 @@ int run(const Options& o, const CommandLine& line) {
       !o.which || any(*o.which, &CameraMatrix::projection) || any(*o.which, &CameraMatrix::viewport);
   if (o.all)
     return o.camera.writeEach(needsPicture, [&](const std::string& pick, const CameraFile& camera) {
-      MatrixSet set = matricesOf(mapped(camera, o), model, o);
+      MatrixSet set = matricesOf(inMappedWorld(camera, o), model, o);
       set.camera = pick;
       return writeMatrices(set, o.format, camera.name);
     });
-  const CameraFile read = mapped(o.camera.read(needsPicture), o);
-  if (toCamera || toSummary) o.camera.noteHandedness(read);
-  if (toCamera) return runCamera(read, o.type, o.camera, !o.map && !o.scale);
-  if (toSummary) {
-    CameraFile shown = read;
-    shown.convention = o.camera.writing(read);
-    writeOutput(summaryOf(shown, o.camera.writtenAxes(read), static_cast<int>(o.digits.value_or(kSummaryDigits))));
+  const CameraFile read = inMappedWorld(o.camera.read(needsPicture), o);
+  if (toCamera) {
+    o.camera.noteHandedness(read);
+    writeOutput(o.camera.written(read));
     return 0;
   }
   writeOutput(writeMatrices(matricesOf(read, model, o), o.format, read.name));
@@ -225,36 +190,35 @@ int run(const Options& o, const CommandLine& line) {
 
 }  // namespace
 
-Action defineMatrix(CommandLine& line) {
+Action declareMatrix(CLI::App& app) {
   const auto o = std::make_shared<Options>();
-  line.setDescription(
-      "A camera's matrices, in any convention, as JSON, text or source code; or the camera itself in another form.");
-  line.setExample("viewproj matrix samples/picking-a-pixel/camera.json --convention d3d --which projection --to text");
-  o->camera.add(line);
-  o->camera.addWriting(line);
-  o->camera.addFile(line);
-  addChoices(line, "--which", o->which, matrixNames(), "Matrices to write", "all that the camera determines");
-  line.addFlag("--all", o->all, "Of every camera of the file, a line of JSON each");
-  line.addFlag("--inverse", o->wanted.inverse, "Give each one's inverse too");
-  line.addFlag("--bake-viewport", o->wanted.bakeViewport, "Fold the viewport into the projection");
-  line.addFlag("--relative-to-eye", o->wanted.relativeToEye, "Leave the translation out of the view and give the eye");
-  addModelOption(line, o->model, "points", "modelView and modelViewProjection are written too");
-  addDigits(line, o->digits, "all that tell the number from others");
-  line.addFlag("--float", o->asFloat, "Round to float32 (default: doubles)");
+  app.description(
+      "A camera's matrices in any convention, as JSON, text or source code; or the camera itself as a camera file.");
+  app.footer(
+      "Examples:\n"
+      "  viewproj matrix --fov-y 60 --aspect 16/9 --near 0.1 --convention d3d --to hlsl\n"
+      "  viewproj matrix --position 3,2,5 --target 0,0,0 --which view --to text\n"
+      "  viewproj matrix --fx 800 --fy 800 --cx 320 --cy 240 --viewport 640x480 --to camera");
+  addChoices(app, "--which", o->which, matrixNames(), "Matrices to write", "all that the camera determines");
+  app.add_flag("--inverse", o->wanted.inverse, "Write each one's inverse too");
+  app.add_flag("--bake-viewport", o->wanted.bakeViewport, "Fold the viewport into the projection");
+  app.add_flag("--relative-to-eye", o->wanted.relativeToEye,
+               "Leave the translation out of the view, and write the eye beside it");
+  addModel(app, o->model, "Place of a model in the world, for modelView and modelViewProjection");
+  app.add_flag("--float", o->asFloat, "Round to float32 (default: doubles)");
   auto forms = matrixForms();
   forms.push_back({kCamera, kCamera});
-  forms.push_back({kSummary, kSummary});
-  addForm(line, o->format, std::span<const FormRow<std::string_view>>(forms),
-          "Form of the output; camera is the camera file itself, summary a page about it");
-  addValue(line, "--map", "X,Y,Z", o->map, readMap,
-           "Into another world: its x, y, z in terms of this one's, as in x,y,-z; a map that mirrors changes the "
-           "world's handedness");
-  addValue(line, "--scale", "N", o->scale,
+  addForm(app, o->format, std::span<const FormRow<std::string_view>>(forms), "Output format; camera is a camera file");
+  app.add_flag("--all", o->all, "Write one JSON object per camera of the file");
+  addValue(app, "--map", "X,Y,Z", o->map, readMap,
+           "Write the camera for a world with these axes in terms of this one's, as in x,y,-z");
+  addValue(app, "--scale", "N", o->scale,
            numberThat([](double scale) { return scale > 0 && std::isfinite(scale); }, "a number above 0"),
-           "Into a world whose unit is so many times smaller: lengths are multiplied by this");
-  addChoice(line, "--type", "TYPE", o->type, namesAlone(cameraTypes()), "With --to camera the projection's form",
-            "perspective or orthographic, or intrinsics where the camera's shape is not the viewport's");
-  return [o, &line] { return run(*o, line); };
+           "Write the camera for a world whose lengths are so many times longer");
+  o->camera.addFile(app);
+  o->camera.add(app);
+  o->camera.addWriting(app);
+  return [o, &app] { return run(*o, app); };
 }
 
 }  // namespace viewproj::cmd

@@ -1,17 +1,28 @@
 #include "commands/notes.hpp"
 
+#include <set>
+
 #include "commands/command_line.hpp"
 #include "output/output_file.hpp"
 
 namespace viewproj::cmd {
+namespace {
+
+bool isSilent = false;
+
+}  // namespace
+
+void note(const std::string& text) {
+  static std::set<std::string> written;
+  if (!isSilent && written.insert(text).second) complain("note: " + text);
+}
+
+void silenceNotes() { isSilent = true; }
 
 void Notes::add(CommandLine& line) {
   const Heading heading(line, kEverywhere);
-  line.addFlag("--quiet", quiet_, "Leave out the notes on standard error about what was probably not meant");
-}
-
-void Notes::say(const std::string& note) const {
-  if (!quiet_ && said_.insert(note).second) complain("note: " + note);
+  line.addFlag(
+      "--quiet", [](std::int64_t) { silenceNotes(); }, "Do not write notes on standard error");
 }
 
 }  // namespace viewproj::cmd

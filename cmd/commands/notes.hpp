@@ -1,24 +1,22 @@
-// What is obeyed but probably not meant, a line each on standard error; the status stays 0.
+// Notes: what is obeyed but probably not meant, a line each on standard error; the exit status stays 0.
 #pragma once
 
-#include <set>
 #include <string>
 
 namespace viewproj::cmd {
 
 class CommandLine;
 
+/// Writes `viewproj: note: ...`, each note once.
+void note(const std::string& text);
+
+/// --quiet: from here on no note is written.
+void silenceNotes();
+
 class Notes {
  public:
-  /// --quiet.
   void add(CommandLine& line);
-
-  /// `viewproj: note: ...`, once a run each.
-  void say(const std::string& note) const;
-
- private:
-  bool quiet_ = false;
-  mutable std::set<std::string> said_;
+  void say(const std::string& text) const { note(text); }
 };
 
 }  // namespace viewproj::cmd

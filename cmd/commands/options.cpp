@@ -1,8 +1,10 @@
 #include "commands/options.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "commands/output_option.hpp"
+#include "output/output_file.hpp"
 #include "records/points.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
@@ -10,6 +12,27 @@
 #include "viewproj/geodesy.hpp"
 
 namespace viewproj::cmd {
+
+void addModel(CLI::App& app, std::optional<std::string>& model, const std::string& help) {
+  addValue(app, "--model", "FILE", model, readFileName,
+           help + ": 4 rows of a matrix, or {translation, rotation, scale}; a file or the JSON itself");
+}
+
+CLI::Option* addScene(CLI::App& app, std::optional<std::string>& scene, const std::string& help) {
+  return addValue(app, "--scene", "FILE", scene, readFileName, "Scene file, or the JSON itself: " + help);
+}
+
+void addDigits(CLI::App& app, std::optional<std::size_t>& digits, const std::string& otherwise) {
+  addValue(app, "--digits", "N", digits, wholeNumber(1, kMostDigits),
+           "Significant digits, 1 to " + std::to_string(kMostDigits) + " (default: " + otherwise + ")");
+}
+
+void addPrecision(CLI::App& app, Precision& precision) {
+  Names<Precision> names;
+  for (const PrecisionRow& row : precisions()) names.emplace_back(row.name, row.precision);
+  addChoice(app, "--precision", "MODE", precision, names, "Arithmetic");
+}
+
 void addModelOption(CommandLine& line, std::optional<std::string>& model, const std::string& what,
                     const std::string& effect) {
   addValue(
@@ -91,10 +114,25 @@ void addDigits(CommandLine& line, std::optional<std::size_t>& digits, const std:
            "Significant digits of results, from 1 to " + std::to_string(kMostDigits) + " (default: " + otherwise + ")");
 }
 
-void addReportForm(CommandLine& line, ReportForm& form) {
-  static constexpr FormRow<ReportForm> kForms[] = {{"table", ReportForm::table, ".txt"},
-                                                   {"json", ReportForm::json, ".json"}};
-  addForm(line, form, std::span<const FormRow<ReportForm>>(kForms), "Form of the output");
+void ReportOptions::add(CLI::App& app, int tableDigits) {
+  static constexpr FormRow<ReportForm> kForms[] = {
+      {"table", ReportForm::table, ".txt"}, {"json", ReportForm::json, ".json"}, {"csv", ReportForm::csv, ".csv"}};
+  addForm(app, form_, std::span<const FormRow<ReportForm>>(kForms), "Output format");
+  addDigits(app, digits_, "all in JSON and CSV, " + std::to_string(tableDigits) + " in a table");
+  tableDigits_ = tableDigits;
+}
+
+int ReportOptions::digits() const {
+  return digits_ ? static_cast<int>(*digits_) : form_ == ReportForm::table ? tableDigits_ : 0;
+}
+
+void ReportOptions::write(const OrderedJson& report, const char* rows) const {
+  if (form_ == ReportForm::table)
+    writeOutput(tableText(report, digits()));
+  else if (form_ == ReportForm::json)
+    writeOutput(jsonText(report, digits()) + "\n");
+  else
+    writeOutput(csvText(*rows ? report.at(rows) : report, digits()));
 }
 
 std::span<const PrecisionRow> precisions() {

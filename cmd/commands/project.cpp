@@ -10,7 +10,7 @@
 #include "commands/command.hpp"
 #include "commands/options.hpp"
 #include "commands/stream_options.hpp"
-#include "output/side_names.hpp"
+#include "output/results.hpp"
 #include "projection/sides.hpp"
 #include "records/model.hpp"
 #include "records/points.hpp"
@@ -34,7 +34,6 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 struct Fields {
   std::vector<const PointResult*> named, numbers;
   std::vector<const PointResult*> ofShapes;  ///< where it is not these that are named
-  bool outsideAlways = false;
 
   bool names(const ResultRow& row) const {
     return std::any_of(named.begin(), named.end(), [&](const PointResult* one) { return one->row.name == row.name; });
@@ -54,8 +53,8 @@ std::vector<const PointResult*> resultsOfShapes() {
 Fields defaultFields() {
   Fields fields;
   for (const PointResult& result : pointResults()) {
-    if (result.row.given != Given::asked) fields.named.push_back(&result);
-    if (result.row.given == Given::everywhere) fields.numbers.push_back(&result);
+    if (result.row.byDefault != Default::never) fields.named.push_back(&result);
+    if (result.row.byDefault == Default::everywhere) fields.numbers.push_back(&result);
   }
   fields.ofShapes = resultsOfShapes();
   return fields;
@@ -64,7 +63,7 @@ Fields defaultFields() {
 Fields readFields(const std::string& option, const std::string& text) {
   Names<const PointResult*> known;
   for (const PointResult& result : pointResults()) known.emplace_back(result.row.name, &result);
-  Fields fields{.named = {}, .numbers = {}, .ofShapes = {}, .outsideAlways = true};
+  Fields fields;
   for (const std::string& name : splitNames(option, text))
     if (const std::string_view owner = otherCommandOf(name); !owner.empty())
       throw UsageError(option + ": " + name + " is a result of " + std::string(owner) + ", not of points");
@@ -90,8 +89,8 @@ std::string helpOnFields() {
   };
   for (const PointResult& result : pointResults()) {
     add(all, result.row);
-    if (result.row.given != Given::asked) add(named, result.row);
-    if (result.row.given == Given::everywhere) add(everywhere, result.row);
+    if (result.row.byDefault != Default::never) add(named, result.row);
+    if (result.row.byDefault == Default::everywhere) add(everywhere, result.row);
   }
   return "Results to give, in this order: " + all + " or all (default: " + named + "; in text and f64: " + everywhere +
          ")";
@@ -172,14 +171,18 @@ class ProjectWork final : public RecordWork {
   Layout find(const RecordParts& record) const override { return findPoint(record, how_.reading); }
 
   Results results(const Layout& layout, OutputForm form) const override {
-    Results rows;
+    const bool numbers = form == OutputForm::text || form == OutputForm::f64;
+    if (numbers && isSegment(layout))
+      throw RecordError(0, "has a segment, whose results have no place in text and f64; write JSON or CSV");
+    if (numbers && isShape(layout) && !how_.fields.names(results::screenBox))
+      throw RecordError(0, "has a shape, for whose screenBox there is no place; --fields screenBox,visible makes it");
     if (isSegment(layout)) {
-      rows.assign(std::begin(results::kSegment), std::end(results::kSegment));
+      Results rows(std::begin(results::kSegment), std::end(results::kSegment));
       if (layout.kind == kindSegment) rows.pop_back();
       return rows;
     }
-    const bool numbers = form == OutputForm::text || form == OutputForm::f64;
-    for (const PointResult* result : rowsOf(isShape(layout), hasColumns(form), numbers)) rows.push_back(&result->row);
+    Results rows;
+    for (const PointResult* result : rowsOf(isShape(layout), numbers)) rows.push_back(&result->row);
     return rows;
   }
 
@@ -197,11 +200,22 @@ class ProjectWork final : public RecordWork {
     } else if (isShape(layout)) {
       if (how_.worldFromLocal) throw RecordError(0, "has a shape; --model places points and segments alone");
       shapes_.push_back({points_.size(), toShape(layout, n)});
+      const auto isBeyond = [](const auto& one) {
+        if constexpr (std::is_same_v<decltype(one), const Vec3&>)
+          return false;
+        else
+          return !isValid(one);
+      };
+      if (std::visit(isBeyond, shapes_.back().shape)) {
+        shapes_.pop_back();
+        throw RecordError(0, "has a number beyond 1e91");
+      }
       if (const auto* const sphere = std::get_if<Sphere>(&shapes_.back().shape))
         point = {sphere->center.x, sphere->center.y, sphere->center.z, 1};
     } else {
       point = toPoint(layout, n);
       if (how_.worldFromLocal) point = toWorld(*how_.worldFromLocal, point);
+      if (!isInRange(how_.camera, point)) throw RecordError(0, "lies farther than 1e91 from the eye");
     }
     points_.push_back(point);
     positions_.push_back({point.x, point.y, point.z});
@@ -220,7 +234,7 @@ class ProjectWork final : public RecordWork {
     else if (nextShape_ < shapes_.size() && shapes_[nextShape_].index == i)
       writeShape(shapes_[nextShape_++], sink);
     else
-      writeFields(screen_[i], points_[i], sink, std::nullopt, rowsOf(false, false, sink.isText()));
+      writeFields(screen_[i], points_[i], sink, std::nullopt, rowsOf(false, sink.isText()));
   }
 
   void clear() override {
@@ -251,9 +265,9 @@ class ProjectWork final : public RecordWork {
   }
 
   void writeSegment(const SegmentRow& row, ResultSink& sink) const {
-    if (sink.isText() || sink.hasFixedColumns())
-      throw RecordError(0, "has a segment, whose results have no place in columns; write JSON");
-    const VisibleSegment segment = clipSegment(*how_.frustum, row.a, row.b);
+    VisibleSegment segment = clipSegment(*how_.frustum, row.a, row.b);
+    constexpr SegmentEnd kNoEnd{.t = kNaN, .screen = {kNaN, kNaN}, .depth = kNaN, .viewDistance = kNaN};
+    if (!segment.visible) segment.start = segment.end = kNoEnd;
     sink.flag(results::visible, segment.visible);
     const auto writeEnd = [&](const ResultRow& result, const SegmentEnd& end) {
       sink.group(result, segment.visible, [&](ResultSink& part) {
@@ -268,16 +282,14 @@ class ProjectWork final : public RecordWork {
     writeEnd(results::end, segment.end);
     if (!row.hasPixel) return;
     sink.group(results::under, segment.visible && row.pixel, [&](ResultSink& part) {
-      const double t = parameterUnder(*how_.frustum, segment, *row.pixel);
-      const Vec3 point = pointAlong(row.a, row.b, t);
+      const double t = row.pixel ? parameterUnder(*how_.frustum, segment, *row.pixel) : kNaN;
       part.number(results::underT, t);
-      part.vector(results::underPoint, point);
+      part.vector(results::underPoint, pointAlong(row.a, row.b, t));
     });
   }
 
-  /// Of a shape where columns are fixed, those of the points, by name.
-  const std::vector<const PointResult*>& rowsOf(bool isShape, bool fixed, bool numbers) const {
-    if (isShape && !fixed && !numbers && !how_.fields.ofShapes.empty()) return how_.fields.ofShapes;
+  const std::vector<const PointResult*>& rowsOf(bool isShape, bool numbers) const {
+    if (isShape && !numbers && !how_.fields.ofShapes.empty()) return how_.fields.ofShapes;
     return numbers ? how_.fields.numbers : how_.fields.named;
   }
 
@@ -288,9 +300,6 @@ class ProjectWork final : public RecordWork {
 
   void writeShape(const ShapeRow& row, ResultSink& sink) const {
     const CullShape& shape = row.shape;
-    if ((sink.hasFixedColumns() || sink.isText()) && !how_.fields.names(results::screenBox))
-      throw RecordError(0,
-                        "has a shape, for whose screenBox there is no column; --fields screenBox,visible makes them");
     const auto box = std::visit(
         [&](const auto& one) -> std::optional<ScreenBox> {
           if constexpr (std::is_same_v<decltype(one), const Vec3&>)
@@ -309,12 +318,12 @@ class ProjectWork final : public RecordWork {
     else
       screen.outside = box ? sidesBeyond(parts(how_.camera), *box) : static_cast<std::uint8_t>(sideNear);
     const Vec4 point = isSphere ? points_[row.index] : Vec4{kNaN, kNaN, kNaN, 1};
-    writeFields(screen, point, sink, box, rowsOf(true, sink.hasFixedColumns(), sink.isText()));
+    writeFields(screen, point, sink, box, rowsOf(true, sink.isText()));
   }
 
   void writeFields(const ScreenPoint& screen, const Vec4& point, ResultSink& sink, const std::optional<ScreenBox>& box,
                    const std::vector<const PointResult*>& rows) const {
-    const ProjectedPoint projected{how_.camera, how_.writing, point, screen, box, how_.fields.outsideAlways};
+    const ProjectedPoint projected{how_.camera, how_.writing, point, screen, box};
     for (const PointResult* result : rows) result->write(result->row, projected, sink);
   }
 

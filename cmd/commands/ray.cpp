@@ -7,6 +7,7 @@
 #include "commands/command.hpp"
 #include "commands/options.hpp"
 #include "commands/stream_options.hpp"
+#include "output/results.hpp"
 #include "records/points.hpp"
 #include "records/scene.hpp"
 #include "stream/filter.hpp"

@@ -1,5 +1,6 @@
 #include "commands/stream_options.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
 
@@ -27,9 +28,46 @@ char readDelimiter(const std::string& option, const std::string& text) {
   throw UsageError(option + " " + visible(text) + ": expected " + alternatives(names) + " or a character as ;");
 }
 
+std::string readPrefix(const std::string& option, const std::string& text) {
+  const bool isPlain = std::all_of(text.begin(), text.end(), [](unsigned char c) {
+    return c >= 0x80 || std::isalnum(c) || c == '_' || c == '-' || c == '.' || c == ':';
+  });
+  if (!isPlain) throw UsageError(option + " " + text + ": expected letters, digits or any of _ - . :");
+  return text;
+}
+
 constexpr std::size_t kMostJobs = 1024;
 
 }  // namespace
+
+void StreamOptions::addReading(CLI::App& app, const std::string& what) {
+  addValue(app, "FILE", "", file_, readFileName, "The " + what + "; absent or - for standard input");
+  app.option_defaults()->group(kStreamGroup);
+  addChoice(app, "--from", "FORM", from_, namesOf(inputForms()), "Format of FILE", "by its name and first bytes");
+  addValue(app, "--columns", "COLUMNS", columns_, readText,
+           "Columns of CSV, fields of JSON or numbers of a line that hold the coordinates: in order, as in E,N,U or "
+           "2,3,4, or by role, as in x=E,y=N,z=U (default: by their names)");
+  addValue(app, "--delimiter", "CHAR", delimiter_, readDelimiter,
+           "Separator of CSV, in and out: comma, semicolon, tab, bar, blank or a character (default: by the header)");
+}
+
+void StreamOptions::addInput(CLI::App& app, const std::string& what) {
+  addReading(app, what);
+  app.add_flag("--keep-going", keepGoing_, "Leave out each invalid record with a message and continue; status 1");
+  app.option_defaults()->group("Options");
+}
+
+void StreamOptions::add(CLI::App& app, const std::string& what) {
+  addReading(app, what);
+  writes_ = true;
+  addForm(app, to_, outputForms(), "Output format", "as the input");
+  addDigits(app, digits_, "all that tell the number from others; in tables 9");
+  addValue(app, "--prefix", "P", prefix_, readPrefix, "Put this in front of the results' names");
+  app.add_flag("--keep-going", keepGoing_, "Replace each invalid record by an error record and continue; status 1");
+  addValue(app, "--jobs", "N", jobs_, wholeNumber(1, kMostJobs), "Threads to work with (default: one a processor)");
+  app.add_flag("--no-header", noHeader_, "Write CSV without a header line");
+  app.option_defaults()->group("Options");
+}
 
 void StreamOptions::addInput(CommandLine& line, const std::string& what) {
   const Heading heading(line, kInput);
@@ -52,16 +90,7 @@ void StreamOptions::add(CommandLine& line, const std::string& what) {
   const Heading heading(line, kOutput);
   addForm(line, to_, outputForms(), "Form of the output", "as the input");
   addDigits(line, digits_, "all that tell the number from others; in tables 9");
-  addValue(
-      line, "--prefix", "P", prefix_,
-      [](const std::string& option, const std::string& text) {
-        const bool plain = std::all_of(text.begin(), text.end(), [](unsigned char c) {
-          return c >= 0x80 || std::isalnum(c) || c == '_' || c == '-' || c == '.' || c == ':';
-        });
-        if (!plain) throw UsageError(option + " " + text + ": expected letters, digits or any of _ - . :");
-        return text;
-      },
-      "Put this in front of the results' names");
+  addValue(line, "--prefix", "P", prefix_, readPrefix, "Put this in front of the results' names");
   line.addFlag("--keep-going", keepGoing_, "Put an error record in a bad record's place and go on");
   addValue(line, "--jobs", "N", jobs_, wholeNumber(1, kMostJobs), "Threads to work with (default: one a processor)");
   line.addFlag("--no-header", noHeader_, "CSV: write no header line");
@@ -77,7 +106,7 @@ FilterSetup StreamOptions::setup(const ChoosableColumns& choosable) const {
   setup.from = from_;
   setup.to = to_;
   setup.keepGoing = keepGoing_;
-  setup.jobs = static_cast<unsigned>(jobs_.value_or(0));
+  setup.jobs = std::min(static_cast<unsigned>(jobs_.value_or(kMostJobs)), countProcessors());  // more are slower
   setup.writer.digits = static_cast<int>(digits_.value_or(0));
   setup.delimiter = delimiter_;
   setup.writer.header = !noHeader_;
@@ -124,8 +153,7 @@ void StreamOptions::requireOneInput(const FilterSetup& setup, const CameraOption
 bool StreamOptions::readsBeside(const std::optional<std::string>& scene, const FilterSetup& setup,
                                 const CameraOptions& camera, const std::string& instead) const {
   const NamedInput ofScene{"the scene", isStandardInput(scene)}, ofCamera{"the camera", camera.fromStandardInput()};
-  const bool isFree = !ofCamera.isStandard && !ofScene.isStandard && !isTerminal(kStandardInput);
-  const bool reads = file_ || (instead.empty() && (!scene || isFree));
+  const bool reads = file_ || (instead.empty() && !scene);
   if (reads) {
     requireOneInput(setup, camera, ofScene);
   } else {

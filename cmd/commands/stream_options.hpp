@@ -19,6 +19,11 @@ inline constexpr std::string_view kInput = "Input", kOutput = "Output";
 class StreamOptions {
  public:
   /// For a filter, with results in the records. what: "points" or "pixels".
+  void add(CLI::App& app, const std::string& what);
+  /// For a command that only reads them: a bad one need not end it.
+  void addInput(CLI::App& app, const std::string& what);
+
+  /// For a filter, with results in the records. what: "points" or "pixels".
   void add(CommandLine& line, const std::string& what);
   /// For a command that only reads them.
   void addInput(CommandLine& line, const std::string& what);
@@ -30,8 +35,8 @@ class StreamOptions {
   /// other: what else the command reads.
   void requireOneInput(const FilterSetup& setup, const CameraOptions& camera, const NamedInput& other = {}) const;
 
-  /// Whether records are read where a scene may be enough: without FILE only where standard input is free, or nothing
-  /// else is given. instead: after "FILE, which", what stands in their place. Throws UsageError as requireOneInput
+  /// Whether records are read where a scene may be enough: those of FILE, or without a scene of standard input.
+  /// instead: after "FILE, which", what stands in their place. Throws UsageError as requireOneInput
   /// does, and for an option that tells how to read what is not read.
   bool readsBeside(const std::optional<std::string>& scene, const FilterSetup& setup, const CameraOptions& camera,
                    const std::string& instead = {}) const;
@@ -47,6 +52,8 @@ class StreamOptions {
   void addKeepGoing(CommandLine& line);
 
  private:
+  void addReading(CLI::App& app, const std::string& what);
+
   std::optional<std::string> file_, prefix_, columns_;
   std::optional<Form> from_;
   std::optional<OutputForm> to_;

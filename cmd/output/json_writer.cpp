@@ -12,21 +12,43 @@
 namespace viewproj::cmd {
 namespace {
 
+/// A finite number as JSON writes it.
+bool isJsonNumber(std::string_view text) {
+  const char* const end = text.data() + text.size();
+  return !text.empty() && beginsJsonNumber(text[0]) && passJson(text.data(), end, 0) == end;
+}
+
 /// A text line's number: as written if that is a JSON number, otherwise formatted anew ("+1", ".5"), or null ("NaN").
 std::string jsonNumber(std::string_view written) {
-  if (isJson(written)) return std::string(written);
+  if (isJsonNumber(written)) return std::string(written);
   const auto number = parseNumber(written);
   return number ? formatNumber(*number) : "null";
 }
 
+/// Throws RecordError where text is not UTF-8.
+void appendString(TextBuffer& out, std::string_view text) {
+  const auto isPlain = [](unsigned char c) { return c >= ' ' && c < 0x7f && c != '"' && c != '\\'; };
+  if (std::all_of(text.begin(), text.end(), isPlain)) {
+    out += '"';
+    out += text;
+    out += '"';
+    return;
+  }
+  try {
+    out += nlohmann::json(text).dump();
+  } catch (const nlohmann::json::type_error&) {
+    throw RecordError(0, "has text that is not UTF-8");
+  }
+}
+
 /// A CSV cell: numbers, true and false as JSON writes them, an empty cell as null, anything else ("007") as a string.
-std::string jsonCell(std::string_view cell) {
-  const std::string value = csvValue(cell);
-  if (value.find_first_not_of(" \t") == std::string::npos) return "null";
-  const char first = value[0];
-  const bool bare = first == '-' || (first >= '0' && first <= '9') || value == "true" || value == "false";
-  if (bare && !cell.starts_with('"') && isJson(value)) return value;
-  return jsonString(value);
+void appendCell(TextBuffer& out, std::string_view cell) {
+  if (isJsonNumber(cell) || cell == "true" || cell == "false")
+    out += cell;
+  else if (const std::string value = csvValue(cell); value.find_first_not_of(" \t") == std::string::npos)
+    out += "null";
+  else
+    appendString(out, value);
 }
 
 /// Valid JSON has line breaks only between its tokens.
@@ -35,71 +57,85 @@ void appendOnOneLine(TextBuffer& out, std::string_view json) {
     out += json;
     return;
   }
-  for (char c : json)
+  for (const char c : json)
     if (c != '\n' && c != '\r') out += c;
 }
 
-/// Each number under a name of its own.
-std::vector<NamedJson> namedNumbers(const Record& record, const std::vector<std::string>& names) {
+/// The values of a record without names, as JSON.
+std::vector<std::string> jsonValues(const Record& record) {
   std::vector<std::string> values;
-  const auto asJson = [&](std::string_view value) {
-    if (record.shape->form != Form::json)
-      return value == "NaN" || parseNumber(value) ? jsonNumber(value) : jsonCell(value);
-    TextBuffer line;
-    appendOnOneLine(line, value);
-    return std::string(line.view());
-  };
   if (record.shape->form == Form::f64)
     for (const double number : binaryNumbers(record.text)) values.push_back(formatNumber(number));
   else
-    for (const std::string_view value : valuesOf(record)) values.push_back(asJson(value));
-  std::vector<NamedJson> fields;
-  for (std::size_t i = 0; i < values.size(); ++i) fields.push_back({nameOfColumn(names, i), std::move(values[i])});
-  return fields;
+    for (const std::string_view value : valuesOf(record)) {
+      TextBuffer json;
+      if (record.shape->form == Form::json)
+        appendOnOneLine(json, value);
+      else if (value == "NaN" || parseNumber(value))
+        json += jsonNumber(value);
+      else
+        appendCell(json, value);
+      values.emplace_back(json.view());
+    }
+  return values;
 }
 
 class JsonWriter final : public RecordWriter {
  public:
   JsonWriter(const WriterSetup& setup, TextBuffer& out) : RecordWriter(out), setup_(setup) {}
 
+  void beginBlock(std::string_view closing) override {
+    RecordWriter::beginBlock(closing);
+    frame_ = {.closing = std::string(closing)};
+    goesOn_ = !closing.empty();
+  }
+
+  ArrayFrame endBlock() override {
+    if (goesOn_) leaveFirstArray();
+    return frame_;
+  }
+
   void beginArray(std::string_view asWritten) override {
     if (!setup_.keepArrays) return;
     out_ += asWritten;
-    inArray_ = true;
-    inThisArray_ = 0;
-    inDocument_ = asWritten.starts_with('{');
+    frame_.closing = asWritten.starts_with('{') ? "]}" : "]";
+    frame_.open = 0;
   }
 
   void endArray(std::string_view asWritten) override {
-    if (!inArray_) return;
-    if (inThisArray_ > 0) out_ += '\n';
-    if (asWritten.empty()) asWritten = inDocument_ ? "]}" : "]";
-    out_ += asWritten;
+    if (!setup_.keepArrays) return;
+    if (goesOn_)
+      leaveFirstArray();  // whether it is empty is not known here
+    else if (frame_.open > 0)
+      out_ += '\n';
+    out_ += asWritten.empty() ? std::string_view(frame_.closing) : asWritten;
     out_ += '\n';
-    inArray_ = false;
+    frame_.closing.clear();
+    frame_.open = 0;
+    goesOn_ = false;
   }
 
-  void beginRecord(const Record& record) override {
+  void beginRecord(const Record& record, const Results&) override {
     start_ = out_.size();
     nextLabel_ = 0;
     depth_ = 0;
     beginItem();
-    if (record.shape->form != Form::json || record.shape->isArray) {
-      char before = '{';
+    if (record.shape->form == Form::csv) {
+      writeRow(record);
+    } else if (record.shape->form != Form::json || record.shape->isArray) {
+      out_ += '{';
       for (const NamedJson& field : asJsonFields(record, setup_)) {
-        out_ += before;
-        out_ += jsonString(field.name);
+        if (out_.back() != '{') out_ += ',';
+        appendString(out_, field.name);
         out_ += ':';
         out_ += field.json;
-        before = ',';
       }
-      if (before == '{') out_ += '{';
-      return;
+    } else {
+      // As written, without the closing brace.
+      std::size_t end = record.text.size() - 1;
+      while (isJsonSpace(record.text[end - 1])) --end;
+      appendOnOneLine(out_, record.text.substr(0, end));
     }
-    // As written, without the closing brace.
-    std::size_t end = record.text.size() - 1;
-    while (isJsonSpace(record.text[end - 1])) --end;
-    appendOnOneLine(out_, record.text.substr(0, end));
   }
 
   void endRecord() override {
@@ -111,8 +147,8 @@ class JsonWriter final : public RecordWriter {
 
   void badRecord(std::string_view, std::size_t line, const std::string& message) override {
     beginItem();
-    out_ += "{\"line\":" + std::to_string(line) + ",\"" + setup_.prefix +
-            "error\":" + nlohmann::json(message).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    out_ += "{\"line\":" + std::to_string(line) + ",\"" + setup_.prefix + std::string(kErrorName) +
+            "\":" + nlohmann::json(message).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
     out_ += '}';
     finishItem();
   }
@@ -124,13 +160,13 @@ class JsonWriter final : public RecordWriter {
 
   void vector(const ResultRow& row, std::span<const double> values) override {
     beginField(row);
-    for (double value : values)
+    for (const double value : values)
       if (!std::isfinite(value)) {
         out_ += "null";
         return;
       }
     char before = '[';
-    for (double value : values) {
+    for (const double value : values) {
       out_ += before;
       appendNumber(out_, toDigits(value, setup_.digits));
       before = ',';
@@ -143,24 +179,24 @@ class JsonWriter final : public RecordWriter {
     out_ += value ? std::string_view("true") : std::string_view("false");
   }
 
-  void names(const ResultRow& row, std::span<const std::string_view> values, bool always) override {
-    if (values.empty() && !always) return;
+  void names(const ResultRow& row, std::span<const std::string_view> values) override {
     beginField(row);
-    char before = '[';
+    out_ += '[';
     for (const std::string_view value : values) {
-      out_ += before;
+      if (out_.back() != '[') out_ += ',';
       out_ += '"';
       out_ += value;
       out_ += '"';
-      before = ',';
     }
-    if (before == '[') out_ += '[';
     out_ += ']';
   }
 
   void word(const ResultRow& row, std::string_view value) override {
     beginField(row);
-    out_ += value.empty() ? std::string("null") : jsonString(value);
+    if (value.empty())
+      out_ += "null";
+    else
+      appendString(out_, value);
   }
 
   void json(const ResultRow& row, std::string_view value) override {
@@ -196,17 +232,43 @@ class JsonWriter final : public RecordWriter {
   }
 
  private:
+  void leaveFirstArray() {
+    frame_.size = out_.size();
+    frame_.records = frame_.open;
+    frame_.open = 0;
+  }
+
   void beginItem() {
-    if (inArray_)
-      out_ += inThisArray_ == 0 ? std::string_view("\n") : std::string_view(",\n");
-    else if (joined_ && records_ > 0)
+    if (frame_.closing.empty()) return;
+    // What stands before the first of an array that goes on, only the one who knows the block before can tell.
+    if (frame_.open > 0)
       out_ += ",\n";
+    else if (!goesOn_)
+      out_ += '\n';
   }
 
   void finishItem() {
     ++records_;
-    ++inThisArray_;
-    if (!inArray_ && !joined_) out_ += '\n';
+    if (frame_.closing.empty())
+      out_ += '\n';
+    else
+      ++frame_.open;
+  }
+
+  /// A line of CSV, whose columns are the same in all.
+  void writeRow(const Record& record) {
+    cells_.clear();
+    splitCsvLine(record.text, cells_, record.shape->csv);
+    for (std::size_t i = columnLabels_.size(); i < cells_.size(); ++i) {
+      TextBuffer label;
+      label += i > 0 ? ',' : '{';
+      appendString(label, record.shape->names[i]);
+      columnLabels_.emplace_back(std::string(label.view()) + ':');
+    }
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      out_ += columnLabels_[i];
+      appendCell(out_, cells_[i]);
+    }
   }
 
   /// The result's name as it stands after the record's fields: results come in the same order again and again.
@@ -218,8 +280,7 @@ class JsonWriter final : public RecordWriter {
       out_ += "\":";
       return;
     }
-    for (; nextLabel_ < labels_.size() && labels_[nextLabel_].first != &row; ++nextLabel_) {
-    }
+    while (nextLabel_ < labels_.size() && labels_[nextLabel_].first != &row) ++nextLabel_;
     if (nextLabel_ == labels_.size()) labels_.emplace_back(&row, ",\"" + setup_.prefix + std::string(row.name) + "\":");
     std::string_view label = labels_[nextLabel_++].second;
     if (out_.back() == '{') label.remove_prefix(1);
@@ -227,49 +288,37 @@ class JsonWriter final : public RecordWriter {
   }
 
   const WriterSetup& setup_;
-  bool inArray_ = false, inDocument_ = false;
-  std::size_t inThisArray_ = 0;
+  ArrayFrame frame_;     ///< of the block, as far as it goes
+  bool goesOn_ = false;  ///< still in the array that stood open before the block
   std::size_t start_ = 0;
   std::vector<std::pair<const ResultRow*, std::string>> labels_;
   std::size_t nextLabel_ = 0;
   int depth_ = 0;  ///< of objects within the results
+  std::vector<std::string_view> cells_;
+  std::vector<std::string> columnLabels_;
 };
 
 }  // namespace
 
-std::string jsonString(std::string_view text) {
-  try {
-    return nlohmann::json(text).dump();
-  } catch (const nlohmann::json::type_error&) {
-    throw RecordError(0, "has text that is not UTF-8");
-  }
-}
-
 std::vector<NamedJson> asJsonFields(const Record& record, const WriterSetup& setup) {
-  const Shape& shape = *record.shape;
-  if (!setup.numberNames.empty() && shape.isArray) return namedNumbers(record, setup.numberNames);
-  if (shape.form == Form::json && (setup.arraySize == 0 || shape.size <= setup.arraySize)) {
-    TextBuffer array;
-    appendOnOneLine(array, record.text);
-    return {{setup.arrayName, std::string(array.view())}};
-  }
+  std::vector<std::string> values = jsonValues(record);
   std::vector<NamedJson> fields;
-  if (shape.form == Form::csv) {
-    const auto values = valuesOf(record);
-    for (std::size_t i = 0; i < values.size(); ++i) fields.push_back({shape.names[i], jsonCell(values[i])});
+  std::size_t inArray = 0;
+  if (setup.numberNames.empty()) {
+    const bool isWhole = setup.arraySize == 0 || values.size() <= setup.arraySize;
+    inArray = isWhole ? values.size() : setup.arraySize;
+    TextBuffer array;
+    if (isWhole && record.shape->form == Form::json)
+      appendOnOneLine(array, record.text);
+    else
+      array +=
+          "[" + joined(std::vector(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(inArray)), ",") + "]";
+    fields.push_back({setup.arrayName, std::string(array.view())});
+    if (!isWhole) fields.push_back({setup.extraName, std::move(values[inArray])});
     return fields;
   }
-  std::vector<std::string> numbers;
-  if (shape.form == Form::f64)
-    for (double number : binaryNumbers(record.text)) numbers.push_back(formatNumber(number));
-  else
-    for (std::string_view value : valuesOf(record))
-      numbers.push_back(shape.form == Form::json ? std::string(value) : jsonNumber(value));
-  const std::size_t inArray = setup.arraySize == 0 ? numbers.size() : std::min(setup.arraySize, numbers.size());
-  std::string array = "[";
-  for (std::size_t i = 0; i < inArray; ++i) array += (i > 0 ? "," : "") + numbers[i];
-  fields.push_back({setup.arrayName, array + "]"});
-  if (inArray < numbers.size()) fields.push_back({setup.extraName, numbers[inArray]});
+  for (std::size_t i = 0; i < values.size(); ++i)
+    fields.push_back({nameOfColumn(setup.numberNames, i), std::move(values[i])});
   return fields;
 }
 

@@ -1,35 +1,38 @@
 #include "output/matrix_text.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <unordered_map>
+#include <unordered_set>
 
-#include "camera/convention.hpp"
-#include "camera/depth.hpp"
-#include "output/camera_json.hpp"
-#include "output/identifiers.hpp"
+#include "camera/names.hpp"
+#include "camera/write_camera.hpp"
+#include "output/camera_matrices.hpp"
 #include "text/error.hpp"
 #include "text/json_text.hpp"
 #include "text/number.hpp"
 #include "viewproj/matrices.hpp"
 
 namespace viewproj::cmd {
-
-using namespace detail;
 namespace {
 
-void appendEntry(std::string& out, double value, bool asFloat) {
+std::string entryText(double value, bool asFloat) {
+  std::string text;
   if (asFloat)
-    appendNumber(out, static_cast<float>(value));
+    appendNumber(text, static_cast<float>(value));
   else
-    appendNumber(out, value);
+    appendNumber(text, value);
+  return text;
 }
 
-std::string row(const std::array<double, 4>& entries, std::string_view separator, bool asFloat) {
+std::array<double, 3> numbersOf(const Vec3& v) { return {v.x, v.y, v.z}; }
+
+/// Entries with separators between them.
+template <class Entries>
+std::string joinedEntries(const Entries& entries, std::string_view separator, bool asFloat) {
   std::string text;
-  for (double entry : entries) {
-    if (!text.empty()) text += separator;
-    appendEntry(text, entry, asFloat);
-  }
+  for (const double entry : entries) text += (text.empty() ? "" : std::string(separator)) + entryText(entry, asFloat);
   return text;
 }
 
@@ -39,11 +42,11 @@ std::string asJson(const MatrixSet& set) {
   JsonObject out;
   if (set.camera) out.add("camera", *set.camera);
   out.addText("convention", jsonOf(set.convention), line);
-  if (set.eye) out.addText("eye", jsonListOf(std::array{set.eye->x, set.eye->y, set.eye->z}), line);
+  if (set.eye) out.addText("eye", jsonListOf(numbersOf(*set.eye)), line);
   for (const NamedMatrix& named : set.matrices) {
     std::vector<std::string> rows;
     for (const auto& entries : laidOut(named.matrix, set.convention).m)
-      rows.push_back("[" + row(entries, ", ", set.asFloat) + "]");
+      rows.push_back("[" + joinedEntries(entries, ", ", set.asFloat) + "]");
     std::string matrix = jsonList(rows, set.camera ? ", " : ",\n    ");
     if (!set.camera) matrix.insert(matrix.size() - 1, "\n  ");
     out.addText(named.name, matrix, line);
@@ -51,290 +54,235 @@ std::string asJson(const MatrixSet& set) {
   return set.camera ? out.text() + "\n" : "{\n  " + out.members() + "\n}\n";
 }
 
-/// Rows on paper in aligned columns, under a line with the name.
-std::string asText(const MatrixSet& set) {
-  std::string out;
-  if (set.eye)
-    out +=
-        "# eye\n" + formatNumber(set.eye->x) + " " + formatNumber(set.eye->y) + " " + formatNumber(set.eye->z) + "\n\n";
-  for (const NamedMatrix& named : set.matrices) {
-    if (&named != &set.matrices.front()) out += '\n';
-    out += "# " + named.name + "\n";
-    const Mat4 paper = laidOut(named.matrix, set.convention);
-    std::array<std::array<std::string, 4>, 4> cells;
-    std::array<std::size_t, 4> width{};
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t j = 0; j < 4; ++j) {
-        appendEntry(cells[i][j], paper[i][j], set.asFloat);
-        width[j] = std::max(width[j], cells[i][j].size());
-      }
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t j = 0; j < 4; ++j)
-        out += std::string(width[j] - cells[i][j].size(), ' ') + cells[i][j] + (j < 3 ? "  " : "\n");
-  }
-  return out;
-}
-
-/// A JSON array of the sixteen numbers in memory order, a matrix a line.
+/// A JSON array of the sixteen numbers in memory order, a matrix a line. JSON has no place for the convention.
 std::string asFlat(const MatrixSet& set) {
   std::string out;
-  for (const NamedMatrix& named : set.matrices) {
-    out += '[';
-    for (double entry : inStorageOrder(named.matrix, set.convention)) {
-      if (out.back() != '[') out += ',';
-      appendEntry(out, entry, set.asFloat);
-    }
-    out += "]\n";
-  }
+  for (const NamedMatrix& named : set.matrices)
+    out += "[" + joinedEntries(inStorageOrder(named.matrix, set.convention), ",", set.asFloat) + "]\n";
   return out;
 }
 
-/// Rows on paper, a line each.
-std::string asCsv(const MatrixSet& set) {
-  std::string out = "matrix,row,column1,column2,column3,column4\n";
-  if (set.eye)
-    out +=
-        "eye,1," + formatNumber(set.eye->x) + "," + formatNumber(set.eye->y) + "," + formatNumber(set.eye->z) + ",\n";
-  for (const NamedMatrix& named : set.matrices) {
-    const Mat4 paper = laidOut(named.matrix, set.convention);
-    for (std::size_t i = 0; i < 4; ++i)
-      out += named.name + "," + std::to_string(i + 1) + "," + row(paper[i], ",", set.asFloat) + "\n";
-  }
-  return out;
-}
+enum class Lines {
+  rows,     ///< as the convention writes them on paper
+  columns,  ///< of the matrix for column vectors, whatever the convention's: the language multiplies M * v
+  memory,   ///< in the convention's storage order
+};
 
-// Source code: comments that tell the convention, then a constant a matrix.
+/// What stands before and after something.
+struct Around {
+  std::string_view open = {}, close = {};
+};
 
-/// Which way the axes point.
-std::string axesInWords(const MatrixSet& set) {
+/// How source code writes matrices: comments that say the convention, then a constant for each.
+struct Language {
+  std::string_view name = {}, endings = {}, help = {};
+  Lines lines = Lines::columns;
+  std::string_view columnProduct = "projection * view * point";  ///< how a point is multiplied
+  std::string_view rowProduct = {};    ///< the same for row vectors, where the language has them
+  Around comment = {"// "};            ///< each line of it
+  Around all = {};                     ///< the constants
+  Around eye = {};                     ///< a constant for the eye; empty: the comment has it
+  Around asDouble = {}, asFloat = {};  ///< a constant: before its name, and at its end
+  std::string_view equals = {};        ///< after its name
+  Around row = {"  "};                 ///< four numbers
+  std::string_view suffixFloat = {};   ///< after a number
+  bool onlyFloat = false;              ///< its matrices are float32
+  bool floatRange = false;             ///< its numbers end where float32 does: browsers hold larger ones down to that
+};
+
+constexpr Language kLanguages[] = {
+    {.name = "c",
+     .endings = ".c .h .cpp .hpp",
+     .help = "arrays in memory order",
+     .lines = Lines::memory,
+     .rowProduct = "point * view * projection",
+     .comment = {"/* ", " */"},
+     .eye = {"static const double eye[3] = {", "};\n"},
+     .asDouble = {"static const double ", "};\n"},
+     .asFloat = {"static const float ", "};\n"},
+     .equals = "[16] = {\n",
+     .suffixFloat = "f"},
+    {.name = "glsl",
+     .endings = ".glsl .vert .frag",
+     .help = "mat4, for M * v",
+     .asFloat = {"const mat4 ", ");\n"},
+     .equals = " = mat4(\n",
+     .onlyFloat = true},
+    {.name = "hlsl",
+     .endings = ".hlsl",
+     .help = "float4x4",
+     .lines = Lines::rows,
+     .columnProduct = "mul(projection, mul(view, point))",
+     .rowProduct = "mul(mul(point, view), projection)",
+     .asFloat = {"static const float4x4 ", ");\n"},
+     .equals = " = float4x4(\n",
+     .onlyFloat = true},
+    {.name = "wgsl",
+     .endings = ".wgsl",
+     .help = "mat4x4<f32>, for M * v",
+     .asFloat = {"const ", ");\n"},
+     .equals = " = mat4x4<f32>(\n",
+     .onlyFloat = true},
+    {.name = "css",
+     .endings = ".css",
+     .help = "matrix3d()",
+     .columnProduct = "transform: var(--projection) var(--view)",
+     .comment = {"/* ", " */"},
+     .all = {":root {\n", "}\n"},
+     .asDouble = {"  --", "  );\n"},
+     .asFloat = {"  --", "  );\n"},
+     .equals = ": matrix3d(\n",
+     .row = {"    "},
+     .floatRange = true},
+    {.name = "numpy",
+     .endings = ".py",
+     .help = "np.array",
+     .lines = Lines::rows,
+     .columnProduct = "projection @ view @ point",
+     .rowProduct = "point @ view @ projection",
+     .comment = {"# "},
+     .all = {"import numpy as np\n\n"},
+     .eye = {"eye = np.array([", "])\n"},
+     .asDouble = {"", "])\n"},
+     .asFloat = {"", "], dtype=np.float32)\n"},
+     .equals = " = np.array([\n",
+     .row = {"    [", "]"}},
+};
+
+/// Which way the axes point, how a point is multiplied, and what a line of four numbers is.
+std::string conventionComment(const MatrixSet& set, const Language& language) {
   const Convention& c = set.convention;
-  const AxisSigns view = axisSigns(c.view);
-  const DepthEnds z = ndcDepths(c);
-  return std::string(c.world == Handedness::right ? "Right" : "Left") + "-handed world; view x right, y " +
-         (view.up > 0 ? "up" : "down") + ", z " + (view.forward > 0 ? "forward" : "back") +
-         (set.bakesViewport ? "; the projection gives screen x, y and window depth, times w"
-                            : "; NDC y " + std::string(c.ndcY == NdcY::up ? "up" : "down") + ", z " +
-                                  formatNumber(z.atNear) + " at near, " + formatNumber(z.atFar) + " at far");
-}
-
-bool hasRowVectors(const MatrixSet& set) { return set.convention.vectors == Vectors::row; }
-
-std::string eyeInWords(const MatrixSet& set) {
-  return set.eye ? "Points relative to the eye: subtract " + formatNumber(set.eye->x) + ", " +
-                       formatNumber(set.eye->y) + ", " + formatNumber(set.eye->z) + " in double first"
-                 : "";
-}
-
-/// Each line between begin and end; empty ones are left out.
-std::string comments(std::string_view begin, std::initializer_list<std::string> lines, std::string_view end = "") {
+  const bool reversed = c.reverseZ, minusOne = c.ndcZ == NdcZ::minusOneToOne;
+  const std::string low = minusOne ? "-1" : "0";
+  const bool rowVectors = c.vectors == Vectors::row && !language.rowProduct.empty();
+  const bool byColumns =
+      language.lines == Lines::columns || (language.lines == Lines::memory && c.storage == Storage::columnMajor);
+  std::vector<std::string> lines = {
+      std::string(c.world == Handedness::right ? "Right" : "Left") + "-handed world; view x right, y " +
+          (c.view == ViewAxes::RDF ? "down" : "up") + ", z " + (c.view == ViewAxes::RUB ? "back" : "forward") +
+          (set.bakesViewport ? "; the projection gives screen x, y and window depth, times w"
+                             : "; NDC y " + std::string(nameOf(kNdcYNames, c.ndcY)) + ", z " + (reversed ? "1" : low) +
+                                   " at near, " + (reversed ? low : "1") + " at far"),
+      (rowVectors ? "Row vectors, " + std::string(language.rowProduct)
+                  : "Column vectors, " + std::string(language.columnProduct)) +
+          (language.lines == Lines::memory
+               ? (byColumns ? "; in memory column after column" : "; in memory row after row")
+               : (byColumns ? "; each line is a column" : "; each line is a row"))};
+  if (set.eye)
+    lines.push_back("Points relative to the eye: subtract " + joinedEntries(numbersOf(*set.eye), ", ", false) +
+                    " in double first");
   std::string out;
   for (const std::string& line : lines)
-    if (!line.empty()) out += std::string(begin) + line + "." + std::string(end) + "\n";
+    out += std::string(language.comment.open) + line + "." + std::string(language.comment.close) + "\n";
   return out;
 }
 
 /// With a point or an exponent, so that no language takes it for an integer.
 std::string floating(double value, bool asFloat) {
-  std::string text;
-  appendEntry(text, value, asFloat);
+  const std::string text = entryText(value, asFloat);
   return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
 }
 
-/// Four lines of four numbers, each between open and close, commas between them.
-std::string fourLines(const Mat4& lines, bool asFloat, std::string_view open = "  ", std::string_view close = "",
-                      std::string_view suffix = "") {
-  std::string out;
-  for (std::size_t i = 0; i < 4; ++i) {
-    out += open;
-    for (std::size_t j = 0; j < 4; ++j)
-      out += floating(lines[i][j], asFloat) + std::string(suffix) + (j < 3 ? ", " : "");
-    out += std::string(close) + (i < 3 ? ",\n" : "\n");
-  }
-  return out;
-}
-
-/// Arrays in memory order: what an API takes.
-std::string asC(const MatrixSet& set) {
-  const bool byColumns = set.convention.storage == Storage::columnMajor;
-  std::string out = comments("/* ",
-                             {axesInWords(set),
-                              std::string(hasRowVectors(set) ? "Row vectors, point * view * projection"
-                                                             : "Column vectors, projection * view * point") +
-                                  "; in memory " + (byColumns ? "column after column" : "row after row"),
-                              eyeInWords(set)},
-                             " */");
-  const std::string type = set.asFloat ? "float" : "double", suffix = set.asFloat ? "f" : "";
-  if (set.eye)
-    out += "static const double eye[3] = {" + floating(set.eye->x, false) + ", " + floating(set.eye->y, false) + ", " +
-           floating(set.eye->z, false) + "};\n";
+std::string asCode(const MatrixSet& set, const Language& language) {
+  const auto lineOf = [&](const auto& entries, bool asFloat) {
+    std::string line;
+    for (const double entry : entries)
+      line += (line.empty() ? "" : ", ") + floating(entry, asFloat) + std::string(asFloat ? language.suffixFloat : "");
+    return line;
+  };
+  std::string out = conventionComment(set, language) + std::string(language.all.open);
+  if (set.eye && !language.eye.open.empty())
+    out += std::string(language.eye.open) + lineOf(numbersOf(*set.eye), false) + std::string(language.eye.close);
+  const Around& constant = set.asFloat ? language.asFloat : language.asDouble;
+  const bool turned = language.lines == Lines::memory && set.convention.storage == Storage::columnMajor;
   for (const NamedMatrix& named : set.matrices) {
     const Mat4 paper = laidOut(named.matrix, set.convention);
-    out += "static const " + type + " " + named.name + "[16] = {\n" +
-           fourLines(byColumns ? transposed(paper) : paper, set.asFloat, "  ", "", suffix) + "};\n";
+    const Mat4 lines = language.lines == Lines::columns ? transposed(named.matrix) : turned ? transposed(paper) : paper;
+    out += std::string(constant.open) + named.name + std::string(language.equals);
+    for (std::size_t i = 0; i < 4; ++i)
+      out += std::string(language.row.open) + lineOf(lines[i], set.asFloat) + std::string(language.row.close) +
+             (i < 3 ? ",\n" : "\n");
+    out += constant.close;
+  }
+  return out + std::string(language.all.close);
+}
+
+/// Rows on paper in aligned columns, under a line with the name.
+std::string asText(const MatrixSet& set) {
+  constexpr Language kText{.lines = Lines::rows, .rowProduct = "point * view * projection", .comment = {"# "}};
+  std::string out = conventionComment(set, kText);
+  if (set.eye) out += "\n# eye\n" + joinedEntries(numbersOf(*set.eye), " ", false) + "\n";
+  for (const NamedMatrix& named : set.matrices) {
+    out += "\n# " + named.name + "\n";
+    const Mat4 paper = laidOut(named.matrix, set.convention);
+    std::array<std::size_t, 4> width{};
+    for (const auto& row : paper.m)
+      for (std::size_t j = 0; j < 4; ++j) width[j] = std::max(width[j], entryText(row[j], set.asFloat).size());
+    for (const auto& row : paper.m)
+      for (std::size_t j = 0; j < 4; ++j) {
+        const std::string entry = entryText(row[j], set.asFloat);
+        out += std::string(width[j] - entry.size(), ' ') + entry + (j < 3 ? "  " : "\n");
+      }
   }
   return out;
 }
 
-/// mat4 takes columns; whatever the convention's vectors, M * v is what multiplies here.
-std::string asGlsl(const MatrixSet& set) {
-  std::string out = comments(
-      "// ", {axesInWords(set), "Column vectors, projection * view * point; each line is a column", eyeInWords(set)});
+/// Throws InputError where float32 makes a row or column all 0, and the matrix singular; and for what is too large.
+void requireRepresentable(const MatrixSet& set, bool floatRange, const std::string& source) {
   for (const NamedMatrix& named : set.matrices)
-    out += "const mat4 " + named.name + " = mat4(\n" + fourLines(transposed(named.matrix), true) + ");\n";
-  return out;
-}
-
-std::string asWgsl(const MatrixSet& set) {
-  std::string out = comments(
-      "// ", {axesInWords(set), "Column vectors, projection * view * point; each line is a column", eyeInWords(set)});
-  for (const NamedMatrix& named : set.matrices)
-    out += "const " + named.name + " = mat4x4<f32>(\n" + fourLines(transposed(named.matrix), true) + ");\n";
-  return out;
-}
-
-/// float4x4 takes rows; both mul(v, M) and mul(M, v) are in use, so the convention's vectors decide.
-std::string asHlsl(const MatrixSet& set) {
-  std::string out =
-      comments("// ", {axesInWords(set),
-                       std::string(hasRowVectors(set) ? "Row vectors, mul(mul(point, view), projection)"
-                                                      : "Column vectors, mul(projection, mul(view, point))") +
-                           "; each line is a row",
-                       eyeInWords(set)});
-  for (const NamedMatrix& named : set.matrices)
-    out += "static const float4x4 " + named.name + " = float4x4(\n" +
-           fourLines(laidOut(named.matrix, set.convention), true) + ");\n";
-  return out;
-}
-
-/// matrix3d() takes columns.
-std::string asCss(const MatrixSet& set) {
-  std::string out =
-      comments("/* ",
-               {axesInWords(set), "Column vectors, transform: var(--projection) var(--view); each line is a column",
-                eyeInWords(set)},
-               " */");
-  out += ":root {\n";
-  for (const NamedMatrix& named : set.matrices)
-    out += "  --" + named.name + ": matrix3d(\n" + fourLines(transposed(named.matrix), set.asFloat, "    ") + "  );\n";
-  return out + "}\n";
-}
-
-/// Rows on paper.
-std::string asNumpy(const MatrixSet& set) {
-  std::string out = comments("# ", {axesInWords(set),
-                                    hasRowVectors(set) ? "Row vectors, point @ view @ projection"
-                                                       : "Column vectors, projection @ view @ point",
-                                    eyeInWords(set)});
-  out += "import numpy as np\n\n";
-  if (set.eye)
-    out += "eye = np.array([" + floating(set.eye->x, false) + ", " + floating(set.eye->y, false) + ", " +
-           floating(set.eye->z, false) + "])\n";
-  for (const NamedMatrix& named : set.matrices)
-    out += named.name + " = np.array([\n" +
-           fourLines(laidOut(named.matrix, set.convention), set.asFloat, "    [", "]") +
-           (set.asFloat ? "], dtype=np.float32)\n" : "])\n");
-  return out;
-}
-
-struct Format {
-  std::string_view name;
-  std::string_view endings = {};
-  std::string_view help;
-  std::string (*write)(const MatrixSet&);
-  bool onlyFloat = false;     ///< the language's matrices are float32
-  bool floatRange = false;    ///< its numbers end where float32 does: browsers hold larger ones down to that
-  bool isCode = false;        ///< names are those of source code
-  bool numbersAlone = false;  ///< without the convention they are in
-};
-
-constexpr Format kMatrixFormats[] = {
-    {.name = "json",
-     .endings = ".json .ndjson .jsonl",
-     .help = "rows on paper, with the convention they are in",
-     .write = asJson},
-    {.name = "text", .endings = ".txt", .help = "rows in aligned columns", .write = asText, .numbersAlone = true},
-    {.name = "flat", .help = "16 numbers in memory order, a matrix a line", .write = asFlat, .numbersAlone = true},
-    {.name = "csv",
-     .endings = ".csv",
-     .help = "a row of the matrix a line",
-     .write = asCsv,
-     .isCode = true,
-     .numbersAlone = true},
-    {.name = "c", .endings = ".c .h .cpp .hpp", .help = "arrays in memory order", .write = asC, .isCode = true},
-    {.name = "glsl",
-     .endings = ".glsl .vert .frag",
-     .help = "mat4, for M * v",
-     .write = asGlsl,
-     .onlyFloat = true,
-     .isCode = true},
-    {.name = "hlsl", .endings = ".hlsl", .help = "float4x4", .write = asHlsl, .onlyFloat = true, .isCode = true},
-    {.name = "wgsl",
-     .endings = ".wgsl",
-     .help = "mat4x4<f32>, for M * v",
-     .write = asWgsl,
-     .onlyFloat = true,
-     .isCode = true},
-    {.name = "css", .endings = ".css", .help = "matrix3d()", .write = asCss, .floatRange = true, .isCode = true},
-    {.name = "numpy", .endings = ".py", .help = "np.array", .write = asNumpy, .isCode = true},
-};
-
-const Format& formatOf(std::string_view name) {
-  return *std::find_if(std::begin(kMatrixFormats), std::end(kMatrixFormats),
-                       [&](const Format& f) { return f.name == name; });
-}
-
-/// Throws InputError where float32 makes a row or column all 0, and the matrix singular.
-void requireEntries(const NamedMatrix& named, const std::string& source) {
-  for (const bool byRows : {true, false})
-    for (std::size_t i = 0; i < 4; ++i) {
-      double largest = 0;
-      for (std::size_t j = 0; j < 4; ++j) {
-        const double entry = byRows ? named.matrix[i][j] : named.matrix[j][i];
-        if (std::fabs(entry) > std::fabs(largest)) largest = entry;
-      }
-      if (largest != 0 && static_cast<float>(largest) == 0)
-        throw InputError(source + ": " + named.name + " is singular in float32: " + formatNumber(largest) +
-                         " would be 0, and all beside it is");
-    }
-}
-
-void requireRepresentable(const MatrixSet& set, const Format& format, const std::string& source) {
-  const bool floatRange = set.asFloat || format.floatRange;
-  for (const NamedMatrix& named : set.matrices)
-    for (const auto& entries : named.matrix.m)
-      for (double entry : entries) {
-        if (!std::isfinite(floatRange ? static_cast<float>(entry) : entry))
+    for (const bool byRows : {true, false})
+      for (const auto& line : (byRows ? named.matrix : transposed(named.matrix)).m) {
+        const double largest = *std::max_element(line.begin(), line.end(),
+                                                 [](double a, double b) { return !(std::fabs(a) >= std::fabs(b)); });
+        if (!std::isfinite(floatRange ? static_cast<float>(largest) : largest))
           throw InputError(source + ": " + named.name + " has an entry too large for " +
                            (floatRange ? "float32" : "a double"));
+        if (set.asFloat && largest != 0 && static_cast<float>(largest) == 0)
+          throw InputError(source + ": " + named.name + " is singular in float32: " + formatNumber(largest) +
+                           " would be 0, and all beside it is");
       }
-  for (const NamedMatrix& named : set.matrices)
-    if (set.asFloat) requireEntries(named, source);
+}
+
+/// Constants of the matrices' names. Our own are no word of any of the languages; of any other, m_ makes it none.
+void makeIdentifiers(std::vector<NamedMatrix>& matrices) {
+  std::unordered_set<std::string> used;
+  std::unordered_map<std::string, std::size_t> next;  // number of a name, so that many of one name take no longer
+  for (NamedMatrix& named : matrices) {
+    std::string name;
+    const bool isOwn = std::any_of(cameraMatrices().begin(), cameraMatrices().end(), [&](const CameraMatrix& row) {
+      return named.name == row.name || named.name == std::string(row.name) + std::string(kInverse);
+    });
+    for (const char c : isOwn ? named.name : "m_" + named.name) {
+      const bool good = std::isalnum(static_cast<unsigned char>(c)) != 0;
+      if (good || !name.ends_with('_')) name += good ? c : '_';  // two _ in a row are the languages' own
+    }
+    std::size_t& number = next.try_emplace(name, 2).first->second;
+    for (named.name = name; !used.insert(named.name).second; ++number)
+      named.name = name + (name.ends_with('_') ? "" : "_") + std::to_string(number);
+  }
 }
 
 }  // namespace
 
 std::vector<FormRow<std::string_view>> matrixForms() {
-  std::vector<FormRow<std::string_view>> forms;
-  for (const Format& format : kMatrixFormats) forms.push_back({format.name, format.name, format.endings, format.help});
+  std::vector<FormRow<std::string_view>> forms = {
+      {"json", "json", ".json .ndjson .jsonl", "rows on paper, with the convention they are in"},
+      {"text", "text", ".txt", "rows in aligned columns"},
+      {"flat", "flat", "", "16 numbers in memory order, a matrix a line"}};
+  for (const Language& language : kLanguages)
+    forms.push_back({language.name, language.name, language.endings, language.help});
   return forms;
 }
 
-bool saysNumbersAlone(std::string_view format) { return formatOf(format).numbersAlone; }
-
 std::string writeMatrices(MatrixSet set, std::string_view format, const std::string& source) {
-  const Format& known = formatOf(format);
-  set.asFloat = set.asFloat || known.onlyFloat;
-  for (NamedMatrix& named : set.matrices)
-    for (auto& entries : named.matrix.m)
-      for (double& entry : entries) entry = toDigits(entry, set.digits);
-  requireRepresentable(set, known, source);
-  if (known.isCode) {
-    std::vector<std::string> names;
-    for (const NamedMatrix& named : set.matrices) names.push_back(named.name);
-    names = identifiersOf(names, set.eye ? std::vector<std::string>{"eye"} : std::vector<std::string>{});
-    for (std::size_t i = 0; i < names.size(); ++i) set.matrices[i].name = names[i];
-  }
-  return known.write(set);
+  const auto language = std::find_if(std::begin(kLanguages), std::end(kLanguages),
+                                     [&](const Language& row) { return row.name == format; });
+  const bool isCode = language != std::end(kLanguages);
+  set.asFloat = set.asFloat || (isCode && language->onlyFloat);
+  requireRepresentable(set, set.asFloat || (isCode && language->floatRange), source);
+  if (!isCode) return format == "json" ? asJson(set) : format == "text" ? asText(set) : asFlat(set);
+  makeIdentifiers(set.matrices);
+  return asCode(set, *language);
 }
 
 }  // namespace viewproj::cmd

@@ -1,4 +1,4 @@
-// Matrices in text formats. To add a format: a function in matrix_text.cpp and a row in kMatrixFormats.
+// Matrices in text formats. To add a language: a row of kLanguages in matrix_text.cpp.
 #pragma once
 
 #include <optional>
@@ -22,16 +22,12 @@ struct MatrixSet {
   std::optional<std::string> camera = {};  ///< of several: JSON is one line that names it
   Convention convention;
   std::optional<Vec3> eye;     ///< where the view was left without its translation
-  int digits = 0;              ///< significant; 0: all
   bool asFloat = false;        ///< round to float32 and write its shortest text
   bool bakesViewport = false;  ///< projections go to the screen, not to clip space
 };
 
 /// A form is its name.
 std::vector<FormRow<std::string_view>> matrixForms();
-
-/// Whether a format has the numbers without the convention they are in.
-bool saysNumbersAlone(std::string_view format);
 
 /// format: one of matrixForms(). What its language knows only as float32 is rounded to that. Throws InputError, after
 /// the source's name, for an entry too large for what is written, or where float32 leaves a row or column of 0.

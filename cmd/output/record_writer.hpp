@@ -1,15 +1,14 @@
 // Records with their results, in any output form. json_writer, csv_writer, text_writer (text and f64).
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "output/result.hpp"
 #include "output/results.hpp"
-#include "output/spilled_texts.hpp"
 #include "records/record.hpp"
 #include "text/form.hpp"
 #include "text/text_buffer.hpp"
@@ -27,9 +26,18 @@ struct WriterSetup {
   bool keepArrays = false;  ///< an array in the input is one in the output
   bool header = true;       ///< CSV: write one
   int digits = 0;           ///< significant, of results; 0: all, in tables nine
-  CsvFormat csv = {};       ///< of CSV; of text its decimals
-  bool table = false;       ///< CSV for an aligned table: results to nine digits, vectors in one cell
-  Results results;          ///< of a record, where all records get the same: not in JSON
+  CsvFormat csv = {};
+  bool table = false;  ///< CSV for an aligned table: results to nine digits, vectors in one cell
+  Results results;     ///< of a record, unless it has others: in text and f64 those of all
+};
+
+/// Where a block's text lies in the arrays of the output.
+struct ArrayFrame {
+  // The text begins with what goes on with the array that stood open before the block.
+  std::size_t size = 0, records = 0;
+  // An array stands open at the text's end: what closes it, and how many of its records are in the block.
+  std::string closing;
+  std::size_t open = 0;
 };
 
 /// A record's own fields come first, then by calls of the ResultSink its results. Each worker has a writer of its own.
@@ -37,19 +45,18 @@ class RecordWriter : public ResultSink {
  public:
   explicit RecordWriter(TextBuffer& out) : out_(out) {}
 
-  /// joined: records are to be separated, not ended, by what stands between them.
-  void beginBlock(bool joined) {
-    joined_ = joined;
-    records_ = 0;
-  }
+  /// closing: of the array that stands open, or empty.
+  virtual void beginBlock(std::string_view /*closing*/) { records_ = 0; }
+  virtual ArrayFrame endBlock() { return {}; }
   std::size_t records() const { return records_; }
 
-  /// An array or a document that begins and ends in a block, as written: `[` or `{"points": [`, and `]` with what
-  /// follows it. Nothing: the shortest end.
+  /// An array or a document, as written: `[` or `{"points": [`, and `]` with what follows it. Nothing: the shortest
+  /// end.
   virtual void beginArray(std::string_view /*asWritten*/) {}
-  virtual void endArray(std::string_view /*asWritten*/ = {}) {}
+  virtual void endArray(std::string_view /*asWritten*/) {}
 
-  virtual void beginRecord(const Record& record) = 0;
+  /// results: those that the record gets. Throws RecordError where it has no place among the others.
+  virtual void beginRecord(const Record& record, const Results& results) = 0;
   virtual void endRecord() = 0;
   /// Takes back what beginRecord and the results wrote.
   virtual void cancelRecord() = 0;
@@ -59,29 +66,25 @@ class RecordWriter : public ResultSink {
 
  protected:
   TextBuffer& out_;
-  bool joined_ = false;
   std::size_t records_ = 0;
 };
 
-/// The columns of CSV, which all workers share. Those of records that were not CSV are the first record's; until they
-/// are known, only one worker may write.
+/// The columns of CSV, which all workers share. Of records that are not CSV they are the first good record's: until it
+/// has come, only one worker may write.
 struct CsvColumns {
-  std::vector<std::string> own, results;
-  std::optional<std::size_t> marks =
-      {};                 ///< the own column in which an earlier run said what was bad; this one does too
-  CsvFormat format = {};  ///< of the input, where it was CSV
   bool known = false, fromCsv = false;
-  bool headerIsDue = false;  ///< the columns have just become known
-  SpilledTexts early;        ///< messages of bad records before the first good one
+  std::vector<std::string> own;
+  Results results;
+  CsvFormat format = {};  ///< of the input, where it is CSV
+  std::string early;      ///< rows of bad records before the first good one
 };
 
-/// Throws RecordError where columns have the same name. Appends the header line to out, if there is one to be.
-CsvColumns csvColumns(const WriterSetup& setup, const CsvHeader* input, std::string_view line, const CsvFormat& format,
-                      TextBuffer& out);
+/// The columns of input in CSV. Throws RecordError where two have the same name. Appends the header line to out.
+CsvColumns csvColumns(const WriterSetup& setup, const CsvHeader& header, std::string_view line, const CsvFormat& format,
+                      const Results& results, TextBuffer& out);
 
-/// The header of columns that were a record's, and the bad records that came before it; also after the last record,
-/// where there were bad ones alone.
-void writeDueHeader(CsvColumns& columns, const WriterSetup& setup, const std::function<void(std::string_view)>& write);
+/// The header, and the rows of the bad records, where there was no good one.
+std::string headerOfBadRecords(const WriterSetup& setup, const CsvColumns& columns);
 
 std::unique_ptr<RecordWriter> makeJsonWriter(const WriterSetup& setup, TextBuffer& out);
 std::unique_ptr<RecordWriter> makeCsvWriter(const WriterSetup& setup, CsvColumns& columns, TextBuffer& out);
@@ -94,10 +97,10 @@ struct NamedJson {
   std::string json;
 };
 
-/// The fields of a record that was not read as a JSON object.
+/// The fields of a record that was read neither as a JSON object nor as CSV.
 std::vector<NamedJson> asJsonFields(const Record& record, const WriterSetup& setup);
 
-/// Text as a JSON string. Throws RecordError where it is not UTF-8.
-std::string jsonString(std::string_view text);
+/// What --keep-going calls what is wrong with a record.
+inline constexpr std::string_view kErrorName = "error";
 
 }  // namespace viewproj::cmd

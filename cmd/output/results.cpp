@@ -4,7 +4,6 @@
 #include <array>
 #include <numeric>
 
-#include "output/side_names.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
 #include "viewproj/clip.hpp"
@@ -20,8 +19,8 @@ class Sides {
  public:
   explicit Sides(const ScreenPoint& p) {
     if (p.status == PointStatus::behind) names_[count_++] = "behind";
-    for (Side side : kSides)
-      if (p.outside & side) names_[count_++] = sideName(side);
+    for (const SideName& one : kSides)
+      if (p.outside & one.side) names_[count_++] = one.name;
   }
   std::span<const std::string_view> names() const { return {names_.data(), count_}; }
 
@@ -45,12 +44,12 @@ constexpr PointResult kPointResults[] = {
     {results::visible,
      [](R row, P p, S sink) { sink.flag(row, p.screen.visible()); }},
     {ResultRow{"outside", ResultKind::names}.whereNamed(),
-     [](R row, P p, S sink) { sink.names(row, Sides(p.screen).names(), p.outsideAlways); }},
-    {vectorResult("ndc", 3).asked(),
+     [](R row, P p, S sink) { sink.names(row, Sides(p.screen).names()); }},
+    {vectorResult("ndc", 3).onRequest(),
      [](R row, P p, S sink) { sink.vector(row, worldToNdc(p.camera, p.point, p.writing)); }},
-    {vectorResult("clip", 4).asked(),
+    {vectorResult("clip", 4).onRequest(),
      [](R row, P p, S sink) { sink.vector(row, worldToClip(p.camera, p.point, p.writing)); }},
-    {vectorResult("view", 3).asked(),
+    {vectorResult("view", 3).onRequest(),
      [](R row, P p, S sink) { sink.vector(row, worldToView(p.camera, p.point, p.writing)); }},
     {results::pixelSize,
      [](R row, P p, S sink) { sink.vector(row, pixelSize(p.camera, p.screen.viewDistance)); }},
@@ -59,7 +58,7 @@ constexpr PointResult kPointResults[] = {
        const ScreenBox box = p.box.value_or(ScreenBox{kNaN, kNaN, kNaN, kNaN});
        sink.vector(row, std::array{box.left, box.top, box.right, box.bottom});
      }},
-    {numberResult("bound").asked(),
+    {numberResult("bound").onRequest(),
      [](R row, P p, S sink) { sink.number(row, boundOfPoint(p.camera, p.point, p.screen.precision).screen); }},
 };
 // clang-format on
@@ -76,6 +75,12 @@ void addColumns(std::vector<std::string>& columns, const ResultRow& row, const s
 
 }  // namespace
 
+std::string_view sideName(unsigned side) {
+  for (const SideName& one : kSides)
+    if (one.side == side) return one.name;
+  return "";
+}
+
 std::span<const PointResult> pointResults() { return kPointResults; }
 
 const Results& allResults() {
@@ -89,9 +94,7 @@ const Results& allResults() {
   return all;
 }
 
-const ResultRow* findResult(std::string_view name, std::string_view prefix) {
-  if (!name.starts_with(prefix)) return nullptr;
-  name.remove_prefix(prefix.size());
+const ResultRow* findResult(std::string_view name) {
   for (const ResultRow* row : allResults())
     if (row->name == name) return row;
   return nullptr;
@@ -110,30 +113,6 @@ std::vector<std::string> columnsOf(std::span<const ResultRow* const> rows, std::
   std::vector<std::string> columns;
   for (const ResultRow* row : rows) addColumns(columns, *row, std::string(prefix), table);
   return columns;
-}
-
-std::vector<ErrorColumn> errorColumns(std::span<const std::string> names, const Results& results) {
-  std::vector<std::string> first, last;  // columns that an error may stand before or after
-  for (const Results* rows : {&results, &allResults()})
-    for (const ResultRow* row : *rows) {
-      const std::vector<std::string> columns = columnsOf(std::span(&row, 1));
-      first.push_back(columns.front());
-      last.push_back(columns.back());
-    }
-  std::vector<ErrorColumn> errors;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    std::string_view prefix = names[i];
-    if (!prefix.ends_with(kErrorName)) continue;
-    prefix.remove_suffix(kErrorName.size());
-    const auto isOne = [&](std::size_t column, const std::vector<std::string>& known) {
-      if (column >= names.size() || !names[column].starts_with(prefix)) return false;
-      return std::find(known.begin(), known.end(), std::string_view(names[column]).substr(prefix.size())) !=
-             known.end();
-    };
-    const bool after = i > 0 && isOne(i - 1, last);
-    errors.push_back({i, after, after && isOne(i + 1, first)});
-  }
-  return errors;
 }
 
 std::size_t numbersOf(const ResultRow& row) {

@@ -8,8 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "output/result_row.hpp"
-#include "output/result_sink.hpp"
+#include "output/result.hpp"
 #include "text/form.hpp"
 #include "viewproj/camera.hpp"
 #include "viewproj/scene.hpp"
@@ -17,6 +16,22 @@
 #include "viewproj/vectors.hpp"
 
 namespace viewproj::cmd {
+
+/// The sides of the view, in the interface's order, and how results name them.
+struct SideName {
+  Side side;
+  std::string_view name;
+};
+inline constexpr SideName kSides[] = {{sideLeft, "left"}, {sideRight, "right"}, {sideBottom, "bottom"},
+                                      {sideTop, "top"},   {sideNear, "near"},   {sideFar, "far"}};
+/// Empty for 0.
+std::string_view sideName(unsigned side);
+
+consteval ResultRow numberResult(std::string_view name) { return {name}; }
+consteval ResultRow vectorResult(std::string_view name, std::size_t size) { return {name, ResultKind::vector, size}; }
+consteval ResultRow groupResult(std::string_view name, std::span<const ResultRow* const> parts) {
+  return {name, ResultKind::group, 1, parts};
+}
 
 // clang-format off
 namespace results {
@@ -28,8 +43,8 @@ inline constexpr ResultRow
     visible = ResultRow{"visible", ResultKind::flag}.whereNamed();
 inline constexpr std::string_view kAcross[] = {"_across", "_down"}, kEdges[] = {"_left", "_top", "_right", "_bottom"};
 inline constexpr ResultRow
-    pixelSize = vectorResult("pixelSize", 2).inColumns(kAcross).asked(),
-    screenBox = vectorResult("screenBox", 4).inColumns(kEdges).asked();
+    pixelSize = vectorResult("pixelSize", 2).inColumns(kAcross).onRequest(),
+    screenBox = vectorResult("screenBox", 4).inColumns(kEdges).onRequest();
 
 // A segment: the ends of what is visible of it, and the point of it under the record's pixel.
 inline constexpr ResultRow
@@ -42,32 +57,32 @@ inline constexpr const ResultRow *kEndParts[] = {&t, &screen, &depth, &viewDista
 inline constexpr ResultRow
     start = groupResult("start", kEndParts).whereNamed(),
     end = groupResult("end", kEndParts).whereNamed(),
-    under = groupResult("under", kUnderParts).asked();
+    under = groupResult("under", kUnderParts).onRequest();
 inline constexpr const ResultRow* kSegment[] = {&visible, &start, &end, &under};
 
 // A ray, the point on it, and what it hits.
 inline constexpr ResultRow
     origin = vectorResult("origin", 3),
     direction = vectorResult("direction", 3),
-    point = vectorResult("point", 3).asked(),
-    pointBound = numberResult("bound").asked(),
+    point = vectorResult("point", 3).onRequest(),
+    pointBound = numberResult("bound").onRequest(),
     hitId = {"id", ResultKind::json},
     distance = numberResult("distance"),
     hitPoint = vectorResult("point", 3),
     normal = vectorResult("normal", 3),
-    lat = numberResult("lat").asked(),
-    lon = numberResult("lon").asked(),
-    height = numberResult("height").asked();
+    lat = numberResult("lat").onRequest(),
+    lon = numberResult("lon").onRequest(),
+    height = numberResult("height").onRequest();
 inline constexpr const ResultRow *kHitParts[] = {&hitId, &distance, &hitPoint, &normal},
                                  *kPlacedHitParts[] = {&hitId, &distance, &hitPoint, &normal, &lat, &lon, &height};
 inline constexpr ResultRow
-    hit = groupResult("hit", kHitParts).asked(),
-    placedHit = groupResult("hit", kPlacedHitParts).asked(),
-    hits = ResultRow{"hits", ResultKind::list, 1, kPlacedHitParts}.asked(),
-    pointDistance = numberResult("viewDistance").asked();
+    hit = groupResult("hit", kHitParts).onRequest(),
+    placedHit = groupResult("hit", kPlacedHitParts).onRequest(),
+    hits = ResultRow{"hits", ResultKind::list, 1, kPlacedHitParts}.onRequest(),
+    pointDistance = numberResult("viewDistance").onRequest();
 inline constexpr const ResultRow *kPlaceParts[] = {&lat, &lon, &height};
 inline constexpr ResultRow
-    place = groupResult("place", kPlaceParts).asked();
+    place = groupResult("place", kPlaceParts).onRequest();
 inline constexpr const ResultRow* kRay[] = {&origin, &direction, &point, &place, &pointDistance, &pixelSize, &pointBound, &placedHit, &hit, &hits};
 
 inline constexpr ResultRow
@@ -85,7 +100,6 @@ struct ProjectedPoint {
   const Vec4& point;
   const ScreenPoint& screen;
   const std::optional<ScreenBox>& box;  ///< of a shape
-  bool outsideAlways = false;           ///< `outside` is written where it is empty too
 };
 
 /// A result of project.
@@ -98,8 +112,8 @@ std::span<const PointResult> pointResults();
 
 /// Of all commands.
 const Results& allResults();
-/// The one of this name, after the prefix; null: none.
-const ResultRow* findResult(std::string_view name, std::string_view prefix = "");
+/// The one of this name; null: none.
+const ResultRow* findResult(std::string_view name);
 
 /// The command that writes a result which project does not; empty: none.
 std::string_view otherCommandOf(std::string_view name);
@@ -107,16 +121,6 @@ std::string_view otherCommandOf(std::string_view name);
 /// The columns of CSV. table: a vector has one cell.
 std::vector<std::string> columnsOf(std::span<const ResultRow* const> rows, std::string_view prefix = "",
                                    bool table = false);
-
-/// A column that may have what --keep-going of an earlier run said of a bad record.
-struct ErrorColumn {
-  std::size_t column;
-  bool afterResult;    ///< as that writes it
-  bool beforeResults;  ///< and other results follow: a later run took it over
-};
-/// Those called error, after a prefix or none. results: those of this run; the columns of other runs' are known.
-std::vector<ErrorColumn> errorColumns(std::span<const std::string> names, const Results& results);
-inline constexpr std::string_view kErrorName = "error";
 
 /// The numbers of text and f64.
 std::size_t numbersOf(const ResultRow& row);

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "output/record_writer.hpp"
+#include "output/results.hpp"
 #include "text/csv.hpp"
 #include "text/number.hpp"
 
@@ -13,7 +14,7 @@ class NumbersWriter : public RecordWriter {
  public:
   NumbersWriter(const WriterSetup& setup, TextBuffer& out) : RecordWriter(out), setup_(setup) {}
 
-  void beginRecord(const Record&) override { start_ = out_.size(); }
+  void beginRecord(const Record&, const Results&) override { start_ = out_.size(); }
   void cancelRecord() override { out_.truncate(start_); }
 
   void badRecord(std::string_view, std::size_t, const std::string&) override {
@@ -29,11 +30,11 @@ class NumbersWriter : public RecordWriter {
 
   void vector(const ResultRow&, std::span<const double> values) override {
     const bool finite = std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
-    for (double value : values) put(finite ? value : NAN);
+    for (const double value : values) put(finite ? value : NAN);
   }
 
   void flag(const ResultRow&, bool value) override { put(value ? 1 : 0); }
-  void names(const ResultRow&, std::span<const std::string_view>, bool) override {}  // refused before
+  void names(const ResultRow&, std::span<const std::string_view>) override {}  // refused before
   // Left out.
   void word(const ResultRow&, std::string_view) override {}
   void json(const ResultRow&, std::string_view) override {}

@@ -49,15 +49,15 @@ Plan& Batch::planFor(const RecordParts& record) {
   }
   Layout layout = work_.find(record);
   for (const std::string& text : layout.notes) note(text);
-  if (setup_.checkNames && !record.shape.isArray)
-    requireNoClash(record, work_.results(layout, OutputForm::lines), setup_.prefix);
+  Results results = work_.results(layout, setup_.to);
+  if (setup_.checkNames && !record.shape.isArray) requireNoClash(record, results, setup_.prefix);
   std::size_t names = record.shape.size;
   for (const auto& plan : plans_) names += plan->shape.size;
   if (plans_.size() == kPlans || names > kNames) {
     flush();  // rows speak of their plans
     plans_.resize(names > kNames ? 0 : kPlans / 2);
   }
-  plans_.insert(plans_.begin(), std::make_unique<Plan>(Plan{record.shape, std::move(layout), {}}));
+  plans_.insert(plans_.begin(), std::make_unique<Plan>(Plan{record.shape, std::move(layout), std::move(results)}));
   return *plans_.front();
 }
 
@@ -109,7 +109,7 @@ void Batch::flush() {
       continue;
     }
     try {
-      writer_->beginRecord({row.text, &row.plan->shape});
+      writer_->beginRecord({row.text, &row.plan->shape}, row.plan->results);
       work_.write(index, *writer_);
       writer_->endRecord();
     } catch (const RecordError& e) {
@@ -127,16 +127,13 @@ void Batch::note(const std::string& text) {
 }
 
 void Batch::writeBad(std::string_view text, const RecordError& error) {
-  const char* at = text.data() + error.offset;
-  if (!setup_.keepGoing) fail(at, error.what());
-  const TextPosition position = positionOf(at);
+  const TextPosition position = positionOf(text.data() + error.offset);
+  if (!setup_.keepGoing) {
+    result_.fault = StreamFault{position, error.what()};
+    throw StopBlock{};
+  }
   if (writer_) writer_->badRecord(text, position.line, error.what());
   result_.passedOver.push_back({position, error.what()});
-}
-
-void Batch::fail(const char* at, const std::string& message) {
-  result_.fault = StreamFault{positionOf(at), message};
-  throw StopBlock{};
 }
 
 std::size_t Batch::convert(std::span<const double> numbers) {
@@ -148,7 +145,7 @@ std::size_t Batch::convert(std::span<const double> numbers) {
 }
 
 TextPosition Batch::positionOf(const char* where) {
-  const std::string_view records = block_->records;
+  const std::string_view records = block_->bytes.view();
   const auto at = static_cast<std::size_t>(where - records.data());
   if (setup_.form == Form::f64) return {block_->position.line + at / kBinaryRecord, 1 + at % kBinaryRecord};
   countedPosition_ = positionAt(records.substr(countedTo_), at - countedTo_, countedPosition_);

@@ -18,13 +18,15 @@ namespace viewproj::cmd {
 struct Plan {
   Shape shape;
   Layout layout;
+  Results results;
   std::vector<RecordPattern> patterns = {};  ///< of JSON records of it that were met, the one used last first
 };
 
 /// What became of a block.
 struct BlockResult {
   TextBuffer out;
-  std::size_t records = 0;              ///< in out, the bad ones that --keep-going puts there included
+  ArrayFrame frame;                     ///< of out
+  std::size_t records = 0;              ///< the bad ones that --keep-going puts there included
   std::vector<StreamFault> passedOver;  ///< --keep-going
   std::vector<std::string> notes;       ///< each once
   std::optional<StreamFault> fault;     ///< a record that ends the run: out has what came before it
@@ -32,6 +34,7 @@ struct BlockResult {
 
 struct BatchSetup {
   Form form = Form::json;
+  OutputForm to = OutputForm::lines;
   bool convert = false;  ///< from f64 to f64: the work's convert may be used
   bool keepGoing = false;
   bool checkNames = false;  ///< results have names, which the records must not have
@@ -56,11 +59,9 @@ class Batch {
   const std::vector<std::unique_ptr<Plan>>& plans() const { return plans_; }
   void usedAgain(std::size_t plan);
 
-  /// text: in the block's records. Throws StopBlock where the run ends.
+  /// text: in the block. Throws StopBlock where the run ends.
   void add(std::string_view text, const Plan& plan, const Numbers& numbers);
   void bad(std::string_view text, const RecordError& error);
-  /// Ends the run, --keep-going or not. at: in the block's records.
-  [[noreturn]] void fail(const char* at, const std::string& message);
   /// How many of the records from the start the work took as a whole.
   std::size_t convert(std::span<const double> numbers);
   /// As written: `[`, or `{"points": [`; and `]` with what follows it in a document.
@@ -103,7 +104,7 @@ class RecordReader {
 
 /// byPattern: false to take every record apart, for comparison.
 std::unique_ptr<RecordReader> makeJsonReader(bool byPattern = true);
-std::unique_ptr<RecordReader> makeCsvReader(const Shape& header, const Results& results);
+std::unique_ptr<RecordReader> makeCsvReader(const Shape& header);
 std::unique_ptr<RecordReader> makeTextReader();
 std::unique_ptr<RecordReader> makeBinaryReader();
 

@@ -1,8 +1,6 @@
-// Records that are like one of before but for their numbers are read by its pattern; others of its shape are taken
-// apart here. All others go to the parts that nlohmann-json judges: so that is valid which it calls valid, and its
-// words are in the messages.
+// Records that are like one of before but for their numbers are read by its pattern. All others go to the parts that
+// nlohmann-json judges: so that is valid which it calls valid, and its words are in the messages.
 #include <algorithm>
-#include <span>
 
 #include "stream/batch.hpp"
 #include "stream/json_splitter.hpp"
@@ -12,14 +10,8 @@
 namespace viewproj::cmd {
 namespace {
 
-constexpr std::size_t npos = std::string_view::npos;
-
 /// Patterns of a plan that are remembered, and those of all plans that a record is compared with at most.
-constexpr std::size_t kPatternsOfPlan = 4, kPatterns = 8;
-/// A pattern is made of one in so many records that are like none.
-constexpr std::size_t kLearningPause = 16;
-/// Arrays and objects within each other.
-constexpr int kDeepest = 256;
+constexpr std::size_t kPatternsOfPlan = 4, kPatterns = 32;
 
 class JsonReader final : public RecordReader {
  public:
@@ -27,22 +19,41 @@ class JsonReader final : public RecordReader {
 
   void read(const Block& block, Batch& batch) override {
     batch_ = &batch;
-    text_ = block.records;
-    bad_ = block.bad;
-    if (block.inArray)
-      readElements();
-    else
-      readPieces(block);
+    text_ = block.bytes.view();
+    const auto end = block.last ? JsonSplitter::End::input : JsonSplitter::End::block;
+    JsonSplitter splitter(block.state);
+    for (std::size_t at = 0;;) {
+      at = readAlike(at, splitter);
+      const JsonPiece piece = splitter.next(text_.substr(at), end);
+      if (piece.event == JsonEvent::end) return;
+      take(piece);
+      at += piece.end;
+    }
   }
 
  private:
-  /// Records by their patterns up to the first that has none. Returns where the last one ends, or at.
-  std::size_t readAlike(std::size_t at) {
-    for (std::size_t next = afterJsonSpace(text_, at);; next = afterJsonSpace(text_, at)) {
-      const std::size_t size = addAlike(text_.substr(next, kLongestRecord));
-      if (size == 0) return at;
-      at = next + size;
+  /// Records by their patterns, and what stands between them, up to the first that has none. Returns where that begins.
+  std::size_t readAlike(const std::size_t from, JsonSplitter& splitter) {
+    using Place = JsonState::Place;
+    JsonState state = splitter.state();
+    std::size_t at = from;
+    for (;;) {
+      at = afterJsonSpace(text_, at);
+      if (state.place == Place::record || state.place == Place::bad) {
+        if (at == text_.size() || text_[at] != ',') break;
+        state.place = Place::comma;
+        at = afterJsonSpace(text_, at + 1);
+      }
+      const std::size_t size = addAlike(text_.substr(at, kLongestRecord));
+      if (size == 0) break;
+      at += size;
+      if (state.insideArray()) state.place = Place::record;
     }
+    if (at > from) {
+      state.moveOver(text_.substr(from, at - from));
+      splitter = JsonSplitter(state);
+    }
+    return at;
   }
 
   /// Returns how long the record is that begins there, or 0 if it is like none of before.
@@ -59,114 +70,23 @@ class JsonReader final : public RecordReader {
         Plan& plan = *plans[i];
         if (pattern != plan.patterns.begin()) std::rotate(plan.patterns.begin(), pattern, pattern + 1);
         batch_->usedAgain(i);
-        passBadBefore(text);
         batch_->add(text.substr(0, size), plan, numbers);
         return size;
       }
     return 0;
   }
 
-  /// False where it is of no shape met before, or lacks its numbers, or is not valid as far as can be said here.
-  bool addKnown(std::string_view text) {
-    if (!byPattern_ || batch_->plans().empty() || !takeApart(text)) return false;
-    const auto& plans = batch_->plans();
-    for (std::size_t i = 0; i < plans.size(); ++i) {
-      Plan& plan = *plans[i];
-      const Shape& shape = plan.shape;
-      const bool isIts = shape.isArray == text.starts_with('[') && shape.size == parts_.values.size() &&
-                         std::equal(names_.begin(), names_.end(), shape.names.begin(), shape.names.end());
-      if (!isIts || !plan.layout.fits(parts_.values)) continue;
-      parts_.text = text;
-      parts_.shape = shape;
-      Numbers numbers;
-      NumberTexts texts;
-      try {
-        readNumbers(parts_, plan.layout, numbers, &texts);
-      } catch (const RecordError&) {
-        return false;
-      }
-      if (++unlike_ % kLearningPause == 0) learn(plan, RecordPattern(parts_, plan.layout, numbers, texts));
-      batch_->usedAgain(i);
-      batch_->add(text, plan, numbers);
-      return true;
-    }
-    return false;
-  }
-
-  /// Into names and values; false where it is not valid, or where names have escapes.
-  bool takeApart(std::string_view text) {
-    if (!opensJson(text.front())) return false;
-    names_.clear();
-    parts_.values.clear();
-    bool isPlain = true;
-    const char* const end = text.data() + text.size();
-    const auto take = [&](std::string_view name, std::string_view value) {
-      parts_.values.push_back(value);
-      if (name.empty()) return;
-      names_.push_back(name.substr(1, name.size() - 2));
-      isPlain = isPlain && name.find('\\') == npos;
-    };
-    return passJsonItems(text.data(), end, kDeepest, take) == end && isPlain;
-  }
-
-  /// An array's records, separated by white space, and between them what the block says is wrong.
-  void readElements() {
-    for (std::size_t at = afterJsonSpace(text_, readAlike(0)); at < text_.size();
-         at = afterJsonSpace(text_, readAlike(at))) {
-      const std::size_t end = endOfValue(text_, at);
-      readRecord(text_.substr(at, end - at), true);
-      at = end;
-    }
-    passBadBefore(text_.substr(text_.size()));
-  }
-
-  /// What is missing before a record stands where it begins.
-  void passBadBefore(std::string_view record) {
-    for (; !bad_.empty() && bad_.front().begin <= offset(record); bad_ = bad_.subspan(1)) {
-      const Block::Bad& bad = bad_.front();
-      batch_->bad(text_.substr(bad.begin, 0), RecordError(bad.at - bad.begin, bad.message));
-    }
-  }
-
-  /// Records, and arrays of them.
-  void readPieces(const Block& block) {
-    const auto end = block.last ? JsonSplitter::End::ofInput : JsonSplitter::End::ofBlock;
-    JsonSplitter splitter(block.state);
-    for (std::size_t at = 0;;) {
-      if (splitter.isFresh())
-        if (const std::size_t next = readAlike(at); next > at) {
-          const std::string_view over = text_.substr(at, next - at);
-          const std::size_t line = findLastLineBreak(over);
-          JsonState state;
-          state.column = line == npos ? splitter.state().column + over.size() : over.size() - line - 1;
-          splitter = JsonSplitter(state);
-          at = next;
-        }
-      const bool isUnlike = splitter.isFresh();
-      const JsonPiece piece = splitter.next(text_.substr(at), end);
-      if (piece.event == JsonEvent::end || piece.event == JsonEvent::needMore) return;
-      take(piece, at, isUnlike);
-      at += piece.end;
-    }
-  }
-
-  void take(const JsonPiece& piece, std::size_t at, bool isUnlike) {
-    if (!piece.message.empty()) batch_->bad(piece.text, RecordError(at + piece.at - offset(piece.text), piece.message));
-    if (piece.event == JsonEvent::record) readRecord(piece.text, isUnlike);
+  void take(const JsonPiece& piece) {
+    if (!piece.message.empty()) batch_->bad(piece.text, RecordError(piece.at, piece.message));
+    if (piece.event == JsonEvent::record) readRecord(piece.text);
     if (piece.event == JsonEvent::beginArray) batch_->beginArray(piece.text);
-    if (piece.event == JsonEvent::endArray) batch_->endArray(piece.text);
+    if (piece.event == JsonEvent::endArray) batch_->endArray(piece.message.empty() ? piece.text : std::string_view());
   }
 
-  std::size_t offset(std::string_view part) const { return static_cast<std::size_t>(part.data() - text_.data()); }
-
-  /// text: a record that was found to be one, if it is valid. isUnlike: no pattern fits it.
-  void readRecord(std::string_view text, bool isUnlike) {
-    if (!isUnlike && addAlike(text) > 0) return;  // all of it, since its brackets close at its end
-    passBadBefore(text);
-    if (addKnown(text)) return;
+  /// text: a record that was found to be one, if it is valid.
+  void readRecord(std::string_view text) {
     try {
       const RecordParts record = jsonParts(text);
-      if (const auto message = markedBad(record)) throw RecordError(0, *message);
       Plan& plan = batch_->planFor(record);
       Numbers numbers;
       NumberTexts texts;
@@ -185,12 +105,8 @@ class JsonReader final : public RecordReader {
   }
 
   bool byPattern_;
-  std::size_t unlike_ = 0;
-  RecordParts parts_;
-  std::vector<std::string_view> names_;
   Batch* batch_ = nullptr;
   std::string_view text_;
-  std::span<const Block::Bad> bad_;
 };
 
 }  // namespace

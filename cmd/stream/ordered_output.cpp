@@ -4,39 +4,67 @@
 
 #include "output/output_file.hpp"
 #include "text/error.hpp"
+#include "text/number.hpp"
+#include "text/system.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
+namespace {
 
-OrderedOutput::OrderedOutput(OutputSetup setup, const Progress& progress)
-    : setup_(std::move(setup)), progress_(progress) {}
+constexpr const char* kBlankLine = "\r\033[K";
 
-void OrderedOutput::begin(std::string_view text) {
-  if (setup_.form == OutputForm::array) openArray("[");
-  put(text);
+}  // namespace
+
+Progress::Progress(std::optional<std::size_t> totalBytes)
+    : enabled_(obeysEscapes(kStandardError) && !isTerminal(kStandardOutput)), total_(totalBytes) {}
+
+void Progress::moved(std::size_t bytes, std::size_t records) {
+  if (!enabled_) return;
+  bytes_ += bytes;
+  records_ += records;
+  const Clock::time_point now = Clock::now();
+  if (now < next_) return;
+  next_ = now + std::chrono::milliseconds(200);
+  const double seconds = std::chrono::duration<double>(now - start_).count();
+  const std::string share =
+      total_ && bytes_ <= *total_ ? std::to_string(100 * bytes_ / *total_) + " %, " : std::string();
+  (void)writeSome(kStandardError, kBlankLine + share + formatCount(static_cast<double>(records_)) + " records, " +
+                                      formatCount(static_cast<double>(records_) / seconds) + " records/s");
+  shows_ = true;
 }
 
-void OrderedOutput::openArray(std::string_view asWritten) {
-  write(asWritten);
-  open_ = true;
-  inArray_ = 0;
-  closing_ = asWritten.starts_with('{') ? "}" : "";
+void Progress::clear() {
+  if (shows_) (void)writeSome(kStandardError, kBlankLine);
+  shows_ = false;
 }
 
-void OrderedOutput::closeArray(std::string_view asWritten) {
-  if (!open_) return;
-  open_ = false;
-  const std::string_view after = asWritten.empty() ? std::string_view(closing_) : asWritten.substr(1);
-  write((inArray_ == 0 ? "]" : "\n]") + std::string(after) + "\n");
+void OrderedOutput::write(std::string_view text) {
+  if (setup_.form == OutputForm::table)
+    writeOutput(table_.add(text));
+  else
+    writeOutput(text);
 }
 
-void OrderedOutput::put(const BlockFrame& block, const BlockResult& result) try {
-  if (setup_.keepArrays && !block.opening.empty()) openArray(block.opening);
-  if (setup_.before) setup_.before([&](std::string_view text) { put(text); });
-  if (!result.out.empty()) {
-    if (open_) write(inArray_ == 0 ? "\n" : ",\n");
-    put(result.out.view());
-    inArray_ += result.records;
+void OrderedOutput::openArray() {
+  writeOutput("[");
+  closing_ = "]";
+}
+
+void OrderedOutput::put(const Block& block, const BlockResult& result) try {
+  std::string_view out = result.out.view();
+  if (!closing_.empty()) {
+    if (result.frame.records > 0) writeOutput(inArray_ == 0 ? "\n" : ",\n");
+    writeOutput(out.substr(0, result.frame.size));
+    inArray_ += result.frame.records;
+    out.remove_prefix(result.frame.size);
+    if (!out.empty()) {  // it begins with what closes the array
+      if (inArray_ > 0) writeOutput("\n");
+      inArray_ = 0;
+    }
   }
+  closing_ = result.frame.closing;
+  inArray_ += result.frame.open;
+  write(out);
   if (!result.passedOver.empty() || !result.notes.empty()) progress_.clear();
   if (setup_.note) std::for_each(result.notes.begin(), result.notes.end(), setup_.note);
   for (const StreamFault& bad : result.passedOver) {
@@ -44,16 +72,19 @@ void OrderedOutput::put(const BlockFrame& block, const BlockResult& result) try 
     passedOver_ = true;
   }
   if (result.fault) fail(*result.fault);
-  if (setup_.keepArrays && !block.closing.empty()) closeArray(block.closing);
   if (block.fault) fail(*block.fault);
-  progress_.moved(block.inputBytes, result.records);
+  progress_.moved(block.bytes.size(), result.records);
 } catch (...) {
   progress_.clear();  // the process may end without destructors
   throw;
 }
 
+void OrderedOutput::closeArray() {
+  writeOutput(table_.rest());
+  if (!closing_.empty()) writeOutput((inArray_ == 0 ? "" : "\n") + closing_ + "\n");
+}
+
 void OrderedOutput::fail(const StreamFault& fault) {
-  write(table_.rest());
   closeArray();
   const bool placed = fault.position.line > 0;
   const std::string message = (placed ? setup_.placeOf(fault.position) + ": " : "") + fault.message;
@@ -62,21 +93,8 @@ void OrderedOutput::fail(const StreamFault& fault) {
 }
 
 int OrderedOutput::finish() {
-  if (setup_.before) setup_.before([&](std::string_view text) { put(text); });
-  write(table_.rest());
   closeArray();
   return passedOver_ ? 1 : 0;
-}
-
-void OrderedOutput::put(std::string_view text) {
-  if (setup_.form == OutputForm::table)
-    write(table_.add(text));
-  else
-    write(text);
-}
-
-void OrderedOutput::write(std::string_view text) {
-  if (!setup_.nothing) writeOutput(text);
 }
 
 }  // namespace viewproj::cmd

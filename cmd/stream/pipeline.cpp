@@ -1,18 +1,15 @@
 #include "stream/pipeline.hpp"
 
+#include <atomic>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
-#include <utility>
 #include <vector>
 
 namespace viewproj::cmd {
 namespace {
-
-/// So many blocks, and one for each worker, may be done before their turn. Fewer, and pipes let workers sleep; more,
-/// and nothing is faster.
-constexpr std::size_t kAhead = 4;
 
 class Pipeline {
  public:
@@ -20,32 +17,27 @@ class Pipeline {
       : setup_(setup), reader_(reader), output_(output) {}
 
   void run() {
-    worker(setup_.jobs);
+    work(true);
     for (std::thread& thread : threads_) thread.join();
     if (error_) std::rethrow_exception(error_);
   }
 
  private:
-  /// mayStart: how many workers this one may make of itself.
-  void worker(unsigned mayStart) {
+  void work(bool isFirst) {
     try {
       Block block;
       BlockResult result;
-      const auto own = setup_.makeWorker(result);
-      std::size_t number = 0;
-      while (read(block, number)) {
-        if (mayStart > 1 && isWorthMore(block)) {
-          start(mayStart - 1);
-          mayStart = 1;
+      const auto worker = setup_.makeWorker(result);
+      bool startsOthers = isFirst && setup_.jobs > 1;
+      for (std::size_t ticket = 0; read(block, ticket);) {
+        if (startsOthers && isWorthMore(block) && setup_.mayShare()) {
+          startOthers();
+          startsOthers = false;
         }
-        if (inOrder_ && !waitForTurn(number)) return;
-        result.out.clear();
-        result.records = 0;
-        result.passedOver.clear();
-        result.notes.clear();
-        result.fault.reset();
-        own->work(block, result);
-        if (!finish(number, block, result)) return;
+        worker->work(block, result);
+        if (!waitForTurn(ticket)) return;
+        output_.put(block, result);
+        endTurn();
       }
     } catch (...) {
       if (setup_.jobs > 1 && setup_.failed) setup_.failed();  // others may wait for input
@@ -53,56 +45,41 @@ class Pipeline {
     }
   }
 
-  /// Whether there is more to come, and as much at a time as work for others. Pipes often give less than a full block.
+  /// Whether there is more to come, and as much at a time as is work for others. Pipes often give less than a block.
   bool isWorthMore(const Block& block) const { return !block.last && block.bytes.size() >= reader_.blockSize() / 4; }
 
-  void start(unsigned count) {
-    for (unsigned i = 0; i < count; ++i) {
+  void startOthers() {
+    for (unsigned i = 1; i < setup_.jobs; ++i) {
       try {
-        threads_.emplace_back([this] { worker(1); });
+        threads_.emplace_back([this] { work(false); });
       } catch (const std::system_error&) {
         return;  // with fewer, then
       }
     }
   }
 
-  bool read(Block& block, std::size_t& number) {
+  bool read(Block& block, std::size_t& ticket) {
     const std::lock_guard lock(reading_);
     if (stopped_ || !reader_.next(block)) return false;
-    number = blocks_++;
+    ticket = tickets_++;
     return true;
   }
 
-  bool waitForTurn(std::size_t number) {
+  /// False where the run has ended.
+  bool waitForTurn(std::size_t ticket) {
     std::unique_lock lock(ordering_);
-    turned_.wait(lock, [&] { return stopped_ || turn_ == number; });
+    turned_.wait(lock, [&] { return stopped_ || turn_ == ticket; });
     return !stopped_;
   }
 
-  /// Hands over what was made of a block for its buffers of before, and puts out what is next, unless another one does.
-  bool finish(std::size_t number, BlockFrame& frame, BlockResult& result) {
-    std::unique_lock lock(ordering_);
-    turned_.wait(lock, [&] { return stopped_ || number - turn_ < finished_.size(); });
-    if (stopped_) return false;
-    Finished& own = finished_[number % finished_.size()];
-    std::swap(own.frame, frame);
-    std::swap(own.result, result);
-    own.ready = true;
-    if (std::exchange(writing_, true)) return true;
-    for (Finished* next; (next = &finished_[turn_ % finished_.size()])->ready;) {
-      lock.unlock();
-      output_.put(next->frame, next->result);
-      lock.lock();
-      next->ready = false;
-      inOrder_ = setup_.inOrder();
+  void endTurn() {
+    {
+      const std::lock_guard lock(ordering_);
       ++turn_;
-      turned_.notify_all();
     }
-    writing_ = false;
-    return true;
+    turned_.notify_all();
   }
 
-  /// Only the one who puts blocks out can fail, or one that keeps all others from theirs.
   void stop(const std::exception_ptr& error) {
     {
       const std::lock_guard lock(ordering_);
@@ -115,25 +92,11 @@ class Pipeline {
   const PipelineSetup& setup_;
   BlockReader& reader_;
   OrderedOutput& output_;
-
-  std::mutex reading_;
-  std::size_t blocks_ = 0;
-
-  std::mutex ordering_;
+  std::mutex reading_, ordering_;
   std::condition_variable turned_;
-  std::size_t turn_ = 0;  ///< the block that is to be put out next
-  /// What is done before its turn, the block with number n at n modulo the size.
-  struct Finished {
-    BlockFrame frame;
-    BlockResult result;
-    bool ready = false;
-  };
-  std::vector<Finished> finished_ = std::vector<Finished>(setup_.jobs + kAhead);
-  bool writing_ = false;  ///< one of the workers is putting blocks out
+  std::size_t tickets_ = 0, turn_ = 0;
   std::exception_ptr error_;
   std::atomic<bool> stopped_{false};
-  std::atomic<bool> inOrder_{setup_.inOrder()};
-
   std::vector<std::thread> threads_;
 };
 

@@ -28,13 +28,10 @@ bool readPlainNumbers(const std::vector<std::string_view>& values, const Layout&
 
 class CsvReader final : public RecordReader {
  public:
-  CsvReader(const Shape& header, const Results& results)
-      : header_(header), separator_(header.csv.separator), errors_(errorColumns(header.names, results)) {
-    for (const ErrorColumn& error : errors_) afterResults_ |= error.afterResult;
-  }
+  explicit CsvReader(const Shape& header) : header_(header), separator_(header.csv.separator) {}
 
   void read(const Block& block, Batch& batch) override {
-    const std::string_view text = block.records;
+    const std::string_view text = block.bytes.view();
     for (std::size_t at = 0, end; at < text.size(); at = end + 1) {
       if ((end = readPlainRecord(text, at, batch)) != npos) continue;
       std::size_t unclosed = npos;
@@ -96,28 +93,11 @@ class CsvReader final : public RecordReader {
     return lineEnd;
   }
 
-  /// What --keep-going put in place of a bad record is one still: in such a row a message stands beside a result that
-  /// is blank, or all numbers that are needed are blank. A message is no number.
-  void requireNoError(const RecordParts& record, const Layout* layout) const {
-    const auto blank = [&](std::size_t field) { return isBlank(csvValue(record.values[field])); };
-    const auto needed = [&](const NumberField& part) { return blank(part.field); };
-    if (layout && !std::all_of(layout->parts.begin(), layout->parts.end(), needed)) return;
-    for (const ErrorColumn& error : errors_) {
-      const bool blankBefore = error.afterResult && blank(error.column - 1);
-      if (!layout && !blankBefore && !(error.beforeResults && blank(error.column + 1))) continue;
-      const std::string message = csvValue(record.values[error.column]);
-      if (!isBlank(message) && !parseNumber(message))
-        throw RecordError(record.offset(error.column), markedBad(message));
-    }
-  }
-
   void readLine(std::string_view line, Batch& batch) {
     try {
       const RecordParts record = csvParts(line, header_);
-      if (!errors_.empty()) requireNoError(record, nullptr);
       const Plan& plan = batch.planFor(record);
-      if (!errors_.empty()) requireNoError(record, &plan.layout);
-      if (slots_.empty() && !afterResults_ && !header_.csv.isBlanks()) slots_ = slotsOf(plan.layout, header_.size);
+      if (slots_.empty() && !header_.csv.isBlanks()) slots_ = slotsOf(plan.layout, header_.size);
       Numbers numbers;
       readNumbers(record, plan.layout, numbers);
       batch.add(line, plan, numbers);
@@ -128,15 +108,13 @@ class CsvReader final : public RecordReader {
 
   const Shape& header_;
   char separator_;
-  std::vector<ErrorColumn> errors_;
-  bool afterResults_ = false;  ///< one of them
   std::vector<std::size_t> slots_;
 };
 
 class TextReader final : public RecordReader {
  public:
   void read(const Block& block, Batch& batch) override {
-    const std::string_view text = block.records;
+    const std::string_view text = block.bytes.view();
     for (std::size_t at = 0, end; at < text.size(); at = end + 1) {
       end = std::min(text.find('\n', at), text.size());
       std::string_view line = text.substr(at, end - at);
@@ -166,7 +144,7 @@ class BinaryReader final : public RecordReader {
   static constexpr std::size_t kAtOnce = 1024;
 
   void read(const Block& block, Batch& batch) override {
-    const std::string_view text = block.records;
+    const std::string_view text = block.bytes.view();
     const std::size_t count = text.size() / kBinaryRecord;
     const auto* doubles = reinterpret_cast<const double*>(text.data());  // blocks begin with their buffer
     for (std::size_t i = 0; i < count;) {
@@ -204,9 +182,7 @@ class BinaryReader final : public RecordReader {
 
 }  // namespace
 
-std::unique_ptr<RecordReader> makeCsvReader(const Shape& header, const Results& results) {
-  return std::make_unique<CsvReader>(header, results);
-}
+std::unique_ptr<RecordReader> makeCsvReader(const Shape& header) { return std::make_unique<CsvReader>(header); }
 std::unique_ptr<RecordReader> makeTextReader() { return std::make_unique<TextReader>(); }
 std::unique_ptr<RecordReader> makeBinaryReader() { return std::make_unique<BinaryReader>(); }
 

@@ -4,7 +4,6 @@
 #include <functional>
 #include <memory>
 #include <span>
-#include <vector>
 
 #include "output/record_writer.hpp"
 #include "records/layout.hpp"
@@ -19,7 +18,7 @@ class RecordWork {
 
   /// Where records of this one's shape have their numbers. Throws RecordError where they lack some.
   virtual Layout find(const RecordParts& record) const = 0;
-  /// The results of such records in a form, in order. Where a form has columns, all records get the same.
+  /// The results of such records in a form, in order. Throws RecordError where the form has no place for them.
   virtual Results results(const Layout& layout, OutputForm form) const = 0;
 
   /// Throws RecordError where the numbers are none to work on; nothing was added then.

@@ -9,14 +9,20 @@
 namespace viewproj::cmd {
 namespace {
 
-bool hasNumber(std::string_view line) {
+struct Words {
+  bool number = false, other = false;
+};
+
+/// Which kinds of words a line has.
+Words wordsOf(std::string_view line) {
   constexpr std::string_view kBlanks = " \t\r";
+  Words words;
   for (std::size_t at = 0; (at = line.find_first_not_of(kBlanks, at)) != std::string_view::npos;) {
     const std::size_t end = std::min(line.find_first_of(kBlanks, at), line.size());
-    if (parseNumber(line.substr(at, end - at))) return true;
+    (parseNumber(line.substr(at, end - at)) ? words.number : words.other) = true;
     at = end;
   }
-  return false;
+  return words;
 }
 
 }  // namespace
@@ -88,7 +94,7 @@ std::string_view afterComments(std::string_view text) {
   }
 }
 
-std::optional<Form> formOfBytes(std::string_view start, bool goesOn) {
+std::optional<Form> formOfBytes(std::string_view start) {
   if (start.starts_with("\xEF\xBB\xBF")) start.remove_prefix(3);
   const std::size_t first = start.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) return Form::text;
@@ -96,12 +102,17 @@ std::optional<Form> formOfBytes(std::string_view start, bool goesOn) {
   if (start[0] == '{' || start[0] == '[') return Form::json;
   const auto isControl = [](unsigned char c) { return c < '\t' || (c > '\r' && c < ' ') || c == 0x7f; };
   const bool controls = std::any_of(start.begin(), start.end(), isControl);
-  if (start.find('\0') != std::string_view::npos || (controls && !isUtf8(start, true))) return std::nullopt;
+  std::string_view whole = start;  // without a character that may be cut off
+  while (!whole.empty() && continuesCharacter(whole.back())) whole.remove_suffix(1);
+  if (!whole.empty() && static_cast<unsigned char>(whole.back()) >= 0xC0) whole.remove_suffix(1);
+  if (start.find('\0') != std::string_view::npos || (controls && !isUtf8(whole))) return std::nullopt;
   const std::string_view line = start.substr(0, start.find('\n'));
   const char c = start[0];
   const bool number = (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.' || line.starts_with("NaN");
-  if (line.find_first_of(",;") != std::string_view::npos) return Form::csv;
-  return number || hasNumber(line) || goesOn ? Form::text : Form::csv;
+  const Words words = wordsOf(line);
+  const bool isTabbed = line.find('\t') != std::string_view::npos && words.other;
+  if (isTabbed || line.find_first_of(",;") != std::string_view::npos) return Form::csv;
+  return number || words.number ? Form::text : Form::csv;
 }
 
 }  // namespace viewproj::cmd

@@ -48,9 +48,9 @@ std::string_view afterComments(std::string_view text);
 /// By the file's name, or nothing.
 std::optional<Form> formOfName(std::string_view fileName);
 
-/// By the first bytes, after comments: `{` or `[` begins JSON; a first line with a comma or a semicolon is CSV, any
-/// other with a number in it text, one of words alone a header. goesOn: a bad record may come first, so such words are
-/// one. Nothing where they are no text at all; f64 is never guessed.
-std::optional<Form> formOfBytes(std::string_view start, bool goesOn);
+/// By the first bytes, after comments: `{` or `[` begins JSON; a first line with a comma, a semicolon, or a tab beside
+/// what is no number is CSV, any other with a number in it text, one of words alone a header. Nothing where they are no
+/// text at all; f64 is never guessed.
+std::optional<Form> formOfBytes(std::string_view start);
 
 }  // namespace viewproj::cmd

@@ -1,22 +1,21 @@
 #include "text/json_scan.hpp"
 
-#include <algorithm>
-#include <cstddef>
-#include <string_view>
-
 #include "text/number.hpp"
 #include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {
 
-bool isHexDigit(char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'); }
-
-/// The code unit of four digits that stand here, or -1.
+/// The code unit of four hexadecimal digits that stand here, or -1.
 int codeUnit(const char* at, const char* end) {
-  if (end - at < 4 || !std::all_of(at, at + 4, isHexDigit)) return -1;
+  if (end - at < 4) return -1;
   int unit = 0;
-  for (int i = 0; i < 4; ++i) unit = 16 * unit + (at[i] <= '9' ? at[i] - '0' : (at[i] | 0x20) - 'a' + 10);
+  for (int i = 0; i < 4; ++i) {
+    const char c = at[i], letter = static_cast<char>(c | 0x20);
+    const int digit = isDigit(c) ? c - '0' : letter >= 'a' && letter <= 'f' ? letter - 'a' + 10 : -1;
+    if (digit < 0) return -1;
+    unit = 16 * unit + digit;
+  }
   return unit;
 }
 
@@ -36,8 +35,6 @@ const char* passEscape(const char* at, const char* end) {
 const char* passWord(const char* at, const char* end, std::string_view word) {
   return std::string_view(at, end).starts_with(word) ? at + word.size() : nullptr;
 }
-
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 /// As readJsonNumber, of what is finite for having no exponent and few digits; null for others.
 const char* passShortNumber(const char* at, const char* end) {
@@ -62,6 +59,34 @@ const char* passNumber(const char* at, const char* end) {
   return after ? after : readJsonNumber(at, end, unused);
 }
 
+/// Of a string that is not valid, from its quote on.
+JsonFault faultOfString(std::string_view text, std::size_t begin) {
+  const char* const end = text.data() + text.size();
+  std::size_t at = begin + 1;
+  for (; at < text.size() && text[at] != '"'; ++at) {
+    const std::string_view rest = text.substr(at);
+    if (static_cast<unsigned char>(text[at]) < ' ')
+      return {at,
+              "not valid JSON: a string has " + visible(rest.substr(0, 1)) + ", which JSON writes with a backslash"};
+    if (text[at] != '\\') continue;
+    const char* const after = passEscape(text.data() + at + 1, end);
+    if (!after) return {at, "not valid JSON: a string has a backslash that begins no escape"};
+    at = static_cast<std::size_t>(after - text.data()) - 1;
+  }
+  const bool isClosed = text.find('"', at) != std::string_view::npos;
+  return {begin, std::string("not valid JSON: a string is not ") + (isClosed ? "UTF-8" : "closed")};
+}
+
+bool isOfWord(char c) { return isDigit(c) || isLetter(c) || c == '-' || c == '+' || c == '.' || c == '_'; }
+
+/// A number or a word as somebody might write it, or else one character.
+std::string_view tokenAt(std::string_view text, std::size_t begin) {
+  std::size_t end = begin;
+  while (end < text.size() && isOfWord(text[end])) ++end;
+  if (end == begin) (void)nextCharacter(text, end);
+  return text.substr(begin, end - begin);
+}
+
 }  // namespace
 
 const char* passJsonString(const char* at, const char* end) {
@@ -83,13 +108,10 @@ const char* passJsonFlag(const char* at, const char* end) {
   return after ? after : passWord(at, end, "false");
 }
 
-const char* passJson(const char* at, const char* end, int depth) {
+const char* passJsonScalar(const char* at, const char* end) {
   switch (at < end ? *at : '\0') {
     case '"':
       return passJsonString(at, end);
-    case '[':
-    case '{':
-      return depth > 0 ? passJsonItems(at, end, depth - 1, [](std::string_view, std::string_view) {}) : nullptr;
     case 'n':
       return passWord(at, end, "null");
     case 't':
@@ -98,6 +120,38 @@ const char* passJson(const char* at, const char* end, int depth) {
     default:
       return passNumber(at, end);
   }
+}
+
+const char* passJson(const char* at, const char* end, std::size_t depth) {
+  JsonEvents none;
+  return scanJson(at, end, depth, none);
+}
+
+JsonFault faultOf(std::string_view text, const JsonStop& stop) {
+  const auto at = static_cast<std::size_t>(stop.at - text.data());
+  const std::string_view expected = stop.expected;
+  const auto fault = [&](const std::string& got) {
+    return JsonFault{at, "not valid JSON: expected " + std::string(expected) + got};
+  };
+  if (at == text.size()) return fault(", got the end");
+  const bool isValue = expected.starts_with("a value");
+  if (text[at] == '"' && (isValue || expected.starts_with("a key"))) return faultOfString(text, at);
+  if (text[at] == '\'' && isValue) return fault(", got '; text stands in double quotes");
+  const std::string_view token = tokenAt(text, at);
+  if (!isValue || !isOfWord(token[0])) return fault(", got " + visible(token));
+  if (isLargerThanDoubles(token)) return {at, inQuotes(token) + " is larger than any double"};
+  return fault("; JSON has no " + inQuotes(token));
+}
+
+std::optional<JsonFault> jsonFault(std::string_view text) {
+  JsonEvents none;
+  return scanWhole(text, none);
+}
+
+bool isJson(std::string_view text) {
+  const char* const end = text.data() + text.size();
+  const char* const after = passJson(passJsonSpace(text.data(), end), end, kAnyDepth);
+  return after && passJsonSpace(after, end) == end;
 }
 
 }  // namespace viewproj::cmd

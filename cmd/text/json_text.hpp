@@ -1,35 +1,28 @@
-// JSON as text: where things stand in it, and its parts byte for byte. nlohmann-json judges what is valid.
+// JSON as text: values from it, its parts byte for byte, and text from values.
 #pragma once
 
 #include <concepts>
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "text/error.hpp"
+#include "text/json_scan.hpp"
 
 namespace viewproj::cmd {
 
-struct JsonFault {
-  std::size_t offset;
-  std::string message;
-};
-
-/// Nothing if text is one valid JSON value, as nlohmann-json judges it; but a NUL, which it takes for the end of the
-/// text, is a fault like other characters.
-std::optional<JsonFault> jsonFault(std::string_view text);
-bool isJson(std::string_view text);
-
-/// How deep a value may be nested: what reads it calls itself for each level.
+/// How deep a value that is read may be nested.
 inline constexpr std::size_t kDeepestJson = 200;
 
 /// Reads the value of a text, unless the text is nested too deep or has another fault, or an object of it has a key
 /// twice: that is returned.
 std::optional<JsonFault> parseJson(std::string_view text, nlohmann::json& value);
+
+/// A number as JSON writes it: an integer where 64 bits hold it, otherwise the nearest double.
+nlohmann::json numberOfJson(std::string_view text);
 
 /// Blanks in place of // and /* */ comments, so that all else stays where it is. One that does not end stays.
 void blankComments(std::string& text);
@@ -49,18 +42,13 @@ class JsonParts {
   /// The next part, or nothing at the end.
   std::optional<Part> next();
 
-  /// As next() in two steps, for one who may look into the value instead of passing it: the next part, whose value
-  /// still ends where the text does; then past it, where its value gets its end.
-  std::optional<Part> begin();
-  void pass(Part& part);
-
  private:
   std::string_view text_;
   bool isObject_;
   std::size_t at_;
 };
 
-/// The offset after the JSON value that starts at `at`. The text must be valid JSON.
+/// The offset after the JSON value that starts at `at`, whether or not it is valid within.
 std::size_t endOfValue(std::string_view text, std::size_t at);
 
 /// A key or string as written (without quotes) with its escapes resolved.
@@ -72,7 +60,7 @@ inline std::string jsonOf(const std::string& text) { return jsonOf(std::string_v
 inline std::string jsonOf(const char* text) { return jsonOf(std::string_view(text)); }
 /// The shortest number that reads back as the same; null for what is not finite.
 std::string jsonOf(double number);
-std::string jsonOf(bool flag);
+inline std::string jsonOf(bool flag) { return flag ? "true" : "false"; }
 template <std::unsigned_integral Integer>
 std::string jsonOf(Integer number) {
   return std::to_string(number);

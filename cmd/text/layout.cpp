@@ -3,47 +3,14 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
-#include <iterator>
 
 #include "text/system.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
-namespace {
-
-struct Range {
-  unsigned first, last;
-};
-
-constexpr Range kNone[] = {{0x300, 0x36F}, {0x200B, 0x200F}, {0x20D0, 0x20FF}, {0xFE00, 0xFE0F}, {0xFE20, 0xFE2F}};
-constexpr Range kTwo[] = {{0x1100, 0x115F},   {0x2E80, 0x303E},   {0x3041, 0xA4CF},  {0xAC00, 0xD7A3},
-                          {0xF900, 0xFAFF},   {0xFE30, 0xFE6F},   {0xFF00, 0xFF60},  {0xFFE0, 0xFFE6},
-                          {0x1F300, 0x1F64F}, {0x1F900, 0x1F9FF}, {0x20000, 0x3FFFD}};
-
-template <std::size_t N>
-bool isIn(const Range (&ranges)[N], unsigned code) {
-  return std::any_of(std::begin(ranges), std::end(ranges),
-                     [&](const Range& r) { return code >= r.first && code <= r.last; });
-}
-
-/// The character at `at`, which moves on. What is no UTF-8 counts byte by byte.
-unsigned nextCharacter(std::string_view text, std::size_t& at) {
-  const auto first = static_cast<unsigned char>(text[at++]);
-  const int more = first >= 0xF0 ? 3 : first >= 0xE0 ? 2 : first >= 0xC0 ? 1 : 0;
-  unsigned code = more == 0 ? first : first & (0x3Fu >> more);
-  for (int i = 0; i < more && at < text.size() && (text[at] & 0xC0) == 0x80; ++i)
-    code = code << 6 | (static_cast<unsigned char>(text[at++]) & 0x3Fu);
-  return code;
-}
-
-}  // namespace
-
 std::size_t columnsOf(std::string_view text) {
-  std::size_t columns = 0;
-  for (std::size_t at = 0; at < text.size();) {
-    const unsigned code = nextCharacter(text, at);
-    columns += code < kNone[0].first ? 1 : isIn(kNone, code) ? 0 : isIn(kTwo, code) ? 2 : 1;
-  }
-  return columns;
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return !continuesCharacter(c); }));
 }
 
 std::string paddedRight(std::string_view text, std::size_t columns) {

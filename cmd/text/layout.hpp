@@ -7,8 +7,7 @@
 
 namespace viewproj::cmd {
 
-/// How many columns of a terminal the text takes: characters, not bytes; those of East Asia and pictures two, combining
-/// ones none.
+/// How many columns of a terminal the text takes: characters, not bytes, one each.
 std::size_t columnsOf(std::string_view text);
 
 /// With blanks after it up to so many columns.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "text/number.hpp"
 #include "text/utf8.hpp"
 
 namespace viewproj::cmd {
@@ -25,6 +26,10 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
   return d[a.size()][b.size()];
 }
 
+std::string_view withoutDashes(std::string_view name) {
+  return name.substr(std::min(name.find_first_not_of('-'), name.size()));
+}
+
 std::string enumerated(std::span<const std::string_view> names, const char* last) {
   if (names.size() < 2) return joined(names);
   return joined(names.first(names.size() - 1)) + last + std::string(names.back());
@@ -37,20 +42,23 @@ bool sameButForCase(std::string_view a, std::string_view b) {
 }
 
 std::string_view nearestName(std::string_view name, std::span<const std::string_view> candidates) {
+  constexpr std::size_t kLongest = 100;
+  const std::string_view word = withoutDashes(name);
   std::string_view best;
-  if (name.size() > 100) return best;
+  if (word.size() > kLongest) return best;
   // Who adds to a name, as in d3d-lh and d3d11, means that name.
   for (const std::string_view candidate : candidates)
     if (candidate.size() > std::max<std::size_t>(best.size(), 2) && name.size() > candidate.size() &&
         sameButForCase(name.substr(0, candidate.size()), candidate) &&
-        (name[candidate.size()] == '-' || std::isdigit(static_cast<unsigned char>(name[candidate.size()]))))
+        (name[candidate.size()] == '-' || isDigit(name[candidate.size()])))
       best = candidate;
   if (!best.empty() && std::find(candidates.begin(), candidates.end(), name) == candidates.end()) return best;
-  std::size_t fewest = std::max<std::size_t>(1, name.size() / 3) + 1;
-  for (std::string_view candidate : candidates) {
+  std::size_t fewest = word.size() / 3 + 1;
+  for (const std::string_view candidate : candidates) {
+    const std::string_view other = withoutDashes(candidate);
     // So many letters more or fewer are as many edits.
-    if (candidate.size() >= name.size() + fewest || name.size() >= candidate.size() + fewest) continue;
-    if (const std::size_t edits = editDistance(name, candidate); edits < fewest) {
+    if (other.size() >= word.size() + fewest || word.size() >= other.size() + fewest) continue;
+    if (const std::size_t edits = editDistance(word, other); edits < fewest) {
       fewest = edits;
       best = candidate;
     }

@@ -10,7 +10,8 @@ namespace viewproj::cmd {
 
 bool sameButForCase(std::string_view a, std::string_view b);
 
-/// The candidate that takes the fewest edits from name, case aside; empty if none is near.
+/// The candidate that takes the fewest edits from name, case and dashes in front aside; empty where that are more than
+/// a third of its letters.
 std::string_view nearestName(std::string_view name, std::span<const std::string_view> candidates);
 
 /// "; did you mean 'fovY'?" or, with no near one, "; known are a, b, c"; in place of more than eight of these, where

@@ -10,6 +10,8 @@
 
 namespace viewproj::cmd {
 
+inline bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
 /// Reads the double nearest the decimal number that a text begins with, as std::from_chars does where a standard
 /// library has it for doubles: infinite beyond the largest, 0 next to zero. Returns where the number ends, or null if
 /// there is none.
@@ -21,6 +23,9 @@ const char* readJsonNumber(const char* begin, const char* end, double& number);
 /// The double nearest the decimal text, blanks around it and a leading + allowed; nothing if the text is not a finite
 /// number as a whole.
 std::optional<double> parseNumber(std::string_view text);
+
+/// Whether a text is a number as a whole, in digits, that is too large for a double.
+bool isLargerThanDoubles(std::string_view text);
 
 /// Numbers separated by commas; nothing if one is wrong.
 std::optional<std::vector<double>> parseNumberList(std::string_view text);

@@ -15,8 +15,6 @@ namespace viewproj::cmd {
 
 namespace {
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
-
 /// Up to eight.
 struct Digits {
   std::int64_t value;
@@ -106,6 +104,12 @@ std::optional<double> parseNumber(std::string_view text) {
   const char* const end = text.data() + text.size();
   if (readNumber(text.data(), end, value) != end || !std::isfinite(value)) return std::nullopt;
   return value;
+}
+
+bool isLargerThanDoubles(std::string_view text) {
+  double number = 0;
+  const char* const end = text.data() + text.size();
+  return !text.empty() && isDigit(text.back()) && readNumber(text.data(), end, number) == end && std::isinf(number);
 }
 
 std::optional<std::vector<double>> parseNumberList(std::string_view text) {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -52,7 +51,7 @@ std::optional<std::size_t> bytesLeft(int descriptor);
 /// Writes once: returns how many bytes, 0 where it was interrupted or waited for room. EPIPE: nobody reads any more.
 std::ptrdiff_t writeSome(int descriptor, std::string_view text);
 
-/// A file that is gone when it is closed, or null.
-std::FILE* openTemporary();
+/// That this process may use.
+unsigned countProcessors();
 
 }  // namespace viewproj::cmd

@@ -1,11 +1,14 @@
 #include <fcntl.h>
 #include <poll.h>
+#include <sched.h>
 #include <sys/ioctl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <thread>
 
 #include "text/system.hpp"
 
@@ -78,6 +81,13 @@ std::ptrdiff_t writeSome(int descriptor, std::string_view text) {
   return written < 0 && isPassing(descriptor, POLLOUT) ? 0 : written;
 }
 
-std::FILE* openTemporary() { return std::tmpfile(); }
+unsigned countProcessors() {
+#ifdef __linux__
+  cpu_set_t processors;
+  if (::sched_getaffinity(0, sizeof processors, &processors) == 0)
+    return static_cast<unsigned>(std::max(1, CPU_COUNT(&processors)));
+#endif
+  return std::max(1u, std::thread::hardware_concurrency());
+}
 
 }  // namespace viewproj::cmd

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstdlib>
+#include <thread>
 
 #include "text/system.hpp"
 
@@ -111,10 +112,6 @@ std::ptrdiff_t writeSome(int descriptor, std::string_view text) {
   return written;
 }
 
-std::FILE* openTemporary() {
-  char folder[MAX_PATH + 1], name[MAX_PATH + 1];
-  if (::GetTempPathA(MAX_PATH, folder) == 0 || ::GetTempFileNameA(folder, "vpj", 0, name) == 0) return nullptr;
-  return std::fopen(name, "w+bTD");
-}
+unsigned countProcessors() { return std::max(1u, std::thread::hardware_concurrency()); }
 
 }  // namespace viewproj::cmd

@@ -1,19 +1,29 @@
 // The characters of a text: whether its bytes are UTF-8, and how messages and terminals can have them.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
 namespace viewproj::cmd {
 
-/// Whether all of it is UTF-8, as RFC 3629 has it. mayBeCut: but for a character that the end cuts off.
-bool isUtf8(std::string_view text, bool mayBeCut = false);
+/// Of ASCII.
+inline bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+/// Whether a byte goes on with a character that an earlier one began.
+inline bool continuesCharacter(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; }
+
+inline constexpr char32_t kNoCharacter = 0xFFFFFFFF;
+/// The character at `at`, which moves on past it; kNoCharacter, and one byte on, where there is none of UTF-8 as RFC
+/// 3629 has it.
+char32_t nextCharacter(std::string_view text, std::size_t& at);
+
+bool isUtf8(std::string_view text);
 
 /// Whether a line has nothing but white space.
 inline bool isBlank(std::string_view line) { return line.find_first_not_of(" \t\r") == std::string_view::npos; }
 
-/// UTF-16 or UTF-32, as iconv names it, where the first four bytes of a text, or two that are all, are of text in it;
-/// otherwise nothing.
+/// "UTF-16" or "UTF-32" where a text begins with its byte order mark; otherwise nothing.
 std::string_view wideEncoding(std::string_view start);
 
 /// Throws InputError where there is such an encoding.

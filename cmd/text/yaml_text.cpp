@@ -3,7 +3,6 @@
 #include <yaml.h>
 
 #include <algorithm>
-#include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "text/number.hpp"
@@ -18,7 +17,7 @@ using nlohmann::json;
 std::size_t offsetOf(std::string_view text, std::size_t characters) {
   std::size_t at = 0;
   for (; at < text.size(); ++at)
-    if ((text[at] & 0xC0) != 0x80 && characters-- == 0) return at;
+    if (!continuesCharacter(text[at]) && characters-- == 0) return at;
   return at;
 }
 
@@ -27,30 +26,6 @@ std::string withoutDirective(std::string_view text) {
   std::string copy(text);
   if (copy.starts_with("%YAML:")) copy[0] = '#';
   return copy;
-}
-
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
-
-/// As YAML's core schema has them, decimal: -1, +1., .5e3.
-bool looksLikeNumber(std::string_view text) {
-  if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
-  const auto digits = [&] {
-    std::size_t count = 0;
-    while (count < text.size() && isDigit(text[count])) ++count;
-    text.remove_prefix(count);
-    return count;
-  };
-  std::size_t count = digits();
-  if (text.starts_with('.')) {
-    text.remove_prefix(1);
-    count += digits();
-  }
-  if (count == 0) return false;
-  if (text.empty()) return true;
-  if (text[0] != 'e' && text[0] != 'E') return false;
-  text.remove_prefix(1);
-  if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
-  return digits() > 0 && text.empty();
 }
 
 template <class... Words>
@@ -162,16 +137,9 @@ class Reader {
     if (isOne(text, "", "~", "null", "Null", "NULL")) return nullptr;
     if (isOne(text, "true", "True", "TRUE")) return true;
     if (isOne(text, "false", "False", "FALSE")) return false;
-    if (!looksLikeNumber(text)) return text;
-    const char* const begin = text.data() + (text.starts_with('+') ? 1 : 0);
-    const char* const end = text.data() + text.size();
-    std::uint64_t natural = 0;
-    std::int64_t whole = 0;
-    if (const auto read = std::from_chars(begin, end, natural); read.ec == std::errc() && read.ptr == end)
-      return natural;
-    if (const auto read = std::from_chars(begin, end, whole); read.ec == std::errc() && read.ptr == end) return whole;
-    if (const auto number = parseNumber(text)) return *number;
-    fail(node, "number overflow parsing " + inQuotes(text));
+    // As the core schema has it, decimal: -1, +1., .5e3.
+    if (isLargerThanDoubles(text)) fail(node, inQuotes(text) + " is larger than any double");
+    return parseNumber(text) ? numberOfJson(std::string_view(text).substr(text.starts_with('+') ? 1 : 0)) : json(text);
   }
 
   std::string text_;

@@ -39,10 +39,7 @@ Pose looking(const Vec3& position, const DyadicVec3& way, const FineVec3& up, Ha
   setUnitRow(exact, 2, {way.x, way.y, way.z}, ofWay);
   exact.origin = position;
   exact.error = sideError * double(ofSide);
-  PoseParts parts = orthogonal(exact);
-  for (std::size_t i = 0; i < 3; ++i)
-    parts.way[i] = scaleByPowerOfTwo(toDoubleDouble(way[i].rounded()), -std::ilogb(size));
-  return made(parts);
+  return made(orthogonal(exact));
 }
 
 /// Of a place on the Earth a coordinate may be below the smallest number of a camera: nothing of it is lost.
@@ -87,7 +84,7 @@ Pose made(const PoseParts& parts) { return Access::whole<Pose, PoseParts>(std::m
 
 PoseParts orthogonal(const ExactPose& exact) {
   const Axes rows = roundedRows(exact);
-  return {exact.origin, rows, rows, {}, std::make_shared<const ExactPose>(exact), {}, 1};
+  return {exact.origin, rows, rows, {}, std::make_shared<const ExactPose>(exact)};
 }
 
 Axes roundedRows(const ExactPose& exact) noexcept {

@@ -43,10 +43,6 @@ struct PoseParts {
   /// as columns.
   DDVec3 residual{};
   std::shared_ptr<const ExactPose> exact;
-  /// As it was described: the direction of a look, times a power of two, else 0; the length of a rotation's quaternion,
-  /// times one, or of a worldFromCamera's the root of its determinant.
-  DDVec3 way{};
-  DoubleDouble rotationLength = 1;
 };
 
 inline const PoseParts& parts(const Pose& pose) noexcept { return *Access::shared(pose); }

@@ -174,13 +174,8 @@ Pose poseFromColumns(const std::array<DDVec3, 3>& columns, const DDVec3& eye, Ca
   const DDVec3* const row[] = {&named.right, &named.up, &named.forward};
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) exact.rows[i][j] = Dyadic<1>((*row[i])[j].hi) + Dyadic<1>((*row[i])[j].lo);
-  return made({exact.origin,
-               named,
-               toAxesOf(columns, axes),
-               toDoubleDouble(exact.translation),
-               std::make_shared<const ExactPose>(exact),
-               {},
-               1});
+  return made({exact.origin, named, toAxesOf(columns, axes), toDoubleDouble(exact.translation),
+               std::make_shared<const ExactPose>(exact)});
 }
 
 }  // namespace viewproj::detail
@@ -223,13 +218,10 @@ Pose poseFromRotation(const Vec3& position, const Quaternion& q, CameraAxes axes
   }};
   ExactPose exact;
   exact.origin = position;
-  const Wide squared = squares(true, true, true).rounded();
+  const Wide scale = Wide(1) / squares(true, true, true).rounded();
   const auto named = toAxes(columns, axes);
-  for (std::size_t i = 0; i < 3; ++i) setUnitRow(exact, i, named[i], Wide(1) / squared);
-  PoseParts made = orthogonal(exact);
-  const double largest = std::max(maxAbs(Vec3{q.x, q.y, q.z}), std::fabs(q.w));
-  made.rotationLength = scaleByPowerOfTwo(toDoubleDouble(sqrt(squared)), -std::ilogb(largest));
-  return detail::made(made);
+  for (std::size_t i = 0; i < 3; ++i) setUnitRow(exact, i, named[i], scale);
+  return made(orthogonal(exact));
 }
 
 Pose poseFromWorldFromCamera(const Mat4& matrix, CameraAxes axes, Handedness world) {
@@ -250,9 +242,7 @@ Pose poseFromWorldFromCamera(const Mat4& matrix, CameraAxes axes, Handedness wor
                toAxesOf(inverted.rows, axes),
                toAxesOf({toDoubleDouble(c[0]), toDoubleDouble(c[1]), toDoubleDouble(c[2])}, axes),
                {},
-               std::make_shared<const ExactPose>(exact),
-               {},
-               toDoubleDouble(sqrt(magnitude(inverted.divisor)))});
+               std::make_shared<const ExactPose>(exact)});
 }
 
 Pose poseFromCameraFromWorld(const Mat4& matrix, CameraAxes axes, Handedness world) {
@@ -279,9 +269,7 @@ Pose poseFromCameraFromWorld(const Mat4& matrix, CameraAxes axes, Handedness wor
                roundedRows(exact),
                toAxesOf(transposed(inverted.rows), axes),
                {left.right.x, left.up.x, left.forward.x},
-               std::make_shared<const ExactPose>(exact),
-               {},
-               1});
+               std::make_shared<const ExactPose>(exact)});
 }
 
 }  // namespace viewproj

@@ -46,6 +46,8 @@ ScreenPoint directionToScreen(const CameraParts& c, const Vec3& direction) noexc
 
 }  // namespace
 
+bool isInRange(const Camera& camera, const Vec4& point) noexcept { return isInDomain(parts(camera).pose.eye, point); }
+
 ScreenPoint worldToScreen(const Camera& camera, const Vec3& point, Precision precision) noexcept {
   const CameraParts& c = parts(camera);
   const Projected<double, bool> r =

@@ -32,6 +32,9 @@ enum class PointStatus : std::uint8_t {
 /// 0, or between 1e-90 and 1e90 in magnitude.
 inline constexpr double kFarthestPoint = 1e91;
 
+/// Whether a point is none that worldToScreen finds out of range.
+bool isInRange(const Camera& camera, const Vec4& point) noexcept;
+
 /// The boundaries of the view that a point may lie beyond, named the same in every convention.
 enum Side : std::uint8_t {
   sideLeft = 1,

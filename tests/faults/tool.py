@@ -49,10 +49,9 @@ def _runs():
     yield ["ray", "-c", CAMERA, "--pixel", "1,2,0.5"], b""
     for form in ("ndjson", "json", "csv", "table"):
         yield ["cull", "-c", CAMERA, "--to", form], POINTS["json"]
-    yield ["cull", "-c", CAMERA, "--planes"], b""
     for form in ("json", "text", "flat", "csv", "c", "glsl", "hlsl", "wgsl", "css", "numpy", "camera"):
         yield ["matrix", "--to", form], CAMERA.encode()
-    yield ["matrix", "-c", CAMERA, "--list"], b""
+    yield ["info", "--to", "json"], CAMERA.encode()
     yield ["inspect"], MATRIX
     yield ["inspect", "--to", "json"], MATRIX
     yield ["inspect", "--convention", "d3d", "--read-as", "opengl", "--to", "text"], MATRIX

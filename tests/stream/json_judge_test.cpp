@@ -59,7 +59,7 @@ class Listener final : public RecordWriter {
       : RecordWriter(out), keeper_(keeper), heard_(heard) {}
   void beginArray(std::string_view) override { heard_.push_back({"[", "", {}}); }
   void endArray(std::string_view) override { heard_.push_back({"]", "", {}}); }
-  void beginRecord(const Record& record) override { text_ = record.text; }
+  void beginRecord(const Record& record, const Results&) override { text_ = record.text; }
   void endRecord() override { heard_.push_back({text_, "", *keeper_.written}); }
   void cancelRecord() override {}
   void badRecord(std::string_view text, std::size_t line, const std::string& message) override {
@@ -68,7 +68,7 @@ class Listener final : public RecordWriter {
   void number(const ResultRow&, double) override {}
   void vector(const ResultRow&, std::span<const double>) override {}
   void flag(const ResultRow&, bool) override {}
-  void names(const ResultRow&, std::span<const std::string_view>, bool) override {}
+  void names(const ResultRow&, std::span<const std::string_view>) override {}
   void word(const ResultRow&, std::string_view) override {}
   void json(const ResultRow&, std::string_view) override {}
   void group(const ResultRow&, bool, const std::function<void(ResultSink&)>&) override {}
@@ -91,8 +91,8 @@ class Way {
     heard_.clear();
     result_.passedOver.clear();
     result_.fault.reset();
-    block_.bytes.assign(text);
-    block_.records = block_.bytes.view();
+    block_.bytes.clear();
+    block_.bytes += text;
     block_.last = true;
     batch_.begin(block_);
     try {

@@ -1,12 +1,12 @@
 // viewproj help: the tool, a command, or a topic.
+#include <CLI/CLI.hpp>
 #include <memory>
 
+#include "commands/cli.hpp"
 #include "commands/command.hpp"
 #include "commands/help/command_help.hpp"
 #include "commands/help/topics.hpp"
-#include "commands/notes.hpp"
-#include "commands/output_option.hpp"
-#include "commands/values.hpp"
+#include "commands/run.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
@@ -14,16 +14,11 @@
 namespace viewproj::cmd {
 namespace {
 
-struct Options {
-  std::optional<std::string> name;
-  Notes notes;
-};
-
 std::string textOf(const std::optional<std::string>& name) {
   if (!name) return helpText();
   std::vector<std::string_view> known;
   for (const Command& command : allCommands()) {
-    if (command.name == *name) return helpText(describe(command));
+    if (command.name == *name) return helpOf(command);
     known.push_back(command.name);
   }
   for (const Topic& topic : topics()) {
@@ -33,25 +28,20 @@ std::string textOf(const std::optional<std::string>& name) {
   throw UsageError("'" + *name + "' is no command and no topic" + suggestion(*name, known, "help"));
 }
 
-int run(const Options& o) {
-  writeOutput(textOf(o.name));
-  return 0;
-}
-
 }  // namespace
 
-Action defineHelp(CommandLine& line) {
-  const auto o = std::make_shared<Options>();
-  line.setDescription("What a command is about, with its options, or one of the topics: " + [] {
-    std::vector<std::string_view> names;
-    for (const Topic& topic : topics()) names.push_back(topic.name);
-    return joined(names);
-  }() + ".");
-  line.setExample("viewproj help camera");
-  addValue(line, "NAME", "", o->name, readText, "A command or a topic; absent: all of them, a line each");
-  addOnlyForm(line, "text", ".txt");
-  o->notes.add(line);
-  return [o] { return run(*o); };
+Action declareHelp(CLI::App& app) {
+  std::vector<std::string_view> names;
+  for (const Topic& topic : topics()) names.push_back(topic.name);
+  app.description("Help on a command, with its options, or on a topic: " + joined(names) + ".");
+  app.footer("Examples:\n  viewproj help camera\n  viewproj help project");
+  const auto name = std::make_shared<std::optional<std::string>>();
+  app.add_option("NAME", *name, "A command or a topic; absent: the list of all");
+  addOnlyForm(app, "text", ".txt .md");
+  return [name] {
+    writeOutput(textOf(*name));
+    return 0;
+  };
 }
 
 }  // namespace viewproj::cmd

@@ -209,8 +209,8 @@ std::string formats(std::size_t width) {
     files.push_back({std::string(importer->name), "", std::string(importer->form)});
   out += listed(files, width);
   out += paragraph(
-      "FILE#NAME or FILE#INDEX picks one of several, FILE##INDEX where a number is a name too; --list tells what picks "
-      "each.",
+      "FILE#NAME or FILE#INDEX picks one of several, FILE##INDEX where a number is a name too; info FILE tells what "
+      "picks each.",
       width);
   out += paragraph("Points and pixels, in:", width) + listed(entriesOf(inputForms()), width);
   out +=

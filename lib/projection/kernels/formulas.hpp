@@ -182,6 +182,7 @@ class ExactFormula {
       const D least = reach * kSignUncertaintyExact;
       // A depth that there is not is NaN, and certain.
       const D offset = L::splat(offset_.hi);
+      // NOLINTNEXTLINE(misc-redundant-expression): only a NaN differs from itself
       const M zIsNearest = isNearestSum(offset_, z, by.inverse, errorZ, r.depth) | (offset != offset);
       r.valid = all(inRange, r.distance > least, xIsNearest, yIsNearest, zIsNearest);
       r.behind = all(inRange, r.distance < -least);

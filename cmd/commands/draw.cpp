@@ -1,0 +1,170 @@
+// viewproj draw: an SVG of what the camera sees.
+#include <CLI/CLI.hpp>
+#include <cmath>
+
+#include "commands/cli.hpp"
+#include "commands/command.hpp"
+#include "commands/options.hpp"
+#include "commands/picture.hpp"
+#include "commands/stream_options.hpp"
+#include "output/output_file.hpp"
+#include "records/points.hpp"
+#include "records/scene.hpp"
+#include "records/shapes.hpp"
+#include "stream/filter.hpp"
+#include "text/csv.hpp"
+#include "text/error.hpp"
+#include "text/json_text.hpp"
+#include "text/number.hpp"
+#include "text/utf8.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+/// JSON text, a string without its quotes.
+std::string labelOfJson(std::string_view value) {
+  return visible(value.starts_with('"') ? unescaped(value.substr(1, value.size() - 2)) : std::string(value));
+}
+
+/// By its id or name, else by its number counted from 1.
+std::string labelOf(const Record& record, std::size_t number) {
+  for (const char* name : {"id", "name"})
+    if (const auto field = record.shape->isArray ? std::nullopt : record.shape->find(name)) {
+      const std::string_view value = valuesOf(record)[*field];
+      const bool isCsv = record.shape->form == Form::csv;
+      const std::string label = isCsv ? visible(csvValue(value)) : labelOfJson(value);
+      if (!label.empty() && isUtf8(label) && (isCsv || value != "null")) return label;
+    }
+  return std::to_string(number);
+}
+
+class DrawWork final : public RecordWork {
+ public:
+  DrawWork(Picture& picture, const PointReading& reading) : picture_(picture), reading_(reading) {}
+
+  Layout find(const RecordParts& record) const override { return findPoint(record, reading_); }
+  Results results(const Layout&, OutputForm) const override { return {}; }
+
+  void add(const Layout& layout, const Numbers& n) override {
+    if (!isPoint(layout) && !hasDepth(picture_.camera().projection()))
+      throw RecordError(0, "a shape needs a camera with near; --near gives it");
+    if (isSegment(layout))
+      drawn_.push_back(std::array{Vec3{n[0], n[1], n[2]}, Vec3{n[3], n[4], n[5]}});
+    else if (isPoint(layout))
+      drawn_.push_back(toPoint(layout, n));
+    else
+      std::visit([&](const auto& shape) { keep(shape); }, toShape(layout, n));
+  }
+
+  void read(std::size_t i, const Record& record) override {
+    const std::string label = labelOf(record, ++count_);
+    std::visit([&](const auto& what) { picture_.add(label, what); }, drawn_[i]);
+  }
+
+  void write(std::size_t, ResultSink&) override {}  // records are read alone
+  void clear() override { drawn_.clear(); }
+
+ private:
+  void keep(const Vec3&) {}  // points have been kept, whole
+  template <class Shape>
+  void keep(const Shape& shape) {
+    drawn_.push_back(shape);
+  }
+
+  Picture& picture_;
+  const PointReading& reading_;
+  std::vector<std::variant<Vec4, std::array<Vec3, 2>, Sphere, Box, Triangle>> drawn_;
+  std::size_t count_ = 0;
+};
+
+/// Planes have no outline.
+void draw(Picture& picture, const SceneObject& object) {
+  const std::string label = labelOfJson(object.id);
+  std::visit(
+      [&](const auto& shape) {
+        if constexpr (requires { picture.add(label, shape); }) picture.add(label, shape);
+        if constexpr (requires { shape.height; })
+          picture.add(label, Ellipsoid{kWgs84.equatorial + shape.height, kWgs84.polar + shape.height});
+      },
+      object.shape);
+}
+
+/// What the pixel's ray hits first.
+std::string hitLabel(const Camera& camera, const Vec2& pixel, const std::vector<SceneObject>& scene) {
+  const Ray ray = screenToRay(camera, pixel);
+  std::string label = "no hit";
+  double nearest = HUGE_VAL;
+  for (const SceneObject& object : scene) {
+    const Hits hits = std::visit([&](const auto& shape) { return intersect(ray, shape); }, object.shape);
+    if (hits.count == 0 || !(hits.begin()->distance < nearest)) continue;
+    nearest = hits.begin()->distance;
+    label = labelOfJson(object.id) + " at " + formatDigits(nearest, 6);
+  }
+  return label;
+}
+
+struct Options {
+  CameraOptions camera;
+  StreamOptions stream;
+  std::vector<GivenPoint> points;
+  std::vector<Vec2> pixels;
+  std::optional<std::string> scene;
+};
+
+int run(const Options& o) {
+  FilterSetup setup = o.stream.setup(kPointColumns);
+  for (const GivenPoint& point : o.points) setup.given.push_back({point.text, point.json()});
+  const bool reads = !o.points.empty() || o.stream.readsBeside(o.scene, setup, o.camera,
+                                                               o.pixels.empty() ? "" : "--pixel takes the place of");
+  if (!o.points.empty()) o.stream.requireOneInput(setup, o.camera, {"the scene", isStandardInput(o.scene)});
+  const CameraFile file = o.camera.read();
+  for (const GivenPoint& point : o.points) point.requireFit(file.worldIsEcef);
+  if (reads) o.stream.settleOnEarth(setup, file.worldIsEcef);
+  Picture picture(makeCamera(file));
+  std::vector<SceneObject> scene;
+  if (o.scene) {
+    requireNear(file, "--scene");
+    scene = readScene(*o.scene, file.worldIsEcef);
+    for (const SceneObject& object : scene) draw(picture, object);
+  }
+  const PointReading reading{
+      .columns = setup.columns, .worldIsEcef = file.worldIsEcef, .segments = true, .shapes = "drawn from a record"};
+  const int status = reads ? readRecords(setup, [&] { return std::make_unique<DrawWork>(picture, reading); }) : 0;
+  for (const Vec2& pixel : o.pixels)
+    picture.addPixel(
+        o.scene ? hitLabel(picture.camera(), pixel, scene) : formatNumber(pixel.x) + ", " + formatNumber(pixel.y),
+        pixel);
+  const Viewport& v = *file.viewport;
+  writeOutput(picture.svg(formatNumber(v.width) + " x " + formatNumber(v.height) + " pixels from the " +
+                          (v.origin == Origin::topLeft ? "top" : "bottom") + " left"));
+  return status;
+}
+
+}  // namespace
+
+Action declareDraw(CLI::App& app) {
+  const auto o = std::make_shared<Options>();
+  app.description(
+      "An SVG of what the camera sees: points under their id, name or number, segments, boxes, triangles and spheres "
+      "of FILE and of a scene, and what the rays of pixels hit.");
+  app.footer(
+      "Examples:\n"
+      "  viewproj draw --position 3,2,5 --target 0,0,0 --fov-y 60 --near 0.1 --viewport 640x480 \\\n"
+      "    --point 0,0,0 --point 1,1,1 -o view.svg\n"
+      "  viewproj draw -c camera.json points.csv --scene scene.json --pixel 320,240 -o view.svg");
+  addValues(app, "--point", kPointForm, o->points, readGivenPoint, "A point, in place of FILE");
+  addValues(
+      app, "--pixel", "X,Y", o->pixels,
+      [](const std::string& option, const std::string& text) {
+        const std::vector<double> n = readNumbers(option, text, 2, 2, "X,Y");
+        return Vec2{n[0], n[1]};
+      },
+      "A pixel to mark, and with --scene what its ray hits first");
+  addScene(app, o->scene, "Shapes to draw: a scene file, or the JSON itself");
+  o->stream.addInput(app, "points and shapes");
+  o->camera.add(app);
+  addOnlyForm(app, "SVG", ".svg");
+  return [o] { return run(*o); };
+}
+
+}  // namespace viewproj::cmd

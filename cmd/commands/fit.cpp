@@ -1,0 +1,123 @@
+// viewproj fit: the camera that shows all of something.
+#include <CLI/CLI.hpp>
+
+#include "commands/command.hpp"
+#include "commands/fitting.hpp"
+#include "commands/options.hpp"
+#include "commands/stream_options.hpp"
+#include "output/output_file.hpp"
+#include "records/points.hpp"
+#include "records/scene.hpp"
+#include "records/shapes.hpp"
+#include "stream/filter.hpp"
+#include "text/error.hpp"
+#include "text/number.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+enum class Means { place, lens };
+
+class FitWork final : public RecordWork {
+ public:
+  FitWork(Fitting& fitting, const PointReading& reading) : fitting_(fitting), reading_(reading) {}
+
+  Layout find(const RecordParts& record) const override { return findPoint(record, reading_); }
+  Results results(const Layout&, OutputForm) const override { return {}; }
+
+  void add(const Layout& layout, const Numbers& n) override {
+    if (isSegment(layout))
+      for (const std::size_t end : {0u, 3u}) fitting_.add(Vec3{n[end], n[end + 1], n[end + 2]});
+    else
+      std::visit([&](const auto& shape) { fitting_.add(shape); }, toShape(layout, n));
+  }
+
+  void write(std::size_t, ResultSink&) override {}  // records are read alone
+  void clear() override {}
+
+ private:
+  Fitting& fitting_;
+  const PointReading& reading_;
+};
+
+void addScene(Fitting& fitting, const std::vector<SceneObject>& scene) {
+  for (const SceneObject& object : scene)
+    std::visit(
+        [&](const auto& shape) {
+          if constexpr (requires { fitting.add(shape); })
+            fitting.add(shape);
+          else
+            throw InputError("--scene: object " + object.id +
+                             " is no sphere, box or triangle, and has no place to fit");
+        },
+        object.shape);
+}
+
+struct Options {
+  CameraOptions camera;
+  StreamOptions stream;
+  std::optional<std::string> scene;
+  std::vector<GivenPoint> points;
+  std::optional<Means> by;
+  double margin = 0.05;
+};
+
+/// "0.05" or "5%".
+double readMargin(const std::string& option, const std::string& text) {
+  const bool isPercent = text.ends_with('%');
+  const auto number = parseNumber(isPercent ? text.substr(0, text.size() - 1) : text);
+  const double share = number.value_or(-1) / (isPercent ? 100 : 1);
+  if (!(share >= 0 && share < 0.5))
+    throw UsageError(option + " " + text + ": expected a share from 0 to below 0.5, or a percentage below 50%");
+  return share;
+}
+
+int run(const Options& o) {
+  FilterSetup setup = o.stream.setup(kSphereColumns);
+  setup.note = [&](const std::string& note) { o.camera.notes().say(note); };
+  for (const GivenPoint& point : o.points) setup.given.push_back({point.text, point.json()});
+  const bool reads = !o.points.empty() || o.stream.readsBeside(o.scene, setup, o.camera);
+  if (!o.points.empty()) o.stream.requireOneInput(setup, o.camera, {"the scene", isStandardInput(o.scene)});
+  const CameraFile file = o.camera.read();
+  for (const GivenPoint& point : o.points) point.requireFit(file.worldIsEcef);
+  if (reads) o.stream.settleOnEarth(setup, file.worldIsEcef);
+  (void)makeCamera(file);  // names the part that it lacks
+  const bool orthographic = file.projection->isOrthographic();
+  if (orthographic && o.by) throw UsageError("--by is for a perspective; an orthographic window is scaled and centred");
+  Fitting fitting(file, o.margin);
+  const PointReading reading{
+      .columns = setup.columns, .worldIsEcef = file.worldIsEcef, .segments = true, .shapes = "fitted", .radius = true};
+  if (o.scene) addScene(fitting, readScene(*o.scene, file.worldIsEcef));
+  const int status = reads ? readRecords(setup, [&] { return std::make_unique<FitWork>(fitting, reading); }) : 0;
+  const bool byWindow = orthographic || o.by == Means::lens;
+  const Document fitted = byWindow ? fitting.byWindow() : fitting.byPlace();
+  writeOutput(o.camera.written(readCamera(fitted, file.reading)));
+  return status;
+}
+
+}  // namespace
+
+Action declareFit(CLI::App& app) {
+  const auto o = std::make_shared<Options>();
+  app.description(
+      "The camera that shows all of it: points, segments, spheres, boxes and triangles of FILE, a scene, or both. The "
+      "camera moves along its view, and to the middle of the room that is left across it; with --by fov it stays, and "
+      "its lens opens or closes. An orthographic window is scaled and centred. Writes a camera file.");
+  app.footer(
+      "Examples:\n"
+      "  viewproj fit --position 3,2,5 --target 0,0,0 --fov-y 60 --near 0.1 --viewport 640x480 \\\n"
+      "    --point 0,0,0 --point 9,1,0\n"
+      "  viewproj fit -c camera.json points.csv --margin 10% -o fitted.json");
+  addValues(app, "--point", kPointForm, o->points, readGivenPoint, "A point to fit, in place of FILE");
+  addScene(app, o->scene, "Shapes to fit: a scene file, or the JSON itself");
+  static constexpr std::pair<std::string_view, Means> kMeans[] = {{"place", Means::place}, {"fov", Means::lens}};
+  addChoice(app, "--by", "WHAT", o->by, rowsOf(kMeans), "What changes", "place");
+  addValue(app, "--margin", "SHARE", o->margin, readMargin,
+           "Share of the picture to leave free on each side, as in 0.05 or 5% (default: 0.05)");
+  o->stream.addInput(app, "points and shapes");
+  o->camera.add(app);
+  addOnlyForm(app, "a camera file", ".json");
+  return [o] { return run(*o); };
+}
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,48 @@
+// A camera that shows all of many things, in memory that does not grow with their number.
+#pragma once
+
+#include <array>
+
+#include "camera/read_camera.hpp"
+#include "viewproj/scene.hpp"
+
+namespace viewproj::cmd {
+
+class Fitting {
+ public:
+  /// margin: the share of the picture that stays free on each side.
+  Fitting(const CameraFile& camera, double margin);
+
+  void add(const Sphere& sphere);
+  void add(const Vec3& point) { add(Sphere{point, 0}); }
+  void add(const Box& box);
+  void add(const Triangle& triangle);
+
+  /// The camera's document with its eye as far along the view as all things allow, near and the margin too, and in the
+  /// middle of the room that is left across it. Throws InputError where something lies beyond far.
+  Document byPlace() const;
+  /// The same with the eye as it is, and the window as narrow as all things allow: of a perspective about the viewing
+  /// axis, of an orthographic camera around the things. Throws InputError for what is not between near and far.
+  Document byWindow() const;
+
+ private:
+  struct Side {
+    Vec3 normal;             ///< of a plane through the eye, inwards, of unit length
+    double room = HUGE_VAL;  ///< how far the plane can move inwards until it touches something
+  };
+
+  void requireSomething() const;
+  Document openedPerspective() const;
+  Document orthographicAround() const;
+
+  CameraFile file_;
+  Camera camera_;
+  double margin_;
+  Frustum open_;                                              ///< of all in front of the eye, near and far or not
+  std::array<Side, 4> sides_;                                 ///< left, right, bottom, top, the margin taken off
+  Side ahead_;                                                ///< straight ahead
+  double nearest_ = HUGE_VAL, farthest_ = -HUGE_VAL;          ///< along the view
+  ScreenBox seen_{HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL};  ///< top is the smaller y
+};
+
+}  // namespace viewproj::cmd
