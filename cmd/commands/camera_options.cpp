@@ -49,14 +49,12 @@ Names<Convention> presetConventions() {
 void CameraOptions::add(CLI::App& app) {
   app.option_defaults()->group(kCameraGroup);
   addValue(app, "-c,--camera", "FILE[#NAME]", camera_, readFileName,
-           "Camera file, or the JSON itself; #NAME picks one of several cameras. help formats lists the files");
+           "Camera file, or JSON; #NAME picks one of several");
   addValue(app, "--viewport", "WxH", viewport_, readSize, "Size of the picture in pixels, as in 1920x1080");
   addRepeatable(
       app, "--set", "FIELD=VALUE",
       [this](const std::string&, const std::string& text) { patches_.push_back(setPatch(text)); },
-      "Set a field of the camera file, as in projection.fovY=75; the last one counts");
-  addChoice(app, "--read-as", "NAME", readAs_, namesAlone(presetNames()), "Read the camera in this convention",
-            "the file's, or opengl");
+      "Set a field, as in projection.fovY=75");
   for (const Field& field : kFields)
     if (!field.option.empty())
       addOption(
@@ -64,23 +62,31 @@ void CameraOptions::add(CLI::App& app) {
           [this, &field](const std::string&, const std::string& text) { patches_.push_back(optionPatch(field, text)); },
           std::string(field.help));
   app.add_flag_callback(
-      "--orthographic", [this] { patches_.push_back(orthographicPatch()); },
-      "The projection is orthographic, where its other options do not tell");
-  app.add_flag("--allow-stretch", allowStretch_, "Allow a camera of another aspect ratio than the viewport's");
+      "--orthographic", [this] { patches_.push_back(orthographicPatch()); }, "The projection is orthographic");
+  app.add_flag("--allow-stretch", allowStretch_, "Allow another aspect ratio than the viewport's");
   app.add_flag("--ignore-distortion", ignoreDistortion_, "Leave out the distortion of the lens");
+  app.option_defaults()->group(kConventionGroup);
+  addValue(
+      app, "--read-as", "NAME", readAs_,
+      [](const std::string& option, const std::string& text) {
+        return choose(option, text, namesAlone(presetNames()));
+      },
+      "Read a file that states no convention as NAME");
   app.option_defaults()->group("Options");
 }
 
 void CameraOptions::addWriting(CLI::App& app) {
   app.option_defaults()->group(kConventionGroup);
-  addChoice(app, "--convention", "NAME", convention_, presets(),
-            "Write in this convention; without a camera file also read the options in it", "the one that was read");
+  addValue(
+      app, "--convention", "NAME", convention_,
+      [](const std::string& option, const std::string& text) { return choose(option, text, presets()); },
+      "Write in it; without a file also read options in it");
   CLI::Option* const reversed = app.add_flag_callback(
       "--reverse-z", [this] { reverseZ_ = true; }, "Write depth with near and far exchanged");
   app.add_flag_callback(
          "--no-reverse-z", [this] { reverseZ_ = false; }, "Write depth that grows with the distance")
       ->excludes(reversed);
-  addChoice(app, "--ndc-z", "RANGE", ndcZ_, rowsOf(kNdcZNames), "Write this range of NDC z", "the convention's");
+  addChoice(app, "--ndc-z", "RANGE", ndcZ_, rowsOf(kNdcZNames), "Range of NDC z that is written", "");
   app.option_defaults()->group("Options");
 }
 
@@ -113,8 +119,8 @@ void CameraOptions::add(CommandLine& line) {
 
 void CameraOptions::addWriting(CommandLine& line) {
   const Heading heading(line, "Convention written");
-  addChoice(line, "--convention", "NAME", convention_, presets(),
-            "Write in this convention; without a camera file also read the options in it", "the one that was read");
+  addChoice(line, "--convention", "NAME", convention_, presets(), "Write in it; without a file also read options in it",
+            "the one that was read");
   const auto takeReverseZ = [this](std::int64_t sum) {
     if (sum == 0) throw UsageError("--reverse-z and --no-reverse-z contradict each other");
     reverseZ_ = sum > 0;

@@ -21,7 +21,8 @@ class Help final : public CLI::Formatter {
   }
 
   std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
-    std::string out = wrapped(app->get_description(), terminalWidth()) + "\n" + make_usage(app, name);
+    std::string out = wrapped(app->get_description(), terminalWidth()) + "\n";
+    out += app->get_subcommands({}).empty() ? make_usage(app, name) : "Usage: " + name + " COMMAND [options] [FILE]\n";
     out += make_positionals(app);
     for (const bool isShared : {false, true})
       for (const std::string& group : app->get_groups())
@@ -45,19 +46,18 @@ class Help final : public CLI::Formatter {
   }
 
   std::string make_option(const CLI::Option* option, bool isPositional) const override {
+    constexpr std::size_t kColumn = 28;
     const std::string& form = option->get_option_text();
     const std::string name = "  " + make_option_name(option, isPositional) + (form.empty() ? "" : " " + form);
-    return entry(name, std::min<std::size_t>(kColumn, terminalWidth() / 3), option->get_description(), terminalWidth());
+    return entry(name, std::min(kColumn, terminalWidth() * 3 / 8), option->get_description(), terminalWidth());
   }
 
   std::string make_subcommand(const CLI::App* command) const override {
-    constexpr std::size_t kNames = 14;
+    constexpr std::size_t kNames = 15;
     return entry("  " + command->get_name(), kNames, command->get_description(), terminalWidth());
   }
 
  private:
-  static constexpr std::size_t kColumn = 28;
-
   static bool namesTopic(const std::string& group) { return group.find("(viewproj help ") != std::string::npos; }
 };
 
@@ -116,6 +116,8 @@ void prepare(CLI::App& app) {
       ->option_text("FILE");
   app.add_flag_callback("--quiet", silenceNotes, "Do not write notes on standard error");
 }
+
+std::string optionHelp(const CLI::Option* option) { return Help().make_option(option, false); }
 
 bool asksForHelp(std::span<const std::string> arguments) {
   const auto end = std::find(arguments.begin(), arguments.end(), "--");

@@ -27,10 +27,10 @@ struct Command {
 
 std::span<const Command> allCommands();
 
-Action defineProject(CommandLine& line);
-Action defineRay(CommandLine& line);
+Action declareProject(CLI::App& app);
+Action declareRay(CLI::App& app);
 Action declareMatrix(CLI::App& app);
-Action defineCull(CommandLine& line);
+Action declareCull(CLI::App& app);
 Action defineInspect(CommandLine& line);
 Action defineExplain(CommandLine& line);
 Action defineDepth(CommandLine& line);

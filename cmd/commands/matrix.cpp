@@ -9,7 +9,6 @@
 #include "commands/options.hpp"
 #include "input/adjusted.hpp"
 #include "output/camera_matrices.hpp"
-#include "output/camera_summary.hpp"
 #include "output/camera_text.hpp"
 #include "output/matrix_text.hpp"
 #include "output/output_file.hpp"
@@ -20,8 +19,7 @@
 namespace viewproj::cmd {
 namespace {
 
-constexpr std::string_view kCamera = "camera", kSummary = "summary";
-constexpr std::size_t kSummaryDigits = 9;
+constexpr std::string_view kCamera = "camera";
 
 struct Wanted {
   bool inverse = false, bakeViewport = false, relativeToEye = false;
@@ -182,13 +180,13 @@ MatrixSet matricesOf(const CameraFile& read, const std::optional<Mat4>& model, c
 }
 
 int run(const Options& o, const CLI::App& app) {
-  const bool toCamera = o.format == kCamera, toSummary = o.format == kSummary;
+  const bool toCamera = o.format == kCamera;
   if (o.model && (o.map || o.scale))
     throw UsageError("--map and --scale are of the world, and with --model matrices begin in the model's");
   if (o.type && !toCamera) throw UsageError("--type goes with --to camera");
   for (const char* option :
        {"--which", "--inverse", "--bake-viewport", "--relative-to-eye", "--float", "--digits", "--model"})
-    if ((toCamera || (toSummary && option != std::string_view("--digits"))) && app.count(option) > 0)
+    if (toCamera && app.count(option) > 0)
       throw UsageError(std::string(option) + " goes with matrices, not with --to " + std::string(o.format));
   if (o.all && o.format != "json")
     throw UsageError("--all writes JSON, a line a camera; leave out --to " + std::string(o.format));
@@ -204,14 +202,8 @@ int run(const Options& o, const CLI::App& app) {
       return writeMatrices(set, o.format, camera.name);
     });
   const CameraFile read = mapped(o.camera.read(needsPicture), o);
-  if (toCamera || toSummary) o.camera.noteHandedness(read);
+  if (toCamera) o.camera.noteHandedness(read);
   if (toCamera) return runCamera(read, o.type, o.camera, !o.map && !o.scale);
-  if (toSummary) {
-    CameraFile shown = read;
-    shown.convention = o.camera.writing(read);
-    writeOutput(summaryOf(shown, o.camera.writtenAxes(read), static_cast<int>(o.digits.value_or(kSummaryDigits))));
-    return 0;
-  }
   writeOutput(writeMatrices(matricesOf(read, model, o), o.format, read.name));
   return 0;
 }
@@ -237,7 +229,6 @@ Action declareMatrix(CLI::App& app) {
   app.add_flag("--float", o->asFloat, "Round to float32 (default: doubles)");
   auto forms = matrixForms();
   forms.push_back({kCamera, kCamera});
-  forms.push_back({kSummary, kSummary});
   addForm(app, o->format, std::span<const FormRow<std::string_view>>(forms), "Output format; camera is a camera file");
   app.add_flag("--all", o->all, "Write one JSON object per camera of the file");
   addValue(app, "--map", "X,Y,Z", o->map, readMap,

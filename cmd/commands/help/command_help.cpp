@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "commands/definition.hpp"
-#include "commands/help/topics.hpp"
 #include "text/layout.hpp"
 #include "text/names.hpp"
 
@@ -11,12 +10,6 @@ namespace viewproj::cmd {
 namespace {
 
 constexpr std::size_t kColumn = 30;
-constexpr std::pair<const char*, const char*> kStatuses[] = {
-    {"0", "All went well."},
-    {"1", "An input was wrong, or an output could not be written."},
-    {"2", "The command line was wrong."},
-};
-
 OptionHelp describe(const Option& option) {
   if (option.isOperand()) return {option.names, option.help};
   return {joined(option.spelled()) + (option.form.empty() ? "" : " " + option.form), option.help};
@@ -60,23 +53,6 @@ std::string helpText(const CommandHelp& help) {
     for (const OptionHelp& option : group.options) out += row(option, width);
   }
   return out + "\nExample:\n" + indented(help.example, 2);
-}
-
-std::string helpText() {
-  const std::size_t width = terminalWidth();
-  constexpr std::size_t kNames = 14;
-  const auto line = [&](std::string_view name, std::string_view text) {
-    return paddedRight("  " + std::string(name), kNames) + wrapped(text, width, kNames);
-  };
-  std::string out =
-      "viewproj: world points to screen coordinates, pixels to picking rays, cameras to matrices\n\n"
-      "Usage: viewproj <command> [options] [FILE]\n\nCommands:\n";
-  for (const Command& command : allCommands()) out += line(command.name, command.summary);
-  out += "\nTopics, for viewproj help:\n";
-  for (const Topic& topic : topics()) out += line(topic.name, topic.summary);
-  out += "\nExit status:\n";
-  for (const auto& [status, meaning] : kStatuses) out += line(status, meaning);
-  return out + "\n" + wrapped("viewproj <command> --help tells its options; viewproj --version the version.", width);
 }
 
 }  // namespace viewproj::cmd

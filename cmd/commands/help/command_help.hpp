@@ -32,7 +32,4 @@ CommandHelp describe(const Command& command);
 /// Of one command, for a terminal.
 std::string helpText(const CommandHelp& help);
 
-/// Of the tool.
-std::string helpText();
-
 }  // namespace viewproj::cmd
