@@ -247,6 +247,10 @@ CameraFile readChecked(const Document& document, const ReadOptions& reading) {
         "the convention's world is left-handed, but Earth-centred coordinates are right-handed; --convention says "
         "how to write");
   file.pose = readPose(document);
+  if (const auto target = Node(document).find("target"); target && file.pose) {
+    const Vec3 eye = file.pose->eye(), at = positionOf(*target);
+    file.targetDistance = std::hypot(at.x - eye.x, at.y - eye.y, at.z - eye.z);
+  }
   readLens(root, reading, file);
 
   const auto projection = root.find("projection");

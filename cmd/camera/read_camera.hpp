@@ -21,7 +21,8 @@ struct CameraFile {
   bool worldIsEcef = false;                 ///< Earth-centred metres: points may be given by lat, lon, height
   bool isTyped = false;                     ///< of options alone, and no file's
   bool statesConvention = false;
-  std::vector<std::string> notes;  ///< what is read as it stands, but probably not meant
+  std::optional<double> targetDistance;  ///< of a camera that looks at a target
+  std::vector<std::string> notes;        ///< what is read as it stands, but probably not meant
 };
 
 struct ReadOptions {

@@ -37,6 +37,8 @@ class CameraDocuments {
   CameraDocuments& operator=(const CameraDocuments&) = delete;
 
   std::size_t size() const { return import_.cameras.size(); }
+  /// As the file calls it; empty where it does not.
+  const std::string& nameOf(std::size_t which) const { return import_.cameras[which].name; }
   /// The shortest text after # that picks the camera and no other.
   std::string pickOf(std::size_t which) const;
   /// By name, id or number (## for the number alone); the only camera where there is no pick. Throws InputError.

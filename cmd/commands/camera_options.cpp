@@ -92,61 +92,8 @@ void CameraOptions::addWriting(CLI::App& app) {
 
 void CameraOptions::addFile(CLI::App& app) {
   takesFile_ = true;
-  addValue(app, "FILE", "", file_, readFileName, "Camera file, where -c was not given; absent or - for standard input");
-}
-
-void CameraOptions::add(CommandLine& line) {
-  notes_.add(line);
-  const Heading heading(line, kCameraHeading);
-  addValue(line, "-c,--camera", "FILE[#NAME]", camera_, readFileName,
-           "Camera file, or the JSON itself; also glTF, transforms.json, three.js, calibrations of OpenCV, ROS and "
-           "others (help formats), or matrices. #NAME picks one of several cameras");
-  line.addFlag(kListOption, list_, "Name the cameras that the camera file holds, and do nothing else");
-  addValue(line, "--viewport", "WxH", viewport_, readSize,
-           "Viewport size in pixels, as in 1920x1080 (default: the file's)");
-  line.add({"--set", "FIELD=VALUE",
-            "Set a field of the camera file, as in projection.fovY=75; of two of the same the later counts; repeatable",
-            Times::often},
-           [this](const std::string&, const std::vector<std::string>& given) {
-             for (const std::string& text : given) patches_.push_back(setPatch(text));
-           });
-  addChoice(line, "--read-as", "NAME", readAs_, namesAlone(presetNames()), "Read the camera in this convention",
-            "the file's, or opengl");
-  addFields(line);
-  line.addFlag("--allow-stretch", allowStretch_, "Let the camera's shape differ from the viewport's");
-  line.addFlag("--ignore-distortion", ignoreDistortion_, "Take a lens that distorts as one that does not");
-}
-
-void CameraOptions::addWriting(CommandLine& line) {
-  const Heading heading(line, "Convention written");
-  addChoice(line, "--convention", "NAME", convention_, presets(), "Write in it; without a file also read options in it",
-            "the one that was read");
-  const auto takeReverseZ = [this](std::int64_t sum) {
-    if (sum == 0) throw UsageError("--reverse-z and --no-reverse-z contradict each other");
-    reverseZ_ = sum > 0;
-  };
-  line.addFlag("--reverse-z,!--no-reverse-z", takeReverseZ,
-               "Write depth with near and far exchanged, or not (default: as the convention has it)");
-  addChoice(line, "--ndc-z", "RANGE", ndcZ_, rowsOf(kNdcZNames), "Write this range of NDC z", "the convention's");
-}
-
-void CameraOptions::addFile(CommandLine& line) {
-  takesFile_ = true;
-  addValue(line, "FILE", "", file_, readFileName,
-           "Camera file, where -c was not given; absent or - for standard input");
-}
-
-void CameraOptions::addFields(CommandLine& line) {
-  const Heading heading(line, kCameraFields);
-  for (const Field& field : kFields)
-    if (!field.option.empty() && line.wants(field.option))
-      line.add({std::string(field.option), std::string(wordsOfKind(field.kind).placeholder), std::string(field.help)},
-               [this, &field](const std::string&, const std::vector<std::string>& given) {
-                 patches_.push_back(optionPatch(field, given.front()));
-               });
-  line.addFlag(
-      "--orthographic", [this](std::int64_t) { patches_.push_back(orthographicPatch()); },
-      "The projection is orthographic, where its fields could be another's too");
+  addValue(app, "FILE", "", file_, readFileName, "Camera file, where -c was not given; absent or - for standard input")
+      ->group(kCameraGroup);
 }
 
 CameraSource CameraOptions::source() const {
@@ -187,23 +134,6 @@ std::unique_ptr<CameraDocuments> CameraOptions::open(const CameraSource& picked)
   return std::make_unique<CameraDocuments>(load(picked.file, camera_ ? "--camera" : "FILE"), std::move(all));
 }
 
-int CameraOptions::list() const {
-  if (isTyped()) throw UsageError("--list names the cameras of a file, and there is none");
-  const auto cameras = open(source());
-  for (std::size_t i = 0; i < cameras->size(); ++i) {
-    std::string line = "#" + cameras->pickOf(i);
-    try {
-      const Document document = cameras->document(i);
-      const Json* const type = valueAt(*document.root, "projection.type");
-      line += "  " + (type && type->is_string() ? type->get<std::string>() : "no projection");
-    } catch (const InputError& e) {
-      line += std::string("  cannot be read: ") + e.what();
-    }
-    writeOutput(line + "\n");
-  }
-  return 0;
-}
-
 std::string CameraOptions::readAs() const {
   if (readAs_ || !isTyped() || !convention_) return readAs_.value_or("");
   // A place makes the world right-handed.
@@ -221,7 +151,7 @@ CameraFile CameraOptions::read(bool needsPicture) const {
   Document document = cameras->document(cameras->choose(picked.pick));
   CameraFile file = readCamera(document, reading(needsPicture));
   statesConvention_ = readAs_ || isTyped() || file.statesConvention || file.worldIsEcef;
-  for (const std::string& note : file.notes) notes_.say(note);
+  for (const std::string& note : file.notes) cmd::note(note);
   if (isTyped()) given_ = std::move(document);
   return file;
 }
@@ -238,7 +168,7 @@ int CameraOptions::writeEach(
     std::string text;
     try {
       const CameraFile camera = readCamera(cameras->document(i), reading(needsPicture));
-      for (const std::string& note : camera.notes) notes_.say(note);
+      for (const std::string& note : camera.notes) cmd::note(note);
       statesConvention_ = readAs_ || camera.statesConvention;
       text = textOf(cameras->pickOf(i), camera);
     } catch (const InputError& e) {
@@ -259,6 +189,12 @@ std::optional<std::string> CameraOptions::asTyped(const CameraFile& file) const 
 std::pair<std::unique_ptr<CameraDocuments>, std::optional<std::string>> CameraOptions::readAll() const {
   const CameraSource picked = isTyped() ? CameraSource{} : source();
   return {open(picked), picked.pick};
+}
+
+CameraFile CameraOptions::readOne(const CameraDocuments& cameras, std::size_t which) const {
+  CameraFile file = readCamera(cameras.document(which), reading(true));
+  for (const std::string& note : file.notes) cmd::note(note);
+  return file;
 }
 
 bool CameraOptions::fromStandardInput() const {
@@ -291,14 +227,14 @@ void CameraOptions::noteHandedness(const CameraFile& file) const {
     if (readAs_ || readAs().empty()) return;
     const Vec3 up = convention_->up;
     if (convention_->convention.world == usual.convention.world && up == usual.up) return;
-    notes_.say("--convention " + name + " also says how the options are read: the world is " +
-               hand(convention_->convention.world) + " and up is " + formatNumber(up.x) + "," + formatNumber(up.y) +
-               "," + formatNumber(up.z) + "; --read-as opengl reads them in the default convention");
+    note("--convention " + name + " also says how the options are read: the world is " +
+         hand(convention_->convention.world) + " and up is " + formatNumber(up.x) + "," + formatNumber(up.y) + "," +
+         formatNumber(up.z) + "; --read-as opengl reads them in the default convention");
     return;
   }
   if (statesConvention_ || convention_->convention.world == file.convention.world) return;
-  notes_.say(file.name + ": states no convention, so its world stays " + hand(file.convention.world) + "; " + name +
-             "'s is " + hand(convention_->convention.world) + "; --read-as " + name + " reads the file so");
+  note(file.name + ": states no convention, so its world stays " + hand(file.convention.world) + "; " + name +
+       "'s is " + hand(convention_->convention.world) + "; --read-as " + name + " reads the file so");
 }
 
 }  // namespace viewproj::cmd

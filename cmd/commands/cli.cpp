@@ -63,9 +63,10 @@ class Help final : public CLI::Formatter {
 
 std::string longName(const std::string& names) { return names.substr(names.rfind(',') + 1); }
 
-/// Endings of the tool's own forms, and those of pictures: a file that is called so is expected to be so.
+/// Endings of the tool's own forms, and of a few others: a file that is called so is expected to be so.
 constexpr std::string_view kTelling =
-    ".json .ndjson .jsonl .csv .tsv .txt .xyz .f64 .svg .c .h .glsl .hlsl .wgsl .css .py .png .jpg .jpeg .pdf";
+    ".json .ndjson .jsonl .csv .tsv .txt .xyz .f64 .svg .c .h .glsl .hlsl .wgsl .css .py .png .jpg .jpeg .pdf "
+    ".npy .npz .parquet .xlsx .gz .bz2 .xz .zst .zip";
 
 /// CLI11 would take the argument after "--prefix=" for its value, and an option for that of one without a value.
 void requireValues(const CLI::App& app, std::span<const std::string> arguments) {
@@ -78,7 +79,11 @@ void requireValues(const CLI::App& app, std::span<const std::string> arguments) 
     const std::size_t equals = argument.find('=');
     const std::string name = argument.substr(0, equals);
     const CLI::Option* const option = name.starts_with('-') ? app.get_option_no_throw(name) : nullptr;
-    if (!option || option->get_items_expected_max() == 0) continue;
+    if (!option) continue;
+    if (option->get_items_expected_max() == 0) {
+      if (equals != std::string::npos) throw UsageError(name + " takes no value");
+      continue;
+    }
     if (equals != std::string::npos) {
       if (equals + 1 == argument.size()) throw UsageError("the value of " + name + kEmpty);
       if (!name.starts_with("--")) throw UsageError(argument + ": after " + name + " the value follows without =");

@@ -11,8 +11,6 @@ class App;
 
 namespace viewproj::cmd {
 
-class CommandLine;
-
 /// What a command does once its options are parsed. Returns the exit status; throws what text/error.hpp lists.
 using Action = std::function<int()>;
 
@@ -20,9 +18,7 @@ struct Command {
   std::string_view name;
   std::string_view summary;
   /// Gives the App its description, its options and its examples. The action works on what the App has parsed.
-  Action (*declare)(CLI::App& app) = nullptr;
-  /// In its place.
-  Action (*define)(CommandLine& line) = nullptr;
+  Action (*declare)(CLI::App& app);
 };
 
 std::span<const Command> allCommands();
@@ -31,12 +27,13 @@ Action declareProject(CLI::App& app);
 Action declareRay(CLI::App& app);
 Action declareMatrix(CLI::App& app);
 Action declareCull(CLI::App& app);
-Action defineInspect(CommandLine& line);
-Action defineExplain(CommandLine& line);
-Action defineDepth(CommandLine& line);
-Action defineMeasure(CommandLine& line);
-Action defineDraw(CommandLine& line);
-Action defineFit(CommandLine& line);
+Action declareInfo(CLI::App& app);
+Action declareInspect(CLI::App& app);
+Action declareExplain(CLI::App& app);
+Action declareDepth(CLI::App& app);
+Action declareMeasure(CLI::App& app);
+Action declareDraw(CLI::App& app);
+Action declareFit(CLI::App& app);
 Action declareSchema(CLI::App& app);
 Action declareHelp(CLI::App& app);
 

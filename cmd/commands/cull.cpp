@@ -2,7 +2,6 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "camera/camera.hpp"
 #include "commands/command.hpp"
 #include "commands/notes.hpp"
 #include "commands/stream_options.hpp"
@@ -11,8 +10,6 @@
 #include "records/shapes.hpp"
 #include "stream/filter.hpp"
 #include "text/error.hpp"
-#include "text/json_text.hpp"
-#include "text/number.hpp"
 #include "viewproj/scene.hpp"
 
 namespace viewproj::cmd {
@@ -75,9 +72,9 @@ Action declareCull(CLI::App& app) {
   app.footer(
       "Examples:\n"
       "  echo '{\"sphere\": {\"center\": [1, 1, -5], \"radius\": 0.5}}' |\n"
-      "    viewproj cull --fov-y 60 --aspect 16/9 --near 0.1 --viewport 1280x720\n"
+      "    viewproj cull --position 0,0,9 --target 0,0,0 --fov-y 60 --viewport 640x480\n"
       "  printf 'x,y,z,radius\\n1,2,-9,3\\n' |\n"
-      "    viewproj cull --fov-y 60 --near 0.1 --viewport 640x480");
+      "    viewproj cull --position 0,0,9 --target 0,0,0 --fov-y 60 --viewport 640x480");
   o->stream.add(app, "points and shapes");
   app.remove_option(app.get_option("--digits"));
   o->camera.add(app);

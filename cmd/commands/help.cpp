@@ -28,7 +28,7 @@ struct Topic {
   std::string_view summary() const { return text.substr(0, text.find('\n')); }
 };
 constexpr Topic kTopics[] = {
-#include "help_topics.inc"
+#include <help_topics.inc>
 };
 
 std::string row(const std::string& left, std::string_view text, std::size_t column) {
@@ -71,7 +71,6 @@ bool isFieldOption(const CLI::Option* option) {
 /// The options that commands list by name alone, but those of fields.
 std::string sharedOptions(const std::string& topic) {
   for (const Command& command : allCommands()) {
-    if (!command.declare) continue;
     CLI::App app;
     prepare(app);
     const Action action = command.declare(app);

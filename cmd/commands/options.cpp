@@ -1,8 +1,9 @@
 #include "commands/options.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
-#include "commands/output_option.hpp"
+#include "output/output_file.hpp"
 #include "records/points.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
@@ -26,24 +27,9 @@ void addDigits(CLI::App& app, std::optional<std::size_t>& digits, const std::str
 }
 
 void addPrecision(CLI::App& app, Precision& precision) {
-  Names<Precision> names;
-  for (const PrecisionRow& row : precisions()) names.emplace_back(row.name, row.precision);
-  addChoice(app, "--precision", "MODE", precision, names, "Arithmetic");
-}
-
-void addModelOption(CommandLine& line, std::optional<std::string>& model, const std::string& what,
-                    const std::string& effect) {
-  addValue(
-      line, "--model", "FILE", model, readFileName,
-      "Where the model of the " + what +
-          " stands in the world: 4 rows of a matrix, or a glTF node's translation, rotation and scale; a file or "
-          "the JSON itself" +
-          (effect.empty() ? "; world coordinates are rounded to doubles (default: " + what + " in world coordinates)"
-                          : "; " + effect));
-}
-
-void addSceneOption(CommandLine& line, std::optional<std::string>& scene, const std::string& help) {
-  addValue(line, "--scene", "FILE", scene, readFileName, "Scene file, or the JSON itself" + help);
+  static constexpr std::pair<std::string_view, Precision> kNames[] = {{"exact", Precision::exact},
+                                                                      {"standard", Precision::standard}};
+  addChoice(app, "--precision", "MODE", precision, rowsOf(kNames), "Arithmetic");
 }
 
 void requireOneStandardInput(std::initializer_list<NamedInput> inputs) {
@@ -107,33 +93,25 @@ Vec4 GivenPoint::point() const {
   return {numbers[0].second, numbers[1].second, numbers[2].second, numbers.size() > 3 ? numbers[3].second : 1};
 }
 
-void addDigits(CommandLine& line, std::optional<std::size_t>& digits, const std::string& otherwise) {
-  addValue(line, std::string(kDigitsOption), "N", digits, wholeNumber(1, kMostDigits),
-           "Significant digits of results, from 1 to " + std::to_string(kMostDigits) + " (default: " + otherwise + ")");
+void ReportOptions::add(CLI::App& app, int tableDigits) {
+  static constexpr FormRow<ReportForm> kForms[] = {
+      {"table", ReportForm::table, ".txt"}, {"json", ReportForm::json, ".json"}, {"csv", ReportForm::csv, ".csv"}};
+  addForm(app, form_, std::span<const FormRow<ReportForm>>(kForms), "Output format");
+  addDigits(app, digits_, "all in JSON and CSV, " + std::to_string(tableDigits) + " in a table");
+  tableDigits_ = tableDigits;
 }
 
-void addReportForm(CommandLine& line, ReportForm& form) {
-  static constexpr FormRow<ReportForm> kForms[] = {{"table", ReportForm::table, ".txt"},
-                                                   {"json", ReportForm::json, ".json"}};
-  addForm(line, form, std::span<const FormRow<ReportForm>>(kForms), "Form of the output");
+int ReportOptions::digits() const {
+  return digits_ ? static_cast<int>(*digits_) : form_ == ReportForm::table ? tableDigits_ : 0;
 }
 
-std::span<const PrecisionRow> precisions() {
-  static constexpr PrecisionRow kPrecisions[] = {
-      {"exact", Precision::exact, "double-double, and exact sums where that is not certain",
-       "the double nearest the true value, certified number by number; a tie, or a number that cancels to about 0, is "
-       "within 0.51 ulp or 1e-26 of the picture's size (a depth where near and far are nearly the same: 2^-96 / "
-       "(far/near - 1))"},
-      {"standard", Precision::standard, "double, after the eye is subtracted",
-       "a proven bound: 5e-12 pixels at 60 degrees and 1080 lines"},
-  };
-  return kPrecisions;
-}
-
-void addPrecision(CommandLine& line, Precision& precision) {
-  Names<Precision> names;
-  for (const PrecisionRow& row : precisions()) names.emplace_back(row.name, row.precision);
-  addChoice(line, "--precision", "MODE", precision, names, "Arithmetic; standard is double");
+void ReportOptions::write(const OrderedJson& report, const char* rows) const {
+  if (form_ == ReportForm::table)
+    writeOutput(tableText(report, digits()));
+  else if (form_ == ReportForm::json)
+    writeOutput(jsonText(report, digits()) + "\n");
+  else
+    writeOutput(csvText(*rows ? report.at(rows) : report, digits()));
 }
 
 }  // namespace viewproj::cmd

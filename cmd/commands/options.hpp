@@ -1,6 +1,7 @@
 // Options that several commands share, beside those of the camera and of streams.
 #pragma once
 
+#include <cstdint>
 #include <initializer_list>
 #include <optional>
 #include <span>
@@ -11,11 +12,12 @@
 
 #include "commands/cli.hpp"
 #include "commands/values.hpp"
+#include "output/report.hpp"
 #include "viewproj/screen.hpp"
 
 namespace viewproj::cmd {
 
-/// --model FILE, which readModel() reads. what: "points".
+/// --model FILE, which readModel() reads.
 void addModel(CLI::App& app, std::optional<std::string>& model, const std::string& help);
 /// --scene FILE, which readScene() reads.
 CLI::Option* addScene(CLI::App& app, std::optional<std::string>& scene, const std::string& help);
@@ -23,13 +25,6 @@ CLI::Option* addScene(CLI::App& app, std::optional<std::string>& scene, const st
 void addDigits(CLI::App& app, std::optional<std::size_t>& digits, const std::string& otherwise);
 /// --precision MODE.
 void addPrecision(CLI::App& app, Precision& precision);
-
-/// --model FILE, which readModel() reads. what: "points"; effect: of giving it.
-void addModelOption(CommandLine& line, std::optional<std::string>& model, const std::string& what,
-                    const std::string& effect = "");
-
-/// --scene FILE, which readScene() reads.
-void addSceneOption(CommandLine& line, std::optional<std::string>& scene, const std::string& help);
 
 /// Whether a file is standard input, which is then read for it.
 inline bool isStandardInput(const std::optional<std::string>& file) { return file == "-"; }
@@ -59,23 +54,30 @@ struct GivenPoint {
 inline constexpr const char* kPointForm = "X,Y,Z[,W]|lat=..,lon=..,height=..";
 GivenPoint readGivenPoint(const std::string& option, const std::string& text);
 
-inline constexpr std::string_view kDigitsOption = "--digits";
-/// --digits N. otherwise: what holds where it is not given.
-void addDigits(CommandLine& line, std::optional<std::size_t>& digits, const std::string& otherwise);
+/// Reads numbers separated by commas; form: in messages.
+inline auto numberList(const char* form) {
+  return [form](const std::string& option, const std::string& text) {
+    return readNumbers(option, text, 1, SIZE_MAX, form);
+  };
+}
 
 /// The forms of a report.
-enum class ReportForm { table, json };
+enum class ReportForm { table, json, csv };
 
-/// --to table or json.
-void addReportForm(CommandLine& line, ReportForm& form);
+/// --to table, json or csv, and --digits.
+class ReportOptions {
+ public:
+  /// tableDigits: significant ones for people; programs get all.
+  void add(CLI::App& app, int tableDigits);
+  ReportForm form() const { return form_; }
+  int digits() const;
+  /// rows: the member that CSV is of; empty: all of the report is one row.
+  void write(const OrderedJson& report, const char* rows = "") const;
 
-struct PrecisionRow {
-  std::string_view name;
-  Precision precision;
-  std::string_view arithmetic, promise;  ///< the promise is of screen x, y and depth
+ private:
+  ReportForm form_ = ReportForm::table;
+  std::optional<std::size_t> digits_;
+  int tableDigits_ = 0;
 };
-std::span<const PrecisionRow> precisions();
-/// --precision MODE.
-void addPrecision(CommandLine& line, Precision& precision);
 
 }  // namespace viewproj::cmd

@@ -373,7 +373,8 @@ Action declareProject(CLI::App& app) {
       "Examples:\n"
       "  viewproj project --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
       "    --viewport 1280x720 --point 1,1,1\n"
-      "  printf 'x,y,z\\n1,2,-9\\n' | viewproj project --fov-y 60 --viewport 640x480");
+      "  printf 'x,y,z\\n1,2,-9\\n' |\n"
+      "    viewproj project --position 0,0,9 --target 0,0,0 --fov-y 60 --viewport 640x480");
   o->stream.add(app, "points");
   addValues(app, "--point", kPointForm, o->points, readGivenPoint, "A point, in place of FILE");
   addValue(app, "--fields", "NAMES", o->fields, readFields, helpOnFields());

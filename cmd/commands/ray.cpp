@@ -298,8 +298,9 @@ Action declareRay(CLI::App& app) {
       "Examples:\n"
       "  viewproj ray --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
       "    --viewport 1280x720 --pixel 640,360 --to table\n"
-      "  viewproj ray --fov-y 60 --viewport 640x480 --pixel 9,9 --scene \\\n"
-      "    '{\"objects\": [{\"id\": 1, \"sphere\": {\"center\": [-5,4,-9], \"radius\": 3}}]}'");
+      "  viewproj ray --position 0,0,9 --target 0,0,0 --fov-y 60 --viewport 640x480 \\\n"
+      "    --pixel 320,240 --scene \\\n"
+      "    '{\"objects\": [{\"id\": 1, \"sphere\": {\"center\": [0,0,0], \"radius\": 3}}]}'");
   o->stream.add(app, "pixels");
   addValues(app, "--pixel", "X,Y[,DEPTH]", o->pixels, readPixel, "A pixel, in place of FILE");
   addScene(app, o->scene, "the nearest hit of each ray");

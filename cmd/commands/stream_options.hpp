@@ -12,9 +12,6 @@
 
 namespace viewproj::cmd {
 
-/// Headings of the options of StreamOptions.
-inline constexpr std::string_view kInput = "Input", kOutput = "Output";
-
 /// The stream of records that a command works on.
 class StreamOptions {
  public:
@@ -22,11 +19,6 @@ class StreamOptions {
   void add(CLI::App& app, const std::string& what);
   /// For a command that only reads them: a bad one need not end it.
   void addInput(CLI::App& app, const std::string& what);
-
-  /// For a filter, with results in the records. what: "points" or "pixels".
-  void add(CommandLine& line, const std::string& what);
-  /// For a command that only reads them.
-  void addInput(CommandLine& line, const std::string& what);
 
   /// Throws UsageError for columns that are none.
   FilterSetup setup(const ChoosableColumns& choosable) const;
@@ -47,9 +39,6 @@ class StreamOptions {
 
   /// Throws UsageError for an option that tells how FILE is to be read. why: "--point takes the place of".
   void requireNoInputOption(const std::string& why) const;
-
-  /// For a command that only reads records: a bad one need not end it.
-  void addKeepGoing(CommandLine& line);
 
  private:
   void addReading(CLI::App& app, const std::string& what);

@@ -224,22 +224,22 @@ class CsvWriter final : public RecordWriter {
   void appendInOrder(const std::vector<OwnCell>& cells) {
     const bool same = std::equal(cells.begin(), cells.end(), columns_.own.begin(), columns_.own.end(),
                                  [](const OwnCell& cell, const std::string& column) { return cell.column == column; });
-    std::vector<const OwnCell*> inOrder(columns_.own.size());
-    for (std::size_t i = 0; same && i < cells.size(); ++i) inOrder[i] = &cells[i];
-    if (!same) findPlaces(cells, inOrder);
-    for (std::size_t i = 0; i < inOrder.size(); ++i) {
+    if (!same) findPlaces(cells);
+    for (std::size_t i = 0; i < columns_.own.size(); ++i) {
       if (i > 0) out_ += setup_.csv.separator;
-      out_ += inOrder[i] ? inOrder[i]->text : quotedIfNeeded("", setup_.csv);
+      const OwnCell* const cell = same ? &cells[i] : inOrder_[i];
+      out_ += cell ? std::string_view(cell->text) : std::string_view(setup_.csv.isBlanks() ? "\"\"" : "");
     }
   }
 
-  void findPlaces(const std::vector<OwnCell>& cells, std::vector<const OwnCell*>& inOrder) {
+  void findPlaces(const std::vector<OwnCell>& cells) {
+    inOrder_.assign(columns_.own.size(), nullptr);
     if (places_.empty())
       for (std::size_t i = 0; i < columns_.own.size(); ++i) places_.emplace(columns_.own[i], i);
     for (const OwnCell& cell : cells) {
       const auto place = places_.find(cell.column);
       if (place != places_.end())
-        inOrder[place->second] = &cell;
+        inOrder_[place->second] = &cell;
       else if (cell.field.empty() ||
                (!places_.contains(cell.field) && !places_.contains(cell.field + std::string(kColumnSuffixes[0]))))
         throw RecordError(0, "has '" + (cell.field.empty() ? cell.column : cell.field) +
@@ -270,6 +270,7 @@ class CsvWriter final : public RecordWriter {
   const WriterSetup& setup_;
   CsvColumns& columns_;
   std::unordered_map<std::string_view, std::size_t> places_;  ///< of the columns, once they are needed by name
+  std::vector<const OwnCell*> inOrder_;
   std::size_t start_ = 0;
 };
 

@@ -94,7 +94,7 @@ std::optional<BlockReader::Line> BlockReader::firstLine() {
     const std::string_view text = carried_.view().substr(begin);
     std::size_t end = ends.nextEnd(text);
     if (end == npos && !atEnd_) {
-      drop(std::exchange(begin, 0));
+      if (begin > 0) drop(std::exchange(begin, 0));
       if (carried_.size() >= kLongestRecord) throw InputError(place(name_, position_) + ": " + tooLong());
       readMore();
       continue;

@@ -250,7 +250,7 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
   };
   OrderedOutput output(
       {.form = stream.to, .placeOf = placeOf, .fromCommandLine = !setup.given.empty(), .note = setup.note},
-      Progress(reader.totalBytes()));
+      reader.totalBytes());
   if (writes && stream.to == OutputForm::array) output.openArray();
   output.write(start.view());
   const bool namesColumns = writes && hasColumns(stream.to);

@@ -1,6 +1,5 @@
-// Records that are like one of before but for their numbers are read by its pattern; others of its shape are taken
-// apart here. All others go to the parts that nlohmann-json judges: so that is valid which it calls valid, and its
-// words are in the messages.
+// Records that are like one of before but for their numbers are read by its pattern. All others go to the parts that
+// nlohmann-json judges: so that is valid which it calls valid, and its words are in the messages.
 #include <algorithm>
 
 #include "stream/batch.hpp"
@@ -11,14 +10,8 @@
 namespace viewproj::cmd {
 namespace {
 
-constexpr std::size_t npos = std::string_view::npos;
-
 /// Patterns of a plan that are remembered, and those of all plans that a record is compared with at most.
-constexpr std::size_t kPatternsOfPlan = 4, kPatterns = 8;
-/// A pattern is made of one in so many records that are like none.
-constexpr std::size_t kLearningPause = 16;
-/// Arrays and objects within each other.
-constexpr int kDeepest = 256;
+constexpr std::size_t kPatternsOfPlan = 4, kPatterns = 32;
 
 class JsonReader final : public RecordReader {
  public:
@@ -83,52 +76,9 @@ class JsonReader final : public RecordReader {
     return 0;
   }
 
-  /// False where it is of no shape met before, or lacks its numbers, or is not valid as far as can be said here.
-  bool addKnown(std::string_view text) {
-    if (!byPattern_ || batch_->plans().empty() || !takeApart(text)) return false;
-    const auto& plans = batch_->plans();
-    for (std::size_t i = 0; i < plans.size(); ++i) {
-      Plan& plan = *plans[i];
-      const Shape& shape = plan.shape;
-      const bool isIts = shape.isArray == text.starts_with('[') && shape.size == parts_.values.size() &&
-                         std::equal(names_.begin(), names_.end(), shape.names.begin(), shape.names.end());
-      if (!isIts || !plan.layout.fits(parts_.values)) continue;
-      parts_.text = text;
-      parts_.shape = shape;
-      Numbers numbers;
-      NumberTexts texts;
-      try {
-        readNumbers(parts_, plan.layout, numbers, &texts);
-      } catch (const RecordError&) {
-        return false;
-      }
-      if (++unlike_ % kLearningPause == 0) learn(plan, RecordPattern(parts_, plan.layout, numbers, texts));
-      batch_->usedAgain(i);
-      batch_->add(text, plan, numbers);
-      return true;
-    }
-    return false;
-  }
-
-  /// Into names and values; false where it is not valid, or where names have escapes.
-  bool takeApart(std::string_view text) {
-    if (!opensJson(text.front())) return false;
-    names_.clear();
-    parts_.values.clear();
-    bool isPlain = true;
-    const char* const end = text.data() + text.size();
-    const auto take = [&](std::string_view name, std::string_view value) {
-      parts_.values.push_back(value);
-      if (name.empty()) return;
-      names_.push_back(name.substr(1, name.size() - 2));
-      isPlain = isPlain && name.find('\\') == npos;
-    };
-    return passJsonItems(text.data(), end, kDeepest, take) == end && isPlain;
-  }
-
   void take(const JsonPiece& piece) {
     if (!piece.message.empty()) batch_->bad(piece.text, RecordError(piece.at, piece.message));
-    if (piece.event == JsonEvent::record && !addKnown(piece.text)) readRecord(piece.text);
+    if (piece.event == JsonEvent::record) readRecord(piece.text);
     if (piece.event == JsonEvent::beginArray) batch_->beginArray(piece.text);
     if (piece.event == JsonEvent::endArray) batch_->endArray(piece.message.empty() ? piece.text : std::string_view());
   }
@@ -155,9 +105,6 @@ class JsonReader final : public RecordReader {
   }
 
   bool byPattern_;
-  std::size_t unlike_ = 0;
-  RecordParts parts_;
-  std::vector<std::string_view> names_;
   Batch* batch_ = nullptr;
   std::string_view text_;
 };

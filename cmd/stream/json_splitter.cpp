@@ -24,10 +24,10 @@ bool closesJson(char c) { return c == '}' || c == ']'; }
 /// A line of JSON ends with LF, CRLF or CR.
 bool isLineBreak(char c) { return c == '\n' || c == '\r'; }
 
-/// Before `end`, or npos.
-std::size_t lastLineBreak(std::string_view text, std::size_t end) {
-  while (end > 0 && !isLineBreak(text[end - 1])) --end;
-  return end > 0 ? end - 1 : npos;
+/// Before `end` and not before `from`, or npos.
+std::size_t lastLineBreak(std::string_view text, std::size_t end, std::size_t from = 0) {
+  while (end > from && !isLineBreak(text[end - 1])) --end;
+  return end > from ? end - 1 : npos;
 }
 
 /// What a scan for brackets passes over at once: all but white space, quotes and brackets.
@@ -58,9 +58,10 @@ JsonFault unclosedFault(std::string_view text) {
 }  // namespace
 
 std::size_t lastBorder(std::string_view text, std::size_t from) {
-  for (std::size_t end = text.size() - std::min<std::size_t>(text.size(), 1);;) {
-    end = lastLineBreak(text, end);
-    if (end == npos || end + 1 < from) return npos;
+  const std::size_t first = std::max<std::size_t>(from, 1) - 1;
+  for (std::size_t end = std::max<std::size_t>(text.size(), 1) - 1;;) {
+    end = lastLineBreak(text, end, first);
+    if (end == npos) return npos;
     if (!opensJson(text[end + 1])) continue;
     const std::size_t before = text.find_last_not_of(kSpace, end);
     if (before != npos && closesJson(text[before])) return end + 1;

@@ -1,12 +1,13 @@
 // What workers made of the blocks, put out in the order of the input.
 #pragma once
 
+#include <chrono>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "output/table.hpp"
 #include "stream/batch.hpp"
-#include "stream/progress.hpp"
 
 namespace viewproj::cmd {
 
@@ -18,9 +19,30 @@ struct OutputSetup {
   std::function<void(const std::string&)> note = {};
 };
 
+/// A line on standard error that shows how far a long run has come: where that is a terminal and standard output is
+/// none, from the second second on.
+class Progress {
+ public:
+  explicit Progress(std::optional<std::size_t> totalBytes);
+  void moved(std::size_t bytes, std::size_t records);
+  /// Takes the line away, so that something else may be written.
+  void clear();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  bool enabled_, shows_ = false;
+  std::optional<std::size_t> total_;
+  std::size_t bytes_ = 0, records_ = 0;
+  Clock::time_point start_ = Clock::now(), next_ = start_ + std::chrono::seconds(1);
+};
+
 class OrderedOutput {
  public:
-  OrderedOutput(OutputSetup setup, const Progress& progress) : setup_(std::move(setup)), progress_(progress) {}
+  /// totalBytes: of the input, if that is known.
+  OrderedOutput(OutputSetup setup, std::optional<std::size_t> totalBytes)
+      : setup_(std::move(setup)), progress_(totalBytes) {}
+  ~OrderedOutput() { progress_.clear(); }
 
   /// What stands before or after all records.
   void write(std::string_view text);

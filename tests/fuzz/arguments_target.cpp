@@ -36,10 +36,7 @@ void runArguments(std::string_view input) {
     arguments.insert(arguments.begin() + 2, "--jobs=1");
   }
   giveInput(input);
-  std::vector<char*> argv;
-  for (std::string& argument : arguments) argv.push_back(argument.data());
-  argv.push_back(nullptr);
-  (void)::run(static_cast<int>(arguments.size()), argv.data());
+  (void)::run({arguments.begin() + 1, arguments.end()});
   if (isJson(arguments)) requireJson(takeOutput(), arguments[1]);
 }
 

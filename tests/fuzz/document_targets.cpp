@@ -1,11 +1,10 @@
 // Scenes, model matrices and what inspect reads: files of JSON or text that are read as a whole.
 #include <cmath>
 
-#include "commands/inspect/notes.hpp"
-#include "commands/inspect/report.hpp"
+#include "commands/inspect_report.hpp"
 #include "fuzz.hpp"
 #include "output/matrix_text.hpp"
-#include "records/matrix_numbers.hpp"
+#include "input/matrix_numbers.hpp"
 #include "records/model.hpp"
 #include "records/scene.hpp"
 #include "targets.hpp"
@@ -46,19 +45,20 @@ void readModelMatrix(std::string_view input) {
 
 void inspectOne(const WrittenMatrix& written, bool float32) {
   constexpr std::size_t kMostConverted = 4;
-  const Mat4 rows = fromStorageOrder(written.numbers, Convention{.storage = Storage::rowMajor});
-  const MatrixCameras found = camerasOf(rows, {.float32 = float32});
-  InspectedMatrix one{written, {}, found.cameras.size(), found.fault, found.transposedFault, notesOn(found.cameras)};
-  for (const MatrixCamera& reading : found.cameras) one.readings.push_back({one.readings.size() + 1, reading});
-  Report json(true, float32), text(false, false);
-  const std::string part = json.add(one);
-  requireJson(part + json.end(), "inspect");
-  (void)text.add(one);
-  for (std::size_t i = 0; i < std::min(kMostConverted, found.cameras.size()); ++i) try {
+  const InspectQuery query{.isFloat = float32};
+  try {
+    const OrderedJson report = inspectReport(written, query);
+    requireJson(jsonText(report), "inspect");
+    (void)tableText(inspectPage(report), 9);
+  } catch (const CameraError&) {  // a calibration that is none
+  }
+  if (written.isCalibration()) return;
+  const std::vector<MatrixCamera> readings = statedReadings(written, query);
+  for (std::size_t i = 0; i < std::min(kMostConverted, readings.size()); ++i) try {
       MatrixSet set;
       set.convention = conventions::d3d;
-      set.convention.world = found.cameras[i].convention.world;
-      set.matrices.push_back({written.name, converted(found.cameras[i], set.convention)});
+      set.convention.world = readings[i].convention.world;
+      set.matrices.push_back({written.name, converted(readings[i], set.convention)});
       requireJson(writeMatrices(set, "json", "the fuzzer"), "inspect --convention");
     } catch (const CameraError&) {
     }

@@ -3,7 +3,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "catch.hpp"
-#include "commands/inspect/conversion.hpp"
+#include "commands/inspect_report.hpp"
 #include "internals.hpp"
 #include "random_cameras.hpp"
 #include "thread_cameras.hpp"

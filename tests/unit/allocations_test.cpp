@@ -4,8 +4,6 @@
 #include <vector>
 
 #include "catch.hpp"
-#include "commands/depth/depth_buffer.hpp"
-#include "commands/explain/stages.hpp"
 #include "internals.hpp"
 #include "kernels.hpp"
 #include "viewproj/geodesy.hpp"
@@ -14,7 +12,6 @@
 
 using namespace viewproj;
 using namespace viewproj::detail;
-using namespace viewproj::cmd;
 
 namespace {
 
@@ -110,8 +107,6 @@ TEST_CASE("Nothing allocates or throws once the camera is built") {
         for (const Vec2& p : pixels) {
           (void)screenToWorld(c, p, 0.5);
           (void)screenToWorldAtDistance(c, p, 3);
-          (void)pixelStages(c, p);
-          (void)depthStages(c, p, 0.5);
         }
       });
       none("stages", [&] {
@@ -120,7 +115,6 @@ TEST_CASE("Nothing allocates or throws once the camera is built") {
           (void)worldToView(c, point, convention);
           (void)worldToClip(c, point, convention);
           (void)worldToNdc(c, point, convention);
-          (void)pointStages(c, point, convention);
         }
       });
       none("matrices", [&] {
@@ -154,15 +148,6 @@ TEST_CASE("Nothing allocates or throws once the camera is built") {
           const VisibleSegment s = clipSegment(f, eye, p);
           (void)parameterUnder(f, s, {10, 20});
           (void)pointAlong(eye, p, 0.25);
-        }
-      });
-      none("depth", [&] {
-        const DepthMapping m = depthMapping(parts(lens), 0, 1, true);
-        for (const DepthFormat& format : {kFloatDepth, DepthFormat{0x1p-24, 1}}) {
-          (void)depthAtDistance(m, 3);
-          (void)depthSlope(m, 3);
-          (void)depthStep(m, format, 3);
-          (void)resolvedGap(m, format, 3);
         }
       });
       none("places", [&] {

@@ -1,9 +1,11 @@
 // viewproj draw: an SVG of what the camera sees.
+#include <CLI/CLI.hpp>
+
 #include "commands/command.hpp"
 #include "commands/draw/picture.hpp"
 #include "commands/draw/records.hpp"
+#include "commands/notes.hpp"
 #include "commands/options.hpp"
-#include "commands/output_option.hpp"
 #include "commands/stream_options.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
@@ -25,9 +27,8 @@ struct Options {
 };
 
 int run(const Options& o) {
-  if (o.camera.lists()) return o.camera.list();
   FilterSetup setup = o.stream.setup(kPointColumns);
-  setup.note = [&](const std::string& note) { o.camera.notes().say(note); };
+  setup.note = note;
   const bool reads = o.stream.readsBeside(o.scene, setup, o.camera,
                                           o.pixels.empty() ? "" : "--pixel takes the place of; - reads it as well");
 
@@ -49,21 +50,20 @@ int run(const Options& o) {
 
 }  // namespace
 
-Action defineDraw(CommandLine& line) {
+Action declareDraw(CLI::App& app) {
   const auto o = std::make_shared<Options>();
-  line.setDescription(
+  app.description(
       "An SVG of what the camera sees: points under their id or name, segments, boxes, triangles and spheres, and "
       "where pixels hit a scene.");
-  line.setExample(
-      "viewproj draw -c samples/a-picture-of-a-harbour/camera.json samples/a-picture-of-a-harbour/points.ndjson \\\n"
-      "  --scene samples/a-picture-of-a-harbour/scene.json --pixel 700,250 > view.svg");
-  o->camera.add(line);
-  o->stream.addInput(line, "points and shapes");
-  o->stream.addKeepGoing(line);
-  addSceneOption(line, o->scene, ": its outlines are drawn");
-  addValues(line, "--pixel", "X,Y", o->pixels, readPixel,
-            "A pixel to mark, with --scene what its ray hits first; standard input is then read only for FILE -");
-  addOnlyForm(line, "SVG", ".svg");
+  app.footer(
+      "Example:\n"
+      "  viewproj draw --position 3,2,5 --target 0,0,0 --fov-y 60 --near 0.1 \\\n"
+      "    --viewport 640x480 --pixel 320,240 -o view.svg");
+  o->stream.addInput(app, "points and shapes");
+  addScene(app, o->scene, "its outlines are drawn");
+  addValues(app, "--pixel", "X,Y", o->pixels, readPixel, "A pixel to mark, with --scene what its ray hits first");
+  addOnlyForm(app, "SVG", ".svg");
+  o->camera.add(app);
   return [o] { return run(*o); };
 }
 

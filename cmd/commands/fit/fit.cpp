@@ -1,12 +1,13 @@
 // viewproj fit: the camera that shows all of something.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "commands/command.hpp"
 #include "commands/fit/hull.hpp"
+#include "commands/notes.hpp"
 #include "commands/options.hpp"
-#include "commands/output_option.hpp"
 #include "commands/stream_options.hpp"
 #include "input/adjusted.hpp"
 #include "numbers/ulp.hpp"
@@ -199,10 +200,9 @@ Wanted wantedBy(const Options& o, const Viewport& v) {
 }
 
 int run(const Options& o) {
-  if (o.camera.lists()) return o.camera.list();
   if (o.margin && o.pixels) throw UsageError("--margin and --pixels both say how large it is; leave out one of them");
   FilterSetup setup = o.stream.setup(kSphereColumns);
-  setup.note = [&](const std::string& note) { o.camera.notes().say(note); };
+  setup.note = note;
   const bool reads = o.stream.readsBeside(o.scene, setup, o.camera);
 
   CameraFile file = o.camera.read();
@@ -245,29 +245,25 @@ int run(const Options& o) {
 
 }  // namespace
 
-Action defineFit(CommandLine& line) {
+Action declareFit(CLI::App& app) {
   const auto o = std::make_shared<Options>();
-  line.setDescription(
-      "The camera that shows all of it: points, spheres, boxes, triangles and segments of FILE, a scene or both. "
-      "Direction and lens stay, and the camera moves to the place nearest along its view from which everything is in "
-      "the picture, in the middle of what room is left across it; or, with --by fov, it stays and its lens opens or "
-      "closes. An orthographic window is scaled and centred. Out comes a camera file.");
-  line.setExample(
-      "viewproj fit -c samples/cornell-box/camera.json samples/cornell-box/quads.csv |\n"
-      "  viewproj project -c - samples/cornell-box/quads.csv --to table");
-  o->camera.add(line);
-  o->stream.addInput(line, "points and shapes");
-  o->stream.addKeepGoing(line);
-  addSceneOption(line, o->scene, ", to fit as well");
+  app.description("The camera that shows all of it: points and shapes of FILE, a scene, or both; as a camera file.");
+  app.footer(
+      "Example:\n"
+      "  printf '0 0 0\\n9 1 0\\n' |\n"
+      "    viewproj fit --position 3,2,5 --target 0,0,0 --fov-y 60 --viewport 640x480");
+  o->stream.addInput(app, "points and shapes");
+  addScene(app, o->scene, "shapes to fit");
   static constexpr std::pair<std::string_view, Means> kMeans[] = {{"place", Means::place}, {"fov", Means::lens}};
-  addChoice(line, "--by", "WHAT", o->by, rowsOf(kMeans), "What changes", "place");
-  addValue(line, "--margin", "SHARE", o->margin,
+  addChoice(app, "--by", "WHAT", o->by, rowsOf(kMeans), "What changes", "place");
+  addValue(app, "--margin", "SHARE", o->margin,
            numberThat([](double share) { return share >= 0 && share < 0.5; }, "a share from 0 to below 0.5"),
            "Share of the picture to leave free on each side (default: 0.05)");
-  addValue(line, "--pixels", "N", o->pixels,
+  addValue(app, "--pixels", "N", o->pixels,
            numberThat([](double pixels) { return pixels > 0 && std::isfinite(pixels); }, "a number of pixels above 0"),
-           "In place of a margin: what is the larger side of all of it together, in pixels");
-  addOnlyForm(line, "a camera file", ".json");
+           "Size in pixels of the longer side, in place of a margin");
+  addOnlyForm(app, "a camera file", ".json");
+  o->camera.add(app);
   return [o] { return run(*o); };
 }
 

@@ -1,0 +1,222 @@
+#include "commands/depth.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "commands/camera_options.hpp"
+#include "commands/command.hpp"
+#include "commands/options.hpp"
+#include "numbers/wide.hpp"
+#include "text/error.hpp"
+#include "text/number.hpp"
+
+namespace viewproj::cmd {
+
+using detail::Wide;
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// far / (far - near), 1 where far is infinite.
+Wide farShare(const Projection& p) {
+  return std::isinf(p.zFar()) ? Wide(1) : Wide(p.zFar()) / (Wide(p.zFar()) - Wide(p.zNear()));
+}
+
+/// Each end of the depth range by its share, so that the depth keeps its digits next to 0.
+double depthAt(const DepthMapping& m, double distance) {
+  const Projection& p = m.projection;
+  const Wide w = distance, near = p.zNear(), far = p.zFar();
+  Wide ofNear, ofFar;
+  if (p.isOrthographic()) {
+    ofNear = (far - w) / (far - near);
+    ofFar = (w - near) / (far - near);
+  } else {
+    ofNear = std::isinf(p.zFar()) ? near / w : near * (far - w) / (far - near) / w;
+    ofFar = farShare(p) * (w - near) / w;
+  }
+  return nearestDouble(Wide(m.atNear) * ofNear + Wide(m.atFar) * ofFar);
+}
+
+/// The change of depth per unit of distance is slope in orthographic, in perspective slope / distance^2.
+Wide slope(const DepthMapping& m) {
+  const Wide range = Wide(m.atFar) - Wide(m.atNear), near = m.projection.zNear();
+  return m.projection.isOrthographic() ? range / (Wide(m.projection.zFar()) - near)
+                                       : range * near * farShare(m.projection);
+}
+
+double distanceAt(const DepthMapping& m, double depth) {
+  const Wide fromNear = Wide(depth) - Wide(m.atNear), toFar = Wide(m.atFar) - Wide(depth);
+  const Wide range = Wide(m.atFar) - Wide(m.atNear), near = m.projection.zNear(), far = m.projection.zFar();
+  if (m.projection.isOrthographic()) return nearestDouble((near * toFar + far * fromNear) / range);
+  // near / distance
+  const Wide share = std::isinf(m.projection.zFar()) ? toFar / range : (far * toFar + near * fromNear) / (far * range);
+  return share.sign() == 0 ? kInfiniteFar : nearestDouble(near / share);
+}
+
+/// Of float32s in (2^k, 2^(k+1)], where the value lies.
+double floatStep(double value) {
+  if (value == 0) return 0x1p-149;
+  int exponent;
+  const double fraction = std::frexp(std::fabs(value), &exponent);
+  return std::max(std::ldexp(1.0, exponent - (fraction == 0.5 ? 2 : 1) - 23), 0x1p-149);
+}
+
+/// The larger depth of two surfaces decides the step: that of the farther one, or with reversed depth of the nearer
+/// one, which is a step above. A depth made from NDC z of -1..1 was a float32 there: it has half of that step at least.
+double floatDepthStep(const DepthMapping& m, double distance) {
+  const double depth = depthAt(m, distance), range = std::fabs(m.atFar - m.atNear);
+  const bool reversed = m.atFar < m.atNear;
+  double step = floatStep(depth);
+  if (reversed) step = floatStep(std::min(depth + step, std::max(m.atNear, m.atFar)));
+  if (m.ndcZ == NdcZ::zeroToOne) return step;
+  return std::max(step, range / 2 * floatStep(2 * (depth - std::min(m.atNear, m.atFar)) / range - 1));
+}
+
+/// A step of depth as a length. Surfaces at v < w differ in depth by slope (1/v - 1/w), in orthographic slope (w - v).
+/// Nothing is known better than to half a step of the distance's own float32.
+double gapOf(const DepthMapping& m, double step, double distance) {
+  const double rate = std::fabs(nearestDouble(slope(m)));
+  const double gap = m.projection.isOrthographic() ? step / rate : distance / (1 + rate / distance / step);
+  return std::max(gap, floatStep(distance) / 2);
+}
+
+/// Of buffers with so many bits: shares of 1, or whole numbers where the range goes beyond 1. NaN where they do not
+/// hold it.
+double unormStep(const DepthMapping& m, int bits) {
+  const double largest = std::ldexp(1.0, bits) - 1, range = std::max(m.atNear, m.atFar);
+  return range <= 1 ? 1 / largest : range <= largest ? 1 : kNaN;
+}
+
+OrderedJson reportOf(const DepthMapping& m) {
+  return {{"projection", m.projection.isOrthographic() ? "orthographic" : "perspective"},
+          {"near", m.projection.zNear()},
+          {"far", m.projection.zFar()},
+          {"depthAtNear", m.atNear},
+          {"depthAtFar", m.atFar}};
+}
+
+}  // namespace
+
+OrderedJson depthReport(const DepthMapping& m, std::span<const double> distances) {
+  OrderedJson report = reportOf(m), rows = OrderedJson::array();
+  DepthMapping forward = m, reversed = m;
+  std::tie(forward.atNear, forward.atFar) = std::minmax(m.atNear, m.atFar);
+  std::tie(reversed.atFar, reversed.atNear) = std::minmax(m.atNear, m.atFar);
+  for (const double w : distances) {
+    const bool isSeen = w >= m.projection.zNear() && w <= m.projection.zFar();
+    const auto gap = [&](double step) { return isSeen && step > 0 ? gapOf(m, step, w) : kNaN; };
+    const Wide squared = m.projection.isOrthographic() ? Wide(1) : Wide(w) * Wide(w);
+    rows.push_back({{"distance", w},
+                    {"depth", depthAt(m, w)},
+                    {"slope", nearestDouble(slope(m) / squared)},
+                    {"d16", gap(unormStep(m, 16))},
+                    {"d24", gap(unormStep(m, 24))},
+                    {"f32", gap(floatDepthStep(forward, w))},
+                    {"f32Reversed", gap(floatDepthStep(reversed, w))}});
+  }
+  report["distances"] = std::move(rows);
+  report["notes"] = {
+      "d16, d24, f32: how much nearer than a surface at this distance another must be to be stored apart from it. d16 "
+      "and d24 resolve the same forward and reversed."};
+  if (std::max(m.atNear, m.atFar) > 1)
+    report["notes"].push_back("The depth range goes beyond 1: d16 and d24 store whole numbers, where they hold it.");
+  if (m.ndcZ == NdcZ::minusOneToOne)
+    report["notes"].push_back(
+        "With NDC z of -1..1 f32 gains little over d24: z is a float32 near -1 first. 0..1 (glClipControl) keeps it.");
+  return report;
+}
+
+OrderedJson distanceReport(const DepthMapping& m, std::span<const double> depths) {
+  OrderedJson report = reportOf(m), rows = OrderedJson::array();
+  const auto [low, high] = std::minmax(m.atNear, m.atFar);
+  for (const double depth : depths) {
+    if (!(depth >= low && depth <= high))
+      throw UsageError("--depth " + formatNumber(depth) + ": expected a window depth from " + formatNumber(low) +
+                       " to " + formatNumber(high) + ", the camera's range");
+    rows.push_back({{"depth", depth}, {"distance", distanceAt(m, depth)}});
+  }
+  report["depths"] = std::move(rows);
+  return report;
+}
+
+std::vector<double> usualDistances(const Projection& p) {
+  constexpr double kInfiniteReach = 1e8, kLargest = std::numeric_limits<double>::max();
+  constexpr int kMostDecades = 24;
+  // Without the noise of the last digits.
+  const auto plain = [](double value) { return toDigits(value, 15); };
+  std::vector<double> distances{p.zNear()};
+  if (p.isOrthographic()) {
+    for (int i = 1; i < 10; ++i) distances.push_back(plain(p.zNear() + (p.zFar() - p.zNear()) * i / 10));
+    distances.push_back(p.zFar());
+    return distances;
+  }
+  const bool isInfinite = std::isinf(p.zFar());
+  const double end = isInfinite ? plain(std::min(p.zNear() * kInfiniteReach, kLargest)) : p.zFar();
+  const bool isFine = end / p.zNear() < 1000;
+  const int first = static_cast<int>(std::floor(std::log10(p.zNear())));
+  const int last = static_cast<int>(std::ceil(std::log10(end)));
+  for (int exponent = first; exponent < last; exponent += 1 + (last - first) / kMostDecades)
+    for (const char* digit : {"1", "2", "5"}) {
+      const double distance = parseNumber(digit + ("e" + std::to_string(exponent))).value_or(kInfiniteFar);
+      if (distance > p.zNear() && distance < end && (isFine || *digit == '1')) distances.push_back(distance);
+    }
+  distances.push_back(end);
+  return distances;
+}
+
+namespace {
+
+struct Options {
+  CameraOptions camera;
+  std::optional<std::vector<double>> at, depths;
+  ReportOptions report;
+};
+
+int run(const Options& o) {
+  const CameraFile file = o.camera.read();
+  if (!file.projection) throw InputError(file.name + ": the camera has no projection");
+  requireNear(file, "depth");
+  const Viewport viewport = file.viewport.value_or(Viewport{});
+  DepthMapping mapping{*file.projection, viewport.depthFirst, viewport.depthSecond, file.convention.ndcZ};
+  if (file.convention.reverseZ) std::swap(mapping.atNear, mapping.atFar);
+  if (std::min(mapping.atNear, mapping.atFar) < 0)
+    throw InputError(file.name + ": viewport.depthRange: expected depths from 0 on for a depth buffer");
+  if (o.depths) {
+    o.report.write(distanceReport(mapping, *o.depths), "depths");
+    return 0;
+  }
+  for (const double distance : o.at.value_or(std::vector<double>()))
+    if (!file.projection->isOrthographic() && !(distance > 0))
+      throw UsageError("--at " + formatNumber(distance) + ": expected a distance above 0, in front of the eye");
+  o.report.write(depthReport(mapping, o.at ? *o.at : usualDistances(*file.projection)), "distances");
+  return 0;
+}
+
+}  // namespace
+
+Action declareDepth(CLI::App& app) {
+  const auto o = std::make_shared<Options>();
+  app.description(
+      "What a depth buffer resolves: the window depth at each distance, its slope, and how far apart surfaces must be "
+      "for d16, d24 and f32 (forward and reversed) to tell them apart. Lengths are in the camera's unit.");
+  app.footer(
+      "Examples:\n"
+      "  viewproj depth --near 0.1 --far 1000 --at 1,10,100\n"
+      "  viewproj depth --near 0.1 --read-as webgpu --set convention.reverseZ=true \\\n"
+      "    --depth 0.5,0.001");
+  addValue(app, "--at", "DISTANCES", o->at, numberList("distances separated by commas, as in 1,10,100"),
+           "Distances along the viewing axis (default: decades from near to far)");
+  addValue(app, "--depth", "DEPTHS", o->depths, numberList("depths separated by commas, as in 0.9,0.99"),
+           "Turn these window depths into distances along the viewing axis")
+      ->excludes("--at");
+  o->report.add(app, 8);
+  o->camera.addFile(app);
+  o->camera.add(app);
+  o->camera.takeAnyOpening();
+  return [o] { return run(*o); };
+}
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,472 @@
+#include "commands/explain.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "camera/read_camera.hpp"
+#include "commands/camera_options.hpp"
+#include "commands/command.hpp"
+#include "commands/options.hpp"
+#include "output/results.hpp"
+#include "records/model.hpp"
+#include "text/error.hpp"
+#include "text/number.hpp"
+#include "viewproj/clip.hpp"
+#include "viewproj/matrices.hpp"
+#include "viewproj/screen.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+/// Names of numbers to be multiplied, perhaps after "-".
+using Term = std::vector<std::string>;
+using Names3 = std::array<std::string, 3>;
+
+Names3 components(const std::string& name) { return {name + ".x", name + ".y", name + ".z"}; }
+
+/// The steps as they grow, and the numbers by name.
+class Steps {
+ public:
+  explicit Steps(const Convention& convention) : rows_(convention.vectors == Vectors::row), convention_(convention) {}
+
+  void stage(const std::string& name) { stage_ = name; }
+
+  /// column: for column vectors. Its entries are "NAME[row][column]", counted from 0.
+  void matrix(const std::string& name, const Mat4& column) {
+    const Mat4 paper = laidOut(column, convention_);
+    matrices_[name] = asJson(paper);
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j < 4; ++j) values_[entry(name, i, j)] = paper[i][j];
+  }
+
+  void given(const std::string& name, double value, const std::string& note = "") { add(name, "", value, note); }
+
+  void vector(const std::string& name, const Vec3& value, const std::string& note = "") {
+    const Names3 names = components(name);
+    for (std::size_t i = 0; i < 3; ++i) given(names[i], value[i], i == 0 ? note : "");
+  }
+
+  void sum(const std::string& name, const std::vector<Term>& terms, double value, std::string note = "") {
+    std::string formula;
+    double sizes = 0;
+    for (const Term& term : terms) {
+      const bool minus = term[0] == "-";
+      double size = 1;
+      std::string product;
+      for (std::size_t i = minus ? 1 : 0; i < term.size(); ++i) {
+        size *= std::fabs(valueOf(term[i]));
+        product += (product.empty() ? "" : "*") + term[i];
+      }
+      sizes += size;
+      formula += (formula.empty() ? (minus ? "-" : "") : minus ? " - " : " + ") + product;
+    }
+    // A sum of numbers ten times its size has lost a digit of theirs.
+    const double lost = std::floor(std::log10(sizes / std::fabs(value)));
+    if (terms.size() > 1 && sizes > 0 && lost >= 1)
+      note += (note.empty() ? "" : "; ") + (value == 0  ? std::string("cancels to 0")
+                                            : lost == 1 ? std::string("1 digit cancels")
+                                                        : formatNumber(lost) + " digits cancel");
+    add(name, formula, value, note);
+  }
+
+  void step(const std::string& name, const std::string& formula, double value, const std::string& note = "") {
+    add(name, formula, value, note);
+  }
+
+  /// The terms of a row of a matrix for column vectors times the numbers of these names: without entries that are 0 and
+  /// empty names; "1" is itself.
+  std::vector<Term> product(const std::string& matrix, std::size_t row, const std::vector<std::string>& vector) const {
+    std::vector<Term> terms;
+    for (std::size_t j = 0; j < vector.size(); ++j) {
+      const std::string name = rows_ ? entry(matrix, j, row) : entry(matrix, row, j);
+      if (vector[j].empty() || valueOf(name) == 0) continue;
+      terms.push_back(vector[j] == "1" ? Term{name} : rows_ ? Term{vector[j], name} : Term{name, vector[j]});
+    }
+    return terms;
+  }
+
+  OrderedJson report(const char* name, OrderedJson given, OrderedJson result) && {
+    return {{name, std::move(given)},
+            {"steps", std::move(steps_)},
+            {"matrices", std::move(matrices_)},
+            {"result", std::move(result)}};
+  }
+
+ private:
+  static std::string entry(const std::string& matrix, std::size_t row, std::size_t column) {
+    return matrix + "[" + std::to_string(row) + "][" + std::to_string(column) + "]";
+  }
+
+  double valueOf(const std::string& name) const { return values_.at(name); }
+
+  void add(const std::string& name, const std::string& formula, double value, const std::string& note) {
+    const auto orNull = [](const std::string& text) { return text.empty() ? OrderedJson() : OrderedJson(text); };
+    values_[name] = value;
+    steps_.push_back({{"stage", stage_},
+                      {"name", name},
+                      {"formula", orNull(formula)},
+                      {"value", value + 0.0},
+                      {"note", orNull(note)}});
+  }
+
+  bool rows_;
+  Convention convention_;
+  std::string stage_;
+  OrderedJson steps_ = OrderedJson::array(), matrices_ = OrderedJson::object();
+  std::map<std::string, double> values_;
+};
+
+bool isBack(const Convention& c) { return c.view == ViewAxes::RUB; }
+bool isDown(const Convention& c) { return c.view == ViewAxes::RDF; }
+
+/// World to view without the eye, which is subtracted before.
+Mat4 rotationOf(const Camera& camera, const Convention& convention) {
+  return viewFromWorld(relativeToEye(camera.pose()), convention);
+}
+
+/// In world coordinates, after the model and the division by the weight.
+Vec3 placePoint(Steps& steps, const Vec4& point, const std::optional<Mat4>& model) {
+  const bool isWeighted = point.w != 0 && point.w != 1;
+  Vec3 world{point.x, point.y, point.z};
+  steps.stage("world");
+  if (!model && !isWeighted) {
+    steps.vector("world", world, point.w == 0 ? "a direction" : "the point");
+    return world;
+  }
+  steps.vector("point", world, "the point");
+  steps.given("point.w", point.w, point.w == 0 ? "a direction" : "");
+  std::string name = "point";
+  if (model) {
+    const Vec4 placed = toWorld(*model, point);
+    world = {placed.x, placed.y, placed.z};
+    name = isWeighted ? "placed" : "world";
+    steps.matrix("model", *model);
+    const Names3 names = components(name);
+    for (std::size_t i = 0; i < 3; ++i)
+      steps.sum(names[i], steps.product("model", i, {"point.x", "point.y", "point.z", "point.w"}), world[i]);
+  }
+  if (!isWeighted) return world;
+  const Names3 names = components("world"), from = components(name);
+  for (std::size_t i = 0; i < 3; ++i) {
+    world[i] /= point.w;
+    steps.step(names[i], from[i] + " / point.w", world[i]);
+  }
+  return world;
+}
+
+void explainView(Steps& steps, const Camera& camera, const Convention& convention, const Vec3& world, const Vec4& point,
+                 double viewDistance) {
+  const bool isDirection = point.w == 0;
+  const Vec3 eye = camera.pose().eye(), view = worldToView(camera, point, convention);
+  steps.stage("relative");
+  if (!isDirection) steps.vector("eye", eye);
+  const Names3 relative = components("relative"), worlds = components("world"), eyes = components("eye");
+  for (std::size_t i = 0; i < 3; ++i)
+    isDirection ? steps.sum(relative[i], {{worlds[i]}}, world[i], i == 0 ? "a direction has no place" : "")
+                : steps.sum(relative[i], {{worlds[i]}, {"-", eyes[i]}}, world[i] - eye[i]);
+  steps.stage("view");
+  steps.matrix("V", rotationOf(camera, convention));
+  const Names3 views = components("view");
+  const char* const axes[] = {"right", isDown(convention) ? "down" : "up", isBack(convention) ? "back" : "forward"};
+  for (std::size_t i = 0; i < 3; ++i)
+    steps.sum(views[i], steps.product("V", i, {relative[0], relative[1], relative[2]}), view[i], axes[i]);
+  steps.given("view.w", isDirection ? 0 : 1, isDirection ? "a direction" : "a point");
+  if (!isDirection)
+    steps.sum("viewDistance", {isBack(convention) ? Term{"-", "view.z"} : Term{"view.z"}}, viewDistance,
+              "along the viewing axis");
+}
+
+void explainClip(Steps& steps, const Camera& camera, const Convention& c, const Vec4& clip) {
+  const std::vector<std::string> view = {"view.x", "view.y", "view.z", "view.w"};
+  steps.stage("clip");
+  steps.matrix("P", clipFromView(camera.projection(), c));
+  steps.sum("clip.x", steps.product("P", 0, view), clip.x);
+  steps.sum("clip.y", steps.product("P", 1, view), clip.y);
+  steps.sum("clip.z", steps.product("P", 2, view), clip.z);
+  const char* const line = c.vectors == Vectors::row ? "column" : "row";
+  steps.sum("clip.w", steps.product("P", 3, view), clip.w,
+            std::string("the fourth ") + line +
+                (camera.projection().isOrthographic() ? " of P is 0 0 0 1: w stays what it is"
+                                                      : " of P makes w the distance along the view"));
+
+  steps.stage("inequalities");
+  const auto margin = [&](const char* side, char axis, double value, bool atLow) {
+    const std::string coordinate = std::string("clip.") + axis;
+    const bool isFromZero = axis == 'z' && atLow && c.ndcZ == NdcZ::zeroToOne;
+    const double room = isFromZero ? value : atLow ? clip.w + value : clip.w - value;
+    steps.sum(std::string("margin.") + side,
+              isFromZero ? std::vector<Term>{{coordinate}}
+                         : std::vector<Term>{{"clip.w"}, atLow ? Term{coordinate} : Term{"-", coordinate}},
+              room,
+              axis +
+                  std::string(isFromZero ? " >= 0"
+                              : atLow    ? " >= -w"
+                                         : " <= w") +
+                  (room >= 0 ? ": inside" : ": outside"));
+  };
+  margin("left", 'x', clip.x, true);
+  margin("right", 'x', clip.x, false);
+  margin("bottom", 'y', clip.y, c.ndcY == NdcY::up);
+  margin("top", 'y', clip.y, c.ndcY == NdcY::down);
+  margin("near", 'z', clip.z, !c.reverseZ);
+  if (std::isfinite(camera.projection().zFar())) margin("far", 'z', clip.z, c.reverseZ);
+}
+
+void explainScreen(Steps& steps, const Camera& camera, const Convention& c, const Vec4& point, const ScreenPoint& p) {
+  const Vec3 ndc = worldToNdc(camera, point, c);
+  if (std::isnan(ndc.x)) {
+    steps.stage("ndc");
+    steps.given("ndc.x", ndc.x,
+                p.status == PointStatus::behind
+                    ? "w is not above 0: on or behind the plane through the eye, and nothing is divided"
+                    : "w is 0: a direction has no pixel in orthographic");
+    return;
+  }
+  const std::vector<std::string> vector = {"ndc.x", "ndc.y", "ndc.z", "1"};
+  steps.stage("ndc");
+  steps.step("ndc.x", "clip.x / clip.w", ndc.x);
+  steps.step("ndc.y", "clip.y / clip.w", ndc.y);
+  steps.step("ndc.z", "clip.z / clip.w", ndc.z);
+  steps.stage("screen");
+  steps.matrix("S", screenFromNdc(camera.viewport(), c));
+  steps.sum("screen.x", steps.product("S", 0, vector), p.x);
+  steps.sum("screen.y", steps.product("S", 1, vector), p.y);
+  if (c.reverseZ == camera.convention().reverseZ)
+    return steps.sum("depth", steps.product("S", 2, vector), p.depth, "window depth");
+  // The camera's own depth: near and far change places.
+  const double first = camera.viewport().depthFirst, second = camera.viewport().depthSecond;
+  Convention exchanged = camera.convention();
+  exchanged.reverseZ = c.reverseZ;
+  const Camera written = makeCamera(camera.pose(), camera.projection(), camera.viewport(), exchanged);
+  steps.given("depth.first", first);
+  steps.given("depth.second", second);
+  steps.sum("depth.written", steps.product("S", 2, vector), worldToScreen(written, point).depth,
+            "in the convention written");
+  steps.sum("depth", {{"depth.first"}, {"depth.second"}, {"-", "depth.written"}}, p.depth,
+            std::string("window depth: the camera has reverseZ ") + (c.reverseZ ? "false" : "true"));
+}
+
+/// From view space straight to the pixel: there is no near plane.
+void explainWithoutNear(Steps& steps, const Camera& camera, const Vec3& view, const Convention& c,
+                        const ScreenPoint& p) {
+  steps.stage("screen");
+  if (std::isnan(p.x)) return steps.given("screen.x", p.x, "on or behind the plane through the eye: no pixel");
+  const Intrinsics k = camera.intrinsics();
+  const bool opposite = isDown(c) != (camera.viewport().origin == Origin::topLeft);
+  steps.given("fx", k.fx, "clip, NDC and depth need near, which this camera has not");
+  steps.given("fy", opposite ? -k.fy : k.fy, opposite ? "y of view and screen run opposite ways" : "");
+  steps.given("cx", k.cx);
+  steps.given("cy", k.cy);
+  const std::string distance = std::isnan(p.viewDistance) ? (isBack(c) ? "-view.z" : "view.z") : "viewDistance";
+  const double along = isBack(c) ? -view.z : view.z;
+  steps.step("slope.x", "view.x / " + distance, view.x / along);
+  steps.step("slope.y", "view.y / " + distance, view.y / along);
+  steps.sum("screen.x", {{"cx"}, {"fx", "slope.x"}}, p.x);
+  steps.sum("screen.y", {{"cy"}, {"fy", "slope.y"}}, p.y);
+}
+
+OrderedJson resultOf(const ScreenPoint& p) {
+  OrderedJson outside = OrderedJson::array();
+  if (p.status == PointStatus::behind) outside.push_back("behind");
+  for (const auto& [side, name] : kSides)
+    if (p.outside & side) outside.push_back(name);
+  return {{"screen", std::isnan(p.x) ? OrderedJson() : asJson(Vec2{p.x, p.y})},
+          {"depth", p.depth},
+          {"viewDistance", p.viewDistance},
+          {"visible", p.visible()},
+          {"outside", outside}};
+}
+
+void explainWindow(Steps& steps, const Camera& camera, const Vec2& pixel, const Vec2& window) {
+  const Intrinsics k = camera.intrinsics();
+  const bool isDownwards = camera.viewport().origin == Origin::topLeft;
+  steps.stage("window");
+  steps.given("pixel.x", pixel.x);
+  steps.given("pixel.y", pixel.y);
+  steps.given("cx", k.cx, "where the viewing axis meets the screen");
+  steps.given("cy", k.cy);
+  steps.given("fx", k.fx,
+              camera.projection().isOrthographic() ? "pixels for a unit of length" : "pixels for a tangent of 1");
+  steps.given("fy", isDownwards ? -k.fy : k.fy, isDownwards ? "screen y runs downwards" : "");
+  steps.step("window.x", "(pixel.x - cx) / fx", window.x, "right");
+  steps.step("window.y", "(pixel.y - cy) / fy", window.y, "up");
+}
+
+/// From a window depth along the ray to its point.
+OrderedJson explainDepth(Steps& steps, const Camera& camera, const Vec2& pixel, double depth) {
+  const Projection projection = camera.projection();
+  const WindowDepths ends = camera.depths();
+  if (!hasDepth(projection)) throw InputError("--pixel: a window depth needs a camera with near; --near gives it");
+  const WorldPoint at = screenToWorld(camera, pixel, depth);
+  if (at.status == DepthStatus::beyond)
+    throw InputError("--pixel: depth " + formatNumber(depth) + " lies beyond infinity, whose window depth is " +
+                     formatNumber(ends.atInfinity) + ": no point in front of the eye has it");
+  const bool orthographic = projection.isOrthographic(), isInfinite = std::isinf(projection.zFar());
+  const double share = (depth - ends.atNear) / (ends.atFar - ends.atNear);
+  steps.stage("distance");
+  steps.given("depth", depth);
+  steps.given("atNear", ends.atNear, "window depth of near");
+  steps.given("atFar", ends.atFar, "window depth of far");
+  steps.given("near", projection.zNear());
+  if (!isInfinite) steps.given("far", projection.zFar());
+  steps.step("share", "(depth - atNear) / (atFar - atNear)", share);
+  if (orthographic) {
+    steps.step("distance", "(1 - share)*near + share*far", at.viewDistance);
+  } else {
+    const bool isPoint = at.status == DepthStatus::point;
+    steps.step("reciprocal", isInfinite ? "(1 - share) / near" : "(1 - share) / near + share / far",
+               isPoint ? 1 / at.viewDistance : 0, "linear in depth, as 1/z is on the screen");
+    steps.step("distance", "1 / reciprocal", at.viewDistance,
+               isPoint ? "along the viewing axis" : "the window depth of infinity: a direction, no point");
+    if (!isPoint) return nullptr;
+  }
+  steps.stage("point");
+  const Names3 points = components("point"), towards = components("toward"), origins = components("origin");
+  for (std::size_t i = 0; i < 3; ++i) steps.sum(points[i], {{origins[i]}, {"distance", towards[i]}}, at.position[i]);
+  return asJson(at.position);
+}
+
+}  // namespace
+
+OrderedJson explainPoint(const Camera& camera, const Convention& convention, const Vec4& point,
+                         const std::optional<Mat4>& model) {
+  const Vec4 placed = model ? toWorld(*model, point) : point;
+  const ScreenPoint p = worldToScreen(camera, placed);
+  if (p.status == PointStatus::notFinite)
+    throw InputError(model && point.w == 0 ? "--model takes the direction to 0"
+                                           : "--model takes the point out of the range of numbers");
+  Steps steps(convention);
+  const Vec3 world = placePoint(steps, point, model);
+  explainView(steps, camera, convention, world, placed, p.viewDistance);
+  if (hasDepth(camera.projection())) {
+    explainClip(steps, camera, convention, worldToClip(camera, placed, convention));
+    explainScreen(steps, camera, convention, placed, p);
+  } else {
+    explainWithoutNear(steps, camera, worldToView(camera, placed, convention), convention, p);
+  }
+  return std::move(steps).report("point", point.w == 1 ? asJson(Vec3{point.x, point.y, point.z}) : asJson(point),
+                                 resultOf(p));
+}
+
+OrderedJson explainPixel(const Camera& camera, const Convention& convention, const Vec2& pixel,
+                         std::optional<double> depth) {
+  const bool orthographic = camera.projection().isOrthographic();
+  const Ray ray = screenToRay(camera, pixel);
+  // The same camera at the origin has the ray's offsets from the eye, with all their digits.
+  const Camera centred =
+      makeCamera(relativeToEye(camera.pose()), camera.projection(), camera.viewport(), camera.convention());
+  const Vec3 at = screenToWorldAtDistance(centred, pixel, 1).position;
+  const Vec3 toward = orthographic ? camera.pose().forward() : at;
+  const Vec3 view = worldToView(centred, {at.x, at.y, at.z, 1}, convention);
+  const double up = isDown(convention) ? -1 : 1;
+
+  Steps steps(convention);
+  explainWindow(steps, camera, pixel, {view.x, up * view.y});
+  steps.stage("view");
+  steps.sum("view.x", {{"window.x"}}, view.x);
+  steps.sum("view.y", {up < 0 ? Term{"-", "window.y"} : Term{"window.y"}}, view.y);
+  steps.given("view.z", isBack(convention) ? -1 : 1, isBack(convention) ? "z points back" : "z points forward");
+  steps.stage("toward");
+  steps.matrix("W", worldFromView(relativeToEye(camera.pose()), convention));
+  const Names3 towards = components("toward"), origins = components("origin"), eyes = components("eye");
+  const std::string x = orthographic ? "" : "view.x", y = orthographic ? "" : "view.y";
+  for (std::size_t i = 0; i < 3; ++i) steps.sum(towards[i], steps.product("W", i, {x, y, "view.z"}), toward[i]);
+  steps.stage("ray");
+  steps.vector("eye", camera.pose().eye());
+  for (std::size_t i = 0; i < 3; ++i) {
+    std::vector<Term> terms{{eyes[i]}};
+    if (orthographic)
+      for (const Term& term : steps.product("W", i, {"view.x", "view.y", ""})) terms.push_back(term);
+    steps.sum(origins[i], terms, ray.origin[i]);
+  }
+  steps.step("length", "sqrt(toward.x*toward.x + toward.y*toward.y + toward.z*toward.z)",
+             std::hypot(toward.x, toward.y, toward.z));
+  const Names3 directions = components("direction");
+  for (std::size_t i = 0; i < 3; ++i) steps.step(directions[i], towards[i] + " / length", ray.direction[i]);
+  OrderedJson result{{"origin", asJson(ray.origin)}, {"direction", asJson(ray.direction)}};
+  if (depth) result["point"] = explainDepth(steps, camera, pixel, *depth);
+  OrderedJson given = asJson(pixel);
+  if (depth) given.push_back(*depth);
+  return std::move(steps).report("pixel", std::move(given), std::move(result));
+}
+
+namespace {
+
+GivenPoint readPoint(const std::string& option, const std::string& text) {
+  const GivenPoint given = readGivenPoint(option, text);
+  if (given.point() == Vec4{0, 0, 0, 0})
+    throw UsageError(given.text + ": is neither a point nor a direction, all four numbers are 0");
+  return given;
+}
+
+struct Options {
+  CameraOptions camera;
+  std::optional<GivenPoint> point;
+  std::optional<std::vector<double>> pixel;
+  std::optional<std::string> model;
+  ReportOptions report;
+};
+
+/// For people a stage is named once.
+OrderedJson withoutRepeatedStages(OrderedJson report) {
+  OrderedJson stage;
+  for (OrderedJson& step : report["steps"]) {
+    if (step["stage"] == stage)
+      step["stage"] = "";
+    else
+      stage = step["stage"];
+    for (const char* name : {"formula", "note"})
+      if (step[name].is_null()) step[name] = "";
+  }
+  return report;
+}
+
+int run(const Options& o) {
+  if (!o.point && !o.pixel) throw UsageError("expected --point X,Y,Z or --pixel X,Y[,DEPTH]: what to follow");
+  requireOneStandardInput({{"the camera", o.camera.fromStandardInput()}, {"the model", isStandardInput(o.model)}});
+  const CameraFile file = o.camera.read();
+  if (o.point) o.point->requireFit(file.worldIsEcef);
+  const Camera camera = makeCamera(file);
+  const Convention convention = o.camera.writing(file);
+  o.camera.noteHandedness(file);
+  OrderedJson report;
+  if (o.point) {
+    report =
+        explainPoint(camera, convention, o.point->point(), o.model ? std::optional(readModel(*o.model)) : std::nullopt);
+  } else {
+    const std::vector<double>& n = *o.pixel;
+    report = explainPixel(camera, convention, {n[0], n[1]}, n.size() > 2 ? std::optional(n[2]) : std::nullopt);
+  }
+  o.report.write(o.report.form() == ReportForm::table ? withoutRepeatedStages(std::move(report)) : report, "steps");
+  return 0;
+}
+
+}  // namespace
+
+Action declareExplain(CLI::App& app) {
+  const auto o = std::make_shared<Options>();
+  app.description(
+      "Every stage of one point's way to its pixel, or of one pixel's way back: world, view, clip and where w comes "
+      "from, the clip inequalities, NDC, screen, each number with what it is made of.");
+  app.footer(
+      "Examples:\n"
+      "  viewproj explain --position 3,2,5 --target 0,0,0 --fov-y 60 --near 0.1 \\\n"
+      "    --viewport 1280x720 --point 1,1,1\n"
+      "  viewproj explain --position 3,2,5 --target 0,0,0 --fov-y 60 --near 0.1 \\\n"
+      "    --viewport 1280x720 --pixel 640,300");
+  CLI::Option* const point = addValue(app, "--point", kPointForm, o->point, readPoint, "The point to follow");
+  addValue(app, "--pixel", "X,Y[,DEPTH]", o->pixel, readPixelNumbers,
+           "The pixel to follow back, with a window depth if known")
+      ->excludes(point);
+  addModel(app, o->model, "Where the point's own coordinates lie");
+  app.get_option("--model")->needs(point);
+  o->report.add(app, 9);
+  o->camera.add(app);
+  o->camera.addWriting(app);
+  return [o] { return run(*o); };
+}
+
+}  // namespace viewproj::cmd

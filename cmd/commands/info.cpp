@@ -1,0 +1,230 @@
+#include "commands/info.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "camera/check.hpp"
+#include "camera/names.hpp"
+#include "camera/read_pose.hpp"
+#include "commands/camera_options.hpp"
+#include "commands/command.hpp"
+#include "commands/options.hpp"
+#include "numbers/vectors.hpp"
+#include "output/output_file.hpp"
+#include "output/results.hpp"
+#include "text/error.hpp"
+#include "text/number.hpp"
+#include "viewproj/geodesy.hpp"
+#include "viewproj/scene.hpp"
+#include "viewproj/screen.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+template <class T>
+OrderedJson orNull(const std::optional<T>& value) {
+  return value ? OrderedJson(*value) : OrderedJson();
+}
+
+/// An object of these members, all null.
+OrderedJson nulls(std::initializer_list<const char*> names) {
+  OrderedJson object;
+  for (const char* name : names) object[name] = nullptr;
+  return object;
+}
+
+/// Clockwise from north, above the horizon, right side down.
+HeadingPitchRoll turnOf(const Pose& pose, const Geodetic& place) {
+  constexpr double kDegrees = 180 / std::numbers::pi;
+  const double lat = place.lat / kDegrees, lon = place.lon / kDegrees;
+  const Vec3 east{-std::sin(lon), std::cos(lon), 0};
+  const Vec3 up{std::cos(lat) * std::cos(lon), std::cos(lat) * std::sin(lon), std::sin(lat)};
+  const Vec3 north{-std::sin(lat) * std::cos(lon), -std::sin(lat) * std::sin(lon), std::cos(lat)};
+  const auto along = [](const Vec3& a, const Vec3& b) { return detail::dot(a, b); };
+  // The place and the axes are rounded: what is left of the angles is certain to about 1e-13 degrees.
+  const auto degrees = [](double y, double x) { return std::round(std::atan2(y, x) * kDegrees * 1e12) / 1e12 + 0.0; };
+  const Vec3 forward = pose.forward();
+  const double toEast = along(forward, east), toNorth = along(forward, north);
+  return {std::fmod(degrees(toEast, toNorth) + 360, 360), degrees(along(forward, up), std::hypot(toEast, toNorth)),
+          degrees(-along(pose.right(), up), along(pose.up(), up))};
+}
+
+void addPose(OrderedJson& info, const CameraFile& file) {
+  for (const char* name : {"eye", "right", "up", "forward", "place", "heading", "pitch", "roll"}) info[name] = nullptr;
+  if (!file.pose) return;
+  const Pose& pose = *file.pose;
+  info["eye"] = asJson(pose.eye());
+  info["right"] = asJson(pose.right());
+  info["up"] = asJson(pose.up());
+  info["forward"] = asJson(pose.forward());
+  if (!file.worldIsEcef) return;
+  const Geodetic place = ecefToGeodetic(pose.eye());
+  const HeadingPitchRoll turn = turnOf(pose, place);
+  info["place"] = {{"lat", place.lat}, {"lon", place.lon}, {"height", place.height}};
+  info["heading"] = turn.heading;
+  info["pitch"] = turn.pitch;
+  info["roll"] = turn.roll;
+}
+
+OrderedJson lensOf(const Projection& p) {
+  return {{"type", p.isOrthographic() ? "orthographic" : "perspective"},
+          {"fovX", p.fov(Fov::horizontal)},
+          {"fovY", p.fov(Fov::vertical)},
+          {"fovDiagonal", p.fov(Fov::diagonal)},
+          {"left", p.left()},
+          {"right", p.right()},
+          {"bottom", p.bottom()},
+          {"top", p.top()},
+          {"fx", nullptr},
+          {"fy", nullptr},
+          {"cx", nullptr},
+          {"cy", nullptr},
+          {"aspect", p.aspect()},
+          {"near", hasDepth(p) ? OrderedJson(p.zNear()) : OrderedJson()},
+          {"far", p.zFar()}};
+}
+
+OrderedJson pictureOf(const Viewport& v) {
+  return {{"width", v.width},
+          {"height", v.height},
+          {"x", v.x},
+          {"y", v.y},
+          {"depthRange", {v.depthFirst, v.depthSecond}},
+          {"origin", nameOf(kOriginNames, v.origin)},
+          {"pixelCenter", v.pixelCenter}};
+}
+
+/// Of a camera without a picture, one pixel for a unit of height; without a pose, at the origin. What does not depend
+/// on that is told of it.
+std::optional<Camera> standIn(const CameraFile& file) {
+  if (!file.projection) return std::nullopt;
+  const Pose origin = lookAlong({}, {0, 0, -1}, {0, 1, 0}, file.convention.world);
+  return makeCamera(file.pose.value_or(origin), *file.projection,
+                    file.viewport.value_or(Viewport{.width = file.projection->aspect(), .height = 1}), file.convention);
+}
+
+/// Bottom left, bottom right, top right, top left, at a distance along the view.
+OrderedJson cornersAt(const Camera& camera, double distance) {
+  const auto [first, last] = pictureCorners(camera.viewport());
+  const bool fromTop = camera.viewport().origin == Origin::topLeft;
+  const double bottom = fromTop ? last.y : first.y, top = fromTop ? first.y : last.y;
+  OrderedJson corners = OrderedJson::array();
+  for (const Vec2& pixel : {Vec2{first.x, bottom}, Vec2{last.x, bottom}, Vec2{last.x, top}, Vec2{first.x, top}})
+    corners.push_back(asJson(screenToWorldAtDistance(camera, pixel, distance).position));
+  return corners;
+}
+
+}  // namespace
+
+OrderedJson infoReport(const CameraFile& file, const std::optional<std::string>& name,
+                       std::span<const double> distances) {
+  OrderedJson info{{"name", orNull(name)}, {"convention", asJson(file.convention)}};
+  addPose(info, file);
+  info["projection"] = file.projection ? lensOf(*file.projection)
+                                       : nulls({"type", "fovX", "fovY", "fovDiagonal", "left", "right", "bottom", "top",
+                                                "fx", "fy", "cx", "cy", "aspect", "near", "far"});
+  info["viewport"] = file.viewport ? pictureOf(*file.viewport)
+                                   : nulls({"width", "height", "x", "y", "depthRange", "origin", "pixelCenter"});
+  info["distortion"] = nullptr;
+  info["planes"] = nulls({"left", "right", "bottom", "top", "near", "far"});
+  info["corners"] = nulls({"near", "far"});
+  info["pixelSizes"] = OrderedJson::array();
+  const std::optional<Camera> camera = standIn(file);
+  if (camera && file.pose) {
+    const Frustum frustum = viewFrustum(*camera);
+    for (const FrustumPlane& plane : frustum.planes()) info["planes"][sideName(plane.side)] = asJson(plane.equation);
+    if (hasDepth(camera->projection())) info["corners"]["near"] = cornersAt(*camera, camera->projection().zNear());
+    if (std::isfinite(camera->projection().zFar()))
+      info["corners"]["far"] = cornersAt(*camera, camera->projection().zFar());
+  }
+  if (camera && file.viewport) {
+    const Intrinsics k = camera->intrinsics();
+    info["projection"].update({{"fx", k.fx}, {"fy", k.fy}, {"cx", k.cx}, {"cy", k.cy}});
+  }
+  for (const double distance : distances) {
+    const Vec2 size = camera && file.viewport ? pixelSize(*camera, distance) : Vec2{NAN, NAN};
+    info["pixelSizes"].push_back({{"distance", distance}, {"across", size.x}, {"down", size.y}});
+  }
+  return info;
+}
+
+OrderedJson cameraRow(const std::string& name, const Document& document) {
+  const auto valueOr = [&](const char* path, const OrderedJson& otherwise) {
+    const Json* const value = valueAt(*document.root, path);
+    return value && !value->is_null() ? OrderedJson(*value) : otherwise;
+  };
+  OrderedJson size = valueOr("projection.pixels", nullptr);
+  if (const OrderedJson width = valueOr("viewport.width", nullptr); !width.is_null())
+    size = {width, valueOr("viewport.height", nullptr)};
+  return {{"name", name},
+          {"type", valueOr("projection.type", nullptr)},
+          {"size", size},
+          {"pose", readPose(document).has_value()}};
+}
+
+namespace {
+
+struct Options {
+  CameraOptions camera;
+  std::optional<std::vector<double>> at;
+  ReportOptions report;
+};
+
+/// A camera that cannot be read has a message instead of a row.
+int runList(const Options& o, const CameraDocuments& cameras) {
+  OrderedJson rows = OrderedJson::array();
+  int status = 0;
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    const std::string name = cameras.pickOf(i);
+    try {
+      rows.push_back(cameraRow(name, cameras.document(i)));
+    } catch (const CameraError& e) {
+      complain(name + ": " + e.what());
+      status = 1;
+    } catch (const InputError& e) {
+      complain(e.what());
+      status = 1;
+    }
+  }
+  o.report.write({{"cameras", rows}}, "cameras");
+  return status;
+}
+
+int run(const Options& o) {
+  const auto [cameras, pick] = o.camera.readAll();
+  if (!pick && cameras->size() > 1) return runList(o, *cameras);
+  const std::size_t which = cameras->choose(pick);
+  const CameraFile file = o.camera.readOne(*cameras, which);
+  std::vector<double> distances(std::begin(kUsualDistances), std::end(kUsualDistances));
+  if (file.targetDistance) distances.push_back(*file.targetDistance);
+  if (o.at) distances = *o.at;
+  for (const double distance : distances)
+    if (!(distance > 0)) throw UsageError("--at " + formatNumber(distance) + ": expected a distance above 0");
+  const std::string& name = cameras->nameOf(which);
+  o.report.write(infoReport(file, name.empty() ? std::nullopt : std::optional(name), distances));
+  return 0;
+}
+
+}  // namespace
+
+Action declareInfo(CLI::App& app) {
+  const auto o = std::make_shared<Options>();
+  app.description(
+      "What is in a camera file. Of one camera its eye and axes, fields of view, window, focal length, near and far, "
+      "viewport, convention, planes and corners of the view, and pixel size; of several a table of them. Angles are in "
+      "degrees, window edges tangents (lengths in orthographic), lengths in the camera's unit.");
+  app.footer(
+      "Examples:\n"
+      "  viewproj info --position 3,2,5 --target 0,0,0 --fov-y 60 --viewport 9x6\n"
+      "  viewproj info --fx 800 --fy 800 --cx 320 --cy 240 --viewport 640x480 --to json");
+  addValue(app, "--at", "DISTANCES", o->at, numberList("distances separated by commas, as in 1,10,100"),
+           "Distances along the viewing axis of pixel sizes (default: 1, 10, 100 and the target's)");
+  o->report.add(app, 9);
+  o->camera.addFile(app);
+  o->camera.add(app);
+  return [o] { return run(*o); };
+}
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,187 @@
+// viewproj inspect: sixteen numbers to every reading that they admit, and to another convention.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "commands/camera_options.hpp"
+#include "commands/command.hpp"
+#include "commands/inspect_report.hpp"
+#include "commands/options.hpp"
+#include "output/matrix_text.hpp"
+#include "output/output_file.hpp"
+#include "text/error.hpp"
+#include "text/file.hpp"
+#include "text/names.hpp"
+#include "text/utf8.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+constexpr std::size_t kMostBytes = 1 << 20;
+constexpr int kTableDigits = 9;
+
+/// Matrices that `matrix` writes and that are none of a camera alone.
+bool isPassedOver(const std::string& name) {
+  return name.starts_with("viewport") || name == "projectionInverse" || name == "viewProjectionInverse";
+}
+
+std::vector<WrittenMatrix> chooseMatrices(std::vector<WrittenMatrix> matrices,
+                                          const std::optional<std::vector<std::string>>& which,
+                                          const std::string& source) {
+  if (!which) {
+    const std::string first = matrices.front().name;
+    std::erase_if(matrices, [](const WrittenMatrix& m) { return isPassedOver(m.name); });
+    if (matrices.empty())
+      throw InputError(source + ": has only " + first + "; --which " + first + " inspects it all the same");
+    return matrices;
+  }
+  std::vector<WrittenMatrix> chosen;
+  for (const std::string& name : *which) {
+    const auto found =
+        std::find_if(matrices.begin(), matrices.end(), [&](const WrittenMatrix& m) { return m.name == name; });
+    if (found == matrices.end()) {
+      std::vector<std::string_view> names;
+      for (const WrittenMatrix& m : matrices) names.push_back(m.name);
+      throw InputError(source + ": has no matrix " + inQuotes(name) + suggestion(name, names));
+    }
+    chosen.push_back(*found);
+  }
+  return chosen;
+}
+
+struct Options {
+  CameraOptions writing;
+  std::string file = "-";
+  std::optional<std::vector<std::string>> which;
+  std::optional<Convention> readAs;
+  std::optional<std::string_view> form;
+  std::optional<std::size_t> digits;
+  bool isFloat = false;
+};
+
+/// The one matrix that the readings give, or an error that lists them.
+NamedMatrix convertOne(const WrittenMatrix& written, const InspectQuery& query, const std::string& source,
+                       const CameraOptions& writing, Convention& target) {
+  const auto fail = [&](const std::string& message) {
+    return InputError(source + ": " + written.name + ": " + message);
+  };
+  if (written.isCalibration())
+    throw fail("is a calibration in pixels, and has no form in other conventions; matrix FILE reads it");
+  const std::vector<MatrixCamera> readings = statedReadings(written, query);
+  if (readings.empty())
+    throw fail("no reading of it is as --read-as or the input states; without --convention inspect lists them");
+  std::optional<Mat4> result;
+  for (const MatrixCamera& reading : readings) {
+    CameraFile file;
+    file.convention.world = reading.convention.world;
+    target = writing.writing(file);
+    Mat4 matrix;
+    try {
+      matrix = converted(reading, target);
+    } catch (const CameraError& e) {
+      throw fail(e.what());
+    }
+    if (result && !(*result == matrix)) {
+      std::string message =
+          "its readings give different matrices; --read-as NAME picks a convention, a name as in "
+          "{\"view\": [...]} (view, viewInverse, projection) a kind, sixteen numbers in a row the order in memory:";
+      for (const MatrixCamera& each : readings) message += "\n  " + oneLine(each);
+      throw fail(message);
+    }
+    result = matrix;
+  }
+  return {written.name, *result};
+}
+
+/// In another convention.
+int runConversion(const Options& o, const std::vector<WrittenMatrix>& matrices, const InspectQuery& query,
+                  const std::string& source) {
+  const std::string_view form = o.form.value_or("json");
+  MatrixSet set;
+  set.asFloat = query.isFloat;
+  for (const WrittenMatrix& matrix : matrices)
+    set.matrices.push_back(convertOne(matrix, query, source, o.writing, set.convention));
+  writeOutput(writeMatrices(set, form, source));
+  return 0;
+}
+
+/// Matrix by matrix: the readings of one take many times the memory of its numbers.
+int runReport(const Options& o, const std::vector<WrittenMatrix>& matrices, const InspectQuery& query,
+              const std::string& source) {
+  const bool isJson = o.form == "json", isCsv = o.form == "csv";
+  const int digits = o.digits ? static_cast<int>(*o.digits) : isJson || isCsv ? 0 : kTableDigits;
+  if (isCsv && matrices.size() > 1) throw UsageError("--to csv is of one matrix; --which picks it");
+  if (isJson)
+    writeOutput(std::string("{\"entries\": \"") + (query.isFloat ? "float32" : "float64") + "\", \"matrices\": [");
+  bool allFit = true;
+  for (std::size_t i = 0; i < matrices.size(); ++i) {
+    OrderedJson report;
+    try {
+      report = inspectReport(matrices[i], query);
+    } catch (const CameraError& e) {
+      throw InputError(source + ": " + matrices[i].name + ": " + e.message() +
+                       "; three rows are K or K [R | t], and any other matrix has 16 numbers");
+    }
+    const bool isCalibration = matrices[i].isCalibration();
+    allFit = allFit && (isCalibration || !report["readings"].empty());
+    if (isJson)
+      writeOutput((i > 0 ? ",\n  " : "\n  ") + jsonText(report, digits, 1));
+    else if (isCsv)
+      writeOutput(csvText(isCalibration ? report : report["readings"], digits));
+    else
+      writeOutput((i > 0 ? "\n" : "") + tableText(inspectPage(report), digits));
+  }
+  if (isJson) writeOutput("\n]}\n");
+  return allFit ? 0 : 1;
+}
+
+int run(const Options& o) {
+  const bool converts = o.writing.namesConvention();
+  if (o.writing.namesAxis() && !converts)
+    throw UsageError("--reverse-z and --ndc-z go with --convention NAME, the convention to write");
+  constexpr std::string_view kReports[] = {"table", "json", "csv"};
+  const bool isReport = !o.form || std::find(std::begin(kReports), std::end(kReports), *o.form) != std::end(kReports);
+  if (!converts && !isReport)
+    throw UsageError("--to " + std::string(*o.form) +
+                     ": expected table, json or csv; --convention NAME writes matrices");
+  if (converts && isReport && o.form && *o.form != "json")
+    throw UsageError("--to " + std::string(*o.form) + ": with --convention expected a form of matrices, as json or c");
+  const std::string source = o.file == "-" ? kStandardInputName : visible(o.file);
+  WrittenMatrices given = parseMatrices(readWholeFile(o.file, kMostBytes), source);
+  const InspectQuery query{o.isFloat || given.isFloat, o.readAs, given.convention};
+  const std::vector<WrittenMatrix> matrices = chooseMatrices(std::move(given.matrices), o.which, source);
+  if (o.readAs && std::any_of(matrices.begin(), matrices.end(), [](const auto& m) { return m.isCalibration(); }))
+    throw UsageError("--read-as: a calibration of three rows has one reading, in no convention");
+  return converts ? runConversion(o, matrices, query, source) : runReport(o, matrices, query, source);
+}
+
+}  // namespace
+
+Action declareInspect(CLI::App& app) {
+  const auto o = std::make_shared<Options>();
+  app.description(
+      "Every reading of a 4x4 matrix: which conventions it can be written in, and the camera in it; with --convention "
+      "the same matrix in another convention. Of three rows of three or four numbers, K or P of a calibration, the "
+      "camera. The exit status is 1 where nothing fits.");
+  app.footer(
+      "Examples:\n"
+      "  viewproj matrix --fov-y 60 --aspect 16/9 --near 0.1 --to c | viewproj inspect\n"
+      "  echo '[[800,0,320],[0,800,240],[0,0,1]]' | viewproj inspect");
+  addValue(app, "FILE", "", o->file, readFileName,
+           "The matrices: JSON, an initialiser of C, HLSL, GLSL or NumPy, or rows of numbers; absent or - for standard "
+           "input");
+  addValue(app, "--which", "NAMES", o->which, splitNames, "Of several matrices only these, by name");
+  app.add_flag("--float", o->isFloat, "The numbers are float32s (default: doubles)");
+  addChoice(app, "--read-as", "NAME", o->readAs, presetConventions(), "Only readings of this convention", "all");
+  auto forms = matrixForms();
+  for (const std::string_view report : {"csv", "table"})
+    if (std::none_of(forms.begin(), forms.end(), [&](const auto& row) { return row.name == report; }))
+      forms.insert(forms.begin(), {report, report, report == "csv" ? ".csv" : ".txt"});
+  addForm(app, o->form, std::span<const FormRow<std::string_view>>(forms),
+          "Output format; without --convention table, json or csv", "table; with --convention json");
+  addDigits(app, o->digits, "all, 9 in a table");
+  o->writing.addWriting(app);
+  return [o] { return run(*o); };
+}
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,366 @@
+#include "commands/inspect_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "camera/names.hpp"
+#include "camera/split_matrix.hpp"
+#include "numbers/vectors.hpp"
+#include "text/names.hpp"
+#include "text/number.hpp"
+#include "viewproj/matrices.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+bool isTurned(Vectors vectors, Storage storage) {
+  return (vectors == Vectors::row) != (storage == Storage::columnMajor);
+}
+
+}  // namespace
+
+bool fits(const MatrixCamera& r, const Convention& c, NumberOrder order) {
+  if (r.lens && (c.ndcZ != r.convention.ndcZ || c.ndcY != r.convention.ndcY)) return false;
+  if (r.kind != MatrixKind::viewProjection && c.view != r.convention.view) return false;
+  const bool turned = r.layout == MatrixLayout::transposed;
+  return r.layout == MatrixLayout::either || isTurned(c.vectors, c.storage) == turned ||
+         (order == NumberOrder::rows && (c.vectors == Vectors::row) == turned);
+}
+
+namespace {
+
+constexpr NameRow<MatrixKind> kKindNames[] = {{"projection", MatrixKind::projection},
+                                              {"view", MatrixKind::view},
+                                              {"worldFromView", MatrixKind::worldFromView},
+                                              {"viewProjection", MatrixKind::viewProjection}};
+constexpr NameRow<MatrixLayout> kLayoutNames[] = {{"as written", MatrixLayout::asWritten},
+                                                  {"transposed", MatrixLayout::transposed},
+                                                  {"either", MatrixLayout::either}};
+
+bool isOrthographic(const MatrixCamera& r) { return r.lens && r.lens->orthographic; }
+
+MatrixCameras camerasOf(const WrittenMatrix& written, bool isFloat) {
+  Mat4 matrix;
+  for (std::size_t i = 0; i < 16; ++i) matrix[i / 4][i % 4] = written.numbers[i];
+  return viewproj::camerasOf(matrix, {.float32 = isFloat});
+}
+
+/// Whether the input's own words allow the reading: the matrix's name and, if there is one, the convention.
+bool isStated(const MatrixCamera& r, const WrittenMatrix& written, const std::optional<Convention>& c) {
+  const std::string& name = written.name;
+  if ((name == "view" && r.kind != MatrixKind::view) ||
+      (name == "viewInverse" && r.kind != MatrixKind::worldFromView) ||
+      (name == "projection" && r.kind != MatrixKind::projection))
+    return false;
+  return !c || (fits(r, *c, written.order) && (!r.lens || r.convention.reverseZ == c->reverseZ) &&
+                (r.kind == MatrixKind::projection || r.convention.world == c->world));
+}
+
+/// The axes that a reading determines.
+OrderedJson axesOf(const MatrixCamera& r) {
+  const OrderedJson all = asJson(r.convention);
+  OrderedJson axes = OrderedJson::object();
+  if (r.kind != MatrixKind::projection) axes["world"] = all["world"];
+  if (r.kind != MatrixKind::viewProjection) axes["view"] = all["view"];
+  if (r.lens)
+    for (const char* axis : {"ndcZ", "reverseZ", "ndcY"}) axes[axis] = all[axis];
+  return axes;
+}
+
+/// A camera of the window in a picture of one pixel, which counts from its upper left corner: focal lengths and
+/// principal point in widths and heights. Nothing where the window leaves the range of cameras.
+std::optional<Camera> unitCamera(const MatrixLens& lens) {
+  const auto window = [&] {
+    return lens.orthographic ? orthographic(lens.left, lens.right, lens.bottom, lens.top, 0, 1)
+                             : perspectiveWindow(lens.left, lens.right, lens.bottom, lens.top, 0, kInfiniteFar);
+  };
+  try {
+    const Pose origin = lookAlong({}, {0, 0, -1}, {0, 1, 0}, Handedness::right);
+    return makeCamera(origin, lens.projection ? *lens.projection : window(), Viewport{.width = 1, .height = 1});
+  } catch (const CameraError&) {
+    return std::nullopt;
+  }
+}
+
+OrderedJson lensJson(const MatrixLens& lens) {
+  OrderedJson part{{"type", lens.orthographic ? "orthographic" : "perspective"},
+                   {"left", lens.left},
+                   {"right", lens.right},
+                   {"bottom", lens.bottom},
+                   {"top", lens.top}};
+  if (const auto camera = unitCamera(lens)) {
+    const Projection p = camera->projection();
+    const Intrinsics k = camera->intrinsics();
+    part["aspect"] = p.aspect();
+    if (!lens.orthographic)
+      part.update({{"fovX", p.fov(Fov::horizontal)},
+                   {"fovY", p.fov(Fov::vertical)},
+                   {"fovDiagonal", p.fov(Fov::diagonal)},
+                   {"focalLength", {k.fx, k.fy}},
+                   {"principalPoint", {k.cx, k.cy}}});
+  }
+  const auto plane = [](const PlaneDistance& d) -> OrderedJson {
+    return {{"value", d.value}, {"low", d.low}, {"high", d.high}};
+  };
+  part.update({{"near", plane(lens.zNear)}, {"far", plane(lens.zFar)}, {"beyondInfinity", lens.beyondInfinity}});
+  return part;
+}
+
+OrderedJson poseJson(const MatrixCamera& r) {
+  const Convention axes{.world = r.convention.world, .view = ViewAxes::RUF};
+  const Mat4 rows =
+      r.kind == MatrixKind::worldFromView ? transposed(worldFromView(*r.pose, axes)) : viewFromWorld(*r.pose, axes);
+  const auto row = [&](std::size_t i) { return asJson(Vec3{rows[i][0], rows[i][1], rows[i][2]}); };
+  return {{"eye", isOrthographic(r) ? OrderedJson() : asJson(r.pose->eye())},
+          {"right", row(0)},
+          {"up", row(1)},
+          {"forward", row(2)},
+          {"residual", r.residual}};
+}
+
+OrderedJson readingJson(std::size_t number, const MatrixCamera& r, NumberOrder order) {
+  OrderedJson result{{"reading", number},
+                     {"kind", nameOf(kKindNames, r.kind)},
+                     {"layout", nameOf(kLayoutNames, r.layout)},
+                     {"layouts", OrderedJson::array()},
+                     {"convention", axesOf(r)},
+                     {"presets", OrderedJson::array()},
+                     {"presetsOtherwise", OrderedJson::array()},
+                     {"scale", r.scale}};
+  for (const auto& [vectors, vectorsValue] : kVectorsNames)
+    for (const auto& [storage, storageValue] : kStorageNames)
+      if (r.layout == MatrixLayout::either ||
+          isTurned(vectorsValue, storageValue) == (r.layout == MatrixLayout::transposed))
+        result["layouts"].push_back({{"vectors", vectors}, {"storage", storage}});
+  for (const ConventionPreset& preset : conventionPresets()) {
+    if (!fits(r, preset.convention, order)) continue;
+    OrderedJson differs = OrderedJson::array();
+    if (r.kind != MatrixKind::projection && preset.convention.world != r.convention.world) differs.push_back("world");
+    if (r.lens && preset.convention.reverseZ != r.convention.reverseZ) differs.push_back("reverseZ");
+    if (differs.empty())
+      result["presets"].push_back(preset.name);
+    else
+      result["presetsOtherwise"].push_back({{"name", preset.name}, {"differs", differs}});
+  }
+  if (r.lens) result["projection"] = lensJson(*r.lens);
+  if (r.pose) result["pose"] = poseJson(r);
+  return result;
+}
+
+/// What the readings leave open, and what often goes wrong with them.
+std::vector<std::string> notesOn(const std::vector<MatrixCamera>& readings) {
+  std::vector<std::string> notes;
+  const auto any = [&](auto what) { return std::any_of(readings.begin(), readings.end(), what); };
+  const auto note = [&](bool holds, const char* text) {
+    if (holds) notes.emplace_back(text);
+  };
+  const auto isKind = [&](MatrixKind kind) { return any([kind](const MatrixCamera& r) { return r.kind == kind; }); };
+  const auto hasLens = [&](auto what) { return any([&](const MatrixCamera& r) { return r.lens && what(r); }); };
+  note(any([](const MatrixCamera& r) { return r.layout == MatrixLayout::asWritten; }),
+       "As written: the rows of column vectors (row-major), or the columns of row vectors.");
+  note(any([](const MatrixCamera& r) { return r.layout == MatrixLayout::transposed; }),
+       "Transposed: the rows of row vectors (row-major), or the columns of column vectors (column-major).");
+  note(any([](const MatrixCamera& r) { return r.scale != 1; }),
+       "All sixteen numbers are a multiple (\"scale\") of the usual ones; the picture is the same.");
+  note(isKind(MatrixKind::view) && isKind(MatrixKind::worldFromView),
+       "A view and a camera's pose look alike: the reading whose eye is right tells which it is.");
+  note(any([](const MatrixCamera& r) { return !r.lens; }),
+       "The axes of view space are not in a view: read with z forward instead of back, the camera looks the other way, "
+       "in a world of the other hand.");
+  note(hasLens([](const MatrixCamera& r) { return r.convention.ndcY == NdcY::up; }) &&
+           hasLens([](const MatrixCamera& r) { return r.convention.ndcY == NdcY::down; }),
+       "NDC y up and down are both possible, of a view-projection with worlds of either hand; taken the wrong way the "
+       "picture is upside down. --read-as picks.");
+  note(hasLens([](const MatrixCamera& r) { return r.convention.ndcZ == NdcZ::minusOneToOne; }) &&
+           hasLens([](const MatrixCamera& r) { return r.convention.ndcZ == NdcZ::zeroToOne; }),
+       "Made for NDC z of -1..1 and used as 0..1, it has the near and far of the other reading.");
+  note(hasLens([](const MatrixCamera& r) { return r.lens->beyondInfinity; }),
+       "Infinity lies a little inside the depth range: a tweaked infinite projection.");
+  note(hasLens([](const MatrixCamera& r) {
+         constexpr double kFarOff = 4;  // widths and heights
+         const MatrixLens& l = *r.lens;
+         return !l.orthographic && std::fabs(l.left + l.right) > 2 * kFarOff * (l.right - l.left) &&
+                std::fabs(l.bottom + l.top) > 2 * kFarOff * (l.top - l.bottom);
+       }),
+       "The window lies more than four times its size off the viewing axis: a matrix with the viewport folded in looks "
+       "like that.");
+  note(any([](const MatrixCamera& r) { return r.pose && isOrthographic(r); }),
+       "Orthographic: where the eye is, is not in it; edges, near and far are counted from the world's origin.");
+  return notes;
+}
+
+OrderedJson calibrationReport(const WrittenMatrix& m) {
+  const bool isK = m.numbers.size() == 9;
+  std::array<double, 12> p{};
+  for (std::size_t i = 0; i < m.numbers.size(); ++i) p[isK ? 4 * (i / 3) + i % 3 : i] = m.numbers[i];
+  if (isK && (p[4] != 0 || p[8] != 0 || p[9] != 0))
+    throw CameraError("K", "has numbers below its diagonal: it is no K");
+  if (isK && !(p[0] * p[10] > 0 && p[5] * p[10] > 0)) throw CameraError("K", "has a focal length that is not above 0");
+  const SplitMatrix split = splitMatrix(p);
+  const auto number = [](detail::DoubleDouble value) { return detail::rounded(value); };
+  OrderedJson report{
+      {"name", m.name},         {"kind", isK ? "K" : "P"}, {"fx", number(split.fx)},    {"fy", number(split.fy)},
+      {"cx", number(split.cx)}, {"cy", number(split.cy)},  {"skew", number(split.skew)}};
+  if (!isK)
+    report.update({{"eye", asJson(detail::rounded(split.eye))},
+                   {"right", asJson(detail::rounded(split.columns[0]))},
+                   {"down", asJson(detail::rounded(split.columns[1]))},
+                   {"forward", asJson(detail::rounded(split.columns[2]))}});
+  report["notes"] = {
+      "It says neither how large the picture is nor where a pixel's centre lies: in OpenCV at whole numbers "
+      "(viewport.pixelCenter 0), elsewhere often at halves."};
+  if (hasSkew(split)) report["notes"].push_back("Its skew is not 0, and pixels of a skewed grid are not modelled.");
+  return report;
+}
+
+// ---- For people
+
+std::string printed(const char* format, double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+/// The shortest number within the interval, and half of that: "0.1 +- 2.2e-16".
+std::string planeText(const OrderedJson& plane) {
+  const auto get = [&](const char* name) { return plane[name].get<double>(); };
+  const double value = get("value"), low = get("low"), high = get("high");
+  if (std::isinf(value)) return "infinite" + (std::isinf(low) ? "" : ", at least " + printed("%.2g", low));
+  int digits = 1;
+  while (digits < 17 && !(toDigits(value, digits) >= low && toDigits(value, digits) <= high)) ++digits;
+  const std::string text = formatDigits(value, digits);
+  if (low == high) return text + " exact";
+  return text +
+         (std::isinf(high) ? ", at least " + printed("%.2g", low) : " +- " + printed("%.2g", high / 2 - low / 2));
+}
+
+/// "opengl, unity; other reverseZ: metal".
+std::string presetText(const OrderedJson& reading) {
+  const auto names = reading["presets"].get<std::vector<std::string>>();
+  std::string text = joined(names), last;
+  for (const char* differs : {"[\"reverseZ\"]", "[\"world\"]", "[\"world\",\"reverseZ\"]"}) {
+    std::vector<std::string> others;
+    std::string axes;
+    for (const OrderedJson& preset : reading["presetsOtherwise"]) {
+      if (preset["differs"].dump() != differs) continue;
+      others.push_back(preset["name"]);
+      axes = joined(preset["differs"].get<std::vector<std::string>>(), " and ");
+    }
+    if (!others.empty()) text += (text.empty() ? "" : "; ") + ("other " + axes + ": " + joined(others));
+  }
+  return text.empty() ? "no preset" : text;
+}
+
+/// A line for each parameter; readings that agree on one share it.
+OrderedJson parameterRows(const OrderedJson& readings) {
+  struct Parameter {
+    std::string name;
+    OrderedJson value;
+    std::vector<std::string> readings;
+  };
+  std::vector<Parameter> parameters;
+  const auto add = [&](const std::string& name, const OrderedJson& value, const OrderedJson& reading) {
+    auto at = parameters.end();
+    for (auto p = parameters.begin(); p != parameters.end(); ++p) {
+      if (p->name != name) continue;
+      at = p + 1;
+      if (p->value == value) return p->readings.push_back(reading["reading"].dump());
+    }
+    parameters.insert(at, {name, value, {reading["reading"].dump()}});
+  };
+  for (const OrderedJson& reading : readings)
+    for (const std::string part : {"pose", "projection"}) {
+      if (!reading.contains(part)) continue;
+      for (const auto& [name, value] : reading[part].items()) {
+        if (value.is_null() || name == "type" || name == "beyondInfinity") continue;
+        OrderedJson cell = value.is_object() ? OrderedJson(planeText(value)) : value;
+        if (value.is_array() && value.size() == 3 && name != "eye")  // a unit vector, without what is left of 0
+          for (OrderedJson& component : cell) component = std::round(component.get<double>() * 1e9) / 1e9 + 0.0;
+        constexpr std::string_view kEdges = "left right bottom top";
+        const bool isEdge = part == "projection" && kEdges.find(name) != kEdges.npos;
+        add((isEdge ? "window " : "") + name, cell, reading);
+      }
+    }
+  OrderedJson rows = OrderedJson::array();
+  for (const Parameter& p : parameters)
+    rows.push_back({{"parameter", p.name},
+                    {"value", p.value},
+                    {"readings", p.readings.size() == readings.size() ? "" : joined(p.readings, " ")}});
+  return rows;
+}
+
+}  // namespace
+
+std::vector<MatrixCamera> statedReadings(const WrittenMatrix& written, const InspectQuery& query) {
+  std::vector<MatrixCamera> readings;
+  for (const MatrixCamera& r : camerasOf(written, query.isFloat).cameras)
+    if ((!query.readAs || fits(r, *query.readAs, written.order)) && isStated(r, written, query.stated))
+      readings.push_back(r);
+  return readings;
+}
+
+OrderedJson inspectReport(const WrittenMatrix& written, const InspectQuery& query) {
+  if (written.isCalibration()) return calibrationReport(written);
+  const MatrixCameras found = camerasOf(written, query.isFloat);
+  OrderedJson report{{"name", written.name}, {"readings", OrderedJson::array()}};
+  std::vector<MatrixCamera> readings;
+  std::vector<std::string> stated;
+  for (std::size_t i = 0; i < found.cameras.size(); ++i) {
+    const MatrixCamera& r = found.cameras[i];
+    if (query.readAs && !fits(r, *query.readAs, written.order)) continue;
+    readings.push_back(r);
+    report["readings"].push_back(readingJson(i + 1, r, written.order));
+    if (query.stated && isStated(r, written, query.stated)) stated.push_back(std::to_string(i + 1));
+  }
+  if (found.cameras.empty()) report["faults"] = {{"asWritten", found.fault}, {"transposed", found.transposedFault}};
+  report["notes"] = notesOn(readings);
+  if (query.stated && !readings.empty())
+    report["notes"].push_back(stated.empty()
+                                  ? "No reading is of the convention that the input states."
+                                  : "Of the convention that the input states: reading " + joined(stated, " or ") + ".");
+  if (readings.empty() && !found.cameras.empty()) report["notes"].push_back("No reading of it fits --read-as.");
+  return report;
+}
+
+OrderedJson inspectPage(const OrderedJson& report) {
+  if (!report.contains("readings")) return report;
+  OrderedJson page{{"name", report["name"]}};
+  if (report.contains("faults")) page["nothing known"] = report["faults"];
+  OrderedJson lines = OrderedJson::array();
+  for (const OrderedJson& r : report["readings"]) {
+    OrderedJson line{{"#", r["reading"]}, {"kind", r["kind"]}, {"numbers", r["layout"]}};
+    for (const char* axis : {"world", "view", "ndcZ", "reverseZ", "ndcY"})
+      line[axis] = r["convention"].value(axis, OrderedJson());
+    line["fits"] = presetText(r);
+    lines.push_back(line);
+  }
+  if (!lines.empty()) page.update({{"readings", lines}, {"parameters", parameterRows(report["readings"])}});
+  page["notes"] = report["notes"];
+  return page;
+}
+
+Mat4 converted(const MatrixCamera& r, const Convention& target) {
+  if (r.lens && !r.lens->projection) throw CameraError("near", "is not determined by the matrix");
+  if (r.kind == MatrixKind::projection) return clipFromView(*r.lens->projection, target);
+  if (r.kind == MatrixKind::view) return viewFromWorld(*r.pose, target);
+  if (r.kind == MatrixKind::worldFromView) return worldFromView(*r.pose, target);
+  Mat4 m = clipFromWorld(*r.pose, *r.lens->projection, target);
+  for (auto& row : m.m) {  // what is left where the parts of an entry cancel to their own error is 0
+    const double size = std::max({std::fabs(row[0]), std::fabs(row[1]), std::fabs(row[2])});
+    for (std::size_t j = 0; j < 4; ++j)
+      if (std::fabs(row[j]) <= size * (j == 3 ? detail::maxAbs(r.pose->eye()) : 1) * detail::kCancellation) row[j] = 0;
+  }
+  return m;
+}
+
+std::string oneLine(const MatrixCamera& r) {
+  std::string text = std::string(nameOf(kKindNames, r.kind)) + ", " + std::string(nameOf(kLayoutNames, r.layout));
+  const OrderedJson axes = axesOf(r);
+  for (const auto& [axis, value] : axes.items())
+    text += ", " + axis + " " + (value.is_boolean() ? (value.get<bool>() ? "yes" : "no") : value.get<std::string>());
+  return text;
+}
+
+}  // namespace viewproj::cmd

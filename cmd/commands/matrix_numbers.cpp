@@ -1,0 +1,273 @@
+#include "commands/matrix_numbers.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "camera/check.hpp"
+#include "camera/read_pose.hpp"
+#include "output/report.hpp"
+#include "text/error.hpp"
+#include "text/json_text.hpp"
+#include "text/number.hpp"
+#include "text/utf8.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+bool isOneOf(char c, std::string_view set) { return set.find(c) != std::string_view::npos; }
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+bool isWordStart(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+bool isWord(char c) { return isWordStart(c) || isDigit(c) || c == '.'; }
+
+// ---- JSON
+
+/// Of a value of an object; nothing for one that is no matrix and stands beside them.
+std::optional<WrittenMatrix> matrixOf(const std::string& key, const OrderedJson& whole, const std::string& source) {
+  const bool isStored = whole.is_object() && whole.contains("data");  // as OpenCV's FileStorage has it
+  const OrderedJson& value = isStored ? whole["data"] : whole;
+  if (!value.is_array() || value.empty()) return std::nullopt;
+  WrittenMatrix m;
+  bool isNumeric = true;
+  std::size_t columns = 0;  // of rows of one length; 0: of none
+  const auto gather = [&](const OrderedJson& entry) {
+    isNumeric = isNumeric && entry.is_number();
+    if (isNumeric) m.numbers.push_back(entry.get<double>());
+  };
+  const bool nested = value.front().is_array();
+  if (nested) columns = value.front().size();
+  for (const OrderedJson& row : value) {
+    if (nested && row.size() != columns) columns = 0;
+    if (row.is_array())
+      std::for_each(row.begin(), row.end(), gather);
+    else
+      gather(row);
+  }
+  const auto is = [&](std::size_t rows, std::size_t across) {
+    const auto states = [&](const char* word, std::size_t count) {
+      return !isStored || !whole.contains(word) || whole[word] == count;
+    };
+    return isNumeric && m.numbers.size() == rows * across && value.size() == (nested ? rows : rows * across) &&
+           (!nested || columns == across) && states("rows", rows) && states("cols", across);
+  };
+  const bool isK = is(3, 3);
+  if (isK && (m.numbers[3] != 0 || m.numbers[6] != 0 || m.numbers[7] != 0)) return std::nullopt;  // a rotation
+  if (!isK && !is(3, 4) && !is(4, 4)) {
+    if (!nested || value.size() == 1 || columns == 1) return std::nullopt;  // a vector, the coefficients of a lens
+    throw InputError(source + ": " + visible(key) +
+                     ": expected 16 numbers or 4 rows of 4; or 3 rows of 3 or 4, a calibration");
+  }
+  m.name = visible(key);
+  m.order = nested || isStored ? NumberOrder::rows : NumberOrder::memory;
+  return m;
+}
+
+WrittenMatrices parseObject(const std::string& text, const std::string& source) {
+  const Document document = load(text, source);  // says what is wrong with it
+  WrittenMatrices result;
+  const OrderedJson inOrder = OrderedJson::parse(text, nullptr, true, true);
+  for (const auto& [key, value] : inOrder.items())
+    if (auto m = matrixOf(key, value, source)) result.matrices.push_back(std::move(*m));
+  if (result.matrices.empty()) throw InputError(source + ": has no matrix: no value of 16 numbers or 4 rows of 4");
+  if (const auto convention = Node(document).find("convention")) {
+    Document stated{source, std::make_shared<Json>(Json{{"convention", convention->json()}})};
+    normalize(stated);
+    check(stated);
+    result.convention = readConvention(stated).convention;
+  }
+  return result;
+}
+
+// ---- Text
+
+/// Reads one text from front to back; numbers gather until they are sixteen.
+class Scanner {
+ public:
+  Scanner(const std::string& text, const std::string& source) : text_(text), source_(source) {}
+
+  std::vector<WrittenMatrix> matrices() {
+    requireDecimalPoints();
+    while (at_ < text_.size()) step();
+    finish();
+    if (found_.empty()) fail(0, "has no numbers; expected the 16 of a matrix");
+    return std::move(found_);
+  }
+
+ private:
+  struct Gathered {
+    double value;
+    std::size_t line, group, offset;
+  };
+
+  [[noreturn]] void fail(std::size_t offset, const std::string& message) const {
+    throw InputError(place(source_, positionAt(text_, offset)) + ": " + visible(message));
+  }
+
+  bool follows(std::string_view word) const { return text_.compare(at_, word.size(), word) == 0; }
+  std::size_t after(const char* word) const {
+    const std::size_t found = text_.find(word, at_);
+    return found == std::string::npos ? text_.size() : found + std::string_view(word).size();
+  }
+
+  void step() {
+    const char c = text_[at_];
+    const bool isFirst = lineIsEmpty_;
+    if (c == '\n') {
+      ++line_;
+      lineIsEmpty_ = true;
+    } else if (!isOneOf(c, " \t\r\v\f")) {
+      lineIsEmpty_ = false;
+    }
+    if (follows("//") || c == '#') {
+      const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+      if (c == '#' && isFirst) heading(text_.substr(at_ + 1, end - at_ - 1));
+      at_ = end;
+    } else if (follows("/*")) {
+      const std::size_t end = after("*/");
+      line_ += static_cast<std::size_t>(std::count(&text_[at_], &text_[0] + end, '\n'));
+      at_ = end;
+    } else if (follows("::")) {  // of a namespace, whose word is no name: glm::mat4
+      at_ += 2;
+    } else if (c == '=' || c == ':') {
+      // What stood before was a declaration: float m[4][4] =
+      if (!areArraySizes()) finish();
+      gathered_.clear();
+      name_ = word_;
+      ++at_;
+    } else if (isOneOf(c, "{[(")) {
+      if (c == '{' && depth_ == 0 && areArraySizes()) gathered_.clear();  // float m[16]{
+      ++depth_;
+      ++group_;
+      ++at_;
+    } else if (isOneOf(c, "}])")) {
+      if (depth_ > 0) --depth_;
+      ++group_;
+      ++at_;
+    } else if (isOneOf(c, " \t\r\v\f\n,|;")) {
+      if (c == ';') ++group_;  // a row of MATLAB's
+      ++at_;
+    } else if (isWordStart(c)) {
+      word();
+    } else if (isDigit(c) || isOneOf(c, ".+-")) {
+      number();
+    } else {
+      std::size_t end = at_ + 1;
+      while (end < text_.size() && (static_cast<unsigned char>(text_[end]) & 0xC0) == 0x80) ++end;
+      fail(at_, "'" + text_.substr(at_, end - at_) + "' was not expected in a matrix of 16 numbers");
+    }
+  }
+
+  /// As in m[4][4].
+  bool areArraySizes() const {
+    return std::all_of(gathered_.begin(), gathered_.end(), [](const Gathered& g) {
+      return g.value > 0 && g.value <= 16 && g.value == std::floor(g.value);
+    });
+  }
+
+  void heading(const std::string& text) {
+    finish();
+    const std::size_t begin = text.find_first_not_of("# \t\r"), end = text.find_last_not_of(" \t\r");
+    name_ = begin == std::string::npos ? "" : text.substr(begin, end - begin + 1);
+  }
+
+  void word() {
+    const std::size_t begin = at_;
+    while (at_ < text_.size() && isWord(text_[at_])) ++at_;
+    const std::string word = text_.substr(begin, at_ - begin);
+    std::string lower = word;
+    for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (lower == "nan" || lower == "inf" || lower == "infinity") fail(begin, "'" + word + "' is not a finite number");
+    if (depth_ == 0) word_ = word;
+    if (at_ < text_.size() && text_[at_] == '<') at_ = after(">");
+  }
+
+  void number() {
+    const std::size_t begin = at_++;
+    while (at_ < text_.size() && (isWord(text_[at_]) || (isOneOf(text_[at_], "+-") && isOneOf(text_[at_ - 1], "eE"))))
+      ++at_;
+    const std::string token = text_.substr(begin, at_ - begin);
+    const std::string digits = token.substr(0, token.find_last_not_of("fFlLhH") + 1);
+    const auto value = parseNumber(digits);
+    if (!value || digits.size() + 2 < token.size()) fail(begin, "'" + token + "' is not a finite number");
+    gathered_.push_back({*value, line_, group_, begin});
+    if (gathered_.size() == 16) flush(isInRows(4, 4) ? NumberOrder::rows : NumberOrder::memory);
+  }
+
+  /// So many rows, each on a line or in brackets of its own.
+  bool isInRows(std::size_t rows, std::size_t columns) const {
+    const auto isBy = [&](std::size_t Gathered::*key) {
+      for (std::size_t i = 1; i < rows * columns; ++i)
+        if ((gathered_[i].*key != gathered_[i - 1].*key) != (i % columns == 0)) return false;
+      return true;
+    };
+    return gathered_.size() == rows * columns && (isBy(&Gathered::line) || isBy(&Gathered::group));
+  }
+
+  void flush(NumberOrder order) {
+    WrittenMatrix& m = found_.emplace_back(
+        WrittenMatrix{name_.empty() ? "matrix " + std::to_string(found_.size() + 1) : visible(name_), {}, order});
+    for (const Gathered& g : gathered_) m.numbers.push_back(g.value);
+    gathered_.clear();
+    name_.clear();
+    word_.clear();
+  }
+
+  /// A matrix ends here: what has gathered is a calibration, or too little.
+  void finish() {
+    const std::size_t count = gathered_.size();
+    if (count == 0) return;
+    const bool isFlat = count > 0 && gathered_.front().line == gathered_.back().line &&
+                        gathered_.front().group == gathered_.back().group;
+    if (isInRows(3, 3) || isInRows(3, 4) || (isFlat && (count == 9 || count == 12))) return flush(NumberOrder::rows);
+    if (name_ == "eye" && count == 3) return gathered_.clear();  // beside matrices relative to the eye
+    const std::string numbers = std::to_string(count) + (count == 1 ? " number" : " numbers");
+    if (found_.empty() || !name_.empty())
+      fail(gathered_.back().offset,
+           (name_.empty() ? "" : name_ + ": ") + "ends after " + numbers + "; a matrix has 16");
+    fail(gathered_.front().offset, "has " + numbers + " more than matrices of 16 each");
+  }
+
+  /// Throws at numbers as 1,5 that blanks separate: a comma would come between two.
+  void requireDecimalPoints() const {
+    constexpr std::string_view kBetween = " \t\r\n;|[](){}";
+    std::size_t withComma = 0, first = 0;
+    for (std::size_t at = 0; (at = text_.find_first_not_of(kBetween, at)) != std::string::npos;) {
+      const std::size_t end = std::min(text_.find_first_of(kBetween, at), text_.size());
+      const std::string_view word = std::string_view(text_).substr(at, end - at);
+      const std::size_t comma = word.find(',');
+      const bool isDecimal = comma != word.npos && comma > 0 && comma + 1 < word.size() && isDigit(word[comma - 1]) &&
+                             isDigit(word[comma + 1]) && word.find_first_of(",.", comma + 1) == word.npos;
+      if (word.find('.') != word.npos || (comma != word.npos && !isDecimal)) return;
+      if (isDecimal && withComma++ == 0) first = at + comma;
+      at = end;
+    }
+    if (withComma >= 4) fail(first, "a comma separates numbers here; of decimal commas tr , . makes points");
+  }
+
+  const std::string& text_;
+  const std::string& source_;
+  std::size_t at_ = 0, line_ = 0, group_ = 0, depth_ = 0;
+  bool lineIsEmpty_ = true;
+  std::string word_, name_;
+  std::vector<Gathered> gathered_;
+  std::vector<WrittenMatrix> found_;
+};
+
+}  // namespace
+
+WrittenMatrices parseMatrices(const std::string& given, const std::string& source) {
+  requireNarrow(source, given);
+  const std::string text = given.starts_with("\xEF\xBB\xBF") ? given.substr(3) : given;
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  if (first != std::string::npos && text[first] == '{') {
+    std::string blank = text;
+    blankComments(blank);
+    const std::size_t second = blank.find_first_not_of(" \t\r\n", first + 1);
+    if (second != std::string::npos && isOneOf(blank[second], "\"}")) return parseObject(text, source);
+  }
+  const auto has = [&](const char* word) { return text.find(word) != std::string::npos; };
+  return {Scanner(text, source).matrices(), std::nullopt, has("float") || has("mat4") || has("f32")};
+}
+
+}  // namespace viewproj::cmd

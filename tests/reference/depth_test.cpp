@@ -1,0 +1,191 @@
+// What a depth buffer resolves, against depths in 480 bits and stored depths counted one by one.
+#include "commands/depth.hpp"
+
+#include <cstdint>
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "catch.hpp"
+#include "reference/scene.hpp"
+#include "text/error.hpp"
+
+using namespace viewproj;
+using namespace viewproj::cmd;
+using namespace reference;
+
+namespace {
+
+/// Of everything that the report computes.
+constexpr double kRelativeError = 1e-14;
+
+DepthMapping mappingOf(double near, double far, double atNear = 0, double atFar = 1, NdcZ ndcZ = NdcZ::zeroToOne) {
+  return {perspectiveWindow(-1, 1, -1, 1, near, far), atNear, atFar, ndcZ};
+}
+
+DepthMapping randomMapping(Random& random) {
+  const double size = random.spread(1e-6, 1e6);
+  DepthMapping m = mappingOf(size, random.chance(0.3) ? kInfiniteFar : size * (1 + random.spread(1e-3, 1e15)));
+  if (random.chance(0.25)) {
+    const double near = size * random.uniform(-1, 1);
+    m.projection = orthographic(-1, 1, -1, 1, near, near + size * random.spread(1e-3, 1e3));
+  }
+  if (random.chance(0.2)) {
+    m.atNear = random.uniform(0, 0.5);
+    m.atFar = random.uniform(0.6, 1);
+  }
+  if (random.chance(0.5)) std::swap(m.atNear, m.atFar);
+  return m;
+}
+
+double randomDistance(Random& random, const Projection& p) {
+  if (p.isOrthographic()) return random.uniform(p.zNear(), p.zFar());
+  return std::min(p.zFar(), random.spread(p.zNear(), std::isinf(p.zFar()) ? p.zNear() * 1e12 : p.zFar()));
+}
+
+/// Window depth by the textbook: A + B/w with the entries of a projection matrix, or A + B w.
+struct TrueMapping {
+  TrueMapping(const DepthMapping& m, bool reversed) : orthographic(m.projection.isOrthographic()) {
+    const Real near = m.projection.zNear(), far = m.projection.zFar();
+    const auto [low, high] = std::minmax(m.atNear, m.atFar);
+    const Real from = reversed ? high : low, to = reversed ? low : high;
+    if (orthographic) {
+      b = (to - from) / (far - near);
+      a = from - b * near;
+    } else if (std::isinf(m.projection.zFar())) {
+      a = to;
+      b = (from - to) * near;
+    } else {
+      a = (far * to - near * from) / (far - near);
+      b = far * near * (from - to) / (far - near);
+    }
+  }
+  explicit TrueMapping(const DepthMapping& m) : TrueMapping(m, m.atFar < m.atNear) {}
+  Real depth(const Real& w) const { return orthographic ? a + b * w : a + b / w; }
+
+  bool orthographic;
+  Real a, b;
+};
+
+/// The place of the nearest stored depth: of float32s, or of shares of 1 in so many bits.
+std::int64_t stored(const Real& depth, int bits) {
+  if (!(depth > Real(0))) return 0;
+  if (bits > 0)
+    return static_cast<std::int64_t>(mpfr_get_si((depth * Real(std::ldexp(1, bits) - 1)).value(), MPFR_RNDN));
+  const float f = mpfr_get_flt(depth.value(), MPFR_RNDN);
+  std::uint32_t index;
+  std::memcpy(&index, &f, sizeof index);
+  return index;
+}
+
+OrderedJson rowAt(const DepthMapping& m, double distance) {
+  return depthReport(m, std::span(&distance, 1))["distances"][0];
+}
+double at(const DepthMapping& m, double distance, const char* name) { return rowAt(m, distance)[name].get<double>(); }
+
+struct Format {
+  const char* name;
+  int bits;
+  bool reversed;
+};
+constexpr Format kFormats[] = {{"d16", 16, false}, {"d24", 24, true}, {"f32", 0, false}, {"f32Reversed", 0, true}};
+
+}  // namespace
+
+TEST_CASE("Window depth and its slope are those of the projection matrix, and near and far have the range's ends") {
+  for (std::uint64_t trial = 0; trial < 20000; ++trial) {
+    Random random(trial + 50000000);
+    const DepthMapping m = randomMapping(random);
+    const TrueMapping truth(m);
+    const double w = randomDistance(random, m.projection);
+    INFO("trial " << trial << ", distance " << w);
+    const OrderedJson row = rowAt(m, w);
+    CHECK(ulps(row["depth"].get<double>(), truth.depth(w)) <= 0.5001);
+    const Real slope = truth.orthographic ? truth.b : -truth.b / (Real(w) * Real(w));
+    CHECK(distance(row["slope"].get<double>(), slope) <= kRelativeError * std::fabs(double(slope)));
+    CHECK(at(m, m.projection.zNear(), "depth") == m.atNear);
+    if (std::isfinite(m.projection.zFar())) CHECK(at(m, m.projection.zFar(), "depth") == m.atFar);
+  }
+}
+
+TEST_CASE("Surfaces as far apart as is resolved are stored apart, wherever the steps lie, and half as far often not") {
+  int counts[std::size(kFormats)] = {}, merged[std::size(kFormats)] = {}, pairs = 0;
+  for (std::uint64_t trial = 0; trial < 20000; ++trial) {
+    Random random(trial + 53000000);
+    const DepthMapping m = randomMapping(random);
+    const double w = randomDistance(random, m.projection);
+    const OrderedJson row = rowAt(m, w);
+    for (std::size_t i = 0; i < std::size(kFormats); ++i) {
+      const Format& f = kFormats[i];
+      const TrueMapping truth(m, f.reversed);
+      const double gap = row[f.name].get<double>();
+      const Real nearer = Real(w) - Real(gap) * Real(1 + 10 * kRelativeError), half = Real(w) - Real(gap) * Real(0.45);
+      if (nearer < Real(m.projection.zNear())) continue;
+      INFO("trial " << trial << ", distance " << w << ", format " << f.name);
+      CHECK(stored(truth.depth(nearer), f.bits) != stored(truth.depth(w), f.bits));
+      ++counts[i];
+      merged[i] += stored(truth.depth(half), f.bits) == stored(truth.depth(w), f.bits);
+      ++pairs;
+    }
+  }
+  for (std::size_t i = 0; i < std::size(kFormats); ++i) {
+    CAPTURE(kFormats[i].name, counts[i], merged[i]);
+    CHECK(counts[i] > 5000);
+    CHECK(merged[i] > counts[i] / 4);
+  }
+}
+
+TEST_CASE("Where NDC z runs from -1 to 1, f32 resolves no more than the float32 of z, in either direction") {
+  int reversed = 0;
+  for (std::uint64_t trial = 0; trial < 20000; ++trial) {
+    Random random(trial + 54000000);
+    const double near = random.spread(1e-3, 1e3), far = near * random.spread(10, 1e6), w = random.spread(near, far);
+    const OrderedJson row = rowAt(mappingOf(near, far, 0, 1, NdcZ::minusOneToOne), w);
+    for (const Format& f : {kFormats[2], kFormats[3]}) {
+      const double gap = row[f.name].get<double>();
+      if (w - gap < near) continue;
+      const TrueMapping truth(mappingOf(near, far), f.reversed);
+      const auto storedAt = [&](const Real& distance) -> float {
+        const Real z = truth.depth(distance) * Real(2) - Real(1);
+        const float ndc = mpfr_get_flt(z.value(), MPFR_RNDN);
+        return (ndc + 1) / 2;
+      };
+      INFO("trial " << trial << ": " << near << " to " << far << " at " << w << ", " << f.name);
+      // Of two roundings the second may take what the first left.
+      CHECK(storedAt(Real(w) - Real(gap) * Real(2)) != storedAt(w));
+      reversed += f.reversed && gap > 4 * at(mappingOf(near, far), w, f.name);
+    }
+  }
+  CHECK(reversed > 1000);
+}
+
+TEST_CASE("A depth is turned into its distance, and one that no buffer of the range holds is refused") {
+  for (std::uint64_t trial = 0; trial < 10000; ++trial) {
+    Random random(trial + 55000000);
+    const DepthMapping m = randomMapping(random);
+    const TrueMapping truth(m);
+    const double depth = m.atNear + (m.atFar - m.atNear) * random.uniform(0, 0.999);
+    INFO("trial " << trial << ", depth " << depth);
+    const double distance = distanceReport(m, std::span(&depth, 1))["depths"][0]["distance"].get<double>();
+    const Real expected = truth.orthographic ? (Real(depth) - truth.a) / truth.b : truth.b / (Real(depth) - truth.a);
+    CHECK(reference::distance(distance, expected) <= 1e-15 * (std::fabs(distance) + std::fabs(m.projection.zNear())));
+  }
+  const DepthMapping infinite = mappingOf(0.1, kInfiniteFar, 1, 0);
+  const double ends[] = {1, 0};
+  const OrderedJson report = distanceReport(infinite, ends);
+  CHECK(report["depths"][0]["distance"] == 0.1);
+  CHECK(std::isinf(report["depths"][1]["distance"].get<double>()));
+  for (const double beyond : {1.5, -0.5, double(NAN)})
+    CHECK_THROWS_AS(distanceReport(infinite, std::span(&beyond, 1)), UsageError);
+}
+
+TEST_CASE("What the literature says of depth buffers holds") {
+  // The OpenGL FAQ's example: near 0.01, far 1000, 16 bits. The last step before far lies at 395.90054.
+  CHECK(1000 - at(mappingOf(0.01, 1000), 1000, "d16") == Approx(395.90054).epsilon(1e-7));
+  // The usual approximation z^2 / (near 2^bits - z).
+  CHECK(at(mappingOf(1, kInfiniteFar), 100, "d24") == Approx(100.0 * 100 / (1 << 24)).epsilon(1e-4));
+  // float32 and near 0.1 at ten kilometres: 60 m forward, 0.9 mm reversed.
+  CHECK(at(mappingOf(0.1, kInfiniteFar), 1e4, "f32") == Approx(60).epsilon(0.02));
+  CHECK(at(mappingOf(0.1, kInfiniteFar), 1e4, "f32Reversed") == Approx(0.9e-3).epsilon(0.02));
+  // No length is told that a float32 of the distance cannot have.
+  CHECK(at(mappingOf(0.1, 1000), 1000, "f32Reversed") == 0x1p-15);
+}
