@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "commands/help/command_help.hpp"
+#include "commands/help.hpp"
 #include "commands/run.hpp"
 #include "numbers/arithmetic.hpp"
 #include "output/output_file.hpp"
@@ -30,7 +30,7 @@ const Command& find(std::string_view name) {
 
 int run(std::vector<std::string> arguments) {
   if (arguments.empty()) {
-    complain("a command is needed\n\n" + helpText());
+    complain("a command is needed\n\n" + overview());
     return 2;
   }
   std::string name = arguments.front();

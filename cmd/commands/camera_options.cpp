@@ -49,14 +49,12 @@ Names<Convention> presetConventions() {
 void CameraOptions::add(CLI::App& app) {
   app.option_defaults()->group(kCameraGroup);
   addValue(app, "-c,--camera", "FILE[#NAME]", camera_, readFileName,
-           "Camera file, or the JSON itself; #NAME picks one of several cameras. help formats lists the files");
+           "Camera file, or JSON; #NAME picks one of several");
   addValue(app, "--viewport", "WxH", viewport_, readSize, "Size of the picture in pixels, as in 1920x1080");
   addRepeatable(
       app, "--set", "FIELD=VALUE",
       [this](const std::string&, const std::string& text) { patches_.push_back(setPatch(text)); },
-      "Set a field of the camera file, as in projection.fovY=75; the last one counts");
-  addChoice(app, "--read-as", "NAME", readAs_, namesAlone(presetNames()), "Read the camera in this convention",
-            "the file's, or opengl");
+      "Set a field, as in projection.fovY=75");
   for (const Field& field : kFields)
     if (!field.option.empty())
       addOption(
@@ -64,83 +62,38 @@ void CameraOptions::add(CLI::App& app) {
           [this, &field](const std::string&, const std::string& text) { patches_.push_back(optionPatch(field, text)); },
           std::string(field.help));
   app.add_flag_callback(
-      "--orthographic", [this] { patches_.push_back(orthographicPatch()); },
-      "The projection is orthographic, where its other options do not tell");
-  app.add_flag("--allow-stretch", allowStretch_, "Allow a camera of another aspect ratio than the viewport's");
+      "--orthographic", [this] { patches_.push_back(orthographicPatch()); }, "The projection is orthographic");
+  app.add_flag("--allow-stretch", allowStretch_, "Allow another aspect ratio than the viewport's");
   app.add_flag("--ignore-distortion", ignoreDistortion_, "Leave out the distortion of the lens");
+  app.option_defaults()->group(kConventionGroup);
+  addValue(
+      app, "--read-as", "NAME", readAs_,
+      [](const std::string& option, const std::string& text) {
+        return choose(option, text, namesAlone(presetNames()));
+      },
+      "Read a file that states no convention as NAME");
   app.option_defaults()->group("Options");
 }
 
 void CameraOptions::addWriting(CLI::App& app) {
   app.option_defaults()->group(kConventionGroup);
-  addChoice(app, "--convention", "NAME", convention_, presets(),
-            "Write in this convention; without a camera file also read the options in it", "the one that was read");
+  addValue(
+      app, "--convention", "NAME", convention_,
+      [](const std::string& option, const std::string& text) { return choose(option, text, presets()); },
+      "Write in it; without a file also read options in it");
   CLI::Option* const reversed = app.add_flag_callback(
       "--reverse-z", [this] { reverseZ_ = true; }, "Write depth with near and far exchanged");
   app.add_flag_callback(
          "--no-reverse-z", [this] { reverseZ_ = false; }, "Write depth that grows with the distance")
       ->excludes(reversed);
-  addChoice(app, "--ndc-z", "RANGE", ndcZ_, rowsOf(kNdcZNames), "Write this range of NDC z", "the convention's");
+  addChoice(app, "--ndc-z", "RANGE", ndcZ_, rowsOf(kNdcZNames), "Range of NDC z that is written", "");
   app.option_defaults()->group("Options");
 }
 
 void CameraOptions::addFile(CLI::App& app) {
   takesFile_ = true;
-  addValue(app, "FILE", "", file_, readFileName, "Camera file, where -c was not given; absent or - for standard input");
-}
-
-void CameraOptions::add(CommandLine& line) {
-  notes_.add(line);
-  const Heading heading(line, kCameraHeading);
-  addValue(line, "-c,--camera", "FILE[#NAME]", camera_, readFileName,
-           "Camera file, or the JSON itself; also glTF, transforms.json, three.js, calibrations of OpenCV, ROS and "
-           "others (help formats), or matrices. #NAME picks one of several cameras");
-  line.addFlag(kListOption, list_, "Name the cameras that the camera file holds, and do nothing else");
-  addValue(line, "--viewport", "WxH", viewport_, readSize,
-           "Viewport size in pixels, as in 1920x1080 (default: the file's)");
-  line.add({"--set", "FIELD=VALUE",
-            "Set a field of the camera file, as in projection.fovY=75; of two of the same the later counts; repeatable",
-            Times::often},
-           [this](const std::string&, const std::vector<std::string>& given) {
-             for (const std::string& text : given) patches_.push_back(setPatch(text));
-           });
-  addChoice(line, "--read-as", "NAME", readAs_, namesAlone(presetNames()), "Read the camera in this convention",
-            "the file's, or opengl");
-  addFields(line);
-  line.addFlag("--allow-stretch", allowStretch_, "Let the camera's shape differ from the viewport's");
-  line.addFlag("--ignore-distortion", ignoreDistortion_, "Take a lens that distorts as one that does not");
-}
-
-void CameraOptions::addWriting(CommandLine& line) {
-  const Heading heading(line, "Convention written");
-  addChoice(line, "--convention", "NAME", convention_, presets(),
-            "Write in this convention; without a camera file also read the options in it", "the one that was read");
-  const auto takeReverseZ = [this](std::int64_t sum) {
-    if (sum == 0) throw UsageError("--reverse-z and --no-reverse-z contradict each other");
-    reverseZ_ = sum > 0;
-  };
-  line.addFlag("--reverse-z,!--no-reverse-z", takeReverseZ,
-               "Write depth with near and far exchanged, or not (default: as the convention has it)");
-  addChoice(line, "--ndc-z", "RANGE", ndcZ_, rowsOf(kNdcZNames), "Write this range of NDC z", "the convention's");
-}
-
-void CameraOptions::addFile(CommandLine& line) {
-  takesFile_ = true;
-  addValue(line, "FILE", "", file_, readFileName,
-           "Camera file, where -c was not given; absent or - for standard input");
-}
-
-void CameraOptions::addFields(CommandLine& line) {
-  const Heading heading(line, kCameraFields);
-  for (const Field& field : kFields)
-    if (!field.option.empty() && line.wants(field.option))
-      line.add({std::string(field.option), std::string(wordsOfKind(field.kind).placeholder), std::string(field.help)},
-               [this, &field](const std::string&, const std::vector<std::string>& given) {
-                 patches_.push_back(optionPatch(field, given.front()));
-               });
-  line.addFlag(
-      "--orthographic", [this](std::int64_t) { patches_.push_back(orthographicPatch()); },
-      "The projection is orthographic, where its fields could be another's too");
+  addValue(app, "FILE", "", file_, readFileName, "Camera file, where -c was not given; absent or - for standard input")
+      ->group(kCameraGroup);
 }
 
 CameraSource CameraOptions::source() const {
@@ -181,23 +134,6 @@ std::unique_ptr<CameraDocuments> CameraOptions::open(const CameraSource& picked)
   return std::make_unique<CameraDocuments>(load(picked.file, camera_ ? "--camera" : "FILE"), std::move(all));
 }
 
-int CameraOptions::list() const {
-  if (isTyped()) throw UsageError("--list names the cameras of a file, and there is none");
-  const auto cameras = open(source());
-  for (std::size_t i = 0; i < cameras->size(); ++i) {
-    std::string line = "#" + cameras->pickOf(i);
-    try {
-      const Document document = cameras->document(i);
-      const Json* const type = valueAt(*document.root, "projection.type");
-      line += "  " + (type && type->is_string() ? type->get<std::string>() : "no projection");
-    } catch (const InputError& e) {
-      line += std::string("  cannot be read: ") + e.what();
-    }
-    writeOutput(line + "\n");
-  }
-  return 0;
-}
-
 std::string CameraOptions::readAs() const {
   if (readAs_ || !isTyped() || !convention_) return readAs_.value_or("");
   // A place makes the world right-handed.
@@ -215,7 +151,7 @@ CameraFile CameraOptions::read(bool needsPicture) const {
   const Document document = cameras->document(cameras->choose(picked.pick));
   CameraFile file = readCamera(document, reading(needsPicture));
   statesConvention_ = readAs_ || isTyped() || file.statesConvention || file.worldIsEcef;
-  for (const std::string& note : file.notes) notes_.say(note);
+  for (const std::string& note : file.notes) cmd::note(note);
   return file;
 }
 
@@ -231,7 +167,7 @@ int CameraOptions::writeEach(
     std::string text;
     try {
       const CameraFile camera = readCamera(cameras->document(i), reading(needsPicture));
-      for (const std::string& note : camera.notes) notes_.say(note);
+      for (const std::string& note : camera.notes) cmd::note(note);
       statesConvention_ = readAs_ || camera.statesConvention;
       text = textOf(cameras->pickOf(i), camera);
     } catch (const InputError& e) {
@@ -255,7 +191,7 @@ std::pair<std::unique_ptr<CameraDocuments>, std::optional<std::string>> CameraOp
 
 CameraFile CameraOptions::readOne(const CameraDocuments& cameras, std::size_t which) const {
   CameraFile file = readCamera(cameras.document(which), reading(true));
-  for (const std::string& note : file.notes) notes_.say(note);
+  for (const std::string& note : file.notes) cmd::note(note);
   return file;
 }
 
@@ -289,14 +225,14 @@ void CameraOptions::noteHandedness(const CameraFile& file) const {
     if (readAs_ || readAs().empty()) return;
     const Vec3 up = convention_->up;
     if (convention_->convention.world == usual.convention.world && up == usual.up) return;
-    notes_.say("--convention " + name + " also says how the options are read: the world is " +
-               hand(convention_->convention.world) + " and up is " + formatNumber(up.x) + "," + formatNumber(up.y) +
-               "," + formatNumber(up.z) + "; --read-as opengl reads them in the default convention");
+    note("--convention " + name + " also says how the options are read: the world is " +
+         hand(convention_->convention.world) + " and up is " + formatNumber(up.x) + "," + formatNumber(up.y) + "," +
+         formatNumber(up.z) + "; --read-as opengl reads them in the default convention");
     return;
   }
   if (statesConvention_ || convention_->convention.world == file.convention.world) return;
-  notes_.say(file.name + ": states no convention, so its world stays " + hand(file.convention.world) + "; " + name +
-             "'s is " + hand(convention_->convention.world) + "; --read-as " + name + " reads the file so");
+  note(file.name + ": states no convention, so its world stays " + hand(file.convention.world) + "; " + name +
+       "'s is " + hand(convention_->convention.world) + "; --read-as " + name + " reads the file so");
 }
 
 }  // namespace viewproj::cmd

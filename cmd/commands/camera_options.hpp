@@ -27,17 +27,8 @@ class CameraOptions {
   /// FILE, for a command that reads nothing but the camera.
   void addFile(CLI::App& app);
 
-  void add(CommandLine& line);
-  void addWriting(CommandLine& line);
-  /// FILE, for a command that reads nothing but the camera.
-  void addFile(CommandLine& line);
   /// For a command that asks for near and far alone: options without an opening are enough.
   void takeAnyOpening() { anyOpening_ = true; }
-
-  /// --list, which takes the place of all that the command does otherwise.
-  bool lists() const { return list_; }
-  /// Returns the exit status.
-  int list() const;
 
   /// From -c, or from FILE where the command has it. needsPicture: as in ReadOptions.
   CameraFile read(bool needsPicture = true) const;
@@ -53,7 +44,6 @@ class CameraOptions {
   /// The camera's document, in the convention that is written.
   std::string written(const CameraFile& file) const;
   bool allowsStretch() const { return allowStretch_; }
-  const Notes& notes() const { return notes_; }
 
   /// Where the camera's x, y, z point in the convention that is written: of an unnamed one as the file or the world has
   /// them.
@@ -73,7 +63,6 @@ class CameraOptions {
   CameraPatches patches() const;
   /// The cameras of the file, or of options alone.
   std::unique_ptr<CameraDocuments> open(const CameraSource& picked) const;
-  void addFields(CommandLine& line);
   /// The camera is what options say of it, and no file's.
   bool isTyped() const;
   bool hasPlace() const;
@@ -85,8 +74,7 @@ class CameraOptions {
   std::optional<NdcZ> ndcZ_;
   std::optional<bool> reverseZ_;
   std::vector<Patch> patches_;  ///< of options and of --set, in their order
-  bool takesFile_ = false, anyOpening_ = false, allowStretch_ = false, ignoreDistortion_ = false, list_ = false;
-  Notes notes_;
+  bool takesFile_ = false, anyOpening_ = false, allowStretch_ = false, ignoreDistortion_ = false;
   mutable bool statesConvention_ = true;  ///< of the camera that was read
 };
 

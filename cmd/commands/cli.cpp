@@ -21,7 +21,8 @@ class Help final : public CLI::Formatter {
   }
 
   std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
-    std::string out = wrapped(app->get_description(), terminalWidth()) + "\n" + make_usage(app, name);
+    std::string out = wrapped(app->get_description(), terminalWidth()) + "\n";
+    out += app->get_subcommands({}).empty() ? make_usage(app, name) : "Usage: " + name + " COMMAND [options] [FILE]\n";
     out += make_positionals(app);
     for (const bool isShared : {false, true})
       for (const std::string& group : app->get_groups())
@@ -45,27 +46,27 @@ class Help final : public CLI::Formatter {
   }
 
   std::string make_option(const CLI::Option* option, bool isPositional) const override {
+    constexpr std::size_t kColumn = 28;
     const std::string& form = option->get_option_text();
     const std::string name = "  " + make_option_name(option, isPositional) + (form.empty() ? "" : " " + form);
-    return entry(name, std::min<std::size_t>(kColumn, terminalWidth() / 3), option->get_description(), terminalWidth());
+    return entry(name, std::min(kColumn, terminalWidth() * 3 / 8), option->get_description(), terminalWidth());
   }
 
   std::string make_subcommand(const CLI::App* command) const override {
-    constexpr std::size_t kNames = 14;
+    constexpr std::size_t kNames = 15;
     return entry("  " + command->get_name(), kNames, command->get_description(), terminalWidth());
   }
 
  private:
-  static constexpr std::size_t kColumn = 28;
-
   static bool namesTopic(const std::string& group) { return group.find("(viewproj help ") != std::string::npos; }
 };
 
 std::string longName(const std::string& names) { return names.substr(names.rfind(',') + 1); }
 
-/// Endings of the tool's own forms, and those of pictures: a file that is called so is expected to be so.
+/// Endings of the tool's own forms, and of a few others: a file that is called so is expected to be so.
 constexpr std::string_view kTelling =
-    ".json .ndjson .jsonl .csv .tsv .txt .xyz .f64 .svg .c .h .glsl .hlsl .wgsl .css .py .png .jpg .jpeg .pdf";
+    ".json .ndjson .jsonl .csv .tsv .txt .xyz .f64 .svg .c .h .glsl .hlsl .wgsl .css .py .png .jpg .jpeg .pdf "
+    ".npy .npz .parquet .xlsx .gz .bz2 .xz .zst .zip";
 
 /// CLI11 would take the argument after "--prefix=" for its value, and an option for that of one without a value.
 void requireValues(const CLI::App& app, std::span<const std::string> arguments) {
@@ -78,7 +79,11 @@ void requireValues(const CLI::App& app, std::span<const std::string> arguments) 
     const std::size_t equals = argument.find('=');
     const std::string name = argument.substr(0, equals);
     const CLI::Option* const option = name.starts_with('-') ? app.get_option_no_throw(name) : nullptr;
-    if (!option || option->get_items_expected_max() == 0) continue;
+    if (!option) continue;
+    if (option->get_items_expected_max() == 0) {
+      if (equals != std::string::npos) throw UsageError(name + " takes no value");
+      continue;
+    }
     if (equals != std::string::npos) {
       if (equals + 1 == argument.size()) throw UsageError("the value of " + name + kEmpty);
       if (!name.starts_with("--")) throw UsageError(argument + ": after " + name + " the value follows without =");
@@ -116,6 +121,8 @@ void prepare(CLI::App& app) {
       ->option_text("FILE");
   app.add_flag_callback("--quiet", silenceNotes, "Do not write notes on standard error");
 }
+
+std::string optionHelp(const CLI::Option* option) { return Help().make_option(option, false); }
 
 bool asksForHelp(std::span<const std::string> arguments) {
   const auto end = std::find(arguments.begin(), arguments.end(), "--");

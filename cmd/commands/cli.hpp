@@ -21,11 +21,14 @@ namespace viewproj::cmd {
 
 /// Groups of options that commands share. Help lists them by name alone, and the topic in the heading tells them.
 inline constexpr const char *kCameraGroup = "Camera (viewproj help camera)",
-                            *kConventionGroup = "Convention written (viewproj help conventions)",
+                            *kConventionGroup = "Convention (viewproj help conventions)",
                             *kStreamGroup = "Records (viewproj help points)";
 
 /// Every command's: how its help looks, and --help, -o and --quiet.
 void prepare(CLI::App& app);
+
+/// A row of help.
+std::string optionHelp(const CLI::Option* option);
 
 /// Whether --help or -h is among the arguments; it goes before whatever is wrong with the others.
 bool asksForHelp(std::span<const std::string> arguments);

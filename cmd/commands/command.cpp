@@ -4,9 +4,9 @@ namespace viewproj::cmd {
 namespace {
 
 constexpr Command kCommands[] = {
-    {"project", "points to screen positions, depth and visibility", nullptr, defineProject},
-    {"ray", "pixels to rays, and to the points behind them", nullptr, defineRay},
-    {"cull", "which points and shapes lie in the view, and which plane decides", nullptr, defineCull},
+    {"project", "points to screen positions, depth and visibility", declareProject},
+    {"ray", "pixels to rays, and to the points behind them", declareRay},
+    {"cull", "which points and shapes lie in the view, and which plane decides", declareCull},
     {"matrix", "a camera's matrices in any convention", declareMatrix},
     {"info", "what is in a camera file: its cameras, axes, fields of view, planes and corners", declareInfo},
     {"inspect", "which camera and which convention a matrix is of", declareInspect},

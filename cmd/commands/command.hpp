@@ -11,8 +11,6 @@ class App;
 
 namespace viewproj::cmd {
 
-class CommandLine;
-
 /// What a command does once its options are parsed. Returns the exit status; throws what text/error.hpp lists.
 using Action = std::function<int()>;
 
@@ -20,17 +18,15 @@ struct Command {
   std::string_view name;
   std::string_view summary;
   /// Gives the App its description, its options and its examples. The action works on what the App has parsed.
-  Action (*declare)(CLI::App& app) = nullptr;
-  /// In its place.
-  Action (*define)(CommandLine& line) = nullptr;
+  Action (*declare)(CLI::App& app);
 };
 
 std::span<const Command> allCommands();
 
-Action defineProject(CommandLine& line);
-Action defineRay(CommandLine& line);
+Action declareProject(CLI::App& app);
+Action declareRay(CLI::App& app);
 Action declareMatrix(CLI::App& app);
-Action defineCull(CommandLine& line);
+Action declareCull(CLI::App& app);
 Action declareInfo(CLI::App& app);
 Action declareInspect(CLI::App& app);
 Action declareExplain(CLI::App& app);

@@ -1,7 +1,9 @@
 // viewproj cull: what of points and shapes lies in the view.
+#include <CLI/CLI.hpp>
 #include <string>
 
 #include "commands/command.hpp"
+#include "commands/notes.hpp"
 #include "commands/stream_options.hpp"
 #include "output/results.hpp"
 #include "records/arguments.hpp"
@@ -42,33 +44,13 @@ class CullWork final : public RecordWork {
   std::vector<CullShape> shapes_;
 };
 
-/// Which names make which shape.
-std::string helpOnShapes() {
-  std::string columns, fields;
-  for (const Coordinate* row : coordinates::kShapes) {
-    fields += (fields.empty() ? "\"" : ", \"") + std::string(row->name) + "\": " + exampleOf(*row);
-    const std::vector<std::string> names = columnsOf(*row);
-    if (names.empty()) continue;
-    columns += (columns.empty() ? "" : ", or ");
-    for (std::size_t i = 0; i < names.size(); ++i) columns += (i > 0 ? "," : "") + names[i];
-    columns += " (a " + std::string(row->name) + ")";
-  }
-  return "A shape is in JSON " + fields + "; in CSV the columns " + columns +
-         ". A point (x,y,z, lat,lon,height or position) with a radius is a sphere too. With --columns, a radius is "
-         "used if it is named: as radius=R, or by a fourth name that is radius. Planes decide one by one, so that a "
-         "shape outside near a corner of the view may be called intersects.";
-}
-
 struct Options {
   CameraOptions camera;
   StreamOptions stream;
   std::vector<GivenRecord> shapes;
 };
 
-int run(const Options& o, const CommandLine& line) {
-  if (o.camera.lists()) return o.camera.list();
-  if (line.has(kDigitsOption))
-    throw UsageError(std::string(kDigitsOption) + " is of results that are numbers, and cull has none");
+int run(const Options& o) {
   FilterSetup setup = o.stream.setup(kSphereColumns);
   setup.given.insert(setup.given.end(), o.shapes.begin(), o.shapes.end());
   o.stream.reads(setup, o.camera);
@@ -76,35 +58,38 @@ int run(const Options& o, const CommandLine& line) {
   const Frustum frustum = viewFrustum(makeCamera(file));
   o.stream.settleOnEarth(setup, file.worldIsEcef);
   const PointReading reading{.columns = setup.columns, .worldIsEcef = file.worldIsEcef, .shapes = true, .radius = true};
-  setup.note = [&](const std::string& note) { o.camera.notes().say(note); };
+  setup.note = note;
   setup.writer.arrayName = "position";
   return runFilter(setup, [&] { return std::make_unique<CullWork>(frustum, reading); });
 }
 
 }  // namespace
 
-Action defineCull(CommandLine& line) {
+Action declareCull(CLI::App& app) {
   const auto o = std::make_shared<Options>();
-  line.setDescription(
-      "Which points, spheres, boxes and triangles lie in the view: inside, intersects or outside, and by which "
-      "plane. " +
-      helpOnShapes());
-  line.setExample(
-      "echo '{\"sphere\": {\"center\": [1, 1, 1], \"radius\": 0.5}}' |\n"
-      "  viewproj cull -c samples/picking-a-pixel/camera.json");
-  o->camera.add(line);
-  o->stream.add(line, "points and shapes");
-  o->stream.addPoints(line);
+  app.description(
+      "Which points, spheres, boxes and triangles are inside the view: each record of FILE with inside, intersects or "
+      "outside, and the plane that decides. A point with a radius is a sphere. Planes are tested one by one: a shape "
+      "outside near a corner of the view may be called intersects.");
+  app.footer(
+      "Examples:\n"
+      "  echo '{\"sphere\": {\"center\": [1, 1, -5], \"radius\": 0.5}}' |\n"
+      "    viewproj cull --position 0,0,9 --target 0,0,0 --fov-y 60 --viewport 640x480\n"
+      "  printf 'x,y,z,radius\\n1,2,-9,3\\n' |\n"
+      "    viewproj cull --position 0,0,9 --target 0,0,0 --fov-y 60 --viewport 640x480");
+  o->stream.add(app, "points and shapes");
+  o->stream.addPoints(app);
   const auto shapeOf = [](std::string (*read)(const std::string&, const std::string&)) {
     return [read](const std::string& option, const std::string& text) {
       return GivenRecord{option + " " + text, read(option, text)};
     };
   };
-  addValues(line, "--sphere", "X,Y,Z,R", o->shapes, shapeOf(readSphereArgument),
-            "A sphere, in place of FILE and standard input");
-  addValues(line, "--box", "X,Y,Z,X,Y,Z", o->shapes, shapeOf(readBoxArgument),
-            "A box, from its lower to its upper corner, in place of FILE and standard input");
-  return [o, &line] { return run(*o, line); };
+  addValues(app, "--sphere", "X,Y,Z,R", o->shapes, shapeOf(readSphereArgument), "A sphere, in place of FILE");
+  addValues(app, "--box", "X,Y,Z,X,Y,Z", o->shapes, shapeOf(readBoxArgument),
+            "A box, from its lower to its upper corner, in place of FILE");
+  app.remove_option(app.get_option("--digits"));
+  o->camera.add(app);
+  return [o] { return run(*o); };
 }
 
 }  // namespace viewproj::cmd

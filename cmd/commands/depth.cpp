@@ -205,7 +205,8 @@ Action declareDepth(CLI::App& app) {
   app.footer(
       "Examples:\n"
       "  viewproj depth --near 0.1 --far 1000 --at 1,10,100\n"
-      "  viewproj depth --near 0.1 --read-as webgpu --set convention.reverseZ=true --depth 0.5,0.001");
+      "  viewproj depth --near 0.1 --read-as webgpu --set convention.reverseZ=true \\\n"
+      "    --depth 0.5,0.001");
   addValue(app, "--at", "DISTANCES", o->at, numberList("distances separated by commas, as in 1,10,100"),
            "Distances along the viewing axis (default: decades from near to far)");
   addValue(app, "--depth", "DEPTHS", o->depths, numberList("depths separated by commas, as in 0.9,0.99"),

@@ -442,8 +442,10 @@ Action declareExplain(CLI::App& app) {
       "from, the clip inequalities, NDC, screen, each number with what it is made of.");
   app.footer(
       "Examples:\n"
-      "  viewproj explain --position 3,2,5 --target 0,0,0 --fov-y 60 --near 0.1 --viewport 1280x720 --point 1,1,1\n"
-      "  viewproj explain --position 3,2,5 --target 0,0,0 --fov-y 60 --near 0.1 --viewport 1280x720 --pixel 640,300");
+      "  viewproj explain --position 3,2,5 --target 0,0,0 --fov-y 60 --near 0.1 \\\n"
+      "    --viewport 1280x720 --point 1,1,1\n"
+      "  viewproj explain --position 3,2,5 --target 0,0,0 --fov-y 60 --near 0.1 \\\n"
+      "    --viewport 1280x720 --pixel 640,300");
   CLI::Option* const point = addValue(app, "--point", kPointForm, o->point, readPointArgument, "The point to follow");
   addValue(app, "--pixel", "X,Y[,DEPTH]", o->pixel, readPixelNumbers,
            "The pixel to follow back, with a window depth if known")

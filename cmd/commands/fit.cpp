@@ -3,6 +3,7 @@
 
 #include "commands/command.hpp"
 #include "commands/fitting.hpp"
+#include "commands/notes.hpp"
 #include "commands/options.hpp"
 #include "commands/stream_options.hpp"
 #include "output/output_file.hpp"
@@ -72,7 +73,7 @@ double readMargin(const std::string& option, const std::string& text) {
 
 int run(const Options& o) {
   FilterSetup setup = o.stream.setup(kSphereColumns);
-  setup.note = [&](const std::string& note) { o.camera.notes().say(note); };
+  setup.note = note;
   const bool reads = o.stream.reads(setup, o.camera, {"the scene", isStandardInput(o.scene)});
   const CameraFile file = o.camera.read();
   if (reads) o.stream.settleOnEarth(setup, file.worldIsEcef);

@@ -217,7 +217,7 @@ Action declareInfo(CLI::App& app) {
       "degrees, window edges tangents (lengths in orthographic), lengths in the camera's unit.");
   app.footer(
       "Examples:\n"
-      "  viewproj info --position 3,2,5 --target 0,0,0 --fov-y 60 --near 0.1 --viewport 1280x720\n"
+      "  viewproj info --position 3,2,5 --target 0,0,0 --fov-y 60 --viewport 9x6\n"
       "  viewproj info --fx 800 --fy 800 --cx 320 --cy 240 --viewport 640x480 --to json");
   addValue(app, "--at", "DISTANCES", o->at, numberList("distances separated by commas, as in 1,10,100"),
            "Distances along the viewing axis of pixel sizes (default: 1, 10, 100 and the target's)");

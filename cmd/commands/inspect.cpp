@@ -167,7 +167,7 @@ Action declareInspect(CLI::App& app) {
       "camera. The exit status is 1 where nothing fits.");
   app.footer(
       "Examples:\n"
-      "  viewproj matrix --fov-y 60 --aspect 16/9 --near 0.1 --which projection --to c | viewproj inspect\n"
+      "  viewproj matrix --fov-y 60 --aspect 16/9 --near 0.1 --to c | viewproj inspect\n"
       "  echo '[[800,0,320],[0,800,240],[0,0,1]]' | viewproj inspect");
   addValue(app, "FILE", "", o->file, readFileName,
            "The matrices: JSON, an initialiser of C, HLSL, GLSL or NumPy, or rows of numbers; absent or - for standard "

@@ -165,6 +165,13 @@ int run(const Options& o, const CLI::App& app) {
   for (const char* option : {"--which", "--inverse", "--bake-viewport", "--relative-to-eye", "--float", "--model"})
     if (toCamera && app.count(option) > 0)
       throw UsageError(std::string(option) + " goes with matrices, not with --to " + std::string(o.format));
+  if (const CLI::Option* const file = app.get_option("--output"); !file->empty() && app.count("--to") == 0) {
+    const std::string_view ending = endingOf(file->results().front());
+    if (o.all && isEnding(ending, ".json"))
+      throw UsageError("--all writes JSON, a line a camera, which is no .json; call the file .ndjson");
+    if (!o.all && isEnding(ending, ".ndjson .jsonl"))
+      throw UsageError("-o: one camera's matrices are one JSON document, a .json; --all writes lines");
+  }
   if (o.all && o.format != "json")
     throw UsageError("--all writes JSON, a line a camera; leave out --to " + std::string(o.format));
   requireUse(o);
@@ -197,24 +204,21 @@ Action declareMatrix(CLI::App& app) {
   app.footer(
       "Examples:\n"
       "  viewproj matrix --fov-y 60 --aspect 16/9 --near 0.1 --convention d3d --to hlsl\n"
-      "  viewproj matrix --position 3,2,5 --target 0,0,0 --which view --to text\n"
-      "  viewproj matrix --fx 800 --fy 800 --cx 320 --cy 240 --viewport 640x480 --to camera");
+      "  viewproj matrix --position 3,2,5 --target 0,0,0 --which view --to text");
   addChoices(app, "--which", o->which, matrixNames(), "Matrices to write", "all that the camera determines");
   app.add_flag("--inverse", o->wanted.inverse, "Write each one's inverse too");
   app.add_flag("--bake-viewport", o->wanted.bakeViewport, "Fold the viewport into the projection");
-  app.add_flag("--relative-to-eye", o->wanted.relativeToEye,
-               "Leave the translation out of the view, and write the eye beside it");
-  addModel(app, o->model, "Place of a model in the world, for modelView and modelViewProjection");
+  app.add_flag("--relative-to-eye", o->wanted.relativeToEye, "View without translation, and the eye beside it");
+  addModel(app, o->model, "Place of a model in the world");
   app.add_flag("--float", o->asFloat, "Round to float32 (default: doubles)");
   auto forms = matrixForms();
   forms.push_back({kCamera, kCamera});
   addForm(app, o->format, std::span<const FormRow<std::string_view>>(forms), "Output format; camera is a camera file");
   app.add_flag("--all", o->all, "Write one JSON object per camera of the file");
-  addValue(app, "--map", "X,Y,Z", o->map, readMap,
-           "Write the camera for a world with these axes in terms of this one's, as in x,y,-z");
+  addValue(app, "--map", "X,Y,Z", o->map, readMap, "Write it for a world with these axes, as in x,y,-z");
   addValue(app, "--scale", "N", o->scale,
            numberThat([](double scale) { return scale > 0 && std::isfinite(scale); }, "a number above 0"),
-           "Write the camera for a world whose lengths are so many times longer");
+           "Write it for a world of lengths N times as long");
   o->camera.addFile(app);
   o->camera.add(app);
   o->camera.addWriting(app);

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands/command.hpp"
+#include "commands/notes.hpp"
 #include "commands/options.hpp"
 #include "commands/stream_options.hpp"
 #include "records/points.hpp"
@@ -255,7 +256,7 @@ struct Options {
 
 int run(const Options& o) {
   FilterSetup setup = o.stream.setup(kPointColumns);
-  setup.note = [&](const std::string& note) { o.camera.notes().say(note); };
+  setup.note = note;
   o.stream.reads(setup, o.camera);
   const CameraFile file = o.camera.read();
   requireNear(file, "measure");
@@ -285,7 +286,8 @@ Action declareMeasure(CLI::App& app) {
   app.footer(
       "Example:\n"
       "  seq 1 1000 | awk '{print $1 / 1000, $1 % 7 / 7, -$1}' |\n"
-      "    viewproj measure --fov-y 60 --near 0.1 --position 0,0,0 --direction 0,0,-1 --viewport 1280x720");
+      "    viewproj measure --position 0,0,9 --target 0,0,0 --fov-y 60 \\\n"
+      "      --near 0.1 --viewport 1280x720");
   o->report.add(app, 3);
   o->camera.add(app);
   o->stream.addInput(app, "points");

@@ -2,7 +2,6 @@
 
 #include <set>
 
-#include "commands/command_line.hpp"
 #include "output/output_file.hpp"
 
 namespace viewproj::cmd {
@@ -18,11 +17,5 @@ void note(const std::string& text) {
 }
 
 void silenceNotes() { isSilent = true; }
-
-void Notes::add(CommandLine& line) {
-  const Heading heading(line, kEverywhere);
-  line.addFlag(
-      "--quiet", [](std::int64_t) { silenceNotes(); }, "Do not write notes on standard error");
-}
 
 }  // namespace viewproj::cmd

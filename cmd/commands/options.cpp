@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "commands/output_option.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
@@ -26,29 +25,9 @@ void addDigits(CLI::App& app, std::optional<std::size_t>& digits, const std::str
 }
 
 void addPrecision(CLI::App& app, Precision& precision) {
-  Names<Precision> names;
-  for (const PrecisionRow& row : precisions()) names.emplace_back(row.name, row.precision);
-  addChoice(app, "--precision", "MODE", precision, names, "Arithmetic");
-}
-
-void addModelOption(CommandLine& line, std::optional<std::string>& model, const std::string& what,
-                    const std::string& effect) {
-  addValue(
-      line, "--model", "FILE", model, readFileName,
-      "Where the model of the " + what +
-          " stands in the world: 4 rows of a matrix, or {translation, rotation, scale}; a file or "
-          "the JSON itself" +
-          (effect.empty() ? "; world coordinates are rounded to doubles (default: " + what + " in world coordinates)"
-                          : "; " + effect));
-}
-
-void addSceneOption(CommandLine& line, std::optional<std::string>& scene, const std::string& help) {
-  addValue(line, "--scene", "FILE", scene, readFileName, "Scene file, or the JSON itself" + help);
-}
-
-void addDigits(CommandLine& line, std::optional<std::size_t>& digits, const std::string& otherwise) {
-  addValue(line, std::string(kDigitsOption), "N", digits, wholeNumber(1, kMostDigits),
-           "Significant digits of results, from 1 to " + std::to_string(kMostDigits) + " (default: " + otherwise + ")");
+  static constexpr std::pair<std::string_view, Precision> kNames[] = {{"exact", Precision::exact},
+                                                                      {"standard", Precision::standard}};
+  addChoice(app, "--precision", "MODE", precision, rowsOf(kNames), "Arithmetic");
 }
 
 void ReportOptions::add(CLI::App& app, int tableDigits) {
@@ -70,24 +49,6 @@ void ReportOptions::write(const OrderedJson& report, const char* rows) const {
     writeOutput(jsonText(report, digits()) + "\n");
   else
     writeOutput(csvText(*rows ? report.at(rows) : report, digits()));
-}
-
-std::span<const PrecisionRow> precisions() {
-  static constexpr PrecisionRow kPrecisions[] = {
-      {"exact", Precision::exact, "double-double, and exact sums where that is not certain",
-       "the double nearest the true value, certified number by number; a tie, or a number that cancels to about 0, is "
-       "within 0.51 ulp or 1e-26 of the picture's size (a depth where near and far are nearly the same: 2^-96 / "
-       "(far/near - 1))"},
-      {"standard", Precision::standard, "double, after the eye is subtracted",
-       "a proven bound: 5e-12 pixels at 60 degrees and 1080 lines"},
-  };
-  return kPrecisions;
-}
-
-void addPrecision(CommandLine& line, Precision& precision) {
-  Names<Precision> names;
-  for (const PrecisionRow& row : precisions()) names.emplace_back(row.name, row.precision);
-  addChoice(line, "--precision", "MODE", precision, names, "Arithmetic; standard is double");
 }
 
 }  // namespace viewproj::cmd

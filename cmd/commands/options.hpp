@@ -15,7 +15,7 @@
 
 namespace viewproj::cmd {
 
-/// --model FILE, which readModel() reads. what: "points".
+/// --model FILE, which readModel() reads.
 void addModel(CLI::App& app, std::optional<std::string>& model, const std::string& help);
 /// --scene FILE, which readScene() reads.
 CLI::Option* addScene(CLI::App& app, std::optional<std::string>& scene, const std::string& help);
@@ -23,17 +23,6 @@ CLI::Option* addScene(CLI::App& app, std::optional<std::string>& scene, const st
 void addDigits(CLI::App& app, std::optional<std::size_t>& digits, const std::string& otherwise);
 /// --precision MODE.
 void addPrecision(CLI::App& app, Precision& precision);
-
-/// --model FILE, which readModel() reads. what: "points"; effect: of giving it.
-void addModelOption(CommandLine& line, std::optional<std::string>& model, const std::string& what,
-                    const std::string& effect = "");
-
-/// --scene FILE, which readScene() reads.
-void addSceneOption(CommandLine& line, std::optional<std::string>& scene, const std::string& help);
-
-inline constexpr std::string_view kDigitsOption = "--digits";
-/// --digits N. otherwise: what holds where it is not given.
-void addDigits(CommandLine& line, std::optional<std::size_t>& digits, const std::string& otherwise);
 
 /// Reads numbers separated by commas; form: in messages.
 inline auto numberList(const char* form) {
@@ -60,14 +49,5 @@ class ReportOptions {
   std::optional<std::size_t> digits_;
   int tableDigits_ = 0;
 };
-
-struct PrecisionRow {
-  std::string_view name;
-  Precision precision;
-  std::string_view arithmetic, promise;  ///< the promise is of screen x, y and depth
-};
-std::span<const PrecisionRow> precisions();
-/// --precision MODE.
-void addPrecision(CommandLine& line, Precision& precision);
 
 }  // namespace viewproj::cmd

@@ -1,4 +1,5 @@
 // viewproj project: world points to screen positions.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +9,7 @@
 
 #include "camera/camera.hpp"
 #include "commands/command.hpp"
+#include "commands/notes.hpp"
 #include "commands/options.hpp"
 #include "commands/stream_options.hpp"
 #include "output/results.hpp"
@@ -83,17 +85,15 @@ Fields readFields(const std::string& option, const std::string& text) {
 
 /// What --fields says of itself.
 std::string helpOnFields() {
-  std::string all, named, everywhere;
+  std::string all, named;
   const auto add = [](std::string& list, const ResultRow& row) {
-    list += (list.empty() ? "" : ",") + std::string(row.name);
+    list += (list.empty() ? "" : ", ") + std::string(row.name);
   };
   for (const PointResult& result : pointResults()) {
     add(all, result.row);
     if (result.row.byDefault != Default::never) add(named, result.row);
-    if (result.row.byDefault == Default::everywhere) add(everywhere, result.row);
   }
-  return "Results to give, in this order: " + all + " or all (default: " + named + "; in text and f64: " + everywhere +
-         ")";
+  return "Results, in this order: " + all + ", or all (default: " + named + ")";
 }
 
 struct Projecting {
@@ -345,11 +345,10 @@ struct Options {
 };
 
 int run(const Options& o) {
-  if (o.camera.lists()) return o.camera.list();
   // Then a point with a radius is a sphere.
   const bool asksForBoxes = o.fields && o.fields->names(results::screenBox);
   FilterSetup setup = o.stream.setup(asksForBoxes ? kSphereColumns : kPointColumns);
-  setup.note = [&](const std::string& note) { o.camera.notes().say(note); };
+  setup.note = note;
   o.stream.reads(setup, o.camera, {"the model", isStandardInput(o.model)});
   const CameraFile file = o.camera.read();
   o.stream.settleOnEarth(setup, file.worldIsEcef);
@@ -373,19 +372,23 @@ int run(const Options& o) {
 
 }  // namespace
 
-Action defineProject(CommandLine& line) {
+Action declareProject(CLI::App& app) {
   const auto o = std::make_shared<Options>();
-  line.setDescription(
-      "World points to screen positions: every record of FILE comes out with its pixel, its depth and whether it is "
-      "visible.");
-  line.setExample("viewproj project -c samples/cornell-box/camera.json samples/cornell-box/quads.csv");
-  o->camera.add(line);
-  o->camera.addWriting(line);
-  o->stream.add(line, "points");
-  addPrecision(line, o->precision);
-  o->stream.addPoints(line);
-  addValue(line, "--fields", "NAMES", o->fields, readFields, helpOnFields());
-  addModelOption(line, o->model, "points");
+  app.description(
+      "World points to screen positions: each record of FILE with its pixel, depth and visibility appended.");
+  app.footer(
+      "Examples:\n"
+      "  viewproj project --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
+      "    --viewport 1280x720 --point 1,1,1\n"
+      "  printf 'x,y,z\\n1,2,-9\\n' |\n"
+      "    viewproj project --position 0,0,9 --target 0,0,0 --fov-y 60 --viewport 640x480");
+  o->stream.add(app, "points");
+  o->stream.addPoints(app);
+  addValue(app, "--fields", "NAMES", o->fields, readFields, helpOnFields());
+  addPrecision(app, o->precision);
+  addModel(app, o->model, "Place in the world of the model that the points are in");
+  o->camera.add(app);
+  o->camera.addWriting(app);
   return [o] { return run(*o); };
 }
 

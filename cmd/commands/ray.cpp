@@ -1,10 +1,12 @@
 // viewproj ray: pixels to rays, and to the points behind them.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <limits>
 
 #include "camera/camera.hpp"
 #include "commands/command.hpp"
+#include "commands/notes.hpp"
 #include "commands/options.hpp"
 #include "commands/stream_options.hpp"
 #include "output/results.hpp"
@@ -220,8 +222,8 @@ constexpr const ResultRow* kFields[] = {
 std::string helpOnFields() {
   std::vector<std::string_view> names;
   for (const ResultRow* row : kFields) names.push_back(row->name);
-  return "Results to give, in this order: " + joined(names) +
-         " or all (default: origin and direction; with a depth point, in JSON viewDistance too; with --scene hit)";
+  return "Results, in this order: " + joined(names) +
+         ", or all (default: origin and direction; with a depth point, with a scene hit)";
 }
 
 Several<const ResultRow*> readFields(const std::string& option, const std::string& text) {
@@ -264,7 +266,6 @@ void settleFields(Casting& how, const Several<const ResultRow*>& fields) {
 }
 
 int run(const Options& o) {
-  if (o.camera.lists()) return o.camera.list();
   const bool hasScene = o.scene || !o.planes.empty();
   if (!hasScene && o.allHits) throw UsageError("--all-hits needs --scene or --plane");
   FilterSetup setup = o.stream.setup(kPixelColumns);
@@ -286,34 +287,34 @@ int run(const Options& o) {
   setup.writer.arrayName = "screen";
   setup.writer.arraySize = 2;
   setup.writer.extraName = "depth";
-  setup.note = [&](const std::string& note) { o.camera.notes().say(note); };
+  setup.note = note;
   return runFilter(setup, [&] { return std::make_unique<RayWork>(how); });
 }
 
 }  // namespace
 
-Action defineRay(CommandLine& line) {
+Action declareRay(CLI::App& app) {
   const auto o = std::make_shared<Options>();
-  line.setDescription(
-      "Pixels to rays: origin and unit direction, with a depth or viewDistance the point itself, and what of a scene "
-      "the ray hits. Text has 6 numbers a record, origin and direction, or 9 with the point where there is a depth; "
-      "f64 always 9, NaN where there is no point. --scene adds 7 at the end, "
-      "distance, point and normal of the hit, NaN where there is none: 13 without a point, 16 with it; and if the "
-      "scene has an ellipsoid, 3 more: lat, lon, height. With --columns, a third column called depth or viewDistance "
-      "is that, one of another name a depth, and a distance that is not named is not used.");
-  line.setExample(
-      "viewproj ray -c samples/picking-a-pixel/camera.json --scene samples/picking-in-a-scene/scene.json \\\n"
-      "  --pixel 640,360 --to table");
-  o->camera.add(line);
-  o->stream.add(line, "pixels");
-  addPrecision(line, o->precision);
-  addValues(line, "--pixel", "X,Y[,DEPTH]", o->pixels, readPixel,
-            "A pixel, with a window depth if known, in place of FILE and standard input");
-  addValue(line, "--fields", "NAMES", o->fields, readFields, helpOnFields());
-  addSceneOption(line, o->scene, ", to shoot at: the nearest hit of each ray");
-  addValues(line, "--plane", "z=0|A,B,C,D", o->planes, readPlaneArgument,
-            "A plane to shoot at, z=0, x=.., y=.. or Ax + By + Cz + D = 0, as one more object of the scene");
-  line.addFlag("--all-hits", o->allHits, "Every hit, nearest first");
+  app.description(
+      "Pixels to rays: each record of FILE with the ray's origin and unit direction, the point itself where there is a "
+      "depth or viewDistance, and the nearest hit with a scene. Text and f64 have the numbers in that order, NaN for "
+      "what there is not.");
+  app.footer(
+      "Examples:\n"
+      "  viewproj ray --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
+      "    --viewport 1280x720 --pixel 640,360 --to table\n"
+      "  viewproj ray --position 0,0,9 --target 0,0,0 --fov-y 60 --viewport 640x480 \\\n"
+      "    --pixel 320,240 --scene \\\n"
+      "    '{\"objects\": [{\"id\": 1, \"sphere\": {\"center\": [0,0,0], \"radius\": 3}}]}'");
+  o->stream.add(app, "pixels");
+  addValues(app, "--pixel", "X,Y[,DEPTH]", o->pixels, readPixel, "A pixel, in place of FILE");
+  addScene(app, o->scene, "the nearest hit of each ray");
+  addValues(app, "--plane", "z=0|A,B,C,D", o->planes, readPlaneArgument,
+            "A plane to shoot at: z=0, x=.., y=.. or Ax + By + Cz + D = 0");
+  app.add_flag("--all-hits", o->allHits, "Every hit, nearest first");
+  addValue(app, "--fields", "NAMES", o->fields, readFields, helpOnFields());
+  addPrecision(app, o->precision);
+  o->camera.add(app);
   return [o] { return run(*o); };
 }
 

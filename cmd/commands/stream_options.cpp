@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cctype>
 
-#include "commands/output_option.hpp"
 #include "output/output_file.hpp"
 #include "records/points.hpp"
 #include "text/csv.hpp"
@@ -53,7 +52,9 @@ void StreamOptions::addReading(CLI::App& app, const std::string& what) {
   };
   addValue(app, "FILE", "", file_, readFileName, "The " + what + "; absent or - for standard input");
   app.option_defaults()->group(kStreamGroup);
-  addChoice(app, "--from", "FORM", from_, namesOf(inputForms()), "Format of FILE", "by its name and first bytes");
+  Names<Form> forms;
+  for (const FormRow<Form>& row : inputForms()) forms.emplace_back(row.name, row.form);
+  addChoice(app, "--from", "FORM", from_, forms, "Format of FILE", "by its name and first bytes");
   addValue(app, "--columns", "COLUMNS", columns_, readText,
            "Columns of CSV, fields of JSON or numbers of a line that hold the coordinates: in order, as in E,N,U or "
            "2,3,4, or by role, as in x=E,y=N,z=U (default: by their names)");
@@ -79,45 +80,8 @@ void StreamOptions::add(CLI::App& app, const std::string& what) {
   app.option_defaults()->group("Options");
 }
 
-void StreamOptions::addInput(CommandLine& line, const std::string& what) {
-  command_ = lastWord(line.name());
-  isGiven_ = [&line](std::string_view name) { return line.has(name); };
-  const Heading heading(line, kInput);
-  addValue(line, "FILE", "", file_, readFileName, "The " + what + "; absent or - for standard input");
-  addChoice(line, "--from", "FORM", from_, namesOf(inputForms()), "Form of FILE", "as its name and first bytes tell");
-  addValue(
-      line, "--columns", "COLUMNS", columns_, readText,
-      "Columns of CSV, fields of JSON or numbers of a line that hold the coordinates: names or numbers in order, as "
-      "in E,N,U or 2,3,4; roles in any order, as in w,x,y,z or lat,lon,height, or of pixels depth,x,y; or each with "
-      "its role, as in lat=la,lon=lo,height=h or x=u,y=v,depth=d (default: by their names)");
-  addValue(
-      line, "--delimiter", "CHAR", delimiter_, readDelimiter,
-      "What separates the columns of CSV, in and out: comma, semicolon, tab, bar, blank or a character (default: which "
-      "of the first three the first line tells)");
-}
-
-void StreamOptions::add(CommandLine& line, const std::string& what) {
-  addInput(line, what);
-  writes_ = true;
-  const Heading heading(line, kOutput);
-  addForm(line, to_, outputForms(), "Form of the output", "as the input");
-  addDigits(line, digits_, "all that tell the number from others; in tables 9");
-  addValue(line, "--prefix", "P", prefix_, readPrefix, "Put this in front of the results' names");
-  line.addFlag("--keep-going", keepGoing_, "Put an error record in a bad record's place and go on");
-  addValue(line, "--jobs", "N", jobs_, wholeNumber(1, kMostJobs), "Threads to work with (default: one a processor)");
-  line.addFlag("--no-header", noHeader_, "CSV: write no header line");
-}
-
 void StreamOptions::addPoints(CLI::App& app) {
   addValues(app, "--point", kPointForm, points_, readPointArgument, kPointHelp);
-}
-
-void StreamOptions::addPoints(CommandLine& line) {
-  addValues(line, "--point", kPointForm, points_, readPointArgument, kPointHelp);
-}
-
-void StreamOptions::addKeepGoing(CommandLine& line) {
-  line.addFlag("--keep-going", keepGoing_, "Leave a bad record out, with a message, and go on; the status is 1 then");
 }
 
 FilterSetup StreamOptions::setup(const ChoosableColumns& choosable) const {

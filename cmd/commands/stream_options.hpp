@@ -15,9 +15,6 @@
 
 namespace viewproj::cmd {
 
-/// Headings of the options of StreamOptions.
-inline constexpr std::string_view kInput = "Input", kOutput = "Output";
-
 /// The stream of records that a command works on.
 class StreamOptions {
  public:
@@ -26,17 +23,11 @@ class StreamOptions {
   /// For a command that only reads them: a bad one need not end it.
   void addInput(CLI::App& app, const std::string& what);
 
-  /// For a filter, with results in the records. what: "points" or "pixels".
-  void add(CommandLine& line, const std::string& what);
-  /// For a command that only reads them.
-  void addInput(CommandLine& line, const std::string& what);
-
   /// Throws UsageError for columns that are none.
   FilterSetup setup(const ChoosableColumns& choosable) const;
 
   /// --point, in place of FILE and standard input.
   void addPoints(CLI::App& app);
-  void addPoints(CommandLine& line);
 
   /// Whether there are records, of FILE, standard input or the command line. Throws UsageError where they come from two
   /// of these, where two inputs come from standard input, and for an option on how to read a FILE that is not read.
@@ -46,9 +37,6 @@ class StreamOptions {
   /// With a camera on the Earth, points and columns that are named by neither lat, lon, height nor x, y, z are a
   /// UsageError; and what has no names in the output gets x, y, z.
   void settleOnEarth(FilterSetup& setup, bool worldIsEcef) const;
-
-  /// For a command that only reads records: a bad one need not end it.
-  void addKeepGoing(CommandLine& line);
 
  private:
   void addReading(CLI::App& app, const std::string& what);

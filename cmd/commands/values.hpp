@@ -12,33 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "commands/command_line.hpp"
 #include "text/error.hpp"
 
 namespace viewproj::cmd {
-
-/// One value, which read(option, text) makes of the text. value: where it goes; an optional is empty where the option
-/// is not given.
-template <class T, class Read>
-void addValue(CommandLine& line, std::string_view names, std::string_view form, T& value, Read read,
-              std::string_view help) {
-  if (!line.wants(names)) return;
-  line.add({std::string(names), std::string(form), std::string(help), Times::once},
-           [&value, read](const std::string& option, const std::vector<std::string>& given) {
-             value = read(option, given.front());
-           });
-}
-
-/// As many as the option is given times.
-template <class T, class Read>
-void addValues(CommandLine& line, std::string_view names, std::string_view form, std::vector<T>& values, Read read,
-               std::string_view help) {
-  if (!line.wants(names)) return;
-  line.add({std::string(names), std::string(form), std::string(help) + "; repeatable", Times::often},
-           [&values, read](const std::string& option, const std::vector<std::string>& given) {
-             for (const std::string& text : given) values.push_back(read(option, text));
-           });
-}
 
 /// The text itself.
 std::string readText(const std::string& option, const std::string& text);
@@ -82,27 +58,6 @@ T choose(const std::string& option, std::string_view name, const Names<T>& names
 /// "HELP: a, b, c (default: OTHERWISE)"; what help says after a semicolon comes last.
 std::string withNames(std::string_view help, std::span<const std::string_view> names, std::string_view otherwise);
 
-/// otherwise: what holds where the option is not given, for the help.
-template <class T, class Value>
-void addChoice(CommandLine& line, std::string_view option, std::string_view form, Value& value, const Names<T>& names,
-               std::string_view help, std::string_view otherwise) {
-  if (!line.wants(option)) return;
-  addValue(
-      line, option, form, value,
-      [names](const std::string& given, const std::string& text) { return choose(given, text, names); },
-      withNames(help, known(names), otherwise));
-}
-
-/// One of the names; what value is before is the default that the help tells.
-template <class T>
-void addChoice(CommandLine& line, std::string_view option, std::string_view form, T& value, const Names<T>& names,
-               std::string_view help) {
-  std::string_view otherwise;
-  for (const auto& [name, each] : names)
-    if (each == value) otherwise = name;
-  addChoice(line, option, form, value, names, help, otherwise);
-}
-
 /// "a,b,c" to its parts. Throws UsageError for one that is named twice.
 std::vector<std::string> splitNames(const std::string& option, const std::string& text);
 
@@ -126,21 +81,6 @@ Several<T> chooseSeveral(const std::string& option, const std::string& text, con
     several.named.push_back(row->second);
   }
   return several;
-}
-
-/// Several of the names, "a,b,c".
-template <class T>
-void addChoices(CommandLine& line, std::string_view option, std::optional<std::vector<T>>& values,
-                const Names<T>& names, std::string_view help, std::string_view otherwise) {
-  if (!line.wants(option)) return;
-  addValue(
-      line, option, "NAMES", values,
-      [names](const std::string& given, const std::string& text) {
-        std::vector<T> chosen;
-        for (const std::string& part : splitNames(given, text)) chosen.push_back(choose(given, part, names));
-        return chosen;
-      },
-      withNames(help, known(names), otherwise));
 }
 
 // Numbers

@@ -1,0 +1,214 @@
+// viewproj help: the tool, a command, or a topic.
+#include "commands/help.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "camera/fields.hpp"
+#include "camera/importers/importer.hpp"
+#include "commands/cli.hpp"
+#include "commands/command.hpp"
+#include "commands/run.hpp"
+#include "output/matrix_text.hpp"
+#include "output/output_file.hpp"
+#include "output/table.hpp"
+#include "text/error.hpp"
+#include "text/form.hpp"
+#include "text/layout.hpp"
+#include "text/names.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+/// A page of data/help, whose first line is its summary. A line that begins with @ is a list that is printed from a
+/// table, an indented one is printed as it is.
+struct Topic {
+  std::string_view name, text;
+
+  std::string_view summary() const { return text.substr(0, text.find('\n')); }
+};
+constexpr Topic kTopics[] = {
+#include <help_topics.inc>
+};
+
+std::string row(const std::string& left, std::string_view text, std::size_t column) {
+  return entry("  " + left, std::min(column, terminalWidth() * 3 / 8), text, terminalWidth());
+}
+
+/// Fields with their options. Neighbours of the same help share a row; a long list of words is left to the page.
+template <class IsListed>
+std::string fieldRows(const IsListed& isListed) {
+  constexpr std::size_t kColumn = 30, kMostWords = 40;
+  std::string out, names, options;
+  const Field* previous = nullptr;
+  const auto flush = [&] {
+    if (!previous) return;
+    std::string text(previous->help);
+    const std::string words = previous->words ? joined(previous->words()) : "";
+    if (words.find(' ') != std::string::npos && words.size() <= kMostWords) text += " One of " + words + ".";
+    std::string others(previous->others);
+    if (!others.empty()) text += " Also: " + CLI::detail::find_and_replace(others, " ", ", ") + ".";
+    out += row(names + options, text, kColumn);
+    names = options = "";
+  };
+  for (const Field& field : kFields) {
+    if (!isListed(field)) continue;
+    if (!previous || previous->help != field.help) flush();
+    previous = &field;
+    names += (names.empty() ? "" : ", ") + std::string(field.path.substr(field.path.find('.') + 1));
+    if (!field.option.empty()) options += ", " + std::string(field.option);
+  }
+  flush();
+  return out;
+}
+
+bool isFieldOption(const CLI::Option* option) {
+  return std::any_of(std::begin(kFields), std::end(kFields), [&](const Field& field) {
+    return !field.option.empty() && option->check_name(std::string(field.option));
+  });
+}
+
+/// The options that commands list by name alone, but those of fields.
+std::string sharedOptions(const std::string& topic) {
+  for (const Command& command : allCommands()) {
+    CLI::App app;
+    prepare(app);
+    const Action action = command.declare(app);
+    std::string out;
+    for (const CLI::Option* option : app.get_options())
+      if (option->get_group().find("(viewproj help " + topic + ")") != std::string::npos && !isFieldOption(option))
+        out += optionHelp(option);
+    if (!out.empty()) return out;
+  }
+  return "";
+}
+
+std::string presetTable() {
+  std::vector<std::vector<std::string>> rows{
+      {"", "world", "view", "up", "cameraAxes", "ndcZ", "reverseZ", "ndcY", "vectors", "storage"}};
+  for (const ConventionPreset& preset : conventionPresets()) {
+    const Convention& c = preset.convention;
+    const Vec3& up = preset.up;
+    rows.push_back({std::string(preset.name)});
+    for (const std::string_view cell :
+         {nameOf(kWorldNames, c.world), nameOf(kViewNames, c.view),
+          std::string_view(up.z != 0  ? "z"
+                           : up.y < 0 ? "-y"
+                                      : "y"),
+          nameOf(kCameraAxesNames, preset.cameraAxes), nameOf(kNdcZNames, c.ndcZ),
+          std::string_view(c.reverseZ ? "yes" : "no"), nameOf(kNdcYNames, c.ndcY), nameOf(kVectorsNames, c.vectors),
+          nameOf(kStorageNames, c.storage).substr(0, 3)})
+      rows.back().emplace_back(cell);
+  }
+  return alignedTable(rows);
+}
+
+template <class Rows>
+std::string formRows(const Rows& forms) {
+  std::string out;
+  for (const auto& form : forms)
+    out += row(std::string(form.name),
+               std::string(form.help) + (form.endings.empty() ? "" : " (" + std::string(form.endings) + ")"), 12);
+  return out;
+}
+
+/// A list: "options camera".
+std::string listOf(const std::string& list) {
+  const std::string kind = list.substr(0, list.find(' ')), of = list.substr(std::min(kind.size() + 1, list.size()));
+  const auto isUnder = [&](const Field& field) {
+    return of.empty() ? field.path.find('.') == std::string_view::npos : field.path.starts_with(of);
+  };
+  if (kind == "fields") return fieldRows(isUnder);
+  if (kind == "options") return sharedOptions(of);
+  if (kind == "presets") return presetTable();
+  if (kind == "input") return formRows(inputForms());
+  if (kind == "output") return formRows(outputForms());
+  if (kind == "matrices") return formRows(matrixForms());
+  if (kind == "importers") {
+    std::string out;
+    for (const Importer* importer : importers()) out += row(std::string(importer->name), importer->form, 16);
+    return out;
+  }
+  // Fields of a type of projection, or of several whose first it is.
+  const std::uint8_t type = of == "all" ? 0 : valueOf(kTypeNames, of);
+  return fieldRows([type](const Field& field) {
+    if (field.types == kAllTypes || field.types == kWithNear) return type == 0;
+    return type != 0 && (field.types & -field.types) == type;
+  });
+}
+
+std::string pageOf(const Topic& topic) {
+  std::string out, paragraph;
+  const auto flush = [&] {
+    if (!paragraph.empty()) out += wrapped(paragraph, terminalWidth());
+    paragraph = "";
+  };
+  std::string_view rest = topic.text;
+  for (bool isFirst = true; !rest.empty(); isFirst = false) {
+    const std::string line(rest.substr(0, rest.find('\n')));
+    rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+    if (isFirst) {
+      out += std::string(topic.name) + ": " + line + "\n\n";
+    } else if (line.empty() || line[0] == ' ' || line[0] == '@') {
+      flush();
+      out += line.starts_with('@') ? listOf(line.substr(1)) : line + "\n";
+    } else {
+      paragraph += (paragraph.empty() ? "" : " ") + line;
+    }
+  }
+  flush();
+  return out;
+}
+
+}  // namespace
+
+std::string overview() {
+  CLI::App app("World points to screen coordinates, pixels to picking rays, cameras to matrices.", "viewproj");
+  prepare(app);
+  app.remove_option(app.get_option("--output"));
+  app.remove_option(app.get_option("--quiet"));
+  app.set_version_flag("--version", "", "Print the version");
+  for (const Command& command : allCommands())
+    app.add_subcommand(std::string(command.name), std::string(command.summary))->group("Commands");
+  for (const Topic& topic : kTopics)
+    app.add_subcommand(std::string(topic.name), std::string(topic.summary()))->group("Topics (viewproj help TOPIC)");
+  app.footer(
+      "viewproj COMMAND --help lists the options of a command.\n\n"
+      "Exit status: 0 success; 1 an input was wrong, or an output could not be\n"
+      "written; 2 the command line was wrong.");
+  return app.help();
+}
+
+namespace {
+
+std::string textOf(const std::optional<std::string>& name) {
+  if (!name) return overview();
+  std::vector<std::string_view> known;
+  for (const Command& command : allCommands()) {
+    if (command.name == *name) return helpOf(command);
+    known.push_back(command.name);
+  }
+  for (const Topic& topic : kTopics) {
+    if (topic.name == *name) return pageOf(topic);
+    known.push_back(topic.name);
+  }
+  throw UsageError("'" + *name + "' is no command and no topic" + suggestion(*name, known, "help"));
+}
+
+}  // namespace
+
+Action declareHelp(CLI::App& app) {
+  std::vector<std::string_view> names;
+  for (const Topic& topic : kTopics) names.push_back(topic.name);
+  app.description("Help on a command, with its options, or on a topic: " + joined(names) + ".");
+  app.footer("Examples:\n  viewproj help camera\n  viewproj help project");
+  const auto name = std::make_shared<std::optional<std::string>>();
+  app.add_option("NAME", *name, "A command or a topic; absent: the list of all");
+  addOnlyForm(app, "text", ".txt .md");
+  return [name] {
+    writeOutput(textOf(*name));
+    return 0;
+  };
+}
+
+}  // namespace viewproj::cmd
