@@ -7,7 +7,6 @@ by glslangValidator; browser: GLSL, WGSL and CSS by Chromium without a screen; n
 """
 
 import http.server
-import io
 import json
 import os
 import queue
