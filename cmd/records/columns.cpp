@@ -103,7 +103,7 @@ bool takeInOrder(std::vector<Pick>& picks, const ChoosableColumns& choosable) {
 
 /// Names that are all roles are these, whatever their order. Throws UsageError for x, y, z in another order, which may
 /// be columns that are called so and are others.
-bool takeAsRoles(std::vector<Pick>& picks, const ChoosableColumns& choosable) {
+bool takeAsRoles(const std::string& text, std::vector<Pick>& picks, const ChoosableColumns& choosable) {
   std::vector<Pick> named = picks;
   for (Pick& pick : named) {
     pick.role = roleNamed(pick.name, choosable);
@@ -113,7 +113,7 @@ bool takeAsRoles(std::vector<Pick>& picks, const ChoosableColumns& choosable) {
   if (named.size() == choosable.rows[0]->fewest && takeInOrder(picks, choosable))
     for (std::size_t i = 0; i < picks.size(); ++i)
       if (named[i].role != picks[i].role && has(picks, named[i].role))
-        throw UsageError("--columns: coordinates stand in another order; write each with its role, as in " +
+        throw UsageError("--columns " + text + ": coordinates in another order; write each with its role, as in " +
                          std::string(picks[i].role) + "=" + picks[i].name);
   picks = std::move(named);
   return true;
@@ -134,7 +134,7 @@ ColumnChoice readPicks(const std::string& option, const std::string& text, const
     picks.push_back({role ? roleNamed(*role, choosable) : "", name});
     if (role && picks.back().role.empty()) throw wrong(inQuotes(*role) + " is not a role; " + expected(choosable));
   }
-  if (!choice.hasRoles && !(areNames && (choice.hasRoles = takeAsRoles(picks, choosable))))
+  if (!choice.hasRoles && !(areNames && (choice.hasRoles = takeAsRoles(text, picks, choosable))))
     (void)takeInOrder(picks, choosable);
   if (!isWhole(picks, choosable)) throw wrong(expected(choosable));
   const auto parts = partsOf(choosable);
