@@ -22,6 +22,21 @@ Vec3 mappedVector(const Vec3& v, const AxisMap& map, double scale = 1) {
 
 Vec3 opposite(const Vec3& v) { return {-v.x, -v.y, -v.z}; }
 
+/// x, y, z, w of the rotation with these columns.
+std::array<double, 4> quaternionOf(const std::array<Vec3, 3>& c) {
+  const std::array<double, 4> squares = {1 + c[0].x - c[1].y - c[2].z, 1 - c[0].x + c[1].y - c[2].z,
+                                         1 - c[0].x - c[1].y + c[2].z, 1 + c[0].x + c[1].y + c[2].z};
+  const double xy = c[1].x + c[0].y, xz = c[2].x + c[0].z, yz = c[2].y + c[1].z;
+  const double xw = c[1].z - c[2].y, yw = c[2].x - c[0].z, zw = c[0].y - c[1].x;
+  // Four times the products with the largest, which then divides.
+  const std::array<std::array<double, 4>, 4> products = {
+      {{squares[0], xy, xz, xw}, {xy, squares[1], yz, yw}, {xz, yz, squares[2], zw}, {xw, yw, zw, squares[3]}}};
+  const auto largest = std::max_element(squares.begin(), squares.end());
+  std::array<double, 4> q = products[static_cast<std::size_t>(largest - squares.begin())];
+  for (double& part : q) part = part / (2 * std::sqrt(*largest)) + 0.0;
+  return q;
+}
+
 /// In place of all that turns the camera.
 void setRotation(Json& root, const Vec3& right, const Vec3& up, const Vec3& forward, Handedness world) {
   for (const char* name :
@@ -112,20 +127,6 @@ Projection resized(const Projection& p, double scale, double factor) {
 }
 
 }  // namespace
-
-std::array<double, 4> quaternionOf(const std::array<Vec3, 3>& c) {
-  const std::array<double, 4> squares = {1 + c[0].x - c[1].y - c[2].z, 1 - c[0].x + c[1].y - c[2].z,
-                                         1 - c[0].x - c[1].y + c[2].z, 1 + c[0].x + c[1].y + c[2].z};
-  const double xy = c[1].x + c[0].y, xz = c[2].x + c[0].z, yz = c[2].y + c[1].z;
-  const double xw = c[1].z - c[2].y, yw = c[2].x - c[0].z, zw = c[0].y - c[1].x;
-  // Four times the products with the largest, which then divides.
-  const std::array<std::array<double, 4>, 4> products = {
-      {{squares[0], xy, xz, xw}, {xy, squares[1], yz, yw}, {xz, yz, squares[2], zw}, {xw, yw, zw, squares[3]}}};
-  const auto largest = std::max_element(squares.begin(), squares.end());
-  std::array<double, 4> q = products[static_cast<std::size_t>(largest - squares.begin())];
-  for (double& part : q) part = part / (2 * std::sqrt(*largest)) + 0.0;
-  return q;
-}
 
 bool AxisMap::mirrors() const {
   const bool isTurn = (from[0] + 1) % 3 == from[1];

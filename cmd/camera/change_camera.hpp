@@ -19,9 +19,6 @@ struct AxisMap {
   friend bool operator==(const AxisMap&, const AxisMap&) = default;
 };
 
-/// x, y, z, w of the rotation with these columns.
-std::array<double, 4> quaternionOf(const std::array<Vec3, 3>& columns);
-
 /// With a value of its own: copies of a document share theirs.
 Document copied(const Document& document);
 
