@@ -8,6 +8,7 @@
 #include "numbers/arithmetic.hpp"
 #include "numbers/ulp.hpp"
 #include "numbers/wide.hpp"
+#include "projection/exact_point.hpp"
 #include "projection/kernels/error_model.hpp"
 #include "scene/frustum_parts.hpp"
 #include "viewproj/matrices.hpp"

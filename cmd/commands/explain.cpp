@@ -330,9 +330,10 @@ OrderedJson explainPoint(const Camera& camera, const Convention& convention, con
                          const std::optional<Mat4>& model) {
   const Vec4 placed = model ? toWorld(*model, point) : point;
   const ScreenPoint p = worldToScreen(camera, placed);
-  if (p.status == PointStatus::notFinite)
-    throw InputError(model && point.w == 0 ? "--model takes the direction to 0"
-                                           : "--model takes the point out of the range of numbers");
+  if (p.status == PointStatus::outOfRange)
+    throw InputError(!model         ? "the point lies farther than 1e91 from the eye"
+                     : point.w == 0 ? "--model takes the direction to 0"
+                                    : "--model takes the point out of the range of numbers");
   Steps steps(convention);
   const Vec3 world = placePoint(steps, point, model);
   explainView(steps, camera, convention, world, placed, p.viewDistance);

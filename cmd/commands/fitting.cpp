@@ -24,7 +24,7 @@ Camera withMargin(const CameraFile& file, double margin) {
   const Projection window =
       p.isOrthographic()
           ? orthographic(p.left() + x, p.right() - x, p.bottom() + y, p.top() - y, p.zNear(), p.zFar())
-          : perspectiveWindow(p.left() + x, p.right() - x, p.bottom() + y, p.top() - y, 0x1p-1000, kInfiniteFar);
+          : perspectiveWindow(p.left() + x, p.right() - x, p.bottom() + y, p.top() - y, kSmallestNumber, kInfiniteFar);
   return makeCamera(*file.pose, window, *file.viewport, file.convention);
 }
 

@@ -200,11 +200,22 @@ class ProjectWork final : public RecordWork {
     } else if (isShape(layout)) {
       if (how_.worldFromLocal) throw RecordError(0, "has a shape; --model places points and segments alone");
       shapes_.push_back({points_.size(), toShape(layout, n)});
+      const auto isBeyond = [](const auto& one) {
+        if constexpr (std::is_same_v<decltype(one), const Vec3&>)
+          return false;
+        else
+          return !isValid(one);
+      };
+      if (std::visit(isBeyond, shapes_.back().shape)) {
+        shapes_.pop_back();
+        throw RecordError(0, "has a number beyond 1e91");
+      }
       if (const auto* const sphere = std::get_if<Sphere>(&shapes_.back().shape))
         point = {sphere->center.x, sphere->center.y, sphere->center.z, 1};
     } else {
       point = toPoint(layout, n);
       if (how_.worldFromLocal) point = toWorld(*how_.worldFromLocal, point);
+      if (!isInRange(how_.camera, point)) throw RecordError(0, "lies farther than 1e91 from the eye");
     }
     points_.push_back(point);
     positions_.push_back({point.x, point.y, point.z});

@@ -52,16 +52,22 @@ std::string namesOf(std::span<const Coordinate* const> rows, std::string_view la
   return text;
 }
 
+bool hasName(std::string_view field, const CoordinatePart& part) {
+  return sameButForCase(field, part.name) || sameButForCase(field, columnName(part.name));
+}
+
 bool isNamed(std::string_view field, const CoordinatePart& part) {
-  return sameButForCase(field, part.name) || sameButForCase(field, columnName(part.name)) ||
-         isAmong(part.aliases, field);
+  return hasName(field, part) || isAmong(part.aliases, field);
 }
 
 std::vector<PartMatch> matchParts(std::span<const std::string> fields, std::span<const CoordinatePart> parts) {
   std::vector<PartMatch> matches(parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i)
-    for (std::size_t field = 0; field < fields.size(); ++field)
-      if (isNamed(fields[field], parts[i])) (matches[i].field ? matches[i].also : matches[i].field) = field;
+    for (const auto fits : {hasName, isNamed}) {
+      if (matches[i].field) break;
+      for (std::size_t field = 0; field < fields.size(); ++field)
+        if (fits(fields[field], parts[i])) (matches[i].field ? matches[i].also : matches[i].field) = field;
+    }
   return matches;
 }
 

@@ -118,10 +118,12 @@ std::string namesOf(std::span<const Coordinate* const> rows, std::string_view la
 
 // Names of fields and columns
 
-/// Whether a field has one of a part's names: its own, as a column's (view_distance) or another.
+/// Whether a field has a part's own name, in any letter case, or as a column's (view_distance).
+bool hasName(std::string_view field, const CoordinatePart& part);
+/// Whether it has that or one of the part's other names.
 bool isNamed(std::string_view field, const CoordinatePart& part);
 
-/// The field of a part, and another that fits as well.
+/// The field of a part, and another that fits as well. Own names go before other names.
 struct PartMatch {
   std::optional<std::size_t> field, also;
 };

@@ -74,10 +74,11 @@ std::optional<Layout> findField(const Coordinate& row, const RecordParts& record
   const auto& names = record.shape.names;
   const CoordinatePart own{row.name}, any{row.name, 1, row.aliases};
   const bool isArray = row.form == CoordinateForm::array;
+  const bool hasOwn = std::any_of(names.begin(), names.end(), [&](const auto& name) { return hasName(name, own); });
   std::optional<std::size_t> found;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (!isNamed(names[i], any)) continue;
-    if (!isArray || !isNamed(names[i], own)) {
+    if (!isNamed(names[i], hasOwn ? own : any)) continue;
+    if (!isArray || !hasOwn) {
       FormOfField form{i, row.form == CoordinateForm::object ? '{' : isArray ? FormOfField::kPoint : '['};
       form.is = form.holds(record.values[i]);
       forms.push_back(form);

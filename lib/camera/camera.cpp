@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <limits>
 #include <string>
 
@@ -17,51 +16,26 @@ using namespace detail;
 
 namespace {
 
-/// Of pixels for a unit of the window, and of where its axis lies: one more factor of 2^20 is a double still.
-constexpr double kLargestScale = 0x1p1000;
-
-/// Exactly: rows that are rounded to an axis do not count.
-bool forwardIsAxis(const PoseParts& pose) noexcept {
-  const ExactRows& exact = pose.exact;
-  if (!exact.isNarrow) return false;
-  int zeros = 0, ones = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const DoubleDouble row = pose.rows.forward[i];
-    if (exact.forward[i].size() == 0 && row.hi == 0) ++zeros;
-    // A row made of unit length is 1 where its other parts are 0; one that was given has to be.
-    const bool made = exact.translation[0].isZero() && exact.translation[1].isZero() && exact.translation[2].isZero();
-    const bool given = exact.forward[i].size() == 1 && std::fabs(exact.forward[i].term(0)) == 1 &&
-                       exact.forwardScale.hi == 1 && exact.forwardScale.lo == 0;
-    if (std::fabs(row.hi) == 1 && row.lo == 0 && (made || given)) ++ones;
-  }
-  return exact.error == 0 && zeros == 2 && ones == 1 && pose.residual.x.hi == 0 && pose.residual.y.hi == 0 &&
-         pose.residual.z.hi == 0;
-}
-
 const char* nameOf(Handedness world) noexcept { return world == Handedness::right ? "right" : "left"; }
 
-double rangeOf(std::initializer_list<double> numbers) noexcept {
-  double range = 1;
-  for (const double number : numbers) {
-    const double size = std::fabs(number);
-    if (size == 0 || !std::isfinite(size)) continue;
-    range = std::max({range, size, 1 / size});
-  }
-  return range;
-}
-
-/// A row whose largest entry is not a normal double stays whole: exact leaves such cameras to numbers of wider range.
 SplitRow splitRow(const DDVec3& row) noexcept {
   constexpr int kBits = 25;
   SplitRow split{rounded(row), {}};
-  const double largest = maxAbs(row);
-  if (!std::isnormal(largest)) return split;
-  const double grid = std::ldexp(1.5, std::ilogb(largest) + 1 - kBits + 52);
+  const double grid = std::ldexp(1.5, std::ilogb(maxAbs(row)) + 1 - kBits + 52);
   for (std::size_t i = 0; i < 3; ++i) {
     split.high[i] = (row[i].hi + grid) - grid;
     split.low[i] = (row[i].hi - split.high[i]) + row[i].lo;
   }
   return split;
+}
+
+/// A point on an edge of the picture may round outwards where the edge is a tie of two doubles: the edge does too.
+PictureCorners outwards(const Viewport& v, const ScreenMap& map) noexcept {
+  const ScreenCorner corner = screenCorner(v);
+  const auto at = [](DoubleDouble edge, double way) { return edge.hi == 0 ? 0 : edge.hi + (edge.lo + way); };
+  const double x = 0x1p-96 * map.reachX, y = 0x1p-96 * map.reachY;
+  return {{at(corner.x, -x), at(corner.y, -y)},
+          {at(corner.x + DoubleDouble(v.width), x), at(corner.y + DoubleDouble(v.height), y)}};
 }
 
 }  // namespace
@@ -81,17 +55,8 @@ Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport
   c.viewport = viewport;
   c.convention = convention;
   c.screen = screenMap(c.projection, viewport);
-  const auto isInRange = [](DoubleDouble center, DoubleDouble scale, double reach) {
-    const double size = std::fabs(scale.hi);
-    return isFinite(center) && isFinite(scale) && reach < kLargestScale && size > 1 / kLargestScale &&
-           size < kLargestScale;
-  };
-  if (!isInRange(c.screen.centerX, c.screen.scaleX, c.screen.reachX) ||
-      !isInRange(c.screen.centerY, c.screen.scaleY, c.screen.reachY))
-    throw CameraError("projection", "has a window too small for doubles to tell its pixels apart");
-
   const DepthEnds ends = windowDepths(viewport, convention.reverseZ);
-  DepthLine depth{NAN, 1};  // a scale in the range of every bound
+  DepthLine depth{NAN, 1};
   if (hasDepth(c.projection)) {
     c.depthAtNear = ends.atNear;
     c.depthAtFar = ends.atFar;
@@ -117,17 +82,6 @@ Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport
   k.depthScale = depth.scale;
   k.reachX = map.reachX;
   k.reachY = map.reachY;
-  const RangeShares shares = rangeShares(c.projection.near, c.projection.far);
-  const double farOverRange = c.projection.orthographic      ? shares.one.hi
-                              : std::isinf(c.projection.far) ? 1
-                                                             : shares.far.hi;
-  const double depths[] = {hasDepth(c.projection) ? depth.offset.hi : 1, depth.scale.hi, farOverRange};
-  const bool depthsAreNumbers = std::isfinite(depths[0]) && std::isfinite(depths[1]) && depths[1] != 0 &&
-                                std::isfinite(depths[2]) && depths[2] != 0;
-  k.range = !depthsAreNumbers ? std::numeric_limits<double>::infinity()
-                              : rangeOf({map.reachX, map.reachY, map.centerX.hi, map.centerY.hi, map.scaleX.hi,
-                                         map.scaleY.hi, depths[0], depths[1], depths[2], c.depthAtNear, c.depthAtFar,
-                                         c.depthAtFar - c.depthAtNear, c.projection.near, c.projection.far});
   k.sizeXY = std::max(maxAbs(k.x), maxAbs(k.y));
   k.sizeW = maxAbs(k.w);
   k.residualReach = std::max(std::max(std::fabs(k.residual.x.hi), std::fabs(k.residual.y.hi)) / k.sizeXY,
@@ -146,7 +100,7 @@ Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport
   k.rayX = rounded(c.rays.perX);
   k.rayY = rounded(c.rays.perY);
   k.rayW = rounded(columns.forward);
-  c.corners = pictureCorners(viewport);
+  c.corners = outwards(viewport, map);
   return Access::whole<Camera, CameraParts>(made);
 }
 

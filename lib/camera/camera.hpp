@@ -28,11 +28,8 @@ struct ProjectionConstants {
   bool forwardIsAxis = false;
 
   double reachX = 0, reachY = 0;  ///< ScreenMap's
-  /// Of the centre, the depth's offset and scale, near and far, the pixels for a unit of the window and their inverses,
-  /// the largest; infinite where one is not a normal double.
-  double range = 0;
-  double sizeXY = 0, sizeW = 0;  ///< largest entry of x and y, and of w
-  double residualReach = 0;      ///< the residual's part in |d0| + |d1| + |d2|, as error bounds count it
+  double sizeXY = 0, sizeW = 0;   ///< largest entry of x and y, and of w
+  double residualReach = 0;       ///< the residual's part in |d0| + |d1| + |d2|, as error bounds count it
 
   Vec3 rayX, rayY, rayW;  ///< columns: right / scaleX, up / scaleY, forward
 };
@@ -49,7 +46,7 @@ struct CameraParts {
   double depthAtNear = NAN, depthAtFar = NAN;  ///< window depths, reverseZ taken into account
   double depthAtInfinity = NAN;                ///< perspective: the limit of window depth along the view, rounded
 
-  PictureCorners corners;
+  PictureCorners corners;  ///< a tie of two doubles is rounded outwards
 
   /// Orthographic: the ray of a screen position starts at start + (x - centerX) perX + (y - centerY) perY.
   struct {

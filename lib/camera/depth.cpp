@@ -7,11 +7,8 @@
 namespace viewproj::detail {
 
 RangeShares rangeShares(double near, double far) noexcept {
-  const double scale = std::max(std::fabs(near), std::fabs(far)) > 0x1p900 ? 0x1p-200 : 1;
-  const double n = near * scale;
-  const double f = far * scale;
-  const DoubleDouble range = twoDiff(f, n);
-  return {DoubleDouble(n) / range, DoubleDouble(f) / range, timesPowerOfTwo(DoubleDouble(1) / range, scale)};
+  const DoubleDouble range = twoDiff(far, near);
+  return {DoubleDouble(near) / range, DoubleDouble(far) / range, DoubleDouble(1) / range};
 }
 
 namespace {
@@ -22,8 +19,8 @@ DoubleDouble depthOffset(const ProjectionParts& p, const RangeShares& share, dou
   const DoubleDouble first = share.far * DoubleDouble(ofFar), second = share.near * DoubleDouble(ofNear);
   const DoubleDouble offset = first - second;
   if (8 * std::fabs(offset.hi) >= std::fabs(first.hi) + std::fabs(second.hi)) return offset;
-  const Dyadic near = p.near, far = p.far;
-  return toDoubleDouble((far * Dyadic(ofFar) - near * Dyadic(ofNear)).rounded() / (far - near).rounded());
+  const Dyadic<1> near = p.near, far = p.far;
+  return toDoubleDouble((far * Dyadic<1>(ofFar) - near * Dyadic<1>(ofNear)).rounded() / (far - near).rounded());
 }
 
 }  // namespace
@@ -32,7 +29,6 @@ DepthLine depthLine(const ProjectionParts& p, const DepthEnds& ends) noexcept {
   // perspective:   offset = (f atFar - n atNear) / (f - n)     scale = f n (atNear - atFar) / (f - n)
   // infinite far:  offset = atFar                              scale = n (atNear - atFar)
   // orthographic:  offset = (f atNear - n atFar) / (f - n)     scale = (atFar - atNear) / (f - n)
-  // f / (f - n) comes first, because f n may overflow.
   const auto [atNear, atFar] = ends;
   const DoubleDouble step = twoDiff(atNear, atFar);
   if (std::isinf(p.far)) return {atFar, DoubleDouble(p.near) * step};
@@ -47,15 +43,15 @@ DepthLine inverseDepthLine(const ProjectionParts& p, const DepthEnds& ends) noex
   // orthographic:  offset = (n atFar - f atNear) / (atFar - atNear)         scale = (f - n) / (atFar - atNear)
   // Of exact products: they may cancel.
   const auto [atNear, atFar] = ends;
-  const Dyadic near = p.near, step = Dyadic::difference(atFar, atNear);
-  const auto line = [](const Dyadic& offset, const Dyadic& scale, const Dyadic& divisor) {
+  const Dyadic<1> near = p.near, step = Dyadic<1>::difference(atFar, atNear);
+  const auto line = [](const Dyadic<2>& offset, const Dyadic<1>& scale, const Dyadic<3>& divisor) {
     const Wide by = divisor.rounded();
     return DepthLine{toDoubleDouble(offset.rounded() / by), toDoubleDouble(scale.rounded() / by)};
   };
   if (std::isinf(p.far)) return line(atFar, -1.0, near * step);
-  const Dyadic far = p.far;
-  if (p.orthographic) return line(near * Dyadic(atFar) - far * Dyadic(atNear), far - near, step);
-  return line(far * Dyadic(atFar) - near * Dyadic(atNear), near - far, near * far * step);
+  const Dyadic<1> far = p.far;
+  if (p.orthographic) return line(near * Dyadic<1>(atFar) - far * Dyadic<1>(atNear), far - near, step);
+  return line(far * Dyadic<1>(atFar) - near * Dyadic<1>(atNear), near - far, near * far * step);
 }
 
 }  // namespace viewproj::detail

@@ -1,152 +1,143 @@
 #include "camera/pose.hpp"
 
-#include <array>
+#include <algorithm>
 #include <string>
 
-#include "camera/exact_vectors.hpp"
-#include "camera/pose_source.hpp"
+#include "camera/require.hpp"
 
 namespace viewproj::detail {
 namespace {
 
-/// Scaled to unit magnitude.
-FineVec3 fineUp(const Vec3& up) {
-  const DDVec3 wide = toDoubleDouble(up);
-  return {exactly(rounded(scaleByPowerOfTwo(wide, exponentToUnit(wide)))), 0};
+using Row = ExactPose::Row;
+using DyadicVec3 = Vector3<Dyadic<1>>;
+
+DDVec3 roundedRow(const Row& row, const Wide& scale) noexcept {
+  const WideVec3 v = rounded(row) * scale;
+  return {toDoubleDouble(v.x), toDoubleDouble(v.y), toDoubleDouble(v.z)};
 }
 
 /// Rows more uncertain than this would not be within 2^-100.
 constexpr double kLargestRowError = 0x1p-102;
 
-/// Without an error, and of components that are doubles.
-bool isOfDoubles(const FineVec3& v) {
-  return v.error == 0 && v.terms[0].size() <= 1 && v.terms[1].size() <= 1 && v.terms[2].size() <= 1;
-}
-
-/// up as it was given, or as FineVec3; and what the direction is the difference of.
-struct Looking {
-  Vec3 position;
-  DDVec3 direction;
-  Vec3 from, to;
-  FineVec3 fineUp;
-  Vec3 up;
-  bool isNarrow;
-};
-
-Pose lookAlongExactly(const Looking& l, Handedness world, const char* directionField) {
-  if (maxAbs(l.direction) == 0)
+Pose looking(const Vec3& position, const DyadicVec3& way, const FineVec3& up, Handedness world,
+             const char* directionField) {
+  const double size = maxAbs(rounded(rounded(way)));
+  if (!(size > 0))
     throw CameraError(directionField, std::string(directionField) == "target"
                                           ? "is the camera's own position: there is no direction to look in"
                                           : "is zero");
-  const FineVec3& up = l.fineUp;
-  const DDVec3 g = scaleByPowerOfTwo(l.direction, exponentToUnit(l.direction));
-  const ExactVec3 side = exactCross(g, up.terms);
-  ExactVec3 along;
-  for (std::size_t i = 0; i < 3; ++i) along[i] = {g[i].lo, g[i].hi};
-  // Where up has an error, what underflows is far below it.
-  const bool isNarrow = !isOfDoubles(up) || (l.isNarrow && isAbove(l.direction, kSmallestFactor) &&
-                                             isAbove(side, kSmallestTerm) && isAbove(along, kSmallestTerm));
-  const double handed = world == Handedness::right ? 1 : -1;
-  const PoseSource source{PoseSource::Kind::look, {l.from, l.to, l.up}, handed < 0, {}, {}};
-  DDVec3 roundedSide = rounded(side);
-  DDVec3 roundedAlong = g;
-  if (!isNarrow) {
-    const ExactSource rows = exactSource(source);
-    const auto unitScaled = [](const Vector3<Dyadic>& row) {
-      const WideVec3 wide{row[0].rounded(), row[1].rounded(), row[2].rounded()};
-      const Wide length = lengthOf(wide);
-      const Wide scale = length.sign() == 0 ? Wide(0) : Wide(1) / length;
-      return DDVec3{toDoubleDouble(wide.x * scale), toDoubleDouble(wide.y * scale), toDoubleDouble(wide.z * scale)};
-    };
-    roundedSide = unitScaled(rows.right);
-    roundedAlong = unitScaled(rows.forward);
-  }
-  // Each product of a component of g with one of up carries 2 up.error; of up's row there are two.
-  const double sideError = 16 * up.error;
-  if (!(maxAbs(roundedSide) * kLargestRowError >= sideError && maxAbs(roundedSide) > 0))
+  const Vector3<Dyadic<2>> side = crossOf(way, up.value);
+  // Each product of a component of way with one of up carries 2 up.error; of up's row there are two.
+  const double sideError = 16 * up.error * std::ldexp(1, std::ilogb(size)), sideSize = maxAbs(rounded(rounded(side)));
+  if (!(sideSize * kLargestRowError >= sideError && sideSize > 0))
     throw CameraError("up", "is parallel to the viewing direction, so it does not say which way is up; give another");
-
-  const DoubleDouble sideScale = inverseLength(roundedSide);
-  const DoubleDouble forwardScale = inverseLength(roundedAlong);
-  const DDVec3 right = roundedSide * sideScale;
-  const DDVec3 forward = roundedAlong * forwardScale;
-  const Axes axes{right * DoubleDouble(handed), cross(right, forward), forward};
-  ExactRows exact{side,
-                  along,
-                  {},
-                  true,
-                  sideScale * DoubleDouble(handed),
-                  sideScale * forwardScale,
-                  forwardScale,
-                  l.position,
-                  {},
-                  sideError * sideScale.hi,
-                  isNarrow,
-                  source};
-  return made({l.position, axes, axes, {}, exact});
+  ExactPose exact;
+  const bool mirrored = world == Handedness::left;
+  const Wide ofSide = Wide(1) / lengthOf(rounded(side)), ofWay = Wide(1) / lengthOf(rounded(way));
+  setUnitRow(exact, 0, {side.x, side.y, side.z}, mirrored ? -ofSide : ofSide);
+  setUnitRow(exact, 1, crossOf(side, way), ofSide * ofWay);
+  setUnitRow(exact, 2, {way.x, way.y, way.z}, ofWay);
+  exact.origin = position;
+  exact.error = sideError * double(ofSide);
+  return made(orthogonal(exact));
 }
 
-/// up is checked last, as the fields are named.
-Looking withUp(Looking l, const Vec3& up) {
-  requireFinite(up, "up");
+/// Of a place on the Earth a coordinate may be below the smallest number of a camera: nothing of it is lost.
+void requireWithin(const Vec3& v, const char* field) {
+  if (!(isFinite(v) && maxAbs(v) <= kLargestNumber))
+    throw CameraError(field, "has a component that is not a finite number up to 1e90");
+}
+
+void requireVector(const Vec3& v, const char* field, const Vec3&) { requireNumber(v, field); }
+void requireVector(const Vec3& v, const char* field, const FineVec3&) { requireWithin(v, field); }
+
+FineVec3 exactly(const Vec3& up) {
+  requireNumber(up, "up");
   if (maxAbs(up) == 0) throw CameraError("up", "is zero");
-  l.up = up;
-  l.fineUp = fineUp(up);
-  l.isNarrow = l.isNarrow && isAbove(toDoubleDouble(up), kSmallestFactor);
-  return l;
+  return {toDyadic(up), 0};
 }
 
-Looking withUp(Looking l, const FineVec3& up) {
-  requireFinite(up, "up");
-  l.up = detail::rounded(rounded(up.terms));
-  l.fineUp = up;
-  return l;
+const FineVec3& exactly(const FineVec3& up) {
+  if (!isFinite(rounded(rounded(up.value)))) throw CameraError("up", "has a component that is not a finite number");
+  return up;
 }
 
 template <class Up>
-Looking lookingAlong(const Vec3& position, const Vec3& direction, const Up& up) {
-  requireFinite(position, "position");
-  requireFinite(direction, "direction");
-  return withUp({position, toDoubleDouble(direction), {}, direction, {}, {}, true}, up);
+Pose lookingAlong(const Vec3& position, const Vec3& direction, const Up& up, Handedness world) {
+  requireVector(position, "position", up);
+  requireNumber(direction, "direction");
+  return looking(position, toDyadic(direction), exactly(up), world, "direction");
 }
 
 template <class Up>
-Looking lookingAt(const Vec3& position, const Vec3& target, const Up& up) {
-  requireFinite(position, "position");
-  requireFinite(target, "target");
-  // Quartered where the difference could overflow; only its direction counts.
-  const bool isHuge = std::max(maxAbs(position), maxAbs(target)) > 0x1p1000;
-  const double quarter = isHuge ? 0.25 : 1;
-  Looking l{position, {}, position, target, {}, {}, true};
-  for (std::size_t i = 0; i < 3; ++i) {
-    l.direction[i] = twoDiff(target[i] * quarter, position[i] * quarter);
-    if (isHuge) l.isNarrow = l.isNarrow && isAbove(target[i], 0x1p-900) && isAbove(position[i], 0x1p-900);
-  }
-  return withUp(l, up);
+Pose lookingAt(const Vec3& position, const Vec3& target, const Up& up, Handedness world) {
+  requireVector(position, "position", up);
+  requireVector(target, "target", up);
+  DyadicVec3 way;
+  for (std::size_t i = 0; i < 3; ++i) way[i] = Dyadic<1>::difference(target[i], position[i]);
+  return looking(position, way, exactly(up), world, "target");
 }
 
 }  // namespace
 
 Pose made(const PoseParts& parts) { return Access::whole<Pose, PoseParts>(std::make_shared<const PoseParts>(parts)); }
 
+PoseParts orthogonal(const ExactPose& exact) {
+  const Axes rows = roundedRows(exact);
+  return {exact.origin, rows, rows, {}, std::make_shared<const ExactPose>(exact)};
+}
+
+Axes roundedRows(const ExactPose& exact) noexcept {
+  return {roundedRow(exact.rows[0], exact.scale[0]), roundedRow(exact.rows[1], exact.scale[1]),
+          roundedRow(exact.rows[2], exact.scale[2])};
+}
+
+std::size_t onlyEntry(const Row& row) noexcept {
+  std::size_t found = 3;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (row[i].sign() == 0) continue;
+    if (found < 3) return 3;
+    found = i;
+  }
+  return found;
+}
+
+void setUnitRow(ExactPose& exact, std::size_t index, const Row& row, const Wide& scale) {
+  const std::size_t only = onlyEntry(row);
+  exact.rows[index] = row;
+  exact.scale[index] = only < 3 ? Wide(1) : scale;
+  if (only < 3) exact.rows[index][only] = row[only].sign() * scale.sign();
+}
+
+bool forwardIsAxis(const PoseParts& pose) noexcept {
+  const ExactPose& exact = *pose.exact;
+  const Row& forward = exact.rows[2];
+  const std::size_t only = onlyEntry(forward);
+  const auto isOne = [](const DoubleDouble& a) { return a.hi == 1 && a.lo == 0; };
+  const DDVec3& left = pose.residual;
+  return only < 3 && exact.error == 0 && exact.scale[2].exponent == 0 && isOne(exact.scale[2].value) &&
+         (forward[only] - Dyadic<1>(forward[only].sign())).sign() == 0 && left.x.hi == 0 && left.y.hi == 0 &&
+         left.z.hi == 0;
+}
+
 Pose lookAlong(const Vec3& position, const Vec3& direction, const FineVec3& up, Handedness world) {
-  return lookAlongExactly(lookingAlong(position, direction, up), world, "direction");
+  return lookingAlong(position, direction, up, world);
 }
 
 Pose lookAt(const Vec3& position, const Vec3& target, const FineVec3& up, Handedness world) {
-  return lookAlongExactly(lookingAt(position, target, up), world, "target");
+  return lookingAt(position, target, up, world);
 }
 
 Pose poseFromAxes(const Vec3& position, const FineVec3& right, const FineVec3& up, const FineVec3& forward) {
-  requireFinite(position, "position");
-  const Axes axes{rounded(right.terms), rounded(up.terms), rounded(forward.terms)};
-  ExactRows exact;
-  exact.right = right.terms;
-  exact.up = up.terms;
-  exact.forward = forward.terms;
+  requireWithin(position, "position");
+  ExactPose exact;
+  const FineVec3* const axes[] = {&right, &up, &forward};
+  for (std::size_t i = 0; i < 3; ++i) {
+    exact.rows[i] = {axes[i]->value.x, axes[i]->value.y, axes[i]->value.z};
+    exact.error = std::max(exact.error, axes[i]->error);
+  }
   exact.origin = position;
-  exact.error = std::max({right.error, up.error, forward.error});
-  return made({position, axes, axes, {}, exact});
+  return made(orthogonal(exact));
 }
 
 DDVec3 unroundedEye(const PoseParts& p) noexcept {
@@ -170,11 +161,11 @@ Handedness Pose::world() const noexcept {
 }
 
 Pose lookAlong(const Vec3& position, const Vec3& direction, const Vec3& up, Handedness world) {
-  return lookAlongExactly(lookingAlong(position, direction, up), world, "direction");
+  return lookingAlong(position, direction, up, world);
 }
 
 Pose lookAt(const Vec3& position, const Vec3& target, const Vec3& up, Handedness world) {
-  return lookAlongExactly(lookingAt(position, target, up), world, "target");
+  return lookingAt(position, target, up, world);
 }
 
 }  // namespace viewproj

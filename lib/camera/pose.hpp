@@ -2,9 +2,10 @@
 #pragma once
 
 #include <array>
+#include <memory>
 
 #include "camera/access.hpp"
-#include "camera/exact_rows.hpp"
+#include "numbers/dyadic.hpp"
 #include "numbers/vectors.hpp"
 
 namespace viewproj::detail {
@@ -12,6 +13,21 @@ namespace viewproj::detail {
 /// Three vectors of the camera in world coordinates.
 struct Axes {
   DDVec3 right, up, forward;
+};
+
+/// The truth of a pose: with d = point - origin, a point's distances along right, up and forward are
+///   scale (row . d + translation)
+/// where rows are without any rounding and scales, common factors of a row, within 2^-102.
+struct ExactPose {
+  using Row = Vector3<Dyadic<3>>;
+
+  std::array<Row, 3> rows;
+  std::array<Wide, 3> scale{1, 1, 1};
+  Vec3 origin;
+  Vec3 translation;
+  /// Of an entry once scaled, and of a translation relative to the largest: 0 unless the pose was made of sines and
+  /// cosines.
+  double error = 0;
 };
 
 /// A pose. With d = point - eye, the point's distances along the camera's axes are
@@ -23,18 +39,43 @@ struct PoseParts {
   Vec3 eye;
   Axes rows;
   Axes columns;
-  /// What rounding the eye left over: zero unless the pose came as cameraFromWorld, whose eye need not be a double.
+  /// What rounding the eye left over: zero unless the pose came as cameraFromWorld, whose eye need not be a double, or
+  /// as columns.
   DDVec3 residual{};
-  ExactRows exact;
+  std::shared_ptr<const ExactPose> exact;
 };
 
 inline const PoseParts& parts(const Pose& pose) noexcept { return *Access::shared(pose); }
 Pose made(const PoseParts& parts);
 
+/// Of an exact pose its rows, and columns that are the same.
+PoseParts orthogonal(const ExactPose& exact);
+
+/// The rows, rounded to 2^-100.
+Axes roundedRows(const ExactPose& exact) noexcept;
+
+/// Of a row the one entry that is not 0; 3 where there are none or several.
+std::size_t onlyEntry(const ExactPose::Row& row) noexcept;
+
+/// Of a row that scale makes one of unit length: where it has one entry alone, this becomes 1 or -1, and its scale 1.
+void setUnitRow(ExactPose& exact, std::size_t index, const ExactPose::Row& row, const Wide& scale);
+
+/// Whether forward is an axis of the world, exactly, so that W is a coordinate's difference to the eye.
+bool forwardIsAxis(const PoseParts& pose) noexcept;
+
 /// The eye to double-double.
 DDVec3 unroundedEye(const PoseParts& pose) noexcept;
 
-/// The same with an up of unit length to more than double precision. Parallel is what its digits cannot tell from it.
+/// A vector to more digits than doubles have: each component is within error of this one's.
+struct FineVec3 {
+  Vector3<Dyadic<1>> value;
+  double error = 0;
+
+  FineVec3() = default;
+  FineVec3(const Vector3<Dyadic<1>>& v, double e) : value(v), error(e) {}
+};
+
+/// lookAlong and lookAt with an up of unit length. Parallel is what its digits cannot tell from it.
 Pose lookAlong(const Vec3& position, const Vec3& direction, const FineVec3& up, Handedness world);
 Pose lookAt(const Vec3& position, const Vec3& target, const FineVec3& up, Handedness world);
 

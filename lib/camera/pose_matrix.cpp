@@ -1,11 +1,12 @@
 // Poses of axes that are given: a rotation, or a matrix.
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <string>
 
-#include "camera/exact_vectors.hpp"
 #include "camera/pose.hpp"
-#include "camera/pose_source.hpp"
+#include "camera/require.hpp"
 
 namespace viewproj::detail {
 namespace {
@@ -62,32 +63,27 @@ void requireHandedness(CameraAxes axes, Handedness world, bool mirrored, const c
 }
 
 /// From camera x, y, z to right, up, forward.
-Axes toAxes(const std::array<DDVec3, 3>& xyz, CameraAxes axes) {
+template <class Vector>
+std::array<Vector, 3> toAxes(const std::array<Vector, 3>& xyz, CameraAxes axes) {
   const AxisMap map = axisMap(axes);
-  std::array<DDVec3, 3> result;
+  std::array<Vector, 3> result;
   for (std::size_t i = 0; i < 3; ++i)
-    result[static_cast<std::size_t>(map.along[i])] = xyz[i] * DoubleDouble(map.sign[i]);
-  return {result[0], result[1], result[2]};
+    for (std::size_t j = 0; j < 3; ++j)
+      result[static_cast<std::size_t>(map.along[i])][j] = map.sign[i] < 0 ? -xyz[i][j] : xyz[i][j];
+  return result;
 }
 
-/// The same for exact rows, which share a scale; the signs go to the scales.
-ExactRows toExactRows(const std::array<ExactVec3, 3>& xyz, DoubleDouble scale, CameraAxes axes, const Vec3& origin,
-                      const Vec3& translation, PoseSource::Kind kind = PoseSource::Kind::rows,
-                      const std::array<Vec3, 3>& numbers = {}) {
+Axes toAxesOf(const std::array<DDVec3, 3>& xyz, CameraAxes axes) {
+  const auto [right, up, forward] = toAxes(xyz, axes);
+  return {right, up, forward};
+}
+
+/// The same of a number for each.
+Vec3 toAxes(const Vec3& xyz, CameraAxes axes) {
   const AxisMap map = axisMap(axes);
-  ExactRows rows;
-  rows.source = {kind, numbers, false, map.along, map.sign};
-  for (const ExactVec3& row : xyz) rows.isNarrow = rows.isNarrow && isAbove(row, kSmallestTerm);
-  rows.origin = origin;
-  ExactVec3* const row[] = {&rows.right, &rows.up, &rows.forward};
-  DoubleDouble* const rowScale[] = {&rows.rightScale, &rows.upScale, &rows.forwardScale};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto along = static_cast<std::size_t>(map.along[i]);
-    *row[along] = xyz[i];
-    *rowScale[along] = scale * DoubleDouble(map.sign[i]);
-    rows.translation[along] = {translation[i]};
-  }
-  return rows;
+  Vec3 result;
+  for (std::size_t i = 0; i < 3; ++i) result[static_cast<std::size_t>(map.along[i])] = xyz[i] * map.sign[i];
+  return result;
 }
 
 void requireOrthogonal(const Columns& c, const char* field) {
@@ -107,7 +103,10 @@ void requireOrthogonal(const Columns& c, const char* field) {
 Columns checkedColumns(const Mat4& matrix, const char* field) {
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = 0; j < 4; ++j)
-      if (!std::isfinite(matrix[i][j])) throw CameraError(field, "has an entry that is not a finite number");
+      if (!std::isfinite(matrix[i][j]))
+        throw CameraError(field, "has an entry that is not a finite number");
+      else if (!isInDomain(matrix[i][j]))
+        throw CameraError(field, "has an entry that is neither 0 nor between 1e-90 and 1e90 in magnitude");
   if (!(matrix[3] == std::array<double, 4>{0, 0, 0, 1})) {
     const bool looksTransposed = matrix[0][3] == 0 && matrix[1][3] == 0 && matrix[2][3] == 0 && matrix[3][3] == 1;
     throw CameraError(field, std::string("has a last row that is not 0 0 0 1") +
@@ -119,92 +118,46 @@ Columns checkedColumns(const Mat4& matrix, const char* field) {
   return c;
 }
 
-/// The rows of the inverse of the matrix with these columns, not yet divided by the determinant: exact.
-std::array<ExactVec3, 3> exactAdjugateRows(const Columns& c) {
-  return {exactCross(toDoubleDouble(c[1]), exactly(c[2])), exactCross(toDoubleDouble(c[2]), exactly(c[0])),
-          exactCross(toDoubleDouble(c[0]), exactly(c[1]))};
-}
-
-DoubleDouble exactDeterminant(const std::array<ExactVec3, 3>& adjugate, const Columns& c) {
-  Expansion<48> sum;
-  for (std::size_t i = 0; i < 3; ++i) sum.addScaled(adjugate[0][i], c[0][i]);
-  return sum.rounded();
-}
-
+/// The inverse of the matrix with these columns: rows that the determinant divides, exactly, and as they round.
 struct Inverse {
-  std::array<ExactVec3, 3> adjugate;
-  DoubleDouble determinant;
+  std::array<Vector3<Dyadic<2>>, 3> adjugate;
+  Dyadic<3> determinant;
+  Wide divisor;
   std::array<DDVec3, 3> rows;
 };
 
 Inverse inverse(const Columns& c) {
-  Inverse result{exactAdjugateRows(c), {}, {}};
-  result.determinant = exactDeterminant(result.adjugate, c);
+  const Vector3<Dyadic<1>> x = toDyadic(c[0]), y = toDyadic(c[1]), z = toDyadic(c[2]);
+  Inverse result{{crossOf(y, z), crossOf(z, x), crossOf(x, y)}, {}, {}, {}};
+  result.determinant = dot(result.adjugate[0], x);
+  result.divisor = result.determinant.rounded();
   for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) result.rows[i][j] = result.adjugate[i][j].rounded() / result.determinant;
+    for (std::size_t j = 0; j < 3; ++j)
+      result.rows[i][j] = toDoubleDouble(result.adjugate[i][j].rounded() / result.divisor);
   return result;
 }
 
-std::array<DDVec3, 3> transposedColumns(const std::array<DDVec3, 3>& rows) {
+/// |a| = |b|.
+template <int A, int B>
+bool isOfSize(const Dyadic<A>& a, const Dyadic<B>& b) {
+  return (a - b).sign() == 0 || (a + b).sign() == 0;
+}
+
+std::array<DDVec3, 3> transposed(const std::array<DDVec3, 3>& rows) {
   std::array<DDVec3, 3> columns;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) columns[i][j] = rows[j][i];
   return columns;
 }
 
-/// The eye of a matrix from the world to the camera, -M^-1 t rounded, and M eye + t: what the rounding left over, as
-/// columns that hold one number each, to be named like the axes.
-struct RoundedEye {
-  Vec3 eye;
-  std::array<DDVec3, 3> residual;
-};
-
-/// Whether no product of a translation's part with an entry of a narrow row, of an eye's with one, or of a sum's rest
-/// underflows, and no sum overflows.
-bool isNarrowTranslation(const Vec3& t) {
-  return maxAbs(t) < 0x1p600 && isAbove(t.x, 0x1p-200) && isAbove(t.y, 0x1p-200) && isAbove(t.z, 0x1p-200);
-}
-
-RoundedEye eyeOf(const Inverse& inverted, const Mat4& matrix, const Vec3& translation) {
-  RoundedEye result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    Expansion<48> sum;
-    for (std::size_t j = 0; j < 3; ++j) sum.addScaled(inverted.adjugate[i][j], -translation[j]);
-    result.eye[i] = (sum.rounded() / inverted.determinant).hi;
-  }
-  for (std::size_t i = 0; i < 3; ++i) {
-    Expansion<8> sum;
-    for (std::size_t j = 0; j < 3; ++j) sum.addProduct(matrix[i][j], result.eye[j]);
-    sum.add(translation[i]);
-    result.residual[i].x = sum.rounded();
-  }
-  return result;
-}
-
-/// The same whatever the magnitudes.
-RoundedEye eyeOfDyadic(const Columns& c, const Mat4& matrix, const Vec3& translation) {
-  const Vector3<Dyadic> columns[] = {toDyadic(c[0]), toDyadic(c[1]), toDyadic(c[2])}, t = toDyadic(translation);
-  const Wide determinant = dot(columns[0], crossOf(columns[1], columns[2])).rounded();
-  RoundedEye result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Dyadic sum = -dot(crossOf(columns[(i + 1) % 3], columns[(i + 2) % 3]), t);
-    result.eye[i] = nearestDouble(sum.rounded() / determinant);
-  }
-  if (!isFinite(result.eye)) return result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Dyadic rest =
-        dot(toDyadic(Vec3{matrix[i][0], matrix[i][1], matrix[i][2]}), toDyadic(result.eye)) + Dyadic(translation[i]);
-    result.residual[i].x = toDoubleDouble(rest.rounded());
-  }
-  return result;
-}
-
 }  // namespace
 
 Pose poseFromColumns(const std::array<DDVec3, 3>& columns, const DDVec3& eye, CameraAxes axes, Handedness world) {
   const Columns c{rounded(columns[0]), rounded(columns[1]), rounded(columns[2])};
-  requireFinite(rounded(eye), "position");
-  for (const Vec3& column : c) requireFinite(column, "columns");
+  if (!(maxAbs(eye) <= kLargestNumber))
+    throw CameraError("position", "has a component that is beyond 1e90, or is no number");
+  for (const Vec3& column : c)
+    if (!isFinite(column)) throw CameraError("columns", "has a component that is not a finite number");
   requireOrthogonal(c, "columns");
   const std::array<DDVec3, 3> crossed = {cross(columns[1], columns[2]), cross(columns[2], columns[0]),
                                          cross(columns[0], columns[1])};
@@ -214,20 +167,15 @@ Pose poseFromColumns(const std::array<DDVec3, 3>& columns, const DDVec3& eye, Ca
   const std::array<DDVec3, 3> rows = {crossed[0] * scale, crossed[1] * scale, crossed[2] * scale};
   // Rounded, so that the exact rows hold it too; it is 2^-53 of the eye, and so is its rounding of it.
   const DDVec3 rest = -DDVec3{eye.x.lo, eye.y.lo, eye.z.lo};
-  const Vec3 residual{dot(rows[0], rest).hi, dot(rows[1], rest).hi, dot(rows[2], rest).hi};
-  std::array<ExactVec3, 3> exact;
+  const Axes named = toAxesOf(rows, axes);
+  ExactPose exact;
+  exact.origin = rounded(eye);
+  exact.translation = toAxes({dot(rows[0], rest).hi, dot(rows[1], rest).hi, dot(rows[2], rest).hi}, axes);
+  const DDVec3* const row[] = {&named.right, &named.up, &named.forward};
   for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) exact[i][j] = {rows[i][j].lo, rows[i][j].hi};
-  const ExactRows exactRows = toExactRows(exact, 1, axes, rounded(eye), residual);
-  // The signs of the axes are in the scales of the exact rows, which take the translation in.
-  const auto along = [&](DoubleDouble rowScale, std::size_t i) {
-    return rowScale * exactRows.translation[i].rounded();
-  };
-  return made({rounded(eye),
-               toAxes(rows, axes),
-               toAxes(columns, axes),
-               {along(exactRows.rightScale, 0), along(exactRows.upScale, 1), along(exactRows.forwardScale, 2)},
-               exactRows});
+    for (std::size_t j = 0; j < 3; ++j) exact.rows[i][j] = Dyadic<1>((*row[i])[j].hi) + Dyadic<1>((*row[i])[j].lo);
+  return made({exact.origin, named, toAxesOf(columns, axes), toDoubleDouble(exact.translation),
+               std::make_shared<const ExactPose>(exact)});
 }
 
 }  // namespace viewproj::detail
@@ -241,91 +189,87 @@ Pose poseFromColumns(const std::array<SplitVec3, 3>& columns, const SplitVec3& e
 }
 
 Pose movedTo(const Pose& pose, const Vec3& eye) {
+  requireNumber(eye, "position");
   const Axes& c = parts(pose).columns;
   return poseFromColumns({c.right, c.up, c.forward}, toDoubleDouble(eye), CameraAxes::RUF, pose.world());
 }
 
 Pose poseFromRotation(const Vec3& position, const Quaternion& q, CameraAxes axes, Handedness world) {
-  requireFinite(position, "position");
-  requireFinite({q.x, q.y, q.z}, "rotation");
-  requireFinite({q.w, 0, 0}, "rotation");
-  const double largest = std::max(maxAbs(Vec3{q.x, q.y, q.z}), std::fabs(q.w));
-  if (largest == 0) throw CameraError("rotation", "is zero");
+  requireNumber(position, "position");
+  requireNumber({q.x, q.y, q.z}, "rotation");
+  requireNumber({q.w, 0, 0}, "rotation");
+  if (q.x == 0 && q.y == 0 && q.z == 0 && q.w == 0) throw CameraError("rotation", "is zero");
   requireHandedness(axes, world, false, "rotation");
-  const int k = -std::ilogb(largest);
-  const double x = std::ldexp(q.x, k), y = std::ldexp(q.y, k), z = std::ldexp(q.z, k), w = std::ldexp(q.w, k);
-
-  const auto squares = [&](double sx, double sy, double sz) {
-    Expansion<8> e;
-    e.addProduct(w, w);
-    e.addProduct(sx * x, x);
-    e.addProduct(sy * y, y);
-    e.addProduct(sz * z, z);
-    return e;
+  const Dyadic<1> x = q.x, y = q.y, z = q.z, w = q.w;
+  const auto squares = [&](bool plusX, bool plusY, bool plusZ) {
+    const auto added = [](const Dyadic<2>& sum, const Dyadic<2>& square, bool plus) {
+      return plus ? sum + square : sum - square;
+    };
+    return added(added(added(w * w, x * x, plusX), y * y, plusY), z * z, plusZ);
   };
-  const auto twice = [&](double a, double b, double c, double d) {  // 2 (a b + c d)
-    Expansion<8> e;
-    e.addProduct(2 * a, b);
-    e.addProduct(2 * c, d);
-    return e;
-  };
+  const auto twice = [](const Dyadic<2>& a) { return a + a; };
   //     | ww+xx-yy-zz   2(xy-zw)      2(xz+yw)    |
   // R = | 2(xy+zw)      ww-xx+yy-zz   2(yz-xw)    | / (ww+xx+yy+zz), by columns:
   //     | 2(xz-yw)      2(yz+xw)      ww-xx-yy+zz |
-  const std::array<ExactVec3, 3> columns = {{
-      {squares(1, -1, -1), twice(x, y, z, w), twice(x, z, -y, w)},
-      {twice(x, y, -z, w), squares(-1, 1, -1), twice(y, z, x, w)},
-      {twice(x, z, y, w), twice(y, z, -x, w), squares(-1, -1, 1)},
+  const std::array<ExactPose::Row, 3> columns = {{
+      {squares(true, false, false), twice(x * y + z * w), twice(x * z - y * w)},
+      {twice(x * y - z * w), squares(false, true, false), twice(y * z + x * w)},
+      {twice(x * z + y * w), twice(y * z - x * w), squares(false, false, true)},
   }};
-  const DoubleDouble scale = DoubleDouble(1) / squares(1, 1, 1).rounded();
-  bool isNarrow = true;
-  for (double part : {x, y, z, w}) isNarrow = isNarrow && isAbove(part, kSmallestFactor);
-  const Axes camera =
-      toAxes({rounded(columns[0]) * scale, rounded(columns[1]) * scale, rounded(columns[2]) * scale}, axes);
-  ExactRows exact =
-      toExactRows(columns, scale, axes, position, {}, PoseSource::Kind::rotation, {{{q.x, q.y, q.z}, {q.w, 0, 0}, {}}});
-  for (double part : {q.x, q.y, q.z, q.w}) isNarrow = isNarrow && (part == 0) == (std::ldexp(part, k) == 0);
-  exact.isNarrow = exact.isNarrow && isNarrow;
-  return made({position, camera, camera, {}, exact});
+  ExactPose exact;
+  exact.origin = position;
+  const Wide scale = Wide(1) / squares(true, true, true).rounded();
+  const auto named = toAxes(columns, axes);
+  for (std::size_t i = 0; i < 3; ++i) setUnitRow(exact, i, named[i], scale);
+  return made(orthogonal(exact));
 }
 
 Pose poseFromWorldFromCamera(const Mat4& matrix, CameraAxes axes, Handedness world) {
   const Columns c = checkedColumns(matrix, "worldFromCamera");
   const Inverse inverted = inverse(c);
-  requireHandedness(axes, world, inverted.determinant.hi < 0, "worldFromCamera");
-  const Vec3 eye{matrix[0][3], matrix[1][3], matrix[2][3]};
-  ExactRows exact = toExactRows(inverted.adjugate, DoubleDouble(1) / inverted.determinant, axes, eye, {},
-                                PoseSource::Kind::columns, c);
-  for (const Vec3& column : c) exact.isNarrow = exact.isNarrow && isAbove(toDoubleDouble(column), kSmallestFactor);
-  return made({eye,
-               toAxes(inverted.rows, axes),
-               toAxes({toDoubleDouble(c[0]), toDoubleDouble(c[1]), toDoubleDouble(c[2])}, axes),
+  requireHandedness(axes, world, inverted.divisor.sign() < 0, "worldFromCamera");
+  ExactPose exact;
+  exact.origin = {matrix[0][3], matrix[1][3], matrix[2][3]};
+  const auto adjugate = toAxes(inverted.adjugate, axes);
+  for (std::size_t i = 0; i < 3; ++i) {
+    exact.rows[i] = {adjugate[i].x, adjugate[i].y, adjugate[i].z};
+    exact.scale[i] = Wide(1) / inverted.divisor;
+    const std::size_t only = onlyEntry(exact.rows[i]);
+    if (only < 3 && isOfSize(adjugate[i][only], inverted.determinant))
+      setUnitRow(exact, i, exact.rows[i], exact.scale[i]);
+  }
+  return made({exact.origin,
+               toAxesOf(inverted.rows, axes),
+               toAxesOf({toDoubleDouble(c[0]), toDoubleDouble(c[1]), toDoubleDouble(c[2])}, axes),
                {},
-               exact});
+               std::make_shared<const ExactPose>(exact)});
 }
 
 Pose poseFromCameraFromWorld(const Mat4& matrix, CameraAxes axes, Handedness world) {
   const Columns c = checkedColumns(matrix, "cameraFromWorld");
   const Inverse inverted = inverse(c);
-  requireHandedness(axes, world, inverted.determinant.hi < 0, "cameraFromWorld");
-  std::array<ExactVec3, 3> exact;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) exact[i][j] = {matrix[i][j]};
+  requireHandedness(axes, world, inverted.divisor.sign() < 0, "cameraFromWorld");
   const Vec3 translation{matrix[0][3], matrix[1][3], matrix[2][3]};
-  const ExactRows exactRows = toExactRows(exact, 1, axes, {}, translation);
-  const auto [eye, residual] = exactRows.isNarrow && isNarrowTranslation(translation)
-                                   ? eyeOf(inverted, matrix, translation)
-                                   : eyeOfDyadic(c, matrix, translation);
-  if (!isFinite(eye)) throw CameraError("cameraFromWorld", "has its eye beyond the range of doubles, 1.8e308");
-  const Axes left = toAxes(residual, axes);
-  const std::array<DDVec3, 3> rows = {{{matrix[0][0], matrix[0][1], matrix[0][2]},
-                                       {matrix[1][0], matrix[1][1], matrix[1][2]},
-                                       {matrix[2][0], matrix[2][1], matrix[2][2]}}};
+  Vec3 eye;  // -M^-1 t rounded
+  for (std::size_t i = 0; i < 3; ++i)
+    eye[i] = nearestDouble(-dot(inverted.adjugate[i], toDyadic(translation)).rounded() / inverted.divisor);
+  std::array<Vec3, 3> given;
+  std::array<DDVec3, 3> residual;  // M eye + t, what the rounding left over, in x
+  for (std::size_t i = 0; i < 3; ++i) {
+    given[i] = {matrix[i][0], matrix[i][1], matrix[i][2]};
+    const Dyadic<2> left = dot(toDyadic(given[i]), toDyadic(eye)) + Dyadic<1>(translation[i]);
+    residual[i].x = toDoubleDouble(left.rounded());
+  }
+  ExactPose exact;
+  exact.translation = toAxes(translation, axes);
+  const auto rows = toAxes(given, axes);
+  for (std::size_t i = 0; i < 3; ++i) exact.rows[i] = {rows[i].x, rows[i].y, rows[i].z};
+  const Axes left = toAxesOf(residual, axes);
   return made({eye,
-               toAxes(rows, axes),
-               toAxes(transposedColumns(inverted.rows), axes),
+               roundedRows(exact),
+               toAxesOf(transposed(inverted.rows), axes),
                {left.right.x, left.up.x, left.forward.x},
-               exactRows});
+               std::make_shared<const ExactPose>(exact)});
 }
 
 }  // namespace viewproj

@@ -1,4 +1,4 @@
-// Numbers of a camera, checked.
+// Numbers of a camera, checked. Written so that NaN fails.
 #pragma once
 
 #include <cmath>
@@ -8,17 +8,29 @@
 
 namespace viewproj::detail {
 
-/// Written so that NaN fails.
-inline void requirePositive(double value, const char* field) {
-  if (!(value > 0 && std::isfinite(value))) throw CameraError(field, "must be a finite number above 0");
+inline bool isInDomain(double value) noexcept {
+  const double size = std::fabs(value);
+  return size == 0 || (size >= kSmallestNumber && size <= kLargestNumber);
 }
 
 inline void requireFinite(double value, const char* field) {
   if (!std::isfinite(value)) throw CameraError(field, "must be a finite number");
 }
 
-inline void requireFinite(const Vec3& v, const char* field) {
+inline void requireNumber(double value, const char* field) {
+  requireFinite(value, field);
+  if (!isInDomain(value)) throw CameraError(field, "must be 0, or between 1e-90 and 1e90 in magnitude");
+}
+
+inline void requireNumber(const Vec3& v, const char* field) {
   if (!isFinite(v)) throw CameraError(field, "has a component that is not a finite number");
+  if (!(isInDomain(v.x) && isInDomain(v.y) && isInDomain(v.z)))
+    throw CameraError(field, "has a component that is neither 0 nor between 1e-90 and 1e90 in magnitude");
+}
+
+inline void requirePositive(double value, const char* field) {
+  if (!(value > 0 && std::isfinite(value))) throw CameraError(field, "must be a finite number above 0");
+  requireNumber(value, field);
 }
 
 }  // namespace viewproj::detail

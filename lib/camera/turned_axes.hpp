@@ -4,9 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "camera/exact_rows.hpp"
-#include "numbers/dyadic.hpp"
-#include "numbers/vectors.hpp"
+#include "camera/pose.hpp"
 
 namespace viewproj::detail {
 
@@ -15,7 +13,7 @@ inline constexpr double kTurnedRowBound = 0x1p-206;
 
 class TurnedAxes {
  public:
-  explicit TurnedAxes(const std::array<Vector3<Dyadic>, 3>& axes) : axes_(axes) {}
+  explicit TurnedAxes(const std::array<Vector3<Dyadic<1>>, 3>& axes) : axes_(axes) {}
 
   /// Turns two of them in their plane:
   ///   | a' |   | cos  -sin | | a |
@@ -26,7 +24,7 @@ class TurnedAxes {
   FineVec3 axis(std::size_t index, bool opposite = false) const noexcept;
 
  private:
-  std::array<Vector3<Dyadic>, 3> axes_;
+  std::array<Vector3<Dyadic<1>>, 3> axes_;
   bool exact_ = true;  ///< turned by right angles only
 };
 

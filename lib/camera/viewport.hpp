@@ -5,8 +5,7 @@
 
 namespace viewproj::detail {
 
-/// Throws CameraError unless every number is finite, width and height are positive, and all are within the range that
-/// kSmallestWindow and kLargestWindow state.
+/// Throws CameraError naming the number that is none of a viewport.
 void validate(const Viewport& viewport);
 
 }  // namespace viewproj::detail

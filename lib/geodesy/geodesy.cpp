@@ -3,7 +3,6 @@
 #include <limits>
 #include <string>
 
-#include "camera/exact_vectors.hpp"
 #include "camera/require.hpp"
 #include "camera/turned_axes.hpp"
 #include "geodesy/normal.hpp"
@@ -61,7 +60,7 @@ Geodetic ecefToGeodetic(const Vec3& point) noexcept {
 }
 
 FineVec3 detail::exactNormal(const Geodetic& place) noexcept {
-  if (!isPlace(place)) return {{Expansion<8>{kNaN}, Expansion<8>{kNaN}, Expansion<8>{kNaN}}, 0};
+  if (!isPlace(place)) return {{kNaN, kNaN, kNaN}, 0};
   return eastUpNorth(place).axis(kUpward);
 }
 
@@ -97,6 +96,6 @@ Pose lookAlongOnEarth(const Vec3& position, const Vec3& direction, const Geodeti
   return lookAlong(position, direction, exactNormal(upFrom), world);
 }
 
-Vec3 ellipsoidNormal(const Geodetic& place) noexcept { return rounded(rounded(exactNormal(place).terms)); }
+Vec3 ellipsoidNormal(const Geodetic& place) noexcept { return rounded(rounded(exactNormal(place).value)); }
 
 }  // namespace viewproj

@@ -29,8 +29,8 @@ constexpr double kTweak = 0x1p-16;
 // A clip matrix taken apart
 
 struct Row {
-  Vector3<Dyadic> axis;
-  Dyadic last;
+  Vector3<Dyadic<1>> axis;
+  Dyadic<1> last;
 };
 using Rows = std::array<Row, 4>;
 
@@ -39,8 +39,6 @@ Rows rowsOf(const Mat4& m) noexcept {
   for (std::size_t i = 0; i < 4; ++i) rows[i] = {{m[i][0], m[i][1], m[i][2]}, m[i][3]};
   return rows;
 }
-
-WideVec3 wideOf(const Vector3<Dyadic>& a) noexcept { return {a.x.rounded(), a.y.rounded(), a.z.rounded()}; }
 
 DDVec3 quotient(const WideVec3& a, const Wide& by) noexcept {
   return {toDoubleDouble(a.x / by), toDoubleDouble(a.y / by), toDoubleDouble(a.z / by)};
@@ -62,13 +60,13 @@ struct ClipParts {
 /// Nothing where x or y does not change across the picture.
 std::optional<ClipParts> perspectiveParts(const Rows& m) noexcept {
   const Row& w = m[3];
-  const Dyadic exactSquare = dot(w.axis, w.axis);
+  const Dyadic<2> exactSquare = dot(w.axis, w.axis);
   const Wide square = exactSquare.rounded(), length = sqrt(square), unit = square * length;
   ClipParts parts{false, toDoubleDouble(length), {}, {}, 0};
   for (std::size_t i = 0; i < 3; ++i) {
     // What lies across the w row, times w . w: cancels to 0 where it should.
-    const Dyadic along = dot(m[i].axis, w.axis);
-    const auto across = [&](const Dyadic& a, const Dyadic& b) { return (a * exactSquare - b * along).rounded(); };
+    const Dyadic<2> along = dot(m[i].axis, w.axis);
+    const auto across = [&](const Dyadic<1>& a, const Dyadic<1>& b) { return (a * exactSquare - b * along).rounded(); };
     WideVec3 axis;
     for (std::size_t j = 0; j < 3; ++j) axis[j] = across(m[i].axis[j], w.axis[j]);
     const Wide size = lengthOf(axis);
@@ -78,9 +76,9 @@ std::optional<ClipParts> perspectiveParts(const Rows& m) noexcept {
     if (i < 2)
       parts.axes[i] = quotient(axis, size);
     else
-      parts.residual = maxAbs(quotient(axis, unit)) / std::max(1.0, maxAbs(quotient(wideOf(m[i].axis), length)));
+      parts.residual = maxAbs(quotient(axis, unit)) / std::max(1.0, maxAbs(quotient(rounded(m[i].axis), length)));
   }
-  parts.axes[2] = quotient(wideOf(w.axis), length);
+  parts.axes[2] = quotient(rounded(w.axis), length);
   parts.residual = std::max(parts.residual, std::fabs(dot(parts.axes[0], parts.axes[1]).hi));
   return parts;
 }
@@ -89,7 +87,7 @@ std::optional<ClipParts> orthographicParts(const Rows& m) noexcept {
   const Wide whole = m[3].last.rounded();
   ClipParts parts{true, toDoubleDouble(whole), {}, {}, 0};
   for (std::size_t i = 0; i < 3; ++i) {
-    const WideVec3 axis = wideOf(m[i].axis);
+    const WideVec3 axis = rounded(m[i].axis);
     const Wide size = lengthOf(axis);
     if (size.sign() == 0) return std::nullopt;
     parts.lines[i] = {toDoubleDouble(m[i].last.rounded() / whole), toDoubleDouble(size / whole)};
@@ -221,7 +219,7 @@ std::array<DDVec3, 3> inverse(const std::array<DDVec3, 3>& rows) noexcept {
 
 /// The point at which three rows are 0: exact until it is rounded.
 DDVec3 commonPoint(const Row& a, const Row& b, const Row& c) noexcept {
-  const Vector3<Dyadic> bc = crossOf(b.axis, c.axis), ca = crossOf(c.axis, a.axis), ab = crossOf(a.axis, b.axis);
+  const Vector3<Dyadic<2>> bc = crossOf(b.axis, c.axis), ca = crossOf(c.axis, a.axis), ab = crossOf(a.axis, b.axis);
   WideVec3 point;
   for (std::size_t i = 0; i < 3; ++i) point[i] = -(bc[i] * a.last + ca[i] * b.last + ab[i] * c.last).rounded();
   return quotient(point, dot(a.axis, bc).rounded());
@@ -434,6 +432,7 @@ MatrixCameras camerasOf(const Mat4& matrix, const MatrixQuery& query) {
       if (query.float32) entry = static_cast<double>(static_cast<float>(entry));
       if (!std::isfinite(entry))
         return {{}, "it has a number that is not finite", "it has a number that is not finite"};
+      if (std::fabs(entry) > kLargestNumber) return {{}, "it has a number beyond 1e90", "it has a number beyond 1e90"};
     }
   const bool isSymmetric = m == transposed(m);
   Solver written(m, isSymmetric ? MatrixLayout::either : MatrixLayout::asWritten, query);

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 
 #include "camera/camera.hpp"
 #include "camera/convention.hpp"
 #include "camera/lens.hpp"
-#include "camera/pose.hpp"
+#include "camera/require.hpp"
 #include "camera/screen_map.hpp"
-#include "numbers/dyadic.hpp"
+#include "projection/clip_point.hpp"
 
 namespace viewproj {
 
@@ -114,121 +113,134 @@ DDMat4 toViewAxes(DDMat4 m, ViewAxes axes) noexcept {
   return m;
 }
 
-/// | right    -right . eye   + residual.x |
-/// | up       -up . eye      + residual.y |
-/// | forward  -forward . eye + residual.z |
-/// | 0        1                           |
+/// A point's or a direction's distances along right, up and forward, to 2^-90 of themselves however they cancel.
+DDVec3 alongAxes(const PoseParts& pose, const Vec4& p) noexcept {
+  constexpr double kKept = 0x1p-8;  // of the terms' 2^-98
+  const AxisPoint<DoubleDouble> near = toAxes(pose, p);
+  const double size = std::fabs(p.x - p.w * pose.eye.x) + std::fabs(p.y - p.w * pose.eye.y) +
+                      std::fabs(p.z - p.w * pose.eye.z) + std::fabs(pose.residual.x.hi) +
+                      std::fabs(pose.residual.y.hi) + std::fabs(pose.residual.z.hi);
+  if (std::min({std::fabs(near.right.hi), std::fabs(near.up.hi), std::fabs(near.forward.hi)}) > kKept * size)
+    return {near.right, near.up, near.forward};
+  const AxisDistances exact = exactDistances(pose, p);
+  return {toDoubleDouble(exact.right), toDoubleDouble(exact.up), toDoubleDouble(exact.forward)};
+}
+
+/// | right    that of the world's origin |
+/// | up       ...                        |
+/// | forward  ...                        |
+/// | 0        1                          |
 DDMat4 axesFromWorld(const PoseParts& p) noexcept {
-  const int k = exponentToUnit(toDoubleDouble(p.eye));
-  const DDVec3 eye = scaleByPowerOfTwo(toDoubleDouble(p.eye), k);
-  const auto row = [&](const DDVec3& axis, DoubleDouble residual) {
-    const DoubleDouble translation = scaleByPowerOfTwo(-dotOrZero(axis, eye), -k) + residual;
-    return std::array<DoubleDouble, 4>{axis.x, axis.y, axis.z, translation};
-  };
-  return {
-      {row(p.rows.right, p.residual.x), row(p.rows.up, p.residual.y), row(p.rows.forward, p.residual.z), {0, 0, 0, 1}}};
+  const Axes& r = p.rows;
+  const DDVec3 origin = alongAxes(p, {0, 0, 0, 1});
+  return {{{r.right.x, r.right.y, r.right.z, origin.x},
+           {r.up.x, r.up.y, r.up.z, origin.y},
+           {r.forward.x, r.forward.y, r.forward.z, origin.z},
+           {0, 0, 0, 1}}};
+}
+
+/// Each column of the model's, as the axes see it.
+DDMat4 axesFromModel(const PoseParts& p, const Mat4& model) noexcept {
+  DDMat4 m{};
+  for (std::size_t j = 0; j < 4; ++j) {
+    const DDVec3 column = alongAxes(p, {model[0][j], model[1][j], model[2][j], j == 3 ? 1.0 : 0.0});
+    for (std::size_t i = 0; i < 3; ++i) m[i][j] = column[i];
+  }
+  m[3][3] = 1;
+  return m;
 }
 
 /// | right up forward eye |
 /// | 0     0  0       1   |
 DDMat4 worldFromAxes(const PoseParts& p) noexcept {
-  DDMat4 m{};
+  const Axes& c = p.columns;
   const DDVec3 eye = unroundedEye(p);
-  for (std::size_t i = 0; i < 3; ++i) m[i] = {p.columns.right[i], p.columns.up[i], p.columns.forward[i], eye[i]};
-  m[3] = {0, 0, 0, 1};
+  DDMat4 m{};
+  for (std::size_t i = 0; i < 3; ++i) m[i] = {c.right[i], c.up[i], c.forward[i], eye[i]};
+  m[3][3] = 1;
   return m;
 }
 
-template <class Number>
-DDMat4 productIn(const DDMat4& a, const DDMat4& b) noexcept {
+/// | adjugate right / determinant  ...  adjugate (eye - translation) / determinant |
+/// | 0                             ...  1                                          |
+DDMat4 modelFromAxes(const DDMat4& worldFromAxes, const Mat4& model) {
+  constexpr double kLargestEntry = 1e100;
+  std::array<Vector3<Dyadic<1>>, 4> column;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 4; ++j) column[j][i] = model[i][j];
+  const auto& [x, y, z, translation] = column;
+  const std::array<Vector3<Dyadic<2>>, 3> adjugate = {crossOf(y, z), crossOf(z, x), crossOf(x, y)};
+  const Wide determinant = dot(adjugate[0], x).rounded();
+  if (determinant.sign() == 0) throw CameraError("model", "has no inverse: its axes lie in a plane");
+  DDMat4 m{};
+  for (std::size_t j = 0; j < 4; ++j) {
+    Vector3<Dyadic<1>> v;
+    for (std::size_t i = 0; i < 3; ++i) {
+      v[i] = Dyadic<1>(worldFromAxes[i][j].hi) + Dyadic<1>(worldFromAxes[i][j].lo);
+      if (j == 3) v[i] = v[i] - translation[i];
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      m[i][j] = toDoubleDouble(dot(adjugate[i], v).rounded() / determinant);
+      if (!(std::fabs(m[i][j].hi) < kLargestEntry))
+        throw CameraError("model", "has an inverse with entries beyond 1e100");
+    }
+  }
+  m[3][3] = 1;
+  return m;
+}
+
+DDMat4 product(const DDMat4& a, const DDMat4& b) noexcept {
   DDMat4 result{};
   for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < 4; ++j) {
-      Number sum;
+    for (std::size_t j = 0; j < 4; ++j)
       for (std::size_t k = 0; k < 4; ++k)
-        if (a[i][k].hi != 0 && b[k][j].hi != 0) sum = sum + as<Number>(a[i][k]) * as<Number>(b[k][j]);
-      if constexpr (std::is_same_v<Number, Wide>)
-        result[i][j] = toDoubleDouble(sum);
-      else
-        result[i][j] = sum;
-    }
+        if (a[i][k].hi != 0 && b[k][j].hi != 0) result[i][j] += a[i][k] * b[k][j];
   return result;
 }
 
-/// Whether products of entries keep all their digits.
-bool isNarrow(const DDMat4& m) noexcept {
-  for (const auto& row : m)
-    for (const DoubleDouble& entry : row)
-      if (const double size = std::fabs(entry.hi); size != 0 && !(size > 0x1p-400 && size < 0x1p400)) return false;
-  return true;
+constexpr DDMat4 kIdentity = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
+
+void requireModel(const Mat4& m) {
+  for (const auto& row : m.m)
+    for (const double entry : row)
+      if (!isInDomain(entry))
+        throw CameraError("model", "has an entry that is neither 0 nor between 1e-90 and 1e90 in magnitude");
+  if (!(m[3] == std::array<double, 4>{0, 0, 0, 1})) throw CameraError("model", "has a last row that is not 0 0 0 1");
 }
 
-/// In double-double, so that the rounded entries are those of the closed form; or in numbers of wider range.
-DDMat4 product(const DDMat4& a, const DDMat4& b) noexcept {
-  return isNarrow(a) && isNarrow(b) ? productIn<DoubleDouble>(a, b) : productIn<Wide>(a, b);
+/// What a matrix is made of; of parts that it does not need, null.
+struct Source {
+  const Convention& convention;
+  const PoseParts* pose = nullptr;
+  const ProjectionParts* projection = nullptr;
+  const Viewport* viewport = nullptr;
+  const Mat4* model = nullptr;
+};
+
+Lens lensOf(const Source& s, Space space) {
+  return space == Space::screen ? screenLens(*s.projection, *s.viewport, s.convention)
+                                : ndcLens(*s.projection, s.convention);
 }
 
-DDMat4 asGiven(const Mat4& a) noexcept {
-  DDMat4 m{};
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < 4; ++j) m[i][j] = a[i][j];
-  return m;
+/// From a space to distances along right, up and forward, and 1.
+DDMat4 axesFrom(const Source& s, Space space) {
+  if (space == Space::model) return axesFromModel(*s.pose, *s.model);
+  if (space == Space::world) return axesFromWorld(*s.pose);
+  if (space == Space::view) return fromViewAxes(kIdentity, s.convention.view);
+  return inverseLensMatrix(lensOf(s, space));
 }
 
-/// | adjugate / determinant  -adjugate translation / determinant |
-/// | 0                       1                                   |
-DDMat4 inverseAffine(const Mat4& a) {
-  Dyadic m[3][4], cofactors[3][3], determinant;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 4; ++j) m[i][j] = a[i][j];
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) {
-      const std::size_t i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-      cofactors[i][j] = m[i1][j1] * m[i2][j2] - m[i1][j2] * m[i2][j1];
-    }
-  for (std::size_t j = 0; j < 3; ++j) determinant = determinant + cofactors[0][j] * m[0][j];
-  if (determinant.sign() == 0) throw CameraError("model", "has no inverse: its axes lie in a plane");
-  const Wide divisor = determinant.rounded();
-  DDMat4 inverse{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    Dyadic translation;
-    for (std::size_t j = 0; j < 3; ++j) {
-      inverse[i][j] = toDoubleDouble(cofactors[j][i].rounded() / divisor);
-      translation = translation - cofactors[j][i] * m[j][3];
-    }
-    inverse[i][3] = toDoubleDouble(translation.rounded() / divisor);
-  }
-  inverse[3][3] = 1;
-  return inverse;
+DDMat4 fromAxes(const Source& s, Space space) {
+  if (space == Space::model) return modelFromAxes(worldFromAxes(*s.pose), *s.model);
+  if (space == Space::world) return worldFromAxes(*s.pose);
+  if (space == Space::view) return toViewAxes(kIdentity, s.convention.view);
+  return lensMatrix(lensOf(s, space));
 }
 
-/// The matrices before they are rounded.
-namespace fine {
-DDMat4 viewFromWorld(const PoseParts& pose, const Convention& c) noexcept {
-  return toViewAxes(axesFromWorld(pose), c.view);
+DDMat4 between(const Source& s, Space to, Space from) {
+  if (s.model) requireModel(*s.model);
+  return product(fromAxes(s, to), axesFrom(s, from));
 }
-DDMat4 worldFromView(const PoseParts& pose, const Convention& c) noexcept {
-  return fromViewAxes(worldFromAxes(pose), c.view);
-}
-DDMat4 clipFromView(const ProjectionParts& p, const Convention& c) {
-  return fromViewAxes(lensMatrix(ndcLens(p, c)), c.view);
-}
-DDMat4 viewFromClip(const ProjectionParts& p, const Convention& c) {
-  return toViewAxes(inverseLensMatrix(ndcLens(p, c)), c.view);
-}
-DDMat4 clipFromWorld(const PoseParts& pose, const ProjectionParts& p, const Convention& c) {
-  return product(lensMatrix(ndcLens(p, c)), axesFromWorld(pose));
-}
-DDMat4 worldFromClip(const PoseParts& pose, const ProjectionParts& p, const Convention& c) {
-  return product(worldFromAxes(pose), inverseLensMatrix(ndcLens(p, c)));
-}
-DDMat4 screenFromWorld(const PoseParts& pose, const ProjectionParts& p, const Viewport& v, const Convention& c) {
-  return product(lensMatrix(screenLens(p, v, c)), axesFromWorld(pose));
-}
-DDMat4 worldFromScreen(const PoseParts& pose, const ProjectionParts& p, const Viewport& v, const Convention& c) {
-  return product(worldFromAxes(pose), inverseLensMatrix(screenLens(p, v, c)));
-}
-}  // namespace fine
 
 /// Whether what is a column for column vectors lies together in memory.
 bool areColumnsTogether(const Convention& c) noexcept {
@@ -238,9 +250,9 @@ bool areColumnsTogether(const Convention& c) noexcept {
 /// In the order in which the convention keeps a matrix in memory: row vectors and columns first are one transposition
 /// each.
 template <class Number, class Matrix>
-StoredMatrix<Number> stored(const Matrix& m, const Convention& c) noexcept {
+std::array<Number, 16> stored(const Matrix& m, const Convention& c) noexcept {
   const bool byColumns = areColumnsTogether(c);
-  StoredMatrix<Number> flat{};
+  std::array<Number, 16> flat{};
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = 0; j < 4; ++j) flat[4 * i + j] = entry<Number>(byColumns ? m[j][i] : m[i][j]);
   return flat;
@@ -254,72 +266,6 @@ Mat4 unstored(const Numbers& flat, const Convention& c) noexcept {
     for (std::size_t j = 0; j < 4; ++j) (byColumns ? m[j][i] : m[i][j]) = flat[4 * i + j];
   return m;
 }
-
-}  // namespace
-
-Mat4 viewFromWorld(const Pose& pose, const Convention& c) noexcept {
-  return rounded(fine::viewFromWorld(parts(pose), c));
-}
-
-Mat4 worldFromView(const Pose& pose, const Convention& c) noexcept {
-  return rounded(fine::worldFromView(parts(pose), c));
-}
-
-Mat4 viewFromLocal(const Pose& pose, const Mat4& model, const Convention& c) noexcept {
-  return rounded(toViewAxes(product(axesFromWorld(parts(pose)), asGiven(model)), c.view));
-}
-
-Mat4 localFromView(const Pose& pose, const Mat4& model, const Convention& c) {
-  return rounded(fromViewAxes(product(inverseAffine(model), worldFromAxes(parts(pose))), c.view));
-}
-
-Mat4 clipFromLocal(const Pose& pose, const Projection& p, const Mat4& model, const Convention& c) {
-  return rounded(product(lensMatrix(ndcLens(parts(p), c)), product(axesFromWorld(parts(pose)), asGiven(model))));
-}
-
-Mat4 localFromClip(const Pose& pose, const Projection& p, const Mat4& model, const Convention& c) {
-  return rounded(
-      product(product(inverseAffine(model), worldFromAxes(parts(pose))), inverseLensMatrix(ndcLens(parts(p), c))));
-}
-
-Mat4 screenFromLocal(const Pose& pose, const Projection& p, const Viewport& v, const Mat4& model, const Convention& c) {
-  return rounded(product(lensMatrix(screenLens(parts(p), v, c)), product(axesFromWorld(parts(pose)), asGiven(model))));
-}
-
-Mat4 localFromScreen(const Pose& pose, const Projection& p, const Viewport& v, const Mat4& model, const Convention& c) {
-  return rounded(product(product(inverseAffine(model), worldFromAxes(parts(pose))),
-                         inverseLensMatrix(screenLens(parts(p), v, c))));
-}
-
-Mat4 clipFromView(const Projection& p, const Convention& c) { return rounded(fine::clipFromView(parts(p), c)); }
-
-Mat4 viewFromClip(const Projection& p, const Convention& c) { return rounded(fine::viewFromClip(parts(p), c)); }
-
-Mat4 clipFromWorld(const Pose& pose, const Projection& p, const Convention& c) {
-  return rounded(fine::clipFromWorld(parts(pose), parts(p), c));
-}
-
-Mat4 worldFromClip(const Pose& pose, const Projection& p, const Convention& c) {
-  return rounded(fine::worldFromClip(parts(pose), parts(p), c));
-}
-
-Mat4 screenFromView(const Projection& p, const Viewport& v, const Convention& c) {
-  return rounded(fromViewAxes(lensMatrix(screenLens(parts(p), v, c)), c.view));
-}
-
-Mat4 viewFromScreen(const Projection& p, const Viewport& v, const Convention& c) {
-  return rounded(toViewAxes(inverseLensMatrix(screenLens(parts(p), v, c)), c.view));
-}
-
-Mat4 screenFromWorld(const Pose& pose, const Projection& p, const Viewport& v, const Convention& c) {
-  return rounded(fine::screenFromWorld(parts(pose), parts(p), v, c));
-}
-
-Mat4 worldFromScreen(const Pose& pose, const Projection& p, const Viewport& v, const Convention& c) {
-  return rounded(fine::worldFromScreen(parts(pose), parts(p), v, c));
-}
-
-namespace {
 
 /// screen = offset + scale * ndc, for each of x, y, z.
 struct ViewportMap {
@@ -338,35 +284,134 @@ ViewportMap viewportMap(const Viewport& v, const Convention& c) noexcept {
           {halfWidth, flipped ? -halfHeight : halfHeight, halved ? timesPowerOfTwo(range, 0.5) : range}};
 }
 
-}  // namespace
-
-Mat4 screenFromNdc(const Viewport& v, const Convention& c) noexcept {
+DDMat4 fromNdc(const Viewport& v, const Convention& c) noexcept {
   const ViewportMap map = viewportMap(v, c);
-  DDMat4 m{};
+  DDMat4 m = kIdentity;
   for (std::size_t i = 0; i < 3; ++i) {
     m[i][i] = map.scale[i];
     m[i][3] = map.offset[i];
   }
-  m[3][3] = 1;
-  return rounded(m);
+  return m;
 }
 
-Mat4 ndcFromScreen(const Viewport& v, const Convention& c) noexcept {
+DDMat4 toNdc(const Viewport& v, const Convention& c) noexcept {
   const ViewportMap map = viewportMap(v, c);
-  DDMat4 m{};
+  DDMat4 m = kIdentity;
   for (std::size_t i = 0; i < 3; ++i) {
     m[i][i] = DoubleDouble(1) / map.scale[i];
     m[i][3] = -map.offset[i] / map.scale[i];
   }
-  m[3][3] = 1;
-  return rounded(m);
+  return m;
 }
+
+/// A matrix of a camera, and of a model where there is one.
+DDMat4 matrixOf(const Camera& camera, Space to, Space from, const Mat4* model) {
+  const CameraParts& c = parts(camera);
+  const auto isOfScene = [](Space s) { return s == Space::model || s == Space::world; };
+  const auto isClip = [](Space s) { return s == Space::clip || s == Space::ndc; };
+  if (!model && (to == Space::model || from == Space::model)) throw CameraError("model", "is missing");
+  if (to == from || (isClip(to) && isClip(from))) return kIdentity;
+  if (to == Space::screen && isClip(from)) return fromNdc(c.viewport, c.convention);
+  if (from == Space::screen && isClip(to)) return toNdc(c.viewport, c.convention);
+  if (model) requireModel(*model);
+  if (isOfScene(to) && isOfScene(from)) {
+    if (to == Space::model) return modelFromAxes(kIdentity, *model);
+    DDMat4 m = kIdentity;
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j < 4; ++j) m[i][j] = (*model)[i][j];
+    return m;
+  }
+  return between({c.convention, &c.pose, &c.projection, &c.viewport, model}, to, from);
+}
+
+}  // namespace
+
+Mat4 matrix(const Camera& camera, Space to, Space from) { return rounded(matrixOf(camera, to, from, nullptr)); }
+
+Mat4 matrix(const Camera& camera, Space to, Space from, const Mat4& worldFromModel) {
+  return rounded(matrixOf(camera, to, from, &worldFromModel));
+}
+
+template <class Number>
+std::array<Number, 16> storedMatrix(const Camera& camera, Space to, Space from) {
+  return stored<Number>(matrixOf(camera, to, from, nullptr), camera.convention());
+}
+template std::array<float, 16> storedMatrix<float>(const Camera&, Space, Space);
+template std::array<double, 16> storedMatrix<double>(const Camera&, Space, Space);
+
+Mat4 viewFromWorld(const Pose& pose, const Convention& c) noexcept {
+  return rounded(between({c, &parts(pose)}, Space::view, Space::world));
+}
+
+Mat4 worldFromView(const Pose& pose, const Convention& c) noexcept {
+  return rounded(between({c, &parts(pose)}, Space::world, Space::view));
+}
+
+Mat4 clipFromView(const Projection& p, const Convention& c) {
+  return rounded(between({c, nullptr, &parts(p)}, Space::clip, Space::view));
+}
+
+Mat4 viewFromClip(const Projection& p, const Convention& c) {
+  return rounded(between({c, nullptr, &parts(p)}, Space::view, Space::clip));
+}
+
+Mat4 clipFromWorld(const Pose& pose, const Projection& p, const Convention& c) {
+  return rounded(between({c, &parts(pose), &parts(p)}, Space::clip, Space::world));
+}
+
+Mat4 worldFromClip(const Pose& pose, const Projection& p, const Convention& c) {
+  return rounded(between({c, &parts(pose), &parts(p)}, Space::world, Space::clip));
+}
+
+Mat4 screenFromView(const Projection& p, const Viewport& v, const Convention& c) {
+  return rounded(between({c, nullptr, &parts(p), &v}, Space::screen, Space::view));
+}
+
+Mat4 viewFromScreen(const Projection& p, const Viewport& v, const Convention& c) {
+  return rounded(between({c, nullptr, &parts(p), &v}, Space::view, Space::screen));
+}
+
+Mat4 screenFromWorld(const Pose& pose, const Projection& p, const Viewport& v, const Convention& c) {
+  return rounded(between({c, &parts(pose), &parts(p), &v}, Space::screen, Space::world));
+}
+
+Mat4 worldFromScreen(const Pose& pose, const Projection& p, const Viewport& v, const Convention& c) {
+  return rounded(between({c, &parts(pose), &parts(p), &v}, Space::world, Space::screen));
+}
+
+Mat4 viewFromLocal(const Pose& pose, const Mat4& m, const Convention& c) {
+  return rounded(between({c, &parts(pose), nullptr, nullptr, &m}, Space::view, Space::model));
+}
+
+Mat4 localFromView(const Pose& pose, const Mat4& m, const Convention& c) {
+  return rounded(between({c, &parts(pose), nullptr, nullptr, &m}, Space::model, Space::view));
+}
+
+Mat4 clipFromLocal(const Pose& pose, const Projection& p, const Mat4& m, const Convention& c) {
+  return rounded(between({c, &parts(pose), &parts(p), nullptr, &m}, Space::clip, Space::model));
+}
+
+Mat4 localFromClip(const Pose& pose, const Projection& p, const Mat4& m, const Convention& c) {
+  return rounded(between({c, &parts(pose), &parts(p), nullptr, &m}, Space::model, Space::clip));
+}
+
+Mat4 screenFromLocal(const Pose& pose, const Projection& p, const Viewport& v, const Mat4& m, const Convention& c) {
+  return rounded(between({c, &parts(pose), &parts(p), &v, &m}, Space::screen, Space::model));
+}
+
+Mat4 localFromScreen(const Pose& pose, const Projection& p, const Viewport& v, const Mat4& m, const Convention& c) {
+  return rounded(between({c, &parts(pose), &parts(p), &v, &m}, Space::model, Space::screen));
+}
+
+Mat4 screenFromNdc(const Viewport& v, const Convention& c) noexcept { return rounded(fromNdc(v, c)); }
+Mat4 ndcFromScreen(const Viewport& v, const Convention& c) noexcept { return rounded(toNdc(v, c)); }
 
 Pose relativeToEye(const Pose& pose) {
   PoseParts relative = parts(pose);
-  relative.eye = relative.exact.origin = {};
-  relative.exact.translation = {};
+  ExactPose exact = *relative.exact;
+  relative.eye = exact.origin = exact.translation = {};
   relative.residual = {};
+  relative.exact = std::make_shared<const ExactPose>(exact);
   return made(relative);
 }
 
@@ -382,69 +427,5 @@ Mat4 fromStorageOrder(std::span<const double, 16> numbers, const Convention& c) 
   return unstored(numbers, c);
 }
 Mat4 fromStorageOrder(std::span<const float, 16> numbers, const Convention& c) noexcept { return unstored(numbers, c); }
-
-template <class Number>
-StoredMatrix<Number> viewFromWorld(const Camera& camera) noexcept {
-  const CameraParts& c = parts(camera);
-  return stored<Number>(fine::viewFromWorld(c.pose, c.convention), c.convention);
-}
-template StoredMatrix<float> viewFromWorld<float>(const Camera&) noexcept;
-template StoredMatrix<double> viewFromWorld<double>(const Camera&) noexcept;
-
-template <class Number>
-StoredMatrix<Number> worldFromView(const Camera& camera) noexcept {
-  const CameraParts& c = parts(camera);
-  return stored<Number>(fine::worldFromView(c.pose, c.convention), c.convention);
-}
-template StoredMatrix<float> worldFromView<float>(const Camera&) noexcept;
-template StoredMatrix<double> worldFromView<double>(const Camera&) noexcept;
-
-template <class Number>
-StoredMatrix<Number> clipFromView(const Camera& camera) {
-  const CameraParts& c = parts(camera);
-  return stored<Number>(fine::clipFromView(c.projection, c.convention), c.convention);
-}
-template StoredMatrix<float> clipFromView<float>(const Camera&);
-template StoredMatrix<double> clipFromView<double>(const Camera&);
-
-template <class Number>
-StoredMatrix<Number> viewFromClip(const Camera& camera) {
-  const CameraParts& c = parts(camera);
-  return stored<Number>(fine::viewFromClip(c.projection, c.convention), c.convention);
-}
-template StoredMatrix<float> viewFromClip<float>(const Camera&);
-template StoredMatrix<double> viewFromClip<double>(const Camera&);
-
-template <class Number>
-StoredMatrix<Number> clipFromWorld(const Camera& camera) {
-  const CameraParts& c = parts(camera);
-  return stored<Number>(fine::clipFromWorld(c.pose, c.projection, c.convention), c.convention);
-}
-template StoredMatrix<float> clipFromWorld<float>(const Camera&);
-template StoredMatrix<double> clipFromWorld<double>(const Camera&);
-
-template <class Number>
-StoredMatrix<Number> worldFromClip(const Camera& camera) {
-  const CameraParts& c = parts(camera);
-  return stored<Number>(fine::worldFromClip(c.pose, c.projection, c.convention), c.convention);
-}
-template StoredMatrix<float> worldFromClip<float>(const Camera&);
-template StoredMatrix<double> worldFromClip<double>(const Camera&);
-
-template <class Number>
-StoredMatrix<Number> screenFromWorld(const Camera& camera) {
-  const CameraParts& c = parts(camera);
-  return stored<Number>(fine::screenFromWorld(c.pose, c.projection, c.viewport, c.convention), c.convention);
-}
-template StoredMatrix<float> screenFromWorld<float>(const Camera&);
-template StoredMatrix<double> screenFromWorld<double>(const Camera&);
-
-template <class Number>
-StoredMatrix<Number> worldFromScreen(const Camera& camera) {
-  const CameraParts& c = parts(camera);
-  return stored<Number>(fine::worldFromScreen(c.pose, c.projection, c.viewport, c.convention), c.convention);
-}
-template StoredMatrix<float> worldFromScreen<float>(const Camera&);
-template StoredMatrix<double> worldFromScreen<double>(const Camera&);
 
 }  // namespace viewproj

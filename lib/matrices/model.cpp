@@ -9,21 +9,9 @@ namespace viewproj {
 
 using namespace detail;
 
-namespace {
-
-/// Whether twoProd(a, b) is exact.
-bool isExactProduct(double a, double b) noexcept {
-  constexpr double kLargest = 0x1p900, kSmallest = 0x1p-900;
-  if (a == 0 || b == 0) return true;
-  const double product = std::fabs(a * b);
-  return std::fabs(a) < kLargest && std::fabs(b) < kLargest && product < kLargest && product > kSmallest;
-}
-
-}  // namespace
-
 Mat4 worldFromLocal(const Vec3& translation, const Quaternion& rotation, const Vec3& scale) {
-  requireFinite(translation, "translation");
-  requireFinite(scale, "scale");
+  requireNumber(translation, "translation");
+  requireNumber(scale, "scale");
   // The rotation is that of a camera whose axes are x right, y up, z back.
   const Pose turned = poseFromRotation({0, 0, 0}, rotation, CameraAxes::RUB, Handedness::right);
   const Axes& axis = parts(turned).columns;
@@ -40,19 +28,16 @@ Mat4 worldFromLocal(const Vec3& translation, const Quaternion& rotation, const V
 Vec4 toWorld(const Mat4& m, const Vec4& p) noexcept {
   const double local[] = {p.x, p.y, p.z, p.w};
   const auto coordinate = [&](std::size_t i) {
-    bool isExact = true, isFinite = true;
+    DoubleDouble near;
+    double size = 0;
     for (std::size_t j = 0; j < 4; ++j) {
-      isExact = isExact && isExactProduct(m[i][j], local[j]);
-      isFinite = isFinite && std::isfinite(m[i][j]) && std::isfinite(local[j]);
+      near += twoProd(m[i][j], local[j]);
+      size += std::fabs(m[i][j] * local[j]);
     }
-    if (isExact) {
-      Expansion<8> sum;
-      for (std::size_t j = 0; j < 4; ++j) sum.addProduct(m[i][j], local[j]);
-      return sum.rounded().hi + 0.0;
-    }
-    if (!isFinite) return m[i][0] * p.x + m[i][1] * p.y + m[i][2] * p.z + m[i][3] * p.w;
-    Dyadic sum;
-    for (std::size_t j = 0; j < 4; ++j) sum = sum + Dyadic(m[i][j]) * Dyadic(local[j]);
+    // Products of such a size have underflowed in nothing that counts.
+    if (size > 0x1p-800 && size < 0x1p900 && roundsAlike(near, 0x1p-100 * size)) return rounded(near);
+    Dyadic<2> sum;
+    for (std::size_t j = 0; j < 4; ++j) sum = sum + Dyadic<1>(m[i][j]) * Dyadic<1>(local[j]);
     return nearestDouble(sum.rounded());
   };
   return {coordinate(0), coordinate(1), coordinate(2), p.w};

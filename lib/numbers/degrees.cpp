@@ -97,7 +97,7 @@ double degreesBetween(DoubleDouble x0, DoubleDouble y0, DoubleDouble x1, DoubleD
                         sqrt((one + x0 * x0 + y0 * y0) * (one + x1 * x1 + y1 * y1)));
 }
 
-Dyadic sinCosProduct(const Dyadic& a, const Dyadic& b) noexcept { return (a * b).truncated(kStep); }
+Dyadic<1> sinCosProduct(const Dyadic<1>& a, const Dyadic<1>& b) noexcept { return Dyadic<1>((a * b).truncated(kStep)); }
 
 SinCos sinCosDegrees(double degrees) noexcept {
   const double turned = std::remainder(degrees, 360);  // exact, and so are the differences below
@@ -105,12 +105,14 @@ SinCos sinCosDegrees(double degrees) noexcept {
   const double upTo90 = size > 90 ? 180 - size : size;
   const bool swapped = upTo90 > 45;
   const auto product = sinCosProduct;
-  const Dyadic quarterTurn(kStep, {0x20bbea6, 0x8a67cc74, 0x29024e08, 0x80dc1cd1, 0xc4c6628b, 0x2168c234, 0xc90fdaa2});
-  const Dyadic x = product(Dyadic(swapped ? 90 - upTo90 : upTo90).truncated(kStep).dividedBy(45, kStep), quarterTurn);
-  const Dyadic xx = product(x, x);
-  Dyadic sine = x, cosine = 1, term = x;  // the Taylor series, x^n / n! after x^(n-1) / (n-1)!
+  const Dyadic<1> quarterTurn(kStep,
+                              {0x20bbea6, 0x8a67cc74, 0x29024e08, 0x80dc1cd1, 0xc4c6628b, 0x2168c234, 0xc90fdaa2});
+  const Dyadic<1> x =
+      product(Dyadic<1>(swapped ? 90 - upTo90 : upTo90).truncated(kStep).dividedBy(45, kStep), quarterTurn);
+  const Dyadic<1> xx = product(x, x);
+  Dyadic<1> sine = x, cosine = 1, term = x;  // the Taylor series, x^n / n! after x^(n-1) / (n-1)!
   for (std::uint32_t n = 2; term.sign() != 0; n += 2) {
-    const Dyadic even = product(term, x).dividedBy(n, kStep);
+    const Dyadic<1> even = product(term, x).dividedBy(n, kStep);
     term = product(term, xx).dividedBy(n * (n + 1), kStep);
     const bool minus = n % 4 == 2;
     cosine = minus ? cosine - even : cosine + even;

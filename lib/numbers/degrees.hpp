@@ -25,12 +25,12 @@ double degreesBetween(DoubleDouble x0, DoubleDouble y0, DoubleDouble x1, DoubleD
 
 /// Multiples of kSinCosStep.
 struct SinCos {
-  Dyadic sine, cosine;
+  Dyadic<1> sine, cosine;
 };
 
 /// Products of sines and cosines drop what is below it.
 inline constexpr double kSinCosStep = 0x1p-224;
-Dyadic sinCosProduct(const Dyadic& a, const Dyadic& b) noexcept;
+Dyadic<1> sinCosProduct(const Dyadic<1>& a, const Dyadic<1>& b) noexcept;
 
 /// Sine and cosine of any finite angle, each within kSinCosDegreesBound; exact at multiples of 90 degrees. The
 /// reduction to 0..45 degrees is exact. A few microseconds.

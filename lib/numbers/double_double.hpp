@@ -65,13 +65,6 @@ constexpr DoubleDouble timesPowerOfTwo(DoubleDouble a, double factor) noexcept {
   return {a.hi * factor, a.lo * factor};
 }
 
-/// a / b where both may be near the ends of the range of doubles; a itself where it is 0 or not finite.
-inline DoubleDouble ratio(double a, double b) noexcept {
-  if (a == 0 || !std::isfinite(a)) return a;
-  const int ka = std::ilogb(a), kb = std::ilogb(b);
-  return scaleByPowerOfTwo(DoubleDouble(std::ldexp(a, -ka)) / DoubleDouble(std::ldexp(b, -kb)), ka - kb);
-}
-
 /// Relative error at most 4 * 2^-106; 0 for 0.
 inline DoubleDouble sqrt(DoubleDouble a) noexcept {
   if (a.hi == 0) return {};

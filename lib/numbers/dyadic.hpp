@@ -1,7 +1,4 @@
-// Exact sums and products of doubles over their whole range.
-//
-// An expansion (expansion.hpp) is exact while no product overflows or underflows. A discriminant multiplies six
-// coordinates, any of which may be 1e150 or 1e-150: here they are integers of up to 12,700 bits with an exponent.
+// Exact sums and products of doubles: integers of many bits, times a power of two.
 #pragma once
 
 #include <algorithm>
@@ -10,37 +7,38 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <limits>
 
-#include "numbers/expansion.hpp"
 #include "numbers/wide.hpp"
 
 namespace viewproj::detail {
 
-/// An integer times a power of two. Has the interface of Certified (certified.hpp), so that one formula serves both.
+/// A sum of products of Degree doubles each. The doubles are below 2^320 in magnitude, however small: of such nothing
+/// is lost. A sum that would take more limbs, and what is made of an infinity or NaN, is NaN. Has the interface of
+/// Certified (certified.hpp), so that one formula serves both.
+template <int Degree>
 class Dyadic {
  public:
-  /// Products may have this many factors.
-  static constexpr int kDegree = 6;
-
   Dyadic() noexcept {}
-  /// The limbs that there are: a hundredth of all, mostly.
-  Dyadic(const Dyadic& a) noexcept : size_(a.size_), position_(a.position_), negative_(a.negative_) {
-    std::copy_n(a.limbs_.begin(), a.size_, limbs_.begin());
-  }
+  Dyadic(const Dyadic& a) noexcept { copy(a); }
   Dyadic& operator=(const Dyadic& a) noexcept {
-    std::copy_n(a.limbs_.begin(), a.size_, limbs_.begin());
-    size_ = a.size_;
-    position_ = a.position_;
-    negative_ = a.negative_;
+    copy(a);
     return *this;
   }
+  template <int Other>
+  requires(Other != Degree) explicit(Other > Degree)
+      Dyadic(const Dyadic<Other>& a) noexcept {  // NOLINT: implicit where it always fits
+    copy(a);
+  }
   /// The sum of limbs[i] 2^(32 (position + i)).
-  Dyadic(int position, std::initializer_list<std::uint32_t> limbs) noexcept : position_(position) {
-    for (const std::uint32_t limb : limbs) append(limb);
+  Dyadic(int position, std::initializer_list<std::uint32_t> limbs) noexcept
+      : size_(static_cast<int>(limbs.size())), position_(position) {
+    std::copy(limbs.begin(), limbs.end(), limbs_.begin());
     trim();
   }
   Dyadic(double value) noexcept : negative_(value < 0) {  // NOLINT: a finite double is exact
-    if (value == 0) return;
+    isNan_ = !std::isfinite(value);
+    if (value == 0 || isNan_) return;
     int power = 0;
     const auto bits = static_cast<std::uint64_t>(std::ldexp(std::frexp(std::fabs(value), &power), 53));
     power -= 53;
@@ -62,19 +60,21 @@ class Dyadic {
 
   /// Within 2^-104 relative.
   Wide rounded() const noexcept {
+    if (isNan_) return {std::numeric_limits<double>::quiet_NaN(), 0};
     DoubleDouble sum;
-    int power = 0;
-    for (int i = size_ - 1; i >= 0 && i >= size_ - 5; --i, power -= 32)
-      sum += DoubleDouble(std::ldexp(double(limbs_[std::size_t(i)]), power));
+    double power = 1;
+    for (int i = size_ - 1; i >= 0 && i >= size_ - 5; --i, power *= 0x1p-32)
+      sum += DoubleDouble(double(limbs_[std::size_t(i)]) * power);
     return {negative_ ? -sum : sum, 32 * (position_ + size_ - 1)};
   }
 
   /// Without what is below 2^(32 position): towards zero.
   Dyadic truncated(int position) const noexcept {
-    Dyadic result;
-    result.negative_ = negative_;
-    result.position_ = std::max(position, position_);
-    for (int p = result.position_; p < end(); ++p) result.append(limbAt(p));
+    Dyadic result = *this;
+    const int cut = std::clamp(position - position_, 0, size_);
+    std::copy(limbs_.begin() + cut, limbs_.begin() + size_, result.limbs_.begin());
+    result.size_ = size_ - cut;
+    result.position_ = position_ + cut;
     result.trim();
     return result;
   }
@@ -84,24 +84,15 @@ class Dyadic {
     Dyadic quotient;
     quotient.negative_ = negative_;
     quotient.position_ = position;
-    for (int p = position; p < end(); ++p) quotient.append(0);
+    quotient.size_ = std::max(0, end() - position);
+    if (isNan_ || quotient.size_ > kCapacity) return nan();
     std::uint64_t rest = 0;
     for (int p = end(); p-- > position; rest %= divisor) {
-      rest = rest << 32 | limbAt(p);
+      rest = rest << 32 | (p < position_ ? 0 : limbs_[std::size_t(p - position_)]);
       quotient.limbs_[std::size_t(p - position)] = static_cast<std::uint32_t>(rest / divisor);
     }
     quotient.trim();
     return quotient;
-  }
-
-  /// Exact, of at most Terms limbs.
-  template <std::size_t Terms>
-  Expansion<Terms> expansion() const noexcept {
-    Expansion<Terms> sum;
-    for (int i = size_; i-- > 0;)
-      sum.add(std::ldexp(negative_ ? -double(limbs_[std::size_t(i)]) : double(limbs_[std::size_t(i)]),
-                         32 * (position_ + i)));
-    return sum;
   }
 
   friend Dyadic operator-(const Dyadic& a) noexcept {
@@ -110,62 +101,91 @@ class Dyadic {
     return negated;
   }
 
-  friend Dyadic operator+(const Dyadic& a, const Dyadic& b) noexcept {
-    if (a.size_ == 0) return b;
-    if (b.size_ == 0) return a;
-    const bool subtract = a.negative_ != b.negative_;
-    const bool swap = subtract && isSmaller(a, b);
-    const Dyadic& first = swap ? b : a;
-    const Dyadic& second = swap ? a : b;
-    Dyadic sum;
-    sum.negative_ = first.negative_;
-    sum.position_ = std::min(a.position_, b.position_);
-    const int end = std::max(a.end(), b.end());
-    std::int64_t carry = 0;
-    for (int p = sum.position_; p < end; ++p) {
-      const auto limb = std::int64_t{second.limbAt(p)};
-      carry += std::int64_t{first.limbAt(p)} + (subtract ? -limb : limb);
-      sum.append(static_cast<std::uint32_t>(carry));
-      carry >>= 32;
+  /// a + b, or a - b.
+  template <int A, int B>
+  static Dyadic sum(const Dyadic<A>& a, const Dyadic<B>& b, bool minus) noexcept {
+    if (a.isNan_ || b.isNan_) return nan();
+    const bool bNegative = b.negative_ != minus;
+    if (a.size_ == 0 || b.size_ == 0) {
+      Dyadic result = a.size_ == 0 ? Dyadic(b) : Dyadic(a);
+      if (a.size_ == 0) result.negative_ = bNegative;
+      return result;
     }
-    if (carry != 0) sum.append(static_cast<std::uint32_t>(carry));
-    sum.trim();
-    return sum;
+    const bool subtract = a.negative_ != bNegative;
+    return subtract && isSmaller(a, b) ? combined(b, a, true, bNegative) : combined(a, b, subtract, a.negative_);
   }
 
-  friend Dyadic operator-(const Dyadic& a, const Dyadic& b) noexcept { return a + (-b); }
-
-  friend Dyadic operator*(const Dyadic& a, const Dyadic& b) noexcept {
-    Dyadic product;
-    if (a.size_ == 0 || b.size_ == 0) return product;
-    product.negative_ = a.negative_ != b.negative_;
-    product.position_ = a.position_ + b.position_;
-    for (int i = 0; i < a.size_ + b.size_; ++i) product.append(0);
+  template <int A, int B>
+  static Dyadic product(const Dyadic<A>& a, const Dyadic<B>& b) noexcept {
+    Dyadic result;
+    result.isNan_ = a.isNan_ || b.isNan_ || a.size_ + b.size_ > kCapacity;
+    if (a.size_ == 0 || b.size_ == 0 || result.isNan_) return result;
+    result.negative_ = a.negative_ != b.negative_;
+    result.position_ = a.position_ + b.position_;
+    result.size_ = a.size_ + b.size_;
+    std::fill_n(result.limbs_.begin(), result.size_, 0u);
     for (int i = 0; i < a.size_; ++i) {
       std::uint64_t carry = 0;
+      std::uint32_t* const at = &result.limbs_[std::size_t(i)];
       for (int j = 0; j < b.size_; ++j) {
-        std::uint32_t& limb = product.limbs_[std::size_t(i + j)];
-        carry += std::uint64_t{a.limbs_[std::size_t(i)]} * b.limbs_[std::size_t(j)] + limb;
-        limb = static_cast<std::uint32_t>(carry);
+        carry += std::uint64_t{a.limbs_[std::size_t(i)]} * b.limbs_[std::size_t(j)] + at[j];
+        at[j] = static_cast<std::uint32_t>(carry);
         carry >>= 32;
       }
-      product.limbs_[std::size_t(i + b.size_)] = static_cast<std::uint32_t>(carry);
+      at[b.size_] = static_cast<std::uint32_t>(carry);
     }
-    product.trim();
-    return product;
+    result.trim();
+    return result;
   }
 
  private:
-  // A double's bits lie in limbs -34 to 31, and a sum may carry.
-  static constexpr int kCapacity = 66 * kDegree + 4;
+  template <int Other>
+  friend class Dyadic;
+
+  // A double's bits lie in limbs -34 to 9, and a sum may carry.
+  static constexpr int kCapacity = 44 * Degree + 4;
+
+  static Dyadic nan() noexcept { return Dyadic(std::numeric_limits<double>::quiet_NaN()); }
+
+  template <int Other>
+  void copy(const Dyadic<Other>& a) noexcept {
+    isNan_ = a.isNan_ || a.size_ > kCapacity;
+    size_ = isNan_ ? 0 : a.size_;
+    position_ = a.position_;
+    negative_ = a.negative_;
+    std::copy_n(a.limbs_.begin(), size_, limbs_.begin());
+  }
 
   int end() const noexcept { return position_ + size_; }
 
-  std::uint32_t limbAt(int position) const noexcept {
-    return position < position_ || position >= end() ? 0 : limbs_[std::size_t(position - position_)];
+  /// |first| + |second|, or |first| - |second|, which is not below 0.
+  template <int A, int B>
+  static Dyadic combined(const Dyadic<A>& first, const Dyadic<B>& second, bool subtract, bool negative) noexcept {
+    const int low = std::min(first.position_, second.position_), high = std::max(first.end(), second.end());
+    if (high - low >= kCapacity) return nan();
+    Dyadic result;
+    result.negative_ = negative;
+    result.position_ = low;
+    result.size_ = high - low;
+    const auto start = result.limbs_.begin();
+    std::fill_n(start, first.position_ - low, 0u);
+    std::copy_n(first.limbs_.begin(), first.size_, start + (first.position_ - low));
+    std::fill_n(start + (first.end() - low), high - first.end(), 0u);
+    std::int64_t carry = 0;
+    int i = second.position_ - low;
+    for (int j = 0; j < second.size_; ++j, ++i, carry >>= 32) {
+      const auto limb = std::int64_t{second.limbs_[std::size_t(j)]};
+      carry += std::int64_t{result.limbs_[std::size_t(i)]} + (subtract ? -limb : limb);
+      result.limbs_[std::size_t(i)] = static_cast<std::uint32_t>(carry);
+    }
+    for (; carry != 0 && i < result.size_; ++i, carry >>= 32) {
+      carry += result.limbs_[std::size_t(i)];
+      result.limbs_[std::size_t(i)] = static_cast<std::uint32_t>(carry);
+    }
+    if (carry != 0) result.limbs_[std::size_t(result.size_++)] = static_cast<std::uint32_t>(carry);
+    result.trim();
+    return result;
   }
-
-  void append(std::uint32_t limb) noexcept { limbs_[std::size_t(size_++)] = limb; }
 
   /// Without zeros at either end.
   void trim() noexcept {
@@ -173,25 +193,55 @@ class Dyadic {
     int zeros = 0;
     while (zeros < size_ && limbs_[std::size_t(zeros)] == 0) ++zeros;
     if (zeros == 0) return;
-    for (int i = zeros; i < size_; ++i) limbs_[std::size_t(i - zeros)] = limbs_[std::size_t(i)];
+    std::copy(limbs_.begin() + zeros, limbs_.begin() + size_, limbs_.begin());
     size_ -= zeros;
     position_ += zeros;
   }
 
   /// |a| < |b|.
-  static bool isSmaller(const Dyadic& a, const Dyadic& b) noexcept {
+  template <int A, int B>
+  static bool isSmaller(const Dyadic<A>& a, const Dyadic<B>& b) noexcept {
     if (a.end() != b.end()) return a.end() < b.end();
-    for (int p = a.end() - 1; p >= std::min(a.position_, b.position_); --p)
-      if (a.limbAt(p) != b.limbAt(p)) return a.limbAt(p) < b.limbAt(p);
-    return false;
+    const int common = std::min(a.size_, b.size_);
+    for (int i = 1; i <= common; ++i) {
+      const std::uint32_t ofA = a.limbs_[std::size_t(a.size_ - i)], ofB = b.limbs_[std::size_t(b.size_ - i)];
+      if (ofA != ofB) return ofA < ofB;
+    }
+    return a.size_ < b.size_;  // neither ends with a zero
   }
 
   std::array<std::uint32_t, kCapacity> limbs_;  // least significant first
   int size_ = 0;
   int position_ = 0;  // limbs_[0] counts 2^(32 position)
-  bool negative_ = false;
+  bool negative_ = false, isNan_ = false;
 };
 
-inline Vector3<Dyadic> toDyadic(const Vec3& a) noexcept { return {a.x, a.y, a.z}; }
+template <int A, int B>
+Dyadic<std::max(A, B)> operator+(const Dyadic<A>& a, const Dyadic<B>& b) noexcept {
+  return Dyadic<std::max(A, B)>::sum(a, b, false);
+}
+template <int A, int B>
+Dyadic<std::max(A, B)> operator-(const Dyadic<A>& a, const Dyadic<B>& b) noexcept {
+  return Dyadic<std::max(A, B)>::sum(a, b, true);
+}
+template <int A, int B>
+Dyadic<A + B> operator*(const Dyadic<A>& a, const Dyadic<B>& b) noexcept {
+  return Dyadic<A + B>::product(a, b);
+}
+
+/// One sum, whose terms do not stand beside one another.
+template <int A, int B>
+Dyadic<A + B> dot(const Vector3<Dyadic<A>>& a, const Vector3<Dyadic<B>>& b) noexcept {
+  Dyadic<A + B> sum;
+  for (std::size_t i = 0; i < 3; ++i) sum = sum + a[i] * b[i];
+  return sum;
+}
+
+inline Vector3<Dyadic<1>> toDyadic(const Vec3& a) noexcept { return {a.x, a.y, a.z}; }
+
+template <int Degree>
+WideVec3 rounded(const Vector3<Dyadic<Degree>>& a) noexcept {
+  return {a.x.rounded(), a.y.rounded(), a.z.rounded()};
+}
 
 }  // namespace viewproj::detail

@@ -16,15 +16,15 @@ constexpr DDVec3 operator-(const DDVec3& a) noexcept { return {-a.x, -a.y, -a.z}
 constexpr DDVec3 operator+(const DDVec3& a, const DDVec3& b) noexcept { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 constexpr DDVec3 operator*(const DDVec3& a, DoubleDouble k) noexcept { return {a.x * k, a.y * k, a.z * k}; }
 
-template <class Number>
-constexpr Number dot(const Vector3<Number>& a, const Vector3<Number>& b) noexcept {
+template <class A, class B>
+constexpr auto dot(const Vector3<A>& a, const Vector3<B>& b) noexcept {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
 /// a x b, of numbers that lose nothing, or say what they lose.
-template <class Number>
-constexpr Vector3<Number> crossOf(const Vector3<Number>& a, const Vector3<Number>& b) noexcept {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+template <class A, class B>
+constexpr auto crossOf(const Vector3<A>& a, const Vector3<B>& b) noexcept {
+  return Vector3<decltype(a.x * b.y)>{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 /// a . b, or 0 where the products cancel to less than the error of a and b.

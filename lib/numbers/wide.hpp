@@ -43,31 +43,19 @@ struct Wide {
 };
 
 /// The double nearest a number that may be off by a share of itself, and whether every number within that has the same
-/// one.
+/// one. Of a subnormal one that is not known.
 struct NearestDouble {
   double value;
   bool certain;
 };
 
 inline NearestDouble nearestDouble(const Wide& a, double share) noexcept {
-  const DoubleDouble v = a.value;
-  const double error = 2 * share;  // |value| < 2
-  if (a.exponent >= -1022 || v.hi == 0 || !std::isfinite(v.hi)) {
-    const double rounded = double(a);
-    return {rounded, std::isfinite(rounded) && roundsAlike(v, error)};
-  }
-  // Subnormal: a whole number of the smallest double. Below 2^-100 of it nothing changes any more.
-  const int power = (a.exponent < -1174 ? -1174 : a.exponent) + 1074;
-  const DoubleDouble count = scaleByPowerOfTwo(v, power);
-  double whole = std::rint(count.hi);
-  const DoubleDouble rest = twoSum(count.hi - whole, count.lo);
-  const double step = std::copysign(1, rest.hi);
-  const double beyondHalf = (step * rest.hi - 0.5) + step * rest.lo;
-  if (beyondHalf > 0) whole += step;
-  return {std::ldexp(whole, -1074) + 0.0, std::fabs(beyondHalf) > std::ldexp(error, power)};
+  const double rounded = double(a);
+  const bool isNormal = a.exponent >= -1022 || a.value.hi == 0;
+  return {rounded, isNormal && std::isfinite(rounded) && roundsAlike(a.value, share * std::fabs(a.value.hi))};
 }
 
-/// The same of a number that is not: within 0.5001 ulp, of a subnormal one too.
+/// The same of a number that is not.
 inline double nearestDouble(const Wide& a) noexcept { return nearestDouble(a, 0).value; }
 
 using WideVec3 = Vector3<Wide>;

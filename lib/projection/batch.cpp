@@ -14,7 +14,7 @@ namespace {
 static_assert(sizeof(Vec3) == 3 * sizeof(double) && sizeof(Vec2) == 2 * sizeof(double));
 
 /// Points go in blocks: input and output may be the same memory, and a point that is not settled is read again.
-constexpr std::size_t kBlock = 512;
+constexpr std::size_t kBlock = 192;
 
 /// Of a block, the points that a kernel has left: use(index) settles each.
 struct Left {

@@ -13,9 +13,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// What a number next to the smallest double is off by, however it was computed.
-constexpr double kSubnormal = 4 * std::numeric_limits<double>::denorm_min();
-
 double oneNorm(const Vec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
 
 /// What the bound of a coordinate depends on.
@@ -34,10 +31,9 @@ ErrorBound boundOfStandard(const CameraParts& c, const Situation& s) {
   constexpr double kUnit = kUnitDouble * kSecondOrder;
   const double center =
       std::max(std::fabs(k.centerX.lo), std::fabs(k.centerY.lo)) + kExactParameter * std::max(k.reachX, k.reachY);
-  if (!isInRange(k, kLargestRange)) return {kInfinity, kInfinity};
-  const double scale = std::fabs(k.depthScale.hi) + kSubnormal;
+  const double scale = std::fabs(k.depthScale.hi);
   const double depth = std::isnan(s.depth) ? kInfinity : s.depth;  // nothing is promised of what there is not
-  const double last = kUnit * depth + std::fabs(k.depthOffset.lo) + kSubnormal * (1 + s.perDistance);
+  const double last = kUnit * depth + std::fabs(k.depthOffset.lo);
   if (k.orthographic)
     return {c1 * s.t + kUnit * s.position + center, scale * (c2 * s.t + 2 * kUnit * s.perDistance) + last};
   if (!(c2 * s.t < kLargestRelativeError)) return {kInfinity, kInfinity};

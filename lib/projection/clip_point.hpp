@@ -1,18 +1,13 @@
 // A point's coordinates along the camera's axes, and in clip space, before they are rounded. Internal.
 #pragma once
 
-#include <cstdlib>
 #include <limits>
 
-#include "camera/camera.hpp"
 #include "camera/convention.hpp"
 #include "camera/lens.hpp"
-#include "projection/eye_point.hpp"
-#include "projection/kernels/error_model.hpp"
+#include "projection/exact_point.hpp"
 
 namespace viewproj::detail {
-
-// Number is DoubleDouble, or Wide where products may leave the range of doubles.
 
 /// Coordinates along right, up, forward, and 1 for a point or 0 for a direction.
 template <class Number>
@@ -20,27 +15,24 @@ struct AxisPoint {
   Number right, up, forward, weight;
 };
 
-inline AxisPoint<DoubleDouble> toAxes(const EyePoint& e, const Vec4& p) noexcept {
+/// In double-double. A distance that cancels to less than its own error is 0.
+inline AxisPoint<DoubleDouble> toAxes(const PoseParts& pose, const Vec4& p) noexcept {
+  const Vec3 xyz{p.x, p.y, p.z};
+  DDVec3 d;
+  for (std::size_t i = 0; i < 3; ++i) d[i] = DoubleDouble(xyz[i]) + twoProd(-pose.eye[i], p.w);
   const DoubleDouble perW = p.w == 0 ? DoubleDouble(1) : DoubleDouble(1) / DoubleDouble(p.w);
-  const auto inWorld = [&](DoubleDouble a) { return scaleByPowerOfTwo(a * perW, e.exponent); };
-  return {inWorld(e.right), inWorld(e.up), inWorld(e.forward), p.w == 0 ? 0.0 : 1.0};
+  const auto along = [&](const DDVec3& axis, DoubleDouble residual) {
+    return sumOrZero(dotOrZero(axis, d), residual * DoubleDouble(p.w)) * perW;
+  };
+  return {along(pose.rows.right, pose.residual.x), along(pose.rows.up, pose.residual.y),
+          along(pose.rows.forward, pose.residual.z), p.w == 0 ? 0.0 : 1.0};
 }
 
-inline AxisPoint<Wide> toAxes(const WideEyePoint& e, const Vec4& p) noexcept {
+/// From the exact rows.
+inline AxisPoint<Wide> toAxesExactly(const PoseParts& pose, const Vec4& p) noexcept {
+  const AxisDistances e = exactDistances(pose, p);
   const Wide w = p.w == 0 ? 1 : p.w;
   return {e.right / w, e.up / w, e.forward / w, p.w == 0 ? 0.0 : 1.0};
-}
-
-/// Gives the point's coordinates to use, in what has the range for them.
-template <class Use>
-auto withAxes(const CameraParts& camera, const Vec4& point, EyePoint (*toEyePoint)(const PoseParts&, const Vec4&),
-              const Use& use) noexcept {
-  const Vec4 p = withUnitWeight(point);
-  const EyePoint e = toEye(camera.pose, p);
-  const bool isNarrow = camera.constants.range < kLargestRangeExact && std::abs(e.exponent) <= kLargestExponent &&
-                        (p.w == 0) == (point.w == 0);
-  if (!isNarrow) return use(toAxes(toEyeWidely(camera.pose, point), point));
-  return use(toAxes(toEyePoint == toEye ? e : toEyePoint(camera.pose, p), p));
 }
 
 template <class Number>

@@ -20,53 +20,24 @@ constexpr Vec3 kNoVector{kNaN, kNaN, kNaN};
 /// off.
 constexpr double kOriginShare = 0x1p-95;
 
-bool isFinite(const Vec2& v) noexcept { return std::isfinite(v.x) && std::isfinite(v.y); }
+/// Written so that NaN fails.
+bool isInDomain(const Vec2& v) noexcept { return std::fabs(v.x) < kFarthestPoint && std::fabs(v.y) < kFarthestPoint; }
 
-/// The world point at a window position and distance.
-Vec3 worldPointAt(const CameraParts& c, const WindowPoint<DoubleDouble>& at, DoubleDouble distance) noexcept {
-  return rounded(unroundedEye(c.pose) + offsetAt(c, at, distance));
-}
-
-Vec3 worldPointAt(const CameraParts& c, const WindowPoint<Wide>& at, const Wide& distance) noexcept {
-  const Axes& axes = c.pose.columns;
-  const DDVec3& residual = c.pose.residual;
-  const WideVec3 rest = toWide(axes.right) * toWide(residual.x) + toWide(axes.up) * toWide(residual.y) +
-                        toWide(axes.forward) * toWide(residual.z);
-  const WideVec3 p = toWide(c.pose.eye) - rest + offsetAt(c, at, distance);
-  return {nearestDouble(p.x), nearestDouble(p.y), nearestDouble(p.z)};
-}
-
-template <class Number>
-Vec3 exactDirection(const CameraParts& c, const WindowPoint<Number>& at) noexcept {
-  if constexpr (std::is_same_v<Number, Wide>)
-    return unitOf(offsetAt(c, at, Wide(1)));
-  else
-    return rounded(normalized(offsetAt(c, at, DoubleDouble(1))));
-}
-
-/// Whether double-double has the range for the point at a screen position and distance.
-bool isOrdinary(const CameraParts& c, const Vec2& screen, double distance) noexcept {
-  constexpr double kLargest = 0x1p400;
-  const auto isWithin = [](double a) { return a == 0 || (std::fabs(a) < kLargest && std::fabs(a) > 1 / kLargest); };
-  return c.constants.range < kLargestRangeExact && isWithin(distance) && std::fabs(screen.x) < kLargest &&
-         std::fabs(screen.y) < kLargest && maxAbs(c.pose.eye) < 0x1p900;
+/// The world point at a screen position and distance.
+Vec3 worldPointAt(const CameraParts& c, const Vec2& screen, DoubleDouble distance) noexcept {
+  return rounded(unroundedEye(c.pose) + offsetAt(c, toWindow<DoubleDouble>(c, screen), distance));
 }
 
 Vec3 exactDirection(const CameraParts& c, const Vec2& screen) noexcept {
   if (c.projection.orthographic) return c.rays.direction;
-  return isOrdinary(c, screen, 1) ? exactDirection(c, toWindow<DoubleDouble>(c, screen))
-                                  : exactDirection(c, toWindow<Wide>(c, screen));
+  return rounded(normalized(offsetAt(c, toWindow<DoubleDouble>(c, screen), DoubleDouble(1))));
 }
 
 /// Orthographic, with certified rounding; nothing where that fails.
 std::optional<Vec3> certainOrigin(const CameraParts& c, const Vec2& screen, double distance) noexcept {
-  // Where no product leaves the range of doubles, with its last bits.
-  constexpr double kLargest = 0x1p200, kUnderflow = 0x1p-800;
   const DoubleDouble x = DoubleDouble(screen.x) - c.screen.centerX, y = DoubleDouble(screen.y) - c.screen.centerY;
   const double sizeX = std::fabs(screen.x) + std::fabs(c.screen.centerX.hi);
   const double sizeY = std::fabs(screen.y) + std::fabs(c.screen.centerY.hi);
-  if (!(c.constants.range < kLargest && sizeX < kLargest && sizeY < kLargest && maxAbs(c.pose.eye) < kLargest))
-    return std::nullopt;
   const DDVec3 &perX = c.rays.perX, &perY = c.rays.perY, &forward = c.pose.columns.forward;
   Vec3 result;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -74,7 +45,7 @@ std::optional<Vec3> certainOrigin(const CameraParts& c, const Vec2& screen, doub
     if (distance != 0) sum += forward[i] * DoubleDouble(distance);
     const double size = std::fabs(c.rays.start[i].hi) + std::fabs(perX[i].hi) * sizeX + std::fabs(perY[i].hi) * sizeY +
                         std::fabs(forward[i].hi * distance);
-    if (size > 0 && !roundsAlike(sum, kOriginShare * size + kUnderflow)) return std::nullopt;
+    if (size > 0 && !roundsAlike(sum, kOriginShare * size)) return std::nullopt;
     result[i] = rounded(sum);
   }
   return result;
@@ -84,8 +55,7 @@ Vec3 originAt(const CameraParts& c, const Vec2& screen, RayOrigin origin) noexce
   const double distance = origin == RayOrigin::nearPlane ? c.projection.near : 0;
   if (c.projection.orthographic)
     if (const auto certain = certainOrigin(c, screen, distance)) return *certain;
-  return isOrdinary(c, screen, distance) ? worldPointAt(c, toWindow<DoubleDouble>(c, screen), distance)
-                                         : worldPointAt(c, toWindow<Wide>(c, screen), distance);
+  return worldPointAt(c, screen, distance);
 }
 
 Vec3 standardDirection(const CameraParts& c, const Vec2& screen) noexcept {
@@ -103,9 +73,7 @@ Wide slant(const CameraParts& c, const Vec2& screen) noexcept {
 
 /// The point at a distance that is off by at most distanceError.
 WorldPoint pointAt(const CameraParts& c, const Vec2& screen, const Wide& distance, const Wide& distanceError) noexcept {
-  const bool ordinary = isOrdinary(c, screen, double(distance));
-  const Vec3 position = ordinary ? worldPointAt(c, toWindow<DoubleDouble>(c, screen), toDoubleDouble(distance))
-                                 : worldPointAt(c, toWindow<Wide>(c, screen), distance);
+  const Vec3 position = worldPointAt(c, screen, toDoubleDouble(distance));
   if (!detail::isFinite(position)) return {kNoVector, DepthStatus::infinity};
   const double rounding = halfUlp(position.x) + halfUlp(position.y) + halfUlp(position.z);
   const bool hasError = distanceError.sign() > 0 || !std::isfinite(distanceError.value.hi);
@@ -117,7 +85,7 @@ WorldPoint pointAt(const CameraParts& c, const Vec2& screen, const Wide& distanc
 
 Ray screenToRay(const Camera& camera, const Vec2& screen, Precision precision, RayOrigin origin) noexcept {
   const CameraParts& c = parts(camera);
-  if (!isFinite(screen)) return {kNoVector, kNoVector};
+  if (!isInDomain(screen)) return {kNoVector, kNoVector};
   const bool originIsEye = origin == RayOrigin::eye && !c.projection.orthographic;
   return {originIsEye ? c.pose.eye : originAt(c, screen, origin),
           precision == Precision::exact ? exactDirection(c, screen) : standardDirection(c, screen)};
@@ -125,7 +93,7 @@ Ray screenToRay(const Camera& camera, const Vec2& screen, Precision precision, R
 
 WorldPoint screenToWorld(const Camera& camera, const Vec2& screen, double depth) noexcept {
   const CameraParts& c = parts(camera);
-  if (!isFinite(screen) || !std::isfinite(depth)) return {kNoVector, DepthStatus::notFinite};
+  if (!isInDomain(screen) || !std::isfinite(depth)) return {kNoVector, DepthStatus::notFinite};
   const ProjectionParts& p = c.projection;
   const auto at = depthFraction<Wide>(depth, {c.depthAtNear, c.depthAtFar});
   const Wide shareError = Wide(halfUlp(depth)) / magnitude(Wide(c.depthAtFar) - Wide(c.depthAtNear));
@@ -145,7 +113,7 @@ WorldPoint screenToWorld(const Camera& camera, const Vec2& screen, double depth)
 
 WorldPoint screenToWorldAtDistance(const Camera& camera, const Vec2& screen, double viewDistance) noexcept {
   const CameraParts& c = parts(camera);
-  if (!isFinite(screen) || !std::isfinite(viewDistance)) return {kNoVector, DepthStatus::notFinite};
+  if (!isInDomain(screen) || !std::isfinite(viewDistance)) return {kNoVector, DepthStatus::notFinite};
   if (!c.projection.orthographic && !(viewDistance > 0)) return {kNoVector, DepthStatus::beyond};
   return pointAt(c, screen, viewDistance, 0);
 }

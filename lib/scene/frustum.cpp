@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "projection/eye_point.hpp"
+#include "projection/exact_point.hpp"
 #include "scene/frustum_parts.hpp"
 #include "scene/view_space.hpp"
 
@@ -64,10 +64,10 @@ struct Measured {
   bool isCertain() const noexcept { return isLess(bound, magnitude(distance)); }
 };
 
-/// From the exact rows, in tens of microseconds.
+/// From the exact rows, in microseconds.
 Measured exactDistance(const FrustumParts& f, const ExactPlane& p, const Vec3& point) noexcept {
   const CameraParts& c = parts(f.camera);
-  const WideEyePoint e = toEyeWidely(c.pose, {point.x, point.y, point.z, 1});
+  const AxisDistances e = exactDistances(c.pose, {point.x, point.y, point.z, 1});
   const bool ofDepth = (p.side & (sideNear | sideFar)) != 0;
   const Wide& along = ofDepth ? e.forward : (p.side & (sideLeft | sideRight)) != 0 ? e.right : e.up;
   const bool isTilted = !ofDepth && !c.projection.orthographic;
@@ -154,7 +154,7 @@ const Camera& Frustum::camera() const noexcept { return parts_->camera; }
 std::span<const FrustumPlane> Frustum::planes() const noexcept { return {parts_->rounded.data(), parts_->count}; }
 
 Cull cull(const Frustum& frustum, const Vec3& point) noexcept {
-  if (!isFinite(point)) return {};
+  if (!isInRange(point)) return {};
   const WideVec3 relative = fromEye(poseOf(parts(frustum)), point);
   const Wide reach = oneNorm(relative);
   return verdictOf(

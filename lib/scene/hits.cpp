@@ -4,6 +4,7 @@
 
 #include "numbers/certified.hpp"
 #include "numbers/dyadic.hpp"
+#include "scene/view_space.hpp"
 #include "viewproj/scene.hpp"
 
 namespace viewproj {
@@ -11,7 +12,8 @@ namespace viewproj {
 using namespace detail;
 namespace {
 
-// Number is Certified or Dyadic. A function that returns nothing has met a number that is not certain.
+// Number is Certified or Dyadic<1>, of which products have more digits. A function that returns nothing has met a
+// number that is not certain.
 
 template <class Number>
 Vector3<Number> difference(const Vec3& a, const Vec3& b) noexcept {
@@ -40,13 +42,13 @@ struct Known {
 };
 
 /// The hit at origin + t direction, t = numerator / denominator >= 0.
-template <class Number>
-std::optional<Hit> hitAt(const Ray& ray, const Number& numerator, const Number& denominator,
+template <class Number, class Product, class Divisor>
+std::optional<Hit> hitAt(const Ray& ray, const Product& numerator, const Divisor& denominator,
                          Known known = {}) noexcept {
   const Wide below = denominator.rounded();
   Hit hit;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Number at = Number(ray.origin[i]) * denominator + Number(ray.direction[i]) * numerator;
+    const auto at = Number(ray.origin[i]) * denominator + Number(ray.direction[i]) * numerator;
     if (i != known.axis && !at.isCertain()) return {};
     hit.point[i] = i == known.axis ? known.coordinate : double(at.rounded() / below);
   }
@@ -62,11 +64,11 @@ Hits oneHit(Hit hit, const Vec3& normal) noexcept {
 template <class Number>
 std::optional<Hits> planeHits(const Ray& ray, const Plane& plane) noexcept {
   const Vector3<Number> normal = lifted<Number>(plane.normal);
-  const Number along = dot(normal, lifted<Number>(ray.direction));
-  const Number away = dot(normal, difference<Number>(plane.point, ray.origin));
+  const auto along = dot(normal, lifted<Number>(ray.direction));
+  const auto away = dot(normal, difference<Number>(plane.point, ray.origin));
   if (!along.isCertain() || !away.isCertain()) return {};
   if (along.sign() == 0 || along.sign() * away.sign() < 0) return Hits{};
-  const std::optional<Hit> hit = hitAt(ray, away, along);
+  const std::optional<Hit> hit = hitAt<Number>(ray, away, along);
   if (!hit) return {};
   return oneHit(*hit, unitOf(toWide(plane.normal)));
 }
@@ -78,19 +80,19 @@ std::optional<Hits> triangleHits(const Ray& ray, const Triangle& t) noexcept {
   const Vector3<Number> a = difference<Number>(t.a, ray.origin);
   const Vector3<Number> b = difference<Number>(t.b, ray.origin);
   const Vector3<Number> c = difference<Number>(t.c, ray.origin);
-  const Vector3<Number> bc = crossOf(b, c);
-  const Number u = dot(d, bc);
-  const Number v = dot(d, crossOf(c, a));
-  const Number w = dot(d, crossOf(a, b));
+  const auto bc = crossOf(b, c);
+  const auto u = dot(d, bc);
+  const auto v = dot(d, crossOf(c, a));
+  const auto w = dot(d, crossOf(a, b));
   if (!u.isCertain() || !v.isCertain() || !w.isCertain()) return {};
   const auto [low, high] = std::minmax({u.sign(), v.sign(), w.sign()});
   if (low * high < 0 || (low == 0 && high == 0)) return Hits{};
-  const Number along = u + v + w;  // d . normal
-  const Number away = dot(a, bc);
+  const auto along = u + v + w;  // d . normal
+  const auto away = dot(a, bc);
   if (!along.isCertain() || !away.isCertain()) return {};
   if (along.sign() * away.sign() < 0) return Hits{};
-  const std::optional<Hit> hit = hitAt(ray, away, along);
-  const Vector3<Number> normal = crossOf(difference<Number>(t.b, t.a), difference<Number>(t.c, t.a));
+  const std::optional<Hit> hit = hitAt<Number>(ray, away, along);
+  const auto normal = crossOf(difference<Number>(t.b, t.a), difference<Number>(t.c, t.a));
   const WideVec3 roundedNormal = roundedVector(normal);
   if (!hit || !isWithin(normal, maxAbs(rounded(roundedNormal)))) return {};
   return oneHit(*hit, unitOf(roundedNormal));
@@ -110,15 +112,15 @@ Number timesDirection(const Ray& ray, const Crossing& c) noexcept {  // t |direc
 
 /// t of a minus t of b, times something positive.
 template <class Number>
-Number lead(const Ray& ray, const Crossing& a, const Crossing& b) noexcept {
+auto lead(const Ray& ray, const Crossing& a, const Crossing& b) noexcept {
   return timesDirection<Number>(ray, a) * Number(std::fabs(ray.direction[b.axis])) -
          timesDirection<Number>(ray, b) * Number(std::fabs(ray.direction[a.axis]));
 }
 
 template <class Number>
 std::optional<Hit> boxHit(const Ray& ray, const Box& box, const Crossing& c) noexcept {
-  std::optional<Hit> hit =
-      hitAt(ray, timesDirection<Number>(ray, c), Number(std::fabs(ray.direction[c.axis])), {c.axis, c.face + 0.0});
+  std::optional<Hit> hit = hitAt<Number>(ray, timesDirection<Number>(ray, c), Number(std::fabs(ray.direction[c.axis])),
+                                         {c.axis, c.face + 0.0});
   if (!hit) return {};
   // A flat box has two faces in one place: the ray enters by the one that looks towards it.
   const bool isMax = c.face == box.max[c.axis] && (c.face != box.min[c.axis] || ray.direction[c.axis] < 0);
@@ -141,12 +143,12 @@ std::optional<Hits> boxHits(const Ray& ray, const Box& box) noexcept {
       exit = out;
       continue;
     }
-    const Number later = lead<Number>(ray, in, *entry), sooner = lead<Number>(ray, *exit, out);
+    const auto later = lead<Number>(ray, in, *entry), sooner = lead<Number>(ray, *exit, out);
     if (!later.isCertain() || !sooner.isCertain()) return {};
     if (later.sign() > 0) entry = in;
     if (sooner.sign() > 0) exit = out;
   }
-  const Number stay = lead<Number>(ray, *exit, *entry);
+  const auto stay = lead<Number>(ray, *exit, *entry);
   if (!stay.isCertain()) return {};
   if (stay.sign() < 0) return Hits{};
   Hits result;
@@ -179,18 +181,20 @@ template <class Number>
 std::optional<Hits> spheroidHits(const Ray& ray, const Spheroid& s) noexcept {
   const Vector3<Number> m = difference<Number>(ray.origin, s.center);
   const Vector3<Number> d = lifted<Number>(ray.direction);
-  const Number across2 = Number(s.across) * s.across, along2 = Number(s.along) * s.along;
-  const Number radius2 = Number(s.radius) * s.radius;
+  const auto across2 = Number(s.across) * Number(s.across), along2 = Number(s.along) * Number(s.along);
+  const auto radius2 = Number(s.radius) * Number(s.radius);
   const auto stretchedDot = [&](const Vector3<Number>& a, const Vector3<Number>& b) {
     return across2 * (a.x * b.x + a.y * b.y) + along2 * (a.z * b.z);
   };
-  const Number C = stretchedDot(m, m) - across2 * radius2;
-  const Number B = stretchedDot(m, d);
+  const auto C = stretchedDot(m, m) - across2 * radius2;
+  const auto B = stretchedDot(m, d);
   if (!C.isCertain() || (C.sign() >= 0 && !B.isCertain())) return {};
   if (C.sign() > 0 && B.sign() >= 0) return Hits{};  // outside, and on the way out
-  const Number A = stretchedDot(d, d);
-  const Vector3<Number> k = crossOf(m, d);
-  const Number discriminant = radius2 * A - along2 * (k.x * k.x + k.y * k.y) - across2 * (k.z * k.z);
+  const auto A = stretchedDot(d, d);
+  const auto k = crossOf(m, d);
+  auto discriminant = radius2 * A;  // one after the other: each term takes a kilobyte
+  discriminant = discriminant - along2 * (k.x * k.x + k.y * k.y);
+  discriminant = discriminant - across2 * (k.z * k.z);
   if (!A.isCertain() || !discriminant.isCertain()) return {};
   if (discriminant.sign() < 0) return Hits{};
 
@@ -230,51 +234,53 @@ std::optional<Hits> spheroidHits(const Ray& ray, const Spheroid& s) noexcept {
 }
 
 bool isValid(const Ray& ray) noexcept {
-  return isFinite(ray.origin) && isFinite(ray.direction) && maxAbs(ray.direction) > 0;
+  return isInRange(ray.origin) && isInRange(ray.direction) && maxAbs(ray.direction) > 0;
 }
+
+bool isLength(double size) noexcept { return size >= 0 && size <= kFarthestPoint; }
 
 }  // namespace
 
-bool isValid(const Plane& p) noexcept { return isFinite(p.point) && isFinite(p.normal) && maxAbs(p.normal) > 0; }
-bool isValid(const Sphere& s) noexcept { return isFinite(s.center) && s.radius >= 0 && std::isfinite(s.radius); }
+bool isValid(const Plane& p) noexcept { return isInRange(p.point) && isInRange(p.normal) && maxAbs(p.normal) > 0; }
+bool isValid(const Sphere& s) noexcept { return isInRange(s.center) && isLength(s.radius); }
 bool isValid(const Box& b) noexcept {
-  return isFinite(b.min) && isFinite(b.max) && b.min.x <= b.max.x && b.min.y <= b.max.y && b.min.z <= b.max.z;
+  return isInRange(b.min) && isInRange(b.max) && b.min.x <= b.max.x && b.min.y <= b.max.y && b.min.z <= b.max.z;
 }
-bool isValid(const Triangle& t) noexcept { return isFinite(t.a) && isFinite(t.b) && isFinite(t.c); }
+bool isValid(const Triangle& t) noexcept { return isInRange(t.a) && isInRange(t.b) && isInRange(t.c); }
 bool isValid(const Ellipsoid& e) noexcept {
-  return e.equatorial > 0 && e.polar > 0 && std::isfinite(e.equatorial) && std::isfinite(e.polar);
+  return e.equatorial > 0 && e.polar > 0 && isLength(e.equatorial) && isLength(e.polar);
 }
 
 Hits intersect(const Ray& ray, const Plane& plane) noexcept {
   if (!isValid(ray) || !isValid(plane)) return {};
   const std::optional<Hits> hits = planeHits<Certified>(ray, plane);
-  return hits ? *hits : *planeHits<Dyadic>(ray, plane);
+  return hits ? *hits : *planeHits<Dyadic<1>>(ray, plane);
 }
 
 Hits intersect(const Ray& ray, const Sphere& sphere) noexcept {
   if (!isValid(ray) || !isValid(sphere)) return {};
   const Spheroid spheroid{sphere.center, 1, 1, sphere.radius};
   const std::optional<Hits> hits = spheroidHits<Certified>(ray, spheroid);
-  return hits ? *hits : *spheroidHits<Dyadic>(ray, spheroid);
+  return hits ? *hits : *spheroidHits<Dyadic<1>>(ray, spheroid);
 }
 
 Hits intersect(const Ray& ray, const Box& box) noexcept {
   if (!isValid(ray) || !isValid(box)) return {};
   const std::optional<Hits> hits = boxHits<Certified>(ray, box);
-  return hits ? *hits : *boxHits<Dyadic>(ray, box);
+  return hits ? *hits : *boxHits<Dyadic<1>>(ray, box);
 }
 
 Hits intersect(const Ray& ray, const Triangle& triangle) noexcept {
   if (!isValid(ray) || !isValid(triangle)) return {};
   const std::optional<Hits> hits = triangleHits<Certified>(ray, triangle);
-  return hits ? *hits : *triangleHits<Dyadic>(ray, triangle);
+  return hits ? *hits : *triangleHits<Dyadic<1>>(ray, triangle);
 }
 
 Hits intersect(const Ray& ray, const Ellipsoid& ellipsoid) noexcept {
   if (!isValid(ray) || !isValid(ellipsoid)) return {};
   const Spheroid spheroid{{}, ellipsoid.polar, ellipsoid.equatorial, ellipsoid.equatorial};
   const std::optional<Hits> hits = spheroidHits<Certified>(ray, spheroid);
-  return hits ? *hits : *spheroidHits<Dyadic>(ray, spheroid);
+  return hits ? *hits : *spheroidHits<Dyadic<1>>(ray, spheroid);
 }
 
 }  // namespace viewproj

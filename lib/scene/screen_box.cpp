@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "projection/eye_point.hpp"
+#include "projection/exact_point.hpp"
 #include "scene/frustum_parts.hpp"
 #include "scene/view_space.hpp"
 
@@ -42,7 +42,7 @@ ViewPoint preciseView(const CameraParts& c, const Vec3& point) noexcept {
   const ViewPoint p = toView(c.pose, d);
   const Wide size = oneNorm(d);
   if (isLess(size * Wide(kAside), magnitude(p.forward) + magnitude(Wide(c.projection.near)))) return p;
-  const WideEyePoint e = toEyeWidely(c.pose, {point.x, point.y, point.z, 1});
+  const AxisDistances e = exactDistances(c.pose, {point.x, point.y, point.z, 1});
   return {e.right, e.up, e.forward};
 }
 

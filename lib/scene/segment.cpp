@@ -53,7 +53,7 @@ SegmentEnd cutEnd(const CameraParts& c, const WideVec3& fromEyeToA, const WideVe
 VisibleSegment clipSegment(const Frustum& frustum, const Vec3& a, const Vec3& b) noexcept {
   const FrustumParts& f = parts(frustum);
   VisibleSegment result;
-  if (!isFinite(a) || !isFinite(b) || !hasDepth(parts(f.camera).projection)) return result;
+  if (!isInRange(a) || !isInRange(b) || !hasDepth(parts(f.camera).projection)) return result;
   Cut first{0, 1, 0}, last{1, 0, 0};
   for (const ExactPlane& p : f) {
     const Wide atA = distanceInside(f, p, a), atB = distanceInside(f, p, b);

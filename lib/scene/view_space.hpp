@@ -3,8 +3,12 @@
 
 #include "camera/camera.hpp"
 #include "numbers/wide.hpp"
+#include "viewproj/screen.hpp"
 
 namespace viewproj::detail {
+
+/// Written so that NaN fails.
+inline bool isInRange(const Vec3& v) noexcept { return maxAbs(v) <= kFarthestPoint && isFinite(v); }
 
 /// Distances from the eye along right, up and forward.
 struct ViewPoint {

@@ -29,6 +29,10 @@ struct ProjectionParts;
 struct CameraParts;
 }  // namespace detail
 
+/// Each number of a camera but its angles is 0 or between these in magnitude (the Planck length and the observable
+/// universe lie well inside), and so are its window's width and height; far may also be infinite. Others are refused.
+inline constexpr double kSmallestNumber = 1e-90, kLargestNumber = 1e90;
+
 /// Thrown while a camera is described, never while points are projected.
 class CameraError : public std::invalid_argument {
  public:
@@ -131,12 +135,6 @@ struct Viewport {
 struct Crop {
   double x = 0, y = 0, width = 0, height = 0;
 };
-
-/// The range of a camera's numbers, about 1e-271 to 1e271. A window's width and height, a viewport's and a crop's lie
-/// within it; a window's edges, a viewport's and a crop's corner and window depths are no larger. The pixels for a unit
-/// of the window lie between 2^-1000 and 2^1000. near, far and every number of a pose may be any double that is finite.
-inline constexpr double kSmallestWindow = 0x1p-900;
-inline constexpr double kLargestWindow = 0x1p900;
 
 /// How many of its widths (heights) a viewport's corner, and its pixels' centre, may lie away from 0.
 inline constexpr double kLargestCorner = 0x1p40;

@@ -6,7 +6,8 @@
 namespace viewproj {
 
 // Points are homogeneous as for worldToScreen: w = 0 is a direction, other weights are divided out first. Computed in
-// double-double from the camera's parameters, not through a matrix, and rounded once; NaN for input that is not finite.
+// double-double from the camera's parameters, not through a matrix, and rounded once; NaN for a point out of range
+// (screen.hpp).
 
 /// View space, axes as the convention's. A direction stays one: its translation is left out.
 Vec3 worldToView(const Camera& camera, const Vec4& point, const Convention& convention) noexcept;

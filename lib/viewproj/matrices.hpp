@@ -16,6 +16,30 @@
 
 namespace viewproj {
 
+/// Where coordinates are counted. clip is before the division by w, ndc and screen (with window depth) after it: both
+/// have the same matrices but for where they come out.
+enum class Space { model, world, view, clip, ndc, screen };
+
+/// From one space to another, for column vectors, by the camera's convention: laidOut and inStorageOrder apply its
+/// vectors and storage. Written from the camera's parameters, not as a product of matrices, inverses too. Each entry is
+/// the double nearest the true one, or within 1e-26 of the terms that it is a sum of; the translation into view space
+/// is the nearest double however it cancels. An entry too large for a double is infinite.
+///
+/// model: worldFromModel, affine, with entries that are 0 or between 1e-90 and 1e90 in magnitude and the last row 0 0
+/// 0 1. Throws CameraError naming "model" where there is none, where it is no such matrix and, on the way to it, where
+/// it has no inverse (its axes lie in a plane; decided exactly) or one with entries beyond 1e100; naming "near" between
+/// clip, ndc or screen and view, world or model where the camera has no near plane.
+Mat4 matrix(const Camera& camera, Space to, Space from);
+Mat4 matrix(const Camera& camera, Space to, Space from, const Mat4& worldFromModel);
+
+/// The sixteen numbers of a matrix in the order in which the camera's convention keeps them in memory: what
+/// glUniformMatrix4fv (with GL_FALSE) and its like take. Number is float or double; entries are rounded once: to the
+/// nearest unless the true value lies within 2^-90 of its size from the middle of two.
+template <class Number>
+std::array<Number, 16> storedMatrix(const Camera& camera, Space to, Space from);
+
+// ---- The same of a camera's parts
+
 /// World to view space; its axes are the convention's.
 Mat4 viewFromWorld(const Pose& pose, const Convention& convention) noexcept;
 Mat4 worldFromView(const Pose& pose, const Convention& convention) noexcept;
@@ -53,31 +77,6 @@ std::array<double, 16> inStorageOrder(const Mat4& matrix, const Convention& conv
 Mat4 fromStorageOrder(std::span<const double, 16> numbers, const Convention& convention) noexcept;
 Mat4 fromStorageOrder(std::span<const float, 16> numbers, const Convention& convention) noexcept;
 
-// ---- As a graphics API takes them
-
-/// The sixteen numbers of a matrix of the camera in the order in which its convention keeps them in memory: what
-/// glUniformMatrix4fv (with GL_FALSE) and its like take. Entries are rounded once from double-double: to the nearest
-/// float or double unless the true value lies within 2^-90 of its size from the middle of two.
-template <class Number>
-using StoredMatrix = std::array<Number, 16>;
-
-template <class Number>
-StoredMatrix<Number> viewFromWorld(const Camera& camera) noexcept;
-template <class Number>
-StoredMatrix<Number> worldFromView(const Camera& camera) noexcept;
-template <class Number>
-StoredMatrix<Number> clipFromView(const Camera& camera);
-template <class Number>
-StoredMatrix<Number> viewFromClip(const Camera& camera);
-template <class Number>
-StoredMatrix<Number> clipFromWorld(const Camera& camera);
-template <class Number>
-StoredMatrix<Number> worldFromClip(const Camera& camera);
-template <class Number>
-StoredMatrix<Number> screenFromWorld(const Camera& camera);
-template <class Number>
-StoredMatrix<Number> worldFromScreen(const Camera& camera);
-
 // ---- A model's own coordinates
 
 /// translation * rotation * scale, column vectors, as a glTF node has them. The quaternion is normalised. Each entry is
@@ -85,11 +84,8 @@ StoredMatrix<Number> worldFromScreen(const Camera& camera);
 /// the rotation is zero.
 Mat4 worldFromLocal(const Vec3& translation, const Quaternion& rotation, const Vec3& scale);
 
-/// A model's own coordinates to view, clip and screen space, and back: the closed forms above times worldFromLocal, an
-/// affine matrix with finite entries and the last row 0 0 0 1. Those back throw CameraError naming "model" where it has
-/// no inverse (its axes lie in a plane; decided exactly), and from clip and screen space "near" where there is no
-/// depth.
-Mat4 viewFromLocal(const Pose& pose, const Mat4& worldFromLocal, const Convention& convention) noexcept;
+/// A model's own coordinates to view, clip and screen space, and back: matrix() of the parts of a camera.
+Mat4 viewFromLocal(const Pose& pose, const Mat4& worldFromLocal, const Convention& convention);
 Mat4 localFromView(const Pose& pose, const Mat4& worldFromLocal, const Convention& convention);
 Mat4 clipFromLocal(const Pose& pose, const Projection& projection, const Mat4& worldFromLocal,
                    const Convention& convention);
@@ -101,8 +97,8 @@ Mat4 localFromScreen(const Pose& pose, const Projection& projection, const Viewp
                      const Mat4& worldFromLocal, const Convention& convention);
 
 /// An affine matrix (last row 0 0 0 1) times a homogeneous point: each coordinate the double nearest the exact sum of
-/// products (within 0.5001 ulp where a product is beyond 2^900 or below 2^-900); the weight stays. From there on the
-/// world point counts as exact. Infinite where it leaves the doubles.
+/// products; the weight stays. From there on the world point counts as exact. NaN where a number is not finite,
+/// infinite where the sum leaves the doubles.
 Vec4 toWorld(const Mat4& worldFromLocal, const Vec4& local) noexcept;
 
 }  // namespace viewproj

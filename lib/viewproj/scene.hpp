@@ -45,8 +45,9 @@ struct Ellipsoid {
 /// WGS84 in ECEF metres: a = 6378137 and b = a (1 - 1/298.257223563), the nearest double.
 inline constexpr Ellipsoid kWgs84{6378137, 6356752.314245179};
 
-// Whether a shape is one: finite numbers, a normal that is not zero, radius >= 0, min <= max, semi-axes > 0. Shapes
-// that are not valid are hit by no ray and are outside of every frustum. Written so that NaN fails.
+// Whether a shape is one: numbers up to 1e91 (kFarthestPoint) in magnitude, a normal that is not zero, radius >= 0, min
+// <= max, semi-axes > 0. Shapes that are not valid are hit by no ray and are outside of every frustum. Written so that
+// NaN fails.
 
 bool isValid(const Plane& plane) noexcept;
 bool isValid(const Sphere& sphere) noexcept;
@@ -58,9 +59,10 @@ bool isValid(const Ellipsoid& ellipsoid) noexcept;
 //
 // Where a ray meets a shape.
 //
-// The verdict, hit or miss and how many hits, is that of exact arithmetic on the given doubles, whatever their
-// magnitudes: no epsilon decides anything. Double-double with a running error bound decides nearly all; what it cannot
-// certify is done again in exact integers. The ray's direction counts as the exact direction, rounded as it may be.
+// The verdict, hit or miss and how many hits, is that of exact arithmetic on the given doubles, up to
+// 1e91 in magnitude: no epsilon decides anything. Double-double with a running error bound decides nearly all; what it
+// cannot certify is done again in exact integers. The ray's direction counts as the exact direction, rounded as it may
+// be.
 //
 // Sources: sphere and ellipsoid by Haines et al., "Precision improvements for ray/sphere intersection", Ray Tracing
 // Gems 2019 (after Hearn & Baker; the discriminant from the distance of the centre to the ray, and Press's q for the
@@ -100,7 +102,7 @@ inline constexpr double kHitShare = 0x1p-70;
 
 // Hits at a distance >= 0 count: a ray that starts on a surface hits it there, and one that starts inside a solid hits
 // it once. A surface that is only touched, at a tangent, an edge or a corner, is hit once. No hits where the shape is
-// not valid (isValid), where the ray is not finite, or where its direction is zero.
+// not valid (isValid), where a number of the ray is not one up to 1e91, or where its direction is zero.
 
 /// A ray within or parallel to the plane does not hit it.
 Hits intersect(const Ray& ray, const Plane& plane) noexcept;
@@ -175,7 +177,7 @@ struct Cull {
 // What touches a plane from within is inside, what touches it from without intersects.
 //
 // `inside` and `outside` are always right: what double-double leaves open is decided by the exact rows, so that a shape
-// may be as large and as far aside as doubles go. What is nearer to a plane than kCullBound of |X| + |edge W|, the
+// may be as large and as far aside as points go, 1e91. What is nearer to a plane than kCullBound of |X| + |edge W|, the
 // distances along the camera's axes of its point there, counts as on it; of a sphere, of its radius too. `intersects`
 // may be said of a sphere or a box that is outside: near an edge or a corner of the frustum a shape may lie beyond no
 // single plane and yet miss it. (Exact answers need the frustum's edges against the shape; nothing that is seen is ever

@@ -24,8 +24,16 @@ enum class PointStatus : std::uint8_t {
   inFront,     ///< has a screen position
   behind,      ///< perspective: on or behind the plane through the eye; no screen position
   atInfinity,  ///< orthographic: a direction, which no finite screen position belongs to
-  notFinite,   ///< the input had a NaN or an infinity, or was 0 0 0 0
+  outOfRange,  ///< not finite, farther than kFarthestPoint from the eye, or 0 0 0 0
 };
+
+/// Of a point |x - eye.x| + |y - eye.y| + |z - eye.z| is below this, and of a direction |x| + |y| + |z|. However small
+/// its coordinates are, nothing of them is lost; but a distance below 1e-307 comes out with fewer digits. A weight is
+/// 0, or between 1e-90 and 1e90 in magnitude.
+inline constexpr double kFarthestPoint = 1e91;
+
+/// Whether a point is none that worldToScreen finds out of range.
+bool isInRange(const Camera& camera, const Vec4& point) noexcept;
 
 /// The boundaries of the view that a point may lie beyond, named the same in every convention.
 enum Side : std::uint8_t {

@@ -109,7 +109,7 @@ TEST_CASE("Rays of pixels far outside the picture keep the bound") {
     scene.fov = random.spread(1e-3, 179.9);
     const Truth truth(scene);
     const Camera camera = build(scene);
-    const Vec2 pixel{random.sign() * random.spread(1, 1e100), random.sign() * random.spread(1, 1e200)};
+    const Vec2 pixel{random.sign() * random.spread(1, 1e50), random.sign() * random.spread(1, 1e90)};
     const Real3 direction = truth.direction(truth.window(pixel.x, pixel.y));
     INFO("trial " << trial << ": pixel " << pixel.x << " " << pixel.y);
     for (Precision precision : {Precision::standard, Precision::exact})
@@ -126,7 +126,7 @@ TEST_CASE("Homogeneous points are divided by their weight exactly, negative and 
     const Truth truth(scene);
     const Camera camera = build(scene);
     const Vec3 p = pointInView(random, truth);
-    const double w = random.sign() * random.spread(1e-200, 1e200);
+    const double w = random.sign() * random.spread(1e-80, 1e80);
     const Vec4 point{p.x * w, p.y * w, p.z * w, w};
     const Real k = Real(1) / Real(w);
     const Truth::View view = truth.view(Real3{point.x, point.y, point.z} * k);
@@ -154,7 +154,7 @@ TEST_CASE("A direction gives its vanishing point, or is behind") {
     scene.far = trial % 2 ? kInfiniteFar : 1000;
     const Truth truth(scene);
     const Camera camera = build(scene);
-    const Vec3 d = random.vector(random.spread(1e-300, 1e300));
+    const Vec3 d = random.vector(random.spread(1e-300, 1e90));
     const Real3 way = toReal(d);
     const Truth::View view{dot(truth.pose.right, way), dot(truth.pose.up, way), dot(truth.pose.forward, way)};
     const ScreenPoint got = worldToScreen(camera, Vec4{d.x, d.y, d.z, 0});
@@ -173,15 +173,15 @@ TEST_CASE("A direction gives its vanishing point, or is behind") {
   CHECK(behind > 100);
 }
 
-TEST_CASE("Subnormal points and points of the largest doubles are projected") {
+TEST_CASE("Subnormal points and points of the largest numbers are projected") {
   int inFront = 0;
   Random random(1);
   for (std::uint64_t trial = 0; trial < 200; ++trial) {
     Scene scene = plainScene(random);
-    const double size = trial % 2 ? 1e-310 : 1.7e308;
-    scene.position = trial % 2 ? Vec3{1e-311, 2e-311, 3e-310} : Vec3{-1.7e308, 1e308, 1e307};
-    scene.target = {0, 0, 0};
-    scene.near = size * 1e-3, scene.far = kInfiniteFar;
+    const double size = trial % 2 ? 1e-310 : 1e90;
+    scene.position = trial % 2 ? Vec3{0, 0, 0} : Vec3{-1e90, 6e89, 6e88};
+    scene.target = trial % 2 ? Vec3{1, 2, -3} : Vec3{0, 0, 0};
+    scene.near = trial % 2 ? 1e-90 : 1e87, scene.far = kInfiniteFar;
     const Truth truth(scene);
     const Camera camera = build(scene);
     const Vec3 point = random.vector(size);
@@ -254,7 +254,9 @@ TEST_CASE("The last digit of window depth is worth W^2 / depthScale of distance:
     }
 }
 
-TEST_CASE("A number that is not finite makes no camera, whichever of a camera's numbers it is") {
+TEST_CASE(
+    "A number that is not finite, or out of the range of a camera's, makes no camera, whichever of a camera's numbers "
+    "it is") {
   struct Field {
     const char* name;
     double& (*of)(Scene&);
@@ -320,17 +322,36 @@ TEST_CASE("A number that is not finite makes no camera, whichever of a camera's 
       fields.insert(fields.end(), always.begin(), always.end());
       if (hasCrop) fields.insert(fields.end(), ofCrop.begin(), ofCrop.end());
       for (const Field& field : fields)
-        for (const double bad : {double(NAN), double(INFINITY), -double(INFINITY)}) {
+        for (const double bad : {double(NAN), double(INFINITY), -double(INFINITY), 9e-91, 1.1e90, 5e-324, 1e300}) {
           Scene scene = good;
           double& number = field.of(scene);
           number = bad;
-          if (&number == &scene.far && bad > 0 && kind.lens != LensKind::orthographic) continue;
+          if (&number == &scene.far && bad == INFINITY && kind.lens != LensKind::orthographic) continue;
           INFO("lens kind " << int(kind.lens) << ", crop " << hasCrop << ", " << field.name << " = " << bad);
           CHECK_THROWS_AS(build(scene), CameraError);
           ++rejected;
         }
     }
   CHECK(rejected > 500);
+}
+
+TEST_CASE("What lies farther from the eye than 1e91 has no number, and what lies a little less far has") {
+  Scene scene;
+  scene.position = {-9e89, 0, 0};
+  scene.target = {1, 0, 0};
+  const Camera camera = build(scene);
+  for (Precision precision : {Precision::standard, Precision::exact}) {
+    CHECK(worldToScreen(camera, Vec3{9.0e90, 0, 0}, precision).status == PointStatus::inFront);
+    CHECK(worldToScreen(camera, Vec3{9.2e90, 0, 0}, precision).status == PointStatus::outOfRange);
+    CHECK(worldToScreen(camera, Vec3{4e90, 3e90, 3e90}, precision).status == PointStatus::outOfRange);
+    CHECK(worldToScreen(camera, Vec4{9.0e90, 0, 0, 0}, precision).status == PointStatus::inFront);
+    CHECK(worldToScreen(camera, Vec4{1.1e91, 0, 0, 0}, precision).status == PointStatus::outOfRange);
+    CHECK(worldToScreen(camera, Vec4{-9.0e180, 0, 0, -1e90}, precision).status == PointStatus::inFront);
+    for (const double weight : {1.1e90, 9e-91, 5e-324, double(INFINITY), double(NAN)})
+      CHECK(worldToScreen(camera, Vec4{weight, 0, 0, weight}, precision).status == PointStatus::outOfRange);
+  }
+  CHECK(std::isnan(screenToRay(camera, {1.1e91, 0}).direction.x));
+  CHECK(std::isfinite(screenToRay(camera, {9e90, 0}).direction.x));
 }
 
 TEST_CASE("A point or a pixel that is not finite gives no number, in every precision") {
@@ -343,11 +364,11 @@ TEST_CASE("A point or a pixel that is not finite gives no number, in every preci
         point[i] = bad;
         const ScreenPoint got = worldToScreen(camera, point, precision);
         INFO("component " << i << " = " << bad << ", precision " << int(precision));
-        CHECK(got.status == PointStatus::notFinite);
+        CHECK(got.status == PointStatus::outOfRange);
         CHECK((std::isnan(got.x) && std::isnan(got.y) && std::isnan(got.depth) && std::isnan(got.viewDistance)));
         CHECK(std::isinf(boundOfPoint(camera, point, precision).screen));
       }
-    CHECK(worldToScreen(camera, Vec4{1, 2, 3, bad}).status == PointStatus::notFinite);
+    CHECK(worldToScreen(camera, Vec4{1, 2, 3, bad}).status == PointStatus::outOfRange);
     for (const Vec2& pixel : {Vec2{bad, 1}, Vec2{1, bad}}) {
       CHECK(std::isnan(screenToRay(camera, pixel).direction.x));
       CHECK(screenToWorld(camera, pixel, 0.5).status == DepthStatus::notFinite);
@@ -384,7 +405,7 @@ TEST_CASE("The sign of a zero in a point or in a camera changes no number") {
 }
 
 TEST_CASE("A pixel at a distance is unprojected exactly from the smallest to the largest scale") {
-  for (const double scale : {1e-300, 1e-160, 1e200, 1e290, 1e300, 1e305})
+  for (const double scale : {1e-84, 1e-60, 1e60, 1e80, 1e87})
     for (std::uint64_t trial = 0; trial < 100; ++trial) {
       Random random(trial);
       Scene scene = plainScene(random);

@@ -169,3 +169,51 @@ TEST_CASE("Every entry of a matrix and of its inverse is the double nearest the 
   CHECK(offCentre > 200);
   CHECK(reversed > 200);
 }
+
+TEST_CASE(
+    "The translation into view space is the nearest double, of an origin or a model that the view passes closely") {
+  double worst = 0, lost = 0;  // lost: of its terms, what is left
+  for (std::uint64_t trial = 0; trial < 4000; ++trial) {
+    Random random(trial + 71000000);
+    Scene scene = randomScene(random, random.spread(1, 1e9));
+    scene.shiftX = scene.shiftY = 0;
+    scene.hasCrop = false;
+    Mat4 model = randomModel(random, scene);
+    if (trial % 2) {  // the world's origin next to the viewing axis
+      scene.poseKind = PoseKind::target;
+      scene.target = random.vector(random.spread(1e-12, 1));
+      for (std::size_t i = 0; i < 3; ++i) model[i][3] = scene.target[i];
+    } else {  // the model's origin within a few last places of the eye
+      for (std::size_t i = 0; i < 3; ++i) {
+        model[i][3] = scene.position[i];
+        for (int steps = int(random.uniform(0, 5)); steps > 0; --steps)
+          model[i][3] = std::nextafter(model[i][3], random.sign() * INFINITY);
+      }
+    }
+    const Truth truth(scene);
+    const Camera camera = build(scene);
+    const Convention& c = scene.convention;
+    const AxisSigns sign = axisSigns(c.view);
+    const Mat4 view = viewFromWorld(camera.pose(), c), modelView = matrix(camera, Space::view, Space::model, model);
+    REQUIRE(view == matrix(camera, Space::view, Space::world));
+    const auto check = [&](const Mat4& got, const Vec3& origin) {
+      const Truth::View v = truth.view(toReal(origin));
+      const Real want[] = {v.right, v.up * Real(sign.up), v.forward * Real(sign.forward)};
+      for (std::size_t i = 0; i < 3; ++i) {
+        INFO("trial " << trial << ", row " << i << ": " << describe(scene));
+        const double size = double(length(toReal(origin) - truth.pose.eye)) + maxAbs(scene.position);
+        if (abs(want[i]) < Real(size * 1e-100)) {  // 0, and what 480 bits leave of it
+          REQUIRE(std::fabs(got[i][3]) < size * 1e-100);
+          continue;
+        }
+        worst = std::max(worst, ulps(got[i][3], want[i]));
+        REQUIRE(ulps(got[i][3], want[i]) <= 0.5 + 0x1p-30);
+        lost = std::max(lost, size / std::fabs(got[i][3]));
+      }
+    };
+    check(view, {0, 0, 0});
+    check(modelView, {model[0][3], model[1][3], model[2][3]});
+  }
+  CAPTURE(worst, lost);
+  CHECK(lost > 1e14);
+}

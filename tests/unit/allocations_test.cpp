@@ -81,7 +81,7 @@ TEST_CASE("Nothing allocates or throws once the camera is built") {
       std::vector<Vec3> screen(points.size());
       std::vector<ScreenPoint> full(points.size());
       std::vector<Vec2> pixels(points.size(), Vec2{300.5, 17});
-      pixels[4].x = 1e300;
+      pixels[4].x = 1e90;
       for (const Precision precision : {Precision::standard, Precision::exact}) {
         none("worldToScreen", [&] {
           for (const Vec3& p : points) {

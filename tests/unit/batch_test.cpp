@@ -136,7 +136,7 @@ TEST_CASE("A batch in full is what single points are: distance, status and sides
   CAPTURE(escalated);
   CHECK(byStatus[int(PointStatus::inFront)] > 10000);
   CHECK(byStatus[int(PointStatus::behind)] > 10000);
-  CHECK(byStatus[int(PointStatus::notFinite)] > 500);
+  CHECK(byStatus[int(PointStatus::outOfRange)] > 500);
   CHECK(escalated < 30000 * allKernels().size());
 }
 
@@ -204,7 +204,7 @@ TEST_CASE("Every kernel that this processor supports casts the same rays, to the
     std::vector<Vec2> pixels(123);
     for (Vec2& pixel : pixels) pixel = {anywhere(random), anywhere(random)};
     pixels[5] = {NAN, 1};
-    pixels[6] = {1e200, -1e300};
+    pixels[6] = {1e70, -1e90};
     std::vector<Run> runs;
     for (const Kernels* k : supportedKernels()) {
       Run run{std::vector<Vec3>(pixels.size())};
@@ -238,8 +238,8 @@ TEST_CASE("A batch of rays gives the bits of single rays") {
     std::vector<Vec2> pixels(1100);  // more than are cast at once
     for (Vec2& pixel : pixels) pixel = {anywhere(random), anywhere(random)};
     pixels[5] = {NAN, 1};
-    pixels[6] = {1e200, -1e300};
-    pixels[600] = {1e200, -1e300};
+    pixels[6] = {1e70, -1e90};
+    pixels[600] = {1e70, -1e90};
     pixels[1099] = {NAN, 1};
     withEachKernel([&](const Kernels& kernel) {
       std::vector<Vec3> directions(pixels.size());

