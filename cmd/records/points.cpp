@@ -64,6 +64,7 @@ std::optional<Layout> findColumns(const Coordinate& row, const RecordParts& reco
     auto layout = parts.empty() ? std::nullopt : findEach(record, parts, row.fewest, row.orNull);
     if (layout && found) throw hasBoth(0, namesIn(*found, record.shape), namesIn(*layout, record.shape), true);
     if (layout) found = std::move(layout);
+    if (found && &names == &spellings[0]) break;  // its own name goes before the others
   }
   return found;
 }
