@@ -143,9 +143,8 @@ Action declareDraw(CLI::App& app) {
       "of FILE and of a scene, and what the rays of pixels hit.");
   app.footer(
       "Examples:\n"
-      "  viewproj draw --position 3,2,5 --target 0,0,0 --fov-y 60 --near 0.1 --viewport 640x480 \\\n"
-      "    --point 0,0,0 --point 1,1,1 -o view.svg\n"
-      "  viewproj draw -c camera.json points.csv --scene scene.json --pixel 320,240 -o view.svg");
+      "  viewproj draw --position 3,2,5 --target 0,0,0 --fov-y 60 --near 0.1 \\\n"
+      "    --viewport 640x480 --point 0,0,0 --point 1,1,1 -o view.svg");
   o->stream.addPoints(app);
   addValues(
       app, "--pixel", "X,Y", o->pixels,
