@@ -79,6 +79,7 @@ Mat4 mappedMatrix(const Mat4& m, const AxisMap& rows, const AxisMap& columns, do
   return result;
 }
 
+// cppcheck-suppress constParameter  // what it points to changes
 void mapPose(Document& document, const CameraFile& camera, const AxisMap& map, double scale, Handedness newWorld) {
   Json& root = *document.root;
   const Node node(document);
@@ -213,6 +214,7 @@ Projection plainProjection(const Document& document) {
   return *readCamera(plain, {.allowStretch = true, .ignoreDistortion = true}).projection;
 }
 
+// cppcheck-suppress constParameter  // what it points to changes
 void setLensMatrix(Document& document, const Projection& projection, const Convention& convention) {
   (*document.root)["projection"]["matrix"] = rowsOf(laidOut(clipFromView(projection, convention), convention));
 }

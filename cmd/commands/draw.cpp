@@ -81,9 +81,12 @@ void draw(Picture& picture, const SceneObject& object) {
   const std::string label = labelOfJson(object.id);
   std::visit(
       [&](const auto& shape) {
-        if constexpr (requires { picture.add(label, shape); }) picture.add(label, shape);
-        if constexpr (requires { shape.height; })
+        constexpr bool isEarth = requires { shape.height; };
+        constexpr bool hasOutline = requires { picture.add(label, shape); };
+        if constexpr (isEarth)
           picture.add(label, Ellipsoid{kWgs84.equatorial + shape.height, kWgs84.polar + shape.height});
+        else if constexpr (hasOutline)
+          picture.add(label, shape);
       },
       object.shape);
 }

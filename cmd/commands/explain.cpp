@@ -429,7 +429,8 @@ int run(const Options& o) {
     const std::vector<double>& n = *o.pixel;
     report = explainPixel(camera, convention, {n[0], n[1]}, n.size() > 2 ? std::optional(n[2]) : std::nullopt);
   }
-  o.report.write(o.report.form() == ReportForm::table ? withoutRepeatedStages(std::move(report)) : report, "steps");
+  if (o.report.form() == ReportForm::table) report = withoutRepeatedStages(std::move(report));
+  o.report.write(report, "steps");
   return 0;
 }
 

@@ -239,7 +239,7 @@ std::string planeText(const OrderedJson& plane) {
 /// "opengl, unity; other reverseZ: metal".
 std::string presetText(const OrderedJson& reading) {
   const auto names = reading["presets"].get<std::vector<std::string>>();
-  std::string text = joined(names), last;
+  std::string text = joined(names);
   for (const char* differs : {"[\"reverseZ\"]", "[\"world\"]", "[\"world\",\"reverseZ\"]"}) {
     std::vector<std::string> others;
     std::string axes;

@@ -303,10 +303,9 @@ class JsonWriter final : public RecordWriter {
 std::vector<NamedJson> asJsonFields(const Record& record, const WriterSetup& setup) {
   std::vector<std::string> values = jsonValues(record);
   std::vector<NamedJson> fields;
-  std::size_t inArray = 0;
   if (setup.numberNames.empty()) {
     const bool isWhole = setup.arraySize == 0 || values.size() <= setup.arraySize;
-    inArray = isWhole ? values.size() : setup.arraySize;
+    const std::size_t inArray = isWhole ? values.size() : setup.arraySize;
     TextBuffer array;
     if (isWhole && record.shape->form == Form::json)
       appendOnOneLine(array, record.text);

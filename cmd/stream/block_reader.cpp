@@ -63,9 +63,11 @@ void BlockReader::drop(std::size_t bytes) {
 
 std::string_view BlockReader::firstBytes() {
   constexpr std::size_t kLongEnough = 64 << 10;
-  std::size_t end = npos;
-  while ((end = countTelling(carried_.view(), kLongEnough)) == npos && !atEnd_ && carried_.size() < kLongEnough)
+  std::size_t end = countTelling(carried_.view(), kLongEnough);
+  while (end == npos && !atEnd_ && carried_.size() < kLongEnough) {
     readMore();
+    end = countTelling(carried_.view(), kLongEnough);
+  }
   return carried_.view().substr(0, std::min(end, kLongEnough));
 }
 

@@ -38,8 +38,8 @@ const char* passWord(const char* at, const char* end, std::string_view word) {
 
 /// As readJsonNumber, of what is finite for having no exponent and few digits; null for others.
 const char* passShortNumber(const char* at, const char* end) {
-  constexpr std::ptrdiff_t kMostDigits = 300;
-  if (end - at > kMostDigits) end = at + kMostDigits;
+  constexpr std::ptrdiff_t kShort = 300;
+  if (end - at > kShort) end = at + kShort;
   const auto passDigits = [&] {
     const char* const first = at;
     while (at < end && isDigit(*at)) ++at;

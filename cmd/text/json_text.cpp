@@ -48,9 +48,8 @@ class Builder : public JsonEvents {
     throw JsonFault{static_cast<std::size_t>(at - text_.data()), message};
   }
   nlohmann::json& put(nlohmann::json value) {
-    if (open_.empty()) return root_ = std::move(value);
-    if (open_.back()->is_object()) return *member_ = std::move(value);
-    return open_.back()->emplace_back(std::move(value));
+    nlohmann::json& place = open_.empty() ? root_ : open_.back()->is_object() ? *member_ : open_.back()->emplace_back();
+    return place = std::move(value);
   }
 
   std::string_view text_;

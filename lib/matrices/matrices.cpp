@@ -340,10 +340,12 @@ template std::array<float, 16> storedMatrix<float>(const Camera&, Space, Space);
 template std::array<double, 16> storedMatrix<double>(const Camera&, Space, Space);
 
 Mat4 viewFromWorld(const Pose& pose, const Convention& c) noexcept {
+  // cppcheck-suppress throwInNoexceptFunction  // a model alone can be at fault
   return rounded(between({c, &parts(pose)}, Space::view, Space::world));
 }
 
 Mat4 worldFromView(const Pose& pose, const Convention& c) noexcept {
+  // cppcheck-suppress throwInNoexceptFunction  // as above
   return rounded(between({c, &parts(pose)}, Space::world, Space::view));
 }
 

@@ -201,7 +201,8 @@ class Dyadic {
   /// |a| < |b|.
   template <int A, int B>
   static bool isSmaller(const Dyadic<A>& a, const Dyadic<B>& b) noexcept {
-    if (a.end() != b.end()) return a.end() < b.end();
+    const auto endOfA = a.end(), endOfB = b.end();
+    if (endOfA != endOfB) return endOfA < endOfB;
     const int common = std::min(a.size_, b.size_);
     for (int i = 1; i <= common; ++i) {
       const std::uint32_t ofA = a.limbs_[std::size_t(a.size_ - i)], ofB = b.limbs_[std::size_t(b.size_ - i)];

@@ -148,7 +148,7 @@ class Terminal(FaultTest):
         for width in (40, 60, 132):
             os.environ["COLUMNS"] = str(width)
             try:
-                longest = max(len(line) for line in self.shown(["help", "precision"])[1].split("Examples")[0].splitlines())
+                longest = max(len(line) for line in self.shown(["depth", "--help"])[1].split("Examples")[0].splitlines())
             finally:
                 del os.environ["COLUMNS"]
             self.assertLessEqual(longest, width)
