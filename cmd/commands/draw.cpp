@@ -143,9 +143,10 @@ Action declareDraw(CLI::App& app) {
       "of FILE and of a scene, and what the rays of pixels hit.");
   app.footer(
       "Examples:\n"
-      "  viewproj draw --position 3,2,5 --target 0,0,0 --fov-y 60 --near 0.1 --viewport 640x480 \\\n"
-      "    --point 0,0,0 --point 1,1,1 -o view.svg\n"
-      "  viewproj draw -c camera.json points.csv --scene scene.json --pixel 320,240 -o view.svg");
+      "  viewproj draw --position 3,2,5 --target 0,0,0 --fov-y 60 --near 0.1 \\\n"
+      "    --viewport 640x480 --point 0,0,0 --point 1,1,1 -o view.svg\n"
+      "  printf 'x,y,z\\n1,1,1\\n0,2,0\\n' |\n"
+      "    viewproj draw --position 3,2,5 --target 0,0,0 --fov-y 60 --viewport 640x480");
   o->stream.addPoints(app);
   addValues(
       app, "--pixel", "X,Y", o->pixels,
@@ -154,7 +155,7 @@ Action declareDraw(CLI::App& app) {
         return Vec2{n[0], n[1]};
       },
       "A pixel to mark, and with --scene what its ray hits first");
-  addScene(app, o->scene, "Shapes to draw: a scene file, or the JSON itself");
+  addScene(app, o->scene, "Shapes to draw");
   o->stream.addInput(app, "points and shapes");
   o->camera.add(app);
   addOnlyForm(app, "SVG", ".svg");

@@ -101,11 +101,12 @@ Action declareFit(CLI::App& app) {
       "its lens opens or closes. An orthographic window is scaled and centred. Writes a camera file.");
   app.footer(
       "Examples:\n"
-      "  viewproj fit --position 3,2,5 --target 0,0,0 --fov-y 60 --near 0.1 --viewport 640x480 \\\n"
-      "    --point 0,0,0 --point 9,1,0\n"
-      "  viewproj fit -c camera.json points.csv --margin 10% -o fitted.json");
+      "  viewproj fit --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
+      "    --viewport 640x480 --point 0,0,0 --point 9,1,0\n"
+      "  printf 'x,y,z\\n1,1,1\\n0,2,0\\n' | viewproj fit --position 3,2,5 \\\n"
+      "    --target 0,0,0 --fov-y 60 --viewport 640x480 --margin 10%");
   o->stream.addPoints(app);
-  addScene(app, o->scene, "Shapes to fit: a scene file, or the JSON itself");
+  addScene(app, o->scene, "Shapes to fit");
   static constexpr std::pair<std::string_view, Means> kMeans[] = {{"place", Means::place}, {"fov", Means::lens}};
   addChoice(app, "--by", "WHAT", o->by, rowsOf(kMeans), "What changes", "place");
   addValue(app, "--margin", "SHARE", o->margin, readMargin,
