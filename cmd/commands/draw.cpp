@@ -102,14 +102,14 @@ std::string hitLabel(const Camera& camera, const Vec2& pixel, const std::vector<
   return label;
 }
 
-struct Options {
+struct DrawOptions {
   CameraOptions camera;
   StreamOptions stream;
   std::vector<Vec2> pixels;
   std::optional<std::string> scene;
 };
 
-int run(const Options& o) {
+int runDraw(const DrawOptions& o) {
   FilterSetup setup = o.stream.setup(kPointColumns);
   const bool reads = o.stream.reads(setup, o.camera, {"the scene", isStandardInput(o.scene)});
   const CameraFile file = o.camera.read();
@@ -137,7 +137,7 @@ int run(const Options& o) {
 }  // namespace
 
 Action declareDraw(CLI::App& app) {
-  const auto o = std::make_shared<Options>();
+  const auto o = std::make_shared<DrawOptions>();
   app.description(
       "An SVG of what the camera sees: points under their id, name or number, segments, boxes, triangles and spheres "
       "of FILE and of a scene, and what the rays of pixels hit.");
@@ -159,7 +159,7 @@ Action declareDraw(CLI::App& app) {
   o->stream.addInput(app, "points and shapes");
   o->camera.add(app);
   addOnlyForm(app, "SVG", ".svg");
-  return [o] { return run(*o); };
+  return [o] { return runDraw(*o); };
 }
 
 }  // namespace viewproj::cmd

@@ -53,7 +53,7 @@ void addScene(Fitting& fitting, const std::vector<SceneObject>& scene) {
         object.shape);
 }
 
-struct Options {
+struct FitOptions {
   CameraOptions camera;
   StreamOptions stream;
   std::optional<std::string> scene;
@@ -71,7 +71,7 @@ double readMargin(const std::string& option, const std::string& text) {
   return share;
 }
 
-int run(const Options& o) {
+int runFit(const FitOptions& o) {
   FilterSetup setup = o.stream.setup(kSphereColumns);
   setup.note = note;
   const bool reads = o.stream.reads(setup, o.camera, {"the scene", isStandardInput(o.scene)});
@@ -94,7 +94,7 @@ int run(const Options& o) {
 }  // namespace
 
 Action declareFit(CLI::App& app) {
-  const auto o = std::make_shared<Options>();
+  const auto o = std::make_shared<FitOptions>();
   app.description(
       "The camera that shows all of it: points, segments, spheres, boxes and triangles of FILE, a scene, or both. The "
       "camera moves along its view, and to the middle of the room that is left across it; with --by fov it stays, and "
@@ -114,7 +114,7 @@ Action declareFit(CLI::App& app) {
   o->stream.addInput(app, "points and shapes");
   o->camera.add(app);
   addOnlyForm(app, "a camera file", ".json");
-  return [o] { return run(*o); };
+  return [o] { return runFit(*o); };
 }
 
 }  // namespace viewproj::cmd
