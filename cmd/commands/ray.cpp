@@ -303,8 +303,7 @@ Action declareRay(CLI::App& app) {
       "  viewproj ray --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
       "    --viewport 1280x720 --pixel 640,360 --to table\n"
       "  viewproj ray --position 0,0,9 --target 0,0,0 --fov-y 60 --viewport 640x480 \\\n"
-      "    --pixel 320,240 --scene \\\n"
-      "    '{\"objects\": [{\"id\": 1, \"sphere\": {\"center\": [0,0,0], \"radius\": 3}}]}'");
+      "    --pixel 320,240 --plane z=0");
   o->stream.add(app, "pixels");
   addValues(app, "--pixel", "X,Y[,DEPTH]", o->pixels, readPixel, "A pixel, in place of FILE");
   addScene(app, o->scene, "Shapes to hit");

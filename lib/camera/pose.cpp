@@ -102,7 +102,7 @@ std::size_t onlyEntry(const Row& row) noexcept {
   return found;
 }
 
-void setUnitRow(ExactPose& exact, std::size_t index, const Row& row, const Wide& scale) {
+void setUnitRow(ExactPose& exact, std::size_t index, Row row, Wide scale) {
   const std::size_t only = onlyEntry(row);
   exact.rows[index] = row;
   exact.scale[index] = only < 3 ? Wide(1) : scale;

@@ -58,7 +58,7 @@ Axes roundedRows(const ExactPose& exact) noexcept;
 std::size_t onlyEntry(const ExactPose::Row& row) noexcept;
 
 /// Of a row that scale makes one of unit length: where it has one entry alone, this becomes 1 or -1, and its scale 1.
-void setUnitRow(ExactPose& exact, std::size_t index, const ExactPose::Row& row, const Wide& scale);
+void setUnitRow(ExactPose& exact, std::size_t index, ExactPose::Row row, Wide scale);
 
 /// Whether forward is an axis of the world, exactly, so that W is a coordinate's difference to the eye.
 bool forwardIsAxis(const PoseParts& pose) noexcept;

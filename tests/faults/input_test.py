@@ -42,7 +42,7 @@ class Files(FaultTest):
     def assert_same(self, done, expected, name):
         """But for the file's name and what was timed."""
         self.assertEqual(done.returncode, expected.returncode)
-        if b"ns/point" not in done.stdout:
+        if b"nsPerPoint" not in done.stdout:
             self.assertEqual(done.stdout, expected.stdout)
             self.assertEqual(done.stderr.replace(name, b"FILE"), expected.stderr)
 

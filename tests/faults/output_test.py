@@ -170,7 +170,7 @@ class SlowReaders(FaultTest):
                     self.assertTrue(out == expected)
 
     def test_documents_pass_a_pipe_that_does_not_block(self):
-        given = self.file("many.ndjson", many_points(300))
+        given = self.file("many.ndjson", many_points(600))
         arguments = ["draw", "-c", CAMERA]
         with open(given, "rb") as points:
             expected = run(arguments, points.read()).stdout

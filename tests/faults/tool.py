@@ -49,7 +49,7 @@ def _runs():
     yield ["ray", "-c", CAMERA, "--pixel", "1,2,0.5"], b""
     for form in ("ndjson", "json", "csv", "table"):
         yield ["cull", "-c", CAMERA, "--to", form], POINTS["json"]
-    for form in ("json", "text", "flat", "csv", "c", "glsl", "hlsl", "wgsl", "css", "numpy", "camera"):
+    for form in ("json", "text", "flat", "c", "glsl", "hlsl", "wgsl", "css", "numpy", "camera"):
         yield ["matrix", "--to", form], CAMERA.encode()
     yield ["info", "--to", "json"], CAMERA.encode()
     yield ["inspect"], MATRIX

@@ -26,6 +26,14 @@ constexpr auto left = Handedness::left;
 
 }  // namespace
 
+TEST_CASE("A matrix to the world that mirrors along one axis keeps the other two") {
+  const Mat4 mirrored{{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, -1, 0}, {0, 0, 0, 1}}}};
+  const Pose pose = poseFromWorldFromCamera(mirrored, CameraAxes::RUF, Handedness::right);
+  CHECK(pose.right() == Vec3{1, 0, 0});
+  CHECK(pose.up() == Vec3{0, 1, 0});
+  CHECK(pose.forward() == Vec3{0, 0, -1});
+}
+
 TEST_CASE("In a right-handed world looking along -z, right is +x; in a left-handed one looking along +z it is too") {
   const Pose rh = lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, right);
   CHECK(nearest(parts(rh).rows.right) == Vec3{1, 0, 0});
