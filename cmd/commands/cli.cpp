@@ -66,7 +66,7 @@ std::string longName(const std::string& names) { return names.substr(names.rfind
 /// Endings of the tool's own forms, and of a few others: a file that is called so is expected to be so.
 constexpr std::string_view kTelling =
     ".json .ndjson .jsonl .csv .tsv .txt .xyz .f64 .svg .c .h .glsl .hlsl .wgsl .css .py .png .jpg .jpeg .pdf "
-    ".npy .npz .parquet .xlsx .gz .bz2 .xz .zst .zip";
+    ".bin .npy .npz .parquet .xlsx .gz .bz2 .xz .zst .zip";
 
 /// CLI11 would take the argument after "--prefix=" for its value, and an option for that of one without a value.
 void requireValues(const CLI::App& app, std::span<const std::string> arguments) {

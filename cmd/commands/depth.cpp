@@ -169,13 +169,13 @@ std::vector<double> usualDistances(const Projection& p) {
 
 namespace {
 
-struct Options {
+struct DepthOptions {
   CameraOptions camera;
   std::optional<std::vector<double>> at, depths;
   ReportOptions report;
 };
 
-int run(const Options& o) {
+int runDepth(const DepthOptions& o) {
   const CameraFile file = o.camera.read();
   if (!file.projection) throw InputError(file.name + ": the camera has no projection");
   requireNear(file, "depth");
@@ -198,7 +198,7 @@ int run(const Options& o) {
 }  // namespace
 
 Action declareDepth(CLI::App& app) {
-  const auto o = std::make_shared<Options>();
+  const auto o = std::make_shared<DepthOptions>();
   app.description(
       "What a depth buffer resolves: the window depth at each distance, its slope, and how far apart surfaces must be "
       "for d16, d24 and f32 (forward and reversed) to tell them apart. Lengths are in the camera's unit.");
@@ -216,7 +216,7 @@ Action declareDepth(CLI::App& app) {
   o->camera.addFile(app);
   o->camera.add(app);
   o->camera.takeAnyOpening();
-  return [o] { return run(*o); };
+  return [o] { return runDepth(*o); };
 }
 
 }  // namespace viewproj::cmd

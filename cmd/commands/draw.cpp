@@ -105,14 +105,14 @@ std::string hitLabel(const Camera& camera, const Vec2& pixel, const std::vector<
   return label;
 }
 
-struct Options {
+struct DrawOptions {
   CameraOptions camera;
   StreamOptions stream;
   std::vector<Vec2> pixels;
   std::optional<std::string> scene;
 };
 
-int run(const Options& o) {
+int runDraw(const DrawOptions& o) {
   FilterSetup setup = o.stream.setup(kPointColumns);
   const bool reads = o.stream.reads(setup, o.camera, {"the scene", isStandardInput(o.scene)});
   const CameraFile file = o.camera.read();
@@ -140,14 +140,16 @@ int run(const Options& o) {
 }  // namespace
 
 Action declareDraw(CLI::App& app) {
-  const auto o = std::make_shared<Options>();
+  const auto o = std::make_shared<DrawOptions>();
   app.description(
       "An SVG of what the camera sees: points under their id, name or number, segments, boxes, triangles and spheres "
       "of FILE and of a scene, and what the rays of pixels hit.");
   app.footer(
       "Examples:\n"
       "  viewproj draw --position 3,2,5 --target 0,0,0 --fov-y 60 --near 0.1 \\\n"
-      "    --viewport 640x480 --point 0,0,0 --point 1,1,1 -o view.svg");
+      "    --viewport 640x480 --point 0,0,0 --point 1,1,1 -o view.svg\n"
+      "  printf 'x,y,z\\n1,1,1\\n0,2,0\\n' |\n"
+      "    viewproj draw --position 3,2,5 --target 0,0,0 --fov-y 60 --viewport 640x480");
   o->stream.addPoints(app);
   addValues(
       app, "--pixel", "X,Y", o->pixels,
@@ -156,11 +158,11 @@ Action declareDraw(CLI::App& app) {
         return Vec2{n[0], n[1]};
       },
       "A pixel to mark, and with --scene what its ray hits first");
-  addScene(app, o->scene, "Shapes to draw: a scene file, or the JSON itself");
+  addScene(app, o->scene, "Shapes to draw");
   o->stream.addInput(app, "points and shapes");
   o->camera.add(app);
   addOnlyForm(app, "SVG", ".svg");
-  return [o] { return run(*o); };
+  return [o] { return runDraw(*o); };
 }
 
 }  // namespace viewproj::cmd

@@ -391,7 +391,7 @@ OrderedJson explainPixel(const Camera& camera, const Convention& convention, con
 
 namespace {
 
-struct Options {
+struct ExplainOptions {
   CameraOptions camera;
   std::optional<PointArgument> point;
   std::optional<std::vector<double>> pixel;
@@ -413,7 +413,7 @@ OrderedJson withoutRepeatedStages(OrderedJson report) {
   return report;
 }
 
-int run(const Options& o) {
+int runExplain(const ExplainOptions& o) {
   if (!o.point && !o.pixel) throw UsageError("expected --point X,Y,Z or --pixel X,Y[,DEPTH]: what to follow");
   requireOneStandardInput({{"the camera", o.camera.fromStandardInput()}, {"the model", isStandardInput(o.model)}});
   const CameraFile file = o.camera.read();
@@ -437,7 +437,7 @@ int run(const Options& o) {
 }  // namespace
 
 Action declareExplain(CLI::App& app) {
-  const auto o = std::make_shared<Options>();
+  const auto o = std::make_shared<ExplainOptions>();
   app.description(
       "Every stage of one point's way to its pixel, or of one pixel's way back: world, view, clip and where w comes "
       "from, the clip inequalities, NDC, screen, each number with what it is made of.");
@@ -456,7 +456,7 @@ Action declareExplain(CLI::App& app) {
   o->report.add(app, 9);
   o->camera.add(app);
   o->camera.addWriting(app);
-  return [o] { return run(*o); };
+  return [o] { return runExplain(*o); };
 }
 
 }  // namespace viewproj::cmd

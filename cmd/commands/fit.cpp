@@ -53,7 +53,7 @@ void addScene(Fitting& fitting, const std::vector<SceneObject>& scene) {
         object.shape);
 }
 
-struct Options {
+struct FitOptions {
   CameraOptions camera;
   StreamOptions stream;
   std::optional<std::string> scene;
@@ -71,7 +71,7 @@ double readMargin(const std::string& option, const std::string& text) {
   return share;
 }
 
-int run(const Options& o) {
+int runFit(const FitOptions& o) {
   FilterSetup setup = o.stream.setup(kSphereColumns);
   setup.note = note;
   const bool reads = o.stream.reads(setup, o.camera, {"the scene", isStandardInput(o.scene)});
@@ -94,17 +94,19 @@ int run(const Options& o) {
 }  // namespace
 
 Action declareFit(CLI::App& app) {
-  const auto o = std::make_shared<Options>();
+  const auto o = std::make_shared<FitOptions>();
   app.description(
       "The camera that shows all of it: points, segments, spheres, boxes and triangles of FILE, a scene, or both. The "
       "camera moves along its view, and to the middle of the room that is left across it; with --by fov it stays, and "
       "its lens opens or closes. An orthographic window is scaled and centred. Writes a camera file.");
   app.footer(
       "Examples:\n"
-      "  viewproj fit --position 3,2,5 --target 0,0,0 --fov-y 60 --near 0.1 \\\n"
-      "    --viewport 640x480 --point 0,0,0 --point 9,1,0 --margin 10%");
+      "  viewproj fit --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
+      "    --viewport 640x480 --point 0,0,0 --point 9,1,0\n"
+      "  printf 'x,y,z\\n1,1,1\\n0,2,0\\n' | viewproj fit --position 3,2,5 \\\n"
+      "    --target 0,0,0 --fov-y 60 --viewport 640x480 --margin 10%");
   o->stream.addPoints(app);
-  addScene(app, o->scene, "Shapes to fit: a scene file, or the JSON itself");
+  addScene(app, o->scene, "Shapes to fit");
   static constexpr std::pair<std::string_view, Means> kMeans[] = {{"place", Means::place}, {"fov", Means::lens}};
   addChoice(app, "--by", "WHAT", o->by, rowsOf(kMeans), "What changes", "place");
   addValue(app, "--margin", "SHARE", o->margin, readMargin,
@@ -112,7 +114,7 @@ Action declareFit(CLI::App& app) {
   o->stream.addInput(app, "points and shapes");
   o->camera.add(app);
   addOnlyForm(app, "a camera file", ".json");
-  return [o] { return run(*o); };
+  return [o] { return runFit(*o); };
 }
 
 }  // namespace viewproj::cmd

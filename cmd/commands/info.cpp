@@ -166,14 +166,14 @@ OrderedJson cameraRow(const std::string& name, const Document& document) {
 
 namespace {
 
-struct Options {
+struct InfoOptions {
   CameraOptions camera;
   std::optional<std::vector<double>> at;
   ReportOptions report;
 };
 
 /// A camera that cannot be read has a message instead of a row.
-int runList(const Options& o, const CameraDocuments& cameras) {
+int runList(const InfoOptions& o, const CameraDocuments& cameras) {
   OrderedJson rows = OrderedJson::array();
   int status = 0;
   for (std::size_t i = 0; i < cameras.size(); ++i) {
@@ -192,7 +192,7 @@ int runList(const Options& o, const CameraDocuments& cameras) {
   return status;
 }
 
-int run(const Options& o) {
+int runInfo(const InfoOptions& o) {
   const auto [cameras, pick] = o.camera.readAll();
   if (!pick && cameras->size() > 1) return runList(o, *cameras);
   const std::size_t which = cameras->choose(pick);
@@ -210,7 +210,7 @@ int run(const Options& o) {
 }  // namespace
 
 Action declareInfo(CLI::App& app) {
-  const auto o = std::make_shared<Options>();
+  const auto o = std::make_shared<InfoOptions>();
   app.description(
       "What is in a camera file. Of one camera its eye and axes, fields of view, window, focal length, near and far, "
       "viewport, convention, planes and corners of the view, and pixel size; of several a table of them. Angles are in "
@@ -224,7 +224,7 @@ Action declareInfo(CLI::App& app) {
   o->report.add(app, 9);
   o->camera.addFile(app);
   o->camera.add(app);
-  return [o] { return run(*o); };
+  return [o] { return runInfo(*o); };
 }
 
 }  // namespace viewproj::cmd

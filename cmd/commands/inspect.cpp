@@ -51,7 +51,7 @@ std::vector<WrittenMatrix> chooseMatrices(std::vector<WrittenMatrix> matrices,
   return chosen;
 }
 
-struct Options {
+struct InspectOptions {
   CameraOptions writing;
   std::string file = "-";
   std::optional<std::vector<std::string>> which;
@@ -96,7 +96,7 @@ NamedMatrix convertOne(const WrittenMatrix& written, const InspectQuery& query, 
 }
 
 /// In another convention.
-int runConversion(const Options& o, const std::vector<WrittenMatrix>& matrices, const InspectQuery& query,
+int runConversion(const InspectOptions& o, const std::vector<WrittenMatrix>& matrices, const InspectQuery& query,
                   const std::string& source) {
   const std::string_view form = o.form.value_or("json");
   MatrixSet set;
@@ -108,7 +108,7 @@ int runConversion(const Options& o, const std::vector<WrittenMatrix>& matrices, 
 }
 
 /// Matrix by matrix: the readings of one take many times the memory of its numbers.
-int runReport(const Options& o, const std::vector<WrittenMatrix>& matrices, const InspectQuery& query,
+int runReport(const InspectOptions& o, const std::vector<WrittenMatrix>& matrices, const InspectQuery& query,
               const std::string& source) {
   const bool isJson = o.form == "json", isCsv = o.form == "csv";
   const int digits = o.digits ? static_cast<int>(*o.digits) : isJson || isCsv ? 0 : kTableDigits;
@@ -137,7 +137,7 @@ int runReport(const Options& o, const std::vector<WrittenMatrix>& matrices, cons
   return allFit ? 0 : 1;
 }
 
-int run(const Options& o) {
+int runInspect(const InspectOptions& o) {
   const bool converts = o.writing.namesConvention();
   if (o.writing.namesAxis() && !converts)
     throw UsageError("--reverse-z and --ndc-z go with --convention NAME, the convention to write");
@@ -160,7 +160,7 @@ int run(const Options& o) {
 }  // namespace
 
 Action declareInspect(CLI::App& app) {
-  const auto o = std::make_shared<Options>();
+  const auto o = std::make_shared<InspectOptions>();
   app.description(
       "Every reading of a 4x4 matrix: which conventions it can be written in, and the camera in it; with --convention "
       "the same matrix in another convention. Of three rows of three or four numbers, K or P of a calibration, the "
@@ -183,7 +183,7 @@ Action declareInspect(CLI::App& app) {
           "Output format; without --convention table, json or csv", "table; with --convention json");
   addDigits(app, o->digits, "all, 9 in a table");
   o->writing.addWriting(app);
-  return [o] { return run(*o); };
+  return [o] { return runInspect(*o); };
 }
 
 }  // namespace viewproj::cmd

@@ -82,7 +82,7 @@ AxisMap readMap(const std::string& option, const std::string& text) {
   return map;
 }
 
-struct Options {
+struct MatrixOptions {
   CameraOptions camera;
   Wanted wanted;
   std::optional<Matrices> which;
@@ -98,7 +98,7 @@ bool any(const Matrices& rows, bool CameraMatrix::*needs) {
 }
 
 /// Throws UsageError where what is typed has nothing to act on.
-void requireUse(const Options& o) {
+void requireUse(const MatrixOptions& o) {
   if (o.wanted.bakeViewport && o.which && !any(*o.which, &CameraMatrix::projection))
     throw UsageError("--bake-viewport folds the viewport into the projection, and --which names no projection");
   if (o.wanted.relativeToEye && o.which && !any(*o.which, &CameraMatrix::pose))
@@ -112,7 +112,7 @@ void requireUse(const Options& o) {
 }
 
 /// The same where the camera lacks it.
-void requireUse(const Options& o, const CameraFile& file) {
+void requireUse(const MatrixOptions& o, const CameraFile& file) {
   const Wanted& wanted = o.wanted;
   const auto lacks = [&](const std::string& option, const std::string& part) {
     return InputError(file.name + ": " + option + " needs " + part);
@@ -125,12 +125,12 @@ void requireUse(const Options& o, const CameraFile& file) {
 }
 
 /// In the world of --map and --scale.
-CameraFile inMappedWorld(const CameraFile& file, const Options& o) {
+CameraFile inMappedWorld(const CameraFile& file, const MatrixOptions& o) {
   if (!o.map && !o.scale) return file;
   return readCamera(mapped(file, o.map.value_or(AxisMap{}), o.scale.value_or(1)), file.reading);
 }
 
-MatrixSet matricesOf(const CameraFile& read, const std::optional<Mat4>& model, const Options& o) {
+MatrixSet matricesOf(const CameraFile& read, const std::optional<Mat4>& model, const MatrixOptions& o) {
   requireUse(o, read);
   MatrixSet set;
   set.asFloat = o.asFloat;
@@ -158,7 +158,7 @@ MatrixSet matricesOf(const CameraFile& read, const std::optional<Mat4>& model, c
   return set;
 }
 
-int run(const Options& o, const CLI::App& app) {
+int runMatrix(const MatrixOptions& o, const CLI::App& app) {
   const bool toCamera = o.format == kCamera;
   if (o.model && (o.map || o.scale))
     throw UsageError("--map and --scale are of the world, and with --model matrices begin in the model's");
@@ -198,7 +198,7 @@ int run(const Options& o, const CLI::App& app) {
 }  // namespace
 
 Action declareMatrix(CLI::App& app) {
-  const auto o = std::make_shared<Options>();
+  const auto o = std::make_shared<MatrixOptions>();
   app.description(
       "A camera's matrices in any convention, as JSON, text or source code; or the camera itself as a camera file.");
   app.footer(
@@ -222,7 +222,7 @@ Action declareMatrix(CLI::App& app) {
   o->camera.addFile(app);
   o->camera.add(app);
   o->camera.addWriting(app);
-  return [o, &app] { return run(*o, app); };
+  return [o, &app] { return runMatrix(*o, app); };
 }
 
 }  // namespace viewproj::cmd

@@ -248,13 +248,13 @@ class SampleWork final : public RecordWork {
   bool keepGoing_;
 };
 
-struct Options {
+struct MeasureOptions {
   CameraOptions camera;
   StreamOptions stream;
   ReportOptions report;
 };
 
-int run(const Options& o) {
+int runMeasure(const MeasureOptions& o) {
   FilterSetup setup = o.stream.setup(kPointColumns);
   setup.note = note;
   o.stream.reads(setup, o.camera);
@@ -279,7 +279,7 @@ int run(const Options& o) {
 }  // namespace
 
 Action declareMeasure(CLI::App& app) {
-  const auto o = std::make_shared<Options>();
+  const auto o = std::make_shared<MeasureOptions>();
   app.description(
       "Time and error of each precision on your own points, beside the textbook's: the view-projection matrix in "
       "double and in float32.");
@@ -292,7 +292,7 @@ Action declareMeasure(CLI::App& app) {
   o->camera.add(app);
   o->stream.addInput(app, "points");
   o->stream.addPoints(app);
-  return [o] { return run(*o); };
+  return [o] { return runMeasure(*o); };
 }
 
 }  // namespace viewproj::cmd

@@ -16,7 +16,7 @@ void addModel(CLI::App& app, std::optional<std::string>& model, const std::strin
 }
 
 CLI::Option* addScene(CLI::App& app, std::optional<std::string>& scene, const std::string& help) {
-  return addValue(app, "--scene", "FILE", scene, readFileName, "Scene file, or the JSON itself: " + help);
+  return addValue(app, "--scene", "FILE", scene, readFileName, help + ": a scene file, or its JSON");
 }
 
 void addDigits(CLI::App& app, std::optional<std::size_t>& digits, const std::string& otherwise) {

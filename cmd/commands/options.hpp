@@ -17,7 +17,7 @@ namespace viewproj::cmd {
 
 /// --model FILE, which readModel() reads.
 void addModel(CLI::App& app, std::optional<std::string>& model, const std::string& help);
-/// --scene FILE, which readScene() reads.
+/// --scene FILE, which readScene() reads. help: what its shapes are for.
 CLI::Option* addScene(CLI::App& app, std::optional<std::string>& scene, const std::string& help);
 /// --digits N. otherwise: what holds where it is not given.
 void addDigits(CLI::App& app, std::optional<std::size_t>& digits, const std::string& otherwise);

@@ -381,7 +381,7 @@ Action declareProject(CLI::App& app) {
       "  viewproj project --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
       "    --viewport 1280x720 --point 1,1,1\n"
       "  printf 'x,y,z\\n1,2,-9\\n' |\n"
-      "    viewproj project --position 0,0,9 --target 0,0,0 --fov-y 60 --viewport 640x480");
+      "    viewproj project --position 0,0,9 --target 0,0,0 --fov-y 60 --viewport 64x48");
   o->stream.add(app, "points");
   o->stream.addPoints(app);
   addValue(app, "--fields", "NAMES", o->fields, readFields, helpOnFields());

@@ -297,8 +297,7 @@ Action declareRay(CLI::App& app) {
   const auto o = std::make_shared<Options>();
   app.description(
       "Pixels to rays: each record of FILE with the ray's origin and unit direction, the point itself where there is a "
-      "depth or viewDistance, and the nearest hit with a scene. Text and f64 have the numbers in that order, NaN for "
-      "what there is not.");
+      "depth or viewDistance, and the nearest hit with a scene. Text and f64 have these numbers in order.");
   app.footer(
       "Examples:\n"
       "  viewproj ray --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
@@ -307,9 +306,9 @@ Action declareRay(CLI::App& app) {
       "    --pixel 320,240 --plane z=0");
   o->stream.add(app, "pixels");
   addValues(app, "--pixel", "X,Y[,DEPTH]", o->pixels, readPixel, "A pixel, in place of FILE");
-  addScene(app, o->scene, "the nearest hit of each ray");
+  addScene(app, o->scene, "Shapes to hit");
   addValues(app, "--plane", "z=0|A,B,C,D", o->planes, readPlaneArgument,
-            "A plane to shoot at: z=0, x=.., y=.. or A,B,C,D");
+            "A plane to hit: x=.., y=.., z=.. or ax+by+cz+d=0");
   app.add_flag("--all-hits", o->allHits, "Every hit, nearest first");
   addValue(app, "--fields", "NAMES", o->fields, readFields, helpOnFields());
   addPrecision(app, o->precision);
