@@ -111,21 +111,6 @@ void requireClosedFields(std::string_view record, const std::vector<std::string_
               " or the end of the line");
 }
 
-std::string markedBad(std::string_view written) {
-  constexpr std::string_view kMark = "marked bad by an earlier run: ";
-  const std::size_t again = written.find(kMark);
-  return std::string(kMark) +
-         std::string(again == std::string_view::npos ? written : written.substr(again + kMark.size()));
-}
-
-std::optional<std::string> markedBad(const RecordParts& json) {
-  const auto& names = json.shape.names;
-  if (names.size() != 2 || names[0] != "line" || !names[1].ends_with("error")) return std::nullopt;
-  const std::string_view line = json.values[0], message = json.values[1];
-  if (!parseNumber(line) || !message.starts_with('"')) return std::nullopt;
-  return markedBad("line " + std::string(line) + ": " + unescaped(message.substr(1, message.size() - 2)));
-}
-
 std::vector<std::string_view> valuesOf(const Record& record) {
   std::vector<std::string_view> values;
   const Form form = record.shape->form;

@@ -106,11 +106,6 @@ void requireClosedFields(std::string_view record, const std::vector<std::string_
 /// Where such text begins, or npos.
 std::size_t afterClosingQuote(std::string_view field);
 
-/// The message of a record which --keep-going of an earlier run put in place of a bad one. written: its own message.
-std::string markedBad(std::string_view written);
-/// The message if a JSON record is one: {"line": N, "error": "..."}, whatever stands in front of "error".
-std::optional<std::string> markedBad(const RecordParts& json);
-
 /// A CSV field without its quotes.
 std::string csvValue(std::string_view field);
 

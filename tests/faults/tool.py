@@ -52,7 +52,6 @@ def _runs():
     yield ["cull", "-c", CAMERA, "--planes"], b""
     for form in ("json", "text", "flat", "csv", "c", "glsl", "hlsl", "wgsl", "css", "numpy", "camera"):
         yield ["matrix", "--to", form], CAMERA.encode()
-    yield ["matrix", "-c", CAMERA, "--list"], b""
     yield ["inspect"], MATRIX
     yield ["inspect", "--to", "json"], MATRIX
     yield ["inspect", "--convention", "d3d", "--read-as", "opengl", "--to", "text"], MATRIX
