@@ -81,6 +81,7 @@ void draw(Picture& picture, const SceneObject& object) {
   const std::string label = labelOfJson(object.id);
   std::visit(
       [&](const auto& shape) {
+        // cppcheck-suppress constStatement
         constexpr bool isEarth = requires { shape.height; };
         constexpr bool hasOutline = requires { picture.add(label, shape); };
         if constexpr (isEarth)
