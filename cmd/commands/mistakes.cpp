@@ -1,0 +1,352 @@
+#include "commands/mistakes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "camera/check.hpp"
+#include "camera/patch.hpp"
+#include "text/error.hpp"
+#include "text/format_number.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+/// JSON as an option's value has it: numbers in their shortest form.
+std::string textOf(const Json& value) {
+  if (value.is_number()) return formatNumber(value.get<double>());
+  if (value.is_string()) return value.get<std::string>();
+  if (!value.is_structured()) return value.dump();
+  std::string text;
+  for (const auto& item : value.items()) {
+    if (!text.empty()) text += ',';
+    if (value.is_object()) text += Json(item.key()).dump() + ":";
+    text += item.value().is_string() ? item.value().dump() : textOf(item.value());
+  }
+  return value.is_object() ? "{" + text + "}" : "[" + text + "]";
+}
+
+/// The numbers of an array without its brackets, as options list them.
+std::string listOf(const Json& numbers) {
+  const std::string text = textOf(numbers);
+  return text.substr(1, text.size() - 2);
+}
+
+/// "0.5x + 3", "x/3", "720 - y".
+std::string formulaOf(char name, const Affine& map) {
+  const double size = std::fabs(map.scale);
+  const std::string times = size == 1  ? std::string(1, name)
+                            : size < 1 ? std::string(1, name) + "/" + formatDigits(1 / size, 12)
+                                       : formatDigits(size, 12) + name;
+  const std::string offset = formatDigits(std::fabs(map.offset), 12);
+  if (map.scale < 0) return (map.offset < 0 ? "-" : "") + offset + " - " + times;
+  return map.offset == 0 ? times : times + (map.offset < 0 ? " - " : " + ") + offset;
+}
+
+std::string inShell(const std::string& word) {
+  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_.,:/=+";
+  return word.find_first_not_of(kPlain) == std::string::npos ? word : "'" + word + "'";
+}
+
+/// The document and its camera, and the hypotheses found so far.
+struct Trials {
+  const Document& document;
+  const ReadOptions& reading;
+  Camera camera;
+  std::vector<Hypothesis> found = {};
+  std::string_view mistake = {}, sentence = {};
+
+  const Json* find(std::string_view path) const { return valueAt(*document.root, path); }
+  double numberOr(std::string_view path, double fallback) const {
+    const Json* const value = find(path);
+    return value && value->is_number() ? value->get<double>() : fallback;
+  }
+  double pixelCenter() const { return camera.viewport().pixelCenter; }
+  Vec2 first() const { return pictureCorners(camera.viewport()).first; }
+  Vec2 last() const { return pictureCorners(camera.viewport()).last; }
+
+  Hypothesis next(std::string mend, Json value) const {
+    return {mistake, sentence, std::make_shared<const Json>(std::move(value)), std::move(mend), camera};
+  }
+
+  /// Options, name and value in turns, an empty value for none: laid over the document. What cannot be read then is no
+  /// hypothesis.
+  void options(const std::vector<std::pair<std::string, std::string>>& list, Json value = nullptr) {
+    std::string mend;
+    std::vector<Patch> patches;
+    ReadOptions how = reading;
+    try {
+      for (const auto& [name, text] : list) {
+        mend += (mend.empty() ? "" : " ") + name + (text.empty() ? "" : " " + inShell(text));
+        const auto field = std::find_if(std::begin(kFields), std::end(kFields),
+                                        [&](const Field& each) { return each.option == name; });
+        if (name == "--allow-stretch")
+          how.allowStretch = true;
+        else
+          patches.push_back(name == "--set" ? setPatch(text) : optionPatch(*field, text));
+      }
+      Document changed{document.name, std::make_shared<Json>(*document.root), document.isTyped, document.labels};
+      lay(changed, patches);
+      Hypothesis hypothesis = next(mend, std::move(value));
+      hypothesis.camera = makeCamera(readCamera(changed, how));
+      hypothesis.hasCamera = true;
+      found.push_back(std::move(hypothesis));
+    } catch (const CameraError&) {
+    } catch (const InputError&) {
+    } catch (const UsageError&) {
+    }
+  }
+
+  void pixels(const Affine& x, const Affine& y, Json value = nullptr) {
+    std::string mend;
+    for (const auto& [name, map] : {std::pair('x', x), {'y', y}})
+      if (map.scale != 1 || map.offset != 0)
+        mend += (mend.empty() ? "replace " : " and ") + std::string(1, name) + " by " + formulaOf(name, map);
+    Hypothesis hypothesis = next(mend + " in the pixels", std::move(value));
+    hypothesis.x = x;
+    hypothesis.y = y;
+    found.push_back(std::move(hypothesis));
+  }
+
+  void points(const std::array<int, 3>& axes) {
+    std::string mend;
+    for (const int axis : axes)
+      mend += (mend.empty() ? "" : ",") + std::string(axis < 0 ? "-" : "") + "xyz"[std::abs(axis) - 1];
+    Hypothesis hypothesis = next("replace x,y,z of the points by " + mend, nullptr);
+    hypothesis.axes = axes;
+    found.push_back(std::move(hypothesis));
+  }
+};
+
+void flipY(Trials& t) {
+  const bool isTop = t.camera.viewport().origin == Origin::topLeft;
+  std::vector<std::pair<std::string, std::string>> list{
+      {"--set", std::string("viewport.origin=") + (isTop ? "bottom-left" : "top-left")}};
+  // What counts in pixels of the picture is counted from the other edge as well.
+  const double height = t.numberOr("viewport.height", t.camera.viewport().height), c = t.pixelCenter();
+  if (t.find("projection.cy")) {
+    const Json* const size = t.find("projection.pixels");
+    const double of = size ? (*size)[1].get<double>() : height;
+    const double cy = 2 * (t.numberOr("viewport.y", 0) * of / height + c) - 1 + of - t.numberOr("projection.cy", 0);
+    list.emplace_back("--set", "projection.cy=" + formatNumber(cy));
+  }
+  if (t.find("viewport.crop")) {
+    const double y = height - t.numberOr("viewport.crop.y", 0) - t.numberOr("viewport.crop.height", 0);
+    list.emplace_back("--set", "viewport.crop.y=" + formatNumber(y));
+  }
+  t.options(list);
+  t.pixels({}, {-1, t.first().y + t.last().y});
+}
+
+void flipIndex(Trials& t) {
+  for (const double one : {-1.0, 1.0}) t.pixels({}, {-1, t.first().y + t.last().y + one});
+}
+
+void mirrorX(Trials& t) {
+  const bool isRight = t.camera.convention().world == Handedness::right;
+  t.options({{"--set", std::string("convention.world=") + (isRight ? "left" : "right")}});
+  t.pixels({-1, t.first().x + t.last().x}, {});
+  if (const double axis = 2 * t.camera.intrinsics().cx; axis != t.first().x + t.last().x) t.pixels({-1, axis}, {});
+  for (const auto& axes : {std::array{-1, 2, 3}, {1, -2, 3}, {1, 2, -3}}) t.points(axes);
+}
+
+void movePixelCentre(Trials& t) {
+  t.options({{"--set", t.pixelCenter() == 0 ? "viewport.pixelCenter=0.5" : "viewport.pixelCenter=0"}});
+  for (const double half : {-0.5, 0.5}) t.pixels({1, half}, {1, half});
+}
+
+void scalePixels(Trials& t) {
+  const auto about = [](double corner, double ratio) { return Affine{1 / ratio, corner - corner / ratio}; };
+  for (const double ratio : {1.25, 1.5, 2.0, 3.0, 1 / 1.25, 1 / 1.5, 0.5, 1 / 3.0}) {
+    t.pixels(about(0, ratio), about(0, ratio), ratio);
+    if (t.pixelCenter() != 0.5) t.pixels(about(t.first().x, ratio), about(t.first().y, ratio), ratio);
+  }
+}
+
+void moveOffset(Trials& t) {
+  if (t.find("viewport.crop")) t.options({{"--set", "viewport.crop=null"}});
+  for (const char* const corner : {"viewport.", "viewport.crop."}) {
+    const double x = t.numberOr(corner + std::string("x"), 0), y = t.numberOr(corner + std::string("y"), 0);
+    if (x == 0 && y == 0) continue;
+    for (const double sign : {1.0, -1.0}) t.pixels({1, sign * x}, {1, sign * y});
+  }
+}
+
+void resizePicture(Trials& t) {
+  const double center = t.pixelCenter() - 0.5;
+  const double width = std::round(2 * (t.numberOr("projection.cx", 0) - center));
+  const double height = std::round(2 * (t.numberOr("projection.cy", 0) - center));
+  if (!t.find("projection.cx") ||
+      (width == t.numberOr("viewport.width", 0) && height == t.numberOr("viewport.height", 0)))
+    return;
+  t.options({{"--set", "projection.pixels=[" + formatNumber(width) + "," + formatNumber(height) + "]"}},
+            Json{width, height});
+}
+
+constexpr std::pair<const char*, const char*> kAngles[] = {
+    {"projection.fovY", "--fov-y"}, {"projection.fovX", "--fov-x"}, {"projection.fovDiagonal", "--fov-diagonal"}};
+
+void turnFov(Trials& t) {
+  for (const auto& [path, own] : kAngles)
+    if (const Json* const angle = t.find(path))
+      for (const auto& [other, option] : kAngles)
+        if (own != option) t.options({{option, textOf(*angle)}});
+}
+
+void changeAspect(Trials& t) {
+  if (t.find("projection.aspect")) t.options({{"--set", "projection.aspect=null"}});
+  const Viewport& v = t.camera.viewport();
+  const double height = t.camera.projection().top() - t.camera.projection().bottom();
+  const double aspect = t.find("projection.aspect")
+                            ? (t.camera.projection().right() - t.camera.projection().left()) / height
+                            : v.width / v.height;
+  t.options({{"--aspect", "1"}, {"--allow-stretch", ""}});
+  if (t.find("projection.aspect"))
+    t.options({{"--aspect", formatNumber(1 / aspect)}, {"--allow-stretch", ""}});
+  else
+    t.options({{"--aspect", formatNumber(v.height) + "/" + formatNumber(v.width)}, {"--allow-stretch", ""}});
+}
+
+/// "60" and "60deg" in radians, "1.05rad" in degrees.
+std::string inOtherUnit(const Json& angle) {
+  std::string text = textOf(angle);
+  for (const std::string_view unit : {"rad", "deg", "\xC2\xB0"})
+    if (text.ends_with(unit)) return text.substr(0, text.size() - unit.size()) + (unit == "rad" ? "deg" : "rad");
+  return text + "rad";
+}
+
+void takeRadians(Trials& t) {
+  for (const auto& [path, option] : kAngles) {
+    const Json* const angle = t.find(path);
+    if (!angle) continue;
+    t.options({{option, inOtherUnit(*angle)}});
+    // Who made the pixels has used as many radians as there are degrees.
+    if (!angle->is_number()) continue;
+    const double degrees = angle->get<double>();
+    const double ratio = std::tan(degrees / 2) / std::tan(degrees * std::numbers::pi / 360);
+    const auto [fx, fy, cx, cy] = t.camera.intrinsics();
+    t.pixels({ratio, cx - ratio * cx}, {ratio, cy - ratio * cy});
+  }
+  std::vector<std::pair<std::string, std::string>> turns;
+  for (const char* const name : {"heading", "pitch", "roll"})
+    if (const Json* const angle = t.find(name)) turns.emplace_back("--" + std::string(name), inOtherUnit(*angle));
+  if (!turns.empty()) t.options(turns);
+  if (const Json* const euler = t.find("euler.degrees")) {
+    Json angles = Json::array();
+    for (const Json& angle : *euler) angles.push_back(inOtherUnit(angle));
+    t.options({{"--set", "euler.degrees=" + textOf(angles)}});
+  }
+}
+
+void exchangeTarget(Trials& t) {
+  for (const auto& [path, option] : {std::pair("target", "--direction"), {"direction", "--target"}})
+    if (const Json* const value = t.find(path); value && value->is_array()) t.options({{option, listOf(*value)}});
+}
+
+void turnUp(Trials& t) {
+  for (const auto& axes : {std::array{1, 3, -2}, {1, -3, 2}, {1, 3, 2}}) t.points(axes);
+  if (!t.find("target") && !t.find("direction")) return;
+  for (const char* const up : {"0,1,0", "0,0,1"})
+    if (const Json* const own = t.find("up"); !own || listOf(*own) != up) t.options({{"--up", up}});
+}
+
+/// A quaternion, or a matrix by rows, of the inverse rotation.
+Json inverseOf(const Json& rotation) {
+  Json inverse = rotation;
+  if (rotation.size() == 4)
+    for (std::size_t i = 0; i < 3; ++i) inverse[i] = -rotation[i].get<double>();
+  else
+    for (std::size_t i = 0; i < 9; ++i) inverse[i / 3][i % 3] = rotation[i % 3][i / 3];
+  return inverse;
+}
+
+void invertPose(Trials& t) {
+  for (const auto& [path, other] :
+       {std::pair("worldFromCamera", "cameraFromWorld"), {"cameraFromWorld", "worldFromCamera"}}) {
+    const Json* const pose = t.find(path);
+    if (!pose) continue;
+    t.options({{"--set", std::string(path) + "=null"}, {"--set", std::string(other) + "=" + textOf(*pose)}});
+    const std::string rotation = std::string(path) + ".rotation";
+    if (const Json* const turn = t.find(rotation); turn && (turn->size() == 4 || turn->size() == 3))
+      t.options({{"--set", rotation + "=" + textOf(inverseOf(*turn))}});
+  }
+  const Json *const rotation = t.find("rotation"), *const position = t.find("position");
+  if (!rotation || !rotation->is_array() || !position->is_array()) return;
+  t.options({{"--set", "rotation=" + textOf(inverseOf(*rotation))}});
+  const Json rigid{{"rotation", *rotation}, {"translation", *position}};
+  t.options({{"--set", "position=null"}, {"--set", "rotation=null"}, {"--set", "cameraFromWorld=" + textOf(rigid)}});
+}
+
+void reorderQuaternion(Trials& t) {
+  for (const char* const path : {"rotation", "worldFromCamera.rotation", "cameraFromWorld.rotation"})
+    if (const Json* const q = t.find(path); q && q->is_array() && q->size() == 4)
+      for (const auto& order : {std::array{1, 2, 3, 0}, {3, 0, 1, 2}}) {
+        Json turned = Json::array();
+        for (const int i : order) turned.push_back((*q)[static_cast<std::size_t>(i)]);
+        t.options({{"--set", std::string(path) + "=" + textOf(turned)}});
+      }
+}
+
+void turnAxes(Trials& t) {
+  const Json* const own = t.find("cameraAxes");
+  for (const auto& [name, axes] : kCameraAxesNames)
+    if (!own || *own != name) t.options({{"--set", "cameraAxes=" + std::string(name)}}, std::string(name));
+}
+
+/// From low to high across the picture, y from its top or from its bottom.
+void fromUnits(Trials& t, double low) {
+  const Vec2 first = t.first(), last = t.last();
+  const auto across = [low](double from, double to) {
+    const double scale = (to - from) / (1 - low);
+    return Affine{scale, from - scale * low};
+  };
+  t.pixels(across(first.x, last.x), across(first.y, last.y));
+  t.pixels(across(first.x, last.x), across(last.y, first.y));
+}
+
+struct Mistake {
+  std::string_view name, sentence;
+  void (*addTo)(Trials&);
+};
+constexpr Mistake kMistakes[] = {
+    {"y-flipped", "y is counted from the other edge of the picture", flipY},
+    {"y-flipped-index", "y is counted from the other edge and is off by one pixel, as height - 1 - y is for positions",
+     flipIndex},
+    {"x-mirrored", "the picture is mirrored: one side has a left-handed world or view, the other a right-handed one",
+     mirrorX},
+    {"pixel-centre", "pixel centres are at whole numbers on one side and at halves on the other", movePixelCentre},
+    {"pixel-ratio", "one side counts device pixels and the other CSS (logical) pixels", scalePixels},
+    {"viewport-offset", "the corner of the viewport or of the crop is left out, or added twice", moveOffset},
+    {"picture-size", "fx, fy, cx, cy are of a picture of another size", resizePicture},
+    {"fov-axis", "the angle of view is that of another axis", turnFov},
+    {"aspect", "the aspect is left out, or inverted", changeAspect},
+    {"radians", "an angle in radians is taken for degrees, or the reverse", takeRadians},
+    {"direction-as-target", "a direction is taken for a target, or the reverse", exchangeTarget},
+    {"up-axis", "one side has y up and the other z up", turnUp},
+    {"pose-inverted", "the pose is the inverse: world-to-camera taken for camera-to-world, or the reverse", invertPose},
+    {"quaternion-order", "the quaternion has w first on one side and last on the other", reorderQuaternion},
+    {"camera-axes", "the pose counts on other axes of the camera", turnAxes},
+    {"normalized", "the pixels are 0..1 across the picture", [](Trials& t) { fromUnits(t, 0); }},
+    {"ndc", "the pixels are normalized device coordinates, -1..1", [](Trials& t) { fromUnits(t, -1); }},
+};
+
+}  // namespace
+
+Vec4 Hypothesis::point(const Vec4& p) const {
+  const double of[] = {p.x, p.y, p.z};
+  const auto at = [&](int axis) { return axis < 0 ? -of[-axis - 1] : of[axis - 1]; };
+  return {at(axes[0]), at(axes[1]), at(axes[2]), p.w};
+}
+
+std::vector<Hypothesis> hypotheses(const Document& document, const ReadOptions& reading) {
+  Trials trials{document, reading, makeCamera(readCamera(document, reading))};
+  for (const Mistake& mistake : kMistakes) {
+    trials.mistake = mistake.name;
+    trials.sentence = mistake.sentence;
+    mistake.addTo(trials);
+  }
+  return std::move(trials.found);
+}
+
+}  // namespace viewproj::cmd
