@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "camera/check.hpp"
 #include "camera/patch.hpp"
 #include "text/error.hpp"
-#include "text/format_number.hpp"
+#include "text/number.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -73,10 +74,10 @@ struct Trials {
   /// Options, name and value in turns, an empty value for none: laid over the document. What cannot be read then is no
   /// hypothesis.
   void options(const std::vector<std::pair<std::string, std::string>>& list, Json value = nullptr) {
-    std::string mend;
-    std::vector<Patch> patches;
-    ReadOptions how = reading;
     try {
+      std::string mend;
+      std::vector<Patch> patches;
+      ReadOptions how = reading;
       for (const auto& [name, text] : list) {
         mend += (mend.empty() ? "" : " ") + name + (text.empty() ? "" : " " + inShell(text));
         const auto field = std::find_if(std::begin(kFields), std::end(kFields),
@@ -335,7 +336,10 @@ constexpr Mistake kMistakes[] = {
 
 Vec4 Hypothesis::point(const Vec4& p) const {
   const double of[] = {p.x, p.y, p.z};
-  const auto at = [&](int axis) { return axis < 0 ? -of[-axis - 1] : of[axis - 1]; };
+  const auto at = [&](int axis) {
+    const double along = of[std::abs(axis) - 1];
+    return axis < 0 ? -along : along;
+  };
   return {at(axes[0]), at(axes[1]), at(axes[2]), p.w};
 }
 
