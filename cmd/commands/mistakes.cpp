@@ -81,7 +81,7 @@ struct Trials {
       for (const auto& [name, text] : list) {
         mend += (mend.empty() ? "" : " ") + name + (text.empty() ? "" : " " + inShell(text));
         const auto field = std::find_if(std::begin(kFields), std::end(kFields),
-                                        [&](const Field& each) { return each.option == name; });
+                                        [&option = name](const Field& each) { return each.option == option; });
         if (name == "--allow-stretch")
           how.allowStretch = true;
         else
