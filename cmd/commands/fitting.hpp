@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 #include "camera/read_camera.hpp"
 #include "viewproj/scene.hpp"
