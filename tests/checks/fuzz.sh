@@ -36,7 +36,7 @@ sed -n 's/.*"file":\({.*}\),"points":.*/\1/p' tests/importers/fixtures/*.jsonl |
 done
 
 # Words: what the readers themselves compare with.
-grep -rohE --include='*.?pp' '"[A-Za-z][A-Za-z0-9_.-]*"' cmd/camera cmd/input cmd/records cmd/commands | sort -u |
+grep -rohE --include='*.?pp' '"[A-Za-z][A-Za-z0-9_.-]*"' cmd/camera cmd/records cmd/commands | sort -u |
   sed 's/^"\(.*\)"$/"\\"\1\\""/' >"$build/words"
 cp "$build/words" "$build/arguments"
 sed 's/\\"//g' "$build/words" >>"$build/arguments"

@@ -114,8 +114,10 @@ Trial randomTrial(std::uint64_t seed) {
   s.degrees = random.uniform(25, 90);
   s.width = 640 + 8.0 * static_cast<double>(random.below(160));
   s.height = 360 + 8.0 * static_cast<double>(random.below(30));
-  for (int i = 0; i < 6; ++i)
-    trial.points.push_back(s.point(random.uniform(-0.9, 0.9), random.uniform(-0.9, 0.9), random.logUniform(2, 20)));
+  for (int i = 0; i < 6; ++i) {  // drawn in one order, whatever the compiler
+    const double x = random.uniform(-0.9, 0.9), y = random.uniform(-0.9, 0.9), distance = random.logUniform(2, 20);
+    trial.points.push_back(s.point(x, y, distance));
+  }
   return trial;
 }
 
@@ -401,7 +403,7 @@ TEST_CASE("Two mistakes at once have no explanation") {
         CAPTURE(document.name, pixels.name, seed);
         const auto report = checked(
             document.document(trial.scene), trial, [&](const Vec3& p) { return pixels.pixel(trial.scene, p); }, nullptr,
-            0.1);
+            0.01);  // at 0.1 a target taken for a direction, far away, and a flip pass for the other flip
         if (!report) continue;
         INFO(report->dump());
         CHECK(!(*report)["agrees"]);
