@@ -3,16 +3,14 @@
 
 #include <array>
 #include <cstddef>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
 #include "commands/mistakes.hpp"
 #include "numbers/double_double.hpp"
+#include "output/report.hpp"
 
 namespace viewproj::cmd {
-
-using OrderedJson = nlohmann::ordered_json;
 
 /// Takes pairs one by one; its size does not grow with them.
 class PairCheck {

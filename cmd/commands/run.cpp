@@ -43,8 +43,8 @@ constexpr GoneArgument kGone[] = {
     {"ray", "--ray-from", "--pixel X,Y,0 gives the point on near"},
     {"schema", "camera", "schema prints the schema of a camera"},
     {"schema", "points", "help points tells the fields"},
-    {"schema", "results", "help points and help pixels tell the results"},
-    {"schema", "scene", "help scene tells the fields"},
+    {"schema", "results", "help points tells the results"},
+    {"schema", "scene", "help points tells the fields"},
 };
 
 /// "; it is an option of project and ray", what stands in for an option that is gone, or the nearest that there is.
