@@ -20,9 +20,16 @@ llvm() {
 llvm llvm-profdata merge -sparse -o "$build/profile" "$build"/profiles/*.profraw
 set -- "$build/viewproj"
 for program in "$build"/*_tests; do set -- "$@" -object "$program"; done
-for part in lib cmd; do
-  llvm llvm-cov report -instr-profile "$build/profile" "$@" $part 2>/dev/null >"$build/coverage.$part"
-  awk -v part=$part '$1 == "TOTAL" { print part ": " $10 " of " $8 " lines reached"; found = 1 } END { exit !found }' "$build/coverage.$part"
-done
+llvm llvm-cov export -summary-only -instr-profile "$build/profile" "$@" >"$build/coverage.json"
+python3 - "$build/coverage.json" <<'SUMS'
+import json, os, sys
+files = json.load(open(sys.argv[1]))["data"][0]["files"]
+for part in ("lib", "cmd"):
+    rows = [f["summary"]["lines"] for f in files if f["filename"].startswith(os.path.join(os.getcwd(), part, ""))]
+    total, covered = (sum(row[key] for row in rows) for key in ("count", "covered"))
+    if total == 0:
+        sys.exit(f"{part}: no lines in the profile")
+    print(f"{part}: {100 * covered / total:.2f} % of {total} lines reached")
+SUMS
 llvm llvm-cov show -instr-profile "$build/profile" "$@" lib cmd 2>/dev/null | grep -E '^/|\| +0\|' >"$build/coverage.lines" || true
 echo "the lines that no test reaches: $build/coverage.lines"
