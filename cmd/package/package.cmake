@@ -3,7 +3,7 @@
 set(changelog ${PROJECT_SOURCE_DIR}/cmd/package/changelog)
 install(FILES README.md cmd/package/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES lib/ACCURACY.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/lib)
-install(FILES cmd/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/cmd)
+install(FILES cmd/README.md cmd/MANUAL.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/cmd)
 install(FILES tests/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/tests)
 install(DIRECTORY samples DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN samples/setup.sh EXCLUDE PATTERN samples/run.sh EXCLUDE)
 

@@ -1,5 +1,5 @@
 // Where one JSON record of a stream ends and the next begins, in good JSON and in broken JSON: a property of the text
-// alone. "What is broken" in cmd/README.md states the rules.
+// alone. cmd/README.md states the rules.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Runs the ```console blocks of a page and compares what they print with what it shows; what it links to must be there.
-#   sh page.sh VIEWPROJ PAGE.md      (in the folder that the commands are run in)
+#   sh page.sh VIEWPROJ PAGE.md      (in the folder that the commands are run in: a folder of links to what is in it)
 set -eu
 # shellcheck source=tests/cmd/limits.sh
 . "$(dirname "$0")/limits.sh"
@@ -10,6 +10,8 @@ export PATH
 page=$2
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+mkdir "$work/folder"
+for entry in "$PWD"/*; do ln -s "$entry" "$work/folder"; done
 
 touch "$work/shown" "$work/commands" "$work/printed"
 awk -v shown="$work/shown" -v commands="$work/commands" '
@@ -22,7 +24,7 @@ awk -v shown="$work/shown" -v commands="$work/commands" '
 while IFS= read -r command; do
   printf '$ %s\n' "$command" >>"$work/printed"
   status=0
-  limited sh -c "$command" >"$work/one" 2>&1 </dev/null || status=$?
+  (cd "$work/folder" && limited sh -c "$command") >"$work/one" 2>&1 </dev/null || status=$?
   cat "$work/one" >>"$work/printed"
   if [ "$status" -ge 124 ] || { [ "$status" != 0 ] && ! grep -q '^viewproj: ' "$work/one"; }; then
     echo "$page: status $status of: $command"

@@ -1,8 +1,7 @@
 #!/bin/sh
-# The recipes for GNU parallel of the page of commands, with blocks of a tenth of the size: each must give what one run of viewproj gives, byte for
-# byte.
-#   sh parallel.sh VIEWPROJ cmd/README.md
-# 77: GNU parallel is not there. Recipes are the paragraphs of the sh blocks that call parallel. Hosts are this one: a stand-in takes the place of ssh.
+# The recipes for GNU parallel in the manual, with blocks of a tenth of the size: each must give what one run gives, byte for byte.
+#   sh parallel.sh VIEWPROJ cmd/MANUAL.md
+# 77: GNU parallel is not there. Recipes are the paragraphs of the sh blocks that call parallel.
 set -eu
 command -v parallel >/dev/null || { echo "parallel is not installed"; exit 77; }
 PATH="$(cd "$(dirname "$1")" && pwd):$PATH"
@@ -15,23 +14,8 @@ trap 'exit 1' HUP INT TERM
 cd "$work"
 HOME=$work
 export HOME
-mkdir .parallel hosts recipes
+mkdir .parallel recipes
 : >.parallel/will-cite
-
-cat >hosts/ssh <<'END'
-#!/bin/sh
-# ssh [OPTIONS] HOST [--] COMMAND..., run here. As sshd does, it says which shell that is: parallel's own part there asks.
-SHELL=/bin/sh
-export SHELL
-while [ "${1#-}" != "$1" ]; do shift; done
-echo "$1" >>"$HOSTS"
-shift
-[ "$1" != -- ] || shift
-exec sh -c "$*"
-END
-chmod +x hosts/ssh
-HOSTS=$work/hosts/reached PATH=$work/hosts:$PATH
-export HOSTS PATH
 
 cat >camera.json <<'END'
 {"position": [30, 40, 150], "target": [0, 5, 0], "projection": {"type": "perspective", "fovY": 60, "near": 0.1, "far": 1000},
@@ -54,7 +38,7 @@ viewproj project -c camera.json --to f64 points.txt >points.f64
 awk '
   /^```sh$/ { inside = 1; text = ""; next }
   inside && (/^```$/ || /^$/) {
-    sizes = gsub(/--block 10M/, "--block 1M", text) + gsub(/--block 24m/, "--block 2400000", text) + gsub(/--block 50M/, "--block 5M", text)
+    sizes = gsub(/--block 10M/, "--block 1M", text) + gsub(/--block 24m/, "--block 2400000", text)
     if (sizes) printf "%s", text >("recipes/" ++count)
     else if (text ~ /parallel/) exit 1
     if (/^```$/) inside = 0
@@ -86,7 +70,6 @@ for recipe in recipes/*; do
   cmp plain "out.$form" || complain 'differs from one run'
   count=$((count + 1))
 done
-[ -s "$HOSTS" ] || { recipe=/dev/null; complain 'no recipe went to another host'; }
 
 # Something wrong near the end: a number that is a word, or not a number.
 sed -i '48000s/:\([-0-9.]*\),/:x\1,/' points.ndjson
