@@ -211,7 +211,7 @@ Projection plainProjection(const Document& document) {
   Document plain = copied(document);
   (*plain.root)["projection"].erase("shift");
   if (valueAt(*plain.root, "viewport")) (*plain.root)["viewport"].erase("crop");
-  return *readCamera(plain, {.allowStretch = true, .ignoreDistortion = true}).projection;
+  return *readCamera(plain, {.allowStretch = true}).projection;
 }
 
 // cppcheck-suppress constParameter  // what it points to changes

@@ -214,19 +214,23 @@ void noteRadians(const Node& projection, std::vector<std::string>& notes) {
   }
 }
 
-void readLens(const Node& root, const ReadOptions& reading, CameraFile& file) {
-  const auto distortion = root.find("distortion");
-  if (!distortion) return;
-  const auto isZero = [&](const char* key) {
-    const auto numbers = distortion->find(key);
-    if (!numbers || numbers->size() == 0) return true;
-    const std::vector<double> all = numbers->numbers();
-    return std::all_of(all.begin(), all.end(), [](double n) { return n == 0; });
-  };
-  if (distortion->require("model").text() == "brown" && isZero("k") && isZero("p")) return;
-  if (!reading.ignoreDistortion)
-    distortion->fail("a lens with distortion is not supported yet; --ignore-distortion leaves it out");
-  file.notes.push_back(file.name + ": the lens distortion is left out");
+/// What the document leaves out is 0.
+template <std::size_t Count>
+std::array<double, Count> coefficients(const Node& distortion, std::string_view key) {
+  std::array<double, Count> all{};
+  const auto given = distortion.find(key);
+  if (!given || given->size() == 0) return all;
+  const std::vector<double> numbers = given->numbers();
+  std::copy(numbers.begin(), numbers.end(), all.begin());
+  return all;
+}
+
+Lens readLens(const Node& distortion) {
+  const auto limit = distortion.find("limit");
+  if (distortion.require("model").text() == "fisheye")
+    return fisheyeLens(coefficients<4>(distortion, "k"), limit ? limit->require("degrees").number() : kInfiniteFar);
+  return brownLens(coefficients<6>(distortion, "k"), coefficients<2>(distortion, "p"),
+                   limit ? limit->require("radius").number() : kInfiniteFar);
 }
 
 CameraFile readChecked(const Document& document, const ReadOptions& reading) {
@@ -253,8 +257,6 @@ CameraFile readChecked(const Document& document, const ReadOptions& reading) {
     const Vec3 eye = file.pose->eye(), at = positionOf(*target);
     file.targetDistance = std::hypot(at.x - eye.x, at.y - eye.y, at.z - eye.z);
   }
-  readLens(root, reading, file);
-
   const auto projection = root.find("projection");
   const std::uint8_t type = projection ? valueOf(kTypeNames, projection->require("type").text()) : 0;
   std::optional<Vec2> pixels;
@@ -286,6 +288,10 @@ CameraFile readChecked(const Document& document, const ReadOptions& reading) {
     picture->frame = cropped(picture->frame, *picture->crop);
   }
   if (picture) file.viewport = picture->frame;
+  if (const auto distortion = root.find("distortion")) {
+    if (type == kOrthographic) distortion->fail("goes with a perspective, not with an orthographic projection");
+    file.lens = readLens(*distortion);
+  }
   return file;
 }
 
@@ -324,8 +330,9 @@ DocumentConvention readConvention(const Document& document) {
   return result;
 }
 
-CameraFile readCamera(Document document, const ReadOptions& reading) {
-  normalize(document);
+namespace {
+
+CameraFile readNormalized(const Document& document, const ReadOptions& reading) {
   check(document);
   try {
     return readChecked(document, reading);
@@ -333,6 +340,31 @@ CameraFile readCamera(Document document, const ReadOptions& reading) {
     const Node at = nodeOf(document, e.field());
     at.fail((at.path().empty() ? e.field() + ": " : "") + e.message());
   }
+}
+
+/// How far the lens moves pixels; nothing where it is none that is known, or the document lacks a part of the camera.
+std::optional<double> lensShift(const Document& document, const ReadOptions& reading) {
+  try {
+    const CameraFile file = readNormalized(document, reading);
+    return file.lens ? largestShift(makeCamera(file)) : 0;
+  } catch (const std::runtime_error&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+CameraFile readCamera(Document document, const ReadOptions& reading) {
+  normalize(document);
+  if (!reading.ignoreDistortion || !valueAt(*document.root, "distortion")) return readNormalized(document, reading);
+  const std::optional<double> shift = lensShift(document, reading);
+  document.root = std::make_shared<Json>(*document.root);
+  document.root->erase("distortion");
+  CameraFile file = readNormalized(document, reading);
+  if (shift != 0)
+    file.notes.push_back(file.name + ": the lens distortion is left out" +
+                         (shift ? ", up to " + formatDigits(*shift, 3) + " pixels" : ""));
+  return file;
 }
 
 bool hasShape(const Viewport& viewport, double aspect) {
@@ -347,6 +379,12 @@ void requireNear(const CameraFile& file, const std::string& what) {
   throw InputError(message);
 }
 
+void requireStraightEdges(const CameraFile& file, const std::string& what) {
+  if (file.lens)
+    throw InputError(what + " needs straight edges, which the lens of " + file.name +
+                     " bends; --ignore-distortion leaves its distortion out");
+}
+
 Camera makeCamera(const CameraFile& file) {
   const auto require = [&](bool good, const char* part) {
     const std::string message = file.name + ": the camera has no " + part;
@@ -357,7 +395,8 @@ Camera makeCamera(const CameraFile& file) {
   require(file.projection.has_value(), "projection");
   require(file.viewport.has_value(), "viewport; --viewport WIDTHxHEIGHT gives one");
   try {
-    return makeCamera(*file.pose, *file.projection, *file.viewport, file.convention);
+    const Camera camera = makeCamera(*file.pose, *file.projection, *file.viewport, file.convention);
+    return file.lens ? withLens(camera, *file.lens) : camera;
   } catch (const CameraError& e) {
     throw InputError(file.name + ": " + e.what());
   }

@@ -7,6 +7,7 @@
 
 #include "camera/document.hpp"
 #include "viewproj/camera.hpp"
+#include "viewproj/lens.hpp"
 
 namespace viewproj::cmd {
 
@@ -22,6 +23,7 @@ struct CameraFile {
   std::optional<Pose> pose;
   std::optional<Projection> projection;
   std::optional<Viewport> viewport;
+  std::optional<Lens> lens;
   Convention convention;
   CameraAxes cameraAxes = CameraAxes::RUB;  ///< of the convention's preset
   bool worldIsEcef = false;                 ///< Earth-centred metres: points may be given by lat, lon, height
@@ -44,6 +46,9 @@ bool hasShape(const Viewport& viewport, double aspect);
 inline bool hasDepth(const Projection& projection) { return projection.isOrthographic() || projection.zNear() > 0; }
 /// Throws InputError, naming what needs it, where there is none.
 void requireNear(const CameraFile& file, const std::string& what);
+
+/// Throws InputError, naming what needs straight edges, where a lens bends them.
+void requireStraightEdges(const CameraFile& file, const std::string& what);
 
 /// All parts together; throws InputError (of options UsageError) naming what is lacking for it.
 Camera makeCamera(const CameraFile& file);

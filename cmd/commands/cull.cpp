@@ -55,6 +55,7 @@ int run(const Options& o) {
   setup.given.insert(setup.given.end(), o.shapes.begin(), o.shapes.end());
   o.stream.reads(setup, o.camera);
   const CameraFile file = o.camera.read();
+  requireStraightEdges(file, "cull");
   const Frustum frustum = viewFrustum(makeCamera(file));
   o.stream.settleOnEarth(setup, file.worldIsEcef);
   const PointReading reading{.columns = setup.columns, .worldIsEcef = file.worldIsEcef, .shapes = true, .radius = true};

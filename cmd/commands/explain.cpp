@@ -16,6 +16,7 @@
 #include "text/error.hpp"
 #include "text/number.hpp"
 #include "viewproj/clip.hpp"
+#include "viewproj/lens.hpp"
 #include "viewproj/matrices.hpp"
 #include "viewproj/screen.hpp"
 
@@ -244,6 +245,74 @@ void explainScreen(Steps& steps, const Camera& camera, const Convention& c, cons
                         : "window depth");
 }
 
+/// tangent: the names of x and y at distance 1, x right and y down, and what they are.
+void explainLens(Steps& steps, const Lens& lens, const Vec2& tangent) {
+  const auto polynomial = [&](const std::string& variable, std::initializer_list<int> indices) {
+    std::string text = "1";
+    std::string power = variable;
+    for (const int i : indices) {
+      if (lens.k()[static_cast<std::size_t>(i)] != 0) text += " + k" + std::to_string(i + 1) + "*" + power;
+      power += "*" + variable;
+    }
+    return text;
+  };
+  steps.stage("lens");
+  for (std::size_t i = 0; i < lens.k().size(); ++i)
+    if (lens.k()[i] != 0) steps.given("k" + std::to_string(i + 1), lens.k()[i]);
+  const Vec2 out = distorted(lens, tangent);
+  const double square = tangent.x * tangent.x + tangent.y * tangent.y;
+  if (lens.model() == LensModel::fisheye) {
+    const double radius = std::sqrt(square), angle = std::atan(radius);
+    steps.step("radius", "sqrt(tangent.x*tangent.x + tangent.y*tangent.y)", radius);
+    steps.step("angle", "atan(radius)", angle, "radians off the axis");
+    steps.step("square", "angle*angle", angle * angle);
+    steps.step("lens.x", "tangent.x / radius * angle * (" + polynomial("square", {0, 1, 2, 3}) + ")", out.x);
+    steps.step("lens.y", "tangent.y / radius * angle * (" + polynomial("square", {0, 1, 2, 3}) + ")", out.y);
+    return;
+  }
+  const auto [p1, p2] = lens.p();
+  steps.given("p1", p1);
+  steps.given("p2", p2);
+  const auto& k = lens.k();
+  const double numerator = 1 + square * (k[0] + square * (k[1] + square * k[2]));
+  const double denominator = 1 + square * (k[3] + square * (k[4] + square * k[5]));
+  steps.step("square", "tangent.x*tangent.x + tangent.y*tangent.y", square);
+  steps.step("radial", "(" + polynomial("square", {0, 1, 2}) + ") / (" + polynomial("square", {3, 4, 5}) + ")",
+             numerator / denominator);
+  steps.step("lens.x", "radial*tangent.x + 2*p1*tangent.x*tangent.y + p2*(square + 2*tangent.x*tangent.x)", out.x);
+  steps.step("lens.y", "radial*tangent.y + p1*(square + 2*tangent.y*tangent.y) + 2*p2*tangent.x*tangent.y", out.y);
+}
+
+/// From view space through the lens to the pixel.
+void explainThroughLens(Steps& steps, const Camera& camera, const Lens& lens, const Vec3& view, const Convention& c,
+                        const ScreenPoint& p) {
+  if (p.status == PointStatus::behind) {
+    steps.stage("screen");
+    return steps.given("screen.x", p.x, "on or behind the plane through the eye: no pixel");
+  }
+  const Intrinsics k = camera.intrinsics();
+  const std::string distance = std::isnan(p.viewDistance) ? (isBack(c) ? "-view.z" : "view.z") : "viewDistance";
+  const double along = isBack(c) ? -view.z : view.z;
+  const Vec2 tangent{view.x / along, (isDown(c) ? view.y : -view.y) / along};
+  steps.stage("tangent");
+  steps.step("tangent.x", "view.x / " + distance, tangent.x, "right");
+  steps.step("tangent.y", (isDown(c) ? "view.y / " : "-view.y / ") + distance, tangent.y, "down");
+  if (p.status == PointStatus::beyondLens)
+    return steps.given(
+        "lens.x", p.x,
+        "beyond the limit of the lens, at " + formatDigits(lens.limitDegrees(), 6) + " degrees: no pixel");
+  explainLens(steps, lens, tangent);
+  steps.stage("screen");
+  const bool isUpwards = camera.viewport().origin != Origin::topLeft;
+  steps.given("fx", k.fx);
+  steps.given("fy", isUpwards ? -k.fy : k.fy, isUpwards ? "screen y runs upwards" : "");
+  steps.given("cx", k.cx);
+  steps.given("cy", k.cy);
+  steps.sum("screen.x", {{"cx"}, {"fx", "lens.x"}}, p.x);
+  steps.sum("screen.y", {{"cy"}, {"fy", "lens.y"}}, p.y);
+  if (hasDepth(camera.projection())) steps.given("depth", p.depth, "window depth, as without the lens");
+}
+
 /// From view space straight to the pixel: there is no near plane.
 void explainWithoutNear(Steps& steps, const Camera& camera, const Vec3& view, const Convention& c,
                         const ScreenPoint& p) {
@@ -265,9 +334,7 @@ void explainWithoutNear(Steps& steps, const Camera& camera, const Vec3& view, co
 
 OrderedJson resultOf(const ScreenPoint& p) {
   OrderedJson outside = OrderedJson::array();
-  if (p.status == PointStatus::behind) outside.push_back("behind");
-  for (const auto& [side, name] : kSides)
-    if (p.outside & side) outside.push_back(name);
+  for (const std::string_view name : Sides(p).names()) outside.push_back(name);
   return {{"screen", std::isnan(p.x) ? OrderedJson() : asJson(Vec2{p.x, p.y})},
           {"depth", p.depth},
           {"viewDistance", p.viewDistance},
@@ -285,6 +352,15 @@ void explainWindow(Steps& steps, const Camera& camera, const Vec2& pixel, const 
   steps.given("cy", k.cy);
   steps.given("fx", k.fx,
               camera.projection().isOrthographic() ? "pixels for a unit of length" : "pixels for a tangent of 1");
+  if (lensOf(camera)) {
+    const double fy = isDownwards ? k.fy : -k.fy;
+    steps.given("fy", fy, isDownwards ? "" : "screen y runs upwards");
+    steps.step("lens.x", "(pixel.x - cx) / fx", (pixel.x - k.cx) / k.fx, "right");
+    steps.step("lens.y", "(pixel.y - cy) / fy", (pixel.y - k.cy) / fy, "down");
+    steps.given("window.x", window.x,
+                std::isnan(window.x) ? "no point has this pixel" : "right; the lens puts it at lens.x, lens.y");
+    return steps.given("window.y", window.y, "up");
+  }
   steps.given("fy", isDownwards ? -k.fy : k.fy, isDownwards ? "screen y runs downwards" : "");
   steps.step("window.x", "(pixel.x - cx) / fx", window.x, "right");
   steps.step("window.y", "(pixel.y - cy) / fy", window.y, "up");
@@ -337,7 +413,9 @@ OrderedJson explainPoint(const Camera& camera, const Convention& convention, con
   Steps steps(convention);
   const Vec3 world = placePoint(steps, point, model);
   explainView(steps, camera, convention, world, placed, p.viewDistance);
-  if (hasDepth(camera.projection())) {
+  if (const auto lens = lensOf(camera)) {
+    explainThroughLens(steps, camera, *lens, worldToView(camera, placed, convention), convention, p);
+  } else if (hasDepth(camera.projection())) {
     explainClip(steps, camera, convention, worldToClip(camera, placed, convention));
     explainScreen(steps, camera, convention, placed, p);
   } else {
@@ -352,8 +430,10 @@ OrderedJson explainPixel(const Camera& camera, const Convention& convention, con
   const bool orthographic = camera.projection().isOrthographic();
   const Ray ray = screenToRay(camera, pixel);
   // The same camera at the origin has the ray's offsets from the eye, with all their digits.
-  const Camera centred =
+  const auto lens = lensOf(camera);
+  Camera centred =
       makeCamera(relativeToEye(camera.pose()), camera.projection(), camera.viewport(), camera.convention());
+  if (lens) centred = withLens(centred, *lens);
   const Vec3 at = screenToWorldAtDistance(centred, pixel, 1).position;
   const Vec3 toward = orthographic ? camera.pose().forward() : at;
   const Vec3 view = worldToView(centred, {at.x, at.y, at.z, 1}, convention);

@@ -77,6 +77,7 @@ int runFit(const FitOptions& o) {
   const bool reads = o.stream.reads(setup, o.camera, {"the scene", isStandardInput(o.scene)});
   const CameraFile file = o.camera.read();
   if (reads) o.stream.settleOnEarth(setup, file.worldIsEcef);
+  requireStraightEdges(file, "fit");
   (void)makeCamera(file);  // names the part that it lacks
   const bool orthographic = file.projection->isOrthographic();
   if (orthographic && o.by) throw UsageError("--by is for a perspective; an orthographic window is scaled and centred");

@@ -68,7 +68,7 @@ void addPose(OrderedJson& info, const CameraFile& file) {
   info["roll"] = turn.roll;
 }
 
-OrderedJson lensOf(const Projection& p) {
+OrderedJson projectionOf(const Projection& p) {
   return {{"type", p.isOrthographic() ? "orthographic" : "perspective"},
           {"fovX", p.fov(Fov::horizontal)},
           {"fovY", p.fov(Fov::vertical)},
@@ -94,6 +94,22 @@ OrderedJson pictureOf(const Viewport& v) {
           {"depthRange", {v.depthFirst, v.depthSecond}},
           {"origin", nameOf(kOriginNames, v.origin)},
           {"pixelCenter", v.pixelCenter}};
+}
+
+OrderedJson distortionOf(const Camera& camera, const Lens& lens, bool hasPicture) {
+  const bool isFisheye = lens.model() == LensModel::fisheye;
+  const auto k = lens.k();
+  OrderedJson distortion{{"model", isFisheye ? "fisheye" : "brown"},
+                         {"k", std::vector(k.begin(), isFisheye ? k.begin() + 4 : k.end())},
+                         {"p", isFisheye ? OrderedJson() : OrderedJson(lens.p())},
+                         {"limitDegrees", lens.limitDegrees()},
+                         {"limitCause", nullptr},
+                         {"largestShift", hasPicture ? OrderedJson(largestShift(camera)) : OrderedJson()}};
+  constexpr std::pair<LimitCause, const char*> kCauses[] = {
+      {LimitCause::fold, "fold"}, {LimitCause::pole, "pole"}, {LimitCause::stated, "file"}};
+  for (const auto& [cause, name] : kCauses)
+    if (lens.limitCause() == cause) distortion["limitCause"] = name;
+  return distortion;
 }
 
 /// Of a camera without a picture, one pixel for a unit of height; without a pose, at the origin. What does not depend
@@ -122,7 +138,7 @@ OrderedJson infoReport(const CameraFile& file, const std::optional<std::string>&
                        std::span<const double> distances) {
   OrderedJson info{{"name", orNull(name)}, {"convention", asJson(file.convention)}};
   addPose(info, file);
-  info["projection"] = file.projection ? lensOf(*file.projection)
+  info["projection"] = file.projection ? projectionOf(*file.projection)
                                        : nulls({"type", "fovX", "fovY", "fovDiagonal", "left", "right", "bottom", "top",
                                                 "fx", "fy", "cx", "cy", "aspect", "near", "far"});
   info["viewport"] = file.viewport ? pictureOf(*file.viewport)
@@ -132,6 +148,10 @@ OrderedJson infoReport(const CameraFile& file, const std::optional<std::string>&
   info["corners"] = nulls({"near", "far"});
   info["pixelSizes"] = OrderedJson::array();
   const std::optional<Camera> camera = standIn(file);
+  if (camera && file.lens) {
+    const Camera through = withLens(*camera, *file.lens);
+    if (const auto lens = lensOf(through)) info["distortion"] = distortionOf(through, *lens, file.viewport.has_value());
+  }
   if (camera && file.pose) {
     const Frustum frustum = viewFrustum(*camera);
     for (const FrustumPlane& plane : frustum.planes()) info["planes"][sideName(plane.side)] = asJson(plane.equation);
@@ -213,8 +233,10 @@ Action declareInfo(CLI::App& app) {
   const auto o = std::make_shared<InfoOptions>();
   app.description(
       "What is in a camera file. Of one camera its eye and axes, fields of view, window, focal length, near and far, "
-      "viewport, convention, planes and corners of the view, and pixel size; of several a table of them. Angles are in "
-      "degrees, window edges tangents (lengths in orthographic), lengths in the camera's unit.");
+      "viewport, convention, lens distortion, planes and corners of the view, and pixel size; of several a table of "
+      "them. "
+      "Angles are in degrees, window edges tangents (lengths in orthographic), lengths in the camera's unit. Angles, "
+      "edges, fx to cy, planes and corners are those without distortion.");
   app.footer(
       "Examples:\n"
       "  viewproj info --position 3,2,5 --target 0,0,0 --fov-y 60 --viewport 9x6\n"

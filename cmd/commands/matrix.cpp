@@ -7,6 +7,7 @@
 #include "commands/camera_options.hpp"
 #include "commands/cli.hpp"
 #include "commands/command.hpp"
+#include "commands/notes.hpp"
 #include "commands/options.hpp"
 #include "output/camera_matrices.hpp"
 #include "output/matrix_text.hpp"
@@ -142,6 +143,8 @@ MatrixSet matricesOf(const CameraFile& read, const std::optional<Mat4>& model, c
                             .relativeToEye = o.wanted.relativeToEye};
   const Matrices chosen = chooseMatrices(o.which, source);
   if (any(chosen, &CameraMatrix::pose)) o.camera.noteHandedness(read);
+  if (read.lens && any(chosen, &CameraMatrix::projection))
+    note(read.name + ": a matrix leaves out the lens distortion");
   const auto add = [&](const CameraMatrix& row, bool inverse) {
     try {
       set.matrices.push_back({std::string(row.name) + std::string(inverse ? kInverse : ""), row.make(source, inverse)});

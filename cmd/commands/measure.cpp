@@ -17,6 +17,7 @@
 #include "text/error.hpp"
 #include "text/file.hpp"
 #include "text/utf8.hpp"
+#include "viewproj/lens.hpp"
 #include "viewproj/matrices.hpp"
 #include "viewproj/screen.hpp"
 
@@ -153,12 +154,17 @@ OrderedJson modeRow(const char* mode, std::span<const Visible> visible, std::spa
           {"missing", errors.missing}};
 }
 
-}  // namespace
-
-OrderedJson measureReport(const Camera& camera, std::span<const Vec3> points, std::size_t leftOut) {
+std::vector<Visible> visiblePoints(const Camera& camera, std::span<const Vec3> points) {
   std::vector<Visible> visible;
   for (std::size_t i = 0; i < points.size(); ++i)
     if (const ScreenPoint p = worldToScreen(camera, points[i]); p.visible()) visible.push_back({i, {p.x, p.y}});
+  return visible;
+}
+
+}  // namespace
+
+OrderedJson measureReport(const Camera& camera, std::span<const Vec3> points, std::size_t leftOut) {
+  const std::vector<Visible> visible = visiblePoints(camera, points);
   std::vector<Vec3> screen(points.size());
   std::vector<Vector3<float>> floatPoints, floatScreen(points.size());
   for (const Vec3& p : points)
@@ -178,16 +184,18 @@ OrderedJson measureReport(const Camera& camera, std::span<const Vec3> points, st
       gConsumed = screen.back().x;
     });
   }
-  const Textbook<double> inDouble(camera);
+  const Camera pinhole = withoutLens(camera);  // a matrix knows no lens
+  const std::vector<Visible> inPinhole = visiblePoints(pinhole, points);
+  const Textbook<double> inDouble(pinhole);
   inDouble.project(points, screen);
-  modes.push_back(modeRow<double>("matrix double", visible, screen));
+  modes.push_back(modeRow<double>("matrix double", inPinhole, screen));
   works.push_back([&] {
     inDouble.project(points, screen);
     gConsumed = screen.back().x;
   });
-  const Textbook<float> inFloat(camera);
+  const Textbook<float> inFloat(pinhole);
   inFloat.project(floatPoints, floatScreen);
-  modes.push_back(modeRow<float>("matrix float32", visible, floatScreen));
+  modes.push_back(modeRow<float>("matrix float32", inPinhole, floatScreen));
   works.push_back([&] {
     inFloat.project(floatPoints, floatScreen);
     gConsumed = static_cast<double>(floatScreen.back().x);

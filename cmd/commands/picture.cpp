@@ -40,7 +40,9 @@ Vec3 cross(const Vec3& a, const Vec3& b) {
 }  // namespace
 
 Picture::Picture(const Camera& camera)
-    : frustum_(viewFrustum(camera)), scale_(kLonger / std::max(camera.viewport().width, camera.viewport().height)) {}
+    : camera_(camera), scale_(kLonger / std::max(camera.viewport().width, camera.viewport().height)) {
+  if (!lensOf(camera)) frustum_ = viewFrustum(camera);
+}
 
 Vec2 Picture::onSheet(const Vec2& screen) const {
   const Viewport& v = camera().viewport();
@@ -66,11 +68,42 @@ void Picture::add(const std::string& label, const Vec4& point) {
              textBeside(at, label, "");
 }
 
+std::vector<Vec2> Picture::lineOf(const Vec3& a, const Vec3& b) const {
+  if (!frustum_) return bentLineOf(a, b);
+  const VisibleSegment piece = clipSegment(*frustum_, a, b);
+  if (!piece.visible) return {};
+  return {onSheet(piece.start.screen), onSheet(piece.end.screen)};
+}
+
+std::vector<Vec2> Picture::bentLineOf(const Vec3& a, const Vec3& b) const {
+  constexpr int kPieces = 200, kHalvings = 20;
+  const auto at = [&](double t) { return worldToScreen(camera_, pointAlong(a, b, t)); };
+  std::vector<Vec2> line;
+  const auto add = [&](const ScreenPoint& p) { line.push_back(onSheet({p.x, p.y})); };
+  bool isVisible = false;
+  for (int i = 0; i <= kPieces; ++i) {
+    const double end = i / static_cast<double>(kPieces);
+    const ScreenPoint p = at(end);
+    if (i > 0 && p.visible() != isVisible) {  // where it enters or leaves the picture
+      double in = p.visible() ? end : end - 1.0 / kPieces, out = p.visible() ? end - 1.0 / kPieces : end;
+      for (int k = 0; k < kHalvings; ++k) (at((in + out) / 2).visible() ? in : out) = (in + out) / 2;
+      if (p.visible() && !line.empty()) line.push_back({NAN, NAN});
+      add(at(in));
+    }
+    if (p.visible()) add(p);
+    isVisible = p.visible();
+  }
+  return line;
+}
+
 std::string Picture::pathOf(const Vec3& a, const Vec3& b) const {
-  const VisibleSegment piece = clipSegment(frustum_, a, b);
-  if (!piece.visible) return "";
-  const Vec2 from = onSheet(piece.start.screen), to = onSheet(piece.end.screen);
-  return "M" + number(from.x) + "," + number(from.y) + "L" + number(to.x) + "," + number(to.y);
+  std::string path;
+  bool begins = true;
+  for (const Vec2& at : lineOf(a, b)) {
+    if (!std::isnan(at.x)) path += (begins ? "M" : "L") + number(at.x) + "," + number(at.y);
+    begins = std::isnan(at.x);
+  }
+  return path;
 }
 
 void Picture::addPath(const std::string& label, const Vec3& middle, const std::string& path) {
@@ -92,11 +125,11 @@ void Picture::addRound(const std::string& label, const Vec3& middle, std::span<c
 }
 
 void Picture::add(const std::string& label, const std::array<Vec3, 2>& segment) {
-  const VisibleSegment piece = clipSegment(frustum_, segment[0], segment[1]);
   ++added_;
-  if (!piece.visible) return;
+  const std::vector<Vec2> line = lineOf(segment[0], segment[1]);
+  if (line.empty()) return;
   ++seen_;
-  const Vec2 from = onSheet(piece.start.screen), to = onSheet(piece.end.screen);
+  const Vec2 from = line.front(), to = line.back();
   shapes_ += "<path class=\"shape\" d=\"" + pathOf(segment[0], segment[1]) + "\"/>\n" +
              textBeside({(from.x + to.x) / 2, (from.y + to.y) / 2}, label, " class=\"of-segment\"");
 }

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
+#include "viewproj/lens.hpp"
 #include "viewproj/scene.hpp"
 
 namespace viewproj::cmd {
@@ -13,7 +16,7 @@ class Picture {
  public:
   explicit Picture(const Camera& camera);
 
-  const Camera& camera() const { return frustum_.camera(); }
+  const Camera& camera() const { return camera_; }
 
   /// Each under its label. What does not lie in the view is left out, and counted.
   void add(const std::string& label, const Vec4& point);
@@ -34,11 +37,16 @@ class Picture {
   /// view.
   void addRound(const std::string& label, const Vec3& middle, std::span<const Vec3> points);
   void addPath(const std::string& label, const Vec3& middle, const std::string& path);
+  /// What the picture shows of a segment, on the sheet: points of it; NaN where it is out of the picture between two.
+  std::vector<Vec2> lineOf(const Vec3& a, const Vec3& b) const;
+  /// Through a lens that bends it.
+  std::vector<Vec2> bentLineOf(const Vec3& a, const Vec3& b) const;
   std::string pathOf(const Vec3& a, const Vec3& b) const;
   Vec2 onSheet(const Vec2& screen) const;
   std::string textBeside(const Vec2& at, const std::string& label, const char* style) const;
 
-  Frustum frustum_;
+  Camera camera_;
+  std::optional<Frustum> frustum_;  ///< of a camera without distortion
   double scale_;
   std::string shapes_, points_, pixels_;
   std::size_t added_ = 0, seen_ = 0;

@@ -21,6 +21,7 @@
 #include "text/error.hpp"
 #include "text/names.hpp"
 #include "viewproj/clip.hpp"
+#include "viewproj/lens.hpp"
 #include "viewproj/matrices.hpp"
 #include "viewproj/scene.hpp"
 #include "viewproj/screen.hpp"
@@ -105,7 +106,7 @@ struct Projecting {
   bool hasDepth = true;
   std::vector<const PointResult*> ofText;   ///< by default
   std::optional<Mat4> worldFromLocal = {};  ///< of a model that the points are in
-  std::optional<Frustum> frustum = {};      ///< for segments
+  std::optional<Frustum> frustum = {};      ///< for segments and shapes; nothing where a lens bends its edges
 };
 
 /// Of a camera without near: throws for results of depth that are asked for by name; of all, they are left out.
@@ -188,6 +189,10 @@ class ProjectWork final : public RecordWork {
 
   void add(const Layout& layout, const Numbers& n) override {
     Vec4 point{0, 0, 0, 1};
+    if (!how_.frustum && (isSegment(layout) || isShape(layout)))
+      throw RecordError(
+          0, std::string(isSegment(layout) ? "a segment" : "a shape") +
+                 " needs straight edges, which the lens bends; --ignore-distortion leaves its distortion out");
     if (!how_.hasDepth && (isSegment(layout) || isShape(layout)))
       throw RecordError(
           0, std::string(isSegment(layout) ? "a segment" : "a shape") + " needs a camera with near; --near gives it");
@@ -362,7 +367,7 @@ int run(const Options& o) {
                              .radius = asksForBoxes},
                  .fields = o.fields.value_or(defaultFields()),
                  .ofText = defaultFields().numbers};
-  how.frustum = viewFrustum(how.camera);
+  if (!lensOf(how.camera)) how.frustum = viewFrustum(how.camera);
   if (o.model) how.worldFromLocal = readModel(*o.model);
   if (!hasDepth(*file.projection)) leaveDepthOut(how, file);
   o.camera.noteHandedness(file);

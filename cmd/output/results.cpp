@@ -14,21 +14,6 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// What a point lies beyond, in the interface's order.
-class Sides {
- public:
-  explicit Sides(const ScreenPoint& p) {
-    if (p.status == PointStatus::behind) names_[count_++] = "behind";
-    for (const SideName& one : kSides)
-      if (p.outside & one.side) names_[count_++] = one.name;
-  }
-  std::span<const std::string_view> names() const { return {names_.data(), count_}; }
-
- private:
-  std::array<std::string_view, 6> names_;
-  std::size_t count_ = 0;
-};
-
 using P = const ProjectedPoint&;
 using R = const ResultRow&;
 using S = ResultSink&;
@@ -74,6 +59,13 @@ void addColumns(std::vector<std::string>& columns, const ResultRow& row, const s
 }
 
 }  // namespace
+
+Sides::Sides(const ScreenPoint& p) {
+  if (p.status == PointStatus::behind) names_[count_++] = "behind";
+  if (p.status == PointStatus::beyondLens) names_[count_++] = "lens";
+  for (const SideName& one : kSides)
+    if (p.outside & one.side) names_[count_++] = one.name;
+}
 
 std::string_view sideName(unsigned side) {
   for (const SideName& one : kSides)

@@ -24,6 +24,16 @@ struct SideName {
 };
 inline constexpr SideName kSides[] = {{sideLeft, "left"}, {sideRight, "right"}, {sideBottom, "bottom"},
                                       {sideTop, "top"},   {sideNear, "near"},   {sideFar, "far"}};
+/// What a point lies beyond, in the interface's order.
+class Sides {
+ public:
+  explicit Sides(const ScreenPoint& point);
+  std::span<const std::string_view> names() const { return {names_.data(), count_}; }
+
+ private:
+  std::array<std::string_view, 6> names_;
+  std::size_t count_ = 0;
+};
 /// Empty for 0.
 std::string_view sideName(unsigned side);
 

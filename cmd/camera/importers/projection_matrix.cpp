@@ -1,7 +1,6 @@
 // A 3x4 matrix P = K [R | t], by itself or as KITTI's calibration files have several.
 // Sources: Hartley and Zisserman, Multiple View Geometry, 6.2; Geiger and others, Vision meets Robotics.
 #include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
 
 #include "camera/importers/calibration.hpp"
@@ -32,9 +31,6 @@ Json cameraOfMatrix(const Node& node, std::span<const double> p, const std::opti
 namespace {
 
 const Names kSingle{"P", "projection_matrix", "P_matrix"};
-constexpr std::array<std::string_view, 8> kKittiNames{"P0",        "P1",        "P2",        "P3",
-                                                      "P_rect_00", "P_rect_01", "P_rect_02", "P_rect_03"};
-
 bool isSingle(const Json& root) { return holds(root, kSingle, 12); }
 
 Import openSingle(const Node& root) {
@@ -61,28 +57,40 @@ std::vector<double> numbersOf(const Json& value) {
   return numbers;
 }
 
-bool isMatrixOf(const Json& root, std::string_view name) {
+bool holdsNumbers(const Json& root, std::string_view name, std::size_t count) {
   const auto value = root.find(name);
-  return value != root.end() && numbersOf(*value).size() == 12;
+  return value != root.end() && numbersOf(*value).size() == count;
 }
 
-bool isKitti(const Json& root) {
-  return std::any_of(kKittiNames.begin(), kKittiNames.end(),
-                     [&](std::string_view name) { return isMatrixOf(root, name); });
+/// The cameras that a file has: P2 or P_rect_02 of rectified pictures, K_02 of the raw ones.
+std::vector<CameraEntry> kittiCameras(const Json& root) {
+  std::vector<CameraEntry> cameras;
+  for (const char* name : {"P0", "P1", "P2", "P3", "P_rect_00", "P_rect_01", "P_rect_02", "P_rect_03"})
+    if (holdsNumbers(root, name, 12)) cameras.push_back({name, ""});
+  for (const char* name : {"K_00", "K_01", "K_02", "K_03"})
+    if (holdsNumbers(root, name, 9)) cameras.push_back({name, ""});
+  return cameras;
+}
+
+bool isKitti(const Json& root) { return root.is_object() && !kittiCameras(root).empty(); }
+
+Json kittiCamera(const Node& root, const std::string& name) {
+  const auto pictures = root.find("S" + name.substr(1));  // S_rect_02 of P_rect_02, S_02 of K_02
+  const std::vector<double> numbers = pictures ? numbersOf(pictures->json()) : std::vector<double>{};
+  const auto size = numbers.size() == 2 ? std::optional(Size{numbers[0], numbers[1]}) : std::nullopt;
+  const Node matrix = root.require(name);
+  if (name.front() == 'P') return cameraOfMatrix(matrix, numbersOf(matrix.json()), size);
+  Json camera = pinholeCamera(intrinsicsOf(matrix, numbersOf(matrix.json())), size);
+  if (const auto distortion = root.find("D" + name.substr(1))) {
+    const Json coefficients = numbersOf(distortion->json());
+    setDistortion(camera, Node(root.document(), coefficients, distortion->path()), std::nullopt);
+  }
+  return camera;
 }
 
 Import openKitti(const Node& root) {
-  std::vector<CameraEntry> cameras;
-  for (const std::string_view name : kKittiNames)
-    if (isMatrixOf(root.json(), name)) cameras.push_back({std::string(name), ""});
-  return {cameras, [root, cameras](std::size_t which) {
-            const std::string& name = cameras[which].name;
-            const auto pictures = root.find("S" + name.substr(1));  // S_rect_02 of P_rect_02
-            const std::vector<double> size = pictures ? numbersOf(pictures->json()) : std::vector<double>{};
-            const Node p = root.require(name);
-            return cameraOfMatrix(p, numbersOf(p.json()),
-                                  size.size() == 2 ? std::optional(Size{size[0], size[1]}) : std::nullopt);
-          }};
+  std::vector<CameraEntry> cameras = kittiCameras(root.json());
+  return {cameras, [root, cameras](std::size_t which) { return kittiCamera(root, cameras[which].name); }};
 }
 
 }  // namespace
