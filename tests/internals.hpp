@@ -5,6 +5,7 @@
 #include "camera/convention.hpp"
 #include "camera/viewport.hpp"
 #include "geodesy/normal.hpp"
+#include "lens/response.hpp"
 #include "numbers/arithmetic.hpp"
 #include "numbers/ulp.hpp"
 #include "numbers/wide.hpp"

@@ -122,8 +122,17 @@ WindowDepths Camera::depths() const noexcept {
 
 Camera cropped(const Camera& camera, const Crop& crop) {
   const Viewport& whole = camera.viewport();
-  return makeCamera(camera.pose(), cropped(camera.projection(), whole, crop), cropped(whole, crop),
-                    camera.convention());
+  const Camera tile =
+      makeCamera(camera.pose(), cropped(camera.projection(), whole, crop), cropped(whole, crop), camera.convention());
+  const auto& lens = parts(camera).lens;
+  return lens ? withLens(tile, lens) : tile;
+}
+
+Camera detail::withLens(const Camera& pinhole, std::shared_ptr<const LensParts> lens) {
+  const auto made = std::make_shared<CameraParts>(parts(pinhole));
+  made->lens = std::move(lens);
+  made->pinhole = Access::shared(pinhole);
+  return Access::whole<Camera, CameraParts>(made);
 }
 
 }  // namespace viewproj

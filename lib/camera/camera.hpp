@@ -34,6 +34,8 @@ struct ProjectionConstants {
   Vec3 rayX, rayY, rayW;  ///< columns: right / scaleX, up / scaleY, forward
 };
 
+struct LensParts;
+
 /// Made by makeCamera; what follows the four parts is derived from them.
 struct CameraParts {
   PoseParts pose;
@@ -55,7 +57,14 @@ struct CameraParts {
   } rays;
 
   ProjectionConstants constants;
+
+  /// Null without a lens. With one, all of the above is that of the camera without it: pinhole.
+  std::shared_ptr<const LensParts> lens;
+  std::shared_ptr<const CameraParts> pinhole;
 };
+
+/// Of a camera without a lens.
+Camera withLens(const Camera& pinhole, std::shared_ptr<const LensParts> lens);
 
 inline const CameraParts& parts(const Camera& camera) noexcept { return *Access::shared(camera); }
 

@@ -4,6 +4,7 @@
 
 #include "projection/kernels/kernels.hpp"
 #include "projection/sides.hpp"
+#include "projection/through_lens.hpp"
 #include "viewproj/screen.hpp"
 
 namespace viewproj {
@@ -42,6 +43,7 @@ Kernels::Project kernelOf(Precision precision) noexcept {
 
 BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, std::span<Vec3> screen,
                           Precision precision) noexcept {
+  if (parts(camera).lens) return throughLens(camera, points, screen, precision);
   const auto kernel = kernelOf(precision);
   const std::size_t count = std::min(points.size(), screen.size());
   const bool inPlace = points.data() < screen.data() + count && screen.data() < points.data() + count;
@@ -65,6 +67,7 @@ BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, st
 
 BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, std::span<ScreenPoint> screen,
                           Precision precision) noexcept {
+  if (parts(camera).lens) return throughLens(camera, points, screen, precision);
   const auto kernel = kernelOf(precision);
   const std::size_t count = std::min(points.size(), screen.size());
   BatchCounts counts;
@@ -99,6 +102,10 @@ void screenToRayDirections(const Camera& camera, std::span<const Vec2> pixels, s
   if (parts(camera).projection.orthographic) {
     const Vec3 direction = screenToRay(camera, {0, 0}, Precision::standard).direction;
     std::fill_n(directions.data(), count, direction);
+    return;
+  }
+  if (parts(camera).lens) {
+    for (std::size_t i = 0; i < count; ++i) directions[i] = screenToRay(camera, pixels[i]).direction;
     return;
   }
   for (std::size_t i = 0; i < count; i += kBlock) {

@@ -4,6 +4,7 @@
 
 #include "numbers/ulp.hpp"
 #include "projection/kernels/formulas.hpp"
+#include "projection/through_lens.hpp"
 #include "viewproj/screen.hpp"
 
 namespace viewproj {
@@ -13,7 +14,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-double oneNorm(const Vec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
+double sumOfSizes(const Vec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
 
 /// What the bound of a coordinate depends on.
 struct Situation {
@@ -52,8 +53,9 @@ ErrorBound boundOfExact(const CameraParts& c, const ScreenPoint& p) {
           std::max(halfUlp(p.depth) * 2 * kExactUlps, p.certain ? 0 : std::max(kExactAbsolute, fromDistance))};
 }
 
-/// How far from the principal point the picture reaches, in pixels.
-Vec2 pictureReach(const CameraParts& c) {
+}  // namespace
+
+Vec2 detail::pictureReach(const CameraParts& c) noexcept {
   const Viewport& v = c.viewport;
   const double half = v.pixelCenter - 0.5;
   const auto reach = [&](double start, double size, double center) {
@@ -65,24 +67,25 @@ Vec2 pictureReach(const CameraParts& c) {
   return {reach(v.x, v.width, c.constants.centerX.hi), reach(v.y, v.height, c.constants.centerY.hi)};
 }
 
-}  // namespace
-
 ErrorBound boundInPicture(const Camera& camera, Precision precision) noexcept {
   const CameraParts& c = parts(camera);
+  return c.lens ? boundInPictureThroughLens(camera, precision) : boundWithin(c, pictureReach(c), precision);
+}
+
+ErrorBound detail::boundWithin(const CameraParts& c, const Vec2& reach, Precision precision) noexcept {
   const ProjectionConstants& k = c.constants;
-  const Vec2 reach = pictureReach(c);
   Situation s;
   s.q = std::max(reach.x, reach.y);
   s.position = std::max(std::fabs(k.centerX.hi) + reach.x, std::fabs(k.centerY.hi) + reach.y);
   s.depth = std::max(std::fabs(c.depthAtNear), std::fabs(c.depthAtFar));
-  const double across = oneNorm(k.rayX) * reach.x + oneNorm(k.rayY) * reach.y;
+  const double across = sumOfSizes(k.rayX) * reach.x + sumOfSizes(k.rayY) * reach.y;
   if (k.orthographic) {
     s.perDistance = std::max(std::fabs(c.projection.near), std::fabs(c.projection.far));
-    s.t = (across + oneNorm(k.rayW) * s.perDistance + k.residualReach) * kSecondOrder;
+    s.t = (across + sumOfSizes(k.rayW) * s.perDistance + k.residualReach) * kSecondOrder;
   } else {
     s.perDistance = 1 / c.projection.near;
     const double ofResidual = k.residualReach > 0 ? k.residualReach * s.perDistance : 0;
-    s.t = (oneNorm(k.rayW) + across + ofResidual) * kSecondOrder;
+    s.t = (sumOfSizes(k.rayW) + across + ofResidual) * kSecondOrder;
   }
   if (precision == Precision::standard) return boundOfStandard(c, s);
   return {std::max(halfUlp(s.position) * 1.02, kExactAbsolute * std::max(k.reachX, k.reachY)),
@@ -91,11 +94,12 @@ ErrorBound boundInPicture(const Camera& camera, Precision precision) noexcept {
 
 ErrorBound boundOfPoint(const Camera& camera, const Vec3& point, Precision precision) noexcept {
   const CameraParts& c = parts(camera);
+  if (c.lens) return boundThroughLens(camera, {point.x, point.y, point.z, 1}, precision);
   const ScreenPoint p = worldToScreen(camera, point, Precision::exact);
   if (p.status != PointStatus::inFront || precision == Precision::exact) return boundOfExact(c, p);
   const ProjectionConstants& k = c.constants;
   const Vec3 d{point.x - k.eye.x, point.y - k.eye.y, point.z - k.eye.z};
-  const double reach = (oneNorm(d) + k.residualReach) * kSecondOrder;
+  const double reach = (sumOfSizes(d) + k.residualReach) * kSecondOrder;
   const double w = std::fabs(p.viewDistance);
   Situation s;
   s.t = k.orthographic ? reach : reach / w;
@@ -110,6 +114,7 @@ ErrorBound boundOfPoint(const Camera& camera, const Vec3& point, Precision preci
 
 ErrorBound boundOfPoint(const Camera& camera, const Vec4& point, Precision precision) noexcept {
   if (point.w == 1) return boundOfPoint(camera, Vec3{point.x, point.y, point.z}, precision);
+  if (parts(camera).lens) return boundThroughLens(camera, point, Precision::exact);
   return boundOfExact(parts(camera), worldToScreen(camera, point, Precision::exact));
 }
 

@@ -23,6 +23,10 @@ constexpr double kOriginShare = 0x1p-95;
 /// Written so that NaN fails.
 bool isInDomain(const Vec2& v) noexcept { return std::fabs(v.x) < kFarthestPoint && std::fabs(v.y) < kFarthestPoint; }
 
+bool hasRay(const CameraParts& c, const Vec2& screen) noexcept {
+  return !c.lens || !std::isnan(beforeLens(c, screen).up.hi);
+}
+
 /// The world point at a screen position and distance.
 Vec3 worldPointAt(const CameraParts& c, const Vec2& screen, DoubleDouble distance) noexcept {
   return rounded(unroundedEye(c.pose) + offsetAt(c, toWindow<DoubleDouble>(c, screen), distance));
@@ -60,6 +64,7 @@ Vec3 originAt(const CameraParts& c, const Vec2& screen, RayOrigin origin) noexce
 
 Vec3 standardDirection(const CameraParts& c, const Vec2& screen) noexcept {
   if (c.projection.orthographic) return c.rays.direction;
+  if (c.lens) return exactDirection(c, screen);
   const auto r = RayFormula<ScalarLanes>(c.constants)(screen.x, screen.y);
   if (!(r.squaredLength < kLargestSquaredLength)) return exactDirection(c, screen);
   return {r.x, r.y, r.z};
@@ -87,13 +92,15 @@ Ray screenToRay(const Camera& camera, const Vec2& screen, Precision precision, R
   const CameraParts& c = parts(camera);
   if (!isInDomain(screen)) return {kNoVector, kNoVector};
   const bool originIsEye = origin == RayOrigin::eye && !c.projection.orthographic;
-  return {originIsEye ? c.pose.eye : originAt(c, screen, origin),
-          precision == Precision::exact ? exactDirection(c, screen) : standardDirection(c, screen)};
+  const Vec3 direction = precision == Precision::exact ? exactDirection(c, screen) : standardDirection(c, screen);
+  if (std::isnan(direction.x)) return {kNoVector, kNoVector};
+  return {originIsEye ? c.pose.eye : originAt(c, screen, origin), direction};
 }
 
 WorldPoint screenToWorld(const Camera& camera, const Vec2& screen, double depth) noexcept {
   const CameraParts& c = parts(camera);
   if (!isInDomain(screen) || !std::isfinite(depth)) return {kNoVector, DepthStatus::notFinite};
+  if (!hasRay(c, screen)) return {kNoVector, DepthStatus::noRay};
   const ProjectionParts& p = c.projection;
   const auto at = depthFraction<Wide>(depth, {c.depthAtNear, c.depthAtFar});
   const Wide shareError = Wide(halfUlp(depth)) / magnitude(Wide(c.depthAtFar) - Wide(c.depthAtNear));
@@ -114,6 +121,7 @@ WorldPoint screenToWorld(const Camera& camera, const Vec2& screen, double depth)
 WorldPoint screenToWorldAtDistance(const Camera& camera, const Vec2& screen, double viewDistance) noexcept {
   const CameraParts& c = parts(camera);
   if (!isInDomain(screen) || !std::isfinite(viewDistance)) return {kNoVector, DepthStatus::notFinite};
+  if (!hasRay(c, screen)) return {kNoVector, DepthStatus::noRay};
   if (!c.projection.orthographic && !(viewDistance > 0)) return {kNoVector, DepthStatus::beyond};
   return pointAt(c, screen, viewDistance, 0);
 }

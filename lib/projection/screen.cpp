@@ -6,6 +6,7 @@
 #include "projection/exact_point.hpp"
 #include "projection/kernels/formulas.hpp"
 #include "projection/sides.hpp"
+#include "projection/through_lens.hpp"
 
 namespace viewproj {
 
@@ -50,6 +51,7 @@ bool isInRange(const Camera& camera, const Vec4& point) noexcept { return isInDo
 
 ScreenPoint worldToScreen(const Camera& camera, const Vec3& point, Precision precision) noexcept {
   const CameraParts& c = parts(camera);
+  if (c.lens) return throughLens(camera, {point.x, point.y, point.z, 1}, precision);
   const Projected<double, bool> r =
       precision == Precision::standard ? byStandard(c.constants, point) : kernels().exactPoint(c.constants, point);
   ScreenPoint p;
@@ -73,6 +75,7 @@ ScreenPoint worldToScreen(const Camera& camera, const Vec4& point, Precision pre
   const Vec3 xyz{point.x, point.y, point.z};
   if (point.w == 1) return worldToScreen(camera, xyz, precision);
   const CameraParts& c = parts(camera);
+  if (c.lens) return throughLens(camera, point, precision);
   return point.w == 0 && !c.projection.orthographic ? directionToScreen(c, xyz) : settledExactly(c, point);
 }
 

@@ -12,8 +12,15 @@ struct WindowPoint {
   Number right, up;
 };
 
+/// Through the camera's lens; NaN where no point has this pixel.
+WindowPoint<DoubleDouble> beforeLens(const CameraParts& c, const Vec2& screen) noexcept;
+
 template <class Number>
 WindowPoint<Number> toWindow(const CameraParts& c, const Vec2& screen) noexcept {
+  if (c.lens) {
+    const WindowPoint<DoubleDouble> at = beforeLens(c, screen);
+    return {as<Number>(at.right), as<Number>(at.up)};
+  }
   return {sumOrZero(as<Number>(screen.x), -as<Number>(c.screen.centerX)) / as<Number>(c.screen.scaleX),
           sumOrZero(as<Number>(screen.y), -as<Number>(c.screen.centerY)) / as<Number>(c.screen.scaleY)};
 }

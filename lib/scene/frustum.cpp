@@ -135,6 +135,8 @@ Cull verdictOf(const FrustumParts& f, const ExtentOf& extentOf, const DecidingOn
 
 Frustum viewFrustum(const Camera& camera) {
   const CameraParts& c = parts(camera);
+  if (c.lens)
+    throw CameraError("distortion", "bends straight edges: planes, shapes and segments need a camera without it");
   const ProjectionParts& p = c.projection;
   const PoseParts& pose = c.pose;
   const auto made = std::make_shared<FrustumParts>(FrustumParts{camera});

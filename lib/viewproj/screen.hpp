@@ -24,6 +24,7 @@ enum class PointStatus : std::uint8_t {
   inFront,     ///< has a screen position
   behind,      ///< perspective: on or behind the plane through the eye; no screen position
   atInfinity,  ///< orthographic: a direction, which no finite screen position belongs to
+  beyondLens,  ///< in front, at the limit of the camera's lens or beyond it; no screen position
   outOfRange,  ///< not finite, farther than kFarthestPoint from the eye, or 0 0 0 0
 };
 
@@ -139,7 +140,8 @@ enum class RayOrigin {
 inline constexpr double kRayDirectionBound = 1.2e-15;
 
 /// The ray of points that project to this screen position. No matrix and no inverse: window coordinates of the pixel
-/// along the camera's axes. NaN in, NaN out. In exact, each component is within 0.51 ulp of the true one.
+/// along the camera's axes. NaN in, NaN out, and for a pixel that no point has through a lens. In exact, each component
+/// is within 0.51 ulp of the true one.
 Ray screenToRay(const Camera& camera, const Vec2& screen, Precision precision = Precision::exact,
                 RayOrigin origin = RayOrigin::eye) noexcept;
 
@@ -147,6 +149,7 @@ enum class DepthStatus : std::uint8_t {
   point,
   infinity,   ///< the window depth of points infinitely far away: a direction, no point
   beyond,     ///< a depth that no point in front of the eye has; every depth, of a camera without near plane
+  noRay,      ///< no point in front of the camera is seen there, through its lens
   notFinite,  ///< the input had a NaN or an infinity
 };
 
@@ -163,7 +166,7 @@ struct WorldPoint {
 
 /// How much of the world one pixel spans at a distance along the viewing axis, across and down, in world units: each
 /// within 1 ulp of what the distance given makes it. In orthographic the same everywhere; NaN in perspective where the
-/// distance is not above 0.
+/// distance is not above 0. Through a lens that of the pinhole.
 Vec2 pixelSize(const Camera& camera, double viewDistance) noexcept;
 
 /// The point at this screen position and window depth (as worldToScreen gives it; not clamped). In double-double and

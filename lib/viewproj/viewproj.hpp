@@ -5,6 +5,7 @@
 #include "viewproj/cameras_of.hpp"
 #include "viewproj/clip.hpp"
 #include "viewproj/convention.hpp"
+#include "viewproj/lens.hpp"
 #include "viewproj/matrices.hpp"
 #include "viewproj/screen.hpp"
 #include "viewproj/vectors.hpp"

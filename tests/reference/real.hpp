@@ -55,6 +55,9 @@ class Real {
     mpfr_const_pi(r.value_, MPFR_RNDN);
     return r;
   }
+  friend Real arctangent2(const Real& b, const Real& a) { return with(b, a, mpfr_atan2); }
+  friend Real sine(const Real& a) { return with(a, mpfr_sin); }
+  friend Real cosine(const Real& a) { return with(a, mpfr_cos); }
   friend Real tanDegrees(const Real& a) { return with(a * pi() / Real(180), mpfr_tan); }
   /// What the rounding of pi leaves of a zero counts as 0.
   friend Real sinDegrees(const Real& a) { return withoutNoise(with(within(a, 360) * pi() / Real(180), mpfr_sin), a); }

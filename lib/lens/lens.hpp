@@ -1,0 +1,102 @@
+// A lens's numbers, and its map in double or double-double.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+
+#include "camera/access.hpp"
+#include "numbers/arctangent.hpp"
+#include "viewproj/lens.hpp"
+
+namespace viewproj::detail {
+
+/// Tangents are below this: what is farther aside is beyond every lens.
+inline constexpr double kLargestTangent = 0x1p60;
+
+struct LensParts {
+  LensModel model = LensModel::brown;
+  std::array<double, 6> k{};
+  std::array<double, 2> p{};
+  bool isRational = false;
+  double tangential = 0;  ///< hypot(p1, p2), rounded up
+
+  /// Points from here on have no pixel, a radius of brown, an angle of fisheye; and what gives it. Below it the map is
+  /// proven one-to-one. Infinite for none.
+  double limit = std::numeric_limits<double>::infinity();
+  LimitCause cause = LimitCause::none;
+  /// What the functions here go by: kLargestTangent in place of an infinite radius, 2 of an angle past a quarter turn.
+  double end = kLargestTangent;
+  /// Points are put nearer to the axis than this.
+  double outerEdge = std::numeric_limits<double>::infinity();
+
+  std::span<const double> numerator() const noexcept { return {k.data(), 3}; }
+  std::span<const double> denominator() const noexcept { return {k.data() + 3, 3}; }
+  std::span<const double> angular() const noexcept { return {k.data(), 4}; }
+};
+
+inline const LensParts& parts(const Lens& lens) noexcept { return *Access::shared(lens); }
+
+/// The limit of a lens's own numbers, and its cause: lib/lens/limit.cpp.
+struct Limit {
+  double value;
+  LimitCause cause;
+};
+Limit limitOf(const LensParts& lens);
+
+/// 1 + k[0] u + k[1] u^2 + ...
+template <class Number>
+Number series(std::span<const double> k, const Number& u) noexcept {
+  Number sum = k.back();
+  for (std::size_t i = k.size() - 1; i-- > 0;) sum = sum * u + Number(k[i]);
+  return sum * u + Number(1);
+}
+
+inline double high(double a) noexcept { return a; }
+inline double high(const DoubleDouble& a) noexcept { return a.hi; }
+inline double arctangent(double r) noexcept { return arctangent(DoubleDouble(r)).hi; }
+
+template <class Number>
+struct Tangents {
+  Number x, y;
+};
+
+/// What radial distances are multiplied by. NaN from the limit on.
+template <class Number>
+Number radialFactor(const LensParts& lens, const Number& u) noexcept {
+  using std::sqrt;
+  constexpr double kCloser = 1 + 0x1p-50, kTiny = 0x1p-900;
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  if (lens.model == LensModel::brown) {
+    if (!(std::sqrt(high(u)) * kCloser < lens.end)) return kNaN;
+    const Number numerator = series(lens.numerator(), u);
+    return lens.isRational ? numerator / series(lens.denominator(), u) : numerator;
+  }
+  if (high(u) < kTiny) return 1;
+  const Number r = sqrt(u);
+  if (!(high(r) < kLargestTangent)) return kNaN;
+  const Number angle = arctangent(r);
+  if (!(high(angle) * kCloser < lens.end)) return kNaN;
+  return angle * series(lens.angular(), Number(angle * angle)) / r;
+}
+
+template <class Number>
+Tangents<Number> distort(const LensParts& lens, const Tangents<Number>& at) noexcept {
+  const Number &x = at.x, &y = at.y;
+  const Number xx = x * x, yy = y * y, u = xx + yy;
+  const Number g = radialFactor(lens, u);
+  if (lens.tangential == 0) return {x * g, y * g};
+  const Number p1 = lens.p[0], p2 = lens.p[1], xy2 = Number(2) * x * y;
+  return {x * g + p1 * xy2 + p2 * (u + Number(2) * xx), y * g + p1 * (u + Number(2) * yy) + p2 * xy2};
+}
+
+/// The tangents that are put there, and how far they may be from the true ones, as an angle in radians; a NaN where
+/// none are proven to be the only ones: lib/lens/undistort.cpp.
+struct Undistorted {
+  Tangents<DoubleDouble> at;
+  double error;
+};
+Undistorted undistort(const LensParts& lens, const Tangents<DoubleDouble>& target) noexcept;
+
+}  // namespace viewproj::detail
