@@ -165,6 +165,10 @@ TEST_CASE("Calibrations and transforms.json put points where OpenCV puts them, t
                            "OpenCV R nearly a rotation",
                            "OpenCV near and far",
                            "OpenCV by other names",
+                           "OpenCV distortion of 4",
+                           "OpenCV distortion of 5",
+                           "OpenCV distortion of 8",
+                           "OpenCV fisheye",
                            "transforms.json",
                            "transforms.json nearly a rotation",
                            "transforms.json with distortion to ignore",
@@ -179,6 +183,7 @@ TEST_CASE("Calibrations and transforms.json put points where OpenCV puts them, t
   for (const char* field : {"screen", "viewDistance", "visible", "outside"}) CHECK(compared.fields[field] >= 450);
   for (const char* side : {"left", "right", "bottom", "top", "near", "far", "behind"})
     CHECK(compared.fields[side] >= 6);
+  CHECK(compared.fields["lens"] >= 1000);
 }
 
 TEST_CASE("Files of other programs put points where forty digits put them, to 1e-9 px, and show what those show") {

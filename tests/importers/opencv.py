@@ -201,6 +201,59 @@ def nerf_names():
               R, t, centred, size, shift=0.5, options=["--ignore-distortion"])
 
 
+def limit_of(k, p):
+    """The first radius where the distortion is certainly not one-to-one, or has a pole; by small steps."""
+    r = np.linspace(0, 30, 300001)
+    u = r * r
+    n, d = 1 + u * (k[0] + u * (k[1] + u * k[2])), 1 + u * (k[3] + u * (k[4] + u * k[5]))
+    dn, dd = k[0] + u * (2 * k[1] + u * 3 * k[2]), k[3] + u * (2 * k[4] + u * 3 * k[5])
+    with np.errstate(all="ignore"):
+        q = n / d + 2 * u * (dn * d - n * dd) / (d * d)
+        end = (d <= 0) | (q - 6 * np.hypot(*p) * r <= 0)
+    return r[np.argmax(end)] if end.any() else math.inf
+
+
+def fisheye_limit_of(k):
+    t = np.linspace(0, math.pi / 2, 100001)
+    w = t * t
+    end = 1 + w * (3 * k[0] + w * (5 * k[1] + w * (7 * k[2] + w * 9 * k[3]))) <= 0
+    return math.tan(t[np.argmax(end)]) if end.any() else math.inf
+
+
+def lens_cases(number):
+    """Random lenses. A point beyond the limit, which projectPoints folds back, has no pixel."""
+    size, K = calibration()
+    is_fisheye = number % 3 == 0
+    if is_fisheye:
+        vector = [random.uniform(-s, s) for s in (0.1, 0.03, 0.01, 0.003)]
+        limit = fisheye_limit_of(vector)
+    else:
+        vector = [random.uniform(-s, s) for s in (0.4, 0.3, 0.003, 0.003, 0.1, 0.4, 0.3, 0.1)][:random.choice((4, 5, 8))]
+        all = vector + [0] * (8 - len(vector))
+        limit = limit_of(all[:2] + all[4:], all[2:4])
+    file = {"K": K.tolist(), "D": vector, "width": size[0], "height": size[1],
+            "distortion_model": "fisheye" if is_fisheye else "plumb_bob"}
+    points, judgements = [], []
+    for i in range(6):
+        radius, angle = random.uniform(0, min(2 * limit, 4)), random.uniform(0, 2 * math.pi)
+        z = 10 ** random.uniform(-0.5, 2) * (-1 if i == 5 else 1)
+        if 0.999 < radius / limit < 1.001:
+            continue
+        point = np.array([radius * math.cos(angle), radius * math.sin(angle), 1]) * z
+        project = cv2.fisheye.projectPoints if is_fisheye else cv2.projectPoints
+        pixel = project(point.reshape(1, 1, 3), np.zeros(3), np.zeros(3), K, np.array(vector))[0].reshape(2)
+        if z > 0 and radius < limit and abs(pixel).max() > 1e4:  # of which doubles know no 1e-9
+            continue
+        beyond = {"left": pixel[0] < -0.5, "right": pixel[0] > size[0] - 0.5, "bottom": pixel[1] > size[1] - 0.5,
+                  "top": pixel[1] < -0.5}
+        outside = ["behind"] if z < 0 else ["lens"] if radius > limit else [side for side, is_beyond in beyond.items() if is_beyond]
+        points.append(point.tolist())
+        judgements.append({"screen": None if z < 0 or radius > limit else pixel.tolist(), "viewDistance": z,
+                           "visible": not outside, "outside": outside})
+    print(json.dumps({"name": "OpenCV " + ("fisheye" if is_fisheye else f"distortion of {len(vector)}"), "pick": None, "viewport": None,
+                      "options": [], "file": file, "points": points, "judgements": judgements}, separators=(",", ":")))
+
+
 for trial in range(3):
     random.seed(trial)
     opencv_cases()
@@ -209,3 +262,6 @@ for trial in range(3):
     nerf_names()
     random.seed(f"yaml {trial}")
     opencv_yaml()
+for number in range(1000):
+    random.seed(f"lens {number}")
+    lens_cases(number)
