@@ -277,7 +277,8 @@ void explainLens(Steps& steps, const Lens& lens, const Vec2& tangent) {
   const double numerator = 1 + square * (k[0] + square * (k[1] + square * k[2]));
   const double denominator = 1 + square * (k[3] + square * (k[4] + square * k[5]));
   steps.step("square", "tangent.x*tangent.x + tangent.y*tangent.y", square);
-  steps.step("radial", "(" + polynomial("square", {0, 1, 2}) + ") / (" + polynomial("square", {3, 4, 5}) + ")",
+  const std::string below = polynomial("square", {3, 4, 5});
+  steps.step("radial", "(" + polynomial("square", {0, 1, 2}) + ")" + (below == "1" ? "" : " / (" + below + ")"),
              numerator / denominator);
   steps.step("lens.x", "radial*tangent.x + 2*p1*tangent.x*tangent.y + p2*(square + 2*tangent.x*tangent.x)", out.x);
   steps.step("lens.y", "radial*tangent.y + p1*(square + 2*tangent.y*tangent.y) + 2*p2*tangent.x*tangent.y", out.y);
