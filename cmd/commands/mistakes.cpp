@@ -14,24 +14,17 @@
 namespace viewproj::cmd {
 namespace {
 
-/// JSON as an option's value has it: numbers in their shortest form.
+/// JSON as an option's value has it.
 std::string textOf(const Json& value) {
   if (value.is_number()) return formatNumber(value.get<double>());
-  if (value.is_string()) return value.get<std::string>();
-  if (!value.is_structured()) return value.dump();
-  std::string text;
-  for (const auto& item : value.items()) {
-    if (!text.empty()) text += ',';
-    if (value.is_object()) text += Json(item.key()).dump() + ":";
-    text += item.value().is_string() ? item.value().dump() : textOf(item.value());
-  }
-  return value.is_object() ? "{" + text + "}" : "[" + text + "]";
+  return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-/// The numbers of an array without its brackets, as options list them.
+/// "1,2,3".
 std::string listOf(const Json& numbers) {
-  const std::string text = textOf(numbers);
-  return text.substr(1, text.size() - 2);
+  std::string text;
+  for (const Json& number : numbers) text += (text.empty() ? "" : ",") + textOf(number);
+  return text;
 }
 
 /// "0.5x + 3", "x/3", "720 - y".
@@ -56,7 +49,7 @@ struct Trials {
   const ReadOptions& reading;
   Camera camera;
   std::vector<Hypothesis> found = {};
-  std::string_view mistake = {}, sentence = {};
+  std::string_view mistake = {};
 
   const Json* find(std::string_view path) const { return valueAt(*document.root, path); }
   double numberOr(std::string_view path, double fallback) const {
@@ -68,7 +61,7 @@ struct Trials {
   Vec2 last() const { return pictureCorners(camera.viewport()).last; }
 
   Hypothesis next(std::string mend, Json value) const {
-    return {mistake, sentence, std::make_shared<const Json>(std::move(value)), std::move(mend), camera};
+    return {mistake, std::make_shared<const Json>(std::move(value)), std::move(mend), camera};
   }
 
   /// Options, name and value in turns, an empty value for none: laid over the document. What cannot be read then is no
@@ -197,16 +190,8 @@ void turnFov(Trials& t) {
 
 void changeAspect(Trials& t) {
   if (t.find("projection.aspect")) t.options({{"--set", "projection.aspect=null"}});
-  const Viewport& v = t.camera.viewport();
-  const double height = t.camera.projection().top() - t.camera.projection().bottom();
-  const double aspect = t.find("projection.aspect")
-                            ? (t.camera.projection().right() - t.camera.projection().left()) / height
-                            : v.width / v.height;
-  t.options({{"--aspect", "1"}, {"--allow-stretch", ""}});
-  if (t.find("projection.aspect"))
-    t.options({{"--aspect", formatNumber(1 / aspect)}, {"--allow-stretch", ""}});
-  else
-    t.options({{"--aspect", formatNumber(v.height) + "/" + formatNumber(v.width)}, {"--allow-stretch", ""}});
+  for (const double aspect : {1.0, 1 / t.camera.projection().aspect()})
+    t.options({{"--aspect", formatNumber(aspect)}, {"--allow-stretch", ""}});
 }
 
 /// "60" and "60deg" in radians, "1.05rad" in degrees.
@@ -256,7 +241,7 @@ void turnUp(Trials& t) {
 Json inverseOf(const Json& rotation) {
   Json inverse = rotation;
   if (rotation.size() == 4)
-    for (std::size_t i = 0; i < 3; ++i) inverse[i] = -rotation[i].get<double>();
+    for (std::size_t i = 0; i < 3; ++i) inverse[i] = 0.0 - rotation[i].get<double>();
   else
     for (std::size_t i = 0; i < 9; ++i) inverse[i / 3][i % 3] = rotation[i % 3][i / 3];
   return inverse;
@@ -343,11 +328,16 @@ Vec4 Hypothesis::point(const Vec4& p) const {
   return {at(axes[0]), at(axes[1]), at(axes[2]), p.w};
 }
 
+std::string_view sentenceOf(std::string_view mistake) {
+  const auto row = std::find_if(std::begin(kMistakes), std::end(kMistakes),
+                                [&](const Mistake& each) { return each.name == mistake; });
+  return row->sentence;
+}
+
 std::vector<Hypothesis> hypotheses(const Document& document, const ReadOptions& reading) {
   Trials trials{document, reading, makeCamera(readCamera(document, reading))};
   for (const Mistake& mistake : kMistakes) {
     trials.mistake = mistake.name;
-    trials.sentence = mistake.sentence;
     mistake.addTo(trials);
   }
   return std::move(trials.found);

@@ -105,6 +105,7 @@ int runCommand(const Command& command, std::span<const std::string> arguments) {
   prepare(app);
   const Action action = command.declare(app);
   parse(app, arguments, [&](const std::string& argument) { return adviceOn(argument, command, app); });
+  setFailureStatus(command.failureStatus);
   const CLI::Option* const file = app.get_option("--output");
   NamedOutput output(file->empty() ? "-" : file->results().front());
   const int status = action();
