@@ -97,6 +97,7 @@ std::string helpOf(const Command& command) {
 }
 
 int runCommand(const Command& command, std::span<const std::string> arguments) {
+  setFailureStatus(command.failureStatus);
   if (asksForHelp(arguments)) {
     writeOutput(helpOf(command));
     return 0;
@@ -105,7 +106,6 @@ int runCommand(const Command& command, std::span<const std::string> arguments) {
   prepare(app);
   const Action action = command.declare(app);
   parse(app, arguments, [&](const std::string& argument) { return adviceOn(argument, command, app); });
-  setFailureStatus(command.failureStatus);
   const CLI::Option* const file = app.get_option("--output");
   NamedOutput output(file->empty() ? "-" : file->results().front());
   const int status = action();
