@@ -50,6 +50,7 @@ OrderedJson forPeople(OrderedJson report) {
     section["largestMiss"] = one["largestMiss"];
   }
   const bool agrees = report["agrees"].get<bool>(), hasFit = !agrees && !report["fit"]["offset"].is_null();
+  if (report["noPixel"] != 0) notes.push_back("noPixel: points on or behind the plane through the eye have none.");
   if (!agrees && sections.empty())
     notes.push_back(
         "No single mistake that is known here explains these pixels. For pixels rounded to whole numbers try --within "
