@@ -43,6 +43,18 @@ std::string inShell(const std::string& word) {
   return word.find_first_not_of(kPlain) == std::string::npos ? word : "'" + word + "'";
 }
 
+/// Makes {"x": ..., "y": ..., "z": ...} arrays, at any depth.
+void spreadVectors(Json& value) {
+  if (value.is_object() && value.contains("z")) {
+    Json array = Json::array();
+    for (const char* const part : {"x", "y", "z", "w"})
+      if (value.contains(part)) array.push_back(value[part]);
+    value = std::move(array);
+  }
+  if (value.is_structured())
+    for (Json& part : value) spreadVectors(part);
+}
+
 /// The document and its camera, and the hypotheses found so far.
 struct Trials {
   const Document& document;
@@ -258,7 +270,7 @@ void invertPose(Trials& t) {
       t.options({{"--set", rotation + "=" + textOf(inverseOf(*turn))}});
   }
   const Json *const rotation = t.find("rotation"), *const position = t.find("position");
-  if (!rotation || !rotation->is_array() || !position->is_array()) return;
+  if (!rotation || !position || !position->is_array()) return;
   t.options({{"--set", "rotation=" + textOf(inverseOf(*rotation))}});
   const Json rigid{{"rotation", *rotation}, {"translation", *position}};
   t.options({{"--set", "position=null"}, {"--set", "rotation=null"}, {"--set", "cameraFromWorld=" + textOf(rigid)}});
@@ -266,7 +278,7 @@ void invertPose(Trials& t) {
 
 void reorderQuaternion(Trials& t) {
   for (const char* const path : {"rotation", "worldFromCamera.rotation", "cameraFromWorld.rotation"})
-    if (const Json* const q = t.find(path); q && q->is_array() && q->size() == 4)
+    if (const Json* const q = t.find(path); q && q->size() == 4)
       for (const auto& order : {std::array{1, 2, 3, 0}, {3, 0, 1, 2}}) {
         Json turned = Json::array();
         for (const int i : order) turned.push_back((*q)[static_cast<std::size_t>(i)]);
@@ -333,7 +345,9 @@ std::string_view sentenceOf(std::string_view mistake) {
 }
 
 std::vector<Hypothesis> hypotheses(const Document& document, const ReadOptions& reading) {
-  Trials trials{document, reading, makeCamera(readCamera(document, reading))};
+  const Document arrays{document.name, std::make_shared<Json>(*document.root), document.isTyped, document.labels};
+  spreadVectors(*arrays.root);
+  Trials trials{arrays, reading, makeCamera(readCamera(arrays, reading))};
   for (const Mistake& mistake : kMistakes) {
     trials.mistake = mistake.name;
     mistake.addTo(trials);

@@ -311,6 +311,14 @@ const Case kCases[] = {
        });
      },
      right},
+    {"w first, each number by its name", "quaternion-order",
+     [](const Scene& s) {
+       return changed(rotationDocument(s), [&](Json& d) {
+         const auto q = s.rotation();
+         d["rotation"] = {{"x", q[3]}, {"y", q[0]}, {"z", q[1]}, {"w", q[2]}};
+       });
+     },
+     right},
     // gaussian-splatting PR#111, nerfstudio#1504, instant-ngp#1486, 4DGaussians#191
     {"OpenCV's axes as OpenGL's", "camera-axes",
      [](const Scene& s) { return changed(rotationDocument(s), [](Json& d) { d["cameraAxes"] = "RDF"; }); }, right},
