@@ -8,6 +8,7 @@ constexpr Command kCommands[] = {
     {"ray", "pixels to rays, and to the points behind them", declareRay},
     {"cull", "which points and shapes lie in the view, and which plane decides", declareCull},
     {"matrix", "a camera's matrices in any convention", declareMatrix},
+    {"check", "whether points lie at their pixels, and which mistake explains it", declareCheck, 2},
     {"info", "what is in a camera file", declareInfo},
     {"inspect", "which camera and which convention a matrix is of", declareInspect},
     {"explain", "every stage of one point or pixel, by hand", declareExplain},

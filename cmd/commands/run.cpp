@@ -97,6 +97,7 @@ std::string helpOf(const Command& command) {
 }
 
 int runCommand(const Command& command, std::span<const std::string> arguments) {
+  setFailureStatus(command.failureStatus);
   if (asksForHelp(arguments)) {
     writeOutput(helpOf(command));
     return 0;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "text/error.hpp"
+#include "viewproj/vectors.hpp"
 
 namespace viewproj::cmd {
 
@@ -101,6 +102,9 @@ Size readSize(const std::string& option, const std::string& text);
 /// "1,2,3", from fewest to most numbers. form: what was expected, "X,Y or X,Y,DEPTH".
 std::vector<double> readNumbers(const std::string& option, const std::string& text, std::size_t fewest,
                                 std::size_t most, const std::string& form);
+
+/// X,Y.
+Vec2 readPixelPosition(const std::string& option, const std::string& text);
 
 /// X,Y[,DEPTH].
 std::vector<double> readPixelNumbers(const std::string& option, const std::string& text);

@@ -25,6 +25,8 @@ std::mutex writing;
 
 std::string outputName = "standard output";  // for messages
 
+int failureStatus = 1;
+
 /// Returns errno, or 0.
 int writeUnlocked(int descriptor, std::string_view text) {
   while (!text.empty()) {
@@ -146,6 +148,8 @@ void complain(const std::string& message) {
   writeAll(kStandardError, "viewproj: " + visible(message, "\n") + "\n");
 }
 
+void setFailureStatus(int status) { failureStatus = status; }
+
 int reportException() {
   try {
     throw;
@@ -156,7 +160,7 @@ int reportException() {
     return 2;
   } catch (const std::exception& e) {
     complain(e.what());
-    return 1;
+    return failureStatus;
   }
 }
 
@@ -170,7 +174,7 @@ void endWithoutMemory() {
   writing.lock();
   writeUnlocked(kStandardError, "viewproj: out of memory\n");
   removeTemporary();
-  std::_Exit(1);
+  std::_Exit(failureStatus);
 }
 
 }  // namespace viewproj::cmd

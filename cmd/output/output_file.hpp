@@ -33,6 +33,9 @@ void writeOutput(std::string_view text);
 /// Writes `viewproj: MESSAGE` to standard error. Where that cannot be written, nobody is told.
 void complain(const std::string& message);
 
+/// The exit status of whatever goes wrong from here on; 1 at first.
+void setFailureStatus(int status);
+
 /// In a catch block: complains of the exception. Returns the exit status.
 int reportException();
 
