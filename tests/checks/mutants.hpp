@@ -1,5 +1,6 @@
 // What mutants.py puts in front of each source: a mutant is on where the environment has its number in VIEWPROJ_MUTANT.
 #pragma once
+#if __cplusplus > 201703L  // not where CMake tries the compiler
 
 #include <type_traits>
 #include <utility>
@@ -47,3 +48,4 @@ constexpr decltype(auto) swapped(F&& f, A&& a, B&& b) {
 }
 
 }  // namespace mutants
+#endif
