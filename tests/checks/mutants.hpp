@@ -1,6 +1,5 @@
 // What mutants.py puts in front of each source: a mutant is on where the environment has its number in VIEWPROJ_MUTANT.
 #pragma once
-#if __cplusplus > 201703L  // not where CMake tries the compiler
 
 #include <type_traits>
 #include <utility>
@@ -11,22 +10,22 @@ extern int viewprojMutant;
 namespace mutants {
 
 // `a + Plus<7>{} + b` is a + b, and a - b where mutant 7 is on: of the same precedence, whatever a and b are made of.
-#define MUTANT_OPERATOR(name, op, other)                                                             \
-  template <int id>                                                                                  \
-  struct name {};                                                                                    \
-  template <class A, int id>                                                                         \
-  struct name##Left {                                                                                \
-    A&& a;                                                                                           \
-  };                                                                                                 \
-  template <class A, int id>                                                                         \
-  constexpr name##Left<A, id> operator op(A&& a, name<id>) {                                         \
-    return {std::forward<A>(a)};                                                                     \
-  }                                                                                                  \
-  template <class A, int id, class B>                                                                \
-  constexpr auto operator op(name##Left<A, id> left, B&& b) {                                        \
+#define MUTANT_OPERATOR(name, op, other)                                                                  \
+  template <int id>                                                                                       \
+  struct name {};                                                                                         \
+  template <class A, int id>                                                                              \
+  struct name##Left {                                                                                     \
+    A&& a;                                                                                                \
+  };                                                                                                      \
+  template <class A, int id>                                                                              \
+  constexpr name##Left<A, id> operator op(A&& a, name<id>) {                                              \
+    return {std::forward<A>(a)};                                                                          \
+  }                                                                                                       \
+  template <class A, int id, class B>                                                                     \
+  constexpr auto operator op(name##Left<A, id> left, B&& b) {                                             \
     if constexpr (requires { requires std::is_same_v<decltype(left.a op b), decltype(left.a other b)>; }) \
-      if (MUTATED(id)) return left.a other b;                                                        \
-    return left.a op b;                                                                              \
+      if (MUTATED(id)) return left.a other b;                                                             \
+    return left.a op b;                                                                                   \
   }
 MUTANT_OPERATOR(Plus, +, -)
 MUTANT_OPERATOR(Minus, -, +)
@@ -48,4 +47,3 @@ constexpr decltype(auto) swapped(F&& f, A&& a, B&& b) {
 }
 
 }  // namespace mutants
-#endif

@@ -121,9 +121,10 @@ def write_sources(source, mutants):
                 lines = content.decode().split("\n")
                 for number, (_, line, start, end, _, new) in sorted(by_file[name], key=lambda m: -m[1][2]):
                     lines[line] = lines[line][:start] + new.replace("ID", str(number)) + lines[line][end:]
-                content = "\n".join(lines).encode()
+                switch = f'#include "{source}/tests/checks/mutants.hpp"\n#line 1\n'
+                content = (switch + "\n".join(lines)).encode()
             if name == "lib/CMakeLists.txt":
-                content += b"\ntarget_sources(libviewproj PRIVATE ${PROJECT_SOURCE_DIR}/mutant.cpp)\n"
+                content += f"\ntarget_sources(libviewproj PRIVATE {source}/mutant.cpp)\n".encode()
             write_if_changed(source / name, content)
     write_if_changed(source / "mutant.cpp", READING.encode())
 
@@ -133,10 +134,9 @@ def build(folder, mutants):
     source, binary = folder / "source", folder / "build"
     while True:
         write_sources(source, mutants)
-        flags = f"-w -Wno-narrowing -fpermissive -include {source}/tests/checks/mutants.hpp"
         launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
         subprocess.run(["cmake", "-S", source, "-B", binary, "-GNinja", "-DCMAKE_BUILD_TYPE=Release", "-DVIEWPROJ_TESTS=ON",
-                        "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG", f"-DCMAKE_CXX_FLAGS={flags}", *launcher],
+                        "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG", "-DCMAKE_CXX_FLAGS=-w -Wno-narrowing -fpermissive", *launcher],
                        stdout=subprocess.DEVNULL, check=True)
         done = subprocess.run(["ninja", "-C", binary, "-k", "0", "-j", str(os.cpu_count())], capture_output=True, text=True, check=False)
         if done.returncode == 0:
