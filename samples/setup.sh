@@ -17,7 +17,7 @@ case $part in
   *) echo "setup.sh $part: expected tests, checks or deep" >&2; exit 2 ;;
 esac
 if [ $tests = ON ]; then
-  packages="$packages catch2 libmpfr-dev libglm-dev libeigen3-dev libimath-dev geographiclib-tools glslang-tools"
+  packages="$packages catch2 libmpfr-dev libglm-dev libeigen3-dev glslang-tools"
   packages="$packages python3 python3-numpy python3-opencv libegl-dev libgl-dev libopengl-dev libgl1-mesa-dri"
   # Those from elsewhere do as well.
   command -v node >/dev/null || packages="$packages nodejs"
@@ -28,11 +28,8 @@ if [ "$part" = checks ] || [ "$part" = deep ]; then
   packages="$packages dpkg-dev file lintian mandoc pkgconf"
 fi
 if [ "$part" = deep ]; then
-  packages="$packages ccache clang-tidy debootstrap miller mawk gawk proj-bin parallel qemu-user time valgrind"
+  packages="$packages ccache clang-tidy debootstrap miller mawk qemu-user time valgrind"
   packages="$packages libc++-dev libc++abi-dev g++-mingw-w64-x86-64-posix wine64 g++-aarch64-linux-gnu"
-  browser=chromium
-  for name in chromium chromium-browser google-chrome; do if command -v $name >/dev/null; then browser=""; fi; done
-  packages="$packages $browser"
 fi
 
 if command -v dpkg-query >/dev/null 2>&1; then

@@ -4,8 +4,6 @@
 #include <Eigen/Dense>
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
-// After GLM: both call things Vec3.
-#include <Imath/ImathMatrix.h>
 
 namespace benchmark {
 
@@ -58,21 +56,6 @@ void eigenCachedDouble(const PeerCamera& c, std::span<const Vec3> points, std::s
   }
 }
 
-void imathDouble(const PeerCamera& c, std::span<const Vec3> points, std::span<Vec3> screen) {
-  Imath::M44d view, projection;
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j) {
-      view[j][i] = c.view[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
-      projection[j][i] = c.projection[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
-    }
-  const Imath::M44d m = view * projection;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    Imath::V3d p;
-    m.multVecMatrix(Imath::V3d(points[i].x, points[i].y, points[i].z), p);
-    screen[i] = {(p.x * 0.5 + 0.5) * c.width, (p.y * 0.5 + 0.5) * c.height, p.z * 0.5 + 0.5};
-  }
-}
-
 void glmUnProjectTwice(const PeerCamera& c, std::span<const Vec2> pixels, std::span<Vec3> directions) {
   const auto view = toGlm<double>(c.view), projection = toGlm<double>(c.projection);
   const glm::dvec4 viewport(0, 0, c.width, c.height);
@@ -86,6 +69,6 @@ void glmUnProjectTwice(const PeerCamera& c, std::span<const Vec2> pixels, std::s
 
 }  // namespace
 
-const Peers VIEWPROJ_PEERS = {glmProjectDouble, glmProjectFloat, eigenCachedDouble, imathDouble, glmUnProjectTwice};
+const Peers VIEWPROJ_PEERS = {glmProjectDouble, glmProjectFloat, eigenCachedDouble, glmUnProjectTwice};
 
 }  // namespace benchmark

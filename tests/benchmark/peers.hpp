@@ -21,7 +21,6 @@ struct Peers {
   void (*glmProjectDouble)(const PeerCamera&, std::span<const viewproj::Vec3>, std::span<viewproj::Vec3>);
   void (*glmProjectFloat)(const PeerCamera&, std::span<const Vec3f>, std::span<Vec3f>);
   void (*eigenCachedDouble)(const PeerCamera&, std::span<const viewproj::Vec3>, std::span<viewproj::Vec3>);
-  void (*imathDouble)(const PeerCamera&, std::span<const viewproj::Vec3>, std::span<viewproj::Vec3>);
   void (*glmUnProjectTwice)(const PeerCamera&, std::span<const viewproj::Vec2>, std::span<viewproj::Vec3>);
 };
 

@@ -125,7 +125,6 @@ int main(int argc, char** argv) {
                            1,
                            {}});
     add("Eigen double, cached product, -O2", 1e-8, [&] { peersO2.eigenCachedDouble(peer, points, screen); });
-    add("Imath double, cached product, -O3", 1e-8, [&] { peersO3.imathDouble(peer, points, screen); });
     contestants.push_back({"copy of the bytes",
                            [&] { std::memcpy(screen.data(), points.data(), points.size() * sizeof(Vec3)); },
                            {},

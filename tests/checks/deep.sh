@@ -6,7 +6,7 @@
 # `sh samples/setup.sh deep` gets what they need.
 set -eu
 cd "$(dirname "$0")/../.."
-parts="gate tidy coverage platforms debian long fuzz benchmark"
+parts="gate tidy coverage mutants platforms debian long fuzz benchmark"
 [ -z "$(git status --porcelain)" ] || { echo 'deep: the tree has changes that are not committed' >&2; exit 2; }
 tree=$(git rev-parse 'HEAD^{tree}')
 results=${XDG_STATE_HOME:-$HOME/.local/state}/viewproj/deep/$tree
@@ -15,10 +15,11 @@ mkdir -p "$results"
 gate() { .ci/run; }
 tidy() { sh tests/checks/tidy.sh; }
 coverage() { sh tests/checks/coverage.sh; }
+mutants() { python3 -B tests/checks/mutants.py; }
 platforms() { sh tests/checks/platforms.sh; }
 # The package in a bare Debian.
 debian() { sh tests/checks/install.sh build "$(mktemp -d)/debian"; }
-# Long bounds, every row of growth, and the judges that need a browser, GNU parallel or qemu.
+# Long bounds, growth, and processors under qemu.
 long() {
   cmake -B build -DVIEWPROJ_TESTS=ON -DVIEWPROJ_DEEP_TESTS=ON -DVIEWPROJ_REQUIRE_ALL=ON >/dev/null
   cmake --build build --parallel "$(nproc)"

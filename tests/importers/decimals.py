@@ -308,18 +308,6 @@ def ros():
         write("ROS message, " + pick, file, raw if pick == "raw" else rectified, pick=pick, centers=True)
 
 
-def transforms():
-    size, fx, fy, cx, cy = lens()
-    R, position = rotation(), decimals(doubles(vector(5)))
-    back, t = to_camera(R, position)
-    camera = Camera(flipped(back), [t[0], -t[1], -t[2]], fx, fy, cx, cy, size, D("0.5"), D(300))
-    frames = [{"file_path": "./images/1.png", "transform_matrix": rows4(R, [D(0)] * 3)},
-              {"file_path": "./images/2.png", "transform_matrix": rows4(R, position)[:3], "fl_x": float(fx), "fl_y": float(fy)}]
-    file = {"fl_x": 1.0, "fl_y": 2.0, "cx": float(cx), "cy": float(cy), "w": size[0], "h": size[1], "near": 0.5, "far": 300,
-            "camera_model": "OPENCV", "k1": 0, "frames": frames}
-    write("transforms.json", file, camera, pick="images/2.png")
-
-
 def turned():
     """R of a ROS camera plays no part in K, of points in the camera's frame, nor in P, of points in the rectified one."""
     size, fx, fy, cx, cy = lens()
@@ -376,7 +364,6 @@ def kalibr():
     write("EuRoC", None, first, centers=True, text=as_yaml(euroc))
 
 
-for trial in range(3):
-    for each in (transforms, colmap, kitti, matrix34, ros, turned, kalibr, opencv, inria, open3d, realsense):
-        random.seed(f"{each.__name__} {trial}")
-        each()
+for each in (colmap, kitti, matrix34, ros, turned, kalibr, opencv, inria, open3d, realsense):
+    random.seed(f"{each.__name__} 0")
+    each()

@@ -95,14 +95,22 @@ Mat4 write(MatrixKind kind, const Camera& c, const Convention& target) {
   return clipFromWorld(c.pose(), c.projection(), target);
 }
 
+struct Written {
+  Camera camera;
+  Convention convention;
+  Mat4 matrix;
+};
+
 /// A matrix of this kind: as written, a multiple of it, or with each entry a little off.
-Mat4 randomMatrix(Random& random, MatrixKind kind, int variant) {
+Written randomMatrix(Random& random, MatrixKind kind, int variant) {
   Scene scene = randomScene(random, random.spread(1e-3, 1e9));
   scene.hasCrop = false;
   const auto presets = conventionPresets();
   Convention convention = presets[static_cast<std::size_t>(random.uniform(0, double(presets.size())))].convention;
   convention.world = scene.convention.world;
-  Mat4 m = write(kind, build(scene), convention);
+  convention.reverseZ = random.chance(0.5);
+  const Camera camera = build(scene);
+  Mat4 m = write(kind, camera, convention);
   const bool isPose = kind == MatrixKind::view || kind == MatrixKind::worldFromView;
   const double scale = variant != 1 ? 1 : isPose ? 1 - 0x1p-52 : random.spread(1e-3, 1e3);
   for (auto& row : m.m)
@@ -110,7 +118,27 @@ Mat4 randomMatrix(Random& random, MatrixKind kind, int variant) {
       entry *= scale;
       if (variant == 2 && entry != 1) entry *= 1 + random.uniform(-1e-9, 1e-9);
     }
-  return m;
+  return {camera, convention, m};
+}
+
+/// As it was written, of its own convention, a matrix is one camera, whose near and far lie where the camera's do.
+void checkTheOnly(const Written& written, MatrixKind kind) {
+  const MatrixCameras found = camerasOf(written.matrix, {.kind = kind, .convention = written.convention});
+  INFO(found.fault);
+  REQUIRE(found.cameras.size() == 1);
+  const MatrixCamera& camera = found.cameras.front();
+  if (!camera.lens) return;
+  const Projection& lens = written.camera.projection();
+  CHECK(camera.lens->orthographic == lens.isOrthographic());
+  // Rows of a view-projection may be of another length, and an orthographic one counts from the world's origin.
+  if (kind == MatrixKind::viewProjection) return;
+  const auto holds = [](const PlaneDistance& e, double truth) {
+    const double rest = std::isinf(truth) ? 0 : 1e-6 * (e.high - e.low) + 1e-15 * std::fabs(truth);
+    return e.low <= truth + rest && truth - rest <= e.high;
+  };
+  CAPTURE(lens.zNear(), lens.zFar());
+  CHECK(holds(camera.lens->zNear, lens.zNear()));
+  CHECK(holds(camera.lens->zFar, lens.zFar()));
 }
 
 /// |got - truth| <= 2^-90 size.
@@ -127,7 +155,10 @@ TEST_CASE("Pose and window of a matrix are within 2^-90 of those of its sixteen 
   for (std::uint64_t trial = 0; trial < 1200; ++trial) {
     Random random(trial);
     const MatrixKind kind = kKinds[trial % 4];
-    const Mat4 m = randomMatrix(random, kind, int(trial / 4 % 3));
+    const int variant = int(trial / 4 % 3);
+    const Written written = randomMatrix(random, kind, variant);
+    const Mat4& m = written.matrix;
+    if (variant == 0) checkTheOnly(written, kind);
     for (const MatrixCamera& camera : camerasOf(m, {.kind = kind}).cameras) {
       INFO("trial " << trial << ", kind " << int(kind));
       const TrueCamera truth(camera.layout == MatrixLayout::transposed ? transposed(m) : m, camera);

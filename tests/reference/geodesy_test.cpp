@@ -153,24 +153,6 @@ Scene randomLens(Random& r) {
 
 }  // namespace
 
-TEST_CASE("Sine and cosine of degrees are within their bound for every size of angle") {
-  double worst = 0;
-  for (std::uint64_t trial = 0; trial < kTrials; ++trial) {
-    Random r(trial);
-    double degrees = r.uniform(-1000, 1000);
-    if (trial % 4 == 1) degrees = r.sign() * r.spread(1e-300, 1);
-    if (trial % 4 == 2) degrees = r.sign() * r.spread(1e3, 1e300);
-    if (trial % 4 == 3) degrees = 45 * std::floor(r.uniform(-20, 20)) + r.sign() * r.spread(1e-15, 1);
-    const SinCos s = sinCosDegrees(degrees);
-    INFO(degrees);
-    worst = std::max(
-        {worst, double(abs(sumOf(s.sine) - sinDegrees(degrees))), double(abs(sumOf(s.cosine) - cosDegrees(degrees)))});
-    REQUIRE(worst <= kSinCosDegreesBound);
-  }
-  CAPTURE(worst);
-  CHECK(worst > kSinCosDegreesBound / 64);
-}
-
 TEST_CASE("Places go to ECEF and back within 10 nm, up to 5000 km high") {
   double worst = 0, worstBack = 0;
   std::map<int, int> visited;

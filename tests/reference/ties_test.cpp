@@ -129,20 +129,3 @@ TEST_CASE("An entry of a matrix half way between two doubles is one of the two")
     CHECK(ulps(got, truth) == 0.5);
   }
 }
-
-TEST_CASE("Exact leaves to more digits what lies nearer to a middle than its first error, and nothing much farther") {
-  // x is the way from the eye, and the sum of sizes 1. Its error is taken for 26 times 2^-77 (error_model.hpp).
-  const Projection lens = viewproj::orthographic(0, 1024, -512, 512, -8, 8);
-  const std::vector<Vec3> points(21, Vec3{1, 0, 0});
-  const int kernels = withEachKernel([&](const Kernels& kernel) {
-    for (const double off : {0x1p-73, -0x1p-73, 0x1p-72, -0x1p-72}) {
-      const Pose pose = lookAlong({-(0x1p-53 + off), 0, 0}, {0, 0, -1}, {0, 1, 0}, Handedness::right);
-      std::vector<Vec3> got(points.size());
-      const BatchCounts counts = worldToScreen(makeCamera(pose, lens, {1024, 1024}), points, std::span(got));
-      INFO(kernel.name << ", off the middle by " << off);
-      CHECK(counts.escalated == (std::fabs(off) < 26 * 0x1p-77 ? points.size() : 0));
-      for (const Vec3& p : got) CHECK(p.x == (off > 0 ? 1 + 0x1p-52 : 1));
-    }
-  });
-  CHECK(kernels > 0);
-}

@@ -190,15 +190,6 @@ TEST_CASE("a bad row of CSV stands with its message in a table that stays one") 
     }
 }
 
-TEST_CASE("a quote of CSV that does not close ends the table with one row") {
-  const StreamRun all =
-      runStream("x,y,z,a,b\n1,2,3,a,b\n4,5,6,\"not\nclosed,7\n8,9,10,a,b\n", {.from = Form::csv, .keepGoing = true});
-  CHECK(all.out ==
-        "x,y,z,a,b,sum,twice_x,twice_y,twice_z,error\n1,2,3,a,b,6,2,4,6,\n"
-        "4,5,6,\"\"\"not\nclosed,7\n8,9,10,a,b\n\",,,,,,the quote that opens here is not closed\n");
-  CHECK(all.err == "viewproj: <stdin>:3:7: the quote that opens here is not closed\n");
-}
-
 TEST_CASE("what is no number in f64 is named by record and byte, and NaN stands for it") {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   const std::string input = doubles({1, 2, 3, 1, nan, 3, 4, 5, 6, 1, 2, -inf, 7, 8, 9});
@@ -216,13 +207,6 @@ TEST_CASE("what is no number in f64 is named by record and byte, and NaN stands 
     for (std::size_t i = 4 * bad; i < 4 * bad + 4; ++i) CHECK(std::isnan(numbers[i]));
   CHECK(numbers[8] == 15);
   CHECK(numbers[16] == 24);
-}
-
-TEST_CASE("bytes of f64 that look like a byte order mark are numbers") {
-  std::string input = doubles({1, 2, 3, 4, 5, 6});
-  input.replace(0, 3, "\xEF\xBB\xBF");
-  const StreamRun run = runStream(input, {.from = Form::f64});
-  CHECK((run.status == 0 && run.out.size() == 64));
 }
 
 TEST_CASE("a value in an array that is no record is passed over") {
@@ -252,26 +236,6 @@ TEST_CASE("documents and arrays among records keep what is around their records"
   }
 }
 
-TEST_CASE("minus zero is minus zero, however it is read") {
-  const StreamRun run =
-      runStream("[-0,1,2]\n[-0,1,2]\n[-0.0,1,2]\n[0,1,2]\n", {.from = Form::json, .to = OutputForm::text});
-  CHECK(run.out == "3 -0 2 4\n3 -0 2 4\n3 -0 2 4\n3 0 2 4\n");
-  for (const auto& [form, input] : {std::pair(Form::json, std::string("[-0,1,2]\n")),
-                                    {Form::text, "-.0 1 2\n"},
-                                    {Form::csv, "-0,1,2\n"},
-                                    {Form::f64, doubles({-0.0, 1, 2})}}) {
-    const std::string out = runStream(input, {.from = form, .to = OutputForm::lines}).out;
-    INFO(out);
-    CHECK(out.ends_with("\"sum\":3,\"twice\":[-0,2,4]}\n"));
-    CHECK(runStream(out, {.from = Form::json}).err.find("already has a field 'sum'") != std::string::npos);
-  }
-}
-
-TEST_CASE("an overflow is placed at the number that overflows") {
-  const StreamRun run = runStream("{\"s\":\"1e309\",\"x\":0.001e309,\"y\":2,\"z\":1e309}\n", {.from = Form::json});
-  CHECK(run.err == "<stdin>:1:38: '1e309' is larger than any double");
-}
-
 TEST_CASE("columns of CSV are those of the first good record, however many bad ones come before") {
   std::string input =
       "[NaN]\n{\"position\":[1,2,3],\"position_x\":5}\n{\"x\":1,\"y\":2,\"z\":3,\"sum\":9}\n[4713,0,0]\n";
@@ -296,41 +260,6 @@ TEST_CASE("columns of CSV are those of the first good record, however many bad o
   }
 }
 
-TEST_CASE("carriage returns alone are quoted in CSV, white space in JSON, and refused where they may end lines") {
-  const std::string value = "{\"x\":1,\"y\":2,\"z\":3,\"s\":\"a\\rb\"}\n";
-  CHECK(runStream(value, {.from = Form::json, .to = OutputForm::csv}).out ==
-        "x,y,z,s,sum,twice_x,twice_y,twice_z\n1,2,3,\"a\rb\",6,2,4,6\n");
-  CHECK(linesOf(runStream("[1,2,3]\r[4,5,6]\r", {}).out).size() == 2);
-  for (const char* input : {"x,y,z\r1,2,3\r", "1 2 3\r4 5 6\r", "1 2 3\r4\n"}) {
-    const StreamRun run = runStream(input, {});
-    CHECK(run.status == 1);
-    CHECK(run.err.starts_with("<stdin>:1:6: a carriage return that ends no line"));
-  }
-}
-
-TEST_CASE("f64 is never guessed, and UTF-16 and UTF-32 are named") {
-  using namespace std::string_literals;
-  for (const auto& [input, message] : {std::pair("\xFF\xFE[\0001\0,\0"s, "is UTF-16"),
-                                       {"x\0,\0"s, "is binary"},
-                                       {"\0\0\xFE\xFF\0\0\0x"s, "is UTF-32"},
-                                       {"\xFE\xFF\0x"s, "is UTF-16"},
-                                       {doubles({1, 2, 3}), "is binary"},
-                                       {"\x7F"
-                                        "ELF\2\1\1\0\0"s,
-                                        "is binary"},
-                                       {"x,y\x01\xFF\n"s, "is binary"}}) {
-    const StreamRun run = runStream(input, {});
-    INFO(run.err);
-    CHECK((run.status == 1 && run.out.empty() && run.err.starts_with("<stdin>: "s + message)));
-  }
-  CHECK(runStream("\xFE\xFF\0001"s, {}).err ==
-        "<stdin>: is UTF-16; expected UTF-8, as iconv -f UTF-16 -t UTF-8 makes it");
-  CHECK(runStream("x,y,z,\xED\xA0\x80\x01\n1,2,3,4\n", {}).err.starts_with("<stdin>: is binary"));
-  CHECK(runStream("x,y,z,a\x7F\n1,2,3,4\n", {}).out.starts_with("x,y,z,a\x7F,sum"));
-  CHECK(runStream("x,y,z,\xC3\xA9\x01\n1,2,3,4\n", {}).status == 0);
-  CHECK(!formOfName("a.bin"));  // of KITTI that is float32
-}
-
 TEST_CASE("text after the quote that closes is an error of its record, however it is read") {
   const std::string input =
       "name,x,y,z\nl,1,2,3\n\"a,1,2,3\n\"b,1,2,4\n\"c\" ,4,5,6\r\n\"d\"\r\"d\",4,5,6\n\"e\"\"\",7,8,9\n";
@@ -346,15 +275,4 @@ TEST_CASE("text after the quote that closes is an error of its record, however i
     for (std::size_t block = 1; block < 90; ++block)
       CHECK(runStream(input, {.from = Form::csv, .keepGoing = true, .jobs = jobs, .block = block}) == all);
   CHECK(runStream("a,\"b\"c,x,y,z\n1,2,3,4,5\n", {.from = Form::csv}).err.starts_with("<stdin>:1:6: text after"));
-}
-
-TEST_CASE("a stream whose first line has a word beside a number is text, and of words alone a header") {
-  CHECK(runStream("lamp 2 3\n1 2 3\n", {}).err.starts_with("<stdin>:1:1: 'lamp' is not a finite number"));
-  CHECK(runStream("lamp 2 3\n1 2 3\n", {.keepGoing = true}).out == "NaN NaN NaN NaN\n6 2 4 6\n");
-  CHECK(runStream("lamp\n1 2 3\n", {.keepGoing = true}).err.starts_with("<stdin>:1:1: has no columns"));
-}
-
-TEST_CASE("a prefix stands in front of error too") {
-  const StreamRun json = runStream("[1]\n", {.from = Form::json, .keepGoing = true, .prefix = "p."});
-  CHECK(json.out.starts_with("{\"line\":1,\"p.error\":"));
 }

@@ -78,21 +78,6 @@ std::string faultOfFile(const std::string& bytes) {
 
 bool has(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
 
-/// Values one behind the other, as a stream has them, with white space or nothing between.
-bool isSequence(const std::string& bytes) {
-  std::istringstream stream(bytes);
-  if (bytes.starts_with("\xEF\xBB\xBF")) stream.ignore(3);
-  try {
-    while ((stream >> std::ws).peek() != EOF) {
-      nlohmann::json value;
-      stream >> value;
-    }
-  } catch (const nlohmann::json::exception&) {
-    return false;
-  }
-  return true;
-}
-
 std::string recordWith(const std::string& value) { return "{\"x\":1,\"y\":2,\"z\":3,\"v\":" + value + "}"; }
 
 std::size_t linesIn(const std::string& text) {
@@ -195,31 +180,6 @@ TEST_CASE("in a record of a stream is valid what nlohmann-json calls valid, and 
   CHECK(onlyAlone == std::set<std::string>{"i_structure_UTF-8_BOM_empty_object"});
   CHECK(accepted >= 4 * 95);
   CHECK(rejected >= 4 * 186);
-}
-
-TEST_CASE("a stream is a sequence of values, and only so more is valid in it than one value") {
-  std::set<std::string> more;
-  int valid = 0, wrong = 0;
-  for (const Case& one : allCases()) {
-    const StreamRun run = runStream(one.bytes, {.from = Form::json});
-    INFO(one.name << ", " << run.err);
-    if (one.valid()) {
-      // Where it is no record, that is what is said.
-      CHECK_FALSE(has(run.err, "not valid"));
-      CHECK_FALSE(has(run.err, "overflow"));
-      ++valid;
-    } else if (run.status == 0) {
-      CHECK(isSequence(one.bytes));
-      more.insert(one.name);
-    } else {
-      CHECK_FALSE(run.err.empty());
-      ++wrong;
-    }
-  }
-  CHECK(more == std::set<std::string>{"n_single_space", "n_structure_UTF8_BOM_no_data", "n_structure_double_array",
-                                      "n_structure_no_data"});
-  CHECK(valid >= 95);
-  CHECK(wrong >= 184);
 }
 
 TEST_CASE("in a camera file is valid what nlohmann-json calls valid, but for names twice, deep nests and comments") {

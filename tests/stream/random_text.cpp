@@ -7,117 +7,31 @@
 namespace viewproj::tests {
 namespace {
 
-constexpr const char* kOddNumbers[] = {"-0",
-                                       "0",
-                                       "-0.0",
-                                       "1e999",
-                                       "-1e999",
-                                       "1e-999",
-                                       "5e-324",
-                                       "01",
-                                       "+1",
-                                       "1.",
-                                       ".5",
-                                       "1e",
-                                       "1e+",
-                                       "-",
-                                       "--1",
-                                       "0x10",
-                                       "1_000",
-                                       "1,5",
-                                       "NaN",
-                                       "nan",
-                                       "inf",
-                                       "1E+2",
-                                       "1e-05",
-                                       "1e308",
-                                       "2e308",
-                                       "-.5",
-                                       "1.5.5",
-                                       "0e0",
-                                       "-0e5",
-                                       "00",
-                                       "1e5",
-                                       "1 2",
-                                       "1e00",
-                                       "1.0e1",
-                                       "123456789012345678901234567890",
-                                       "12345678901234567890",
-                                       "18446744073709551615",
-                                       "18446744073709551616",
-                                       "9223372036854775807",
-                                       "9223372036854775808",
-                                       "-9223372036854775808",
-                                       "-9223372036854775809",
-                                       "9007199254740993",
-                                       "0.1000000000000000055511151231257827",
-                                       "2.2250738585072011e-308",
-                                       "1.7976931348623157e308",
-                                       "1.7976931348623159e308"};
+// clang-format off
+constexpr const char* kOddNumbers[] = {
+    "-0", "0", "-0.0", "1e999", "-1e999", "1e-999", "5e-324", "01", "+1", "1.", ".5", "1e", "1e+", "-", "--1",
+    "0x10", "1_000", "1,5", "NaN", "nan", "inf", "1E+2", "1e-05", "1e308", "2e308", "-.5", "1.5.5", "0e0", "-0e5",
+    "00", "1e5", "1 2", "1e00", "1.0e1", "123456789012345678901234567890", "12345678901234567890",
+    "18446744073709551615", "18446744073709551616", "9223372036854775807", "9223372036854775808",
+    "-9223372036854775808", "-9223372036854775809", "9007199254740993", "0.1000000000000000055511151231257827",
+    "2.2250738585072011e-308", "1.7976931348623157e308", "1.7976931348623159e308"};
 
-constexpr const char* kOddPieces[] = {"\\u0000",
-                                      "\\ud800",
-                                      "\\udc00",
-                                      "\\ud83d\\ude00",
-                                      "\\ud800\\u0041",
-                                      "\\udc00\\ud800",
-                                      "\\x",
-                                      "\\u12",
-                                      "\\u12g4",
-                                      "\\\"",
-                                      "\\/",
-                                      "\\",
-                                      "\\\\",
-                                      "\"",
-                                      "\xC3\xA9",
-                                      "\xC3",
-                                      "\xA9",
-                                      "\xC0\x80",
-                                      "\xED\xA0\x80",
-                                      "\xF4\x90\x80\x80",
-                                      "\xF0\x9F\x98\x80",
-                                      "\xFF",
-                                      "\xEF\xBB\xBF",
-                                      "\xE2\x80\xA8",
-                                      "\x7F",
-                                      "\x01",
-                                      "\t",
-                                      "\n",
-                                      "\r",
-                                      "\f",
-                                      "{",
-                                      "}",
-                                      "[",
-                                      "]",
-                                      ",",
-                                      ":",
-                                      "null",
-                                      "true",
-                                      "nul",
-                                      "tru",
-                                      "/*x*/",
-                                      "//x",
-                                      "'",
-                                      "{}",
-                                      "[]",
-                                      "[[]]",
-                                      "\"points\"",
-                                      " "};
+constexpr const char* kOddPieces[] = {
+    "\\u0000", "\\ud800", "\\udc00", "\\ud83d\\ude00", "\\ud800\\u0041", "\\udc00\\ud800", "\\x", "\\u12", "\\u12g4",
+    "\\\"", "\\/", "\\", "\\\\", "\"", "\xC3\xA9", "\xC3", "\xA9", "\xC0\x80", "\xED\xA0\x80", "\xF4\x90\x80\x80",
+    "\xF0\x9F\x98\x80", "\xFF", "\xEF\xBB\xBF", "\xE2\x80\xA8", "\x7F", "\x01", "\t", "\n", "\r", "\f", "{", "}",
+    "[", "]", ",", ":", "null", "true", "nul", "tru", "/*x*/", "//x", "'", "{}", "[]", "[[]]", "\"points\"", " "};
+// clang-format on
 
 }  // namespace
 
 std::string RandomText::number() {
   if (oneIn(12)) {
-    static constexpr const char* kGood[] = {"-0",
-                                            "0",
-                                            "-0.0",
-                                            "1e-999",
-                                            "5e-324",
-                                            "1E+2",
-                                            "12345678901234567890",
-                                            "123456789012345678901234567890",
-                                            "9007199254740993",
-                                            "-9223372036854775809"};
+    // clang-format off
+    static constexpr const char* kGood[] = {
+        "-0", "0", "-0.0", "1e-999", "5e-324", "1E+2", "12345678901234567890", "123456789012345678901234567890",
+        "9007199254740993", "-9223372036854775809"};
+    // clang-format on
     return oneOf(kGood);
   }
   std::string text = oneIn(3) ? "-" : "";
@@ -128,13 +42,11 @@ std::string RandomText::number() {
 }
 
 std::string RandomText::value(int depth) {
-  static constexpr const char* kPlain[] = {"null",         "true",
-                                           "false",        "\"a\"",
-                                           "\"\"",         "[]",
-                                           "{}",           "\"}\\n{\"",
-                                           "\"]\\\"[\"",   "\"\\u00e9\"",
-                                           "\"\xC3\xA9\"", "\"\\ud83d\\ude00\"",
-                                           "\"a,b\"",      "\"{\\\"x\\\":1}\""};
+  // clang-format off
+  static constexpr const char* kPlain[] = {
+      "null", "true", "false", "\"a\"", "\"\"", "[]", "{}", "\"}\\n{\"", "\"]\\\"[\"", "\"\\u00e9\"", "\"\xC3\xA9\"",
+      "\"\\ud83d\\ude00\"", "\"a,b\"", "\"{\\\"x\\\":1}\""};
+  // clang-format on
   if (depth < 3 && oneIn(4)) return "[" + value(depth + 1) + "," + value(depth + 1) + "]";
   if (depth < 3 && oneIn(4)) return "{\"a\":" + value(depth + 1) + ",\"b\": " + value(depth + 1) + "}";
   return oneIn(3) ? number() : oneOf(kPlain);
@@ -143,7 +55,10 @@ std::string RandomText::value(int depth) {
 std::string RandomText::record(bool pretty) {
   const auto space = [&]() -> std::string {
     if (!pretty || !oneIn(3)) return oneIn(6) ? " " : "";
-    static constexpr const char* kBreaks[] = {"\n", "\n  ", "\r\n", " \n\n ", "\t\n"};
+    // clang-format off
+    static constexpr const char* kBreaks[] = {
+        "\n", "\n  ", "\r\n", " \n\n ", "\t\n"};
+    // clang-format on
     return oneOf(kBreaks);
   };
   const auto array = [&](std::size_t count) {
@@ -161,7 +76,10 @@ std::string RandomText::record(bool pretty) {
     for (const char* name : {"\"x\"", "\"y\"", "\"z\""}) fields.push_back(name + space() + ":" + space() + number());
     if (oneIn(8)) fields[0].replace(1, 1, "\\u0078");
   }
-  static constexpr const char* kNames[] = {"\"id\"", "\"name\"", "\"\"", "\"a\\\"b\"", "\"points\"", "\"t\\u0000\""};
+  // clang-format off
+  static constexpr const char* kNames[] = {
+      "\"id\"", "\"name\"", "\"\"", "\"a\\\"b\"", "\"points\"", "\"t\\u0000\""};
+  // clang-format on
   if (const std::size_t at = below(12); at < 6) {
     const auto where = fields.begin() + static_cast<std::ptrdiff_t>(below(fields.size() + 1));
     const bool document = at == 4 && where == fields.begin();  // an array there would make it one
@@ -173,28 +91,14 @@ std::string RandomText::record(bool pretty) {
 }
 
 std::string RandomText::badRecord() {
+  // clang-format off
   static constexpr const char* kBad[] = {
-      "{\"x\":1,\"y\":2}",
-      "{}",
-      "[1]",
-      "[1,2]",
-      "[1,2,3,4,5]",
-      "{\"x\":1,\"y\":2,\"z\":\"3\"}",
-      "{\"x\":1,\"y\":2,\"z\":null}",
-      "{\"x\":1,\"y\":2,\"z\":1e999}",
-      "{\"x\":1,\"x\":2,\"y\":1,\"z\":1}",
-      "{\"x\":1,\"y\":2,\"z\":3,\"sum\":4}",
-      "{\"position\":[1,2]}",
-      "{\"position\":[1,2,\"3\"]}",
-      "[4713,1,1]",
-      "{\"x\":4713,\"y\":2,\"z\":3}",
-      "[0,0,0,0]",
-      "{\"x\":1,\"y\":2,\"z\":3,}",
-      "{\"x\":01,\"y\":2,\"z\":3}",
-      "{\"x\":1,\"y\":2,\"z\":3,\"s\":\"\\x\"}",
-      "{\"x\":1,\"y\":2,\"z\":3,\"s\":\"\xFF\"}",
-      "{\"a\":{\"x\":1}}",
-  };
+      "{\"x\":1,\"y\":2}", "{}", "[1]", "[1,2]", "[1,2,3,4,5]", "{\"x\":1,\"y\":2,\"z\":\"3\"}",
+      "{\"x\":1,\"y\":2,\"z\":null}", "{\"x\":1,\"y\":2,\"z\":1e999}", "{\"x\":1,\"x\":2,\"y\":1,\"z\":1}",
+      "{\"x\":1,\"y\":2,\"z\":3,\"sum\":4}", "{\"position\":[1,2]}", "{\"position\":[1,2,\"3\"]}", "[4713,1,1]",
+      "{\"x\":4713,\"y\":2,\"z\":3}", "[0,0,0,0]", "{\"x\":1,\"y\":2,\"z\":3,}", "{\"x\":01,\"y\":2,\"z\":3}",
+      "{\"x\":1,\"y\":2,\"z\":3,\"s\":\"\\x\"}", "{\"x\":1,\"y\":2,\"z\":3,\"s\":\"\xFF\"}", "{\"a\":{\"x\":1}}"};
+  // clang-format on
   return oneOf(kBad);
 }
 
@@ -250,8 +154,12 @@ std::string_view RandomText::mutate(std::string& text) {
 }
 
 std::string RandomText::json(std::size_t records, std::size_t bad) {
-  static constexpr const char* kBetween[] = {"\n", "\n", "\n", " ", "", "\n\n", "\r\n", "\t", " \n \n\n"};
-  static constexpr const char* kComma[] = {",", ",\n", " ,\n  ", ",\r\n", "\n,\n", ", "};
+  // clang-format off
+  static constexpr const char* kBetween[] = {
+      "\n", "\n", "\n", " ", "", "\n\n", "\r\n", "\t", " \n \n\n"};
+  static constexpr const char* kComma[] = {
+      ",", ",\n", " ,\n  ", ",\r\n", "\n,\n", ", "};
+  // clang-format on
   const bool oneArrangement = oneIn(3);
   const std::string between = oneOf(kBetween);
   const bool pretty = oneIn(2);
@@ -259,7 +167,10 @@ std::string RandomText::json(std::size_t records, std::size_t bad) {
   const auto next = [&](bool inArray) {
     if (bad == 0 || !oneIn(bad)) return record(pretty);
     if (inArray && oneIn(3)) {
-      static constexpr const char* kNone[] = {"null", "5", "\"a,]\"", "true", "-1e5"};
+      // clang-format off
+      static constexpr const char* kNone[] = {
+          "null", "5", "\"a,]\"", "true", "-1e5"};
+      // clang-format on
       return std::string(oneOf(kNone));
     }
     return badRecord();
@@ -291,11 +202,13 @@ std::string RandomText::json(std::size_t records, std::size_t bad) {
 }
 
 std::string RandomText::csv(std::size_t records, std::size_t bad) {
-  static constexpr const char* kCells[] = {"a",        "",     "\"b\"",    "\"c,d\"", "\"e\nf\"", "\"g\"\"h\"",
-                                           "\"\r\n\"", "i\"j", "\xC3\xA9", "\"\n\"",  "\"\"\"\""};
-  static constexpr const char* kBadRows[] = {"1,2",         "1,2,3,4,5",        "1,,3,n",        "a,2,3,n",
-                                             "1e999,2,3,n", "4713,2,3,n",       "\"1\n\",2,3,n", "1,2,,\"\n\"",
-                                             ",,,",         "1,2,3,x,\"y\nz\"", "NaN,1,2,n",     "\"1,2,3,x\nq\",2"};
+  // clang-format off
+  static constexpr const char* kCells[] = {
+      "a", "", "\"b\"", "\"c,d\"", "\"e\nf\"", "\"g\"\"h\"", "\"\r\n\"", "i\"j", "\xC3\xA9", "\"\n\"", "\"\"\"\""};
+  static constexpr const char* kBadRows[] = {
+      "1,2", "1,2,3,4,5", "1,,3,n", "a,2,3,n", "1e999,2,3,n", "4713,2,3,n", "\"1\n\",2,3,n", "1,2,,\"\n\"", ",,,",
+      "1,2,3,x,\"y\nz\"", "NaN,1,2,n", "\"1,2,3,x\nq\",2"};
+  // clang-format on
   const std::string ending = oneIn(4) ? "\r\n" : "\n";
   std::string all = oneIn(8) ? "\xEF\xBB\xBF" : "";
   const bool header = !oneIn(6);
@@ -316,9 +229,12 @@ std::string RandomText::csv(std::size_t records, std::size_t bad) {
 }
 
 std::string RandomText::text(std::size_t records, std::size_t bad) {
-  static constexpr const char* kBad[] = {"1 2",       "1 2 3 4 5", "a b c",   "1 2 NaN",
-                                         "1 2 1e999", "4713 2 3",  "0 0 0 0", "1,2,3"};
-  static constexpr const char* kBlank[] = {" ", "\t", "   "};
+  // clang-format off
+  static constexpr const char* kBad[] = {
+      "1 2", "1 2 3 4 5", "a b c", "1 2 NaN", "1 2 1e999", "4713 2 3", "0 0 0 0", "1,2,3"};
+  static constexpr const char* kBlank[] = {
+      " ", "\t", "   "};
+  // clang-format on
   const std::string ending = oneIn(4) ? "\r\n" : "\n";
   std::string all;
   for (std::size_t i = 0; i < records; ++i) {

@@ -36,36 +36,18 @@ std::string record(RandomText& random, int number) {
 }
 
 /// Brackets and strings are closed.
-constexpr const char* kBalanced[] = {"[NaN,0,0]",
-                                     "[+1,2,3]",
-                                     "[.5,1,2]",
-                                     "[1 2,3]",
-                                     "[null,1,2]",
-                                     "[null,[1,2,3]]",
-                                     "[true]",
-                                     "[1,[2,3,4],5]",
-                                     "[1,2,\"a]b\"]",
-                                     "{\"x\":1 \"y\":2,\"z\":3}",
-                                     "{\"x\":1,,\"y\":2}",
-                                     "{\"x\":[[1,2,3],[4,5,6]],nul}",
-                                     "[1,2,3}x",
-                                     "{]",
-                                     "[1e400,2,3]",
-                                     "[1,2,3\\]",
-                                     "[1,\xFF,3]"};
+// clang-format off
+constexpr const char* kBalanced[] = {
+    "[NaN,0,0]", "[+1,2,3]", "[.5,1,2]", "[1 2,3]", "[null,1,2]", "[null,[1,2,3]]", "[true]", "[1,[2,3,4],5]",
+    "[1,2,\"a]b\"]", "{\"x\":1 \"y\":2,\"z\":3}", "{\"x\":1,,\"y\":2}", "{\"x\":[[1,2,3],[4,5,6]],nul}", "[1,2,3}x",
+    "{]", "[1e400,2,3]", "[1,2,3\\]", "[1,\xFF,3]"};
 /// They are not.
-constexpr const char* kUnbalanced[] = {"[1,2,",
-                                       "[1,2,3",
-                                       "[1,2,\"ab",
-                                       "{\"x\":1,\"y\":2",
-                                       "{\"x\":1,\"y\":2,",
-                                       "{\"x",
-                                       "{\"x\":1,\"s\":\"abc",
-                                       "{\"x\":1,\"s\":\"abc\\",
-                                       "{\"id\":1,\"position\":[1,2",
-                                       "{\"a\":{\"b\":{",
-                                       "{\"position\":[1,2}"};
-constexpr const char* kJunk[] = {"x", "NaN", "nul y", "+", "\"a,]b\"", "1 2", ":", "-"};
+constexpr const char* kUnbalanced[] = {
+    "[1,2,", "[1,2,3", "[1,2,\"ab", "{\"x\":1,\"y\":2", "{\"x\":1,\"y\":2,", "{\"x", "{\"x\":1,\"s\":\"abc",
+    "{\"x\":1,\"s\":\"abc\\", "{\"id\":1,\"position\":[1,2", "{\"a\":{\"b\":{", "{\"position\":[1,2}"};
+constexpr const char* kJunk[] = {
+    "x", "NaN", "nul y", "+", "\"a,]b\"", "1 2", ":", "-"};
+// clang-format on
 
 /// Cut before an array that does not close in an object: there records of an array could be its items.
 std::string withoutOpenArray(const std::string& text) {

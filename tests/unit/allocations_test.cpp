@@ -1,4 +1,6 @@
-// What the README says of memory and exceptions: nothing allocates or throws once the camera is built.
+// Once a camera is built nothing allocates or throws, and a stack of 64 KiB is enough.
+#include <pthread.h>
+
 #include <cstdlib>
 #include <new>
 #include <vector>
@@ -40,17 +42,29 @@ void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std
 
 namespace {
 
-/// How often f allocates. A throw would end the program.
+/// How often f allocates, on a thread with little stack, beyond which a guard page ends the program; and so does a
+/// throw.
 template <class F>
-std::size_t allocationsOf(const F& f) noexcept {
+std::size_t allocationsOf(const F& f) {
+  pthread_attr_t attributes;
+  REQUIRE(pthread_attr_init(&attributes) == 0);
+  REQUIRE(pthread_attr_setstacksize(&attributes, 64 * 1024) == 0);
+  const auto run = [](void* argument) noexcept -> void* {
+    (*static_cast<const F*>(argument))();
+    return nullptr;
+  };
   const std::size_t before = allocations;
-  f();
-  return allocations - before;
+  pthread_t thread;
+  const bool isStarted = pthread_create(&thread, &attributes, run, const_cast<F*>(&f)) == 0;
+  const bool isJoined = isStarted && pthread_join(thread, nullptr) == 0;
+  const std::size_t count = allocations - before;
+  REQUIRE(isJoined);
+  return count;
 }
 
 }  // namespace
 
-TEST_CASE("Nothing allocates or throws once the camera is built") {
+TEST_CASE("Nothing allocates, throws or takes much stack once the camera is built") {
   CHECK(allocations > 0);  // by Catch: they are counted
   std::size_t calls = 0;
   const auto none = [&](const char* what, const auto& f) {
@@ -61,8 +75,11 @@ TEST_CASE("Nothing allocates or throws once the camera is built") {
   const Pose poses[] = {
       lookAt({3, 2, 5}, {0, 0, 0}, {0, 1, 0}, Handedness::right), poseFromHeadingPitchRoll({47, 8, 400}, {10, -20, 30}),
       poseFromCameraFromWorld(viewFromWorld(lookAt({3, 2, 5}, {0, 0, 0}, {0, 1, 0}, Handedness::right), {}),
-                              CameraAxes::RUB, Handedness::right)};
-  const Projection lenses[] = {perspective(60, 1.5, 0.1, kInfiniteFar), orthographic(-3, 3, -2, 2, -10, 10)};
+                              CameraAxes::RUB, Handedness::right),
+      // Of numbers that take exact arithmetic to its most limbs.
+      lookAt({1e70, 2e-70, 3}, {-4e-80, 5, 1e80}, {1e-90, 1, 1e90}, Handedness::right),
+      poseFromRotation({1e90, 1e-90, 3}, {1e-90, 1, 1e-40, 1e-80}, CameraAxes::RUB, Handedness::right)};
+  const Projection lenses[] = {perspective(60, 1.5, 0.1, kInfiniteFar), orthographic(-3, 3, -2, 2, -10, 1e80)};
   for (const Pose& pose : poses)
     for (const Projection& lens : lenses) {
       const Viewport viewport{600, 400};
@@ -78,6 +95,8 @@ TEST_CASE("Nothing allocates or throws once the camera is built") {
         points.push_back(rounded(p));
       }
       points[3].x = NAN;
+      points[11] = {5e-324, 1e90, -3e-310};
+      points[12] = {eye.x, std::nextafter(eye.y, 0), 5e-324};
       std::vector<Vec3> screen(points.size());
       std::vector<ScreenPoint> full(points.size());
       std::vector<Vec2> pixels(points.size(), Vec2{300.5, 17});
@@ -145,6 +164,8 @@ TEST_CASE("Nothing allocates or throws once the camera is built") {
           (void)intersect(ray, Box{eye, p});
           (void)intersect(ray, Triangle{eye, p, {1, 2, 3}});
           (void)intersect(ray, kWgs84);
+          (void)intersect(Ray{{-1e90, 1e-90, 0}, {1, 0, 0}}, Sphere{{0, 0, 0}, 1e-90});
+          (void)intersect(Ray{{0, 0, 5e-324}, {1e-300, 1e60, 1}}, Box{{0, 0, 0}, {1e-310, 1e90, 1e50}});
           const VisibleSegment s = clipSegment(f, eye, p);
           (void)parameterUnder(f, s, {10, 20});
           (void)pointAlong(eye, p, 0.25);

@@ -177,23 +177,6 @@ TEST_CASE("A thread whose arithmetic is not the library's gets no camera") {
   CHECK(arithmeticFault() == nullptr);
 }
 
-TEST_CASE("What rounding the eye leaves over counts in the bounds along each axis of the camera") {
-  int alongView = 0;
-  for (int i = 0; i < 40; ++i) {
-    const double turn = 0.05 + 0.03 * i, c = std::cos(turn), s = std::sin(turn);
-    const Mat4 view{{{{1, 0, 0, 0.1}, {0, c, s, 1e9 / 3}, {0, -s, c, 1e9 / 7}, {0, 0, 0, 1}}}};
-    const Camera camera = makeCamera(poseFromCameraFromWorld(view, CameraAxes::RUB, Handedness::right),
-                                     perspective(60, 1.5, 0.1, 100), {600, 400});
-    const ProjectionConstants& k = parts(camera).constants;
-    const double across = std::max(std::fabs(k.residual.x.hi), std::fabs(k.residual.y.hi)) / k.sizeXY;
-    const double along = std::fabs(k.residual.z.hi) / k.sizeW;
-    CHECK(k.residualReach >= across);
-    CHECK(k.residualReach >= along);
-    alongView += along > across;
-  }
-  CHECK(alongView > 5);
-}
-
 TEST_CASE("A tile of no picture, or that is none, is refused by name") {
   const Projection lens = perspective(60, 1.5, 0.1, 100);
   const auto fieldOf = [&](const Viewport& viewport, const Crop& crop) -> std::string {

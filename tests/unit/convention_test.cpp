@@ -6,24 +6,6 @@
 using namespace viewproj;
 using namespace viewproj::detail;
 
-TEST_CASE("A preset is found by its name, and by nothing else") {
-  CHECK(findPreset("opengl")->convention == Convention{});
-  CHECK(findPreset("OpenGL") == nullptr);
-  CHECK(findPreset("") == nullptr);
-}
-
-TEST_CASE("A preset is its convention, and what a program of that name leaves unsaid") {
-  const Convention unreal = conventions::unreal;
-  CHECK((unreal.world == Handedness::left && unreal.reverseZ));
-  CHECK(conventions::unreal.up == Vec3{0, 0, 1});
-  CHECK(conventions::unreal.cameraAxes == CameraAxes::FRU);
-  CHECK(conventions::opencv.pixelCenter == 0);
-  for (const ConventionPreset& preset : conventionPresets()) {
-    CHECK(findPreset(preset.name) == &preset);
-    CHECK((preset.up == Vec3{0, -1, 0}) == (preset.convention.view == ViewAxes::RDF));
-  }
-}
-
 TEST_CASE(
     "Sixteen numbers in memory are read as they are written, and a translation stands where the convention keeps it") {
   Mat4 m;

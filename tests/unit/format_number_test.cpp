@@ -82,12 +82,6 @@ TEST_CASE("Numbers are written with their digits first, and an exponent where th
   CHECK(format(3.4028235e38F) == "3.4028235e38");
 }
 
-TEST_CASE("A count takes its unit after it is rounded to three digits") {
-  CHECK(formatCount(999.4) == "999");
-  CHECK(formatCount(999.6) == "1 k");
-  CHECK(formatCount(999.6e6) == "1 G");
-}
-
 TEST_CASE("A million numbers of every size and of few digits are written as the shortest text that reads back") {
   constexpr const char* kKinds[] = {"any bits", "on a screen", "whole", "decimals", "power of two and its neighbours",
                                     "float"};

@@ -17,31 +17,6 @@ const Box kCube{{-1, -1, -1}, {1, 1, 1}};
 
 }  // namespace
 
-TEST_CASE("A ray through the middle of a sphere enters and leaves it, nearest first, normals outward") {
-  const Hits h = intersect(Ray{{0, 0, 5}, {0, 0, -1}}, Sphere{{0, 0, 0}, 1});
-  REQUIRE(h.count == 2);
-  CHECK(h.hits[0].distance == 4);
-  CHECK(h.hits[0].point == Vec3{0, 0, 1});
-  CHECK(h.hits[0].normal == Vec3{0, 0, 1});
-  CHECK(h.hits[1].distance == 6);
-  CHECK(h.hits[1].normal == Vec3{0, 0, -1});
-  CHECK(h.hits[0].face == BoxFace::none);
-}
-
-TEST_CASE("A ray that starts inside a solid hits it once, where it leaves") {
-  const Hits sphere = intersect(Ray{{0, 0, 0.5}, {0, 0, -1}}, Sphere{{0, 0, 0}, 1});
-  REQUIRE(sphere.count == 1);
-  CHECK(sphere.hits[0].distance == 1.5);
-  CHECK(sphere.hits[0].normal == Vec3{0, 0, -1});
-  const Hits box = intersect(Ray{{0, 0, 0.5}, {0, 0, -1}}, kCube);
-  REQUIRE(box.count == 1);
-  CHECK(box.hits[0].distance == 1.5);
-  CHECK(box.hits[0].face == BoxFace::minZ);
-  const Hits earth = intersect(Ray{{0, 0, 0}, {0, 0, 1}}, kWgs84);
-  REQUIRE(earth.count == 1);
-  CHECK(earth.hits[0].distance == kWgs84.polar);
-}
-
 TEST_CASE("A ray that starts on a surface hits it at distance 0, whichever way it goes") {
   const Sphere sphere{{0, 0, 0}, 1};
   CHECK(intersect(Ray{{0, 0, 1}, {0, 0, -1}}, sphere).count == 2);
@@ -58,15 +33,6 @@ TEST_CASE("A ray that starts on a surface hits it at distance 0, whichever way i
   CHECK(intersect(Ray{{0.25, 0, 0.25}, {0, 1, 0}}, Triangle{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}}).hits[0].distance == 0);
 }
 
-TEST_CASE("A shape behind the ray is not hit") {
-  const Ray away{{0, 0, 5}, {0, 0, 1}};
-  CHECK(intersect(away, Sphere{{0, 0, 0}, 1}).count == 0);
-  CHECK(intersect(away, kCube).count == 0);
-  CHECK(intersect(away, Plane{{0, 0, 0}, {0, 0, 1}}).count == 0);
-  CHECK(intersect(away, Triangle{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}).count == 0);
-  CHECK(intersect(Ray{{7e6, 0, 0}, {1, 0, 0}}, kWgs84).count == 0);
-}
-
 TEST_CASE("A tangent touches once, and the next double beside it misses or hits twice") {
   const Ray ray{{0, 1, 5}, {0, 0, -1}};
   const Hits h = intersect(ray, Sphere{{0, 0, 0}, 1});
@@ -76,31 +42,6 @@ TEST_CASE("A tangent touches once, and the next double beside it misses or hits 
   CHECK(h.hits[0].normal == Vec3{0, 1, 0});
   CHECK(intersect(ray, Sphere{{0, 0, 0}, std::nextafter(1.0, 0)}).count == 0);
   CHECK(intersect(ray, Sphere{{0, 0, 0}, std::nextafter(1.0, 2)}).count == 2);
-}
-
-TEST_CASE("Neither far away nor tiny nor huge are special") {
-  for (double k : {1e-150, 1e-30, 1.0, 6.4e6, 0x1p290}) {
-    INFO(k);
-    // 3 4 5, at any scale, up to the rounding of k times 5.
-    const Hits h = intersect(Ray{{0, 0, 0}, {0.6, 0.8, 0}}, Sphere{{3 * k, 4 * k, 0}, k});
-    REQUIRE(h.count == 2);
-    CHECK(h.hits[0].distance == Approx(4 * k).epsilon(1e-15));
-    CHECK(intersect(Ray{{0, 0, 5 * k}, {0, 0, -1}}, Box{{-k, -k, -k}, {k, k, k}}).hits[0].distance == 4 * k);
-  }
-  // A metre at ECEF: nothing is lost of the distance.
-  const Hits h = intersect(Ray{{6378138, 0.5, 0}, {-1, 0, 0}}, Sphere{{6378136, 0.5, 0}, 1});
-  REQUIRE(h.count == 2);
-  CHECK(h.hits[0].distance == 1);
-  CHECK(h.hits[0].point == Vec3{6378137, 0.5, 0});
-  // A pea at the other end of the universe, tangent to the ray and then not.
-  const Ray far{{-1e90, 1e-200, 0}, {1, 0, 0}};
-  CHECK(intersect(far, Sphere{{0, 0, 0}, 1e-200}).count == 1);
-  CHECK(intersect(far, Sphere{{0, 0, 0}, 0.9e-200}).count == 0);
-}
-
-TEST_CASE("A distance along a direction that is not quite of unit length is still a length") {
-  CHECK(intersect(Ray{{0, 0, 5}, {0, 0, -3}}, Sphere{{0, 0, 0}, 1}).hits[0].distance == 4);
-  CHECK(intersect(Ray{{0, 0, 5}, {0, 0, -0.25}}, Plane{{0, 0, 1}, {0, 0, 7}}).hits[0].distance == 4);
 }
 
 TEST_CASE("A plane is hit from both sides, with the normal as given; parallel rays miss it, even within it") {
@@ -144,16 +85,6 @@ TEST_CASE("A box is hit by its faces, and the face is named") {
   }
 }
 
-TEST_CASE("A ray along a face or an edge of a box hits, and beside it misses") {
-  const Vec3 along{0, 0, -1};
-  const Hits face = intersect(Ray{{1, 0, 5}, along}, kCube);
-  REQUIRE(face.count == 2);
-  CHECK(face.hits[0].point == Vec3{1, 0, 1});
-  CHECK(face.hits[0].face == BoxFace::maxZ);
-  CHECK(intersect(Ray{{1, -1, 5}, along}, kCube).count == 2);
-  CHECK(intersect(Ray{{std::nextafter(1.0, 2), 0, 5}, along}, kCube).count == 0);
-}
-
 TEST_CASE("An edge or a corner of a box is touched once, and named by the first axis that the ray crosses there") {
   const Hits edge = intersect(Ray{{2, 0, 0}, {-1, 1, 0}}, kCube);
   REQUIRE(edge.count == 1);
@@ -180,54 +111,12 @@ TEST_CASE("A flat box is hit once, from either side, by the face that looks towa
   CHECK(intersect(Ray{{0, 0, 0}, {1, 2, std::nextafter(3.0, 4)}}, point).count == 0);
 }
 
-TEST_CASE("A triangle's normal follows its corners counterclockwise, whichever side is hit") {
-  const Triangle t{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  for (double side : {1.0, -1.0}) {
-    const Hits h = intersect(Ray{{0.25, 0.25, 2 * side}, {0, 0, -side}}, t);
-    REQUIRE(h.count == 1);
-    CHECK(h.hits[0].distance == 2);
-    CHECK(h.hits[0].point == Vec3{0.25, 0.25, 0});
-    CHECK(h.hits[0].normal == Vec3{0, 0, 1});
-  }
-  CHECK(intersect(Ray{{0.75, 0.75, 2}, {0, 0, -1}}, t).count == 0);
-}
-
-TEST_CASE("Edges and corners belong to a triangle: two that share an edge are both hit there") {
-  const Triangle lower{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, upper{{0, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-  for (double at : {0.0, 0.25, 0.5, 1.0})
-    for (const Triangle& t : {lower, upper}) CHECK(intersect(Ray{{at, at, 1}, {0, 0, -1}}, t).count == 1);
-  const Ray beside{{std::nextafter(0.5, 1), 0.5, 1}, {0, 0, -1}};
-  CHECK(intersect(beside, lower).count == 1);
-  CHECK(intersect(beside, upper).count == 0);
-}
-
 TEST_CASE("A triangle is not hit from within its plane, nor one of no area") {
   const Triangle t{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   CHECK(intersect(Ray{{-1, 0.25, 0}, {1, 0, 0}}, t).count == 0);
   CHECK(intersect(Ray{{0.25, 0.25, 0}, {1, 0, 0}}, t).count == 0);
   CHECK(intersect(Ray{{1, 1, 1}, {0, 0, -1}}, Triangle{{0, 0, 0}, {1, 1, 0}, {2, 2, 0}}).count == 0);
   CHECK(intersect(Ray{{0, 0, 1}, {0, 0, -1}}, Triangle{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}).count == 0);
-}
-
-TEST_CASE("A sphere of radius 0 is hit by a ray exactly through it, with the normal against the ray") {
-  const Hits h = intersect(Ray{{1, 2, 2}, {-0.5, -1, -1}}, Sphere{{0, 0, 0}, 0});
-  REQUIRE(h.count == 1);
-  CHECK(h.hits[0].distance == 3);
-  CHECK(h.hits[0].normal.x == closely(1.0 / 3));
-  CHECK(intersect(Ray{{1, 2, std::nextafter(2.0, 3)}, {-0.5, -1, -1}}, Sphere{{0, 0, 0}, 0}).count == 0);
-}
-
-TEST_CASE("The ellipsoid's normal is the plumb line's, not the radius") {
-  // At geodetic latitude 45 the parametric latitude has the tangent b / a.
-  const double a = kWgs84.equatorial, b = kWgs84.polar;
-  const double x = a * a / std::hypot(a, b), z = b * b / std::hypot(a, b);
-  const double s = std::sqrt(0.5);
-  const Hits h = intersect(Ray{{x + 1000 * s, 0, z + 1000 * s}, {-s, 0, -s}}, kWgs84);
-  REQUIRE(h.count == 2);
-  CHECK(h.hits[0].distance == Approx(1000).epsilon(1e-11));
-  CHECK(h.hits[0].normal.x == Approx(s).epsilon(1e-14));
-  CHECK(h.hits[0].normal.z == Approx(s).epsilon(1e-14));
-  CHECK(h.hits[0].point.x == Approx(x).epsilon(1e-15));
 }
 
 TEST_CASE("Shapes and rays that are none are hit by nothing") {

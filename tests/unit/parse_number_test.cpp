@@ -124,25 +124,3 @@ TEST_CASE("Short decimals are the double nearest, wherever the digits and the te
   CHECK(wrong == 0);
   for (int length = 1; length <= 21; ++length) CHECK(digitsOfAll[length] > 1000);
 }
-
-TEST_CASE("JSON's numbers are read as nlohmann-json judges them") {
-  std::mt19937_64 random(2);
-  int wrong = 0, numbers = 0, none = 0;
-  for (int i = 0; i < 1'000'000; ++i) {
-    std::string text;
-    for (std::uint64_t left = 1 + random() % 9; left > 0; --left) text += "0123456789012345..--+eE"[random() % 23];
-    const std::string ended = text + "," + std::string(random() % 3 == 0 ? 0 : 24, '1');
-    double value = 0, expected = 0;
-    const char* const end = readJsonNumber(ended.data(), ended.data() + ended.size(), value);
-    const bool isWhole = end == ended.data() + text.size();
-    const bool isNumber = nlohmann::json::accept(text);
-    if (isNumber) readNumber(text.data(), text.data() + text.size(), expected);
-    wrong += isNumber && std::isfinite(expected)
-                 ? !isWhole || std::bit_cast<std::uint64_t>(value) != std::bit_cast<std::uint64_t>(expected)
-                 : isWhole;
-    (isNumber ? numbers : none) += 1;
-  }
-  CHECK(wrong == 0);
-  CHECK(numbers > 100'000);
-  CHECK(none > 100'000);
-}

@@ -1,8 +1,7 @@
-// No result is farther from the truth than its bound: every family, every rung, millions of points, and at the end a
-// few that need each of its terms.
+// No result is farther from the truth than its bound: every family, every rung, and at the end a few points that need
+// each of its terms.
 //
-// Every point is held against MPFR itself, in 256 bits; that these tell what 480 bits of the textbook's formulas tell,
-// the first test shows. The number of points: VIEWPROJ_BOUND_POINTS in the environment.
+// The number of points: VIEWPROJ_BOUND_POINTS in the environment.
 #include <cinttypes>
 #include <cstdio>
 #include <cstdlib>
@@ -23,14 +22,13 @@ namespace {
 
 constexpr Precision kRungs[] = {Precision::standard, Precision::exact};
 constexpr const char* kRungNames[] = {"standard", "exact"};
-constexpr std::size_t kRungCount = 2, kStandard = 0, kExact = 1;
-constexpr mpfr_prec_t kBits = 256;
+constexpr std::size_t kRungCount = 2, kExact = 1;
 constexpr std::size_t kPointsOfCamera = 200;
 constexpr int kRaysOfCamera = 8;
 
 std::size_t pointsWanted() {
   const char* wanted = std::getenv("VIEWPROJ_BOUND_POINTS");
-  return wanted ? std::strtoull(wanted, nullptr, 10) : 500000;
+  return wanted ? std::strtoull(wanted, nullptr, 10) : 250000;
 }
 
 std::string text(const char* format, auto... values) {
@@ -51,58 +49,10 @@ Errors errorsOf(double x, double y, double depth, const Oracle::Answer& truth) {
   return {errorOf(x, truth.x), errorOf(y, truth.y), errorOf(depth, truth.depth)};
 }
 
-/// Sizes of a point's sums: |A| . |d| for the screen's rows and the row of W; or M D and F D, their common bounds.
-struct Sizes {
-  double x, y, w;
-};
-
-Sizes componentwise(const ProjectionConstants& k, const Vec3& d) {
-  const auto along = [&](const DDVec3& row, DoubleDouble residual) {
-    return std::fabs(row.x.hi * d.x) + std::fabs(row.y.hi * d.y) + std::fabs(row.z.hi * d.z) + std::fabs(residual.hi);
-  };
-  return {along(k.x, k.residual.x), along(k.y, k.residual.y), along(k.w, k.residual.z)};
-}
-
-Sizes common(const ProjectionConstants& k, const Vec3& d) {
-  const double reach = std::fabs(d.x) + std::fabs(d.y) + std::fabs(d.z) + k.residualReach;
-  return {k.sizeXY * reach, k.sizeXY * reach, k.sizeW * reach};
-}
-
-/// The bound of bounds.hpp with another number of roundings, in x and in y.
-Vec2 boundWith(double roundings, const Sizes& s, const Camera& c, const Oracle::Answer& truth) {
-  const ProjectionConstants& k = parts(c).constants;
-  const double u = kUnitDouble;
-  const auto one = [&](double size, double position, const DoubleDouble& center) {
-    const double q = std::fabs(position - center.hi);
-    const double sum = kUnitDouble * kSecondOrder * std::fabs(position) + std::fabs(center.lo);
-    if (k.orthographic) return roundings * u * kSecondOrder * size + u * kSecondOrder * q + sum;
-    return roundings * u * kSecondOrder * (size + q * s.w) / truth.forward.hi + 2 * u * kSecondOrder * q + sum;
-  };
-  return {one(s.x, truth.x.hi, k.centerX), one(s.y, truth.y.hi, k.centerY)};
-}
-
-/// The largest share of a bound that an error was.
-struct Shares {
-  double screen = 0, depth = 0, pictureScreen = 0, pictureDepth = 0;
-};
-
 struct Tally {
   std::size_t points = 0, inPicture = 0, behind = 0, onEyePlane = 0, uncertain = 0, overflowed = 0;
   std::size_t undecided = 0;
   std::size_t inRung[kRungCount] = {};  ///< not handed on to exact
-  Shares shares[kRungCount];
-  double worstRay = 0;
-  std::size_t failures = 0;
-};
-
-/// Bounds that are too small on purpose, and one that is as small as it can be.
-struct Mutation {
-  const char* name;
-  double roundings;
-  bool isComponentwise;
-  bool mustShow;  ///< points must be found that violate it
-  std::size_t violations = 0;
-  double worst = 0;
 };
 
 class Trial {
@@ -114,11 +64,11 @@ class Trial {
         scene_(sceneOf(family, random_)),
         truth_(scene_),
         camera_(build(scene_)),
-        oracle_(truth_, kBits) {
+        oracle_(truth_) {
     for (std::size_t i = 0; i < kRungCount; ++i) inPicture_[i] = boundInPicture(camera_, kRungs[i]);
   }
 
-  void run(Tally& tally, std::span<Mutation> mutations, std::size_t count) {
+  void run(Tally& tally, std::size_t count) {
     std::vector<Vec3> points(count);
     for (Vec3& point : points) point = family_.point(random_, scene_, camera_);
     std::vector<Vec3> batch[kRungCount];
@@ -130,7 +80,8 @@ class Trial {
     for (std::size_t p = 0; p < count; ++p) {
       const Vec3& point = points[p];
       ++tally.points;
-      const Oracle::Answer truth = ask(tally, point);
+      const Oracle::Answer truth = oracle_.at(point);
+      if (truth.undecided) ++(truth.side == 0 ? tally.onEyePlane : tally.undecided);
       ScreenPoint got[kRungCount];
       for (std::size_t i = 0; i < kRungCount; ++i) {
         got[i] = worldToScreen(camera_, point, kRungs[i]);
@@ -151,15 +102,14 @@ class Trial {
       if (!std::isfinite(truth.x.hi) || !std::isfinite(truth.y.hi) || !std::isfinite(truth.depth.hi))
         ++tally.overflowed;
       if (!got[kExact].certain) ++tally.uncertain;
+      checkSides(got[kExact], truth, point);
       checkExact(got[kExact], truth, point);
       for (std::size_t i = 0; i < kRungCount; ++i) {
-        checkBounds(tally.shares[i], i, got[i], truth, point, isInPicture);
-        if (got[i].precision != kRungs[i]) continue;
-        ++tally.inRung[i];
-        if (i == kStandard) mutate(mutations, got[i], truth, point);
+        checkBounds(i, got[i], truth, point, isInPicture);
+        tally.inRung[i] += got[i].precision == kRungs[i];
       }
     }
-    rays(tally);
+    rays();
   }
 
   static std::size_t failures() { return failures_; }
@@ -187,22 +137,6 @@ class Trial {
     return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.depth);
   }
 
-  /// Asks for more bits, and then for the exact side of the eye plane, where a distance cancels too far.
-  Oracle::Answer ask(Tally& tally, const Vec3& point) {
-    Oracle::Answer truth = oracle_.at(point);
-    if (!truth.undecided) return truth;
-    if (!finer_) finer_ = std::make_unique<Oracle>(truth_, Real::kBits);
-    truth = finer_->at(point);
-    if (!truth.undecided) return truth;
-    const int side = exactSide(scene_, point);
-    truth.inFront = side > 0;
-    if (side == 0)
-      ++tally.onEyePlane;
-    else
-      ++tally.undecided;
-    return truth;
-  }
-
   double size() const { return std::max(camera_.viewport().width, camera_.viewport().height); }
 
   /// How many pixels outside the picture; infinite outside near and far in orthographic.
@@ -217,6 +151,24 @@ class Trial {
 
   bool betweenNearAndFar(const Oracle::Answer& truth) const {
     return truth.forward.hi >= parts(camera_).projection.near && truth.forward.hi <= parts(camera_).projection.far;
+  }
+
+  /// What lies beyond near or far, or out of the picture by more than its bound, says so.
+  void checkSides(const ScreenPoint& got, const Oracle::Answer& truth, const Vec3& point) {
+    const Viewport& v = camera_.viewport();
+    const double bound =
+        boundOfPoint(camera_, point, Precision::exact).screen + 0x1p-48 * (size() + std::fabs(v.x) + std::fabs(v.y));
+    const bool isOut = (got.outside & (sideLeft | sideRight | sideBottom | sideTop)) != 0;
+    const double start = v.pixelCenter - 0.5;
+    const double out = std::max(std::fabs(truth.x.hi - (v.x + start + v.width / 2)) - v.width / 2,
+                                std::fabs(truth.y.hi - (v.y + start + v.height / 2)) - v.height / 2);
+    if (std::fabs(out) > bound && isOut != (out > 0))
+      fail(point, "exact", text("%g pixels out, sides %d", out, int(got.outside)));
+    if (!got.certain) return;
+    const ProjectionParts& p = parts(camera_).projection;
+    if ((truth.forward.hi < p.near) != ((got.outside & sideNear) != 0) ||
+        (truth.forward.hi > p.far) != ((got.outside & sideFar) != 0))
+      fail(point, "exact", text("distance %a, sides %d", truth.forward.hi, int(got.outside)));
   }
 
   /// The nearest doubles where exact says so, and what it promises of the others.
@@ -244,60 +196,29 @@ class Trial {
                    parts(camera_).projection.orthographic ? std::fabs(scene_.far) : 0));
   }
 
-  void checkBounds(Shares& shares, std::size_t rung, const ScreenPoint& got, const Oracle::Answer& truth,
-                   const Vec3& point, bool isInPicture) {
+  void checkBounds(std::size_t rung, const ScreenPoint& got, const Oracle::Answer& truth, const Vec3& point,
+                   bool isInPicture) {
     const Errors error = errorsOf(got.x, got.y, got.depth, truth);
-    const auto check = [&](const char* what, double wrong, double bound, double& share) {
+    const auto check = [&](const char* what, double wrong, double bound) {
       if (!(wrong <= bound))
         fail(point, kRungNames[rung],
              text("%s: error %a, bound %a; got %a %a %a (of %s), true %a %a %a", what, wrong, bound, got.x, got.y,
                   got.depth, kRungNames[int(got.precision)], truth.x.hi, truth.y.hi, truth.depth.hi));
-      if (got.precision == kRungs[rung] && bound > 0 && std::isfinite(bound)) share = std::max(share, wrong / bound);
     };
     const ErrorBound bound = boundOfPoint(camera_, point, kRungs[rung]);
     // What a precision cannot bound goes the exact way: only what overflows has no bound.
     if ((std::isinf(bound.screen) && std::isfinite(truth.x.hi) && std::isfinite(truth.y.hi)) ||
         (std::isinf(bound.depth) && std::isfinite(truth.depth.hi)))
       fail(point, kRungNames[rung], text("no bound: %a, %a", bound.screen, bound.depth));
-    check("screen, bound of the point", error.screen(), bound.screen, shares.screen);
-    check("depth, bound of the point", error.depth, bound.depth, shares.depth);
+    check("screen, bound of the point", error.screen(), bound.screen);
+    check("depth, bound of the point", error.depth, bound.depth);
     if (isInPicture) {
-      check("screen, bound in the picture", error.screen(), inPicture_[rung].screen, shares.pictureScreen);
-      if (betweenNearAndFar(truth))
-        check("depth, bound in the picture", error.depth, inPicture_[rung].depth, shares.pictureDepth);
+      check("screen, bound in the picture", error.screen(), inPicture_[rung].screen);
+      if (betweenNearAndFar(truth)) check("depth, bound in the picture", error.depth, inPicture_[rung].depth);
     }
   }
 
-  void mutate(std::span<Mutation> mutations, const ScreenPoint& got, const Oracle::Answer& truth, const Vec3& point) {
-    const ProjectionConstants& k = parts(camera_).constants;
-    const Vec3 d{point.x - k.eye.x, point.y - k.eye.y, point.z - k.eye.z};
-    const Errors error = errorsOf(got.x, got.y, got.depth, truth);
-    const Sizes sizes[2] = {common(k, d), componentwise(k, d)};
-    if (underflows(d)) return;
-    // What breaks the true bound breaks a smaller one too, and shows nothing.
-    if (!(error.screen() <= boundOfPoint(camera_, point, Precision::standard).screen)) return;
-    for (Mutation& m : mutations) {
-      const Vec2 bound = boundWith(m.roundings, sizes[m.isComponentwise], camera_, truth);
-      m.violations += error.x > bound.x || error.y > bound.y;
-      if (bound.x > 0 && bound.y > 0) m.worst = std::max({m.worst, error.x / bound.x, error.y / bound.y});
-    }
-  }
-
-  /// Whether a coordinate or a product is so small that it has fewer digits, which the componentwise bound leaves out.
-  bool underflows(const Vec3& d) const {
-    const ProjectionConstants& k = parts(camera_).constants;
-    const double least = 0x1p-900;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double row = std::max({std::fabs(k.x[i].hi), std::fabs(k.y[i].hi), std::fabs(k.w[i].hi), 1.0});
-      if (d[i] != 0 && !(std::fabs(d[i]) > least * row)) return true;
-      for (const DDVec3& r : {k.x, k.y, k.w})
-        if (d[i] != 0 && r[i].hi != 0 && !(std::fabs(r[i].hi) > least && std::fabs(r[i].hi * d[i]) > least))
-          return true;
-    }
-    return false;
-  }
-
-  void rays(Tally& tally) {
+  void rays() {
     const Viewport& v = camera_.viewport();
     for (int i = 0; i < kRaysOfCamera; ++i) {
       const Vec2 pixel{v.x + v.width * random_.uniform(0, 1), v.y + v.height * random_.uniform(0, 1)};
@@ -310,7 +231,6 @@ class Trial {
         const double angle =
             std::hypot(off.y * truth[2].hi - off.z * truth[1].hi, off.z * truth[0].hi - off.x * truth[2].hi,
                        off.x * truth[1].hi - off.y * truth[0].hi);
-        tally.worstRay = std::max(tally.worstRay, angle);
         if (!(angle <= kRayDirectionBound) || !(std::fabs(std::hypot(got.x, got.y, got.z) - 1) <= 0x1p-51))
           fail({pixel.x, pixel.y, 0}, kRungNames[int(rung)],
                text("the pixel's ray is %s, off by %g", exactText(got).c_str(), angle));
@@ -337,110 +257,34 @@ class Trial {
   Truth truth_;
   Camera camera_;
   Oracle oracle_;
-  std::unique_ptr<Oracle> finer_;
   ErrorBound inPicture_[kRungCount];
 };
 
-std::string row(const char* name, const Tally& t) {
-  const double n = double(t.points) / 100;
-  std::string line = text("%-50s %8zu %5.1f %5.1f %5.1f", name, t.points, double(t.inPicture) / n, double(t.behind) / n,
-                          double(t.uncertain) / n);
-  for (std::size_t i = 0; i < kRungCount; ++i)
-    line += text(" |%4.0f %5.3f %5.3f %5.3f", double(t.inRung[i]) / n, t.shares[i].screen, t.shares[i].depth,
-                 t.shares[i].pictureScreen);
-  line += text(" | %.2g", t.worstRay);
-  return line + (t.failures ? text(", %zu failures\n", t.failures) : "\n");
-}
-
 }  // namespace
 
-TEST_CASE("256 bits with the camera's part done once tell what 480 bits of the textbook's formulas tell") {
-  std::size_t compared = 0;
-  for (const Family& family : families())
-    for (std::uint64_t seed = 0; seed < 20; ++seed) {
-      Random random(seed);
-      const Scene scene = sceneOf(family, random);
-      const Camera camera = build(scene);
-      const Truth truth(scene);
-      Oracle oracle(truth, kBits);
-      for (int i = 0; i < 10; ++i) {
-        const Vec3 point = family.point(random, scene, camera);
-        const Oracle::Answer got = oracle.at(point);
-        const Truth::View view = truth.view(toReal(point));
-        if (got.undecided || !got.inFront) continue;
-        INFO(family.name << ", seed " << seed << ", point " << exactText(point));
-        const Truth::Screen want = truth.screen(view);
-        const auto check = [](const TrueNumber& number, const Real& value, double of) {
-          if (!std::isfinite(number.hi)) return number.hi == double(value);
-          const double off = double(abs(value - Real(number.hi) - Real(number.lo)));
-          return off <= 0x1p-103 * std::fabs(number.hi) || off <= 1e-60 * of || off <= 0x1p-1074;
-        };
-        REQUIRE(check(got.forward, view.forward, 0));
-        REQUIRE(check(got.x, want.x, 1e4));
-        REQUIRE(check(got.y, want.y, 1e4));
-        REQUIRE(check(got.depth, want.depth, 1));
-        ++compared;
-      }
-    }
-  CAPTURE(compared);
-  CHECK(compared > 5000);
-}
-
-TEST_CASE("No result is farther from the truth than its bound, and too small a bound is found out") {
+TEST_CASE("No result is farther from the truth than its bound, of every family") {
   const std::size_t wanted = pointsWanted();
   const std::size_t trials = (wanted + families().size() * kPointsOfCamera - 1) / (families().size() * kPointsOfCamera);
-  // The bound of bounds.hpp takes the largest entry of a row for all three; componentwise is sharp enough to miss one
-  // or two roundings. Two of them show in millions of points only.
-  const bool isMany = wanted >= 2000000;
-  Mutation mutations[] = {
-      {"bounds.hpp, 1 rounding instead of 6", 1, false, true},
-      {"bounds.hpp, 2 roundings", 2, false, false},
-      {"componentwise, 1 rounding", 1, true, true},
-      {"componentwise, 2 roundings", 2, true, isMany},
-      {"componentwise, 3 roundings", 3, true, false},
-      {"componentwise, all 6 roundings", 6, true, false},
-  };
-  std::string table =
-      "shares of the bound: screen and depth of the point's, screen of the picture's\n"
-      "(shares of points that the rung settled itself, and how many % those are)\n"
-      "family                                               points   in%  beh%  unc% | "
-      "standard             | exact                | ray\n";
   Tally total;
   for (const Family& family : families()) {
     Tally tally;
     const std::size_t before = Trial::failures();
-    for (std::uint64_t seed = 0; seed < trials; ++seed) Trial(family, seed).run(tally, mutations, kPointsOfCamera);
-    tally.failures = Trial::failures() - before;
-    table += row(family.name, tally);
+    for (std::uint64_t seed = 0; seed < trials; ++seed) Trial(family, seed).run(tally, kPointsOfCamera);
     INFO(family.name);
+    CHECK(Trial::failures() == before);
     CHECK(double(tally.inPicture) >= family.leastInPicture * double(tally.points));
     CHECK(tally.undecided == 0);
     total.points += tally.points;
-    total.inPicture += tally.inPicture;
-    total.behind += tally.behind;
     total.onEyePlane += tally.onEyePlane;
     total.uncertain += tally.uncertain;
     total.overflowed += tally.overflowed;
     for (std::size_t i = 0; i < kRungCount; ++i) total.inRung[i] += tally.inRung[i];
   }
-  table += text("points %zu, on the eye plane %zu, overflowed %zu\n", total.points, total.onEyePlane, total.overflowed);
-  for (const Mutation& m : mutations)
-    table += text("%-50s violations: %zu; worst error / bound %.3f\n", m.name, m.violations, m.worst);
-  std::fputs(table.c_str(), stdout);
-  CHECK(Trial::failures() == 0);
   CHECK(total.points >= wanted);
   CHECK(total.onEyePlane > wanted / 10000);
   CHECK(total.overflowed > wanted / 1000);
   CHECK(total.uncertain > wanted / 1000);
   for (std::size_t i = 0; i < kRungCount; ++i) CHECK(total.inRung[i] > wanted / 10);
-  for (const Mutation& m : mutations) {
-    INFO(m.name);
-    CAPTURE(m.worst);
-    if (m.mustShow)
-      CHECK(m.violations > 0);
-    else if (m.roundings == kRoundings)
-      CHECK(m.violations == 0);
-  }
 }
 
 namespace {
@@ -510,7 +354,8 @@ TEST_CASE("Points that need a term of a bound keep the bound") {
     Scene scene;
     tight.change(scene);
     const Camera camera = build(scene);
-    const Oracle::Answer truth = Oracle(Truth(scene), kBits).at(tight.point);
+    const Truth formulas(scene);
+    const Oracle::Answer truth = Oracle(formulas).at(tight.point);
     const ScreenPoint got = worldToScreen(camera, tight.point, Precision::standard);
     const Errors error = errorsOf(got.x, got.y, got.depth, truth);
     const ErrorBound own = boundOfPoint(camera, tight.point, Precision::standard);

@@ -317,7 +317,7 @@ const Family kFamilies[] = {
          for (int steps = int(r.uniform(0, 3)); steps > 0; --steps) p[i] = std::nextafter(p[i], r.sign() * INFINITY);
        return p;
      },
-     0.1},
+     0.05},
     {"matrix at 1e9", [](Random& r, Scene& s) { fromMatrix(r, s, 1e9); }, inView},
     {"orthographic from a corner, next to it",
      [](Random& r, Scene& s) {

@@ -1,9 +1,5 @@
-// GLM 0.9.9 and Imath's Frustum in double, on tame cameras: signs, hands, layouts and depth ranges, by code that no
+// GLM 0.9.9 in double, on tame cameras: signs, hands, layouts and depth ranges, by code that no
 // part of the library runs. How near the truth our numbers are, tests/reference tells.
-#include <Imath/ImathFrustum.h>
-#include <Imath/ImathLine.h>
-#include <Imath/ImathMatrix.h>
-
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/ext/matrix_projection.hpp>
 #include <glm/ext/matrix_transform.hpp>
@@ -12,7 +8,6 @@
 #include "catch.hpp"
 #include "measure.hpp"
 #include "random_cameras.hpp"
-#include "viewproj/scene.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;
@@ -31,13 +26,6 @@ Mat4 fromGlm(const glm::dmat4& m) {
   Mat4 result;
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = 0; j < 4; ++j) result[i][j] = m[static_cast<int>(j)][static_cast<int>(i)];
-  return result;
-}
-
-Mat4 fromImath(const Imath::M44d& m) {
-  Mat4 result;
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < 4; ++j) result[i][j] = m[static_cast<int>(i)][static_cast<int>(j)];
   return result;
 }
 
@@ -107,22 +95,6 @@ glm::dmat4 glmWindow(std::size_t space, const Window& w, bool reverseZ) {
   return m;
 }
 
-/// Imath's Frustum: row vectors, right-handed, -Z ahead, and a screen from -1 to 1 with y upwards.
-Imath::Frustum<double> toImath(const Window& w) {
-  return {w.near, w.far, w.left, w.right, w.top, w.bottom, w.orthographic};
-}
-Convention rowVectors() {
-  Convention c = preset("opengl");
-  c.vectors = Vectors::row;
-  c.storage = Storage::rowMajor;
-  return c;
-}
-const Viewport kImathScreen{.width = 2, .height = 2, .x = -1, .y = -1, .origin = Origin::bottomLeft};
-
-double largestEdge(const Window& w) {
-  return std::max({std::fabs(w.left), std::fabs(w.right), std::fabs(w.bottom), std::fabs(w.top)});
-}
-
 }  // namespace
 
 TEST_CASE(
@@ -153,14 +125,6 @@ TEST_CASE(
   }
   CHECK_WITHIN_BOUND(worst);
   CHECK_ALL_VISITED(tally);
-}
-
-TEST_CASE("GLM: frustumLH of an off-centre window misses its own left edge, which clipFromView meets") {
-  const Window w{false, 1, 3, -1, 1, 2, 10};
-  const glm::dvec4 theirs = glm::frustumLH_NO(w.left, w.right, w.bottom, w.top, w.near, w.far) * glm::dvec4(1, 0, 2, 1);
-  CHECK(theirs.x / theirs.w == 3);
-  const Vec4 ours = times(clipFromView(projectionOf(w), conventionOf(2, false)), {1, 0, 2, 1});
-  CHECK(ours.x / ours.w == -1);
 }
 
 TEST_CASE("GLM: project and unProject, from the bottom left, with window depths of 0 to 1 in both depth ranges") {
@@ -203,79 +167,5 @@ TEST_CASE("GLM: project and unProject, from the bottom left, with window depths 
   }
   CHECK_WITHIN_BOUND(screen);
   CHECK_WITHIN_BOUND(world);
-  CHECK_ALL_VISITED(tally);
-}
-
-TEST_CASE("Imath: projectionMatrix for row vectors, window, fields of view, and its storage order") {
-  Worst worst;
-  Tally tally;
-  const Convention c = rowVectors();
-  for (std::uint64_t trial = 0; trial < kTrials; ++trial) {
-    Random random(trial);
-    const Window w = tameWindow(random, tally);
-    const auto seeFrustum = [&](const Projection& ours, const Imath::Frustum<double>& theirs) {
-      see(worst, trial, laidOut(clipFromView(ours, c), c), fromImath(theirs.projectionMatrix()));
-    };
-    seeFrustum(projectionOf(w), toImath(w));
-    const Crop crop{random.uniform(0, 1), random.uniform(0, 1), random.uniform(0.5, 1), random.uniform(0.5, 1)};
-    seeFrustum(cropped(projectionOf(w), kImathScreen, crop),
-               toImath(w).window(crop.x - 1, crop.x + crop.width - 1, crop.y + crop.height - 1, crop.y - 1));
-    const double degrees = random.uniform(5, 150), aspect = random.logUniform(0.3, 3),
-                 near = random.logUniform(0.01, 9);
-    seeFrustum(perspective(degrees, aspect, near, 9 * near, Fov::horizontal),
-               {near, 9 * near, radians(degrees), 0, aspect});
-    seeFrustum(perspective(degrees, aspect, near, 9 * near), {near, 9 * near, 0, radians(degrees), aspect});
-    const auto stored = inStorageOrder(clipFromView(projectionOf(w), c), c);
-    const Imath::M44d theirs = toImath(w).projectionMatrix();
-    for (std::size_t k = 0; k < 16; ++k) CHECK(stored[k] == Approx(theirs.getValue()[k]).margin(kAgreed));
-  }
-  CHECK_WITHIN_BOUND(worst);
-  CHECK_ALL_VISITED(tally);
-}
-
-TEST_CASE("Imath: projectScreenToRay, projectPointToScreen and normalizedZToDepth, and its ray in the world") {
-  Worst rays, points, depths;
-  Tally tally;
-  for (std::uint64_t trial = 0; trial < kTrials; ++trial) {
-    Random random(trial);
-    const View v = randomView(random, 10);
-    const Window w = tameWindow(random, tally);
-    const Pose pose = poseOf(v, Handedness::right);
-    const Camera camera = makeCamera(pose, projectionOf(w), kImathScreen, rowVectors());
-    const Camera atOrigin =
-        makeCamera(lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Handedness::right), projectionOf(w), kImathScreen);
-    const Vec2 screen{random.uniform(-1, 1), random.uniform(-1, 1)};
-    const Imath::Line3<double> line = toImath(w).projectScreenToRay(Imath::V2d(screen.x, screen.y));
-    const Imath::M44d turned = [&] {
-      const Mat4 m = laidOut(worldFromView(pose, rowVectors()), rowVectors());
-      Imath::M44d result;
-      for (int i = 0; i < 4; ++i)
-        for (int j = 0; j < 4; ++j) result[i][j] = m[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
-      return result;
-    }();
-    Imath::V3d direction;
-    turned.multDirMatrix(line.dir, direction);
-    const Imath::V3d origin = line.pos * turned;
-    const double size = 1 + sumOfSizes(v.eye) + largestEdge(w);
-    for (Precision precision : {Precision::standard, Precision::exact}) {
-      const Ray ours = screenToRay(camera, screen, precision), there = screenToRay(atOrigin, screen, precision);
-      see(rays, trial, there.direction, {line.dir.x, line.dir.y, line.dir.z}, kAgreed);
-      see(rays, trial, there.origin, {line.pos.x, line.pos.y, line.pos.z}, kAgreed * size);
-      see(rays, trial, ours.direction, {direction.x, direction.y, direction.z}, kAgreed);
-      see(rays, trial, ours.origin, {origin.x, origin.y, origin.z}, kAgreed * size);
-    }
-    const Vec3 point = randomPoint(random, atOrigin.pose(), w);
-    const Imath::V2d theirs = toImath(w).projectPointToScreen(Imath::V3d(point.x, point.y, point.z));
-    const ScreenPoint ours = worldToScreen(atOrigin, point);
-    const double parts = 1 + largestEdge(w) / std::min(w.right - w.left, w.top - w.bottom);
-    points.see(trial, ours.x - theirs.x, kAgreed * parts);
-    points.see(trial, ours.y - theirs.y, kAgreed * parts);
-    const double depth = random.uniform(0, 1);
-    depths.see(trial, screenToWorld(atOrigin, {0.25, -0.5}, depth).position.z - toImath(w).normalizedZToDepth(depth),
-               kAgreed * (std::fabs(w.near) + std::fabs(w.far)));
-  }
-  CHECK_WITHIN_BOUND(rays);
-  CHECK_WITHIN_BOUND(points);
-  CHECK_WITHIN_BOUND(depths);
   CHECK_ALL_VISITED(tally);
 }

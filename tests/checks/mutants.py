@@ -1,0 +1,225 @@
+"""Do the tests notice small bugs? Mutants are made from the sources, all in one build, and the tests run under each.
+
+    python3 -B tests/checks/mutants.py [--count 400] [--seed 1] [--under lib/projection] [--build build-mutants]
+
+Operators: constants moved, comparisons and signs changed, statements deleted, arguments swapped (mutants.hpp). So many are
+drawn by the seed; each meets the tests nearest to its file, and only those that survive meet all others. A number that is on
+stands in VIEWPROJ_MUTANT. Answers stand in BUILD/answers.jsonl: a run that was stopped goes on where it was. Status 1: fewer
+than 92 % were killed. Survivors are listed: each is equivalent, or a test is missing.
+"""
+import argparse
+import json
+import os
+import random
+import re
+import resource
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+LEAST_KILLED = 0.92
+# Tests of what no mutation changes, of the build, or of outside judges; all tests but these meet a survivor.
+LEFT_OUT = ("kernels_share_no_code", "headers", "faults_Calls", "importers_judged_by_three", "importers_judged_by_opencv")
+# The tests that meet a mutant first, by the folder of its file: the first that is a prefix counts.
+NEAREST = (
+    ("lib/scene", "shapes unit reference"),
+    ("lib/geodesy", "unit reference"),
+    ("lib/matrices", "reference peers unit"),
+    ("lib", "unit reference bounds peers shapes"),
+    ("cmd/stream", "stream cmd"),
+    ("cmd/text", "unit stream cmd"),
+    ("cmd/records", "stream cmd"),
+    ("cmd/camera", "camera importers cmd"),
+    ("cmd/commands", "cmd check draw explain"),
+    ("cmd", "output cmd"),
+)
+OPERATORS = {"+": "Plus", "-": "Minus", "*": "Times", "/": "Over", "<": "Less", ">": "Greater", "<=": "LessOrSame",
+             ">=": "GreaterOrSame", "==": "Same", "!=": "Other"}
+READING = """#include <cstdlib>
+int viewprojMutant = 0;
+__attribute__((constructor(101))) static void readMutant() {
+  if (const char* number = std::getenv("VIEWPROJ_MUTANT")) viewprojMutant = std::atoi(number);
+}
+"""
+# Of these lines nothing is run, or only by the compiler.
+NO_CODE = re.compile(r"^\s*(//|#|\*|template|static_assert|using |enum |struct |class |namespace |case |default:|friend |explicit )")
+CONSTANT = re.compile(r"(?<![\w.<>'])(0x[\dA-Fa-f.]+p[-+]?\d+|\d+\.\d+(?:e[-+]?\d+)?|\d+)(?![\w.'>])")
+OPERATOR = re.compile(r"(?<= )(\+|-|\*|/|<=|>=|==|!=|<|>)(?= )")
+STATEMENT = re.compile(r"^(\s+)((?!return|if|for|while|else|const|auto|throw|break|continue|delete|goto|do\b|\}|case)[\w.\[\]()>:-]+"
+                       r"(?:\([^{]*\)| [-+*/|&^]?= [^{]*);)$")
+CALL = re.compile(r"(?<![\w.:>] )(?<![\w.:>~])((?:[\w]+::)*[a-z]\w*)\(([\w.]+), ([\w.]+)\)(?! *\{)")
+
+
+def blanked(line):
+    """With strings, characters and comments replaced by as many underscores."""
+    return re.sub(r'"(?:[^"\\]|\\.)*"|\'(?:[^\'\\]|\\.)\'|//.*', lambda m: "_" * len(m[0]), line)
+
+
+def candidates(file, text):
+    """(file, line, start, end, kind, what takes its place, with ID for the number)."""
+    statement = ""
+    raw = False
+    for number, line in enumerate(text.split("\n")):
+        seen = blanked(line)
+        raw = raw != (line.count('R"') + line.count(')"') % 2 == 1)
+        begins = not statement.strip()
+        statement += seen
+        skip = raw or NO_CODE.match(statement) or "constexpr" in statement or "operator" in seen or not line.startswith("  ")
+        if not skip:
+            for m in CONSTANT.finditer(seen):
+                other = f"2 * {m[1]} + 1" if "." in m[1] or "p" in m[1] else f"{m[1]} + 1"
+                yield file, number, m.start(), m.end(), "constant", f"(MUTATED(ID) ? {other} : {m[1]})"
+            for m in OPERATOR.finditer(seen):
+                kind = "sign" if m[1] in "+-*/" else "comparison"
+                yield file, number, m.start(), m.end(), kind, f"{m[1]} ::mutants::{OPERATORS[m[1]]}<ID>{{}} {m[1]}"
+            for m in CALL.finditer(seen):
+                if m[2] != m[3] and not (m[2] + m[3]).isdigit() and m[1] not in ("if", "for", "while", "switch", "return"):
+                    call = f"[&](auto&& l, auto&& r) -> decltype({m[1]}(l, r)) {{ return {m[1]}(l, r); }}"
+                    yield file, number, m.start(), m.end(), "swapped", f"::mutants::swapped<ID>({call}, {m[2]}, {m[3]})"
+            if begins and (m := STATEMENT.match(line)) and seen.count("(") == seen.count(")"):
+                yield file, number, len(m[1]), len(line), "deleted", f"{{ if (!MUTATED(ID)) {m[2]} }}"
+        if re.search(r"[;{}:]\s*_*$", seen) or not seen.strip("_ "):
+            statement = ""
+
+
+def drawn(under, count, seed):
+    files = sorted(path for folder in ("lib", "cmd") for path in (ROOT / folder).rglob("*.?pp"))
+    names = [str(path.relative_to(ROOT)) for path in files]
+    found = [c for path, name in zip(files, names) if name.startswith(under) and "windows" not in name
+             for c in candidates(name, path.read_text())]
+    random.Random(seed).shuffle(found)
+    chosen, taken = [], set()
+    for mutant in found:  # of several that overlap, one
+        place = {(mutant[0], mutant[1], column) for column in range(mutant[2], mutant[3])}
+        if len(chosen) < count and not place & taken:
+            taken |= place
+            chosen.append(mutant)
+    return len(found), dict(enumerate(chosen, 1))
+
+
+def write_if_changed(path, content):
+    if not path.is_file() or path.read_bytes() != content:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content)
+
+
+def write_sources(source, mutants):
+    """A copy of the project with these mutants in it."""
+    by_file = {}
+    for number, mutant in mutants.items():
+        by_file.setdefault(mutant[0], []).append((number, mutant))
+    for part in ("CMakeLists.txt", "README.md", "lib", "cmd", "tests", "samples"):
+        for path in [ROOT / part, *(ROOT / part).rglob("*")]:
+            name = str(path.relative_to(ROOT))
+            if not path.is_file() or "node_modules" in name:
+                continue
+            content = path.read_bytes()
+            if name in by_file:
+                lines = content.decode().split("\n")
+                for number, (_, line, start, end, _, new) in sorted(by_file[name], key=lambda m: -m[1][2]):
+                    lines[line] = lines[line][:start] + new.replace("ID", str(number)) + lines[line][end:]
+                switch = f'#include "{source}/tests/checks/mutants.hpp"\n#line 1\n'
+                content = (switch + "\n".join(lines)).encode()
+            if name == "lib/CMakeLists.txt":
+                content += f"\ntarget_sources(libviewproj PRIVATE {source}/mutant.cpp)\n".encode()
+            write_if_changed(source / name, content)
+    write_if_changed(source / "mutant.cpp", READING.encode())
+
+
+def build(folder, mutants):
+    """Compiles; drops what does not compile, and is no mutant."""
+    source, binary = folder / "source", folder / "build"
+    while True:
+        write_sources(source, mutants)
+        launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
+        subprocess.run(["cmake", "-S", source, "-B", binary, "-GNinja", "-DCMAKE_BUILD_TYPE=Release", "-DVIEWPROJ_TESTS=ON",
+                        "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG", "-DCMAKE_CXX_FLAGS=-w -Wno-narrowing -fpermissive", *launcher],
+                       stdout=subprocess.DEVNULL, check=True)
+        done = subprocess.run(["ninja", "-C", binary, "-k", "0", "-j", str(os.cpu_count())], capture_output=True, text=True, check=False)
+        if done.returncode == 0:
+            return
+        # A line counts where the error is, and where it was called from.
+        places = set(re.findall(r"source/((?:lib|cmd)/[^:\s]+):(\d+)", re.sub(r"FAILED.*|.*-o .*", "", done.stdout)))
+        bad = [n for n, m in mutants.items() if (m[0], str(m[1] + 1)) in places]
+        if not bad:
+            sys.exit(done.stdout[-4000:])
+        for number in bad:
+            del mutants[number]
+
+
+def limits():
+    resource.setrlimit(resource.RLIMIT_DATA, (4 << 30, 4 << 30))
+
+
+def run_tests(binary, number, selection, patience):
+    """The first test that fails under this mutant, or nothing."""
+    command = ["ctest", "--test-dir", binary, "--stop-on-failure", "--timeout", str(patience), "-j", str(os.cpu_count()), *selection]
+    done = subprocess.run(command, env={**os.environ, "VIEWPROJ_MUTANT": str(number)}, capture_output=True, text=True, check=False,
+                          preexec_fn=limits)
+    if done.returncode == 0:
+        return ""
+    failed = re.search(r"^\s*\d+ - (\S+) \((.*?)\)", done.stdout, re.M)
+    return f"{failed[1]} ({failed[2].lower()})" if failed else "ctest"
+
+
+def only(names):
+    return ["-R", f"^({'|'.join(names)})$"]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--count", type=int, default=400)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--under", default="", help="only files whose names begin so")
+    parser.add_argument("--build", type=Path, default=ROOT / "build-mutants")
+    options = parser.parse_args()
+    folder = options.build.resolve()
+    found, mutants = drawn(options.under, options.count, options.seed)
+    begun = time.monotonic()
+    build(folder, mutants)
+    print(f"{len(mutants)} of {found} possible mutants, built in {time.monotonic() - begun:.0f} s", flush=True)
+    binary = folder / "build"
+    if failed := run_tests(binary, 0, ["-E", f"^({'|'.join(LEFT_OUT)})$"], 900):
+        sys.exit(f"without a mutant {failed} fails")
+    answers_file = folder / "answers.jsonl"
+    known = {}
+    if answers_file.exists():
+        known = {answer["what"]: answer["killer"] for answer in map(json.loads, answers_file.read_text().splitlines())}
+    survived, killed = [], 0
+    for number, mutant in mutants.items():
+        file, line, start, end, kind, new = mutant
+        text = (ROOT / file).read_text()
+        old = text.split("\n")[line]
+        what = f"{file}:{line + 1}:{start + 1}: {kind}: {old.strip()}  // {hash_of(text)}"
+        if what not in known:
+            begun = time.monotonic()
+            nearest = next(tests for prefix, tests in NEAREST if file.startswith(prefix)).split()
+            killer = run_tests(binary, number, only(nearest), 120)
+            if not killer:
+                killer = run_tests(binary, number, ["-E", f"^({'|'.join([*LEFT_OUT, *nearest])})$"], 300)
+            known[what] = killer
+            with open(answers_file, "a") as answers:
+                answers.write(json.dumps({"what": what, "killer": killer}) + "\n")
+            print(f"{number}: {what.split('  //')[0]}: {'killed by ' + killer if killer else 'SURVIVED'}, "
+                  f"{time.monotonic() - begun:.1f} s", flush=True)
+        if known[what]:
+            killed += 1
+        else:
+            survived.append(f"{what.split('  //')[0]} | {old[start:end]}")
+    print(f"{killed} of {len(mutants)} killed, {100 * killed / max(1, len(mutants)):.1f} %", *survived, sep="\n")
+    return 0 if killed >= LEAST_KILLED * len(mutants) else 1
+
+
+def hash_of(text):
+    """Of a file: an answer counts as long as the file is the same."""
+    value = 0
+    for byte in text.encode():
+        value = (value * 31 + byte) % (1 << 61)
+    return f"{value:x}"
+
+
+if __name__ == "__main__":
+    sys.exit(main())
