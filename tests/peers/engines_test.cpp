@@ -14,6 +14,7 @@
 #include "catch.hpp"
 #include "internals.hpp"
 #include "measure.hpp"
+#include "parts.hpp"
 #include "random_cameras.hpp"
 #include "viewproj/viewproj.hpp"
 

@@ -11,6 +11,7 @@
 
 #include "catch.hpp"
 #include "measure.hpp"
+#include "parts.hpp"
 #include "random_cameras.hpp"
 #include "viewproj/scene.hpp"
 #include "viewproj/viewproj.hpp"

@@ -5,6 +5,7 @@
 #include "catch.hpp"
 #include "commands/inspect_report.hpp"
 #include "internals.hpp"
+#include "parts.hpp"
 #include "random_cameras.hpp"
 #include "thread_cameras.hpp"
 #include "viewproj/viewproj.hpp"

@@ -4,6 +4,7 @@
 #include "field_at_fault.hpp"
 #include "internals.hpp"
 #include "measure.hpp"
+#include "parts.hpp"
 #include "random_cameras.hpp"
 #include "thread_cameras.hpp"
 #include "viewproj/viewproj.hpp"
@@ -25,7 +26,7 @@ TEST_CASE(
     CHECK(isFinite(clipFromWorld(pose, p, c)));
     CHECK(isFinite(worldFromClip(pose, p, c)));
     CHECK(isFinite(screenFromWorld(pose, p, kHd, c)));
-    CHECK(isFinite(worldFromScreen(pose, p, kHd, c)));
+    CHECK(isFinite(matrix(cameraOfParts(pose, p, kHd, c), Space::world, Space::screen)));
     const Camera camera = makeCamera(pose, p, kHd, c);
     for (const Vec2& pixel : kPixels)
       for (Precision precision : {Precision::standard, Precision::exact})
@@ -278,7 +279,7 @@ TEST_CASE("The distance of a point behind keeps the sign that w had [LayaAir#101
   const Camera camera = makeCamera(plainPose(), lens(), kHd);
   CHECK(worldToScreen(camera, Vec3{0, 0, 1}).viewDistance == -1);
   CHECK(worldToScreen(camera, Vec3{0, 0, -1}).viewDistance == 1);
-  CHECK(worldToClip(camera, {0, 0, 1, 1}, preset("opengl")).w == -1);
+  CHECK(worldTo(camera, Space::clip, {0, 0, 1, 1}, preset("opengl")).w == -1);
 }
 
 TEST_CASE(

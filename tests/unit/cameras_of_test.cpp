@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "catch.hpp"
+#include "parts.hpp"
 #include "random.hpp"
 #include "viewproj/viewproj.hpp"
 

@@ -1,6 +1,6 @@
 #include "catch.hpp"
 #include "internals.hpp"
-#include "projection/clip_point.hpp"
+#include "projection/exact_point.hpp"
 #include "viewproj/camera.hpp"
 
 using namespace viewproj;
@@ -173,12 +173,14 @@ TEST_CASE("Columns in double-double give the pose that a rotation gives, and the
     const DDVec3 eyeBack = unroundedEye(parts(pose));
     for (std::size_t i = 0; i < 3; ++i) CHECK(eyeBack[i].lo == Approx(off[i].lo).epsilon(1e-9));
     // The exact rows are the rounded ones.
-    const auto exact = toAxesExactly(parts(pose), {3, 4, 5, 1});
-    const auto rounded = toAxes(parts(pose), {3, 4, 5, 1});
-    const auto apart = [](const Wide& a, DoubleDouble b) { return std::fabs((toDoubleDouble(a) - b).hi); };
-    CHECK(apart(exact.right, rounded.right) <= 1e6 * 0x1p-96);
-    CHECK(apart(exact.up, rounded.up) <= 1e6 * 0x1p-96);
-    CHECK(apart(exact.forward, rounded.forward) <= 1e6 * 0x1p-96);
+    const AxisDistances exact = exactDistances(parts(pose), {3, 4, 5, 1});
+    const DDVec3 d = toDoubleDouble(Vec3{3, 4, 5}) + -toDoubleDouble(eye);
+    const auto apart = [&](const Wide& a, const DDVec3& row, DoubleDouble residual) {
+      return std::fabs((toDoubleDouble(a) - (dot(row, d) + residual)).hi);
+    };
+    CHECK(apart(exact.right, parts(pose).rows.right, parts(pose).residual.x) <= 1e6 * 0x1p-96);
+    CHECK(apart(exact.up, parts(pose).rows.up, parts(pose).residual.y) <= 1e6 * 0x1p-96);
+    CHECK(apart(exact.forward, parts(pose).rows.forward, parts(pose).residual.z) <= 1e6 * 0x1p-96);
   }
 }
 

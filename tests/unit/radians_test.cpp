@@ -1,9 +1,8 @@
-#include "numbers/radians.hpp"
-
 #include <cmath>
 
 #include "catch.hpp"
 #include "internals.hpp"
+#include "numbers/degrees.hpp"
 
 using namespace viewproj;
 using namespace viewproj::detail;

@@ -5,7 +5,6 @@
 #include <functional>
 
 #include "catch.hpp"
-#include "viewproj/clip.hpp"
 #include "viewproj/geodesy.hpp"
 #include "viewproj/matrices.hpp"
 #include "viewproj/scene.hpp"
@@ -51,12 +50,12 @@ TEST_CASE("Points, rays, matrices and shapes that take exact arithmetic run on a
           for (const double w : {1.0, 0.0, 0.3, 1e-90, -1e90}) {
             verdicts += worldToScreen(camera, Vec4{p.x, p.y, p.z, w}).certain;
             verdicts += boundOfPoint(camera, Vec4{p.x, p.y, p.z, w}, Precision::standard).screen > 0;
-            (void)worldToClip(camera, {p.x, p.y, p.z, w}, camera.convention());
+            (void)worldTo(camera, Space::clip, {p.x, p.y, p.z, w}, camera.convention());
           }
         Vec3 points[1000] = {eye, beside};
         worldToScreen(camera, points, points);
         verdicts += screenToWorld(camera, {10, 20}, 0.9999999).status == DepthStatus::point;
-        verdicts += viewFromWorld(pose, camera.convention())[0][0] > 0;
+        verdicts += storedMatrix<double>(camera, Space::view, Space::world)[0] > 0;
         verdicts += cull(frustum, Box{{-1e90, -1e90, 1e-300}, eye}).side;
         verdicts += cull(frustum, Triangle{eye, beside, {1e-310, 1e90, 3}}).side;
         verdicts += clipSegment(frustum, eye, beside).visible;
