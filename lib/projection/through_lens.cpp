@@ -1,5 +1,5 @@
 // standard bends the pinhole's pixel in double: its error, and what the map adds, is what response.hpp says. exact
-// bends the point's tangents in double-double, as toAxes has them or, where that cannot certify the pixel, the exact
+// bends the point's tangents in double-double, as alongAxes has them or, where that cannot certify the pixel, the exact
 // rows.
 #include "projection/through_lens.hpp"
 
@@ -9,11 +9,8 @@
 
 #include "lens/response.hpp"
 #include "numbers/ulp.hpp"
-#include "projection/clip_point.hpp"
 #include "projection/exact_point.hpp"
 #include "projection/kernels/error_model.hpp"
-#include "projection/sides.hpp"
-#include "projection/window_point.hpp"
 
 namespace viewproj {
 
@@ -36,15 +33,28 @@ struct BoundedTangents {
   double radius() const noexcept { return length(at.x.hi, at.y.hi); }
 };
 
+/// Along right, up and forward, in double-double. A distance that cancels to less than its own error is 0.
+DDVec3 alongAxes(const PoseParts& pose, const Vec4& p) noexcept {
+  const Vec3 xyz{p.x, p.y, p.z};
+  DDVec3 d;
+  for (std::size_t i = 0; i < 3; ++i) d[i] = DoubleDouble(xyz[i]) + twoProd(-pose.eye[i], p.w);
+  const DoubleDouble perW = p.w == 0 ? DoubleDouble(1) : DoubleDouble(1) / DoubleDouble(p.w);
+  const auto along = [&](const DDVec3& axis, DoubleDouble residual) {
+    return sumOrZero(dotOrZero(axis, d), residual * DoubleDouble(p.w)) * perW;
+  };
+  return {along(pose.rows.right, pose.residual.x), along(pose.rows.up, pose.residual.y),
+          along(pose.rows.forward, pose.residual.z)};
+}
+
 /// In front of the camera.
 BoundedTangents tangentsOf(const CameraParts& c, const Vec4& point) noexcept {
-  const AxisPoint<DoubleDouble> a = toAxes(c.pose, point);
+  const auto [right, up, forward] = alongAxes(c.pose, point);
   const DDVec3& residual = c.pose.residual;
-  const double size = std::fabs(a.right.hi) + std::fabs(a.up.hi) + std::fabs(a.forward.hi) + std::fabs(residual.x.hi) +
+  const double size = std::fabs(right.hi) + std::fabs(up.hi) + std::fabs(forward.hi) + std::fabs(residual.x.hi) +
                       std::fabs(residual.y.hi) + std::fabs(residual.z.hi);
-  const double share = 0x1p-95 * size / a.forward.hi;
+  const double share = 0x1p-95 * size / forward.hi;
   if (!(share < 0x1p-60 && share >= 0)) return {{}, kInfinity};
-  const BoundedTangents t{{a.right / a.forward, -(a.up / a.forward)}, 0};
+  const BoundedTangents t{{right / forward, -(up / forward)}, 0};
   return {t.at, share * (1 + t.radius()) * 1.01};
 }
 
@@ -190,9 +200,11 @@ BatchCounts detail::throughLens(const Camera& camera, std::span<const Vec3> poin
   return counts;
 }
 
-WindowPoint<DoubleDouble> detail::beforeLens(const CameraParts& c, const Vec2& screen) noexcept {
-  const WindowPoint<DoubleDouble> after = toWindow<DoubleDouble>(*c.pinhole, screen);
-  const auto [x, y] = undistort(*c.lens, {after.right, -after.up}).at;
+WindowPoint detail::beforeLens(const CameraParts& c, const Vec2& screen) noexcept {
+  const ScreenMap& m = c.screen;
+  const auto [x, y] =
+      undistort(*c.lens, {sumOrZero(screen.x, -m.centerX) / m.scaleX, -(sumOrZero(screen.y, -m.centerY) / m.scaleY)})
+          .at;
   return {x, -y};
 }
 
@@ -253,7 +265,7 @@ double largestShift(const Camera& camera) noexcept {
       const auto between = [](double first, double last, int step) { return first + (last - first) * step / kSteps; };
       const Vec2 pixel{between(c.corners.first.x, c.corners.last.x, i),
                        between(c.corners.first.y, c.corners.last.y, j)};
-      const WindowPoint<DoubleDouble> at = beforeLens(c, pixel);
+      const WindowPoint at = beforeLens(c, pixel);
       const double x = (c.screen.centerX + c.screen.scaleX * at.right).hi,
                    y = (c.screen.centerY + c.screen.scaleY * at.up).hi;
       largest = std::fmax(largest, length(x - pixel.x, y - pixel.y));  // a NaN counts as nothing

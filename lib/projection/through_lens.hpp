@@ -9,6 +9,13 @@
 
 namespace viewproj::detail {
 
+/// Tangents right and up of the viewing axis.
+struct WindowPoint {
+  DoubleDouble right, up;
+};
+/// What a pixel is before the lens; NaN where no point has it.
+WindowPoint beforeLens(const CameraParts& c, const Vec2& screen) noexcept;
+
 ScreenPoint throughLens(const Camera& camera, const Vec4& point, Precision precision) noexcept;
 BatchCounts throughLens(const Camera& camera, std::span<const Vec3> points, std::span<Vec3> screen,
                         Precision precision) noexcept;

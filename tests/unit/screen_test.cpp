@@ -6,6 +6,7 @@
 #include "catch.hpp"
 #include "field_at_fault.hpp"
 #include "internals.hpp"
+#include "parts.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;
@@ -100,7 +101,8 @@ TEST_CASE("The weight of a point is divided out of its view coordinates") {
   const Vec3 view = worldToView(camera, {1, 2, -3, 1}, c);
   for (const double w : {2.0, 0.25, -4.0, 0x1p-298, 0x1p298})
     CHECK(worldToView(camera, {w, 2 * w, -3 * w, w}, c) == view);
-  CHECK(worldToClip(camera, {0x1p-298, 0x1p-297, -3 * 0x1p-298, 0x1p-298}, c) == worldToClip(camera, {1, 2, -3, 1}, c));
+  CHECK(worldTo(camera, Space::clip, {0x1p-298, 0x1p-297, -3 * 0x1p-298, 0x1p-298}, c) ==
+        worldTo(camera, Space::clip, {1, 2, -3, 1}, c));
 }
 
 TEST_CASE("A result of zero is positive zero") {
@@ -175,12 +177,11 @@ TEST_CASE("Matrices with the viewport folded in take a model's points to their p
       for (const Vec3& local : {Vec3{0.5, 0.25, -0.5}, Vec3{0, 0, 0}, Vec3{-0.25, 0.5, 0.125}}) {
         const Vec4 world = toWorld(model, {local.x, local.y, local.z, 1});
         const ScreenPoint truth = worldToScreen(camera, Vec3{world.x, world.y, world.z});
-        const auto there = times(screenFromLocal(pose, projection, viewport, model, c), {local.x, local.y, local.z, 1});
+        const auto there = times(matrix(camera, Space::screen, Space::model, model), {local.x, local.y, local.z, 1});
         CHECK(there[0] / there[3] == near(truth.x));
         CHECK(there[1] / there[3] == near(truth.y));
         CHECK(there[2] / there[3] == near(truth.depth));
-        const auto back =
-            times(localFromScreen(pose, projection, viewport, model, c), {truth.x, truth.y, truth.depth, 1});
+        const auto back = times(matrix(camera, Space::model, Space::screen, model), {truth.x, truth.y, truth.depth, 1});
         for (std::size_t i = 0; i < 3; ++i) CHECK(back[i] / back[3] == near(local[i]));
       }
     }
@@ -188,26 +189,27 @@ TEST_CASE("Matrices with the viewport folded in take a model's points to their p
 
 TEST_CASE("The inverse of a model, or of a lens, keeps its digits however its numbers differ in size") {
   const Convention c;
-  const Pose pose = lookAt({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, c.world);
+  const Camera camera = cameraOfParts(lookAt({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, c.world), c);
   const Mat4 thin = worldFromLocal({1e90, 1, 0}, {}, {1e90, 1e-90, 1});
-  const Mat4 back = localFromView(pose, thin, c);
+  const Mat4 back = matrix(camera, Space::model, Space::view, thin);
   CHECK(back[0][0] == 1e-90);
   CHECK(back[1][1] == 1 / 1e-90);
   CHECK(back[0][3] == -1);
   CHECK(back[1][3] == -1 / 1e-90);
-  CHECK(viewFromLocal(pose, thin, c)[0][0] == 1e90);
+  CHECK(matrix(camera, Space::view, Space::model, thin)[0][0] == 1e90);
   Mat4 lopsided{{{{0.38657873214981797, 2.2951981166007252e-155, -2.713965713352535e-155, 0},
                   {0.9021322338081337, 2.4645853084211475e-155, -6.8789491785606e-155, 0},
                   {-0.8645671835810627, 9.475800985852006e-155, 9.75637713530295e-155, 0},
                   {0, 0, 0, 1}}}};
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 1; j < 3; ++j) lopsided[i][j] *= 0x1p230;
-  CHECK(localFromView(pose, lopsided, c)[0][0] == -85.79330356029764);  // by fractions
+  CHECK(matrix(camera, Space::model, Space::view, lopsided)[0][0] == -85.79330356029764);  // by fractions
   const Mat4 flat{{{{1e80, 1e-60, 0, 0}, {1e80, 1e-60, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}}};
-  CHECK_THROWS_AS(localFromView(pose, flat, c), CameraError);
+  CHECK_THROWS_AS(matrix(camera, Space::model, Space::view, flat), CameraError);
   Viewport viewport{100, 100};
   viewport.depthFirst = 0.2240809957474883;
-  const Mat4 slab = viewFromScreen(perspective(60, 1, 1.5052038720446184, 1.5052038720446188), viewport, c);
+  const Mat4 slab = matrix(cameraOfParts(perspective(60, 1, 1.5052038720446184, 1.5052038720446188), c, viewport),
+                           Space::view, Space::screen);
   CHECK(slab[3][2] == -2.526173520109471e-16);  // by fractions
   CHECK(slab[3][3] == 0.6643618306944917);
 }
@@ -290,7 +292,7 @@ TEST_CASE("Without a near plane a pixel has a ray, and a point by its distance, 
     for (const double depth : {0.0, 0.5, 1.0})
       CHECK(screenToWorld(camera, {150, 50}, depth).status == DepthStatus::beyond);
     CHECK(worldToView(camera, {5, 2, 3, 1}, {}) == Vec3{2, 0, -2});
-    const Vec4 clip = worldToClip(camera, {5, 2, 3, 1}, {});
+    const Vec4 clip = worldTo(camera, Space::clip, {5, 2, 3, 1}, {});
     CHECK((clip.x == 1 && clip.y == 0 && std::isnan(clip.z) && clip.w == 2));
     const Vec3 ndc = worldToNdc(camera, {5, 2, 3, 1}, {});
     CHECK((ndc.x == 0.5 && ndc.y == 0 && std::isnan(ndc.z)));
@@ -302,25 +304,15 @@ TEST_CASE("A projection without near plane has no matrix to clip space or the sc
   const Pose pose = lookAlong({3, 2, 5}, {1, 2, -3}, {0, 1, 0}, Handedness::right);
   const Viewport v{200, 100};
   const Camera camera = makeCamera(pose, p, v);
-  const Convention c;
   Mat4 model;
   for (std::size_t i = 0; i < 4; ++i) model[i][i] = 1;
-  const std::function<void()> matrices[] = {
-      [&] { clipFromView(p, c); },
-      [&] { viewFromClip(p, c); },
-      [&] { clipFromWorld(pose, p, c); },
-      [&] { worldFromClip(pose, p, c); },
-      [&] { screenFromView(p, v, c); },
-      [&] { viewFromScreen(p, v, c); },
-      [&] { screenFromWorld(pose, p, v, c); },
-      [&] { worldFromScreen(pose, p, v, c); },
-      [&] { clipFromLocal(pose, p, model, c); },
-      [&] { localFromClip(pose, p, model, c); },
-      [&] { screenFromLocal(pose, p, v, model, c); },
-      [&] { localFromScreen(pose, p, v, model, c); },
-      [&] { storedMatrix<float>(camera, Space::clip, Space::world); },
-      [&] { storedMatrix<double>(camera, Space::world, Space::screen); },
-  };
-  for (const auto& matrix : matrices) CHECK(fieldAtFault(matrix) == "near");
+  for (const Space inner : {Space::model, Space::world, Space::view})
+    for (const Space outer : {Space::clip, Space::ndc, Space::screen}) {
+      CHECK(fieldAtFault([&] { matrix(camera, outer, inner, model); }) == "near");
+      CHECK(fieldAtFault([&] { matrix(camera, inner, outer, model); }) == "near");
+    }
+  CHECK(fieldAtFault([&] { storedMatrix<float>(camera, Space::clip, Space::world); }) == "near");
+  CHECK(fieldAtFault([&] { storedMatrix<double>(camera, Space::world, Space::screen); }) == "near");
+  CHECK(fieldAtFault([&] { matrix(camera, Space::screen, Space::ndc); }).empty());
   CHECK(fieldAtFault([&] { storedMatrix<float>(camera, Space::view, Space::world); }).empty());
 }
