@@ -59,9 +59,11 @@ OrderedJson forPeople(OrderedJson report) {
     notes.push_back("One pair may fit a mistake by chance; a second one would tell.");
   if (hasFit)
     notes.push_back("fit: given = computed + offset, and given = scale * computed + scaleOffset; Rms is what is left.");
-  report["explanations"] = std::move(sections);
-  for (const auto& [part, isShown] : {std::pair("explanations", !report["explanations"].empty()), {"fit", hasFit}})
-    if (!isShown) report.erase(part);
+  if (sections.empty())
+    report.erase("explanations");
+  else
+    report["explanations"] = std::move(sections);
+  if (!hasFit) report.erase("fit");
   report["notes"] = std::move(notes);
   return report;
 }
