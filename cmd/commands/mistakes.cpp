@@ -10,6 +10,8 @@
 #include "camera/patch.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
+#include "viewproj/lens.hpp"
+#include "viewproj/screen.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -303,6 +305,19 @@ void fromUnits(Trials& t, double low) {
   t.pixels(across(first.x, last.x), across(last.y, first.y));
 }
 
+void leaveDistortionOut(Trials& t) {
+  if (lensOf(t.camera)) t.options({{"--set", "distortion=null"}});
+}
+
+void distortTwice(Trials& t) {
+  if (!lensOf(t.camera)) return;
+  for (const auto& [distortions, mend] : {std::pair(-1, "undistort the pixels once; the lens is in them twice"),
+                                          {2, "do not undistort the pixels; they are undistorted twice"}}) {
+    t.found.push_back(t.next(mend, nullptr));
+    t.found.back().distortions = distortions;
+  }
+}
+
 struct Mistake {
   std::string_view name, sentence;
   void (*addTo)(Trials&);
@@ -323,6 +338,8 @@ constexpr Mistake kMistakes[] = {
     {"pose-inverted", "the pose is inverted: world-to-camera for camera-to-world", invertPose},
     {"quaternion-order", "the quaternion has w first on one side and last on the other", reorderQuaternion},
     {"camera-axes", "the pose counts on other axes of the camera", turnAxes},
+    {"distortion-ignored", "the pixels are without the distortion of the lens", leaveDistortionOut},
+    {"distortion-twice", "the distortion of the lens is taken twice", distortTwice},
     {"normalized", "the pixels are 0..1 across the picture", [](Trials& t) { fromUnits(t, 0); }},
     {"ndc", "the pixels are normalized device coordinates, -1..1", [](Trials& t) { fromUnits(t, -1); }},
 };
@@ -336,6 +353,18 @@ Vec4 Hypothesis::point(const Vec4& p) const {
     return axis < 0 ? -along : along;
   };
   return {at(axes[0]), at(axes[1]), at(axes[2]), p.w};
+}
+
+Vec2 Hypothesis::pixel(const Vec2& given) const {
+  Vec2 at{x(given.x), y(given.y)};
+  const auto seenBy = [&](const Camera& from, const Camera& to) {
+    const Vec3 d = screenToRay(from, at).direction;
+    const ScreenPoint p = worldToScreen(to, Vec4{d.x, d.y, d.z, 0});
+    at = {p.x, p.y};
+  };
+  for (int i = 0; i > distortions; --i) seenBy(camera, withoutLens(camera));
+  for (int i = 0; i < distortions; ++i) seenBy(withoutLens(camera), camera);
+  return at;
 }
 
 std::string_view sentenceOf(std::string_view mistake) {

@@ -30,8 +30,11 @@ struct Hypothesis {
   bool hasCamera = false;               ///< another than the document's
   std::array<int, 3> axes = {1, 2, 3};  ///< of a mended point, from 1; negative: the axis the other way
   Affine x = {}, y = {};                ///< the mended pixel of a given one
+  int distortions = 0;                  ///< how often the lens then bends it; negative: unbends it
 
   Vec4 point(const Vec4& p) const;
+  /// NaN where the lens has none.
+  Vec2 pixel(const Vec2& given) const;
   bool movesPoints() const { return axes != std::array{1, 2, 3}; }
 };
 

@@ -38,13 +38,15 @@ void PairCheck::add(const Vec4& point, const Vec2& pixel, std::size_t line) {
   ++records_;
   const ScreenPoint own = worldToScreen(camera_, point);
   const auto missOf = [](const ScreenPoint& computed, double x, double y) {
-    return computed.status == PointStatus::inFront ? std::hypot(computed.x - x, computed.y - y) : HUGE_VAL;
+    const double miss = std::hypot(computed.x - x, computed.y - y);
+    return computed.status == PointStatus::inFront && !std::isnan(miss) ? miss : HUGE_VAL;
   };
   // One miss that is too large rules an explanation out for good.
   std::erase_if(trials_, [&](Trial& trial) {
     const Hypothesis& h = trial.hypothesis;
     const ScreenPoint there = h.hasCamera || h.movesPoints() ? worldToScreen(h.camera, h.point(point)) : own;
-    trial.misses.add(missOf(there, h.x(pixel.x), h.y(pixel.y)), line);
+    const Vec2 given = h.pixel(pixel);
+    trial.misses.add(missOf(there, given.x, given.y), line);
     return !(trial.misses.largest <= within_);
   });
   if (own.status != PointStatus::inFront) {

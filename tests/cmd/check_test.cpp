@@ -99,6 +99,19 @@ Json intrinsicsDocument(const Scene& s) {
   return document;
 }
 
+constexpr double kLensK1 = 0.1;
+Json lensDocument(const Scene& s) {
+  Json document = lookDocument(s);
+  document["distortion"] = {{"model", "brown"}, {"k", {kLensK1}}};
+  return document;
+}
+/// A pixel of the pinhole through that lens.
+Vec2 bent(const Scene& s, const Vec2& pixel) {
+  const double x = pixel.x - s.width / 2, y = pixel.y - s.height / 2;
+  const double factor = 1 + kLensK1 * (x * x + y * y) / s.focal() / s.focal();
+  return {s.width / 2 + x * factor, s.height / 2 + y * factor};
+}
+
 /// A camera and six points in its view.
 struct Trial {
   Scene scene;
@@ -322,6 +335,20 @@ const Case kCases[] = {
     // gaussian-splatting PR#111, nerfstudio#1504, instant-ngp#1486, 4DGaussians#191
     {"OpenCV's axes as OpenGL's", "camera-axes",
      [](const Scene& s) { return changed(rotationDocument(s), [](Json& d) { d["cameraAxes"] = "RDF"; }); }, right},
+    {"a distortion left out", "distortion-ignored", lensDocument, right},
+    {"a distortion twice", "distortion-twice", lensDocument,
+     [](const Scene& s, const Vec3& p) { return bent(s, bent(s, s.pixel(p))); }},
+    {"pixels undistorted twice", "distortion-twice", lensDocument,
+     [](const Scene& s, const Vec3& p) {
+       const Vec2 q = s.pixel(p);  // halving finds the radius that the lens puts at q's
+       const double x = q.x - s.width / 2, y = q.y - s.height / 2, put = std::hypot(x, y) / s.focal();
+       double low = 0, high = put;
+       for (int i = 0; i < 60; ++i) {
+         const double r = (low + high) / 2;
+         (r * (1 + kLensK1 * r * r) < put ? low : high) = r;
+       }
+       return Vec2{s.width / 2 + x / put * low, s.height / 2 + y / put * low};
+     }},
     {"0..1 for pixels", "normalized", lookDocument,
      [](const Scene& s, const Vec3& p) {
        const Vec2 q = s.pixel(p);
