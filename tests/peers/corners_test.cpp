@@ -47,25 +47,25 @@ constexpr Vec3 kAhead{0.6, 0.8, 0};
 
 Vec3 rightOf(Handedness world) { return world == Handedness::right ? Vec3{0.8, -0.6, 0} : Vec3{-0.8, 0.6, 0}; }
 
-enum class Lens { symmetric, offCentre, orthographic };
+enum class Window { symmetric, offCentre, orthographic };
 
 struct Frame {
-  Lens lens;
+  Window lens;
   double left, right, bottom, top;  // at distance 1 in perspective
   double near, far;
 };
 
 constexpr Frame kFrames[] = {
-    {Lens::symmetric, -2, 2, -1, 1, 0.5, 80},
-    {Lens::symmetric, -2, 2, -1, 1, 0.5, kInfiniteFar},
-    {Lens::offCentre, -0.25, 1.5, 0.125, 0.75, 0.5, 80},
-    {Lens::offCentre, -0.25, 1.5, 0.125, 0.75, 0.5, kInfiniteFar},
-    {Lens::orthographic, -8, 8, -5, 5, 0.5, 80},
-    {Lens::orthographic, 3, 12, -9, -4, -20, 80},
+    {Window::symmetric, -2, 2, -1, 1, 0.5, 80},
+    {Window::symmetric, -2, 2, -1, 1, 0.5, kInfiniteFar},
+    {Window::offCentre, -0.25, 1.5, 0.125, 0.75, 0.5, 80},
+    {Window::offCentre, -0.25, 1.5, 0.125, 0.75, 0.5, kInfiniteFar},
+    {Window::orthographic, -8, 8, -5, 5, 0.5, 80},
+    {Window::orthographic, 3, 12, -9, -4, -20, 80},
 };
 
 Projection projectionOf(const Frame& f) {
-  return f.lens == Lens::orthographic
+  return f.lens == Window::orthographic
              ? orthographic(f.left, f.right, f.bottom, f.top, f.near, f.far)
              : frustum(f.left * f.near, f.right * f.near, f.bottom * f.near, f.top * f.near, f.near, f.far);
 }
@@ -86,7 +86,7 @@ Vec4 worldOf(const Corner& c, const Frame& f, Handedness world) {
   const Vec3 right = rightOf(world);
   const bool atInfinity = std::isinf(distance);
   const double ahead = atInfinity ? 1 : distance;
-  const double spread = f.lens == Lens::orthographic ? 1 : ahead;
+  const double spread = f.lens == Window::orthographic ? 1 : ahead;
   const double w = atInfinity ? 0 : 1;
   return {w * kEye.x + ahead * kAhead.x + spread * across * right.x,
           w * kEye.y + ahead * kAhead.y + spread * across * right.y, w * kEye.z + spread * rise, w};
@@ -192,7 +192,7 @@ TEST_CASE("View space has its axes where the convention says") {
     for (const Corner& corner : kCorners) {
       const Vec4 at = worldOf(corner, f, world);
       const double distance = !corner.far ? f.near : std::isinf(f.far) ? 1 : f.far;
-      const double spread = f.lens == Lens::orthographic ? 1 : distance;
+      const double spread = f.lens == Window::orthographic ? 1 : distance;
       const Vec4 inView = applied(inStorageOrder(view, c), d, at), size = sizes(view, at);
       worst.see(0, inView.x - spread * (corner.right ? f.right : f.left), 12 * kRounding * size.x);
       worst.see(0, inView.y - d.viewUp * spread * (corner.top ? f.top : f.bottom), 12 * kRounding * size.y);
