@@ -28,14 +28,14 @@ bool readPlainNumbers(const std::vector<std::string_view>& values, const Layout&
 
 class CsvReader final : public RecordReader {
  public:
-  explicit CsvReader(const Shape& header) : header_(header), separator_(header.csv.separator) {}
+  explicit CsvReader(const Shape& header) : header_(header), separator_(header.separator) {}
 
   void read(const Block& block, Batch& batch) override {
     const std::string_view text = block.bytes.view();
     for (std::size_t at = 0, end; at < text.size(); at = end + 1) {
       if ((end = readPlainRecord(text, at, batch)) != npos) continue;
       std::size_t unclosed = npos;
-      end = endOfCsvRecord(text, at, header_.csv, &unclosed);
+      end = endOfCsvRecord(text, at, separator_, &unclosed);
       std::string_view line = text.substr(at, end - at);
       if (line.ends_with('\r')) line.remove_suffix(1);
       if (unclosed != npos)
@@ -75,10 +75,9 @@ class CsvReader final : public RecordReader {
         if (!at || !std::isfinite(number)) return npos;
       } else {
         if (at < end && *at == '"') {
-          // To the quote that closes; two are one of the field's own.
-          for (++at; at < end && (*at != '"' || (at + 1 < end && at[1] == '"')); ++at) at += *at == '"';
-          if (at >= end) return npos;
-          ++at;
+          const std::size_t after = afterQuotes(text, static_cast<std::size_t>(at - text.data()));
+          if (after == npos) return npos;
+          at = text.data() + after;
         } else {
           while (at < end && *at != separator && *at != '\n' && *at != '\r') ++at;
         }
@@ -97,7 +96,7 @@ class CsvReader final : public RecordReader {
     try {
       const RecordParts record = csvParts(line, header_);
       const Plan& plan = batch.planFor(record);
-      if (slots_.empty() && !header_.csv.isBlanks()) slots_ = slotsOf(plan.layout, header_.size);
+      if (slots_.empty()) slots_ = slotsOf(plan.layout, header_.size);
       Numbers numbers;
       readNumbers(record, plan.layout, numbers);
       batch.add(line, plan, numbers);
