@@ -63,6 +63,7 @@ RecordParts jsonParts(std::string_view text) {
 }
 
 RecordParts textParts(std::string_view text) {
+  if (const std::size_t alone = text.find('\r'); alone != std::string_view::npos) throw RecordError(alone, kLoneReturn);
   RecordParts record{text, {Form::text, true, 0, {}}, {}};
   splitText(text, record.values);
   requireFewFields(text, record.values);

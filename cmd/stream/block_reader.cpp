@@ -29,7 +29,12 @@ std::size_t countLines(std::string_view text) {
 
 std::string tooLong() { return "a record longer than " + std::to_string(kLongestRecord >> 20) + " MiB"; }
 
-bool mayBeginBom(std::string_view text) { return text.size() < kBom.size() && kBom.starts_with(text); }
+/// Whether more bytes may make a byte order mark of it, or another one.
+bool mayBeginBom(std::string_view text) {
+  using namespace std::string_view_literals;
+  const auto begins = [&](std::string_view bom) { return text.size() < bom.size() && bom.starts_with(text); };
+  return begins(kBom) || begins("\xFF\xFE\0\0"sv) || begins("\0\0\xFE\xFF"sv) || begins("\xFE\xFF");
+}
 
 /// How many of the first bytes tell the form; npos: more are needed.
 std::size_t countTelling(std::string_view text, std::size_t most) {
@@ -71,21 +76,13 @@ std::string_view BlockReader::firstBytes() {
   return carried_.view().substr(0, std::min(end, kLongEnough));
 }
 
-void BlockReader::requireUtf8() {
-  const auto mayBeWide = [&] {
-    const std::string_view text = carried_.view();
-    return text.size() < 2 || text[0] == 0 || text[1] == 0 || text[0] == '\xFF' || text[0] == '\xFE';
-  };
-  while (!atEnd_ && carried_.size() < 4 && mayBeWide()) readMore();
-  requireNarrow(name_, carried_.view());
-}
-
 void BlockReader::setForm(Form form, char separator) {
   form_ = form;
   separator_ = separator;
   csv_ = CsvEnds(separator);
   if (form == Form::f64) return;
   while (!atEnd_ && mayBeginBom(carried_.view())) readMore();
+  requireNarrow(name_, carried_.view());
   if (carried_.view().starts_with(kBom)) drop(kBom.size());
   position_ = {};
 }
@@ -190,7 +187,6 @@ std::size_t BlockReader::wholeJson(std::string_view text) {
       return border;
     }
   }
-  splitter_.explain(false);
   for (;;) {
     const JsonPiece piece = splitter_.next(text.substr(lookedAt_), JsonSplitter::End::open);
     if (piece.event == JsonEvent::needMore) return whole_;

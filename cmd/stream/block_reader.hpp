@@ -42,10 +42,7 @@ class BlockReader {
   /// the same.
   std::string_view firstBytes();
 
-  /// Throws InputError where the first bytes are of text in UTF-16 or UTF-32.
-  void requireUtf8();
-
-  /// Passes over a byte order mark, where the form is text of any kind.
+  /// Where the form is text of any kind, passes over a byte order mark. Throws InputError at one of UTF-16 or UTF-32.
   void setForm(Form form, char separator = ',');
 
   /// CSV: the first line that is not blank, and where it stands.

@@ -118,13 +118,11 @@ std::string_view firstLineOf(BlockReader& reader) {
 
 Form formOfContent(const Stream& stream, BlockReader& reader) {
   const std::string_view start = reader.firstBytes();
-  if (wideEncoding(start).empty()) {
-    const std::string_view line = firstLineOf(reader);
-    if (line.empty() && start.find('\0') == std::string_view::npos) return Form::text;
-    const auto form = formOfBytes(start.substr(static_cast<std::size_t>(line.data() - start.data())));
-    if (form) return *form == Form::text && stream.setup.delimiter ? Form::csv : *form;
-  }
-  reader.requireUtf8();
+  requireNarrow(reader.name(), start);
+  const std::string_view line = firstLineOf(reader);
+  if (line.empty() && start.find('\0') == std::string_view::npos) return Form::text;
+  if (const auto form = formOfBytes(start.substr(static_cast<std::size_t>(line.data() - start.data()))))
+    return *form == Form::text && stream.setup.delimiter ? Form::csv : *form;
   throw InputError(reader.name() + ": is binary; expected JSON, CSV or text, or --from f64 for little-endian doubles");
 }
 
@@ -133,7 +131,6 @@ Form formOfInput(const Stream& stream, BlockReader& reader) {
   if (!setup.given.empty()) return Form::json;
   const auto named = setup.from ? setup.from : formOfName(setup.file);
   const Form form = named ? *named : formOfContent(stream, reader);
-  if (form != Form::f64) reader.requireUtf8();
   if (form == Form::f64 && setup.columns.given())
     throw UsageError("--columns " + setup.columns.text +
                      ": f64 has no columns; a record is three doubles, x, y, z, or of a pixel x, y, depth");

@@ -26,6 +26,22 @@ bool readPlainNumbers(const std::vector<std::string_view>& values, const Layout&
   return true;
 }
 
+/// A record by itself, which partsOf takes apart. Returns its plan, or null where it is bad.
+template <class PartsOf>
+const Plan* addRecord(std::string_view text, Batch& batch, const PartsOf& partsOf) {
+  try {
+    const RecordParts record = partsOf();
+    const Plan& plan = batch.planFor(record);
+    Numbers numbers;
+    if (!readPlainNumbers(record.values, plan.layout, numbers)) readNumbers(record, plan.layout, numbers);
+    batch.add(text, plan, numbers);
+    return &plan;
+  } catch (const RecordError& e) {
+    batch.bad(text, e);
+    return nullptr;
+  }
+}
+
 class CsvReader final : public RecordReader {
  public:
   explicit CsvReader(const Shape& header) : header_(header), separator_(header.separator) {}
@@ -93,16 +109,8 @@ class CsvReader final : public RecordReader {
   }
 
   void readLine(std::string_view line, Batch& batch) {
-    try {
-      const RecordParts record = csvParts(line, header_);
-      const Plan& plan = batch.planFor(record);
-      if (slots_.empty()) slots_ = slotsOf(plan.layout, header_.size);
-      Numbers numbers;
-      readNumbers(record, plan.layout, numbers);
-      batch.add(line, plan, numbers);
-    } catch (const RecordError& e) {
-      batch.bad(line, e);
-    }
+    const Plan* const plan = addRecord(line, batch, [&] { return csvParts(line, header_); });
+    if (plan && slots_.empty()) slots_ = slotsOf(plan->layout, header_.size);
   }
 
   const Shape& header_;
@@ -118,22 +126,7 @@ class TextReader final : public RecordReader {
       end = std::min(text.find('\n', at), text.size());
       std::string_view line = text.substr(at, end - at);
       if (line.ends_with('\r')) line.remove_suffix(1);
-      if (!isBlank(line) && !isTextComment(line)) readLine(line, batch);
-    }
-  }
-
- private:
-  void readLine(std::string_view line, Batch& batch) {
-    try {
-      if (const std::size_t alone = line.find('\r'); alone != std::string_view::npos)
-        throw RecordError(alone, kLoneReturn);
-      const RecordParts record = textParts(line);
-      const Plan& plan = batch.planFor(record);
-      Numbers numbers;
-      if (!readPlainNumbers(record.values, plan.layout, numbers)) readNumbers(record, plan.layout, numbers);
-      batch.add(line, plan, numbers);
-    } catch (const RecordError& e) {
-      batch.bad(line, e);
+      if (!isBlank(line) && !isTextComment(line)) addRecord(line, batch, [&] { return textParts(line); });
     }
   }
 };
