@@ -35,8 +35,8 @@ class CullWork final : public RecordWork {
  private:
   static void writeCull(const Cull& result, ResultSink& sink) {
     const bool inside = result.verdict == CullVerdict::inside, outside = result.verdict == CullVerdict::outside;
-    sink.word(results::cull, inside ? "inside" : outside ? "outside" : "intersects");
-    sink.word(results::plane, sideName(result.side));
+    sink.text(results::cull, inside ? "inside" : outside ? "outside" : "intersects");
+    sink.text(results::plane, sideName(result.side));
   }
 
   const Frustum& frustum_;

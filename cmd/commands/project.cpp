@@ -122,11 +122,9 @@ void leaveDepthOut(Projecting& how, const CameraFile& file) {
                   [&](const PointResult* result) { return result->row.name == "ndc" || result->row.name == "clip"; });
 }
 
-/// A segment among the points, and the pixel to find a point of it under.
+/// A segment among the points.
 struct SegmentRow {
   Vec3 a = {}, b = {};
-  std::optional<Vec2> pixel = {};
-  bool hasPixel = false;
 };
 
 /// What of the world a screen position and a distance speak of is no single point.
@@ -176,11 +174,7 @@ class ProjectWork final : public RecordWork {
       throw RecordError(0, "has a segment, whose results have no place in text and f64; write JSON or CSV");
     if (numbers && isShape(layout) && !how_.fields.names(results::screenBox))
       throw RecordError(0, "has a shape, for whose screenBox there is no place; --fields screenBox,visible makes it");
-    if (isSegment(layout)) {
-      Results rows(std::begin(results::kSegment), std::end(results::kSegment));
-      if (layout.kind == kindSegment) rows.pop_back();
-      return rows;
-    }
+    if (isSegment(layout)) return {std::begin(results::kSegment), std::end(results::kSegment)};
     Results rows;
     for (const PointResult* result : rowsOf(isShape(layout), numbers)) rows.push_back(&result->row);
     return rows;
@@ -196,11 +190,7 @@ class ProjectWork final : public RecordWork {
       throw RecordError(
           0, std::string(isSegment(layout) ? "a segment" : "a shape") + " needs a camera with near; --near gives it");
     if (isSegment(layout)) {
-      SegmentRow segment{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, {}, layout.kind == kindSegmentAndPixel};
-      if (segment.hasPixel && !std::isnan(n[6])) segment.pixel = Vec2{n[6], n[7]};
-      segment.a = placed(segment.a);
-      segment.b = placed(segment.b);
-      segments_.emplace_back(points_.size(), segment);
+      segments_.emplace_back(points_.size(), SegmentRow{placed({n[0], n[1], n[2]}), placed({n[3], n[4], n[5]})});
     } else if (isShape(layout)) {
       if (how_.worldFromLocal) throw RecordError(0, "has a shape; --model places points and segments alone");
       shapes_.push_back({points_.size(), toShape(layout, n)});
@@ -274,22 +264,16 @@ class ProjectWork final : public RecordWork {
     if (!segment.visible) segment.start = segment.end = kNoEnd;
     sink.flag(results::visible, segment.visible);
     const auto writeEnd = [&](const ResultRow& result, const SegmentEnd& end) {
-      sink.group(result, segment.visible, [&](ResultSink& part) {
+      sink.object(result, segment.visible ? 1 : 0, [&](ResultSink& part, std::size_t) {
         part.number(results::t, end.t);
         part.vector(results::screen, end.screen);
         part.number(results::depth, end.depth);
         part.number(results::viewDistance, end.viewDistance);
-        part.word(results::cutBy, sideName(end.side));
+        part.text(results::cutBy, sideName(end.side));
       });
     };
     writeEnd(results::start, segment.start);
     writeEnd(results::end, segment.end);
-    if (!row.hasPixel) return;
-    sink.group(results::under, segment.visible && row.pixel, [&](ResultSink& part) {
-      const double t = row.pixel ? parameterUnder(*how_.frustum, segment, *row.pixel) : kNaN;
-      part.number(results::underT, t);
-      part.vector(results::underPoint, pointAlong(row.a, row.b, t));
-    });
   }
 
   const std::vector<const PointResult*>& rowsOf(bool isShape, bool numbers) const {

@@ -137,7 +137,7 @@ class RayWork final : public RecordWork {
     else if (&row == &results::point)
       sink.vector(row, cast.point.position);
     else if (&row == &results::place)
-      sink.group(row, isPoint, [&](ResultSink& part) { writePlace(cast.point.position, part); });
+      sink.object(row, isPoint ? 1 : 0, [&](ResultSink& part, std::size_t) { writePlace(cast.point.position, part); });
     else if (&row == &results::pointDistance)
       sink.number(row, distanceOf(cast));
     else if (&row == &results::pixelSize)
@@ -165,16 +165,16 @@ class RayWork final : public RecordWork {
   void writeHits(const Ray& ray, ResultSink& sink) const {
     const std::vector<SceneHit> hits = hitsOf(ray);
     if (how_.allHits) {
-      sink.list(results::hits, hits.size(), [&](ResultSink& part, std::size_t i) { writeHit(hits[i], part); });
+      sink.object(results::hits, hits.size(), [&](ResultSink& part, std::size_t i) { writeHit(hits[i], part); });
       return;
     }
     const SceneHit none{nullptr, {kNaN, {kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}}};
-    sink.group(how_.hits(), !hits.empty(),
-               [&](ResultSink& part) { writeHit(hits.empty() ? none : hits.front(), part); });
+    sink.object(how_.hits(), hits.empty() ? 0 : 1,
+                [&](ResultSink& part, std::size_t) { writeHit(hits.empty() ? none : hits.front(), part); });
   }
 
   void writeHit(const SceneHit& hit, ResultSink& sink) const {
-    sink.json(results::hitId, hit.object ? std::string_view(hit.object->id) : "null");
+    sink.text(results::hitId, hit.object ? std::string_view(hit.object->id) : "");
     sink.number(results::distance, hit.hit.distance);
     sink.vector(results::hitPoint, hit.hit.point);
     sink.vector(results::normal, hit.hit.normal);

@@ -19,12 +19,13 @@ bool isPunctuation(char c) { return std::string_view("!#$%&()*/:;<=>?@[\\]^`{|}~
 
 char readDelimiter(const std::string& option, const std::string& text) {
   for (const SeparatorName& one : kSeparators)
-    if (text == one.name || text == one.plural || text == std::string(1, one.separator)) return one.separator;
+    if (text == one.name || text == std::string(1, one.separator)) return one.separator;
   if (text == "\\t") return '\t';
   if (text.size() == 1 && isPunctuation(text[0])) return text[0];
   std::vector<std::string_view> names;
   for (const SeparatorName& one : kSeparators) names.push_back(one.name);
-  throw UsageError(option + " " + visible(text) + ": expected " + alternatives(names) + " or a character as ;");
+  names.emplace_back("a character as ;");
+  throw UsageError(option + " " + visible(text) + ": expected " + alternatives(names));
 }
 
 std::string readPrefix(const std::string& option, const std::string& text) {
@@ -59,7 +60,7 @@ void StreamOptions::addReading(CLI::App& app, const std::string& what) {
            "Columns of CSV, fields of JSON or numbers of a line that hold the coordinates: in order, as in E,N,U or "
            "2,3,4, or by role, as in x=E,y=N,z=U (default: by their names)");
   addValue(app, "--delimiter", "CHAR", delimiter_, readDelimiter,
-           "Separator of CSV, in and out: comma, semicolon, tab, bar, blank or a character (default: by the header)");
+           "Separator of CSV, in and out: comma, semicolon, tab or a character (default: by the header)");
 }
 
 void StreamOptions::addInput(CLI::App& app, const std::string& what) {

@@ -47,17 +47,16 @@ void appendCells(std::vector<OwnCell>& cells, const std::string& name, std::stri
   const auto all = [&](const auto& is) { return std::all_of(items.begin(), items.end(), is); };
   const bool nulls = all([](std::string_view item) { return item == "null"; });
   if (items.size() >= 2 && items.size() <= 4 && (nulls || all([](auto item) { return beginsJsonNumber(item[0]); }))) {
-    const std::string empty = quotedIfNeeded("", setup.csv);
     if (setup.table)
-      cells.push_back({name, nulls ? empty : joined(items, " "), nulls ? name : ""});
+      cells.push_back({name, nulls ? "" : joined(items, " "), nulls ? name : ""});
     else
       for (std::size_t i = 0; i < items.size(); ++i)
-        cells.push_back({name + std::string(kColumnSuffixes[i]), nulls ? empty : std::string(items[i]),
-                         nulls ? name : std::string()});
+        cells.push_back(
+            {name + std::string(kColumnSuffixes[i]), std::string(nulls ? "" : items[i]), nulls ? name : std::string()});
   } else {
     const bool isText = json.starts_with('"');
     const std::string text = isText ? unescaped(json.substr(1, json.size() - 2)) : std::string(isNull ? "" : json);
-    cells.push_back({name, quotedIfNeeded(text, setup.csv), isNull ? name : std::string()});
+    cells.push_back({name, quotedIfNeeded(text, setup.separator), isNull ? name : std::string()});
   }
 }
 
@@ -93,14 +92,13 @@ std::string headerLine(const WriterSetup& setup, const CsvColumns& columns) {
   if (!setup.header) return "";
   std::vector<std::string> names = columns.own;
   for (std::string& name : addedColumns(setup, columns.results)) names.push_back(std::move(name));
-  for (std::string& name : names) name = quotedIfNeeded(name, setup.csv);
-  return joined(names, std::string_view(&setup.csv.separator, 1)) + "\n";
+  for (std::string& name : names) name = quotedIfNeeded(name, setup.separator);
+  return joined(names, std::string_view(&setup.separator, 1)) + "\n";
 }
 
 /// A cell of a bad row, as it is where it is one, else its bytes in quotes.
-std::string cellOfBadRow(std::string_view cell, const CsvFormat& from, const CsvFormat& to) {
-  const bool isWhole = afterClosingQuote(cell) == std::string_view::npos &&
-                       (!cell.starts_with('"') || std::count(cell.begin(), cell.end(), '"') % 2 == 0);
+std::string cellOfBadRow(std::string_view cell, char from, char to) {
+  const bool isWhole = isWholeField(cell);
   if (isWhole && from == to && cell.starts_with('"')) return std::string(cell);
   return quotedIfNeeded(isWhole ? csvValue(cell) : cell, to);
 }
@@ -150,7 +148,7 @@ class CsvWriter final : public RecordWriter {
   void badRecord(std::string_view text, std::size_t line, const std::string& message) override {
     ++records_;
     std::vector<std::string_view> cells;
-    if (columns_.fromCsv) splitCsvLine(text, cells, columns_.format, columns_.own.size() + 1);
+    if (columns_.fromCsv) splitCsvLine(text, cells, columns_.separator, columns_.own.size() + 1);
     const std::string full = columns_.fromCsv ? message : "line " + std::to_string(line) + ": " + message;
     if (!columns_.known) {
       columns_.early += full + '\0';
@@ -165,10 +163,9 @@ class CsvWriter final : public RecordWriter {
                             const WriterSetup& setup, const CsvColumns& columns) {
     std::string row;
     for (std::size_t i = 0; i < columns.own.size(); ++i)
-      row += cellOfBadRow(i < cells.size() ? cells[i] : "", columns.format, setup.csv) + setup.csv.separator;
-    for (std::size_t count = addedColumns(setup, columns.results).size(); count > 1; --count)
-      row += quotedIfNeeded("", setup.csv) + setup.csv.separator;
-    return row + quotedIfNeeded(message, setup.csv) + "\n";
+      row += cellOfBadRow(i < cells.size() ? cells[i] : "", columns.separator, setup.separator) + setup.separator;
+    row.append(addedColumns(setup, columns.results).size() - 1, setup.separator);
+    return row + quotedIfNeeded(message, setup.separator) + "\n";
   }
 
   bool hasFixedColumns() const override { return true; }
@@ -187,36 +184,32 @@ class CsvWriter final : public RecordWriter {
   }
 
   void flag(const ResultRow&, bool value) override {
-    out_ += setup_.csv.separator;
+    out_ += setup_.separator;
     out_ += value ? std::string_view("true") : std::string_view("false");
   }
 
-  void names(const ResultRow&, std::span<const std::string_view> values) override {
-    cell(values.empty() ? std::string() : joined(values, " "));
-  }
-  void word(const ResultRow&, std::string_view value) override { cell(value); }
-
-  void json(const ResultRow&, std::string_view value) override {
-    if (value.starts_with('"'))
-      cell(unescaped(value.substr(1, value.size() - 2)));
+  void text(const ResultRow& row, std::span<const std::string_view> words) override {
+    if (row.kind == ResultKind::json && !words.empty() && words[0].starts_with('"'))
+      cell(unescaped(words[0].substr(1, words[0].size() - 2)));
     else
-      cell(value == "null" ? std::string_view() : value);
+      cell(words.size() == 1 ? words[0] : std::string_view(joined(words, " ")));
   }
 
-  void group(const ResultRow&, bool, const std::function<void(ResultSink&)>& write) override { write(*this); }
-  void list(const ResultRow&, std::size_t, const std::function<void(ResultSink&, std::size_t)>&) override {}
+  void object(const ResultRow& row, std::size_t, const std::function<void(ResultSink&, std::size_t)>& write) override {
+    if (row.kind == ResultKind::group) write(*this, 0);
+  }
 
  private:
   /// A line of CSV, in the output's format.
   void appendRow(const Record& record) {
-    if (columns_.format == setup_.csv) {
+    if (columns_.separator == setup_.separator) {
       out_ += record.text;
       return;
     }
     const auto cells = valuesOf(record);
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      if (i > 0) out_ += setup_.csv.separator;
-      out_ += quotedIfNeeded(csvValue(cells[i]), setup_.csv);
+      if (i > 0) out_ += setup_.separator;
+      out_ += quotedIfNeeded(csvValue(cells[i]), setup_.separator);
     }
   }
 
@@ -226,9 +219,9 @@ class CsvWriter final : public RecordWriter {
                                  [](const OwnCell& cell, const std::string& column) { return cell.column == column; });
     if (!same) findPlaces(cells);
     for (std::size_t i = 0; i < columns_.own.size(); ++i) {
-      if (i > 0) out_ += setup_.csv.separator;
+      if (i > 0) out_ += setup_.separator;
       const OwnCell* const cell = same ? &cells[i] : inOrder_[i];
-      out_ += cell ? std::string_view(cell->text) : std::string_view(setup_.csv.isBlanks() ? "\"\"" : "");
+      if (cell) out_ += cell->text;
     }
   }
 
@@ -253,7 +246,7 @@ class CsvWriter final : public RecordWriter {
     if (!std::isfinite(value)) {
       cell(std::string_view());
     } else {
-      out_ += setup_.csv.separator;
+      out_ += setup_.separator;
       if (setup_.table)
         out_ += formatDigits(value, tableDigits());
       else
@@ -262,9 +255,8 @@ class CsvWriter final : public RecordWriter {
   }
 
   void cell(std::string_view text) {
-    out_ += setup_.csv.separator;
-    if (text.empty() && !setup_.csv.isBlanks()) return;
-    out_ += quotedIfNeeded(text, setup_.csv);
+    out_ += setup_.separator;
+    if (!text.empty()) out_ += quotedIfNeeded(text, setup_.separator);
   }
 
   const WriterSetup& setup_;
@@ -276,24 +268,24 @@ class CsvWriter final : public RecordWriter {
 
 }  // namespace
 
-CsvColumns csvColumns(const WriterSetup& setup, const CsvHeader& header, std::string_view line, const CsvFormat& format,
+CsvColumns csvColumns(const WriterSetup& setup, const CsvHeader& header, std::string_view line, char separator,
                       const Results& results, TextBuffer& out) {
   CsvColumns columns;
   columns.known = columns.fromCsv = true;
   columns.own = header.names;
   columns.results = results;
-  columns.format = format;
+  columns.separator = separator;
   if (!header.present) return columns;
   const std::vector<std::string> added = addedColumns(setup, results);
   requireNoClash(columns.own, added);
   if (!setup.header) return columns;
   std::vector<std::string_view> cells;
-  splitCsvLine(line, cells, format);
+  splitCsvLine(line, cells, separator);
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (i > 0) out += setup.csv.separator;
-    out += format == setup.csv ? std::string(cells[i]) : quotedIfNeeded(csvValue(cells[i]), setup.csv);
+    if (i > 0) out += setup.separator;
+    out += separator == setup.separator ? std::string(cells[i]) : quotedIfNeeded(csvValue(cells[i]), setup.separator);
   }
-  for (const std::string& column : added) out += setup.csv.separator + column;
+  for (const std::string& column : added) out += setup.separator + column;
   out += '\n';
   return columns;
 }

@@ -52,13 +52,11 @@ void appendCell(TextBuffer& out, std::string_view cell) {
 }
 
 /// Valid JSON has line breaks only between its tokens.
-void appendOnOneLine(TextBuffer& out, std::string_view json) {
-  if (json.find('\n') == std::string_view::npos && json.find('\r') == std::string_view::npos) {
-    out += json;
-    return;
-  }
-  for (const char c : json)
-    if (c != '\n' && c != '\r') out += c;
+std::string onOneLine(std::string_view json) {
+  std::string line(json);
+  if (json.find_first_of("\r\n") != std::string_view::npos)
+    std::erase_if(line, [](char c) { return c == '\n' || c == '\r'; });
+  return line;
 }
 
 /// The values of a record without names, as JSON.
@@ -68,14 +66,13 @@ std::vector<std::string> jsonValues(const Record& record) {
     for (const double number : binaryNumbers(record.text)) values.push_back(formatNumber(number));
   else
     for (const std::string_view value : valuesOf(record)) {
-      TextBuffer json;
-      if (record.shape->form == Form::json)
-        appendOnOneLine(json, value);
-      else if (value == "NaN" || parseNumber(value))
-        json += jsonNumber(value);
-      else
-        appendCell(json, value);
-      values.emplace_back(json.view());
+      TextBuffer cell;
+      if (record.shape->form != Form::json && value != "NaN" && !parseNumber(value)) {
+        appendCell(cell, value);
+        values.emplace_back(cell.view());
+      } else {
+        values.push_back(record.shape->form == Form::json ? onOneLine(value) : jsonNumber(value));
+      }
     }
   return values;
 }
@@ -134,7 +131,7 @@ class JsonWriter final : public RecordWriter {
       // As written, without the closing brace.
       std::size_t end = record.text.size() - 1;
       while (isJsonSpace(record.text[end - 1])) --end;
-      appendOnOneLine(out_, record.text.substr(0, end));
+      appendOnOneLine(record.text.substr(0, end));
     }
   }
 
@@ -179,63 +176,59 @@ class JsonWriter final : public RecordWriter {
     out_ += value ? std::string_view("true") : std::string_view("false");
   }
 
-  void names(const ResultRow& row, std::span<const std::string_view> values) override {
+  void text(const ResultRow& row, std::span<const std::string_view> words) override {
     beginField(row);
-    out_ += '[';
-    for (const std::string_view value : values) {
-      if (out_.back() != '[') out_ += ',';
-      out_ += '"';
-      out_ += value;
-      out_ += '"';
-    }
-    out_ += ']';
-  }
-
-  void word(const ResultRow& row, std::string_view value) override {
-    beginField(row);
-    if (value.empty())
+    if (row.kind == ResultKind::names) return appendWords(words);
+    if (words.empty())
       out_ += "null";
+    else if (row.kind == ResultKind::json)
+      out_ += words[0];
     else
-      appendString(out_, value);
+      appendString(out_, words[0]);
   }
 
-  void json(const ResultRow& row, std::string_view value) override {
+  void object(const ResultRow& row, std::size_t count,
+              const std::function<void(ResultSink&, std::size_t)>& write) override {
     beginField(row);
-    out_ += value;
-  }
-
-  void group(const ResultRow& row, bool present, const std::function<void(ResultSink&)>& write) override {
-    beginField(row);
-    if (!present) {
+    const bool isList = row.kind == ResultKind::list;
+    if (count == 0 && !isList) {
       out_ += "null";
       return;
     }
     ++depth_;
-    out_ += '{';
-    write(*this);
-    out_ += '}';
-    --depth_;
-  }
-
-  void list(const ResultRow& row, std::size_t count,
-            const std::function<void(ResultSink&, std::size_t)>& write) override {
-    beginField(row);
-    ++depth_;
-    out_ += '[';
+    if (isList) out_ += '[';
     for (std::size_t i = 0; i < count; ++i) {
       out_ += i > 0 ? std::string_view(",{") : std::string_view("{");
       write(*this, i);
       out_ += '}';
     }
-    out_ += ']';
+    if (isList) out_ += ']';
     --depth_;
   }
 
  private:
+  void appendWords(std::span<const std::string_view> words) {
+    out_ += '[';
+    for (const std::string_view word : words) {
+      if (out_.back() != '[') out_ += ',';
+      out_ += '"';
+      out_ += word;
+      out_ += '"';
+    }
+    out_ += ']';
+  }
+
   void leaveFirstArray() {
     frame_.size = out_.size();
     frame_.records = frame_.open;
     frame_.open = 0;
+  }
+
+  void appendOnOneLine(std::string_view json) {
+    if (json.find('\n') == std::string_view::npos && json.find('\r') == std::string_view::npos)
+      out_ += json;
+    else
+      out_ += onOneLine(json);
   }
 
   void beginItem() {
@@ -258,7 +251,7 @@ class JsonWriter final : public RecordWriter {
   /// A line of CSV, whose columns are the same in all.
   void writeRow(const Record& record) {
     cells_.clear();
-    splitCsvLine(record.text, cells_, record.shape->csv);
+    splitCsvLine(record.text, cells_, record.shape->separator);
     for (std::size_t i = columnLabels_.size(); i < cells_.size(); ++i) {
       TextBuffer label;
       label += i > 0 ? ',' : '{';
@@ -301,19 +294,17 @@ class JsonWriter final : public RecordWriter {
 }  // namespace
 
 std::vector<NamedJson> asJsonFields(const Record& record, const WriterSetup& setup) {
-  std::vector<std::string> values = jsonValues(record);
+  const std::size_t size = record.shape->size, inArray = setup.arraySize == 0 ? size : std::min(size, setup.arraySize);
   std::vector<NamedJson> fields;
+  if (setup.numberNames.empty() && record.shape->form == Form::json && inArray == size) {
+    fields.push_back({setup.arrayName, onOneLine(record.text)});
+    return fields;
+  }
+  std::vector<std::string> values = jsonValues(record);
   if (setup.numberNames.empty()) {
-    const bool isWhole = setup.arraySize == 0 || values.size() <= setup.arraySize;
-    const std::size_t inArray = isWhole ? values.size() : setup.arraySize;
-    TextBuffer array;
-    if (isWhole && record.shape->form == Form::json)
-      appendOnOneLine(array, record.text);
-    else
-      array +=
-          "[" + joined(std::vector(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(inArray)), ",") + "]";
-    fields.push_back({setup.arrayName, std::string(array.view())});
-    if (!isWhole) fields.push_back({setup.extraName, std::move(values[inArray])});
+    const auto rest = values.begin() + static_cast<std::ptrdiff_t>(inArray);
+    fields.push_back({setup.arrayName, "[" + joined(std::vector(values.begin(), rest), ",") + "]"});
+    if (inArray < size) fields.push_back({setup.extraName, *rest});
     return fields;
   }
   for (std::size_t i = 0; i < values.size(); ++i)

@@ -26,9 +26,9 @@ struct WriterSetup {
   bool keepArrays = false;  ///< an array in the input is one in the output
   bool header = true;       ///< CSV: write one
   int digits = 0;           ///< significant, of results; 0: all, in tables nine
-  CsvFormat csv = {};
-  bool table = false;  ///< CSV for an aligned table: results to nine digits, vectors in one cell
-  Results results;     ///< of a record, unless it has others: in text and f64 those of all
+  char separator = ',';     ///< of CSV
+  bool table = false;       ///< CSV for an aligned table: results to nine digits, vectors in one cell
+  Results results;          ///< of a record, unless it has others: in text and f64 those of all
 };
 
 /// Where a block's text lies in the arrays of the output.
@@ -75,12 +75,12 @@ struct CsvColumns {
   bool known = false, fromCsv = false;
   std::vector<std::string> own;
   Results results;
-  CsvFormat format = {};  ///< of the input, where it is CSV
-  std::string early;      ///< rows of bad records before the first good one
+  char separator = ',';  ///< of the input, where it is CSV
+  std::string early;     ///< rows of bad records before the first good one
 };
 
 /// The columns of input in CSV. Throws RecordError where two have the same name. Appends the header line to out.
-CsvColumns csvColumns(const WriterSetup& setup, const CsvHeader& header, std::string_view line, const CsvFormat& format,
+CsvColumns csvColumns(const WriterSetup& setup, const CsvHeader& header, std::string_view line, char separator,
                       const Results& results, TextBuffer& out);
 
 /// The header, and the rows of the bad records, where there was no good one.

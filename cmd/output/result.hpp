@@ -67,17 +67,14 @@ class ResultSink {
   void vector(const ResultRow& row, const Vec3& v) { vector(row, std::array{v.x, v.y, v.z}); }
   void vector(const ResultRow& row, const Vec4& v) { vector(row, std::array{v.x, v.y, v.z, v.w}); }
   virtual void flag(const ResultRow& row, bool value) = 0;
-  virtual void names(const ResultRow& row, std::span<const std::string_view> values) = 0;
-  /// A word, or none. Forms of numbers alone leave words out.
-  virtual void word(const ResultRow& row, std::string_view value) = 0;
-  /// A value as JSON text. Forms of numbers alone leave it out.
-  virtual void json(const ResultRow& row, std::string_view value) = 0;
-  /// Results that belong together: an object, or columns NAME_...; null as a whole if not present (in CSV and text by
-  /// empty cells, as many as `write` makes of values without a number).
-  virtual void group(const ResultRow& row, bool present, const std::function<void(ResultSink&)>& write) = 0;
-  /// A list of objects, in JSON.
-  virtual void list(const ResultRow& row, std::size_t count,
-                    const std::function<void(ResultSink&, std::size_t)>& write) = 0;
+  /// A list of words; of one, or of a JSON value as text, it is that, and of none it is null. Forms of numbers alone
+  /// leave it out.
+  virtual void text(const ResultRow& row, std::span<const std::string_view> words) = 0;
+  void text(const ResultRow& row, std::string_view word) { text(row, {&word, word.empty() ? 0u : 1u}); }
+  /// A group or a list: an object for each of `count`, whose results `write` writes. A group of none is null; in CSV
+  /// and text it is the empty cells that `write` makes of values without a number. A list is for JSON alone.
+  virtual void object(const ResultRow& row, std::size_t count,
+                      const std::function<void(ResultSink&, std::size_t)>& write) = 0;
 
   /// Every record gets the same results, with or without a value.
   virtual bool hasFixedColumns() const { return false; }

@@ -31,7 +31,7 @@ constexpr PointResult kPointResults[] = {
     {results::visible,
      [](R row, P p, S sink) { sink.flag(row, p.screen.visible()); }},
     {ResultRow{"outside", ResultKind::names}.whereNamed(),
-     [](R row, P p, S sink) { sink.names(row, Sides(p.screen).names()); }},
+     [](R row, P p, S sink) { sink.text(row, Sides(p.screen).names()); }},
     {vectorResult("ndc", 3).onRequest(),
      [](R row, P p, S sink) { sink.vector(row, xyz(worldTo(p.camera, Space::ndc, p.point, p.writing))); }},
     {vectorResult("clip", 4).onRequest(),

@@ -56,19 +56,15 @@ inline constexpr ResultRow
     pixelSize = vectorResult("pixelSize", 2).inColumns(kAcross).onRequest(),
     screenBox = vectorResult("screenBox", 4).inColumns(kEdges).onRequest();
 
-// A segment: the ends of what is visible of it, and the point of it under the record's pixel.
+// A segment: the ends of what is visible of it.
 inline constexpr ResultRow
     t = numberResult("t"),
-    cutBy = {"cutBy", ResultKind::word},
-    underT = numberResult("t"),
-    underPoint = vectorResult("point", 3);
-inline constexpr const ResultRow *kEndParts[] = {&t, &screen, &depth, &viewDistance, &cutBy},
-                                 *kUnderParts[] = {&underT, &underPoint};
+    cutBy = {"cutBy", ResultKind::word};
+inline constexpr const ResultRow *kEndParts[] = {&t, &screen, &depth, &viewDistance, &cutBy};
 inline constexpr ResultRow
     start = groupResult("start", kEndParts).whereNamed(),
-    end = groupResult("end", kEndParts).whereNamed(),
-    under = groupResult("under", kUnderParts).onRequest();
-inline constexpr const ResultRow* kSegment[] = {&visible, &start, &end, &under};
+    end = groupResult("end", kEndParts).whereNamed();
+inline constexpr const ResultRow* kSegment[] = {&visible, &start, &end};
 
 // A ray, the point on it, and what it hits.
 inline constexpr ResultRow

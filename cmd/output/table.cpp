@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "records/record.hpp"
 #include "text/csv.hpp"
 #include "text/layout.hpp"
 #include "text/utf8.hpp"
@@ -51,9 +50,9 @@ std::string CsvAligner::add(std::string_view csv) {
   std::string out;
   std::vector<std::string_view> cells;
   for (std::size_t at = 0, end; at < csv.size(); at = end + 1) {
-    end = endOfCsvRecord(csv, at, {});
+    end = endOfCsvRecord(csv, at, ',');
     cells.clear();
-    splitCsvLine(csv.substr(at, end - at), cells, {});
+    splitCsvLine(csv.substr(at, end - at), cells, ',');
     std::vector<std::string>& row = rows_.emplace_back();
     for (std::string_view cell : cells) {
       row.push_back(csvValue(cell));

@@ -34,12 +34,10 @@ class NumbersWriter : public RecordWriter {
   }
 
   void flag(const ResultRow&, bool value) override { put(value ? 1 : 0); }
-  void names(const ResultRow&, std::span<const std::string_view>) override {}  // refused before
-  // Left out.
-  void word(const ResultRow&, std::string_view) override {}
-  void json(const ResultRow&, std::string_view) override {}
-  void group(const ResultRow&, bool, const std::function<void(ResultSink&)>& write) override { write(*this); }
-  void list(const ResultRow&, std::size_t, const std::function<void(ResultSink&, std::size_t)>&) override {}
+  void text(const ResultRow&, std::span<const std::string_view>) override {}  // left out
+  void object(const ResultRow& row, std::size_t, const std::function<void(ResultSink&, std::size_t)>& write) override {
+    if (row.kind == ResultKind::group) write(*this, 0);
+  }
 
  protected:
   virtual void put(double value) = 0;

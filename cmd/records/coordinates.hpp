@@ -25,7 +25,6 @@ enum RecordKind : unsigned {
   kindDirection,
   kindPlace,
   kindSegment,
-  kindSegmentAndPixel,
   kindSphere,
   kindRoundPoint,    ///< a point, and a radius after it
   kindPlacedSphere,  ///< a place, and a radius

@@ -234,14 +234,10 @@ Layout findNamedPoint(const RecordParts& record, const PointReading& reading) {
   if (isSegment ? !reading.segments : isShape(layout) && !reading.shapes)
     throw RecordError(record.offset(layout.parts[0].field),
                       "a " + std::string(row->name) + " is not read here; expected " + namesOf(rowsRead(reading)));
-  const Coordinate* const more = isSegment ? &coordinates::pixel
-                                 : reading.radius && isPoint(layout) && row->kind != kindDirection
-                                     ? &coordinates::radius
-                                     : nullptr;
-  if (more)
-    if (const auto beside = find(*more, record, forms)) {
-      layout.append(*beside);
-      layout.kind = isSegment ? kindSegmentAndPixel : layout.kind == kindPlace ? kindPlacedSphere : kindRoundPoint;
+  if (reading.radius && isPoint(layout) && row->kind != kindDirection)
+    if (const auto radius = find(coordinates::radius, record, forms)) {
+      layout.append(*radius);
+      layout.kind = layout.kind == kindPlace ? kindPlacedSphere : kindRoundPoint;
     }
   // With a camera on the Earth three numbers of an array may be a place.
   if (reading.worldIsEcef)
@@ -307,7 +303,7 @@ Layout findPoint(const RecordParts& record, const PointReading& reading) {
   return isNameless(record.shape) ? findBarePoint(record, reading) : findNamedPoint(record, reading);
 }
 
-bool isSegment(const Layout& layout) { return layout.kind == kindSegment || layout.kind == kindSegmentAndPixel; }
+bool isSegment(const Layout& layout) { return layout.kind == kindSegment; }
 bool isPoint(const Layout& layout) { return layout.kind <= kindPlace; }
 bool isShape(const Layout& layout) { return !isPoint(layout) && !isSegment(layout); }
 

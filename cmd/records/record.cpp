@@ -23,11 +23,11 @@ void splitText(std::string_view text, std::vector<std::string_view>& values) {
   }
 }
 
-/// To the quote that closes, if one opens here; two are one of the field's own.
-void passQuotes(const char*& at, const char* end) {
-  if (at == end || *at != '"') return;
-  for (++at; at < end && (*at != '"' || (at + 1 < end && at[1] == '"')); ++at)
-    if (*at == '"') ++at;
+/// Throws RecordError at the first value that is too many.
+void requireFewFields(std::string_view text, const std::vector<std::string_view>& values) {
+  if (values.size() > kMostFields)
+    throw RecordError(static_cast<std::size_t>(values.back().data() - text.data()),
+                      "has more than " + std::to_string(kMostFields) + " fields");
 }
 
 }  // namespace
@@ -63,6 +63,7 @@ RecordParts jsonParts(std::string_view text) {
 }
 
 RecordParts textParts(std::string_view text) {
+  if (const std::size_t alone = text.find('\r'); alone != std::string_view::npos) throw RecordError(alone, kLoneReturn);
   RecordParts record{text, {Form::text, true, 0, {}}, {}};
   splitText(text, record.values);
   requireFewFields(text, record.values);
@@ -72,10 +73,9 @@ RecordParts textParts(std::string_view text) {
 
 RecordParts csvParts(std::string_view text, const Shape& header) {
   RecordParts record{text, header, {}};
-  splitCsvLine(text, record.values, header.csv, kMostFields + 1);
+  splitCsvLine(text, record.values, header.separator, kMostFields + 1);
   requireFewFields(text, record.values);
-  requireNoLoneReturn(text, record.values);
-  requireClosedFields(text, record.values, header.csv);
+  requireWholeFields(text, record.values, header.separator);
   const std::size_t size = record.values.size(), expected = header.size;
   if (size != expected)
     throw RecordError(size > expected ? record.offset(expected) : text.size(),
@@ -85,32 +85,6 @@ RecordParts csvParts(std::string_view text, const Shape& header) {
   return record;
 }
 
-std::size_t afterClosingQuote(std::string_view field) {
-  constexpr std::size_t npos = std::string_view::npos;
-  if (!field.starts_with('"')) return npos;
-  std::size_t close = field.find('"', 1);
-  while (close != npos && close + 1 < field.size() && field[close + 1] == '"') close = field.find('"', close + 2);
-  return close == npos || close + 1 == field.size() ? npos : close + 1;
-}
-
-void requireNoLoneReturn(std::string_view record, const std::vector<std::string_view>& fields) {
-  for (const std::string_view field : fields)
-    if (const std::size_t at = field.find('\r'); at != std::string_view::npos && !field.starts_with('"'))
-      throw RecordError(static_cast<std::size_t>(field.data() - record.data()) + at, kLoneReturn);
-}
-
-void requireClosedFields(std::string_view record, const std::vector<std::string_view>& fields,
-                         const CsvFormat& format) {
-  const std::string_view name = nameOfSeparator(format.separator);
-  for (const std::string_view field : fields)
-    if (const std::size_t at = afterClosingQuote(field); at != std::string_view::npos)
-      throw RecordError(
-          static_cast<std::size_t>(field.data() - record.data()) + at,
-          "text after the quote that closes; expected " +
-              (name.empty() ? inQuotes(std::string_view(&format.separator, 1)) : "a " + std::string(name)) +
-              " or the end of the line");
-}
-
 std::vector<std::string_view> valuesOf(const Record& record) {
   std::vector<std::string_view> values;
   const Form form = record.shape->form;
@@ -118,7 +92,7 @@ std::vector<std::string_view> valuesOf(const Record& record) {
     JsonParts parts(record.text);
     while (const auto part = parts.next()) values.push_back(part->value);
   }
-  if (form == Form::csv) splitCsvLine(record.text, values, record.shape->csv);
+  if (form == Form::csv) splitCsvLine(record.text, values, record.shape->separator);
   if (form == Form::text) splitText(record.text, values);
   return values;
 }
@@ -129,47 +103,6 @@ std::vector<double> binaryNumbers(std::string_view bytes) {
   return numbers;
 }
 
-void splitCsvLine(std::string_view line, std::vector<std::string_view>& fields, const CsvFormat& format,
-                  std::size_t most) {
-  const char* at = line.data();
-  const char* const end = at + line.size();
-  if (format.isBlanks()) {
-    const auto pass = [&] {
-      while (at < end && format.separates(*at)) ++at;
-    };
-    for (pass(); at < end && fields.size() < most; pass()) {
-      const char* const begin = at;
-      passQuotes(at, end);
-      while (at < end && !format.separates(*at)) ++at;
-      fields.emplace_back(begin, at - begin);
-    }
-    return;
-  }
-  const char separator = format.separator;
-  for (const char* begin = at;; begin = ++at) {
-    passQuotes(at, end);
-    while (at < end && *at != separator) ++at;
-    fields.emplace_back(begin, at - begin);
-    if (at == end || fields.size() == most) return;
-  }
-}
-
-void requireFewFields(std::string_view text, const std::vector<std::string_view>& values) {
-  if (values.size() > kMostFields)
-    throw RecordError(static_cast<std::size_t>(values.back().data() - text.data()),
-                      "has more than " + std::to_string(kMostFields) + " fields");
-}
-
-std::string csvValue(std::string_view field) {
-  if (field.size() < 2 || field.front() != '"' || field.back() != '"') return std::string(field);
-  std::string value;
-  for (std::size_t i = 1; i + 1 < field.size(); ++i) {
-    if (field[i] == '"' && field[i + 1] == '"' && i + 2 < field.size()) ++i;
-    value += field[i];
-  }
-  return value;
-}
-
 std::string whatIsThere(const Shape& shape) {
   constexpr std::size_t kMostShown = 60;
   if (shape.isArray || !shape.hasHeader || shape.names.empty()) return "";
@@ -177,14 +110,10 @@ std::string whatIsThere(const Shape& shape) {
   std::string all;
   for (const std::string& name : shape.names) {
     if (all.size() > kMostShown) break;
-    if (!all.empty()) all += csv ? std::string(1, shape.csv.separator) : ", ";
+    if (!all.empty()) all += csv ? std::string(1, shape.separator) : ", ";
     all += name;
   }
-  std::string text = (csv ? "; the header is " : "; its fields are ") + inQuotes(all, kMostShown);
-  for (const SeparatorName& other : kSeparators)
-    if (csv && shape.names.size() == 1 && all.find(other.separator) != std::string::npos)
-      return text + "; --delimiter " + std::string(other.name) + " separates its columns";
-  return text;
+  return (csv ? "; the header is " : "; its fields are ") + inQuotes(all, kMostShown);
 }
 
 std::string nameOfColumn(const std::vector<std::string>& names, std::size_t column) {
@@ -192,10 +121,10 @@ std::string nameOfColumn(const std::vector<std::string>& names, std::size_t colu
 }
 
 CsvHeader readCsvHeader(std::string_view line, const std::vector<std::string>& defaults,
-                        const std::vector<std::size_t>& numbered, const CsvFormat& format) {
+                        const std::vector<std::size_t>& numbered, char separator) {
   CsvHeader header;
   std::vector<std::string_view> fields;
-  splitCsvLine(line, fields, format, kMostFields + 1);
+  splitCsvLine(line, fields, separator, kMostFields + 1);
   const auto isWord = [&](std::string_view field) {
     const std::string value = csvValue(field);
     return value.find_first_not_of(" \t") != std::string::npos && !parseNumber(value);

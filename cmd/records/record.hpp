@@ -31,7 +31,7 @@ struct Shape {
   std::size_t size = 0;            ///< how many fields
   std::vector<std::string> names;  ///< escapes resolved; empty if isArray
   bool hasHeader = true;           ///< CSV: the names are the file's own
-  CsvFormat csv = {};              ///< of CSV
+  char separator = ',';            ///< of CSV
 
   std::optional<std::size_t> find(std::string_view name) const;
 };
@@ -75,8 +75,6 @@ struct CsvHeader {
   bool present = false;  ///< false: the first line was data already, and the columns have the default names
 };
 
-inline constexpr const char* kLoneReturn =
-    "a carriage return that ends no line; expected lines that end with LF or CRLF, as tr '\\r' '\\n' makes them";
 inline constexpr const char* kNoRecord = "expected a record: an array of numbers or an object";
 
 /// Throw RecordError at the byte that is wrong.
@@ -90,33 +88,14 @@ std::vector<std::string_view> valuesOf(const Record& record);
 /// The doubles of a record of f64.
 std::vector<double> binaryNumbers(std::string_view bytes);
 
-/// The fields of a CSV line as written, or the first `most`: separated outside quotes. Quotes count where a field
-/// begins with one.
-void splitCsvLine(std::string_view line, std::vector<std::string_view>& fields, const CsvFormat& format,
-                  std::size_t most = SIZE_MAX);
-
-/// Throws RecordError at the first value that is too many.
-void requireFewFields(std::string_view text, const std::vector<std::string_view>& values);
-
-/// Throws RecordError at the first carriage return of a line of CSV outside of quotes.
-void requireNoLoneReturn(std::string_view record, const std::vector<std::string_view>& fields);
-
-/// Throws RecordError where text stands after the quote that closes a field. record: has the fields.
-void requireClosedFields(std::string_view record, const std::vector<std::string_view>& fields, const CsvFormat& format);
-/// Where such text begins, or npos.
-std::size_t afterClosingQuote(std::string_view field);
-
-/// A CSV field without its quotes.
-std::string csvValue(std::string_view field);
-
-/// "; the header is 'E,N,U'", or for JSON its fields, as far as they go; and the separator that it seems to have.
+/// "; the header is 'E,N,U'", or for JSON its fields, as far as they go.
 std::string whatIsThere(const Shape& shape);
 
 /// A header if the line has a field that is not a number; otherwise the default names in order, where there are any,
 /// and column1, ... for the others. numbered: columns, from 1, of which none is a number in a header, and
 /// one a word, whatever others hold. A column that the header leaves blank is called by its number.
 CsvHeader readCsvHeader(std::string_view line, const std::vector<std::string>& defaults,
-                        const std::vector<std::size_t>& numbered = {}, const CsvFormat& format = {});
+                        const std::vector<std::size_t>& numbered = {}, char separator = ',');
 
 /// The name of a column without one.
 std::string nameOfColumn(const std::vector<std::string>& names, std::size_t column);

@@ -29,7 +29,12 @@ std::size_t countLines(std::string_view text) {
 
 std::string tooLong() { return "a record longer than " + std::to_string(kLongestRecord >> 20) + " MiB"; }
 
-bool mayBeginBom(std::string_view text) { return text.size() < kBom.size() && kBom.starts_with(text); }
+/// Whether more bytes may make a byte order mark of it, or another one.
+bool mayBeginBom(std::string_view text) {
+  using namespace std::string_view_literals;
+  const auto begins = [&](std::string_view bom) { return text.size() < bom.size() && bom.starts_with(text); };
+  return begins(kBom) || begins("\xFF\xFE\0\0"sv) || begins("\0\0\xFE\xFF"sv) || begins("\xFE\xFF");
+}
 
 /// How many of the first bytes tell the form; npos: more are needed.
 std::size_t countTelling(std::string_view text, std::size_t most) {
@@ -71,49 +76,36 @@ std::string_view BlockReader::firstBytes() {
   return carried_.view().substr(0, std::min(end, kLongEnough));
 }
 
-void BlockReader::requireUtf8() {
-  const auto mayBeWide = [&] {
-    const std::string_view text = carried_.view();
-    return text.size() < 2 || text[0] == 0 || text[1] == 0 || text[0] == '\xFF' || text[0] == '\xFE';
-  };
-  while (!atEnd_ && carried_.size() < 4 && mayBeWide()) readMore();
-  requireNarrow(name_, carried_.view());
-}
-
-void BlockReader::setForm(Form form, const CsvFormat& format) {
+void BlockReader::setForm(Form form, char separator) {
   form_ = form;
-  format_ = format;
-  csv_ = CsvEnds(format_);
+  separator_ = separator;
+  csv_ = CsvEnds(separator);
   if (form == Form::f64) return;
   while (!atEnd_ && mayBeginBom(carried_.view())) readMore();
+  requireNarrow(name_, carried_.view());
   if (carried_.view().starts_with(kBom)) drop(kBom.size());
   position_ = {};
 }
 
 std::optional<BlockReader::Line> BlockReader::firstLine() {
-  std::size_t begin = 0;
-  for (CsvEnds ends(format_);;) {
-    const std::string_view text = carried_.view().substr(begin);
-    std::size_t end = ends.nextEnd(text);
-    if (end == npos && !atEnd_) {
-      if (begin > 0) drop(std::exchange(begin, 0));
-      if (carried_.size() >= kLongestRecord) throw InputError(place(name_, position_) + ": " + tooLong());
-      readMore();
-      continue;
+  for (CsvEnds ends(separator_);; readMore()) {
+    const std::string_view text = carried_.view();
+    const std::size_t known = atEnd_ ? text.size() : ends.lastEnd(text);
+    for (std::size_t begin = 0, end; begin < known; begin = end + 1) {
+      end = endOfCsvRecord(text, begin, separator_);
+      std::string line(text.substr(begin, end - begin));
+      if (isBlank(line)) continue;
+      if (line.ends_with('\r')) line.pop_back();
+      drop(begin);
+      firstLineEnd_ = std::min(end + 1 - begin, carried_.size());
+      return Line{std::move(line), position_};
     }
-    if (text.empty()) return std::nullopt;
-    end = std::min(end, text.size());
-    const std::string_view line = text.substr(0, end);
-    if (isBlank(line)) {
-      begin += std::min(end + 1, text.size());
-      ends = CsvEnds(format_);
-      continue;
+    if (atEnd_) return std::nullopt;
+    if (known > 0) {
+      drop(known);
+      ends = CsvEnds(separator_);
     }
-    Line found{std::string(line.substr(0, end - line.ends_with('\r'))), {}};
-    drop(begin);
-    found.position = position_;
-    firstLineEnd_ = std::min(end + 1, carried_.size());
-    return found;
+    if (carried_.size() >= kLongestRecord) throw InputError(place(name_, position_) + ": " + tooLong());
   }
 }
 
@@ -162,7 +154,7 @@ bool BlockReader::next(Block& block) {
   moveOn(bytes.view());
   lookedAt_ -= std::min(whole, lookedAt_);
   whole_ = searched_ = 0;
-  csv_ = CsvEnds(format_);
+  csv_ = CsvEnds(separator_);
   block.last = atEnd_ && carried_.empty();
   over_ = block.fault || block.last;
   return whole > 0 || block.fault || block.state.insideArray();
@@ -195,7 +187,6 @@ std::size_t BlockReader::wholeJson(std::string_view text) {
       return border;
     }
   }
-  splitter_.explain(false);
   for (;;) {
     const JsonPiece piece = splitter_.next(text.substr(lookedAt_), JsonSplitter::End::open);
     if (piece.event == JsonEvent::needMore) return whole_;

@@ -42,11 +42,8 @@ class BlockReader {
   /// the same.
   std::string_view firstBytes();
 
-  /// Throws InputError where the first bytes are of text in UTF-16 or UTF-32.
-  void requireUtf8();
-
-  /// Passes over a byte order mark, where the form is text of any kind.
-  void setForm(Form form, const CsvFormat& format = {});
+  /// Where the form is text of any kind, passes over a byte order mark. Throws InputError at one of UTF-16 or UTF-32.
+  void setForm(Form form, char separator = ',');
 
   /// CSV: the first line that is not blank, and where it stands.
   struct Line {
@@ -78,7 +75,7 @@ class BlockReader {
   std::optional<std::size_t> total_;
   std::size_t block_ = kBlock;
   Form form_ = Form::json;
-  CsvFormat format_;
+  char separator_ = ',';
   TextBuffer carried_;  ///< read, not yet given out
   bool atEnd_ = false, over_ = false;
   TextPosition position_;  ///< where carried_ begins

@@ -16,7 +16,7 @@ struct Stream {
   const FilterSetup& setup;
   const MakeWork& makeWork;
   Form form = Form::json;
-  CsvFormat format = {};
+  char separator = ',';  ///< of the input, where it is CSV
   OutputForm to = OutputForm::lines;
   bool writes = true;
   Shape header = {};
@@ -118,13 +118,11 @@ std::string_view firstLineOf(BlockReader& reader) {
 
 Form formOfContent(const Stream& stream, BlockReader& reader) {
   const std::string_view start = reader.firstBytes();
-  if (wideEncoding(start).empty()) {
-    const std::string_view line = firstLineOf(reader);
-    if (line.empty() && start.find('\0') == std::string_view::npos) return Form::text;
-    const auto form = formOfBytes(start.substr(static_cast<std::size_t>(line.data() - start.data())));
-    if (form) return *form == Form::text && stream.setup.delimiter ? Form::csv : *form;
-  }
-  reader.requireUtf8();
+  requireNarrow(reader.name(), start);
+  const std::string_view line = firstLineOf(reader);
+  if (line.empty() && start.find('\0') == std::string_view::npos) return Form::text;
+  if (const auto form = formOfBytes(start.substr(static_cast<std::size_t>(line.data() - start.data()))))
+    return *form == Form::text && stream.setup.delimiter ? Form::csv : *form;
   throw InputError(reader.name() + ": is binary; expected JSON, CSV or text, or --from f64 for little-endian doubles");
 }
 
@@ -133,7 +131,6 @@ Form formOfInput(const Stream& stream, BlockReader& reader) {
   if (!setup.given.empty()) return Form::json;
   const auto named = setup.from ? setup.from : formOfName(setup.file);
   const Form form = named ? *named : formOfContent(stream, reader);
-  if (form != Form::f64) reader.requireUtf8();
   if (form == Form::f64 && setup.columns.given())
     throw UsageError("--columns " + setup.columns.text +
                      ": f64 has no columns; a record is three doubles, x, y, z, or of a pixel x, y, depth");
@@ -155,18 +152,18 @@ OutputForm formOfOutput(const FilterSetup& setup, const RecordWork& work, Form f
 /// How CSV is written, in and out.
 void settleFormat(Stream& stream, FilterSetup& setup, BlockReader& reader) {
   if (stream.form == Form::csv)
-    stream.format.separator = setup.delimiter ? *setup.delimiter : separatorOf(firstLineOf(reader));
-  CsvFormat& out = setup.writer.csv;
+    stream.separator = setup.delimiter ? *setup.delimiter : separatorOf(firstLineOf(reader));
+  char& out = setup.writer.separator;
   const bool isSame = stream.form == Form::csv && hasColumns(stream.to);
-  if (isSame) out = stream.format;
-  if (stream.to == OutputForm::table) out.separator = ',';
-  if (stream.to == OutputForm::csv && setup.delimiter) out.separator = *setup.delimiter;
-  if (stream.to == OutputForm::csv && isEnding(endingOf(nameOfOutput()), ".tsv") && out.separator != '\t') {
+  if (isSame) out = stream.separator;
+  if (stream.to == OutputForm::table) out = ',';
+  if (stream.to == OutputForm::csv && setup.delimiter) out = *setup.delimiter;
+  if (stream.to == OutputForm::csv && isEnding(endingOf(nameOfOutput()), ".tsv") && out != '\t') {
     if (isSame || setup.delimiter)
       throw UsageError(std::string(nameOfOutput()) +
                        ": CSV leaves with the separator that it came with or --delimiter names, and that is no tab; "
                        "call it .csv");
-    out.separator = '\t';
+    out = '\t';
   }
 }
 
@@ -194,17 +191,11 @@ TextBuffer readHeader(Stream& stream, BlockReader& reader) {
   const auto line = stream.form == Form::csv ? reader.firstLine() : std::nullopt;
   if (!line) return out;
   const CsvHeader header =
-      readCsvHeader(line->text, stream.setup.csvDefaults, stream.setup.columns.numbers(), stream.format);
+      readCsvHeader(line->text, stream.setup.csvDefaults, stream.setup.columns.numbers(), stream.separator);
   if (header.present) reader.passFirstLine();
-  stream.header = {Form::csv, false, header.names.size(), header.names, header.present, stream.format};
+  stream.header = {Form::csv, false, header.names.size(), header.names, header.present, stream.separator};
   try {
-    std::vector<std::string_view> fields;
-    splitCsvLine(line->text, fields, stream.format, kMostFields + 1);
-    requireNoLoneReturn(line->text, fields);
-    requireClosedFields(line->text, fields, stream.format);
-    if (header.names.size() > kMostFields)
-      throw RecordError(0, "has more than " + std::to_string(kMostFields) + " columns");
-    RecordParts example{line->text, stream.header, {}};
+    RecordParts example = csvParts(line->text, stream.header);
     if (const auto again = firstRepeated(header.names, std::identity()))
       throw RecordError(0, "has the column '" + header.names[*again] + "' twice");
     example.values.assign(header.names.size(), example.text);
@@ -212,7 +203,7 @@ TextBuffer readHeader(Stream& stream, BlockReader& reader) {
     const Results results = work->results(work->find(example), stream.to);
     if (stream.batch.checkNames) requireNoClash(example, results, stream.setup.writer.prefix);
     if (stream.writes && hasColumns(stream.to))
-      stream.columns = csvColumns(stream.setup.writer, header, line->text, stream.format, results, out);
+      stream.columns = csvColumns(stream.setup.writer, header, line->text, stream.separator, results, out);
   } catch (const RecordError& e) {
     throw InputError(place(reader.name(), positionAt(line->text, e.offset, line->position)) + ": " + visible(e.what()));
   }
@@ -229,7 +220,7 @@ int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
   const auto work = makeWork();
   stream.to = formOfOutput(setup, *work, stream.form);
   settleFormat(stream, setup, reader);
-  reader.setForm(stream.form, stream.format);
+  reader.setForm(stream.form, stream.separator);
   // JSON keeps its own arrangement, arrays included, unless an arrangement was asked for.
   setup.writer.keepArrays = writes && !setup.to && stream.form == Form::json;
   setup.writer.keepGoing = setup.keepGoing;

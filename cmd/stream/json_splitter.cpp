@@ -45,16 +45,6 @@ std::size_t endOfString(std::string_view text, std::size_t at) {
   return at;
 }
 
-/// What is said of a record that ends unclosed.
-JsonFault unclosedFault(std::string_view text) {
-  auto fault = jsonFault(text.substr(0, text.find_last_not_of(kSpace) + 1));
-  if (!fault) return {0, "not closed"};  // brackets that do not close are none of JSON
-  constexpr std::string_view kTheirs = "end of input", kOurs = "end of the record";
-  if (const std::size_t at = fault->message.find(kTheirs); at != npos)
-    fault->message.replace(at, kTheirs.size(), kOurs);
-  return *fault;
-}
-
 }  // namespace
 
 std::size_t lastBorder(std::string_view text, std::size_t from) {
@@ -159,9 +149,11 @@ JsonPiece JsonSplitter::atBracket(std::string_view rest, bool atEnd) {
     case Answer::no:
       break;
   }
+  // Brackets that do not close are none of JSON, as who takes the record apart finds.
   const std::string_view text = rest.substr(0, looked_);
-  const JsonFault fault = explains_ ? unclosedFault(text) : JsonFault{0, kNotClosed};
-  return bad(text, fault.offset, fault.message);
+  JsonPiece unclosed = piece(JsonEvent::record, text, state_.insideArray() ? Place::bad : Place::top);
+  unclosed.text = text.substr(0, text.find_last_not_of(kSpace) + 1);
+  return unclosed;
 }
 
 /// Whether what begins here as a record does is an array or a document of records. looked_ is then after its bracket.

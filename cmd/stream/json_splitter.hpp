@@ -25,7 +25,7 @@ enum class JsonEvent {
   needMore,    ///< not decided by the bytes at hand
   space,       ///< white space
   comma,       ///< of an array
-  record,      ///< text is one record, its brackets closed
+  record,      ///< text is one record, or what stands in the place of one and does not close its brackets
   bad,         ///< text is none, as message says
   beginArray,  ///< text is what stands before the first record: `[`, or `{"points": [`
   endArray,    ///< text is what follows the last record: `]` and the rest of a document; message: it is broken
@@ -63,8 +63,6 @@ class JsonSplitter {
   enum class End { open, block, input };
   /// rest: all bytes after the last piece, which begin with the same ones if the last call needed more.
   JsonPiece next(std::string_view rest, End end);
-  /// Without it no time is spent on what exactly is wrong with a record that is not closed.
-  void explain(bool faults) { explains_ = faults; }
   /// One who begins here, with this state, finds the same pieces.
   const JsonState& state() const { return state_; }
 
@@ -85,7 +83,6 @@ class JsonSplitter {
   bool endsRecord(char c) const;
 
   JsonState state_;
-  bool explains_ = true;
   // How far an unfinished piece was looked at.
   std::size_t looked_ = 0, step_ = 0;
   std::vector<bool> open_;  ///< the brackets that are; true: {

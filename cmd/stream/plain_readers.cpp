@@ -26,16 +26,32 @@ bool readPlainNumbers(const std::vector<std::string_view>& values, const Layout&
   return true;
 }
 
+/// A record by itself, which partsOf takes apart. Returns its plan, or null where it is bad.
+template <class PartsOf>
+const Plan* addRecord(std::string_view text, Batch& batch, const PartsOf& partsOf) {
+  try {
+    const RecordParts record = partsOf();
+    const Plan& plan = batch.planFor(record);
+    Numbers numbers;
+    if (!readPlainNumbers(record.values, plan.layout, numbers)) readNumbers(record, plan.layout, numbers);
+    batch.add(text, plan, numbers);
+    return &plan;
+  } catch (const RecordError& e) {
+    batch.bad(text, e);
+    return nullptr;
+  }
+}
+
 class CsvReader final : public RecordReader {
  public:
-  explicit CsvReader(const Shape& header) : header_(header), separator_(header.csv.separator) {}
+  explicit CsvReader(const Shape& header) : header_(header), separator_(header.separator) {}
 
   void read(const Block& block, Batch& batch) override {
     const std::string_view text = block.bytes.view();
     for (std::size_t at = 0, end; at < text.size(); at = end + 1) {
       if ((end = readPlainRecord(text, at, batch)) != npos) continue;
       std::size_t unclosed = npos;
-      end = endOfCsvRecord(text, at, header_.csv, &unclosed);
+      end = endOfCsvRecord(text, at, separator_, &unclosed);
       std::string_view line = text.substr(at, end - at);
       if (line.ends_with('\r')) line.remove_suffix(1);
       if (unclosed != npos)
@@ -75,10 +91,9 @@ class CsvReader final : public RecordReader {
         if (!at || !std::isfinite(number)) return npos;
       } else {
         if (at < end && *at == '"') {
-          // To the quote that closes; two are one of the field's own.
-          for (++at; at < end && (*at != '"' || (at + 1 < end && at[1] == '"')); ++at) at += *at == '"';
-          if (at >= end) return npos;
-          ++at;
+          const std::size_t after = afterQuotes(text, static_cast<std::size_t>(at - text.data()));
+          if (after == npos) return npos;
+          at = text.data() + after;
         } else {
           while (at < end && *at != separator && *at != '\n' && *at != '\r') ++at;
         }
@@ -94,16 +109,8 @@ class CsvReader final : public RecordReader {
   }
 
   void readLine(std::string_view line, Batch& batch) {
-    try {
-      const RecordParts record = csvParts(line, header_);
-      const Plan& plan = batch.planFor(record);
-      if (slots_.empty() && !header_.csv.isBlanks()) slots_ = slotsOf(plan.layout, header_.size);
-      Numbers numbers;
-      readNumbers(record, plan.layout, numbers);
-      batch.add(line, plan, numbers);
-    } catch (const RecordError& e) {
-      batch.bad(line, e);
-    }
+    const Plan* const plan = addRecord(line, batch, [&] { return csvParts(line, header_); });
+    if (plan && slots_.empty()) slots_ = slotsOf(plan->layout, header_.size);
   }
 
   const Shape& header_;
@@ -119,22 +126,7 @@ class TextReader final : public RecordReader {
       end = std::min(text.find('\n', at), text.size());
       std::string_view line = text.substr(at, end - at);
       if (line.ends_with('\r')) line.remove_suffix(1);
-      if (!isBlank(line) && !isTextComment(line)) readLine(line, batch);
-    }
-  }
-
- private:
-  void readLine(std::string_view line, Batch& batch) {
-    try {
-      if (const std::size_t alone = line.find('\r'); alone != std::string_view::npos)
-        throw RecordError(alone, kLoneReturn);
-      const RecordParts record = textParts(line);
-      const Plan& plan = batch.planFor(record);
-      Numbers numbers;
-      if (!readPlainNumbers(record.values, plan.layout, numbers)) readNumbers(record, plan.layout, numbers);
-      batch.add(line, plan, numbers);
-    } catch (const RecordError& e) {
-      batch.bad(line, e);
+      if (!isBlank(line) && !isTextComment(line)) addRecord(line, batch, [&] { return textParts(line); });
     }
   }
 };

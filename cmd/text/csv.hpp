@@ -1,40 +1,54 @@
-// Lines of CSV: what separates their columns, quotes, and where a record ends.
+// Lines of CSV: what separates their columns, quotes, and where a record ends. A quote counts where a field begins with
+// it, up to the one that closes; two are one of the field's own.
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace viewproj::cmd {
 
-struct CsvFormat {
-  static constexpr char kBlanks = ' ';  ///< any run of blanks and tabs is one separator
-
-  char separator = ',';
-
-  bool isBlanks() const { return separator == kBlanks; }
-  bool separates(char c) const { return c == separator || (isBlanks() && c == '\t'); }
-  bool operator==(const CsvFormat&) const = default;
-};
-
-/// What separates columns, by name or as the character itself.
 struct SeparatorName {
-  std::string_view name, plural;
+  std::string_view name;
   char separator;
 };
-inline constexpr SeparatorName kSeparators[] = {{"comma", "commas", ','},
-                                                {"semicolon", "semicolons", ';'},
-                                                {"tab", "tabs", '\t'},
-                                                {"bar", "bars", '|'},
-                                                {"blank", "blanks", CsvFormat::kBlanks}};
-std::string_view nameOfSeparator(char separator);
+inline constexpr SeparatorName kSeparators[] = {{"comma", ','}, {"semicolon", ';'}, {"tab", '\t'}};
 
-/// As a column of the output: in quotes where it has a separator, a quote or a line break, or would be lost.
-std::string quotedIfNeeded(std::string_view cell, const CsvFormat& format = {});
+/// As a column of the output: in quotes where it has a separator, a quote or a line break.
+std::string quotedIfNeeded(std::string_view cell, char separator = ',');
+
+/// A field without its quotes.
+std::string csvValue(std::string_view field);
+
+/// The offset after the quote that closes the one at `quote`; npos where none does.
+inline std::size_t afterQuotes(std::string_view text, std::size_t quote) {
+  std::size_t close = text.find('"', quote + 1);
+  while (close != std::string_view::npos && close + 1 < text.size() && text[close + 1] == '"')
+    close = text.find('"', close + 2);
+  return close == std::string_view::npos ? close : close + 1;
+}
+
+/// Whether a field with quotes ends with the one that closes them.
+inline bool isWholeField(std::string_view field) {
+  return !field.starts_with('"') || afterQuotes(field, 0) == field.size();
+}
+
+/// The fields of a record as written, or the first `most`.
+void splitCsvLine(std::string_view line, std::vector<std::string_view>& fields, char separator,
+                  std::size_t most = SIZE_MAX);
+
+/// Throws RecordError at a carriage return outside of quotes, and at text after the quote that closes a field. record:
+/// has the fields.
+void requireWholeFields(std::string_view record, const std::vector<std::string_view>& fields, char separator);
+
+inline constexpr const char* kLoneReturn =
+    "a carriage return that ends no line; expected lines that end with LF or CRLF, as tr '\\r' '\\n' makes them";
 
 /// The offset of the line break that ends the record which begins at `from`, or the text's size. unclosed: is set to
-/// the offset of a quote that opens and does not close. Quotes count where a field begins with one.
-inline std::size_t endOfCsvRecord(std::string_view text, std::size_t from, const CsvFormat& format,
+/// the offset of a quote that opens and does not close.
+inline std::size_t endOfCsvRecord(std::string_view text, std::size_t from, char separator,
                                   std::size_t* unclosed = nullptr) {
   constexpr std::size_t npos = std::string_view::npos;
   std::size_t line = std::min(text.find('\n', from), text.size());
@@ -42,70 +56,25 @@ inline std::size_t endOfCsvRecord(std::string_view text, std::size_t from, const
     if (line < field) line = std::min(text.find('\n', field), text.size());  // it stood in quotes
     const std::size_t quote = text.substr(0, line).find('"', field);
     if (quote == npos) return line;
-    if (quote > from && !format.separates(text[quote - 1])) {
-      field = quote + 1;  // one of the field's own
-      continue;
-    }
-    std::size_t close = text.find('"', quote + 1);
-    while (close != npos && close + 1 < text.size() && text[close + 1] == '"') close = text.find('"', close + 2);
-    if (close == npos) {
+    const bool opens = quote == from || text[quote - 1] == separator;
+    field = opens ? afterQuotes(text, quote) : quote + 1;
+    if (field == npos) {
       if (unclosed) *unclosed = quote;
       return text.size();
     }
-    field = close + 1;
   }
 }
 
 /// Finds the line breaks that end records in a text that grows, and looks at no byte twice.
 class CsvEnds {
  public:
-  explicit CsvEnds(const CsvFormat& format = {}) : format_(format) {}
+  explicit CsvEnds(char separator = ',') : separator_(separator) {}
 
-  /// The offset of the next one; npos if there is none yet. text begins as it did in the call before.
-  std::size_t nextEnd(std::string_view text) { return scan(text, true); }
-  /// The offset after the last one; 0 if there is none yet.
-  std::size_t lastEnd(std::string_view text) {
-    scan(text, false);
-    return after_;
-  }
+  /// The offset after the last one; 0 if there is none yet. text begins as it did in the call before.
+  std::size_t lastEnd(std::string_view text);
 
  private:
-  static constexpr std::size_t npos = std::string_view::npos;
-
-  std::size_t scan(std::string_view text, bool first) {
-    std::size_t lineBreak = first ? text.find('\n', at_) : npos;
-    while (at_ < text.size()) {
-      if (quoted_) {
-        const std::size_t quote = text.find('"', at_);
-        if (quote == npos || quote + 1 == text.size()) {
-          at_ = std::min(quote, text.size());
-          break;  // whether it closes, what follows tells
-        }
-        quoted_ = text[quote + 1] == '"';
-        at_ = quote + 1 + quoted_;
-        continue;
-      }
-      // No farther than to the line break that is wanted.
-      if (first && lineBreak < at_) lineBreak = text.find('\n', at_);
-      const std::size_t quote = text.substr(0, lineBreak).find('"', at_);
-      const std::string_view plain = text.substr(0, std::min(quote, text.size()));
-      const std::size_t line = first ? (quote == npos ? lineBreak : npos) : plain.substr(at_).rfind('\n');
-      if (line != npos) {
-        after_ = first ? line + 1 : at_ + line + 1;
-        if (first) {
-          at_ = after_;
-          return line;
-        }
-      }
-      at_ = plain.size();
-      if (quote == npos) break;
-      quoted_ = quote == after_ || format_.separates(text[quote - 1]);
-      ++at_;
-    }
-    return npos;
-  }
-
-  CsvFormat format_;
+  char separator_;
   std::size_t at_ = 0, after_ = 0;
   bool quoted_ = false;
 };

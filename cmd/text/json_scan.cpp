@@ -148,10 +148,4 @@ std::optional<JsonFault> jsonFault(std::string_view text) {
   return scanWhole(text, none);
 }
 
-bool isJson(std::string_view text) {
-  const char* const end = text.data() + text.size();
-  const char* const after = passJson(passJsonSpace(text.data(), end), end, kAnyDepth);
-  return after && passJsonSpace(after, end) == end;
-}
-
 }  // namespace viewproj::cmd

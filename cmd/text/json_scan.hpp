@@ -94,33 +94,6 @@ const char* scanJson(const char* at, const char* end, std::size_t depth, Events&
 /// Any value.
 const char* passJson(const char* at, const char* end, std::size_t depth);
 
-/// An array or object; depth is of its values. take: called with each name, quotes and all, or in an array an empty
-/// one, and with each value.
-template <class Take>
-const char* passJsonItems(const char* at, const char* end, std::size_t depth, const Take& take) {
-  struct Items {
-    const Take& take;
-    std::size_t depth = 0;
-    const char* begin = nullptr;
-    std::string_view member = {};
-
-    void open(const char* bracket) {
-      // cppcheck-suppress knownConditionTrueFalse  // it does not see who calls
-      if (++depth == 2) begin = bracket;
-    }
-    void close(const char* after) {
-      if (--depth == 1) take(member, std::string_view(begin, after));
-    }
-    void name(std::string_view text) {
-      if (depth == 1) member = text;
-    }
-    void scalar(std::string_view text) {
-      if (depth == 1) take(member, text);
-    }
-  } items{take};
-  return scanJson(at, end, depth + 1, items);
-}
-
 /// What is wrong with a text, and where.
 struct JsonFault {
   std::size_t offset;
@@ -130,7 +103,6 @@ struct JsonFault {
 /// Nothing if text is one valid JSON value, as nlohmann-json judges it; but a NUL, which it takes for the end of the
 /// text, is a fault like other characters, and so is a byte order mark.
 std::optional<JsonFault> jsonFault(std::string_view text);
-bool isJson(std::string_view text);
 
 /// What a scan that stopped says of its text.
 JsonFault faultOf(std::string_view text, const JsonStop& stop);

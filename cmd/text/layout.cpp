@@ -43,15 +43,6 @@ std::string entry(const std::string& left, std::size_t column, std::string_view 
   return (fits ? paddedRight(left, column) : left + "\n" + std::string(column, ' ')) + wrapped(text, width, column);
 }
 
-std::string indented(std::string_view text, std::size_t blanks) {
-  std::string out;
-  for (std::size_t at = 0, end; at < text.size(); at = end + 1) {
-    end = std::min(text.find('\n', at), text.size());
-    out += std::string(blanks, ' ') + std::string(text.substr(at, end - at)) + "\n";
-  }
-  return out;
-}
-
 std::size_t terminalWidth() {
   constexpr std::size_t kUsual = 80, kLeast = 40;
   std::size_t columns = 0;

@@ -20,9 +20,6 @@ std::string wrapped(std::string_view text, std::size_t width, std::size_t indent
 /// An entry of a list: text from a column on, wrapped, beside what stands left of it, or below where that is too long.
 std::string entry(const std::string& left, std::size_t column, std::string_view text, std::size_t width);
 
-/// Each line after so many blanks.
-std::string indented(std::string_view text, std::size_t blanks);
-
 /// The width of what standard output is shown on: COLUMNS, or else the terminal's, or else 80; at least 40.
 std::size_t terminalWidth();
 

@@ -1,97 +1,24 @@
 #include <fast_float/fast_float.h>
 
 #include <algorithm>
-#include <bit>
-#include <cfloat>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
-#include <limits>
-#include <string>
 
 #include "text/number.hpp"
 
 namespace viewproj::cmd {
 
-namespace {
-
-/// Up to eight.
-struct Digits {
-  std::int64_t value;
-  int count;
-};
-
-constexpr std::int64_t kPowers[] = {1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000};
-
-/// Of the next eight bytes, all at once.
-Digits leadingDigits(const char* at) {
-  std::uint64_t bytes = 0;
-  std::memcpy(&bytes, at, sizeof bytes);
-  bytes ^= 0x3030303030303030;
-  const std::uint64_t others = ((bytes + 0x7676767676767676) | bytes) & 0x8080808080808080;
-  const int count = std::countr_zero(others) / 8;
-  if (count == 0) return {0, 0};
-  bytes <<= 64 - 8 * count;  // zeros in front of them
-  bytes = 10 * bytes + (bytes >> 8);
-  constexpr std::uint64_t kPairs = 0x000000ff000000ff;
-  bytes = (bytes & kPairs) * (100 + (std::uint64_t{1000000} << 32)) +
-          (bytes >> 16 & kPairs) * (1 + (std::uint64_t{10000} << 32));
-  return {static_cast<std::int64_t>(bytes >> 32), count};
-}
-
-/// Bytes of a sign, digits, a point and digits, and the one after them.
-constexpr std::ptrdiff_t kMostOfShort = 1 + 8 + 1 + 8 + 1;
-
-/// As readNumber, of what most numbers are: up to eight digits before a point and after it, without branches that
-/// depend on how many. The quotient of two whole numbers that are doubles is the double nearest the decimal (Clinger,
-/// How to read floating point numbers accurately). Null for others, which are not wrong for that. As many bytes as
-/// kMostOfShort can be read.
-const char* readShort(const char* begin, double& number) {
-  const bool negative = *begin == '-';
-  const char* at = begin + negative;
-  Digits digits = leadingDigits(at);
-  if (digits.count == 0) return nullptr;
-  at += digits.count;
-  int decimals = 0;
-  if (*at == '.') {
-    const Digits more = leadingDigits(++at);
-    if (more.count == 0) return nullptr;
-    decimals = more.count;
-    digits.value = digits.value * kPowers[decimals] + more.value;
-    at += decimals;
-  }
-  if (isDigit(*at) || (*at | 0x20) == 'e' || digits.value > std::int64_t{1} << std::numeric_limits<double>::digits)
-    return nullptr;
-  const double magnitude = static_cast<double>(digits.value) / static_cast<double>(kPowers[decimals]);
-  number = std::bit_cast<double>(std::bit_cast<std::uint64_t>(magnitude) | std::uint64_t{negative} << 63);
-  return at;
-}
-
-const char* readIfShort(const char* begin, const char* end, double& number) {
-  if constexpr (std::endian::native != std::endian::little || FLT_EVAL_METHOD != 0) return nullptr;
-  return end - begin < kMostOfShort ? nullptr : readShort(begin, number);
-}
-
-const char* readAny(const char* begin, const char* end, double& number) {
+const char* readNumber(const char* begin, const char* end, double& number) {
   // Newer versions call what is beyond all doubles, or next to zero, an error, and give its value all the same.
   const auto [stop, error] = fast_float::from_chars(begin, end, number);
   return error == std::errc::invalid_argument ? nullptr : stop;
 }
 
-}  // namespace
-
-const char* readNumber(const char* begin, const char* end, double& number) {
-  const char* const stop = readIfShort(begin, end, number);
-  return stop ? stop : readAny(begin, end, number);
-}
-
 const char* readJsonNumber(const char* begin, const char* end, double& number) {
   const char* digit = begin < end && *begin == '-' ? begin + 1 : begin;
   if (digit == end || !isDigit(*digit) || (*digit == '0' && end - digit > 1 && isDigit(digit[1]))) return nullptr;
-  if (const char* const stop = readIfShort(begin, end, number)) return stop;
   while (digit < end && isDigit(*digit)) ++digit;
   if (digit < end && *digit == '.' && (end - digit == 1 || !isDigit(digit[1]))) return nullptr;
-  const char* const stop = readAny(begin, end, number);
+  const char* const stop = readNumber(begin, end, number);
   return std::isfinite(number) ? stop : nullptr;
 }
 

@@ -31,14 +31,11 @@ bool isUtf8(std::string_view text) {
   return true;
 }
 
-std::string_view wideEncoding(std::string_view start) {
-  using namespace std::string_view_literals;
-  if (start.starts_with("\xFF\xFE\0\0"sv) || start.starts_with("\0\0\xFE\xFF"sv)) return "UTF-32";
-  return start.starts_with("\xFF\xFE"sv) || start.starts_with("\xFE\xFF"sv) ? "UTF-16" : "";
-}
-
 void requireNarrow(const std::string& name, std::string_view start) {
-  const std::string encoding(wideEncoding(start));
+  using namespace std::string_view_literals;
+  std::string encoding;
+  if (start.starts_with("\xFF\xFE"sv) || start.starts_with("\xFE\xFF"sv)) encoding = "UTF-16";
+  if (start.starts_with("\xFF\xFE\0\0"sv) || start.starts_with("\0\0\xFE\xFF"sv)) encoding = "UTF-32";
   if (!encoding.empty())
     throw InputError(name + ": is " + encoding + "; expected UTF-8, as iconv -f " + encoding + " -t UTF-8 makes it");
 }

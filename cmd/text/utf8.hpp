@@ -23,10 +23,7 @@ bool isUtf8(std::string_view text);
 /// Whether a line has nothing but white space.
 inline bool isBlank(std::string_view line) { return line.find_first_not_of(" \t\r") == std::string_view::npos; }
 
-/// "UTF-16" or "UTF-32" where a text begins with its byte order mark; otherwise nothing.
-std::string_view wideEncoding(std::string_view start);
-
-/// Throws InputError where there is such an encoding.
+/// Throws InputError where a text begins with the byte order mark of UTF-16 or UTF-32.
 void requireNarrow(const std::string& name, std::string_view start);
 
 /// With <U+001B> and the like for control characters (of ASCII, of Unicode, and those that turn the direction of

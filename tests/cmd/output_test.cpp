@@ -25,15 +25,15 @@ void writeEach(ResultSink& sink) {
   sink.number(kNumber, 1.5);
   sink.vector(kVector, Vec3{1, 2, 3});
   sink.flag(kFlag, true);
-  sink.word(kWord, "near");
-  sink.json(kJson, "[1]");
-  sink.group(kGroup, true, [](ResultSink& part) { part.vector(kInner, Vec2{4, 5}); });
+  sink.text(kWord, "near");
+  sink.text(kJson, "[1]");
+  sink.object(kGroup, 1, [](ResultSink& part, std::size_t) { part.vector(kInner, Vec2{4, 5}); });
 }
 
-void writeNames(ResultSink& sink) { sink.names(kNames, std::vector<std::string_view>{"left", "top"}); }
+void writeNames(ResultSink& sink) { sink.text(kNames, std::vector<std::string_view>{"left", "top"}); }
 
 void writeList(ResultSink& sink) {
-  sink.list(kList, 1, [](ResultSink& part, std::size_t) { part.number(kN, 1); });
+  sink.object(kList, 1, [](ResultSink& part, std::size_t) { part.number(kN, 1); });
 }
 
 Results with(Results rows, const ResultRow& row) {

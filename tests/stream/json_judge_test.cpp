@@ -68,11 +68,8 @@ class Listener final : public RecordWriter {
   void number(const ResultRow&, double) override {}
   void vector(const ResultRow&, std::span<const double>) override {}
   void flag(const ResultRow&, bool) override {}
-  void names(const ResultRow&, std::span<const std::string_view>) override {}
-  void word(const ResultRow&, std::string_view) override {}
-  void json(const ResultRow&, std::string_view) override {}
-  void group(const ResultRow&, bool, const std::function<void(ResultSink&)>&) override {}
-  void list(const ResultRow&, std::size_t, const std::function<void(ResultSink&, std::size_t)>&) override {}
+  void text(const ResultRow&, std::span<const std::string_view>) override {}
+  void object(const ResultRow&, std::size_t, const std::function<void(ResultSink&, std::size_t)>&) override {}
 
  private:
   Keeper& keeper_;
