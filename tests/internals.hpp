@@ -2,7 +2,7 @@
 #pragma once
 
 #include "camera/camera.hpp"
-#include "camera/convention.hpp"
+#include "camera/depth.hpp"
 #include "camera/viewport.hpp"
 #include "geodesy/normal.hpp"
 #include "numbers/arithmetic.hpp"

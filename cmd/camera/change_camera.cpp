@@ -216,7 +216,8 @@ Projection plainProjection(const Document& document) {
 
 // cppcheck-suppress constParameter  // what it points to changes
 void setLensMatrix(Document& document, const Projection& projection, const Convention& convention) {
-  (*document.root)["projection"]["matrix"] = rowsOf(laidOut(clipFromView(projection, convention), convention));
+  (*document.root)["projection"]["matrix"] =
+      rowsOf(laidOut(matrix(cameraIn(convention, {}, projection), Space::clip, Space::view), convention));
 }
 
 }  // namespace viewproj::cmd

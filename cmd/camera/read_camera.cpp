@@ -363,4 +363,12 @@ Camera makeCamera(const CameraFile& file) {
   }
 }
 
+Camera cameraIn(Convention convention, const std::optional<Pose>& pose, const std::optional<Projection>& projection,
+                const std::optional<Viewport>& viewport) {
+  if (pose) convention.world = pose->world();
+  return makeCamera(pose ? *pose : lookAlong({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, convention.world),
+                    projection ? *projection : orthographic(-1, 1, -1, 1, 0, 1), viewport.value_or(Viewport{1, 1}),
+                    convention);
+}
+
 }  // namespace viewproj::cmd

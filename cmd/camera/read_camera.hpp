@@ -48,4 +48,9 @@ void requireNear(const CameraFile& file, const std::string& what);
 /// All parts together; throws InputError (of options UsageError) naming what is lacking for it.
 Camera makeCamera(const CameraFile& file);
 
+/// A camera of these parts in a convention, in the pose's own world; what is not given is of no account to whoever
+/// calls.
+Camera cameraIn(Convention convention, const std::optional<Pose>& pose,
+                const std::optional<Projection>& projection = {}, const std::optional<Viewport>& viewport = {});
+
 }  // namespace viewproj::cmd

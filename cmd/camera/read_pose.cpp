@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "camera/check.hpp"
-#include "numbers/radians.hpp"
+#include "numbers/degrees.hpp"
 
 namespace viewproj::cmd {
 

@@ -15,7 +15,6 @@
 #include "records/model.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
-#include "viewproj/clip.hpp"
 #include "viewproj/matrices.hpp"
 #include "viewproj/screen.hpp"
 
@@ -120,12 +119,14 @@ class Steps {
   std::map<std::string, double> values_;
 };
 
+Vec3 xyz(const Vec4& v) { return {v.x, v.y, v.z}; }
+
 bool isBack(const Convention& c) { return c.view == ViewAxes::RUB; }
 bool isDown(const Convention& c) { return c.view == ViewAxes::RDF; }
 
 /// World to view without the eye, which is subtracted before.
 Mat4 rotationOf(const Camera& camera, const Convention& convention) {
-  return viewFromWorld(relativeToEye(camera.pose()), convention);
+  return matrix(cameraIn(convention, relativeToEye(camera.pose())), Space::view, Space::world);
 }
 
 /// In world coordinates, after the model and the division by the weight.
@@ -161,7 +162,7 @@ Vec3 placePoint(Steps& steps, const Vec4& point, const std::optional<Mat4>& mode
 void explainView(Steps& steps, const Camera& camera, const Convention& convention, const Vec3& world, const Vec4& point,
                  double viewDistance) {
   const bool isDirection = point.w == 0;
-  const Vec3 eye = camera.pose().eye(), view = worldToView(camera, point, convention);
+  const Vec3 eye = camera.pose().eye(), view = xyz(worldTo(camera, Space::view, point, convention));
   steps.stage("relative");
   if (!isDirection) steps.vector("eye", eye);
   const Names3 relative = components("relative"), worlds = components("world"), eyes = components("eye");
@@ -183,7 +184,7 @@ void explainView(Steps& steps, const Camera& camera, const Convention& conventio
 void explainClip(Steps& steps, const Camera& camera, const Convention& c, const Vec4& clip) {
   const std::vector<std::string> view = {"view.x", "view.y", "view.z", "view.w"};
   steps.stage("clip");
-  steps.matrix("P", clipFromView(camera.projection(), c));
+  steps.matrix("P", matrix(cameraIn(c, {}, camera.projection()), Space::clip, Space::view));
   steps.sum("clip.x", steps.product("P", 0, view), clip.x);
   steps.sum("clip.y", steps.product("P", 1, view), clip.y);
   steps.sum("clip.z", steps.product("P", 2, view), clip.z);
@@ -217,7 +218,7 @@ void explainClip(Steps& steps, const Camera& camera, const Convention& c, const 
 }
 
 void explainScreen(Steps& steps, const Camera& camera, const Convention& c, const Vec4& point, const ScreenPoint& p) {
-  const Vec3 ndc = worldToNdc(camera, point, c);
+  const Vec4 ndc = worldTo(camera, Space::ndc, point, c);
   if (std::isnan(ndc.x)) {
     steps.stage("ndc");
     steps.given("ndc.x", ndc.x,
@@ -236,7 +237,7 @@ void explainScreen(Steps& steps, const Camera& camera, const Convention& c, cons
   Viewport viewport = camera.viewport();
   const bool isExchanged = c.reverseZ != camera.convention().reverseZ;
   if (isExchanged) std::swap(viewport.depthFirst, viewport.depthSecond);
-  steps.matrix("S", screenFromNdc(viewport, c));
+  steps.matrix("S", matrix(cameraIn(c, {}, {}, viewport), Space::screen, Space::ndc));
   steps.sum("screen.x", steps.product("S", 0, vector), p.x);
   steps.sum("screen.y", steps.product("S", 1, vector), p.y);
   steps.sum("depth", steps.product("S", 2, vector), p.depth,
@@ -338,10 +339,10 @@ OrderedJson explainPoint(const Camera& camera, const Convention& convention, con
   const Vec3 world = placePoint(steps, point, model);
   explainView(steps, camera, convention, world, placed, p.viewDistance);
   if (hasDepth(camera.projection())) {
-    explainClip(steps, camera, convention, worldToClip(camera, placed, convention));
+    explainClip(steps, camera, convention, worldTo(camera, Space::clip, placed, convention));
     explainScreen(steps, camera, convention, placed, p);
   } else {
-    explainWithoutNear(steps, camera, worldToView(camera, placed, convention), convention, p);
+    explainWithoutNear(steps, camera, xyz(worldTo(camera, Space::view, placed, convention)), convention, p);
   }
   return std::move(steps).report("point", point.w == 1 ? asJson(Vec3{point.x, point.y, point.z}) : asJson(point),
                                  resultOf(p));
@@ -356,7 +357,7 @@ OrderedJson explainPixel(const Camera& camera, const Convention& convention, con
       makeCamera(relativeToEye(camera.pose()), camera.projection(), camera.viewport(), camera.convention());
   const Vec3 at = screenToWorldAtDistance(centred, pixel, 1).position;
   const Vec3 toward = orthographic ? camera.pose().forward() : at;
-  const Vec3 view = worldToView(centred, {at.x, at.y, at.z, 1}, convention);
+  const Vec3 view = xyz(worldTo(centred, Space::view, {at.x, at.y, at.z, 1}, convention));
   const double up = isDown(convention) ? -1 : 1;
 
   Steps steps(convention);
@@ -366,7 +367,7 @@ OrderedJson explainPixel(const Camera& camera, const Convention& convention, con
   steps.sum("view.y", {up < 0 ? Term{"-", "window.y"} : Term{"window.y"}}, view.y);
   steps.given("view.z", isBack(convention) ? -1 : 1, isBack(convention) ? "z points back" : "z points forward");
   steps.stage("toward");
-  steps.matrix("W", worldFromView(relativeToEye(camera.pose()), convention));
+  steps.matrix("W", matrix(cameraIn(convention, relativeToEye(camera.pose())), Space::world, Space::view));
   const Names3 towards = components("toward"), origins = components("origin"), eyes = components("eye");
   const std::string x = orthographic ? "" : "view.x", y = orthographic ? "" : "view.y";
   for (std::size_t i = 0; i < 3; ++i) steps.sum(towards[i], steps.product("W", i, {x, y, "view.z"}), toward[i]);

@@ -57,7 +57,7 @@ void Fitting::add(const Sphere& sphere) {
   ahead_.room = std::min(ahead_.room, distance - sphere.radius - rounding);
   nearest_ = std::min(nearest_, distance - sphere.radius);
   farthest_ = std::max(farthest_, distance + sphere.radius);
-  const auto box = screenBox(open_, sphere);
+  const auto box = screenBox(open_.camera(), sphere);
   if (!box) return;
   seen_.left = std::min(seen_.left, box->left);
   seen_.right = std::max(seen_.right, box->right);

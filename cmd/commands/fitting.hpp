@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "camera/read_camera.hpp"
+#include "records/screen_box.hpp"
 #include "viewproj/scene.hpp"
 
 namespace viewproj::cmd {

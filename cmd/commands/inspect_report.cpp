@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "camera/names.hpp"
+#include "camera/read_camera.hpp"
 #include "camera/split_matrix.hpp"
 #include "numbers/vectors.hpp"
 #include "text/names.hpp"
@@ -110,8 +111,9 @@ OrderedJson lensJson(const MatrixLens& lens) {
 
 OrderedJson poseJson(const MatrixCamera& r) {
   const Convention axes{.world = r.convention.world, .view = ViewAxes::RUF};
-  const Mat4 rows =
-      r.kind == MatrixKind::worldFromView ? transposed(worldFromView(*r.pose, axes)) : viewFromWorld(*r.pose, axes);
+  const Camera camera = cameraIn(axes, r.pose);
+  const Mat4 rows = r.kind == MatrixKind::worldFromView ? transposed(matrix(camera, Space::world, Space::view))
+                                                        : matrix(camera, Space::view, Space::world);
   const auto row = [&](std::size_t i) { return asJson(Vec3{rows[i][0], rows[i][1], rows[i][2]}); };
   return {{"eye", isOrthographic(r) ? OrderedJson() : asJson(r.pose->eye())},
           {"right", row(0)},
@@ -343,10 +345,11 @@ OrderedJson inspectPage(const OrderedJson& report) {
 
 Mat4 converted(const MatrixCamera& r, const Convention& target) {
   if (r.lens && !r.lens->projection) throw CameraError("near", "is not determined by the matrix");
-  if (r.kind == MatrixKind::projection) return clipFromView(*r.lens->projection, target);
-  if (r.kind == MatrixKind::view) return viewFromWorld(*r.pose, target);
-  if (r.kind == MatrixKind::worldFromView) return worldFromView(*r.pose, target);
-  Mat4 m = clipFromWorld(*r.pose, *r.lens->projection, target);
+  const Camera camera = cameraIn(target, r.pose, r.lens ? r.lens->projection : std::nullopt);
+  if (r.kind == MatrixKind::projection) return matrix(camera, Space::clip, Space::view);
+  if (r.kind == MatrixKind::view) return matrix(camera, Space::view, Space::world);
+  if (r.kind == MatrixKind::worldFromView) return matrix(camera, Space::world, Space::view);
+  Mat4 m = matrix(camera, Space::clip, Space::world);
   for (auto& row : m.m) {  // what is left where the parts of an entry cancel to their own error is 0
     const double size = std::max({std::fabs(row[0]), std::fabs(row[1]), std::fabs(row[2])});
     for (std::size_t j = 0; j < 4; ++j)

@@ -69,8 +69,8 @@ template <class T>
 class Textbook {
  public:
   explicit Textbook(const Camera& camera) {
-    const Mat4 matrix = clipFromWorld(camera.pose(), camera.projection(), camera.convention());
-    const Mat4 viewport = screenFromNdc(camera.viewport(), camera.convention());
+    const Mat4 matrix = viewproj::matrix(camera, Space::clip, Space::world);
+    const Mat4 viewport = viewproj::matrix(camera, Space::screen, Space::ndc);
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t j = 0; j < 4; ++j) m_[i][j] = static_cast<T>(matrix[i][j]);
     for (std::size_t i = 0; i < 3; ++i) {

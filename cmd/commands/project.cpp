@@ -13,14 +13,13 @@
 #include "commands/options.hpp"
 #include "commands/stream_options.hpp"
 #include "output/results.hpp"
-#include "projection/sides.hpp"
+#include "projection/exact_point.hpp"
 #include "records/model.hpp"
 #include "records/points.hpp"
 #include "records/scene.hpp"
 #include "stream/filter.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
-#include "viewproj/clip.hpp"
 #include "viewproj/matrices.hpp"
 #include "viewproj/scene.hpp"
 #include "viewproj/screen.hpp"
@@ -305,7 +304,7 @@ class ProjectWork final : public RecordWork {
           if constexpr (std::is_same_v<decltype(one), const Vec3&>)
             return std::nullopt;  // a point is none of these
           else
-            return screenBox(*how_.frustum, one);
+            return screenBox(how_.camera, one);
         },
         shape);
     const Cull verdict = std::visit([&](const auto& one) { return cull(*how_.frustum, one); }, shape);

@@ -4,7 +4,6 @@
 #include <array>
 #include <limits>
 
-#include "camera/camera.hpp"
 #include "commands/command.hpp"
 #include "commands/notes.hpp"
 #include "commands/options.hpp"
@@ -38,7 +37,7 @@ WorldPoint pointBehind(const Camera& camera, const Pixel& pixel) {
   if (!hasDepth(camera.projection()))
     throw RecordError(0, "a window depth needs a camera with near; a distance along the viewing axis is viewDistance");
   throw RecordError(0, "depth " + formatNumber(*pixel.depth) + " lies beyond infinity, whose window depth is " +
-                           formatNumber(parts(camera).depthAtInfinity) +
+                           formatNumber(camera.depths().atInfinity) +
                            ": no point in front of the eye has it; a distance along the viewing axis is viewDistance");
 }
 

@@ -1,61 +1,26 @@
 #include "output/camera_matrices.hpp"
 
 namespace viewproj::cmd {
-namespace {
 
-Pose poseOf(const MatrixSource& s) { return s.relativeToEye ? relativeToEye(*s.file.pose) : *s.file.pose; }
-
-Mat4 view(const MatrixSource& s, bool inverse) {
-  return inverse ? worldFromView(poseOf(s), s.convention) : viewFromWorld(poseOf(s), s.convention);
-}
-
-Mat4 projection(const MatrixSource& s, bool inverse) {
+Mat4 CameraMatrix::make(const MatrixSource& s, bool inverse) const {
   const CameraFile& f = s.file;
-  if (s.bakeViewport)
-    return inverse ? viewFromScreen(*f.projection, *f.viewport, s.convention)
-                   : screenFromView(*f.projection, *f.viewport, s.convention);
-  return inverse ? viewFromClip(*f.projection, s.convention) : clipFromView(*f.projection, s.convention);
+  const Space destination = to == Space::clip && s.bakeViewport ? Space::screen : to;
+  const std::optional<Pose> eyeAtOrigin = s.relativeToEye && f.pose && !model ? relativeToEye(*f.pose) : f.pose;
+  const Camera camera = cameraIn(s.convention, eyeAtOrigin, f.projection, f.viewport);
+  const Space first = inverse ? from : destination, second = inverse ? destination : from;
+  return model ? matrix(camera, first, second, *s.worldFromLocal) : matrix(camera, first, second);
 }
 
-Mat4 viewProjection(const MatrixSource& s, bool inverse) {
-  const CameraFile& f = s.file;
-  const Pose pose = poseOf(s);
-  if (s.bakeViewport)
-    return inverse ? worldFromScreen(pose, *f.projection, *f.viewport, s.convention)
-                   : screenFromWorld(pose, *f.projection, *f.viewport, s.convention);
-  return inverse ? worldFromClip(pose, *f.projection, s.convention) : clipFromWorld(pose, *f.projection, s.convention);
+std::span<const CameraMatrix> cameraMatrices() {
+  static constexpr CameraMatrix kRows[] = {
+      {"view", true, false, false, false, Space::view, Space::world},
+      {"projection", false, true, false, false, Space::clip, Space::view},
+      {"viewProjection", true, true, false, false, Space::clip, Space::world},
+      {"modelView", true, false, false, true, Space::view, Space::model},
+      {"modelViewProjection", true, true, false, true, Space::clip, Space::model},
+      {"viewport", false, false, true, false, Space::screen, Space::ndc},
+  };
+  return kRows;
 }
-
-Mat4 modelView(const MatrixSource& s, bool inverse) {
-  return inverse ? localFromView(*s.file.pose, *s.worldFromLocal, s.convention)
-                 : viewFromLocal(*s.file.pose, *s.worldFromLocal, s.convention);
-}
-
-Mat4 modelViewProjection(const MatrixSource& s, bool inverse) {
-  const CameraFile& f = s.file;
-  const Mat4& model = *s.worldFromLocal;
-  if (s.bakeViewport)
-    return inverse ? localFromScreen(*f.pose, *f.projection, *f.viewport, model, s.convention)
-                   : screenFromLocal(*f.pose, *f.projection, *f.viewport, model, s.convention);
-  return inverse ? localFromClip(*f.pose, *f.projection, model, s.convention)
-                 : clipFromLocal(*f.pose, *f.projection, model, s.convention);
-}
-
-Mat4 viewport(const MatrixSource& s, bool inverse) {
-  return inverse ? ndcFromScreen(*s.file.viewport, s.convention) : screenFromNdc(*s.file.viewport, s.convention);
-}
-
-constexpr CameraMatrix kRows[] = {
-    {"view", true, false, false, false, view},
-    {"projection", false, true, false, false, projection},
-    {"viewProjection", true, true, false, false, viewProjection},
-    {"modelView", true, false, false, true, modelView},
-    {"modelViewProjection", true, true, false, true, modelViewProjection},
-    {"viewport", false, false, true, false, viewport},
-};
-
-}  // namespace
-
-std::span<const CameraMatrix> cameraMatrices() { return kRows; }
 
 }  // namespace viewproj::cmd

@@ -21,8 +21,10 @@ struct MatrixSource {
 struct CameraMatrix {
   std::string_view name;
   bool pose, projection, viewport, model;  ///< what it needs
+  Space to, from;                          ///< to the screen in place of clip where the viewport is folded in
+
   /// For column vectors.
-  Mat4 (*make)(const MatrixSource& source, bool inverse);
+  Mat4 make(const MatrixSource& source, bool inverse) const;
 };
 
 std::span<const CameraMatrix> cameraMatrices();

@@ -6,7 +6,7 @@
 
 #include "text/error.hpp"
 #include "text/names.hpp"
-#include "viewproj/clip.hpp"
+#include "viewproj/matrices.hpp"
 #include "viewproj/screen.hpp"
 
 namespace viewproj::cmd {
@@ -33,6 +33,8 @@ using P = const ProjectedPoint&;
 using R = const ResultRow&;
 using S = ResultSink&;
 
+Vec3 xyz(const Vec4& v) { return {v.x, v.y, v.z}; }
+
 // clang-format off
 constexpr PointResult kPointResults[] = {
     {results::screen,
@@ -46,11 +48,11 @@ constexpr PointResult kPointResults[] = {
     {ResultRow{"outside", ResultKind::names}.whereNamed(),
      [](R row, P p, S sink) { sink.names(row, Sides(p.screen).names()); }},
     {vectorResult("ndc", 3).onRequest(),
-     [](R row, P p, S sink) { sink.vector(row, worldToNdc(p.camera, p.point, p.writing)); }},
+     [](R row, P p, S sink) { sink.vector(row, xyz(worldTo(p.camera, Space::ndc, p.point, p.writing))); }},
     {vectorResult("clip", 4).onRequest(),
-     [](R row, P p, S sink) { sink.vector(row, worldToClip(p.camera, p.point, p.writing)); }},
+     [](R row, P p, S sink) { sink.vector(row, worldTo(p.camera, Space::clip, p.point, p.writing)); }},
     {vectorResult("view", 3).onRequest(),
-     [](R row, P p, S sink) { sink.vector(row, worldToView(p.camera, p.point, p.writing)); }},
+     [](R row, P p, S sink) { sink.vector(row, xyz(worldTo(p.camera, Space::view, p.point, p.writing))); }},
     {results::pixelSize,
      [](R row, P p, S sink) { sink.vector(row, pixelSize(p.camera, p.screen.viewDistance)); }},
     {results::screenBox,

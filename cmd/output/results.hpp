@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "output/result.hpp"
+#include "records/screen_box.hpp"
 #include "text/form.hpp"
 #include "viewproj/camera.hpp"
-#include "viewproj/scene.hpp"
 #include "viewproj/screen.hpp"
 #include "viewproj/vectors.hpp"
 

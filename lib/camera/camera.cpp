@@ -29,6 +29,24 @@ SplitRow splitRow(const DDVec3& row) noexcept {
   return split;
 }
 
+ScreenMap screenMap(const ProjectionParts& p, const Viewport& v) noexcept {
+  const ScreenCorner corner = screenCorner(v);
+  const DoubleDouble width = windowWidth(p), height = windowHeight(p);
+  const bool down = v.origin == Origin::topLeft;
+  // The share of the window comes first: it is exactly 1/2 for a symmetric one, which keeps the middle exact.
+  const DoubleDouble shareX = -p.left / width, shareY = (down ? p.top : -p.bottom) / height;
+  const DoubleDouble up = DoubleDouble(v.height) / height;
+  const auto reach = [&](double start, double size, double share, double edges, double window) {
+    return 2 * (std::fabs(start) + std::fabs(v.pixelCenter) + 0.5 + size * (1 + std::fabs(share) + edges / window));
+  };
+  return {sumOrZero(corner.x, DoubleDouble(v.width) * shareX),
+          sumOrZero(corner.y, DoubleDouble(v.height) * shareY),
+          DoubleDouble(v.width) / width,
+          down ? -up : up,
+          reach(v.x, v.width, shareX.hi, p.reachX, width.hi),
+          reach(v.y, v.height, shareY.hi, p.reachY, height.hi)};
+}
+
 /// A point on an edge of the picture may round outwards where the edge is a tie of two doubles: the edge does too.
 PictureCorners outwards(const Viewport& v, const ScreenMap& map) noexcept {
   const ScreenCorner corner = screenCorner(v);
@@ -91,14 +109,10 @@ Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport
   if (k.residualReach == 0 && !(isZero(k.residual.x) && isZero(k.residual.y) && isZero(k.residual.z)))
     k.residualReach = std::numeric_limits<double>::min();
   const Axes& columns = c.pose.columns;
-  c.rays.perX = columns.right * (DoubleDouble(1) / map.scaleX);
-  c.rays.perY = columns.up * (DoubleDouble(1) / map.scaleY);
-  if (k.orthographic) {
-    c.rays.start = unroundedEye(c.pose);
-    c.rays.direction = rounded(normalized(columns.forward));
-  }
-  k.rayX = rounded(c.rays.perX);
-  k.rayY = rounded(c.rays.perY);
+  c.eye = unroundedEye(c.pose);
+  if (k.orthographic) c.direction = rounded(normalized(columns.forward));
+  k.rayX = rounded(columns.right * (DoubleDouble(1) / map.scaleX));
+  k.rayY = rounded(columns.up * (DoubleDouble(1) / map.scaleY));
   k.rayW = rounded(columns.forward);
   c.corners = outwards(viewport, map);
   return Access::whole<Camera, CameraParts>(made);

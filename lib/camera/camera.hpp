@@ -3,9 +3,16 @@
 
 #include "camera/pose.hpp"
 #include "camera/projection.hpp"
-#include "camera/screen_map.hpp"
 
 namespace viewproj::detail {
+
+/// screen x = centerX + scaleX * h and screen y = centerY + scaleY * v, where (h, v) are the window coordinates right
+/// and up: X/W and Y/W in perspective, X and Y in orthographic. (centerX, centerY) is where the viewing axis meets the
+/// screen. scaleY is negative where screen y runs downwards.
+struct ScreenMap {
+  DoubleDouble centerX, centerY, scaleX, scaleY;
+  double reachX = 0, reachY = 0;  ///< the centre is within 2^-97 of this: what it is a sum of, which may cancel
+};
 
 /// A row of three in two parts: high has 25 bits of the largest entry, all multiples of one power of two, low the rest.
 struct SplitRow {
@@ -48,11 +55,8 @@ struct CameraParts {
 
   PictureCorners corners;  ///< a tie of two doubles is rounded outwards
 
-  /// Orthographic: the ray of a screen position starts at start + (x - centerX) perX + (y - centerY) perY.
-  struct {
-    DDVec3 start, perX, perY;
-    Vec3 direction;
-  } rays;
+  DDVec3 eye;      ///< unrounded
+  Vec3 direction;  ///< of an orthographic camera's rays
 
   ProjectionConstants constants;
 };

@@ -1,22 +1,18 @@
 #include "camera/depth.hpp"
 
-#include <algorithm>
+#include <cmath>
 
 #include "numbers/dyadic.hpp"
 
 namespace viewproj::detail {
-
-RangeShares rangeShares(double near, double far) noexcept {
-  const DoubleDouble range = twoDiff(far, near);
-  return {DoubleDouble(near) / range, DoubleDouble(far) / range, DoubleDouble(1) / range};
-}
-
 namespace {
 
 /// (f ofFar - n ofNear) / (f - n), within 2^-97 of itself: where it cancels, as for depths that are to each other as
 /// near and far are, from exact products.
-DoubleDouble depthOffset(const ProjectionParts& p, const RangeShares& share, double ofFar, double ofNear) noexcept {
-  const DoubleDouble first = share.far * DoubleDouble(ofFar), second = share.near * DoubleDouble(ofNear);
+DoubleDouble depthOffset(const ProjectionParts& p, double ofFar, double ofNear) noexcept {
+  const DoubleDouble range = twoDiff(p.far, p.near);
+  const DoubleDouble first = DoubleDouble(p.far) / range * DoubleDouble(ofFar);
+  const DoubleDouble second = DoubleDouble(p.near) / range * DoubleDouble(ofNear);
   const DoubleDouble offset = first - second;
   if (8 * std::fabs(offset.hi) >= std::fabs(first.hi) + std::fabs(second.hi)) return offset;
   const Dyadic<1> near = p.near, far = p.far;
@@ -32,9 +28,9 @@ DepthLine depthLine(const ProjectionParts& p, const DepthEnds& ends) noexcept {
   const auto [atNear, atFar] = ends;
   const DoubleDouble step = twoDiff(atNear, atFar);
   if (std::isinf(p.far)) return {atFar, DoubleDouble(p.near) * step};
-  const RangeShares share = rangeShares(p.near, p.far);
-  if (p.orthographic) return {depthOffset(p, share, atNear, atFar), -step * share.one};
-  return {depthOffset(p, share, atFar, atNear), share.far * DoubleDouble(p.near) * step};
+  const DoubleDouble range = twoDiff(p.far, p.near);
+  if (p.orthographic) return {depthOffset(p, atNear, atFar), -step * (DoubleDouble(1) / range)};
+  return {depthOffset(p, atFar, atNear), DoubleDouble(p.far) / range * DoubleDouble(p.near) * step};
 }
 
 DepthLine inverseDepthLine(const ProjectionParts& p, const DepthEnds& ends) noexcept {
@@ -52,6 +48,18 @@ DepthLine inverseDepthLine(const ProjectionParts& p, const DepthEnds& ends) noex
   const Dyadic<1> far = p.far;
   if (p.orthographic) return line(near * Dyadic<1>(atFar) - far * Dyadic<1>(atNear), far - near, step);
   return line(far * Dyadic<1>(atFar) - near * Dyadic<1>(atNear), near - far, near * far * step);
+}
+
+DepthShares depthShares(const ProjectionParts& p, const Wide& forward, const Wide& weight,
+                        bool forwardIsExact) noexcept {
+  const auto difference = [&](const Wide& a, const Wide& b) { return forwardIsExact ? a - b : sumOrZero(a, -b); };
+  const Wide near = p.near, fromNear = difference(forward, near * weight);
+  if (std::isinf(p.far)) return {near * weight, fromNear};
+  // Quotients first: at near and far they are 1, exactly.
+  const Wide far = p.far, range = far - near;
+  const Wide ofNear = difference(far * weight, forward) / range, ofFar = fromNear / range;
+  if (p.orthographic) return {ofNear, ofFar};
+  return {near * ofNear, far * ofFar};
 }
 
 }  // namespace viewproj::detail

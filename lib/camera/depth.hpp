@@ -1,12 +1,21 @@
-// The law of depth: between a distance along the view and window depth or NDC z. Internal.
+// What a convention means in numbers, and the law of depth: between a distance along the view and window depth or NDC
+// z.
 #pragma once
-
-#include <cmath>
 
 #include "camera/projection.hpp"
 #include "numbers/wide.hpp"
+#include "viewproj/convention.hpp"
 
 namespace viewproj::detail {
+
+/// +1 where the axis of view space points as up and forward do, -1 where it points the other way.
+struct AxisSigns {
+  double up, forward;
+};
+
+constexpr AxisSigns axisSigns(ViewAxes axes) noexcept {
+  return {axes == ViewAxes::RDF ? -1.0 : 1.0, axes == ViewAxes::RUB ? -1.0 : 1.0};
+}
 
 /// Depth of the near and the far plane.
 struct DepthEnds {
@@ -21,13 +30,6 @@ constexpr DepthEnds ndcDepths(const Convention& c) noexcept {
 constexpr DepthEnds windowDepths(const Viewport& v, bool reverseZ) noexcept {
   return reverseZ ? DepthEnds{v.depthSecond, v.depthFirst} : DepthEnds{v.depthFirst, v.depthSecond};
 }
-
-/// near / (far - near), far / (far - near) and 1 / (far - near), for finite far.
-struct RangeShares {
-  DoubleDouble near, far, one;
-};
-
-RangeShares rangeShares(double near, double far) noexcept;
 
 /// offset + scale / W (perspective) or offset + scale * W (orthographic).
 struct DepthLine {
@@ -44,49 +46,12 @@ DepthLine inverseDepthLine(const ProjectionParts& projection, const DepthEnds& e
 ///   perspective   n (f weight - forward) / (f - n)   and   f (forward - n weight) / (f - n)
 ///   infinite far  n weight                           and   forward - n weight
 ///   orthographic  (f weight - forward) / (f - n)     and   (forward - n weight) / (f - n)
-template <class Number>
 struct DepthShares {
-  Number ofNear, ofFar;
+  Wide ofNear, ofFar;
 };
 
 /// forwardIsExact: a difference of it to near or far that cancels is no noise.
-template <class Number>
-DepthShares<Number> depthShares(bool orthographic, double near, double far, const Number& forward, const Number& weight,
-                                bool forwardIsExact = false) noexcept {
-  const auto difference = [&](const Number& a, const Number& b) { return forwardIsExact ? a + -b : sumOrZero(a, -b); };
-  const Number n = near;
-  const Number fromNear = difference(forward, n * weight);
-  if (std::isinf(far)) return {n * weight, fromNear};
-  const Number f = far;
-  // Quotients first: at near and far they are 1, exactly.
-  const Number ofNear = difference(f * weight, forward) / (f - n), ofFar = fromNear / (f - n);
-  if (orthographic) return {ofNear, ofFar};
-  return {n * ofNear, f * ofFar};
-}
-
-/// The way back: how far a depth is from near's and from far's, as shares of the range; they sum to 1.
-///   perspective   fromNear = (1 - n/w) f/(f - n)
-///   orthographic  fromNear = (w - n)/(f - n)
-template <class Number>
-struct DepthFraction {
-  Number fromNear, fromFar;
-};
-
-template <class Number>
-DepthFraction<Number> depthFraction(double depth, const DepthEnds& ends) noexcept {
-  const Number range = Number(ends.atFar) - Number(ends.atNear);
-  return {(Number(depth) - Number(ends.atNear)) / range, (Number(ends.atFar) - Number(depth)) / range};
-}
-
-/// Perspective: near over the distance.
-template <class Number>
-Number nearOverDistance(double near, double far, const DepthFraction<Number>& at) noexcept {
-  return std::isfinite(far) ? at.fromFar + at.fromNear * (Number(near) / Number(far)) : at.fromFar;
-}
-
-template <class Number>
-Number orthographicDistance(double near, double far, const DepthFraction<Number>& at) noexcept {
-  return Number(near) * at.fromFar + Number(far) * at.fromNear;
-}
+DepthShares depthShares(const ProjectionParts& projection, const Wide& forward, const Wide& weight,
+                        bool forwardIsExact = false) noexcept;
 
 }  // namespace viewproj::detail

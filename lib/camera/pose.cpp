@@ -9,37 +9,29 @@ namespace viewproj::detail {
 namespace {
 
 using Row = ExactPose::Row;
-using DyadicVec3 = Vector3<Dyadic<1>>;
 
 DDVec3 roundedRow(const Row& row, const Wide& scale) noexcept {
   const WideVec3 v = rounded(row) * scale;
   return {toDoubleDouble(v.x), toDoubleDouble(v.y), toDoubleDouble(v.z)};
 }
 
-/// Rows more uncertain than this would not be within 2^-100.
-constexpr double kLargestRowError = 0x1p-102;
-
-Pose looking(const Vec3& position, const DyadicVec3& way, const FineVec3& up, Handedness world,
-             const char* directionField) {
-  const double size = maxAbs(rounded(rounded(way)));
-  if (!(size > 0))
-    throw CameraError(directionField, std::string(directionField) == "target"
-                                          ? "is the camera's own position: there is no direction to look in"
-                                          : "is zero");
+/// way is not zero, up is finite.
+Pose looking(const Vec3& position, const Vector3<Dyadic<1>>& way, const FineVec3& up, Handedness world) {
+  constexpr double kLargestError = 0x1p-102;  // rows more uncertain than this would not be within 2^-100
   const Vector3<Dyadic<2>> side = crossOf(way, up.value);
   // Each product of a component of way with one of up carries 2 up.error; of up's row there are two.
-  const double sideError = 16 * up.error * std::ldexp(1, std::ilogb(size)), sideSize = maxAbs(rounded(rounded(side)));
-  if (!(sideSize * kLargestRowError >= sideError && sideSize > 0))
+  const double error = 16 * up.error * std::ldexp(1, std::ilogb(maxAbs(rounded(rounded(way)))));
+  const double size = maxAbs(rounded(rounded(side)));
+  if (!(size * kLargestError >= error && size > 0))
     throw CameraError("up", "is parallel to the viewing direction, so it does not say which way is up; give another");
-  ExactPose exact;
-  const bool mirrored = world == Handedness::left;
   const Wide ofSide = Wide(1) / lengthOf(rounded(side)), ofWay = Wide(1) / lengthOf(rounded(way));
-  setUnitRow(exact, 0, {side.x, side.y, side.z}, mirrored ? -ofSide : ofSide);
+  ExactPose exact;
+  setUnitRow(exact, 0, {side.x, side.y, side.z}, world == Handedness::left ? -ofSide : ofSide);
   setUnitRow(exact, 1, crossOf(side, way), ofSide * ofWay);
   setUnitRow(exact, 2, {way.x, way.y, way.z}, ofWay);
   exact.origin = position;
-  exact.error = sideError * double(ofSide);
-  return made(orthogonal(exact));
+  exact.error = error * double(ofSide);
+  return orthogonal(exact);
 }
 
 /// Of a place on the Earth a coordinate may be below the smallest number of a camera: nothing of it is lost.
@@ -48,43 +40,23 @@ void requireWithin(const Vec3& v, const char* field) {
     throw CameraError(field, "has a component that is not a finite number up to 1e90");
 }
 
-void requireVector(const Vec3& v, const char* field, const Vec3&) { requireNumber(v, field); }
-void requireVector(const Vec3& v, const char* field, const FineVec3&) { requireWithin(v, field); }
+void requireFine(const FineVec3& up) {
+  if (!isFinite(rounded(rounded(up.value)))) throw CameraError("up", "has a component that is not a finite number");
+}
 
-FineVec3 exactly(const Vec3& up) {
+FineVec3 checkedUp(const Vec3& up) {
   requireNumber(up, "up");
   if (maxAbs(up) == 0) throw CameraError("up", "is zero");
   return {toDyadic(up), 0};
-}
-
-const FineVec3& exactly(const FineVec3& up) {
-  if (!isFinite(rounded(rounded(up.value)))) throw CameraError("up", "has a component that is not a finite number");
-  return up;
-}
-
-template <class Up>
-Pose lookingAlong(const Vec3& position, const Vec3& direction, const Up& up, Handedness world) {
-  requireVector(position, "position", up);
-  requireNumber(direction, "direction");
-  return looking(position, toDyadic(direction), exactly(up), world, "direction");
-}
-
-template <class Up>
-Pose lookingAt(const Vec3& position, const Vec3& target, const Up& up, Handedness world) {
-  requireVector(position, "position", up);
-  requireVector(target, "target", up);
-  DyadicVec3 way;
-  for (std::size_t i = 0; i < 3; ++i) way[i] = Dyadic<1>::difference(target[i], position[i]);
-  return looking(position, way, exactly(up), world, "target");
 }
 
 }  // namespace
 
 Pose made(const PoseParts& parts) { return Access::whole<Pose, PoseParts>(std::make_shared<const PoseParts>(parts)); }
 
-PoseParts orthogonal(const ExactPose& exact) {
+Pose orthogonal(const ExactPose& exact) {
   const Axes rows = roundedRows(exact);
-  return {exact.origin, rows, rows, {}, std::make_shared<const ExactPose>(exact)};
+  return made({exact.origin, rows, rows, {}, std::make_shared<const ExactPose>(exact)});
 }
 
 Axes roundedRows(const ExactPose& exact) noexcept {
@@ -113,31 +85,39 @@ bool forwardIsAxis(const PoseParts& pose) noexcept {
   const ExactPose& exact = *pose.exact;
   const Row& forward = exact.rows[2];
   const std::size_t only = onlyEntry(forward);
-  const auto isOne = [](const DoubleDouble& a) { return a.hi == 1 && a.lo == 0; };
   const DDVec3& left = pose.residual;
-  return only < 3 && exact.error == 0 && exact.scale[2].exponent == 0 && isOne(exact.scale[2].value) &&
+  return only < 3 && exact.error == 0 && (exact.scale[2] - Wide(1)).value.hi == 0 &&
          (forward[only] - Dyadic<1>(forward[only].sign())).sign() == 0 && left.x.hi == 0 && left.y.hi == 0 &&
          left.z.hi == 0;
 }
 
 Pose lookAlong(const Vec3& position, const Vec3& direction, const FineVec3& up, Handedness world) {
-  return lookingAlong(position, direction, up, world);
+  requireWithin(position, "position");
+  requireNumber(direction, "direction");
+  if (maxAbs(direction) == 0) throw CameraError("direction", "is zero");
+  requireFine(up);
+  return looking(position, toDyadic(direction), up, world);
 }
 
 Pose lookAt(const Vec3& position, const Vec3& target, const FineVec3& up, Handedness world) {
-  return lookingAt(position, target, up, world);
+  requireWithin(position, "position");
+  requireWithin(target, "target");
+  requireFine(up);
+  if (position == target) throw CameraError("target", "is the camera's own position: there is no direction to look in");
+  Vector3<Dyadic<1>> way;
+  for (std::size_t i = 0; i < 3; ++i) way[i] = Dyadic<1>::difference(target[i], position[i]);
+  return looking(position, way, up, world);
 }
 
-Pose poseFromAxes(const Vec3& position, const FineVec3& right, const FineVec3& up, const FineVec3& forward) {
+Pose poseFromAxes(const Vec3& position, const std::array<FineVec3, 3>& axes) {
   requireWithin(position, "position");
   ExactPose exact;
-  const FineVec3* const axes[] = {&right, &up, &forward};
   for (std::size_t i = 0; i < 3; ++i) {
-    exact.rows[i] = {axes[i]->value.x, axes[i]->value.y, axes[i]->value.z};
-    exact.error = std::max(exact.error, axes[i]->error);
+    exact.rows[i] = {axes[i].value.x, axes[i].value.y, axes[i].value.z};
+    exact.error = std::max(exact.error, axes[i].error);
   }
   exact.origin = position;
-  return made(orthogonal(exact));
+  return orthogonal(exact);
 }
 
 DDVec3 unroundedEye(const PoseParts& p) noexcept {
@@ -161,11 +141,14 @@ Handedness Pose::world() const noexcept {
 }
 
 Pose lookAlong(const Vec3& position, const Vec3& direction, const Vec3& up, Handedness world) {
-  return lookingAlong(position, direction, up, world);
+  requireNumber(position, "position");
+  return lookAlong(position, direction, checkedUp(up), world);
 }
 
 Pose lookAt(const Vec3& position, const Vec3& target, const Vec3& up, Handedness world) {
-  return lookingAt(position, target, up, world);
+  requireNumber(position, "position");
+  requireNumber(target, "target");
+  return lookAt(position, target, checkedUp(up), world);
 }
 
 }  // namespace viewproj

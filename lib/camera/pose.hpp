@@ -49,7 +49,7 @@ inline const PoseParts& parts(const Pose& pose) noexcept { return *Access::share
 Pose made(const PoseParts& parts);
 
 /// Of an exact pose its rows, and columns that are the same.
-PoseParts orthogonal(const ExactPose& exact);
+Pose orthogonal(const ExactPose& exact);
 
 /// The rows, rounded to 2^-100.
 Axes roundedRows(const ExactPose& exact) noexcept;
@@ -66,21 +66,29 @@ bool forwardIsAxis(const PoseParts& pose) noexcept;
 /// The eye to double-double.
 DDVec3 unroundedEye(const PoseParts& pose) noexcept;
 
+/// Of right, up, forward: which one each of a camera's axes x, y, z lies along, and its sign.
+struct AxisMap {
+  std::array<std::size_t, 3> along;
+  std::array<double, 3> sign;
+};
+AxisMap axisMap(CameraAxes axes) noexcept;
+
 /// A vector to more digits than doubles have: each component is within error of this one's.
 struct FineVec3 {
   Vector3<Dyadic<1>> value;
   double error = 0;
 
   FineVec3() = default;
-  FineVec3(const Vector3<Dyadic<1>>& v, double e) : value(v), error(e) {}
+  FineVec3(const Vector3<Dyadic<1>>& v, double e) : value(v), error(e) {}  // {1, 2, 3} is a Vec3
 };
 
-/// lookAlong and lookAt with an up of unit length. Parallel is what its digits cannot tell from it.
+/// lookAlong and lookAt with an up of unit length, at positions as small as any double. Parallel is what its digits
+/// cannot tell from it.
 Pose lookAlong(const Vec3& position, const Vec3& direction, const FineVec3& up, Handedness world);
 Pose lookAt(const Vec3& position, const Vec3& target, const FineVec3& up, Handedness world);
 
-/// Axes known to be orthogonal and of unit length.
-Pose poseFromAxes(const Vec3& position, const FineVec3& right, const FineVec3& up, const FineVec3& forward);
+/// Axes right, up, forward that are known to be orthogonal and of unit length.
+Pose poseFromAxes(const Vec3& position, const std::array<FineVec3, 3>& axes);
 
 /// The camera's x, y, z axes in the world and its eye where they come out of arithmetic in double-double. Names
 /// "columns" and "position" where they are wrong. What the inverse of columns rounds to counts as exact from there on.

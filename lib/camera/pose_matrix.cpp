@@ -13,63 +13,40 @@ namespace {
 
 using Columns = std::array<Vec3, 3>;
 
-const char* axesName(CameraAxes axes) {
-  switch (axes) {
-    case CameraAxes::RUB:
-      return "RUB";
-    case CameraAxes::RUF:
-      return "RUF";
-    case CameraAxes::RDF:
-      return "RDF";
-    case CameraAxes::FRU:
-      break;
-  }
-  return "FRU";
-}
-
-/// Of right, up, forward: which one each camera axis lies along, and its sign.
-struct AxisMap {
-  std::array<int, 3> along;
-  std::array<double, 3> sign;
+struct NamedAxes {
+  const char* name;
+  bool isRightHanded;
+  AxisMap map;
 };
 
-AxisMap axisMap(CameraAxes axes) {
-  switch (axes) {
-    case CameraAxes::RUB:
-      return {{0, 1, 2}, {1, 1, -1}};
-    case CameraAxes::RUF:
-      return {{0, 1, 2}, {1, 1, 1}};
-    case CameraAxes::RDF:
-      return {{0, 1, 2}, {1, -1, 1}};
-    case CameraAxes::FRU:
-      break;
-  }
-  return {{2, 0, 1}, {1, 1, 1}};
-}
-
-Handedness handednessOf(CameraAxes axes) {
-  return axes == CameraAxes::RUB || axes == CameraAxes::RDF ? Handedness::right : Handedness::left;
+const NamedAxes& named(CameraAxes axes) noexcept {
+  static constexpr NamedAxes kAxes[] = {
+      // as CameraAxes counts them
+      {"RUB", true, {{0, 1, 2}, {1, 1, -1}}},
+      {"RUF", false, {{0, 1, 2}, {1, 1, 1}}},
+      {"RDF", true, {{0, 1, 2}, {1, -1, 1}}},
+      {"FRU", false, {{2, 0, 1}, {1, 1, 1}}},
+  };
+  return kAxes[static_cast<std::size_t>(axes)];
 }
 
 /// A set of axes with determinant +1 belongs to a world of its own handedness, with -1 to the other.
 void requireHandedness(CameraAxes axes, Handedness world, bool mirrored, const char* field) {
-  const Handedness fits = mirrored == (handednessOf(axes) == Handedness::left) ? Handedness::right : Handedness::left;
-  if (fits == world) return;
-  const bool rightHandedAxesFit = (world == Handedness::right) != mirrored;
+  const bool isRight = world == Handedness::right;
+  if (named(axes).isRightHanded == (isRight != mirrored)) return;
   throw CameraError(field, std::string("is a ") + (mirrored ? "mirroring" : "rotation") + " of camera axes " +
-                               axesName(axes) + ", which does not fit a " +
-                               (world == Handedness::right ? "right" : "left") + "-handed world; cameraAxes " +
-                               (rightHandedAxesFit ? "RUB or RDF" : "RUF or FRU") + " would");
+                               named(axes).name + ", which does not fit a " + (isRight ? "right" : "left") +
+                               "-handed world; cameraAxes " + (isRight != mirrored ? "RUB or RDF" : "RUF or FRU") +
+                               " would");
 }
 
 /// From camera x, y, z to right, up, forward.
 template <class Vector>
 std::array<Vector, 3> toAxes(const std::array<Vector, 3>& xyz, CameraAxes axes) {
-  const AxisMap map = axisMap(axes);
+  const AxisMap& map = named(axes).map;
   std::array<Vector, 3> result;
   for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j)
-      result[static_cast<std::size_t>(map.along[i])][j] = map.sign[i] < 0 ? -xyz[i][j] : xyz[i][j];
+    for (std::size_t j = 0; j < 3; ++j) result[map.along[i]][j] = map.sign[i] < 0 ? -xyz[i][j] : xyz[i][j];
   return result;
 }
 
@@ -80,9 +57,9 @@ Axes toAxesOf(const std::array<DDVec3, 3>& xyz, CameraAxes axes) {
 
 /// The same of a number for each.
 Vec3 toAxes(const Vec3& xyz, CameraAxes axes) {
-  const AxisMap map = axisMap(axes);
+  const AxisMap& map = named(axes).map;
   Vec3 result;
-  for (std::size_t i = 0; i < 3; ++i) result[static_cast<std::size_t>(map.along[i])] = xyz[i] * map.sign[i];
+  for (std::size_t i = 0; i < 3; ++i) result[map.along[i]] = xyz[i] * map.sign[i];
   return result;
 }
 
@@ -152,6 +129,8 @@ std::array<DDVec3, 3> transposed(const std::array<DDVec3, 3>& rows) {
 
 }  // namespace
 
+AxisMap axisMap(CameraAxes axes) noexcept { return named(axes).map; }
+
 Pose poseFromColumns(const std::array<DDVec3, 3>& columns, const DDVec3& eye, CameraAxes axes, Handedness world) {
   const Columns c{rounded(columns[0]), rounded(columns[1]), rounded(columns[2])};
   if (!(maxAbs(eye) <= kLargestNumber))
@@ -167,14 +146,13 @@ Pose poseFromColumns(const std::array<DDVec3, 3>& columns, const DDVec3& eye, Ca
   const std::array<DDVec3, 3> rows = {crossed[0] * scale, crossed[1] * scale, crossed[2] * scale};
   // Rounded, so that the exact rows hold it too; it is 2^-53 of the eye, and so is its rounding of it.
   const DDVec3 rest = -DDVec3{eye.x.lo, eye.y.lo, eye.z.lo};
-  const Axes named = toAxesOf(rows, axes);
+  const auto axisRows = toAxes(rows, axes);
   ExactPose exact;
   exact.origin = rounded(eye);
   exact.translation = toAxes({dot(rows[0], rest).hi, dot(rows[1], rest).hi, dot(rows[2], rest).hi}, axes);
-  const DDVec3* const row[] = {&named.right, &named.up, &named.forward};
   for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) exact.rows[i][j] = Dyadic<1>((*row[i])[j].hi) + Dyadic<1>((*row[i])[j].lo);
-  return made({exact.origin, named, toAxesOf(columns, axes), toDoubleDouble(exact.translation),
+    for (std::size_t j = 0; j < 3; ++j) exact.rows[i][j] = Dyadic<1>(axisRows[i][j].hi) + Dyadic<1>(axisRows[i][j].lo);
+  return made({exact.origin, toAxesOf(rows, axes), toAxesOf(columns, axes), toDoubleDouble(exact.translation),
                std::make_shared<const ExactPose>(exact)});
 }
 
@@ -219,9 +197,9 @@ Pose poseFromRotation(const Vec3& position, const Quaternion& q, CameraAxes axes
   ExactPose exact;
   exact.origin = position;
   const Wide scale = Wide(1) / squares(true, true, true).rounded();
-  const auto named = toAxes(columns, axes);
-  for (std::size_t i = 0; i < 3; ++i) setUnitRow(exact, i, named[i], scale);
-  return made(orthogonal(exact));
+  const auto rows = toAxes(columns, axes);
+  for (std::size_t i = 0; i < 3; ++i) setUnitRow(exact, i, rows[i], scale);
+  return orthogonal(exact);
 }
 
 Pose poseFromWorldFromCamera(const Mat4& matrix, CameraAxes axes, Handedness world) {

@@ -7,15 +7,16 @@
 #include <string>
 
 #include "camera/require.hpp"
-#include "camera/screen_corner.hpp"
 #include "camera/viewport.hpp"
 #include "numbers/degrees.hpp"
-#include "numbers/radians.hpp"
 
 namespace viewproj {
 
 using namespace detail;
 namespace {
+
+DoubleDouble ratio(double a, double b) { return DoubleDouble(a) / DoubleDouble(b); }
+DoubleDouble half(DoubleDouble a) { return timesPowerOfTwo(a, 0.5); }
 
 void requireRange(bool orthographic, double near, double far) {
   if (orthographic) {
@@ -33,19 +34,20 @@ void requireRange(bool orthographic, double near, double far) {
                     "must be greater than near, " + nearText + "; for reversed depth keep near < far and set reverseZ");
 }
 
+void requireSide(DoubleDouble low, DoubleDouble high, DoubleDouble width, double reach, const char* lowName,
+                 const char* highName) {
+  const double farthest = std::max({std::fabs(low.hi), std::fabs(high.hi), reach});
+  if (!isFinite(low) || !isFinite(high) || !(farthest <= 2 * kLargestNumber))  // rounding up to here
+    throw CameraError(highName, "makes a window that reaches beyond 1e90");
+  if (!(width.hi > 0)) throw CameraError(highName, std::string("must be greater than ") + lowName);
+  if (!(width.hi >= kSmallestNumber)) throw CameraError(highName, "makes a window smaller than 1e-90");
+}
+
 /// The window checked: edges in order, and its size in the domain.
 void check(const ProjectionParts& p) {
   requireRange(p.orthographic, p.near, p.far);
-  constexpr double kLargest = 2 * kLargestNumber;  // rounding up to here
-  const auto requireSide = [](DoubleDouble low, DoubleDouble high, double width, double reach, const char* lowName,
-                              const char* highName) {
-    if (!isFinite(low) || !isFinite(high) || !(std::max({std::fabs(low.hi), std::fabs(high.hi), reach}) <= kLargest))
-      throw CameraError(highName, "makes a window that reaches beyond 1e90");
-    if (!(width > 0)) throw CameraError(highName, std::string("must be greater than ") + lowName);
-    if (!(width >= kSmallestNumber)) throw CameraError(highName, "makes a window smaller than 1e-90");
-  };
-  requireSide(p.left, p.right, windowWidth(p).hi, p.reachX, "left", "right");
-  requireSide(p.bottom, p.top, windowHeight(p).hi, p.reachY, "bottom", "top");
+  requireSide(p.left, p.right, windowWidth(p), p.reachX, "left", "right");
+  requireSide(p.bottom, p.top, windowHeight(p), p.reachY, "bottom", "top");
 }
 
 Projection symmetric(DoubleDouble halfWidth, DoubleDouble halfHeight, double near, double far,
@@ -53,14 +55,9 @@ Projection symmetric(DoubleDouble halfWidth, DoubleDouble halfHeight, double nea
   return made({orthographic, -halfWidth, halfWidth, -halfHeight, halfHeight, near, far});
 }
 
-/// (high - low) / by, where the quotients of high and low may have lost it.
-DoubleDouble differenceOver(double low, double high, double by) { return twoDiff(high, low) / DoubleDouble(by); }
-DoubleDouble ratio(double a, double b) { return DoubleDouble(a) / DoubleDouble(b); }
-
-/// Beyond this many of its own sizes off the axis, a window that was moved or cut out has lost too many digits.
-constexpr double kLargestMove = 0x1p32;
-
+/// A window that was moved or cut out. Beyond so many of its own sizes off the axis it has lost too many digits.
 Projection moved(const ProjectionParts& p, const char* fieldX, const char* fieldY) {
+  constexpr double kLargestMove = 0x1p32;
   const auto require = [](double reach, DoubleDouble low, DoubleDouble high, const char* field) {
     if (reach > kLargestMove * std::max(std::fabs(low.hi), std::fabs(high.hi)))
       throw CameraError(field, "leaves less than 2e-10 of the window, or of its way off the viewing axis");
@@ -71,6 +68,7 @@ Projection moved(const ProjectionParts& p, const char* fieldX, const char* field
   return made(p);
 }
 
+/// What edges of it are computed from.
 double largest(double reach, DoubleDouble a, DoubleDouble b) {
   return std::max({reach, std::fabs(a.hi), std::fabs(b.hi)});
 }
@@ -110,7 +108,7 @@ double Projection::bottom() const noexcept { return parts_->bottom.hi; }
 double Projection::top() const noexcept { return parts_->top.hi; }
 double Projection::zNear() const noexcept { return parts_->near; }
 double Projection::zFar() const noexcept { return parts_->far; }
-double Projection::aspect() const noexcept { return windowAspect(*parts_).hi; }
+double Projection::aspect() const noexcept { return (windowWidth(*parts_) / windowHeight(*parts_)).hi; }
 double Projection::fov(Fov of) const noexcept {
   const ProjectionParts& p = *parts_;
   if (p.orthographic) return std::numeric_limits<double>::quiet_NaN();
@@ -136,8 +134,7 @@ Projection perspectiveNearSize(double nearWidth, double nearHeight, double near,
   requirePositive(nearHeight, "nearHeight");
   requirePositive(near, "near");
   requireRange(false, near, far);
-  return symmetric(timesPowerOfTwo(ratio(nearWidth, near), 0.5), timesPowerOfTwo(ratio(nearHeight, near), 0.5), near,
-                   far);
+  return symmetric(half(ratio(nearWidth, near)), half(ratio(nearHeight, near)), near, far);
 }
 
 Projection perspectiveFocalLength(double focalLength, double sensorWidth, double sensorHeight, Aspect aspect,
@@ -147,13 +144,9 @@ Projection perspectiveFocalLength(double focalLength, double sensorWidth, double
     throw CameraError("focalLength", "needs sensorWidth or sensorHeight, in the same unit");
   if (sensorWidth != 0) requirePositive(sensorWidth, "sensorWidth");
   if (sensorHeight != 0) requirePositive(sensorHeight, "sensorHeight");
-  DoubleDouble halfWidth = timesPowerOfTwo(ratio(sensorWidth, focalLength), 0.5);
-  DoubleDouble halfHeight = timesPowerOfTwo(ratio(sensorHeight, focalLength), 0.5);
-  if (sensorWidth == 0 || sensorHeight == 0) {
-    const DoubleDouble shape = ratioOf(aspect);
-    if (sensorWidth == 0) halfWidth = halfHeight * shape;
-    if (sensorHeight == 0) halfHeight = halfWidth / shape;
-  }
+  DoubleDouble halfWidth = half(ratio(sensorWidth, focalLength)), halfHeight = half(ratio(sensorHeight, focalLength));
+  if (sensorWidth == 0) halfWidth = halfHeight * ratioOf(aspect);
+  if (sensorHeight == 0) halfHeight = halfWidth / ratioOf(aspect);
   return symmetric(halfWidth, halfHeight, near, far);
 }
 
@@ -161,18 +154,29 @@ Projection frustum(double left, double right, double bottom, double top, double 
   requireEdges(left, right, bottom, top);
   requirePositive(near, "near");
   requireRange(false, near, far);
+  // Width and height from the differences, which the quotients may have lost.
   return made({false, ratio(left, near), ratio(right, near), ratio(bottom, near), ratio(top, near), near, far,
-               differenceOver(left, right, near), differenceOver(bottom, top, near)});
+               twoDiff(right, left) / DoubleDouble(near), twoDiff(top, bottom) / DoubleDouble(near)});
 }
 
-Projection detail::perspectiveWindow(DoubleDouble left, DoubleDouble right, DoubleDouble bottom, DoubleDouble top,
-                                     double near, double far) {
+Projection perspectiveWindow(double left, double right, double bottom, double top, double near, double far) {
+  requireEdges(left, right, bottom, top);
   return made({false, left, right, bottom, top, near, far});
 }
 
-Projection detail::orthographic(DoubleDouble left, DoubleDouble right, DoubleDouble bottom, DoubleDouble top,
-                                double near, double far) {
+Projection orthographic(double left, double right, double bottom, double top, double near, double far) {
+  requireEdges(left, right, bottom, top);
   return made({true, left, right, bottom, top, near, far});
+}
+
+Projection orthographicHeight(double height, Aspect aspect, double near, double far) {
+  requirePositive(height, "height");
+  return symmetric(DoubleDouble(height / 2) * ratioOf(aspect), height / 2, near, far, true);
+}
+
+Projection orthographicWidth(double width, Aspect aspect, double near, double far) {
+  requirePositive(width, "width");
+  return symmetric(width / 2, DoubleDouble(width / 2) / ratioOf(aspect), near, far, true);
 }
 
 Projection intrinsics(double focalX, double focalY, double cx, double cy, const Viewport& viewport, double near,
@@ -184,8 +188,7 @@ Projection intrinsics(double focalX, double focalY, double cx, double cy, const 
   requireNumber(cy, "cy");
   // From the picture's left edge and from its edge where y starts: of exact differences, because the three may cancel.
   const auto from = [&](double start, double c) { return twoDiff(c, start) + twoDiff(0.5, viewport.pixelCenter); };
-  const DoubleDouble fromLeft = from(viewport.x, cx);
-  const DoubleDouble fromStart = from(viewport.y, cy);
+  const DoubleDouble fromLeft = from(viewport.x, cx), fromStart = from(viewport.y, cy);
   const DoubleDouble fx = focalX, fy = focalY, width = viewport.width, height = viewport.height;
   const DoubleDouble toEnd = height - fromStart;
   const bool down = viewport.origin == Origin::topLeft;
@@ -193,66 +196,34 @@ Projection intrinsics(double focalX, double focalY, double cx, double cy, const 
                (down ? fromStart : toEnd) / fy, near, far, width / fx, height / fy});
 }
 
-Projection perspectiveWindow(double left, double right, double bottom, double top, double near, double far) {
-  requireEdges(left, right, bottom, top);
-  return perspectiveWindow(DoubleDouble(left), right, bottom, top, near, far);
-}
-
-Projection orthographic(double left, double right, double bottom, double top, double near, double far) {
-  requireEdges(left, right, bottom, top);
-  return orthographic(DoubleDouble(left), right, bottom, top, near, far);
-}
-
-Projection orthographicHeight(double height, Aspect aspect, double near, double far) {
-  requirePositive(height, "height");
-  const DoubleDouble half = height / 2;
-  return symmetric(half * ratioOf(aspect), half, near, far, true);
-}
-
-Projection orthographicWidth(double width, Aspect aspect, double near, double far) {
-  requirePositive(width, "width");
-  const DoubleDouble half = width / 2;
-  return symmetric(half, half / ratioOf(aspect), near, far, true);
-}
-
 Projection shifted(const Projection& projection, double dx, double dy) {
   const ProjectionParts& p = parts(projection);
   if (!(std::isfinite(dx) && std::isfinite(dy))) throw CameraError("shift", "must be two finite numbers");
   requireNumber(dx, "shift");
   requireNumber(dy, "shift");
-  ProjectionParts window = p;
-  window.width = windowWidth(p);
-  window.height = windowHeight(p);
-  const DoubleDouble x = DoubleDouble(dx) * timesPowerOfTwo(window.width, 0.5);
-  const DoubleDouble y = DoubleDouble(dy) * timesPowerOfTwo(window.height, 0.5);
-  window.reachX = largest(p.reachX, p.left, p.right);
-  window.reachY = largest(p.reachY, p.bottom, p.top);
-  window.left = p.left - x;
-  window.right = p.right - x;
-  window.bottom = p.bottom - y;
-  window.top = p.top - y;
-  return moved(window, "shift", "shift");
+  const DoubleDouble width = windowWidth(p), height = windowHeight(p);
+  const DoubleDouble x = DoubleDouble(dx) * half(width), y = DoubleDouble(dy) * half(height);
+  return moved({p.orthographic, p.left - x, p.right - x, p.bottom - y, p.top - y, p.near, p.far, width, height,
+                largest(p.reachX, p.left, p.right), largest(p.reachY, p.bottom, p.top)},
+               "shift", "shift");
 }
 
 Projection cropped(const Projection& projection, const Viewport& viewport, const Crop& crop) {
   const ProjectionParts& p = parts(projection);
   validate(cropped(viewport, crop));
-  const DoubleDouble xEnd = twoSum(crop.x, crop.width);
-  const DoubleDouble yEnd = twoSum(crop.y, crop.height);
   const DoubleDouble width = windowWidth(p), height = windowHeight(p);
-  const DoubleDouble shareX = DoubleDouble(crop.width) / DoubleDouble(viewport.width);
-  const DoubleDouble shareY = DoubleDouble(crop.height) / DoubleDouble(viewport.height);
-  const auto across = [&](DoubleDouble x) { return p.left + width * (x / DoubleDouble(viewport.width)); };
+  const DoubleDouble pixelsAcross = viewport.width, pixelsAlong = viewport.height;
   const bool down = viewport.origin == Origin::topLeft;
-  const DoubleDouble start = down ? p.top : p.bottom;
-  const DoubleDouble downwards = down ? -height : height;
-  const auto along = [&](DoubleDouble y) { return start + downwards * (y / DoubleDouble(viewport.height)); };
-  const DoubleDouble first = along(crop.y);
-  const DoubleDouble last = along(yEnd);
-  return moved(
-      {p.orthographic, across(crop.x), across(xEnd), down ? last : first, down ? first : last, p.near, p.far,
-       width * shareX, height * shareY, largest(p.reachX, p.left, p.right), largest(p.reachY, p.bottom, p.top)},
-      "viewport.crop.width", "viewport.crop.height");
+  const auto across = [&](DoubleDouble x) { return p.left + width * (x / pixelsAcross); };
+  const auto along = [&](DoubleDouble y) {
+    return (down ? p.top : p.bottom) + (down ? -height : height) * (y / pixelsAlong);
+  };
+  const DoubleDouble first = along(crop.y), last = along(twoSum(crop.y, crop.height));
+  return moved({p.orthographic, across(crop.x), across(twoSum(crop.x, crop.width)), down ? last : first,
+                down ? first : last, p.near, p.far, width * (DoubleDouble(crop.width) / pixelsAcross),
+                height * (DoubleDouble(crop.height) / pixelsAlong), largest(p.reachX, p.left, p.right),
+                largest(p.reachY, p.bottom, p.top)},
+               "viewport.crop.width", "viewport.crop.height");
 }
 
 }  // namespace viewproj

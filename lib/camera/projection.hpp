@@ -1,4 +1,4 @@
-// A projection's numbers, and projections of numbers with more digits than doubles have.
+// A projection's numbers.
 //
 // Every way to describe a lens is a function that ends in six numbers. To add one, add a function that computes the
 // edges, and a row to the camera file's reader.
@@ -34,17 +34,9 @@ inline DoubleDouble windowWidth(const ProjectionParts& p) noexcept {
 inline DoubleDouble windowHeight(const ProjectionParts& p) noexcept {
   return p.height.hi > 0 ? p.height : p.top - p.bottom;
 }
-/// Width / height of the window.
-inline DoubleDouble windowAspect(const ProjectionParts& p) noexcept { return windowWidth(p) / windowHeight(p); }
 
 inline const ProjectionParts& parts(const Projection& projection) noexcept { return *Access::shared(projection); }
 /// Throws CameraError unless edges are in order and within the limits of a window, near and far as camera.hpp says.
 Projection made(const ProjectionParts& parts);
-
-// As in camera.hpp.
-Projection perspectiveWindow(DoubleDouble left, DoubleDouble right, DoubleDouble bottom, DoubleDouble top, double near,
-                             double far);
-Projection orthographic(DoubleDouble left, DoubleDouble right, DoubleDouble bottom, DoubleDouble top, double near,
-                        double far);
 
 }  // namespace viewproj::detail

@@ -20,12 +20,11 @@ void TurnedAxes::turn(std::size_t a, std::size_t b, double degrees) noexcept {
 
 FineVec3 TurnedAxes::axis(std::size_t index, bool opposite) const noexcept {
   constexpr double kNoise = 0x1p-207;  // below it an entry is what rounding left of a sum that cancels
-  FineVec3 v;
+  FineVec3 v{{}, exact_ ? 0 : kTurnedRowBound};
   for (std::size_t i = 0; i < 3; ++i) {
     const Dyadic<1>& part = axes_[index][i];
     if (std::fabs(double(part.rounded())) >= kNoise) v.value[i] = opposite ? -part : part;
   }
-  v.error = exact_ ? 0 : kTurnedRowBound;
   return v;
 }
 
@@ -44,17 +43,10 @@ Pose poseFromTurns(const Vec3& position, const std::array<Turn, 3>& turns, Camer
     const auto axis = static_cast<std::size_t>(turn.axis);
     t.turn((axis + 2) % 3, (axis + 1) % 3, turn.degrees);
   }
-  switch (axes) {
-    case CameraAxes::RUB:
-      return poseFromAxes(position, t.axis(0), t.axis(1), t.axis(2, true));
-    case CameraAxes::RUF:
-      return poseFromAxes(position, t.axis(0), t.axis(1), t.axis(2));
-    case CameraAxes::RDF:
-      return poseFromAxes(position, t.axis(0), t.axis(1, true), t.axis(2));
-    case CameraAxes::FRU:
-      break;
-  }
-  return poseFromAxes(position, t.axis(1), t.axis(2), t.axis(0));
+  const AxisMap map = axisMap(axes);
+  std::array<FineVec3, 3> turned;
+  for (std::size_t i = 0; i < 3; ++i) turned[map.along[i]] = t.axis(i, map.sign[i] < 0);
+  return poseFromAxes(position, turned);
 }
 
 }  // namespace viewproj

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "camera/require.hpp"
-#include "camera/screen_corner.hpp"
 
 namespace viewproj {
 

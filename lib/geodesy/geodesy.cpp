@@ -74,7 +74,7 @@ Pose poseFromHeadingPitchRoll(const Geodetic& position, const HeadingPitchRoll& 
   axes.turn(kRight, kForward, turned.heading);
   axes.turn(kUpward, kForward, turned.pitch);
   axes.turn(kRight, kUpward, turned.roll);
-  return poseFromAxes(geodeticToEcef(position), axes.axis(kRight), axes.axis(kUpward), axes.axis(kForward));
+  return poseFromAxes(geodeticToEcef(position), {axes.axis(kRight), axes.axis(kUpward), axes.axis(kForward)});
 }
 
 Pose lookAtPlace(const Geodetic& position, const Geodetic& target) {

@@ -5,7 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "camera/convention.hpp"
 #include "camera/depth.hpp"
 #include "camera/pose.hpp"
 #include "camera/projection.hpp"
@@ -190,9 +189,9 @@ void setWindow(MatrixLens& lens, const ClipParts& p, NdcY ndcY) {
   const double near = lens.zNear.value, far = lens.zFar.value;
   try {
     if (lens.orthographic)
-      lens.projection = orthographic(left, right, bottom, top, near, far);
+      lens.projection = made({true, left, right, bottom, top, near, far});
     else if (near > 0)
-      lens.projection = perspectiveWindow(left, right, bottom, top, near, far);
+      lens.projection = made({false, left, right, bottom, top, near, far});
   } catch (const CameraError&) {  // NOLINT: there is none
   }
 }

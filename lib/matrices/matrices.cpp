@@ -5,38 +5,250 @@
 #include <limits>
 
 #include "camera/camera.hpp"
-#include "camera/convention.hpp"
-#include "camera/lens.hpp"
+#include "camera/depth.hpp"
 #include "camera/require.hpp"
-#include "camera/screen_map.hpp"
-#include "projection/clip_point.hpp"
+#include "camera/viewport.hpp"
+#include "projection/exact_point.hpp"
 
 namespace viewproj {
 
 using namespace detail;
-
 namespace {
 
-Lens screenLens(const ProjectionParts& p, const Viewport& v, const Convention& c) {
-  requireDepth(p);
-  const ScreenMap map = screenMap(p, v);
-  const DepthEnds ends = windowDepths(v, c.reverseZ);
-  const DepthLine inverse = inverseDepthLine(p, ends);
-  return {p.orthographic,
-          map.scaleX,
-          map.centerX,
-          map.scaleY,
-          map.centerY,
-          DoubleDouble(1) / map.scaleX,
-          -map.centerX / map.scaleX,
-          DoubleDouble(1) / map.scaleY,
-          -map.centerY / map.scaleY,
-          depthLine(p, ends),
-          inverse.offset,
-          inverse.scale};
+using DDMat4 = std::array<std::array<DoubleDouble, 4>, 4>;
+
+constexpr DDMat4 kIdentity = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
+
+// ---- What a projection does to distances X, Y, W along right, up, forward
+
+/// out = scale h + offset, and h = inverseScale out + inverseOffset, where h is X/W or Y/W, in orthographic X or Y.
+struct AffineMap {
+  DoubleDouble scale, offset, inverseScale, inverseOffset;
+};
+
+AffineMap byInverse(DoubleDouble half, DoubleDouble middle) noexcept {
+  return {DoubleDouble(1) / half, -middle / half, half, middle};
 }
 
-using DDMat4 = std::array<std::array<DoubleDouble, 4>, 4>;
+AffineMap byScale(DoubleDouble scale, DoubleDouble offset) noexcept {
+  return {scale, offset, DoubleDouble(1) / scale, -offset / scale};
+}
+
+/// To normalised device coordinates.
+AffineMap ndcX(const ProjectionParts& p) noexcept {
+  return byInverse(timesPowerOfTwo(p.right - p.left, 0.5), timesPowerOfTwo(p.right + p.left, 0.5));
+}
+
+AffineMap ndcY(const ProjectionParts& p, NdcY way) noexcept {
+  return byInverse(timesPowerOfTwo(p.top - p.bottom, way == NdcY::up ? 0.5 : -0.5),
+                   timesPowerOfTwo(p.top + p.bottom, 0.5));
+}
+
+/// To NDC or to the screen; depth is of 1/W, in orthographic of W.
+struct Lens {
+  AffineMap x, y;
+  DepthLine depth, inverseDepth;
+};
+
+Lens lensOf(const CameraParts& c, Space space) {
+  const ProjectionParts& p = c.projection;
+  if (!hasDepth(p)) throw CameraError("near", "needs near: without a near plane there is no depth, and no clip space");
+  if (space != Space::screen) {
+    const DepthEnds ends = ndcDepths(c.convention);
+    return {ndcX(p), ndcY(p, c.convention.ndcY), depthLine(p, ends), inverseDepthLine(p, ends)};
+  }
+  const DepthEnds ends = windowDepths(c.viewport, c.convention.reverseZ);
+  return {byScale(c.screen.scaleX, c.screen.centerX), byScale(c.screen.scaleY, c.screen.centerY), depthLine(p, ends),
+          inverseDepthLine(p, ends)};
+}
+
+/// From (X, Y, W, 1).
+DDMat4 lensFromAxes(const CameraParts& c, Space space) {
+  const auto& [x, y, depth, inverse] = lensOf(c, space);
+  if (c.projection.orthographic)
+    return {{
+        {x.scale, 0, 0, x.offset},
+        {0, y.scale, 0, y.offset},
+        {0, 0, depth.scale, depth.offset},
+        {0, 0, 0, 1},
+    }};
+  return {{
+      {x.scale, 0, x.offset, 0},
+      {0, y.scale, y.offset, 0},
+      {0, 0, depth.offset, depth.scale},
+      {0, 0, 1, 0},
+  }};
+}
+
+DDMat4 axesFromLens(const CameraParts& c, Space space) {
+  const auto& [x, y, depth, inverse] = lensOf(c, space);
+  if (c.projection.orthographic)
+    return {{
+        {x.inverseScale, 0, 0, x.inverseOffset},
+        {0, y.inverseScale, 0, y.inverseOffset},
+        {0, 0, inverse.scale, inverse.offset},
+        {0, 0, 0, 1},
+    }};
+  return {{
+      {x.inverseScale, 0, 0, x.inverseOffset},
+      {0, y.inverseScale, 0, y.inverseOffset},
+      {0, 0, 0, 1},
+      {0, 0, inverse.scale, inverse.offset},
+  }};
+}
+
+/// From (X, Y, W, 1) to view space, and back: view y and z run along or against up and forward.
+DDMat4 viewAxes(const Convention& convention) noexcept {
+  const AxisSigns sign = axisSigns(convention.view);
+  return {{{1, 0, 0, 0}, {0, sign.up, 0, 0}, {0, 0, sign.forward, 0}, {0, 0, 0, 1}}};
+}
+
+/// The picture as NDC see it: screen = scale ndc + offset, for each of x, y, z.
+std::array<AffineMap, 3> viewportMaps(const Viewport& v, const Convention& c) noexcept {
+  const ScreenCorner corner = screenCorner(v);
+  const DoubleDouble halfWidth = v.width / 2, halfHeight = v.height / 2;
+  const bool flipped = (v.origin == Origin::topLeft) == (c.ndcY == NdcY::up);
+  const DoubleDouble range = twoDiff(v.depthSecond, v.depthFirst), half = timesPowerOfTwo(range, 0.5);
+  const DoubleDouble first = v.depthFirst;
+  return {byScale(halfWidth, corner.x + halfWidth), byScale(flipped ? -halfHeight : halfHeight, corner.y + halfHeight),
+          c.ndcZ == NdcZ::minusOneToOne ? byScale(half, first + half) : byScale(range, first)};
+}
+
+// ---- Points, directions and models
+
+/// Distances along right, up and forward. What cancels to less than its own error is 0.
+DDVec3 alongAxes(const PoseParts& pose, const Vec4& p) noexcept {
+  const Vec3 xyz{p.x, p.y, p.z};
+  DDVec3 d;
+  for (std::size_t i = 0; i < 3; ++i) d[i] = DoubleDouble(xyz[i]) + twoProd(-pose.eye[i], p.w);
+  const auto along = [&](const DDVec3& axis, DoubleDouble residual) {
+    return sumOrZero(dotOrZero(axis, d), residual * DoubleDouble(p.w));
+  };
+  return {along(pose.rows.right, pose.residual.x), along(pose.rows.up, pose.residual.y),
+          along(pose.rows.forward, pose.residual.z)};
+}
+
+/// The same to 2^-90 of themselves, however they cancel.
+DDVec3 preciselyAlongAxes(const PoseParts& pose, const Vec4& p) noexcept {
+  constexpr double kKept = 0x1p-8;  // of the terms' 2^-98
+  const DDVec3 near = alongAxes(pose, p);
+  const Vec3& eye = pose.eye;
+  const double size = std::fabs(p.x - p.w * eye.x) + std::fabs(p.y - p.w * eye.y) + std::fabs(p.z - p.w * eye.z) +
+                      std::fabs(pose.residual.x.hi) + std::fabs(pose.residual.y.hi) + std::fabs(pose.residual.z.hi);
+  if (std::min({std::fabs(near.x.hi), std::fabs(near.y.hi), std::fabs(near.z.hi)}) > kKept * size) return near;
+  const AxisDistances exact = exactDistances(pose, p);
+  return {toDoubleDouble(exact.right), toDoubleDouble(exact.up), toDoubleDouble(exact.forward)};
+}
+
+/// | right    that of the world's origin |
+/// | up       ...                        |
+/// | forward  ...                        |
+/// | 0        1                          |
+DDMat4 axesFromWorld(const PoseParts& p) noexcept {
+  const DDVec3 &x = p.rows.right, &y = p.rows.up, &z = p.rows.forward;
+  const DDVec3 origin = preciselyAlongAxes(p, {0, 0, 0, 1});
+  return {{{x.x, x.y, x.z, origin.x}, {y.x, y.y, y.z, origin.y}, {z.x, z.y, z.z, origin.z}, {0, 0, 0, 1}}};
+}
+
+/// | right up forward eye |
+/// | 0     0  0       1   |
+DDMat4 worldFromAxes(const PoseParts& p) noexcept {
+  const Axes& c = p.columns;
+  const DDVec3 eye = unroundedEye(p);
+  DDMat4 m = kIdentity;
+  for (std::size_t i = 0; i < 3; ++i) m[i] = {c.right[i], c.up[i], c.forward[i], eye[i]};
+  return m;
+}
+
+/// Each column of the model's, as the axes see it.
+DDMat4 axesFromModel(const PoseParts& p, const Mat4& model) noexcept {
+  DDMat4 m = kIdentity;
+  for (std::size_t j = 0; j < 4; ++j) {
+    const DDVec3 column = preciselyAlongAxes(p, {model[0][j], model[1][j], model[2][j], j == 3 ? 1.0 : 0.0});
+    for (std::size_t i = 0; i < 3; ++i) m[i][j] = column[i];
+  }
+  return m;
+}
+
+/// | adjugate right / determinant  ...  adjugate (eye - translation) / determinant |
+/// | 0                             ...  1                                          |
+DDMat4 modelFrom(const DDMat4& world, const Mat4& model) {
+  constexpr double kLargestEntry = 1e100;
+  std::array<Vector3<Dyadic<1>>, 4> column;
+  for (std::size_t j = 0; j < 4; ++j) column[j] = {model[0][j], model[1][j], model[2][j]};
+  const auto& [x, y, z, translation] = column;
+  const std::array<Vector3<Dyadic<2>>, 3> adjugate = {crossOf(y, z), crossOf(z, x), crossOf(x, y)};
+  const Wide determinant = dot(adjugate[0], x).rounded();
+  if (determinant.sign() == 0) throw CameraError("model", "has no inverse: its axes lie in a plane");
+  DDMat4 m = kIdentity;
+  for (std::size_t j = 0; j < 4; ++j) {
+    Vector3<Dyadic<1>> v;
+    for (std::size_t i = 0; i < 3; ++i) {
+      v[i] = Dyadic<1>(world[i][j].hi) + Dyadic<1>(world[i][j].lo);
+      if (j == 3) v[i] = v[i] - translation[i];
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      m[i][j] = toDoubleDouble(dot(adjugate[i], v).rounded() / determinant);
+      if (!(std::fabs(m[i][j].hi) < kLargestEntry))
+        throw CameraError("model", "has an inverse with entries beyond 1e100");
+    }
+  }
+  return m;
+}
+
+void requireModel(const Mat4& m) {
+  for (const auto& row : m.m)
+    for (const double entry : row)
+      if (!isInDomain(entry))
+        throw CameraError("model", "has an entry that is neither 0 nor between 1e-90 and 1e90 in magnitude");
+  if (!(m[3] == std::array<double, 4>{0, 0, 0, 1})) throw CameraError("model", "has a last row that is not 0 0 0 1");
+}
+
+// ---- Put together
+
+DDMat4 product(const DDMat4& a, const DDMat4& b) noexcept {
+  DDMat4 result{};
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j)
+      for (std::size_t k = 0; k < 4; ++k)
+        if (a[i][k].hi != 0 && b[k][j].hi != 0) result[i][j] += a[i][k] * b[k][j];
+  return result;
+}
+
+DDMat4 axesFrom(const CameraParts& c, Space space, const Mat4* model) {
+  if (space == Space::model) return axesFromModel(c.pose, *model);
+  if (space == Space::world) return axesFromWorld(c.pose);
+  return space == Space::view ? viewAxes(c.convention) : axesFromLens(c, space);
+}
+
+DDMat4 fromAxes(const CameraParts& c, Space space, const Mat4* model) {
+  if (space == Space::model) return modelFrom(worldFromAxes(c.pose), *model);
+  if (space == Space::world) return worldFromAxes(c.pose);
+  return space == Space::view ? viewAxes(c.convention) : lensFromAxes(c, space);
+}
+
+DDMat4 matrixOf(const Camera& camera, Space to, Space from, const Mat4* model) {
+  const CameraParts& c = parts(camera);
+  const auto isOfScene = [](Space s) { return s == Space::model || s == Space::world; };
+  const auto isClip = [](Space s) { return s == Space::clip || s == Space::ndc; };
+  if (!model && (to == Space::model || from == Space::model)) throw CameraError("model", "is missing");
+  if (model) requireModel(*model);
+  DDMat4 m = kIdentity;
+  if (to == from || (isClip(to) && isClip(from))) return m;
+  if ((to == Space::screen && isClip(from)) || (from == Space::screen && isClip(to))) {
+    const std::array<AffineMap, 3> maps = viewportMaps(c.viewport, c.convention);
+    for (std::size_t i = 0; i < 3; ++i) {
+      m[i][i] = to == Space::screen ? maps[i].scale : maps[i].inverseScale;
+      m[i][3] = to == Space::screen ? maps[i].offset : maps[i].inverseOffset;
+    }
+    return m;
+  }
+  if (!isOfScene(to) || !isOfScene(from)) return product(fromAxes(c, to, model), axesFrom(c, from, model));
+  if (to == Space::model) return modelFrom(m, *model);
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j) m[i][j] = (*model)[i][j];
+  return m;
+}
 
 /// Adding 0 turns -0 into 0.
 Mat4 rounded(const DDMat4& a) noexcept {
@@ -61,267 +273,20 @@ Number entry(const DoubleDouble& a) noexcept {
   return nearest;
 }
 
-/// From coordinates (X, Y, W, 1) along right, up, forward to the lens's output.
-DDMat4 lensMatrix(const Lens& l) noexcept {
-  if (l.orthographic)
-    return {{
-        {l.scaleX, 0, 0, l.offsetX},
-        {0, l.scaleY, 0, l.offsetY},
-        {0, 0, l.depth.scale, l.depth.offset},
-        {0, 0, 0, 1},
-    }};
-  return {{
-      {l.scaleX, 0, l.offsetX, 0},
-      {0, l.scaleY, l.offsetY, 0},
-      {0, 0, l.depth.offset, l.depth.scale},
-      {0, 0, 1, 0},
-  }};
-}
-
-DDMat4 inverseLensMatrix(const Lens& l) noexcept {
-  if (l.orthographic)
-    return {{
-        {l.inverseScaleX, 0, 0, l.inverseOffsetX},
-        {0, l.inverseScaleY, 0, l.inverseOffsetY},
-        {0, 0, l.inverseDepthScale, l.inverseDepthOffset},
-        {0, 0, 0, 1},
-    }};
-  return {{
-      {l.inverseScaleX, 0, 0, l.inverseOffsetX},
-      {0, l.inverseScaleY, 0, l.inverseOffsetY},
-      {0, 0, 0, 1},
-      {0, 0, l.inverseDepthScale, l.inverseDepthOffset},
-  }};
-}
-
-/// From (X, Y, W, 1) to view space and back: view y and z run along or against up and forward.
-DDMat4 fromViewAxes(DDMat4 m, ViewAxes axes) noexcept {
-  const AxisSigns sign = axisSigns(axes);
-  for (auto& row : m) {
-    row[1] = timesPowerOfTwo(row[1], sign.up);
-    row[2] = timesPowerOfTwo(row[2], sign.forward);
-  }
-  return m;
-}
-
-DDMat4 toViewAxes(DDMat4 m, ViewAxes axes) noexcept {
-  const AxisSigns sign = axisSigns(axes);
-  for (std::size_t j = 0; j < 4; ++j) {
-    m[1][j] = timesPowerOfTwo(m[1][j], sign.up);
-    m[2][j] = timesPowerOfTwo(m[2][j], sign.forward);
-  }
-  return m;
-}
-
-/// A point's or a direction's distances along right, up and forward, to 2^-90 of themselves however they cancel.
-DDVec3 alongAxes(const PoseParts& pose, const Vec4& p) noexcept {
-  constexpr double kKept = 0x1p-8;  // of the terms' 2^-98
-  const AxisPoint<DoubleDouble> near = toAxes(pose, p);
-  const double size = std::fabs(p.x - p.w * pose.eye.x) + std::fabs(p.y - p.w * pose.eye.y) +
-                      std::fabs(p.z - p.w * pose.eye.z) + std::fabs(pose.residual.x.hi) +
-                      std::fabs(pose.residual.y.hi) + std::fabs(pose.residual.z.hi);
-  if (std::min({std::fabs(near.right.hi), std::fabs(near.up.hi), std::fabs(near.forward.hi)}) > kKept * size)
-    return {near.right, near.up, near.forward};
-  const AxisDistances exact = exactDistances(pose, p);
-  return {toDoubleDouble(exact.right), toDoubleDouble(exact.up), toDoubleDouble(exact.forward)};
-}
-
-/// | right    that of the world's origin |
-/// | up       ...                        |
-/// | forward  ...                        |
-/// | 0        1                          |
-DDMat4 axesFromWorld(const PoseParts& p) noexcept {
-  const Axes& r = p.rows;
-  const DDVec3 origin = alongAxes(p, {0, 0, 0, 1});
-  return {{{r.right.x, r.right.y, r.right.z, origin.x},
-           {r.up.x, r.up.y, r.up.z, origin.y},
-           {r.forward.x, r.forward.y, r.forward.z, origin.z},
-           {0, 0, 0, 1}}};
-}
-
-/// Each column of the model's, as the axes see it.
-DDMat4 axesFromModel(const PoseParts& p, const Mat4& model) noexcept {
-  DDMat4 m{};
-  for (std::size_t j = 0; j < 4; ++j) {
-    const DDVec3 column = alongAxes(p, {model[0][j], model[1][j], model[2][j], j == 3 ? 1.0 : 0.0});
-    for (std::size_t i = 0; i < 3; ++i) m[i][j] = column[i];
-  }
-  m[3][3] = 1;
-  return m;
-}
-
-/// | right up forward eye |
-/// | 0     0  0       1   |
-DDMat4 worldFromAxes(const PoseParts& p) noexcept {
-  const Axes& c = p.columns;
-  const DDVec3 eye = unroundedEye(p);
-  DDMat4 m{};
-  for (std::size_t i = 0; i < 3; ++i) m[i] = {c.right[i], c.up[i], c.forward[i], eye[i]};
-  m[3][3] = 1;
-  return m;
-}
-
-/// | adjugate right / determinant  ...  adjugate (eye - translation) / determinant |
-/// | 0                             ...  1                                          |
-DDMat4 modelFromAxes(const DDMat4& worldFromAxes, const Mat4& model) {
-  constexpr double kLargestEntry = 1e100;
-  std::array<Vector3<Dyadic<1>>, 4> column;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 4; ++j) column[j][i] = model[i][j];
-  const auto& [x, y, z, translation] = column;
-  const std::array<Vector3<Dyadic<2>>, 3> adjugate = {crossOf(y, z), crossOf(z, x), crossOf(x, y)};
-  const Wide determinant = dot(adjugate[0], x).rounded();
-  if (determinant.sign() == 0) throw CameraError("model", "has no inverse: its axes lie in a plane");
-  DDMat4 m{};
-  for (std::size_t j = 0; j < 4; ++j) {
-    Vector3<Dyadic<1>> v;
-    for (std::size_t i = 0; i < 3; ++i) {
-      v[i] = Dyadic<1>(worldFromAxes[i][j].hi) + Dyadic<1>(worldFromAxes[i][j].lo);
-      if (j == 3) v[i] = v[i] - translation[i];
-    }
-    for (std::size_t i = 0; i < 3; ++i) {
-      m[i][j] = toDoubleDouble(dot(adjugate[i], v).rounded() / determinant);
-      if (!(std::fabs(m[i][j].hi) < kLargestEntry))
-        throw CameraError("model", "has an inverse with entries beyond 1e100");
-    }
-  }
-  m[3][3] = 1;
-  return m;
-}
-
-DDMat4 product(const DDMat4& a, const DDMat4& b) noexcept {
-  DDMat4 result{};
+/// Calls use(row, column, place) for the place in memory of each entry: row vectors and columns first are one
+/// transposition each.
+template <class Use>
+void eachStored(const Convention& c, const Use& use) noexcept {
+  const bool byColumns = (c.vectors == Vectors::row) != (c.storage == Storage::columnMajor);
   for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < 4; ++j)
-      for (std::size_t k = 0; k < 4; ++k)
-        if (a[i][k].hi != 0 && b[k][j].hi != 0) result[i][j] += a[i][k] * b[k][j];
-  return result;
-}
-
-constexpr DDMat4 kIdentity = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
-
-void requireModel(const Mat4& m) {
-  for (const auto& row : m.m)
-    for (const double entry : row)
-      if (!isInDomain(entry))
-        throw CameraError("model", "has an entry that is neither 0 nor between 1e-90 and 1e90 in magnitude");
-  if (!(m[3] == std::array<double, 4>{0, 0, 0, 1})) throw CameraError("model", "has a last row that is not 0 0 0 1");
-}
-
-/// What a matrix is made of; of parts that it does not need, null.
-struct Source {
-  const Convention& convention;
-  const PoseParts* pose = nullptr;
-  const ProjectionParts* projection = nullptr;
-  const Viewport* viewport = nullptr;
-  const Mat4* model = nullptr;
-};
-
-Lens lensOf(const Source& s, Space space) {
-  return space == Space::screen ? screenLens(*s.projection, *s.viewport, s.convention)
-                                : ndcLens(*s.projection, s.convention);
-}
-
-/// From a space to distances along right, up and forward, and 1.
-DDMat4 axesFrom(const Source& s, Space space) {
-  if (space == Space::model) return axesFromModel(*s.pose, *s.model);
-  if (space == Space::world) return axesFromWorld(*s.pose);
-  if (space == Space::view) return fromViewAxes(kIdentity, s.convention.view);
-  return inverseLensMatrix(lensOf(s, space));
-}
-
-DDMat4 fromAxes(const Source& s, Space space) {
-  if (space == Space::model) return modelFromAxes(worldFromAxes(*s.pose), *s.model);
-  if (space == Space::world) return worldFromAxes(*s.pose);
-  if (space == Space::view) return toViewAxes(kIdentity, s.convention.view);
-  return lensMatrix(lensOf(s, space));
-}
-
-DDMat4 between(const Source& s, Space to, Space from) {
-  if (s.model) requireModel(*s.model);
-  return product(fromAxes(s, to), axesFrom(s, from));
-}
-
-/// Whether what is a column for column vectors lies together in memory.
-bool areColumnsTogether(const Convention& c) noexcept {
-  return (c.vectors == Vectors::row) != (c.storage == Storage::columnMajor);
-}
-
-/// In the order in which the convention keeps a matrix in memory: row vectors and columns first are one transposition
-/// each.
-template <class Number, class Matrix>
-std::array<Number, 16> stored(const Matrix& m, const Convention& c) noexcept {
-  const bool byColumns = areColumnsTogether(c);
-  std::array<Number, 16> flat{};
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < 4; ++j) flat[4 * i + j] = entry<Number>(byColumns ? m[j][i] : m[i][j]);
-  return flat;
+    for (std::size_t j = 0; j < 4; ++j) byColumns ? use(j, i, 4 * i + j) : use(i, j, 4 * i + j);
 }
 
 template <class Numbers>
 Mat4 unstored(const Numbers& flat, const Convention& c) noexcept {
-  const bool byColumns = areColumnsTogether(c);
   Mat4 m;
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < 4; ++j) (byColumns ? m[j][i] : m[i][j]) = flat[4 * i + j];
+  eachStored(c, [&](std::size_t i, std::size_t j, std::size_t place) { m[i][j] = flat[place]; });
   return m;
-}
-
-/// screen = offset + scale * ndc, for each of x, y, z.
-struct ViewportMap {
-  std::array<DoubleDouble, 3> offset, scale;
-};
-
-ViewportMap viewportMap(const Viewport& v, const Convention& c) noexcept {
-  const ScreenCorner corner = screenCorner(v);
-  const DoubleDouble halfWidth = v.width / 2;
-  const DoubleDouble halfHeight = v.height / 2;
-  const bool flipped = (v.origin == Origin::topLeft) == (c.ndcY == NdcY::up);
-  const DoubleDouble range = twoDiff(v.depthSecond, v.depthFirst);
-  const bool halved = c.ndcZ == NdcZ::minusOneToOne;
-  const DoubleDouble first = v.depthFirst;
-  return {{corner.x + halfWidth, corner.y + halfHeight, halved ? first + timesPowerOfTwo(range, 0.5) : first},
-          {halfWidth, flipped ? -halfHeight : halfHeight, halved ? timesPowerOfTwo(range, 0.5) : range}};
-}
-
-DDMat4 fromNdc(const Viewport& v, const Convention& c) noexcept {
-  const ViewportMap map = viewportMap(v, c);
-  DDMat4 m = kIdentity;
-  for (std::size_t i = 0; i < 3; ++i) {
-    m[i][i] = map.scale[i];
-    m[i][3] = map.offset[i];
-  }
-  return m;
-}
-
-DDMat4 toNdc(const Viewport& v, const Convention& c) noexcept {
-  const ViewportMap map = viewportMap(v, c);
-  DDMat4 m = kIdentity;
-  for (std::size_t i = 0; i < 3; ++i) {
-    m[i][i] = DoubleDouble(1) / map.scale[i];
-    m[i][3] = -map.offset[i] / map.scale[i];
-  }
-  return m;
-}
-
-/// A matrix of a camera, and of a model where there is one.
-DDMat4 matrixOf(const Camera& camera, Space to, Space from, const Mat4* model) {
-  const CameraParts& c = parts(camera);
-  const auto isOfScene = [](Space s) { return s == Space::model || s == Space::world; };
-  const auto isClip = [](Space s) { return s == Space::clip || s == Space::ndc; };
-  if (!model && (to == Space::model || from == Space::model)) throw CameraError("model", "is missing");
-  if (to == from || (isClip(to) && isClip(from))) return kIdentity;
-  if (to == Space::screen && isClip(from)) return fromNdc(c.viewport, c.convention);
-  if (from == Space::screen && isClip(to)) return toNdc(c.viewport, c.convention);
-  if (model) requireModel(*model);
-  if (isOfScene(to) && isOfScene(from)) {
-    if (to == Space::model) return modelFromAxes(kIdentity, *model);
-    DDMat4 m = kIdentity;
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t j = 0; j < 4; ++j) m[i][j] = (*model)[i][j];
-    return m;
-  }
-  return between({c.convention, &c.pose, &c.projection, &c.viewport, model}, to, from);
 }
 
 }  // namespace
@@ -334,79 +299,74 @@ Mat4 matrix(const Camera& camera, Space to, Space from, const Mat4& worldFromMod
 
 template <class Number>
 std::array<Number, 16> storedMatrix(const Camera& camera, Space to, Space from) {
-  return stored<Number>(matrixOf(camera, to, from, nullptr), camera.convention());
+  const DDMat4 m = matrixOf(camera, to, from, nullptr);
+  std::array<Number, 16> flat{};
+  eachStored(camera.convention(),
+             [&](std::size_t i, std::size_t j, std::size_t place) { flat[place] = entry<Number>(m[i][j]); });
+  return flat;
 }
 template std::array<float, 16> storedMatrix<float>(const Camera&, Space, Space);
 template std::array<double, 16> storedMatrix<double>(const Camera&, Space, Space);
 
-Mat4 viewFromWorld(const Pose& pose, const Convention& c) noexcept {
-  // cppcheck-suppress throwInNoexceptFunction  // a model alone can be at fault
-  return rounded(between({c, &parts(pose)}, Space::view, Space::world));
+std::array<double, 16> inStorageOrder(const Mat4& matrix, const Convention& convention) noexcept {
+  std::array<double, 16> flat{};
+  eachStored(convention, [&](std::size_t i, std::size_t j, std::size_t place) { flat[place] = matrix[i][j]; });
+  return flat;
 }
 
-Mat4 worldFromView(const Pose& pose, const Convention& c) noexcept {
-  // cppcheck-suppress throwInNoexceptFunction  // as above
-  return rounded(between({c, &parts(pose)}, Space::world, Space::view));
+Mat4 fromStorageOrder(std::span<const double, 16> numbers, const Convention& c) noexcept {
+  return unstored(numbers, c);
+}
+Mat4 fromStorageOrder(std::span<const float, 16> numbers, const Convention& c) noexcept { return unstored(numbers, c); }
+
+Mat4 laidOut(const Mat4& matrix, const Convention& c) noexcept {
+  return c.vectors == Vectors::row ? transposed(matrix) : matrix;
 }
 
-Mat4 clipFromView(const Projection& p, const Convention& c) {
-  return rounded(between({c, nullptr, &parts(p)}, Space::clip, Space::view));
+Vec4 worldTo(const Camera& camera, Space to, const Vec4& point, const Convention& convention) noexcept {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  constexpr Vec4 kNone{kNaN, kNaN, kNaN, kNaN};
+  const CameraParts& c = parts(camera);
+  if (!isInDomain(c.pose.eye, point)) return kNone;
+  const bool isDirection = point.w == 0;
+  const DDVec3 a = alongAxes(c.pose, point) * (DoubleDouble(1) / DoubleDouble(isDirection ? 1 : point.w));
+  const double weight = isDirection ? 0 : 1;
+  if (to == Space::view) {
+    const AxisSigns sign = axisSigns(convention.view);
+    return {rounded(a.x), sign.up * rounded(a.y) + 0.0, sign.forward * rounded(a.z) + 0.0, weight};
+  }
+  if (to != Space::clip && to != Space::ndc) return kNone;
+  const ProjectionParts& p = c.projection;
+  const AffineMap mapX = ndcX(p), mapY = ndcY(p, convention.ndcY);
+  const DepthEnds ends = hasDepth(p) ? ndcDepths(convention) : DepthEnds{kNaN, kNaN};
+  const DepthShares shares = depthShares(p, a.z, weight);
+  const Wide w = p.orthographic ? Wide(weight) : Wide(a.z);
+  const auto across = [&](const AffineMap& map, DoubleDouble h) {
+    return sumOrZero(Wide(map.scale) * Wide(h), Wide(map.offset) * w);
+  };
+  const Wide x = across(mapX, a.x), y = across(mapY, a.y);
+  const Wide z = Wide(ends.atNear) * shares.ofNear + Wide(ends.atFar) * shares.ofFar;
+  if (to == Space::clip) return {rounded(x), rounded(y), rounded(z), rounded(w)};
+  return w.sign() > 0 ? Vec4{rounded(x / w), rounded(y / w), rounded(z / w), 1} : kNone;
 }
 
-Mat4 viewFromClip(const Projection& p, const Convention& c) {
-  return rounded(between({c, nullptr, &parts(p)}, Space::view, Space::clip));
+SplitVec3 alongAxes(const Camera& camera, const Vec4& point) noexcept {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  const PoseParts& pose = parts(camera).pose;
+  if (!isInDomain(pose.eye, point)) return {{kNaN, kNaN, kNaN}, {}};
+  const DDVec3 d = preciselyAlongAxes(pose, point);
+  return split(point.w == 0 || point.w == 1 ? d : d * (DoubleDouble(1) / DoubleDouble(point.w)));
 }
 
-Mat4 clipFromWorld(const Pose& pose, const Projection& p, const Convention& c) {
-  return rounded(between({c, &parts(pose), &parts(p)}, Space::clip, Space::world));
+Vec2 screenAt(const Camera& camera, const SplitVec3& distances) noexcept {
+  const CameraParts& c = parts(camera);
+  const DDVec3 d = joined(distances);
+  const Wide spread = c.projection.orthographic ? Wide(1) : Wide(d.z);
+  const auto at = [&](DoubleDouble center, DoubleDouble scale, DoubleDouble along) {
+    return double(sumOrZero(Wide(center), Wide(scale) * (Wide(along) / spread)));
+  };
+  return {at(c.screen.centerX, c.screen.scaleX, d.x), at(c.screen.centerY, c.screen.scaleY, d.y)};
 }
-
-Mat4 worldFromClip(const Pose& pose, const Projection& p, const Convention& c) {
-  return rounded(between({c, &parts(pose), &parts(p)}, Space::world, Space::clip));
-}
-
-Mat4 screenFromView(const Projection& p, const Viewport& v, const Convention& c) {
-  return rounded(between({c, nullptr, &parts(p), &v}, Space::screen, Space::view));
-}
-
-Mat4 viewFromScreen(const Projection& p, const Viewport& v, const Convention& c) {
-  return rounded(between({c, nullptr, &parts(p), &v}, Space::view, Space::screen));
-}
-
-Mat4 screenFromWorld(const Pose& pose, const Projection& p, const Viewport& v, const Convention& c) {
-  return rounded(between({c, &parts(pose), &parts(p), &v}, Space::screen, Space::world));
-}
-
-Mat4 worldFromScreen(const Pose& pose, const Projection& p, const Viewport& v, const Convention& c) {
-  return rounded(between({c, &parts(pose), &parts(p), &v}, Space::world, Space::screen));
-}
-
-Mat4 viewFromLocal(const Pose& pose, const Mat4& m, const Convention& c) {
-  return rounded(between({c, &parts(pose), nullptr, nullptr, &m}, Space::view, Space::model));
-}
-
-Mat4 localFromView(const Pose& pose, const Mat4& m, const Convention& c) {
-  return rounded(between({c, &parts(pose), nullptr, nullptr, &m}, Space::model, Space::view));
-}
-
-Mat4 clipFromLocal(const Pose& pose, const Projection& p, const Mat4& m, const Convention& c) {
-  return rounded(between({c, &parts(pose), &parts(p), nullptr, &m}, Space::clip, Space::model));
-}
-
-Mat4 localFromClip(const Pose& pose, const Projection& p, const Mat4& m, const Convention& c) {
-  return rounded(between({c, &parts(pose), &parts(p), nullptr, &m}, Space::model, Space::clip));
-}
-
-Mat4 screenFromLocal(const Pose& pose, const Projection& p, const Viewport& v, const Mat4& m, const Convention& c) {
-  return rounded(between({c, &parts(pose), &parts(p), &v, &m}, Space::screen, Space::model));
-}
-
-Mat4 localFromScreen(const Pose& pose, const Projection& p, const Viewport& v, const Mat4& m, const Convention& c) {
-  return rounded(between({c, &parts(pose), &parts(p), &v, &m}, Space::model, Space::screen));
-}
-
-Mat4 screenFromNdc(const Viewport& v, const Convention& c) noexcept { return rounded(fromNdc(v, c)); }
-Mat4 ndcFromScreen(const Viewport& v, const Convention& c) noexcept { return rounded(toNdc(v, c)); }
 
 Pose relativeToEye(const Pose& pose) {
   PoseParts relative = parts(pose);
@@ -417,17 +377,38 @@ Pose relativeToEye(const Pose& pose) {
   return made(relative);
 }
 
-Mat4 laidOut(const Mat4& matrix, const Convention& c) noexcept {
-  return c.vectors == Vectors::row ? transposed(matrix) : matrix;
+Mat4 worldFromLocal(const Vec3& translation, const Quaternion& rotation, const Vec3& scale) {
+  requireNumber(translation, "translation");
+  requireNumber(scale, "scale");
+  // The rotation is that of a camera whose axes are x right, y up, z back.
+  const Pose turned = poseFromRotation({0, 0, 0}, rotation, CameraAxes::RUB, Handedness::right);
+  const Axes& axis = parts(turned).columns;
+  const DDVec3 axes[] = {axis.right, axis.up, -axis.forward};
+  Mat4 m;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) m[i][j] = rounded(Wide(axes[j][i]) * Wide(scale[j]));
+    m[i][3] = translation[i];
+  }
+  m[3][3] = 1;
+  return m;
 }
 
-std::array<double, 16> inStorageOrder(const Mat4& matrix, const Convention& c) noexcept {
-  return stored<double>(matrix.m, c);
+Vec4 toWorld(const Mat4& m, const Vec4& p) noexcept {
+  const double local[] = {p.x, p.y, p.z, p.w};
+  const auto coordinate = [&](std::size_t i) {
+    DoubleDouble near;
+    double size = 0;
+    for (std::size_t j = 0; j < 4; ++j) {
+      near += twoProd(m[i][j], local[j]);
+      size += std::fabs(m[i][j] * local[j]);
+    }
+    // Products of such a size have underflowed in nothing that counts.
+    if (size > 0x1p-800 && size < 0x1p900 && roundsAlike(near, 0x1p-100 * size)) return rounded(near);
+    Dyadic<2> sum;
+    for (std::size_t j = 0; j < 4; ++j) sum = sum + Dyadic<1>(m[i][j]) * Dyadic<1>(local[j]);
+    return nearestDouble(sum.rounded());
+  };
+  return {coordinate(0), coordinate(1), coordinate(2), p.w};
 }
-
-Mat4 fromStorageOrder(std::span<const double, 16> numbers, const Convention& c) noexcept {
-  return unstored(numbers, c);
-}
-Mat4 fromStorageOrder(std::span<const float, 16> numbers, const Convention& c) noexcept { return unstored(numbers, c); }
 
 }  // namespace viewproj

@@ -1,4 +1,4 @@
-// Trigonometry of angles in degrees, without rounding to radians first.
+// Trigonometry of angles in degrees, without rounding to radians first; and the tangent of angles in radians.
 #pragma once
 
 #include "numbers/double_double.hpp"
@@ -12,6 +12,14 @@ DoubleDouble tanHalfDegrees(double degrees) noexcept;
 
 /// 4 * 2^-106, as measured against MPFR; the Taylor remainder is below 2^-117.
 inline constexpr double kTanHalfDegreesBound = 0x1p-104;
+
+/// tan of half the angle, 0 < radians < pi. Relative error at most kTanHalfRadiansBound up to 3.1; towards pi, where
+/// the tangent is ill-conditioned, it grows as 1 / (pi - radians). NaN outside the open interval and within 1e-16 of
+/// pi.
+DoubleDouble tanHalfRadians(DoubleDouble radians) noexcept;
+
+/// As measured against MPFR.
+inline constexpr double kTanHalfRadiansBound = 0x1p-97;
 
 /// The way back: the double nearest the angle in degrees whose half has this tangent. 0 for a tangent that is not above
 /// 0, 180 where no double below is nearer; NaN for NaN.

@@ -4,7 +4,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <type_traits>
 
 #include "numbers/vectors.hpp"
 
@@ -17,8 +16,8 @@ struct Wide {
   int exponent = 0;
 
   Wide() = default;
-  Wide(double a) noexcept : Wide(DoubleDouble(a), 0) {}  // NOLINT: a double is exact
-  Wide(DoubleDouble a, int power) noexcept {
+  Wide(double a) noexcept : Wide(DoubleDouble(a)) {}  // NOLINT: a double is exact
+  Wide(DoubleDouble a, int power = 0) noexcept {      // NOLINT: and so is a double-double
     if (a.hi == 0) return;
     const int k = static_cast<int>(std::bit_cast<std::uint64_t>(a.hi) >> 52 & 0x7ff) - 1023;
     if (!std::isfinite(a.hi)) {
@@ -87,12 +86,11 @@ inline Wide sqrt(const Wide& a) noexcept {
 inline Wide magnitude(const Wide& a) noexcept { return a.sign() < 0 ? -a : a; }
 inline bool isLess(const Wide& a, const Wide& b) noexcept { return (a - b).sign() < 0; }
 
-/// A sum, or 0 where its terms, of this size, cancel to less than their own error (kCancellation).
-inline Wide orZero(const Wide& sum, const Wide& size) noexcept {
-  return isLess(size * Wide(kCancellation), magnitude(sum)) || !std::isfinite(sum.value.hi) ? sum : Wide();
+/// a + b, or 0 where the terms cancel to less than their own error (kCancellation).
+inline Wide sumOrZero(const Wide& a, const Wide& b) noexcept {
+  const Wide sum = a + b;
+  return isLess(magnitude(a) * Wide(kCancellation), magnitude(sum)) || !std::isfinite(sum.value.hi) ? sum : Wide();
 }
-
-inline Wide sumOrZero(const Wide& a, const Wide& b) noexcept { return orZero(a + b, magnitude(a)); }
 
 inline WideVec3 operator*(const WideVec3& a, const Wide& k) noexcept { return {a.x * k, a.y * k, a.z * k}; }
 inline WideVec3 operator+(const WideVec3& a, const WideVec3& b) noexcept { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
@@ -100,30 +98,9 @@ inline WideVec3 operator-(const WideVec3& a, const WideVec3& b) noexcept { retur
 inline Wide lengthOf(const WideVec3& a) noexcept { return sqrt(dot(a, a)); }
 inline Wide oneNorm(const WideVec3& a) noexcept { return magnitude(a.x) + magnitude(a.y) + magnitude(a.z); }
 
-/// a . b, or 0 where the products cancel to less than the error of a and b.
-inline Wide dotOrZero(const WideVec3& a, const WideVec3& b) noexcept {
-  const WideVec3 p{a.x * b.x, a.y * b.y, a.z * b.z};
-  return orZero(p.x + p.y + p.z, oneNorm(p));
-}
-
 inline DoubleDouble toDoubleDouble(const Wide& a) noexcept { return scaleByPowerOfTwo(a.value, a.exponent); }
-inline Wide toWide(DoubleDouble a) noexcept { return {a, 0}; }
-inline WideVec3 toWide(const DDVec3& a) noexcept { return {{a.x, 0}, {a.y, 0}, {a.z, 0}}; }
+inline WideVec3 toWide(const DDVec3& a) noexcept { return {a.x, a.y, a.z}; }
 inline WideVec3 toWide(const Vec3& a) noexcept { return {a.x, a.y, a.z}; }
-
-// What is written once for DoubleDouble, and for Wide where products may leave the range of doubles.
-template <class Number>
-Number as(DoubleDouble a) noexcept {
-  if constexpr (std::is_same_v<Number, Wide>)
-    return toWide(a);
-  else
-    return a;
-}
-
-template <class Number>
-Vector3<Number> as(const DDVec3& a) noexcept {
-  return {as<Number>(a.x), as<Number>(a.y), as<Number>(a.z)};
-}
 
 inline double rounded(const Wide& a) noexcept { return nearestDouble(a); }
 inline Vec3 rounded(const WideVec3& a) noexcept { return {rounded(a.x), rounded(a.y), rounded(a.z)}; }

@@ -2,8 +2,8 @@
 #include <bit>
 #include <cmath>
 
+#include "projection/exact_point.hpp"
 #include "projection/kernels/kernels.hpp"
-#include "projection/sides.hpp"
 #include "viewproj/screen.hpp"
 
 namespace viewproj {

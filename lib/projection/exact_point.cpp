@@ -7,7 +7,6 @@
 #include "camera/depth.hpp"
 #include "camera/require.hpp"
 #include "projection/kernels/error_model.hpp"
-#include "projection/sides.hpp"
 
 namespace viewproj::detail {
 namespace {
@@ -57,15 +56,15 @@ struct Distances {
 
 /// center + scale * h. reach: that of the center (ScreenMap).
 NearestDouble screenCoordinate(DoubleDouble center, double reach, DoubleDouble scale, const Bounded& h) noexcept {
-  const Wide step = toWide(scale) * h.value;
-  return nearest({sumOrZero(toWide(center), step),
+  const Wide step = Wide(scale) * h.value;
+  return nearest({sumOrZero(Wide(center), step),
                   Wide(std::fabs(scale.hi)) * h.error + Wide(kExactParameter) * (Wide(reach) + magnitude(step))});
 }
 
 NearestDouble windowDepth(const CameraParts& c, const Bounded& distance, bool distanceIsExact) noexcept {
   const ProjectionParts& p = c.projection;
   const Wide& w = distance.value;
-  const DepthShares<Wide> shares = depthShares<Wide>(p.orthographic, p.near, p.far, w, 1, distanceIsExact);
+  const DepthShares shares = depthShares(p, w, 1, distanceIsExact);
   Wide first = Wide(c.depthAtNear) * shares.ofNear, second = Wide(c.depthAtFar) * shares.ofFar;
   Wide ofDistance;
   if (!distanceIsExact) ofDistance = distance.error + Wide(kExactParameter) * magnitude(w);
@@ -159,7 +158,7 @@ ScreenPoint exactToScreen(const CameraParts& c, const Vec4& point) noexcept {
   if (e.forwardIsExact) {
     const std::size_t axis = onlyEntry(c.pose.exact->rows[2]);
     const DoubleDouble away = twoDiff(Vec3{point.x, point.y, point.z}[axis], c.pose.eye[axis]);
-    e.forward = toWide(c.pose.rows.forward[axis].hi < 0 ? -away : away);
+    e.forward = c.pose.rows.forward[axis].hi < 0 ? -away : away;
   }
   return toScreen(c, e);
 }

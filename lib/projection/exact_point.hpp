@@ -1,5 +1,8 @@
-// A point's distances along the camera's axes: the one step that every projection begins with.
+// A point's distances along the camera's axes: the one step that every projection begins with; and what a projection
+// ends with.
 #pragma once
+
+#include <limits>
 
 #include "camera/camera.hpp"
 #include "numbers/wide.hpp"
@@ -22,6 +25,29 @@ struct AxisDistances {
 
 /// From the exact rows, in about a microsecond. Of points that isInDomain.
 AxisDistances exactDistances(const PoseParts& pose, const Vec4& point) noexcept;
+
+/// A point that has no screen position.
+inline ScreenPoint without(PointStatus status, double viewDistance) noexcept {
+  ScreenPoint p;
+  p.x = p.y = p.depth = std::numeric_limits<double>::quiet_NaN();
+  p.viewDistance = viewDistance;
+  p.status = status;
+  return p;
+}
+
+/// Beyond which sides of the picture and of near and far, judged on the numbers that are given out.
+inline std::uint8_t sidesBeyond(const CameraParts& c, const ScreenPoint& p) noexcept {
+  const bool down = c.viewport.origin == Origin::topLeft;
+  unsigned sides = 0;
+  // Written so that a NaN would be outside.
+  if (!(p.x >= c.corners.first.x)) sides |= sideLeft;
+  if (!(p.x <= c.corners.last.x)) sides |= sideRight;
+  if (!(p.y >= c.corners.first.y)) sides |= down ? sideTop : sideBottom;
+  if (!(p.y <= c.corners.last.y)) sides |= down ? sideBottom : sideTop;
+  if (p.viewDistance < c.projection.near) sides |= sideNear;
+  if (p.viewDistance > c.projection.far) sides |= sideFar;
+  return static_cast<std::uint8_t>(sides);
+}
 
 /// The screen position by exactDistances. What is not certain is a tie, or a number that cancels to about 0.
 ScreenPoint exactToScreen(const CameraParts& camera, const Vec4& point) noexcept;

@@ -5,7 +5,6 @@
 
 #include "projection/exact_point.hpp"
 #include "projection/kernels/formulas.hpp"
-#include "projection/sides.hpp"
 
 namespace viewproj {
 

@@ -34,8 +34,8 @@ SegmentEnd cutEnd(const CameraParts& c, const WideVec3& fromEyeToA, const WideVe
   const WindowXY at = onWindow(c, p);
   const Wide& w = p.forward;
   const ProjectionConstants& k = c.constants;
-  const Wide scale = toWide(k.depthScale);
-  const Wide depth = toWide(k.depthOffset) + (k.orthographic ? scale * w : scale / w);
+  const Wide scale = k.depthScale;
+  const Wide depth = Wide(k.depthOffset) + (k.orthographic ? scale * w : scale / w);
   SegmentEnd end{double(cut.t), {screenX(c.screen, at.x), screenY(c.screen, at.y)}, double(depth), double(w), cut.side};
   // On the boundary it lies on it, to the last bit.
   const bool down = c.viewport.origin == Origin::topLeft;

@@ -19,7 +19,7 @@ inline WideVec3 fromEye(const PoseParts& pose, const Vec3& point) noexcept { ret
 
 /// One of the three, of what fromEye gives.
 inline Wide alongAxis(const DDVec3& row, DoubleDouble residual, const WideVec3& fromEye) noexcept {
-  return dot(toWide(row), fromEye) + toWide(residual);
+  return dot(toWide(row), fromEye) + Wide(residual);
 }
 
 inline ViewPoint toView(const PoseParts& pose, const WideVec3& fromEye) noexcept {
@@ -38,11 +38,11 @@ inline WindowXY onWindow(const CameraParts& c, const ViewPoint& p) noexcept {
 }
 
 inline double screenX(const ScreenMap& m, const Wide& x) noexcept {
-  return double(sumOrZero(toWide(m.centerX), toWide(m.scaleX) * x));
+  return double(sumOrZero(Wide(m.centerX), Wide(m.scaleX) * x));
 }
 
 inline double screenY(const ScreenMap& m, const Wide& y) noexcept {
-  return double(sumOrZero(toWide(m.centerY), toWide(m.scaleY) * y));
+  return double(sumOrZero(Wide(m.centerY), Wide(m.scaleY) * y));
 }
 
 }  // namespace viewproj::detail

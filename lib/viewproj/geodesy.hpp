@@ -5,10 +5,7 @@
 // revolution", 2011, appendix B); rotations are our own, because a double would not hold them.
 #pragma once
 
-#include <array>
-
 #include "viewproj/camera.hpp"
-#include "viewproj/screen.hpp"
 
 namespace viewproj {
 
@@ -31,23 +28,6 @@ Vec3 geodeticToEcef(const Geodetic& place) noexcept;
 /// lon from -180 to 180. The nearest point of the ellipsoid counts: at the centre of the Earth that is the north pole.
 /// NaN where a coordinate is not finite.
 Geodetic ecefToGeodetic(const Vec3& point) noexcept;
-
-/// The distances along a ray, 0 or more, at which its height above the ellipsoid is this: none, one or two, nearest
-/// first.
-struct HeightCrossings {
-  std::array<double, 2> distances{};
-  int count = 0;
-};
-
-inline constexpr double kLeastCrossedHeight = -1e6;
-
-/// The surface of constant height, which is no ellipsoid, is met within kCrossingBound: there the height is the given
-/// one up to that. Heights from kLeastCrossedHeight on; none for a ray that is not finite, or whose direction is not of
-/// unit length. A ray that begins within the bound of the surface begins on it. Source: along a line the distance to a
-/// convex body has one minimum, found by bisection of its slope, normal . direction; on either side of it Newton's
-/// method, kept between bounds.
-HeightCrossings crossingsOfHeight(const Ray& ray, double height) noexcept;
-inline constexpr double kCrossingBound = 1e-7;  ///< metres, for rays that begin within 5000 km of the ellipsoid
 
 /// How a camera is turned, in degrees: heading clockwise from north, pitch above the horizon, roll with the right side
 /// down. With east, north and up at the eye, the level camera of a heading looks along

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <utility>
 
@@ -193,29 +192,6 @@ Cull cull(const Frustum& frustum, const Vec3& point) noexcept;
 Cull cull(const Frustum& frustum, const Sphere& sphere) noexcept;
 Cull cull(const Frustum& frustum, const Box& box) noexcept;
 Cull cull(const Frustum& frustum, const Triangle& triangle) noexcept;
-
-// ---- How large it is on the screen
-
-/// Screen positions: of the left, upper, right and lower edge of a rectangle. top is above bottom in the picture, and
-/// so the smaller number where the viewport's origin is topLeft.
-struct ScreenBox {
-  double left = 0, top = 0, right = 0, bottom = 0;
-};
-
-/// Each number is within this of the true one, relative to itself and the size of the picture; of a sphere whose
-/// surface is nearer to the eye than 1e-9 of its radius it may be more.
-inline constexpr double kScreenBoxBound = 0x1.1p-53;
-
-/// The smallest that holds what of the shape lies in front of near or on it, however far out of the picture and beyond
-/// far; nothing where nothing does, for a shape that is not valid, and without a near plane, which it needs. Infinite
-/// beyond the largest double.
-///
-/// A sphere is seen as an ellipse (perspective) between the lines through the eye that touch it; where near cuts it,
-/// the circle of the cut counts too. Source of the touching lines: Mara & McGuire, "2D polyhedral bounds of a clipped,
-/// perspective-projected 3D sphere", 2013.
-std::optional<ScreenBox> screenBox(const Frustum& frustum, const Sphere& sphere) noexcept;
-std::optional<ScreenBox> screenBox(const Frustum& frustum, const Box& box) noexcept;
-std::optional<ScreenBox> screenBox(const Frustum& frustum, const Triangle& triangle) noexcept;
 
 // ---- Segments
 

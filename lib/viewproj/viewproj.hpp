@@ -3,7 +3,6 @@
 
 #include "viewproj/camera.hpp"
 #include "viewproj/cameras_of.hpp"
-#include "viewproj/clip.hpp"
 #include "viewproj/convention.hpp"
 #include "viewproj/matrices.hpp"
 #include "viewproj/screen.hpp"

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "camera/camera.hpp"
+#include "parts.hpp"
 #include "peers.hpp"
 #include "projection/kernels/kernels.hpp"
 

@@ -12,7 +12,7 @@ FLOORS = (
 )
 PUBLIC = {
     "vectors": "lib/numbers", "version": "lib/numbers", "convention": "lib/camera", "camera": "lib/camera", "screen": "lib/projection",
-    "clip": "lib/projection", "matrices": "lib/matrices", "cameras_of": "lib/matrices", "scene": "lib/scene", "geodesy": "lib/geodesy", "viewproj": "lib/viewproj",
+    "matrices": "lib/matrices", "cameras_of": "lib/matrices", "scene": "lib/scene", "geodesy": "lib/geodesy", "viewproj": "lib/viewproj",
 }
 FLOOR = {room: floor for floor, rooms in enumerate(FLOORS) for room in rooms}
 

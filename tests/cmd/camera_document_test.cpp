@@ -3,6 +3,7 @@
 
 #include "camera/source.hpp"
 #include "catch.hpp"
+#include "parts.hpp"
 #include "viewproj/matrices.hpp"
 #include "viewproj/screen.hpp"
 

@@ -8,6 +8,7 @@
 #include "camera/write_camera.hpp"
 #include "fuzz.hpp"
 #include "output/matrix_text.hpp"
+#include "parts.hpp"
 #include "targets.hpp"
 #include "text/error.hpp"
 #include "viewproj/matrices.hpp"
@@ -49,7 +50,9 @@ void writeAll(const CameraFile& file) {
     set.matrices.push_back({"projection", clipFromView(*file.projection, c)});
     set.matrices.push_back({"projectionInverse", viewFromClip(*file.projection, c)});
   }
-  if (hasClip && file.viewport) set.matrices.push_back({"baked", screenFromView(*file.projection, *file.viewport, c)});
+  if (hasClip && file.viewport)
+    set.matrices.push_back(
+        {"baked", matrix(cameraOfParts(*file.projection, c, *file.viewport), Space::screen, Space::view)});
   if (file.viewport) set.matrices.push_back({"viewport", screenFromNdc(*file.viewport, c)});
   if (set.matrices.empty()) return;
   requireJson(writeMatrices(set, "json", "the fuzzer"), "matrix");

@@ -8,7 +8,6 @@
 #include "stream/filter.hpp"
 #include "targets.hpp"
 #include "text/error.hpp"
-#include "viewproj/clip.hpp"
 #include "viewproj/scene.hpp"
 #include "viewproj/screen.hpp"
 
@@ -81,7 +80,7 @@ class Points final : public Work {
       found("a visible point lies outside of the picture");
     sink.vector(kScreen, std::array{p.x, p.y});
     sink.number(kDepth, p.depth);
-    const Vec4 clip = worldToClip(in_.camera, point, in_.camera.convention());
+    const Vec4 clip = worldTo(in_.camera, Space::clip, point, in_.camera.convention());
     sink.vector(kClip, std::array{clip.x, clip.y, clip.z, clip.w});
     sink.flag(kVisible, p.visible());
   }

@@ -5,6 +5,7 @@
 #include "catch.hpp"
 #include "internals.hpp"
 #include "measure.hpp"
+#include "parts.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;

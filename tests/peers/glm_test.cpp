@@ -7,6 +7,7 @@
 
 #include "catch.hpp"
 #include "measure.hpp"
+#include "parts.hpp"
 #include "random_cameras.hpp"
 #include "viewproj/viewproj.hpp"
 

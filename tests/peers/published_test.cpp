@@ -5,6 +5,7 @@
 #include "catch.hpp"
 #include "internals.hpp"
 #include "measure.hpp"
+#include "parts.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;
@@ -261,7 +262,7 @@ TEST_CASE("PS2: sceVu0ViewScreenMatrix in closed form, near at zmax and far at z
   const Projection p = intrinsics(ax * scrz, ay * scrz, cx, cy, v, n, f);
   const double az = f * n * (zmax - zmin) / (f - n), cz = (zmin * f - zmax * n) / (f - n);
   const Convention c = preset("ps2");
-  checkEntries(laidOut(screenFromView(p, v, c), c),
+  checkEntries(laidOut(matrix(cameraOfParts(p, c, v), Space::screen, Space::view), c),
                {{{{ax * scrz, 0, 0, 0}, {0, ay * scrz, 0, 0}, {cx, cy, cz, 1}, {0, 0, az, 0}}}}, kFewRoundings);
 
   const Camera camera = makeCamera(lookAlong({0, 0, 0}, {0, 0, 1}, {0, -1, 0}, Handedness::right), p, v, c);

@@ -4,6 +4,7 @@
 #include "field_at_fault.hpp"
 #include "internals.hpp"
 #include "measure.hpp"
+#include "parts.hpp"
 #include "random_cameras.hpp"
 #include "viewproj/viewproj.hpp"
 

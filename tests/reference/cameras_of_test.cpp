@@ -6,6 +6,7 @@
 
 #include "catch.hpp"
 #include "internals.hpp"
+#include "parts.hpp"
 #include "reference/real.hpp"
 #include "reference/scene.hpp"
 

@@ -1,5 +1,3 @@
-#include "numbers/radians.hpp"
-
 #include <cmath>
 #include <random>
 

@@ -2,9 +2,9 @@
 #include "camera/depth.hpp"
 #include "catch.hpp"
 #include "internals.hpp"
+#include "parts.hpp"
 #include "reference/exactness.hpp"
 #include "reference/scene.hpp"
-#include "viewproj/clip.hpp"
 #include "viewproj/matrices.hpp"
 
 using namespace viewproj;
@@ -51,8 +51,8 @@ TEST_CASE("Each stage of a point is the double nearest its own true value") {
       Vec4 clip;
       Vec3 ndc;
       ScreenPoint screen;
-    } s{worldToView(camera, given, writing), worldToClip(camera, given, writing), worldToNdc(camera, given, writing),
-        worldToScreen(camera, given)};
+    } s{worldToView(camera, given, writing), worldTo(camera, Space::clip, given, writing),
+        worldToNdc(camera, given, writing), worldToScreen(camera, given)};
     const double away = double(length(toReal(point) - truth.pose.eye));
     const Truth::View view = truth.view(toReal(point));
     const AxisSigns sign = axisSigns(writing.view);

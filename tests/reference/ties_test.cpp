@@ -4,6 +4,7 @@
 #include "catch.hpp"
 #include "internals.hpp"
 #include "kernels.hpp"
+#include "parts.hpp"
 #include "reference/exactness.hpp"
 #include "reference/scene.hpp"
 #include "viewproj/scene.hpp"
@@ -87,7 +88,7 @@ const Case kCases[] = {
      }},
     {"a matrix: screenFromNdc",
      [](double s) {
-       return screenFromNdc({2 * s, 1, 1, 0}, {})[0][3];
+       return screenFromNdc({2, 1, s, 0}, {})[0][3];
      }},
 };
 

@@ -7,6 +7,7 @@
 #include "catch.hpp"
 #include "internals.hpp"
 #include "kernels.hpp"
+#include "parts.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "catch.hpp"
+#include "parts.hpp"
 #include "random.hpp"
 #include "viewproj/matrices.hpp"
 #include "viewproj/viewproj.hpp"

@@ -1,6 +1,6 @@
 #include "catch.hpp"
 #include "internals.hpp"
-#include "projection/clip_point.hpp"
+#include "projection/exact_point.hpp"
 #include "viewproj/camera.hpp"
 
 using namespace viewproj;

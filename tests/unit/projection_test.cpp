@@ -2,6 +2,7 @@
 #include "field_at_fault.hpp"
 #include "internals.hpp"
 #include "numbers/degrees.hpp"
+#include "parts.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;

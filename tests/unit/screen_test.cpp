@@ -6,6 +6,7 @@
 #include "catch.hpp"
 #include "field_at_fault.hpp"
 #include "internals.hpp"
+#include "parts.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;
@@ -128,12 +129,11 @@ TEST_CASE("Matrices with the viewport folded in take a model's points to their p
       for (const Vec3& local : {Vec3{0.5, 0.25, -0.5}, Vec3{0, 0, 0}, Vec3{-0.25, 0.5, 0.125}}) {
         const Vec4 world = toWorld(model, {local.x, local.y, local.z, 1});
         const ScreenPoint truth = worldToScreen(camera, Vec3{world.x, world.y, world.z});
-        const auto there = times(screenFromLocal(pose, projection, viewport, model, c), {local.x, local.y, local.z, 1});
+        const auto there = times(matrix(camera, Space::screen, Space::model, model), {local.x, local.y, local.z, 1});
         CHECK(there[0] / there[3] == near(truth.x));
         CHECK(there[1] / there[3] == near(truth.y));
         CHECK(there[2] / there[3] == near(truth.depth));
-        const auto back =
-            times(localFromScreen(pose, projection, viewport, model, c), {truth.x, truth.y, truth.depth, 1});
+        const auto back = times(matrix(camera, Space::model, Space::screen, model), {truth.x, truth.y, truth.depth, 1});
         for (std::size_t i = 0; i < 3; ++i) CHECK(back[i] / back[3] == near(local[i]));
       }
     }
@@ -187,7 +187,7 @@ TEST_CASE("Without a near plane a pixel has a ray, and a point by its distance, 
     for (const double depth : {0.0, 0.5, 1.0})
       CHECK(screenToWorld(camera, {150, 50}, depth).status == DepthStatus::beyond);
     CHECK(worldToView(camera, {5, 2, 3, 1}, {}) == Vec3{2, 0, -2});
-    const Vec4 clip = worldToClip(camera, {5, 2, 3, 1}, {});
+    const Vec4 clip = worldTo(camera, Space::clip, {5, 2, 3, 1}, {});
     CHECK((clip.x == 1 && clip.y == 0 && std::isnan(clip.z) && clip.w == 2));
     const Vec3 ndc = worldToNdc(camera, {5, 2, 3, 1}, {});
     CHECK((ndc.x == 0.5 && ndc.y == 0 && std::isnan(ndc.z)));
@@ -199,25 +199,15 @@ TEST_CASE("A projection without near plane has no matrix to clip space or the sc
   const Pose pose = lookAlong({3, 2, 5}, {1, 2, -3}, {0, 1, 0}, Handedness::right);
   const Viewport v{200, 100};
   const Camera camera = makeCamera(pose, p, v);
-  const Convention c;
   Mat4 model;
   for (std::size_t i = 0; i < 4; ++i) model[i][i] = 1;
-  const std::function<void()> matrices[] = {
-      [&] { clipFromView(p, c); },
-      [&] { viewFromClip(p, c); },
-      [&] { clipFromWorld(pose, p, c); },
-      [&] { worldFromClip(pose, p, c); },
-      [&] { screenFromView(p, v, c); },
-      [&] { viewFromScreen(p, v, c); },
-      [&] { screenFromWorld(pose, p, v, c); },
-      [&] { worldFromScreen(pose, p, v, c); },
-      [&] { clipFromLocal(pose, p, model, c); },
-      [&] { localFromClip(pose, p, model, c); },
-      [&] { screenFromLocal(pose, p, v, model, c); },
-      [&] { localFromScreen(pose, p, v, model, c); },
-      [&] { storedMatrix<float>(camera, Space::clip, Space::world); },
-      [&] { storedMatrix<double>(camera, Space::world, Space::screen); },
-  };
-  for (const auto& matrix : matrices) CHECK(fieldAtFault(matrix) == "near");
+  for (const Space inner : {Space::model, Space::world, Space::view})
+    for (const Space outer : {Space::clip, Space::ndc, Space::screen}) {
+      CHECK(fieldAtFault([&] { matrix(camera, outer, inner, model); }) == "near");
+      CHECK(fieldAtFault([&] { matrix(camera, inner, outer, model); }) == "near");
+    }
+  CHECK(fieldAtFault([&] { storedMatrix<float>(camera, Space::clip, Space::world); }) == "near");
+  CHECK(fieldAtFault([&] { storedMatrix<double>(camera, Space::world, Space::screen); }) == "near");
+  CHECK(fieldAtFault([&] { matrix(camera, Space::screen, Space::ndc); }).empty());
   CHECK(fieldAtFault([&] { storedMatrix<float>(camera, Space::view, Space::world); }).empty());
 }

@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "camera/importers/importer.hpp"
-#include "numbers/radians.hpp"
+#include "numbers/degrees.hpp"
 #include "numbers/vectors.hpp"
 #include "text/number.hpp"
 

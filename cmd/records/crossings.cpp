@@ -1,11 +1,12 @@
+#include "records/crossings.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "numbers/vectors.hpp"
-#include "viewproj/geodesy.hpp"
 
-namespace viewproj {
+namespace viewproj::cmd {
 namespace {
 
 /// At a point of the ray, the height above the surface, and how it grows along the ray.
@@ -83,4 +84,4 @@ HeightCrossings crossingsOfHeight(const Ray& ray, double height) noexcept {
   return result;
 }
 
-}  // namespace viewproj
+}  // namespace viewproj::cmd
