@@ -108,7 +108,7 @@ def write_if_changed(path, content):
 
 def write_sources(source, mutants):
     """A copy of the project with these mutants in it."""
-    by_file = {}
+    by_file, wanted = {}, {source / "mutant.cpp"}
     for number, mutant in mutants.items():
         by_file.setdefault(mutant[0], []).append((number, mutant))
     for part in ("CMakeLists.txt", "README.md", "lib", "cmd", "tests", "samples"):
@@ -126,7 +126,11 @@ def write_sources(source, mutants):
             if name == "lib/CMakeLists.txt":
                 content += f"\ntarget_sources(libviewproj PRIVATE {source}/mutant.cpp)\n".encode()
             write_if_changed(source / name, content)
+            wanted.add(source / name)
     write_if_changed(source / "mutant.cpp", READING.encode())
+    for path in source.rglob("*"):
+        if path.is_file() and path not in wanted:
+            path.unlink()
 
 
 def build(folder, mutants):

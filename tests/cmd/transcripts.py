@@ -18,11 +18,12 @@ VIEWPROJ is the executable. A transcript holds
 and blank lines between these. A line that ends in " (esc)" has backslashes for what cannot be seen (\\t \\r \\xNN \\\\), and
 " (no-eol)" ends what has no newline at its end. An empty line is blank, but the last one of an output or file is "(esc)".
 
-The commands of a case run in one shell, in a folder of its own with its files; files beside the transcripts are at "..".
-Each command's output, errors and status are compared, byte for byte. A case that takes more than a minute
-(VIEWPROJ_PATIENCE, in seconds) or 2 GiB fails. Prints the cases that fail, as differences, and a closing line. In the
-environment, JOBS=N: so many cases at a time, else one for each processor; REGENERATE=1 writes what the commands give into
-the transcripts instead, for git diff to show.
+The commands of a case run in one shell, bash, in a folder of its own with its files; files beside the transcripts are at
+"..". A pipe has the status of what failed in it, but for a reader
+that has seen enough. Each command's output, errors and status are compared, byte for byte. A
+case that takes more than a minute (VIEWPROJ_PATIENCE, in seconds) or 2 GiB fails. Prints the cases that fail, as
+differences, and a closing line. In the environment, JOBS=N: so many cases at a time, else one for each processor;
+REGENERATE=1 writes what the commands give into the transcripts instead, for git diff to show.
 """
 import argparse
 import concurrent.futures
@@ -37,6 +38,8 @@ import sys
 import tempfile
 from pathlib import Path
 
+# Whose pipes have the status of the tool, whatever comes after it.
+SHELL = ["bash", "--posix", "-o", "pipefail", "-O", "xpg_echo"]
 FOLDER = Path(__file__).resolve().parent / "transcripts"
 MARKED = re.compile(r"(?:^|.* )\((?:esc|no-eol)\)")
 ESCAPES = {"\t": "\\t", "\r": "\\r", "\\": "\\\\"}
@@ -170,7 +173,8 @@ def run(case, top):
         at = shlex.quote(f"{given}/{n}")
         script += f"exec >{at}.out 2>{at}.err\n".encode() + command + f"echo $? >{at}.status\n".encode()
     status = subprocess.run(
-        ["timeout", "-k", "5", os.environ.get("VIEWPROJ_PATIENCE", "60"), "sh", "-c", script], cwd=top / "cases" / case.name,
+        ["timeout", "-k", "5", os.environ.get("VIEWPROJ_PATIENCE", "60"), *SHELL, "-c", script],
+        cwd=top / "cases" / case.name,
         stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False,
     ).returncode
     outputs, wrong = [], "takes too long" if status in (124, 137) else ""
@@ -181,6 +185,7 @@ def run(case, top):
             wrong = wrong or "ends before its last command"
             continue
         code = int(its.read_text()) if its.exists() else status
+        code = 0 if code == 141 else code  # of a command that fed a tool which had seen enough
         outputs.append(block(out.read_bytes(), "  ") + block(err.read_bytes(), "! ") + ([f"[{code}]"] if code else []))
     shutil.rmtree(given)
     return outputs, wrong

@@ -8,7 +8,7 @@
 #include "camera/write_camera.hpp"
 #include "fuzz.hpp"
 #include "output/matrix_text.hpp"
-#include "parts.hpp"
+#include "../parts.hpp"
 #include "targets.hpp"
 #include "text/error.hpp"
 #include "viewproj/matrices.hpp"

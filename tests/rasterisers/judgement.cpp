@@ -36,10 +36,9 @@ std::vector<std::vector<const Point*>> apart(const Scene& scene) {
   return pictures;
 }
 
-Picture draw(const Scene& scene, const std::vector<const Point*>& points, const std::function<void(Draw&)>& spoil) {
+Picture draw(const Scene& scene, const std::vector<const Point*>& points) {
   Draw d = scene.draw;
   for (const Point* point : points) d.points.push_back(point->vertex);
-  if (spoil) spoil(d);
   return render(d);
 }
 
@@ -146,18 +145,18 @@ void judgePicks(const Scene& scene, const std::vector<Seen>& seen, Judgement& ju
 
 }  // namespace
 
-Judgement judge(const Scene& scene, const std::function<void(Draw&)>& spoil) {
+Judgement judge(const Scene& scene) {
   Judgement judgement;
   std::vector<Seen> seen;
   for (const std::vector<const Point*>& points : apart(scene))
-    judgeVisible(scene, points, draw(scene, points, spoil), judgement, seen);
+    judgeVisible(scene, points, draw(scene, points), judgement, seen);
 
   std::vector<const Point*> clipped;
   for (const Point& point : scene.points)
     if (!point.visible) clipped.push_back(&point);
   judgement.clipped = static_cast<int>(clipped.size());
   std::set<std::uint32_t> appeared;
-  for (std::uint32_t id : draw(scene, clipped, spoil).ids)
+  for (std::uint32_t id : draw(scene, clipped).ids)
     if (id != 0 && appeared.insert(id).second) {
       ++judgement.appeared;
       say(judgement, *clipped[id - 1], "clipped, but there");

@@ -1,7 +1,6 @@
 // One camera's points: what the tool expects, and what a rasteriser makes of them.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -49,7 +48,7 @@ struct Judgement {
   int disagreements() const { return misplaced + wronglyDeep + appeared + mispicked; }
 };
 
-/// Draws the scene, with the API told something else by `spoil`.
-Judgement judge(const Scene& scene, const std::function<void(Draw&)>& spoil = {});
+/// Draws the scene.
+Judgement judge(const Scene& scene);
 
 }  // namespace rasterisers

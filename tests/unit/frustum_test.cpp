@@ -19,29 +19,7 @@ Frustum plainFrustum(double near = 1, double far = 10) {
                                 perspectiveWindow(-1, 1, -1, 1, near, far), {100, 100}));
 }
 
-void checkEquation(const FrustumPlane& p, Side side, const Vec4& want) {
-  const double within = 1e-15;
-  INFO(int(side));
-  CHECK(p.side == side);
-  CHECK(p.equation.x == Approx(want.x).epsilon(within));
-  CHECK(p.equation.y == Approx(want.y).epsilon(within));
-  CHECK(p.equation.z == Approx(want.z).epsilon(within));
-  CHECK(p.equation.w == Approx(want.w).epsilon(within));
-}
-
 }  // namespace
-
-TEST_CASE("The planes look inwards, in the order left, right, bottom, top, near, far") {
-  const Frustum f = plainFrustum();
-  const double s = std::sqrt(0.5);
-  REQUIRE(f.planes().size() == 6);
-  checkEquation(f.planes()[0], sideLeft, {s, 0, -s, 0});
-  checkEquation(f.planes()[1], sideRight, {-s, 0, -s, 0});
-  checkEquation(f.planes()[2], sideBottom, {0, s, -s, 0});
-  checkEquation(f.planes()[3], sideTop, {0, -s, -s, 0});
-  checkEquation(f.planes()[4], sideNear, {0, 0, -1, -1});
-  checkEquation(f.planes()[5], sideFar, {0, 0, 1, 10});
-}
 
 TEST_CASE("Without a near plane there are the other planes, and what needs near gives nothing") {
   for (double far : {10.0, kInfiniteFar}) {

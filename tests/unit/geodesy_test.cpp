@@ -41,17 +41,6 @@ constexpr Place kPlaces[] = {
     {{89.9999999, 13, 5}, {0.0108831349, 0.0025125697, 6356757.3142451793}},
 };
 
-/// The level camera's coordinates of a point are east, up, north, when it looks north.
-Vec3 eastNorthUp(const Geodetic& eye, const Geodetic& point) {
-  const Camera camera = makeCamera(poseFromHeadingPitchRoll(eye, {}), perspective(60, 1, 1, kInfiniteFar), {1, 1});
-  const Vec3 p = geodeticToEcef(point);
-  const Vec3 view = worldToView(camera, {p.x, p.y, p.z, 1}, conventions::opengl);
-  return {view.x, -view.z, view.y};
-}
-
-/// right, up, forward at latitude 0, longitude 0: x is up, y east, z north.
-Axes turnedAtOrigin(const HeadingPitchRoll& turned) { return parts(poseFromHeadingPitchRoll({0, 0, 0}, turned)).rows; }
-
 }  // namespace
 
 TEST_CASE("Places have the ECEF coordinates that are published and that GeographicLib's tool gives, to 10 nm") {
@@ -62,26 +51,6 @@ TEST_CASE("Places have the ECEF coordinates that are published and that Geograph
     CHECK(distanceBetween(geodeticToEcef(back), place.ecef) <= kGeodesyBound);
     CHECK(std::fabs(back.height - place.geodetic.height) <= kGeodesyBound);
   }
-}
-
-TEST_CASE("East, north, up at the published origin are those of the published point, to 10 nm [IOGP 373-7-2]") {
-  // Published to a millimetre; to 1e-9 m by CartConvert -l 55 5 200.
-  const Vec3 enu = eastNorthUp({55, 5, 200}, {53.80939444444444, 2.12955, 73});
-  CHECK(distanceBetween(enu, {-189013.869, -128642.040, -4220.171}) <= 1e-3);
-  CHECK(distanceBetween(enu, {-189013.869150913, -128642.039805558, -4220.170758402}) <= kGeodesyBound);
-}
-
-TEST_CASE("Heading runs clockwise from north, pitch above the horizon, roll puts the right side down") {
-  CHECK(rounded(turnedAtOrigin({.heading = 90}).forward) == Vec3{0, 1, 0});  // east
-  CHECK(rounded(turnedAtOrigin({.heading = 90}).right) == Vec3{0, 0, -1});   // south
-  CHECK(rounded(turnedAtOrigin({.heading = -90}).forward) == Vec3{0, -1, 0});
-  CHECK(rounded(turnedAtOrigin({.heading = 450}).forward) == Vec3{0, 1, 0});
-  CHECK(rounded(turnedAtOrigin({.pitch = 90}).forward) == Vec3{1, 0, 0});  // up
-  CHECK(rounded(turnedAtOrigin({.pitch = 90}).up) == Vec3{0, 0, -1});      // the top of the picture is south
-  CHECK(rounded(turnedAtOrigin({.pitch = -90}).up) == Vec3{0, 0, 1});      // of a map, north
-  CHECK(rounded(turnedAtOrigin({.roll = 90}).right) == Vec3{-1, 0, 0});    // down
-  CHECK(rounded(turnedAtOrigin({.roll = 90}).up) == Vec3{0, 1, 0});
-  CHECK(rounded(turnedAtOrigin({.heading = 30, .pitch = -10, .roll = 0}).right).x == 0);  // level
 }
 
 TEST_CASE("At a pole the longitude says where north and east are") {

@@ -90,37 +90,3 @@ TEST_CASE("A million doubles and odd texts are read as the standard library read
   CHECK(plain > 800'000);
   CHECK(odd > 100'000);
 }
-
-TEST_CASE("Short decimals are the double nearest, wherever the digits and the text end") {
-  std::mt19937_64 random(1);
-  int wrong = 0;
-  std::map<int, int> digitsOfAll;
-  for (int i = 0; i < 1'000'000; ++i) {
-    std::string text = random() % 3 == 0 ? "-" : "";
-    const auto addDigits = [&](std::uint64_t count) {
-      for (std::uint64_t d = 0; d < count; ++d)
-        text += static_cast<char>('0' + (random() % 4 == 0 ? 9 : random() % 10));
-    };
-    addDigits(random() % 11);
-    if (random() % 4 > 0) text += '.';
-    addDigits(random() % 11);
-    ++digitsOfAll[static_cast<int>(text.size())];
-    // So that it ends within what is read at once, or beyond it.
-    text += ",]} \n./:;eE+-x\xb0\xff"[random() % 16];
-    text += std::string(random() % 24, "0, "[random() % 3]);
-    const Read r = read(text);
-#ifdef __cpp_lib_to_chars
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    wrong += error == std::errc::invalid_argument
-                 ? r.length != -1
-                 : r.length != end - text.data() ||
-                       std::bit_cast<std::uint64_t>(r.value) != std::bit_cast<std::uint64_t>(value);
-#else
-    wrong +=
-        r.length >= 0 && r.value != std::strtod(text.substr(0, static_cast<std::size_t>(r.length)).c_str(), nullptr);
-#endif
-  }
-  CHECK(wrong == 0);
-  for (int length = 1; length <= 21; ++length) CHECK(digitsOfAll[length] > 1000);
-}

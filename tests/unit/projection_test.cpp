@@ -34,15 +34,6 @@ TEST_CASE("near must be positive and finite in perspective, and may be negative 
   CHECK(std::fabs(wide[2][2]) == closely(1 / 1.6e90));
 }
 
-TEST_CASE("An opening angle outside 0 to 180 degrees is named") {
-  for (double fov : {0.0, 180.0, -60.0, 360.0, double(NAN)}) {
-    INFO(fov);
-    CHECK(fieldAtFault([&] { perspective(fov, 1, 1, 2); }) == "fovY");
-    CHECK(fieldAtFault([&] { perspective(fov, 1, 1, 2, Fov::horizontal); }) == "fovX");
-    CHECK(fieldAtFault([&] { perspective(fov, 1, 1, 2, Fov::diagonal); }) == "fovDiagonal");
-  }
-}
-
 TEST_CASE("Radians are no degrees that were rounded") {
   // tan of half, from mpmath at 400 bits
   const struct {
@@ -88,41 +79,6 @@ TEST_CASE("The other side of an orthographic window follows from the aspect") {
     CHECK(fieldAtFault([&] { orthographicHeight(side, 1, -1, 1); }) == "height");
     CHECK(fieldAtFault([&] { orthographicWidth(side, 1, -1, 1); }) == "width");
   }
-}
-
-TEST_CASE("A focal length goes with a side of the sensor") {
-  CHECK(fieldAtFault([] { perspectiveFocalLength(50, 0, 0, 1.5, 1, 2); }) == "focalLength");
-  CHECK(fieldAtFault([] { perspectiveFocalLength(50, -36, 0, 1.5, 1, 2); }) == "sensorWidth");
-  CHECK(fieldAtFault([] { perspectiveFocalLength(50, 0, NAN, 1.5, 1, 2); }) == "sensorHeight");
-}
-
-TEST_CASE("A tile shows the same picture from its corner, which lies where the whole picture's did") {
-  for (Origin origin : {Origin::topLeft, Origin::bottomLeft}) {
-    Viewport full = kViewport;
-    full.x = -700, full.y = 30;
-    full.origin = origin;
-    const Camera whole = makeCamera(kPose, perspective(60, full, 0.1, 100), full),
-                 tile = cropped(whole, {100, 50, 320, 200});
-    const ScreenPoint before = worldToScreen(whole, Vec3{1, 2, -7}), after = worldToScreen(tile, Vec3{1, 2, -7});
-    CHECK(before.x - after.x == Approx(100).epsilon(1e-14));
-    CHECK(before.y - after.y == Approx(50).epsilon(1e-14));
-    CHECK(pictureCorners(tile.viewport()).first == Vec2{-700, 30});
-    CHECK(pictureCorners(tile.viewport()).last == Vec2{-380, 230});
-  }
-  CHECK(pictureCorners({.width = 640, .height = 480, .x = 3, .pixelCenter = 0}).first == Vec2{2.5, -0.5});
-}
-
-TEST_CASE("The principal point is a screen position: the viewport's corner and pixel centre count") {
-  for (Origin origin : {Origin::topLeft, Origin::bottomLeft})
-    for (double center : {0.0, 0.5}) {
-      const Viewport v{.width = 640, .height = 480, .x = 30, .y = 20, .origin = origin, .pixelCenter = center};
-      const Camera camera = makeCamera(kPose, intrinsics(500, 600, 331.5, 252.25, v, 0.1, 10), v);
-      const ScreenPoint p = worldToScreen(camera, Vec3{0, 0, -1});
-      CHECK(p.x == 331.5);
-      CHECK(p.y == 252.25);
-      const Intrinsics k = camera.intrinsics();
-      CHECK((k.fx == 500 && k.fy == 600 && k.cx == 331.5 && k.cy == 252.25));
-    }
 }
 
 TEST_CASE("A projection tells its shape and its angles") {

@@ -18,16 +18,6 @@ Camera plainCamera(double far = 10) {
 
 }  // namespace
 
-TEST_CASE("A segment that runs through the eye plane is cut at near, not mirrored") {
-  const Frustum f = viewFrustum(plainCamera());
-  const VisibleSegment s = clipSegment(f, {1, 0, 4}, {1, 0, -4});
-  REQUIRE(s.visible);
-  CHECK(s.start.t == 0.625);
-  CHECK(s.start.side == sideNear);
-  CHECK((s.start.screen == Vec2{150, 50} && s.start.depth == 0));
-  CHECK((s.end.t == 1 && s.end.screen == Vec2{112.5, 50}));
-}
-
 TEST_CASE("Both ends outside and the middle in the picture: cut on both sides, on the boundary to the last bit") {
   const Frustum f = viewFrustum(plainCamera(kInfiniteFar));
   const VisibleSegment s = clipSegment(f, {-7, 0.3, -3}, {9, 0.3, -3});
