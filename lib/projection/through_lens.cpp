@@ -9,7 +9,6 @@
 
 #include "lens/response.hpp"
 #include "numbers/ulp.hpp"
-#include "projection/clip_point.hpp"
 #include "projection/exact_point.hpp"
 #include "projection/kernels/error_model.hpp"
 #include "projection/sides.hpp"
@@ -36,16 +35,31 @@ struct BoundedTangents {
   double radius() const noexcept { return length(at.x.hi, at.y.hi); }
 };
 
-/// In front of the camera.
-BoundedTangents tangentsOf(const CameraParts& c, const Vec4& point) noexcept {
-  const AxisPoint<DoubleDouble> a = toAxes(c.pose, point);
-  const DDVec3& residual = c.pose.residual;
-  const double size = std::fabs(a.right.hi) + std::fabs(a.up.hi) + std::fabs(a.forward.hi) + std::fabs(residual.x.hi) +
+/// row . d + residual, within 2^-97 of the sum of the products' sizes and the residual: what is below a product's last
+/// place is added up in double.
+DoubleDouble along(const DDVec3& row, const DDVec3& d, const DoubleDouble& residual) noexcept {
+  DoubleDouble sum = residual;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const DoubleDouble product = twoProd(row[i].hi, d[i].hi), high = twoSum(sum.hi, product.hi);
+    sum = {high.hi, sum.lo + (high.lo + (product.lo + (row[i].hi * d[i].lo + row[i].lo * d[i].hi)))};
+  }
+  return twoSum(sum.hi, sum.lo);
+}
+
+/// Of a point in front of the camera; the error is infinite where this is no way.
+BoundedTangents tangentsOf(const CameraParts& c, const Vec4& p) noexcept {
+  const PoseParts& pose = c.pose;
+  const DDVec3 d{twoDiff(p.x, pose.eye.x), twoDiff(p.y, pose.eye.y), twoDiff(p.z, pose.eye.z)},
+      &residual = pose.residual;
+  const DoubleDouble x = along(pose.rows.right, d, residual.x), y = along(pose.rows.up, d, residual.y);
+  const DoubleDouble w = along(pose.rows.forward, d, residual.z);
+  const double size = std::fabs(d.x.hi) + std::fabs(d.y.hi) + std::fabs(d.z.hi) + std::fabs(residual.x.hi) +
                       std::fabs(residual.y.hi) + std::fabs(residual.z.hi);
-  const double share = 0x1p-95 * size / a.forward.hi;
-  if (!(share < 0x1p-60 && share >= 0)) return {{}, kInfinity};
-  const BoundedTangents t{{a.right / a.forward, -(a.up / a.forward)}, 0};
-  return {t.at, share * (1 + t.radius()) * 1.01};
+  const double share = 0x1p-96 * size / w.hi;
+  if (!(p.w == 1 && share < 0x1p-60 && share >= 0)) return {{}, kInfinity};
+  const DoubleDouble inverse = DoubleDouble(1) / w;
+  const BoundedTangents t{{x * inverse, -(y * inverse)}, 0};
+  return {t.at, share * (1 + t.radius()) * 1.01 + 0x1p-101 * t.radius()};
 }
 
 BoundedTangents exactTangentsOf(const CameraParts& c, const Vec4& point) noexcept {
