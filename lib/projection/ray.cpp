@@ -24,7 +24,7 @@ constexpr double kOriginShare = 0x1p-95;
 bool isInDomain(const Vec2& v) noexcept { return std::fabs(v.x) < kFarthestPoint && std::fabs(v.y) < kFarthestPoint; }
 
 bool hasRay(const CameraParts& c, const Vec2& screen) noexcept {
-  return !c.lens || !std::isnan(beforeLens(c, screen).up.hi);
+  return !c.lens || !std::isnan(toWindow<DoubleDouble>(c, screen).up.hi);
 }
 
 /// The world point at a screen position and distance.

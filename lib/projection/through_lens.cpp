@@ -1,6 +1,5 @@
-// standard bends the pinhole's pixel in double: its error, and what the map adds, is what response.hpp says. exact
-// bends the point's tangents in double-double, as toAxes has them or, where that cannot certify the pixel, the exact
-// rows.
+// standard bends the pinhole's pixel, in double. exact bends the point's tangents, in double-double: as the rounded
+// rows give them or, where that cannot certify the pixel, as the exact rows do.
 #include "projection/through_lens.hpp"
 
 #include <algorithm>
@@ -12,7 +11,6 @@
 #include "projection/exact_point.hpp"
 #include "projection/kernels/error_model.hpp"
 #include "projection/sides.hpp"
-#include "projection/window_point.hpp"
 
 namespace viewproj {
 
@@ -124,19 +122,18 @@ ScreenPoint bent(const Camera& camera, const Vec4& point, ScreenPoint p) noexcep
   }
   const Pixel pixel =
       p.precision == Precision::standard ? Pixel{standardPixel(c, {p.x, p.y}), false} : exactPixel(c, point);
-  ScreenPoint result = p;
-  result.x = pixel.at.x;
-  result.y = pixel.at.y;
-  if (!std::isfinite(result.x) || !std::isfinite(result.y)) {
-    result.x = result.y = std::numeric_limits<double>::quiet_NaN();
-    result.status = PointStatus::beyondLens;
-    result.outside = 0;
-    return result;
-  }
-  result.certain = p.certain && pixel.isCertain;
   const std::uint8_t ofDirection = point.w == 0 ? p.outside & sideFar : 0;
-  result.outside = static_cast<std::uint8_t>(sidesBeyond(c, result) | ofDirection);
-  return result;
+  p.x = pixel.at.x;
+  p.y = pixel.at.y;
+  p.certain = p.certain && pixel.isCertain;
+  if (std::isfinite(p.x) && std::isfinite(p.y)) {
+    p.outside = static_cast<std::uint8_t>(sidesBeyond(c, p) | ofDirection);
+  } else {
+    p.x = p.y = std::numeric_limits<double>::quiet_NaN();
+    p.status = PointStatus::beyondLens;
+    p.outside = 0;
+  }
+  return p;
 }
 
 /// Of a pixel in standard: pinhole is the bound of the pinhole's.
@@ -204,12 +201,6 @@ BatchCounts detail::throughLens(const Camera& camera, std::span<const Vec3> poin
   return counts;
 }
 
-WindowPoint<DoubleDouble> detail::beforeLens(const CameraParts& c, const Vec2& screen) noexcept {
-  const WindowPoint<DoubleDouble> after = toWindow<DoubleDouble>(*c.pinhole, screen);
-  const auto [x, y] = undistort(*c.lens, {after.right, -after.up}).at;
-  return {x, -y};
-}
-
 ErrorBound detail::boundThroughLens(const Camera& camera, const Vec4& point, Precision precision) noexcept {
   const CameraParts& c = parts(camera);
   const ScreenPoint p = worldToScreen(camera, point, precision);
@@ -267,10 +258,9 @@ double largestShift(const Camera& camera) noexcept {
       const auto between = [](double first, double last, int step) { return first + (last - first) * step / kSteps; };
       const Vec2 pixel{between(c.corners.first.x, c.corners.last.x, i),
                        between(c.corners.first.y, c.corners.last.y, j)};
-      const WindowPoint<DoubleDouble> at = beforeLens(c, pixel);
-      const double x = (c.screen.centerX + c.screen.scaleX * at.right).hi,
-                   y = (c.screen.centerY + c.screen.scaleY * at.up).hi;
-      largest = std::fmax(largest, length(x - pixel.x, y - pixel.y));  // a NaN counts as nothing
+      const Vec3 ray = screenToRay(camera, pixel).direction;
+      const ScreenPoint pinhole = worldToScreen(withoutLens(camera), Vec4{ray.x, ray.y, ray.z, 0});
+      largest = std::fmax(largest, length(pinhole.x - pixel.x, pinhole.y - pixel.y));  // a NaN counts as nothing
     }
   return largest;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "camera/camera.hpp"
+#include "lens/lens.hpp"
 #include "numbers/wide.hpp"
 
 namespace viewproj::detail {
@@ -12,14 +13,13 @@ struct WindowPoint {
   Number right, up;
 };
 
-/// Through the camera's lens; NaN where no point has this pixel.
-WindowPoint<DoubleDouble> beforeLens(const CameraParts& c, const Vec2& screen) noexcept;
-
+/// Before the camera's lens, if it has one; NaN where no point has this pixel.
 template <class Number>
 WindowPoint<Number> toWindow(const CameraParts& c, const Vec2& screen) noexcept {
   if (c.lens) {
-    const WindowPoint<DoubleDouble> at = beforeLens(c, screen);
-    return {as<Number>(at.right), as<Number>(at.up)};
+    const WindowPoint<DoubleDouble> bent = toWindow<DoubleDouble>(*c.pinhole, screen);
+    const Tangents<DoubleDouble> at = undistort(*c.lens, {bent.right, -bent.up}).at;
+    return {as<Number>(at.x), as<Number>(-at.y)};
   }
   return {sumOrZero(as<Number>(screen.x), -as<Number>(c.screen.centerX)) / as<Number>(c.screen.scaleX),
           sumOrZero(as<Number>(screen.y), -as<Number>(c.screen.centerY)) / as<Number>(c.screen.scaleY)};
