@@ -22,12 +22,17 @@ Lens made(LensParts lens, double stated) {
   require(lens.k, "distortion.k");
   require(lens.p, "distortion.p");
   if (!(stated > 0)) throw CameraError("distortion.limit", "must be a number above 0");
-  lens.isRational = lens.k[3] != 0 || lens.k[4] != 0 || lens.k[5] != 0;
+  const bool isBrown = lens.model == LensModel::brown;
+  const auto terms = [&](std::size_t first, std::size_t last) {
+    while (last > first && lens.k[last - 1] == 0) --last;
+    return last - first;
+  };
+  lens.numeratorTerms = terms(0, isBrown ? 3 : 4);
+  lens.denominatorTerms = isBrown ? terms(3, 6) : 0;
   lens.tangential = std::sqrt(lens.p[0] * lens.p[0] + lens.p[1] * lens.p[1]) * (1 + 0x1p-50);
   const Limit limit = limitOf(lens);
   lens.limit = std::fmin(limit.value, stated);
   lens.cause = stated < limit.value ? LimitCause::stated : limit.cause;
-  const bool isBrown = lens.model == LensModel::brown;
   if (isBrown) {
     lens.end = std::fmin(lens.limit, kLargestTangent);
     const DoubleDouble r = lens.end, u = r * r;
@@ -38,7 +43,7 @@ Lens made(LensParts lens, double stated) {
   } else {
     const DoubleDouble angle = lens.limit < kQuarterTurn.hi ? DoubleDouble(lens.limit) : kQuarterTurn;
     lens.end = lens.limit < kQuarterTurn.hi ? lens.limit : 2;
-    lens.outerEdge = (angle * series(lens.angular(), angle * angle)).hi;
+    lens.outerEdge = (angle * series(lens.numerator(), angle * angle)).hi;
   }
   return Access::whole<Lens, LensParts>(std::make_shared<const LensParts>(lens));
 }

@@ -19,8 +19,8 @@ struct LensParts {
   LensModel model = LensModel::brown;
   std::array<double, 6> k{};
   std::array<double, 2> p{};
-  bool isRational = false;
-  double tangential = 0;  ///< hypot(p1, p2), rounded up
+  std::size_t numeratorTerms = 0, denominatorTerms = 0;  ///< without zeros at the end; of a fisheye's k the first
+  double tangential = 0;                                 ///< hypot(p1, p2), rounded up
 
   /// Points from here on have no pixel, a radius of brown, an angle of fisheye; and what gives it. Below it the map is
   /// proven one-to-one. Infinite for none.
@@ -31,9 +31,11 @@ struct LensParts {
   /// Points are put nearer to the axis than this.
   double outerEdge = std::numeric_limits<double>::infinity();
 
-  std::span<const double> numerator() const noexcept { return {k.data(), 3}; }
-  std::span<const double> denominator() const noexcept { return {k.data() + 3, 3}; }
-  std::span<const double> angular() const noexcept { return {k.data(), 4}; }
+  /// k1, k2, ...
+  std::span<const double> numerator() const noexcept { return {k.data(), numeratorTerms}; }
+  /// k4, k5, ...
+  std::span<const double> denominator() const noexcept { return {k.data() + 3, denominatorTerms}; }
+  bool isRational() const noexcept { return denominatorTerms > 0; }
 };
 
 inline const LensParts& parts(const Lens& lens) noexcept { return *Access::shared(lens); }
@@ -48,11 +50,13 @@ Limit limitOf(const LensParts& lens);
 /// 1 + k[0] u + k[1] u^2 + ...
 template <class Number>
 Number series(std::span<const double> k, const Number& u) noexcept {
+  if (k.empty()) return 1;
   Number sum = k.back();
   for (std::size_t i = k.size() - 1; i-- > 0;) sum = sum * u + Number(k[i]);
   return sum * u + Number(1);
 }
 
+inline double times(double a, double b) noexcept { return a * b; }
 inline double high(double a) noexcept { return a; }
 inline double high(const DoubleDouble& a) noexcept { return a.hi; }
 inline double arctangent(double r) noexcept { return arctangent(DoubleDouble(r)).hi; }
@@ -71,24 +75,25 @@ Number radialFactor(const LensParts& lens, const Number& u) noexcept {
   if (lens.model == LensModel::brown) {
     if (!(std::sqrt(high(u)) * kCloser < lens.end)) return kNaN;
     const Number numerator = series(lens.numerator(), u);
-    return lens.isRational ? numerator / series(lens.denominator(), u) : numerator;
+    return lens.isRational() ? numerator / series(lens.denominator(), u) : numerator;
   }
   if (high(u) < kTiny) return 1;
   const Number r = sqrt(u);
   if (!(high(r) < kLargestTangent)) return kNaN;
   const Number angle = arctangent(r);
   if (!(high(angle) * kCloser < lens.end)) return kNaN;
-  return angle * series(lens.angular(), Number(angle * angle)) / r;
+  return angle * series(lens.numerator(), Number(angle * angle)) / r;
 }
 
 template <class Number>
 Tangents<Number> distort(const LensParts& lens, const Tangents<Number>& at) noexcept {
   const Number &x = at.x, &y = at.y;
-  const Number xx = x * x, yy = y * y, u = xx + yy;
+  const Number u = x * x + y * y;
   const Number g = radialFactor(lens, u);
   if (lens.tangential == 0) return {x * g, y * g};
-  const Number p1 = lens.p[0], p2 = lens.p[1], xy2 = Number(2) * x * y;
-  return {x * g + p1 * xy2 + p2 * (u + Number(2) * xx), y * g + p1 * (u + Number(2) * yy) + p2 * xy2};
+  // x (g + 2 p1 y + 2 p2 x) + p2 u: the terms of the header in another order.
+  const Number turned = times(lens.p[0], y) + times(lens.p[1], x), along = g + (turned + turned);
+  return {x * along + times(lens.p[1], u), y * along + times(lens.p[0], u)};
 }
 
 /// The tangents that are put there, and how far they may be from the true ones, as an angle in radians; a NaN where

@@ -15,7 +15,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A little wider than computed.
 Range outwards(double low, double high) noexcept {
-  constexpr double kUnit = 0x1p-52, kLeast = std::numeric_limits<double>::min();
+  constexpr double kUnit = 0x1p-52, kLeast = 0x1p-400;  // products of it are no subnormal numbers
   return {low - (std::fabs(low) * kUnit + kLeast), high + (std::fabs(high) * kUnit + kLeast)};
 }
 
@@ -56,11 +56,11 @@ Response brown(const LensParts& lens, const Range& r) noexcept {
   Response result;
   // 2 u times the derivatives.
   const Range dn = series(lens.numerator(), u, twice), dd = series(lens.denominator(), u, twice);
-  const Range g = lens.isRational ? n / d : n;
+  const Range g = lens.isRational() ? n / d : n;
   result.tangential = g;
-  result.radial = g + (lens.isRational ? (dn - g * dd) / d : dn);
+  result.radial = g + (lens.isRational() ? (dn - g * dd) / d : dn);
   const double ofN = sizes(lens.numerator(), u.high, 1, 6), ofD = sizes(lens.denominator(), u.high, 1, 6);
-  const double ofG = lens.isRational ? (ofN + size(g) * ofD) / d.low + size(g) : ofN;
+  const double ofG = lens.isRational() ? (ofN + size(g) * ofD) / d.low + size(g) : ofN;
   result.rounding = r.high * (ofG + 4 * size(g)) + 24 * (std::fabs(lens.p[0]) + std::fabs(lens.p[1])) * u.high;
   return result;
 }
@@ -69,20 +69,20 @@ Response fisheye(const LensParts& lens, const Range& r) noexcept {
   constexpr double kMargin = 0x1p-50;
   const double from = arctangent(r.low), to = arctangent(r.high);
   const Range t = {from * (1 - kMargin), to * (1 + kMargin)};
-  const Range factor = series(lens.angular(), t * t, one);
+  const Range factor = series(lens.numerator(), t * t, one);
   // t / r falls from 1.
   const double least = r.high > 0 ? to / r.high : 1, most = r.low > 0 ? from / r.low : 1;
   Response result;
   result.tangential = factor * Range{least * (1 - kMargin), most * (1 + kMargin)};
   result.radial = slopeOver(lens, t) / (exactly(1) + outwards(r.low * r.low, r.high * r.high));
-  result.rounding = t.high * (sizes(lens.angular(), t.high * t.high, 1, 11) + 9 * size(factor));
+  result.rounding = t.high * (sizes(lens.numerator(), t.high * t.high, 1, 11) + 9 * size(factor));
   return result;
 }
 
 }  // namespace
 
 Range slopeOver(const LensParts& lens, const Range& angle) noexcept {
-  return series(lens.angular(), angle * angle, [](std::size_t i) { return 2 * double(i) + 1; });
+  return series(lens.numerator(), angle * angle, [](std::size_t i) { return 2 * double(i) + 1; });
 }
 
 Response responseOver(const LensParts& lens, const Range& r) noexcept {
@@ -99,12 +99,12 @@ Response responseOver(const LensParts& lens, const Range& r) noexcept {
 
 Roughly roughly(const LensParts& lens, double r) noexcept {
   if (lens.model == LensModel::fisheye) {
-    const double t = std::min(r, 1.6), most = sizes(lens.angular(), t * t, 1, 45);
+    const double t = std::min(r, 1.6), most = sizes(lens.numerator(), t * t, 1, 45);
     return {2 * most, 20 * t * most};
   }
   const double u = r * r, ofN = sizes(lens.numerator(), u, 1, 18);
   double most = 2 * ofN;
-  if (lens.isRational) {
+  if (lens.isRational()) {
     const double d = series(lens.denominator(), u), ofD = sizes(lens.denominator(), u, 1, 18);
     if (!(d > 0x1p-30 * ofD)) return {kInfinity, kInfinity};
     most = 2 * (ofN / d) * (1 + ofD / d);

@@ -22,8 +22,8 @@ Response responseOver(const LensParts& lens, const Range& r) noexcept;
 /// The slope of a fisheye's distances, over a range of angles.
 Range slopeOver(const LensParts& lens, const Range& angle) noexcept;
 
-/// Operations of double-double are within 10 2^-106, an arctangent within 2^-101.
-inline constexpr double kFineUnit = 0x1p-101;
+/// Operations of double-double are within 10 2^-106, an arctangent within 2^-94.
+inline constexpr double kFineUnit = 0x1p-94;
 
 /// More than stretch and rounding are at r, in a few operations: for certificates that have digits to spare. Infinite
 /// next to a pole.

@@ -12,6 +12,10 @@ constexpr Undistorted kNone{{kNaN, kNaN}, kNaN};
 /// An answer that could be farther from the true one is none: a ray is proven to kRayDirectionBound.
 constexpr double kWorstError = 0x1p-56;
 
+/// Newton's steps double the digits, but next to a fold: the last of them in double-double, and when they end.
+constexpr int kFineSteps = 6;
+constexpr double kSettled = 0x1p-80;
+
 /// Nearer to the axis than this, every lens leaves all digits as they are.
 constexpr double kTiny = 0x1p-450;
 
@@ -49,11 +53,9 @@ struct Jacobian {
 
 /// g and dg/du.
 ValueAndSlope radial(const LensParts& lens, double u) noexcept {
-  const std::span<const double> n = lens.numerator(), d = lens.denominator();
-  const double slope = n[0] + u * (2 * n[1] + u * 3 * n[2]);
-  if (!lens.isRational) return {series(n, u), slope};
-  const double by = series(d, u), g = series(n, u) / by;
-  return {g, (slope - g * (d[0] + u * (2 * d[1] + u * 3 * d[2]))) / by};
+  const auto slope = [&](const double* k) { return k[0] + u * (2 * k[1] + u * 3 * k[2]); };
+  const double g = series(lens.numerator(), u), by = series(lens.denominator(), u);
+  return {g / by, (slope(lens.k.data()) - g / by * slope(lens.k.data() + 3)) / by};
 }
 
 Jacobian jacobian(const LensParts& lens, double x, double y) noexcept {
@@ -81,27 +83,35 @@ std::optional<Tangents<DoubleDouble>> brownSolution(const LensParts& lens,
   const double size = length(target.x.hi, target.y.hi), start = radialStart(lens, size);
   if (!(start >= 0)) return std::nullopt;
   const double inside = lens.end * (1 - 0x1p-40);
-  Tangents<double> at{target.x.hi * (start / size), target.y.hi * (start / size)};
-  const auto pullBack = [&] {
-    const double r = length(at.x, at.y);
-    if (r > inside) at = {at.x * (inside / r), at.y * (inside / r)};
-    return r;
+  const auto pulledBack = [&](const Tangents<double>& to) -> Tangents<double> {
+    const double r = length(to.x, to.y);
+    return r > inside ? Tangents<double>{to.x * (inside / r), to.y * (inside / r)} : to;
   };
-  pullBack();
-  double last = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 30; ++i) {
-    const Tangents<double> f = distort<double>(lens, at);
-    const auto step = jacobian(lens, at.x, at.y).inverseTimes(f.x - target.x.hi, f.y - target.y.hi);
-    at = {at.x - step.x, at.y - step.y};
-    const double r = pullBack(), moved = length(step.x, step.y);
-    if (moved <= 0x1p-51 * r || (moved >= last && moved < 1e-12 * (1 + r))) break;
-    last = moved;
+  Tangents<double> at = pulledBack({target.x.hi * (start / size), target.y.hi * (start / size)});
+  const auto missed = [&](const Tangents<double>& to) -> Tangents<double> {
+    const Tangents<double> f = distort<double>(lens, to);
+    return {f.x - target.x.hi, f.y - target.y.hi};
+  };
+  // The map is the gradient of a convex function: a step that is short enough leads nearer, until rounding ends it.
+  Tangents<double> miss = missed(at);
+  for (int i = 0; i < 100; ++i) {
+    const auto step = jacobian(lens, at.x, at.y).inverseTimes(miss.x, miss.y);
+    const Tangents<double> from = at;
+    const double before = length(miss.x, miss.y);
+    double share = 1;
+    do {
+      at = pulledBack({from.x - share * step.x, from.y - share * step.y});
+      miss = missed(at);
+      share /= 2;
+    } while (!(length(miss.x, miss.y) < before) && share > 0x1p-20);
+    if (length(at.x - from.x, at.y - from.y) <= 0x1p-50 * length(at.x, at.y)) break;
   }
   Tangents<DoubleDouble> fine{at.x, at.y};
-  for (int i = 0; i < 2; ++i) {
+  for (int i = 0; i < kFineSteps; ++i) {
     const auto f = distort<DoubleDouble>(lens, fine);
-    const auto step = jacobian(lens, at.x, at.y).inverseTimes((f.x - target.x).hi, (f.y - target.y).hi);
+    const auto step = jacobian(lens, fine.x.hi, fine.y.hi).inverseTimes((f.x - target.x).hi, (f.y - target.y).hi);
     fine = {fine.x - DoubleDouble(step.x), fine.y - DoubleDouble(step.y)};
+    if (length(step.x, step.y) <= kSettled * length(fine.x.hi, fine.y.hi)) break;
   }
   return fine;
 }
@@ -140,13 +150,20 @@ Undistorted undistortFisheye(const LensParts& lens, const Tangents<DoubleDouble>
   if (!(size.hi < lens.outerEdge * (1 - 0x1p-51))) return kNone;
   if (size.hi < kTiny) return {target, kFineUnit};
   const double end = std::min(lens.end, kQuarterTurn.hi);
-  const auto put = [&](const auto& t) { return t * series(lens.angular(), t * t); };
-  const auto slopeAt = [&](double t) { return slopeOver(lens, {t, t}).low; };
+  const auto put = [&](const auto& t) { return t * series(lens.numerator(), t * t); };
+  const auto slopeAt = [&](double t) {
+    const double w = t * t, *const k = lens.k.data();
+    return 1 + w * (3 * k[0] + w * (5 * k[1] + w * (7 * k[2] + w * 9 * k[3])));
+  };
   const double root = risingRoot(0, end, std::min(size.hi, end), [&](double t) -> ValueAndSlope {
     return {put(t) - size.hi, slopeAt(t)};
   });
   DoubleDouble t = root;
-  for (int i = 0; i < 2; ++i) t = t - DoubleDouble((put(t) - size).hi / slopeAt(root));
+  for (int i = 0; i < kFineSteps; ++i) {
+    const double step = (put(t) - size).hi / slopeAt(t.hi);
+    t = t - DoubleDouble(step);
+    if (std::fabs(step) <= kSettled * t.hi) break;
+  }
   const double residual =
       std::fabs((put(t) - size).hi) + kFineUnit * size.hi + kFineUnit * roughly(lens, t.hi).rounding;
   const double d = 2 * residual / slopeAt(t.hi), reach = d + 0x1p-50 * t.hi;

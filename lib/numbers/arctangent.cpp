@@ -24,7 +24,7 @@ constexpr DoubleDouble kArctangents[] = {
     {0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55},
 };
 
-constexpr int kTerms = 13, kInDouble = 7;  // of the series; the later ones are below 2^-60
+constexpr int kTerms = 13, kInDouble = 4;  // of the series; the later ones are below 2^-43
 
 /// 1 / (2 n + 1).
 constexpr auto kOdd = [] {

@@ -33,6 +33,12 @@ constexpr DoubleDouble operator*(DoubleDouble a, DoubleDouble b) noexcept {
   return quickTwoSum(product.hi, product.lo + (cross + a.lo * b.lo));
 }
 
+/// Relative error at most 2 * 2^-106.
+constexpr DoubleDouble times(double a, DoubleDouble b) noexcept {
+  const DoubleDouble product = twoProd(a, b.hi);
+  return quickTwoSum(product.hi, product.lo + a * b.lo);
+}
+
 /// Relative error at most 10 * 2^-106.
 constexpr DoubleDouble operator/(DoubleDouble a, DoubleDouble b) noexcept {
   const double first = a.hi / b.hi;

@@ -19,7 +19,7 @@ constexpr Vec3 kNoVector{kNaN, kNaN, kNaN};
 bool isInDomain(const Vec2& v) noexcept { return std::fabs(v.x) < kFarthestPoint && std::fabs(v.y) < kFarthestPoint; }
 
 bool hasRay(const CameraParts& c, const Vec2& screen) noexcept {
-  return !c.lens || !std::isnan(beforeLens(c, screen).up.hi);
+  return !c.lens || !std::isnan(toWindow<DoubleDouble>(c, screen).up.hi);
 }
 
 /// On the plane at distance 1 from the eye, in orthographic on the plane through it. NaN where no point has this pixel.

@@ -1,6 +1,5 @@
-// standard bends the pinhole's pixel in double: its error, and what the map adds, is what response.hpp says. exact
-// bends the point's tangents in double-double, as alongAxes has them or, where that cannot certify the pixel, the exact
-// rows.
+// standard bends the pinhole's pixel, in double. exact bends the point's tangents, in double-double: as the rounded
+// rows give them or, where that cannot certify the pixel, as the exact rows do.
 #include "projection/through_lens.hpp"
 
 #include <algorithm>
@@ -33,29 +32,31 @@ struct BoundedTangents {
   double radius() const noexcept { return length(at.x.hi, at.y.hi); }
 };
 
-/// Along right, up and forward, in double-double. A distance that cancels to less than its own error is 0.
-DDVec3 alongAxes(const PoseParts& pose, const Vec4& p) noexcept {
-  const Vec3 xyz{p.x, p.y, p.z};
-  DDVec3 d;
-  for (std::size_t i = 0; i < 3; ++i) d[i] = DoubleDouble(xyz[i]) + twoProd(-pose.eye[i], p.w);
-  const DoubleDouble perW = p.w == 0 ? DoubleDouble(1) : DoubleDouble(1) / DoubleDouble(p.w);
-  const auto along = [&](const DDVec3& axis, DoubleDouble residual) {
-    return sumOrZero(dotOrZero(axis, d), residual * DoubleDouble(p.w)) * perW;
-  };
-  return {along(pose.rows.right, pose.residual.x), along(pose.rows.up, pose.residual.y),
-          along(pose.rows.forward, pose.residual.z)};
+/// row . d + residual, within 2^-97 of the sum of the products' sizes and the residual: what is below a product's last
+/// place is added up in double.
+DoubleDouble along(const DDVec3& row, const DDVec3& d, const DoubleDouble& residual) noexcept {
+  DoubleDouble sum = residual;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const DoubleDouble product = twoProd(row[i].hi, d[i].hi), high = twoSum(sum.hi, product.hi);
+    sum = {high.hi, sum.lo + (high.lo + (product.lo + (row[i].hi * d[i].lo + row[i].lo * d[i].hi)))};
+  }
+  return twoSum(sum.hi, sum.lo);
 }
 
-/// In front of the camera.
-BoundedTangents tangentsOf(const CameraParts& c, const Vec4& point) noexcept {
-  const auto [right, up, forward] = alongAxes(c.pose, point);
-  const DDVec3& residual = c.pose.residual;
-  const double size = std::fabs(right.hi) + std::fabs(up.hi) + std::fabs(forward.hi) + std::fabs(residual.x.hi) +
+/// Of a point in front of the camera; the error is infinite where this is no way.
+BoundedTangents tangentsOf(const CameraParts& c, const Vec4& p) noexcept {
+  const PoseParts& pose = c.pose;
+  const DDVec3 d{twoDiff(p.x, pose.eye.x), twoDiff(p.y, pose.eye.y), twoDiff(p.z, pose.eye.z)},
+      &residual = pose.residual;
+  const DoubleDouble x = along(pose.rows.right, d, residual.x), y = along(pose.rows.up, d, residual.y);
+  const DoubleDouble w = along(pose.rows.forward, d, residual.z);
+  const double size = std::fabs(d.x.hi) + std::fabs(d.y.hi) + std::fabs(d.z.hi) + std::fabs(residual.x.hi) +
                       std::fabs(residual.y.hi) + std::fabs(residual.z.hi);
-  const double share = 0x1p-95 * size / forward.hi;
-  if (!(share < 0x1p-60 && share >= 0)) return {{}, kInfinity};
-  const BoundedTangents t{{right / forward, -(up / forward)}, 0};
-  return {t.at, share * (1 + t.radius()) * 1.01};
+  const double share = 0x1p-96 * size / w.hi;
+  if (!(p.w == 1 && share < 0x1p-60 && share >= 0)) return {{}, kInfinity};
+  const DoubleDouble inverse = DoubleDouble(1) / w;
+  const BoundedTangents t{{x * inverse, -(y * inverse)}, 0};
+  return {t.at, share * (1 + t.radius()) * 1.01 + 0x1p-101 * t.radius()};
 }
 
 BoundedTangents exactTangentsOf(const CameraParts& c, const Vec4& point) noexcept {
@@ -115,24 +116,23 @@ ScreenPoint bent(const Camera& camera, const Vec4& point, ScreenPoint p) noexcep
   const CameraParts& c = parts(camera);
   if (p.status != PointStatus::inFront) return p;
   if (p.precision == Precision::standard) {
-    const auto [x, y] = tangentsAt(c, {p.x, p.y});
+    const Tangents<DoubleDouble> at = tangentsAt(c, {p.x, p.y});
     if (!(length(x, y) < kFarAside)) p = worldToScreen(withoutLens(camera), point, Precision::exact);
   }
   const Pixel pixel =
       p.precision == Precision::standard ? Pixel{standardPixel(c, {p.x, p.y}), false} : exactPixel(c, point);
-  ScreenPoint result = p;
-  result.x = pixel.at.x;
-  result.y = pixel.at.y;
-  if (!std::isfinite(result.x) || !std::isfinite(result.y)) {
-    result.x = result.y = std::numeric_limits<double>::quiet_NaN();
-    result.status = PointStatus::beyondLens;
-    result.outside = 0;
-    return result;
-  }
-  result.certain = p.certain && pixel.isCertain;
   const std::uint8_t ofDirection = point.w == 0 ? p.outside & sideFar : 0;
-  result.outside = static_cast<std::uint8_t>(sidesBeyond(c, result) | ofDirection);
-  return result;
+  p.x = pixel.at.x;
+  p.y = pixel.at.y;
+  p.certain = p.certain && pixel.isCertain;
+  if (std::isfinite(p.x) && std::isfinite(p.y)) {
+    p.outside = static_cast<std::uint8_t>(sidesBeyond(c, p) | ofDirection);
+  } else {
+    p.x = p.y = std::numeric_limits<double>::quiet_NaN();
+    p.status = PointStatus::beyondLens;
+    p.outside = 0;
+  }
+  return p;
 }
 
 /// Of a pixel in standard: pinhole is the bound of the pinhole's.
@@ -202,10 +202,10 @@ BatchCounts detail::throughLens(const Camera& camera, std::span<const Vec3> poin
 
 WindowPoint detail::beforeLens(const CameraParts& c, const Vec2& screen) noexcept {
   const ScreenMap& m = c.screen;
-  const auto [x, y] =
+  const Tangents<DoubleDouble> at =
       undistort(*c.lens, {sumOrZero(screen.x, -m.centerX) / m.scaleX, -(sumOrZero(screen.y, -m.centerY) / m.scaleY)})
           .at;
-  return {x, -y};
+  return {at.x, -at.y};
 }
 
 ErrorBound detail::boundThroughLens(const Camera& camera, const Vec4& point, Precision precision) noexcept {
@@ -265,10 +265,9 @@ double largestShift(const Camera& camera) noexcept {
       const auto between = [](double first, double last, int step) { return first + (last - first) * step / kSteps; };
       const Vec2 pixel{between(c.corners.first.x, c.corners.last.x, i),
                        between(c.corners.first.y, c.corners.last.y, j)};
-      const WindowPoint at = beforeLens(c, pixel);
-      const double x = (c.screen.centerX + c.screen.scaleX * at.right).hi,
-                   y = (c.screen.centerY + c.screen.scaleY * at.up).hi;
-      largest = std::fmax(largest, length(x - pixel.x, y - pixel.y));  // a NaN counts as nothing
+      const Vec3 ray = screenToRay(camera, pixel).direction;
+      const ScreenPoint pinhole = worldToScreen(withoutLens(camera), Vec4{ray.x, ray.y, ray.z, 0});
+      largest = std::fmax(largest, length(pinhole.x - pixel.x, pinhole.y - pixel.y));  // a NaN counts as nothing
     }
   return largest;
 }

@@ -68,7 +68,7 @@ Lens brownLens(const std::array<double, 6>& k, const std::array<double, 2>& p = 
 /// All of k zero is a lens too.
 Lens fisheyeLens(const std::array<double, 4>& k, double largestDegrees = kInfiniteFar);
 
-/// Where the lens puts tangents: within a few units in the last place. NaN from the limit on, beyond 2^60, and for NaN.
+/// Where the lens puts tangents, computed in double. NaN from the limit on, beyond 2^60, and for NaN.
 Vec2 distorted(const Lens& lens, const Vec2& tangents) noexcept;
 
 /// The tangents that the lens puts there, each the nearest double or one next to it; NaN where there are none. They are

@@ -159,7 +159,8 @@ class Frustum {
 };
 
 /// For every camera that makeCamera gives: perspective and orthographic, off-centre, shifted or cropped, near negative
-/// in orthographic, a pose matrix that is not quite orthogonal.
+/// in orthographic, a pose matrix that is not quite orthogonal. Throws CameraError naming "distortion" for a camera
+/// with a lens, which bends what lies between the planes.
 Frustum viewFrustum(const Camera& camera);
 
 inline constexpr double kCullBound = 0x1p-96;

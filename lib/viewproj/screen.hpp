@@ -134,9 +134,9 @@ enum class RayOrigin {
   nearPlane,  ///< the eye where there is none
 };
 
-/// Largest angle in radians between a ray's direction and the true one, for pixels of the picture, in every precision
-/// and whatever near and far are. Five roundings a component, (5 sqrt(3) + 1) 2^-53, plus what a pose matrix's
-/// non-orthogonality adds.
+/// Largest angle in radians between a ray's direction and the true one, for pixels of the picture, in every precision,
+/// whatever near and far are and through whatever lens. Five roundings a component, (5 sqrt(3) + 1) 2^-53, plus what a
+/// pose matrix's non-orthogonality adds.
 inline constexpr double kRayDirectionBound = 1.2e-15;
 
 /// The ray of points that project to this screen position. No matrix and no inverse: window coordinates of the pixel

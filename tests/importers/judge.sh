@@ -1,5 +1,6 @@
 #!/bin/sh
-# Where three.js and OpenCV themselves put points, with the cameras as files, into FOLDER/threejs.jsonl and opencv.jsonl.
+# Where three.js and OpenCV themselves put points, with the cameras as files, into FOLDER/threejs.jsonl, opencv.jsonl and
+# lenses.jsonl, of LENSES lenses.
 #   sh judge.sh tests/importers/fixtures     writes the stored numbers anew, for git diff to show
 #   sh judge.sh FOLDER three|opencv          only that judge's
 # 77: a judge is not there (node, tests/node_modules, or python3-opencv); sh samples/setup.sh tests installs it.
@@ -24,4 +25,6 @@ if [ "${2-opencv}" = opencv ]; then
   done
   $python "$here/opencv.py" >"$folder/opencv.jsonl.new"
   mv "$folder/opencv.jsonl.new" "$folder/opencv.jsonl"
+  $python "$here/lenses.py" "${LENSES-250}" >"$folder/lenses.jsonl.new"
+  mv "$folder/lenses.jsonl.new" "$folder/lenses.jsonl"
 fi

@@ -1,0 +1,217 @@
+// Cameras with a lens: what is made and what is refused, and that all ways through them agree.
+#include "viewproj/lens.hpp"
+
+#include <cstring>
+#include <vector>
+
+#include "catch.hpp"
+#include "field_at_fault.hpp"
+#include "random.hpp"
+#include "viewproj/matrices.hpp"
+#include "viewproj/scene.hpp"
+#include "viewproj/screen.hpp"
+
+using namespace viewproj;
+
+namespace {
+
+const Viewport kViewport{752, 480};
+const Pose kPose = lookAt({3, 2, 5}, {0, 0.5, 0}, {0, 1, 0}, Handedness::right);
+const Camera kPinhole =
+    makeCamera(kPose, intrinsics(458.654, 457.296, 367.215, 248.375, kViewport, 0.1, 100), kViewport);
+const Lens kBrown = brownLens({-0.3728755, 0.2037299, -0.07233722}, {0.002219027, 0.001383707});
+const Lens kFisheye =
+    fisheyeLens({-0.05631891929412012, -0.0038333424842925284, -0.00024681888617308917, -0.00012153386798050158});
+
+bool sameBits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b)); }
+bool same(const ScreenPoint& a, const ScreenPoint& b) {
+  return sameBits(a.x, b.x) && sameBits(a.y, b.y) && sameBits(a.depth, b.depth) &&
+         sameBits(a.viewDistance, b.viewDistance) && a.status == b.status && a.outside == b.outside &&
+         a.certain == b.certain && a.precision == b.precision;
+}
+
+/// In the picture, far beside it, and behind.
+std::vector<Vec3> pointsAround(std::size_t count) {
+  Random random(count);
+  std::vector<Vec3> points;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3 d = random.direction(random.logUniform(0.1, 100));
+    points.push_back({3 + d.x, 2 + d.y, 5 + d.z});
+  }
+  points.push_back({3, 2, 5});
+  points.push_back({NAN, 0, 0});
+  return points;
+}
+
+}  // namespace
+
+TEST_CASE("A lens is made whole or refused by the name of its number") {
+  CHECK(fieldAtFault([] { brownLens({0, NAN}); }) == "distortion.k[1]");
+  CHECK(fieldAtFault([] { brownLens({0, 0, 0, 0, 0, 1e91}); }) == "distortion.k[5]");
+  CHECK(fieldAtFault([] { brownLens({0}, {0, INFINITY}); }) == "distortion.p[1]");
+  CHECK(fieldAtFault([] { brownLens({0}, {}, 0); }) == "distortion.limit");
+  CHECK(fieldAtFault([] { fisheyeLens({1e-91}); }) == "distortion.k[0]");
+  CHECK(fieldAtFault([] { fisheyeLens({0}, NAN); }) == "distortion.limit");
+  CHECK(fieldAtFault([] { fisheyeLens({0}, -10); }) == "distortion.limit");
+  const Camera orthographicCamera = makeCamera(kPose, orthographic(-1, 1, -1, 1, 0, 10), kViewport);
+  CHECK(fieldAtFault([&] { withLens(orthographicCamera, kBrown); }) == "distortion");
+  CHECK(fieldAtFault([] { viewFrustum(withLens(kPinhole, kBrown)); }) == "distortion");
+}
+
+TEST_CASE("A lens tells its numbers and where it ends") {
+  CHECK(kBrown.model() == LensModel::brown);
+  CHECK(kBrown.k()[2] == -0.07233722);
+  CHECK(kBrown.p()[1] == 0.001383707);
+  CHECK(kBrown.limitCause() == LimitCause::fold);
+  CHECK(kBrown.limitDegrees() == Approx(49.974189937339915).epsilon(1e-9));
+  const Lens stated = brownLens(kBrown.k(), kBrown.p(), 1);
+  CHECK(stated.limitCause() == LimitCause::stated);
+  CHECK(stated.limitDegrees() == 45);
+  CHECK(brownLens(kBrown.k(), kBrown.p(), 1.7).limitCause() == LimitCause::fold);
+  CHECK(kFisheye.model() == LensModel::fisheye);
+  CHECK(kFisheye.limitDegrees() == Approx(105.35127956552093).epsilon(1e-9));
+  CHECK(fisheyeLens({}, 60).limitDegrees() == closely(60));
+  CHECK(fisheyeLens({}, 180).limitCause() == LimitCause::none);
+  CHECK(fisheyeLens({}).limitDegrees() == INFINITY);
+  // Coefficients of a long lens, and of one that ends next to its axis.
+  CHECK(brownLens({-1e6}).limitDegrees() == Approx(std::atan(std::sqrt(1e-6 / 3)) * 180 / M_PI).epsilon(1e-9));
+  CHECK(brownLens({-1e90}).limitDegrees() == Approx(std::sqrt(1e-90 / 3) * 180 / M_PI).epsilon(1e-9));
+  CHECK(fisheyeLens({-1e90}).limitDegrees() == Approx(std::sqrt(1e-90 / 3) * 180 / M_PI).epsilon(1e-9));
+}
+
+TEST_CASE("A stated limit ends a lens: no pixel from there on, no ray to there") {
+  const Camera wide = withLens(kPinhole, fisheyeLens({})), narrow = withLens(kPinhole, fisheyeLens({}, 30));
+  int cut = 0, kept = 0;
+  for (const Vec3& point : pointsAround(2000)) {
+    const ScreenPoint a = worldToScreen(wide, point), b = worldToScreen(narrow, point);
+    if (a.status != PointStatus::inFront) continue;
+    const double tangent = std::hypot(a.x - 367.215, a.y - 248.375) / 458;
+    if (std::fabs(tangent - M_PI / 6) < 0.005) continue;
+    const bool isBeyond = tangent > M_PI / 6;
+    CHECK(b.status == (isBeyond ? PointStatus::beyondLens : PointStatus::inFront));
+    CHECK(b.outside == (isBeyond ? 0 : a.outside));
+    CHECK(sameBits(b.depth, a.depth));
+    CHECK(b.viewDistance == a.viewDistance);
+    CHECK(std::isnan(screenToRay(narrow, {a.x, a.y}).direction.x) == isBeyond);
+    CHECK(std::isinf(boundOfPoint(narrow, point, Precision::exact).screen) == isBeyond);
+    (isBeyond ? cut : kept)++;
+  }
+  CHECK((cut > 500 && kept > 100));
+}
+
+TEST_CASE("Brown's zeros are the pinhole, a fisheye's are not") {
+  CHECK_FALSE(lensOf(withLens(kPinhole, brownLens({}))));
+  CHECK(lensOf(withLens(kPinhole, brownLens({}, {}, 1))));
+  const Vec3 point{1, 1, 1};
+  const Camera fisheye = withLens(kPinhole, fisheyeLens({}));
+  CHECK(worldToScreen(fisheye, point).x != worldToScreen(kPinhole, point).x);
+  // A lens takes the place of another; without it all is as before.
+  CHECK(lensOf(withLens(fisheye, kBrown))->model() == LensModel::brown);
+  CHECK_FALSE(lensOf(withLens(fisheye, brownLens({}))));
+  CHECK(same(worldToScreen(withoutLens(withLens(fisheye, kBrown)), point), worldToScreen(kPinhole, point)));
+  CHECK(largestShift(kPinhole) == 0);
+  CHECK(largestShift(fisheye) > 10);
+}
+
+TEST_CASE("A batch through a lens gives the bits of single points, in place too, and of rays") {
+  for (const Lens& lens : {kBrown, kFisheye, fisheyeLens({})}) {
+    const Camera camera = withLens(kPinhole, lens);
+    int byStatus[5] = {};
+    for (const Precision precision : {Precision::standard, Precision::exact})
+      for (const std::size_t count : {3u, 2000u}) {
+        const std::vector<Vec3> points = pointsAround(count);
+        std::vector<ScreenPoint> full(points.size());
+        std::vector<Vec3> apart(points.size()), inPlace = points;
+        const BatchCounts counts = worldToScreen(camera, points, full, precision);
+        worldToScreen(camera, points, apart, precision);
+        worldToScreen(camera, inPlace, inPlace, precision);
+        std::size_t uncertain = 0;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+          const ScreenPoint single = worldToScreen(camera, points[i], precision);
+          REQUIRE(same(full[i], single));
+          REQUIRE(
+              (sameBits(apart[i].x, single.x) && sameBits(apart[i].y, single.y) && sameBits(apart[i].z, single.depth)));
+          REQUIRE((sameBits(inPlace[i].x, single.x) && sameBits(inPlace[i].z, single.depth)));
+          // As a point of weight 1, and with another weight the same point to the last bits.
+          REQUIRE(same(worldToScreen(camera, Vec4{points[i].x, points[i].y, points[i].z, 1}, precision), single));
+          const ScreenPoint weighted =
+              worldToScreen(camera, Vec4{2 * points[i].x, 2 * points[i].y, 2 * points[i].z, 2});
+          REQUIRE(weighted.status == single.status);
+          if (precision == Precision::exact && single.certain) REQUIRE(sameBits(weighted.x, single.x));
+          uncertain += single.status == PointStatus::inFront && single.precision == Precision::exact && !single.certain;
+          ++byStatus[int(single.status)];
+        }
+        CHECK(counts.uncertain == uncertain);
+      }
+    CHECK((byStatus[int(PointStatus::inFront)] > 500 && byStatus[int(PointStatus::behind)] > 500));
+    CHECK(byStatus[int(PointStatus::outOfRange)] == 4);
+    CHECK((byStatus[int(PointStatus::beyondLens)] > 100) == (lens.limitDegrees() < 90));
+    std::vector<Vec2> pixels;
+    for (int i = 0; i < 300; ++i) pixels.push_back({i * 2.5, i * 1.6});
+    std::vector<Vec3> directions(pixels.size());
+    screenToRayDirections(camera, pixels, directions);
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+      for (const Precision precision : {Precision::standard, Precision::exact})
+        REQUIRE(sameBits(directions[i].y, screenToRay(camera, pixels[i], precision).direction.y));
+  }
+}
+
+TEST_CASE("A pixel's point through a lens has that pixel, at its distance and at its depth") {
+  for (const Lens& lens : {kBrown, kFisheye}) {
+    const Camera camera = withLens(kPinhole, lens);
+    int seen = 0, dark = 0;
+    for (double x = 0; x <= 752; x += 23.5)
+      for (double y = 0; y <= 480; y += 20) {
+        const WorldPoint at = screenToWorldAtDistance(camera, {x, y}, 7);
+        if (at.status == DepthStatus::noRay) {
+          CHECK(screenToWorld(camera, {x, y}, 0.5).status == DepthStatus::noRay);
+          CHECK(std::isnan(screenToRay(camera, {x, y}).origin.x));
+          ++dark;
+          continue;
+        }
+        REQUIRE(at.status == DepthStatus::point);
+        const ScreenPoint back = worldToScreen(camera, at.position);
+        REQUIRE(std::hypot(back.x - x, back.y - y) < 1e-11);
+        REQUIRE(back.viewDistance == Approx(7).epsilon(1e-14));
+        const WorldPoint byDepth = screenToWorld(camera, {x, y}, back.depth);
+        REQUIRE(std::hypot(byDepth.position.x - at.position.x, byDepth.position.z - at.position.z) < 1e-9);
+        const Ray ray = screenToRay(camera, {x, y}, Precision::exact, RayOrigin::nearPlane);
+        REQUIRE(worldToScreen(camera, ray.origin).viewDistance == Approx(0.1).epsilon(1e-12));
+        ++seen;
+      }
+    CHECK(seen > 400);
+    CHECK((dark > 100) == (lens.model() == LensModel::brown));
+  }
+}
+
+TEST_CASE("A tile of a picture is seen through the whole picture's lens; matrices are the pinhole's") {
+  const Camera camera = withLens(kPinhole, kBrown), tile = cropped(camera, {100, 50, 300, 200});
+  const Vec3 point{1, 1, 1};
+  const ScreenPoint whole = worldToScreen(camera, point), part = worldToScreen(tile, point);
+  CHECK(part.x == Approx(whole.x - 100).epsilon(1e-13));
+  CHECK(part.y == Approx(whole.y - 50).epsilon(1e-13));
+  CHECK(std::memcmp(&kPinhole.viewport(), &camera.viewport(), sizeof(Viewport)) == 0);
+  const Mat4 a = matrix(camera, Space::screen, Space::world), b = matrix(kPinhole, Space::screen, Space::world);
+  CHECK(std::memcmp(&a, &b, sizeof a) == 0);
+}
+
+TEST_CASE("A direction's vanishing point goes through the lens, and tangents there and back") {
+  const Camera camera = withLens(kPinhole, kBrown);
+  const Vec3 f = kPose.forward(), r = kPose.right();
+  const ScreenPoint along = worldToScreen(camera, Vec4{f.x + 0.2 * r.x, f.y + 0.2 * r.y, f.z + 0.2 * r.z, 0});
+  CHECK(along.outside == sideFar);
+  const Vec2 bent = distorted(kBrown, {0.2, 0});
+  CHECK(along.x == Approx(367.215 + 458.654 * bent.x).epsilon(1e-13));
+  CHECK(along.y == Approx(248.375 + 457.296 * bent.y).epsilon(1e-13));
+  const Vec2 back = undistorted(kBrown, bent);
+  CHECK(back.x == closely(0.2));
+  CHECK(std::fabs(back.y) < 1e-16);
+  CHECK(std::isnan(distorted(kBrown, {1.2, 0}).x));
+  CHECK(std::isnan(undistorted(kBrown, {0.9, 0}).x));
+  CHECK(std::isnan(undistorted(kFisheye, {NAN, 0}).x));
+  for (const double tiny : {0.0, 1e-300, 1e-160, 1e-130})
+    for (const Lens& lens : {kBrown, kFisheye}) {
+      CHECK(distorted(lens, {tiny, 0}).x == tiny);
+      CHECK(undistorted(lens, {tiny, 0}).x == tiny);
+    }
+}
