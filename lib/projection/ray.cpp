@@ -18,16 +18,14 @@ constexpr Vec3 kNoVector{kNaN, kNaN, kNaN};
 /// Written so that NaN fails.
 bool isInDomain(const Vec2& v) noexcept { return std::fabs(v.x) < kFarthestPoint && std::fabs(v.y) < kFarthestPoint; }
 
-bool hasRay(const CameraParts& c, const Vec2& screen) noexcept {
-  return !c.lens || !std::isnan(toWindow<DoubleDouble>(c, screen).up.hi);
-}
-
 /// On the plane at distance 1 from the eye, in orthographic on the plane through it. NaN where no point has this pixel.
 WindowPoint windowAt(const CameraParts& c, const Vec2& screen) noexcept {
   if (c.lens) return beforeLens(c, screen);
   return {sumOrZero(screen.x, -c.screen.centerX) / c.screen.scaleX,
           sumOrZero(screen.y, -c.screen.centerY) / c.screen.scaleY};
 }
+
+bool hasRay(const CameraParts& c, const Vec2& screen) noexcept { return !std::isnan(windowAt(c, screen).up.hi); }
 
 /// The offset from the unrounded eye of the point at a screen position and distance.
 DDVec3 offsetAt(const CameraParts& c, const Vec2& screen, DoubleDouble distance) noexcept {

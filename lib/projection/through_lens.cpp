@@ -116,7 +116,7 @@ ScreenPoint bent(const Camera& camera, const Vec4& point, ScreenPoint p) noexcep
   const CameraParts& c = parts(camera);
   if (p.status != PointStatus::inFront) return p;
   if (p.precision == Precision::standard) {
-    const Tangents<DoubleDouble> at = tangentsAt(c, {p.x, p.y});
+    const auto [x, y] = tangentsAt(c, {p.x, p.y});
     if (!(length(x, y) < kFarAside)) p = worldToScreen(withoutLens(camera), point, Precision::exact);
   }
   const Pixel pixel =
