@@ -45,7 +45,7 @@ void appendString(TextBuffer& out, std::string_view text) {
 void appendCell(TextBuffer& out, std::string_view cell) {
   if (isJsonNumber(cell) || cell == "true" || cell == "false")
     out += cell;
-  else if (const std::string value = csvValue(cell); value.find_first_not_of(" \t") == std::string::npos)
+  else if (const std::string value = csvValue(cell); trimmed(value).empty())
     out += "null";
   else
     appendString(out, value);

@@ -16,11 +16,6 @@ using Pick = ColumnChoice::Pick;
 
 constexpr std::size_t kMostPicks = 16;
 
-std::string trimmed(std::string_view text) {
-  const std::size_t first = std::min(text.find_first_not_of(" \t"), text.size());
-  return std::string(text.substr(first, text.find_last_not_of(" \t") + 1 - first));
-}
-
 /// What stands between commas, and before the first = of each; in quotes, as CSV has them, both are part of a name.
 std::vector<std::pair<std::optional<std::string>, std::string>> splitRoles(std::string_view text) {
   std::vector<std::pair<std::optional<std::string>, std::string>> parts(1);

@@ -127,7 +127,7 @@ CsvHeader readCsvHeader(std::string_view line, const std::vector<std::string>& d
   splitCsvLine(line, fields, separator, kMostFields + 1);
   const auto isWord = [&](std::string_view field) {
     const std::string value = csvValue(field);
-    return value.find_first_not_of(" \t") != std::string::npos && !parseNumber(value);
+    return !trimmed(value).empty() && !parseNumber(value);
   };
   if (numbered.empty()) {
     header.present = std::any_of(fields.begin(), fields.end(), isWord);
@@ -146,11 +146,8 @@ CsvHeader readCsvHeader(std::string_view line, const std::vector<std::string>& d
       header.names.push_back(nameOfColumn(defaults, i));
       continue;
     }
-    std::string name = csvValue(fields[i]);
-    const std::size_t first = name.find_first_not_of(" \t");
-    name = first == std::string::npos ? "" : name.substr(first, name.find_last_not_of(" \t") - first + 1);
-    if (name.empty()) name = nameOfColumn(header.names, i);
-    header.names.push_back(std::move(name));
+    const std::string name(trimmed(csvValue(fields[i])));
+    header.names.push_back(name.empty() ? nameOfColumn(header.names, i) : name);
   }
   return header;
 }

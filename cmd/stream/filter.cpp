@@ -119,10 +119,7 @@ std::string_view firstLineOf(BlockReader& reader) {
 Form formOfContent(const Stream& stream, BlockReader& reader) {
   const std::string_view start = reader.firstBytes();
   requireNarrow(reader.name(), start);
-  const std::string_view line = firstLineOf(reader);
-  if (line.empty() && start.find('\0') == std::string_view::npos) return Form::text;
-  if (const auto form = formOfBytes(start.substr(static_cast<std::size_t>(line.data() - start.data()))))
-    return *form == Form::text && stream.setup.delimiter ? Form::csv : *form;
+  if (const auto form = formOfBytes(start)) return *form == Form::text && stream.setup.delimiter ? Form::csv : *form;
   throw InputError(reader.name() + ": is binary; expected JSON, CSV or text, or --from f64 for little-endian doubles");
 }
 

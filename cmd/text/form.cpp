@@ -96,9 +96,8 @@ std::string_view afterComments(std::string_view text) {
 
 std::optional<Form> formOfBytes(std::string_view start) {
   if (start.starts_with("\xEF\xBB\xBF")) start.remove_prefix(3);
-  const std::size_t first = start.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos) return Form::text;
-  start.remove_prefix(first);
+  start = afterComments(start);
+  if (start.empty()) return Form::text;
   if (start[0] == '{' || start[0] == '[') return Form::json;
   const auto isControl = [](unsigned char c) { return c < '\t' || (c > '\r' && c < ' ') || c == 0x7f; };
   const bool controls = std::any_of(start.begin(), start.end(), isControl);

@@ -123,6 +123,7 @@ const char* passJsonScalar(const char* at, const char* end) {
 }
 
 const char* passJson(const char* at, const char* end, std::size_t depth) {
+  if (at < end && !opensJson(*at)) return passJsonScalar(at, end);
   JsonEvents none;
   return scanJson(at, end, depth, none);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "text/number.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 
@@ -23,9 +24,7 @@ const char* readJsonNumber(const char* begin, const char* end, double& number) {
 }
 
 std::optional<double> parseNumber(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return std::nullopt;
-  text = text.substr(first, text.find_last_not_of(" \t") - first + 1);
+  text = trimmed(text);
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
   double value = 0;
   const char* const end = text.data() + text.size();

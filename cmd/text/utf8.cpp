@@ -31,6 +31,11 @@ bool isUtf8(std::string_view text) {
   return true;
 }
 
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = std::min(text.find_first_not_of(" \t"), text.size());
+  return text.substr(first, text.find_last_not_of(" \t") + 1 - first);
+}
+
 void requireNarrow(const std::string& name, std::string_view start) {
   using namespace std::string_view_literals;
   std::string encoding;

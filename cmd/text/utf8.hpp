@@ -23,6 +23,9 @@ bool isUtf8(std::string_view text);
 /// Whether a line has nothing but white space.
 inline bool isBlank(std::string_view line) { return line.find_first_not_of(" \t\r") == std::string_view::npos; }
 
+/// Without blanks and tabs at its ends.
+std::string_view trimmed(std::string_view text);
+
 /// Throws InputError where a text begins with the byte order mark of UTF-16 or UTF-32.
 void requireNarrow(const std::string& name, std::string_view start);
 
