@@ -415,7 +415,6 @@ OrderedJson withoutRepeatedStages(OrderedJson report) {
 
 int runExplain(const ExplainOptions& o) {
   if (!o.point && !o.pixel) throw UsageError("expected --point X,Y,Z or --pixel X,Y[,DEPTH]: what to follow");
-  requireOneStandardInput({{"the camera", o.camera.fromStandardInput()}, {"the model", isStandardInput(o.model)}});
   const CameraFile file = o.camera.read();
   if (o.point) o.point->requireFit(file.worldIsEcef);
   const Camera camera = makeCamera(file);
@@ -451,8 +450,7 @@ Action declareExplain(CLI::App& app) {
   addValue(app, "--pixel", "X,Y[,DEPTH]", o->pixel, readPixelNumbers,
            "The pixel to follow back, with a window depth if known")
       ->excludes(point);
-  addModel(app, o->model, "Where the point's own coordinates lie");
-  app.get_option("--model")->needs(point);
+  addModel(app, o->model, "Where the point's own coordinates lie")->needs(point);
   o->report.add(app, 9);
   o->camera.add(app);
   o->camera.addWriting(app);

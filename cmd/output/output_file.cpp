@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <mutex>
+#include <set>
 #include <system_error>
 
 #include "text/error.hpp"
@@ -40,6 +41,9 @@ int writeAll(int descriptor, std::string_view text) {
   return writeUnlocked(descriptor, text);
 }
 
+std::set<std::string> notes;
+bool isSilent = false;
+
 [[noreturn]] void fail(int error) { throw InputError(outputName + ": " + std::generic_category().message(error)); }
 
 std::string temporaryName;
@@ -71,15 +75,15 @@ void catchSignals() {
 }
 
 /// The descriptor that has such a name (/dev/stdout, /dev/fd/3): opened by it, a file would begin anew. Else -1.
-int descriptorOf(std::string_view name) {
+int descriptorOf(const std::string& name) {
   if (name == "/dev/stdout") return kStandardOutput;
   if (name == "/dev/stderr") return kStandardError;
-  for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
-    int number = -1;
-    const char* const end = name.data() + name.size();
-    if (name.starts_with(folder) && std::from_chars(name.data() + folder.size(), end, number).ptr == end) return number;
-  }
-  return -1;
+  int number = -1;
+  const char* const end = name.data() + name.size();
+  const std::string_view folder = "/dev/fd/";
+  const bool isNumber =
+      name.starts_with(folder) && std::from_chars(name.data() + folder.size(), end, number).ptr == end;
+  return isNumber ? number : -1;
 }
 
 /// Where a name leads that may be a link to a file that is not there yet.
@@ -145,6 +149,12 @@ void complain(const std::string& message) {
   // Whatever a message quotes, it commands no terminal.
   writeAll(kStandardError, "viewproj: " + visible(message, "\n") + "\n");
 }
+
+void note(const std::string& text) {
+  if (!isSilent && notes.insert(text).second) complain("note: " + text);
+}
+
+void silenceNotes() { isSilent = true; }
 
 int reportException() {
   try {
