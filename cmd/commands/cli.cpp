@@ -87,6 +87,7 @@ void requireValues(const CLI::App& app, std::span<const std::string> arguments) 
 void prepare(CLI::App& app) {
   app.formatter(std::make_shared<Help>());
   app.allow_windows_style_options(false);  // a name of a file may begin with a slash
+  app.option_defaults()->disable_flag_override();
   app.set_help_flag("-h,--help", "Print this help");
   app.add_option("-o,--output", "Write to FILE, which is replaced only on success; its extension picks the format")
       ->option_text("FILE");
@@ -107,9 +108,11 @@ void parse(CLI::App& app, std::span<const std::string> arguments,
   } catch (const CLI::ExtrasError&) {
     const std::string argument = app.remaining().front();
     message = "'" + argument + "' was not expected" + adviceOn(argument);
-  } catch (const CLI::ArgumentMismatch& e) {  // with values there can only be too many
+  } catch (const CLI::ArgumentMismatch& e) {  // with values there can only be too many, or one of a flag
     message = e.what();
-    message = message.substr(0, message.find(':')) + " is given twice";
+    const std::size_t colon = message.find(':');
+    message = colon == std::string::npos ? "--" + message.substr(0, message.find(' ')) + " takes no value"
+                                         : message.substr(0, colon) + " is given twice";
   } catch (const CLI::ParseError& e) {
     message = CLI::detail::find_and_replace(e.what(), " excludes ", " cannot be used with ");
     message = CLI::detail::find_and_replace(message, " requires ", " needs ");
