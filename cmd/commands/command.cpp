@@ -18,6 +18,7 @@ constexpr Command kCommands[] = {
     {"ray", "pixels to rays, and to the points behind them", declareRay},
     {"cull", "which points and shapes lie in the view, and which plane decides", declareCull},
     {"matrix", "a camera's matrices in any convention", declareMatrix},
+    {"check", "whether points lie at their pixels, and which mistake explains it", declareCheck, 2},
     {"info", "what is in a camera file", declareInfo},
     {"inspect", "which camera and which convention a matrix is of", declareInspect},
     {"explain", "every stage of one point or pixel, by hand", declareExplain},
@@ -114,6 +115,7 @@ const Command& findCommand(std::string_view name) {
 std::string helpOf(const Command& command) { return Declared(command).app.help(); }
 
 int runCommand(const Command& command, std::span<const std::string> arguments) {
+  setFailureStatus(command.failureStatus);
   // Help goes before whatever is wrong with the other arguments.
   const auto end = std::find(arguments.begin(), arguments.end(), "--");
   if (std::any_of(arguments.begin(), end, [](const auto& each) { return each == "--help" || each == "-h"; })) {

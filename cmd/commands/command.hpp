@@ -21,6 +21,7 @@ struct Command {
   std::string_view summary;
   /// Gives the App its description, its options and its examples. The action works on what the App has parsed.
   Action (*declare)(CLI::App& app);
+  int failureStatus = 1;  ///< exit status where an input is wrong or an output cannot be written
 };
 
 std::span<const Command> allCommands();
@@ -38,6 +39,7 @@ Action declareProject(CLI::App& app);
 Action declareRay(CLI::App& app);
 Action declareMatrix(CLI::App& app);
 Action declareCull(CLI::App& app);
+Action declareCheck(CLI::App& app);
 Action declareInfo(CLI::App& app);
 Action declareInspect(CLI::App& app);
 Action declareExplain(CLI::App& app);

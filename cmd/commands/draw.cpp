@@ -55,7 +55,7 @@ class DrawWork final : public RecordWork {
       std::visit([&](const auto& shape) { keep(shape); }, toShape(layout, n));
   }
 
-  void read(std::size_t i, const Record& record) override {
+  void read(std::size_t i, const Record& record, std::size_t /*line*/) override {
     const std::string label = labelOf(record, ++count_);
     std::visit([&](const auto& what) { picture_.add(label, what); }, drawn_[i]);
   }
@@ -152,13 +152,8 @@ Action declareDraw(CLI::App& app) {
       "  printf 'x,y,z\\n1,1,1\\n0,2,0\\n' |\n"
       "    viewproj draw --position 3,2,5 --target 0,0,0 --fov-y 60 --viewport 640x480");
   o->stream.addPoints(app);
-  addValues(
-      app, "--pixel", "X,Y", o->pixels,
-      [](const std::string& option, const std::string& text) {
-        const std::vector<double> n = readNumbers(option, text, 2, 2, "X,Y");
-        return Vec2{n[0], n[1]};
-      },
-      "A pixel to mark, and with --scene what its ray hits first");
+  addValues(app, "--pixel", "X,Y", o->pixels, readPixelPosition,
+            "A pixel to mark, and with --scene what its ray hits first");
   addScene(app, o->scene, "Shapes to draw");
   o->stream.addInput(app, "points and shapes");
   o->camera.add(app);

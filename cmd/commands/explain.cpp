@@ -415,6 +415,8 @@ OrderedJson withoutRepeatedStages(OrderedJson report) {
 
 int runExplain(const ExplainOptions& o) {
   if (!o.point && !o.pixel) throw UsageError("expected --point X,Y,Z or --pixel X,Y[,DEPTH]: what to follow");
+  if (o.point && o.pixel)
+    throw UsageError("--point and --pixel: expected one of them; viewproj check tells whether they agree");
   const CameraFile file = o.camera.read();
   if (o.point) o.point->requireFit(file.worldIsEcef);
   const Camera camera = makeCamera(file);
@@ -448,8 +450,7 @@ Action declareExplain(CLI::App& app) {
       "    --viewport 1280x720 --pixel 640,300");
   CLI::Option* const point = addValue(app, "--point", kPointForm, o->point, readPointArgument, "The point to follow");
   addValue(app, "--pixel", "X,Y[,DEPTH]", o->pixel, readPixelNumbers,
-           "The pixel to follow back, with a window depth if known")
-      ->excludes(point);
+           "The pixel to follow back, with a window depth if known");
   addModel(app, o->model, "Where the point's own coordinates lie")->needs(point);
   o->report.add(app, 9);
   o->camera.add(app);

@@ -14,24 +14,17 @@
 namespace viewproj::cmd {
 namespace {
 
-/// JSON as an option's value has it: numbers in their shortest form.
+/// JSON as an option's value has it.
 std::string textOf(const Json& value) {
   if (value.is_number()) return formatNumber(value.get<double>());
-  if (value.is_string()) return value.get<std::string>();
-  if (!value.is_structured()) return value.dump();
-  std::string text;
-  for (const auto& item : value.items()) {
-    if (!text.empty()) text += ',';
-    if (value.is_object()) text += Json(item.key()).dump() + ":";
-    text += item.value().is_string() ? item.value().dump() : textOf(item.value());
-  }
-  return value.is_object() ? "{" + text + "}" : "[" + text + "]";
+  return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-/// The numbers of an array without its brackets, as options list them.
+/// "1,2,3".
 std::string listOf(const Json& numbers) {
-  const std::string text = textOf(numbers);
-  return text.substr(1, text.size() - 2);
+  std::string text;
+  for (const Json& number : numbers) text += (text.empty() ? "" : ",") + textOf(number);
+  return text;
 }
 
 /// "0.5x + 3", "x/3", "720 - y".
@@ -50,13 +43,25 @@ std::string inShell(const std::string& word) {
   return word.find_first_not_of(kPlain) == std::string::npos ? word : "'" + word + "'";
 }
 
+/// Makes {"x": ..., "y": ..., "z": ...} arrays, at any depth.
+void spreadVectors(Json& value) {
+  if (value.is_object() && value.contains("z")) {
+    Json array = Json::array();
+    for (const char* const part : {"x", "y", "z", "w"})
+      if (value.contains(part)) array.push_back(value[part]);
+    value = std::move(array);
+  }
+  if (value.is_structured())
+    for (Json& part : value) spreadVectors(part);
+}
+
 /// The document and its camera, and the hypotheses found so far.
 struct Trials {
   const Document& document;
   const ReadOptions& reading;
   Camera camera;
   std::vector<Hypothesis> found = {};
-  std::string_view mistake = {}, sentence = {};
+  std::string_view mistake = {};
 
   const Json* find(std::string_view path) const { return valueAt(*document.root, path); }
   double numberOr(std::string_view path, double fallback) const {
@@ -68,7 +73,7 @@ struct Trials {
   Vec2 last() const { return pictureCorners(camera.viewport()).last; }
 
   Hypothesis next(std::string mend, Json value) const {
-    return {mistake, sentence, std::make_shared<const Json>(std::move(value)), std::move(mend), camera};
+    return {mistake, std::make_shared<const Json>(std::move(value)), std::move(mend), camera};
   }
 
   /// Options, name and value in turns, an empty value for none: laid over the document. What cannot be read then is no
@@ -197,16 +202,8 @@ void turnFov(Trials& t) {
 
 void changeAspect(Trials& t) {
   if (t.find("projection.aspect")) t.options({{"--set", "projection.aspect=null"}});
-  const Viewport& v = t.camera.viewport();
-  const double height = t.camera.projection().top() - t.camera.projection().bottom();
-  const double aspect = t.find("projection.aspect")
-                            ? (t.camera.projection().right() - t.camera.projection().left()) / height
-                            : v.width / v.height;
-  t.options({{"--aspect", "1"}, {"--allow-stretch", ""}});
-  if (t.find("projection.aspect"))
-    t.options({{"--aspect", formatNumber(1 / aspect)}, {"--allow-stretch", ""}});
-  else
-    t.options({{"--aspect", formatNumber(v.height) + "/" + formatNumber(v.width)}, {"--allow-stretch", ""}});
+  for (const double aspect : {1.0, 1 / t.camera.projection().aspect()})
+    t.options({{"--aspect", formatNumber(aspect)}, {"--allow-stretch", ""}});
 }
 
 /// "60" and "60deg" in radians, "1.05rad" in degrees.
@@ -256,7 +253,7 @@ void turnUp(Trials& t) {
 Json inverseOf(const Json& rotation) {
   Json inverse = rotation;
   if (rotation.size() == 4)
-    for (std::size_t i = 0; i < 3; ++i) inverse[i] = -rotation[i].get<double>();
+    for (std::size_t i = 0; i < 3; ++i) inverse[i] = 0.0 - rotation[i].get<double>();
   else
     for (std::size_t i = 0; i < 9; ++i) inverse[i / 3][i % 3] = rotation[i % 3][i / 3];
   return inverse;
@@ -273,7 +270,7 @@ void invertPose(Trials& t) {
       t.options({{"--set", rotation + "=" + textOf(inverseOf(*turn))}});
   }
   const Json *const rotation = t.find("rotation"), *const position = t.find("position");
-  if (!rotation || !rotation->is_array() || !position->is_array()) return;
+  if (!rotation || !position || !position->is_array()) return;
   t.options({{"--set", "rotation=" + textOf(inverseOf(*rotation))}});
   const Json rigid{{"rotation", *rotation}, {"translation", *position}};
   t.options({{"--set", "position=null"}, {"--set", "rotation=null"}, {"--set", "cameraFromWorld=" + textOf(rigid)}});
@@ -281,7 +278,7 @@ void invertPose(Trials& t) {
 
 void reorderQuaternion(Trials& t) {
   for (const char* const path : {"rotation", "worldFromCamera.rotation", "cameraFromWorld.rotation"})
-    if (const Json* const q = t.find(path); q && q->is_array() && q->size() == 4)
+    if (const Json* const q = t.find(path); q && q->size() == 4)
       for (const auto& order : {std::array{1, 2, 3, 0}, {3, 0, 1, 2}}) {
         Json turned = Json::array();
         for (const int i : order) turned.push_back((*q)[static_cast<std::size_t>(i)]);
@@ -312,20 +309,18 @@ struct Mistake {
 };
 constexpr Mistake kMistakes[] = {
     {"y-flipped", "y is counted from the other edge of the picture", flipY},
-    {"y-flipped-index", "y is counted from the other edge and is off by one pixel, as height - 1 - y is for positions",
-     flipIndex},
-    {"x-mirrored", "the picture is mirrored: one side has a left-handed world or view, the other a right-handed one",
-     mirrorX},
-    {"pixel-centre", "pixel centres are at whole numbers on one side and at halves on the other", movePixelCentre},
-    {"pixel-ratio", "one side counts device pixels and the other CSS (logical) pixels", scalePixels},
-    {"viewport-offset", "the corner of the viewport or of the crop is left out, or added twice", moveOffset},
+    {"y-flipped-index", "y is counted from the other edge, and is one pixel off", flipIndex},
+    {"x-mirrored", "mirrored: one side is left-handed and the other right-handed", mirrorX},
+    {"pixel-centre", "one side has pixel centres at whole numbers, the other at .5", movePixelCentre},
+    {"pixel-ratio", "one side counts device pixels, the other CSS (logical) pixels", scalePixels},
+    {"viewport-offset", "the viewport's or the crop's corner is left out, or added twice", moveOffset},
     {"picture-size", "fx, fy, cx, cy are of a picture of another size", resizePicture},
     {"fov-axis", "the angle of view is that of another axis", turnFov},
     {"aspect", "the aspect is left out, or inverted", changeAspect},
     {"radians", "an angle in radians is taken for degrees, or the reverse", takeRadians},
     {"direction-as-target", "a direction is taken for a target, or the reverse", exchangeTarget},
     {"up-axis", "one side has y up and the other z up", turnUp},
-    {"pose-inverted", "the pose is the inverse: world-to-camera taken for camera-to-world, or the reverse", invertPose},
+    {"pose-inverted", "the pose is inverted: world-to-camera for camera-to-world", invertPose},
     {"quaternion-order", "the quaternion has w first on one side and last on the other", reorderQuaternion},
     {"camera-axes", "the pose counts on other axes of the camera", turnAxes},
     {"normalized", "the pixels are 0..1 across the picture", [](Trials& t) { fromUnits(t, 0); }},
@@ -343,11 +338,18 @@ Vec4 Hypothesis::point(const Vec4& p) const {
   return {at(axes[0]), at(axes[1]), at(axes[2]), p.w};
 }
 
+std::string_view sentenceOf(std::string_view mistake) {
+  const auto row = std::find_if(std::begin(kMistakes), std::end(kMistakes),
+                                [&](const Mistake& each) { return each.name == mistake; });
+  return row->sentence;
+}
+
 std::vector<Hypothesis> hypotheses(const Document& document, const ReadOptions& reading) {
-  Trials trials{document, reading, makeCamera(readCamera(document, reading))};
+  const Document arrays{document.name, std::make_shared<Json>(*document.root), document.isTyped, document.labels};
+  spreadVectors(*arrays.root);
+  Trials trials{arrays, reading, makeCamera(readCamera(arrays, reading))};
   for (const Mistake& mistake : kMistakes) {
     trials.mistake = mistake.name;
-    trials.sentence = mistake.sentence;
     mistake.addTo(trials);
   }
   return std::move(trials.found);

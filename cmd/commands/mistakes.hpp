@@ -23,7 +23,7 @@ struct Affine {
 
 /// A mistake as it may have been made, in one of its forms.
 struct Hypothesis {
-  std::string_view mistake, sentence;   ///< "y-flipped"; what is wrong, in words
+  std::string_view mistake;             ///< "y-flipped"
   std::shared_ptr<const Json> value;    ///< the mistake's parameter, or null
   std::string mend;                     ///< options, or words
   Camera camera;                        ///< the mended one
@@ -34,6 +34,9 @@ struct Hypothesis {
   Vec4 point(const Vec4& p) const;
   bool movesPoints() const { return axes != std::array{1, 2, 3}; }
 };
+
+/// What is wrong, in words.
+std::string_view sentenceOf(std::string_view mistake);
 
 /// Of a camera document that can be read. Those that need a form which it does not have are left out.
 std::vector<Hypothesis> hypotheses(const Document& document, const ReadOptions& reading);

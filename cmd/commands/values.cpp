@@ -77,6 +77,11 @@ std::vector<double> readNumbers(const std::string& option, const std::string& te
   return std::move(*numbers);
 }
 
+Vec2 readPixelPosition(const std::string& option, const std::string& text) {
+  const std::vector<double> n = readNumbers(option, text, 2, 2, "X,Y");
+  return {n[0], n[1]};
+}
+
 std::vector<double> readPixelNumbers(const std::string& option, const std::string& text) {
   return readNumbers(option, text, 2, 3, "X,Y or X,Y,DEPTH");
 }

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "text/form.hpp"
+#include "viewproj/vectors.hpp"
 
 namespace viewproj::cmd {
 
@@ -103,6 +104,9 @@ inline auto numberList(const char* form) {
     return readNumbers(option, text, 1, SIZE_MAX, form);
   };
 }
+
+/// X,Y.
+Vec2 readPixelPosition(const std::string& option, const std::string& text);
 
 /// X,Y[,DEPTH].
 std::vector<double> readPixelNumbers(const std::string& option, const std::string& text);

@@ -26,6 +26,8 @@ std::mutex writing;
 
 std::string outputName = "standard output";  // for messages
 
+int failureStatus = 1;
+
 /// Returns errno, or 0.
 int writeUnlocked(int descriptor, std::string_view text) {
   while (!text.empty()) {
@@ -156,6 +158,8 @@ void note(const std::string& text) {
 
 void silenceNotes() { isSilent = true; }
 
+void setFailureStatus(int status) { failureStatus = status; }
+
 int reportException() {
   try {
     throw;
@@ -166,7 +170,7 @@ int reportException() {
     return 2;
   } catch (const std::exception& e) {
     complain(e.what());
-    return 1;
+    return failureStatus;
   }
 }
 
@@ -180,7 +184,7 @@ void endWithoutMemory() {
   writing.lock();
   writeUnlocked(kStandardError, "viewproj: out of memory\n");
   removeTemporary();
-  std::_Exit(1);
+  std::_Exit(failureStatus);
 }
 
 }  // namespace viewproj::cmd

@@ -39,6 +39,9 @@ void note(const std::string& text);
 /// --quiet: from here on no note is written.
 void silenceNotes();
 
+/// The exit status of whatever goes wrong from here on; 1 at first.
+void setFailureStatus(int status);
+
 /// In a catch block: complains of the exception. Returns the exit status.
 int reportException();
 

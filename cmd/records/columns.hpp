@@ -21,10 +21,12 @@ struct ChoosableColumns {
 };
 
 inline constexpr const Coordinate *kPointRows[] = {&coordinates::xyz, &coordinates::place},
-                                  *kRadiusRow[] = {&coordinates::radius}, *kPixelRow[] = {&coordinates::xy};
+                                  *kRadiusRow[] = {&coordinates::radius}, *kPixelRow[] = {&coordinates::xy},
+                                  *kPairRows[] = {&coordinates::xyzUv, &coordinates::placeUv};
 inline constexpr ChoosableColumns kPointColumns{kPointRows, {}, "E,N,U or x=E,y=N,z=U"},
     kSphereColumns{kPointRows, kRadiusRow, "E,N,U or x=E,y=N,z=U"},
     kPixelColumns{kPixelRow, coordinates::kDistances, "u,v or x=u,y=v"},
+    kPairColumns{kPairRows, {}, "E,N,U,u,v or x=E,y=N,z=U,u=u,v=v"},
     kPointValues{kPointRows, {}, "3,2,5 or lat=47,lon=8,height=1500"};
 
 /// What a command line lists for the coordinates: values of them, or the columns that hold them.

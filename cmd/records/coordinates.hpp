@@ -72,6 +72,10 @@ inline constexpr CoordinatePart
     kSphere[] = {{"center", 3}, {"radius"}},
     kBox[] = {{"min", 3}, {"max", 3}},
     kRadius[] = {{"radius"}},
+    kUv[] = {{"u"}, {"v"}},
+    kPxPy[] = {{"px"}, {"py"}},
+    kXyzUvw[] = {{"x"}, {"y"}, {"z"}, {"u"}, {"v"}, {"w"}},
+    kPlaceUv[] = {{"lat", 1, kLatNames}, {"lon", 1, kLonNames}, {"height", 1, kSeaLevelNames}, {"u"}, {"v"}},
     kDepth[] = {{"depth"}},
     kViewDistance[] = {{"viewDistance"}};
 
@@ -97,9 +101,17 @@ inline constexpr Coordinate
     screen = {"screen", array, 2, 2, "a pixel, as project writes it", 0, {}, true},
     pixel = {"pixel", array, 2, 2, "the same", 0, {}, true},
     xy = {"x y", numbers, 2, 2, "the same, a field or column each, without z", 0, kXy},
+    uv = {"u v", numbers, 2, 2, "a pixel beside a point, a field or column each", 0, kUv},
+    pxPy = {"px py", numbers, 2, 2, "the same", 0, kPxPy},
     depth = {"depth", numbers, 1, 1, "window depth of the point behind the pixel", 0, kDepth, true},
     viewDistance = {"viewDistance", numbers, 1, 1, "its distance along the viewing axis; goes before depth", 0, kViewDistance, true};
-inline constexpr const Coordinate *kPixels[] = {&screen, &pixel, &xy}, *kDistances[] = {&depth, &viewDistance};
+inline constexpr const Coordinate *kPixels[] = {&screen, &pixel, &xy}, *kDistances[] = {&depth, &viewDistance},
+                                  *kPixelsBesidePoints[] = {&screen, &pixel, &uv, &pxPy};
+
+// Pairs of a point and its pixel, as --columns and lines of numbers have them.
+inline constexpr Coordinate
+    xyzUv = {"x y z u v", numbers, 5, 6, "a point and its pixel", kindPoint, kXyzUvw},
+    placeUv = {"lat lon height u v", numbers, 5, 5, "a place and its pixel", kindPlace, kPlaceUv};
 
 }  // namespace coordinates
 // clang-format on

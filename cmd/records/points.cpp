@@ -166,6 +166,13 @@ Layout findBarePoint(const RecordParts& record, const PointReading& reading) {
   return firstFields(shape.size, false);
 }
 
+/// Five of them: a point and its pixel.
+Layout findBarePair(const RecordParts& record, const PointReading& reading) {
+  if (record.shape.size != 5) throw RecordError(0, numbersIn(record.shape) + "; expected x y z u v");
+  if (reading.worldIsEcef) throw RecordError(0, bareTriple("--columns lat,lon,height,u,v or --columns x,y,z,u,v"));
+  return firstFields(5, false);
+}
+
 struct Found {
   const Coordinate* row;
   Layout layout;
@@ -277,6 +284,22 @@ Layout findScreen(const RecordParts& record, Forms& forms) {
   throw RecordError(0, "has no pixel; expected " + namesOf(coordinates::kPixels, ", or ") + whatIsThere(shape));
 }
 
+// What the numbers are
+
+/// slots: how many numbers are the point's.
+Vec4 pointOf(const Layout& layout, std::size_t slots, const Numbers& n) {
+  if (layout.kind == kindPlace || layout.kind == kindPlacedSphere) {
+    const Geodetic place{n[0], n[1], n[2]};
+    if (!isPlace(place)) throw RecordError(0, "lat: " + formatNumber(place.lat) + " is not from -90 to 90 degrees");
+    const Vec3 p = geodeticToEcef(place);
+    return {p.x, p.y, p.z, 1};
+  }
+  const bool hasWeight = slots == 4 && !std::isnan(n[3]);
+  const Vec4 point{n[0], n[1], n[2], layout.kind == kindDirection ? 0 : hasWeight ? n[3] : 1};
+  if (point == Vec4{0, 0, 0, 0}) throw RecordError(0, "0 0 0 0 is neither a point nor a direction");
+  return point;
+}
+
 }  // namespace
 
 Layout findPoint(const RecordParts& record, const PointReading& reading) {
@@ -289,16 +312,7 @@ bool isPoint(const Layout& layout) { return layout.kind <= kindPlace; }
 bool isShape(const Layout& layout) { return !isPoint(layout) && !isSegment(layout); }
 
 Vec4 toPoint(const Layout& layout, const Numbers& n) {
-  if (layout.kind == kindPlace || layout.kind == kindPlacedSphere) {
-    const Geodetic place{n[0], n[1], n[2]};
-    if (!isPlace(place)) throw RecordError(0, "lat: " + formatNumber(place.lat) + " is not from -90 to 90 degrees");
-    const Vec3 p = geodeticToEcef(place);
-    return {p.x, p.y, p.z, 1};
-  }
-  const bool hasWeight = layout.slots() - (layout.kind == kindRoundPoint ? 1 : 0) == 4 && !std::isnan(n[3]);
-  const Vec4 point{n[0], n[1], n[2], layout.kind == kindDirection ? 0 : hasWeight ? n[3] : 1};
-  if (point == Vec4{0, 0, 0, 0}) throw RecordError(0, "0 0 0 0 is neither a point nor a direction");
-  return point;
+  return pointOf(layout, layout.slots() - (layout.kind == kindRoundPoint ? 1 : 0), n);
 }
 
 Layout findPixel(const RecordParts& record, const ColumnChoice& columns) {
@@ -318,6 +332,35 @@ Layout findPixel(const RecordParts& record, const ColumnChoice& columns) {
     }
   layout.forms = std::move(forms);
   return layout;
+}
+
+Layout findPair(const RecordParts& record, const PointReading& reading) {
+  if (reading.columns.given()) {
+    Layout layout = findChosenPoint(record, reading);
+    // The table has w last, where it may be left out.
+    if (reading.columns.has("w")) std::rotate(layout.parts.begin() + 3, layout.parts.end() - 1, layout.parts.end());
+    return layout;
+  }
+  if (isNameless(record.shape)) return findBarePair(record, reading);
+  Layout layout = findNamedPoint(record, reading);
+  std::optional<Layout> pixel;
+  for (const Coordinate* row : coordinates::kPixelsBesidePoints) {
+    auto found = find(*row, record, layout.forms);
+    if (!found) continue;
+    if (pixel) throw hasBoth(0, namesIn(*pixel, record.shape), namesIn(*found, record.shape), true);
+    pixel = std::move(found);
+  }
+  if (!pixel)
+    throw RecordError(0, "has no pixel beside its point; expected " + namesOf(coordinates::kPixelsBesidePoints) +
+                             whatIsThere(record.shape));
+  for (NumberField& part : pixel->parts) part.mayBeAbsent = false;
+  layout.append(*pixel);
+  return layout;
+}
+
+Pair toPair(const Layout& layout, const Numbers& n) {
+  const std::size_t slots = layout.slots() - 2;
+  return {pointOf(layout, slots, n), {n[slots], n[slots + 1]}};
 }
 
 bool hasDistance(const Layout& layout) { return (layout.kind & (depthKnown | viewDistanceKnown)) != 0; }

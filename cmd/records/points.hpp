@@ -47,6 +47,17 @@ struct Pixel {
 /// three numbers of a text line or f64, NaN for those that have no value. Throws RecordError.
 Layout findPixel(const RecordParts& record, const ColumnChoice& columns);
 
+/// A point, and the pixel that somebody has for it.
+struct Pair {
+  Vec4 point;
+  Vec2 pixel;
+};
+
+/// A point as findPoint has it, and one of coordinates::kPixelsBesidePoints; five numbers without names. Throws
+/// RecordError.
+Layout findPair(const RecordParts& record, const PointReading& reading);
+Pair toPair(const Layout& layout, const Numbers& numbers);
+
 bool hasDistance(const Layout& layout);
 Pixel toPixel(const Layout& layout, const Numbers& numbers);
 

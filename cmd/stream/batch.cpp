@@ -104,7 +104,7 @@ void Batch::flush() {
     }
     const std::size_t index = added++;
     if (!writer_) {
-      work_.read(index, {row.text, &row.plan->shape});
+      work_.read(index, {row.text, &row.plan->shape}, positionOf(row.text.data()).line);
       ++result_.records;
       continue;
     }

@@ -26,8 +26,8 @@ class RecordWork {
   virtual void compute() {}
   /// The results of the record that was added as number i. Throws RecordError where it has none.
   virtual void write(std::size_t i, ResultSink& sink) = 0;
-  /// Where records are read alone, instead of write: the record that was added as number i.
-  virtual void read(std::size_t /*i*/, const Record& /*record*/) {}
+  /// Where records are read alone, instead of write: the record that was added as number i, and its line.
+  virtual void read(std::size_t /*i*/, const Record& /*record*/, std::size_t /*line*/) {}
   virtual void clear() = 0;
 
   /// From f64 to f64, many records at once: three numbers a record in, what the writer would write out. Returns how

@@ -159,7 +159,8 @@ Json changed(Json document, const Change& change) {
 }
 
 const Case kCases[] = {
-    // sceneview PR#93, camera-picking-ray#1, cesium#12751, antvis/G PR#1778; H - 1 - y: libgdx PR#7469, thunder#350
+    // sceneview PR#93, camera-picking-ray#1, antvis/G PR#1778, bevy-mouse-tracking PR#33; H - 1 - y: libgdx PR#7469,
+    // thunder#350, cesium#12751, mrirecon/view PR#7
     {"y from the bottom", "y-flipped", lookDocument,
      [](const Scene& s, const Vec3& p) {
        const Vec2 q = s.pixel(p);
@@ -194,7 +195,7 @@ const Case kCases[] = {
        const Vec2 q = s.pixel(p);
        return Vec2{q.x - 0.5, q.y - 0.5};
      }},
-    // x3dom#612, three.js PR#7272, gl-mesh3d PR#9, megaplot#49
+    // x3dom#612, three.js PR#7272, gl-mesh3d PR#9, megaplot#49, playcanvas/engine#328, TouchFree PR#250
     {"device pixels", "pixel-ratio", lookDocument,
      [](const Scene& s, const Vec3& p) {
        const Vec2 q = s.pixel(p);
@@ -281,7 +282,7 @@ const Case kCases[] = {
        return changed(lookDocument(s), [&](Json& d) { d["up"] = s.up.y == 1 ? Json{0, 0, 1} : Json{0, 1, 0}; });
      },
      right},
-    // nerfplusplus#41, HouseCat6D#9, kalibr#751
+    // nerfplusplus#41, HouseCat6D#9, kalibr#751, RenderMe-360#6
     {"world to camera as camera to world", "pose-inverted",
      [](const Scene& s) {
        return changed(rotationDocument(s), [&](Json& d) {
@@ -307,6 +308,14 @@ const Case kCases[] = {
        return changed(rotationDocument(s), [&](Json& d) {
          const auto q = s.rotation();
          d["rotation"] = {q[3], q[0], q[1], q[2]};
+       });
+     },
+     right},
+    {"w first, each number by its name", "quaternion-order",
+     [](const Scene& s) {
+       return changed(rotationDocument(s), [&](Json& d) {
+         const auto q = s.rotation();
+         d["rotation"] = {{"x", q[3]}, {"y", q[0]}, {"z", q[1]}, {"w", q[2]}};
        });
      },
      right},
@@ -412,6 +421,26 @@ TEST_CASE("Two mistakes at once have no explanation") {
       }
     }
   CHECK(visited > 500);
+}
+
+// A mouse that counts from the window's corner and not from the canvas's: vwf PR#268.
+TEST_CASE("What no mistake explains and is the same everywhere is the offset of the fit") {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const Trial trial = randomTrial(seed);
+    const auto report = checked(
+        lookDocument(trial.scene), trial,
+        [&](const Vec3& p) {
+          const Vec2 pixel = trial.scene.pixel(p);
+          return Vec2{pixel.x + 300, pixel.y + 56};
+        },
+        nullptr, 0.1);
+    REQUIRE(report);
+    const OrderedJson& fit = (*report)["fit"];
+    CHECK((*report)["explanations"].empty());
+    CHECK(fit["offset"][0].get<double>() == Approx(300).epsilon(1e-12));
+    CHECK(fit["offset"][1].get<double>() == Approx(56).epsilon(1e-12));
+    CHECK(fit["offsetRms"] < 1e-9);
+  }
 }
 
 TEST_CASE("The fit of offset and scale is that of least squares") {

@@ -24,8 +24,9 @@ expect() {
 tool=$1
 expect 'project' pro
 expect 'measure' me
+expect 'check' ch
 expect '--help' --h
-expect 'cull camera conventions' help c
+expect 'cull check camera conventions' help c
 expect '--convention' matrix --conv
 expect '--read-as --reverse-z' project --re
 expect '-c' project -c

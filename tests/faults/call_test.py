@@ -70,7 +70,7 @@ class Calls(FaultTest):
                 if done.returncode == 0:
                     self.assert_same(arguments, done, expected)
                 else:
-                    self.assertEqual(done.returncode, 1)
+                    self.assertEqual(done.returncode, tool.failure(arguments))
                     self.assertEqual(done.stderr, b"viewproj: out of memory\n")
                     self.assert_whole_records(arguments, done.stdout, expected.stdout)
 
@@ -92,7 +92,7 @@ class Calls(FaultTest):
     def test_an_input_that_cannot_be_read_on_is_one_message_and_status_1(self):
         def check(arguments, given, number, expected):
             done = faulty(arguments, given, "read", number, f"{errno.EIO}+")
-            self.assert_fails(done, "<stdin>: Input/output error")
+            self.assert_fails(done, "<stdin>: Input/output error", tool.failure(arguments))
             self.assert_whole_records(arguments, done.stdout, expected.stdout)
 
         self.each_call("read", check)
@@ -101,7 +101,7 @@ class Calls(FaultTest):
         def check(arguments, given, number, expected):
             for kind, message in ((errno.EIO, "Input/output error"), (errno.EDQUOT, "Disk quota exceeded")):
                 done = faulty(arguments, given, "write", number, f"{kind}+")
-                self.assertEqual(done.returncode, 1)
+                self.assertEqual(done.returncode, tool.failure(arguments))
                 self.assertTrue(done.stderr.endswith(f"viewproj: standard output: {message}\n".encode()), done.stderr)
                 self.assertTrue(arguments[0] == "measure" or expected.stdout.startswith(done.stdout))
 

@@ -51,7 +51,7 @@ class Limits(FaultTest):
             expected = run(arguments, given).stdout
             with open("out", "wb") as out:
                 done = run(arguments, given, stdout=out, before=tool.limited(resource.RLIMIT_FSIZE, len(expected) // 2))
-            self.assertEqual(done.returncode, 1)
+            self.assertEqual(done.returncode, tool.failure(arguments))
             self.assertTrue(done.stderr.endswith(b"viewproj: standard output: File too large\n"), done.stderr)
             with open("out", "rb") as out:
                 self.assertTrue(expected.startswith(out.read()) or arguments[0] == "measure")

@@ -28,7 +28,7 @@ class Outputs(FaultTest):
         def check(arguments, given):
             with open("/dev/full", "wb") as full:
                 done = run(arguments, given, stdout=full)
-            self.assertEqual(done.returncode, 1)
+            self.assertEqual(done.returncode, tool.failure(arguments))
             self.assertTrue(done.stderr.endswith(b"viewproj: standard output: No space left on device\n"), done.stderr)
 
         self.each_run(check)
@@ -82,7 +82,7 @@ class Outputs(FaultTest):
     def test_a_closed_standard_output_is_one_message_and_status_1(self):
         def check(arguments, given):
             done = run(arguments, given, before=lambda: os.close(1))
-            self.assertEqual((done.stdout, done.returncode), (b"", 1))
+            self.assertEqual((done.stdout, done.returncode), (b"", tool.failure(arguments)))
             self.assertTrue(done.stderr.endswith(b"viewproj: standard output: Bad file descriptor\n"), done.stderr)
 
         self.each_run(check)

@@ -60,6 +60,8 @@ def _runs():
         yield ["explain", "-c", CAMERA, "--to", form, "--pixel", "1,2,0.5"], b""
         yield ["depth", "--to", form], CAMERA.encode()
     yield ["measure", "-c", CAMERA, "--to", "json"], POINTS["json"]
+    for form in ("table", "json", "csv"):
+        yield ["check", "-c", CAMERA, "--to", form], b"x,y,z,u,v\n1,1,1,687.1,291.3\n0,0,0,640,360\n"
     yield ["draw", "-c", CAMERA, "--scene", SCENE, "--pixel", "1,2", "-"], POINTS["json"]
     yield ["--version"], b""
     yield ["--help"], b""
@@ -73,6 +75,11 @@ def commands():
     text = subprocess.run([TOOL, "--help"], capture_output=True, timeout=PATIENCE, check=True).stdout.decode()
     lines = text.split("Commands:\n")[1].split("\n\n")[0].splitlines()
     return [line.split()[0] for line in lines]
+
+
+def failure(arguments):
+    """The exit status of an error that is not the command line's."""
+    return 2 if arguments[0] == "check" else 1
 
 
 RUNS = list(_runs())
@@ -170,9 +177,9 @@ class FaultTest(unittest.TestCase):
         Path(os.fsdecode(name)).write_bytes(content.encode() if isinstance(content, str) else content)
         return name
 
-    def assert_fails(self, done, message):
-        """Exit 1 and this message alone."""
-        self.assertEqual((done.stderr, done.returncode), (b"viewproj: " + message.encode() + b"\n", 1))
+    def assert_fails(self, done, message, status=1):
+        """This exit status and this message alone."""
+        self.assertEqual((done.stderr, done.returncode), (b"viewproj: " + message.encode() + b"\n", status))
 
     def assert_goes_well(self, done):
         self.assertEqual((done.stderr, done.returncode), (b"", 0))

@@ -424,6 +424,12 @@ def options():
     many("a long unknown option", 20000, lambda n: ["matrix", "--" + "x" * n], 2, "was not expected")
 
 
+def checked():
+    pairs = lines(b"1.5,2.25,-3,687,291", b"x,y,z,u,v\n")
+    add("check, pairs that disagree", 4000, ["check", "-c", CAMERA], pairs, status=1, says="agrees  *no")
+    add("check, pairs that every mistake explains", 4000, ["check", "-c", CAMERA, "--within", "1e9"], pairs, says="agrees  *yes")
+
+
 def measured():
     add("measure, too few points", 4000, ["measure", "-c", CAMERA], lines(b'{"direction":[1,2,3]}'), status=1, says="has no points", memory="flat")
 
@@ -531,7 +537,7 @@ def main():
     arguments = sys.argv[1:]
     table = "--table" in arguments
     words = [word for word in arguments if not word.startswith("--")]
-    for define in (readers, writers, bad_records, long_records, white_space, documents, inspected, pictures, options, measured):
+    for define in (readers, writers, bad_records, long_records, white_space, documents, inspected, pictures, options, checked, measured):
         before = len(ROWS)
         define()
         assert len(ROWS) > before
