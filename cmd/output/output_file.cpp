@@ -77,15 +77,15 @@ void catchSignals() {
 }
 
 /// The descriptor that has such a name (/dev/stdout, /dev/fd/3): opened by it, a file would begin anew. Else -1.
-int descriptorOf(const std::string& name) {
+int descriptorOf(std::string_view name) {
   if (name == "/dev/stdout") return kStandardOutput;
   if (name == "/dev/stderr") return kStandardError;
-  int number = -1;
-  const char* const end = name.data() + name.size();
-  const std::string_view folder = "/dev/fd/";
-  const bool isNumber =
-      name.starts_with(folder) && std::from_chars(name.data() + folder.size(), end, number).ptr == end;
-  return isNumber ? number : -1;
+  for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+    int number = -1;
+    const char* const end = name.data() + name.size();
+    if (name.starts_with(folder) && std::from_chars(name.data() + folder.size(), end, number).ptr == end) return number;
+  }
+  return -1;
 }
 
 /// Where a name leads that may be a link to a file that is not there yet.
