@@ -3,30 +3,19 @@
 #include <algorithm>
 #include <new>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "commands/command.hpp"
 #include "commands/help.hpp"
-#include "commands/run.hpp"
 #include "numbers/arithmetic.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
-#include "text/names.hpp"
 #include "text/system.hpp"
 #include "viewproj/camera.hpp"
 
 namespace {
 
 using namespace viewproj::cmd;
-
-const Command& find(std::string_view name) {
-  std::vector<std::string_view> known;
-  for (const Command& command : allCommands()) {
-    if (command.name == name) return command;
-    known.push_back(command.name);
-  }
-  throw UsageError("'" + std::string(name) + "' is no command" + suggestion(name, known));
-}
 
 int run(std::vector<std::string> arguments) {
   if (arguments.empty()) {
@@ -41,7 +30,7 @@ int run(std::vector<std::string> arguments) {
     return 0;
   }
   if (name == "--help" || name == "-h") name = "help";
-  return runCommand(find(name), arguments);
+  return runCommand(findCommand(name), arguments);
 }
 
 }  // namespace

@@ -2,16 +2,15 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "camera/check.hpp"
 #include "camera/fields.hpp"
 #include "camera/read_pose.hpp"
 #include "camera/write_camera.hpp"
+#include "commands/standard_input.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
-#include "text/names.hpp"
 #include "text/number.hpp"
 
 namespace viewproj::cmd {
@@ -23,8 +22,8 @@ Names<ConventionPreset> presets() {
   return names;
 }
 
-/// For a command that asks for near and far alone: an opening like any other where the options name none.
-void assumeOpening(std::vector<Patch>& patches, bool hasViewport) {
+/// For a command that needs near and far alone: the usual field of view where the options name no lens.
+void assumeLens(std::vector<Patch>& patches, bool hasViewport) {
   bool hasLens = false, isOrthographic = false;
   for (const Patch& patch : patches) {
     const Field* const field = findField(patch.path);
@@ -38,6 +37,11 @@ void assumeOpening(std::vector<Patch>& patches, bool hasViewport) {
   if (!hasViewport) patches.push_back(optionPatch(*findField("projection.aspect"), "1"));
 }
 
+bool isPlace(const Patch& patch) {
+  return (patch.path == "position" || patch.path == "target") && patch.value->is_object() &&
+         patch.value->contains("lat");
+}
+
 }  // namespace
 
 Names<Convention> presetConventions() {
@@ -47,76 +51,78 @@ Names<Convention> presetConventions() {
 }
 
 void CameraOptions::add(CLI::App& app) {
+  app_ = &app;
   app.option_defaults()->group(kCameraGroup);
   addValue(app, "-c,--camera", "FILE[#NAME]", camera_, readFileName,
-           "Camera file, or JSON; #NAME picks one of several");
+           "Camera file, or its JSON; #NAME picks one of several");
   addValue(app, "--viewport", "WxH", viewport_, readSize, "Size of the picture in pixels, as in 1920x1080");
-  addRepeatable(
-      app, "--set", "FIELD=VALUE",
-      [this](const std::string&, const std::string& text) { patches_.push_back(setPatch(text)); },
-      "Set a field, as in projection.fovY=75");
-  for (const Field& field : kFields)
-    if (!field.option.empty())
-      addOption(
-          app, std::string(field.option), std::string(wordsOfKind(field.kind).placeholder),
-          [this, &field](const std::string&, const std::string& text) { patches_.push_back(optionPatch(field, text)); },
-          std::string(field.help));
+  const auto lay = [this](const std::string&, const std::string& text) { patches_.push_back(setPatch(text)); };
+  addRepeatable(app, "--set", "FIELD=VALUE", lay, "Set a field, as in projection.fovY=75");
+  for (const Field& field : kFields) {
+    if (field.option.empty()) continue;
+    const auto layField = [this, &field](const std::string&, const std::string& text) {
+      patches_.push_back(optionPatch(field, text));
+    };
+    addOption(app, std::string(field.option), std::string(wordsOfKind(field.kind).placeholder), layField,
+              std::string(field.help));
+  }
   app.add_flag_callback(
-      "--orthographic", [this] { patches_.push_back(orthographicPatch()); }, "The projection is orthographic");
+      "--orthographic", [this] { patches_.push_back(orthographicPatch()); }, "Orthographic projection");
   app.add_flag("--allow-stretch", allowStretch_, "Allow another aspect ratio than the viewport's");
-  app.add_flag("--ignore-distortion", ignoreDistortion_, "Leave out the distortion of the lens");
+  app.add_flag("--ignore-distortion", ignoreDistortion_, "Ignore the distortion of the lens");
   app.option_defaults()->group(kConventionGroup);
-  addValue(
-      app, "--read-as", "NAME", readAs_,
-      [](const std::string& option, const std::string& text) {
-        return choose(option, text, namesAlone(presetNames()));
-      },
-      "Read a file that states no convention as NAME");
-  app.option_defaults()->group("Options");
-}
-
-void CameraOptions::addWriting(CLI::App& app) {
-  app.option_defaults()->group(kConventionGroup);
-  addValue(
-      app, "--convention", "NAME", convention_,
-      [](const std::string& option, const std::string& text) { return choose(option, text, presets()); },
-      "Write in it; without a file also read options in it");
-  CLI::Option* const reversed = app.add_flag_callback(
-      "--reverse-z", [this] { reverseZ_ = true; }, "Write depth with near and far exchanged");
-  app.add_flag_callback(
-         "--no-reverse-z", [this] { reverseZ_ = false; }, "Write depth that grows with the distance")
-      ->excludes(reversed);
-  addChoice(app, "--ndc-z", "RANGE", ndcZ_, rowsOf(kNdcZNames), "Range of NDC z that is written", "");
+  const auto chooseName = [](const std::string& option, const std::string& text) {
+    return std::string(choose(option, text, presets()).name);
+  };
+  addValue(app, "--read-as", "NAME", readAs_, chooseName, "Read a file that states no convention as NAME");
   app.option_defaults()->group("Options");
 }
 
 void CameraOptions::addFile(CLI::App& app) {
   takesFile_ = true;
-  addValue(app, "FILE", "", file_, readFileName, "Camera file, where -c was not given; absent or - for standard input")
+  addValue(app, "FILE", "", operand_, readFileName,
+           "Camera file; absent or - for standard input, unless options give the camera")
       ->group(kCameraGroup);
 }
 
-CameraSource CameraOptions::source() const {
-  if (camera_ && file_) throw UsageError("-c gives the camera already; leave out one of it and " + *file_);
-  if (!camera_ && !takesFile_)
-    throw UsageError("-c FILE is needed: the camera; or options that say it, such as --position, --target and --fov-y");
-  return splitPick(camera_ ? *camera_ : file_.value_or("-"));
+void CameraOptions::addConvention(CLI::App& app) {
+  onlyReads_ = true;
+  addChoice(app, "--convention", "NAME", convention_, presets(), "")
+      ->description("Write in NAME; of a camera by options alone, also read them in it")
+      ->group(kConventionGroup);
 }
 
-bool CameraOptions::isTyped() const {
-  return !camera_ && !file_ &&
-         std::any_of(patches_.begin(), patches_.end(), [](const Patch& patch) { return patch.isOption; });
+void CameraOptions::addWriting(CLI::App& app) {
+  addConvention(app);
+  onlyReads_ = false;
+  app.option_defaults()->group(kConventionGroup);
+  CLI::Option* const reversed = app.add_flag_callback(
+      "--reverse-z", [this] { reverseZ_ = true; }, "Write depth with near and far exchanged");
+  app.add_flag_callback(
+         "--no-reverse-z", [this] { reverseZ_ = false; }, "Write depth that grows with the distance")
+      ->excludes(reversed);
+  addChoice(app, "--ndc-z", "RANGE", ndcZ_, rowsOf(kNdcZNames), "Range of NDC z to write");
+  app.option_defaults()->group("Options");
 }
 
-bool CameraOptions::hasPlace() const {
-  return std::any_of(patches_.begin(), patches_.end(), [](const Patch& patch) {
-    return (patch.path == "position" || patch.path == "target") && patch.value->is_object() &&
-           patch.value->contains("lat");
-  });
+bool CameraOptions::hasField() const {
+  return std::any_of(patches_.begin(), patches_.end(), [](const Patch& patch) { return patch.isOption; });
 }
 
-CameraPatches CameraOptions::patches() const {
-  CameraPatches all{readAs(), patches_};
+std::optional<std::string> CameraOptions::file() const {
+  if (camera_ && operand_) throw UsageError("-c gives the camera already; leave out one of it and " + *operand_);
+  const auto input = takesFile_ ? inputFile(*app_) : std::nullopt;
+  if (camera_ || input) return camera_ ? camera_ : input;
+  if (!hasField()) throw UsageError("a camera is needed: -c FILE, or options such as --position, --target and --fov-y");
+  return std::nullopt;
+}
+
+CameraPatches CameraOptions::patches(bool isTyped) const {
+  CameraPatches all{readAs_.value_or(""), patches_};
+  // Options are read as they are written; but a place makes the world right-handed.
+  if (isTyped && !readAs_ && convention_ &&
+      (convention_->convention.world == Handedness::right || std::none_of(patches_.begin(), patches_.end(), isPlace)))
+    all.readAs = convention_->name;
   if (viewport_)
     for (const Patch& patch : viewportPatches(viewport_->width, viewport_->height)) all.patches.push_back(patch);
   requireConsistent(all.patches);
@@ -124,80 +130,52 @@ CameraPatches CameraOptions::patches() const {
     for (const Patch& patch : patches_)
       if (patch.path == "convention" || patch.path == "convention.preset")
         throw UsageError(patch.label + " and --read-as both say how the file is read; keep one");
-  if (anyOpening_ && isTyped()) assumeOpening(all.patches, viewport_.has_value());
+  if (takesAnyLens_ && isTyped) assumeLens(all.patches, viewport_.has_value());
   return all;
 }
 
-std::unique_ptr<CameraDocuments> CameraOptions::open(const CameraSource& picked) const {
-  CameraPatches all = patches();  // whatever is wrong with the options is told before any file is opened
-  if (isTyped()) return std::make_unique<CameraDocuments>(std::move(all));
-  return std::make_unique<CameraDocuments>(load(picked.file, camera_ ? "--camera" : "FILE"), std::move(all));
+std::pair<std::unique_ptr<CameraDocuments>, std::optional<std::string>> CameraOptions::readAll() const {
+  const std::optional<std::string> name = file();
+  if (name && onlyReads_ && convention_)
+    throw UsageError("--convention is of matrices, and this command writes none; --read-as " +
+                     std::string(convention_->name) + " reads a file that states no convention");
+  CameraPatches all = patches(!name);  // whatever is wrong with the options is told before any file is opened
+  if (!name) return {std::make_unique<CameraDocuments>(std::move(all)), std::nullopt};
+  const CameraSource source = splitPick(*name);
+  return {std::make_unique<CameraDocuments>(load(source.file, camera_ ? "--camera" : "FILE"), std::move(all)),
+          source.pick};
 }
 
-std::string CameraOptions::readAs() const {
-  if (readAs_ || !isTyped() || !convention_) return readAs_.value_or("");
-  // A place makes the world right-handed.
-  if (hasPlace() && convention_->convention.world == Handedness::left) return "";
-  return std::string(convention_->name);
-}
-
-ReadOptions CameraOptions::reading(bool needsPicture) const {
-  return {allowStretch_, ignoreDistortion_, needsPicture && !anyOpening_};
+CameraFile CameraOptions::readOne(const CameraDocuments& cameras, std::size_t which, bool needsPicture) const {
+  CameraFile file =
+      readCamera(cameras.document(which), {allowStretch_, ignoreDistortion_, needsPicture && !takesAnyLens_});
+  for (const std::string& each : file.notes) note(each);
+  return file;
 }
 
 CameraFile CameraOptions::read(bool needsPicture) const {
-  const CameraSource picked = isTyped() ? CameraSource{} : source();
-  const auto cameras = open(picked);
-  const Document document = cameras->document(cameras->choose(picked.pick));
-  CameraFile file = readCamera(document, reading(needsPicture));
-  statesConvention_ = readAs_ || isTyped() || file.statesConvention || file.worldIsEcef;
-  for (const std::string& note : file.notes) cmd::note(note);
-  return file;
+  const auto [cameras, pick] = readAll();
+  return readOne(*cameras, cameras->choose(pick), needsPicture);
 }
 
 int CameraOptions::writeEach(
     bool needsPicture,
     const std::function<std::string(const std::string& pick, const CameraFile& camera)>& textOf) const {
-  if (isTyped()) throw UsageError("--all is of the cameras of a file, and there is none");
-  const CameraSource picked = source();
-  if (picked.pick) throw UsageError("--all is of every camera of the file; leave out #" + *picked.pick);
-  const auto cameras = open(picked);
+  if (!file()) throw UsageError("--all needs a file of cameras");
+  const auto [cameras, pick] = readAll();
+  if (pick) throw UsageError("--all is of every camera of the file; leave out #" + *pick);
   int status = 0;
   for (std::size_t i = 0; i < cameras->size(); ++i) {
     std::string text;
     try {
-      const CameraFile camera = readCamera(cameras->document(i), reading(needsPicture));
-      for (const std::string& note : camera.notes) cmd::note(note);
-      statesConvention_ = readAs_ || camera.statesConvention;
-      text = textOf(cameras->pickOf(i), camera);
+      text = textOf(cameras->pickOf(i), readOne(*cameras, i, needsPicture));
     } catch (const InputError& e) {
       complain(e.what());
       status = 1;
-      continue;
     }
     writeOutput(text);
   }
   return status;
-}
-
-std::string CameraOptions::written(const CameraFile& file) const {
-  return writeCamera(file, convention_ ? *convention_ : *readConvention(file.document).preset, writing(file));
-}
-
-std::pair<std::unique_ptr<CameraDocuments>, std::optional<std::string>> CameraOptions::readAll() const {
-  const CameraSource picked = isTyped() ? CameraSource{} : source();
-  return {open(picked), picked.pick};
-}
-
-CameraFile CameraOptions::readOne(const CameraDocuments& cameras, std::size_t which) const {
-  CameraFile file = readCamera(cameras.document(which), reading(true));
-  for (const std::string& note : file.notes) cmd::note(note);
-  return file;
-}
-
-bool CameraOptions::fromStandardInput() const {
-  if (isTyped() || (!camera_ && !takesFile_)) return false;
-  return splitPick(camera_ ? *camera_ : file_.value_or("-")).file == "-";
 }
 
 Convention CameraOptions::writing(const CameraFile& file) const {
@@ -211,28 +189,27 @@ Convention CameraOptions::writing(const CameraFile& file) const {
   return c;
 }
 
-CameraAxes CameraOptions::writtenAxes(const CameraFile& file) const {
-  const bool fits = convention_ && convention_->convention.world == file.convention.world;
-  return fits ? convention_->cameraAxes : file.cameraAxes;
+std::string CameraOptions::written(const CameraFile& file) const {
+  return writeCamera(file, convention_ ? *convention_ : *readConvention(file.document).preset, writing(file));
 }
 
 void CameraOptions::noteHandedness(const CameraFile& file) const {
-  if (!convention_) return;
+  if (!convention_ || readAs_) return;
   const std::string name(convention_->name);
   const auto hand = [](Handedness world) { return std::string(nameOf(kWorldNames, world)) + "-handed"; };
-  const ConventionPreset& usual = conventionPresets().front();
-  if (isTyped()) {
-    if (readAs_ || readAs().empty()) return;
-    const Vec3 up = convention_->up;
-    if (convention_->convention.world == usual.convention.world && up == usual.up) return;
-    note("--convention " + name + " also says how the options are read: the world is " +
-         hand(convention_->convention.world) + " and up is " + formatNumber(up.x) + "," + formatNumber(up.y) + "," +
-         formatNumber(up.z) + "; --read-as opengl reads them in the default convention");
+  const Handedness world = convention_->convention.world;
+  if (!file.isTyped) {
+    if (!file.statesConvention && !file.worldIsEcef && world != file.convention.world)
+      note(file.name + ": states no convention, so its world stays " + hand(file.convention.world) + "; " + name +
+           "'s is " + hand(world) + "; --read-as " + name + " reads the file so");
     return;
   }
-  if (statesConvention_ || convention_->convention.world == file.convention.world) return;
-  note(file.name + ": states no convention, so its world stays " + hand(file.convention.world) + "; " + name +
-       "'s is " + hand(convention_->convention.world) + "; --read-as " + name + " reads the file so");
+  const ConventionPreset& usual = conventionPresets().front();
+  const Vec3 up = convention_->up;
+  if (world == file.convention.world && !(world == usual.convention.world && up == usual.up))
+    note("--convention " + name + " also says how the options are read: the world is " + hand(world) + " and up is " +
+         formatNumber(up.x) + "," + formatNumber(up.y) + "," + formatNumber(up.z) +
+         "; --read-as opengl reads them in the default convention");
 }
 
 }  // namespace viewproj::cmd

@@ -3,10 +3,10 @@
 #include <nlohmann/json.hpp>
 
 #include "commands/command.hpp"
-#include "commands/notes.hpp"
 #include "commands/options.hpp"
 #include "commands/pair_check.hpp"
 #include "commands/stream_options.hpp"
+#include "output/output_file.hpp"
 #include "records/points.hpp"
 #include "stream/filter.hpp"
 #include "text/error.hpp"
@@ -86,7 +86,7 @@ int runCheck(const CheckOptions& o) {
     const std::string x = formatNumber(o.pixels[i].x), y = formatNumber(o.pixels[i].y);
     setup.given[i].json = "{\"position\":" + setup.given[i].json + ",\"pixel\":[" + x + "," + y + "]}";
   }
-  o.stream.reads(setup, o.camera);
+  o.stream.reads(setup);
   const CameraFile file = o.camera.read();
   o.stream.settleOnEarth(setup, file.worldIsEcef);
   PairCheck check(makeCamera(file), hypotheses(file.document, file.reading), o.within);

@@ -3,9 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "commands/notes.hpp"
+#include "output/output_file.hpp"
 #include "text/error.hpp"
-#include "text/form.hpp"
 #include "text/layout.hpp"
 #include "text/names.hpp"
 
@@ -35,14 +34,13 @@ class Help final : public CLI::Formatter {
 
   std::string make_group(std::string group, bool isPositional, std::vector<const CLI::Option*> options) const override {
     if (options.empty()) return "";
-    std::string out = "\n" + group + ":\n";
-    if (namesTopic(group)) {
-      std::string names;
-      for (const CLI::Option* option : options) names += option->get_name(false, true) + " ";
-      return out + "  " + wrapped(names, terminalWidth(), 2);
-    }
-    for (const CLI::Option* option : options) out += make_option(option, isPositional);
-    return out;
+    std::string out = "\n" + group + ":\n", names;
+    for (const CLI::Option* option : options)
+      if (namesTopic(group))
+        names += option->get_name(false, true) + " ";
+      else
+        out += make_option(option, isPositional);
+    return names.empty() ? out : out + "  " + wrapped(names, terminalWidth(), 2);
   }
 
   std::string make_option(const CLI::Option* option, bool isPositional) const override {
@@ -61,54 +59,27 @@ class Help final : public CLI::Formatter {
   static bool namesTopic(const std::string& group) { return group.find("(viewproj help ") != std::string::npos; }
 };
 
-std::string longName(const std::string& names) { return names.substr(names.rfind(',') + 1); }
-
 /// Endings of the tool's own forms, and of a few others: a file that is called so is expected to be so.
-constexpr std::string_view kTelling =
+constexpr std::string_view kKnownEndings =
     ".json .ndjson .jsonl .csv .tsv .txt .xyz .f64 .svg .c .h .glsl .hlsl .wgsl .css .py .png .jpg .jpeg .pdf "
     ".bin .npy .npz .parquet .xlsx .gz .bz2 .xz .zst .zip";
 
 /// CLI11 would take the argument after "--prefix=" for its value, and an option for that of one without a value.
 void requireValues(const CLI::App& app, std::span<const std::string> arguments) {
-  constexpr const char* kEmpty = " is empty; is a variable of a script not set?";
   for (std::size_t i = 0; i < arguments.size() && arguments[i] != "--"; ++i) {
     const std::string& argument = arguments[i];
-    if (argument.empty())
-      throw UsageError(i == 0 ? "the argument" + std::string(kEmpty)
-                              : "the argument after " + arguments[i - 1] + kEmpty);
-    const std::size_t equals = argument.find('=');
-    const std::string name = argument.substr(0, equals);
-    const CLI::Option* const option = name.starts_with('-') ? app.get_option_no_throw(name) : nullptr;
-    if (!option) continue;
-    if (option->get_items_expected_max() == 0) {
-      if (equals != std::string::npos) throw UsageError(name + " takes no value");
-      continue;
-    }
-    if (equals != std::string::npos) {
-      if (equals + 1 == argument.size()) throw UsageError("the value of " + name + kEmpty);
-      if (!name.starts_with("--")) throw UsageError(argument + ": after " + name + " the value follows without =");
-      continue;
-    }
-    if (++i == arguments.size()) throw UsageError(name + " needs a value: " + option->get_option_text());
-    const std::string& value = arguments[i];
-    if (value.empty()) throw UsageError("the value of " + name + kEmpty);
-    if (value == "--" || (value.starts_with('-') && app.get_option_no_throw(value.substr(0, value.find('=')))))
-      throw UsageError(name + " needs a value: " + option->get_option_text() + ", not " + value);
+    const bool isLast = i + 1 == arguments.size();
+    if (argument.empty() || (argument.starts_with("--") && argument.find('=') == argument.size() - 1))
+      throw UsageError((!argument.empty() ? "the value of " + argument.substr(0, argument.size() - 1)
+                        : i == 0          ? "the first argument"
+                                          : "the argument after " + arguments[i - 1]) +
+                       " is empty; is a variable of a script not set?");
+    const CLI::Option* const option = argument.starts_with('-') ? app.get_option_no_throw(argument) : nullptr;
+    if (!option || option->get_items_expected_max() == 0) continue;
+    const std::string next = isLast ? "" : arguments[i + 1];
+    if (isLast || next == "--" || (next.starts_with('-') && app.get_option_no_throw(next.substr(0, next.find('=')))))
+      throw UsageError(argument + " needs a value: " + option->get_option_text() + (isLast ? "" : ", not " + next));
   }
-}
-
-/// Which of the forms with these endings the file's name tells; nothing where it tells none. Throws UsageError where it
-/// tells one that is not among them.
-std::optional<std::size_t> formOfOutputName(const std::string& file,
-                                            const std::vector<std::pair<std::string_view, std::string_view>>& forms) {
-  const std::string_view ending = endingOf(file);
-  for (std::size_t i = 0; i < forms.size(); ++i)
-    if (isEnding(ending, forms[i].second)) return i;
-  if (!isEnding(ending, kTelling)) return std::nullopt;
-  std::vector<std::string_view> names;
-  for (const auto& [name, endings] : forms) names.push_back(name);
-  throw UsageError("-o " + file + ": this command does not write " + std::string(ending) +
-                   (names.size() > 1 ? "; --to chooses one of " : "; it writes ") + joined(names));
 }
 
 }  // namespace
@@ -116,51 +87,47 @@ std::optional<std::size_t> formOfOutputName(const std::string& file,
 void prepare(CLI::App& app) {
   app.formatter(std::make_shared<Help>());
   app.allow_windows_style_options(false);  // a name of a file may begin with a slash
+  app.option_defaults()->disable_flag_override();
   app.set_help_flag("-h,--help", "Print this help");
-  app.add_option("-o,--output", "Write to FILE, only if all goes well; its extension picks the format")
+  app.add_option("-o,--output", "Write to FILE, which is replaced only on success; its extension picks the format")
       ->option_text("FILE");
   app.add_flag_callback("--quiet", silenceNotes, "Do not write notes on standard error");
 }
 
-std::string optionHelp(const CLI::Option* option) { return Help().make_option(option, false); }
+std::string commandName(const CLI::App& app) { return app.get_name().substr(app.get_name().rfind(' ') + 1); }
 
-bool asksForHelp(std::span<const std::string> arguments) {
-  const auto end = std::find(arguments.begin(), arguments.end(), "--");
-  return std::any_of(arguments.begin(), end,
-                     [](const std::string& argument) { return argument == "--help" || argument == "-h"; });
-}
+std::string optionHelp(const CLI::Option* option) { return Help().make_option(option, false); }
 
 void parse(CLI::App& app, std::span<const std::string> arguments,
            const std::function<std::string(const std::string& argument)>& adviceOn) {
   requireValues(app, arguments);
+  std::string message;
   try {
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+    return;
   } catch (const CLI::ExtrasError&) {
     const std::string argument = app.remaining().front();
-    throw UsageError("'" + argument + "' was not expected" + adviceOn(argument));
-  } catch (const CLI::ArgumentMismatch& e) {  // with values there can only be too many
-    throw UsageError(std::string(e.what()).substr(0, std::string(e.what()).find(':')) + " is given twice");
-  } catch (const CLI::ExcludesError& e) {
-    std::string message = e.what();
-    throw UsageError(CLI::detail::find_and_replace(message, " excludes ", " cannot be used with "));
-  } catch (const CLI::RequiresError& e) {
-    std::string message = e.what();
-    throw UsageError(CLI::detail::find_and_replace(message, " requires ", " needs "));
+    message = "'" + argument + "' was not expected" + adviceOn(argument);
+  } catch (const CLI::ArgumentMismatch& e) {  // with values there can only be too many, or one of a flag
+    message = e.what();
+    const std::size_t colon = message.find(':');
+    message = colon == std::string::npos ? "--" + message.substr(0, message.find(' ')) + " takes no value"
+                                         : message.substr(0, colon) + " is given twice";
   } catch (const CLI::ParseError& e) {
-    throw UsageError(e.what());
+    message = CLI::detail::find_and_replace(e.what(), " excludes ", " cannot be used with ");
+    message = CLI::detail::find_and_replace(message, " requires ", " needs ");
   }
+  throw UsageError(message);
 }
 
 CLI::Option* addOption(CLI::App& app, const std::string& names, const std::string& form, TakeText take,
                        const std::string& help) {
-  return app
-      .add_option(names,
-                  CLI::callback_t([option = longName(names), take = std::move(take)](const CLI::results_t& texts) {
-                    for (const std::string& text : texts) take(option, text);
-                    return true;
-                  }),
-                  help)
-      ->option_text(form);
+  const std::string longName = names.substr(names.rfind(',') + 1);
+  const CLI::callback_t takeAll = [longName, take = std::move(take)](const CLI::results_t& texts) {
+    for (const std::string& text : texts) take(longName, text);
+    return true;
+  };
+  return app.add_option(names, takeAll, help)->option_text(form);
 }
 
 CLI::Option* addRepeatable(CLI::App& app, const std::string& names, const std::string& form, TakeText take,
@@ -169,17 +136,26 @@ CLI::Option* addRepeatable(CLI::App& app, const std::string& names, const std::s
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
-void takeEnding(CLI::App& app, const std::vector<std::pair<std::string_view, std::string_view>>& endings,
-                std::function<void(std::size_t)> take) {
-  app.get_option("--output")->each([&app, endings, take = std::move(take)](const std::string& file) {
+void takeEnding(CLI::App& app, std::span<const FormRow<std::size_t>> rows, std::function<void(std::size_t)> take) {
+  const std::vector<FormRow<std::size_t>> forms(rows.begin(), rows.end());
+  app.get_option("--output")->each([&app, forms, take = std::move(take)](const std::string& file) {
     const CLI::Option* const to = app.get_option_no_throw("--to");
     if (to && to->count() > 0) return;
-    if (const auto which = formOfOutputName(file, endings)) take(*which);
+    const std::string_view ending = endingOf(file);
+    std::vector<std::string_view> names;
+    for (const FormRow<std::size_t>& row : forms) {
+      if (isEnding(ending, row.endings)) return take(row.form);
+      names.push_back(row.name);
+    }
+    if (isEnding(ending, kKnownEndings))
+      throw UsageError("-o " + file + ": this command does not write " + std::string(ending) +
+                       (to ? "; --to chooses one of " : "; it writes ") + joined(names));
   });
 }
 
 void addOnlyForm(CLI::App& app, std::string_view name, std::string_view endings) {
-  takeEnding(app, {{name, endings}}, [](std::size_t) {});
+  const FormRow<std::size_t> row{name, 0, endings};
+  takeEnding(app, {&row, 1}, [](std::size_t) {});
 }
 
 }  // namespace viewproj::cmd

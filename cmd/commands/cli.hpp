@@ -1,5 +1,5 @@
 // CLI11 as this tool uses it: the look of help, what of a command line is refused, and options with a reader of their
-// own. Flags, --needs and whatever else CLI11 has, commands take from it directly.
+// own. Flags, needs and excludes, commands take from CLI11 directly.
 #pragma once
 
 #include <functional>
@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "commands/values.hpp"
@@ -19,7 +20,7 @@ class Option;
 
 namespace viewproj::cmd {
 
-/// Groups of options that commands share. Help lists them by name alone, and the topic in the heading tells them.
+/// Groups of options that commands share. Help lists them by name alone; the topic in the heading describes them.
 inline constexpr const char *kCameraGroup = "Camera (viewproj help camera)",
                             *kConventionGroup = "Convention (viewproj help conventions)",
                             *kStreamGroup = "Records (viewproj help points)";
@@ -27,11 +28,11 @@ inline constexpr const char *kCameraGroup = "Camera (viewproj help camera)",
 /// Every command's: how its help looks, and --help, -o and --quiet.
 void prepare(CLI::App& app);
 
+/// "project" of the App "viewproj project".
+std::string commandName(const CLI::App& app);
+
 /// A row of help.
 std::string optionHelp(const CLI::Option* option);
-
-/// Whether --help or -h is among the arguments; it goes before whatever is wrong with the others.
-bool asksForHelp(std::span<const std::string> arguments);
 
 /// Parses. Throws UsageError. adviceOn: what to add to the message about an argument that was not expected.
 void parse(CLI::App& app, std::span<const std::string> arguments,
@@ -66,59 +67,32 @@ CLI::Option* addValues(CLI::App& app, const std::string& names, const std::strin
       help);
 }
 
-/// One of the names. otherwise: what holds where the option is not given, for the help.
+/// One of the names. value: a T, whose first value is the default that help states, or an optional of one; otherwise:
+/// what holds without the option.
 template <class T, class Value>
 CLI::Option* addChoice(CLI::App& app, const std::string& names, const std::string& form, Value& value,
-                       const Names<T>& table, const std::string& help, std::string_view otherwise) {
+                       const Names<T>& table, const std::string& help, std::string_view otherwise = {}) {
+  if constexpr (std::is_same_v<T, Value>)
+    for (const auto& [name, each] : table)
+      if (each == value) otherwise = name;
   return addValue(
       app, names, form, value,
       [table](const std::string& option, const std::string& text) { return choose(option, text, table); },
       withNames(help, known(table), otherwise));
 }
 
-/// What value is before is the default that help tells.
-template <class T>
-CLI::Option* addChoice(CLI::App& app, const std::string& names, const std::string& form, T& value,
-                       const Names<T>& table, const std::string& help) {
-  std::string_view otherwise;
-  for (const auto& [name, each] : table)
-    if (each == value) otherwise = name;
-  return addChoice(app, names, form, value, table, help, otherwise);
-}
+/// Calls take with the row whose ending the file after -o has, where --to is not given.
+void takeEnding(CLI::App& app, std::span<const FormRow<std::size_t>> rows, std::function<void(std::size_t form)> take);
 
-/// Several of the names, "a,b,c".
-template <class T>
-CLI::Option* addChoices(CLI::App& app, const std::string& names, std::optional<std::vector<T>>& values,
-                        const Names<T>& table, const std::string& help, std::string_view otherwise) {
-  return addValue(
-      app, names, "NAMES", values,
-      [table](const std::string& option, const std::string& text) {
-        std::vector<T> chosen;
-        for (const std::string& part : splitNames(option, text)) chosen.push_back(choose(option, part, table));
-        return chosen;
-      },
-      withNames(help, known(table), otherwise));
-}
-
-/// Calls take with the ending of the file after -o, where --to (of these names) is not given.
-void takeEnding(CLI::App& app, const std::vector<std::pair<std::string_view, std::string_view>>& endings,
-                std::function<void(std::size_t which)> take);
-
-/// --to FORM; without it the ending of the file after -o tells the form. chosen: a form, or an optional of one.
+/// --to FORM; without it the ending of the file after -o picks the form. chosen: as addChoice's value.
 template <class T, class Chosen>
 CLI::Option* addForm(CLI::App& app, Chosen& chosen, std::span<const FormRow<T>> rows, const std::string& help,
                      std::string_view otherwise = {}) {
-  Names<T> names;
-  std::vector<std::pair<std::string_view, std::string_view>> endings;
-  for (const FormRow<T>& row : rows) {
-    names.emplace_back(row.name, row.form);
-    endings.emplace_back(row.name, row.endings);
-  }
-  takeEnding(app, endings, [&chosen, names](std::size_t which) { chosen = names[which].second; });
-  if constexpr (std::is_same_v<Chosen, T>)
-    return addChoice(app, "--to", "FORM", chosen, names, help);
-  else
-    return addChoice(app, "--to", "FORM", chosen, names, help, otherwise);
+  const Names<T> names = namesOf(rows);
+  std::vector<FormRow<std::size_t>> endings;
+  for (std::size_t i = 0; i < rows.size(); ++i) endings.push_back({rows[i].name, i, rows[i].endings});
+  takeEnding(app, endings, [&chosen, names](std::size_t row) { chosen = names[row].second; });
+  return addChoice(app, "--to", "FORM", chosen, names, help, otherwise);
 }
 
 /// The one form that a command writes: a file after -o that is called otherwise is refused.

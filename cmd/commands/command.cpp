@@ -1,5 +1,15 @@
 #include "commands/command.hpp"
 
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <vector>
+
+#include "commands/cli.hpp"
+#include "commands/standard_input.hpp"
+#include "output/output_file.hpp"
+#include "text/error.hpp"
+#include "text/names.hpp"
+
 namespace viewproj::cmd {
 namespace {
 
@@ -17,11 +27,110 @@ constexpr Command kCommands[] = {
     {"draw", "an SVG of what the camera sees", declareDraw},
     {"fit", "the camera moved, or its lens opened, so that all of it is seen", declareFit},
     {"schema", "the JSON Schema of a camera file", declareSchema},
-    {"help", "what a command or one of the topics below is about", declareHelp},
+    {"help", "help on a command or on one of the topics below", declareHelp},
 };
+
+/// Options that no command has: those that left, and those that people expect. What does their work.
+struct Advice {
+  std::string_view option, text;
+};
+constexpr Advice kAdvice[] = {
+    {"--bits", "depth lists 16, 24 and 32 bits side by side"},
+    {"--bound", "use --fields bound"},
+    {"--clipped", "--pixel X,Y,0 and X,Y,1 give the points on near and far; choose hits by their distance"},
+    {"--column-major", "--convention NAME chooses rows or columns (viewproj help conventions)"},
+    {"--comment", "remove comment lines first, as with grep -v '^#'"},
+    {"--corners", "viewproj info FILE has the corners"},
+    {"--decimal", "replace decimal commas first, as with tr , ."},
+    {"--exact", "the intervals of near and far follow the digits as written"},
+    {"--first-line", "messages count lines from the start of the input"},
+    {"--force", "pipe the output, as in --to f64 | cat"},
+    {"--format", "make the file a camera file with jq: samples/cameras-from-elsewhere has recipes"},
+    {"--gap", "the table has the gap at each distance"},
+    {"--list", "viewproj info FILE lists the cameras"},
+    {"--planes", "viewproj info FILE has the planes"},
+    {"--ray-from", "--pixel X,Y,0 gives the point on near"},
+    {"--reading", "use --read-as NAME"},
+    {"--resolve", "the table has the gap at each distance"},
+    {"--row-major", "--convention NAME chooses rows or columns (viewproj help conventions)"},
+    {"--seconds", "measure chooses how long it runs"},
+    {"--tolerance", "use --precision standard, and --fields bound for its error"},
+    {"--type", "a camera is written in the form in which it was read"},
+    {"--world", "use --read-as NAME"},
+    {"--y-up", "--up X,Y,Z is up in the camera's world; matrix --map changes the axes of a world"},
+    {"--z-up", "--up X,Y,Z is up in the camera's world; matrix --map changes the axes of a world"},
+};
+
+/// A command with its options.
+struct Declared {
+  explicit Declared(const Command& command) : app("", "viewproj " + std::string(command.name)) {
+    prepare(app);
+    run = command.declare(app);
+  }
+  CLI::App app;
+  Action run;
+};
+
+/// To add to the message about an argument that was not expected: which commands have the option, what does its work,
+/// or the nearest that there is.
+std::string adviceOn(const std::string& argument, const CLI::App& app) {
+  const std::string name = argument.substr(0, argument.find('='));
+  if (!name.starts_with('-')) {
+    const CLI::Option* const camera = app.get_option_no_throw("--camera");
+    const CLI::Option* const file = app.get_option_no_throw("FILE");
+    const bool fileIsCamera = file && file->get_group() == kCameraGroup;
+    return camera && camera->empty() && !fileIsCamera ? "; -c FILE gives the camera" : "";
+  }
+  std::vector<std::string_view> owners;
+  for (const Command& command : kCommands)
+    if (Declared(command).app.get_option_no_throw(name)) owners.push_back(command.name);
+  if (!owners.empty()) return "; it is an option of " + together(owners);
+  for (const Advice& advice : kAdvice)
+    if (advice.option == name) return "; " + std::string(advice.text);
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& each : option->get_lnames()) names.push_back("--" + each);
+  std::vector<std::string_view> near;
+  constexpr std::size_t kShortest = 5;  // with its dashes
+  std::copy_if(names.begin(), names.end(), std::back_inserter(near),
+               [&](const std::string& known) { return name.size() >= kShortest && known.starts_with(name); });
+  if (near.empty()) near.push_back(nearestName(name, std::vector<std::string_view>(names.begin(), names.end())));
+  return near.front().empty() ? "; " + app.get_name() + " --help lists its options"
+                              : "; did you mean " + alternatives(near) + "?";
+}
 
 }  // namespace
 
 std::span<const Command> allCommands() { return kCommands; }
+
+const Command& findCommand(std::string_view name) {
+  std::vector<std::string_view> known;
+  for (const Command& command : kCommands) {
+    if (command.name == name) return command;
+    known.push_back(command.name);
+  }
+  throw UsageError("'" + std::string(name) + "' is no command" + suggestion(name, known));
+}
+
+std::string helpOf(const Command& command) { return Declared(command).app.help(); }
+
+int runCommand(const Command& command, std::span<const std::string> arguments) {
+  setFailureStatus(command.failureStatus);
+  // Help goes before whatever is wrong with the other arguments.
+  const auto end = std::find(arguments.begin(), arguments.end(), "--");
+  if (std::any_of(arguments.begin(), end, [](const auto& each) { return each == "--help" || each == "-h"; })) {
+    writeOutput(helpOf(command));
+    return 0;
+  }
+  Declared declared(command);
+  CLI::App& app = declared.app;
+  parse(app, arguments, [&](const std::string& argument) { return adviceOn(argument, app); });
+  requireOneStandardInput(app);
+  const CLI::Option* const file = app.get_option("--output");
+  NamedOutput output(file->empty() ? "-" : file->results().front());
+  const int status = declared.run();
+  output.keep();
+  return status;
+}
 
 }  // namespace viewproj::cmd

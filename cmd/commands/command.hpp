@@ -1,8 +1,10 @@
-// The commands of the tool. To add one: a file beside this one, and a row in command.cpp.
+// The commands of the tool. To add one: a file beside this one, a row in command.cpp, and one in standard_input.cpp
+// where it reads a FILE.
 #pragma once
 
 #include <functional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace CLI {
@@ -23,6 +25,15 @@ struct Command {
 };
 
 std::span<const Command> allCommands();
+
+/// Throws UsageError for a name that is none.
+const Command& findCommand(std::string_view name);
+
+/// arguments: those after the command's name. Returns the exit status; throws what text/error.hpp lists.
+int runCommand(const Command& command, std::span<const std::string> arguments);
+
+/// COMMAND --help.
+std::string helpOf(const Command& command);
 
 Action declareProject(CLI::App& app);
 Action declareRay(CLI::App& app);

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "commands/command.hpp"
-#include "commands/notes.hpp"
 #include "commands/stream_options.hpp"
+#include "output/output_file.hpp"
 #include "output/results.hpp"
 #include "records/arguments.hpp"
 #include "records/points.hpp"
@@ -53,7 +53,7 @@ struct Options {
 int run(const Options& o) {
   FilterSetup setup = o.stream.setup(kSphereColumns);
   setup.given.insert(setup.given.end(), o.shapes.begin(), o.shapes.end());
-  o.stream.reads(setup, o.camera);
+  o.stream.reads(setup);
   const CameraFile file = o.camera.read();
   requireStraightEdges(file, "cull");
   const Frustum frustum = viewFrustum(makeCamera(file));

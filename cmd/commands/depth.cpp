@@ -215,7 +215,8 @@ Action declareDepth(CLI::App& app) {
   o->report.add(app, 8);
   o->camera.addFile(app);
   o->camera.add(app);
-  o->camera.takeAnyOpening();
+  o->camera.addConvention(app);
+  o->camera.takeAnyLens();
   return [o] { return runDepth(*o); };
 }
 

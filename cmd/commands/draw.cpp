@@ -115,7 +115,7 @@ struct DrawOptions {
 
 int runDraw(const DrawOptions& o) {
   FilterSetup setup = o.stream.setup(kPointColumns);
-  const bool reads = o.stream.reads(setup, o.camera, {"the scene", isStandardInput(o.scene)});
+  const bool reads = o.stream.reads(setup);
   const CameraFile file = o.camera.read();
   if (reads) o.stream.settleOnEarth(setup, file.worldIsEcef);
   Picture picture(makeCamera(file));

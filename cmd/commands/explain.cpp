@@ -499,7 +499,6 @@ int runExplain(const ExplainOptions& o) {
   if (!o.point && !o.pixel) throw UsageError("expected --point X,Y,Z or --pixel X,Y[,DEPTH]: what to follow");
   if (o.point && o.pixel)
     throw UsageError("--point and --pixel: expected one of them; viewproj check tells whether they agree");
-  requireOneStandardInput({{"the camera", o.camera.fromStandardInput()}, {"the model", isStandardInput(o.model)}});
   const CameraFile file = o.camera.read();
   if (o.point) o.point->requireFit(file.worldIsEcef);
   const Camera camera = makeCamera(file);
@@ -534,8 +533,7 @@ Action declareExplain(CLI::App& app) {
   CLI::Option* const point = addValue(app, "--point", kPointForm, o->point, readPointArgument, "The point to follow");
   addValue(app, "--pixel", "X,Y[,DEPTH]", o->pixel, readPixelNumbers,
            "The pixel to follow back, with a window depth if known");
-  addModel(app, o->model, "Where the point's own coordinates lie");
-  app.get_option("--model")->needs(point);
+  addModel(app, o->model, "Where the point's own coordinates lie")->needs(point);
   o->report.add(app, 9);
   o->camera.add(app);
   o->camera.addWriting(app);

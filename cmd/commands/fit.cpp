@@ -3,7 +3,6 @@
 
 #include "commands/command.hpp"
 #include "commands/fitting.hpp"
-#include "commands/notes.hpp"
 #include "commands/options.hpp"
 #include "commands/stream_options.hpp"
 #include "output/output_file.hpp"
@@ -74,7 +73,7 @@ double readMargin(const std::string& option, const std::string& text) {
 int runFit(const FitOptions& o) {
   FilterSetup setup = o.stream.setup(kSphereColumns);
   setup.note = note;
-  const bool reads = o.stream.reads(setup, o.camera, {"the scene", isStandardInput(o.scene)});
+  const bool reads = o.stream.reads(setup);
   const CameraFile file = o.camera.read();
   if (reads) o.stream.settleOnEarth(setup, file.worldIsEcef);
   requireStraightEdges(file, "fit");

@@ -8,7 +8,6 @@
 #include "camera/importers/importer.hpp"
 #include "commands/cli.hpp"
 #include "commands/command.hpp"
-#include "commands/run.hpp"
 #include "output/matrix_text.hpp"
 #include "output/output_file.hpp"
 #include "output/table.hpp"
@@ -68,19 +67,19 @@ bool isFieldOption(const CLI::Option* option) {
   });
 }
 
-/// The options that commands list by name alone, but those of fields.
+/// The options of the first command with some that commands list by name alone, but those of fields.
 std::string sharedOptions(const std::string& topic) {
+  std::string out;
   for (const Command& command : allCommands()) {
     CLI::App app;
     prepare(app);
     const Action action = command.declare(app);
-    std::string out;
     for (const CLI::Option* option : app.get_options())
       if (option->get_group().find("(viewproj help " + topic + ")") != std::string::npos && !isFieldOption(option))
         out += optionHelp(option);
-    if (!out.empty()) return out;
+    if (!out.empty()) break;
   }
-  return "";
+  return out;
 }
 
 std::string presetTable() {

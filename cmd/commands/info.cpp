@@ -217,6 +217,7 @@ int runInfo(const InfoOptions& o) {
   if (!pick && cameras->size() > 1) return runList(o, *cameras);
   const std::size_t which = cameras->choose(pick);
   const CameraFile file = o.camera.readOne(*cameras, which);
+  o.camera.noteHandedness(file);
   std::vector<double> distances(std::begin(kUsualDistances), std::end(kUsualDistances));
   if (file.targetDistance) distances.push_back(*file.targetDistance);
   if (o.at) distances = *o.at;
@@ -246,6 +247,7 @@ Action declareInfo(CLI::App& app) {
   o->report.add(app, 9);
   o->camera.addFile(app);
   o->camera.add(app);
+  o->camera.addConvention(app);
   return [o] { return runInfo(*o); };
 }
 

@@ -8,6 +8,7 @@
 #include "commands/command.hpp"
 #include "commands/inspect_report.hpp"
 #include "commands/options.hpp"
+#include "commands/standard_input.hpp"
 #include "output/matrix_text.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
@@ -53,7 +54,7 @@ std::vector<WrittenMatrix> chooseMatrices(std::vector<WrittenMatrix> matrices,
 
 struct InspectOptions {
   CameraOptions writing;
-  std::string file = "-";
+  std::optional<std::string> operand;
   std::optional<std::vector<std::string>> which;
   std::optional<Convention> readAs;
   std::optional<std::string_view> form;
@@ -137,7 +138,7 @@ int runReport(const InspectOptions& o, const std::vector<WrittenMatrix>& matrice
   return allFit ? 0 : 1;
 }
 
-int runInspect(const InspectOptions& o) {
+int runInspect(const InspectOptions& o, const CLI::App& app) {
   const bool converts = o.writing.namesConvention();
   if (o.writing.namesAxis() && !converts)
     throw UsageError("--reverse-z and --ndc-z go with --convention NAME, the convention to write");
@@ -148,8 +149,8 @@ int runInspect(const InspectOptions& o) {
                      ": expected table, json or csv; --convention NAME writes matrices");
   if (converts && isReport && o.form && *o.form != "json")
     throw UsageError("--to " + std::string(*o.form) + ": with --convention expected a form of matrices, as json or c");
-  const std::string source = o.file == "-" ? kStandardInputName : visible(o.file);
-  WrittenMatrices given = parseMatrices(readWholeFile(o.file, kMostBytes), source);
+  const std::string file = inputFile(app).value_or("-"), source = file == "-" ? kStandardInputName : visible(file);
+  WrittenMatrices given = parseMatrices(readWholeFile(file, kMostBytes), source);
   const InspectQuery query{o.isFloat || given.isFloat, o.readAs, given.convention};
   const std::vector<WrittenMatrix> matrices = chooseMatrices(std::move(given.matrices), o.which, source);
   if (o.readAs && std::any_of(matrices.begin(), matrices.end(), [](const auto& m) { return m.isCalibration(); }))
@@ -169,7 +170,7 @@ Action declareInspect(CLI::App& app) {
       "Examples:\n"
       "  viewproj matrix --fov-y 60 --aspect 16/9 --near 0.1 --to c | viewproj inspect\n"
       "  echo '[[800,0,320],[0,800,240],[0,0,1]]' | viewproj inspect");
-  addValue(app, "FILE", "", o->file, readFileName,
+  addValue(app, "FILE", "", o->operand, readFileName,
            "The matrices: JSON, an initialiser of C, HLSL, GLSL or NumPy, or rows of numbers; absent or - for standard "
            "input");
   addValue(app, "--which", "NAMES", o->which, splitNames, "Of several matrices only these, by name");
@@ -183,7 +184,7 @@ Action declareInspect(CLI::App& app) {
           "Output format; without --convention table, json or csv", "table; with --convention json");
   addDigits(app, o->digits, "all, 9 in a table");
   o->writing.addWriting(app);
-  return [o] { return runInspect(*o); };
+  return [o, &app] { return runInspect(*o, app); };
 }
 
 }  // namespace viewproj::cmd

@@ -106,6 +106,9 @@ void requireUse(const MatrixOptions& o) {
     throw UsageError("--relative-to-eye is of the view, and --which names no view");
   if (o.wanted.relativeToEye && o.model)
     throw UsageError("--relative-to-eye is for points of the world; modelView has no large numbers to be rid of");
+  if (o.wanted.relativeToEye && o.format == "flat")
+    throw UsageError(
+        "--relative-to-eye writes the eye beside the view, and --to flat has no place for it; --to json has");
   if (!o.model && o.which && any(*o.which, &CameraMatrix::model))
     throw UsageError("modelView and modelViewProjection need --model, which says where the model stands");
   if (o.model && o.which && !any(*o.which, &CameraMatrix::model))
@@ -178,7 +181,6 @@ int runMatrix(const MatrixOptions& o, const CLI::App& app) {
   if (o.all && o.format != "json")
     throw UsageError("--all writes JSON, a line a camera; leave out --to " + std::string(o.format));
   requireUse(o);
-  requireOneStandardInput({{"the camera", o.camera.fromStandardInput()}, {"the model", isStandardInput(o.model)}});
   const auto model = o.model ? std::optional(readModel(*o.model)) : std::nullopt;
   const bool needsPicture =
       !o.which || any(*o.which, &CameraMatrix::projection) || any(*o.which, &CameraMatrix::viewport);
@@ -208,7 +210,13 @@ Action declareMatrix(CLI::App& app) {
       "Examples:\n"
       "  viewproj matrix --fov-y 60 --aspect 16/9 --near 0.1 --convention d3d --to hlsl\n"
       "  viewproj matrix --position 3,2,5 --target 0,0,0 --which view --to text");
-  addChoices(app, "--which", o->which, matrixNames(), "Matrices to write", "all that the camera determines");
+  const auto readNames = [](const std::string& option, const std::string& text) {
+    Matrices chosen;
+    for (const std::string& name : splitNames(option, text)) chosen.push_back(choose(option, name, matrixNames()));
+    return chosen;
+  };
+  addValue(app, "--which", "NAMES", o->which, readNames,
+           withNames("Matrices to write", known(matrixNames()), "all that the camera determines"));
   app.add_flag("--inverse", o->wanted.inverse, "Write each one's inverse too");
   app.add_flag("--bake-viewport", o->wanted.bakeViewport, "Fold the viewport into the projection");
   app.add_flag("--relative-to-eye", o->wanted.relativeToEye, "View without translation, and the eye beside it");

@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "commands/command.hpp"
-#include "commands/notes.hpp"
 #include "commands/options.hpp"
 #include "commands/stream_options.hpp"
+#include "output/output_file.hpp"
 #include "records/points.hpp"
 #include "stream/filter.hpp"
 #include "text/error.hpp"
@@ -265,7 +265,7 @@ struct MeasureOptions {
 int runMeasure(const MeasureOptions& o) {
   FilterSetup setup = o.stream.setup(kPointColumns);
   setup.note = note;
-  o.stream.reads(setup, o.camera);
+  o.stream.reads(setup);
   const CameraFile file = o.camera.read();
   requireNear(file, "measure");
   const Camera built = makeCamera(file);

@@ -1,18 +1,16 @@
 #include "commands/options.hpp"
 
-#include <algorithm>
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "output/output_file.hpp"
-#include "text/error.hpp"
-#include "text/names.hpp"
 #include "text/number.hpp"
 
 namespace viewproj::cmd {
 
-void addModel(CLI::App& app, std::optional<std::string>& model, const std::string& help) {
-  addValue(app, "--model", "FILE", model, readFileName,
-           help + ": 4 rows of a matrix, or {translation, rotation, scale}; a file or the JSON itself");
+CLI::Option* addModel(CLI::App& app, std::optional<std::string>& model, const std::string& help) {
+  return addValue(app, "--model", "FILE", model, readFileName,
+                  help + ": 4 rows of a matrix, or {translation, rotation, scale}; a file, or its JSON");
 }
 
 CLI::Option* addScene(CLI::App& app, std::optional<std::string>& scene, const std::string& help) {
@@ -38,17 +36,14 @@ void ReportOptions::add(CLI::App& app, int tableDigits) {
   tableDigits_ = tableDigits;
 }
 
-int ReportOptions::digits() const {
-  return digits_ ? static_cast<int>(*digits_) : form_ == ReportForm::table ? tableDigits_ : 0;
-}
-
 void ReportOptions::write(const OrderedJson& report, const char* rows) const {
+  const int usual = form_ == ReportForm::table ? tableDigits_ : 0, digits = static_cast<int>(digits_.value_or(usual));
   if (form_ == ReportForm::table)
-    writeOutput(tableText(report, digits()));
+    writeOutput(tableText(report, digits));
   else if (form_ == ReportForm::json)
-    writeOutput(jsonText(report, digits()) + "\n");
+    writeOutput(jsonText(report, digits) + "\n");
   else
-    writeOutput(csvText(*rows ? report.at(rows) : report, digits()));
+    writeOutput(csvText(*rows ? report.at(rows) : report, digits));
 }
 
 }  // namespace viewproj::cmd

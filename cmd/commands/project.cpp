@@ -9,9 +9,9 @@
 
 #include "camera/camera.hpp"
 #include "commands/command.hpp"
-#include "commands/notes.hpp"
 #include "commands/options.hpp"
 #include "commands/stream_options.hpp"
+#include "output/output_file.hpp"
 #include "output/results.hpp"
 #include "projection/exact_point.hpp"
 #include "records/model.hpp"
@@ -337,7 +337,7 @@ int run(const Options& o) {
   const bool asksForBoxes = o.fields && o.fields->names(results::screenBox);
   FilterSetup setup = o.stream.setup(asksForBoxes ? kSphereColumns : kPointColumns);
   setup.note = note;
-  o.stream.reads(setup, o.camera, {"the model", isStandardInput(o.model)});
+  o.stream.reads(setup);
   const CameraFile file = o.camera.read();
   o.stream.settleOnEarth(setup, file.worldIsEcef);
   Projecting how{.camera = makeCamera(file),

@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "commands/command.hpp"
-#include "commands/notes.hpp"
 #include "commands/options.hpp"
 #include "commands/stream_options.hpp"
+#include "output/output_file.hpp"
 #include "output/results.hpp"
 #include "records/arguments.hpp"
 #include "records/points.hpp"
@@ -269,7 +269,7 @@ int run(const Options& o) {
   if (!hasScene && o.allHits) throw UsageError("--all-hits needs --scene or --plane");
   FilterSetup setup = o.stream.setup(kPixelColumns);
   setup.given = o.pixels;
-  o.stream.reads(setup, o.camera, {"the scene", isStandardInput(o.scene)});
+  o.stream.reads(setup);
   const CameraFile file = o.camera.read();
   Casting how{.camera = makeCamera(file),
               .precision = o.precision,

@@ -1,29 +1,20 @@
-// Which command lines read standard input: the one place that knows.
+// Which command lines read standard input: the one place that decides, by the options of a parsed command line.
 #pragma once
 
-#include <functional>
-#include <initializer_list>
 #include <optional>
 #include <string>
-#include <string_view>
+
+namespace CLI {
+class App;
+}
 
 namespace viewproj::cmd {
 
-/// Whether a command reads standard input as its FILE: where FILE is -, and without FILE unless an option is given that
-/// stands in for it. A terminal counts as any other input. isGiven: of an option by its long name.
-bool readsStandardInput(std::string_view command, const std::optional<std::string>& file,
-                        const std::function<bool(std::string_view option)>& isGiven);
+/// The FILE of a command: as typed; or "-", standard input, where it is absent and no option stands in for it; else
+/// nothing. A terminal counts as any other input.
+std::optional<std::string> inputFile(const CLI::App& app);
 
-/// Whether a file is standard input, which is then read for it.
-inline bool isStandardInput(const std::optional<std::string>& file) { return file == "-"; }
-
-/// Something that is read, and whether from standard input.
-struct NamedInput {
-  const char* what = "";
-  bool isStandard = false;
-};
-
-/// Throws UsageError where two of these come from standard input.
-void requireOneStandardInput(std::initializer_list<NamedInput> inputs);
+/// Throws UsageError where two inputs come from standard input.
+void requireOneStandardInput(const CLI::App& app);
 
 }  // namespace viewproj::cmd

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "output/output_file.hpp"
+#include "commands/standard_input.hpp"
 #include "records/points.hpp"
 #include "text/csv.hpp"
 #include "text/error.hpp"
@@ -38,56 +38,43 @@ std::string readPrefix(const std::string& option, const std::string& text) {
 
 constexpr std::size_t kMostJobs = 1024;
 
-constexpr const char* kPointHelp = "A point, in place of FILE and standard input";
-
-/// "project" of "viewproj project".
-std::string lastWord(const std::string& name) { return name.substr(name.rfind(' ') + 1); }
-
 }  // namespace
 
-void StreamOptions::addReading(CLI::App& app, const std::string& what) {
-  command_ = lastWord(app.get_name());
-  isGiven_ = [&app](std::string_view name) {
-    const CLI::Option* const option = app.get_option_no_throw(std::string(name));
-    return option && option->count() > 0;
-  };
+void StreamOptions::addReading(CLI::App& app, const std::string& what, const char* keepGoing) {
+  app_ = &app;
   addValue(app, "FILE", "", file_, readFileName, "The " + what + "; absent or - for standard input");
   app.option_defaults()->group(kStreamGroup);
-  Names<Form> forms;
-  for (const FormRow<Form>& row : inputForms()) forms.emplace_back(row.name, row.form);
-  addChoice(app, "--from", "FORM", from_, forms, "Format of FILE", "by its name and first bytes");
+  addChoice(app, "--from", "FORM", from_, namesOf(inputForms()), "Format of FILE", "by its name and first bytes");
   addValue(app, "--columns", "COLUMNS", columns_, readText,
            "Columns of CSV, fields of JSON or numbers of a line that hold the coordinates: in order, as in E,N,U or "
            "2,3,4, or by role, as in x=E,y=N,z=U (default: by their names)");
   addValue(app, "--delimiter", "CHAR", delimiter_, readDelimiter,
            "Separator of CSV, in and out: comma, semicolon, tab or a character (default: by the header)");
+  app.add_flag("--keep-going", keepGoing_, keepGoing);
 }
 
 void StreamOptions::addInput(CLI::App& app, const std::string& what) {
-  addReading(app, what);
-  app.add_flag("--keep-going", keepGoing_, "Leave out each invalid record with a message and continue; status 1");
+  addReading(app, what, "Leave out each invalid record with a message and continue; status 1");
   app.option_defaults()->group("Options");
 }
 
 void StreamOptions::add(CLI::App& app, const std::string& what) {
-  addReading(app, what);
-  writes_ = true;
+  addReading(app, what, "Replace each invalid record by an error record and continue; status 1");
   addForm(app, to_, outputForms(), "Output format", "as the input");
   addDigits(app, digits_, "all that tell the number from others; in tables 9");
   addValue(app, "--prefix", "P", prefix_, readPrefix, "Put this in front of the results' names");
-  app.add_flag("--keep-going", keepGoing_, "Replace each invalid record by an error record and continue; status 1");
-  addValue(app, "--jobs", "N", jobs_, wholeNumber(1, kMostJobs), "Threads to work with (default: one a processor)");
+  addValue(app, "--jobs", "N", jobs_, wholeNumber(1, kMostJobs), "Threads (default: one a processor)");
   app.add_flag("--no-header", noHeader_, "Write CSV without a header line");
   app.option_defaults()->group("Options");
 }
 
 void StreamOptions::addPoints(CLI::App& app) {
-  addValues(app, "--point", kPointForm, points_, readPointArgument, kPointHelp);
+  addValues(app, "--point", kPointForm, points_, readPointArgument, "A point, in place of FILE and standard input");
 }
 
 FilterSetup StreamOptions::setup(const ChoosableColumns& choosable) const {
   FilterSetup setup;
-  setup.file = file_.value_or("-");
+  setup.file = inputFile(*app_).value_or("-");
   setup.from = from_;
   setup.to = to_;
   setup.keepGoing = keepGoing_;
@@ -124,19 +111,17 @@ void StreamOptions::settleOnEarth(FilterSetup& setup, bool worldIsEcef) const {
   if (!columns.given()) setup.writer.numberNames = setup.csvDefaults;
 }
 
-bool StreamOptions::reads(const FilterSetup& setup, const CameraOptions& camera, const NamedInput& other) const {
-  const bool areTyped = !setup.given.empty();
+bool StreamOptions::reads(const FilterSetup& setup) const {
+  const bool areTyped = !setup.given.empty(), readsFile = inputFile(*app_).has_value();
   if (areTyped && file_)
     throw UsageError(setup.given.front().option + " takes the place of FILE; leave out one of it and " + *file_ +
-                     (camera.isGiven() ? "" : "; -c FILE gives the camera"));
-  const bool isStandard = readsStandardInput(command_, file_, isGiven_);
-  if (!file_ && !isStandard)
-    for (const auto& [name, isGiven] : {std::pair("--from", from_.has_value()),
-                                        {"--columns", columns_.has_value()},
-                                        {"--delimiter", delimiter_ && !writes_}})
-      if (isGiven) throw UsageError(std::string(name) + " is for FILE, and none is read");
-  requireOneStandardInput({{"the camera", camera.fromStandardInput()}, other, {"the records", isStandard}});
-  return areTyped || file_ || isStandard;
+                     (app_->count("--camera") > 0 ? "" : "; -c FILE gives the camera"));
+  const bool writes = app_->get_option_no_throw("--no-header") != nullptr;  // then the output may be CSV
+  if (!readsFile)
+    for (const char* const name : {"--from", "--columns", "--delimiter"})
+      if (app_->count(name) > 0 && !(writes && std::string_view(name) == "--delimiter"))
+        throw UsageError(std::string(name) + " is for FILE, and none is read");
+  return areTyped || readsFile;
 }
 
 }  // namespace viewproj::cmd

@@ -1,10 +1,8 @@
 // The options of a stream of records.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "commands/camera_options.hpp"
@@ -22,34 +20,31 @@ class StreamOptions {
   void add(CLI::App& app, const std::string& what);
   /// For a command that only reads them: a bad one need not end it.
   void addInput(CLI::App& app, const std::string& what);
+  /// --point, in place of FILE and standard input.
+  void addPoints(CLI::App& app);
 
   /// Throws UsageError for columns that are none.
   FilterSetup setup(const ChoosableColumns& choosable) const;
 
-  /// --point, in place of FILE and standard input.
-  void addPoints(CLI::App& app);
-
   /// Whether there are records, of FILE, standard input or the command line. Throws UsageError where they come from two
-  /// of these, where two inputs come from standard input, and for an option on how to read a FILE that is not read.
-  /// other: what else the command reads.
-  bool reads(const FilterSetup& setup, const CameraOptions& camera, const NamedInput& other = {}) const;
+  /// of these, and for an option on how to read a FILE that is not read.
+  bool reads(const FilterSetup& setup) const;
 
   /// With a camera on the Earth, points and columns that are named by neither lat, lon, height nor x, y, z are a
   /// UsageError; and what has no names in the output gets x, y, z.
   void settleOnEarth(FilterSetup& setup, bool worldIsEcef) const;
 
  private:
-  void addReading(CLI::App& app, const std::string& what);
+  void addReading(CLI::App& app, const std::string& what, const char* keepGoing);
 
+  const CLI::App* app_ = nullptr;
   std::optional<std::string> file_, prefix_, columns_;
   std::optional<Form> from_;
   std::optional<OutputForm> to_;
   std::optional<char> delimiter_;
   std::optional<std::size_t> jobs_, digits_;
   std::vector<PointArgument> points_;
-  std::string command_;
-  std::function<bool(std::string_view option)> isGiven_;
-  bool keepGoing_ = false, noHeader_ = false, writes_ = false;
+  bool keepGoing_ = false, noHeader_ = false;
 };
 
 }  // namespace viewproj::cmd

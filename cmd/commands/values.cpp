@@ -10,19 +10,11 @@
 
 namespace viewproj::cmd {
 
-std::string readText(const std::string&, const std::string& text) { return text; }
-
 std::string readFileName(const std::string&, const std::string& text) {
   for (const std::string_view name : {"/dev/stdin", "/dev/fd/0", "/proc/self/fd/0"})
     if (text.starts_with(name) && (text.size() == name.size() || text[name.size()] == '#'))
       return "-" + text.substr(name.size());
   return text;
-}
-
-Names<std::string> namesAlone(std::span<const std::string_view> names) {
-  Names<std::string> rows;
-  for (const std::string_view name : names) rows.emplace_back(name, name);
-  return rows;
 }
 
 void failUnknown(const std::string& option, std::string_view name, std::span<const std::string_view> known) {

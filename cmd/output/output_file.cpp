@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <mutex>
+#include <set>
 #include <system_error>
 
 #include "text/error.hpp"
@@ -41,6 +42,9 @@ int writeAll(int descriptor, std::string_view text) {
   const std::lock_guard lock(writing);
   return writeUnlocked(descriptor, text);
 }
+
+std::set<std::string> notes;
+bool isSilent = false;
 
 [[noreturn]] void fail(int error) { throw InputError(outputName + ": " + std::generic_category().message(error)); }
 
@@ -147,6 +151,12 @@ void complain(const std::string& message) {
   // Whatever a message quotes, it commands no terminal.
   writeAll(kStandardError, "viewproj: " + visible(message, "\n") + "\n");
 }
+
+void note(const std::string& text) {
+  if (!isSilent && notes.insert(text).second) complain("note: " + text);
+}
+
+void silenceNotes() { isSilent = true; }
 
 void setFailureStatus(int status) { failureStatus = status; }
 

@@ -33,6 +33,12 @@ void writeOutput(std::string_view text);
 /// Writes `viewproj: MESSAGE` to standard error. Where that cannot be written, nobody is told.
 void complain(const std::string& message);
 
+/// Writes `viewproj: note: TEXT`, each note once: of what is obeyed but probably not meant. The exit status stays 0.
+void note(const std::string& text);
+
+/// --quiet: from here on no note is written.
+void silenceNotes();
+
 /// The exit status of whatever goes wrong from here on; 1 at first.
 void setFailureStatus(int status);
 

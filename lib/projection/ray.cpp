@@ -25,7 +25,9 @@ WindowPoint windowAt(const CameraParts& c, const Vec2& screen) noexcept {
           sumOrZero(screen.y, -c.screen.centerY) / c.screen.scaleY};
 }
 
-bool hasRay(const CameraParts& c, const Vec2& screen) noexcept { return !std::isnan(windowAt(c, screen).up.hi); }
+bool hasRay(const CameraParts& c, const Vec2& screen) noexcept {
+  return !c.lens || !std::isnan(windowAt(c, screen).up.hi);
+}
 
 /// The offset from the unrounded eye of the point at a screen position and distance.
 DDVec3 offsetAt(const CameraParts& c, const Vec2& screen, DoubleDouble distance) noexcept {
