@@ -8,6 +8,7 @@
 #include "stream/filter.hpp"
 #include "targets.hpp"
 #include "text/error.hpp"
+#include "viewproj/matrices.hpp"
 #include "viewproj/scene.hpp"
 #include "viewproj/screen.hpp"
 

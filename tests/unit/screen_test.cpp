@@ -7,6 +7,7 @@
 #include "field_at_fault.hpp"
 #include "internals.hpp"
 #include "parts.hpp"
+#include "records/model.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;
@@ -352,7 +353,7 @@ TEST_CASE("Matrices with the viewport folded in take a model's points to their p
       const Camera camera = makeCamera(pose, projection, viewport, c);
       const auto near = [](double x) { return Approx(x).epsilon(1e-12).margin(1e-12); };
       for (const Vec3& local : {Vec3{0.5, 0.25, -0.5}, Vec3{0, 0, 0}, Vec3{-0.25, 0.5, 0.125}}) {
-        const Vec4 world = toWorld(model, {local.x, local.y, local.z, 1});
+        const Vec4 world = cmd::toWorld(model, {local.x, local.y, local.z, 1});
         const ScreenPoint truth = worldToScreen(camera, Vec3{world.x, world.y, world.z});
         const auto there = times(matrix(camera, Space::screen, Space::model, model), {local.x, local.y, local.z, 1});
         CHECK(there[0] / there[3] == near(truth.x));
@@ -367,24 +368,24 @@ TEST_CASE("Matrices with the viewport folded in take a model's points to their p
 TEST_CASE("A model's matrix and its points keep their digits at both ends of the range") {
   constexpr double kLarge = 1e90, kSmall = 1e-90;
   const Quaternion none{}, half{0.6, 0, 0, 0.8};  // 0.28 and 0.96 along y and z
-  CHECK(worldFromLocal({0, 0, 0}, none, {kLarge, 1, kSmall})[0][0] == kLarge);
-  CHECK(worldFromLocal({0, 0, 0}, none, {kLarge, 1, kSmall})[2][2] == kSmall);
-  CHECK(worldFromLocal({0, 0, 0}, half, {1, kLarge, 1})[1][1] == Approx(0.28 * kLarge).epsilon(1e-15));
-  CHECK(worldFromLocal({0, 0, 0}, half, {1, kLarge, 1})[2][1] == Approx(0.96 * kLarge).epsilon(1e-15));
-  Mat4 wide = worldFromLocal({-kLarge, 0, kSmall}, none, {kLarge, 1e80, kSmall});
-  CHECK(toWorld(wide, {1.5, 1e60, -0.5, 1}).x == Approx(kLarge / 2).epsilon(1e-15));
-  CHECK(toWorld(wide, {1, 1e60, -0.5, 1}).x == 0);
-  CHECK(toWorld(wide, {1, 1e229, 0, 1}).y == std::numeric_limits<double>::infinity());
-  CHECK(toWorld(wide, {1, 1e-80, -0.5, 1}).y == 1);
-  CHECK(toWorld(wide, {1, 1, -0.5, 1}).z == kSmall / 2);
+  CHECK(cmd::worldFromLocal({0, 0, 0}, none, {kLarge, 1, kSmall})[0][0] == kLarge);
+  CHECK(cmd::worldFromLocal({0, 0, 0}, none, {kLarge, 1, kSmall})[2][2] == kSmall);
+  CHECK(cmd::worldFromLocal({0, 0, 0}, half, {1, kLarge, 1})[1][1] == Approx(0.28 * kLarge).epsilon(1e-15));
+  CHECK(cmd::worldFromLocal({0, 0, 0}, half, {1, kLarge, 1})[2][1] == Approx(0.96 * kLarge).epsilon(1e-15));
+  Mat4 wide = cmd::worldFromLocal({-kLarge, 0, kSmall}, none, {kLarge, 1e80, kSmall});
+  CHECK(cmd::toWorld(wide, {1.5, 1e60, -0.5, 1}).x == Approx(kLarge / 2).epsilon(1e-15));
+  CHECK(cmd::toWorld(wide, {1, 1e60, -0.5, 1}).x == 0);
+  CHECK(cmd::toWorld(wide, {1, 1e229, 0, 1}).y == std::numeric_limits<double>::infinity());
+  CHECK(cmd::toWorld(wide, {1, 1e-80, -0.5, 1}).y == 1);
+  CHECK(cmd::toWorld(wide, {1, 1, -0.5, 1}).z == kSmall / 2);
   wide[0] = {kLarge, -kLarge, 1, 0};  // what cancels leaves the smallest term
-  CHECK(toWorld(wide, {16, 16, 0.1, 1}).x == 0.1);
+  CHECK(cmd::toWorld(wide, {16, 16, 0.1, 1}).x == 0.1);
 }
 
 TEST_CASE("The inverse of a model, or of a lens, keeps its digits however its numbers differ in size") {
   const Convention c;
   const Camera camera = cameraOfParts(lookAt({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, c.world), c);
-  const Mat4 thin = worldFromLocal({1e90, 1, 0}, {}, {1e90, 1e-90, 1});
+  const Mat4 thin = cmd::worldFromLocal({1e90, 1, 0}, {}, {1e90, 1e-90, 1});
   const Mat4 back = matrix(camera, Space::model, Space::view, thin);
   CHECK(back[0][0] == 1e-90);
   CHECK(back[1][1] == 1 / 1e-90);
