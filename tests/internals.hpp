@@ -6,7 +6,7 @@
 #include "camera/viewport.hpp"
 #include "geodesy/normal.hpp"
 #include "numbers/arithmetic.hpp"
-#include "numbers/ulp.hpp"
+#include "numbers/double_double.hpp"
 #include "numbers/wide.hpp"
 #include "projection/exact_point.hpp"
 #include "projection/kernels/error_model.hpp"

@@ -153,13 +153,14 @@ bool areFinite(std::span<const Vec3> points) {
   return std::accumulate(zeros.begin(), zeros.end(), 0.0) == 0;
 }
 
-/// How many from the start are finite points whose numbers on the screen exist or are NaN. What overflowed has no
+/// How many from the start are points in range whose numbers on the screen exist or are NaN. What overflowed has no
 /// value: the writer knows what becomes of it.
-std::size_t countUsable(std::span<const Vec3> points, std::span<const Vec3> screen) {
+std::size_t countUsable(const Camera& camera, std::span<const Vec3> points, std::span<const Vec3> screen) {
   if (areFinite(screen)) return screen.size();  // then so are the points
   const auto overflowed = [](const Vec3& p) { return std::isinf(p.x) || std::isinf(p.y) || std::isinf(p.z); };
   std::size_t i = 0;
-  while (i < screen.size() && isFinite(points[i]) && !overflowed(screen[i])) ++i;
+  const auto isUsable = [&](const Vec3& p) { return isInRange(camera, Vec4{p.x, p.y, p.z, 1}); };
+  while (i < screen.size() && isUsable(points[i]) && !overflowed(screen[i])) ++i;
   return i;
 }
 
@@ -195,20 +196,11 @@ class ProjectWork final : public RecordWork {
       if (segment.hasPixel && !std::isnan(n[6])) segment.pixel = Vec2{n[6], n[7]};
       segment.a = placed(segment.a);
       segment.b = placed(segment.b);
+      if (!isValid(Sphere{segment.a}) || !isValid(Sphere{segment.b})) throw RecordError(0, "has a number beyond 1e91");
       segments_.emplace_back(points_.size(), segment);
     } else if (isShape(layout)) {
       if (how_.worldFromLocal) throw RecordError(0, "has a shape; --model places points and segments alone");
       shapes_.push_back({points_.size(), toShape(layout, n)});
-      const auto isBeyond = [](const auto& one) {
-        if constexpr (std::is_same_v<decltype(one), const Vec3&>)
-          return false;
-        else
-          return !isValid(one);
-      };
-      if (std::visit(isBeyond, shapes_.back().shape)) {
-        shapes_.pop_back();
-        throw RecordError(0, "has a number beyond 1e91");
-      }
       if (const auto* const sphere = std::get_if<Sphere>(&shapes_.back().shape))
         point = {sphere->center.x, sphere->center.y, sphere->center.z, 1};
     } else {
@@ -251,7 +243,7 @@ class ProjectWork final : public RecordWork {
     const std::span points(reinterpret_cast<const Vec3*>(in.data()), count);
     const std::span screen(reinterpret_cast<Vec3*>(room), count);
     worldToScreen(how_.camera, points, screen, how_.precision);
-    const std::size_t good = countUsable(points, screen);
+    const std::size_t good = countUsable(how_.camera, points, screen);
     out.written(room + good * sizeof(Vec3));
     return good;
   }

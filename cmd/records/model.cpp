@@ -1,8 +1,11 @@
 #include "records/model.hpp"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "camera/check.hpp"
+#include "camera/read_camera.hpp"
+#include "numbers/dyadic.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
 #include "viewproj/camera.hpp"
@@ -27,7 +30,49 @@ Mat4 readParts(const Node& model) {
   }
 }
 
+void requireNumbers(const Vec3& v, const char* field) {
+  for (const double x : {v.x, v.y, v.z})
+    if (!(x == 0 || (std::fabs(x) >= kSmallestNumber && std::fabs(x) <= kLargestNumber)))
+      throw CameraError(field, "has a component that is neither 0 nor between 1e-90 and 1e90 in magnitude");
+}
+
 }  // namespace
+
+Mat4 worldFromLocal(const Vec3& translation, const Quaternion& rotation, const Vec3& scale) {
+  requireNumbers(translation, "translation");
+  requireNumbers(scale, "scale");
+  // The rotation is that of a camera whose axes are x right, y up, z back, and rows the columns of its inverse.
+  const Camera camera = cameraIn({}, poseFromRotation({0, 0, 0}, rotation, CameraAxes::RUB, Handedness::right));
+  Mat4 m;
+  for (std::size_t i = 0; i < 3; ++i) {
+    Vec4 axis;
+    (i == 0 ? axis.x : i == 1 ? axis.y : axis.z) = 1;
+    const detail::DDVec3 row = detail::joined(alongAxes(camera, axis));
+    for (std::size_t j = 0; j < 3; ++j)
+      m[i][j] = detail::rounded(detail::Wide(j == 2 ? -row.z : row[j]) * detail::Wide(scale[j]));
+    m[i][3] = translation[i];
+  }
+  m[3][3] = 1;
+  return m;
+}
+
+Vec4 toWorld(const Mat4& m, const Vec4& p) noexcept {
+  const double local[] = {p.x, p.y, p.z, p.w};
+  const auto coordinate = [&](std::size_t i) {
+    detail::DoubleDouble near;
+    double size = 0;
+    for (std::size_t j = 0; j < 4; ++j) {
+      near += detail::twoProd(m[i][j], local[j]);
+      size += std::fabs(m[i][j] * local[j]);
+    }
+    // Products of such a size have underflowed in nothing that counts.
+    if (size > 0x1p-800 && size < 0x1p900 && detail::roundsAlike(near, 0x1p-100 * size)) return detail::rounded(near);
+    detail::Dyadic<2> sum;
+    for (std::size_t j = 0; j < 4; ++j) sum = sum + detail::Dyadic<1>(m[i][j]) * detail::Dyadic<1>(local[j]);
+    return detail::nearestDouble(sum.rounded());
+  };
+  return {coordinate(0), coordinate(1), coordinate(2), p.w};
+}
 
 Mat4 readModel(const std::string& source) {
   constexpr const char* kForms =

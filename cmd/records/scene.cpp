@@ -126,7 +126,9 @@ std::vector<SceneObject> readScene(const std::string& source, bool worldIsEcef) 
   return objects;
 }
 
-CullShape toShape(const Layout& layout, const Numbers& n) {
+namespace {
+
+CullShape shapeOf(const Layout& layout, const Numbers& n) {
   const auto vector = [&](std::size_t first) { return Vec3{n[first], n[first + 1], n[first + 2]}; };
   const auto checked = [](const Sphere& sphere) {
     if (const std::string fault = faultOf(sphere); !fault.empty()) throw RecordError(0, "radius " + fault);
@@ -146,6 +148,22 @@ CullShape toShape(const Layout& layout, const Numbers& n) {
   if (isPoint(layout)) return position;
   if (!detail::isFinite(position)) throw RecordError(0, "has a center beyond the range of doubles");
   return checked({position, n[layout.slots() - 1]});
+}
+
+struct IsInRange {
+  bool operator()(const Vec3& point) const { return isValid(Sphere{point}); }
+  template <class Shape>
+  bool operator()(const Shape& shape) const {
+    return isValid(shape);
+  }
+};
+
+}  // namespace
+
+CullShape toShape(const Layout& layout, const Numbers& n) {
+  CullShape shape = shapeOf(layout, n);
+  if (!std::visit(IsInRange(), shape)) throw RecordError(0, "has a number beyond 1e91");
+  return shape;
 }
 
 }  // namespace viewproj::cmd

@@ -110,9 +110,11 @@ Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport
     k.residualReach = std::numeric_limits<double>::min();
   const Axes& columns = c.pose.columns;
   c.eye = unroundedEye(c.pose);
+  c.perX = columns.right * (DoubleDouble(1) / map.scaleX);
+  c.perY = columns.up * (DoubleDouble(1) / map.scaleY);
   if (k.orthographic) c.direction = rounded(normalized(columns.forward));
-  k.rayX = rounded(columns.right * (DoubleDouble(1) / map.scaleX));
-  k.rayY = rounded(columns.up * (DoubleDouble(1) / map.scaleY));
+  k.rayX = rounded(c.perX);
+  k.rayY = rounded(c.perY);
   k.rayW = rounded(columns.forward);
   c.corners = outwards(viewport, map);
   return Access::whole<Camera, CameraParts>(made);

@@ -55,8 +55,10 @@ struct CameraParts {
 
   PictureCorners corners;  ///< a tie of two doubles is rounded outwards
 
-  DDVec3 eye;      ///< unrounded
-  Vec3 direction;  ///< of an orthographic camera's rays
+  DDVec3 eye;  ///< unrounded
+  /// Orthographic: the ray of a screen position starts at eye + (x - centerX) perX + (y - centerY) perY.
+  DDVec3 perX, perY;
+  Vec3 direction;
 
   ProjectionConstants constants;
 };

@@ -8,8 +8,8 @@
 #include "camera/depth.hpp"
 #include "camera/pose.hpp"
 #include "camera/projection.hpp"
+#include "numbers/double_double.hpp"
 #include "numbers/dyadic.hpp"
-#include "numbers/ulp.hpp"
 
 namespace viewproj {
 

@@ -4,7 +4,11 @@
 // arithmetic", 2017. The bounds hold inside the range that error_free.hpp states; an infinite operand gives NaN.
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 #include "numbers/error_free.hpp"
 
@@ -55,14 +59,18 @@ constexpr DoubleDouble sumOrZero(DoubleDouble a, DoubleDouble b) noexcept {
   return size <= of * kCancellation ? DoubleDouble() : sum;
 }
 
-/// a * 2^exponent: exact unless the low part underflows.
-inline DoubleDouble scaleByPowerOfTwo(DoubleDouble a, int exponent) noexcept {
-  return {std::ldexp(a.hi, exponent), std::ldexp(a.lo, exponent)};
-}
+/// 2^k for |k| <= 1000.
+inline double powerOfTwo(int k) noexcept { return std::bit_cast<double>(std::uint64_t(1023 + k) << 52); }
 
 /// a * factor, where factor is a power of two: exact unless the low part underflows.
 constexpr DoubleDouble timesPowerOfTwo(DoubleDouble a, double factor) noexcept {
   return {a.hi * factor, a.lo * factor};
+}
+
+/// a * 2^exponent likewise.
+inline DoubleDouble scaleByPowerOfTwo(DoubleDouble a, int exponent) noexcept {
+  if (exponent >= -1000 && exponent <= 1000) return timesPowerOfTwo(a, powerOfTwo(exponent));
+  return {std::ldexp(a.hi, exponent), std::ldexp(a.lo, exponent)};
 }
 
 /// Relative error at most 4 * 2^-106; 0 for 0.
@@ -77,6 +85,22 @@ inline DoubleDouble sqrt(DoubleDouble a) noexcept {
 constexpr bool roundsAlike(DoubleDouble a, double error) noexcept {
   return a.hi + (a.lo + error) == a.hi && a.hi + (a.lo - error) == a.hi;
 }
+
+/// Half a unit in the last place of numbers up to this size, or the smallest double; infinite for a size that is not
+/// finite.
+inline double halfUlp(double size) noexcept {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  size = std::fabs(size);
+  if (!std::isfinite(size)) return kInfinity;
+  if (size == std::numeric_limits<double>::max()) return (size - std::nextafter(size, 0)) / 2;
+  return std::max((std::nextafter(size, kInfinity) - size) / 2, std::numeric_limits<double>::denorm_min());
+}
+
+/// The double next to a number, not above and not below it.
+inline double lowerDouble(const DoubleDouble& x) noexcept {
+  return x.lo < 0 ? std::nextafter(x.hi, -std::numeric_limits<double>::infinity()) : x.hi;
+}
+inline double upperDouble(const DoubleDouble& x) noexcept { return -lowerDouble(-x); }
 
 inline bool isFinite(DoubleDouble a) noexcept { return std::isfinite(a.hi) && std::isfinite(a.lo); }
 

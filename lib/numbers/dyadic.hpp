@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -39,9 +40,9 @@ class Dyadic {
   Dyadic(double value) noexcept : negative_(value < 0) {  // NOLINT: a finite double is exact
     isNan_ = !std::isfinite(value);
     if (value == 0 || isNan_) return;
-    int power = 0;
-    const auto bits = static_cast<std::uint64_t>(std::ldexp(std::frexp(std::fabs(value), &power), 53));
-    power -= 53;
+    auto bits = std::bit_cast<std::uint64_t>(std::fabs(value));
+    const int exponent = static_cast<int>(bits >> 52), power = std::max(exponent, 1) - 1075;
+    bits = (bits & 0xfffffffffffff) | std::uint64_t{exponent != 0} << 52;
     const int shift = ((power % 32) + 32) % 32;
     position_ = (power - shift) / 32;
     const std::uint64_t low = bits << shift;

@@ -32,13 +32,10 @@ struct Wide {
     }
   }
 
-  /// 2^k for |k| <= 1000.
-  static double powerOfTwo(int k) noexcept { return std::bit_cast<double>(std::uint64_t(1023 + k) << 52); }
-
   int sign() const noexcept { return !std::isfinite(value.hi) ? 0 : value.hi > 0 ? 1 : value.hi < 0 ? -1 : 0; }
 
   /// The nearest double up to 0.5001 ulp (1 ulp if subnormal); infinite beyond the largest. Never -0.
-  explicit operator double() const noexcept { return std::ldexp(value.hi, exponent) + 0.0; }
+  explicit operator double() const noexcept { return scaleByPowerOfTwo(value, exponent).hi + 0.0; }
 };
 
 /// The double nearest a number that may be off by a share of itself, and whether every number within that has the same
@@ -71,7 +68,7 @@ inline Wide operator+(const Wide& a, const Wide& b) noexcept {
   const Wide& other = a.exponent < b.exponent ? a : b;
   const int shift = other.exponent - larger.exponent;
   if (shift < -300) return larger;
-  return {larger.value + timesPowerOfTwo(other.value, Wide::powerOfTwo(shift)), larger.exponent};
+  return {larger.value + timesPowerOfTwo(other.value, powerOfTwo(shift)), larger.exponent};
 }
 
 inline Wide operator-(const Wide& a, const Wide& b) noexcept { return a + (-b); }

@@ -29,9 +29,11 @@ struct Left {
   }
 };
 
-void tally(BatchCounts& counts, const ScreenPoint& settled) noexcept {
+ScreenPoint settledAlone(const Camera& camera, const Vec3& point, BatchCounts& counts) noexcept {
+  const ScreenPoint p = worldToScreen(camera, point, Precision::exact);
   ++counts.escalated;
-  if (settled.status == PointStatus::inFront && !settled.certain) ++counts.uncertain;
+  if (p.status == PointStatus::inFront && !p.certain) ++counts.uncertain;
+  return p;
 }
 
 Kernels::Project kernelOf(Precision precision) noexcept {
@@ -55,9 +57,8 @@ BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, st
     Left left;
     kernel(parts(camera).constants, in, &out->x, nullptr, size, left.bits);
     left.each([&](std::size_t j) {
-      const ScreenPoint p = worldToScreen(camera, {in[3 * j], in[3 * j + 1], in[3 * j + 2]}, Precision::exact);
+      const ScreenPoint p = settledAlone(camera, {in[3 * j], in[3 * j + 1], in[3 * j + 2]}, counts);
       out[j] = {p.x, p.y, p.depth};
-      tally(counts, p);
     });
   }
   return counts;
@@ -76,8 +77,7 @@ BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, st
     for (std::size_t j = 0; j < size; ++j) {
       ScreenPoint& p = screen[i + j];
       if (left.has(j)) {
-        p = worldToScreen(camera, points[i + j], Precision::exact);
-        tally(counts, p);
+        p = settledAlone(camera, points[i + j], counts);
         continue;
       }
       const double* const xyz = position + 3 * j;
@@ -96,16 +96,15 @@ BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, st
 
 void screenToRayDirections(const Camera& camera, std::span<const Vec2> pixels, std::span<Vec3> directions) noexcept {
   const std::size_t count = std::min(pixels.size(), directions.size());
-  if (parts(camera).projection.orthographic) {
-    const Vec3 direction = screenToRay(camera, {0, 0}, Precision::standard).direction;
-    std::fill_n(directions.data(), count, direction);
+  const CameraParts& c = parts(camera);
+  if (c.projection.orthographic) {
+    std::fill_n(directions.data(), count, c.direction);
     return;
   }
   for (std::size_t i = 0; i < count; i += kBlock) {
     Left left;
-    kernels().rays(parts(camera).constants, &pixels[i].x, &directions[i].x, std::min(kBlock, count - i), left.bits);
-    left.each(
-        [&](std::size_t j) { directions[i + j] = screenToRay(camera, pixels[i + j], Precision::exact).direction; });
+    kernels().rays(c.constants, &pixels[i].x, &directions[i].x, std::min(kBlock, count - i), left.bits);
+    left.each([&](std::size_t j) { directions[i + j] = screenToRay(camera, pixels[i + j]).direction; });
   }
 }
 

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "numbers/ulp.hpp"
+#include "numbers/double_double.hpp"
 #include "projection/kernels/formulas.hpp"
 #include "viewproj/screen.hpp"
 

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <limits>
 
-#include "numbers/ulp.hpp"
+#include "numbers/double_double.hpp"
 #include "numbers/wide.hpp"
 #include "projection/kernels/formulas.hpp"
 #include "viewproj/screen.hpp"
@@ -17,11 +17,20 @@ constexpr Vec3 kNoVector{kNaN, kNaN, kNaN};
 /// Written so that NaN fails.
 bool isInDomain(const Vec2& v) noexcept { return std::fabs(v.x) < kFarthestPoint && std::fabs(v.y) < kFarthestPoint; }
 
+/// A screen position in window coordinates, right and up.
+struct WindowPoint {
+  DoubleDouble right, up;
+};
+
+WindowPoint toWindow(const CameraParts& c, const Vec2& screen) noexcept {
+  return {sumOrZero(screen.x, -c.screen.centerX) / c.screen.scaleX,
+          sumOrZero(screen.y, -c.screen.centerY) / c.screen.scaleY};
+}
+
 /// The offset from the unrounded eye of the point at a screen position and distance.
 DDVec3 offsetAt(const CameraParts& c, const Vec2& screen, DoubleDouble distance) noexcept {
+  const auto [right, up] = toWindow(c, screen);
   const Axes& axes = c.pose.columns;
-  const DoubleDouble right = sumOrZero(screen.x, -c.screen.centerX) / c.screen.scaleX;
-  const DoubleDouble up = sumOrZero(screen.y, -c.screen.centerY) / c.screen.scaleY;
   const DoubleDouble spread = c.projection.orthographic ? DoubleDouble(1) : distance;
   const DDVec3 along{right * spread, up * spread, distance};
   DDVec3 offset;
@@ -31,6 +40,24 @@ DDVec3 offsetAt(const CameraParts& c, const Vec2& screen, DoubleDouble distance)
 
 Vec3 worldPointAt(const CameraParts& c, const Vec2& screen, DoubleDouble distance) noexcept {
   return rounded(c.eye + offsetAt(c, screen, distance));
+}
+
+/// Orthographic: the same by a shorter sum. False where its rounding is not certain.
+bool setOrigin(Vec3& origin, const CameraParts& c, const Vec2& screen, double distance) noexcept {
+  constexpr double kShare = 0x1p-95;  // of the terms: more than any way to add them up in double-double is off
+  const DoubleDouble x = DoubleDouble(screen.x) - c.screen.centerX, y = DoubleDouble(screen.y) - c.screen.centerY;
+  const double sizeX = std::fabs(screen.x) + std::fabs(c.screen.centerX.hi);
+  const double sizeY = std::fabs(screen.y) + std::fabs(c.screen.centerY.hi);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const DoubleDouble forward = c.pose.columns.forward[i];
+    DoubleDouble sum = c.eye[i] + c.perX[i] * x + c.perY[i] * y;
+    if (distance != 0) sum += forward * DoubleDouble(distance);
+    const double size = std::fabs(c.eye[i].hi) + std::fabs(c.perX[i].hi) * sizeX + std::fabs(c.perY[i].hi) * sizeY +
+                        std::fabs(forward.hi * distance);
+    if (size > 0 && !roundsAlike(sum, kShare * size)) return false;
+    origin[i] = rounded(sum);
+  }
+  return true;
 }
 
 Vec3 exactDirection(const CameraParts& c, const Vec2& screen) noexcept {
@@ -62,10 +89,12 @@ WorldPoint pointAt(const CameraParts& c, const Vec2& screen, const Wide& distanc
 Ray screenToRay(const Camera& camera, const Vec2& screen, Precision precision, RayOrigin origin) noexcept {
   const CameraParts& c = parts(camera);
   if (!isInDomain(screen)) return {kNoVector, kNoVector};
-  const bool originIsEye = origin == RayOrigin::eye && !c.projection.orthographic;
-  const double distance = origin == RayOrigin::nearPlane ? c.projection.near : 0;
-  return {originIsEye ? c.pose.eye : worldPointAt(c, screen, distance),
-          precision == Precision::exact ? exactDirection(c, screen) : standardDirection(c, screen)};
+  Ray ray{c.pose.eye, precision == Precision::exact ? exactDirection(c, screen) : standardDirection(c, screen)};
+  const bool isAtNear = origin == RayOrigin::nearPlane;
+  const double distance = isAtNear ? c.projection.near : 0;
+  if (c.projection.orthographic ? !setOrigin(ray.origin, c, screen, distance) : isAtNear)
+    ray.origin = worldPointAt(c, screen, distance);
+  return ray;
 }
 
 WorldPoint screenToWorld(const Camera& camera, const Vec2& screen, double depth) noexcept {

@@ -23,23 +23,16 @@ Projected<double, bool> byStandard(const ProjectionConstants& k, const Vec3& p) 
                         : StandardFormula<ScalarLanes, Traits<false, true, true>>(k).point(p.x, p.y, p.z);
 }
 
-/// Perspective: the vanishing point.
-ScreenPoint directionToScreen(const CameraParts& c, const Vec3& direction) noexcept {
-  const Projected<double, bool> r = kernels().exactDirection(c.constants, direction);
-  ScreenPoint p;
-  if (r.behind) {
-    p = without(PointStatus::behind, kNaN);
-  } else if (r.valid) {
-    p.x = r.x;
-    p.y = r.y;
-    p.depth = c.depthAtInfinity;
-    p.viewDistance = kNaN;
+/// Of what a formula has settled.
+ScreenPoint settled(const CameraParts& c, const Projected<double, bool>& r, double depth, double distance,
+                    Precision precision) noexcept {
+  ScreenPoint p = without(PointStatus::behind, distance);
+  if (r.valid) {
+    p = {r.x, r.y, depth, distance};
     p.outside = sidesBeyond(c, p);
-    if (std::isfinite(c.projection.far)) p.outside |= sideFar;
-  } else {
-    return settledExactly(c, {direction.x, direction.y, direction.z, 0});
   }
-  p.certain = true;
+  p.precision = precision;
+  p.certain = precision == Precision::exact;
   return p;
 }
 
@@ -51,28 +44,20 @@ ScreenPoint worldToScreen(const Camera& camera, const Vec3& point, Precision pre
   const CameraParts& c = parts(camera);
   const Projected<double, bool> r =
       precision == Precision::standard ? byStandard(c.constants, point) : kernels().exactPoint(c.constants, point);
-  ScreenPoint p;
-  if (r.behind) {
-    p = without(PointStatus::behind, r.distance);
-  } else if (r.valid) {
-    p.x = r.x;
-    p.y = r.y;
-    p.depth = r.depth;
-    p.viewDistance = r.distance;
-    p.outside = sidesBeyond(c, p);
-  } else {
-    return settledExactly(c, {point.x, point.y, point.z, 1});
-  }
-  p.precision = precision;
-  p.certain = precision == Precision::exact;
-  return p;
+  if (r.valid || r.behind) return settled(c, r, r.depth, r.distance, precision);
+  return settledExactly(c, {point.x, point.y, point.z, 1});
 }
 
 ScreenPoint worldToScreen(const Camera& camera, const Vec4& point, Precision precision) noexcept {
   const Vec3 xyz{point.x, point.y, point.z};
   if (point.w == 1) return worldToScreen(camera, xyz, precision);
   const CameraParts& c = parts(camera);
-  return point.w == 0 && !c.projection.orthographic ? directionToScreen(c, xyz) : settledExactly(c, point);
+  if (point.w != 0 || c.projection.orthographic) return settledExactly(c, point);
+  const Projected<double, bool> r = kernels().exactDirection(c.constants, xyz);  // its vanishing point
+  if (!r.valid && !r.behind) return settledExactly(c, point);
+  ScreenPoint p = settled(c, r, c.depthAtInfinity, kNaN, Precision::exact);
+  if (r.valid && std::isfinite(c.projection.far)) p.outside |= sideFar;
+  return p;
 }
 
 }  // namespace viewproj

@@ -5,57 +5,39 @@
 
 #include "projection/exact_point.hpp"
 #include "scene/frustum_parts.hpp"
-#include "scene/view_space.hpp"
 
 namespace viewproj {
 
 using namespace detail;
 namespace {
 
-/// sign (normal . (p - eye) + offset) >= 0, not yet of unit length. reach is the larger of the plane's window edge and
-/// the one across from it; parts is the size of what the offset is a sum of.
-ExactPlane plane(const CameraParts& c, Side side, const WideVec3& normal, const Wide& offset, const Wide& edge,
-                 double sign, double reach, double parts) noexcept {
-  const Wide scale = Wide(sign) / lengthOf(normal);
-  ExactPlane p;
+bool isDepth(Side side) noexcept { return side == sideNear || side == sideFar; }
+bool isUpright(Side side) noexcept { return side == sideLeft || side == sideRight; }
+
+/// sign (X - edge W) >= 0 of a window's edge, X or Y in X's place; sign (X - edge) >= 0 in orthographic and, of W, of
+/// near and far. across: the edge on the other side.
+void add(FrustumParts& f, Side side, DoubleDouble edge, double across, double sign) noexcept {
+  const CameraParts& c = parts(f.camera);
+  const Axes& rows = c.pose.rows;
+  const DDVec3& left = c.pose.residual;
+  const bool isTilted = !isDepth(side) && !c.projection.orthographic;
+  const DDVec3& axis = isDepth(side) ? rows.forward : isUpright(side) ? rows.right : rows.up;
+  const DoubleDouble residual = isDepth(side) ? left.z : isUpright(side) ? left.x : left.y;
+  const double reach = std::max(std::fabs(edge.hi), std::fabs(across));
+  ExactPlane& p = f.planes[f.count];
   p.side = side;
-  p.normal = normal * scale;
-  p.offset = offset * scale;
   p.edge = edge;
-  p.scale = scale;
-  const double perLength = double(magnitude(scale));
-  p.normalBound = kPlaneBound * (1 + reach) * perLength;
-  p.offsetBound = p.normalBound * (parts * perLength);
+  p.normal = isTilted ? toWide(axis) - toWide(rows.forward) * p.edge : toWide(axis);
+  p.offset = Wide(residual) - (isTilted ? p.edge * Wide(left.z) : p.edge);
+  p.scale = Wide(sign) / lengthOf(p.normal);
+  p.normal = p.normal * p.scale;
+  p.offset = p.offset * p.scale;
+  const double perLength = double(magnitude(p.scale));
+  p.normalBound = kPlaneBound * (1 + (isTilted ? reach : 0)) * perLength;
+  p.offsetBound = p.normalBound * perLength * (std::fabs(residual.hi) + reach * (isTilted ? std::fabs(left.z.hi) : 1));
   const Vec3 n = rounded(p.normal);
-  p.equation = {n.x, n.y, n.z, double(p.offset - dot(p.normal, toWide(c.pose.eye)))};
-  return p;
+  f.rounded[f.count++] = {side, {n.x, n.y, n.z, double(p.offset - dot(p.normal, toWide(c.pose.eye)))}};
 }
-
-/// Of an edge of the window: sign (X - edge W) >= 0, or sign (X - edge) >= 0 in orthographic. X is axis . (p - eye) +
-/// residual.
-ExactPlane windowPlane(const CameraParts& c, Side side, const DDVec3& axis, DoubleDouble residual, DoubleDouble edge,
-                       DoubleDouble across, double sign) noexcept {
-  const double reach = std::max(std::fabs(edge.hi), std::fabs(across.hi));
-  const Wide wideEdge(edge, 0);
-  if (c.projection.orthographic)
-    return plane(c, side, toWide(axis), Wide(residual, 0) - wideEdge, wideEdge, sign, 0,
-                 std::fabs(residual.hi) + reach);
-  const DoubleDouble depthResidual = c.pose.residual.z;
-  return plane(c, side, toWide(axis) - toWide(c.pose.rows.forward) * wideEdge,
-               Wide(residual, 0) - wideEdge * Wide(depthResidual, 0), wideEdge, sign, reach,
-               std::fabs(residual.hi) + reach * std::fabs(depthResidual.hi));
-}
-
-/// Across the view: sign (W - distance) >= 0.
-ExactPlane depthPlane(const CameraParts& c, Side side, double distance, double sign) noexcept {
-  const DoubleDouble residual = c.pose.residual.z;
-  return plane(c, side, toWide(c.pose.rows.forward), Wide(residual, 0) - Wide(distance), distance, sign, 0,
-               std::fabs(residual.hi) + std::fabs(distance));
-}
-
-const PoseParts& poseOf(const FrustumParts& f) noexcept { return parts(f.camera).pose; }
-
-Wide distance(const ExactPlane& p, const WideVec3& v) noexcept { return dot(p.normal, v) + p.offset; }
 
 /// A distance inside, and how far from the true one it may be.
 struct Measured {
@@ -64,60 +46,61 @@ struct Measured {
   bool isCertain() const noexcept { return isLess(bound, magnitude(distance)); }
 };
 
+Measured distance(const FrustumParts& f, const ExactPlane& p, const Vec3& point) noexcept {
+  const WideVec3 v = toWide(point) - toWide(parts(f.camera).pose.eye);
+  return {dot(p.normal, v) + p.offset, Wide(p.normalBound) * oneNorm(v) + Wide(p.offsetBound)};
+}
+
 /// From the exact rows, in microseconds.
 Measured exactDistance(const FrustumParts& f, const ExactPlane& p, const Vec3& point) noexcept {
   const CameraParts& c = parts(f.camera);
   const AxisDistances e = exactDistances(c.pose, {point.x, point.y, point.z, 1});
-  const bool ofDepth = (p.side & (sideNear | sideFar)) != 0;
-  const Wide& along = ofDepth ? e.forward : (p.side & (sideLeft | sideRight)) != 0 ? e.right : e.up;
-  const bool isTilted = !ofDepth && !c.projection.orthographic;
+  const Wide& along = isDepth(p.side) ? e.forward : isUpright(p.side) ? e.right : e.up;
+  const bool isTilted = !isDepth(p.side) && !c.projection.orthographic;
   const Wide edge = isTilted ? p.edge * e.forward : p.edge;
   const Wide size = (magnitude(along) + magnitude(edge)) * Wide(kCullBound);
   const Wide ofRows = isTilted ? e.error * (Wide(1) + magnitude(p.edge)) : e.error;
   return {(along - edge) * p.scale, (size + ofRows) * magnitude(p.scale)};
 }
 
-/// The distances of a shape's point farthest inside a plane and of the one farthest beyond it. reach: the larger
-/// |p - eye|_1 that went into them.
-struct Extent {
-  Wide inmost, outmost;
-  Wide reach;
-};
-
-/// Those of its points that decide, and how much farther a sphere reaches.
+/// Of a shape, the points that decide on which side of a plane it lies, and how much farther a sphere reaches.
 struct Deciding {
   std::array<Vec3, 3> points;
   std::size_t count = 1;
   Wide radius = {};
 };
 
+/// The distances of a shape's point farthest inside a plane and of the one farthest beyond it.
 struct Ends {
   Measured inmost, outmost;
+
+  bool areCertain() const noexcept { return inmost.isCertain() && outmost.isCertain(); }
 };
 
-Ends exactEnds(const FrustumParts& f, const ExactPlane& p, const Deciding& e) noexcept {
-  Ends ends{exactDistance(f, p, e.points[0]), {}};
+/// share: what of the radius the bound takes up.
+template <class Measure>
+Ends endsOf(const Deciding& shape, double share, const Measure& measure) noexcept {
+  Ends ends{measure(shape.points[0]), {}};
   ends.outmost = ends.inmost;
-  for (std::size_t i = 1; i < e.count; ++i) {
-    const Measured d = exactDistance(f, p, e.points[i]);
+  for (std::size_t i = 1; i < shape.count; ++i) {
+    const Measured d = measure(shape.points[i]);
     if (isLess(ends.inmost.distance, d.distance)) ends.inmost = d;
     if (isLess(d.distance, ends.outmost.distance)) ends.outmost = d;
   }
-  ends.inmost.distance = ends.inmost.distance + e.radius;
-  ends.outmost.distance = ends.outmost.distance - e.radius;
-  for (Measured* end : {&ends.inmost, &ends.outmost}) end->bound = end->bound + e.radius * Wide(kCullBound);
+  ends.inmost.distance = ends.inmost.distance + shape.radius;
+  ends.outmost.distance = ends.outmost.distance - shape.radius;
+  for (Measured* end : {&ends.inmost, &ends.outmost}) end->bound = end->bound + shape.radius * Wide(share);
   return ends;
 }
 
-template <class ExtentOf, class DecidingOn>
-Cull verdictOf(const FrustumParts& f, const ExtentOf& extentOf, const DecidingOn& decidingOn) noexcept {
+template <class DecidingOn>
+Cull verdictOf(const FrustumParts& f, const DecidingOn& decidingOn) noexcept {
   Cull result{CullVerdict::inside, 0};
   Wide farthest;
   for (const ExactPlane& p : f) {
-    const Extent e = extentOf(p);
-    const Wide bound = Wide(p.normalBound) * e.reach + Wide(p.offsetBound);
-    Ends ends{{e.inmost, bound}, {e.outmost, bound}};
-    if (!ends.inmost.isCertain() || !ends.outmost.isCertain()) ends = exactEnds(f, p, decidingOn(p));
+    const Deciding shape = decidingOn(p);
+    Ends ends = endsOf(shape, p.normalBound, [&](const Vec3& v) { return distance(f, p, v); });
+    if (!ends.areCertain()) ends = endsOf(shape, kCullBound, [&](const Vec3& v) { return exactDistance(f, p, v); });
     const auto& [inmost, outmost] = ends;
     const bool outside = isLess(inmost.distance + inmost.bound, 0);
     if (!outside && (result.verdict == CullVerdict::outside || !isLess(outmost.distance + outmost.bound, 0))) continue;
@@ -134,19 +117,14 @@ Cull verdictOf(const FrustumParts& f, const ExtentOf& extentOf, const DecidingOn
 }  // namespace
 
 Frustum viewFrustum(const Camera& camera) {
-  const CameraParts& c = parts(camera);
-  const ProjectionParts& p = c.projection;
-  const PoseParts& pose = c.pose;
+  const ProjectionParts& p = parts(camera).projection;
   const auto made = std::make_shared<FrustumParts>(FrustumParts{camera});
-  FrustumParts& f = *made;
-  f.planes = {windowPlane(c, sideLeft, pose.rows.right, pose.residual.x, p.left, p.right, 1),
-              windowPlane(c, sideRight, pose.rows.right, pose.residual.x, p.right, p.left, -1),
-              windowPlane(c, sideBottom, pose.rows.up, pose.residual.y, p.bottom, p.top, 1),
-              windowPlane(c, sideTop, pose.rows.up, pose.residual.y, p.top, p.bottom, -1)};
-  f.count = 4;
-  if (hasDepth(p)) f.planes[f.count++] = depthPlane(c, sideNear, p.near, 1);
-  if (std::isfinite(p.far)) f.planes[f.count++] = depthPlane(c, sideFar, p.far, -1);
-  for (std::size_t i = 0; i < f.count; ++i) f.rounded[i] = {f.planes[i].side, f.planes[i].equation};
+  add(*made, sideLeft, p.left, p.right.hi, 1);
+  add(*made, sideRight, p.right, p.left.hi, -1);
+  add(*made, sideBottom, p.bottom, p.top.hi, 1);
+  add(*made, sideTop, p.top, p.bottom.hi, -1);
+  if (hasDepth(p)) add(*made, sideNear, p.near, 0, 1);
+  if (std::isfinite(p.far)) add(*made, sideFar, p.far, 0, -1);
   return Access::whole<Frustum, FrustumParts>(made);
 }
 
@@ -155,82 +133,31 @@ std::span<const FrustumPlane> Frustum::planes() const noexcept { return {parts_-
 
 Cull cull(const Frustum& frustum, const Vec3& point) noexcept {
   if (!isInRange(point)) return {};
-  const WideVec3 relative = fromEye(poseOf(parts(frustum)), point);
-  const Wide reach = oneNorm(relative);
-  return verdictOf(
-      parts(frustum),
-      [&](const ExactPlane& p) {
-        const Wide d = distance(p, relative);
-        return Extent{d, d, reach};
-      },
-      [&](const ExactPlane&) { return Deciding{{point}}; });
+  return verdictOf(parts(frustum), [&](const ExactPlane&) { return Deciding{{point}}; });
 }
 
 Cull cull(const Frustum& frustum, const Sphere& sphere) noexcept {
   if (!isValid(sphere)) return {};
-  const WideVec3 center = fromEye(poseOf(parts(frustum)), sphere.center);
-  const Wide radius = sphere.radius;
-  const Wide reach = oneNorm(center) + radius;
-  return verdictOf(
-      parts(frustum),
-      [&](const ExactPlane& p) {
-        const Wide d = distance(p, center);
-        return Extent{d + radius, d - radius, reach};
-      },
-      [&](const ExactPlane&) {
-        return Deciding{{sphere.center}, 1, radius};
-      });
+  return verdictOf(parts(frustum), [&](const ExactPlane&) { return Deciding{{sphere.center}, 1, sphere.radius}; });
 }
 
 Cull cull(const Frustum& frustum, const Box& box) noexcept {
   if (!isValid(box)) return {};
-  const WideVec3 min = fromEye(poseOf(parts(frustum)), box.min), max = fromEye(poseOf(parts(frustum)), box.max);
-  const Wide reach = oneNorm(min) + oneNorm(max);
-  return verdictOf(
-      parts(frustum),
-      [&](const ExactPlane& p) {
-        WideVec3 pVertex, nVertex;
-        for (std::size_t i = 0; i < 3; ++i) {
-          const bool outwards = p.normal[i].sign() < 0;
-          pVertex[i] = outwards ? min[i] : max[i];
-          nVertex[i] = outwards ? max[i] : min[i];
-        }
-        return Extent{distance(p, pVertex), distance(p, nVertex), reach};
-      },
-      [&](const ExactPlane& p) {
-        Deciding corners{{box.max, box.min}, 2};
-        for (std::size_t i = 0; i < 3; ++i)
-          if (p.normal[i].sign() < 0) std::swap(corners.points[0][i], corners.points[1][i]);
-        return corners;
-      });
+  return verdictOf(parts(frustum), [&](const ExactPlane& p) {
+    Deciding corners{{box.max, box.min}, 2};
+    for (std::size_t i = 0; i < 3; ++i)
+      if (p.normal[i].sign() < 0) std::swap(corners.points[0][i], corners.points[1][i]);
+    return corners;
+  });
 }
 
-Cull cull(const Frustum& frustum, const Triangle& triangle) noexcept {
-  if (!isValid(triangle)) return {};
-  const WideVec3 corners[] = {fromEye(poseOf(parts(frustum)), triangle.a), fromEye(poseOf(parts(frustum)), triangle.b),
-                              fromEye(poseOf(parts(frustum)), triangle.c)};
-  Wide reach;
-  for (const WideVec3& corner : corners)
-    if (isLess(reach, oneNorm(corner))) reach = oneNorm(corner);
-  return verdictOf(
-      parts(frustum),
-      [&](const ExactPlane& p) {
-        Extent e{distance(p, corners[0]), distance(p, corners[0]), reach};
-        for (const WideVec3& corner : corners) {
-          const Wide d = distance(p, corner);
-          if (isLess(e.inmost, d)) e.inmost = d;
-          if (isLess(d, e.outmost)) e.outmost = d;
-        }
-        return e;
-      },
-      [&](const ExactPlane&) {
-        return Deciding{{triangle.a, triangle.b, triangle.c}, 3};
-      });
+Cull cull(const Frustum& frustum, const Triangle& t) noexcept {
+  if (!isValid(t)) return {};
+  return verdictOf(parts(frustum), [&](const ExactPlane&) { return Deciding{{t.a, t.b, t.c}, 3}; });
 }
 
 Wide detail::distanceInside(const FrustumParts& f, const ExactPlane& p, const Vec3& point) noexcept {
-  const WideVec3 v = fromEye(poseOf(f), point);
-  Measured d{distance(p, v), Wide(p.normalBound) * oneNorm(v) + Wide(p.offsetBound)};
+  Measured d = distance(f, p, point);
   if (!d.isCertain()) d = exactDistance(f, p, point);
   return d.isCertain() ? d.distance : Wide();
 }

@@ -9,16 +9,17 @@
 
 namespace viewproj::detail {
 
+/// Of a point or a vector, up to kFarthestPoint. Written so that NaN fails.
+inline bool isInRange(const Vec3& v) noexcept { return maxAbs(v) <= kFarthestPoint && isFinite(v); }
+
 /// A plane's signed distance to p is normal . (p - eye) + offset, positive inside.
 struct ExactPlane {
   Side side = sideLeft;
-  Vec4 equation;
   WideVec3 normal;
   Wide offset;
-  /// A distance is within normalBound r + offsetBound of the true one, with r = |p - eye|_1 of a point, |center -
-  /// eye|_1 + radius of a sphere, |min - eye|_1 + |max - eye|_1 of a box. What is no farther from a plane than that is
-  /// measured again, by the exact rows. normalBound is kPlaneBound times what FrustumPlane says, offsetBound is
-  /// normalBound times the size of what the offset is made of.
+  /// A point's distance is within normalBound |p - eye|_1 + offsetBound of the true one. What is no farther from a
+  /// plane than that is measured again, by the exact rows. normalBound is kPlaneBound times what FrustumPlane says,
+  /// offsetBound is normalBound times the size of what the offset is made of.
   double normalBound = 0, offsetBound = 0;
   /// The same plane by a point's distances along the camera's axes: scale (X - edge W), Y for X of the lower and the
   /// upper side; in orthographic scale (X - edge); of near and far scale (W - edge).

@@ -4,7 +4,7 @@
 
 #include "numbers/certified.hpp"
 #include "numbers/dyadic.hpp"
-#include "scene/view_space.hpp"
+#include "scene/frustum_parts.hpp"
 #include "viewproj/scene.hpp"
 
 namespace viewproj {

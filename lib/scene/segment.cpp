@@ -3,7 +3,6 @@
 #include <limits>
 
 #include "scene/frustum_parts.hpp"
-#include "scene/view_space.hpp"
 
 namespace viewproj {
 
@@ -28,15 +27,20 @@ SegmentEnd ownEnd(const Camera& camera, const Vec3& point, double t) noexcept {
   return {t, {p.x, p.y}, p.depth, p.viewDistance, 0};
 }
 
-SegmentEnd cutEnd(const CameraParts& c, const WideVec3& fromEyeToA, const WideVec3& fromEyeToB,
-                  const Cut& cut) noexcept {
-  const ViewPoint p = toView(c.pose, fromEyeToA * cut.rest + fromEyeToB * cut.t);
-  const WindowXY at = onWindow(c, p);
-  const Wide& w = p.forward;
-  const ProjectionConstants& k = c.constants;
-  const Wide scale = k.depthScale;
-  const Wide depth = Wide(k.depthOffset) + (k.orthographic ? scale * w : scale / w);
-  SegmentEnd end{double(cut.t), {screenX(c.screen, at.x), screenY(c.screen, at.y)}, double(depth), double(w), cut.side};
+SegmentEnd cutEnd(const CameraParts& c, const Vec3& a, const Vec3& b, const Cut& cut) noexcept {
+  const WideVec3 eye = toWide(c.pose.eye), at = (toWide(a) - eye) * cut.rest + (toWide(b) - eye) * cut.t;
+  const auto along = [&](const DDVec3& row, DoubleDouble residual) { return dot(toWide(row), at) + Wide(residual); };
+  const Wide w = along(c.pose.rows.forward, c.pose.residual.z), scale = c.constants.depthScale;
+  const bool orthographic = c.projection.orthographic;
+  const auto onScreen = [&](DoubleDouble center, DoubleDouble perUnit, const Wide& distance) {
+    return double(sumOrZero(Wide(center), Wide(perUnit) * (orthographic ? distance : distance / w)));
+  };
+  SegmentEnd end{double(cut.t),
+                 {onScreen(c.screen.centerX, c.screen.scaleX, along(c.pose.rows.right, c.pose.residual.x)),
+                  onScreen(c.screen.centerY, c.screen.scaleY, along(c.pose.rows.up, c.pose.residual.y))},
+                 double(Wide(c.constants.depthOffset) + (orthographic ? scale * w : scale / w)),
+                 double(w),
+                 cut.side};
   // On the boundary it lies on it, to the last bit.
   const bool down = c.viewport.origin == Origin::topLeft;
   if (cut.side == sideLeft) end.screen.x = c.corners.first.x;
@@ -64,10 +68,9 @@ VisibleSegment clipSegment(const Frustum& frustum, const Vec3& a, const Vec3& b)
   }
   if (isFurther(first, last)) return result;
   const CameraParts& c = parts(f.camera);
-  const WideVec3 toA = fromEye(c.pose, a), toB = fromEye(c.pose, b);
   result.visible = true;
-  result.start = first.side == 0 ? ownEnd(f.camera, a, 0) : cutEnd(c, toA, toB, first);
-  result.end = last.side == 0 ? ownEnd(f.camera, b, 1) : cutEnd(c, toA, toB, last);
+  result.start = first.side == 0 ? ownEnd(f.camera, a, 0) : cutEnd(c, a, b, first);
+  result.end = last.side == 0 ? ownEnd(f.camera, b, 1) : cutEnd(c, a, b, last);
   return result;
 }
 

@@ -1,13 +1,11 @@
 // A camera: where it stands, what part of space it sees, the pixels of its picture, and the convention of its numbers.
 //
-// Pose, Projection and Camera are made whole by the functions here or not at all, and cannot be changed afterwards:
-// any number of threads may use and copy one at the same time. A copy shares its numbers. The functions keep nothing
-// between calls.
+// Pose, Projection and Camera are made whole or not at all, and cannot be changed afterwards: any number of threads may
+// use and copy one at the same time. A copy shares its numbers.
 //
 // Every promise of this library rests on IEEE arithmetic: a thread that calls it rounds to the nearest, ties to even,
-// and keeps subnormal numbers, as a program does that changes neither: no other fesetround, no flush-to-zero, no
-// denormals-are-zero (which -ffast-math turns on in whatever is linked with it, for all of the program). makeCamera
-// looks for it; what is called with a camera afterwards, in whatever thread, does not look again.
+// and keeps subnormal numbers: no other fesetround, no flush-to-zero, no denormals-are-zero (which -ffast-math turns on
+// in whatever is linked with it, for all of the program). makeCamera looks for it; what is called later does not.
 #pragma once
 
 #include <array>
@@ -99,10 +97,9 @@ Pose poseFromWorldFromCamera(const Mat4& worldFromCamera, CameraAxes axes, Hande
 /// The inverse of the above: a view matrix.
 Pose poseFromCameraFromWorld(const Mat4& cameraFromWorld, CameraAxes axes, Handedness world);
 
-/// From the camera's axes along the world's by three turns, each in degrees, any finite number, about an axis of the
-/// camera as the turns before left it: 0, 1, 2 for x, y, z. With the axes that follow, x, y, z, x, ..., a turn about x
-/// brings y towards z. Throws naming "euler" where an axis or an angle is no such number, "rotation" if axes has not
-/// the world's handedness. Quarter turns are exact.
+/// From the camera's axes along the world's by three turns in degrees, each about an axis (0, 1, 2 for x, y, z) of the
+/// camera as the turns before left it: about x from y towards z, and so on. Quarter turns are exact. Throws naming
+/// "euler" where an axis or an angle is no such number, "rotation" if axes has not the world's handedness.
 struct Turn {
   int axis = 0;
   double degrees = 0;

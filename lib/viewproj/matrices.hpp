@@ -55,14 +55,4 @@ std::array<double, 16> inStorageOrder(const Mat4& matrix, const Convention& conv
 Mat4 fromStorageOrder(std::span<const double, 16> numbers, const Convention& convention) noexcept;
 Mat4 fromStorageOrder(std::span<const float, 16> numbers, const Convention& convention) noexcept;
 
-/// translation * rotation * scale, as a glTF node has them. The quaternion is normalised. Each entry is the double
-/// nearest the true one. Throws CameraError naming translation, rotation or scale where one is not finite or the
-/// rotation is zero.
-Mat4 worldFromLocal(const Vec3& translation, const Quaternion& rotation, const Vec3& scale);
-
-/// An affine matrix times a homogeneous point: each coordinate the double nearest the exact sum of products; the weight
-/// stays. From there on the world point counts as exact. NaN where a number is not finite, infinite where the sum
-/// leaves the doubles.
-Vec4 toWorld(const Mat4& worldFromLocal, const Vec4& local) noexcept;
-
 }  // namespace viewproj

@@ -56,12 +56,9 @@ bool isValid(const Ellipsoid& ellipsoid) noexcept;
 
 // ---- Hits
 //
-// Where a ray meets a shape.
-//
-// The verdict, hit or miss and how many hits, is that of exact arithmetic on the given doubles, up to
-// 1e91 in magnitude: no epsilon decides anything. Double-double with a running error bound decides nearly all; what it
-// cannot certify is done again in exact integers. The ray's direction counts as the exact direction, rounded as it may
-// be.
+// The verdict, hit or miss and how many hits, is that of exact arithmetic on the given doubles: no epsilon decides
+// anything. Double-double with a running error bound decides nearly all; what it cannot certify is done again in exact
+// integers.
 //
 // Sources: sphere and ellipsoid by Haines et al., "Precision improvements for ray/sphere intersection", Ray Tracing
 // Gems 2019 (after Hearn & Baker; the discriminant from the distance of the centre to the ray, and Press's q for the
@@ -119,12 +116,9 @@ Hits intersect(const Ray& ray, const Ellipsoid& ellipsoid) noexcept;
 
 // ---- The frustum
 //
-// What part of the world a camera sees, as planes; and whether a point, a sphere or a box lies in it.
-//
-// The planes come from the camera's parameters, so they do not depend on how a convention writes its matrices. They are
-// those that Gribb & Hartmann, "Fast extraction of viewing frustum planes from the world-view-projection matrix", 2001,
-// read from a matrix, without the digits that a matrix loses (far of a deep forward depth, everything far from the
-// origin).
+// What part of the world a camera sees, as planes; and whether a shape lies in it. The planes come from the camera's
+// parameters. They are those that Gribb & Hartmann, "Fast extraction of viewing frustum planes from the
+// world-view-projection matrix", 2001, read from a matrix, without the digits that a matrix loses.
 
 struct FrustumPlane {
   Side side = sideLeft;
@@ -175,14 +169,11 @@ struct Cull {
 
 // What touches a plane from within is inside, what touches it from without intersects.
 //
-// `inside` and `outside` are always right: what double-double leaves open is decided by the exact rows, so that a shape
-// may be as large and as far aside as points go, 1e91. What is nearer to a plane than kCullBound of |X| + |edge W|, the
-// distances along the camera's axes of its point there, counts as on it; of a sphere, of its radius too. `intersects`
-// may be said of a sphere or a box that is outside: near an edge or a corner of the frustum a shape may lie beyond no
-// single plane and yet miss it. (Exact answers need the frustum's edges against the shape; nothing that is seen is ever
-// lost.) Source: Assarsson & Möller, "Optimized view frustum culling algorithms for bounding boxes", 2000: a box is
-// outside of a plane if its corner farthest along the normal is (p-vertex), and inside if the opposite corner is
-// (n-vertex).
+// `inside` and `outside` are always right, however large and far aside a shape is: what double-double leaves open is
+// decided by the exact rows. What is nearer to a plane than kCullBound of |X| + |edge W|, the distances along the
+// camera's axes of its point there, counts as on it; of a sphere, of its radius too. `intersects` may be said of a shape
+// that is outside, near an edge or a corner of the frustum, where it lies beyond no single plane; nothing that is seen
+// is ever lost. Source: Assarsson & Möller, "Optimized view frustum culling algorithms for bounding boxes", 2000.
 
 /// inside or outside, as a sphere of radius 0 there is inside or not. worldToScreen judges the pixel and the distance
 /// that it gives out instead, and so forgives half an ulp of them. A point behind the eye of a perspective is beyond

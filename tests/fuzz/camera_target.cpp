@@ -8,7 +8,6 @@
 #include "camera/write_camera.hpp"
 #include "fuzz.hpp"
 #include "output/matrix_text.hpp"
-#include "../parts.hpp"
 #include "targets.hpp"
 #include "text/error.hpp"
 #include "viewproj/matrices.hpp"
@@ -40,20 +39,22 @@ void writeAll(const CameraFile& file) {
   MatrixSet set;
   set.convention = file.convention;
   const Convention& c = file.convention;
+  const Camera camera = cameraIn(c, file.pose, file.projection, file.viewport);
+  const auto add = [&](const char* name, Space to, Space from) {
+    set.matrices.push_back({name, matrix(camera, to, from)});
+  };
   if (file.pose) {
     set.eye = file.pose->eye();
-    set.matrices.push_back({"view", viewFromWorld(*file.pose, c)});
-    set.matrices.push_back({"viewInverse", worldFromView(*file.pose, c)});
+    add("view", Space::view, Space::world);
+    add("viewInverse", Space::world, Space::view);
   }
   const bool hasClip = file.projection && hasDepth(*file.projection);
   if (hasClip) {
-    set.matrices.push_back({"projection", clipFromView(*file.projection, c)});
-    set.matrices.push_back({"projectionInverse", viewFromClip(*file.projection, c)});
+    add("projection", Space::clip, Space::view);
+    add("projectionInverse", Space::view, Space::clip);
   }
-  if (hasClip && file.viewport)
-    set.matrices.push_back(
-        {"baked", matrix(cameraOfParts(*file.projection, c, *file.viewport), Space::screen, Space::view)});
-  if (file.viewport) set.matrices.push_back({"viewport", screenFromNdc(*file.viewport, c)});
+  if (hasClip && file.viewport) add("baked", Space::screen, Space::view);
+  if (file.viewport) add("viewport", Space::screen, Space::ndc);
   if (set.matrices.empty()) return;
   requireJson(writeMatrices(set, "json", "the fuzzer"), "matrix");
   requireJson(writeMatrices(set, "flat", "the fuzzer"), "matrix --to flat");

@@ -40,7 +40,7 @@ void readModelMatrix(std::string_view input) {
   for (const auto& row : m.m)
     for (const double entry : row)
       if (!std::isfinite(entry)) found("an entry of a model matrix that is not finite");
-  (void)toWorld(m, {1, 2, 3, 1});
+  (void)cmd::toWorld(m, {1, 2, 3, 1});
 }
 
 void inspectOne(const WrittenMatrix& written, bool float32) {

@@ -3,6 +3,7 @@
 #include "catch.hpp"
 #include "internals.hpp"
 #include "parts.hpp"
+#include "records/model.hpp"
 #include "reference/exactness.hpp"
 #include "reference/scene.hpp"
 #include "viewproj/matrices.hpp"
@@ -107,11 +108,11 @@ TEST_CASE("A model matrix takes a point to the doubles nearest its true place") 
     const double w = random.chance(0.3) ? random.uniform(-2, 2) : 1;
     if (random.chance(0.2)) {
       // The point comes to lie next to the world's origin.
-      const Vec4 away = toWorld(worldFromLocal({0, 0, 0}, q, scale), {local.x, local.y, local.z, 1});
+      const Vec4 away = cmd::toWorld(cmd::worldFromLocal({0, 0, 0}, q, scale), {local.x, local.y, local.z, 1});
       translation = {-away.x, -away.y, -away.z};
     }
-    const Mat4 m = worldFromLocal(translation, q, scale);
-    const Vec4 world = toWorld(m, {local.x, local.y, local.z, w});
+    const Mat4 m = cmd::worldFromLocal(translation, q, scale);
+    const Vec4 world = cmd::toWorld(m, {local.x, local.y, local.z, w});
     const Vec3 placed{world.x, world.y, world.z};
     // q v q* for the axes, as glTF has them.
     const Real norm = Real(q.x) * Real(q.x) + Real(q.y) * Real(q.y) + Real(q.z) * Real(q.z) + Real(q.w) * Real(q.w);

@@ -226,13 +226,14 @@ TEST_CASE("Frustum planes are those extracted from the matrix of every conventio
         REQUIRE(parts(w.frustum).count == (infinite ? 5 : 6));
         int i = 0;
         for (const ExactPlane& p : parts(w.frustum)) {
-          CAPTURE(i, p.equation.x, p.equation.y, p.equation.z, p.equation.w, p.normalBound, p.offsetBound);
+          const Vec4& equation = parts(w.frustum).rounded[std::size_t(i)].equation;
+          CAPTURE(i, equation.x, equation.y, equation.z, equation.w, p.normalBound, p.offsetBound);
           REQUIRE(p.side == 1u << i);
           const TruePlane& truth = planes[std::size_t(i++)];
-          REQUIRE(isNear(p.equation.x, truth.normal[0], p.normalBound));
-          REQUIRE(isNear(p.equation.y, truth.normal[1], p.normalBound));
-          REQUIRE(isNear(p.equation.z, truth.normal[2], p.normalBound));
-          REQUIRE(isNear(p.equation.w, truth.offset, p.offsetBound + p.normalBound * eye));
+          REQUIRE(isNear(equation.x, truth.normal[0], p.normalBound));
+          REQUIRE(isNear(equation.y, truth.normal[1], p.normalBound));
+          REQUIRE(isNear(equation.z, truth.normal[2], p.normalBound));
+          REQUIRE(isNear(equation.w, truth.offset, p.offsetBound + p.normalBound * eye));
           // Before rounding, and relative to the eye.
           const Real3 normal{toReal(p.normal.x), toReal(p.normal.y), toReal(p.normal.z)};
           for (std::size_t k = 0; k < 3; ++k) {

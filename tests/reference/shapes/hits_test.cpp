@@ -8,7 +8,7 @@
 #include "catch.hpp"
 #include "internals.hpp"
 #include "reference/shapes/hit_cases.hpp"
-#include "scene/view_space.hpp"
+#include "scene/frustum_parts.hpp"
 
 using namespace viewproj;
 using namespace viewproj::detail;
