@@ -7,7 +7,6 @@
 #include "field_at_fault.hpp"
 #include "internals.hpp"
 #include "parts.hpp"
-#include "records/model.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;
@@ -128,8 +127,8 @@ TEST_CASE("Matrices with the viewport folded in take a model's points to their p
       const Camera camera = makeCamera(pose, projection, viewport, c);
       const auto near = [](double x) { return Approx(x).epsilon(1e-12).margin(1e-12); };
       for (const Vec3& local : {Vec3{0.5, 0.25, -0.5}, Vec3{0, 0, 0}, Vec3{-0.25, 0.5, 0.125}}) {
-        const Vec4 world = cmd::toWorld(model, {local.x, local.y, local.z, 1});
-        const ScreenPoint truth = worldToScreen(camera, Vec3{world.x, world.y, world.z});
+        const auto world = times(model, {local.x, local.y, local.z, 1});
+        const ScreenPoint truth = worldToScreen(camera, Vec3{world[0], world[1], world[2]});
         const auto there = times(matrix(camera, Space::screen, Space::model, model), {local.x, local.y, local.z, 1});
         CHECK(there[0] / there[3] == near(truth.x));
         CHECK(there[1] / there[3] == near(truth.y));
