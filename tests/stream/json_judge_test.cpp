@@ -167,11 +167,17 @@ std::optional<std::vector<std::uint64_t>> byDom(const std::string& text) {
     if (!takeAll(value, value.size() == 4 ? 4 : 3)) return std::nullopt;
   } else {
     if (!value.is_object() || !namesDiffer(text)) return std::nullopt;
+    // A name in two letter cases is there twice.
+    const auto isTwice = [asWritten = value](std::string_view name) {
+      const std::string lower(name.substr(0, 1)), upper(name.substr(1));
+      return asWritten.contains(lower) && asWritten.contains(upper);
+    };
     const auto has = [&](std::initializer_list<const char*> names) {
       return std::all_of(names.begin(), names.end(), [&](const char* name) { return value.contains(name); });
     };
     if (!has({"position"}) && !has({"x", "y", "z"}) && !has({"direction"})) value = inLowerCase(value);
     const bool hasXyz = value.contains("x") && value.contains("y") && value.contains("z");
+    if (hasXyz && (isTwice("xX") || isTwice("yY") || isTwice("zZ"))) return std::nullopt;
     if (value.contains("position")) {
       if (hasXyz || !takeAll(value["position"], 4)) return std::nullopt;
     } else if (hasXyz) {
