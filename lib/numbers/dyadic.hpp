@@ -62,10 +62,13 @@ class Dyadic {
   /// Within 2^-104 relative.
   Wide rounded() const noexcept {
     if (isNan_) return {std::numeric_limits<double>::quiet_NaN(), 0};
-    DoubleDouble sum;
-    double power = 1;
-    for (int i = size_ - 1; i >= 0 && i >= size_ - 5; --i, power *= 0x1p-32)
-      sum += DoubleDouble(double(limbs_[std::size_t(i)]) * power);
+    // The first five limbs, of which each is below the last place of the one before.
+    double part[5] = {}, power = 1;
+    for (int i = size_ - 1, k = 0; i >= 0 && k < 5; --i, ++k, power *= 0x1p-32)
+      part[k] = double(limbs_[std::size_t(i)]) * power;
+    const DoubleDouble first = quickTwoSum(part[0], part[1]), second = quickTwoSum(part[2], part[3]);
+    const DoubleDouble middle = twoSum(first.lo, second.hi), high = quickTwoSum(first.hi, middle.hi);
+    const DoubleDouble sum = quickTwoSum(high.hi, high.lo + (middle.lo + (second.lo + part[4])));
     return {negative_ ? -sum : sum, 32 * (position_ + size_ - 1)};
   }
 

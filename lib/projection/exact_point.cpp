@@ -24,9 +24,10 @@ struct Bounded {
 
 NearestDouble nearest(const Bounded& b) noexcept {
   if (b.value.sign() == 0) return {double(b.value), b.error.sign() == 0 && std::isfinite(b.value.value.hi)};
-  const Wide share = b.error / magnitude(b.value);
-  if (!isLess(share, 1)) return {nearestDouble(b.value), false};
-  return nearestDouble(b.value, double(share));
+  // Of the error, what a double rounds off is no matter.
+  const double share =
+      std::ldexp(b.error.value.hi / std::fabs(b.value.value.hi), b.error.exponent - b.value.exponent) * (1 + 0x1p-50);
+  return nearestDouble(b.value, share < 1 ? share : 1);
 }
 
 /// A point's distances along the camera's axes times its weight, each off by at most `error`; forwardIsExact: forward
@@ -133,7 +134,12 @@ AxisDistances exactDistances(const PoseParts& pose, const Vec4& point) noexcept 
   const Dyadic<1> w = point.w;
   const Vec3 xyz{point.x, point.y, point.z};
   Vector3<Dyadic<2>> d;
-  for (std::size_t i = 0; i < 3; ++i) d[i] = Dyadic<2>(xyz[i]) - Dyadic<1>(exact.origin[i]) * w;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (point.w == 1)
+      d[i] = Dyadic<1>::difference(xyz[i], exact.origin[i]);
+    else
+      d[i] = Dyadic<2>(xyz[i]) - Dyadic<1>(exact.origin[i]) * w;
+  }
   std::array<Wide, 3> along;
   for (std::size_t i = 0; i < 3; ++i) {
     const Dyadic<5> sum = dot(exact.rows[i], d);

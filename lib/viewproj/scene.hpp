@@ -172,9 +172,9 @@ struct Cull {
 //
 // `inside` and `outside` are always right, however large and far aside a shape is: what double-double leaves open is
 // decided by the exact rows. What is nearer to a plane than kCullBound of |X| + |edge W|, the distances along the
-// camera's axes of its point there, counts as on it; of a sphere, of its radius too. `intersects` may be said of a shape
-// that is outside, near an edge or a corner of the frustum, where it lies beyond no single plane; nothing that is seen
-// is ever lost. Source: Assarsson & Möller, "Optimized view frustum culling algorithms for bounding boxes", 2000.
+// camera's axes of its point there, counts as on it; of a sphere, of its radius too. `intersects` may be said of a
+// shape that is outside, near an edge or a corner of the frustum, where it lies beyond no single plane; nothing that is
+// seen is ever lost. Source: Assarsson & Möller, "Optimized view frustum culling algorithms for bounding boxes", 2000.
 
 /// inside or outside, as a sphere of radius 0 there is inside or not. worldToScreen judges the pixel and the distance
 /// that it gives out instead, and so forgives half an ulp of them. A point behind the eye of a perspective is beyond
