@@ -10,22 +10,23 @@ extern int viewprojMutant;
 namespace mutants {
 
 // `a + Plus<7>{} + b` is a + b, and a - b where mutant 7 is on: of the same precedence, whatever a and b are made of.
-#define MUTANT_OPERATOR(name, op, other)                                                                  \
-  template <int id>                                                                                       \
-  struct name {};                                                                                         \
-  template <class A, int id>                                                                              \
-  struct name##Left {                                                                                     \
-    A&& a;                                                                                                \
-  };                                                                                                      \
-  template <class A, int id>                                                                              \
-  constexpr name##Left<A, id> operator op(A&& a, name<id>) {                                              \
-    return {std::forward<A>(a)};                                                                          \
-  }                                                                                                       \
-  template <class A, int id, class B>                                                                     \
-  constexpr auto operator op(name##Left<A, id> left, B&& b) {                                             \
-    if constexpr (requires { requires std::is_same_v<decltype(left.a op b), decltype(left.a other b)>; }) \
-      if (MUTATED(id)) return left.a other b;                                                             \
-    return left.a op b;                                                                                   \
+// Where a - b is nothing, or of another type, it does not compile, and there is no such mutant.
+#define MUTANT_OPERATOR(name, op, other)                                                              \
+  template <int id>                                                                                   \
+  struct name {};                                                                                     \
+  template <class A, int id>                                                                          \
+  struct name##Left {                                                                                 \
+    A&& a;                                                                                            \
+  };                                                                                                  \
+  template <class A, int id>                                                                          \
+  constexpr name##Left<A, id> operator op(A&& a, name<id>) {                                          \
+    return {std::forward<A>(a)};                                                                      \
+  }                                                                                                   \
+  template <class A, int id, class B>                                                                 \
+  requires requires(A & a, B & b) { requires std::is_same_v<decltype(a op b), decltype(a other b)>; } \
+  constexpr auto operator op(name##Left<A, id> left, B&& b) {                                         \
+    if (MUTATED(id)) return left.a other b;                                                           \
+    return left.a op b;                                                                               \
   }
 MUTANT_OPERATOR(Plus, +, -)
 MUTANT_OPERATOR(Minus, -, +)
@@ -38,11 +39,11 @@ MUTANT_OPERATOR(GreaterOrSame, >=, >)
 MUTANT_OPERATOR(Same, ==, !=)
 MUTANT_OPERATOR(Other, !=, ==)
 
-/// f(a, b), or f(b, a) where that is a call as well.
+/// f(a, b), or f(b, a). Where that is no call, it does not compile, and there is no such mutant.
 template <int id, class F, class A, class B>
+requires std::is_same_v<std::invoke_result_t<F, A, B>, std::invoke_result_t<F, B, A>>
 constexpr decltype(auto) swapped(F&& f, A&& a, B&& b) {
-  if constexpr (requires { requires std::is_same_v<decltype(f(a, b)), decltype(f(b, a))>; })
-    if (MUTATED(id)) return f(std::forward<B>(b), std::forward<A>(a));
+  if (MUTATED(id)) return f(std::forward<B>(b), std::forward<A>(a));
   return f(std::forward<A>(a), std::forward<B>(b));
 }
 
