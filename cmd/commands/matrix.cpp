@@ -7,7 +7,6 @@
 #include "commands/camera_options.hpp"
 #include "commands/cli.hpp"
 #include "commands/command.hpp"
-#include "commands/notes.hpp"
 #include "commands/options.hpp"
 #include "output/camera_matrices.hpp"
 #include "output/matrix_text.hpp"

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "lens/response.hpp"
-#include "numbers/ulp.hpp"
 #include "projection/exact_point.hpp"
 #include "projection/kernels/error_model.hpp"
 
