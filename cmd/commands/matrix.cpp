@@ -105,9 +105,6 @@ void requireUse(const MatrixOptions& o) {
     throw UsageError("--relative-to-eye is of the view, and --which names no view");
   if (o.wanted.relativeToEye && o.model)
     throw UsageError("--relative-to-eye is for points of the world; modelView has no large numbers to be rid of");
-  if (o.wanted.relativeToEye && o.format == "flat")
-    throw UsageError(
-        "--relative-to-eye writes the eye beside the view, and --to flat has no place for it; --to json has");
   if (!o.model && o.which && any(*o.which, &CameraMatrix::model))
     throw UsageError("modelView and modelViewProjection need --model, which says where the model stands");
   if (o.model && o.which && !any(*o.which, &CameraMatrix::model))

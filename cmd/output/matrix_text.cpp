@@ -268,7 +268,7 @@ std::vector<FormRow<std::string_view>> matrixForms() {
   std::vector<FormRow<std::string_view>> forms = {
       {"json", "json", ".json .ndjson .jsonl", "rows on paper, with the convention they are in"},
       {"text", "text", ".txt", "rows in aligned columns"},
-      {"flat", "flat", "", "16 numbers in memory order, a matrix a line"}};
+      {"flat", "flat", "", "16 numbers in memory order, a matrix a line; without the eye"}};
   for (const Language& language : kLanguages)
     forms.push_back({language.name, language.name, language.endings, language.help});
   return forms;

@@ -348,7 +348,8 @@ const Case kCases[] = {
          (r * (1 + kLensK1 * r * r) < put ? low : high) = r;
        }
        return Vec2{s.width / 2 + x / put * low, s.height / 2 + y / put * low};
-     }},
+     },
+     nullptr, false},
     {"0..1 for pixels", "normalized", lookDocument,
      [](const Scene& s, const Vec3& p) {
        const Vec2 q = s.pixel(p);

@@ -208,8 +208,6 @@ def plain(cases):
         texts = {lines[0].removeprefix("# "): [[float(n) for n in line.split()] for line in lines[1:]] for lines in blocks[1:]}
         for name, m in expected.paper.items():
             check(texts.get(name) == m, f"text {expected.case} {name}")
-        if expected.eye:
-            continue  # flat has no place for the eye
         flat = [json.loads(line) for line in matrix(expected.case, "flat").splitlines()]
         check(flat == [expected.memory(name) for name in expected.paper], f"flat {expected.case}")
     print(f"{len(cases)} sets of matrices read as text and flat")

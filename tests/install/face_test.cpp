@@ -32,9 +32,10 @@ Pose poseOf(const json& camera, const ConventionPreset& preset) {
                                    : lookAlong(vectorOf(at), vectorOf(camera["direction"]), up, world);
 }
 
-Viewport viewportOf(const json& camera) {
+Viewport viewportOf(const json& camera, const ConventionPreset& preset) {
   const json &v = camera["viewport"], &p = camera["projection"];
   Viewport viewport{.width = v["width"], .height = v["height"]};
+  viewport.pixelCenter = preset.pixelCenter;
   if (v.value("origin", "") == "bottom-left") viewport.origin = Origin::bottomLeft;
   if (p["type"] == "ps2") {
     viewport.x = p["cx"].get<double>() - viewport.width / 2;
@@ -52,6 +53,7 @@ Projection projectionOf(const json& p, const Viewport& viewport) {
   if (p.contains("nearWidth")) return perspectiveNearSize(p["nearWidth"], p["nearHeight"], near, far);
   if (p.contains("focalLength"))
     return perspectiveFocalLength(p["focalLength"], p["sensorWidth"], p["sensorHeight"], viewport, near, far);
+  if (p.contains("fx")) return intrinsics(p["fx"], p["fy"], p["cx"], p["cy"], viewport, near, far);
   const double scrz = p["scrz"];
   return intrinsics(p["ax"].get<double>() * scrz, p["ay"].get<double>() * scrz, p["cx"], p["cy"], viewport, near, far);
 }
@@ -63,9 +65,12 @@ Camera cameraOf(const json& camera) {
                            : camera["projection"]["type"] == "ps2" ? "ps2"
                                                                    : "opengl";
   const ConventionPreset& preset = *findPreset(name);
-  const Viewport viewport = viewportOf(camera);
-  return makeCamera(poseOf(camera, preset), projectionOf(camera["projection"], viewport), viewport,
-                    conventionOf(camera, preset));
+  const Viewport viewport = viewportOf(camera, preset);
+  const Camera pinhole = makeCamera(poseOf(camera, preset), projectionOf(camera["projection"], viewport), viewport,
+                                    conventionOf(camera, preset));
+  if (!camera.contains("distortion")) return pinhole;
+  const json &k = camera["distortion"]["k"], &p = camera["distortion"]["p"];
+  return withLens(pinhole, brownLens({k[0], k[1], k[2]}, {p[0], p[1]}));
 }
 
 bool isSame(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
@@ -82,7 +87,7 @@ TEST_CASE("A program makes the cameras of the samples as the tool does, to the l
     const Viewport& v = camera.viewport();
     std::vector<std::string> arguments{"project", "-c", entry.path().string(), "--to", "json"};
     std::vector<Vec3> points;
-    for (const double across : {0.1, 0.3, 0.77, 1.2})
+    for (const double across : {0.1, 0.3, 0.77, 1.05})
       for (const double distance : {0.7, 13.1, 1234.5}) {
         const Vec3 eye = camera.pose().eye(),
                    direction = screenToRay(camera, {v.x + across * v.width, v.y + 0.4 * v.height}).direction;
