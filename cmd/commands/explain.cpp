@@ -336,7 +336,8 @@ void explainWithoutNear(Steps& steps, const Camera& camera, const Vec3& view, co
 
 OrderedJson resultOf(const ScreenPoint& p) {
   OrderedJson outside = OrderedJson::array();
-  for (const std::string_view name : Sides(p).names()) outside.push_back(name);
+  const Sides sides(p);
+  for (const std::string_view name : sides.names()) outside.push_back(name);
   return {{"screen", std::isnan(p.x) ? OrderedJson() : asJson(Vec2{p.x, p.y})},
           {"depth", p.depth},
           {"viewDistance", p.viewDistance},
