@@ -47,7 +47,7 @@ TEST_CASE("An angle in degrees is the double nearest that of its half's tangent,
   int below[3] = {}, straight = 0;
   for (std::uint64_t trial = 0; trial < 60000; ++trial) {
     Random random(trial);
-    const double size = trial % 2 ? random.spread(1e12, 1e17) : random.spread(1e-200, 1e12);
+    const double size = trial % 2 ? random.logUniform(1e12, 1e17) : random.logUniform(1e-200, 1e12);
     const DoubleDouble tangent = quickTwoSum(size, size * random.uniform(-0x1p-54, 0x1p-54));
     Real truth = Real(tangent.hi) + Real(tangent.lo);
     mpfr_t angle;
