@@ -63,49 +63,6 @@ inline Window randomWindow(Random& random, Shape shape, bool infiniteFar = false
   return w;
 }
 
-inline viewproj::Viewport randomViewport(Random& random, viewproj::Origin origin) {
-  viewproj::Viewport v;
-  v.width = std::floor(random.logUniform(16, 8192));
-  v.height = std::floor(random.logUniform(16, 8192));
-  v.x = std::floor(random.uniform(-500, 500));
-  v.y = std::floor(random.uniform(-500, 500));
-  v.origin = origin;
-  return v;
-}
-
-/// A camera, in every shape that a window has.
-struct Scene {
-  View view;
-  Window window;
-  viewproj::Viewport viewport;
-};
-
-/// Infinite far is one of the shapes here.
-inline Scene randomScene(Random& random, Tally& tally) {
-  const auto shape = static_cast<Shape>(static_cast<int>(random.uniform(0, 3)));
-  const bool infinite = shape != Shape::orthographic && random.coin();
-  Scene s;
-  s.view = randomView(random);
-  s.window = randomWindow(random, shape, infinite);
-  s.viewport = randomViewport(random, random.coin() ? viewproj::Origin::topLeft : viewproj::Origin::bottomLeft);
-  s.viewport.pixelCenter = random.coin() ? 0.5 : 0;
-  if (random.coin()) {
-    s.viewport.depthFirst = random.uniform(-1, 0.5);
-    s.viewport.depthSecond = random.uniform(0.5, 2);
-  }
-  tally.count("symmetric", shape == Shape::symmetric);
-  tally.count("off-centre", shape == Shape::offCentre);
-  tally.count("orthographic", shape == Shape::orthographic);
-  tally.count("near behind the eye", s.window.near < 0);
-  tally.count("finite far", !infinite);
-  tally.count("infinite far", infinite);
-  tally.count("screen from the top left", s.viewport.origin == viewproj::Origin::topLeft);
-  tally.count("screen from the bottom left", s.viewport.origin == viewproj::Origin::bottomLeft);
-  tally.count("pixel centres on whole numbers", s.viewport.pixelCenter == 0);
-  tally.count("a depth range of its own", s.viewport.depthFirst != 0);
-  return s;
-}
-
 /// Every preset, with depth forward and reversed.
 inline std::vector<viewproj::Convention> everyConvention() {
   std::vector<viewproj::Convention> all;
@@ -115,15 +72,6 @@ inline std::vector<viewproj::Convention> everyConvention() {
       all.back().reverseZ = reverseZ;
     }
   return all;
-}
-
-/// Between near and far, and in the picture or a little beside it.
-inline viewproj::Vec3 randomPoint(Random& random, const viewproj::Pose& pose, const Window& w) {
-  const double share = random.uniform(-0.2, 1.2), rise = random.uniform(-0.2, 1.2);
-  const double x = w.left + share * (w.right - w.left), y = w.bottom + rise * (w.top - w.bottom);
-  if (w.orthographic) return alongAxes(pose, x, y, random.uniform(w.near, w.far));
-  const double distance = random.logUniform(w.near, std::min(w.far, w.near * 1e6));
-  return alongAxes(pose, x / w.near * distance, y / w.near * distance, distance);
 }
 
 }  // namespace peers
