@@ -7,7 +7,7 @@
 #include "catch.hpp"
 #include "measure.hpp"
 #include "parts.hpp"
-#include "random_cameras.hpp"
+#include "random.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;
@@ -35,6 +35,57 @@ void see(Worst& worst, std::uint64_t trial, const Mat4& ours, const Mat4& theirs
     for (std::size_t j = 0; j < 4; ++j) largest = std::max(largest, std::fabs(theirs[i][j]));
     for (std::size_t j = 0; j < 4; ++j) worst.see(trial, ours[i][j] - theirs[i][j], kAgreed * largest);
   }
+}
+
+/// What lookAt takes. upSine: of the angle between up and the viewing direction, at least 0.1.
+struct View {
+  Vec3 eye, target, up;
+  double upSine = 1;
+};
+
+View randomView(Random& random, double largestEye = 1e4) {
+  View v;
+  v.eye = random.direction(random.logUniform(0.1, largestEye));
+  const Vec3 d = random.direction(random.logUniform(0.1, 1e3));
+  v.target = {v.eye.x + d.x, v.eye.y + d.y, v.eye.z + d.z};
+  do {
+    v.up = random.direction(random.logUniform(0.01, 100));
+    v.upSine = length(cross(d, v.up)) / (length(d) * length(v.up));
+  } while (v.upSine < 0.1);
+  return v;
+}
+
+Pose poseOf(const View& v, Handedness world) { return lookAt(v.eye, v.target, v.up, world); }
+
+/// What glFrustum and glOrtho take.
+struct Window {
+  bool orthographic = false;
+  double left = -1, right = 1, bottom = -1, top = 1, near = 1, far = 2;
+};
+
+Projection projectionOf(const Window& w) {
+  return w.orthographic ? orthographic(w.left, w.right, w.bottom, w.top, w.near, w.far)
+                        : frustum(w.left, w.right, w.bottom, w.top, w.near, w.far);
+}
+
+enum class Shape { symmetric, offCentre, orthographic };
+
+Window randomWindow(Random& random, Shape shape, bool infiniteFar = false) {
+  Window w;
+  w.orthographic = shape == Shape::orthographic;
+  w.near = w.orthographic ? random.uniform(-100, 100) : random.logUniform(1e-3, 10);
+  w.far = infiniteFar      ? kInfiniteFar
+          : w.orthographic ? w.near + random.logUniform(0.1, 1e4)
+                           : w.near * random.logUniform(2, 1e6);
+  const double halfWidth = w.orthographic ? random.logUniform(0.1, 1e3) : w.near * random.logUniform(0.1, 5);
+  const double halfHeight = halfWidth * random.logUniform(0.3, 3);
+  const double x = shape == Shape::symmetric ? 0 : halfWidth * random.uniform(-1.5, 1.5);
+  const double y = shape == Shape::symmetric ? 0 : halfHeight * random.uniform(-1.5, 1.5);
+  w.left = x - halfWidth;
+  w.right = x + halfWidth;
+  w.bottom = y - halfHeight;
+  w.top = y + halfHeight;
+  return w;
 }
 
 Window tameWindow(Random& random, Tally& tally) {

@@ -122,34 +122,6 @@ TEST_CASE("a stream gives the same wherever its blocks end") {
   }
 }
 
-TEST_CASE("the arrangement of JSON records does not matter to what is made of them") {
-  for (std::size_t trial = 0; trial < trials(300); ++trial) {
-    RandomText random(trial);
-    std::vector<std::string> records;
-    for (std::size_t i = 0; i < 1 + random.below(30); ++i) records.push_back(random.record(random.oneIn(2)));
-    const auto joined = [&](const std::string& before, const std::string& between, const std::string& behind) {
-      std::string text = before;
-      for (std::size_t i = 0; i < records.size(); ++i) text += (i > 0 ? between : "") + records[i];
-      return text + behind;
-    };
-    const std::string whole = joined("", "\n", "\n");
-    const StreamHow plain{.from = Form::json, .to = OutputForm::lines};
-    const StreamRun expected = runStream(whole, plain);
-    CHECK(expected.status == 0);
-    CHECK(std::count(expected.out.begin(), expected.out.end(), '\n') == static_cast<std::ptrdiff_t>(records.size()));
-    for (const std::string& input :
-         {joined("", " ", ""), joined("", "", ""), joined("", "\r\n\n", ""), joined("{\"points\":[", ",\n", "]}"),
-          joined("{ \"points\" :\n[\n", ",", "], \"n\": [{}]}"), joined("[", ",", "]"), joined("[\n", "\n,\n", "\n]\n"),
-          joined("[", "][", "]"), joined("[", "] \n[", "]"), joined("{ \"p\\u006Fint\\u0073\":[", ",", "] }")}) {
-      const StreamRun found =
-          runStream(input, {.from = Form::json, .to = OutputForm::lines, .jobs = 2, .block = 1 + random.below(300)});
-      INFO("trial " << trial << ", input " << shown(input));
-      CHECK(shown(found.err) == "");
-      CHECK(found.out == expected.out);
-    }
-  }
-}
-
 TEST_CASE("megabytes give the same through every form, number of jobs, file or pipe") {
   std::map<std::string, int> visited;
   for (const Form form : kForms)
