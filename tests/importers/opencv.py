@@ -72,7 +72,7 @@ def opencv_cases():
     rvec, t = rotation_vector(random.uniform(0.1, 3)), random_vector(5)
     R = cv2.Rodrigues(rvec)[0]
     write("OpenCV K, R, t", {"K": K.tolist(), "R": R.tolist(), "t": t.tolist(), "width": size[0], "height": size[1],
-                             "dist": [0, 0, 0, 0, 0]}, R, t, K, size)
+                             "dist": [0, 0, 0, 0, 0], "near": 0.25, "far": 80}, R, t, K, size, near=0.25, far=80)
     write("OpenCV K, R, t flat, viewport given", {"K": K.ravel().tolist(), "R": R.ravel().tolist(),
                                                   "t": t.reshape(3, 1).tolist()}, R, t, K, size,
           viewport=f"{size[0]}x{size[1]}")
@@ -87,10 +87,10 @@ def opencv_cases():
     file = stored({"image_width": size[0], "image_height": size[1], "camera_matrix": K,
                    "distortion_coefficients": np.zeros((5, 1)), "rvec": rvec.reshape(3, 1), "tvec": t.reshape(3, 1)})
     write("OpenCV FileStorage", file, R, t, K, size)
-    write("OpenCV without a pose", {"mtx": K.tolist(), "image_size": size}, np.eye(3), np.zeros(3), K, size)
+    write("OpenCV without a pose", {"mtx": K.tolist(), "dist_coeff": [[0.0] * 5], "image_size": size}, np.eye(3), np.zeros(3), K, size)
     R = cv2.Rodrigues(rvec)[0] + np.array([random_vector(1e-4) for _ in range(3)])
-    write("OpenCV R nearly a rotation", {"K": K.tolist(), "R": R.tolist(), "T": t.tolist(), "width": size[0],
-                                         "height": size[1]}, R, t, K, size)
+    write("OpenCV R nearly a rotation", {"cameraMatrix": K.tolist(), "distCoeffs": [0] * 5, "R": R.tolist(), "T": t.tolist(),
+                                         "width": size[0], "height": size[1]}, R, t, K, size)
 
 
 def opencv_yaml():
