@@ -15,10 +15,23 @@ class Random {
   double uniform(double low, double high) {
     return low + (high - low) * (static_cast<double>(bits_() >> 11) * 0x1p-53);
   }
+  /// Uniform in the logarithm.
   double logUniform(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
   bool coin() { return (bits_() >> 63) != 0; }
-  bool oneIn(unsigned n) { return bits_() % n == 0; }
+  bool oneIn(std::size_t n) { return bits_() % n == 0; }
   std::size_t below(std::size_t n) { return bits_() % n; }
+  bool chance(double share) { return uniform(0, 1) < share; }
+  double sign() { return coin() ? 1 : -1; }
+  template <class T, std::size_t N>
+  const T& oneOf(const T (&all)[N]) {
+    return all[below(N)];
+  }
+
+  /// In the cube of that half side.
+  viewproj::Vec3 vector(double size) {
+    const double x = uniform(-size, size), y = uniform(-size, size);
+    return {x, y, uniform(-size, size)};
+  }
 
   viewproj::Vec3 direction(double length = 1) {
     const double z = uniform(-1, 1), angle = uniform(0, 6.283185307179586);

@@ -45,12 +45,14 @@ struct Scene {
     const Vec3 d = minus(p, eye);
     return {dot(d, right()), dot(d, above()), dot(d, forward())};
   }
-  /// With other focal lengths than the angle's.
-  Vec2 pixel(const Vec3& p, double fx, double fy) const {
+  Vec2 pixel(const Vec3& p) const {
     const Vec3 v = inView(p);
-    return {width / 2 + fx * v.x / v.z, height / 2 - fy * v.y / v.z};
+    return {width / 2 + focal() * v.x / v.z, height / 2 - focal() * v.y / v.z};
   }
-  Vec2 pixel(const Vec3& p) const { return pixel(p, focal(), focal()); }
+  /// The pixel that other focal lengths give, so many times these.
+  Vec2 stretched(const Vec2& q, double x, double y) const {
+    return {width / 2 + x * (q.x - width / 2), height / 2 + y * (q.y - height / 2)};
+  }
   Vec3 point(double x, double y, double distance) const {  // x, y from -1 to 1 across the picture
     const double a = x * width / 2 / focal() * distance, b = y * height / 2 / focal() * distance;
     const Vec3 r = right(), u = above(), f = forward();
@@ -159,12 +161,12 @@ struct Case {
   const char* name;
   const char* mistake;
   Json (*document)(const Scene&);
-  Vec2 (*pixel)(const Scene&, const Vec3&);
+  Vec2 (*pixel)(const Scene&, const Vec2&);  ///< made of the right one
   Vec3 (*point)(const Vec3&) = nullptr;
   bool noise = true;
 };
 
-Vec2 right(const Scene& s, const Vec3& p) { return s.pixel(p); }
+Vec2 right(const Scene&, const Vec2& q) { return q; }
 template <class Change>
 Json changed(Json document, const Change& change) {
   change(document);
@@ -175,23 +177,19 @@ const Case kCases[] = {
     // sceneview PR#93, camera-picking-ray#1, antvis/G PR#1778, bevy-mouse-tracking PR#33; H - 1 - y: libgdx PR#7469,
     // thunder#350, cesium#12751, mrirecon/view PR#7
     {"y from the bottom", "y-flipped", lookDocument,
-     [](const Scene& s, const Vec3& p) {
-       const Vec2 q = s.pixel(p);
+     [](const Scene& s, const Vec2& q) {
        return Vec2{q.x, s.height - q.y};
      }},
     {"y from the bottom, intrinsics", "y-flipped", intrinsicsDocument,
-     [](const Scene& s, const Vec3& p) {
-       const Vec2 q = s.pixel(p);
+     [](const Scene& s, const Vec2& q) {
        return Vec2{q.x, s.height - q.y};
      }},
     {"y from the bottom as an index", "y-flipped-index", lookDocument,
-     [](const Scene& s, const Vec3& p) {
-       const Vec2 q = s.pixel(p);
+     [](const Scene& s, const Vec2& q) {
        return Vec2{q.x, s.height - 1 - q.y};
      }},
     {"x mirrored", "x-mirrored", lookDocument,
-     [](const Scene& s, const Vec3& p) {
-       const Vec2 q = s.pixel(p);
+     [](const Scene& s, const Vec2& q) {
        return Vec2{s.width - q.x, q.y};
      }},
     {"z of the points negated", "x-mirrored", lookDocument, right,
@@ -199,24 +197,20 @@ const Case kCases[] = {
        return Vec3{p.x, p.y, -p.z};
      }},
     {"centres at whole numbers", "pixel-centre", lookDocument,
-     [](const Scene& s, const Vec3& p) {
-       const Vec2 q = s.pixel(p);
+     [](const Scene&, const Vec2& q) {
        return Vec2{q.x - 0.5, q.y - 0.5};
      }},
     {"centres at whole numbers, intrinsics", "pixel-centre", intrinsicsDocument,
-     [](const Scene& s, const Vec3& p) {
-       const Vec2 q = s.pixel(p);
+     [](const Scene&, const Vec2& q) {
        return Vec2{q.x - 0.5, q.y - 0.5};
      }},
     // x3dom#612, three.js PR#7272, gl-mesh3d PR#9, megaplot#49, playcanvas/engine#328, TouchFree PR#250
     {"device pixels", "pixel-ratio", lookDocument,
-     [](const Scene& s, const Vec3& p) {
-       const Vec2 q = s.pixel(p);
+     [](const Scene&, const Vec2& q) {
        return Vec2{2 * q.x, 2 * q.y};
      }},
     {"CSS pixels", "pixel-ratio", lookDocument,
-     [](const Scene& s, const Vec3& p) {
-       const Vec2 q = s.pixel(p);
+     [](const Scene&, const Vec2& q) {
        return Vec2{q.x / 1.5, q.y / 1.5};
      }},
     // bevy_mod_raycast#93
@@ -257,20 +251,18 @@ const Case kCases[] = {
      },
      right},
     {"aspect 1, as of two integers divided", "aspect", lookDocument,
-     [](const Scene& s, const Vec3& p) { return s.pixel(p, s.focal() * s.width / s.height, s.focal()); }},
+     [](const Scene& s, const Vec2& q) { return s.stretched(q, s.width / s.height, 1); }},
     {"aspect inverted", "aspect", lookDocument,
-     [](const Scene& s, const Vec3& p) {
-       return s.pixel(p, s.focal() * (s.width / s.height) * (s.width / s.height), s.focal());
-     }},
+     [](const Scene& s, const Vec2& q) { return s.stretched(q, s.width * s.width / (s.height * s.height), 1); }},
     {"radians as degrees", "radians",
      [](const Scene& s) {
        return changed(lookDocument(s), [&](Json& d) { d["projection"]["fovY"] = s.degrees * std::numbers::pi / 180; });
      },
      right},
     {"degrees as radians", "radians", lookDocument,
-     [](const Scene& s, const Vec3& p) {
-       const double focal = s.height / 2 / std::tan(s.degrees / 2);
-       return s.pixel(p, focal, focal);
+     [](const Scene& s, const Vec2& q) {
+       const double times = s.height / 2 / std::tan(s.degrees / 2) / s.focal();
+       return s.stretched(q, times, times);
      },
      nullptr, false},
     {"a direction as target", "direction-as-target",
@@ -337,10 +329,9 @@ const Case kCases[] = {
      [](const Scene& s) { return changed(rotationDocument(s), [](Json& d) { d["cameraAxes"] = "RDF"; }); }, right},
     {"a distortion left out", "distortion-ignored", lensDocument, right},
     {"a distortion twice", "distortion-twice", lensDocument,
-     [](const Scene& s, const Vec3& p) { return bent(s, bent(s, s.pixel(p))); }},
+     [](const Scene& s, const Vec2& q) { return bent(s, bent(s, q)); }},
     {"pixels undistorted twice", "distortion-twice", lensDocument,
-     [](const Scene& s, const Vec3& p) {
-       const Vec2 q = s.pixel(p);  // halving finds the radius that the lens puts at q's
+     [](const Scene& s, const Vec2& q) {  // halving finds the radius that the lens puts at q's
        const double x = q.x - s.width / 2, y = q.y - s.height / 2, put = std::hypot(x, y) / s.focal();
        double low = 0, high = put;
        for (int i = 0; i < 60; ++i) {
@@ -351,14 +342,12 @@ const Case kCases[] = {
      },
      nullptr, false},
     {"0..1 for pixels", "normalized", lookDocument,
-     [](const Scene& s, const Vec3& p) {
-       const Vec2 q = s.pixel(p);
+     [](const Scene& s, const Vec2& q) {
        return Vec2{q.x / s.width, q.y / s.height};
      },
      nullptr, false},
     {"NDC for pixels", "ndc", lookDocument,
-     [](const Scene& s, const Vec3& p) {
-       const Vec2 q = s.pixel(p);
+     [](const Scene& s, const Vec2& q) {
        return Vec2{2 * q.x / s.width - 1, 1 - 2 * q.y / s.height};
      },
      nullptr, false},
@@ -381,7 +370,7 @@ TEST_CASE("Pixels made with a mistake are explained by it, and hardly ever by an
       Random noise(seed);
       CAPTURE(each.name, seed, each.document(trial.scene).dump());
       const auto pixelOf = [&](const Vec3& p) {
-        const Vec2 pixel = each.pixel(trial.scene, p);
+        const Vec2 pixel = each.pixel(trial.scene, trial.scene.pixel(p));
         // A mend that scales the pixels scales their noise.
         const double size = each.noise ? 0.05 : 0;
         return Vec2{pixel.x + noise.uniform(-size, size), pixel.y + noise.uniform(-size, size)};
@@ -439,7 +428,8 @@ TEST_CASE("Two mistakes at once have no explanation") {
         const Trial trial = randomTrial(seed);
         CAPTURE(document.name, pixels.name, seed);
         const auto report = checked(
-            document.document(trial.scene), trial, [&](const Vec3& p) { return pixels.pixel(trial.scene, p); }, nullptr,
+            document.document(trial.scene), trial,
+            [&](const Vec3& p) { return pixels.pixel(trial.scene, trial.scene.pixel(p)); }, nullptr,
             0.01);  // at 0.1 a target taken for a direction, far away, and a flip pass for the other flip
         if (!report) continue;
         INFO(report->dump());

@@ -1,10 +1,10 @@
 // Pictures of random points, taken apart: each mark lies where `project` says, in the picture's own frame.
 #include <cmath>
-#include <random>
 #include <regex>
 
 #include "catch.hpp"
 #include "commands/picture.hpp"
+#include "random.hpp"
 
 using namespace viewproj;
 using namespace viewproj::cmd;
@@ -29,24 +29,24 @@ std::vector<std::string> elements(const std::string& svg, const std::string& pat
 TEST_CASE("Points in view are drawn where they are seen, others are not, and outlines stay in the frame") {
   int drawn = 0, left = 0;
   for (unsigned trial = 0; trial < 200; ++trial) {
-    std::mt19937_64 engine(trial);
-    std::uniform_real_distribution<double> unit(-1, 1);
-    Viewport viewport{.width = 400 + 300 * unit(engine), .height = 400 + 300 * unit(engine)};
-    if (trial % 3 == 0) viewport.x = 100 * unit(engine), viewport.y = 100 * unit(engine);
+    Random random(trial);
+    Viewport viewport{.width = random.uniform(100, 700), .height = random.uniform(100, 700)};
+    if (trial % 3 == 0) viewport.x = random.uniform(-100, 100), viewport.y = random.uniform(-100, 100);
     if (trial % 2 == 0) viewport.origin = Origin::bottomLeft;
     const Camera camera = makeCamera(lookAt({0, 0, 9}, {0, 0, 0}, {0, 1, 0}, Handedness::right),
                                      perspective(50, viewport, 1, 30), viewport);
     Picture picture(camera);
     std::vector<Vec2> expected;
     for (int i = 0; i < 12; ++i) {
-      const Vec4 point{8 * unit(engine), 8 * unit(engine), 12 * unit(engine), 1};
+      const Vec4 point{random.uniform(-8, 8), random.uniform(-8, 8), random.uniform(-12, 12), 1};
       picture.add("p<" + std::to_string(i), point);
       const ScreenPoint p = worldToScreen(camera, point);
       p.visible() ? ++drawn : ++left;
       if (p.visible()) expected.push_back({p.x, p.y});
     }
-    picture.add("ball", Sphere{{5 * unit(engine), 5 * unit(engine), 5 * unit(engine)}, 2 + unit(engine)});
-    picture.add("box", Box{{-3, -1, -5}, {4 * std::fabs(unit(engine)), 2, 12}});
+    picture.add("ball",
+                Sphere{{random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-5, 5)}, random.uniform(1, 3)});
+    picture.add("box", Box{{-3, -1, -5}, {random.uniform(0, 4), 2, 12}});
     const std::string svg = picture.svg("a & b");
     CHECK(svg.find(">a &amp; b: ") != std::string::npos);
     const std::string frame = elements(svg, "<rect class=\"frame\"[^>]*>").at(0);

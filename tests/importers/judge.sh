@@ -25,6 +25,6 @@ if [ "${2-opencv}" = opencv ]; then
   done
   $python "$here/opencv.py" >"$folder/opencv.jsonl.new"
   mv "$folder/opencv.jsonl.new" "$folder/opencv.jsonl"
-  $python "$here/lenses.py" "${LENSES-250}" >"$folder/lenses.jsonl.new"
+  $python "$here/lenses.py" "${LENSES-60}" >"$folder/lenses.jsonl.new"
   mv "$folder/lenses.jsonl.new" "$folder/lenses.jsonl"
 fi

@@ -73,19 +73,9 @@ inline viewproj::Vec3 minus(const viewproj::Vec3& a, const viewproj::Vec3& b) {
 }
 inline double dot(const viewproj::Vec3& a, const viewproj::Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline double length(const viewproj::Vec3& a) { return std::hypot(a.x, a.y, a.z); }
-inline double sumOfSizes(const viewproj::Vec3& a) { return std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.z); }
 
 inline viewproj::Vec3 cross(const viewproj::Vec3& a, const viewproj::Vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-/// eye + a right + b up + c forward, in double.
-inline viewproj::Vec3 alongAxes(const viewproj::Pose& pose, double a, double b, double c) {
-  const viewproj::Vec3 eye = pose.eye(), right = viewproj::detail::rounded(viewproj::detail::parts(pose).columns.right),
-                       up = viewproj::detail::rounded(viewproj::detail::parts(pose).columns.up),
-                       forward = viewproj::detail::rounded(viewproj::detail::parts(pose).columns.forward);
-  return {eye.x + a * right.x + b * up.x + c * forward.x, eye.y + a * right.y + b * up.y + c * forward.y,
-          eye.z + a * right.z + b * up.z + c * forward.z};
 }
 
 inline viewproj::Convention preset(std::string_view name) { return *viewproj::findPreset(name); }

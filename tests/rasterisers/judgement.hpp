@@ -25,7 +25,6 @@ struct Scene {
   CameraCase camera;
   Draw draw;                  ///< but for the points
   bool upsideDown = false;    ///< the picture's first row in memory is its lowest
-  double pixelSize[2];        ///< at distance 1, or anywhere where orthographic
   std::vector<Point> points;  ///< that are judged
   int besideBorder = 0;       ///< points left out: within 1/256 pixel of their pixel's border
   int besideBoundary =
@@ -36,16 +35,13 @@ struct Scene {
 Scene prepare(const CameraCase& camera);
 
 struct Judgement {
-  int visible = 0, clipped = 0, picked = 0;
-  int unbounded = 0;                   ///< not picked: the stored depth may be that of infinity
+  int visible = 0;
   int misplaced = 0, wronglyDeep = 0;  ///< of the visible
   int appeared = 0;                    ///< of the clipped
-  int mispicked = 0;
-  double worstPixels = 0;                ///< what float32 may move a point by, the largest
-  double worstDepth = 0, worstPick = 0;  ///< in units of the bound; picks at the point's own position
-  std::vector<std::string> words;        ///< about the first disagreements
+  double worstPixels = 0;              ///< what float32 may move a point by, the largest
+  std::vector<std::string> words;      ///< about the first disagreements
 
-  int disagreements() const { return misplaced + wronglyDeep + appeared + mispicked; }
+  int disagreements() const { return misplaced + wronglyDeep + appeared; }
 };
 
 /// Draws the scene.

@@ -69,7 +69,7 @@ void requireVisited(const Tally& cameras, const Tally& sides) {
 
 }  // namespace
 
-TEST_CASE("The pixel that lights, its depth, what is clipped and what a pixel picks are the tool's") {
+TEST_CASE("The pixel that lights, its depth and what is clipped are the tool's") {
   requireDriver();
   Judgement all;
   int border = 0, boundary = 0;

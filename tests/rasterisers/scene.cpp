@@ -125,7 +125,6 @@ Written readMatrices(const CameraCase& c, const std::string& file, Scene& scene)
   scene.upsideDown = (convention["ndcY"] == "up") != c.mirrored;
   Written written;
   Pipeline& p = written.pipeline;
-  const Mat projection = fromMemory(matrices[1], draw.rowVectors, draw.rowMajor);
   constexpr Matrix identity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
   draw.view = c.product ? identity : matrices[0];
   draw.projection = c.product ? matrices[0] : matrices[1];
@@ -135,8 +134,6 @@ Written readMatrices(const CameraCase& c, const std::string& file, Scene& scene)
   p.pointsRounded = c.relativeToEye;
   p.zeroToOne = draw.zeroToOne;
   if (c.relativeToEye) written.eye = stated["eye"];
-  scene.pixelSize[0] = 2 / std::fabs(projection[0][0]);
-  scene.pixelSize[1] = 2 / std::fabs(projection[1][1]);
   return written;
 }
 
@@ -155,8 +152,6 @@ void placeViewport(Scene& scene, const Frame& frame, Pipeline& p) {
   p.y = draw.y;
   p.width = frame.width;
   p.height = frame.height;
-  scene.pixelSize[0] /= frame.width;
-  scene.pixelSize[1] /= frame.height;
 }
 
 enum class Place { inside, outside, beside };

@@ -104,7 +104,7 @@ struct Written {
 
 /// A matrix of this kind: as written, a multiple of it, or with each entry a little off.
 Written randomMatrix(Random& random, MatrixKind kind, int variant) {
-  Scene scene = randomScene(random, random.spread(1e-3, 1e9));
+  Scene scene = randomScene(random, random.logUniform(1e-3, 1e9));
   scene.hasCrop = false;
   const auto presets = conventionPresets();
   Convention convention = presets[static_cast<std::size_t>(random.uniform(0, double(presets.size())))].convention;
@@ -113,7 +113,7 @@ Written randomMatrix(Random& random, MatrixKind kind, int variant) {
   const Camera camera = build(scene);
   Mat4 m = write(kind, camera, convention);
   const bool isPose = kind == MatrixKind::view || kind == MatrixKind::worldFromView;
-  const double scale = variant != 1 ? 1 : isPose ? 1 - 0x1p-52 : random.spread(1e-3, 1e3);
+  const double scale = variant != 1 ? 1 : isPose ? 1 - 0x1p-52 : random.logUniform(1e-3, 1e3);
   for (auto& row : m.m)
     for (double& entry : row) {
       entry *= scale;

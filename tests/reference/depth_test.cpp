@@ -21,11 +21,11 @@ DepthMapping mappingOf(double near, double far, double atNear = 0, double atFar 
 }
 
 DepthMapping randomMapping(Random& random) {
-  const double size = random.spread(1e-6, 1e6);
-  DepthMapping m = mappingOf(size, random.chance(0.3) ? kInfiniteFar : size * (1 + random.spread(1e-3, 1e15)));
+  const double size = random.logUniform(1e-6, 1e6);
+  DepthMapping m = mappingOf(size, random.chance(0.3) ? kInfiniteFar : size * (1 + random.logUniform(1e-3, 1e15)));
   if (random.chance(0.25)) {
     const double near = size * random.uniform(-1, 1);
-    m.projection = orthographic(-1, 1, -1, 1, near, near + size * random.spread(1e-3, 1e3));
+    m.projection = orthographic(-1, 1, -1, 1, near, near + size * random.logUniform(1e-3, 1e3));
   }
   if (random.chance(0.2)) {
     m.atNear = random.uniform(0, 0.5);
@@ -37,7 +37,7 @@ DepthMapping randomMapping(Random& random) {
 
 double randomDistance(Random& random, const Projection& p) {
   if (p.isOrthographic()) return random.uniform(p.zNear(), p.zFar());
-  return std::min(p.zFar(), random.spread(p.zNear(), std::isinf(p.zFar()) ? p.zNear() * 1e12 : p.zFar()));
+  return std::min(p.zFar(), random.logUniform(p.zNear(), std::isinf(p.zFar()) ? p.zNear() * 1e12 : p.zFar()));
 }
 
 /// Window depth by the textbook: A + B/w with the entries of a projection matrix, or A + B w.

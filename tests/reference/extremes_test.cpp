@@ -23,7 +23,7 @@ TEST_CASE("A coordinate that cancels to the rounding of its point has its digits
     scene.viewport.y = -540;
     const Camera camera = build(scene);
     const DDVec3 &right = parts(camera).pose.rows.right, &forward = parts(camera).pose.rows.forward;
-    const double aside = random.spread(1e-3, 1e18);
+    const double aside = random.logUniform(1e-3, 1e18);
     Vec3 point;
     for (std::size_t i = 0; i < 3; ++i) point[i] = scene.position[i] + forward[i].hi + aside * right[i].hi;
     const Truth truth(scene);
@@ -57,10 +57,10 @@ TEST_CASE("Rays of pixels far outside the picture keep the bound") {
   for (std::uint64_t trial = 0; trial < 500; ++trial) {
     Random random(trial);
     Scene scene = plainScene(random);
-    scene.fov = random.spread(1e-3, 179.9);
+    scene.fov = random.logUniform(1e-3, 179.9);
     const Truth truth(scene);
     const Camera camera = build(scene);
-    const Vec2 pixel{random.sign() * random.spread(1, 1e50), random.sign() * random.spread(1, 1e90)};
+    const Vec2 pixel{random.sign() * random.logUniform(1, 1e50), random.sign() * random.logUniform(1, 1e90)};
     const Real3 direction = truth.direction(truth.window(pixel.x, pixel.y));
     INFO("trial " << trial << ": pixel " << pixel.x << " " << pixel.y);
     for (Precision precision : {Precision::standard, Precision::exact})
@@ -77,7 +77,7 @@ TEST_CASE("Homogeneous points are divided by their weight exactly, negative and 
     const Truth truth(scene);
     const Camera camera = build(scene);
     const Vec3 p = pointInView(random, truth);
-    const double w = random.sign() * random.spread(1e-80, 1e80);
+    const double w = random.sign() * random.logUniform(1e-80, 1e80);
     const Vec4 point{p.x * w, p.y * w, p.z * w, w};
     const Real k = Real(1) / Real(w);
     const Truth::View view = truth.view(Real3{point.x, point.y, point.z} * k);
@@ -105,7 +105,7 @@ TEST_CASE("A direction gives its vanishing point, or is behind") {
     scene.far = trial % 2 ? kInfiniteFar : 1000;
     const Truth truth(scene);
     const Camera camera = build(scene);
-    const Vec3 d = random.vector(random.spread(1e-300, 1e90));
+    const Vec3 d = random.vector(random.logUniform(1e-300, 1e90));
     const Real3 way = toReal(d);
     const Truth::View view{dot(truth.pose.right, way), dot(truth.pose.up, way), dot(truth.pose.forward, way)};
     const ScreenPoint got = worldToScreen(camera, Vec4{d.x, d.y, d.z, 0});
@@ -129,8 +129,8 @@ TEST_CASE("The tangent of half an angle is within its bound from 1e-200 degrees 
   for (std::uint64_t trial = 0; trial < 20000; ++trial) {
     Random random(trial);
     const double degrees = trial % 3 == 0   ? random.uniform(0, 180)
-                           : trial % 3 == 1 ? random.spread(1e-200, 180)
-                                            : 180 - random.spread(1e-13, 90);
+                           : trial % 3 == 1 ? random.logUniform(1e-200, 180)
+                                            : 180 - random.logUniform(1e-13, 90);
     const Real truth = tanDegrees(Real(degrees) / Real(2));
     const DoubleDouble got = tanHalfDegrees(degrees);
     const double error = double(abs((Real(got.hi) + Real(got.lo) - truth) / truth));
@@ -274,7 +274,7 @@ TEST_CASE("A pixel at a distance is unprojected exactly from the smallest to the
       const Truth truth(scene);
       const Camera camera = build(scene);
       const Vec2 pixel{random.uniform(0, 1920), random.uniform(0, 1080)};
-      const double distance = random.spread(scene.near, scene.far);
+      const double distance = random.logUniform(scene.near, scene.far);
       const WorldPoint got = screenToWorldAtDistance(camera, pixel, distance);
       INFO("scale " << scale << ", trial " << trial << ": distance " << distance);
       REQUIRE(got.status == DepthStatus::point);

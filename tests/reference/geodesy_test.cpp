@@ -66,20 +66,20 @@ TruePose truePose(const Geodetic& g, const HeadingPitchRoll& t) {
 enum Kind { anywhere, pole, nextToPole, antimeridian, rightAngles, tinyAngles, kinds };
 
 Geodetic randomPlace(Random& r, Kind kind) {
-  Geodetic g{r.uniform(-90, 90), r.uniform(-400, 400), r.sign() * r.spread(1e-3, 5e6)};
+  Geodetic g{r.uniform(-90, 90), r.uniform(-400, 400), r.sign() * r.logUniform(1e-3, 5e6)};
   if (kind == pole) g.lat = r.sign() * 90;
-  if (kind == nextToPole) g.lat = r.sign() * (90 - r.spread(1e-13, 1e-3));
+  if (kind == nextToPole) g.lat = r.sign() * (90 - r.logUniform(1e-13, 1e-3));
   if (kind == antimeridian)
-    g.lon = r.chance(0.3) ? r.sign() * 180 : r.sign() * (180 - r.sign() * r.spread(1e-13, 1e-3));
+    g.lon = r.chance(0.3) ? r.sign() * 180 : r.sign() * (180 - r.sign() * r.logUniform(1e-13, 1e-3));
   if (kind == rightAngles) g.lat = 45 * std::floor(r.uniform(-2, 3)), g.lon = 45 * std::floor(r.uniform(-9, 9));
-  if (kind == tinyAngles) g.lat = r.sign() * r.spread(1e-250, 1e-5), g.lon = r.sign() * r.spread(1e-250, 1e-5);
+  if (kind == tinyAngles) g.lat = r.sign() * r.logUniform(1e-250, 1e-5), g.lon = r.sign() * r.logUniform(1e-250, 1e-5);
   return g;
 }
 
 HeadingPitchRoll randomTurn(Random& r, Kind kind) {
   HeadingPitchRoll t{r.uniform(-400, 400), r.uniform(-90, 90), r.uniform(-400, 400)};
   if (kind == rightAngles) t = {45 * std::floor(r.uniform(-9, 9)), 45 * std::floor(r.uniform(-2, 3)), 0};
-  if (kind == tinyAngles) t = {r.spread(1e-250, 1e-5), r.spread(1e-250, 1e-5), r.spread(1e-250, 1e-5)};
+  if (kind == tinyAngles) t = {r.logUniform(1e-250, 1e-5), r.logUniform(1e-250, 1e-5), r.logUniform(1e-250, 1e-5)};
   return t;
 }
 
@@ -110,7 +110,7 @@ void requireExactProjection(Random& r, const Scene& scene, const TruePose& pose,
   Truth truth(scene);
   truth.pose = pose;
   for (int i = 0; i < 6; ++i) {
-    const double far = r.spread(1e-2, 1e5);
+    const double far = r.logUniform(1e-2, 1e5);
     const Real right = far * r.uniform(-1, 1), up = far * r.uniform(-1, 1);
     const Real ahead = i < 3 ? Real(far) : i == 3 ? Real(-far) : Real(0);
     const Real3 p = pose.eye + pose.right * right + pose.up * up + pose.forward * ahead;
@@ -146,7 +146,7 @@ void requireExactProjection(Random& r, const Scene& scene, const TruePose& pose,
 Scene randomLens(Random& r) {
   Scene s;
   s.fov = r.uniform(1, 120);
-  s.near = r.spread(1e-3, 1);
+  s.near = r.logUniform(1e-3, 1);
   s.far = kInfiniteFar;
   return s;
 }
@@ -225,10 +225,10 @@ TEST_CASE("Looking from place to place is exact, down to targets nearly straight
     const Geodetic place = randomPlace(r, kindOf(trial));
     Geodetic target = place;
     const bool below = r.chance(0.3);
-    const double step = below ? r.spread(1e-9, 1e-6) : r.spread(1e-6, 1);
+    const double step = below ? r.logUniform(1e-9, 1e-6) : r.logUniform(1e-6, 1);
     target.lat = std::clamp(target.lat + step * r.uniform(-1, 1), -90.0, 90.0);
     target.lon += step * r.uniform(-1, 1);
-    target.height = r.sign() * r.spread(1, 1e6);
+    target.height = r.sign() * r.logUniform(1, 1e6);
     if (std::fabs(place.lat) == 90) target.lat = r.sign() * (90 - step);
     INFO("trial " << trial << ": " << place.lat << " " << place.lon << " " << place.height << " to " << target.lat
                   << " " << target.lon << " " << target.height);

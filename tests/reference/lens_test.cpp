@@ -62,13 +62,13 @@ double denominator(const viewproj::Lens& lens, double r) {
 /// Coefficients that count at tangents of this size.
 viewproj::Lens randomLens(Random& random, double size, double largest = 3) {
   const auto number = [&](double power) {
-    return random.chance(0.3) ? 0 : random.sign() * random.spread(1e-3, largest) * std::pow(size, -power);
+    return random.chance(0.3) ? 0 : random.sign() * random.logUniform(1e-3, largest) * std::pow(size, -power);
   };
   if (random.chance(0.3)) return fisheyeLens({number(0) / 3, number(0) / 9, number(0) / 27, number(0) / 81});
   std::array<double, 6> k{};
   const std::size_t count = random.chance(0.4) ? 6 : 3;
   for (std::size_t i = 0; i < count; ++i) k[i] = number(2.0 * double(i % 3 + 1));
-  const double p = random.chance(0.3) ? 0 : random.spread(1e-4, 0.2) / size;
+  const double p = random.chance(0.3) ? 0 : random.logUniform(1e-4, 0.2) / size;
   return brownLens(k, {p * random.uniform(-1, 1), p * random.uniform(-1, 1)});
 }
 
@@ -144,7 +144,7 @@ TEST_CASE("Through random lenses exact pixels are the nearest doubles, and no bo
   double worst[2] = {};
   for (std::uint64_t trial = 0; trial < 3000; ++trial) {
     Random random(trial);
-    Scene scene = randomScene(random, random.spread(1e-3, 1e12));
+    Scene scene = randomScene(random, random.logUniform(1e-3, 1e12));
     if (scene.lensKind == LensKind::orthographic) continue;
     const Truth truth(scene);
     const Camera pinhole = build(scene);
@@ -225,7 +225,7 @@ TEST_CASE("Up to a lens's limit the map is one-to-one, and not much beyond") {
     }
     double least = INFINITY;
     for (int i = 0; i < 60; ++i) {
-      const double r = i % 3 ? end * random.uniform(0, 1) : end * (1 - random.spread(1e-9, 1e-2));
+      const double r = i % 3 ? end * random.uniform(0, 1) : end * (1 - random.logUniform(1e-9, 1e-2));
       REQUIRE(denominator(lens, r) > 0);
       REQUIRE(leastStretch(lens, r, random.uniform(0, 7)) > 0);
     }
@@ -271,7 +271,7 @@ TEST_CASE("What a lens puts somewhere comes back from there, within the certific
     const double limit = isFisheye ? std::min(limitOf(lens), 1.5707963) : std::min(limitOf(lens), 1e3);
     const double edge = isFisheye ? std::tan(limit) : limit;
     for (int i = 0; i < 20; ++i) {
-      const double part = i % 4 == 0 ? 1 - random.spread(1e-12, 1e-2) : random.uniform(0, 1);
+      const double part = i % 4 == 0 ? 1 - random.logUniform(1e-12, 1e-2) : random.uniform(0, 1);
       const double r = isFisheye ? std::tan(limit * part) : edge * part, a = random.uniform(0, 7);
       const RealXY at{r * std::cos(a), r * std::sin(a)}, put = bend(lens, at);
       const DoubleDouble x = double(put.x), y = double(put.y);
@@ -300,7 +300,7 @@ TEST_CASE("What a lens puts somewhere comes back from there, within the certific
       worst = std::max(worst, got.error);
       share = std::max(share, off / got.error);
     }
-    const double far = parts(lens).outerEdge * random.spread(1.0001, 100), a = random.uniform(0, 7);
+    const double far = parts(lens).outerEdge * random.logUniform(1.0001, 100), a = random.uniform(0, 7);
     if (far < INFINITY) {
       const Vec2 none = undistorted(lens, {far * std::cos(a), far * std::sin(a)});
       REQUIRE(std::isnan(none.x));
@@ -316,7 +316,7 @@ TEST_CASE("Arctangents and the way back in double-double are within their bounds
   double worst = 0, worstBack = 0;
   for (std::uint64_t trial = 0; trial < 20000; ++trial) {
     Random random(trial);
-    const double high = trial % 3 == 0 ? (double(trial % 35) + 0.5) / 32 : random.spread(1e-12, 1e12);
+    const double high = trial % 3 == 0 ? (double(trial % 35) + 0.5) / 32 : random.logUniform(1e-12, 1e12);
     const DoubleDouble slope(high, high * random.uniform(-1, 1) * 0x1p-54);
     const Real truth = arctangent2(Real(slope.hi) + Real(slope.lo), 1);
     const DoubleDouble got = arctangent(slope);

@@ -92,7 +92,7 @@ void checkEntries(const char* name, const Mat4& got, const Real4x4& truth, const
 /// A model near the eye, of any shape, its axes not quite in a plane at times.
 Mat4 randomModel(Random& random, const Scene& scene) {
   Mat4 m;
-  const double size = random.spread(1e-6, 1e6), flat = random.chance(0.3) ? 1e-9 : 1;
+  const double size = random.logUniform(1e-6, 1e6), flat = random.chance(0.3) ? 1e-9 : 1;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 2; ++j) m[i][j] = size * random.uniform(-1, 1);
     m[i][2] = m[i][0] - m[i][1] + flat * size * random.uniform(-1, 1);
@@ -110,7 +110,7 @@ TEST_CASE("Every entry of a matrix and of its inverse is the double nearest the 
   int orthographic = 0, infinite = 0, offCentre = 0, reversed = 0;
   for (std::uint64_t trial = 0; trial < cameras; ++trial) {
     Random random(trial + 70000000);
-    Scene scene = randomScene(random, random.spread(1e-3, 1e9));
+    Scene scene = randomScene(random, random.logUniform(1e-3, 1e9));
     scene.shiftX = scene.shiftY = 0;
     scene.hasCrop = false;
     const Truth truth(scene);
@@ -177,13 +177,13 @@ TEST_CASE(
   double worst = 0, lost = 0;  // lost: of its terms, what is left
   for (std::uint64_t trial = 0; trial < 4000; ++trial) {
     Random random(trial + 71000000);
-    Scene scene = randomScene(random, random.spread(1, 1e9));
+    Scene scene = randomScene(random, random.logUniform(1, 1e9));
     scene.shiftX = scene.shiftY = 0;
     scene.hasCrop = false;
     Mat4 model = randomModel(random, scene);
     if (trial % 2) {  // the world's origin next to the viewing axis
       scene.poseKind = PoseKind::target;
-      scene.target = random.vector(random.spread(1e-12, 1));
+      scene.target = random.vector(random.logUniform(1e-12, 1));
       for (std::size_t i = 0; i < 3; ++i) model[i][3] = scene.target[i];
     } else {  // the model's origin within a few last places of the eye
       for (std::size_t i = 0; i < 3; ++i) {

@@ -1,5 +1,4 @@
 #include <cmath>
-#include <random>
 
 #include "catch.hpp"
 #include "internals.hpp"
@@ -24,10 +23,9 @@ TEST_CASE("The tangent of half an angle in radians is within its bound from 1e-2
   int small = 0, large = 0, withLow = 0;
   double worst = 0;
   for (unsigned trial = 0; trial < 100000; ++trial) {
-    std::mt19937_64 random(trial);
-    std::uniform_real_distribution<double> unit(0, 1);
-    const double angle = trial % 2 ? 3.1 * unit(random) : std::pow(10.0, -200 * unit(random));
-    const double low = trial % 3 ? 0 : angle * (unit(random) - 0.5) * 0x1p-53;
+    Random random(trial);
+    const double angle = trial % 2 ? random.uniform(0, 3.1) : random.logUniform(1e-200, 1);
+    const double low = trial % 3 ? 0 : angle * random.uniform(-0.5, 0.5) * 0x1p-53;
     const DoubleDouble radians(angle, low);
     (angle < 1e-8 ? small : large) += 1;
     withLow += low != 0;
@@ -47,7 +45,7 @@ TEST_CASE("An angle in degrees is the double nearest that of its half's tangent,
   int below[3] = {}, straight = 0;
   for (std::uint64_t trial = 0; trial < 60000; ++trial) {
     Random random(trial);
-    const double size = trial % 2 ? random.spread(1e12, 1e17) : random.spread(1e-200, 1e12);
+    const double size = trial % 2 ? random.logUniform(1e12, 1e17) : random.logUniform(1e-200, 1e12);
     const DoubleDouble tangent = quickTwoSum(size, size * random.uniform(-0x1p-54, 0x1p-54));
     Real truth = Real(tangent.hi) + Real(tangent.lo);
     mpfr_t angle;

@@ -20,7 +20,7 @@ TEST_CASE("A point comes back from its screen position and its window depth as n
   int beyond = 0, points = 0;
   for (std::uint64_t trial = 0; trial < kTrials; ++trial) {
     Random random(trial + 2000000);
-    const Scene scene = randomScene(random, random.spread(1e-3, 1e6));
+    const Scene scene = randomScene(random, random.logUniform(1e-3, 1e6));
     const Truth truth(scene);
     const Camera camera = build(scene);
     INFO("trial " << trial << ": " << describe(scene));
@@ -55,13 +55,13 @@ TEST_CASE("Standard projection is within 1e-12 pixels at 60 degrees and 1080p wi
   int asked = 0;
   for (std::uint64_t trial = 0; trial < kTrials; ++trial) {
     Random random(trial + 3000000);
-    Scene scene = randomScene(random, random.spread(1, 1e12));
+    Scene scene = randomScene(random, random.logUniform(1, 1e12));
     scene.lensKind = LensKind::fovY;
     scene.fov = 60;
     scene.viewport = {1920, 1080};
     scene.shiftX = scene.shiftY = 0;
     scene.hasCrop = false;
-    scene.near = random.spread(1e-3, 1e3);
+    scene.near = random.logUniform(1e-3, 1e3);
     scene.far = kInfiniteFar;
     const Truth truth(scene);
     const Camera camera = build(scene);

@@ -253,6 +253,26 @@ Real Truth::distanceAt(const Real& depth) const {
   return n * f / (f - z * (f - n));
 }
 
+std::array<TruePlane, 6> Truth::planes(const Viewport& v) const {
+  const Real half = Real(v.pixelCenter) - Real(0.5), x = Real(v.x) + half, y = Real(v.y) + half;
+  const Window start = window(x, y), end = window(x + Real(v.width), y + Real(v.height));
+  const bool down = v.origin == Origin::topLeft;
+  const auto plane = [&](const Real3& axis, const Real& inward, const Real& edge, bool isOfWindow) {
+    // Inside: inward * (axis . d - edge * W) >= 0, d from the eye; W is 1 but for a window in perspective.
+    const bool isThroughEye = isOfWindow && !lens.orthographic;
+    const Real3 normal = (isThroughEye ? axis - pose.forward * edge : axis) * inward;
+    const Real size = length(normal);
+    const Real offset = -dot(normal, pose.eye) - (isThroughEye ? Real(0) : inward * edge);
+    return TruePlane{normal * (Real(1) / size), offset / size};
+  };
+  return {plane(pose.right, 1, start.right, true),
+          plane(pose.right, -1, end.right, true),
+          plane(pose.up, 1, down ? end.up : start.up, true),
+          plane(pose.up, -1, down ? start.up : end.up, true),
+          plane(pose.forward, 1, scene.near, false),
+          plane(pose.forward, -1, std::isinf(scene.far) ? Real(0) : Real(scene.far), false)};
+}
+
 Scene randomScene(Random& r, double reach) {
   Scene s;
   const auto presets = conventionPresets();
@@ -260,42 +280,43 @@ Scene randomScene(Random& r, double reach) {
   if (r.chance(0.3)) s.convention.reverseZ = !s.convention.reverseZ;
 
   Viewport& v = s.viewport;
-  v = {std::floor(r.spread(1, 8000)), std::floor(r.spread(1, 8000))};
+  v = {std::floor(r.logUniform(1, 8000)), std::floor(r.logUniform(1, 8000))};
   if (r.chance(0.3)) v.x = std::floor(r.uniform(-500, 500)), v.y = std::floor(r.uniform(-500, 500));
   if (r.chance(0.5)) v.origin = Origin::bottomLeft;
   if (r.chance(0.3)) v.pixelCenter = 0;
-  if (r.chance(0.3)) v.depthFirst = r.uniform(-1, 1), v.depthSecond = v.depthFirst + r.sign() * r.spread(1e-3, 1e7);
+  if (r.chance(0.3)) v.depthFirst = r.uniform(-1, 1), v.depthSecond = v.depthFirst + r.sign() * r.logUniform(1e-3, 1e7);
 
-  s.lensKind = r.pick(kLensKinds);
-  s.near = r.spread(1e-6, 1e6);
-  s.far = r.chance(0.3) ? kInfiniteFar : s.near * (1 + r.spread(1e-9, 1e15));
+  s.lensKind = r.oneOf(kLensKinds);
+  s.near = r.logUniform(1e-6, 1e6);
+  s.far = r.chance(0.3) ? kInfiniteFar : s.near * (1 + r.logUniform(1e-9, 1e15));
   s.fov = r.uniform(1, 170);
-  s.sensorWidth = r.spread(0.1, 100), s.sensorHeight = r.spread(0.1, 100), s.focalLength = r.spread(1, 100);
-  s.left = r.uniform(-2, 1) * s.near, s.right = s.left + r.spread(0.01, 4) * s.near;
-  s.bottom = r.uniform(-2, 1) * s.near, s.top = s.bottom + r.spread(0.01, 4) * s.near;
-  if (s.lensKind == LensKind::nearSize) s.right = r.spread(0.01, 4) * s.near, s.top = r.spread(0.01, 4) * s.near;
-  s.fx = r.spread(0.3, 10) * v.width, s.fy = r.spread(0.3, 10) * v.height;
+  s.sensorWidth = r.logUniform(0.1, 100), s.sensorHeight = r.logUniform(0.1, 100), s.focalLength = r.logUniform(1, 100);
+  s.left = r.uniform(-2, 1) * s.near, s.right = s.left + r.logUniform(0.01, 4) * s.near;
+  s.bottom = r.uniform(-2, 1) * s.near, s.top = s.bottom + r.logUniform(0.01, 4) * s.near;
+  if (s.lensKind == LensKind::nearSize)
+    s.right = r.logUniform(0.01, 4) * s.near, s.top = r.logUniform(0.01, 4) * s.near;
+  s.fx = r.logUniform(0.3, 10) * v.width, s.fy = r.logUniform(0.3, 10) * v.height;
   s.cx = v.x + r.uniform(0, 1) * v.width, s.cy = v.y + r.uniform(0, 1) * v.height;
   if (s.lensKind == LensKind::orthographic) {
-    const double size = r.spread(1e-3, 1e6);
+    const double size = r.logUniform(1e-3, 1e6);
     s.left = r.uniform(-2, 1) * size, s.right = s.left + size * r.uniform(0.1, 2);
     s.bottom = r.uniform(-2, 1) * size, s.top = s.bottom + size * r.uniform(0.1, 2);
     s.near = r.uniform(-1, 1) * size;
-    s.far = s.near + size * r.spread(1e-3, 1e6);
+    s.far = s.near + size * r.logUniform(1e-3, 1e6);
   }
   if (r.chance(0.3)) s.shiftX = r.uniform(-2, 2), s.shiftY = r.uniform(-2, 2);
   if (r.chance(0.2)) {
     s.hasCrop = true;
     s.crop = {std::floor(r.uniform(0, v.width)), std::floor(r.uniform(0, v.height)),
-              std::floor(r.spread(1, v.width + 1)), std::floor(r.spread(1, v.height + 1))};
+              std::floor(r.logUniform(1, v.width + 1)), std::floor(r.logUniform(1, v.height + 1))};
   }
 
-  s.poseKind = r.pick(kPoseKinds);
-  s.position = r.vector(reach * r.spread(1e-3, 1));
-  const Vec3 way = r.vector(r.spread(1e-3, 1e3) * std::max(1.0, reach));
+  s.poseKind = r.oneOf(kPoseKinds);
+  s.position = r.vector(reach * r.logUniform(1e-3, 1));
+  const Vec3 way = r.vector(r.logUniform(1e-3, 1e3) * std::max(1.0, reach));
   s.target =
       s.poseKind == PoseKind::target ? Vec3{s.position.x + way.x, s.position.y + way.y, s.position.z + way.z} : way;
-  s.up = r.vector(r.spread(1e-3, 1e3));
+  s.up = r.vector(r.logUniform(1e-3, 1e3));
   s.rotation = {r.uniform(-1, 1), r.uniform(-1, 1), r.uniform(-1, 1), r.uniform(-1, 1)};
   const bool rightHanded = s.convention.world == Handedness::right;
   s.axes = rightHanded ? (r.chance(0.5) ? CameraAxes::RUB : CameraAxes::RDF)
@@ -324,7 +345,7 @@ Vec3 pointInView(Random& r, const Truth& truth, double overscan) {
   const Truth::Window at =
       truth.window(x0 + w * (0.5 + overscan * r.uniform(-0.5, 0.5)), y0 + h * (0.5 + overscan * r.uniform(-0.5, 0.5)));
   const double far = std::isinf(s.far) ? s.near * 1e6 : s.far;
-  const double distance = truth.lens.orthographic ? r.uniform(s.near, far) : r.spread(s.near, far);
+  const double distance = truth.lens.orthographic ? r.uniform(s.near, far) : r.logUniform(s.near, far);
   const Real3 p = truth.pointAt(at, distance);
   return {double(p[0]), double(p[1]), double(p[2])};
 }

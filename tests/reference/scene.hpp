@@ -4,13 +4,15 @@
 // moves of pixels; a quaternion by q v q*; a pose matrix inverted by Cramer's rule.
 #pragma once
 
-#include <random>
 #include <string>
 
+#include "random.hpp"
 #include "reference/real.hpp"
 #include "viewproj/viewproj.hpp"
 
 namespace reference {
+
+using ::Random;
 
 enum class PoseKind { target, direction, rotation, worldFromCamera, cameraFromWorld };
 enum class LensKind {
@@ -64,6 +66,14 @@ struct TrueLens {
   Real left, right, bottom, top;  ///< of the whole frame, without shift
 };
 
+/// dot(normal, p) + offset, how far p lies inside; the normal has unit length.
+struct TruePlane {
+  Real3 normal;
+  Real offset;
+
+  Real distance(const Real3& p) const { return dot(normal, p) + offset; }
+};
+
 struct Truth {
   explicit Truth(const Scene& scene);
 
@@ -88,29 +98,12 @@ struct Truth {
   Real3 pointAt(const Window& window, const Real& distance) const;
   /// The distance whose window depth is this.
   Real distanceAt(const Real& depth) const;
+  /// left, right, bottom, top, near and far of a picture, crop and shift included. An infinite far has none.
+  std::array<TruePlane, 6> planes(const viewproj::Viewport& picture) const;
 
   Scene scene;
   TruePose pose;
   TrueLens lens;
-};
-
-/// Random numbers of one trial; the trial's index is the seed.
-class Random {
- public:
-  explicit Random(std::uint64_t trial) : engine_(trial * 0x9E3779B97F4A7C15u + 1) {}
-  double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
-  /// Uniform in the logarithm.
-  double spread(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
-  double sign() { return engine_() & 1 ? 1 : -1; }
-  bool chance(double share) { return uniform(0, 1) < share; }
-  template <class T, std::size_t N>
-  T pick(const T (&of)[N]) {
-    return of[engine_() % N];
-  }
-  viewproj::Vec3 vector(double size) { return {size * uniform(-1, 1), size * uniform(-1, 1), size * uniform(-1, 1)}; }
-
- private:
-  std::mt19937_64 engine_;
 };
 
 /// A camera of a random kind, lens and convention; its eye up to reach from the origin.

@@ -12,20 +12,6 @@ using namespace reference;
 
 namespace {
 
-/// How far inside each side a point is, times a factor above 0, by the textbook's inequalities.
-std::map<Side, Real> insideBy(const Scene& s, const Truth& truth, const Real3& point) {
-  const Truth::View v = truth.view(point);
-  const TrueLens& l = truth.lens;
-  const Real w = l.orthographic ? Real(1) : v.forward;
-  std::map<Side, Real> inside{{sideLeft, v.right - l.left * w},
-                              {sideRight, l.right * w - v.right},
-                              {sideBottom, v.up - l.bottom * w},
-                              {sideTop, l.top * w - v.up},
-                              {sideNear, v.forward - Real(s.near)}};
-  if (!std::isinf(s.far)) inside[sideFar] = Real(s.far) - v.forward;
-  return inside;
-}
-
 Real3 along(const Vec3& a, const Vec3& b, const Real& t) { return toReal(a) + (toReal(b) - toReal(a)) * t; }
 
 }  // namespace
@@ -35,7 +21,7 @@ TEST_CASE("A segment is cut where it crosses the sides of the view, to within th
   int hidden = 0, throughTheEyePlane = 0;
   for (std::uint64_t trial = 0; trial < 20000; ++trial) {
     Random random(trial + 80000000);
-    Scene scene = randomScene(random, random.spread(1e-3, 1e9));
+    Scene scene = randomScene(random, random.logUniform(1e-3, 1e9));
     scene.shiftX = scene.shiftY = 0;
     scene.hasCrop = false;
     const Truth truth(scene);
@@ -47,17 +33,19 @@ TEST_CASE("A segment is cut where it crosses the sides of the view, to within th
       for (std::size_t i = 0; i < 3; ++i) b[i] = 2 * parts(camera).pose.eye[i] - b[i];
     // Farther along its line of sight.
     if (random.chance(0.2)) {
-      const double farther = random.spread(1, 1e6);
+      const double farther = random.logUniform(1, 1e6);
       for (std::size_t i = 0; i < 3; ++i) b[i] += farther * (b[i] - parts(camera).pose.eye[i]);
     }
     INFO("trial " << trial << ": " << describe(scene));
 
     Real first = 0, last = 1;
     int firstSide = 0, lastSide = 0;
-    const auto atA = insideBy(scene, truth, toReal(a)), atB = insideBy(scene, truth, toReal(b));
     bool isBeyond = false;
-    for (const auto& [side, insideA] : atA) {
-      const Real& insideB = atB.at(side);
+    const std::array<TruePlane, 6> planes = truth.planes(camera.viewport());
+    for (int i = 0; i < (std::isinf(scene.far) ? 5 : 6); ++i) {
+      const int side = 1 << i;
+      const Real insideA = planes[std::size_t(i)].distance(toReal(a)),
+                 insideB = planes[std::size_t(i)].distance(toReal(b));
       if (insideA < Real(0) && insideB < Real(0)) isBeyond = true;
       if ((insideA < Real(0)) == (insideB < Real(0))) continue;
       const Real t = insideA / (insideA - insideB);

@@ -18,7 +18,7 @@ constexpr ViewAxes kViews[] = {ViewAxes::RUB, ViewAxes::RUF, ViewAxes::RDF};
 
 Convention randomWriting(Random& random) {
   Convention c;
-  c.view = random.pick(kViews);
+  c.view = random.oneOf(kViews);
   c.ndcZ = random.chance(0.5) ? NdcZ::zeroToOne : NdcZ::minusOneToOne;
   c.ndcY = random.chance(0.5) ? NdcY::up : NdcY::down;
   c.reverseZ = random.chance(0.5);
@@ -38,7 +38,7 @@ TEST_CASE("Each stage of a point is the double nearest its own true value") {
   int behind = 0, outside = 0, orthographic = 0, infinite = 0, residuals = 0;
   for (std::uint64_t trial = 0; trial < 20000; ++trial) {
     Random random(trial + 60000000);
-    const Scene scene = randomScene(random, random.spread(1e-3, 1e9));
+    const Scene scene = randomScene(random, random.logUniform(1e-3, 1e9));
     const Truth truth(scene);
     const Camera camera = build(scene);
     const Convention writing = randomWriting(random);
@@ -101,10 +101,10 @@ TEST_CASE("A model matrix takes a point to the doubles nearest its true place") 
   int cancelling = 0;
   for (std::uint64_t trial = 0; trial < 20000; ++trial) {
     Random random(trial + 62000000);
-    Vec3 translation = random.vector(random.spread(1e-3, 1e9));
-    const Vec3 scale = random.vector(random.spread(1e-3, 1e3));
+    Vec3 translation = random.vector(random.logUniform(1e-3, 1e9));
+    const Vec3 scale = random.vector(random.logUniform(1e-3, 1e3));
     const Quaternion q{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
-    const Vec3 local = random.vector(random.spread(1e-3, 1e6));
+    const Vec3 local = random.vector(random.logUniform(1e-3, 1e6));
     const double w = random.chance(0.3) ? random.uniform(-2, 2) : 1;
     if (random.chance(0.2)) {
       // The point comes to lie next to the world's origin.

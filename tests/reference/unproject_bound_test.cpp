@@ -11,7 +11,7 @@ TEST_CASE("A point from its rounded window depth is within the bound it comes wi
   int points = 0, infinite = 0, tight = 0;
   for (std::uint64_t trial = 0; trial < 4000; ++trial) {
     Random random(trial + 4000000);
-    const Scene scene = randomScene(random, random.spread(1e-3, 1e6));
+    const Scene scene = randomScene(random, random.logUniform(1e-3, 1e6));
     const Truth truth(scene);
     const Camera camera = build(scene);
     const Viewport& v = camera.viewport();
@@ -19,7 +19,7 @@ TEST_CASE("A point from its rounded window depth is within the bound it comes wi
       const Vec2 pixel{v.x + v.width * random.uniform(0, 1), v.y + v.height * random.uniform(0, 1)};
       const double far = std::isinf(scene.far) ? scene.near * 1e17 : scene.far;
       const double distance =
-          truth.lens.orthographic ? random.uniform(scene.near, far) : random.spread(scene.near, far);
+          truth.lens.orthographic ? random.uniform(scene.near, far) : random.logUniform(scene.near, far);
       const Truth::Window window = truth.window(pixel.x, pixel.y);
       const Real3 want = truth.pointAt(window, distance);
       const Real h = truth.lens.orthographic ? window.right : window.right * Real(distance);

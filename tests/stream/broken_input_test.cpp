@@ -209,33 +209,6 @@ TEST_CASE("what is no number in f64 is named by record and byte, and NaN stands 
   CHECK(numbers[16] == 24);
 }
 
-TEST_CASE("a value in an array that is no record is passed over") {
-  const std::string input = "[{\"x\":1,\"y\":2,\"z\":3}, null,\n5 ,\"a,]\\\"\",true,-1.5e5,[4,5,6]]";
-  const std::string error = "\"error\":\"expected a record: an array of numbers or an object\"}";
-  for (const std::size_t block : {BlockReader::kBlock, std::size_t{1}}) {
-    const StreamRun all = runStream(input, {.from = Form::json, .keepGoing = true, .block = block});
-    CHECK(all.out == "[\n{\"x\":1,\"y\":2,\"z\":3,\"sum\":6,\"twice\":[2,4,6]},\n{\"line\":1," + error +
-                         ",\n{\"line\":2," + error + ",\n{\"line\":2," + error + ",\n{\"line\":2," + error +
-                         ",\n{\"line\":2," + error + ",\n{\"position\":[4,5,6],\"sum\":15,\"twice\":[8,10,12]}\n]\n");
-    const StreamRun ended = runStream(input, {.from = Form::json, .block = block});
-    CHECK(ended.err == "<stdin>:1:23: expected a record: an array of numbers or an object");
-    CHECK(nlohmann::json::accept(ended.out));
-  }
-}
-
-TEST_CASE("documents and arrays among records keep what is around their records") {
-  const std::string input =
-      "[1,2,3]\n{\"points\" : [\n[4,5,6]],\"unit\":\"m\"}\n[]\n[[7,8,9]]{\"p\\u006fints\":[]}\n[1,1,1]\n";
-  for (const std::size_t block : {BlockReader::kBlock, std::size_t{1}, std::size_t{40}}) {
-    const StreamRun run = runStream(input, {.from = Form::json, .block = block});
-    CHECK(run.out ==
-          "{\"position\":[1,2,3],\"sum\":6,\"twice\":[2,4,6]}\n{\"points\" : [\n"
-          "{\"position\":[4,5,6],\"sum\":15,\"twice\":[8,10,12]}\n],\"unit\":\"m\"}\n[]\n[\n"
-          "{\"position\":[7,8,9],\"sum\":24,\"twice\":[14,16,18]}\n]\n{\"p\\u006fints\":[]}\n"
-          "{\"position\":[1,1,1],\"sum\":3,\"twice\":[2,2,2]}\n");
-  }
-}
-
 TEST_CASE("columns of CSV are those of the first good record, however many bad ones come before") {
   std::string input =
       "[NaN]\n{\"position\":[1,2,3],\"position_x\":5}\n{\"x\":1,\"y\":2,\"z\":3,\"sum\":9}\n[4713,0,0]\n";

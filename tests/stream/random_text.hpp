@@ -1,25 +1,17 @@
 // Records of a stream at random, good and bad, in every form and arrangement.
 #pragma once
 
-#include <cstdint>
-#include <random>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "random.hpp"
+
 namespace viewproj::tests {
 
-class RandomText {
+class RandomText : public Random {
  public:
-  explicit RandomText(std::uint64_t seed) : engine_(seed) {}
-
-  /// From 0 to below.
-  std::size_t below(std::size_t end) { return engine_() % end; }
-  bool oneIn(std::size_t n) { return below(n) == 0; }
-  template <class T, std::size_t N>
-  const T& oneOf(const T (&all)[N]) {
-    return all[below(N)];
-  }
+  using Random::Random;
 
   std::string number();
   /// A JSON value, none of a point's numbers.
@@ -36,9 +28,6 @@ class RandomText {
   std::string csv(std::size_t records, std::size_t bad);
   std::string text(std::size_t records, std::size_t bad);
   std::string f64(std::size_t records, std::size_t bad);
-
- private:
-  std::mt19937_64 engine_;
 };
 
 }  // namespace viewproj::tests

@@ -1,13 +1,13 @@
 #include <cstdint>
 #include <cstring>
 #include <iostream>
-#include <random>
 #include <vector>
 
 #include "catch.hpp"
 #include "internals.hpp"
 #include "kernels.hpp"
 #include "parts.hpp"
+#include "random.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;
@@ -27,13 +27,10 @@ struct Trial {
 
 /// A camera of every lens and pose now and then, and points in, around and behind its view, some of them unusable.
 Trial randomTrial(unsigned seed, std::size_t count) {
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> unit(-1, 1);
-  const auto vector = [&](double size) { return Vec3{size * unit(random), size * unit(random), size * unit(random)}; };
-  const double size = std::pow(10.0, 6 * unit(random));
-  const Vec3 eye = vector(size);
-  const Vec3 way = vector(1);
-  Pose pose = lookAlong(eye, way, vector(1), Handedness::right);
+  Random random(seed);
+  const double size = random.logUniform(1e-6, 1e6);
+  const Vec3 eye = random.vector(size), way = random.vector(1);
+  Pose pose = lookAlong(eye, way, random.vector(1), Handedness::right);
   if (seed % 4 == 1) {
     const Mat4 view = viewFromWorld(pose, {});
     pose = poseFromCameraFromWorld(view, CameraAxes::RUB, Handedness::right);
@@ -45,11 +42,11 @@ Trial randomTrial(unsigned seed, std::size_t count) {
                                     : frustum(-near, 2 * near, 0, near, near, 50 * size);
   Trial trial{makeCamera(pose, projection, {1000, 1000}), {}};
   for (std::size_t i = 0; i < count; ++i) {
-    const Vec3 offset = vector(size * std::pow(10.0, 2 * unit(random)));
+    const Vec3 offset = random.vector(size * random.logUniform(0.01, 100));
     trial.points.push_back({eye.x + offset.x, eye.y + offset.y, eye.z + offset.z});
   }
   const double bad[] = {NAN, INFINITY, 1e300, 1e-310};
-  for (std::size_t i = 0; i < count / 50; ++i) trial.points[random() % count][random() % 3] = bad[random() % 4];
+  for (std::size_t i = 0; i < count / 50; ++i) trial.points[random.below(count)][random.below(3)] = random.oneOf(bad);
   if (count > 10) trial.points[10] = eye;
   return trial;
 }
@@ -133,10 +130,9 @@ TEST_CASE("A batch may be projected in place") {
 TEST_CASE("A batch of rays gives the bits of single rays") {
   for (unsigned seed = 0; seed < 30; ++seed) {
     const Trial trial = randomTrial(seed, 1);
-    std::mt19937_64 random(seed);
-    std::uniform_real_distribution<double> anywhere(-3000, 3000);
+    Random random(seed);
     std::vector<Vec2> pixels(1100);  // more than are cast at once
-    for (Vec2& pixel : pixels) pixel = {anywhere(random), anywhere(random)};
+    for (Vec2& pixel : pixels) pixel = {random.uniform(-3000, 3000), random.uniform(-3000, 3000)};
     pixels[5] = {NAN, 1};
     pixels[6] = {1e70, -1e90};
     pixels[600] = {1e70, -1e90};

@@ -2,10 +2,10 @@
 // margin on both sides across from each other, which proves that no place nearer along the view will do.
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "catch.hpp"
 #include "commands/fitting.hpp"
+#include "random.hpp"
 #include "text/error.hpp"
 #include "viewproj/viewproj.hpp"
 
@@ -46,28 +46,24 @@ Seen seenBy(const Camera& camera, const std::vector<Sphere>& things) {
 TEST_CASE("A fitted camera shows all, and something touches its margin on both sides") {
   int byWidth = 0, byHeight = 0, byNear = 0;
   for (unsigned trial = 0; trial < 2000; ++trial) {
-    std::mt19937_64 engine(trial);
-    std::uniform_real_distribution<double> unit(-1, 1);
-    const auto vector = [&](double size) {
-      return Vec3{size * unit(engine), size * unit(engine), size * unit(engine)};
-    };
-    const Vec3 middle = vector(std::pow(10, 3 * unit(engine)));
+    Random random(trial);
+    const Vec3 middle = random.vector(random.logUniform(1e-3, 1e3));
     const auto about = [&](double reach) {
-      const Vec3 v = vector(reach);
+      const Vec3 v = random.vector(reach);
       return Vec3{middle.x + v.x, middle.y + v.y, middle.z + v.z};
     };
     std::vector<Sphere> things;
     for (unsigned i = 0; i <= 1 + trial % 5; ++i)
-      things.push_back({about(1), trial % 3 == 0 ? 0 : std::fabs(unit(engine)) / 3});
-    const double margin = trial % 4 == 0 ? 0 : 0.2 * std::fabs(unit(engine));
+      things.push_back({about(1), trial % 3 == 0 ? 0 : random.uniform(0, 1.0 / 3)});
+    const double margin = trial % 4 == 0 ? 0 : random.uniform(0, 0.2);
     const bool byLens = trial % 5 == 4, orthographic = trial % 7 == 6;
     const Vec3 eye = about(10);
-    const Vec3 ahead = byLens ? Vec3{middle.x - eye.x, middle.y - eye.y, middle.z - eye.z} : vector(1);
+    const Vec3 ahead = byLens ? Vec3{middle.x - eye.x, middle.y - eye.y, middle.z - eye.z} : random.vector(1);
     const std::string pose = trial % 2 ? "\"direction\": " + numbers(ahead)
                                        : "\"target\": " + numbers({eye.x + ahead.x, eye.y + ahead.y, eye.z + ahead.z});
     const std::string projection = orthographic ? R"({"type": "orthographic", "height": 3, "near": -1e4, "far": 1e4})"
                                                 : R"({"type": "perspective", "fovY": )" +
-                                                      std::to_string(60 + 50 * unit(engine)) + R"(, "near": 0.001})";
+                                                      std::to_string(random.uniform(10, 110)) + R"(, "near": 0.001})";
     const CameraFile camera = cameraOf("\"position\": " + numbers(eye) + ", " + pose +
                                        ", \"up\": [0, 1, 0.1], \"projection\": " + projection +
                                        R"(, "viewport": {"width": 640, "height": 480})");
@@ -104,7 +100,7 @@ TEST_CASE("A fitted camera shows all, and something touches its margin on both s
   }
   CHECK(byWidth > 200);
   CHECK(byHeight > 200);
-  WARN("by near: " << byNear);
+  CHECK(byNear > 0);
 }
 
 TEST_CASE("What fits from as near as one likes is on near, and what far cuts is refused") {

@@ -156,34 +156,6 @@ TEST_CASE("A batch through a lens gives the bits of single points, in place too,
   }
 }
 
-TEST_CASE("A pixel's point through a lens has that pixel, at its distance and at its depth") {
-  for (const Lens& lens : {kBrown, kFisheye}) {
-    const Camera camera = withLens(kPinhole, lens);
-    int seen = 0, dark = 0;
-    for (double x = 0; x <= 752; x += 23.5)
-      for (double y = 0; y <= 480; y += 20) {
-        const WorldPoint at = screenToWorldAtDistance(camera, {x, y}, 7);
-        if (at.status == DepthStatus::noRay) {
-          CHECK(screenToWorld(camera, {x, y}, 0.5).status == DepthStatus::noRay);
-          CHECK(std::isnan(screenToRay(camera, {x, y}).direction.x));
-          ++dark;
-          continue;
-        }
-        REQUIRE(at.status == DepthStatus::point);
-        const ScreenPoint back = worldToScreen(camera, at.position);
-        REQUIRE(std::hypot(back.x - x, back.y - y) < 1e-11);
-        REQUIRE(back.viewDistance == Approx(7).epsilon(1e-14));
-        const WorldPoint byDepth = screenToWorld(camera, {x, y}, back.depth);
-        REQUIRE(std::hypot(byDepth.position.x - at.position.x, byDepth.position.z - at.position.z) < 1e-9);
-        const Ray ray = screenToRay(camera, {x, y}, Precision::exact, RayOrigin::nearPlane);
-        REQUIRE(worldToScreen(camera, ray.origin).viewDistance == Approx(0.1).epsilon(1e-12));
-        ++seen;
-      }
-    CHECK(seen > 400);
-    CHECK((dark > 100) == (lens.model() == LensModel::brown));
-  }
-}
-
 TEST_CASE("A tile of a picture is seen through the whole picture's lens; matrices are the pinhole's") {
   const Camera camera = withLens(kPinhole, kBrown), tile = cropped(camera, {100, 50, 300, 200});
   const Vec3 point{1, 1, 1};

@@ -1,9 +1,8 @@
-#include <random>
-
 #include "catch.hpp"
 #include "internals.hpp"
 #include "numbers/certified.hpp"
 #include "numbers/dyadic.hpp"
+#include "random.hpp"
 #include "viewproj/vectors.hpp"
 
 using namespace viewproj;
@@ -11,10 +10,9 @@ using namespace viewproj::detail;
 
 TEST_CASE("Double-double division and square root undo multiplication to 2^-100") {
   for (unsigned trial = 0; trial < 1000; ++trial) {
-    std::mt19937_64 random(trial);
-    std::uniform_real_distribution<double> uniform(0.1, 10);
-    const DoubleDouble a = twoSum(uniform(random), uniform(random) * 0x1p-55);
-    const DoubleDouble b = twoSum(uniform(random), uniform(random) * 0x1p-55);
+    Random random(trial);
+    const auto any = [&] { return random.uniform(0.1, 10); };
+    const DoubleDouble a = twoSum(any(), any() * 0x1p-55), b = twoSum(any(), any() * 0x1p-55);
     const auto relative = [](DoubleDouble x, DoubleDouble y) { return std::fabs(((x - y) / y).hi); };
     INFO("trial " << trial);
     CHECK(relative(a / b * b, a) < 0x1p-100);
@@ -90,9 +88,8 @@ TEST_CASE("Integers times powers of two are cut off and divided towards zero, to
   constexpr double kStep = 0x1p-224;
   const auto roundedOf = [](const auto& a) { return double(a.rounded()); };
   for (std::uint64_t trial = 0; trial < 2000; ++trial) {
-    std::mt19937_64 random(trial);
-    std::uniform_real_distribution<double> uniform(-1000, 1000);
-    const double a = uniform(random), b = uniform(random);
+    Random random(trial);
+    const double a = random.uniform(-1000, 1000), b = random.uniform(-1000, 1000);
     INFO(a << " " << b);
     const Dyadic<2> product = Dyadic<1>(a) * Dyadic<1>(b), cut = product.truncated(-2);
     REQUIRE((product - product.truncated(kPosition)).sign() == 0);  // two doubles of these sizes have no bits below

@@ -1,4 +1,3 @@
-#include <random>
 
 #include "catch.hpp"
 #include "internals.hpp"

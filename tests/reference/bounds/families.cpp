@@ -55,7 +55,7 @@ Vec3 atPixel(const Camera& c, double x, double y, double distance) {
 double distanceInView(Random& r, const Camera& c) {
   const Projection& p = c.projection();
   if (parts(p).orthographic) return r.uniform(parts(p).near, parts(p).far);
-  return std::clamp(r.spread(parts(p).near, std::isinf(parts(p).far) ? parts(p).near * 1e6 : parts(p).far),
+  return std::clamp(r.logUniform(parts(p).near, std::isinf(parts(p).far) ? parts(p).near * 1e6 : parts(p).far),
                     parts(p).near, parts(p).far);
 }
 
@@ -79,18 +79,19 @@ Vec3 inView(Random& r, const Scene&, const Camera& c) {
   const double distance = distanceInView(r, c);
   if (where < 0.8) return inBand(r, c, 1, distance);
   if (where < 0.9) return inBand(r, c, 3, distance);
-  if (where < 0.94) return inBand(r, c, 1, parts(c).projection.orthographic ? distance : distance * r.spread(1e-6, 1));
-  if (where < 0.97) return inBand(r, c, r.spread(1, 1e6), distance);
+  if (where < 0.94)
+    return inBand(r, c, 1, parts(c).projection.orthographic ? distance : distance * r.logUniform(1e-6, 1));
+  if (where < 0.97) return inBand(r, c, r.logUniform(1, 1e6), distance);
   const Vec3 p = inBand(r, c, 1, distance);
   return {2 * parts(c).pose.eye.x - p.x, 2 * parts(c).pose.eye.y - p.y, 2 * parts(c).pose.eye.z - p.z};
 }
 
 /// W is this share of the distance to the eye, on either side.
 Vec3 nextToEyePlane(Random& r, const Camera& c, double least, double most) {
-  const double distance = r.spread(0.1, 1000);
+  const double distance = r.logUniform(0.1, 1000);
   const double angle = r.uniform(0, 6.3);
   return offset(parts(c).pose.eye, parts(c).pose.rows, distance * std::cos(angle), distance * std::sin(angle),
-                r.sign() * distance * r.spread(least, most));
+                r.sign() * distance * r.logUniform(least, most));
 }
 
 Vec3 onPictureEdge(Random& r, const Scene&, const Camera& c) {
@@ -105,7 +106,7 @@ Vec3 onPictureEdge(Random& r, const Scene&, const Camera& c) {
 /// In the direction of a point of the view, but so near the eye.
 Vec3 inViewShrunk(Random& r, const Scene&, const Camera& c, double size) {
   const Vec3 p = inBand(r, c, 1, 1);
-  const double shrink = size * r.spread(1e-3, 1);
+  const double shrink = size * r.logUniform(1e-3, 1);
   return {(p.x - parts(c).pose.eye.x) * shrink, (p.y - parts(c).pose.eye.y) * shrink,
           (p.z - c.pose().eye().z) * shrink};
 }
@@ -164,18 +165,6 @@ Vec3 pointHoldsHighHalf(Random& r, const Scene& s, const Camera&) {
   return {s.up.x - s.target.y * step, s.up.y + s.target.x * step, heightInEyePlane(s).hi};
 }
 
-/// Two coordinates of direction . point cancel exactly, and the third leaves about u^2 of them.
-void thirdOfDirectionIsTiny(Random& r, Scene& s) {
-  s.poseKind = PoseKind::direction;
-  s.position = {0, 0, 0};
-  s.target = {r.uniform(1, 2), r.uniform(1, 2), r.sign() * r.spread(0x1p-112, 0x1p-95)};
-  s.up = r.vector(1);
-}
-Vec3 acrossFirstTwo(Random& r, const Scene& s, const Camera&) {
-  const double scale = r.sign() * std::ldexp(1, static_cast<int>(r.uniform(-10, 10)));
-  return {-s.target.y * scale, s.target.x * scale, r.uniform(-2, 2) * scale};
-}
-
 void fromMatrix(Random& r, Scene& s, double reach) {
   const Vec3 way = r.vector(1), side = r.vector(1);
   const Pose pose = lookAlong({0, 0, 0}, way, side, Handedness::right);
@@ -205,44 +194,19 @@ void lookFromOrigin(Random& r, Scene& s) {
 
 double zeroOrSo(Random& r) {
   const double values[] = {0.0, -0.0, 0.0, -0.0, 1, -1, 10, -10};
-  return r.pick(values);
+  return r.oneOf(values);
 }
 
 const Family kFamilies[] = {
-    // The accuracy study's 27.
     {"ordinary", unchanged, inView},
-    {"far/near 1e6", [](Random&, Scene& s) { s.far = s.near * 1e6; }, inView},
-    {"far/near 1e12", [](Random&, Scene& s) { s.far = s.near * 1e12; }, inView},
     {"far/near 1e15", [](Random&, Scene& s) { s.far = s.near * 1e15; }, inView},
     {"infinite far", [](Random&, Scene& s) { s.far = kInfiniteFar; }, inView},
-    {"reversed", [](Random&, Scene& s) { s.convention.reverseZ = true; }, inView},
     {"reversed infinite", [](Random&, Scene& s) { s.far = kInfiniteFar, s.convention.reverseZ = true; }, inView},
     {"fov 1e-6", [](Random&, Scene& s) { s.fov = 1e-6; }, inView},
-    {"fov 1e-3", [](Random&, Scene& s) { s.fov = 1e-3; }, inView},
-    {"fov 179.9", [](Random&, Scene& s) { s.fov = 179.9; }, inView},
-    {"fov 179.999999", [](Random&, Scene& s) { s.fov = 179.999999; }, inView},
     {"ECEF, 1 m",
      [](Random& r, Scene& s) {
        moveTo(r, s, 6.4e6);
        s.near = 0.01, s.far = 10;
-     },
-     inView},
-    {"ECEF, 10 m",
-     [](Random& r, Scene& s) {
-       moveTo(r, s, 6.4e6);
-       s.near = 0.1, s.far = 100;
-     },
-     inView},
-    {"ECEF, 1 km",
-     [](Random& r, Scene& s) {
-       moveTo(r, s, 6.4e6);
-       s.near = 10, s.far = 1e4;
-     },
-     inView},
-    {"eye 1e9",
-     [](Random& r, Scene& s) {
-       moveTo(r, s, 1e9);
-       s.near = 1;
      },
      inView},
     {"eye 1e12",
@@ -251,10 +215,6 @@ const Family kFamilies[] = {
        s.near = 100, s.far = 1e6;
      },
      inView},
-    {"scale 1e-60", [](Random&, Scene& s) { scaleScene(s, 1e-60); }, inView},
-    {"scale 1e60", [](Random&, Scene& s) { scaleScene(s, 1e60); }, inView},
-    {"up 1e-8 off parallel", [](Random& r, Scene& s) { nearlyParallelUp(r, s, 1e-8); }, inView},
-    {"up 1e-12 off parallel", [](Random& r, Scene& s) { nearlyParallelUp(r, s, 1e-12); }, inView},
     {"W 1e-12 of the distance", unchanged,
      [](Random& r, const Scene&, const Camera& c) { return nextToEyePlane(r, c, 1e-13, 1e-11); }, 0},
     {"W about 1e-300", lookFromOrigin,
@@ -271,27 +231,17 @@ const Family kFamilies[] = {
      },
      inView},
     {"depth slab of 1e-12", [](Random&, Scene& s) { s.far = s.near * (1 + 1e-12); }, inView},
-    {"orthographic at 1e9",
-     [](Random& r, Scene& s) {
-       moveTo(r, s, 1e9);
-       orthographicWindow(s, -10, 10, -5, 5);
-     },
-     inView},
     {"orthographic, beyond near and far", [](Random&, Scene& s) { orthographicWindow(s, -10, 10, -5, 5); },
-     [](Random& r, const Scene&, const Camera& c) { return inBand(r, c, 3, r.sign() * r.spread(1, 1e12)); }, 0.01},
-    // Its adversarial three.
+     [](Random& r, const Scene&, const Camera& c) { return inBand(r, c, 3, r.sign() * r.logUniform(1, 1e12)); }, 0.01},
     {"whole numbers", wholeNumbers, [](Random& r, const Scene&, const Camera&) { return wholeVector(r, 10); }, 0.01},
     {"any exponents", [](Random& r, Scene& s) { anyExponents(r, s, 40); },
      [](Random& r, const Scene&, const Camera&) { return vectorOfAnyExponents(r, 40); }, 0},
     {"W cancels to u^2", eyeHoldsLowHalf, pointHoldsHighHalf, 0},
-    {"W cancels to u^2, another way", thirdOfDirectionIsTiny, acrossFirstTwo, 0},
-    // Further ends.
-    {"every kind of camera", [](Random& r, Scene& s) { s = randomScene(r, r.spread(1e-3, 1e12)); }, inView},
+    {"every kind of camera", [](Random& r, Scene& s) { s = randomScene(r, r.logUniform(1e-3, 1e12)); }, inView},
     {"far/near 1e81", [](Random&, Scene& s) { s.near = 1e-3, s.far = 1e78; }, inView},
     {"reversed far/near 1e81", [](Random&, Scene& s) { s.near = 1e-3, s.far = 1e78, s.convention.reverseZ = true; },
      inView},
     {"near 1e-90, far 1e78", [](Random&, Scene& s) { s.near = 1e-90, s.far = 1e78; }, inView, 0.4},
-    {"fov 1e-30", [](Random&, Scene& s) { s.fov = 1e-30; }, inView, 0},
     {"fov 1e-87", [](Random&, Scene& s) { s.fov = 1e-87; }, inView, 0},
     {"fov 1e-30 at the origin",
      [](Random& r, Scene& s) {
@@ -308,7 +258,7 @@ const Family kFamilies[] = {
      [](Random& r, const Scene&, const Camera&) { return vectorOfAnyExponents(r, 200); }, 0},
     {"matrix at 1e12, next to the eye",
      [](Random& r, Scene& s) {
-       fromMatrix(r, s, r.spread(1e9, 1e12));
+       fromMatrix(r, s, r.logUniform(1e9, 1e12));
        s.near = 1e3, s.far = 1e9;
      },
      [](Random& r, const Scene&, const Camera& c) {
@@ -318,30 +268,29 @@ const Family kFamilies[] = {
        return p;
      },
      0.05},
-    {"matrix at 1e9", [](Random& r, Scene& s) { fromMatrix(r, s, 1e9); }, inView},
     {"orthographic from a corner, next to it",
      [](Random& r, Scene& s) {
        s.position = {0, 0, 0};
-       orthographicWindow(s, 0, r.spread(1e-3, 1e3), 0, r.spread(1e-3, 1e3));
+       orthographicWindow(s, 0, r.logUniform(1e-3, 1e3), 0, r.logUniform(1e-3, 1e3));
        s.viewport.origin = Origin::bottomLeft;
        s.near = -1, s.far = 1;
      },
-     [](Random& r, const Scene&, const Camera&) { return r.vector(r.spread(1e-307, 1)); }, 0.1},
+     [](Random& r, const Scene&, const Camera&) { return r.vector(r.logUniform(1e-307, 1)); }, 0.1},
     {"perspective from a corner, next to it",
      [](Random& r, Scene& s) {
        s.position = {0, 0, 0};
        s.lensKind = LensKind::intrinsics;
-       s.fx = r.spread(10, 1e4), s.fy = r.spread(10, 1e4), s.cx = s.cy = 0;
+       s.fx = r.logUniform(10, 1e4), s.fy = r.logUniform(10, 1e4), s.cx = s.cy = 0;
      },
      [](Random& r, const Scene&, const Camera& c) {
-       return offset(parts(c).pose.eye, parts(c).pose.rows, r.spread(1e-300, 1), r.spread(1e-300, 1), 1);
+       return offset(parts(c).pose.eye, parts(c).pose.rows, r.logUniform(1e-300, 1), r.logUniform(1e-300, 1), 1);
      },
      0.5},
-    {"rows next to 1e90", [](Random& r, Scene& s) { s.fov = r.spread(1e-87, 1e-85); }, inView, 0},
+    {"rows next to 1e90", [](Random& r, Scene& s) { s.fov = r.logUniform(1e-87, 1e-85); }, inView, 0},
     {"distances next to the limits of the rungs",
      [](Random& r, Scene& s) {
        const int exponents[] = {-250, -200, 200, 230};
-       scaleScene(s, std::ldexp(r.spread(1e-2, 1e2), r.pick(exponents)));
+       scaleScene(s, std::ldexp(r.logUniform(1e-2, 1e2), r.oneOf(exponents)));
      },
      inView},
     {"next to the eye plane, where the rungs hand over", unchanged,
@@ -360,8 +309,8 @@ const Family kFamilies[] = {
        s.fov = r.chance(0.5) ? 60 : 1e-87;
      },
      [](Random& r, const Scene& s, const Camera&) {
-       return Vec3{r.sign() * r.spread(1e-3, 1e3), r.sign() * r.spread(1e-3, 1e3),
-                   s.target.z * r.spread(1e-307, 1e-200)};
+       return Vec3{r.sign() * r.logUniform(1e-3, 1e3), r.sign() * r.logUniform(1e-3, 1e3),
+                   s.target.z * r.logUniform(1e-307, 1e-200)};
      },
      0},
     {"signed zeros",
@@ -376,7 +325,8 @@ const Family kFamilies[] = {
      },
      0.05},
     {"far off screen", unchanged,
-     [](Random& r, const Scene&, const Camera& c) { return inBand(r, c, r.spread(1, 1e12), distanceInView(r, c)); }, 0},
+     [](Random& r, const Scene&, const Camera& c) { return inBand(r, c, r.logUniform(1, 1e12), distanceInView(r, c)); },
+     0},
 };
 
 }  // namespace

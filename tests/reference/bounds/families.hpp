@@ -14,7 +14,6 @@ struct Family {
   double leastInPicture = 0.5;  ///< share of the points whose true pixel lies in the picture, at least
 };
 
-/// The 27 families of the accuracy study, its three adversarial ones, and further ends.
 std::span<const Family> families();
 
 /// A plain camera: 60 degrees, 1920x1080, looking from a random place in a random direction.

@@ -52,7 +52,7 @@ Vec3 anyDirection(Random& r) {
 }
 
 /// A number of any magnitude that a double has.
-double any(Random& r) { return r.chance(0.1) ? r.sign() * 0.0 : r.sign() * r.spread(1e-300, 1e90); }
+double any(Random& r) { return r.chance(0.1) ? r.sign() * 0.0 : r.sign() * r.logUniform(1e-300, 1e90); }
 Vec3 anyVector(Random& r) { return {any(r), any(r), any(r)}; }
 
 /// The same scene in other units and another place; whole numbers stay exact.
@@ -79,13 +79,13 @@ HitCase placed(const Placing& p, const Ray& ray, const Vec3& center, double radi
 }
 
 HitCase sphere(Random& r) {
-  const double size = r.spread(1e-3, 1e3), radius = size * r.spread(1e-6, 2);
+  const double size = r.logUniform(1e-3, 1e3), radius = size * r.logUniform(1e-6, 2);
   return placed(placing(r), {r.vector(size), anyDirection(r)}, r.vector(size), radius);
 }
 
 /// Aimed at the sphere's rim: the discriminant is about 0 in doubles.
 HitCase grazedSphere(Random& r) {
-  const double size = r.spread(1e-3, 1e3);
+  const double size = r.logUniform(1e-3, 1e3);
   const Vec3 origin = r.vector(size), center = r.vector(size), d = anyDirection(r);
   const Vec3 moment = crossOf(origin - center, d);
   const double distance = std::hypot(moment.x, moment.y, moment.z) / std::hypot(d.x, d.y, d.z);
@@ -127,9 +127,9 @@ HitCase pointSphere(Random& r) {
 
 /// The same scene as in a camera at a millionth of the radius above the surface, or far away from a small sphere.
 HitCase sphereOfAnotherSize(Random& r) {
-  const double radius = r.spread(1e-8, 1e8);
+  const double radius = r.logUniform(1e-8, 1e8);
   const Vec3 out = unitOf(r.vector(1));
-  const double height = r.chance(0.5) ? radius * r.spread(1e-12, 1e-2) : radius * r.spread(1, 1e12);
+  const double height = r.chance(0.5) ? radius * r.logUniform(1e-12, 1e-2) : radius * r.logUniform(1, 1e12);
   const Vec3 origin = out * (radius + height);
   const Vec3 aim = unitOf(r.vector(1)) * (radius * r.uniform(0, 2));
   return placed(placing(r), {origin, unitOf(aim - origin)}, {}, radius);
@@ -138,8 +138,8 @@ HitCase sphereOfAnotherSize(Random& r) {
 /// Aimed at its centre along an axis, from so far that the cross product of double-double is mostly error.
 HitCase sphereFromAfar(Random& r) {
   const double distance = std::exp2(r.uniform(20, 60));
-  const Vec3 origin{distance, r.sign() * r.spread(1e-12, 1) * distance, r.sign() * r.spread(1e-12, 1)};
-  return placed(placing(r), {origin, unitOf(origin * -1)}, {}, r.spread(0.5, 2));
+  const Vec3 origin{distance, r.sign() * r.logUniform(1e-12, 1) * distance, r.sign() * r.logUniform(1e-12, 1)};
+  return placed(placing(r), {origin, unitOf(origin * -1)}, {}, r.logUniform(0.5, 2));
 }
 
 HitCase anySphere(Random& r) {
@@ -150,7 +150,7 @@ HitCase anySphere(Random& r) {
 
 HitCase earth(Random& r) {
   const Vec3 out = unitOf(r.vector(1));
-  const double height = r.sign() * r.spread(1e-3, 1e8);
+  const double height = r.sign() * r.logUniform(1e-3, 1e8);
   const Vec3 origin = out * (6.37e6 + height);
   const Vec3 aim = unitOf(r.vector(1)) * 6.36e6;
   const Vec3 d = r.chance(0.5) ? unitOf(aim - origin) : anyDirection(r);
@@ -176,8 +176,8 @@ HitCase earthExactly(Random& r) {
 }
 
 HitCase anyEllipsoid(Random& r) {
-  const double size = r.spread(1e-6, 1e6);
-  const Ellipsoid e{size * r.spread(1e-3, 1e3), size * r.spread(1e-3, 1e3)};
+  const double size = r.logUniform(1e-6, 1e6);
+  const Ellipsoid e{size * r.logUniform(1e-3, 1e3), size * r.logUniform(1e-3, 1e3)};
   const Vec3 origin = r.vector(3 * std::max(e.equatorial, e.polar));
   const Vec3 aim{e.equatorial * r.uniform(-0.8, 0.8), e.equatorial * r.uniform(-0.8, 0.8),
                  e.polar * r.uniform(-0.8, 0.8)};
@@ -194,7 +194,7 @@ Box boxOf(const Vec3& a, const Vec3& b) {
 }
 
 HitCase box(Random& r) {
-  const double size = r.spread(1e-3, 1e3);
+  const double size = r.logUniform(1e-3, 1e3);
   return placed(placing(r), {r.vector(size), anyDirection(r)}, boxOf(r.vector(size), r.vector(size)));
 }
 
@@ -213,7 +213,7 @@ HitCase wholeBox(Random& r) {
 
 /// Aimed at an edge or a corner in doubles.
 HitCase edgeOfBox(Random& r) {
-  const double size = r.spread(1e-3, 1e3);
+  const double size = r.logUniform(1e-3, 1e3);
   const Placing p = placing(r);
   const Box b = boxOf(p.point(r.vector(size)), p.point(r.vector(size)));
   Vec3 target = b.max;
@@ -235,7 +235,7 @@ HitCase placed(const Placing& p, const Ray& ray, const Triangle& t) {
 }
 
 HitCase triangle(Random& r) {
-  const double size = r.spread(1e-3, 1e3);
+  const double size = r.logUniform(1e-3, 1e3);
   const Triangle t{r.vector(size), r.vector(size), r.vector(size)};
   const double u = r.uniform(-0.1, 1.1), v = r.uniform(-0.1, 1.1 - u);
   const Vec3 target = t.a + (t.b - t.a) * u + (t.c - t.a) * v, origin = r.vector(2 * size);
@@ -244,7 +244,7 @@ HitCase triangle(Random& r) {
 
 /// Aimed at an edge or a corner in doubles.
 HitCase edgeOfTriangle(Random& r) {
-  const double size = r.spread(1e-3, 1e3);
+  const double size = r.logUniform(1e-3, 1e3);
   const Placing p = placing(r);
   const Triangle t{p.point(r.vector(size)), p.point(r.vector(size)), p.point(r.vector(size))};
   const Vec3 target = r.chance(0.2) ? t.c : t.a + (t.b - t.a) * r.uniform(0, 1);
@@ -273,9 +273,10 @@ HitCase anyTriangle(Random& r) {
 }
 
 HitCase plane(Random& r) {
-  const double size = r.spread(1e-3, 1e3);
+  const double size = r.logUniform(1e-3, 1e3);
   const Placing p = placing(r);
-  return {{p.point(r.vector(size)), anyDirection(r)}, Plane{p.point(r.vector(size)), r.vector(r.spread(1e-200, 1e90))}};
+  return {{p.point(r.vector(size)), anyDirection(r)},
+          Plane{p.point(r.vector(size)), r.vector(r.logUniform(1e-200, 1e90))}};
 }
 
 /// Parallel, within, starting on: exactly.

@@ -3,7 +3,6 @@
 // The number of cases: VIEWPROJ_SHAPE_CASES in the environment, for hits and for culling each.
 #include <cstdlib>
 #include <map>
-#include <sstream>
 
 #include "catch.hpp"
 #include "internals.hpp"
@@ -19,36 +18,6 @@ namespace {
 std::size_t casesWanted() {
   const char* wanted = std::getenv("VIEWPROJ_SHAPE_CASES");
   return wanted ? std::strtoull(wanted, nullptr, 10) : 15000;
-}
-
-/// A shape's numbers in a row, to print or to spoil.
-template <class S>
-std::vector<double*> numbersOf(S& s) {
-  const auto of = [](auto&... vectors) {
-    std::vector<double*> all;
-    for (Vec3* v : {&vectors...}) all.insert(all.end(), {&v->x, &v->y, &v->z});
-    return all;
-  };
-  if constexpr (std::is_same_v<S, Plane>) return of(s.point, s.normal);
-  if constexpr (std::is_same_v<S, Box>) return of(s.min, s.max);
-  if constexpr (std::is_same_v<S, Triangle>) return of(s.a, s.b, s.c);
-  if constexpr (std::is_same_v<S, Ellipsoid>) return {&s.equatorial, &s.polar};
-  if constexpr (std::is_same_v<S, Sphere>) {
-    auto all = of(s.center);
-    all.push_back(&s.radius);
-    return all;
-  }
-}
-
-std::string text(HitCase c) {
-  std::ostringstream out;
-  out << std::hexfloat << "origin";
-  for (std::size_t i = 0; i < 3; ++i) out << " " << c.ray.origin[i];
-  out << ", direction";
-  for (std::size_t i = 0; i < 3; ++i) out << " " << c.ray.direction[i];
-  out << ", shape " << c.shape.index();
-  for (const double* number : std::visit([](auto& s) { return numbersOf(s); }, c.shape)) out << " " << *number;
-  return out.str();
 }
 
 Hits hitsOf(const HitCase& c) {
@@ -113,7 +82,7 @@ TEST_CASE("Hits are those of exact arithmetic, and their numbers within the boun
     if (got.count != int(truth.hits.size()))
       wrong = "the number of hits: " + std::to_string(got.count) + ", not " + std::to_string(truth.hits.size());
     for (std::size_t i = 0; wrong.empty() && i < truth.hits.size(); ++i) wrong = wrongWith(got.hits[i], truth.hits[i]);
-    if (!wrong.empty()) FAIL_CHECK(family.name << ", trial " << trial << ": " << wrong << "\n" << text(c));
+    if (!wrong.empty()) FAIL_CHECK(family.name << ", trial " << trial << ": " << wrong);
     for (Tally* t : {&all, &tallies[family.name]}) {
       ++t->cases;
       ++t->hits[truth.hits.size()];
@@ -123,11 +92,7 @@ TEST_CASE("Hits are those of exact arithmetic, and their numbers within the boun
       t->wide += truth.wide;
     }
   }
-  std::ostringstream table;
-  table << "cases miss one two touching starts-on starts-inside wide\n";
   for (const auto& [name, t] : tallies) {
-    table << t.cases << " " << t.hits[0] << " " << t.hits[1] << " " << t.hits[2] << " " << t.touches << " "
-          << t.startsOn << " " << t.startsInside << " " << t.wide << " " << name << "\n";
     INFO(name);
     CHECK(t.hits[0] > 0);
     CHECK(t.hits[1] + t.hits[2] > 0);
@@ -150,5 +115,4 @@ TEST_CASE("Hits are those of exact arithmetic, and their numbers within the boun
   CHECK(share("plane of whole numbers", &Tally::startsOn) > 0.1);
   CHECK(all.wide > all.cases / 50);
   CHECK(all.startsInside > all.cases / 50);
-  WARN(all.cases << " cases\n" << table.str());
 }

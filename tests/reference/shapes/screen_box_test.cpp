@@ -119,7 +119,7 @@ struct World {
 };
 
 World randomWorld(Random& random) {
-  Scene scene = randomScene(random, random.spread(1e-3, 1e6));
+  Scene scene = randomScene(random, random.logUniform(1e-3, 1e6));
   scene.shiftX = scene.shiftY = 0;
   scene.hasCrop = false;
   return World(scene);
@@ -138,9 +138,9 @@ TEST_CASE("The rectangle of a sphere on the screen holds it and no more, to with
     const Real3 forward = w.truth.pose.forward;
     const double distance = double(length(d));
     const double before = double((dot(forward, d) - Real(w.scene.near)) / length(forward));
-    Sphere sphere{center, distance * random.spread(1e-6, 4)};
+    Sphere sphere{center, distance * random.logUniform(1e-6, 4)};
     if (random.chance(0.2)) sphere.radius = std::fabs(before) * (1 + random.uniform(-1e-3, 1e-3));
-    if (random.chance(0.1)) sphere.radius = distance * (1 + random.sign() * random.spread(1e-8, 1e-3));
+    if (random.chance(0.1)) sphere.radius = distance * (1 + random.sign() * random.logUniform(1e-8, 1e-3));
     if (random.chance(0.05)) sphere.radius = 0;
     INFO("trial " << trial << ": " << describe(w.scene) << ", radius " << sphere.radius << " at " << distance);
     const auto got = cmd::screenBox(w.frustum.camera(), sphere);
