@@ -25,12 +25,10 @@ class PairWork final : public RecordWork {
   PairWork(PairCheck& check, const PointReading& reading) : check_(check), reading_(reading) {}
 
   Layout find(const RecordParts& record) const override { return findPair(record, reading_); }
-  Results results(const Layout&, OutputForm) const override { return {}; }
   void add(const Layout& layout, const Numbers& numbers) override { pairs_.push_back(toPair(layout, numbers)); }
   void read(std::size_t i, const Record&, std::size_t line) override {
     check_.add(pairs_[i].point, pairs_[i].pixel, line);
   }
-  void write(std::size_t, ResultSink&) override {}  // records are read alone
   void clear() override { pairs_.clear(); }
 
  private:

@@ -42,7 +42,6 @@ class DrawWork final : public RecordWork {
   DrawWork(Picture& picture, const PointReading& reading) : picture_(picture), reading_(reading) {}
 
   Layout find(const RecordParts& record) const override { return findPoint(record, reading_); }
-  Results results(const Layout&, OutputForm) const override { return {}; }
 
   void add(const Layout& layout, const Numbers& n) override {
     if (!isPoint(layout) && !hasDepth(picture_.camera().projection()))
@@ -60,7 +59,6 @@ class DrawWork final : public RecordWork {
     std::visit([&](const auto& what) { picture_.add(label, what); }, drawn_[i]);
   }
 
-  void write(std::size_t, ResultSink&) override {}  // records are read alone
   void clear() override { drawn_.clear(); }
 
  private:

@@ -235,7 +235,6 @@ class SampleWork final : public RecordWork {
       : sample_(sample), reading_(reading), keepGoing_(keepGoing) {}
 
   Layout find(const RecordParts& record) const override { return findPoint(record, reading_); }
-  Results results(const Layout&, OutputForm) const override { return {}; }
   void add(const Layout& layout, const Numbers& numbers) override {
     const Vec4 p = toPoint(layout, numbers);
     if (sample_.points.size() == kMostPoints && keepGoing_) return;
@@ -247,8 +246,6 @@ class SampleWork final : public RecordWork {
     else
       ++sample_.leftOut;
   }
-  void write(std::size_t, ResultSink&) override {}  // records are read alone
-  void clear() override {}
 
  private:
   Sample& sample_;

@@ -89,7 +89,7 @@ inline constexpr ResultRow
 inline constexpr const ResultRow *kPlaceParts[] = {&lat, &lon, &height};
 inline constexpr ResultRow
     place = groupResult("place", kPlaceParts).onRequest();
-inline constexpr const ResultRow* kRay[] = {&origin, &direction, &point, &place, &pointDistance, &pixelSize, &pointBound, &placedHit, &hit, &hits};
+inline constexpr const ResultRow* kRay[] = {&origin, &direction, &point, &place, &pointDistance, &pointBound, &placedHit, &hit, &hits};
 
 inline constexpr ResultRow
     cull = ResultRow{"cull", ResultKind::word}.whereNamed(),
