@@ -1,10 +1,8 @@
 // viewproj project: world points to screen positions.
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <type_traits>
 
 #include "camera/camera.hpp"
@@ -66,9 +64,6 @@ Fields readFields(const std::string& option, const std::string& text) {
   Names<const PointResult*> known;
   for (const PointResult& result : pointResults()) known.emplace_back(result.row.name, &result);
   Fields fields;
-  for (const std::string& name : splitNames(option, text))
-    if (const std::string_view owner = otherCommandOf(name); !owner.empty())
-      throw UsageError(option + ": " + name + " is a result of " + std::string(owner) + ", not of points");
   const auto several = chooseSeveral(option, text, known);
   if (!several.all) {
     fields.named = fields.numbers = several.named;
@@ -83,17 +78,13 @@ Fields readFields(const std::string& option, const std::string& text) {
   return fields;
 }
 
-/// What --fields says of itself.
 std::string helpOnFields() {
-  std::string all, named;
-  const auto add = [](std::string& list, const ResultRow& row) {
-    list += (list.empty() ? "" : ", ") + std::string(row.name);
-  };
+  std::vector<std::string_view> all, usual;
   for (const PointResult& result : pointResults()) {
-    add(all, result.row);
-    if (result.row.byDefault != Default::never) add(named, result.row);
+    all.push_back(result.row.name);
+    if (result.row.byDefault != Default::never) usual.push_back(result.row.name);
   }
-  return "Results, in this order: " + all + ", or all (default: " + named + ")";
+  return "Results, in this order: " + joined(all) + ", or all (default: " + joined(usual) + ")";
 }
 
 struct Projecting {
@@ -138,18 +129,11 @@ std::uint8_t sidesBeyond(const CameraParts& c, const ScreenBox& box) {
   return static_cast<std::uint8_t>(ofCorner(box.left, box.top) & ofCorner(box.right, box.bottom));
 }
 
-/// Eight at a time, which compilers make vector instructions of: zero times a number is a number.
+/// Without a branch a number, so that compilers make vector instructions of it.
 bool areFinite(std::span<const Vec3> points) {
-  constexpr std::size_t kStep = 8;
-  if (points.empty()) return true;
-  const double* const numbers = &points[0].x;
-  const std::size_t count = 3 * points.size();
-  std::array<double, kStep> zeros = {};
-  std::size_t i = 0;
-  for (; i + kStep <= count; i += kStep)
-    for (std::size_t lane = 0; lane < kStep; ++lane) zeros[lane] += 0 * numbers[i + lane];
-  for (; i < count; ++i) zeros[0] += 0 * numbers[i];
-  return std::accumulate(zeros.begin(), zeros.end(), 0.0) == 0;
+  bool all = true;
+  for (const Vec3& p : points) all &= std::isfinite(p.x) & std::isfinite(p.y) & std::isfinite(p.z);
+  return all;
 }
 
 /// How many from the start are points in range whose numbers on the screen exist or are NaN. What overflowed has no

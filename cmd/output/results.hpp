@@ -121,9 +121,6 @@ const Results& allResults();
 /// The one of this name; null: none.
 const ResultRow* findResult(std::string_view name);
 
-/// The command that writes a result which project does not; empty: none.
-std::string_view otherCommandOf(std::string_view name);
-
 /// The columns of CSV. table: a vector has one cell.
 std::vector<std::string> columnsOf(std::span<const ResultRow* const> rows, std::string_view prefix = "",
                                    bool table = false);
