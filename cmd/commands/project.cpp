@@ -129,11 +129,11 @@ std::uint8_t sidesBeyond(const CameraParts& c, const ScreenBox& box) {
   return static_cast<std::uint8_t>(ofCorner(box.left, box.top) & ofCorner(box.right, box.bottom));
 }
 
-/// Without a branch a number, so that compilers make vector instructions of it.
+/// Zero times a number is zero, and NaN of what is not finite: no branch for each.
 bool areFinite(std::span<const Vec3> points) {
-  bool all = true;
-  for (const Vec3& p : points) all &= std::isfinite(p.x) & std::isfinite(p.y) & std::isfinite(p.z);
-  return all;
+  double zero = 0;
+  for (const Vec3& p : points) zero += 0 * p.x + 0 * p.y + 0 * p.z;
+  return zero == 0;
 }
 
 /// How many from the start are points in range whose numbers on the screen exist or are NaN. What overflowed has no
