@@ -76,7 +76,6 @@ struct CheckOptions {
 
 int runCheck(const CheckOptions& o) {
   FilterSetup setup = o.stream.setup(kPairColumns);
-  setup.note = note;
   if (setup.given.size() != o.pixels.size())
     throw UsageError("expected a --pixel for each --point, got " + std::to_string(setup.given.size()) +
                      " --point and " + std::to_string(o.pixels.size()) + " --pixel");

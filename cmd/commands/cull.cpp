@@ -59,7 +59,6 @@ int run(const Options& o) {
   const Frustum frustum = viewFrustum(makeCamera(file));
   o.stream.settleOnEarth(setup, file.worldIsEcef);
   const PointReading reading{.columns = setup.columns, .worldIsEcef = file.worldIsEcef, .shapes = true, .radius = true};
-  setup.note = note;
   setup.writer.arrayName = "position";
   return runFilter(setup, [&] { return std::make_unique<CullWork>(frustum, reading); });
 }

@@ -92,16 +92,9 @@ void draw(Picture& picture, const SceneObject& object) {
 
 /// What the pixel's ray hits first.
 std::string hitLabel(const Camera& camera, const Vec2& pixel, const std::vector<SceneObject>& scene) {
-  const Ray ray = screenToRay(camera, pixel);
-  std::string label = "no hit";
-  double nearest = HUGE_VAL;
-  for (const SceneObject& object : scene) {
-    const Hits hits = std::visit([&](const auto& shape) { return intersect(ray, shape); }, object.shape);
-    if (hits.count == 0 || !(hits.begin()->distance < nearest)) continue;
-    nearest = hits.begin()->distance;
-    label = labelOfJson(object.id) + " at " + formatDigits(nearest, 6);
-  }
-  return label;
+  const std::vector<SceneHit> hits = hitsOf(screenToRay(camera, pixel), scene);
+  if (hits.empty()) return "no hit";
+  return labelOfJson(hits[0].object->id) + " at " + formatDigits(hits[0].hit.distance, 6);
 }
 
 struct DrawOptions {

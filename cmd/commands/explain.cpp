@@ -43,7 +43,7 @@ class Steps {
       for (std::size_t j = 0; j < 4; ++j) values_[entry(name, i, j)] = paper[i][j];
   }
 
-  void given(const std::string& name, double value, const std::string& note = "") { add(name, "", value, note); }
+  void given(const std::string& name, double value, const std::string& note = "") { step(name, "", value, note); }
 
   void vector(const std::string& name, const Vec3& value, const std::string& note = "") {
     const Names3 names = components(name);
@@ -70,11 +70,17 @@ class Steps {
       note += (note.empty() ? "" : "; ") + (value == 0  ? std::string("cancels to 0")
                                             : lost == 1 ? std::string("1 digit cancels")
                                                         : formatNumber(lost) + " digits cancel");
-    add(name, formula, value, note);
+    step(name, formula, value, note);
   }
 
   void step(const std::string& name, const std::string& formula, double value, const std::string& note = "") {
-    add(name, formula, value, note);
+    const auto orNull = [](const std::string& text) { return text.empty() ? OrderedJson() : OrderedJson(text); };
+    values_[name] = value;
+    steps_.push_back({{"stage", stage_},
+                      {"name", name},
+                      {"formula", orNull(formula)},
+                      {"value", value + 0.0},
+                      {"note", orNull(note)}});
   }
 
   /// The terms of a row of a matrix for column vectors times the numbers of these names: without entries that are 0 and
@@ -102,16 +108,6 @@ class Steps {
   }
 
   double valueOf(const std::string& name) const { return values_.at(name); }
-
-  void add(const std::string& name, const std::string& formula, double value, const std::string& note) {
-    const auto orNull = [](const std::string& text) { return text.empty() ? OrderedJson() : OrderedJson(text); };
-    values_[name] = value;
-    steps_.push_back({{"stage", stage_},
-                      {"name", name},
-                      {"formula", orNull(formula)},
-                      {"value", value + 0.0},
-                      {"note", orNull(note)}});
-  }
 
   bool rows_;
   Convention convention_;

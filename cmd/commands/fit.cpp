@@ -68,7 +68,6 @@ double readMargin(const std::string& option, const std::string& text) {
 
 int runFit(const FitOptions& o) {
   FilterSetup setup = o.stream.setup(kSphereColumns);
-  setup.note = note;
   const bool reads = o.stream.reads(setup);
   const CameraFile file = o.camera.read();
   if (reads) o.stream.settleOnEarth(setup, file.worldIsEcef);

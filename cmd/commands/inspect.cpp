@@ -38,15 +38,13 @@ std::vector<WrittenMatrix> chooseMatrices(std::vector<WrittenMatrix> matrices,
     return matrices;
   }
   std::unordered_map<std::string_view, const WrittenMatrix*> byName;  // of a name that several have, the first
-  for (const WrittenMatrix& m : matrices) byName.emplace(m.name, &m);
+  std::vector<std::string_view> names;
+  for (const WrittenMatrix& m : matrices)
+    if (byName.emplace(m.name, &m).second) names.push_back(m.name);
   std::vector<WrittenMatrix> chosen;
   for (const std::string& name : *which) {
     const auto found = byName.find(name);
-    if (found == byName.end()) {
-      std::vector<std::string_view> names;
-      for (const WrittenMatrix& m : matrices) names.push_back(m.name);
-      throw InputError(source + ": has no matrix " + inQuotes(name) + suggestion(name, names));
-    }
+    if (found == byName.end()) throw InputError(source + ": has no matrix " + inQuotes(name) + suggestion(name, names));
     chosen.push_back(*found->second);
   }
   return chosen;

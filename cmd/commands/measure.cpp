@@ -261,7 +261,6 @@ struct MeasureOptions {
 
 int runMeasure(const MeasureOptions& o) {
   FilterSetup setup = o.stream.setup(kPointColumns);
-  setup.note = note;
   o.stream.reads(setup);
   const CameraFile file = o.camera.read();
   requireNear(file, "measure");

@@ -167,13 +167,11 @@ class ProjectWork final : public RecordWork {
 
   void add(const Layout& layout, const Numbers& n) override {
     Vec4 point{0, 0, 0, 1};
-    if (!how_.frustum && (isSegment(layout) || isShape(layout)))
+    const std::string what = isSegment(layout) ? "a segment" : "a shape";
+    if (!how_.frustum && !isPoint(layout))
       throw RecordError(
-          0, std::string(isSegment(layout) ? "a segment" : "a shape") +
-                 " needs straight edges, which the lens bends; --ignore-distortion leaves its distortion out");
-    if (!how_.hasDepth && (isSegment(layout) || isShape(layout)))
-      throw RecordError(
-          0, std::string(isSegment(layout) ? "a segment" : "a shape") + " needs a camera with near; --near gives it");
+          0, what + " needs straight edges, which the lens bends; --ignore-distortion leaves its distortion out");
+    if (!how_.hasDepth && !isPoint(layout)) throw RecordError(0, what + " needs a camera with near; --near gives it");
     if (isSegment(layout)) {
       const SegmentRow segment{placed({n[0], n[1], n[2]}), placed({n[3], n[4], n[5]})};
       if (!isValid(Sphere{segment.a}) || !isValid(Sphere{segment.b})) throw RecordError(0, "has a number beyond 1e91");
@@ -313,7 +311,6 @@ int run(const Options& o) {
   // Then a point with a radius is a sphere.
   const bool asksForBoxes = o.fields && o.fields->names(results::screenBox);
   FilterSetup setup = o.stream.setup(asksForBoxes ? kSphereColumns : kPointColumns);
-  setup.note = note;
   o.stream.reads(setup);
   const CameraFile file = o.camera.read();
   o.stream.settleOnEarth(setup, file.worldIsEcef);

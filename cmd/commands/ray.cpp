@@ -58,11 +58,6 @@ bool isOfTheEarth(const SceneObject& object) {
   return std::holds_alternative<Ellipsoid>(object.shape) || std::holds_alternative<HeightSurface>(object.shape);
 }
 
-struct SceneHit {
-  const SceneObject* object = nullptr;
-  Hit hit;
-};
-
 /// A pixel, and what is behind it.
 struct Cast {
   const Pixel& pixel;
@@ -140,7 +135,7 @@ class RayWork final : public RecordWork {
   }
 
   void writeHits(const Ray& ray, ResultSink& sink) const {
-    const std::vector<SceneHit> hits = hitsOf(ray);
+    const std::vector<SceneHit> hits = hitsOf(ray, *how_.scene);
     if (how_.allHits) {
       sink.object(results::hits, hits.size(), [&](ResultSink& part, std::size_t i) { writeHit(hits[i], part); });
       return;
@@ -160,20 +155,6 @@ class RayWork final : public RecordWork {
     const bool isPlace = onEllipsoid || (hit.object && how_.worldIsEcef);
     if (isPlace || (sink.hasFixedColumns() && how_.placesHits()))
       writePlace(isPlace ? hit.hit.point : Vec3{kNaN, kNaN, kNaN}, sink);
-  }
-
-  /// Nearest first; of hits at the same distance, in the scene's order.
-  std::vector<SceneHit> hitsOf(const Ray& ray) const {
-    std::vector<SceneHit> found;
-    for (const SceneObject& object : *how_.scene)
-      std::visit(
-          [&](const auto& shape) {
-            for (const Hit& hit : intersect(ray, shape)) found.push_back({&object, hit});
-          },
-          object.shape);
-    std::stable_sort(found.begin(), found.end(),
-                     [](const SceneHit& a, const SceneHit& b) { return a.hit.distance < b.hit.distance; });
-    return found;
   }
 
   const Casting& how_;
@@ -258,7 +239,6 @@ int run(const Options& o) {
   setup.writer.arrayName = "screen";
   setup.writer.arraySize = 2;
   setup.writer.extraName = "depth";
-  setup.note = note;
   return runFilter(setup, [&] { return std::make_unique<RayWork>(how); });
 }
 
