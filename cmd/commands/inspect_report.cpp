@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "camera/names.hpp"
@@ -208,40 +207,26 @@ OrderedJson calibrationReport(const WrittenMatrix& m) {
 
 // ---- For people
 
-std::string printed(const char* format, double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
 /// The shortest number within the interval, and half of that: "0.1 +- 2.2e-16".
 std::string planeText(const OrderedJson& plane) {
   const auto get = [&](const char* name) { return plane[name].get<double>(); };
   const double value = get("value"), low = get("low"), high = get("high");
-  if (std::isinf(value)) return "infinite" + (std::isinf(low) ? "" : ", at least " + printed("%.2g", low));
+  if (std::isinf(value)) return "infinite" + (std::isinf(low) ? "" : ", at least " + formatDigits(low, 2));
   int digits = 1;
   while (digits < 17 && !(toDigits(value, digits) >= low && toDigits(value, digits) <= high)) ++digits;
   const std::string text = formatDigits(value, digits);
   if (low == high) return text + " exact";
   return text +
-         (std::isinf(high) ? ", at least " + printed("%.2g", low) : " +- " + printed("%.2g", high / 2 - low / 2));
+         (std::isinf(high) ? ", at least " + formatDigits(low, 2) : " +- " + formatDigits(high / 2 - low / 2, 2));
 }
 
-/// "opengl, unity; other reverseZ: metal".
+/// "opengl, unity, metal (other reverseZ)".
 std::string presetText(const OrderedJson& reading) {
-  const auto names = reading["presets"].get<std::vector<std::string>>();
-  std::string text = joined(names);
-  for (const char* differs : {"[\"reverseZ\"]", "[\"world\"]", "[\"world\",\"reverseZ\"]"}) {
-    std::vector<std::string> others;
-    std::string axes;
-    for (const OrderedJson& preset : reading["presetsOtherwise"]) {
-      if (preset["differs"].dump() != differs) continue;
-      others.push_back(preset["name"]);
-      axes = joined(preset["differs"].get<std::vector<std::string>>(), " and ");
-    }
-    if (!others.empty()) text += (text.empty() ? "" : "; ") + ("other " + axes + ": " + joined(others));
-  }
-  return text.empty() ? "no preset" : text;
+  auto names = reading["presets"].get<std::vector<std::string>>();
+  for (const OrderedJson& preset : reading["presetsOtherwise"])
+    names.push_back(preset["name"].get<std::string>() + " (other " +
+                    joined(preset["differs"].get<std::vector<std::string>>(), " and ") + ")");
+  return names.empty() ? "no preset" : joined(names);
 }
 
 /// A line for each parameter; readings that agree on one share it.
