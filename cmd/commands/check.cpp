@@ -6,7 +6,6 @@
 #include "commands/options.hpp"
 #include "commands/pair_check.hpp"
 #include "commands/stream_options.hpp"
-#include "output/output_file.hpp"
 #include "records/points.hpp"
 #include "stream/filter.hpp"
 #include "text/error.hpp"

@@ -4,7 +4,6 @@
 
 #include "commands/command.hpp"
 #include "commands/stream_options.hpp"
-#include "output/output_file.hpp"
 #include "output/results.hpp"
 #include "records/arguments.hpp"
 #include "records/points.hpp"

@@ -1,6 +1,5 @@
 // viewproj draw: an SVG of what the camera sees.
 #include <CLI/CLI.hpp>
-#include <cmath>
 
 #include "commands/cli.hpp"
 #include "commands/command.hpp"

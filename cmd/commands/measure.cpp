@@ -11,7 +11,6 @@
 #include "commands/command.hpp"
 #include "commands/options.hpp"
 #include "commands/stream_options.hpp"
-#include "output/output_file.hpp"
 #include "records/points.hpp"
 #include "stream/filter.hpp"
 #include "text/error.hpp"

@@ -9,7 +9,6 @@
 #include "commands/command.hpp"
 #include "commands/options.hpp"
 #include "commands/stream_options.hpp"
-#include "output/output_file.hpp"
 #include "output/results.hpp"
 #include "projection/exact_point.hpp"
 #include "records/model.hpp"

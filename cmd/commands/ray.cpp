@@ -7,7 +7,6 @@
 #include "commands/command.hpp"
 #include "commands/options.hpp"
 #include "commands/stream_options.hpp"
-#include "output/output_file.hpp"
 #include "output/results.hpp"
 #include "records/arguments.hpp"
 #include "records/points.hpp"

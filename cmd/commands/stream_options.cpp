@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "commands/standard_input.hpp"
+#include "output/output_file.hpp"
 #include "records/points.hpp"
 #include "text/csv.hpp"
 #include "text/error.hpp"

@@ -1,6 +1,5 @@
 #include "output/results.hpp"
 
-#include <algorithm>
 #include <array>
 #include <numeric>
 
