@@ -6,7 +6,6 @@
 #include "commands/options.hpp"
 #include "commands/pair_check.hpp"
 #include "commands/stream_options.hpp"
-#include "output/output_file.hpp"
 #include "records/points.hpp"
 #include "stream/filter.hpp"
 #include "text/error.hpp"
@@ -25,12 +24,10 @@ class PairWork final : public RecordWork {
   PairWork(PairCheck& check, const PointReading& reading) : check_(check), reading_(reading) {}
 
   Layout find(const RecordParts& record) const override { return findPair(record, reading_); }
-  Results results(const Layout&, OutputForm) const override { return {}; }
   void add(const Layout& layout, const Numbers& numbers) override { pairs_.push_back(toPair(layout, numbers)); }
   void read(std::size_t i, const Record&, std::size_t line) override {
     check_.add(pairs_[i].point, pairs_[i].pixel, line);
   }
-  void write(std::size_t, ResultSink&) override {}  // records are read alone
   void clear() override { pairs_.clear(); }
 
  private:
@@ -78,7 +75,6 @@ struct CheckOptions {
 
 int runCheck(const CheckOptions& o) {
   FilterSetup setup = o.stream.setup(kPairColumns);
-  setup.note = note;
   if (setup.given.size() != o.pixels.size())
     throw UsageError("expected a --pixel for each --point, got " + std::to_string(setup.given.size()) +
                      " --point and " + std::to_string(o.pixels.size()) + " --pixel");

@@ -1,6 +1,5 @@
 // viewproj draw: an SVG of what the camera sees.
 #include <CLI/CLI.hpp>
-#include <cmath>
 
 #include "commands/cli.hpp"
 #include "commands/command.hpp"
@@ -42,7 +41,6 @@ class DrawWork final : public RecordWork {
   DrawWork(Picture& picture, const PointReading& reading) : picture_(picture), reading_(reading) {}
 
   Layout find(const RecordParts& record) const override { return findPoint(record, reading_); }
-  Results results(const Layout&, OutputForm) const override { return {}; }
 
   void add(const Layout& layout, const Numbers& n) override {
     if (!isPoint(layout) && !hasDepth(picture_.camera().projection()))
@@ -60,7 +58,6 @@ class DrawWork final : public RecordWork {
     std::visit([&](const auto& what) { picture_.add(label, what); }, drawn_[i]);
   }
 
-  void write(std::size_t, ResultSink&) override {}  // records are read alone
   void clear() override { drawn_.clear(); }
 
  private:
@@ -94,16 +91,9 @@ void draw(Picture& picture, const SceneObject& object) {
 
 /// What the pixel's ray hits first.
 std::string hitLabel(const Camera& camera, const Vec2& pixel, const std::vector<SceneObject>& scene) {
-  const Ray ray = screenToRay(camera, pixel);
-  std::string label = "no hit";
-  double nearest = HUGE_VAL;
-  for (const SceneObject& object : scene) {
-    const Hits hits = std::visit([&](const auto& shape) { return intersect(ray, shape); }, object.shape);
-    if (hits.count == 0 || !(hits.begin()->distance < nearest)) continue;
-    nearest = hits.begin()->distance;
-    label = labelOfJson(object.id) + " at " + formatDigits(nearest, 6);
-  }
-  return label;
+  const std::vector<SceneHit> hits = hitsOf(screenToRay(camera, pixel), scene);
+  if (hits.empty()) return "no hit";
+  return labelOfJson(hits[0].object->id) + " at " + formatDigits(hits[0].hit.distance, 6);
 }
 
 struct DrawOptions {

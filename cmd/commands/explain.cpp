@@ -43,7 +43,7 @@ class Steps {
       for (std::size_t j = 0; j < 4; ++j) values_[entry(name, i, j)] = paper[i][j];
   }
 
-  void given(const std::string& name, double value, const std::string& note = "") { add(name, "", value, note); }
+  void given(const std::string& name, double value, const std::string& note = "") { step(name, "", value, note); }
 
   void vector(const std::string& name, const Vec3& value, const std::string& note = "") {
     const Names3 names = components(name);
@@ -70,11 +70,17 @@ class Steps {
       note += (note.empty() ? "" : "; ") + (value == 0  ? std::string("cancels to 0")
                                             : lost == 1 ? std::string("1 digit cancels")
                                                         : formatNumber(lost) + " digits cancel");
-    add(name, formula, value, note);
+    step(name, formula, value, note);
   }
 
   void step(const std::string& name, const std::string& formula, double value, const std::string& note = "") {
-    add(name, formula, value, note);
+    const auto orNull = [](const std::string& text) { return text.empty() ? OrderedJson() : OrderedJson(text); };
+    values_[name] = value;
+    steps_.push_back({{"stage", stage_},
+                      {"name", name},
+                      {"formula", orNull(formula)},
+                      {"value", value + 0.0},
+                      {"note", orNull(note)}});
   }
 
   /// The terms of a row of a matrix for column vectors times the numbers of these names: without entries that are 0 and
@@ -102,16 +108,6 @@ class Steps {
   }
 
   double valueOf(const std::string& name) const { return values_.at(name); }
-
-  void add(const std::string& name, const std::string& formula, double value, const std::string& note) {
-    const auto orNull = [](const std::string& text) { return text.empty() ? OrderedJson() : OrderedJson(text); };
-    values_[name] = value;
-    steps_.push_back({{"stage", stage_},
-                      {"name", name},
-                      {"formula", orNull(formula)},
-                      {"value", value + 0.0},
-                      {"note", orNull(note)}});
-  }
 
   bool rows_;
   Convention convention_;
@@ -246,92 +242,42 @@ void explainScreen(Steps& steps, const Camera& camera, const Convention& c, cons
                         : "window depth");
 }
 
-/// tangent: the names of x and y at distance 1, x right and y down, and what they are.
-void explainLens(Steps& steps, const Lens& lens, const Vec2& tangent) {
-  const auto polynomial = [&](const std::string& variable, std::initializer_list<int> indices) {
-    std::string text = "1";
-    std::string power = variable;
-    for (const int i : indices) {
-      if (lens.k()[static_cast<std::size_t>(i)] != 0) text += " + k" + std::to_string(i + 1) + "*" + power;
-      power += "*" + variable;
-    }
-    return text;
-  };
-  steps.stage("lens");
-  for (std::size_t i = 0; i < lens.k().size(); ++i)
-    if (lens.k()[i] != 0) steps.given("k" + std::to_string(i + 1), lens.k()[i]);
-  const Vec2 out = distorted(lens, tangent);
-  const double square = tangent.x * tangent.x + tangent.y * tangent.y;
-  if (lens.model() == LensModel::fisheye) {
-    const double radius = std::sqrt(square), angle = std::atan(radius);
-    steps.step("radius", "sqrt(tangent.x*tangent.x + tangent.y*tangent.y)", radius);
-    steps.step("angle", "atan(radius)", angle, "radians off the axis");
-    steps.step("square", "angle*angle", angle * angle);
-    steps.step("lens.x", "tangent.x / radius * angle * (" + polynomial("square", {0, 1, 2, 3}) + ")", out.x);
-    steps.step("lens.y", "tangent.y / radius * angle * (" + polynomial("square", {0, 1, 2, 3}) + ")", out.y);
-    return;
-  }
-  const auto [p1, p2] = lens.p();
-  steps.given("p1", p1);
-  steps.given("p2", p2);
-  const auto& k = lens.k();
-  const double numerator = 1 + square * (k[0] + square * (k[1] + square * k[2]));
-  const double denominator = 1 + square * (k[3] + square * (k[4] + square * k[5]));
-  steps.step("square", "tangent.x*tangent.x + tangent.y*tangent.y", square);
-  const std::string below = polynomial("square", {3, 4, 5});
-  steps.step("radial", "(" + polynomial("square", {0, 1, 2}) + ")" + (below == "1" ? "" : " / (" + below + ")"),
-             numerator / denominator);
-  steps.step("lens.x", "radial*tangent.x + 2*p1*tangent.x*tangent.y + p2*(square + 2*tangent.x*tangent.x)", out.x);
-  steps.step("lens.y", "radial*tangent.y + p1*(square + 2*tangent.y*tangent.y) + 2*p2*tangent.x*tangent.y", out.y);
-}
-
-/// From view space through the lens to the pixel.
-void explainThroughLens(Steps& steps, const Camera& camera, const Lens& lens, const Vec3& view, const Convention& c,
-                        const ScreenPoint& p) {
-  if (p.status == PointStatus::behind) {
+/// From view space straight to the pixel: a lens comes between, or there is no near and so no clip space.
+void explainStraight(Steps& steps, const Camera& camera, const Vec3& view, const Convention& c, const ScreenPoint& p) {
+  const bool isBeyondLens = p.status == PointStatus::beyondLens;
+  if (std::isnan(p.x) && !isBeyondLens) {
     steps.stage("screen");
     return steps.given("screen.x", p.x, "on or behind the plane through the eye: no pixel");
   }
-  const Intrinsics k = camera.intrinsics();
   const std::string distance = std::isnan(p.viewDistance) ? (isBack(c) ? "-view.z" : "view.z") : "viewDistance";
   const double along = isBack(c) ? -view.z : view.z;
   const Vec2 tangent{view.x / along, (isDown(c) ? view.y : -view.y) / along};
   steps.stage("tangent");
   steps.step("tangent.x", "view.x / " + distance, tangent.x, "right");
   steps.step("tangent.y", (isDown(c) ? "view.y / " : "-view.y / ") + distance, tangent.y, "down");
-  if (p.status == PointStatus::beyondLens)
-    return steps.given(
-        "lens.x", p.x,
-        "beyond the limit of the lens, at " + formatDigits(lens.limitDegrees(), 6) + " degrees: no pixel");
-  explainLens(steps, lens, tangent);
-  steps.stage("screen");
+  const auto lens = lensOf(camera);
+  if (lens) {
+    steps.stage("lens");
+    if (isBeyondLens)
+      return steps.given(
+          "lens.x", p.x,
+          "beyond the limit of the lens, at " + formatDigits(lens->limitDegrees(), 6) + " degrees: no pixel");
+    const Vec2 bent = distorted(*lens, tangent);
+    steps.given("lens.x", bent.x, "where the lens puts tangent.x, tangent.y");
+    steps.given("lens.y", bent.y);
+  }
+  const Names3 from = components(lens ? "lens" : "tangent");
+  const Intrinsics k = camera.intrinsics();
   const bool isUpwards = camera.viewport().origin != Origin::topLeft;
-  steps.given("fx", k.fx);
+  steps.stage("screen");
+  steps.given("fx", k.fx,
+              hasDepth(camera.projection()) ? "" : "clip, NDC and depth need near, which this camera has not");
   steps.given("fy", isUpwards ? -k.fy : k.fy, isUpwards ? "screen y runs upwards" : "");
   steps.given("cx", k.cx);
   steps.given("cy", k.cy);
-  steps.sum("screen.x", {{"cx"}, {"fx", "lens.x"}}, p.x);
-  steps.sum("screen.y", {{"cy"}, {"fy", "lens.y"}}, p.y);
+  steps.sum("screen.x", {{"cx"}, {"fx", from[0]}}, p.x);
+  steps.sum("screen.y", {{"cy"}, {"fy", from[1]}}, p.y);
   if (hasDepth(camera.projection())) steps.given("depth", p.depth, "window depth, as without the lens");
-}
-
-/// From view space straight to the pixel: there is no near plane.
-void explainWithoutNear(Steps& steps, const Camera& camera, const Vec3& view, const Convention& c,
-                        const ScreenPoint& p) {
-  steps.stage("screen");
-  if (std::isnan(p.x)) return steps.given("screen.x", p.x, "on or behind the plane through the eye: no pixel");
-  const Intrinsics k = camera.intrinsics();
-  const bool opposite = isDown(c) != (camera.viewport().origin == Origin::topLeft);
-  steps.given("fx", k.fx, "clip, NDC and depth need near, which this camera has not");
-  steps.given("fy", opposite ? -k.fy : k.fy, opposite ? "y of view and screen run opposite ways" : "");
-  steps.given("cx", k.cx);
-  steps.given("cy", k.cy);
-  const std::string distance = std::isnan(p.viewDistance) ? (isBack(c) ? "-view.z" : "view.z") : "viewDistance";
-  const double along = isBack(c) ? -view.z : view.z;
-  steps.step("slope.x", "view.x / " + distance, view.x / along);
-  steps.step("slope.y", "view.y / " + distance, view.y / along);
-  steps.sum("screen.x", {{"cx"}, {"fx", "slope.x"}}, p.x);
-  steps.sum("screen.y", {{"cy"}, {"fy", "slope.y"}}, p.y);
 }
 
 OrderedJson resultOf(const ScreenPoint& p) {
@@ -416,13 +362,11 @@ OrderedJson explainPoint(const Camera& camera, const Convention& convention, con
   Steps steps(convention);
   const Vec3 world = placePoint(steps, point, model);
   explainView(steps, camera, convention, world, placed, p.viewDistance);
-  if (const auto lens = lensOf(camera)) {
-    explainThroughLens(steps, camera, *lens, xyz(worldTo(camera, Space::view, placed, convention)), convention, p);
-  } else if (hasDepth(camera.projection())) {
+  if (lensOf(camera) || !hasDepth(camera.projection())) {
+    explainStraight(steps, camera, xyz(worldTo(camera, Space::view, placed, convention)), convention, p);
+  } else {
     explainClip(steps, camera, convention, worldTo(camera, Space::clip, placed, convention));
     explainScreen(steps, camera, convention, placed, p);
-  } else {
-    explainWithoutNear(steps, camera, xyz(worldTo(camera, Space::view, placed, convention)), convention, p);
   }
   return std::move(steps).report("point", point.w == 1 ? asJson(Vec3{point.x, point.y, point.z}) : asJson(point),
                                  resultOf(p));
@@ -514,7 +458,7 @@ int runExplain(const ExplainOptions& o) {
     report = explainPixel(camera, convention, {n[0], n[1]}, n.size() > 2 ? std::optional(n[2]) : std::nullopt);
   }
   if (o.report.form() == ReportForm::table) report = withoutRepeatedStages(std::move(report));
-  o.report.write(report, "steps");
+  o.report.write(report);
   return 0;
 }
 

@@ -22,7 +22,6 @@ class FitWork final : public RecordWork {
   FitWork(Fitting& fitting, const PointReading& reading) : fitting_(fitting), reading_(reading) {}
 
   Layout find(const RecordParts& record) const override { return findPoint(record, reading_); }
-  Results results(const Layout&, OutputForm) const override { return {}; }
 
   void add(const Layout& layout, const Numbers& n) override {
     if (isSegment(layout))
@@ -30,9 +29,6 @@ class FitWork final : public RecordWork {
     else
       std::visit([&](const auto& shape) { fitting_.add(shape); }, toShape(layout, n));
   }
-
-  void write(std::size_t, ResultSink&) override {}  // records are read alone
-  void clear() override {}
 
  private:
   Fitting& fitting_;
@@ -72,7 +68,6 @@ double readMargin(const std::string& option, const std::string& text) {
 
 int runFit(const FitOptions& o) {
   FilterSetup setup = o.stream.setup(kSphereColumns);
-  setup.note = note;
   const bool reads = o.stream.reads(setup);
   const CameraFile file = o.camera.read();
   if (reads) o.stream.settleOnEarth(setup, file.worldIsEcef);

@@ -99,7 +99,7 @@ std::string presetTable() {
           nameOf(kStorageNames, c.storage).substr(0, 3)})
       rows.back().emplace_back(cell);
   }
-  return alignedTable(rows);
+  return aligned(rows, [](std::size_t column) { return column > 0; });
 }
 
 template <class Rows>

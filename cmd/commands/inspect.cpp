@@ -38,15 +38,13 @@ std::vector<WrittenMatrix> chooseMatrices(std::vector<WrittenMatrix> matrices,
     return matrices;
   }
   std::unordered_map<std::string_view, const WrittenMatrix*> byName;  // of a name that several have, the first
-  for (const WrittenMatrix& m : matrices) byName.emplace(m.name, &m);
+  std::vector<std::string_view> names;
+  for (const WrittenMatrix& m : matrices)
+    if (byName.emplace(m.name, &m).second) names.push_back(m.name);
   std::vector<WrittenMatrix> chosen;
   for (const std::string& name : *which) {
     const auto found = byName.find(name);
-    if (found == byName.end()) {
-      std::vector<std::string_view> names;
-      for (const WrittenMatrix& m : matrices) names.push_back(m.name);
-      throw InputError(source + ": has no matrix " + inQuotes(name) + suggestion(name, names));
-    }
+    if (found == byName.end()) throw InputError(source + ": has no matrix " + inQuotes(name) + suggestion(name, names));
     chosen.push_back(*found->second);
   }
   return chosen;
@@ -111,9 +109,8 @@ int runConversion(const InspectOptions& o, const std::vector<WrittenMatrix>& mat
 /// Matrix by matrix: the readings of one take many times the memory of its numbers.
 int runReport(const InspectOptions& o, const std::vector<WrittenMatrix>& matrices, const InspectQuery& query,
               const std::string& source) {
-  const bool isJson = o.form == "json", isCsv = o.form == "csv";
-  const int digits = o.digits ? static_cast<int>(*o.digits) : isJson || isCsv ? 0 : kTableDigits;
-  if (isCsv && matrices.size() > 1) throw UsageError("--to csv is of one matrix; --which picks it");
+  const bool isJson = o.form == "json";
+  const int digits = o.digits ? static_cast<int>(*o.digits) : isJson ? 0 : kTableDigits;
   if (isJson)
     writeOutput(std::string("{\"entries\": \"") + (query.isFloat ? "float32" : "float64") + "\", \"matrices\": [");
   bool allFit = true;
@@ -125,14 +122,9 @@ int runReport(const InspectOptions& o, const std::vector<WrittenMatrix>& matrice
       throw InputError(source + ": " + matrices[i].name + ": " + e.message() +
                        "; three rows are K or K [R | t], and any other matrix has 16 numbers");
     }
-    const bool isCalibration = matrices[i].isCalibration();
-    allFit = allFit && (isCalibration || !report["readings"].empty());
-    if (isJson)
-      writeOutput((i > 0 ? ",\n  " : "\n  ") + jsonText(report, digits, 1));
-    else if (isCsv)
-      writeOutput(csvText(isCalibration ? report : report["readings"], digits));
-    else
-      writeOutput((i > 0 ? "\n" : "") + tableText(inspectPage(report), digits));
+    allFit = allFit && (matrices[i].isCalibration() || !report["readings"].empty());
+    writeOutput(isJson ? (i > 0 ? ",\n  " : "\n  ") + jsonText(report, digits, 1)
+                       : (i > 0 ? "\n" : "") + tableText(inspectPage(report), digits));
   }
   if (isJson) writeOutput("\n]}\n");
   return allFit ? 0 : 1;
@@ -142,11 +134,9 @@ int runInspect(const InspectOptions& o, const CLI::App& app) {
   const bool converts = o.writing.namesConvention();
   if (o.writing.namesAxis() && !converts)
     throw UsageError("--reverse-z and --ndc-z go with --convention NAME, the convention to write");
-  constexpr std::string_view kReports[] = {"table", "json", "csv"};
-  const bool isReport = !o.form || std::find(std::begin(kReports), std::end(kReports), *o.form) != std::end(kReports);
+  const bool isReport = !o.form || o.form == "table" || o.form == "json";
   if (!converts && !isReport)
-    throw UsageError("--to " + std::string(*o.form) +
-                     ": expected table, json or csv; --convention NAME writes matrices");
+    throw UsageError("--to " + std::string(*o.form) + ": expected table or json; --convention NAME writes matrices");
   if (converts && isReport && o.form && *o.form != "json")
     throw UsageError("--to " + std::string(*o.form) + ": with --convention expected a form of matrices, as json or c");
   const std::string file = inputFile(app).value_or("-"), source = file == "-" ? kStandardInputName : visible(file);
@@ -177,11 +167,9 @@ Action declareInspect(CLI::App& app) {
   app.add_flag("--float", o->isFloat, "The numbers are float32s (default: doubles)");
   addChoice(app, "--read-as", "NAME", o->readAs, presetConventions(), "Only readings of this convention", "all");
   auto forms = matrixForms();
-  for (const std::string_view report : {"csv", "table"})
-    if (std::none_of(forms.begin(), forms.end(), [&](const auto& row) { return row.name == report; }))
-      forms.insert(forms.begin(), {report, report, report == "csv" ? ".csv" : ".txt"});
+  forms.insert(forms.begin(), {"table", "table", ".txt"});
   addForm(app, o->form, std::span<const FormRow<std::string_view>>(forms),
-          "Output format; without --convention table, json or csv", "table; with --convention json");
+          "Output format; without --convention table or json", "table; with --convention json");
   addDigits(app, o->digits, "all, 9 in a table");
   o->writing.addWriting(app);
   return [o, &app] { return runInspect(*o, app); };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "camera/names.hpp"
@@ -151,45 +150,34 @@ OrderedJson readingJson(std::size_t number, const MatrixCamera& r, NumberOrder o
   return result;
 }
 
-/// What the readings leave open, and what often goes wrong with them.
+/// What a reading, or two side by side, leave open.
 std::vector<std::string> notesOn(const std::vector<MatrixCamera>& readings) {
-  std::vector<std::string> notes;
-  const auto any = [&](auto what) { return std::any_of(readings.begin(), readings.end(), what); };
-  const auto note = [&](bool holds, const char* text) {
-    if (holds) notes.emplace_back(text);
+  using Is = bool (*)(const MatrixCamera&);
+  struct Note {
+    Is one, other;  ///< there are readings of both kinds
+    const char* text;
   };
-  const auto isKind = [&](MatrixKind kind) { return any([kind](const MatrixCamera& r) { return r.kind == kind; }); };
-  const auto hasLens = [&](auto what) { return any([&](const MatrixCamera& r) { return r.lens && what(r); }); };
-  note(any([](const MatrixCamera& r) { return r.layout == MatrixLayout::asWritten; }),
-       "As written: the rows of column vectors (row-major), or the columns of row vectors.");
-  note(any([](const MatrixCamera& r) { return r.layout == MatrixLayout::transposed; }),
-       "Transposed: the rows of row vectors (row-major), or the columns of column vectors (column-major).");
-  note(any([](const MatrixCamera& r) { return r.scale != 1; }),
-       "All sixteen numbers are a multiple (\"scale\") of the usual ones; the picture is the same.");
-  note(isKind(MatrixKind::view) && isKind(MatrixKind::worldFromView),
-       "A view and a camera's pose look alike: the reading whose eye is right tells which it is.");
-  note(any([](const MatrixCamera& r) { return !r.lens; }),
-       "The axes of view space are not in a view: read with z forward instead of back, the camera looks the other way, "
-       "in a world of the other hand.");
-  note(hasLens([](const MatrixCamera& r) { return r.convention.ndcY == NdcY::up; }) &&
-           hasLens([](const MatrixCamera& r) { return r.convention.ndcY == NdcY::down; }),
+  const auto all = [](const MatrixCamera&) { return true; };
+  const Note kNotes[] = {
+      {[](const MatrixCamera& r) { return r.layout == MatrixLayout::asWritten; }, all,
+       "As written: the rows of column vectors (row-major), or the columns of row vectors."},
+      {[](const MatrixCamera& r) { return r.layout == MatrixLayout::transposed; }, all,
+       "Transposed: the rows of row vectors (row-major), or the columns of column vectors (column-major)."},
+      {[](const MatrixCamera& r) { return r.kind == MatrixKind::view; },
+       [](const MatrixCamera& r) { return r.kind == MatrixKind::worldFromView; },
+       "A view and a camera's pose look alike: the reading whose eye is right tells which it is."},
+      {[](const MatrixCamera& r) { return r.lens && r.convention.ndcY == NdcY::up; },
+       [](const MatrixCamera& r) { return r.lens && r.convention.ndcY == NdcY::down; },
        "NDC y up and down are both possible, of a view-projection with worlds of either hand; taken the wrong way the "
-       "picture is upside down. --read-as picks.");
-  note(hasLens([](const MatrixCamera& r) { return r.convention.ndcZ == NdcZ::minusOneToOne; }) &&
-           hasLens([](const MatrixCamera& r) { return r.convention.ndcZ == NdcZ::zeroToOne; }),
-       "Made for NDC z of -1..1 and used as 0..1, it has the near and far of the other reading.");
-  note(hasLens([](const MatrixCamera& r) { return r.lens->beyondInfinity; }),
-       "Infinity lies a little inside the depth range: a tweaked infinite projection.");
-  note(hasLens([](const MatrixCamera& r) {
-         constexpr double kFarOff = 4;  // widths and heights
-         const MatrixLens& l = *r.lens;
-         return !l.orthographic && std::fabs(l.left + l.right) > 2 * kFarOff * (l.right - l.left) &&
-                std::fabs(l.bottom + l.top) > 2 * kFarOff * (l.top - l.bottom);
-       }),
-       "The window lies more than four times its size off the viewing axis: a matrix with the viewport folded in looks "
-       "like that.");
-  note(any([](const MatrixCamera& r) { return r.pose && isOrthographic(r); }),
-       "Orthographic: where the eye is, is not in it; edges, near and far are counted from the world's origin.");
+       "picture is upside down. --read-as picks."},
+      {[](const MatrixCamera& r) { return r.lens && r.convention.ndcZ == NdcZ::minusOneToOne; },
+       [](const MatrixCamera& r) { return r.lens && r.convention.ndcZ == NdcZ::zeroToOne; },
+       "Made for NDC z of -1..1 and used as 0..1, it has the near and far of the other reading."}};
+  std::vector<std::string> notes;
+  for (const Note& note : kNotes)
+    if (std::any_of(readings.begin(), readings.end(), note.one) &&
+        std::any_of(readings.begin(), readings.end(), note.other))
+      notes.emplace_back(note.text);
   return notes;
 }
 
@@ -219,40 +207,26 @@ OrderedJson calibrationReport(const WrittenMatrix& m) {
 
 // ---- For people
 
-std::string printed(const char* format, double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
 /// The shortest number within the interval, and half of that: "0.1 +- 2.2e-16".
 std::string planeText(const OrderedJson& plane) {
   const auto get = [&](const char* name) { return plane[name].get<double>(); };
   const double value = get("value"), low = get("low"), high = get("high");
-  if (std::isinf(value)) return "infinite" + (std::isinf(low) ? "" : ", at least " + printed("%.2g", low));
+  if (std::isinf(value)) return "infinite" + (std::isinf(low) ? "" : ", at least " + formatDigits(low, 2));
   int digits = 1;
   while (digits < 17 && !(toDigits(value, digits) >= low && toDigits(value, digits) <= high)) ++digits;
   const std::string text = formatDigits(value, digits);
   if (low == high) return text + " exact";
   return text +
-         (std::isinf(high) ? ", at least " + printed("%.2g", low) : " +- " + printed("%.2g", high / 2 - low / 2));
+         (std::isinf(high) ? ", at least " + formatDigits(low, 2) : " +- " + formatDigits(high / 2 - low / 2, 2));
 }
 
-/// "opengl, unity; other reverseZ: metal".
+/// "opengl, unity, metal (other reverseZ)".
 std::string presetText(const OrderedJson& reading) {
-  const auto names = reading["presets"].get<std::vector<std::string>>();
-  std::string text = joined(names);
-  for (const char* differs : {"[\"reverseZ\"]", "[\"world\"]", "[\"world\",\"reverseZ\"]"}) {
-    std::vector<std::string> others;
-    std::string axes;
-    for (const OrderedJson& preset : reading["presetsOtherwise"]) {
-      if (preset["differs"].dump() != differs) continue;
-      others.push_back(preset["name"]);
-      axes = joined(preset["differs"].get<std::vector<std::string>>(), " and ");
-    }
-    if (!others.empty()) text += (text.empty() ? "" : "; ") + ("other " + axes + ": " + joined(others));
-  }
-  return text.empty() ? "no preset" : text;
+  auto names = reading["presets"].get<std::vector<std::string>>();
+  for (const OrderedJson& preset : reading["presetsOtherwise"])
+    names.push_back(preset["name"].get<std::string>() + " (other " +
+                    joined(preset["differs"].get<std::vector<std::string>>(), " and ") + ")");
+  return names.empty() ? "no preset" : joined(names);
 }
 
 /// A line for each parameter; readings that agree on one share it.

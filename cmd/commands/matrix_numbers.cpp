@@ -23,9 +23,7 @@ bool isWord(char c) { return isWordStart(c) || isDigit(c) || c == '.'; }
 // ---- JSON
 
 /// Of a value of an object; nothing for one that is no matrix and stands beside them.
-std::optional<WrittenMatrix> matrixOf(const std::string& key, const Json& whole, const std::string& source) {
-  const bool isStored = whole.is_object() && whole.contains("data");  // as OpenCV's FileStorage has it
-  const Json& value = isStored ? whole["data"] : whole;
+std::optional<WrittenMatrix> matrixOf(const std::string& key, const Json& value, const std::string& source) {
   if (!value.is_array() || value.empty()) return std::nullopt;
   WrittenMatrix m;
   bool isNumeric = true;
@@ -44,11 +42,8 @@ std::optional<WrittenMatrix> matrixOf(const std::string& key, const Json& whole,
       gather(row);
   }
   const auto is = [&](std::size_t rows, std::size_t across) {
-    const auto states = [&](const char* word, std::size_t count) {
-      return !isStored || !whole.contains(word) || whole[word] == count;
-    };
     return isNumeric && m.numbers.size() == rows * across && value.size() == (nested ? rows : rows * across) &&
-           (!nested || columns == across) && states("rows", rows) && states("cols", across);
+           (!nested || columns == across);
   };
   const bool isK = is(3, 3);
   if (isK && (m.numbers[3] != 0 || m.numbers[6] != 0 || m.numbers[7] != 0)) return std::nullopt;  // a rotation
@@ -58,7 +53,7 @@ std::optional<WrittenMatrix> matrixOf(const std::string& key, const Json& whole,
                      ": expected 16 numbers or 4 rows of 4; or 3 rows of 3 or 4, a calibration");
   }
   m.name = visible(key);
-  m.order = nested || isStored ? NumberOrder::rows : NumberOrder::memory;
+  m.order = nested ? NumberOrder::rows : NumberOrder::memory;
   return m;
 }
 
@@ -89,7 +84,6 @@ class Scanner {
   Scanner(const std::string& text, const std::string& source) : text_(text), source_(source) {}
 
   std::vector<WrittenMatrix> matrices() {
-    requireDecimalPoints();
     while (at_ < text_.size()) step();
     finish();
     if (found_.empty()) fail(0, "has no numbers; expected the 16 of a matrix");
@@ -228,23 +222,6 @@ class Scanner {
       fail(gathered_.back().offset,
            (name_.empty() ? "" : name_ + ": ") + "ends after " + numbers + "; a matrix has 16");
     fail(gathered_.front().offset, "has " + numbers + " more than matrices of 16 each");
-  }
-
-  /// Throws at numbers as 1,5 that blanks separate: a comma would come between two.
-  void requireDecimalPoints() const {
-    constexpr std::string_view kBetween = " \t\r\n;|[](){}";
-    std::size_t withComma = 0, first = 0;
-    for (std::size_t at = 0; (at = text_.find_first_not_of(kBetween, at)) != std::string::npos;) {
-      const std::size_t end = std::min(text_.find_first_of(kBetween, at), text_.size());
-      const std::string_view word = std::string_view(text_).substr(at, end - at);
-      const std::size_t comma = word.find(',');
-      const bool isDecimal = comma != word.npos && comma > 0 && comma + 1 < word.size() && isDigit(word[comma - 1]) &&
-                             isDigit(word[comma + 1]) && word.find_first_of(",.", comma + 1) == word.npos;
-      if (word.find('.') != word.npos || (comma != word.npos && !isDecimal)) return;
-      if (isDecimal && withComma++ == 0) first = at + comma;
-      at = end;
-    }
-    if (withComma >= 4) fail(first, "a comma separates numbers here; of decimal commas tr , . makes points");
   }
 
   const std::string& text_;

@@ -11,7 +11,6 @@
 #include "commands/command.hpp"
 #include "commands/options.hpp"
 #include "commands/stream_options.hpp"
-#include "output/output_file.hpp"
 #include "records/points.hpp"
 #include "stream/filter.hpp"
 #include "text/error.hpp"
@@ -235,7 +234,6 @@ class SampleWork final : public RecordWork {
       : sample_(sample), reading_(reading), keepGoing_(keepGoing) {}
 
   Layout find(const RecordParts& record) const override { return findPoint(record, reading_); }
-  Results results(const Layout&, OutputForm) const override { return {}; }
   void add(const Layout& layout, const Numbers& numbers) override {
     const Vec4 p = toPoint(layout, numbers);
     if (sample_.points.size() == kMostPoints && keepGoing_) return;
@@ -247,8 +245,6 @@ class SampleWork final : public RecordWork {
     else
       ++sample_.leftOut;
   }
-  void write(std::size_t, ResultSink&) override {}  // records are read alone
-  void clear() override {}
 
  private:
   Sample& sample_;
@@ -264,7 +260,6 @@ struct MeasureOptions {
 
 int runMeasure(const MeasureOptions& o) {
   FilterSetup setup = o.stream.setup(kPointColumns);
-  setup.note = note;
   o.stream.reads(setup);
   const CameraFile file = o.camera.read();
   requireNear(file, "measure");
@@ -280,7 +275,7 @@ int runMeasure(const MeasureOptions& o) {
                                            : visible(setup.file)) +
                      ": has no points to measure" +
                      (sample.leftOut > 0 ? "; directions and weighted points are left out" : ""));
-  o.report.write(measureReport(built, sample.points, sample.leftOut), "modes");
+  o.report.write(measureReport(built, sample.points, sample.leftOut));
   return status;
 }
 

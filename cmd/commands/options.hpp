@@ -21,16 +21,15 @@ void addDigits(CLI::App& app, std::optional<std::size_t>& digits, const std::str
 void addPrecision(CLI::App& app, Precision& precision);
 
 /// The forms of a report.
-enum class ReportForm : std::uint8_t { table, json, csv };
+enum class ReportForm : std::uint8_t { table, json };
 
-/// --to table, json or csv, and --digits.
+/// --to table or json, and --digits.
 class ReportOptions {
  public:
   /// tableDigits: significant ones for people; programs get all.
   void add(CLI::App& app, int tableDigits);
   ReportForm form() const { return form_; }
-  /// rows: the member that CSV is of; empty: all of the report is one row.
-  void write(const OrderedJson& report, const char* rows = "") const;
+  void write(const OrderedJson& report) const;
 
  private:
   ReportForm form_ = ReportForm::table;

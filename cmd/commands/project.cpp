@@ -1,17 +1,14 @@
 // viewproj project: world points to screen positions.
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <type_traits>
 
 #include "camera/camera.hpp"
 #include "commands/command.hpp"
 #include "commands/options.hpp"
 #include "commands/stream_options.hpp"
-#include "output/output_file.hpp"
 #include "output/results.hpp"
 #include "projection/exact_point.hpp"
 #include "records/model.hpp"
@@ -66,9 +63,6 @@ Fields readFields(const std::string& option, const std::string& text) {
   Names<const PointResult*> known;
   for (const PointResult& result : pointResults()) known.emplace_back(result.row.name, &result);
   Fields fields;
-  for (const std::string& name : splitNames(option, text))
-    if (const std::string_view owner = otherCommandOf(name); !owner.empty())
-      throw UsageError(option + ": " + name + " is a result of " + std::string(owner) + ", not of points");
   const auto several = chooseSeveral(option, text, known);
   if (!several.all) {
     fields.named = fields.numbers = several.named;
@@ -83,17 +77,13 @@ Fields readFields(const std::string& option, const std::string& text) {
   return fields;
 }
 
-/// What --fields says of itself.
 std::string helpOnFields() {
-  std::string all, named;
-  const auto add = [](std::string& list, const ResultRow& row) {
-    list += (list.empty() ? "" : ", ") + std::string(row.name);
-  };
+  std::vector<std::string_view> all, usual;
   for (const PointResult& result : pointResults()) {
-    add(all, result.row);
-    if (result.row.byDefault != Default::never) add(named, result.row);
+    all.push_back(result.row.name);
+    if (result.row.byDefault != Default::never) usual.push_back(result.row.name);
   }
-  return "Results, in this order: " + all + ", or all (default: " + named + ")";
+  return "Results, in this order: " + joined(all) + ", or all (default: " + joined(usual) + ")";
 }
 
 struct Projecting {
@@ -138,18 +128,11 @@ std::uint8_t sidesBeyond(const CameraParts& c, const ScreenBox& box) {
   return static_cast<std::uint8_t>(ofCorner(box.left, box.top) & ofCorner(box.right, box.bottom));
 }
 
-/// Eight at a time, which compilers make vector instructions of: zero times a number is a number.
+/// Zero times a number is zero, and NaN of what is not finite: no branch for each.
 bool areFinite(std::span<const Vec3> points) {
-  constexpr std::size_t kStep = 8;
-  if (points.empty()) return true;
-  const double* const numbers = &points[0].x;
-  const std::size_t count = 3 * points.size();
-  std::array<double, kStep> zeros = {};
-  std::size_t i = 0;
-  for (; i + kStep <= count; i += kStep)
-    for (std::size_t lane = 0; lane < kStep; ++lane) zeros[lane] += 0 * numbers[i + lane];
-  for (; i < count; ++i) zeros[0] += 0 * numbers[i];
-  return std::accumulate(zeros.begin(), zeros.end(), 0.0) == 0;
+  double zero = 0;
+  for (const Vec3& p : points) zero += 0 * p.x + 0 * p.y + 0 * p.z;
+  return zero == 0;
 }
 
 /// How many from the start are points in range whose numbers on the screen exist or are NaN. What overflowed has no
@@ -183,13 +166,11 @@ class ProjectWork final : public RecordWork {
 
   void add(const Layout& layout, const Numbers& n) override {
     Vec4 point{0, 0, 0, 1};
-    if (!how_.frustum && (isSegment(layout) || isShape(layout)))
+    const std::string what = isSegment(layout) ? "a segment" : "a shape";
+    if (!how_.frustum && !isPoint(layout))
       throw RecordError(
-          0, std::string(isSegment(layout) ? "a segment" : "a shape") +
-                 " needs straight edges, which the lens bends; --ignore-distortion leaves its distortion out");
-    if (!how_.hasDepth && (isSegment(layout) || isShape(layout)))
-      throw RecordError(
-          0, std::string(isSegment(layout) ? "a segment" : "a shape") + " needs a camera with near; --near gives it");
+          0, what + " needs straight edges, which the lens bends; --ignore-distortion leaves its distortion out");
+    if (!how_.hasDepth && !isPoint(layout)) throw RecordError(0, what + " needs a camera with near; --near gives it");
     if (isSegment(layout)) {
       const SegmentRow segment{placed({n[0], n[1], n[2]}), placed({n[3], n[4], n[5]})};
       if (!isValid(Sphere{segment.a}) || !isValid(Sphere{segment.b})) throw RecordError(0, "has a number beyond 1e91");
@@ -329,7 +310,6 @@ int run(const Options& o) {
   // Then a point with a radius is a sphere.
   const bool asksForBoxes = o.fields && o.fields->names(results::screenBox);
   FilterSetup setup = o.stream.setup(asksForBoxes ? kSphereColumns : kPointColumns);
-  setup.note = note;
   o.stream.reads(setup);
   const CameraFile file = o.camera.read();
   o.stream.settleOnEarth(setup, file.worldIsEcef);

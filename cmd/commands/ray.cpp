@@ -7,7 +7,6 @@
 #include "commands/command.hpp"
 #include "commands/options.hpp"
 #include "commands/stream_options.hpp"
-#include "output/output_file.hpp"
 #include "output/results.hpp"
 #include "records/arguments.hpp"
 #include "records/points.hpp"
@@ -58,11 +57,6 @@ bool isOfTheEarth(const SceneObject& object) {
   return std::holds_alternative<Ellipsoid>(object.shape) || std::holds_alternative<HeightSurface>(object.shape);
 }
 
-struct SceneHit {
-  const SceneObject* object = nullptr;
-  Hit hit;
-};
-
 /// A pixel, and what is behind it.
 struct Cast {
   const Pixel& pixel;
@@ -73,57 +67,43 @@ struct Cast {
 class RayWork final : public RecordWork {
  public:
   explicit RayWork(const Casting& how) : how_(how) {
-    for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i] = how.fields ? *how.fields : defaultRows(i);
+    for (const bool hasDistance : {false, true})
+      for (const bool isJson : {false, true})
+        rows_[hasDistance][isJson] = how.fields ? *how.fields : defaultRows(hasDistance, isJson);
   }
 
-  Layout find(const RecordParts& record) const override {
-    Layout layout = findPixel(record, how_.columns);
-    const auto& names = record.shape.names;
-    if (std::find(names.begin(), names.end(), results::pointDistance.name) == names.end()) layout.kind |= kNoDistance;
-    return layout;
-  }
+  Layout find(const RecordParts& record) const override { return findPixel(record, how_.columns); }
 
   Results results(const Layout& layout, OutputForm form) const override {
-    const bool fixed = hasColumns(form) || form == OutputForm::f64, isText = form == OutputForm::text;
-    return rowsOf(hasDistance(layout), (layout.kind & kNoDistance) != 0, fixed, isText);
+    const bool fixed = hasColumns(form) || form == OutputForm::f64;
+    return rowsOf(hasDistance(layout), fixed, form == OutputForm::text);
   }
 
-  void add(const Layout& layout, const Numbers& numbers) override {
-    pixels_.push_back({toPixel(layout, numbers), (layout.kind & kNoDistance) != 0});
-  }
+  void add(const Layout& layout, const Numbers& numbers) override { pixels_.push_back(toPixel(layout, numbers)); }
 
   void write(std::size_t i, ResultSink& sink) override {
-    const auto& [pixel, tellsDistance] = pixels_[i];
+    const Pixel& pixel = pixels_[i];
     Cast cast{.pixel = pixel};
     if (pixel.screen) {
       cast.ray = screenToRay(how_.camera, *pixel.screen, how_.precision);
       if (pixel.depth || pixel.viewDistance) cast.point = pointBehind(how_.camera, pixel);
     }
-    for (const ResultRow* row : rowsOf(pixel.hasDistance, tellsDistance, sink.hasFixedColumns(), sink.isText()))
+    for (const ResultRow* row : rowsOf(pixel.hasDistance, sink.hasFixedColumns(), sink.isText()))
       writeResult(*row, cast, sink);
   }
 
   void clear() override { pixels_.clear(); }
 
  private:
-  static constexpr unsigned kNoDistance = 1u << 16;  ///< of a layout: no field is called viewDistance
-
-  // Of the rows of a record.
-  static constexpr std::size_t kHasDistance = 1, kTellsDistance = 2, kFixed = 4, kText = 8;
-
-  const Results& rowsOf(bool hasDistance, bool tellsDistance, bool fixed, bool isText) const {
-    return rows_[(hasDistance ? kHasDistance : 0) | (tellsDistance ? kTellsDistance : 0) | (fixed ? kFixed : 0) |
-                 (isText ? kText : 0)];
+  /// fixed: all records get the same, with or without a point.
+  const Results& rowsOf(bool hasDistance, bool fixed, bool isText) const {
+    return rows_[hasDistance || fixed][!fixed && !isText];
   }
 
-  Results defaultRows(std::size_t kind) const {
-    const bool isJson = (kind & (kFixed | kText)) == 0;
+  Results defaultRows(bool hasDistance, bool isJson) const {
     Results rows = {&results::origin, &results::direction};
-    if (kind & (kHasDistance | kFixed)) {
-      rows.push_back(&results::point);
-      if (isJson && how_.worldIsEcef) rows.push_back(&results::place);
-      if (isJson && (kind & kTellsDistance)) rows.push_back(&results::pointDistance);
-    }
+    if (hasDistance) rows.push_back(&results::point);
+    if (hasDistance && isJson && how_.worldIsEcef) rows.push_back(&results::place);
     if (how_.scene) rows.push_back(&how_.hits());
     return rows;
   }
@@ -139,20 +119,11 @@ class RayWork final : public RecordWork {
     else if (&row == &results::place)
       sink.object(row, isPoint ? 1 : 0, [&](ResultSink& part, std::size_t) { writePlace(cast.point.position, part); });
     else if (&row == &results::pointDistance)
-      sink.number(row, distanceOf(cast));
-    else if (&row == &results::pixelSize)
-      sink.vector(row, pixelSize(how_.camera, distanceOf(cast)));
+      sink.number(row, cast.point.viewDistance);
     else if (&row == &results::pointBound)
       sink.number(row, isPoint ? cast.point.bound : kNaN);
     else
       writeHits(cast.ray, sink);
-  }
-
-  /// Of the point behind the pixel, or of what the ray hits where the record has none.
-  double distanceOf(const Cast& cast) const {
-    if (!std::isnan(cast.point.viewDistance) || !how_.scene || cast.pixel.hasDistance) return cast.point.viewDistance;
-    const std::vector<SceneHit> hits = hitsOf(cast.ray);
-    return hits.empty() ? kNaN : worldToScreen(how_.camera, hits.front().hit.point).viewDistance;
   }
 
   static void writePlace(const Vec3& point, ResultSink& sink) {
@@ -163,7 +134,7 @@ class RayWork final : public RecordWork {
   }
 
   void writeHits(const Ray& ray, ResultSink& sink) const {
-    const std::vector<SceneHit> hits = hitsOf(ray);
+    const std::vector<SceneHit> hits = hitsOf(ray, *how_.scene);
     if (how_.allHits) {
       sink.object(results::hits, hits.size(), [&](ResultSink& part, std::size_t i) { writeHit(hits[i], part); });
       return;
@@ -185,23 +156,9 @@ class RayWork final : public RecordWork {
       writePlace(isPlace ? hit.hit.point : Vec3{kNaN, kNaN, kNaN}, sink);
   }
 
-  /// Nearest first; of hits at the same distance, in the scene's order.
-  std::vector<SceneHit> hitsOf(const Ray& ray) const {
-    std::vector<SceneHit> found;
-    for (const SceneObject& object : *how_.scene)
-      std::visit(
-          [&](const auto& shape) {
-            for (const Hit& hit : intersect(ray, shape)) found.push_back({&object, hit});
-          },
-          object.shape);
-    std::stable_sort(found.begin(), found.end(),
-                     [](const SceneHit& a, const SceneHit& b) { return a.hit.distance < b.hit.distance; });
-    return found;
-  }
-
   const Casting& how_;
-  std::array<Results, 16> rows_;
-  std::vector<std::pair<Pixel, bool>> pixels_;  ///< and whether no field is called viewDistance
+  std::array<std::array<Results, 2>, 2> rows_;  ///< of records without and with a distance; else than JSON, in JSON
+  std::vector<Pixel> pixels_;
 };
 
 /// A pixel of the command line as a JSON record.
@@ -214,9 +171,8 @@ GivenRecord readPixel(const std::string& option, const std::string& text) {
 
 /// What --fields can name: all that `ray` writes, of a hit the one name. Those of the scene are settled once it is
 /// read.
-constexpr const ResultRow* kFields[] = {
-    &results::origin,        &results::direction, &results::point,      &results::place,
-    &results::pointDistance, &results::pixelSize, &results::pointBound, &results::hit};
+constexpr const ResultRow* kFields[] = {&results::origin,        &results::direction,  &results::point, &results::place,
+                                        &results::pointDistance, &results::pointBound, &results::hit};
 
 std::string helpOnFields() {
   std::vector<std::string_view> names;
@@ -249,12 +205,8 @@ void settleFields(Casting& how, const Several<const ResultRow*>& fields) {
     for (const ResultRow* row : kFields)
       if ((row != &results::place || how.worldIsEcef) && (row != &results::hit || how.scene))
         how.fields->push_back(row);
-  const auto has = [&](const ResultRow& row) {
-    return std::find(how.fields->begin(), how.fields->end(), &row) != how.fields->end();
-  };
-  if (!has(results::hit) && how.allHits) throw UsageError("--all-hits is of hits, and --fields leaves hit out");
-  if (how.scene && !has(results::hit) && !has(results::pointDistance) && !has(results::pixelSize))
-    throw UsageError("--scene is for hit, viewDistance and pixelSize, and --fields leaves these out");
+  if (how.scene && std::find(how.fields->begin(), how.fields->end(), &results::hit) == how.fields->end())
+    throw UsageError("--scene and --plane are for hit, and --fields leaves it out");
   for (const ResultRow*& row : *how.fields) {
     if (row == &results::place && !how.worldIsEcef)
       throw UsageError("--fields place needs a camera that stands on the Earth");
@@ -286,7 +238,6 @@ int run(const Options& o) {
   setup.writer.arrayName = "screen";
   setup.writer.arraySize = 2;
   setup.writer.extraName = "depth";
-  setup.note = note;
   return runFilter(setup, [&] { return std::make_unique<RayWork>(how); });
 }
 

@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "commands/standard_input.hpp"
+#include "output/output_file.hpp"
 #include "records/points.hpp"
 #include "text/csv.hpp"
 #include "text/error.hpp"
@@ -78,6 +79,7 @@ FilterSetup StreamOptions::setup(const ChoosableColumns& choosable) const {
   setup.from = from_;
   setup.to = to_;
   setup.keepGoing = keepGoing_;
+  setup.note = note;
   setup.jobs = std::min(static_cast<unsigned>(jobs_.value_or(kMostJobs)), countProcessors());  // more are slower
   setup.writer.digits = static_cast<int>(digits_.value_or(0));
   setup.delimiter = delimiter_;

@@ -9,6 +9,7 @@
 #include "camera/names.hpp"
 #include "camera/write_camera.hpp"
 #include "output/camera_matrices.hpp"
+#include "output/table.hpp"
 #include "text/error.hpp"
 #include "text/json_text.hpp"
 #include "text/number.hpp"
@@ -214,15 +215,12 @@ std::string asText(const MatrixSet& set) {
   if (set.eye) out += "\n# eye\n" + joinedEntries(numbersOf(*set.eye), " ", false) + "\n";
   for (const NamedMatrix& named : set.matrices) {
     out += "\n# " + named.name + "\n";
-    const Mat4 paper = laidOut(named.matrix, set.convention);
-    std::array<std::size_t, 4> width{};
-    for (const auto& row : paper.m)
-      for (std::size_t j = 0; j < 4; ++j) width[j] = std::max(width[j], entryText(row[j], set.asFloat).size());
-    for (const auto& row : paper.m)
-      for (std::size_t j = 0; j < 4; ++j) {
-        const std::string entry = entryText(row[j], set.asFloat);
-        out += std::string(width[j] - entry.size(), ' ') + entry + (j < 3 ? "  " : "\n");
-      }
+    TextRows rows;
+    for (const auto& row : laidOut(named.matrix, set.convention).m) {
+      auto& texts = rows.emplace_back();
+      for (const double entry : row) texts.push_back(entryText(entry, set.asFloat));
+    }
+    out += aligned(rows, [](std::size_t) { return true; });
   }
   return out;
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "camera/names.hpp"
-#include "text/csv.hpp"
+#include "output/table.hpp"
 #include "text/layout.hpp"
 #include "text/number.hpp"
 
@@ -79,19 +79,18 @@ void appendJson(std::string& out, const OrderedJson& value, int digits, std::siz
 
 // ---- Rows and columns
 
-/// The value of every path of an object, in order: {"a": {"b": 1}} is a.b. A list of scalars is one cell where vectors
-/// stay whole.
+/// The value of every path of an object, in order: {"a": {"b": 1}} is a.b. A list of scalars is one cell.
 using Cells = std::vector<std::pair<std::string, const OrderedJson*>>;
 
-void gatherCells(Cells& cells, const OrderedJson& value, const std::string& path, bool vectorsStayWhole) {
-  if (isScalar(value) || value.empty() || (vectorsStayWhole && isVector(value))) {
+void gatherCells(Cells& cells, const OrderedJson& value, const std::string& path) {
+  if (isScalar(value) || value.empty() || isVector(value)) {
     cells.emplace_back(path, &value);
     return;
   }
   std::size_t index = 0;
   for (auto part = value.begin(); part != value.end(); ++part) {
     const std::string name = value.is_object() ? part.key() : std::to_string(index++);
-    gatherCells(cells, *part, path.empty() ? name : path + "." + name, vectorsStayWhole);
+    gatherCells(cells, *part, path.empty() ? name : path + "." + name);
   }
 }
 
@@ -100,11 +99,11 @@ struct Grid {
   std::vector<std::vector<const OrderedJson*>> rows;  ///< null where a row has no such column
 };
 
-Grid gridOf(const OrderedJson& rows, bool vectorsStayWhole) {
+Grid gridOf(const OrderedJson& rows) {
   Grid grid;
   for (const OrderedJson& row : rows) {
     Cells cells;
-    gatherCells(cells, row, "", vectorsStayWhole);
+    gatherCells(cells, row, "");
     auto& out = grid.rows.emplace_back(grid.header.size(), nullptr);
     std::size_t expected = 0;  // rows are alike: the next column is the likely one
     for (const auto& [name, value] : cells) {
@@ -135,28 +134,8 @@ std::string cellText(const OrderedJson& value, int digits) {
   return out;
 }
 
-using TextRows = std::vector<std::vector<std::string>>;
-
-/// Columns two blanks apart; those of numbers to the right.
-std::string aligned(const TextRows& rows, const std::vector<bool>& toTheRight, std::size_t indent) {
-  std::vector<std::size_t> widths(toTheRight.size(), 0);
-  for (const auto& row : rows)
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], columnsOf(row[i]));
-  std::string out;
-  for (const auto& row : rows) {
-    out.append(indent, ' ');
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      const std::string padding(widths[i] - columnsOf(row[i]), ' ');
-      out += (i > 0 ? "  " : "") + (toTheRight[i] ? padding + row[i] : row[i] + padding);
-    }
-    out.erase(out.find_last_not_of(' ') + 1);
-    out += '\n';
-  }
-  return out;
-}
-
 std::string gridText(const OrderedJson& value, int digits, std::size_t indent) {
-  const Grid grid = gridOf(value, true);
+  const Grid grid = gridOf(value);
   TextRows rows{grid.header};
   std::vector<bool> toTheRight(grid.header.size(), true);
   for (const auto& row : grid.rows) {
@@ -166,24 +145,25 @@ std::string gridText(const OrderedJson& value, int digits, std::size_t indent) {
       if (row[i] && (row[i]->is_string() || row[i]->is_array() || row[i]->is_boolean())) toTheRight[i] = false;
     }
   }
-  return aligned(rows, toTheRight, indent);
+  return aligned(
+      rows, [&](std::size_t column) { return toTheRight[column]; }, indent);
 }
 
 std::string matrixText(const OrderedJson& value, int digits, std::size_t indent) {
   TextRows rows;
-  std::size_t columns = 0;
   for (const OrderedJson& row : value) {
     auto& texts = rows.emplace_back();
     for (const OrderedJson& entry : row) texts.push_back(cellText(entry, digits));
-    columns = std::max(columns, texts.size());
   }
-  return aligned(rows, std::vector<bool>(columns, true), indent);
+  return aligned(
+      rows, [](std::size_t) { return true; }, indent);
 }
 
 void appendSection(std::string& out, const OrderedJson& section, int digits, std::size_t indent) {
   TextRows lines;
   const auto flush = [&] {
-    out += aligned(lines, {false, false}, indent);
+    out += aligned(
+        lines, [](std::size_t) { return false; }, indent);
     lines.clear();
   };
   const auto heading = [&](const std::string& name) {
@@ -242,23 +222,6 @@ std::string jsonText(const OrderedJson& value, int digits, std::size_t level) {
 std::string tableText(const OrderedJson& report, int digits) {
   std::string out;
   appendSection(out, report, digits, 0);
-  return out;
-}
-
-std::string csvText(const OrderedJson& rows, int digits) {
-  const OrderedJson one = rows.is_object() ? OrderedJson::array({rows}) : OrderedJson();
-  const Grid grid = gridOf(rows.is_object() ? one : rows, false);
-  std::string out;
-  for (std::size_t i = 0; i < grid.header.size(); ++i) out += (i > 0 ? "," : "") + quotedIfNeeded(grid.header[i]);
-  out += '\n';
-  for (const auto& row : grid.rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      if (i > 0) out += ',';
-      if (!row[i] || hasNoValue(*row[i]) || row[i]->is_structured()) continue;
-      out += quotedIfNeeded(row[i]->is_string() ? row[i]->get<std::string>() : compactJson(*row[i], digits));
-    }
-    out += '\n';
-  }
   return out;
 }
 

@@ -1,6 +1,5 @@
 #include "output/results.hpp"
 
-#include <algorithm>
 #include <array>
 #include <numeric>
 
@@ -92,15 +91,6 @@ const ResultRow* findResult(std::string_view name) {
   for (const ResultRow* row : allResults())
     if (row->name == name) return row;
   return nullptr;
-}
-
-std::string_view otherCommandOf(std::string_view name) {
-  const auto has = [&](std::span<const ResultRow* const> rows) {
-    return std::any_of(rows.begin(), rows.end(), [&](const ResultRow* row) { return row->name == name; });
-  };
-  for (const PointResult& result : pointResults())
-    if (result.row.name == name) return "";
-  return has(results::kRay) ? "ray" : has(results::kCull) ? "cull" : "";
 }
 
 std::vector<std::string> columnsOf(std::span<const ResultRow* const> rows, std::string_view prefix, bool table) {

@@ -89,7 +89,7 @@ inline constexpr ResultRow
 inline constexpr const ResultRow *kPlaceParts[] = {&lat, &lon, &height};
 inline constexpr ResultRow
     place = groupResult("place", kPlaceParts).onRequest();
-inline constexpr const ResultRow* kRay[] = {&origin, &direction, &point, &place, &pointDistance, &pixelSize, &pointBound, &placedHit, &hit, &hits};
+inline constexpr const ResultRow* kRay[] = {&origin, &direction, &point, &place, &pointDistance, &pointBound, &placedHit, &hit, &hits};
 
 inline constexpr ResultRow
     cull = ResultRow{"cull", ResultKind::word}.whereNamed(),
@@ -120,9 +120,6 @@ std::span<const PointResult> pointResults();
 const Results& allResults();
 /// The one of this name; null: none.
 const ResultRow* findResult(std::string_view name);
-
-/// The command that writes a result which project does not; empty: none.
-std::string_view otherCommandOf(std::string_view name);
 
 /// The columns of CSV. table: a vector has one cell.
 std::vector<std::string> columnsOf(std::span<const ResultRow* const> rows, std::string_view prefix = "",

@@ -12,9 +12,7 @@ namespace {
 
 constexpr std::size_t kRowsThatTell = 1000, kBytesThatTell = 1 << 20, kWidest = 200;
 
-using Rows = std::vector<std::vector<std::string>>;
-
-void widen(std::vector<std::size_t>& widths, const Rows& rows, std::size_t widest = SIZE_MAX) {
+void widen(std::vector<std::size_t>& widths, const TextRows& rows, std::size_t widest = SIZE_MAX) {
   for (const auto& row : rows)
     for (std::size_t i = 0; i < row.size(); ++i) {
       if (i == widths.size()) widths.push_back(0);
@@ -22,14 +20,14 @@ void widen(std::vector<std::size_t>& widths, const Rows& rows, std::size_t wides
     }
 }
 
-void appendInColumns(std::string& out, const Rows& rows, const std::vector<std::size_t>& widths) {
+void appendInColumns(std::string& out, const TextRows& rows, const std::vector<std::size_t>& widths,
+                     const std::function<bool(std::size_t column)>& isToTheRight, std::size_t indent = 0) {
   for (const auto& row : rows) {
+    out.append(indent, ' ');
     for (std::size_t i = 0; i < row.size(); ++i) {
       const std::size_t width = i < widths.size() ? widths[i] : 0;
-      const std::size_t padding = width - std::min(width, columnsOf(row[i]));
-      if (i > 0) out.append(padding + 2, ' ');
-      out += row[i];
-      if (i == 0 && row.size() > 1) out.append(padding, ' ');
+      const std::string padding(width - std::min(width, columnsOf(row[i])), ' ');
+      out += (i > 0 ? "  " : "") + (isToTheRight(i) ? padding + row[i] : row[i] + padding);
     }
     out.erase(out.find_last_not_of(' ') + 1);
     out += '\n';
@@ -38,11 +36,12 @@ void appendInColumns(std::string& out, const Rows& rows, const std::vector<std::
 
 }  // namespace
 
-std::string alignedTable(const Rows& rows) {
+std::string aligned(const TextRows& rows, const std::function<bool(std::size_t column)>& isToTheRight,
+                    std::size_t indent) {
   std::vector<std::size_t> widths;
   widen(widths, rows);
   std::string out;
-  appendInColumns(out, rows, widths);
+  appendInColumns(out, rows, widths, isToTheRight, indent);
   return out;
 }
 
@@ -76,7 +75,7 @@ std::string CsvAligner::rest() {
 void CsvAligner::align(std::string& out) {
   if (!widthsAreSet_) widen(widths_, rows_, kWidest);
   widthsAreSet_ = true;
-  appendInColumns(out, rows_, widths_);
+  appendInColumns(out, rows_, widths_, [](std::size_t column) { return column > 0; });
   rows_.clear();
   bytes_ = 0;
 }

@@ -1,15 +1,18 @@
 // Tables for people.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace viewproj::cmd {
 
-/// Rows as lines in aligned columns, two blanks apart: the first column to the left, the others to the right. All rows
-/// have as many cells as the first, which is the header.
-std::string alignedTable(const std::vector<std::vector<std::string>>& rows);
+using TextRows = std::vector<std::vector<std::string>>;
+
+/// Rows as lines in aligned columns, two blanks apart, and indented.
+std::string aligned(const TextRows& rows, const std::function<bool(std::size_t column)>& isToTheRight,
+                    std::size_t indent = 0);
 
 /// Lines of CSV as aligned columns. How wide these are, the first thousand lines tell, or the first MiB; a cell of more
 /// than 200 bytes does not.
@@ -23,7 +26,7 @@ class CsvAligner {
  private:
   void align(std::string& out);
 
-  std::vector<std::vector<std::string>> rows_;
+  TextRows rows_;
   std::vector<std::size_t> widths_;
   std::size_t bytes_ = 0;  ///< of rows_
   bool widthsAreSet_ = false;

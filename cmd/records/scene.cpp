@@ -110,6 +110,19 @@ Hits intersect(const Ray& ray, const HeightSurface& surface) {
   return hits;
 }
 
+std::vector<SceneHit> hitsOf(const Ray& ray, const std::vector<SceneObject>& scene) {
+  std::vector<SceneHit> found;
+  for (const SceneObject& object : scene)
+    std::visit(
+        [&](const auto& shape) {
+          for (const Hit& hit : intersect(ray, shape)) found.push_back({&object, hit});
+        },
+        object.shape);
+  std::stable_sort(found.begin(), found.end(),
+                   [](const SceneHit& a, const SceneHit& b) { return a.hit.distance < b.hit.distance; });
+  return found;
+}
+
 std::vector<SceneObject> readScene(const std::string& source, bool worldIsEcef) {
   const Document document = load(source, "--scene");
   const Node scene(document);

@@ -28,6 +28,14 @@ std::vector<SceneObject> readScene(const std::string& source, bool worldIsEcef);
 /// The normal is away from the ellipsoid.
 Hits intersect(const Ray& ray, const HeightSurface& surface);
 
+struct SceneHit {
+  const SceneObject* object = nullptr;
+  Hit hit;
+};
+
+/// Nearest first; of hits at the same distance, in the scene's order.
+std::vector<SceneHit> hitsOf(const Ray& ray, const std::vector<SceneObject>& scene);
+
 using CullShape = std::variant<Vec3, Sphere, Box, Triangle>;
 
 /// What a record holds. Throws RecordError where the numbers make no shape, and for a direction.

@@ -19,16 +19,18 @@ class RecordWork {
   /// Where records of this one's shape have their numbers. Throws RecordError where they lack some.
   virtual Layout find(const RecordParts& record) const = 0;
   /// The results of such records in a form, in order. Throws RecordError where the form has no place for them.
-  virtual Results results(const Layout& layout, OutputForm form) const = 0;
+  /// None where records are read alone.
+  virtual Results results(const Layout& /*layout*/, OutputForm /*form*/) const { return {}; }
 
   /// Throws RecordError where the numbers are none to work on; nothing was added then.
   virtual void add(const Layout& layout, const Numbers& numbers) = 0;
   virtual void compute() {}
   /// The results of the record that was added as number i. Throws RecordError where it has none.
-  virtual void write(std::size_t i, ResultSink& sink) = 0;
+  virtual void write(std::size_t /*i*/, ResultSink& /*sink*/) {}
   /// Where records are read alone, instead of write: the record that was added as number i, and its line.
   virtual void read(std::size_t /*i*/, const Record& /*record*/, std::size_t /*line*/) {}
-  virtual void clear() = 0;
+  /// The batch is done.
+  virtual void clear() {}
 
   /// From f64 to f64, many records at once: three numbers a record in, what the writer would write out. Returns how
   /// many records from the start it took: those after it are for add and write.
