@@ -75,7 +75,8 @@ ScreenPoint worldToScreen(const Camera& camera, const Vec4& point, Precision pre
 
 /// What became of the points of a batch.
 struct BatchCounts {
-  std::size_t escalated = 0;  ///< settled one by one: off the kernel's range, next to the eye plane, or not certain
+  /// Settled one by one: off the kernel's range, next to the eye plane, not certain, or through a lens.
+  std::size_t escalated = 0;
   std::size_t uncertain = 0;  ///< exact: of those, the ones that no arithmetic here decides (ties, numbers about 0)
 };
 
