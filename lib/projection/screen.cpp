@@ -35,12 +35,14 @@ Kernels::Project kernelOf(Precision precision) noexcept {
   return precision == Precision::standard ? kernels().standard : kernels().exact;
 }
 
-/// p: the numbers of a point that a formula has settled. isSeen: it is not behind the eye plane.
-ScreenPoint settled(const CameraParts& c, bool isSeen, ScreenPoint p, Precision precision) noexcept {
-  if (isSeen)
+/// A point that a formula has settled. isSeen: it is not behind the eye plane.
+ScreenPoint settled(const CameraParts& c, bool isSeen, const Vec3& position, double distance,
+                    Precision precision) noexcept {
+  ScreenPoint p = without(PointStatus::behind, distance);
+  if (isSeen) {
+    p = {position.x, position.y, position.z, distance};
     p.outside = sidesBeyond(c, p);
-  else
-    p = without(PointStatus::behind, p.viewDistance);
+  }
   p.precision = precision;
   p.certain = precision == Precision::exact;
   return p;
@@ -60,8 +62,8 @@ ScreenPoint alone(const CameraParts& c, const Vec4& point, Precision precision) 
   const Projected<double, bool> r =
       precision == Precision::standard ? byStandard(c.constants, point) : kernels().exactPoint(c.constants, point);
   if (!r.valid && !r.behind) return exactToScreen(c, point);
-  if (!isDirection) return settled(c, r.valid, {r.x, r.y, r.depth, r.distance}, precision);
-  ScreenPoint p = settled(c, r.valid, {r.x, r.y, c.depthAtInfinity, NAN}, precision);
+  if (!isDirection) return settled(c, r.valid, {r.x, r.y, r.depth}, r.distance, precision);
+  ScreenPoint p = settled(c, r.valid, {r.x, r.y, c.depthAtInfinity}, NAN, precision);
   if (r.valid && std::isfinite(c.projection.far)) p.outside |= sideFar;
   return p;
 }
@@ -76,6 +78,10 @@ ScreenPoint counted(const ScreenPoint& p, BatchCounts& counts) noexcept {
 }  // namespace
 
 bool isInRange(const Camera& camera, const Vec4& point) noexcept { return isInDomain(parts(camera).pose.eye, point); }
+
+std::uint8_t sidesBeyond(const Camera& camera, const Vec2& screen) noexcept {
+  return detail::sidesBeyond(parts(camera), {screen.x, screen.y, NAN, NAN});
+}
 
 ScreenPoint worldToScreen(const Camera& camera, const Vec3& point, Precision precision) noexcept {
   return worldToScreen(camera, Vec4{point.x, point.y, point.z, 1}, precision);
@@ -129,7 +135,7 @@ BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, st
     for (std::size_t j = 0; j < size; ++j) {
       const double* const p = position + 3 * j;
       screen[i + j] = c.lens || left.has(j) ? counted(worldToScreen(camera, points[i + j], precision), counts)
-                                            : settled(c, !std::isnan(p[0]), {p[0], p[1], p[2], distance[j]}, precision);
+                                            : settled(c, !std::isnan(p[0]), {p[0], p[1], p[2]}, distance[j], precision);
     }
   }
   return counts;
