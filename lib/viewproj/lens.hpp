@@ -83,7 +83,7 @@ Vec2 undistorted(const Lens& lens, const Vec2& distorted) noexcept;
 // because straight edges are bent: viewFrustum(withoutLens(camera)) is the pinhole's.
 
 /// In place of a lens it has. Throws CameraError naming "distortion" for orthographic cameras. A brown lens of zeros
-/// without a limit leaves the pinhole, bit for bit.
+/// without a limit leaves the pinhole.
 Camera withLens(const Camera& camera, const Lens& lens);
 Camera withoutLens(const Camera& camera) noexcept;
 std::optional<Lens> lensOf(const Camera& camera) noexcept;
