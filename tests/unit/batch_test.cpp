@@ -91,7 +91,7 @@ TEST_CASE("A batch gives the bits of single points, in every precision, of every
            sameBits(a.viewDistance, b.viewDistance) && a.status == b.status && a.outside == b.outside &&
            a.certain == b.certain && a.precision == b.precision;
   };
-  std::size_t byStatus[4] = {}, escalated = 0;
+  std::size_t byStatus[5] = {}, escalated = 0;
   for (unsigned seed = 0; seed < 60; ++seed)
     for (const std::size_t count : {0u, 1u, 7u, 8u, 9u, 600u}) {
       const Trial trial = randomTrial(seed, count);
