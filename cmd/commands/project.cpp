@@ -5,12 +5,10 @@
 #include <limits>
 #include <type_traits>
 
-#include "camera/camera.hpp"
 #include "commands/command.hpp"
 #include "commands/options.hpp"
 #include "commands/stream_options.hpp"
 #include "output/results.hpp"
-#include "projection/exact_point.hpp"
 #include "records/model.hpp"
 #include "records/points.hpp"
 #include "records/scene.hpp"
@@ -121,11 +119,9 @@ struct SegmentRow {
 constexpr ScreenPoint kNoPoint{.x = kNaN, .y = kNaN, .depth = kNaN, .viewDistance = kNaN};
 
 /// The sides of the picture beyond which all of a rectangle lies.
-std::uint8_t sidesBeyond(const CameraParts& c, const ScreenBox& box) {
-  const auto ofCorner = [&](double x, double y) {
-    return detail::sidesBeyond(c, ScreenPoint{.x = x, .y = y, .viewDistance = c.projection.near});
-  };
-  return static_cast<std::uint8_t>(ofCorner(box.left, box.top) & ofCorner(box.right, box.bottom));
+std::uint8_t sidesBeyond(const Camera& camera, const ScreenBox& box) {
+  return static_cast<std::uint8_t>(viewproj::sidesBeyond(camera, Vec2{box.left, box.top}) &
+                                   viewproj::sidesBeyond(camera, Vec2{box.right, box.bottom}));
 }
 
 /// Zero times a number is zero, and NaN of what is not finite: no branch for each.
@@ -278,7 +274,7 @@ class ProjectWork final : public RecordWork {
     if (verdict.verdict == CullVerdict::outside)
       screen.outside = verdict.side;
     else
-      screen.outside = box ? sidesBeyond(parts(how_.camera), *box) : static_cast<std::uint8_t>(sideNear);
+      screen.outside = box ? sidesBeyond(how_.camera, *box) : static_cast<std::uint8_t>(sideNear);
     const Vec4 point = isSphere ? points_[row.index] : Vec4{kNaN, kNaN, kNaN, 1};
     writeFields(screen, point, sink, box, rowsOf(true, sink.isText()));
   }

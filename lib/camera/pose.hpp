@@ -10,6 +10,11 @@
 
 namespace viewproj::detail {
 
+/// Of the matrix with these rows, or with these columns.
+DoubleDouble determinant(const std::array<DDVec3, 3>& vectors) noexcept;
+/// The columns of its inverse, or the rows.
+std::array<DDVec3, 3> inverse(const std::array<DDVec3, 3>& vectors) noexcept;
+
 /// Three vectors of the camera in world coordinates.
 struct Axes {
   DDVec3 right, up, forward;

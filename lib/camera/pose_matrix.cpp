@@ -120,14 +120,14 @@ bool isOfSize(const Dyadic<A>& a, const Dyadic<B>& b) {
   return (a - b).sign() == 0 || (a + b).sign() == 0;
 }
 
-std::array<DDVec3, 3> transposed(const std::array<DDVec3, 3>& rows) {
-  std::array<DDVec3, 3> columns;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) columns[i][j] = rows[j][i];
-  return columns;
-}
-
 }  // namespace
+
+DoubleDouble determinant(const std::array<DDVec3, 3>& v) noexcept { return dot(v[0], cross(v[1], v[2])); }
+
+std::array<DDVec3, 3> inverse(const std::array<DDVec3, 3>& v) noexcept {
+  const DoubleDouble scale = DoubleDouble(1) / determinant(v);
+  return {cross(v[1], v[2]) * scale, cross(v[2], v[0]) * scale, cross(v[0], v[1]) * scale};
+}
 
 AxisMap axisMap(CameraAxes axes) noexcept { return named(axes).map; }
 
@@ -138,12 +138,8 @@ Pose poseFromColumns(const std::array<DDVec3, 3>& columns, const DDVec3& eye, Ca
   for (const Vec3& column : c)
     if (!isFinite(column)) throw CameraError("columns", "has a component that is not a finite number");
   requireOrthogonal(c, "columns");
-  const std::array<DDVec3, 3> crossed = {cross(columns[1], columns[2]), cross(columns[2], columns[0]),
-                                         cross(columns[0], columns[1])};
-  const DoubleDouble determinant = dot(columns[0], crossed[0]);
-  requireHandedness(axes, world, determinant.hi < 0, "columns");
-  const DoubleDouble scale = DoubleDouble(1) / determinant;
-  const std::array<DDVec3, 3> rows = {crossed[0] * scale, crossed[1] * scale, crossed[2] * scale};
+  requireHandedness(axes, world, determinant(columns).hi < 0, "columns");
+  const std::array<DDVec3, 3> rows = inverse(columns);
   // Rounded, so that the exact rows hold it too; it is 2^-53 of the eye, and so is its rounding of it.
   const DDVec3 rest = -DDVec3{eye.x.lo, eye.y.lo, eye.z.lo};
   const auto axisRows = toAxes(rows, axes);
@@ -232,11 +228,13 @@ Pose poseFromCameraFromWorld(const Mat4& matrix, CameraAxes axes, Handedness wor
   for (std::size_t i = 0; i < 3; ++i)
     eye[i] = nearestDouble(-dot(inverted.adjugate[i], toDyadic(translation)).rounded() / inverted.divisor);
   std::array<Vec3, 3> given;
+  std::array<DDVec3, 3> columns;
   std::array<DDVec3, 3> residual;  // M eye + t, what the rounding left over, in x
   for (std::size_t i = 0; i < 3; ++i) {
     given[i] = {matrix[i][0], matrix[i][1], matrix[i][2]};
     const Dyadic<2> left = dot(toDyadic(given[i]), toDyadic(eye)) + Dyadic<1>(translation[i]);
     residual[i].x = toDoubleDouble(left.rounded());
+    for (std::size_t j = 0; j < 3; ++j) columns[i][j] = inverted.rows[j][i];
   }
   ExactPose exact;
   exact.translation = toAxes(translation, axes);
@@ -245,7 +243,7 @@ Pose poseFromCameraFromWorld(const Mat4& matrix, CameraAxes axes, Handedness wor
   const Axes left = toAxesOf(residual, axes);
   return made({eye,
                roundedRows(exact),
-               toAxesOf(transposed(inverted.rows), axes),
+               toAxesOf(columns, axes),
                {left.right.x, left.up.x, left.forward.x},
                std::make_shared<const ExactPose>(exact)});
 }

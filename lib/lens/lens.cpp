@@ -17,7 +17,7 @@ constexpr DoubleDouble kDegreesPerRadian{0x1.ca5dc1a63c1f8p+5, -0x1.1e7ab456405f
 Lens made(LensParts lens, double stated) {
   const auto require = [](std::span<const double> numbers, const std::string& field) {
     for (std::size_t i = 0; i < numbers.size(); ++i)
-      requireNumber(numbers[i], (field + "[" + std::to_string(i) + "]").c_str());
+      requireNumber(numbers[i], (field + "." + std::to_string(i)).c_str());
   };
   require(lens.k, "distortion.k");
   require(lens.p, "distortion.p");

@@ -12,8 +12,8 @@ constexpr Undistorted kNone{{kNaN, kNaN}, kNaN};
 /// An answer that could be farther from the true one is none: a ray is proven to kRayDirectionBound.
 constexpr double kWorstError = 0x1p-56;
 
-/// Newton's steps double the digits, but next to a fold: the last of them in double-double, and when they end.
-constexpr int kFineSteps = 6;
+/// Newton's steps double the digits, but next to a fold. They end with one of this share.
+constexpr int kSteps = 100;
 constexpr double kSettled = 0x1p-80;
 
 /// Nearer to the axis than this, every lens leaves all digits as they are.
@@ -26,7 +26,7 @@ double length(double x, double y) noexcept { return std::sqrt(x * x + y * y); }
 template <class Evaluate>
 double risingRoot(double low, double high, double start, const Evaluate& evaluate) noexcept {
   double at = start;
-  for (int i = 0; i < 100; ++i) {
+  for (int i = 0; i < kSteps; ++i) {
     const auto [value, slope] = evaluate(at);
     (value < 0 ? low : high) = at;
     double next = at - value / slope;
@@ -77,43 +77,38 @@ double radialStart(const LensParts& lens, double target) noexcept {
   return risingRoot(0, end, std::min(end, target), above);
 }
 
-/// Newton's steps in double, then in double-double, from the radial part's solution.
+/// Newton's steps from the radial part's solution: slopes in double, what they miss in double-double.
 std::optional<Tangents<DoubleDouble>> brownSolution(const LensParts& lens,
                                                     const Tangents<DoubleDouble>& target) noexcept {
   const double size = length(target.x.hi, target.y.hi), start = radialStart(lens, size);
   if (!(start >= 0)) return std::nullopt;
   const double inside = lens.end * (1 - 0x1p-40);
-  const auto pulledBack = [&](const Tangents<double>& to) -> Tangents<double> {
-    const double r = length(to.x, to.y);
-    return r > inside ? Tangents<double>{to.x * (inside / r), to.y * (inside / r)} : to;
+  const auto pulledBack = [&](const Tangents<DoubleDouble>& to) -> Tangents<DoubleDouble> {
+    const double r = length(to.x.hi, to.y.hi), share = inside / r;
+    return r > inside ? Tangents<DoubleDouble>{times(share, to.x), times(share, to.y)} : to;
   };
-  Tangents<double> at = pulledBack({target.x.hi * (start / size), target.y.hi * (start / size)});
-  const auto missed = [&](const Tangents<double>& to) -> Tangents<double> {
-    const Tangents<double> f = distort<double>(lens, to);
-    return {f.x - target.x.hi, f.y - target.y.hi};
+  const auto missed = [&](const Tangents<DoubleDouble>& to) -> Tangents<double> {
+    const auto f = distort<DoubleDouble>(lens, to);
+    return {(f.x - target.x).hi, (f.y - target.y).hi};
   };
-  // The map is the gradient of a convex function: a step that is short enough leads nearer, until rounding ends it.
+  Tangents<DoubleDouble> at = pulledBack({times(start / size, target.x), times(start / size, target.y)});
   Tangents<double> miss = missed(at);
-  for (int i = 0; i < 100; ++i) {
-    const auto step = jacobian(lens, at.x, at.y).inverseTimes(miss.x, miss.y);
-    const Tangents<double> from = at;
+  for (int i = 0; i < kSteps; ++i) {
+    const auto step = jacobian(lens, at.x.hi, at.y.hi).inverseTimes(miss.x, miss.y);
+    const auto after = [&, from = at](double share) {
+      return pulledBack({from.x - DoubleDouble(share * step.x), from.y - DoubleDouble(share * step.y)});
+    };
+    if (length(step.x, step.y) <= kSettled * length(at.x.hi, at.y.hi)) return after(1);
+    // The map is the gradient of a convex function: a step that is short enough leads nearer, until rounding ends it.
     const double before = length(miss.x, miss.y);
     double share = 1;
     do {
-      at = pulledBack({from.x - share * step.x, from.y - share * step.y});
+      at = after(share);
       miss = missed(at);
       share /= 2;
     } while (!(length(miss.x, miss.y) < before) && share > 0x1p-20);
-    if (length(at.x - from.x, at.y - from.y) <= 0x1p-50 * length(at.x, at.y)) break;
   }
-  Tangents<DoubleDouble> fine{at.x, at.y};
-  for (int i = 0; i < kFineSteps; ++i) {
-    const auto f = distort<DoubleDouble>(lens, fine);
-    const auto step = jacobian(lens, fine.x.hi, fine.y.hi).inverseTimes((f.x - target.x).hi, (f.y - target.y).hi);
-    fine = {fine.x - DoubleDouble(step.x), fine.y - DoubleDouble(step.y)};
-    if (length(step.x, step.y) <= kSettled * length(fine.x.hi, fine.y.hi)) break;
-  }
-  return fine;
+  return at;
 }
 
 /// The map is strongly monotone: with a residual and the least factor m of differences in the ball around a point, of
@@ -159,7 +154,7 @@ Undistorted undistortFisheye(const LensParts& lens, const Tangents<DoubleDouble>
     return {put(t) - size.hi, slopeAt(t)};
   });
   DoubleDouble t = root;
-  for (int i = 0; i < kFineSteps; ++i) {
+  for (int i = 0; i < 6; ++i) {
     const double step = (put(t) - size).hi / slopeAt(t.hi);
     t = t - DoubleDouble(step);
     if (std::fabs(step) <= kSettled * t.hi) break;

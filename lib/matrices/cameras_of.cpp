@@ -210,12 +210,6 @@ double rigidity(const Mat4& m) noexcept {
   return worst;
 }
 
-/// The columns of the inverse of these rows.
-std::array<DDVec3, 3> inverse(const std::array<DDVec3, 3>& rows) noexcept {
-  const DoubleDouble scale = DoubleDouble(1) / dot(rows[0], cross(rows[1], rows[2]));
-  return {cross(rows[1], rows[2]) * scale, cross(rows[2], rows[0]) * scale, cross(rows[0], rows[1]) * scale};
-}
-
 /// The point at which three rows are 0: exact until it is rounded.
 DDVec3 commonPoint(const Row& a, const Row& b, const Row& c) noexcept {
   const Vector3<Dyadic<2>> bc = crossOf(b.axis, c.axis), ca = crossOf(c.axis, a.axis), ab = crossOf(a.axis, b.axis);
@@ -338,7 +332,7 @@ class Solver {
         MatrixCamera camera{kind, layout_, {}, m_[3][3], residual, {}, {}};
         camera.convention.view = view;
         camera.convention.world =
-            (view == ViewAxes::RUF) == isMirrored(parts.axes) ? Handedness::right : Handedness::left;
+            (view == ViewAxes::RUF) == (determinant(parts.axes).hi < 0) ? Handedness::right : Handedness::left;
         add(camera, [&, axes = axes] { return poseOf(m_, kind, axes, camera.convention.world); });
       }
   }
@@ -378,7 +372,7 @@ class Solver {
               continue;
             c.view = view;
             c.ndcY = ndcY;
-            if (!isProjection) c.world = isMirrored(axes) ? Handedness::right : Handedness::left;
+            if (!isProjection) c.world = determinant(axes).hi < 0 ? Handedness::right : Handedness::left;
             camera.lens = lens;
             setWindow(*camera.lens, parts, ndcY);
             add(camera, [&]() -> std::optional<Pose> {
@@ -388,10 +382,6 @@ class Solver {
           }
       }
     return hasDepth;
-  }
-
-  static bool isMirrored(const std::array<DDVec3, 3>& axes) noexcept {
-    return dot(cross(axes[0], axes[1]), axes[2]).hi < 0;
   }
 
   /// With its pose, if it is what is asked for; else why not.
@@ -429,9 +419,10 @@ MatrixCameras camerasOf(const Mat4& matrix, const MatrixQuery& query) {
   for (auto& row : m.m)
     for (double& entry : row) {
       if (query.float32) entry = static_cast<double>(static_cast<float>(entry));
-      if (!std::isfinite(entry))
-        return {{}, "it has a number that is not finite", "it has a number that is not finite"};
-      if (std::fabs(entry) > kLargestNumber) return {{}, "it has a number beyond 1e90", "it has a number beyond 1e90"};
+      const char* const fault = !std::isfinite(entry)               ? "it has a number that is not finite"
+                                : std::fabs(entry) > kLargestNumber ? "it has a number beyond 1e90"
+                                                                    : nullptr;
+      if (fault) return {{}, fault, fault};
     }
   const bool isSymmetric = m == transposed(m);
   Solver written(m, isSymmetric ? MatrixLayout::either : MatrixLayout::asWritten, query);

@@ -1,5 +1,7 @@
 #include "numbers/arctangent.hpp"
 
+#include <cmath>
+
 namespace viewproj::detail {
 namespace {
 
@@ -45,16 +47,6 @@ DoubleDouble arctangentOfSmall(DoubleDouble z) noexcept {
   return z + z * (minusSquare * sum);
 }
 
-/// 1 - z^2 / (k (k + 1)) (1 - z^2 / ((k + 2) (k + 3)) (1 - ...)): cos z from k = 1, sin z / z from k = 2, |z| <= 1/32.
-DoubleDouble nested(DoubleDouble square, int k) noexcept {
-  const auto divisor = [&](int n) { return double((k + 2 * n) * (k + 2 * n + 1)); };
-  double rest = 1;
-  for (int n = 7; n >= 4; --n) rest = 1 - square.hi / divisor(n) * rest;
-  DoubleDouble sum = rest;
-  for (int n = 3; n >= 0; --n) sum = DoubleDouble(1) - square * sum / DoubleDouble(divisor(n));
-  return sum;
-}
-
 }  // namespace
 
 DoubleDouble arctangent(DoubleDouble slope) noexcept {
@@ -70,12 +62,10 @@ DoubleDouble arctangent(DoubleDouble slope) noexcept {
 Direction directionOf(DoubleDouble angle) noexcept {
   const bool isSteep = angle.hi > kArctangents[16].hi;
   const DoubleDouble smaller = isSteep ? kQuarterTurn - angle : angle;
-  int index = 0;
-  while (index < 16 && smaller.hi > (kArctangents[index].hi + kArctangents[index + 1].hi) / 2) ++index;
-  const DoubleDouble z = smaller - kArctangents[index], square = z * z, tangent = index / 16.0;
-  const DoubleDouble sine = z * nested(square, 2), cosine = nested(square, 1);
-  const DoubleDouble across = sine + tangent * cosine, along = cosine - tangent * sine;
-  return isSteep ? Direction{along, across} : Direction{across, along};
+  // Newton's steps double the digits: the first leaves what the second is sure to reach, whatever libm's last bits are.
+  DoubleDouble tangent = std::tan(smaller.hi);
+  for (int i = 0; i < 2; ++i) tangent += (smaller - arctangent(tangent)) * (DoubleDouble(1) + tangent * tangent);
+  return isSteep ? Direction{1, tangent} : Direction{tangent, 1};
 }
 
 }  // namespace viewproj::detail

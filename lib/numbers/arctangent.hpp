@@ -8,8 +8,7 @@ namespace viewproj::detail {
 /// The angle of this slope, in radians, for 0 <= slope < 2^900: within 2^-94 of itself.
 DoubleDouble arctangent(DoubleDouble slope) noexcept;
 
-/// The sine and the cosine of an angle from 0 to a quarter turn, times a common factor between 1 and 2: each is within
-/// 2^-100 of that factor.
+/// The sine and the cosine of an angle from 0 to a quarter turn, divided by the larger: of the angle within 2^-94.
 struct Direction {
   DoubleDouble across, along;
 };

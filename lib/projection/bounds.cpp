@@ -93,8 +93,13 @@ ErrorBound detail::boundWithin(const CameraParts& c, const Vec2& reach, Precisio
 }
 
 ErrorBound boundOfPoint(const Camera& camera, const Vec3& point, Precision precision) noexcept {
+  return boundOfPoint(camera, Vec4{point.x, point.y, point.z, 1}, precision);
+}
+
+ErrorBound boundOfPoint(const Camera& camera, const Vec4& point, Precision precision) noexcept {
+  if (point.w != 1) precision = Precision::exact;
   const CameraParts& c = parts(camera);
-  if (c.lens) return boundThroughLens(camera, {point.x, point.y, point.z, 1}, precision);
+  if (c.lens) return boundThroughLens(camera, point, precision);
   const ScreenPoint p = worldToScreen(camera, point, Precision::exact);
   if (p.status != PointStatus::inFront || precision == Precision::exact) return boundOfExact(c, p);
   const ProjectionConstants& k = c.constants;
@@ -110,12 +115,6 @@ ErrorBound boundOfPoint(const Camera& camera, const Vec3& point, Precision preci
   const ErrorBound bound = boundOfStandard(c, s);
   // What standard cannot bound goes the exact way, and so does a distance too small to have an inverse.
   return std::isinf(bound.screen) || std::isinf(s.perDistance) ? boundOfExact(c, p) : bound;
-}
-
-ErrorBound boundOfPoint(const Camera& camera, const Vec4& point, Precision precision) noexcept {
-  if (point.w == 1) return boundOfPoint(camera, Vec3{point.x, point.y, point.z}, precision);
-  if (parts(camera).lens) return boundThroughLens(camera, point, Precision::exact);
-  return boundOfExact(parts(camera), worldToScreen(camera, point, Precision::exact));
 }
 
 }  // namespace viewproj

@@ -159,6 +159,7 @@ AxisDistances exactDistances(const PoseParts& pose, const Vec4& point) noexcept 
 }
 
 ScreenPoint exactToScreen(const CameraParts& c, const Vec4& point) noexcept {
+  if (!isInDomain(c.pose.eye, point)) return without(PointStatus::outOfRange, kNaN);
   const AxisDistances a = exactDistances(c.pose, point);
   Distances e{a.right, a.up, a.forward, a.error, point.w, c.constants.forwardIsAxis && point.w == 1};
   if (e.forwardIsExact) {

@@ -49,7 +49,8 @@ inline std::uint8_t sidesBeyond(const CameraParts& c, const ScreenPoint& p) noex
   return static_cast<std::uint8_t>(sides);
 }
 
-/// The screen position by exactDistances. What is not certain is a tie, or a number that cancels to about 0.
+/// The screen position of any point, by exactDistances. What is not certain is a tie, or a number that cancels to about
+/// 0.
 ScreenPoint exactToScreen(const CameraParts& camera, const Vec4& point) noexcept;
 
 }  // namespace viewproj::detail

@@ -25,13 +25,9 @@ WindowPoint windowAt(const CameraParts& c, const Vec2& screen) noexcept {
           sumOrZero(screen.y, -c.screen.centerY) / c.screen.scaleY};
 }
 
-bool hasRay(const CameraParts& c, const Vec2& screen) noexcept {
-  return !c.lens || !std::isnan(windowAt(c, screen).up.hi);
-}
-
-/// The offset from the unrounded eye of the point at a screen position and distance.
-DDVec3 offsetAt(const CameraParts& c, const Vec2& screen, DoubleDouble distance) noexcept {
-  const auto [right, up] = windowAt(c, screen);
+/// The offset from the unrounded eye of the point there at a distance.
+DDVec3 offsetAt(const CameraParts& c, const WindowPoint& window, DoubleDouble distance) noexcept {
+  const auto [right, up] = window;
   const Axes& axes = c.pose.columns;
   const DoubleDouble spread = c.projection.orthographic ? DoubleDouble(1) : distance;
   const DDVec3 along{right * spread, up * spread, distance};
@@ -40,8 +36,8 @@ DDVec3 offsetAt(const CameraParts& c, const Vec2& screen, DoubleDouble distance)
   return offset;
 }
 
-Vec3 worldPointAt(const CameraParts& c, const Vec2& screen, DoubleDouble distance) noexcept {
-  return rounded(c.eye + offsetAt(c, screen, distance));
+Vec3 worldPointAt(const CameraParts& c, const WindowPoint& window, DoubleDouble distance) noexcept {
+  return rounded(c.eye + offsetAt(c, window, distance));
 }
 
 /// Orthographic: the same by a shorter sum. False where its rounding is not certain.
@@ -63,7 +59,7 @@ bool setOrigin(Vec3& origin, const CameraParts& c, const Vec2& screen, double di
 }
 
 Vec3 exactDirection(const CameraParts& c, const Vec2& screen) noexcept {
-  return c.projection.orthographic ? c.direction : rounded(normalized(offsetAt(c, screen, 1)));
+  return c.projection.orthographic ? c.direction : rounded(normalized(offsetAt(c, windowAt(c, screen), 1)));
 }
 
 Vec3 standardDirection(const CameraParts& c, const Vec2& screen) noexcept {
@@ -74,14 +70,15 @@ Vec3 standardDirection(const CameraParts& c, const Vec2& screen) noexcept {
 }
 
 /// The point at a distance that is off by at most distanceError.
-WorldPoint pointAt(const CameraParts& c, const Vec2& screen, const Wide& distance, const Wide& distanceError) noexcept {
-  const Vec3 position = worldPointAt(c, screen, toDoubleDouble(distance));
+WorldPoint pointAt(const CameraParts& c, const WindowPoint& window, const Wide& distance,
+                   const Wide& distanceError) noexcept {
+  const Vec3 position = worldPointAt(c, window, toDoubleDouble(distance));
   if (!detail::isFinite(position)) return {kNoVector, DepthStatus::infinity};
   double bound = halfUlp(position.x) + halfUlp(position.y) + halfUlp(position.z);
   if (distanceError.sign() > 0 || !std::isfinite(distanceError.value.hi)) {
     // How far the point moves with its distance.
     const bool orthographic = c.projection.orthographic;
-    const Wide slant = lengthOf(toWide(orthographic ? c.pose.columns.forward : offsetAt(c, screen, 1)));
+    const Wide slant = lengthOf(toWide(orthographic ? c.pose.columns.forward : offsetAt(c, window, 1)));
     bound += double(distanceError * slant);
   }
   return {position, DepthStatus::point, 1.01 * bound, double(distance)};
@@ -96,21 +93,22 @@ Ray screenToRay(const Camera& camera, const Vec2& screen, Precision precision, R
   const bool isAtNear = origin == RayOrigin::nearPlane;
   const double distance = isAtNear ? c.projection.near : 0;
   if (c.projection.orthographic ? !setOrigin(ray.origin, c, screen, distance) : isAtNear)
-    ray.origin = worldPointAt(c, screen, distance);
+    ray.origin = worldPointAt(c, windowAt(c, screen), distance);
   return ray;
 }
 
 WorldPoint screenToWorld(const Camera& camera, const Vec2& screen, double depth) noexcept {
   const CameraParts& c = parts(camera);
   if (!isInDomain(screen) || !std::isfinite(depth)) return {kNoVector, DepthStatus::notFinite};
-  if (!hasRay(c, screen)) return {kNoVector, DepthStatus::noRay};
+  const WindowPoint window = windowAt(c, screen);
+  if (std::isnan(window.up.hi)) return {kNoVector, DepthStatus::noRay};
   const ProjectionParts& p = c.projection;
   if (!hasDepth(p)) return {kNoVector, DepthStatus::beyond};
   // How far the depth is from near's and from far's, as shares of the range.
   const Wide near = p.near, far = p.far, atNear = c.depthAtNear, atFar = c.depthAtFar, range = atFar - atNear;
   const Wide fromNear = (Wide(depth) - atNear) / range, fromFar = (atFar - Wide(depth)) / range;
   const Wide shareError = Wide(halfUlp(depth)) / magnitude(range);
-  if (p.orthographic) return pointAt(c, screen, near * fromFar + far * fromNear, (far - near) * shareError);
+  if (p.orthographic) return pointAt(c, window, near * fromFar + far * fromNear, (far - near) * shareError);
   if (depth == c.depthAtInfinity) return {kNoVector, DepthStatus::infinity};
   const Wide nearOverDistance = std::isfinite(p.far) ? fromFar + fromNear * (near / far) : fromFar;
   if (!(nearOverDistance.sign() > 0)) return {kNoVector, DepthStatus::beyond};
@@ -118,16 +116,17 @@ WorldPoint screenToWorld(const Camera& camera, const Vec2& screen, double depth)
   // Towards infinity the distance changes most: by shareError in the divisor, at most.
   const Wide farthest = nearOverDistance - shareError;
   return pointAt(
-      c, screen, distance,
+      c, window, distance,
       farthest.sign() > 0 ? distance * (shareError / farthest) : Wide(std::numeric_limits<double>::infinity()));
 }
 
 WorldPoint screenToWorldAtDistance(const Camera& camera, const Vec2& screen, double viewDistance) noexcept {
   const CameraParts& c = parts(camera);
   if (!isInDomain(screen) || !std::isfinite(viewDistance)) return {kNoVector, DepthStatus::notFinite};
-  if (!hasRay(c, screen)) return {kNoVector, DepthStatus::noRay};
+  const WindowPoint window = windowAt(c, screen);
+  if (std::isnan(window.up.hi)) return {kNoVector, DepthStatus::noRay};
   if (!c.projection.orthographic && !(viewDistance > 0)) return {kNoVector, DepthStatus::beyond};
-  return pointAt(c, screen, viewDistance, 0);
+  return pointAt(c, window, viewDistance, 0);
 }
 
 Vec2 pixelSize(const Camera& camera, double viewDistance) noexcept {

@@ -1,7 +1,8 @@
 #include "viewproj/screen.hpp"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
-#include <limits>
 
 #include "projection/exact_point.hpp"
 #include "projection/kernels/formulas.hpp"
@@ -12,24 +13,34 @@ namespace viewproj {
 using namespace detail;
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+static_assert(sizeof(Vec3) == 3 * sizeof(double) && sizeof(Vec2) == 2 * sizeof(double));
 
-ScreenPoint settledExactly(const CameraParts& c, const Vec4& point) noexcept {
-  return isInDomain(c.pose.eye, point) ? exactToScreen(c, point) : without(PointStatus::outOfRange, kNaN);
+/// Points go in blocks: input and output may be the same memory, and a point that is not settled is read again.
+constexpr std::size_t kBlock = 192;
+
+/// Of a block, the points that a kernel has left: use(index) settles each.
+struct Left {
+  std::uint64_t bits[kBlock / 64] = {};
+
+  bool has(std::size_t i) const noexcept { return bits[i / 64] >> i % 64 & 1; }
+  template <class Use>
+  void each(const Use& use) const noexcept {
+    for (std::size_t i = 0; i < kBlock; i += 64)
+      for (std::uint64_t rest = bits[i / 64]; rest; rest &= rest - 1)
+        use(i + static_cast<std::size_t>(std::countr_zero(rest)));
+  }
+};
+
+Kernels::Project kernelOf(Precision precision) noexcept {
+  return precision == Precision::standard ? kernels().standard : kernels().exact;
 }
 
-/// A residual that a camera does not have adds zeros: the same bits.
-Projected<double, bool> byStandard(const ProjectionConstants& k, const Vec3& p) noexcept {
-  return k.orthographic ? StandardFormula<ScalarLanes, Traits<true, true, true>>(k).point(p.x, p.y, p.z)
-                        : StandardFormula<ScalarLanes, Traits<false, true, true>>(k).point(p.x, p.y, p.z);
-}
-
-/// Of what a formula has settled.
-ScreenPoint settled(const CameraParts& c, const Projected<double, bool>& r, double depth, double distance,
+/// A point that a formula has settled. isSeen: it is not behind the eye plane.
+ScreenPoint settled(const CameraParts& c, bool isSeen, const Vec3& position, double distance,
                     Precision precision) noexcept {
   ScreenPoint p = without(PointStatus::behind, distance);
-  if (r.valid) {
-    p = {r.x, r.y, depth, distance};
+  if (isSeen) {
+    p = {position.x, position.y, position.z, distance};
     p.outside = sidesBeyond(c, p);
   }
   p.precision = precision;
@@ -37,30 +48,114 @@ ScreenPoint settled(const CameraParts& c, const Projected<double, bool>& r, doub
   return p;
 }
 
+/// A residual that a camera does not have adds zeros: the same bits.
+Projected<double, bool> byStandard(const ProjectionConstants& k, const Vec4& p) noexcept {
+  return k.orthographic ? StandardFormula<ScalarLanes, Traits<true, true, true>>(k).point(p.x, p.y, p.z)
+                        : StandardFormula<ScalarLanes, Traits<false, true, true>>(k).point(p.x, p.y, p.z);
+}
+
+/// One point of a camera without a lens.
+ScreenPoint alone(const CameraParts& c, const Vec4& point, Precision precision) noexcept {
+  const bool isDirection = point.w == 0;
+  if (point.w != 1 && !(isDirection && !c.projection.orthographic)) return exactToScreen(c, point);
+  if (isDirection) precision = Precision::exact;
+  const Projected<double, bool> r =
+      precision == Precision::standard ? byStandard(c.constants, point) : kernels().exactPoint(c.constants, point);
+  if (!r.valid && !r.behind) return exactToScreen(c, point);
+  if (!isDirection) return settled(c, r.valid, {r.x, r.y, r.depth}, r.distance, precision);
+  ScreenPoint p = settled(c, r.valid, {r.x, r.y, c.depthAtInfinity}, NAN, precision);
+  if (r.valid && std::isfinite(c.projection.far)) p.outside |= sideFar;
+  return p;
+}
+
+/// One of a batch.
+ScreenPoint counted(const ScreenPoint& p, BatchCounts& counts) noexcept {
+  ++counts.escalated;
+  if (p.status == PointStatus::inFront && p.precision == Precision::exact && !p.certain) ++counts.uncertain;
+  return p;
+}
+
 }  // namespace
 
 bool isInRange(const Camera& camera, const Vec4& point) noexcept { return isInDomain(parts(camera).pose.eye, point); }
 
+std::uint8_t sidesBeyond(const Camera& camera, const Vec2& screen) noexcept {
+  return detail::sidesBeyond(parts(camera), {screen.x, screen.y, NAN, NAN});
+}
+
 ScreenPoint worldToScreen(const Camera& camera, const Vec3& point, Precision precision) noexcept {
-  const CameraParts& c = parts(camera);
-  if (c.lens) return throughLens(camera, {point.x, point.y, point.z, 1}, precision);
-  const Projected<double, bool> r =
-      precision == Precision::standard ? byStandard(c.constants, point) : kernels().exactPoint(c.constants, point);
-  if (r.valid || r.behind) return settled(c, r, r.depth, r.distance, precision);
-  return settledExactly(c, {point.x, point.y, point.z, 1});
+  return worldToScreen(camera, Vec4{point.x, point.y, point.z, 1}, precision);
 }
 
 ScreenPoint worldToScreen(const Camera& camera, const Vec4& point, Precision precision) noexcept {
-  const Vec3 xyz{point.x, point.y, point.z};
-  if (point.w == 1) return worldToScreen(camera, xyz, precision);
   const CameraParts& c = parts(camera);
-  if (c.lens) return throughLens(camera, point, precision);
-  if (point.w != 0 || c.projection.orthographic) return settledExactly(c, point);
-  const Projected<double, bool> r = kernels().exactDirection(c.constants, xyz);  // its vanishing point
-  if (!r.valid && !r.behind) return settledExactly(c, point);
-  ScreenPoint p = settled(c, r, c.depthAtInfinity, kNaN, Precision::exact);
-  if (r.valid && std::isfinite(c.projection.far)) p.outside |= sideFar;
-  return p;
+  return c.lens ? throughLens(camera, point, precision) : alone(c, point, precision);
+}
+
+BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, std::span<Vec3> screen,
+                          Precision precision) noexcept {
+  const CameraParts& c = parts(camera);
+  const auto kernel = kernelOf(precision);
+  const std::size_t count = std::min(points.size(), screen.size());
+  const bool inPlace = points.data() < screen.data() + count && screen.data() < points.data() + count;
+  BatchCounts counts;
+  double copy[3 * kBlock];  // unlike vectors, not made zero
+  for (std::size_t i = 0; i < count; i += kBlock) {
+    const std::size_t size = std::min(kBlock, count - i);
+    const double* in = &points[i].x;
+    if (inPlace) in = std::copy_n(in, 3 * size, copy) - 3 * size;
+    Vec3* out = screen.data() + i;
+    Left left;
+    const auto settle = [&](std::size_t j) {
+      const ScreenPoint p =
+          counted(worldToScreen(camera, Vec3{in[3 * j], in[3 * j + 1], in[3 * j + 2]}, precision), counts);
+      out[j] = {p.x, p.y, p.depth};
+    };
+    if (c.lens) {
+      for (std::size_t j = 0; j < size; ++j) settle(j);
+      continue;
+    }
+    kernel(c.constants, in, &out->x, nullptr, size, left.bits);
+    left.each(settle);
+  }
+  return counts;
+}
+
+BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, std::span<ScreenPoint> screen,
+                          Precision precision) noexcept {
+  const CameraParts& c = parts(camera);
+  const auto kernel = kernelOf(precision);
+  const std::size_t count = std::min(points.size(), screen.size());
+  BatchCounts counts;
+  double position[3 * kBlock], distance[kBlock];
+  for (std::size_t i = 0; i < count; i += kBlock) {
+    const std::size_t size = std::min(kBlock, count - i);
+    Left left;
+    if (!c.lens) kernel(c.constants, &points[i].x, position, distance, size, left.bits);
+    for (std::size_t j = 0; j < size; ++j) {
+      const double* const p = position + 3 * j;
+      screen[i + j] = c.lens || left.has(j) ? counted(worldToScreen(camera, points[i + j], precision), counts)
+                                            : settled(c, !std::isnan(p[0]), {p[0], p[1], p[2]}, distance[j], precision);
+    }
+  }
+  return counts;
+}
+
+void screenToRayDirections(const Camera& camera, std::span<const Vec2> pixels, std::span<Vec3> directions) noexcept {
+  const CameraParts& c = parts(camera);
+  const std::size_t count = std::min(pixels.size(), directions.size());
+  const auto settle = [&](std::size_t i) { directions[i] = screenToRay(camera, pixels[i]).direction; };
+  if (c.projection.orthographic) {
+    std::fill_n(directions.data(), count, c.direction);
+  } else if (c.lens) {
+    for (std::size_t i = 0; i < count; ++i) settle(i);
+  } else {
+    for (std::size_t i = 0; i < count; i += kBlock) {
+      Left left;
+      kernels().rays(c.constants, &pixels[i].x, &directions[i].x, std::min(kBlock, count - i), left.bits);
+      left.each([&](std::size_t j) { settle(i + j); });
+    }
+  }
 }
 
 }  // namespace viewproj

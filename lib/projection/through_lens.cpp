@@ -16,7 +16,6 @@ using namespace detail;
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t kBlock = 192;
 
 /// Points with larger tangents are projected exactly: standard's bound grows with them.
 constexpr double kFarAside = 32;
@@ -110,30 +109,6 @@ Vec2 standardPixel(const CameraParts& c, const Vec2& pinhole) noexcept {
   return {m.centerX.hi + (m.scaleX.hi * bent.x + m.centerX.lo), m.centerY.hi - (m.scaleY.hi * bent.y - m.centerY.lo)};
 }
 
-/// p: the pinhole's.
-ScreenPoint bent(const Camera& camera, const Vec4& point, ScreenPoint p) noexcept {
-  const CameraParts& c = parts(camera);
-  if (p.status != PointStatus::inFront) return p;
-  if (p.precision == Precision::standard) {
-    const auto [x, y] = tangentsAt(c, {p.x, p.y});
-    if (!(length(x, y) < kFarAside)) p = worldToScreen(withoutLens(camera), point, Precision::exact);
-  }
-  const Pixel pixel =
-      p.precision == Precision::standard ? Pixel{standardPixel(c, {p.x, p.y}), false} : exactPixel(c, point);
-  const std::uint8_t ofDirection = point.w == 0 ? p.outside & sideFar : 0;
-  p.x = pixel.at.x;
-  p.y = pixel.at.y;
-  p.certain = p.certain && pixel.isCertain;
-  if (std::isfinite(p.x) && std::isfinite(p.y)) {
-    p.outside = static_cast<std::uint8_t>(sidesBeyond(c, p) | ofDirection);
-  } else {
-    p.x = p.y = std::numeric_limits<double>::quiet_NaN();
-    p.status = PointStatus::beyondLens;
-    p.outside = 0;
-  }
-  return p;
-}
-
 /// Of a pixel in standard: pinhole is the bound of the pinhole's.
 double standardError(const CameraParts& c, const Response& response, double radius, double pinhole,
                      double position) noexcept {
@@ -168,35 +143,27 @@ double picturePreimage(const CameraParts& c) noexcept {
 }  // namespace
 
 ScreenPoint detail::throughLens(const Camera& camera, const Vec4& point, Precision precision) noexcept {
-  const ScreenPoint pinhole = worldToScreen(withoutLens(camera), point, precision);
-  return bent(camera, point, pinhole);
-}
-
-BatchCounts detail::throughLens(const Camera& camera, std::span<const Vec3> points, std::span<ScreenPoint> screen,
-                                Precision precision) noexcept {
-  BatchCounts counts = worldToScreen(withoutLens(camera), points, screen, precision);
-  counts.uncertain = 0;
-  for (std::size_t i = 0; i < std::min(points.size(), screen.size()); ++i) {
-    ScreenPoint& p = screen[i];
-    p = bent(camera, {points[i].x, points[i].y, points[i].z, 1}, p);
-    if (p.precision == Precision::exact && p.status == PointStatus::inFront && !p.certain) ++counts.uncertain;
+  const CameraParts& c = parts(camera);
+  ScreenPoint p = worldToScreen(withoutLens(camera), point, precision);  // the pinhole's
+  if (p.status != PointStatus::inFront) return p;
+  if (p.precision == Precision::standard) {
+    const auto [x, y] = tangentsAt(c, {p.x, p.y});
+    if (!(length(x, y) < kFarAside)) p = worldToScreen(withoutLens(camera), point, Precision::exact);
   }
-  return counts;
-}
-
-BatchCounts detail::throughLens(const Camera& camera, std::span<const Vec3> points, std::span<Vec3> screen,
-                                Precision precision) noexcept {
-  BatchCounts counts;
-  std::array<ScreenPoint, kBlock> block;
-  const std::size_t count = std::min(points.size(), screen.size());
-  for (std::size_t i = 0; i < count; i += kBlock) {
-    const std::size_t size = std::min(kBlock, count - i);
-    const BatchCounts ofBlock = throughLens(camera, points.subspan(i, size), std::span(block).first(size), precision);
-    counts.escalated += ofBlock.escalated;
-    counts.uncertain += ofBlock.uncertain;
-    for (std::size_t j = 0; j < size; ++j) screen[i + j] = {block[j].x, block[j].y, block[j].depth};
+  const Pixel pixel =
+      p.precision == Precision::standard ? Pixel{standardPixel(c, {p.x, p.y}), false} : exactPixel(c, point);
+  const std::uint8_t ofDirection = point.w == 0 ? p.outside & sideFar : 0;
+  p.x = pixel.at.x;
+  p.y = pixel.at.y;
+  p.certain = p.certain && pixel.isCertain;
+  if (std::isfinite(p.x) && std::isfinite(p.y)) {
+    p.outside = static_cast<std::uint8_t>(sidesBeyond(c, p) | ofDirection);
+  } else {
+    p.x = p.y = std::numeric_limits<double>::quiet_NaN();
+    p.status = PointStatus::beyondLens;
+    p.outside = 0;
   }
-  return counts;
+  return p;
 }
 
 WindowPoint detail::beforeLens(const CameraParts& c, const Vec2& screen) noexcept {

@@ -2,8 +2,6 @@
 // one.
 #pragma once
 
-#include <span>
-
 #include "camera/camera.hpp"
 #include "viewproj/screen.hpp"
 
@@ -17,10 +15,6 @@ struct WindowPoint {
 WindowPoint beforeLens(const CameraParts& c, const Vec2& screen) noexcept;
 
 ScreenPoint throughLens(const Camera& camera, const Vec4& point, Precision precision) noexcept;
-BatchCounts throughLens(const Camera& camera, std::span<const Vec3> points, std::span<Vec3> screen,
-                        Precision precision) noexcept;
-BatchCounts throughLens(const Camera& camera, std::span<const Vec3> points, std::span<ScreenPoint> screen,
-                        Precision precision) noexcept;
 
 ErrorBound boundThroughLens(const Camera& camera, const Vec4& point, Precision precision) noexcept;
 ErrorBound boundInPictureThroughLens(const Camera& camera, Precision precision) noexcept;

@@ -237,6 +237,14 @@ bool isValid(const Ray& ray) noexcept {
   return isInRange(ray.origin) && isInRange(ray.direction) && maxAbs(ray.direction) > 0;
 }
 
+/// As find<Certified>() has them or, where a number is not certain, find<Dyadic<1>>().
+template <class Shape, class Find>
+Hits hitsOf(const Ray& ray, const Shape& shape, const Find& find) noexcept {
+  if (!isValid(ray) || !viewproj::isValid(shape)) return {};
+  const std::optional<Hits> hits = find.template operator()<Certified>();
+  return hits ? *hits : *find.template operator()<Dyadic<1>>();
+}
+
 bool isLength(double size) noexcept { return size >= 0 && size <= kFarthestPoint; }
 
 }  // namespace
@@ -252,35 +260,25 @@ bool isValid(const Ellipsoid& e) noexcept {
 }
 
 Hits intersect(const Ray& ray, const Plane& plane) noexcept {
-  if (!isValid(ray) || !isValid(plane)) return {};
-  const std::optional<Hits> hits = planeHits<Certified>(ray, plane);
-  return hits ? *hits : *planeHits<Dyadic<1>>(ray, plane);
+  return hitsOf(ray, plane, [&]<class Number>() { return planeHits<Number>(ray, plane); });
 }
 
 Hits intersect(const Ray& ray, const Sphere& sphere) noexcept {
-  if (!isValid(ray) || !isValid(sphere)) return {};
   const Spheroid spheroid{sphere.center, 1, 1, sphere.radius};
-  const std::optional<Hits> hits = spheroidHits<Certified>(ray, spheroid);
-  return hits ? *hits : *spheroidHits<Dyadic<1>>(ray, spheroid);
+  return hitsOf(ray, sphere, [&]<class Number>() { return spheroidHits<Number>(ray, spheroid); });
 }
 
 Hits intersect(const Ray& ray, const Box& box) noexcept {
-  if (!isValid(ray) || !isValid(box)) return {};
-  const std::optional<Hits> hits = boxHits<Certified>(ray, box);
-  return hits ? *hits : *boxHits<Dyadic<1>>(ray, box);
+  return hitsOf(ray, box, [&]<class Number>() { return boxHits<Number>(ray, box); });
 }
 
 Hits intersect(const Ray& ray, const Triangle& triangle) noexcept {
-  if (!isValid(ray) || !isValid(triangle)) return {};
-  const std::optional<Hits> hits = triangleHits<Certified>(ray, triangle);
-  return hits ? *hits : *triangleHits<Dyadic<1>>(ray, triangle);
+  return hitsOf(ray, triangle, [&]<class Number>() { return triangleHits<Number>(ray, triangle); });
 }
 
 Hits intersect(const Ray& ray, const Ellipsoid& ellipsoid) noexcept {
-  if (!isValid(ray) || !isValid(ellipsoid)) return {};
   const Spheroid spheroid{{}, ellipsoid.polar, ellipsoid.equatorial, ellipsoid.equatorial};
-  const std::optional<Hits> hits = spheroidHits<Certified>(ray, spheroid);
-  return hits ? *hits : *spheroidHits<Dyadic<1>>(ray, spheroid);
+  return hitsOf(ray, ellipsoid, [&]<class Number>() { return spheroidHits<Number>(ray, spheroid); });
 }
 
 }  // namespace viewproj

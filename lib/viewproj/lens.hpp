@@ -54,8 +54,8 @@ class Lens {
   std::shared_ptr<const detail::LensParts> parts_;
 };
 
-// Each throws CameraError naming "distortion.k", "distortion.p" or "distortion.limit" where a number is not finite or
-// is out of a camera's range.
+// Each throws CameraError naming "distortion.k.0" and so on, "distortion.p.0" or "distortion.limit" where a number is
+// not finite or is out of a camera's range.
 
 /// With u = x^2 + y^2 and g = (1 + k1 u + k2 u^2 + k3 u^3) / (1 + k4 u + k5 u^2 + k6 u^3):
 ///   x g + 2 p1 x y + p2 (u + 2 x^2),  y g + p1 (u + 2 y^2) + 2 p2 x y
@@ -83,7 +83,7 @@ Vec2 undistorted(const Lens& lens, const Vec2& distorted) noexcept;
 // because straight edges are bent: viewFrustum(withoutLens(camera)) is the pinhole's.
 
 /// In place of a lens it has. Throws CameraError naming "distortion" for orthographic cameras. A brown lens of zeros
-/// without a limit leaves the pinhole, bit for bit.
+/// without a limit leaves the pinhole.
 Camera withLens(const Camera& camera, const Lens& lens);
 Camera withoutLens(const Camera& camera) noexcept;
 std::optional<Lens> lensOf(const Camera& camera) noexcept;

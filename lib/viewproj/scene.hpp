@@ -31,7 +31,7 @@ struct Box {
   Vec3 min, max;
 };
 
-/// Its edges and corners included. A triangle of no area is hit by no ray.
+/// Its edges and corners included. One of no area is hit by no ray.
 struct Triangle {
   Vec3 a, b, c;
 };
@@ -96,22 +96,15 @@ inline constexpr double kHitUlps = 0.51;
 /// component of a normal, or within this (for an ellipsoid times the ratio of its semi-axes).
 inline constexpr double kHitShare = 0x1p-70;
 
-// Hits at a distance >= 0 count: a ray that starts on a surface hits it there, and one that starts inside a solid hits
-// it once. A surface that is only touched, at a tangent, an edge or a corner, is hit once. No hits where the shape is
-// not valid (isValid), where a number of the ray is not one up to 1e91, or where its direction is zero.
-
-/// A ray within or parallel to the plane does not hit it.
+/// Hits at a distance >= 0 count: a ray that starts on a surface hits it there, and one that starts inside a solid hits
+/// it once. A surface that is only touched, at a tangent, an edge or a corner, is hit once. No hits where the shape is
+/// not valid (isValid), where a number of the ray is not one up to 1e91, or where its direction is zero. A ray within
+/// the plane, or that of the triangle, does not hit it. Of a triangle both sides count, and edges are its own: no ray
+/// slips between two that share one (a ray that meets it hits both).
 Hits intersect(const Ray& ray, const Plane& plane) noexcept;
-
 Hits intersect(const Ray& ray, const Sphere& sphere) noexcept;
-
-/// A ray along a face, edge or through a corner hits: the box is closed.
 Hits intersect(const Ray& ray, const Box& box) noexcept;
-
-/// Both sides count, and so do edges and corners: no ray slips between two triangles that share an edge (one that meets
-/// it hits both). A ray in the triangle's plane does not hit it, nor does any a triangle of no area.
 Hits intersect(const Ray& ray, const Triangle& triangle) noexcept;
-
 Hits intersect(const Ray& ray, const Ellipsoid& ellipsoid) noexcept;
 
 // ---- The frustum
@@ -180,7 +173,6 @@ struct Cull {
 /// that it gives out instead, and so forgives half an ulp of them. A point behind the eye of a perspective is beyond
 /// near, or without near beyond a side; the eye itself, on all four sides, is inside then.
 Cull cull(const Frustum& frustum, const Vec3& point) noexcept;
-
 Cull cull(const Frustum& frustum, const Sphere& sphere) noexcept;
 Cull cull(const Frustum& frustum, const Box& box) noexcept;
 Cull cull(const Frustum& frustum, const Triangle& triangle) noexcept;

@@ -63,30 +63,30 @@ struct ScreenPoint {
   bool visible() const noexcept { return status == PointStatus::inFront && outside == 0; }
 };
 
-/// Projects a point, as near the true value as ErrorBound says of the precision; points that standard cannot bound are
-/// projected exactly. Subtracts the eye first (exactly, in exact), then three dot products and one division: no matrix.
-ScreenPoint worldToScreen(const Camera& camera, const Vec3& point, Precision precision = Precision::exact) noexcept;
+/// The sides of the picture that a screen position lies beyond.
+std::uint8_t sidesBeyond(const Camera& camera, const Vec2& screen) noexcept;
 
-/// Homogeneous: (x/w, y/w, z/w), negative w included; with w = 0 a direction, whose vanishing point is given. Weights
-/// other than 1 are worked on in double-double whatever the precision.
+/// Projects a point, as near the true value as ErrorBound says of the precision; points that standard cannot bound are
+/// projected exactly. Homogeneous, it is (x/w, y/w, z/w), negative w included, or with w = 0 a direction, whose
+/// vanishing point is given; weights other than 1 are projected exactly whatever the precision.
+ScreenPoint worldToScreen(const Camera& camera, const Vec3& point, Precision precision = Precision::exact) noexcept;
 ScreenPoint worldToScreen(const Camera& camera, const Vec4& point, Precision precision = Precision::exact) noexcept;
 
 // ---- Many points or pixels at a time
 
 /// What became of the points of a batch.
 struct BatchCounts {
-  std::size_t escalated = 0;  ///< settled one by one: off the kernel's range, next to the eye plane, or not certain
+  /// Settled one by one: off the kernel's range, next to the eye plane, not certain, or through a lens.
+  std::size_t escalated = 0;
   std::size_t uncertain = 0;  ///< exact: of those, the ones that no arithmetic here decides (ties, numbers about 0)
 };
 
-/// Screen x, screen y and window depth of each point, NaN where it has none (behind the eye plane, not finite; depth
-/// without a near plane): the numbers of worldToScreen for a single point, bit for bit, on every processor. Both spans
-/// have the same size and may be the same memory.
+/// Screen x, screen y and window depth of each point: the numbers of worldToScreen for a single point, bit for bit, on
+/// every processor. Both spans have the same size and may be the same memory.
 BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, std::span<Vec3> screen,
                           Precision precision = Precision::exact) noexcept;
 
-/// The same in full, with viewDistance, status and the sides a point lies beyond: the single point's, bit for bit.
-/// Takes about a third longer.
+/// The same in full. Takes about a third longer.
 BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, std::span<ScreenPoint> screen,
                           Precision precision = Precision::exact) noexcept;
 
@@ -116,10 +116,8 @@ struct ErrorBound {
 /// between near and far, for the depth's bound).
 ErrorBound boundInPicture(const Camera& camera, Precision precision) noexcept;
 
-/// For one point, wherever it lies.
+/// For one point, wherever it lies, in the precision that worldToScreen has for it.
 ErrorBound boundOfPoint(const Camera& camera, const Vec3& point, Precision precision) noexcept;
-
-/// Homogeneous: weights other than 1 have the bound of exact, whatever the precision, as worldToScreen works on them.
 ErrorBound boundOfPoint(const Camera& camera, const Vec4& point, Precision precision) noexcept;
 
 // ---- Back to the world
@@ -139,9 +137,8 @@ enum class RayOrigin {
 /// pose matrix's non-orthogonality adds.
 inline constexpr double kRayDirectionBound = 1.2e-15;
 
-/// The ray of points that project to this screen position. No matrix and no inverse: window coordinates of the pixel
-/// along the camera's axes. NaN in, NaN out, and for a pixel that no point has through a lens. In exact, each component
-/// is within 0.51 ulp of the true one.
+/// The ray of points that project to this screen position; NaN for NaN, and for a pixel that no point has through a
+/// lens. In exact, each component is within 0.51 ulp of the true one.
 Ray screenToRay(const Camera& camera, const Vec2& screen, Precision precision = Precision::exact,
                 RayOrigin origin = RayOrigin::eye) noexcept;
 
@@ -169,11 +166,9 @@ struct WorldPoint {
 /// distance is not above 0. Through a lens that of the pinhole.
 Vec2 pixelSize(const Camera& camera, double viewDistance) noexcept;
 
-/// The point at this screen position and window depth (as worldToScreen gives it; not clamped). In double-double and
-/// rounded once; what the depth's own last digit is worth in distance is the depth's, not the arithmetic's.
+/// The point at this screen position and window depth (not clamped), or distance along the viewing axis. In
+/// double-double and rounded once; what the depth's own last digit is worth in distance is in WorldPoint's bound.
 WorldPoint screenToWorld(const Camera& camera, const Vec2& screen, double depth) noexcept;
-
-/// The point at this screen position and distance along the viewing axis.
 WorldPoint screenToWorldAtDistance(const Camera& camera, const Vec2& screen, double viewDistance) noexcept;
 
 }  // namespace viewproj

@@ -15,16 +15,9 @@
 //   |x^ - x| <= c1 D + u' |x| + cE,   |z^ - z| <= |depthScale| (c2 D + 2 u' |W|) + u' |z| + zE.
 // exact: a row's entries and d are cut in two. The high part of a row has 25 bits of M, and all three are multiples of
 // one number; that of d, by adding and subtracting 2^27 D, 27 bits of D, multiples of one number too. So the three
-// products of high parts have at most 52 bits, and their sum is exact. The low parts are below 2^-25 M and 2^-26 D, and
-// the six products with them below (1/2 + 3/4) 2^-24 M D in all. In units of 2^-77 M D they are off by 5/4, their five
-// sums, one after the other, by 4, the low parts of d by 3/4, those of the row by 1/2, and what is left out, low times
-// d's second part, is 1/2: 7. High and low sum stay apart. What follows takes one of them from something of its size
-// and then the other, and each time costs u of the low sums, 5/4. A residual costs two: X and W are within 9 1/2. A
-// quotient costs two of X, and of W two, or five without a fused multiply-add, where q and W are cut in halves
-// likewise; the products with low halves are off by 10 2^-79 of the quotient. In orthographic the sum with the center
-// costs two, the product with the depth's scale four before it. So X is within 12, and W within 17. kExactDot is 13,
-// and kExactQuotient 8 2^-79: kZivMargin covers what is beyond them, Ziv's test's own roundings (5/4 once more), second
-// order and the scaled rows' own 2^-98; of its 2, 1.41 is needed.
+// products of high parts have at most 52 bits, and their sum is exact; the six with low parts are below 2^-24 M D, and
+// each rounding of them is 2^-77 M D or less. kExactDot is 13 of those, kExactQuotient 8 2^-79, and of kZivMargin's 2
+// 1.41 is needed for what comes after: tests/proofs/exact_*.g count them.
 // For every point whose pixel lies in the picture, d = W (C + qx RX + qy RY) with C, RX, RY the columns of the pose, so
 // t <= |C|_1 + |qx| |RX|_1 + |qy| |RY|_1: a bound for the camera alone, of points at any distance. (d is off from that
 // by what rounding the eye left, which is half of a component of d at most, and near a half only where that component

@@ -61,41 +61,32 @@ class StandardFormula {
   using D = typename L::D;
   using M = typename L::M;
 
-  explicit StandardFormula(const ProjectionConstants& k)
-      : x_(highs(k.x)),
-        y_(highs(k.y)),
-        w_(highs(k.w)),
-        residual_(highs(k.residual)),
-        eye_(k.eye),
-        residualReach_(k.residualReach * kSecondOrder),
-        centerX_(k.centerX.hi),
-        centerY_(k.centerY.hi),
-        depthOffset_(k.depthOffset.hi),
-        depthScale_(k.depthScale.hi) {}
+  explicit StandardFormula(const ProjectionConstants& camera)
+      : camera_(camera), residualReach_(camera.residualReach * kSecondOrder) {}
 
   Projected<D, M> point(D px, D py, D pz) const {
-    const D dx = px - eye_.x, dy = py - eye_.y, dz = pz - eye_.z;
-    D x = along(x_, dx, dy, dz), y = along(y_, dx, dy, dz), w = along(w_, dx, dy, dz);
+    const D dx = px - camera_.eye.x, dy = py - camera_.eye.y, dz = pz - camera_.eye.z;
+    D x = along(camera_.x, dx, dy, dz), y = along(camera_.y, dx, dy, dz), w = along(camera_.w, dx, dy, dz);
     D reach = L::absolute(dx) + L::absolute(dy) + L::absolute(dz);
     if constexpr (Traits::residual) {
-      x = x + residual_.x;
-      y = y + residual_.y;
-      w = w + residual_.z;
+      x = x + camera_.residual.x.hi;
+      y = y + camera_.residual.y.hi;
+      w = w + camera_.residual.z.hi;
       reach = reach + residualReach_;
     }
     Projected<D, M> r;
     r.distance = w;
     if constexpr (Traits::orthographic) {
-      r.x = centerX_ + x;
-      r.y = centerY_ + y;
-      r.depth = depthOffset_ + depthScale_ * w;
+      r.x = camera_.centerX.hi + x;
+      r.y = camera_.centerY.hi + y;
+      r.depth = camera_.depthOffset.hi + camera_.depthScale.hi * w;
       r.valid = all(reach < kFarthestPoint, kSmallestReach < reach);
       r.behind = reach < D{};
     } else {
       const D perW = 1.0 / w;
-      r.x = centerX_ + x * perW;
-      r.y = centerY_ + y * perW;
-      r.depth = depthOffset_ + depthScale_ * perW;
+      r.x = camera_.centerX.hi + x * perW;
+      r.y = camera_.centerY.hi + y * perW;
+      r.depth = camera_.depthOffset.hi + camera_.depthScale.hi * perW;
       // Not so near the eye plane that the sign of w is uncertain, and where nothing over- or underflows.
       const D least = L::larger(reach * kSignUncertainty, L::splat(kSmallestDistance));
       const M inRange = reach < kFarthestPoint;
@@ -106,11 +97,10 @@ class StandardFormula {
   }
 
  private:
-  static Vec3 highs(const DDVec3& a) { return {a.x.hi, a.y.hi, a.z.hi}; }
-  static D along(const Vec3& row, D dx, D dy, D dz) { return row.x * dx + row.y * dy + row.z * dz; }
+  static D along(const DDVec3& row, D dx, D dy, D dz) { return row.x.hi * dx + row.y.hi * dy + row.z.hi * dz; }
 
-  Vec3 x_, y_, w_, residual_, eye_;
-  double residualReach_, centerX_, centerY_, depthOffset_, depthScale_;
+  ProjectionConstants camera_;
+  double residualReach_;
 };
 
 /// A number of lanes as the sum of two. lo is small beside what the number is made of, not always beside hi.
@@ -126,64 +116,58 @@ class ExactFormula {
   using D = typename L::D;
   using M = typename L::M;
 
-  explicit ExactFormula(const ProjectionConstants& k)
-      : eye_(k.eye),
-        x_(k.splitX),
-        y_(k.splitY),
-        w_(k.splitW),
-        residual_(k.residual),
-        centerX_(k.centerX),
-        centerY_(k.centerY),
-        offset_(k.depthOffset),
-        scale_(k.depthScale),
-        forwardIsAxis_(k.forwardIsAxis),
-        residualReach_(k.residualReach * kSecondOrder),
-        errorXY_(kZivMargin * (kExactDot + (k.orthographic ? 0 : kExactQuotient)) * k.sizeXY),
-        errorW_(k.forwardIsAxis ? 0 : kZivMargin * kExactDot * k.sizeW),
-        sizeXY_(k.sizeXY),
-        errorCenter_(kZivMargin * kExactParameter * (k.reachX > k.reachY ? k.reachX : k.reachY)),
-        errorOffset_(kZivMargin * (kExactParameter * std::fabs(k.depthOffset.hi) + kExactUnderflow)) {}
+  explicit ExactFormula(const ProjectionConstants& camera)
+      : camera_(camera),
+        residualReach_(camera.residualReach * kSecondOrder),
+        errorXY_(kZivMargin * (kExactDot + (camera.orthographic ? 0 : kExactQuotient)) * camera.sizeXY),
+        errorW_(camera.forwardIsAxis ? 0 : kZivMargin * kExactDot * camera.sizeW),
+        errorCenter_(kZivMargin * kExactParameter * (camera.reachX > camera.reachY ? camera.reachX : camera.reachY)),
+        errorOffset_(kZivMargin * (kExactParameter * std::fabs(camera.depthOffset.hi) + kExactUnderflow)) {}
 
   [[gnu::always_inline]] Projected<D, M> point(D px, D py, D pz) const {
-    const Pair<D> d[3] = {sum(px, L::splat(-eye_.x)), sum(py, L::splat(-eye_.y)), sum(pz, L::splat(-eye_.z))};
+    const Pair<D> d[3] = {sum(px, L::splat(-camera_.eye.x)), sum(py, L::splat(-camera_.eye.y)),
+                          sum(pz, L::splat(-camera_.eye.z))};
     D reach = L::absolute(d[0].hi) + L::absolute(d[1].hi) + L::absolute(d[2].hi);
     if constexpr (Traits::residual) reach = reach + residualReach_;
     const D grid = reach * kSplit;
     const SplitLanes s[3] = {split(d[0], grid), split(d[1], grid), split(d[2], grid)};
-    const Pair<D> x = dot(x_, s, residual_.x);
-    const Pair<D> y = dot(y_, s, residual_.y);
+    const Pair<D> x = dot(camera_.splitX, s, camera_.residual.x);
+    const Pair<D> y = dot(camera_.splitY, s, camera_.residual.y);
     // Along an axis of the world it is a difference, without an error.
-    const Pair<D> w = forwardIsAxis_ ? along(w_.high, d) : dot(w_, s, residual_.z);
+    const Pair<D> w =
+        camera_.forwardIsAxis ? along(camera_.splitW.high, d) : dot(camera_.splitW, s, camera_.residual.z);
     const M inRange = all(reach < kFarthestPoint, kSmallestReach < reach);
     Projected<D, M> r;
     r.distance = w.hi + w.lo;
     if constexpr (Traits::orthographic) {
-      const Pair<D> z = times(scale_, w);
+      const Pair<D> z = times(camera_.depthScale, w);
       const D error = errorXY_ * reach + errorCenter_;
-      const D errorZ =
-          errorOffset_ + L::absolute(z.hi) * (kZivMargin * kExactParameter) + std::fabs(scale_.hi) * (errorW_ * reach);
-      const M xIsNearest = isNearestSum(centerX_, x, error, r.x), yIsNearest = isNearestSum(centerY_, y, error, r.y);
-      r.valid = all(inRange, xIsNearest, yIsNearest, isNearestSum(offset_, z, errorZ, r.depth));
+      const D errorZ = errorOffset_ + L::absolute(z.hi) * (kZivMargin * kExactParameter) +
+                       std::fabs(camera_.depthScale.hi) * (errorW_ * reach);
+      const M xIsNearest = isNearestSum(camera_.centerX, x, error, r.x),
+              yIsNearest = isNearestSum(camera_.centerY, y, error, r.y);
+      r.valid = all(inRange, xIsNearest, yIsNearest, isNearestSum(camera_.depthOffset, z, errorZ, r.depth));
       r.behind = reach < D{};
     } else {
       const Divisor by(w, r.distance);
-      const Pair<D> z = quotient({L::splat(scale_.hi), L::splat(scale_.lo)}, by);
+      const Pair<D> z = quotient({L::splat(camera_.depthScale.hi), L::splat(camera_.depthScale.lo)}, by);
       // Negative with w, which is not valid then, whatever the errors.
       const D t = reach * by.inverse;
       // |X/W| is at most t times the largest entry of a row.
-      const D error =
-          L::multiplyAdd(t, L::multiplyAdd(t, L::splat(errorW_ * sizeXY_), L::splat(errorXY_)), L::splat(errorCenter_));
-      const M xIsNearest = isNearestSum(centerX_, quotient(x, by), by.inverse, error, r.x);
-      const M yIsNearest = isNearestSum(centerY_, quotient(y, by), by.inverse, error, r.y);
-      const D errorZ = L::multiplyAdd(by.inverse,
-                                      L::multiplyAdd(t, L::splat(errorW_ * std::fabs(scale_.hi)),
-                                                     L::splat(kZivMargin * kExactQuotient * std::fabs(scale_.hi))),
-                                      L::splat(errorOffset_));
+      const D error = L::multiplyAdd(t, L::multiplyAdd(t, L::splat(errorW_ * camera_.sizeXY), L::splat(errorXY_)),
+                                     L::splat(errorCenter_));
+      const M xIsNearest = isNearestSum(camera_.centerX, quotient(x, by), by.inverse, error, r.x);
+      const M yIsNearest = isNearestSum(camera_.centerY, quotient(y, by), by.inverse, error, r.y);
+      const D errorZ =
+          L::multiplyAdd(by.inverse,
+                         L::multiplyAdd(t, L::splat(errorW_ * std::fabs(camera_.depthScale.hi)),
+                                        L::splat(kZivMargin * kExactQuotient * std::fabs(camera_.depthScale.hi))),
+                         L::splat(errorOffset_));
       const D least = reach * kSignUncertaintyExact;
       // A depth that there is not is NaN, and certain.
-      const D offset = L::splat(offset_.hi);
+      const D offset = L::splat(camera_.depthOffset.hi);
       // NOLINTNEXTLINE(misc-redundant-expression): only a NaN differs from itself
-      const M zIsNearest = isNearestSum(offset_, z, by.inverse, errorZ, r.depth) | (offset != offset);
+      const M zIsNearest = isNearestSum(camera_.depthOffset, z, by.inverse, errorZ, r.depth) | (offset != offset);
       r.valid = all(inRange, r.distance > least, xIsNearest, yIsNearest, zIsNearest);
       r.behind = all(inRange, r.distance < -least);
     }
@@ -291,12 +275,8 @@ class ExactFormula {
     return nearest == s.hi + (low - error);
   }
 
-  Vec3 eye_;
-  SplitRow x_, y_, w_;
-  DDVec3 residual_;
-  DoubleDouble centerX_, centerY_, offset_, scale_;
-  bool forwardIsAxis_;
-  double residualReach_, errorXY_, errorW_, sizeXY_, errorCenter_, errorOffset_;
+  ProjectionConstants camera_;
+  double residualReach_, errorXY_, errorW_, errorCenter_, errorOffset_;
 };
 
 /// The unit direction of the ray through a screen position, in double.
@@ -305,19 +285,18 @@ class RayFormula {
  public:
   using D = typename L::D;
 
-  explicit RayFormula(const ProjectionConstants& k)
-      : x_(k.rayX), y_(k.rayY), w_(k.rayW), centerX_(k.centerX), centerY_(k.centerY) {}
+  explicit RayFormula(const ProjectionConstants& camera) : camera_(camera) {}
 
   struct Direction {
     D x, y, z, squaredLength;
   };
 
   Direction operator()(D px, D py) const {
-    const D a = offsetFrom(centerX_, px);
-    const D b = offsetFrom(centerY_, py);
-    const D x = w_.x + (a * x_.x + b * y_.x);
-    const D y = w_.y + (a * x_.y + b * y_.y);
-    const D z = w_.z + (a * x_.z + b * y_.z);
+    const D a = offsetFrom(camera_.centerX, px);
+    const D b = offsetFrom(camera_.centerY, py);
+    const D x = camera_.rayW.x + (a * camera_.rayX.x + b * camera_.rayY.x);
+    const D y = camera_.rayW.y + (a * camera_.rayX.y + b * camera_.rayY.y);
+    const D z = camera_.rayW.z + (a * camera_.rayX.z + b * camera_.rayY.z);
     const D squared = x * x + y * y + z * z;
     const D length = L::squareRoot(squared);
     return {x / length, y / length, z / length, squared};
@@ -332,8 +311,7 @@ class RayFormula {
     return difference + (error - center.lo);
   }
 
-  Vec3 x_, y_, w_;
-  DoubleDouble centerX_, centerY_;
+  ProjectionConstants camera_;
 };
 
 }  // namespace

@@ -32,10 +32,8 @@ struct Kernels {
   /// Perspective ray directions of pixels (x y pairs in, x y z out).
   void (*rays)(const ProjectionConstants&, const double* pixels, double* directions, std::size_t count,
                Unsettled) noexcept;
-  /// One point in exact.
-  Projected<double, bool> (*exactPoint)(const ProjectionConstants&, const Vec3& point) noexcept;
-  /// A direction's vanishing point, in perspective; without a depth.
-  Projected<double, bool> (*exactDirection)(const ProjectionConstants&, const Vec3& direction) noexcept;
+  /// One point in exact, of weight 1, or in perspective a direction's vanishing point without a depth.
+  Projected<double, bool> (*exactPoint)(const ProjectionConstants&, const Vec4& point) noexcept;
 };
 
 /// All that were compiled, the plainest first.
