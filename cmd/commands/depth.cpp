@@ -185,13 +185,13 @@ int runDepth(const DepthOptions& o) {
   if (std::min(mapping.atNear, mapping.atFar) < 0)
     throw InputError(file.name + ": viewport.depthRange: expected depths from 0 on for a depth buffer");
   if (o.depths) {
-    o.report.write(distanceReport(mapping, *o.depths));
+    o.report.write(distanceReport(mapping, *o.depths), "depths");
     return 0;
   }
   for (const double distance : o.at.value_or(std::vector<double>()))
     if (!file.projection->isOrthographic() && !(distance > 0))
       throw UsageError("--at " + formatNumber(distance) + ": expected a distance above 0, in front of the eye");
-  o.report.write(depthReport(mapping, o.at ? *o.at : usualDistances(*file.projection)));
+  o.report.write(depthReport(mapping, o.at ? *o.at : usualDistances(*file.projection)), "distances");
   return 0;
 }
 

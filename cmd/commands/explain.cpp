@@ -458,7 +458,7 @@ int runExplain(const ExplainOptions& o) {
     report = explainPixel(camera, convention, {n[0], n[1]}, n.size() > 2 ? std::optional(n[2]) : std::nullopt);
   }
   if (o.report.form() == ReportForm::table) report = withoutRepeatedStages(std::move(report));
-  o.report.write(report);
+  o.report.write(report, "steps");
   return 0;
 }
 

@@ -208,7 +208,7 @@ int runList(const InfoOptions& o, const CameraDocuments& cameras) {
       status = 1;
     }
   }
-  o.report.write({{"cameras", rows}});
+  o.report.write({{"cameras", rows}}, "cameras");
   return status;
 }
 

@@ -274,6 +274,10 @@ std::vector<MatrixCamera> statedReadings(const WrittenMatrix& written, const Ins
   for (const MatrixCamera& r : camerasOf(written, query.isFloat).cameras)
     if ((!query.readAs || fits(r, *query.readAs, written.order)) && isStated(r, written, query.stated))
       readings.push_back(r);
+  // Of the preset's own world and depth, where there are such.
+  const auto isPreset = [&](const MatrixCamera& r) { return isStated(r, written, query.readAs); };
+  if (query.readAs && std::any_of(readings.begin(), readings.end(), isPreset))
+    std::erase_if(readings, [&](const MatrixCamera& r) { return !isPreset(r); });
   return readings;
 }
 

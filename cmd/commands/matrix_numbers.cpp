@@ -83,6 +83,9 @@ class Scanner {
  public:
   Scanner(const std::string& text, const std::string& source) : text_(text), source_(source) {}
 
+  /// Whether a number has the suffix of a float.
+  bool hasFloats() const { return hasFloats_; }
+
   std::vector<WrittenMatrix> matrices() {
     while (at_ < text_.size()) step();
     finish();
@@ -186,6 +189,7 @@ class Scanner {
     const std::string digits = token.substr(0, token.find_last_not_of("fFlLhH") + 1);
     const auto value = parseNumber(digits);
     if (!value || digits.size() + 2 < token.size()) fail(begin, "'" + token + "' is not a finite number");
+    hasFloats_ = hasFloats_ || isOneOf(token.back(), "fF");
     gathered_.push_back({*value, line_, group_, begin});
     if (gathered_.size() == 16) flush(isInRows(4, 4) ? NumberOrder::rows : NumberOrder::memory);
   }
@@ -227,7 +231,7 @@ class Scanner {
   const std::string& text_;
   const std::string& source_;
   std::size_t at_ = 0, line_ = 0, group_ = 0, depth_ = 0;
-  bool lineIsEmpty_ = true;
+  bool lineIsEmpty_ = true, hasFloats_ = false;
   std::string word_, name_;
   std::vector<Gathered> gathered_;
   std::vector<WrittenMatrix> found_;
@@ -246,7 +250,9 @@ WrittenMatrices parseMatrices(const std::string& given, const std::string& sourc
     if (second != std::string::npos && isOneOf(blank[second], "\"}")) return parseObject(blank, source);
   }
   const auto has = [&](const char* word) { return text.find(word) != std::string::npos; };
-  return {Scanner(text, source).matrices(), std::nullopt, has("float") || has("mat4") || has("f32")};
+  Scanner scanner(text, source);
+  std::vector<WrittenMatrix> matrices = scanner.matrices();
+  return {std::move(matrices), std::nullopt, scanner.hasFloats() || has("float") || has("mat4") || has("f32")};
 }
 
 }  // namespace viewproj::cmd

@@ -275,7 +275,7 @@ int runMeasure(const MeasureOptions& o) {
                                            : visible(setup.file)) +
                      ": has no points to measure" +
                      (sample.leftOut > 0 ? "; directions and weighted points are left out" : ""));
-  o.report.write(measureReport(built, sample.points, sample.leftOut));
+  o.report.write(measureReport(built, sample.points, sample.leftOut), "modes");
   return status;
 }
 

@@ -204,7 +204,8 @@ void turnFov(Trials& t) {
 
 void changeAspect(Trials& t) {
   if (t.find("projection.aspect")) t.options({{"--set", "projection.aspect=null"}});
-  for (const double aspect : {1.0, 1 / t.camera.projection().aspect()})
+  const double whole = t.numberOr("viewport.width", 1) / t.numberOr("viewport.height", 1);
+  for (const double aspect : {1.0, 1 / t.numberOr("projection.aspect", whole)})
     t.options({{"--aspect", formatNumber(aspect)}, {"--allow-stretch", ""}});
 }
 

@@ -29,17 +29,21 @@ void addPrecision(CLI::App& app, Precision& precision) {
 }
 
 void ReportOptions::add(CLI::App& app, int tableDigits) {
-  static constexpr FormRow<ReportForm> kForms[] = {{"table", ReportForm::table, ".txt"},
-                                                   {"json", ReportForm::json, ".json"}};
+  static constexpr FormRow<ReportForm> kForms[] = {
+      {"table", ReportForm::table, ".txt"}, {"json", ReportForm::json, ".json"}, {"csv", ReportForm::csv, ".csv"}};
   addForm(app, form_, std::span<const FormRow<ReportForm>>(kForms), "Output format");
-  addDigits(app, digits_, "all in JSON, " + std::to_string(tableDigits) + " in a table");
+  addDigits(app, digits_, "all in JSON and CSV, " + std::to_string(tableDigits) + " in a table");
   tableDigits_ = tableDigits;
 }
 
-void ReportOptions::write(const OrderedJson& report) const {
-  const bool isTable = form_ == ReportForm::table;
-  const int digits = digits_ ? static_cast<int>(*digits_) : isTable ? tableDigits_ : 0;
-  writeOutput(isTable ? tableText(report, digits) : jsonText(report, digits) + "\n");
+void ReportOptions::write(const OrderedJson& report, const char* rows) const {
+  const int usual = form_ == ReportForm::table ? tableDigits_ : 0, digits = static_cast<int>(digits_.value_or(usual));
+  if (form_ == ReportForm::table)
+    writeOutput(tableText(report, digits));
+  else if (form_ == ReportForm::json)
+    writeOutput(jsonText(report, digits) + "\n");
+  else
+    writeOutput(csvText(*rows ? report.at(rows) : report, digits));
 }
 
 }  // namespace viewproj::cmd

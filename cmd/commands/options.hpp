@@ -21,15 +21,16 @@ void addDigits(CLI::App& app, std::optional<std::size_t>& digits, const std::str
 void addPrecision(CLI::App& app, Precision& precision);
 
 /// The forms of a report.
-enum class ReportForm : std::uint8_t { table, json };
+enum class ReportForm : std::uint8_t { table, json, csv };
 
-/// --to table or json, and --digits.
+/// --to table, json or csv, and --digits.
 class ReportOptions {
  public:
   /// tableDigits: significant ones for people; programs get all.
   void add(CLI::App& app, int tableDigits);
   ReportForm form() const { return form_; }
-  void write(const OrderedJson& report) const;
+  /// rows: the member that CSV is of; empty: all of the report is one row.
+  void write(const OrderedJson& report, const char* rows = "") const;
 
  private:
   ReportForm form_ = ReportForm::table;

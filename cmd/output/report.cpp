@@ -7,6 +7,7 @@
 
 #include "camera/names.hpp"
 #include "output/table.hpp"
+#include "text/csv.hpp"
 #include "text/layout.hpp"
 #include "text/number.hpp"
 
@@ -79,18 +80,19 @@ void appendJson(std::string& out, const OrderedJson& value, int digits, std::siz
 
 // ---- Rows and columns
 
-/// The value of every path of an object, in order: {"a": {"b": 1}} is a.b. A list of scalars is one cell.
+/// The value of every path of an object, in order: {"a": {"b": 1}} is a.b. A list of scalars is one cell where vectors
+/// stay whole.
 using Cells = std::vector<std::pair<std::string, const OrderedJson*>>;
 
-void gatherCells(Cells& cells, const OrderedJson& value, const std::string& path) {
-  if (isScalar(value) || value.empty() || isVector(value)) {
+void gatherCells(Cells& cells, const OrderedJson& value, const std::string& path, bool vectorsStayWhole) {
+  if (isScalar(value) || value.empty() || (vectorsStayWhole && isVector(value))) {
     cells.emplace_back(path, &value);
     return;
   }
   std::size_t index = 0;
   for (auto part = value.begin(); part != value.end(); ++part) {
     const std::string name = value.is_object() ? part.key() : std::to_string(index++);
-    gatherCells(cells, *part, path.empty() ? name : path + "." + name);
+    gatherCells(cells, *part, path.empty() ? name : path + "." + name, vectorsStayWhole);
   }
 }
 
@@ -99,11 +101,11 @@ struct Grid {
   std::vector<std::vector<const OrderedJson*>> rows;  ///< null where a row has no such column
 };
 
-Grid gridOf(const OrderedJson& rows) {
+Grid gridOf(const OrderedJson& rows, bool vectorsStayWhole) {
   Grid grid;
   for (const OrderedJson& row : rows) {
     Cells cells;
-    gatherCells(cells, row, "");
+    gatherCells(cells, row, "", vectorsStayWhole);
     auto& out = grid.rows.emplace_back(grid.header.size(), nullptr);
     std::size_t expected = 0;  // rows are alike: the next column is the likely one
     for (const auto& [name, value] : cells) {
@@ -135,7 +137,7 @@ std::string cellText(const OrderedJson& value, int digits) {
 }
 
 std::string gridText(const OrderedJson& value, int digits, std::size_t indent) {
-  const Grid grid = gridOf(value);
+  const Grid grid = gridOf(value, true);
   TextRows rows{grid.header};
   std::vector<bool> toTheRight(grid.header.size(), true);
   for (const auto& row : grid.rows) {
@@ -222,6 +224,23 @@ std::string jsonText(const OrderedJson& value, int digits, std::size_t level) {
 std::string tableText(const OrderedJson& report, int digits) {
   std::string out;
   appendSection(out, report, digits, 0);
+  return out;
+}
+
+std::string csvText(const OrderedJson& rows, int digits) {
+  const OrderedJson one = rows.is_object() ? OrderedJson::array({rows}) : OrderedJson();
+  const Grid grid = gridOf(rows.is_object() ? one : rows, false);
+  std::string out;
+  for (std::size_t i = 0; i < grid.header.size(); ++i) out += (i > 0 ? "," : "") + quotedIfNeeded(grid.header[i]);
+  out += '\n';
+  for (const auto& row : grid.rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (i > 0) out += ',';
+      if (!row[i] || hasNoValue(*row[i]) || row[i]->is_structured()) continue;
+      out += quotedIfNeeded(row[i]->is_string() ? row[i]->get<std::string>() : compactJson(*row[i], digits));
+    }
+    out += '\n';
+  }
   return out;
 }
 
