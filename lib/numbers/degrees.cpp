@@ -1,6 +1,7 @@
 #include "numbers/degrees.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -10,6 +11,40 @@ namespace viewproj::detail {
 namespace {
 
 constexpr DoubleDouble kRadiansPerDegree{0x1.1df46a2529d39p-6, 0x1.5c1d8becdd291p-62};
+constexpr std::size_t kTerms = 15;
+
+/// 1/first!, -1/(first+2)!, 1/(first+4)!, ... : the Taylor coefficients of cos (first = 0) and of sin(x)/x (first = 1).
+consteval std::array<DoubleDouble, kTerms> alternatingInverseFactorials(int first) {
+  std::array<DoubleDouble, kTerms> coefficients;
+  DoubleDouble value = 1;
+  for (std::size_t k = 0; k < kTerms; ++k) {
+    coefficients[k] = value;
+    const int n = first + 2 * static_cast<int>(k);
+    value = -(value / DoubleDouble(double(n + 1) * double(n + 2)));
+  }
+  return coefficients;
+}
+
+constexpr auto kCosine = alternatingInverseFactorials(0);
+constexpr auto kSineOverX = alternatingInverseFactorials(1);
+
+/// Sine and cosine of an angle in (0, 45] degrees.
+struct DoubleDoubleSinCos {
+  DoubleDouble sine, cosine;
+};
+
+DoubleDoubleSinCos sinCosUpTo45(DoubleDouble degrees) noexcept {
+  const DoubleDouble x = degrees * kRadiansPerDegree;
+  const DoubleDouble xx = x * x;
+  DoubleDouble sine = kSineOverX[kTerms - 1];
+  DoubleDouble cosine = kCosine[kTerms - 1];
+  for (std::size_t k = kTerms - 1; k-- > 0;) {
+    sine = sine * xx + kSineOverX[k];
+    cosine = cosine * xx + kCosine[k];
+  }
+  return {sine * x, cosine};
+}
+
 /// Of kSinCosStep, in limbs.
 constexpr int kStep = -7;
 static_assert(kSinCosStep == 0x1p-224);
@@ -19,10 +54,14 @@ static_assert(kSinCosStep == 0x1p-224);
 DoubleDouble tanHalfDegrees(double degrees) noexcept {
   if (!(degrees > 0 && degrees < 180)) return std::numeric_limits<double>::quiet_NaN();
   const double half = degrees / 2;
-  // Below this the tangent is the angle itself to far more than 106 bits.
-  if (half < 0x1p-50) return DoubleDouble(half) * kRadiansPerDegree;
-  const SinCos s = sinCosDegrees(half);
-  return toDoubleDouble(s.sine.rounded() / s.cosine.rounded());
+  if (half <= 45) {
+    // Below 1e-60 degrees sin/cos is x itself to far more than 106 bits.
+    if (half < 1e-60) return DoubleDouble(half) * kRadiansPerDegree;
+    const DoubleDoubleSinCos s = sinCosUpTo45(half);
+    return s.sine / s.cosine;
+  }
+  const DoubleDoubleSinCos s = sinCosUpTo45(twoDiff(90, half));
+  return s.cosine / s.sine;
 }
 
 DoubleDouble tanHalfRadians(DoubleDouble radians) noexcept {

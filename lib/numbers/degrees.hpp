@@ -10,7 +10,7 @@ namespace viewproj::detail {
 /// right up to 180. Relative error at most kTanHalfDegreesBound for degrees >= 1e-200; NaN outside the open interval.
 DoubleDouble tanHalfDegrees(double degrees) noexcept;
 
-/// As measured against MPFR.
+/// 4 * 2^-106, as measured against MPFR; the Taylor remainder is below 2^-117.
 inline constexpr double kTanHalfDegreesBound = 0x1p-104;
 
 /// tan of half the angle, 0 < radians < pi. Relative error at most kTanHalfRadiansBound up to 3.1; towards pi, where
