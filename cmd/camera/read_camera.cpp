@@ -361,7 +361,7 @@ CameraFile readCamera(Document document, const ReadOptions& reading) {
   document.root = std::make_shared<Json>(*document.root);
   document.root->erase("distortion");
   CameraFile file = readNormalized(document, reading);
-  if (shift != 0)
+  if (!shift || *shift != 0)
     file.notes.push_back(file.name + ": the lens distortion is left out" +
                          (shift ? ", up to " + formatDigits(*shift, 3) + " pixels" : ""));
   return file;

@@ -237,12 +237,14 @@ bool isValid(const Ray& ray) noexcept {
   return isInRange(ray.origin) && isInRange(ray.direction) && maxAbs(ray.direction) > 0;
 }
 
-/// As find<Certified>() has them or, where a number is not certain, find<Dyadic<1>>().
-template <class Shape, class Find>
-Hits hitsOf(const Ray& ray, const Shape& shape, const Find& find) noexcept {
+/// As certified has them or, where a number is not certain, exact. argument: the shape as they take it.
+template <class Shape, class Argument>
+Hits hitsOf(const Ray& ray, const Shape& shape, const Argument& argument,
+            std::optional<Hits> (*certified)(const Ray&, const Argument&),
+            std::optional<Hits> (*exact)(const Ray&, const Argument&)) noexcept {
   if (!isValid(ray) || !viewproj::isValid(shape)) return {};
-  const std::optional<Hits> hits = find.template operator()<Certified>();
-  return hits ? *hits : *find.template operator()<Dyadic<1>>();
+  const std::optional<Hits> hits = certified(ray, argument);
+  return hits ? *hits : *exact(ray, argument);
 }
 
 bool isLength(double size) noexcept { return size >= 0 && size <= kFarthestPoint; }
@@ -260,25 +262,25 @@ bool isValid(const Ellipsoid& e) noexcept {
 }
 
 Hits intersect(const Ray& ray, const Plane& plane) noexcept {
-  return hitsOf(ray, plane, [&]<class Number>() { return planeHits<Number>(ray, plane); });
+  return hitsOf(ray, plane, plane, planeHits<Certified>, planeHits<Dyadic<1>>);
 }
 
 Hits intersect(const Ray& ray, const Sphere& sphere) noexcept {
   const Spheroid spheroid{sphere.center, 1, 1, sphere.radius};
-  return hitsOf(ray, sphere, [&]<class Number>() { return spheroidHits<Number>(ray, spheroid); });
+  return hitsOf(ray, sphere, spheroid, spheroidHits<Certified>, spheroidHits<Dyadic<1>>);
 }
 
 Hits intersect(const Ray& ray, const Box& box) noexcept {
-  return hitsOf(ray, box, [&]<class Number>() { return boxHits<Number>(ray, box); });
+  return hitsOf(ray, box, box, boxHits<Certified>, boxHits<Dyadic<1>>);
 }
 
 Hits intersect(const Ray& ray, const Triangle& triangle) noexcept {
-  return hitsOf(ray, triangle, [&]<class Number>() { return triangleHits<Number>(ray, triangle); });
+  return hitsOf(ray, triangle, triangle, triangleHits<Certified>, triangleHits<Dyadic<1>>);
 }
 
 Hits intersect(const Ray& ray, const Ellipsoid& ellipsoid) noexcept {
   const Spheroid spheroid{{}, ellipsoid.polar, ellipsoid.equatorial, ellipsoid.equatorial};
-  return hitsOf(ray, ellipsoid, [&]<class Number>() { return spheroidHits<Number>(ray, spheroid); });
+  return hitsOf(ray, ellipsoid, spheroid, spheroidHits<Certified>, spheroidHits<Dyadic<1>>);
 }
 
 }  // namespace viewproj
