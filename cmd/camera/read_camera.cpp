@@ -192,7 +192,7 @@ Projection readProjection(const LensReader& lens, std::uint8_t type) {
   if (lens.picture && !hasOwnPixelShape(type)) {
     const auto aspect = lens.fields.find("aspect");
     requireShape(read.aspect(), lens.picture->frame, aspect ? *aspect : lens.fields, lens.reading,
-                 aspect ? "leave aspect out" : "change one of them");
+                 aspect ? "leave it out, change it by --aspect," : "change one of them");
   }
   const auto shift = lens.fields.find("shift");
   return shift ? shifted(read, shift->numbers(2)[0], shift->numbers(2)[1]) : read;

@@ -47,11 +47,11 @@ OrderedJson forPeople(OrderedJson report) {
     section["largestMiss"] = one["largestMiss"];
   }
   const bool agrees = report["agrees"].get<bool>(), hasFit = !agrees && !report["fit"]["offset"].is_null();
-  if (report["noPixel"] != 0) notes.push_back("noPixel: points on or behind the plane through the eye have none.");
+  if (report["noPixel"] != 0) notes.push_back("noPixel: points behind the camera or beyond its lens have none.");
   if (!agrees && sections.empty())
     notes.push_back(
-        "No single mistake that is known here explains these pixels. For pixels rounded to whole numbers try --within "
-        "1.");
+        "None of the mistakes that are tried explains these pixels. Pixels rounded to whole numbers need --within 1, "
+        "truncated ones 1.5.");
   if (!sections.empty() && report["records"] == 1)
     notes.push_back("One pair may fit a mistake by chance; a second one would tell.");
   if (hasFit)
@@ -61,6 +61,7 @@ OrderedJson forPeople(OrderedJson report) {
   else
     report["explanations"] = std::move(sections);
   if (!hasFit) report.erase("fit");
+  if (!report["worst"].is_null()) report["worst"] = "line " + report["worst"].dump();
   report["notes"] = std::move(notes);
   return report;
 }

@@ -307,7 +307,8 @@ void explainWindow(Steps& steps, const Camera& camera, const Vec2& pixel, const 
     steps.step("lens.x", "(pixel.x - cx) / fx", (pixel.x - k.cx) / k.fx, "right");
     steps.step("lens.y", "(pixel.y - cy) / fy", (pixel.y - k.cy) / fy, "down");
     steps.given("window.x", window.x,
-                std::isnan(window.x) ? "no point has this pixel" : "right; the lens puts it at lens.x, lens.y");
+                std::isnan(window.x) ? "no point in front of the camera has this pixel"
+                                     : "right; the lens puts it at lens.x, lens.y");
     return steps.given("window.y", window.y, "up");
   }
   steps.given("fy", isDownwards ? -k.fy : k.fy, isDownwards ? "screen y runs downwards" : "");

@@ -222,7 +222,8 @@ Action declareMatrix(CLI::App& app) {
   forms.push_back({kCamera, kCamera});
   addForm(app, o->format, std::span<const FormRow<std::string_view>>(forms), "Output format; camera is a camera file");
   app.add_flag("--all", o->all, "Write one JSON object per camera of the file");
-  addValue(app, "--map", "X,Y,Z", o->map, readMap, "Write it for a world with these axes, as in x,y,-z");
+  addValue(app, "--map", "X,Y,Z", o->map, readMap,
+           "New axes of the world in terms of the old, as in x,y,-z; a map that mirrors changes the handedness");
   addValue(app, "--scale", "N", o->scale,
            numberThat([](double scale) { return scale > 0 && std::isfinite(scale); }, "a number above 0"),
            "Write it for a world of lengths N times as long");

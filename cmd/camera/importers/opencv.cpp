@@ -68,7 +68,7 @@ void readDistortion(const Node& root, Json& camera) {
   const bool fisheye = isFisheye && isFisheye->json() != false && isFisheye->json() != 0;
   if (c.size() == 4 && !isFisheye && std::any_of(c.begin(), c.end(), [](double n) { return n != 0; }))
     coefficients->fail(
-        "4 coefficients are k1, k2, p1, p2, or k1 to k4 of a fisheye: distortion_model says which, "
+        "4 coefficients may be k1, k2, p1, p2, or k1 to k4 of a fisheye; add distortion_model to the file, "
         "\"plumb_bob\" or \"fisheye\"");
   if (Json distortion = distortionOf(*coefficients, fisheye ? "fisheye" : ""); !distortion.is_null())
     camera["distortion"] = std::move(distortion);
