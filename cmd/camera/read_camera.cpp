@@ -292,6 +292,7 @@ CameraFile readChecked(const Document& document, const ReadOptions& reading) {
     if (type == kOrthographic) distortion->fail("goes with a perspective, not with an orthographic projection");
     file.lens = readLens(*distortion);
   }
+  (void)cameraIn(file.convention, file.pose, file.projection, file.viewport);  // throws where parts do not go together
   return file;
 }
 
