@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "camera/camera.hpp"
+#include "viewproj/camera.hpp"
 
 namespace viewproj::cmd {
 

@@ -36,5 +36,7 @@ for path in files:
             wrong.append(f"{where} includes {name}, which is not there")
         elif room_of(target) != room and FLOOR[room_of(target)] >= FLOOR[room]:
             wrong.append(f"{where} includes {name}, which is not further down")
+        elif room.startswith("cmd") and target.is_relative_to(ROOT / "lib") and not name.startswith(("viewproj/", "numbers/")):
+            wrong.append(f"{where} includes {name}, which is private to the library")
 print("\n".join(wrong) or f"{len(files)} files", file=sys.stderr if wrong else sys.stdout)
 sys.exit(bool(wrong) or len(files) < 100)
