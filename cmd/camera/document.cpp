@@ -86,7 +86,7 @@ Document load(const std::string& source, const std::string& option) {
   const bool isInline =
       first != std::string::npos &&
       (source[first] == '{' || (source[first] == '[' && !std::filesystem::exists(pathOf(source), ignored)));
-  Document document{isInline ? option : source == "-" ? kStandardInputName : visible(source), nullptr};
+  Document document{isInline ? option : shownName(source), nullptr};
   if (isInline) {
     document.root = std::make_shared<Json>(parsed(document.name, source));
   } else if (isColmap(source)) {

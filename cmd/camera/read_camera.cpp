@@ -395,12 +395,8 @@ Camera makeCamera(const CameraFile& file) {
   require(file.pose.has_value(), "pose; give a position with a target, a direction or a rotation");
   require(file.projection.has_value(), "projection");
   require(file.viewport.has_value(), "viewport; --viewport WIDTHxHEIGHT gives one");
-  try {
-    const Camera camera = makeCamera(*file.pose, *file.projection, *file.viewport, file.convention);
-    return file.lens ? withLens(camera, *file.lens) : camera;
-  } catch (const CameraError& e) {
-    throw InputError(file.name + ": " + e.what());
-  }
+  const Camera camera = makeCamera(*file.pose, *file.projection, *file.viewport, file.convention);
+  return file.lens ? withLens(camera, *file.lens) : camera;
 }
 
 Camera cameraIn(Convention convention, const std::optional<Pose>& pose, const std::optional<Projection>& projection,

@@ -11,7 +11,6 @@
 #include "text/error.hpp"
 #include "text/file.hpp"
 #include "text/number.hpp"
-#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -89,9 +88,7 @@ int runCheck(const CheckOptions& o) {
   PairCheck check(makeCamera(file), hypotheses(file.document, file.reading), o.within);
   const PointReading reading{.columns = setup.columns, .worldIsEcef = file.worldIsEcef};
   const int status = readRecords(setup, [&] { return std::make_unique<PairWork>(check, reading); });
-  if (check.records() == 0)
-    throw InputError((setup.file == "-" ? kStandardInputName : visible(setup.file)) +
-                     ": has no pairs of a point and a pixel");
+  if (check.records() == 0) throw InputError(shownName(setup.file) + ": has no pairs of a point and a pixel");
   const OrderedJson report = check.report();
   o.report.write(o.report.form() == ReportForm::table ? forPeople(report) : report);
   return status != 0 ? kTrouble : check.agrees() ? kAgree : kDisagree;

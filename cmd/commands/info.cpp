@@ -236,8 +236,7 @@ Action declareInfo(CLI::App& app) {
       "What is in a camera file. Of one camera its eye and axes, fields of view, window, focal length, near and far, "
       "viewport, convention, lens distortion, planes and corners of the view, and pixel size; of several a table of "
       "them. Angles are in degrees, window edges are x/z and y/z (lengths in orthographic). Angles, edges, fx to cy, "
-      "planes "
-      "and corners are those without distortion.");
+      "planes and corners are those without distortion.");
   app.footer(
       "Examples:\n"
       "  viewproj info --position 3,2,5 --target 0,0,0 --fov-y 60 --viewport 9x6\n"

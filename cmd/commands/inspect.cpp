@@ -14,7 +14,6 @@
 #include "text/error.hpp"
 #include "text/file.hpp"
 #include "text/names.hpp"
-#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -139,7 +138,7 @@ int runInspect(const InspectOptions& o, const CLI::App& app) {
     throw UsageError("--to " + std::string(*o.form) + ": expected table or json; --convention NAME writes matrices");
   if (converts && isReport && o.form && *o.form != "json")
     throw UsageError("--to " + std::string(*o.form) + ": with --convention expected a form of matrices, as json or c");
-  const std::string file = inputFile(app).value_or("-"), source = file == "-" ? kStandardInputName : visible(file);
+  const std::string file = inputFile(app).value_or("-"), source = shownName(file);
   WrittenMatrices given = parseMatrices(readWholeFile(file, kMostBytes), source);
   const InspectQuery query{o.isFloat || given.isFloat, o.readAs, given.convention};
   const std::vector<WrittenMatrix> matrices = chooseMatrices(std::move(given.matrices), o.which, source);

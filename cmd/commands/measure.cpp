@@ -15,7 +15,6 @@
 #include "stream/filter.hpp"
 #include "text/error.hpp"
 #include "text/file.hpp"
-#include "text/utf8.hpp"
 #include "viewproj/lens.hpp"
 #include "viewproj/matrices.hpp"
 #include "viewproj/screen.hpp"
@@ -270,9 +269,7 @@ int runMeasure(const MeasureOptions& o) {
   const PointReading reading{.columns = setup.columns, .worldIsEcef = file.worldIsEcef};
   const int status = readRecords(setup, [&] { return std::make_unique<SampleWork>(sample, reading, setup.keepGoing); });
   if (sample.points.empty())
-    throw InputError((!setup.given.empty() ? setup.given[0].option
-                      : setup.file == "-"  ? kStandardInputName
-                                           : visible(setup.file)) +
+    throw InputError((setup.given.empty() ? shownName(setup.file) : setup.given[0].option) +
                      ": has no points to measure" +
                      (sample.leftOut > 0 ? "; directions and weighted points are left out" : ""));
   o.report.write(measureReport(built, sample.points, sample.leftOut), "modes");

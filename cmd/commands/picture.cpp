@@ -96,10 +96,10 @@ std::vector<Vec2> Picture::bentLineOf(const Vec3& a, const Vec3& b) const {
   return line;
 }
 
-std::string Picture::pathOf(const Vec3& a, const Vec3& b) const {
+std::string Picture::pathOf(const std::vector<Vec2>& line) {
   std::string path;
   bool begins = true;
-  for (const Vec2& at : lineOf(a, b)) {
+  for (const Vec2& at : line) {
     if (!std::isnan(at.x)) path += (begins ? "M" : "L") + number(at.x) + "," + number(at.y);
     begins = std::isnan(at.x);
   }
@@ -120,7 +120,7 @@ void Picture::addPath(const std::string& label, const Vec3& middle, const std::s
 
 void Picture::addRound(const std::string& label, const Vec3& middle, std::span<const Vec3> points) {
   std::string path;
-  for (std::size_t i = 0; i < points.size(); ++i) path += pathOf(points[i], points[(i + 1) % points.size()]);
+  for (std::size_t i = 0; i < points.size(); ++i) path += pathOf(lineOf(points[i], points[(i + 1) % points.size()]));
   addPath(label, middle, path);
 }
 
@@ -130,7 +130,7 @@ void Picture::add(const std::string& label, const std::array<Vec3, 2>& segment) 
   if (line.empty()) return;
   ++seen_;
   const Vec2 from = line.front(), to = line.back();
-  shapes_ += "<path class=\"shape\" d=\"" + pathOf(segment[0], segment[1]) + "\"/>\n" +
+  shapes_ += "<path class=\"shape\" d=\"" + pathOf(line) + "\"/>\n" +
              textBeside({(from.x + to.x) / 2, (from.y + to.y) / 2}, label, " class=\"of-segment\"");
 }
 
@@ -146,7 +146,7 @@ void Picture::add(const std::string& label, const Box& box) {
   std::string path;
   for (const int axis : {1, 2, 4})
     for (int i = 0; i < 8; ++i)
-      if ((i & axis) == 0) path += pathOf(corner(i), corner(i | axis));
+      if ((i & axis) == 0) path += pathOf(lineOf(corner(i), corner(i | axis)));
   addPath(label, pointAlong(box.min, box.max, 0.5), path);
 }
 

@@ -41,7 +41,7 @@ class Picture {
   std::vector<Vec2> lineOf(const Vec3& a, const Vec3& b) const;
   /// Through a lens that bends it.
   std::vector<Vec2> bentLineOf(const Vec3& a, const Vec3& b) const;
-  std::string pathOf(const Vec3& a, const Vec3& b) const;
+  static std::string pathOf(const std::vector<Vec2>& line);
   Vec2 onSheet(const Vec2& screen) const;
   std::string textBeside(const Vec2& at, const std::string& label, const char* style) const;
 

@@ -18,9 +18,10 @@ void tellOfKeyboard() {
 
 }  // namespace
 
+std::string shownName(const std::string& name) { return name == "-" ? "<stdin>" : visible(name); }
+
 InputFile::InputFile(const std::string& name)
-    : name_(name == "-" ? kStandardInputName : visible(name)),
-      descriptor_(name == "-" ? kStandardInput : openToRead(name)) {
+    : name_(shownName(name)), descriptor_(name == "-" ? kStandardInput : openToRead(name)) {
   if (descriptor_ < 0) throw InputError(name_ + ": " + std::generic_category().message(errno));
   if (descriptor_ == kStandardInput) tellOfKeyboard();
 }

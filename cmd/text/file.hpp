@@ -7,7 +7,8 @@
 
 namespace viewproj::cmd {
 
-inline constexpr const char* kStandardInputName = "<stdin>";
+/// A file as messages have it: "<stdin>" for "-".
+std::string shownName(const std::string& name);
 
 /// name "-" is standard input. Throws InputError, also if the file is longer than most.
 std::string readWholeFile(const std::string& name, std::size_t most);
