@@ -162,11 +162,7 @@ class ProjectWork final : public RecordWork {
 
   void add(const Layout& layout, const Numbers& n) override {
     Vec4 point{0, 0, 0, 1};
-    const std::string what = isSegment(layout) ? "a segment" : "a shape";
-    if (!how_.frustum && !isPoint(layout))
-      throw RecordError(
-          0, what + " needs straight edges, which the lens bends; --ignore-distortion leaves its distortion out");
-    if (!how_.hasDepth && !isPoint(layout)) throw RecordError(0, what + " needs a camera with near; --near gives it");
+    if (!isPoint(layout)) requireEdges(isSegment(layout) ? "a segment" : "a shape");
     if (isSegment(layout)) {
       const SegmentRow segment{placed({n[0], n[1], n[2]}), placed({n[3], n[4], n[5]})};
       if (!isValid(Sphere{segment.a}) || !isValid(Sphere{segment.b})) throw RecordError(0, "has a number beyond 1e91");
@@ -179,7 +175,6 @@ class ProjectWork final : public RecordWork {
     } else {
       point = toPoint(layout, n);
       if (how_.worldFromLocal) point = toWorld(*how_.worldFromLocal, point);
-      if (!isInRange(how_.camera, point)) throw RecordError(0, "lies farther than 1e91 from the eye");
     }
     points_.push_back(point);
     positions_.push_back({point.x, point.y, point.z});
@@ -197,6 +192,8 @@ class ProjectWork final : public RecordWork {
       writeSegment(segments_[nextSegment_++].second, sink);
     else if (nextShape_ < shapes_.size() && shapes_[nextShape_].index == i)
       writeShape(shapes_[nextShape_++], sink);
+    else if (screen_[i].status == PointStatus::outOfRange)
+      throw RecordError(0, "lies farther than 1e91 from the eye");
     else
       writeFields(screen_[i], points_[i], sink, std::nullopt, rowsOf(false, sink.isText()));
   }
@@ -222,6 +219,13 @@ class ProjectWork final : public RecordWork {
   }
 
  private:
+  void requireEdges(const std::string& what) const {
+    if (!how_.frustum)
+      throw RecordError(
+          0, what + " needs straight edges, which the lens bends; --ignore-distortion leaves its distortion out");
+    if (!how_.hasDepth) throw RecordError(0, what + " needs a camera with near; --near gives it");
+  }
+
   Vec3 placed(const Vec3& local) const {
     if (!how_.worldFromLocal) return local;
     const Vec4 world = toWorld(*how_.worldFromLocal, {local.x, local.y, local.z, 1});

@@ -12,14 +12,13 @@
 namespace viewproj::cmd {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r";
-
 void splitText(std::string_view text, std::vector<std::string_view>& values) {
-  for (std::size_t at = text.find_first_not_of(kBlanks);
-       at != std::string_view::npos && values.size() <= kMostFields;) {
-    const std::size_t end = std::min(text.find_first_of(kBlanks, at), text.size());
-    values.push_back(text.substr(at, end - at));
-    at = text.find_first_not_of(kBlanks, end);
+  const auto isSpace = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
+  auto at = std::find_if_not(text.begin(), text.end(), isSpace);
+  while (at != text.end() && values.size() <= kMostFields) {
+    const auto end = std::find_if(at, text.end(), isSpace);
+    values.emplace_back(at, end);
+    at = std::find_if_not(end, text.end(), isSpace);
   }
 }
 

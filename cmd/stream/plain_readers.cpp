@@ -13,16 +13,15 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "f64 is written as it stands in memory");
 
-/// A number that is plainly one, from its first byte to its last; false is not yet a verdict.
-bool readPlainNumber(std::string_view text, double& number) {
-  const char* const end = text.data() + text.size();
-  return readNumber(text.data(), end, number) == end && std::isfinite(number);
-}
-
-bool readPlainNumbers(const std::vector<std::string_view>& values, const Layout& layout, Numbers& numbers) {
+/// Numbers that are plainly such, from their first byte to their last; false is not yet a verdict.
+bool readPlainNumbers(const RecordParts& record, const Layout& layout, Numbers& numbers) {
+  const char* const end = record.text.data() + record.text.size();
   double* slot = numbers.data();
-  for (const NumberField& part : layout.parts)
-    if (part.isArray || !readPlainNumber(values[part.field], *slot++)) return false;
+  for (const NumberField& part : layout.parts) {
+    if (part.isArray) return false;
+    const std::string_view value = record.values[part.field];
+    if (readNumber(value.data(), end, *slot) != value.data() + value.size() || !std::isfinite(*slot++)) return false;
+  }
   return true;
 }
 
@@ -33,7 +32,7 @@ const Plan* addRecord(std::string_view text, Batch& batch, const PartsOf& partsO
     const RecordParts record = partsOf();
     const Plan& plan = batch.planFor(record);
     Numbers numbers;
-    if (!readPlainNumbers(record.values, plan.layout, numbers)) readNumbers(record, plan.layout, numbers);
+    if (!readPlainNumbers(record, plan.layout, numbers)) readNumbers(record, plan.layout, numbers);
     batch.add(text, plan, numbers);
     return &plan;
   } catch (const RecordError& e) {

@@ -35,17 +35,18 @@ Kernels::Project kernelOf(Precision precision) noexcept {
   return precision == Precision::standard ? kernels().standard : kernels().exact;
 }
 
-/// A point that a formula has settled. isSeen: it is not behind the eye plane.
-ScreenPoint settled(const CameraParts& c, bool isSeen, const Vec3& position, double distance,
-                    Precision precision) noexcept {
-  ScreenPoint p = without(PointStatus::behind, distance);
+/// A point that a formula has settled. isSeen: it is not behind the eye plane. Written where it belongs: a copy of
+/// these small members would wait for them.
+void setPoint(ScreenPoint& p, const CameraParts& c, bool isSeen, const Vec3& position, double distance,
+              Precision precision) noexcept {
   if (isSeen) {
     p = {position.x, position.y, position.z, distance};
     p.outside = sidesBeyond(c, p);
+  } else {
+    p = without(PointStatus::behind, distance);
   }
   p.precision = precision;
   p.certain = precision == Precision::exact;
-  return p;
 }
 
 /// A residual that a camera does not have adds zeros: the same bits.
@@ -62,9 +63,10 @@ ScreenPoint alone(const CameraParts& c, const Vec4& point, Precision precision) 
   const Projected<double, bool> r =
       precision == Precision::standard ? byStandard(c.constants, point) : kernels().exactPoint(c.constants, point);
   if (!r.valid && !r.behind) return exactToScreen(c, point);
-  if (!isDirection) return settled(c, r.valid, {r.x, r.y, r.depth}, r.distance, precision);
-  ScreenPoint p = settled(c, r.valid, {r.x, r.y, c.depthAtInfinity}, NAN, precision);
-  if (r.valid && std::isfinite(c.projection.far)) p.outside |= sideFar;
+  ScreenPoint p;
+  setPoint(p, c, r.valid, {r.x, r.y, isDirection ? c.depthAtInfinity : r.depth}, isDirection ? NAN : r.distance,
+           precision);
+  if (isDirection && r.valid && std::isfinite(c.projection.far)) p.outside |= sideFar;
   return p;
 }
 
@@ -134,8 +136,10 @@ BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, st
     if (!c.lens) kernel(c.constants, &points[i].x, position, distance, size, left.bits);
     for (std::size_t j = 0; j < size; ++j) {
       const double* const p = position + 3 * j;
-      screen[i + j] = c.lens || left.has(j) ? counted(worldToScreen(camera, points[i + j], precision), counts)
-                                            : settled(c, !std::isnan(p[0]), {p[0], p[1], p[2]}, distance[j], precision);
+      if (c.lens || left.has(j))
+        screen[i + j] = counted(worldToScreen(camera, points[i + j], precision), counts);
+      else
+        setPoint(screen[i + j], c, !std::isnan(p[0]), {p[0], p[1], p[2]}, distance[j], precision);
     }
   }
   return counts;

@@ -3,8 +3,8 @@
     python3 tests/benchmark/streams.py [VIEWPROJ [POINTS]]      build/viewproj, 1000000
 
 All have one camera: 4x4 matrix times point, division and viewport; they append screen x, y and depth to each record. Their
-first answers are compared with viewproj's. Programs take turns, ROUNDS times (5; 0: once, and no times), their output to
-/dev/null. What is not installed (jq, node, mawk, mlr) is left out with a word.
+first answers are compared with viewproj's. cct has no division: it goes to view coordinates. Programs take turns, ROUNDS times
+(5; 0: once, and no times), their output to /dev/null. What is not installed (jq, node, mawk, mlr, cct) is left out with a word.
 """
 import array
 import json
@@ -23,9 +23,9 @@ CAMERA = json.dumps({"position": [30, 40, 150], "target": [0, 5, 0], "viewport":
                      "projection": {"type": "perspective", "fovY": 60, "near": 0.1, "far": 1000}})
 
 
-def matrix():
-    done = subprocess.run([TOOL, "matrix", "-c", CAMERA, "--which", "viewProjection"], capture_output=True, check=True)
-    return json.loads(done.stdout)["viewProjection"]
+def matrix(which):
+    done = subprocess.run([TOOL, "matrix", "-c", CAMERA, "--which", which], capture_output=True, check=True)
+    return json.loads(done.stdout)[which]
 
 
 def program(x, y, z, assign, join):
@@ -46,7 +46,7 @@ def write_points(folder):
             csv.write(f"p{i},{x},{y},{z}\n")
             text.write(f"{x} {y} {z}\n")
     with open(f"{folder}/p.f64", "wb") as file:
-        array.array("d", sum(points, [])).tofile(file)
+        array.array("d", (number for point in points for number in point)).tofile(file)
 
 
 def contenders():
@@ -68,22 +68,25 @@ def contenders():
     yield "csv", "mawk", ["mawk", "-F,", f'NR > 1 {{ {script} printf "%s,%.17g,%.17g,%.17g\\n", $0, sx, sy, d }}', "p.csv"]
     script = program("$x", "$y", "$z", lambda name, value: f"num {name} = {value};", "")
     yield "csv", "mlr", ["mlr", "--icsv", "--ocsv", "put", script + " $screen_x = sx; $screen_y = sy; $depth = d", "p.csv"]
+    affine = [f"+{name}={number!r}" for i, row in enumerate(matrix("view")[:3])
+              for name, number in zip([f"s{i + 1}1", f"s{i + 1}2", f"s{i + 1}3", "xyz"[i] + "off"], row)]
+    yield "text", "cct, to view coordinates", ["cct", "-d", "12", "+proj=affine", *affine, "p.text"]
 
 
-def numbers(text):
-    """Screen x, y and depth of the first records."""
+def numbers(text, columns=slice(-3, None)):
+    """Screen x, y and depth of the first records, or other columns of a text."""
     lines = [line for line in text.decode().splitlines()[:200] if not line.startswith("id")]
     if text.startswith(b"{"):
         return [json.loads(line)["screen"] + [json.loads(line)["depth"]] for line in lines]
-    return [[float(n) for n in line.replace(",", " ").split()[-3:]] for line in lines]
+    return [[float(n) for n in line.replace(",", " ").split()[columns]] for line in lines]
 
 
-def first_answers(command):
+def first_answers(command, *columns):
     with subprocess.Popen(command, stdout=subprocess.PIPE) as process:
         text = b"".join(process.stdout.readline() for _ in range(101))
         process.stdout.close()
         process.terminate()
-    return numbers(text[:text.rindex(b"\n") + 1])
+    return numbers(text[:text.rindex(b"\n") + 1], *columns)
 
 
 def timed(command):
@@ -101,10 +104,11 @@ def main():
     if absent:
         print("left out:", *absent)
     chosen = [c for c in all_of_them if c[2][0] not in absent]
-    ours = first_answers([TOOL, "project", "-c", CAMERA, "--fields", "screen,depth", "p.text"])
+    screen, view = (first_answers([TOOL, "project", "-c", CAMERA, "--fields", fields, "p.text"]) for fields in ("screen,depth", "view"))
     for form, name, command in chosen:
         if name != "cat" and form != "f64":
-            off = max(abs(a - b) for theirs, own in zip(first_answers(command), ours) for a, b in zip(theirs, own))
+            answers = (first_answers(command, slice(3)), view) if command[0] == "cct" else (first_answers(command), screen)
+            off = max(abs(a - b) for theirs, own in zip(*answers) for a, b in zip(theirs, own))
             assert off < 1e-9 or "standard" in name, (name, off)
     taken = {i: [timed(command) for i, (_, _, command) in [(i, chosen[i])]] for i in range(len(chosen))}
     for _ in range(ROUNDS - 1):
@@ -119,7 +123,7 @@ def main():
               f"  ratio {clock / base:6.2f}")
 
 
-M = matrix()
+M = matrix("viewProjection")
 with tempfile.TemporaryDirectory() as work:
     write_points(work)
     os.chdir(work)
