@@ -1,4 +1,4 @@
-// The way from the public classes to their numbers and back.
+// Gives the library access to the numbers behind the public classes, and makes those classes from numbers.
 #pragma once
 
 #include <memory>

@@ -33,7 +33,7 @@ ScreenMap screenMap(const ProjectionParts& p, const Viewport& v) noexcept {
   const ScreenCorner corner = screenCorner(v);
   const DoubleDouble width = windowWidth(p), height = windowHeight(p);
   const bool down = v.origin == Origin::topLeft;
-  // The share of the window comes first: it is exactly 1/2 for a symmetric one, which keeps the middle exact.
+  // Divides by the window first: the share of a symmetric window is exactly 1/2, which keeps the centre exact.
   const DoubleDouble shareX = -p.left / width, shareY = (down ? p.top : -p.bottom) / height;
   const DoubleDouble up = DoubleDouble(v.height) / height;
   const auto reach = [&](double start, double size, double share, double edges, double window) {
@@ -47,10 +47,10 @@ ScreenMap screenMap(const ProjectionParts& p, const Viewport& v) noexcept {
           reach(v.y, v.height, shareY.hi, p.reachY, height.hi)};
 }
 
-/// A point on an edge of the picture may round outwards where the edge is a tie of two doubles: the edge does too.
+/// The corners, moved outwards where an edge is a tie of two doubles: a point on that edge may round outwards too.
 PictureCorners outwards(const Viewport& v, const ScreenMap& map) noexcept {
   const ScreenCorner corner = screenCorner(v);
-  const auto at = [](DoubleDouble edge, double way) { return edge.hi == 0 ? 0 : edge.hi + (edge.lo + way); };
+  const auto at = [](DoubleDouble edge, double step) { return edge.hi == 0 ? 0 : edge.hi + (edge.lo + step); };
   const double x = 0x1p-96 * map.reachX, y = 0x1p-96 * map.reachY;
   return {{at(corner.x, -x), at(corner.y, -y)},
           {at(corner.x + DoubleDouble(v.width), x), at(corner.y + DoubleDouble(v.height), y)}};
@@ -104,7 +104,7 @@ Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport
   k.sizeW = maxAbs(k.w);
   k.residualReach = std::max(std::max(std::fabs(k.residual.x.hi), std::fabs(k.residual.y.hi)) / k.sizeXY,
                              std::fabs(k.residual.z.hi) / k.sizeW);
-  // A residual that is there counts, however small: whether it does is told from this.
+  // A residual that is not zero must count even if this quotient underflows to 0.
   const auto isZero = [](DoubleDouble a) { return a.hi == 0; };
   if (k.residualReach == 0 && !(isZero(k.residual.x) && isZero(k.residual.y) && isZero(k.residual.z)))
     k.residualReach = std::numeric_limits<double>::min();
@@ -137,9 +137,9 @@ WindowDepths Camera::depths() const noexcept {
 }
 
 Camera cropped(const Camera& camera, const Crop& crop) {
-  const Viewport& whole = camera.viewport();
-  const Camera tile =
-      makeCamera(camera.pose(), cropped(camera.projection(), whole, crop), cropped(whole, crop), camera.convention());
+  const Viewport& viewport = camera.viewport();
+  const Camera tile = makeCamera(camera.pose(), cropped(camera.projection(), viewport, crop), cropped(viewport, crop),
+                                 camera.convention());
   const auto& lens = parts(camera).lens;
   return lens ? withLens(tile, lens) : tile;
 }

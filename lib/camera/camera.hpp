@@ -1,4 +1,4 @@
-// A camera's numbers: pose, window, viewport and convention, and what projecting needs of them.
+// The numbers of a camera: pose, window, viewport and convention, and the constants for projecting.
 #pragma once
 
 #include "camera/pose.hpp"
@@ -11,15 +11,16 @@ namespace viewproj::detail {
 /// screen. scaleY is negative where screen y runs downwards.
 struct ScreenMap {
   DoubleDouble centerX, centerY, scaleX, scaleY;
-  double reachX = 0, reachY = 0;  ///< the centre is within 2^-97 of this: what it is a sum of, which may cancel
+  double reachX = 0, reachY = 0;  ///< the centre's error is below 2^-97 of this, the size of the terms it is the sum of
 };
 
-/// A row of three in two parts: high has 25 bits of the largest entry, all multiples of one power of two, low the rest.
+/// A row of three in two parts: high has 25 bits of the largest entry, all multiples of one power of two; low has the
+/// rest.
 struct SplitRow {
   Vec3 high, low;
 };
 
-/// What projecting a point needs of a camera. In perspective, with d = point - eye and q = (x . d) / (w . d),
+/// The constants for projecting a point. In perspective, with d = point - eye and q = (x . d) / (w . d),
 ///   screen x = centerX + q,  window depth = depthOffset + depthScale / (w . d)
 /// and in orthographic
 ///   screen x = centerX + x . d,  window depth = depthOffset + depthScale (w . d).
@@ -27,23 +28,23 @@ struct ProjectionConstants {
   bool orthographic = false;
   Vec3 eye;
   DDVec3 x, y, w;                   ///< rows scaled to pixels: scaleX right, scaleY up, forward
-  SplitRow splitX, splitY, splitW;  ///< of the same rows
-  DDVec3 residual;                  ///< the pose's, scaled likewise, to be added to x . d, y . d, w . d
-  DoubleDouble centerX, centerY, depthOffset, depthScale;  ///< depthOffset: NaN where there is no depth
+  SplitRow splitX, splitY, splitW;  ///< the same rows, split
+  DDVec3 residual;                  ///< the pose's residual, scaled likewise, added to x . d, y . d, w . d
+  DoubleDouble centerX, centerY, depthOffset, depthScale;  ///< depthOffset: NaN without depth
 
-  /// forward is an axis of the world, and residual 0: W is a coordinate's difference to the eye, without an error.
+  /// forward is an axis of the world and residual is 0: W is a coordinate minus the eye's, without error.
   bool forwardIsAxis = false;
 
-  double reachX = 0, reachY = 0;  ///< ScreenMap's
+  double reachX = 0, reachY = 0;  ///< copied from ScreenMap
   double sizeXY = 0, sizeW = 0;   ///< largest entry of x and y, and of w
-  double residualReach = 0;       ///< the residual's part in |d0| + |d1| + |d2|, as error bounds count it
+  double residualReach = 0;       ///< the residual's part of |d0| + |d1| + |d2| in error bounds
 
   Vec3 rayX, rayY, rayW;  ///< columns: right / scaleX, up / scaleY, forward
 };
 
 struct LensParts;
 
-/// Made by makeCamera; what follows the four parts is derived from them.
+/// Made by makeCamera. The first four parts are the input, the rest is derived from them.
 struct CameraParts {
   PoseParts pose;
   ProjectionParts projection;
@@ -52,10 +53,10 @@ struct CameraParts {
 
   ScreenMap screen;
 
-  double depthAtNear = NAN, depthAtFar = NAN;  ///< window depths, reverseZ taken into account
-  double depthAtInfinity = NAN;                ///< perspective: the limit of window depth along the view, rounded
+  double depthAtNear = NAN, depthAtFar = NAN;  ///< window depths, with reverseZ applied
+  double depthAtInfinity = NAN;  ///< perspective: the limit of window depth along the viewing axis, rounded
 
-  PictureCorners corners;  ///< a tie of two doubles is rounded outwards
+  PictureCorners corners;  ///< outwards where a tie of two doubles is rounded
 
   DDVec3 eye;  ///< unrounded
   /// Orthographic: the ray of a screen position starts at eye + (x - centerX) perX + (y - centerY) perY.
@@ -64,12 +65,12 @@ struct CameraParts {
 
   ProjectionConstants constants;
 
-  /// Null without a lens. With one, all of the above is that of the camera without it: pinhole.
+  /// Null without a lens. With a lens, everything above belongs to the camera without it, which is pinhole.
   std::shared_ptr<const LensParts> lens;
   std::shared_ptr<const CameraParts> pinhole;
 };
 
-/// Of a camera without a lens.
+/// The same camera with this lens. pinhole must have none.
 Camera withLens(const Camera& pinhole, std::shared_ptr<const LensParts> lens);
 
 inline const CameraParts& parts(const Camera& camera) noexcept { return *Access::shared(camera); }

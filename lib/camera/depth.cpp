@@ -7,8 +7,8 @@
 namespace viewproj::detail {
 namespace {
 
-/// (f ofFar - n ofNear) / (f - n), within 2^-97 of itself: where it cancels, as for depths that are to each other as
-/// near and far are, from exact products.
+/// (f ofFar - n ofNear) / (f - n), within 2^-97 relative. Uses exact products if it cancels, as when ofFar : ofNear is
+/// nearly n : f.
 DoubleDouble depthOffset(const ProjectionParts& p, double ofFar, double ofNear) noexcept {
   const DoubleDouble range = twoDiff(p.far, p.near);
   const DoubleDouble first = DoubleDouble(p.far) / range * DoubleDouble(ofFar);
@@ -37,7 +37,7 @@ DepthLine inverseDepthLine(const ProjectionParts& p, const DepthEnds& ends) noex
   // perspective:   offset = (f atFar - n atNear) / (n f (atFar - atNear))   scale = (n - f) / (n f (atFar - atNear))
   // infinite far:  offset = atFar / (n (atFar - atNear))                    scale = -1 / (n (atFar - atNear))
   // orthographic:  offset = (n atFar - f atNear) / (atFar - atNear)         scale = (f - n) / (atFar - atNear)
-  // Of exact products: they may cancel.
+  // Exact products, because the differences may cancel.
   const auto [atNear, atFar] = ends;
   const Dyadic<1> near = p.near, step = Dyadic<1>::difference(atFar, atNear);
   const auto line = [](const Dyadic<2>& offset, const Dyadic<1>& scale, const Dyadic<3>& divisor) {
@@ -55,7 +55,7 @@ DepthShares depthShares(const ProjectionParts& p, const Wide& forward, const Wid
   const auto difference = [&](const Wide& a, const Wide& b) { return forwardIsExact ? a - b : sumOrZero(a, -b); };
   const Wide near = p.near, fromNear = difference(forward, near * weight);
   if (std::isinf(p.far)) return {near * weight, fromNear};
-  // Quotients first: at near and far they are 1, exactly.
+  // Divides first: at near and far the quotients are exactly 1.
   const Wide far = p.far, range = far - near;
   const Wide ofNear = difference(far * weight, forward) / range, ofFar = fromNear / range;
   if (p.orthographic) return {ofNear, ofFar};

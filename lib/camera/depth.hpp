@@ -1,5 +1,4 @@
-// What a convention means in numbers, and the law of depth: between a distance along the view and window depth or NDC
-// z.
+// A convention as numbers, and the relation between distance along the viewing axis and window depth or NDC z.
 #pragma once
 
 #include "camera/projection.hpp"
@@ -8,7 +7,7 @@
 
 namespace viewproj::detail {
 
-/// +1 where the axis of view space points as up and forward do, -1 where it points the other way.
+/// +1 if the axis of view space points along up (or forward), -1 if it points the opposite way.
 struct AxisSigns {
   double up, forward;
 };
@@ -17,7 +16,7 @@ constexpr AxisSigns axisSigns(ViewAxes axes) noexcept {
   return {axes == ViewAxes::RDF ? -1.0 : 1.0, axes == ViewAxes::RUB ? -1.0 : 1.0};
 }
 
-/// Depth of the near and the far plane.
+/// Depth at the near and at the far plane.
 struct DepthEnds {
   double atNear, atFar;
 };
@@ -41,8 +40,8 @@ DepthLine depthLine(const ProjectionParts& projection, const DepthEnds& ends) no
 /// The inverse: 1/W (perspective) or W (orthographic) = offset + scale * depth.
 DepthLine inverseDepthLine(const ProjectionParts& projection, const DepthEnds& ends) noexcept;
 
-/// Near's and far's shares of window depth or of NDC z, times clip's w: what the two ends of the range count, to be
-/// divided by the distance in perspective. Of a point at distance forward / weight, a direction has weight 0.
+/// The weights of near's and of far's depth in window depth or NDC z, times clip's w. In perspective, divide them by
+/// the distance. The point is at distance forward / weight; a direction has weight 0.
 ///   perspective   n (f weight - forward) / (f - n)   and   f (forward - n weight) / (f - n)
 ///   infinite far  n weight                           and   forward - n weight
 ///   orthographic  (f weight - forward) / (f - n)     and   (forward - n weight) / (f - n)
@@ -50,7 +49,7 @@ struct DepthShares {
   Wide ofNear, ofFar;
 };
 
-/// forwardIsExact: a difference of it to near or far that cancels is no noise.
+/// forwardIsExact: a difference to near or far that cancels is exact, not noise.
 DepthShares depthShares(const ProjectionParts& projection, const Wide& forward, const Wide& weight,
                         bool forwardIsExact = false) noexcept;
 

@@ -15,26 +15,26 @@ DDVec3 roundedRow(const Row& row, const Wide& scale) noexcept {
   return {toDoubleDouble(v.x), toDoubleDouble(v.y), toDoubleDouble(v.z)};
 }
 
-/// way is not zero, up is finite.
-Pose looking(const Vec3& position, const Vector3<Dyadic<1>>& way, const FineVec3& up, Handedness world) {
+/// direction is not zero, up is finite.
+Pose looking(const Vec3& position, const Vector3<Dyadic<1>>& direction, const FineVec3& up, Handedness world) {
   constexpr double kLargestError = 0x1p-102;  // rows more uncertain than this would not be within 2^-100
-  const Vector3<Dyadic<2>> side = crossOf(way, up.value);
-  // Each product of a component of way with one of up carries 2 up.error; of up's row there are two.
-  const double error = 16 * up.error * std::ldexp(1, std::ilogb(maxAbs(rounded(rounded(way)))));
+  const Vector3<Dyadic<2>> side = crossOf(direction, up.value);
+  // Each product of a component of direction with one of up carries 2 up.error; of up's row there are two.
+  const double error = 16 * up.error * std::ldexp(1, std::ilogb(maxAbs(rounded(rounded(direction)))));
   const double size = maxAbs(rounded(rounded(side)));
   if (!(size * kLargestError >= error && size > 0))
     throw CameraError("up", "is parallel to the viewing direction, so it does not say which way is up; give another");
-  const Wide ofSide = Wide(1) / lengthOf(rounded(side)), ofWay = Wide(1) / lengthOf(rounded(way));
+  const Wide perSide = Wide(1) / lengthOf(rounded(side)), perDirection = Wide(1) / lengthOf(rounded(direction));
   ExactPose exact;
-  setUnitRow(exact, 0, {side.x, side.y, side.z}, world == Handedness::left ? -ofSide : ofSide);
-  setUnitRow(exact, 1, crossOf(side, way), ofSide * ofWay);
-  setUnitRow(exact, 2, {way.x, way.y, way.z}, ofWay);
+  setUnitRow(exact, 0, {side.x, side.y, side.z}, world == Handedness::left ? -perSide : perSide);
+  setUnitRow(exact, 1, crossOf(side, direction), perSide * perDirection);
+  setUnitRow(exact, 2, {direction.x, direction.y, direction.z}, perDirection);
   exact.origin = position;
-  exact.error = error * double(ofSide);
+  exact.error = error * double(perSide);
   return orthogonal(exact);
 }
 
-/// Of a place on the Earth a coordinate may be below the smallest number of a camera: nothing of it is lost.
+/// Like requireNumber, but allows tiny coordinates: a place on the Earth may have some, and they lose nothing.
 void requireWithin(const Vec3& v, const char* field) {
   if (!(isFinite(v) && maxAbs(v) <= kLargestNumber))
     throw CameraError(field, "has a component that is not a finite number up to 1e90");
@@ -85,10 +85,10 @@ bool forwardIsAxis(const PoseParts& pose) noexcept {
   const ExactPose& exact = *pose.exact;
   const Row& forward = exact.rows[2];
   const std::size_t only = onlyEntry(forward);
-  const DDVec3& left = pose.residual;
+  const DDVec3& residual = pose.residual;
   return only < 3 && exact.error == 0 && (exact.scale[2] - Wide(1)).value.hi == 0 &&
-         (forward[only] - Dyadic<1>(forward[only].sign())).sign() == 0 && left.x.hi == 0 && left.y.hi == 0 &&
-         left.z.hi == 0;
+         (forward[only] - Dyadic<1>(forward[only].sign())).sign() == 0 && residual.x.hi == 0 && residual.y.hi == 0 &&
+         residual.z.hi == 0;
 }
 
 Pose lookAlong(const Vec3& position, const Vec3& direction, const FineVec3& up, Handedness world) {
@@ -104,9 +104,9 @@ Pose lookAt(const Vec3& position, const Vec3& target, const FineVec3& up, Handed
   requireWithin(target, "target");
   requireFine(up);
   if (position == target) throw CameraError("target", "is the camera's own position: there is no direction to look in");
-  Vector3<Dyadic<1>> way;
-  for (std::size_t i = 0; i < 3; ++i) way[i] = Dyadic<1>::difference(target[i], position[i]);
-  return looking(position, way, up, world);
+  Vector3<Dyadic<1>> direction;
+  for (std::size_t i = 0; i < 3; ++i) direction[i] = Dyadic<1>::difference(target[i], position[i]);
+  return looking(position, direction, up, world);
 }
 
 Pose poseFromAxes(const Vec3& position, const std::array<FineVec3, 3>& axes) {

@@ -1,4 +1,4 @@
-// Poses of axes that are given: a rotation, or a matrix.
+// Poses from given axes: a rotation or a matrix.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,7 +21,7 @@ struct NamedAxes {
 
 const NamedAxes& named(CameraAxes axes) noexcept {
   static constexpr NamedAxes kAxes[] = {
-      // as CameraAxes counts them
+      // in the order of CameraAxes
       {"RUB", true, {{0, 1, 2}, {1, 1, -1}}},
       {"RUF", false, {{0, 1, 2}, {1, 1, 1}}},
       {"RDF", true, {{0, 1, 2}, {1, -1, 1}}},
@@ -30,7 +30,7 @@ const NamedAxes& named(CameraAxes axes) noexcept {
   return kAxes[static_cast<std::size_t>(axes)];
 }
 
-/// A set of axes with determinant +1 belongs to a world of its own handedness, with -1 to the other.
+/// Axes with determinant +1 fit a world of their own handedness, with -1 the other one.
 void requireHandedness(CameraAxes axes, Handedness world, bool mirrored, const char* field) {
   const bool isRight = world == Handedness::right;
   if (named(axes).isRightHanded == (isRight != mirrored)) return;
@@ -40,7 +40,7 @@ void requireHandedness(CameraAxes axes, Handedness world, bool mirrored, const c
                                " would");
 }
 
-/// From camera x, y, z to right, up, forward.
+/// From the camera's x, y, z to right, up, forward.
 template <class Vector>
 std::array<Vector, 3> toAxes(const std::array<Vector, 3>& xyz, CameraAxes axes) {
   const AxisMap& map = named(axes).map;
@@ -55,7 +55,7 @@ Axes toAxesOf(const std::array<DDVec3, 3>& xyz, CameraAxes axes) {
   return {right, up, forward};
 }
 
-/// The same of a number for each.
+/// The same for one number per axis.
 Vec3 toAxes(const Vec3& xyz, CameraAxes axes) {
   const AxisMap& map = named(axes).map;
   Vec3 result;
@@ -76,7 +76,7 @@ void requireOrthogonal(const Columns& c, const char* field) {
   }
 }
 
-/// The 3x3 of a pose matrix, by columns, checked.
+/// The columns of a pose matrix's 3x3 part, after all checks.
 Columns checkedColumns(const Mat4& matrix, const char* field) {
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = 0; j < 4; ++j)
@@ -95,7 +95,7 @@ Columns checkedColumns(const Mat4& matrix, const char* field) {
   return c;
 }
 
-/// The inverse of the matrix with these columns: rows that the determinant divides, exactly, and as they round.
+/// The inverse of the matrix with these columns: exact rows to be divided by the determinant, and the rounded rows.
 struct Inverse {
   std::array<Vector3<Dyadic<2>>, 3> adjugate;
   Dyadic<3> determinant;
@@ -114,7 +114,7 @@ Inverse inverse(const Columns& c) {
   return result;
 }
 
-/// |a| = |b|.
+/// Whether |a| = |b|.
 template <int A, int B>
 bool isOfSize(const Dyadic<A>& a, const Dyadic<B>& b) {
   return (a - b).sign() == 0 || (a + b).sign() == 0;
@@ -140,7 +140,7 @@ Pose poseFromColumns(const std::array<DDVec3, 3>& columns, const DDVec3& eye, Ca
   requireOrthogonal(c, "columns");
   requireHandedness(axes, world, determinant(columns).hi < 0, "columns");
   const std::array<DDVec3, 3> rows = inverse(columns);
-  // Rounded, so that the exact rows hold it too; it is 2^-53 of the eye, and so is its rounding of it.
+  // Rounding the remainder lets the exact rows hold it. It is below 2^-53 of the eye, and its rounding 2^-53 of that.
   const DDVec3 rest = -DDVec3{eye.x.lo, eye.y.lo, eye.z.lo};
   const auto axisRows = toAxes(rows, axes);
   ExactPose exact;
@@ -224,27 +224,27 @@ Pose poseFromCameraFromWorld(const Mat4& matrix, CameraAxes axes, Handedness wor
   const Inverse inverted = inverse(c);
   requireHandedness(axes, world, inverted.divisor.sign() < 0, "cameraFromWorld");
   const Vec3 translation{matrix[0][3], matrix[1][3], matrix[2][3]};
-  Vec3 eye;  // -M^-1 t rounded
+  Vec3 eye;  // -M^-1 t, rounded
   for (std::size_t i = 0; i < 3; ++i)
     eye[i] = nearestDouble(-dot(inverted.adjugate[i], toDyadic(translation)).rounded() / inverted.divisor);
-  std::array<Vec3, 3> given;
+  std::array<Vec3, 3> matrixRows;
   std::array<DDVec3, 3> columns;
-  std::array<DDVec3, 3> residual;  // M eye + t, what the rounding left over, in x
+  std::array<DDVec3, 3> residual;  // M eye + t in x: the remainder of rounding the eye
   for (std::size_t i = 0; i < 3; ++i) {
-    given[i] = {matrix[i][0], matrix[i][1], matrix[i][2]};
-    const Dyadic<2> left = dot(toDyadic(given[i]), toDyadic(eye)) + Dyadic<1>(translation[i]);
-    residual[i].x = toDoubleDouble(left.rounded());
+    matrixRows[i] = {matrix[i][0], matrix[i][1], matrix[i][2]};
+    const Dyadic<2> rest = dot(toDyadic(matrixRows[i]), toDyadic(eye)) + Dyadic<1>(translation[i]);
+    residual[i].x = toDoubleDouble(rest.rounded());
     for (std::size_t j = 0; j < 3; ++j) columns[i][j] = inverted.rows[j][i];
   }
   ExactPose exact;
   exact.translation = toAxes(translation, axes);
-  const auto rows = toAxes(given, axes);
+  const auto rows = toAxes(matrixRows, axes);
   for (std::size_t i = 0; i < 3; ++i) exact.rows[i] = {rows[i].x, rows[i].y, rows[i].z};
-  const Axes left = toAxesOf(residual, axes);
+  const Axes rests = toAxesOf(residual, axes);
   return made({eye,
                roundedRows(exact),
                toAxesOf(columns, axes),
-               {left.right.x, left.up.x, left.forward.x},
+               {rests.right.x, rests.up.x, rests.forward.x},
                std::make_shared<const ExactPose>(exact)});
 }
 

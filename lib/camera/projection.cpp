@@ -37,13 +37,13 @@ void requireRange(bool orthographic, double near, double far) {
 void requireSide(DoubleDouble low, DoubleDouble high, DoubleDouble width, double reach, const char* lowName,
                  const char* highName) {
   const double farthest = std::max({std::fabs(low.hi), std::fabs(high.hi), reach});
-  if (!isFinite(low) || !isFinite(high) || !(farthest <= 2 * kLargestNumber))  // rounding up to here
+  if (!isFinite(low) || !isFinite(high) || !(farthest <= 2 * kLargestNumber))  // leaves room for rounding
     throw CameraError(highName, "makes a window that reaches beyond 1e90");
   if (!(width.hi > 0)) throw CameraError(highName, std::string("must be greater than ") + lowName);
   if (!(width.hi >= kSmallestNumber)) throw CameraError(highName, "makes a window smaller than 1e-90");
 }
 
-/// The window checked: edges in order, and its size in the domain.
+/// Throws unless the window's edges are in order and its size is in range.
 void check(const ProjectionParts& p) {
   requireRange(p.orthographic, p.near, p.far);
   requireSide(p.left, p.right, windowWidth(p), p.reachX, "left", "right");
@@ -55,7 +55,7 @@ Projection symmetric(DoubleDouble halfWidth, DoubleDouble halfHeight, double nea
   return made({orthographic, -halfWidth, halfWidth, -halfHeight, halfHeight, near, far});
 }
 
-/// A window that was moved or cut out. Beyond so many of its own sizes off the axis it has lost too many digits.
+/// A window that was shifted or cropped. Throws if the shift is so large that too many digits are lost.
 Projection moved(const ProjectionParts& p, const char* fieldX, const char* fieldY) {
   constexpr double kLargestMove = 0x1p32;
   const auto require = [](double reach, DoubleDouble low, DoubleDouble high, const char* field) {
@@ -68,7 +68,7 @@ Projection moved(const ProjectionParts& p, const char* fieldX, const char* field
   return made(p);
 }
 
-/// What edges of it are computed from.
+/// The reach of edges computed from these.
 double largest(double reach, DoubleDouble a, DoubleDouble b) {
   return std::max({reach, std::fabs(a.hi), std::fabs(b.hi)});
 }
@@ -154,7 +154,7 @@ Projection frustum(double left, double right, double bottom, double top, double 
   requireEdges(left, right, bottom, top);
   requirePositive(near, "near");
   requireRange(false, near, far);
-  // Width and height from the differences, which the quotients may have lost.
+  // Width and height from exact differences: the quotients may lose them.
   return made({false, ratio(left, near), ratio(right, near), ratio(bottom, near), ratio(top, near), near, far,
                twoDiff(right, left) / DoubleDouble(near), twoDiff(top, bottom) / DoubleDouble(near)});
 }
@@ -186,7 +186,7 @@ Projection intrinsics(double focalX, double focalY, double cx, double cy, const 
   requirePositive(focalY, "fy");
   requireNumber(cx, "cx");
   requireNumber(cy, "cy");
-  // From the picture's left edge and from its edge where y starts: of exact differences, because the three may cancel.
+  // From the picture's left edge, and from the edge where y starts. Exact differences, because they may cancel.
   const auto from = [&](double start, double c) { return twoDiff(c, start) + twoDiff(0.5, viewport.pixelCenter); };
   const DoubleDouble fromLeft = from(viewport.x, cx), fromStart = from(viewport.y, cy);
   const DoubleDouble fx = focalX, fy = focalY, width = viewport.width, height = viewport.height;

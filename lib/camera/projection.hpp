@@ -1,7 +1,7 @@
-// A projection's numbers.
+// The numbers of a projection.
 //
-// Every way to describe a lens is a function that ends in six numbers. To add one, add a function that computes the
-// edges, and a row to the camera file's reader.
+// Every way to describe a projection is a function that computes the edges, near and far. To add one, add such a
+// function and a row to the camera file's reader.
 #pragma once
 
 #include "camera/access.hpp"
@@ -9,19 +9,18 @@
 
 namespace viewproj::detail {
 
-/// Edges are distances along the right and the up axis: in perspective on the plane at distance 1 from the eye
-/// (tangents), in orthographic anywhere. near and far are distances along the viewing axis.
+/// Edges are distances along the right and up axes: in perspective on the plane at distance 1 from the eye (tangents),
+/// in orthographic at every distance. near and far are distances along the viewing axis.
 struct ProjectionParts {
   bool orthographic = false;
   DoubleDouble left, right, bottom, top;
-  double near = 0;  ///< perspective: 0 for none
+  double near = 0;  ///< perspective: 0 for no near plane
   double far = 0;   ///< may be infinite in perspective
 
-  /// right - left and top - bottom to 2^-98 of themselves, which edges that lie far off the axis do not give; 0: they
-  /// do.
+  /// right - left and top - bottom, within 2^-98 relative, if edges far off the axis would not give that; otherwise 0.
   DoubleDouble width{}, height{};
-  /// The largest number that left and right, and that bottom and top, were computed from: each is within 2^-98 of it.
-  /// 0: the larger of the two edges.
+  /// The largest number that left and right (bottom and top) were computed from: each is within 2^-98 of it. 0 means
+  /// the larger of the two edges.
   double reachX = 0, reachY = 0;
 };
 
@@ -36,7 +35,7 @@ inline DoubleDouble windowHeight(const ProjectionParts& p) noexcept {
 }
 
 inline const ProjectionParts& parts(const Projection& projection) noexcept { return *Access::shared(projection); }
-/// Throws CameraError unless edges are in order and within the limits of a window, near and far as camera.hpp says.
+/// Throws CameraError unless edges are in order and the window, near and far are within viewproj/camera.hpp's limits.
 Projection made(const ProjectionParts& parts);
 
 }  // namespace viewproj::detail

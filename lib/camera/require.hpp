@@ -1,4 +1,4 @@
-// Numbers of a camera, checked. Written so that NaN fails.
+// Checks of a camera's numbers. NaN fails each of them.
 #pragma once
 
 #include <cmath>

@@ -19,7 +19,7 @@ void TurnedAxes::turn(std::size_t a, std::size_t b, double degrees) noexcept {
 }
 
 FineVec3 TurnedAxes::axis(std::size_t index, bool opposite) const noexcept {
-  constexpr double kNoise = 0x1p-207;  // below it an entry is what rounding left of a sum that cancels
+  constexpr double kNoise = 0x1p-207;  // smaller entries are what rounding left of a sum that cancels
   FineVec3 v{{}, exact_ ? 0 : kTurnedRowBound};
   for (std::size_t i = 0; i < 3; ++i) {
     const Dyadic<1>& part = axes_[index][i];
@@ -35,7 +35,7 @@ namespace viewproj {
 using namespace detail;
 
 Pose poseFromTurns(const Vec3& position, const std::array<Turn, 3>& turns, CameraAxes axes, Handedness world) {
-  (void)poseFromRotation(position, {}, axes, world);  // throws where the axes are of the other handedness
+  (void)poseFromRotation(position, {}, axes, world);  // throws if the axes have the other handedness
   TurnedAxes t({{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}});
   for (const Turn& turn : turns) {
     if (turn.axis < 0 || turn.axis > 2) throw CameraError("euler", "has an axis that is not 0, 1 or 2");

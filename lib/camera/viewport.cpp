@@ -10,7 +10,7 @@ namespace viewproj {
 using namespace detail;
 namespace {
 
-/// So far away, positions in the picture would have lost too many digits.
+/// Farther away, positions in the picture would lose too many digits.
 void requireCorner(double value, double size, const char* field) {
   requireFinite(value, field);
   if (!(std::fabs(value) <= kLargestCorner * size))

@@ -1,4 +1,4 @@
-// A viewport, checked, and where its picture lies.
+// Checks a viewport and gives the position of its picture.
 #pragma once
 
 #include "numbers/double_double.hpp"
@@ -6,15 +6,15 @@
 
 namespace viewproj::detail {
 
-/// Throws CameraError naming the number that is none of a viewport.
+/// Throws CameraError naming the number that is invalid.
 void validate(const Viewport& viewport);
 
-/// Screen position of the corner of the picture that screen numbers are counted from.
+/// Screen position of the picture's corner that x and y are counted from.
 struct ScreenCorner {
   DoubleDouble x, y;
 };
 
-/// A picture's corner lies half a pixel before the centre of its first pixel.
+/// The picture's corner lies half a pixel before the centre of its first pixel.
 constexpr ScreenCorner screenCorner(const Viewport& v) noexcept {
   const DoubleDouble halfPixel = twoDiff(v.pixelCenter, 0.5);
   return {DoubleDouble(v.x) + halfPixel, DoubleDouble(v.y) + halfPixel};

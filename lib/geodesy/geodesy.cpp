@@ -16,7 +16,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 enum : std::size_t { kRight, kUpward, kForward };
 
-/// Right is east, forward north.
+/// The axes at a place: right is east, forward is north.
 TurnedAxes eastUpNorth(const Geodetic& place) noexcept {
   TurnedAxes axes({{{0, 1, 0}, {1, 0, 0}, {0, 0, 1}}});
   axes.turn(kRight, kUpward, place.lon);
@@ -64,16 +64,16 @@ FineVec3 detail::exactNormal(const Geodetic& place) noexcept {
   return eastUpNorth(place).axis(kUpward);
 }
 
-Pose poseFromHeadingPitchRoll(const Geodetic& position, const HeadingPitchRoll& turned) {
+Pose poseFromHeadingPitchRoll(const Geodetic& position, const HeadingPitchRoll& angles) {
   requirePlace(position, "position");
-  requireFinite(turned.heading, "heading");
-  requireFinite(turned.roll, "roll");
-  if (!(turned.pitch >= -90 && turned.pitch <= 90))
+  requireFinite(angles.heading, "heading");
+  requireFinite(angles.roll, "roll");
+  if (!(angles.pitch >= -90 && angles.pitch <= 90))
     throw CameraError("pitch", "must be from -90 to 90 degrees; a camera upside down has a roll of 180");
   TurnedAxes axes = eastUpNorth(position);
-  axes.turn(kRight, kForward, turned.heading);
-  axes.turn(kUpward, kForward, turned.pitch);
-  axes.turn(kRight, kUpward, turned.roll);
+  axes.turn(kRight, kForward, angles.heading);
+  axes.turn(kUpward, kForward, angles.pitch);
+  axes.turn(kRight, kUpward, angles.roll);
   return poseFromAxes(geodeticToEcef(position), {axes.axis(kRight), axes.axis(kUpward), axes.axis(kForward)});
 }
 

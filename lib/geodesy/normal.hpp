@@ -1,4 +1,4 @@
-// Which way is up on the Earth, to more digits than doubles have.
+// The up direction on the Earth, with more digits than doubles have.
 #pragma once
 
 #include "camera/pose.hpp"
@@ -6,7 +6,7 @@
 
 namespace viewproj::detail {
 
-/// The ellipsoid's outward normal, of unit length: up for lookAt and lookAlong. NaN for what is no place.
+/// The ellipsoid's outward unit normal: the up vector for lookAt and lookAlong. NaN if place is invalid.
 FineVec3 exactNormal(const Geodetic& place) noexcept;
 
 }  // namespace viewproj::detail

@@ -18,8 +18,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The last entry of an affine matrix may be this many units in the last place away from 1, as where an inverse was
-/// computed: the whole matrix is divided by it.
+/// An affine matrix's last entry may be this many units in the last place away from 1, as in a computed inverse. The
+/// whole matrix is then divided by it.
 constexpr double kUnits = 4;
 
 /// A far plane beyond infinity by up to this share of 1/near counts as infinite.
@@ -43,11 +43,11 @@ DDVec3 quotient(const WideVec3& a, const Wide& by) noexcept {
   return {toDoubleDouble(a.x / by), toDoubleDouble(a.y / by), toDoubleDouble(a.z / by)};
 }
 
-/// With X, Y, W the distances of a point along the axes right, ndcUp, forward from the eye (orthographic: from the
-/// origin), clip is scale times
+/// A clip matrix as parts. X, Y, W are a point's distances along the axes right, ndcUp, forward from the eye (in
+/// orthographic from the origin). Then clip is scale times
 ///   (x.scale X + x.offset W, y.scale Y + y.offset W, depth.offset W + depth.scale, W)   in perspective
 ///   (x.scale X + x.offset,   y.scale Y + y.offset,   depth.offset + depth.scale W, 1)   in orthographic
-/// The scales of x and y, and in orthographic that of depth, are positive.
+/// The scales of x and y are positive, and in orthographic the scale of depth too.
 struct ClipParts {
   bool orthographic;
   DoubleDouble scale;
@@ -56,14 +56,14 @@ struct ClipParts {
   double residual;
 };
 
-/// Nothing where x or y does not change across the picture.
+/// Returns nothing if x or y is constant across the picture.
 std::optional<ClipParts> perspectiveParts(const Rows& m) noexcept {
   const Row& w = m[3];
   const Dyadic<2> exactSquare = dot(w.axis, w.axis);
   const Wide square = exactSquare.rounded(), length = sqrt(square), unit = square * length;
   ClipParts parts{false, toDoubleDouble(length), {}, {}, 0};
   for (std::size_t i = 0; i < 3; ++i) {
-    // What lies across the w row, times w . w: cancels to 0 where it should.
+    // The part that is not along the w row, times w . w. It cancels to exactly 0 if there is none.
     const Dyadic<2> along = dot(m[i].axis, w.axis);
     const auto across = [&](const Dyadic<1>& a, const Dyadic<1>& b) { return (a * exactSquare - b * along).rounded(); };
     WideVec3 axis;
@@ -83,13 +83,13 @@ std::optional<ClipParts> perspectiveParts(const Rows& m) noexcept {
 }
 
 std::optional<ClipParts> orthographicParts(const Rows& m) noexcept {
-  const Wide whole = m[3].last.rounded();
-  ClipParts parts{true, toDoubleDouble(whole), {}, {}, 0};
+  const Wide divisor = m[3].last.rounded();
+  ClipParts parts{true, toDoubleDouble(divisor), {}, {}, 0};
   for (std::size_t i = 0; i < 3; ++i) {
     const WideVec3 axis = rounded(m[i].axis);
     const Wide size = lengthOf(axis);
     if (size.sign() == 0) return std::nullopt;
-    parts.lines[i] = {toDoubleDouble(m[i].last.rounded() / whole), toDoubleDouble(size / whole)};
+    parts.lines[i] = {toDoubleDouble(m[i].last.rounded() / divisor), toDoubleDouble(size / divisor)};
     parts.axes[i] = quotient(axis, size);
   }
   for (std::size_t i = 0; i < 3; ++i)
@@ -99,7 +99,7 @@ std::optional<ClipParts> orthographicParts(const Rows& m) noexcept {
 
 // Near and far
 
-/// How far offset and scale of depth move, all in all, when each entry moves by half a unit in its last place.
+/// The total change of depth's offset and scale when each entry changes by half a unit in its last place.
 struct DepthErrors {
   double offset = 0, scale = 0;
 };
@@ -114,7 +114,7 @@ DepthErrors depthErrors(const Mat4& m, bool float32, const ClipParts& parts) noe
     return (double{std::nextafter(entry, HUGE_VALF)} - double{entry}) / 2;
   };
   const double a = parts.lines[2].offset.hi, b = parts.lines[2].scale.hi, s = parts.scale.hi;
-  // The last column of perspective, A = z . w / s^2 and B = (z3 - A w3) / s, or of orthographic, A = z3 / s.
+  // Perspective's last column: A = z . w / s^2 and B = (z3 - A w3) / s. Orthographic's: A = z3 / s.
   DepthErrors errors;
   (parts.orthographic ? errors.offset : errors.scale) = (step(2, 3) + std::fabs(a) * step(3, 3)) / s;
   if (parts.orthographic) errors.scale = std::fabs(b) * step(3, 3) / s;  // B = |z| / s
@@ -123,7 +123,7 @@ DepthErrors depthErrors(const Mat4& m, bool float32, const ClipParts& parts) noe
       errors.scale += std::fabs(parts.axes[2][j].hi) * step(2, j) / s;
       continue;
     }
-    const double axis = w[j] / s, byW = (z[j] / s - 2 * a * axis) / s;  // of A by z[j], times s, and by w[j]
+    const double axis = w[j] / s, byW = (z[j] / s - 2 * a * axis) / s;  // A's derivatives by z[j], times s, and by w[j]
     errors.offset += std::fabs(axis) / s * step(2, j) + std::fabs(byW) * step(3, j);
     errors.scale +=
         std::fabs(axis / s * (w[3] / s)) * step(2, j) + std::fabs(byW * (w[3] / s) + b * axis / s) * step(3, j);
@@ -139,7 +139,7 @@ Interval around(DoubleDouble value, double error) noexcept {
   return {value, value - DoubleDouble(error), value + DoubleDouble(error)};
 }
 
-/// For b above 0, or reaching down to it.
+/// b must be above 0 or reach down to 0.
 PlaneDistance quotient(const Interval& a, const Interval& b) noexcept {
   const auto over = [](DoubleDouble end, DoubleDouble divisor) {
     return divisor.hi > 0 ? end / divisor : DoubleDouble(end.hi == 0 ? 0 : std::copysign(kInfinity, end.hi));
@@ -148,8 +148,8 @@ PlaneDistance quotient(const Interval& a, const Interval& b) noexcept {
           upperDouble(over(a.high, a.high.hi > 0 ? b.low : b.high)) + 0.0};
 }
 
-/// z / w = A + B / w is atNear at near: near = B / (atNear - A), and so on, with 1 / near > 1 / far >= 0. False where
-/// no near and far are so.
+/// Solves z / w = A + B / w, which is atNear at near: near = B / (atNear - A), and likewise far, with 1 / near > 1 /
+/// far >= 0. False if there is no such near and far.
 bool setPerspectiveDepth(MatrixLens& lens, DepthLine depth, DepthErrors errors, DepthEnds z) noexcept {
   const DoubleDouble sign = z.atNear > z.atFar ? 1 : -1;  // of B
   Interval b = around(depth.scale * sign, errors.scale);
@@ -165,7 +165,7 @@ bool setPerspectiveDepth(MatrixLens& lens, DepthLine depth, DepthErrors errors, 
   return true;
 }
 
-/// z = A + B W with B > 0 along the parts' forward; the camera's is that, or against it where depth is reversed.
+/// Solves z = A + B W, with B > 0 along the parts' forward. The camera's forward is opposite if depth is reversed.
 void setOrthographicDepth(MatrixLens& lens, DepthLine depth, DepthErrors errors, DepthEnds z) noexcept {
   const auto plane = [&](double d) {
     const Interval fromOffset = around(DoubleDouble(d) - depth.offset, errors.offset);
@@ -176,7 +176,7 @@ void setOrthographicDepth(MatrixLens& lens, DepthLine depth, DepthErrors errors,
   lens.zFar = plane(z.atFar);
 }
 
-/// The window, and the projection if there is one.
+/// Sets the window, and the projection if one can be made.
 void setWindow(MatrixLens& lens, const ClipParts& p, NdcY ndcY) {
   const auto edge = [](double ndc, DepthLine line) { return (DoubleDouble(ndc) - line.offset) / line.scale; };
   const DoubleDouble left = edge(-1, p.lines[0]), right = edge(1, p.lines[0]);
@@ -192,13 +192,13 @@ void setWindow(MatrixLens& lens, const ClipParts& p, NdcY ndcY) {
       lens.projection = made({true, left, right, bottom, top, near, far});
     else if (near > 0)
       lens.projection = made({false, left, right, bottom, top, near, far});
-  } catch (const CameraError&) {  // NOLINT: there is none
+  } catch (const CameraError&) {  // NOLINT: no projection
   }
 }
 
 // Poses
 
-/// The largest entry of M^T M - I of the 3x3.
+/// The largest entry of M^T M - I for the 3x3 part M.
 double rigidity(const Mat4& m) noexcept {
   double worst = 0;
   for (std::size_t i = 0; i < 3; ++i)
@@ -210,7 +210,7 @@ double rigidity(const Mat4& m) noexcept {
   return worst;
 }
 
-/// The point at which three rows are 0: exact until it is rounded.
+/// The point where three rows are 0, rounded at the end.
 DDVec3 commonPoint(const Row& a, const Row& b, const Row& c) noexcept {
   const Vector3<Dyadic<2>> bc = crossOf(b.axis, c.axis), ca = crossOf(c.axis, a.axis), ab = crossOf(a.axis, b.axis);
   WideVec3 point;
@@ -218,15 +218,15 @@ DDVec3 commonPoint(const Row& a, const Row& b, const Row& c) noexcept {
   return quotient(point, dot(a.axis, bc).rounded());
 }
 
-/// Of a view or its inverse, all of it divided by its last entry.
+/// The pose of a view matrix or its inverse, after division by its last entry.
 Pose poseOf(const Mat4& m, MatrixKind kind, CameraAxes axes, Handedness world) {
   const bool isView = kind == MatrixKind::view;
   if (m[3][3] == 1) return isView ? poseFromCameraFromWorld(m, axes, world) : poseFromWorldFromCamera(m, axes, world);
-  const Mat4 given = isView ? m : transposed(m);
+  const Mat4 vectorRows = isView ? m : transposed(m);
   const DoubleDouble by = DoubleDouble(1) / DoubleDouble(m[3][3]);
   std::array<DDVec3, 3> vectors;
   for (std::size_t i = 0; i < 3; ++i) {
-    const DDVec3 vector{given[i][0], given[i][1], given[i][2]};
+    const DDVec3 vector{vectorRows[i][0], vectorRows[i][1], vectorRows[i][2]};
     vectors[i] = vector * by;
   }
   if (!isView) return poseFromColumns(vectors, DDVec3{m[0][3], m[1][3], m[2][3]} * by, axes, world);
@@ -234,7 +234,7 @@ Pose poseOf(const Mat4& m, MatrixKind kind, CameraAxes axes, Handedness world) {
   return poseFromColumns(inverse(vectors), commonPoint(rows[0], rows[1], rows[2]), axes, world);
 }
 
-// The matrix taken one way
+// One reading of the matrix
 
 std::string text(const char* format, double number) {
   char out[200];
@@ -242,18 +242,18 @@ std::string text(const char* format, double number) {
   return out;
 }
 
-/// Which axes of its convention are not those, of the ones that its kind determines.
+/// The fields of the convention that differ from c, among those that the camera's kind determines.
 std::string differences(const MatrixCamera& camera, const Convention& c) {
-  const Convention& own = camera.convention;
+  const Convention& actual = camera.convention;
   std::string names;
   const auto add = [&](bool differs, const char* name) {
     if (differs) names += (names.empty() ? "" : ", ") + std::string(name);
   };
-  add(camera.pose && own.world != c.world, "world");
-  add(camera.kind != MatrixKind::viewProjection && own.view != c.view, "view");
-  add(camera.lens && own.ndcZ != c.ndcZ, "ndcZ");
-  add(camera.lens && own.reverseZ != c.reverseZ, "reverseZ");
-  add(camera.lens && own.ndcY != c.ndcY, "ndcY");
+  add(camera.pose && actual.world != c.world, "world");
+  add(camera.kind != MatrixKind::viewProjection && actual.view != c.view, "view");
+  add(camera.lens && actual.ndcZ != c.ndcZ, "ndcZ");
+  add(camera.lens && actual.reverseZ != c.reverseZ, "reverseZ");
+  add(camera.lens && actual.ndcY != c.ndcY, "ndcY");
   return names;
 }
 
@@ -262,7 +262,7 @@ class Solver {
   Solver(const Mat4& matrix, MatrixLayout layout, const MatrixQuery& query)
       : m_(matrix), layout_(layout), query_(query) {}
 
-  /// Finds the cameras that are asked for; what is wrong where there is none.
+  /// Finds the cameras that match the query. Returns what is wrong if there is none.
   std::string solve(bool anyScale) {
     anyScale_ = anyScale;
     const std::string fault = read();
@@ -271,7 +271,7 @@ class Solver {
   }
 
   std::vector<MatrixCamera> cameras;
-  bool isRefuted = false;  ///< of no use at any scale: the w row is as it should be
+  bool isRefuted = false;  ///< no scale would help: the w row is already as it should be
 
  private:
   std::string read() {
@@ -337,7 +337,7 @@ class Solver {
       }
   }
 
-  /// Projections where the axes are those of a view, else view-projections. False where there is no depth.
+  /// Adds projections if the axes are those of a view, otherwise view-projections. False if near and far do not fit.
   bool addClip(const ClipParts& parts, bool hasZeros) {
     const bool isProjection = hasZeros && m_[0][0] > 0 && query_.kind != MatrixKind::viewProjection;
     const MatrixKind kind = isProjection ? MatrixKind::projection : MatrixKind::viewProjection;
@@ -384,7 +384,7 @@ class Solver {
     return hasDepth;
   }
 
-  /// With its pose, if it is what is asked for; else why not.
+  /// Adds the camera with its pose if it matches the query; otherwise remembers why not.
   template <class MakePose>
   void add(MatrixCamera& camera, MakePose makePose) {
     if (query_.kind && *query_.kind != camera.kind) return;

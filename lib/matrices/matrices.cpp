@@ -21,7 +21,7 @@ constexpr DDMat4 kIdentity = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 
 
 // ---- What a projection does to distances X, Y, W along right, up, forward
 
-/// out = scale h + offset, and h = inverseScale out + inverseOffset, where h is X/W or Y/W, in orthographic X or Y.
+/// out = scale h + offset and h = inverseScale out + inverseOffset, with h = X/W or Y/W (in orthographic X or Y).
 struct AffineMap {
   DoubleDouble scale, offset, inverseScale, inverseOffset;
 };
@@ -34,17 +34,17 @@ AffineMap byScale(DoubleDouble scale, DoubleDouble offset) noexcept {
   return {scale, offset, DoubleDouble(1) / scale, -offset / scale};
 }
 
-/// To normalised device coordinates.
+/// Maps to normalised device coordinates.
 AffineMap ndcX(const ProjectionParts& p) noexcept {
   return byInverse(timesPowerOfTwo(p.right - p.left, 0.5), timesPowerOfTwo(p.right + p.left, 0.5));
 }
 
-AffineMap ndcY(const ProjectionParts& p, NdcY way) noexcept {
-  return byInverse(timesPowerOfTwo(p.top - p.bottom, way == NdcY::up ? 0.5 : -0.5),
+AffineMap ndcY(const ProjectionParts& p, NdcY direction) noexcept {
+  return byInverse(timesPowerOfTwo(p.top - p.bottom, direction == NdcY::up ? 0.5 : -0.5),
                    timesPowerOfTwo(p.top + p.bottom, 0.5));
 }
 
-/// To NDC or to the screen; depth is of 1/W, in orthographic of W.
+/// Maps to NDC or to the screen. depth is linear in 1/W, in orthographic in W.
 struct Lens {
   AffineMap x, y;
   DepthLine depth, inverseDepth;
@@ -62,7 +62,7 @@ Lens lensOf(const CameraParts& c, Space space) {
           inverseDepthLine(p, ends)};
 }
 
-/// From (X, Y, W, 1).
+/// The matrix from (X, Y, W, 1).
 DDMat4 lensFromAxes(const CameraParts& c, Space space) {
   const auto& [x, y, depth, inverse] = lensOf(c, space);
   if (c.projection.orthographic)
@@ -97,13 +97,13 @@ DDMat4 axesFromLens(const CameraParts& c, Space space) {
   }};
 }
 
-/// From (X, Y, W, 1) to view space, and back: view y and z run along or against up and forward.
+/// The matrix from (X, Y, W, 1) to view space, and back. View y and z are up and forward with a sign.
 DDMat4 viewAxes(const Convention& convention) noexcept {
   const AxisSigns sign = axisSigns(convention.view);
   return {{{1, 0, 0, 0}, {0, sign.up, 0, 0}, {0, 0, sign.forward, 0}, {0, 0, 0, 1}}};
 }
 
-/// The picture as NDC see it: screen = scale ndc + offset, for each of x, y, z.
+/// From NDC to the screen: screen = scale ndc + offset, for each of x, y, z.
 std::array<AffineMap, 3> viewportMaps(const Viewport& v, const Convention& c) noexcept {
   const ScreenCorner corner = screenCorner(v);
   const DoubleDouble halfWidth = v.width / 2, halfHeight = v.height / 2;
@@ -116,7 +116,7 @@ std::array<AffineMap, 3> viewportMaps(const Viewport& v, const Convention& c) no
 
 // ---- Points, directions and models
 
-/// Distances along right, up and forward. What cancels to less than its own error is 0.
+/// Distances along right, up and forward. A sum that cancels to less than its own error is 0.
 DDVec3 alongAxes(const PoseParts& pose, const Vec4& p) noexcept {
   const Vec3 xyz{p.x, p.y, p.z};
   DDVec3 d;
@@ -128,9 +128,9 @@ DDVec3 alongAxes(const PoseParts& pose, const Vec4& p) noexcept {
           along(pose.rows.forward, pose.residual.z)};
 }
 
-/// The same to 2^-90 of themselves, however they cancel.
+/// The same distances within 2^-90 relative, even if they cancel.
 DDVec3 preciselyAlongAxes(const PoseParts& pose, const Vec4& p) noexcept {
-  constexpr double kKept = 0x1p-8;  // of the terms' 2^-98
+  constexpr double kKept = 0x1p-8;  // of the terms, which are within 2^-98
   const DDVec3 near = alongAxes(pose, p);
   const Vec3& eye = pose.eye;
   const double size = std::fabs(p.x - p.w * eye.x) + std::fabs(p.y - p.w * eye.y) + std::fabs(p.z - p.w * eye.z) +
@@ -140,10 +140,10 @@ DDVec3 preciselyAlongAxes(const PoseParts& pose, const Vec4& p) noexcept {
   return {toDoubleDouble(exact.right), toDoubleDouble(exact.up), toDoubleDouble(exact.forward)};
 }
 
-/// | right    that of the world's origin |
-/// | up       ...                        |
-/// | forward  ...                        |
-/// | 0        1                          |
+/// | right    distance of the world's origin along right |
+/// | up       ...                                        |
+/// | forward  ...                                        |
+/// | 0        1                                          |
 DDMat4 axesFromWorld(const PoseParts& p) noexcept {
   const DDVec3 &x = p.rows.right, &y = p.rows.up, &z = p.rows.forward;
   const DDVec3 origin = preciselyAlongAxes(p, {0, 0, 0, 1});
@@ -160,7 +160,7 @@ DDMat4 worldFromAxes(const PoseParts& p) noexcept {
   return m;
 }
 
-/// Each column of the model's, as the axes see it.
+/// Each column of the model's matrix in distances along the axes.
 DDMat4 axesFromModel(const PoseParts& p, const Mat4& model) noexcept {
   DDMat4 m = kIdentity;
   for (std::size_t j = 0; j < 4; ++j) {
@@ -258,7 +258,7 @@ Mat4 rounded(const DDMat4& a) noexcept {
   return result;
 }
 
-/// Rounded once: a double-double next to the middle of two floats does not go by way of the double on it.
+/// Rounds once. A double-double close to the middle of two floats must not be rounded to double first.
 template <class Number>
 Number entry(const DoubleDouble& a) noexcept {
   const Number nearest = static_cast<Number>(a.hi + 0.0);
@@ -266,15 +266,15 @@ Number entry(const DoubleDouble& a) noexcept {
     const double rest = a.hi - double{nearest};
     const Number other =
         std::nextafter(nearest, std::copysign(std::numeric_limits<Number>::infinity(), static_cast<Number>(rest)));
-    // On the middle between the two, lo decides.
+    // Exactly in the middle of the two, lo decides.
     if (rest != 0 && std::isfinite(other) && rest == double{other} - a.hi && a.lo != 0 && (a.lo > 0) == (rest > 0))
       return other;
   }
   return nearest;
 }
 
-/// Calls use(row, column, place) for the place in memory of each entry: row vectors and columns first are one
-/// transposition each.
+/// Calls use(row, column, place) for each entry and its place in memory. Row vectors transpose the matrix, and
+/// column-major order transposes it too.
 template <class Use>
 void eachStored(const Convention& c, const Use& use) noexcept {
   const bool byColumns = (c.vectors == Vectors::row) != (c.storage == Storage::columnMajor);

@@ -26,7 +26,7 @@ constexpr DoubleDouble kArctangents[] = {
     {0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55},
 };
 
-constexpr int kTerms = 13, kInDouble = 4;  // of the series; the later ones are below 2^-43
+constexpr int kTerms = 13, kInDouble = 4;  // terms; from kInDouble on they are below 2^-43
 
 /// 1 / (2 n + 1).
 constexpr auto kOdd = [] {
@@ -37,7 +37,7 @@ constexpr auto kOdd = [] {
   return odd;
 }();
 
-/// Of |z| <= 1/32: z - z^3/3 + z^5/5 - ...
+/// For |z| <= 1/32: z - z^3/3 + z^5/5 - ...
 DoubleDouble arctangentOfSmall(DoubleDouble z) noexcept {
   const DoubleDouble minusSquare = -(z * z);
   double rest = 0;
@@ -62,7 +62,7 @@ DoubleDouble arctangent(DoubleDouble slope) noexcept {
 Direction directionOf(DoubleDouble angle) noexcept {
   const bool isSteep = angle.hi > kArctangents[16].hi;
   const DoubleDouble smaller = isSteep ? kQuarterTurn - angle : angle;
-  // Newton's steps double the digits: the first leaves what the second is sure to reach, whatever libm's last bits are.
+  // Each Newton step doubles the digits. Two steps are enough for any libm, whatever its last bits are.
   DoubleDouble tangent = std::tan(smaller.hi);
   for (int i = 0; i < 2; ++i) tangent += (smaller - arctangent(tangent)) * (DoubleDouble(1) + tangent * tangent);
   return isSteep ? Direction{1, tangent} : Direction{tangent, 1};

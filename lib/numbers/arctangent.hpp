@@ -1,14 +1,15 @@
-// The arctangent and the way back in double-double: bits and bounds that libm does not promise.
+// The arctangent and its inverse in double-double, with bits and bounds that libm does not guarantee.
 #pragma once
 
 #include "numbers/double_double.hpp"
 
 namespace viewproj::detail {
 
-/// The angle of this slope, in radians, for 0 <= slope < 2^900: within 2^-94 of itself.
+/// The angle of this slope in radians, for 0 <= slope < 2^900. The relative error is at most 2^-94.
 DoubleDouble arctangent(DoubleDouble slope) noexcept;
 
-/// The sine and the cosine of an angle from 0 to a quarter turn, divided by the larger: of the angle within 2^-94.
+/// The sine (across) and cosine (along) of an angle from 0 to a quarter turn, both divided by the larger one. The angle
+/// they represent is within 2^-94 relative.
 struct Direction {
   DoubleDouble across, along;
 };

@@ -21,7 +21,7 @@ const char* arithmeticFault() noexcept {
   if (one + small != one || one - small != one) return kRounding;
   if (least / 2 == 0 || subnormal * 0x1p100 == 0) return kFlushing;
 #endif
-  // What a compiler may have made of the library itself.
+  // Detects what a compiler may have done to the library itself.
   volatile double large = 1, low = 0x1p-60;
   if (twoSum(large, low).lo != low) return "this library was compiled to reorder its floating-point arithmetic";
   return nullptr;

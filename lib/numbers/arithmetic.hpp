@@ -1,9 +1,9 @@
-// The floating-point arithmetic that every promise of this library rests on (viewproj/camera.hpp).
+// The floating-point arithmetic that the library's accuracy depends on (viewproj/camera.hpp).
 #pragma once
 
 namespace viewproj::detail {
 
-/// What of it this thread lacks, or null. Takes nanoseconds.
+/// What is wrong with this thread's arithmetic, or null. Takes nanoseconds.
 const char* arithmeticFault() noexcept;
 
 }  // namespace viewproj::detail

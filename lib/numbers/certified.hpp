@@ -1,14 +1,14 @@
-// Double-double that knows how far it may be from the true number.
+// Double-double with a bound on its error.
 //
 // Running error analysis (Higham, Accuracy and Stability of Numerical Algorithms, 3.3) with the bounds of
-// double_double.hpp. A number that overflowed on the way is NaN, and so never certain; what underflowed is counted.
+// double_double.hpp. A number that overflowed on the way is NaN and never certain. Underflow is part of the bound.
 #pragma once
 
 #include "numbers/wide.hpp"
 
 namespace viewproj::detail {
 
-/// A number is certain if its error is at most this share of it: its sign is then decided, and so are its digits.
+/// A number is certain if its error is at most this share of it. Then its sign and digits are reliable.
 inline constexpr double kCertainShare = 0x1p-75;
 
 struct Certified {
@@ -23,12 +23,12 @@ struct Certified {
   static Certified difference(double a, double b) noexcept { return {twoDiff(a, b), 0}; }
 
   bool isExactlyZero() const noexcept { return value.hi == 0 && error == 0; }
-  /// Whether the error is a small share of a number of this size.
+  /// Whether the error is a small share of size.
   bool isWithin(double size) const noexcept {
     return std::isfinite(value.hi) && std::isfinite(size) && error <= kCertainShare * size;
   }
   bool isCertain() const noexcept { return isWithin(std::fabs(value.hi)); }
-  /// Of a certain number.
+  /// Only for a certain number.
   int sign() const noexcept { return value.hi > 0 ? 1 : value.hi < 0 ? -1 : 0; }
   Wide rounded() const noexcept { return {value, 0}; }
 };

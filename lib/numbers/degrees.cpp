@@ -45,7 +45,7 @@ DoubleDoubleSinCos sinCosUpTo45(DoubleDouble degrees) noexcept {
   return {sine * x, cosine};
 }
 
-/// Of kSinCosStep, in limbs.
+/// kSinCosStep as an exponent of limbs.
 constexpr int kStep = -7;
 static_assert(kSinCosStep == 0x1p-224);
 
@@ -68,7 +68,7 @@ DoubleDouble tanHalfRadians(DoubleDouble radians) noexcept {
   constexpr DoubleDouble kDegreesPerRadian{0x1.ca5dc1a63c1f8p+5, -0x1.1e7ab456405f9p-49};
   constexpr double kRadiansPerHalfDegree = 0x1.1df46a2529d39p-7;
   const DoubleDouble degrees = radians * kDegreesPerRadian;
-  // tan(a + b) = (tan a + tan b) / (1 - tan a tan b), where b, half the low part, is its own tangent.
+  // tan(a + b) = (tan a + tan b) / (1 - tan a tan b). Half the low part, b, is so small that it is its own tangent.
   const DoubleDouble tangent = tanHalfDegrees(degrees.hi), rest = degrees.lo * kRadiansPerHalfDegree;
   return (tangent + rest) / (DoubleDouble(1) - tangent * rest);
 }
@@ -79,7 +79,7 @@ double degreesOfHalfTangent(DoubleDouble tangent) noexcept {
   if (!(angle > 0)) return std::isnan(angle) ? angle : 0;
   if (tangent.hi > 1e17) return 180;
   angle = std::min(angle, 0x1.67fffffffffffp+7);  // the last double below 180
-  // The rest is an angle too: tan(a - b) = (tan a - tan b) / (1 + tan a tan b), and so small that it is its tangent.
+  // The remainder is an angle too, so small that it is its tangent: tan(a - b) = (tan a - tan b) / (1 + tan a tan b).
   const DoubleDouble there = tanHalfDegrees(angle);
   const DoubleDouble rest = (tangent - there) / (DoubleDouble(1) + tangent * there);
   return (DoubleDouble(angle) + rest * DoubleDouble(2 * kDegreesPerRadian)).hi;
@@ -87,8 +87,8 @@ double degreesOfHalfTangent(DoubleDouble tangent) noexcept {
 
 namespace {
 
-/// Of the angle whose sine and cosine are these times the product of the lengths: tan(angle / 2) = sin / (1 + cos), or
-/// (1 - cos) / sin, whichever does not cancel.
+/// The angle whose sine and cosine are these divided by lengths, the product of the vectors' lengths. tan(angle / 2) is
+/// sin / (1 + cos) or (1 - cos) / sin: the one that does not cancel.
 double degreesOfRatio(DoubleDouble sine, DoubleDouble cosine, DoubleDouble lengths) noexcept {
   return degreesOfHalfTangent(cosine.hi >= 0 ? sine / (lengths + cosine) : (lengths - cosine) / sine);
 }

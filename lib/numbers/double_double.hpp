@@ -54,10 +54,10 @@ constexpr DoubleDouble operator/(DoubleDouble a, DoubleDouble b) noexcept {
 
 constexpr DoubleDouble& operator+=(DoubleDouble& a, DoubleDouble b) noexcept { return a = a + b; }
 
-/// Of terms that each carry a relative error of up to 2^-99: what is left of them when they cancel to less is noise.
+/// Terms with a relative error of up to 2^-99 that cancel to less than this share leave only noise.
 inline constexpr double kCancellation = 0x1p-98;
 
-/// a + b, or 0 where the terms cancel to less than their own error: the nearest number that is known to be meant.
+/// a + b, or 0 if the terms cancel to less than their own error.
 constexpr DoubleDouble sumOrZero(DoubleDouble a, DoubleDouble b) noexcept {
   const DoubleDouble sum = a + b;
   const double size = sum.hi < 0 ? -sum.hi : sum.hi;
@@ -73,13 +73,13 @@ constexpr DoubleDouble timesPowerOfTwo(DoubleDouble a, double factor) noexcept {
   return {a.hi * factor, a.lo * factor};
 }
 
-/// a * 2^exponent likewise.
+/// a * 2^exponent, exact unless the low part underflows.
 inline DoubleDouble scaleByPowerOfTwo(DoubleDouble a, int exponent) noexcept {
   if (exponent >= -1000 && exponent <= 1000) return timesPowerOfTwo(a, powerOfTwo(exponent));
   return {std::ldexp(a.hi, exponent), std::ldexp(a.lo, exponent)};
 }
 
-/// Relative error at most 4 * 2^-106; 0 for 0.
+/// Relative error at most 4 * 2^-106. sqrt(0) is 0.
 inline DoubleDouble sqrt(DoubleDouble a) noexcept {
   if (a.hi == 0) return {};
   const double root = std::sqrt(a.hi);
@@ -87,12 +87,12 @@ inline DoubleDouble sqrt(DoubleDouble a) noexcept {
   return quickTwoSum(root, rest.hi / (2 * root));
 }
 
-/// Whether every number within the error rounds to the same double (Ziv's test).
+/// Whether all numbers within error of a round to the same double (Ziv's test).
 constexpr bool roundsAlike(DoubleDouble a, double error) noexcept {
   return a.hi + (a.lo + error) == a.hi && a.hi + (a.lo - error) == a.hi;
 }
 
-/// Half a unit in the last place of numbers up to this size, or the smallest double; infinite for a size that is not
+/// Half a unit in the last place of numbers of this size, at least the smallest double. Infinite for a size that is not
 /// finite.
 inline double halfUlp(double size) noexcept {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -102,7 +102,7 @@ inline double halfUlp(double size) noexcept {
   return std::max((std::nextafter(size, kInfinity) - size) / 2, std::numeric_limits<double>::denorm_min());
 }
 
-/// The double next to a number, not above and not below it.
+/// The largest double not above x, and the smallest not below it.
 inline double lowerDouble(const DoubleDouble& x) noexcept {
   return x.lo < 0 ? std::nextafter(x.hi, -std::numeric_limits<double>::infinity()) : x.hi;
 }

@@ -1,4 +1,4 @@
-// Exact sums and products of doubles: integers of many bits, times a power of two.
+// Exact sums and products of doubles: integers of many bits times a power of two.
 #pragma once
 
 #include <algorithm>
@@ -14,9 +14,9 @@
 
 namespace viewproj::detail {
 
-/// A sum of products of Degree doubles each. The doubles are below 2^320 in magnitude, however small: of such nothing
-/// is lost. A sum that would take more limbs, and what is made of an infinity or NaN, is NaN. Has the interface of
-/// Certified (certified.hpp), so that one formula serves both.
+/// A sum of products of Degree doubles each. The doubles are below 2^320 in magnitude and may be as small as any
+/// double, without loss. NaN if a sum needs more limbs than there are, or from an infinity or NaN. Has the interface of
+/// Certified (certified.hpp), so that one formula can use both.
 template <int Degree>
 class Dyadic {
  public:
@@ -28,10 +28,10 @@ class Dyadic {
   }
   template <int Other>
   requires(Other != Degree) explicit(Other > Degree)
-      Dyadic(const Dyadic<Other>& a) noexcept {  // NOLINT: implicit where it always fits
+      Dyadic(const Dyadic<Other>& a) noexcept {  // NOLINT: implicit if it always fits
     copy(a);
   }
-  /// The sum of limbs[i] 2^(32 (position + i)).
+  /// The sum of limbs[i] * 2^(32 (position + i)).
   Dyadic(int position, std::initializer_list<std::uint32_t> limbs) noexcept
       : size_(static_cast<int>(limbs.size())), position_(position) {
     std::copy(limbs.begin(), limbs.end(), limbs_.begin());
@@ -59,10 +59,10 @@ class Dyadic {
   static bool isCertain() noexcept { return true; }
   int sign() const noexcept { return size_ == 0 ? 0 : negative_ ? -1 : 1; }
 
-  /// Within 2^-104 relative.
+  /// Relative error at most 2^-104.
   Wide rounded() const noexcept {
     if (isNan_) return {std::numeric_limits<double>::quiet_NaN(), 0};
-    // The first five limbs, of which each is below the last place of the one before.
+    // The first five limbs. Each is below the last place of the one before.
     double part[5] = {}, power = 1;
     for (int i = size_ - 1, k = 0; i >= 0 && k < 5; --i, ++k, power *= 0x1p-32)
       part[k] = double(limbs_[std::size_t(i)]) * power;
@@ -72,7 +72,7 @@ class Dyadic {
     return {negative_ ? -sum : sum, 32 * (position_ + size_ - 1)};
   }
 
-  /// Without what is below 2^(32 position): towards zero.
+  /// Drops the digits below 2^(32 position): rounds towards zero.
   Dyadic truncated(int position) const noexcept {
     Dyadic result = *this;
     const int cut = std::clamp(position - position_, 0, size_);
@@ -83,7 +83,7 @@ class Dyadic {
     return result;
   }
 
-  /// The quotient, truncated likewise.
+  /// The quotient, truncated in the same way.
   Dyadic dividedBy(std::uint32_t divisor, int position) const noexcept {
     Dyadic quotient;
     quotient.negative_ = negative_;
@@ -146,7 +146,7 @@ class Dyadic {
   template <int Other>
   friend class Dyadic;
 
-  // A double's bits lie in limbs -34 to 9, and a sum may carry.
+  // A double's bits lie in limbs -34 to 9. A sum may carry into more.
   static constexpr int kCapacity = 44 * Degree + 4;
 
   static Dyadic nan() noexcept { return Dyadic(std::numeric_limits<double>::quiet_NaN()); }
@@ -162,7 +162,7 @@ class Dyadic {
 
   int end() const noexcept { return position_ + size_; }
 
-  /// |first| + |second|, or |first| - |second|, which is not below 0.
+  /// |first| + |second|, or |first| - |second|, which must not be negative.
   template <int A, int B>
   static Dyadic combined(const Dyadic<A>& first, const Dyadic<B>& second, bool subtract, bool negative) noexcept {
     const int low = std::min(first.position_, second.position_), high = std::max(first.end(), second.end());
@@ -191,7 +191,7 @@ class Dyadic {
     return result;
   }
 
-  /// Without zeros at either end.
+  /// Removes zero limbs at both ends.
   void trim() noexcept {
     while (size_ > 0 && limbs_[std::size_t(size_ - 1)] == 0) --size_;
     int zeros = 0;
@@ -202,7 +202,7 @@ class Dyadic {
     position_ += zeros;
   }
 
-  /// |a| < |b|.
+  /// Whether |a| < |b|.
   template <int A, int B>
   static bool isSmaller(const Dyadic<A>& a, const Dyadic<B>& b) noexcept {
     const auto endOfA = a.end(), endOfB = b.end();
@@ -212,12 +212,12 @@ class Dyadic {
       const std::uint32_t ofA = a.limbs_[std::size_t(a.size_ - i)], ofB = b.limbs_[std::size_t(b.size_ - i)];
       if (ofA != ofB) return ofA < ofB;
     }
-    return a.size_ < b.size_;  // neither ends with a zero
+    return a.size_ < b.size_;  // neither has a zero limb at its end
   }
 
   std::array<std::uint32_t, kCapacity> limbs_;  // least significant first
   int size_ = 0;
-  int position_ = 0;  // limbs_[0] counts 2^(32 position)
+  int position_ = 0;  // limbs_[0] counts multiples of 2^(32 position)
   bool negative_ = false, isNan_ = false;
 };
 
@@ -234,7 +234,7 @@ Dyadic<A + B> operator*(const Dyadic<A>& a, const Dyadic<B>& b) noexcept {
   return Dyadic<A + B>::product(a, b);
 }
 
-/// One sum, whose terms do not stand beside one another.
+/// Adds one product after the other, so that only one is in memory.
 template <int A, int B>
 Dyadic<A + B> dot(const Vector3<Dyadic<A>>& a, const Vector3<Dyadic<B>>& b) noexcept {
   Dyadic<A + B> sum;

@@ -2,8 +2,8 @@
 //
 // Valid while no intermediate overflows and no product's error underflows: |a|, |b| < 2^996 and |a*b| > 2^-969 (or
 // zero). Sources: Knuth (twoSum), Dekker 1971 (split, twoProd). They need strict IEEE arithmetic without contraction,
-// so the build passes -ffp-contract=off; what of the rest a compiler tells is refused here, and arithmetic.hpp looks at
-// what only a running thread knows.
+// so the build passes -ffp-contract=off. The compiler's other settings are checked here as far as it defines macros for
+// them; arithmetic.hpp checks what only a running thread can know.
 #pragma once
 
 #include <cfloat>
@@ -19,7 +19,7 @@
     "viewproj needs double arithmetic in doubles: on x86 of 32 bits -msse2 -mfpmath=sse; no -funsafe-math-optimizations"
 #endif
 
-// clang++ up to 14 does not tell of -funsafe-math-optimizations; it can be told to leave this alone.
+// clang++ up to 14 defines no macro for -funsafe-math-optimizations, but this pragma turns it off here.
 #ifdef __clang__
 #pragma float_control(precise, on, push)
 #endif

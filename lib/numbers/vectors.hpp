@@ -1,4 +1,4 @@
-// Vectors in double-double, and what is asked of plain ones.
+// Vectors in double-double, and functions of plain vectors.
 #pragma once
 
 #include <algorithm>
@@ -21,13 +21,13 @@ constexpr auto dot(const Vector3<A>& a, const Vector3<B>& b) noexcept {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/// a x b, of numbers that lose nothing, or say what they lose.
+/// a x b, for number types that are exact or keep an error bound.
 template <class A, class B>
 constexpr auto crossOf(const Vector3<A>& a, const Vector3<B>& b) noexcept {
   return Vector3<decltype(a.x * b.y)>{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// a . b, or 0 where the products cancel to less than the error of a and b.
+/// a . b, or 0 if the products cancel to less than the error of a and b.
 inline DoubleDouble dotOrZero(const DDVec3& a, const DDVec3& b) noexcept {
   const DDVec3 products{a.x * b.x, a.y * b.y, a.z * b.z};
   const DoubleDouble sum = products.x + products.y + products.z;
@@ -35,7 +35,7 @@ inline DoubleDouble dotOrZero(const DDVec3& a, const DDVec3& b) noexcept {
   return std::fabs(sum.hi) <= largest * kCancellation ? DoubleDouble() : sum;
 }
 
-/// a x b, each component 0 where its products cancel to less than the error of a and b.
+/// a x b. A component is 0 if its products cancel to less than the error of a and b.
 constexpr DDVec3 cross(const DDVec3& a, const DDVec3& b) noexcept {
   return {sumOrZero(a.y * b.z, -(a.z * b.y)), sumOrZero(a.z * b.x, -(a.x * b.z)), sumOrZero(a.x * b.y, -(a.y * b.x))};
 }
@@ -64,14 +64,14 @@ inline int exponentToUnit(const DDVec3& a) noexcept {
   return largest > 0 && std::isfinite(largest) ? -std::ilogb(largest) : 0;
 }
 
-/// 1 / |a|, for a that is not zero; scaled first, so that nothing overflows or underflows on the way.
+/// 1 / |a|, for a not zero. Scales first, so that nothing overflows or underflows on the way.
 inline DoubleDouble inverseLength(const DDVec3& a) noexcept {
   const int k = exponentToUnit(a);
   const DDVec3 scaled = scaleByPowerOfTwo(a, k);
   return scaleByPowerOfTwo(DoubleDouble(1) / sqrt(dot(scaled, scaled)), k);
 }
 
-/// a / |a|, for a that is not zero.
+/// a / |a|, for a not zero.
 inline DDVec3 normalized(const DDVec3& a) noexcept {
   const DDVec3 scaled = scaleByPowerOfTwo(a, exponentToUnit(a));
   return scaled * inverseLength(scaled);

@@ -1,4 +1,4 @@
-// Double-double with an exponent of its own: products of many coordinates neither overflow nor underflow.
+// Double-double with its own exponent: products of many coordinates neither overflow nor underflow.
 #pragma once
 
 #include <bit>
@@ -9,7 +9,7 @@
 
 namespace viewproj::detail {
 
-/// value * 2^exponent, with 1 <= |value| < 2; or zero. What is not finite stays so, and has no sign. Each operation is
+/// value * 2^exponent, with 1 <= |value| < 2, or zero. Infinities and NaN are kept and have sign 0. Each operation is
 /// within 2^-102 of the true result, relative to the larger operand in a sum.
 struct Wide {
   DoubleDouble value;
@@ -22,7 +22,7 @@ struct Wide {
     const int k = static_cast<int>(std::bit_cast<std::uint64_t>(a.hi) >> 52 & 0x7ff) - 1023;
     if (!std::isfinite(a.hi)) {
       value = a;
-    } else if (k < -1000 || k > 1000) {  // subnormal, or next to an end of the range
+    } else if (k < -1000 || k > 1000) {  // subnormal or near a limit of the range
       const int logarithm = std::ilogb(a.hi);
       value = scaleByPowerOfTwo(a, -logarithm);
       exponent = power + logarithm;
@@ -34,12 +34,12 @@ struct Wide {
 
   int sign() const noexcept { return !std::isfinite(value.hi) ? 0 : value.hi > 0 ? 1 : value.hi < 0 ? -1 : 0; }
 
-  /// The nearest double up to 0.5001 ulp (1 ulp if subnormal); infinite beyond the largest. Never -0.
+  /// The nearest double within 0.5001 ulp (1 ulp if subnormal). Infinite beyond the largest double. Never -0.
   explicit operator double() const noexcept { return scaleByPowerOfTwo(value, exponent).hi + 0.0; }
 };
 
-/// The double nearest a number that may be off by a share of itself, and whether every number within that has the same
-/// one. Of a subnormal one that is not known.
+/// The double nearest to a number, and whether every number within its relative error rounds to the same one. Never
+/// certain for a subnormal double.
 struct NearestDouble {
   double value;
   bool certain;
@@ -51,7 +51,7 @@ inline NearestDouble nearestDouble(const Wide& a, double share) noexcept {
   return {rounded, isNormal && std::isfinite(rounded) && roundsAlike(a.value, share * std::fabs(a.value.hi))};
 }
 
-/// The same of a number that is not.
+/// The double nearest to an exact number.
 inline double nearestDouble(const Wide& a) noexcept { return nearestDouble(a, 0).value; }
 
 using WideVec3 = Vector3<Wide>;
@@ -83,7 +83,7 @@ inline Wide sqrt(const Wide& a) noexcept {
 inline Wide magnitude(const Wide& a) noexcept { return a.sign() < 0 ? -a : a; }
 inline bool isLess(const Wide& a, const Wide& b) noexcept { return (a - b).sign() < 0; }
 
-/// a + b, or 0 where the terms cancel to less than their own error (kCancellation).
+/// a + b, or 0 if the terms cancel to less than their own error (kCancellation).
 inline Wide sumOrZero(const Wide& a, const Wide& b) noexcept {
   const Wide sum = a + b;
   return isLess(magnitude(a) * Wide(kCancellation), magnitude(sum)) || !std::isfinite(sum.value.hi) ? sum : Wide();
@@ -102,7 +102,7 @@ inline WideVec3 toWide(const Vec3& a) noexcept { return {a.x, a.y, a.z}; }
 inline double rounded(const Wide& a) noexcept { return nearestDouble(a); }
 inline Vec3 rounded(const WideVec3& a) noexcept { return {rounded(a.x), rounded(a.y), rounded(a.z)}; }
 
-/// The nearest doubles of a / |a|, for a that is not zero.
+/// a / |a| rounded to the nearest doubles, for a not zero.
 inline Vec3 unitOf(const WideVec3& a) noexcept { return rounded(a * (Wide(1) / lengthOf(a))); }
 
 }  // namespace viewproj::detail

@@ -16,7 +16,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double sumOfSizes(const Vec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
 
-/// What the bound of a coordinate depends on.
+/// What a coordinate's error bound depends on.
 struct Situation {
   double t;            ///< D / |W|, or D in orthographic
   double q;            ///< distance from the principal point, pixels
@@ -33,7 +33,7 @@ ErrorBound boundOfStandard(const CameraParts& c, const Situation& s) {
   const double center =
       std::max(std::fabs(k.centerX.lo), std::fabs(k.centerY.lo)) + kExactParameter * std::max(k.reachX, k.reachY);
   const double scale = std::fabs(k.depthScale.hi);
-  const double depth = std::isnan(s.depth) ? kInfinity : s.depth;  // nothing is promised of what there is not
+  const double depth = std::isnan(s.depth) ? kInfinity : s.depth;  // no bound for a depth that does not exist
   const double last = kUnit * depth + std::fabs(k.depthOffset.lo);
   if (k.orthographic)
     return {c1 * s.t + kUnit * s.position + center, scale * (c2 * s.t + 2 * kUnit * s.perDistance) + last};
@@ -42,7 +42,7 @@ ErrorBound boundOfStandard(const CameraParts& c, const Situation& s) {
           scale * s.perDistance * (c2 * s.t + kUnit + 2 * kUnit) + last};
 }
 
-/// Of a point that was projected exactly.
+/// The bound of a point that was projected exactly.
 ErrorBound boundOfExact(const CameraParts& c, const ScreenPoint& p) {
   if (p.status != PointStatus::inFront) return {kInfinity, kInfinity};
   const double size = std::max(std::fabs(p.x), std::fabs(p.y));
@@ -113,7 +113,7 @@ ErrorBound boundOfPoint(const Camera& camera, const Vec4& point, Precision preci
   s.perDistance = k.orthographic ? w : 1 / w;
   s.depth = std::fabs(p.depth);
   const ErrorBound bound = boundOfStandard(c, s);
-  // What standard cannot bound goes the exact way, and so does a distance too small to have an inverse.
+  // Points that standard cannot bound are projected exactly. So are points too near for an inverse of the distance.
   return std::isinf(bound.screen) || std::isinf(s.perDistance) ? boundOfExact(c, p) : bound;
 }
 

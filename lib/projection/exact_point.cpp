@@ -13,10 +13,10 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// A distance along the view of fewer than this many of its errors says too little of the pixel.
+/// If the distance along the viewing axis is less than this many of its errors, the pixel is too uncertain.
 constexpr double kInEyePlane = 0x1p60;
 
-/// A number, and how far it may be from the true one.
+/// A number and its largest error.
 struct Bounded {
   Wide value;
   Wide error;
@@ -24,14 +24,14 @@ struct Bounded {
 
 NearestDouble nearest(const Bounded& b) noexcept {
   if (b.value.sign() == 0) return {double(b.value), b.error.sign() == 0 && std::isfinite(b.value.value.hi)};
-  // Of the error, what a double rounds off is no matter.
+  // The error of rounding to double does not count.
   const double share =
       std::ldexp(b.error.value.hi / std::fabs(b.value.value.hi), b.error.exponent - b.value.exponent) * (1 + 0x1p-50);
   return nearestDouble(b.value, share < 1 ? share : 1);
 }
 
-/// A point's distances along the camera's axes times its weight, each off by at most `error`; forwardIsExact: forward
-/// by nothing.
+/// A point's distances along the camera's axes times its weight, each with an error of at most `error`. forwardIsExact:
+/// forward has no error.
 struct Distances {
   Wide right, up, forward;
   Wide error;
@@ -41,7 +41,7 @@ struct Distances {
   bool isDecided(const Wide& distance) const noexcept {
     return error.sign() == 0 || isLess(error, magnitude(distance));
   }
-  /// The weight divided out.
+  /// The distance with the weight divided out.
   Bounded inWorld(const Wide& distance) const noexcept {
     if (weight == 1) return {distance, error + Wide(kExactParameter) * magnitude(distance)};
     const Wide divided = distance / Wide(weight);
@@ -55,7 +55,7 @@ struct Distances {
   }
 };
 
-/// center + scale * h. reach: that of the center (ScreenMap).
+/// center + scale * h. reach: the center's, from ScreenMap.
 NearestDouble screenCoordinate(DoubleDouble center, double reach, DoubleDouble scale, const Bounded& h) noexcept {
   const Wide step = Wide(scale) * h.value;
   return nearest({sumOrZero(Wide(center), step),
@@ -80,7 +80,7 @@ NearestDouble windowDepth(const CameraParts& c, const Bounded& distance, bool di
   return nearest({first + second, range * ofDistance + Wide(kExactParameter) * (magnitude(first) + magnitude(second))});
 }
 
-/// Orthographic: a direction runs out of the picture through these sides.
+/// Orthographic: the sides through which a direction leaves the picture.
 ScreenPoint directionOut(const Distances& e) noexcept {
   const auto side = [](const Wide& a, Side below, Side above) {
     return a.sign() < 0 ? below : a.sign() > 0 ? above : 0;

@@ -1,5 +1,4 @@
-// A point's distances along the camera's axes: the one step that every projection begins with; and what a projection
-// ends with.
+// The first step of every projection, a point's distances along the camera's axes, and the last one, its result.
 #pragma once
 
 #include <limits>
@@ -10,20 +9,20 @@
 
 namespace viewproj::detail {
 
-/// Whether a point is one that is projected: finite, not 0 0 0 0, no farther than kFarthestPoint from the eye, a
-/// direction no longer; its weight 0 or between 1e-90 and 1e90 in magnitude.
+/// Whether a point can be projected: it is finite and not 0 0 0 0, a point is no farther than kFarthestPoint from the
+/// eye and a direction no longer, and the weight is 0 or between 1e-90 and 1e90 in magnitude.
 bool isInDomain(const Vec3& eye, const Vec4& point) noexcept;
 
-/// Distances along right, up and forward, still to be divided by the point's weight. Each is within 2^-99 of itself and
-/// the error, which only a pose of sines and cosines has: its rows are off by 2^-206 and more where up is near the
-/// view. Then a distance that cancels to less is 0, and a point nearer to the eye plane than 2^60 errors counts as on
-/// it. Otherwise 0 means 0, and the sign of forward is certain.
+/// Distances along right, up and forward, not yet divided by the point's weight. Each is within 2^-99 of itself plus
+/// the error. error is 0 unless the pose was made from sines and cosines, whose rows are off by 2^-206, and by more if
+/// up is near the viewing direction. Then a distance that cancels to less than the error is 0, and a point counts as on
+/// the eye plane if it is nearer to it than 2^60 errors. Otherwise 0 is exact and the sign of forward is certain.
 struct AxisDistances {
   Wide right, up, forward;
   Wide error;
 };
 
-/// From the exact rows, in about a microsecond. Of points that isInDomain.
+/// Computed from the exact rows in about a microsecond. The point must pass isInDomain.
 AxisDistances exactDistances(const PoseParts& pose, const Vec4& point) noexcept;
 
 /// A point that has no screen position.
@@ -35,11 +34,11 @@ inline ScreenPoint without(PointStatus status, double viewDistance) noexcept {
   return p;
 }
 
-/// Beyond which sides of the picture and of near and far, judged on the numbers that are given out.
+/// The sides of the picture, and near or far, that a point is beyond. Uses the rounded numbers of the result.
 inline std::uint8_t sidesBeyond(const CameraParts& c, const ScreenPoint& p) noexcept {
   const bool down = c.viewport.origin == Origin::topLeft;
   unsigned sides = 0;
-  // Written so that a NaN would be outside.
+  // A NaN counts as outside.
   if (!(p.x >= c.corners.first.x)) sides |= sideLeft;
   if (!(p.x <= c.corners.last.x)) sides |= sideRight;
   if (!(p.y >= c.corners.first.y)) sides |= down ? sideTop : sideBottom;
@@ -49,8 +48,7 @@ inline std::uint8_t sidesBeyond(const CameraParts& c, const ScreenPoint& p) noex
   return static_cast<std::uint8_t>(sides);
 }
 
-/// The screen position of any point, by exactDistances. What is not certain is a tie, or a number that cancels to about
-/// 0.
+/// The screen position of any point, from exactDistances. A number that is not certain is a tie or cancels to about 0.
 ScreenPoint exactToScreen(const CameraParts& camera, const Vec4& point) noexcept;
 
 }  // namespace viewproj::detail

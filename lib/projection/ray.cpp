@@ -15,17 +15,18 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr Vec3 kNoVector{kNaN, kNaN, kNaN};
 
-/// Written so that NaN fails.
+/// NaN fails.
 bool isInDomain(const Vec2& v) noexcept { return std::fabs(v.x) < kFarthestPoint && std::fabs(v.y) < kFarthestPoint; }
 
-/// On the plane at distance 1 from the eye, in orthographic on the plane through it. NaN where no point has this pixel.
+/// The point on the plane at distance 1 from the eye, in orthographic on the plane through it. NaN if no point has this
+/// pixel.
 WindowPoint windowAt(const CameraParts& c, const Vec2& screen) noexcept {
   if (c.lens) return beforeLens(c, screen);
   return {sumOrZero(screen.x, -c.screen.centerX) / c.screen.scaleX,
           sumOrZero(screen.y, -c.screen.centerY) / c.screen.scaleY};
 }
 
-/// The offset from the unrounded eye of the point there at a distance.
+/// The offset from the unrounded eye to the point at this distance.
 DDVec3 offsetAt(const CameraParts& c, const WindowPoint& window, DoubleDouble distance) noexcept {
   const auto [right, up] = window;
   const Axes& axes = c.pose.columns;
@@ -40,9 +41,9 @@ Vec3 worldPointAt(const CameraParts& c, const WindowPoint& window, DoubleDouble 
   return rounded(c.eye + offsetAt(c, window, distance));
 }
 
-/// Orthographic: the same by a shorter sum. False where its rounding is not certain.
+/// Orthographic: sets the same point with a shorter sum. False if its rounding is not certain.
 bool setOrigin(Vec3& origin, const CameraParts& c, const Vec2& screen, double distance) noexcept {
-  constexpr double kShare = 0x1p-95;  // of the terms: more than any way to add them up in double-double is off
+  constexpr double kShare = 0x1p-95;  // of the terms: more than the error of adding them in double-double in any order
   const DoubleDouble x = DoubleDouble(screen.x) - c.screen.centerX, y = DoubleDouble(screen.y) - c.screen.centerY;
   const double sizeX = std::fabs(screen.x) + std::fabs(c.screen.centerX.hi);
   const double sizeY = std::fabs(screen.y) + std::fabs(c.screen.centerY.hi);
@@ -69,14 +70,14 @@ Vec3 standardDirection(const CameraParts& c, const Vec2& screen) noexcept {
   return r.squaredLength < kLargestSquaredLength ? Vec3{r.x, r.y, r.z} : exactDirection(c, screen);
 }
 
-/// The point at a distance that is off by at most distanceError.
+/// The point at a distance whose error is at most distanceError.
 WorldPoint pointAt(const CameraParts& c, const WindowPoint& window, const Wide& distance,
                    const Wide& distanceError) noexcept {
   const Vec3 position = worldPointAt(c, window, toDoubleDouble(distance));
   if (!detail::isFinite(position)) return {kNoVector, DepthStatus::infinity};
   double bound = halfUlp(position.x) + halfUlp(position.y) + halfUlp(position.z);
   if (distanceError.sign() > 0 || !std::isfinite(distanceError.value.hi)) {
-    // How far the point moves with its distance.
+    // How far the point moves when its distance changes.
     const bool orthographic = c.projection.orthographic;
     const Wide slant = lengthOf(toWide(orthographic ? c.pose.columns.forward : offsetAt(c, window, 1)));
     bound += double(distanceError * slant);
@@ -104,7 +105,7 @@ WorldPoint screenToWorld(const Camera& camera, const Vec2& screen, double depth)
   if (std::isnan(window.up.hi)) return {kNoVector, DepthStatus::noRay};
   const ProjectionParts& p = c.projection;
   if (!hasDepth(p)) return {kNoVector, DepthStatus::beyond};
-  // How far the depth is from near's and from far's, as shares of the range.
+  // The depth's differences to near's and far's depth, as shares of the range.
   const Wide near = p.near, far = p.far, atNear = c.depthAtNear, atFar = c.depthAtFar, range = atFar - atNear;
   const Wide fromNear = (Wide(depth) - atNear) / range, fromFar = (atFar - Wide(depth)) / range;
   const Wide shareError = Wide(halfUlp(depth)) / magnitude(range);
@@ -113,7 +114,7 @@ WorldPoint screenToWorld(const Camera& camera, const Vec2& screen, double depth)
   const Wide nearOverDistance = std::isfinite(p.far) ? fromFar + fromNear * (near / far) : fromFar;
   if (!(nearOverDistance.sign() > 0)) return {kNoVector, DepthStatus::beyond};
   const Wide distance = near / nearOverDistance;
-  // Towards infinity the distance changes most: by shareError in the divisor, at most.
+  // The distance grows most towards infinity: the divisor changes by shareError at most.
   const Wide farthest = nearOverDistance - shareError;
   return pointAt(
       c, window, distance,

@@ -14,32 +14,33 @@ namespace {
 bool isDepth(Side side) noexcept { return side == sideNear || side == sideFar; }
 bool isUpright(Side side) noexcept { return side == sideLeft || side == sideRight; }
 
-/// sign (X - edge W) >= 0 of a window's edge, X or Y in X's place; sign (X - edge) >= 0 in orthographic and, of W, of
-/// near and far. across: the edge on the other side.
+/// Adds a plane: for a window's edge sign (X - edge W) >= 0, or Y instead of X; in orthographic sign (X - edge) >= 0;
+/// for near and far sign (W - edge) >= 0. across: the opposite edge.
 void add(FrustumParts& f, Side side, DoubleDouble edge, double across, double sign) noexcept {
   const CameraParts& c = parts(f.camera);
   const Axes& rows = c.pose.rows;
-  const DDVec3& left = c.pose.residual;
+  const DDVec3& residuals = c.pose.residual;
   const bool isTilted = !isDepth(side) && !c.projection.orthographic;
   const DDVec3& axis = isDepth(side) ? rows.forward : isUpright(side) ? rows.right : rows.up;
-  const DoubleDouble residual = isDepth(side) ? left.z : isUpright(side) ? left.x : left.y;
+  const DoubleDouble residual = isDepth(side) ? residuals.z : isUpright(side) ? residuals.x : residuals.y;
   const double reach = std::max(std::fabs(edge.hi), std::fabs(across));
   ExactPlane& p = f.planes[f.count];
   p.side = side;
   p.edge = edge;
   p.normal = isTilted ? toWide(axis) - toWide(rows.forward) * p.edge : toWide(axis);
-  p.offset = Wide(residual) - (isTilted ? p.edge * Wide(left.z) : p.edge);
+  p.offset = Wide(residual) - (isTilted ? p.edge * Wide(residuals.z) : p.edge);
   p.scale = Wide(sign) / lengthOf(p.normal);
   p.normal = p.normal * p.scale;
   p.offset = p.offset * p.scale;
   const double perLength = double(magnitude(p.scale));
   p.normalBound = kPlaneBound * (1 + (isTilted ? reach : 0)) * perLength;
-  p.offsetBound = p.normalBound * perLength * (std::fabs(residual.hi) + reach * (isTilted ? std::fabs(left.z.hi) : 1));
+  p.offsetBound =
+      p.normalBound * perLength * (std::fabs(residual.hi) + reach * (isTilted ? std::fabs(residuals.z.hi) : 1));
   const Vec3 n = rounded(p.normal);
   f.rounded[f.count++] = {side, {n.x, n.y, n.z, double(p.offset - dot(p.normal, toWide(c.pose.eye)))}};
 }
 
-/// A distance inside, and how far from the true one it may be.
+/// The signed distance to a plane, positive inside, and its error bound.
 struct Measured {
   Wide distance, bound;
 
@@ -51,7 +52,7 @@ Measured distance(const FrustumParts& f, const ExactPlane& p, const Vec3& point)
   return {dot(p.normal, v) + p.offset, Wide(p.normalBound) * oneNorm(v) + Wide(p.offsetBound)};
 }
 
-/// From the exact rows, in microseconds.
+/// Uses the exact rows. Takes microseconds.
 Measured exactDistance(const FrustumParts& f, const ExactPlane& p, const Vec3& point) noexcept {
   const CameraParts& c = parts(f.camera);
   const AxisDistances e = exactDistances(c.pose, {point.x, point.y, point.z, 1});
@@ -63,21 +64,21 @@ Measured exactDistance(const FrustumParts& f, const ExactPlane& p, const Vec3& p
   return {(along - edge) * p.scale, (size + ofRows) * magnitude(p.scale)};
 }
 
-/// Of a shape, the points that decide on which side of a plane it lies, and how much farther a sphere reaches.
+/// The points of a shape that decide on which side of a plane it lies. radius: how much farther a sphere reaches.
 struct Deciding {
   std::array<Vec3, 3> points;
   std::size_t count = 1;
   Wide radius = {};
 };
 
-/// The distances of a shape's point farthest inside a plane and of the one farthest beyond it.
+/// The distances of the shape's points that lie farthest inside and farthest outside a plane.
 struct Ends {
   Measured inmost, outmost;
 
   bool areCertain() const noexcept { return inmost.isCertain() && outmost.isCertain(); }
 };
 
-/// share: what of the radius the bound takes up.
+/// share: the part of the radius to add to the bound.
 template <class Measure>
 Ends endsOf(const Deciding& shape, double share, const Measure& measure) noexcept {
   Ends ends{measure(shape.points[0]), {}};
@@ -104,7 +105,7 @@ Cull verdictOf(const FrustumParts& f, const DecidingOn& decidingOn) noexcept {
     const auto& [inmost, outmost] = ends;
     const bool outside = isLess(inmost.distance + inmost.bound, 0);
     if (!outside && (result.verdict == CullVerdict::outside || !isLess(outmost.distance + outmost.bound, 0))) continue;
-    // Of outside, how far the whole shape is beyond; of intersects, how far a part of it is.
+    // For outside, how far the nearest point is beyond; for intersects, how far the farthest one is.
     const Wide beyond = outside ? inmost.distance : outmost.distance;
     const CullVerdict verdict = outside ? CullVerdict::outside : CullVerdict::intersects;
     if (verdict == result.verdict && !isLess(beyond, farthest)) continue;

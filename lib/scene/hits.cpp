@@ -12,7 +12,7 @@ namespace viewproj {
 using namespace detail;
 namespace {
 
-// Number is Certified or Dyadic<1>, of which products have more digits. A function that returns nothing has met a
+// Number is Certified or Dyadic<1>; products of Dyadic have more digits. A function returns nothing if it meets a
 // number that is not certain.
 
 template <class Number>
@@ -35,7 +35,7 @@ WideVec3 roundedVector(const Vector3<Number>& v) noexcept {
   return {v.x.rounded(), v.y.rounded(), v.z.rounded()};
 }
 
-/// A coordinate of a hit that is known beforehand.
+/// A coordinate of the hit that is already known.
 struct Known {
   std::size_t axis = 3;
   double coordinate = 0;
@@ -73,7 +73,7 @@ std::optional<Hits> planeHits(const Ray& ray, const Plane& plane) noexcept {
   return oneHit(*hit, unitOf(toWide(plane.normal)));
 }
 
-/// Volumes spanned by the direction and each edge, as seen from the origin: of one sign where the ray passes within.
+/// The volumes spanned by the direction and each edge, seen from the origin, have one sign if the ray passes inside.
 template <class Number>
 std::optional<Hits> triangleHits(const Ray& ray, const Triangle& t) noexcept {
   const Vector3<Number> d = lifted<Number>(ray.direction);
@@ -98,19 +98,19 @@ std::optional<Hits> triangleHits(const Ray& ray, const Triangle& t) noexcept {
   return oneHit(*hit, unitOf(roundedNormal));
 }
 
-/// A face of the box in the way of the ray, at t = (face - origin) / direction of its axis.
+/// Where the ray crosses the plane of a face, at t = (face - origin) / direction along that axis.
 struct Crossing {
   std::size_t axis;
   double face;
 };
 
 template <class Number>
-Number timesDirection(const Ray& ray, const Crossing& c) noexcept {  // t |direction|, of the axis
+Number timesDirection(const Ray& ray, const Crossing& c) noexcept {  // t |direction| of the axis
   return ray.direction[c.axis] > 0 ? Number::difference(c.face, ray.origin[c.axis])
                                    : Number::difference(ray.origin[c.axis], c.face);
 }
 
-/// t of a minus t of b, times something positive.
+/// (t of a - t of b) times a positive number.
 template <class Number>
 auto lead(const Ray& ray, const Crossing& a, const Crossing& b) noexcept {
   return timesDirection<Number>(ray, a) * Number(std::fabs(ray.direction[b.axis])) -
@@ -122,7 +122,7 @@ std::optional<Hit> boxHit(const Ray& ray, const Box& box, const Crossing& c) noe
   std::optional<Hit> hit = hitAt<Number>(ray, timesDirection<Number>(ray, c), Number(std::fabs(ray.direction[c.axis])),
                                          {c.axis, c.face + 0.0});
   if (!hit) return {};
-  // A flat box has two faces in one place: the ray enters by the one that looks towards it.
+  // A flat box has two faces in one place. The ray enters through the one that faces it.
   const bool isMax = c.face == box.max[c.axis] && (c.face != box.min[c.axis] || ray.direction[c.axis] < 0);
   hit->normal[c.axis] = isMax ? 1 : -1;
   hit->face = static_cast<BoxFace>(1 + 2 * c.axis + (isMax ? 1 : 0));
@@ -162,21 +162,21 @@ std::optional<Hits> boxHits(const Ray& ray, const Box& box) noexcept {
   return result;
 }
 
-/// In the coordinates in which a spheroid is a sphere, or back.
+/// To the coordinates in which a spheroid is a sphere, or back.
 WideVec3 stretched(const WideVec3& v, const Wide& across, const Wide& along) noexcept {
   return {v.x * across, v.y * across, v.z * along};
 }
 
-/// across^2 (x^2 + y^2) + along^2 z^2 = across^2 radius^2, of p - center. Stretched by (across, across, along) it is a
-/// sphere of radius across * radius.
+/// The surface across^2 (x^2 + y^2) + along^2 z^2 = across^2 radius^2, with (x, y, z) = p - center. Stretched by
+/// (across, across, along) it is a sphere of radius across * radius.
 struct Spheroid {
   Vec3 center;
   double across, along, radius;
 };
 
-/// With m and d the origin and the direction, stretched: t^2 A + 2 t B + C = 0, and the discriminant over across^2,
-/// which is radius^2 A - |m x d|^2 / across^2. Every point of the ray is m + t d = (d x (m x d)) / A + s d, whose first
-/// term is the point nearest the centre: no digits are lost however far the origin is.
+/// With m and d the stretched origin (from the center) and direction: t^2 A + 2 t B + C = 0. The discriminant over
+/// across^2 is radius^2 A - |m x d|^2 / across^2. Every point of the ray is m + t d = (d x (m x d)) / A + s d. The
+/// first term is the point nearest the centre, so no digits are lost however far the origin is.
 template <class Number>
 std::optional<Hits> spheroidHits(const Ray& ray, const Spheroid& s) noexcept {
   const Vector3<Number> m = difference<Number>(ray.origin, s.center);
@@ -189,10 +189,10 @@ std::optional<Hits> spheroidHits(const Ray& ray, const Spheroid& s) noexcept {
   const auto C = stretchedDot(m, m) - across2 * radius2;
   const auto B = stretchedDot(m, d);
   if (!C.isCertain() || (C.sign() >= 0 && !B.isCertain())) return {};
-  if (C.sign() > 0 && B.sign() >= 0) return Hits{};  // outside, and on the way out
+  if (C.sign() > 0 && B.sign() >= 0) return Hits{};  // outside, and moving away
   const auto A = stretchedDot(d, d);
   const auto k = crossOf(m, d);
-  auto discriminant = radius2 * A;  // one after the other: each term takes a kilobyte
+  auto discriminant = radius2 * A;  // one after the other, because each term takes a kilobyte
   discriminant = discriminant - along2 * (k.x * k.x + k.y * k.y);
   discriminant = discriminant - across2 * (k.z * k.z);
   if (!A.isCertain() || !discriminant.isCertain()) return {};
@@ -201,7 +201,7 @@ std::optional<Hits> spheroidHits(const Ray& ray, const Spheroid& s) noexcept {
   const Wide a = A.rounded(), b = B.rounded(), across = s.across, along = s.along;
   const Wide root = across * sqrt(discriminant.rounded());
   const Wide q = b.sign() < 0 ? root - b : -(b + root);
-  // From within, B may be uncertain; but beside the root of a certain discriminant its error is below 2^-85.
+  // From inside, B may be uncertain. But its error is below 2^-85 relative to the root of a certain discriminant.
   const double flattest = std::min(s.across / s.along, s.along / s.across);
   if (!isWithin(k, s.radius * maxAbs(ray.direction) * flattest)) return {};
 
@@ -214,7 +214,7 @@ std::optional<Hits> spheroidHits(const Ray& ray, const Spheroid& s) noexcept {
     if (t.sign() < 0) return;
     const bool starts = t.sign() == 0;
     const WideVec3 at = starts ? stretched(roundedVector(m), across, along)
-                               : nearest + direction * halfChord;  // stretched, from center
+                               : nearest + direction * halfChord;  // stretched, relative to center
     Hit hit;
     hit.distance = double(t * lengthOf(toWide(ray.direction)));
     hit.point = starts ? rounded(toWide(ray.origin))
@@ -237,7 +237,7 @@ bool isValid(const Ray& ray) noexcept {
   return isInRange(ray.origin) && isInRange(ray.direction) && maxAbs(ray.direction) > 0;
 }
 
-/// As certified has them or, where a number is not certain, exact. argument: the shape as they take it.
+/// The certified hits, or the exact ones if a number is not certain. argument: the shape in the form that both accept.
 template <class Shape, class Argument>
 Hits hitsOf(const Ray& ray, const Shape& shape, const Argument& argument,
             std::optional<Hits> (*certified)(const Ray&, const Argument&),

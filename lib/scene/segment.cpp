@@ -9,20 +9,20 @@ namespace viewproj {
 using namespace detail;
 namespace {
 
-/// A point on the way from a to b: the shares of b and of a in it, and the plane it lies on. Of ends that are many
-/// magnitudes apart the small share keeps its digits.
+/// A point between a and b: the weights of b and of a in it, and the plane it lies on. Two weights keep the digits of a
+/// small one when the ends are many magnitudes apart.
 struct Cut {
   Wide t, rest;
   std::uint8_t side = 0;
 };
 
-/// Nearer to b: by the smaller of the shares, which has the digits.
+/// Whether a is nearer to the segment's end b. Compares the smaller of the weights, which has more digits.
 bool isFurther(const Cut& a, const Cut& b) noexcept {
   const bool nearB = (a.rest - a.t).sign() < 0 && (b.rest - b.t).sign() < 0;
   return nearB ? (a.rest - b.rest).sign() < 0 : (b.t - a.t).sign() < 0;
 }
 
-SegmentEnd ownEnd(const Camera& camera, const Vec3& point, double t) noexcept {
+SegmentEnd originalEnd(const Camera& camera, const Vec3& point, double t) noexcept {
   const ScreenPoint p = worldToScreen(camera, point);
   return {t, {p.x, p.y}, p.depth, p.viewDistance, 0};
 }
@@ -41,7 +41,7 @@ SegmentEnd cutEnd(const CameraParts& c, const Vec3& a, const Vec3& b, const Cut&
                  double(Wide(c.constants.depthOffset) + (orthographic ? scale * w : scale / w)),
                  double(w),
                  cut.side};
-  // On the boundary it lies on it, to the last bit.
+  // Set the coordinate on the boundary exactly.
   const bool down = c.viewport.origin == Origin::topLeft;
   if (cut.side == sideLeft) end.screen.x = c.corners.first.x;
   if (cut.side == sideRight) end.screen.x = c.corners.last.x;
@@ -69,8 +69,8 @@ VisibleSegment clipSegment(const Frustum& frustum, const Vec3& a, const Vec3& b)
   if (isFurther(first, last)) return result;
   const CameraParts& c = parts(f.camera);
   result.visible = true;
-  result.start = first.side == 0 ? ownEnd(f.camera, a, 0) : cutEnd(c, a, b, first);
-  result.end = last.side == 0 ? ownEnd(f.camera, b, 1) : cutEnd(c, a, b, last);
+  result.start = first.side == 0 ? originalEnd(f.camera, a, 0) : cutEnd(c, a, b, first);
+  result.end = last.side == 0 ? originalEnd(f.camera, b, 1) : cutEnd(c, a, b, last);
   return result;
 }
 
@@ -78,12 +78,12 @@ double parameterUnder(const Frustum& frustum, const VisibleSegment& s, const Vec
   if (!s.visible) return std::numeric_limits<double>::quiet_NaN();
   const double dx = s.end.screen.x - s.start.screen.x, dy = s.end.screen.y - s.start.screen.y;
   const double size = std::hypot(dx, dy);
-  // Seen end on, its nearer end is what is seen.
+  // Seen end on, only the nearer end is visible.
   if (!(size > 0)) return s.start.viewDistance <= s.end.viewDistance ? s.start.t : s.end.t;
   const double along = ((pixel.x - s.start.screen.x) * (dx / size) + (pixel.y - s.start.screen.y) * (dy / size)) / size;
   double share = std::clamp(along, 0.0, 1.0);
   if (!parts(parts(frustum).camera).projection.orthographic) {
-    // On the screen a share s of the way, in space the share s w0 / ((1 - s) w1 + s w0).
+    // A share s of the way on the screen is the share s w0 / ((1 - s) w1 + s w0) in space.
     const double w0 = s.start.viewDistance / s.end.viewDistance;
     share = share * w0 / ((1 - share) + share * w0);
   }

@@ -1,11 +1,11 @@
-// A camera: where it stands, what part of space it sees, the pixels of its picture, and the convention of its numbers.
+// A camera: its pose, the part of space it sees, the pixels of its picture, and the convention of its numbers.
 //
-// Pose, Projection and Camera are made whole or not at all, and cannot be changed afterwards: any number of threads may
-// use and copy one at the same time. A copy shares its numbers.
+// Pose, Projection and Camera are complete when constructed and cannot change afterwards. Any number of threads may use
+// and copy one at the same time. A copy shares its numbers.
 //
-// Every promise of this library rests on IEEE arithmetic: a thread that calls it rounds to the nearest, ties to even,
-// and keeps subnormal numbers: no other fesetround, no flush-to-zero, no denormals-are-zero (which -ffast-math turns on
-// in whatever is linked with it, for all of the program). makeCamera looks for it; what is called later does not.
+// The library's accuracy depends on IEEE arithmetic. A thread that calls it must round to nearest, ties to even, and
+// keep subnormal numbers: no other fesetround mode, no flush-to-zero and no denormals-are-zero (-ffast-math in any
+// linked file turns those on for the whole program). makeCamera checks this; later calls do not.
 #pragma once
 
 #include <array>
@@ -27,14 +27,14 @@ struct ProjectionParts;
 struct CameraParts;
 }  // namespace detail
 
-/// Each number of a camera but its angles is 0 or between these in magnitude (the Planck length and the observable
-/// universe lie well inside), and so are its window's width and height; far may also be infinite. Others are refused.
+/// Every number of a camera except angles is 0 or between these in magnitude, and so are the window's width and height.
+/// far may also be infinite. Other numbers are refused. The Planck length and the observable universe lie well inside.
 inline constexpr double kSmallestNumber = 1e-90, kLargestNumber = 1e90;
 
-/// Thrown while a camera is described, never while points are projected.
+/// Thrown only while a camera is being described, never while points are projected.
 class CameraError : public std::invalid_argument {
  public:
-  /// field: the parameter at fault, named as in a camera file ("up", "far", "viewport.width", ...).
+  /// field: the wrong parameter, named as in a camera file ("up", "far", "viewport.width", ...).
   CameraError(std::string field, const std::string& message)
       : std::invalid_argument(field + ": " + message), field_(std::move(field)), message_(message) {}
 
@@ -47,24 +47,24 @@ class CameraError : public std::invalid_argument {
 
 // ---- Pose
 
-/// x, y, z, w; need not be of unit length.
+/// x, y, z, w of a rotation; any length but 0.
 struct Quaternion {
   double x = 0, y = 0, z = 0, w = 1;
 };
 
-/// Where a camera stands and how it is turned. Held to more digits than doubles have.
+/// The position and orientation of a camera, kept to more digits than doubles have.
 class Pose {
  public:
   Pose(const Pose&) noexcept = default;
   Pose& operator=(const Pose&) noexcept = default;
 
-  /// World coordinates. Of a view matrix the double nearest its eye.
+  /// Position in world coordinates. For a view matrix, the double nearest to its exact eye.
   Vec3 eye() const noexcept;
-  /// The camera's axes in the world, rounded: unit vectors, at right angles as far as kPoseOrthogonality allows.
+  /// The camera's axes in the world, rounded to unit vectors. They are at right angles within kPoseOrthogonality.
   Vec3 right() const noexcept;
   Vec3 up() const noexcept;
   Vec3 forward() const noexcept;
-  /// The handedness of the world that the axes fit.
+  /// The handedness of the world that these axes fit.
   Handedness world() const noexcept;
 
  private:
@@ -74,56 +74,56 @@ class Pose {
   std::shared_ptr<const detail::PoseParts> parts_;
 };
 
-/// How far a pose matrix's 3x3 may be from orthogonal: the largest entry of M^T M - I.
+/// The largest entry of M^T M - I that is allowed for the 3x3 part M of a pose matrix.
 inline constexpr double kPoseOrthogonality = 1e-3;
 
-// Each of these throws CameraError naming the parameter that is not finite, zero or degenerate. Degeneracy is decided
-// exactly, without an epsilon: a direction that differs from up by the last bit gives a valid camera. The axes come out
-// within 2^-100 of the true ones, whatever the magnitudes.
+// Each of these functions throws a CameraError that names the parameter that is not finite, zero or degenerate.
+// Degeneracy is decided exactly, without an epsilon: a direction that differs from up in the last bit gives a valid
+// camera. The axes are within 2^-100 of the true ones, whatever the magnitudes.
 
-/// Looks along direction, with up upwards in the picture. The sign of the right axis follows the world's handedness:
-/// direction x up in a right-handed world, up x direction in a left-handed one.
+/// Looks along direction, with up pointing up in the picture. The right axis is direction x up in a right-handed world
+/// and up x direction in a left-handed one.
 Pose lookAlong(const Vec3& position, const Vec3& direction, const Vec3& up, Handedness world);
 
-/// Looks at target; the difference target - position is exact.
+/// Looks at target. The difference target - position is exact.
 Pose lookAt(const Vec3& position, const Vec3& target, const Vec3& up, Handedness world);
 
-/// A rotation from the camera's axes to the world. Throws if axes has not the world's handedness.
+/// A rotation from the camera's axes to the world. Throws if axes do not fit the world's handedness.
 Pose poseFromRotation(const Vec3& position, const Quaternion& worldFromCamera, CameraAxes axes, Handedness world);
 
-/// A matrix from the camera's axes to the world, column vectors, last row 0 0 0 1. Used as given and inverted exactly.
+/// A matrix from the camera's axes to the world, for column vectors, with last row 0 0 0 1. It is inverted exactly.
 Pose poseFromWorldFromCamera(const Mat4& worldFromCamera, CameraAxes axes, Handedness world);
 
-/// The inverse of the above: a view matrix.
+/// A view matrix: the inverse of the matrix above.
 Pose poseFromCameraFromWorld(const Mat4& cameraFromWorld, CameraAxes axes, Handedness world);
 
-/// From the camera's axes along the world's by three turns in degrees, each about an axis (0, 1, 2 for x, y, z) of the
-/// camera as the turns before left it: about x from y towards z, and so on. Quarter turns are exact. Throws naming
-/// "euler" where an axis or an angle is no such number, "rotation" if axes has not the world's handedness.
+/// Three turns in degrees, each about the camera's own axis (0, 1, 2 for x, y, z) as the turns before left it. The
+/// camera's axes start along the world's. Positive turns go from y to z about x, and so on. Quarter turns are exact.
+/// Throws naming "euler" if an axis or an angle is invalid, "rotation" if axes do not fit the world's handedness.
 struct Turn {
   int axis = 0;
   double degrees = 0;
 };
 Pose poseFromTurns(const Vec3& position, const std::array<Turn, 3>& turns, CameraAxes axes, Handedness world);
 
-/// The camera's x, y, z axes in the world and its eye where they come of arithmetic with more digits than doubles have.
-/// Names "columns" and "position" where they are wrong. The inverse of the columns counts as exact from there on.
+/// The camera's x, y, z axes and its eye in the world, from arithmetic with more digits than doubles have. Throws
+/// naming "columns" or "position". The rounded inverse of the columns counts as exact afterwards.
 Pose poseFromColumns(const std::array<SplitVec3, 3>& columns, const SplitVec3& eye, CameraAxes axes, Handedness world);
 
-/// The same axes at another eye. Throws naming "position" where it is not finite.
+/// The same axes at another eye. Throws naming "position" if it is not finite or out of range.
 Pose movedTo(const Pose& pose, const Vec3& eye);
 
 // ---- Viewport
 
-/// The corner that screen y is counted from: downwards from the top left, upwards from the bottom left.
+/// The corner where screen y starts: y runs down from the top left, or up from the bottom left.
 enum class Origin { topLeft, bottomLeft };
 
-/// The rectangle of pixels a picture fills. Pixel values are positions: the centre of pixel (i, j) is
-/// (i + pixelCenter, j + pixelCenter).
+/// The rectangle of pixels that a picture fills. Pixel values are positions:
+/// the centre of pixel (i, j) is (i + pixelCenter, j + pixelCenter).
 struct Viewport {
   double width = 0, height = 0;            ///< pixels, > 0
-  double x = 0, y = 0;                     ///< where the corner of the picture lies on the screen
-  double depthFirst = 0, depthSecond = 1;  ///< window depth of near and far; exchanged by reverseZ
+  double x = 0, y = 0;                     ///< screen position of the picture's corner
+  double depthFirst = 0, depthSecond = 1;  ///< window depth of near and far; reverseZ swaps them
   Origin origin = Origin::topLeft;
   double pixelCenter = 0.5;
 };
@@ -133,13 +133,13 @@ struct Crop {
   double x = 0, y = 0, width = 0, height = 0;
 };
 
-/// How many of its widths (heights) a viewport's corner, and its pixels' centre, may lie away from 0.
+/// Largest distance from 0 of a viewport's corner and of its pixel centre, in widths (heights) of the viewport.
 inline constexpr double kLargestCorner = 0x1p40;
 
-/// The tile as a viewport of its own, whose corner lies where the whole picture's did.
+/// The tile as a viewport of its own. Its corner is the corner of the whole picture.
 Viewport cropped(const Viewport& viewport, const Crop& crop);
 
-/// Screen positions of the picture's edges: of the corner that x and y are counted from, and of the one across.
+/// Screen positions of two opposite corners of the picture; x and y are counted from first.
 struct PictureCorners {
   Vec2 first, last;
 };
@@ -147,28 +147,28 @@ PictureCorners pictureCorners(const Viewport& viewport) noexcept;
 
 // ---- Projection
 
-/// What an angle of view spans: the picture's height, its width, or from corner to corner.
+/// The extent that an angle of view spans: the picture's height, its width or its diagonal.
 enum class Fov { vertical, horizontal, diagonal };
 
-/// What part of space a camera sees: four window edges, near and far.
+/// The part of space that a camera sees: four window edges, near and far.
 class Projection {
  public:
   Projection(const Projection&) noexcept = default;
   Projection& operator=(const Projection&) noexcept = default;
 
   bool isOrthographic() const noexcept;
-  /// Edges are distances along the right and the up axis: in perspective on the plane at distance 1 from the eye
-  /// (tangents), in orthographic anywhere. Rounded.
+  /// Edges are distances along the right and up axes, rounded. In perspective they lie on the plane at distance 1 from
+  /// the eye (tangents); in orthographic they are the same at every distance.
   double left() const noexcept;
   double right() const noexcept;
   double bottom() const noexcept;
   double top() const noexcept;
-  /// Distances along the viewing axis. In perspective zNear may be 0, for no near plane, and zFar infinite.
+  /// Distances along the viewing axis. In perspective zNear may be 0 (no near plane) and zFar may be infinite.
   double zNear() const noexcept;
   double zFar() const noexcept;
   /// Width / height of the window, rounded.
   double aspect() const noexcept;
-  /// In degrees, within an ulp for edges up to 1e150; of the two diagonals the wider one. NaN in orthographic.
+  /// Angle of view in degrees, within an ulp for edges up to 1e150; the larger diagonal. NaN in orthographic.
   double fov(Fov of) const noexcept;
 
  private:
@@ -180,11 +180,11 @@ class Projection {
 
 inline constexpr double kInfiniteFar = std::numeric_limits<double>::infinity();
 
-// Each function throws CameraError naming the parameter at fault. Perspective needs 0 <= zNear < zFar <= infinity,
-// orthographic finite zNear < zFar. Edges come out within 2^-98 of the true ones, relative to the wider of the two.
-// A perspective with zNear 0 has no near plane, and so no depth: its points have a pixel and a distance, and depth NaN.
+// Each function throws a CameraError that names the wrong parameter. Perspective needs 0 <= zNear < zFar <= infinity,
+// orthographic needs finite zNear < zFar. Edges are within 2^-98 of the true ones, relative to the larger of each pair.
+// A perspective with zNear 0 has no near plane and no depth: points have a pixel and a distance, but depth NaN.
 
-/// A number alone is degrees. Nothing is rounded from one unit to the other.
+/// A plain number is in degrees. Radians are used directly, without rounding to degrees.
 struct Angle {
   constexpr Angle(double degrees) noexcept : value(degrees) {}  // NOLINT(google-explicit-constructor)
   static constexpr Angle radians(double radians) noexcept {
@@ -197,7 +197,7 @@ struct Angle {
   bool isRadians = false;
 };
 
-/// Width / height of a picture: the exact ratio, which 1920 / 1080 as a double is not.
+/// Width / height of a picture as an exact ratio. 1920 / 1080 as a double would be rounded.
 struct Aspect {
   constexpr Aspect(double ratio) noexcept : width(ratio) {}  // NOLINT(google-explicit-constructor)
   constexpr Aspect(double pictureWidth, double pictureHeight) noexcept : width(pictureWidth), height(pictureHeight) {}
@@ -207,48 +207,48 @@ struct Aspect {
   double width, height = 1;
 };
 
-/// angle: the full one, above 0 and below 180 degrees. Names "fovY", "fovX" or "fovDiagonal" where it is not.
+/// angle: the full angle, above 0 and below 180 degrees. Otherwise throws naming "fovY", "fovX" or "fovDiagonal".
 Projection perspective(Angle angle, Aspect aspect, double zNear, double zFar = kInfiniteFar, Fov of = Fov::vertical);
 
-/// The window's width and height on the near plane (XMMatrixPerspectiveLH), with zNear above 0.
+/// The window's width and height on the near plane (XMMatrixPerspectiveLH). zNear must be above 0.
 Projection perspectiveNearSize(double nearWidth, double nearHeight, double zNear, double zFar);
 
-/// focalLength and the sensor's sides in one unit; a sensor side of 0 follows from the other and aspect.
+/// focalLength and the sensor's sides have the same unit. A sensor side of 0 is computed from the other one and aspect.
 Projection perspectiveFocalLength(double focalLength, double sensorWidth, double sensorHeight, Aspect aspect,
                                   double zNear, double zFar);
 
-/// Edges on the near plane (glFrustum), with zNear above 0.
+/// Edges on the near plane (glFrustum). zNear must be above 0.
 Projection frustum(double left, double right, double bottom, double top, double zNear, double zFar);
 
 /// Edges on the plane at distance 1 from the eye: tangents.
 Projection perspectiveWindow(double left, double right, double bottom, double top, double zNear, double zFar);
 
-/// Edges anywhere along the view (glOrtho); zNear may be negative.
+/// Edges at any distance (glOrtho). zNear may be negative.
 Projection orthographic(double left, double right, double bottom, double top, double zNear, double zFar);
 
-/// Around the viewing axis, of this height or width; the other side follows from aspect.
+/// A window of this height or width, centred on the viewing axis. The other side is computed from aspect.
 Projection orthographicHeight(double height, Aspect aspect, double zNear, double zFar);
 Projection orthographicWidth(double width, Aspect aspect, double zNear, double zFar);
 
-/// Focal lengths and principal point in pixels of the viewport, as its origin and pixelCenter count them.
+/// Focal lengths and principal point in pixels. The viewport's origin and pixelCenter apply to the principal point.
 Projection intrinsics(double fx, double fy, double cx, double cy, const Viewport& viewport, double zNear, double zFar);
 
-/// The picture moved right by dx and up by dy half-widths and half-heights (lens shift, jitter).
+/// Moves the picture right by dx half-widths and up by dy half-heights (lens shift, jitter).
 Projection shifted(const Projection& projection, double dx, double dy);
 
-/// The window of a tile of the viewport's picture; its viewport is cropped(viewport, crop).
+/// The window of a tile of the viewport's picture. The tile's viewport is cropped(viewport, crop).
 Projection cropped(const Projection& projection, const Viewport& viewport, const Crop& crop);
 
 // ---- Camera
 
-/// Pixels for a unit of the window, both above 0, and where the viewing axis meets the screen, as the viewport counts.
-/// Each is rounded once; of a perspective, intrinsics(...) makes the projection again but for that rounding.
+/// fx, fy: pixels per unit of the window, above 0. cx, cy: the screen position of the viewing axis. Each is rounded
+/// once. In perspective, intrinsics(...) makes the same projection from them, apart from that rounding.
 struct Intrinsics {
   double fx = 0, fy = 0, cx = 0, cy = 0;
 };
 
-/// Window depths, reverseZ taken into account: atInfinity, which orthographic has not, is the limit along the view.
-/// What does not exist is NaN, all of it without a near plane.
+/// Window depths, with reverseZ applied. atInfinity is the limit along the viewing axis, NaN in orthographic. All are
+/// NaN without a near plane.
 struct WindowDepths {
   double atNear, atFar, atInfinity;
 };
@@ -273,13 +273,12 @@ class Camera {
   std::shared_ptr<const detail::CameraParts> parts_;
 };
 
-/// Throws CameraError where a number of the viewport is out of range, where the pose is not of the convention's
-/// handedness, where window and viewport leave no doubles to tell pixels apart, and where this thread's arithmetic is
-/// not IEEE's. Takes a few microseconds: build once, use for every point.
+/// Throws CameraError if a number of the viewport is out of range, if the pose does not fit the convention's
+/// handedness, or if this thread's arithmetic is not IEEE's. Takes a few microseconds: reuse the camera.
 Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport& viewport,
                   const Convention& convention = {});
 
-/// The camera of a tile of the picture: window and viewport together.
+/// The camera of a tile of the picture, with the tile's window and viewport.
 Camera cropped(const Camera& camera, const Crop& crop);
 
 }  // namespace viewproj

@@ -1,6 +1,6 @@
-// Sixteen numbers read backwards: every camera, and every convention, that a matrix can have been written from.
+// Finds every camera, and every convention, that a 4x4 matrix can have been written from.
 //
-// Nothing is guessed: where the numbers admit several cameras, all of them are given.
+// Nothing is guessed: if several cameras fit the numbers, all of them are returned.
 #pragma once
 
 #include <optional>
@@ -11,78 +11,77 @@
 
 namespace viewproj {
 
-/// What a camera's matrix maps. Each determines some axes of the convention, and no others.
+/// What a camera's matrix maps. The comments name the fields of the convention that each kind determines.
 enum class MatrixKind {
   projection,      ///< clipFromView: view, ndcZ, reverseZ, ndcY
-  view,            ///< viewFromWorld: world and view, each given the other
-  worldFromView,   ///< the inverse of that: world and view
-  viewProjection,  ///< clipFromWorld: ndcZ, reverseZ, and world and ndcY, each given the other
+  view,            ///< viewFromWorld: world and view, each if the other is known
+  worldFromView,   ///< the inverse of a view: world and view
+  viewProjection,  ///< clipFromWorld: ndcZ, reverseZ, and world and ndcY, each if the other is known
 };
 
-/// How sixteen numbers that stand in four rows make the matrix M of y = M x.
+/// How sixteen numbers, written in four rows, make the matrix M of y = M x.
 enum class MatrixLayout {
   asWritten,   ///< row i of M is row i
   transposed,  ///< column i of M is row i
   either,      ///< the matrix is symmetric
 };
 
-/// The distance of near or far, and the interval that the rounding of the matrix's entries leaves it. low and high are
-/// infinite where far is; high alone is where the entries do not determine it.
+/// The distance of near or far, and the interval it may lie in because the matrix's entries are rounded. low and high
+/// are infinite if far is; only high is infinite if the entries do not determine it.
 struct PlaneDistance {
   double value = 0, low = 0, high = 0;
 };
 
-/// What a projection or a view-projection tells of the lens. That of an orthographic view-projection is counted from
-/// the world's origin, for the eye is not in such a matrix.
+/// The projection in a projection or view-projection matrix. An orthographic view-projection has no eye: its edges and
+/// distances are counted from the world's origin.
 struct MatrixLens {
   bool orthographic = false;
   double left = 0, right = 0, bottom = 0, top = 0;  ///< as in Projection
   PlaneDistance zNear, zFar;
-  bool beyondInfinity = false;           ///< infinite, with infinity a little inside the range ("tweaked")
-  std::optional<Projection> projection;  ///< none where near and far are not determined well enough to be a camera's
+  bool beyondInfinity = false;           ///< infinite far, with depth at infinity slightly inside the range ("tweaked")
+  std::optional<Projection> projection;  ///< empty if near and far are not determined well enough for a camera
 };
 
-/// A camera that a matrix can be of.
+/// A camera that fits a matrix.
 struct MatrixCamera {
   MatrixKind kind = MatrixKind::projection;
   MatrixLayout layout = MatrixLayout::asWritten;
-  Convention convention;  ///< of it the axes that the kind determines
-  double scale = 1;       ///< all sixteen numbers are this times the usual ones; the picture is the same
-  /// How far the axes are from right angles: of a view the largest entry of M^T M - I, else the largest cosine between
-  /// two axes, or the part of the z row across the w row.
+  Convention convention;  ///< only the fields that the kind determines are meaningful
+  double scale = 1;       ///< all sixteen numbers are the usual ones times this; the picture is the same
+  /// How far the axes are from right angles. For a view or its inverse, the largest entry of M^T M - I. Otherwise the
+  /// largest cosine between two axes, or the part of the z row that is not along the w row.
   double residual = 0;
-  std::optional<Pose> pose;        ///< but of a projection
-  std::optional<MatrixLens> lens;  ///< of a projection and a view-projection
+  std::optional<Pose> pose;        ///< empty for a projection
+  std::optional<MatrixLens> lens;  ///< set for a projection and a view-projection
 };
 
-/// What is known of a matrix beforehand.
+/// What is already known about a matrix.
 struct MatrixQuery {
   std::optional<MatrixKind> kind{};
-  std::optional<Convention>
-      convention{};      ///< the matrix is one for column vectors; else the transpose is tried as well
-  bool float32 = false;  ///< the entries are float32s; they are rounded to such first
+  std::optional<Convention> convention{};  ///< set: the matrix is for column vectors; else its transpose is tried too
+  bool float32 = false;                    ///< round the entries to float32 first
 };
 
 struct MatrixCameras {
   std::vector<MatrixCamera> cameras;
-  std::string fault, transposedFault;  ///< where there is no camera: what is wrong with the matrix and its transpose
+  std::string fault, transposedFault;  ///< if no camera fits: what is wrong with the matrix, and with its transpose
 };
 
-/// Every camera of a matrix. Of a kind and a convention that are given there is one, with its pose and projection, or
-/// none and a fault. A product of a projection and a view at the origin may be a projection itself: it counts as a
-/// view-projection where that is the kind.
+/// Returns every camera that fits the matrix. If kind and convention are given, there is one camera with its pose and
+/// projection, or none and a fault. A projection times a view at the origin may look like a projection: it counts as a
+/// view-projection only if that is the given kind.
 ///
-/// A perspective projection has a w row of exactly 0 0 +-1 0, and zeros where a projection has them; any other matrix
-/// whose w row is not 0 0 0 1 (to 4 units in the last place, as an inverse has it) is tried as a view-projection. An
-/// affine matrix within kPoseOrthogonality of a rotation is a view and its inverse; with right angles and axes of other
-/// lengths it is an orthographic view-projection, and if it is diagonal apart from the translation an orthographic
-/// projection. Only where nothing fits are the numbers tried as a multiple of a matrix.
+/// A perspective projection has a w row of exactly 0 0 +-1 0, and zeros where a projection has zeros. Any other matrix
+/// is tried as a view-projection unless its w row is 0 0 0 1 (to 4 units in the last place, as in a computed inverse).
+/// An affine matrix within kPoseOrthogonality of a rotation is a view and its inverse. With right angles but other
+/// lengths it is an orthographic view-projection, or an orthographic projection if it is diagonal apart from the
+/// translation. Only if nothing fits is the matrix tried as a multiple of one.
 ///
-/// A far plane beyond infinity by up to 2^-16 of 1/near counts as infinite. Pose and window come out within 2^-90 of
-/// those of the entries taken as exact. For the intervals of near and far a w row of 0 0 +-1 0 or 0 0 0 1 and zeros are
-/// exact, and each other entry is known to half a unit in its last place; they are right to first order in that.
+/// A far plane beyond infinity by up to 2^-16 of 1/near counts as infinite. Pose and window are within 2^-90 of those
+/// of the entries taken as exact. The intervals of near and far assume that zeros and a w row of 0 0 +-1 0 or 0 0 0 1
+/// are exact and that every other entry is off by up to half a unit in its last place. They are right to first order.
 ///
-/// Formulas: the closed forms of matrices.hpp, solved for their parameters.
+/// Formulas: the closed forms of matrices.cpp, solved for their parameters.
 MatrixCameras camerasOf(const Mat4& matrix, const MatrixQuery& query = {});
 
 }  // namespace viewproj

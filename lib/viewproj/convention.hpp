@@ -1,4 +1,4 @@
-// Conventions as data: which way the axes of each space point, and how a matrix is laid out.
+// Conventions as data: the directions of each space's axes, and the layout of a matrix.
 #pragma once
 
 #include <span>
@@ -8,29 +8,29 @@
 
 namespace viewproj {
 
-/// Handedness of the world's numbers, as LookAtRH and LookAtLH mean it.
+/// Handedness of the world's coordinates, as in LookAtRH and LookAtLH.
 enum class Handedness { right, left };
 
-/// Where x, y, z of view space point: Right, Up or Down, Forward or Back.
+/// The directions of x, y, z in view space: Right, Up or Down, Forward or Back.
 enum class ViewAxes { RUB, RUF, RDF };
 
 /// Range of NDC z between near and far.
 enum class NdcZ { minusOneToOne, zeroToOne };
 
-/// Where NDC y points in the picture.
+/// The direction of NDC y in the picture.
 enum class NdcY { up, down };
 
 /// Column vectors (M v) or row vectors (v M).
 enum class Vectors { column, row };
 
-/// The order in which a matrix's sixteen numbers lie in memory.
+/// The order of a matrix's sixteen numbers in memory.
 enum class Storage { columnMajor, rowMajor };
 
 struct Convention {
   Handedness world = Handedness::right;
   ViewAxes view = ViewAxes::RUB;
   NdcZ ndcZ = NdcZ::minusOneToOne;
-  bool reverseZ = false;  ///< near and far exchange their NDC z and their window depth
+  bool reverseZ = false;  ///< swaps near and far in NDC z and in window depth
   NdcY ndcY = NdcY::up;
   Vectors vectors = Vectors::column;
   Storage storage = Storage::columnMajor;
@@ -38,26 +38,26 @@ struct Convention {
   friend constexpr bool operator==(const Convention&, const Convention&) = default;
 };
 
-/// Where x, y, z of a rotation or pose matrix point.
+/// The directions of x, y, z of a rotation or pose matrix.
 enum class CameraAxes { RUB, RUF, RDF, FRU };
 
-/// All that a name means: a convention, and what programs of that name leave unsaid.
+/// A named convention, with the usual defaults of the programs that use it.
 struct ConventionPreset {
   std::string_view name;
   Convention convention;
-  CameraAxes cameraAxes = CameraAxes::RUB;  ///< of poses
-  Vec3 up{0, 1, 0};                         ///< of the world
-  double pixelCenter = 0.5;                 ///< of viewports
+  CameraAxes cameraAxes = CameraAxes::RUB;  ///< axes of poses
+  Vec3 up{0, 1, 0};                         ///< the world's up
+  double pixelCenter = 0.5;                 ///< of pixels in viewports
 
   // NOLINTNEXTLINE(google-explicit-constructor)
   constexpr operator const Convention&() const noexcept { return convention; }
 };
 
 namespace detail {
-/// To add a preset, add its row here and its constant below; tests ask for the rest.
-/// Sources: the OpenGL, Direct3D, Vulkan, Metal and WebGPU specifications; Unity's Camera.worldToCameraMatrix and
-/// projectionMatrix; Unreal's FReversedZPerspectiveMatrix; OpenCV's calib3d; ps2sdk's create_view_screen. Where y of
-/// view space points down, so it does in the worlds of such cameras.
+/// To add a preset, add its row here and its constant below; tests report what else is missing. Sources: the OpenGL,
+/// Direct3D, Vulkan, Metal and WebGPU specifications; Unity's Camera.worldToCameraMatrix and projectionMatrix; Unreal's
+/// FReversedZPerspectiveMatrix; OpenCV's calib3d; ps2sdk's create_view_screen. If y of view space points down, so does
+/// y of the world.
 // clang-format off
 inline constexpr Handedness kR = Handedness::right, kL = Handedness::left;
 inline constexpr ViewAxes kRUB = ViewAxes::RUB, kRUF = ViewAxes::RUF, kRDF = ViewAxes::RDF;
@@ -66,7 +66,7 @@ inline constexpr NdcY kUp = NdcY::up, kDown = NdcY::down;
 inline constexpr Vectors kColumn = Vectors::column, kRow = Vectors::row;
 inline constexpr Storage kColumns = Storage::columnMajor, kRows = Storage::rowMajor;
 inline constexpr ConventionPreset kConventionPresets[] = {
-    //             world view  ndcZ reverseZ ndcY  vectors storage     a pose's, up, a pixel's centre
+    //             world view  ndcZ reverseZ ndcY  vectors storage     axes of poses, up, pixelCenter
     {"opengl",    {kR,   kRUB, kNO, false,   kUp,   kColumn, kColumns}, CameraAxes::RUB},
     {"opengl-lh", {kL,   kRUF, kNO, false,   kUp,   kColumn, kColumns}, CameraAxes::RUF},
     {"d3d",       {kL,   kRUF, kZO, false,   kUp,   kRow,    kRows}, CameraAxes::RUF},
@@ -81,7 +81,7 @@ inline constexpr ConventionPreset kConventionPresets[] = {
 };
 // clang-format on
 
-/// A name that is no preset's does not compile: this is no function for constants.
+/// Never defined. Calling it makes presetNamed fail to compile for an unknown name.
 const ConventionPreset& noSuchPreset();
 consteval const ConventionPreset& presetNamed(std::string_view name) {
   for (const ConventionPreset& preset : kConventionPresets)
@@ -90,7 +90,7 @@ consteval const ConventionPreset& presetNamed(std::string_view name) {
 }
 }  // namespace detail
 
-/// The presets as constants: conventions::d3d, which is a Convention too.
+/// The presets as constants, such as conventions::d3d. Each converts to a Convention.
 namespace conventions {
 inline constexpr const ConventionPreset& opengl = detail::presetNamed("opengl");
 inline constexpr const ConventionPreset& openglLh = detail::presetNamed("opengl-lh");
@@ -105,10 +105,10 @@ inline constexpr const ConventionPreset& opencv = detail::presetNamed("opencv");
 inline constexpr const ConventionPreset& ps2 = detail::presetNamed("ps2");
 }  // namespace conventions
 
-/// All of them by name; the first is the default.
+/// All presets; the first is the default.
 inline constexpr std::span<const ConventionPreset> conventionPresets() noexcept { return detail::kConventionPresets; }
 
-/// The row of that name, or null.
+/// The preset of that name, or null.
 constexpr const ConventionPreset* findPreset(std::string_view name) noexcept {
   for (const ConventionPreset& preset : conventionPresets())
     if (preset.name == name) return &preset;

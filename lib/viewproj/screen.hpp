@@ -1,7 +1,7 @@
-// World to screen and back: points, pixels and rays, one or many at a time, and how wrong each may be.
+// World to screen and back: points, pixels and rays, one or many at a time, and their error bounds.
 //
-// Screen positions are pixels, in the viewport's origin and pixelCenter; window depth is that of depthFirst and
-// depthSecond, not clamped. Nothing here allocates or throws.
+// Screen positions are pixels in the viewport's origin and pixelCenter. Window depth uses depthFirst and depthSecond
+// and is not clamped. Nothing here allocates or throws.
 #pragma once
 
 #include <cstddef>
@@ -13,30 +13,29 @@
 
 namespace viewproj {
 
-/// Which arithmetic a result is computed in.
+/// The arithmetic that a result is computed in.
 enum class Precision {
-  standard,  ///< double, relative to the eye
+  standard,  ///< double, with coordinates relative to the eye
   exact,     ///< the double nearest the true value
 };
 
-/// What a point or a direction of the world is to the camera.
+/// Where a point or a direction lies, seen from the camera.
 enum class PointStatus : std::uint8_t {
   inFront,     ///< has a screen position
   behind,      ///< perspective: on or behind the plane through the eye; no screen position
-  atInfinity,  ///< orthographic: a direction, which no finite screen position belongs to
-  beyondLens,  ///< in front, at the limit of the camera's lens or beyond it; no screen position
+  atInfinity,  ///< orthographic: a direction, which has no finite screen position
+  beyondLens,  ///< in front, at the limit of the camera's lens or beyond; no screen position
   outOfRange,  ///< not finite, farther than kFarthestPoint from the eye, or 0 0 0 0
 };
 
-/// Of a point |x - eye.x| + |y - eye.y| + |z - eye.z| is below this, and of a direction |x| + |y| + |z|. However small
-/// its coordinates are, nothing of them is lost; but a distance below 1e-307 comes out with fewer digits. A weight is
-/// 0, or between 1e-90 and 1e90 in magnitude.
+/// For a point, |x - eye.x| + |y - eye.y| + |z - eye.z| must be below this; for a direction, |x| + |y| + |z|. Small
+/// coordinates lose nothing, but a distance below 1e-307 has fewer digits. |w| is 0, or between 1e-90 and 1e90.
 inline constexpr double kFarthestPoint = 1e91;
 
-/// Whether a point is none that worldToScreen finds out of range.
+/// Whether worldToScreen accepts a point: false where its status would be outOfRange.
 bool isInRange(const Camera& camera, const Vec4& point) noexcept;
 
-/// The boundaries of the view that a point may lie beyond, named the same in every convention.
+/// The sides of the view that a point may be beyond. They have the same names in every convention.
 enum Side : std::uint8_t {
   sideLeft = 1,
   sideRight = 2,
@@ -49,74 +48,73 @@ enum Side : std::uint8_t {
 /// Numbers that do not exist are NaN.
 struct ScreenPoint {
   double x = 0, y = 0;      ///< position, in the viewport's origin and pixelCenter
-  double depth = 0;         ///< window depth, not clamped; NaN of a camera without near plane
+  double depth = 0;         ///< window depth, not clamped; NaN without a near plane
   double viewDistance = 0;  ///< along the viewing axis; NaN for a direction
   PointStatus status = PointStatus::inFront;
-  std::uint8_t outside = 0;  ///< Sides the point lies beyond; a point on a boundary is inside
-  /// exact: x, y, depth and viewDistance are certainly the doubles nearest the true values. Otherwise one of them is a
-  /// tie or cancels to about 0, and within kExactUlps or kExactAbsolute.
+  std::uint8_t outside = 0;  ///< the Sides that the point is beyond; a point on a boundary is inside
+  /// exact: x, y, depth and viewDistance are proven to be the doubles nearest the true values. If false, one of them is
+  /// a tie or cancels to about 0, and is within kExactUlps or kExactAbsolute.
   bool certain = false;
-  /// What the numbers were computed in: exact where the precision asked for could not bound the point.
-  /// boundOfPoint of this precision is theirs.
+  /// The arithmetic that was used: exact if standard could not bound the point. Use it for boundOfPoint.
   Precision precision = Precision::exact;
 
   bool visible() const noexcept { return status == PointStatus::inFront && outside == 0; }
 };
 
-/// The sides of the picture that a screen position lies beyond.
+/// The sides of the picture that a screen position is beyond.
 std::uint8_t sidesBeyond(const Camera& camera, const Vec2& screen) noexcept;
 
-/// Projects a point, as near the true value as ErrorBound says of the precision; points that standard cannot bound are
-/// projected exactly. Homogeneous, it is (x/w, y/w, z/w), negative w included, or with w = 0 a direction, whose
-/// vanishing point is given; weights other than 1 are projected exactly whatever the precision.
+/// Projects a point. The error is at most ErrorBound of the precision; points that standard cannot bound are projected
+/// exactly. A Vec4 is the point (x/w, y/w, z/w), for negative w too, or with w = 0 a direction, whose vanishing point
+/// is returned. Weights other than 1 are always projected exactly.
 ScreenPoint worldToScreen(const Camera& camera, const Vec3& point, Precision precision = Precision::exact) noexcept;
 ScreenPoint worldToScreen(const Camera& camera, const Vec4& point, Precision precision = Precision::exact) noexcept;
 
 // ---- Many points or pixels at a time
 
-/// What became of the points of a batch.
+/// Counts of the points of a batch.
 struct BatchCounts {
-  /// Settled one by one: off the kernel's range, next to the eye plane, not certain, or through a lens.
+  /// Points computed one by one: out of the kernel's range, next to the eye plane, not certain, or through a lens.
   std::size_t escalated = 0;
-  std::size_t uncertain = 0;  ///< exact: of those, the ones that no arithmetic here decides (ties, numbers about 0)
+  std::size_t uncertain = 0;  ///< exact: those that stay uncertain (ties, numbers about 0)
 };
 
-/// Screen x, screen y and window depth of each point: the numbers of worldToScreen for a single point, bit for bit, on
+/// Screen x, screen y and window depth of each point: bit for bit the numbers of worldToScreen for single points, on
 /// every processor. Both spans have the same size and may be the same memory.
 BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, std::span<Vec3> screen,
                           Precision precision = Precision::exact) noexcept;
 
-/// The same in full. Takes about a third longer.
+/// The same with all fields of ScreenPoint. Takes about a third longer.
 BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, std::span<ScreenPoint> screen,
                           Precision precision = Precision::exact) noexcept;
 
-/// The unit directions of the rays through screen positions, within kRayDirectionBound of the true ones.
+/// The unit directions of rays through screen positions, within kRayDirectionBound of the true ones.
 void screenToRayDirections(const Camera& camera, std::span<const Vec2> pixels, std::span<Vec3> directions) noexcept;
 
 // ---- How wrong
 
-/// exact: units in the last place of the result, for x, y, depth and viewDistance; a result that cancels to about zero
-/// keeps an absolute error instead, 1e-26 of the viewport's size, or of the whole picture's where a window was cropped
-/// or shifted from far off the axis.
+/// exact: error in ulps of x, y, depth and viewDistance. A result that cancels to about zero has an absolute error
+/// instead: 1e-26 of the viewport's size, or of the whole picture's if the window was cropped or shifted from far off
+/// the axis.
 inline constexpr double kExactUlps = 0.51;
 inline constexpr double kExactAbsolute = 1e-26;
 
-/// exact, of a window depth that is not certain: the distance is known to this share, and the depth to this share of
-/// depthScale / W (perspective) or depthScale W (orthographic). It counts in slabs of far/near - 1
-/// below 2e-3, where it is beyond kExactAbsolute.
+/// exact, for a window depth that is not certain: the relative error of the distance, which makes an error of this
+/// share of depthScale / W (perspective) or depthScale W (orthographic). It exceeds kExactAbsolute only if far/near - 1
+/// is below 2e-3.
 inline constexpr double kExactDistance = 0x1p-96;
 
-/// The largest error of screen x and y, in pixels, and of window depth. Infinite where nothing is promised.
+/// The largest error of screen x and y, in pixels, and of window depth. Infinite if there is no bound.
 struct ErrorBound {
   double screen = 0;
   double depth = 0;
 };
 
-/// For every point whose true pixel lies in the picture, between near and far in orthographic (and whose depth lies
-/// between near and far, for the depth's bound).
+/// Bound for every point whose true pixel lies in the picture (in orthographic, between near and far). The depth's
+/// bound also needs a depth between near and far.
 ErrorBound boundInPicture(const Camera& camera, Precision precision) noexcept;
 
-/// For one point, wherever it lies, in the precision that worldToScreen has for it.
+/// Bound for one point, wherever it lies, in the precision that worldToScreen uses for it.
 ErrorBound boundOfPoint(const Camera& camera, const Vec3& point, Precision precision) noexcept;
 ErrorBound boundOfPoint(const Camera& camera, const Vec4& point, Precision precision) noexcept;
 
@@ -128,46 +126,46 @@ struct Ray {
 };
 
 enum class RayOrigin {
-  eye,        ///< the plane through the eye: the eye itself in perspective, a point per pixel in orthographic
-  nearPlane,  ///< the eye where there is none
+  eye,        ///< on the plane through the eye: the eye itself in perspective, one point per pixel in orthographic
+  nearPlane,  ///< the eye if there is no near plane
 };
 
 /// Largest angle in radians between a ray's direction and the true one, for pixels of the picture, in every precision,
-/// whatever near and far are and through whatever lens. Five roundings a component, (5 sqrt(3) + 1) 2^-53, plus what a
-/// pose matrix's non-orthogonality adds.
+/// for every near and far and through every lens. It is five roundings a component, (5 sqrt(3) + 1) 2^-53, plus the
+/// effect of a pose matrix that is not quite orthogonal.
 inline constexpr double kRayDirectionBound = 1.2e-15;
 
-/// The ray of points that project to this screen position; NaN for NaN, and for a pixel that no point has through a
+/// The ray of points that project to this screen position. NaN for NaN, and for a pixel that has no point through the
 /// lens. In exact, each component is within 0.51 ulp of the true one.
 Ray screenToRay(const Camera& camera, const Vec2& screen, Precision precision = Precision::exact,
                 RayOrigin origin = RayOrigin::eye) noexcept;
 
 enum class DepthStatus : std::uint8_t {
   point,
-  infinity,   ///< the window depth of points infinitely far away: a direction, no point
-  beyond,     ///< a depth that no point in front of the eye has; every depth, of a camera without near plane
-  noRay,      ///< no point in front of the camera is seen there, through its lens
+  infinity,   ///< the window depth of infinitely distant points: a direction, not a point
+  beyond,     ///< no point in front of the eye has this depth; always if the camera has no near plane
+  noRay,      ///< the lens shows no point in front of the camera there
   notFinite,  ///< the input had a NaN or an infinity
 };
 
 struct WorldPoint {
   Vec3 position;  ///< NaN unless status is point
   DepthStatus status = DepthStatus::point;
-  /// How far position can be from the true point, in world units, if the window depth given is the double nearest the
-  /// true one; infinite where that double could also be the depth of infinity. What the arithmetic adds, half a unit in
-  /// the last place of each coordinate, is included; of a point by its distance it is all.
+  /// How far position can be from the true point, in world units, if the given window depth is the double nearest the
+  /// true one. Infinite if that double could also be the depth of infinity. Includes the arithmetic's error, half an
+  /// ulp of each coordinate; for a point by its distance, that is all of it.
   double bound = 0;
-  /// Along the viewing axis, the double nearest that of the depth given; NaN unless status is point.
+  /// The double nearest to the distance along the viewing axis at the given depth. NaN unless status is point.
   double viewDistance = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// How much of the world one pixel spans at a distance along the viewing axis, across and down, in world units: each
-/// within 1 ulp of what the distance given makes it. In orthographic the same everywhere; NaN in perspective where the
-/// distance is not above 0. Through a lens that of the pinhole.
+/// Size of one pixel in the world at a distance along the viewing axis, across and down, in world units. Each is within
+/// 1 ulp for the given distance. In orthographic the same at every distance; in perspective NaN if the distance is not
+/// above 0. A lens is ignored.
 Vec2 pixelSize(const Camera& camera, double viewDistance) noexcept;
 
-/// The point at this screen position and window depth (not clamped), or distance along the viewing axis. In
-/// double-double and rounded once; what the depth's own last digit is worth in distance is in WorldPoint's bound.
+/// The point at this screen position and window depth (not clamped), or distance along the viewing axis. Computed in
+/// double-double and rounded once; WorldPoint's bound includes the effect of the depth's last digit.
 WorldPoint screenToWorld(const Camera& camera, const Vec2& screen, double depth) noexcept;
 WorldPoint screenToWorldAtDistance(const Camera& camera, const Vec2& screen, double viewDistance) noexcept;
 

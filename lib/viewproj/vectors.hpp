@@ -17,7 +17,7 @@ struct Vector3 {
 
 using Vec3 = Vector3<double>;
 
-/// Of more digits than doubles have, about 106 bits: the sum of the two, low at most half an ulp of high.
+/// About 106 bits: the sum of high and low, with low at most half an ulp of high.
 struct SplitVec3 {
   Vec3 high, low;
 };
@@ -27,7 +27,7 @@ struct Vec2 {
   friend constexpr bool operator==(const Vec2&, const Vec2&) = default;
 };
 
-/// All four or none, so that {1, 2, 3} is a Vec3.
+/// Needs all four numbers or none, so that {1, 2, 3} is a Vec3.
 struct Vec4 {
   double x = 0, y = 0, z = 0, w = 0;
 
@@ -37,7 +37,7 @@ struct Vec4 {
   friend constexpr bool operator==(const Vec4&, const Vec4&) = default;
 };
 
-/// Four rows of four; acts on column vectors: y[i] = sum over j of m[i][j] * x[j].
+/// Four rows of four, for column vectors: y[i] = sum over j of m[i][j] * x[j].
 struct Mat4 {
   std::array<std::array<double, 4>, 4> m{};
 

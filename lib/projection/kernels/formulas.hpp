@@ -1,9 +1,9 @@
 // The arithmetic of one point in each precision, written once for a double and for a vector of lanes.
 //
-// standard is single IEEE operations in a fixed order, so a lane gives the bits that a double gives, on every
-// instruction set. exact may use a fused multiply-add where there is one: its results are certified to be the doubles
-// nearest the true values, whatever their last bits before rounding were. Everything here has internal linkage: each
-// kernel is compiled for its own processor, and a linker must not take one's code for another's.
+// standard uses single IEEE operations in a fixed order, so a lane has the same bits as a double on every instruction
+// set. exact may use fused multiply-add: its results are certified to be the doubles nearest the true values, so the
+// last bits before rounding do not matter. Everything here has internal linkage: each kernel is compiled for its own
+// processor, and the linker must not use one kernel's code in another.
 #pragma once
 
 #include <cmath>
@@ -15,7 +15,7 @@
 namespace viewproj::detail {
 namespace {
 
-/// What formulas are written in terms of: D a double or a vector of doubles, M what comparisons of two D give.
+/// The operations that formulas use. D is a double or a vector of doubles, M the result of comparing two D.
 struct ScalarLanes {
   using D = double;
   using M = bool;
@@ -23,8 +23,7 @@ struct ScalarLanes {
   static D absolute(D a) { return std::fabs(a); }
   static D larger(D a, D b) { return a > b ? a : b; }
   static D squareRoot(D a) { return std::sqrt(a); }
-  /// multiplyAdd: a * b + c, rounded once or twice. productError: the rounding error of a * b, whose rounded value is
-  /// product.
+  /// multiplyAdd: a * b + c, rounded once or twice. productError: the error of the rounded product of a * b.
 #if defined(__FMA__) || defined(__ARM_FEATURE_FMA)
   static constexpr bool hasFusedMultiplyAdd = true;
   static D multiplyAdd(D a, D b, D c) { return __builtin_fma(a, b, c); }
@@ -36,7 +35,7 @@ struct ScalarLanes {
 #endif
 };
 
-/// The conjunction of conditions, lane by lane.
+/// Whether all conditions hold, lane by lane.
 inline bool all(bool a, bool b) { return a && b; }
 template <class A, class B>
 inline A all(A a, B b) {
@@ -47,8 +46,7 @@ inline A all(A a, B b, More... more) {
   return all(all(a, b), more...);
 }
 
-/// Which parts of a formula a camera needs, and whether the distance is asked for (in exact, it has to be certain
-/// then).
+/// The parts of a formula that a camera needs, and whether the distance is needed too (exact then certifies it).
 template <bool IsOrthographic, bool HasResidual, bool WantsDistance = false>
 struct Traits {
   static constexpr bool orthographic = IsOrthographic, residual = HasResidual, distance = WantsDistance;
@@ -87,7 +85,7 @@ class StandardFormula {
       r.x = camera_.centerX.hi + x * perW;
       r.y = camera_.centerY.hi + y * perW;
       r.depth = camera_.depthOffset.hi + camera_.depthScale.hi * perW;
-      // Not so near the eye plane that the sign of w is uncertain, and where nothing over- or underflows.
+      // Valid if w's sign is certain, not too near the eye plane, and nothing over- or underflows.
       const D least = L::larger(reach * kSignUncertainty, L::splat(kSmallestDistance));
       const M inRange = reach < kFarthestPoint;
       r.valid = all(inRange, w > least);
@@ -103,13 +101,13 @@ class StandardFormula {
   double residualReach_;
 };
 
-/// A number of lanes as the sum of two. lo is small beside what the number is made of, not always beside hi.
+/// A number per lane as the sum of two. lo is small compared with the terms of the number, not always with hi.
 template <class D>
 struct Pair {
   D hi, lo;
 };
 
-/// exact: about 75 bits, with a certificate for every number: valid lanes are the doubles nearest the true values.
+/// exact: about 75 bits. Each number has a certificate: valid lanes are the doubles nearest the true values.
 template <class L, class Traits>
 class ExactFormula {
  public:
@@ -133,7 +131,7 @@ class ExactFormula {
     const SplitLanes s[3] = {split(d[0], grid), split(d[1], grid), split(d[2], grid)};
     const Pair<D> x = dot(camera_.splitX, s, camera_.residual.x);
     const Pair<D> y = dot(camera_.splitY, s, camera_.residual.y);
-    // Along an axis of the world it is a difference, without an error.
+    // Along an axis of the world, w is a difference without error.
     const Pair<D> w =
         camera_.forwardIsAxis ? along(camera_.splitW.high, d) : dot(camera_.splitW, s, camera_.residual.z);
     const M inRange = all(reach < kFarthestPoint, kSmallestReach < reach);
@@ -151,7 +149,7 @@ class ExactFormula {
     } else {
       const Divisor by(w, r.distance);
       const Pair<D> z = quotient({L::splat(camera_.depthScale.hi), L::splat(camera_.depthScale.lo)}, by);
-      // Negative with w, which is not valid then, whatever the errors.
+      // Negative if w is; then the lane is not valid, whatever the errors.
       const D t = reach * by.inverse;
       // |X/W| is at most t times the largest entry of a row.
       const D error = L::multiplyAdd(t, L::multiplyAdd(t, L::splat(errorW_ * camera_.sizeXY), L::splat(errorXY_)),
@@ -164,7 +162,7 @@ class ExactFormula {
                                         L::splat(kZivMargin * kExactQuotient * std::fabs(camera_.depthScale.hi))),
                          L::splat(errorOffset_));
       const D least = reach * kSignUncertaintyExact;
-      // A depth that there is not is NaN, and certain.
+      // A depth that does not exist is NaN, and certain.
       const D offset = L::splat(camera_.depthOffset.hi);
       // NOLINTNEXTLINE(misc-redundant-expression): only a NaN differs from itself
       const M zIsNearest = isNearestSum(camera_.depthOffset, z, by.inverse, errorZ, r.depth) | (offset != offset);
@@ -182,18 +180,17 @@ class ExactFormula {
   }
 
  private:
-  /// Covers the roundings of Ziv's test itself and what error_model.hpp says that it does.
+  /// Covers the roundings of Ziv's test and the others listed in error_model.hpp.
   static constexpr double kZivMargin = 2;
-  /// Adding and subtracting this many |d| rounds a coordinate of d to 27 bits of |d|, all to multiples of one number.
+  /// Adding and subtracting this times |d| rounds a coordinate of d to 27 bits of |d|, multiples of one number.
   static constexpr double kSplit = 0x1p27;
 
-  /// A coordinate: high has the bits that kSplit leaves, low the rest, hi both (as of Pair).
+  /// A coordinate. high has the bits that kSplit leaves, low the rest, and hi is the hi of Pair.
   struct SplitLanes {
     D high, low, hi;
   };
 
-  /// w to divide by: the inverse of its rounded value, and in two parts, as SplitLanes, where that takes the place of a
-  /// fused multiply-add.
+  /// The divisor w and the inverse of its rounded value. high and low are used if there is no fused multiply-add.
   struct Divisor {
     Pair<D> w;
     D rounded, inverse, high, low;
@@ -205,7 +202,7 @@ class ExactFormula {
     }
   };
 
-  /// 26 bits of a (Veltkamp).
+  /// a with 26 bits (Veltkamp).
   static D upperHalf(D a) {
     const D scaled = (0x1p27 + 1) * a;
     return scaled - (scaled - a);
@@ -222,7 +219,7 @@ class ExactFormula {
     return {high, (d.hi - high) + d.lo, d.hi};
   }
 
-  /// row . d + residual, to kExactDot of the sum of sizes. The products of high parts, and their sums, are exact.
+  /// row . d + residual, within kExactDot of the terms. The products of high parts and their sums are exact.
   static Pair<D> dot(const SplitRow& row, const SplitLanes* d, const DoubleDouble& residual) {
     const D high = L::multiplyAdd(L::splat(row.high.x), d[0].high,
                                   L::multiplyAdd(L::splat(row.high.y), d[1].high, row.high.z * d[2].high));
@@ -237,13 +234,13 @@ class ExactFormula {
     return {shifted.hi, shifted.lo + (low + residual.lo)};
   }
 
-  /// axis . d, of a row that has one entry of 1 or -1, and zeros.
+  /// axis . d, for a row with one entry of 1 or -1 and zeros.
   static Pair<D> along(const Vec3& axis, const Pair<D>* d) {
     return {axis.x * d[0].hi + axis.y * d[1].hi + axis.z * d[2].hi,
             axis.x * d[0].lo + axis.y * d[1].lo + axis.z * d[2].lo};
   }
 
-  /// a / w as q and the rest, whose product with the inverse is to be added to q.
+  /// a / w as q and the remainder. The remainder times the inverse is to be added to q.
   static Pair<D> quotient(const Pair<D>& a, const Divisor& by) {
     const D q = (a.hi + a.lo) * by.inverse;
     if constexpr (L::hasFusedMultiplyAdd) {
@@ -260,8 +257,8 @@ class ExactFormula {
     return {p, L::productError(high, b.hi, p) + (a.hi * b.lo + a.lo * b.hi)};
   }
 
-  /// start + q + rest * factor to the nearest double, for q and rest as quotient() gives them; whether every number
-  /// within the error rounds to the same one (Ziv's test).
+  /// Sets nearest to start + q + rest * factor, with q and rest from quotient(). Returns whether every number within
+  /// error rounds to the same double (Ziv's test).
   static M isNearestSum(const DoubleDouble& start, const Pair<D>& quotient, D factor, D error, D& nearest) {
     const Pair<D> s = sum(L::splat(start.hi), quotient.hi);
     const D low = L::multiplyAdd(quotient.lo, factor, s.lo + start.lo);

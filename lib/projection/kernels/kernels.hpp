@@ -1,4 +1,4 @@
-// The batch kernels: one source, compiled once per instruction set, chosen at run time, all giving the same bits.
+// The batch kernels: one source, compiled once per instruction set and chosen at run time. All give the same bits.
 #pragma once
 
 #include <cstddef>
@@ -9,21 +9,20 @@
 
 namespace viewproj::detail {
 
-/// The points of a batch that a kernel cannot settle itself, 64 to a number, the first in the lowest bit. It sets bits
-/// and clears none.
+/// The points of a batch that a kernel cannot settle itself: 64 per number, the first in the lowest bit. A kernel only
+/// sets bits.
 using Unsettled = std::uint64_t*;
 
-/// valid: the numbers are within the precision's bound. behind: certainly beyond the eye plane. What is neither is for
-/// the exact path to decide.
+/// valid: the numbers are within the precision's bound. behind: certainly beyond the eye plane. If neither, the exact
+/// path decides.
 template <class V, class Mask>
 struct Projected {
   V x, y, depth, distance;
   Mask valid, behind;
 };
 
-/// Everything is in arrays of three doubles a point: x y z in; screen x, screen y and depth out, NaN where a point has
-/// none. distance: one double a point, its distance along the viewing axis, also of a point behind the eye plane; null
-/// where nobody asks.
+/// Arrays have three doubles per point: x y z in; screen x, screen y and depth out, NaN if a point has none. distance
+/// has one double per point, its distance along the viewing axis, also behind the eye plane. It may be null.
 struct Kernels {
   using Project = void (*)(const ProjectionConstants&, const double* points, double* screen, double* distance,
                            std::size_t count, Unsettled) noexcept;
@@ -32,20 +31,20 @@ struct Kernels {
   /// Perspective ray directions of pixels (x y pairs in, x y z out).
   void (*rays)(const ProjectionConstants&, const double* pixels, double* directions, std::size_t count,
                Unsettled) noexcept;
-  /// One point in exact, of weight 1, or in perspective a direction's vanishing point without a depth.
+  /// Projects one point in exact: of weight 1, or in perspective a direction's vanishing point, without a depth.
   Projected<double, bool> (*exactPoint)(const ProjectionConstants&, const Vec4& point) noexcept;
 };
 
-/// All that were compiled, the plainest first.
+/// All compiled kernels, from the slowest to the fastest.
 std::span<const Kernels* const> allKernels() noexcept;
 
-/// Whether the processor, and the system for its registers, has all that the kernel may use.
+/// Whether the processor, and the system for its registers, supports all that the kernel may use.
 bool isSupported(const Kernels& kernels) noexcept;
 
-/// The best that is supported, unless another is forced.
+/// The fastest supported kernels, unless others are forced.
 const Kernels& kernels() noexcept;
 
-/// For tests: all threads use this one, which must be supported, until told otherwise; null for the best again.
+/// For tests: all threads use these kernels, which must be supported, until the next call. null restores the fastest.
 void forceKernels(const Kernels* kernels) noexcept;
 
 }  // namespace viewproj::detail

@@ -1,4 +1,4 @@
-// Vectors of lanes of the instruction set this file is compiled for: 8 doubles in AVX-512, 4 in AVX2, 2 in SSE2 and
+// Vectors of doubles for the instruction set this file is compiled for: 8 lanes in AVX-512, 4 in AVX2, 2 in SSE2 and
 // NEON.
 #pragma once
 
@@ -19,7 +19,7 @@
 namespace viewproj::detail {
 namespace {
 
-// One for each instruction set, each in its own source.
+// One per instruction set, each in its own source file.
 // NOLINTBEGIN(misc-definitions-in-headers)
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
 constexpr int kLanes = 8;
@@ -32,7 +32,7 @@ constexpr int kLanes = 2;
 
 typedef double DoubleLanes __attribute__((vector_size(kLanes * 8)));
 typedef std::int64_t MaskLanes __attribute__((vector_size(kLanes * 8)));
-/// The same, at any address.
+/// The same without alignment.
 typedef double LooseLanes __attribute__((vector_size(kLanes * 8), aligned(8), may_alias));
 
 struct VectorLanes {
@@ -41,7 +41,7 @@ struct VectorLanes {
 
   static constexpr std::int64_t kSign = INT64_MIN;
 
-  /// Not 0 + a, which is an addition; a - 0 is a itself.
+  /// Not 0 + a, which would be an addition. a - 0 is a itself.
   static D splat(double a) { return a - D{}; }
   static D absolute(D a) { return (D)((M)a & ~kSign); }
   static D load(const double* p) { return *reinterpret_cast<const LooseLanes*>(p); }
@@ -84,7 +84,7 @@ struct VectorLanes {
   static D productError(D a, D b, D product) { return (D)_mm256_fmsub_pd((__m256d)a, (__m256d)b, (__m256d)product); }
   static unsigned bits(M m) { return static_cast<unsigned>(_mm256_movemask_pd((__m256d)m)); }
 
-  /// Halves that are three apart go into one register, so that no shuffle crosses its middle.
+  /// Loads halves that are three apart into one register, so that no shuffle crosses its middle.
   static __m256d halves(const double* low, const double* high) {
     return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(low)), _mm_loadu_pd(high), 1);
   }
@@ -121,7 +121,7 @@ struct VectorLanes {
   static D squareRoot(D a) { return (D)_mm_sqrt_pd((__m128d)a); }
   static D multiplyAdd(D a, D b, D c) { return a * b + c; }
   static unsigned bits(M m) { return static_cast<unsigned>(_mm_movemask_pd((__m128d)m)); }
-  /// Dekker's, as twoProd.
+  /// Dekker's product, as in twoProd.
   static D productError(D a, D b, D product) {
     constexpr double splitter = 0x1p27 + 1;
     const D aScaled = splitter * a, bScaled = splitter * b;
