@@ -1,5 +1,5 @@
-// Finds the command, runs it, and turns what went wrong into one message and an exit status:
-// 0 all went well, 1 an input was wrong or an output could not be written, 2 the command line was wrong.
+// Finds the command, runs it, and turns an error into one message and an exit status: 0 for success, 1 if an input is
+// wrong or an output cannot be written, 2 if the command line is wrong.
 #include <algorithm>
 #include <new>
 #include <string>
@@ -37,7 +37,7 @@ int run(std::vector<std::string> arguments) {
 
 int main(int argc, char** argv) {
   prepareSystem();
-  // What is preloaded or linked may have changed it for the whole program.
+  // A preloaded or linked library may have changed the arithmetic of the whole program.
   if (const char* fault = viewproj::detail::arithmeticFault()) {
     complain(fault);
     return 1;

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t npos = std::string_view::npos;
 
-/// "a comma", "'|'".
+/// "a comma" or "'|'".
 std::string nameOf(char separator) {
   for (const SeparatorName& one : kSeparators)
     if (one.separator == separator) return "a " + std::string(one.name);
@@ -66,14 +66,14 @@ std::size_t CsvEnds::lastEnd(std::string_view text) {
     const std::size_t quote = text.find('"', at_);
     if (quoted_) {
       at_ = std::min(quote, text.size());
-      if (at_ + 1 >= text.size()) break;  // whether it closes, what follows tells
+      if (at_ + 1 >= text.size()) break;  // the next byte decides whether it closes
       quoted_ = text[quote + 1] == '"';
       at_ += quoted_ ? 2 : 1;
       continue;
     }
-    const std::string_view plain = text.substr(0, quote).substr(at_);
-    if (const std::size_t line = plain.rfind('\n'); line != npos) after_ = at_ + line + 1;
-    at_ += plain.size();
+    const std::string_view unquoted = text.substr(0, quote).substr(at_);
+    if (const std::size_t line = unquoted.rfind('\n'); line != npos) after_ = at_ + line + 1;
+    at_ += unquoted.size();
     if (quote == npos) break;
     quoted_ = quote == after_ || text[quote - 1] == separator_;
     ++at_;

@@ -1,4 +1,4 @@
-// What goes wrong outside the library, as exceptions that main turns into a message and an exit status.
+// Errors outside of the library. main turns them into a message and an exit status.
 #pragma once
 
 #include <cstddef>
@@ -18,21 +18,21 @@ struct InputError : std::runtime_error {
   using runtime_error::runtime_error;
 };
 
-/// Whoever reads the output has gone away: exit quietly.
+/// The reader of the output closed it: exit without a message.
 struct ClosedPipe {};
 
-/// A record is wrong, at a byte of its text.
+/// A record is wrong at this byte of its text.
 struct RecordError : std::runtime_error {
   RecordError(std::size_t at, const std::string& message) : runtime_error(message), offset(at) {}
   std::size_t offset;
 };
 
-/// Counted from 1; columns in bytes.
+/// Both count from 1; columns are bytes.
 struct TextPosition {
   std::size_t line = 1, column = 1;
 };
 
-/// Where the byte at offset stands in text, if text begins at start.
+/// The position of the byte at offset, if text begins at start.
 inline TextPosition positionAt(std::string_view text, std::size_t offset, TextPosition start = {}) {
   for (char c : text.substr(0, offset))
     if (c == '\n') {

@@ -10,8 +10,8 @@
 namespace viewproj::cmd {
 namespace {
 
-/// Who waits on a person says so.
-void tellOfKeyboard() {
+/// Tells the user that the program waits for typed input.
+void announceKeyboardInput() {
   if (isTerminal(kStandardInput) && isTerminal(kStandardError))
     (void)writeSome(kStandardError, std::string("viewproj: reading from the keyboard; ") + kEndOfKeyboard + "\n");
 }
@@ -23,7 +23,7 @@ std::string shownName(const std::string& name) { return name == "-" ? "<stdin>" 
 InputFile::InputFile(const std::string& name)
     : name_(shownName(name)), descriptor_(name == "-" ? kStandardInput : openToRead(name)) {
   if (descriptor_ < 0) throw InputError(name_ + ": " + std::generic_category().message(errno));
-  if (descriptor_ == kStandardInput) tellOfKeyboard();
+  if (descriptor_ == kStandardInput) announceKeyboardInput();
 }
 
 InputFile::~InputFile() {

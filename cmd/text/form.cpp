@@ -13,7 +13,7 @@ struct Words {
   bool number = false, other = false;
 };
 
-/// Which kinds of words a line has.
+/// The kinds of words in a line.
 Words wordsOf(std::string_view line) {
   constexpr std::string_view kBlanks = " \t\r";
   Words words;
@@ -101,11 +101,11 @@ std::optional<Form> formOfBytes(std::string_view start) {
   if (start[0] == '{' || start[0] == '[') return Form::json;
   const auto isControl = [](unsigned char c) { return c < '\t' || (c > '\r' && c < ' ') || c == 0x7f; };
   const bool controls = std::any_of(start.begin(), start.end(), isControl);
-  std::string_view whole = start;  // without a character that may be cut off
-  while (!whole.empty() && continuesCharacter(whole.back())) whole.remove_suffix(1);
-  const auto last = static_cast<unsigned char>(whole.empty() ? 0 : whole.back());
-  if (last >= 0xC2 && last <= 0xF4) whole.remove_suffix(1);
-  if (start.find('\0') != std::string_view::npos || (controls && !isUtf8(whole))) return std::nullopt;
+  std::string_view complete = start;  // without the last character, which may be cut off
+  while (!complete.empty() && continuesCharacter(complete.back())) complete.remove_suffix(1);
+  const auto last = static_cast<unsigned char>(complete.empty() ? 0 : complete.back());
+  if (last >= 0xC2 && last <= 0xF4) complete.remove_suffix(1);
+  if (start.find('\0') != std::string_view::npos || (controls && !isUtf8(complete))) return std::nullopt;
   const std::string_view line = start.substr(0, start.find('\n'));
   const char c = start[0];
   const bool number = (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.' || line.starts_with("NaN");

@@ -1,4 +1,4 @@
-// The forms a stream of records can have.
+// The formats of a stream of records.
 #pragma once
 
 #include <optional>
@@ -7,13 +7,13 @@
 
 namespace viewproj::cmd {
 
-/// f64: little-endian doubles, three a record.
+/// f64: little-endian doubles, three per record.
 enum class Form { json, csv, text, f64 };
 
-/// lines is a sequence of JSON values, array one array of them; table has the columns of CSV, aligned for people.
+/// lines: one JSON value per line. array: one JSON array. table: the columns of CSV, aligned for people.
 enum class OutputForm { lines, array, csv, text, f64, table };
 
-/// A form's name, and the endings of files' names that tell it, separated by blanks: ".json .geojson".
+/// The name of a format, and its file extensions separated by blanks: ".json .geojson".
 template <class T>
 struct FormRow {
   std::string_view name;
@@ -25,32 +25,32 @@ struct FormRow {
 std::span<const FormRow<Form>> inputForms();
 std::span<const FormRow<OutputForm>> outputForms();
 
-/// ".csv" of "points.csv"; empty where a name has none.
+/// ".csv" for "points.csv"; empty for a name without an extension.
 std::string_view endingOf(std::string_view fileName);
 
-/// Whether an ending is one of these, separated by blanks.
+/// Whether an extension is one of these, separated by blanks.
 bool isEnding(std::string_view ending, std::string_view endings);
 
 inline bool hasColumns(OutputForm form) { return form == OutputForm::csv || form == OutputForm::table; }
 
 OutputForm sameForm(Form form);
 
-/// Lines of text that begin so, after blanks, are no records.
+/// Lines of text that begin with this, after blanks, are comments.
 inline constexpr char kTextComment = '#';
 inline bool isTextComment(std::string_view line) {
   const std::size_t first = line.find_first_not_of(" \t");
   return first != std::string_view::npos && line[first] == kTextComment;
 }
 
-/// From the first line on that is neither blank nor a comment.
+/// The text from the first line that is neither blank nor a comment.
 std::string_view afterComments(std::string_view text);
 
-/// By the file's name, or nothing.
+/// The format by the file's extension, or nothing.
 std::optional<Form> formOfName(std::string_view fileName);
 
-/// By the first bytes, after comments: `{` or `[` begins JSON; a first line with a comma, a semicolon, or a tab beside
-/// what is no number is CSV, any other with a number in it text, one of words alone a header. Nothing where they are no
-/// text at all; f64 is never guessed.
+/// The format by the first bytes, after comments. `{` or `[` begins JSON. A first line with a comma or a semicolon, or
+/// with a tab and a word that is not a number, is CSV. Any other line with a number is text, and a line of words only
+/// is a CSV header. Nothing if the bytes are not text; f64 is never guessed.
 std::optional<Form> formOfBytes(std::string_view start);
 
 }  // namespace viewproj::cmd

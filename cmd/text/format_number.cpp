@@ -13,10 +13,10 @@
 namespace viewproj::cmd {
 namespace {
 
-/// No number is longer, nor what is written on the way to it.
+/// Longer than any number, and than what is written on the way to it.
 constexpr std::size_t kLongest = 40;
 
-/// As many digits as the shortest text of a double may have.
+/// The most digits that the shortest text of a double has.
 constexpr int kDigits = 17;
 
 constexpr std::size_t kPowers = kDigits + 1;
@@ -28,7 +28,7 @@ consteval auto powersOfTen() {
 }
 constexpr auto kPowersOfTen = powersOfTen();
 
-/// 0 < number < 10^17.
+/// For 0 < number < 10^17.
 int countDigits(std::uint64_t number) {
   const double size = static_cast<double>(static_cast<std::int64_t>(number));
   const int bits = static_cast<int>(std::bit_cast<std::uint64_t>(size) >> 52) - 1022;
@@ -36,7 +36,7 @@ int countDigits(std::uint64_t number) {
   return atLeast + (number >= kPowersOfTen[static_cast<std::size_t>(atLeast)] ? 1 : 0);
 }
 
-/// The digits of a number below 10^8, a byte each, the first in the highest byte.
+/// The digits of a number below 10^8, one byte each, the first in the highest byte.
 std::uint64_t eightDigits(std::uint32_t number) {
   std::uint64_t digits = number % 10000 | static_cast<std::uint64_t>(number / 10000) << 32;
   const std::uint64_t hundreds = digits * 10486 >> 20 & 0x7f0000007f;
@@ -45,10 +45,10 @@ std::uint64_t eightDigits(std::uint32_t number) {
   return (digits - 10 * tens) | tens << 8;
 }
 
-/// Each of them as a character.
+/// The digits as characters.
 std::uint64_t asText(std::uint64_t digits) { return digits | 0x3030303030303030; }
 
-/// A point after the first `before` of eight digits, 1 to 7; the last digit falls out.
+/// Inserts a point after the first `before` of eight digits, 1 to 7. The last digit is lost.
 std::uint64_t withPoint(std::uint64_t text, int before) {
   const std::uint64_t after = ~std::uint64_t{0} >> 8 * before;
   return (text & ~after) | std::uint64_t{'.'} << (56 - 8 * before) | (text & after) >> 8;
@@ -59,21 +59,21 @@ void put(char* out, std::uint64_t text) {
   std::memcpy(out, &text, sizeof text);
 }
 
-/// 0.DIGITS * 10^point, and so many of the digits up to the last that is not 0.
+/// The number 0.DIGITS * 10^point. count: how many digits there are up to the last that is not 0.
 struct Digits {
-  std::uint64_t first, second;  ///< eight each, as text
+  std::uint64_t first, second;  ///< eight digits each, as text
   char last;
   int count, point;
 };
 
-/// The shortest digits that read back to the same number, which is finite and not 0.
+/// The shortest digits that read back to the same number. value must be finite and not 0.
 template <class T>
 Digits shortestDigits(T value) {
   namespace policy = jkj::dragonbox::policy;
   const auto decimal = jkj::dragonbox::to_decimal(value, policy::sign::ignore, policy::trailing_zero::ignore);
   std::uint64_t number = decimal.significand;
   int size;
-  if (number >= kPowersOfTen[15]) {  // nearly every double of many digits
+  if (number >= kPowersOfTen[15]) {  // nearly all doubles with many digits
     const bool all = number >= kPowersOfTen[16];
     size = all ? kDigits : kDigits - 1;
     number = all ? number : 10 * number;
@@ -95,23 +95,23 @@ void putAll(char* out, const Digits& digits) {
   out[16] = digits.last;
 }
 
-/// With `point` digits before the point, 1 to 16. What comes after the end that it returns is overwritten too.
-char* putPlain(char* out, Digits digits) {
+/// Writes a number with `point` digits before the point, 1 to 16. May overwrite bytes after the end that it returns.
+char* putWithoutExponent(char* out, Digits digits) {
   if (digits.point > 8) {
     put(out, digits.first);
     out += 8;
     const std::uint64_t rest = static_cast<std::uint64_t>(digits.last) << 56 | asText(0) >> 8;
     digits = {digits.second, rest, '0', digits.count - 8, digits.point - 8};
   }
-  const bool whole = digits.point == 8;
-  put(out, whole ? digits.first : withPoint(digits.first, digits.point));
-  out[8] = whole ? '.' : static_cast<char>(digits.first & 0xff);
+  const bool isPointAfterFirst = digits.point == 8;
+  put(out, isPointAfterFirst ? digits.first : withPoint(digits.first, digits.point));
+  out[8] = isPointAfterFirst ? '.' : static_cast<char>(digits.first & 0xff);
   put(out + 9, digits.second);
   out[17] = digits.last;
   return out + (digits.count > digits.point ? digits.count + 1 : digits.point);
 }
 
-/// Returns the end of what it wrote.
+/// Returns the end of the written text.
 template <class T>
 char* write(char* out, T value) {
   if (!std::isfinite(value)) {
@@ -125,8 +125,9 @@ char* write(char* out, T value) {
     return out + 1;
   }
   const Digits digits = shortestDigits(value);
-  // Beyond the integers that T holds exactly, plain digits would be longer than the shortest.
-  if (digits.point > 0 && digits.point <= (sizeof(T) == sizeof(double) ? 16 : 7)) return putPlain(out, digits);
+  // Beyond the integers that T holds exactly, digits without an exponent would be longer than the shortest text.
+  if (digits.point > 0 && digits.point <= (sizeof(T) == sizeof(double) ? 16 : 7))
+    return putWithoutExponent(out, digits);
   if (digits.point <= 0 && digits.point >= -4) {
     std::memcpy(out, "0.0000", 6);
     out += 2 - digits.point;
@@ -174,7 +175,7 @@ std::string formatDigits(double value, int digits) { return formatNumber(toDigit
 std::string formatCount(double value) {
   static constexpr std::pair<double, const char*> kUnits[] = {{1e12, " T"}, {1e9, " G"}, {1e6, " M"}, {1e3, " k"}};
   constexpr int kFew = 3;
-  value = toDigits(value, kFew);  // first: 999.6 is 1 k
+  value = toDigits(value, kFew);  // round first: 999.6 is 1 k
   for (const auto& [unit, name] : kUnits)
     if (std::fabs(value) >= unit) return formatDigits(value / unit, kFew) + name;
   return formatNumber(value);

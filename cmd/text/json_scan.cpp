@@ -6,7 +6,7 @@
 namespace viewproj::cmd {
 namespace {
 
-/// The code unit of four hexadecimal digits that stand here, or -1.
+/// The code unit of the four hexadecimal digits at `at`, or -1.
 int codeUnit(const char* at, const char* end) {
   if (end - at < 4) return -1;
   int unit = 0;
@@ -19,7 +19,7 @@ int codeUnit(const char* at, const char* end) {
   return unit;
 }
 
-/// After its backslash; the first half of a character with the other half.
+/// Passes an escape after its backslash. The first half of a UTF-16 pair needs its second half.
 const char* passEscape(const char* at, const char* end) {
   if (at == end) return nullptr;
   if (*at != 'u') return std::string_view("\"\\/bfnrt").find(*at) == std::string_view::npos ? nullptr : at + 1;
@@ -36,7 +36,8 @@ const char* passWord(const char* at, const char* end, std::string_view word) {
   return std::string_view(at, end).starts_with(word) ? at + word.size() : nullptr;
 }
 
-/// As readJsonNumber, of what is finite for having no exponent and few digits; null for others.
+/// Like readJsonNumber, but only for numbers without an exponent and with few digits, which are always finite; null
+/// otherwise.
 const char* passShortNumber(const char* at, const char* end) {
   constexpr std::ptrdiff_t kShort = 300;
   if (end - at > kShort) end = at + kShort;
@@ -59,7 +60,7 @@ const char* passNumber(const char* at, const char* end) {
   return after ? after : readJsonNumber(at, end, unused);
 }
 
-/// Of a string that is not valid, from its quote on.
+/// What is wrong with a string that begins at `begin` and is not valid.
 JsonFault faultOfString(std::string_view text, std::size_t begin) {
   const char* const end = text.data() + text.size();
   std::size_t at = begin + 1;
@@ -77,12 +78,12 @@ JsonFault faultOfString(std::string_view text, std::size_t begin) {
   return {begin, std::string("not valid JSON: a string is not ") + (isClosed ? "UTF-8" : "closed")};
 }
 
-bool isOfWord(char c) { return isDigit(c) || isLetter(c) || c == '-' || c == '+' || c == '.' || c == '_'; }
+bool isWordCharacter(char c) { return isDigit(c) || isLetter(c) || c == '-' || c == '+' || c == '.' || c == '_'; }
 
-/// A number or a word as somebody might write it, or else one character.
+/// A number or a word, valid or not, or else one character.
 std::string_view tokenAt(std::string_view text, std::size_t begin) {
   std::size_t end = begin;
-  while (end < text.size() && isOfWord(text[end])) ++end;
+  while (end < text.size() && isWordCharacter(text[end])) ++end;
   if (end == begin) (void)nextCharacter(text, end);
   return text.substr(begin, end - begin);
 }
@@ -139,7 +140,7 @@ JsonFault faultOf(std::string_view text, const JsonStop& stop) {
   if (text[at] == '"' && (isValue || expected.starts_with("a key"))) return faultOfString(text, at);
   if (text[at] == '\'' && isValue) return fault(", got '; text stands in double quotes");
   const std::string_view token = tokenAt(text, at);
-  if (!isValue || !isOfWord(token[0])) return fault(", got " + visible(token));
+  if (!isValue || !isWordCharacter(token[0])) return fault(", got " + visible(token));
   if (isLargerThanDoubles(token)) return {at, inQuotes(token) + " is larger than any double"};
   return fault("; JSON has no " + std::string(token.substr(0, 40)));
 }

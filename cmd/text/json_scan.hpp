@@ -1,5 +1,5 @@
-// The one scanner of JSON: valid JSON from its first byte to its last at the speed of a stream, and what is wrong with
-// other text. Each pass function returns the end of what begins at `at`, or null where that is not valid JSON.
+// The only scanner of JSON: it passes valid JSON at the speed of a stream and describes errors in other text. Each pass
+// function returns the end of the value that begins at `at`, or null if it is not valid JSON.
 #pragma once
 
 #include <cstddef>
@@ -18,45 +18,45 @@ inline const char* passJsonSpace(const char* at, const char* end) {
   return at;
 }
 
-/// The offset of what is no space at `at` or after it, or the text's size.
+/// The offset of the first character at or after `at` that is not white space, or the text's size.
 inline std::size_t afterJsonSpace(std::string_view text, std::size_t at) {
   if (at >= text.size()) return text.size();
   return static_cast<std::size_t>(passJsonSpace(text.data() + at, text.data() + text.size()) - text.data());
 }
 
 const char* passJsonString(const char* at, const char* end);
-/// true or false.
+/// Passes true or false.
 const char* passJsonFlag(const char* at, const char* end);
-/// Any value but an array or object.
+/// Passes any value except an array or object.
 const char* passJsonScalar(const char* at, const char* end);
 
-/// Where a scan stopped, and what was expected there.
+/// Where a scan stopped, and what it expected there.
 struct JsonStop {
   const char* at = nullptr;
   const char* expected = "";
 };
 
-/// What a scan reports as it passes it; a base for those who need a part of it.
+/// The events of a scan. A base for classes that use some of them.
 struct JsonEvents {
-  void open(const char*) {}         ///< an array or object, at its bracket
-  void close(const char*) {}        ///< it ends before this
-  void name(std::string_view) {}    ///< of an object's member, as written, with its quotes
+  void open(const char*) {}         ///< an array or object begins at this bracket
+  void close(const char*) {}        ///< an array or object ended before this byte
+  void name(std::string_view) {}    ///< the key of a member, as written, with its quotes
   void scalar(std::string_view) {}  ///< any other value, as written
 };
 
 inline constexpr std::size_t kAnyDepth = ~std::size_t{0};
 
-/// Any value. depth: so many arrays and objects may be within each other.
+/// Passes any value. depth: how many arrays and objects may be nested.
 template <class Events>
 const char* scanJson(const char* at, const char* end, std::size_t depth, Events& events, JsonStop* stop = nullptr) {
-  std::string closing;  // the brackets that close what is open
+  std::string closing;  // the brackets that will close the open ones
   const char* value = "a value";
   const auto fail = [&](const char* expected) -> const char* {
     if (stop) *stop = {at, expected};
     return nullptr;
   };
   for (;;) {
-    bool isBegun = false;  // an array or object that has a value
+    bool isBegun = false;  // whether an array or object has begun and has a value
     if (at < end && opensJson(*at)) {
       if (closing.size() == depth) return fail("nothing so deep");
       events.open(at);
@@ -91,7 +91,7 @@ const char* scanJson(const char* at, const char* end, std::size_t depth, Events&
   }
 }
 
-/// Any value.
+/// Passes any value.
 const char* passJson(const char* at, const char* end, std::size_t depth);
 
 /// What is wrong with a text, and where.
@@ -100,14 +100,14 @@ struct JsonFault {
   std::string message;
 };
 
-/// Nothing if text is one valid JSON value, as nlohmann-json judges it; but a NUL, which it takes for the end of the
-/// text, is a fault like other characters, and so is a byte order mark.
+/// Nothing if text is one valid JSON value, as nlohmann-json defines it. One difference: a NUL (which ends the text
+/// there) and a byte order mark are errors here.
 std::optional<JsonFault> jsonFault(std::string_view text);
 
-/// What a scan that stopped says of its text.
+/// Describes the error where a scan stopped.
 JsonFault faultOf(std::string_view text, const JsonStop& stop);
 
-/// As jsonFault, with the events of the scan.
+/// Like jsonFault, and reports the events of the scan.
 template <class Events>
 std::optional<JsonFault> scanWhole(std::string_view text, Events& events) {
   const char* const end = text.data() + text.size();

@@ -17,7 +17,7 @@ std::size_t endOfString(std::string_view text, std::size_t at) {
   return std::min(at + 1, text.size());
 }
 
-/// Builds a value from what a scan passes. Throws JsonFault.
+/// Builds a value from the events of a scan. Throws JsonFault.
 class Builder : public JsonEvents {
  public:
   Builder(std::string_view text, nlohmann::json& root) : text_(text), root_(root) {}
@@ -54,8 +54,8 @@ class Builder : public JsonEvents {
 
   std::string_view text_;
   nlohmann::json& root_;
-  std::vector<nlohmann::json*> open_;  ///< the arrays and objects begun, outermost first
-  nlohmann::json* member_ = nullptr;   ///< of the name just read
+  std::vector<nlohmann::json*> open_;  ///< the open arrays and objects, outermost first
+  nlohmann::json* member_ = nullptr;   ///< the member whose name was just read
 };
 
 }  // namespace
@@ -72,14 +72,14 @@ std::optional<JsonFault> parseJson(std::string_view text, nlohmann::json& value)
 nlohmann::json numberOfJson(std::string_view text) {
   const char *const begin = text.data(), *const end = begin + text.size();
   std::uint64_t natural = 0;
-  std::int64_t whole = 0;
+  std::int64_t integer = 0;
   double number = 0;
-  const auto isRead = [&](auto& integer) {
-    const auto [stop, error] = std::from_chars(begin, end, integer);
+  const auto isRead = [&](auto& result) {
+    const auto [stop, error] = std::from_chars(begin, end, result);
     return stop == end && error == std::errc();
   };
   if (isRead(natural)) return natural;
-  if (isRead(whole)) return whole;
+  if (isRead(integer)) return integer;
   (void)readNumber(begin, end, number);
   return number;
 }

@@ -1,4 +1,4 @@
-// JSON as text: values from it, its parts byte for byte, and text from values.
+// JSON as text: parsing values, splitting them without change, and writing them.
 #pragma once
 
 #include <concepts>
@@ -14,17 +14,17 @@
 
 namespace viewproj::cmd {
 
-/// How deep a value that is read may be nested.
+/// How deep a value may be nested.
 inline constexpr std::size_t kDeepestJson = 200;
 
-/// Reads the value of a text, unless the text is nested too deep or has another fault, or an object of it has a key
-/// twice: that is returned.
+/// Parses a text. Returns what is wrong if the text is not valid, is nested too deep, or has an object with a key
+/// twice.
 std::optional<JsonFault> parseJson(std::string_view text, nlohmann::json& value);
 
-/// A number as JSON writes it: an integer where 64 bits hold it, otherwise the nearest double.
+/// A JSON number as an integer if 64 bits hold it, otherwise as the nearest double.
 nlohmann::json numberOfJson(std::string_view text);
 
-/// Blanks in place of // and /* */ comments, so that all else stays where it is. One that does not end stays.
+/// Replaces // and /* */ comments by blanks, so that all else keeps its place. A comment that does not end stays.
 void blankComments(std::string& text);
 
 /// The parts of an array or object, one after the other. The text must be valid JSON.
@@ -36,7 +36,7 @@ class JsonParts {
   struct Part {
     std::string_view key;    ///< without its quotes, escapes as written; empty in an array
     std::string_view value;  ///< as written
-    std::size_t offset;      ///< of the value, or in an object of the key, from the start of the text
+    std::size_t offset;      ///< of the value, or of the key in an object, from the start of the text
   };
 
   /// The next part, or nothing at the end.
@@ -48,17 +48,17 @@ class JsonParts {
   std::size_t at_;
 };
 
-/// The offset after the JSON value that starts at `at`, whether or not it is valid within.
+/// The offset after the JSON value that starts at `at`. Does not check whether the value is valid.
 std::size_t endOfValue(std::string_view text, std::size_t at);
 
-/// A key or string as written (without quotes) with its escapes resolved.
+/// A key or string as written (without quotes), with its escapes resolved.
 std::string unescaped(std::string_view raw);
 
-/// What is not UTF-8 is replaced.
+/// A JSON string. Bytes that are not UTF-8 are replaced.
 std::string jsonOf(std::string_view text);
 inline std::string jsonOf(const std::string& text) { return jsonOf(std::string_view(text)); }
 inline std::string jsonOf(const char* text) { return jsonOf(std::string_view(text)); }
-/// The shortest number that reads back as the same; null for what is not finite.
+/// The shortest number that reads back as the same; null for infinity and NaN.
 std::string jsonOf(double number);
 inline std::string jsonOf(bool flag) { return flag ? "true" : "false"; }
 template <std::unsigned_integral Integer>
@@ -70,8 +70,7 @@ std::string jsonOf(const std::optional<T>& value) {
   return value ? jsonOf(*value) : "null";
 }
 
-/// [a, b] of JSON texts. between: what stands between two; where that breaks the line, so does what stands before the
-/// first.
+/// [a, b] of JSON texts. between: the text between two items. If it breaks the line, so does the text before the first.
 std::string jsonList(const std::vector<std::string>& items, std::string_view between = ", ");
 
 /// [a, b] of values.
@@ -82,16 +81,16 @@ std::string jsonListOf(const Values& values) {
   return jsonList(items);
 }
 
-/// {"name": value, ...} in the order in which they are added.
+/// {"name": value, ...} in the order of the calls.
 class JsonObject {
  public:
   template <class T>
   JsonObject& add(std::string_view name, const T& value) {
     return addText(name, jsonOf(value));
   }
-  /// json: a value. between: what stands between it and the one before.
+  /// json: a value. between: the text between it and the previous member.
   JsonObject& addText(std::string_view name, std::string_view json, std::string_view between = ", ");
-  /// Of another object; none is nothing.
+  /// Appends the members of another object; an empty text appends nothing.
   JsonObject& addMembers(std::string_view members, std::string_view between = ", ");
   const std::string& members() const { return members_; }
   std::string text() const { return "{" + members_ + "}"; }

@@ -46,9 +46,9 @@ std::string entry(const std::string& left, std::size_t column, std::string_view 
 std::size_t terminalWidth() {
   constexpr std::size_t kUsual = 80, kLeast = 40;
   std::size_t columns = 0;
-  // NOLINTNEXTLINE(concurrency-mt-unsafe): nobody changes the environment
-  if (const char* const told = std::getenv("COLUMNS"))
-    (void)std::from_chars(told, told + std::string_view(told).size(), columns);
+  // NOLINTNEXTLINE(concurrency-mt-unsafe): nothing changes the environment
+  if (const char* const setting = std::getenv("COLUMNS"))
+    (void)std::from_chars(setting, setting + std::string_view(setting).size(), columns);
   if (columns == 0) columns = terminalColumns();
   return columns == 0 ? kUsual : std::max(kLeast, columns);
 }

@@ -7,20 +7,21 @@
 
 namespace viewproj::cmd {
 
-/// How many columns of a terminal the text takes: characters, not bytes, one each.
+/// The width of a text in terminal columns: its number of characters, not bytes.
 std::size_t columnsOf(std::string_view text);
 
-/// With blanks after it up to so many columns.
+/// The text with blanks appended up to this many columns.
 std::string paddedRight(std::string_view text, std::size_t columns);
 
-/// Lines of words of up to `width` columns, each but the first after `indent` blanks; the first goes on where `indent`
-/// columns are taken. Ends in a line break.
+/// Wraps words into lines of up to `width` columns. Each line but the first begins with `indent` blanks; the first
+/// assumes that `indent` columns are already used. Ends with a line break.
 std::string wrapped(std::string_view text, std::size_t width, std::size_t indent = 0);
 
-/// An entry of a list: text from a column on, wrapped, beside what stands left of it, or below where that is too long.
+/// An entry of a list: left, then the text wrapped from a column on. The text starts on the next line if left is too
+/// long.
 std::string entry(const std::string& left, std::size_t column, std::string_view text, std::size_t width);
 
-/// The width of what standard output is shown on: COLUMNS, or else the terminal's, or else 80; at least 40.
+/// The width for standard output: COLUMNS, else the terminal's width, else 80; at least 40.
 std::size_t terminalWidth();
 
 }  // namespace viewproj::cmd

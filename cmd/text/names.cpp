@@ -11,7 +11,7 @@ namespace {
 
 char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 
-/// Edits (insert, delete, replace, swap of neighbours) from a to b, case aside.
+/// The number of edits (insert, delete, replace, swap neighbours) from a to b, ignoring case.
 std::size_t editDistance(std::string_view a, std::string_view b) {
   std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = i;
@@ -46,7 +46,7 @@ std::string_view nearestName(std::string_view name, std::span<const std::string_
   const std::string_view word = withoutDashes(name);
   std::string_view best;
   if (word.size() > kLongest) return best;
-  // Who adds to a name, as in d3d-lh and d3d11, means that name.
+  // A name with a suffix, like d3d-lh or d3d11, means the candidate without it.
   for (const std::string_view candidate : candidates)
     if (candidate.size() > std::max<std::size_t>(best.size(), 2) && name.size() > candidate.size() &&
         sameButForCase(name.substr(0, candidate.size()), candidate) &&
@@ -56,7 +56,7 @@ std::string_view nearestName(std::string_view name, std::span<const std::string_
   std::size_t fewest = word.size() / 3 + 1;
   for (const std::string_view candidate : candidates) {
     const std::string_view other = withoutDashes(candidate);
-    // So many letters more or fewer are as many edits.
+    // A difference in length needs at least as many edits.
     if (other.size() >= word.size() + fewest || word.size() >= other.size() + fewest) continue;
     if (const std::size_t edits = editDistance(word, other); edits < fewest) {
       fewest = edits;
@@ -69,10 +69,11 @@ std::string_view nearestName(std::string_view name, std::span<const std::string_
 std::string suggestion(std::string_view name, std::span<const std::string_view> candidates, std::string_view page) {
   constexpr std::size_t kMost = 8;
   std::string_view nearest = nearestName(name, candidates);
-  std::vector<std::string_view> begun;  // as proj is; of a letter, which is near any other, before all
+  std::vector<std::string_view> completions;  // preferred to nearest for a single letter, which is near any other
   for (const std::string_view candidate : candidates)
-    if (sameButForCase(candidate.substr(0, name.size()), name)) begun.push_back(candidate);
-  if (name.size() == 1 ? begun.size() == 1 : nearest.empty() && name.size() > 2 && !begun.empty()) nearest = begun[0];
+    if (sameButForCase(candidate.substr(0, name.size()), name)) completions.push_back(candidate);
+  if (name.size() == 1 ? completions.size() == 1 : nearest.empty() && name.size() > 2 && !completions.empty())
+    nearest = completions[0];
   if (!nearest.empty()) return "; did you mean '" + visible(nearest) + "'?";
   if (!page.empty() && candidates.size() > kMost) return "; viewproj " + std::string(page) + " lists them";
   return (candidates.size() == 1 ? "; known is " : "; known are ") + visible(joined(candidates));

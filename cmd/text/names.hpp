@@ -1,4 +1,4 @@
-// Names: those of CSV's columns, and help with those that were mistyped.
+// Names: the columns of CSV, and suggestions for mistyped names.
 #pragma once
 
 #include <span>
@@ -10,15 +10,15 @@ namespace viewproj::cmd {
 
 bool sameButForCase(std::string_view a, std::string_view b);
 
-/// The candidate that takes the fewest edits from name, case and dashes in front aside; empty where that are more than
-/// a third of its letters.
+/// The candidate with the fewest edits from name, ignoring case and leading dashes. Empty if these are more than a
+/// third of its letters.
 std::string_view nearestName(std::string_view name, std::span<const std::string_view> candidates);
 
-/// "; did you mean 'fovY'?" or, with no near one, "; known are a, b, c"; in place of more than eight of these, where
-/// page is "help camera", "; viewproj help camera lists them".
+/// "; did you mean 'fovY'?", or without a near name "; known are a, b, c". If there are more than eight and page is
+/// "help camera": "; viewproj help camera lists them".
 std::string suggestion(std::string_view name, std::span<const std::string_view> candidates, std::string_view page = "");
 
-/// How a name's numbers spread over the columns of CSV: viewDistance is view_distance, screen is screen_x, screen_y.
+/// CSV columns of a name with several numbers: viewDistance is view_distance, screen is screen_x and screen_y.
 inline constexpr std::string_view kColumnSuffixes[] = {"_x", "_y", "_z", "_w"};
 std::string columnName(std::string_view name);
 

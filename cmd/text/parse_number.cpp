@@ -19,14 +19,14 @@ struct Digits {
   int count;
 };
 
-/// Of the next eight bytes, without a branch that depends on how many they are.
+/// The digits at the start of eight bytes, without a branch that depends on their number.
 Digits leadingDigits(const char* at) {
   std::uint64_t bytes = 0;
   std::memcpy(&bytes, at, sizeof bytes);
   bytes ^= 0x3030303030303030;
   const int count = std::countr_zero(((bytes + 0x7676767676767676) | bytes) & 0x8080808080808080) / 8;
   if (count == 0) return {0, 0};
-  bytes <<= 64 - 8 * count;  // zeros in front
+  bytes <<= 64 - 8 * count;  // zeros in front of the digits
   bytes = 10 * bytes + (bytes >> 8);
   constexpr std::uint64_t kPairs = 0x000000ff000000ff;
   bytes = (bytes & kPairs) * (100 + (std::uint64_t{1000000} << 32)) +
@@ -34,11 +34,11 @@ Digits leadingDigits(const char* at) {
   return {static_cast<std::int64_t>(bytes >> 32), count};
 }
 
-/// As readNumber, of up to eight digits before a point and after it; else null. The quotient of two integers that are
-/// doubles is the double nearest to the decimal. fast_float's branches on the count of digits cost a stream of records
-/// a fifth of its time.
+/// Like readNumber for up to eight digits before a point and after it; else null. The quotient of two integers that
+/// doubles hold exactly is the double nearest to the decimal. fast_float's branches on the number of digits would take
+/// a fifth of a stream's time.
 const char* readShort(const char* begin, const char* end, double& number) {
-  constexpr std::ptrdiff_t kLongest = 1 + 8 + 1 + 8 + 1;  // with the byte after it
+  constexpr std::ptrdiff_t kLongest = 1 + 8 + 1 + 8 + 1;  // includes the byte after it
   constexpr std::int64_t kPowers[] = {1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000};
   if (std::endian::native != std::endian::little || FLT_EVAL_METHOD != 0 || end - begin < kLongest) return nullptr;
   const bool negative = *begin == '-';
@@ -60,7 +60,7 @@ const char* readShort(const char* begin, const char* end, double& number) {
 }
 
 const char* readAny(const char* begin, const char* end, double& number) {
-  // Newer versions call what is beyond all doubles, or next to zero, an error, and give its value all the same.
+  // Newer versions report a number beyond all doubles, or next to zero, as an error, but still give its value.
   const auto [stop, error] = fast_float::from_chars(begin, end, number);
   return error == std::errc::invalid_argument ? nullptr : stop;
 }

@@ -15,8 +15,8 @@
 namespace viewproj::cmd {
 namespace {
 
-/// Whether to try again: the call was interrupted, or whoever opened the descriptor set it not to block.
-bool isPassing(int descriptor, short event) {
+/// Whether to try again: the call was interrupted, or the descriptor does not block and was not ready.
+bool shouldRetry(int descriptor, short event) {
   if (errno != EAGAIN) return errno == EINTR;
   pollfd state{descriptor, event, 0};
   (void)::poll(&state, 1, -1);
@@ -26,10 +26,10 @@ bool isPassing(int descriptor, short event) {
 }  // namespace
 
 void prepareSystem() {
-  // Where it cannot be written further, write() says so.
+  // write() then reports that it cannot write any more.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
-  // Input is empty where it came closed, and output fails.
+  // A standard descriptor that came closed becomes empty as input and fails as output.
   for (int descriptor = 0; descriptor <= 2; ++descriptor)
     if (::fcntl(descriptor, F_GETFD) < 0) (void)::open("/dev/null", O_RDONLY);
 }
@@ -59,7 +59,7 @@ int becomeStandardOutput(int descriptor) { return ::dup2(descriptor, kStandardOu
 std::ptrdiff_t readSome(int descriptor, char* to, std::size_t most) {
   ssize_t got = 0;
   do got = ::read(descriptor, to, most);
-  while (got < 0 && isPassing(descriptor, POLLIN));
+  while (got < 0 && shouldRetry(descriptor, POLLIN));
   return got;
 }
 
@@ -78,7 +78,7 @@ std::optional<std::size_t> bytesLeft(int descriptor) {
 
 std::ptrdiff_t writeSome(int descriptor, std::string_view text) {
   const ssize_t written = ::write(descriptor, text.data(), text.size());
-  return written < 0 && isPassing(descriptor, POLLOUT) ? 0 : written;
+  return written < 0 && shouldRetry(descriptor, POLLOUT) ? 0 : written;
 }
 
 unsigned countProcessors() {

@@ -1,4 +1,4 @@
-// Descriptors are those of the C runtime, in binary mode. Names are UTF-8 by the manifest of the executable.
+// Descriptors are those of the C runtime, in binary mode. The executable's manifest makes names UTF-8.
 #include <windows.h>
 //
 #include <fcntl.h>
@@ -15,16 +15,16 @@
 namespace viewproj::cmd {
 namespace {
 
-constexpr std::size_t kMost = 1 << 30;  // bytes of one call
+constexpr std::size_t kMost = 1 << 30;  // bytes per call
 
 HANDLE handleOf(int descriptor) { return reinterpret_cast<HANDLE>(::_get_osfhandle(descriptor)); }
 
-/// Of the console, while the run writes UTF-8 to it.
+/// The console's code page before the run, which writes UTF-8.
 UINT codePage = 0;
 
 void restoreCodePage() { ::SetConsoleOutputCP(codePage); }
 
-/// With the errno that other systems have.
+/// Sets errno as on other systems.
 int opened(int descriptor, const std::string& name) {
   const int error = errno;
   std::error_code ignored;
@@ -67,7 +67,7 @@ int openToRead(const std::string& name) { return opened(::_open(name.c_str(), _O
 int openToWrite(const std::string& name) { return opened(::_open(name.c_str(), _O_WRONLY | _O_BINARY), name); }
 
 int createFile(const std::string& name, int) {
-  // Other than _open, it lets an open file be renamed and removed.
+  // Unlike _open, this lets an open file be renamed and removed.
   const HANDLE file = ::CreateFileA(name.c_str(), GENERIC_WRITE, FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE,
                                     nullptr, CREATE_NEW, FILE_ATTRIBUTE_NORMAL, nullptr);
   if (file != INVALID_HANDLE_VALUE) return ::_open_osfhandle(reinterpret_cast<std::intptr_t>(file), _O_BINARY);
@@ -85,10 +85,10 @@ std::ptrdiff_t readSome(int descriptor, char* to, std::size_t most) {
   constexpr char kCtrlZ = 0x1a;
   ::SetLastError(ERROR_SUCCESS);
   const int got = ::_read(descriptor, to, static_cast<unsigned>(std::min(most, kMost)));
-  // Ctrl-C ends a line, and then another thread ends the process: that is no end of the input.
+  // Ctrl-C ends a read, and then another thread ends the process. That is not the end of the input.
   if (got == 0 && ::GetLastError() == ERROR_OPERATION_ABORTED) ::Sleep(kMilliseconds);
   if (got > 0 && *to == kCtrlZ && isTerminal(descriptor)) return 0;
-  return got < 0 && errno == EPIPE ? 0 : got;  // the writer has gone: the end
+  return got < 0 && errno == EPIPE ? 0 : got;  // the writer has closed: the end
 }
 
 bool isReady(int descriptor) {
@@ -107,7 +107,7 @@ std::optional<std::size_t> bytesLeft(int descriptor) {
 
 std::ptrdiff_t writeSome(int descriptor, std::string_view text) {
   const int written = ::_write(descriptor, text.data(), static_cast<unsigned>(std::min(text.size(), kMost)));
-  // A pipe fails in several ways, some without a code, and all of them mean that nobody reads.
+  // A pipe fails in several ways, some without a code. All of them mean that the reader has closed.
   if (written < 0 && ::GetFileType(handleOf(descriptor)) == FILE_TYPE_PIPE) errno = EPIPE;
   return written;
 }

@@ -1,4 +1,5 @@
-// Text that grows at its end: what std::string does, with appending inlined, since a stream is made of short pieces.
+// Text that grows at its end. Unlike std::string's, its appending is inlined, because a stream consists of short
+// pieces.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +18,7 @@ class TextBuffer {
   char back() const { return data_[size_ - 1]; }
 
   void clear() { size_ = 0; }
-  /// Forgets all after the first `size` bytes.
+  /// Removes everything after the first `size` bytes.
   void truncate(std::size_t size) { size_ = size; }
 
   TextBuffer& operator+=(char c) {
@@ -26,13 +27,13 @@ class TextBuffer {
     return *this;
   }
   TextBuffer& operator+=(std::string_view text) {
-    if (text.empty()) return *this;  // which may be nowhere
+    if (text.empty()) return *this;  // its data may be null
     copy(room(text.size()), text.data(), text.size());
     size_ += text.size();
     return *this;
   }
 
-  /// Where to write up to `most` bytes; written() says how many it were.
+  /// Returns room for up to `most` bytes. Call written() with the end of the bytes that were written.
   char* room(std::size_t most) {
     if (capacity_ - size_ < most) grow(most);
     return data_.get() + size_;
@@ -40,7 +41,7 @@ class TextBuffer {
   void written(const char* end) { size_ = static_cast<std::size_t>(end - data_.get()); }
 
  private:
-  /// As memcpy, without a call for what is short: its first bytes and its last ones.
+  /// Like memcpy, but inlined for short texts: copies the first and the last bytes.
   static void copy(char* to, const char* from, std::size_t size) {
     if (size >= 8 && size <= 16) {
       copyEnds<std::uint64_t>(to, from, size);
@@ -61,7 +62,7 @@ class TextBuffer {
 
   void grow(std::size_t more) {
     const std::size_t capacity = 2 * capacity_ + more + 1024;
-    std::unique_ptr<char[]> data(new char[capacity]);  // not made zero
+    std::unique_ptr<char[]> data(new char[capacity]);  // not initialised
     if (size_ > 0) std::memcpy(data.get(), data_.get(), size_);
     data_ = std::move(data);
     capacity_ = capacity;

@@ -18,7 +18,7 @@ char32_t nextCharacter(std::string_view text, std::size_t& at) {
     if (!continuesCharacter(text[at + i])) return kNoCharacter;
     code = code << 6 | (static_cast<unsigned char>(text[at + i]) & 0x3F);
   }
-  // Neither longer than need be, nor half a pair of UTF-16, nor beyond the last.
+  // Not an overlong encoding, half of a UTF-16 pair, or beyond the last character.
   constexpr char32_t kLeast[] = {0, 0x80, 0x800, 0x10000};
   if (code < kLeast[more] || (code >= 0xD800 && code < 0xE000) || code > 0x10FFFF) return kNoCharacter;
   at += more;

@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Marks count characters.
+/// The byte offset of a mark of libyaml, which counts characters.
 std::size_t offsetOf(std::string_view text, std::size_t characters) {
   std::size_t at = 0;
   for (; at < text.size(); ++at)
@@ -21,7 +21,7 @@ std::size_t offsetOf(std::string_view text, std::size_t characters) {
   return at;
 }
 
-/// OpenCV's first line is no directive of YAML: a comment in its place.
+/// Turns OpenCV's first line, which is not a valid directive of YAML, into a comment.
 std::string withoutDirective(std::string_view text) {
   std::string copy(text);
   if (copy.starts_with("%YAML:")) copy[0] = '#';
@@ -78,7 +78,7 @@ class Reader {
       if (!document.isGood()) throw fault();
       yaml_node_t* const root = document.root();
       if (!root) return value;
-      // A stream of messages ends each with ---, the last too.
+      // In a stream of messages every message ends with ---, also the last one.
       const bool isEmpty = root->type == YAML_SCALAR_NODE && isPlain(*root) && root->data.scalar.length == 0;
       if (isRead && !isEmpty) fail(*root, "a second document begins here; one is expected");
       if (!isRead) value = valueOf(document, *root, 0);
@@ -98,7 +98,7 @@ class Reader {
     return {std::min(at, text_.size()), "not valid YAML: " + problem};
   }
 
-  /// A text without aliases makes less of its bytes than twice their number.
+  /// Counts the size of values. Without aliases it stays below twice the bytes of the text.
   void spend(const yaml_node_t& node, std::size_t weight) {
     weight_ += weight;
     if (weight_ > 2 * text_.size()) fail(node, "aliases make more of this text than it has bytes");
@@ -120,7 +120,7 @@ class Reader {
     json object = json::object();
     for (const yaml_node_pair_t* pair = node.data.mapping.pairs.start; pair != node.data.mapping.pairs.top; ++pair) {
       const yaml_node_t& key = document.node(pair->key);
-      if (key.type != YAML_SCALAR_NODE) fail(key, "a key that is no text");
+      if (key.type != YAML_SCALAR_NODE) fail(key, "a key that is not a text");
       const std::string name = textOf(key);
       spend(key, 1 + name.size());
       if (name == "<<" && isPlain(key))
@@ -137,7 +137,7 @@ class Reader {
     if (isOne(text, "", "~", "null", "Null", "NULL")) return nullptr;
     if (isOne(text, "true", "True", "TRUE")) return true;
     if (isOne(text, "false", "False", "FALSE")) return false;
-    // As the core schema has it, decimal: -1, +1., .5e3.
+    // Decimal numbers of the core schema: -1, +1., .5e3.
     if (isLargerThanDoubles(text)) fail(node, inQuotes(text) + " is larger than any double");
     return parseNumber(text) ? numberOfJson(std::string_view(text).substr(text.starts_with('+') ? 1 : 0)) : json(text);
   }
@@ -159,7 +159,7 @@ bool looksLikeYaml(std::string_view text) {
     if (line.ends_with('\r')) line.remove_suffix(1);
     if (line.empty() || line[0] == '#') continue;
     if (line == "---" || line.starts_with("--- ") || line.starts_with("- ")) return true;
-    // A key, and nothing else before its colon than what names and quotes have.
+    // A key: before its colon are only characters of names and quotes.
     constexpr std::size_t kLongest = 200;
     const std::size_t colon = line.substr(0, kLongest).find(':');
     if (colon == std::string_view::npos || colon == 0) return false;

@@ -1,4 +1,4 @@
-// YAML as text: what it says as JSON would. The one place that calls libyaml.
+// Reads YAML into JSON values. The only file that calls libyaml.
 #pragma once
 
 #include <optional>
@@ -9,14 +9,13 @@
 
 namespace viewproj::cmd {
 
-/// Whether a text that is no JSON looks like YAML: a %YAML line, or a key and its colon, a --- or a - in its first line
-/// that is no comment.
+/// Whether a text that is not JSON looks like YAML: it has a %YAML line, or its first line that is not a comment is ---
+/// or begins with - or a key and its colon.
 bool looksLikeYaml(std::string_view text);
 
-/// Reads the value of one document, as OpenCV's FileStorage, ROS and others write it: objects, arrays, texts, numbers,
-/// true, false and null. Tags say nothing. What JSON has no word for (.inf, .nan) stays a text. Returns
-/// what is wrong with the text: a key twice, nesting deeper than `deepest`, and aliases that make more of the text than
-/// it has bytes are faults too.
+/// Reads one document, such as OpenCV's FileStorage or ROS write: objects, arrays, texts, numbers, true, false and
+/// null. Tags are ignored. Values that JSON does not have (.inf, .nan) stay texts. Returns what is wrong with the text.
+/// A key twice, nesting deeper than `deepest`, and aliases that make the text several times larger are errors too.
 std::optional<JsonFault> parseYaml(std::string_view text, std::size_t deepest, nlohmann::json& value);
 
 }  // namespace viewproj::cmd
