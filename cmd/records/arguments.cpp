@@ -22,7 +22,7 @@ std::vector<double> numbersOf(const std::string& option, const std::string& text
   return *numbers;
 }
 
-/// "[1,2,3]" of three numbers from the first on.
+/// "[1,2,3]" from three numbers, beginning at first.
 std::string vectorAt(const std::vector<double>& n, std::size_t first) {
   return "[" + formatNumber(n[first]) + "," + formatNumber(n[first + 1]) + "," + formatNumber(n[first + 2]) + "]";
 }
@@ -80,7 +80,7 @@ Plane readPlaneArgument(const std::string& option, const std::string& text) {
   }
   const std::vector<double> n = numbersOf(option, text, 4, kForm);
   plane.normal = {n[0], n[1], n[2]};
-  // Where it crosses the axis that it is most across: one division, rounded once.
+  // Its point on the axis that it crosses most steeply: one division, rounded once.
   std::size_t axis = 0;
   for (std::size_t i = 1; i < 3; ++i)
     if (std::fabs(n[i]) > std::fabs(n[axis])) axis = i;

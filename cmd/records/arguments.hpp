@@ -1,4 +1,4 @@
-// Points and shapes as a command line writes them: numbers separated by commas, without a file.
+// Points and shapes on a command line: numbers separated by commas, without a file.
 #pragma once
 
 #include <string>
@@ -9,31 +9,31 @@
 
 namespace viewproj::cmd {
 
-/// X,Y,Z[,W], or each number with its role in any order, as in lat=47,lon=8,height=1500.
+/// X,Y,Z[,W]; or each number with its role, in any order, as in lat=47,lon=8,height=1500.
 struct PointArgument {
   std::string text;  ///< as typed, after the option
   std::vector<std::pair<std::string_view, double>> numbers;
   bool hasRoles = false;
 
   bool isPlace() const { return numbers[0].first == "lat"; }
-  /// As a record.
+  /// The point as the text of a JSON record.
   std::string json() const;
-  /// Throws UsageError for a place with a camera elsewhere, and for three numbers without roles with one on the Earth.
+  /// Throws UsageError for a place if the camera is not on the Earth, and for three numbers without roles if it is.
   void requireFit(bool worldIsEcef) const;
-  /// In the world. Throws UsageError where all four numbers are 0, and for a lat beyond 90.
+  /// The point in world coordinates. Throws UsageError if all four numbers are 0, or for a lat beyond 90.
   Vec4 point() const;
 };
 inline constexpr const char* kPointForm = "X,Y,Z[,W]|lat=..,lon=..,height=..";
 PointArgument readPointArgument(const std::string& option, const std::string& text);
 
-/// z=0, also x=..., y=...; or A,B,C,D: the plane Ax + By + Cz + D = 0. The normal is that axis or A,B,C. Throws
+/// A plane: z=0, also x=..., y=...; or A,B,C,D for Ax + By + Cz + D = 0. The normal is that axis or A,B,C. Throws
 /// UsageError.
 Plane readPlaneArgument(const std::string& option, const std::string& text);
 
-/// X,Y,Z,R: a sphere as a record. Throws UsageError.
+/// A sphere X,Y,Z,R as a record. Throws UsageError.
 std::string readSphereArgument(const std::string& option, const std::string& text);
 
-/// X,Y,Z,X,Y,Z: the lower and the upper corner of a box, as a record. Throws UsageError.
+/// A box X,Y,Z,X,Y,Z, its lower and upper corner, as a record. Throws UsageError.
 std::string readBoxArgument(const std::string& option, const std::string& text);
 
 }  // namespace viewproj::cmd

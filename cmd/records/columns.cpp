@@ -16,7 +16,7 @@ using Pick = ColumnChoice::Pick;
 
 constexpr std::size_t kMostPicks = 16;
 
-/// What stands between commas, and before the first = of each; in quotes, as CSV has them, both are part of a name.
+/// The parts between commas, each split at its first =. Inside quotes, as in CSV, both characters belong to a name.
 std::vector<std::pair<std::optional<std::string>, std::string>> splitRoles(std::string_view text) {
   std::vector<std::pair<std::optional<std::string>, std::string>> parts(1);
   bool isQuoted = false;
@@ -34,7 +34,7 @@ std::vector<std::pair<std::optional<std::string>, std::string>> splitRoles(std::
   return parts;
 }
 
-/// All that may be named, in the order of the table.
+/// All parts that may be chosen, in the order of the table.
 std::vector<const CoordinatePart*> partsOf(const ChoosableColumns& choosable) {
   std::vector<const CoordinatePart*> parts;
   for (const auto& rows : {choosable.rows, choosable.others})
@@ -43,7 +43,7 @@ std::vector<const CoordinatePart*> partsOf(const ChoosableColumns& choosable) {
   return parts;
 }
 
-/// Empty: it is the name of none.
+/// The role with this name, or an empty text.
 std::string_view roleNamed(std::string_view name, const ChoosableColumns& choosable) {
   for (const CoordinatePart* part : partsOf(choosable))
     if (isNamed(name, *part)) return part->name;
@@ -54,7 +54,7 @@ bool has(const std::vector<Pick>& picks, std::string_view role) {
   return std::any_of(picks.begin(), picks.end(), [&](const Pick& pick) { return pick.role == role; });
 }
 
-/// Whether they are all that a row needs, each once, and no more than it and one of the others have.
+/// Whether the roles are exactly those of one row, each once, with at most one of the others.
 bool isWhole(const std::vector<Pick>& picks, const ChoosableColumns& choosable) {
   const auto isThere = [&](const CoordinatePart& part) { return has(picks, part.name); };
   const auto others = std::count_if(choosable.others.begin(), choosable.others.end(),
@@ -66,7 +66,7 @@ bool isWhole(const std::vector<Pick>& picks, const ChoosableColumns& choosable) 
          });
 }
 
-/// "expected x,y,z[,w] or lat,lon,height, as in E,N,U or x=E,y=N,z=U".
+/// A message such as "expected x,y,z[,w] or lat,lon,height, as in E,N,U or x=E,y=N,z=U".
 std::string expected(const ChoosableColumns& choosable) {
   std::string text;
   for (const Coordinate* row : choosable.rows) {
@@ -81,9 +81,9 @@ std::string expected(const ChoosableColumns& choosable) {
   return text + ", as in " + std::string(choosable.example);
 }
 
-/// Gives them the roles of the first row in order; one more is what its name says, or the only thing that it may be.
-/// False where there is no such role.
-bool takeInOrder(std::vector<Pick>& picks, const ChoosableColumns& choosable) {
+/// Assigns the roles of the first row in order. One more pick gets the role with its name, or the only possible role.
+/// Returns false if there is none.
+bool assignInOrder(std::vector<Pick>& picks, const ChoosableColumns& choosable) {
   const Coordinate& row = *choosable.rows[0];
   if (picks.size() < row.fewest || picks.size() > row.fewest + 1) return false;
   for (std::size_t i = 0; i < row.fewest; ++i) picks[i].role = row.parts[i].name;
@@ -96,16 +96,16 @@ bool takeInOrder(std::vector<Pick>& picks, const ChoosableColumns& choosable) {
   return isWhole(picks, choosable);
 }
 
-/// Names that are all roles are these, whatever their order. Throws UsageError for x, y, z in another order, which may
-/// be columns that are called so and are others.
-bool takeAsRoles(const std::string& text, std::vector<Pick>& picks, const ChoosableColumns& choosable) {
+/// If the names are all roles, assigns those, in any order. Throws UsageError if x, y, z are in another order, because
+/// they may be columns with these names that hold other coordinates.
+bool assignByName(const std::string& text, std::vector<Pick>& picks, const ChoosableColumns& choosable) {
   std::vector<Pick> named = picks;
   for (Pick& pick : named) {
     pick.role = roleNamed(pick.name, choosable);
     pick.nameless = static_cast<std::size_t>(&pick - named.data()) + 1;
   }
   if (!isWhole(named, choosable)) return false;
-  if (named.size() == choosable.rows[0]->fewest && takeInOrder(picks, choosable))
+  if (named.size() == choosable.rows[0]->fewest && assignInOrder(picks, choosable))
     for (std::size_t i = 0; i < picks.size(); ++i)
       if (named[i].role != picks[i].role && has(picks, named[i].role))
         throw UsageError("--columns " + text + ": coordinates in another order; write each with its role, as in " +
@@ -114,7 +114,7 @@ bool takeAsRoles(const std::string& text, std::vector<Pick>& picks, const Choosa
   return true;
 }
 
-/// areNames: and no values.
+/// areNames: the picks are names of columns, not values.
 ColumnChoice readPicks(const std::string& option, const std::string& text, const ChoosableColumns& choosable,
                        bool areNames) {
   const auto wrong = [&](const std::string& what) { return UsageError(option + " " + text + ": " + what); };
@@ -129,8 +129,8 @@ ColumnChoice readPicks(const std::string& option, const std::string& text, const
     picks.push_back({role ? roleNamed(*role, choosable) : "", name});
     if (role && picks.back().role.empty()) throw wrong(inQuotes(*role) + " is not a role; " + expected(choosable));
   }
-  if (!choice.hasRoles && !(areNames && (choice.hasRoles = takeAsRoles(text, picks, choosable))))
-    (void)takeInOrder(picks, choosable);
+  if (!choice.hasRoles && !(areNames && (choice.hasRoles = assignByName(text, picks, choosable))))
+    (void)assignInOrder(picks, choosable);
   if (!isWhole(picks, choosable)) throw wrong(expected(choosable));
   const auto parts = partsOf(choosable);
   const auto orderOf = [&](const Pick& pick) {
@@ -188,7 +188,7 @@ void ColumnChoice::requireNoNames(const std::string& of) const {
 
 namespace {
 
-/// Throws RecordError where the record has none.
+/// The field that a pick means. Throws RecordError if the record does not have it.
 std::size_t fieldOf(const Pick& pick, const RecordParts& record) {
   const Shape& shape = record.shape;
   const bool csv = shape.form == Form::csv, hasNames = !shape.isArray && (!csv || shape.hasHeader);
@@ -202,7 +202,7 @@ std::size_t fieldOf(const Pick& pick, const RecordParts& record) {
   if (number > 0) return number - 1;
   if (!hasNames) throw RecordError(0, "has " + what + "s without names; --columns takes them by number, as in 1,2,3");
   if (const auto field = shape.find(pick.name)) return *field;
-  throw RecordError(0, "has no " + what + " " + visible(pick.name) + ", which --columns names" + whatIsThere(shape));
+  throw RecordError(0, "has no " + what + " " + visible(pick.name) + ", which --columns names" + fieldsNote(shape));
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
-// What a record's numbers are called: each way to write a point, a shape or a pixel is a row, which the readers,
-// --columns, messages and help follow from. Names count in any letter case. To add a way: a row; another name: an
-// alias.
+// The names of a record's numbers. Each way to write a point, a shape or a pixel is a row of a table, which the
+// readers, --columns, messages and help use. Letter case does not matter. To add a way, add a row; to add another name,
+// add an alias.
 #pragma once
 
 #include <cstddef>
@@ -13,21 +13,21 @@
 namespace viewproj::cmd {
 
 enum class CoordinateForm : unsigned char {
-  numbers,  ///< a field or column for each part
-  array,    ///< a field with an array, or an object of x, y, z; columns NAME_x, NAME_y, ...
-  points,   ///< a field with an array of so many points; JSON alone
-  object,   ///< a field with an object of the parts; columns PART, or PART_x, ... for a part of three
+  numbers,  ///< one field or column per part
+  array,    ///< one field with an array, or an object of x, y, z; columns NAME_x, NAME_y, ...
+  points,   ///< one field with an array of points; only in JSON
+  object,   ///< one field with an object of the parts; columns PART, or PART_x, ... for a part of three numbers
 };
 
-/// What becomes of the numbers.
+/// How the numbers are used.
 enum RecordKind : unsigned {
   kindPoint,
   kindDirection,
   kindPlace,
   kindSegment,
   kindSphere,
-  kindRoundPoint,    ///< a point, and a radius after it
-  kindPlacedSphere,  ///< a place, and a radius
+  kindRoundPoint,    ///< a point followed by a radius
+  kindPlacedSphere,  ///< a place followed by a radius
   kindBox,
   kindTriangle
 };
@@ -41,14 +41,14 @@ struct CoordinatePart {
 };
 
 struct Coordinate {
-  std::string_view name;  ///< of the field; of `numbers`, how messages call them
+  std::string_view name;  ///< name of the field; for `numbers`, the name in messages
   CoordinateForm form;
-  std::size_t fewest, most;  ///< numbers; of `points`, points
+  std::size_t fewest, most;  ///< how many numbers; for `points`, how many points
   std::string_view help;
   unsigned kind = 0;
   std::span<const CoordinatePart> parts = {};
-  bool orNull = false;   ///< null, an empty cell: stands for no value
-  Aliases aliases = {};  ///< of an array. Of a field of JSON they count where its value is a point
+  bool orNull = false;   ///< null or an empty cell means no value
+  Aliases aliases = {};  ///< for arrays; a JSON field with an alias counts only if its value is a point
 
   std::span<const CoordinatePart> required() const { return parts.first(fewest); }
 };
@@ -78,36 +78,36 @@ inline constexpr CoordinatePart
     kDepth[] = {{"depth"}},
     kViewDistance[] = {{"viewDistance"}};
 
-// Points. A record has one of them, or of the shapes.
+// Points. A record has one point or shape.
 inline constexpr Coordinate
     position = {"position", array, 3, 4, "a point of the world; with a fourth number w it is (x/w, y/w, z/w), and w = 0 makes it a direction", kindPoint, {}, false, kPositionNames},
-    xyz = {"x y z", numbers, 3, 3, "a point of the world, a field or column each", kindPoint, kXyzw},
+    xyz = {"x y z", numbers, 3, 3, "a point of the world, one field or column per number", kindPoint, kXyzw},
     place = {"lat lon height", numbers, 3, 3, "a place on the Earth: degrees on WGS84, metres above the ellipsoid", kindPlace, kPlace},
-    direction = {"direction", array, 3, 3, "its vanishing point; counts where a record has no other point or shape", kindDirection};
+    direction = {"direction", array, 3, 3, "a direction, shown at its vanishing point; used only if the record has no other point or shape", kindDirection};
 inline constexpr const Coordinate* kPoints[] = {&position, &xyz, &place, &direction};
 
 // Shapes.
 inline constexpr Coordinate
     segment = {"segment", points, 2, 2, "from one point to another", kindSegment},
-    sphere = {"sphere", object, 4, 4, "all within radius of center", kindSphere, kSphere},
+    sphere = {"sphere", object, 4, 4, "all points within radius of center", kindSphere, kSphere},
     box = {"box", object, 6, 6, "from min to max along the world's axes", kindBox, kBox},
-    triangle = {"triangle", points, 3, 3, "of three corners", kindTriangle},
-    radius = {"radius", numbers, 1, 1, "beside a point, to cull and fit, and to project where --fields asks for screenBox: a sphere about it", 0, kRadius};
+    triangle = {"triangle", points, 3, 3, "three corners", kindTriangle},
+    radius = {"radius", numbers, 1, 1, "with a point: a sphere around it (for cull, fit, and project --fields screenBox)", 0, kRadius};
 inline constexpr const Coordinate* kShapes[] = {&sphere, &box, &triangle};
 
-// Pixels, in the order in which they count, and how far away the point is.
+// Pixels, in order of preference, and the distance of the point behind them.
 inline constexpr Coordinate
     screen = {"screen", array, 2, 2, "a pixel, as project writes it", 0, {}, true},
     pixel = {"pixel", array, 2, 2, "the same", 0, {}, true},
-    xy = {"x y", numbers, 2, 2, "the same, a field or column each, without z", 0, kXy},
-    uv = {"u v", numbers, 2, 2, "a pixel beside a point, a field or column each", 0, kUv},
+    xy = {"x y", numbers, 2, 2, "the same, one field or column per number, without z", 0, kXy},
+    uv = {"u v", numbers, 2, 2, "a pixel beside a point, one field or column per number", 0, kUv},
     pxPy = {"px py", numbers, 2, 2, "the same", 0, kPxPy},
     depth = {"depth", numbers, 1, 1, "window depth of the point behind the pixel", 0, kDepth, true},
-    viewDistance = {"viewDistance", numbers, 1, 1, "its distance along the viewing axis; goes before depth", 0, kViewDistance, true};
+    viewDistance = {"viewDistance", numbers, 1, 1, "its distance along the viewing axis; preferred to depth", 0, kViewDistance, true};
 inline constexpr const Coordinate *kPixels[] = {&screen, &pixel, &xy}, *kDistances[] = {&depth, &viewDistance},
                                   *kPixelsBesidePoints[] = {&screen, &pixel, &uv, &pxPy};
 
-// Pairs of a point and its pixel, as --columns and lines of numbers have them.
+// Pairs of a point and its pixel, for --columns and lines of numbers.
 inline constexpr Coordinate
     xyzUv = {"x y z u v", numbers, 5, 6, "a point and its pixel", kindPoint, kXyzUvw},
     placeUv = {"lat lon height u v", numbers, 5, 5, "a place and its pixel", kindPlace, kPlaceUv};
@@ -115,13 +115,13 @@ inline constexpr Coordinate
 }  // namespace coordinates
 // clang-format on
 
-/// Every row.
+/// All rows.
 std::span<const Coordinate* const> allCoordinates();
 
-/// The columns of CSV, all that it may have.
+/// All CSV columns that the row may have.
 std::vector<std::string> columnsOf(const Coordinate& row);
 
-/// How its value is written: {"center": [x, y, z], "radius": r}.
+/// An example of the row's value: {"center": [x, y, z], "radius": r}.
 std::string exampleOf(const Coordinate& row);
 
 /// "position, x y z, lat lon height or direction".
@@ -129,21 +129,21 @@ std::string namesOf(std::span<const Coordinate* const> rows, std::string_view la
 
 // Names of fields and columns
 
-/// Whether a field has a part's own name, in any letter case, or as a column's (view_distance).
+/// Whether a field has the part's name, in any letter case, or its name as a column (view_distance).
 bool hasName(std::string_view field, const CoordinatePart& part);
-/// Whether it has that or one of the part's other names.
+/// Whether a field has the part's name or one of its aliases.
 bool isNamed(std::string_view field, const CoordinatePart& part);
 
-/// The field of a part, and another that fits as well. Own names go before other names.
+/// The field for a part, and another field that fits too. The part's name is preferred to its aliases.
 struct PartMatch {
   std::optional<std::size_t> field, also;
 };
 std::vector<PartMatch> matchParts(std::span<const std::string> fields, std::span<const CoordinatePart> parts);
 
-/// Whether each part has a field.
+/// Whether every part has a field.
 bool isWhole(std::span<const PartMatch> matches);
 
-/// Whether a place's height has a name of heights that may be counted from the sea.
+/// Whether a height has a name that may mean height above sea level.
 bool isSeaLevelName(std::string_view name);
 std::string seaLevelNote(std::string_view name);
 

@@ -9,7 +9,7 @@
 namespace viewproj::cmd {
 namespace {
 
-/// At a point of the ray, the height above the surface, and how it grows along the ray.
+/// The height above the surface at a point of the ray, and its slope along the ray.
 struct Rise {
   double height, slope;
 };
@@ -26,7 +26,7 @@ class Line {
     return {place.height - height_, across * (std::cos(lon) * d.x + std::sin(lon) * d.y) + std::sin(lat) * d.z};
   }
 
-  /// Where the line is nearest to the ellipsoid, or a little beside it.
+  /// Where the line is nearest to the ellipsoid, approximately.
   double lowest() const noexcept {
     constexpr double kStart = 1e5, kNear = 1e-5;
     const Vec3 &o = ray_.origin, &d = ray_.direction;
@@ -42,7 +42,7 @@ class Line {
     return low + (high - low) / 2;
   }
 
-  /// Between a point below and the way out in this direction, 1 or -1.
+  /// The crossing between a point below the surface and the outside, in direction 1 or -1.
   double crossing(double below, double direction) const noexcept {
     double step = 1e6, above = below + direction * step;
     while (at(above).height < 0) above = below + direction * (step *= 2);
@@ -52,9 +52,9 @@ class Line {
       (rise.height < 0 ? below : above) = t;
       const double next = t - rise.height / rise.slope;
       const bool isBetween = (next - below) * (next - above) < 0;
-      const double moved = isBetween ? next : below + (above - below) / 2;
-      if (std::fabs(moved - t) < 1e-9 || moved == t || steps == 100) return moved;
-      t = moved;
+      const double bounded = isBetween ? next : below + (above - below) / 2;
+      if (std::fabs(bounded - t) < 1e-9 || bounded == t || steps == 100) return bounded;
+      t = bounded;
     }
   }
 

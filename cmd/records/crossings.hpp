@@ -8,8 +8,8 @@
 
 namespace viewproj::cmd {
 
-/// The distances along a ray, 0 or more, at which its height above the ellipsoid is this: none, one or two, nearest
-/// first.
+/// The distances along a ray, 0 or more, where its height above the ellipsoid is the given one: none, one or two,
+/// nearest first.
 struct HeightCrossings {
   std::array<double, 2> distances{};
   int count = 0;
@@ -17,11 +17,11 @@ struct HeightCrossings {
 
 inline constexpr double kLeastCrossedHeight = -1e6;
 
-/// The surface of constant height, which is no ellipsoid, is met within kCrossingBound: there the height is the given
-/// one up to that. Heights from kLeastCrossedHeight on; none for a ray that is not finite, or whose direction is not of
-/// unit length. A ray that begins within the bound of the surface begins on it. Source: along a line the distance to a
-/// convex body has one minimum, found by bisection of its slope, normal . direction; on either side of it Newton's
-/// method, kept between bounds.
+/// Finds crossings with the surface of constant height, which is not an ellipsoid: at each, the height is within
+/// kCrossingBound of the given one. A ray that begins within the bound of the surface begins on it. None for heights
+/// below kLeastCrossedHeight, and for a ray that is not finite or not of unit direction. Method: along a line, the
+/// distance to a convex body has one minimum, found by bisection of its slope, normal . direction. On each side of it,
+/// Newton's method is kept between bounds.
 HeightCrossings crossingsOfHeight(const Ray& ray, double height) noexcept;
 inline constexpr double kCrossingBound = 1e-7;  ///< metres, for rays that begin within 5000 km of the ellipsoid
 

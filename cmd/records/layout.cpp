@@ -18,7 +18,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* kEarthObjects =
     "{\"lat\": LAT, \"lon\": LON, \"height\": HEIGHT} or {\"x\": X, \"y\": Y, \"z\": Z}";
 
-/// Of a part of the record's text. The name of the field stands in front of the message.
+/// An error at a part of the record's text. The message begins with the field's name.
 RecordError errorAt(const RecordParts& record, const NumberField& part, std::string_view text,
                     const std::string& message) {
   const std::string name = record.shape.isArray ? "" : record.shape.names[part.field] + ": ";
@@ -40,7 +40,7 @@ bool isAbsent(std::string_view value, Form form) {
   return value.find_first_not_of(" \t\r\"") == std::string_view::npos;
 }
 
-/// What a part is of its field's value.
+/// The text of a part within its field's value.
 std::string_view innerValue(const RecordParts& record, const NumberField& part) {
   const std::string_view value = record.values[part.field];
   if (part.inner.empty() && part.items == 0) return value;
@@ -67,7 +67,7 @@ std::string expectedArray(const NumberField& part) {
          (part.point == PointForm::none ? "" : " or {\"x\": X, \"y\": Y, \"z\": Z}");
 }
 
-/// The members of an object that is a point: those of x, y, z or of lat, lon, height.
+/// An object that is a point, with members x, y, z or lat, lon, height.
 class PointObject {
  public:
   explicit PointObject(std::string_view json) {
@@ -82,7 +82,7 @@ class PointObject {
 
   bool isPoint() const { return isWhole(xyz_) || isPlace(); }
   bool isPlace() const { return isWhole(place_); }
-  /// What leaves open which numbers it has; empty: nothing.
+  /// Why it is unclear which numbers the object has; empty if it is clear.
   std::string fault() const {
     if (isWhole(xyz_) && isPlace()) return "has both x, y, z and lat, lon, height; keep one of them";
     for (const PartMatch& match : matches())
@@ -107,8 +107,8 @@ class PointObject {
   std::vector<PartMatch> xyz_, place_;
 };
 
-/// A place becomes the point that it is, whose numbers stand nowhere. texts: null, or those of its slots. Returns how
-/// many numbers there are.
+/// Reads a point object into three slots. A place becomes its ECEF point, whose numbers have no text in the record.
+/// texts: null, or the texts of the slots. Returns the count of numbers.
 std::size_t readPointObject(const RecordParts& record, const NumberField& part, std::string_view value, double* slots,
                             std::string& seaLevel, std::string_view* texts) {
   const PointObject object(value);
@@ -134,7 +134,7 @@ std::size_t readPointObject(const RecordParts& record, const NumberField& part, 
   return 3;
 }
 
-/// Returns how many numbers there are.
+/// Returns the count of numbers.
 std::size_t readArray(const RecordParts& record, const NumberField& part, std::string_view value, double* slots,
                       std::string_view* texts) {
   const auto expected = [&] { return errorAt(record, part, value, expectedArray(part)); };

@@ -41,7 +41,7 @@ void requireNumbers(const Vec3& v, const char* field) {
 Mat4 worldFromLocal(const Vec3& translation, const Quaternion& rotation, const Vec3& scale) {
   requireNumbers(translation, "translation");
   requireNumbers(scale, "scale");
-  // The rotation is that of a camera whose axes are x right, y up, z back, and rows the columns of its inverse.
+  // The rotation is that of a camera with axes x right, y up, z back. The camera's rows are the columns of its inverse.
   const Camera camera = cameraIn({}, poseFromRotation({0, 0, 0}, rotation, CameraAxes::RUB, Handedness::right));
   Mat4 m;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -65,7 +65,7 @@ Vec4 toWorld(const Mat4& m, const Vec4& p) noexcept {
       near += detail::twoProd(m[i][j], local[j]);
       size += std::fabs(m[i][j] * local[j]);
     }
-    // Products of such a size have underflowed in nothing that counts.
+    // At this size, no product has lost a significant digit to underflow.
     if (size > 0x1p-800 && size < 0x1p900 && detail::roundsAlike(near, 0x1p-100 * size)) return detail::rounded(near);
     detail::Dyadic<2> sum;
     for (std::size_t j = 0; j < 4; ++j) sum = sum + detail::Dyadic<1>(m[i][j]) * detail::Dyadic<1>(local[j]);

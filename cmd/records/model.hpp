@@ -1,4 +1,4 @@
-// The --model option: where a model stands in the world.
+// The --model option: the transformation of a model to the world.
 #pragma once
 
 #include <string>
@@ -7,19 +7,19 @@
 
 namespace viewproj::cmd {
 
-/// source: a file name or the JSON itself. Four rows of four numbers for column vectors, of which the last is 0 0 0 1,
-/// or an object of translation, rotation [x, y, z, w] and scale. Throws InputError with the place of what is wrong, and
-/// UsageError for numbers that are neither.
+/// source: a file name or the JSON itself. Four rows of four numbers for column vectors, with last row 0 0 0 1, or an
+/// object of translation, rotation [x, y, z, w] and scale. Throws InputError with the place of the error, and
+/// UsageError for a list of numbers that is neither.
 Mat4 readModel(const std::string& source);
 
-/// translation * rotation * scale, as a glTF node has them. The quaternion is normalised. Each entry is the double
-/// nearest the true one. Throws CameraError naming translation, rotation or scale where one is out of the range of a
-/// camera's numbers or the rotation is zero.
+/// translation * rotation * scale, as in a glTF node. The quaternion is normalised. Each entry is the double nearest
+/// the true one. Throws CameraError naming translation, rotation or scale if one is out of a camera's range, or if the
+/// rotation is zero.
 Mat4 worldFromLocal(const Vec3& translation, const Quaternion& rotation, const Vec3& scale);
 
-/// An affine matrix times a homogeneous point: each coordinate the double nearest the exact sum of products; the weight
-/// stays. From there on the world point counts as exact. NaN where a number is not finite, infinite where the sum
-/// leaves the doubles.
+/// An affine matrix times a homogeneous point: each coordinate is the double nearest the exact sum of products, and
+/// counts as exact afterwards. The weight stays. NaN if a number is not finite, infinite if the sum is beyond all
+/// doubles.
 Vec4 toWorld(const Mat4& worldFromLocal, const Vec4& local) noexcept;
 
 }  // namespace viewproj::cmd

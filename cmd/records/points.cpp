@@ -13,12 +13,12 @@ namespace {
 
 using Forms = std::vector<FormOfField>;
 
-/// The kind of a pixel's layout: which distances come after its two numbers, in this order.
+/// The kind of a pixel's layout: the distances after its two numbers, in this order.
 enum PixelParts : unsigned { depthKnown = 1, viewDistanceKnown = 2 };
 
 bool isNameless(const Shape& shape) { return shape.isArray || (shape.form == Form::csv && !shape.hasHeader); }
 
-/// What the record calls the parts of a layout: "x,y,z".
+/// The record's names for the parts of a layout: "x,y,z".
 std::string namesIn(const Layout& layout, const Shape& shape) {
   std::vector<std::string_view> names;
   for (const NumberField& part : layout.parts)
@@ -31,9 +31,9 @@ RecordError hasBoth(std::size_t offset, const std::string& one, const std::strin
                       (choosable ? "; keep one of them, or choose by --columns" : "; keep one of them")};
 }
 
-// A row in the names of a record
+// Finding a row in the names of a record
 
-/// A column or field for each part; nothing where one is missing.
+/// A column or field for each part; nothing if a required one is missing.
 std::optional<Layout> findEach(const RecordParts& record, std::span<const CoordinatePart> parts, std::size_t required,
                                bool orNull) {
   const auto& names = record.shape.names;
@@ -49,7 +49,7 @@ std::optional<Layout> findEach(const RecordParts& record, std::span<const Coordi
   return layout;
 }
 
-/// In CSV. Those of an array are NAME_x, NAME_y, ..., where NAME may be an alias.
+/// CSV columns of a row. Those of an array are NAME_x, NAME_y, ..., where NAME may be an alias.
 std::optional<Layout> findColumns(const Coordinate& row, const RecordParts& record) {
   std::vector<std::vector<std::string>> spellings = {columnsOf(row)};
   for (const std::string_view alias : row.aliases) {
@@ -64,22 +64,23 @@ std::optional<Layout> findColumns(const Coordinate& row, const RecordParts& reco
     auto layout = parts.empty() ? std::nullopt : findEach(record, parts, row.fewest, row.orNull);
     if (layout && found) throw hasBoth(0, namesIn(*found, record.shape), namesIn(*layout, record.shape), true);
     if (layout) found = std::move(layout);
-    if (found && &names == &spellings[0]) break;  // its own name goes before the others
+    if (found && &names == &spellings[0]) break;  // the row's name is preferred to its aliases
   }
   return found;
 }
 
-/// A field of JSON by its name: of an array whatever its value; of a shape, or by another name, if its value is one.
-/// Adds to forms which values counted.
+/// A JSON field with the row's name or alias. An array with the row's name counts whatever its value is; a shape, or an
+/// alias, only if its value has the right form. Adds these conditions to forms.
 std::optional<Layout> findField(const Coordinate& row, const RecordParts& record, Forms& forms) {
   const auto& names = record.shape.names;
-  const CoordinatePart own{row.name}, any{row.name, 1, row.aliases};
+  const CoordinatePart rowName{row.name}, rowOrAlias{row.name, 1, row.aliases};
   const bool isArray = row.form == CoordinateForm::array;
-  const bool hasOwn = std::any_of(names.begin(), names.end(), [&](const auto& name) { return hasName(name, own); });
+  const bool hasRowName =
+      std::any_of(names.begin(), names.end(), [&](const auto& name) { return hasName(name, rowName); });
   std::optional<std::size_t> found;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (!isNamed(names[i], hasOwn ? own : any)) continue;
-    if (!isArray || !hasOwn) {
+    if (!isNamed(names[i], hasRowName ? rowName : rowOrAlias)) continue;
+    if (!isArray || !hasRowName) {
       FormOfField form{i, row.form == CoordinateForm::object ? '{' : isArray ? FormOfField::kPoint : '['};
       form.is = form.holds(record.values[i]);
       forms.push_back(form);
@@ -104,8 +105,8 @@ std::optional<Layout> findField(const Coordinate& row, const RecordParts& record
   return layout;
 }
 
-/// The parts of a row in the fields of a record, if it has all that are required. Throws RecordError where two fields
-/// fit.
+/// The parts of a row in the fields of a record, if all required ones are there. Throws RecordError if two fields fit a
+/// part.
 std::optional<Layout> find(const Coordinate& row, const RecordParts& record, Forms& forms) {
   std::optional<Layout> layout = row.form == CoordinateForm::numbers
                                      ? findEach(record, row.required(), row.fewest, row.orNull)
@@ -115,19 +116,19 @@ std::optional<Layout> find(const Coordinate& row, const RecordParts& record, For
   return layout;
 }
 
-/// "has lat but no height", of a row of which a record has some parts; empty: it has none.
-std::string partlyThere(const Coordinate& row, const Shape& shape) {
+/// "has lat but no height", if a record has some parts of a row; otherwise empty.
+std::string missingParts(const Coordinate& row, const Shape& shape) {
   const std::vector<PartMatch> matches = matchParts(shape.names, row.required());
   std::vector<std::string_view> there, missing;
   for (std::size_t i = 0; i < matches.size(); ++i)
     (matches[i].field ? there : missing)
         .push_back(matches[i].field ? shape.names[*matches[i].field] : row.parts[i].name);
-  // One of them that is not the first may be anything.
+  // A single part that is not the first one may mean anything.
   if (!matches[0].field && there.size() < 2) return "";
-  return "has " + visible(together(there)) + " but no " + std::string(missing[0]) + whatIsThere(shape);
+  return "has " + visible(together(there)) + " but no " + std::string(missing[0]) + fieldsNote(shape);
 }
 
-/// The first fields, a number each.
+/// The first fields, one number each.
 Layout firstFields(std::size_t count, bool mayBeAbsent) {
   Layout layout;
   for (std::size_t i = 0; i < count; ++i) layout.parts.push_back({i, 1, 1, false, mayBeAbsent});
@@ -148,7 +149,7 @@ Layout findChosenPoint(const RecordParts& record, const PointReading& reading) {
   return layout;
 }
 
-/// Of numbers without names.
+/// A point from numbers without names.
 Layout findBarePoint(const RecordParts& record, const PointReading& reading) {
   constexpr std::size_t kMatrix = 16;
   const Shape& shape = record.shape;
@@ -166,7 +167,7 @@ Layout findBarePoint(const RecordParts& record, const PointReading& reading) {
   return firstFields(shape.size, false);
 }
 
-/// Five of them: a point and its pixel.
+/// A point and its pixel from five numbers without names.
 Layout findBarePair(const RecordParts& record, const PointReading& reading) {
   if (record.shape.size != 5) throw RecordError(0, numbersIn(record.shape) + "; expected x y z u v");
   if (reading.worldIsEcef) throw RecordError(0, bareTriple("--columns lat,lon,height,u,v or --columns x,y,z,u,v"));
@@ -178,7 +179,7 @@ struct Found {
   Layout layout;
 };
 
-/// Throws RecordError where a record has two.
+/// The record's point or shape. Throws RecordError if it has two.
 std::optional<Found> findOne(const RecordParts& record, const PointReading& reading, Forms& forms) {
   std::vector<Found> all;
   for (const auto& rows : {std::span<const Coordinate* const>(coordinates::kPoints), {coordinates::kShapes}})
@@ -198,7 +199,7 @@ std::optional<Found> findOne(const RecordParts& record, const PointReading& read
   return all.empty() ? std::nullopt : std::optional(std::move(all[0]));
 }
 
-/// What a command reads, in the order of the table.
+/// The rows that a command reads, in the order of the table.
 std::vector<const Coordinate*> rowsRead(const PointReading& reading) {
   std::vector<const Coordinate*> rows(std::begin(coordinates::kPoints), std::end(coordinates::kPoints));
   if (reading.segments) rows.push_back(&coordinates::segment);
@@ -209,19 +210,19 @@ std::vector<const Coordinate*> rowsRead(const PointReading& reading) {
 [[noreturn]] void failWithoutPoint(const RecordParts& record, const PointReading& reading, const Forms& forms) {
   const Shape& shape = record.shape;
   const bool csv = shape.form == Form::csv;
-  // A field of a shape's name whose value is none.
+  // A field with a shape's name, but without a shape as its value.
   for (const FormOfField& form : forms)
     for (const Coordinate* row : allCoordinates())
       if (row->form != CoordinateForm::array && sameButForCase(row->name, shape.names[form.field]))
         throw RecordError(record.offset(form.field), std::string(row->name) + ": expected " + exampleOf(*row));
   const char* const choose = csv ? "; --columns names the others" : "";
   for (const Coordinate* row : {&coordinates::xyz, &coordinates::place})
-    if (const std::string part = partlyThere(*row, shape); !part.empty()) throw RecordError(0, part + choose);
+    if (const std::string part = missingParts(*row, shape); !part.empty()) throw RecordError(0, part + choose);
   if (csv)
-    throw RecordError(0, "has no columns x, y, z or lat, lon, height" + whatIsThere(shape) +
+    throw RecordError(0, "has no columns x, y, z or lat, lon, height" + fieldsNote(shape) +
                              "; --columns names them, as in x=E,y=N,z=U");
   throw RecordError(0, "has no point" + std::string(reading.shapes ? " or shape" : "") + "; expected " +
-                           namesOf(rowsRead(reading)) + whatIsThere(shape));
+                           namesOf(rowsRead(reading)) + fieldsNote(shape));
 }
 
 Layout findNamedPoint(const RecordParts& record, const PointReading& reading) {
@@ -239,7 +240,7 @@ Layout findNamedPoint(const RecordParts& record, const PointReading& reading) {
       layout.append(*radius);
       layout.kind = layout.kind == kindPlace ? kindPlacedSphere : kindRoundPoint;
     }
-  // With a camera on the Earth three numbers of an array may be a place.
+  // With a camera on the Earth, an array of three numbers may be a place.
   if (reading.worldIsEcef)
     for (NumberField& part : layout.parts)
       if (part.point == PointForm::point) part.point = PointForm::ofTheEarth;
@@ -249,7 +250,7 @@ Layout findNamedPoint(const RecordParts& record, const PointReading& reading) {
 
 // Pixels
 
-/// Two or three numbers without names.
+/// A pixel from two or three numbers without names.
 Layout findBarePixel(const RecordParts& record) {
   const Shape& shape = record.shape;
   const bool isJson = shape.form == Form::json;
@@ -261,7 +262,7 @@ Layout findBarePixel(const RecordParts& record) {
   return layout;
 }
 
-/// screen, pixel or x y: two slots.
+/// A pixel from screen, pixel or x y, in two slots.
 Layout findScreen(const RecordParts& record, Forms& forms) {
   const Shape& shape = record.shape;
   for (const Coordinate* row : coordinates::kPixels) {
@@ -273,16 +274,16 @@ Layout findScreen(const RecordParts& record, Forms& forms) {
                         "x, y, z is a point of the world, not a pixel; expected screen, pixel or x y alone");
     return *layout;
   }
-  if (const std::string part = partlyThere(coordinates::xy, shape); !part.empty()) throw RecordError(0, part);
+  if (const std::string part = missingParts(coordinates::xy, shape); !part.empty()) throw RecordError(0, part);
   if (shape.form == Form::csv)
     throw RecordError(
-        0, "has no columns screen_x, screen_y or x, y" + whatIsThere(shape) + "; --columns names them, as in x=u,y=v");
-  throw RecordError(0, "has no pixel; expected " + namesOf(coordinates::kPixels, ", or ") + whatIsThere(shape));
+        0, "has no columns screen_x, screen_y or x, y" + fieldsNote(shape) + "; --columns names them, as in x=u,y=v");
+  throw RecordError(0, "has no pixel; expected " + namesOf(coordinates::kPixels, ", or ") + fieldsNote(shape));
 }
 
-// What the numbers are
+// Making points and pixels from numbers
 
-/// slots: how many numbers are the point's.
+/// slots: how many numbers belong to the point.
 Vec4 pointOf(const Layout& layout, std::size_t slots, const Numbers& n) {
   if (layout.kind == kindPlace || layout.kind == kindPlacedSphere) {
     const Geodetic place{n[0], n[1], n[2]};
@@ -333,7 +334,7 @@ Layout findPixel(const RecordParts& record, const ColumnChoice& columns) {
 Layout findPair(const RecordParts& record, const PointReading& reading) {
   if (reading.columns.given()) {
     Layout layout = findChosenPoint(record, reading);
-    // The table has w last, where it may be left out.
+    // The table has w last, where it can be left out.
     if (reading.columns.has("w")) std::rotate(layout.parts.begin() + 3, layout.parts.end() - 1, layout.parts.end());
     return layout;
   }
@@ -348,7 +349,7 @@ Layout findPair(const RecordParts& record, const PointReading& reading) {
   }
   if (!pixel)
     throw RecordError(0, "has no pixel beside its point; expected " + namesOf(coordinates::kPixelsBesidePoints) +
-                             whatIsThere(record.shape));
+                             fieldsNote(record.shape));
   for (NumberField& part : pixel->parts) part.mayBeAbsent = false;
   layout.append(*pixel);
   return layout;

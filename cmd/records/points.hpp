@@ -1,4 +1,4 @@
-// Where records have their points, shapes and pixels, and what these are.
+// Where records have their points, shapes and pixels, and making these from numbers.
 #pragma once
 
 #include <optional>
@@ -10,50 +10,50 @@
 
 namespace viewproj::cmd {
 
-/// What a command reads of a record.
+/// What a command reads in a record.
 struct PointReading {
   ColumnChoice columns = {};
   bool worldIsEcef = false;
   bool segments = false;
-  bool shapes = false;  ///< spheres, boxes, triangles too
+  bool shapes = false;  ///< also spheres, boxes and triangles
   bool radius = false;  ///< a point with a radius is a sphere
 };
 
-/// The one point or shape of a record: [x,y,z], [x,y,z,w]; what coordinates::kPoints, segment and kShapes have of an
-/// object or of a CSV line's columns; three numbers of a text line; the three of f64. Throws RecordError where records
-/// of this shape have none, two, or one that is not read; for lat, lon, height unless the camera's world is ECEF, and
-/// for three numbers without names where it is.
+/// Finds the point or shape of a record: [x,y,z] or [x,y,z,w]; a row of coordinates::kPoints, segment or kShapes in an
+/// object or in CSV columns; three numbers of a text line or f64. Throws RecordError if records of this shape have
+/// none, two, or one that is not read; for lat, lon, height if the camera's world is not ECEF, and for three numbers
+/// without names if it is.
 Layout findPoint(const RecordParts& record, const PointReading& reading);
 
 bool isPoint(const Layout& layout);
-/// A sphere, be it a point with a radius, a box or a triangle.
+/// A sphere (also a point with a radius), a box or a triangle.
 bool isShape(const Layout& layout);
 bool isSegment(const Layout& layout);
 
-/// The point, or the middle of a sphere that is a point with a radius. In the world: a place in ECEF. Throws
-/// RecordError for 0 0 0 0 and for a lat beyond 90.
+/// The point, or the centre of a point with a radius, in world coordinates (ECEF for a place). Throws RecordError for 0
+/// 0 0 0 and for a lat beyond 90.
 Vec4 toPoint(const Layout& layout, const Numbers& numbers);
 
-/// A pixel to shoot a ray through, with what may be known of the point behind it. viewDistance goes before depth,
-/// because it keeps its digits.
+/// A pixel to shoot a ray through, and the distance of the point behind it, if known. viewDistance is preferred to
+/// depth because it keeps its digits.
 struct Pixel {
-  std::optional<Vec2> screen;  ///< nothing where the record says null
+  std::optional<Vec2> screen;  ///< empty if the record has null
   std::optional<double> depth;
   std::optional<double> viewDistance;
-  bool hasDistance = false;  ///< the record has a field for depth or viewDistance, be it null
+  bool hasDistance = false;  ///< the record has a field for depth or viewDistance, even if null
 };
 
-/// [x,y], [x,y,depth]; what coordinates::kPixels has of an object or of a CSV line's columns, with a distance; two or
-/// three numbers of a text line or f64, NaN for those that have no value. Throws RecordError.
+/// Finds a pixel: [x,y] or [x,y,depth]; a row of coordinates::kPixels in an object or in CSV columns, with a distance;
+/// two or three numbers of a text line or f64, NaN for no value. Throws RecordError.
 Layout findPixel(const RecordParts& record, const ColumnChoice& columns);
 
-/// A point, and the pixel that somebody has for it.
+/// A point, and the pixel that was measured for it.
 struct Pair {
   Vec4 point;
   Vec2 pixel;
 };
 
-/// A point as findPoint has it, and one of coordinates::kPixelsBesidePoints; five numbers without names. Throws
+/// Finds a point as findPoint does, and one of coordinates::kPixelsBesidePoints; or five numbers without names. Throws
 /// RecordError.
 Layout findPair(const RecordParts& record, const PointReading& reading);
 Pair toPair(const Layout& layout, const Numbers& numbers);

@@ -22,7 +22,7 @@ void splitText(std::string_view text, std::vector<std::string_view>& values) {
   }
 }
 
-/// Throws RecordError at the first value that is too many.
+/// Throws RecordError at the first value over the limit.
 void requireFewFields(std::string_view text, const std::vector<std::string_view>& values) {
   if (values.size() > kMostFields)
     throw RecordError(static_cast<std::size_t>(values.back().data() - text.data()),
@@ -102,7 +102,7 @@ std::vector<double> binaryNumbers(std::string_view bytes) {
   return numbers;
 }
 
-std::string whatIsThere(const Shape& shape) {
+std::string fieldsNote(const Shape& shape) {
   constexpr std::size_t kMostShown = 60;
   if (shape.isArray || !shape.hasHeader || shape.names.empty()) return "";
   const bool csv = shape.form == Form::csv;
@@ -131,7 +131,7 @@ CsvHeader readCsvHeader(std::string_view line, const std::vector<std::string>& d
   if (numbered.empty()) {
     header.present = std::any_of(fields.begin(), fields.end(), isWord);
   } else {
-    // A record with a bad number has good ones beside it; a header has none.
+    // A record with a wrong number still has correct ones in other columns; a header has none.
     bool hasNumber = false;
     for (const std::size_t number : numbered) {
       if (number > fields.size()) continue;

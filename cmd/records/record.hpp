@@ -1,4 +1,4 @@
-// One record of a stream as written: its text, and its fields by name.
+// One record of a stream: its text, and its fields by name.
 #pragma once
 
 #include <cstdint>
@@ -15,28 +15,28 @@
 
 namespace viewproj::cmd {
 
-/// Of an object that holds records: its first field, an array.
+/// The field of an object that holds an array of records. It must be the first one.
 inline constexpr std::string_view kRecordsField = "points";
 
-/// Bytes of a record of f64: three little-endian doubles.
+/// Bytes of an f64 record: three little-endian doubles.
 inline constexpr std::size_t kBinaryRecord = 24;
 
-/// A record of more fields is an error.
+/// A record with more fields is an error.
 inline constexpr std::size_t kMostFields = 1 << 20;
 
-/// What records that look alike have in common: the names of their fields, in order.
+/// What similar records have in common: the names of their fields, in order.
 struct Shape {
   Form form = Form::json;
-  bool isArray = false;            ///< a JSON array, a line of text, doubles: fields have no names
-  std::size_t size = 0;            ///< how many fields
+  bool isArray = false;            ///< a JSON array, a line of text, or doubles: fields have no names
+  std::size_t size = 0;            ///< number of fields
   std::vector<std::string> names;  ///< escapes resolved; empty if isArray
-  bool hasHeader = true;           ///< CSV: the names are the file's own
-  char separator = ',';            ///< of CSV
+  bool hasHeader = true;           ///< CSV: the names come from the file
+  char separator = ',';            ///< CSV only
 
   std::optional<std::size_t> find(std::string_view name) const;
 };
 
-/// The first of these whose name stood before.
+/// The index of the first item whose name an earlier item has.
 template <class T, class NameOf>
 std::optional<std::size_t> firstRepeated(const std::vector<T>& all, const NameOf& nameOf) {
   constexpr std::size_t kFew = 32;
@@ -53,51 +53,52 @@ std::optional<std::size_t> firstRepeated(const std::vector<T>& all, const NameOf
   return std::nullopt;
 }
 
-/// A record that has been found to be of a shape.
+/// A record whose shape is known.
 struct Record {
   std::string_view text;
   const Shape* shape = nullptr;
 };
 
-/// A record taken apart. A value is JSON text in a JSON record and the field as written, quotes and all, in CSV.
+/// A record split into fields. A value is JSON text in a JSON record, and the field as written, with its quotes, in
+/// CSV.
 struct RecordParts {
   std::string_view text;
   Shape shape;
   std::vector<std::string_view> values;
 
-  /// Of a value in the text.
+  /// The offset of a value in the text.
   std::size_t offset(std::size_t field) const;
 };
 
 /// The column names of a CSV stream.
 struct CsvHeader {
   std::vector<std::string> names;
-  bool present = false;  ///< false: the first line was data already, and the columns have the default names
+  bool present = false;  ///< false: the first line is data, and the columns have default names
 };
 
 inline constexpr const char* kNoRecord = "expected a record: an array of numbers or an object";
 
-/// Throw RecordError at the byte that is wrong.
+/// These throw RecordError at the wrong byte.
 RecordParts jsonParts(std::string_view text);
 RecordParts textParts(std::string_view text);
 RecordParts csvParts(std::string_view text, const Shape& header);
 
-/// The values of a record, which is known to be of its shape.
+/// The values of a record whose shape is known.
 std::vector<std::string_view> valuesOf(const Record& record);
 
-/// The doubles of a record of f64.
+/// The doubles of an f64 record.
 std::vector<double> binaryNumbers(std::string_view bytes);
 
-/// "; the header is 'E,N,U'", or for JSON its fields, as far as they go.
-std::string whatIsThere(const Shape& shape);
+/// "; the header is 'E,N,U'", or for JSON its fields; shortened if long.
+std::string fieldsNote(const Shape& shape);
 
-/// A header if the line has a field that is not a number; otherwise the default names in order, where there are any,
-/// and column1, ... for the others. numbered: columns, from 1, of which none is a number in a header, and
-/// one a word, whatever others hold. A column that the header leaves blank is called by its number.
+/// Reads a line as a header if it has a field that is not a number. Otherwise the columns get the default names in
+/// order, then column1, ... numbered: columns, counted from 1, that decide instead: in a header none of them is a
+/// number and one is a word. A blank name in a header becomes the column's number.
 CsvHeader readCsvHeader(std::string_view line, const std::vector<std::string>& defaults,
                         const std::vector<std::size_t>& numbered = {}, char separator = ',');
 
-/// The name of a column without one.
+/// The name for a column without one.
 std::string nameOfColumn(const std::vector<std::string>& names, std::size_t column);
 
 }  // namespace viewproj::cmd

@@ -11,27 +11,27 @@
 namespace viewproj::cmd {
 namespace {
 
-/// Of a record that is remembered.
+/// The most that a pattern stores.
 constexpr std::size_t kMostValues = 1024, kMostCommon = 16384;  // bytes
-/// Arrays and objects within each other in a field that is not read.
+/// Nesting of arrays and objects in a field that is not read.
 constexpr int kDeepest = 16;
 
-/// Not empty, as no comma or bracket is.
+/// The text must contain a comma or a bracket.
 std::string_view withoutSpaceAround(std::string_view text) {
   while (isJsonSpace(text.front())) text.remove_prefix(1);
   while (isJsonSpace(text.back())) text.remove_suffix(1);
   return text;
 }
 
-/// What is no record everywhere: where it begins as an array of records or a document does, or as an array in which a
-/// line may begin as a record does.
-bool mayBeOther(const RecordParts& record) {
+/// Whether the text is a record only in some places: it begins like an array of records or a document of them, or like
+/// an array that may contain a line that begins a record.
+bool isRecordOnlyInSomePlaces(const RecordParts& record) {
   if (!record.shape.isArray) return record.shape.find(kRecordsField) == 0 && record.values[0].starts_with('[');
   return std::any_of(record.values.begin(), record.values.end(),
                      [](std::string_view value) { return opensJson(value[0]); });
 }
 
-/// For each field whether its value may be anything: no part of the layout, and what leaves the record one.
+/// For each field, whether it may have any value: the layout does not use it, and the record stays a record.
 std::vector<bool> freeFields(const RecordParts& record, const Layout& layout) {
   const Shape& shape = record.shape;
   std::vector<bool> isFree(record.values.size(), !shape.isArray);
@@ -45,7 +45,7 @@ std::vector<bool> freeFields(const RecordParts& record, const Layout& layout) {
 
 RecordPattern::RecordPattern(const RecordParts& record, const Layout& layout, const Numbers& numbers,
                              const NumberTexts& texts) {
-  if (record.values.size() > kMostValues || mayBeOther(record)) return;
+  if (record.values.size() > kMostValues || isRecordOnlyInSomePlaces(record)) return;
   for (std::size_t i = 0; i < layout.slots(); ++i) {
     if (texts[i].empty() && !std::isnan(numbers[i])) return;
     absent_[i] = numbers[i];

@@ -1,4 +1,4 @@
-// JSON records that are alike but for their numbers and the fields that are not read, without taking them apart.
+// Recognises JSON records that differ only in their numbers and unread fields, without splitting them into fields.
 #pragma once
 
 #include <cstddef>
@@ -10,39 +10,39 @@
 
 namespace viewproj::cmd {
 
-/// What such records have in common: every byte outside of the numbers, strings and flags of the fields that a layout
-/// is about, of the other fields, which may be any JSON, and of the white space around all these. So they have one
-/// shape and one layout, and are records wherever they stand.
+/// What similar records have in common: all bytes except the numbers, strings and flags of the fields that a layout
+/// uses, the values of other fields, which may be any JSON, and the white space around these. So such records have the
+/// same shape and layout, and are records wherever they are.
 class RecordPattern {
  public:
-  /// Of no records.
+  /// Matches no records.
   RecordPattern() = default;
-  /// Of records like this one, which has this layout, and these numbers where readNumbers found them; of none where
-  /// its numbers are more than read, as a place's are, where it is a record in some places only, or where too much
-  /// would have to be remembered.
+  /// Matches records like this one, with this layout and the numbers and texts of readNumbers. Matches none if the
+  /// numbers need more than reading (as those of a place), if the text is a record only in some places, or if the
+  /// pattern would be too large.
   RecordPattern(const RecordParts& record, const Layout& layout, const Numbers& numbers, const NumberTexts& texts);
 
-  /// The size of the record of the pattern that text begins with, and its numbers as readNumbers reads them; 0 where
-  /// text begins with none, or with one that nests deeply.
+  /// If text begins with a matching record, reads its numbers as readNumbers does and returns its size. Otherwise, or
+  /// if it nests deeply, returns 0.
   std::size_t read(std::string_view text, Numbers& numbers) const;
 
-  /// No record is read.
+  /// Whether it matches no records.
   bool isEmpty() const { return common_.empty(); }
 
  private:
   enum class Kind : char { number, string, flag, any };
   static constexpr std::size_t kNoSlot = kMostNumbers;
 
-  /// Some bytes that are the same in all, and what differs after them.
+  /// Some common bytes, and the kind of value after them.
   struct Piece {
     std::size_t size;
     Kind kind;
-    std::size_t slot;  ///< of a number
+    std::size_t slot;  ///< slot of a number
   };
 
-  std::string common_;  ///< the bytes of all pieces, and those after the last one
+  std::string common_;  ///< the bytes of all pieces, and those after the last piece
   std::vector<Piece> pieces_;
-  std::array<double, kMostNumbers> absent_{};  ///< NaN in the slots of values that such records do not have
+  std::array<double, kMostNumbers> absent_{};  ///< NaN in the slots of values that the records do not have
 };
 
 }  // namespace viewproj::cmd

@@ -20,7 +20,7 @@ namespace {
 constexpr const char* kSceneForm =
     "{\"objects\": [{\"id\": \"a\", \"sphere\": {\"center\": [0, 0, 0], \"radius\": 1}}]}";
 
-// What is wrong with a shape, or empty.
+// The fault of a shape, or an empty text.
 
 std::string faultOf(const Sphere& sphere) { return isValid(sphere) ? "" : "must not be below 0"; }
 
@@ -30,7 +30,7 @@ std::string faultOf(const Box& box, bool worldIsEcef) {
          (worldIsEcef ? "; of places these are x, y and z of ECEF" : "");
 }
 
-/// [x, y, z], or a place where the camera stands on the Earth.
+/// A point [x, y, z], or a place if the camera is on the Earth.
 Vec3 pointOf(const Node& value, bool worldIsEcef) {
   checkValue(value, *findField("position"));
   if (isPlaceValue(value) && !worldIsEcef) value.fail("is a place, which needs a camera that stands on the Earth");
@@ -47,7 +47,7 @@ Shape ellipsoidOf(const Node& object) {
   return HeightSurface{height->number()};
 }
 
-/// name: of the member that has the shape.
+/// name: the member that holds the shape.
 Shape shapeOf(const Node& object, std::string_view name, bool worldIsEcef) {
   if (name == "ellipsoid") return ellipsoidOf(object);
   const Node value = object.require(name);

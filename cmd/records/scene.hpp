@@ -1,4 +1,4 @@
-// Shapes: those of a scene, with a name each, for rays to hit; and those of records.
+// The shapes of a scene, each with a name, for rays to hit; and the shapes of records.
 #pragma once
 
 #include <string>
@@ -11,21 +11,21 @@
 
 namespace viewproj::cmd {
 
-/// Of constant height above WGS84, in ECEF metres.
+/// A surface of constant height above WGS84, in ECEF metres.
 struct HeightSurface {
   double height = 0;
 };
 
 struct SceneObject {
-  std::string id;  ///< as JSON text: its id, its name, or its place in the list, counted from 0
+  std::string id;  ///< JSON text: the id, else the name, else the index in the list, from 0
   std::variant<Plane, Sphere, Box, Triangle, Ellipsoid, HeightSurface> shape;
 };
 
-/// source: a file name or the JSON itself, {"objects": [{"id": ..., SHAPE}]}. Throws InputError with the place of what
-/// is wrong, a shape that is none among it, and a place where the world is not the Earth's.
+/// source: a file name or the JSON itself, {"objects": [{"id": ..., SHAPE}]}. Throws InputError with the place of the
+/// error, also for an invalid shape, and for a place if the world is not the Earth's.
 std::vector<SceneObject> readScene(const std::string& source, bool worldIsEcef);
 
-/// The normal is away from the ellipsoid.
+/// The normal points away from the ellipsoid.
 Hits intersect(const Ray& ray, const HeightSurface& surface);
 
 struct SceneHit {
@@ -33,12 +33,12 @@ struct SceneHit {
   Hit hit;
 };
 
-/// Nearest first; of hits at the same distance, in the scene's order.
+/// Nearest first. Hits at the same distance are in the scene's order.
 std::vector<SceneHit> hitsOf(const Ray& ray, const std::vector<SceneObject>& scene);
 
 using CullShape = std::variant<Vec3, Sphere, Box, Triangle>;
 
-/// What a record holds. Throws RecordError where the numbers make no shape, and for a direction.
+/// The shape of a record. Throws RecordError if the numbers make no valid shape, or make a direction.
 CullShape toShape(const Layout& layout, const Numbers& numbers);
 
 }  // namespace viewproj::cmd

@@ -12,7 +12,7 @@ namespace viewproj::cmd {
 using namespace detail;
 namespace {
 
-/// Of what was added, the least and the most.
+/// The smallest and the largest of the added values.
 struct Range {
   Wide least, most;
   bool empty = true;
@@ -36,14 +36,14 @@ ViewPoint viewOf(const Camera& camera, const Vec4& point) {
 
 ViewPoint viewOf(const Camera& camera, const Vec3& p) { return viewOf(camera, {p.x, p.y, p.z, 1}); }
 
-/// How far in front of near; 0 within the error.
+/// The distance in front of near; 0 if it is within the error.
 Wide beyondNear(const Camera& camera, const Wide& forward) {
   const Wide near = camera.projection().zNear(), distance = forward - near;
   const Wide error = (magnitude(forward) + magnitude(near)) * Wide(0x1p-90);
   return isLess(error, magnitude(distance)) ? distance : Wide();
 }
 
-/// Of ranges on the window at unit distance, or in orthographic in space.
+/// The box of ranges on the window at unit distance, or in orthographic in space.
 ScreenBox onScreen(const Camera& camera, const Range& x, const Range& y) {
   const auto at = [&](const Wide& right, const Wide& up) {
     return screenAt(camera, split(DDVec3{toDoubleDouble(right), toDoubleDouble(up), 1}));
@@ -52,7 +52,7 @@ ScreenBox onScreen(const Camera& camera, const Range& x, const Range& y) {
   return {first.x, first.y, last.x, last.y};
 }
 
-/// What of a convex body lies in front of near: its corners there, and where its edges cross.
+/// The box of the part of a convex body in front of near: its corners there, and its edges' crossings with near.
 std::optional<ScreenBox> boxOfCorners(const Camera& camera, std::span<const Vec3> corners,
                                       bool (*isEdge)(std::size_t, std::size_t)) {
   if (!hasDepth(camera.projection())) return std::nullopt;
@@ -82,12 +82,12 @@ std::optional<ScreenBox> boxOfCorners(const Camera& camera, std::span<const Vec3
   return onScreen(camera, x, y);
 }
 
-/// Of a sphere, seen along a row of the camera in the plane of that row and forward: a disc.
+/// The disc of a sphere in the plane of a camera's row and forward:
 ///   along = part x + skew w, W = stretch w in axes x, w of unit length
 struct Disc {
   Wide x, w, radius;
   Wide part, skew, stretch;
-  Wide near;  ///< as w
+  Wide near;  ///< in units of w
 };
 
 Range rangeOf(const Disc& d, bool orthographic) {
@@ -98,7 +98,7 @@ Range rangeOf(const Disc& d, bool orthographic) {
     else
       range.add((d.part * (x / w) + d.skew) / d.stretch);
   };
-  // r^2 - (near - w)^2, of what remains where r and w are large and alike.
+  // r^2 - (near - w)^2, computed so that it keeps its digits when r and w are large and similar.
   const Wide half = ((d.radius - d.w) + d.near) * ((d.radius + d.w) - d.near);
   const bool isCut = isLess(d.w - d.radius, d.near);
   if (isCut && half.sign() >= 0) {
@@ -116,14 +116,14 @@ Range rangeOf(const Disc& d, bool orthographic) {
     addInFront(d.x + toX, d.w + toW);
     addInFront(d.x - toX, d.w - toW);
   } else {
-    // Where lines through the eye touch it. The eye may lie within; then near cuts it.
+    // Where lines through the eye touch the disc. If the eye is inside, near cuts the disc.
     const Wide squared = d.x * d.x + d.w * d.w, length2 = d.x * d.x + (d.w - d.radius) * (d.w + d.radius);
     if (length2.sign() <= 0) return range;
     const Wide length = sqrt(length2), share = length / squared;
     for (const Wide& r : {d.radius, -d.radius})
       addInFront((d.x * length + d.w * r) * share, (d.w * length - d.x * r) * share);
   }
-  if (range.empty) add(d.x, d.near);  // near touches it
+  if (range.empty) add(d.x, d.near);  // the disc touches near
   return range;
 }
 
@@ -133,7 +133,7 @@ std::optional<ScreenBox> screenBox(const Camera& camera, const Sphere& sphere) {
   if (!isValid(sphere) || !hasDepth(camera.projection())) return std::nullopt;
   const bool orthographic = camera.projection().isOrthographic();
   const ViewPoint p = viewOf(camera, sphere.center);
-  // The camera's rows: how the world's axes lie along them.
+  // The camera's rows, from the world's axes along them.
   const ViewPoint x = viewOf(camera, {1, 0, 0, 0}), y = viewOf(camera, {0, 1, 0, 0}), z = viewOf(camera, {0, 0, 1, 0});
   const WideVec3 forward{x.forward, y.forward, z.forward};
   const Wide stretch = lengthOf(forward), near = Wide(camera.projection().zNear()) / stretch;
