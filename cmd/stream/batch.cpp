@@ -8,9 +8,9 @@ namespace viewproj::cmd {
 namespace {
 
 constexpr std::size_t kRows = 256;
-/// Shapes that are remembered.
+/// The most shapes that are kept.
 constexpr std::size_t kPlans = 32;
-/// Names of all of them, unless one alone has more.
+/// The most names of all kept shapes together, unless one shape alone has more.
 constexpr std::size_t kNames = 1 << 16;
 
 }  // namespace
@@ -18,8 +18,8 @@ constexpr std::size_t kNames = 1 << 16;
 void requireNoClash(const RecordParts& record, const Results& results, const std::string& prefix) {
   for (const ResultRow* row : results) {
     const std::string name = prefix + std::string(row->name);
-    if (const auto own = record.shape.find(name))
-      throw RecordError(record.offset(*own),
+    if (const auto field = record.shape.find(name))
+      throw RecordError(record.offset(*field),
                         "already has a field '" + name + "'; --prefix P puts P in front of the results' names");
   }
 }
@@ -43,7 +43,7 @@ Plan& Batch::planFor(const RecordParts& record) {
     const Shape& shape = plans_[i]->shape;
     if (shape.isArray == record.shape.isArray && shape.size == record.shape.size && shape.names == record.shape.names &&
         plans_[i]->layout.fits(record.values)) {
-      usedAgain(i);
+      moveToFront(i);
       return *plans_.front();
     }
   }
@@ -54,14 +54,14 @@ Plan& Batch::planFor(const RecordParts& record) {
   std::size_t names = record.shape.size;
   for (const auto& plan : plans_) names += plan->shape.size;
   if (plans_.size() == kPlans || names > kNames) {
-    flush();  // rows speak of their plans
+    flush();  // rows refer to their plans
     plans_.resize(names > kNames ? 0 : kPlans / 2);
   }
   plans_.insert(plans_.begin(), std::make_unique<Plan>(Plan{record.shape, std::move(layout), std::move(results)}));
   return *plans_.front();
 }
 
-void Batch::usedAgain(std::size_t plan) {
+void Batch::moveToFront(std::size_t plan) {
   const auto at = plans_.begin() + static_cast<std::ptrdiff_t>(plan);
   if (plan > 0) std::rotate(plans_.begin(), at, at + 1);
 }

@@ -1,4 +1,4 @@
-// Records on their way through a worker: recognised by their shape, gathered in batches, written with their results.
+// Records in a worker: recognised by their shape, collected in batches, and written with their results.
 #pragma once
 
 #include <memory>
@@ -14,22 +14,22 @@
 
 namespace viewproj::cmd {
 
-/// A shape that was met, and where its numbers are.
+/// A shape that occurred, and where its numbers are.
 struct Plan {
   Shape shape;
   Layout layout;
   Results results;
-  std::vector<RecordPattern> patterns = {};  ///< of JSON records of it that were met, the one used last first
+  std::vector<RecordPattern> patterns = {};  ///< for JSON records of this shape, the last used first
 };
 
-/// What became of a block.
+/// The result of a block.
 struct BlockResult {
   TextBuffer out;
   ArrayFrame frame;                     ///< of out
-  std::size_t records = 0;              ///< the bad ones that --keep-going puts there included
-  std::vector<StreamFault> passedOver;  ///< --keep-going
-  std::vector<std::string> notes;       ///< each once
-  std::optional<StreamFault> fault;     ///< a record that ends the run: out has what came before it
+  std::size_t records = 0;              ///< including bad records that --keep-going writes
+  std::vector<StreamFault> passedOver;  ///< bad records, with --keep-going
+  std::vector<std::string> notes;       ///< each note once
+  std::optional<StreamFault> fault;     ///< a bad record that ends the run; out has everything before it
 };
 
 struct BatchSetup {
@@ -37,11 +37,11 @@ struct BatchSetup {
   OutputForm to = OutputForm::lines;
   bool convert = false;  ///< from f64 to f64: the work's convert may be used
   bool keepGoing = false;
-  bool checkNames = false;  ///< results have names, which the records must not have
+  bool checkNames = false;  ///< results have names, which must differ from the records' names
   std::string prefix;
 };
 
-/// Throws RecordError where a field has the name of a result.
+/// Throws RecordError if a field has the name of a result.
 void requireNoClash(const RecordParts& record, const Results& results, const std::string& prefix);
 
 class Batch {
@@ -50,31 +50,31 @@ class Batch {
   Batch(const BatchSetup& setup, RecordWork& work, RecordWriter* writer, BlockResult& result);
 
   void begin(const Block& block);
-  /// Writes what is left. Throws StopBlock.
+  /// Writes the remaining records. Throws StopBlock.
   void flush();
 
-  /// The plan for records like this one. Throws RecordError. It holds until the next begin().
+  /// The plan for records like this one, valid until the next begin(). Throws RecordError.
   Plan& planFor(const RecordParts& record);
-  /// The plans of before, the one used last first.
+  /// All plans, the last used first.
   const std::vector<std::unique_ptr<Plan>>& plans() const { return plans_; }
-  void usedAgain(std::size_t plan);
+  void moveToFront(std::size_t plan);
 
-  /// text: in the block. Throws StopBlock where the run ends.
+  /// text must be in the block. Throws StopBlock if the run ends.
   void add(std::string_view text, const Plan& plan, const Numbers& numbers);
   void bad(std::string_view text, const RecordError& error);
-  /// How many of the records from the start the work took as a whole.
+  /// Returns how many records from the start the work converted at once.
   std::size_t convert(std::span<const double> numbers);
-  /// As written: `[`, or `{"points": [`; and `]` with what follows it in a document.
+  /// The text as written: `[` or `{"points": [` at the beginning, `]` and the rest of a document at the end.
   void beginArray(std::string_view asWritten);
   void endArray(std::string_view asWritten);
 
-  /// Ends the run after what was added.
+  /// Ends the run after the records that were added.
   struct StopBlock {};
 
  private:
   struct Row {
     std::string_view text;
-    const Plan* plan;  ///< null: bad, and errors_ has the next error
+    const Plan* plan;  ///< null: a bad record; errors_ has its error
   };
 
   void note(const std::string& text);
@@ -89,12 +89,12 @@ class Batch {
   std::vector<std::unique_ptr<Plan>> plans_;
   std::vector<Row> rows_;
   std::vector<RecordError> errors_;
-  // How far the block's lines have been counted.
+  // The position up to which the block's lines have been counted.
   std::size_t countedTo_ = 0;
   TextPosition countedPosition_;
 };
 
-/// Reads the records of blocks of one form into a batch.
+/// Reads the records of a block into a batch. One class per format.
 class RecordReader {
  public:
   virtual ~RecordReader() = default;
@@ -102,7 +102,7 @@ class RecordReader {
   virtual void read(const Block& block, Batch& batch) = 0;
 };
 
-/// byPattern: false to take every record apart, for comparison.
+/// byPattern: false splits every record into fields, for comparison.
 std::unique_ptr<RecordReader> makeJsonReader(bool byPattern = true);
 std::unique_ptr<RecordReader> makeCsvReader(const Shape& header);
 std::unique_ptr<RecordReader> makeTextReader();

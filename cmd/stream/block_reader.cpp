@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t npos = std::string_view::npos;
 constexpr std::string_view kBom = "\xEF\xBB\xBF";
 
-/// In steps that compilers make vector instructions of.
+/// Counts in steps that compilers turn into vector instructions.
 std::size_t countLines(std::string_view text) {
   constexpr std::size_t kStep = 128;
   std::size_t lines = 0, at = 0;
@@ -29,20 +29,20 @@ std::size_t countLines(std::string_view text) {
 
 std::string tooLong() { return "a record longer than " + std::to_string(kLongestRecord >> 20) + " MiB"; }
 
-/// Whether more bytes may make a byte order mark of it, or another one.
+/// Whether text may become a byte order mark, or another one, with more bytes.
 bool mayBeginBom(std::string_view text) {
   using namespace std::string_view_literals;
   const auto begins = [&](std::string_view bom) { return text.size() < bom.size() && bom.starts_with(text); };
   return begins(kBom) || begins("\xFF\xFE\0\0"sv) || begins("\0\0\xFE\xFF"sv) || begins("\xFE\xFF");
 }
 
-/// How many of the first bytes tell the form; npos: more are needed.
+/// How many of the first bytes are enough to tell the format; npos if more are needed.
 std::size_t countTelling(std::string_view text, std::size_t most) {
   if (mayBeginBom(text)) return npos;
   const std::string_view record = afterComments(text.substr(text.starts_with(kBom) ? kBom.size() : 0));
   if (record.empty()) return npos;
   const std::size_t first = text.size() - record.size();
-  const std::size_t last = opensJson(text[first]) ? first + 2 : most;  // the second may tell UTF-16
+  const std::size_t last = opensJson(text[first]) ? first + 2 : most;  // the second byte may show UTF-16
   const std::size_t end = std::min(text.find('\n', first), last);
   return end <= text.size() ? end : npos;
 }
@@ -126,14 +126,14 @@ bool BlockReader::next(Block& block) {
   bytes += carried_.view();
   block.position = position_;
   block.state = state_;
-  std::size_t whole = 0;
+  std::size_t complete = 0;
   try {
     for (std::size_t had = npos, most = std::max(block_, bytes.size());;) {
       const bool full = bytes.size() >= most;
       if (atEnd_ || (bytes.size() != had && (full || !file_->isReady()))) {
         had = bytes.size();
-        whole = wholeRecords(bytes.view());
-        if (whole > 0 || atEnd_) break;
+        complete = completeRecords(bytes.view());
+        if (complete > 0 || atEnd_) break;
         if (bytes.size() >= kLongestRecord) {
           block.fault = {position_, tooLong()};
           break;
@@ -143,28 +143,28 @@ bool BlockReader::next(Block& block) {
       readMore(bytes, most);
     }
   } catch (const InputError& e) {
-    // What was read before goes out, to the last whole record; one that the error cut off does not.
+    // Everything before the error is written, up to the last complete record. A record that the error cut off is not.
     if (form_ == Form::json) searched_ = bytes.size();
-    whole = wholeRecords(bytes.view());
+    complete = completeRecords(bytes.view());
     block.fault = {{0, 0}, e.what()};
   }
   carried_.clear();
-  carried_ += bytes.view().substr(whole);
-  bytes.truncate(whole);
+  carried_ += bytes.view().substr(complete);
+  bytes.truncate(complete);
   moveOn(bytes.view());
-  lookedAt_ -= std::min(whole, lookedAt_);
-  whole_ = searched_ = 0;
+  lookedAt_ -= std::min(complete, lookedAt_);
+  completeEnd_ = searched_ = 0;
   csv_ = CsvEnds(separator_);
   block.last = atEnd_ && carried_.empty();
   over_ = block.fault || block.last;
-  return whole > 0 || block.fault || block.state.insideArray();
+  return complete > 0 || block.fault || block.state.insideArray();
 }
 
-std::size_t BlockReader::wholeRecords(std::string_view text) {
+std::size_t BlockReader::completeRecords(std::string_view text) {
   if (atEnd_) return text.size();
   switch (form_) {
     case Form::json:
-      return wholeJson(text);
+      return completeJson(text);
     case Form::csv:
       return csv_.lastEnd(text);
     case Form::text: {
@@ -177,9 +177,9 @@ std::size_t BlockReader::wholeRecords(std::string_view text) {
   return text.size() / kBinaryRecord * kBinaryRecord;
 }
 
-/// Up to the last border, or where there may be arrays, or none is known, by a look at every byte.
-std::size_t BlockReader::wholeJson(std::string_view text) {
-  if (whole_ == 0 && !state_.insideArray() && !splitter_.state().insideArray()) {
+/// Up to the last border. If there may be arrays, or if there is no border, looks at every byte.
+std::size_t BlockReader::completeJson(std::string_view text) {
+  if (completeEnd_ == 0 && !state_.insideArray() && !splitter_.state().insideArray()) {
     const std::size_t border = lastBorder(text, std::max(lookedAt_, std::exchange(searched_, text.size())));
     if (border != npos && !mayOpenArray(text.substr(0, border))) {
       splitter_ = JsonSplitter(state_ = {});
@@ -189,12 +189,12 @@ std::size_t BlockReader::wholeJson(std::string_view text) {
   }
   for (;;) {
     const JsonPiece piece = splitter_.next(text.substr(lookedAt_), JsonSplitter::End::open);
-    if (piece.event == JsonEvent::needMore) return whole_;
+    if (piece.event == JsonEvent::needMore) return completeEnd_;
     lookedAt_ += piece.end;
-    // What has no bytes is for the block of what comes next, and so is an array's beginning: alone it may be a
-    // record's.
+    // A piece without bytes belongs to the block of the next piece. So does the beginning of an array, because by
+    // itself it may be the beginning of a record.
     if (piece.end == 0 || splitter_.state().place == JsonState::Place::first) continue;
-    whole_ = lookedAt_;
+    completeEnd_ = lookedAt_;
     state_ = splitter_.state();
   }
 }

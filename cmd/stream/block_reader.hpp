@@ -1,4 +1,4 @@
-// The input in blocks of whole records: the part of a stream's work that only one thread at a time can do.
+// Reads the input in blocks of complete records: the work that only one thread at a time can do.
 #pragma once
 
 #include <memory>
@@ -23,29 +23,29 @@ struct StreamFault {
 /// A part of the input that ends after a record.
 struct Block {
   TextBuffer bytes;
-  TextPosition position;             ///< of the first byte. f64: line is the record's number
-  JsonState state;                   ///< JSON: of all that comes before
-  bool last = false;                 ///< the input ends after it
-  std::optional<StreamFault> fault;  ///< what is wrong after the records: nothing follows
+  TextPosition position;             ///< of the first byte; for f64, line is the record's number
+  JsonState state;                   ///< JSON: after everything before the block
+  bool last = false;                 ///< the input ends after this block
+  std::optional<StreamFault> fault;  ///< an error after the records; nothing follows
 };
 
 class BlockReader {
  public:
-  static constexpr std::size_t kBlock = 64 << 10;  ///< bytes that are read at a time
-  /// block: in place of kBlock.
+  static constexpr std::size_t kBlock = 64 << 10;  ///< bytes to read at a time
+  /// block: used instead of kBlock.
   explicit BlockReader(std::unique_ptr<InputFile> file, std::size_t block = kBlock);
-  /// Of bytes given instead of a file.
+  /// Reads these bytes instead of a file.
   explicit BlockReader(std::string_view bytes) : atEnd_(true) { carried_ += bytes; }
 
-  /// The first bytes of the input, enough to tell its form: to the end of the first line that is no blank or comment;
-  /// no more than two where a bracket begins, so that a record is not waited for. However the input arrives, they are
-  /// the same.
+  /// The first bytes of the input, enough to tell its format: up to the end of the first line that is not blank or a
+  /// comment; at most two bytes if the first is a bracket, so that it need not wait for a record. They do not depend on
+  /// how the input arrives.
   std::string_view firstBytes();
 
-  /// Where the form is text of any kind, passes over a byte order mark. Throws InputError at one of UTF-16 or UTF-32.
+  /// If the format is any text, skips a byte order mark. Throws InputError at one of UTF-16 or UTF-32.
   void setForm(Form form, char separator = ',');
 
-  /// CSV: the first line that is not blank, and where it stands.
+  /// CSV: the first line that is not blank, and its position.
   struct Line {
     std::string text;
     TextPosition position;
@@ -53,7 +53,7 @@ class BlockReader {
   std::optional<Line> firstLine();
   void passFirstLine() { drop(firstLineEnd_); }
 
-  /// False at the end of the input. What the block held before is lost.
+  /// Reads the next block; its old content is lost. False at the end of the input.
   bool next(Block& block);
 
   const std::string& name() const { return name_; }
@@ -61,10 +61,10 @@ class BlockReader {
   std::size_t blockSize() const { return block_; }
 
  private:
-  /// How many bytes of text are whole records; 0: more are needed. text begins as it did in the call before.
-  std::size_t wholeRecords(std::string_view text);
-  std::size_t wholeJson(std::string_view text);
-  /// Reads once, after what bytes hold, until they are `most` at the most.
+  /// How many bytes of text are complete records; 0 if more are needed. text must begin with the text of the last call.
+  std::size_t completeRecords(std::string_view text);
+  std::size_t completeJson(std::string_view text);
+  /// Reads once and appends to bytes, up to a size of `most`.
   void readMore(TextBuffer& bytes, std::size_t most);
   void readMore() { readMore(carried_, carried_.size() + block_); }
   void drop(std::size_t bytes);
@@ -76,15 +76,15 @@ class BlockReader {
   std::size_t block_ = kBlock;
   Form form_ = Form::json;
   char separator_ = ',';
-  TextBuffer carried_;  ///< read, not yet given out
+  TextBuffer carried_;  ///< read but not yet returned in a block
   bool atEnd_ = false, over_ = false;
-  TextPosition position_;  ///< where carried_ begins
+  TextPosition position_;  ///< of carried_
   std::size_t firstLineEnd_ = 0;
-  // How far wholeRecords looked for line breaks and cut JSON into pieces, and where the last whole one ends.
-  std::size_t searched_ = 0, lookedAt_ = 0, whole_ = 0;
+  // How far completeRecords has searched line breaks and split JSON, and where the last complete record ends.
+  std::size_t searched_ = 0, lookedAt_ = 0, completeEnd_ = 0;
   CsvEnds csv_;
   JsonSplitter splitter_;
-  JsonState state_;  ///< after the whole records
+  JsonState state_;  ///< after the complete records
 };
 
 }  // namespace viewproj::cmd

@@ -11,12 +11,12 @@
 namespace viewproj::cmd {
 namespace {
 
-/// What the workers of a stream share.
+/// Shared by the workers of a stream.
 struct Stream {
   const FilterSetup& setup;
   const MakeWork& makeWork;
   Form form = Form::json;
-  char separator = ',';  ///< of the input, where it is CSV
+  char separator = ',';  ///< of CSV input
   OutputForm to = OutputForm::lines;
   bool writes = true;
   Shape header = {};
@@ -83,7 +83,7 @@ class RecordWorker final : public BlockWorker {
   }
 
  private:
-  /// Of the array that stands open in the output where the block begins.
+  /// The text that closes the array that is open in the output where the block begins.
   std::string_view closingOf(const Block& block) const {
     if (stream_.to == OutputForm::array) return "]";
     if (!stream_.setup.writer.keepArrays || !block.state.insideArray()) return "";
@@ -97,7 +97,7 @@ class RecordWorker final : public BlockWorker {
   Batch batch_;
 };
 
-/// What separates the columns of the first line: of tab, semicolon and comma the first that it has outside of quotes.
+/// The separator of a first line: the first of tab, semicolon and comma that occurs outside of quotes.
 char separatorOf(std::string_view line) {
   bool isQuoted = false, hasSemicolon = false;
   for (const char c : line) {
@@ -108,7 +108,7 @@ char separatorOf(std::string_view line) {
   return hasSemicolon ? ';' : ',';
 }
 
-/// The first line that is none of blanks and no comment of text, as far as it tells the form.
+/// The first line that is not blank or a comment, as far as it is needed to tell the format.
 std::string_view firstLineOf(BlockReader& reader) {
   std::string_view start = reader.firstBytes();
   if (start.starts_with("\xEF\xBB\xBF")) start.remove_prefix(3);
@@ -135,7 +135,7 @@ Form formOfInput(const Stream& stream, BlockReader& reader) {
   return form;
 }
 
-/// Results of words alone turn text and f64 into JSON.
+/// Results that are only words turn text and f64 output into JSON.
 OutputForm formOfOutput(const FilterSetup& setup, const RecordWork& work, Form form) {
   if (setup.to) return *setup.to;
   const OutputForm same = sameForm(form);
@@ -146,7 +146,7 @@ OutputForm formOfOutput(const FilterSetup& setup, const RecordWork& work, Form f
   return numbers || results.empty() ? same : OutputForm::lines;
 }
 
-/// How CSV is written, in and out.
+/// Sets the separators of CSV input and output.
 void settleFormat(Stream& stream, FilterSetup& setup, BlockReader& reader) {
   if (stream.form == Form::csv)
     stream.separator = setup.delimiter ? *setup.delimiter : separatorOf(firstLineOf(reader));
@@ -163,7 +163,7 @@ void settleFormat(Stream& stream, FilterSetup& setup, BlockReader& reader) {
   }
 }
 
-/// What was typed for a part of the stream that these forms do not have is not passed over.
+/// Options for something that these formats do not have are errors, not ignored.
 void requireUse(const Stream& stream) {
   const FilterSetup& setup = stream.setup;
   const WriterSetup& writer = setup.writer;
@@ -180,8 +180,8 @@ void requireUse(const Stream& stream) {
     throw UsageError("--digits rounds numbers in text, and f64 is binary; leave it out, or add --to text");
 }
 
-/// Reads the header of CSV, and tries it: columns must have different names, and those of the numbers must be there.
-/// Returns what stands at the output's start.
+/// Reads the CSV header and checks it: names must be unique, and the columns of the numbers must exist. Returns the
+/// start of the output.
 TextBuffer readHeader(Stream& stream, BlockReader& reader) {
   TextBuffer out;
   const auto line = stream.form == Form::csv ? reader.firstLine() : std::nullopt;
@@ -207,17 +207,17 @@ TextBuffer readHeader(Stream& stream, BlockReader& reader) {
 }
 
 int run(FilterSetup& setup, const MakeWork& makeWork, bool writes) {
-  std::string given;
-  for (const GivenRecord& record : setup.given) given += record.json + "\n";
+  std::string typed;
+  for (const GivenRecord& record : setup.given) typed += record.json + "\n";
   BlockReader reader =
-      setup.given.empty() ? BlockReader(std::make_unique<InputFile>(setup.file), setup.blockSize) : BlockReader(given);
+      setup.given.empty() ? BlockReader(std::make_unique<InputFile>(setup.file), setup.blockSize) : BlockReader(typed);
   Stream stream{.setup = setup, .makeWork = makeWork, .writes = writes};
   stream.form = formOfInput(stream, reader);
   const auto work = makeWork();
   stream.to = formOfOutput(setup, *work, stream.form);
   settleFormat(stream, setup, reader);
   reader.setForm(stream.form, stream.separator);
-  // JSON keeps its own arrangement, arrays included, unless an arrangement was asked for.
+  // JSON output keeps the arrays of the input, unless --to was given.
   setup.writer.keepArrays = writes && !setup.to && stream.form == Form::json;
   setup.writer.keepGoing = setup.keepGoing;
   setup.writer.table = stream.to == OutputForm::table;

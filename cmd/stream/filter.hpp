@@ -1,4 +1,4 @@
-// A filter: records in, the same records with results out, in order and in bounded memory.
+// A filter: reads records and writes the same records with results, in order and with bounded memory.
 #pragma once
 
 #include <functional>
@@ -15,7 +15,7 @@
 
 namespace viewproj::cmd {
 
-/// A record of the command line: the option it came from, and the record as JSON.
+/// A record from the command line: its option, and the record as JSON.
 struct GivenRecord {
   std::string option;
   std::string json;
@@ -23,28 +23,28 @@ struct GivenRecord {
 
 struct FilterSetup {
   std::string file = "-";
-  std::vector<GivenRecord> given;  ///< instead of a file
+  std::vector<GivenRecord> given;  ///< read instead of a file
   std::optional<Form> from;
-  std::optional<OutputForm> to;  ///< nothing: as the input
+  std::optional<OutputForm> to;  ///< empty: like the input
   bool keepGoing = false;
-  unsigned jobs = 0;  ///< threads; 0: one a processor
+  unsigned jobs = 0;  ///< threads; 0: one per processor
   std::size_t blockSize = BlockReader::kBlock;
-  std::optional<char> delimiter;         ///< of CSV's columns; nothing: as the first line tells
+  std::optional<char> delimiter;         ///< separator of CSV; empty: found in the first line
   ColumnChoice columns;                  ///< --columns
   std::vector<std::string> csvDefaults;  ///< column names of a CSV stream without a header
-  std::function<void(const std::string&)> note = [](const std::string&) {};  ///< of what is obeyed to no effect
-  /// As PipelineSetup has it.
+  std::function<void(const std::string&)> note = [](const std::string&) {};  ///< about options without effect
+  /// See PipelineSetup.
   void (*failed)() = endWithException;
   WriterSetup writer;
 };
 
-/// Returns the exit status: 1 if --keep-going passed over a bad record. Throws InputError at the first bad record
-/// otherwise, after everything before it has been written and an open array closed.
+/// Returns the exit status: 1 if --keep-going skipped a bad record. Otherwise throws InputError at the first bad
+/// record, after everything before it is written and an open array is closed.
 int runFilter(FilterSetup setup, const MakeWork& makeWork);
 
-/// Reads the records alone, in order: they are added to the work, batch by batch, and nothing is written. Throws
-/// InputError at the first bad one, or with keepGoing leaves it out and returns the exit status 1. setup: file or
-/// given, from, columns, csvDefaults, keepGoing.
+/// Only reads the records, in order: they are added to the work, batch by batch, and nothing is written. Throws
+/// InputError at the first bad record; with keepGoing, skips it and returns 1. Uses of setup: file or given, from,
+/// columns, csvDefaults, keepGoing.
 int readRecords(FilterSetup setup, const MakeWork& makeWork);
 
 }  // namespace viewproj::cmd

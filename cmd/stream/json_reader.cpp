@@ -1,5 +1,5 @@
-// Records that are like one of before but for their numbers are read by its pattern. All others go to the parts that
-// nlohmann-json judges: so that is valid which it calls valid, and its words are in the messages.
+// Records that differ from an earlier one only in their numbers are read by its pattern. All others are checked by the
+// JSON scanner and split into fields.
 #include <algorithm>
 
 #include "stream/batch.hpp"
@@ -10,7 +10,7 @@
 namespace viewproj::cmd {
 namespace {
 
-/// Patterns of a plan that are remembered, and those of all plans that a record is compared with at most.
+/// The most patterns that a plan keeps, and the most patterns that a record is compared with.
 constexpr std::size_t kPatternsOfPlan = 4, kPatterns = 32;
 
 class JsonReader final : public RecordReader {
@@ -23,17 +23,18 @@ class JsonReader final : public RecordReader {
     const auto end = block.last ? JsonSplitter::End::input : JsonSplitter::End::block;
     JsonSplitter splitter(block.state);
     for (std::size_t at = 0;;) {
-      at = readAlike(at, splitter);
+      at = readByPatterns(at, splitter);
       const JsonPiece piece = splitter.next(text_.substr(at), end);
       if (piece.event == JsonEvent::end) return;
-      take(piece);
+      handle(piece);
       at += piece.end;
     }
   }
 
  private:
-  /// Records by their patterns, and what stands between them, up to the first that has none. Returns where that begins.
-  std::size_t readAlike(const std::size_t from, JsonSplitter& splitter) {
+  /// Reads records by their patterns, and the text between them, up to the first record without one. Returns its
+  /// offset.
+  std::size_t readByPatterns(const std::size_t from, JsonSplitter& splitter) {
     using Place = JsonState::Place;
     JsonState state = splitter.state();
     std::size_t at = from;
@@ -44,7 +45,7 @@ class JsonReader final : public RecordReader {
         state.place = Place::comma;
         at = afterJsonSpace(text_, at + 1);
       }
-      const std::size_t size = addAlike(text_.substr(at, kLongestRecord));
+      const std::size_t size = addByPattern(text_.substr(at, kLongestRecord));
       if (size == 0) break;
       at += size;
       if (state.insideArray()) state.place = Place::record;
@@ -56,8 +57,8 @@ class JsonReader final : public RecordReader {
     return at;
   }
 
-  /// Returns how long the record is that begins there, or 0 if it is like none of before.
-  std::size_t addAlike(std::string_view text) {
+  /// Adds the record at the start of text if it matches a pattern, and returns its size; otherwise returns 0.
+  std::size_t addByPattern(std::string_view text) {
     const auto& plans = batch_->plans();
     Numbers numbers;
     std::size_t tried = 0;
@@ -69,21 +70,21 @@ class JsonReader final : public RecordReader {
         if (size == 0) continue;
         Plan& plan = *plans[i];
         if (pattern != plan.patterns.begin()) std::rotate(plan.patterns.begin(), pattern, pattern + 1);
-        batch_->usedAgain(i);
+        batch_->moveToFront(i);
         batch_->add(text.substr(0, size), plan, numbers);
         return size;
       }
     return 0;
   }
 
-  void take(const JsonPiece& piece) {
+  void handle(const JsonPiece& piece) {
     if (!piece.message.empty()) batch_->bad(piece.text, RecordError(piece.at, piece.message));
     if (piece.event == JsonEvent::record) readRecord(piece.text);
     if (piece.event == JsonEvent::beginArray) batch_->beginArray(piece.text);
     if (piece.event == JsonEvent::endArray) batch_->endArray(piece.message.empty() ? piece.text : std::string_view());
   }
 
-  /// text: a record that was found to be one, if it is valid.
+  /// text: a record, if it is valid.
   void readRecord(std::string_view text) {
     try {
       const RecordParts record = jsonParts(text);
@@ -91,14 +92,14 @@ class JsonReader final : public RecordReader {
       Numbers numbers;
       NumberTexts texts;
       readNumbers(record, plan.layout, numbers, &texts);
-      if (byPattern_) learn(plan, RecordPattern(record, plan.layout, numbers, texts));
+      if (byPattern_) keepPattern(plan, RecordPattern(record, plan.layout, numbers, texts));
       batch_->add(text, plan, numbers);
     } catch (const RecordError& e) {
       batch_->bad(text, e);
     }
   }
 
-  static void learn(Plan& plan, RecordPattern pattern) {
+  static void keepPattern(Plan& plan, RecordPattern pattern) {
     if (pattern.isEmpty()) return;
     if (plan.patterns.size() == kPatternsOfPlan) plan.patterns.pop_back();
     plan.patterns.insert(plan.patterns.begin(), std::move(pattern));

@@ -21,16 +21,16 @@ using Place = JsonState::Place;
 
 bool closesJson(char c) { return c == '}' || c == ']'; }
 
-/// A line of JSON ends with LF, CRLF or CR.
+/// A line of JSON text ends with LF, CRLF or CR.
 bool isLineBreak(char c) { return c == '\n' || c == '\r'; }
 
-/// Before `end` and not before `from`, or npos.
+/// The last line break in [from, end), or npos.
 std::size_t lastLineBreak(std::string_view text, std::size_t end, std::size_t from = 0) {
   while (end > from && !isLineBreak(text[end - 1])) --end;
   return end > from ? end - 1 : npos;
 }
 
-/// What a scan for brackets passes over at once: all but white space, quotes and brackets.
+/// The characters that a scan for brackets skips at once: all but white space, quotes and brackets.
 constexpr std::array<bool, 256> kOrdinary = [] {
   std::array<bool, 256> ordinary{};
   for (std::size_t c = 0; c < 256; ++c) ordinary[c] = true;
@@ -38,7 +38,7 @@ constexpr std::array<bool, 256> kOrdinary = [] {
   return ordinary;
 }();
 
-/// Where a string ends: at its quote, at a line break, or at the text's end; one more where that cuts an escape.
+/// The end of a string: its quote, a line break or the text's end. One more if the text's end cuts an escape.
 std::size_t endOfString(std::string_view text, std::size_t at) {
   while (at < text.size() && text[at] != '"' && !isLineBreak(text[at]))
     at += text[at] == '\\' && (at + 1 == text.size() || !isLineBreak(text[at + 1])) ? 2 : 1;
@@ -125,14 +125,14 @@ JsonPiece JsonSplitter::bad(std::string_view text, std::size_t at, std::string m
   return bad;
 }
 
-/// Something that is not there.
+/// An error between two bytes: something is missing there.
 JsonPiece JsonSplitter::missing(std::string_view rest, const char* message, Place next) {
   JsonPiece missing = bad(rest.substr(0, 0), 0, message);
   state_.place = next;
   return missing;
 }
 
-/// The array ends with text, which is not what should end it.
+/// The array ends with text, which is not its proper end.
 JsonPiece JsonSplitter::brokenEnd(std::string_view text, std::size_t at, std::string message) {
   JsonPiece end = piece(JsonEvent::endArray, text, Place::top);
   end.at = at;
@@ -149,14 +149,14 @@ JsonPiece JsonSplitter::atBracket(std::string_view rest, bool atEnd) {
     case Answer::no:
       break;
   }
-  // Brackets that do not close are none of JSON, as who takes the record apart finds.
+  // A record whose brackets do not close is not valid JSON. The reader reports that when it splits the record.
   const std::string_view text = rest.substr(0, looked_);
   JsonPiece unclosed = piece(JsonEvent::record, text, state_.insideArray() ? Place::bad : Place::top);
   unclosed.text = text.substr(0, text.find_last_not_of(kSpace) + 1);
   return unclosed;
 }
 
-/// Whether what begins here as a record does is an array or a document of records. looked_ is then after its bracket.
+/// Whether an array or a document of records begins here, and not a record. If so, looked_ is after its bracket.
 JsonSplitter::Answer JsonSplitter::beginsArray(std::string_view rest) {
   constexpr std::size_t kLongest = kRecordsField.size() * std::string_view("\\u0070").size();
   if (step_ == 0) {
@@ -188,7 +188,7 @@ JsonSplitter::Answer JsonSplitter::beginsArray(std::string_view rest) {
   }
 }
 
-/// Whether a bracket, at a line's beginning no farther to the right than the record's own, cannot be in a record.
+/// Whether a bracket that begins a line, no farther to the right than the record's first one, cannot be in a record.
 bool JsonSplitter::endsRecord(char c) const {
   if (c == ']') return state_.insideArray() && (isCut_ || open_.back());
   if (!opensJson(c)) return false;
@@ -196,10 +196,11 @@ bool JsonSplitter::endsRecord(char c) const {
   return isCut_ || !(isItem || before_ == ':');
 }
 
-/// To the string's end. False where it goes on after the text.
+/// Moves to the string's end. False if the string continues after the text.
 bool JsonSplitter::passString(std::string_view rest) {
   const std::size_t end = endOfString(rest, looked_);
-  looked_ = std::min(end, rest.size() - (end > rest.size() ? 1 : 0));  // on a backslash whose byte is to come
+  looked_ = std::min(
+      end, rest.size() - (end > rest.size() ? 1 : 0));  // stays on a backslash whose next byte is not there yet
   if (end >= rest.size()) return false;
   inString_ = false;
   if (rest[end] == '"')
@@ -209,12 +210,12 @@ bool JsonSplitter::passString(std::string_view rest) {
   return true;
 }
 
-/// Goes on to where all that is open is closed, or to where it certainly does not close: looked_.
+/// Moves looked_ to where all open brackets are closed, or to where they certainly do not close.
 JsonSplitter::Answer JsonSplitter::isClosed(std::string_view rest, char open, bool atEnd) {
   if (looked_ == 0) {
     looked_ = 1;
     open_.assign(1, open == '{');
-    isFlat_ = open == '[';  // of numbers
+    isFlat_ = open == '[';  // an array of numbers
     isCut_ = lineBegins_ = false;
     before_ = open;
   }
@@ -257,7 +258,7 @@ JsonSplitter::Answer JsonSplitter::isClosed(std::string_view rest, char open, bo
 }
 
 JsonPiece JsonSplitter::endOfArray(std::string_view rest, bool atEnd) {
-  // With a comma after it a bracket ends nothing, but in a document, where a name follows.
+  // A bracket with a comma after it ends nothing, except in a document, where a name may follow.
   if (step_ == 0) {
     const std::size_t comma =
         state_.inDocument ? afterJsonSpace(rest, 1) : std::min(rest.find_first_not_of(" \t", 1), rest.size());
@@ -292,7 +293,7 @@ JsonPiece JsonSplitter::endOfDocument(std::string_view rest, bool atEnd) {
   return piece(JsonEvent::endArray, text, Place::top);
 }
 
-/// What begins as no record does: to the next bracket or the end of its line, in an array also to a comma.
+/// Text that does not begin like a record: up to the next bracket or the end of its line, in an array also to a comma.
 JsonPiece JsonSplitter::junk(std::string_view rest, bool atEnd, const char* message) {
   const auto ends = [&](char c) {
     return isLineBreak(c) || opensJson(c) || (state_.insideArray() && (c == ',' || c == ']'));

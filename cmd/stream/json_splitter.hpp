@@ -1,5 +1,5 @@
-// Where one JSON record of a stream ends and the next begins, in good JSON and in broken JSON: a property of the text
-// alone. cmd/README.md states the rules.
+// Finds where one JSON record of a stream ends and the next begins, in valid and in broken JSON. The result depends
+// only on the text. cmd/README.md states the rules.
 #pragma once
 
 #include <cstddef>
@@ -9,61 +9,61 @@
 
 namespace viewproj::cmd {
 
-/// A JSON record that is longer is an error, and so is one of any other form.
+/// A longer record, in any format, is an error.
 inline constexpr std::size_t kLongestRecord = 64 << 20;
 
-/// A record border that needs no look at what comes before: a line that begins with an opening bracket, in its first
-/// column, after one that ends with a closing bracket. Returns the offset of the last such opening bracket that is at
-/// `from` or after it, or npos.
+/// Finds a border between records without looking at what comes before it: a line that begins with an opening bracket
+/// in its first column, after a line that ends with a closing bracket. Returns the offset of the last such opening
+/// bracket at or after `from`, or npos.
 std::size_t lastBorder(std::string_view text, std::size_t from);
 
-/// Whether an array or a document of records may begin in text, bracket and all; false is certain.
+/// Whether an array or a document of records may begin in text. false is certain.
 bool mayOpenArray(std::string_view text);
 
-/// What the next bytes of a stream are.
+/// The kind of the next bytes of a stream.
 enum class JsonEvent {
-  needMore,    ///< not decided by the bytes at hand
+  needMore,    ///< more bytes are needed to decide
   space,       ///< white space
-  comma,       ///< of an array
-  record,      ///< text is one record, or what stands in the place of one and does not close its brackets
-  bad,         ///< text is none, as message says
-  beginArray,  ///< text is what stands before the first record: `[`, or `{"points": [`
-  endArray,    ///< text is what follows the last record: `]` and the rest of a document; message: it is broken
+  comma,       ///< between records of an array
+  record,      ///< text is one record, or stands in place of one and does not close its brackets
+  bad,         ///< text is not a record; message says why
+  beginArray,  ///< text is everything before the first record: `[` or `{"points": [`
+  endArray,    ///< text is `]` and the rest of a document; message: why it is broken
   end,
 };
 
 struct JsonPiece {
   JsonEvent event = JsonEvent::needMore;
   std::string_view text = {};
-  std::size_t end = 0;  ///< how many bytes are used up with it
+  std::size_t end = 0;  ///< how many bytes belong to it
   std::string message = {};
-  std::size_t at = 0;  ///< in text, where the message points
+  std::size_t at = 0;  ///< where in text the error is
 };
 
-/// What is to be known of all that comes before a piece.
+/// What is known of everything before a piece.
 struct JsonState {
-  /// Outside of arrays; in one before its first record, after a comma, after a record, after what is bad.
+  /// Outside of arrays; or inside, before the first record, after a comma, after a record, after an error.
   enum class Place : char { top, first, comma, record, bad };
 
   Place place = Place::top;
   bool inDocument = false;
-  std::size_t column = 0;  ///< bytes of the line
+  std::size_t column = 0;  ///< bytes since the line's beginning
 
   bool insideArray() const { return place != Place::top; }
-  /// So that passed is the text before.
+  /// Moves the state to the end of passed.
   void moveOver(std::string_view passed);
 };
 
-/// Cuts a stream into pieces, from left to right. No byte of a record is looked at twice.
+/// Splits a stream into pieces, from left to right, without reading a byte of a record twice.
 class JsonSplitter {
  public:
   explicit JsonSplitter(const JsonState& state = {}) : state_(state) {}
 
-  /// What rest ends with; block: where another splitter found a piece to end.
+  /// What follows rest. block: the end of a piece that another splitter found.
   enum class End { open, block, input };
-  /// rest: all bytes after the last piece, which begin with the same ones if the last call needed more.
+  /// rest: all bytes after the last piece. If the last call needed more, rest must begin with the same bytes.
   JsonPiece next(std::string_view rest, End end);
-  /// One who begins here, with this state, finds the same pieces.
+  /// A splitter that begins here with this state finds the same pieces.
   const JsonState& state() const { return state_; }
 
  private:
@@ -83,13 +83,13 @@ class JsonSplitter {
   bool endsRecord(char c) const;
 
   JsonState state_;
-  // How far an unfinished piece was looked at.
+  // How far an unfinished piece has been read.
   std::size_t looked_ = 0, step_ = 0;
-  std::vector<bool> open_;  ///< the brackets that are; true: {
+  std::vector<bool> open_;  ///< the open brackets; true for {
   bool isFlat_ = false, inString_ = false, lineBegins_ = false;
-  bool isCut_ = false;    ///< a string has a line break: from there on brackets do not count
+  bool isCut_ = false;    ///< a string has a line break; brackets after it do not count
   std::size_t line_ = 0;  ///< where the last line begins
-  char before_ = 0;       ///< what is no white space
+  char before_ = 0;       ///< the last character that is not white space
 };
 
 }  // namespace viewproj::cmd

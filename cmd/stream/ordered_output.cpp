@@ -57,7 +57,7 @@ void OrderedOutput::put(const Block& block, const BlockResult& result) try {
     writeOutput(out.substr(0, result.frame.size));
     inArray_ += result.frame.records;
     out.remove_prefix(result.frame.size);
-    if (!out.empty()) {  // it begins with what closes the array
+    if (!out.empty()) {  // it begins with the text that closes the array
       if (inArray_ > 0) writeOutput("\n");
       inArray_ = 0;
     }

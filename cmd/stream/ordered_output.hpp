@@ -1,4 +1,4 @@
-// What workers made of the blocks, put out in the order of the input.
+// Writes the workers' results in the order of the input.
 #pragma once
 
 #include <chrono>
@@ -13,19 +13,19 @@ namespace viewproj::cmd {
 
 struct OutputSetup {
   OutputForm form = OutputForm::lines;
-  /// Names the place of what is wrong.
+  /// Names the place of an error.
   std::function<std::string(TextPosition)> placeOf;
-  bool fromCommandLine = false;  ///< a bad record is a wrong command line
+  bool fromCommandLine = false;  ///< a bad record is an error of the command line
   std::function<void(const std::string&)> note = {};
 };
 
-/// A line on standard error that shows how far a long run has come: where that is a terminal and standard output is
-/// none, from the second second on.
+/// A line on standard error with the progress of a long run. It is shown from the second second on, if standard error
+/// is a terminal and standard output is not.
 class Progress {
  public:
   explicit Progress(std::optional<std::size_t> totalBytes);
   void moved(std::size_t bytes, std::size_t records);
-  /// Takes the line away, so that something else may be written.
+  /// Removes the line, so that something else can be written.
   void clear();
 
  private:
@@ -39,19 +39,19 @@ class Progress {
 
 class OrderedOutput {
  public:
-  /// totalBytes: of the input, if that is known.
+  /// totalBytes: the size of the input, if it is known.
   OrderedOutput(OutputSetup setup, std::optional<std::size_t> totalBytes)
       : setup_(std::move(setup)), progress_(totalBytes) {}
   ~OrderedOutput() { progress_.clear(); }
 
-  /// What stands before or after all records.
+  /// Writes text before or after all records.
   void write(std::string_view text);
-  /// An array that holds all records.
+  /// Opens an array that holds all records.
   void openArray();
-  /// Writes the block's records whole. Throws InputError (UsageError) where the run ends with it, after all that came
-  /// before and an array's end; ClosedPipe and InputError where nothing can be written.
+  /// Writes the block's records. If the run ends with this block, throws InputError (UsageError) after writing
+  /// everything before the error and closing an array. Throws ClosedPipe or InputError if nothing can be written.
   void put(const Block& block, const BlockResult& result);
-  /// After the last block. Returns the exit status.
+  /// Call it after the last block. Returns the exit status.
   int finish();
 
  private:
@@ -61,7 +61,7 @@ class OrderedOutput {
   OutputSetup setup_;
   Progress progress_;
   bool passedOver_ = false;
-  std::string closing_;  ///< of the array that stands open
+  std::string closing_;  ///< the text that closes the open array
   std::size_t inArray_ = 0;
   CsvAligner table_;
 };

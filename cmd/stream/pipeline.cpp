@@ -40,12 +40,12 @@ class Pipeline {
         endTurn();
       }
     } catch (...) {
-      if (setup_.jobs > 1 && setup_.failed) setup_.failed();  // others may wait for input
+      if (setup_.jobs > 1 && setup_.failed) setup_.failed();  // others may be waiting for input
       stop(std::current_exception());
     }
   }
 
-  /// Whether there is more to come, and as much at a time as is work for others. Pipes often give less than a block.
+  /// Whether there is more input, and blocks are large enough to share work. Pipes often give less than a block.
   bool isWorthMore(const Block& block) const { return !block.last && block.bytes.size() >= reader_.blockSize() / 4; }
 
   void startOthers() {
@@ -53,7 +53,7 @@ class Pipeline {
       try {
         threads_.emplace_back([this] { work(false); });
       } catch (const std::system_error&) {
-        return;  // with fewer, then
+        return;  // continue with fewer threads
       }
     }
   }
@@ -65,7 +65,7 @@ class Pipeline {
     return true;
   }
 
-  /// False where the run has ended.
+  /// False if the run has ended.
   bool waitForTurn(std::size_t ticket) {
     std::unique_lock lock(ordering_);
     turned_.wait(lock, [&] { return stopped_ || turn_ == ticket; });

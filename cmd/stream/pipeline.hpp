@@ -1,8 +1,8 @@
-// A stream's blocks through identical workers, in order and in bounded memory.
+// Passes a stream's blocks through identical workers, in order and with bounded memory.
 //
-// Each worker takes the reader's lock, reads a block into its own buffer and takes a ticket, gives the lock back,
-// works, and waits until all blocks before are out to put out its own. So memory is workers times two buffers, however
-// long the input and however slow the reader downstream.
+// Each worker locks the reader, reads a block into its own buffer, takes a ticket and unlocks the reader. It processes
+// the block and waits until all blocks before it are written, then writes its own. So memory is two buffers per worker,
+// however long the input is and however slow the output.
 #pragma once
 
 #include <functional>
@@ -22,14 +22,14 @@ class BlockWorker {
 struct PipelineSetup {
   unsigned jobs = 1;
   std::function<std::unique_ptr<BlockWorker>(BlockResult&)> makeWorker;
-  /// Until it is true the first worker stays alone.
+  /// The first worker runs alone until this is true.
   std::function<bool()> mayShare = [] { return true; };
-  /// With several jobs, called in the catch block of the worker that fails: it ends the process, or else the run ends
-  /// once no other worker waits for input.
+  /// With several jobs, called in the catch block of a worker that fails. It may end the process. Otherwise the run
+  /// ends when no other worker waits for input.
   void (*failed)() = nullptr;
 };
 
-/// Runs to the end of the input. Throws what a worker or the output throws.
+/// Runs to the end of the input. Throws the exception of a worker or of the output.
 void runPipeline(const PipelineSetup& setup, BlockReader& reader, OrderedOutput& output);
 
 }  // namespace viewproj::cmd

@@ -13,8 +13,8 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "f64 is written as it stands in memory");
 
-/// Numbers that are plainly such, from their first byte to their last; false is not yet a verdict.
-bool readPlainNumbers(const RecordParts& record, const Layout& layout, Numbers& numbers) {
+/// Reads numbers that need no trimming or unquoting. False does not mean that they are wrong.
+bool readBareNumbers(const RecordParts& record, const Layout& layout, Numbers& numbers) {
   const char* const end = record.text.data() + record.text.size();
   double* slot = numbers.data();
   for (const NumberField& part : layout.parts) {
@@ -25,14 +25,14 @@ bool readPlainNumbers(const RecordParts& record, const Layout& layout, Numbers& 
   return true;
 }
 
-/// A record by itself, which partsOf takes apart. Returns its plan, or null where it is bad.
+/// Adds one record, which partsOf splits into fields. Returns its plan, or null if it is bad.
 template <class PartsOf>
 const Plan* addRecord(std::string_view text, Batch& batch, const PartsOf& partsOf) {
   try {
     const RecordParts record = partsOf();
     const Plan& plan = batch.planFor(record);
     Numbers numbers;
-    if (!readPlainNumbers(record, plan.layout, numbers)) readNumbers(record, plan.layout, numbers);
+    if (!readBareNumbers(record, plan.layout, numbers)) readNumbers(record, plan.layout, numbers);
     batch.add(text, plan, numbers);
     return &plan;
   } catch (const RecordError& e) {
@@ -48,7 +48,7 @@ class CsvReader final : public RecordReader {
   void read(const Block& block, Batch& batch) override {
     const std::string_view text = block.bytes.view();
     for (std::size_t at = 0, end; at < text.size(); at = end + 1) {
-      if ((end = readPlainRecord(text, at, batch)) != npos) continue;
+      if ((end = readBareRecord(text, at, batch)) != npos) continue;
       std::size_t unclosed = npos;
       end = endOfCsvRecord(text, at, separator_, &unclosed);
       std::string_view line = text.substr(at, end - at);
@@ -63,7 +63,7 @@ class CsvReader final : public RecordReader {
  private:
   static constexpr std::size_t npos = std::string_view::npos;
   static constexpr std::size_t kNoSlot = kMostNumbers;
-  /// For each field the slot of its number.
+  /// The slot of each field's number.
   static std::vector<std::size_t> slotsOf(const Layout& layout, std::size_t fields) {
     std::vector<std::size_t> slots(fields, kNoSlot);
     std::size_t slot = 0;
@@ -74,9 +74,9 @@ class CsvReader final : public RecordReader {
     return slots;
   }
 
-  /// Adds a record of as many fields as the header's whose numbers are plainly numbers, all in one pass. Returns where
-  /// it ends, or npos for any other.
-  std::size_t readPlainRecord(std::string_view text, std::size_t begin, Batch& batch) {
+  /// Adds a record with as many fields as the header, if its numbers need no trimming or unquoting, in one pass.
+  /// Returns its end, or npos for any other record.
+  std::size_t readBareRecord(std::string_view text, std::size_t begin, Batch& batch) {
     if (slots_.empty()) return npos;
     const char* at = text.data() + begin;
     const char* const end = text.data() + text.size();
@@ -137,9 +137,10 @@ class BinaryReader final : public RecordReader {
   void read(const Block& block, Batch& batch) override {
     const std::string_view text = block.bytes.view();
     const std::size_t count = text.size() / kBinaryRecord;
-    const auto* doubles = reinterpret_cast<const double*>(text.data());  // blocks begin with their buffer
+    const auto* doubles =
+        reinterpret_cast<const double*>(text.data());  // a block begins at the start of its aligned buffer
     for (std::size_t i = 0; i < count;) {
-      // Not all at once: those after one that the work does not take are done again.
+      // In parts, because records after one that the work does not convert are converted again.
       const std::size_t some = std::min(count - i, kAtOnce);
       const std::size_t done = batch.convert({doubles + 3 * i, 3 * some});
       i += done;
