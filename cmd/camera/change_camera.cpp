@@ -22,13 +22,13 @@ Vec3 mappedVector(const Vec3& v, const AxisMap& map, double scale = 1) {
 
 Vec3 opposite(const Vec3& v) { return {-v.x, -v.y, -v.z}; }
 
-/// x, y, z, w of the rotation with these columns.
+/// The quaternion x, y, z, w of the rotation with these columns.
 std::array<double, 4> quaternionOf(const std::array<Vec3, 3>& c) {
   const std::array<double, 4> squares = {1 + c[0].x - c[1].y - c[2].z, 1 - c[0].x + c[1].y - c[2].z,
                                          1 - c[0].x - c[1].y + c[2].z, 1 + c[0].x + c[1].y + c[2].z};
   const double xy = c[1].x + c[0].y, xz = c[2].x + c[0].z, yz = c[2].y + c[1].z;
   const double xw = c[1].z - c[2].y, yw = c[2].x - c[0].z, zw = c[0].y - c[1].x;
-  // Four times the products with the largest, which then divides.
+  // Products with the largest component, times four. Dividing by it gives the quaternion.
   const std::array<std::array<double, 4>, 4> products = {
       {{squares[0], xy, xz, xw}, {xy, squares[1], yz, yw}, {xz, yz, squares[2], zw}, {xw, yw, zw, squares[3]}}};
   const auto largest = std::max_element(squares.begin(), squares.end());
@@ -37,7 +37,7 @@ std::array<double, 4> quaternionOf(const std::array<Vec3, 3>& c) {
   return q;
 }
 
-/// In place of all that turns the camera.
+/// Replaces all fields that orient the camera by a rotation.
 void setRotation(Json& root, const Vec3& right, const Vec3& up, const Vec3& forward, Handedness world) {
   for (const char* name :
        {"target", "direction", "up", "euler", "heading", "pitch", "roll", "worldFromCamera", "cameraFromWorld"})
@@ -52,7 +52,7 @@ CameraAxes axesOf(const Document& document) {
   return stated ? valueOf(kCameraAxesNames, stated->get<std::string>()) : readConvention(document).preset->cameraAxes;
 }
 
-/// The camera's axes for a world of the other handedness, in terms of these, and their name.
+/// For a world of the other handedness: a map from the camera's axes to another set of axes, and that set's name.
 std::pair<AxisMap, const char*> mirroredAxes(CameraAxes axes) {
   switch (axes) {
     case CameraAxes::RUB:
@@ -67,7 +67,7 @@ std::pair<AxisMap, const char*> mirroredAxes(CameraAxes axes) {
   return {{{1, 2, 0}, {1, 1, -1}}, "RUB"};
 }
 
-/// A pose matrix whose rows, or columns, are mapped: exactly, but for the scale of its translation.
+/// A pose matrix with its rows and columns mapped. Exact, except for the scale of its translation.
 Mat4 mappedMatrix(const Mat4& m, const AxisMap& rows, const AxisMap& columns, double scale) {
   Mat4 result;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -112,14 +112,14 @@ void mapPose(Document& document, const CameraFile& camera, const AxisMap& map, d
   root["position"] = eye;
 }
 
-/// The number at a path, if there is one, times a factor.
+/// Multiplies a number of the projection by a factor, if it is there.
 void multiply(Json& root, const char* name, double factor) {
   Json& projection = root["projection"];
   const auto value = projection.find(name);
   if (value != projection.end() && value->is_number()) *value = value->get<double>() * factor;
 }
 
-/// With lengths times scale, and the window of a perspective times factor.
+/// A projection with lengths times scale, and in perspective with a window times factor.
 Projection resized(const Projection& p, double scale, double factor) {
   return p.isOrthographic() ? orthographic(p.left() * scale, p.right() * scale, p.bottom() * scale, p.top() * scale,
                                            p.zNear() * scale, p.zFar() * scale)
@@ -152,7 +152,7 @@ Document mapped(const CameraFile& camera, const AxisMap& map, double scale) {
          {"near", "far", "left", "right", "bottom", "top", "width", "height", "nearWidth", "nearHeight"})
       multiply(root, name, scale);
     if (valueAt(root, "projection.matrix") && scale != 1)
-      setLensMatrix(document, resized(plainProjection(camera.document), scale, 1), camera.convention);
+      setLensMatrix(document, resized(uncroppedProjection(camera.document), scale, 1), camera.convention);
   }
   if (map.mirrors()) root["convention"]["world"] = nameOf(kWorldNames, world);
   return document;
@@ -179,7 +179,7 @@ Document movedTo(const CameraFile& camera, const Vec3& eye) {
 Document opened(const CameraFile& camera, double factor) {
   Document document = copied(camera.document);
   Json& root = *document.root;
-  const Projection wider = resized(plainProjection(camera.document), 1, factor);
+  const Projection wider = resized(uncroppedProjection(camera.document), 1, factor);
   for (const auto& [name, of] :
        {std::pair("fovY", Fov::vertical), {"fovX", Fov::horizontal}, {"fovDiagonal", Fov::diagonal}})
     if (valueAt(root["projection"], name)) root["projection"][name] = wider.fov(of);
@@ -207,11 +207,11 @@ Document withWindow(const CameraFile& camera, double left, double right, double 
   return document;
 }
 
-Projection plainProjection(const Document& document) {
-  Document plain = copied(document);
-  (*plain.root)["projection"].erase("shift");
-  if (valueAt(*plain.root, "viewport")) (*plain.root)["viewport"].erase("crop");
-  return *readCamera(plain, {.allowStretch = true}).projection;
+Projection uncroppedProjection(const Document& document) {
+  Document uncropped = copied(document);
+  (*uncropped.root)["projection"].erase("shift");
+  if (valueAt(*uncropped.root, "viewport")) (*uncropped.root)["viewport"].erase("crop");
+  return *readCamera(uncropped, {.allowStretch = true}).projection;
 }
 
 // cppcheck-suppress constParameter  // what it points to changes

@@ -80,7 +80,7 @@ void checkLens(const Node& value) {
   if (k && count > 0) (void)k->numbers(count);
   if (isFisheye ? count > 4 : !(count <= 3 || count == 6))
     k->fail(isFisheye ? "expected up to 4 numbers" : "expected 1, 2, 3 or 6 numbers");
-  if (p && isFisheye) p->fail("is not of the model fisheye");
+  if (p && isFisheye) p->fail("does not belong to the model fisheye");
   if (p) (void)p->numbers(2);
   if (const auto limit = value.find("limit")) {
     allowMembers(*limit, {isFisheye ? "degrees" : "radius"});
@@ -88,10 +88,10 @@ void checkLens(const Node& value) {
   }
 }
 
-/// The value of a member that is not known tells nothing.
-[[noreturn]] void failUnknown(const Node& value, const std::string& meant) {
+/// Fails at a member that is not known. Its value does not matter, so it is not shown.
+[[noreturn]] void failUnknown(const Node& value, const std::string& hint) {
   static const Json kNothing;
-  Node(value.document(), kNothing, value.path()).fail("is not known" + meant);
+  Node(value.document(), kNothing, value.path()).fail("is not known" + hint);
 }
 
 void checkMembers(const Node& object) {
@@ -103,7 +103,7 @@ void checkMembers(const Node& object) {
         value.fail(
             "does not say which angle: fovY is from bottom to top (OpenGL, Direct3D, Unity, three.js), fovX from left "
             "to right (Unreal)");
-      failUnknown(value, meantField(value.path(), item.key(), names));
+      failUnknown(value, suggestField(value.path(), item.key(), names));
     }
     if (item.value().is_null()) continue;
     if (const Field* field = findField(value.path()))
@@ -143,7 +143,7 @@ void requireAffine(const Mat4& m, const Node& value) {
   value.fail(std::string("the last row is not 0 0 0 1") + (isTransposed ? "; transpose the matrix" : ""));
 }
 
-std::string meantField(std::string_view path, std::string_view name, const std::vector<std::string_view>& names) {
+std::string suggestField(std::string_view path, std::string_view name, const std::vector<std::string_view>& names) {
   for (const Field& field : kFields)
     if (path.substr(path.rfind('.') + 1) == field.path.substr(field.path.rfind('.') + 1))
       return "; did you mean '" + std::string(field.path) + "'?";
@@ -291,7 +291,7 @@ void normalize(Document& document) {
     for (const std::string_view other : namesOf(field)) {
       const auto member = root.find(other);
       if (other == name || member == root.end()) continue;
-      if (const auto own = root.find(name); !member->is_null() && own != root.end() && !own->is_null())
+      if (const auto existing = root.find(name); !member->is_null() && existing != root.end() && !existing->is_null())
         Node(document, *member, std::string(other))
             .fail("is another name of " + name + ", which is there too; keep one");
       Json value = std::move(*member);

@@ -40,7 +40,7 @@ Json parsed(const std::string& name, std::string text) {
   return root;
 }
 
-/// Numbers, or rows of the same length, as they stand. False where something else is among them.
+/// Appends a number, or the numbers of rows of equal length. False if there is anything else.
 bool flatten(const Json& value, std::vector<double>& numbers) {
   if (value.is_number()) {
     numbers.push_back(value.get<double>());
@@ -58,7 +58,7 @@ bool flatten(const Json& value, std::vector<double>& numbers) {
     const auto rows = value.find("rows"), cols = value.find("cols");
     if (!data->is_array() || !flatten(*data, numbers)) return false;
     if (rows == value.end() || !rows->is_number() || cols == value.end() || !cols->is_number()) return true;
-    // Each entry may have several channels.
+    // An entry may have several channels.
     const double entries = rows->get<double>() * cols->get<double>(), count = static_cast<double>(numbers.size());
     return entries == 0 ? count == 0 : count > 0 && std::fmod(count, entries) == 0;
   }
@@ -181,7 +181,7 @@ Mat4 Node::mat4() const {
 }
 
 std::pair<std::string, bool> Node::place() const {
-  // The option that gave the field, or the object or array that it is in.
+  // The option that set the field, or the object or array around it.
   std::string_view part = path_;
   auto label = document_->labels.find(part);
   while (label == document_->labels.end() && !part.empty()) {

@@ -1,6 +1,6 @@
-// The fields of a camera document, a row each. The reader's checks, --set, the options with their placeholders, help,
-// the schema and the order of `matrix --to camera` all go by these rows. To add a field: a row here, and where
-// read_camera.cpp or read_pose.cpp uses it.
+// The fields of a camera document, one row each. The reader's checks, --set, the options with their placeholders, help,
+// the schema and the order of `matrix --to camera` use these rows. To add a field, add a row here, and use it in
+// read_camera.cpp or read_pose.cpp.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace viewproj::cmd {
 
-/// What a value has to be.
+/// The kind of a value.
 enum class Kind : std::uint8_t {
   text,
   word,  ///< one of the row's words
@@ -19,9 +19,9 @@ enum class Kind : std::uint8_t {
   number,
   positive,    ///< a number above 0
   far,         ///< a number or "inf"
-  zero,        ///< a number that can only be 0
+  zero,        ///< a number that must be 0
   ratio,       ///< a number above 0, "16/9" or "16:9"
-  angle,       ///< between 0 and 180 degrees; all angles: a number of degrees, "60deg" or "1.0472rad"
+  angle,       ///< between 0 and 180 degrees; every angle is a number of degrees, "60deg" or "1.0472rad"
   elevation,   ///< from -90 to 90 degrees
   turn,        ///< degrees
   pair,        ///< two numbers
@@ -36,7 +36,7 @@ enum class Kind : std::uint8_t {
   lens,        ///< a distortion
 };
 
-/// What help calls a value: of an option, and in a file. Of a word the words themselves.
+/// How help describes a value: an option's placeholder, and the form in a file (for a word, its row's words).
 struct KindWords {
   Kind kind;
   std::string_view placeholder, form;
@@ -67,10 +67,10 @@ inline constexpr KindWords kKindWords[] = {
 constexpr const KindWords& wordsOfKind(Kind kind) {
   for (const KindWords& row : kKindWords)
     if (row.kind == kind) return row;
-  return kKindWords[0];  // none: every kind has its row
+  return kKindWords[0];  // not reached: every kind has its row
 }
 
-/// The types of a projection, as bits: those that a field belongs to.
+/// The types of a projection, as bits. A field has the bits of the types it belongs to.
 enum Types : std::uint8_t {
   kPerspective = 1,
   kFrustum = 2,
@@ -90,13 +90,13 @@ enum class Group : std::uint8_t { none, pose, lens };
 struct Field {
   std::string_view path;
   Kind kind;
-  std::string_view help;         ///< one line: what it is, its default
+  std::string_view help;         ///< one line: meaning and default
   std::string_view option = {};  ///< "--fov-y"
   Group group = Group::none;
   std::uint8_t sets = 0;
-  std::uint8_t types = 0;        ///< of a field of the projection
-  Words words = nullptr;         ///< of a word
-  std::string_view others = {};  ///< other names of it, blanks between them
+  std::uint8_t types = 0;        ///< for fields of the projection
+  Words words = nullptr;         ///< for words
+  std::string_view others = {};  ///< aliases, separated by blanks
 };
 
 consteval Field wordField(std::string_view path, Words words, std::string_view help, std::uint8_t types = 0) {
@@ -106,7 +106,7 @@ consteval Field poseField(std::string_view path, Kind kind, std::uint8_t sets, s
                           std::string_view help, Words words = nullptr, std::string_view others = "") {
   return {path, kind, help, option, Group::pose, sets, 0, words, others};
 }
-/// No sets: it contradicts nothing.
+/// Without sets, the field contradicts nothing.
 consteval Field lensField(std::string_view path, Kind kind, std::uint8_t types, std::uint8_t sets,
                           std::string_view option, std::string_view help) {
   return {path, kind, help, option, sets ? Group::lens : Group::none, sets, types};
@@ -119,14 +119,14 @@ inline constexpr Field kFields[] = {
     wordField("convention.world", wordsOf<kWorldNames>, "Handedness of the world."),
     wordField("convention.view", wordsOf<kViewNames>, "Axes of view space."),
     wordField("convention.ndcZ", wordsOf<kNdcZNames>, "Range of NDC z."),
-    {"convention.reverseZ", Kind::flag, "Exchanges near and far in depth: true or false."},
+    {"convention.reverseZ", Kind::flag, "Swaps near and far in depth: true or false."},
     wordField("convention.ndcY", wordsOf<kNdcYNames>, "Direction of NDC y in the picture."),
     wordField("convention.vectors", wordsOf<kVectorsNames>, "M v for column, v M for row."),
     wordField("convention.storage", wordsOf<kStorageNames>, "Order in memory."),
     wordField("world", wordsOf<kWorlds>, "\"ecef\": Earth-centred metres, default at a place."),
     poseField("position", Kind::place, 127, "--position", "Camera position: x,y,z, or lat=..,lon=..,height=..", nullptr,
               "eye from"),
-    poseField("target", Kind::place, 1, "--target", "Point that it looks at.", nullptr, "lookAt at to"),
+    poseField("target", Kind::place, 1, "--target", "Point to look at.", nullptr, "lookAt at to"),
     poseField("direction", Kind::direction, 2, "--direction", "Viewing direction (any length).", nullptr, "forward"),
     poseField("up", Kind::direction, 3, "--up", "Up in the picture. Default: the convention's."),
     poseField("rotation", Kind::quaternion, 4, "--rotation", "Camera to world.", nullptr, "quaternion orientation"),
@@ -137,7 +137,7 @@ inline constexpr Field kFields[] = {
     poseField("pitch", Kind::elevation, 64, "--pitch", "Degrees above the horizon. Default: 0."),
     poseField("roll", Kind::turn, 64, "--roll", "Degrees, right side down. Default: 0."),
     poseField("cameraAxes", Kind::word, 60, "", "Axes of a rotation.", wordsOf<kCameraAxesNames>),
-    wordField("projection.type", wordsOf<kTypeNames>, "Which fields count.", kAllTypes),
+    wordField("projection.type", wordsOf<kTypeNames>, "Which fields apply.", kAllTypes),
     lensField("projection.fovY", Kind::angle, kPerspective, 1, "--fov-y", "Angle of view from bottom to top."),
     lensField("projection.fovX", Kind::angle, kPerspective, 2, "--fov-x", "Angle of view from left to right."),
     lensField("projection.fovDiagonal", Kind::angle, kPerspective, 4, "--fov-diagonal",
@@ -145,19 +145,19 @@ inline constexpr Field kFields[] = {
     lensField("projection.nearWidth", Kind::positive, kPerspective, 8, "", "Size of the window on the near plane."),
     lensField("projection.nearHeight", Kind::positive, kPerspective, 8, "", "Size of the window on the near plane."),
     lensField("projection.focalLength", Kind::positive, kPerspective, 16, "--focal-length",
-              "In the unit of the sensor, as millimetres."),
+              "In the sensor's unit, such as millimetres."),
     lensField("projection.sensorWidth", Kind::positive, kPerspective, 16, "--sensor-width",
               "Size of the sensor, in the unit of focalLength."),
     lensField("projection.sensorHeight", Kind::positive, kPerspective, 16, "--sensor-height",
               "Size of the sensor, in the unit of focalLength."),
     lensField("projection.left", Kind::number, kFrustum | kOrthographic, 32, "--left",
-              "Edges of the window, frustum: on the near plane."),
+              "Window edge; in frustum, on the near plane."),
     lensField("projection.right", Kind::number, kFrustum | kOrthographic, 32, "--right",
-              "Edges of the window, frustum: on the near plane."),
+              "Window edge; in frustum, on the near plane."),
     lensField("projection.bottom", Kind::number, kFrustum | kOrthographic, 32, "--bottom",
-              "Edges of the window, frustum: on the near plane."),
+              "Window edge; in frustum, on the near plane."),
     lensField("projection.top", Kind::number, kFrustum | kOrthographic, 32, "--top",
-              "Edges of the window, frustum: on the near plane."),
+              "Window edge; in frustum, on the near plane."),
     lensField("projection.width", Kind::positive, kOrthographic, 64, "--ortho-width", "Size of the window."),
     lensField("projection.height", Kind::positive, kOrthographic, 64, "--ortho-height", "Size of the window."),
     lensField("projection.aspect", Kind::ratio, kPerspective | kOrthographic, 1 | 2 | 4 | 16 | 64, "--aspect",
@@ -193,7 +193,7 @@ inline constexpr Field kFields[] = {
     {"viewport.crop.height", Kind::positive, "A tile of the picture, in pixels."},
 };
 
-/// The row of a path, or null.
+/// The row with a path, or null.
 constexpr const Field* findField(std::string_view path) {
   for (const Field& field : kFields)
     if (field.path == path) return &field;

@@ -1,4 +1,4 @@
-// The words that camera files and options use for what is one of a few.
+// The words of camera files and options that select one of a few values.
 #pragma once
 
 #include <algorithm>
@@ -29,10 +29,10 @@ inline constexpr NameRow<CameraAxes> kCameraAxesNames[] = {
     {"RUB", CameraAxes::RUB}, {"RUF", CameraAxes::RUF}, {"RDF", CameraAxes::RDF}, {"FRU", CameraAxes::FRU}};
 inline constexpr NameRow<Origin> kOriginNames[] = {{"top-left", Origin::topLeft}, {"bottom-left", Origin::bottomLeft}};
 
-/// World coordinates that are known by name.
+/// Named world coordinates.
 inline constexpr NameRow<bool> kWorlds[] = {{"ecef", true}};
 
-/// The axes of three turns.
+/// The axes of three turns, by name.
 inline constexpr NameRow<std::array<std::size_t, 3>> kEulerOrders[] = {
     {"XYZ", {0, 1, 2}}, {"XZY", {0, 2, 1}}, {"YXZ", {1, 0, 2}}, {"YZX", {1, 2, 0}},
     {"ZXY", {2, 0, 1}}, {"ZYX", {2, 1, 0}}, {"XYX", {0, 1, 0}}, {"XZX", {0, 2, 0}},
@@ -48,13 +48,13 @@ std::vector<std::string_view> wordsOf() {
   return names;
 }
 
-/// The value of a name, which the table has.
+/// The value of a name. The table must have it.
 template <class Table>
 auto valueOf(const Table& table, std::string_view name) {
   return std::find_if(std::begin(table), std::end(table), [&](const auto& row) { return row.first == name; })->second;
 }
 
-/// The name of a value of one of the tables above.
+/// The name of a value. The table must have it.
 template <class Table, class T>
 std::string_view nameOf(const Table& table, T value) {
   return std::find_if(std::begin(table), std::end(table), [&](const auto& row) { return row.second == value; })->first;

@@ -22,7 +22,7 @@ Json numberOrText(const std::string& text) {
   return number ? Json(*number) : Json(text);
 }
 
-/// 1,2,3 as an array, lat=1,lon=2,height=3 as an object.
+/// Text such as 1,2,3 as an array, or lat=1,lon=2,height=3 as an object.
 Json listOrObject(const std::string& text) {
   if (text.find('=') == std::string::npos) {
     const auto numbers = parseNumberList(text);
@@ -72,7 +72,7 @@ std::uint8_t typeNamed(const Json* type) {
   return 0;
 }
 
-/// What a projection matrix says of near and far, which stay where another view replaces it.
+/// Keeps near and far of a projection matrix that another kind of projection replaces.
 void keepRange(const Document& document, Json& projection) {
   const Document matrix{document.name, std::make_shared<Json>(*document.root), document.isTyped, document.labels};
   matrix.root->erase("viewport");
@@ -81,27 +81,29 @@ void keepRange(const Document& document, Json& projection) {
   if (std::isfinite(lens.zFar())) projection["far"] = lens.zFar();
 }
 
-/// The type of a projection that all of the fields belong to: the document's, if it is one.
+/// Sets the projection's type to one that all given fields belong to: the present type, if possible.
 void layType(const Document& document, const std::vector<Patch>& patches) {
   Json& root = *document.root;
   std::uint8_t possible = kAllTypes;
-  bool isNamed = false, decides = false;  // near, far and shift do not: they are of the type that is there
+  bool isNamed = false, decides = false;  // near, far and shift do not decide: they fit the present type
   for (const Patch& patch : patches) {
     const Field* const field = findField(patch.path);
-    if (patch.path == kType && !patch.isOption) return;  // which the check compares with the rest
+    if (patch.path == kType && !patch.isOption) return;  // check() compares this one with the other fields
     if (!field || field->types == 0 || patch.value->is_null()) continue;
     isNamed = true;
     decides = decides || patch.path == kType || (field->types != kWithNear && field->types != kAllTypes);
     possible &= patch.path == kType ? typeNamed(patch.value.get()) : field->types;
   }
-  const Json* const own = valueAt(root, kType);
-  if (!isNamed || (own && (!decides || typeNamed(own) == 0 || (typeNamed(own) & possible) != 0))) return;
-  if (!own && !document.isTyped && valueAt(root, "projection")) return;  // which the check complains about
+  const Json* const currentType = valueAt(root, kType);
+  if (!isNamed ||
+      (currentType && (!decides || typeNamed(currentType) == 0 || (typeNamed(currentType) & possible) != 0)))
+    return;
+  if (!currentType && !document.isTyped && valueAt(root, "projection")) return;  // check() reports this
   const auto next = std::find_if(std::begin(kTypeNames), std::end(kTypeNames),
                                  [&](const auto& row) { return (row.second & possible) != 0; });
   if (next == std::end(kTypeNames)) return;
   Json& projection = root["projection"];
-  if (typeNamed(own) == kMatrix) keepRange(document, projection);
+  if (typeNamed(currentType) == kMatrix) keepRange(document, projection);
   for (const Field& field : kFields)
     if (field.types != 0 && (field.types & next->second) == 0 && projection.is_object())
       projection.erase(std::string(shortName(field)));
@@ -116,7 +118,7 @@ void removeField(Json& root, const Field& field) {
     root[std::string(field.path.substr(0, dot))].erase(std::string(field.path.substr(dot + 1)));
 }
 
-/// Where the camera of a matrix pose stands, whatever else is wrong with the document.
+/// The eye of a matrix pose, even if other parts of the document are wrong.
 Vec3 eyeOf(const Document& document, std::string_view pose) {
   Document alone = document;
   alone.root = std::make_shared<Json>(Json::object());
@@ -125,7 +127,7 @@ Vec3 eyeOf(const Document& document, std::string_view pose) {
   return readCamera(alone, {}).pose->eye();
 }
 
-/// Removes what contradicts the field. Of a matrix pose its place stays.
+/// Removes fields that contradict this one. The position of a matrix pose is kept.
 void displace(const Document& document, const Field& field) {
   Json& root = *document.root;
   for (const Field* other : presentFields(document)) {
@@ -138,31 +140,30 @@ void displace(const Document& document, const Field& field) {
   }
 }
 
-/// Whether one of two paths is the other, or leads to it.
+/// Whether two paths are equal, or one leads to the other.
 bool overlap(std::string_view a, std::string_view b) {
   if (a.size() > b.size()) std::swap(a, b);
   return b.starts_with(a) && (a.size() == b.size() || b[a.size()] == '.');
 }
 
-/// Throws for what is no field, nor part of one.
+/// Throws if the patch is not for a field or a part of one.
 void requireField(const Patch& patch) {
   std::vector<std::string_view> paths;
   for (const Field& field : kFields) {
     if (overlap(field.path, patch.path)) return;
     paths.push_back(field.path);
   }
-  throw InputError(patch.label + ": is not known" + meantField(patch.path, patch.path, paths));
+  throw InputError(patch.label + ": is not known" + suggestField(patch.path, patch.path, paths));
 }
 
-/// The element of an array at a step of a path. Throws where there is none.
+/// The element of an array at a step of a path. Throws if it does not exist.
 Json& elementAt(Json& array, const std::string& step, const Patch& patch) {
   for (std::size_t i = 0; i < array.size(); ++i)
     if (std::to_string(i) == step) return array[i];
   throw UsageError(patch.label + ": there is no element " + step + " of " + std::to_string(array.size()));
 }
 
-/// Puts the value at a path of names and indices of an object, in new objects where there is none. null removes what is
-/// there.
+/// Sets the value at a path of names and indices, and creates missing objects. A null value removes the member.
 void put(Json& root, const Patch& patch) {
   Json* at = &root;
   for (std::size_t begin = 0; begin <= patch.path.size();) {

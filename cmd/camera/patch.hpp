@@ -1,4 +1,4 @@
-// Options and --set as patches to a camera document: each replaces its own field, and removes only what contradicts it.
+// Options and --set as patches to a camera document: each sets its field and removes only what contradicts it.
 #pragma once
 
 #include <memory>
@@ -14,24 +14,24 @@ namespace viewproj::cmd {
 struct Patch {
   std::string path;                   ///< "projection.fovY", "position.0"
   std::shared_ptr<const Json> value;  ///< null removes the field
-  std::string label;                  ///< "--fov-y", "--set projection.fovY": in messages
-  bool isOption = true;               ///< otherwise of --set
+  std::string label;                  ///< in messages: "--fov-y" or "--set projection.fovY"
+  bool isOption = true;               ///< false: from --set
 };
 
-/// The patch of a field's option. Throws UsageError where the text is no value of it.
+/// The patch of a field's option. Throws UsageError if the text is not a valid value.
 Patch optionPatch(const Field& field, const std::string& text);
-/// --orthographic.
+/// The patch of --orthographic.
 Patch orthographicPatch();
-/// "projection.fovY=75": the value is JSON, or else text. Throws UsageError.
+/// The patch of --set "projection.fovY=75". The value is JSON, or else text. Throws UsageError.
 Patch setPatch(const std::string& text);
-/// --viewport.
+/// The patches of --viewport.
 std::vector<Patch> viewportPatches(double width, double height);
 
-/// Throws UsageError for options that contradict each other, and for an option and a --set of one field.
+/// Throws UsageError if options contradict each other, or if an option and a --set give the same field.
 void requireConsistent(const std::vector<Patch>& patches);
 
-/// Lays them over a normalized document, which may be empty. Throws UsageError for --set of an element that is not
-/// there.
+/// Applies the patches to a normalized document, which may be empty. Throws UsageError for --set of an array element
+/// that does not exist.
 void lay(Document& document, const std::vector<Patch>& patches);
 
 }  // namespace viewproj::cmd

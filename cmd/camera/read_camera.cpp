@@ -19,13 +19,13 @@ double numberOr(const Node& object, std::string_view key, double fallback) {
   return value ? value->number() : fallback;
 }
 
-/// The picture, and the tile of it that is the camera's.
+/// The picture, and the tile of it that the camera has.
 struct Picture {
   Viewport frame;
   std::optional<Crop> crop;
 };
 
-/// pixels: the size where the viewport does not say it.
+/// pixels: the picture's size if the viewport does not state it.
 std::optional<Picture> readViewport(const Node& root, double pixelCenter, const std::optional<Vec2>& pixels) {
   const auto viewport = root.find("viewport");
   if (!viewport && !pixels) return std::nullopt;
@@ -54,13 +54,13 @@ std::optional<Picture> readViewport(const Node& root, double pixelCenter, const 
 }
 
 void requireShape(double aspect, const Viewport& viewport, const Node& at, const ReadOptions& reading,
-                  const std::string& mend) {
+                  const std::string& fix) {
   if (reading.allowStretch || hasShape(viewport, aspect)) return;
   at.fail("the aspect is " + formatDigits(aspect, 6) + ", but the viewport's is " +
-          formatDigits(viewport.width / viewport.height, 6) + "; " + mend + " or give --allow-stretch");
+          formatDigits(viewport.width / viewport.height, 6) + "; " + fix + " or give --allow-stretch");
 }
 
-/// What the fields of a projection are read with.
+/// Reads the fields of a projection.
 struct LensReader {
   const Document& document;
   Node fields;
@@ -85,13 +85,13 @@ struct LensReader {
   }
 
   Aspect aspect() const {
-    const auto own = fields.find("aspect");
-    return own ? ratioOf(*own) : Aspect(viewport(" or an aspect"));
+    const auto stated = fields.find("aspect");
+    return stated ? ratioOf(*stated) : Aspect(viewport(" or an aspect"));
   }
 
   void requireNoAspect(bool follows, const char* from) const {
-    const auto own = fields.find("aspect");
-    if (own && follows) own->fail(std::string("follows from ") + from + "; leave one of the three out");
+    const auto stated = fields.find("aspect");
+    if (stated && follows) stated->fail(std::string("follows from ") + from + "; leave one of the three out");
   }
 
   Projection perspective() const {
@@ -113,7 +113,7 @@ struct LensReader {
                                   width && height ? Aspect(1) : aspect(), near, far);
   }
 
-  /// Braces: in this order.
+  /// Braces evaluate the calls in this order.
   std::array<double, 4> edges() const { return {require("left"), require("right"), require("bottom"), require("top")}; }
 
   Projection frustum() const {
@@ -138,21 +138,21 @@ struct LensReader {
     return viewproj::orthographic(left, right, bottom, top, near, far);
   }
 
-  /// In pixels of a picture whose corners are the viewport's.
+  /// fx, fy, cx, cy count pixels of a picture with the viewport's corners.
   Projection intrinsics() const {
     const double fx = require("fx"), fy = require("fy"), cx = require("cx"), cy = require("cy");
     if (!picture && !reading.needsPicture) return perspectiveWindow(-1, 1, -1, 1, near, far);
-    Viewport counted = viewport(", whose pixels fx, fy, cx, cy count");
+    Viewport frame = viewport(", whose pixels fx, fy, cx, cy count");
     if (const auto pixels = fields.find("pixels")) {
       const std::vector<double> size = pixels->numbers(2);
-      requireShape(size[0] / size[1], counted, *pixels, reading, "crop one of the pictures");
-      // As screen numbers of pixels' own scale, so that cx' = (cx - c + 0.5) W/w + c - 0.5, c the pixel centre.
-      counted.x *= size[0] / counted.width;
-      counted.y *= size[1] / counted.height;
-      counted.width = size[0];
-      counted.height = size[1];
+      requireShape(size[0] / size[1], frame, *pixels, reading, "crop one of the pictures");
+      // Converts the corner to the scale of these pixels: cx' = (cx - c + 0.5) W/w + c - 0.5, with c the pixel centre.
+      frame.x *= size[0] / frame.width;
+      frame.y *= size[1] / frame.height;
+      frame.width = size[0];
+      frame.height = size[1];
     }
-    return viewproj::intrinsics(fx, fy, cx, cy, counted, near, far);
+    return viewproj::intrinsics(fx, fy, cx, cy, frame, near, far);
   }
 
   /// x = cx + ax scrz X/Z, y = cy + ay scrz Y/Z, in a picture around (cx, cy).
@@ -167,7 +167,7 @@ struct LensReader {
     if (!convention.isStated)
       value.fail("needs a convention; state it, or give --read-as NAME (viewproj inspect lists those that fit)");
     const Convention& c = convention.convention;
-    // Rows are as on paper, 16 numbers in a row as in memory.
+    // Rows of 4 are the matrix as written; 16 numbers are in memory order.
     const bool isStored = value.size() == 16 && c.storage == Storage::columnMajor;
     const bool isTransposed = isStored != (c.vectors == Vectors::row);
     const MatrixCameras found = camerasOf(isTransposed ? transposed(value.mat4()) : value.mat4(),
@@ -179,7 +179,7 @@ struct LensReader {
   }
 };
 
-/// The types whose window need not have the viewport's shape.
+/// The types whose window may have another shape than the viewport.
 bool hasOwnPixelShape(std::uint8_t type) { return type == kIntrinsics || type == kPs2; }
 
 Projection readProjection(const LensReader& lens, std::uint8_t type) {
@@ -203,7 +203,7 @@ double readFar(const Node& projection) {
   return far && far->json().is_number() ? far->number() : kInfiniteFar;
 }
 
-/// Angles in degrees that look like radians: half a turn is 3.14 of them, and few lenses see less than 3 degrees.
+/// Notes angles in degrees that look like radians: half a turn is 3.14 radians, and few lenses see less than 3 degrees.
 void noteRadians(const Node& projection, std::vector<std::string>& notes) {
   for (const char* key : {"fovY", "fovX", "fovDiagonal"}) {
     const auto angle = projection.find(key);
@@ -214,13 +214,13 @@ void noteRadians(const Node& projection, std::vector<std::string>& notes) {
   }
 }
 
-/// What the document leaves out is 0.
+/// The coefficients of a member. Missing ones are 0.
 template <std::size_t Count>
 std::array<double, Count> coefficients(const Node& distortion, std::string_view key) {
   std::array<double, Count> all{};
-  const auto given = distortion.find(key);
-  if (!given || given->size() == 0) return all;
-  const std::vector<double> numbers = given->numbers();
+  const auto member = distortion.find(key);
+  if (!member || member->size() == 0) return all;
+  const std::vector<double> numbers = member->numbers();
   std::copy(numbers.begin(), numbers.end(), all.begin());
   return all;
 }
@@ -292,11 +292,12 @@ CameraFile readChecked(const Document& document, const ReadOptions& reading) {
     if (type == kOrthographic) distortion->fail("goes with a perspective, not with an orthographic projection");
     file.lens = readLens(*distortion);
   }
-  (void)cameraIn(file.convention, file.pose, file.projection, file.viewport);  // throws where parts do not go together
+  (void)cameraIn(file.convention, file.pose, file.projection,
+                 file.viewport);  // throws if the parts do not fit together
   return file;
 }
 
-/// Where the document has what the library complains about.
+/// The value in the document that an error of the library is about.
 Node nodeOf(const Document& document, const std::string& field) {
   for (const std::string& path : {field, "projection." + field, "viewport." + field})
     if (const Json* value = valueAt(*document.root, path)) return {document, *value, path};
@@ -343,7 +344,8 @@ CameraFile readNormalized(const Document& document, const ReadOptions& reading) 
   }
 }
 
-/// How far the lens moves pixels; nothing where it is none that is known, or the document lacks a part of the camera.
+/// The largest shift of pixels by the lens. Nothing if the lens is not known, or the document lacks a part of the
+/// camera.
 std::optional<double> lensShift(const Document& document, const ReadOptions& reading) {
   try {
     const CameraFile file = readNormalized(document, reading);

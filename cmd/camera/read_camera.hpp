@@ -1,4 +1,4 @@
-// A camera document as the few numbers that every camera is.
+// Reads a camera document into a pose, a projection, a viewport, a lens and a convention.
 #pragma once
 
 #include <optional>
@@ -14,10 +14,10 @@ namespace viewproj::cmd {
 struct ReadOptions {
   bool allowStretch = false;
   bool ignoreDistortion = false;
-  bool needsPicture = true;  ///< false: intrinsics without a picture's size give near and far alone
+  bool needsPicture = true;  ///< false: intrinsics without a picture's size give only near and far
 };
 
-/// What a document says of a camera. It may lack a part that the command does not need.
+/// The parts of a camera that a document has. A part that the command does not need may be missing.
 struct CameraFile {
   std::string name;
   std::optional<Pose> pose;
@@ -25,36 +25,36 @@ struct CameraFile {
   std::optional<Viewport> viewport;
   std::optional<Lens> lens;
   Convention convention;
-  CameraAxes cameraAxes = CameraAxes::RUB;  ///< of the convention's preset
-  bool worldIsEcef = false;                 ///< Earth-centred metres: points may be given by lat, lon, height
-  bool isTyped = false;                     ///< of options alone, and no file's
+  CameraAxes cameraAxes = CameraAxes::RUB;  ///< from the convention's preset
+  bool worldIsEcef = false;                 ///< Earth-centred metres: points may be lat, lon, height
+  bool isTyped = false;                     ///< from options only, without a file
   bool statesConvention = false;
-  std::optional<double> targetDistance;  ///< of a camera that looks at a target
-  std::vector<std::string> notes;        ///< what is read as it stands, but probably not meant
-  Document document = {};                ///< normalized; not to be changed
-  ReadOptions reading = {};              ///< that it was read with
+  std::optional<double> targetDistance;  ///< if the camera looks at a target
+  std::vector<std::string> notes;        ///< values that were read as written but are probably mistakes
+  Document document = {};                ///< normalized; must not be changed
+  ReadOptions reading = {};              ///< the options that it was read with
 };
 
-/// Normalizes the document, which its copies share, checks it, and reads it. Throws InputError (of options UsageError)
-/// naming a field.
+/// Normalizes, checks and reads the document. Copies of the document share the change. Throws InputError (UsageError
+/// for options) naming a field.
 CameraFile readCamera(Document document, const ReadOptions& reading);
 
-/// Whether a camera of this aspect fits the viewport: shapes that differ by no more than 0.1 % are one.
+/// Whether a camera with this aspect fits the viewport: the shapes differ by no more than 0.1 %.
 bool hasShape(const Viewport& viewport, double aspect);
 
-/// Whether there is a near plane to measure depth from; a perspective camera may do without.
+/// Whether there is a near plane and so a window depth. A perspective camera may have none.
 inline bool hasDepth(const Projection& projection) { return projection.isOrthographic() || projection.zNear() > 0; }
-/// Throws InputError, naming what needs it, where there is none.
+/// Throws InputError if there is no near plane. what: the feature that needs it.
 void requireNear(const CameraFile& file, const std::string& what);
 
-/// Throws InputError, naming what needs straight edges, where a lens bends them.
+/// Throws InputError if a lens bends straight edges. what: the feature that needs them straight.
 void requireStraightEdges(const CameraFile& file, const std::string& what);
 
-/// All parts together; throws InputError (of options UsageError) naming what is lacking for it.
+/// The camera of all parts. Throws InputError (UsageError for options) naming a missing part.
 Camera makeCamera(const CameraFile& file);
 
-/// A camera of these parts in a convention, in the pose's own world; what is not given is of no account to whoever
-/// calls.
+/// A camera with these parts, in a convention and in the pose's own world. Missing parts get arbitrary values that the
+/// caller must not use.
 Camera cameraIn(Convention convention, const std::optional<Pose>& pose,
                 const std::optional<Projection>& projection = {}, const std::optional<Viewport>& viewport = {});
 

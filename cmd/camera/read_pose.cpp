@@ -15,7 +15,7 @@ namespace {
 
 using Columns = std::array<DDVec3, 3>;
 
-/// Of x, y, z, w of any length.
+/// The columns of the rotation x, y, z, w. The quaternion may have any length but 0.
 Columns columnsOf(const std::array<DoubleDouble, 4>& q) {
   const auto& [x, y, z, w] = q;
   const DoubleDouble one = 1, two = DoubleDouble(2) / (x * x + y * y + z * z + w * w);
@@ -27,23 +27,23 @@ Columns columnsOf(const std::array<DoubleDouble, 4>& q) {
           DDVec3{two * (x * z + y * w), two * (y * z - x * w), one - two * (x * x + y * y)}};
 }
 
-/// x, y, z, w of a vector along the axis whose length is the angle in radians.
+/// The quaternion x, y, z, w of a rotation vector: its direction is the axis, its length the angle in radians.
 std::array<DoubleDouble, 4> quaternionOf(const Node& value) {
-  constexpr double kLargest = 1e6;  // beyond, the angle is not known to its last digits
+  constexpr double kLargest = 1e6;  // a larger angle is not known to its last digits
   constexpr DoubleDouble kTurn{0x1.921fb54442d18p+2, 0x1.1a62633145c07p-52};
   const DDVec3 vector = toDoubleDouble(value.vec3());
   if (!(maxAbs(vector) <= kLargest)) value.fail("its length is the angle in radians, at most 1e6");
   if (!(maxAbs(vector) > 0)) return {0, 0, 0, 1};
   DoubleDouble angle = DoubleDouble(1) / inverseLength(vector);
   angle = angle - kTurn * DoubleDouble(std::round(angle.hi / kTurn.hi));
-  // From t, the tangent of a quarter of the angle: (2 t axis, 1 - t t) is a quaternion.
+  // With t the tangent of a quarter of the angle, (2 t axis, 1 - t t) is a quaternion.
   const DoubleDouble quarter = timesPowerOfTwo(angle.hi < 0 ? -angle : angle, 0.5);
   const DoubleDouble t = quarter.hi > 0 ? tanHalfRadians(quarter) : DoubleDouble();
   const DDVec3 part = normalized(vector) * timesPowerOfTwo(angle.hi < 0 ? -t : t, 2);
   return {part.x, part.y, part.z, DoubleDouble(1) - t * t};
 }
 
-/// Scaled so that squares neither vanish nor overflow.
+/// The quaternion scaled so that squares neither underflow nor overflow.
 std::array<DoubleDouble, 4> scaledQuaternion(const Node& value) {
   const std::vector<double> q = value.numbers(4);
   double largest = 0;
@@ -62,7 +62,7 @@ Mat4 affine(const std::vector<double>& rotation, const Vec3& translation) {
   return m;
 }
 
-/// worldFromCamera or cameraFromWorld, in any of their forms. eye: in place of the matrix's own.
+/// The pose of worldFromCamera or cameraFromWorld, in any of their forms. eye: used instead of the matrix's own.
 Pose matrixPose(const Node& value, bool isInverse, const std::optional<Vec3>& eye, CameraAxes axes, Handedness world) {
   const auto poseOf = [&](Mat4 m) {
     if (!isInverse && eye)

@@ -1,4 +1,4 @@
-// Where a camera document says that the camera stands, and how it is turned.
+// Reads the pose of a camera document.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@
 namespace viewproj::cmd {
 
 struct DocumentConvention {
-  const ConventionPreset* preset;  ///< whose up, axes and pixel centre count
-  Convention convention;           ///< with the axes that the document names
+  const ConventionPreset* preset;  ///< its up, axes and pixel centre apply
+  Convention convention;           ///< the preset's, with the document's changes
   bool isStated;
 };
 DocumentConvention readConvention(const Document& document);
@@ -21,20 +21,20 @@ DocumentConvention readConvention(const Document& document);
 /// Whether world coordinates are Earth-centred, Earth-fixed metres.
 bool worldIsEcef(const Document& document);
 
-/// {"lat", "lon", "height"}, and no x, y, z.
+/// Whether a value is {"lat", "lon", "height"} and not x, y, z.
 bool isPlaceValue(const Node& value);
 Geodetic placeOf(const Node& value);
-/// x, y, z, or of a place its ECEF coordinates.
+/// x, y, z, or a place in ECEF coordinates.
 Vec3 positionOf(const Node& value);
 
-/// Of the rotation that x, y, z, w of any length are. Throws where they are all 0.
+/// The columns of the rotation x, y, z, w of any length. Throws if all are 0.
 std::array<detail::DDVec3, 3> rotationColumns(const Node& quaternion);
 
-/// Of worldFromCamera or cameraFromWorld; nothing where its rotation is a quaternion or a rotation vector.
+/// The matrix of worldFromCamera or cameraFromWorld. Nothing if its rotation is a quaternion or a rotation vector.
 std::optional<Mat4> rigidMatrix(const Node& value);
 
-/// Nothing where the document says nothing of how the camera is turned. The document is normalized. Throws InputError,
-/// and CameraError naming a field.
+/// The pose of a normalized document. Nothing if it has no orientation. Throws InputError, or CameraError naming a
+/// field.
 std::optional<Pose> readPose(const Document& document);
 
 }  // namespace viewproj::cmd

@@ -14,7 +14,7 @@
 namespace viewproj::cmd {
 namespace {
 
-/// A file of our own: an object that is its projection, or what no importer knows.
+/// The importer for a document. Null for our own format (an object with a projection object) and for unknown formats.
 const Importer* importerOf(const Json& root) {
   const auto projection = root.find("projection");
   if (root.is_object() && projection != root.end() && projection->is_object()) return nullptr;
@@ -23,7 +23,7 @@ const Importer* importerOf(const Json& root) {
   return nullptr;
 }
 
-Import ownCamera(const Document& file) {
+Import nativeCamera(const Document& file) {
   const Json& root = *file.root;
   const auto has = [&](const Field& field) {
     if (field.path == "name" || field.path == "$schema") return false;
@@ -40,23 +40,23 @@ Import ownCamera(const Document& file) {
 
 }  // namespace
 
-CameraSource splitPick(const std::string& given) {
-  const std::size_t first = given.find_first_not_of(" \t\r\n");
-  if (first != std::string::npos && given[first] == '{') {
-    const std::size_t mark = given.find('#', given.rfind('}'));
-    if (mark == std::string::npos) return {given, std::nullopt};
-    return {given.substr(0, mark), given.substr(mark + 1)};
+CameraSource splitPick(const std::string& source) {
+  const std::size_t first = source.find_first_not_of(" \t\r\n");
+  if (first != std::string::npos && source[first] == '{') {
+    const std::size_t mark = source.find('#', source.rfind('}'));
+    if (mark == std::string::npos) return {source, std::nullopt};
+    return {source.substr(0, mark), source.substr(mark + 1)};
   }
   std::error_code ignored;
-  std::size_t mark = given.find('#');
-  if (mark == std::string::npos || std::filesystem::exists(pathOf(given), ignored)) return {given, std::nullopt};
-  constexpr std::size_t kLongestName = 4096;  // PATH_MAX: none that is longer can be opened
-  for (std::size_t at = mark; at < kLongestName; at = given.find('#', at + 1))
-    if (const std::string file = given.substr(0, at); file == "-" || std::filesystem::exists(pathOf(file), ignored)) {
+  std::size_t mark = source.find('#');
+  if (mark == std::string::npos || std::filesystem::exists(pathOf(source), ignored)) return {source, std::nullopt};
+  constexpr std::size_t kLongestName = 4096;  // PATH_MAX: a longer name cannot be opened
+  for (std::size_t at = mark; at < kLongestName; at = source.find('#', at + 1))
+    if (const std::string file = source.substr(0, at); file == "-" || std::filesystem::exists(pathOf(file), ignored)) {
       mark = at;
       break;
     }
-  return {given.substr(0, mark), given.substr(mark + 1)};
+  return {source.substr(0, mark), source.substr(mark + 1)};
 }
 
 CameraDocuments::CameraDocuments(Document file, CameraPatches patches)
@@ -71,7 +71,7 @@ CameraDocuments::CameraDocuments(Document file, CameraPatches patches)
       throw InputError(file_.name + ": has another convention than --read-as " + readAs);
     convention = readAs;
   }
-  import_ = importer ? importer->open(Node(file_)) : ownCamera(file_);
+  import_ = importer ? importer->open(Node(file_)) : nativeCamera(file_);
   if (import_.cameras.empty()) throw InputError(file_.name + ": holds no camera");
   countNames();
 }
@@ -79,7 +79,7 @@ CameraDocuments::CameraDocuments(Document file, CameraPatches patches)
 CameraDocuments::CameraDocuments(CameraPatches patches)
     : file_{"the command line", std::make_shared<Json>(Json::object()), true}, patches_(std::move(patches)) {
   if (!patches_.readAs.empty()) (*file_.root)["convention"] = patches_.readAs;
-  import_ = ownCamera(file_);
+  import_ = nativeCamera(file_);
 }
 
 void CameraDocuments::countNames() {
@@ -97,7 +97,7 @@ std::string CameraDocuments::pickOf(std::size_t which) const {
     return !text.empty() && visible(text) == text && found != counts.end() && found->second == 1;
   };
   if (isOnly(camera.name, names_)) return camera.name;
-  // Names go before ids, and both before numbers, which two # mean alone.
+  // Names are preferred to ids, and both to numbers. A number after ## is always a number.
   if (isOnly(camera.id, ids_) && !names_.contains(camera.id)) return camera.id;
   return (names_.contains(number) || ids_.contains(number) ? "#" : "") + number;
 }

@@ -1,4 +1,4 @@
-// The cameras of a file, each as a camera document with the options laid over it.
+// The cameras of a file, each as a camera document with the options applied.
 #pragma once
 
 #include <optional>
@@ -14,36 +14,36 @@
 
 namespace viewproj::cmd {
 
-/// "scene.gltf#Camera": the file and the camera picked in it. A file whose own name has a # is found first.
+/// "scene.gltf#Camera": a file and the camera to pick in it. A file whose own name has a # is found first.
 struct CameraSource {
-  std::string file;  ///< as load takes it
+  std::string file;  ///< in the form that load() accepts
   std::optional<std::string> pick;
 };
-CameraSource splitPick(const std::string& given);
+CameraSource splitPick(const std::string& source);
 
-/// How cameras are read, whatever file they come from.
+/// The options that apply to every camera, from any file.
 struct CameraPatches {
-  std::string readAs;  ///< a preset's name; empty: the file's convention
+  std::string readAs;  ///< the name of a preset; empty: the file's convention
   std::vector<Patch> patches;
 };
 
 class CameraDocuments {
  public:
-  /// Throws InputError where the file is of no known kind, and where it states a convention in spite of readAs.
+  /// Throws InputError if the file's format is not known, or if it states another convention than readAs.
   CameraDocuments(Document file, CameraPatches patches);
-  /// Of options alone.
+  /// A camera from options only.
   explicit CameraDocuments(CameraPatches patches);
   CameraDocuments(const CameraDocuments&) = delete;
   CameraDocuments& operator=(const CameraDocuments&) = delete;
 
   std::size_t size() const { return import_.cameras.size(); }
-  /// As the file calls it; empty where it does not.
+  /// The name in the file; empty if it has none.
   const std::string& nameOf(std::size_t which) const { return import_.cameras[which].name; }
-  /// The shortest text after # that picks the camera and no other.
+  /// The shortest text after # that picks only this camera.
   std::string pickOf(std::size_t which) const;
-  /// By name, id or number (## for the number alone); the only camera where there is no pick. Throws InputError.
+  /// Finds a camera by name, id or number (## for a number only); without a pick, the only camera. Throws InputError.
   std::size_t choose(const std::optional<std::string>& pick) const;
-  /// The camera's document as the options make it.
+  /// The camera's document with the options applied.
   Document document(std::size_t which) const;
 
  private:
@@ -54,7 +54,7 @@ class CameraDocuments {
   Document file_;
   CameraPatches patches_;
   Import import_;
-  std::unordered_map<std::string, std::size_t> names_, ids_;  ///< how often there is each
+  std::unordered_map<std::string, std::size_t> names_, ids_;  ///< how often each occurs
 };
 
 }  // namespace viewproj::cmd

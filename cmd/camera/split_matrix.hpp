@@ -1,4 +1,4 @@
-// P = K [R | t], taken apart.
+// Splits P = K [R | t] into its parts.
 #pragma once
 
 #include <array>
@@ -14,12 +14,12 @@ struct SplitMatrix {
   detail::DDVec3 eye;
 };
 
-/// Of twelve numbers by rows. Throws CameraError for what is no such matrix.
+/// Splits twelve numbers by rows. Throws CameraError if they are not of the form K [R | t].
 SplitMatrix splitMatrix(std::span<const double> p);
 
-/// Whether its pixels are of a skewed grid, up to what rounding to seven digits leaves.
+/// Whether the pixels form a skewed grid, beyond the rounding of seven digits.
 bool hasSkew(const SplitMatrix& split);
-/// Throws CameraError where they are.
+/// Throws CameraError if hasSkew.
 void requireNoSkew(const SplitMatrix& split);
 
 }  // namespace viewproj::cmd

@@ -14,7 +14,7 @@
 namespace viewproj::cmd {
 namespace {
 
-/// Every axis of the convention, or those in which it differs from the other one.
+/// Adds every field of the convention, or those that differ from the other one.
 void addAxes(JsonObject& out, const Convention& c, const Convention* other) {
   const auto add = [&](std::string_view name, const auto& names, auto axis) {
     if (!other || c.*axis != other->*axis) out.add(name, nameOf(names, c.*axis));
@@ -28,7 +28,7 @@ void addAxes(JsonObject& out, const Convention& c, const Convention* other) {
   add("storage", kStorageNames, &Convention::storage);
 }
 
-/// The order of members that the table of fields does not know.
+/// The order of members that are not in the table of fields.
 constexpr const char* kMembers[] = {"lat",         "lon",    "height", "order", "degrees", "rotation", "rotationVector",
                                     "translation", "rows",   "cols",   "data",  "model",   "k",        "p",
                                     "limit",       "radius", "x",      "y",     "z",       "w"};
@@ -49,7 +49,7 @@ std::string textOf(const Json& value) {
   return out.text();
 }
 
-/// An object of the document, its members in the order of the table.
+/// An object of the document, with its members in the order of the table.
 std::string objectAt(const Json& document, const std::string& path) {
   JsonObject out;
   for (const std::string_view name : namesUnder(path)) {
@@ -60,7 +60,7 @@ std::string objectAt(const Json& document, const std::string& path) {
   return out.text();
 }
 
-/// Writes what the document leaves to the preset that it was read in, where the other one has something else.
+/// Writes the defaults of the old preset into the document where the new preset has other defaults.
 void settleDefaults(Json& document, const ConventionPreset& from, const ConventionPreset& to, bool worldIsEcef) {
   const auto has = [&](std::initializer_list<const char*> paths) {
     return std::any_of(paths.begin(), paths.end(), [&](const char* path) { return valueAt(document, path); });
@@ -91,7 +91,7 @@ std::string writeCamera(const CameraFile& camera, const ConventionPreset& preset
                      ": a ps2 projection has no form in a convention whose depth is not reversed; "
                      "--reverse-z or --convention ps2 reverses it");
   if (valueAt(document, "projection.matrix") && convention != camera.convention)
-    setLensMatrix(written, plainProjection(camera.document), convention);
+    setLensMatrix(written, uncroppedProjection(camera.document), convention);
   JsonObject axes;
   axes.add("preset", preset.name);
   addAxes(axes, convention, &preset.convention);

@@ -7,13 +7,12 @@
 
 namespace viewproj::cmd {
 
-/// {"world": ..., every axis}.
+/// {"world": ..., ...} with every field.
 std::string jsonOf(const Convention& convention);
 
-/// The document of the camera, in the pose and the lens form that it was read in, and in this convention: that preset
-/// with what differs from it. What the document leaves to its own preset is written where the other one has something
-/// else. The convention has the world of the camera's. Throws InputError for a ps2 projection in a convention whose
-/// depth is not reversed.
+/// The camera's document as text, with its kind of pose and projection, in another convention: a preset, and the fields
+/// that differ from it. Defaults of the document's old preset are written out if the new one has others. The convention
+/// must have the camera's world. Throws InputError for a ps2 projection in a convention whose depth is not reversed.
 std::string writeCamera(const CameraFile& camera, const ConventionPreset& preset, const Convention& convention);
 
 }  // namespace viewproj::cmd

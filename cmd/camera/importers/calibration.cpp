@@ -34,8 +34,8 @@ std::vector<double> matrixOf(const Node& node, std::size_t rows, std::size_t col
     height = static_cast<double>(value.size());
     width = static_cast<double>(value.front().size());
   } else if (value.is_object()) {
-    if (const auto given = node.find("rows")) height = given->number();
-    if (const auto given = node.find("cols")) width = given->number();
+    if (const auto declared = node.find("rows")) height = declared->number();
+    if (const auto declared = node.find("cols")) width = declared->number();
   }
   if (height != 1 && width != 1 && (height != static_cast<double>(rows) || width != static_cast<double>(columns)))
     node.fail("expected " + std::to_string(rows) + " x " + std::to_string(columns) + " numbers, got " +

@@ -10,30 +10,30 @@ namespace viewproj::cmd {
 using namespace detail;
 
 NodeTree::Frame NodeTree::frameIn(const Frame& parent, const Node& node, bool isCamera) const {
-  Frame own;
-  own.isMoved = parent.isMoved || node.findAny({"matrix", translation_, rotation_, "scale"});
+  Frame frame;
+  frame.isMoved = parent.isMoved || node.findAny({"matrix", translation_, rotation_, "scale"});
   if (const auto matrix = node.find("matrix")) {
     const std::vector<double> m = matrix->numbers(16);
     if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1)
       matrix->fail("has a last row (numbers 4, 8, 12, 16) other than 0 0 0 1; the translation is numbers 13 to 15");
-    for (std::size_t j = 0; j < 3; ++j) own.columns[j] = {m[4 * j], m[4 * j + 1], m[4 * j + 2]};
-    own.origin = {m[12], m[13], m[14]};
+    for (std::size_t j = 0; j < 3; ++j) frame.columns[j] = {m[4 * j], m[4 * j + 1], m[4 * j + 2]};
+    frame.origin = {m[12], m[13], m[14]};
   } else {
-    if (const auto turn = node.find(rotation_)) own.columns = rotationColumns(*turn);
+    if (const auto turn = node.find(rotation_)) frame.columns = rotationColumns(*turn);
     if (const auto scale = isCamera ? std::nullopt : node.find("scale"))
-      for (std::size_t j = 0; j < 3; ++j) own.columns[j] = own.columns[j] * scale->vec3()[j];
-    if (const auto move = node.find(translation_)) own.origin = toDoubleDouble(move->vec3());
+      for (std::size_t j = 0; j < 3; ++j) frame.columns[j] = frame.columns[j] * scale->vec3()[j];
+    if (const auto move = node.find(translation_)) frame.origin = toDoubleDouble(move->vec3());
   }
   const auto inWorld = [&](const DDVec3& v) {
     return parent.columns[0] * v.x + parent.columns[1] * v.y + parent.columns[2] * v.z;
   };
-  for (DDVec3& column : own.columns) column = inWorld(column);
-  own.origin = inWorld(own.origin) + parent.origin;
-  return own;
+  for (DDVec3& column : frame.columns) column = inWorld(column);
+  frame.origin = inWorld(frame.origin) + parent.origin;
+  return frame;
 }
 
 NodeTree::Frame NodeTree::worldFrame(std::size_t node) {
-  std::vector<std::size_t> path;  // up to a node whose frame is known
+  std::vector<std::size_t> path;  // up to a node with a known frame
   for (; node != kNone && !frames_.contains(node); node = parents[node]) {
     path.push_back(node);
     if (path.size() > nodes.size()) nodes[node].fail("is among its own descendants");

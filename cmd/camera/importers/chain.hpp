@@ -1,4 +1,4 @@
-// Cameras in trees of nodes, each with a transform in its parent's coordinates: glTF nodes, three.js objects.
+// Cameras in trees of nodes, such as glTF nodes and three.js objects. Each node has a transform relative to its parent.
 #pragma once
 
 #include <array>
@@ -19,16 +19,17 @@ class NodeTree {
   std::vector<Node> nodes;
   std::vector<std::size_t> parents;  ///< of each node; kNone at a root
 
-  /// The arguments: what the format calls them.
+  /// translation, rotation: the format's names for these members.
   NodeTree(std::string_view translation, std::string_view rotation) : translation_(translation), rotation_(rotation) {}
 
-  /// Adds the pose of a camera at a node, which looks along its -z with y up. Scales do not count, as the glTF
-  /// specification has it. A node in no moved one: position and rotation, as they are; else worldFromCamera, composed
-  /// in double-double and rounded once. Throws InputError: a mirror, a scale of 0, a node inside itself.
+  /// Adds the pose of the camera at a node. It looks along the node's -z with y up. Its scale is ignored, as in the
+  /// glTF specification. If no node above has a transform, the pose is position and rotation, unchanged. Otherwise it
+  /// is worldFromCamera, composed in double-double and rounded once. Throws InputError for a mirror, a scale of 0, or a
+  /// node inside itself.
   void addPose(Json& document, std::size_t node);
 
  private:
-  /// What a node makes of its coordinates.
+  /// A node's coordinates in the world.
   struct Frame {
     std::array<detail::DDVec3, 3> columns{detail::DDVec3{1, 0, 0}, detail::DDVec3{0, 1, 0}, detail::DDVec3{0, 0, 1}};
     detail::DDVec3 origin{};
@@ -39,7 +40,7 @@ class NodeTree {
   Frame worldFrame(std::size_t node);
 
   std::string_view translation_, rotation_;
-  std::unordered_map<std::size_t, Frame> frames_;  ///< of nodes that have others in them, as far as asked for
+  std::unordered_map<std::size_t, Frame> frames_;  ///< of nodes with children, computed when needed
 };
 
 }  // namespace viewproj::cmd

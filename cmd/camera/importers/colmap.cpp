@@ -1,4 +1,4 @@
-// Cameras of a COLMAP reconstruction, as readColmap gives it. Source: COLMAP documentation, "Camera Models".
+// Cameras of a COLMAP reconstruction, from readColmap. Source: COLMAP documentation, "Camera Models".
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -11,7 +11,7 @@ struct Model {
   std::string_view name;
   std::size_t focalLengths, coefficients;
 };
-/// Before the coefficients, which are in OpenCV's order, come one or two focal lengths and cx, cy.
+/// One or two focal lengths and cx, cy come before the coefficients, which are in OpenCV's order.
 constexpr Model kModels[] = {{"SIMPLE_PINHOLE", 1, 0}, {"PINHOLE", 2, 0},       {"SIMPLE_RADIAL", 1, 1},
                              {"RADIAL", 1, 2},         {"OPENCV", 2, 4},        {"FULL_OPENCV", 2, 8},
                              {"SIMPLE_FISHEYE", 1, 0}, {"FISHEYE", 2, 0},       {"SIMPLE_RADIAL_FISHEYE", 1, 1},

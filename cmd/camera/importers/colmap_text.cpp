@@ -16,7 +16,7 @@
 namespace viewproj::cmd {
 namespace {
 
-/// The first words of a line, numbers and texts, and what follows them as one text. Nothing of a comment.
+/// The first words of a line as numbers and texts, then the rest as one text. Nothing for a comment.
 std::vector<Json> wordsOf(std::string_view line, std::size_t most) {
   std::vector<Json> words;
   line.remove_suffix(line.size() - (line.find_last_not_of(" \t\r") + 1));
@@ -45,10 +45,10 @@ bool isImage(const std::vector<Json>& words) { return words.size() > 9 && areNum
 
 std::string idOf(const Json& word) { return formatNumber(word.get<double>()); }
 
-/// X Y POINT3D_ID again and again, or nothing. What names a camera of the file and begins with a quaternion of length 1
-/// is the next image.
-bool isOfPoints(std::string_view line, const Json& cameras) {
-  std::vector<Json> words = wordsOf(line, 60);  // of a long line the first tell
+/// Whether a line lists points: X Y POINT3D_ID repeated, or nothing. It is the next image if it names a camera of the
+/// file and begins with a unit quaternion.
+bool isPointsLine(std::string_view line, const Json& cameras) {
+  std::vector<Json> words = wordsOf(line, 60);  // the first words of a long line are enough
   words.resize(std::min<std::size_t>(words.size(), 60));
   if (!areNumbers(words) || words.size() % 3 != 0) return false;
   double square = 0;
@@ -57,7 +57,7 @@ bool isOfPoints(std::string_view line, const Json& cameras) {
   return !(isImage(words) && cameras.contains(idOf(words[8])) && std::fabs(square - 1) < 0.01);
 }
 
-/// Line after line. read returns what is wrong with one.
+/// Reads a file line by line. read returns what is wrong with a line.
 void readLines(const std::string& name, const std::function<std::string(const std::string& line)>& read) {
   std::ifstream file(pathOf(name), std::ios::binary);
   if (!file) throw InputError(visible(name) + ": " + std::generic_category().message(errno));
@@ -85,7 +85,7 @@ Json readImages(const std::string& name, const Json& cameras) {
   bool isPoints = false;
   readLines(name, [&](const std::string& line) {
     if (std::exchange(isPoints, false))
-      return isOfPoints(line, cameras) ? "" : "expected the image's points, X Y POINT3D_ID each, or an empty line";
+      return isPointsLine(line, cameras) ? "" : "expected the image's points, X Y POINT3D_ID each, or an empty line";
     const std::vector<Json> w = wordsOf(line, 9);
     if (w.empty()) return "";
     if (!isImage(w)) return "expected IMAGE_ID QW QX QY QZ TX TY TZ CAMERA_ID NAME";
@@ -101,7 +101,7 @@ Json readImages(const std::string& name, const Json& cameras) {
   return images;
 }
 
-/// The words of the first line that says something.
+/// The words of the first line that is not blank or a comment.
 std::vector<Json> firstWords(const std::filesystem::path& name) {
   std::ifstream file(name, std::ios::binary);
   std::vector<Json> words;
@@ -122,13 +122,13 @@ bool isColmap(const std::string& name) {
 
 Json readColmap(const std::string& folderOrFile) {
   std::error_code ignored;
-  const std::filesystem::path given = pathOf(folderOrFile);
-  const bool isFolder = std::filesystem::is_directory(given, ignored);
+  const std::filesystem::path source = pathOf(folderOrFile);
+  const bool isFolder = std::filesystem::is_directory(source, ignored);
   const auto beside = [&](const char* name) {
-    const std::u8string path = ((isFolder ? given : given.parent_path()) / name).generic_u8string();
+    const std::u8string path = ((isFolder ? source : source.parent_path()) / name).generic_u8string();
     return std::string(path.begin(), path.end());
   };
-  const bool isCameras = !isFolder && isCamera(firstWords(given));
+  const bool isCameras = !isFolder && isCamera(firstWords(source));
   Json root{{"cameras", readCameras(isCameras ? folderOrFile : beside("cameras.txt"))}};
   const std::string images = isFolder ? beside("images.txt") : folderOrFile;
   if (!isCameras && std::filesystem::exists(pathOf(images), ignored))

@@ -1,4 +1,4 @@
-// A file of JSON, or a binary glTF file, which has its JSON in front.
+// Reads a file of JSON, or the JSON at the beginning of a binary glTF file.
 // Source: glTF 2.0 specification, "GLB File Format Specification".
 #include <algorithm>
 
@@ -10,7 +10,7 @@ namespace viewproj::cmd {
 namespace {
 
 constexpr std::size_t kBlock = 64 << 10;
-constexpr std::size_t kHeader = 20;  // magic, version, length; the JSON chunk's length and type
+constexpr std::size_t kHeader = 20;  // magic, version, length; length and type of the JSON chunk
 
 std::size_t littleEndian(const std::string& text, std::size_t at) {
   std::size_t number = 0;
@@ -18,7 +18,7 @@ std::size_t littleEndian(const std::string& text, std::size_t at) {
   return number;
 }
 
-/// Reads on until the text has so many bytes, or to the end.
+/// Reads until the text has this many bytes, or to the end.
 void readUpTo(InputFile& file, std::string& text, std::size_t size) {
   while (text.size() < size) {
     const std::size_t had = text.size();
@@ -53,7 +53,7 @@ std::string readWithoutGlb(const std::string& name, std::size_t most) {
   text.clear();
   readUpTo(file, text, length);
   if (text.size() < length) throw InputError(file.name() + ": ends inside its JSON chunk");
-  text.erase(text.find_last_not_of('\0') + 1);  // some exporters pad with NULs, not with blanks as they should
+  text.erase(text.find_last_not_of('\0') + 1);  // some exporters pad with NULs instead of blanks
   return text;
 }
 

@@ -17,8 +17,7 @@ bool recognises(const Json& root) {
 struct Gltf {
   std::vector<Node> cameras;
   NodeTree tree{"translation", "rotation"};
-  std::vector<std::size_t>
-      places{};  ///< of each camera that is listed: its node, or beyond the nodes where it has none
+  std::vector<std::size_t> places{};  ///< of each listed camera: its node, or nodes.size() + its index
 };
 
 std::vector<Node> elements(const Node& root, std::string_view key) {
@@ -28,7 +27,7 @@ std::vector<Node> elements(const Node& root, std::string_view key) {
   return result;
 }
 
-/// An index into a list of that size.
+/// An index into a list of this size.
 std::size_t indexOf(const Node& node, std::size_t size) {
   const double index = node.number();
   if (!(index >= 0 && index < static_cast<double>(size) && index == std::floor(index)))
@@ -55,7 +54,7 @@ Json lensOf(const Node& camera) {
   const std::string& type = camera.require("type").text();
   if (type == "perspective") {
     const Node lens = camera.require(type);
-    // In radians still, with all of its digits.
+    // Stays in radians, to keep all digits.
     Json result{{"type", type},
                 {"fovY", formatNumber(lens.require("yfov").number()) + "rad"},
                 {"near", lens.require("znear").number()}};
@@ -88,7 +87,7 @@ Import open(const Node& root) {
   const std::vector<Node>& nodes = gltf.tree.nodes = elements(root, "nodes");
   findParents(gltf.tree);
   Import result;
-  std::vector<bool> stands(gltf.cameras.size());
+  std::vector<bool> hasNode(gltf.cameras.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (nodes[i].find("matrix") && nodes[i].findAny({"translation", "rotation", "scale"}))
       nodes[i].fail("has a matrix beside translation, rotation or scale");
@@ -96,14 +95,14 @@ Import open(const Node& root) {
     if (!camera) continue;
     std::string name = nameOf(nodes[i]);
     if (camera->json().is_number_unsigned() && camera->json() < gltf.cameras.size()) {
-      stands[camera->json()] = true;
+      hasNode[camera->json()] = true;
       if (name.empty()) name = nameOf(gltf.cameras[camera->json()]);
     }
     result.cameras.push_back({name, std::to_string(i)});
     gltf.places.push_back(i);
   }
   for (std::size_t i = 0; i < gltf.cameras.size(); ++i) {
-    if (stands[i]) continue;
+    if (hasNode[i]) continue;
     result.cameras.push_back({nameOf(gltf.cameras[i]), gltf.cameras[i].path()});
     gltf.places.push_back(nodes.size() + i);
   }

@@ -11,12 +11,12 @@ extern const Importer kGltf, kThreeJs, kNerf, kSplats, kOpen3d, kRealSense, kCol
 
 namespace {
 
-// Open3D's and ROS's files have members of OpenCV's calibrations, and these may have a P.
+// The order matters: Open3D's and ROS's files have members of OpenCV's calibrations, and these may have a P.
 constexpr const Importer* kImporters[] = {&kGltf,      &kThreeJs,          &kNerf,    &kSplats, &kOpen3d,
                                           &kRealSense, &kColmap,           &kKalibr,  &kRos,    &kKitti,
                                           &kOpenCv,    &kProjectionMatrix, &kMatrices};
 
-/// Lens models. The empty name is OpenCV's own vector, which states none.
+/// Lens models. The empty name is OpenCV's own list of coefficients, which names no model.
 constexpr std::string_view kBrown[] = {"",
                                        "plumb_bob",
                                        "rational_polynomial",
@@ -31,7 +31,7 @@ constexpr std::string_view kBrown[] = {"",
 constexpr std::string_view kFisheye[] = {"fisheye",        "equidistant",     "equi",
                                          "kannala_brandt", "kannala_brandt4", "opencv_fisheye",
                                          "simple_fisheye", "radial_fisheye",  "simple_radial_fisheye"};
-/// Pinholes where all coefficients are 0, and not supported where they are not.
+/// Pinholes if all coefficients are 0, otherwise not supported.
 constexpr std::string_view kPinhole[] = {"none", "pinhole", "simple_pinhole", "modified_brown_conrady",
                                          "inverse_brown_conrady"};
 
@@ -40,11 +40,12 @@ bool contains(const Range& range, const Value& value) {
   return std::find(std::begin(range), std::end(range), value) != std::end(range);
 }
 
-/// "distortion.Inverse Brown Conrady" as the table has it.
-std::string plainModel(std::string_view name) {
-  std::string plain(name.substr(name.rfind('.') + 1));
-  for (char& c : plain) c = c == ' ' || c == '-' ? '_' : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return plain;
+/// "distortion.Inverse Brown Conrady" in the spelling of the tables.
+std::string normalizedModel(std::string_view name) {
+  std::string normalized(name.substr(name.rfind('.') + 1));
+  for (char& c : normalized)
+    c = c == ' ' || c == '-' ? '_' : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return normalized;
 }
 
 bool areZero(std::span<const double> numbers) {
@@ -69,7 +70,7 @@ void refuse(const Node& node, std::initializer_list<std::string_view> members, s
 }
 
 Json distortionOf(const Node& coefficients, std::string_view model) {
-  const std::string name = plainModel(model);
+  const std::string name = normalizedModel(model);
   std::vector<double> c = coefficients.numbers();
   if (contains(kFisheye, name)) {
     while (c.size() > 4 && c.back() == 0) c.pop_back();

@@ -1,5 +1,5 @@
-// Kalibr's camchain, and the sensor.yaml of EuRoC: a camera each of its own frame. Where they stand from one another
-// (T_cn_cnm1) or on the robot (T_cam_imu, T_BS) is no place in a world and stays unread.
+// Kalibr's camchain, and the sensor.yaml of EuRoC: every camera is at the origin. Poses relative to another camera
+// (T_cn_cnm1) or to the robot (T_cam_imu, T_BS) are not poses in a world, and are not read.
 // Sources: Kalibr, "YAML formats" and "Supported models"; the EuRoC MAV dataset.
 #include <algorithm>
 #include <nlohmann/json.hpp>

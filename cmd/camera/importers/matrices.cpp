@@ -1,5 +1,5 @@
-// A view and a projection matrix in a convention that is stated: what `viewproj matrix` writes, what programs print,
-// what gluUnProject takes.
+// A view and a projection matrix in a stated convention: written by `viewproj matrix`, printed by programs, or passed
+// to gluUnProject.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -36,17 +36,17 @@ Convention conventionOf(const Node& root) {
   return readConvention(document).convention;
 }
 
-/// For column vectors. 4 rows of 4 stand as on paper, 16 numbers in a row as in memory.
+/// The matrix for column vectors. 4 rows of 4 are as written, 16 numbers are in memory order.
 Mat4 matrixIn(const Node& node, const Convention& c) {
   const bool isFlat = node.size() == 16;
   const std::vector<double> m = isFlat ? node.numbers(16) : matrixOf(node, 4, 4);
-  const bool isTurned = (c.vectors == Vectors::row) != (isFlat && c.storage == Storage::columnMajor);
+  const bool isTransposed = (c.vectors == Vectors::row) != (isFlat && c.storage == Storage::columnMajor);
   Mat4 rows;
-  for (std::size_t i = 0; i < 16; ++i) (isTurned ? rows[i % 4][i / 4] : rows[i / 4][i % 4]) = m[i];
+  for (std::size_t i = 0; i < 16; ++i) (isTransposed ? rows[i % 4][i / 4] : rows[i / 4][i % 4]) = m[i];
   return rows;
 }
 
-/// An object of our own, [x, y, width, height], or the matrix from NDC to the screen.
+/// A viewport: our own object, [x, y, width, height], or the matrix from NDC to the screen.
 Json viewportOf(const Node& node, const Convention& c) {
   if (node.json().is_object()) return node.json();
   if (node.holdsNumbers(4)) {
@@ -77,13 +77,13 @@ Json document(const Node& root) {
   if (const auto product = oneOf(root, kProduct); product && !((view || inverse) && projection))
     product->fail("a product of matrices is not taken apart; give view and projection");
   Json camera{{"convention", root.require("convention").json()}};
-  // Axes alone, as `viewproj matrix` writes them, are of the preset that has them: its pixel centres count too.
+  // Fields without a preset, as `viewproj matrix` writes them, get the preset that has them all, with its pixel centre.
   if (Json& stated = camera["convention"]; stated.is_object() && !stated.contains("preset"))
     for (const ConventionPreset& preset : conventionPresets())
       if (preset.convention == c) stated["preset"] = preset.name;
   if (view || inverse) {
     Mat4 m = matrixIn(view ? *view : *inverse, c);
-    if (const double last = m[3][3]; last != 0 && last != 1)  // a matrix and its multiples are one map
+    if (const double last = m[3][3]; last != 0 && last != 1)  // a matrix and its multiples are the same map
       for (std::size_t i = 0; i < 16; ++i) m[i / 4][i % 4] /= last;
     camera[view ? "cameraFromWorld" : "worldFromCamera"] = rowsOf(m);
     camera["cameraAxes"] = nameOf(kViewNames, c.view);

@@ -11,13 +11,13 @@ namespace viewproj::cmd {
 using namespace detail;
 namespace {
 
-/// What a frame says goes before what the file says of all.
+/// A member of a frame overrides the same member of the file.
 struct Frame {
   Node file, frame;
 
   std::optional<Node> find(std::string_view key) const {
-    const auto own = frame.find(key);
-    return own ? own : file.find(key);
+    const auto inFrame = frame.find(key);
+    return inFrame ? inFrame : file.find(key);
   }
   std::optional<double> number(std::string_view key) const {
     const auto value = find(key);
@@ -40,7 +40,7 @@ Json lensModelOf(const Frame& at) {
   return distortionOf(Node(at.frame.document(), coefficients, at.frame.path()), name);
 }
 
-/// Across or down the picture.
+/// The names for one axis of the picture.
 struct Axis {
   const char *focal, *center, *size, *angle, *fov;
 };
@@ -67,7 +67,7 @@ Json lensOf(const Frame& at) {
   const bool isInPixels = at.find("fl_x") || at.find("fl_y") || at.find("cx") || at.find("cy");
   if (!isInPixels && angleX.has_value() != angleY.has_value()) {
     lens["type"] = "perspective";
-    // In radians still, with all of its digits.
+    // Stays in radians, to keep all digits.
     lens[angleX ? kX.fov : kY.fov] = formatNumber(angleX ? *angleX : *angleY) + "rad";
     if (w && h) lens["aspect"] = formatNumber(*w) + "/" + formatNumber(*h);
     return lens;

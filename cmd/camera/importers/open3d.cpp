@@ -1,4 +1,4 @@
-// Cameras of Open3D: PinholeCameraParameters, trajectories of them, and intrinsics alone. Its matrices stand by
+// Cameras of Open3D: PinholeCameraParameters, trajectories of them, and intrinsics alone. Its matrices are stored by
 // columns. Source: Open3D, ConvertToJsonValue of PinholeCameraParameters, PinholeCameraTrajectory and
 // PinholeCameraIntrinsic.
 #include <nlohmann/json.hpp>
@@ -8,7 +8,7 @@
 namespace viewproj::cmd {
 namespace {
 
-/// A K by rows has cx and cy where this one has zeros.
+/// A K by rows has cx and cy where a K by columns has zeros.
 bool isIntrinsic(const Json& object) {
   if (!holds(object, {"intrinsic_matrix"}, 9) || !object.contains("width") || !object.contains("height")) return false;
   const Json& k = object["intrinsic_matrix"];

@@ -1,4 +1,4 @@
-// A 3x4 matrix P = K [R | t], by itself or as KITTI's calibration files have several.
+// A 3x4 matrix P = K [R | t], alone or several in a calibration file of KITTI.
 // Sources: Hartley and Zisserman, Multiple View Geometry, 6.2; Geiger and others, Vision meets Robotics.
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -41,7 +41,7 @@ Import openSingle(const Node& root) {
       }};
 }
 
-/// Numbers between blanks, as a line of KITTI's is read as YAML; none where it is something else.
+/// The numbers of a text, separated by blanks, as YAML reads a line of KITTI; empty if there is anything else.
 std::vector<double> numbersOf(const Json& value) {
   if (!value.is_string()) return {};
   std::vector<double> numbers;
@@ -62,7 +62,7 @@ bool holdsNumbers(const Json& root, std::string_view name, std::size_t count) {
   return value != root.end() && numbersOf(*value).size() == count;
 }
 
-/// The cameras that a file has: P2 or P_rect_02 of rectified pictures, K_02 of the raw ones.
+/// The cameras of a file: P2 or P_rect_02 for rectified pictures, K_02 for raw ones.
 std::vector<CameraEntry> kittiCameras(const Json& root) {
   std::vector<CameraEntry> cameras;
   for (const char* name : {"P0", "P1", "P2", "P3", "P_rect_00", "P_rect_01", "P_rect_02", "P_rect_03"})
@@ -75,7 +75,7 @@ std::vector<CameraEntry> kittiCameras(const Json& root) {
 bool isKitti(const Json& root) { return root.is_object() && !kittiCameras(root).empty(); }
 
 Json kittiCamera(const Node& root, const std::string& name) {
-  const auto pictures = root.find("S" + name.substr(1));  // S_rect_02 of P_rect_02, S_02 of K_02
+  const auto pictures = root.find("S" + name.substr(1));  // S_rect_02 for P_rect_02, S_02 for K_02
   const std::vector<double> numbers = pictures ? numbersOf(pictures->json()) : std::vector<double>{};
   const auto size = numbers.size() == 2 ? std::optional(Size{numbers[0], numbers[1]}) : std::nullopt;
   const Node matrix = root.require(name);

@@ -1,5 +1,5 @@
-// A camera_info of ROS, as a file or a message, and the intrinsics of a RealSense. The pictures of a camera_info are
-// two: raw, through the lens (K and D), and rectified (P, a pinhole's).
+// A camera_info of ROS, as a file or a message, and the intrinsics of a RealSense. A camera_info has two pictures: raw,
+// through the lens (K and D), and rectified (P, a pinhole's).
 // Sources: sensor_msgs/CameraInfo; camera_calibration_parsers; librealsense, rs2_intrinsics.
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -11,14 +11,14 @@ namespace {
 
 const Names kK{"camera_matrix", "K", "k"}, kP{"projection_matrix", "P", "p"};
 
-/// Whatever stands there: a matrix that is broken must not leave the other one.
+/// Does not check the matrices: if one is broken, the other must not be used instead.
 bool isCameraInfo(const Json& root) {
   const auto has = [&](std::string_view name) { return root.contains(name); };
   return root.is_object() && std::any_of(kK.begin(), kK.end(), has) && std::any_of(kP.begin(), kP.end(), has);
 }
 
-/// Pictures that are smaller than the calibrated ones have other pixels.
-void requireWhole(const Node& root, const std::optional<Size>& size) {
+/// Throws if the pictures are smaller than the calibrated ones, because their pixels differ.
+void requireFullPicture(const Node& root, const std::optional<Size>& size) {
   constexpr std::string_view kWhy = "is not supported: calibrate for the picture itself";
   for (const char* key : {"binning_x", "binning_y"})
     if (const auto binning = root.find(key); binning && binning->number() != 1) refuse(root, {key}, kWhy);
@@ -32,7 +32,7 @@ void requireWhole(const Node& root, const std::optional<Size>& size) {
 
 Json cameraInfo(const Node& root, bool isRectified) {
   const auto size = sizeOf(root, {"image_width", "width"}, {"image_height", "height"});
-  requireWhole(root, size);
+  requireFullPicture(root, size);
   if (isRectified) {
     const Node p = *oneOf(root, kP);
     return cameraOfMatrix(p, matrixOf(p, 3, 4), size);
@@ -52,7 +52,7 @@ bool hasPrincipalPoint(const Json& object) {
          object.contains("ppy");
 }
 
-/// One, or members by the name of their stream.
+/// One camera, or members named by their streams.
 bool isRealSense(const Json& root) {
   if (!root.is_object() || hasPrincipalPoint(root)) return hasPrincipalPoint(root);
   return std::any_of(root.begin(), root.end(), hasPrincipalPoint);

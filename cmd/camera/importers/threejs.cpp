@@ -1,5 +1,5 @@
 // three.js cameras as Object3D.toJSON writes them, alone or in a scene. Formulas: updateProjectionMatrix of
-// PerspectiveCamera and OrthographicCamera, three.js r187; matrixWorldInverse there leaves scales out too.
+// PerspectiveCamera and OrthographicCamera, three.js r187. Its matrixWorldInverse ignores scales too.
 #include <nlohmann/json.hpp>
 
 #include "camera/importers/chain.hpp"
@@ -26,18 +26,18 @@ std::string textOf(const Node& object, std::string_view key) {
 }
 
 void addObjects(NodeTree& tree, const Node& object, std::size_t parent) {
-  const std::size_t own = tree.nodes.size();
+  const std::size_t index = tree.nodes.size();
   tree.nodes.push_back(object);
   tree.parents.push_back(parent);
   const auto children = object.find("children");
-  for (std::size_t i = 0; children && i < children->size(); ++i) addObjects(tree, (*children)[i], own);
+  for (std::size_t i = 0; children && i < children->size(); ++i) addObjects(tree, (*children)[i], index);
 }
 
-/// Zoom divides the window about its middle.
+/// Zoom divides the window's size and keeps its centre.
 Json lensOf(const Node& camera) {
-  const auto zoomed = camera.find("zoom");
-  const double zoom = zoomed ? zoomed->number() : 1;
-  if (!(zoom > 0)) zoomed->fail("must be above 0");
+  const auto zoomField = camera.find("zoom");
+  const double zoom = zoomField ? zoomField->number() : 1;
+  if (!(zoom > 0)) zoomField->fail("must be above 0");
   if (!camera.json().contains("far")) camera.fail("needs far; null is infinite");
   Json lens{{"near", camera.require("near").number()}};
   if (const auto far = camera.find("far")) lens["far"] = far->number();
