@@ -1,5 +1,5 @@
-# viewproj_use_geographiclib(TARGET): links an installed GeographicLib, or compiles in the two sources of it that are
-# needed. VIEWPROJ_LINKS_GEOGRAPHICLIB says which: users of the library then need it too.
+# viewproj_use_geographiclib(TARGET): links an installed GeographicLib, or compiles the two sources of it that are
+# needed. VIEWPROJ_LINKS_GEOGRAPHICLIB is on if it links: users of the library then need GeographicLib too.
 include(FetchContent)
 if(POLICY CMP0135)
   cmake_policy(SET CMP0135 NEW)
@@ -17,7 +17,7 @@ function(viewproj_use_geographiclib target)
     return()
   endif()
   message(STATUS "GeographicLib is not installed: fetching it")
-  # Its own build makes tools and documentation too; there is no CMakeLists.txt in include.
+  # The folder include has no CMakeLists.txt, so its own build of tools and documentation does not run.
   FetchContent_Declare(GeographicLib SOURCE_SUBDIR include
     URL https://github.com/geographiclib/geographiclib/archive/refs/tags/v2.1.2.tar.gz
     URL_HASH SHA256=6833c4b33b2aa37b0c4c9fe1b36f958b44afafaafd1b16d7742d80c5e7737777)

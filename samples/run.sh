@@ -1,5 +1,5 @@
 #!/bin/sh
-# Sets up, then runs every sample, showing its command and its result.
+# Runs setup.sh, then every sample, and shows each command and its result.
 set -eu
 cd "$(dirname "$0")"
 sh setup.sh

@@ -1,10 +1,10 @@
 #!/bin/sh
-# Installs what is missing from Debian's packages, and from npm's, and builds Release into build/.
-#   sh samples/setup.sh          the tool, what else an installation takes, and what the samples need
+# Installs missing packages from Debian and npm, and makes a Release build in build/.
+#   sh samples/setup.sh          the tool, the rest of an installation, and the samples' packages
 #   sh samples/setup.sh tests    the tool and the tests, with their judges
-#   sh samples/setup.sh checks   these, and what .ci/run needs
-#   sh samples/setup.sh deep     these, and what tests/checks/deep.sh and tests/benchmark need
-# VIEWPROJ_OPTIONS in the environment: further options of CMake.
+#   sh samples/setup.sh checks   the same, and the packages of .ci/run
+#   sh samples/setup.sh deep     the same, and the packages of tests/checks/deep.sh and tests/benchmark
+# VIEWPROJ_OPTIONS in the environment gives more options for CMake.
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -19,7 +19,7 @@ esac
 if [ $tests = ON ]; then
   packages="$packages catch2 libmpfr-dev libglm-dev libeigen3-dev glslang-tools"
   packages="$packages python3 python3-numpy python3-opencv libegl-dev libgl-dev libopengl-dev libgl1-mesa-dri"
-  # Those from elsewhere do as well.
+  # node and npm may come from elsewhere.
   command -v node >/dev/null || packages="$packages nodejs"
   command -v npm >/dev/null || packages="$packages npm"
 fi
@@ -47,7 +47,7 @@ if command -v dpkg-query >/dev/null 2>&1; then
     $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -qq -y --no-install-recommends $missing >/dev/null
   fi
 fi
-# The judges of tests/package.json. Without them (no network, no npm) their tests say so.
+# The judges in tests/package.json. If they cannot be installed (no network, no npm), their tests are skipped.
 if [ "$tests" = ON ] && ! cmp -s tests/package-lock.json tests/node_modules/package-lock.json; then
   if (cd tests && npm ci --no-audit --no-fund --loglevel=error >/dev/null); then
     cp tests/package-lock.json tests/node_modules/
@@ -56,12 +56,12 @@ if [ "$tests" = ON ] && ! cmp -s tests/package-lock.json tests/node_modules/pack
   fi
 fi
 
-# A build folder with the tests keeps them.
+# A build folder that has the tests keeps them.
 options=${VIEWPROJ_OPTIONS:-}
 if [ "$tests" = ON ]; then options="$options -DVIEWPROJ_TESTS=ON"; fi
 # shellcheck disable=SC2086  # a list of words
 cmake -B build -DCMAKE_BUILD_TYPE=Release $options >/dev/null
-# What an installation takes, or all.
+# The targets of an installation, or all of them.
 targets="viewproj libviewproj_scene libviewproj_geodesy"
 if [ "$tests" = ON ]; then targets=all; fi
 # shellcheck disable=SC2086  # a list of words

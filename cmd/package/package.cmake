@@ -1,5 +1,5 @@
-# The documents that are installed, and the packages: cpack makes viewproj_VERSION_ARCHITECTURE.deb, and for Windows
-# viewproj-VERSION-win64.zip.
+# Installs the documents and sets up the packages: cpack makes viewproj_VERSION_ARCHITECTURE.deb, and
+# viewproj-VERSION-win64.zip for Windows.
 set(changelog ${PROJECT_SOURCE_DIR}/cmd/package/changelog)
 install(FILES README.md cmd/package/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES lib/ACCURACY.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/lib)
@@ -24,7 +24,7 @@ else()
   install(FILES cmd/data/viewproj.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME viewproj)
 endif()
 
-# Who makes the package: as the newest entry says.
+# The maintainer of the package is the one of the newest entry in the changelog.
 file(READ ${changelog} entries)
 string(REGEX MATCH "\n -- ([^\n]*)  " newest "${entries}")
 set(CPACK_PACKAGE_CONTACT "${CMAKE_MATCH_1}")
@@ -35,7 +35,7 @@ if(WIN32)
 else()
   set(CPACK_GENERATOR DEB)
   set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
-  # What the package has and an installation has not.
+  # This is in the package, but not in an installation.
   set(CPACK_INSTALLED_DIRECTORIES ${PROJECT_SOURCE_DIR}/cmd/package/lintian /usr/share/lintian/overrides)
 endif()
 set(CPACK_STRIP_FILES ON)
@@ -44,13 +44,13 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# For find_package(viewproj): the tool itself does not need it.
+# Needed for find_package(viewproj), but not by the tool.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS libgeographiclib-dev)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "world points to pixels, pixels to rays, cameras to matrices")
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
 "A command-line tool and a C++20 library that turn world points into screen
 coordinates, pixels into picking rays, and cameras into matrices, in OpenGL,
-Direct3D or any other convention, each number the double nearest the true
-one. Holds the command viewproj, the static library, its headers, and what
-CMake and pkg-config find it by.")
+Direct3D or any other convention. Results are correctly rounded. Contains the
+command viewproj, the static library, its headers, and the files by which
+CMake and pkg-config find it.")
 include(CPack)

@@ -1,7 +1,7 @@
-# viewproj::geographiclib: an installed GeographicLib, where there is one. Debian's has no package config.
+# Makes viewproj::geographiclib if GeographicLib is installed. Debian's has no package config.
 if(NOT TARGET viewproj::geographiclib)
   find_path(GEOGRAPHICLIB_INCLUDE GeographicLib/Geocentric.hpp)
-  # The static library comes first: loading a shared one takes a part of a one-shot run.
+  # The static library is preferred: loading a shared one slows down short runs.
   find_library(GEOGRAPHICLIB_LIBRARY NAMES libGeographicLib.a GeographicLib)
   mark_as_advanced(GEOGRAPHICLIB_INCLUDE GEOGRAPHICLIB_LIBRARY)
   if(GEOGRAPHICLIB_INCLUDE AND GEOGRAPHICLIB_LIBRARY)

@@ -1,4 +1,4 @@
-# What a user of the library gets: the libraries, the public headers, and what CMake and pkg-config find them by.
+# Installs the libraries, the public headers, and the files by which CMake and pkg-config find them.
 include(CMakePackageConfigHelpers)
 
 install(DIRECTORY viewproj DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN *.hpp
@@ -7,7 +7,8 @@ set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/viewproj)
 file(RELATIVE_PATH prefix_from_pkgconfig /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 string(REGEX REPLACE "/$" "" prefix_from_pkgconfig ${prefix_from_pkgconfig})
 
-# viewproj_install_part(PART REQUIRES LIBRARIES): a target, its export and its pkg-config file. LIBRARIES stand beside it.
+# viewproj_install_part(PART REQUIRES LIBRARIES): installs a target, its export and its pkg-config file, which lists
+# REQUIRES and LIBRARIES.
 function(viewproj_install_part part requires libraries)
   set(name viewproj)
   set(package viewproj)

@@ -5,14 +5,14 @@
 set -eu
 preset=$1
 
-# Right, up and forward of the camera, as the world of that convention is wont to count them.
+# Right, up and forward of the camera in the usual world of that convention.
 case $preset in
   opengl-lh | d3d | unity) frame='1 0 0  0 1 0  0 0 1' ;;
   unreal) frame='0 1 0  0 0 1  1 0 0' ;;
   opencv) frame='1 0 0  0 -1 0  0 0 1' ;;
   *) frame='1 0 0  0 1 0  0 0 -1' ;;
 esac
-# place RIGHT UP FORWARD: that place in world coordinates.
+# place RIGHT UP FORWARD: prints that place in world coordinates.
 place() {
   echo "$frame $*" | awk '{ for (i = 1; i <= 3; ++i) printf "%s%g", (i > 1 ? ", " : ""), $10 * $i + $11 * $(i + 3) + $12 * $(i + 6) }'
 }
@@ -24,7 +24,7 @@ camera() {  # camera EYE DIRECTION FOVY NEAR FAR WIDTH HEIGHT
 seen=$(camera "$(place 0 0 0)" "$(place 0 0 1)" 44 1 3 300 200)
 from=$(camera "$(place 6.2 3.1 -3.2)" "$(place -6.4 -3.1 4.6)" 28 0.1 100 720 430)
 
-# NAME TEXT X Y Z: corners n0 to n3 and f0 to f3 around the picture from its top left, the ends of the axes.
+# Prints NAME,TEXT,X,Y,Z: the corners n0 to n3 and f0 to f3 around the picture from its top left, and the axes' ends.
 points() {
   for distance in 1 3; do
     for corner in 0,0 300,0 300,200 0,200; do echo "{\"pixel\":[$corner],\"viewDistance\":$distance}"; done
@@ -40,7 +40,7 @@ points() {
     for (i = 1; i <= 3; ++i) print "w" i - 1 ",world " substr("xyz", i, 1) "," $1 + .6 * (i == 1) "," $2 + .6 * (i == 2) "," $3 + .6 * (i == 3) }'
 }
 
-# What the matrices' own comments say of the convention.
+# The description of the convention in the comments of `viewproj matrix`.
 words=$(viewproj matrix -c "$seen" --which projection --to c | sed -n 's|^/\* \(.*\)\. \*/$|\1|p')
 
 { echo name,text,x,y,z; points; } | viewproj project -c "$from" --fields screen,visible | awk -F, -v preset="$preset" -v words="$words" '
