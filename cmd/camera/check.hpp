@@ -12,8 +12,7 @@
 
 namespace viewproj::cmd {
 
-/// Renames aliases to the fields' names, and turns a convention's name into an object. Throws if a member has two
-/// names.
+/// Renames aliases to the fields' names, and turns a convention's name into an object. Throws if both names are there.
 void normalize(Document& document);
 
 /// Throws InputError at the first member that is not known, value of the wrong kind, or field that contradicts another.

@@ -344,8 +344,7 @@ CameraFile readNormalized(const Document& document, const ReadOptions& reading) 
   }
 }
 
-/// The largest shift of pixels by the lens. Nothing if the lens is not known, or the document lacks a part of the
-/// camera.
+/// The largest shift of pixels by the lens. Nothing if the lens is not known, or a part of the camera is missing.
 std::optional<double> lensShift(const Document& document, const ReadOptions& reading) {
   try {
     const CameraFile file = readNormalized(document, reading);
@@ -365,7 +364,7 @@ CameraFile readCamera(Document document, const ReadOptions& reading) {
   document.root->erase("distortion");
   CameraFile file = readNormalized(document, reading);
   if (!shift || *shift != 0)
-    file.notes.push_back(file.name + ": the lens distortion is left out" +
+    file.notes.push_back(file.name + ": the lens distortion is ignored" +
                          (shift ? ", up to " + formatDigits(*shift, 3) + " pixels" : ""));
   return file;
 }
@@ -385,7 +384,7 @@ void requireNear(const CameraFile& file, const std::string& what) {
 void requireStraightEdges(const CameraFile& file, const std::string& what) {
   if (file.lens)
     throw InputError(what + " needs straight edges, which the lens of " + file.name +
-                     " bends; --ignore-distortion leaves its distortion out");
+                     " bends; --ignore-distortion ignores its distortion");
 }
 
 Camera makeCamera(const CameraFile& file) {

@@ -33,8 +33,7 @@ std::array<detail::DDVec3, 3> rotationColumns(const Node& quaternion);
 /// The matrix of worldFromCamera or cameraFromWorld. Nothing if its rotation is a quaternion or a rotation vector.
 std::optional<Mat4> rigidMatrix(const Node& value);
 
-/// The pose of a normalized document. Nothing if it has no orientation. Throws InputError, or CameraError naming a
-/// field.
+/// The pose of a normalized document; nothing without an orientation. Throws InputError, or CameraError naming a field.
 std::optional<Pose> readPose(const Document& document);
 
 }  // namespace viewproj::cmd

@@ -51,7 +51,7 @@ std::string PointArgument::json() const {
 void PointArgument::requireFit(bool worldIsEcef) const {
   if (!hasRoles && numbers.size() == 3 && worldIsEcef)
     throw UsageError(text + ": " + bareTriple("lat=LAT,lon=LON,height=HEIGHT or x=X,y=Y,z=Z"));
-  if (isPlace() && !worldIsEcef) throw UsageError(text + ": a place needs a camera that stands on the Earth");
+  if (isPlace() && !worldIsEcef) throw UsageError(text + ": a place needs a camera on the Earth");
 }
 
 Vec4 PointArgument::point() const {

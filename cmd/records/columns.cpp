@@ -195,12 +195,12 @@ std::size_t fieldOf(const Pick& pick, const RecordParts& record) {
   const std::string what = csv ? "column" : shape.isArray ? "number" : "field";
   const std::size_t number = hasNames ? pick.number : pick.nameless;
   if (number > 0 && hasNames && !csv)
-    throw RecordError(0, "is an object; --columns takes its fields by name, as in x=E,y=N,z=U");
+    throw RecordError(0, "is an object; name its fields in --columns, as in x=E,y=N,z=U");
   if (number > shape.size)
     throw RecordError(0, "has " + std::to_string(shape.size) + " " + what + (shape.size == 1 ? "" : "s") +
                              "; --columns names number " + std::to_string(number));
   if (number > 0) return number - 1;
-  if (!hasNames) throw RecordError(0, "has " + what + "s without names; --columns takes them by number, as in 1,2,3");
+  if (!hasNames) throw RecordError(0, "has " + what + "s without names; number them in --columns, as in 1,2,3");
   if (const auto field = shape.find(pick.name)) return *field;
   throw RecordError(0, "has no " + what + " " + visible(pick.name) + ", which --columns names" + fieldsNote(shape));
 }

@@ -8,8 +8,7 @@
 
 namespace viewproj::cmd {
 
-/// The distances along a ray, 0 or more, where its height above the ellipsoid is the given one: none, one or two,
-/// nearest first.
+/// The distances along a ray, 0 or more, where it has the given height above the ellipsoid: up to two, nearest first.
 struct HeightCrossings {
   std::array<double, 2> distances{};
   int count = 0;

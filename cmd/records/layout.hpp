@@ -73,6 +73,6 @@ bool isPointValue(std::string_view json);
 /// The message for three numbers that may be a place, with a camera on the Earth. way: how to say which they are.
 std::string bareTriple(const std::string& way);
 inline constexpr const char* kNotOnEarth =
-    "lat, lon, height need a camera that stands on the Earth: a position by lat, lon, height, or \"world\": \"ecef\"";
+    "lat, lon, height need a camera on the Earth: its position as lat, lon, height, or \"world\": \"ecef\"";
 
 }  // namespace viewproj::cmd

@@ -105,8 +105,7 @@ std::optional<Layout> findField(const Coordinate& row, const RecordParts& record
   return layout;
 }
 
-/// The parts of a row in the fields of a record, if all required ones are there. Throws RecordError if two fields fit a
-/// part.
+/// The parts of a row in a record, if all required ones are there. Throws RecordError if two fields fit a part.
 std::optional<Layout> find(const Coordinate& row, const RecordParts& record, Forms& forms) {
   std::optional<Layout> layout = row.form == CoordinateForm::numbers
                                      ? findEach(record, row.required(), row.fewest, row.orNull)

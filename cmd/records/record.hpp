@@ -59,8 +59,7 @@ struct Record {
   const Shape* shape = nullptr;
 };
 
-/// A record split into fields. A value is JSON text in a JSON record, and the field as written, with its quotes, in
-/// CSV.
+/// A record split into fields. A value is JSON text in a JSON record, and the field with its quotes in CSV.
 struct RecordParts {
   std::string_view text;
   Shape shape;

@@ -33,7 +33,7 @@ std::string faultOf(const Box& box, bool worldIsEcef) {
 /// A point [x, y, z], or a place if the camera is on the Earth.
 Vec3 pointOf(const Node& value, bool worldIsEcef) {
   checkValue(value, *findField("position"));
-  if (isPlaceValue(value) && !worldIsEcef) value.fail("is a place, which needs a camera that stands on the Earth");
+  if (isPlaceValue(value) && !worldIsEcef) value.fail("is a place, which needs a camera on the Earth");
   return positionOf(value);
 }
 

@@ -168,11 +168,10 @@ void requireUse(const Stream& stream) {
   const FilterSetup& setup = stream.setup;
   const WriterSetup& writer = setup.writer;
   if (setup.delimiter && stream.form != Form::csv && (!stream.writes || stream.to != OutputForm::csv))
-    throw UsageError(
-        "--delimiter is for CSV, and neither the input nor the output is that; --from csv reads it as CSV");
+    throw UsageError("--delimiter is for CSV, but neither input nor output is CSV; --from csv reads the input as CSV");
   if (!stream.writes) return;
   if (stream.to == OutputForm::f64 && isTerminal(kStandardOutput))
-    throw UsageError("f64 is binary, and standard output is a terminal; -o FILE keeps it, | cat shows it");
+    throw UsageError("f64 is binary, and standard output is a terminal; -o FILE writes it to a file, | cat shows it");
   requireRoom(writer.results, stream.to);
   if (!writer.header && !hasColumns(stream.to))
     throw UsageError("--no-header is for CSV and tables, and the output has no header; leave it out, or add --to csv");

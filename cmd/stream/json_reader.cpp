@@ -32,8 +32,7 @@ class JsonReader final : public RecordReader {
   }
 
  private:
-  /// Reads records by their patterns, and the text between them, up to the first record without one. Returns its
-  /// offset.
+  /// Reads records by their patterns, up to the first record without one. Returns its offset.
   std::size_t readByPatterns(const std::size_t from, JsonSplitter& splitter) {
     using Place = JsonState::Place;
     JsonState state = splitter.state();

@@ -199,8 +199,7 @@ bool JsonSplitter::endsRecord(char c) const {
 /// Moves to the string's end. False if the string continues after the text.
 bool JsonSplitter::passString(std::string_view rest) {
   const std::size_t end = endOfString(rest, looked_);
-  looked_ = std::min(
-      end, rest.size() - (end > rest.size() ? 1 : 0));  // stays on a backslash whose next byte is not there yet
+  looked_ = std::min(end, rest.size() - (end > rest.size() ? 1 : 0));  // on a backslash at the text's end
   if (end >= rest.size()) return false;
   inString_ = false;
   if (rest[end] == '"')

@@ -11,7 +11,7 @@
 namespace viewproj::cmd {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "f64 is written as it stands in memory");
+static_assert(std::endian::native == std::endian::little, "f64 is copied from memory, which must be little-endian");
 
 /// Reads numbers that need no trimming or unquoting. False does not mean that they are wrong.
 bool readBareNumbers(const RecordParts& record, const Layout& layout, Numbers& numbers) {
@@ -137,8 +137,7 @@ class BinaryReader final : public RecordReader {
   void read(const Block& block, Batch& batch) override {
     const std::string_view text = block.bytes.view();
     const std::size_t count = text.size() / kBinaryRecord;
-    const auto* doubles =
-        reinterpret_cast<const double*>(text.data());  // a block begins at the start of its aligned buffer
+    const auto* doubles = reinterpret_cast<const double*>(text.data());  // aligned: a block begins its buffer
     for (std::size_t i = 0; i < count;) {
       // In parts, because records after one that the work does not convert are converted again.
       const std::size_t some = std::min(count - i, kAtOnce);

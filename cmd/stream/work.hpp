@@ -10,8 +10,7 @@
 
 namespace viewproj::cmd {
 
-/// Each worker of a stream has its own. Records come in batches: added one by one, computed together, then written one
-/// by one.
+/// Each worker of a stream has its own. The records of a batch are added one by one, computed together, then written.
 class RecordWork {
  public:
   virtual ~RecordWork() = default;

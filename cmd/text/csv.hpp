@@ -44,7 +44,7 @@ void splitCsvLine(std::string_view line, std::vector<std::string_view>& fields, 
 void requireWholeFields(std::string_view record, const std::vector<std::string_view>& fields, char separator);
 
 inline constexpr const char* kLoneReturn =
-    "a carriage return that ends no line; expected lines that end with LF or CRLF, as tr '\\r' '\\n' makes them";
+    "a carriage return without a line feed; expected LF or CRLF, for example from tr '\\r' '\\n'";
 
 /// The offset of the line break that ends the record starting at `from`, or the text's size. unclosed is set to the
 /// offset of an opening quote that is never closed.

@@ -36,8 +36,7 @@ const char* passWord(const char* at, const char* end, std::string_view word) {
   return std::string_view(at, end).starts_with(word) ? at + word.size() : nullptr;
 }
 
-/// Like readJsonNumber, but only for numbers without an exponent and with few digits, which are always finite; null
-/// otherwise.
+/// Like readJsonNumber, but only without an exponent and with few digits, so always finite; null for other numbers.
 const char* passShortNumber(const char* at, const char* end) {
   constexpr std::ptrdiff_t kShort = 300;
   if (end - at > kShort) end = at + kShort;
@@ -138,7 +137,7 @@ JsonFault faultOf(std::string_view text, const JsonStop& stop) {
   if (at == text.size()) return fault(", got the end");
   const bool isValue = expected.starts_with("a value");
   if (text[at] == '"' && (isValue || expected.starts_with("a key"))) return faultOfString(text, at);
-  if (text[at] == '\'' && isValue) return fault(", got '; text stands in double quotes");
+  if (text[at] == '\'' && isValue) return fault(", got '; texts need double quotes");
   const std::string_view token = tokenAt(text, at);
   if (!isValue || !isWordCharacter(token[0])) return fault(", got " + visible(token));
   if (isLargerThanDoubles(token)) return {at, inQuotes(token) + " is larger than any double"};

@@ -58,7 +58,7 @@ const char* scanJson(const char* at, const char* end, std::size_t depth, Events&
   for (;;) {
     bool isBegun = false;  // whether an array or object has begun and has a value
     if (at < end && opensJson(*at)) {
-      if (closing.size() == depth) return fail("nothing so deep");
+      if (closing.size() == depth) return fail("less nesting");
       events.open(at);
       closing += *at == '{' ? '}' : ']';
       at = passJsonSpace(at + 1, end);

@@ -17,8 +17,7 @@ namespace viewproj::cmd {
 /// How deep a value may be nested.
 inline constexpr std::size_t kDeepestJson = 200;
 
-/// Parses a text. Returns what is wrong if the text is not valid, is nested too deep, or has an object with a key
-/// twice.
+/// Parses a text. Returns what is wrong: invalid JSON, too deep nesting, or an object that has a key twice.
 std::optional<JsonFault> parseJson(std::string_view text, nlohmann::json& value);
 
 /// A JSON number as an integer if 64 bits hold it, otherwise as the nearest double.

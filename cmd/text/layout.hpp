@@ -17,8 +17,7 @@ std::string paddedRight(std::string_view text, std::size_t columns);
 /// assumes that `indent` columns are already used. Ends with a line break.
 std::string wrapped(std::string_view text, std::size_t width, std::size_t indent = 0);
 
-/// An entry of a list: left, then the text wrapped from a column on. The text starts on the next line if left is too
-/// long.
+/// An entry of a list: left, then the text wrapped from a column on, or on the next line if left is too long.
 std::string entry(const std::string& left, std::size_t column, std::string_view text, std::size_t width);
 
 /// The width for standard output: COLUMNS, else the terminal's width, else 80; at least 40.

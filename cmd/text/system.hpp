@@ -48,8 +48,7 @@ bool isReady(int descriptor);
 /// Bytes of a regular file from here to its end.
 std::optional<std::size_t> bytesLeft(int descriptor);
 
-/// Writes once and returns the number of bytes, 0 if it was interrupted or waited for room. EPIPE: the reader has
-/// closed.
+/// Writes once. Returns the number of bytes, 0 if it was interrupted or waited for room. EPIPE: the reader has closed.
 std::ptrdiff_t writeSome(int descriptor, std::string_view text);
 
 /// The number of processors that this process may use.

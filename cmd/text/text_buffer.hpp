@@ -1,5 +1,4 @@
-// Text that grows at its end. Unlike std::string's, its appending is inlined, because a stream consists of short
-// pieces.
+// Text that grows at its end. Unlike std::string's, its appending is inlined: a stream consists of short pieces.
 #pragma once
 
 #include <cstddef>

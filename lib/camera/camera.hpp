@@ -14,8 +14,7 @@ struct ScreenMap {
   double reachX = 0, reachY = 0;  ///< the centre's error is below 2^-97 of this, the size of the terms it is the sum of
 };
 
-/// A row of three in two parts: high has 25 bits of the largest entry, all multiples of one power of two; low has the
-/// rest.
+/// A row of three in two parts: high has 25 bits of the largest entry, multiples of one power of two; low has the rest.
 struct SplitRow {
   Vec3 high, low;
 };

@@ -60,7 +60,7 @@ Projection moved(const ProjectionParts& p, const char* fieldX, const char* field
   constexpr double kLargestMove = 0x1p32;
   const auto require = [](double reach, DoubleDouble low, DoubleDouble high, const char* field) {
     if (reach > kLargestMove * std::max(std::fabs(low.hi), std::fabs(high.hi)))
-      throw CameraError(field, "leaves less than 2e-10 of the window, or of its way off the viewing axis");
+      throw CameraError(field, "leaves less than 2e-10 of the window, or of its distance from the viewing axis");
   };
   check(p);
   require(p.reachX, p.left, p.right, fieldX);

@@ -25,7 +25,7 @@ constexpr double kUnits = 4;
 /// A far plane beyond infinity by up to this share of 1/near counts as infinite.
 constexpr double kTweak = 0x1p-16;
 
-// A clip matrix taken apart
+// The parts of a clip matrix
 
 struct Row {
   Vector3<Dyadic<1>> axis;

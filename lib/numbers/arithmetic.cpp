@@ -10,7 +10,7 @@ namespace viewproj::detail {
 
 const char* arithmeticFault() noexcept {
   constexpr const char* kRounding = "floating-point arithmetic does not round to the nearest here";
-  constexpr const char* kFlushing = "floating-point arithmetic takes subnormal numbers for 0 here";
+  constexpr const char* kFlushing = "floating-point arithmetic flushes subnormal numbers to 0 here";
 #ifdef __SSE2__
   constexpr unsigned kRoundingMode = 0x6000, kFlushToZero = 0x8000, kDenormalsAreZero = 0x0040;
   const unsigned control = _mm_getcsr();
