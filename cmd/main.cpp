@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "commands/command.hpp"
-#include "commands/help.hpp"
 #include "numbers/arithmetic.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"

@@ -8,19 +8,12 @@
 #include "camera/fields.hpp"
 #include "camera/read_pose.hpp"
 #include "camera/write_camera.hpp"
-#include "commands/standard_input.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
 
 namespace viewproj::cmd {
 namespace {
-
-Names<ConventionPreset> presets() {
-  Names<ConventionPreset> names;
-  for (const ConventionPreset& preset : conventionPresets()) names.emplace_back(preset.name, preset);
-  return names;
-}
 
 /// For a command that needs near and far alone: the usual field of view where the options name no lens.
 void assumeLens(std::vector<Patch>& patches, bool hasViewport) {
@@ -37,16 +30,11 @@ void assumeLens(std::vector<Patch>& patches, bool hasViewport) {
   if (!hasViewport) patches.push_back(optionPatch(*findField("projection.aspect"), "1"));
 }
 
-bool isPlace(const Patch& patch) {
-  return (patch.path == "position" || patch.path == "target") && patch.value->is_object() &&
-         patch.value->contains("lat");
-}
-
 }  // namespace
 
-Names<Convention> presetConventions() {
-  Names<Convention> names;
-  for (const ConventionPreset& preset : conventionPresets()) names.emplace_back(preset.name, preset.convention);
+Names<ConventionPreset> presetChoices() {
+  Names<ConventionPreset> names;
+  for (const ConventionPreset& preset : conventionPresets()) names.emplace_back(preset.name, preset);
   return names;
 }
 
@@ -57,7 +45,7 @@ void CameraOptions::add(CLI::App& app) {
            "Camera file, or its JSON; #NAME picks one of several");
   addValue(app, "--viewport", "WxH", viewport_, readSize, "Size of the picture in pixels, as in 1920x1080");
   const auto lay = [this](const std::string&, const std::string& text) { patches_.push_back(setPatch(text)); };
-  addRepeatable(app, "--set", "FIELD=VALUE", lay, "Set a field, as in projection.fovY=75");
+  addOption(app, "--set", "FIELD=VALUE", lay, "Set a field, as in projection.fovY=75", true);
   for (const Field& field : kFields) {
     if (field.option.empty()) continue;
     const auto layField = [this, &field](const std::string&, const std::string& text) {
@@ -72,14 +60,13 @@ void CameraOptions::add(CLI::App& app) {
   app.add_flag("--ignore-distortion", ignoreDistortion_, "Ignore the distortion of the lens");
   app.option_defaults()->group(kConventionGroup);
   const auto chooseName = [](const std::string& option, const std::string& text) {
-    return std::string(choose(option, text, presets()).name);
+    return std::string(choose(option, text, presetChoices()).name);
   };
   addValue(app, "--read-as", "NAME", readAs_, chooseName, "Read a file that states no convention as NAME");
   app.option_defaults()->group("Options");
 }
 
 void CameraOptions::addFile(CLI::App& app) {
-  takesFile_ = true;
   addValue(app, "FILE", "", operand_, readFileName,
            "Camera file; absent or - for standard input, unless options give the camera")
       ->group(kCameraGroup);
@@ -87,7 +74,7 @@ void CameraOptions::addFile(CLI::App& app) {
 
 void CameraOptions::addConvention(CLI::App& app) {
   onlyReads_ = true;
-  addChoice(app, "--convention", "NAME", convention_, presets(), "")
+  addChoice(app, "--convention", "NAME", convention_, presetChoices(), "")
       ->description("Write in NAME; of a camera by options alone, also read them in it")
       ->group(kConventionGroup);
 }
@@ -105,23 +92,23 @@ void CameraOptions::addWriting(CLI::App& app) {
   app.option_defaults()->group("Options");
 }
 
-bool CameraOptions::hasField() const {
-  return std::any_of(patches_.begin(), patches_.end(), [](const Patch& patch) { return patch.isOption; });
-}
-
 std::optional<std::string> CameraOptions::file() const {
   if (camera_ && operand_) throw UsageError("-c gives the camera already; leave out one of it and " + *operand_);
-  const auto input = takesFile_ ? inputFile(*app_) : std::nullopt;
-  if (camera_ || input) return camera_ ? camera_ : input;
-  if (!hasField()) throw UsageError("a camera is needed: -c FILE, or options such as --position, --target and --fov-y");
+  if (camera_) return camera_;
+  if (const auto input = fileIsCamera(*app_) ? inputFile(*app_) : std::nullopt) return input;
+  if (std::none_of(patches_.begin(), patches_.end(), [](const Patch& patch) { return patch.isOption; }))
+    throw UsageError("a camera is needed: -c FILE, or options such as --position, --target and --fov-y");
   return std::nullopt;
 }
 
 CameraPatches CameraOptions::patches(bool isTyped) const {
   CameraPatches all{readAs_.value_or(""), patches_};
   // Options are read as they are written; but a place makes the world right-handed.
-  if (isTyped && !readAs_ && convention_ &&
-      (convention_->convention.world == Handedness::right || std::none_of(patches_.begin(), patches_.end(), isPlace)))
+  const bool hasPlace = std::any_of(patches_.begin(), patches_.end(), [](const Patch& patch) {
+    return (patch.path == "position" || patch.path == "target") && patch.value->is_object() &&
+           patch.value->contains("lat");
+  });
+  if (isTyped && !readAs_ && convention_ && (convention_->convention.world == Handedness::right || !hasPlace))
     all.readAs = convention_->name;
   if (viewport_)
     for (const Patch& patch : viewportPatches(viewport_->width, viewport_->height)) all.patches.push_back(patch);

@@ -15,7 +15,7 @@
 namespace viewproj::cmd {
 
 /// The presets of conventions by name.
-Names<Convention> presetConventions();
+Names<ConventionPreset> presetChoices();
 
 /// The camera, how it is read, and the convention it is written in.
 class CameraOptions {
@@ -54,7 +54,6 @@ class CameraOptions {
  private:
   /// -c or FILE; nothing where options are the camera. Throws UsageError where there is none, or both.
   std::optional<std::string> file() const;
-  bool hasField() const;
   CameraPatches patches(bool isTyped) const;
 
   const CLI::App* app_ = nullptr;
@@ -64,7 +63,7 @@ class CameraOptions {
   std::optional<NdcZ> ndcZ_;
   std::optional<bool> reverseZ_;
   std::vector<Patch> patches_;  ///< of options and of --set, in their order
-  bool takesFile_ = false, takesAnyLens_ = false, onlyReads_ = false, allowStretch_ = false, ignoreDistortion_ = false;
+  bool takesAnyLens_ = false, onlyReads_ = false, allowStretch_ = false, ignoreDistortion_ = false;
 };
 
 }  // namespace viewproj::cmd

@@ -3,11 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "commands/command.hpp"
-#include "commands/options.hpp"
 #include "commands/pair_check.hpp"
 #include "commands/stream_options.hpp"
-#include "records/points.hpp"
-#include "stream/filter.hpp"
 #include "text/error.hpp"
 #include "text/file.hpp"
 #include "text/number.hpp"
@@ -17,23 +14,6 @@ namespace {
 
 /// Its exit status; 2 is that of all errors.
 enum : int { kAgree = 0, kDisagree = 1, kTrouble = 2 };
-
-class PairWork final : public RecordWork {
- public:
-  PairWork(PairCheck& check, const PointReading& reading) : check_(check), reading_(reading) {}
-
-  Layout find(const RecordParts& record) const override { return findPair(record, reading_); }
-  void add(const Layout& layout, const Numbers& numbers) override { pairs_.push_back(toPair(layout, numbers)); }
-  void read(std::size_t i, const Record&, std::size_t line) override {
-    check_.add(pairs_[i].point, pairs_[i].pixel, line);
-  }
-  void clear() override { pairs_.clear(); }
-
- private:
-  PairCheck& check_;
-  const PointReading& reading_;
-  std::vector<Pair> pairs_;
-};
 
 /// Explanations as sections with their sentences, and what to know of them.
 OrderedJson forPeople(OrderedJson report) {
@@ -87,7 +67,9 @@ int runCheck(const CheckOptions& o) {
   o.stream.settleOnEarth(setup, file.worldIsEcef);
   PairCheck check(makeCamera(file), hypotheses(file.document, file.reading), o.within);
   const PointReading reading{.columns = setup.columns, .worldIsEcef = file.worldIsEcef};
-  const int status = readRecords(setup, [&] { return std::make_unique<PairWork>(check, reading); });
+  const int status = readEach(
+      setup, [&](const RecordParts& record) { return findPair(record, reading); }, toPair,
+      [&](const Pair& pair, const Record&, std::size_t line) { check.add(pair.point, pair.pixel, line); });
   if (check.records() == 0) throw InputError(shownName(setup.file) + ": has no pairs of a point and a pixel");
   const OrderedJson report = check.report();
   o.report.write(o.report.form() == ReportForm::table ? forPeople(report) : report);

@@ -2,11 +2,16 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <unordered_set>
 
+#include "camera/fields.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
 #include "text/layout.hpp"
 #include "text/names.hpp"
+#include "text/number.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -19,17 +24,16 @@ class Help final : public CLI::Formatter {
     label("Positionals", "Arguments");
   }
 
-  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode) const override {
     std::string out = wrapped(app->get_description(), terminalWidth()) + "\n";
-    out += app->get_subcommands({}).empty() ? make_usage(app, name) : "Usage: " + name + " COMMAND [options] [FILE]\n";
-    out += make_positionals(app);
+    out += make_usage(app, name) + make_positionals(app);
     for (const bool isShared : {false, true})
       for (const std::string& group : app->get_groups())
         if (namesTopic(group) == isShared)
           out += make_group(group, false, app->get_options([&group](const CLI::Option* option) {
             return option->get_group() == group && option->nonpositional();
           }));
-    return out + make_subcommands(app, mode) + "\n" + make_footer(app);
+    return out + "\n" + make_footer(app);
   }
 
   std::string make_group(std::string group, bool isPositional, std::vector<const CLI::Option*> options) const override {
@@ -48,11 +52,6 @@ class Help final : public CLI::Formatter {
     const std::string& form = option->get_option_text();
     const std::string name = "  " + make_option_name(option, isPositional) + (form.empty() ? "" : " " + form);
     return entry(name, std::min(kColumn, terminalWidth() * 3 / 8), option->get_description(), terminalWidth());
-  }
-
-  std::string make_subcommand(const CLI::App* command) const override {
-    constexpr std::size_t kNames = 15;
-    return entry("  " + command->get_name(), kNames, command->get_description(), terminalWidth());
   }
 
  private:
@@ -82,6 +81,21 @@ void requireValues(const CLI::App& app, std::span<const std::string> arguments) 
   }
 }
 
+/// The file of an option or operand; nothing where it is not given.
+std::optional<std::string> fileOf(const CLI::App& app, std::string_view name) {
+  const CLI::Option* const option = app.get_option_no_throw(std::string(name));
+  if (!option || option->count() == 0) return std::nullopt;
+  return readFileName("", option->results().front());
+}
+
+std::vector<double> readNumbers(const std::string& option, const std::string& text, std::size_t fewest,
+                                std::size_t most, const std::string& form) {
+  auto numbers = parseNumberList(text);
+  if (!numbers || numbers->size() < fewest || numbers->size() > most)
+    throw UsageError(option + " " + text + ": expected " + form);
+  return std::move(*numbers);
+}
+
 }  // namespace
 
 void prepare(CLI::App& app) {
@@ -93,8 +107,6 @@ void prepare(CLI::App& app) {
       ->option_text("FILE");
   app.add_flag_callback("--quiet", silenceNotes, "Do not write notes on standard error");
 }
-
-std::string commandName(const CLI::App& app) { return app.get_name().substr(app.get_name().rfind(' ') + 1); }
 
 std::string optionHelp(const CLI::Option* option) { return Help().make_option(option, false); }
 
@@ -120,30 +132,61 @@ void parse(CLI::App& app, std::span<const std::string> arguments,
   throw UsageError(message);
 }
 
-CLI::Option* addOption(CLI::App& app, const std::string& names, const std::string& form, TakeText take,
-                       const std::string& help) {
+bool fileIsCamera(const CLI::App& app) {
+  const CLI::Option* const file = app.get_option_no_throw("FILE");
+  return file && file->get_group() == kCameraGroup;
+}
+
+std::optional<std::string> inputFile(const CLI::App& app) {
+  if (auto file = fileOf(app, "FILE")) return file;
+  if (!app.get_option_no_throw("FILE")) return std::nullopt;
+  const auto isGiven = [&](std::string_view name) { return !name.empty() && fileOf(app, name).has_value(); };
+  bool hasInput = false;
+  if (fileIsCamera(app)) {
+    hasInput = isGiven("--camera") || isGiven("--orthographic");
+    for (const Field& field : kFields) hasInput = hasInput || isGiven(field.option);
+  } else {
+    for (const char* const name : {"--point", "--pixel", "--sphere", "--box"}) hasInput = hasInput || isGiven(name);
+    // A ray hits the scene; draw and fit work on it.
+    hasInput = hasInput || (isGiven("--scene") && !app.get_option_no_throw("--all-hits"));
+  }
+  return hasInput ? std::nullopt : std::optional<std::string>("-");
+}
+
+void requireOneStandardInput(const CLI::App& app) {
+  std::string first;
+  const auto add = [&](const std::optional<std::string>& file, const std::string& what) {
+    if (!file || (*file != "-" && !file->starts_with("-#"))) return;
+    if (!first.empty()) throw UsageError(first + " and " + what + " cannot both come from standard input");
+    first = what;
+  };
+  add(fileOf(app, "--camera"), "the camera");
+  if (fileIsCamera(app)) add(inputFile(app), "the camera");
+  add(fileOf(app, "--model"), "the model");
+  add(fileOf(app, "--scene"), "the scene");
+  if (!fileIsCamera(app)) add(inputFile(app), "the records");
+}
+
+CLI::Option* addOption(CLI::App& app, const std::string& names, const std::string& form,
+                       std::function<void(const std::string& option, const std::string& text)> take,
+                       const std::string& help, bool isRepeatable) {
   const std::string longName = names.substr(names.rfind(',') + 1);
   const CLI::callback_t takeAll = [longName, take = std::move(take)](const CLI::results_t& texts) {
     for (const std::string& text : texts) take(longName, text);
     return true;
   };
-  return app.add_option(names, takeAll, help)->option_text(form);
+  CLI::Option* const option = app.add_option(names, takeAll, help + (isRepeatable ? "; repeatable" : ""));
+  if (isRepeatable) option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  return option->option_text(form);
 }
 
-CLI::Option* addRepeatable(CLI::App& app, const std::string& names, const std::string& form, TakeText take,
-                           const std::string& help) {
-  return addOption(app, names, form, std::move(take), help + "; repeatable")
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-}
-
-void takeEnding(CLI::App& app, std::span<const FormRow<std::size_t>> rows, std::function<void(std::size_t)> take) {
-  const std::vector<FormRow<std::size_t>> forms(rows.begin(), rows.end());
-  app.get_option("--output")->each([&app, forms, take = std::move(take)](const std::string& file) {
+void takeEnding(CLI::App& app, std::vector<FormRow<std::size_t>> rows, std::function<void(std::size_t form)> take) {
+  app.get_option("--output")->each([&app, rows = std::move(rows), take = std::move(take)](const std::string& file) {
     const CLI::Option* const to = app.get_option_no_throw("--to");
     if (to && to->count() > 0) return;
     const std::string_view ending = endingOf(file);
     std::vector<std::string_view> names;
-    for (const FormRow<std::size_t>& row : forms) {
+    for (const FormRow<std::size_t>& row : rows) {
       if (isEnding(ending, row.endings)) return take(row.form);
       names.push_back(row.name);
     }
@@ -154,8 +197,119 @@ void takeEnding(CLI::App& app, std::span<const FormRow<std::size_t>> rows, std::
 }
 
 void addOnlyForm(CLI::App& app, std::string_view name, std::string_view endings) {
-  const FormRow<std::size_t> row{name, 0, endings};
-  takeEnding(app, {&row, 1}, [](std::size_t) {});
+  takeEnding(app, {{name, 0, endings}}, [](std::size_t) {});
+}
+
+std::string readFileName(const std::string&, const std::string& text) {
+  for (const std::string_view name : {"/dev/stdin", "/dev/fd/0", "/proc/self/fd/0"})
+    if (text.starts_with(name) && (text.size() == name.size() || text[name.size()] == '#'))
+      return "-" + text.substr(name.size());
+  return text;
+}
+
+void failUnknown(const std::string& option, std::string_view name, std::span<const std::string_view> known) {
+  throw UsageError(option + ": '" + std::string(name) + "' is not known" + suggestion(name, known));
+}
+
+std::string withNames(std::string_view help, std::span<const std::string_view> names, std::string_view otherwise) {
+  const std::size_t end = std::min(help.find(';'), help.size());
+  std::string text = std::string(help.substr(0, end)) + ": " + joined(names);
+  if (!otherwise.empty()) text += " (default: " + std::string(otherwise) + ")";
+  return text + std::string(help.substr(end));
+}
+
+std::vector<std::string> splitNames(const std::string& option, const std::string& text) {
+  std::vector<std::string> names;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', at), text.size());
+    names.push_back(text.substr(at, comma - at));
+    at = comma + 1;
+  }
+  std::unordered_set<std::string_view> seen;
+  for (const std::string& name : names)
+    if (!seen.insert(name).second) throw UsageError(option + ": " + name + " is named twice");
+  return names;
+}
+
+std::function<std::size_t(const std::string&, const std::string&)> wholeNumber(std::size_t least, std::size_t most) {
+  return [least, most](const std::string& option, const std::string& text) {
+    std::size_t number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (end != text.data() + text.size() || error != std::errc() || number < least || number > most)
+      throw UsageError(option + " " + text + ": expected a whole number from " + std::to_string(least) + " to " +
+                       std::to_string(most));
+    return number;
+  };
+}
+
+std::function<double(const std::string&, const std::string&)> numberThat(bool (*isGood)(double),
+                                                                         const std::string& expected) {
+  return [isGood, expected](const std::string& option, const std::string& text) {
+    const auto number = parseNumber(text);
+    if (!number || !isGood(*number)) throw UsageError(option + " " + text + ": expected " + expected);
+    return *number;
+  };
+}
+
+Size readSize(const std::string& option, const std::string& text) {
+  const std::size_t x = std::min(text.find_first_of("xX"), text.size() - 1);
+  const auto width = parseNumber(text.substr(0, x)), height = parseNumber(text.substr(x + 1));
+  if (!width || !height || !(*width > 0 && *height > 0))
+    throw UsageError(option + " " + text + ": expected WIDTHxHEIGHT, as in 1920x1080");
+  return {*width, *height};
+}
+
+std::function<std::vector<double>(const std::string&, const std::string&)> numberList(const char* form) {
+  return [form](const std::string& option, const std::string& text) {
+    return readNumbers(option, text, 1, SIZE_MAX, form);
+  };
+}
+
+Vec2 readPixelPosition(const std::string& option, const std::string& text) {
+  const std::vector<double> n = readNumbers(option, text, 2, 2, "X,Y");
+  return {n[0], n[1]};
+}
+
+std::vector<double> readPixelNumbers(const std::string& option, const std::string& text) {
+  return readNumbers(option, text, 2, 3, "X,Y or X,Y,DEPTH");
+}
+
+CLI::Option* addModel(CLI::App& app, std::optional<std::string>& model, const std::string& help) {
+  return addValue(app, "--model", "FILE", model, readFileName,
+                  help + ": 4 rows of a matrix, or {translation, rotation, scale}; a file, or its JSON");
+}
+
+CLI::Option* addScene(CLI::App& app, std::optional<std::string>& scene, const std::string& help) {
+  return addValue(app, "--scene", "FILE", scene, readFileName, help + ": a scene file, or its JSON");
+}
+
+void addDigits(CLI::App& app, std::optional<std::size_t>& digits, const std::string& otherwise) {
+  addValue(app, "--digits", "N", digits, wholeNumber(1, kMostDigits),
+           "Significant digits, 1 to " + std::to_string(kMostDigits) + " (default: " + otherwise + ")");
+}
+
+void addPrecision(CLI::App& app, Precision& precision) {
+  static constexpr std::pair<std::string_view, Precision> kNames[] = {{"exact", Precision::exact},
+                                                                      {"standard", Precision::standard}};
+  addChoice(app, "--precision", "MODE", precision, rowsOf(kNames), "Arithmetic");
+}
+
+void ReportOptions::add(CLI::App& app, int tableDigits) {
+  static constexpr FormRow<ReportForm> kForms[] = {
+      {"table", ReportForm::table, ".txt"}, {"json", ReportForm::json, ".json"}, {"csv", ReportForm::csv, ".csv"}};
+  addForm(app, form_, std::span<const FormRow<ReportForm>>(kForms), "Output format");
+  addDigits(app, digits_, "all in JSON and CSV, " + std::to_string(tableDigits) + " in a table");
+  tableDigits_ = tableDigits;
+}
+
+void ReportOptions::write(const OrderedJson& report, const char* rows) const {
+  const int usual = form_ == ReportForm::table ? tableDigits_ : 0, digits = static_cast<int>(digits_.value_or(usual));
+  if (form_ == ReportForm::table)
+    writeOutput(tableText(report, digits));
+  else if (form_ == ReportForm::json)
+    writeOutput(jsonText(report, digits) + "\n");
+  else
+    writeOutput(csvText(*rows ? report.at(rows) : report, digits));
 }
 
 }  // namespace viewproj::cmd

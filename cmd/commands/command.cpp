@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "commands/cli.hpp"
-#include "commands/standard_input.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
@@ -30,35 +29,29 @@ constexpr Command kCommands[] = {
     {"help", "help on a command or on one of the topics below", declareHelp},
 };
 
-/// Options that no command has: those that left, and those that people expect. What does their work.
+/// Options that no command has, because they left or were never there, and what does their work.
 struct Advice {
-  std::string_view option, text;
+  std::string_view options, text;
 };
 constexpr Advice kAdvice[] = {
     {"--bits", "depth lists 16, 24 and 32 bits side by side"},
     {"--bound", "use --fields bound"},
-    {"--clipped", "--pixel X,Y,0 and X,Y,1 give the points on near and far; choose hits by their distance"},
-    {"--column-major", "--convention NAME chooses rows or columns (viewproj help conventions)"},
+    {"--clipped --ray-from", "--pixel X,Y,0 and X,Y,1 give the points on near and far"},
+    {"--column-major --row-major", "--convention NAME chooses rows or columns (viewproj help conventions)"},
     {"--comment", "remove comment lines first, as with grep -v '^#'"},
-    {"--corners", "viewproj info FILE has the corners"},
+    {"--corners --planes", "viewproj info FILE has the planes and corners"},
     {"--decimal", "replace decimal commas first, as with tr , ."},
     {"--exact", "the intervals of near and far follow the digits as written"},
     {"--first-line", "messages count lines from the start of the input"},
     {"--force", "pipe the output, as in --to f64 | cat"},
     {"--format", "make the file a camera file with jq: samples/cameras-from-elsewhere has recipes"},
-    {"--gap", "the table has the gap at each distance"},
+    {"--gap --resolve", "the table has the gap at each distance"},
     {"--list", "viewproj info FILE lists the cameras"},
-    {"--planes", "viewproj info FILE has the planes"},
-    {"--ray-from", "--pixel X,Y,0 gives the point on near"},
-    {"--reading", "use --read-as NAME"},
-    {"--resolve", "the table has the gap at each distance"},
-    {"--row-major", "--convention NAME chooses rows or columns (viewproj help conventions)"},
+    {"--reading --world", "use --read-as NAME"},
     {"--seconds", "measure chooses how long it runs"},
     {"--tolerance", "use --precision standard, and --fields bound for its error"},
     {"--type", "a camera is written in the form in which it was read"},
-    {"--world", "use --read-as NAME"},
-    {"--y-up", "--up X,Y,Z is up in the camera's world; matrix --map changes the axes of a world"},
-    {"--z-up", "--up X,Y,Z is up in the camera's world; matrix --map changes the axes of a world"},
+    {"--y-up --z-up", "--up X,Y,Z is up in the camera's world; matrix --map changes the axes of a world"},
 };
 
 /// A command with its options.
@@ -77,16 +70,15 @@ std::string adviceOn(const std::string& argument, const CLI::App& app) {
   const std::string name = argument.substr(0, argument.find('='));
   if (!name.starts_with('-')) {
     const CLI::Option* const camera = app.get_option_no_throw("--camera");
-    const CLI::Option* const file = app.get_option_no_throw("FILE");
-    const bool fileIsCamera = file && file->get_group() == kCameraGroup;
-    return camera && camera->empty() && !fileIsCamera ? "; -c FILE gives the camera" : "";
+    return camera && camera->empty() && !fileIsCamera(app) ? "; -c FILE gives the camera" : "";
   }
   std::vector<std::string_view> owners;
   for (const Command& command : kCommands)
     if (Declared(command).app.get_option_no_throw(name)) owners.push_back(command.name);
   if (!owners.empty()) return "; it is an option of " + together(owners);
   for (const Advice& advice : kAdvice)
-    if (advice.option == name) return "; " + std::string(advice.text);
+    if ((" " + std::string(advice.options) + " ").find(" " + name + " ") != std::string::npos)
+      return "; " + std::string(advice.text);
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options())
     for (const std::string& each : option->get_lnames()) names.push_back("--" + each);

@@ -1,5 +1,4 @@
-// The commands of the tool. To add one: a file beside this one, a row in command.cpp, and one in standard_input.cpp
-// where it reads a FILE.
+// The commands of the tool. To add one: a file beside this one, its declaration here and a row in command.cpp.
 #pragma once
 
 #include <functional>
@@ -34,6 +33,9 @@ int runCommand(const Command& command, std::span<const std::string> arguments);
 
 /// COMMAND --help.
 std::string helpOf(const Command& command);
+
+/// viewproj help: the commands and topics, a line each.
+std::string overview();
 
 Action declareProject(CLI::App& app);
 Action declareRay(CLI::App& app);

@@ -8,7 +8,6 @@
 
 #include "commands/camera_options.hpp"
 #include "commands/command.hpp"
-#include "commands/options.hpp"
 #include "numbers/wide.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"

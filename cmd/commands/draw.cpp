@@ -1,15 +1,11 @@
 // viewproj draw: an SVG of what the camera sees.
 #include <CLI/CLI.hpp>
 
-#include "commands/cli.hpp"
 #include "commands/command.hpp"
-#include "commands/options.hpp"
 #include "commands/picture.hpp"
 #include "commands/stream_options.hpp"
 #include "output/output_file.hpp"
-#include "records/points.hpp"
 #include "records/scene.hpp"
-#include "stream/filter.hpp"
 #include "text/csv.hpp"
 #include "text/error.hpp"
 #include "text/json_text.hpp"
@@ -36,54 +32,29 @@ std::string labelOf(const Record& record, std::size_t number) {
   return std::to_string(number);
 }
 
-class DrawWork final : public RecordWork {
- public:
-  DrawWork(Picture& picture, const PointReading& reading) : picture_(picture), reading_(reading) {}
+using Drawn = std::variant<Vec4, std::array<Vec3, 2>, Sphere, Box, Triangle>;
 
-  Layout find(const RecordParts& record) const override { return findPoint(record, reading_); }
-
-  void add(const Layout& layout, const Numbers& n) override {
-    if (!isPoint(layout) && !hasDepth(picture_.camera().projection()))
-      throw RecordError(0, "a shape needs a camera with near; --near gives it");
-    if (isSegment(layout))
-      drawn_.push_back(std::array{Vec3{n[0], n[1], n[2]}, Vec3{n[3], n[4], n[5]}});
-    else if (isPoint(layout))
-      drawn_.push_back(toPoint(layout, n));
-    else
-      std::visit([&](const auto& shape) { keep(shape); }, toShape(layout, n));
-  }
-
-  void read(std::size_t i, const Record& record, std::size_t /*line*/) override {
-    const std::string label = labelOf(record, ++count_);
-    std::visit([&](const auto& what) { picture_.add(label, what); }, drawn_[i]);
-  }
-
-  void clear() override { drawn_.clear(); }
-
- private:
-  void keep(const Vec3&) {}  // points have been kept, whole
-  template <class Shape>
-  void keep(const Shape& shape) {
-    drawn_.push_back(shape);
-  }
-
-  Picture& picture_;
-  const PointReading& reading_;
-  std::vector<std::variant<Vec4, std::array<Vec3, 2>, Sphere, Box, Triangle>> drawn_;
-  std::size_t count_ = 0;
-};
+Drawn toDraw(const Layout& layout, const Numbers& n) {
+  if (isPoint(layout)) return toPoint(layout, n);
+  if (isSegment(layout)) return std::array{Vec3{n[0], n[1], n[2]}, Vec3{n[3], n[4], n[5]}};
+  return std::visit(
+      [](const auto& shape) -> Drawn {
+        if constexpr (requires { shape.x; })
+          return Vec4{shape.x, shape.y, shape.z, 1};
+        else
+          return shape;
+      },
+      toShape(layout, n));
+}
 
 /// Planes have no outline.
-void draw(Picture& picture, const SceneObject& object) {
+void drawObject(Picture& picture, const SceneObject& object) {
   const std::string label = labelOfJson(object.id);
   std::visit(
       [&](const auto& shape) {
-        // cppcheck-suppress constStatement
-        constexpr bool isEarth = requires { shape.height; };
-        constexpr bool hasOutline = requires { picture.add(label, shape); };
-        if constexpr (isEarth)
+        if constexpr (requires { shape.height; })
           picture.add(label, Ellipsoid{kWgs84.equatorial + shape.height, kWgs84.polar + shape.height});
-        else if constexpr (hasOutline)
+        else if constexpr (requires { picture.add(label, shape); })
           picture.add(label, shape);
       },
       object.shape);
@@ -113,11 +84,21 @@ int runDraw(const DrawOptions& o) {
   if (o.scene) {
     requireNear(file, "--scene");
     scene = readScene(*o.scene, file.worldIsEcef);
-    for (const SceneObject& object : scene) draw(picture, object);
+    for (const SceneObject& object : scene) drawObject(picture, object);
   }
   const PointReading reading{
       .columns = setup.columns, .worldIsEcef = file.worldIsEcef, .segments = true, .shapes = true};
-  const int status = reads ? readRecords(setup, [&] { return std::make_unique<DrawWork>(picture, reading); }) : 0;
+  std::size_t count = 0;
+  const auto make = [&](const Layout& layout, const Numbers& numbers) {
+    if (!isPoint(layout) && !hasDepth(*file.projection))
+      throw RecordError(0, "a shape needs a camera with near; --near gives it");
+    return toDraw(layout, numbers);
+  };
+  const auto draw = [&](const Drawn& drawn, const Record& record, std::size_t) {
+    const std::string label = labelOf(record, ++count);
+    std::visit([&](const auto& what) { picture.add(label, what); }, drawn);
+  };
+  const int status = reads ? readEachPoint(setup, reading, make, draw) : 0;
   for (const Vec2& pixel : o.pixels)
     picture.addPixel(
         o.scene ? hitLabel(picture.camera(), pixel, scene) : formatNumber(pixel.x) + ", " + formatNumber(pixel.y),

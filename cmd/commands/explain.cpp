@@ -1,5 +1,8 @@
-#include "commands/explain.hpp"
-
+// viewproj explain: every stage of one point or pixel.
+//
+// Each step's value is the double nearest the true one, and its formula names what it is made of: numbers of steps
+// above it, and entries of the matrices beside them, as the convention writes them on paper. The result is what
+// `project` and `ray` give.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -9,7 +12,6 @@
 #include "camera/read_camera.hpp"
 #include "commands/camera_options.hpp"
 #include "commands/command.hpp"
-#include "commands/options.hpp"
 #include "output/results.hpp"
 #include "records/arguments.hpp"
 #include "records/model.hpp"
@@ -24,9 +26,11 @@ namespace {
 
 /// Names of numbers to be multiplied, perhaps after "-".
 using Term = std::vector<std::string>;
-using Names3 = std::array<std::string, 3>;
+using Notes = std::array<std::string, 3>;
 
-Names3 components(const std::string& name) { return {name + ".x", name + ".y", name + ".z"}; }
+const std::string kAxes[] = {".x", ".y", ".z"};
+
+std::vector<std::string> components(const std::string& name) { return {name + ".x", name + ".y", name + ".z"}; }
 
 /// The steps as they grow, and the numbers by name.
 class Steps {
@@ -46,8 +50,7 @@ class Steps {
   void given(const std::string& name, double value, const std::string& note = "") { step(name, "", value, note); }
 
   void vector(const std::string& name, const Vec3& value, const std::string& note = "") {
-    const Names3 names = components(name);
-    for (std::size_t i = 0; i < 3; ++i) given(names[i], value[i], i == 0 ? note : "");
+    for (std::size_t i = 0; i < 3; ++i) given(name + kAxes[i], value[i], i == 0 ? note : "");
   }
 
   void sum(const std::string& name, const std::vector<Term>& terms, double value, std::string note = "") {
@@ -58,7 +61,7 @@ class Steps {
       double size = 1;
       std::string product;
       for (std::size_t i = minus ? 1 : 0; i < term.size(); ++i) {
-        size *= std::fabs(valueOf(term[i]));
+        size *= std::fabs(values_.at(term[i]));
         product += (product.empty() ? "" : "*") + term[i];
       }
       sizes += size;
@@ -71,6 +74,12 @@ class Steps {
                                             : lost == 1 ? std::string("1 digit cancels")
                                                         : formatNumber(lost) + " digits cancel");
     step(name, formula, value, note);
+  }
+
+  /// The components of a vector. terms(i): of component i, whose name ends in kAxes[i].
+  template <class Terms>
+  void sums(const std::string& name, const Vec3& value, const Terms& terms, const Notes& notes = {}) {
+    for (std::size_t i = 0; i < 3; ++i) sum(name + kAxes[i], terms(i), value[i], notes[i]);
   }
 
   void step(const std::string& name, const std::string& formula, double value, const std::string& note = "") {
@@ -89,7 +98,7 @@ class Steps {
     std::vector<Term> terms;
     for (std::size_t j = 0; j < vector.size(); ++j) {
       const std::string name = rows_ ? entry(matrix, j, row) : entry(matrix, row, j);
-      if (vector[j].empty() || valueOf(name) == 0) continue;
+      if (vector[j].empty() || values_.at(name) == 0) continue;
       terms.push_back(vector[j] == "1" ? Term{name} : rows_ ? Term{vector[j], name} : Term{name, vector[j]});
     }
     return terms;
@@ -107,8 +116,6 @@ class Steps {
     return matrix + "[" + std::to_string(row) + "][" + std::to_string(column) + "]";
   }
 
-  double valueOf(const std::string& name) const { return values_.at(name); }
-
   bool rows_;
   Convention convention_;
   std::string stage_;
@@ -121,15 +128,15 @@ Vec3 xyz(const Vec4& v) { return {v.x, v.y, v.z}; }
 bool isBack(const Convention& c) { return c.view == ViewAxes::RUB; }
 bool isDown(const Convention& c) { return c.view == ViewAxes::RDF; }
 
-/// World to view without the eye, which is subtracted before.
-Mat4 rotationOf(const Camera& camera, const Convention& convention) {
-  return matrix(cameraIn(convention, relativeToEye(camera.pose())), Space::view, Space::world);
+/// World to view, or back, without the eye, which is subtracted before.
+Mat4 rotationOf(const Camera& camera, const Convention& convention, Space to, Space from) {
+  return matrix(cameraIn(convention, relativeToEye(camera.pose())), to, from);
 }
 
 /// In world coordinates, after the model and the division by the weight.
 Vec3 placePoint(Steps& steps, const Vec4& point, const std::optional<Mat4>& model) {
   const bool isWeighted = point.w != 0 && point.w != 1;
-  Vec3 world{point.x, point.y, point.z};
+  Vec3 world = xyz(point);
   steps.stage("world");
   if (!model && !isWeighted) {
     steps.vector("world", world, point.w == 0 ? "a direction" : "the point");
@@ -139,42 +146,41 @@ Vec3 placePoint(Steps& steps, const Vec4& point, const std::optional<Mat4>& mode
   steps.given("point.w", point.w, point.w == 0 ? "a direction" : "");
   std::string name = "point";
   if (model) {
-    const Vec4 placed = toWorld(*model, point);
-    world = {placed.x, placed.y, placed.z};
+    world = xyz(toWorld(*model, point));
     name = isWeighted ? "placed" : "world";
     steps.matrix("model", *model);
-    const Names3 names = components(name);
-    for (std::size_t i = 0; i < 3; ++i)
-      steps.sum(names[i], steps.product("model", i, {"point.x", "point.y", "point.z", "point.w"}), world[i]);
+    steps.sums(name, world, [&](std::size_t i) {
+      return steps.product("model", i, {"point.x", "point.y", "point.z", "point.w"});
+    });
   }
-  if (!isWeighted) return world;
-  const Names3 names = components("world"), from = components(name);
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; isWeighted && i < 3; ++i) {
     world[i] /= point.w;
-    steps.step(names[i], from[i] + " / point.w", world[i]);
+    steps.step("world" + kAxes[i], name + kAxes[i] + " / point.w", world[i]);
   }
   return world;
 }
 
-void explainView(Steps& steps, const Camera& camera, const Convention& convention, const Vec3& world, const Vec4& point,
+void explainView(Steps& steps, const Camera& camera, const Convention& c, const Vec3& world, const Vec4& point,
                  double viewDistance) {
   const bool isDirection = point.w == 0;
-  const Vec3 eye = camera.pose().eye(), view = xyz(worldTo(camera, Space::view, point, convention));
+  const Vec3 eye = isDirection ? Vec3{} : camera.pose().eye();
   steps.stage("relative");
   if (!isDirection) steps.vector("eye", eye);
-  const Names3 relative = components("relative"), worlds = components("world"), eyes = components("eye");
-  for (std::size_t i = 0; i < 3; ++i)
-    isDirection ? steps.sum(relative[i], {{worlds[i]}}, world[i], i == 0 ? "a direction has no place" : "")
-                : steps.sum(relative[i], {{worlds[i]}, {"-", eyes[i]}}, world[i] - eye[i]);
+  steps.sums("relative", {world.x - eye.x, world.y - eye.y, world.z - eye.z},
+             [&](std::size_t i) {
+               std::vector<Term> terms{{"world" + kAxes[i]}};
+               if (!isDirection) terms.push_back({"-", "eye" + kAxes[i]});
+               return terms;
+             },
+             {isDirection ? "a direction has no place" : ""});
   steps.stage("view");
-  steps.matrix("V", rotationOf(camera, convention));
-  const Names3 views = components("view");
-  const char* const axes[] = {"right", isDown(convention) ? "down" : "up", isBack(convention) ? "back" : "forward"};
-  for (std::size_t i = 0; i < 3; ++i)
-    steps.sum(views[i], steps.product("V", i, {relative[0], relative[1], relative[2]}), view[i], axes[i]);
+  steps.matrix("V", rotationOf(camera, c, Space::view, Space::world));
+  steps.sums("view", xyz(worldTo(camera, Space::view, point, c)),
+             [&](std::size_t i) { return steps.product("V", i, components("relative")); },
+             {"right", isDown(c) ? "down" : "up", isBack(c) ? "back" : "forward"});
   steps.given("view.w", isDirection ? 0 : 1, isDirection ? "a direction" : "a point");
   if (!isDirection)
-    steps.sum("viewDistance", {isBack(convention) ? Term{"-", "view.z"} : Term{"view.z"}}, viewDistance,
+    steps.sum("viewDistance", {isBack(c) ? Term{"-", "view.z"} : Term{"view.z"}}, viewDistance,
               "along the viewing axis");
 }
 
@@ -182,29 +188,21 @@ void explainClip(Steps& steps, const Camera& camera, const Convention& c, const 
   const std::vector<std::string> view = {"view.x", "view.y", "view.z", "view.w"};
   steps.stage("clip");
   steps.matrix("P", matrix(cameraIn(c, {}, camera.projection()), Space::clip, Space::view));
-  steps.sum("clip.x", steps.product("P", 0, view), clip.x);
-  steps.sum("clip.y", steps.product("P", 1, view), clip.y);
-  steps.sum("clip.z", steps.product("P", 2, view), clip.z);
-  const char* const line = c.vectors == Vectors::row ? "column" : "row";
+  steps.sums("clip", xyz(clip), [&](std::size_t i) { return steps.product("P", i, view); });
+  const std::string line = c.vectors == Vectors::row ? "the fourth column" : "the fourth row";
   steps.sum("clip.w", steps.product("P", 3, view), clip.w,
-            std::string("the fourth ") + line +
-                (camera.projection().isOrthographic() ? " of P is 0 0 0 1: w stays what it is"
-                                                      : " of P makes w the distance along the view"));
-
+            line + (camera.projection().isOrthographic() ? " of P is 0 0 0 1: w stays what it is"
+                                                         : " of P makes w the distance along the view"));
   steps.stage("inequalities");
   const auto margin = [&](const char* side, char axis, double value, bool atLow) {
     const std::string coordinate = std::string("clip.") + axis;
     const bool isFromZero = axis == 'z' && atLow && c.ndcZ == NdcZ::zeroToOne;
     const double room = isFromZero ? value : atLow ? clip.w + value : clip.w - value;
+    const std::string bound = isFromZero ? " >= 0" : atLow ? " >= -w" : " <= w";
     steps.sum(std::string("margin.") + side,
               isFromZero ? std::vector<Term>{{coordinate}}
                          : std::vector<Term>{{"clip.w"}, atLow ? Term{coordinate} : Term{"-", coordinate}},
-              room,
-              axis +
-                  std::string(isFromZero ? " >= 0"
-                              : atLow    ? " >= -w"
-                                         : " <= w") +
-                  (room >= 0 ? ": inside" : ": outside"));
+              room, axis + bound + (room >= 0 ? ": inside" : ": outside"));
   };
   margin("left", 'x', clip.x, true);
   margin("right", 'x', clip.x, false);
@@ -216,19 +214,14 @@ void explainClip(Steps& steps, const Camera& camera, const Convention& c, const 
 
 void explainScreen(Steps& steps, const Camera& camera, const Convention& c, const Vec4& point, const ScreenPoint& p) {
   const Vec4 ndc = worldTo(camera, Space::ndc, point, c);
-  if (std::isnan(ndc.x)) {
-    steps.stage("ndc");
-    steps.given("ndc.x", ndc.x,
-                p.status == PointStatus::behind
-                    ? "w is not above 0: on or behind the plane through the eye, and nothing is divided"
-                    : "w is 0: a direction has no pixel in orthographic");
-    return;
-  }
-  const std::vector<std::string> vector = {"ndc.x", "ndc.y", "ndc.z", "1"};
   steps.stage("ndc");
-  steps.step("ndc.x", "clip.x / clip.w", ndc.x);
-  steps.step("ndc.y", "clip.y / clip.w", ndc.y);
-  steps.step("ndc.z", "clip.z / clip.w", ndc.z);
+  if (std::isnan(ndc.x))
+    return steps.given("ndc.x", ndc.x,
+                       p.status == PointStatus::behind
+                           ? "w is not above 0: on or behind the plane through the eye, and nothing is divided"
+                           : "w is 0: a direction has no pixel in orthographic");
+  for (std::size_t i = 0; i < 3; ++i) steps.step("ndc" + kAxes[i], "clip" + kAxes[i] + " / clip.w", xyz(ndc)[i]);
+  const std::vector<std::string> vector = {"ndc.x", "ndc.y", "ndc.z", "1"};
   steps.stage("screen");
   // Window depth is the camera's own, whatever is written: NDC z the other way round meets the range's other end.
   Viewport viewport = camera.viewport();
@@ -240,6 +233,19 @@ void explainScreen(Steps& steps, const Camera& camera, const Convention& c, cons
   steps.sum("depth", steps.product("S", 2, vector), p.depth,
             isExchanged ? "window depth; S exchanges its range, as the camera's reverseZ is not the one written"
                         : "window depth");
+}
+
+/// Focal lengths and principal point of a window whose y counts downwards.
+Intrinsics explainIntrinsics(Steps& steps, const Camera& camera) {
+  Intrinsics k = camera.intrinsics();
+  const bool isUpwards = camera.viewport().origin != Origin::topLeft;
+  if (isUpwards) k.fy = -k.fy;
+  steps.given("cx", k.cx, "where the viewing axis meets the screen");
+  steps.given("cy", k.cy);
+  steps.given("fx", k.fx,
+              camera.projection().isOrthographic() ? "pixels for a unit of length" : "pixels for a tangent of 1");
+  steps.given("fy", k.fy, isUpwards ? "screen y runs upwards" : "");
+  return k;
 }
 
 /// From view space straight to the pixel: a lens comes between, or there is no near and so no clip space.
@@ -266,54 +272,39 @@ void explainStraight(Steps& steps, const Camera& camera, const Vec3& view, const
     steps.given("lens.x", bent.x, "where the lens puts tangent.x, tangent.y");
     steps.given("lens.y", bent.y);
   }
-  const Names3 from = components(lens ? "lens" : "tangent");
-  const Intrinsics k = camera.intrinsics();
-  const bool isUpwards = camera.viewport().origin != Origin::topLeft;
+  const std::string from = lens ? "lens" : "tangent";
   steps.stage("screen");
-  steps.given("fx", k.fx,
-              hasDepth(camera.projection()) ? "" : "clip, NDC and depth need near, which this camera has not");
-  steps.given("fy", isUpwards ? -k.fy : k.fy, isUpwards ? "screen y runs upwards" : "");
-  steps.given("cx", k.cx);
-  steps.given("cy", k.cy);
-  steps.sum("screen.x", {{"cx"}, {"fx", from[0]}}, p.x);
-  steps.sum("screen.y", {{"cy"}, {"fy", from[1]}}, p.y);
+  (void)explainIntrinsics(steps, camera);
+  steps.sum("screen.x", {{"cx"}, {"fx", from + ".x"}}, p.x,
+            hasDepth(camera.projection()) ? "" : "clip, NDC and depth need near, which this camera has not");
+  steps.sum("screen.y", {{"cy"}, {"fy", from + ".y"}}, p.y);
   if (hasDepth(camera.projection())) steps.given("depth", p.depth, "window depth, as without the lens");
 }
 
 OrderedJson resultOf(const ScreenPoint& p) {
-  OrderedJson outside = OrderedJson::array();
   const Sides sides(p);
-  for (const std::string_view name : sides.names()) outside.push_back(name);
   return {{"screen", std::isnan(p.x) ? OrderedJson() : asJson(Vec2{p.x, p.y})},
           {"depth", p.depth},
           {"viewDistance", p.viewDistance},
           {"visible", p.visible()},
-          {"outside", outside}};
+          {"outside", std::vector(sides.names().begin(), sides.names().end())}};
 }
 
+/// window: where the pixel's ray meets the plane at distance 1, or in orthographic any, y downwards.
 void explainWindow(Steps& steps, const Camera& camera, const Vec2& pixel, const Vec2& window) {
-  const Intrinsics k = camera.intrinsics();
-  const bool isDownwards = camera.viewport().origin == Origin::topLeft;
   steps.stage("window");
   steps.given("pixel.x", pixel.x);
   steps.given("pixel.y", pixel.y);
-  steps.given("cx", k.cx, "where the viewing axis meets the screen");
-  steps.given("cy", k.cy);
-  steps.given("fx", k.fx,
-              camera.projection().isOrthographic() ? "pixels for a unit of length" : "pixels for a tangent of 1");
-  if (lensOf(camera)) {
-    const double fy = isDownwards ? k.fy : -k.fy;
-    steps.given("fy", fy, isDownwards ? "" : "screen y runs upwards");
-    steps.step("lens.x", "(pixel.x - cx) / fx", (pixel.x - k.cx) / k.fx, "right");
-    steps.step("lens.y", "(pixel.y - cy) / fy", (pixel.y - k.cy) / fy, "down");
-    steps.given("window.x", window.x,
-                std::isnan(window.x) ? "no point in front of the camera has this pixel"
-                                     : "right; the lens puts it at lens.x, lens.y");
-    return steps.given("window.y", window.y, "up");
-  }
-  steps.given("fy", isDownwards ? -k.fy : k.fy, isDownwards ? "screen y runs downwards" : "");
-  steps.step("window.x", "(pixel.x - cx) / fx", window.x, "right");
-  steps.step("window.y", "(pixel.y - cy) / fy", window.y, "up");
+  const Intrinsics k = explainIntrinsics(steps, camera);
+  const bool hasLens = lensOf(camera).has_value();
+  const Vec2 seen = hasLens ? Vec2{(pixel.x - k.cx) / k.fx, (pixel.y - k.cy) / k.fy} : window;
+  steps.step(hasLens ? "lens.x" : "window.x", "(pixel.x - cx) / fx", seen.x, "right");
+  steps.step(hasLens ? "lens.y" : "window.y", "(pixel.y - cy) / fy", seen.y, "down");
+  if (!hasLens) return;
+  steps.given("window.x", window.x,
+              std::isnan(window.x) ? "no point in front of the camera has this pixel"
+                                   : "right; the lens puts it at lens.x, lens.y");
+  steps.given("window.y", window.y, "down");
 }
 
 /// From a window depth along the ray to its point.
@@ -345,13 +336,13 @@ OrderedJson explainDepth(Steps& steps, const Camera& camera, const Vec2& pixel, 
     if (!isPoint) return nullptr;
   }
   steps.stage("point");
-  const Names3 points = components("point"), towards = components("toward"), origins = components("origin");
-  for (std::size_t i = 0; i < 3; ++i) steps.sum(points[i], {{origins[i]}, {"distance", towards[i]}}, at.position[i]);
+  steps.sums("point", at.position, [](std::size_t i) {
+    return std::vector<Term>{{"origin" + kAxes[i]}, {"distance", "toward" + kAxes[i]}};
+  });
   return asJson(at.position);
 }
 
-}  // namespace
-
+/// point: before the model matrix, if there is one. Throws InputError where that takes it out of the range of doubles.
 OrderedJson explainPoint(const Camera& camera, const Convention& convention, const Vec4& point,
                          const std::optional<Mat4>& model) {
   const Vec4 placed = model ? toWorld(*model, point) : point;
@@ -373,6 +364,7 @@ OrderedJson explainPoint(const Camera& camera, const Convention& convention, con
                                  resultOf(p));
 }
 
+/// Throws InputError for a depth that no point in front of the eye has.
 OrderedJson explainPixel(const Camera& camera, const Convention& convention, const Vec2& pixel,
                          std::optional<double> depth) {
   const bool orthographic = camera.projection().isOrthographic();
@@ -385,39 +377,36 @@ OrderedJson explainPixel(const Camera& camera, const Convention& convention, con
   const Vec3 at = screenToWorldAtDistance(centred, pixel, 1).position;
   const Vec3 toward = orthographic ? camera.pose().forward() : at;
   const Vec3 view = xyz(worldTo(centred, Space::view, {at.x, at.y, at.z, 1}, convention));
-  const double up = isDown(convention) ? -1 : 1;
+  const double down = isDown(convention) ? 1 : -1;
 
   Steps steps(convention);
-  explainWindow(steps, camera, pixel, {view.x, up * view.y});
+  explainWindow(steps, camera, pixel, {view.x, down * view.y});
   steps.stage("view");
   steps.sum("view.x", {{"window.x"}}, view.x);
-  steps.sum("view.y", {up < 0 ? Term{"-", "window.y"} : Term{"window.y"}}, view.y);
+  steps.sum("view.y", {down < 0 ? Term{"-", "window.y"} : Term{"window.y"}}, view.y);
   steps.given("view.z", isBack(convention) ? -1 : 1, isBack(convention) ? "z points back" : "z points forward");
   steps.stage("toward");
-  steps.matrix("W", matrix(cameraIn(convention, relativeToEye(camera.pose())), Space::world, Space::view));
-  const Names3 towards = components("toward"), origins = components("origin"), eyes = components("eye");
+  steps.matrix("W", rotationOf(camera, convention, Space::world, Space::view));
   const std::string x = orthographic ? "" : "view.x", y = orthographic ? "" : "view.y";
-  for (std::size_t i = 0; i < 3; ++i) steps.sum(towards[i], steps.product("W", i, {x, y, "view.z"}), toward[i]);
+  steps.sums("toward", toward, [&](std::size_t i) { return steps.product("W", i, {x, y, "view.z"}); });
   steps.stage("ray");
   steps.vector("eye", camera.pose().eye());
-  for (std::size_t i = 0; i < 3; ++i) {
-    std::vector<Term> terms{{eyes[i]}};
-    if (orthographic)
-      for (const Term& term : steps.product("W", i, {"view.x", "view.y", ""})) terms.push_back(term);
-    steps.sum(origins[i], terms, ray.origin[i]);
-  }
+  steps.sums("origin", ray.origin, [&](std::size_t i) {
+    std::vector<Term> terms;
+    if (orthographic) terms = steps.product("W", i, {"view.x", "view.y", ""});
+    terms.insert(terms.begin(), Term{"eye" + kAxes[i]});
+    return terms;
+  });
   steps.step("length", "sqrt(toward.x*toward.x + toward.y*toward.y + toward.z*toward.z)",
              std::hypot(toward.x, toward.y, toward.z));
-  const Names3 directions = components("direction");
-  for (std::size_t i = 0; i < 3; ++i) steps.step(directions[i], towards[i] + " / length", ray.direction[i]);
+  for (std::size_t i = 0; i < 3; ++i)
+    steps.step("direction" + kAxes[i], "toward" + kAxes[i] + " / length", ray.direction[i]);
   OrderedJson result{{"origin", asJson(ray.origin)}, {"direction", asJson(ray.direction)}};
   if (depth) result["point"] = explainDepth(steps, camera, pixel, *depth);
   OrderedJson given = asJson(pixel);
   if (depth) given.push_back(*depth);
   return std::move(steps).report("pixel", std::move(given), std::move(result));
 }
-
-namespace {
 
 struct ExplainOptions {
   CameraOptions camera;
@@ -426,20 +415,6 @@ struct ExplainOptions {
   std::optional<std::string> model;
   ReportOptions report;
 };
-
-/// For people a stage is named once.
-OrderedJson withoutRepeatedStages(OrderedJson report) {
-  OrderedJson stage;
-  for (OrderedJson& step : report["steps"]) {
-    if (step["stage"] == stage)
-      step["stage"] = "";
-    else
-      stage = step["stage"];
-    for (const char* name : {"formula", "note"})
-      if (step[name].is_null()) step[name] = "";
-  }
-  return report;
-}
 
 int runExplain(const ExplainOptions& o) {
   if (!o.point && !o.pixel) throw UsageError("expected --point X,Y,Z or --pixel X,Y[,DEPTH]: what to follow");
@@ -458,7 +433,11 @@ int runExplain(const ExplainOptions& o) {
     const std::vector<double>& n = *o.pixel;
     report = explainPixel(camera, convention, {n[0], n[1]}, n.size() > 2 ? std::optional(n[2]) : std::nullopt);
   }
-  if (o.report.form() == ReportForm::table) report = withoutRepeatedStages(std::move(report));
+  if (o.report.form() == ReportForm::table) {  // for people a stage is named once
+    OrderedJson& steps = report["steps"];
+    for (std::size_t i = steps.size() - 1; i > 0; --i)
+      if (steps[i]["stage"] == steps[i - 1]["stage"]) steps[i]["stage"] = nullptr;
+  }
   o.report.write(report, "steps");
   return 0;
 }

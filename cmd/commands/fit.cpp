@@ -3,12 +3,9 @@
 
 #include "commands/command.hpp"
 #include "commands/fitting.hpp"
-#include "commands/options.hpp"
 #include "commands/stream_options.hpp"
 #include "output/output_file.hpp"
-#include "records/points.hpp"
 #include "records/scene.hpp"
-#include "stream/filter.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
 
@@ -16,24 +13,6 @@ namespace viewproj::cmd {
 namespace {
 
 enum class Means { place, lens };
-
-class FitWork final : public RecordWork {
- public:
-  FitWork(Fitting& fitting, const PointReading& reading) : fitting_(fitting), reading_(reading) {}
-
-  Layout find(const RecordParts& record) const override { return findPoint(record, reading_); }
-
-  void add(const Layout& layout, const Numbers& n) override {
-    if (isSegment(layout))
-      for (const std::size_t end : {0u, 3u}) fitting_.add(Vec3{n[end], n[end + 1], n[end + 2]});
-    else
-      std::visit([&](const auto& shape) { fitting_.add(shape); }, toShape(layout, n));
-  }
-
- private:
-  Fitting& fitting_;
-  const PointReading& reading_;
-};
 
 void addScene(Fitting& fitting, const std::vector<SceneObject>& scene) {
   for (const SceneObject& object : scene)
@@ -79,9 +58,15 @@ int runFit(const FitOptions& o) {
   const PointReading reading{
       .columns = setup.columns, .worldIsEcef = file.worldIsEcef, .segments = true, .shapes = true, .radius = true};
   if (o.scene) addScene(fitting, readScene(*o.scene, file.worldIsEcef));
-  const int status = reads ? readRecords(setup, [&] { return std::make_unique<FitWork>(fitting, reading); }) : 0;
-  const bool byWindow = orthographic || o.by == Means::lens;
-  const Document fitted = byWindow ? fitting.byWindow() : fitting.byPlace();
+  const auto make = [](const Layout& layout, const Numbers& n) {
+    if (!isSegment(layout)) return std::vector{toShape(layout, n)};
+    return std::vector<CullShape>{Vec3{n[0], n[1], n[2]}, Vec3{n[3], n[4], n[5]}};
+  };
+  const auto add = [&](const std::vector<CullShape>& shapes, const Record&, std::size_t) {
+    for (const CullShape& shape : shapes) std::visit([&](const auto& one) { fitting.add(one); }, shape);
+  };
+  const int status = reads ? readEachPoint(setup, reading, make, add) : 0;
+  const Document fitted = orthographic || o.by == Means::lens ? fitting.byWindow() : fitting.byPlace();
   writeOutput(o.camera.written(readCamera(fitted, file.reading)));
   return status;
 }

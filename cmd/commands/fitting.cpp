@@ -14,20 +14,6 @@ using detail::DDVec3;
 using detail::toDoubleDouble;
 namespace {
 
-/// The camera where its eye is a position of the document, so that it can move and keep its axes.
-CameraFile withPosition(const CameraFile& file) { return readCamera(movedTo(file, file.pose->eye()), file.reading); }
-
-/// The window without a share of it on each side, and near and far out of the way.
-Camera withMargin(const CameraFile& file, double margin) {
-  const Projection& p = *file.projection;
-  const double x = margin * (p.right() - p.left()), y = margin * (p.top() - p.bottom());
-  const Projection window =
-      p.isOrthographic()
-          ? orthographic(p.left() + x, p.right() - x, p.bottom() + y, p.top() - y, p.zNear(), p.zFar())
-          : perspectiveWindow(p.left() + x, p.right() - x, p.bottom() + y, p.top() - y, kSmallestNumber, kInfiniteFar);
-  return makeCamera(*file.pose, window, *file.viewport, file.convention);
-}
-
 DDVec3 difference(const Vec3& a, const Vec3& b) { return toDoubleDouble(a) + -toDoubleDouble(b); }
 double along(const Vec3& normal, const DDVec3& v) { return dot(toDoubleDouble(normal), v).hi; }
 double along(const Vec3& normal, const Vec3& v) { return along(normal, toDoubleDouble(v)); }
@@ -36,17 +22,33 @@ double size(const Vec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(
 
 }  // namespace
 
+Fitting::Window Fitting::windowWithin(double margin) const {
+  const Projection& p = *file_.projection;
+  const double x = margin * (p.right() - p.left()), y = margin * (p.top() - p.bottom());
+  return {p.left() + x, p.right() - x, p.bottom() + y, p.top() - y};
+}
+
+// So that the eye can move and the axes stay, its position becomes a field of the document.
 Fitting::Fitting(const CameraFile& camera, double margin)
-    : file_(withPosition(camera)),
+    : file_(readCamera(movedTo(camera, camera.pose->eye()), camera.reading)),
       camera_(makeCamera(file_)),
       margin_(margin),
-      open_(viewFrustum(withMargin(file_, 0))) {
-  const auto normalOf = [](const FrustumPlane& plane) {
-    return Vec3{plane.equation.x, plane.equation.y, plane.equation.z};
+      open_(camera_) {
+  const Projection& p = *file_.projection;
+  // The margin taken off, and near and far out of the way.
+  const auto cameraWithin = [&](double share) {
+    const auto [left, right, bottom, top] = windowWithin(share);
+    return makeCamera(*file_.pose,
+                      p.isOrthographic() ? orthographic(left, right, bottom, top, p.zNear(), p.zFar())
+                                         : perspectiveWindow(left, right, bottom, top, kSmallestNumber, kInfiniteFar),
+                      *file_.viewport, file_.convention);
   };
-  const Frustum inner = viewFrustum(withMargin(file_, margin));
-  for (std::size_t i = 0; i < 4; ++i) sides_[i].normal = normalOf(inner.planes()[i]);
-  ahead_.normal = normalOf(inner.planes()[4]);
+  open_ = cameraWithin(0);
+  const Frustum inner = viewFrustum(cameraWithin(margin));
+  for (std::size_t i = 0; i < 5; ++i) {
+    const Vec4 plane = inner.planes()[i].equation;
+    (i < 4 ? sides_[i] : ahead_).normal = {plane.x, plane.y, plane.z};
+  }
 }
 
 void Fitting::add(const Sphere& sphere) {
@@ -57,12 +59,14 @@ void Fitting::add(const Sphere& sphere) {
   ahead_.room = std::min(ahead_.room, distance - sphere.radius - rounding);
   nearest_ = std::min(nearest_, distance - sphere.radius);
   farthest_ = std::max(farthest_, distance + sphere.radius);
-  const auto box = screenBox(open_.camera(), sphere);
+  const auto box = screenBox(open_, sphere);
   if (!box) return;
-  seen_.left = std::min(seen_.left, box->left);
-  seen_.right = std::max(seen_.right, box->right);
-  seen_.top = std::min({seen_.top, box->top, box->bottom});
-  seen_.bottom = std::max({seen_.bottom, box->top, box->bottom});
+  const Intrinsics k = camera_.intrinsics();
+  const double down = camera_.viewport().origin == Origin::topLeft ? 1 : -1;
+  seen_.left = std::min(seen_.left, (box->left - k.cx) / k.fx);
+  seen_.right = std::max(seen_.right, (box->right - k.cx) / k.fx);
+  seen_.bottom = std::min(seen_.bottom, down * (k.cy - box->bottom) / k.fy);
+  seen_.top = std::max(seen_.top, down * (k.cy - box->top) / k.fy);
 }
 
 void Fitting::add(const Box& box) {
@@ -134,47 +138,36 @@ Document Fitting::byWindow() const {
   return p.isOrthographic() ? orthographicAround() : openedPerspective();
 }
 
+double Fitting::rounding(double share) const {
+  const auto [left, right, bottom, top] = windowWithin(0);
+  const Intrinsics k = camera_.intrinsics();
+  return 0x1p-51 * (std::fabs(k.cx) / k.fx + std::fabs(k.cy) / k.fy +
+                    (1 + share) * (std::fabs(left) + std::fabs(right) + std::fabs(bottom) + std::fabs(top)));
+}
+
 Document Fitting::openedPerspective() const {
-  const Viewport& v = *file_.viewport;
-  const Intrinsics center = camera_.intrinsics();
-  const auto [first, last] = pictureCorners(v);
-  // What is off the axis counts to the next double: a screen box is rounded.
-  const auto factor = [](double end, double side, double middle) {
-    const double share = (end - middle) / (side - middle);
-    return share > 0 ? (std::nextafter(end, side < middle ? -HUGE_VAL : HUGE_VAL) - middle) / (side - middle) : share;
-  };
-  const double x = margin_ * v.width, y = margin_ * v.height;
-  const double top = std::min(first.y, last.y) + y, bottom = std::max(first.y, last.y) - y;
-  if (!(first.x + x < center.cx && center.cx < last.x - x && top < center.cy && center.cy < bottom))
+  const auto [left, right, bottom, top] = windowWithin(margin_);
+  if (!(left < 0 && 0 < right && bottom < 0 && 0 < top))
     throw InputError("the viewing axis lies outside the part of the picture to fill; --by fov opens the lens about it");
-  double k = std::max({factor(seen_.left, first.x + x, center.cx), factor(seen_.right, last.x - x, center.cx),
-                       factor(seen_.top, top, center.cy), factor(seen_.bottom, bottom, center.cy)});
+  double k = std::max({seen_.left / left, seen_.right / right, seen_.bottom / bottom, seen_.top / top});
   if (!(k > 0 && std::isfinite(k)))
     throw InputError("all of it lies on the viewing axis, or is one point: any lens shows it");
+  k += rounding(k) / std::min({-left, right, -bottom, top});
   // Lest the rounding of its angle leave some out.
-  const Projection& p = *file_.projection;
-  const double tangent = k * std::max({-p.left(), p.right(), -p.bottom(), p.top()});
+  const double tangent = k * std::max({-left, right, -bottom, top});
   k *= 1 + 0x1p-50 + 0x1p-52 * std::atan(tangent) * (tangent + 1 / tangent);
   return opened(file_, k);
 }
 
 Document Fitting::orthographicAround() const {
-  const Viewport& v = *file_.viewport;
-  const Projection& p = *file_.projection;
-  const auto [first, last] = pictureCorners(v);
-  const double across = (p.right() - p.left()) / v.width, up = (p.top() - p.bottom()) / v.height;
-  const bool down = v.origin == Origin::topLeft;
-  const double left = p.left() + (seen_.left - first.x) * across, right = p.left() + (seen_.right - first.x) * across;
-  const double bottom = down ? p.top() - (seen_.bottom - first.y) * up : p.bottom() + (seen_.top - first.y) * up;
-  const double top = down ? p.top() - (seen_.top - first.y) * up : p.bottom() + (seen_.bottom - first.y) * up;
-  const double inner = 1 - 2 * margin_, width = p.right() - p.left(), height = p.top() - p.bottom();
-  const double share = std::max((right - left) / (width * inner), (top - bottom) / (height * inner));
+  const auto [left, right, bottom, top] = windowWithin(margin_);
+  const double share =
+      std::max((seen_.right - seen_.left) / (right - left), (seen_.top - seen_.bottom) / (top - bottom));
   if (!(share > 0)) throw InputError("all of it is one point of the picture: it fits at any scale");
-  const double toSide = width * share / 2, toTop = height * share / 2;
-  // Lest the rounding of a screen box leave some out.
-  const double spare = 0x1p-52 * (std::fabs(left + right) + std::fabs(bottom + top) + (1 + share) * (width + height));
-  return withWindow(file_, (left + right) / 2 - toSide - spare, (left + right) / 2 + toSide + spare,
-                    (bottom + top) / 2 - toTop - spare, (bottom + top) / 2 + toTop + spare);
+  const auto [fullLeft, fullRight, fullBottom, fullTop] = windowWithin(0);
+  const double x = (seen_.left + seen_.right) / 2, y = (seen_.bottom + seen_.top) / 2, spare = rounding(share);
+  const double toSide = (fullRight - fullLeft) * share / 2 + spare, toTop = (fullTop - fullBottom) * share / 2 + spare;
+  return withWindow(file_, x - toSide, x + toSide, y - toTop, y + toTop);
 }
 
 }  // namespace viewproj::cmd

@@ -37,14 +37,24 @@ class Fitting {
   Document openedPerspective() const;
   Document orthographicAround() const;
 
+  /// Edges, in the window's units from the viewing axis.
+  struct Window {
+    double left, right, bottom, top;
+  };
+  /// Of the camera, without a share of it on each side.
+  Window windowWithin(double margin) const;
+  /// How far an edge of what is seen may be off, because screen boxes are rounded; share: of the window's size that is
+  /// seen.
+  double rounding(double share) const;
+
   CameraFile file_;
   Camera camera_;
   double margin_;
-  Frustum open_;                                              ///< of all in front of the eye, near and far or not
-  std::array<Side, 4> sides_;                                 ///< left, right, bottom, top, the margin taken off
-  Side ahead_;                                                ///< straight ahead
-  double nearest_ = HUGE_VAL, farthest_ = -HUGE_VAL;          ///< along the view
-  ScreenBox seen_{HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL};  ///< top is the smaller y
+  Camera open_;                                            ///< sees all in front of the eye, near and far or not
+  std::array<Side, 4> sides_;                              ///< left, right, bottom, top, the margin taken off
+  Side ahead_;                                             ///< straight ahead
+  double nearest_ = HUGE_VAL, farthest_ = -HUGE_VAL;       ///< along the view
+  Window seen_{HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL};  ///< of all things
 };
 
 }  // namespace viewproj::cmd

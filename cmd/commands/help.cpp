@@ -1,8 +1,7 @@
 // viewproj help: the tool, a command, or a topic.
-#include "commands/help.hpp"
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "camera/fields.hpp"
 #include "camera/importers/importer.hpp"
@@ -10,6 +9,7 @@
 #include "commands/command.hpp"
 #include "output/matrix_text.hpp"
 #include "output/output_file.hpp"
+#include "output/report.hpp"
 #include "output/table.hpp"
 #include "text/error.hpp"
 #include "text/form.hpp"
@@ -67,37 +67,31 @@ bool isFieldOption(const CLI::Option* option) {
   });
 }
 
-/// The options of the first command with some that commands list by name alone, but those of fields.
+/// Options that commands list by name alone, as `project` has them, but those of fields.
 std::string sharedOptions(const std::string& topic) {
+  CLI::App app;
+  prepare(app);
+  const Action action = declareProject(app);
   std::string out;
-  for (const Command& command : allCommands()) {
-    CLI::App app;
-    prepare(app);
-    const Action action = command.declare(app);
-    for (const CLI::Option* option : app.get_options())
-      if (option->get_group().find("(viewproj help " + topic + ")") != std::string::npos && !isFieldOption(option))
-        out += optionHelp(option);
-    if (!out.empty()) break;
-  }
+  for (const CLI::Option* option : app.get_options())
+    if (option->get_group().find("(viewproj help " + topic + ")") != std::string::npos && !isFieldOption(option))
+      out += optionHelp(option);
   return out;
 }
 
 std::string presetTable() {
-  std::vector<std::vector<std::string>> rows{
-      {"", "world", "view", "up", "cameraAxes", "ndcZ", "reverseZ", "ndcY", "vectors", "storage"}};
+  TextRows rows(1, {""});
   for (const ConventionPreset& preset : conventionPresets()) {
-    const Convention& c = preset.convention;
-    const Vec3& up = preset.up;
+    OrderedJson axes = asJson(preset.convention);
+    axes["reverseZ"] = preset.convention.reverseZ ? "yes" : "no";
+    axes["storage"] = nameOf(kStorageNames, preset.convention.storage).substr(0, 3);
+    axes["up"] = preset.up.z != 0 ? "z" : preset.up.y < 0 ? "-y" : "y";
+    axes["cameraAxes"] = nameOf(kCameraAxesNames, preset.cameraAxes);
     rows.push_back({std::string(preset.name)});
-    for (const std::string_view cell :
-         {nameOf(kWorldNames, c.world), nameOf(kViewNames, c.view),
-          std::string_view(up.z != 0  ? "z"
-                           : up.y < 0 ? "-y"
-                                      : "y"),
-          nameOf(kCameraAxesNames, preset.cameraAxes), nameOf(kNdcZNames, c.ndcZ),
-          std::string_view(c.reverseZ ? "yes" : "no"), nameOf(kNdcYNames, c.ndcY), nameOf(kVectorsNames, c.vectors),
-          nameOf(kStorageNames, c.storage).substr(0, 3)})
-      rows.back().emplace_back(cell);
+    for (const auto& [axis, word] : axes.items()) {
+      if (rows.size() == 2) rows[0].push_back(axis);
+      rows.back().push_back(word.get<std::string>());
+    }
   }
   return aligned(rows, [](std::size_t column) { return column > 0; });
 }
@@ -162,36 +156,32 @@ std::string pageOf(const Topic& topic) {
 }  // namespace
 
 std::string overview() {
-  CLI::App app("World points to screen coordinates, pixels to picking rays, cameras to matrices.", "viewproj");
-  prepare(app);
-  app.remove_option(app.get_option("--output"));
-  app.remove_option(app.get_option("--quiet"));
-  app.set_version_flag("--version", "", "Print the version");
-  for (const Command& command : allCommands())
-    app.add_subcommand(std::string(command.name), std::string(command.summary))->group("Commands");
-  for (const Topic& topic : kTopics)
-    app.add_subcommand(std::string(topic.name), std::string(topic.summary()))->group("Topics (viewproj help TOPIC)");
-  app.footer(
-      "viewproj COMMAND --help lists the options of a command.\n\n"
-      "Exit status: 0 success; 1 an input was wrong, or an output could not be\n"
-      "written; 2 the command line was wrong.");
-  return app.help();
+  constexpr std::size_t kColumn = 15;
+  std::string out =
+      "World points to screen coordinates, pixels to picking rays, cameras to matrices.\n\n"
+      "Usage: viewproj COMMAND [options] [FILE]\n\nCommands:\n";
+  for (const Command& command : allCommands()) out += row(std::string(command.name), command.summary, kColumn);
+  out += "\nTopics (viewproj help TOPIC):\n";
+  for (const Topic& topic : kTopics) out += row(std::string(topic.name), topic.summary(), kColumn);
+  return out +
+         "\nviewproj COMMAND --help lists the options of a command; viewproj --version\nprints the version.\n\n"
+         "Exit status: 0 success; 1 an input was wrong, or an output could not be\n"
+         "written; 2 the command line was wrong.\n";
 }
 
 namespace {
 
-std::string textOf(const std::optional<std::string>& name) {
-  if (!name) return overview();
+std::string helpOn(const std::string& name) {
   std::vector<std::string_view> known;
   for (const Command& command : allCommands()) {
-    if (command.name == *name) return helpOf(command);
+    if (command.name == name) return helpOf(command);
     known.push_back(command.name);
   }
   for (const Topic& topic : kTopics) {
-    if (topic.name == *name) return pageOf(topic);
+    if (topic.name == name) return pageOf(topic);
     known.push_back(topic.name);
   }
-  throw UsageError("'" + *name + "' is no command and no topic" + suggestion(*name, known, "help"));
+  throw UsageError("'" + name + "' is no command and no topic" + suggestion(name, known, "help"));
 }
 
 }  // namespace
@@ -202,10 +192,10 @@ Action declareHelp(CLI::App& app) {
   app.description("Help on a command, with its options, or on a topic: " + joined(names) + ".");
   app.footer("Examples:\n  viewproj help camera\n  viewproj help project");
   const auto name = std::make_shared<std::optional<std::string>>();
-  app.add_option("NAME", *name, "A command or a topic; absent: the list of all");
+  app.add_option("NAME", *name, "A command or a topic (default: list them)");
   addOnlyForm(app, "text", ".txt .md");
   return [name] {
-    writeOutput(textOf(*name));
+    writeOutput(*name ? helpOn(**name) : overview());
     return 0;
   };
 }

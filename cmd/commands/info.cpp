@@ -1,5 +1,4 @@
-#include "commands/info.hpp"
-
+// viewproj info: what is in a camera file.
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -10,7 +9,6 @@
 #include "camera/read_pose.hpp"
 #include "commands/camera_options.hpp"
 #include "commands/command.hpp"
-#include "commands/options.hpp"
 #include "numbers/vectors.hpp"
 #include "output/output_file.hpp"
 #include "output/results.hpp"
@@ -23,15 +21,10 @@
 namespace viewproj::cmd {
 namespace {
 
-template <class T>
-OrderedJson orNull(const std::optional<T>& value) {
-  return value ? OrderedJson(*value) : OrderedJson();
-}
-
-/// An object of these members, all null.
-OrderedJson nulls(std::initializer_list<const char*> names) {
-  OrderedJson object;
-  for (const char* name : names) object[name] = nullptr;
+/// The object, or one of the same members that are all null.
+OrderedJson ifThere(bool isThere, OrderedJson object) {
+  if (!isThere)
+    for (OrderedJson& value : object) value = nullptr;
   return object;
 }
 
@@ -51,21 +44,20 @@ HeadingPitchRoll turnOf(const Pose& pose, const Geodetic& place) {
           degrees(-along(pose.right(), up), along(pose.up(), up))};
 }
 
-void addPose(OrderedJson& info, const CameraFile& file) {
-  for (const char* name : {"eye", "right", "up", "forward", "place", "heading", "pitch", "roll"}) info[name] = nullptr;
-  if (!file.pose) return;
-  const Pose& pose = *file.pose;
-  info["eye"] = asJson(pose.eye());
-  info["right"] = asJson(pose.right());
-  info["up"] = asJson(pose.up());
-  info["forward"] = asJson(pose.forward());
-  if (!file.worldIsEcef) return;
+OrderedJson poseOf(const CameraFile& file) {
+  const Pose pose = file.pose.value_or(lookAlong({}, {0, 0, -1}, {0, 1, 0}, Handedness::right));
   const Geodetic place = ecefToGeodetic(pose.eye());
   const HeadingPitchRoll turn = turnOf(pose, place);
-  info["place"] = {{"lat", place.lat}, {"lon", place.lon}, {"height", place.height}};
-  info["heading"] = turn.heading;
-  info["pitch"] = turn.pitch;
-  info["roll"] = turn.roll;
+  OrderedJson members = ifThere(file.pose.has_value(), {{"eye", asJson(pose.eye())},
+                                                        {"right", asJson(pose.right())},
+                                                        {"up", asJson(pose.up())},
+                                                        {"forward", asJson(pose.forward())}});
+  members.update(ifThere(file.pose && file.worldIsEcef,
+                         {{"place", {{"lat", place.lat}, {"lon", place.lon}, {"height", place.height}}},
+                          {"heading", turn.heading},
+                          {"pitch", turn.pitch},
+                          {"roll", turn.roll}}));
+  return members;
 }
 
 OrderedJson projectionOf(const Projection& p) {
@@ -132,20 +124,17 @@ OrderedJson cornersAt(const Camera& camera, double distance) {
   return corners;
 }
 
-}  // namespace
-
-OrderedJson infoReport(const CameraFile& file, const std::optional<std::string>& name,
-                       std::span<const double> distances) {
-  OrderedJson info{{"name", orNull(name)}, {"convention", asJson(file.convention)}};
-  addPose(info, file);
-  info["projection"] = file.projection ? projectionOf(*file.projection)
-                                       : nulls({"type", "fovX", "fovY", "fovDiagonal", "left", "right", "bottom", "top",
-                                                "fx", "fy", "cx", "cy", "aspect", "near", "far"});
-  info["viewport"] = file.viewport ? pictureOf(*file.viewport)
-                                   : nulls({"width", "height", "x", "y", "depthRange", "origin", "pixelCenter"});
+/// One camera, whole or in part: every member is always there, null for what the camera has not. Planes, corners and
+/// fx ... cy are those of the lens without distortion.
+OrderedJson infoReport(const CameraFile& file, const std::string& name, std::span<const double> distances) {
+  OrderedJson info{{"name", name.empty() ? OrderedJson() : OrderedJson(name)}, {"convention", asJson(file.convention)}};
+  info.update(poseOf(file));
+  info["projection"] =
+      ifThere(file.projection.has_value(), projectionOf(file.projection.value_or(perspective(60, 1, 1))));
+  info["viewport"] = ifThere(file.viewport.has_value(), pictureOf(file.viewport.value_or(Viewport{})));
   info["distortion"] = nullptr;
-  info["planes"] = nulls({"left", "right", "bottom", "top", "near", "far"});
-  info["corners"] = nulls({"near", "far"});
+  for (const SideName& side : kSides) info["planes"][side.name] = nullptr;
+  info["corners"] = {{"near", nullptr}, {"far", nullptr}};
   info["pixelSizes"] = OrderedJson::array();
   const std::optional<Camera> camera = standIn(file);
   if (camera && file.lens) {
@@ -170,6 +159,8 @@ OrderedJson infoReport(const CameraFile& file, const std::optional<std::string>&
   return info;
 }
 
+/// A row of a list of cameras. The document is normalized; its lens is not read, so that it may lack a picture. Throws
+/// InputError, and CameraError naming a field of the pose.
 OrderedJson cameraRow(const std::string& name, const Document& document) {
   const auto valueOr = [&](const char* path, const OrderedJson& otherwise) {
     const Json* const value = valueAt(*document.root, path);
@@ -183,8 +174,6 @@ OrderedJson cameraRow(const std::string& name, const Document& document) {
           {"size", size},
           {"pose", readPose(document).has_value()}};
 }
-
-namespace {
 
 struct InfoOptions {
   CameraOptions camera;
@@ -218,13 +207,12 @@ int runInfo(const InfoOptions& o) {
   const std::size_t which = cameras->choose(pick);
   const CameraFile file = o.camera.readOne(*cameras, which);
   o.camera.noteHandedness(file);
-  std::vector<double> distances(std::begin(kUsualDistances), std::end(kUsualDistances));
+  std::vector<double> distances{1, 10, 100};
   if (file.targetDistance) distances.push_back(*file.targetDistance);
   if (o.at) distances = *o.at;
   for (const double distance : distances)
     if (!(distance > 0)) throw UsageError("--at " + formatNumber(distance) + ": expected a distance above 0");
-  const std::string& name = cameras->nameOf(which);
-  o.report.write(infoReport(file, name.empty() ? std::nullopt : std::optional(name), distances));
+  o.report.write(infoReport(file, cameras->nameOf(which), distances));
   return 0;
 }
 

@@ -2,13 +2,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <unordered_map>
 
 #include "commands/camera_options.hpp"
 #include "commands/command.hpp"
 #include "commands/inspect_report.hpp"
-#include "commands/options.hpp"
-#include "commands/standard_input.hpp"
 #include "output/matrix_text.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
@@ -36,15 +33,16 @@ std::vector<WrittenMatrix> chooseMatrices(std::vector<WrittenMatrix> matrices,
       throw InputError(source + ": has only " + first + "; --which " + first + " inspects it all the same");
     return matrices;
   }
-  std::unordered_map<std::string_view, const WrittenMatrix*> byName;  // of a name that several have, the first
-  std::vector<std::string_view> names;
-  for (const WrittenMatrix& m : matrices)
-    if (byName.emplace(m.name, &m).second) names.push_back(m.name);
   std::vector<WrittenMatrix> chosen;
   for (const std::string& name : *which) {
-    const auto found = byName.find(name);
-    if (found == byName.end()) throw InputError(source + ": has no matrix " + inQuotes(name) + suggestion(name, names));
-    chosen.push_back(*found->second);
+    const auto found =
+        std::find_if(matrices.begin(), matrices.end(), [&](const WrittenMatrix& m) { return m.name == name; });
+    if (found == matrices.end()) {
+      std::vector<std::string_view> names;
+      for (const WrittenMatrix& m : matrices) names.push_back(m.name);
+      throw InputError(source + ": has no matrix " + inQuotes(name) + suggestion(name, names));
+    }
+    chosen.push_back(*found);
   }
   return chosen;
 }
@@ -59,7 +57,7 @@ struct InspectOptions {
   bool isFloat = false;
 };
 
-/// The one matrix that the readings give, or an error that lists them.
+/// The one matrix that the readings give.
 NamedMatrix convertOne(const WrittenMatrix& written, const InspectQuery& query, const std::string& source,
                        const CameraOptions& writing, Convention& target) {
   const auto fail = [&](const std::string& message) {
@@ -81,13 +79,11 @@ NamedMatrix convertOne(const WrittenMatrix& written, const InspectQuery& query, 
     } catch (const CameraError& e) {
       throw fail(e.what());
     }
-    if (result && !(*result == matrix)) {
-      std::string message =
-          "its readings give different matrices; --read-as NAME picks a convention, a name as in "
-          "{\"view\": [...]} (view, viewInverse, projection) a kind, sixteen numbers in a row the order in memory:";
-      for (const MatrixCamera& each : readings) message += "\n  " + oneLine(each);
-      throw fail(message);
-    }
+    if (result && !(*result == matrix))
+      throw fail(
+          "its readings give different matrices, as inspect without --convention lists them; --read-as NAME picks a "
+          "convention, a name as in {\"view\": [...]} (view, viewInverse, projection) a kind, sixteen numbers in a row "
+          "the order in memory");
     result = matrix;
   }
   return {written.name, *result};
@@ -164,7 +160,7 @@ Action declareInspect(CLI::App& app) {
            "input");
   addValue(app, "--which", "NAMES", o->which, splitNames, "Of several matrices only these, by name");
   app.add_flag("--float", o->isFloat, "The numbers are float32s (default: doubles)");
-  addChoice(app, "--read-as", "NAME", o->readAs, presetConventions(), "Only readings of this convention", "all");
+  addChoice(app, "--read-as", "NAME", o->readAs, presetChoices(), "Only readings of this convention", "all");
   auto forms = matrixForms();
   forms.insert(forms.begin(), {"table", "table", ".txt"});
   addForm(app, o->form, std::span<const FormRow<std::string_view>>(forms),

@@ -13,14 +13,16 @@
 #include "viewproj/matrices.hpp"
 
 namespace viewproj::cmd {
+
+using detail::rounded;
 namespace {
 
 bool isTurned(Vectors vectors, Storage storage) {
   return (vectors == Vectors::row) != (storage == Storage::columnMajor);
 }
 
-}  // namespace
-
+/// Whether a matrix of this camera would be written like that in this convention, apart from reverseZ and world, which
+/// follow from the matrix and the rest.
 bool fits(const MatrixCamera& r, const Convention& c, NumberOrder order) {
   if (r.lens && (c.ndcZ != r.convention.ndcZ || c.ndcY != r.convention.ndcY)) return false;
   if (r.kind != MatrixKind::viewProjection && c.view != r.convention.view) return false;
@@ -28,8 +30,6 @@ bool fits(const MatrixCamera& r, const Convention& c, NumberOrder order) {
   return r.layout == MatrixLayout::either || isTurned(c.vectors, c.storage) == turned ||
          (order == NumberOrder::rows && (c.vectors == Vectors::row) == turned);
 }
-
-namespace {
 
 constexpr NameRow<MatrixKind> kKindNames[] = {{"projection", MatrixKind::projection},
                                               {"view", MatrixKind::view},
@@ -152,32 +152,29 @@ OrderedJson readingJson(std::size_t number, const MatrixCamera& r, NumberOrder o
 
 /// What a reading, or two side by side, leave open.
 std::vector<std::string> notesOn(const std::vector<MatrixCamera>& readings) {
-  using Is = bool (*)(const MatrixCamera&);
-  struct Note {
-    Is one, other;  ///< there are readings of both kinds
-    const char* text;
+  const auto any = [&](const auto& is) { return std::any_of(readings.begin(), readings.end(), is); };
+  const auto hasLayout = [&](MatrixLayout layout) { return any([&](const auto& r) { return r.layout == layout; }); };
+  const auto hasKind = [&](MatrixKind kind) { return any([&](const auto& r) { return r.kind == kind; }); };
+  const auto hasBoth = [&](const auto axis, const auto one, const auto other) {
+    const auto has = [&](const auto value) {
+      return any([&](const MatrixCamera& r) { return r.lens && r.convention.*axis == value; });
+    };
+    return has(one) && has(other);
   };
-  const auto all = [](const MatrixCamera&) { return true; };
-  const Note kNotes[] = {
-      {[](const MatrixCamera& r) { return r.layout == MatrixLayout::asWritten; }, all,
-       "As written: the rows of column vectors (row-major), or the columns of row vectors."},
-      {[](const MatrixCamera& r) { return r.layout == MatrixLayout::transposed; }, all,
-       "Transposed: the rows of row vectors (row-major), or the columns of column vectors (column-major)."},
-      {[](const MatrixCamera& r) { return r.kind == MatrixKind::view; },
-       [](const MatrixCamera& r) { return r.kind == MatrixKind::worldFromView; },
-       "A view and a camera's pose look alike: the reading whose eye is right tells which it is."},
-      {[](const MatrixCamera& r) { return r.lens && r.convention.ndcY == NdcY::up; },
-       [](const MatrixCamera& r) { return r.lens && r.convention.ndcY == NdcY::down; },
-       "NDC y up and down are both possible, of a view-projection with worlds of either hand; taken the wrong way the "
-       "picture is upside down. --read-as picks."},
-      {[](const MatrixCamera& r) { return r.lens && r.convention.ndcZ == NdcZ::minusOneToOne; },
-       [](const MatrixCamera& r) { return r.lens && r.convention.ndcZ == NdcZ::zeroToOne; },
-       "Made for NDC z of -1..1 and used as 0..1, it has the near and far of the other reading."}};
   std::vector<std::string> notes;
-  for (const Note& note : kNotes)
-    if (std::any_of(readings.begin(), readings.end(), note.one) &&
-        std::any_of(readings.begin(), readings.end(), note.other))
-      notes.emplace_back(note.text);
+  if (hasLayout(MatrixLayout::asWritten))
+    notes.emplace_back("As written: the rows of column vectors (row-major), or the columns of row vectors.");
+  if (hasLayout(MatrixLayout::transposed))
+    notes.emplace_back(
+        "Transposed: the rows of row vectors (row-major), or the columns of column vectors (column-major).");
+  if (hasKind(MatrixKind::view) && hasKind(MatrixKind::worldFromView))
+    notes.emplace_back("A view and a camera's pose look alike: the reading whose eye is right tells which it is.");
+  if (hasBoth(&Convention::ndcY, NdcY::up, NdcY::down))
+    notes.emplace_back(
+        "NDC y up and down are both possible, of a view-projection with worlds of either hand; taken the wrong way the "
+        "picture is upside down. --read-as picks.");
+  if (hasBoth(&Convention::ndcZ, NdcZ::minusOneToOne, NdcZ::zeroToOne))
+    notes.emplace_back("Made for NDC z of -1..1 and used as 0..1, it has the near and far of the other reading.");
   return notes;
 }
 
@@ -189,15 +186,14 @@ OrderedJson calibrationReport(const WrittenMatrix& m) {
     throw CameraError("K", "has numbers below its diagonal: it is no K");
   if (isK && !(p[0] * p[10] > 0 && p[5] * p[10] > 0)) throw CameraError("K", "has a focal length that is not above 0");
   const SplitMatrix split = splitMatrix(p);
-  const auto number = [](detail::DoubleDouble value) { return detail::rounded(value); };
   OrderedJson report{
-      {"name", m.name},         {"kind", isK ? "K" : "P"}, {"fx", number(split.fx)},    {"fy", number(split.fy)},
-      {"cx", number(split.cx)}, {"cy", number(split.cy)},  {"skew", number(split.skew)}};
+      {"name", m.name},          {"kind", isK ? "K" : "P"}, {"fx", rounded(split.fx)},    {"fy", rounded(split.fy)},
+      {"cx", rounded(split.cx)}, {"cy", rounded(split.cy)}, {"skew", rounded(split.skew)}};
   if (!isK)
-    report.update({{"eye", asJson(detail::rounded(split.eye))},
-                   {"right", asJson(detail::rounded(split.columns[0]))},
-                   {"down", asJson(detail::rounded(split.columns[1]))},
-                   {"forward", asJson(detail::rounded(split.columns[2]))}});
+    report.update({{"eye", asJson(rounded(split.eye))},
+                   {"right", asJson(rounded(split.columns[0]))},
+                   {"down", asJson(rounded(split.columns[1]))},
+                   {"forward", asJson(rounded(split.columns[2]))}});
   report["notes"] = {
       "It says neither how large the picture is nor where a pixel's centre lies: in OpenCV at whole numbers "
       "(viewport.pixelCenter 0), elsewhere often at halves."};
@@ -229,41 +225,29 @@ std::string presetText(const OrderedJson& reading) {
   return names.empty() ? "no preset" : joined(names);
 }
 
-/// A line for each parameter; readings that agree on one share it.
+/// A row for each parameter, by its path; readings that agree on one share it.
 OrderedJson parameterRows(const OrderedJson& readings) {
-  struct Parameter {
-    std::string name;
-    OrderedJson value;
-    std::vector<std::string> readings;
-  };
-  std::vector<Parameter> parameters;
-  const auto add = [&](const std::string& name, const OrderedJson& value, const OrderedJson& reading) {
-    auto at = parameters.end();
-    for (auto p = parameters.begin(); p != parameters.end(); ++p) {
-      if (p->name != name) continue;
-      at = p + 1;
-      if (p->value == value) return p->readings.push_back(reading["reading"].dump());
-    }
-    parameters.insert(at, {name, value, {reading["reading"].dump()}});
-  };
+  OrderedJson rows = OrderedJson::array();
   for (const OrderedJson& reading : readings)
     for (const std::string part : {"pose", "projection"}) {
-      if (!reading.contains(part)) continue;
-      for (const auto& [name, value] : reading[part].items()) {
+      const OrderedJson members = reading.value(part, OrderedJson::object());
+      for (const auto& [name, value] : members.items()) {
         if (value.is_null() || name == "type" || name == "beyondInfinity") continue;
+        const std::string path = part + "." + name;
         OrderedJson cell = value.is_object() ? OrderedJson(planeText(value)) : value;
         if (value.is_array() && value.size() == 3 && name != "eye")  // a unit vector, without what is left of 0
           for (OrderedJson& component : cell) component = std::round(component.get<double>() * 1e9) / 1e9 + 0.0;
-        constexpr std::string_view kEdges = "left right bottom top";
-        const bool isEdge = part == "projection" && kEdges.find(name) != kEdges.npos;
-        add((isEdge ? "window " : "") + name, cell, reading);
+        auto row = rows.begin(), after = rows.end();
+        for (; row != rows.end() && ((*row)["parameter"] != path || (*row)["value"] != cell); ++row)
+          if ((*row)["parameter"] == path) after = row + 1;
+        if (row == rows.end())
+          row =
+              rows.insert(after, OrderedJson{{"parameter", path}, {"value", cell}, {"readings", OrderedJson::array()}});
+        (*row)["readings"].push_back(reading["reading"]);
       }
     }
-  OrderedJson rows = OrderedJson::array();
-  for (const Parameter& p : parameters)
-    rows.push_back({{"parameter", p.name},
-                    {"value", p.value},
-                    {"readings", p.readings.size() == readings.size() ? "" : joined(p.readings, " ")}});
+  for (OrderedJson& row : rows)
+    if (row["readings"].size() == readings.size()) row["readings"] = "";  // all of them
   return rows;
 }
 
@@ -312,7 +296,7 @@ OrderedJson inspectPage(const OrderedJson& report) {
   for (const OrderedJson& r : report["readings"]) {
     OrderedJson line{{"#", r["reading"]}, {"kind", r["kind"]}, {"numbers", r["layout"]}};
     for (const char* axis : {"world", "view", "ndcZ", "reverseZ", "ndcY"})
-      line[axis] = r["convention"].value(axis, OrderedJson());
+      line[axis] = r["convention"].value(axis, OrderedJson("-"));
     line["fits"] = presetText(r);
     lines.push_back(line);
   }
@@ -334,14 +318,6 @@ Mat4 converted(const MatrixCamera& r, const Convention& target) {
       if (std::fabs(row[j]) <= size * (j == 3 ? detail::maxAbs(r.pose->eye()) : 1) * detail::kCancellation) row[j] = 0;
   }
   return m;
-}
-
-std::string oneLine(const MatrixCamera& r) {
-  std::string text = std::string(nameOf(kKindNames, r.kind)) + ", " + std::string(nameOf(kLayoutNames, r.layout));
-  const OrderedJson axes = axesOf(r);
-  for (const auto& [axis, value] : axes.items())
-    text += ", " + axis + " " + (value.is_boolean() ? (value.get<bool>() ? "yes" : "no") : value.get<std::string>());
-  return text;
 }
 
 }  // namespace viewproj::cmd

@@ -5,10 +5,7 @@
 
 #include "camera/change_camera.hpp"
 #include "commands/camera_options.hpp"
-#include "commands/cli.hpp"
 #include "commands/command.hpp"
-#include "commands/options.hpp"
-#include "output/camera_matrices.hpp"
 #include "output/matrix_text.hpp"
 #include "output/output_file.hpp"
 #include "records/model.hpp"
@@ -19,16 +16,29 @@ namespace viewproj::cmd {
 namespace {
 
 constexpr std::string_view kCamera = "camera";
+constexpr const char* kModel = "--model";
 
-struct Wanted {
-  bool inverse = false, bakeViewport = false, relativeToEye = false;
+using Matrices = std::vector<const CameraMatrix*>;
+
+struct MatrixOptions {
+  CameraOptions camera;
+  bool inverse = false, bakeViewport = false, relativeToEye = false, asFloat = false, all = false;
+  std::optional<Matrices> which;
+  std::optional<std::string> model;
+  std::optional<AxisMap> map;
+  std::optional<double> scale;
+  std::string_view format = "json";
 };
+
+bool any(const Matrices& rows, bool CameraMatrix::*needs) {
+  return std::any_of(rows.begin(), rows.end(), [&](const CameraMatrix* row) { return row->*needs; });
+}
 
 /// What the camera lacks for a matrix, or an empty string.
 std::string lacking(const CameraMatrix& row, const MatrixSource& source) {
   const CameraFile& file = source.file;
   const bool needsViewport = row.viewport || (source.bakeViewport && row.projection);
-  if (row.model && !source.worldFromLocal) return "--model";
+  if (row.model && !source.worldFromLocal) return kModel;
   if (row.pose && !file.pose) return "a pose";
   if (row.projection && !file.projection) return "a projection";
   if (row.projection && !hasDepth(*file.projection)) return "near; --near gives it";
@@ -36,25 +46,45 @@ std::string lacking(const CameraMatrix& row, const MatrixSource& source) {
   return "";
 }
 
-using Matrices = std::vector<const CameraMatrix*>;
+/// An option that changes the matrices that need a part of the camera.
+struct Change {
+  const char* option;
+  bool isGiven;
+  bool CameraMatrix::*part;
+  const char* matrices;
+};
 
-Matrices chooseMatrices(const std::optional<Matrices>& asked, const MatrixSource& source) {
+std::array<Change, 3> changesOf(const MatrixOptions& o) {
+  return {{{"--bake-viewport", o.bakeViewport, &CameraMatrix::projection, "the projection"},
+           {"--relative-to-eye", o.relativeToEye, &CameraMatrix::pose, "the view"},
+           {kModel, o.model.has_value(), &CameraMatrix::model, "modelView and modelViewProjection"}}};
+}
+
+/// --which; or all that the camera determines. Throws UsageError for an option that changes none of them, and
+/// InputError where the camera lacks a part.
+Matrices chooseMatrices(const MatrixOptions& o, const MatrixSource& source) {
   const std::string& name = source.file.name;
-  if (!asked) {
-    Matrices chosen;
-    // A baked viewport is in the projection already.
-    for (const CameraMatrix& row : cameraMatrices())
-      if (lacking(row, source).empty() && !(source.bakeViewport && row.viewport)) chosen.push_back(&row);
-    if (chosen.empty()) {
-      requireNear(source.file, "projection");
-      throw InputError(name + ": the camera has neither a pose, a projection nor a viewport");
-    }
-    return chosen;
+  Matrices chosen = o.which.value_or(Matrices());
+  for (const CameraMatrix* row : chosen) {
+    const std::string part = lacking(*row, source), message = std::string(row->name) + " needs " + part;
+    if (part == kModel) throw UsageError(message + ", which says where the model stands");
+    if (!part.empty()) throw InputError(name + ": " + message);
   }
-  for (const CameraMatrix* row : *asked)
-    if (const std::string part = lacking(*row, source); !part.empty())
-      throw InputError(name + ": " + std::string(row->name) + " needs " + part);
-  return *asked;
+  // A baked viewport is in the projection already.
+  for (const CameraMatrix& row : cameraMatrices())
+    if (!o.which && lacking(row, source).empty() && !(source.bakeViewport && row.viewport)) chosen.push_back(&row);
+  for (const Change& change : changesOf(o)) {
+    if (!change.isGiven || any(chosen, change.part)) continue;
+    const std::string option = change.option;
+    const auto row = std::find_if(cameraMatrices().begin(), cameraMatrices().end(),
+                                  [&](const CameraMatrix& each) { return each.*change.part; });
+    throw InputError(name + ": " + option + " needs " + lacking(*row, source));
+  }
+  if (chosen.empty()) {
+    requireNear(source.file, "projection");
+    throw InputError(name + ": the camera has neither a pose, a projection nor a viewport");
+  }
+  return chosen;
 }
 
 Names<const CameraMatrix*> matrixNames() {
@@ -82,48 +112,6 @@ AxisMap readMap(const std::string& option, const std::string& text) {
   return map;
 }
 
-struct MatrixOptions {
-  CameraOptions camera;
-  Wanted wanted;
-  std::optional<Matrices> which;
-  std::optional<std::string> model;
-  std::optional<AxisMap> map;
-  std::optional<double> scale;
-  std::string_view format = "json";
-  bool asFloat = false, all = false;
-};
-
-bool any(const Matrices& rows, bool CameraMatrix::*needs) {
-  return std::any_of(rows.begin(), rows.end(), [&](const CameraMatrix* row) { return row->*needs; });
-}
-
-/// Throws UsageError where what is typed has nothing to act on.
-void requireUse(const MatrixOptions& o) {
-  if (o.wanted.bakeViewport && o.which && !any(*o.which, &CameraMatrix::projection))
-    throw UsageError("--bake-viewport folds the viewport into the projection, and --which names no projection");
-  if (o.wanted.relativeToEye && o.which && !any(*o.which, &CameraMatrix::pose))
-    throw UsageError("--relative-to-eye is of the view, and --which names no view");
-  if (o.wanted.relativeToEye && o.model)
-    throw UsageError("--relative-to-eye is for points of the world; modelView has no large numbers to be rid of");
-  if (!o.model && o.which && any(*o.which, &CameraMatrix::model))
-    throw UsageError("modelView and modelViewProjection need --model, which says where the model stands");
-  if (o.model && o.which && !any(*o.which, &CameraMatrix::model))
-    throw UsageError("--model is of modelView and modelViewProjection, and --which names neither");
-}
-
-/// The same where the camera lacks it.
-void requireUse(const MatrixOptions& o, const CameraFile& file) {
-  const Wanted& wanted = o.wanted;
-  const auto lacks = [&](const std::string& option, const std::string& part) {
-    return InputError(file.name + ": " + option + " needs " + part);
-  };
-  if (wanted.relativeToEye && !file.pose) throw lacks("--relative-to-eye", "a pose");
-  if (o.model && !file.pose) throw lacks("--model", "a pose");
-  if (wanted.bakeViewport && !file.projection) throw lacks("--bake-viewport", "a projection");
-  if (wanted.bakeViewport && !file.viewport)
-    throw lacks("--bake-viewport", "a viewport; --viewport WIDTHxHEIGHT gives one");
-}
-
 /// In the world of --map and --scale.
 CameraFile inMappedWorld(const CameraFile& file, const MatrixOptions& o) {
   if (!o.map && !o.scale) return file;
@@ -131,16 +119,15 @@ CameraFile inMappedWorld(const CameraFile& file, const MatrixOptions& o) {
 }
 
 MatrixSet matricesOf(const CameraFile& read, const std::optional<Mat4>& model, const MatrixOptions& o) {
-  requireUse(o, read);
   MatrixSet set;
   set.asFloat = o.asFloat;
   set.convention = o.camera.writing(read);
   const MatrixSource source{.file = read,
                             .convention = set.convention,
                             .worldFromLocal = model,
-                            .bakeViewport = o.wanted.bakeViewport,
-                            .relativeToEye = o.wanted.relativeToEye};
-  const Matrices chosen = chooseMatrices(o.which, source);
+                            .bakeViewport = o.bakeViewport,
+                            .relativeToEye = o.relativeToEye};
+  const Matrices chosen = chooseMatrices(o, source);
   if (any(chosen, &CameraMatrix::pose)) o.camera.noteHandedness(read);
   if (read.lens && any(chosen, &CameraMatrix::projection))
     note(read.name + ": a matrix leaves out the lens distortion");
@@ -153,30 +140,29 @@ MatrixSet matricesOf(const CameraFile& read, const std::optional<Mat4>& model, c
   };
   for (const CameraMatrix* row : chosen) {
     add(*row, false);
-    if (o.wanted.inverse) add(*row, true);
+    if (o.inverse) add(*row, true);
   }
-  if (o.wanted.relativeToEye && read.pose) set.eye = read.pose->eye();
-  set.bakesViewport = o.wanted.bakeViewport;
+  if (o.relativeToEye && read.pose) set.eye = read.pose->eye();
+  set.bakesViewport = o.bakeViewport;
   return set;
 }
 
 int runMatrix(const MatrixOptions& o, const CLI::App& app) {
   const bool toCamera = o.format == kCamera;
-  if (o.model && (o.map || o.scale))
-    throw UsageError("--map and --scale are of the world, and with --model matrices begin in the model's");
   for (const char* option : {"--which", "--inverse", "--bake-viewport", "--relative-to-eye", "--float", "--model"})
     if (toCamera && app.count(option) > 0)
       throw UsageError(std::string(option) + " goes with matrices, not with --to " + std::string(o.format));
-  if (const CLI::Option* const file = app.get_option("--output"); !file->empty() && app.count("--to") == 0) {
-    const std::string_view ending = endingOf(file->results().front());
-    if (o.all && isEnding(ending, ".json"))
-      throw UsageError("--all writes JSON, a line a camera, which is no .json; call the file .ndjson");
-    if (!o.all && isEnding(ending, ".ndjson .jsonl"))
-      throw UsageError("-o: one camera's matrices are one JSON document, a .json; --all writes lines");
-  }
+  const CLI::Option* const file = app.get_option("--output");
+  if (!file->empty() && app.count("--to") == 0 &&
+      isEnding(endingOf(file->results().front()), o.all ? ".json" : ".ndjson .jsonl"))
+    throw UsageError(o.all ? "--all writes a line of JSON for each camera, which is no .json; call the file .ndjson"
+                           : "-o: one camera's matrices are one JSON document, a .json; --all writes lines");
   if (o.all && o.format != "json")
     throw UsageError("--all writes JSON, a line a camera; leave out --to " + std::string(o.format));
-  requireUse(o);
+  for (const Change& change : changesOf(o))
+    if (o.which && change.isGiven && !any(*o.which, change.part))
+      throw UsageError(std::string(change.option) + " is for " + change.matrices +
+                       ", and --which names no such matrix");
   const auto model = o.model ? std::optional(readModel(*o.model)) : std::nullopt;
   const bool needsPicture =
       !o.which || any(*o.which, &CameraMatrix::projection) || any(*o.which, &CameraMatrix::viewport);
@@ -213,10 +199,11 @@ Action declareMatrix(CLI::App& app) {
   };
   addValue(app, "--which", "NAMES", o->which, readNames,
            withNames("Matrices to write", known(matrixNames()), "all that the camera determines"));
-  app.add_flag("--inverse", o->wanted.inverse, "Write each one's inverse too");
-  app.add_flag("--bake-viewport", o->wanted.bakeViewport, "Fold the viewport into the projection");
-  app.add_flag("--relative-to-eye", o->wanted.relativeToEye, "View without translation, and the eye beside it");
-  addModel(app, o->model, "Place of a model in the world");
+  app.add_flag("--inverse", o->inverse, "Write each one's inverse too");
+  app.add_flag("--bake-viewport", o->bakeViewport, "Fold the viewport into the projection");
+  CLI::Option* const relative =
+      app.add_flag("--relative-to-eye", o->relativeToEye, "View without translation, and the eye beside it");
+  CLI::Option* const model = addModel(app, o->model, "Place of a model in the world");
   app.add_flag("--float", o->asFloat, "Round to float32 (default: doubles)");
   auto forms = matrixForms();
   forms.push_back({kCamera, kCamera});
@@ -227,6 +214,7 @@ Action declareMatrix(CLI::App& app) {
   addValue(app, "--scale", "N", o->scale,
            numberThat([](double scale) { return scale > 0 && std::isfinite(scale); }, "a number above 0"),
            "Write it for a world of lengths N times as long");
+  model->excludes(relative)->excludes(app.get_option("--map"))->excludes(app.get_option("--scale"));
   o->camera.addFile(app);
   o->camera.add(app);
   o->camera.addWriting(app);

@@ -1,5 +1,3 @@
-#include "commands/matrix_numbers.hpp"
-
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -7,6 +5,7 @@
 
 #include "camera/check.hpp"
 #include "camera/read_pose.hpp"
+#include "commands/inspect_report.hpp"
 #include "text/error.hpp"
 #include "text/json_text.hpp"
 #include "text/number.hpp"
@@ -25,35 +24,28 @@ bool isWord(char c) { return isWordStart(c) || isDigit(c) || c == '.'; }
 /// Of a value of an object; nothing for one that is no matrix and stands beside them.
 std::optional<WrittenMatrix> matrixOf(const std::string& key, const Json& value, const std::string& source) {
   if (!value.is_array() || value.empty()) return std::nullopt;
-  WrittenMatrix m;
-  bool isNumeric = true;
-  std::size_t columns = 0;  // of rows of one length; 0: of none
-  const auto gather = [&](const Json& entry) {
-    isNumeric = isNumeric && entry.is_number();
-    if (isNumeric) m.numbers.push_back(entry.get<double>());
-  };
   const bool nested = value.front().is_array();
-  if (nested) columns = value.front().size();
+  WrittenMatrix m{visible(key), {}, nested ? NumberOrder::rows : NumberOrder::memory};
+  bool isGood = true;  // numbers, in rows of one length
+  const auto gather = [&](const Json& entry) {
+    isGood = isGood && entry.is_number();
+    if (isGood) m.numbers.push_back(entry.get<double>());
+  };
   for (const Json& row : value) {
-    if (nested && row.size() != columns) columns = 0;
-    if (row.is_array())
-      std::for_each(row.begin(), row.end(), gather);
-    else
-      gather(row);
+    isGood = isGood && row.is_array() == nested && row.size() == value.front().size();
+    std::for_each(row.begin(), row.end(), gather);  // of a number itself
   }
-  const auto is = [&](std::size_t rows, std::size_t across) {
-    return isNumeric && m.numbers.size() == rows * across && value.size() == (nested ? rows : rows * across) &&
-           (!nested || columns == across);
+  const auto is = [&](std::size_t rows, std::size_t columns) {
+    return isGood && m.numbers.size() == rows * columns && (!nested || value.size() == rows);
   };
   const bool isK = is(3, 3);
   if (isK && (m.numbers[3] != 0 || m.numbers[6] != 0 || m.numbers[7] != 0)) return std::nullopt;  // a rotation
   if (!isK && !is(3, 4) && !is(4, 4)) {
-    if (!nested || value.size() == 1 || columns == 1) return std::nullopt;  // a vector, the coefficients of a lens
+    if (!nested || value.size() == 1 || value.front().size() == 1)
+      return std::nullopt;  // a vector, the coefficients of a lens
     throw InputError(source + ": " + visible(key) +
                      ": expected 16 numbers or 4 rows of 4; or 3 rows of 3 or 4, a calibration");
   }
-  m.name = visible(key);
-  m.order = nested ? NumberOrder::rows : NumberOrder::memory;
   return m;
 }
 

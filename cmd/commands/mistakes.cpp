@@ -1,5 +1,3 @@
-#include "commands/mistakes.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -8,6 +6,7 @@
 
 #include "camera/check.hpp"
 #include "camera/patch.hpp"
+#include "commands/pair_check.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
 #include "viewproj/lens.hpp"
@@ -16,16 +15,12 @@
 namespace viewproj::cmd {
 namespace {
 
-/// JSON as an option's value has it.
-std::string textOf(const Json& value) {
+/// "60", "60deg", "1,2,3", or JSON.
+std::string textOf(const Json& value, bool isOption = true) {
   if (value.is_number()) return formatNumber(value.get<double>());
-  return value.is_string() ? value.get<std::string>() : value.dump();
-}
-
-/// "1,2,3".
-std::string listOf(const Json& numbers) {
+  if (!value.is_array() || !isOption) return value.is_string() ? value.get<std::string>() : value.dump();
   std::string text;
-  for (const Json& number : numbers) text += (text.empty() ? "" : ",") + textOf(number);
+  for (const Json& part : value) text += (text.empty() ? "" : ",") + textOf(part);
   return text;
 }
 
@@ -78,25 +73,24 @@ struct Trials {
     return {mistake, std::make_shared<const Json>(std::move(value)), std::move(mend), camera};
   }
 
-  /// Options, name and value in turns, an empty value for none: laid over the document. What cannot be read then is no
+  /// Other values of fields, null to remove one: options laid over the document. What cannot be read then is no
   /// hypothesis.
-  void options(const std::vector<std::pair<std::string, std::string>>& list, Json value = nullptr) {
+  void change(const std::vector<std::pair<std::string, Json>>& fields, Json value = nullptr, bool stretch = false) {
     try {
       std::string mend;
       std::vector<Patch> patches;
-      ReadOptions how = reading;
-      for (const auto& [name, text] : list) {
-        mend += (mend.empty() ? "" : " ") + name + (text.empty() ? "" : " " + inShell(text));
-        const auto field = std::find_if(std::begin(kFields), std::end(kFields),
-                                        [&option = name](const Field& each) { return each.option == option; });
-        if (name == "--allow-stretch")
-          how.allowStretch = true;
-        else
-          patches.push_back(name == "--set" ? setPatch(text) : optionPatch(*field, text));
+      for (const auto& [path, changed] : fields) {
+        const Field* const field = findField(path);
+        const bool isOption = field && !field->option.empty() && !changed.is_null();
+        const std::string text = (isOption ? "" : path + "=") + textOf(changed, isOption);
+        mend += (mend.empty() ? "" : " ") + std::string(isOption ? field->option : "--set") + " " + inShell(text);
+        patches.push_back(isOption ? optionPatch(*field, text) : setPatch(text));
       }
+      ReadOptions how = reading;
+      if (stretch) how.allowStretch = true;
       Document changed{document.name, std::make_shared<Json>(*document.root), document.isTyped, document.labels};
       lay(changed, patches);
-      Hypothesis hypothesis = next(mend, std::move(value));
+      Hypothesis hypothesis = next(mend + (stretch ? " --allow-stretch" : ""), std::move(value));
       hypothesis.camera = makeCamera(readCamera(changed, how));
       hypothesis.hasCamera = true;
       found.push_back(std::move(hypothesis));
@@ -129,21 +123,18 @@ struct Trials {
 
 void flipY(Trials& t) {
   const bool isTop = t.camera.viewport().origin == Origin::topLeft;
-  std::vector<std::pair<std::string, std::string>> list{
-      {"--set", std::string("viewport.origin=") + (isTop ? "bottom-left" : "top-left")}};
+  std::vector<std::pair<std::string, Json>> fields{{"viewport.origin", isTop ? "bottom-left" : "top-left"}};
   // What counts in pixels of the picture is counted from the other edge as well.
   const double height = t.numberOr("viewport.height", t.camera.viewport().height), c = t.pixelCenter();
   if (t.find("projection.cy")) {
-    const Json* const size = t.find("projection.pixels");
-    const double of = size ? (*size)[1].get<double>() : height;
-    const double cy = 2 * (t.numberOr("viewport.y", 0) * of / height + c) - 1 + of - t.numberOr("projection.cy", 0);
-    list.emplace_back("--set", "projection.cy=" + formatNumber(cy));
+    const double of = t.numberOr("projection.pixels.1", height);
+    fields.emplace_back("projection.cy",
+                        2 * (t.numberOr("viewport.y", 0) * of / height + c) - 1 + of - t.numberOr("projection.cy", 0));
   }
-  if (t.find("viewport.crop")) {
-    const double y = height - t.numberOr("viewport.crop.y", 0) - t.numberOr("viewport.crop.height", 0);
-    list.emplace_back("--set", "viewport.crop.y=" + formatNumber(y));
-  }
-  t.options(list);
+  if (t.find("viewport.crop"))
+    fields.emplace_back("viewport.crop.y",
+                        height - t.numberOr("viewport.crop.y", 0) - t.numberOr("viewport.crop.height", 0));
+  t.change(fields);
   t.pixels({}, {-1, t.first().y + t.last().y});
 }
 
@@ -153,14 +144,14 @@ void flipIndex(Trials& t) {
 
 void mirrorX(Trials& t) {
   const bool isRight = t.camera.convention().world == Handedness::right;
-  t.options({{"--set", std::string("convention.world=") + (isRight ? "left" : "right")}});
+  t.change({{"convention.world", isRight ? "left" : "right"}});
   t.pixels({-1, t.first().x + t.last().x}, {});
   if (const double axis = 2 * t.camera.intrinsics().cx; axis != t.first().x + t.last().x) t.pixels({-1, axis}, {});
   for (const auto& axes : {std::array{-1, 2, 3}, {1, -2, 3}, {1, 2, -3}}) t.points(axes);
 }
 
 void movePixelCentre(Trials& t) {
-  t.options({{"--set", t.pixelCenter() == 0 ? "viewport.pixelCenter=0.5" : "viewport.pixelCenter=0"}});
+  t.change({{"viewport.pixelCenter", t.pixelCenter() == 0 ? 0.5 : 0}});
   for (const double half : {-0.5, 0.5}) t.pixels({1, half}, {1, half});
 }
 
@@ -173,7 +164,7 @@ void scalePixels(Trials& t) {
 }
 
 void moveOffset(Trials& t) {
-  if (t.find("viewport.crop")) t.options({{"--set", "viewport.crop=null"}});
+  if (t.find("viewport.crop")) t.change({{"viewport.crop", nullptr}});
   for (const char* const corner : {"viewport.", "viewport.crop."}) {
     const double x = t.numberOr(corner + std::string("x"), 0), y = t.numberOr(corner + std::string("y"), 0);
     if (x == 0 && y == 0) continue;
@@ -185,28 +176,26 @@ void resizePicture(Trials& t) {
   const double center = t.pixelCenter() - 0.5;
   const double width = std::round(2 * (t.numberOr("projection.cx", 0) - center));
   const double height = std::round(2 * (t.numberOr("projection.cy", 0) - center));
-  if (!t.find("projection.cx") ||
-      (width == t.numberOr("viewport.width", 0) && height == t.numberOr("viewport.height", 0)))
-    return;
-  t.options({{"--set", "projection.pixels=[" + formatNumber(width) + "," + formatNumber(height) + "]"}},
-            Json{width, height});
+  const Json size = Json::parse("[" + formatNumber(width) + "," + formatNumber(height) + "]");  // whole numbers stay so
+  if (t.find("projection.cx") &&
+      (width != t.numberOr("viewport.width", 0) || height != t.numberOr("viewport.height", 0)))
+    t.change({{"projection.pixels", size}}, size);
 }
 
-constexpr std::pair<const char*, const char*> kAngles[] = {
-    {"projection.fovY", "--fov-y"}, {"projection.fovX", "--fov-x"}, {"projection.fovDiagonal", "--fov-diagonal"}};
+constexpr const char* kAngles[] = {"projection.fovY", "projection.fovX", "projection.fovDiagonal"};
 
 void turnFov(Trials& t) {
-  for (const auto& [path, own] : kAngles)
+  for (const char* const path : kAngles)
     if (const Json* const angle = t.find(path))
-      for (const auto& [other, option] : kAngles)
-        if (own != option) t.options({{option, textOf(*angle)}});
+      for (const char* const other : kAngles)
+        if (path != other) t.change({{other, *angle}});
 }
 
 void changeAspect(Trials& t) {
-  if (t.find("projection.aspect")) t.options({{"--set", "projection.aspect=null"}});
+  if (t.find("projection.aspect")) t.change({{"projection.aspect", nullptr}});
   const double whole = t.numberOr("viewport.width", 1) / t.numberOr("viewport.height", 1);
   for (const double aspect : {1.0, 1 / t.numberOr("projection.aspect", whole)})
-    t.options({{"--aspect", formatNumber(aspect)}, {"--allow-stretch", ""}});
+    t.change({{"projection.aspect", aspect}}, nullptr, true);
 }
 
 /// "60" and "60deg" in radians, "1.05rad" in degrees.
@@ -218,10 +207,10 @@ std::string inOtherUnit(const Json& angle) {
 }
 
 void takeRadians(Trials& t) {
-  for (const auto& [path, option] : kAngles) {
+  for (const char* const path : kAngles) {
     const Json* const angle = t.find(path);
     if (!angle) continue;
-    t.options({{option, inOtherUnit(*angle)}});
+    t.change({{path, inOtherUnit(*angle)}});
     // Who made the pixels has used as many radians as there are degrees.
     if (!angle->is_number()) continue;
     const double degrees = angle->get<double>();
@@ -229,27 +218,27 @@ void takeRadians(Trials& t) {
     const auto [fx, fy, cx, cy] = t.camera.intrinsics();
     t.pixels({ratio, cx - ratio * cx}, {ratio, cy - ratio * cy});
   }
-  std::vector<std::pair<std::string, std::string>> turns;
+  std::vector<std::pair<std::string, Json>> turns;
   for (const char* const name : {"heading", "pitch", "roll"})
-    if (const Json* const angle = t.find(name)) turns.emplace_back("--" + std::string(name), inOtherUnit(*angle));
-  if (!turns.empty()) t.options(turns);
+    if (const Json* const angle = t.find(name)) turns.emplace_back(name, inOtherUnit(*angle));
+  if (!turns.empty()) t.change(turns);
   if (const Json* const euler = t.find("euler.degrees")) {
     Json angles = Json::array();
     for (const Json& angle : *euler) angles.push_back(inOtherUnit(angle));
-    t.options({{"--set", "euler.degrees=" + textOf(angles)}});
+    t.change({{"euler.degrees", angles}});
   }
 }
 
 void exchangeTarget(Trials& t) {
-  for (const auto& [path, option] : {std::pair("target", "--direction"), {"direction", "--target"}})
-    if (const Json* const value = t.find(path); value && value->is_array()) t.options({{option, listOf(*value)}});
+  for (const auto& [path, other] : {std::pair("target", "direction"), {"direction", "target"}})
+    if (const Json* const value = t.find(path); value && value->is_array()) t.change({{other, *value}});
 }
 
 void turnUp(Trials& t) {
   for (const auto& axes : {std::array{1, 3, -2}, {1, -3, 2}, {1, 3, 2}}) t.points(axes);
   if (!t.find("target") && !t.find("direction")) return;
-  for (const char* const up : {"0,1,0", "0,0,1"})
-    if (const Json* const own = t.find("up"); !own || listOf(*own) != up) t.options({{"--up", up}});
+  for (const Json& up : {Json{0, 1, 0}, Json{0, 0, 1}})
+    if (const Json* const own = t.find("up"); !own || *own != up) t.change({{"up", up}});
 }
 
 /// A quaternion, or a matrix by rows, of the inverse rotation.
@@ -267,16 +256,16 @@ void invertPose(Trials& t) {
        {std::pair("worldFromCamera", "cameraFromWorld"), {"cameraFromWorld", "worldFromCamera"}}) {
     const Json* const pose = t.find(path);
     if (!pose) continue;
-    t.options({{"--set", std::string(path) + "=null"}, {"--set", std::string(other) + "=" + textOf(*pose)}});
+    t.change({{path, nullptr}, {other, *pose}});
     const std::string rotation = std::string(path) + ".rotation";
     if (const Json* const turn = t.find(rotation); turn && (turn->size() == 4 || turn->size() == 3))
-      t.options({{"--set", rotation + "=" + textOf(inverseOf(*turn))}});
+      t.change({{rotation, inverseOf(*turn)}});
   }
   const Json *const rotation = t.find("rotation"), *const position = t.find("position");
   if (!rotation || !position || !position->is_array()) return;
-  t.options({{"--set", "rotation=" + textOf(inverseOf(*rotation))}});
+  t.change({{"rotation", inverseOf(*rotation)}});
   const Json rigid{{"rotation", *rotation}, {"translation", *position}};
-  t.options({{"--set", "position=null"}, {"--set", "rotation=null"}, {"--set", "cameraFromWorld=" + textOf(rigid)}});
+  t.change({{"position", nullptr}, {"rotation", nullptr}, {"cameraFromWorld", rigid}});
 }
 
 void reorderQuaternion(Trials& t) {
@@ -285,14 +274,14 @@ void reorderQuaternion(Trials& t) {
       for (const auto& order : {std::array{1, 2, 3, 0}, {3, 0, 1, 2}}) {
         Json turned = Json::array();
         for (const int i : order) turned.push_back((*q)[static_cast<std::size_t>(i)]);
-        t.options({{"--set", std::string(path) + "=" + textOf(turned)}});
+        t.change({{path, turned}});
       }
 }
 
 void turnAxes(Trials& t) {
   const Json* const own = t.find("cameraAxes");
   for (const auto& [name, axes] : kCameraAxesNames)
-    if (!own || *own != name) t.options({{"--set", "cameraAxes=" + std::string(name)}}, std::string(name));
+    if (!own || *own != name) t.change({{"cameraAxes", name}}, name);
 }
 
 /// From low to high across the picture, y from its top or from its bottom.
@@ -307,7 +296,7 @@ void fromUnits(Trials& t, double low) {
 }
 
 void leaveDistortionOut(Trials& t) {
-  if (lensOf(t.camera)) t.options({{"--set", "distortion=null"}});
+  if (lensOf(t.camera)) t.change({{"distortion", nullptr}});
 }
 
 void distortTwice(Trials& t) {

@@ -6,18 +6,24 @@
 #include <numbers>
 #include <vector>
 
+#include "numbers/vectors.hpp"
+
 namespace viewproj::cmd {
 namespace {
 
 // In units of the sheet, whose longer side is that of the picture.
 constexpr double kLonger = 960, kTitle = 34, kMargin = 12;
 
-constexpr const char* kStyle =
-    "<style>text{font:15px sans-serif;fill:#222;paint-order:stroke;stroke:#fff;stroke-width:4px;stroke-linejoin:round}"
-    ".frame{fill:none;stroke:#999;stroke-width:1.5}.shape{fill:none;stroke:#5f7f9f;stroke-width:1.5;"
-    "stroke-linecap:round}.of-shape,.of-segment{fill:#47617c}.of-shape{text-anchor:middle}.point{fill:#1b63b5;stroke:#"
-    "fff}"
-    ".pixel{fill:none;stroke:#c0392b;stroke-width:2}.of-pixel{fill:#a5281b}</style>\n";
+constexpr const char* kStyle = R"(<style>
+text { font: 15px sans-serif; fill: #222; paint-order: stroke; stroke: #fff; stroke-width: 4px; stroke-linejoin: round }
+.frame { fill: none; stroke: #999; stroke-width: 1.5 }
+.shape { fill: none; stroke: #5f7f9f; stroke-width: 1.5; stroke-linecap: round }
+.of-shape { fill: #47617c; text-anchor: middle }
+.point { fill: #1b63b5; stroke: #fff }
+.pixel { fill: none; stroke: #c0392b; stroke-width: 2 }
+.of-pixel { fill: #a5281b }
+</style>
+)";
 
 std::string number(double value) {
   char text[32];
@@ -32,10 +38,7 @@ std::string escaped(const std::string& text) {
 }
 
 Vec3 sum(const Vec3& a, double k, const Vec3& b) { return {a.x + k * b.x, a.y + k * b.y, a.z + k * b.z}; }
-double length(const Vec3& a) { return std::hypot(a.x, a.y, a.z); }
-Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
+Vec3 unit(const Vec3& a) { return sum({0, 0, 0}, 1 / std::hypot(a.x, a.y, a.z), a); }
 
 }  // namespace
 
@@ -58,12 +61,16 @@ std::string Picture::textBeside(const Vec2& at, const std::string& label, const 
          "\"" + (toLeft ? " text-anchor=\"end\"" : "") + ">" + escaped(label) + "</text>\n";
 }
 
+Vec2 Picture::placeOf(const Vec4& point) const {
+  const ScreenPoint p = worldToScreen(camera_, point);
+  return p.visible() ? onSheet({p.x, p.y}) : Vec2{NAN, NAN};
+}
+
 void Picture::add(const std::string& label, const Vec4& point) {
   ++added_;
-  const ScreenPoint p = worldToScreen(camera(), point);
-  if (!p.visible()) return;
+  const Vec2 at = placeOf(point);
+  if (std::isnan(at.x)) return;
   ++seen_;
-  const Vec2 at = onSheet({p.x, p.y});
   points_ += "<circle class=\"point\" cx=\"" + number(at.x) + "\" cy=\"" + number(at.y) + "\" r=\"4.5\"/>\n" +
              textBeside(at, label, "");
 }
@@ -106,32 +113,26 @@ std::string Picture::pathOf(const std::vector<Vec2>& line) {
   return path;
 }
 
-void Picture::addPath(const std::string& label, const Vec3& middle, const std::string& path) {
+void Picture::addPath(const std::string& label, const Vec2& middle, const std::string& path) {
   ++added_;
   if (path.empty()) return;
   ++seen_;
   shapes_ += "<path class=\"shape\" d=\"" + path + "\"/>\n";
-  const ScreenPoint p = worldToScreen(camera(), middle);
-  if (!p.visible()) return;
-  const Vec2 at = onSheet({p.x, p.y});
-  shapes_ += "<text class=\"of-shape\" x=\"" + number(at.x) + "\" y=\"" + number(at.y + 5) + "\">" + escaped(label) +
-             "</text>\n";
+  if (!std::isnan(middle.x))
+    shapes_ += "<text class=\"of-shape\" x=\"" + number(middle.x) + "\" y=\"" + number(middle.y + 5) + "\">" +
+               escaped(label) + "</text>\n";
 }
 
 void Picture::addRound(const std::string& label, const Vec3& middle, std::span<const Vec3> points) {
   std::string path;
   for (std::size_t i = 0; i < points.size(); ++i) path += pathOf(lineOf(points[i], points[(i + 1) % points.size()]));
-  addPath(label, middle, path);
+  addPath(label, placeOf({middle.x, middle.y, middle.z, 1}), path);
 }
 
 void Picture::add(const std::string& label, const std::array<Vec3, 2>& segment) {
-  ++added_;
   const std::vector<Vec2> line = lineOf(segment[0], segment[1]);
-  if (line.empty()) return;
-  ++seen_;
-  const Vec2 from = line.front(), to = line.back();
-  shapes_ += "<path class=\"shape\" d=\"" + pathOf(line) + "\"/>\n" +
-             textBeside({(from.x + to.x) / 2, (from.y + to.y) / 2}, label, " class=\"of-segment\"");
+  const Vec2 from = line.empty() ? Vec2{} : line.front(), to = line.empty() ? Vec2{} : line.back();
+  addPath(label, {(from.x + to.x) / 2, (from.y + to.y) / 2}, pathOf(line));
 }
 
 void Picture::add(const std::string& label, const Triangle& t) {
@@ -143,11 +144,12 @@ void Picture::add(const std::string& label, const Box& box) {
   const auto corner = [&](int i) {
     return Vec3{i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z};
   };
+  const Vec3 middle = pointAlong(box.min, box.max, 0.5);
   std::string path;
   for (const int axis : {1, 2, 4})
     for (int i = 0; i < 8; ++i)
       if ((i & axis) == 0) path += pathOf(lineOf(corner(i), corner(i | axis)));
-  addPath(label, pointAlong(box.min, box.max, 0.5), path);
+  addPath(label, placeOf({middle.x, middle.y, middle.z, 1}), path);
 }
 
 void Picture::add(const std::string& label, const Ellipsoid& ellipsoid) {
@@ -161,11 +163,11 @@ void Picture::addSilhouette(const std::string& label, const Sphere& sphere, doub
   const bool isParallel = camera().projection().isOrthographic();
   const Vec3 way = isParallel ? Vec3{forward.x, forward.y, forward.z / stretch}
                               : sum(sphere.center, -1, {eye.x, eye.y, eye.z / stretch});
-  const double distance = length(way), share = isParallel ? 0 : sphere.radius / distance;
-  if (!(share < 1)) return addPath(label, sphere.center, "");  // the eye is within it
-  const Vec3 axis = sum({0, 0, 0}, 1 / distance, way);
+  const double distance = std::hypot(way.x, way.y, way.z), share = isParallel ? 0 : sphere.radius / distance;
+  if (!(share < 1)) return addPath(label, {}, "");  // the eye is within it
+  const Vec3 axis = unit(way);
   const Vec3 other = std::fabs(axis.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
-  const Vec3 u = sum({0, 0, 0}, 1 / length(cross(axis, other)), cross(axis, other)), v = cross(axis, u);
+  const Vec3 u = unit(detail::crossOf(axis, other)), v = detail::crossOf(axis, u);
   const Vec3 center = sum(sphere.center, -sphere.radius * share, axis);
   const double radius = sphere.radius * std::sqrt((1 - share) * (1 + share));
   // So many chords that none leaves the circle by more than a tenth of a unit.

@@ -36,13 +36,15 @@ class Picture {
   /// The lines from each point to the next, and back to the first. middle: where the label stands, where that is in
   /// view.
   void addRound(const std::string& label, const Vec3& middle, std::span<const Vec3> points);
-  void addPath(const std::string& label, const Vec3& middle, const std::string& path);
+  void addPath(const std::string& label, const Vec2& middle, const std::string& path);
   /// What the picture shows of a segment, on the sheet: points of it; NaN where it is out of the picture between two.
   std::vector<Vec2> lineOf(const Vec3& a, const Vec3& b) const;
   /// Through a lens that bends it.
   std::vector<Vec2> bentLineOf(const Vec3& a, const Vec3& b) const;
   static std::string pathOf(const std::vector<Vec2>& line);
   Vec2 onSheet(const Vec2& screen) const;
+  /// Where a point is seen on the sheet; NaN where it is not.
+  Vec2 placeOf(const Vec4& point) const;
   std::string textBeside(const Vec2& at, const std::string& label, const char* style) const;
 
   Camera camera_;

@@ -6,7 +6,6 @@
 #include <type_traits>
 
 #include "commands/command.hpp"
-#include "commands/options.hpp"
 #include "commands/stream_options.hpp"
 #include "output/results.hpp"
 #include "records/model.hpp"
@@ -27,61 +26,43 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// Those to give. In text and f64 names have no place.
-struct Fields {
-  std::vector<const PointResult*> named, numbers;
-  std::vector<const PointResult*> ofShapes;  ///< where it is not these that are named
+using Rows = std::vector<const PointResult*>;
 
-  bool names(const ResultRow& row) const {
-    return std::any_of(named.begin(), named.end(), [&](const PointResult* one) { return one->row.name == row.name; });
-  }
+bool isIn(const Rows& rows, const ResultRow& row) {
+  return std::any_of(rows.begin(), rows.end(), [&](const PointResult* one) { return one->row.name == row.name; });
+}
+
+/// The results to write.
+struct Fields {
+  Rows named, numbers;  ///< numbers: in text and f64, where names have no place
+  Rows ofShapes;        ///< in place of named; empty where --fields names results
 };
 
-std::vector<const PointResult*> resultsOfShapes() {
-  std::vector<const PointResult*> rows;
-  for (const PointResult& result : pointResults())
-    if (result.row.name == results::visible.name || result.row.kind == ResultKind::names)
-      rows.push_back(&result);
-    else if (result.row.name == results::screenBox.name)
-      rows.insert(rows.begin(), &result);
-  return rows;
-}
-
-Fields defaultFields() {
+/// Without --fields, the usual ones.
+Fields fieldsOf(const std::optional<Several<const PointResult*>>& chosen) {
+  if (chosen && !chosen->all) return {chosen->named, chosen->named, {}};
   Fields fields;
   for (const PointResult& result : pointResults()) {
-    if (result.row.byDefault != Default::never) fields.named.push_back(&result);
-    if (result.row.byDefault == Default::everywhere) fields.numbers.push_back(&result);
+    const ResultRow& row = result.row;
+    const bool isBox = row.name == results::screenBox.name;  // of shapes alone
+    if (chosen ? !isBox : row.byDefault != Default::never) fields.named.push_back(&result);
+    if (chosen ? !isBox && numbersOf(row) > 0 : row.byDefault == Default::everywhere) fields.numbers.push_back(&result);
+    if (isBox) fields.ofShapes.insert(fields.ofShapes.begin(), &result);
+    if (row.name == results::visible.name || row.name == results::outside.name) fields.ofShapes.push_back(&result);
   }
-  fields.ofShapes = resultsOfShapes();
   return fields;
 }
 
-Fields readFields(const std::string& option, const std::string& text) {
-  Names<const PointResult*> known;
-  for (const PointResult& result : pointResults()) known.emplace_back(result.row.name, &result);
-  Fields fields;
-  const auto several = chooseSeveral(option, text, known);
-  if (!several.all) {
-    fields.named = fields.numbers = several.named;
-    return fields;
-  }
-  for (const PointResult& result : pointResults()) {
-    if (result.row.name == results::screenBox.name) continue;  // of shapes alone
-    fields.named.push_back(&result);
-    if (numbersOf(result.row) > 0) fields.numbers.push_back(&result);
-  }
-  fields.ofShapes = resultsOfShapes();
-  return fields;
+Names<const PointResult*> fieldNames() {
+  Names<const PointResult*> names;
+  for (const PointResult& result : pointResults()) names.emplace_back(result.row.name, &result);
+  return names;
 }
 
 std::string helpOnFields() {
-  std::vector<std::string_view> all, usual;
-  for (const PointResult& result : pointResults()) {
-    all.push_back(result.row.name);
-    if (result.row.byDefault != Default::never) usual.push_back(result.row.name);
-  }
-  return "Results, in this order: " + joined(all) + ", or all (default: " + joined(usual) + ")";
+  std::vector<std::string_view> usual;
+  for (const PointResult* result : fieldsOf({}).named) usual.push_back(result->row.name);
+  return withNames("Results, in this order, or all", known(fieldNames()), joined(usual));
 }
 
 struct Projecting {
@@ -91,28 +72,27 @@ struct Projecting {
   PointReading reading;
   Fields fields;
   bool hasDepth = true;
-  std::vector<const PointResult*> ofText;   ///< by default
+  bool hasUsualNumbers = true;              ///< in text and f64
   std::optional<Mat4> worldFromLocal = {};  ///< of a model that the points are in
   std::optional<Frustum> frustum = {};      ///< for segments and shapes; nothing where a lens bends its edges
 };
 
-/// Of a camera without near: throws for results of depth that are asked for by name; of all, they are left out.
+/// Of a camera without near. Throws for results of depth that --fields names; from all and the usual ones, those that
+/// would be null are left out.
 void leaveDepthOut(Projecting& how, const CameraFile& file) {
   how.hasDepth = false;
-  const auto isOfDepth = [](const PointResult* result) {
-    return result->row.name == "ndc" || result->row.name == "clip" || result->row.name == results::depth.name;
+  const auto needsNear = [](const PointResult* result) {
+    return result->row.name == results::ndc.name || result->row.name == results::clip.name;
   };
-  if (how.fields.ofShapes.empty())
-    for (const PointResult* result : how.fields.named)
-      if (isOfDepth(result)) requireNear(file, "--fields " + std::string(result->row.name));
-  for (auto* rows : {&how.fields.named, &how.fields.numbers})
-    std::erase_if(*rows,
-                  [&](const PointResult* result) { return result->row.name == "ndc" || result->row.name == "clip"; });
+  for (const PointResult* result : how.fields.named)
+    if (how.fields.ofShapes.empty() && (needsNear(result) || result->row.name == results::depth.name))
+      requireNear(file, "--fields " + std::string(result->row.name));
+  for (auto* rows : {&how.fields.named, &how.fields.numbers}) std::erase_if(*rows, needsNear);
 }
 
 /// A segment among the points.
-struct SegmentRow {
-  Vec3 a = {}, b = {};
+struct Segment {
+  Vec3 a, b;
 };
 
 /// What of the world a screen position and a distance speak of is no single point.
@@ -152,7 +132,7 @@ class ProjectWork final : public RecordWork {
     const bool numbers = form == OutputForm::text || form == OutputForm::f64;
     if (numbers && isSegment(layout))
       throw RecordError(0, "has a segment, whose results have no place in text and f64; write JSON or CSV");
-    if (numbers && isShape(layout) && !how_.fields.names(results::screenBox))
+    if (numbers && isShape(layout) && !isIn(how_.fields.named, results::screenBox))
       throw RecordError(0, "has a shape, for whose screenBox there is no place; --fields screenBox,visible makes it");
     if (isSegment(layout)) return {std::begin(results::kSegment), std::end(results::kSegment)};
     Results rows;
@@ -164,14 +144,15 @@ class ProjectWork final : public RecordWork {
     Vec4 point{0, 0, 0, 1};
     if (!isPoint(layout)) requireEdges(isSegment(layout) ? "a segment" : "a shape");
     if (isSegment(layout)) {
-      const SegmentRow segment{placed({n[0], n[1], n[2]}), placed({n[3], n[4], n[5]})};
+      const Segment segment{placed({n[0], n[1], n[2]}), placed({n[3], n[4], n[5]})};
       if (!isValid(Sphere{segment.a}) || !isValid(Sphere{segment.b})) throw RecordError(0, "has a number beyond 1e91");
-      segments_.emplace_back(points_.size(), segment);
+      others_.push_back({points_.size(), segment});
     } else if (isShape(layout)) {
       if (how_.worldFromLocal) throw RecordError(0, "has a shape; --model places points and segments alone");
-      shapes_.push_back({points_.size(), toShape(layout, n)});
-      if (const auto* const sphere = std::get_if<Sphere>(&shapes_.back().shape))
+      const CullShape shape = toShape(layout, n);
+      if (const auto* const sphere = std::get_if<Sphere>(&shape))
         point = {sphere->center.x, sphere->center.y, sphere->center.z, 1};
+      others_.push_back({points_.size(), shape});
     } else {
       point = toPoint(layout, n);
       if (how_.worldFromLocal) point = toWorld(*how_.worldFromLocal, point);
@@ -188,10 +169,8 @@ class ProjectWork final : public RecordWork {
   }
 
   void write(std::size_t i, ResultSink& sink) override {
-    if (nextSegment_ < segments_.size() && segments_[nextSegment_].first == i)
-      writeSegment(segments_[nextSegment_++].second, sink);
-    else if (nextShape_ < shapes_.size() && shapes_[nextShape_].index == i)
-      writeShape(shapes_[nextShape_++], sink);
+    if (nextOther_ < others_.size() && others_[nextOther_].index == i)
+      writeOther(others_[nextOther_++], sink);
     else if (screen_[i].status == PointStatus::outOfRange)
       throw RecordError(0, "lies farther than 1e91 from the eye");
     else
@@ -199,15 +178,14 @@ class ProjectWork final : public RecordWork {
   }
 
   void clear() override {
-    segments_.clear();
-    shapes_.clear();
-    nextSegment_ = nextShape_ = 0;
+    others_.clear();
+    nextOther_ = 0;
     points_.clear();
     positions_.clear();
   }
 
   std::size_t convert(std::span<const double> in, TextBuffer& out) override {
-    if (how_.fields.numbers != how_.ofText || how_.worldFromLocal) return 0;
+    if (!how_.hasUsualNumbers || how_.worldFromLocal) return 0;
     const std::size_t count = in.size() / 3;
     char* const room = out.room(count * sizeof(Vec3));
     const std::span points(reinterpret_cast<const Vec3*>(in.data()), count);
@@ -219,6 +197,12 @@ class ProjectWork final : public RecordWork {
   }
 
  private:
+  /// A segment or a shape, which was added as number index.
+  struct Other {
+    std::size_t index;
+    std::variant<Segment, CullShape> what;
+  };
+
   void requireEdges(const std::string& what) const {
     if (!how_.frustum)
       throw RecordError(
@@ -232,8 +216,8 @@ class ProjectWork final : public RecordWork {
     return {world.x, world.y, world.z};
   }
 
-  void writeSegment(const SegmentRow& row, ResultSink& sink) const {
-    VisibleSegment segment = clipSegment(*how_.frustum, row.a, row.b);
+  void writeSegment(const Segment& whole, ResultSink& sink) const {
+    VisibleSegment segment = clipSegment(*how_.frustum, whole.a, whole.b);
     constexpr SegmentEnd kNoEnd{.t = kNaN, .screen = {kNaN, kNaN}, .depth = kNaN, .viewDistance = kNaN};
     if (!segment.visible) segment.start = segment.end = kNoEnd;
     sink.flag(results::visible, segment.visible);
@@ -250,18 +234,14 @@ class ProjectWork final : public RecordWork {
     writeEnd(results::end, segment.end);
   }
 
-  const std::vector<const PointResult*>& rowsOf(bool isShape, bool numbers) const {
+  const Rows& rowsOf(bool isShape, bool numbers) const {
     if (isShape && !numbers && !how_.fields.ofShapes.empty()) return how_.fields.ofShapes;
     return numbers ? how_.fields.numbers : how_.fields.named;
   }
 
-  struct ShapeRow {
-    std::size_t index;
-    CullShape shape;
-  };
-
-  void writeShape(const ShapeRow& row, ResultSink& sink) const {
-    const CullShape& shape = row.shape;
+  void writeOther(const Other& other, ResultSink& sink) const {
+    if (const auto* const segment = std::get_if<Segment>(&other.what)) return writeSegment(*segment, sink);
+    const CullShape& shape = std::get<CullShape>(other.what);
     const auto box = std::visit(
         [&](const auto& one) -> std::optional<ScreenBox> {
           if constexpr (std::is_same_v<decltype(one), const Vec3&>)
@@ -273,18 +253,18 @@ class ProjectWork final : public RecordWork {
     const Cull verdict = std::visit([&](const auto& one) { return cull(*how_.frustum, one); }, shape);
     // Of a sphere what is of one point is its center's.
     const bool isSphere = std::holds_alternative<Sphere>(shape);
-    ScreenPoint screen = isSphere ? screen_[row.index] : kNoPoint;
+    ScreenPoint screen = isSphere ? screen_[other.index] : kNoPoint;
     screen.status = PointStatus::inFront;
     if (verdict.verdict == CullVerdict::outside)
       screen.outside = verdict.side;
     else
       screen.outside = box ? sidesBeyond(how_.camera, *box) : static_cast<std::uint8_t>(sideNear);
-    const Vec4 point = isSphere ? points_[row.index] : Vec4{kNaN, kNaN, kNaN, 1};
+    const Vec4 point = isSphere ? points_[other.index] : Vec4{kNaN, kNaN, kNaN, 1};
     writeFields(screen, point, sink, box, rowsOf(true, sink.isText()));
   }
 
   void writeFields(const ScreenPoint& screen, const Vec4& point, ResultSink& sink, const std::optional<ScreenBox>& box,
-                   const std::vector<const PointResult*>& rows) const {
+                   const Rows& rows) const {
     const ProjectedPoint projected{how_.camera, how_.writing, point, screen, box};
     for (const PointResult* result : rows) result->write(result->row, projected, sink);
   }
@@ -292,9 +272,8 @@ class ProjectWork final : public RecordWork {
   const Projecting& how_;
   std::vector<Vec4> points_;  ///< a segment or a shape has a place among them that is not used
   std::vector<Vec3> positions_;
-  std::vector<std::pair<std::size_t, SegmentRow>> segments_;
-  std::vector<ShapeRow> shapes_;
-  std::size_t nextSegment_ = 0, nextShape_ = 0;
+  std::vector<Other> others_;
+  std::size_t nextOther_ = 0;
   std::vector<ScreenPoint> screen_;
 };
 
@@ -302,13 +281,13 @@ struct Options {
   CameraOptions camera;
   StreamOptions stream;
   Precision precision = Precision::exact;
-  std::optional<Fields> fields;
+  std::optional<Several<const PointResult*>> fields;
   std::optional<std::string> model;
 };
 
 int run(const Options& o) {
   // Then a point with a radius is a sphere.
-  const bool asksForBoxes = o.fields && o.fields->names(results::screenBox);
+  const bool asksForBoxes = o.fields && isIn(o.fields->named, results::screenBox);
   FilterSetup setup = o.stream.setup(asksForBoxes ? kSphereColumns : kPointColumns);
   o.stream.reads(setup);
   const CameraFile file = o.camera.read();
@@ -321,8 +300,8 @@ int run(const Options& o) {
                              .segments = true,
                              .shapes = true,
                              .radius = asksForBoxes},
-                 .fields = o.fields.value_or(defaultFields()),
-                 .ofText = defaultFields().numbers};
+                 .fields = fieldsOf(o.fields)};
+  how.hasUsualNumbers = how.fields.numbers == fieldsOf({}).numbers;
   if (!lensOf(how.camera)) how.frustum = viewFrustum(how.camera);
   if (o.model) how.worldFromLocal = readModel(*o.model);
   if (!hasDepth(*file.projection)) leaveDepthOut(how, file);
@@ -345,6 +324,9 @@ Action declareProject(CLI::App& app) {
       "    viewproj project --position 0,0,9 --target 0,0,0 --fov-y 60 --viewport 64x48");
   o->stream.add(app, "points");
   o->stream.addPoints(app);
+  const auto readFields = [](const std::string& option, const std::string& text) {
+    return chooseSeveral(option, text, fieldNames());
+  };
   addValue(app, "--fields", "NAMES", o->fields, readFields, helpOnFields());
   addPrecision(app, o->precision);
   addModel(app, o->model, "Place in the world of the model that the points are in");

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "commands/command.hpp"
-#include "commands/options.hpp"
 #include "commands/stream_options.hpp"
 #include "output/results.hpp"
 #include "records/arguments.hpp"
@@ -68,8 +67,7 @@ class RayWork final : public RecordWork {
  public:
   explicit RayWork(const Casting& how) : how_(how) {
     for (const bool hasDistance : {false, true})
-      for (const bool isJson : {false, true})
-        rows_[hasDistance][isJson] = how.fields ? *how.fields : defaultRows(hasDistance, isJson);
+      for (const bool isJson : {false, true}) rows_[hasDistance][isJson] = rowsFor(hasDistance, isJson);
   }
 
   Layout find(const RecordParts& record) const override { return findPixel(record, how_.columns); }
@@ -100,7 +98,8 @@ class RayWork final : public RecordWork {
     return rows_[hasDistance || fixed][!fixed && !isText];
   }
 
-  Results defaultRows(bool hasDistance, bool isJson) const {
+  Results rowsFor(bool hasDistance, bool isJson) const {
+    if (how_.fields) return *how_.fields;
     Results rows = {&results::origin, &results::direction};
     if (hasDistance) rows.push_back(&results::point);
     if (hasDistance && isJson && how_.worldIsEcef) rows.push_back(&results::place);
@@ -120,7 +119,7 @@ class RayWork final : public RecordWork {
       sink.object(row, isPoint ? 1 : 0, [&](ResultSink& part, std::size_t) { writePlace(cast.point.position, part); });
     else if (&row == &results::pointDistance)
       sink.number(row, cast.point.viewDistance);
-    else if (&row == &results::pointBound)
+    else if (&row == &results::bound)
       sink.number(row, isPoint ? cast.point.bound : kNaN);
     else
       writeHits(cast.ray, sink);
@@ -171,20 +170,13 @@ GivenRecord readPixel(const std::string& option, const std::string& text) {
 
 /// What --fields can name: all that `ray` writes, of a hit the one name. Those of the scene are settled once it is
 /// read.
-constexpr const ResultRow* kFields[] = {&results::origin,        &results::direction,  &results::point, &results::place,
-                                        &results::pointDistance, &results::pointBound, &results::hit};
+constexpr const ResultRow* kFields[] = {&results::origin,        &results::direction, &results::point, &results::place,
+                                        &results::pointDistance, &results::bound,     &results::hit};
 
-std::string helpOnFields() {
-  std::vector<std::string_view> names;
-  for (const ResultRow* row : kFields) names.push_back(row->name);
-  return "Results, in this order: " + joined(names) +
-         ", or all (default: origin and direction; with a depth point, with a scene hit)";
-}
-
-Several<const ResultRow*> readFields(const std::string& option, const std::string& text) {
+Names<const ResultRow*> fieldNames() {
   Names<const ResultRow*> names;
   for (const ResultRow* row : kFields) names.emplace_back(row->name, row);
-  return chooseSeveral(option, text, names);
+  return names;
 }
 
 struct Options {
@@ -260,7 +252,12 @@ Action declareRay(CLI::App& app) {
   addValues(app, "--plane", "z=0|A,B,C,D", o->planes, readPlaneArgument,
             "A plane to hit: x=.., y=.., z=.. or ax+by+cz+d=0");
   app.add_flag("--all-hits", o->allHits, "Every hit, nearest first");
-  addValue(app, "--fields", "NAMES", o->fields, readFields, helpOnFields());
+  const auto readFields = [](const std::string& option, const std::string& text) {
+    return chooseSeveral(option, text, fieldNames());
+  };
+  addValue(app, "--fields", "NAMES", o->fields, readFields,
+           withNames("Results, in this order, or all", known(fieldNames()),
+                     "origin and direction; with a depth point, with a scene hit"));
   addPrecision(app, o->precision);
   o->camera.add(app);
   return [o] { return run(*o); };

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cctype>
 
-#include "commands/standard_input.hpp"
 #include "output/output_file.hpp"
 #include "records/points.hpp"
 #include "text/csv.hpp"
@@ -101,15 +100,8 @@ void StreamOptions::settleOnEarth(FilterSetup& setup, bool worldIsEcef) const {
   for (const PointArgument& point : points_) point.requireFit(worldIsEcef);
   if (!worldIsEcef) return;
   const ColumnChoice& columns = setup.columns;
-  if (columns.given() && !columns.hasRoles) {
-    std::string place, ecef;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::string end = "=" + columns.picks[i].name + (i < 2 ? "," : "");
-      place += std::string(coordinates::kPlace[i].name) + end;
-      ecef += std::string(coordinates::kXyzw[i].name) + end;
-    }
-    throw UsageError("--columns " + columns.text + ": " + bareTriple(place + " or " + ecef));
-  }
+  if (columns.given() && !columns.hasRoles)
+    throw UsageError("--columns " + columns.text + ": " + bareTriple("lat=..,lon=..,height=.. or x=..,y=..,z=.."));
   if (!columns.given()) setup.writer.numberNames = setup.csvDefaults;
 }
 

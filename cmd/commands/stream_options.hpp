@@ -1,14 +1,16 @@
 // The options of a stream of records.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "commands/camera_options.hpp"
-#include "commands/options.hpp"
 #include "records/arguments.hpp"
 #include "records/columns.hpp"
+#include "records/points.hpp"
 #include "stream/filter.hpp"
 
 namespace viewproj::cmd {
@@ -46,5 +48,33 @@ class StreamOptions {
   std::vector<PointArgument> points_;
   bool keepGoing_ = false, noHeader_ = false;
 };
+
+/// Reads records and writes none: find(parts) tells where one has its numbers, make(layout, numbers) makes something of
+/// them, and use(thing, record, line) gets it, in order. find and make throw RecordError. Returns the exit status.
+template <class Find, class Make, class Use>
+int readEach(const FilterSetup& setup, Find find, Make make, Use use) {
+  class Work final : public RecordWork {
+   public:
+    Work(Find& find, Make& make, Use& use) : find_(find), make_(make), use_(use) {}
+    Layout find(const RecordParts& record) const override { return find_(record); }
+    void add(const Layout& layout, const Numbers& numbers) override { things_.push_back(make_(layout, numbers)); }
+    void read(std::size_t i, const Record& record, std::size_t line) override { use_(things_[i], record, line); }
+    void clear() override { things_.clear(); }
+
+   private:
+    Find& find_;
+    Make& make_;
+    Use& use_;
+    std::vector<std::invoke_result_t<Make&, const Layout&, const Numbers&>> things_;
+  };
+  return readRecords(setup, [&] { return std::make_unique<Work>(find, make, use); });
+}
+
+/// The same of points and shapes.
+template <class Make, class Use>
+int readEachPoint(const FilterSetup& setup, const PointReading& reading, Make make, Use use) {
+  return readEach(
+      setup, [&](const RecordParts& record) { return findPoint(record, reading); }, make, use);
+}
 
 }  // namespace viewproj::cmd

@@ -96,8 +96,8 @@ std::string headerLine(const WriterSetup& setup, const CsvColumns& columns) {
   return joined(names, std::string_view(&setup.separator, 1)) + "\n";
 }
 
-/// A cell of a bad row, as it is where it is one, else its bytes in quotes.
-std::string cellOfBadRow(std::string_view cell, char from, char to) {
+/// A cell of CSV under another separator. One that is no whole cell keeps its bytes, in quotes.
+std::string recast(std::string_view cell, char from, char to) {
   const bool isWhole = isWholeField(cell);
   if (isWhole && from == to && cell.starts_with('"')) return std::string(cell);
   return quotedIfNeeded(isWhole ? csvValue(cell) : cell, to);
@@ -140,7 +140,7 @@ class CsvWriter final : public RecordWriter {
   }
 
   void cancelRecord() override {
-    out_.truncate(start_);
+    RecordWriter::cancelRecord();
     if (!columns_.known) columns_.own.clear();
   }
 
@@ -163,7 +163,7 @@ class CsvWriter final : public RecordWriter {
                             const WriterSetup& setup, const CsvColumns& columns) {
     std::string row;
     for (std::size_t i = 0; i < columns.own.size(); ++i)
-      row += cellOfBadRow(i < cells.size() ? cells[i] : "", columns.separator, setup.separator) + setup.separator;
+      row += recast(i < cells.size() ? cells[i] : "", columns.separator, setup.separator) + setup.separator;
     row.append(addedColumns(setup, columns.results).size() - 1, setup.separator);
     return row + quotedIfNeeded(message, setup.separator) + "\n";
   }
@@ -195,10 +195,6 @@ class CsvWriter final : public RecordWriter {
       cell(words.size() == 1 ? words[0] : std::string_view(joined(words, " ")));
   }
 
-  void object(const ResultRow& row, std::size_t, const std::function<void(ResultSink&, std::size_t)>& write) override {
-    if (row.kind == ResultKind::group) write(*this, 0);
-  }
-
  private:
   /// A line of CSV, in the output's format.
   void appendRow(const Record& record) {
@@ -209,7 +205,7 @@ class CsvWriter final : public RecordWriter {
     const auto cells = valuesOf(record);
     for (std::size_t i = 0; i < cells.size(); ++i) {
       if (i > 0) out_ += setup_.separator;
-      out_ += quotedIfNeeded(csvValue(cells[i]), setup_.separator);
+      out_ += recast(cells[i], columns_.separator, setup_.separator);
     }
   }
 
@@ -263,7 +259,6 @@ class CsvWriter final : public RecordWriter {
   CsvColumns& columns_;
   std::unordered_map<std::string_view, std::size_t> places_;  ///< of the columns, once they are needed by name
   std::vector<const OwnCell*> inOrder_;
-  std::size_t start_ = 0;
 };
 
 }  // namespace
@@ -281,10 +276,8 @@ CsvColumns csvColumns(const WriterSetup& setup, const CsvHeader& header, std::st
   if (!setup.header) return columns;
   std::vector<std::string_view> cells;
   splitCsvLine(line, cells, separator);
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (i > 0) out += setup.separator;
-    out += separator == setup.separator ? std::string(cells[i]) : quotedIfNeeded(csvValue(cells[i]), setup.separator);
-  }
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    out += (i > 0 ? std::string(1, setup.separator) : "") + recast(cells[i], separator, setup.separator);
   for (const std::string& column : added) out += setup.separator + column;
   out += '\n';
   return columns;

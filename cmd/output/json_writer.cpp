@@ -54,26 +54,25 @@ void appendCell(TextBuffer& out, std::string_view cell) {
 /// Valid JSON has line breaks only between its tokens.
 std::string onOneLine(std::string_view json) {
   std::string line(json);
-  if (json.find_first_of("\r\n") != std::string_view::npos)
-    std::erase_if(line, [](char c) { return c == '\n' || c == '\r'; });
+  std::erase_if(line, [](char c) { return c == '\n' || c == '\r'; });
   return line;
 }
 
 /// The values of a record without names, as JSON.
 std::vector<std::string> jsonValues(const Record& record) {
   std::vector<std::string> values;
-  if (record.shape->form == Form::f64)
+  if (record.shape->form == Form::f64) {
     for (const double number : binaryNumbers(record.text)) values.push_back(formatNumber(number));
-  else
-    for (const std::string_view value : valuesOf(record)) {
-      TextBuffer cell;
-      if (record.shape->form != Form::json && value != "NaN" && !parseNumber(value)) {
-        appendCell(cell, value);
-        values.emplace_back(cell.view());
-      } else {
-        values.push_back(record.shape->form == Form::json ? onOneLine(value) : jsonNumber(value));
-      }
-    }
+    return values;
+  }
+  for (const std::string_view value : valuesOf(record)) {
+    const bool isWord = record.shape->form != Form::json && value != "NaN" && !parseNumber(value);
+    TextBuffer cell;
+    if (isWord) appendCell(cell, value);
+    values.push_back(isWord                             ? std::string(cell.view())
+                     : record.shape->form == Form::json ? onOneLine(value)
+                                                        : jsonNumber(value));
+  }
   return values;
 }
 
@@ -131,7 +130,11 @@ class JsonWriter final : public RecordWriter {
       // As written, without the closing brace.
       std::size_t end = record.text.size() - 1;
       while (isJsonSpace(record.text[end - 1])) --end;
-      appendOnOneLine(record.text.substr(0, end));
+      const std::string_view json = record.text.substr(0, end);
+      if (json.find('\n') == std::string_view::npos && json.find('\r') == std::string_view::npos)
+        out_ += json;
+      else
+        out_ += onOneLine(json);
     }
   }
 
@@ -139,8 +142,6 @@ class JsonWriter final : public RecordWriter {
     out_ += '}';
     finishItem();
   }
-
-  void cancelRecord() override { out_.truncate(start_); }
 
   void badRecord(std::string_view, std::size_t line, const std::string& message) override {
     beginItem();
@@ -178,17 +179,25 @@ class JsonWriter final : public RecordWriter {
 
   void text(const ResultRow& row, std::span<const std::string_view> words) override {
     beginField(row);
-    if (row.kind == ResultKind::names) return appendWords(words);
-    if (words.empty())
+    if (row.kind == ResultKind::names) {
+      out_ += '[';
+      for (const std::string_view word : words) {
+        if (out_.back() != '[') out_ += ',';
+        out_ += '"';
+        out_ += word;
+        out_ += '"';
+      }
+      out_ += ']';
+    } else if (words.empty()) {
       out_ += "null";
-    else if (row.kind == ResultKind::json)
+    } else if (row.kind == ResultKind::json) {
       out_ += words[0];
-    else
+    } else {
       appendString(out_, words[0]);
+    }
   }
 
-  void object(const ResultRow& row, std::size_t count,
-              const std::function<void(ResultSink&, std::size_t)>& write) override {
+  void object(const ResultRow& row, std::size_t count, const WriteParts& write) override {
     beginField(row);
     const bool isList = row.kind == ResultKind::list;
     if (count == 0 && !isList) {
@@ -207,28 +216,10 @@ class JsonWriter final : public RecordWriter {
   }
 
  private:
-  void appendWords(std::span<const std::string_view> words) {
-    out_ += '[';
-    for (const std::string_view word : words) {
-      if (out_.back() != '[') out_ += ',';
-      out_ += '"';
-      out_ += word;
-      out_ += '"';
-    }
-    out_ += ']';
-  }
-
   void leaveFirstArray() {
     frame_.size = out_.size();
     frame_.records = frame_.open;
     frame_.open = 0;
-  }
-
-  void appendOnOneLine(std::string_view json) {
-    if (json.find('\n') == std::string_view::npos && json.find('\r') == std::string_view::npos)
-      out_ += json;
-    else
-      out_ += onOneLine(json);
   }
 
   void beginItem() {
@@ -283,7 +274,6 @@ class JsonWriter final : public RecordWriter {
   const WriterSetup& setup_;
   ArrayFrame frame_;     ///< of the block, as far as it goes
   bool goesOn_ = false;  ///< still in the array that stood open before the block
-  std::size_t start_ = 0;
   std::vector<std::pair<const ResultRow*, std::string>> labels_;
   std::size_t nextLabel_ = 0;
   int depth_ = 0;  ///< of objects within the results

@@ -8,15 +8,22 @@
 
 #include "camera/names.hpp"
 #include "camera/write_camera.hpp"
-#include "output/camera_matrices.hpp"
 #include "output/table.hpp"
 #include "text/error.hpp"
 #include "text/json_text.hpp"
 #include "text/number.hpp"
-#include "viewproj/matrices.hpp"
 
 namespace viewproj::cmd {
 namespace {
+
+constexpr CameraMatrix kCameraMatrices[] = {
+    {"view", true, false, false, false, Space::view, Space::world},
+    {"projection", false, true, false, false, Space::clip, Space::view},
+    {"viewProjection", true, true, false, false, Space::clip, Space::world},
+    {"modelView", true, false, false, true, Space::view, Space::model},
+    {"modelViewProjection", true, true, false, true, Space::clip, Space::model},
+    {"viewport", false, false, true, false, Space::screen, Space::ndc},
+};
 
 std::string entryText(double value, bool asFloat) {
   std::string text;
@@ -247,9 +254,10 @@ void makeIdentifiers(std::vector<NamedMatrix>& matrices) {
   std::unordered_map<std::string, std::size_t> next;  // number of a name, so that many of one name take no longer
   for (NamedMatrix& named : matrices) {
     std::string name;
-    const bool isOwn = std::any_of(cameraMatrices().begin(), cameraMatrices().end(), [&](const CameraMatrix& row) {
-      return named.name == row.name || named.name == std::string(row.name) + std::string(kInverse);
-    });
+    const bool isOwn =
+        std::any_of(std::begin(kCameraMatrices), std::end(kCameraMatrices), [&](const CameraMatrix& row) {
+          return named.name == row.name || named.name == std::string(row.name) + std::string(kInverse);
+        });
     for (const char c : isOwn ? named.name : "m_" + named.name) {
       const bool good = std::isalnum(static_cast<unsigned char>(c)) != 0;
       if (good || !name.ends_with('_')) name += good ? c : '_';  // two _ in a row are the languages' own
@@ -261,6 +269,17 @@ void makeIdentifiers(std::vector<NamedMatrix>& matrices) {
 }
 
 }  // namespace
+
+std::span<const CameraMatrix> cameraMatrices() { return kCameraMatrices; }
+
+Mat4 CameraMatrix::make(const MatrixSource& s, bool inverse) const {
+  const CameraFile& f = s.file;
+  const Space destination = to == Space::clip && s.bakeViewport ? Space::screen : to;
+  const std::optional<Pose> eyeAtOrigin = s.relativeToEye && f.pose && !model ? relativeToEye(*f.pose) : f.pose;
+  const Camera camera = cameraIn(s.convention, eyeAtOrigin, f.projection, f.viewport);
+  const Space first = inverse ? from : destination, second = inverse ? destination : from;
+  return model ? matrix(camera, first, second, *s.worldFromLocal) : matrix(camera, first, second);
+}
 
 std::vector<FormRow<std::string_view>> matrixForms() {
   std::vector<FormRow<std::string_view>> forms = {

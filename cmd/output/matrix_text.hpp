@@ -1,16 +1,40 @@
-// Matrices in text formats. To add a language: a row of kLanguages in matrix_text.cpp.
+// The matrices that a camera has, by name, and matrices in text formats. To add a matrix: a row of kCameraMatrices in
+// matrix_text.cpp; a language: one of kLanguages.
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "camera/read_camera.hpp"
 #include "text/form.hpp"
-#include "viewproj/convention.hpp"
-#include "viewproj/vectors.hpp"
+#include "viewproj/matrices.hpp"
 
 namespace viewproj::cmd {
+
+/// What matrices are made of.
+struct MatrixSource {
+  const CameraFile& file;
+  Convention convention;
+  std::optional<Mat4> worldFromLocal = {};
+  bool bakeViewport = false, relativeToEye = false;
+};
+
+struct CameraMatrix {
+  std::string_view name;
+  bool pose, projection, viewport, model;  ///< what it needs
+  Space to, from;                          ///< to the screen in place of clip where the viewport is folded in
+
+  /// For column vectors.
+  Mat4 make(const MatrixSource& source, bool inverse) const;
+};
+
+std::span<const CameraMatrix> cameraMatrices();
+
+/// After the name of an inverse.
+inline constexpr std::string_view kInverse = "Inverse";
 
 struct NamedMatrix {
   std::string name;

@@ -7,7 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include "output/result.hpp"
 #include "output/results.hpp"
 #include "records/record.hpp"
 #include "text/form.hpp"
@@ -59,14 +58,18 @@ class RecordWriter : public ResultSink {
   virtual void beginRecord(const Record& record, const Results& results) = 0;
   virtual void endRecord() = 0;
   /// Takes back what beginRecord and the results wrote.
-  virtual void cancelRecord() = 0;
+  virtual void cancelRecord() { out_.truncate(start_); }
+
+  void object(const ResultRow& row, std::size_t /*count*/, const WriteParts& write) override {
+    if (row.kind == ResultKind::group) write(*this, 0);
+  }
 
   /// --keep-going: what stands in place of a bad record.
   virtual void badRecord(std::string_view text, std::size_t line, const std::string& message) = 0;
 
  protected:
   TextBuffer& out_;
-  std::size_t records_ = 0;
+  std::size_t records_ = 0, start_ = 0;  ///< start: of the record in out_
 };
 
 /// The columns of CSV, which all workers share. Of records that are not CSV they are the first good record's: until it

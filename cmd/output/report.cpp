@@ -138,17 +138,18 @@ std::string cellText(const OrderedJson& value, int digits) {
 
 std::string gridText(const OrderedJson& value, int digits, std::size_t indent) {
   const Grid grid = gridOf(value, true);
+  std::vector<bool> isOfWords(grid.header.size(), false);
+  for (const auto& row : grid.rows)
+    for (std::size_t i = 0; i < row.size(); ++i)
+      if (row[i] && (row[i]->is_string() || row[i]->is_array() || row[i]->is_boolean())) isOfWords[i] = true;
   TextRows rows{grid.header};
-  std::vector<bool> toTheRight(grid.header.size(), true);
   for (const auto& row : grid.rows) {
     auto& texts = rows.emplace_back();
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      texts.push_back(row[i] ? cellText(*row[i], digits) : "");
-      if (row[i] && (row[i]->is_string() || row[i]->is_array() || row[i]->is_boolean())) toTheRight[i] = false;
-    }
+    for (std::size_t i = 0; i < row.size(); ++i)
+      texts.push_back(!row[i] || (row[i]->is_null() && isOfWords[i]) ? "" : cellText(*row[i], digits));
   }
   return aligned(
-      rows, [&](std::size_t column) { return toTheRight[column]; }, indent);
+      rows, [&](std::size_t column) { return !isOfWords[column]; }, indent);
 }
 
 std::string matrixText(const OrderedJson& value, int digits, std::size_t indent) {

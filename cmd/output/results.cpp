@@ -18,34 +18,26 @@ using R = const ResultRow&;
 using S = ResultSink&;
 
 Vec3 xyz(const Vec4& v) { return {v.x, v.y, v.z}; }
+Vec4 pointIn(Space space, P p) { return worldTo(p.camera, space, p.point, p.writing); }
+double boundOf(P p) { return boundOfPoint(p.camera, p.point, p.screen.precision).screen; }
+std::array<double, 4> edgesOf(P p) {
+  const ScreenBox box = p.box.value_or(ScreenBox{kNaN, kNaN, kNaN, kNaN});
+  return {box.left, box.top, box.right, box.bottom};
+}
 
 // clang-format off
 constexpr PointResult kPointResults[] = {
-    {results::screen,
-     [](R row, P p, S sink) { sink.vector(row, Vec2{p.screen.x, p.screen.y}); }},
-    {results::depth,
-     [](R row, P p, S sink) { sink.number(row, p.screen.depth); }},
-    {results::viewDistance,
-     [](R row, P p, S sink) { sink.number(row, p.screen.viewDistance); }},
-    {results::visible,
-     [](R row, P p, S sink) { sink.flag(row, p.screen.visible()); }},
-    {ResultRow{"outside", ResultKind::names}.whereNamed(),
-     [](R row, P p, S sink) { sink.text(row, Sides(p.screen).names()); }},
-    {vectorResult("ndc", 3).onRequest(),
-     [](R row, P p, S sink) { sink.vector(row, xyz(worldTo(p.camera, Space::ndc, p.point, p.writing))); }},
-    {vectorResult("clip", 4).onRequest(),
-     [](R row, P p, S sink) { sink.vector(row, worldTo(p.camera, Space::clip, p.point, p.writing)); }},
-    {vectorResult("view", 3).onRequest(),
-     [](R row, P p, S sink) { sink.vector(row, xyz(worldTo(p.camera, Space::view, p.point, p.writing))); }},
-    {results::pixelSize,
-     [](R row, P p, S sink) { sink.vector(row, pixelSize(p.camera, p.screen.viewDistance)); }},
-    {results::screenBox,
-     [](R row, P p, S sink) {
-       const ScreenBox box = p.box.value_or(ScreenBox{kNaN, kNaN, kNaN, kNaN});
-       sink.vector(row, std::array{box.left, box.top, box.right, box.bottom});
-     }},
-    {numberResult("bound").onRequest(),
-     [](R row, P p, S sink) { sink.number(row, boundOfPoint(p.camera, p.point, p.screen.precision).screen); }},
+    {results::screen, [](R row, P p, S sink) { sink.vector(row, Vec2{p.screen.x, p.screen.y}); }},
+    {results::depth, [](R row, P p, S sink) { sink.number(row, p.screen.depth); }},
+    {results::viewDistance, [](R row, P p, S sink) { sink.number(row, p.screen.viewDistance); }},
+    {results::visible, [](R row, P p, S sink) { sink.flag(row, p.screen.visible()); }},
+    {results::outside, [](R row, P p, S sink) { sink.text(row, Sides(p.screen).names()); }},
+    {results::ndc, [](R row, P p, S sink) { sink.vector(row, xyz(pointIn(Space::ndc, p))); }},
+    {results::clip, [](R row, P p, S sink) { sink.vector(row, pointIn(Space::clip, p)); }},
+    {results::view, [](R row, P p, S sink) { sink.vector(row, xyz(pointIn(Space::view, p))); }},
+    {results::pixelSize, [](R row, P p, S sink) { sink.vector(row, pixelSize(p.camera, p.screen.viewDistance)); }},
+    {results::screenBox, [](R row, P p, S sink) { sink.vector(row, edgesOf(p)); }},
+    {results::bound, [](R row, P p, S sink) { sink.number(row, boundOf(p)); }},
 };
 // clang-format on
 

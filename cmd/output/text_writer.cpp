@@ -15,7 +15,6 @@ class NumbersWriter : public RecordWriter {
   NumbersWriter(const WriterSetup& setup, TextBuffer& out) : RecordWriter(out), setup_(setup) {}
 
   void beginRecord(const Record&, const Results&) override { start_ = out_.size(); }
-  void cancelRecord() override { out_.truncate(start_); }
 
   void badRecord(std::string_view, std::size_t, const std::string&) override {
     start_ = out_.size();
@@ -35,15 +34,11 @@ class NumbersWriter : public RecordWriter {
 
   void flag(const ResultRow&, bool value) override { put(value ? 1 : 0); }
   void text(const ResultRow&, std::span<const std::string_view>) override {}  // left out
-  void object(const ResultRow& row, std::size_t, const std::function<void(ResultSink&, std::size_t)>& write) override {
-    if (row.kind == ResultKind::group) write(*this, 0);
-  }
 
  protected:
   virtual void put(double value) = 0;
 
   const WriterSetup& setup_;
-  std::size_t start_ = 0;
 };
 
 /// A record a line.

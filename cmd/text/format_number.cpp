@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <cstring>
 #include <utility>
 
@@ -147,8 +148,9 @@ char* write(char* out, T value) {
 double toDigits(double value, int digits) {
   if (digits == 0 || !std::isfinite(value)) return value;
   char text[kLongest];
-  const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, digits - 1).ptr;
-  readNumber(text, end, value);
+  // Not std::to_chars, whose tables are larger than all that is in here.
+  const int size = std::snprintf(text, sizeof text, "%.*e", digits - 1, value);
+  readNumber(text, text + size, value);
   return value;
 }
 

@@ -1,8 +1,8 @@
 #include "camera/projection.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <string>
 
@@ -29,9 +29,9 @@ void requireRange(bool orthographic, double near, double far) {
   if (std::isfinite(far)) requireNumber(far, "far");
   if (near < far) return;
   char text[32];
-  const std::string nearText(text, std::to_chars(text, text + sizeof text, near).ptr);
-  throw CameraError("far",
-                    "must be greater than near, " + nearText + "; for reversed depth keep near < far and set reverseZ");
+  std::snprintf(text, sizeof text, "%.15g", near);
+  throw CameraError("far", "must be greater than near, " + std::string(text) +
+                               "; for reversed depth keep near < far and set reverseZ");
 }
 
 void requireSide(DoubleDouble low, DoubleDouble high, DoubleDouble width, double reach, const char* lowName,

@@ -2,8 +2,8 @@
 # The table of `measure` on the page of accuracy: what of it does not depend on the machine must be what the command prints.
 #   sh measured.sh VIEWPROJ ACCURACY.md SAMPLE_DIR
 set -eu
-# Rows of numbers without the two of time: mode, errors, bound, counts.
-untimed() { sed -nE 's/^ *((standard|exact|matrix (double|float32)) +)[0-9.]+ +[0-9.]+ +/\1/p' | tr -s ' '; }
+# Rows of numbers without the time: mode, error, bound, count.
+untimed() { sed -nE 's/^ *((standard|exact|matrix (double|float32)) +)[0-9.]+ +/\1/p' | tr -s ' '; }
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 awk '/^```text$/ { inside = 1; next } /^```$/ { inside = 0 } inside' "$2" | untimed >"$work/shown"
