@@ -94,7 +94,7 @@ void blankComments(std::string& text) {
     if (text[at] != '/' || at + 1 == text.size()) continue;
     std::size_t end = at;
     if (text[at + 1] == '/')
-      end = std::min(text.find('\n', at), text.size());
+      end = std::min(text.find_first_of("\r\n", at), text.size());
     else if (text[at + 1] == '*')
       end = text.find("*/", at + 2);
     if (end == std::string::npos) return;

@@ -49,7 +49,7 @@ std::vector<CameraFile> allCameras() {
     const CameraDocuments documents(load(text, "FILE"), {});
     cameras.push_back(completed(documents.document(0)));
   }
-  for (const char* folder : {"samples", "tests/cmd/transcripts", "tests/importers/fixtures"})
+  for (const char* folder : {"samples", "tests/cmd/transcripts"})
     for (const auto& entry :
          std::filesystem::recursive_directory_iterator(std::string(VIEWPROJ_SAMPLES "/../") + folder)) {
       const std::string ending = entry.path().extension();

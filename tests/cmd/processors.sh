@@ -27,7 +27,7 @@ END
 
 # What a virtual machine may hide of what x86-64-v3 has, and the first x86-64 processor.
 for processor in Haswell,-bmi1,-bmi2,-abm,-movbe,-f16c qemu64; do
-  qemu-x86_64 -cpu "$processor" "$tests" 'Every kernel*' >/dev/null 2>&1 && continue
+  qemu-x86_64 -cpu "$processor" "$tests" 'A batch gives the bits of single points*' >/dev/null 2>&1 && continue
   echo "on $processor: a kernel that it supports fails"
   status=1
 done

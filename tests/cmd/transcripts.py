@@ -13,7 +13,7 @@ VIEWPROJ is the executable. A transcript holds
   > the command's next line
     what it prints    indented by two
   ! what it prints on standard error
-  [2]                 its exit status, where that is not 0
+  [2]                 its exit status, where that is not 0, or not 1 after a message that is no note
 
 and blank lines between these. A line that ends in " (esc)" has backslashes for what cannot be seen (\\t \\r \\xNN \\\\), and
 " (no-eol)" ends what has no newline at its end. An empty line is blank, but the last one of an output or file is "(esc)".
@@ -124,7 +124,7 @@ def parse_line(line, blanks, before, case, block_lines):
             raise Malformed(f"no name of a file: {line}")
         case.files[line[3:]] = []
         return case.files[line[3:]]
-    if block_lines is not None and case.commands and (mark in ("  ", "! ", "!") or re.fullmatch(r"\[[1-9]\d*\]", line)):
+    if block_lines is not None and case.commands and (mark in ("  ", "! ", "!") or re.fullmatch(r"\[\d+\]", line)):
         block_lines += [""] * blanks + [line]
     elif block_lines is not None and mark == "  ":
         block_lines += [b"\n"] * blanks + [read(line[2:])]
@@ -186,7 +186,9 @@ def run(case, top):
             continue
         code = int(its.read_text()) if its.exists() else status
         code = 0 if code == 141 else code  # of a command that fed a tool which had seen enough
-        outputs.append(block(out.read_bytes(), "  ") + block(err.read_bytes(), "! ") + ([f"[{code}]"] if code else []))
+        errors = block(err.read_bytes(), "! ")
+        usual = any(re.match("! viewproj: (?!note: )", line) for line in errors)
+        outputs.append(block(out.read_bytes(), "  ") + errors + ([f"[{code}]"] if code != usual else []))
     shutil.rmtree(given)
     return outputs, wrong
 

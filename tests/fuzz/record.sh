@@ -1,94 +1,67 @@
 #!/bin/sh
-# Stands in for viewproj where golden cases run, and keeps what it is given as seeds of the fuzz targets: in $SEEDS a
-# folder for each target. Prints nothing.
+# Stands in for viewproj where golden cases run, and keeps what it is given as seeds: in $SEEDS a folder for each target.
 set -u
-most=4096
-
-# seed TARGET: keeps standard input, under a name made of its content.
+new=$SEEDS/new.$$
+# seed TARGET...: keeps standard input for each, under a name made of its content.
 seed() {
-  mkdir -p "$SEEDS/$1"
-  head -c "$most" >"$SEEDS/new.$$"
-  if [ -s "$SEEDS/new.$$" ]; then mv "$SEEDS/new.$$" "$SEEDS/$1/$(cksum <"$SEEDS/new.$$" | tr ' ' '-')"; fi
-  rm -f "$SEEDS/new.$$"
+  head -c 4096 >"$new"
+  for target; do
+    mkdir -p "$SEEDS/$target"
+    if [ -s "$new" ]; then cp "$new" "$SEEDS/$target/$(cksum <"$new" | tr ' ' '-')"; fi
+  done
 }
-
-# What an option's value stands for: JSON, or the content of a file.
+# What an argument stands for: JSON, or the content of a file.
 content() {
   case $1 in
     '{'* | '['*) printf %s "$1" ;;
-    -) cat "$SEEDS/input.$$" ;;
-    *) if [ -f "${1%%#*}" ]; then head -c "$most" "${1%%#*}"; fi ;;
+    *) if [ -f "${1%%#*}" ]; then head -c 4096 "${1%%#*}"; fi ;;
   esac
 }
-
-# The form of a stream by its first bytes, and two choices for the target behind it.
+# records TARGET: standard input, and behind it two bytes that choose what is done with it.
 records() {
-  content "$1" >"$SEEDS/records.$$"
-  case $1 in
-    *.csv) form=csv ;;
-    *.f64) form=f64 ;;
-    *) case $(head -c 1 "$SEEDS/records.$$" | tr -d '\0') in
-      '{' | '[') form=json ;;
-      [a-z\"]*) form=csv ;;
-      '') form=f64 ;;
-      *) form=text ;;
-    esac ;;
-  esac
-  choice='!!'
-  if [ "$command" = ray ]; then choice='?@'; fi
-  if [ "$command" = cull ]; then choice='?\200'; fi
-  # shellcheck disable=SC2059  # the choice has an escape
-  (cat "$SEEDS/records.$$" && printf "$choice") | seed "$form"
-  rm -f "$SEEDS/records.$$"
+  # shellcheck disable=SC2059  # one has an escape
+  (cat && printf "$choice") | seed "$1"
 }
 
-command=${1-}
-: >"$SEEDS/input.$$"
-if [ ! -t 0 ]; then head -c "$most" >"$SEEDS/input.$$"; fi
-# A file becomes its content where that will do.
-(
-  for argument in "$@"; do
-    if [ -f "${argument%%#*}" ] && [ "$(head -c 1 "${argument%%#*}" | tr -d '\0')" = '{' ]; then
-      content "$argument" | tr -d '\0'
-    else
-      printf %s "$argument"
-    fi
+# patches ARGUMENT...: options with their values, and --set assignments, each after a NUL.
+patches() {
+  open=
+  for patch; do
+    case $patch in
+      --set) ;;
+      --*) printf '\0%s' "$patch" && open=1 ;;
+      [a-z]*=*) printf '\0%s' "$patch" && open= ;;
+      -*) open= ;;
+      *) if [ -n "$open" ]; then printf ' %s' "$patch"; fi ;;
+    esac
+  done
+}
+
+case ${1-} in ray) choice='?@' ;; cull) choice='?\200' ;; *) choice='!!' ;; esac
+input=$SEEDS/input.$$
+if [ -t 0 ]; then : >"$input"; else head -c 4096 >"$input"; fi
+{
+  for argument; do
+    case $(content "$argument" | head -c 1 | tr -d '\0') in
+      '{') content "$argument" | tr -d '\0' ;;
+      *) printf %s "$argument" ;;
+    esac
     printf '\0'
   done
-  cat "$SEEDS/input.$$"
-) | seed arguments
-sets=
-file=-
-while [ $# -gt 1 ]; do
-  shift
-  case $1 in
-    --camera | -c | --scene | --model)
-      if [ $# -gt 1 ]; then
-        case $1 in
-          --scene) content "$2" | seed scene ;;
-          --model) content "$2" | seed model ;;
-          *) content "$2" >"$SEEDS/camera.$$" ;;
-        esac
-        shift
-      fi
+  cat "$input"
+} | seed arguments
+for argument in "$input" "$@"; do
+  text=$SEEDS/text.$$
+  content "$argument" >"$text"
+  case $(head -c 1 "$text" | tr -d '\0') in
+    '{' | '[')
+      records json <"$text"
+      { cat "$text" && patches "$@"; } | seed camera
+      seed camera scene model matrices <"$text"
       ;;
-    --*) # an option of a camera's field patches it as --set does
-      if [ "$1" = --set ]; then patch=${2-}; else patch="$1 ${2-}"; fi
-      sets="$sets${sets:+
-}$patch"
-      ;;
-    *) if [ -f "${1%%#*}" ]; then file=$1; fi ;;
+    [a-zA-Z\"%]) records csv <"$text" && seed camera matrices <"$text" ;;
+    [-+.0-9#\ ]) records text <"$text" && records csv <"$text" && seed matrices <"$text" ;;
+    *) records f64 <"$text" ;;
   esac
 done
-case $command in
-  inspect) content "$file" | seed matrices ;;
-  matrix | depth) if [ ! -f "$SEEDS/camera.$$" ]; then content "$file" >"$SEEDS/camera.$$"; fi ;;
-  *) records "$file" ;;
-esac
-if [ -f "$SEEDS/camera.$$" ]; then
-  seed camera <"$SEEDS/camera.$$"
-  if [ -n "$sets" ]; then
-    (cat "$SEEDS/camera.$$" && printf '%s\n' "$sets" | while read -r line; do printf '\0%s' "$line"; done) | seed camera
-  fi
-fi
-rm -f "$SEEDS/camera.$$" "$SEEDS/input.$$"
+rm -f "$new" "$input" "$SEEDS/text.$$"

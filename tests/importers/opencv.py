@@ -202,7 +202,8 @@ def fisheye_limit_of(k):
 
 
 def lens_cases(number):
-    """Random lenses. A point beyond the limit, which projectPoints folds back, has no pixel."""
+    """Random lenses. A point beyond the limit, which projectPoints folds back, at times into the picture, has no pixel."""
+    global folded
     size, K = calibration()
     is_fisheye = number % 3 == 0
     if is_fisheye:
@@ -210,13 +211,13 @@ def lens_cases(number):
         limit = fisheye_limit_of(vector)
     else:
         vector = [random.uniform(-s, s) for s in (0.4, 0.3, 0.003, 0.003, 0.1, 0.4, 0.3, 0.1)][:random.choice((4, 5, 8))]
-        all = vector + [0] * (8 - len(vector))
-        limit = limit_of(all[:2] + all[4:], all[2:4])
+        k = vector + [0] * (8 - len(vector))
+        limit = limit_of(k[:2] + k[4:], k[2:4])
     file = {"K": K.tolist(), "D": vector, "width": size[0], "height": size[1],
             "distortion_model": "fisheye" if is_fisheye else "plumb_bob"}
     points, judgements = [], []
     for i in range(6):
-        radius, angle = random.uniform(0, min(2 * limit, 4)), random.uniform(0, 2 * math.pi)
+        radius, angle = random.uniform(0, min(2 * limit, 4)) * (1 if i % 2 else 0.3), random.uniform(0, 2 * math.pi)
         z = 10 ** random.uniform(-0.5, 2) * (-1 if i == 5 else 1)
         if 0.999 < radius / limit < 1.001:
             continue
@@ -228,6 +229,7 @@ def lens_cases(number):
         beyond = {"left": pixel[0] < -0.5, "right": pixel[0] > size[0] - 0.5, "bottom": pixel[1] > size[1] - 0.5,
                   "top": pixel[1] < -0.5}
         outside = ["behind"] if z < 0 else ["lens"] if radius > limit else [side for side, is_beyond in beyond.items() if is_beyond]
+        folded += z > 0 and radius > limit and all(-0.5 <= n <= side - 0.5 for n, side in zip(pixel, size))
         points.append(point.tolist())
         judgements.append({"screen": None if z < 0 or radius > limit else pixel.tolist(), "viewDistance": z,
                            "visible": not outside, "outside": outside})
@@ -241,6 +243,8 @@ nerf_cases()
 nerf_names()
 random.seed("yaml 0")
 opencv_yaml()
-for number in range(30):
+folded = 0
+for number in range(300):
     random.seed(f"lens {number}")
     lens_cases(number)
+assert folded > 10, folded

@@ -15,7 +15,7 @@ function generator(seed) {
   };
 }
 
-let random;
+let random, name;  // of the case
 Math.random = () => random();  // three.js makes its uuids from it
 const between = (low, high) => low + (high - low) * random();
 const vector = size => new THREE.Vector3(between(-size, size), between(-size, size), between(-size, size));
@@ -79,13 +79,13 @@ function judged(camera, width, height, { depth = true }) {
 }
 
 /// options: depth: whether it is known; ownViewport: whether the file has it.
-function write(name, file, pick, camera, width, height, options = {}) {
+function write(file, pick, camera, width, height, options = {}) {
   const viewport = options.ownViewport ? null : `${width}x${height}`;
   console.log(JSON.stringify({ name, pick, viewport, file, ...judged(camera, width, height, options) }));
 }
 
 /// The object as a file, read by three.js again.
-function writeObject(name, object, cameraNumber, width, height, options = {}) {
+function writeObject(object, cameraNumber, width, height, options = {}) {
   const file = JSON.parse(JSON.stringify(object.toJSON()));
   delete file.images;
   options.change?.(file);
@@ -95,7 +95,7 @@ function writeObject(name, object, cameraNumber, width, height, options = {}) {
   let top = camera;
   while (top.parent) top = top.parent;
   top.updateMatrixWorld(true);
-  write(name, file, options.pick ?? String(cameraNumber), camera, width, height, options);
+  write(file, options.pick ?? String(cameraNumber), camera, width, height, options);
 }
 
 const size = () => [640 + Math.floor(between(0, 1280)), 480 + Math.floor(between(0, 600))];
@@ -108,39 +108,39 @@ const orthographic = (width, height) => {
 };
 
 const threeCases = {
-  'three perspective': () => {
-    const [w, h] = size(), c = perspective(w, h);
+  'three perspective': (w, h) => {
+    const c = perspective(w, h);
     place(c);
-    writeObject('three perspective', c, 0, w, h);
+    writeObject(c, 0, w, h);
   },
-  'three perspective zoom': () => {
-    const [w, h] = size(), c = perspective(w, h);
+  'three perspective zoom': (w, h) => {
+    const c = perspective(w, h);
     c.zoom = between(0.5, 4);
     place(c);
-    writeObject('three perspective zoom', c, 0, w, h);
+    writeObject(c, 0, w, h);
   },
-  'three orthographic': () => {
-    const [w, h] = size(), c = orthographic(w, h);
+  'three orthographic': (w, h) => {
+    const c = orthographic(w, h);
     c.zoom = between(0.5, 4);
     place(c);
-    writeObject('three orthographic', c, 0, w, h);
+    writeObject(c, 0, w, h);
   },
-  'three view that is not enabled': () => {
-    const [w, h] = size(), c = perspective(w, h);
+  'three view that is not enabled': (w, h) => {
+    const c = perspective(w, h);
     c.setViewOffset(w, h, between(0, w / 2), between(0, h / 2), w / 4, h / 3);
     c.clearViewOffset();
     place(c);
-    writeObject('three view that is not enabled', c, 0, w, h);
+    writeObject(c, 0, w, h);
   },
-  'three view that does not say whether it is enabled': () => {
-    const [w, h] = size(), c = perspective(w, h);
+  'three view that does not say whether it is enabled': (w, h) => {
+    const c = perspective(w, h);
     c.setViewOffset(w, h, between(0, w / 2), between(0, h / 2), w / 4, h / 3);
     place(c);
     const change = file => delete file.object.view.enabled;
-    writeObject('three view that does not say whether it is enabled', c, 0, w, h, { change });
+    writeObject(c, 0, w, h, { change });
   },
-  'three position, quaternion and scale': () => {
-    const [w, h] = size(), rig = new THREE.Group(), c = perspective(w, h);
+  'three position, quaternion and scale': (w, h) => {
+    const rig = new THREE.Group(), c = perspective(w, h);
     place(rig);
     rig.scale.setScalar(between(0.1, 10));
     place(c);
@@ -155,17 +155,17 @@ const threeCases = {
       Object.assign(object, { position: position.toArray(), quaternion: quaternion.toArray(), scale: scale.toArray() });
       object.children?.forEach(apart);
     };
-    writeObject('three position, quaternion and scale', rig, 0, w, h, { pick: 'front', change: file => apart(file.object) });
+    writeObject(rig, 0, w, h, { pick: 'front', change: file => apart(file.object) });
   },
-  'three camera by its uuid': () => {
-    const [w, h] = size(), scene = new THREE.Scene(), first = perspective(w, h), second = perspective(w, h);
+  'three camera by its uuid': (w, h) => {
+    const scene = new THREE.Scene(), first = perspective(w, h), second = perspective(w, h);
     for (const c of [first, second]) place(c);
     scene.add(first, second);
     scene.traverse(o => o.updateMatrix());
-    writeObject('three camera by its uuid', scene, 1, w, h, { pick: second.uuid });
+    writeObject(scene, 1, w, h, { pick: second.uuid });
   },
-  'three scene': () => {
-    const [w, h] = size(), scene = new THREE.Scene(), group = new THREE.Group(), rig = new THREE.Group();
+  'three scene': (w, h) => {
+    const scene = new THREE.Scene(), group = new THREE.Group(), rig = new THREE.Group();
     for (const node of [group, rig]) place(node);
     group.scale.setScalar(between(0.1, 10));
     rig.scale.setScalar(between(0.1, 10));
@@ -177,7 +177,7 @@ const threeCases = {
     rig.add(second, third);
     scene.traverse(o => o.updateMatrix());
     const number = Math.floor(between(0, 3));
-    writeObject('three scene', scene, number, w, h);
+    writeObject(scene, number, w, h);
   },
 };
 
@@ -192,12 +192,12 @@ const trs = (scale = null) => ({
 });
 
 /// aspect: of the viewport, where the file has none. pick: what is said in place of the node's number.
-async function writeGltf(name, file, node, width, height, options = {}) {
+async function writeGltf(file, node, width, height, options = {}) {
   const loaded = await new GLTFLoader().parseAsync(JSON.stringify(file), '');
   loaded.scene.updateMatrixWorld(true);
   const camera = loaded.cameras[0];
   if (options.aspect) camera.aspect = options.aspect;
-  write(name, file, options.pick ?? String(node), camera, width, height, options);
+  write(file, options.pick ?? String(node), camera, width, height, options);
 }
 
 const gltfPerspective = (aspect, zfar = true) => ({
@@ -209,39 +209,28 @@ const gltfPerspective = (aspect, zfar = true) => ({
 });
 
 const gltfCases = {
-  'glTF perspective': () => {
-    const [w, h] = size();
-    return writeGltf('glTF perspective', gltf([gltfPerspective(w / h)], [{ camera: 0, ...trs() }], [0]), 0, w, h);
-  },
-  'glTF without aspectRatio': () => {
-    const [w, h] = size();
-    return writeGltf('glTF without aspectRatio', gltf([gltfPerspective()], [{ camera: 0, ...trs() }], [0]), 0, w, h,
-      { aspect: w / h });
-  },
-  'glTF without zfar': () => {
-    const [w, h] = size();
-    return writeGltf('glTF without zfar', gltf([gltfPerspective(w / h, false)], [{ camera: 0, ...trs() }], [0]), 0,
-      w, h, { depth: false });  // three.js makes it 2e6
-  },
-  'glTF orthographic': () => {
-    const [w, h] = size(), ymag = between(0.5, 20);
+  'glTF perspective': (w, h) => writeGltf(gltf([gltfPerspective(w / h)], [{ camera: 0, ...trs() }], [0]), 0, w, h),
+  'glTF without aspectRatio': (w, h) => writeGltf(gltf([gltfPerspective()], [{ camera: 0, ...trs() }], [0]), 0, w, h,
+      { aspect: w / h }),
+  'glTF without zfar': (w, h) => writeGltf(gltf([gltfPerspective(w / h, false)], [{ camera: 0, ...trs() }], [0]), 0,
+      w, h, { depth: false }),  // three.js makes it 2e6
+  'glTF orthographic': (w, h) => {
+    const ymag = between(0.5, 20);
     const camera = { type: 'orthographic', orthographic: { xmag: (ymag * w) / h, ymag, znear: 0, zfar: 100 } };
-    return writeGltf('glTF orthographic', gltf([camera], [{ camera: 0, ...trs() }], [0]), 0, w, h);
+    return writeGltf(gltf([camera], [{ camera: 0, ...trs() }], [0]), 0, w, h);
   },
-  'glTF by the name of the node': () => {
-    const [w, h] = size();
+  'glTF by the name of the node': (w, h) => {
     const node = { camera: 0, name: 'dolly', translation: vector(10).toArray() };
-    return writeGltf('glTF by the name of the node', gltf([gltfPerspective(w / h)], [{ name: 'other' }, node], [0, 1]), 1, w, h,
+    return writeGltf(gltf([gltfPerspective(w / h)], [{ name: 'other' }, node], [0, 1]), 1, w, h,
       { pick: 'dolly' });
   },
-  'glTF by the name of the camera': () => {
-    const [w, h] = size();
+  'glTF by the name of the camera': (w, h) => {
     const node = { camera: 0, rotation: quaternion().toArray() };
-    return writeGltf('glTF by the name of the camera', gltf([{ name: 'long lens', ...gltfPerspective(w / h) }], [node], [0]), 0,
+    return writeGltf(gltf([{ name: 'long lens', ...gltfPerspective(w / h) }], [node], [0]), 0,
       w, h, { pick: 'long lens' });
   },
-  'glTF hierarchy': () => {
-    const [w, h] = size(), s = between(0.1, 10);
+  'glTF hierarchy': (w, h) => {
+    const s = between(0.1, 10);
     const rotated = new THREE.Matrix4().compose(vector(5), quaternion(), new THREE.Vector3(s, s, s));
     // Scales that differ, and no turn below them: the axes stay at right angles.
     const nodes = [
@@ -251,13 +240,13 @@ const gltfCases = {
       { children: [4], ...trs([s, s, s]) },
       { children: [0], matrix: rotated.toArray() },
     ];
-    return writeGltf('glTF hierarchy', gltf([gltfPerspective(w / h)], nodes, [3]), 2, w, h);
+    return writeGltf(gltf([gltfPerspective(w / h)], nodes, [3]), 2, w, h);
   },
 };
 
 /// The matrices that three.js itself draws with, under each of their names, by columns in a row or as rows on paper.
-function writeMatrices(name, make) {
-  const [w, h] = size(), c = random() < 0.5 ? perspective(w, h) : orthographic(w, h);
+function writeMatrices(w, h, make) {
+  const c = random() < 0.5 ? perspective(w, h) : orthographic(w, h);
   // Inverting a matrix, three.js may miss the 1 at its end by a bit; such a view is not read.
   do {
     place(c);
@@ -265,38 +254,39 @@ function writeMatrices(name, make) {
   } while (c.matrixWorldInverse.elements[15] !== 1);
   c.updateProjectionMatrix();
   const rows = m => [0, 1, 2, 3].map(i => [0, 1, 2, 3].map(j => m.elements[4 * j + i]));
-  const { convention = 'opengl', ownViewport, ...matrices } = make(c, m => m.toArray(), rows, w, h);
-  write(name, { ...(convention ? { convention } : {}), ...matrices }, null, c, w, h, { ownViewport });
+  const { convention = 'opengl', ownViewport, ...matrices } = make(c, m => m.toArray(), rows);
+  write({ ...(convention ? { convention } : {}), ...matrices }, null, c, w, h, { ownViewport });
 }
 
 const matricesCases = {
-  'matrices of three.js': () => writeMatrices('matrices of three.js', (c, flat) =>
+  'matrices of three.js': (w, h) => writeMatrices(w, h, (c, flat) =>
     ({ viewMatrix: flat(c.matrixWorldInverse), projectionMatrix: flat(c.projectionMatrix) })),
-  'matrices as rows': () => writeMatrices('matrices as rows', (c, flat, rows) =>
+  'matrices as rows': (w, h) => writeMatrices(w, h, (c, flat, rows) =>
     ({ view: rows(c.matrixWorldInverse), projection: rows(c.projectionMatrix) })),
-  'matrices with the inverse view': () => writeMatrices('matrices with the inverse view', (c, flat, rows) =>
+  'matrices with the inverse view': (w, h) => writeMatrices(w, h, (c, flat, rows) =>
     ({ viewInverse: rows(c.matrixWorld), projectionMatrix: rows(c.projectionMatrix) })),
-  'matrices with the world matrix': () => writeMatrices('matrices with the world matrix', (c, flat) =>
+  'matrices with the world matrix': (w, h) => writeMatrices(w, h, (c, flat) =>
     ({ viewMatrixInverse: flat(c.matrixWorld), projection: flat(c.projectionMatrix) })),
-  'matrices and an eye': () => writeMatrices('matrices and an eye', (c, flat, rows) => {
+  'matrices and an eye': (w, h) => writeMatrices(w, h, (c, flat, rows) => {
     const turned = new THREE.Matrix4().extractRotation(c.matrixWorldInverse);
     return { view: rows(turned), projection: rows(c.projectionMatrix), eye: c.position.toArray() };
   }),
-  'matrices of fixed-function OpenGL': () => writeMatrices('matrices of fixed-function OpenGL', (c, flat, rows, w, h) =>
+  'matrices of fixed-function OpenGL': (w, h) => writeMatrices(w, h, (c, flat, rows) =>
     ({ modelview: flat(c.matrixWorldInverse), projection: flat(c.projectionMatrix), viewport: [0, 0, w, h], ownViewport: true })),
-  'matrices as Unity calls them': () => writeMatrices('matrices as Unity calls them', (c, flat, rows) =>
+  'matrices as Unity calls them': (w, h) => writeMatrices(w, h, (c, flat, rows) =>
     ({ worldToCameraMatrix: rows(c.matrixWorldInverse), proj: rows(c.projectionMatrix),
       projectionInverse: rows(c.projectionMatrixInverse), viewportInverse: [] })),
-  'matrices of an engine': () => writeMatrices('matrices of an engine', (c, flat) =>
+  'matrices of an engine': (w, h) => writeMatrices(w, h, (c, flat) =>
     ({ cameraToWorldMatrix: flat(c.matrixWorld), projectionMatrix: flat(c.projectionMatrix) })),
-  'matrices and a viewport matrix': () => writeMatrices('matrices and a viewport matrix', (c, flat, rows, w, h) => ({
+  'matrices and a viewport matrix': (w, h) => writeMatrices(w, h, (c, flat, rows) => ({
     view: rows(c.matrixWorldInverse), projection: rows(c.projectionMatrix), ownViewport: true,
     viewport: [[w / 2, 0, 0, w / 2], [0, -h / 2, 0, h / 2], [0, 0, 0.5, 0.5], [0, 0, 0, 1]],
   })),
 };
 
 let seed = 0;
-for (const make of [...Object.values(threeCases), ...Object.values(gltfCases), ...Object.values(matricesCases)]) {
+for (const [title, make] of Object.entries({ ...threeCases, ...gltfCases, ...matricesCases })) {
+  name = title;
   random = generator(++seed);
-  await make();
+  await make(...size());
 }
