@@ -19,14 +19,18 @@ struct SplitRow {
   Vec3 high, low;
 };
 
+struct LensParts;
+
 /// What projecting a point needs of a camera. In perspective, with d = point - eye and q = (x . d) / (w . d),
 ///   screen x = centerX + q,  window depth = depthOffset + depthScale / (w . d)
-/// and in orthographic
-///   screen x = centerX + x . d,  window depth = depthOffset + depthScale (w . d).
+/// in orthographic
+///   screen x = centerX + x . d,  window depth = depthOffset + depthScale (w . d)
+/// and through a lens, where q is a tangent
+///   screen x = centerX + scaleX bent(q).
 struct ProjectionConstants {
   bool orthographic = false;
   Vec3 eye;
-  DDVec3 x, y, w;                   ///< rows scaled to pixels: scaleX right, scaleY up, forward
+  DDVec3 x, y, w;  ///< rows scaled to pixels: scaleX right, scaleY up, forward; of a lens right and down
   SplitRow splitX, splitY, splitW;  ///< of the same rows
   DDVec3 residual;                  ///< the pose's, scaled likewise, to be added to x . d, y . d, w . d
   DoubleDouble centerX, centerY, depthOffset, depthScale;  ///< depthOffset: NaN where there is no depth
@@ -39,9 +43,10 @@ struct ProjectionConstants {
   double residualReach = 0;       ///< the residual's part in |d0| + |d1| + |d2|, as error bounds count it
 
   Vec3 rayX, rayY, rayW;  ///< columns: right / scaleX, up / scaleY, forward
-};
 
-struct LensParts;
+  const LensParts* lens = nullptr;
+  DoubleDouble scaleX, scaleY;  ///< of a lens, scaleY of what is down
+};
 
 /// Made by makeCamera; what follows the four parts is derived from them.
 struct CameraParts {
@@ -64,7 +69,8 @@ struct CameraParts {
 
   ProjectionConstants constants;
 
-  /// Null without a lens. With one, all of the above is that of the camera without it: pinhole.
+  /// Null without a lens. With one, all of the above but the rows in constants is that of the camera without it:
+  /// pinhole.
   std::shared_ptr<const LensParts> lens;
   std::shared_ptr<const CameraParts> pinhole;
 };

@@ -6,6 +6,7 @@
 
 #include "camera/camera.hpp"
 #include "numbers/wide.hpp"
+#include "projection/through_lens.hpp"
 #include "viewproj/screen.hpp"
 
 namespace viewproj::detail {
@@ -52,5 +53,8 @@ inline std::uint8_t sidesBeyond(const CameraParts& c, const ScreenPoint& p) noex
 /// The screen position of any point, by exactDistances. What is not certain is a tie, or a number that cancels to about
 /// 0.
 ScreenPoint exactToScreen(const CameraParts& camera, const Vec4& point) noexcept;
+
+/// The same point's tangents, of a camera with a lens.
+BoundedTangents exactTangents(const CameraParts& camera, const Vec4& point) noexcept;
 
 }  // namespace viewproj::detail

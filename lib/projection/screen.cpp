@@ -6,7 +6,6 @@
 
 #include "projection/exact_point.hpp"
 #include "projection/kernels/formulas.hpp"
-#include "projection/through_lens.hpp"
 
 namespace viewproj {
 
@@ -31,19 +30,20 @@ struct Left {
   }
 };
 
-Kernels::Project kernelOf(Precision precision) noexcept {
-  return precision == Precision::standard ? kernels().standard : kernels().exact;
+Kernels::Project kernelOf(const CameraParts& c, Precision precision) noexcept {
+  return c.lens ? kernels().throughLens : precision == Precision::standard ? kernels().standard : kernels().exact;
 }
 
-/// A point that a formula has settled. isSeen: it is not behind the eye plane. Written where it belongs: a copy of
-/// these small members would wait for them.
-void setPoint(ScreenPoint& p, const CameraParts& c, bool isSeen, const Vec3& position, double distance,
+/// A point that a formula has settled: position is NaN behind the eye plane, but for the depth beyond a lens. Written
+/// where it belongs: a copy of these small members would wait for them.
+void setPoint(ScreenPoint& p, const CameraParts& c, const Vec3& position, double distance,
               Precision precision) noexcept {
-  if (isSeen) {
+  if (!std::isnan(position.x)) {
     p = {position.x, position.y, position.z, distance};
     p.outside = sidesBeyond(c, p);
   } else {
-    p = without(PointStatus::behind, distance);
+    p = without(distance > 0 ? PointStatus::beyondLens : PointStatus::behind, distance);
+    p.depth = position.z;
   }
   p.precision = precision;
   p.certain = precision == Precision::exact;
@@ -55,17 +55,17 @@ Projected<double, bool> byStandard(const ProjectionConstants& k, const Vec4& p) 
                         : StandardFormula<ScalarLanes, Traits<false, true, true>>(k).point(p.x, p.y, p.z);
 }
 
-/// One point of a camera without a lens.
+/// One point; through a lens always exact.
 ScreenPoint alone(const CameraParts& c, const Vec4& point, Precision precision) noexcept {
   const bool isDirection = point.w == 0;
-  if (point.w != 1 && !(isDirection && !c.projection.orthographic)) return exactToScreen(c, point);
-  if (isDirection) precision = Precision::exact;
+  if (point.w != 1 && !(isDirection && !c.projection.orthographic && !c.lens)) return exactToScreen(c, point);
+  if (isDirection || c.lens) precision = Precision::exact;
   const Projected<double, bool> r =
       precision == Precision::standard ? byStandard(c.constants, point) : kernels().exactPoint(c.constants, point);
   if (!r.valid && !r.behind) return exactToScreen(c, point);
   ScreenPoint p;
-  setPoint(p, c, r.valid, {r.x, r.y, isDirection ? c.depthAtInfinity : r.depth}, isDirection ? NAN : r.distance,
-           precision);
+  const Vec3 position = r.valid ? Vec3{r.x, r.y, isDirection ? c.depthAtInfinity : r.depth} : Vec3{NAN, NAN, NAN};
+  setPoint(p, c, position, isDirection ? NAN : r.distance, precision);
   if (isDirection && r.valid && std::isfinite(c.projection.far)) p.outside |= sideFar;
   return p;
 }
@@ -90,14 +90,13 @@ ScreenPoint worldToScreen(const Camera& camera, const Vec3& point, Precision pre
 }
 
 ScreenPoint worldToScreen(const Camera& camera, const Vec4& point, Precision precision) noexcept {
-  const CameraParts& c = parts(camera);
-  return c.lens ? throughLens(camera, point, precision) : alone(c, point, precision);
+  return alone(parts(camera), point, precision);
 }
 
 BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, std::span<Vec3> screen,
                           Precision precision) noexcept {
   const CameraParts& c = parts(camera);
-  const auto kernel = kernelOf(precision);
+  const auto kernel = kernelOf(c, precision);
   const std::size_t count = std::min(points.size(), screen.size());
   const bool inPlace = points.data() < screen.data() + count && screen.data() < points.data() + count;
   BatchCounts counts;
@@ -113,10 +112,6 @@ BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, st
           counted(worldToScreen(camera, Vec3{in[3 * j], in[3 * j + 1], in[3 * j + 2]}, precision), counts);
       out[j] = {p.x, p.y, p.depth};
     };
-    if (c.lens) {
-      for (std::size_t j = 0; j < size; ++j) settle(j);
-      continue;
-    }
     kernel(c.constants, in, &out->x, nullptr, size, left.bits);
     left.each(settle);
   }
@@ -126,20 +121,21 @@ BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, st
 BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, std::span<ScreenPoint> screen,
                           Precision precision) noexcept {
   const CameraParts& c = parts(camera);
-  const auto kernel = kernelOf(precision);
+  const auto kernel = kernelOf(c, precision);
+  if (c.lens) precision = Precision::exact;
   const std::size_t count = std::min(points.size(), screen.size());
   BatchCounts counts;
   double position[3 * kBlock], distance[kBlock];
   for (std::size_t i = 0; i < count; i += kBlock) {
     const std::size_t size = std::min(kBlock, count - i);
     Left left;
-    if (!c.lens) kernel(c.constants, &points[i].x, position, distance, size, left.bits);
+    kernel(c.constants, &points[i].x, position, distance, size, left.bits);
     for (std::size_t j = 0; j < size; ++j) {
       const double* const p = position + 3 * j;
-      if (c.lens || left.has(j))
+      if (left.has(j))
         screen[i + j] = counted(worldToScreen(camera, points[i + j], precision), counts);
       else
-        setPoint(screen[i + j], c, !std::isnan(p[0]), {p[0], p[1], p[2]}, distance[j], precision);
+        setPoint(screen[i + j], c, {p[0], p[1], p[2]}, distance[j], precision);
     }
   }
   return counts;

@@ -15,7 +15,7 @@ namespace viewproj {
 
 /// Which arithmetic a result is computed in.
 enum class Precision {
-  standard,  ///< double, relative to the eye
+  standard,  ///< double, relative to the eye; through a lens as exact
   exact,     ///< the double nearest the true value
 };
 
@@ -76,7 +76,7 @@ ScreenPoint worldToScreen(const Camera& camera, const Vec4& point, Precision pre
 
 /// What became of the points of a batch.
 struct BatchCounts {
-  /// Settled one by one: off the kernel's range, next to the eye plane, not certain, or through a lens.
+  /// Settled one by one: off the kernel's range, next to the eye plane or to a lens's limit, or not certain.
   std::size_t escalated = 0;
   std::size_t uncertain = 0;  ///< exact: of those, the ones that no arithmetic here decides (ties, numbers about 0)
 };
