@@ -42,10 +42,10 @@ template <class D>
 [[gnu::always_inline]] inline Roughly<D> roughly(const LensParts& lens, D r, D error) noexcept {
   constexpr double kInfinity = std::numeric_limits<double>::infinity(), kSmallest = 0x1p-30;
   const D outer = r * (1 + 0x1p-40) + 2.0 * error;
-  // Coefficients count up to 9 (brown) or 23 times as often in roundings as in stretch.
   if (lens.model == LensModel::fisheye) {
-    const D t = outer < 1.6 ? outer : D{} + 1.6, most = 2.0 * sizes(lens.numerator(), D(t * t), 1, 2);
-    return {most, 500.0 * t * most};
+    const D largest = D{} + 1.6, t = outer < largest ? outer : largest;
+    const D most = 2.0 * sizes(lens.numerator(), D(t * t), 1, 2);
+    return {most, 20.0 * most * t};
   }
   const D u = outer * outer, ofN = sizes(lens.numerator(), u, 1, 2);
   D most = 2.0 * ofN;
@@ -53,13 +53,14 @@ template <class D>
     D d{};
     for (std::size_t i = lens.denominatorTerms; i-- > 0;) d = (d + lens.denominator()[i]) * u;
     d = d + 1.0;
-    const D ofD = sizes(lens.denominator(), u, 1, 2);
+    const D ofD = sizes(lens.denominator(), u, 1, 2), infinite = D{} + kInfinity;
+    most = 2.0 * (ofN / d) * (1.0 + ofD / d);
     // Within the error it is hardly less than this.
     const auto isBounded = (d > kSmallest * ofD) & ((error < kSmallest * kSmallest * r) | (ofD < 1.5));
-    most = isBounded ? D(2.0 * (ofN / d) * (1.0 + ofD / d)) : D{} + kInfinity;
+    most = isBounded ? most : infinite;
   }
   const double p = std::fabs(lens.p[0]) + std::fabs(lens.p[1]);
-  return {most + 6 * p * outer, 500.0 * most * outer + 24 * p * u};
+  return {most + 6 * p * outer, 20.0 * most * outer + 24 * p * u};
 }
 
 }  // namespace viewproj::detail

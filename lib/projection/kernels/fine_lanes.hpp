@@ -15,7 +15,7 @@ struct Fine {
   using D = typename L::D;
   D hi, lo;
 
-  Fine(D high, D low = D{}) : hi(high), lo(low) {}
+  Fine(D high, D low = D{}) : hi(high), lo(low) {}                            // NOLINT: exact, as of doubles
   Fine(double a) requires(!std::is_same_v<D, double>) : Fine(L::splat(a)) {}  // NOLINT: exact
   Fine(const DoubleDouble& a) : hi(L::splat(a.hi)), lo(L::splat(a.lo)) {}     // NOLINT: exact
 
