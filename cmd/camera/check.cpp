@@ -62,7 +62,7 @@ void checkRigid(const Node& value) {
   }
   allowMembers(value, {"rotation", "rotationVector", "translation"});
   const auto rotation = value.find("rotation"), vector = value.find("rotationVector");
-  if (rotation && vector) value.fail("rotation and rotationVector say the same; keep one");
+  if (rotation && vector) value.fail("rotation and rotationVector are the same thing; keep one");
   if (!rotation && !vector) value.fail("needs rotation or rotationVector");
   if (vector) (void)vector->numbers(3);
   if (rotation && !rotation->holdsNumbers(4) && !rotation->holdsNumbers(9))

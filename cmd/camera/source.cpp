@@ -68,7 +68,7 @@ CameraDocuments::CameraDocuments(Document file, CameraPatches patches)
   } else if (!readAs.empty() && file_.root->is_object()) {
     Json& convention = (*file_.root)["convention"];
     if (!convention.is_null() && convention != readAs && convention != Json{{"preset", readAs}})
-      throw InputError(file_.name + ": states another convention than --read-as " + readAs);
+      throw InputError(file_.name + ": has another convention than --read-as " + readAs);
     convention = readAs;
   }
   import_ = importer ? importer->open(Node(file_)) : ownCamera(file_);

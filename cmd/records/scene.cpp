@@ -156,7 +156,7 @@ CullShape shapeOf(const Layout& layout, const Numbers& n) {
     return box;
   }
   const Vec4 point = toPoint(layout, n);
-  if (point.w == 0) throw RecordError(0, "is a direction, which is nowhere in the view; expected a point or a shape");
+  if (point.w == 0) throw RecordError(0, "is a direction; expected a point or a shape");
   const Vec3 position{point.x / point.w, point.y / point.w, point.z / point.w};
   if (isPoint(layout)) return position;
   if (!detail::isFinite(position)) throw RecordError(0, "has a center beyond the range of doubles");

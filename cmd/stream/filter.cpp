@@ -158,8 +158,7 @@ void settleFormat(Stream& stream, FilterSetup& setup, BlockReader& reader) {
   if (stream.to == OutputForm::csv && isEnding(endingOf(nameOfOutput()), ".tsv") && out != '\t') {
     if (isSame || setup.delimiter)
       throw UsageError(std::string(nameOfOutput()) +
-                       ": CSV leaves with the separator that it came with or --delimiter names, and that is no tab; "
-                       "call it .csv");
+                       ": the output has the input's separator or --delimiter's, and that is not a tab; name it .csv");
     out = '\t';
   }
 }
@@ -178,7 +177,7 @@ void requireUse(const Stream& stream) {
   if (!writer.header && !hasColumns(stream.to))
     throw UsageError("--no-header is for CSV and tables, and the output has no header; leave it out, or add --to csv");
   if (writer.digits > 0 && stream.to == OutputForm::f64)
-    throw UsageError("--digits is of numbers as text, and f64 has doubles; leave it out, or add --to text");
+    throw UsageError("--digits rounds numbers in text, and f64 is binary; leave it out, or add --to text");
 }
 
 /// Reads the header of CSV, and tries it: columns must have different names, and those of the numbers must be there.

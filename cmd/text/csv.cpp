@@ -57,7 +57,7 @@ void requireWholeFields(std::string_view record, const std::vector<std::string_v
       throw RecordError(begin + at, kLoneReturn);
     if (const std::size_t after = isQuoted ? afterQuotes(field, 0) : npos; after < field.size())
       throw RecordError(begin + after,
-                        "text after the quote that closes; expected " + nameOf(separator) + " or the end of the line");
+                        "text after the closing quote; expected " + nameOf(separator) + " or the end of the line");
   }
 }
 

@@ -134,7 +134,7 @@ AxisMap axisMap(CameraAxes axes) noexcept { return named(axes).map; }
 Pose poseFromColumns(const std::array<DDVec3, 3>& columns, const DDVec3& eye, CameraAxes axes, Handedness world) {
   const Columns c{rounded(columns[0]), rounded(columns[1]), rounded(columns[2])};
   if (!(maxAbs(eye) <= kLargestNumber))
-    throw CameraError("position", "has a component that is beyond 1e90, or is no number");
+    throw CameraError("position", "has a component that is not a number up to 1e90");
   for (const Vec3& column : c)
     if (!isFinite(column)) throw CameraError("columns", "has a component that is not a finite number");
   requireOrthogonal(c, "columns");

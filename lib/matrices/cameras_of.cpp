@@ -306,8 +306,8 @@ class Solver {
           parts->residual);
     if (addClip(*parts, hasZeros)) return "";
     return text("its depth is %.6g", parts->lines[2].offset.hi) + text(" %+.6g / w", parts->lines[2].scale.hi) +
-           ", which takes in neither -1 to 1 nor 0 to 1 in front of the eye; a viewport folded in does that, or a "
-           "matrix that is none of a camera";
+           ", whose range in front of the eye is neither -1 to 1 nor 0 to 1; the matrix has a viewport in it, or "
+           "is not a camera's";
   }
 
   std::string readAffine(bool isNearlyOne) {

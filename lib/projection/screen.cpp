@@ -34,19 +34,16 @@ Kernels::Project kernelOf(const CameraParts& c, Precision precision) noexcept {
   return c.lens ? kernels().throughLens : precision == Precision::standard ? kernels().standard : kernels().exact;
 }
 
-/// A point that a formula has settled: position is NaN behind the eye plane, but for the depth beyond a lens. Written
-/// where it belongs: a copy of these small members would wait for them.
-void setPoint(ScreenPoint& p, const CameraParts& c, const Vec3& position, double distance,
-              Precision precision) noexcept {
-  if (!std::isnan(position.x)) {
-    p = {position.x, position.y, position.z, distance};
-    p.outside = sidesBeyond(c, p);
-  } else {
-    p = without(distance > 0 ? PointStatus::beyondLens : PointStatus::behind, distance);
-    p.depth = position.z;
-  }
-  p.precision = precision;
-  p.certain = precision == Precision::exact;
+/// A point that a formula has settled. isSeen: it is neither behind the eye plane nor beyond the lens. `alsoOutside`:
+/// sides that a direction lies beyond.
+ScreenPoint settled(const CameraParts& c, bool isSeen, const Vec3& position, double distance, Precision precision,
+                    std::uint8_t alsoOutside = 0) noexcept {
+  const bool isExact = precision == Precision::exact;
+  if (!isSeen && distance > 0) return {NAN, NAN, position.z, distance, PointStatus::beyondLens, 0, isExact, precision};
+  if (!isSeen) return {NAN, NAN, NAN, distance, PointStatus::behind, 0, isExact, precision};
+  const std::uint8_t outside = sidesBeyond(c, {position.x, position.y, position.z, distance}) | alsoOutside;
+  // Made in one go: small members that are set one by one and then copied cost more than the projection.
+  return {position.x, position.y, position.z, distance, PointStatus::inFront, outside, isExact, precision};
 }
 
 /// A residual that a camera does not have adds zeros: the same bits.
@@ -63,11 +60,9 @@ ScreenPoint alone(const CameraParts& c, const Vec4& point, Precision precision) 
   const Projected<double, bool> r =
       precision == Precision::standard ? byStandard(c.constants, point) : kernels().exactPoint(c.constants, point);
   if (!r.valid && !r.behind) return exactToScreen(c, point);
-  ScreenPoint p;
-  const Vec3 position = r.valid ? Vec3{r.x, r.y, isDirection ? c.depthAtInfinity : r.depth} : Vec3{NAN, NAN, NAN};
-  setPoint(p, c, position, isDirection ? NAN : r.distance, precision);
-  if (isDirection && r.valid && std::isfinite(c.projection.far)) p.outside |= sideFar;
-  return p;
+  if (!isDirection) return settled(c, r.valid && !std::isnan(r.x), {r.x, r.y, r.depth}, r.distance, precision);
+  const std::uint8_t alsoOutside = std::isfinite(c.projection.far) ? sideFar : 0;
+  return settled(c, r.valid, {r.x, r.y, c.depthAtInfinity}, NAN, precision, alsoOutside);
 }
 
 /// One of a batch.
@@ -135,7 +130,7 @@ BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, st
       if (left.has(j))
         screen[i + j] = counted(worldToScreen(camera, points[i + j], precision), counts);
       else
-        setPoint(screen[i + j], c, {p[0], p[1], p[2]}, distance[j], precision);
+        screen[i + j] = settled(c, !std::isnan(p[0]), {p[0], p[1], p[2]}, distance[j], precision);
     }
   }
   return counts;

@@ -233,12 +233,12 @@ TEST_CASE("columns of CSV are those of the first good record, however many bad o
   }
 }
 
-TEST_CASE("text after the quote that closes is an error of its record, however it is read") {
+TEST_CASE("text after the closing quote is an error of its record, however it is read") {
   const std::string input =
       "name,x,y,z\nl,1,2,3\n\"a,1,2,3\n\"b,1,2,4\n\"c\" ,4,5,6\r\n\"d\"\r\"d\",4,5,6\n\"e\"\"\",7,8,9\n";
   const StreamRun all = runStream(input, {.from = Form::csv, .keepGoing = true});
   INFO(all.out << all.err);
-  CHECK(all.err.starts_with("viewproj: <stdin>:4:2: text after the quote that closes"));
+  CHECK(all.err.starts_with("viewproj: <stdin>:4:2: text after the closing quote"));
   CHECK(linesOf(all.err).size() == 3);
   CHECK(all.out.find("\n\"e\"\"\",7,8,9,24,14,16,18,\n") != std::string::npos);
   // Its row is one still, with its bytes in quotes.

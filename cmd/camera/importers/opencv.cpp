@@ -43,7 +43,7 @@ void readPose(const Node& root, Json& camera) {
     (void)matrixOf(matrix, matrix.holdsNumbers(12) ? 3 : 4, 4);
     return setPose(camera, toCamera ? "cameraFromWorld" : "worldFromCamera", rowsOf(matrix.mat4()));
   }
-  if (rotation && vector) vector->fail("says the same as " + rotation->path() + "; leave one of them out");
+  if (rotation && vector) vector->fail("is the same thing as " + rotation->path() + "; leave one of them out");
   if (!rotation && !vector && !translation) return;
   if (!translation) (rotation ? rotation : vector)->fail("needs t or tvec beside it");
   Json pose{{"translation", translation->numbers(3)}};
