@@ -52,17 +52,25 @@ Projected<double, bool> byStandard(const ProjectionConstants& k, const Vec4& p) 
                         : StandardFormula<ScalarLanes, Traits<false, true, true>>(k).point(p.x, p.y, p.z);
 }
 
-/// One point; through a lens always exact.
+/// One point of a camera without a lens.
 ScreenPoint alone(const CameraParts& c, const Vec4& point, Precision precision) noexcept {
   const bool isDirection = point.w == 0;
-  if (point.w != 1 && !(isDirection && !c.projection.orthographic && !c.lens)) return exactToScreen(c, point);
-  if (isDirection || c.lens) precision = Precision::exact;
+  if (point.w != 1 && !(isDirection && !c.projection.orthographic)) return exactToScreen(c, point);
+  if (isDirection) precision = Precision::exact;
   const Projected<double, bool> r =
       precision == Precision::standard ? byStandard(c.constants, point) : kernels().exactPoint(c.constants, point);
   if (!r.valid && !r.behind) return exactToScreen(c, point);
-  if (!isDirection) return settled(c, r.valid && !std::isnan(r.x), {r.x, r.y, r.depth}, r.distance, precision);
+  if (!isDirection) return settled(c, r.valid, {r.x, r.y, r.depth}, r.distance, precision);
   const std::uint8_t alsoOutside = std::isfinite(c.projection.far) ? sideFar : 0;
   return settled(c, r.valid, {r.x, r.y, c.depthAtInfinity}, NAN, precision, alsoOutside);
+}
+
+/// One point of a camera with a lens.
+ScreenPoint throughLens(const CameraParts& c, const Vec4& point) noexcept {
+  if (point.w != 1) return exactToScreen(c, point);
+  const Projected<double, bool> r = kernels().exactPoint(c.constants, point);
+  if (!r.valid && !r.behind) return exactToScreen(c, point);
+  return settled(c, r.valid && !std::isnan(r.x), {r.x, r.y, r.depth}, r.distance, Precision::exact);
 }
 
 /// One of a batch.
@@ -85,7 +93,8 @@ ScreenPoint worldToScreen(const Camera& camera, const Vec3& point, Precision pre
 }
 
 ScreenPoint worldToScreen(const Camera& camera, const Vec4& point, Precision precision) noexcept {
-  return alone(parts(camera), point, precision);
+  const CameraParts& c = parts(camera);
+  return c.lens ? throughLens(c, point) : alone(c, point, precision);
 }
 
 BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, std::span<Vec3> screen,
