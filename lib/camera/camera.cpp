@@ -56,6 +56,25 @@ PictureCorners outwards(const Viewport& v, const ScreenMap& map) noexcept {
           {at(corner.x + DoubleDouble(v.width), x), at(corner.y + DoubleDouble(v.height), y)}};
 }
 
+/// Sets the rows of the pose and its residual, scaled to the screen.
+void setRows(ProjectionConstants& k, const PoseParts& pose, DoubleDouble scaleX, DoubleDouble scaleY) noexcept {
+  k.x = pose.rows.right * scaleX;
+  k.y = pose.rows.up * scaleY;
+  k.w = pose.rows.forward;
+  k.splitX = splitRow(k.x);
+  k.splitY = splitRow(k.y);
+  k.splitW = splitRow(k.w);
+  k.residual = {pose.residual.x * scaleX, pose.residual.y * scaleY, pose.residual.z};
+  k.sizeXY = std::max(maxAbs(k.x), maxAbs(k.y));
+  k.sizeW = maxAbs(k.w);
+  k.residualReach = std::max(std::max(std::fabs(k.residual.x.hi), std::fabs(k.residual.y.hi)) / k.sizeXY,
+                             std::fabs(k.residual.z.hi) / k.sizeW);
+  // A residual that is not zero must count even if this quotient underflows to 0.
+  const auto isZero = [](DoubleDouble a) { return a.hi == 0; };
+  if (k.residualReach == 0 && !(isZero(k.residual.x) && isZero(k.residual.y) && isZero(k.residual.z)))
+    k.residualReach = std::numeric_limits<double>::min();
+}
+
 }  // namespace
 
 Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport& viewport,
@@ -87,27 +106,13 @@ Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport
   const ScreenMap& map = c.screen;
   k.orthographic = c.projection.orthographic;
   k.eye = c.pose.eye;
-  k.x = c.pose.rows.right * map.scaleX;
-  k.y = c.pose.rows.up * map.scaleY;
-  k.w = c.pose.rows.forward;
-  k.splitX = splitRow(k.x);
-  k.splitY = splitRow(k.y);
-  k.splitW = splitRow(k.w);
-  k.residual = {c.pose.residual.x * map.scaleX, c.pose.residual.y * map.scaleY, c.pose.residual.z};
+  setRows(k, c.pose, map.scaleX, map.scaleY);
   k.centerX = map.centerX;
   k.centerY = map.centerY;
   k.depthOffset = depth.offset;
   k.depthScale = depth.scale;
   k.reachX = map.reachX;
   k.reachY = map.reachY;
-  k.sizeXY = std::max(maxAbs(k.x), maxAbs(k.y));
-  k.sizeW = maxAbs(k.w);
-  k.residualReach = std::max(std::max(std::fabs(k.residual.x.hi), std::fabs(k.residual.y.hi)) / k.sizeXY,
-                             std::fabs(k.residual.z.hi) / k.sizeW);
-  // A residual that is not zero must count even if this quotient underflows to 0.
-  const auto isZero = [](DoubleDouble a) { return a.hi == 0; };
-  if (k.residualReach == 0 && !(isZero(k.residual.x) && isZero(k.residual.y) && isZero(k.residual.z)))
-    k.residualReach = std::numeric_limits<double>::min();
   const Axes& columns = c.pose.columns;
   c.eye = unroundedEye(c.pose);
   c.perX = columns.right * (DoubleDouble(1) / map.scaleX);
@@ -146,6 +151,11 @@ Camera cropped(const Camera& camera, const Crop& crop) {
 
 Camera detail::withLens(const Camera& pinhole, std::shared_ptr<const LensParts> lens) {
   const auto made = std::make_shared<CameraParts>(parts(pinhole));
+  ProjectionConstants& k = made->constants;
+  setRows(k, made->pose, 1, -1);
+  k.scaleX = made->screen.scaleX;
+  k.scaleY = -made->screen.scaleY;
+  k.lens = lens.get();
   made->lens = std::move(lens);
   made->pinhole = Access::shared(pinhole);
   return Access::whole<Camera, CameraParts>(made);

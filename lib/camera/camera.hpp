@@ -19,14 +19,18 @@ struct SplitRow {
   Vec3 high, low;
 };
 
+struct LensParts;
+
 /// The constants for projecting a point. In perspective, with d = point - eye and q = (x . d) / (w . d),
 ///   screen x = centerX + q,  window depth = depthOffset + depthScale / (w . d)
-/// and in orthographic
-///   screen x = centerX + x . d,  window depth = depthOffset + depthScale (w . d).
+/// in orthographic
+///   screen x = centerX + x . d,  window depth = depthOffset + depthScale (w . d)
+/// and through a lens, where q is a tangent
+///   screen x = centerX + scaleX bent(q).
 struct ProjectionConstants {
   bool orthographic = false;
   Vec3 eye;
-  DDVec3 x, y, w;                   ///< rows scaled to pixels: scaleX right, scaleY up, forward
+  DDVec3 x, y, w;                   ///< rows scaled to pixels: scaleX right, scaleY up, forward; with a lens right, down
   SplitRow splitX, splitY, splitW;  ///< the same rows, split
   DDVec3 residual;                  ///< the pose's residual, scaled likewise, added to x . d, y . d, w . d
   DoubleDouble centerX, centerY, depthOffset, depthScale;  ///< depthOffset: NaN without depth
@@ -39,9 +43,10 @@ struct ProjectionConstants {
   double residualReach = 0;       ///< the residual's part of |d0| + |d1| + |d2| in error bounds
 
   Vec3 rayX, rayY, rayW;  ///< columns: right / scaleX, up / scaleY, forward
-};
 
-struct LensParts;
+  const LensParts* lens = nullptr;
+  DoubleDouble scaleX, scaleY;  ///< of a lens, scaleY of what is down
+};
 
 /// Made by makeCamera. The first four parts are the input, the rest is derived from them.
 struct CameraParts {
@@ -64,7 +69,8 @@ struct CameraParts {
 
   ProjectionConstants constants;
 
-  /// Null without a lens. With a lens, everything above belongs to the camera without it, which is pinhole.
+  /// Null without a lens. With a lens, everything above belongs to the camera without it, which is pinhole, except the
+  /// rows in constants.
   std::shared_ptr<const LensParts> lens;
   std::shared_ptr<const CameraParts> pinhole;
 };

@@ -56,9 +56,7 @@ Number series(std::span<const double> k, const Number& u) noexcept {
   return sum * u + Number(1);
 }
 
-inline double times(double a, double b) noexcept { return a * b; }
 inline double high(double a) noexcept { return a; }
-inline double high(const DoubleDouble& a) noexcept { return a.hi; }
 inline double arctangent(double r) noexcept { return arctangent(DoubleDouble(r)).hi; }
 
 template <class Number>
@@ -66,34 +64,49 @@ struct Tangents {
   Number x, y;
 };
 
-/// What radial distances are multiplied by. NaN from the limit on.
+/// What radial distances are multiplied by; and the square of what the lens's end counts, of brown's radius or of a
+/// fisheye's angle. Of numbers, or of lanes of them (projection/kernels/fine_lanes.hpp).
+template <class Number>
+struct Radial {
+  Number factor, square;
+};
+
+/// Of a squared radius, wherever it is.
+template <class Number>
+Radial<Number> radial(const LensParts& lens, const Number& u) noexcept {
+  using std::sqrt;
+  constexpr double kTiny = 0x1p-900;
+  if (lens.model == LensModel::brown) {
+    const Number numerator = series(lens.numerator(), u);
+    return {lens.isRational() ? numerator / series(lens.denominator(), u) : numerator, u};
+  }
+  const Number r = sqrt(u), angle = arctangent(r), square = angle * angle;
+  return {choose(high(u) < kTiny, Number(1), Number(angle * series(lens.numerator(), square) / r)), square};
+}
+
+/// radial's factor; NaN from the limit on.
 template <class Number>
 Number radialFactor(const LensParts& lens, const Number& u) noexcept {
-  using std::sqrt;
-  constexpr double kCloser = 1 + 0x1p-50, kTiny = 0x1p-900;
-  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  if (lens.model == LensModel::brown) {
-    if (!(std::sqrt(high(u)) * kCloser < lens.end)) return kNaN;
-    const Number numerator = series(lens.numerator(), u);
-    return lens.isRational() ? numerator / series(lens.denominator(), u) : numerator;
-  }
-  if (high(u) < kTiny) return 1;
-  const Number r = sqrt(u);
-  if (!(high(r) < kLargestTangent)) return kNaN;
-  const Number angle = arctangent(r);
-  if (!(high(angle) * kCloser < lens.end)) return kNaN;
-  return angle * series(lens.numerator(), Number(angle * angle)) / r;
+  constexpr double kCloser = 1 + 0x1p-49;
+  const Radial<Number> at = radial(lens, u);
+  const bool isBefore = high(u) < kLargestTangent * kLargestTangent && high(at.square) * kCloser < lens.end * lens.end;
+  return isBefore ? at.factor : Number(std::numeric_limits<double>::quiet_NaN());
+}
+
+/// Tangents of the squared radius u and this factor, bent.
+template <class Number>
+Tangents<Number> bend(const LensParts& lens, const Tangents<Number>& at, const Number& u, const Number& g) noexcept {
+  const Number &x = at.x, &y = at.y;
+  if (lens.tangential == 0) return {x * g, y * g};
+  // x (g + 2 p1 y + 2 p2 x) + p2 u: the terms of the header in another order.
+  const Number p1 = lens.p[0], p2 = lens.p[1], turned = p1 * y + p2 * x, along = g + (turned + turned);
+  return {x * along + p2 * u, y * along + p1 * u};
 }
 
 template <class Number>
 Tangents<Number> distort(const LensParts& lens, const Tangents<Number>& at) noexcept {
-  const Number &x = at.x, &y = at.y;
-  const Number u = x * x + y * y;
-  const Number g = radialFactor(lens, u);
-  if (lens.tangential == 0) return {x * g, y * g};
-  // x (g + 2 p1 y + 2 p2 x) + p2 u: the terms of the header in another order.
-  const Number turned = times(lens.p[0], y) + times(lens.p[1], x), along = g + (turned + turned);
-  return {x * along + times(lens.p[1], u), y * along + times(lens.p[0], u)};
+  const Number u = at.x * at.x + at.y * at.y;
+  return bend(lens, at, u, radialFactor(lens, u));
 }
 
 /// The tangents that are put there, and how far they may be from the true ones, as an angle in radians; a NaN where

@@ -31,13 +31,6 @@ double size(const Range& a) noexcept { return std::max(std::fabs(a.low), std::fa
 
 Range exactly(double a) noexcept { return {a, a}; }
 
-/// first + (first + step) k[0] u + ..., of magnitudes.
-double sizes(std::span<const double> k, double u, double first, double step) noexcept {
-  double sum = 0;
-  for (std::size_t i = k.size(); i-- > 0;) sum = (sum + (first + step * double(i + 1)) * std::fabs(k[i])) * u;
-  return sum + 1;
-}
-
 /// factor(0) + factor(1) k[0] u + factor(2) k[1] u^2 + ...
 template <class Factor>
 Range series(std::span<const double> k, const Range& u, const Factor& factor) noexcept {
@@ -95,22 +88,6 @@ Response responseOver(const LensParts& lens, const Range& r) noexcept {
   result.least = std::max(0.0, least * (1 - 0x1p-40));
   result.rounding *= 1.01;
   return result;
-}
-
-Roughly roughly(const LensParts& lens, double r) noexcept {
-  if (lens.model == LensModel::fisheye) {
-    const double t = std::min(r, 1.6), most = sizes(lens.numerator(), t * t, 1, 45);
-    return {2 * most, 20 * t * most};
-  }
-  const double u = r * r, ofN = sizes(lens.numerator(), u, 1, 18);
-  double most = 2 * ofN;
-  if (lens.isRational()) {
-    const double d = series(lens.denominator(), u), ofD = sizes(lens.denominator(), u, 1, 18);
-    if (!(d > 0x1p-30 * ofD)) return {kInfinity, kInfinity};
-    most = 2 * (ofN / d) * (1 + ofD / d);
-  }
-  const double p = std::fabs(lens.p[0]) + std::fabs(lens.p[1]);
-  return {most + 6 * p * r, 6 * most * r + 24 * p * u};
 }
 
 }  // namespace viewproj::detail

@@ -160,7 +160,7 @@ Undistorted undistortFisheye(const LensParts& lens, const Tangents<DoubleDouble>
     if (std::fabs(step) <= kSettled * t.hi) break;
   }
   const double residual =
-      std::fabs((put(t) - size).hi) + kFineUnit * size.hi + kFineUnit * roughly(lens, t.hi).rounding;
+      std::fabs((put(t) - size).hi) + kFineUnit * size.hi + kFineUnit * roughly(lens, t.hi, 0.0).rounding;
   const double d = 2 * residual / slopeAt(t.hi), reach = d + 0x1p-50 * t.hi;
   const double m = slopeOver(lens, {std::max(0.0, t.hi - reach), t.hi + reach}).low;
   if (!(m > 0 && residual <= m * d && t.hi + reach < lens.end)) return kNone;

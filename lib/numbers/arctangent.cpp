@@ -3,61 +3,8 @@
 #include <cmath>
 
 namespace viewproj::detail {
-namespace {
 
-/// The arctangents of 0/16 ... 16/16.
-constexpr DoubleDouble kArctangents[] = {
-    {0x0.0p+0, 0x0.0p+0},
-    {0x1.ff55bb72cfdeap-5, -0x1.c934d86d23f1dp-60},
-    {0x1.fd5ba9aac2f6ep-4, -0x1.cd37686760c17p-59},
-    {0x1.7b97b4bce5b02p-3, 0x1.347b0b4f881cap-58},
-    {0x1.f5b75f92c80ddp-3, 0x1.8ab6e3cf7afbdp-57},
-    {0x1.362773707ebccp-2, -0x1.963a544b672d8p-57},
-    {0x1.6f61941e4def1p-2, -0x1.c63aae6f6e918p-56},
-    {0x1.a64eec3cc23fdp-2, -0x1.24dec1b50b7ffp-56},
-    {0x1.dac670561bb4fp-2, 0x1.a2b7f222f65e2p-56},
-    {0x1.0657e94db30d0p-1, -0x1.d5b495f6349e6p-56},
-    {0x1.1e00babdefeb4p-1, -0x1.928df287a668fp-58},
-    {0x1.345f01cce37bbp-1, 0x1.1021137c71102p-55},
-    {0x1.4978fa3269ee1p-1, 0x1.2419a87f2a458p-56},
-    {0x1.5d58987169b18p-1, 0x1.0028e4bc5e7cap-57},
-    {0x1.700a7c5784634p-1, -0x1.8c34d25aadef6p-56},
-    {0x1.819d0b7158a4dp-1, -0x1.bf76229d3b917p-56},
-    {0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55},
-};
-
-constexpr int kTerms = 13, kInDouble = 4;  // terms; from kInDouble on they are below 2^-43
-
-/// 1 / (2 n + 1).
-constexpr auto kOdd = [] {
-  struct {
-    DoubleDouble of[kTerms];
-  } odd;
-  for (int n = 0; n < kTerms; ++n) odd.of[n] = DoubleDouble(1) / DoubleDouble(2 * n + 1);
-  return odd;
-}();
-
-/// For |z| <= 1/32: z - z^3/3 + z^5/5 - ...
-DoubleDouble arctangentOfSmall(DoubleDouble z) noexcept {
-  const DoubleDouble minusSquare = -(z * z);
-  double rest = 0;
-  for (int n = kTerms - 1; n >= kInDouble; --n) rest = kOdd.of[n].hi + minusSquare.hi * rest;
-  DoubleDouble sum = rest;
-  for (int n = kInDouble - 1; n > 0; --n) sum = kOdd.of[n] + minusSquare * sum;
-  return z + z * (minusSquare * sum);
-}
-
-}  // namespace
-
-DoubleDouble arctangent(DoubleDouble slope) noexcept {
-  const bool isSteep = slope.hi > 1;
-  const DoubleDouble along = isSteep ? slope : 1, across = isSteep ? DoubleDouble(1) : slope;
-  const int index = static_cast<int>(16 * (across.hi / along.hi) + 0.5);
-  const DoubleDouble start = index / 16.0;
-  const DoubleDouble z = (across - start * along) / (along + start * across);
-  const DoubleDouble angle = kArctangents[index] + arctangentOfSmall(z);
-  return isSteep ? kQuarterTurn - angle : angle;
-}
+DoubleDouble arctangent(DoubleDouble slope) noexcept { return angleOf(slope); }
 
 Direction directionOf(DoubleDouble angle) noexcept {
   const bool isSteep = angle.hi > kArctangents[16].hi;

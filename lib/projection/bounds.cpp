@@ -69,7 +69,7 @@ Vec2 detail::pictureReach(const CameraParts& c) noexcept {
 
 ErrorBound boundInPicture(const Camera& camera, Precision precision) noexcept {
   const CameraParts& c = parts(camera);
-  return c.lens ? boundInPictureThroughLens(camera, precision) : boundWithin(c, pictureReach(c), precision);
+  return c.lens ? boundInPictureThroughLens(c) : boundWithin(c, pictureReach(c), precision);
 }
 
 ErrorBound detail::boundWithin(const CameraParts& c, const Vec2& reach, Precision precision) noexcept {
@@ -99,7 +99,7 @@ ErrorBound boundOfPoint(const Camera& camera, const Vec3& point, Precision preci
 ErrorBound boundOfPoint(const Camera& camera, const Vec4& point, Precision precision) noexcept {
   if (point.w != 1) precision = Precision::exact;
   const CameraParts& c = parts(camera);
-  if (c.lens) return boundThroughLens(camera, point, precision);
+  if (c.lens) return boundThroughLens(camera, point);
   const ScreenPoint p = worldToScreen(camera, point, Precision::exact);
   if (p.status != PointStatus::inFront || precision == Precision::exact) return boundOfExact(c, p);
   const ProjectionConstants& k = c.constants;

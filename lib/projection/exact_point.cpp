@@ -62,6 +62,11 @@ NearestDouble screenCoordinate(DoubleDouble center, double reach, DoubleDouble s
                   Wide(std::fabs(scale.hi)) * h.error + Wide(kExactParameter) * (Wide(reach) + magnitude(step))});
 }
 
+BoundedTangents tangentsOf(const Distances& e) noexcept {
+  const Bounded x = e.inWindow(e.right), y = e.inWindow(-e.up);
+  return {{toDoubleDouble(x.value), toDoubleDouble(y.value)}, std::max(double(x.error), double(y.error))};
+}
+
 NearestDouble windowDepth(const CameraParts& c, const Bounded& distance, bool distanceIsExact) noexcept {
   const ProjectionParts& p = c.projection;
   const Wide& w = distance.value;
@@ -105,8 +110,9 @@ ScreenPoint toScreen(const CameraParts& c, const Distances& e) noexcept {
   }
   const ScreenMap& map = c.screen;
   const auto inWindow = [&](const Wide& a) { return orthographic ? e.inWorld(a) : e.inWindow(a); };
-  const NearestDouble x = screenCoordinate(map.centerX, map.reachX, map.scaleX, inWindow(e.right));
-  const NearestDouble y = screenCoordinate(map.centerY, map.reachY, map.scaleY, inWindow(e.up));
+  const auto [x, y] = c.lens ? bentPixel(c, tangentsOf(e))
+                             : NearestPixel{screenCoordinate(map.centerX, map.reachX, map.scaleX, inWindow(e.right)),
+                                            screenCoordinate(map.centerY, map.reachY, map.scaleY, inWindow(e.up))};
   const NearestDouble depth = isDirection              ? NearestDouble{c.depthAtInfinity, e.isDecided(e.forward)}
                               : hasDepth(c.projection) ? windowDepth(c, distance, e.forwardIsExact)
                                                        : NearestDouble{kNaN, true};
@@ -114,10 +120,26 @@ ScreenPoint toScreen(const CameraParts& c, const Distances& e) noexcept {
   p.y = y.value;
   p.depth = depth.value;
   p.viewDistance = viewDistance.value;
+  p.certain = viewDistance.certain && x.certain && y.certain && depth.certain;
+  if (std::isnan(p.x)) {
+    p.status = PointStatus::beyondLens;
+    return p;
+  }
   p.outside = sidesBeyond(c, p);
   if (isDirection && std::isfinite(c.projection.far)) p.outside |= sideFar;
-  p.certain = viewDistance.certain && x.certain && y.certain && depth.certain;
   return p;
+}
+
+/// Of a point in the domain.
+Distances distancesOf(const CameraParts& c, const Vec4& point) noexcept {
+  const AxisDistances a = exactDistances(c.pose, point);
+  Distances e{a.right, a.up, a.forward, a.error, point.w, c.constants.forwardIsAxis && point.w == 1};
+  if (e.forwardIsExact) {
+    const std::size_t axis = onlyEntry(c.pose.exact->rows[2]);
+    const DoubleDouble away = twoDiff(Vec3{point.x, point.y, point.z}[axis], c.pose.eye[axis]);
+    e.forward = c.pose.rows.forward[axis].hi < 0 ? -away : away;
+  }
+  return e;
 }
 
 }  // namespace
@@ -160,14 +182,11 @@ AxisDistances exactDistances(const PoseParts& pose, const Vec4& point) noexcept 
 
 ScreenPoint exactToScreen(const CameraParts& c, const Vec4& point) noexcept {
   if (!isInDomain(c.pose.eye, point)) return without(PointStatus::outOfRange, kNaN);
-  const AxisDistances a = exactDistances(c.pose, point);
-  Distances e{a.right, a.up, a.forward, a.error, point.w, c.constants.forwardIsAxis && point.w == 1};
-  if (e.forwardIsExact) {
-    const std::size_t axis = onlyEntry(c.pose.exact->rows[2]);
-    const DoubleDouble away = twoDiff(Vec3{point.x, point.y, point.z}[axis], c.pose.eye[axis]);
-    e.forward = c.pose.rows.forward[axis].hi < 0 ? -away : away;
-  }
-  return toScreen(c, e);
+  return toScreen(c, distancesOf(c, point));
+}
+
+BoundedTangents exactTangents(const CameraParts& c, const Vec4& point) noexcept {
+  return tangentsOf(distancesOf(c, point));
 }
 
 }  // namespace viewproj::detail

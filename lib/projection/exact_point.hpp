@@ -5,6 +5,7 @@
 
 #include "camera/camera.hpp"
 #include "numbers/wide.hpp"
+#include "projection/through_lens.hpp"
 #include "viewproj/screen.hpp"
 
 namespace viewproj::detail {
@@ -50,5 +51,8 @@ inline std::uint8_t sidesBeyond(const CameraParts& c, const ScreenPoint& p) noex
 
 /// The screen position of any point, from exactDistances. A number that is not certain is a tie or cancels to about 0.
 ScreenPoint exactToScreen(const CameraParts& camera, const Vec4& point) noexcept;
+
+/// The same point's tangents, of a camera with a lens.
+BoundedTangents exactTangents(const CameraParts& camera, const Vec4& point) noexcept;
 
 }  // namespace viewproj::detail

@@ -6,7 +6,6 @@
 
 #include "projection/exact_point.hpp"
 #include "projection/kernels/formulas.hpp"
-#include "projection/through_lens.hpp"
 
 namespace viewproj {
 
@@ -31,15 +30,16 @@ struct Left {
   }
 };
 
-Kernels::Project kernelOf(Precision precision) noexcept {
-  return precision == Precision::standard ? kernels().standard : kernels().exact;
+Kernels::Project kernelOf(const CameraParts& c, Precision precision) noexcept {
+  return c.lens ? kernels().throughLens : precision == Precision::standard ? kernels().standard : kernels().exact;
 }
 
-/// A point that a formula has settled. isSeen: it is not behind the eye plane. `alsoOutside`: sides that a direction
-/// lies beyond.
+/// A point that a formula has settled. isSeen: it is neither behind the eye plane nor beyond the lens. `alsoOutside`:
+/// sides that a direction lies beyond.
 ScreenPoint settled(const CameraParts& c, bool isSeen, const Vec3& position, double distance, Precision precision,
                     std::uint8_t alsoOutside = 0) noexcept {
   const bool isExact = precision == Precision::exact;
+  if (!isSeen && distance > 0) return {NAN, NAN, position.z, distance, PointStatus::beyondLens, 0, isExact, precision};
   if (!isSeen) return {NAN, NAN, NAN, distance, PointStatus::behind, 0, isExact, precision};
   const std::uint8_t outside = sidesBeyond(c, {position.x, position.y, position.z, distance}) | alsoOutside;
   // Made in one go: small members that are set one by one and then copied cost more than the projection.
@@ -65,6 +65,14 @@ ScreenPoint alone(const CameraParts& c, const Vec4& point, Precision precision) 
   return settled(c, r.valid, {r.x, r.y, c.depthAtInfinity}, NAN, precision, alsoOutside);
 }
 
+/// One point of a camera with a lens.
+ScreenPoint throughLens(const CameraParts& c, const Vec4& point) noexcept {
+  if (point.w != 1) return exactToScreen(c, point);
+  const Projected<double, bool> r = kernels().exactPoint(c.constants, point);
+  if (!r.valid && !r.behind) return exactToScreen(c, point);
+  return settled(c, r.valid && !std::isnan(r.x), {r.x, r.y, r.depth}, r.distance, Precision::exact);
+}
+
 /// One of a batch.
 ScreenPoint counted(const ScreenPoint& p, BatchCounts& counts) noexcept {
   ++counts.escalated;
@@ -86,13 +94,13 @@ ScreenPoint worldToScreen(const Camera& camera, const Vec3& point, Precision pre
 
 ScreenPoint worldToScreen(const Camera& camera, const Vec4& point, Precision precision) noexcept {
   const CameraParts& c = parts(camera);
-  return c.lens ? throughLens(camera, point, precision) : alone(c, point, precision);
+  return c.lens ? throughLens(c, point) : alone(c, point, precision);
 }
 
 BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, std::span<Vec3> screen,
                           Precision precision) noexcept {
   const CameraParts& c = parts(camera);
-  const auto kernel = kernelOf(precision);
+  const auto kernel = kernelOf(c, precision);
   const std::size_t count = std::min(points.size(), screen.size());
   const bool inPlace = points.data() < screen.data() + count && screen.data() < points.data() + count;
   BatchCounts counts;
@@ -108,10 +116,6 @@ BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, st
           counted(worldToScreen(camera, Vec3{in[3 * j], in[3 * j + 1], in[3 * j + 2]}, precision), counts);
       out[j] = {p.x, p.y, p.depth};
     };
-    if (c.lens) {
-      for (std::size_t j = 0; j < size; ++j) settle(j);
-      continue;
-    }
     kernel(c.constants, in, &out->x, nullptr, size, left.bits);
     left.each(settle);
   }
@@ -121,17 +125,18 @@ BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, st
 BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, std::span<ScreenPoint> screen,
                           Precision precision) noexcept {
   const CameraParts& c = parts(camera);
-  const auto kernel = kernelOf(precision);
+  const auto kernel = kernelOf(c, precision);
+  if (c.lens) precision = Precision::exact;
   const std::size_t count = std::min(points.size(), screen.size());
   BatchCounts counts;
   double position[3 * kBlock], distance[kBlock];
   for (std::size_t i = 0; i < count; i += kBlock) {
     const std::size_t size = std::min(kBlock, count - i);
     Left left;
-    if (!c.lens) kernel(c.constants, &points[i].x, position, distance, size, left.bits);
+    kernel(c.constants, &points[i].x, position, distance, size, left.bits);
     for (std::size_t j = 0; j < size; ++j) {
       const double* const p = position + 3 * j;
-      if (c.lens || left.has(j))
+      if (left.has(j))
         screen[i + j] = counted(worldToScreen(camera, points[i + j], precision), counts);
       else
         screen[i + j] = settled(c, !std::isnan(p[0]), {p[0], p[1], p[2]}, distance[j], precision);

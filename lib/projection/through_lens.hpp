@@ -3,6 +3,8 @@
 #pragma once
 
 #include "camera/camera.hpp"
+#include "lens/lens.hpp"
+#include "numbers/wide.hpp"
 #include "viewproj/screen.hpp"
 
 namespace viewproj::detail {
@@ -14,10 +16,22 @@ struct WindowPoint {
 /// What a pixel is before the lens; NaN where no point has it.
 WindowPoint beforeLens(const CameraParts& c, const Vec2& screen) noexcept;
 
-ScreenPoint throughLens(const Camera& camera, const Vec4& point, Precision precision) noexcept;
+/// Each of the two is within error of the true one.
+struct BoundedTangents {
+  Tangents<DoubleDouble> at;
+  double error;
 
-ErrorBound boundThroughLens(const Camera& camera, const Vec4& point, Precision precision) noexcept;
-ErrorBound boundInPictureThroughLens(const Camera& camera, Precision precision) noexcept;
+  double radius() const noexcept { return std::sqrt(at.x.hi * at.x.hi + at.y.hi * at.y.hi); }
+};
+
+struct NearestPixel {
+  NearestDouble x, y;
+};
+/// Where a lens puts tangents; NaN from its limit on.
+NearestPixel bentPixel(const CameraParts& c, const BoundedTangents& tangents) noexcept;
+
+ErrorBound boundThroughLens(const Camera& camera, const Vec4& point) noexcept;
+ErrorBound boundInPictureThroughLens(const CameraParts& c) noexcept;
 
 // ---- Of bounds.cpp
 

@@ -15,7 +15,7 @@ namespace viewproj {
 
 /// The arithmetic that a result is computed in.
 enum class Precision {
-  standard,  ///< double, with coordinates relative to the eye
+  standard,  ///< double, with coordinates relative to the eye; through a lens the same as exact
   exact,     ///< the double nearest the true value
 };
 
@@ -74,7 +74,7 @@ ScreenPoint worldToScreen(const Camera& camera, const Vec4& point, Precision pre
 
 /// Counts of the points of a batch.
 struct BatchCounts {
-  /// Points computed one by one: out of the kernel's range, next to the eye plane, not certain, or through a lens.
+  /// Points computed one by one: out of the kernel's range, next to the eye plane or a lens's limit, or not certain.
   std::size_t escalated = 0;
   std::size_t uncertain = 0;  ///< exact: those that stay uncertain (ties, numbers about 0)
 };

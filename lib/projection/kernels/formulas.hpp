@@ -8,7 +8,9 @@
 
 #include <cmath>
 
+#include "lens/response.hpp"
 #include "projection/kernels/error_model.hpp"
+#include "projection/kernels/fine_lanes.hpp"
 #include "projection/kernels/kernels.hpp"
 #include "viewproj/screen.hpp"
 
@@ -23,6 +25,11 @@ struct ScalarLanes {
   static D absolute(D a) { return std::fabs(a); }
   static D larger(D a, D b) { return a > b ? a : b; }
   static D squareRoot(D a) { return std::sqrt(a); }
+  /// Calls a function for each lane.
+  template <class Function>
+  static D map(D a, const Function& function) {
+    return function(a);
+  }
   /// multiplyAdd: a * b + c, rounded once or twice. productError: the error of the rounded product of a * b.
 #if defined(__FMA__) || defined(__ARM_FEATURE_FMA)
   static constexpr bool hasFusedMultiplyAdd = true;
@@ -47,9 +54,9 @@ inline A all(A a, B b, More... more) {
 }
 
 /// The parts of a formula that a camera needs, and whether the distance is needed too (exact then certifies it).
-template <bool IsOrthographic, bool HasResidual, bool WantsDistance = false>
+template <bool IsOrthographic, bool HasResidual, bool WantsDistance = false, bool HasLens = false>
 struct Traits {
-  static constexpr bool orthographic = IsOrthographic, residual = HasResidual, distance = WantsDistance;
+  static constexpr bool orthographic = IsOrthographic, residual = HasResidual, distance = WantsDistance, lens = HasLens;
 };
 
 /// standard: double, relative to the eye.
@@ -153,9 +160,15 @@ class ExactFormula {
       const D t = reach * by.inverse;
       // |X/W| is at most t times the largest entry of a row.
       const D error = L::multiplyAdd(t, L::multiplyAdd(t, L::splat(errorW_ * camera_.sizeXY), L::splat(errorXY_)),
-                                     L::splat(errorCenter_));
-      const M xIsNearest = isNearestSum(camera_.centerX, quotient(x, by), by.inverse, error, r.x);
-      const M yIsNearest = isNearestSum(camera_.centerY, quotient(y, by), by.inverse, error, r.y);
+                                     Traits::lens ? D{} : L::splat(errorCenter_));
+      M xyAreNearest;
+      if constexpr (Traits::lens) {
+        xyAreNearest = areNearestBent(quotient(x, by), quotient(y, by), by.inverse, error, r);
+      } else {
+        const M xIsNearest = isNearestSum(camera_.centerX, quotient(x, by), by.inverse, error, r.x);
+        const M yIsNearest = isNearestSum(camera_.centerY, quotient(y, by), by.inverse, error, r.y);
+        xyAreNearest = all(xIsNearest, yIsNearest);
+      }
       const D errorZ =
           L::multiplyAdd(by.inverse,
                          L::multiplyAdd(t, L::splat(errorW_ * std::fabs(camera_.depthScale.hi)),
@@ -166,7 +179,7 @@ class ExactFormula {
       const D offset = L::splat(camera_.depthOffset.hi);
       // NOLINTNEXTLINE(misc-redundant-expression): only a NaN differs from itself
       const M zIsNearest = isNearestSum(camera_.depthOffset, z, by.inverse, errorZ, r.depth) | (offset != offset);
-      r.valid = all(inRange, r.distance > least, xIsNearest, yIsNearest, zIsNearest);
+      r.valid = all(inRange, r.distance > least, xyAreNearest, zIsNearest);
       r.behind = all(inRange, r.distance < -least);
     }
     if constexpr (Traits::distance) {
@@ -255,6 +268,33 @@ class ExactFormula {
     const D high = L::splat(a.hi);
     const D p = high * b.hi;
     return {p, L::productError(high, b.hi, p) + (a.hi * b.lo + a.lo * b.hi)};
+  }
+
+  /// Bends tangents from quotient(), each within error, and puts them on the screen. Returns whether both numbers are the
+  /// nearest doubles, or the point is certainly beyond the lens: then they are NaN. bentPixel() decides the other points.
+  M areNearestBent(const Pair<D>& tangentX, const Pair<D>& tangentY, D factor, D error, Projected<D, M>& r) const {
+    using Number = Fine<L>;
+    const LensParts& lens = *camera_.lens;
+    const Number x = Number::twoSum(tangentX.hi, tangentX.lo * factor);
+    const Number y = Number::twoSum(tangentY.hi, tangentY.lo * factor);
+    const Number u = x * x + y * y;
+    const Radial<Number> at = radial(lens, u);
+    const Tangents<Number> bent = bend(lens, {x, y}, u, at.factor);
+    const Number stepX = Number(camera_.scaleX) * bent.x, stepY = Number(camera_.scaleY) * bent.y;
+    // The error as in bentPixel(); errorCenter_ has its margin already.
+    const auto [stretch, rounding] = roughly(lens, L::squareRoot(u.hi), error);
+    const D scale = L::splat(std::fmax(std::fabs(camera_.scaleX.hi), std::fabs(camera_.scaleY.hi)));
+    const D shift = L::absolute(stepX.hi) + L::absolute(stepY.hi);
+    const D ofPixel = scale * (1.5 * stretch * error + kZivMargin * kFineUnit * rounding) +
+                      (errorCenter_ + 4 * kZivMargin * kExactParameter * shift);
+    const M xIsNearest = isNearestSum(camera_.centerX, Pair<D>{stepX.hi, stepX.lo}, ofPixel, r.x);
+    const M yIsNearest = isNearestSum(camera_.centerY, Pair<D>{stepY.hi, stepY.lo}, ofPixel, r.y);
+    const D extent = L::squareRoot(at.square.hi), none = L::splat(NAN);
+    const M isBefore = extent + 2.0 * error < lens.end * (1 - 0x1p-40);
+    const M isBeyond = extent - 2.0 * error > lens.end * (1 + 0x1p-40);
+    r.x = isBeyond ? none : r.x;
+    r.y = isBeyond ? none : r.y;
+    return all(u.hi < kLargestTangent * kLargestTangent / 2, all(isBefore, xIsNearest, yIsNearest) | isBeyond);
   }
 
   /// Sets nearest to start + q + rest * factor, with q and rest from quotient(). Returns whether every number within

@@ -28,10 +28,12 @@ struct Kernels {
                            std::size_t count, Unsettled) noexcept;
   const char* name;
   Project standard, exact;
+  Project throughLens;  ///< exact, of cameras with a lens: of a point beyond it only screen x and y are NaN
   /// Perspective ray directions of pixels (x y pairs in, x y z out).
   void (*rays)(const ProjectionConstants&, const double* pixels, double* directions, std::size_t count,
                Unsettled) noexcept;
-  /// Projects one point in exact: of weight 1, or in perspective a direction's vanishing point, without a depth.
+  /// Projects one point in exact: of weight 1, through a lens too; or in perspective without a lens, a direction's
+  /// vanishing point, without a depth.
   Projected<double, bool> (*exactPoint)(const ProjectionConstants&, const Vec4& point) noexcept;
 };
 

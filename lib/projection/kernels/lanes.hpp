@@ -46,6 +46,12 @@ struct VectorLanes {
   static D absolute(D a) { return (D)((M)a & ~kSign); }
   static D load(const double* p) { return *reinterpret_cast<const LooseLanes*>(p); }
   static void store(double* p, D a) { *reinterpret_cast<LooseLanes*>(p) = a; }
+  template <class Function>
+  static D map(D a, const Function& function) {
+    D result;
+    for (int i = 0; i < kLanes; ++i) result[i] = function(a[i]);
+    return result;
+  }
 
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
   static constexpr bool hasFusedMultiplyAdd = true;

@@ -1,0 +1,65 @@
+// Lanes in double-double, for lib/lens/lens.hpp's map of many points at a time: what a DoubleDouble is to a double.
+#pragma once
+
+#include <type_traits>
+
+#include "numbers/arctangent.hpp"
+
+namespace viewproj::detail {
+namespace {
+
+/// |lo| <= ulp(hi)/2. Each result is within 2^-101 of the true one, of a sum relative to the sizes of its terms; an
+/// arctangent within kFineUnit.
+template <class L>
+struct Fine {
+  using D = typename L::D;
+  D hi, lo;
+
+  Fine(D high, D low = D{}) : hi(high), lo(low) {}                            // NOLINT: exact, as of doubles
+  Fine(double a) requires(!std::is_same_v<D, double>) : Fine(L::splat(a)) {}  // NOLINT: exact
+  Fine(const DoubleDouble& a) : hi(L::splat(a.hi)), lo(L::splat(a.lo)) {}     // NOLINT: exact
+
+  static Fine twoSum(D a, D b) {
+    const D sum = a + b, part = sum - a;
+    return {sum, (a - (sum - part)) + (b - part)};
+  }
+  /// |a| >= |b|.
+  static Fine quickTwoSum(D a, D b) {
+    const D sum = a + b;
+    return {sum, b - (sum - a)};
+  }
+
+  friend D high(const Fine& a) { return a.hi; }
+  friend Fine choose(typename L::M condition, const Fine& a, const Fine& b) {
+    return {condition ? a.hi : b.hi, condition ? a.lo : b.lo};
+  }
+  template <class Entry>
+  friend Fine entryAt(const Fine& position, const Entry& entry) {
+    return {L::map(position.hi, [&](double i) { return DoubleDouble(entry(static_cast<int>(i))).hi; }),
+            L::map(position.hi, [&](double i) { return DoubleDouble(entry(static_cast<int>(i))).lo; })};
+  }
+  friend Fine operator-(const Fine& a) { return {-a.hi, -a.lo}; }
+  friend Fine operator+(const Fine& a, const Fine& b) {
+    const Fine sum = twoSum(a.hi, b.hi);
+    return quickTwoSum(sum.hi, sum.lo + (a.lo + b.lo));
+  }
+  friend Fine operator-(const Fine& a, const Fine& b) { return a + (-b); }
+  friend Fine operator*(const Fine& a, const Fine& b) {
+    const D product = a.hi * b.hi;
+    return quickTwoSum(product, L::productError(a.hi, b.hi, product) + (a.hi * b.lo + a.lo * b.hi));
+  }
+  friend Fine operator/(const Fine& a, const Fine& b) {
+    const D inverse = 1.0 / b.hi, q = a.hi * inverse, product = q * b.hi;
+    const D rest = ((a.hi - product) - L::productError(q, b.hi, product)) + (a.lo - q * b.lo);
+    return quickTwoSum(q, rest * inverse);
+  }
+  friend Fine sqrt(const Fine& a) {
+    const D root = L::squareRoot(a.hi), square = root * root;
+    const D rest = ((a.hi - square) - L::productError(root, root, square)) + a.lo;
+    return quickTwoSum(root, rest / (2.0 * root));
+  }
+  friend Fine arctangent(const Fine& slope) { return angleOf(slope); }
+};
+
+}  // namespace
+}  // namespace viewproj::detail
