@@ -30,7 +30,7 @@ struct LensParts;
 struct ProjectionConstants {
   bool orthographic = false;
   Vec3 eye;
-  DDVec3 x, y, w;                   ///< rows scaled to pixels: scaleX right, scaleY up, forward; with a lens right, down
+  DDVec3 x, y, w;                   ///< rows scaled to pixels: scaleX right, scaleY up, forward; unscaled with a lens
   SplitRow splitX, splitY, splitW;  ///< the same rows, split
   DDVec3 residual;                  ///< the pose's residual, scaled likewise, added to x . d, y . d, w . d
   DoubleDouble centerX, centerY, depthOffset, depthScale;  ///< depthOffset: NaN without depth

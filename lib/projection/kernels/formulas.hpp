@@ -270,8 +270,8 @@ class ExactFormula {
     return {p, L::productError(high, b.hi, p) + (a.hi * b.lo + a.lo * b.hi)};
   }
 
-  /// Bends tangents from quotient(), each within error, and puts them on the screen. Returns whether both numbers are the
-  /// nearest doubles, or the point is certainly beyond the lens: then they are NaN. bentPixel() decides the other points.
+  /// Bends tangents from quotient(), each within error, and puts them on the screen. Returns whether both numbers are
+  /// the nearest doubles, or the point is certainly beyond the lens: then they are NaN. bentPixel() decides the others.
   M areNearestBent(const Pair<D>& tangentX, const Pair<D>& tangentY, D factor, D error, Projected<D, M>& r) const {
     using Number = Fine<L>;
     const LensParts& lens = *camera_.lens;
