@@ -49,18 +49,18 @@ std::optional<WrittenMatrix> matrixOf(const std::string& key, const Json& value,
   return m;
 }
 
-/// text: without comments.
-WrittenMatrices parseObject(const std::string& text, const std::string& source) {
-  const Document document = load(text, source);  // says what is wrong with it
+/// json: without comments. name: of its file, for messages.
+WrittenMatrices parseObject(const std::string& json, const std::string& name) {
+  const Document document = load(json, name);  // says what is wrong with it
   WrittenMatrices result;
-  JsonParts parts(std::string_view(text).substr(text.find('{')));
+  JsonParts parts(std::string_view(json).substr(json.find('{')));
   while (const auto part = parts.next()) {  // in the order of the text
     const std::string key = unescaped(part->key);
-    if (auto m = matrixOf(key, document.root->at(key), source)) result.matrices.push_back(std::move(*m));
+    if (auto m = matrixOf(key, document.root->at(key), name)) result.matrices.push_back(std::move(*m));
   }
-  if (result.matrices.empty()) throw InputError(source + ": has no matrix: no value of 16 numbers or 4 rows of 4");
+  if (result.matrices.empty()) throw InputError(name + ": has no matrix: no value of 16 numbers or 4 rows of 4");
   if (const auto convention = Node(document).find("convention")) {
-    Document stated{source, std::make_shared<Json>(Json{{"convention", convention->json()}})};
+    Document stated{name, std::make_shared<Json>(Json{{"convention", convention->json()}})};
     normalize(stated);
     check(stated);
     result.convention = readConvention(stated).convention;
