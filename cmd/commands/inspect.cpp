@@ -11,6 +11,7 @@
 #include "text/error.hpp"
 #include "text/file.hpp"
 #include "text/names.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {

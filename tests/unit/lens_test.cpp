@@ -2,6 +2,7 @@
 #include "viewproj/lens.hpp"
 
 #include <cstring>
+#include <numbers>
 #include <vector>
 
 #include "catch.hpp"
@@ -75,9 +76,10 @@ TEST_CASE("A lens tells its numbers and where it ends") {
   CHECK(fisheyeLens({}, 180).limitCause() == LimitCause::none);
   CHECK(fisheyeLens({}).limitDegrees() == INFINITY);
   // Coefficients of a long lens, and of one that ends next to its axis.
-  CHECK(brownLens({-1e6}).limitDegrees() == Approx(std::atan(std::sqrt(1e-6 / 3)) * 180 / M_PI).epsilon(1e-9));
-  CHECK(brownLens({-1e90}).limitDegrees() == Approx(std::sqrt(1e-90 / 3) * 180 / M_PI).epsilon(1e-9));
-  CHECK(fisheyeLens({-1e90}).limitDegrees() == Approx(std::sqrt(1e-90 / 3) * 180 / M_PI).epsilon(1e-9));
+  CHECK(brownLens({-1e6}).limitDegrees() ==
+        Approx(std::atan(std::sqrt(1e-6 / 3)) * 180 / std::numbers::pi).epsilon(1e-9));
+  CHECK(brownLens({-1e90}).limitDegrees() == Approx(std::sqrt(1e-90 / 3) * 180 / std::numbers::pi).epsilon(1e-9));
+  CHECK(fisheyeLens({-1e90}).limitDegrees() == Approx(std::sqrt(1e-90 / 3) * 180 / std::numbers::pi).epsilon(1e-9));
 }
 
 TEST_CASE("A stated limit ends a lens: no pixel from there on, no ray to there") {
@@ -87,8 +89,8 @@ TEST_CASE("A stated limit ends a lens: no pixel from there on, no ray to there")
     const ScreenPoint a = worldToScreen(wide, point), b = worldToScreen(narrow, point);
     if (a.status != PointStatus::inFront) continue;
     const double tangent = std::hypot(a.x - 367.215, a.y - 248.375) / 458;
-    if (std::fabs(tangent - M_PI / 6) < 0.005) continue;
-    const bool isBeyond = tangent > M_PI / 6;
+    if (std::fabs(tangent - std::numbers::pi / 6) < 0.005) continue;
+    const bool isBeyond = tangent > std::numbers::pi / 6;
     CHECK(b.status == (isBeyond ? PointStatus::beyondLens : PointStatus::inFront));
     CHECK(b.outside == (isBeyond ? 0 : a.outside));
     CHECK(sameBits(b.depth, a.depth));
