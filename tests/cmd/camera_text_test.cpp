@@ -52,10 +52,10 @@ std::vector<CameraFile> allCameras() {
   for (const char* folder : {"samples", "tests/cmd/transcripts"})
     for (const auto& entry :
          std::filesystem::recursive_directory_iterator(std::string(VIEWPROJ_SAMPLES "/../") + folder)) {
-      const std::string ending = entry.path().extension();
+      const std::string ending = entry.path().extension().string();
       if (ending != ".json" && ending != ".gltf" && ending != ".yaml" && ending != ".yml" && ending != ".txt") continue;
       try {
-        const CameraDocuments documents(load(entry.path(), "FILE"), {});
+        const CameraDocuments documents(load(entry.path().string(), "FILE"), {});
         for (std::size_t i = 0; i < documents.size(); ++i) cameras.push_back(completed(documents.document(i)));
       } catch (const InputError&) {  // a scene, points, a camera that is to be refused
       }
