@@ -15,6 +15,18 @@ bool holds(const Json& object, Names members, std::size_t count) {
          });
 }
 
+bool holdsCameras(const Json& root, bool (*isCamera)(const Json&)) {
+  return isCamera(root) || (root.is_object() && std::any_of(root.begin(), root.end(), isCamera));
+}
+
+Import openCameras(const Node& root, bool (*isCamera)(const Json&), Json (*document)(const Node&)) {
+  if (isCamera(root.json())) return {std::vector<CameraEntry>(1), [=](std::size_t) { return document(root); }};
+  std::vector<CameraEntry> cameras;
+  for (const auto& [name, member] : root.json().items())
+    if (isCamera(member)) cameras.push_back({name, ""});
+  return {cameras, [=](std::size_t which) { return document(root.require(cameras[which].name)); }};
+}
+
 std::optional<Node> oneOf(const Node& object, Names names) {
   std::optional<Node> found;
   for (const std::string_view name : names) {

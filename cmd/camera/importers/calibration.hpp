@@ -19,6 +19,10 @@ using Size = std::array<double, 2>;  ///< width, height
 /// Whether the object has one of these members with this many numbers, in a form that Node::numbers accepts.
 bool holds(const Json& object, Names members, std::size_t count);
 
+/// Files of one camera, or of an object with cameras as members, by name.
+bool holdsCameras(const Json& root, bool (*isCamera)(const Json&));
+Import openCameras(const Node& root, bool (*isCamera)(const Json&), Json (*document)(const Node&));
+
 /// The member with one of these names. Throws if there are two with different values.
 std::optional<Node> oneOf(const Node& object, Names names);
 

@@ -13,11 +13,13 @@ const Names kDistortion{"distortion_coefficients", "dist_coeffs",       "distCoe
                         "Distortion_Coefficients", "distortion_coeffs", "dist_coeff", "kc"};
 const Names kFisheyeFlags{"fisheye_model", "is_fisheye", "fisheye"};
 
-bool recognises(const Json& root) {
+bool isCamera(const Json& root) {
   const bool hasDistortion =
       std::any_of(kDistortion.begin(), kDistortion.end(), [&](std::string_view name) { return root.contains(name); });
   return holds(root, kIntrinsics, 9) || (holds(root, {"matrix"}, 9) && hasDistortion);
 }
+
+bool recognises(const Json& root) { return holdsCameras(root, isCamera); }
 
 std::optional<Size> pictureSize(const Node& root) {
   const auto sides = sizeOf(root, {"width", "image_width", "image_Width"}, {"height", "image_height", "image_Height"});
@@ -85,9 +87,7 @@ Json document(const Node& root) {
   return camera;
 }
 
-Import open(const Node& root) {
-  return {std::vector<CameraEntry>(1), [root](std::size_t) { return document(root); }};
-}
+Import open(const Node& root) { return openCameras(root, isCamera, document); }
 
 }  // namespace
 

@@ -52,11 +52,7 @@ bool hasPrincipalPoint(const Json& object) {
          object.contains("ppy");
 }
 
-/// One camera, or members named by their streams.
-bool isRealSense(const Json& root) {
-  if (!root.is_object() || hasPrincipalPoint(root)) return hasPrincipalPoint(root);
-  return std::any_of(root.begin(), root.end(), hasPrincipalPoint);
-}
+bool isRealSense(const Json& root) { return holdsCameras(root, hasPrincipalPoint); }
 
 Json realSenseCamera(const Node& stream) {
   const double intrinsics[] = {stream.require("fx").number(), stream.require("fy").number(),
@@ -66,14 +62,7 @@ Json realSenseCamera(const Node& stream) {
   return camera;
 }
 
-Import openRealSense(const Node& root) {
-  if (hasPrincipalPoint(root.json()))
-    return {std::vector<CameraEntry>(1), [root](std::size_t) { return realSenseCamera(root); }};
-  std::vector<CameraEntry> streams;
-  for (const auto& [name, stream] : root.json().items())
-    if (hasPrincipalPoint(stream)) streams.push_back({name, ""});
-  return {streams, [root, streams](std::size_t which) { return realSenseCamera(root.require(streams[which].name)); }};
-}
+Import openRealSense(const Node& root) { return openCameras(root, hasPrincipalPoint, realSenseCamera); }
 
 }  // namespace
 
