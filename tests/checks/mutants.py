@@ -46,6 +46,9 @@ __attribute__((constructor(101))) static void readMutant() {
 """
 # Of these lines nothing is run, or only by the compiler.
 NO_CODE = re.compile(r"^\s*(//|#|\*|template|static_assert|using |enum |struct |class |namespace |case |default:|friend |explicit )")
+COMPILE_TIME = re.compile(r"^\s*(?!.*\) (const )?(noexcept )?\{$)(inline |static )*constexpr .*\{$|^\s*consteval .*\{$")
+# A member's first value: all members are set before they are read, but those of public structures.
+MEMBER = re.compile(r"^  [\w:<>, ]+ \w+ = [^()]*;")
 CONSTANT = re.compile(r"(?<![\w.<>'])(0x[\dA-Fa-f.]+p[-+]?\d+|\d+\.\d+(?:e[-+]?\d+)?|\d+)(?![\w.'>])")
 OPERATOR = re.compile(r"(?<= )(\+|-|\*|/|<=|>=|==|!=|<|>)(?= )")
 STATEMENT = re.compile(r"^(\s+)((?!return|if|for|while|else|const|auto|throw|break|continue|delete|goto|do\b|\}|case)[\w.\[\]()>:-]+"
@@ -62,8 +65,17 @@ def candidates(file, text):
     """(file, line, start, end, kind, what takes its place, with ID for the number)."""
     statement = ""
     raw = False
+    depth = 0  # of braces that only the compiler runs
+    in_class = False
     for number, line in enumerate(text.split("\n")):
         seen = blanked(line)
+        if depth or COMPILE_TIME.match(line):
+            depth = max(0, depth + seen.count("{") - seen.count("}"))
+            if "[](" not in seen:  # a function in a table is run
+                continue
+        in_class = bool(re.match(r"(struct|class) .*\{$", line)) or (in_class and not line.startswith("}"))
+        if in_class and MEMBER.match(line) and "lib/viewproj/" not in file:
+            continue
         raw = raw != (line.count('R"') + line.count(')"') % 2 == 1)
         begins = not statement.strip()
         statement += seen

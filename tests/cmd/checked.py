@@ -148,6 +148,10 @@ ROWS = [
     ("the viewport's corner left out", "viewport-offset", changed(look, viewport={"x": 64, "y": 48}), same),
     ("intrinsics of a picture 1.75 times as wide", "picture-size",
      changed(intrinsics, projection=lambda s: {"fx": 1.75 * s.focal, "fy": 1.75 * s.focal, "cx": 0.875 * s.w, "cy": 0.875 * s.h}), same),
+    ("... whose pixels count from their centres", "picture-size",
+     changed(intrinsics, viewport={"pixelCenter": 0},
+             projection=lambda s: {"fx": 1.75 * s.focal, "fy": 1.75 * s.focal, "cx": 0.875 * s.w - 0.5, "cy": 0.875 * s.h - 0.5}),
+     lambda s, q: (q[0] - 0.5, q[1] - 0.5)),
     # fovY in three.js and GLM, fovX in Unreal and Magnum
     ("fovY that is fovX", "fov-axis",
      changed(look, projection=lambda s: {"fovY": 2 * math.degrees(math.atan(s.w / 2 / s.focal))}), same),

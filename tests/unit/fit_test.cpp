@@ -103,6 +103,17 @@ TEST_CASE("A fitted camera shows all, and something touches its margin on both s
   CHECK(byNear > 0);
 }
 
+TEST_CASE("A box is fitted as its eight corners are") {
+  const CameraFile camera = cameraOf(R"("position": [9, 7, 5], "target": [0, 0, 0], "up": [0.4, 1, 0],
+      "viewport": {"width": 100, "height": 100}, "projection": {"type": "perspective", "fovY": 60, "near": 0.1})");
+  Fitting ofBox(camera, 0), ofCorners(camera, 0);
+  ofBox.add(Box{{-1, -2, -3}, {2, 3, 1}});
+  for (const double x : {-1, 2})
+    for (const double y : {-2, 3})
+      for (const double z : {-3, 1}) ofCorners.add(Vec3{x, y, z});
+  CHECK(readCamera(ofBox.byPlace(), {}).pose->eye() == readCamera(ofCorners.byPlace(), {}).pose->eye());
+}
+
 TEST_CASE("What fits from as near as one likes is on near, and what far cuts is refused") {
   const std::string camera = R"("position": [0, 0, 5], "target": [0, 0, 0], "viewport": {"width": 100, "height": 100},
       "projection": {"type": "perspective", "fovY": 60, "near": 0.1, "far": 4})";

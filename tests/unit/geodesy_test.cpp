@@ -73,6 +73,12 @@ TEST_CASE("What is no place has no coordinates, and a pose there is an error tha
   CHECK_FALSE(std::signbit(ecefToGeodetic({6378137, 0, -0.0}).lat));
 }
 
+TEST_CASE("A camera at a place without angles is level and looks north") {
+  const Pose pose = poseFromHeadingPitchRoll({0, 0, 0}, {});
+  CHECK(pose.forward() == Vec3{0, 0, 1});
+  CHECK(pose.up() == Vec3{1, 0, 0});
+}
+
 TEST_CASE("A target straight above or below is an error, one a nanodegree beside it is not") {
   const auto fault = [](const Geodetic& a, const Geodetic& b) { return fieldAtFault([&] { lookAtPlace(a, b); }); };
   CHECK(fault({10, 20, 30}, {10, 20, 30}) == "target");
