@@ -1,5 +1,6 @@
 // viewproj draw: an SVG of what the camera sees.
 #include <CLI/CLI.hpp>
+#include <type_traits>
 
 #include "commands/command.hpp"
 #include "commands/picture.hpp"
@@ -54,7 +55,7 @@ void drawObject(Picture& picture, const SceneObject& object) {
       [&](const auto& shape) {
         if constexpr (requires { shape.height; })
           picture.add(label, Ellipsoid{kWgs84.equatorial + shape.height, kWgs84.polar + shape.height});
-        else if constexpr (requires { picture.add(label, shape); })
+        else if constexpr (!std::is_same_v<std::decay_t<decltype(shape)>, Plane>)
           picture.add(label, shape);
       },
       object.shape);
