@@ -34,7 +34,7 @@ Json parsed(const std::string& name, std::string text) {
   blankComments(text);
   if (const auto fault = parseJson(text, root)) {
     if (text[start] != '{' && text[start] != '[')
-      throw InputError(name + ": is neither JSON nor YAML; viewproj help formats lists the files that are read");
+      throw InputError(name + ": is neither JSON nor YAML, as camera files are; viewproj help formats lists them");
     fail(fault->offset, fault->message);
   }
   return root;

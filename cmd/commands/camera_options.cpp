@@ -93,7 +93,7 @@ void CameraOptions::addWriting(CLI::App& app) {
 }
 
 std::optional<std::string> CameraOptions::file() const {
-  if (camera_ && operand_) throw UsageError("-c gives the camera already; leave out one of it and " + *operand_);
+  if (camera_ && operand_) throw UsageError("-c and " + *operand_ + " are both a camera; give one");
   if (camera_) return camera_;
   if (const auto input = fileIsCamera(*app_) ? inputFile(*app_) : std::nullopt) return input;
   if (std::none_of(patches_.begin(), patches_.end(), [](const Patch& patch) { return patch.isOption; }))
@@ -165,11 +165,11 @@ int CameraOptions::writeEach(
   return status;
 }
 
-Convention CameraOptions::writing(const CameraFile& file) const {
-  Convention c = file.convention;
+Convention CameraOptions::writing(const Convention& read) const {
+  Convention c = read;
   if (convention_) {
     c = convention_->convention;
-    c.world = file.convention.world;
+    c.world = read.world;
   }
   if (reverseZ_) c.reverseZ = *reverseZ_;
   if (ndcZ_) c.ndcZ = *ndcZ_;
@@ -177,7 +177,8 @@ Convention CameraOptions::writing(const CameraFile& file) const {
 }
 
 std::string CameraOptions::written(const CameraFile& file) const {
-  return writeCamera(file, convention_ ? *convention_ : *readConvention(file.document).preset, writing(file));
+  return writeCamera(file, convention_ ? *convention_ : *readConvention(file.document).preset,
+                     writing(file.convention));
 }
 
 void CameraOptions::noteHandedness(const CameraFile& file) const {

@@ -42,7 +42,7 @@ class CameraOptions {
                 const std::function<std::string(const std::string& pick, const CameraFile& camera)>& textOf) const;
 
   /// The convention to write in: the file's world, and the axes that options name.
-  Convention writing(const CameraFile& file) const;
+  Convention writing(const Convention& read) const;
   bool namesConvention() const { return convention_.has_value(); }
   bool namesAxis() const { return reverseZ_.has_value() || ndcZ_.has_value(); }
   /// The camera's document, in the convention that is written.

@@ -67,9 +67,9 @@ int run(const Options& o) {
 Action declareCull(CLI::App& app) {
   const auto o = std::make_shared<Options>();
   app.description(
-      "Which points, spheres, boxes and triangles are inside the view: each record of FILE with inside, intersects or "
-      "outside, and the plane that decides. A point with a radius is a sphere. Planes are tested one by one: a shape "
-      "outside near a corner of the view may be called intersects.");
+      "Which points, spheres, boxes and triangles are inside the view: each record of FILE with cull (inside, "
+      "intersects or outside) and plane (the plane that decides) appended. A point with a radius is a sphere. Planes "
+      "are tested one by one: a shape outside near a corner of the view may be called intersects.");
   app.footer(
       "Examples:\n"
       "  echo '{\"sphere\": {\"center\": [1, 1, -5], \"radius\": 0.5}}' |\n"

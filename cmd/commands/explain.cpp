@@ -423,7 +423,7 @@ int runExplain(const ExplainOptions& o) {
   const CameraFile file = o.camera.read();
   if (o.point) o.point->requireFit(file.worldIsEcef);
   const Camera camera = makeCamera(file);
-  const Convention convention = o.camera.writing(file);
+  const Convention convention = o.camera.writing(file.convention);
   o.camera.noteHandedness(file);
   OrderedJson report;
   if (o.point) {

@@ -77,8 +77,9 @@ Action declareFit(CLI::App& app) {
   const auto o = std::make_shared<FitOptions>();
   app.description(
       "The camera that shows all of it: points, segments, spheres, boxes and triangles of FILE, a scene, or both. The "
-      "camera moves along its view, and to the middle of the room that is left across it; with --by fov it stays, and "
-      "its lens opens or closes. An orthographic window is scaled and centred. Writes a camera file.");
+      "camera moves without turning, until all of it fits and is centred; with --by fov it stays, and its angle of "
+      "view "
+      "changes. An orthographic window is scaled and centred. Writes a camera file.");
   app.footer(
       "Examples:\n"
       "  viewproj fit --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"

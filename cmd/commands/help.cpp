@@ -37,7 +37,7 @@ std::string row(const std::string& left, std::string_view text, std::size_t colu
 /// Fields with their options. Neighbours of the same help share a row; a long list of words is left to the page.
 template <class IsListed>
 std::string fieldRows(const IsListed& isListed) {
-  constexpr std::size_t kColumn = 30, kMostWords = 40;
+  constexpr std::size_t kColumn = 28, kMostWords = 40;
   std::string out, names, options;
   const Field* previous = nullptr;
   const auto flush = [&] {
@@ -46,7 +46,7 @@ std::string fieldRows(const IsListed& isListed) {
     const std::string words = previous->words ? joined(previous->words()) : "";
     if (words.find(' ') != std::string::npos && words.size() <= kMostWords) text += " One of " + words + ".";
     std::string others(previous->others);
-    if (!others.empty()) text += " Also: " + CLI::detail::find_and_replace(others, " ", ", ") + ".";
+    if (!others.empty()) text += " [" + CLI::detail::find_and_replace(others, " ", ", ") + "]";
     out += row(names + options, text, kColumn);
     names = options = "";
   };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "camera/names.hpp"
 #include "commands/camera_options.hpp"
 #include "commands/command.hpp"
 #include "commands/inspect_report.hpp"
@@ -58,9 +59,9 @@ struct InspectOptions {
   bool isFloat = false;
 };
 
-/// The one matrix that the readings give.
+/// The one matrix that the readings give. world: that of the matrices with a pose, which is one for all.
 NamedMatrix convertOne(const WrittenMatrix& written, const InspectQuery& query, const std::string& source,
-                       const CameraOptions& writing, Convention& target) {
+                       const CameraOptions& writing, std::optional<Handedness>& world) {
   const auto fail = [&](const std::string& message) {
     return InputError(source + ": " + written.name + ": " + message);
   };
@@ -71,12 +72,9 @@ NamedMatrix convertOne(const WrittenMatrix& written, const InspectQuery& query, 
     throw fail("no reading of it is as --read-as or the input states; without --convention inspect lists them");
   std::optional<Mat4> result;
   for (const MatrixCamera& reading : readings) {
-    CameraFile file;
-    file.convention.world = reading.convention.world;
-    target = writing.writing(file);
     Mat4 matrix;
     try {
-      matrix = converted(reading, target);
+      matrix = converted(reading, writing.writing({.world = reading.convention.world}));
     } catch (const CameraError& e) {
       throw fail(e.what());
     }
@@ -87,6 +85,13 @@ NamedMatrix convertOne(const WrittenMatrix& written, const InspectQuery& query, 
           "the order in memory");
     result = matrix;
   }
+  if (readings.back().kind != MatrixKind::projection) {
+    const Handedness own = readings.back().convention.world;
+    if (world.value_or(own) != own)
+      throw fail("its world is " + std::string(nameOf(kWorldNames, own)) +
+                 "-handed, unlike that of the matrices before it; --which picks");
+    world = own;
+  }
   return {written.name, *result};
 }
 
@@ -96,8 +101,11 @@ int runConversion(const InspectOptions& o, const std::vector<WrittenMatrix>& mat
   const std::string_view form = o.form.value_or("json");
   MatrixSet set;
   set.asFloat = query.isFloat;
+  std::optional<Handedness> world;
   for (const WrittenMatrix& matrix : matrices)
-    set.matrices.push_back(convertOne(matrix, query, source, o.writing, set.convention));
+    set.matrices.push_back(convertOne(matrix, query, source, o.writing, world));
+  const std::optional<Convention>& known = query.stated ? query.stated : query.readAs;
+  set.convention = o.writing.writing({.world = world.value_or(known.value_or(Convention{}).world)});
   writeOutput(writeMatrices(set, form, source));
   return 0;
 }

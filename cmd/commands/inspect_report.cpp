@@ -174,7 +174,8 @@ std::vector<std::string> notesOn(const std::vector<MatrixCamera>& readings) {
         "NDC y up and down are both possible, of a view-projection with worlds of either hand; taken the wrong way the "
         "picture is upside down. --read-as picks.");
   if (hasBoth(&Convention::ndcZ, NdcZ::minusOneToOne, NdcZ::zeroToOne))
-    notes.emplace_back("Made for NDC z of -1..1 and used as 0..1, it has the near and far of the other reading.");
+    notes.emplace_back(
+        "A matrix made for NDC z of -1..1 but used with 0..1 has the near and far of the other reading.");
   return notes;
 }
 
@@ -216,12 +217,12 @@ std::string planeText(const OrderedJson& plane) {
          (std::isinf(high) ? ", at least " + formatDigits(low, 2) : " +- " + formatDigits(high / 2 - low / 2, 2));
 }
 
-/// "opengl, unity, metal (other reverseZ)".
+/// "opengl, unity, metal except reverseZ".
 std::string presetText(const OrderedJson& reading) {
   auto names = reading["presets"].get<std::vector<std::string>>();
   for (const OrderedJson& preset : reading["presetsOtherwise"])
-    names.push_back(preset["name"].get<std::string>() + " (other " +
-                    joined(preset["differs"].get<std::vector<std::string>>(), " and ") + ")");
+    names.push_back(preset["name"].get<std::string>() + " except " +
+                    joined(preset["differs"].get<std::vector<std::string>>(), " and "));
   return names.empty() ? "no preset" : joined(names);
 }
 
@@ -297,7 +298,7 @@ OrderedJson inspectPage(const OrderedJson& report) {
     OrderedJson line{{"#", r["reading"]}, {"kind", r["kind"]}, {"numbers", r["layout"]}};
     for (const char* axis : {"world", "view", "ndcZ", "reverseZ", "ndcY"})
       line[axis] = r["convention"].value(axis, OrderedJson("-"));
-    line["fits"] = presetText(r);
+    line["presets"] = presetText(r);
     lines.push_back(line);
   }
   if (!lines.empty()) page.update({{"readings", lines}, {"parameters", parameterRows(report["readings"])}});

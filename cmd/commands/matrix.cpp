@@ -121,7 +121,7 @@ CameraFile inMappedWorld(const CameraFile& file, const MatrixOptions& o) {
 MatrixSet matricesOf(const CameraFile& read, const std::optional<Mat4>& model, const MatrixOptions& o) {
   MatrixSet set;
   set.asFloat = o.asFloat;
-  set.convention = o.camera.writing(read);
+  set.convention = o.camera.writing(read.convention);
   const MatrixSource source{.file = read,
                             .convention = set.convention,
                             .worldFromLocal = model,

@@ -293,7 +293,7 @@ int run(const Options& o) {
   const CameraFile file = o.camera.read();
   o.stream.settleOnEarth(setup, file.worldIsEcef);
   Projecting how{.camera = makeCamera(file),
-                 .writing = o.camera.writing(file),
+                 .writing = o.camera.writing(file.convention),
                  .precision = o.precision,
                  .reading = {.columns = setup.columns,
                              .worldIsEcef = file.worldIsEcef,

@@ -239,7 +239,9 @@ Action declareRay(CLI::App& app) {
   const auto o = std::make_shared<Options>();
   app.description(
       "Pixels to rays: each record of FILE with the ray's origin and unit direction, the point itself where there is a "
-      "depth or viewDistance, and the nearest hit with a scene. Text and f64 have these numbers in order.");
+      "depth or viewDistance, and the nearest hit with a scene. A pixel that no point has gives null. Text and f64 "
+      "have these numbers in "
+      "order.");
   app.footer(
       "Examples:\n"
       "  viewproj ray --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"

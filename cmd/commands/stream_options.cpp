@@ -108,7 +108,7 @@ void StreamOptions::settleOnEarth(FilterSetup& setup, bool worldIsEcef) const {
 bool StreamOptions::reads(const FilterSetup& setup) const {
   const bool areTyped = !setup.given.empty(), readsFile = inputFile(*app_).has_value();
   if (areTyped && file_)
-    throw UsageError(setup.given.front().option + " takes the place of FILE; leave out one of it and " + *file_ +
+    throw UsageError("give either " + setup.given.front().option + " or the file " + *file_ +
                      (app_->count("--camera") > 0 ? "" : "; -c FILE gives the camera"));
   const bool writes = app_->get_option_no_throw("--no-header") != nullptr;  // then the output may be CSV
   if (!readsFile)

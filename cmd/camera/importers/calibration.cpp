@@ -95,11 +95,9 @@ void setPose(Json& camera, std::string_view field, Json pose) {
 }
 
 void setDistortion(Json& camera, const std::optional<Node>& coefficients, const std::optional<Node>& model) {
-  constexpr std::string_view kPinholes[] = {"", "none", "pinhole", "plumb_bob", "rational_polynomial", "radtan"};
   const std::string name = model ? model->text() : "";
   if (!coefficients) {
-    if (std::find(std::begin(kPinholes), std::end(kPinholes), name) == std::end(kPinholes))
-      model->fail("needs the coefficients of this lens");
+    if (!mayBePinhole(name)) model->fail("needs the coefficients of this lens");
     return;
   }
   if (Json distortion = distortionOf(*coefficients, name); !distortion.is_null())

@@ -69,6 +69,11 @@ void refuse(const Node& node, std::initializer_list<std::string_view> members, s
   }
 }
 
+bool mayBePinhole(std::string_view model) {
+  const std::string name = normalizedModel(model);
+  return contains(kBrown, name) || contains(kPinhole, name);
+}
+
 Json distortionOf(const Node& coefficients, std::string_view model) {
   const std::string name = normalizedModel(model);
   std::vector<double> c = coefficients.numbers();
@@ -76,8 +81,7 @@ Json distortionOf(const Node& coefficients, std::string_view model) {
     while (c.size() > 4 && c.back() == 0) c.pop_back();
     return {{"model", "fisheye"}, {"k", c}};
   }
-  if (!contains(kBrown, name) && !contains(kPinhole, name))
-    coefficients.fail("lens model " + std::string(model) + " is not supported");
+  if (!mayBePinhole(model)) coefficients.fail("lens model " + std::string(model) + " is not supported");
   if (areZero(c)) return nullptr;
   if (contains(kPinhole, name)) return {{"model", name}, {"k", c}};
   if (!contains(std::array{4, 5, 8, 12, 14}, std::ssize(c)))

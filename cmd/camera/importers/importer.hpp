@@ -1,6 +1,6 @@
 // Camera files of other programs. An importer moves values into our camera document (viewproj help camera). It computes
-// nothing except chains of nodes and the parts of a 3x4 matrix; the document's reader does everything else. To add a
-// format, add a file here and its row in kImporters (importer.cpp).
+// only what the document has no field for, such as a chain of nodes or a 3x4 matrix; the document's reader does the
+// rest. To add a format, add a file here and its row in kImporters (importer.cpp).
 #pragma once
 
 #include <cstddef>
@@ -47,6 +47,9 @@ void refuse(const Node& node, std::initializer_list<std::string_view> members, s
 /// if all of brown's are 0. model: its name in the file; empty for OpenCV's own list. A known model that our document
 /// lacks is passed on, so that its reader can refuse or ignore it. Throws for an unknown model.
 Json distortionOf(const Node& coefficients, std::string_view model);
+
+/// Whether a lens of this model is a pinhole if all its coefficients are 0 or there are none.
+bool mayBePinhole(std::string_view model);
 
 /// The rows of a matrix as JSON.
 Json rowsOf(const Mat4& matrix);
