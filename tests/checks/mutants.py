@@ -3,14 +3,15 @@
     python3 -B tests/checks/mutants.py [--count 400] [--seed 1] [--under lib/projection] [--build build-mutants]
 
 Operators: constants moved, comparisons and signs changed, statements deleted, arguments swapped (mutants.hpp). So many are
-drawn by the seed; each meets the tests nearest to its file, and only those that survive meet all others. A number that is on
-stands in VIEWPROJ_MUTANT. Answers stand in BUILD/answers.jsonl: a run that was stopped goes on where it was. Status 1: fewer
-than 92 % were killed. Survivors are listed: each is equivalent, or a test is missing.
+drawn by the seed, the same ones as long as their lines are the same; each meets the tests nearest to its file, and only those
+that survive meet all others. A number that is on stands in VIEWPROJ_MUTANT. Answers stand in BUILD/answers.jsonl: a run that
+was stopped goes on where it was. Status 1: fewer than 92 % were killed. Survivors are listed: each is equivalent, or a test is
+missing.
 """
 import argparse
+import hashlib
 import json
 import os
-import random
 import re
 import resource
 import shutil
@@ -53,6 +54,10 @@ CONSTANT = re.compile(r"(?<![\w.<>'])(0x[\dA-Fa-f.]+p[-+]?\d+|\d+\.\d+(?:e[-+]?\
 OPERATOR = re.compile(r"(?<= )(\+|-|\*|/|<=|>=|==|!=|<|>)(?= )")
 STATEMENT = re.compile(r"^(\s+)((?!return|if|for|while|else|const|auto|throw|break|continue|delete|goto|do\b|\}|case)[\w.\[\]()>:-]+"
                        r"(?:\([^{]*\)| [-+*/|&^]?= [^{]*);)$")
+ARRAY = re.compile(r"^\s*(?:alignas\(\w+\) )?(?:[\w:<>]+ )+\w+\[(.*?)\]")  # one that is larger does the same
+SYMMETRIC = re.compile(r"(^|::)(dot|min|max|minmax|hypot)$")  # swapped arguments change nothing
+# A mutant that reads or writes beyond an array is found, as the sanitizers would find it.
+FLAGS = "-w -Wno-narrowing -fpermissive -D_GLIBCXX_ASSERTIONS -fsanitize=bounds -fsanitize-undefined-trap-on-error"
 CALL = re.compile(r"(?<![\w.:>] )(?<![\w.:>~])((?:[\w]+::)*[a-z]\w*)\(([\w.]+), ([\w.]+)\)(?! *\{)")
 
 
@@ -81,6 +86,8 @@ def candidates(file, text):
         statement += seen
         skip = raw or NO_CODE.match(statement) or "constexpr" in statement or "operator" in seen or not line.startswith("  ")
         if not skip:
+            if array := ARRAY.match(seen):
+                seen = seen[:array.start(1)] + "_" * len(array[1]) + seen[array.end(1):]
             for m in CONSTANT.finditer(seen):
                 other = f"2 * {m[1]} + 1" if "." in m[1] or "p" in m[1] else f"{m[1]} + 1"
                 yield file, number, m.start(), m.end(), "constant", f"(MUTATED(ID) ? {other} : {m[1]})"
@@ -88,7 +95,7 @@ def candidates(file, text):
                 kind = "sign" if m[1] in "+-*/" else "comparison"
                 yield file, number, m.start(), m.end(), kind, f"{m[1]} ::mutants::{OPERATORS[m[1]]}<ID>{{}} {m[1]}"
             for m in CALL.finditer(seen):
-                if m[2] != m[3] and not (m[2] + m[3]).isdigit() and m[1] not in ("if", "for", "while", "switch", "return"):
+                if m[2] != m[3] and not (m[2] + m[3]).isdigit() and not SYMMETRIC.search(m[1]) and m[1] not in ("if", "for", "while", "switch", "return"):
                     call = f"[&](auto&& l, auto&& r) -> decltype({m[1]}(l, r)) {{ return {m[1]}(l, r); }}"
                     yield file, number, m.start(), m.end(), "swapped", f"::mutants::swapped<ID>({call}, {m[2]}, {m[3]})"
             if begins and (m := STATEMENT.match(line)) and seen.count("(") == seen.count(")"):
@@ -100,9 +107,13 @@ def candidates(file, text):
 def drawn(under, count, seed):
     files = sorted(path for folder in ("lib", "cmd") for path in (ROOT / folder).rglob("*.?pp"))
     names = [str(path.relative_to(ROOT)) for path in files]
-    found = [c for path, name in zip(files, names) if name.startswith(under) and "windows" not in name
-             for c in candidates(name, path.read_text())]
-    random.Random(seed).shuffle(found)
+    found = []
+    for path, name in zip(files, names):
+        if name.startswith(under) and "windows" not in name:
+            text = path.read_text()
+            lines = text.split("\n")
+            found += [(hashlib.sha256(f"{seed} {name} {c[2:5]} {lines[c[1]]}".encode()).digest(), c) for c in candidates(name, text)]
+    found = [c for _, c in sorted(found)]
     chosen, taken = [], set()
     for mutant in found:  # of several that overlap, one
         place = {(mutant[0], mutant[1], column) for column in range(mutant[2], mutant[3])}
@@ -152,7 +163,7 @@ def build(folder, mutants):
         write_sources(source, mutants)
         launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
         subprocess.run(["cmake", "-S", source, "-B", binary, "-GNinja", "-DCMAKE_BUILD_TYPE=Release", "-DVIEWPROJ_TESTS=ON",
-                        "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG", "-DCMAKE_CXX_FLAGS=-w -Wno-narrowing -fpermissive", *launcher],
+                        "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG", f"-DCMAKE_CXX_FLAGS={FLAGS}", *launcher],
                        stdout=subprocess.DEVNULL, check=True)
         done = subprocess.run(["ninja", "-C", binary, "-k", "0", "-j", str(os.cpu_count())], capture_output=True, text=True, check=False)
         if done.returncode == 0:
