@@ -86,6 +86,7 @@ class Scene:
 
 
 K1 = 0.1
+RATIOS = (1.25, 1.5, 2, 3)  # of device pixels to CSS pixels
 
 
 def look(s):
@@ -140,8 +141,8 @@ ROWS = [
     ("centres at whole numbers", "pixel-centre", look, lambda s, q: (q[0] - 0.5, q[1] - 0.5)),
     ("centres at whole numbers, intrinsics", "pixel-centre", intrinsics, lambda s, q: (q[0] - 0.5, q[1] - 0.5)),
     # x3dom#612, three.js PR#7272, gl-mesh3d PR#9, megaplot#49, playcanvas/engine#328, TouchFree PR#250
-    ("device pixels", "pixel-ratio", look, lambda s, q: (2 * q[0], 2 * q[1])),
-    ("CSS pixels", "pixel-ratio", look, lambda s, q: (q[0] / 1.5, q[1] / 1.5)),
+    ("device pixels", "pixel-ratio", look, lambda s, q: [n * RATIOS[s.w // 8 % 4] for n in q]),
+    ("CSS pixels", "pixel-ratio", look, lambda s, q: [n / RATIOS[s.w // 8 % 4] for n in q]),
     # bevy_mod_raycast#93
     ("the crop's corner left in", "viewport-offset",
      changed(look, viewport=lambda s: {"crop": {"x": 40, "y": 25, "width": s.w - 80, "height": s.h - 60}}), same),
@@ -164,13 +165,19 @@ ROWS = [
     ("a direction as target", "direction-as-target", changed(look, target=lambda s: [t - e for t, e in zip(s.target, s.eye)]), same),
     ("a target as direction", "direction-as-target", changed(look, target=None, direction=lambda s: s.target), same),
     ("points with z up", "up-axis", look, same, lambda p: [p[0], -p[2], p[1]]),
+    ("points with y up", "up-axis", look, same, lambda p: [p[0], p[2], -p[1]]),
+    ("points with y and z exchanged", "up-axis", look, same, lambda p: [p[0], p[2], p[1]]),
     ("up of another axis", "up-axis", changed(look, up=lambda s: s.upright[:1] + s.upright[:0:-1]), same),
     # nerfplusplus#41, HouseCat6D#9, kalibr#751, RenderMe-360#6
     ("world to camera as camera to world", "pose-inverted",
      changed(rotation, position=None, rotation=None, worldFromCamera=inverse_pose), same),
+    ("rotation matrix transposed", "pose-inverted",
+     changed(rotation, position=None, rotation=None,
+             worldFromCamera=lambda s: {"rotation": [s.right, s.up, [-n for n in s.forward]], "translation": s.eye}), same),
     ("rotation inverted", "pose-inverted", changed(rotation, rotation=lambda s: [-n for n in s.rotation()[:3]] + s.rotation()[3:]), same),
     # Align3R#11, IsaacLab-Arena PR#673, colmap#2934
     ("w first", "quaternion-order", changed(rotation, rotation=lambda s: s.rotation()[3:] + s.rotation()[:3]), same),
+    ("w last, read as if it were first", "quaternion-order", changed(rotation, rotation=lambda s: s.rotation()[1:] + s.rotation()[:1]), same),
     ("w first, each number by its name", "quaternion-order",
      changed(rotation, rotation=lambda s: dict(zip("xyzw", s.rotation()[3:] + s.rotation()[:3]))), same),
     # gaussian-splatting PR#111, nerfstudio#1504, instant-ngp#1486, 4DGaussians#191

@@ -195,6 +195,7 @@ TEST_CASE("What no camera has written is told with its fault") {
   CHECK(has(fault({}), "w row is 0 0 0 0"));
   CHECK(has(fault({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -2}), "w row is 0 0 0 -2"));
   CHECK(has(fault({1, 0.5, 0, 3, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}), "right angles"));
+  CHECK(has(fault({1, 0.5, 0, 0, 0, 1, 0, 0, 0, 0, -1, -0.5, 0, 0, -1, 0}), "right angles"));
   CHECK(has(fault({1, 0, 0, 3, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}), "flattens"));
   for (const double n : {7.0, 1.1, 1e-3}) {
     CHECK(has(fault({n, n, n, n, n, n, n, n, n, n, n, n, n, n, n, n}), "across the picture"));

@@ -51,6 +51,11 @@ TEST_CASE("A pose matrix that is not a rotation says how far it is from one") {
   m[3][3] = 1;
   const auto rowVectors = complaint([&] { poseFromCameraFromWorld(m, CameraAxes::RUB, right); });
   CHECK(rowVectors.second.find("transpose") != std::string::npos);
+  for (std::size_t i = 0; i < 3; ++i) {
+    Mat4 other = m;
+    other[i][3] = 1;
+    CHECK(complaint([&] { poseFromCameraFromWorld(other, CameraAxes::RUB, right); }).second.ends_with("not 0 0 0 1"));
+  }
 }
 
 TEST_CASE("Columns that are no rotation, or mirror, are named") {
