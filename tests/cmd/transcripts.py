@@ -22,7 +22,8 @@ The commands of a case run in one shell, bash, in a folder of its own with its f
 "..". A pipe has the status of what failed in it, but for a reader
 that has seen enough. Each command's output, errors and status are compared, byte for byte. A
 case that takes more than a minute (VIEWPROJ_PATIENCE, in seconds) or 2 GiB fails. Prints the cases that fail, as
-differences, and a closing line. In the environment, JOBS=N: so many cases at a time, else one for each processor;
+differences, and a closing line. In the environment, JOBS=N: so many cases at a time, else one for each processor; STOP=1:
+none after one that fails;
 REGENERATE=1 writes what the commands give into the transcripts instead, for git diff to show.
 """
 import argparse
@@ -208,7 +209,12 @@ def check(arguments, transcripts, cases):
         top = Path(folder)
         share(top / "cases")
         with concurrent.futures.ThreadPoolExecutor(int(os.environ.get("JOBS", os.cpu_count()))) as pool:
-            results = dict(zip((case.name for case in cases), pool.map(lambda case: run(case, top), cases)))
+            results = {}
+            for case, result in zip(cases, pool.map(lambda case: run(case, top), cases)):
+                results[case.name] = result
+                if os.environ.get("STOP") and (result[1] or case.with_outputs(result[0]) != case.lines):
+                    pool.shutdown(cancel_futures=True)
+                    break
     for path, (head, its) in transcripts.items():
         for case in its:
             if case.name not in results:
