@@ -24,8 +24,8 @@ ROOT = Path(__file__).resolve().parents[2]
 LEAST_KILLED = 0.92
 # Tests of what no mutation changes, of the build, or of outside judges; all tests but these meet a survivor.
 LEFT_OUT = ("kernels_share_no_code", "headers", "faults_Calls")
-# Tests of the library that run nothing of cmd.
-OF_THE_LIBRARY = ("bounds", "peers", "opengl")
+# Tests of the library, which run of cmd only the files that stand below with them.
+OF_THE_LIBRARY = ("reference", "bounds", "shapes", "peers", "opengl")
 # The tests that meet a mutant first, by the folder of its file: the first that is a prefix counts.
 NEAREST = (
     ("lib/scene", "shapes unit reference"),
@@ -33,6 +33,9 @@ NEAREST = (
     ("lib/matrices", "reference peers unit"),
     ("lib", "unit reference bounds peers shapes"),
     ("cmd/stream", "stream cmd"),
+    ("cmd/records/screen_box", "shapes cmd"),
+    ("cmd/records/model", "reference cmd"),
+    ("cmd/commands/depth", "reference cmd"),
     ("cmd/text", "unit stream cmd"),
     ("cmd/records", "stream cmd"),
     ("cmd/camera", "camera importers_decimals importers_three importers_opencv cmd"),
