@@ -9,6 +9,7 @@ was stopped goes on where it was. Status 1: fewer than 92 % were killed. Survivo
 missing.
 """
 import argparse
+import concurrent.futures
 import hashlib
 import json
 import os
@@ -188,8 +189,8 @@ def limits():
 
 def run_tests(binary, number, selection, patience):
     """The first test that fails under this mutant, or nothing."""
-    command = ["ctest", "--test-dir", binary, "--stop-on-failure", "--timeout", str(patience), "-j", str(os.cpu_count()), *selection]
-    done = subprocess.run(command, env={**os.environ, "VIEWPROJ_MUTANT": str(number), "STOP": "1"}, capture_output=True, text=True, check=False,
+    command = ["ctest", "--test-dir", binary, "--stop-on-failure", "--timeout", str(patience), *selection]
+    done = subprocess.run(command, env={**os.environ, "VIEWPROJ_MUTANT": str(number), "STOP": "1", "JOBS": "1"}, capture_output=True, text=True, check=False,
                           preexec_fn=limits)
     if done.returncode == 0:
         return ""
@@ -220,28 +221,32 @@ def main():
     known = {}
     if answers_file.exists():
         known = {answer["what"]: answer["killer"] for answer in map(json.loads, answers_file.read_text().splitlines())}
-    survived, killed = [], 0
-    for number, mutant in mutants.items():
-        file, line, start, end, kind, new = mutant
-        text = (ROOT / file).read_text()
-        old = text.split("\n")[line]
-        what = f"{file}:{line + 1}:{start + 1}: {kind}: {old.strip()}  // {hash_of(text)}"
-        if what not in known:
-            begun = time.monotonic()
-            nearest = next(tests for prefix, tests in NEAREST if file.startswith(prefix)).split()
-            killer = run_tests(binary, number, only(nearest), 120)
-            if not killer:
-                out = [*LEFT_OUT, *nearest, *(OF_THE_LIBRARY if file.startswith("cmd") else ())]
-                killer = run_tests(binary, number, ["-E", f"^({'|'.join(out)})$"], 300)
+    texts = {file: (ROOT / file).read_text() for file in {mutant[0] for mutant in mutants.values()}}
+
+    def what_of(number):
+        file, line, start, _, kind, _ = mutants[number]
+        return f"{file}:{line + 1}:{start + 1}: {kind}: {texts[file].split(chr(10))[line].strip()}  // {hash_of(texts[file])}"
+
+    def judge(number):
+        begun, file = time.monotonic(), mutants[number][0]
+        nearest = next(tests for prefix, tests in NEAREST if file.startswith(prefix)).split()
+        killer = run_tests(binary, number, only(nearest), 60)
+        if not killer:
+            out = [*LEFT_OUT, *nearest, *(OF_THE_LIBRARY if file.startswith("cmd") else ())]
+            killer = run_tests(binary, number, ["-E", f"^({'|'.join(out)})$"], 200)
+        return number, killer, time.monotonic() - begun
+
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        left = [number for number in mutants if what_of(number) not in known]
+        for done in concurrent.futures.as_completed([pool.submit(judge, number) for number in left]):
+            number, killer, seconds = done.result()
+            what = what_of(number)
             known[what] = killer
             with open(answers_file, "a") as answers:
                 answers.write(json.dumps({"what": what, "killer": killer}) + "\n")
-            print(f"{number}: {what.split('  //')[0]}: {'killed by ' + killer if killer else 'SURVIVED'}, "
-                  f"{time.monotonic() - begun:.1f} s", flush=True)
-        if known[what]:
-            killed += 1
-        else:
-            survived.append(f"{what.split('  //')[0]} | {old[start:end]}")
+            print(f"{number}: {what.split('  //')[0]}: {'killed by ' + killer if killer else 'SURVIVED'}, {seconds:.1f} s", flush=True)
+    survived = [what_of(number).split("  //")[0] for number in mutants if not known[what_of(number)]]
+    killed = len(mutants) - len(survived)
     print(f"{killed} of {len(mutants)} killed, {100 * killed / max(1, len(mutants)):.1f} %", *survived, sep="\n")
     return 0 if killed >= LEAST_KILLED * len(mutants) else 1
 
