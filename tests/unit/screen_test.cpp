@@ -57,6 +57,13 @@ TEST_CASE("A direction has no screen position in an orthographic camera, but sid
   CHECK(worldToScreen(orthographicCamera(), Vec4{0, -1, 1, 0}).outside == (sideBottom | sideNear));
 }
 
+TEST_CASE("An orthographic ray starts on the plane through the eye, or on near") {
+  for (const Precision precision : kPrecisions) {
+    CHECK(screenToRay(orthographicCamera(), {150, 25}, precision).origin == Vec3{1, 0.5, 0});
+    CHECK(screenToRay(orthographicCamera(), {150, 25}, precision, RayOrigin::nearPlane).origin == Vec3{1, 0.5, 5});
+  }
+}
+
 TEST_CASE("A result of zero is positive zero") {
   const ScreenPoint p = worldToScreen(plainCamera(), Vec3{-2, 1, -1});
   CHECK_FALSE(std::signbit(p.x));
