@@ -1,9 +1,11 @@
 // What writers make of every kind of result, also of those that no command gives them.
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "catch.hpp"
 #include "output/record_writer.hpp"
+#include "output/report.hpp"
 #include "output/results.hpp"
 #include "text/error.hpp"
 
@@ -107,6 +109,11 @@ TEST_CASE("every kind of result is written, or refused, in every form") {
     CHECK_THROWS_AS(requireRoom(lists, form), UsageError);
   }
   CHECK_NOTHROW(requireRoom(with(named, kList), OutputForm::lines));
+}
+
+TEST_CASE("a zero of a report has no sign") {
+  CHECK(jsonText({{"x", -0.0}}) == "{\"x\": 0}");
+  CHECK(tableText({{"x", -0.0}}, 9).find("-0") == std::string::npos);
 }
 
 TEST_CASE("a bad record has as many NaN as a good one has numbers") {

@@ -54,6 +54,13 @@ std::uint64_t numbersWanted() {
 
 }  // namespace
 
+TEST_CASE("A power of ten is written with one digit") {
+  for (int power = -323; power <= 308; ++power) {
+    const double value = std::strtod(("1e" + std::to_string(power)).c_str(), nullptr);
+    CHECK(format(value) == expected(value));
+  }
+}
+
 TEST_CASE("A million numbers of every size and of few digits are written as the shortest text that reads back") {
   constexpr const char* kKinds[] = {"any bits", "on a screen", "whole", "decimals", "power of two and its neighbours",
                                     "float"};

@@ -35,6 +35,16 @@ TEST_CASE("Both ends outside and the middle in the picture: cut on both sides, o
   CHECK((t.end.side == sideFar && t.end.depth == 1 && t.end.viewDistance == 10));
 }
 
+TEST_CASE("A segment that leaves the view where it begins, or enters it where it ends, is seen in that point") {
+  const Frustum f = viewFrustum(plainCamera());
+  for (const Vec3& out : {Vec3{-9, 0, -3}, {9, 0, -3}, {0, -4, -3}, {0, 4, -3}, {0, 0, -12}}) {
+    const Vec3 on = out.z < -10 ? Vec3{0, 0, -10} : Vec3{out.x * 2 / 3, out.y * 3 / 4, -3};
+    const VisibleSegment leaving = clipSegment(f, on, out), entering = clipSegment(f, out, on);
+    CHECK((leaving.visible && leaving.start.t == 0 && leaving.end.t == 0));
+    CHECK((entering.visible && entering.start.t == 1 && entering.end.t == 1));
+  }
+}
+
 TEST_CASE("A segment past the picture, behind the eye or of numbers that are not finite is not visible") {
   const Frustum f = viewFrustum(plainCamera());
   CHECK_FALSE(clipSegment(f, {-7, 5, -3}, {9, 5, -3}).visible);
