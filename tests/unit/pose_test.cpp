@@ -2,6 +2,7 @@
 #include "internals.hpp"
 #include "projection/exact_point.hpp"
 #include "viewproj/camera.hpp"
+#include "viewproj/screen.hpp"
 
 using namespace viewproj;
 using namespace viewproj::detail;
@@ -86,6 +87,17 @@ TEST_CASE("Turns bring the axis after theirs towards the one after that, each ab
   CHECK(complaint([&] { pose(CameraAxes::RUF, right); }).first == "rotation");
   for (const Turn& bad : {Turn{3, 1}, Turn{-1, 1}, Turn{0, NAN}, Turn{0, INFINITY}})
     CHECK(complaint([&] { poseFromTurns({}, {{{0, 1}, bad, {2, 3}}}, CameraAxes::RUB, right); }).first == "euler");
+}
+
+TEST_CASE("Next to the eye plane a pose of columns is exact") {
+  const Pose pose =
+      poseFromColumns({SplitVec3{{0.6, 0, -0.8}, {}}, SplitVec3{{0, 1, 0}, {}}, SplitVec3{{0.8, 0, 0.6}, {}}},
+                      {{1, 2, 3}, {}}, CameraAxes::RUB, right);
+  const Camera camera = makeCamera(pose, perspective(60, 1, 0.1), {100, 100});
+  for (const double k : {-1e6, -3.0, 1.0, 7.0, 1e9}) {
+    const ScreenPoint p = worldToScreen(camera, Vec3{1 + 0.6 * k, 2 + k, 3 - 0.8 * k});
+    CHECK(std::fabs(p.viewDistance) < 0x1p-51 * (3 + std::fabs(k)));
+  }
 }
 
 TEST_CASE("A moved pose has its axes, and the eye's low part is left behind") {
