@@ -199,6 +199,15 @@ double zeroOrSo(Random& r) {
 
 const Family kFamilies[] = {
     {"ordinary", unchanged, inView},
+    {"along an axis of the world",
+     [](Random& r, Scene& s) {
+       const std::size_t axis = std::size_t(r.uniform(0, 3));
+       s.poseKind = PoseKind::direction;
+       s.target = s.up = {0, 0, 0};
+       s.target[axis] = r.sign();
+       s.up[(axis + 1) % 3] = 1;
+     },
+     inView},
     {"far/near 1e15", [](Random&, Scene& s) { s.far = s.near * 1e15; }, inView},
     {"infinite far", [](Random&, Scene& s) { s.far = kInfiniteFar; }, inView},
     {"reversed infinite", [](Random&, Scene& s) { s.far = kInfiniteFar, s.convention.reverseZ = true; }, inView},
