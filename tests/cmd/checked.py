@@ -135,6 +135,9 @@ ROWS = [
     # thunder#350, cesium#12751, mrirecon/view PR#7
     ("y from the bottom", "y-flipped", look, lambda s, q: (q[0], s.h - q[1])),
     ("y from the bottom, intrinsics", "y-flipped", intrinsics, lambda s, q: (q[0], s.h - q[1])),
+    ("y from the bottom of a crop", "y-flipped",
+     changed(look, viewport=lambda s: {"crop": {"x": 40, "y": 25, "width": s.w - 80, "height": s.h - 60}}),
+     lambda s, q: (q[0] - 40, s.h - 35 - q[1])),
     ("y from the bottom as an index", "y-flipped-index", look, lambda s, q: (q[0], s.h - 1 - q[1])),
     ("x mirrored", "x-mirrored", look, lambda s, q: (s.w - q[0], q[1])),
     ("z of the points negated", "x-mirrored", look, same, lambda p: [p[0], p[1], -p[2]]),
