@@ -58,9 +58,11 @@ TEST_CASE("A direction has no screen position in an orthographic camera, but sid
 }
 
 TEST_CASE("An orthographic ray starts on the plane through the eye, or on near") {
+  const Camera camera = makeCamera(lookAlong({3, 2, 1}, {0, 0, -1}, {0, 1, 0}, Handedness::right),
+                                   orthographic(-2, 2, -1, 1, -5, 5), {200, 100});
   for (const Precision precision : kPrecisions) {
-    CHECK(screenToRay(orthographicCamera(), {150, 25}, precision).origin == Vec3{1, 0.5, 0});
-    CHECK(screenToRay(orthographicCamera(), {150, 25}, precision, RayOrigin::nearPlane).origin == Vec3{1, 0.5, 5});
+    CHECK(screenToRay(camera, {150, 25}, precision).origin == Vec3{4, 2.5, 1});
+    CHECK(screenToRay(camera, {150, 25}, precision, RayOrigin::nearPlane).origin == Vec3{4, 2.5, 6});
   }
 }
 
