@@ -239,7 +239,8 @@ Action declareRay(CLI::App& app) {
   const auto o = std::make_shared<Options>();
   app.description(
       "Pixels to rays: each record of FILE with the ray's origin and unit direction, the point itself where there is a "
-      "depth or viewDistance, and the nearest hit with a scene. A pixel that no point has gives null. Text and f64 "
+      "depth or viewDistance, and the nearest hit with a scene. A pixel that the lens does not reach gives null. Text "
+      "and f64 "
       "have these numbers in "
       "order.");
   app.footer(
