@@ -195,9 +195,8 @@ void CameraOptions::noteHandedness(const CameraFile& file) const {
   const ConventionPreset& usual = conventionPresets().front();
   const Vec3 up = convention_->up;
   if (world == file.convention.world && !(world == usual.convention.world && up == usual.up))
-    note("--convention " + name + " also says how the options are read: the world is " + hand(world) + " and up is " +
-         formatNumber(up.x) + "," + formatNumber(up.y) + "," + formatNumber(up.z) +
-         "; --read-as opengl reads them in the default convention");
+    note("the options are read in " + name + "'s world too: " + hand(world) + ", up " + formatNumber(up.x) + "," +
+         formatNumber(up.y) + "," + formatNumber(up.z) + "; if they are not of it, give --read-as opengl");
 }
 
 }  // namespace viewproj::cmd

@@ -118,8 +118,9 @@ OrderedJson depthReport(const DepthMapping& m, std::span<const double> distances
   }
   report["distances"] = std::move(rows);
   report["notes"] = {
-      "d16, d24, f32: the smallest gap in front of a surface at this distance that the buffer still tells apart. d16 "
-      "and d24 resolve the same forward and reversed."};
+      "d16, d24, f32: how far in front of a surface at this distance another must be for the buffer to tell them "
+      "apart; at least half a float32 step of the distance, which a shader has. d16 and d24 resolve the same forward "
+      "and reversed."};
   if (std::max(m.atNear, m.atFar) > 1)
     report["notes"].push_back("The depth range goes beyond 1: d16 and d24 store whole numbers, where they hold it.");
   if (m.ndcZ == NdcZ::minusOneToOne)

@@ -163,10 +163,11 @@ std::vector<std::string> notesOn(const std::vector<MatrixCamera>& readings) {
   };
   std::vector<std::string> notes;
   if (hasLayout(MatrixLayout::asWritten))
-    notes.emplace_back("As written: the rows of column vectors (row-major), or the columns of row vectors.");
+    notes.emplace_back(
+        "As written: for column vectors and stored by rows (row-major), or for row vectors and stored by columns.");
   if (hasLayout(MatrixLayout::transposed))
     notes.emplace_back(
-        "Transposed: the rows of row vectors (row-major), or the columns of column vectors (column-major).");
+        "Transposed: for row vectors and stored by rows (row-major), or for column vectors and stored by columns.");
   if (hasKind(MatrixKind::view) && hasKind(MatrixKind::worldFromView))
     notes.emplace_back("A view and a camera's pose look alike: the reading whose eye is right tells which it is.");
   if (hasBoth(&Convention::ndcY, NdcY::up, NdcY::down))

@@ -25,7 +25,7 @@ python3 - "$build/coverage.json" <<'SUMS'
 import json, os, sys
 files = json.load(open(sys.argv[1]))["data"][0]["files"]
 for part in ("lib", "cmd"):
-    rows = [f["summary"]["lines"] for f in files if f["filename"].startswith(os.path.join(os.getcwd(), part, ""))]
+    rows = [f["summary"]["lines"] for f in files if os.path.normpath(f["filename"]).startswith(os.path.join(os.getcwd(), part, ""))]
     total, covered = (sum(row[key] for row in rows) for key in ("count", "covered"))
     if total == 0:
         sys.exit(f"{part}: no lines in the profile")
