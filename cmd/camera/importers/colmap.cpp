@@ -5,7 +5,7 @@
 #include "camera/importers/calibration.hpp"
 
 namespace viewproj::cmd {
-namespace {
+namespace colmap {
 
 struct Model {
   std::string_view name;
@@ -63,8 +63,8 @@ Import open(const Node& root) {
           }};
 }
 
-}  // namespace
+}  // namespace colmap
 
-extern const Importer kColmap{"colmap", "a reconstruction of COLMAP as text", recognises, open};
+extern const Importer kColmap{"colmap", "a reconstruction of COLMAP as text", colmap::recognises, colmap::open};
 
 }  // namespace viewproj::cmd

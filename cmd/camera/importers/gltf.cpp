@@ -7,7 +7,7 @@
 #include "text/number.hpp"
 
 namespace viewproj::cmd {
-namespace {
+namespace gltf {
 
 bool recognises(const Json& root) {
   const auto asset = root.find("asset");
@@ -112,8 +112,8 @@ Import open(const Node& root) {
   return result;
 }
 
-}  // namespace
+}  // namespace gltf
 
-extern const Importer kGltf{"gltf", "a glTF file", recognises, open};
+extern const Importer kGltf{"gltf", "a glTF file", gltf::recognises, gltf::open};
 
 }  // namespace viewproj::cmd

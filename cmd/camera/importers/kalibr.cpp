@@ -6,7 +6,7 @@
 #include "camera/importers/calibration.hpp"
 
 namespace viewproj::cmd {
-namespace {
+namespace kalibr {
 
 bool isCamera(const Json& object) {
   return holds(object, {"resolution"}, 2) && object.contains("intrinsics") && object["intrinsics"].is_array();
@@ -26,8 +26,9 @@ Json document(const Node& sensor) {
 
 Import open(const Node& root) { return openCameras(root, isCamera, document); }
 
-}  // namespace
+}  // namespace kalibr
 
-extern const Importer kKalibr{"kalibr", "a camchain of Kalibr or a sensor.yaml of EuRoC", recognises, open};
+extern const Importer kKalibr{"kalibr", "a camchain of Kalibr or a sensor.yaml of EuRoC", kalibr::recognises,
+                              kalibr::open};
 
 }  // namespace viewproj::cmd

@@ -13,7 +13,7 @@
 #include "viewproj/convention.hpp"
 
 namespace viewproj::cmd {
-namespace {
+namespace matrices {
 
 const Names kView{"view", "viewMatrix", "modelview", "modelViewMatrix", "worldToCameraMatrix"};
 const Names kViewInverse{"viewInverse", "viewMatrixInverse", "cameraToWorldMatrix"};
@@ -102,8 +102,8 @@ Import open(const Node& root) {
   return {std::vector<CameraEntry>(1), [root](std::size_t) { return document(root); }};
 }
 
-}  // namespace
+}  // namespace matrices
 
-const Importer kMatrices{"matrices", "a file of matrices", recognises, open};
+const Importer kMatrices{"matrices", "a file of matrices", matrices::recognises, matrices::open};
 
 }  // namespace viewproj::cmd

@@ -9,7 +9,7 @@
 namespace viewproj::cmd {
 
 using namespace detail;
-namespace {
+namespace nerf {
 
 /// A member of a frame overrides the same member of the file.
 struct Frame {
@@ -110,8 +110,8 @@ Import open(const Node& root) {
   return result;
 }
 
-}  // namespace
+}  // namespace nerf
 
-extern const Importer kNerf{"transforms", "a transforms.json (NeRF)", recognises, open};
+extern const Importer kNerf{"transforms", "a transforms.json (NeRF)", nerf::recognises, nerf::open};
 
 }  // namespace viewproj::cmd

@@ -6,7 +6,7 @@
 #include "camera/importers/calibration.hpp"
 
 namespace viewproj::cmd {
-namespace {
+namespace open3d {
 
 /// A K by rows has cx and cy where a K by columns has zeros.
 bool isIntrinsic(const Json& object) {
@@ -49,8 +49,8 @@ Import open(const Node& root) {
   return {std::vector<CameraEntry>(list.size()), [list](std::size_t which) { return document(list[which]); }};
 }
 
-}  // namespace
+}  // namespace open3d
 
-extern const Importer kOpen3d{"open3d", "cameras of Open3D", recognises, open};
+extern const Importer kOpen3d{"open3d", "cameras of Open3D", open3d::recognises, open3d::open};
 
 }  // namespace viewproj::cmd

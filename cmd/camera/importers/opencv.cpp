@@ -6,7 +6,7 @@
 #include "camera/importers/calibration.hpp"
 
 namespace viewproj::cmd {
-namespace {
+namespace opencv {
 
 const Names kIntrinsics{"K", "camera_matrix", "cameraMatrix", "mtx", "Camera_Matrix", "cam_matrix", "intrinsic_matrix"};
 const Names kDistortion{"distortion_coefficients", "dist_coeffs",       "distCoeffs", "dist", "D", "d", "distortion",
@@ -89,8 +89,8 @@ Json document(const Node& root) {
 
 Import open(const Node& root) { return openCameras(root, isCamera, document); }
 
-}  // namespace
+}  // namespace opencv
 
-extern const Importer kOpenCv{"opencv", "a calibration of OpenCV", recognises, open};
+extern const Importer kOpenCv{"opencv", "a calibration of OpenCV", opencv::recognises, opencv::open};
 
 }  // namespace viewproj::cmd

@@ -5,7 +5,7 @@
 #include "camera/importers/importer.hpp"
 
 namespace viewproj::cmd {
-namespace {
+namespace splats {
 
 bool recognises(const Json& root) {
   return root.is_array() && !root.empty() && root[0].is_object() && root[0].contains("img_name") &&
@@ -41,8 +41,8 @@ Import open(const Node& root) {
   return result;
 }
 
-}  // namespace
+}  // namespace splats
 
-extern const Importer kSplats{"3dgs", "a cameras.json of 3D Gaussian splatting", recognises, open};
+extern const Importer kSplats{"3dgs", "a cameras.json of 3D Gaussian splatting", splats::recognises, splats::open};
 
 }  // namespace viewproj::cmd

@@ -9,7 +9,7 @@
 namespace viewproj::cmd {
 
 using namespace detail;
-namespace {
+namespace threejs {
 
 constexpr std::string_view kPerspective = "PerspectiveCamera", kOrthographic = "OrthographicCamera";
 
@@ -98,8 +98,8 @@ Import open(const Node& root) {
   return result;
 }
 
-}  // namespace
+}  // namespace threejs
 
-extern const Importer kThreeJs{"threejs", "a three.js file", recognises, open};
+extern const Importer kThreeJs{"threejs", "a three.js file", threejs::recognises, threejs::open};
 
 }  // namespace viewproj::cmd
