@@ -309,11 +309,12 @@ void check(const Document& document) {
   const Node root(document);
   checkMembers(root);
   const std::vector<const Field*> present = presentFields(document);
-  // A label is the file's: an option displaces what contradicts it.
   const auto spelled = [&](const Field& field) {
     const auto label = document.labels.find(field.path);
-    return label == document.labels.end() ? shortName(field)
-                                          : std::string_view(label->second).substr(document.name.size() + 2);
+    if (label == document.labels.end()) return shortName(field);
+    const std::string_view text = label->second;
+    const std::size_t name = text.starts_with(document.name + ": ") ? document.name.size() + 2 : 0;
+    return text.substr(name);
   };
   if (const auto projection = root.find("projection")) {
     const auto type = projection->find("type");
