@@ -169,8 +169,11 @@ class ProjectWork final : public RecordWork {
   }
 
   void write(std::size_t i, ResultSink& sink) override {
-    if (nextOther_ < others_.size() && others_[nextOther_].index == i)
-      writeOther(others_[nextOther_++], sink);
+    // Found by its number: of a record that could not be written, write was not called.
+    const auto other = std::lower_bound(others_.begin(), others_.end(), i,
+                                        [](const Other& one, std::size_t index) { return one.index < index; });
+    if (other != others_.end() && other->index == i)
+      writeOther(*other, sink);
     else if (screen_[i].status == PointStatus::outOfRange)
       throw RecordError(0, "lies farther than 1e91 from the eye");
     else
@@ -179,7 +182,6 @@ class ProjectWork final : public RecordWork {
 
   void clear() override {
     others_.clear();
-    nextOther_ = 0;
     points_.clear();
     positions_.clear();
   }
@@ -273,7 +275,6 @@ class ProjectWork final : public RecordWork {
   std::vector<Vec4> points_;  ///< a segment or a shape has a place among them that is not used
   std::vector<Vec3> positions_;
   std::vector<Other> others_;
-  std::size_t nextOther_ = 0;
   std::vector<ScreenPoint> screen_;
 };
 

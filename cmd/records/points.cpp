@@ -280,6 +280,15 @@ Layout findScreen(const RecordParts& record, Forms& forms) {
   throw RecordError(0, "has no pixel; expected " + namesOf(coordinates::kPixels, ", or ") + fieldsNote(shape));
 }
 
+/// A distance along the ray is not read: without it the record would seem to have been obeyed.
+void requireNoOtherDistance(const RecordParts& record) {
+  for (const std::string& name : record.shape.names)
+    if (sameButForCase(name, "distance") || sameButForCase(name, "range"))
+      throw RecordError(0, "has " + inQuotes(name) +
+                               ", which is not read; expected depth or viewDistance, the distance along the viewing "
+                               "axis; --columns x=X,y=Y takes the pixel alone");
+}
+
 // Making points and pixels from numbers
 
 /// slots: how many numbers belong to the point.
@@ -326,6 +335,7 @@ Layout findPixel(const RecordParts& record, const ColumnChoice& columns) {
       layout.append(*part);
       layout.kind |= row == &coordinates::depth ? depthKnown : viewDistanceKnown;
     }
+  if (layout.kind == 0) requireNoOtherDistance(record);
   layout.forms = std::move(forms);
   return layout;
 }
@@ -363,7 +373,9 @@ bool hasDistance(const Layout& layout) { return (layout.kind & (depthKnown | vie
 
 Pixel toPixel(const Layout& layout, const Numbers& n) {
   Pixel pixel;
-  if (!std::isnan(n[0]) && !std::isnan(n[1])) pixel.screen = Vec2{n[0], n[1]};
+  if (std::isnan(n[0]) != std::isnan(n[1]))
+    throw RecordError(0, "has one number of a pixel; expected x and y, or neither for no pixel");
+  if (!std::isnan(n[0])) pixel.screen = Vec2{n[0], n[1]};
   const double* next = &n[2];
   const auto optional = [&](unsigned part) {
     if (!(layout.kind & part)) return std::optional<double>();

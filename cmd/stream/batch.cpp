@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t kRows = 256;
 /// The most shapes that are kept.
-constexpr std::size_t kPlans = 32;
+constexpr std::size_t kPlans = 256;
 /// The most names of all kept shapes together, unless one shape alone has more.
 constexpr std::size_t kNames = 1 << 16;
 

@@ -258,22 +258,27 @@ JsonSplitter::Answer JsonSplitter::isClosed(std::string_view rest, char open, bo
 
 JsonPiece JsonSplitter::endOfArray(std::string_view rest, bool atEnd) {
   // A bracket with a comma after it ends nothing, except in a document, where a name may follow.
-  if (step_ == 0) {
-    const std::size_t comma =
-        state_.inDocument ? afterJsonSpace(rest, 1) : std::min(rest.find_first_not_of(" \t", 1), rest.size());
-    if (comma == rest.size() && !atEnd) return {};
-    if (comma < rest.size() && rest[comma] == ',') {
-      const std::size_t name = state_.inDocument ? afterJsonSpace(rest, comma + 1) : rest.size();
-      if (state_.inDocument && name == rest.size() && !atEnd) return {};
-      if (name == rest.size() || (rest[name] != '"' && rest[name] != '}')) {
-        JsonPiece extra = bad(rest.substr(0, comma + 1), 0, kNoSeparator);
-        state_.place = Place::comma;
-        return extra;
-      }
-    }
-    if (!state_.inDocument) return piece(JsonEvent::endArray, rest.substr(0, 1), Place::top);
-    step_ = 1;
+  if (step_ == 0) looked_ = step_ = 1;
+  if (step_ == 1) {
+    looked_ = state_.inDocument ? afterJsonSpace(rest, looked_)
+                                : std::min(rest.find_first_not_of(" \t", looked_), rest.size());
+    if (looked_ == rest.size() && !atEnd) return {};
+    const bool hasComma = looked_ < rest.size() && rest[looked_] == ',';
+    if (!hasComma && !state_.inDocument) return piece(JsonEvent::endArray, rest.substr(0, 1), Place::top);
+    line_ = ++looked_;
+    step_ = hasComma ? 2 : 3;
   }
+  if (step_ == 2) {  // line_ is after the comma
+    looked_ = state_.inDocument ? afterJsonSpace(rest, looked_) : rest.size();
+    if (state_.inDocument && looked_ == rest.size() && !atEnd) return {};
+    if (looked_ == rest.size() || (rest[looked_] != '"' && rest[looked_] != '}')) {
+      JsonPiece extra = bad(rest.substr(0, line_), 0, kNoSeparator);
+      state_.place = Place::comma;
+      return extra;
+    }
+  }
+  if (step_ < 4) looked_ = 0;  // isClosed begins
+  step_ = 4;
   return endOfDocument(rest, atEnd);
 }
 

@@ -147,7 +147,8 @@ class BinaryReader final : public RecordReader {
     }
     if (const std::string_view rest = text.substr(count * kBinaryRecord); !rest.empty())
       batch.bad(rest, RecordError(0, "has " + std::to_string(rest.size()) + " bytes; expected three doubles, " +
-                                         std::to_string(kBinaryRecord) + " bytes"));
+                                         std::to_string(kBinaryRecord) +
+                                         " bytes; other columns are left out first, as in numpy's a[:, :3].tofile"));
   }
 
  private:

@@ -200,7 +200,8 @@ TEST_CASE("what is no number in f64 is named by record and byte, and NaN stands 
   CHECK(all.status == 1);
   CHECK(all.err ==
         "viewproj: <stdin>:2:9: NaN is not a finite number\nviewproj: <stdin>:4:17: infinity is not a finite number\n"
-        "viewproj: <stdin>:6:1: has 7 bytes; expected three doubles, 24 bytes\n");
+        "viewproj: <stdin>:6:1: has 7 bytes; expected three doubles, 24 bytes; other columns are left out first, as in "
+        "numpy's a[:, :3].tofile\n");
   const std::vector<double> numbers = numbersOf(all.out);
   REQUIRE(numbers.size() == 24);
   for (const std::size_t bad : {1u, 3u, 5u})

@@ -202,6 +202,16 @@ TEST_CASE("a record that is cut off where a value is to come costs the next one,
   }
 }
 
+TEST_CASE("a record that is cut off where a value is to come costs no other on a line of its own", "[!shouldfail]") {
+  for (const char* cut : {"{\"x\":", "{\"id\":1,\"position\":[1,2,", "{\"id\":1,\"position\":[["}) {
+    const StreamRun run = runStream(std::string(cut) + "\n[1,2,3]\n[4,5,6]\n", {.from = Form::json, .keepGoing = true});
+    CHECK(run.out.starts_with("{\"line\":1,"));
+    CHECK(
+        run.out.ends_with("}\n{\"position\":[1,2,3],\"sum\":6,\"twice\":[2,4,6]}\n"
+                          "{\"position\":[4,5,6],\"sum\":15,\"twice\":[8,10,12]}\n"));
+  }
+}
+
 TEST_CASE("an array keeps its place among records, whatever it lacks") {
   const struct {
     const char* input;
