@@ -56,9 +56,11 @@ void checkAngle(const Node& value, double least, double most, const char* range)
 }
 
 void checkRigid(const Node& value) {
-  if (!value.json().is_object() || value.json().contains("data")) {
-    requireAffine(value.mat4(), value);
-    return;
+  if (!value.json().is_object()) {
+    // Numbers without rows may run by rows or by columns.
+    if (!value.json().is_array() || value.size() == 0 || !value.json()[0].is_array())
+      value.fail("expected 4 rows of 4 numbers, as in [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]");
+    return requireAffine(value.mat4(), value);
   }
   allowMembers(value, {"rotation", "rotationVector", "translation"});
   const auto rotation = value.find("rotation"), vector = value.find("rotationVector");
@@ -211,7 +213,7 @@ void checkValue(const Node& value, const Field& field) {
       if (!value.json().is_object() || value.json().contains("x")) value.fail("expected x, y, z, or lat, lon, height");
       allowMembers(value, {"lat", "lon", "height"});
       checkAngle(value.require("lat"), -90, 90, "from -90 to 90 degrees");
-      checkAngle(value.require("lon"), -HUGE_VAL, HUGE_VAL, "in degrees");
+      checkAngle(value.require("lon"), -360, 360, "from -360 to 360 degrees");
       return (void)value.require("height").number();
     case Kind::quaternion:
       return requireNotAllZero(value.numbers(4), value);

@@ -91,6 +91,7 @@ Document load(const std::string& source, const std::string& option) {
     document.root = std::make_shared<Json>(parsed(document.name, source));
   } else if (isColmap(source)) {
     document.root = std::make_shared<Json>(readColmap(source));
+    document.isColmap = true;
   } else {
     std::string text = readWithoutGlb(source, kMostBytes);
     requireNarrow(document.name, text);

@@ -96,7 +96,7 @@ Pose eulerPose(const Node& value, const Vec3& position, CameraAxes axes, Handedn
 }  // namespace
 
 std::optional<Mat4> rigidMatrix(const Node& value) {
-  if (!value.json().is_object() || value.json().contains("data")) return value.mat4();
+  if (!value.json().is_object()) return value.mat4();
   const auto rotation = value.find("rotation");
   if (!rotation || !rotation->holdsNumbers(9)) return std::nullopt;
   return affine(rotation->numbers(9), value.require("translation").vec3());

@@ -15,7 +15,9 @@ namespace viewproj::cmd {
 namespace {
 
 /// The importer for a document. Null for our own format (an object with a projection object) and for unknown formats.
-const Importer* importerOf(const Json& root) {
+const Importer* importerOf(const Document& file) {
+  if (file.isColmap) return &kColmap;
+  const Json& root = *file.root;
   const auto projection = root.find("projection");
   if (root.is_object() && projection != root.end() && projection->is_object()) return nullptr;
   for (const Importer* importer : importers())
@@ -61,7 +63,7 @@ CameraSource splitPick(const std::string& source) {
 
 CameraDocuments::CameraDocuments(Document file, CameraPatches patches)
     : file_(std::move(file)), patches_(std::move(patches)) {
-  const Importer* const importer = importerOf(*file_.root);
+  const Importer* const importer = importerOf(file_);
   if (const std::string& readAs = patches_.readAs; !readAs.empty() && importer && importer != &kMatrices) {
     throw InputError(file_.name + ": is " + std::string(importer->form) +
                      ", which has a convention of its own; leave out --read-as");

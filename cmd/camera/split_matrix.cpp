@@ -58,7 +58,7 @@ SplitMatrix splitMatrix(std::span<const double> p) {
   // t = K^-1 p4, eye = -R^T t.
   const DoubleDouble tz = p4.z * unit;
   const DoubleDouble ty = (p4.y * unit - split.cy * tz) / split.fy;
-  const DoubleDouble tx = (p4.x * unit - split.cx * tz) / split.fx;
+  const DoubleDouble tx = (p4.x * unit - split.skew * ty - split.cx * tz) / split.fx;
   split.eye = -(r1 * tx + r2 * ty + r3 * tz);
   return split;
 }

@@ -29,31 +29,6 @@ constexpr Command kCommands[] = {
     {"help", "help on a command or on one of the topics below", declareHelp},
 };
 
-/// Options that no command has, because they left or were never there, and what does their work.
-struct Advice {
-  std::string_view options, text;
-};
-constexpr Advice kAdvice[] = {
-    {"--bits", "depth lists 16, 24 and 32 bits side by side"},
-    {"--bound", "use --fields bound"},
-    {"--clipped --ray-from", "--pixel X,Y,0 and X,Y,1 give the points on near and far"},
-    {"--column-major --row-major", "--convention NAME chooses rows or columns (viewproj help conventions)"},
-    {"--comment", "remove comment lines first, as with grep -v '^#'"},
-    {"--corners --planes", "viewproj info FILE has the planes and corners"},
-    {"--decimal", "replace decimal commas first, as with tr , ."},
-    {"--exact", "the intervals of near and far follow the digits as written"},
-    {"--first-line", "messages count lines from the start of the input"},
-    {"--force", "pipe the output, as in --to f64 | cat"},
-    {"--format", "make the file a camera file with jq: samples/cameras-from-elsewhere has recipes"},
-    {"--gap --resolve", "the table has the gap at each distance"},
-    {"--list", "viewproj info FILE lists the cameras"},
-    {"--reading --world", "use --read-as NAME"},
-    {"--seconds", "measure chooses how long it runs"},
-    {"--tolerance", "use --precision standard, and --fields bound for its error"},
-    {"--type", "a camera is written in the form in which it was read"},
-    {"--y-up --z-up", "--up X,Y,Z is up in the camera's world; matrix --map changes the axes of a world"},
-};
-
 /// A command with its options.
 struct Declared {
   explicit Declared(const Command& command) : app("", "viewproj " + std::string(command.name)) {
@@ -64,8 +39,8 @@ struct Declared {
   Action run;
 };
 
-/// To add to the message about an argument that was not expected: which commands have the option, what does its work,
-/// or the nearest that there is.
+/// To add to the message about an argument that was not expected: which commands have the option, or the nearest that
+/// there is.
 std::string adviceOn(const std::string& argument, const CLI::App& app) {
   const std::string name = argument.substr(0, argument.find('='));
   if (!name.starts_with('-')) {
@@ -76,9 +51,6 @@ std::string adviceOn(const std::string& argument, const CLI::App& app) {
   for (const Command& command : kCommands)
     if (Declared(command).app.get_option_no_throw(name)) owners.push_back(command.name);
   if (!owners.empty()) return "; it is an option of " + together(owners);
-  for (const Advice& advice : kAdvice)
-    if ((" " + std::string(advice.options) + " ").find(" " + name + " ") != std::string::npos)
-      return "; " + std::string(advice.text);
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options())
     for (const std::string& each : option->get_lnames()) names.push_back("--" + each);

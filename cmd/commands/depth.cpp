@@ -17,8 +17,6 @@ namespace viewproj::cmd {
 using detail::Wide;
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
 /// far / (far - near), 1 where far is infinite.
 Wide farShare(const Projection& p) {
   return std::isinf(p.zFar()) ? Wide(1) : Wide(p.zFar()) / (Wide(p.zFar()) - Wide(p.zNear()));
@@ -64,14 +62,16 @@ double floatStep(double value) {
 }
 
 /// The larger depth of two surfaces decides the step: that of the farther one, or with reversed depth of the nearer
-/// one, which is a step above. A depth made from NDC z of -1..1 was a float32 there: it has half of that step at least.
+/// one, which is a step above. A depth made from NDC z of -1..1 was a float32 there: of such steps those within a step
+/// of the depth, ends included, are stored alike.
 double floatDepthStep(const DepthMapping& m, double distance) {
   const double depth = depthAt(m, distance), range = std::fabs(m.atFar - m.atNear);
   const bool reversed = m.atFar < m.atNear;
   double step = floatStep(depth);
   if (reversed) step = floatStep(std::min(depth + step, std::max(m.atNear, m.atFar)));
   if (m.ndcZ == NdcZ::zeroToOne) return step;
-  return std::max(step, range / 2 * floatStep(2 * (depth - std::min(m.atNear, m.atFar)) / range - 1));
+  const double ndcStep = range / 2 * floatStep(2 * (depth - std::min(m.atNear, m.atFar)) / range - 1);
+  return ndcStep < step ? step + ndcStep : ndcStep;
 }
 
 /// A step of depth as a length. Surfaces at v < w differ in depth by slope (1/v - 1/w), in orthographic slope (w - v).
@@ -86,7 +86,7 @@ double gapOf(const DepthMapping& m, double step, double distance) {
 /// hold it.
 double unormStep(const DepthMapping& m, int bits) {
   const double largest = std::ldexp(1.0, bits) - 1, range = std::max(m.atNear, m.atFar);
-  return range <= 1 ? 1 / largest : range <= largest ? 1 : kNaN;
+  return range <= 1 ? 1 / largest : range <= largest ? 1 : NAN;
 }
 
 OrderedJson reportOf(const DepthMapping& m) {
@@ -106,7 +106,7 @@ OrderedJson depthReport(const DepthMapping& m, std::span<const double> distances
   std::tie(reversed.atFar, reversed.atNear) = std::minmax(m.atNear, m.atFar);
   for (const double w : distances) {
     const bool isSeen = w >= m.projection.zNear() && w <= m.projection.zFar();
-    const auto gap = [&](double step) { return isSeen && step > 0 ? gapOf(m, step, w) : kNaN; };
+    const auto gap = [&](double step) { return isSeen && step > 0 ? gapOf(m, step, w) : NAN; };
     const Wide squared = m.projection.isOrthographic() ? Wide(1) : Wide(w) * Wide(w);
     rows.push_back({{"distance", w},
                     {"depth", depthAt(m, w)},
@@ -125,7 +125,7 @@ OrderedJson depthReport(const DepthMapping& m, std::span<const double> distances
     report["notes"].push_back("The depth range goes beyond 1: d16 and d24 store whole numbers, where they hold it.");
   if (m.ndcZ == NdcZ::minusOneToOne)
     report["notes"].push_back(
-        "With NDC z of -1..1 f32 gains little over d24: z is a float32 near -1 first. 0..1 (glClipControl) keeps it.");
+        "With NDC z of -1..1 f32 is no finer than d24: z is a float32 near -1 first. 0..1 (glClipControl) keeps it.");
   return report;
 }
 

@@ -51,19 +51,18 @@ Drawn toDraw(const Layout& layout, const Numbers& n) {
 /// Planes have no outline.
 void drawObject(Picture& picture, const SceneObject& object) {
   const std::string label = labelOfJson(object.id);
+  if (const auto* surface = std::get_if<HeightSurface>(&object.shape))
+    return picture.add(label, Ellipsoid{kWgs84.equatorial + surface->height, kWgs84.polar + surface->height});
   std::visit(
       [&](const auto& shape) {
-        if constexpr (requires { shape.height; })
-          picture.add(label, Ellipsoid{kWgs84.equatorial + shape.height, kWgs84.polar + shape.height});
-        else if constexpr (!std::is_same_v<std::decay_t<decltype(shape)>, Plane>)
-          picture.add(label, shape);
+        if constexpr (requires { picture.add(label, shape); }) picture.add(label, shape);
       },
       object.shape);
 }
 
 /// What the pixel's ray hits first.
 std::string hitLabel(const Camera& camera, const Vec2& pixel, const std::vector<SceneObject>& scene) {
-  const std::vector<SceneHit> hits = hitsOf(screenToRay(camera, pixel), scene);
+  const std::vector<SceneHit> hits = hitsOf(camera, screenToRay(camera, pixel), scene);
   if (hits.empty()) return "no hit";
   return labelOfJson(hits[0].object->id) + " at " + formatDigits(hits[0].hit.distance, 6);
 }

@@ -312,8 +312,9 @@ OrderedJson explainDepth(Steps& steps, const Camera& camera, const Vec2& pixel, 
   const Projection projection = camera.projection();
   const WindowDepths ends = camera.depths();
   if (!hasDepth(projection)) throw InputError("--pixel: a window depth needs a camera with near; --near gives it");
-  const WorldPoint at = screenToWorld(camera, pixel, depth);
-  if (at.status == DepthStatus::beyond)
+  // The distance is the depth's alone, also of a pixel that the lens does not reach.
+  const WorldPoint straight = screenToWorld(withoutLens(camera), pixel, depth);
+  if (straight.status == DepthStatus::beyond)
     throw InputError("--pixel: depth " + formatNumber(depth) + " lies beyond infinity, whose window depth is " +
                      formatNumber(ends.atInfinity) + ": no point in front of the eye has it");
   const bool orthographic = projection.isOrthographic(), isInfinite = std::isinf(projection.zFar());
@@ -326,15 +327,16 @@ OrderedJson explainDepth(Steps& steps, const Camera& camera, const Vec2& pixel, 
   if (!isInfinite) steps.given("far", projection.zFar());
   steps.step("share", "(depth - atNear) / (atFar - atNear)", share);
   if (orthographic) {
-    steps.step("distance", "(1 - share)*near + share*far", at.viewDistance);
+    steps.step("distance", "(1 - share)*near + share*far", straight.viewDistance);
   } else {
-    const bool isPoint = at.status == DepthStatus::point;
+    const bool isPoint = straight.status == DepthStatus::point;
     steps.step("reciprocal", isInfinite ? "(1 - share) / near" : "(1 - share) / near + share / far",
-               isPoint ? 1 / at.viewDistance : 0, "linear in depth, as 1/z is on the screen");
-    steps.step("distance", "1 / reciprocal", at.viewDistance,
+               isPoint ? 1 / straight.viewDistance : 0, "linear in depth, as 1/z is on the screen");
+    steps.step("distance", "1 / reciprocal", straight.viewDistance,
                isPoint ? "along the viewing axis" : "the window depth of infinity: a direction, no point");
-    if (!isPoint) return nullptr;
   }
+  const WorldPoint at = screenToWorld(camera, pixel, depth);
+  if (at.status != DepthStatus::point) return nullptr;
   steps.stage("point");
   steps.sums("point", at.position, [](std::size_t i) {
     return std::vector<Term>{{"origin" + kAxes[i]}, {"distance", "toward" + kAxes[i]}};
@@ -375,7 +377,8 @@ OrderedJson explainPixel(const Camera& camera, const Convention& convention, con
       makeCamera(relativeToEye(camera.pose()), camera.projection(), camera.viewport(), camera.convention());
   if (lens) centred = withLens(centred, *lens);
   const Vec3 at = screenToWorldAtDistance(centred, pixel, 1).position;
-  const Vec3 toward = orthographic ? camera.pose().forward() : at;
+  const Mat4 back = matrix(cameraIn({}, relativeToEye(camera.pose())), Space::world, Space::view);
+  const Vec3 toward = orthographic ? Vec3{-back[0][2], -back[1][2], -back[2][2]} : at;
   const Vec3 view = xyz(worldTo(centred, Space::view, {at.x, at.y, at.z, 1}, convention));
   const double down = isDown(convention) ? 1 : -1;
 
@@ -401,7 +404,8 @@ OrderedJson explainPixel(const Camera& camera, const Convention& convention, con
              std::hypot(toward.x, toward.y, toward.z));
   for (std::size_t i = 0; i < 3; ++i)
     steps.step("direction" + kAxes[i], "toward" + kAxes[i] + " / length", ray.direction[i]);
-  OrderedJson result{{"origin", asJson(ray.origin)}, {"direction", asJson(ray.direction)}};
+  OrderedJson result{{"origin", asJson(ray.origin)},
+                     {"direction", std::isnan(ray.direction.x) ? OrderedJson() : asJson(ray.direction)}};
   if (depth) result["point"] = explainDepth(steps, camera, pixel, *depth);
   OrderedJson given = asJson(pixel);
   if (depth) given.push_back(*depth);

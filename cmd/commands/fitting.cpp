@@ -7,6 +7,7 @@
 #include "numbers/vectors.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
+#include "viewproj/matrices.hpp"
 
 namespace viewproj::cmd {
 
@@ -49,6 +50,8 @@ Fitting::Fitting(const CameraFile& camera, double margin)
     const Vec4 plane = inner.planes()[i].equation;
     (i < 4 ? sides_[i] : ahead_).normal = {plane.x, plane.y, plane.z};
   }
+  const Vec3& n = ahead_.normal;
+  unit_ = 1 / std::fabs(worldTo(camera_, Space::view, {n.x, n.y, n.z, 0}, file_.convention).z);
 }
 
 void Fitting::add(const Sphere& sphere) {
@@ -57,8 +60,8 @@ void Fitting::add(const Sphere& sphere) {
   for (Side& side : sides_) side.room = std::min(side.room, along(side.normal, d) - sphere.radius - rounding);
   const double distance = along(ahead_.normal, d);
   ahead_.room = std::min(ahead_.room, distance - sphere.radius - rounding);
-  nearest_ = std::min(nearest_, distance - sphere.radius);
-  farthest_ = std::max(farthest_, distance + sphere.radius);
+  nearest_ = std::min(nearest_, (distance - sphere.radius) / unit_);
+  farthest_ = std::max(farthest_, (distance + sphere.radius) / unit_);
   const auto box = screenBox(open_, sphere);
   if (!box) return;
   const Intrinsics k = camera_.intrinsics();
@@ -85,7 +88,7 @@ void Fitting::requireSomething() const {
 Document Fitting::byPlace() const {
   requireSomething();
   const Pose pose = camera_.pose();
-  const double near = file_.projection->zNear();
+  const double near = unit_ * file_.projection->zNear();
   const Vec3 right = pose.right(), up = pose.up(), forward = pose.forward();
   // The eye may move by m where normal . m <= room for each side. With m = x right + y up + z forward the sides across
   // from each other leave z a largest value, and x and y an interval each. Axes that are not quite at right angles, and
@@ -112,15 +115,18 @@ Document Fitting::byPlace() const {
   const Vec3 eye = pose.eye();
   const auto holds = [&](const Vec3& to) {
     const DDVec3 way = difference(to, eye);
+    const double rounding = 0x1p-52 * size(rounded(way));  // of the normals
     return std::all_of(sides_.begin(), sides_.end(),
-                       [&](const Side& side) { return along(side.normal, way) <= side.room; }) &&
-           along(ahead_.normal, way) <= ahead_.room - near;
+                       [&](const Side& side) { return along(side.normal, way) + rounding <= side.room; }) &&
+           along(ahead_.normal, way) + rounding <= ahead_.room - near;
   };
-  // Rounded, the eye may leave something out: then it goes back, as little as helps.
+  // Rounded, the eye may leave something out: then it goes back, as little as helps, from the middle of the window.
+  const auto [left, right_, bottom, top] = windowWithin(margin_);
+  const Vec3 middle = sum(sum(forward, (left + right_) / 2, right), (bottom + top) / 2, up);
   Vec3 to = sum(eye, 1, moved);
   const double ulp = 0x1p-53 * (size(eye) + size(moved));
-  for (double back = ulp; !holds(to) && back < 0x1p20 * ulp; back *= 2) to = sum(sum(eye, 1, moved), -back, forward);
-  const double reach = farthest_ - along(ahead_.normal, difference(to, eye));
+  for (double back = ulp; !holds(to) && back < 0x1p20 * ulp; back *= 2) to = sum(sum(eye, 1, moved), -back, middle);
+  const double reach = farthest_ - along(ahead_.normal, difference(to, eye)) / unit_;
   if (reach > file_.projection->zFar())
     throw InputError(file_.name + ": some of it is then " + formatDigits(reach, 6) +
                      " away, beyond far; --far takes a larger one");

@@ -28,20 +28,28 @@ OrderedJson ifThere(bool isThere, OrderedJson object) {
   return object;
 }
 
-/// Clockwise from north, above the horizon, right side down.
+/// Clockwise from north, above the horizon, right side down. They compose to the pose, roll being what is left of it
+/// after heading and pitch as rounded. Straight down or up roll is 0.
 HeadingPitchRoll turnOf(const Pose& pose, const Geodetic& place) {
   constexpr double kDegrees = 180 / std::numbers::pi;
   const double lat = place.lat / kDegrees, lon = place.lon / kDegrees;
   const Vec3 east{-std::sin(lon), std::cos(lon), 0};
   const Vec3 up{std::cos(lat) * std::cos(lon), std::cos(lat) * std::sin(lon), std::sin(lat)};
   const Vec3 north{-std::sin(lat) * std::cos(lon), -std::sin(lat) * std::sin(lon), std::cos(lat)};
-  const auto along = [](const Vec3& a, const Vec3& b) { return detail::dot(a, b); };
+  using detail::dot;
   // The place and the axes are rounded: what is left of the angles is certain to about 1e-13 degrees.
   const auto degrees = [](double y, double x) { return std::round(std::atan2(y, x) * kDegrees * 1e12) / 1e12 + 0.0; };
-  const Vec3 forward = pose.forward();
-  const double toEast = along(forward, east), toNorth = along(forward, north);
-  return {std::fmod(degrees(toEast, toNorth) + 360, 360), degrees(along(forward, up), std::hypot(toEast, toNorth)),
-          degrees(-along(pose.right(), up), along(pose.up(), up))};
+  const Vec3 forward = pose.forward(), right = pose.right();
+  const double toEast = dot(forward, east), toNorth = dot(forward, north), level = std::hypot(toEast, toNorth);
+  const bool isVertical = level < 1e-12;
+  const double turned = isVertical ? degrees(-dot(right, north), dot(right, east)) : degrees(toEast, toNorth);
+  const double heading = std::fmod(turned + 360, 360), pitch = degrees(dot(forward, up), isVertical ? 0 : level);
+  const double h = heading / kDegrees, p = pitch / kDegrees;
+  // right and up of the camera before it rolls
+  const double e = dot(right, east), n = dot(right, north);
+  const double toRight = std::cos(h) * e - std::sin(h) * n;
+  const double toUp = std::cos(p) * dot(right, up) - std::sin(p) * (std::sin(h) * e + std::cos(h) * n);
+  return {heading, pitch, isVertical ? 0 : degrees(-toUp, toRight)};
 }
 
 OrderedJson poseOf(const CameraFile& file) {

@@ -18,7 +18,6 @@
 namespace viewproj::cmd {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity(), kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kRounds = 15;
 
 /// One 4x4 product and a division for each point, as a careful programmer writes it: the closed form of the matrix,
@@ -74,8 +73,7 @@ struct Mode {
   const char* name;
   std::function<void()> project;
   std::function<Vec2(std::size_t)> pixel;  ///< of a point, as project left it
-  const std::vector<Visible>& visible;
-  double boundPx = kNaN;
+  double boundPx = NAN;
 };
 
 double secondsOf(const Mode& mode, std::size_t repeats) {
@@ -90,7 +88,7 @@ double secondsOf(const Mode& mode, std::size_t repeats) {
 std::vector<double> timesOf(std::span<const Mode> modes) {
   constexpr double kTurn = 2e-3;
   std::vector<std::size_t> repeats(modes.size(), 1);
-  std::vector<double> times(modes.size(), kInfinity);
+  std::vector<double> times(modes.size(), HUGE_VAL);
   for (std::size_t i = 0; i < modes.size(); ++i)
     while (secondsOf(modes[i], repeats[i]) < kTurn) repeats[i] *= 2;
   for (std::size_t round = 0; round < kRounds; ++round)
@@ -99,15 +97,15 @@ std::vector<double> timesOf(std::span<const Mode> modes) {
   return times;
 }
 
-OrderedJson rowOf(const Mode& mode, double nsPerPoint) {
-  double largest = mode.visible.empty() ? kNaN : 0;
+OrderedJson rowOf(const Mode& mode, std::span<const Visible> visible, double nsPerPoint) {
+  double largest = visible.empty() ? NAN : 0;
   std::size_t missing = 0;
-  for (const auto& [index, exact] : mode.visible) {
+  for (const auto& [index, exact] : visible) {
     const Vec2 at = mode.pixel(index);
     const double error = std::max(std::fabs(at.x - exact.x), std::fabs(at.y - exact.y));
     const bool isFinite = std::isfinite(at.x) && std::isfinite(at.y);
     missing += isFinite ? 0 : 1;
-    largest = std::max(largest, isFinite ? error : kInfinity);
+    largest = std::max(largest, isFinite ? error : HUGE_VAL);
   }
   return {{"mode", mode.name},
           {"nsPerPoint", nsPerPoint},
@@ -123,11 +121,10 @@ OrderedJson measureReport(const Camera& camera, std::span<const Vec3> points, st
   std::vector<Vector3<float>> floatPoints, floatScreen(points.size());
   for (const Vec3& p : points)
     floatPoints.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
-  const Camera pinhole = withoutLens(camera);  // a matrix knows no lens
+  const Camera pinhole = withoutLens(camera);
   const Textbook<double> inDouble(pinhole);
   const Textbook<float> inFloat(pinhole);
   const std::vector<Visible> visible = visiblePoints(camera, points);
-  const std::vector<Visible> inPinhole = lensOf(camera) ? visiblePoints(pinhole, points) : visible;
 
   const auto by = [&](Precision precision) {
     return [&, precision] { worldToScreen(camera, points, std::span(screen), precision); };
@@ -135,25 +132,25 @@ OrderedJson measureReport(const Camera& camera, std::span<const Vec3> points, st
   const auto pixel = [&](std::size_t i) { return Vec2{screen[i].x, screen[i].y}; };
   const auto floatPixel = [&](std::size_t i) { return Vec2{floatScreen[i].x, floatScreen[i].y}; };
   const Mode modes[] = {
-      {"exact", by(Precision::exact), pixel, visible, boundInPicture(camera, Precision::exact).screen},
-      {"standard", by(Precision::standard), pixel, visible, boundInPicture(camera, Precision::standard).screen},
-      {"matrix double", [&] { inDouble.project(points, screen); }, pixel, inPinhole},
-      {"matrix float32", [&] { inFloat.project(floatPoints, floatScreen); }, floatPixel, inPinhole}};
+      {"exact", by(Precision::exact), pixel, boundInPicture(camera, Precision::exact).screen},
+      {"standard", by(Precision::standard), pixel, boundInPicture(camera, Precision::standard).screen},
+      {"matrix double", [&] { inDouble.project(points, screen); }, pixel},
+      {"matrix float32", [&] { inFloat.project(floatPoints, floatScreen); }, floatPixel}};
   const std::vector<double> times = timesOf(modes);
   OrderedJson rows = OrderedJson::array();
   for (std::size_t i = 0; i < times.size(); ++i) {
     modes[i].project();  // they share the screen positions
-    rows.push_back(rowOf(modes[i], times[i] * 1e9 / static_cast<double>(points.size())));
+    rows.push_back(rowOf(modes[i], visible, times[i] * 1e9 / static_cast<double>(points.size())));
   }
-  return {{"points", points.size()},
-          {"visible", visible.size()},
-          {"leftOut", leftOut},
-          {"rounds", kRounds},
-          {"modes", rows},
-          {"notes",
-           {"nsPerPoint is the fastest round's. Errors are the larger of x and y, on the points in the picture, "
-            "against exact, which is within 0.51 ulp. boundPx is proven. missing: points in the picture whose result "
-            "is not finite."}}};
+  OrderedJson notes{
+      "nsPerPoint is the fastest round's. Errors are the larger of x and y, on the points in the picture, "
+      "against exact, which is within 0.51 ulp. boundPx is proven. missing: points in the picture whose result "
+      "is not finite."};
+  if (lensOf(camera))
+    notes.push_back("A matrix has no lens: errors of the matrices include how far the lens shifts these points.");
+  return {{"points", points.size()}, {"visible", visible.size()},
+          {"leftOut", leftOut},      {"rounds", kRounds},
+          {"modes", rows},           {"notes", notes}};
 }
 
 struct MeasureOptions {

@@ -241,10 +241,10 @@ void turnUp(Trials& t) {
     if (const Json* const own = t.find("up"); !own || *own != up) t.change({{"up", up}});
 }
 
-/// A quaternion, or a matrix by rows, of the inverse rotation.
+/// A quaternion, a rotation vector, or a matrix by rows, of the inverse rotation.
 Json inverseOf(const Json& rotation) {
   Json inverse = rotation;
-  if (rotation.size() == 4)
+  if (rotation[0].is_number())
     for (std::size_t i = 0; i < 3; ++i) inverse[i] = 0.0 - rotation[i].get<double>();
   else
     for (std::size_t i = 0; i < 9; ++i) inverse[i / 3][i % 3] = rotation[i % 3][i / 3];
@@ -257,9 +257,9 @@ void invertPose(Trials& t) {
     const Json* const pose = t.find(path);
     if (!pose) continue;
     t.change({{path, nullptr}, {other, *pose}});
-    const std::string rotation = std::string(path) + ".rotation";
-    if (const Json* const turn = t.find(rotation); turn && (turn->size() == 4 || turn->size() == 3))
-      t.change({{rotation, inverseOf(*turn)}});
+    for (const char* const name : {".rotation", ".rotationVector"})
+      if (const Json* const turn = t.find(std::string(path) + name); turn && (turn->size() == 4 || turn->size() == 3))
+        t.change({{std::string(path) + name, inverseOf(*turn)}});
   }
   const Json *const rotation = t.find("rotation"), *const position = t.find("position");
   if (!rotation || !position || !position->is_array()) return;

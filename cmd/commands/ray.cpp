@@ -2,7 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <limits>
+#include <cmath>
 
 #include "commands/command.hpp"
 #include "commands/stream_options.hpp"
@@ -22,8 +22,6 @@ namespace viewproj::cmd {
 
 using namespace detail;
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// The point behind the pixel, where the record tells how far away it is.
 WorldPoint pointBehind(const Camera& camera, const Pixel& pixel) {
@@ -59,8 +57,8 @@ bool isOfTheEarth(const SceneObject& object) {
 /// A pixel, and what is behind it.
 struct Cast {
   const Pixel& pixel;
-  Ray ray{{kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}};
-  WorldPoint point{{kNaN, kNaN, kNaN}, DepthStatus::notFinite};
+  Ray ray{{NAN, NAN, NAN}, {NAN, NAN, NAN}};
+  WorldPoint point{{NAN, NAN, NAN}, DepthStatus::notFinite};
 };
 
 class RayWork final : public RecordWork {
@@ -120,7 +118,7 @@ class RayWork final : public RecordWork {
     else if (&row == &results::pointDistance)
       sink.number(row, cast.point.viewDistance);
     else if (&row == &results::bound)
-      sink.number(row, isPoint ? cast.point.bound : kNaN);
+      sink.number(row, isPoint ? cast.point.bound : NAN);
     else
       writeHits(cast.ray, sink);
   }
@@ -133,12 +131,12 @@ class RayWork final : public RecordWork {
   }
 
   void writeHits(const Ray& ray, ResultSink& sink) const {
-    const std::vector<SceneHit> hits = hitsOf(ray, *how_.scene);
+    const std::vector<SceneHit> hits = hitsOf(how_.camera, ray, *how_.scene);
     if (how_.allHits) {
       sink.object(results::hits, hits.size(), [&](ResultSink& part, std::size_t i) { writeHit(hits[i], part); });
       return;
     }
-    const SceneHit none{nullptr, {kNaN, {kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}}};
+    const SceneHit none{nullptr, {NAN, {NAN, NAN, NAN}, {NAN, NAN, NAN}}};
     sink.object(how_.hits(), hits.empty() ? 0 : 1,
                 [&](ResultSink& part, std::size_t) { writeHit(hits.empty() ? none : hits.front(), part); });
   }
@@ -152,7 +150,7 @@ class RayWork final : public RecordWork {
     const bool onEllipsoid = hit.object && isOfTheEarth(*hit.object);
     const bool isPlace = onEllipsoid || (hit.object && how_.worldIsEcef);
     if (isPlace || (sink.hasFixedColumns() && how_.placesHits()))
-      writePlace(isPlace ? hit.hit.point : Vec3{kNaN, kNaN, kNaN}, sink);
+      writePlace(isPlace ? hit.hit.point : Vec3{NAN, NAN, NAN}, sink);
   }
 
   const Casting& how_;
@@ -186,7 +184,7 @@ struct Options {
   std::optional<Several<const ResultRow*>> fields;
   std::vector<GivenRecord> pixels;
   std::optional<std::string> scene;
-  std::vector<Plane> planes;
+  std::vector<PlaneEquation> planes;
   bool allHits = false;
 };
 
@@ -221,9 +219,13 @@ int run(const Options& o) {
               .worldIsEcef = file.worldIsEcef,
               .allHits = o.allHits};
   if (hasScene) {
+    if (!o.planes.empty() && file.worldIsEcef)
+      throw UsageError(
+          "--plane is of Earth-centred x, y, z with a camera on the Earth; the surface of a height is --scene "
+          "'{\"objects\": [{\"ellipsoid\": \"WGS84\", \"height\": 545}]}'");
     how.scene.emplace();
     if (o.scene) how.scene = readScene(*o.scene, file.worldIsEcef);
-    for (const Plane& plane : o.planes) how.scene->push_back({std::to_string(how.scene->size()), plane});
+    for (const PlaneEquation& plane : o.planes) how.scene->push_back({std::to_string(how.scene->size()), plane});
     for (const SceneObject& object : *how.scene) how.sceneHasEllipsoid |= isOfTheEarth(object);
   }
   if (o.fields) settleFields(how, *o.fields);

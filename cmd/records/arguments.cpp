@@ -62,30 +62,25 @@ Vec4 PointArgument::point() const {
     return point;
   }
   const Geodetic place{a, b, c};
-  if (!viewproj::isPlace(place)) throw UsageError(text + ": lat is not from -90 to 90 degrees");
+  if (const std::string fault = faultOf(place); !fault.empty()) throw UsageError(text + ": " + fault);
   const Vec3 p = geodeticToEcef(place);
   return {p.x, p.y, p.z, 1};
 }
 
-Plane readPlaneArgument(const std::string& option, const std::string& text) {
+PlaneEquation readPlaneArgument(const std::string& option, const std::string& text) {
   constexpr const char* kForm = "z=0, x=..., y=... or A,B,C,D of Ax + By + Cz + D = 0";
   constexpr std::string_view kAxes = "xyz";
-  Plane plane;
   if (const std::size_t axis = text.empty() ? kAxes.npos : kAxes.find(text[0]); axis != kAxes.npos) {
     const auto at = text[1] == '=' ? parseNumber(text.substr(2)) : std::nullopt;
     if (!at) throw wrong(option, text, std::string("expected ") + kForm);
-    plane.point[axis] = *at;
+    PlaneEquation plane{{}, -*at};
     plane.normal[axis] = 1;
     return plane;
   }
   const std::vector<double> n = numbersOf(option, text, 4, kForm);
-  plane.normal = {n[0], n[1], n[2]};
-  // Its point on the axis that it crosses most steeply: one division, rounded once.
-  std::size_t axis = 0;
-  for (std::size_t i = 1; i < 3; ++i)
-    if (std::fabs(n[i]) > std::fabs(n[axis])) axis = i;
-  plane.point[axis] = -n[3] / n[axis];
-  if (!isValid(plane)) throw wrong(option, text, "is not a plane; A, B and C must not all be 0");
+  const PlaneEquation plane{{n[0], n[1], n[2]}, n[3]};
+  if (!isValid(Plane{{n[3], 0, 0}, plane.normal}))
+    throw wrong(option, text, "is not a plane; A, B and C must not all be 0");
   return plane;
 }
 

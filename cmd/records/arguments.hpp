@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "viewproj/scene.hpp"
+#include "records/scene.hpp"
 
 namespace viewproj::cmd {
 
@@ -28,7 +28,7 @@ PointArgument readPointArgument(const std::string& option, const std::string& te
 
 /// A plane: z=0, also x=..., y=...; or A,B,C,D for Ax + By + Cz + D = 0. The normal is that axis or A,B,C. Throws
 /// UsageError.
-Plane readPlaneArgument(const std::string& option, const std::string& text);
+PlaneEquation readPlaneArgument(const std::string& option, const std::string& text);
 
 /// A sphere X,Y,Z,R as a record. Throws UsageError.
 std::string readSphereArgument(const std::string& option, const std::string& text);

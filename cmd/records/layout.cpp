@@ -1,6 +1,7 @@
 #include "records/layout.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -8,7 +9,6 @@
 #include "text/error.hpp"
 #include "text/json_scan.hpp"
 #include "text/number.hpp"
-#include "viewproj/geodesy.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -126,9 +126,8 @@ std::size_t readPointObject(const RecordParts& record, const NumberField& part, 
   if (!object.isPlace()) return 3;
   seaLevel = object.seaLevelName();
   const Geodetic place{slots[0], slots[1], slots[2]};
-  if (!isPlace(place))
-    throw errorAt(record, part, object.value(0),
-                  "lat: " + inQuotes(object.value(0)) + " is not from -90 to 90 degrees");
+  if (const std::string fault = faultOf(place); !fault.empty())
+    throw errorAt(record, part, object.value(isPlace(place) ? 1 : 0), fault);
   const Vec3 point = geodeticToEcef(place);
   for (std::size_t i = 0; i < 3; ++i) slots[i] = point[i];
   return 3;
@@ -193,6 +192,12 @@ void readNumbers(const RecordParts& record, const Layout& layout, Numbers& numbe
     slot += part.most;
     if (text) text += part.most;
   }
+}
+
+std::string faultOf(const Geodetic& place) {
+  if (!isPlace(place)) return "lat: " + formatNumber(place.lat) + " is not from -90 to 90 degrees";
+  if (!(std::fabs(place.lon) <= 360)) return "lon: " + formatNumber(place.lon) + " is not from -360 to 360 degrees";
+  return {};
 }
 
 bool isPointValue(std::string_view json) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "records/record.hpp"
+#include "viewproj/geodesy.hpp"
 
 namespace viewproj::cmd {
 
@@ -69,6 +70,9 @@ void readNumbers(const RecordParts& record, const Layout& layout, Numbers& numbe
 /// Whether a JSON value looks like a point: an array of three or four numbers, or an object of x, y, z or lat, lon,
 /// height. Does not check the numbers.
 bool isPointValue(std::string_view json);
+
+/// "lat: 95 is not from -90 to 90 degrees"; nothing for a place.
+std::string faultOf(const Geodetic& place);
 
 /// The message for three numbers that may be a place, with a camera on the Earth. way: how to say which they are.
 std::string bareTriple(const std::string& way);

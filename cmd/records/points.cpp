@@ -295,7 +295,7 @@ void requireNoOtherDistance(const RecordParts& record) {
 Vec4 pointOf(const Layout& layout, std::size_t slots, const Numbers& n) {
   if (layout.kind == kindPlace || layout.kind == kindPlacedSphere) {
     const Geodetic place{n[0], n[1], n[2]};
-    if (!isPlace(place)) throw RecordError(0, "lat: " + formatNumber(place.lat) + " is not from -90 to 90 degrees");
+    if (const std::string fault = faultOf(place); !fault.empty()) throw RecordError(0, fault);
     const Vec3 p = geodeticToEcef(place);
     return {p.x, p.y, p.z, 1};
   }

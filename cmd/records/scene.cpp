@@ -7,6 +7,7 @@
 
 #include "camera/check.hpp"
 #include "camera/read_pose.hpp"
+#include "numbers/dyadic.hpp"
 #include "numbers/vectors.hpp"
 #include "records/crossings.hpp"
 #include "records/points.hpp"
@@ -110,14 +111,39 @@ Hits intersect(const Ray& ray, const HeightSurface& surface) {
   return hits;
 }
 
-std::vector<SceneHit> hitsOf(const Ray& ray, const std::vector<SceneObject>& scene) {
+Hits intersect(const Ray& ray, const PlaneEquation& plane) {
+  using namespace detail;
+  const Vector3<Dyadic<1>> normal = toDyadic(plane.normal);
+  const Dyadic<2> height = dot(normal, toDyadic(ray.origin)) + Dyadic<1>(plane.offset);
+  const Dyadic<2> slope = dot(normal, toDyadic(ray.direction));
+  if (slope.sign() == 0 || height.sign() * slope.sign() > 0) return {};
+  const Wide ratio = -height.rounded() / slope.rounded();
+  const DoubleDouble t = scaleByPowerOfTwo(ratio.value, ratio.exponent);
+  Hit hit{
+      rounded(t / inverseLength(toDoubleDouble(ray.direction))), {}, rounded(normalized(toDoubleDouble(plane.normal)))};
+  for (std::size_t i = 0; i < 3; ++i)
+    hit.point[i] = rounded(sumOrZero(ray.origin[i], t * DoubleDouble(ray.direction[i])));
+  return {{{hit}}, 1};
+}
+
+std::vector<SceneHit> hitsOf(const Camera& camera, const Ray& ray, const std::vector<SceneObject>& scene) {
+  const Projection projection = camera.projection();
+  const Vec3& d = ray.direction;
   std::vector<SceneHit> found;
   for (const SceneObject& object : scene)
-    std::visit(
-        [&](const auto& shape) {
-          for (const Hit& hit : intersect(ray, shape)) found.push_back({&object, hit});
-        },
-        object.shape);
+    for (const double sign : {1.0, -1.0}) {
+      if (sign < 0 && !projection.isOrthographic()) break;
+      const Ray one{ray.origin, {sign * d.x, sign * d.y, sign * d.z}};
+      for (Hit hit : std::visit([&](const auto& shape) { return intersect(one, shape); }, object.shape)) {
+        const double z = worldToScreen(camera, hit.point).viewDistance, along = std::isnan(z) ? HUGE_VAL : z;
+        if (!(along >= projection.zNear() && along <= projection.zFar())) continue;
+        if (sign < 0 && hit.distance == 0) continue;  // found already
+        const auto* const sphere = std::get_if<Sphere>(&object.shape);
+        if (sphere && sphere->radius == 0) hit.normal = {0 - d.x, 0 - d.y, 0 - d.z};
+        hit.distance *= sign;
+        found.push_back({&object, hit});
+      }
+    }
   std::stable_sort(found.begin(), found.end(),
                    [](const SceneHit& a, const SceneHit& b) { return a.hit.distance < b.hit.distance; });
   return found;

@@ -16,9 +16,15 @@ struct HeightSurface {
   double height = 0;
 };
 
+/// The points of ax + by + cz + d = 0, which may have no point in doubles.
+struct PlaneEquation {
+  Vec3 normal;
+  double offset = 0;
+};
+
 struct SceneObject {
   std::string id;  ///< JSON text: the id, else the name, else the index in the list, from 0
-  std::variant<Plane, Sphere, Box, Triangle, Ellipsoid, HeightSurface> shape;
+  std::variant<Plane, Sphere, Box, Triangle, Ellipsoid, HeightSurface, PlaneEquation> shape;
 };
 
 /// source: a file name or the JSON itself, {"objects": [{"id": ..., SHAPE}]}. Throws InputError with the place of the
@@ -27,14 +33,17 @@ std::vector<SceneObject> readScene(const std::string& source, bool worldIsEcef);
 
 /// The normal points away from the ellipsoid.
 Hits intersect(const Ray& ray, const HeightSurface& surface);
+/// Like that of a Plane: whether there is a hit is decided exactly.
+Hits intersect(const Ray& ray, const PlaneEquation& plane);
 
 struct SceneHit {
   const SceneObject* object = nullptr;
   Hit hit;
 };
 
-/// Nearest first. Hits at the same distance are in the scene's order.
-std::vector<SceneHit> hitsOf(const Ray& ray, const std::vector<SceneObject>& scene);
+/// What the camera shows along a pixel's ray, between near and far where it has them; in orthographic also behind the
+/// ray's origin, at a distance below 0. Nearest first. Hits at the same distance are in the scene's order.
+std::vector<SceneHit> hitsOf(const Camera& camera, const Ray& ray, const std::vector<SceneObject>& scene);
 
 using CullShape = std::variant<Vec3, Sphere, Box, Triangle>;
 

@@ -79,7 +79,7 @@ TEST_CASE("A point two ahead, one to the right and one above is seen there, howe
       {R"("worldFromCamera": [[0, 0, 1, 1], [0, 1, 0, 2], [-1, 0, 0, 3], [0, 0, 0, 1]])", {-1, 3, 2}},
       {R"("worldFromCamera": [[0, 0, 1, 9], [0, 1, 0, 9], [-1, 0, 0, 9]], "position": [1, 2, 3])", {-1, 3, 2}},
       {R"("worldFromCamera": {"rotation": [0, 1, 0, 1], "translation": [1, 2, 3]})", {-1, 3, 2}},
-      {R"("cameraFromWorld": [0, 0, -1, 3, 0, 1, 0, -2, 1, 0, 0, -1])", {-1, 3, 2}},
+      {R"("cameraFromWorld": [[0, 0, -1, 3], [0, 1, 0, -2], [1, 0, 0, -1]])", {-1, 3, 2}},
       {R"("cameraFromWorld": {"rotation": [[0, 0, -1], [0, 1, 0], [1, 0, 0]], "translation": [3, -2, -1]})",
        {-1, 3, 2}},
       {R"("cameraFromWorld": {"rotation": [0, -1, 0, 1], "translation": [9, 9, 9]}, "position": [1, 2, 3])",
@@ -221,6 +221,9 @@ TEST_CASE("A refusal of each kind") {
   };
   const auto of = [&](const char* members, const char* expected) { check(members, {}, expected); };
   of(R"({"projection": {"fovy": 60}})", "C: projection.fovy: is not known; did you mean 'fovY'?");
+  of(R"({"position": null, "target": null, "worldFromCamera": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 2, 3, 1]})",
+     "C: worldFromCamera: expected 4 rows of 4 numbers, as in [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, "
+     "1]]");
   of(R"({"eye": [1, 2, 3]})", "C: eye: is another name of position, which is there too; keep one");
   of(R"({"projection": {"fov": 60}})",
      "C: projection.fov: does not say which angle: fovY is from bottom to top (OpenGL, Direct3D, Unity, three.js), "
@@ -246,6 +249,6 @@ TEST_CASE("A refusal of each kind") {
   check("{}", {"projection.fvY=null"}, "--set projection.fvY: is not known; did you mean 'projection.fovY'?");
   check("{}", {R"(viewport={"width": "x"})"}, "--set viewport: width: expected a number (is 'x')");
   check(
-      R"({"position": null, "target": null, "cameraFromWorld": [1, 0, 0, 9, 0, 1, 0, 8, 0, 0, 1, 7], "convention": "opngl"})",
+      R"({"position": null, "target": null, "cameraFromWorld": [[1, 0, 0, 9], [0, 1, 0, 8], [0, 0, 1, 7]], "convention": "opngl"})",
       {"--target 0,0,0"}, "C: convention.preset: is not known; did you mean 'opengl'? (is 'opngl')");
 }

@@ -74,6 +74,11 @@ class Scene:
         q[most], q[j], q[k], q[3] = s / 4, (m[j][most] + m[most][j]) / s, (m[k][most] + m[most][k]) / s, skew[most]
         return q
 
+    def turn(self):
+        """The rotation as its axis times its angle in radians."""
+        *axis, w = self.rotation()
+        return [2 * math.atan2(math.hypot(*axis), w) * n for n in unit(axis)]
+
     def bent(self, q, back=False):
         """Through the lens of K1, or by halving the pixel that it puts there."""
         x, y = (q[0] - self.w / 2) / self.focal, (q[1] - self.h / 2) / self.focal
@@ -177,6 +182,8 @@ ROWS = [
     ("rotation matrix transposed", "pose-inverted",
      changed(rotation, position=None, rotation=None,
              worldFromCamera=lambda s: {"rotation": [s.right, s.up, [-n for n in s.forward]], "translation": s.eye}), same),
+    ("rotation vector negated", "pose-inverted",
+     changed(rotation, position=None, rotation=None, worldFromCamera=lambda s: {"rotationVector": [-n for n in s.turn()], "translation": s.eye}), same),
     ("rotation inverted", "pose-inverted", changed(rotation, rotation=lambda s: [-n for n in s.rotation()[:3]] + s.rotation()[3:]), same),
     # Align3R#11, IsaacLab-Arena PR#673, colmap#2934
     ("w first", "quaternion-order", changed(rotation, rotation=lambda s: s.rotation()[3:] + s.rotation()[:3]), same),
@@ -207,7 +214,11 @@ def made(scene, pixel=same, point=None, noise=0.0):
     return [((point or list)(p), tuple(n + scene.random.uniform(-noise, noise) for n in pixel(scene, scene.pixel(p)))) for p in scene.points]
 
 
-def mended(document, pairs, mend):
+# The lens taken off the pixels, or put back, so many times.
+UNDISTORT = {"undistort the pixels once; the lens is in them twice": -1, "do not undistort the pixels; they are undistorted twice": 2}
+
+
+def mended(scene, document, pairs, mend):
     """Whether they agree once it is done as it says."""
     def value(formula, **names):
         return eval(re.sub(r"([\d.])([xyz])", r"\1*\2", formula), names)
@@ -219,7 +230,9 @@ def mended(document, pairs, mend):
     elif mend.startswith("--"):
         return report(document, pairs, 0.2, shlex.split(mend))["agrees"]
     else:
-        return "undistort" in mend
+        times = UNDISTORT[mend]
+        for _ in range(abs(times)):
+            pairs = [(p, scene.bent(q, back=times < 0)) for p, q in pairs]
     return report(document, pairs, 0.2)["agrees"]
 
 
@@ -238,15 +251,15 @@ def explained(row):
             assert mistake in names, (name, seed, names)
             assert mistake != "y-flipped" or told["explanations"][0]["mend"].startswith("--set"), (name, seed, told)
             for one in told["explanations"]:
-                assert mended(form(scene), pairs, one["mend"]), (name, seed, one)
+                assert mended(scene, form(scene), pairs, one["mend"]), (name, seed, one)
     assert found >= 20, (name, found)
     return found, others
 
 
 def unexplained(seed):
-    """Pixels that no single mistake makes."""
+    """Pixels that no single mistake makes: none is a little off as these are."""
     scene = Scene(seed)
-    told = report((look, rotation, intrinsics)[seed % 3](scene), made(scene, noise=200), 0.1)
+    told = report((look, rotation, intrinsics)[seed % 3](scene), made(scene, noise=3), 1)
     assert not told["agrees"] and not told["explanations"], (seed, told)
 
 
@@ -266,7 +279,7 @@ pairs_of_rows = [(a, b, seed) for a in ROWS for b in ROWS for seed in range(2)
                  if a[3] is same and not a[4] and b[3] is not same and b[2] is look and a[1] != b[1] and (a[1], b[1]) not in ONE]
 with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
     found = list(pool.map(explained, ROWS))
-    list(pool.map(unexplained, range(1500)))
+    list(pool.map(unexplained, range(60)))
     visited = sum(pool.map(both, pairs_of_rows))
 total, others = (sum(numbers) for numbers in zip(*found))
 print(f"{total} found, {others} with another as well; {visited} pairs of mistakes")

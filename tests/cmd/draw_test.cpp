@@ -5,6 +5,7 @@
 #include "catch.hpp"
 #include "commands/picture.hpp"
 #include "random.hpp"
+#include "records/screen_box.hpp"
 
 using namespace viewproj;
 using namespace viewproj::cmd;
@@ -27,7 +28,7 @@ std::vector<std::string> elements(const std::string& svg, const std::string& pat
 }  // namespace
 
 TEST_CASE("Points in view are drawn where they are seen, others are not, and outlines stay in the frame") {
-  int drawn = 0, left = 0;
+  int drawn = 0, left = 0, balls = 0;
   for (unsigned trial = 0; trial < 200; ++trial) {
     Random random(trial);
     Viewport viewport{.width = random.uniform(100, 700), .height = random.uniform(100, 700)};
@@ -44,8 +45,8 @@ TEST_CASE("Points in view are drawn where they are seen, others are not, and out
       p.visible() ? ++drawn : ++left;
       if (p.visible()) expected.push_back({p.x, p.y});
     }
-    picture.add("ball",
-                Sphere{{random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-5, 5)}, random.uniform(1, 3)});
+    const Sphere ball{{random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-5, 5)}, random.uniform(1, 3)};
+    picture.add("ball", ball);
     picture.add("box", Box{{-3, -1, -5}, {random.uniform(0, 4), 2, 12}});
     const std::string svg = picture.svg("a & b");
     CHECK(svg.find(">a &amp; b: ") != std::string::npos);
@@ -62,12 +63,35 @@ TEST_CASE("Points in view are drawn where they are seen, others are not, and out
       const double share = viewport.origin == Origin::topLeft ? down : 1 - down;
       CHECK(std::fabs(attribute(circles[i], "cy") - (y + share * height)) < 0.2);
     }
-    for (const std::string& place : elements(svg, "[ML][-0-9.]+,[-0-9.]+")) {
-      double px = 0, py = 0;
-      REQUIRE(std::sscanf(place.c_str() + 1, "%lf,%lf", &px, &py) == 2);
-      CHECK((px >= x - 0.2 && px <= x + width + 0.2 && py >= y - 0.2 && py <= y + height + 0.2));
-    }
+    const auto paths = elements(svg, "<path class=\"shape\"[^>]*>");
+    REQUIRE(!paths.empty());  // the box is around the viewing axis
+    const auto ends = [&](const std::string& path) {
+      ScreenBox box{HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+      for (const std::string& place : elements(path, "[ML][-0-9.]+,[-0-9.]+")) {
+        double px = 0, py = 0;
+        REQUIRE(std::sscanf(place.c_str() + 1, "%lf,%lf", &px, &py) == 2);
+        CHECK((px >= x - 0.2 && px <= x + width + 0.2 && py >= y - 0.2 && py <= y + height + 0.2));
+        box = {std::min(box.left, px), std::min(box.top, py), std::max(box.right, px), std::max(box.bottom, py)};
+      }
+      return box;
+    };
+    CHECK(ends(paths.back()).right > ends(paths.back()).left);
+    if (cull(viewFrustum(camera), ball).verdict != CullVerdict::inside) continue;
+    // The outline of a ball touches the four sides of its box on the screen.
+    ++balls;
+    REQUIRE(paths.size() == 2);
+    const ScreenBox drawnBall = ends(paths[0]), seen = *screenBox(camera, ball);
+    const double scale = width / viewport.width;
+    const auto top = [&](double screenY) {
+      const double down = (screenY - corner.y) * scale;
+      return y + (viewport.origin == Origin::topLeft ? down : height - down);
+    };
+    CHECK(std::fabs(drawnBall.left - (x + (seen.left - corner.x) * scale)) < 0.4);
+    CHECK(std::fabs(drawnBall.right - (x + (seen.right - corner.x) * scale)) < 0.4);
+    CHECK(std::fabs(drawnBall.top - top(seen.top)) < 0.4);
+    CHECK(std::fabs(drawnBall.bottom - top(seen.bottom)) < 0.4);
   }
+  CHECK(balls > 20);
   CHECK(drawn > 200);
   CHECK(left > 200);
 }

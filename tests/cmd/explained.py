@@ -61,6 +61,10 @@ def camera(rng):
         document["projection"] = {"type": "orthographic", "width": 8, "height": 6, "near": -2, "far": 30}
     if rng.random() < 0.1:
         document["projection"] = {"type": "perspective", "fovY": 60}
+    if rng.random() < 0.2:  # a matrix that is not quite a rotation
+        del document["target"]
+        document["convention"], document["cameraAxes"] = "opengl", "RUB"
+        document["worldFromCamera"] = [[1, 4e-4, 3e-4, 0], [0, 1, -2e-4, 0], [0, 1e-4, 1, 0]]
     return document
 
 
@@ -103,6 +107,13 @@ def main():
         cast = run("ray", "-c", text, "--pixel" + given, "--to", "json")
         ray = cast[0] if isinstance(cast, list) else cast
         assert explanation["result"] == {name: ray[name] for name in explanation["result"]}, (explanation["result"], ray)
+
+    # A pixel that the lens does not reach has a distance all the same, and no point.
+    text = json.dumps({"position": [0, 0, 0], "direction": [0, 0, -1], "projection": {"type": "perspective", "fovY": 60, "near": 1, "far": 100},
+                       "viewport": {"width": 640, "height": 480}, "distortion": {"model": "fisheye", "k": []}})
+    explanation = run("explain", "-c", text, "--pixel", "5000,240,0.5", "--to", "json")
+    values = check(explanation, 1)
+    assert values["reciprocal"] == 0.505 and explanation["result"] == {"origin": [0, 0, 0], "direction": None, "point": None}, explanation["result"]
 
     # A model: moved, turned and doubled.
     text = json.dumps({"position": [0, 0, 5], "target": [0, 0, 0], "projection": {"type": "perspective", "fovY": 60, "near": 1},

@@ -106,3 +106,46 @@ TEST_CASE("A depth is turned into its distance, and one that no buffer of the ra
   for (const double beyond : {1.5, -0.5, double(NAN)})
     CHECK_THROWS_AS(distanceReport(infinite, std::span(&beyond, 1)), UsageError);
 }
+
+TEST_CASE("The gap of a buffer is the length over which it stores one value, counted, and no shorter") {
+  int counted = 0, tight = 0;
+  for (std::uint64_t trial = 0; trial < 800; ++trial) {
+    Random random(trial + 57000000);
+    DepthMapping m = randomMapping(random);
+    if (random.chance(0.3)) m.ndcZ = NdcZ::minusOneToOne;
+    const auto [low, high] = std::minmax(m.atNear, m.atFar);
+    const double w = randomDistance(random, m.projection);
+    const auto isStoredAs = [&, low = low, high = high](std::string_view buffer, double depth) {
+      if (buffer == "d16" || buffer == "d24") return std::round(depth * (buffer == "d16" ? 65535 : 16777215));
+      if (m.ndcZ == NdcZ::zeroToOne) return double(static_cast<float>(depth));
+      const double ndc = static_cast<float>(2 * (depth - low) / (high - low) - 1);
+      return double(static_cast<float>(low + (high - low) * (ndc + 1) / 2));
+    };
+    for (const char* const buffer : {"d16", "d24", "f32", "f32Reversed"}) {
+      const bool isFloat = *buffer == 'f';
+      const TrueMapping truth = isFloat ? TrueMapping(m, buffer[3] == 'R') : TrueMapping(m);
+      const auto stored = [&](const Real& v) { return isStoredAs(buffer, double(truth.depth(v))); };
+      const double gap = at(m, w, buffer), value = stored(w);
+      // From w to the last distance towards near, or far, of the same value.
+      const auto end = [&](double step) {
+        Real inside = w, outside = Real(w) + Real(step);
+        for (int i = 0; i < 50; ++i) {
+          const Real middle = (inside + outside) / Real(2);
+          (stored(middle) == value ? inside : outside) = middle;
+        }
+        return inside;
+      };
+      const Real first = end(-3 * gap), last = end(3 * gap);
+      if (!(first > Real(m.projection.zNear()) && last < Real(m.projection.zFar())) ||
+          stored(Real(w) - Real(3 * gap)) == value)
+        continue;
+      INFO("trial " << trial << ", " << buffer << ", distance " << w);
+      const double reported = at(m, double(last), buffer), share = double(last - first) / reported;
+      CHECK(share < 1 + 1e-6);
+      ++counted;
+      if (share > 0.9) ++tight;
+    }
+  }
+  CHECK(counted > 1500);
+  CHECK(tight > counted / 3);
+}

@@ -132,3 +132,41 @@ TEST_CASE("What fits from as near as one likes is on near, and what far cuts is 
   CHECK_THROWS_AS(placed({{1, 2, 0}, {1, 2, -4}}), InputError);
   CHECK_THROWS_AS(placed({}), InputError);
 }
+
+TEST_CASE("What is fitted is visible: in a part of a picture, by a matrix that is not quite a rotation, far away") {
+  int cut = 0, fitted = 0;
+  for (unsigned trial = 0; trial < 1500; ++trial) {
+    Random random(trial);
+    const double size = trial % 3 == 0 ? 1e6 : 10, unit = 1 + (trial % 4 < 2 ? 0 : random.uniform(-4e-4, 4e-4));
+    const Vec3 middle = random.vector(size);
+    char members[600];
+    std::snprintf(members, sizeof members,
+                  R"("worldFromCamera": [[0, %.17g, 0, %.17g], [0, 0, %.17g, %.17g], [%.17g, 0, 0, %.17g]],
+                     "projection": {"type": "perspective", "fovY": %.17g, "near": 1, "far": %.17g},
+                     "viewport": {"width": 640, "height": 480, "crop": {"x": %.17g, "y": %.17g, "width": 90, "height": 60}})",
+                  unit, middle.x, unit, middle.y, unit, middle.z, random.uniform(20, 120), random.uniform(3, 60),
+                  random.uniform(0, 550), random.uniform(0, 420));
+    const CameraFile camera = cameraOf(members);
+    Fitting fitting(camera, 0);
+    std::vector<Vec3> points;
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 v = random.vector(2);
+      points.push_back({middle.x + v.x, middle.y + v.y, middle.z + v.z});
+      fitting.add(points.back());
+    }
+    try {
+      const Camera there = makeCamera(readCamera(fitting.byPlace(), {}));
+      CAPTURE(trial);
+      for (const Vec3& point : points) {
+        const ScreenPoint p = worldToScreen(there, point);
+        CAPTURE(unit, p.x, p.y, p.viewDistance, p.outside);
+        CHECK(p.visible());
+      }
+      ++fitted;
+    } catch (const InputError&) {  // far
+      ++cut;
+    }
+  }
+  CHECK(fitted > 700);
+  CHECK(cut > 200);
+}

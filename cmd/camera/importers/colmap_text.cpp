@@ -19,6 +19,7 @@ namespace {
 /// The first words of a line as numbers and texts, then the rest as one text. Nothing for a comment.
 std::vector<Json> wordsOf(std::string_view line, std::size_t most) {
   std::vector<Json> words;
+  if (line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
   line.remove_suffix(line.size() - (line.find_last_not_of(" \t\r") + 1));
   while (!line.empty()) {
     line.remove_prefix(line.find_first_not_of(" \t"));
@@ -117,7 +118,7 @@ bool isColmap(const std::string& name) {
     return std::filesystem::exists(pathOf(name) / "cameras.txt", ignored);
   if (!name.ends_with(".txt") || !std::filesystem::is_regular_file(pathOf(name), ignored)) return false;
   const std::vector<Json> words = firstWords(pathOf(name));
-  return isCamera(words) || isImage(words);
+  return isCamera(words) || (isImage(words) && words[9].is_string());  // a table of numbers names no picture
 }
 
 Json readColmap(const std::string& folderOrFile) {

@@ -35,6 +35,8 @@ struct Importer {
 
 /// Bare matrices: the only foreign files that --read-as applies to.
 extern const Importer kMatrices;
+/// What readColmap gives, and no other document.
+extern const Importer kColmap;
 
 /// All importers, in the order in which they are tried.
 std::span<const Importer* const> importers();

@@ -46,12 +46,13 @@ Mat4 matrixIn(const Node& node, const Convention& c) {
   return rows;
 }
 
-/// A viewport: our own object, [x, y, width, height], or the matrix from NDC to the screen.
+/// A viewport: our own object, [x, y, width, height] of gluUnProject, whose y counts from the bottom, or the matrix
+/// from NDC to the screen.
 Json viewportOf(const Node& node, const Convention& c) {
   if (node.json().is_object()) return node.json();
   if (node.holdsNumbers(4)) {
     const std::vector<double> v = node.numbers(4);
-    return {{"x", v[0]}, {"y", v[1]}, {"width", v[2]}, {"height", v[3]}};
+    return {{"x", v[0]}, {"y", v[1]}, {"width", v[2]}, {"height", v[3]}, {"origin", "bottom-left"}};
   }
   if (!node.holdsNumbers(16)) node.fail("expected an object, [x, y, width, height] or a matrix");
   //     | W/2   0     0   x + W/2 |
