@@ -142,24 +142,20 @@ struct LensReader {
   Projection intrinsics() const {
     const double fx = require("fx"), fy = require("fy"), cx = require("cx"), cy = require("cy");
     if (!picture && !reading.needsPicture) return perspectiveWindow(-1, 1, -1, 1, near, far);
-    Viewport frame = viewport(", whose pixels fx, fy, cx, cy count");
-    if (const auto pixels = fields.find("pixels")) {
-      const std::vector<double> size = pixels->numbers(2);
-      requireShape(size[0] / size[1], frame, *pixels, reading, "crop one of the pictures");
-      // Converts the corner to the scale of these pixels: cx' = (cx - c + 0.5) W/w + c - 0.5, with c the pixel centre.
-      frame.x *= size[0] / frame.width;
-      frame.y *= size[1] / frame.height;
-      frame.width = size[0];
-      frame.height = size[1];
+    const Viewport& frame = viewport(", whose pixels fx, fy, cx, cy count");
+    Vec2 pixels{frame.width, frame.height};
+    if (const auto stated = fields.find("pixels")) {
+      pixels = {stated->numbers(2)[0], stated->numbers(2)[1]};
+      requireShape(pixels.x / pixels.y, frame, *stated, reading, "crop one of the pictures");
     }
-    return viewproj::intrinsics(fx, fy, cx, cy, frame, near, far);
+    return viewproj::intrinsics(fx, fy, cx, cy, pixels, frame, near, far);
   }
 
   /// x = cx + ax scrz X/Z, y = cy + ay scrz Y/Z, in a picture around (cx, cy).
   Projection ps2() const {
     requireNear("");
     const double scrz = require("scrz"), ax = require("ax"), ay = require("ay"), cx = require("cx"), cy = require("cy");
-    return viewproj::intrinsics(ax * scrz, ay * scrz, cx, cy, viewport(" around cx, cy"), near, far);
+    return ps2Intrinsics(scrz, ax, ay, cx, cy, viewport(" around cx, cy"), near, far);
   }
 
   Projection matrix() const {

@@ -89,7 +89,7 @@ Pose eulerPose(const Node& value, const Vec3& position, CameraAxes axes, Handedn
   const auto order = viewproj::cmd::valueOf(kEulerOrders, value.require("order").text());
   const Node degrees = value.require("degrees");
   std::array<Turn, 3> turns;
-  for (std::size_t i = 0; i < 3; ++i) turns[i] = {static_cast<int>(order[i]), degreesOf(degrees[i])};
+  for (std::size_t i = 0; i < 3; ++i) turns[i] = {static_cast<int>(order[i]), angleOf(degrees[i])};
   return poseFromTurns(position, turns, axes, world);
 }
 
@@ -121,7 +121,9 @@ bool worldIsEcef(const Document& document) {
   return root.find("world") || isPlace("position") || isPlace("target");
 }
 
-std::optional<Pose> readPose(const Document& document) {
+namespace {
+
+std::optional<Pose> readExactPose(const Document& document) {
   const Node root(document);
   const auto [preset, convention, isStated] = readConvention(document);
   const Handedness world = convention.world;
@@ -148,7 +150,7 @@ std::optional<Pose> readPose(const Document& document) {
   if (euler) return eulerPose(*euler, *eye, axes, world);
   const auto angle = [&](std::string_view key) {
     const auto value = root.find(key);
-    return value ? degreesOf(*value) : 0;
+    return value ? angleOf(*value) : Angle(0);
   };
   if (isTurned) {
     if (!isPlaceValue(*position)) position->fail("needs lat, lon and height for a heading, pitch or roll");
@@ -167,6 +169,28 @@ std::optional<Pose> readPose(const Document& document) {
                   : lookAlongOnEarth(*eye, direction->vec3(), place, world);
   }
   return look(preset->up);
+}
+
+/// How far a place's ECEF position may be from it; 0 for a position.
+double errorOf(const Node& value) { return isPlaceValue(value) ? placeError(positionOf(value)) : 0; }
+
+}  // namespace
+
+std::optional<Pose> readPose(const Document& document) {
+  const std::optional<Pose> pose = readExactPose(document);
+  const Node root(document);
+  const auto position = root.find("position"), target = root.find("target"), up = root.find("up");
+  if (!pose || !position) return pose;
+  const Geodetic place = isPlaceValue(*position) ? placeOf(*position) : ecefToGeodetic(pose->eye());
+  const Vec3 upward = up ? rounded(normalized(toDoubleDouble(up->vec3()))) : ellipsoidNormal(place);
+  PoseError error{errorOf(*position), 0};
+  if (target) error = lookAtError(*pose, positionOf(*target), upward, error.eye, errorOf(*target));
+  // A latitude in radians is rounded to degrees, and turns the axes: up alone where the camera looks along a direction.
+  constexpr double kRounding = 5e-16;
+  const auto isRounded = [&](const char* key) { return angleOf(position->require(key)).isRadians; };
+  if (isPlaceValue(*position) && (isRounded("lat") || isRounded("lon")))
+    error.angle += kRounding / (target || root.find("direction") ? dot(pose->up(), upward) : 1);
+  return withError(*pose, error);
 }
 
 }  // namespace viewproj::cmd

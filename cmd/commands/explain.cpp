@@ -130,7 +130,7 @@ bool isDown(const Convention& c) { return c.view == ViewAxes::RDF; }
 
 /// World to view, or back, without the eye, which is subtracted before.
 Mat4 rotationOf(const Camera& camera, const Convention& convention, Space to, Space from) {
-  return matrix(cameraIn(convention, relativeToEye(camera.pose())), to, from);
+  return matrix(cameraIn(convention, movedTo(camera.pose(), Vec3{})), to, from);
 }
 
 /// In world coordinates, after the model and the division by the weight.
@@ -374,7 +374,7 @@ OrderedJson explainPixel(const Camera& camera, const Convention& convention, con
   // The same camera at the origin has the ray's offsets from the eye, with all their digits.
   const auto lens = lensOf(camera);
   Camera centred =
-      makeCamera(relativeToEye(camera.pose()), camera.projection(), camera.viewport(), camera.convention());
+      makeCamera(movedTo(camera.pose(), Vec3{}), camera.projection(), camera.viewport(), camera.convention());
   if (lens) centred = withLens(centred, *lens);
   const Vec3 at = screenToWorldAtDistance(centred, pixel, 1).position;
   const Mat4 back = matrix(cameraIn({}, relativeToEye(camera.pose())), Space::world, Space::view);

@@ -62,9 +62,9 @@ OrderedJson poseOf(const CameraFile& file) {
                                                         {"forward", asJson(pose.forward())}});
   members.update(ifThere(file.pose && file.worldIsEcef,
                          {{"place", {{"lat", place.lat}, {"lon", place.lon}, {"height", place.height}}},
-                          {"heading", turn.heading},
-                          {"pitch", turn.pitch},
-                          {"roll", turn.roll}}));
+                          {"heading", turn.heading.value},
+                          {"pitch", turn.pitch.value},
+                          {"roll", turn.roll.value}}));
   return members;
 }
 

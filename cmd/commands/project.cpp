@@ -14,6 +14,7 @@
 #include "stream/filter.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
+#include "viewproj/geodesy.hpp"
 #include "viewproj/lens.hpp"
 #include "viewproj/matrices.hpp"
 #include "viewproj/scene.hpp"
@@ -142,6 +143,7 @@ class ProjectWork final : public RecordWork {
 
   void add(const Layout& layout, const Numbers& n) override {
     Vec4 point{0, 0, 0, 1};
+    bool isRounded = false;
     if (!isPoint(layout)) requireEdges(isSegment(layout) ? "a segment" : "a shape");
     if (isSegment(layout)) {
       const Segment segment{placed({n[0], n[1], n[2]}), placed({n[3], n[4], n[5]})};
@@ -155,10 +157,12 @@ class ProjectWork final : public RecordWork {
       others_.push_back({points_.size(), shape});
     } else {
       point = toPoint(layout, n);
+      isRounded = how_.reading.worldIsEcef && mayBePlace(layout);
       if (how_.worldFromLocal) point = toWorld(*how_.worldFromLocal, point);
     }
     points_.push_back(point);
     positions_.push_back({point.x, point.y, point.z});
+    errors_.push_back(isRounded ? placeError(positions_.back()) : 0);
   }
 
   void compute() override {
@@ -177,13 +181,14 @@ class ProjectWork final : public RecordWork {
     else if (screen_[i].status == PointStatus::outOfRange)
       throw RecordError(0, "lies farther than 1e91 from the eye");
     else
-      writeFields(screen_[i], points_[i], sink, std::nullopt, rowsOf(false, sink.isText()));
+      writeFields(screen_[i], points_[i], sink, std::nullopt, rowsOf(false, sink.isText()), errors_[i]);
   }
 
   void clear() override {
     others_.clear();
     points_.clear();
     positions_.clear();
+    errors_.clear();
   }
 
   std::size_t convert(std::span<const double> in, TextBuffer& out) override {
@@ -266,14 +271,15 @@ class ProjectWork final : public RecordWork {
   }
 
   void writeFields(const ScreenPoint& screen, const Vec4& point, ResultSink& sink, const std::optional<ScreenBox>& box,
-                   const Rows& rows) const {
-    const ProjectedPoint projected{how_.camera, how_.writing, point, screen, box};
+                   const Rows& rows, double error = 0) const {
+    const ProjectedPoint projected{how_.camera, how_.writing, point, screen, box, error};
     for (const PointResult* result : rows) result->write(result->row, projected, sink);
   }
 
   const Projecting& how_;
   std::vector<Vec4> points_;  ///< a segment or a shape has a place among them that is not used
   std::vector<Vec3> positions_;
+  std::vector<double> errors_;  ///< how far each may be from the true one
   std::vector<Other> others_;
   std::vector<ScreenPoint> screen_;
 };

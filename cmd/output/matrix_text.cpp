@@ -275,7 +275,7 @@ std::span<const CameraMatrix> cameraMatrices() { return kCameraMatrices; }
 Mat4 CameraMatrix::make(const MatrixSource& s, bool inverse) const {
   const CameraFile& f = s.file;
   const Space destination = to == Space::clip && s.bakeViewport ? Space::screen : to;
-  const std::optional<Pose> eyeAtOrigin = s.relativeToEye && f.pose && !model ? relativeToEye(*f.pose) : f.pose;
+  const std::optional<Pose> eyeAtOrigin = s.relativeToEye && f.pose && !model ? movedTo(*f.pose, Vec3{}) : f.pose;
   const Camera camera = cameraIn(s.convention, eyeAtOrigin, f.projection, f.viewport);
   const Space first = inverse ? from : destination, second = inverse ? destination : from;
   return model ? matrix(camera, first, second, *s.worldFromLocal) : matrix(camera, first, second);

@@ -19,7 +19,7 @@ using S = ResultSink&;
 
 Vec3 xyz(const Vec4& v) { return {v.x, v.y, v.z}; }
 Vec4 pointIn(Space space, P p) { return worldTo(p.camera, space, p.point, p.writing); }
-double boundOf(P p) { return boundOfPoint(p.camera, p.point, p.screen.precision).screen; }
+double boundOf(P p) { return boundOfPoint(p.camera, p.point, p.screen.precision, p.error).screen; }
 std::array<double, 4> edgesOf(P p) {
   const ScreenBox box = p.box.value_or(ScreenBox{kNaN, kNaN, kNaN, kNaN});
   return {box.left, box.top, box.right, box.bottom};

@@ -175,6 +175,7 @@ struct ProjectedPoint {
   const Vec4& point;
   const ScreenPoint& screen;
   const std::optional<ScreenBox>& box;  ///< of a shape
+  double error;                         ///< how far the point may be from the true one
 };
 
 /// A result of project.

@@ -313,6 +313,7 @@ Layout findPoint(const RecordParts& record, const PointReading& reading) {
 }
 
 bool isSegment(const Layout& layout) { return layout.kind == kindSegment; }
+bool mayBePlace(const Layout& layout) { return layout.kind == kindPlace || layout.parts.size() == 1; }
 bool isPoint(const Layout& layout) { return layout.kind <= kindPlace; }
 bool isShape(const Layout& layout) { return !isPoint(layout) && !isSegment(layout); }
 

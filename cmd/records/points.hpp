@@ -29,6 +29,8 @@ bool isPoint(const Layout& layout);
 /// A sphere (also a point with a radius), a box or a triangle.
 bool isShape(const Layout& layout);
 bool isSegment(const Layout& layout);
+/// Whether a point in ECEF may come from a place, whose coordinates are rounded.
+bool mayBePlace(const Layout& layout);
 
 /// The point, or the centre of a point with a radius, in world coordinates (ECEF for a place). Throws RecordError for 0
 /// 0 0 0 and for a lat beyond 90.

@@ -1,6 +1,6 @@
 #include "camera/pose.hpp"
 
-#include <algorithm>
+#include <limits>
 #include <string>
 
 #include "camera/require.hpp"
@@ -17,12 +17,8 @@ DDVec3 roundedRow(const Row& row, const Wide& scale) noexcept {
 
 /// direction is not zero, up is finite.
 Pose looking(const Vec3& position, const Vector3<Dyadic<1>>& direction, const FineVec3& up, Handedness world) {
-  constexpr double kLargestError = 0x1p-102;  // rows more uncertain than this would not be within 2^-100
-  const Vector3<Dyadic<2>> side = crossOf(direction, up.value);
-  // Each product of a component of direction with one of up carries 2 up.error; of up's row there are two.
-  const double error = 16 * up.error * std::ldexp(1, std::ilogb(maxAbs(rounded(rounded(direction)))));
-  const double size = maxAbs(rounded(rounded(side)));
-  if (!(size * kLargestError >= error && size > 0))
+  const Vector3<Dyadic<2>> side = crossOf(direction, up);
+  if (side.x.sign() == 0 && side.y.sign() == 0 && side.z.sign() == 0)
     throw CameraError("up", "is parallel to the viewing direction, so it does not say which way is up; give another");
   const Wide perSide = Wide(1) / lengthOf(rounded(side)), perDirection = Wide(1) / lengthOf(rounded(direction));
   ExactPose exact;
@@ -30,7 +26,6 @@ Pose looking(const Vec3& position, const Vector3<Dyadic<1>>& direction, const Fi
   setUnitRow(exact, 1, crossOf(side, direction), perSide * perDirection);
   setUnitRow(exact, 2, {direction.x, direction.y, direction.z}, perDirection);
   exact.origin = position;
-  exact.error = error * double(perSide);
   return orthogonal(exact);
 }
 
@@ -41,13 +36,13 @@ void requireWithin(const Vec3& v, const char* field) {
 }
 
 void requireFine(const FineVec3& up) {
-  if (!isFinite(rounded(rounded(up.value)))) throw CameraError("up", "has a component that is not a finite number");
+  if (!isFinite(rounded(rounded(up)))) throw CameraError("up", "has a component that is not a finite number");
 }
 
 FineVec3 checkedUp(const Vec3& up) {
   requireNumber(up, "up");
   if (maxAbs(up) == 0) throw CameraError("up", "is zero");
-  return {toDyadic(up), 0};
+  return toDyadic(up);
 }
 
 }  // namespace
@@ -86,12 +81,12 @@ bool forwardIsAxis(const PoseParts& pose) noexcept {
   const Row& forward = exact.rows[2];
   const std::size_t only = onlyEntry(forward);
   const DDVec3& residual = pose.residual;
-  return only < 3 && exact.error == 0 && (exact.scale[2] - Wide(1)).value.hi == 0 &&
+  return only < 3 && (exact.scale[2] - Wide(1)).value.hi == 0 &&
          (forward[only] - Dyadic<1>(forward[only].sign())).sign() == 0 && residual.x.hi == 0 && residual.y.hi == 0 &&
          residual.z.hi == 0;
 }
 
-Pose lookAlong(const Vec3& position, const Vec3& direction, const FineVec3& up, Handedness world) {
+Pose lookAlongWithUp(const Vec3& position, const Vec3& direction, const FineVec3& up, Handedness world) {
   requireWithin(position, "position");
   requireNumber(direction, "direction");
   if (maxAbs(direction) == 0) throw CameraError("direction", "is zero");
@@ -99,7 +94,7 @@ Pose lookAlong(const Vec3& position, const Vec3& direction, const FineVec3& up, 
   return looking(position, toDyadic(direction), up, world);
 }
 
-Pose lookAt(const Vec3& position, const Vec3& target, const FineVec3& up, Handedness world) {
+Pose lookAtWithUp(const Vec3& position, const Vec3& target, const FineVec3& up, Handedness world) {
   requireWithin(position, "position");
   requireWithin(target, "target");
   requireFine(up);
@@ -112,10 +107,7 @@ Pose lookAt(const Vec3& position, const Vec3& target, const FineVec3& up, Handed
 Pose poseFromAxes(const Vec3& position, const std::array<FineVec3, 3>& axes) {
   requireWithin(position, "position");
   ExactPose exact;
-  for (std::size_t i = 0; i < 3; ++i) {
-    exact.rows[i] = {axes[i].value.x, axes[i].value.y, axes[i].value.z};
-    exact.error = std::max(exact.error, axes[i].error);
-  }
+  for (std::size_t i = 0; i < 3; ++i) exact.rows[i] = {axes[i].x, axes[i].y, axes[i].z};
   exact.origin = position;
   return orthogonal(exact);
 }
@@ -140,15 +132,36 @@ Handedness Pose::world() const noexcept {
   return dot(cross(rows.right, rows.up), rows.forward).hi < 0 ? Handedness::right : Handedness::left;
 }
 
+PoseError Pose::error() const noexcept { return parts_->error; }
+
+Pose movedTo(const Pose& pose, const Vec3& eye) {
+  requireNumber(eye, "position");
+  PoseParts moved = parts(pose);
+  ExactPose exact = *moved.exact;
+  moved.eye = exact.origin = eye;
+  exact.translation = {};
+  moved.residual = {};
+  moved.error.eye = 0;
+  moved.exact = std::make_shared<const ExactPose>(exact);
+  return made(moved);
+}
+
+Pose withError(const Pose& pose, const PoseError& error) {
+  const auto positive = [](double a) { return a >= 0 ? a : std::numeric_limits<double>::infinity(); };
+  PoseParts result = parts(pose);
+  result.error = {positive(error.eye), positive(error.angle)};
+  return made(result);
+}
+
 Pose lookAlong(const Vec3& position, const Vec3& direction, const Vec3& up, Handedness world) {
   requireNumber(position, "position");
-  return lookAlong(position, direction, checkedUp(up), world);
+  return lookAlongWithUp(position, direction, checkedUp(up), world);
 }
 
 Pose lookAt(const Vec3& position, const Vec3& target, const Vec3& up, Handedness world) {
   requireNumber(position, "position");
   requireNumber(target, "target");
-  return lookAt(position, target, checkedUp(up), world);
+  return lookAtWithUp(position, target, checkedUp(up), world);
 }
 
 }  // namespace viewproj

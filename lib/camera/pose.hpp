@@ -30,9 +30,6 @@ struct ExactPose {
   std::array<Wide, 3> scale{1, 1, 1};
   Vec3 origin;
   Vec3 translation;
-  /// Error of a scaled entry, and of a translation relative to the largest. 0 unless the pose was made from sines and
-  /// cosines.
-  double error = 0;
 };
 
 /// A pose. With d = point - eye, the point's distances along the camera's axes are
@@ -48,6 +45,7 @@ struct PoseParts {
   /// double, or as columns.
   DDVec3 residual{};
   std::shared_ptr<const ExactPose> exact;
+  PoseError error{};
 };
 
 inline const PoseParts& parts(const Pose& pose) noexcept { return *Access::shared(pose); }
@@ -78,19 +76,12 @@ struct AxisMap {
 };
 AxisMap axisMap(CameraAxes axes) noexcept;
 
-/// A vector with more digits than doubles have: each component is within error of the true one.
-struct FineVec3 {
-  Vector3<Dyadic<1>> value;
-  double error = 0;
+/// A vector with more digits than doubles have. They count as exact.
+using FineVec3 = Vector3<Dyadic<1>>;
 
-  FineVec3() = default;
-  FineVec3(const Vector3<Dyadic<1>>& v, double e) : value(v), error(e) {}  // so that {1, 2, 3} is a Vec3
-};
-
-/// lookAlong and lookAt with an up of unit length, at positions with coordinates as small as any double. Throw if the
-/// digits of up cannot tell it from parallel.
-Pose lookAlong(const Vec3& position, const Vec3& direction, const FineVec3& up, Handedness world);
-Pose lookAt(const Vec3& position, const Vec3& target, const FineVec3& up, Handedness world);
+/// lookAlong and lookAt with such an up, at positions with coordinates as small as any double.
+Pose lookAlongWithUp(const Vec3& position, const Vec3& direction, const FineVec3& up, Handedness world);
+Pose lookAtWithUp(const Vec3& position, const Vec3& target, const FineVec3& up, Handedness world);
 
 /// A pose from its axes right, up, forward, which must be orthogonal and of unit length.
 Pose poseFromAxes(const Vec3& position, const std::array<FineVec3, 3>& axes);

@@ -162,12 +162,6 @@ Pose poseFromColumns(const std::array<SplitVec3, 3>& columns, const SplitVec3& e
   return poseFromColumns({joined(columns[0]), joined(columns[1]), joined(columns[2])}, joined(eye), axes, world);
 }
 
-Pose movedTo(const Pose& pose, const Vec3& eye) {
-  requireNumber(eye, "position");
-  const Axes& c = parts(pose).columns;
-  return poseFromColumns({c.right, c.up, c.forward}, toDoubleDouble(eye), CameraAxes::RUF, pose.world());
-}
-
 Pose poseFromRotation(const Vec3& position, const Quaternion& q, CameraAxes axes, Handedness world) {
   requireNumber(position, "position");
   requireNumber({q.x, q.y, q.z}, "rotation");

@@ -94,6 +94,31 @@ DoubleDouble ratioOf(Aspect aspect) {
   return exact;
 }
 
+/// A window of intrinsics, in pixels of a picture of this size.
+Projection ofPixels(DoubleDouble fx, DoubleDouble fy, double cx, double cy, const Vec2& size, const Viewport& viewport,
+                    double near, double far) {
+  validate(viewport);
+  requirePositive(fx.hi, "fx");
+  requirePositive(fy.hi, "fy");
+  requirePositive(size.x, "pixels");
+  requirePositive(size.y, "pixels");
+  requireNumber(cx, "cx");
+  requireNumber(cy, "cy");
+  const auto corner = [](double start, double pixels, double frame) {
+    return pixels == frame ? DoubleDouble(start) : DoubleDouble(start) * ratio(pixels, frame);
+  };
+  const DoubleDouble left = corner(viewport.x, size.x, viewport.width);
+  const DoubleDouble start = corner(viewport.y, size.y, viewport.height), half = twoDiff(0.5, viewport.pixelCenter);
+  // From the picture's left edge, and from the edge where y starts. Differences of doubles are exact: they may cancel.
+  const DoubleDouble fromLeft = DoubleDouble(cx) - left + half, fromStart = DoubleDouble(cy) - start + half;
+  const DoubleDouble width = size.x, height = size.y, toEnd = height - fromStart;
+  const bool down = viewport.origin == Origin::topLeft;
+  return made({false, -(fromLeft / fx), (width - fromLeft) / fx, -((down ? toEnd : fromStart) / fy),
+               (down ? fromStart : toEnd) / fy, near, far, width / fx, height / fy,
+               size.x == viewport.width ? 0 : std::fabs((left / fx).hi),
+               size.y == viewport.height ? 0 : std::fabs((start / fy).hi)});
+}
+
 }  // namespace
 
 Projection detail::made(const ProjectionParts& parts) {
@@ -181,19 +206,20 @@ Projection orthographicWidth(double width, Aspect aspect, double near, double fa
 
 Projection intrinsics(double focalX, double focalY, double cx, double cy, const Viewport& viewport, double near,
                       double far) {
-  validate(viewport);
-  requirePositive(focalX, "fx");
-  requirePositive(focalY, "fy");
-  requireNumber(cx, "cx");
-  requireNumber(cy, "cy");
-  // From the picture's left edge, and from the edge where y starts. Exact differences, because they may cancel.
-  const auto from = [&](double start, double c) { return twoDiff(c, start) + twoDiff(0.5, viewport.pixelCenter); };
-  const DoubleDouble fromLeft = from(viewport.x, cx), fromStart = from(viewport.y, cy);
-  const DoubleDouble fx = focalX, fy = focalY, width = viewport.width, height = viewport.height;
-  const DoubleDouble toEnd = height - fromStart;
-  const bool down = viewport.origin == Origin::topLeft;
-  return made({false, -(fromLeft / fx), (width - fromLeft) / fx, -((down ? toEnd : fromStart) / fy),
-               (down ? fromStart : toEnd) / fy, near, far, width / fx, height / fy});
+  return intrinsics(focalX, focalY, cx, cy, Vec2{viewport.width, viewport.height}, viewport, near, far);
+}
+
+Projection intrinsics(double focalX, double focalY, double cx, double cy, const Vec2& size, const Viewport& viewport,
+                      double near, double far) {
+  return ofPixels(focalX, focalY, cx, cy, size, viewport, near, far);
+}
+
+Projection ps2Intrinsics(double scrz, double ax, double ay, double cx, double cy, const Viewport& viewport, double near,
+                         double far) {
+  requirePositive(scrz, "scrz");
+  requirePositive(ax, "ax");
+  requirePositive(ay, "ay");
+  return ofPixels(twoProd(ax, scrz), twoProd(ay, scrz), cx, cy, {viewport.width, viewport.height}, viewport, near, far);
 }
 
 Projection shifted(const Projection& projection, double dx, double dy) {

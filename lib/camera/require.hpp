@@ -17,6 +17,12 @@ inline void requireFinite(double value, const char* field) {
   if (!std::isfinite(value)) throw CameraError(field, "must be a finite number");
 }
 
+/// For a turn: far more radians are not known to their last digits.
+inline void requireTurn(const Angle& angle, const char* field) {
+  requireFinite(angle.value, field);
+  if (angle.isRadians && std::fabs(angle.value) > 1e6) throw CameraError(field, "must be up to 1e6 radians");
+}
+
 inline void requireNumber(double value, const char* field) {
   requireFinite(value, field);
   if (!isInDomain(value)) throw CameraError(field, "must be 0, or between 1e-90 and 1e90 in magnitude");

@@ -18,14 +18,13 @@ class TurnedAxes {
   /// Turns two of the axes in their plane:
   ///   | a' |   | cos  -sin | | a |
   ///   | b' | = | sin   cos | | b |
-  void turn(std::size_t a, std::size_t b, double degrees) noexcept;
+  void turn(std::size_t a, std::size_t b, const Angle& angle) noexcept;
 
   /// One of the axes, or its opposite.
   FineVec3 axis(std::size_t index, bool opposite = false) const noexcept;
 
  private:
   std::array<Vector3<Dyadic<1>>, 3> axes_;
-  bool exact_ = true;  ///< all turns were by right angles
 };
 
 }  // namespace viewproj::detail

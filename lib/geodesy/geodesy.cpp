@@ -1,6 +1,8 @@
 #include <GeographicLib/Geocentric.hpp>
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 
 #include "camera/require.hpp"
@@ -39,10 +41,17 @@ bool haveSameNormal(const Geodetic& a, const Geodetic& b) noexcept {
   return first == second || (std::fabs(first) == 180 && second == -first) || std::fabs(a.lat) == 90;
 }
 
+double length(const Vec3& v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
+
 }  // namespace
 
 bool isPlace(const Geodetic& place) noexcept {
   return place.lat >= -90 && place.lat <= 90 && std::isfinite(place.lon) && std::isfinite(place.height);
+}
+
+double placeError(const Vec3& point) noexcept {
+  constexpr double kFarthest = 1.1e7;  // from the Earth's centre, where kGeodesyBound holds
+  return kGeodesyBound * std::max(1.0, length(point) / kFarthest);
 }
 
 Vec3 geodeticToEcef(const Geodetic& place) noexcept {
@@ -60,21 +69,32 @@ Geodetic ecefToGeodetic(const Vec3& point) noexcept {
 }
 
 FineVec3 detail::exactNormal(const Geodetic& place) noexcept {
-  if (!isPlace(place)) return {{kNaN, kNaN, kNaN}, 0};
+  if (!isPlace(place)) return {kNaN, kNaN, kNaN};
   return eastUpNorth(place).axis(kUpward);
 }
 
 Pose poseFromHeadingPitchRoll(const Geodetic& position, const HeadingPitchRoll& angles) {
   requirePlace(position, "position");
-  requireFinite(angles.heading, "heading");
-  requireFinite(angles.roll, "roll");
-  if (!(angles.pitch >= -90 && angles.pitch <= 90))
+  requireTurn(angles.heading, "heading");
+  requireTurn(angles.roll, "roll");
+  if (!(std::fabs(angles.pitch.value) <= (angles.pitch.isRadians ? std::numbers::pi / 2 : 90)))
     throw CameraError("pitch", "must be from -90 to 90 degrees; a camera upside down has a roll of 180");
   TurnedAxes axes = eastUpNorth(position);
   axes.turn(kRight, kForward, angles.heading);
   axes.turn(kUpward, kForward, angles.pitch);
   axes.turn(kRight, kUpward, angles.roll);
-  return poseFromAxes(geodeticToEcef(position), {axes.axis(kRight), axes.axis(kUpward), axes.axis(kForward)});
+  const Vec3 eye = geodeticToEcef(position);
+  return withError(poseFromAxes(eye, {axes.axis(kRight), axes.axis(kUpward), axes.axis(kForward)}),
+                   {.eye = placeError(eye)});
+}
+
+PoseError lookAtError(const Pose& pose, const Vec3& target, const Vec3& up, double eyeError,
+                      double targetError) noexcept {
+  const Vec3 eye = pose.eye(), above = pose.up();
+  // The direction turns by this; the axes around it by as much, divided by the sine between direction and up.
+  const double turn = (eyeError + targetError) / length({target.x - eye.x, target.y - eye.y, target.z - eye.z});
+  const double angle = 1.01 * turn * (1 + 1 / (above.x * up.x + above.y * up.y + above.z * up.z));
+  return {eyeError, turn == 0 ? 0 : turn < 0.01 && angle > 0 ? angle : std::numeric_limits<double>::infinity()};
 }
 
 Pose lookAtPlace(const Geodetic& position, const Geodetic& target) {
@@ -85,17 +105,19 @@ Pose lookAtPlace(const Geodetic& position, const Geodetic& target) {
                                     ? "is the camera's own position: there is no direction to look in"
                                     : "is straight above or below the camera, so it does not say which way is up; give "
                                       "a heading and a pitch, or an up");
-  return lookAt(geodeticToEcef(position), geodeticToEcef(target), exactNormal(position), Handedness::right);
+  const Vec3 eye = geodeticToEcef(position), at = geodeticToEcef(target);
+  const Pose pose = lookAtWithUp(eye, at, exactNormal(position), Handedness::right);
+  return withError(pose, lookAtError(pose, at, ellipsoidNormal(position), placeError(eye), placeError(at)));
 }
 
 Pose lookAtOnEarth(const Vec3& position, const Vec3& target, const Geodetic& upFrom, Handedness world) {
-  return lookAt(position, target, exactNormal(upFrom), world);
+  return lookAtWithUp(position, target, exactNormal(upFrom), world);
 }
 
 Pose lookAlongOnEarth(const Vec3& position, const Vec3& direction, const Geodetic& upFrom, Handedness world) {
-  return lookAlong(position, direction, exactNormal(upFrom), world);
+  return lookAlongWithUp(position, direction, exactNormal(upFrom), world);
 }
 
-Vec3 ellipsoidNormal(const Geodetic& place) noexcept { return rounded(rounded(exactNormal(place).value)); }
+Vec3 ellipsoidNormal(const Geodetic& place) noexcept { return rounded(rounded(exactNormal(place))); }
 
 }  // namespace viewproj

@@ -368,13 +368,4 @@ Vec2 screenAt(const Camera& camera, const SplitVec3& distances) noexcept {
   return {at(c.screen.centerX, c.screen.scaleX, d.x), at(c.screen.centerY, c.screen.scaleY, d.y)};
 }
 
-Pose relativeToEye(const Pose& pose) {
-  PoseParts relative = parts(pose);
-  ExactPose exact = *relative.exact;
-  relative.eye = exact.origin = exact.translation = {};
-  relative.residual = {};
-  relative.exact = std::make_shared<const ExactPose>(exact);
-  return made(relative);
-}
-
 }  // namespace viewproj

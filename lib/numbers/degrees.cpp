@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <utility>
+#include <numbers>
 
 namespace viewproj::detail {
 namespace {
@@ -108,18 +108,19 @@ double degreesBetween(DoubleDouble x0, DoubleDouble y0, DoubleDouble x1, DoubleD
 
 Dyadic<1> sinCosProduct(const Dyadic<1>& a, const Dyadic<1>& b) noexcept { return Dyadic<1>((a * b).truncated(kStep)); }
 
-SinCos sinCosDegrees(double degrees) noexcept {
-  const double turned = std::remainder(degrees, 360);  // exact, and so are the differences below
-  const double size = std::fabs(turned);
-  const double upTo90 = size > 90 ? 180 - size : size;
-  const bool swapped = upTo90 > 45;
+namespace {
+
+/// A quarter of half a turn, pi / 4, with 32 bits more than a step.
+Dyadic<1> eighthTurn() noexcept {
+  return {kStep - 1, {0x3b139b22, 0x20bbea6, 0x8a67cc74, 0x29024e08, 0x80dc1cd1, 0xc4c6628b, 0x2168c234, 0xc90fdaa2}};
+}
+
+/// Of the angle x, up to about pi / 4, and so many quarter turns. The Taylor series, with x^n / n! after
+/// x^(n-1) / (n-1)!.
+SinCos sinCosOf(const Dyadic<1>& x, int quarters) noexcept {
   const auto product = sinCosProduct;
-  const Dyadic<1> quarterTurn(kStep,
-                              {0x20bbea6, 0x8a67cc74, 0x29024e08, 0x80dc1cd1, 0xc4c6628b, 0x2168c234, 0xc90fdaa2});
-  const Dyadic<1> x =
-      product(Dyadic<1>(swapped ? 90 - upTo90 : upTo90).truncated(kStep).dividedBy(45, kStep), quarterTurn);
   const Dyadic<1> xx = product(x, x);
-  Dyadic<1> sine = x, cosine = 1, term = x;  // the Taylor series, x^n / n! after x^(n-1) / (n-1)!
+  Dyadic<1> sine = x, cosine = 1, term = x;
   for (std::uint32_t n = 2; term.sign() != 0; n += 2) {
     const Dyadic<1> even = product(term, x).dividedBy(n, kStep);
     term = product(term, xx).dividedBy(n * (n + 1), kStep);
@@ -127,10 +128,22 @@ SinCos sinCosDegrees(double degrees) noexcept {
     cosine = minus ? cosine - even : cosine + even;
     sine = minus ? sine - term : sine + term;
   }
-  if (swapped) std::swap(sine, cosine);
-  return {turned < 0 ? -sine : sine, size > 90 ? -cosine : cosine};
+  if (quarters & 2) sine = -sine, cosine = -cosine;
+  return quarters & 1 ? SinCos{cosine, -sine} : SinCos{sine, cosine};
 }
 
-bool isRightAngle(double degrees) noexcept { return std::remainder(degrees, 90) == 0; }
+}  // namespace
+
+SinCos sinCosDegrees(double degrees) noexcept {
+  const double turned = std::remainder(degrees, 360), quarters = std::round(turned / 90);
+  const Dyadic<1> rest = turned - 90 * quarters;  // exact, and so is the remainder
+  return sinCosOf(sinCosProduct(rest.truncated(kStep).dividedBy(45, kStep), eighthTurn()), static_cast<int>(quarters));
+}
+
+SinCos sinCosRadians(double radians) noexcept {
+  const double quarters = std::round(radians * (2 / std::numbers::pi));
+  const Dyadic<1> rest(Dyadic<1>(radians) - Dyadic<1>(2 * quarters) * eighthTurn());
+  return sinCosOf(rest.truncated(kStep), static_cast<int>(quarters));
+}
 
 }  // namespace viewproj::detail

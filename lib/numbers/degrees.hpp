@@ -41,14 +41,12 @@ struct SinCos {
 inline constexpr double kSinCosStep = 0x1p-224;
 Dyadic<1> sinCosProduct(const Dyadic<1>& a, const Dyadic<1>& b) noexcept;
 
-/// Sine and cosine of any finite angle, each within kSinCosDegreesBound; exact at multiples of 90 degrees. The
-/// reduction to 0..45 degrees is exact. Takes a few microseconds.
+/// Sine and cosine of any finite angle, and of up to 1e6 radians, each within kSinCosBound. Multiples of 90 degrees are
+/// exact. Takes a few microseconds.
 SinCos sinCosDegrees(double degrees) noexcept;
+SinCos sinCosRadians(double radians) noexcept;
 
 /// About fifty operations drop less than one step each.
-inline constexpr double kSinCosDegreesBound = 64 * kSinCosStep;
-
-/// Whether the angle is a multiple of 90 degrees.
-bool isRightAngle(double degrees) noexcept;
+inline constexpr double kSinCosBound = 64 * kSinCosStep;
 
 }  // namespace viewproj::detail

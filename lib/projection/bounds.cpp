@@ -42,6 +42,24 @@ ErrorBound boundOfStandard(const CameraParts& c, const Situation& s) {
           scale * s.perDistance * (c2 * s.t + kUnit + 2 * kUnit) + last};
 }
 
+/// What the errors of the pose and of the point add, for p of the camera without its lens. A point that moves by m at a
+/// distance w has its x/w moved by m (1 + |x/w|) / (w - m) at most, and is no farther from the eye than (1 + |x/w|) w.
+ErrorBound boundOfInput(const CameraParts& c, const ScreenPoint& p, double pointError) {
+  const auto [eye, angle] = c.pose.error;
+  if (!(eye + angle + pointError > 0)) return {};
+  const ScreenMap& map = c.screen;
+  const double scaleX = std::fabs(map.scaleX.hi), scaleY = std::fabs(map.scaleY.hi), scale = std::max(scaleX, scaleY);
+  const double across = std::fabs(p.x - map.centerX.hi) / scaleX + std::fabs(p.y - map.centerY.hi) / scaleY;
+  const double depth = std::fabs(c.constants.depthScale.hi), away = eye + pointError, w = std::fabs(p.viewDistance);
+  if (c.projection.orthographic) {
+    const double move = kSecondOrder * (away + angle * (across + w));
+    return {scale * move, depth * move};
+  }
+  const double share = (std::isnan(w) ? 0 : away / w) + angle * (1 + across);
+  const double move = share < 1 ? kSecondOrder * share / (1 - share) : kInfinity;
+  return {scale * (1 + across) * move, std::isnan(w) ? 0 : depth / w * move};
+}
+
 /// The bound of a point that was projected exactly.
 ErrorBound boundOfExact(const CameraParts& c, const ScreenPoint& p) {
   if (p.status != PointStatus::inFront) return {kInfinity, kInfinity};
@@ -51,6 +69,25 @@ ErrorBound boundOfExact(const CameraParts& c, const ScreenPoint& p) {
   const double fromDistance = kExactDistance * (std::fabs(p.depth) + std::fabs(c.constants.depthOffset.hi));
   return {std::max(halfUlp(size) * 2 * kExactUlps, undecided),
           std::max(halfUlp(p.depth) * 2 * kExactUlps, p.certain ? 0 : std::max(kExactAbsolute, fromDistance))};
+}
+
+/// The bound of a point of a camera without a lens, whose numbers count as exact.
+ErrorBound boundOfArithmetic(const CameraParts& c, const ScreenPoint& p, const Vec4& point,
+                             Precision precision) noexcept {
+  if (p.status != PointStatus::inFront || precision == Precision::exact) return boundOfExact(c, p);
+  const ProjectionConstants& k = c.constants;
+  const Vec3 d{point.x - k.eye.x, point.y - k.eye.y, point.z - k.eye.z};
+  const double reach = (sumOfSizes(d) + k.residualReach) * kSecondOrder;
+  const double w = std::fabs(p.viewDistance);
+  Situation s;
+  s.t = k.orthographic ? reach : reach / w;
+  s.q = std::max(std::fabs(p.x - k.centerX.hi), std::fabs(p.y - k.centerY.hi)) * kSecondOrder;
+  s.position = std::max(std::fabs(p.x), std::fabs(p.y));
+  s.perDistance = k.orthographic ? w : 1 / w;
+  s.depth = std::fabs(p.depth);
+  const ErrorBound bound = boundOfStandard(c, s);
+  // Points that standard cannot bound are projected exactly. So are points too near for an inverse of the distance.
+  return std::isinf(bound.screen) || std::isinf(s.perDistance) ? boundOfExact(c, p) : bound;
 }
 
 }  // namespace
@@ -92,29 +129,18 @@ ErrorBound detail::boundWithin(const CameraParts& c, const Vec2& reach, Precisio
           std::max(halfUlp(s.depth) * 1.02, kExactDistance * (s.depth + std::fabs(k.depthOffset.hi)))};
 }
 
-ErrorBound boundOfPoint(const Camera& camera, const Vec3& point, Precision precision) noexcept {
-  return boundOfPoint(camera, Vec4{point.x, point.y, point.z, 1}, precision);
+ErrorBound boundOfPoint(const Camera& camera, const Vec3& point, Precision precision, double pointError) noexcept {
+  return boundOfPoint(camera, Vec4{point.x, point.y, point.z, 1}, precision, pointError);
 }
 
-ErrorBound boundOfPoint(const Camera& camera, const Vec4& point, Precision precision) noexcept {
-  if (point.w != 1) precision = Precision::exact;
+ErrorBound boundOfPoint(const Camera& camera, const Vec4& point, Precision precision, double pointError) noexcept {
   const CameraParts& c = parts(camera);
-  if (c.lens) return boundThroughLens(camera, point);
-  const ScreenPoint p = worldToScreen(camera, point, Precision::exact);
-  if (p.status != PointStatus::inFront || precision == Precision::exact) return boundOfExact(c, p);
-  const ProjectionConstants& k = c.constants;
-  const Vec3 d{point.x - k.eye.x, point.y - k.eye.y, point.z - k.eye.z};
-  const double reach = (sumOfSizes(d) + k.residualReach) * kSecondOrder;
-  const double w = std::fabs(p.viewDistance);
-  Situation s;
-  s.t = k.orthographic ? reach : reach / w;
-  s.q = std::max(std::fabs(p.x - k.centerX.hi), std::fabs(p.y - k.centerY.hi)) * kSecondOrder;
-  s.position = std::max(std::fabs(p.x), std::fabs(p.y));
-  s.perDistance = k.orthographic ? w : 1 / w;
-  s.depth = std::fabs(p.depth);
-  const ErrorBound bound = boundOfStandard(c, s);
-  // Points that standard cannot bound are projected exactly. So are points too near for an inverse of the distance.
-  return std::isinf(bound.screen) || std::isinf(s.perDistance) ? boundOfExact(c, p) : bound;
+  const CameraParts& pinhole = c.lens ? *c.pinhole : c;
+  const ScreenPoint p = worldToScreen(withoutLens(camera), point, Precision::exact);
+  const ErrorBound input = boundOfInput(pinhole, p, pointError);
+  const ErrorBound bound = boundOfArithmetic(pinhole, p, point, c.lens || point.w != 1 ? Precision::exact : precision);
+  return {c.lens ? boundThroughLens(camera, point, input.screen) : bound.screen + input.screen,
+          bound.depth + input.depth};
 }
 
 }  // namespace viewproj

@@ -13,9 +13,6 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// If the distance along the viewing axis is less than this many of its errors, the pixel is too uncertain.
-constexpr double kInEyePlane = 0x1p60;
-
 /// A number and its largest error.
 struct Bounded {
   Wide value;
@@ -30,29 +27,19 @@ NearestDouble nearest(const Bounded& b) noexcept {
   return nearestDouble(b.value, share < 1 ? share : 1);
 }
 
-/// A point's distances along the camera's axes times its weight, each with an error of at most `error`. forwardIsExact:
-/// forward has no error.
+/// A point's distances along the camera's axes times its weight. forwardIsExact: forward has no error.
 struct Distances {
   Wide right, up, forward;
-  Wide error;
   double weight;
   bool forwardIsExact;
 
-  bool isDecided(const Wide& distance) const noexcept {
-    return error.sign() == 0 || isLess(error, magnitude(distance));
+  Bounded dividedByWeight(const Wide& distance) const noexcept {
+    return withError(weight == 1 ? distance : distance / Wide(weight));
   }
-  /// The distance with the weight divided out.
-  Bounded inWorld(const Wide& distance) const noexcept {
-    if (weight == 1) return {distance, error + Wide(kExactParameter) * magnitude(distance)};
-    const Wide divided = distance / Wide(weight);
-    return {divided, error / Wide(std::fabs(weight)) + Wide(kExactParameter) * magnitude(divided)};
-  }
-  /// X / W: |X/W - x/w| <= error (1 + |x/w|) / (|w| - error).
-  Bounded inWindow(const Wide& distance) const noexcept {
-    const Wide q = distance / forward, size = magnitude(q);
-    if (error.sign() == 0) return {q, Wide(kExactParameter) * size};
-    return {q, error * (Wide(1) + size) / (magnitude(forward) - error) + Wide(kExactParameter) * size};
-  }
+  Bounded dividedByForward(const Wide& distance) const noexcept { return withError(distance / forward); }
+
+ private:
+  static Bounded withError(const Wide& value) noexcept { return {value, Wide(kExactParameter) * magnitude(value)}; }
 };
 
 /// center + scale * h. reach: the center's, from ScreenMap.
@@ -63,7 +50,7 @@ NearestDouble screenCoordinate(DoubleDouble center, double reach, DoubleDouble s
 }
 
 BoundedTangents tangentsOf(const Distances& e) noexcept {
-  const Bounded x = e.inWindow(e.right), y = e.inWindow(-e.up);
+  const Bounded x = e.dividedByForward(e.right), y = e.dividedByForward(-e.up);
   return {{toDoubleDouble(x.value), toDoubleDouble(y.value)}, std::max(double(x.error), double(y.error))};
 }
 
@@ -93,27 +80,29 @@ ScreenPoint directionOut(const Distances& e) noexcept {
   ScreenPoint p = without(PointStatus::atInfinity, kNaN);
   p.outside = static_cast<std::uint8_t>(side(e.right, sideLeft, sideRight) | side(e.up, sideBottom, sideTop) |
                                         side(e.forward, sideNear, sideFar));
-  p.certain = e.isDecided(e.right) && e.isDecided(e.up) && e.isDecided(e.forward);
+  p.certain = true;
   return p;
 }
 
 ScreenPoint toScreen(const CameraParts& c, const Distances& e) noexcept {
   const bool isDirection = e.weight == 0, orthographic = c.projection.orthographic;
   if (isDirection && orthographic) return directionOut(e);
-  const Bounded distance = isDirection ? Bounded{} : e.forwardIsExact ? Bounded{e.forward, {}} : e.inWorld(e.forward);
+  const Bounded distance = isDirection        ? Bounded{}
+                           : e.forwardIsExact ? Bounded{e.forward, {}}
+                                              : e.dividedByWeight(e.forward);
   const NearestDouble viewDistance = isDirection ? NearestDouble{kNaN, true} : nearest(distance);
   ScreenPoint p;
   if (!orthographic && !(e.forward.sign() * (e.weight < 0 ? -1 : 1) > 0)) {
     p = without(PointStatus::behind, viewDistance.value);
-    p.certain = e.isDecided(e.forward) && viewDistance.certain;
+    p.certain = viewDistance.certain;
     return p;
   }
   const ScreenMap& map = c.screen;
-  const auto inWindow = [&](const Wide& a) { return orthographic ? e.inWorld(a) : e.inWindow(a); };
+  const auto inWindow = [&](const Wide& a) { return orthographic ? e.dividedByWeight(a) : e.dividedByForward(a); };
   const auto [x, y] = c.lens ? bentPixel(c, tangentsOf(e))
                              : NearestPixel{screenCoordinate(map.centerX, map.reachX, map.scaleX, inWindow(e.right)),
                                             screenCoordinate(map.centerY, map.reachY, map.scaleY, inWindow(e.up))};
-  const NearestDouble depth = isDirection              ? NearestDouble{c.depthAtInfinity, e.isDecided(e.forward)}
+  const NearestDouble depth = isDirection              ? NearestDouble{c.depthAtInfinity, true}
                               : hasDepth(c.projection) ? windowDepth(c, distance, e.forwardIsExact)
                                                        : NearestDouble{kNaN, true};
   p.x = x.value;
@@ -133,7 +122,7 @@ ScreenPoint toScreen(const CameraParts& c, const Distances& e) noexcept {
 /// Of a point in the domain.
 Distances distancesOf(const CameraParts& c, const Vec4& point) noexcept {
   const AxisDistances a = exactDistances(c.pose, point);
-  Distances e{a.right, a.up, a.forward, a.error, point.w, c.constants.forwardIsAxis && point.w == 1};
+  Distances e{a.right, a.up, a.forward, point.w, c.constants.forwardIsAxis && point.w == 1};
   if (e.forwardIsExact) {
     const std::size_t axis = onlyEntry(c.pose.exact->rows[2]);
     const DoubleDouble away = twoDiff(Vec3{point.x, point.y, point.z}[axis], c.pose.eye[axis]);
@@ -167,17 +156,7 @@ AxisDistances exactDistances(const PoseParts& pose, const Vec4& point) noexcept 
     const Dyadic<5> sum = dot(exact.rows[i], d);
     along[i] = (exact.translation[i] == 0 ? sum : sum + Dyadic<1>(exact.translation[i]) * w).rounded() * exact.scale[i];
   }
-  AxisDistances e{along[0], along[1], along[2], {}};
-  if (exact.error > 0) {
-    Wide reach;
-    for (std::size_t i = 0; i < 3; ++i) reach = reach + magnitude(d[i].rounded());
-    e.error = reach * Wide(exact.error);
-    const auto isAbove = [](const Wide& a, const Wide& b) { return isLess(b, magnitude(a)); };
-    if (!isAbove(e.right, e.error)) e.right = {};
-    if (!isAbove(e.up, e.error)) e.up = {};
-    if (!isAbove(e.forward, e.error * Wide(kInEyePlane))) e.forward = {};
-  }
-  return e;
+  return {along[0], along[1], along[2]};
 }
 
 ScreenPoint exactToScreen(const CameraParts& c, const Vec4& point) noexcept {

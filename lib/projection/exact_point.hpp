@@ -1,6 +1,7 @@
 // The first step of every projection, a point's distances along the camera's axes, and the last one, its result.
 #pragma once
 
+#include <cmath>
 #include <limits>
 
 #include "camera/camera.hpp"
@@ -13,14 +14,15 @@ namespace viewproj::detail {
 /// Whether a point can be projected: it is finite and not 0 0 0 0, a point is no farther than kFarthestPoint from the
 /// eye and a direction no longer, and the weight is 0 or between 1e-90 and 1e90 in magnitude.
 bool isInDomain(const Vec3& eye, const Vec4& point) noexcept;
+/// Whether a pixel can have a ray. NaN fails.
+inline bool isInDomain(const Vec2& pixel) noexcept {
+  return std::fabs(pixel.x) < kFarthestPoint && std::fabs(pixel.y) < kFarthestPoint;
+}
 
-/// Distances along right, up and forward, not yet divided by the point's weight. Each is within 2^-99 of itself plus
-/// the error. error is 0 unless the pose was made from sines and cosines, whose rows are off by 2^-206, and by more if
-/// up is near the viewing direction. Then a distance that cancels to less than the error is 0, and a point counts as on
-/// the eye plane if it is nearer to it than 2^60 errors. Otherwise 0 is exact and the sign of forward is certain.
+/// Distances along right, up and forward, not yet divided by the point's weight. Each is within 2^-99 of itself: 0 is
+/// exact, and so are the signs.
 struct AxisDistances {
   Wide right, up, forward;
-  Wide error;
 };
 
 /// Computed from the exact rows in about a microsecond. The point must pass isInDomain.

@@ -3,6 +3,7 @@
 
 #include "numbers/double_double.hpp"
 #include "numbers/wide.hpp"
+#include "projection/exact_point.hpp"
 #include "projection/kernels/formulas.hpp"
 #include "projection/through_lens.hpp"
 #include "viewproj/screen.hpp"
@@ -14,9 +15,6 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr Vec3 kNoVector{kNaN, kNaN, kNaN};
-
-/// NaN fails.
-bool isInDomain(const Vec2& v) noexcept { return std::fabs(v.x) < kFarthestPoint && std::fabs(v.y) < kFarthestPoint; }
 
 /// The point on the plane at distance 1 from the eye, in orthographic on the plane through it. NaN if no point has this
 /// pixel.
@@ -75,8 +73,12 @@ WorldPoint pointAt(const CameraParts& c, const WindowPoint& window, const Wide& 
                    const Wide& distanceError) noexcept {
   const Vec3 position = worldPointAt(c, window, toDoubleDouble(distance));
   if (!detail::isFinite(position)) return {kNoVector, DepthStatus::infinity};
-  double bound = halfUlp(position.x) + halfUlp(position.y) + halfUlp(position.z);
-  if (distanceError.sign() > 0 || !std::isfinite(distanceError.value.hi)) {
+  const PoseError& pose = c.pose.error;
+  double bound = halfUlp(position.x) + halfUlp(position.y) + halfUlp(position.z) + pose.eye;
+  if (pose.angle > 0) bound += pose.angle * double(lengthOf(toWide(offsetAt(c, window, toDoubleDouble(distance)))));
+  if (!std::isfinite(distanceError.value.hi)) {
+    bound = std::numeric_limits<double>::infinity();
+  } else if (distanceError.sign() > 0) {
     // How far the point moves when its distance changes.
     const bool orthographic = c.projection.orthographic;
     const Wide slant = lengthOf(toWide(orthographic ? c.pose.columns.forward : offsetAt(c, window, 1)));

@@ -42,8 +42,9 @@ ScreenPoint settled(const CameraParts& c, bool isSeen, const Vec3& position, dou
   if (!isSeen && distance > 0) return {NAN, NAN, position.z, distance, PointStatus::beyondLens, 0, isExact, precision};
   if (!isSeen) return {NAN, NAN, NAN, distance, PointStatus::behind, 0, isExact, precision};
   const std::uint8_t outside = sidesBeyond(c, {position.x, position.y, position.z, distance}) | alsoOutside;
-  // Made in one go: small members that are set one by one and then copied cost more than the projection.
-  return {position.x, position.y, position.z, distance, PointStatus::inFront, outside, isExact, precision};
+  // Made in one go: small members that are set one by one and then copied cost more than the projection. Adding 0 turns
+  // -0 into 0, which a residual does.
+  return {position.x, position.y, position.z, distance + 0.0, PointStatus::inFront, outside, isExact, precision};
 }
 
 /// A residual that a camera does not have adds zeros: the same bits.
@@ -150,7 +151,11 @@ void screenToRayDirections(const Camera& camera, std::span<const Vec2> pixels, s
   const std::size_t count = std::min(pixels.size(), directions.size());
   const auto settle = [&](std::size_t i) { directions[i] = screenToRay(camera, pixels[i]).direction; };
   if (c.projection.orthographic) {
-    std::fill_n(directions.data(), count, c.direction);
+    for (std::size_t i = 0; i < count; ++i)
+      if (isInDomain(pixels[i]))
+        directions[i] = c.direction;
+      else
+        settle(i);
   } else if (c.lens) {
     for (std::size_t i = 0; i < count; ++i) settle(i);
   } else {

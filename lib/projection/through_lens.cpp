@@ -64,19 +64,17 @@ WindowPoint detail::beforeLens(const CameraParts& c, const Vec2& screen) noexcep
   return {at.x, -at.y};
 }
 
-ErrorBound detail::boundThroughLens(const Camera& camera, const Vec4& point) noexcept {
+double detail::boundThroughLens(const Camera& camera, const Vec4& point, double shift) noexcept {
   const CameraParts& c = parts(camera);
   const ScreenPoint p = worldToScreen(camera, point);
-  if (p.status != PointStatus::inFront) return {kInfinity, kInfinity};
-  ErrorBound bound = boundOfPoint(withoutLens(camera), point, Precision::exact);
-  bound.screen = halfUlp(std::max(std::fabs(p.x), std::fabs(p.y))) * 2 * kExactUlps;
-  if (!p.certain) {
-    const BoundedTangents t = exactTangents(c, point);
-    const double r = t.radius(), around = 2 * t.error + 0x1p-45 * r;
-    const Response response = responseOver(*c.lens, {std::max(0.0, r - around), r + around});
-    bound.screen += errorOf(c, response.stretch, response.rounding, t.error, scaleOf(c) * response.stretch * r);
-  }
-  return bound;
+  if (p.status != PointStatus::inFront) return kInfinity;
+  const double rounding = halfUlp(std::max(std::fabs(p.x), std::fabs(p.y))) * 2 * kExactUlps;
+  if (p.certain && shift == 0) return rounding;
+  const BoundedTangents t = exactTangents(c, point);
+  const double r = t.radius(), around = 2 * t.error + 0x1p-45 * r + shift / scaleOf(c);
+  const Response response = responseOver(*c.lens, {std::max(0.0, r - around), r + around});
+  return rounding + shift * response.stretch +
+         errorOf(c, response.stretch, response.rounding, t.error, scaleOf(c) * response.stretch * r);
 }
 
 ErrorBound detail::boundInPictureThroughLens(const CameraParts& c) noexcept {

@@ -30,7 +30,8 @@ struct NearestPixel {
 /// Where a lens puts tangents; NaN from its limit on.
 NearestPixel bentPixel(const CameraParts& c, const BoundedTangents& tangents) noexcept;
 
-ErrorBound boundThroughLens(const Camera& camera, const Vec4& point) noexcept;
+/// The bound of a point's pixel, whose pixel without the lens is known to `shift`.
+double boundThroughLens(const Camera& camera, const Vec4& point, double shift) noexcept;
 ErrorBound boundInPictureThroughLens(const CameraParts& c) noexcept;
 
 // ---- Of bounds.cpp

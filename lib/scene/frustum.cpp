@@ -60,8 +60,7 @@ Measured exactDistance(const FrustumParts& f, const ExactPlane& p, const Vec3& p
   const bool isTilted = !isDepth(p.side) && !c.projection.orthographic;
   const Wide edge = isTilted ? p.edge * e.forward : p.edge;
   const Wide size = (magnitude(along) + magnitude(edge)) * Wide(kCullBound);
-  const Wide ofRows = isTilted ? e.error * (Wide(1) + magnitude(p.edge)) : e.error;
-  return {(along - edge) * p.scale, (size + ofRows) * magnitude(p.scale)};
+  return {(along - edge) * p.scale, size * magnitude(p.scale)};
 }
 
 /// The points of a shape that decide on which side of a plane it lies. radius: how much farther a sphere reaches.
@@ -74,23 +73,21 @@ struct Deciding {
 /// The distances of the shape's points that lie farthest inside and farthest outside a plane.
 struct Ends {
   Measured inmost, outmost;
-
-  bool areCertain() const noexcept { return inmost.isCertain() && outmost.isCertain(); }
+  bool areCertain = true;
 };
 
 /// share: the part of the radius to add to the bound.
 template <class Measure>
 Ends endsOf(const Deciding& shape, double share, const Measure& measure) noexcept {
-  Ends ends{measure(shape.points[0]), {}};
-  ends.outmost = ends.inmost;
-  for (std::size_t i = 1; i < shape.count; ++i) {
+  Ends ends;
+  for (std::size_t i = 0; i < shape.count; ++i) {
     const Measured d = measure(shape.points[i]);
-    if (isLess(ends.inmost.distance, d.distance)) ends.inmost = d;
-    if (isLess(d.distance, ends.outmost.distance)) ends.outmost = d;
+    const Wide bound = d.bound + shape.radius * Wide(share);
+    const Measured in{d.distance + shape.radius, bound}, out{d.distance - shape.radius, bound};
+    ends.areCertain = ends.areCertain && in.isCertain() && out.isCertain();
+    if (i == 0 || isLess(ends.inmost.distance + ends.inmost.bound, in.distance + bound)) ends.inmost = in;
+    if (i == 0 || isLess(out.distance + bound, ends.outmost.distance + ends.outmost.bound)) ends.outmost = out;
   }
-  ends.inmost.distance = ends.inmost.distance + shape.radius;
-  ends.outmost.distance = ends.outmost.distance - shape.radius;
-  for (Measured* end : {&ends.inmost, &ends.outmost}) end->bound = end->bound + shape.radius * Wide(share);
   return ends;
 }
 
@@ -101,8 +98,8 @@ Cull verdictOf(const FrustumParts& f, const DecidingOn& decidingOn) noexcept {
   for (const ExactPlane& p : f) {
     const Deciding shape = decidingOn(p);
     Ends ends = endsOf(shape, p.normalBound, [&](const Vec3& v) { return distance(f, p, v); });
-    if (!ends.areCertain()) ends = endsOf(shape, kCullBound, [&](const Vec3& v) { return exactDistance(f, p, v); });
-    const auto& [inmost, outmost] = ends;
+    if (!ends.areCertain) ends = endsOf(shape, kCullBound, [&](const Vec3& v) { return exactDistance(f, p, v); });
+    const auto& [inmost, outmost, certain] = ends;
     const bool outside = isLess(inmost.distance + inmost.bound, 0);
     if (!outside && (result.verdict == CullVerdict::outside || !isLess(outmost.distance + outmost.bound, 0))) continue;
     // For outside, how far the nearest point is beyond; for intersects, how far the farthest one is.

@@ -47,9 +47,28 @@ class CameraError : public std::invalid_argument {
 
 // ---- Pose
 
+/// A plain number is in degrees. Radians are used directly, without rounding to degrees.
+struct Angle {
+  constexpr Angle(double degrees) noexcept : value(degrees) {}  // NOLINT(google-explicit-constructor)
+  static constexpr Angle radians(double radians) noexcept {
+    Angle angle(radians);
+    angle.isRadians = true;
+    return angle;
+  }
+
+  double value;
+  bool isRadians = false;
+};
+
 /// x, y, z, w of a rotation; any length but 0.
 struct Quaternion {
   double x = 0, y = 0, z = 0, w = 1;
+};
+
+/// How far a camera may be from the true one: its eye in world units, its axes in radians. Bounds include it, and
+/// numbers do not change.
+struct PoseError {
+  double eye = 0, angle = 0;
 };
 
 /// The position and orientation of a camera, kept to more digits than doubles have.
@@ -66,6 +85,7 @@ class Pose {
   Vec3 forward() const noexcept;
   /// The handedness of the world that these axes fit.
   Handedness world() const noexcept;
+  PoseError error() const noexcept;
 
  private:
   friend struct detail::Access;
@@ -97,12 +117,13 @@ Pose poseFromWorldFromCamera(const Mat4& worldFromCamera, CameraAxes axes, Hande
 /// A view matrix: the inverse of the matrix above.
 Pose poseFromCameraFromWorld(const Mat4& cameraFromWorld, CameraAxes axes, Handedness world);
 
-/// Three turns in degrees, each about the camera's own axis (0, 1, 2 for x, y, z) as the turns before left it. The
-/// camera's axes start along the world's. Positive turns go from y to z about x, and so on. Quarter turns are exact.
-/// Throws naming "euler" if an axis or an angle is invalid, "rotation" if axes do not fit the world's handedness.
+/// Three turns, each about the camera's own axis (0, 1, 2 for x, y, z) as the turns before left it. The camera's axes
+/// start along the world's. Positive turns go from y to z about x, and so on. Quarter turns in degrees are exact.
+/// Throws naming "euler" if an axis is invalid or an angle is not finite or above 1e6 radians, "rotation" if axes do
+/// not fit the world's handedness.
 struct Turn {
   int axis = 0;
-  double degrees = 0;
+  Angle angle = 0;
 };
 Pose poseFromTurns(const Vec3& position, const std::array<Turn, 3>& turns, CameraAxes axes, Handedness world);
 
@@ -110,8 +131,13 @@ Pose poseFromTurns(const Vec3& position, const std::array<Turn, 3>& turns, Camer
 /// naming "columns" or "position". The rounded inverse of the columns counts as exact afterwards.
 Pose poseFromColumns(const std::array<SplitVec3, 3>& columns, const SplitVec3& eye, CameraAxes axes, Handedness world);
 
-/// The same axes at another eye. Throws naming "position" if it is not finite or out of range.
+/// The same axes at another eye: bit for bit, whatever they were made from. With the eye at 0 0 0 it is the camera for
+/// points that the eye was subtracted from, as float32 needs at planet scale. Throws naming "position" if the eye is
+/// not finite or out of range.
 Pose movedTo(const Pose& pose, const Vec3& eye);
+
+/// The same pose, known only to this. A number that is not >= 0 counts as infinite.
+Pose withError(const Pose& pose, const PoseError& error);
 
 // ---- Viewport
 
@@ -184,19 +210,6 @@ inline constexpr double kInfiniteFar = std::numeric_limits<double>::infinity();
 // orthographic needs finite zNear < zFar. Edges are within 2^-98 of the true ones, relative to the larger of each pair.
 // A perspective with zNear 0 has no near plane and no depth: points have a pixel and a distance, but depth NaN.
 
-/// A plain number is in degrees. Radians are used directly, without rounding to degrees.
-struct Angle {
-  constexpr Angle(double degrees) noexcept : value(degrees) {}  // NOLINT(google-explicit-constructor)
-  static constexpr Angle radians(double radians) noexcept {
-    Angle angle(radians);
-    angle.isRadians = true;
-    return angle;
-  }
-
-  double value;
-  bool isRadians = false;
-};
-
 /// Width / height of a picture as an exact ratio. 1920 / 1080 as a double would be rounded.
 struct Aspect {
   constexpr Aspect(double ratio) noexcept : width(ratio) {}  // NOLINT(google-explicit-constructor)
@@ -232,6 +245,14 @@ Projection orthographicWidth(double width, Aspect aspect, double zNear, double z
 
 /// Focal lengths and principal point in pixels. The viewport's origin and pixelCenter apply to the principal point.
 Projection intrinsics(double fx, double fy, double cx, double cy, const Viewport& viewport, double zNear, double zFar);
+
+/// The same in pixels of a picture of another size that has the viewport's corners (a resized picture).
+Projection intrinsics(double fx, double fy, double cx, double cy, const Vec2& size, const Viewport& viewport,
+                      double zNear, double zFar);
+
+/// x = cx + ax scrz X/Z and y = cy + ay scrz Y/Z, as ps2sdk's create_view_screen has it. Names "scrz", "ax" or "ay".
+Projection ps2Intrinsics(double scrz, double ax, double ay, double cx, double cy, const Viewport& viewport,
+                         double zNear, double zFar);
 
 /// Moves the picture right by dx half-widths and up by dy half-heights (lens shift, jitter).
 Projection shifted(const Projection& projection, double dx, double dy);

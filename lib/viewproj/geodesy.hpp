@@ -22,6 +22,9 @@ bool isPlace(const Geodetic& place) noexcept;
 /// distance from the Earth's centre. (GeographicLib states 7 nm; rounding lat and lon adds the rest.)
 inline constexpr double kGeodesyBound = 10e-9;
 
+/// The same bound for a point: kGeodesyBound, or farther out its share of the distance from the Earth's centre.
+double placeError(const Vec3& point) noexcept;
+
 /// NaN if place is invalid. Poles and the antimeridian are ordinary places: at a pole x and y are 0 for every lon.
 Vec3 geodeticToEcef(const Geodetic& place) noexcept;
 
@@ -35,13 +38,14 @@ Geodetic ecefToGeodetic(const Vec3& point) noexcept;
 /// Pitch turns forward towards up, then roll turns right towards down. This is the definition of Cesium's Camera.
 /// Cesium's HeadingPitchRoll of a model counts heading from the model's x axis, east.
 struct HeadingPitchRoll {
-  double heading = 0;  ///< any finite number
-  double pitch = 0;    ///< from -90 to 90
-  double roll = 0;     ///< any finite number
+  Angle heading = 0;  ///< any finite number up to 1e6 radians
+  Angle pitch = 0;    ///< from -90 to 90 degrees
+  Angle roll = 0;     ///< as heading
 };
 
-// These throw a CameraError that names the wrong field, such as "position.lat". The eye is the result of geodeticToEcef
-// and counts as exact afterwards. Axes are within 2^-100, and within kTurnedRowBound in exact arithmetic.
+// These throw a CameraError that names the wrong field, such as "position.lat". The eye is the result of
+// geodeticToEcef: numbers are computed as if it were exact, and Pose::error says how far it may be from the place. Axes
+// are within 2^-100, and within kTurnedRowBound in exact arithmetic.
 
 /// East, north and up depend on lat and lon. At a pole, too, lon defines east.
 Pose poseFromHeadingPitchRoll(const Geodetic& position, const HeadingPitchRoll& angles);
@@ -54,6 +58,11 @@ Pose lookAtPlace(const Geodetic& position, const Geodetic& target);
 /// doubles have. Throw like lookAt and lookAlong; an invalid upFrom is named "up".
 Pose lookAtOnEarth(const Vec3& position, const Vec3& target, const Geodetic& upFrom, Handedness world);
 Pose lookAlongOnEarth(const Vec3& position, const Vec3& direction, const Geodetic& upFrom, Handedness world);
+
+/// The error of a pose that looks from its eye at target with this up, a unit vector, if its eye and its target
+/// may be so far from the true ones.
+PoseError lookAtError(const Pose& pose, const Vec3& target, const Vec3& up, double eyeError,
+                      double targetError) noexcept;
 
 /// The outward unit normal of the ellipsoid at a place, rounded. NaN if place is invalid.
 Vec3 ellipsoidNormal(const Geodetic& place) noexcept;

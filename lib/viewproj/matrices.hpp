@@ -44,9 +44,6 @@ Vec4 worldTo(const Camera& camera, Space to, const Vec4& point, const Convention
 SplitVec3 alongAxes(const Camera& camera, const Vec4& point) noexcept;
 Vec2 screenAt(const Camera& camera, const SplitVec3& distances) noexcept;
 
-/// The pose with its eye at the origin: for float32 at planet scale, with the eye subtracted from points beforehand.
-Pose relativeToEye(const Pose& pose);
-
 /// The matrix as the convention writes it: transposed for row vectors.
 Mat4 laidOut(const Mat4& matrix, const Convention& convention) noexcept;
 

@@ -21,7 +21,7 @@ enum class Precision {
 
 /// Where a point or a direction lies, seen from the camera.
 enum class PointStatus : std::uint8_t {
-  inFront,     ///< has a screen position
+  inFront,     ///< has a screen position, which is infinite beyond the largest double
   behind,      ///< perspective: on or behind the plane through the eye; no screen position
   atInfinity,  ///< orthographic: a direction, which has no finite screen position
   beyondLens,  ///< in front, at the limit of the camera's lens or beyond; no screen position
@@ -80,15 +80,16 @@ struct BatchCounts {
 };
 
 /// Screen x, screen y and window depth of each point: bit for bit the numbers of worldToScreen for single points, on
-/// every processor. Both spans have the same size and may be the same memory.
+/// every processor. Both spans have the same size, and are the same memory or disjoint.
 BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, std::span<Vec3> screen,
                           Precision precision = Precision::exact) noexcept;
 
-/// The same with all fields of ScreenPoint. Takes about a third longer.
+/// The same with all fields of ScreenPoint. Takes about twice as long.
 BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, std::span<ScreenPoint> screen,
                           Precision precision = Precision::exact) noexcept;
 
-/// The unit directions of rays through screen positions, within kRayDirectionBound of the true ones.
+/// The unit directions of rays through screen positions, within kRayDirectionBound of the true ones. NaN where
+/// screenToRay's is.
 void screenToRayDirections(const Camera& camera, std::span<const Vec2> pixels, std::span<Vec3> directions) noexcept;
 
 // ---- How wrong
@@ -114,9 +115,11 @@ struct ErrorBound {
 /// bound also needs a depth between near and far.
 ErrorBound boundInPicture(const Camera& camera, Precision precision) noexcept;
 
-/// Bound for one point, wherever it lies, in the precision that worldToScreen uses for it.
-ErrorBound boundOfPoint(const Camera& camera, const Vec3& point, Precision precision) noexcept;
-ErrorBound boundOfPoint(const Camera& camera, const Vec4& point, Precision precision) noexcept;
+/// Bound for one point, wherever it lies, in the precision that worldToScreen uses for it. Unlike boundInPicture, which
+/// is the arithmetic's, it includes the error of the camera's pose (Pose::error) and of the point itself: pointError is
+/// how far it may be from the true one in the world, such as placeError().
+ErrorBound boundOfPoint(const Camera& camera, const Vec3& point, Precision precision, double pointError = 0) noexcept;
+ErrorBound boundOfPoint(const Camera& camera, const Vec4& point, Precision precision, double pointError = 0) noexcept;
 
 // ---- Back to the world
 
@@ -135,8 +138,8 @@ enum class RayOrigin {
 /// effect of a pose matrix that is not quite orthogonal.
 inline constexpr double kRayDirectionBound = 1.2e-15;
 
-/// The ray of points that project to this screen position. NaN for NaN, and for a pixel that has no point through the
-/// lens. In exact, each component is within 0.51 ulp of the true one.
+/// The ray of points that project to this screen position. NaN for a pixel that is not finite or beyond kFarthestPoint,
+/// or that has no point through the lens. In exact, each component is within 0.51 ulp of the true one.
 Ray screenToRay(const Camera& camera, const Vec2& screen, Precision precision = Precision::exact,
                 RayOrigin origin = RayOrigin::eye) noexcept;
 
@@ -145,7 +148,7 @@ enum class DepthStatus : std::uint8_t {
   infinity,   ///< the window depth of infinitely distant points: a direction, not a point
   beyond,     ///< no point in front of the eye has this depth; always if the camera has no near plane
   noRay,      ///< the lens shows no point in front of the camera there
-  notFinite,  ///< the input had a NaN or an infinity
+  notFinite,  ///< the input had a NaN or an infinity, or a pixel beyond kFarthestPoint
 };
 
 struct WorldPoint {
@@ -153,7 +156,7 @@ struct WorldPoint {
   DepthStatus status = DepthStatus::point;
   /// How far position can be from the true point, in world units, if the given window depth is the double nearest the
   /// true one. Infinite if that double could also be the depth of infinity. Includes the arithmetic's error, half an
-  /// ulp of each coordinate; for a point by its distance, that is all of it.
+  /// ulp of each coordinate, and the pose's error; for a point by its distance, that is all of it.
   double bound = 0;
   /// The double nearest to the distance along the viewing axis at the given depth. NaN unless status is point.
   double viewDistance = std::numeric_limits<double>::quiet_NaN();
