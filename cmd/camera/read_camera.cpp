@@ -100,8 +100,8 @@ struct LensReader {
       if (const auto angle = fields.find(key)) return viewproj::perspective(angleOf(*angle), aspect(), near, far, of);
     if (fields.find("nearWidth") || fields.find("nearHeight")) {
       requireNear(" for a window on it");
-      const double width = require("nearWidth"), height = require("nearHeight");
-      return perspectiveNearSize(width, height, near, far);
+      const double right = require("nearWidth") / 2, top = require("nearHeight") / 2;
+      return viewproj::frustum(-right, right, -top, top, near, far);
     }
     if (!fields.find("focalLength") && !fields.find("sensorWidth") && !fields.find("sensorHeight"))
       fields.fail("needs one of fovY, fovX, fovDiagonal, nearWidth with nearHeight, focalLength with a sensor's side");

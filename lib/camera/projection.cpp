@@ -154,14 +154,6 @@ Projection perspective(Angle angle, Aspect aspect, double near, double far, Fov 
   return symmetric(halfHeight * shape, halfHeight, near, far);
 }
 
-Projection perspectiveNearSize(double nearWidth, double nearHeight, double near, double far) {
-  requirePositive(nearWidth, "nearWidth");
-  requirePositive(nearHeight, "nearHeight");
-  requirePositive(near, "near");
-  requireRange(false, near, far);
-  return symmetric(half(ratio(nearWidth, near)), half(ratio(nearHeight, near)), near, far);
-}
-
 Projection perspectiveFocalLength(double focalLength, double sensorWidth, double sensorHeight, Aspect aspect,
                                   double near, double far) {
   requirePositive(focalLength, "focalLength");

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "scene/frustum_parts.hpp"
 
@@ -72,22 +71,6 @@ VisibleSegment clipSegment(const Frustum& frustum, const Vec3& a, const Vec3& b)
   result.start = first.side == 0 ? originalEnd(f.camera, a, 0) : cutEnd(c, a, b, first);
   result.end = last.side == 0 ? originalEnd(f.camera, b, 1) : cutEnd(c, a, b, last);
   return result;
-}
-
-double parameterUnder(const Frustum& frustum, const VisibleSegment& s, const Vec2& pixel) noexcept {
-  if (!s.visible) return std::numeric_limits<double>::quiet_NaN();
-  const double dx = s.end.screen.x - s.start.screen.x, dy = s.end.screen.y - s.start.screen.y;
-  const double size = std::hypot(dx, dy);
-  // Seen end on, only the nearer end is visible.
-  if (!(size > 0)) return s.start.viewDistance <= s.end.viewDistance ? s.start.t : s.end.t;
-  const double along = ((pixel.x - s.start.screen.x) * (dx / size) + (pixel.y - s.start.screen.y) * (dy / size)) / size;
-  double share = std::clamp(along, 0.0, 1.0);
-  if (!parts(parts(frustum).camera).projection.orthographic) {
-    // A share s of the way on the screen is the share s w0 / ((1 - s) w1 + s w0) in space.
-    const double w0 = s.start.viewDistance / s.end.viewDistance;
-    share = share * w0 / ((1 - share) + share * w0);
-  }
-  return s.start.t + share * (s.end.t - s.start.t);
 }
 
 Vec3 pointAlong(const Vec3& a, const Vec3& b, double t) noexcept {

@@ -223,14 +223,11 @@ struct Aspect {
 /// angle: the full angle, above 0 and below 180 degrees. Otherwise throws naming "fovY", "fovX" or "fovDiagonal".
 Projection perspective(Angle angle, Aspect aspect, double zNear, double zFar = kInfiniteFar, Fov of = Fov::vertical);
 
-/// The window's width and height on the near plane (XMMatrixPerspectiveLH). zNear must be above 0.
-Projection perspectiveNearSize(double nearWidth, double nearHeight, double zNear, double zFar);
-
 /// focalLength and the sensor's sides have the same unit. A sensor side of 0 is computed from the other one and aspect.
 Projection perspectiveFocalLength(double focalLength, double sensorWidth, double sensorHeight, Aspect aspect,
                                   double zNear, double zFar);
 
-/// Edges on the near plane (glFrustum). zNear must be above 0.
+/// Edges on the near plane (glFrustum; XMMatrixPerspectiveLH has half its width and height). zNear must be above 0.
 Projection frustum(double left, double right, double bottom, double top, double zNear, double zFar);
 
 /// Edges on the plane at distance 1 from the eye: tangents.

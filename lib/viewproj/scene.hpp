@@ -199,10 +199,6 @@ inline constexpr double kSegmentBound = 0x1p-50;
 /// finite, or if the camera has no near plane.
 VisibleSegment clipSegment(const Frustum& frustum, const Vec3& a, const Vec3& b) noexcept;
 
-/// t of the visible point nearest to the pixel. In perspective, equal steps on the screen are not equal steps along the
-/// segment: 1 / viewDistance is linear on the screen. NaN if the segment is not visible.
-double parameterUnder(const Frustum& frustum, const VisibleSegment& segment, const Vec2& pixel) noexcept;
-
 /// a + t (b - a), rounded once.
 Vec3 pointAlong(const Vec3& a, const Vec3& b, double t) noexcept;
 

@@ -25,7 +25,8 @@ Convention conventionOf(const json& camera, const ConventionPreset& preset) {
 
 Pose poseOf(const json& camera, const ConventionPreset& preset) {
   const json& at = camera["position"];
-  if (at.is_object()) return poseFromHeadingPitchRoll({at["lat"], at["lon"], at["height"]}, {camera["heading"], 0, 0});
+  if (at.is_object())
+    return poseFromHeadingPitchRoll({at["lat"], at["lon"], at["height"]}, {camera["heading"].get<double>(), 0, 0});
   const Vec3 up = camera.contains("up") ? vectorOf(camera["up"]) : preset.up;
   const Handedness world = preset.convention.world;
   return camera.contains("target") ? lookAt(vectorOf(at), vectorOf(camera["target"]), up, world)
@@ -50,12 +51,14 @@ Projection projectionOf(const json& p, const Viewport& viewport) {
   const double near = p["near"], far = p.value("far", kInfiniteFar);
   if (p.contains("fovY")) return perspective(p["fovY"].get<double>(), viewport, near, far);
   if (p.contains("fovX")) return perspective(p["fovX"].get<double>(), viewport, near, far, Fov::horizontal);
-  if (p.contains("nearWidth")) return perspectiveNearSize(p["nearWidth"], p["nearHeight"], near, far);
+  if (p.contains("nearWidth")) {
+    const double right = p["nearWidth"].get<double>() / 2, top = p["nearHeight"].get<double>() / 2;
+    return frustum(-right, right, -top, top, near, far);
+  }
   if (p.contains("focalLength"))
     return perspectiveFocalLength(p["focalLength"], p["sensorWidth"], p["sensorHeight"], viewport, near, far);
   if (p.contains("fx")) return intrinsics(p["fx"], p["fy"], p["cx"], p["cy"], viewport, near, far);
-  const double scrz = p["scrz"];
-  return intrinsics(p["ax"].get<double>() * scrz, p["ay"].get<double>() * scrz, p["cx"], p["cy"], viewport, near, far);
+  return ps2Intrinsics(p["scrz"], p["ax"], p["ay"], p["cx"], p["cy"], viewport, near, far);
 }
 
 Camera cameraOf(const json& camera) {

@@ -39,7 +39,7 @@ Projection buildLens(const Scene& s) {
     case LensKind::fovDiagonal:
       return perspective(s.fov, aspect, s.near, s.far, Fov::diagonal);
     case LensKind::nearSize:
-      return perspectiveNearSize(s.right, s.top, s.near, s.far);
+      return frustum(-s.right / 2, s.right / 2, -s.top / 2, s.top / 2, s.near, s.far);
     case LensKind::sensorBoth:
       return perspectiveFocalLength(s.focalLength, s.sensorWidth, s.sensorHeight, 1, s.near, s.far);
     case LensKind::sensorWidth:

@@ -158,8 +158,7 @@ TEST_CASE("Nothing allocates, throws or takes much stack once the camera is buil
           (void)intersect(ray, kWgs84);
           (void)intersect(Ray{{-1e90, 1e-90, 0}, {1, 0, 0}}, Sphere{{0, 0, 0}, 1e-90});
           (void)intersect(Ray{{0, 0, 5e-324}, {1e-300, 1e60, 1}}, Box{{0, 0, 0}, {1e-310, 1e90, 1e50}});
-          const VisibleSegment s = clipSegment(f, eye, p);
-          (void)parameterUnder(f, s, {10, 20});
+          (void)clipSegment(f, eye, p);
           (void)pointAlong(eye, p, 0.25);
         }
       });

@@ -24,7 +24,6 @@ TEST_CASE("near must be positive and finite in perspective, and may be negative 
   CHECK(perspective(60, 1, 0).zNear() == 0);
   CHECK(intrinsics(500, 500, 320, 240, kViewport, 0, 10).zNear() == 0);
   CHECK(fieldAtFault([] { perspective(60, 1, 0, 0); }) == "far");
-  CHECK(fieldAtFault([] { perspectiveNearSize(2, 1, 0, 10); }) == "near");
   CHECK(fieldAtFault([] { frustum(-1, 1, -1, 1, 0, 10); }) == "near");
   CHECK(fieldAtFault([] { orthographic(-1, 1, -1, 1, -5, 5); }).empty());
   CHECK(fieldAtFault([] { orthographic(-1, 1, -1, 1, 0, kInfiniteFar); }) == "far");

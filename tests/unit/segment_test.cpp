@@ -54,29 +54,3 @@ TEST_CASE("A segment past the picture, behind the eye or of numbers that are not
   CHECK_FALSE(clipSegment(f, {NAN, 0, -3}, {0, 0, -3}).visible);
   CHECK(clipSegment(f, {-2, 1, -1}, {2, 1, -1}).visible);  // along an edge of near
 }
-
-TEST_CASE("Of a segment seen end on a pixel has the nearer end, wherever the pixel is") {
-  const Camera box = makeCamera(lookAlong({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Handedness::right),
-                                orthographic(-2, 2, -1, 1, -1, 10), {200, 100});
-  const struct {
-    Frustum frustum;
-    Vec3 a, b;
-    double t;
-  } rows[] = {
-      {viewFrustum(plainCamera()), {0, 0, -3}, {0, 0, -9}, 0},
-      {viewFrustum(plainCamera()), {0, 0, -9}, {0, 0, -3}, 1},
-      {viewFrustum(plainCamera()), {2, -1, -4}, {4, -2, -8}, 0},
-      {viewFrustum(plainCamera()), {4, -2, -8}, {2, -1, -4}, 1},
-      {viewFrustum(plainCamera()), {0, 0, 3}, {0, 0, -5}, 0.5},  // cut at near
-      {viewFrustum(box), {1, 0.5, 0.5}, {1, 0.5, -7}, 0},
-      {viewFrustum(box), {1, 0.5, -7}, {1, 0.5, 0.5}, 1},
-  };
-  for (const auto& row : rows) {
-    const VisibleSegment s = clipSegment(row.frustum, row.a, row.b);
-    INFO("row " << &row - rows);
-    REQUIRE(s.visible);
-    REQUIRE(s.start.screen == s.end.screen);
-    for (const Vec2& pixel : {s.start.screen, Vec2{0, 0}, Vec2{150, 99}})
-      CHECK(parameterUnder(row.frustum, s, pixel) == row.t);
-  }
-}
