@@ -377,7 +377,7 @@ OrderedJson explainPixel(const Camera& camera, const Convention& convention, con
       makeCamera(movedTo(camera.pose(), Vec3{}), camera.projection(), camera.viewport(), camera.convention());
   if (lens) centred = withLens(centred, *lens);
   const Vec3 at = screenToWorldAtDistance(centred, pixel, 1).position;
-  const Mat4 back = matrix(cameraIn({}, relativeToEye(camera.pose())), Space::world, Space::view);
+  const Mat4 back = matrix(cameraIn({}, movedTo(camera.pose(), Vec3{})), Space::world, Space::view);
   const Vec3 toward = orthographic ? Vec3{-back[0][2], -back[1][2], -back[2][2]} : at;
   const Vec3 view = xyz(worldTo(centred, Space::view, {at.x, at.y, at.z, 1}, convention));
   const double down = isDown(convention) ? 1 : -1;
