@@ -121,8 +121,8 @@ Document Fitting::byPlace() const {
            along(ahead_.normal, way) + rounding <= ahead_.room - near;
   };
   // Rounded, the eye may leave something out: then it goes back, as little as helps, from the middle of the window.
-  const auto [left, right_, bottom, top] = windowWithin(margin_);
-  const Vec3 middle = sum(sum(forward, (left + right_) / 2, right), (bottom + top) / 2, up);
+  const Window w = windowWithin(margin_);
+  const Vec3 middle = sum(sum(forward, (w.left + w.right) / 2, right), (w.bottom + w.top) / 2, up);
   Vec3 to = sum(eye, 1, moved);
   const double ulp = 0x1p-53 * (size(eye) + size(moved));
   for (double back = ulp; !holds(to) && back < 0x1p20 * ulp; back *= 2) to = sum(sum(eye, 1, moved), -back, middle);

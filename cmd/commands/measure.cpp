@@ -148,9 +148,9 @@ OrderedJson measureReport(const Camera& camera, std::span<const Vec3> points, st
       "is not finite."};
   if (lensOf(camera))
     notes.push_back("A matrix has no lens: errors of the matrices include how far the lens shifts these points.");
-  return {{"points", points.size()}, {"visible", visible.size()},
-          {"leftOut", leftOut},      {"rounds", kRounds},
-          {"modes", rows},           {"notes", notes}};
+  OrderedJson report{{"points", points.size()}, {"visible", visible.size()}, {"leftOut", leftOut}, {"rounds", kRounds}};
+  report.update({{"modes", rows}, {"notes", notes}});
+  return report;
 }
 
 struct MeasureOptions {
