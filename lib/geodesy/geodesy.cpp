@@ -33,6 +33,17 @@ void requirePlace(const Geodetic& place, const std::string& field) {
   require(std::isfinite(place.height), "height", "must be a finite number of metres");
 }
 
+/// The pose of a camera whose right, up and forward are these axes before the turns.
+Pose turned(const Vec3& eye, TurnedAxes axes, const HeadingPitchRoll& angles) {
+  requireFinite(angles.heading, "heading");
+  requireFinite(angles.roll, "roll");
+  if (!(angles.pitch >= -180 && angles.pitch <= 180)) throw CameraError("pitch", "must be from -180 to 180 degrees");
+  axes.turn(kRight, kForward, angles.heading);
+  axes.turn(kUpward, kForward, angles.pitch);
+  axes.turn(kRight, kUpward, angles.roll);
+  return poseFromAxes(eye, {axes.axis(kRight), axes.axis(kUpward), axes.axis(kForward)});
+}
+
 bool haveSameNormal(const Geodetic& a, const Geodetic& b) noexcept {
   if (a.lat != b.lat) return false;
   const double first = std::remainder(a.lon, 360), second = std::remainder(b.lon, 360);
@@ -66,15 +77,12 @@ FineVec3 detail::exactNormal(const Geodetic& place) noexcept {
 
 Pose poseFromHeadingPitchRoll(const Geodetic& position, const HeadingPitchRoll& angles) {
   requirePlace(position, "position");
-  requireFinite(angles.heading, "heading");
-  requireFinite(angles.roll, "roll");
-  if (!(angles.pitch >= -90 && angles.pitch <= 90))
-    throw CameraError("pitch", "must be from -90 to 90 degrees; a camera upside down has a roll of 180");
-  TurnedAxes axes = eastUpNorth(position);
-  axes.turn(kRight, kForward, angles.heading);
-  axes.turn(kUpward, kForward, angles.pitch);
-  axes.turn(kRight, kUpward, angles.roll);
-  return poseFromAxes(geodeticToEcef(position), {axes.axis(kRight), axes.axis(kUpward), axes.axis(kForward)});
+  return turned(geodeticToEcef(position), eastUpNorth(position), angles);
+}
+
+Pose poseInEastNorthUp(const Vec3& position, const HeadingPitchRoll& angles) {
+  requireNumber(position, "position");
+  return turned(position, TurnedAxes({{{1, 0, 0}, {0, 0, 1}, {0, 1, 0}}}), angles);
 }
 
 Pose lookAtPlace(const Geodetic& position, const Geodetic& target) {

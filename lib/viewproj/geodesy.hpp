@@ -36,7 +36,7 @@ Geodetic ecefToGeodetic(const Vec3& point) noexcept;
 /// Cesium's HeadingPitchRoll of a model counts heading from the model's x axis, east.
 struct HeadingPitchRoll {
   double heading = 0;  ///< any finite number
-  double pitch = 0;    ///< from -90 to 90
+  double pitch = 0;    ///< from -180 to 180; beyond 90 the camera is upside down
   double roll = 0;     ///< any finite number
 };
 
@@ -45,6 +45,9 @@ struct HeadingPitchRoll {
 
 /// East, north and up depend on lat and lon. At a pole, too, lon defines east.
 Pose poseFromHeadingPitchRoll(const Geodetic& position, const HeadingPitchRoll& angles);
+
+/// The same in a world whose x, y, z are east, north and up, such as a map grid: heading is counted from its north.
+Pose poseInEastNorthUp(const Vec3& position, const HeadingPitchRoll& angles);
 
 /// Up in the picture points away from the ellipsoid. Throws if target is straight above or below position, because up
 /// would be undefined.

@@ -17,12 +17,6 @@ constexpr Model kModels[] = {{"SIMPLE_PINHOLE", 1, 0}, {"PINHOLE", 2, 0},       
                              {"SIMPLE_FISHEYE", 1, 0}, {"FISHEYE", 2, 0},       {"SIMPLE_RADIAL_FISHEYE", 1, 1},
                              {"RADIAL_FISHEYE", 1, 2}, {"OPENCV_FISHEYE", 2, 4}};
 
-bool recognises(const Json& root) {
-  const auto cameras = root.find("cameras");
-  return cameras != root.end() && cameras->is_object() && !cameras->empty() && cameras->front().is_object() &&
-         cameras->front().contains("params");
-}
-
 Json cameraOf(const Node& node) {
   const Node name = node.require("model");
   const Model* const model =
@@ -65,6 +59,7 @@ Import open(const Node& root) {
 
 }  // namespace colmap
 
-extern const Importer kColmap{"colmap", "a reconstruction of COLMAP as text", colmap::recognises, colmap::open};
+// Its files are known by their lines (isColmap).
+const Importer kColmap{"colmap", "a reconstruction of COLMAP as text", [](const Json&) { return false; }, colmap::open};
 
 }  // namespace viewproj::cmd

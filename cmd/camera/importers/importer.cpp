@@ -6,7 +6,7 @@
 
 namespace viewproj::cmd {
 
-extern const Importer kGltf, kThreeJs, kNerf, kSplats, kOpen3d, kRealSense, kColmap, kKalibr, kRos, kKitti, kOpenCv,
+extern const Importer kGltf, kThreeJs, kNerf, kSplats, kOpen3d, kRealSense, kKalibr, kRos, kKitti, kOpenCv,
     kProjectionMatrix;
 
 namespace {

@@ -17,7 +17,7 @@ struct DocumentConvention {
 
 /// The convention of a document; opengl if it states none, ps2 for the projection of that name.
 DocumentConvention readConvention(const FieldValues& values);
-/// The same of a document of which nothing else is read or checked.
+/// The convention that a document states, of which nothing else is read or checked.
 DocumentConvention readConvention(const Document& document);
 
 /// {"world": ..., ...} with every axis.

@@ -26,8 +26,8 @@ struct CameraEntry {
 /// The cameras of a file, as a format finds them.
 struct Import {
   std::vector<CameraEntry> cameras;
-  /// Our document of a camera of the list, and what messages call its fields. Throws InputError naming the file's own
-  /// field. May be called by several threads.
+  /// Our document of a camera of the list. Throws InputError naming the file's own field. Calls are one at a
+  /// time.
   std::function<Json(std::size_t which)> document;
 };
 
@@ -59,7 +59,7 @@ class CameraSet {
   /// name: of the file, in messages. Throws InputError for an empty list.
   CameraSet(std::string name, Import import, CameraPatches patches);
   /// A camera from options only.
-  explicit CameraSet(CameraPatches patches);
+  explicit CameraSet(const CameraPatches& patches);
   CameraSet(const CameraSet&) = delete;
   CameraSet& operator=(const CameraSet&) = delete;
 
@@ -87,14 +87,17 @@ class CameraSet {
     std::optional<Camera> camera;
   };
 
+  std::vector<std::size_t> all() const;
+  /// The cameras of a name, or else of an id; or else the camera of a number.
+  std::vector<std::size_t> called(std::string_view name) const;
   std::string someOf(const std::vector<std::size_t>& cameras) const;
-  void index();
 
   std::string name_;
   bool isTyped_ = false;
   CameraPatches patches_;
   Import import_;
-  std::unordered_map<std::string, std::vector<std::size_t>> names_, ids_;
+  mutable std::mutex importing_;
+  std::unordered_map<std::string, std::vector<std::size_t>> names_, ids_;  ///< the cameras of each
   mutable std::vector<Kept> kept_;
 };
 

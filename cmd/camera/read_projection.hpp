@@ -19,7 +19,7 @@ struct ReadOptions {
 };
 
 /// A picture, and the tile of it that the camera has.
-struct Picture {
+struct PictureFrame {
   Viewport frame;
   std::optional<Crop> crop;
 
@@ -30,12 +30,15 @@ struct Picture {
 std::uint8_t typeOf(const FieldValues& values);
 
 /// The viewport, or else the size of `pixels`; nothing without either.
-std::optional<Picture> readPicture(const FieldValues& values, const DocumentConvention& convention);
+std::optional<PictureFrame> readPicture(const FieldValues& values, const DocumentConvention& convention);
+
+/// The frame as fx, fy, cx, cy count it: the picture of `pixels`, which has the same corners.
+Viewport pictureOfIntrinsics(const FieldValues& values, Viewport frame);
 
 /// The projection of the frame, with the document's shift; nothing if the document has none. Throws InputError, or
 /// CameraError naming a field.
 std::optional<Projection> readProjection(const FieldValues& values, const DocumentConvention& convention,
-                                         const std::optional<Picture>& picture, const ReadOptions& options);
+                                         const std::optional<PictureFrame>& picture, const ReadOptions& options);
 
 /// Near and far of a projection matrix. Throws InputError.
 Projection readProjectionMatrix(const FieldValues& values, const DocumentConvention& convention);
