@@ -1,5 +1,5 @@
-// Changed copies of camera documents: another world, another position, a wider window. Each keeps the kind of pose and
-// projection of the original if that can express the change.
+// Changed copies of camera documents: another world, another place, another window, another convention. Each keeps the
+// kind of pose and projection of the original if that can express the change.
 #pragma once
 
 #include <array>
@@ -19,14 +19,11 @@ struct AxisMap {
   friend bool operator==(const AxisMap&, const AxisMap&) = default;
 };
 
-/// A copy with its own value. Plain copies of a document share theirs.
-Document copied(const Document& document);
-
 /// A camera with the same picture of the mapped world, and lengths times scale > 0. Angles of the pose become a
 /// rotation if the axes change, and a place on the Earth becomes x, y, z.
 Document mapped(const CameraFile& camera, const AxisMap& map, double scale);
 
-/// The same view from another position. A target becomes a direction.
+/// The same view from another position, with exactly the same axes. A target becomes a direction.
 Document movedTo(const CameraFile& camera, const Vec3& eye);
 
 /// For a perspective: multiplies the window's width and height by factor, about the viewing axis.
@@ -35,9 +32,8 @@ Document opened(const CameraFile& camera, double factor);
 /// An orthographic camera with these edges. A crop becomes a viewport of its own.
 Document withWindow(const CameraFile& camera, double left, double right, double bottom, double top);
 
-/// The projection without the document's shift and crop.
-Projection uncroppedProjection(const Document& document);
-/// Sets projection.matrix, as the convention writes it.
-void setLensMatrix(Document& document, const Projection& projection, const Convention& convention);
+/// The document in another convention. Defaults of the old preset are written out where the new one has others. The
+/// convention must have the camera's world. Throws InputError for a ps2 projection if depth is not reversed.
+Document inConvention(const CameraFile& camera, const ConventionPreset& preset, const Convention& convention);
 
 }  // namespace viewproj::cmd

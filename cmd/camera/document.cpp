@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "camera/importers/importer.hpp"
+#include "camera/fields.hpp"
 #include "text/error.hpp"
 #include "text/file.hpp"
 #include "text/json_text.hpp"
@@ -16,8 +16,6 @@
 
 namespace viewproj::cmd {
 namespace {
-
-constexpr std::size_t kMostBytes = 64 << 20;
 
 Json parsed(const std::string& name, std::string text) {
   const auto fail = [&](std::size_t offset, const std::string& message) {
@@ -73,31 +71,59 @@ bool flatten(const Json& value, std::vector<double>& numbers) {
 }
 
 std::string shown(const Json& value) {
-  if (value.is_string()) return " (is " + inQuotes(value.get_ref<const std::string&>(), 200) + ")";
-  if (value.is_number_float()) return " (is " + formatNumber(value.get<double>()) + ")";
-  return value.is_number() || value.is_boolean() ? " (is " + value.dump() + ")" : "";
+  if (value.is_string()) return inQuotes(value.get_ref<const std::string&>(), 200);
+  if (value.is_number_float()) return formatNumber(value.get<double>());
+  return value.is_number() || value.is_boolean() ? value.dump() : "";
 }
 
 }  // namespace
 
-Document load(const std::string& source, const std::string& option) {
+bool isInlineJson(const std::string& source) {
   const std::size_t first = source.find_first_not_of(" \t\r\n");
   std::error_code ignored;
-  const bool isInline =
-      first != std::string::npos &&
-      (source[first] == '{' || (source[first] == '[' && !std::filesystem::exists(pathOf(source), ignored)));
-  Document document{isInline ? option : shownName(source), nullptr};
-  if (isInline) {
-    document.root = std::make_shared<Json>(parsed(document.name, source));
-  } else if (isColmap(source)) {
-    document.root = std::make_shared<Json>(readColmap(source));
-    document.isColmap = true;
-  } else {
-    std::string text = readWithoutGlb(source, kMostBytes);
-    requireNarrow(document.name, text);
-    document.root = std::make_shared<Json>(parsed(document.name, std::move(text)));
+  return first != std::string::npos &&
+         (source[first] == '{' || (source[first] == '[' && !std::filesystem::exists(pathOf(source), ignored)));
+}
+
+Document parseDocument(const std::string& name, std::string text) {
+  requireNarrow(name, text);
+  return {name, std::make_shared<Json>(parsed(name, std::move(text)))};
+}
+
+Document load(const std::string& source, const std::string& option) {
+  if (isInlineJson(source)) return parseDocument(option, source);
+  return parseDocument(shownName(source), readWholeFile(source, kMostDocumentBytes));
+}
+
+const Json* valueAt(const Json& root, std::string_view path) {
+  const Json* at = &root;
+  while (at && !path.empty()) {
+    const std::size_t dot = std::min(path.find('.'), path.size());
+    if (!at->is_object()) return nullptr;
+    const auto member = at->find(path.substr(0, dot));
+    at = member == at->end() || member->is_null() ? nullptr : &*member;
+    path.remove_prefix(std::min(dot + 1, path.size()));
   }
-  return document;
+  return at;
+}
+
+void normalize(Document& document) {
+  Json& root = *document.root;
+  if (!root.is_object()) throw InputError(document.name + ": expected a JSON object");
+  for (const Field& field : kFields) {
+    const auto member = field.alias.empty() ? root.end() : root.find(field.alias);
+    if (member == root.end()) continue;
+    const std::string name(field.path), alias(field.alias);
+    if (valueAt(root, name) && !member->is_null())
+      Node(document, *member, alias).fail("is another name of " + name + ", which is there too; keep one");
+    Json value = std::move(*member);
+    root.erase(member);
+    if (value.is_null()) continue;
+    root[name] = std::move(value);
+    document.labels.emplace(name, document.name + ": " + name + " (as " + alias + ")");
+  }
+  if (const auto convention = root.find("convention"); convention != root.end() && convention->is_string())
+    *convention = Json{{"preset", *convention}};
 }
 
 std::string joinedPath(std::string_view path, std::string_view key) {
@@ -193,12 +219,17 @@ std::pair<std::string, bool> Node::place() const {
   const bool isLabelled = label != document_->labels.end();
   const std::string field = path_.substr(part.empty() ? 0 : std::min(part.size() + 1, path_.size()));
   return {(isLabelled ? visible(label->second) : document_->name) + (field.empty() ? "" : ": ") + visible(field),
-          isLabelled && label->second.starts_with("--") && !label->second.starts_with("--set")};
+          isLabelled && label->second.starts_with("--")};
 }
 
 void Node::fail(const std::string& message) const {
   const auto [name, isOption] = place();
-  const std::string text = name + ": " + visible(message) + shown(*value_);
+  const std::string value = shown(*value_);
+  const bool isExpectation = message.starts_with("expected "), isAboutOthers = message.starts_with("needs ");
+  const std::string got = value.empty() || isAboutOthers ? ""
+                          : isExpectation                ? ", got " + value
+                                                         : " (is " + value + ")";
+  const std::string text = name + ": " + visible(message) + got;
   if (document_->isTyped || isOption) throw UsageError(text);
   throw InputError(text);
 }

@@ -23,13 +23,25 @@ struct Document {
   std::shared_ptr<Json> root;                                ///< shared by copies
   bool isTyped = false;                                      ///< made of options only: errors are UsageErrors
   std::map<std::string, std::string, std::less<>> labels{};  ///< by path: the option that set the field
-  bool isColmap = false;                                     ///< read by readColmap
 };
 
-/// Reads a file, "-" for standard input, or the JSON itself if source begins with "{". Accepts JSON with comments,
-/// YAML, the JSON of a .glb, a folder of COLMAP. option: the name for inline JSON in messages. Throws InputError, also
-/// for more than 64 MiB, values nested deeper than 200, and a key that an object has twice.
+/// The longest text of a document, in bytes.
+inline constexpr std::size_t kMostDocumentBytes = 64 << 20;
+
+/// Reads a file, "-" for standard input, or the JSON itself if source begins with "{" or, without a file of that name,
+/// with "[". Accepts JSON with comments, and YAML. option: the name for inline JSON in messages. Throws InputError,
+/// also for longer texts, values nested deeper than 200, and a key that an object has twice.
 Document load(const std::string& source, const std::string& option);
+/// Whether load() takes it for the JSON itself.
+bool isInlineJson(const std::string& source);
+/// Reads a text. name: of its file, in messages.
+Document parseDocument(const std::string& name, std::string text);
+
+/// Renames aliases of our own form to the fields' names, and turns a convention's name into an object. Throws if both
+/// names are there.
+void normalize(Document& document);
+/// The value at a path of an object, or null.
+const Json* valueAt(const Json& root, std::string_view path);
 
 /// A value of a document and its path, such as "projection.fovY". The document must outlive it.
 class Node {
@@ -61,10 +73,10 @@ class Node {
   /// 4 rows of 4, or 16 numbers. For 3 rows of 4, or 12 numbers, the last row is 0 0 0 1.
   Mat4 mat4() const;
 
-  /// "FILE: projection.fovY", or the option that set it; and whether it is an option.
+  /// "FILE: projection.fovY", or the option or --set that set it; and whether it came from the command line.
   std::pair<std::string, bool> place() const;
-  /// Fails with "FILE: projection.fovY: MESSAGE (is 200)", or the option instead of file and field. Throws InputError,
-  /// or UsageError for a document of options.
+  /// Fails with "FILE: projection.fovY: expected MESSAGE, got 200", or with an option or --set instead of file and
+  /// field. Throws InputError, or UsageError for what came from the command line.
   [[noreturn]] void fail(const std::string& message) const;
 
  private:

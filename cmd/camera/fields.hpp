@@ -1,74 +1,84 @@
-// The fields of a camera document, one row each. The reader's checks, --set, the options with their placeholders, help,
-// the schema and the order of `matrix --to camera` use these rows. To add a field, add a row here, and use it in
-// read_camera.cpp or read_pose.cpp.
+// The fields of a camera document, one row each, and the kinds of values. The reader's checks, --set, the options with
+// their placeholders, help, the schema and the order of a written camera use these rows. To add a field, add a row
+// here, and use it in read_pose.cpp or read_projection.cpp. To add a kind, add a row here, and read it in values.cpp.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <iterator>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "camera/names.hpp"
 
 namespace viewproj::cmd {
 
-/// The kind of a value.
 enum class Kind : std::uint8_t {
   text,
   word,  ///< one of the row's words
-  flag,  ///< true or false
+  flag,
   number,
-  positive,    ///< a number above 0
-  far,         ///< a number or "inf"
-  zero,        ///< a number that must be 0
-  ratio,       ///< a number above 0, "16/9" or "16:9"
-  angle,       ///< between 0 and 180 degrees; every angle is a number of degrees, "60deg" or "1.0472rad"
-  elevation,   ///< from -90 to 90 degrees
-  turn,        ///< degrees
-  pair,        ///< two numbers
-  range,       ///< two numbers that differ
-  size,        ///< two numbers above 0
-  direction,   ///< x, y, z, not all 0
-  place,       ///< x, y, z, or {"lat", "lon", "height"}
-  quaternion,  ///< x, y, z, w, not all 0
-  euler,       ///< {"order": "YXZ", "degrees": [a, b, c]}
-  rigid,       ///< 4 or 3 rows of 4, or {"rotation" or "rotationVector", "translation"}
-  matrix,      ///< 16 numbers, or 4 rows of 4
-  lens,        ///< a distortion
+  positive,  ///< a number above 0
+  far,       ///< a number or "inf"
+  zero,      ///< a number that must be 0
+  ratio,     ///< a number above 0, "16/9" or "16:9"
+  angle,     ///< between 0 and 180 degrees; every angle is a number of degrees, "60deg" or "1.0472rad"
+  pitch,     ///< from -180 to 180 degrees
+  turn,      ///< degrees
+  pair,      ///< two numbers
+  range,     ///< two numbers that differ
+  size,      ///< two numbers above 0
+  direction,
+  place,
+  quaternion,
+  euler,
+  rigid,
+  matrix,
+  lens,
 };
 
-/// How help describes a value: an option's placeholder, and the form in a file (for a word, its row's words).
-struct KindWords {
+/// What a kind looks like on the command line, in help, in a file and in the schema.
+struct KindRow {
   Kind kind;
-  std::string_view placeholder, form;
+  std::string_view placeholder;   ///< of an option
+  std::string_view form;          ///< in a file; of a word, the field's words
+  const char* schema;             ///< what depends on other fields, and ranges, the reader alone checks
+  bool isList = false;            ///< an option's text may be 1,2,3 or lat=1,lon=2
+  std::string_view members = {};  ///< of an object, in the order in which they are written
 };
-inline constexpr KindWords kKindWords[] = {
-    {Kind::text, "TEXT", "text"},
-    {Kind::word, "NAME", ""},
-    {Kind::flag, "N", "true or false"},
-    {Kind::number, "N", "number"},
-    {Kind::positive, "N", "number above 0"},
-    {Kind::far, "N", "number or \"inf\""},
-    {Kind::zero, "N", "0"},
-    {Kind::ratio, "W/H", "number or \"16/9\""},
-    {Kind::angle, "DEGREES", "0 to 180 degrees"},
-    {Kind::elevation, "DEGREES", "-90 to 90 degrees"},
-    {Kind::turn, "DEGREES", "degrees"},
-    {Kind::pair, "X,Y", "[a, b]"},
-    {Kind::range, "A,B", "[a, b]"},
-    {Kind::size, "W,H", "[a, b]"},
-    {Kind::direction, "X,Y,Z", "[x, y, z]"},
-    {Kind::place, "X,Y,Z|lat=..,lon=..,height=..", "[x, y, z] or {lat, lon, height}"},
-    {Kind::quaternion, "X,Y,Z,W", "[x, y, z, w]"},
-    {Kind::euler, "YXZ:A,B,C", "{order, degrees}"},
-    {Kind::rigid, "M", "4 rows of 4, or {rotation, translation}"},
-    {Kind::matrix, "M", "16 numbers"},
-    {Kind::lens, "JSON", "{model, k, p}"},
+// clang-format off
+inline constexpr KindRow kKinds[] = {  // in the order of Kind
+    {Kind::text, "TEXT", "text", R"({"type": "string"})"},
+    {Kind::word, "NAME", "", "{}"},
+    {Kind::flag, "N", "true or false", R"({"type": "boolean"})"},
+    {Kind::number, "N", "number", R"({"type": "number"})"},
+    {Kind::positive, "N", "number above 0", R"({"type": "number", "exclusiveMinimum": 0})"},
+    {Kind::far, "N", "number or \"inf\"", R"({"anyOf": [{"type": "number"}, {"const": "inf"}]})"},
+    {Kind::zero, "N", "0", R"({"const": 0})"},
+    {Kind::ratio, "W/H", "number or \"16/9\"", R"({"anyOf": [{"type": "number"}, {"type": "string", "pattern": "[/:]"}]})"},
+    {Kind::angle, "DEGREES", "0 to 180 degrees", R"({"$ref": "#/$defs/angle"})"},
+    {Kind::pitch, "DEGREES", "-180 to 180 degrees", R"({"$ref": "#/$defs/angle"})"},
+    {Kind::turn, "DEGREES", "degrees", R"({"$ref": "#/$defs/angle"})"},
+    {Kind::pair, "X,Y", "[a, b]", R"({"$ref": "#/$defs/xy"})", true},
+    {Kind::range, "A,B", "[a, b]", R"({"$ref": "#/$defs/xy"})", true},
+    {Kind::size, "W,H", "[a, b]", R"({"$ref": "#/$defs/xy"})", true},
+    {Kind::direction, "X,Y,Z", "[x, y, z]", R"({"$ref": "#/$defs/xyz"})", true},
+    {Kind::place, "X,Y,Z|lat=..,lon=..,height=..", "[x, y, z] or {lat, lon, height}",
+     R"({"anyOf": [{"$ref": "#/$defs/xyz"}, {"type": "object", "required": ["lat", "lon", "height"]}]})", true, "lat lon height"},
+    {Kind::quaternion, "X,Y,Z,W", "[x, y, z, w]", R"({"$ref": "#/$defs/xyzw"})", true},
+    {Kind::euler, "YXZ:A,B,C", "{order, degrees}", R"({"type": "object", "required": ["order", "degrees"]})", false,
+     "order degrees"},
+    {Kind::rigid, "M", "4 rows of 4, or {rotation, translation}",
+     R"({"anyOf": [{"$ref": "#/$defs/rows"}, {"type": "object", "required": ["translation"]}]})", false,
+     "rotation rotationVector translation"},
+    {Kind::matrix, "M", "16 numbers", R"({"anyOf": [{"$ref": "#/$defs/rows"}, {"$ref": "#/$defs/sixteen"}]})", true},
+    {Kind::lens, "JSON", "{model, k, p}", R"({"type": "object", "required": ["model"]})"},  // members: read_lens.cpp
 };
-constexpr const KindWords& wordsOfKind(Kind kind) {
-  for (const KindWords& row : kKindWords)
-    if (row.kind == kind) return row;
-  return kKindWords[0];  // not reached: every kind has its row
-}
+// clang-format on
+constexpr const KindRow& rowOf(Kind kind) { return kKinds[static_cast<std::size_t>(kind)]; }
 
 /// The types of a projection, as bits. A field has the bits of the types it belongs to.
 enum Types : std::uint8_t {
@@ -94,22 +104,25 @@ struct Field {
   std::string_view option = {};  ///< "--fov-y"
   Group group = Group::none;
   std::uint8_t sets = 0;
-  std::uint8_t types = 0;        ///< for fields of the projection
-  Words words = nullptr;         ///< for words
-  std::string_view others = {};  ///< aliases, separated by blanks
+  std::uint8_t types = 0;       ///< for fields of the projection
+  Words words = nullptr;        ///< for words
+  std::string_view alias = {};  ///< another name in a file
+  std::string_view hints = {};  ///< names in other programs, separated by blanks: not read, but suggested
+  bool isLength = false;        ///< a number in units of the world
 };
 
 consteval Field wordField(std::string_view path, Words words, std::string_view help, std::uint8_t types = 0) {
   return {path, Kind::word, help, "", Group::none, 0, types, words};
 }
 consteval Field poseField(std::string_view path, Kind kind, std::uint8_t sets, std::string_view option,
-                          std::string_view help, Words words = nullptr, std::string_view others = "") {
-  return {path, kind, help, option, Group::pose, sets, 0, words, others};
+                          std::string_view help, Words words = nullptr, std::string_view alias = "",
+                          std::string_view hints = "") {
+  return {path, kind, help, option, Group::pose, sets, 0, words, alias, hints};
 }
 /// Without sets, the field contradicts nothing.
 consteval Field lensField(std::string_view path, Kind kind, std::uint8_t types, std::uint8_t sets,
-                          std::string_view option, std::string_view help) {
-  return {path, kind, help, option, sets ? Group::lens : Group::none, sets, types};
+                          std::string_view option, std::string_view help, bool isLength = false) {
+  return {path, kind, help, option, sets ? Group::lens : Group::none, sets, types, nullptr, "", "", isLength};
 }
 
 inline constexpr Field kFields[] = {
@@ -123,28 +136,31 @@ inline constexpr Field kFields[] = {
     wordField("convention.ndcY", wordsOf<kNdcYNames>, "Direction of NDC y in the picture."),
     wordField("convention.vectors", wordsOf<kVectorsNames>, "M v for column, v M for row."),
     wordField("convention.storage", wordsOf<kStorageNames>, "Order in memory."),
-    wordField("world", wordsOf<kWorlds>, "\"ecef\": Earth-centred metres, default at a place."),
-    poseField("position", Kind::place, 127, "--position", "Camera position: x,y,z, or lat=..,lon=..,height=..", nullptr,
-              "eye from"),
-    poseField("target", Kind::place, 1, "--target", "Point to look at.", nullptr, "lookAt at to"),
-    poseField("direction", Kind::direction, 2, "--direction", "Viewing direction (any length).", nullptr, "forward"),
+    wordField("world", wordsOf<kWorlds>, "Default: ecef at a place. enu: x, y, z are east, north, up."),
+    poseField("position", Kind::place, 127, "--position", "Position: x,y,z or lat=..,lon=..,height=..", nullptr, "eye",
+              "from origin location center"),
+    poseField("target", Kind::place, 1, "--target", "Point to look at.", nullptr, "lookAt", "at to"),
+    poseField("direction", Kind::direction, 2, "--direction", "Viewing direction (any length).", nullptr, "",
+              "forward"),
     poseField("up", Kind::direction, 3, "--up", "Up in the picture. Default: the convention's."),
-    poseField("rotation", Kind::quaternion, 4, "--rotation", "x,y,z,w, camera to world.", nullptr,
+    poseField("rotation", Kind::quaternion, 4, "--rotation", "x,y,z,w, camera to world.", nullptr, "",
               "quaternion orientation"),
     poseField("euler", Kind::euler, 8, "--euler", "YXZ:A,B,C turns about the camera's y, x, z."),
     poseField("worldFromCamera", Kind::rigid, 16, "", "Pose: 4 rows, or {rotation, translation}."),
     poseField("cameraFromWorld", Kind::rigid, 32, "", "The inverse: a view matrix for column vectors."),
-    poseField("heading", Kind::turn, 64, "--heading", "Degrees clockwise from north, at a place."),
-    poseField("pitch", Kind::elevation, 64, "--pitch", "Degrees above the horizon. Default: 0."),
+    poseField("heading", Kind::turn, 64, "--heading", "Degrees clockwise from north."),
+    poseField("pitch", Kind::pitch, 64, "--pitch", "Degrees above the horizon. Default: 0."),
     poseField("roll", Kind::turn, 64, "--roll", "Degrees, right side down. Default: 0."),
-    poseField("cameraAxes", Kind::word, 60, "", "Axes of a rotation.", wordsOf<kCameraAxesNames>),
+    poseField("cameraAxes", Kind::word, 60, "", "Of a rotation.", wordsOf<kCameraAxesNames>),
     wordField("projection.type", wordsOf<kTypeNames>, "Which fields apply.", kAllTypes),
     lensField("projection.fovY", Kind::angle, kPerspective, 1, "--fov-y", "Angle of view from bottom to top."),
     lensField("projection.fovX", Kind::angle, kPerspective, 2, "--fov-x", "Angle of view from left to right."),
     lensField("projection.fovDiagonal", Kind::angle, kPerspective, 4, "--fov-diagonal",
               "Angle of view from corner to corner."),
-    lensField("projection.nearWidth", Kind::positive, kPerspective, 8, "", "Size of the window on the near plane."),
-    lensField("projection.nearHeight", Kind::positive, kPerspective, 8, "", "Size of the window on the near plane."),
+    lensField("projection.nearWidth", Kind::positive, kPerspective, 8, "", "Size of the window on the near plane.",
+              true),
+    lensField("projection.nearHeight", Kind::positive, kPerspective, 8, "", "Size of the window on the near plane.",
+              true),
     lensField("projection.focalLength", Kind::positive, kPerspective, 16, "--focal-length",
               "In the sensor's unit, such as millimetres."),
     lensField("projection.sensorWidth", Kind::positive, kPerspective, 16, "--sensor-width",
@@ -152,15 +168,15 @@ inline constexpr Field kFields[] = {
     lensField("projection.sensorHeight", Kind::positive, kPerspective, 16, "--sensor-height",
               "Size of the sensor, in the unit of focalLength."),
     lensField("projection.left", Kind::number, kFrustum | kOrthographic, 32, "--left",
-              "Window edge; in frustum, on the near plane."),
+              "Window edge; in frustum, on the near plane.", true),
     lensField("projection.right", Kind::number, kFrustum | kOrthographic, 32, "--right",
-              "Window edge; in frustum, on the near plane."),
+              "Window edge; in frustum, on the near plane.", true),
     lensField("projection.bottom", Kind::number, kFrustum | kOrthographic, 32, "--bottom",
-              "Window edge; in frustum, on the near plane."),
+              "Window edge; in frustum, on the near plane.", true),
     lensField("projection.top", Kind::number, kFrustum | kOrthographic, 32, "--top",
-              "Window edge; in frustum, on the near plane."),
-    lensField("projection.width", Kind::positive, kOrthographic, 64, "--ortho-width", "Size of the window."),
-    lensField("projection.height", Kind::positive, kOrthographic, 64, "--ortho-height", "Size of the window."),
+              "Window edge; in frustum, on the near plane.", true),
+    lensField("projection.width", Kind::positive, kOrthographic, 64, "--ortho-width", "Size of the window.", true),
+    lensField("projection.height", Kind::positive, kOrthographic, 64, "--ortho-height", "Size of the window.", true),
     lensField("projection.aspect", Kind::ratio, kPerspective | kOrthographic, 1 | 2 | 4 | 16 | 64, "--aspect",
               "Width over height. Default: the viewport's."),
     lensField("projection.fx", Kind::positive, kIntrinsics, 128, "--fx", "Focal length in pixels, across and down."),
@@ -176,8 +192,8 @@ inline constexpr Field kFields[] = {
     lensField("projection.zMin", Kind::number, kPs2, 128, "", "Depth at far and at near."),
     lensField("projection.zMax", Kind::number, kPs2, 128, "", "Depth at far and at near."),
     lensField("projection.matrix", Kind::matrix, kMatrix, 128, "", "4 rows as on paper, or 16 numbers as in memory."),
-    lensField("projection.near", Kind::number, kWithNear, 0, "--near", "Near plane. Absent: none, and no depth."),
-    lensField("projection.far", Kind::far, kWithNear, 0, "--far", "Far plane. Absent: infinite."),
+    lensField("projection.near", Kind::number, kWithNear, 0, "--near", "Near plane. Absent: none, and no depth.", true),
+    lensField("projection.far", Kind::far, kWithNear, 0, "--far", "Far plane. Absent: infinite.", true),
     lensField("projection.shift", Kind::pair, kAllTypes, 0, "--shift",
               "Moves the picture right and up, in half sizes."),
     {"distortion", Kind::lens, "{model: brown or fisheye, k: [...], p: [p1, p2]}.", "--distortion"},
@@ -200,5 +216,31 @@ constexpr const Field* findField(std::string_view path) {
     if (field.path == path) return &field;
   return nullptr;
 }
+
+/// A field, named by its path; a path that no row has does not compile.
+class FieldId {
+ public:
+  consteval FieldId(const char* path) : field_(findField(path)) {  // NOLINT(google-explicit-constructor)
+    if (!field_) throw "no such field";
+  }
+  const Field* operator->() const { return field_; }
+  const Field& operator*() const { return *field_; }
+
+ private:
+  const Field* field_;
+};
+
+/// "fovY" for projection.fovY, "position" for position, "convention.view" for convention.view.
+std::string_view shortName(const Field& field);
+/// The member at the top of the document that holds a field.
+std::string_view topName(const Field& field);
+/// The members of an object in the order of the table. "" is the document.
+std::vector<std::string_view> namesUnder(std::string_view path);
+/// Words that are separated by blanks.
+std::vector<std::string_view> wordsIn(std::string_view text);
+
+/// Whether a document cannot have both fields.
+bool contradict(const Field& a, const Field& b);
+std::string contradictionMessage(std::string_view first, std::string_view second, Group group);
 
 }  // namespace viewproj::cmd

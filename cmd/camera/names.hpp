@@ -25,12 +25,14 @@ inline constexpr NameRow<NdcY> kNdcYNames[] = {{"up", NdcY::up}, {"down", NdcY::
 inline constexpr NameRow<Vectors> kVectorsNames[] = {{"column", Vectors::column}, {"row", Vectors::row}};
 inline constexpr NameRow<Storage> kStorageNames[] = {{"column-major", Storage::columnMajor},
                                                      {"row-major", Storage::rowMajor}};
-inline constexpr NameRow<CameraAxes> kCameraAxesNames[] = {
-    {"RUB", CameraAxes::RUB}, {"RUF", CameraAxes::RUF}, {"RDF", CameraAxes::RDF}, {"FRU", CameraAxes::FRU}};
+inline constexpr NameRow<CameraAxes> kCameraAxesNames[] = {{"RUB", CameraAxes::RUB}, {"RUF", CameraAxes::RUF},
+                                                           {"RDF", CameraAxes::RDF}, {"FRU", CameraAxes::FRU},
+                                                           {"FLU", CameraAxes::FLU}, {"FRD", CameraAxes::FRD}};
 inline constexpr NameRow<Origin> kOriginNames[] = {{"top-left", Origin::topLeft}, {"bottom-left", Origin::bottomLeft}};
 
-/// Named world coordinates.
-inline constexpr NameRow<bool> kWorlds[] = {{"ecef", true}};
+/// Named world coordinates: Earth-centred, Earth-fixed metres; x, y, z are east, north, up.
+enum class World { any, ecef, enu };
+inline constexpr NameRow<World> kWorlds[] = {{"ecef", World::ecef}, {"enu", World::enu}};
 
 /// The axes of three turns, by name.
 inline constexpr NameRow<std::array<std::size_t, 3>> kEulerOrders[] = {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "camera/check.hpp"
-#include "camera/read_camera.hpp"
+#include "camera/read_pose.hpp"
+#include "camera/read_projection.hpp"
 #include "text/error.hpp"
 #include "text/json_text.hpp"
 #include "text/names.hpp"
@@ -15,11 +15,18 @@
 namespace viewproj::cmd {
 namespace {
 
-constexpr const char* kType = "projection.type";
+constexpr std::string_view kType = "projection.type";
 
 Json numberOrText(const std::string& text) {
   const auto number = parseNumber(text);
   return number ? Json(*number) : Json(text);
+}
+
+std::vector<std::string> parts(const std::string& text) {
+  std::vector<std::string> all;
+  for (std::size_t at = 0; at <= text.size(); at += all.back().size() + 1)
+    all.push_back(text.substr(at, text.find(',', at) - at));
+  return all;
 }
 
 /// Text such as 1,2,3 as an array, or lat=1,lon=2,height=3 as an object.
@@ -29,40 +36,27 @@ Json listOrObject(const std::string& text) {
     return numbers ? Json(*numbers) : Json(text);
   }
   Json object = Json::object();
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t comma = std::min(text.find(',', at), text.size()), equals = text.find('=', at);
-    if (equals >= comma || object.contains(text.substr(at, equals - at))) return text;
-    object[text.substr(at, equals - at)] = numberOrText(text.substr(equals + 1, comma - equals - 1));
-    at = comma + 1;
+  for (const std::string& part : parts(text)) {
+    const std::size_t equals = part.find('=');
+    if (equals == std::string::npos || object.contains(part.substr(0, equals))) return text;
+    object[part.substr(0, equals)] = numberOrText(part.substr(equals + 1));
   }
   return object;
 }
 
-Json parsedValue(Kind kind, const std::string& text) {
-  switch (kind) {
-    case Kind::pair:
-    case Kind::direction:
-    case Kind::place:
-    case Kind::quaternion:
-      return listOrObject(text);
-    case Kind::euler: {
-      const std::size_t colon = text.find(':');
-      if (colon == std::string::npos) return text;
-      Json turns = Json::array();
-      for (std::size_t at = colon + 1; at <= text.size();) {
-        const std::size_t comma = std::min(text.find(',', at), text.size());
-        turns.push_back(numberOrText(text.substr(at, comma - at)));
-        at = comma + 1;
-      }
-      return {{"order", text.substr(0, colon)}, {"degrees", turns}};
-    }
-    case Kind::lens: {
-      Json value;
-      return parseJson(text, value) ? Json(text) : value;
-    }
-    default:
-      return numberOrText(text);
-  }
+/// "YXZ:a,b,c".
+Json eulerOf(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos) return text;
+  Json turns = Json::array();
+  for (const std::string& part : parts(text.substr(colon + 1))) turns.push_back(numberOrText(part));
+  return {{"order", text.substr(0, colon)}, {"degrees", turns}};
+}
+
+Json shortForm(Kind kind, const std::string& text) {
+  if (rowOf(kind).isList) return listOrObject(text);
+  if (kind == Kind::euler) return eulerOf(text);
+  return kind == Kind::text ? Json(text) : numberOrText(text);
 }
 
 std::uint8_t typeNamed(const Json* type) {
@@ -72,88 +66,93 @@ std::uint8_t typeNamed(const Json* type) {
   return 0;
 }
 
-/// Keeps near and far of a projection matrix that another kind of projection replaces.
-void keepRange(const Document& document, Json& projection) {
-  const Document matrix{document.name, std::make_shared<Json>(*document.root), document.isTyped, document.labels};
-  matrix.root->erase("viewport");
-  const Projection lens = *readCamera(matrix, {.allowStretch = true}).projection;
-  projection["near"] = lens.zNear();
-  if (std::isfinite(lens.zFar())) projection["far"] = lens.zFar();
-}
-
-/// Sets the projection's type to one that all given fields belong to: the present type, if possible.
-void layType(const Document& document, const std::vector<Patch>& patches) {
-  Json& root = *document.root;
-  std::uint8_t possible = kAllTypes;
-  bool isNamed = false, decides = false;  // near, far and shift do not decide: they fit the present type
-  for (const Patch& patch : patches) {
-    const Field* const field = findField(patch.path);
-    if (patch.path == kType && !patch.isOption) return;  // check() compares this one with the other fields
-    if (!field || field->types == 0 || patch.value->is_null()) continue;
-    isNamed = true;
-    decides = decides || patch.path == kType || (field->types != kWithNear && field->types != kAllTypes);
-    possible &= patch.path == kType ? typeNamed(patch.value.get()) : field->types;
-  }
-  const Json* const currentType = valueAt(root, kType);
-  if (!isNamed ||
-      (currentType && (!decides || typeNamed(currentType) == 0 || (typeNamed(currentType) & possible) != 0)))
-    return;
-  if (!currentType && !document.isTyped && valueAt(root, "projection")) return;  // check() reports this
-  const auto next = std::find_if(std::begin(kTypeNames), std::end(kTypeNames),
-                                 [&](const auto& row) { return (row.second & possible) != 0; });
-  if (next == std::end(kTypeNames)) return;
-  Json& projection = root["projection"];
-  if (typeNamed(currentType) == kMatrix) keepRange(document, projection);
-  for (const Field& field : kFields)
-    if (field.types != 0 && (field.types & next->second) == 0 && projection.is_object())
-      projection.erase(std::string(shortName(field)));
-  projection["type"] = next->first;
-}
-
-void removeField(Json& root, const Field& field) {
-  const std::size_t dot = field.path.find('.');
-  if (dot == std::string_view::npos)
-    root.erase(std::string(field.path));
-  else
-    root[std::string(field.path.substr(0, dot))].erase(std::string(field.path.substr(dot + 1)));
-}
-
-/// The eye of a matrix pose, even if other parts of the document are wrong.
-Vec3 eyeOf(const Document& document, std::string_view pose) {
-  Document alone = document;
-  alone.root = std::make_shared<Json>(Json::object());
-  for (const std::string_view name : {std::string_view("convention"), std::string_view("cameraAxes"), pose})
-    if (document.root->contains(name)) (*alone.root)[name] = (*document.root)[name];
-  return readCamera(alone, {}).pose->eye();
-}
-
-/// Removes fields that contradict this one. The position of a matrix pose is kept.
-void displace(const Document& document, const Field& field) {
-  Json& root = *document.root;
-  for (const Field* other : presentFields(document)) {
-    if (!contradiction({other, &field}).first) continue;
-    if (other->kind == Kind::rigid && !valueAt(root, "position")) {
-      const Vec3 eye = eyeOf(document, other->path);
-      root["position"] = {eye.x, eye.y, eye.z};
-    }
-    removeField(root, *other);
-  }
-}
-
 /// Whether two paths are equal, or one leads to the other.
 bool overlap(std::string_view a, std::string_view b) {
   if (a.size() > b.size()) std::swap(a, b);
   return b.starts_with(a) && (a.size() == b.size() || b[a.size()] == '.');
 }
 
-/// Throws if the patch is not for a field or a part of one.
+/// The field that a path is of, or leads into. Null for the path of an object of fields, and for any other.
+const Field* fieldOf(std::string_view path) {
+  for (const Field& field : kFields)
+    if (path.size() >= field.path.size() && overlap(field.path, path)) return &field;
+  return nullptr;
+}
+
+/// The types that a patch of the projection fits; all for any other.
+std::uint8_t typesOf(const Patch& patch) {
+  const Field* const field = fieldOf(patch.path);
+  if (!field || field->types == 0 || patch.value->is_null()) return kAllTypes;
+  return patch.path == kType ? typeNamed(patch.value.get()) : field->types;
+}
+
+/// Of a field of a pose or a projection.
+void removeField(Json& root, const Field& field) {
+  Json& object = field.types != 0 ? root["projection"] : root;
+  if (object.is_object()) object.erase(std::string(shortName(field)));
+}
+
+/// Keeps near and far of a projection matrix that another kind of projection replaces.
+void keepRange(const Document& document) {
+  const FieldValues values = readValues(document, "projection");
+  const Projection matrix = readProjectionMatrix(values, readConvention(document));
+  Json& projection = (*document.root)["projection"];
+  projection["near"] = matrix.zNear();
+  if (std::isfinite(matrix.zFar())) projection["far"] = matrix.zFar();
+}
+
+/// Sets the projection's type to one that all patches fit: the present type, if possible. Removes the fields that other
+/// types have.
+void applyType(Document& document, std::span<const Patch> patches) {
+  Json& root = *document.root;
+  std::uint8_t possible = kAllTypes;
+  bool isNamed = false, decides = false;  // near, far and shift do not decide: they fit the present type
+  for (const Patch& patch : patches) {
+    const std::uint8_t types = typesOf(patch);
+    possible &= types;
+    isNamed = isNamed || (patch.path.starts_with("projection.") && !patch.value->is_null());
+    decides = decides || (types != kWithNear && types != kAllTypes);
+  }
+  const Json *const current = valueAt(root, kType), *const projection = valueAt(root, "projection");
+  if (projection && !projection->is_object()) return;  // readValues() reports this
+  if (!isNamed || (current && (!decides || typeNamed(current) == 0 || (typeNamed(current) & possible) != 0))) return;
+  if (!current && projection && !document.isTyped && !decides) return;  // and this
+  const auto next = std::find_if(std::begin(kTypeNames), std::end(kTypeNames),
+                                 [&](const auto& row) { return (row.second & possible) != 0; });
+  if (next == std::end(kTypeNames)) return;
+  if (current && typeNamed(current) == kMatrix && valueAt(root, "projection.matrix")) keepRange(document);
+  for (const Field& field : kFields)
+    if (field.types != 0 && (field.types & next->second) == 0) removeField(root, field);
+  root["projection"]["type"] = next->first;
+}
+
+/// Removes the fields that contradict this one. The eye of a pose that goes becomes the position.
+void displace(const Document& document, const Field& field) {
+  Json& root = *document.root;
+  for (const Field& other : kFields) {
+    const Json* const value = contradict(other, field) ? valueAt(root, other.path) : nullptr;
+    if (!value) continue;
+    if (other.kind == Kind::rigid && !valueAt(root, "position")) {
+      const Node node(document, *value, std::string(other.path));
+      try {
+        const Vec3 eye = eyeOf(std::get<RigidTransform>(readValue(node, other)), other.path == "cameraFromWorld");
+        root["position"] = {eye.x, eye.y, eye.z};
+      } catch (const CameraError& e) {
+        node.fail(e.message());
+      }
+    }
+    removeField(root, other);
+  }
+}
+
+/// Throws if the patch is not of a field, a part of one, or an object of fields.
 void requireField(const Patch& patch) {
   std::vector<std::string_view> paths;
   for (const Field& field : kFields) {
     if (overlap(field.path, patch.path)) return;
     paths.push_back(field.path);
   }
-  throw InputError(patch.label + ": is not known" + suggestField(patch.path, patch.path, paths));
+  throw UsageError(patch.label + ": is not known" + suggestField(patch.path, patch.path, paths));
 }
 
 /// The element of an array at a step of a path. Throws if it does not exist.
@@ -184,17 +183,41 @@ void put(Json& root, const Patch& patch) {
   *at = *patch.value;
 }
 
+/// Applies patches that do not contradict each other: what they contradict in the document goes first.
+void applyTogether(Document& document, std::span<const Patch> patches) {
+  applyType(document, patches);
+  for (const Patch& patch : patches)
+    if (const Field* const field = fieldOf(patch.path); field && !patch.value->is_null()) displace(document, *field);
+  for (const Patch& patch : patches) {
+    put(*document.root, patch);
+    if (!patch.label.empty()) document.labels[patch.path] = patch.label;
+  }
+}
+
+void addPatches(const Json& object, const std::string& path, std::vector<Patch>& patches) {
+  for (const auto& [name, value] : object.items()) {
+    const std::string member = joinedPath(path, name);
+    if (value.is_object() && !findField(member) && !namesUnder(member).empty())
+      addPatches(value, member, patches);
+    else
+      patches.push_back({member, std::make_shared<const Json>(value), "", false});
+  }
+}
+
 }  // namespace
 
 Patch optionPatch(const Field& field, const std::string& text) {
-  Patch patch{std::string(field.path), std::make_shared<const Json>(parsedValue(field.kind, text)),
-              std::string(field.option)};
-  Document alone{"", std::make_shared<Json>(*patch.value), true, {{patch.path, patch.label}}};
-  checkValue(Node(alone, *alone.root, patch.path), field);
+  Json value = shortForm(field.kind, text);
+  if (Json parsed; field.kind == Kind::lens && !parseJson(text, parsed)) value = std::move(parsed);
+  Patch patch{std::string(field.path), std::make_shared<const Json>(std::move(value)), std::string(field.option)};
+  const Document alone{"", std::make_shared<Json>(*patch.value), true, {{patch.path, patch.label}}};
+  (void)readValue(Node(alone, *alone.root, patch.path), field);
   return patch;
 }
 
-Patch orthographicPatch() { return {kType, std::make_shared<const Json>("orthographic"), "--orthographic"}; }
+Patch orthographicPatch() {
+  return {std::string(kType), std::make_shared<const Json>("orthographic"), "--orthographic"};
+}
 
 Patch setPatch(const std::string& text) {
   const std::size_t equals = text.find('=');
@@ -204,15 +227,18 @@ Patch setPatch(const std::string& text) {
   const std::string written = text.substr(equals + 1);
   const std::string label = "--set " + path;
   if (!isUtf8(text)) throw UsageError(label + ": the value is not UTF-8");
-  Json value;
-  if (jsonFault(written))
-    value = written;
-  else if (const auto fault = parseJson(written, value))
-    throw UsageError(label + ": " + fault->message);
   const std::string first = path.substr(0, path.find('.'));
   for (const Field& field : kFields)
-    if (const auto names = namesOf(field); std::find(names.begin() + 1, names.end(), first) != names.end())
-      path = std::string(field.path) + path.substr(first.size());
+    if (!field.alias.empty() && field.alias == first) path = std::string(field.path) + path.substr(first.size());
+  const Field* const field = findField(path);
+  const bool isText = field && field->kind == Kind::text && written != "null" && !written.starts_with('"');
+  Json value;
+  if (isText || jsonFault(written))
+    value = field                                    ? shortForm(field->kind, written)
+            : written.find(',') == std::string::npos ? numberOrText(written)
+                                                     : listOrObject(written);
+  else if (const auto fault = parseJson(written, value))
+    throw UsageError(label + ": " + fault->message);
   if (path == "convention" && value.is_string()) value = {{"preset", value}};
   return {path, std::make_shared<const Json>(std::move(value)), label, false};
 }
@@ -223,33 +249,30 @@ std::vector<Patch> viewportPatches(double width, double height) {
 }
 
 void requireConsistent(const std::vector<Patch>& patches) {
-  const auto typesOf = [](const Field& field) {
-    return field.path == kType ? std::uint8_t{kOrthographic} : field.types;
-  };
   for (const Patch& second : patches)
     for (const Patch& first : patches) {
       if (&first == &second) break;
-      if (!first.isOption && !second.isOption) continue;
-      if (overlap(first.path, second.path))
-        throw UsageError(first.label + " and " + second.label + " give the same field; keep one");
       const Field *const a = findField(first.path), *const b = findField(second.path);
-      if (!a || !b || first.value->is_null() || second.value->is_null()) continue;
-      const bool differ = a->types != 0 && b->types != 0 && (typesOf(*a) & typesOf(*b)) == 0;
-      if (differ || contradiction({a, b}).first)
+      if (!first.isOption || !second.isOption || !a || !b) continue;
+      if (contradict(*a, *b) || (typesOf(first) & typesOf(second)) == 0)
         throw UsageError(contradictionMessage(first.label, second.label, a->group));
     }
 }
 
-void lay(Document& document, const std::vector<Patch>& patches) {
+void applyPatches(Document& document, const std::vector<Patch>& patches) {
   for (const Patch& patch : patches) requireField(patch);
-  layType(document, patches);
-  for (const Patch& patch : patches) {
-    const Field* const field = findField(patch.path);
-    if (patch.path == kType && patch.isOption) continue;
-    if (field && !patch.value->is_null()) displace(document, *field);
-    put(*document.root, patch);
-    document.labels[patch.path] = patch.label;
-  }
+  std::vector<Patch> options;
+  std::copy_if(patches.begin(), patches.end(), std::back_inserter(options),
+               [](const Patch& patch) { return patch.isOption; });
+  applyTogether(document, options);
+  for (const Patch& patch : patches)
+    if (!patch.isOption) applyTogether(document, std::span(&patch, 1));
+}
+
+void layOver(Document& document, const Json& fields) {
+  std::vector<Patch> patches;
+  addPatches(fields, "", patches);
+  applyTogether(document, patches);
 }
 
 }  // namespace viewproj::cmd

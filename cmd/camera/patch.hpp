@@ -1,7 +1,8 @@
-// Options and --set as patches to a camera document: each sets its field and removes only what contradicts it.
+// Options and --set as patches of a camera document: each sets its field and removes what contradicts it.
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,7 +15,7 @@ namespace viewproj::cmd {
 struct Patch {
   std::string path;                   ///< "projection.fovY", "position.0"
   std::shared_ptr<const Json> value;  ///< null removes the field
-  std::string label;                  ///< in messages: "--fov-y" or "--set projection.fovY"
+  std::string label;                  ///< in messages: "--fov-y", "--set projection.fovY", or empty: a file's field
   bool isOption = true;               ///< false: from --set
 };
 
@@ -22,16 +23,21 @@ struct Patch {
 Patch optionPatch(const Field& field, const std::string& text);
 /// The patch of --orthographic.
 Patch orthographicPatch();
-/// The patch of --set "projection.fovY=75". The value is JSON, or else text. Throws UsageError.
+/// The patch of --set "projection.fovY=75". The value is JSON, the short form of the field's option, or else text.
+/// Throws UsageError.
 Patch setPatch(const std::string& text);
 /// The patches of --viewport.
 std::vector<Patch> viewportPatches(double width, double height);
 
-/// Throws UsageError if options contradict each other, or if an option and a --set give the same field.
+/// Throws UsageError if two options contradict each other.
 void requireConsistent(const std::vector<Patch>& patches);
 
-/// Applies the patches to a normalized document, which may be empty. Throws UsageError for --set of an array element
-/// that does not exist.
-void lay(Document& document, const std::vector<Patch>& patches);
+/// Applies the options, together, then each --set, in its order, to a normalized document, which may be empty. The type
+/// of the projection changes if a field belongs to others. Throws UsageError for a --set of a field that does not exist
+/// or of an array's element that the document does not have.
+void applyPatches(Document& document, const std::vector<Patch>& patches);
+
+/// Lays the fields of one document over another as one patch, as --set would. Both must be normalized.
+void layOver(Document& document, const Json& fields);
 
 }  // namespace viewproj::cmd

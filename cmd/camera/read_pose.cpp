@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
-#include "camera/check.hpp"
 #include "numbers/degrees.hpp"
 
 namespace viewproj::cmd {
@@ -27,12 +25,10 @@ Columns columnsOf(const std::array<DoubleDouble, 4>& q) {
           DDVec3{two * (x * z + y * w), two * (y * z - x * w), one - two * (x * x + y * y)}};
 }
 
-/// The quaternion x, y, z, w of a rotation vector: its direction is the axis, its length the angle in radians.
-std::array<DoubleDouble, 4> quaternionOf(const Node& value) {
-  constexpr double kLargest = 1e6;  // a larger angle is not known to its last digits
+/// The quaternion x, y, z, w of a rotation vector.
+std::array<DoubleDouble, 4> quaternionOf(const RotationVector& rotation) {
   constexpr DoubleDouble kTurn{0x1.921fb54442d18p+2, 0x1.1a62633145c07p-52};
-  const DDVec3 vector = toDoubleDouble(value.vec3());
-  if (!(maxAbs(vector) <= kLargest)) value.fail("its length is the angle in radians, at most 1e6");
+  const DDVec3 vector = toDoubleDouble(rotation.vector);
   if (!(maxAbs(vector) > 0)) return {0, 0, 0, 1};
   DoubleDouble angle = DoubleDouble(1) / inverseLength(vector);
   angle = angle - kTurn * DoubleDouble(std::round(angle.hi / kTurn.hi));
@@ -44,38 +40,29 @@ std::array<DoubleDouble, 4> quaternionOf(const Node& value) {
 }
 
 /// The quaternion scaled so that squares neither underflow nor overflow.
-std::array<DoubleDouble, 4> scaledQuaternion(const Node& value) {
-  const std::vector<double> q = value.numbers(4);
-  double largest = 0;
-  for (const double part : q) largest = std::max(largest, std::fabs(part));
-  if (!(largest > 0)) value.fail("must not be all 0");
-  std::array<DoubleDouble, 4> scaled;
-  for (std::size_t i = 0; i < 4; ++i) scaled[i] = std::scalbn(q[i], -std::ilogb(largest));
-  return scaled;
-}
-
-Mat4 affine(const std::vector<double>& rotation, const Vec3& translation) {
-  Mat4 m;
-  for (std::size_t i = 0; i < 3; ++i)
-    m[i] = {rotation[3 * i], rotation[3 * i + 1], rotation[3 * i + 2], translation[i]};
-  m[3] = {0, 0, 0, 1};
-  return m;
+std::array<DoubleDouble, 4> scaled(const Quaternion& q) {
+  const std::array<double, 4> parts{q.x, q.y, q.z, q.w};
+  const double largest = std::max({std::fabs(q.x), std::fabs(q.y), std::fabs(q.z), std::fabs(q.w)});
+  std::array<DoubleDouble, 4> result;
+  for (std::size_t i = 0; i < 4; ++i) result[i] = std::scalbn(parts[i], -std::ilogb(largest));
+  return result;
 }
 
 /// The pose of worldFromCamera or cameraFromWorld, in any of their forms. eye: used instead of the matrix's own.
-Pose matrixPose(const Node& value, bool isInverse, const std::optional<Vec3>& eye, CameraAxes axes, Handedness world) {
-  const auto poseOf = [&](Mat4 m) {
+Pose rigidPose(const RigidTransform& value, bool isInverse, const std::optional<Vec3>& eye, CameraAxes axes,
+               Handedness world) {
+  if (const Mat4* const matrix = std::get_if<Mat4>(&value.rotation)) {
+    Mat4 m = *matrix;
     if (!isInverse && eye)
       for (std::size_t i = 0; i < 3; ++i) m[i][3] = (*eye)[i];
     if (!isInverse) return poseFromWorldFromCamera(m, axes, world);
     const Pose pose = poseFromCameraFromWorld(m, axes, world);
     return eye ? movedTo(pose, *eye) : pose;
-  };
-  if (const auto matrix = rigidMatrix(value)) return poseOf(*matrix);
-  const Vec3 translation = value.require("translation").vec3();
-  const auto rotation = value.find("rotation");
-  Columns columns = columnsOf(rotation ? scaledQuaternion(*rotation) : quaternionOf(value.require("rotationVector")));
-  DDVec3 origin = toDoubleDouble(translation);
+  }
+  const auto* const quaternion = std::get_if<Quaternion>(&value.rotation);
+  Columns columns =
+      columnsOf(quaternion ? scaled(*quaternion) : quaternionOf(std::get<RotationVector>(value.rotation)));
+  DDVec3 origin = toDoubleDouble(value.translation);
   if (isInverse) {  // p_camera = R p_world + t: the rows of R are the camera's axes, and the eye is -R^T t
     const Columns c = columns;
     columns = {DDVec3{c[0].x, c[1].x, c[2].x}, DDVec3{c[0].y, c[1].y, c[2].y}, DDVec3{c[0].z, c[1].z, c[2].z}};
@@ -85,111 +72,106 @@ Pose matrixPose(const Node& value, bool isInverse, const std::optional<Vec3>& ey
                          eye ? SplitVec3{*eye, {}} : split(origin), axes, world);
 }
 
-Pose eulerPose(const Node& value, const Vec3& position, CameraAxes axes, Handedness world) {
-  const auto order = viewproj::cmd::valueOf(kEulerOrders, value.require("order").text());
-  const Node degrees = value.require("degrees");
-  std::array<Turn, 3> turns;
-  for (std::size_t i = 0; i < 3; ++i) turns[i] = {static_cast<int>(order[i]), angleOf(degrees[i])};
-  return poseFromTurns(position, turns, axes, world);
-}
+/// Reads a pose that has an orientation.
+struct PoseReader {
+  const FieldValues& values;
+  const DocumentConvention& convention;
+  World worldKind;
+  Handedness hand;
+
+  Pose turned(const Position& position) const {
+    const auto angle = [&](FieldId field) { return values.valueOr(field, Angle(0)); };
+    const HeadingPitchRoll angles{angle("heading"), angle("pitch"), angle("roll")};
+    if (position.place) return poseFromHeadingPitchRoll(*position.place, angles);
+    if (worldKind != World::enu)
+      values.fail("position", R"(needs lat, lon and height, or "world": "enu", for a heading, pitch or roll)");
+    return poseInEastNorthUp(position.point, angles);
+  }
+
+  Pose looking(const Position& position) const {
+    const Vec3& eye = position.point;
+    const auto* const target = values.find<Position>("target");
+    const auto* const up = values.find<Vec3>("up");
+    const auto look = [&](const Vec3& upward) {
+      return target ? lookAt(eye, target->point, upward, hand)
+                    : lookAlong(eye, values.require<Vec3>("direction"), upward, hand);
+    };
+    if (up) return look(*up);
+    if (worldKind == World::enu) return look({0, 0, 1});
+    if (worldKind != World::ecef) return look(convention.preset->up);
+    if (target && position.place && target->place) return lookAtPlace(*position.place, *target->place);
+    const Geodetic place = position.place ? *position.place : ecefToGeodetic(eye);
+    return target ? lookAtOnEarth(eye, target->point, place, hand)
+                  : lookAlongOnEarth(eye, values.require<Vec3>("direction"), place, hand);
+  }
+};
 
 }  // namespace
 
-std::optional<Mat4> rigidMatrix(const Node& value) {
-  if (!value.json().is_object()) return value.mat4();
-  const auto rotation = value.find("rotation");
-  if (!rotation || !rotation->holdsNumbers(9)) return std::nullopt;
-  return affine(rotation->numbers(9), value.require("translation").vec3());
+std::array<DDVec3, 3> rotationColumns(const Quaternion& quaternion) { return columnsOf(scaled(quaternion)); }
+
+Vec3 eyeOf(const RigidTransform& transform, bool isInverse) {
+  bool isMirror = false;
+  if (const Mat4* const m = std::get_if<Mat4>(&transform.rotation)) {
+    const auto column = [&](std::size_t j) { return DDVec3{(*m)[0][j], (*m)[1][j], (*m)[2][j]}; };
+    isMirror = dot(column(0), cross(column(1), column(2))).hi < 0;
+  }
+  // Any axes of the matrix's handedness will do.
+  return rigidPose(transform, isInverse, {}, CameraAxes::RUB, isMirror ? Handedness::left : Handedness::right).eye();
 }
 
-std::array<DDVec3, 3> rotationColumns(const Node& quaternion) { return columnsOf(scaledQuaternion(quaternion)); }
-
-bool isPlaceValue(const Node& value) { return value.json().is_object() && !value.json().contains("x"); }
-
-Geodetic placeOf(const Node& value) {
-  return {degreesOf(value.require("lat")), degreesOf(value.require("lon")), value.require("height").number()};
+World worldOf(const FieldValues& values) {
+  if (const auto* const name = values.find<std::string_view>("world")) return valueOf(kWorlds, *name);
+  for (const FieldId field : {FieldId("position"), FieldId("target")})
+    if (const auto* const position = values.find<Position>(field); position && position->place) return World::ecef;
+  return World::any;
 }
 
-Vec3 positionOf(const Node& value) { return isPlaceValue(value) ? geodeticToEcef(placeOf(value)) : value.vec3(); }
-
-bool worldIsEcef(const Document& document) {
-  const Node root(document);
-  const auto isPlace = [&](std::string_view key) {
-    const auto value = root.find(key);
-    return value && isPlaceValue(*value);
-  };
-  return root.find("world") || isPlace("position") || isPlace("target");
+CameraAxes cameraAxesOf(const FieldValues& values, const ConventionPreset& preset) {
+  const auto* const name = values.find<std::string_view>("cameraAxes");
+  return name ? valueOf(kCameraAxesNames, *name) : preset.cameraAxes;
 }
 
 namespace {
 
-std::optional<Pose> readExactPose(const Document& document) {
-  const Node root(document);
-  const auto [preset, convention, isStated] = readConvention(document);
-  const Handedness world = convention.world;
-  const auto axesName = root.find("cameraAxes");
-  const CameraAxes axes = axesName ? viewproj::cmd::valueOf(kCameraAxesNames, axesName->text()) : preset->cameraAxes;
-  const auto position = root.find("position");
-  std::optional<Vec3> eye;
-  if (position) eye = positionOf(*position);
-  for (const char* key : {"worldFromCamera", "cameraFromWorld"})
-    if (const auto matrix = root.find(key)) return matrixPose(*matrix, *key == 'c', eye, axes, world);
-  const auto target = root.find("target"), direction = root.find("direction"), rotation = root.find("rotation");
-  const auto euler = root.find("euler"), up = root.find("up");
-  const bool isTurned = root.find("heading") || root.find("pitch") || root.find("roll");
-  if (!target && !direction && !rotation && !euler && !isTurned) {
-    if (position || up)
-      (position ? *position : *up).fail("needs a target, direction, rotation, euler or heading beside it");
+/// The pose, if positions are exact.
+std::optional<Pose> readStatedPose(const FieldValues& values, const DocumentConvention& convention) {
+  const PoseReader reader{values, convention, worldOf(values), convention.convention.world};
+  const CameraAxes axes = cameraAxesOf(values, *convention.preset);
+  const auto* const position = values.find<Position>("position");
+  for (const FieldId field : {FieldId("worldFromCamera"), FieldId("cameraFromWorld")})
+    if (const auto* const value = values.find<RigidTransform>(field))
+      return rigidPose(*value, field->path == "cameraFromWorld",
+                       position ? std::optional(position->point) : std::nullopt, axes, reader.hand);
+  const bool isTurned = values.has("heading") || values.has("pitch") || values.has("roll");
+  const auto* const rotation = values.find<Quaternion>("rotation");
+  const auto* const euler = values.find<EulerTurns>("euler");
+  if (!values.has("target") && !values.has("direction") && !rotation && !euler && !isTurned) {
+    if (position || values.has("up"))
+      values.failAt(position ? "position" : "up", "needs a target, direction, rotation, euler or heading beside it");
     return std::nullopt;
   }
-  if (!eye) root.fail("needs position");
-  if (rotation) {
-    const std::vector<double> q = rotation->numbers(4);
-    return poseFromRotation(*eye, {q[0], q[1], q[2], q[3]}, axes, world);
-  }
-  if (euler) return eulerPose(*euler, *eye, axes, world);
-  const auto angle = [&](std::string_view key) {
-    const auto value = root.find(key);
-    return value ? angleOf(*value) : Angle(0);
-  };
-  if (isTurned) {
-    if (!isPlaceValue(*position)) position->fail("needs lat, lon and height for a heading, pitch or roll");
-    return poseFromHeadingPitchRoll(placeOf(*position), {angle("heading"), angle("pitch"), angle("roll")});
-  }
-  if (target && !up && isPlaceValue(*position) && isPlaceValue(*target))
-    return lookAtPlace(placeOf(*position), placeOf(*target));
-  const auto look = [&](const Vec3& upward) {
-    return target ? lookAt(*eye, positionOf(*target), upward, world)
-                  : lookAlong(*eye, direction->vec3(), upward, world);
-  };
-  if (up) return look(up->vec3());
-  if (worldIsEcef(document)) {
-    const Geodetic place = isPlaceValue(*position) ? placeOf(*position) : ecefToGeodetic(*eye);
-    return target ? lookAtOnEarth(*eye, positionOf(*target), place, world)
-                  : lookAlongOnEarth(*eye, direction->vec3(), place, world);
-  }
-  return look(preset->up);
+  if (!position) values.failAt("", "needs position");
+  if (rotation) return poseFromRotation(position->point, *rotation, axes, reader.hand);
+  if (euler) return poseFromTurns(position->point, *euler, axes, reader.hand);
+  return isTurned ? reader.turned(*position) : reader.looking(*position);
 }
-
-/// How far a place's ECEF position may be from it; 0 for a position.
-double errorOf(const Node& value) { return isPlaceValue(value) ? placeError(positionOf(value)) : 0; }
 
 }  // namespace
 
-std::optional<Pose> readPose(const Document& document) {
-  const std::optional<Pose> pose = readExactPose(document);
-  const Node root(document);
-  const auto position = root.find("position"), target = root.find("target"), up = root.find("up");
+std::optional<Pose> readPose(const FieldValues& values, const DocumentConvention& convention) {
+  const std::optional<Pose> pose = readStatedPose(values, convention);
+  const auto* const position = values.find<Position>("position");
   if (!pose || !position) return pose;
-  const Geodetic place = isPlaceValue(*position) ? placeOf(*position) : ecefToGeodetic(pose->eye());
-  const Vec3 upward = up ? rounded(normalized(toDoubleDouble(up->vec3()))) : ellipsoidNormal(place);
-  PoseError error{errorOf(*position), 0};
-  if (target) error = lookAtError(*pose, positionOf(*target), upward, error.eye, errorOf(*target));
+  const auto* const target = values.find<Position>("target");
+  const auto* const up = values.find<Vec3>("up");
+  const Geodetic place = position->place ? *position->place : ecefToGeodetic(pose->eye());
+  const Vec3 upward = up ? rounded(normalized(toDoubleDouble(*up))) : ellipsoidNormal(place);
+  PoseError error{position->error, 0};
+  if (target) error = lookAtError(*pose, target->point, upward, position->error, target->error);
   // A latitude in radians is rounded to degrees, and turns the axes: up alone where the camera looks along a direction.
   constexpr double kRounding = 5e-16;
-  const auto isRounded = [&](const char* key) { return angleOf(position->require(key)).isRadians; };
-  if (isPlaceValue(*position) && (isRounded("lat") || isRounded("lon")))
-    error.angle += kRounding / (target || root.find("direction") ? dot(pose->up(), upward) : 1);
+  if (position->isRounded) error.angle += kRounding / (target || values.has("direction") ? dot(pose->up(), upward) : 1);
   return withError(*pose, error);
 }
 

@@ -4,46 +4,43 @@
 #include <nlohmann/json.hpp>
 
 #include "camera/change_camera.hpp"
-#include "camera/check.hpp"
-#include "camera/fields.hpp"
-#include "camera/read_pose.hpp"
-#include "text/error.hpp"
 #include "text/json_text.hpp"
-#include "viewproj/matrices.hpp"
 
 namespace viewproj::cmd {
 namespace {
 
-/// Adds every field of the convention, or those that differ from the other one.
-void addAxes(JsonObject& out, const Convention& c, const Convention* other) {
-  const auto add = [&](std::string_view name, const auto& names, auto axis) {
-    if (!other || c.*axis != other->*axis) out.add(name, nameOf(names, c.*axis));
-  };
-  add("world", kWorldNames, &Convention::world);
-  add("view", kViewNames, &Convention::view);
-  add("ndcZ", kNdcZNames, &Convention::ndcZ);
-  if (!other || c.reverseZ != other->reverseZ) out.add("reverseZ", c.reverseZ);
-  add("ndcY", kNdcYNames, &Convention::ndcY);
-  add("vectors", kVectorsNames, &Convention::vectors);
-  add("storage", kStorageNames, &Convention::storage);
+/// The members of a value, in the order in which they are written.
+std::vector<std::string_view> membersOf(const Field& field, const Json& value) {
+  std::vector<std::string_view> names = wordsIn(rowOf(field.kind).members);
+  for (const LensForm& form : lensForms())
+    if (field.kind == Kind::lens && value.contains("model") && value["model"] == form.model) names = lensMembers(form);
+  return names;
 }
-
-/// The order of members that are not in the table of fields.
-constexpr const char* kMembers[] = {"lat",         "lon",    "height", "order", "degrees", "rotation", "rotationVector",
-                                    "translation", "rows",   "cols",   "data",  "model",   "k",        "p",
-                                    "limit",       "radius", "x",      "y",     "z",       "w"};
 
 std::string textOf(const Json& value) {
   if (value.is_number()) return jsonOf(value.get<double>());
   if (value.is_string()) return jsonOf(value.get<std::string>());
   if (!value.is_structured()) return value.dump();
+  std::vector<std::string> items;
   if (value.is_array()) {
-    std::vector<std::string> items;
     for (const Json& item : value) items.push_back(textOf(item));
     return jsonList(items);
   }
+  if (value.contains("data")) return textOf(value["data"]);
+  for (const char* const name : {"x", "y", "z", "w"})
+    if (value.contains(name)) items.push_back(textOf(value[name]));
+  if (!items.empty()) return jsonList(items);
   JsonObject out;
-  for (const char* name : kMembers)
+  for (const auto& [name, member] : value.items()) out.addText(name, textOf(member));
+  return out.text();
+}
+
+std::string textOf(const Field& field, const Json& value) {
+  const auto names = value.is_object() ? membersOf(field, value) : std::vector<std::string_view>{};
+  if (std::none_of(names.begin(), names.end(), [&](std::string_view name) { return value.contains(name); }))
+    return textOf(value);
+  JsonObject out;
+  for (const std::string_view name : names)
     if (const auto member = value.find(name); member != value.end() && !member->is_null())
       out.addText(name, textOf(*member));
   return out.text();
@@ -54,54 +51,47 @@ std::string objectAt(const Json& document, const std::string& path) {
   JsonObject out;
   for (const std::string_view name : namesUnder(path)) {
     const std::string member = joinedPath(path, name);
-    if (const Json* const value = valueAt(document, member))
-      out.addText(name, findField(member) ? textOf(*value) : objectAt(document, member));
+    const Json* const value = valueAt(document, member);
+    const Field* const field = findField(member);
+    if (value) out.addText(name, field ? textOf(*field, *value) : objectAt(document, member));
   }
   return out.text();
 }
 
-/// Writes the defaults of the old preset into the document where the new preset has other defaults.
-void settleDefaults(Json& document, const ConventionPreset& from, const ConventionPreset& to, bool worldIsEcef) {
-  const auto has = [&](std::initializer_list<const char*> paths) {
-    return std::any_of(paths.begin(), paths.end(), [&](const char* path) { return valueAt(document, path); });
-  };
-  if (from.up != to.up && has({"target", "direction"}) && !has({"up"}) && !worldIsEcef)
-    document["up"] = {from.up.x, from.up.y, from.up.z};
-  if (from.cameraAxes != to.cameraAxes && has({"rotation", "euler", "worldFromCamera", "cameraFromWorld"}) &&
-      !has({"cameraAxes"}))
-    document["cameraAxes"] = nameOf(kCameraAxesNames, from.cameraAxes);
-  if (from.pixelCenter != to.pixelCenter && has({"viewport"}) && !has({"viewport.pixelCenter"}))
-    document["viewport"]["pixelCenter"] = from.pixelCenter;
-}
-
 }  // namespace
 
-std::string jsonOf(const Convention& convention) {
-  JsonObject out;
-  addAxes(out, convention, nullptr);
-  return out.text();
-}
-
 std::string writeCamera(const CameraFile& camera, const ConventionPreset& preset, const Convention& convention) {
-  Document written = copied(camera.document);
-  Json& document = *written.root;
-  settleDefaults(document, *readConvention(camera.document).preset, preset, camera.worldIsEcef);
-  if (const Json* const type = valueAt(document, "projection.type"); type && *type == "ps2" && !convention.reverseZ)
-    throw InputError(camera.name +
-                     ": a ps2 projection has no form in a convention whose depth is not reversed; "
-                     "--reverse-z or --convention ps2 reverses it");
-  if (valueAt(document, "projection.matrix") && convention != camera.convention)
-    setLensMatrix(written, uncroppedProjection(camera.document), convention);
-  JsonObject axes;
-  axes.add("preset", preset.name);
-  addAxes(axes, convention, &preset.convention);
+  const Document written = inConvention(camera, preset, convention);
+  const Json& document = *written.root;
   constexpr std::string_view kLine = ",\n  ";
   JsonObject out;
-  out.addText("convention", preset.convention == convention ? jsonOf(preset.name) : axes.text(), kLine);
+  out.addText("convention", jsonOf(preset, convention), kLine);
   for (const std::string_view name : namesUnder(""))
-    if (const Json* const value = name == "convention" ? nullptr : valueAt(document, name))
-      out.addText(name, findField(name) ? textOf(*value) : objectAt(document, std::string(name)), kLine);
+    if (const Json* const value = name == "convention" ? nullptr : valueAt(document, name)) {
+      const Field* const field = findField(name);
+      out.addText(name, field ? textOf(*field, *value) : objectAt(document, std::string(name)), kLine);
+    }
   return "{\n  " + out.members() + "\n}\n";
+}
+
+std::vector<std::string> setsBetween(const Document& from, const Document& to) {
+  std::vector<std::string> sets;
+  const auto differ = [&](std::string_view path) {
+    const Json *const a = valueAt(*from.root, path), *const b = valueAt(*to.root, path);
+    return a && b ? *a != *b : a != b;
+  };
+  const bool isOther = valueAt(*to.root, "projection") && differ("projection.type");
+  if (isOther) sets.push_back("projection=" + objectAt(*to.root, "projection"));
+  for (const Field& field : kFields) {
+    if (!differ(field.path) || (isOther && field.types != 0)) continue;
+    const Json* const value = valueAt(*to.root, field.path);
+    const bool isPlain = value && value->is_string();
+    sets.push_back(std::string(field.path) + "=" +
+                   (isPlain ? value->get<std::string>()
+                    : value ? textOf(field, *value)
+                            : "null"));
+  }
+  return sets;
 }
 
 }  // namespace viewproj::cmd

@@ -2,17 +2,17 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "camera/read_camera.hpp"
 
 namespace viewproj::cmd {
 
-/// {"world": ..., ...} with every field.
-std::string jsonOf(const Convention& convention);
-
-/// The camera's document as text, with its kind of pose and projection, in another convention: a preset, and the fields
-/// that differ from it. Defaults of the document's old preset are written out if the new one has others. The convention
-/// must have the camera's world. Throws InputError for a ps2 projection in a convention whose depth is not reversed.
+/// The document as text, with its kind of pose and projection, in another convention; see inConvention().
 std::string writeCamera(const CameraFile& camera, const ConventionPreset& preset, const Convention& convention);
+
+/// What makes the second document of the first: values for --set, such as "projection.fovY=42.1" or "target=null". A
+/// projection of another type is one value.
+std::vector<std::string> setsBetween(const Document& from, const Document& to);
 
 }  // namespace viewproj::cmd

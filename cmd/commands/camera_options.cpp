@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "camera/check.hpp"
 #include "camera/fields.hpp"
-#include "camera/read_pose.hpp"
+#include "camera/importers/importer.hpp"
 #include "camera/write_camera.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
@@ -51,7 +50,7 @@ void CameraOptions::add(CLI::App& app) {
     const auto layField = [this, &field](const std::string&, const std::string& text) {
       patches_.push_back(optionPatch(field, text));
     };
-    addOption(app, std::string(field.option), std::string(wordsOfKind(field.kind).placeholder), layField,
+    addOption(app, std::string(field.option), std::string(rowOf(field.kind).placeholder), layField,
               std::string(field.help));
   }
   app.add_flag_callback(
@@ -121,19 +120,18 @@ CameraPatches CameraOptions::patches(bool isTyped) const {
   return all;
 }
 
-std::pair<std::unique_ptr<CameraDocuments>, std::optional<std::string>> CameraOptions::readAll() const {
+std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> CameraOptions::readAll() const {
   const std::optional<std::string> name = file();
   if (name && onlyReads_ && convention_)
     throw UsageError("--convention is of matrices, and this command writes none; --read-as " +
                      std::string(convention_->name) + " reads a file that states no convention");
   CameraPatches all = patches(!name);  // whatever is wrong with the options is told before any file is opened
-  if (!name) return {std::make_unique<CameraDocuments>(std::move(all)), std::nullopt};
+  if (!name) return {std::make_unique<CameraSet>(all), std::nullopt};
   const CameraSource source = splitPick(*name);
-  return {std::make_unique<CameraDocuments>(load(source.file, camera_ ? "--camera" : "FILE"), std::move(all)),
-          source.pick};
+  return {openCameras(source.file, camera_ ? "--camera" : "FILE", std::move(all)), source.pick};
 }
 
-CameraFile CameraOptions::readOne(const CameraDocuments& cameras, std::size_t which, bool needsPicture) const {
+CameraFile CameraOptions::readOne(const CameraSet& cameras, std::size_t which, bool needsPicture) const {
   CameraFile file =
       readCamera(cameras.document(which), {allowStretch_, ignoreDistortion_, needsPicture && !takesAnyLens_});
   for (const std::string& each : file.notes) note(each);
@@ -150,9 +148,10 @@ int CameraOptions::writeEach(
     const std::function<std::string(const std::string& pick, const CameraFile& camera)>& textOf) const {
   if (!file()) throw UsageError("--all needs a file of cameras");
   const auto [cameras, pick] = readAll();
-  if (pick) throw UsageError("--all is of every camera of the file; leave out #" + *pick);
+  if (pick && pick->find('*') == std::string::npos)
+    throw UsageError("--all is of every camera of the file, or of those that a * matches; leave out #" + *pick);
   int status = 0;
-  for (std::size_t i = 0; i < cameras->size(); ++i) {
+  for (const std::size_t i : cameras->chooseAll(pick)) {
     std::string text;
     try {
       text = textOf(cameras->pickOf(i), readOne(*cameras, i, needsPicture));
@@ -177,8 +176,7 @@ Convention CameraOptions::writing(const Convention& read) const {
 }
 
 std::string CameraOptions::written(const CameraFile& file) const {
-  return writeCamera(file, convention_ ? *convention_ : *readConvention(file.document).preset,
-                     writing(file.convention));
+  return writeCamera(file, convention_ ? *convention_ : *file.preset, writing(file.convention));
 }
 
 void CameraOptions::noteHandedness(const CameraFile& file) const {

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "camera/camera_set.hpp"
 #include "camera/read_camera.hpp"
-#include "camera/source.hpp"
 #include "commands/cli.hpp"
 
 namespace viewproj::cmd {
@@ -34,8 +34,8 @@ class CameraOptions {
   /// The camera that -c, FILE or the options give. needsPicture: as in ReadOptions.
   CameraFile read(bool needsPicture = true) const;
   /// All cameras of the file, or the one of options; and what #NAME picks among them.
-  std::pair<std::unique_ptr<CameraDocuments>, std::optional<std::string>> readAll() const;
-  CameraFile readOne(const CameraDocuments& cameras, std::size_t which, bool needsPicture = true) const;
+  std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> readAll() const;
+  CameraFile readOne(const CameraSet& cameras, std::size_t which, bool needsPicture = true) const;
   /// Writes a text of every camera of the file; pick: what picks it. A camera that cannot be read, or of which there is
   /// no such text, has a message instead. Returns the exit status.
   int writeEach(bool needsPicture,

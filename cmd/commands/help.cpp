@@ -45,8 +45,7 @@ std::string fieldRows(const IsListed& isListed) {
     std::string text(previous->help);
     const std::string words = previous->words ? joined(previous->words()) : "";
     if (words.find(' ') != std::string::npos && words.size() <= kMostWords) text += " One of " + words + ".";
-    std::string others(previous->others);
-    if (!others.empty()) text += " [" + CLI::detail::find_and_replace(others, " ", ", ") + "]";
+    if (!previous->alias.empty()) text += " [" + std::string(previous->alias) + "]";
     out += row(names + options, text, kColumn);
     names = options = "";
   };

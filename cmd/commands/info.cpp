@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "camera/check.hpp"
 #include "camera/names.hpp"
 #include "camera/read_pose.hpp"
 #include "commands/camera_options.hpp"
@@ -170,6 +169,7 @@ OrderedJson infoReport(const CameraFile& file, const std::string& name, std::spa
 /// A row of a list of cameras. The document is normalized; its lens is not read, so that it may lack a picture. Throws
 /// InputError, and CameraError naming a field of the pose.
 OrderedJson cameraRow(const std::string& name, const Document& document) {
+  const FieldValues values = readValues(document);
   const auto valueOr = [&](const char* path, const OrderedJson& otherwise) {
     const Json* const value = valueAt(*document.root, path);
     return value && !value->is_null() ? OrderedJson(*value) : otherwise;
@@ -180,7 +180,7 @@ OrderedJson cameraRow(const std::string& name, const Document& document) {
   return {{"name", name},
           {"type", valueOr("projection.type", nullptr)},
           {"size", size},
-          {"pose", readPose(document).has_value()}};
+          {"pose", readPose(values, readConvention(values)).has_value()}};
 }
 
 struct InfoOptions {
@@ -190,10 +190,10 @@ struct InfoOptions {
 };
 
 /// A camera that cannot be read has a message instead of a row.
-int runList(const InfoOptions& o, const CameraDocuments& cameras) {
+int runList(const InfoOptions& o, const CameraSet& cameras, const std::optional<std::string>& pick) {
   OrderedJson rows = OrderedJson::array();
   int status = 0;
-  for (std::size_t i = 0; i < cameras.size(); ++i) {
+  for (const std::size_t i : cameras.chooseAll(pick)) {
     const std::string name = cameras.pickOf(i);
     try {
       rows.push_back(cameraRow(name, cameras.document(i)));
@@ -211,8 +211,8 @@ int runList(const InfoOptions& o, const CameraDocuments& cameras) {
 
 int runInfo(const InfoOptions& o) {
   const auto [cameras, pick] = o.camera.readAll();
-  if (!pick && cameras->size() > 1) return runList(o, *cameras);
-  const std::size_t which = cameras->choose(pick);
+  if (cameras->chooseAll(pick).size() > 1) return runList(o, *cameras, pick);
+  const std::size_t which = cameras->chooseAll(pick).front();
   const CameraFile file = o.camera.readOne(*cameras, which);
   o.camera.noteHandedness(file);
   std::vector<double> distances{1, 10, 100};

@@ -68,7 +68,7 @@ Matrices chooseMatrices(const MatrixOptions& o, const MatrixSource& source) {
   for (const CameraMatrix* row : chosen) {
     const std::string part = lacking(*row, source), message = std::string(row->name) + " needs " + part;
     if (part == kModel) throw UsageError(message + ", which says where the model stands");
-    if (!part.empty()) throw InputError(name + ": " + message);
+    if (!part.empty()) source.file.fail(name + ": " + message);
   }
   // A baked viewport is in the projection already.
   for (const CameraMatrix& row : cameraMatrices())
@@ -78,11 +78,11 @@ Matrices chooseMatrices(const MatrixOptions& o, const MatrixSource& source) {
     const std::string option = change.option;
     const auto row = std::find_if(cameraMatrices().begin(), cameraMatrices().end(),
                                   [&](const CameraMatrix& each) { return each.*change.part; });
-    throw InputError(name + ": " + option + " needs " + lacking(*row, source));
+    source.file.fail(name + ": " + option + " needs " + lacking(*row, source));
   }
   if (chosen.empty()) {
     requireNear(source.file, "projection");
-    throw InputError(name + ": the camera has neither a pose, a projection nor a viewport");
+    source.file.fail(name + ": the camera has neither a pose, a projection nor a viewport");
   }
   return chosen;
 }

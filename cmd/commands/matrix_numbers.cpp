@@ -3,8 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "camera/check.hpp"
-#include "camera/read_pose.hpp"
+#include "camera/read_convention.hpp"
 #include "commands/inspect_report.hpp"
 #include "text/error.hpp"
 #include "text/json_text.hpp"
@@ -60,10 +59,7 @@ WrittenMatrices parseObject(const std::string& json, const std::string& name) {
   }
   if (result.matrices.empty()) throw InputError(name + ": has no matrix: no value of 16 numbers or 4 rows of 4");
   if (const auto convention = Node(document).find("convention")) {
-    Document stated{name, std::make_shared<Json>(Json{{"convention", convention->json()}})};
-    normalize(stated);
-    check(stated);
-    result.convention = readConvention(stated).convention;
+    result.convention = readConvention(document).convention;
   }
   return result;
 }

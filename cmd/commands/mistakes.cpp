@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "camera/check.hpp"
 #include "camera/patch.hpp"
 #include "commands/pair_check.hpp"
 #include "text/error.hpp"
@@ -89,7 +88,7 @@ struct Trials {
       ReadOptions how = reading;
       if (stretch) how.allowStretch = true;
       Document changed{document.name, std::make_shared<Json>(*document.root), document.isTyped, document.labels};
-      lay(changed, patches);
+      applyPatches(changed, patches);
       Hypothesis hypothesis = next(mend + (stretch ? " --allow-stretch" : ""), std::move(value));
       hypothesis.camera = makeCamera(readCamera(changed, how));
       hypothesis.hasCamera = true;

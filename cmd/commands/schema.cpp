@@ -2,7 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "camera/check.hpp"
+#include "camera/fields.hpp"
 #include "commands/cli.hpp"
 #include "commands/command.hpp"
 #include "output/output_file.hpp"
@@ -25,35 +25,9 @@ constexpr const char* kParts = R"({
   "angle": {"anyOf": [{"type": "number"}, {"type": "string", "pattern": "(deg|rad|°)$"}]}
 })";
 
-/// What a value of a kind looks like. What depends on other fields, and ranges, the reader alone checks.
-constexpr std::pair<Kind, const char*> kSchemas[] = {
-    {Kind::text, R"({"type": "string"})"},
-    {Kind::flag, R"({"type": "boolean"})"},
-    {Kind::number, R"({"type": "number"})"},
-    {Kind::positive, R"({"type": "number", "exclusiveMinimum": 0})"},
-    {Kind::far, R"({"anyOf": [{"type": "number"}, {"const": "inf"}]})"},
-    {Kind::zero, R"({"const": 0})"},
-    {Kind::ratio, R"({"anyOf": [{"type": "number"}, {"type": "string", "pattern": "[/:]"}]})"},
-    {Kind::angle, R"({"$ref": "#/$defs/angle"})"},
-    {Kind::elevation, R"({"$ref": "#/$defs/angle"})"},
-    {Kind::turn, R"({"$ref": "#/$defs/angle"})"},
-    {Kind::pair, R"({"$ref": "#/$defs/xy"})"},
-    {Kind::range, R"({"$ref": "#/$defs/xy"})"},
-    {Kind::size, R"({"$ref": "#/$defs/xy"})"},
-    {Kind::direction, R"({"$ref": "#/$defs/xyz"})"},
-    {Kind::quaternion, R"({"$ref": "#/$defs/xyzw"})"},
-    {Kind::place, R"({"anyOf": [{"$ref": "#/$defs/xyz"}, {"type": "object", "required": ["lat", "lon", "height"]}]})"},
-    {Kind::euler, R"({"type": "object", "required": ["order", "degrees"]})"},
-    {Kind::rigid, R"({"anyOf": [{"$ref": "#/$defs/rows"}, {"type": "object", "required": ["translation"]}]})"},
-    {Kind::matrix, R"({"anyOf": [{"$ref": "#/$defs/rows"}, {"$ref": "#/$defs/sixteen"}]})"},
-    {Kind::lens, R"({"type": "object", "required": ["model"]})"},
-};
-
 Schema schemaOf(const Field& field) {
   if (field.kind == Kind::word) return {{"enum", field.words()}};
-  for (const auto& [kind, schema] : kSchemas)
-    if (kind == field.kind) return Schema::parse(schema);
-  return Schema::object();  // none: every kind has its row
+  return Schema::parse(rowOf(field.kind).schema);
 }
 
 std::string cameraSchema() {
@@ -73,8 +47,11 @@ std::string cameraSchema() {
     const Schema value = {{"anyOf", {schemaOf(field), {{"type", "null"}}}}, {"description", field.help}};
     (*object)["properties"][std::string(rest)] = value;
     if (object != &schema) continue;
-    for (const std::string_view name : namesOf(field)) schema["properties"][std::string(name)] = value;
+    if (!field.alias.empty()) schema["properties"][std::string(field.alias)] = value;
   }
+  schema["properties"]["cameras"] = {{"type", "array"},
+                                     {"items", {{"$ref", "#"}}},
+                                     {"description", "Cameras, each laid over the other members of the file."}};
   Schema& convention = schema["properties"]["convention"];
   convention = {{"anyOf", {schemaOf(*findField("convention.preset")), convention}}};
   return schema.dump(2) + "\n";

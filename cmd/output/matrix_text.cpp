@@ -7,7 +7,7 @@
 #include <unordered_set>
 
 #include "camera/names.hpp"
-#include "camera/write_camera.hpp"
+#include "camera/read_convention.hpp"
 #include "output/table.hpp"
 #include "text/error.hpp"
 #include "text/json_text.hpp"

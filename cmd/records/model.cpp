@@ -3,8 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "camera/check.hpp"
 #include "camera/read_camera.hpp"
+#include "camera/values.hpp"
 #include "numbers/dyadic.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"

@@ -5,8 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "camera/check.hpp"
-#include "camera/read_pose.hpp"
+#include "camera/values.hpp"
 #include "numbers/dyadic.hpp"
 #include "numbers/vectors.hpp"
 #include "records/crossings.hpp"
@@ -33,9 +32,9 @@ std::string faultOf(const Box& box, bool worldIsEcef) {
 
 /// A point [x, y, z], or a place if the camera is on the Earth.
 Vec3 pointOf(const Node& value, bool worldIsEcef) {
-  checkValue(value, *findField("position"));
-  if (isPlaceValue(value) && !worldIsEcef) value.fail("is a place, which needs a camera on the Earth");
-  return positionOf(value);
+  const Position position = readPosition(value);
+  if (position.place && !worldIsEcef) value.fail("is a place, which needs a camera on the Earth");
+  return position.point;
 }
 
 using Shape = decltype(SceneObject::shape);

@@ -26,6 +26,8 @@ const NamedAxes& named(CameraAxes axes) noexcept {
       {"RUF", false, {{0, 1, 2}, {1, 1, 1}}},
       {"RDF", true, {{0, 1, 2}, {1, -1, 1}}},
       {"FRU", false, {{2, 0, 1}, {1, 1, 1}}},
+      {"FLU", true, {{2, 0, 1}, {1, -1, 1}}},
+      {"FRD", true, {{2, 0, 1}, {1, 1, -1}}},
   };
   return kAxes[static_cast<std::size_t>(axes)];
 }

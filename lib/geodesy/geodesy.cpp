@@ -35,6 +35,18 @@ void requirePlace(const Geodetic& place, const std::string& field) {
   require(std::isfinite(place.height), "height", "must be a finite number of metres");
 }
 
+/// The pose of a camera whose right, up and forward are these axes before the turns.
+Pose turned(const Vec3& eye, TurnedAxes axes, const HeadingPitchRoll& angles) {
+  requireTurn(angles.heading, "heading");
+  requireTurn(angles.roll, "roll");
+  if (!(std::fabs(angles.pitch.value) <= (angles.pitch.isRadians ? std::numbers::pi : 180)))
+    throw CameraError("pitch", "must be from -180 to 180 degrees");
+  axes.turn(kRight, kForward, angles.heading);
+  axes.turn(kUpward, kForward, angles.pitch);
+  axes.turn(kRight, kUpward, angles.roll);
+  return poseFromAxes(eye, {axes.axis(kRight), axes.axis(kUpward), axes.axis(kForward)});
+}
+
 bool haveSameNormal(const Geodetic& a, const Geodetic& b) noexcept {
   if (a.lat != b.lat) return false;
   const double first = std::remainder(a.lon, 360), second = std::remainder(b.lon, 360);
@@ -75,17 +87,13 @@ FineVec3 detail::exactNormal(const Geodetic& place) noexcept {
 
 Pose poseFromHeadingPitchRoll(const Geodetic& position, const HeadingPitchRoll& angles) {
   requirePlace(position, "position");
-  requireTurn(angles.heading, "heading");
-  requireTurn(angles.roll, "roll");
-  if (!(std::fabs(angles.pitch.value) <= (angles.pitch.isRadians ? std::numbers::pi / 2 : 90)))
-    throw CameraError("pitch", "must be from -90 to 90 degrees; a camera upside down has a roll of 180");
-  TurnedAxes axes = eastUpNorth(position);
-  axes.turn(kRight, kForward, angles.heading);
-  axes.turn(kUpward, kForward, angles.pitch);
-  axes.turn(kRight, kUpward, angles.roll);
   const Vec3 eye = geodeticToEcef(position);
-  return withError(poseFromAxes(eye, {axes.axis(kRight), axes.axis(kUpward), axes.axis(kForward)}),
-                   {.eye = placeError(eye)});
+  return withError(turned(eye, eastUpNorth(position), angles), {.eye = placeError(eye)});
+}
+
+Pose poseInEastNorthUp(const Vec3& position, const HeadingPitchRoll& angles) {
+  requireNumber(position, "position");
+  return turned(position, TurnedAxes({{{1, 0, 0}, {0, 0, 1}, {0, 1, 0}}}), angles);
 }
 
 PoseError lookAtError(const Pose& pose, const Vec3& target, const Vec3& up, double eyeError,

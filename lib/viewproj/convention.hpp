@@ -38,8 +38,9 @@ struct Convention {
   friend constexpr bool operator==(const Convention&, const Convention&) = default;
 };
 
-/// The directions of x, y, z of a rotation or pose matrix.
-enum class CameraAxes { RUB, RUF, RDF, FRU };
+/// The directions of x, y, z of a rotation or pose matrix: Right, Left, Up, Down, Forward, Back. FLU is that of ROS,
+/// Gazebo and lidars, FRD that of aircraft.
+enum class CameraAxes { RUB, RUF, RDF, FRU, FLU, FRD };
 
 /// A named convention, with the usual defaults of the programs that use it.
 struct ConventionPreset {

@@ -39,7 +39,7 @@ Geodetic ecefToGeodetic(const Vec3& point) noexcept;
 /// Cesium's HeadingPitchRoll of a model counts heading from the model's x axis, east.
 struct HeadingPitchRoll {
   Angle heading = 0;  ///< any finite number up to 1e6 radians
-  Angle pitch = 0;    ///< from -90 to 90 degrees
+  Angle pitch = 0;    ///< from -180 to 180 degrees; beyond 90 the camera is upside down
   Angle roll = 0;     ///< as heading
 };
 
@@ -49,6 +49,9 @@ struct HeadingPitchRoll {
 
 /// East, north and up depend on lat and lon. At a pole, too, lon defines east.
 Pose poseFromHeadingPitchRoll(const Geodetic& position, const HeadingPitchRoll& angles);
+
+/// The same in a world whose x, y, z are east, north and up, such as a map grid: heading is counted from its north.
+Pose poseInEastNorthUp(const Vec3& position, const HeadingPitchRoll& angles);
 
 /// Up in the picture points away from the ellipsoid. Throws if target is straight above or below position, because up
 /// would be undefined.

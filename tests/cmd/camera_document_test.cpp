@@ -1,9 +1,10 @@
 // The camera document: what each form of a pose and a projection means, what patches displace, what is refused.
 #include <nlohmann/json.hpp>
 
-#include "camera/source.hpp"
+#include "camera/importers/importer.hpp"
 #include "catch.hpp"
 #include "parts.hpp"
+#include "text/error.hpp"
 #include "viewproj/matrices.hpp"
 #include "viewproj/screen.hpp"
 
@@ -25,7 +26,7 @@ Document laid(const std::string& document, const Patches& patches) {
   }
   REQUIRE(all.patches.size() == patches.size());
   requireConsistent(all.patches);
-  return CameraDocuments(load(document, "C"), all).document(0);
+  return openCameras(document, "C", all)->document(0);
 }
 
 Camera cameraOf(const std::string& document, const Patches& patches = {}) {
@@ -91,6 +92,12 @@ TEST_CASE("A point two ahead, one to the right and one above is seen there, howe
       {R"("convention": "opencv", "position": [1, 2, 3], "direction": [0, 0, 1])", {2, 1, 5}},
       {R"("convention": "opencv", "position": [1, 2, 3], "rotation": [0, 0, 0, 1])", {2, 1, 5}},
       {R"("convention": "ps2", "position": [1, 2, 3], "target": [1, 2, 4])", {2, 1, 5}},
+      {R"("position": [1, 2, 3], "rotation": [0, 0, 0, 1], "cameraAxes": "FLU")", {3, 1, 4}},
+      {R"("position": [1, 2, 3], "rotation": [0, 0, 0, 1], "cameraAxes": "FRD")", {3, 3, 2}},
+      {R"("world": "enu", "position": [1, 2, 3], "heading": 0)", {2, 4, 4}},
+      {R"("world": "enu", "position": [1, 2, 3], "heading": "90deg", "pitch": 0)", {3, 1, 4}},
+      {R"("world": "enu", "position": [1, 2, 3], "pitch": -180)", {2, 0, 2}},
+      {R"("world": "enu", "position": [1, 2, 3], "target": [1, 9, 3])", {2, 4, 4}},
       {earth + R"("heading": 0)", {6378138, 1, 2}},
       {earth + R"("heading": "90deg")", {6378138, 2, -1}},
       {earth + R"("pitch": 90)", {6378139, 1, -1}},
@@ -207,6 +214,19 @@ TEST_CASE("An option and --set displace what contradicts them and leave the rest
   check(base, {"position.0=7", "--up 0,0,1"}, R"({"position": [7, 2, 5], "up": [0, 0, 1]})");
   check(base, {"rotation=[0,0,0,1]"}, R"({"target": null, "rotation": [0, 0, 0, 1]})");
   check(base, {"projection.fovX=70", "projection.fovY=50"}, R"({"projection": {"fovY": 50}})");
+  // --set counts last wherever it stands, and of two the later.
+  check(base, {"--fov-y 70", "projection.fovY=50"}, R"({"projection": {"fovY": 50}})");
+  check(base, {"projection.fovX=50", "--fov-y 70"}, R"({"projection": {"fovY": null, "fovX": 50}})");
+  check(base, {"projection.height=4", "projection.type=perspective", "projection.fovX=40"},
+        R"({"projection": {"fovY": null, "fovX": 40}})");
+  check(pinhole, {"projection.type=perspective", "--fov-y 60"}, R"({"projection": {"type": "perspective", "fovY": 60,
+    "fx": null, "fy": null, "cx": null, "cy": null, "pixels": null}})");
+  // The short forms of options.
+  check(base, {"position=7,2,5", "name=5", "viewport.origin=bottom-left", "projection.far=inf"},
+        R"({"position": [7, 2, 5], "name": "5", "viewport": {"origin": "bottom-left"}, "projection": {"far": "inf"}})");
+  check(base, {"euler=YXZ:1,2,3"}, R"({"target": null, "euler": {"order": "YXZ", "degrees": [1, 2, 3]}})");
+  check(base, {"worldFromCamera.rotation=[0,0,0,1]", "worldFromCamera.translation=1,2,3"},
+        R"({"target": null, "worldFromCamera": {"rotation": [0, 0, 0, 1], "translation": [1, 2, 3]}})");
   check(base, {"--ortho-height 4"}, R"({"projection": {"type": "orthographic", "fovY": null, "height": 4}})");
   check(pinhole, {"--fov-y 60"}, R"({"projection": {"type": "perspective", "fovY": 60, "fx": null, "fy": null,
     "cx": null, "cy": null, "pixels": null}})");
@@ -238,17 +258,90 @@ TEST_CASE("A refusal of each kind") {
   of(R"({"projection": {"aspect": "4/3"}})",
      "C: projection.aspect: the aspect is 1.33333, but the viewport's is 1.77778; leave it out, change it "
      "by --aspect, or give --allow-stretch (is '4/3')");
-  of(R"({"projection": {"near": 0}})", "C: projection.near: expected a number above 0 (is 0)");
+  of(R"({"projection": {"near": 0}})", "C: projection.near: expected a number above 0, got 0");
   of(R"({"projection": {"near": 5, "far": 2}})",
      "C: projection.far: must be greater than near, 5; for reversed depth keep near < far and set reverseZ (is 2)");
-  check("{}", {"--fov-y 200"}, "--fov-y: expected an angle between 0 and 180 degrees (is 200)");
+  check("{}", {"--fov-y 200"}, "--fov-y: expected an angle between 0 and 180 degrees, got 200");
   check("{}", {"--position lat=x,lon=8,height=0"},
-        "--position: lat: expected a number of degrees, \"60deg\" or \"1.0472rad\" (is 'x')");
+        "--position: lat: expected a number of degrees, \"60deg\" or \"1.0472rad\", got 'x'");
   check("{}", {"--target 0,0,0", "--direction 0,0,1"}, "--target and --direction both orient the camera; keep one");
-  check("{}", {"--fov-y 60", "projection.fovY=50"}, "--fov-y and --set projection.fovY give the same field; keep one");
+  check("{}", {"--fov-y 60", "--ortho-height 5"}, "--fov-y and --ortho-height both say what the camera sees; keep one");
+  of(R"({"from": [1, 2, 3]})", "C: from: is not known; did you mean 'position'?");
+  of(R"({"world": "enu", "position": {"lat": 1, "lon": 2, "height": 3}})",
+     "C: position: is a place on the Earth; in the world \"enu\" expected [x, y, z]: east, north, up");
+  of(R"({"world": "enu", "convention": "d3d"})",
+     "C: the convention's world is left-handed, but east, north and up are right-handed; --convention says how to "
+     "write");
   check("{}", {"projection.fvY=null"}, "--set projection.fvY: is not known; did you mean 'projection.fovY'?");
-  check("{}", {R"(viewport={"width": "x"})"}, "--set viewport: width: expected a number (is 'x')");
+  check("{}", {R"(viewport={"width": "x"})"}, "--set viewport: width: expected a number, got 'x'");
   check(
       R"({"position": null, "target": null, "cameraFromWorld": [[1, 0, 0, 9], [0, 1, 0, 8], [0, 0, 1, 7]], "convention": "opngl"})",
       {"--target 0,0,0"}, "C: convention.preset: is not known; did you mean 'opengl'? (is 'opngl')");
+}
+
+TEST_CASE("What came from the command line and is wrong is a usage error, what the file holds is not") {
+  const auto isUsage = [](const std::string& document, const Patches& patches) {
+    try {
+      (void)cameraOf(document, patches);
+    } catch (const UsageError&) {
+      return true;
+    } catch (const InputError&) {
+      return false;
+    }
+    FAIL("it is read");
+    return false;
+  };
+  const std::string base = with("{}");
+  CHECK(isUsage(base, {"projection.fovY=abc"}));
+  CHECK(isUsage(base, {"projection.near=5", "projection.far=2"}));
+  CHECK(isUsage(base, {"projection.focalLength=35"}));
+  CHECK(isUsage(base, {"target=3,2,5"}));
+  CHECK(isUsage(base, {"bogus=1"}));
+  CHECK(isUsage("{}", {"--fov-y 60", "--near 3", "--far 2", "viewport.width=2", "viewport.height=2"}));
+  CHECK_FALSE(isUsage(with(R"({"projection": {"far": 0.01}})"), {"projection.fovY=50"}));
+  CHECK_FALSE(isUsage(with(R"({"fov": 3})"), {"projection.fovY=50"}));
+}
+
+TEST_CASE("A set has the cameras of its list, each laid over the members that they share") {
+  const std::string text = R"({"convention": "opencv", "target": [0, 0, 0], "projection": {"near": 0.1},
+    "viewport": {"width": 200, "height": 100}, "cameras": [
+      {"name": "left", "eye": [1, 0, 5], "projection": {"type": "perspective", "fovY": 90}},
+      {"name": "cam/right", "position": [2, 0, 5], "rotation": [0, 0, 0, 1],
+       "projection": {"type": "intrinsics", "fx": 50, "fy": 60, "cx": 100, "cy": 50}, "viewport": {"pixelCenter": 0.5}},
+      {"name": "cam/top", "position": [2, 0, 5], "target": null, "projection": {"type": "perspective", "fovY": 90}}]})";
+  CameraPatches patches;
+  patches.patches = {setPatch("projection.near=0.25")};
+  const auto set = openCameras(text, "C", patches);
+  REQUIRE(set->size() == 3);
+  CHECK(set->choose("left") == 0);
+  CHECK(set->choose("1") == 1);
+  CHECK(set->chooseAll("cam/*") == std::vector<std::size_t>{1, 2});
+  CHECK(set->chooseAll(std::nullopt).size() == 3);
+  CHECK(set->find("cam/right") == std::size_t{1});
+  CHECK(set->find("2") == std::size_t{2});
+  CHECK_FALSE(set->find("middle"));
+  const Camera& left = set->camera(0, {});
+  CHECK(left.pose().eye() == Vec3{1, 0, 5});
+  CHECK(left.intrinsics().fy == Approx(50));
+  CHECK(left.projection().zNear() == 0.25);
+  CHECK(&set->camera(0, {}) == &left);
+  const Camera& right = set->camera(1, {});
+  CHECK(right.pose().forward() == Vec3{0, 0, 1});  // the rotation displaces the target
+  CHECK(right.intrinsics().fy == 60);
+  CHECK(right.viewport().pixelCenter == 0.5);
+  CHECK_THROWS_AS(set->camera(2, {}), InputError);  // its target is taken away
+  const auto fault = [](const std::string& document) -> std::string {
+    try {
+      const auto bad = openCameras(document, "C", {});
+      (void)bad->document(bad->size() - 1);
+    } catch (const InputError& e) {
+      return e.what();
+    }
+    return "";
+  };
+  CHECK(fault(R"({"target": [0, 0, 0], "cameras": []})") == "C: holds no camera");
+  CHECK(fault(R"({"cameras": [{"position": [0, 0, 0]}, {"cameras": []}]})") ==
+        "C: cameras.1: cameras: is inside a camera");
+  CHECK(fault(R"({"cameras": 5, "target": [0, 0, 0]})") == "");
+  CHECK(fault(R"({"cameras": [{"K": 1}]})").starts_with("C: is not a camera file of a known kind"));
 }

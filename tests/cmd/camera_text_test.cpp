@@ -7,10 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "camera/change_camera.hpp"
-#include "camera/read_pose.hpp"
-#include "camera/source.hpp"
+#include "camera/importers/importer.hpp"
+#include "camera/plain_camera.hpp"
 #include "camera/write_camera.hpp"
 #include "catch.hpp"
+#include "random.hpp"
 #include "text/error.hpp"
 #include "viewproj/viewproj.hpp"
 
@@ -46,8 +47,7 @@ constexpr const char* kOthers[] = {
 std::vector<CameraFile> allCameras() {
   std::vector<CameraFile> cameras;
   for (const char* text : kOthers) {
-    const CameraDocuments documents(load(text, "FILE"), {});
-    cameras.push_back(completed(documents.document(0)));
+    cameras.push_back(completed(openCameras(text, "FILE", {})->document(0)));
   }
   for (const char* folder : {"samples", "tests/cmd/transcripts"})
     for (const auto& entry :
@@ -55,8 +55,8 @@ std::vector<CameraFile> allCameras() {
       const std::string ending = entry.path().extension().string();
       if (ending != ".json" && ending != ".gltf" && ending != ".yaml" && ending != ".yml" && ending != ".txt") continue;
       try {
-        const CameraDocuments documents(load(entry.path().string(), "FILE"), {});
-        for (std::size_t i = 0; i < documents.size(); ++i) cameras.push_back(completed(documents.document(i)));
+        const auto set = openCameras(entry.path().string(), "FILE", {});
+        for (std::size_t i = 0; i < set->size(); ++i) cameras.push_back(completed(set->document(i)));
       } catch (const InputError&) {  // a scene, points, a camera that is to be refused
       }
     }
@@ -125,7 +125,7 @@ TEST_CASE("A camera for another world shows its points at the same pixels") {
          {AxisMap{}, AxisMap{{0, 1, 2}, {1, 1, -1}}, AxisMap{{2, 0, 1}, {-1, 1, 1}}, AxisMap{{2, 1, 0}, {1, 1, 1}}}) {
       const double scale = map == AxisMap{} ? 3 : 100;
       const CameraFile again = readCamera(mapped(camera, map, scale), kReading);
-      const std::string text = writeCamera(again, *readConvention(again.document).preset, again.convention);
+      const std::string text = writeCamera(again, *again.preset, again.convention);
       INFO(camera.name << "\n" << text);
       mirrored += again.convention.world != camera.convention.world;
       const double pixels = apart(camera, readCamera(load(text, "the file written"), kReading), [&](const Vec3& p) {
@@ -138,4 +138,146 @@ TEST_CASE("A camera for another world shows its points at the same pixels") {
       CHECK(pixels <= 1e-9 + 4e-12 * away);
     }
   CHECK(mirrored > 50);
+}
+
+namespace {
+
+double lengthOf(const Vec3& v) { return std::hypot(v.x, v.y, v.z); }
+double apart(const Vec3& a, const Vec3& b) { return lengthOf({a.x - b.x, a.y - b.y, a.z - b.z}); }
+
+/// The names of what orients the camera.
+std::vector<std::string> poseForm(const Document& document) {
+  std::vector<std::string> names;
+  for (const Field& field : kFields)
+    if (field.group == Group::pose && field.path != "up" && valueAt(*document.root, field.path))
+      names.emplace_back(field.path);
+  return names;
+}
+
+/// The second document, made of the first by the values that --set would have.
+Document bySets(const Document& from, const Document& to) {
+  std::vector<Patch> patches;
+  for (const std::string& text : setsBetween(from, to)) patches.push_back(setPatch(text));
+  Document made = copied(from);
+  applyPatches(made, patches);
+  return made;
+}
+
+}  // namespace
+
+TEST_CASE("A camera that is given a pose has it, in the form that it had, and --set gives the same") {
+  std::map<std::string, int> forms;
+  const std::vector<CameraFile> cameras = allCameras();
+  for (std::size_t i = 0; i < cameras.size(); ++i)
+    for (std::uint64_t trial = 0; trial < 6; ++trial) {
+      const CameraFile& camera = cameras[i];
+      Random random(100 * i + trial);
+      const Vec3 old = camera.pose->eye();
+      const double size = camera.worldIsEcef ? 1000 : 10;
+      const Vec3 by = random.vector(size), look = random.direction(), up = random.direction();
+      const Vec3 eye{old.x + by.x, old.y + by.y, old.z + by.z};
+      const PlainPose pose = plainPose(lookAlong(eye, look, up, camera.convention.world));
+      const Document changed = withPose(camera, pose);
+      INFO(camera.name << " " << camera.document.root->dump() << "\n" << changed.root->dump());
+      for (const Document& document : {changed, bySets(camera.document, changed)}) {
+        const Pose again = *readCamera(copied(document), kReading).pose;
+        CHECK(apart(again.eye(), eye) <= (camera.worldIsEcef ? 2e-8 : 1e-12 * (1 + lengthOf(eye))));
+        CHECK(apart(again.right(), pose.right) <= 1e-12);
+        CHECK(apart(again.up(), pose.up) <= 1e-12);
+        CHECK(apart(again.forward(), pose.forward) <= 1e-12);
+      }
+      const Json* const target = valueAt(*camera.document.root, "target");
+      const bool becomesHeading = target && target->contains("lat");
+      if (!becomesHeading && !valueAt(*camera.document.root, "heading"))
+        CHECK(poseForm(changed) == poseForm(camera.document));
+      for (const std::string& name : poseForm(changed)) ++forms[name];
+    }
+  for (const char* form :
+       {"target", "direction", "rotation", "euler", "worldFromCamera", "cameraFromWorld", "heading"}) {
+    INFO(form);
+    CHECK(forms[form] > 0);
+  }
+}
+
+TEST_CASE("Euler angles of every order give the pose, straight up and down too") {
+  for (const auto& [order, axes] : kEulerOrders)
+    for (std::uint64_t trial = 0; trial < 20; ++trial) {
+      const CameraFile camera =
+          readCamera(openCameras(R"({"position": [1, 2, 3], "euler": {"order": ")" + std::string(order) +
+                                     R"(", "degrees": [10, 20, 30]}, "projection": {"type": "perspective", "fovY": 60},
+                          "viewport": {"width": 2, "height": 2}})",
+                                 "C", {})
+                         ->document(0),
+                     {});
+      Random random(trial);
+      const bool isQuarter = trial % 4 == 0;  // the middle turn is at its pole in some orders
+      const auto angle = [&] {
+        return isQuarter ? 90.0 * std::floor(random.uniform(-2, 3)) : random.uniform(-180, 180);
+      };
+      const std::array<Turn, 3> turns{{{0, angle()}, {1, angle()}, {2, angle()}}};
+      const PlainPose pose = plainPose(poseFromTurns({4, 5, 6}, turns, CameraAxes::RUB, Handedness::right));
+      const Document changed = withPose(camera, pose);
+      INFO(changed.root->dump());
+      const Pose again = *readCamera(copied(changed), {}).pose;
+      CHECK(apart(again.right(), pose.right) <= 1e-14);
+      CHECK(apart(again.forward(), pose.forward) <= 1e-14);
+    }
+}
+
+TEST_CASE("A camera that is given fx, fy, cx, cy, near and far has them, and --set gives the same") {
+  std::map<std::string, int> kept, others;
+  for (const CameraFile& camera : allCameras()) {
+    const Camera before = makeCamera(camera);
+    if (before.projection().isOrthographic()) continue;
+    const Intrinsics k = before.intrinsics();
+    const double near = before.projection().zNear(), far = before.projection().zFar();
+    const std::string type = (*camera.document.root)["projection"]["type"];
+    const std::pair<Intrinsics, double> rows[] = {{{1.25 * k.fx, 1.25 * k.fy, k.cx, k.cy}, near},
+                                                  {{k.fx, 1.1 * k.fy, k.cx, k.cy}, near},
+                                                  {{k.fx, k.fy, k.cx + 7, k.cy - 3}, near == 0 ? 0 : near / 2}};
+    for (const auto& [wanted, zNear] : rows) {
+      if (type == "ps2" && wanted.cx != k.cx) continue;
+      const Document changed = withProjection(camera, frameProjection(camera, wanted, zNear, far));
+      INFO(camera.name << " " << camera.document.root->dump() << "\n" << changed.root->dump());
+      for (const Document& document : {changed, bySets(camera.document, changed)}) {
+        const Camera again = makeCamera(readCamera(copied(document), kReading));
+        const Intrinsics found = again.intrinsics();
+        CHECK(found.fx == Approx(wanted.fx).epsilon(1e-12));
+        CHECK(found.fy == Approx(wanted.fy).epsilon(1e-12));
+        CHECK(found.cx == Approx(wanted.cx).margin(1e-9));
+        CHECK(found.cy == Approx(wanted.cy).margin(1e-9));
+        CHECK(again.projection().zNear() == Approx(zNear).epsilon(1e-12));
+        CHECK((again.projection().zFar() == far || again.projection().zFar() == Approx(far).epsilon(1e-9)));
+      }
+      ++((*changed.root)["projection"]["type"] == type ? kept : others)[type];
+    }
+  }
+  for (const char* form : {"matrix", "ps2", "perspective", "frustum", "intrinsics"}) {
+    INFO(form);
+    CHECK(kept[form] > 0);
+  }
+  CHECK(others["perspective"] > 0);
+  CHECK(others["intrinsics"] + others["frustum"] + others["matrix"] == 0);
+}
+
+TEST_CASE("An orthographic camera that is given a window has it") {
+  for (const char* const size :
+       {R"("width": 4, "height": 2)", R"("height": 2)", R"("left": -1, "right": 3, "bottom": -1, "top": 1)"})
+    for (const auto& [wanted, keeps] :
+         {std::pair(orthographic(-4, 4, -2, 2, 1, 9), true),
+          {orthographic(-1, 3, -1, 1, -2, 9), std::string_view(size).starts_with("\"l")}}) {
+      const CameraFile camera =
+          readCamera(load(R"({"position": [0, 0, 0], "direction": [0, 0, 1], "viewport": {"width": 20, "height": 10},
+                              "projection": {"type": "orthographic", "near": 1, "far": 9, )" +
+                              std::string(size) + "}}",
+                          "C"),
+                     {});
+      const Document changed = withProjection(camera, wanted);
+      INFO(changed.root->dump());
+      const Projection again = *readCamera(copied(changed), {}).projection;
+      for (const auto side : {&Projection::left, &Projection::right, &Projection::bottom, &Projection::top,
+                              &Projection::zNear, &Projection::zFar})
+        CHECK((again.*side)() == (wanted.*side)());
+      CHECK(((*changed.root)["projection"].contains("left") == std::string_view(size).starts_with("\"l")) == keeps);
+    }
 }

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "camera/read_pose.hpp"
-#include "camera/source.hpp"
+#include "camera/importers/importer.hpp"
 #include "camera/write_camera.hpp"
 #include "fuzz.hpp"
 #include "output/matrix_text.hpp"
@@ -62,7 +61,7 @@ void writeAll(const CameraFile& file) {
 
 /// As `matrix --to camera` does, and the file that it writes read as any other.
 void writeAndReadAgain(const CameraFile& file) {
-  const std::string written = writeCamera(file, *readConvention(file.document).preset, file.convention);
+  const std::string written = writeCamera(file, *file.preset, file.convention);
   requireJson(written, "matrix --to camera");
   try {
     const CameraFile again = readCamera(load(written, "the file written"), file.reading);
@@ -101,10 +100,10 @@ void readAndUse(std::string_view input) {
     at = next;
   }
   requireConsistent(patches.patches);
-  const CameraDocuments cameras(load("-", "--camera"), patches);
-  for (std::size_t i = 0; i < std::min<std::size_t>(cameras.size(), 8); ++i)
-    if (cameras.choose(cameras.pickOf(i)) != i) found("a camera's pick picks another");
-  const Document document = cameras.document(cameras.choose(pick));
+  const auto cameras = openCameras("-", "--camera", patches);
+  for (std::size_t i = 0; i < std::min<std::size_t>(cameras->size(), 8); ++i)
+    if (cameras->choose(cameras->pickOf(i)) != i) found("a camera's pick picks another");
+  const Document document = cameras->document(cameras->choose(pick));
   const CameraFile file = readCamera(document, {.allowStretch = true, .ignoreDistortion = true});
   writeAll(file);
   writeAndReadAgain(file);

@@ -67,10 +67,28 @@ TEST_CASE("What is no place has no coordinates, and a pose there is an error tha
   CHECK(std::isnan(ecefToGeodetic({0, nan, 0}).lat));
   CHECK(std::isnan(ecefToGeodetic({0, 0, inf}).height));
   CHECK(fieldAtFault([&] { poseFromHeadingPitchRoll({}, {.heading = inf}); }) == "heading");
-  CHECK(fieldAtFault([&] { poseFromHeadingPitchRoll({}, {.pitch = 90.5}); }) == "pitch");
+  CHECK(fieldAtFault([&] { poseFromHeadingPitchRoll({}, {.pitch = 180.5}); }) == "pitch");
   CHECK(fieldAtFault([&] { poseFromHeadingPitchRoll({}, {.pitch = nan}); }) == "pitch");
   CHECK(fieldAtFault([&] { poseFromHeadingPitchRoll({}, {.roll = nan}); }) == "roll");
   CHECK_FALSE(std::signbit(ecefToGeodetic({6378137, 0, -0.0}).lat));
+}
+
+TEST_CASE("In east, north and up heading turns from y towards x, pitch up, and roll puts the right side down") {
+  const auto near = [](const Vec3& a, const Vec3& b) {
+    return std::fabs(a.x - b.x) + std::fabs(a.y - b.y) + std::fabs(a.z - b.z) < 1e-15;
+  };
+  const Pose level = poseInEastNorthUp({1, 2, 3}, {.heading = 30});
+  CHECK(level.eye() == Vec3{1, 2, 3});
+  CHECK(near(level.forward(), {0.5, std::sqrt(0.75), 0}));
+  CHECK(near(level.right(), {std::sqrt(0.75), -0.5, 0}));
+  CHECK(level.up() == Vec3{0, 0, 1});
+  CHECK(poseInEastNorthUp({}, {.pitch = 90}).forward() == Vec3{0, 0, 1});
+  CHECK(poseInEastNorthUp({}, {.roll = 90}).right() == Vec3{0, 0, -1});
+  // Beyond the vertical: 60 degrees before straight down, upside down.
+  const Pose over = poseInEastNorthUp({}, {.heading = 90, .pitch = -120});
+  CHECK(near(over.forward(), {-0.5, 0, -std::sqrt(0.75)}));
+  CHECK(near(over.up(), {std::sqrt(0.75), 0, -0.5}));
+  CHECK(fieldAtFault([&] { poseInEastNorthUp({0, NAN, 0}, {}); }) == "position");
 }
 
 TEST_CASE("A camera at a place without angles is level and looks north") {

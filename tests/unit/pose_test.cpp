@@ -67,6 +67,8 @@ TEST_CASE("Turns bring the axis after theirs towards the one after that, each ab
   CHECK(axesAre(pose(CameraAxes::RDF, right), {0, 0, -1}, {-1, 0, 0}, {0, -1, 0}));
   CHECK(axesAre(pose(CameraAxes::RUF, left), {0, 0, -1}, {1, 0, 0}, {0, -1, 0}));
   CHECK(axesAre(pose(CameraAxes::FRU, left), {1, 0, 0}, {0, -1, 0}, {0, 0, -1}));
+  CHECK(axesAre(pose(CameraAxes::FLU, right), {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}));
+  CHECK(axesAre(pose(CameraAxes::FRD, right), {1, 0, 0}, {0, 1, 0}, {0, 0, -1}));
   CHECK(complaint([&] { pose(CameraAxes::RUF, right); }).first == "rotation");
   for (const Turn& bad : {Turn{3, 1}, Turn{-1, 1}, Turn{0, NAN}, Turn{0, INFINITY}})
     CHECK(complaint([&] { poseFromTurns({}, {{{0, 1}, bad, {2, 3}}}, CameraAxes::RUB, right); }).first == "euler");

@@ -9,6 +9,12 @@ namespace viewproj::cmd {
 
 using namespace detail;
 
+namespace {
+
+Quaternion quaternionIn(const Node& value) { return std::get<Quaternion>(readValue(value, *findField("rotation"))); }
+
+}  // namespace
+
 NodeTree::Frame NodeTree::frameIn(const Frame& parent, const Node& node, bool isCamera) const {
   Frame frame;
   frame.isMoved = parent.isMoved || node.findAny({"matrix", translation_, rotation_, "scale"});
@@ -19,7 +25,7 @@ NodeTree::Frame NodeTree::frameIn(const Frame& parent, const Node& node, bool is
     for (std::size_t j = 0; j < 3; ++j) frame.columns[j] = {m[4 * j], m[4 * j + 1], m[4 * j + 2]};
     frame.origin = {m[12], m[13], m[14]};
   } else {
-    if (const auto turn = node.find(rotation_)) frame.columns = rotationColumns(*turn);
+    if (const auto turn = node.find(rotation_)) frame.columns = rotationColumns(quaternionIn(*turn));
     if (const auto scale = isCamera ? std::nullopt : node.find("scale"))
       for (std::size_t j = 0; j < 3; ++j) frame.columns[j] = frame.columns[j] * scale->vec3()[j];
     if (const auto move = node.find(translation_)) frame.origin = toDoubleDouble(move->vec3());

@@ -4,27 +4,16 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "camera/camera_set.hpp"
 #include "camera/document.hpp"
 
 namespace viewproj::cmd {
-
-/// One of the cameras in a file. FILE#NAME, FILE#ID or FILE#NUMBER picks it.
-struct CameraEntry {
-  std::string name;  ///< the name in the file, or empty
-  std::string id;    ///< a number or a second name, or empty
-};
-
-struct Import {
-  std::vector<CameraEntry> cameras;
-  /// Our document of a camera in the list. Throws InputError naming the file's own field.
-  std::function<Json(std::size_t which)> document;
-};
 
 struct Importer {
   std::string_view name;  ///< name in help formats
@@ -32,6 +21,10 @@ struct Importer {
   bool (*recognises)(const Json& root);
   Import (*open)(const Node& root);  ///< root must outlive the result; throws InputError
 };
+
+/// The cameras of a file of any format. source: as load() takes it; also a .glb, or a folder or file of COLMAP. Throws
+/// InputError if the format is not known, or if it has another convention than patches.readAs.
+std::unique_ptr<CameraSet> openCameras(const std::string& source, const std::string& option, CameraPatches patches);
 
 /// Bare matrices: the only foreign files that --read-as applies to.
 extern const Importer kMatrices;

@@ -6,10 +6,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "camera/check.hpp"
 #include "camera/importers/calibration.hpp"
 #include "camera/names.hpp"
-#include "camera/read_pose.hpp"
+#include "camera/read_convention.hpp"
 #include "viewproj/convention.hpp"
 
 namespace viewproj::cmd {
@@ -29,11 +28,7 @@ Convention conventionOf(const Node& root) {
   const auto stated = root.find("convention");
   if (!stated || stated->json().empty())
     root.fail("matrices need a convention: --read-as NAME states it, and viewproj inspect lists those that fit");
-  Document document = root.document();
-  document.root = std::make_shared<Json>(Json{{"convention", stated->json()}});
-  normalize(document);
-  check(document);
-  return readConvention(document).convention;
+  return readConvention(root.document()).convention;
 }
 
 /// The matrix for column vectors. 4 rows of 4 are as written, 16 numbers are in memory order.

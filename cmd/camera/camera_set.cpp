@@ -1,0 +1,220 @@
+#include "camera/camera_set.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "text/error.hpp"
+#include "text/names.hpp"
+#include "text/system.hpp"
+#include "text/utf8.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+constexpr const char* kCameras = "cameras";
+
+/// Whether the object has a member of ours at its top, but those that many kinds of files have.
+bool hasOurMember(const Json& object) {
+  if (!object.is_object()) return false;
+  return std::any_of(std::begin(kFields), std::end(kFields), [&](const Field& field) {
+    if (field.path == "name" || field.path == "$schema") return false;
+    return object.contains(topName(field)) || (!field.alias.empty() && object.contains(field.alias));
+  });
+}
+
+bool isSet(const Json& root) {
+  const auto cameras = root.is_object() ? root.find(kCameras) : root.end();
+  if (!root.is_object() || cameras == root.end() || !cameras->is_array()) return false;
+  return cameras->empty()
+             ? hasOurMember(root)
+             : std::all_of(cameras->begin(), cameras->end(), [](const Json& entry) { return entry.is_object(); }) &&
+                   (hasOurMember(root) || std::any_of(cameras->begin(), cameras->end(), hasOurMember));
+}
+
+std::string nameIn(const Json& camera) {
+  const auto name = camera.find("name");
+  return name != camera.end() && name->is_string() ? name->get<std::string>() : "";
+}
+
+/// An entry laid over the shared members.
+Json entryOver(const Document& file, const Json& shared, std::size_t which) {
+  Document entry{file.name, std::make_shared<Json>((*file.root)[kCameras][which])};
+  Document whole{file.name, std::make_shared<Json>(shared)};
+  entry.name += ": cameras." + std::to_string(which);
+  normalize(entry);
+  normalize(whole);
+  if (entry.root->contains(kCameras)) Node(entry, (*entry.root)[kCameras], kCameras).fail("is inside a camera");
+  layOver(whole, *entry.root);
+  return std::move(*whole.root);
+}
+
+/// Whether a text matches a pattern in which * stands for any text.
+bool matches(std::string_view text, std::string_view pattern) {
+  std::size_t at = 0, i = 0, star = std::string_view::npos, afterStar = 0;
+  while (at < text.size()) {
+    if (i < pattern.size() && pattern[i] == '*') {
+      star = i++;
+      afterStar = at;
+    } else if (i < pattern.size() && pattern[i] == text[at]) {
+      ++i;
+      ++at;
+    } else if (star != std::string_view::npos) {  // the last star takes one more
+      i = star + 1;
+      at = ++afterStar;
+    } else {
+      return false;
+    }
+  }
+  return pattern.find_first_not_of('*', i) == std::string_view::npos;
+}
+
+}  // namespace
+
+CameraSource splitPick(const std::string& source) {
+  const std::size_t first = source.find_first_not_of(" \t\r\n");
+  if (first != std::string::npos && source[first] == '{') {
+    const std::size_t mark = source.find('#', source.rfind('}'));
+    if (mark == std::string::npos) return {source, std::nullopt};
+    return {source.substr(0, mark), source.substr(mark + 1)};
+  }
+  std::error_code ignored;
+  std::size_t mark = source.find('#');
+  if (mark == std::string::npos || std::filesystem::exists(pathOf(source), ignored)) return {source, std::nullopt};
+  constexpr std::size_t kLongestName = 4096;  // PATH_MAX: a longer name cannot be opened
+  for (std::size_t at = mark; at < kLongestName; at = source.find('#', at + 1))
+    if (const std::string file = source.substr(0, at); file == "-" || std::filesystem::exists(pathOf(file), ignored)) {
+      mark = at;
+      break;
+    }
+  return {source.substr(0, mark), source.substr(mark + 1)};
+}
+
+bool isCameraDocument(const Json& root) {
+  return root.is_object() && (root.empty() || hasOurMember(root) || isSet(root));
+}
+
+Import openCameraDocument(const Document& file) {
+  const Json& root = *file.root;
+  if (!isSet(root)) return {{{nameIn(root), ""}}, [file](std::size_t) { return *file.root; }};
+  Import result;
+  for (const Json& entry : root[kCameras]) result.cameras.push_back({nameIn(entry), ""});
+  const auto shared = std::make_shared<Json>(root);
+  shared->erase(kCameras);
+  result.document = [file, shared](std::size_t which) { return entryOver(file, *shared, which); };
+  return result;
+}
+
+// cppcheck-suppress constParameter  // what it points to changes
+void readAs(Document& file, std::string_view preset) {
+  Json& convention = (*file.root)["convention"];
+  const std::string name(preset);
+  if (!convention.is_null() && convention != name && convention != Json{{"preset", name}})
+    throw InputError(file.name + ": has another convention than --read-as " + name);
+  convention = name;
+}
+
+CameraSet::CameraSet(std::string name, Import import, CameraPatches patches)
+    : name_(std::move(name)), patches_(std::move(patches)), import_(std::move(import)), kept_(import_.cameras.size()) {
+  if (import_.cameras.empty()) throw InputError(name_ + ": holds no camera");
+  for (std::size_t i = 0; i < size(); ++i) {
+    names_[import_.cameras[i].name].push_back(i);
+    ids_[import_.cameras[i].id].push_back(i);
+  }
+}
+
+CameraSet::CameraSet(const CameraPatches& patches)
+    : CameraSet("the command line",
+                {{{}},
+                 [preset = patches.readAs](std::size_t) {
+                   return preset.empty() ? Json::object() : Json{{"convention", preset}};
+                 }},
+                patches) {
+  isTyped_ = true;
+}
+
+std::string CameraSet::pickOf(std::size_t which) const {
+  const CameraEntry& camera = import_.cameras[which];
+  const std::string number = std::to_string(which);
+  const auto isOnly = [](const std::string& text, const auto& named) {
+    const auto found = named.find(text);
+    return !text.empty() && visible(text) == text && found != named.end() && found->second.size() == 1;
+  };
+  if (isOnly(camera.name, names_)) return camera.name;
+  // Names are preferred to ids, and both to numbers. A number after ## is always a number.
+  if (isOnly(camera.id, ids_) && !names_.contains(camera.id)) return camera.id;
+  return (names_.contains(number) || ids_.contains(number) ? "#" : "") + number;
+}
+
+std::string CameraSet::someOf(const std::vector<std::size_t>& cameras) const {
+  constexpr std::size_t kMost = 8;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(cameras.size(), kMost); ++i) text += (i == 0 ? "#" : ", #") + pickOf(cameras[i]);
+  return cameras.size() <= kMost ? text : text + " and " + std::to_string(cameras.size() - kMost) + " more";
+}
+
+std::vector<std::size_t> CameraSet::called(std::string_view text) const {
+  const std::string name(text);
+  for (const auto* const named : {&names_, &ids_})
+    if (const auto found = named->find(name); !name.empty() && found != named->end()) return found->second;
+  const std::string_view digits = text.starts_with('#') ? text.substr(1) : text;
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  const bool isNumber = error == std::errc() && number < size() && std::to_string(number) == digits;
+  return isNumber ? std::vector{number} : std::vector<std::size_t>{};
+}
+
+std::optional<std::size_t> CameraSet::find(std::string_view name) const {
+  const auto found = called(name);
+  return found.size() == 1 ? std::optional(found.front()) : std::nullopt;
+}
+
+std::vector<std::size_t> CameraSet::all() const {
+  std::vector<std::size_t> all(size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
+}
+
+std::size_t CameraSet::choose(const std::optional<std::string>& pick) const {
+  if (!pick) {
+    if (size() == 1) return 0;
+    throw InputError(name_ + ": holds " + std::to_string(size()) +
+                     " cameras; pick one after the file's name: " + someOf(all()));
+  }
+  const std::vector<std::size_t> found = called(*pick);
+  if (found.size() == 1) return found.front();
+  if (!found.empty())
+    throw InputError(name_ + ": has " + std::to_string(found.size()) + " cameras called " + inQuotes(*pick) +
+                     "; pick one by its number: " + someOf(found));
+  throw InputError(name_ + ": has no camera " + inQuotes(*pick) + "; it has " + someOf(all()));
+}
+
+std::vector<std::size_t> CameraSet::chooseAll(const std::optional<std::string>& pick) const {
+  if (!pick) return all();
+  if (pick->find('*') == std::string::npos || !called(*pick).empty()) return {choose(pick)};
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < size(); ++i)
+    if (matches(import_.cameras[i].name, *pick)) found.push_back(i);
+  if (found.empty()) throw InputError(name_ + ": has no camera " + inQuotes(*pick) + "; it has " + someOf(all()));
+  return found;
+}
+
+Document CameraSet::document(std::size_t which) const {
+  Document document{name_ + (size() > 1 ? "#" + pickOf(which) : ""), std::make_shared<Json>(), isTyped_};
+  {
+    const std::lock_guard lock(importing_);
+    *document.root = import_.document(which);
+  }
+  normalize(document);
+  applyPatches(document, patches_.patches);
+  return document;
+}
+
+const Camera& CameraSet::camera(std::size_t which, const ReadOptions& reading) const {
+  Kept& kept = kept_[which];
+  std::call_once(kept.once, [&] { kept.camera = makeCamera(readCamera(document(which), reading)); });
+  return *kept.camera;
+}
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,104 @@
+// Sets of cameras: every file is one. Each camera is a document with the options laid over it.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "camera/document.hpp"
+#include "camera/patch.hpp"
+#include "camera/read_camera.hpp"
+
+namespace viewproj::cmd {
+
+/// One of the cameras of a file. FILE#NAME, FILE#ID or FILE#NUMBER picks it.
+struct CameraEntry {
+  std::string name;  ///< the name in the file, or empty
+  std::string id;    ///< a number or a second name, or empty
+};
+
+/// The cameras of a file, as a format finds them.
+struct Import {
+  std::vector<CameraEntry> cameras;
+  /// Our document of a camera of the list. Throws InputError naming the file's own field. Calls are one at a
+  /// time.
+  std::function<Json(std::size_t which)> document;
+};
+
+/// "scene.gltf#Camera": a file and the camera to pick in it. A file whose own name has a # is found first.
+struct CameraSource {
+  std::string file;  ///< in the form that load() accepts
+  std::optional<std::string> pick;
+};
+CameraSource splitPick(const std::string& source);
+
+/// What applies to every camera of a set.
+struct CameraPatches {
+  std::string readAs;          ///< the name of a preset; empty: the file's convention
+  std::vector<Patch> patches;  ///< of options and --set, in any order
+};
+
+/// Whether a document is a camera, or a set of cameras, in our own form: it has one of our members at the top (but
+/// "name" and "$schema" alone), or no member at all. For a format to ask after its own conditions.
+bool isCameraDocument(const Json& root);
+/// The cameras of such a document: itself, or the entries of "cameras", each laid over the shared members as --set
+/// would. Throws InputError.
+Import openCameraDocument(const Document& file);
+
+/// Sets the convention that a file does not state. Throws InputError if it states another one.
+void readAs(Document& file, std::string_view preset);
+
+class CameraSet {
+ public:
+  /// name: of the file, in messages. Throws InputError for an empty list.
+  CameraSet(std::string name, Import import, CameraPatches patches);
+  /// A camera from options only.
+  explicit CameraSet(const CameraPatches& patches);
+  CameraSet(const CameraSet&) = delete;
+  CameraSet& operator=(const CameraSet&) = delete;
+
+  std::size_t size() const { return import_.cameras.size(); }
+  /// The name in the file; empty if it has none.
+  const std::string& nameOf(std::size_t which) const { return import_.cameras[which].name; }
+  /// The shortest text after # that picks only this camera.
+  std::string pickOf(std::size_t which) const;
+  /// Finds a camera by name, id or number (## for a number only); without a pick, the only camera. Throws InputError.
+  std::size_t choose(const std::optional<std::string>& pick) const;
+  /// All cameras without a pick; those that match a pick with a * in it; else the one that choose() finds.
+  std::vector<std::size_t> chooseAll(const std::optional<std::string>& pick) const;
+  /// The camera that a record names, as choose() finds it; nothing if there is none or more than one. Constant time.
+  std::optional<std::size_t> find(std::string_view name) const;
+
+  /// The camera's document with the patches applied.
+  Document document(std::size_t which) const;
+  /// The camera, read when it is first asked for, and kept (about 1 kB). Any number of threads may call this. Throws
+  /// InputError each time if the camera cannot be read. All calls must have the same options.
+  const Camera& camera(std::size_t which, const ReadOptions& reading) const;
+
+ private:
+  struct Kept {
+    std::once_flag once;
+    std::optional<Camera> camera;
+  };
+
+  std::vector<std::size_t> all() const;
+  /// The cameras of a name, or else of an id; or else the camera of a number.
+  std::vector<std::size_t> called(std::string_view name) const;
+  std::string someOf(const std::vector<std::size_t>& cameras) const;
+
+  std::string name_;
+  bool isTyped_ = false;
+  CameraPatches patches_;
+  Import import_;
+  mutable std::mutex importing_;
+  std::unordered_map<std::string, std::vector<std::size_t>> names_, ids_;  ///< the cameras of each
+  mutable std::vector<Kept> kept_;
+};
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,377 @@
+#include "camera/plain_camera.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "camera/read_pose.hpp"
+#include "viewproj/matrices.hpp"
+
+namespace viewproj::cmd {
+
+using detail::DDVec3;
+using detail::toDoubleDouble;
+
+namespace {
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+/// Where rounding is all that differs.
+constexpr double kRounding = 1e-12;
+
+Json listOf(const Vec3& v) { return {v.x, v.y, v.z}; }
+Vec3 scaled(const Vec3& v, double factor) { return {factor * v.x + 0.0, factor * v.y + 0.0, factor * v.z + 0.0}; }
+double lengthOf(const Vec3& v) { return std::hypot(v.x, v.y, v.z); }
+double dotOf(const Vec3& a, const Vec3& b) { return dot(toDoubleDouble(a), toDoubleDouble(b)).hi; }
+
+// ---- Rotations. Columns are the camera's x, y, z axes in the world.
+
+using PlainColumns = std::array<Vec3, 3>;
+
+/// The axis of a letter of RUB, FRD ...
+Vec3 axisOf(char letter, const PlainPose& p) {
+  const Vec3& axis = letter == 'R' || letter == 'L' ? p.right : letter == 'U' || letter == 'D' ? p.up : p.forward;
+  return letter == 'L' || letter == 'D' || letter == 'B' ? scaled(axis, -1) : axis;
+}
+
+PlainColumns plainColumns(const PlainPose& pose, CameraAxes axes) {
+  const std::string_view name = nameOf(kCameraAxesNames, axes);
+  return {axisOf(name[0], pose), axisOf(name[1], pose), axisOf(name[2], pose)};
+}
+
+/// The quaternion x, y, z, w, with w >= 0.
+std::array<double, 4> quaternionOf(const PlainColumns& c) {
+  const std::array<double, 4> squares = {1 + c[0].x - c[1].y - c[2].z, 1 - c[0].x + c[1].y - c[2].z,
+                                         1 - c[0].x - c[1].y + c[2].z, 1 + c[0].x + c[1].y + c[2].z};
+  const double xy = c[1].x + c[0].y, xz = c[2].x + c[0].z, yz = c[2].y + c[1].z;
+  const double xw = c[1].z - c[2].y, yw = c[2].x - c[0].z, zw = c[0].y - c[1].x;
+  // Products with the largest component, times four. Dividing by it gives the quaternion.
+  const std::array<std::array<double, 4>, 4> products = {
+      {{squares[0], xy, xz, xw}, {xy, squares[1], yz, yw}, {xz, yz, squares[2], zw}, {xw, yw, zw, squares[3]}}};
+  const auto largest = std::max_element(squares.begin(), squares.end());
+  std::array<double, 4> q = products[static_cast<std::size_t>(largest - squares.begin())];
+  for (double& part : q) part = part / (2 * std::sqrt(*largest)) + 0.0;
+  return q;
+}
+
+Vec3 rotationVectorOf(const PlainColumns& c) {
+  std::array<double, 4> q = quaternionOf(c);
+  if (q[3] < 0)
+    for (double& part : q) part = -part;
+  const double sine = std::hypot(q[0], q[1], q[2]);
+  return scaled({q[0], q[1], q[2]}, sine > 0 ? 2 * std::atan2(sine, q[3]) / sine : 2);
+}
+
+/// Degrees of turns about these axes, in this order. Where the first and last turn are about one line, the last is 0.
+std::array<double, 3> turnsOf(const PlainColumns& c, const EulerTurns& order) {
+  const auto i = static_cast<std::size_t>(order[0].axis), j = static_cast<std::size_t>(order[1].axis);
+  const bool returns = order[0].axis == order[2].axis;  // as in ZXZ
+  const std::size_t k = 3 - i - j;
+  const double e = (i + 1) % 3 == j ? 1 : -1;
+  const auto r = [&](std::size_t row, std::size_t column) { return c[column][row]; };
+  double first = 0, last = 0;
+  const double across = returns ? std::hypot(r(i, j), r(i, k)) : std::hypot(r(i, i), r(i, j));
+  const double middle = returns ? std::atan2(across, r(i, i)) : std::atan2(e * r(i, k), across);
+  if (across < kRounding) {
+    first = std::atan2(e * r(k, j), r(j, j));
+  } else if (returns) {
+    first = std::atan2(r(j, i), -e * r(k, i));
+    last = std::atan2(r(i, j), e * r(i, k));
+  } else {
+    first = std::atan2(-e * r(j, k), r(k, k));
+    last = std::atan2(-e * r(i, j), r(i, i));
+  }
+  return {first * kDegrees, middle * kDegrees, last * kDegrees};
+}
+
+/// East, north and up at an eye.
+struct LocalAxes {
+  Vec3 east{1, 0, 0}, north{0, 1, 0}, up{0, 0, 1};
+};
+LocalAxes localAxes(const Geodetic& place) {
+  const double lat = place.lat / kDegrees, lon = place.lon / kDegrees;
+  return {{-std::sin(lon), std::cos(lon), 0},
+          {-std::sin(lat) * std::cos(lon), -std::sin(lat) * std::sin(lon), std::cos(lat)},
+          {std::cos(lat) * std::cos(lon), std::cos(lat) * std::sin(lon), std::sin(lat)}};
+}
+
+/// Straight up or down the roll is 0. Heading and roll compose to the same axes as the pose's.
+HeadingPitchRoll anglesOf(const PlainPose& pose, const LocalAxes& at) {
+  const double toEast = dotOf(pose.forward, at.east), toNorth = dotOf(pose.forward, at.north);
+  const double level = std::hypot(toEast, toNorth), rise = dotOf(pose.forward, at.up);
+  if (level < kRounding)
+    return {std::atan2(-dotOf(pose.right, at.north), dotOf(pose.right, at.east)) * kDegrees, rise < 0 ? -90.0 : 90.0,
+            0};
+  // The level camera of that heading has these axes to the right and up.
+  const double sine = toEast / level, cosine = toNorth / level;
+  const auto inWorld = [&](double east, double north, double up) {
+    return Vec3{east * at.east.x + north * at.north.x + up * at.up.x,
+                east * at.east.y + north * at.north.y + up * at.up.y,
+                east * at.east.z + north * at.north.z + up * at.up.z};
+  };
+  const Vec3 right = inWorld(cosine, -sine, 0), up = inWorld(-rise * sine, -rise * cosine, level);
+  return {std::atan2(toEast, toNorth) * kDegrees, std::atan2(rise, level) * kDegrees,
+          std::atan2(-dotOf(pose.right, up), dotOf(pose.right, right)) * kDegrees};
+}
+
+// ---- Poses in the document's form
+
+Json placeOf(const Vec3& point) {
+  const Geodetic place = ecefToGeodetic(point);
+  return {{"lat", place.lat}, {"lon", place.lon}, {"height", place.height}};
+}
+
+/// worldFromCamera or, if isInverse, cameraFromWorld, in the form of the old value.
+Json rigidOf(const PlainPose& pose, CameraAxes axes, bool isInverse, const Json& old) {
+  PlainColumns c = plainColumns(pose, axes);
+  Vec3 translation = pose.eye;
+  if (isInverse) {
+    translation = {-dotOf(c[0], pose.eye) + 0.0, -dotOf(c[1], pose.eye) + 0.0, -dotOf(c[2], pose.eye) + 0.0};
+    c = {Vec3{c[0].x, c[1].x, c[2].x}, Vec3{c[0].y, c[1].y, c[2].y}, Vec3{c[0].z, c[1].z, c[2].z}};
+  }
+  const auto row = [&](std::size_t i) { return Json{c[0][i], c[1][i], c[2][i]}; };
+  if (!old.is_object()) {
+    Json rows{row(0), row(1), row(2)};
+    for (std::size_t i = 0; i < 3; ++i) rows[i].push_back(translation[i]);
+    if (old.size() != 3) rows.push_back({0, 0, 0, 1});
+    return rows;
+  }
+  Json rigid{{"translation", listOf(translation)}};
+  if (old.contains("rotationVector"))
+    rigid["rotationVector"] = listOf(rotationVectorOf(c));
+  else if (old["rotation"].size() == 4)
+    rigid["rotation"] = quaternionOf(c);
+  else
+    rigid["rotation"] = {row(0), row(1), row(2)};
+  return rigid;
+}
+
+void putAngle(Json& root, const char* name, double degrees) {
+  if (root.contains(name) || std::fabs(degrees) > kRounding) root[name] = degrees;
+}
+
+/// A target at its old distance, or a direction; and up, if the old one does not give this pose.
+void putLook(Json& root, const FieldValues& values, const CameraFile& camera, const PlainPose& pose) {
+  const Vec3& eye = pose.eye;
+  if (values.has("target")) {
+    const Vec3 ahead = scaled(pose.forward, *camera.targetDistance);
+    root["target"] = {eye.x + ahead.x, eye.y + ahead.y, eye.z + ahead.z};
+  } else {
+    root["direction"] = listOf(scaled(pose.forward, lengthOf(*values.find<Vec3>("direction"))));
+  }
+  try {
+    const Handedness hand = camera.convention.world;
+    const Vec3 usual = values.valueOr("up", camera.worldIsEnu ? Vec3{0, 0, 1} : camera.preset->up);
+    const bool isNormal = camera.worldIsEcef && !values.has("up");
+    const Pose upright = isNormal ? lookAlongOnEarth(eye, pose.forward, ecefToGeodetic(eye), hand)
+                                  : lookAlong(eye, pose.forward, usual, hand);
+    const Vec3 above = upright.up();
+    if (lengthOf({above.x - pose.up.x, above.y - pose.up.y, above.z - pose.up.z}) <= kRounding) return;
+  } catch (const CameraError&) {  // straight up or down
+  }
+  root["up"] = listOf(pose.up);
+}
+
+// ---- Windows
+
+Json edgesOf(const char* type, const Projection& p, double scale) {
+  return {{"type", type},
+          {"left", p.left() * scale},
+          {"right", p.right() * scale},
+          {"bottom", p.bottom() * scale},
+          {"top", p.top() * scale}};
+}
+
+/// Puts a window into the document's form of projection. before: the window that it has.
+struct WindowWriter {
+  const CameraFile& camera;
+  const FieldValues& values;
+  const Projection &before, &after;
+  Json& fields;  ///< the projection
+
+  double width() const { return after.right() - after.left(); }
+  double height() const { return after.top() - after.bottom(); }
+  bool isCentred() const {
+    return std::fabs(after.left() + after.right()) <= kRounding * width() &&
+           std::fabs(after.bottom() + after.top()) <= kRounding * height();
+  }
+  bool hasOldShape() const { return std::fabs(after.aspect() - before.aspect()) <= kRounding * before.aspect(); }
+  /// How much narrower the window is.
+  double narrower() const { return (before.right() - before.left()) / width(); }
+  double old(FieldId field) const { return *values.find<double>(field); }
+
+  bool perspective() const {
+    if (!isCentred()) return false;
+    if (values.has("projection.nearWidth")) {
+      fields["nearWidth"] = width() * after.zNear();
+      fields["nearHeight"] = height() * after.zNear();
+      return after.zNear() > 0;
+    }
+    if (!hasOldShape()) return false;
+    if (values.has("projection.focalLength"))
+      fields["focalLength"] = old("projection.focalLength") * narrower();
+    else
+      for (const auto& [name, of] :
+           {std::pair("fovY", Fov::vertical), {"fovX", Fov::horizontal}, {"fovDiagonal", Fov::diagonal}})
+        if (fields.contains(name)) fields[name] = after.fov(of);
+    return true;
+  }
+
+  bool orthographic() const {
+    const bool hasWidth = values.has("projection.width"), hasHeight = values.has("projection.height");
+    if (!isCentred() || (hasWidth != hasHeight && !hasOldShape())) return false;
+    if (hasWidth) fields["width"] = width();
+    if (hasHeight) fields["height"] = height();
+    return hasWidth || hasHeight;
+  }
+
+  void intrinsics() const {
+    const auto picture = readPicture(values, {camera.preset, camera.convention, camera.statesConvention});
+    if (!picture) return;
+    const auto [fx, fy, cx, cy] =
+        cameraIn(camera.convention, {}, after, pictureOfIntrinsics(values, picture->frame)).intrinsics();
+    fields.update({{"fx", fx}, {"fy", fy}, {"cx", cx}, {"cy", cy}});
+  }
+
+  bool ps2() const {
+    if (!isCentred()) camera.fail(camera.name + ": a ps2 projection has its viewing axis in the middle of the picture");
+    fields["scrz"] = old("projection.scrz") * narrower();
+    if (!hasOldShape()) fields["ay"] = old("projection.ay") * (before.top() - before.bottom()) / height() / narrower();
+    return true;
+  }
+
+  bool inOldForm() const {
+    switch (typeOf(values)) {
+      case kPerspective:
+        return perspective();
+      case kFrustum:
+        for (const char* const name : {"left", "right", "bottom", "top"}) fields.erase(name);
+        fields.update(edgesOf("frustum", after, after.zNear()));
+        return after.zNear() > 0;
+      case kIntrinsics:
+        intrinsics();
+        return true;
+      case kOrthographic:
+        return orthographic();
+      case kPs2:
+        return ps2();
+      default:
+        putMatrix(*camera.document.root, after, camera.convention);
+        return true;
+    }
+  }
+};
+
+}  // namespace
+
+PlainPose plainPose(const Pose& pose) { return {pose.eye(), pose.right(), pose.up(), pose.forward()}; }
+
+Document copied(const Document& document) {
+  Document copy = document;
+  copy.root = std::make_shared<Json>(*document.root);
+  return copy;
+}
+
+void orient(Json& root, FieldId field, Json value) {
+  for (const Field& other : kFields)
+    if (contradict(other, *field)) root.erase(std::string(other.path));
+  root[std::string(field->path)] = std::move(value);
+}
+
+void putRotation(Json& root, const PlainPose& pose, Handedness world) {
+  const CameraAxes axes = world == Handedness::right ? CameraAxes::RUB : CameraAxes::RUF;
+  orient(root, "rotation", quaternionOf(plainColumns(pose, axes)));
+  root["cameraAxes"] = nameOf(kCameraAxesNames, axes);
+}
+
+void putMatrix(Json& root, const Projection& projection, const Convention& convention) {
+  root["projection"]["matrix"] =
+      laidOut(matrix(cameraIn(convention, {}, projection), Space::clip, Space::view), convention).m;
+}
+
+Document withPose(const CameraFile& camera, const PlainPose& pose) {
+  Document document = copied(camera.document);
+  Json& root = *document.root;
+  const FieldValues values = readValues(camera.document);
+  const CameraAxes axes = cameraAxesOf(values, *camera.preset);
+  const auto* const position = values.find<Position>("position");
+  if (position) root["position"] = position->place ? placeOf(pose.eye) : listOf(pose.eye);
+  for (const FieldId field : {FieldId("worldFromCamera"), FieldId("cameraFromWorld")})
+    if (const Json* const old = valueAt(*camera.document.root, field->path)) {
+      root[std::string(field->path)] = rigidOf(pose, axes, field->path == "cameraFromWorld", *old);
+      return document;
+    }
+  const auto* const target = values.find<Position>("target");
+  if (values.has("rotation")) {
+    root["rotation"] = quaternionOf(plainColumns(pose, axes));
+  } else if (const auto* const euler = values.find<EulerTurns>("euler")) {
+    root["euler"]["degrees"] = turnsOf(plainColumns(pose, axes), *euler);
+  } else if (values.has("direction") || (target && !target->place)) {
+    putLook(root, values, camera, pose);
+  } else {
+    const HeadingPitchRoll angles =
+        anglesOf(pose, camera.worldIsEcef ? localAxes(ecefToGeodetic(pose.eye)) : LocalAxes{});
+    if (target) orient(root, "heading", angles.heading);
+    putAngle(root, "heading", angles.heading);
+    putAngle(root, "pitch", angles.pitch);
+    putAngle(root, "roll", angles.roll);
+  }
+  return document;
+}
+
+Projection frameProjection(const CameraFile& camera) {
+  Document whole = copied(camera.document);
+  (*whole.root)["projection"].erase("shift");
+  if (valueAt(*whole.root, "viewport")) (*whole.root)["viewport"].erase("crop");
+  return *readCamera(whole, {.allowStretch = true, .needsPicture = camera.reading.needsPicture}).projection;
+}
+
+Projection frameProjection(const CameraFile& camera, const Intrinsics& ofTile, double zNear, double zFar) {
+  const FieldValues values = readValues(camera.document);
+  const auto picture = readPicture(values, {camera.preset, camera.convention, camera.statesConvention});
+  const Crop crop = picture->crop.value_or(Crop{});
+  const Projection shown =
+      intrinsics(ofTile.fx, ofTile.fy, ofTile.cx + crop.x, ofTile.cy + crop.y, picture->frame, zNear, zFar);
+  const auto* const shift = values.find<Vec2>("projection.shift");
+  return shift ? shifted(shown, -shift->x, -shift->y) : shown;
+}
+
+Document withProjection(const CameraFile& camera, const Projection& projection) {
+  CameraFile changed = camera;
+  changed.document = copied(camera.document);
+  Json& root = *changed.document.root;
+  const FieldValues values = readValues(camera.document);
+  const Projection before = frameProjection(camera);
+  const WindowWriter writer{changed, values, before, projection, root["projection"]};
+  const auto putRange = [&](Json& fields) {
+    if (projection.zNear() != before.zNear() || !fields.contains("near")) fields["near"] = projection.zNear();
+    if (projection.zFar() != before.zFar() || !fields.contains("far")) fields["far"] = projection.zFar();
+    if (!hasDepth(projection)) fields.erase("near");
+    if (!std::isfinite(projection.zFar())) fields.erase("far");
+  };
+  const bool keeps = projection.isOrthographic() == before.isOrthographic() && writer.inOldForm();
+  if (keeps) {
+    if (typeOf(values) != kMatrix) putRange(root["projection"]);
+    return changed.document;
+  }
+  Json fields;
+  if (projection.isOrthographic()) {
+    fields = edgesOf("orthographic", projection, 1);
+    if (const Json* const shift = valueAt(root, "projection.shift")) fields["shift"] = *shift;
+  } else {
+    const auto picture = readPicture(values, {camera.preset, camera.convention, camera.statesConvention});
+    if (!picture)
+      camera.fail(camera.name + ": this projection has no form without a viewport; --viewport WIDTHxHEIGHT gives one");
+    const auto* const shift = values.find<Vec2>("projection.shift");
+    const auto [fx, fy, cx, cy] =
+        cameraIn(camera.convention, {}, shift ? shifted(projection, shift->x, shift->y) : projection, picture->frame)
+            .intrinsics();
+    fields = {{"type", "intrinsics"}, {"fx", fx}, {"fy", fy}, {"cx", cx}, {"cy", cy}};
+  }
+  putRange(fields);
+  root["projection"] = std::move(fields);
+  return changed.document;
+}
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,43 @@
+// Plain numbers put into a document: the pose and the projection of a camera, in the forms that the document has.
+#pragma once
+
+#include "camera/read_camera.hpp"
+
+namespace viewproj::cmd {
+
+/// A copy with its own value. Plain copies of a document share theirs.
+Document copied(const Document& document);
+
+/// Position and axes of a camera, the axes as unit vectors.
+struct PlainPose {
+  Vec3 eye, right, up, forward;
+};
+PlainPose plainPose(const Pose& pose);
+
+/// The camera with this pose, in the document's form of pose: a target at its old distance, and up if it changed; a
+/// direction; a rotation; euler angles in their order; heading, pitch and roll (also for a target on the Earth); or a
+/// matrix, a quaternion or a rotation vector, in the direction that the document has. A position stays a place on the
+/// Earth. The camera must have a pose. Throws InputError for a pose that its world does not have.
+Document withPose(const CameraFile& camera, const PlainPose& pose);
+
+/// The camera with this projection of its whole picture, before shift and crop. Keeps the document's form if it can
+/// say it: an angle, a focal length or a near size for a window that is centred and of the old shape, edges, fx ... cy,
+/// a matrix. Else the projection becomes intrinsics (without shift), or edges for an orthographic one. near and far
+/// stay as written unless they change. A perspective without a viewport keeps only what its form can say, and throws
+/// InputError for anything else.
+Document withProjection(const CameraFile& camera, const Projection& projection);
+/// The projection before shift and crop.
+Projection frameProjection(const CameraFile& camera);
+/// The projection of the whole picture, before the document's shift, whose tile has fx, fy, cx, cy.
+Projection frameProjection(const CameraFile& camera, const Intrinsics& ofTile, double zNear, double zFar);
+
+// ---- Parts of a document
+
+/// Removes what else orients the camera, and sets the field.
+void orient(Json& root, FieldId field, Json value);
+/// Orients the camera by a rotation.
+void putRotation(Json& root, const PlainPose& pose, Handedness world);
+/// Sets projection.matrix, as the convention writes it.
+void putMatrix(Json& root, const Projection& projection, const Convention& convention);
+
+}  // namespace viewproj::cmd
