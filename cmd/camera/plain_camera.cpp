@@ -312,10 +312,10 @@ Document withPose(const CameraFile& camera, const PlainPose& pose) {
   } else {
     const HeadingPitchRoll angles =
         anglesOf(pose, camera.worldIsEcef ? localAxes(ecefToGeodetic(pose.eye)) : LocalAxes{});
-    if (target) orient(root, "heading", angles.heading);
-    putAngle(root, "heading", angles.heading);
-    putAngle(root, "pitch", angles.pitch);
-    putAngle(root, "roll", angles.roll);
+    if (target) orient(root, "heading", angles.heading.value);
+    putAngle(root, "heading", angles.heading.value);
+    putAngle(root, "pitch", angles.pitch.value);
+    putAngle(root, "roll", angles.roll.value);
   }
   return document;
 }

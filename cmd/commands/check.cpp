@@ -54,7 +54,7 @@ struct CheckOptions {
 };
 
 int runCheck(const CheckOptions& o) {
-  FilterSetup setup = o.stream.setup(kPairColumns);
+  StreamSetup setup = o.stream.setup(kPairColumns);
   if (setup.given.size() != o.pixels.size())
     throw UsageError("expected a --pixel for each --point, got " + std::to_string(setup.given.size()) +
                      " --point and " + std::to_string(o.pixels.size()) + " --pixel");
@@ -67,9 +67,12 @@ int runCheck(const CheckOptions& o) {
   o.stream.settleOnEarth(setup, file.worldIsEcef);
   PairCheck check(makeCamera(file), hypotheses(file.document, file.reading), o.within);
   const PointReading reading{.columns = setup.columns, .worldIsEcef = file.worldIsEcef};
-  const int status = readEach(
-      setup, [&](const RecordParts& record) { return findPair(record, reading); }, toPair,
-      [&](const Pair& pair, const Record&, std::size_t line) { check.add(pair.point, pair.pixel, line); });
+  const RecordUse use{[&](const RecordView& record) { return findPair(record, reading); },
+                      [&](const NumberPlan& plan, const Numbers& numbers, const RecordView&, std::size_t line) {
+                        const Pair pair = toPair(plan, numbers);
+                        check.add(pair.point, pair.pixel, line);
+                      }};
+  const int status = readRecords(setup, use);
   if (check.records() == 0) throw InputError(shownName(setup.file) + ": has no pairs of a point and a pixel");
   const OrderedJson report = check.report();
   o.report.write(o.report.form() == ReportForm::table ? forPeople(report) : report);

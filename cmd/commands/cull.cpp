@@ -17,30 +17,28 @@ namespace viewproj::cmd {
 using namespace detail;
 namespace {
 
-class CullWork final : public RecordWork {
+class Culler final : public RecordProcessor {
  public:
-  CullWork(const Frustum& frustum, const PointReading& reading) : frustum_(frustum), reading_(reading) {}
+  Culler(const Frustum& frustum, const PointReading& reading) : frustum_(frustum), reading_(reading) {}
 
-  Layout find(const RecordParts& record) const override { return findPoint(record, reading_); }
-  Results results(const Layout&, OutputForm) const override {
-    return {std::begin(results::kCull), std::end(results::kCull)};
+  NumberPlan locate(const RecordView& record) const override { return findPoint(record, reading_); }
+  ResultRows rows(const NumberPlan&) const override { return {std::begin(results::kCull), std::end(results::kCull)}; }
+  void add(const NumberPlan& plan, const Numbers& numbers) override {
+    shapes_.push_back(numbers.isNull ? std::nullopt : std::optional(toShape(plan, numbers)));
   }
-  void add(const Layout& layout, const Numbers& numbers) override { shapes_.push_back(toShape(layout, numbers)); }
-  void write(std::size_t i, ResultSink& sink) override {
-    writeCull(std::visit([&](const auto& shape) { return cull(frustum_, shape); }, shapes_[i]), sink);
+  void results(std::size_t i, ResultValues& values) override {
+    Cull result;
+    if (shapes_[i]) result = std::visit([&](const auto& shape) { return cull(frustum_, shape); }, *shapes_[i]);
+    const bool inside = result.verdict == CullVerdict::inside, outside = result.verdict == CullVerdict::outside;
+    values.addWord(!shapes_[i] ? "" : inside ? "inside" : outside ? "outside" : "intersects");
+    values.addWord(sideName(result.side));
   }
   void clear() override { shapes_.clear(); }
 
  private:
-  static void writeCull(const Cull& result, ResultSink& sink) {
-    const bool inside = result.verdict == CullVerdict::inside, outside = result.verdict == CullVerdict::outside;
-    sink.text(results::cull, inside ? "inside" : outside ? "outside" : "intersects");
-    sink.text(results::plane, sideName(result.side));
-  }
-
   const Frustum& frustum_;
   const PointReading& reading_;
-  std::vector<CullShape> shapes_;
+  std::vector<std::optional<CullShape>> shapes_;  ///< nothing: a point that is null
 };
 
 struct Options {
@@ -50,7 +48,7 @@ struct Options {
 };
 
 int run(const Options& o) {
-  FilterSetup setup = o.stream.setup(kSphereColumns);
+  StreamSetup setup = o.stream.setup(kSphereColumns);
   setup.given.insert(setup.given.end(), o.shapes.begin(), o.shapes.end());
   o.stream.reads(setup);
   const CameraFile file = o.camera.read();
@@ -58,8 +56,9 @@ int run(const Options& o) {
   const Frustum frustum = viewFrustum(makeCamera(file));
   o.stream.settleOnEarth(setup, file.worldIsEcef);
   const PointReading reading{.columns = setup.columns, .worldIsEcef = file.worldIsEcef, .shapes = true, .radius = true};
-  setup.writer.arrayName = "position";
-  return runFilter(setup, [&] { return std::make_unique<CullWork>(frustum, reading); });
+  setup.arrayName = "position";
+  setup.areWords = true;
+  return runFilter(setup, [&](OutputForm) { return std::make_unique<Culler>(frustum, reading); });
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include "commands/stream_options.hpp"
 #include "output/output_file.hpp"
 #include "records/scene.hpp"
-#include "text/csv.hpp"
 #include "text/error.hpp"
 #include "text/json_text.hpp"
 #include "text/number.hpp"
@@ -22,22 +21,21 @@ std::string labelOfJson(std::string_view value) {
 }
 
 /// By its id or name, else by its number counted from 1.
-std::string labelOf(const Record& record, std::size_t number) {
+std::string labelOf(const RecordView& record, std::size_t number) {
   for (const char* name : {"id", "name"})
-    if (const auto field = record.shape->isArray ? std::nullopt : record.shape->find(name)) {
-      const std::string_view value = valuesOf(record)[*field];
-      const bool isCsv = record.shape->form == Form::csv;
-      const std::string label = isCsv ? visible(csvValue(value)) : labelOfJson(value);
-      if (!label.empty() && isUtf8(label) && (isCsv || value != "null")) return label;
+    if (const auto field = record.schema->find(name)) {
+      const std::string label = visible(plainText(record, *field));
+      const bool isNull = record.schema->form == Form::json && record.values[*field] == "null";
+      if (!label.empty() && isUtf8(label) && !isNull) return label;
     }
   return std::to_string(number);
 }
 
 using Drawn = std::variant<Vec4, std::array<Vec3, 2>, Sphere, Box, Triangle>;
 
-Drawn toDraw(const Layout& layout, const Numbers& n) {
-  if (isPoint(layout)) return toPoint(layout, n);
-  if (isSegment(layout)) return std::array{Vec3{n[0], n[1], n[2]}, Vec3{n[3], n[4], n[5]}};
+Drawn toDraw(const NumberPlan& plan, const Numbers& n) {
+  if (isPoint(plan)) return toPoint(plan, n);
+  if (isSegment(plan)) return std::array{Vec3{n[0], n[1], n[2]}, Vec3{n[3], n[4], n[5]}};
   return std::visit(
       [](const auto& shape) -> Drawn {
         if constexpr (requires { shape.x; })
@@ -45,7 +43,7 @@ Drawn toDraw(const Layout& layout, const Numbers& n) {
         else
           return shape;
       },
-      toShape(layout, n));
+      toShape(plan, n));
 }
 
 /// Planes have no outline.
@@ -75,7 +73,7 @@ struct DrawOptions {
 };
 
 int runDraw(const DrawOptions& o) {
-  FilterSetup setup = o.stream.setup(kPointColumns);
+  StreamSetup setup = o.stream.setup(kPointColumns);
   const bool reads = o.stream.reads(setup);
   const CameraFile file = o.camera.read();
   if (reads) o.stream.settleOnEarth(setup, file.worldIsEcef);
@@ -89,12 +87,12 @@ int runDraw(const DrawOptions& o) {
   const PointReading reading{
       .columns = setup.columns, .worldIsEcef = file.worldIsEcef, .segments = true, .shapes = true};
   std::size_t count = 0;
-  const auto make = [&](const Layout& layout, const Numbers& numbers) {
-    if (!isPoint(layout) && !hasDepth(*file.projection))
+  const auto make = [&](const NumberPlan& plan, const Numbers& numbers) {
+    if (!isPoint(plan) && !hasDepth(*file.projection))
       throw RecordError(0, "a shape needs a camera with near; --near gives it");
-    return toDraw(layout, numbers);
+    return toDraw(plan, numbers);
   };
-  const auto draw = [&](const Drawn& drawn, const Record& record, std::size_t) {
+  const auto draw = [&](const Drawn& drawn, const RecordView& record, std::size_t) {
     const std::string label = labelOf(record, ++count);
     std::visit([&](const auto& what) { picture.add(label, what); }, drawn);
   };

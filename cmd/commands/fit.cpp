@@ -46,7 +46,7 @@ double readMargin(const std::string& option, const std::string& text) {
 }
 
 int runFit(const FitOptions& o) {
-  FilterSetup setup = o.stream.setup(kSphereColumns);
+  StreamSetup setup = o.stream.setup(kSphereColumns);
   const bool reads = o.stream.reads(setup);
   const CameraFile file = o.camera.read();
   if (reads) o.stream.settleOnEarth(setup, file.worldIsEcef);
@@ -58,11 +58,11 @@ int runFit(const FitOptions& o) {
   const PointReading reading{
       .columns = setup.columns, .worldIsEcef = file.worldIsEcef, .segments = true, .shapes = true, .radius = true};
   if (o.scene) addScene(fitting, readScene(*o.scene, file.worldIsEcef));
-  const auto make = [](const Layout& layout, const Numbers& n) {
-    if (!isSegment(layout)) return std::vector{toShape(layout, n)};
+  const auto make = [](const NumberPlan& plan, const Numbers& n) {
+    if (!isSegment(plan)) return std::vector{toShape(plan, n)};
     return std::vector<CullShape>{Vec3{n[0], n[1], n[2]}, Vec3{n[3], n[4], n[5]}};
   };
-  const auto add = [&](const std::vector<CullShape>& shapes, const Record&, std::size_t) {
+  const auto add = [&](const std::vector<CullShape>& shapes, const RecordView&, std::size_t) {
     for (const CullShape& shape : shapes) std::visit([&](const auto& one) { fitting.add(one); }, shape);
   };
   const int status = reads ? readEachPoint(setup, reading, make, add) : 0;

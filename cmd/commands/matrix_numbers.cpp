@@ -229,7 +229,7 @@ class Scanner {
 
 WrittenMatrices parseMatrices(const std::string& given, const std::string& source) {
   requireNarrow(source, given);
-  const std::string text = given.starts_with("\xEF\xBB\xBF") ? given.substr(3) : given;
+  const std::string text(withoutByteOrderMark(given));
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first != std::string::npos && text[first] == '{') {
     std::string blank = text;

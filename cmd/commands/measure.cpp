@@ -161,7 +161,7 @@ struct MeasureOptions {
 
 int runMeasure(const MeasureOptions& o) {
   constexpr std::size_t kMostPoints = 1'000'000;  // kept at once
-  FilterSetup setup = o.stream.setup(kPointColumns);
+  StreamSetup setup = o.stream.setup(kPointColumns);
   o.stream.reads(setup);
   const CameraFile file = o.camera.read();
   requireNear(file, "measure");
@@ -170,14 +170,14 @@ int runMeasure(const MeasureOptions& o) {
   const PointReading reading{.columns = setup.columns, .worldIsEcef = file.worldIsEcef};
   std::vector<Vec3> points;
   std::size_t count = 0, leftOut = 0;
-  const auto toMeasure = [&](const Layout& layout, const Numbers& numbers) {
-    const Vec4 p = toPoint(layout, numbers);
+  const auto toMeasure = [&](const NumberPlan& plan, const Numbers& numbers) {
+    const Vec4 p = toPoint(plan, numbers);
     if (p.w == 1 && ++count > kMostPoints && !setup.keepGoing)
       throw RecordError(0, "is one more than the " + std::to_string(kMostPoints) +
                                " points that are measured at once; a sample of them will do");
     return p;
   };
-  const int status = readEachPoint(setup, reading, toMeasure, [&](const Vec4& p, const Record&, std::size_t) {
+  const int status = readEachPoint(setup, reading, toMeasure, [&](const Vec4& p, const RecordView&, std::size_t) {
     if (p.w != 1)
       ++leftOut;
     else if (points.size() < kMostPoints)

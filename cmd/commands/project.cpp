@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <type_traits>
+#include <variant>
 
 #include "commands/command.hpp"
 #include "commands/stream_options.hpp"
@@ -11,6 +12,7 @@
 #include "records/model.hpp"
 #include "records/points.hpp"
 #include "records/scene.hpp"
+#include "records/screen_box.hpp"
 #include "stream/filter.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
@@ -27,10 +29,52 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
+/// A point and what project knows of it.
+struct ProjectedPoint {
+  const Camera& camera;
+  const Convention& writing;  ///< of ndc, clip and view
+  const Vec4& point;
+  const ScreenPoint& screen;
+  const std::optional<ScreenBox>& box;  ///< of a shape
+  double error;                         ///< how far the point may be from the true one
+};
+
+/// A result of project, and how its values are added.
+struct PointResult {
+  const ResultRow& row;
+  void (*add)(const ProjectedPoint& point, ResultValues& values);
+};
+
+using P = const ProjectedPoint&;
+using V = ResultValues&;
+
+Vec3 xyz(const Vec4& v) { return {v.x, v.y, v.z}; }
+Vec4 pointIn(Space space, P p) { return worldTo(p.camera, space, p.point, p.writing); }
+Vec4 edgesOf(P p) {
+  const ScreenBox box = p.box.value_or(ScreenBox{kNaN, kNaN, kNaN, kNaN});
+  return {box.left, box.top, box.right, box.bottom};
+}
+
+// clang-format off
+constexpr PointResult kPointResults[] = {
+    {results::screen, [](P p, V values) { values.add(Vec2{p.screen.x, p.screen.y}); }},
+    {results::depth, [](P p, V values) { values.add(p.screen.depth); }},
+    {results::viewDistance, [](P p, V values) { values.add(p.screen.viewDistance); }},
+    {results::visible, [](P p, V values) { values.add(p.screen.visible()); }},
+    {results::outside, [](P p, V values) { p.screen.visible() ? values.addCount(0) : values.addNames(Sides(p.screen).names()); }},
+    {results::ndc, [](P p, V values) { values.add(xyz(pointIn(Space::ndc, p))); }},
+    {results::clip, [](P p, V values) { values.add(pointIn(Space::clip, p)); }},
+    {results::view, [](P p, V values) { values.add(xyz(pointIn(Space::view, p))); }},
+    {results::pixelSize, [](P p, V values) { values.add(pixelSize(p.camera, p.screen.viewDistance)); }},
+    {results::screenBox, [](P p, V values) { values.add(edgesOf(p)); }},
+    {results::bound, [](P p, V values) { values.add(boundOfPoint(p.camera, p.point, p.screen.precision, p.error).screen); }},
+};
+// clang-format on
+
 using Rows = std::vector<const PointResult*>;
 
 bool isIn(const Rows& rows, const ResultRow& row) {
-  return std::any_of(rows.begin(), rows.end(), [&](const PointResult* one) { return one->row.name == row.name; });
+  return std::any_of(rows.begin(), rows.end(), [&](const PointResult* one) { return &one->row == &row; });
 }
 
 /// The results to write.
@@ -43,20 +87,20 @@ struct Fields {
 Fields fieldsOf(const std::optional<Several<const PointResult*>>& chosen) {
   if (chosen && !chosen->all) return {chosen->named, chosen->named, {}};
   Fields fields;
-  for (const PointResult& result : pointResults()) {
+  for (const PointResult& result : kPointResults) {
     const ResultRow& row = result.row;
-    const bool isBox = row.name == results::screenBox.name;  // of shapes alone
+    const bool isBox = &row == &results::screenBox;  // of shapes alone
     if (chosen ? !isBox : row.byDefault != Default::never) fields.named.push_back(&result);
     if (chosen ? !isBox && numbersOf(row) > 0 : row.byDefault == Default::everywhere) fields.numbers.push_back(&result);
     if (isBox) fields.ofShapes.insert(fields.ofShapes.begin(), &result);
-    if (row.name == results::visible.name || row.name == results::outside.name) fields.ofShapes.push_back(&result);
+    if (&row == &results::visible || &row == &results::outside) fields.ofShapes.push_back(&result);
   }
   return fields;
 }
 
 Names<const PointResult*> fieldNames() {
   Names<const PointResult*> names;
-  for (const PointResult& result : pointResults()) names.emplace_back(result.row.name, &result);
+  for (const PointResult& result : kPointResults) names.emplace_back(result.row.name, &result);
   return names;
 }
 
@@ -83,10 +127,10 @@ struct Projecting {
 void leaveDepthOut(Projecting& how, const CameraFile& file) {
   how.hasDepth = false;
   const auto needsNear = [](const PointResult* result) {
-    return result->row.name == results::ndc.name || result->row.name == results::clip.name;
+    return &result->row == &results::ndc || &result->row == &results::clip;
   };
   for (const PointResult* result : how.fields.named)
-    if (how.fields.ofShapes.empty() && (needsNear(result) || result->row.name == results::depth.name))
+    if (how.fields.ofShapes.empty() && (needsNear(result) || &result->row == &results::depth))
       requireNear(file, "--fields " + std::string(result->row.name));
   for (auto* rows : {&how.fields.named, &how.fields.numbers}) std::erase_if(*rows, needsNear);
 }
@@ -96,8 +140,9 @@ struct Segment {
   Vec3 a, b;
 };
 
-/// What of the world a screen position and a distance speak of is no single point.
-constexpr ScreenPoint kNoPoint{.x = kNaN, .y = kNaN, .depth = kNaN, .viewDistance = kNaN};
+/// What has no screen position, distance or side: a point that is null.
+constexpr ScreenPoint kNoPoint{
+    .x = kNaN, .y = kNaN, .depth = kNaN, .viewDistance = kNaN, .status = PointStatus::outOfRange};
 
 /// The sides of the picture beyond which all of a rectangle lies.
 std::uint8_t sidesBeyond(const Camera& camera, const ScreenBox& box) {
@@ -123,43 +168,51 @@ std::size_t countUsable(const Camera& camera, std::span<const Vec3> points, std:
   return i;
 }
 
-class ProjectWork final : public RecordWork {
+class Projector final : public RecordProcessor {
  public:
-  explicit ProjectWork(const Projecting& how) : how_(how) {}
+  Projector(const Projecting& how, OutputForm to) : how_(how), numbersOnly_(hasNumbersOnly(to)) {}
 
-  Layout find(const RecordParts& record) const override { return findPoint(record, how_.reading); }
+  NumberPlan locate(const RecordView& record) const override { return findPoint(record, how_.reading); }
 
-  Results results(const Layout& layout, OutputForm form) const override {
-    const bool numbers = form == OutputForm::text || form == OutputForm::f64;
-    if (numbers && isSegment(layout))
+  ResultRows rows(const NumberPlan& plan) const override {
+    if (numbersOnly_ && isSegment(plan))
       throw RecordError(0, "has a segment, whose results have no place in text and f64; write JSON or CSV");
-    if (numbers && isShape(layout) && !isIn(how_.fields.named, results::screenBox))
+    if (numbersOnly_ && isShape(plan) && !isIn(how_.fields.named, results::screenBox))
       throw RecordError(0, "has a shape, for whose screenBox there is no place; --fields screenBox,visible makes it");
-    if (isSegment(layout)) return {std::begin(results::kSegment), std::end(results::kSegment)};
-    Results rows;
-    for (const PointResult* result : rowsOf(isShape(layout), numbers)) rows.push_back(&result->row);
+    if (isSegment(plan)) return {std::begin(results::kSegment), std::end(results::kSegment)};
+    ResultRows rows;
+    for (const PointResult* result : fieldsOf(isShape(plan))) rows.push_back(&result->row);
     return rows;
   }
 
-  void add(const Layout& layout, const Numbers& n) override {
-    Vec4 point{0, 0, 0, 1};
+  void add(const NumberPlan& plan, const Numbers& n) override {
+    Vec4 point{kNaN, kNaN, kNaN, 1};
+    std::size_t other = kPoint;
     bool isRounded = false;
-    if (!isPoint(layout)) requireEdges(isSegment(layout) ? "a segment" : "a shape");
-    if (isSegment(layout)) {
+    const auto addOther = [&](const Other& what) {
+      others_.push_back(what);
+      other = others_.size() - 1;
+    };
+    if (n.isNull) {
+      addOther(Null{});
+    } else if (isSegment(plan)) {
+      requireEdges("a segment");
       const Segment segment{placed({n[0], n[1], n[2]}), placed({n[3], n[4], n[5]})};
       if (!isValid(Sphere{segment.a}) || !isValid(Sphere{segment.b})) throw RecordError(0, "has a number beyond 1e91");
-      others_.push_back({points_.size(), segment});
-    } else if (isShape(layout)) {
+      addOther(segment);
+    } else if (isShape(plan)) {
+      requireEdges("a shape");
       if (how_.worldFromLocal) throw RecordError(0, "has a shape; --model places points and segments alone");
-      const CullShape shape = toShape(layout, n);
+      const CullShape shape = toShape(plan, n);
       if (const auto* const sphere = std::get_if<Sphere>(&shape))
         point = {sphere->center.x, sphere->center.y, sphere->center.z, 1};
-      others_.push_back({points_.size(), shape});
+      addOther(shape);
     } else {
-      point = toPoint(layout, n);
-      isRounded = how_.reading.worldIsEcef && mayBePlace(layout);
+      point = toPoint(plan, n);
+      isRounded = how_.reading.worldIsEcef && mayBePlace(plan);
       if (how_.worldFromLocal) point = toWorld(*how_.worldFromLocal, point);
     }
+    items_.push_back(other);
     points_.push_back(point);
     positions_.push_back({point.x, point.y, point.z});
     errors_.push_back(isRounded ? placeError(positions_.back()) : 0);
@@ -172,19 +225,17 @@ class ProjectWork final : public RecordWork {
       if (points_[i].w != 1) screen_[i] = worldToScreen(how_.camera, points_[i], how_.precision);
   }
 
-  void write(std::size_t i, ResultSink& sink) override {
-    // Found by its number: of a record that could not be written, write was not called.
-    const auto other = std::lower_bound(others_.begin(), others_.end(), i,
-                                        [](const Other& one, std::size_t index) { return one.index < index; });
-    if (other != others_.end() && other->index == i)
-      writeOther(*other, sink);
+  void results(std::size_t i, ResultValues& values) override {
+    if (items_[i] != kPoint)
+      addOther(others_[items_[i]], i, values);
     else if (screen_[i].status == PointStatus::outOfRange)
       throw RecordError(0, "lies farther than 1e91 from the eye");
     else
-      writeFields(screen_[i], points_[i], sink, std::nullopt, rowsOf(false, sink.isText()), errors_[i]);
+      addFields(screen_[i], points_[i], std::nullopt, fieldsOf(false), values, errors_[i]);
   }
 
   void clear() override {
+    items_.clear();
     others_.clear();
     points_.clear();
     positions_.clear();
@@ -204,11 +255,9 @@ class ProjectWork final : public RecordWork {
   }
 
  private:
-  /// A segment or a shape, which was added as number index.
-  struct Other {
-    std::size_t index;
-    std::variant<Segment, CullShape> what;
-  };
+  struct Null {};
+  using Other = std::variant<Null, Segment, CullShape>;
+  static constexpr std::size_t kPoint = ~std::size_t{0};
 
   void requireEdges(const std::string& what) const {
     if (!how_.frustum)
@@ -223,32 +272,35 @@ class ProjectWork final : public RecordWork {
     return {world.x, world.y, world.z};
   }
 
-  void writeSegment(const Segment& whole, ResultSink& sink) const {
-    VisibleSegment segment = clipSegment(*how_.frustum, whole.a, whole.b);
-    constexpr SegmentEnd kNoEnd{.t = kNaN, .screen = {kNaN, kNaN}, .depth = kNaN, .viewDistance = kNaN};
-    if (!segment.visible) segment.start = segment.end = kNoEnd;
-    sink.flag(results::visible, segment.visible);
-    const auto writeEnd = [&](const ResultRow& result, const SegmentEnd& end) {
-      sink.object(result, segment.visible ? 1 : 0, [&](ResultSink& part, std::size_t) {
-        part.number(results::t, end.t);
-        part.vector(results::screen, end.screen);
-        part.number(results::depth, end.depth);
-        part.number(results::viewDistance, end.viewDistance);
-        part.text(results::cutBy, sideName(end.side));
-      });
-    };
-    writeEnd(results::start, segment.start);
-    writeEnd(results::end, segment.end);
+  const Rows& fieldsOf(bool isShape) const {
+    if (isShape && !numbersOnly_ && !how_.fields.ofShapes.empty()) return how_.fields.ofShapes;
+    return numbersOnly_ ? how_.fields.numbers : how_.fields.named;
   }
 
-  const Rows& rowsOf(bool isShape, bool numbers) const {
-    if (isShape && !numbers && !how_.fields.ofShapes.empty()) return how_.fields.ofShapes;
-    return numbers ? how_.fields.numbers : how_.fields.named;
+  void addOther(const Other& other, std::size_t i, ResultValues& values) const {
+    if (const auto* const segment = std::get_if<Segment>(&other))
+      addSegment(*segment, values);
+    else if (const auto* const shape = std::get_if<CullShape>(&other))
+      addShape(*shape, i, values);
+    else
+      addFields(kNoPoint, points_[i], std::nullopt, fieldsOf(false), values);
   }
 
-  void writeOther(const Other& other, ResultSink& sink) const {
-    if (const auto* const segment = std::get_if<Segment>(&other.what)) return writeSegment(*segment, sink);
-    const CullShape& shape = std::get<CullShape>(other.what);
+  void addSegment(const Segment& whole, ResultValues& values) const {
+    const VisibleSegment segment = clipSegment(*how_.frustum, whole.a, whole.b);
+    values.add(segment.visible);
+    for (const SegmentEnd& end : {segment.start, segment.end}) {
+      values.addCount(segment.visible ? 1 : 0);
+      if (!segment.visible) continue;
+      values.add(end.t);
+      values.add(end.screen);
+      values.add(end.depth);
+      values.add(end.viewDistance);
+      values.addWord(sideName(end.side));
+    }
+  }
+
+  void addShape(const CullShape& shape, std::size_t i, ResultValues& values) const {
     const auto box = std::visit(
         [&](const auto& one) -> std::optional<ScreenBox> {
           if constexpr (std::is_same_v<decltype(one), const Vec3&>)
@@ -259,28 +311,28 @@ class ProjectWork final : public RecordWork {
         shape);
     const Cull verdict = std::visit([&](const auto& one) { return cull(*how_.frustum, one); }, shape);
     // Of a sphere what is of one point is its center's.
-    const bool isSphere = std::holds_alternative<Sphere>(shape);
-    ScreenPoint screen = isSphere ? screen_[other.index] : kNoPoint;
+    ScreenPoint screen = std::holds_alternative<Sphere>(shape) ? screen_[i] : kNoPoint;
     screen.status = PointStatus::inFront;
     if (verdict.verdict == CullVerdict::outside)
       screen.outside = verdict.side;
     else
       screen.outside = box ? sidesBeyond(how_.camera, *box) : static_cast<std::uint8_t>(sideNear);
-    const Vec4 point = isSphere ? points_[other.index] : Vec4{kNaN, kNaN, kNaN, 1};
-    writeFields(screen, point, sink, box, rowsOf(true, sink.isText()));
+    addFields(screen, points_[i], box, fieldsOf(true), values);
   }
 
-  void writeFields(const ScreenPoint& screen, const Vec4& point, ResultSink& sink, const std::optional<ScreenBox>& box,
-                   const Rows& rows, double error = 0) const {
+  void addFields(const ScreenPoint& screen, const Vec4& point, const std::optional<ScreenBox>& box, const Rows& rows,
+                 ResultValues& values, double error = 0) const {
     const ProjectedPoint projected{how_.camera, how_.writing, point, screen, box, error};
-    for (const PointResult* result : rows) result->write(result->row, projected, sink);
+    for (const PointResult* result : rows) result->add(projected, values);
   }
 
   const Projecting& how_;
-  std::vector<Vec4> points_;  ///< a segment or a shape has a place among them that is not used
+  bool numbersOnly_;
+  std::vector<std::size_t> items_;  ///< kPoint, or the index of what it is else
+  std::vector<Other> others_;
+  std::vector<Vec4> points_;  ///< of a segment, a shape without a center and null: NaN
   std::vector<Vec3> positions_;
   std::vector<double> errors_;  ///< how far each may be from the true one
-  std::vector<Other> others_;
   std::vector<ScreenPoint> screen_;
 };
 
@@ -295,7 +347,7 @@ struct Options {
 int run(const Options& o) {
   // Then a point with a radius is a sphere.
   const bool asksForBoxes = o.fields && isIn(o.fields->named, results::screenBox);
-  FilterSetup setup = o.stream.setup(asksForBoxes ? kSphereColumns : kPointColumns);
+  StreamSetup setup = o.stream.setup(asksForBoxes ? kSphereColumns : kPointColumns);
   o.stream.reads(setup);
   const CameraFile file = o.camera.read();
   o.stream.settleOnEarth(setup, file.worldIsEcef);
@@ -313,8 +365,8 @@ int run(const Options& o) {
   if (o.model) how.worldFromLocal = readModel(*o.model);
   if (!hasDepth(*file.projection)) leaveDepthOut(how, file);
   o.camera.noteHandedness(file);
-  setup.writer.arrayName = "position";
-  return runFilter(setup, [&] { return std::make_unique<ProjectWork>(how); });
+  setup.arrayName = "position";
+  return runFilter(setup, [&](OutputForm to) { return std::make_unique<Projector>(how, to); });
 }
 
 }  // namespace

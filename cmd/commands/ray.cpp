@@ -41,7 +41,7 @@ struct Casting {
   Camera camera;
   Precision precision = Precision::exact;
   ColumnChoice columns;
-  std::optional<Results> fields = {};  ///< nothing: what is given by default
+  std::optional<ResultRows> fields = {};  ///< nothing: what is given by default
   std::optional<std::vector<SceneObject>> scene = {};
   bool worldIsEcef = false, sceneHasEllipsoid = false;
   bool allHits = false;
@@ -61,100 +61,82 @@ struct Cast {
   WorldPoint point{{NAN, NAN, NAN}, DepthStatus::notFinite};
 };
 
-class RayWork final : public RecordWork {
+class Caster final : public RecordProcessor {
  public:
-  explicit RayWork(const Casting& how) : how_(how) {
-    for (const bool hasDistance : {false, true})
-      for (const bool isJson : {false, true}) rows_[hasDistance][isJson] = rowsFor(hasDistance, isJson);
-  }
+  Caster(const Casting& how, OutputForm to)
+      : how_(how),
+        isFixed_(hasColumns(to) || to == OutputForm::f64),
+        pointless_(rowsFor(isFixed_, !hasNumbersOnly(to) && !hasColumns(to))),
+        pointed_(rowsFor(true, !hasNumbersOnly(to) && !hasColumns(to))) {}
 
-  Layout find(const RecordParts& record) const override { return findPixel(record, how_.columns); }
+  NumberPlan locate(const RecordView& record) const override { return findPixel(record, how_.columns); }
+  ResultRows rows(const NumberPlan& plan) const override { return rowsOf(hasDistance(plan)); }
+  void add(const NumberPlan& plan, const Numbers& numbers) override { pixels_.push_back(toPixel(plan, numbers)); }
+  void clear() override { pixels_.clear(); }
 
-  Results results(const Layout& layout, OutputForm form) const override {
-    const bool fixed = hasColumns(form) || form == OutputForm::f64;
-    return rowsOf(hasDistance(layout), fixed, form == OutputForm::text);
-  }
-
-  void add(const Layout& layout, const Numbers& numbers) override { pixels_.push_back(toPixel(layout, numbers)); }
-
-  void write(std::size_t i, ResultSink& sink) override {
+  void results(std::size_t i, ResultValues& values) override {
     const Pixel& pixel = pixels_[i];
     Cast cast{.pixel = pixel};
     if (pixel.screen) {
       cast.ray = screenToRay(how_.camera, *pixel.screen, how_.precision);
       if (pixel.depth || pixel.viewDistance) cast.point = pointBehind(how_.camera, pixel);
     }
-    for (const ResultRow* row : rowsOf(pixel.hasDistance, sink.hasFixedColumns(), sink.isText()))
-      writeResult(*row, cast, sink);
+    for (const ResultRow* row : rowsOf(pixel.hasDistance)) addResult(*row, cast, values);
   }
-
-  void clear() override { pixels_.clear(); }
 
  private:
-  /// fixed: all records get the same, with or without a point.
-  const Results& rowsOf(bool hasDistance, bool fixed, bool isText) const {
-    return rows_[hasDistance || fixed][!fixed && !isText];
-  }
+  const ResultRows& rowsOf(bool hasDistance) const { return hasDistance ? pointed_ : pointless_; }
 
-  Results rowsFor(bool hasDistance, bool isJson) const {
+  ResultRows rowsFor(bool hasDistance, bool isJson) const {
     if (how_.fields) return *how_.fields;
-    Results rows = {&results::origin, &results::direction};
+    ResultRows rows = {&results::origin, &results::direction};
     if (hasDistance) rows.push_back(&results::point);
     if (hasDistance && isJson && how_.worldIsEcef) rows.push_back(&results::place);
     if (how_.scene) rows.push_back(&how_.hits());
     return rows;
   }
 
-  void writeResult(const ResultRow& row, const Cast& cast, ResultSink& sink) const {
+  void addResult(const ResultRow& row, const Cast& cast, ResultValues& values) const {
     const bool isPoint = cast.point.status == DepthStatus::point;
-    if (&row == &results::origin)
-      sink.vector(row, cast.ray.origin);
-    else if (&row == &results::direction)
-      sink.vector(row, cast.ray.direction);
-    else if (&row == &results::point)
-      sink.vector(row, cast.point.position);
-    else if (&row == &results::place)
-      sink.object(row, isPoint ? 1 : 0, [&](ResultSink& part, std::size_t) { writePlace(cast.point.position, part); });
-    else if (&row == &results::pointDistance)
-      sink.number(row, cast.point.viewDistance);
-    else if (&row == &results::bound)
-      sink.number(row, isPoint ? cast.point.bound : NAN);
-    else
-      writeHits(cast.ray, sink);
-  }
-
-  static void writePlace(const Vec3& point, ResultSink& sink) {
-    const Geodetic place = ecefToGeodetic(point);
-    sink.number(results::lat, place.lat);
-    sink.number(results::lon, place.lon);
-    sink.number(results::height, place.height);
-  }
-
-  void writeHits(const Ray& ray, ResultSink& sink) const {
-    const std::vector<SceneHit> hits = hitsOf(how_.camera, ray, *how_.scene);
-    if (how_.allHits) {
-      sink.object(results::hits, hits.size(), [&](ResultSink& part, std::size_t i) { writeHit(hits[i], part); });
-      return;
+    if (&row == &results::origin) {
+      values.add(cast.ray.origin);
+    } else if (&row == &results::direction) {
+      values.add(cast.ray.direction);
+    } else if (&row == &results::point) {
+      values.add(cast.point.position);
+    } else if (&row == &results::place) {
+      values.addCount(isPoint ? 1 : 0);
+      if (isPoint) addPlace(cast.point.position, values);
+    } else if (&row == &results::pointDistance) {
+      values.add(cast.point.viewDistance);
+    } else if (&row == &results::bound) {
+      values.add(isPoint ? cast.point.bound : kNaN);
+    } else {
+      const std::vector<SceneHit> hits = hitsOf(how_.camera, cast.ray, *how_.scene);
+      const std::size_t count = how_.allHits ? hits.size() : std::min<std::size_t>(hits.size(), 1);
+      values.addCount(count);
+      for (std::size_t i = 0; i < count; ++i) addHit(hits[i], values);
     }
-    const SceneHit none{nullptr, {NAN, {NAN, NAN, NAN}, {NAN, NAN, NAN}}};
-    sink.object(how_.hits(), hits.empty() ? 0 : 1,
-                [&](ResultSink& part, std::size_t) { writeHit(hits.empty() ? none : hits.front(), part); });
   }
 
-  void writeHit(const SceneHit& hit, ResultSink& sink) const {
-    sink.text(results::hitId, hit.object ? std::string_view(hit.object->id) : "");
-    sink.number(results::distance, hit.hit.distance);
-    sink.vector(results::hitPoint, hit.hit.point);
-    sink.vector(results::normal, hit.hit.normal);
-    // Only points of the Earth are places; where columns are fixed, they are empty for the others.
-    const bool onEllipsoid = hit.object && isOfTheEarth(*hit.object);
-    const bool isPlace = onEllipsoid || (hit.object && how_.worldIsEcef);
-    if (isPlace || (sink.hasFixedColumns() && how_.placesHits()))
-      writePlace(isPlace ? hit.hit.point : Vec3{NAN, NAN, NAN}, sink);
+  static void addPlace(const Vec3& point, ResultValues& values) {
+    const Geodetic place = ecefToGeodetic(point);
+    for (const double number : {place.lat, place.lon, place.height}) values.add(number);
+  }
+
+  void addHit(const SceneHit& hit, ResultValues& values) const {
+    values.addWord(hit.object->id);
+    values.add(hit.hit.distance);
+    values.add(hit.hit.point);
+    values.add(hit.hit.normal);
+    if (!how_.allHits && !how_.placesHits()) return;
+    const bool isPlace = how_.worldIsEcef || isOfTheEarth(*hit.object);
+    addPlace(isPlace ? hit.hit.point : Vec3{kNaN, kNaN, kNaN}, values);
   }
 
   const Casting& how_;
-  std::array<std::array<Results, 2>, 2> rows_;  ///< of records without and with a distance; else than JSON, in JSON
+  bool isFixed_;                    ///< all records get the same results, with or without a point
+  ResultRows pointless_, pointed_;  ///< of records without and with a distance
   std::vector<Pixel> pixels_;
 };
 
@@ -209,7 +191,7 @@ void settleFields(Casting& how, const Several<const ResultRow*>& fields) {
 int run(const Options& o) {
   const bool hasScene = o.scene || !o.planes.empty();
   if (!hasScene && o.allHits) throw UsageError("--all-hits needs --scene or --plane");
-  FilterSetup setup = o.stream.setup(kPixelColumns);
+  StreamSetup setup = o.stream.setup(kPixelColumns);
   setup.given = o.pixels;
   o.stream.reads(setup);
   const CameraFile file = o.camera.read();
@@ -229,10 +211,10 @@ int run(const Options& o) {
     for (const SceneObject& object : *how.scene) how.sceneHasEllipsoid |= isOfTheEarth(object);
   }
   if (o.fields) settleFields(how, *o.fields);
-  setup.writer.arrayName = "screen";
-  setup.writer.arraySize = 2;
-  setup.writer.extraName = "depth";
-  return runFilter(setup, [&] { return std::make_unique<RayWork>(how); });
+  setup.arrayName = "screen";
+  setup.arraySize = 2;
+  setup.extraName = "depth";
+  return runFilter(setup, [&](OutputForm to) { return std::make_unique<Caster>(how, to); });
 }
 
 }  // namespace

@@ -6,11 +6,10 @@
 #include "commands/cli.hpp"
 #include "commands/command.hpp"
 #include "output/output_file.hpp"
+#include "output/report.hpp"
 
 namespace viewproj::cmd {
 namespace {
-
-using Schema = nlohmann::ordered_json;
 
 /// What several kinds of value have in common.
 constexpr const char* kParts = R"({
@@ -25,18 +24,18 @@ constexpr const char* kParts = R"({
   "angle": {"anyOf": [{"type": "number"}, {"type": "string", "pattern": "(deg|rad|°)$"}]}
 })";
 
-Schema schemaOf(const Field& field) {
+OrderedJson schemaOf(const Field& field) {
   if (field.kind == Kind::word) return {{"enum", field.words()}};
-  return Schema::parse(rowOf(field.kind).schema);
+  return OrderedJson::parse(rowOf(field.kind).schema);
 }
 
 std::string cameraSchema() {
-  Schema schema = Schema::parse(
+  OrderedJson schema = OrderedJson::parse(
       R"({"$schema": "https://json-schema.org/draft/2020-12/schema", "$id": "urn:viewproj:schema:camera",
           "title": "Camera file of viewproj", "type": "object", "additionalProperties": false})");
-  schema["$defs"] = Schema::parse(kParts);
+  schema["$defs"] = OrderedJson::parse(kParts);
   for (const Field& field : kFields) {
-    Schema* object = &schema;
+    OrderedJson* object = &schema;
     std::string_view rest = field.path;
     for (std::size_t dot = rest.find('.'); dot != std::string_view::npos; dot = rest.find('.')) {
       object = &(*object)["properties"][std::string(rest.substr(0, dot))];
@@ -44,7 +43,7 @@ std::string cameraSchema() {
       (*object)["additionalProperties"] = false;
       rest.remove_prefix(dot + 1);
     }
-    const Schema value = {{"anyOf", {schemaOf(field), {{"type", "null"}}}}, {"description", field.help}};
+    const OrderedJson value = {{"anyOf", {schemaOf(field), {{"type", "null"}}}}, {"description", field.help}};
     (*object)["properties"][std::string(rest)] = value;
     if (object != &schema) continue;
     if (!field.alias.empty()) schema["properties"][std::string(field.alias)] = value;
@@ -52,7 +51,7 @@ std::string cameraSchema() {
   schema["properties"]["cameras"] = {{"type", "array"},
                                      {"items", {{"$ref", "#"}}},
                                      {"description", "Cameras, each laid over the other members of the file."}};
-  Schema& convention = schema["properties"]["convention"];
+  OrderedJson& convention = schema["properties"]["convention"];
   convention = {{"anyOf", {schemaOf(*findField("convention.preset")), convention}}};
   return schema.dump(2) + "\n";
 }

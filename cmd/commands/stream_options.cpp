@@ -10,6 +10,7 @@
 #include "text/error.hpp"
 #include "text/names.hpp"
 #include "text/system.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -45,6 +46,7 @@ void StreamOptions::addReading(CLI::App& app, const std::string& what, const cha
   addValue(app, "FILE", "", file_, readFileName, "The " + what + "; absent or - for standard input");
   app.option_defaults()->group(kStreamGroup);
   addChoice(app, "--from", "FORM", from_, namesOf(inputForms()), "Format of FILE", "by its name and first bytes");
+  addValue(app, "--width", "N", width_, wholeNumber(1, kMostFields), "Numbers of a record of f32 and f64 (default: 3)");
   addValue(app, "--columns", "COLUMNS", columns_, readText,
            "Columns of CSV, fields of JSON or numbers of a line that hold the coordinates: in order, as in E,N,U or "
            "2,3,4, or by role, as in x=E,y=N,z=U (default: by their names)");
@@ -72,22 +74,23 @@ void StreamOptions::addPoints(CLI::App& app) {
   addValues(app, "--point", kPointForm, points_, readPointArgument, "A point, in place of FILE and standard input");
 }
 
-FilterSetup StreamOptions::setup(const ChoosableColumns& choosable) const {
-  FilterSetup setup;
+StreamSetup StreamOptions::setup(const ChoosableColumns& choosable) const {
+  StreamSetup setup;
   setup.file = inputFile(*app_).value_or("-");
   setup.from = from_;
+  setup.width = width_;
   setup.to = to_;
   setup.keepGoing = keepGoing_;
   setup.note = note;
   setup.jobs = std::min(static_cast<unsigned>(jobs_.value_or(kMostJobs)), countProcessors());  // more are slower
-  setup.writer.digits = static_cast<int>(digits_.value_or(0));
+  setup.digits = static_cast<int>(digits_.value_or(0));
   setup.delimiter = delimiter_;
-  setup.writer.header = !noHeader_;
-  setup.writer.prefix = prefix_.value_or("");
+  setup.header = !noHeader_;
+  setup.prefix = prefix_.value_or("");
   for (const PointArgument& point : points_) setup.given.push_back({point.text, point.json()});
   if (columns_) {
     setup.columns = chooseColumns(*columns_, choosable);
-    setup.csvDefaults = setup.writer.numberNames = setup.columns.columnNames();
+    setup.csvDefaults = setup.numberNames = setup.columns.columnNames();
     return setup;
   }
   for (const auto& rows : {choosable.rows.first(1), choosable.others})
@@ -96,23 +99,23 @@ FilterSetup StreamOptions::setup(const ChoosableColumns& choosable) const {
   return setup;
 }
 
-void StreamOptions::settleOnEarth(FilterSetup& setup, bool worldIsEcef) const {
+void StreamOptions::settleOnEarth(StreamSetup& setup, bool worldIsEcef) const {
   for (const PointArgument& point : points_) point.requireFit(worldIsEcef);
   if (!worldIsEcef) return;
   const ColumnChoice& columns = setup.columns;
   if (columns.given() && !columns.hasRoles)
     throw UsageError("--columns " + columns.text + ": " + bareTriple("lat=..,lon=..,height=.. or x=..,y=..,z=.."));
-  if (!columns.given()) setup.writer.numberNames = setup.csvDefaults;
+  if (!columns.given()) setup.numberNames = setup.csvDefaults;
 }
 
-bool StreamOptions::reads(const FilterSetup& setup) const {
+bool StreamOptions::reads(const StreamSetup& setup) const {
   const bool areTyped = !setup.given.empty(), readsFile = inputFile(*app_).has_value();
   if (areTyped && file_)
     throw UsageError("give either " + setup.given.front().option + " or the file " + *file_ +
                      (app_->count("--camera") > 0 ? "" : "; -c FILE gives the camera"));
   const bool writes = app_->get_option_no_throw("--no-header") != nullptr;  // then the output may be CSV
   if (!readsFile)
-    for (const char* const name : {"--from", "--columns", "--delimiter"})
+    for (const char* const name : {"--from", "--width", "--columns", "--delimiter"})
       if (app_->count(name) > 0 && !(writes && std::string_view(name) == "--delimiter"))
         throw UsageError(std::string(name) + " is for FILE, and none is read");
   return areTyped || readsFile;

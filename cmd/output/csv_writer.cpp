@@ -1,10 +1,8 @@
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <unordered_map>
 
 #include "output/record_writer.hpp"
-#include "output/results.hpp"
 #include "records/coordinates.hpp"
 #include "text/csv.hpp"
 #include "text/error.hpp"
@@ -17,8 +15,6 @@ namespace viewproj::cmd {
 namespace {
 
 constexpr int kTableDigits = 9;
-/// Bytes of bad records' rows that wait for the first good record.
-constexpr std::size_t kMostEarly = 16 << 20;
 
 /// A cell of a record that was not read as CSV.
 struct OwnCell {
@@ -35,6 +31,8 @@ std::size_t sizeOfVector(std::string_view name) {
   return 0;
 }
 
+bool isTable(const WriterSetup& setup) { return setup.form == OutputForm::table; }
+
 /// The cells of a field: two to four numbers, or as many nulls, have a column each; in a table one.
 void appendCells(std::vector<OwnCell>& cells, const std::string& name, std::string_view json,
                  const WriterSetup& setup) {
@@ -47,7 +45,7 @@ void appendCells(std::vector<OwnCell>& cells, const std::string& name, std::stri
   const auto all = [&](const auto& is) { return std::all_of(items.begin(), items.end(), is); };
   const bool nulls = all([](std::string_view item) { return item == "null"; });
   if (items.size() >= 2 && items.size() <= 4 && (nulls || all([](auto item) { return beginsJsonNumber(item[0]); }))) {
-    if (setup.table)
+    if (isTable(setup))
       cells.push_back({name, nulls ? "" : joined(items, " "), nulls ? name : ""});
     else
       for (std::size_t i = 0; i < items.size(); ++i)
@@ -61,46 +59,37 @@ void appendCells(std::vector<OwnCell>& cells, const std::string& name, std::stri
 }
 
 /// A record that is not CSV as cells.
-std::vector<OwnCell> ownCells(const Record& record, const WriterSetup& setup) {
+std::vector<OwnCell> ownCells(const RecordView& record, const WriterSetup& setup) {
   std::vector<OwnCell> cells;
-  if (record.shape->form == Form::json && !record.shape->isArray) {
-    const auto values = valuesOf(record);
-    for (std::size_t i = 0; i < values.size(); ++i) appendCells(cells, record.shape->names[i], values[i], setup);
+  if (record.schema->form == Form::json && !record.schema->isArray) {
+    for (std::size_t i = 0; i < record.values.size(); ++i)
+      appendCells(cells, record.schema->names[i], record.values[i], setup);
   } else {
-    for (const NamedJson& field : asJsonFields(record, setup)) appendCells(cells, field.name, field.json, setup);
+    for (const NamedJson& field : asJsonFields(record, setup.stream)) appendCells(cells, field.name, field.json, setup);
   }
   if (const auto again = firstRepeated(cells, [](const OwnCell& cell) -> std::string_view { return cell.column; }))
     throw RecordError(0, "would fill the column '" + cells[*again].column + "' twice");
   return cells;
 }
 
-/// The columns after the record's own.
-std::vector<std::string> addedColumns(const WriterSetup& setup, const Results& results) {
-  std::vector<std::string> columns = columnsOf(results, setup.prefix, setup.table);
-  if (setup.keepGoing) columns.push_back(setup.prefix + std::string(kErrorName));
-  return columns;
-}
-
-void requireNoClash(const std::vector<std::string>& own, const std::vector<std::string>& added) {
-  for (const std::string& column : added)
-    if (std::find(own.begin(), own.end(), column) != own.end())
+/// The columns after the record's own. Throws RecordError if one has the name of another; the one for errors may be the
+/// record's own.
+void addColumns(CsvColumns& columns, const ResultRows& rows, bool areNamed, const WriterSetup& setup) {
+  const auto find = [&](const std::string& column) {
+    return std::find(columns.own.begin(), columns.own.end(), column);
+  };
+  columns.rows = rows;
+  columns.added = columnsOf(rows, setup.stream.prefix, isTable(setup));
+  for (const std::string& column : columns.added)
+    if (areNamed && find(column) != columns.own.end())
       throw RecordError(0, "already has a column '" + column + "'; --prefix P puts P in front of the results' names");
-}
-
-/// The header line of records that are not CSV.
-std::string headerLine(const WriterSetup& setup, const CsvColumns& columns) {
-  if (!setup.header) return "";
-  std::vector<std::string> names = columns.own;
-  for (std::string& name : addedColumns(setup, columns.results)) names.push_back(std::move(name));
-  for (std::string& name : names) name = quotedIfNeeded(name, setup.separator);
-  return joined(names, std::string_view(&setup.separator, 1)) + "\n";
-}
-
-/// A cell of CSV under another separator. One that is no whole cell keeps its bytes, in quotes.
-std::string recast(std::string_view cell, char from, char to) {
-  const bool isWhole = isWholeField(cell);
-  if (isWhole && from == to && cell.starts_with('"')) return std::string(cell);
-  return quotedIfNeeded(isWhole ? csvValue(cell) : cell, to);
+  columns.error.reset();
+  if (!setup.stream.keepGoing) return;
+  const std::string error = setup.stream.prefix + std::string(kErrorName);
+  if (const auto own = find(error); own != columns.own.end())
+    columns.error = static_cast<std::size_t>(own - columns.own.begin());
+  else
+    columns.added.push_back(error);
 }
 
 class CsvWriter final : public RecordWriter {
@@ -108,105 +97,71 @@ class CsvWriter final : public RecordWriter {
   CsvWriter(const WriterSetup& setup, CsvColumns& columns, TextBuffer& out)
       : RecordWriter(out), setup_(setup), columns_(columns) {}
 
-  void beginRecord(const Record& record, const Results& results) override {
-    start_ = out_.size();
-    if (columns_.known && results != columns_.results)
-      throw RecordError(0, "has other results than the first record; CSV has the columns of the first");
-    if (columns_.fromCsv) {
-      appendRow(record);
-      return;
-    }
-    const auto cells = ownCells(record, setup_);
-    if (!columns_.known) {
-      columns_.own.clear();
-      for (const OwnCell& cell : cells) columns_.own.push_back(cell.column);
-      columns_.results = results;
-      requireNoClash(columns_.own, addedColumns(setup_, results));
-    }
-    appendInOrder(cells);
-  }
-
-  void endRecord() override {
-    if (setup_.keepGoing) cell(std::string_view());
-    out_ += '\n';
-    ++records_;
-    if (columns_.known) return;
-    const std::string row(out_.view().substr(start_));
-    out_.truncate(start_);
-    out_ += headerOfBadRecords(setup_, columns_);
-    out_ += row;
-    columns_.early.clear();
-    columns_.known = true;
-  }
-
-  void cancelRecord() override {
-    RecordWriter::cancelRecord();
-    if (!columns_.known) columns_.own.clear();
-  }
-
-  /// A row of CSV keeps its own cells; of other records the message tells the line.
-  void badRecord(std::string_view text, std::size_t line, const std::string& message) override {
-    ++records_;
-    std::vector<std::string_view> cells;
-    if (columns_.fromCsv) splitCsvLine(text, cells, columns_.separator, columns_.own.size() + 1);
-    const std::string full = columns_.fromCsv ? message : "line " + std::to_string(line) + ": " + message;
-    if (!columns_.known) {
-      columns_.early += full + '\0';
-      if (columns_.early.size() > kMostEarly)
-        throw InputError("no good record among so many bad ones; the first good one names the columns of CSV");
-      return;
-    }
-    out_ += badRow(cells, full, setup_, columns_);
-  }
-
-  static std::string badRow(const std::vector<std::string_view>& cells, const std::string& message,
-                            const WriterSetup& setup, const CsvColumns& columns) {
-    std::string row;
-    for (std::size_t i = 0; i < columns.own.size(); ++i)
-      row += recast(i < cells.size() ? cells[i] : "", columns.separator, setup.separator) + setup.separator;
-    row.append(addedColumns(setup, columns.results).size() - 1, setup.separator);
-    return row + quotedIfNeeded(message, setup.separator) + "\n";
-  }
-
-  bool hasFixedColumns() const override { return true; }
-  void number(const ResultRow&, double value) override { cell(value); }
-
-  void vector(const ResultRow&, std::span<const double> values) override {
-    const bool finite = std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
-    if (!setup_.table) {
-      for (const double value : values) cell(finite ? value : NAN);
-      return;
-    }
-    std::string text;
-    for (std::size_t i = 0; finite && i < values.size(); ++i)
-      text += (i > 0 ? " " : "") + formatDigits(values[i], tableDigits());
-    cell(std::string_view(text));
-  }
-
-  void flag(const ResultRow&, bool value) override {
-    out_ += setup_.separator;
-    out_ += value ? std::string_view("true") : std::string_view("false");
-  }
-
-  void text(const ResultRow& row, std::span<const std::string_view> words) override {
-    if (row.kind == ResultKind::json && !words.empty() && words[0].starts_with('"'))
-      cell(unescaped(words[0].substr(1, words[0].size() - 2)));
+  void writeBad(std::span<const std::string_view> values, std::size_t line, const std::string& message) override {
+    if (!columns_.known) return;  // standard error tells it
+    if (columns_.fromCsv)
+      writeRow(values, message);
     else
-      cell(words.size() == 1 ? words[0] : std::string_view(joined(words, " ")));
+      writeRow({}, "line " + std::to_string(line) + ": " + message);
+  }
+
+  void writeError(const RecordView& record, std::size_t line, std::size_t error) override {
+    if (columns_.fromCsv)
+      writeRow(record.values, "");
+    else
+      writeBad({}, line, plainText(record, error));
   }
 
  private:
-  /// A line of CSV, in the output's format.
-  void appendRow(const Record& record) {
-    if (columns_.separator == setup_.separator) {
+  void append(const RecordView& record, const ResultRows& rows, ResultCursor values) override {
+    if (columns_.known && rows != columns_.rows)
+      throw RecordError(
+          0, "has other results than the first record; " + std::string(formName()) + " has the columns of the first");
+    if (columns_.fromCsv) {
       out_ += record.text;
-      return;
+    } else {
+      const auto cells = ownCells(record, setup_);
+      if (!columns_.known) begin(cells, rows);
+      appendInOrder(cells);
     }
-    const auto cells = valuesOf(record);
-    for (std::size_t i = 0; i < cells.size(); ++i) {
+    for (const ResultRow* row : rows) appendResult(*row, values);
+    if (setup_.stream.keepGoing && !columns_.error) appendCell("");
+    out_ += '\n';
+    columns_.known = true;
+  }
+
+  std::string_view formName() const { return isTable(setup_) ? "a table" : "CSV"; }
+
+  /// The header, of a first record that is not CSV.
+  void begin(const std::vector<OwnCell>& cells, const ResultRows& rows) {
+    columns_.own.clear();
+    for (const OwnCell& cell : cells) columns_.own.push_back(cell.column);
+    addColumns(columns_, rows, true, setup_);
+    if (!setup_.stream.header) return;
+    std::vector<std::string> names = columns_.own;
+    names.insert(names.end(), columns_.added.begin(), columns_.added.end());
+    for (std::string& name : names) name = quotedIfNeeded(name, setup_.separator);
+    out_ += joined(names, std::string_view(&setup_.separator, 1));
+    out_ += '\n';
+  }
+
+  /// A row without results: own cells as they are written, and more of them after the others.
+  void writeRow(std::span<const std::string_view> cells, const std::string& error) {
+    const std::size_t own = columns_.own.size();
+    for (std::size_t i = 0; i < own; ++i) {
       if (i > 0) out_ += setup_.separator;
-      out_ += recast(cells[i], columns_.separator, setup_.separator);
+      if (columns_.error == i && !error.empty())
+        out_ += quotedIfNeeded(error, setup_.separator);
+      else if (i < cells.size())
+        out_ += wholeCell(cells[i], setup_.separator);
     }
+    for (std::size_t i = columns_.error ? 0 : 1; i < columns_.added.size(); ++i) out_ += setup_.separator;
+    if (!columns_.error) appendCell(error);
+    for (std::size_t i = own; i < cells.size(); ++i) {
+      out_ += setup_.separator;
+      out_ += wholeCell(cells[i], setup_.separator);
+    }
+    out_ += '\n';
   }
 
   /// Under the columns of the first record, which may have other fields and another order.
@@ -223,73 +178,112 @@ class CsvWriter final : public RecordWriter {
 
   void findPlaces(const std::vector<OwnCell>& cells) {
     inOrder_.assign(columns_.own.size(), nullptr);
-    if (places_.empty())
-      for (std::size_t i = 0; i < columns_.own.size(); ++i) places_.emplace(columns_.own[i], i);
+    if (columnIndex_.empty())
+      for (std::size_t i = 0; i < columns_.own.size(); ++i) columnIndex_.emplace(columns_.own[i], i);
     for (const OwnCell& cell : cells) {
-      const auto place = places_.find(cell.column);
-      if (place != places_.end())
-        inOrder_[place->second] = &cell;
-      else if (cell.field.empty() ||
-               (!places_.contains(cell.field) && !places_.contains(cell.field + std::string(kColumnSuffixes[0]))))
-        throw RecordError(0, "has '" + (cell.field.empty() ? cell.column : cell.field) +
-                                 "', which the first record has not; CSV columns are the first record's");
+      const auto column = columnIndex_.find(cell.column);
+      if (column != columnIndex_.end())
+        inOrder_[column->second] = &cell;
+      else if (cell.field.empty() || (!columnIndex_.contains(cell.field) &&
+                                      !columnIndex_.contains(cell.field + std::string(kColumnSuffixes[0]))))
+        throw RecordError(0, "field '" + (cell.field.empty() ? cell.column : cell.field) +
+                                 "' is not a field of the first record, whose fields are the columns of " +
+                                 std::string(formName()));
     }
   }
 
-  int tableDigits() const { return setup_.digits > 0 ? setup_.digits : kTableDigits; }
-
-  void cell(double value) {
-    if (!std::isfinite(value)) {
-      cell(std::string_view());
-    } else {
-      out_ += setup_.separator;
-      if (setup_.table)
-        out_ += formatDigits(value, tableDigits());
-      else
-        appendNumber(out_, toDigits(value, setup_.digits));
+  void appendResult(const ResultRow& row, ResultCursor& values) {
+    switch (row.kind) {
+      case ResultKind::number:
+        return appendNumberCell(*values.number++);
+      case ResultKind::flag:
+        out_ += setup_.separator;
+        out_ += *values.number++ != 0 ? std::string_view("true") : std::string_view("false");
+        return;
+      case ResultKind::vector:
+        return appendVector(row, values.vector(row.size));
+      case ResultKind::names:
+        return appendNames(values.names(values.count()));
+      case ResultKind::word:
+        return appendCell(*values.word++);
+      case ResultKind::json: {
+        const std::string_view json = *values.word++;
+        return appendCell(json.starts_with('"') ? unescaped(json.substr(1, json.size() - 2)) : std::string(json));
+      }
+      case ResultKind::group: {
+        if (values.count() == 0) return appendNone(row);
+        for (const ResultRow* part : row.parts) appendResult(*part, values);
+        return;
+      }
+      case ResultKind::list:
+        return;  // requireRoom refuses it
     }
   }
 
-  void cell(std::string_view text) {
+  void appendVector(const ResultRow& row, std::span<const double> numbers) {
+    if (numbers.empty()) return appendNone(row);
+    if (!isTable(setup_)) {
+      for (const double number : numbers) appendNumberCell(number);
+      return;
+    }
+    std::string text;
+    for (const double number : numbers) text += (text.empty() ? "" : " ") + formatDigits(number, tableDigits());
+    appendCell(text);
+  }
+
+  void appendNames(std::span<const std::string_view> names) {
     out_ += setup_.separator;
-    if (!text.empty()) out_ += quotedIfNeeded(text, setup_.separator);
+    for (const std::string_view& name : names) {
+      if (&name != names.data()) out_ += ' ';
+      out_ += name;
+    }
+  }
+
+  void appendNone(const ResultRow& row) {
+    if (row.kind == ResultKind::group) {
+      for (const ResultRow* part : row.parts) appendNone(*part);
+      return;
+    }
+    const bool isOne = row.kind != ResultKind::vector || isTable(setup_);
+    for (std::size_t cells = isOne ? 1 : row.size; cells > 0; --cells) out_ += setup_.separator;
+  }
+
+  int tableDigits() const { return setup_.stream.digits > 0 ? setup_.stream.digits : kTableDigits; }
+
+  void appendNumberCell(double value) {
+    out_ += setup_.separator;
+    if (std::isfinite(value))
+      appendNumber(out_, toDigits(value, isTable(setup_) ? tableDigits() : setup_.stream.digits));
+  }
+
+  void appendCell(std::string_view text) {
+    out_ += setup_.separator;
+    if (needsQuotes(text, setup_.separator))
+      out_ += quotedIfNeeded(text, setup_.separator);
+    else
+      out_ += text;
   }
 
   const WriterSetup& setup_;
   CsvColumns& columns_;
-  std::unordered_map<std::string_view, std::size_t> places_;  ///< of the columns, once they are needed by name
+  std::unordered_map<std::string_view, std::size_t> columnIndex_;  ///< once columns are needed by name
   std::vector<const OwnCell*> inOrder_;
 };
 
 }  // namespace
 
-CsvColumns csvColumns(const WriterSetup& setup, const CsvHeader& header, std::string_view line, char separator,
-                      const Results& results, TextBuffer& out) {
-  CsvColumns columns;
-  columns.known = columns.fromCsv = true;
-  columns.own = header.names;
-  columns.results = results;
-  columns.separator = separator;
-  if (!header.present) return columns;
-  const std::vector<std::string> added = addedColumns(setup, results);
-  requireNoClash(columns.own, added);
-  if (!setup.header) return columns;
-  std::vector<std::string_view> cells;
-  splitCsvLine(line, cells, separator);
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    out += (i > 0 ? std::string(1, setup.separator) : "") + recast(cells[i], separator, setup.separator);
-  for (const std::string& column : added) out += setup.separator + column;
+CsvColumns csvColumns(const WriterSetup& setup, const CsvHeader& header, std::string_view line, const ResultRows& rows,
+                      TextBuffer& out) {
+  CsvColumns columns{.known = true, .fromCsv = true, .own = header.names};
+  addColumns(columns, rows, header.present, setup);
+  if (!header.present || !setup.stream.header) return columns;
+  out += line;
+  for (const std::string& column : columns.added) {
+    out += setup.separator;
+    out += column;
+  }
   out += '\n';
   return columns;
-}
-
-std::string headerOfBadRecords(const WriterSetup& setup, const CsvColumns& columns) {
-  std::string lines = headerLine(setup, columns);
-  for (std::size_t at = 0, end; at < columns.early.size(); at = end + 1) {
-    end = columns.early.find('\0', at);
-    lines += CsvWriter::badRow({}, columns.early.substr(at, end - at), setup, columns);
-  }
-  return lines;
 }
 
 std::unique_ptr<RecordWriter> makeCsvWriter(const WriterSetup& setup, CsvColumns& columns, TextBuffer& out) {

@@ -1,21 +1,22 @@
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "output/record_writer.hpp"
 #include "text/csv.hpp"
 #include "text/error.hpp"
 #include "text/json_scan.hpp"
 #include "text/json_text.hpp"
+#include "text/names.hpp"
 #include "text/number.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {
 
 /// A finite number as JSON writes it.
 bool isJsonNumber(std::string_view text) {
-  const char* const end = text.data() + text.size();
-  return !text.empty() && beginsJsonNumber(text[0]) && passJson(text.data(), end, 0) == end;
+  return !text.empty() && beginsJsonNumber(text[0]) &&
+         passJsonScalar(text.data(), text.data() + text.size()) == text.data() + text.size();
 }
 
 /// A text line's number: as written if that is a JSON number, otherwise formatted anew ("+1", ".5"), or null ("NaN").
@@ -34,11 +35,8 @@ void appendString(TextBuffer& out, std::string_view text) {
     out += '"';
     return;
   }
-  try {
-    out += nlohmann::json(text).dump();
-  } catch (const nlohmann::json::type_error&) {
-    throw RecordError(0, "has text that is not UTF-8");
-  }
+  if (!isUtf8(text)) throw RecordError(0, "has text that is not UTF-8");
+  out += jsonOf(text);
 }
 
 /// A CSV cell: numbers, true and false as JSON writes them, an empty cell as null, anything else ("007") as a string.
@@ -58,20 +56,30 @@ std::string onOneLine(std::string_view json) {
   return line;
 }
 
+void appendOnOneLine(TextBuffer& out, std::string_view json) {
+  if (json.find('\n') == std::string_view::npos && json.find('\r') == std::string_view::npos)
+    out += json;
+  else
+    out += onOneLine(json);
+}
+
 /// The values of a record without names, as JSON.
-std::vector<std::string> jsonValues(const Record& record) {
+std::vector<std::string> jsonValues(const RecordView& record) {
   std::vector<std::string> values;
-  if (record.shape->form == Form::f64) {
-    for (const double number : binaryNumbers(record.text)) values.push_back(formatNumber(number));
-    return values;
-  }
-  for (const std::string_view value : valuesOf(record)) {
-    const bool isWord = record.shape->form != Form::json && value != "NaN" && !parseNumber(value);
+  const Form form = record.schema->form;
+  if (isBinary(form))
+    for (const double number : binaryNumbers(form, record.text)) {
+      values.emplace_back();
+      if (form == Form::f32)
+        appendNumber(values.back(), static_cast<float>(number));
+      else
+        appendNumber(values.back(), number);
+    }
+  for (const std::string_view value : record.values) {
+    const bool isWord = form != Form::json && value != "NaN" && !parseNumber(value);
     TextBuffer cell;
     if (isWord) appendCell(cell, value);
-    values.push_back(isWord                             ? std::string(cell.view())
-                     : record.shape->form == Form::json ? onOneLine(value)
-                                                        : jsonNumber(value));
+    values.push_back(isWord ? std::string(cell.view()) : form == Form::json ? onOneLine(value) : jsonNumber(value));
   }
   return values;
 }
@@ -81,212 +89,205 @@ class JsonWriter final : public RecordWriter {
   JsonWriter(const WriterSetup& setup, TextBuffer& out) : RecordWriter(out), setup_(setup) {}
 
   void beginBlock(std::string_view closing) override {
-    RecordWriter::beginBlock(closing);
-    frame_ = {.closing = std::string(closing)};
-    goesOn_ = !closing.empty();
+    closing_ = closing;
+    // An array that goes on has a record already. What is between the blocks of the one array of --to json, the
+    // ordered output writes.
+    isFirst_ = !setup_.keepArrays;
   }
-
-  ArrayFrame endBlock() override {
-    if (goesOn_) leaveFirstArray();
-    return frame_;
-  }
+  std::string_view closing() const override { return closing_; }
 
   void beginArray(std::string_view asWritten) override {
     if (!setup_.keepArrays) return;
     out_ += asWritten;
-    frame_.closing = asWritten.starts_with('{') ? "]}" : "]";
-    frame_.open = 0;
+    closing_ = asWritten.starts_with('{') ? "]}" : "]";
+    isFirst_ = true;
   }
 
   void endArray(std::string_view asWritten) override {
     if (!setup_.keepArrays) return;
-    if (goesOn_)
-      leaveFirstArray();  // whether it is empty is not known here
-    else if (frame_.open > 0)
-      out_ += '\n';
-    out_ += asWritten.empty() ? std::string_view(frame_.closing) : asWritten;
+    if (!isFirst_) out_ += '\n';
+    out_ += asWritten.empty() ? closing_ : asWritten;
     out_ += '\n';
-    frame_.closing.clear();
-    frame_.open = 0;
-    goesOn_ = false;
+    closing_ = "";
   }
 
-  void beginRecord(const Record& record, const Results&) override {
-    start_ = out_.size();
-    nextLabel_ = 0;
-    depth_ = 0;
+  void writeBad(std::span<const std::string_view>, std::size_t line, const std::string& message) override {
     beginItem();
-    if (record.shape->form == Form::csv) {
-      writeRow(record);
-    } else if (record.shape->form != Form::json || record.shape->isArray) {
+    out_ += "{\"line\":" + std::to_string(line) + ",\"" + setup_.stream.prefix + std::string(kErrorName) +
+            "\":" + jsonOf(message) + "}";
+    endItem();
+  }
+
+  void writeError(const RecordView& record, std::size_t, std::size_t) override {
+    beginItem();
+    appendOwn(record);
+    out_ += '}';
+    endItem();
+  }
+
+ private:
+  void append(const RecordView& record, const ResultRows& rows, ResultCursor values) override {
+    beginItem();
+    appendOwn(record);
+    nextLabel_ = 0;
+    for (const ResultRow* row : rows) {
+      std::string_view label = labelOf(*row);
+      if (out_.back() == '{') label.remove_prefix(1);
+      out_ += label;
+      appendResult(*row, values);
+    }
+    out_ += '}';
+    endItem();
+  }
+
+  void beginItem() {
+    if (closing_.empty()) return;
+    if (!isFirst_)
+      out_ += ",\n";
+    else if (setup_.keepArrays)
+      out_ += '\n';
+  }
+  void endItem() {
+    if (closing_.empty()) out_ += '\n';
+    isFirst_ = false;
+  }
+
+  /// The record as an object that is not closed.
+  void appendOwn(const RecordView& record) {
+    if (record.schema->form == Form::csv) {
+      appendRow(record);
+    } else if (record.schema->form != Form::json || record.schema->isArray) {
       out_ += '{';
-      for (const NamedJson& field : asJsonFields(record, setup_)) {
+      for (const NamedJson& field : asJsonFields(record, setup_.stream)) {
         if (out_.back() != '{') out_ += ',';
         appendString(out_, field.name);
         out_ += ':';
         out_ += field.json;
       }
     } else {
-      // As written, without the closing brace.
       std::size_t end = record.text.size() - 1;
       while (isJsonSpace(record.text[end - 1])) --end;
-      const std::string_view json = record.text.substr(0, end);
-      if (json.find('\n') == std::string_view::npos && json.find('\r') == std::string_view::npos)
-        out_ += json;
-      else
-        out_ += onOneLine(json);
+      appendOnOneLine(out_, record.text.substr(0, end));
     }
   }
 
-  void endRecord() override {
-    out_ += '}';
-    finishItem();
+  /// A line of CSV, whose columns are the same in all.
+  void appendRow(const RecordView& record) {
+    for (std::size_t i = columnLabels_.size(); i < record.values.size(); ++i) {
+      TextBuffer label;
+      label += i > 0 ? ',' : '{';
+      appendString(label, record.schema->names[i]);
+      columnLabels_.emplace_back(std::string(label.view()) + ':');
+    }
+    for (std::size_t i = 0; i < record.values.size(); ++i) {
+      out_ += columnLabels_[i];
+      appendCell(out_, record.values[i]);
+    }
   }
 
-  void badRecord(std::string_view, std::size_t line, const std::string& message) override {
-    beginItem();
-    out_ += "{\"line\":" + std::to_string(line) + ",\"" + setup_.prefix + std::string(kErrorName) +
-            "\":" + nlohmann::json(message).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-    out_ += '}';
-    finishItem();
+  /// The result's name as it stands after the record's fields: results come in the same order again and again.
+  std::string_view labelOf(const ResultRow& row) {
+    while (nextLabel_ < labels_.size() && labels_[nextLabel_].first != &row) ++nextLabel_;
+    if (nextLabel_ == labels_.size())
+      labels_.emplace_back(&row, ",\"" + setup_.stream.prefix + std::string(row.name) + "\":");
+    return labels_[nextLabel_++].second;
   }
 
-  void number(const ResultRow& row, double value) override {
-    beginField(row);
-    appendNumber(out_, toDigits(value, setup_.digits));
-  }
-
-  void vector(const ResultRow& row, std::span<const double> values) override {
-    beginField(row);
-    for (const double value : values)
-      if (!std::isfinite(value)) {
-        out_ += "null";
+  void appendResult(const ResultRow& row, ResultCursor& values) {
+    switch (row.kind) {
+      case ResultKind::number:
+        return appendNumber(out_, toDigits(*values.number++, setup_.stream.digits));
+      case ResultKind::flag:
+        out_ += *values.number++ != 0 ? std::string_view("true") : std::string_view("false");
+        return;
+      case ResultKind::vector:
+        return appendVector(values.vector(row.size));
+      case ResultKind::names:
+        return appendNames(values.names(values.count()));
+      case ResultKind::word:
+      case ResultKind::json: {
+        const std::string_view word = *values.word++;
+        if (word.empty())
+          out_ += "null";
+        else if (row.kind == ResultKind::json)
+          out_ += word;
+        else
+          appendString(out_, word);
         return;
       }
+      case ResultKind::group:
+        if (values.count() == 0)
+          out_ += "null";
+        else
+          appendParts(row, values);
+        return;
+      case ResultKind::list: {
+        out_ += '[';
+        for (std::size_t i = 0, count = values.count(); i < count; ++i) {
+          if (i > 0) out_ += ',';
+          appendParts(row, values);
+        }
+        out_ += ']';
+        return;
+      }
+    }
+  }
+
+  void appendVector(std::span<const double> numbers) {
+    if (numbers.empty()) {
+      out_ += "null";
+      return;
+    }
     char before = '[';
-    for (const double value : values) {
+    for (const double number : numbers) {
       out_ += before;
-      appendNumber(out_, toDigits(value, setup_.digits));
+      appendNumber(out_, toDigits(number, setup_.stream.digits));
       before = ',';
     }
     out_ += ']';
   }
 
-  void flag(const ResultRow& row, bool value) override {
-    beginField(row);
-    out_ += value ? std::string_view("true") : std::string_view("false");
+  void appendNames(std::span<const std::string_view> names) {
+    out_ += '[';
+    for (const std::string_view name : names) {
+      if (out_.back() != '[') out_ += ',';
+      out_ += '"';
+      out_ += name;
+      out_ += '"';
+    }
+    out_ += ']';
   }
 
-  void text(const ResultRow& row, std::span<const std::string_view> words) override {
-    beginField(row);
-    if (row.kind == ResultKind::names) {
-      out_ += '[';
-      for (const std::string_view word : words) {
-        if (out_.back() != '[') out_ += ',';
-        out_ += '"';
-        out_ += word;
-        out_ += '"';
+  void appendParts(const ResultRow& row, ResultCursor& values) {
+    out_ += '{';
+    for (const ResultRow* part : row.parts) {
+      if (part->leftOutIfNone && !std::isfinite(*values.number)) {
+        ++values.number;
+        continue;
       }
-      out_ += ']';
-    } else if (words.empty()) {
-      out_ += "null";
-    } else if (row.kind == ResultKind::json) {
-      out_ += words[0];
-    } else {
-      appendString(out_, words[0]);
-    }
-  }
-
-  void object(const ResultRow& row, std::size_t count, const WriteParts& write) override {
-    beginField(row);
-    const bool isList = row.kind == ResultKind::list;
-    if (count == 0 && !isList) {
-      out_ += "null";
-      return;
-    }
-    ++depth_;
-    if (isList) out_ += '[';
-    for (std::size_t i = 0; i < count; ++i) {
-      out_ += i > 0 ? std::string_view(",{") : std::string_view("{");
-      write(*this, i);
-      out_ += '}';
-    }
-    if (isList) out_ += ']';
-    --depth_;
-  }
-
- private:
-  void leaveFirstArray() {
-    frame_.size = out_.size();
-    frame_.records = frame_.open;
-    frame_.open = 0;
-  }
-
-  void beginItem() {
-    if (frame_.closing.empty()) return;
-    // What stands before the first of an array that goes on, only the one who knows the block before can tell.
-    if (frame_.open > 0)
-      out_ += ",\n";
-    else if (!goesOn_)
-      out_ += '\n';
-  }
-
-  void finishItem() {
-    ++records_;
-    if (frame_.closing.empty())
-      out_ += '\n';
-    else
-      ++frame_.open;
-  }
-
-  /// A line of CSV, whose columns are the same in all.
-  void writeRow(const Record& record) {
-    cells_.clear();
-    splitCsvLine(record.text, cells_, record.shape->separator);
-    for (std::size_t i = columnLabels_.size(); i < cells_.size(); ++i) {
-      TextBuffer label;
-      label += i > 0 ? ',' : '{';
-      appendString(label, record.shape->names[i]);
-      columnLabels_.emplace_back(std::string(label.view()) + ':');
-    }
-    for (std::size_t i = 0; i < cells_.size(); ++i) {
-      out_ += columnLabels_[i];
-      appendCell(out_, cells_[i]);
-    }
-  }
-
-  /// The result's name as it stands after the record's fields: results come in the same order again and again.
-  void beginField(const ResultRow& row) {
-    if (depth_ > 0) {
       if (out_.back() != '{') out_ += ',';
       out_ += '"';
-      out_ += row.name;
+      out_ += part->name;
       out_ += "\":";
-      return;
+      appendResult(*part, values);
     }
-    while (nextLabel_ < labels_.size() && labels_[nextLabel_].first != &row) ++nextLabel_;
-    if (nextLabel_ == labels_.size()) labels_.emplace_back(&row, ",\"" + setup_.prefix + std::string(row.name) + "\":");
-    std::string_view label = labels_[nextLabel_++].second;
-    if (out_.back() == '{') label.remove_prefix(1);
-    out_ += label;
+    out_ += '}';
   }
 
   const WriterSetup& setup_;
-  ArrayFrame frame_;     ///< of the block, as far as it goes
-  bool goesOn_ = false;  ///< still in the array that stood open before the block
+  std::string_view closing_;  ///< of the array that is open
+  bool isFirst_ = false;      ///< the next record is the first of its array, or with --to json of its block
   std::vector<std::pair<const ResultRow*, std::string>> labels_;
   std::size_t nextLabel_ = 0;
-  int depth_ = 0;  ///< of objects within the results
-  std::vector<std::string_view> cells_;
   std::vector<std::string> columnLabels_;
 };
 
 }  // namespace
 
-std::vector<NamedJson> asJsonFields(const Record& record, const WriterSetup& setup) {
-  const std::size_t size = record.shape->size, inArray = setup.arraySize == 0 ? size : std::min(size, setup.arraySize);
+std::vector<NamedJson> asJsonFields(const RecordView& record, const StreamSetup& setup) {
+  const std::size_t size = record.schema->size, inArray = setup.arraySize == 0 ? size : std::min(size, setup.arraySize);
   std::vector<NamedJson> fields;
-  if (setup.numberNames.empty() && record.shape->form == Form::json && inArray == size) {
+  if (setup.numberNames.empty() && record.schema->form == Form::json && inArray == size) {
     fields.push_back({setup.arrayName, onOneLine(record.text)});
     return fields;
   }
@@ -300,6 +301,12 @@ std::vector<NamedJson> asJsonFields(const Record& record, const WriterSetup& set
   for (std::size_t i = 0; i < values.size(); ++i)
     fields.push_back({nameOfColumn(setup.numberNames, i), std::move(values[i])});
   return fields;
+}
+
+std::string plainText(const RecordView& record, std::size_t field) {
+  const std::string_view value = record.values[field];
+  if (record.schema->form == Form::csv) return csvValue(value);
+  return value.starts_with('"') ? unescaped(value.substr(1, value.size() - 2)) : std::string(value);
 }
 
 std::unique_ptr<RecordWriter> makeJsonWriter(const WriterSetup& setup, TextBuffer& out) {

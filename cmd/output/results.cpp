@@ -1,45 +1,14 @@
 #include "output/results.hpp"
 
-#include <array>
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "text/error.hpp"
 #include "text/names.hpp"
-#include "viewproj/matrices.hpp"
-#include "viewproj/screen.hpp"
 
 namespace viewproj::cmd {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-using P = const ProjectedPoint&;
-using R = const ResultRow&;
-using S = ResultSink&;
-
-Vec3 xyz(const Vec4& v) { return {v.x, v.y, v.z}; }
-Vec4 pointIn(Space space, P p) { return worldTo(p.camera, space, p.point, p.writing); }
-double boundOf(P p) { return boundOfPoint(p.camera, p.point, p.screen.precision, p.error).screen; }
-std::array<double, 4> edgesOf(P p) {
-  const ScreenBox box = p.box.value_or(ScreenBox{kNaN, kNaN, kNaN, kNaN});
-  return {box.left, box.top, box.right, box.bottom};
-}
-
-// clang-format off
-constexpr PointResult kPointResults[] = {
-    {results::screen, [](R row, P p, S sink) { sink.vector(row, Vec2{p.screen.x, p.screen.y}); }},
-    {results::depth, [](R row, P p, S sink) { sink.number(row, p.screen.depth); }},
-    {results::viewDistance, [](R row, P p, S sink) { sink.number(row, p.screen.viewDistance); }},
-    {results::visible, [](R row, P p, S sink) { sink.flag(row, p.screen.visible()); }},
-    {results::outside, [](R row, P p, S sink) { sink.text(row, Sides(p.screen).names()); }},
-    {results::ndc, [](R row, P p, S sink) { sink.vector(row, xyz(pointIn(Space::ndc, p))); }},
-    {results::clip, [](R row, P p, S sink) { sink.vector(row, pointIn(Space::clip, p)); }},
-    {results::view, [](R row, P p, S sink) { sink.vector(row, xyz(pointIn(Space::view, p))); }},
-    {results::pixelSize, [](R row, P p, S sink) { sink.vector(row, pixelSize(p.camera, p.screen.viewDistance)); }},
-    {results::screenBox, [](R row, P p, S sink) { sink.vector(row, edgesOf(p)); }},
-    {results::bound, [](R row, P p, S sink) { sink.number(row, boundOf(p)); }},
-};
-// clang-format on
 
 void addColumns(std::vector<std::string>& columns, const ResultRow& row, const std::string& prefix, bool table) {
   const std::string name = prefix + columnName(row.name);
@@ -66,14 +35,18 @@ std::string_view sideName(unsigned side) {
   return "";
 }
 
-std::span<const PointResult> pointResults() { return kPointResults; }
+std::span<const double> ResultCursor::vector(std::size_t size) {
+  const std::span all(number, size);
+  number += size;
+  return std::all_of(all.begin(), all.end(), [](double value) { return std::isfinite(value); }) ? all : all.first(0);
+}
 
-const Results& allResults() {
-  static const Results all = [] {
-    Results rows;
-    for (const PointResult& result : kPointResults) rows.push_back(&result.row);
-    for (const auto& more : {std::span<const ResultRow* const>(results::kSegment), {results::kRay}, {results::kCull}})
-      rows.insert(rows.end(), more.begin(), more.end());
+const ResultRows& allResults() {
+  static const ResultRows all = [] {
+    ResultRows rows;
+    for (const auto& some :
+         {std::span<const ResultRow* const>(results::kPoint), {results::kSegment}, {results::kRay}, {results::kCull}})
+      rows.insert(rows.end(), some.begin(), some.end());
     return rows;
   }();
   return all;
@@ -107,7 +80,7 @@ std::size_t numbersOf(const ResultRow& row) {
 }
 
 void requireRoom(std::span<const ResultRow* const> rows, OutputForm form) {
-  const bool numbersOnly = form == OutputForm::text || form == OutputForm::f64;
+  const bool numbersOnly = hasNumbersOnly(form);
   if (!numbersOnly && !hasColumns(form)) return;
   std::size_t numbers = 0;
   for (const ResultRow* row : rows) {

@@ -1,20 +1,15 @@
-// What commands append to records: each result is a row, which the writers, --fields, the columns of CSV and messages
-// follow from, and which goes to a sink. To add one: a row in results.cpp (project), or here, with its call in the
-// command.
+// What commands append to records. Each result is a row, from which --fields, the columns of CSV and messages follow,
+// and its values. To add one: a row here, and its values in the command.
 #pragma once
 
 #include <array>
-#include <functional>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "records/screen_box.hpp"
 #include "text/form.hpp"
 #include "text/names.hpp"
-#include "viewproj/camera.hpp"
 #include "viewproj/screen.hpp"
 #include "viewproj/vectors.hpp"
 
@@ -45,41 +40,57 @@ struct ResultRow {
   std::span<const ResultRow* const> parts = {};
   Default byDefault = Default::everywhere;
   std::span<const std::string_view> suffixes = kColumnSuffixes;  ///< of a vector's columns
+  bool leftOutIfNone = false;                                    ///< JSON: in place of null
 
   consteval ResultRow whereNamed() const { return {name, kind, size, parts, Default::named, suffixes}; }
   consteval ResultRow onRequest() const { return {name, kind, size, parts, Default::never, suffixes}; }
   consteval ResultRow inColumns(std::span<const std::string_view> names) const {
     return {name, kind, size, parts, byDefault, names};
   }
+  consteval ResultRow ifAny() const { return {name, kind, size, parts, byDefault, suffixes, true}; }
 };
 
-using Results = std::vector<const ResultRow*>;
+using ResultRows = std::vector<const ResultRow*>;
 
-/// Receives the results of a record, each with its row. A number that is not finite has no value: null, an empty cell,
-/// or NaN.
-class ResultSink {
- public:
-  virtual ~ResultSink() = default;
-  virtual void number(const ResultRow& row, double value) = 0;
-  /// Null as a whole if one of the numbers is not finite.
-  virtual void vector(const ResultRow& row, std::span<const double> values) = 0;
-  void vector(const ResultRow& row, const Vec2& v) { vector(row, std::array{v.x, v.y}); }
-  void vector(const ResultRow& row, const Vec3& v) { vector(row, std::array{v.x, v.y, v.z}); }
-  void vector(const ResultRow& row, const Vec4& v) { vector(row, std::array{v.x, v.y, v.z, v.w}); }
-  virtual void flag(const ResultRow& row, bool value) = 0;
-  /// A list of words; of one, or of a JSON value as text, it is that, and of none it is null. Forms of numbers alone
-  /// leave it out.
-  virtual void text(const ResultRow& row, std::span<const std::string_view> words) = 0;
-  void text(const ResultRow& row, std::string_view word) { text(row, {&word, word.empty() ? 0u : 1u}); }
-  /// A group or a list: an object for each of `count`, whose results `write` writes. A group of none is null; in CSV
-  /// and text it is the empty cells that `write` makes of values without a number. A list is for JSON alone.
-  using WriteParts = std::function<void(ResultSink&, std::size_t)>;
-  virtual void object(const ResultRow& row, std::size_t count, const WriteParts& write) = 0;
+/// The results of a record, in the order of its rows. A number or a flag (0 or 1) is a number, a vector its numbers, a
+/// word or a JSON text a word, which is empty where there is none. Names are their count, a number, and the words. A
+/// group is 1 and the values of its parts, or 0 where there is none; a list its length and the values of each item. A
+/// number that is not finite has no value, nor has a vector with one.
+struct ResultValues {
+  std::vector<double> numbers;
+  std::vector<std::string_view> words;
 
-  /// Every record gets the same results, with or without a value.
-  virtual bool hasFixedColumns() const { return false; }
-  /// Numbers only, without names.
-  virtual bool isText() const { return false; }
+  void clear() {
+    numbers.clear();
+    words.clear();
+  }
+  void add(double number) { numbers.push_back(number); }
+  void add(bool flag) { numbers.push_back(flag ? 1 : 0); }
+  void add(const Vec2& v) { numbers.insert(numbers.end(), {v.x, v.y}); }
+  void add(const Vec3& v) { numbers.insert(numbers.end(), {v.x, v.y, v.z}); }
+  void add(const Vec4& v) { numbers.insert(numbers.end(), {v.x, v.y, v.z, v.w}); }
+  void addWord(std::string_view word) { words.push_back(word); }
+  void addNames(std::span<const std::string_view> names) {
+    add(static_cast<double>(names.size()));
+    words.insert(words.end(), names.begin(), names.end());
+  }
+  /// Of a group or a list, before the values of so many.
+  void addCount(std::size_t count) { add(static_cast<double>(count)); }
+};
+
+/// Reads values in the order of the rows.
+struct ResultCursor {
+  const double* number;
+  const std::string_view* word;
+
+  explicit ResultCursor(const ResultValues& values) : number(values.numbers.data()), word(values.words.data()) {}
+  std::size_t count() { return static_cast<std::size_t>(*number++); }
+  /// Empty where one of them is not finite.
+  std::span<const double> vector(std::size_t size);
+  std::span<const std::string_view> names(std::size_t size) {
+    word += size;
+    return {word - size, size};
+  }
 };
 
 /// The sides of the view, in the interface's order, and how results name them.
@@ -125,6 +136,7 @@ inline constexpr std::string_view kAcross[] = {"_across", "_down"}, kEdges[] = {
 inline constexpr ResultRow
     pixelSize = vectorResult("pixelSize", 2).inColumns(kAcross).onRequest(),
     screenBox = vectorResult("screenBox", 4).inColumns(kEdges).onRequest();
+inline constexpr const ResultRow* kPoint[] = {&screen, &depth, &viewDistance, &visible, &outside, &ndc, &clip, &view, &pixelSize, &screenBox, &bound};
 
 // A segment: the ends of what is visible of it.
 inline constexpr ResultRow
@@ -147,9 +159,13 @@ inline constexpr ResultRow
     normal = vectorResult("normal", 3),
     lat = numberResult("lat").onRequest(),
     lon = numberResult("lon").onRequest(),
-    height = numberResult("height").onRequest();
+    height = numberResult("height").onRequest(),
+    // Of a hit: only points of the Earth are places.
+    hitLat = numberResult("lat").ifAny(),
+    hitLon = numberResult("lon").ifAny(),
+    hitHeight = numberResult("height").ifAny();
 inline constexpr const ResultRow *kHitParts[] = {&hitId, &distance, &hitPoint, &normal},
-                                 *kPlacedHitParts[] = {&hitId, &distance, &hitPoint, &normal, &lat, &lon, &height};
+                                 *kPlacedHitParts[] = {&hitId, &distance, &hitPoint, &normal, &hitLat, &hitLon, &hitHeight};
 inline constexpr ResultRow
     hit = groupResult("hit", kHitParts).onRequest(),
     placedHit = groupResult("hit", kPlacedHitParts).onRequest(),
@@ -168,26 +184,8 @@ inline constexpr const ResultRow* kCull[] = {&cull, &plane};
 }  // namespace results
 // clang-format on
 
-/// A point and what project knows of it.
-struct ProjectedPoint {
-  const Camera& camera;
-  const Convention& writing;  ///< of ndc, clip and view
-  const Vec4& point;
-  const ScreenPoint& screen;
-  const std::optional<ScreenBox>& box;  ///< of a shape
-  double error;                         ///< how far the point may be from the true one
-};
-
-/// A result of project.
-struct PointResult {
-  ResultRow row;
-  void (*write)(const ResultRow& row, const ProjectedPoint& point, ResultSink& sink);
-};
-
-std::span<const PointResult> pointResults();
-
 /// Of all commands.
-const Results& allResults();
+const ResultRows& allResults();
 /// The one of this name; null: none.
 const ResultRow* findResult(std::string_view name);
 

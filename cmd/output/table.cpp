@@ -10,7 +10,7 @@
 namespace viewproj::cmd {
 namespace {
 
-constexpr std::size_t kRowsThatTell = 1000, kBytesThatTell = 1 << 20, kWidest = 200;
+constexpr std::size_t kRowsForWidths = 1000, kBytesForWidths = 1 << 20, kWidest = 200;
 
 void widen(std::vector<std::size_t>& widths, const TextRows& rows, std::size_t widest = SIZE_MAX) {
   for (const auto& row : rows)
@@ -21,13 +21,13 @@ void widen(std::vector<std::size_t>& widths, const TextRows& rows, std::size_t w
 }
 
 void appendInColumns(std::string& out, const TextRows& rows, const std::vector<std::size_t>& widths,
-                     const std::function<bool(std::size_t column)>& isToTheRight, std::size_t indent = 0) {
+                     const std::function<bool(std::size_t column)>& isRightAligned, std::size_t indent = 0) {
   for (const auto& row : rows) {
     out.append(indent, ' ');
     for (std::size_t i = 0; i < row.size(); ++i) {
       const std::size_t width = i < widths.size() ? widths[i] : 0;
       const std::string padding(width - std::min(width, columnsOf(row[i])), ' ');
-      out += (i > 0 ? "  " : "") + (isToTheRight(i) ? padding + row[i] : row[i] + padding);
+      out += (i > 0 ? "  " : "") + (isRightAligned(i) ? padding + row[i] : row[i] + padding);
     }
     out.erase(out.find_last_not_of(' ') + 1);
     out += '\n';
@@ -36,32 +36,30 @@ void appendInColumns(std::string& out, const TextRows& rows, const std::vector<s
 
 }  // namespace
 
-std::string aligned(const TextRows& rows, const std::function<bool(std::size_t column)>& isToTheRight,
+std::string aligned(const TextRows& rows, const std::function<bool(std::size_t column)>& isRightAligned,
                     std::size_t indent) {
   std::vector<std::size_t> widths;
   widen(widths, rows);
   std::string out;
-  appendInColumns(out, rows, widths, isToTheRight, indent);
+  appendInColumns(out, rows, widths, isRightAligned, indent);
   return out;
 }
 
 std::string CsvAligner::add(std::string_view csv) {
   std::string out;
-  std::vector<std::string_view> cells;
-  for (std::size_t at = 0, end; at < csv.size(); at = end + 1) {
-    end = endOfCsvRecord(csv, at, ',');
-    cells.clear();
-    splitCsvLine(csv.substr(at, end - at), cells, ',');
+  CsvRecord record;
+  for (std::size_t at = 0; at < csv.size(); at += record.end + 1) {
+    record.split(csv.substr(at), separator_);
     std::vector<std::string>& row = rows_.emplace_back();
-    for (std::string_view cell : cells) {
+    for (std::string_view cell : record.fields) {
       row.push_back(csvValue(cell));
       // A line of the table is a line.
       std::replace_if(
           row.back().begin(), row.back().end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
       row.back() = visible(row.back());
     }
-    bytes_ += end - at;
-    if (widthsAreSet_ || rows_.size() >= kRowsThatTell || bytes_ >= kBytesThatTell) align(out);
+    bytes_ += record.end;
+    if (widthsAreSet_ || rows_.size() >= kRowsForWidths || bytes_ >= kBytesForWidths) align(out);
   }
   return out;
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "text/csv.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
 #include "text/utf8.hpp"
@@ -189,36 +190,36 @@ void ColumnChoice::requireNoNames(const std::string& of) const {
 namespace {
 
 /// The field that a pick means. Throws RecordError if the record does not have it.
-std::size_t fieldOf(const Pick& pick, const RecordParts& record) {
-  const Shape& shape = record.shape;
-  const bool csv = shape.form == Form::csv, hasNames = !shape.isArray && (!csv || shape.hasHeader);
-  const std::string what = csv ? "column" : shape.isArray ? "number" : "field";
+std::size_t fieldOf(const Pick& pick, const RecordView& record) {
+  const Schema& schema = *record.schema;
+  const bool csv = schema.form == Form::csv, hasNames = !schema.isArray && (!csv || schema.hasHeader);
+  const std::string what = csv ? "column" : schema.isArray ? "number" : "field";
   const std::size_t number = hasNames ? pick.number : pick.nameless;
   if (number > 0 && hasNames && !csv)
     throw RecordError(0, "is an object; name its fields in --columns, as in x=E,y=N,z=U");
-  if (number > shape.size)
-    throw RecordError(0, "has " + std::to_string(shape.size) + " " + what + (shape.size == 1 ? "" : "s") +
+  if (number > schema.size)
+    throw RecordError(0, "has " + std::to_string(schema.size) + " " + what + (schema.size == 1 ? "" : "s") +
                              "; --columns names number " + std::to_string(number));
   if (number > 0) return number - 1;
   if (!hasNames) throw RecordError(0, "has " + what + "s without names; number them in --columns, as in 1,2,3");
-  if (const auto field = shape.find(pick.name)) return *field;
-  throw RecordError(0, "has no " + what + " " + visible(pick.name) + ", which --columns names" + fieldsNote(shape));
+  if (const auto field = schema.find(pick.name)) return *field;
+  throw RecordError(0, "has no " + what + " " + visible(pick.name) + ", which --columns names" + fieldsNote(schema));
 }
 
 }  // namespace
 
-Layout chosenFields(const ColumnChoice& choice, const RecordParts& record, bool mayBeAbsent) {
-  Layout layout;
+NumberPlan chosenFields(const ColumnChoice& choice, const RecordView& record, bool mayBeAbsent) {
+  NumberPlan plan;
   for (const Pick& pick : choice.picks) {
     const std::size_t field = fieldOf(pick, record);
-    for (const NumberField& other : layout.parts)
+    for (const NumberField& other : plan.fields)
       if (other.field == field)
         throw RecordError(0, "--columns " + choice.text + " names column " + std::to_string(field + 1) + " twice");
-    layout.parts.push_back({field, 1, 1, false, mayBeAbsent});
+    plan.fields.push_back({field, 1, 1, false, mayBeAbsent});
     if (pick.role == coordinates::place.parts[2].name && isSeaLevelName(pick.name))
-      layout.notes.push_back(seaLevelNote(pick.name));
+      plan.notes.push_back(seaLevelNote(pick.name));
   }
-  return layout;
+  return plan;
 }
 
 }  // namespace viewproj::cmd

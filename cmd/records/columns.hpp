@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "records/coordinates.hpp"
-#include "records/layout.hpp"
+#include "records/number_plan.hpp"
 #include "records/record.hpp"
 
 namespace viewproj::cmd {
@@ -58,6 +58,6 @@ ColumnChoice chooseColumns(const std::string& text, const ChoosableColumns& choo
 ColumnChoice readValues(const std::string& option, const std::string& text, const ChoosableColumns& choosable);
 
 /// The chosen fields. Throws RecordError if the record lacks one.
-Layout chosenFields(const ColumnChoice& choice, const RecordParts& record, bool mayBeAbsent);
+NumberPlan chosenFields(const ColumnChoice& choice, const RecordView& record, bool mayBeAbsent);
 
 }  // namespace viewproj::cmd

@@ -54,7 +54,8 @@ std::string namesOf(std::span<const Coordinate* const> rows, std::string_view la
 }
 
 bool hasName(std::string_view field, const CoordinatePart& part) {
-  return sameButForCase(field, part.name) || sameButForCase(field, columnName(part.name));
+  return sameButForCase(field, part.name) ||
+         (field.size() > part.name.size() && sameButForCase(field, columnName(part.name)));
 }
 
 bool isNamed(std::string_view field, const CoordinatePart& part) {

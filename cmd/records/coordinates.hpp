@@ -47,7 +47,7 @@ struct Coordinate {
   std::string_view help;
   unsigned kind = 0;
   std::span<const CoordinatePart> parts = {};
-  bool orNull = false;   ///< null or an empty cell means no value
+  bool orNull = false;   ///< null, or all cells empty, means no value
   Aliases aliases = {};  ///< for arrays; a JSON field with an alias counts only if its value is a point
 
   std::span<const CoordinatePart> required() const { return parts.first(fewest); }
@@ -62,7 +62,7 @@ inline constexpr std::string_view
     kPositionNames[] = {"pos", "point", "location", "xyz"},
     kLatNames[] = {"latitude"},
     kLonNames[] = {"lng", "longitude"},
-    kSeaLevelNames[] = {"alt", "altitude", "elevation"};  // read as heights, with a note
+    kSeaLevelNames[] = {"alt", "altitude", "elevation", "ele"};  // read as heights, with a note
 
 inline constexpr CoordinatePart
     kXyzw[] = {{"x"}, {"y"}, {"z"}, {"w"}},
@@ -80,10 +80,10 @@ inline constexpr CoordinatePart
 
 // Points. A record has one point or shape.
 inline constexpr Coordinate
-    position = {"position", array, 3, 4, "a point of the world; with a fourth number w it is (x/w, y/w, z/w), and w = 0 makes it a direction", kindPoint, {}, false, kPositionNames},
-    xyz = {"x y z", numbers, 3, 3, "a point of the world, one field or column per number", kindPoint, kXyzw},
-    place = {"lat lon height", numbers, 3, 3, "a place on the Earth: degrees on WGS84, metres above the ellipsoid", kindPlace, kPlace},
-    direction = {"direction", array, 3, 3, "a direction, shown at its vanishing point; used only if the record has no other point or shape", kindDirection};
+    position = {"position", array, 3, 4, "a point of the world; with a fourth number w it is (x/w, y/w, z/w), and w = 0 makes it a direction", kindPoint, {}, true, kPositionNames},
+    xyz = {"x y z", numbers, 3, 3, "a point of the world, one field or column per number", kindPoint, kXyzw, true},
+    place = {"lat lon height", numbers, 3, 3, "a place on the Earth: degrees on WGS84, metres above the ellipsoid", kindPlace, kPlace, true},
+    direction = {"direction", array, 3, 3, "a direction, shown at its vanishing point; used only if the record has no other point or shape", kindDirection, {}, true};
 inline constexpr const Coordinate* kPoints[] = {&position, &xyz, &place, &direction};
 
 // Shapes.

@@ -6,23 +6,24 @@
 #include "text/error.hpp"
 #include "text/names.hpp"
 #include "text/number.hpp"
+#include "text/utf8.hpp"
 #include "viewproj/geodesy.hpp"
 
 namespace viewproj::cmd {
 namespace {
 
-using Forms = std::vector<FormOfField>;
+using Conditions = std::vector<Condition>;
 
-/// The kind of a pixel's layout: the distances after its two numbers, in this order.
+/// The kind of a pixel's plan: the distances after its two numbers, in this order.
 enum PixelParts : unsigned { depthKnown = 1, viewDistanceKnown = 2 };
 
-bool isNameless(const Shape& shape) { return shape.isArray || (shape.form == Form::csv && !shape.hasHeader); }
+bool isNameless(const Schema& schema) { return schema.isArray || (schema.form == Form::csv && !schema.hasHeader); }
 
-/// The record's names for the parts of a layout: "x,y,z".
-std::string namesIn(const Layout& layout, const Shape& shape) {
+/// The record's names for the parts of a plan: "x,y,z".
+std::string namesIn(const NumberPlan& plan, const Schema& schema) {
   std::vector<std::string_view> names;
-  for (const NumberField& part : layout.parts)
-    if (names.empty() || names.back() != shape.names[part.field]) names.push_back(shape.names[part.field]);
+  for (const NumberField& part : plan.fields)
+    if (names.empty() || names.back() != schema.names[part.field]) names.push_back(schema.names[part.field]);
   return visible(joined(names, ","));
 }
 
@@ -34,45 +35,45 @@ RecordError hasBoth(std::size_t offset, const std::string& one, const std::strin
 // Finding a row in the names of a record
 
 /// A column or field for each part; nothing if a required one is missing.
-std::optional<Layout> findEach(const RecordParts& record, std::span<const CoordinatePart> parts, std::size_t required,
-                               bool orNull) {
-  const auto& names = record.shape.names;
+std::optional<NumberPlan> findEach(const RecordView& record, std::span<const CoordinatePart> parts,
+                                   std::size_t required, bool orNull) {
+  const auto& names = record.schema->names;
   const std::vector<PartMatch> matches = matchParts(names, parts);
   if (!isWhole(std::span(matches).first(required))) return std::nullopt;
-  Layout layout;
+  NumberPlan plan;
   for (const auto& [field, also] : matches) {
     if (!field) break;
     if (also) throw hasBoth(record.offset(*also), inQuotes(names[*field]), inQuotes(names[*also]), true);
-    if (isSeaLevelName(names[*field])) layout.notes.push_back(seaLevelNote(names[*field]));
-    layout.parts.push_back({*field, 1, 1, false, orNull});
+    if (isSeaLevelName(names[*field])) plan.notes.push_back(seaLevelNote(names[*field]));
+    plan.fields.push_back({*field, 1, 1, false, orNull});
   }
-  return layout;
+  return plan;
 }
 
 /// CSV columns of a row. Those of an array are NAME_x, NAME_y, ..., where NAME may be an alias.
-std::optional<Layout> findColumns(const Coordinate& row, const RecordParts& record) {
+std::optional<NumberPlan> findColumns(const Coordinate& row, const RecordView& record) {
   std::vector<std::vector<std::string>> spellings = {columnsOf(row)};
   for (const std::string_view alias : row.aliases) {
     spellings.emplace_back();
     for (std::size_t i = 0; i < row.most; ++i)
       spellings.back().push_back(std::string(alias) + std::string(kColumnSuffixes[i]));
   }
-  std::optional<Layout> found;
+  std::optional<NumberPlan> found;
   for (const std::vector<std::string>& names : spellings) {
     std::vector<CoordinatePart> parts;
     for (const std::string& name : names) parts.push_back({name});
-    auto layout = parts.empty() ? std::nullopt : findEach(record, parts, row.fewest, row.orNull);
-    if (layout && found) throw hasBoth(0, namesIn(*found, record.shape), namesIn(*layout, record.shape), true);
-    if (layout) found = std::move(layout);
+    auto plan = parts.empty() ? std::nullopt : findEach(record, parts, row.fewest, row.orNull);
+    if (plan && found) throw hasBoth(0, namesIn(*found, *record.schema), namesIn(*plan, *record.schema), true);
+    if (plan) found = std::move(plan);
     if (found && &names == &spellings[0]) break;  // the row's name is preferred to its aliases
   }
   return found;
 }
 
 /// A JSON field with the row's name or alias. An array with the row's name counts whatever its value is; a shape, or an
-/// alias, only if its value has the right form. Adds these conditions to forms.
-std::optional<Layout> findField(const Coordinate& row, const RecordParts& record, Forms& forms) {
-  const auto& names = record.shape.names;
+/// alias, only if its value has the right form, which is then a condition.
+std::optional<NumberPlan> findField(const Coordinate& row, const RecordView& record, Conditions& conditions) {
+  const auto& names = record.schema->names;
   const CoordinatePart rowName{row.name}, rowOrAlias{row.name, 1, row.aliases};
   const bool isArray = row.form == CoordinateForm::array;
   const bool hasRowName =
@@ -81,120 +82,132 @@ std::optional<Layout> findField(const Coordinate& row, const RecordParts& record
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (!isNamed(names[i], hasRowName ? rowName : rowOrAlias)) continue;
     if (!isArray || !hasRowName) {
-      FormOfField form{i, row.form == CoordinateForm::object ? '{' : isArray ? FormOfField::kPoint : '['};
-      form.is = form.holds(record.values[i]);
-      forms.push_back(form);
-      if (!form.is) continue;
+      Condition condition{i, row.form == CoordinateForm::object ? '{' : isArray ? Condition::kPoint : '['};
+      condition.is = condition.holds(record.values[i]);
+      conditions.push_back(condition);
+      if (!condition.is) continue;
     }
     if (found) throw hasBoth(record.offset(i), inQuotes(names[*found]), inQuotes(names[i]), false);
     found = i;
   }
   if (!found) return std::nullopt;
-  Layout layout;
+  NumberPlan plan;
   const auto add = [&](NumberField part) {
     part.field = *found;
     part.isArray = part.most > 1;
     if (part.most > 2) part.point = row.kind == kindDirection ? PointForm::vector : PointForm::point;
-    layout.parts.push_back(std::move(part));
+    plan.fields.push_back(std::move(part));
   };
   if (isArray) add({.fewest = row.fewest, .most = row.most, .mayBeAbsent = row.orNull});
   for (const CoordinatePart& part : row.parts)
     add({.fewest = part.size, .most = part.size, .inner = std::string(part.name)});
   if (row.form == CoordinateForm::points)
     for (std::size_t i = 0; i < row.fewest; ++i) add({.fewest = 3, .most = 3, .item = i, .items = row.fewest});
-  return layout;
+  return plan;
 }
 
 /// The parts of a row in a record, if all required ones are there. Throws RecordError if two fields fit a part.
-std::optional<Layout> find(const Coordinate& row, const RecordParts& record, Forms& forms) {
-  std::optional<Layout> layout = row.form == CoordinateForm::numbers
-                                     ? findEach(record, row.required(), row.fewest, row.orNull)
-                                 : record.shape.form == Form::csv ? findColumns(row, record)
-                                                                  : findField(row, record, forms);
-  if (layout) layout->kind = row.kind;
-  return layout;
+std::optional<NumberPlan> find(const Coordinate& row, const RecordView& record, Conditions& conditions) {
+  std::optional<NumberPlan> plan = row.form == CoordinateForm::numbers
+                                       ? findEach(record, row.required(), row.fewest, row.orNull)
+                                   : record.schema->form == Form::csv ? findColumns(row, record)
+                                                                      : findField(row, record, conditions);
+  if (plan) plan->kind = row.kind;
+  if (plan && row.orNull) plan->together = plan->fields.size();
+  return plan;
 }
 
 /// "has lat but no height", if a record has some parts of a row; otherwise empty.
-std::string missingParts(const Coordinate& row, const Shape& shape) {
-  const std::vector<PartMatch> matches = matchParts(shape.names, row.required());
+std::string missingParts(const Coordinate& row, const Schema& schema) {
+  const std::vector<PartMatch> matches = matchParts(schema.names, row.required());
   std::vector<std::string_view> there, missing;
   for (std::size_t i = 0; i < matches.size(); ++i)
     (matches[i].field ? there : missing)
-        .push_back(matches[i].field ? shape.names[*matches[i].field] : row.parts[i].name);
+        .push_back(matches[i].field ? schema.names[*matches[i].field] : row.parts[i].name);
   // A single part that is not the first one may mean anything.
   if (!matches[0].field && there.size() < 2) return "";
-  return "has " + visible(together(there)) + " but no " + std::string(missing[0]) + fieldsNote(shape);
+  return "has " + visible(together(there)) + " but no " + std::string(missing[0]) + fieldsNote(schema);
 }
 
-/// The first fields, one number each.
-Layout firstFields(std::size_t count, bool mayBeAbsent) {
-  Layout layout;
-  for (std::size_t i = 0; i < count; ++i) layout.parts.push_back({i, 1, 1, false, mayBeAbsent});
-  return layout;
+/// The first fields, one number each. together: so many of them have a value all, or none; 0: all have one.
+NumberPlan firstFields(std::size_t count, std::size_t together) {
+  NumberPlan plan;
+  for (std::size_t i = 0; i < count; ++i) plan.fields.push_back({i, 1, 1, false, together > 0});
+  plan.together = together;
+  return plan;
 }
 
-std::string numbersIn(const Shape& shape) {
-  return "has " + std::to_string(shape.size) + (shape.size == 1 ? " number" : " numbers");
+void requireNoCommas(const RecordView& record) {
+  if (const std::size_t comma = record.text.find(','); record.schema->form == Form::text && comma != record.text.npos)
+    throw RecordError(comma, "has numbers with commas: --from csv");
+}
+
+std::string numbersIn(const Schema& schema) {
+  return "has " + std::to_string(schema.size) + (schema.size == 1 ? " number" : " numbers");
 }
 
 // Points and shapes
 
-Layout findChosenPoint(const RecordParts& record, const PointReading& reading) {
-  Layout layout = chosenFields(reading.columns, record, false);
+NumberPlan findChosenPoint(const RecordView& record, const PointReading& reading) {
+  requireNoCommas(record);
+  NumberPlan plan = chosenFields(reading.columns, record, false);
+  plan.together = 3;
+  for (std::size_t i = 0; i < plan.together; ++i) plan.fields[i].mayBeAbsent = true;
   const bool isPlace = reading.columns.has("lat"), isSphere = reading.columns.has("radius");
   if (isPlace && !reading.worldIsEcef) throw RecordError(0, kNotOnEarth);
-  layout.kind = isSphere ? (isPlace ? kindPlacedSphere : kindRoundPoint) : (isPlace ? kindPlace : kindPoint);
-  return layout;
+  plan.kind = isSphere ? (isPlace ? kindPlacedSphere : kindRoundPoint) : (isPlace ? kindPlace : kindPoint);
+  return plan;
 }
 
 /// A point from numbers without names.
-Layout findBarePoint(const RecordParts& record, const PointReading& reading) {
+NumberPlan findBarePoint(const RecordView& record, const PointReading& reading) {
   constexpr std::size_t kMatrix = 16;
-  const Shape& shape = record.shape;
-  const bool isJson = shape.form == Form::json;
-  const std::string matrix = shape.size == kMatrix ? "; inspect reads a matrix" : "";
-  if (shape.size != 3 && !(isJson && shape.size == 4))
-    throw RecordError(0, numbersIn(shape) + "; expected x y z" +
-                             (isJson           ? " or x y z w"
-                              : shape.size > 3 ? ", or --columns, as in 1,2,3, or x,y,z,w for four"
-                                               : "") +
+  requireNoCommas(record);
+  const Schema& schema = *record.schema;
+  const bool isJson = schema.form == Form::json;
+  const std::string matrix = schema.size == kMatrix ? "; inspect reads a matrix" : "";
+  if (schema.size != 3 && !(isJson && schema.size == 4))
+    throw RecordError(0, numbersIn(schema) + "; expected x y z" +
+                             (isJson            ? " or x y z w"
+                              : schema.size > 3 ? ", or --columns, as in 1,2,3, or x,y,z,w for four"
+                                                : "") +
                              matrix);
-  if (reading.worldIsEcef && shape.size == 3 && shape.form != Form::f64)
+  if (reading.worldIsEcef && schema.size == 3 && !isBinary(schema.form))
     throw RecordError(0, bareTriple(std::string(isJson ? "lat, lon, height or x, y, z of an object, " : "") +
                                     "--columns lat,lon,height or --columns x,y,z"));
-  return firstFields(shape.size, false);
+  return firstFields(schema.size, isJson ? 0 : 3);
 }
 
 /// A point and its pixel from five numbers without names.
-Layout findBarePair(const RecordParts& record, const PointReading& reading) {
-  if (record.shape.size != 5) throw RecordError(0, numbersIn(record.shape) + "; expected x y z u v");
+NumberPlan findBarePair(const RecordView& record, const PointReading& reading) {
+  requireNoCommas(record);
+  if (record.schema->size != 5) throw RecordError(0, numbersIn(*record.schema) + "; expected x y z u v");
   if (reading.worldIsEcef) throw RecordError(0, bareTriple("--columns lat,lon,height,u,v or --columns x,y,z,u,v"));
-  return firstFields(5, false);
+  return firstFields(5, 0);
 }
 
 struct Found {
   const Coordinate* row;
-  Layout layout;
+  NumberPlan plan;
 };
 
 /// The record's point or shape. Throws RecordError if it has two.
-std::optional<Found> findOne(const RecordParts& record, const PointReading& reading, Forms& forms) {
+std::optional<Found> findOne(const RecordView& record, const PointReading& reading, Conditions& conditions) {
   std::vector<Found> all;
   for (const auto& rows : {std::span<const Coordinate* const>(coordinates::kPoints), {coordinates::kShapes}})
     for (const Coordinate* row : rows)
       if (row != &coordinates::direction)
-        if (auto layout = find(*row, record, forms)) all.push_back({row, std::move(*layout)});
-  if (auto layout = find(coordinates::segment, record, forms))
-    all.push_back({&coordinates::segment, std::move(*layout)});
+        if (auto plan = find(*row, record, conditions)) all.push_back({row, std::move(*plan)});
+  if (auto plan = find(coordinates::segment, record, conditions))
+    all.push_back({&coordinates::segment, std::move(*plan)});
   if (!reading.worldIsEcef && all.size() > 1)
     std::erase_if(all, [](const Found& found) { return found.row == &coordinates::place; });
   if (all.size() > 1)
-    throw hasBoth(0, namesIn(all[0].layout, record.shape), namesIn(all[1].layout, record.shape),
-                  isPoint(all[1].layout) || record.shape.form == Form::csv);
+    throw hasBoth(0, namesIn(all[0].plan, *record.schema), namesIn(all[1].plan, *record.schema),
+                  isPoint(all[1].plan) || record.schema->form == Form::csv);
   if (all.empty())
-    if (auto layout = find(coordinates::direction, record, forms))
-      all.push_back({&coordinates::direction, std::move(*layout)});
+    if (auto plan = find(coordinates::direction, record, conditions))
+      all.push_back({&coordinates::direction, std::move(*plan)});
   return all.empty() ? std::nullopt : std::optional(std::move(all[0]));
 }
 
@@ -206,83 +219,85 @@ std::vector<const Coordinate*> rowsRead(const PointReading& reading) {
   return rows;
 }
 
-[[noreturn]] void failWithoutPoint(const RecordParts& record, const PointReading& reading, const Forms& forms) {
-  const Shape& shape = record.shape;
-  const bool csv = shape.form == Form::csv;
+[[noreturn]] void failWithoutPoint(const RecordView& record, const PointReading& reading,
+                                   const Conditions& conditions) {
+  const Schema& schema = *record.schema;
+  const bool csv = schema.form == Form::csv;
   // A field with a shape's name, but without a shape as its value.
-  for (const FormOfField& form : forms)
+  for (const Condition& condition : conditions)
     for (const Coordinate* row : allCoordinates())
-      if (row->form != CoordinateForm::array && sameButForCase(row->name, shape.names[form.field]))
-        throw RecordError(record.offset(form.field), std::string(row->name) + ": expected " + exampleOf(*row));
+      if (row->form != CoordinateForm::array && sameButForCase(row->name, schema.names[condition.field]))
+        throw RecordError(record.offset(condition.field), std::string(row->name) + ": expected " + exampleOf(*row));
   const char* const choose = csv ? "; --columns names the others" : "";
   for (const Coordinate* row : {&coordinates::xyz, &coordinates::place})
-    if (const std::string part = missingParts(*row, shape); !part.empty()) throw RecordError(0, part + choose);
+    if (const std::string part = missingParts(*row, schema); !part.empty()) throw RecordError(0, part + choose);
   if (csv)
-    throw RecordError(0, "has no columns x, y, z or lat, lon, height" + fieldsNote(shape) +
+    throw RecordError(0, "has no columns x, y, z or lat, lon, height" + fieldsNote(schema) +
                              "; --columns names them, as in x=E,y=N,z=U");
   throw RecordError(0, "has no point" + std::string(reading.shapes ? " or shape" : "") + "; expected " +
-                           namesOf(rowsRead(reading)) + fieldsNote(shape));
+                           namesOf(rowsRead(reading)) + fieldsNote(schema));
 }
 
-Layout findNamedPoint(const RecordParts& record, const PointReading& reading) {
-  Forms forms;
-  auto found = findOne(record, reading, forms);
-  if (!found) failWithoutPoint(record, reading, forms);
-  auto& [row, layout] = *found;
+NumberPlan findNamedPoint(const RecordView& record, const PointReading& reading) {
+  Conditions conditions;
+  auto found = findOne(record, reading, conditions);
+  if (!found) failWithoutPoint(record, reading, conditions);
+  auto& [row, plan] = *found;
   if (row == &coordinates::place && !reading.worldIsEcef) throw RecordError(0, kNotOnEarth);
   const bool isSegment = row == &coordinates::segment;
-  if (isSegment ? !reading.segments : isShape(layout) && !reading.shapes)
-    throw RecordError(record.offset(layout.parts[0].field),
+  if (isSegment ? !reading.segments : isShape(plan) && !reading.shapes)
+    throw RecordError(record.offset(plan.fields[0].field),
                       "a " + std::string(row->name) + " is not read here; expected " + namesOf(rowsRead(reading)));
-  if (reading.radius && isPoint(layout) && row->kind != kindDirection)
-    if (const auto radius = find(coordinates::radius, record, forms)) {
-      layout.append(*radius);
-      layout.kind = layout.kind == kindPlace ? kindPlacedSphere : kindRoundPoint;
+  if (reading.radius && isPoint(plan) && row->kind != kindDirection)
+    if (const auto radius = find(coordinates::radius, record, conditions)) {
+      plan.append(*radius);
+      plan.kind = plan.kind == kindPlace ? kindPlacedSphere : kindRoundPoint;
     }
   // With a camera on the Earth, an array of three numbers may be a place.
   if (reading.worldIsEcef)
-    for (NumberField& part : layout.parts)
+    for (NumberField& part : plan.fields)
       if (part.point == PointForm::point) part.point = PointForm::ofTheEarth;
-  layout.forms = std::move(forms);
-  return layout;
+  plan.conditions = std::move(conditions);
+  return plan;
 }
 
 // Pixels
 
 /// A pixel from two or three numbers without names.
-Layout findBarePixel(const RecordParts& record) {
-  const Shape& shape = record.shape;
-  const bool isJson = shape.form == Form::json;
-  if (shape.size != 2 && shape.size != 3)
-    throw RecordError(0, numbersIn(shape) + "; expected " + (isJson ? "[x, y] or [x, y, depth]" : "x y or x y depth") +
-                             (shape.size > 3 && !isJson ? ", or --columns, as in 1,2,3" : ""));
-  Layout layout = firstFields(shape.size, !isJson);
-  if (shape.size == 3) layout.kind = depthKnown;
-  return layout;
+NumberPlan findBarePixel(const RecordView& record) {
+  const Schema& schema = *record.schema;
+  const bool isJson = schema.form == Form::json;
+  requireNoCommas(record);
+  if (schema.size != 2 && schema.size != 3)
+    throw RecordError(0, numbersIn(schema) + "; expected " + (isJson ? "[x, y] or [x, y, depth]" : "x y or x y depth") +
+                             (schema.size > 3 && !isJson ? ", or --columns, as in 1,2,3" : ""));
+  NumberPlan plan = firstFields(schema.size, isJson ? 0 : 2);
+  if (schema.size == 3) plan.kind = depthKnown;
+  return plan;
 }
 
 /// A pixel from screen, pixel or x y, in two slots.
-Layout findScreen(const RecordParts& record, Forms& forms) {
-  const Shape& shape = record.shape;
+NumberPlan findScreen(const RecordView& record, Conditions& conditions) {
+  const Schema& schema = *record.schema;
   for (const Coordinate* row : coordinates::kPixels) {
-    const auto layout = find(*row, record, forms);
-    if (!layout) continue;
-    const auto z = matchParts(shape.names, std::span(coordinates::kXyzw).subspan(2, 1))[0].field;
+    const auto plan = find(*row, record, conditions);
+    if (!plan) continue;
+    const auto z = matchParts(schema.names, std::span(coordinates::kXyzw).subspan(2, 1))[0].field;
     if (z && row == &coordinates::xy)
       throw RecordError(record.offset(*z),
                         "x, y, z is a point of the world, not a pixel; expected screen, pixel or x y alone");
-    return *layout;
+    return *plan;
   }
-  if (const std::string part = missingParts(coordinates::xy, shape); !part.empty()) throw RecordError(0, part);
-  if (shape.form == Form::csv)
+  if (const std::string part = missingParts(coordinates::xy, schema); !part.empty()) throw RecordError(0, part);
+  if (schema.form == Form::csv)
     throw RecordError(
-        0, "has no columns screen_x, screen_y or x, y" + fieldsNote(shape) + "; --columns names them, as in x=u,y=v");
-  throw RecordError(0, "has no pixel; expected " + namesOf(coordinates::kPixels, ", or ") + fieldsNote(shape));
+        0, "has no columns screen_x, screen_y or x, y" + fieldsNote(schema) + "; --columns names them, as in x=u,y=v");
+  throw RecordError(0, "has no pixel; expected " + namesOf(coordinates::kPixels, ", or ") + fieldsNote(schema));
 }
 
 /// A distance along the ray is not read: without it the record would seem to have been obeyed.
-void requireNoOtherDistance(const RecordParts& record) {
-  for (const std::string& name : record.shape.names)
+void requireNoOtherDistance(const RecordView& record) {
+  for (const std::string& name : record.schema->names)
     if (sameButForCase(name, "distance") || sameButForCase(name, "range"))
       throw RecordError(0, "has " + inQuotes(name) +
                                ", which is not read; expected depth or viewDistance, the distance along the viewing "
@@ -292,100 +307,101 @@ void requireNoOtherDistance(const RecordParts& record) {
 // Making points and pixels from numbers
 
 /// slots: how many numbers belong to the point.
-Vec4 pointOf(const Layout& layout, std::size_t slots, const Numbers& n) {
-  if (layout.kind == kindPlace || layout.kind == kindPlacedSphere) {
+Vec4 pointOf(const NumberPlan& plan, std::size_t slots, const Numbers& n) {
+  if (n.isNull) throw RecordError(0, "has no point: it is null");
+  if (plan.kind == kindPlace || plan.kind == kindPlacedSphere) {
     const Geodetic place{n[0], n[1], n[2]};
     if (const std::string fault = faultOf(place); !fault.empty()) throw RecordError(0, fault);
     const Vec3 p = geodeticToEcef(place);
     return {p.x, p.y, p.z, 1};
   }
   const bool hasWeight = slots == 4 && !std::isnan(n[3]);
-  const Vec4 point{n[0], n[1], n[2], layout.kind == kindDirection ? 0 : hasWeight ? n[3] : 1};
+  const Vec4 point{n[0], n[1], n[2], plan.kind == kindDirection ? 0 : hasWeight ? n[3] : 1};
   if (point == Vec4{0, 0, 0, 0}) throw RecordError(0, "0 0 0 0 is neither a point nor a direction");
   return point;
 }
 
 }  // namespace
 
-Layout findPoint(const RecordParts& record, const PointReading& reading) {
+NumberPlan findPoint(const RecordView& record, const PointReading& reading) {
   if (reading.columns.given()) return findChosenPoint(record, reading);
-  return isNameless(record.shape) ? findBarePoint(record, reading) : findNamedPoint(record, reading);
+  return isNameless(*record.schema) ? findBarePoint(record, reading) : findNamedPoint(record, reading);
 }
 
-bool isSegment(const Layout& layout) { return layout.kind == kindSegment; }
-bool mayBePlace(const Layout& layout) { return layout.kind == kindPlace || layout.parts.size() == 1; }
-bool isPoint(const Layout& layout) { return layout.kind <= kindPlace; }
-bool isShape(const Layout& layout) { return !isPoint(layout) && !isSegment(layout); }
+bool isSegment(const NumberPlan& plan) { return plan.kind == kindSegment; }
+bool mayBePlace(const NumberPlan& plan) { return plan.kind == kindPlace || plan.fields.size() == 1; }
+bool isPoint(const NumberPlan& plan) { return plan.kind <= kindPlace; }
+bool isShape(const NumberPlan& plan) { return !isPoint(plan) && !isSegment(plan); }
 
-Vec4 toPoint(const Layout& layout, const Numbers& n) {
-  return pointOf(layout, layout.slots() - (layout.kind == kindRoundPoint ? 1 : 0), n);
+Vec4 toPoint(const NumberPlan& plan, const Numbers& n) {
+  return pointOf(plan, plan.slots() - (plan.kind == kindRoundPoint ? 1 : 0), n);
 }
 
-Layout findPixel(const RecordParts& record, const ColumnChoice& columns) {
-  Layout layout;
+NumberPlan findPixel(const RecordView& record, const ColumnChoice& columns) {
+  NumberPlan plan;
   if (columns.given()) {
-    layout = chosenFields(columns, record, true);
-    layout.kind = (columns.has("depth") ? depthKnown : 0u) | (columns.has("viewDistance") ? viewDistanceKnown : 0u);
-    return layout;
+    requireNoCommas(record);
+    plan = chosenFields(columns, record, true);
+    plan.together = 2;
+    plan.kind = (columns.has("depth") ? depthKnown : 0u) | (columns.has("viewDistance") ? viewDistanceKnown : 0u);
+    return plan;
   }
-  if (isNameless(record.shape)) return findBarePixel(record);
-  Forms forms;
-  layout = findScreen(record, forms);
+  if (isNameless(*record.schema)) return findBarePixel(record);
+  Conditions conditions;
+  plan = findScreen(record, conditions);
   for (const Coordinate* row : coordinates::kDistances)
-    if (const auto part = find(*row, record, forms)) {
-      layout.append(*part);
-      layout.kind |= row == &coordinates::depth ? depthKnown : viewDistanceKnown;
+    if (const auto part = find(*row, record, conditions)) {
+      plan.append(*part);
+      plan.kind |= row == &coordinates::depth ? depthKnown : viewDistanceKnown;
     }
-  if (layout.kind == 0) requireNoOtherDistance(record);
-  layout.forms = std::move(forms);
-  return layout;
+  if (plan.kind == 0) requireNoOtherDistance(record);
+  plan.conditions = std::move(conditions);
+  return plan;
 }
 
-Layout findPair(const RecordParts& record, const PointReading& reading) {
+NumberPlan findPair(const RecordView& record, const PointReading& reading) {
   if (reading.columns.given()) {
-    Layout layout = findChosenPoint(record, reading);
+    NumberPlan plan = findChosenPoint(record, reading);
     // The table has w last, where it can be left out.
-    if (reading.columns.has("w")) std::rotate(layout.parts.begin() + 3, layout.parts.end() - 1, layout.parts.end());
-    return layout;
+    if (reading.columns.has("w")) std::rotate(plan.fields.begin() + 3, plan.fields.end() - 1, plan.fields.end());
+    return plan;
   }
-  if (isNameless(record.shape)) return findBarePair(record, reading);
-  Layout layout = findNamedPoint(record, reading);
-  std::optional<Layout> pixel;
+  if (isNameless(*record.schema)) return findBarePair(record, reading);
+  NumberPlan plan = findNamedPoint(record, reading);
+  std::optional<NumberPlan> pixel;
   for (const Coordinate* row : coordinates::kPixelsBesidePoints) {
-    auto found = find(*row, record, layout.forms);
+    auto found = find(*row, record, plan.conditions);
     if (!found) continue;
-    if (pixel) throw hasBoth(0, namesIn(*pixel, record.shape), namesIn(*found, record.shape), true);
+    if (pixel) throw hasBoth(0, namesIn(*pixel, *record.schema), namesIn(*found, *record.schema), true);
     pixel = std::move(found);
   }
   if (!pixel)
     throw RecordError(0, "has no pixel beside its point; expected " + namesOf(coordinates::kPixelsBesidePoints) +
-                             fieldsNote(record.shape));
-  for (NumberField& part : pixel->parts) part.mayBeAbsent = false;
-  layout.append(*pixel);
-  return layout;
+                             fieldsNote(*record.schema));
+  for (NumberField& part : pixel->fields) part.mayBeAbsent = false;
+  plan.append(*pixel);
+  return plan;
 }
 
-Pair toPair(const Layout& layout, const Numbers& n) {
-  const std::size_t slots = layout.slots() - 2;
-  return {pointOf(layout, slots, n), {n[slots], n[slots + 1]}};
+Pair toPair(const NumberPlan& plan, const Numbers& n) {
+  const std::size_t slots = plan.slots() - 2;
+  return {pointOf(plan, slots, n), {n[slots], n[slots + 1]}};
 }
 
-bool hasDistance(const Layout& layout) { return (layout.kind & (depthKnown | viewDistanceKnown)) != 0; }
+bool hasDistance(const NumberPlan& plan) { return (plan.kind & (depthKnown | viewDistanceKnown)) != 0; }
 
-Pixel toPixel(const Layout& layout, const Numbers& n) {
+Pixel toPixel(const NumberPlan& plan, const Numbers& n) {
   Pixel pixel;
-  if (std::isnan(n[0]) != std::isnan(n[1]))
-    throw RecordError(0, "has one number of a pixel; expected x and y, or neither for no pixel");
-  if (!std::isnan(n[0])) pixel.screen = Vec2{n[0], n[1]};
+  if (!n.isNull) pixel.screen = Vec2{n[0], n[1]};
   const double* next = &n[2];
   const auto optional = [&](unsigned part) {
-    if (!(layout.kind & part)) return std::optional<double>();
+    if (!(plan.kind & part)) return std::optional<double>();
     const double value = *next++;
     return std::isnan(value) ? std::nullopt : std::optional(value);
   };
   pixel.depth = optional(depthKnown);
   pixel.viewDistance = optional(viewDistanceKnown);
-  pixel.hasDistance = hasDistance(layout);
+  pixel.hasDistance = hasDistance(plan);
   return pixel;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "records/columns.hpp"
-#include "records/layout.hpp"
+#include "records/number_plan.hpp"
 #include "viewproj/vectors.hpp"
 
 namespace viewproj::cmd {
@@ -23,18 +23,18 @@ struct PointReading {
 /// object or in CSV columns; three numbers of a text line or f64. Throws RecordError if records of this shape have
 /// none, two, or one that is not read; for lat, lon, height if the camera's world is not ECEF, and for three numbers
 /// without names if it is.
-Layout findPoint(const RecordParts& record, const PointReading& reading);
+NumberPlan findPoint(const RecordView& record, const PointReading& reading);
 
-bool isPoint(const Layout& layout);
+bool isPoint(const NumberPlan& plan);
 /// A sphere (also a point with a radius), a box or a triangle.
-bool isShape(const Layout& layout);
-bool isSegment(const Layout& layout);
+bool isShape(const NumberPlan& plan);
+bool isSegment(const NumberPlan& plan);
 /// Whether a point in ECEF may come from a place, whose coordinates are rounded.
-bool mayBePlace(const Layout& layout);
+bool mayBePlace(const NumberPlan& plan);
 
-/// The point, or the centre of a point with a radius, in world coordinates (ECEF for a place). Throws RecordError for 0
-/// 0 0 0 and for a lat beyond 90.
-Vec4 toPoint(const Layout& layout, const Numbers& numbers);
+/// The point, or the centre of a point with a radius, in world coordinates (ECEF for a place). Throws RecordError for
+/// null, for 0 0 0 0 and for a lat beyond 90.
+Vec4 toPoint(const NumberPlan& plan, const Numbers& numbers);
 
 /// A pixel to shoot a ray through, and the distance of the point behind it, if known. viewDistance is preferred to
 /// depth because it keeps its digits.
@@ -47,7 +47,7 @@ struct Pixel {
 
 /// Finds a pixel: [x,y] or [x,y,depth]; a row of coordinates::kPixels in an object or in CSV columns, with a distance;
 /// two or three numbers of a text line or f64, NaN for no value. Throws RecordError.
-Layout findPixel(const RecordParts& record, const ColumnChoice& columns);
+NumberPlan findPixel(const RecordView& record, const ColumnChoice& columns);
 
 /// A point, and the pixel that was measured for it.
 struct Pair {
@@ -57,10 +57,10 @@ struct Pair {
 
 /// Finds a point as findPoint does, and one of coordinates::kPixelsBesidePoints; or five numbers without names. Throws
 /// RecordError.
-Layout findPair(const RecordParts& record, const PointReading& reading);
-Pair toPair(const Layout& layout, const Numbers& numbers);
+NumberPlan findPair(const RecordView& record, const PointReading& reading);
+Pair toPair(const NumberPlan& plan, const Numbers& numbers);
 
-bool hasDistance(const Layout& layout);
-Pixel toPixel(const Layout& layout, const Numbers& numbers);
+bool hasDistance(const NumberPlan& plan);
+Pixel toPixel(const NumberPlan& plan, const Numbers& numbers);
 
 }  // namespace viewproj::cmd

@@ -6,110 +6,111 @@
 
 #include "text/csv.hpp"
 #include "text/error.hpp"
-#include "text/names.hpp"
+#include "text/json_scan.hpp"
+#include "text/json_text.hpp"
 #include "text/number.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
-namespace {
 
-void splitText(std::string_view text, std::vector<std::string_view>& values) {
-  const auto isSpace = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-  auto at = std::find_if_not(text.begin(), text.end(), isSpace);
-  while (at != text.end() && values.size() <= kMostFields) {
-    const auto end = std::find_if(at, text.end(), isSpace);
-    values.emplace_back(at, end);
-    at = std::find_if_not(end, text.end(), isSpace);
-  }
-}
-
-/// Throws RecordError at the first value over the limit.
-void requireFewFields(std::string_view text, const std::vector<std::string_view>& values) {
-  if (values.size() > kMostFields)
-    throw RecordError(static_cast<std::size_t>(values.back().data() - text.data()),
-                      "has more than " + std::to_string(kMostFields) + " fields");
-}
-
-}  // namespace
-
-std::optional<std::size_t> Shape::find(std::string_view name) const {
+std::optional<std::size_t> Schema::find(std::string_view name) const {
   for (std::size_t i = 0; i < names.size(); ++i)
     if (names[i] == name) return i;
   return std::nullopt;
 }
 
-std::size_t RecordParts::offset(std::size_t field) const {
-  return static_cast<std::size_t>(values[field].data() - text.data());
-}
-
-RecordParts jsonParts(std::string_view text) {
-  if (const auto fault = jsonFault(text)) throw RecordError(fault->offset, fault->message);
-  if (!text.starts_with('[') && !text.starts_with('{')) throw RecordError(0, kNoRecord);
-  RecordParts record{text, {Form::json, text.starts_with('['), 0, {}}, {}};
-  JsonParts parts(text);
-  std::vector<std::size_t> offsets;
-  while (const auto part = parts.next()) {
-    if (!record.shape.isArray) {
-      record.shape.names.push_back(unescaped(part->key));
-      offsets.push_back(part->offset);
+std::size_t JsonFields::split(std::string_view text, bool anywhere) {
+  keys.clear();
+  values.clear();
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  if (at == end || !opensJson(*at)) return 0;
+  isArray = *at == '[';
+  const char closing = isArray ? ']' : '}';
+  at = passJsonSpace(at + 1, end);
+  if (at < end && *at == closing) return anywhere || !isArray ? static_cast<std::size_t>(at + 1 - text.data()) : 0;
+  for (;; at = passJsonSpace(at + 1, end)) {
+    if (!isArray) {
+      const char* const after = passJsonString(at, end);
+      if (!after) return 0;
+      keys.emplace_back(at + 1, after - 1);
+      at = passJsonSpace(after, end);
+      if (at == end || *at != ':') return 0;
+      at = passJsonSpace(at + 1, end);
     }
-    record.values.push_back(part->value);
-    requireFewFields(text, record.values);
+    const char* const after = isArray && !anywhere ? passJsonScalar(at, end) : passJson(at, end, kDeepestJson - 1);
+    if (!after) return 0;
+    values.emplace_back(at, after);
+    if (values.size() > kMostFields) return 0;
+    at = passJsonSpace(after, end);
+    if (at == end) return 0;
+    if (*at == closing) break;
+    if (*at != ',') return 0;
   }
-  if (const auto again = firstRepeated(record.shape.names, std::identity()))
-    throw RecordError(offsets[*again], "has the field " + inQuotes(record.shape.names[*again]) + " twice");
-  record.shape.size = record.values.size();
-  return record;
+  // A key with escapes may be that of a document.
+  const auto mayBeginDocument = [&] {
+    return keys[0] == kRecordsField || keys[0].find('\\') != std::string_view::npos;
+  };
+  if (!anywhere && !isArray && mayBeginDocument()) return 0;
+  return static_cast<std::size_t>(at + 1 - text.data());
 }
 
-RecordParts textParts(std::string_view text) {
-  if (const std::size_t alone = text.find('\r'); alone != std::string_view::npos) throw RecordError(alone, kLoneReturn);
-  RecordParts record{text, {Form::text, true, 0, {}}, {}};
-  splitText(text, record.values);
-  requireFewFields(text, record.values);
-  record.shape.size = record.values.size();
-  return record;
+void JsonFields::splitWhole(std::string_view text) {
+  if (split(text, true) == text.size()) return;
+  if (const auto fault = jsonFault(text)) throw RecordError(fault->offset, fault->message);
+  requireFewFields(text, values);
+  throw RecordError(0, kNoRecord);
 }
 
-RecordParts csvParts(std::string_view text, const Shape& header) {
-  RecordParts record{text, header, {}};
-  splitCsvLine(text, record.values, header.separator, kMostFields + 1);
-  requireFewFields(text, record.values);
-  requireWholeFields(text, record.values, header.separator);
-  const std::size_t size = record.values.size(), expected = header.size;
-  if (size != expected)
-    throw RecordError(size > expected ? record.offset(expected) : text.size(),
-                      "has " + std::to_string(size) + (size == 1 ? " field" : " fields") + "; expected " +
-                          std::to_string(expected) +
-                          (header.hasHeader ? " as the header has" : " as the first line has"));
-  return record;
+Schema JsonFields::schema(std::string_view text) const {
+  Schema schema{Form::json, isArray, values.size(), {}};
+  for (const std::string_view key : keys) schema.names.push_back(unescaped(key));
+  if (const auto again = firstRepeated(schema.names, std::identity()))
+    throw RecordError(static_cast<std::size_t>(keys[*again].data() - text.data()) - 1,
+                      "has the field " + inQuotes(schema.names[*again]) + " twice");
+  return schema;
 }
 
-std::vector<std::string_view> valuesOf(const Record& record) {
-  std::vector<std::string_view> values;
-  const Form form = record.shape->form;
-  if (form == Form::json) {
-    JsonParts parts(record.text);
-    while (const auto part = parts.next()) values.push_back(part->value);
+void splitText(std::string_view line, std::vector<std::string_view>& words) {
+  const auto isSpace = [](char c) { return c == ' ' || c == '\t'; };
+  words.clear();
+  if (const std::size_t alone = line.find('\r'); alone != std::string_view::npos) throw RecordError(alone, kLoneReturn);
+  auto at = std::find_if_not(line.begin(), line.end(), isSpace);
+  while (at != line.end() && words.size() <= kMostFields) {
+    const auto end = std::find_if(at, line.end(), isSpace);
+    words.emplace_back(at, end);
+    at = std::find_if_not(end, line.end(), isSpace);
   }
-  if (form == Form::csv) splitCsvLine(record.text, values, record.shape->separator);
-  if (form == Form::text) splitText(record.text, values);
-  return values;
+  requireFewFields(line, words);
 }
 
-std::vector<double> binaryNumbers(std::string_view bytes) {
-  std::vector<double> numbers(bytes.size() / sizeof(double));
-  std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(double));
+void requireFewFields(std::string_view text, std::span<const std::string_view> values) {
+  if (values.size() > kMostFields)
+    throw RecordError(static_cast<std::size_t>(values[kMostFields].data() - text.data()),
+                      "has more than " + std::to_string(kMostFields) + " fields");
+}
+
+std::vector<double> binaryNumbers(Form form, std::string_view bytes) {
+  const std::size_t count = bytes.size() / bytesOf(form);
+  std::vector<double> numbers(count);
+  if (form == Form::f32) {
+    std::vector<float> floats(count);
+    std::memcpy(floats.data(), bytes.data(), count * sizeof(float));
+    std::copy(floats.begin(), floats.end(), numbers.begin());
+  } else {
+    std::memcpy(numbers.data(), bytes.data(), count * sizeof(double));
+  }
   return numbers;
 }
 
-std::string fieldsNote(const Shape& shape) {
+std::string fieldsNote(const Schema& schema) {
   constexpr std::size_t kMostShown = 60;
-  if (shape.isArray || !shape.hasHeader || shape.names.empty()) return "";
-  const bool csv = shape.form == Form::csv;
+  if (schema.isArray || !schema.hasHeader || schema.names.empty()) return "";
+  const bool csv = schema.form == Form::csv;
   std::string all;
-  for (const std::string& name : shape.names) {
+  for (const std::string& name : schema.names) {
     if (all.size() > kMostShown) break;
-    if (!all.empty()) all += csv ? std::string(1, shape.separator) : ", ";
+    if (!all.empty()) all += csv ? std::string(1, schema.separator) : ", ";
     all += name;
   }
   return (csv ? "; the header is " : "; its fields are ") + inQuotes(all, kMostShown);
@@ -119,11 +120,9 @@ std::string nameOfColumn(const std::vector<std::string>& names, std::size_t colu
   return column < names.size() && !names[column].empty() ? names[column] : "column" + std::to_string(column + 1);
 }
 
-CsvHeader readCsvHeader(std::string_view line, const std::vector<std::string>& defaults,
-                        const std::vector<std::size_t>& numbered, char separator) {
+CsvHeader readCsvHeader(std::span<const std::string_view> fields, const std::vector<std::string>& defaults,
+                        const std::vector<std::size_t>& numbered) {
   CsvHeader header;
-  std::vector<std::string_view> fields;
-  splitCsvLine(line, fields, separator, kMostFields + 1);
   const auto isWord = [&](std::string_view field) {
     const std::string value = csvValue(field);
     return !trimmed(value).empty() && !parseNumber(value);

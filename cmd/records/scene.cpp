@@ -166,26 +166,26 @@ std::vector<SceneObject> readScene(const std::string& source, bool worldIsEcef) 
 
 namespace {
 
-CullShape shapeOf(const Layout& layout, const Numbers& n) {
+CullShape shapeOf(const NumberPlan& plan, const Numbers& n) {
   const auto vector = [&](std::size_t first) { return Vec3{n[first], n[first + 1], n[first + 2]}; };
   const auto checked = [](const Sphere& sphere) {
     if (const std::string fault = faultOf(sphere); !fault.empty()) throw RecordError(0, "radius " + fault);
     return sphere;
   };
-  if (layout.kind == kindSphere) return checked({vector(0), n[3]});
-  if (layout.kind == kindTriangle) return Triangle{vector(0), vector(3), vector(6)};
-  if (layout.kind == kindBox) {
+  if (plan.kind == kindSphere) return checked({vector(0), n[3]});
+  if (plan.kind == kindTriangle) return Triangle{vector(0), vector(3), vector(6)};
+  if (plan.kind == kindBox) {
     const Box box{vector(0), vector(3)};
-    const std::string fault = faultOf(box, layout.parts[0].point == PointForm::ofTheEarth);
+    const std::string fault = faultOf(box, plan.fields[0].point == PointForm::ofTheEarth);
     if (!fault.empty()) throw RecordError(0, "max " + fault);
     return box;
   }
-  const Vec4 point = toPoint(layout, n);
+  const Vec4 point = toPoint(plan, n);
   if (point.w == 0) throw RecordError(0, "is a direction; expected a point or a shape");
   const Vec3 position{point.x / point.w, point.y / point.w, point.z / point.w};
-  if (isPoint(layout)) return position;
+  if (isPoint(plan)) return position;
   if (!detail::isFinite(position)) throw RecordError(0, "has a center beyond the range of doubles");
-  return checked({position, n[layout.slots() - 1]});
+  return checked({position, n[plan.slots() - 1]});
 }
 
 struct IsInRange {
@@ -198,8 +198,8 @@ struct IsInRange {
 
 }  // namespace
 
-CullShape toShape(const Layout& layout, const Numbers& n) {
-  CullShape shape = shapeOf(layout, n);
+CullShape toShape(const NumberPlan& plan, const Numbers& n) {
+  CullShape shape = shapeOf(plan, n);
   if (!std::visit(IsInRange(), shape)) throw RecordError(0, "has a number beyond 1e91");
   return shape;
 }

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "records/layout.hpp"
+#include "records/number_plan.hpp"
 #include "viewproj/scene.hpp"
 
 namespace viewproj::cmd {
@@ -48,6 +48,6 @@ std::vector<SceneHit> hitsOf(const Camera& camera, const Ray& ray, const std::ve
 using CullShape = std::variant<Vec3, Sphere, Box, Triangle>;
 
 /// The shape of a record. Throws RecordError if the numbers make no valid shape, or make a direction.
-CullShape toShape(const Layout& layout, const Numbers& numbers);
+CullShape toShape(const NumberPlan& plan, const Numbers& numbers);
 
 }  // namespace viewproj::cmd

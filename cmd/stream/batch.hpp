@@ -1,4 +1,4 @@
-// Records in a worker: recognised by their shape, collected in batches, and written with their results.
+// Records with their results: collected in batches, computed together, and written.
 #pragma once
 
 #include <memory>
@@ -7,105 +7,107 @@
 #include <string_view>
 #include <vector>
 
-#include "records/record_pattern.hpp"
-#include "stream/block_reader.hpp"
-#include "stream/work.hpp"
-#include "text/error.hpp"
+#include "output/record_writer.hpp"
+#include "stream/record_reader.hpp"
 
 namespace viewproj::cmd {
 
-/// A shape that occurred, and where its numbers are.
-struct Plan {
-  Shape shape;
-  Layout layout;
-  Results results;
-  std::vector<RecordPattern> patterns = {};  ///< for JSON records of this shape, the last used first
+/// What a command makes of the records of a stream. Each worker has its own. The records of a batch are added one by
+/// one, computed together, and then asked for their results.
+class RecordProcessor {
+ public:
+  virtual ~RecordProcessor() = default;
+
+  /// Where records like this one have their numbers. Throws RecordError if they lack some.
+  virtual NumberPlan locate(const RecordView& record) const = 0;
+  /// The results of such records, in order. Throws RecordError if the form of the output cannot hold them.
+  virtual ResultRows rows(const NumberPlan& plan) const = 0;
+  /// Throws RecordError, without adding anything, if the numbers are not valid.
+  virtual void add(const NumberPlan& plan, const Numbers& numbers) = 0;
+  virtual void compute() {}
+  /// The results of record i, in the order of adding. Throws RecordError if it has none.
+  virtual void results(std::size_t i, ResultValues& values) = 0;
+  /// The batch is finished.
+  virtual void clear() = 0;
+
+  /// Converts many records at once from f64 to f64: three numbers per record in, and the writer's bytes out. Returns
+  /// how many records from the start it converted; the others are added.
+  virtual std::size_t convert(std::span<const double> /*in*/, TextBuffer& /*out*/) { return 0; }
 };
+
+/// to: the form of the output.
+using MakeProcessor = std::function<std::unique_ptr<RecordProcessor>(OutputForm to)>;
 
 /// The result of a block.
 struct BlockResult {
   TextBuffer out;
-  ArrayFrame frame;                     ///< of out
+  std::string_view closing;             ///< of the array that is open at the end of out
   std::size_t records = 0;              ///< including bad records that --keep-going writes
   std::vector<StreamFault> passedOver;  ///< bad records, with --keep-going
   std::vector<std::string> notes;       ///< each note once
   std::optional<StreamFault> fault;     ///< a bad record that ends the run; out has everything before it
+
+  void clear();
+  void note(const std::string& text);
 };
 
-struct BatchSetup {
-  Form form = Form::json;
-  OutputForm to = OutputForm::lines;
-  bool convert = false;  ///< from f64 to f64: the work's convert may be used
-  bool keepGoing = false;
-  bool checkNames = false;  ///< results have names, which must differ from the records' names
-  std::string prefix;
+/// Where a block's records are. Positions must be asked for in order.
+class PositionCounter {
+ public:
+  void begin(const Block& block, std::size_t binaryRecord);
+  TextPosition positionOf(const char* where);
+
+ private:
+  const Block* block_ = nullptr;
+  std::size_t binaryRecord_ = 0, countedTo_ = 0;
+  TextPosition counted_;
 };
 
 /// Throws RecordError if a field has the name of a result.
-void requireNoClash(const RecordParts& record, const Results& results, const std::string& prefix);
+void requireNoClash(const RecordView& record, const ResultRows& rows, const std::string& prefix);
 
-class Batch {
+class Batch final : public RecordSink {
  public:
-  /// writer: null to read records only.
-  Batch(const BatchSetup& setup, RecordWork& work, RecordWriter* writer, BlockResult& result);
+  /// binaryRecord: bytes of a binary record, or 0.
+  Batch(const WriterSetup& setup, RecordProcessor& processor, RecordWriter& writer, std::size_t binaryRecord,
+        bool mayConvert, BlockResult& result);
 
   void begin(const Block& block);
-  /// Writes the remaining records. Throws StopBlock.
+  /// Writes the remaining records. Throws Stop.
   void flush();
 
-  /// The plan for records like this one, valid until the next begin(). Throws RecordError.
-  Plan& planFor(const RecordParts& record);
-  /// All plans, the last used first.
-  const std::vector<std::unique_ptr<Plan>>& plans() const { return plans_; }
-  void moveToFront(std::size_t plan);
-
-  /// text must be in the block. Throws StopBlock if the run ends.
-  void add(std::string_view text, const Plan& plan, const Numbers& numbers);
-  void bad(std::string_view text, const RecordError& error);
-  /// Returns how many records from the start the work converted at once.
-  std::size_t convert(std::span<const double> numbers);
-  /// The text as written: `[` or `{"points": [` at the beginning, `]` and the rest of a document at the end.
-  void beginArray(std::string_view asWritten);
-  void endArray(std::string_view asWritten);
-
-  /// Ends the run after the records that were added.
-  struct StopBlock {};
+  Plan plan(const RecordView& record) override;
+  void forgetPlans() override { flush(); }
+  void take(const RecordView& record, const Plan& plan, const Numbers& numbers) override;
+  void bad(std::string_view text, const RecordError& error, std::span<const std::string_view> values) override;
+  void takeError(const RecordView& record, std::size_t field) override;
+  void beginArray(std::string_view asWritten) override;
+  void endArray(std::string_view asWritten) override;
+  std::size_t convert(std::span<const double> numbers) override;
 
  private:
   struct Row {
-    std::string_view text;
-    const Plan* plan;  ///< null: a bad record; errors_ has its error
+    RecordView record;
+    const Plan* plan = nullptr;  ///< null: a bad record
+    std::size_t values = 0;      ///< where those of the record are kept
+    std::size_t error = 0;       ///< of a bad record: its error, or the field that tells it
+    bool saysError = false;
   };
 
-  void note(const std::string& text);
-  void writeBad(std::string_view text, const RecordError& error);
-  TextPosition positionOf(const char* at);
+  void keep(Row row);
+  void writeBad(const RecordView& record, const RecordError& error);
 
-  const BatchSetup& setup_;
-  RecordWork& work_;
-  RecordWriter* writer_;
+  const WriterSetup& setup_;
+  RecordProcessor& processor_;
+  RecordWriter& writer_;
+  std::size_t binaryRecord_;
+  bool keepsValues_, mayConvert_;
   BlockResult& result_;
-  const Block* block_ = nullptr;
-  std::vector<std::unique_ptr<Plan>> plans_;
+  PositionCounter position_;
   std::vector<Row> rows_;
+  std::vector<std::string_view> values_;
   std::vector<RecordError> errors_;
-  // The position up to which the block's lines have been counted.
-  std::size_t countedTo_ = 0;
-  TextPosition countedPosition_;
+  ResultValues results_;
 };
-
-/// Reads the records of a block into a batch. One class per format.
-class RecordReader {
- public:
-  virtual ~RecordReader() = default;
-  /// Throws Batch::StopBlock.
-  virtual void read(const Block& block, Batch& batch) = 0;
-};
-
-/// byPattern: false splits every record into fields, for comparison.
-std::unique_ptr<RecordReader> makeJsonReader(bool byPattern = true);
-std::unique_ptr<RecordReader> makeCsvReader(const Shape& header);
-std::unique_ptr<RecordReader> makeTextReader();
-std::unique_ptr<RecordReader> makeBinaryReader();
 
 }  // namespace viewproj::cmd

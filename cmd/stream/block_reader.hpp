@@ -6,11 +6,12 @@
 #include <string>
 #include <string_view>
 
+#include "records/record.hpp"
 #include "stream/json_splitter.hpp"
-#include "text/csv.hpp"
+#include "text/error.hpp"
 #include "text/file.hpp"
 #include "text/form.hpp"
-#include "text/json_text.hpp"
+#include "text/npy_header.hpp"
 #include "text/text_buffer.hpp"
 
 namespace viewproj::cmd {
@@ -23,10 +24,19 @@ struct StreamFault {
 /// A part of the input that ends after a record.
 struct Block {
   TextBuffer bytes;
-  TextPosition position;             ///< of the first byte; for f64, line is the record's number
+  TextPosition position;             ///< of the first byte; of binary forms, line is the record's number
   JsonState state;                   ///< JSON: after everything before the block
   bool last = false;                 ///< the input ends after this block
+  std::optional<StreamFault> bad;    ///< a record after the others that is too long to be held
   std::optional<StreamFault> fault;  ///< an error after the records; nothing follows
+};
+
+/// How records of the input end.
+struct RecordEnds {
+  Form form = Form::json;
+  char separator = ',';     ///< of CSV
+  std::size_t columns = 0;  ///< of CSV
+  std::size_t record = 0;   ///< bytes of a binary record
 };
 
 class BlockReader {
@@ -42,16 +52,23 @@ class BlockReader {
   /// how the input arrives.
   std::string_view firstBytes();
 
-  /// If the format is any text, skips a byte order mark. Throws InputError at one of UTF-16 or UTF-32.
-  void setForm(Form form, char separator = ',');
+  /// Of text: skips a byte order mark. Throws InputError at one of UTF-16 or UTF-32.
+  void passByteOrderMark();
+  /// Skips the header of an .npy file. Throws InputError.
+  NpyHeader passNpyHeader();
+
+  /// More or fewer records are an error.
+  void expectRecords(std::size_t count) { recordsLeft_ = count; }
 
   /// CSV: the first line that is not blank, and its position.
   struct Line {
     std::string text;
     TextPosition position;
   };
-  std::optional<Line> firstLine();
+  std::optional<Line> firstLine(char separator);
   void passFirstLine() { drop(firstLineEnd_); }
+
+  void setEnds(const RecordEnds& ends) { ends_ = ends; }
 
   /// Reads the next block; its old content is lost. False at the end of the input.
   bool next(Block& block);
@@ -61,12 +78,15 @@ class BlockReader {
   std::size_t blockSize() const { return block_; }
 
  private:
-  /// How many bytes of text are complete records; 0 if more are needed. text must begin with the text of the last call.
+  /// How many bytes of text are complete records; 0 if more are needed.
   std::size_t completeRecords(std::string_view text);
   std::size_t completeJson(std::string_view text);
+  std::size_t completeCsv(std::string_view text) const;
   /// Reads once and appends to bytes, up to a size of `most`.
   void readMore(TextBuffer& bytes, std::size_t most);
   void readMore() { readMore(carried_, carried_.size() + block_); }
+  void passLongRecord(Block& block);
+  void countRecords(Block& block, std::size_t& complete);
   void drop(std::size_t bytes);
   void moveOn(std::string_view text);
 
@@ -74,17 +94,15 @@ class BlockReader {
   std::unique_ptr<InputFile> file_;
   std::optional<std::size_t> total_;
   std::size_t block_ = kBlock;
-  Form form_ = Form::json;
-  char separator_ = ',';
+  RecordEnds ends_;
   TextBuffer carried_;  ///< read but not yet returned in a block
   bool atEnd_ = false, over_ = false;
   TextPosition position_;  ///< of carried_
   std::size_t firstLineEnd_ = 0;
-  // How far completeRecords has searched line breaks and split JSON, and where the last complete record ends.
-  std::size_t searched_ = 0, lookedAt_ = 0, completeEnd_ = 0;
-  CsvEnds csv_;
-  JsonSplitter splitter_;
-  JsonState state_;  ///< after the complete records
+  std::optional<std::size_t> recordsLeft_;
+  // JSON: the state after the complete records; and beyond them, where completeEnd_ is the offset of the last end.
+  JsonState state_, stateBeyond_;
+  std::size_t lookedAt_ = 0, completeEnd_ = 0;
 };
 
 }  // namespace viewproj::cmd

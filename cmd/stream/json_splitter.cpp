@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 #include "records/record.hpp"
 #include "text/error.hpp"
@@ -38,12 +37,200 @@ constexpr std::array<bool, 256> kOrdinary = [] {
   return ordinary;
 }();
 
-/// The end of a string: its quote, a line break or the text's end. One more if the text's end cuts an escape.
+/// The end of a string's content from `at` on: its quote, a line break, or the text's size; before a backslash that the
+/// text's end cuts off.
 std::size_t endOfString(std::string_view text, std::size_t at) {
-  while (at < text.size() && text[at] != '"' && !isLineBreak(text[at]))
-    at += text[at] == '\\' && (at + 1 == text.size() || !isLineBreak(text[at + 1])) ? 2 : 1;
+  while (at < text.size() && text[at] != '"' && !isLineBreak(text[at])) {
+    const bool isEscape = text[at] == '\\';
+    if (isEscape && at + 1 == text.size()) return at;
+    at += isEscape && !isLineBreak(text[at + 1]) ? 2 : 1;
+  }
   return at;
 }
+
+enum class Answer { no, yes, undecided };
+
+/// Whether an array or a document of records begins here, and not a record: if so, size is that of its beginning.
+Answer beginsArray(std::string_view rest, std::size_t& size) {
+  constexpr std::size_t kLongestKey = kRecordsField.size() * std::string_view("\\u0070").size();
+  size = 1;
+  std::size_t at = afterJsonSpace(rest, 1);
+  if (at == rest.size()) return Answer::undecided;
+  if (rest[0] == '[') return opensJson(rest[at]) || rest[at] == ']' ? Answer::yes : Answer::no;
+  if (rest[at] != '"') return Answer::no;
+  const std::size_t end = endOfString(rest.substr(0, at + 2 + kLongestKey), at + 1);
+  if (end + 1 >= rest.size()) return Answer::undecided;
+  if (end > at + 1 + kLongestKey || rest[end] != '"') return Answer::no;
+  const std::string_view key = rest.substr(at + 1, end - at - 1);
+  if (jsonFault("\"" + std::string(key) + "\"") || unescaped(key) != kRecordsField) return Answer::no;
+  at = end;
+  for (const char expected : {':', '['}) {
+    at = afterJsonSpace(rest, at + 1);
+    if (at == rest.size()) return Answer::undecided;
+    if (rest[at] != expected) return Answer::no;
+  }
+  size = at + 1;
+  return Answer::yes;
+}
+
+/// Makes pieces of the text, and the state after them.
+class Splitter {
+ public:
+  Splitter(std::string_view rest, JsonState& state, JsonEnd end)
+      : rest_(rest), state_(state), end_(end), atEnd_(end != JsonEnd::open) {}
+
+  JsonPiece next() {
+    if (rest_.empty()) return atTextEnd();
+    const char c = rest_[0];
+    if (isJsonSpace(c)) return piece(JsonEvent::space, afterJsonSpace(rest_, 0), state_.place);
+    const bool afterOne = state_.place == Place::record || state_.place == Place::bad;
+    if (state_.insideArray()) {
+      if (c == ',' && afterOne) return piece(JsonEvent::comma, 1, Place::comma);
+      if (c == ',' || (c == ']' && state_.place == Place::comma)) return missing(kNoRecord, Place::bad);
+      if (c == ']') return endOfArray();
+    }
+    if (!opensJson(c)) return junk(afterOne ? kNoSeparator : kNoRecord);
+    if (afterOne || !state_.insideArray()) {
+      std::size_t size = 0;
+      Answer array = beginsArray(rest_, size);
+      // No record is a bracket alone, where a block ends.
+      if (array == Answer::undecided && end_ == JsonEnd::block && c == '[') array = Answer::yes;
+      if (array == Answer::undecided && !atEnd_) return {};
+      if (array == Answer::yes && afterOne) return brokenEnd(0, 0, kNotClosed);
+      if (array == Answer::yes) {
+        JsonPiece begin = piece(JsonEvent::beginArray, size, Place::first);
+        state_.inDocument = c == '{';
+        return begin;
+      }
+      if (state_.place == Place::record) return missing(kNoSeparator, Place::comma);
+    }
+    return record();
+  }
+
+ private:
+  JsonPiece piece(JsonEvent event, std::size_t size, Place next) {
+    const std::string_view text = rest_.substr(0, size);
+    state_.moveOver(text);
+    state_.place = next;
+    state_.scan = {};
+    return {.event = event, .text = text, .end = size};
+  }
+
+  JsonPiece bad(std::size_t size, std::string message) {
+    JsonPiece bad = piece(JsonEvent::bad, size, state_.insideArray() ? Place::bad : Place::top);
+    bad.message = std::move(message);
+    return bad;
+  }
+
+  /// An error between two bytes: something is missing there.
+  JsonPiece missing(const char* message, Place next) {
+    JsonPiece missing = bad(0, message);
+    state_.place = next;
+    return missing;
+  }
+
+  /// The array ends with so many bytes, which are not its proper end.
+  JsonPiece brokenEnd(std::size_t size, std::size_t at, std::string message) {
+    JsonPiece end = piece(JsonEvent::endArray, size, Place::top);
+    state_.inDocument = false;
+    end.at = at;
+    end.message = std::move(message);
+    return end;
+  }
+
+  JsonPiece atTextEnd() {
+    if (end_ != JsonEnd::input || !state_.insideArray())
+      return {.event = atEnd_ ? JsonEvent::end : JsonEvent::needMore};
+    return brokenEnd(0, 0,
+                     state_.place == Place::comma ? "the input ends after a comma; expected a record"
+                                                  : "the input ends inside an array; expected ]");
+  }
+
+  std::size_t endOf(const BracketScan& scan) const {
+    return scan.closing.empty() ? scan.at : scan.firstLine > 0 ? scan.firstLine : rest_.size();
+  }
+
+  JsonPiece record() {
+    BracketScan scan = std::move(state_.scan);
+    if (!scanBrackets(rest_, state_, atEnd_, scan)) {
+      state_.scan = std::move(scan);
+      return {};
+    }
+    const bool isClosed = scan.closing.empty();
+    JsonPiece record = piece(JsonEvent::record, endOf(scan),
+                             !state_.insideArray() ? Place::top
+                             : isClosed            ? Place::record
+                                                   : Place::bad);
+    // One that does not close its brackets is not valid JSON, and whoever reads it says so.
+    if (!isClosed) record.text = record.text.substr(0, record.text.find_last_not_of(kSpace) + 1);
+    return record;
+  }
+
+  JsonPiece endOfArray() {
+    // A bracket with a comma after it ends nothing, except in a document, where a name may follow.
+    const auto isAtEnd = [&](std::size_t at) { return at == rest_.size() && !atEnd_; };
+    std::size_t at =
+        state_.inDocument ? afterJsonSpace(rest_, 1) : std::min(rest_.find_first_not_of(" \t", 1), rest_.size());
+    if (isAtEnd(at)) return {};
+    if (at < rest_.size() && rest_[at] == ',') {
+      const std::size_t comma = at + 1;
+      at = state_.inDocument ? afterJsonSpace(rest_, comma) : rest_.size();
+      if (state_.inDocument && isAtEnd(at)) return {};
+      if (at == rest_.size() || (rest_[at] != '"' && rest_[at] != '}')) {
+        JsonPiece extra = bad(comma, kNoSeparator);
+        state_.place = Place::comma;
+        return extra;
+      }
+    }
+    if (!state_.inDocument) return piece(JsonEvent::endArray, 1, Place::top);
+    return endOfDocument();
+  }
+
+  /// From the `]` of the records on, as if the object began there.
+  JsonPiece endOfDocument() {
+    BracketScan scan = std::move(state_.scan);
+    if (scan.at == 0) scan = {.at = 1, .closing = "}", .before = ']'};
+    if (!scanBrackets(rest_, state_, atEnd_, scan)) {
+      state_.scan = std::move(scan);
+      return {};
+    }
+    const std::size_t size = endOf(scan);
+    if (!scan.closing.empty()) return brokenEnd(size, size, "the document is not closed; expected }");
+    constexpr std::string_view kBefore = "{\"points\":[";
+    const std::string whole = std::string(kBefore) + std::string(rest_.substr(0, size));
+    try {
+      JsonFields fields;
+      fields.splitWhole(whole);
+      (void)fields.schema(whole);
+    } catch (const RecordError& e) {
+      return brokenEnd(size, e.offset - std::min(e.offset, kBefore.size()), e.what());
+    }
+    JsonPiece end = piece(JsonEvent::endArray, size, Place::top);
+    state_.inDocument = false;
+    return end;
+  }
+
+  /// Text that does not begin like a record: up to the next bracket or the end of its line, in an array also to a
+  /// comma.
+  JsonPiece junk(const char* message) {
+    const auto ends = [&](char c) {
+      return isLineBreak(c) || opensJson(c) || (state_.insideArray() && (c == ',' || c == ']'));
+    };
+    std::size_t at = 0;
+    while (at < rest_.size() && (at == 0 || !ends(rest_[at]))) {
+      if (rest_[at++] != '"') continue;
+      at = endOfString(rest_, at);
+      if (at < rest_.size() && rest_[at] == '"') ++at;
+    }
+    if (at == rest_.size() && !atEnd_) return {};
+    return bad(at, message);
+  }
+
+  std::string_view rest_;
+  JsonState& state_;
+  JsonEnd end_;
+  bool atEnd_;
+};
 
 }  // namespace
 
@@ -74,245 +261,64 @@ bool mayOpenArray(std::string_view text) {
 }
 
 void JsonState::moveOver(std::string_view passed) {
-  const std::size_t line = lastLineBreak(passed, passed.size());
-  column = line == npos ? column + passed.size() : passed.size() - line - 1;
+  const std::size_t break_ = lastLineBreak(passed, passed.size());
+  column = break_ == npos ? column + passed.size() : passed.size() - break_ - 1;
 }
 
-JsonPiece JsonSplitter::next(std::string_view rest, End end) {
-  const bool atEnd = end != End::open;
-  if (rest.empty()) {
-    if (end != End::input || !state_.insideArray()) return {.event = atEnd ? JsonEvent::end : JsonEvent::needMore};
-    return brokenEnd(rest, 0,
-                     state_.place == Place::comma ? "the input ends after a comma; expected a record"
-                                                  : "the input ends inside an array; expected ]");
-  }
-  const char c = rest[0];
-  if (isJsonSpace(c)) return piece(JsonEvent::space, rest.substr(0, afterJsonSpace(rest, 0)), state_.place);
-  const bool afterOne = state_.place == Place::record || state_.place == Place::bad;
-  if (state_.insideArray()) {
-    if (c == ',' && afterOne) return piece(JsonEvent::comma, rest.substr(0, 1), Place::comma);
-    if (c == ',' || (c == ']' && state_.place == Place::comma)) return missing(rest, kNoRecord, Place::bad);
-    if (c == ']') return endOfArray(rest, atEnd);
-  }
-  if (!opensJson(c)) return junk(rest, atEnd, afterOne ? kNoSeparator : kNoRecord);
-  if ((looked_ == 0 || step_ > 0) && (afterOne || !state_.insideArray())) {
-    const Answer array = beginsArray(rest);
-    if (array == Answer::undecided && !atEnd) return {};
-    if (array == Answer::yes && afterOne) return brokenEnd(rest.substr(0, 0), 0, kNotClosed);
-    if (array == Answer::yes) {
-      JsonPiece begin = piece(JsonEvent::beginArray, rest.substr(0, std::exchange(looked_, 0)), Place::first);
-      state_.inDocument = c == '{';
-      return begin;
-    }
-    looked_ = step_ = 0;
-    if (state_.place == Place::record) return missing(rest, kNoSeparator, Place::comma);
-  }
-  return atBracket(rest, atEnd);
-}
-
-JsonPiece JsonSplitter::piece(JsonEvent event, std::string_view text, Place next) {
-  state_.moveOver(text);
-  state_.place = next;
-  looked_ = step_ = 0;
-  inString_ = false;
-  return {.event = event, .text = text, .end = text.size()};
-}
-
-JsonPiece JsonSplitter::bad(std::string_view text, std::size_t at, std::string message) {
-  JsonPiece bad = piece(JsonEvent::bad, text, state_.insideArray() ? Place::bad : Place::top);
-  bad.at = at;
-  bad.message = std::move(message);
-  return bad;
-}
-
-/// An error between two bytes: something is missing there.
-JsonPiece JsonSplitter::missing(std::string_view rest, const char* message, Place next) {
-  JsonPiece missing = bad(rest.substr(0, 0), 0, message);
-  state_.place = next;
-  return missing;
-}
-
-/// The array ends with text, which is not its proper end.
-JsonPiece JsonSplitter::brokenEnd(std::string_view text, std::size_t at, std::string message) {
-  JsonPiece end = piece(JsonEvent::endArray, text, Place::top);
-  end.at = at;
-  end.message = std::move(message);
-  return end;
-}
-
-JsonPiece JsonSplitter::atBracket(std::string_view rest, bool atEnd) {
-  switch (isClosed(rest, rest[0], atEnd)) {
-    case Answer::undecided:
-      return {};
-    case Answer::yes:
-      return piece(JsonEvent::record, rest.substr(0, looked_), state_.insideArray() ? Place::record : Place::top);
-    case Answer::no:
-      break;
-  }
-  // A record whose brackets do not close is not valid JSON. The reader reports that when it splits the record.
-  const std::string_view text = rest.substr(0, looked_);
-  JsonPiece unclosed = piece(JsonEvent::record, text, state_.insideArray() ? Place::bad : Place::top);
-  unclosed.text = text.substr(0, text.find_last_not_of(kSpace) + 1);
-  return unclosed;
-}
-
-/// Whether an array or a document of records begins here, and not a record. If so, looked_ is after its bracket.
-JsonSplitter::Answer JsonSplitter::beginsArray(std::string_view rest) {
-  constexpr std::size_t kLongest = kRecordsField.size() * std::string_view("\\u0070").size();
-  if (step_ == 0) {
-    looked_ = 1;
-    step_ = 1;
-  }
-  for (;;) {
-    looked_ = afterJsonSpace(rest, looked_);
-    if (looked_ >= rest.size()) return Answer::undecided;
-    const char c = rest[looked_];
-    if (rest[0] == '[') {
-      looked_ = 1;
-      return opensJson(c) || c == ']' ? Answer::yes : Answer::no;
-    }
-    if (step_ == 1) {
-      if (c != '"') return Answer::no;
-      const std::size_t end = endOfString(rest.substr(0, looked_ + 2 + kLongest), looked_ + 1);
-      if (end >= rest.size()) return Answer::undecided;
-      if (end > looked_ + 1 + kLongest || rest[end] != '"') return Answer::no;
-      const std::string_view key = rest.substr(looked_ + 1, end - looked_ - 1);
-      if (jsonFault("\"" + std::string(key) + "\"") || unescaped(key) != kRecordsField) return Answer::no;
-      looked_ = end + 1;
-    } else {
-      if (c != (step_ == 2 ? ':' : '[')) return Answer::no;
-      ++looked_;
-      if (step_ == 3) return Answer::yes;
-    }
-    ++step_;
-  }
-}
-
-/// Whether a bracket that begins a line, no farther to the right than the record's first one, cannot be in a record.
-bool JsonSplitter::endsRecord(char c) const {
-  if (c == ']') return state_.insideArray() && (isCut_ || open_.back());
-  if (!opensJson(c)) return false;
-  const bool isItem = !open_.back() && !isFlat_ && (before_ == '[' || before_ == ',');
-  return isCut_ || !(isItem || before_ == ':');
-}
-
-/// Moves to the string's end. False if the string continues after the text.
-bool JsonSplitter::passString(std::string_view rest) {
-  const std::size_t end = endOfString(rest, looked_);
-  looked_ = std::min(end, rest.size() - (end > rest.size() ? 1 : 0));  // on a backslash at the text's end
-  if (end >= rest.size()) return false;
-  inString_ = false;
-  if (rest[end] == '"')
-    ++looked_;
-  else
-    isCut_ = true;
-  return true;
-}
-
-/// Moves looked_ to where all open brackets are closed, or to where they certainly do not close.
-JsonSplitter::Answer JsonSplitter::isClosed(std::string_view rest, char open, bool atEnd) {
-  if (looked_ == 0) {
-    looked_ = 1;
-    open_.assign(1, open == '{');
-    isFlat_ = open == '[';  // an array of numbers
-    isCut_ = lineBegins_ = false;
-    before_ = open;
-  }
-  while (looked_ < rest.size()) {
-    if (inString_) {
-      if (!passString(rest)) break;
+bool scanBrackets(std::string_view rest, const JsonState& state, bool atEnd, BracketScan& scan) {
+  if (scan.at == 0) scan = {.at = 1, .closing = std::string(1, rest[0] == '{' ? '}' : ']'), .before = rest[0]};
+  const bool isObject = rest[0] != '[';  // an array is of numbers
+  while (scan.at < rest.size()) {
+    if (scan.inString) {
+      scan.at = endOfString(rest, scan.at);
+      if (scan.at == rest.size() || rest[scan.at] == '\\') break;
+      scan.inString = false;
+      scan.at += rest[scan.at] == '"' ? 1 : 0;  // a line break ends it as well
       continue;
     }
-    const char c = rest[looked_];
+    const char c = rest[scan.at];
     if (kOrdinary[static_cast<unsigned char>(c)]) {
-      do ++looked_;
-      while (looked_ < rest.size() && kOrdinary[static_cast<unsigned char>(rest[looked_])]);
-      before_ = rest[looked_ - 1];
-      lineBegins_ = false;
+      do ++scan.at;
+      while (scan.at < rest.size() && kOrdinary[static_cast<unsigned char>(rest[scan.at])]);
+      scan.before = rest[scan.at - 1];
+      scan.isAtLineBegin = false;
       continue;
     }
     if (isJsonSpace(c)) {
-      ++looked_;
+      ++scan.at;
       if (isLineBreak(c)) {
-        lineBegins_ = true;
-        line_ = looked_;
+        scan.isAtLineBegin = true;
+        scan.line = scan.at;
       }
       continue;
     }
-    if (lineBegins_ && looked_ - line_ <= state_.column && endsRecord(c)) return Answer::no;
-    lineBegins_ = false;
-    before_ = c;
-    ++looked_;
-    if (c == '"')
-      inString_ = true;
-    else if (opensJson(c))
-      open_.push_back(c == '{');
-    else if (!isCut_)
-      open_.pop_back();
-    if (open_.empty()) return Answer::yes;
-  }
-  if (!atEnd) return Answer::undecided;
-  looked_ = rest.size();
-  return Answer::no;
-}
-
-JsonPiece JsonSplitter::endOfArray(std::string_view rest, bool atEnd) {
-  // A bracket with a comma after it ends nothing, except in a document, where a name may follow.
-  if (step_ == 0) looked_ = step_ = 1;
-  if (step_ == 1) {
-    looked_ = state_.inDocument ? afterJsonSpace(rest, looked_)
-                                : std::min(rest.find_first_not_of(" \t", looked_), rest.size());
-    if (looked_ == rest.size() && !atEnd) return {};
-    const bool hasComma = looked_ < rest.size() && rest[looked_] == ',';
-    if (!hasComma && !state_.inDocument) return piece(JsonEvent::endArray, rest.substr(0, 1), Place::top);
-    line_ = ++looked_;
-    step_ = hasComma ? 2 : 3;
-  }
-  if (step_ == 2) {  // line_ is after the comma
-    looked_ = state_.inDocument ? afterJsonSpace(rest, looked_) : rest.size();
-    if (state_.inDocument && looked_ == rest.size() && !atEnd) return {};
-    if (looked_ == rest.size() || (rest[looked_] != '"' && rest[looked_] != '}')) {
-      JsonPiece extra = bad(rest.substr(0, line_), 0, kNoSeparator);
-      state_.place = Place::comma;
-      return extra;
+    if (scan.isAtLineBegin && scan.at - scan.line <= state.column) {
+      if (opensJson(c)) {
+        if (scan.firstLine == 0) scan.firstLine = scan.at;
+        const bool isItem = scan.closing.back() == ']' && isObject && (scan.before == '[' || scan.before == ',');
+        if (scan.isBroken || (!isItem && scan.before != ':')) return true;
+      } else if (c == ']' && state.insideArray() && (scan.isBroken || scan.closing.back() != ']')) {
+        if (scan.firstLine == 0) scan.firstLine = scan.at;
+        return true;
+      }
     }
+    scan.isAtLineBegin = false;
+    ++scan.at;
+    if (scan.isBroken) continue;
+    scan.before = c;
+    if (c == '"')
+      scan.inString = true;
+    else if (opensJson(c) && scan.closing.size() < kDeepestJson)
+      scan.closing += c == '{' ? '}' : ']';
+    else if (c == scan.closing.back())
+      scan.closing.pop_back();
+    else if (scan.isBroken = true; scan.firstLine > 0)
+      return true;
+    if (scan.closing.empty()) return true;
   }
-  if (step_ < 4) looked_ = 0;  // isClosed begins
-  step_ = 4;
-  return endOfDocument(rest, atEnd);
+  return atEnd;
 }
 
-JsonPiece JsonSplitter::endOfDocument(std::string_view rest, bool atEnd) {
-  const Answer closed = isClosed(rest, '{', atEnd);
-  if (closed == Answer::undecided) return {};
-  const std::string_view text = rest.substr(0, looked_);
-  state_.inDocument = false;
-  if (closed == Answer::no) return brokenEnd(text, text.size(), "the document is not closed; expected }");
-  constexpr std::string_view kBefore = "{\"points\":[";
-  try {
-    (void)jsonParts(std::string(kBefore) + std::string(text));
-  } catch (const RecordError& e) {
-    return brokenEnd(text, e.offset - std::min(e.offset, kBefore.size()), e.what());
-  }
-  return piece(JsonEvent::endArray, text, Place::top);
-}
-
-/// Text that does not begin like a record: up to the next bracket or the end of its line, in an array also to a comma.
-JsonPiece JsonSplitter::junk(std::string_view rest, bool atEnd, const char* message) {
-  const auto ends = [&](char c) {
-    return isLineBreak(c) || opensJson(c) || (state_.insideArray() && (c == ',' || c == ']'));
-  };
-  while (looked_ < rest.size() && (looked_ == 0 || inString_ || !ends(rest[looked_]))) {
-    if (!inString_)
-      inString_ = rest[looked_++] == '"';
-    else if (!passString(rest))
-      break;
-  }
-  if (inString_ || looked_ == rest.size()) {
-    if (!atEnd) return {};
-    looked_ = rest.size();
-  }
-  return bad(rest.substr(0, looked_), 0, message);
-}
+JsonPiece nextPiece(std::string_view rest, JsonState& state, JsonEnd end) { return Splitter(rest, state, end).next(); }
 
 }  // namespace viewproj::cmd

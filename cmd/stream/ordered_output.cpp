@@ -39,32 +39,23 @@ void Progress::clear() {
 }
 
 void OrderedOutput::write(std::string_view text) {
-  if (setup_.form == OutputForm::table)
-    writeOutput(table_.add(text));
-  else
-    writeOutput(text);
+  if (text.empty()) return;
+  last_ = text.back();
+  writeOutput(setup_.form == OutputForm::table ? std::string_view(table_.add(text)) : text);
 }
 
-void OrderedOutput::openArray() {
-  writeOutput("[");
+void OrderedOutput::begin(std::string_view text) {
+  write(text);
+  if (setup_.form != OutputForm::array) return;
+  write("[");
   closing_ = "]";
 }
 
 void OrderedOutput::put(const Block& block, const BlockResult& result) try {
-  std::string_view out = result.out.view();
-  if (!closing_.empty()) {
-    if (result.frame.records > 0) writeOutput(inArray_ == 0 ? "\n" : ",\n");
-    writeOutput(out.substr(0, result.frame.size));
-    inArray_ += result.frame.records;
-    out.remove_prefix(result.frame.size);
-    if (!out.empty()) {  // it begins with the text that closes the array
-      if (inArray_ > 0) writeOutput("\n");
-      inArray_ = 0;
-    }
-  }
-  closing_ = result.frame.closing;
-  inArray_ += result.frame.open;
+  const std::string_view out = result.out.view();
+  if (setup_.form == OutputForm::array && !out.empty()) write(last_ == '[' ? "\n" : ",\n");
   write(out);
+  closing_ = result.closing;
   if (!result.passedOver.empty() || !result.notes.empty()) progress_.clear();
   if (setup_.note) std::for_each(result.notes.begin(), result.notes.end(), setup_.note);
   for (const StreamFault& bad : result.passedOver) {
@@ -79,13 +70,13 @@ void OrderedOutput::put(const Block& block, const BlockResult& result) try {
   throw;
 }
 
-void OrderedOutput::closeArray() {
+void OrderedOutput::end() {
   writeOutput(table_.rest());
-  if (!closing_.empty()) writeOutput((inArray_ == 0 ? "" : "\n") + closing_ + "\n");
+  if (!closing_.empty()) writeOutput((last_ == '[' ? "" : "\n") + std::string(closing_) + "\n");
 }
 
 void OrderedOutput::fail(const StreamFault& fault) {
-  closeArray();
+  end();
   const bool placed = fault.position.line > 0;
   const std::string message = (placed ? setup_.placeOf(fault.position) + ": " : "") + fault.message;
   if (setup_.fromCommandLine) throw UsageError(message);
@@ -93,7 +84,7 @@ void OrderedOutput::fail(const StreamFault& fault) {
 }
 
 int OrderedOutput::finish() {
-  closeArray();
+  end();
   return passedOver_ ? 1 : 0;
 }
 

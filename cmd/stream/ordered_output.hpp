@@ -13,6 +13,7 @@ namespace viewproj::cmd {
 
 struct OutputSetup {
   OutputForm form = OutputForm::lines;
+  char separator = ',';  ///< of CSV
   /// Names the place of an error.
   std::function<std::string(TextPosition)> placeOf;
   bool fromCommandLine = false;  ///< a bad record is an error of the command line
@@ -41,13 +42,11 @@ class OrderedOutput {
  public:
   /// totalBytes: the size of the input, if it is known.
   OrderedOutput(OutputSetup setup, std::optional<std::size_t> totalBytes)
-      : setup_(std::move(setup)), progress_(totalBytes) {}
+      : setup_(std::move(setup)), progress_(totalBytes), table_(setup_.separator) {}
   ~OrderedOutput() { progress_.clear(); }
 
-  /// Writes text before or after all records.
-  void write(std::string_view text);
-  /// Opens an array that holds all records.
-  void openArray();
+  /// Writes the text before all records, and opens an array that holds them.
+  void begin(std::string_view text);
   /// Writes the block's records. If the run ends with this block, throws InputError (UsageError) after writing
   /// everything before the error and closing an array. Throws ClosedPipe or InputError if nothing can be written.
   void put(const Block& block, const BlockResult& result);
@@ -55,14 +54,16 @@ class OrderedOutput {
   int finish();
 
  private:
-  void closeArray();
+  void write(std::string_view text);
+  /// Writes what is left, and closes an open array.
+  void end();
   [[noreturn]] void fail(const StreamFault& fault);
 
   OutputSetup setup_;
   Progress progress_;
   bool passedOver_ = false;
-  std::string closing_;  ///< the text that closes the open array
-  std::size_t inArray_ = 0;
+  std::string_view closing_;  ///< the text that closes the open array
+  char last_ = '\n';          ///< the last character that was written
   CsvAligner table_;
 };
 

@@ -8,7 +8,7 @@
 #include <functional>
 #include <memory>
 
-#include "stream/block_reader.hpp"
+#include "stream/batch.hpp"
 #include "stream/ordered_output.hpp"
 
 namespace viewproj::cmd {

@@ -1,6 +1,7 @@
 #include "text/csv.hpp"
 
-#include "text/error.hpp"
+#include <algorithm>
+
 #include "text/utf8.hpp"
 
 namespace viewproj::cmd {
@@ -15,11 +16,79 @@ std::string nameOf(char separator) {
   return inQuotes(std::string_view(&separator, 1));
 }
 
+/// The offset after the quote that closes the one at `quote`; npos if none does.
+std::size_t afterQuotes(std::string_view text, std::size_t quote) {
+  std::size_t close = text.find('"', quote + 1);
+  while (close != npos && close + 1 < text.size() && text[close + 1] == '"') close = text.find('"', close + 2);
+  return close == npos ? npos : close + 1;
+}
+
 }  // namespace
 
+char separatorOf(std::string_view line) {
+  bool isQuoted = false, hasSemicolon = false;
+  for (const char c : line) {
+    isQuoted ^= c == '"';
+    if (c == '\t' && !isQuoted) return c;
+    hasSemicolon |= c == ';' && !isQuoted;
+  }
+  return hasSemicolon ? ';' : ',';
+}
+
+void CsvRecord::split(std::string_view text, char separator, std::size_t most) {
+  fields.clear();
+  fault.clear();
+  isOpen = false;
+  const auto fail = [&](std::size_t at, const std::string& message) {
+    if (!fault.empty()) return;
+    fault = message;
+    faultAt = at;
+  };
+  const char *const first = text.data(), *const last = first + text.size();
+  for (const char* at = first;; ++at) {
+    const char* const begin = at;
+    const bool isQuoted = at < last && *at == '"';
+    if (isQuoted) {
+      const auto quote = static_cast<std::size_t>(at - first);
+      const std::size_t after = afterQuotes(text, quote);
+      isOpen = after == npos;
+      if (isOpen) fail(quote, "the quote that opens here is not closed");
+      at = first + std::min(after, text.size());
+    }
+    const char* const closed = at;
+    while (at < last && *at != separator && *at != '\n') {
+      const bool endsLine = *at == '\r' && (at + 1 == last || at[1] == '\n');
+      if (endsLine) break;
+      if (*at == '\r' && !isQuoted) fail(static_cast<std::size_t>(at - first), kLoneReturn);
+      ++at;
+    }
+    if (isQuoted && at > closed)
+      fail(static_cast<std::size_t>(closed - first),
+           "text after the closing quote; expected " + nameOf(separator) + " or the end of the line");
+    if (fields.size() <= most) fields.emplace_back(begin, at);
+    if (at < last && *at == separator) continue;
+    if (at < last && *at == '\r') ++at;
+    end = static_cast<std::size_t>(at - first);
+    return;
+  }
+}
+
+void CsvRecord::splitSome(std::string_view text, char separator, std::size_t size, std::size_t most) {
+  split(text, separator, most);
+  if (fault.empty() && fields.size() == size) return;
+  if (const std::size_t line = text.find('\n'); line < end) {
+    split(text.substr(0, line), separator, most);
+    end = line;
+  }
+}
+
+bool needsQuotes(std::string_view cell, char separator) {
+  return std::any_of(cell.begin(), cell.end(),
+                     [&](char c) { return c == '"' || c == '\r' || c == '\n' || c == separator; });
+}
+
 std::string quotedIfNeeded(std::string_view cell, char separator) {
-  const auto needs = [&](char c) { return c == '"' || c == '\r' || c == '\n' || c == separator; };
-  if (std::none_of(cell.begin(), cell.end(), needs)) return std::string(cell);
+  if (!needsQuotes(cell, separator)) return std::string(cell);
   std::string quoted = "\"";
   for (const char c : cell) {
     if (c == '"') quoted += '"';
@@ -38,47 +107,9 @@ std::string csvValue(std::string_view field) {
   return value;
 }
 
-void splitCsvLine(std::string_view line, std::vector<std::string_view>& fields, char separator, std::size_t most) {
-  for (std::size_t begin = 0;; ++begin) {
-    std::size_t end = begin;
-    if (end < line.size() && line[end] == '"') end = std::min(afterQuotes(line, end), line.size());
-    while (end < line.size() && line[end] != separator) ++end;
-    fields.push_back(line.substr(begin, end - begin));
-    if (end == line.size() || fields.size() == most) return;
-    begin = end;
-  }
-}
-
-void requireWholeFields(std::string_view record, const std::vector<std::string_view>& fields, char separator) {
-  for (const std::string_view field : fields) {
-    const auto begin = static_cast<std::size_t>(field.data() - record.data());
-    const bool isQuoted = field.starts_with('"');
-    if (const std::size_t at = isQuoted ? npos : field.find('\r'); at != npos)
-      throw RecordError(begin + at, kLoneReturn);
-    if (const std::size_t after = isQuoted ? afterQuotes(field, 0) : npos; after < field.size())
-      throw RecordError(begin + after,
-                        "text after the closing quote; expected " + nameOf(separator) + " or the end of the line");
-  }
-}
-
-std::size_t CsvEnds::lastEnd(std::string_view text) {
-  while (at_ < text.size()) {
-    const std::size_t quote = text.find('"', at_);
-    if (quoted_) {
-      at_ = std::min(quote, text.size());
-      if (at_ + 1 >= text.size()) break;  // the next byte decides whether it closes
-      quoted_ = text[quote + 1] == '"';
-      at_ += quoted_ ? 2 : 1;
-      continue;
-    }
-    const std::string_view unquoted = text.substr(0, quote).substr(at_);
-    if (const std::size_t line = unquoted.rfind('\n'); line != npos) after_ = at_ + line + 1;
-    at_ += unquoted.size();
-    if (quote == npos) break;
-    quoted_ = quote == after_ || text[quote - 1] == separator_;
-    ++at_;
-  }
-  return after_;
+std::string wholeCell(std::string_view field, char separator) {
+  const bool isWhole = field.starts_with('"') && afterQuotes(field, 0) == field.size();
+  return isWhole ? std::string(field) : quotedIfNeeded(field, separator);
 }
 
 }  // namespace viewproj::cmd

@@ -36,7 +36,7 @@ std::size_t InputFile::read(char* to, std::size_t most) {
   return static_cast<std::size_t>(got);
 }
 
-bool InputFile::isReady() const { return cmd::isReady(descriptor_); }
+bool InputFile::isReady(int milliseconds) const { return cmd::isReady(descriptor_, milliseconds); }
 
 std::optional<std::size_t> InputFile::remaining() const { return bytesLeft(descriptor_); }
 

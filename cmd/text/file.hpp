@@ -25,8 +25,8 @@ class InputFile {
   /// Reads up to `most` bytes, as many as are available at once; 0 at the end of the file. Throws InputError.
   std::size_t read(char* to, std::size_t most);
 
-  /// Whether there are bytes to read now.
-  bool isReady() const;
+  /// Whether there are bytes to read, now or within some milliseconds.
+  bool isReady(int milliseconds = 0) const;
 
   /// Bytes from here to the end, for a regular file.
   std::optional<std::size_t> remaining() const;

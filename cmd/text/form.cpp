@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "text/names.hpp"
+#include "text/npy_header.hpp"
 #include "text/number.hpp"
 #include "text/utf8.hpp"
 
@@ -34,6 +35,8 @@ OutputForm sameForm(Form form) {
     case Form::text:
       return OutputForm::text;
     case Form::f64:
+    case Form::f32:
+    case Form::npy:
       return OutputForm::f64;
     case Form::json:
       break;
@@ -47,7 +50,9 @@ std::span<const FormRow<Form>> inputForms() {
        "objects or [x,y,z]: one after the other, in an array, under \"points\""},
       {"csv", Form::csv, ".csv .tsv", "a header and rows; without a header the first columns are the coordinates"},
       {"text", Form::text, ".xyz", "numbers separated by blanks, a point a line"},
-      {"f64", Form::f64, ".f64", "little-endian doubles, three a point (a pixel: x, y, depth)"},
+      {"f64", Form::f64, ".f64", "little-endian doubles, three a point or --width N (a pixel: x, y, depth)"},
+      {"f32", Form::f32, ".f32", "the same as little-endian floats"},
+      {"npy", Form::npy, ".npy", "a NumPy array of floats or doubles, a row a point"},
   };
   return kRows;
 }
@@ -95,8 +100,8 @@ std::string_view afterComments(std::string_view text) {
 }
 
 std::optional<Form> formOfBytes(std::string_view start) {
-  if (start.starts_with("\xEF\xBB\xBF")) start.remove_prefix(3);
-  start = afterComments(start);
+  if (start.starts_with(kNpyMagic)) return Form::npy;
+  start = afterComments(withoutByteOrderMark(start));
   if (start.empty()) return Form::text;
   if (start[0] == '{' || start[0] == '[') return Form::json;
   const auto isControl = [](unsigned char c) { return c < '\t' || (c > '\r' && c < ' ') || c == 0x7f; };

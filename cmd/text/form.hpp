@@ -7,8 +7,10 @@
 
 namespace viewproj::cmd {
 
-/// f64: little-endian doubles, three per record.
-enum class Form { json, csv, text, f64 };
+/// f64, f32: little-endian doubles or floats, as many in each record. npy: the same after a header of NumPy.
+enum class Form { json, csv, text, f64, f32, npy };
+inline bool isBinary(Form form) { return form >= Form::f64; }
+/// Text and f64 have the results' numbers alone.
 
 /// lines: one JSON value per line. array: one JSON array. table: the columns of CSV, aligned for people.
 enum class OutputForm { lines, array, csv, text, f64, table };
@@ -31,8 +33,10 @@ std::string_view endingOf(std::string_view fileName);
 /// Whether an extension is one of these, separated by blanks.
 bool isEnding(std::string_view ending, std::string_view endings);
 
+inline bool hasNumbersOnly(OutputForm form) { return form == OutputForm::text || form == OutputForm::f64; }
 inline bool hasColumns(OutputForm form) { return form == OutputForm::csv || form == OutputForm::table; }
 
+/// Of binary forms f64.
 OutputForm sameForm(Form form);
 
 /// Lines of text that begin with this, after blanks, are comments.
@@ -50,7 +54,7 @@ std::optional<Form> formOfName(std::string_view fileName);
 
 /// The format by the first bytes, after comments. `{` or `[` begins JSON. A first line with a comma or a semicolon, or
 /// with a tab and a word that is not a number, is CSV. Any other line with a number is text, and a line of words only
-/// is a CSV header. Nothing if the bytes are not text; f64 is never guessed.
+/// is a CSV header. An .npy file tells itself. Nothing if the bytes are not text; f64 and f32 are never guessed.
 std::optional<Form> formOfBytes(std::string_view start);
 
 }  // namespace viewproj::cmd

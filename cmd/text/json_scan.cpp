@@ -135,6 +135,7 @@ JsonFault faultOf(std::string_view text, const JsonStop& stop) {
     return JsonFault{at, "not valid JSON: expected " + std::string(expected) + got};
   };
   if (at == text.size()) return fault(", got the end");
+  if (expected == kLessNesting) return {at, "nested deeper than " + std::to_string(kDeepestJson)};
   const bool isValue = expected.starts_with("a value");
   if (text[at] == '"' && (isValue || expected.starts_with("a key"))) return faultOfString(text, at);
   if (text[at] == '\'' && isValue) return fault(", got '; texts need double quotes");

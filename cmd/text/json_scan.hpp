@@ -44,7 +44,10 @@ struct JsonEvents {
   void scalar(std::string_view) {}  ///< any other value, as written
 };
 
-inline constexpr std::size_t kAnyDepth = ~std::size_t{0};
+/// How deep a value may be nested.
+inline constexpr std::size_t kDeepestJson = 200;
+/// What a scan expects where a value is nested deeper than it may be.
+inline constexpr const char* kLessNesting = "less nesting";
 
 /// Passes any value. depth: how many arrays and objects may be nested.
 template <class Events>
@@ -58,7 +61,7 @@ const char* scanJson(const char* at, const char* end, std::size_t depth, Events&
   for (;;) {
     bool isBegun = false;  // whether an array or object has begun and has a value
     if (at < end && opensJson(*at)) {
-      if (closing.size() == depth) return fail("less nesting");
+      if (closing.size() == depth) return fail(kLessNesting);
       events.open(at);
       closing += *at == '{' ? '}' : ']';
       at = passJsonSpace(at + 1, end);
@@ -101,7 +104,7 @@ struct JsonFault {
 };
 
 /// Nothing if text is one valid JSON value, as nlohmann-json defines it. One difference: a NUL (which ends the text
-/// there) and a byte order mark are errors here.
+/// there), a byte order mark and nests deeper than kDeepestJson are errors here.
 std::optional<JsonFault> jsonFault(std::string_view text);
 
 /// Describes the error where a scan stopped.
@@ -112,7 +115,7 @@ template <class Events>
 std::optional<JsonFault> scanWhole(std::string_view text, Events& events) {
   const char* const end = text.data() + text.size();
   JsonStop stop;
-  const char* after = scanJson(passJsonSpace(text.data(), end), end, kAnyDepth, events, &stop);
+  const char* after = scanJson(passJsonSpace(text.data(), end), end, kDeepestJson, events, &stop);
   if (!after) return faultOf(text, stop);
   after = passJsonSpace(after, end);
   return after == end ? std::nullopt : std::optional(faultOf(text, {after, "the end"}));

@@ -23,7 +23,6 @@ class Builder : public JsonEvents {
   Builder(std::string_view text, nlohmann::json& root) : text_(text), root_(root) {}
 
   void open(const char* bracket) {
-    if (open_.size() == kDeepestJson) fail(bracket, "nested deeper than " + std::to_string(kDeepestJson));
     open_.push_back(&put(*bracket == '{' ? nlohmann::json::object() : nlohmann::json::array()));
   }
   void close(const char*) { open_.pop_back(); }

@@ -14,9 +14,6 @@
 
 namespace viewproj::cmd {
 
-/// How deep a value may be nested.
-inline constexpr std::size_t kDeepestJson = 200;
-
 /// Parses a text. Returns what is wrong: invalid JSON, too deep nesting, or an object that has a key twice.
 std::optional<JsonFault> parseJson(std::string_view text, nlohmann::json& value);
 

@@ -1,7 +1,6 @@
 #include "text/names.hpp"
 
 #include <algorithm>
-#include <cctype>
 
 #include "text/number.hpp"
 #include "text/utf8.hpp"
@@ -9,7 +8,7 @@
 namespace viewproj::cmd {
 namespace {
 
-char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c; }
 
 /// The number of edits (insert, delete, replace, swap neighbours) from a to b, ignoring case.
 std::size_t editDistance(std::string_view a, std::string_view b) {
@@ -82,7 +81,7 @@ std::string suggestion(std::string_view name, std::span<const std::string_view> 
 std::string columnName(std::string_view name) {
   std::string column;
   for (const char c : name) {
-    if (std::isupper(static_cast<unsigned char>(c))) column += '_';
+    if (c != lower(c)) column += '_';
     column += lower(c);
   }
   return column;

@@ -43,7 +43,7 @@ int becomeStandardOutput(int descriptor);
 std::ptrdiff_t readSome(int descriptor, char* to, std::size_t most);
 
 /// Whether there are bytes to read now; false if that is unknown.
-bool isReady(int descriptor);
+bool isReady(int descriptor, int milliseconds);
 
 /// Bytes of a regular file from here to its end.
 std::optional<std::size_t> bytesLeft(int descriptor);

@@ -63,9 +63,9 @@ std::ptrdiff_t readSome(int descriptor, char* to, std::size_t most) {
   return got;
 }
 
-bool isReady(int descriptor) {
+bool isReady(int descriptor, int milliseconds) {
   pollfd state{descriptor, POLLIN, 0};
-  return ::poll(&state, 1, 0) > 0;
+  return ::poll(&state, 1, milliseconds) > 0;
 }
 
 std::optional<std::size_t> bytesLeft(int descriptor) {

@@ -91,7 +91,7 @@ std::ptrdiff_t readSome(int descriptor, char* to, std::size_t most) {
   return got < 0 && errno == EPIPE ? 0 : got;  // the writer has closed: the end
 }
 
-bool isReady(int descriptor) {
+bool isReady(int descriptor, int /*milliseconds*/) {
   DWORD bytes = 0;
   if (::GetFileType(handleOf(descriptor)) == FILE_TYPE_PIPE)
     return ::PeekNamedPipe(handleOf(descriptor), nullptr, 0, nullptr, &bytes, nullptr) && bytes > 0;

@@ -36,6 +36,12 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") + 1 - first);
 }
 
+bool mayBeginByteOrderMark(std::string_view text) {
+  using namespace std::string_view_literals;
+  const auto begins = [&](std::string_view mark) { return text.size() < mark.size() && mark.starts_with(text); };
+  return begins(kByteOrderMark) || begins("\xFF\xFE\0\0"sv) || begins("\0\0\xFE\xFF"sv) || begins("\xFE\xFF");
+}
+
 void requireNarrow(const std::string& name, std::string_view start) {
   using namespace std::string_view_literals;
   std::string encoding;

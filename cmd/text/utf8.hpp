@@ -26,6 +26,13 @@ inline bool isBlank(std::string_view line) { return line.find_first_not_of(" \t\
 /// The text without blanks and tabs at its ends.
 std::string_view trimmed(std::string_view text);
 
+/// The byte order mark of UTF-8.
+inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+inline std::string_view withoutByteOrderMark(std::string_view text) {
+  return text.substr(text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0);
+}
+/// Whether a text may become a byte order mark, of any encoding, with more bytes.
+bool mayBeginByteOrderMark(std::string_view text);
 /// Throws InputError if a text begins with the byte order mark of UTF-16 or UTF-32.
 void requireNarrow(const std::string& name, std::string_view start);
 

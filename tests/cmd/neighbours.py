@@ -44,6 +44,7 @@ BAD = [
     '{"segment":[[0,0,0],[1,1,1]],"visible":1}', '{"sphere":{"center":[0,0,0],"radius":1},"outside":1,"plane":1}', '"a"', '{"a":"b',
     "[1,2,3", '{"sphere":{"center":[0,0,0],"radius":1},"extra":}', '{"segment":[[0,0,0],[1,1,1]],"s":"\\x"}',
 ]
+UNCLOSED = [b'{"a":"b', b"[1,2,3"]
 BAD_IN_CSV = [*BAD, '{"sphere":{"center":[0,0,0],"radius":1},"extra":7}', '{"segment":[[0,0,0],[1,1,1]],"extra":7}', '{"extra":7,"x":1,"y":2,"z":3}']
 BAD_CELLS = ["", "x", "1e999", "1,5", '"a"b', "\t", "+-1", "0x10", "1 2", "'1'", "inf", "1e95"]
 CSV_KINDS = {
@@ -67,12 +68,17 @@ def rows(text, form):
     return [(line, next(csv.reader(io.StringIO(line)))[-1] != "") for line in lines]
 
 
-def json_stream(rnd, form):
-    # In CSV all have the fields of the first.
-    kinds = [rnd.choice(KINDS)] if form == "csv" else KINDS
+def json_stream(rnd, form, command):
+    # In CSV all have the fields of the first, which is good: cull takes no direction and no segment.
+    kinds = [rnd.choice(KINDS if command == "project" else KINDS[:3] + KINDS[5:])] if form == "csv" else KINDS
     good = lambda: json.dumps(rnd.choice(kinds)(rnd)).encode()
     bad = BAD_IN_CSV if form == "csv" else BAD
-    return [good(), *(rnd.choice(bad).encode() if rnd.random() < 0.3 else good() for _ in range(rnd.randint(1, 30)))], ()
+    records = [good()]
+    for _ in range(rnd.randint(1, 30)):
+        # What begins with no bracket would belong to what is not closed before it.
+        may_be_bad = records[-1] not in UNCLOSED
+        records.append(rnd.choice(bad).encode() if may_be_bad and rnd.random() < 0.4 else good())
+    return records, ()
 
 
 def csv_stream(rnd):
@@ -96,7 +102,7 @@ def trial(seed):
     rnd = random.Random(seed)
     form, command = rnd.choice(["ndjson", "csv"]), rnd.choice(["project", "project", "cull"])
     source = rnd.choice(["json", "csv"])
-    records, header = json_stream(rnd, form) if source == "json" else csv_stream(rnd)
+    records, header = json_stream(rnd, form, command) if source == "json" else csv_stream(rnd)
     arguments = [command, "-c", CAMERA, "--keep-going", "--from", source, "--to", form, "--jobs", str(rnd.randint(1, 3))]
     if command == "project" and rnd.random() < 0.3:
         arguments += ["--fields", rnd.choice(["all", "screenBox,visible", "depth"])]

@@ -1,5 +1,5 @@
 // What writers make of every kind of result, also of those that no command gives them.
-#include <functional>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -21,88 +21,65 @@ constexpr const ResultRow *kGroupParts[] = {&kInner}, *kListParts[] = {&kN};
 constexpr ResultRow kGroup = groupResult("group", kGroupParts), kList{"list", ResultKind::list, 1, kListParts};
 
 /// All kinds but names and a list.
-const Results kEach = {&kNumber, &kVector, &kFlag, &kWord, &kJson, &kGroup};
+const ResultRows kEach = {&kNumber, &kVector, &kFlag, &kWord, &kJson, &kGroup};
 
-void writeEach(ResultSink& sink) {
-  sink.number(kNumber, 1.5);
-  sink.vector(kVector, Vec3{1, 2, 3});
-  sink.flag(kFlag, true);
-  sink.text(kWord, "near");
-  sink.text(kJson, "[1]");
-  sink.object(kGroup, 1, [](ResultSink& part, std::size_t) { part.vector(kInner, Vec2{4, 5}); });
+const std::string_view kSomeNames[] = {"left", "top"};
+
+void addEach(ResultValues& values) {
+  values.add(1.5);
+  values.add(Vec3{1, 2, 3});
+  values.add(true);
+  values.addWord("near");
+  values.addWord("[1]");
+  values.addCount(1);
+  values.add(Vec2{4, 5});
 }
 
-void writeNames(ResultSink& sink) { sink.text(kNames, std::vector<std::string_view>{"left", "top"}); }
-
-void writeList(ResultSink& sink) {
-  sink.object(kList, 1, [](ResultSink& part, std::size_t) { part.number(kN, 1); });
-}
-
-Results with(Results rows, const ResultRow& row) {
+ResultRows with(ResultRows rows, const ResultRow& row) {
   rows.push_back(&row);
   return rows;
 }
 
 /// Of a record [7,8].
-std::string written(RecordWriter& writer, const Results& rows, const TextBuffer& out, void (*results)(ResultSink&)) {
-  const Shape shape{.isArray = true, .size = 2, .names = {}};
-  writer.beginBlock("");
-  writer.beginRecord({"[7,8]", &shape}, rows);
-  results(writer);
-  writer.endRecord();
-  return std::string(out.view());
-}
-
-WriterSetup setupFor(const Results& rows) {
-  WriterSetup setup;
-  setup.arrayName = "own";
-  setup.results = rows;
-  return setup;
-}
-
-std::string asCsv(const Results& given, void (*results)(ResultSink&)) {
-  const WriterSetup setup = setupFor(given);
+std::string written(OutputForm form, const ResultRows& rows, const ResultValues& values) {
+  const Schema schema{.isArray = true, .size = 2, .names = {}};
+  StreamSetup stream;
+  stream.arrayName = "own";
+  const WriterSetup setup{.stream = stream, .form = form, .rows = rows};
   TextBuffer out;
   CsvColumns columns;
-  return written(*makeCsvWriter(setup, columns, out), given, out, results);
-}
-
-std::string asText(const Results& given, void (*results)(ResultSink&)) {
-  const WriterSetup setup = setupFor(given);
-  TextBuffer out;
-  return written(*makeTextWriter(setup, out), given, out, results);
+  const auto writer = form == OutputForm::csv    ? makeCsvWriter(setup, columns, out)
+                      : form == OutputForm::text ? makeTextWriter(setup, out)
+                                                 : makeJsonWriter(setup, out);
+  const std::string_view own[] = {"7", "8"};
+  writer->beginBlock("");
+  writer->write({"[7,8]", &schema, own}, rows, values);
+  return std::string(out.view());
 }
 
 }  // namespace
 
 TEST_CASE("every kind of result is written, or refused, in every form") {
-  const auto both = [](ResultSink& sink) {
-    writeEach(sink);
-    writeNames(sink);
-  };
-  const Results named = with(kEach, kNames);
-  {
-    TextBuffer out;
-    const WriterSetup setup = setupFor(named);
-    const std::string json = written(*makeJsonWriter(setup, out), named, out, [](ResultSink& sink) {
-      writeEach(sink);
-      writeNames(sink);
-      writeList(sink);
-    });
-    CHECK(json ==
-          "{\"own\":[7,8],\"number\":1.5,\"vector\":[1,2,3],\"flag\":true,\"word\":\"near\",\"json\":[1],"
-          "\"group\":{\"inner\":[4,5]},\"names\":[\"left\",\"top\"],\"list\":[{\"n\":1}]}\n");
-  }
-  CHECK(asCsv(named, both) ==
+  const ResultRows named = with(kEach, kNames);
+  ResultValues each;
+  addEach(each);
+  CHECK(written(OutputForm::text, kEach, each) == "1.5 1 2 3 1 4 5\n");  // words are left out
+  each.addNames(kSomeNames);
+  CHECK(written(OutputForm::csv, named, each) ==
         "own_x,own_y,number,vector_x,vector_y,vector_z,flag,word,json,group_inner_x,group_inner_y,names\n"
         "7,8,1.5,1,2,3,true,near,[1],4,5,left top\n");
-  CHECK(asText(kEach, writeEach) == "1.5 1 2 3 1 4 5\n");  // words are left out
-  const Results lists = with(kEach, kList);
+  each.addCount(2);
+  each.add(1.0);
+  each.add(2.0);
+  CHECK(written(OutputForm::lines, with(named, kList), each) ==
+        "{\"own\":[7,8],\"number\":1.5,\"vector\":[1,2,3],\"flag\":true,\"word\":\"near\",\"json\":[1],"
+        "\"group\":{\"inner\":[4,5]},\"names\":[\"left\",\"top\"],\"list\":[{\"n\":1},{\"n\":2}]}\n");
+  const ResultRows lists = with(kEach, kList);
   for (const OutputForm form : {OutputForm::text, OutputForm::f64}) {
     CHECK_NOTHROW(requireRoom(kEach, form));
     CHECK_THROWS_AS(requireRoom(named, form), UsageError);
     CHECK_THROWS_AS(requireRoom(lists, form), UsageError);
-    CHECK_THROWS_AS(requireRoom(Results{&kWord}, form), UsageError);
+    CHECK_THROWS_AS(requireRoom(ResultRows{&kWord}, form), UsageError);
   }
   for (const OutputForm form : {OutputForm::csv, OutputForm::table}) {
     CHECK_NOTHROW(requireRoom(named, form));
@@ -111,27 +88,41 @@ TEST_CASE("every kind of result is written, or refused, in every form") {
   CHECK_NOTHROW(requireRoom(with(named, kList), OutputForm::lines));
 }
 
+TEST_CASE("a result without a value is null, empty cells or NaN, whatever it has of parts") {
+  ResultValues none;
+  none.add(NAN);
+  none.add(Vec3{1, INFINITY, 3});
+  none.add(false);
+  none.addWord("");
+  none.addWord("");
+  none.addCount(0);
+  CHECK(written(OutputForm::text, kEach, none) == "NaN NaN NaN NaN 0 NaN NaN\n");
+  CHECK(written(OutputForm::csv, kEach, none).ends_with("\n7,8,,,,,false,,,,\n"));
+  CHECK(written(OutputForm::lines, kEach, none) ==
+        "{\"own\":[7,8],\"number\":null,\"vector\":null,\"flag\":false,\"word\":null,\"json\":null,\"group\":null}\n");
+}
+
 TEST_CASE("a zero of a report has no sign") {
   CHECK(jsonText({{"x", -0.0}}) == "{\"x\": 0}");
   CHECK(tableText({{"x", -0.0}}, 9).find("-0") == std::string::npos);
 }
 
 TEST_CASE("a bad record has as many NaN as a good one has numbers") {
-  const WriterSetup setup = setupFor(kEach);
+  const StreamSetup stream;
+  const WriterSetup setup{.stream = stream, .form = OutputForm::text, .rows = kEach};
   TextBuffer out;
-  makeTextWriter(setup, out)->badRecord("", 1, "");
+  makeTextWriter(setup, out)->writeBad({}, 1, "");
   CHECK(out.view() == "NaN NaN NaN NaN NaN NaN NaN\n");
 }
 
 TEST_CASE("each result of a command is one row, with a name of its own and a kind") {
   std::set<std::string_view> ofProject;
-  for (const PointResult& result : pointResults()) CHECK(ofProject.insert(result.row.name).second);
-  const std::function<void(const ResultRow&)> check = [&](const ResultRow& row) {
-    INFO(row.name);
-    CHECK(findResult(row.name) != nullptr);
-    CHECK((row.kind == ResultKind::vector) == (row.size > 1));
-    CHECK((row.kind == ResultKind::group || row.kind == ResultKind::list) == !row.parts.empty());
-  };
-  for (const ResultRow* row : allResults()) check(*row);
+  for (const ResultRow* row : results::kPoint) CHECK(ofProject.insert(row->name).second);
+  for (const ResultRow* row : allResults()) {
+    INFO(row->name);
+    CHECK(findResult(row->name) != nullptr);
+    CHECK((row->kind == ResultKind::vector) == (row->size > 1));
+    CHECK((row->kind == ResultKind::group || row->kind == ResultKind::list) == !row->parts.empty());
+  }
   CHECK(findResult("scren") == nullptr);
 }

@@ -1,5 +1,4 @@
 // Streams of records: project, ray and cull on them, and the same bytes read in blocks of every size.
-#include <array>
 #include <cmath>
 
 #include "fuzz.hpp"
@@ -43,87 +42,84 @@ const Setting& setting(bool orthographicLens) {
   return orthographicLens ? flat : perspective;
 }
 
-/// Numbers of a record as the layout found them, until they are written.
-class Work : public RecordWork {
+/// Numbers of a record as the plan found them, until their results are asked for.
+class Work : public RecordProcessor {
  public:
   explicit Work(const Setting& in) : in_(in) {}
   void clear() override { rows_.clear(); }
 
  protected:
   const Setting& in_;
-  std::vector<std::pair<Layout, Numbers>> rows_;
+  std::vector<std::pair<NumberPlan, Numbers>> rows_;
 };
 
 class Points final : public Work {
  public:
   using Work::Work;
-  Layout find(const RecordParts& record) const override {
+  NumberPlan locate(const RecordView& record) const override {
     return findPoint(record, {.columns = {}, .worldIsEcef = in_.onEarth, .segments = true});
   }
-  Results results(const Layout&, OutputForm) const override { return {&kScreen, &kDepth, &kClip, &kVisible}; }
-  void add(const Layout& layout, const Numbers& numbers) override {
-    if (!isSegment(layout)) (void)toPoint(layout, numbers);
-    rows_.emplace_back(layout, numbers);
+  ResultRows rows(const NumberPlan&) const override { return {&kScreen, &kDepth, &kClip, &kVisible}; }
+  void add(const NumberPlan& plan, const Numbers& numbers) override {
+    if (!isSegment(plan)) (void)toPoint(plan, numbers);
+    rows_.emplace_back(plan, numbers);
   }
-  void write(std::size_t i, ResultSink& sink) override {
-    const auto& [layout, n] = rows_[i];
-    if (!isSegment(layout)) return writePoint(toPoint(layout, n), sink);
+  void results(std::size_t i, ResultValues& values) override {
+    const auto& [plan, n] = rows_[i];
+    if (!isSegment(plan)) return addPoint(toPoint(plan, n), values);
     const VisibleSegment segment = clipSegment(in_.frustum, {n[0], n[1], n[2]}, {n[3], n[4], n[5]});
     if (segment.visible && !(segment.start.t >= 0 && segment.start.t <= segment.end.t && segment.end.t <= 1))
       found("the visible part of a segment is none");
-    writePoint({n[0], n[1], n[2], 1}, sink);
+    addPoint({n[0], n[1], n[2], 1}, values);
   }
 
  private:
-  void writePoint(const Vec4& point, ResultSink& sink) const {
+  void addPoint(const Vec4& point, ResultValues& values) const {
     const ScreenPoint p = worldToScreen(in_.camera, point);
     if (p.visible() && !(p.x >= 0 && p.x <= kWidth && p.y >= 0 && p.y <= kHeight))
       found("a visible point lies outside of the picture");
-    sink.vector(kScreen, std::array{p.x, p.y});
-    sink.number(kDepth, p.depth);
-    const Vec4 clip = worldTo(in_.camera, Space::clip, point, in_.camera.convention());
-    sink.vector(kClip, std::array{clip.x, clip.y, clip.z, clip.w});
-    sink.flag(kVisible, p.visible());
+    values.add(Vec2{p.x, p.y});
+    values.add(p.depth);
+    values.add(worldTo(in_.camera, Space::clip, point, in_.camera.convention()));
+    values.add(p.visible());
   }
 };
 
 class Pixels final : public Work {
  public:
   using Work::Work;
-  Layout find(const RecordParts& record) const override { return findPixel(record, {}); }
-  Results results(const Layout&, OutputForm) const override { return {&kDirection, &kPoint}; }
-  void add(const Layout& layout, const Numbers& numbers) override { rows_.emplace_back(layout, numbers); }
-  void write(std::size_t i, ResultSink& sink) override { writePixel(toPixel(rows_[i].first, rows_[i].second), sink); }
-
- private:
-  void writePixel(const Pixel& pixel, ResultSink& sink) const {
+  NumberPlan locate(const RecordView& record) const override { return findPixel(record, {}); }
+  ResultRows rows(const NumberPlan&) const override { return {&kDirection, &kPoint}; }
+  void add(const NumberPlan& plan, const Numbers& numbers) override { rows_.emplace_back(plan, numbers); }
+  void results(std::size_t i, ResultValues& values) override {
+    const Pixel pixel = toPixel(rows_[i].first, rows_[i].second);
     const Vec2 screen = pixel.screen.value_or(Vec2{NAN, NAN});
     const Ray ray = screenToRay(in_.camera, screen);
     const double length = std::hypot(ray.direction.x, ray.direction.y, ray.direction.z);
     if (std::isfinite(length) && !(std::fabs(length - 1) < 1e-12)) found("a ray's direction is not of unit length");
-    sink.vector(kDirection, std::array{ray.direction.x, ray.direction.y, ray.direction.z});
-    const WorldPoint point = pixel.viewDistance ? screenToWorldAtDistance(in_.camera, screen, *pixel.viewDistance)
-                                                : screenToWorld(in_.camera, screen, pixel.depth.value_or(NAN));
-    sink.vector(kPoint, std::array{point.position.x, point.position.y, point.position.z});
+    values.add(ray.direction);
+    values.add((pixel.viewDistance ? screenToWorldAtDistance(in_.camera, screen, *pixel.viewDistance)
+                                   : screenToWorld(in_.camera, screen, pixel.depth.value_or(NAN)))
+                   .position);
   }
 };
 
 class Shapes final : public Work {
  public:
   using Work::Work;
-  Layout find(const RecordParts& record) const override {
+  NumberPlan locate(const RecordView& record) const override {
     return findPoint(record, {.columns = {}, .worldIsEcef = in_.onEarth, .shapes = true, .radius = true});
   }
-  Results results(const Layout&, OutputForm) const override { return {&kVisible}; }
-  void add(const Layout& layout, const Numbers& numbers) override {
-    (void)toShape(layout, numbers);
-    rows_.emplace_back(layout, numbers);
+  ResultRows rows(const NumberPlan&) const override { return {&kVisible}; }
+  void add(const NumberPlan& plan, const Numbers& numbers) override {
+    (void)toShape(plan, numbers);
+    rows_.emplace_back(plan, numbers);
   }
-  void write(std::size_t i, ResultSink& sink) override {
+  void results(std::size_t i, ResultValues& values) override {
     const CullShape shape = toShape(rows_[i].first, rows_[i].second);
     const Cull result = std::visit([&](const auto& one) { return cull(in_.frustum, one); }, shape);
     if (result.verdict == CullVerdict::inside && result.side != 0) found("what is inside lies beyond a plane");
-    sink.flag(kVisible, result.verdict != CullVerdict::outside);
+    values.add(result.verdict != CullVerdict::outside);
   }
 };
 
@@ -144,23 +140,23 @@ struct How {
 
 Run run(std::string_view input, const How& how) {
   const Setting& in = setting(how.orthographic);
-  const MakeWork makeWork = [&]() -> std::unique_ptr<RecordWork> {
+  const MakeProcessor makeProcessor = [&](OutputForm) -> std::unique_ptr<RecordProcessor> {
     if (how.work == 0) return std::make_unique<Points>(in);
     if (how.work == 1) return std::make_unique<Pixels>(in);
     return std::make_unique<Shapes>(in);
   };
-  FilterSetup setup;
+  StreamSetup setup;
   setup.from = how.from;
   setup.to = how.to;
   setup.keepGoing = how.keepGoing;
   setup.jobs = 1;
   setup.blockSize = how.block;
   setup.csvDefaults = {"x", "y", "z"};
-  setup.writer.arrayName = how.work == 1 ? "screen" : "position";
+  setup.arrayName = how.work == 1 ? "screen" : "position";
   giveInput(input);
   Run result;
   try {
-    result.status = runFilter(setup, makeWork);
+    result.status = runFilter(setup, makeProcessor);
     result.finished = true;
   } catch (const InputError& e) {
     result.error = e.what();

@@ -13,7 +13,7 @@ using namespace viewproj::tests;
 
 namespace {
 
-constexpr Form kForms[] = {Form::json, Form::csv, Form::text, Form::f64};
+constexpr Form kForms[] = {Form::json, Form::csv, Form::text, Form::f64, Form::f32};
 constexpr OutputForm kOutputs[] = {OutputForm::lines, OutputForm::array, OutputForm::csv, OutputForm::text,
                                    OutputForm::f64};
 
@@ -30,8 +30,10 @@ std::string inputOf(Form form, RandomText& random, std::size_t records, std::siz
     case Form::text:
       return random.text(records, bad);
     case Form::f64:
+    case Form::f32:
       return random.f64(records, bad);
     case Form::json:
+    case Form::npy:
       break;
   }
   return random.json(records, bad);
@@ -84,7 +86,7 @@ TEST_CASE("a stream gives the same wherever its blocks end") {
     if (!random.oneIn(3)) how.to = random.oneOf(kOutputs);
     const bool isOther = (form == Form::csv || form == Form::text) && random.oneIn(2);
     if (isOther) input = inOtherFormat(input, form, random, how);
-    if (form != Form::f64 && random.oneIn(3)) random.mutate(input);
+    if (!isBinary(form) && random.oneIn(3)) random.mutate(input);
     const StreamRun expected = runStream(input, how);
     ++visited[expected.status == 0 ? "good" : how.keepGoing ? "went on" : "ended"];
     ++visited["form " + std::to_string(static_cast<int>(form))];
@@ -92,7 +94,7 @@ TEST_CASE("a stream gives the same wherever its blocks end") {
     for (int i = 0; i < 3; ++i) {
       StreamHow other = how;
       other.block = random.oneIn(2) ? 1 + random.below(50) : 1 + random.below(input.size() + 2);
-      if (form == Form::f64) other.block += 24;
+      if (isBinary(form)) other.block += 24;
       other.jobs = static_cast<unsigned>(1 + random.below(3));
       if (random.oneIn(4)) {
         other.largestPiece = 1 + random.below(200);
@@ -102,7 +104,8 @@ TEST_CASE("a stream gives the same wherever its blocks end") {
       requireSame(input, how, other, expected);
     }
   }
-  for (const char* kind : {"good", "went on", "ended", "form 0", "form 1", "form 2", "form 3", "other separators"}) {
+  for (const char* kind :
+       {"good", "went on", "ended", "form 0", "form 1", "form 2", "form 3", "form 4", "other separators"}) {
     INFO(kind);
     CHECK(visited[kind] > 50);
   }

@@ -1,6 +1,6 @@
-// Records are read by patterns where they can be; what is valid, which numbers are in it and what is said of the rest
-// is what nlohmann-json says alone. A camera file of the same text is valid where nlohmann-json says so, too, but for
-// names that are there twice and deep nests.
+// What is a valid record, which numbers are in it and what is said of the rest is what nlohmann-json says alone. A
+// camera file of the same text is valid where nlohmann-json says so, too, but for names that are there twice and deep
+// nests.
 #include <bit>
 #include <cctype>
 #include <chrono>
@@ -37,87 +37,41 @@ struct Heard {
   bool operator==(const Heard&) const = default;
 };
 
-/// Keeps the numbers that it is given.
-class Keeper final : public RecordWork {
+/// Keeps what it is given.
+class Listener final : public RecordSink {
  public:
-  Layout find(const RecordParts& record) const override { return findPoint(record, {}); }
-  Results results(const Layout&, OutputForm) const override { return {}; }
-  void add(const Layout& layout, const Numbers& numbers) override {
-    kept_.emplace_back();
-    for (std::size_t i = 0; i < layout.slots(); ++i) kept_.back().push_back(std::bit_cast<std::uint64_t>(numbers[i]));
-  }
-  void write(std::size_t i, ResultSink&) override { written = &kept_[i]; }
-  void clear() override { kept_.clear(); }
-
-  const std::vector<std::uint64_t>* written = nullptr;
-
- private:
-  std::vector<std::vector<std::uint64_t>> kept_;
-};
-
-/// Keeps what it is to write.
-class Listener final : public RecordWriter {
- public:
-  Listener(Keeper& keeper, std::vector<Heard>& heard, TextBuffer& out)
-      : RecordWriter(out), keeper_(keeper), heard_(heard) {}
-  void beginArray(std::string_view) override { heard_.push_back({"[", "", {}}); }
-  void endArray(std::string_view) override { heard_.push_back({"]", "", {}}); }
-  void beginRecord(const Record& record, const Results&) override { text_ = record.text; }
-  void endRecord() override { heard_.push_back({text_, "", *keeper_.written}); }
-  void cancelRecord() override {}
-  void badRecord(std::string_view text, std::size_t line, const std::string& message) override {
-    heard_.push_back({std::string(text), message, {}, line, 0});
-  }
-  void number(const ResultRow&, double) override {}
-  void vector(const ResultRow&, std::span<const double>) override {}
-  void flag(const ResultRow&, bool) override {}
-  void text(const ResultRow&, std::span<const std::string_view>) override {}
-  void object(const ResultRow&, std::size_t, const std::function<void(ResultSink&, std::size_t)>&) override {}
-
- private:
-  Keeper& keeper_;
-  std::vector<Heard>& heard_;
-  std::string text_;
-};
-
-class Way {
- public:
-  explicit Way(bool fast)
-      : reader_(makeJsonReader(fast)),
-        writer_(keeper_, heard_, result_.out),
-        batch_(setup_, keeper_, &writer_, result_) {}
+  Listener() : reader_(makeJsonReader(false)) {}
 
   const std::vector<Heard>& read(const std::string& text) {
     heard_.clear();
-    result_.passedOver.clear();
-    result_.fault.reset();
     block_.bytes.clear();
     block_.bytes += text;
     block_.last = true;
-    batch_.begin(block_);
-    try {
-      reader_->read(block_, batch_);
-      batch_.flush();
-    } catch (const Batch::StopBlock&) {
-    }
-    std::size_t bad = 0;
-    for (Heard& one : heard_)
-      if (!one.message.empty()) one.column = result_.passedOver.at(bad++).position.column;
-    if (result_.fault)
-      heard_.push_back(
-          {"fault", result_.fault->message, {}, result_.fault->position.line, result_.fault->position.column});
+    position_.begin(block_, 0);
+    reader_->read(block_, *this);
     return heard_;
   }
 
+  Plan plan(const RecordView& record) override { return {findPoint(record, {})}; }
+  void take(const RecordView& record, const Plan& plan, const Numbers& numbers) override {
+    heard_.push_back({std::string(record.text), "", {}});
+    for (std::size_t i = 0; i < plan.numbers.slots(); ++i)
+      heard_.back().numbers.push_back(std::bit_cast<std::uint64_t>(numbers[i]));
+    if (numbers.isNull) heard_.back().message = "null";
+  }
+  void bad(std::string_view text, const RecordError& error, std::span<const std::string_view>) override {
+    const TextPosition position = position_.positionOf(text.data() + error.offset);
+    heard_.push_back({std::string(text), error.what(), {}, position.line, position.column});
+  }
+  void takeError(const RecordView&, std::size_t) override {}
+  void beginArray(std::string_view) override { heard_.push_back({"[", "", {}}); }
+  void endArray(std::string_view) override { heard_.push_back({"]", "", {}}); }
+
  private:
-  const BatchSetup setup_{.form = Form::json, .keepGoing = true, .prefix = ""};
-  Keeper keeper_;
-  std::vector<Heard> heard_;
-  BlockResult result_;
   std::unique_ptr<RecordReader> reader_;
-  Listener writer_;
   Block block_;
-  Batch batch_;
+  PositionCounter position_;
+  std::vector<Heard> heard_;
 };
 
 /// The names of an object's fields are all different; of all objects in it, or the outermost alone.
@@ -231,20 +185,19 @@ std::string described(const std::vector<Heard>& heard) {
 TEST_CASE("mutated lines are judged and read as nlohmann-json does alone") {
   std::map<std::string, std::size_t> accepted, rejected, taken;
   std::size_t several = 0, none = 0;
-  Way fast(true), slow(false);
+  Listener listener, again;
+  std::vector<Heard> good;  ///< of the lines that are read together
   std::string together;
   const std::size_t lines = linesWanted();
   for (std::size_t trial = 0; trial < lines; ++trial) {
     RandomText random(trial);
     std::string line = random.record(false);
-    // Of its shape before, so that the fast way knows it.
-    if (random.oneIn(2)) (void)fast.read(line);
+    // Of its schema before, so that it is known.
+    if (random.oneIn(2)) (void)listener.read(line);
     std::string kind(random.oneIn(20) ? "as it was" : random.mutate(line));
     if (random.oneIn(5) && kind != "as it was") kind = random.mutate(line);
     INFO("trial " << trial << ", " << kind << ": " << line);
-    const std::vector<Heard>& found = fast.read(line);
-    const std::vector<Heard>& expected = slow.read(line);
-    if (found != expected) FAIL("fast:" << described(found) << "\nslow:" << described(expected));
+    const std::vector<Heard>& found = listener.read(line);
 
     // What is one value of JSON is what its DOM says.
     const std::size_t first = line.find_first_not_of(" \t\r\n");
@@ -254,7 +207,8 @@ TEST_CASE("mutated lines are judged and read as nlohmann-json does alone") {
       if (!numbers || !sameNumbers(*numbers, found[0].numbers)) FAIL("read, which is not so:" << described(found));
       ++accepted[kind];
     } else if (single) {
-      if (first != std::string::npos && (line[first] == '{' || line[first] == '[') && byDom(line))
+      if (first != std::string::npos && (line[first] == '{' || line[first] == '[') && byDom(line) &&
+          !found[0].message.starts_with("nested deeper"))
         FAIL("is good: " << described(found));
       if (found[0].line == 0 || found[0].column == 0) FAIL("without a place: " << described(found));
       ++rejected[kind];
@@ -273,13 +227,16 @@ TEST_CASE("mutated lines are judged and read as nlohmann-json does alone") {
     if (how == "is given twice") REQUIRE((!valid || !namesDiffer(file, true)));
     ++taken[how];
 
+    // A record on a line of its own is read whatever is wrong with the lines around it.
     together += line + "\n";
+    if (single && found[0].message.empty() && line.find_first_of("\r\n") == std::string::npos) good.push_back(found[0]);
     if (trial % 16 == 15) {
-      const std::vector<Heard>& foundAll = fast.read(together);
-      const std::vector<Heard>& expectedAll = slow.read(together);
-      INFO(together);
-      if (foundAll != expectedAll) FAIL("fast:" << described(foundAll) << "\nslow:" << described(expectedAll));
+      auto at = good.begin();
+      for (const Heard& one : again.read(together))
+        if (at != good.end() && one.text == at->text && one.numbers == at->numbers) ++at;
+      if (at != good.end()) FAIL("lost " << at->text << " of\n" << together);
       together.clear();
+      good.clear();
     }
   }
   std::size_t acceptedAll = 0, rejectedAll = 0;

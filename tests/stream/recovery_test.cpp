@@ -39,17 +39,19 @@ std::string record(RandomText& random, int number) {
 // clang-format off
 constexpr const char* kBalanced[] = {
     "[NaN,0,0]", "[+1,2,3]", "[.5,1,2]", "[1 2,3]", "[null,1,2]", "[null,[1,2,3]]", "[true]", "[1,[2,3,4],5]",
-    "[1,2,\"a]b\"]", "{\"x\":1 \"y\":2,\"z\":3}", "{\"x\":1,,\"y\":2}", "{\"x\":[[1,2,3],[4,5,6]],nul}", "[1,2,3}x",
-    "{]", "[1e400,2,3]", "[1,2,3\\]", "[1,\xFF,3]"};
+    "[1,2,\"a]b\"]", "{\"x\":1 \"y\":2,\"z\":3}", "{\"x\":1,,\"y\":2}", "{\"x\":[[1,2,3],[4,5,6]],nul}",
+    "[1e400,2,3]", "[1,2,3\\]", "[1,\xFF,3]"};
 /// They are not.
 constexpr const char* kUnbalanced[] = {
     "[1,2,", "[1,2,3", "[1,2,\"ab", "{\"x\":1,\"y\":2", "{\"x\":1,\"y\":2,", "{\"x", "{\"x\":1,\"s\":\"abc",
-    "{\"x\":1,\"s\":\"abc\\", "{\"id\":1,\"position\":[1,2", "{\"a\":{\"b\":{", "{\"position\":[1,2}"};
+    "{\"x\":1,\"s\":\"abc\\", "{\"id\":1,\"position\":[1,2", "{\"a\":{\"b\":{", "{\"position\":[1,2}",
+    "[1,2,3}x", "{]", "{\"x\":", "{\"x\":1,\"y\":", "{\"id\":1,\"position\":[[", "{\"a\":[{\"b\":"};
 constexpr const char* kJunk[] = {
     "x", "NaN", "nul y", "+", "\"a,]b\"", "1 2", ":", "-"};
 // clang-format on
 
-/// Cut before an array that does not close in an object: there records of an array could be its items.
+/// Cut before an array that does not close in an object: in a document, whose end closes both, records could be its
+/// items.
 std::string withoutOpenArray(const std::string& text) {
   const bool isOpen = std::count(text.begin(), text.end(), '[') > std::count(text.begin(), text.end(), ']');
   return text[0] == '{' && isOpen ? text.substr(0, text.find('[')) : text;
@@ -100,18 +102,15 @@ Broken make(RandomText& random, Arrangement arrangement) {
         if (array) comma = ",";
         ++made.mutations["bracket too many"];
       } else if (kind == 4) {
-        // Cut off anywhere, but where the next record may be its value.
         const std::string whole = record(random, 4713);
         std::string part = whole.substr(0, 2 + random.below(whole.size() - 2));  // `[` alone on a line begins an array
-        if (array) part = withoutOpenArray(part);
-        while (whole[0] == '{' && std::string_view(":[,").find(part.back()) != std::string_view::npos) part.pop_back();
+        if (arrangement == Arrangement::document) part = withoutOpenArray(part);
         put(part);
         if (random.oneIn(2)) comma.clear();
         ++made.mutations["cut off"];
       } else {
         std::string text = lines ? random.oneOf(kUnbalanced) : random.oneOf(kBalanced);
-        if (array && lines) text = withoutOpenArray(text);
-        if (text.ends_with(':')) text.pop_back();
+        if (arrangement == Arrangement::document) text = withoutOpenArray(text);
         put(text);
         if (random.oneIn(2)) comma.clear();
         ++made.mutations["not closed"];
@@ -192,17 +191,7 @@ TEST_CASE("every good record comes out once, in order, whatever is broken around
   }
 }
 
-TEST_CASE("a record that is cut off where a value is to come costs the next one, and no other") {
-  for (const char* cut : {"{\"x\":", "{\"id\":1,\"position\":[1,2,", "{\"id\":1,\"position\":[["}) {
-    const StreamRun run = runStream(std::string(cut) + "\n[1,2,3]\n[4,5,6]\n", {.from = Form::json, .keepGoing = true});
-    INFO(run.out);
-    CHECK(std::count(run.out.begin(), run.out.end(), '\n') == 2);
-    CHECK(run.out.starts_with("{\"line\":"));
-    CHECK(run.out.ends_with("{\"position\":[4,5,6],\"sum\":15,\"twice\":[8,10,12]}\n"));
-  }
-}
-
-TEST_CASE("a record that is cut off where a value is to come costs no other on a line of its own", "[!shouldfail]") {
+TEST_CASE("a record that is cut off where a value is to come costs no other on a line of its own") {
   for (const char* cut : {"{\"x\":", "{\"id\":1,\"position\":[1,2,", "{\"id\":1,\"position\":[["}) {
     const StreamRun run = runStream(std::string(cut) + "\n[1,2,3]\n[4,5,6]\n", {.from = Form::json, .keepGoing = true});
     CHECK(run.out.starts_with("{\"line\":1,"));

@@ -23,14 +23,17 @@ constexpr double kUnlucky = 4713;
 
 constexpr ResultRow kSum{"sum"}, kTwice{"twice", ResultKind::vector, 3};
 
-class SumWork final : public RecordWork {
+class Summing final : public RecordProcessor {
  public:
-  Layout find(const RecordParts& record) const override { return findPoint(record, {}); }
-  Results results(const Layout&, OutputForm) const override { return {&kSum, &kTwice}; }
-  void add(const Layout& layout, const Numbers& numbers) override { points_.push_back(toPoint(layout, numbers)); }
-  void write(std::size_t i, ResultSink& sink) override {
-    if (points_[i].x == kUnlucky) throw RecordError(0, "x is 4713");
-    write(points_[i], sink);
+  explicit Summing(const ColumnChoice& columns) : reading_{.columns = columns} {}
+  NumberPlan locate(const RecordView& record) const override { return findPoint(record, reading_); }
+  ResultRows rows(const NumberPlan&) const override { return {&kSum, &kTwice}; }
+  void add(const NumberPlan& plan, const Numbers& numbers) override { points_.push_back(toPoint(plan, numbers)); }
+  void results(std::size_t i, ResultValues& values) override {
+    const Vec4& p = points_[i];
+    if (p.x == kUnlucky) throw RecordError(0, "x is 4713");
+    values.add(p.x + p.y + p.z);
+    values.add(Vec3{2 * p.x, 2 * p.y, 2 * p.z});
   }
   void clear() override { points_.clear(); }
 
@@ -47,10 +50,7 @@ class SumWork final : public RecordWork {
   }
 
  private:
-  static void write(const Vec4& p, ResultSink& sink) {
-    sink.number(kSum, p.x + p.y + p.z);
-    sink.vector(kTwice, std::array{2 * p.x, 2 * p.y, 2 * p.z});
-  }
+  PointReading reading_;
   std::vector<Vec4> points_;
 };
 
@@ -108,17 +108,13 @@ class Standard {
 
 }  // namespace
 
-MakeWork sumWork() {
-  return [] { return std::make_unique<SumWork>(); };
-}
-
 const char* nameOf(OutputForm form) {
   static constexpr const char* kNames[] = {"ndjson", "json", "csv", "text", "f64"};
   return kNames[static_cast<std::size_t>(form)];
 }
 
 StreamRun runStream(const std::string& input, const StreamHow& how) {
-  FilterSetup setup;
+  StreamSetup setup;
   setup.from = how.from;
   setup.to = how.to;
   setup.keepGoing = how.keepGoing;
@@ -126,11 +122,15 @@ StreamRun runStream(const std::string& input, const StreamHow& how) {
   setup.failed = nullptr;
   setup.blockSize = how.block;
   setup.delimiter = how.delimiter;
+  setup.width = how.width;
   setup.csvDefaults = {"x", "y", "z"};
-  setup.writer.arrayName = "position";
-  setup.writer.prefix = how.prefix;
+  if (!how.columns.empty()) {
+    setup.columns = chooseColumns(how.columns, kPointColumns);
+    setup.numberNames = setup.columns.columnNames();
+  }
+  setup.arrayName = "position";
+  setup.prefix = how.prefix;
   std::signal(SIGPIPE, SIG_IGN);
-  const MakeWork makeWork = sumWork();
 
   Descriptor out(::memfd_create("out", MFD_CLOEXEC)), err(::memfd_create("err", MFD_CLOEXEC));
   int in[2] = {-1, -1};
@@ -159,7 +159,7 @@ StreamRun runStream(const std::string& input, const StreamHow& how) {
         ::close(to);
       });
     try {
-      run.status = runFilter(setup, makeWork);
+      run.status = runFilter(setup, [&](OutputForm) { return std::make_unique<Summing>(setup.columns); });
     } catch (const InputError& e) {
       run.status = 1;
       run.err = e.what();

@@ -25,13 +25,12 @@ struct StreamHow {
   std::uint64_t seed = 0;
   std::string prefix = {};
   std::optional<char> delimiter = std::nullopt;
+  std::optional<std::size_t> width = std::nullopt;
+  std::string columns = {};
 };
 
 /// Results of a point: its numbers' sum, and their doubles. A point whose x is 4713 has none.
 StreamRun runStream(const std::string& input, const StreamHow& how);
-
-/// The work that it does.
-cmd::MakeWork sumWork();
 
 /// How a command names the forms, for messages.
 const char* nameOf(cmd::OutputForm form);

@@ -25,14 +25,14 @@ struct NumberField {
   std::size_t field = 0;              ///< index of the field in the record
   std::size_t fewest = 1, most = 1;   ///< how many numbers
   bool isArray = false;               ///< false: the field is the number itself
-  bool mayBeAbsent = false;           ///< null, an empty CSV cell, or NaN in text and f64 means no value
+  bool mayBeAbsent = false;           ///< null, an empty CSV cell, or NaN in text and binary means no value
   std::string inner = {};             ///< JSON: the key in the field's object; empty: the value itself
   std::size_t item = 0, items = 0;    ///< JSON: this item of an array with this many items; 0: the value itself
   PointForm point = PointForm::none;  ///< JSON: for an array that may also be an object
 };
 
 /// A condition on the form of a JSON value: it begins with this character, or it does not.
-struct FormOfField {
+struct Condition {
   static constexpr char kPoint = 'p';  ///< instead of a first character: the value is a point by isPointValue
   std::size_t field = 0;
   char first = '{';  ///< { or [
@@ -41,31 +41,29 @@ struct FormOfField {
   bool holds(std::string_view value) const;
 };
 
-/// Where the records of a shape have their numbers.
-struct Layout {
-  std::vector<NumberField> parts = {};
-  unsigned kind = 0;                    ///< how the command uses them; values of its own
-  std::vector<FormOfField> forms = {};  ///< conditions on JSON values; records that differ in one have another layout
-  std::vector<std::string> notes = {};  ///< notes for the user on how fields are read
+struct NumberPlan {
+  std::vector<NumberField> fields = {};
+  unsigned kind = 0;                       ///< how the command uses them; values of its own
+  std::size_t together = 0;                ///< so many fields from the first have a value all, or none of them
+  std::vector<Condition> conditions = {};  ///< records that differ in one have another plan
+  std::vector<std::string> notes = {};     ///< notes for the user on how fields are read
 
   std::size_t slots() const;
-  /// Whether records with these values have this layout.
-  bool fits(const std::vector<std::string_view>& values) const;
-  void append(const Layout& more);
+  /// Whether records with these values have this plan.
+  bool fits(std::span<const std::string_view> values) const;
+  void append(const NumberPlan& more);
 };
 
 inline constexpr std::size_t kMostNumbers = 9;
 
-/// The numbers, part after part. Each part has as many slots as it can have numbers; slots without a value are NaN.
+/// The numbers, field after field. Each field has as many slots as it can have numbers; slots without a value are NaN.
 struct Numbers : std::array<double, kMostNumbers> {
-  std::string seaLevel = {};  ///< the name of a height that may be above sea level
+  bool isNull = false;             ///< the fields that have a value together have none
+  std::string_view seaLevel = {};  ///< the name of a height that may be above sea level, as written
 };
 
-/// The text of each slot's number in the record; empty if it has none.
-using NumberTexts = std::array<std::string_view, kMostNumbers>;
-
 /// Throws RecordError.
-void readNumbers(const RecordParts& record, const Layout& layout, Numbers& numbers, NumberTexts* texts = nullptr);
+void readNumbers(const RecordView& record, const NumberPlan& plan, Numbers& numbers);
 
 /// Whether a JSON value looks like a point: an array of three or four numbers, or an object of x, y, z or lat, lon,
 /// height. Does not check the numbers.
