@@ -70,22 +70,70 @@ void checkRigid(const Node& value) {
   (void)value.require("translation").numbers(3);
 }
 
+/// The numbers of a model of a lens.
+struct LensNumbers {
+  std::vector<std::string_view> required, others;
+};
+
+LensNumbers numbersOf(LensModel model) {
+  switch (model) {
+    case LensModel::brown:
+      return {{}, {"k", "p"}};
+    case LensModel::fisheye:
+      return {{}, {"k"}};
+    case LensModel::unified:
+      return {{"alpha"}, {"beta"}};
+    case LensModel::doubleSphere:
+      return {{"xi", "alpha"}, {}};
+    case LensModel::omni:
+      return {{"xi"}, {"k", "p"}};
+    case LensModel::fov:
+      return {{"omega"}, {}};
+  }
+  return {};
+}
+
+void checkLensLimit(const Node& limit, bool isBrown) {
+  if (limit.find("degrees") && limit.find("radius")) limit.fail("degrees and radius are the same thing; keep one");
+  if (isBrown) {
+    allowMembers(limit, {"degrees", "radius"});
+    if (const auto radius = limit.find("radius")) {
+      if (!(radius->number() > 0)) limit.fail("must be above 0");
+      return;
+    }
+  }
+  allowMembers(limit, {"degrees"});
+  if (const double degrees = limit.require("degrees").number(); !(degrees > 0 && degrees <= 180))
+    limit.fail("expected degrees above 0 and up to 180");
+}
+
 void checkLens(const Node& value) {
-  allowMembers(value, {"model", "k", "p", "limit"});
+  if (!value.json().is_object()) value.fail("expected an object");
   const Node model = value.require("model");
-  const bool isFisheye = model.text() == "fisheye";
-  if (!isFisheye && model.text() != "brown") model.fail("is not a known model; known are brown and fisheye");
+  const auto models = wordsOf<kLensModelNames>();
+  if (std::find(models.begin(), models.end(), model.text()) == models.end())
+    model.fail("is not a known model; known are " + joined(models));
+  const LensModel which = valueOf(kLensModelNames, model.text());
+  const LensNumbers numbers = numbersOf(which);
+  std::vector<std::string_view> members = {"model"};
+  members.insert(members.end(), numbers.required.begin(), numbers.required.end());
+  members.insert(members.end(), numbers.others.begin(), numbers.others.end());
+  members.push_back("limit");
+  for (const char* const number : {"k", "p", "xi", "alpha", "beta", "omega"})
+    if (const auto member = value.find(number);
+        member && std::find(members.begin(), members.end(), number) == members.end())
+      member->fail("does not belong to the model " + std::string(model.text()));
+  allowMembers(value, members);
+  for (const std::string_view number : numbers.required) (void)value.require(number).number();
+  if (const auto beta = value.find("beta"); beta && !(beta->number() > 0)) beta->fail("expected a number above 0");
   const auto k = value.find("k"), p = value.find("p");
   const std::size_t count = k ? k->size() : 0;
+  const bool isFisheye = which == LensModel::fisheye;
   if (k && count > 0) (void)k->numbers(count);
   if (isFisheye ? count > 4 : !(count <= 3 || count == 6))
     k->fail(isFisheye ? "expected up to 4 numbers" : "expected 1, 2, 3 or 6 numbers");
-  if (p && isFisheye) p->fail("does not belong to the model fisheye");
   if (p) (void)p->numbers(2);
-  if (const auto limit = value.find("limit")) {
-    allowMembers(*limit, {isFisheye ? "degrees" : "radius"});
-    if (!(limit->require(isFisheye ? "degrees" : "radius").number() > 0)) limit->fail("must be above 0");
-  }
+  if (const auto limit = value.find("limit")) checkLensLimit(*limit, which == LensModel::brown);
 }
 
 /// Fails at a member that is not known. Its value does not matter, so it is not shown.

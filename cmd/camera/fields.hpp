@@ -62,7 +62,7 @@ inline constexpr KindWords kKindWords[] = {
     {Kind::euler, "YXZ:A,B,C", "{order, degrees}"},
     {Kind::rigid, "M", "4 rows of 4, or {rotation, translation}"},
     {Kind::matrix, "M", "16 numbers"},
-    {Kind::lens, "JSON", "{model, k, p}"},
+    {Kind::lens, "JSON", "{model, k, p, xi, alpha, beta, omega}"},
 };
 constexpr const KindWords& wordsOfKind(Kind kind) {
   for (const KindWords& row : kKindWords)
@@ -180,7 +180,7 @@ inline constexpr Field kFields[] = {
     lensField("projection.far", Kind::far, kWithNear, 0, "--far", "Far plane. Absent: infinite."),
     lensField("projection.shift", Kind::pair, kAllTypes, 0, "--shift",
               "Moves the picture right and up, in half sizes."),
-    {"distortion", Kind::lens, "{model: brown or fisheye, k: [...], p: [p1, p2]}.", "--distortion"},
+    {"distortion", Kind::lens, "{model, its numbers}: brown, fisheye, unified, ...", "--distortion"},
     {"viewport.width", Kind::positive, "Size of the picture, in pixels."},
     {"viewport.height", Kind::positive, "Size of the picture, in pixels."},
     {"viewport.x", Kind::number, "Screen position of its corner. Default: 0."},

@@ -11,6 +11,7 @@
 
 #include "viewproj/camera.hpp"
 #include "viewproj/convention.hpp"
+#include "viewproj/lens.hpp"
 
 namespace viewproj::cmd {
 
@@ -28,6 +29,11 @@ inline constexpr NameRow<Storage> kStorageNames[] = {{"column-major", Storage::c
 inline constexpr NameRow<CameraAxes> kCameraAxesNames[] = {
     {"RUB", CameraAxes::RUB}, {"RUF", CameraAxes::RUF}, {"RDF", CameraAxes::RDF}, {"FRU", CameraAxes::FRU}};
 inline constexpr NameRow<Origin> kOriginNames[] = {{"top-left", Origin::topLeft}, {"bottom-left", Origin::bottomLeft}};
+
+inline constexpr NameRow<LensModel> kLensModelNames[] = {
+    {"brown", LensModel::brown},     {"fisheye", LensModel::fisheye},
+    {"unified", LensModel::unified}, {"double-sphere", LensModel::doubleSphere},
+    {"omni", LensModel::omni},       {"fov", LensModel::fov}};
 
 /// Named world coordinates.
 inline constexpr NameRow<bool> kWorlds[] = {{"ecef", true}};

@@ -227,10 +227,39 @@ std::array<double, Count> coefficients(const Node& distortion, std::string_view 
 
 Lens readLens(const Node& distortion) {
   const auto limit = distortion.find("limit");
-  if (distortion.require("model").text() == "fisheye")
-    return fisheyeLens(coefficients<4>(distortion, "k"), limit ? limit->require("degrees").number() : kInfiniteFar);
-  return brownLens(coefficients<6>(distortion, "k"), coefficients<2>(distortion, "p"),
-                   limit ? limit->require("radius").number() : kInfiniteFar);
+  const auto number = [&](const char* name) { return distortion.require(name).number(); };
+  const auto limitedBy = [&](const Lens& lens) {
+    return limit && limit->find("degrees") ? limitedTo(lens, limit->require("degrees").number()) : lens;
+  };
+  const auto k = coefficients<6>(distortion, "k");
+  const auto p = coefficients<2>(distortion, "p");
+  switch (valueOf(kLensModelNames, distortion.require("model").text())) {
+    case LensModel::brown:
+      return limitedBy(
+          brownLens(k, p, limit && limit->find("radius") ? limit->require("radius").number() : kInfiniteFar));
+    case LensModel::fisheye:
+      return limitedBy(fisheyeLens({k[0], k[1], k[2], k[3]}));
+    case LensModel::unified:
+      return limitedBy(unifiedLens(number("alpha"), distortion.find("beta") ? number("beta") : 1));
+    case LensModel::doubleSphere:
+      return limitedBy(doubleSphereLens(number("xi"), number("alpha")));
+    case LensModel::omni:
+      return limitedBy(omniLens(number("xi"), k, p));
+    case LensModel::fov:
+      break;
+  }
+  return limitedBy(fovLens(number("omega")));
+}
+
+/// Not a lens of zeros, which is the pinhole.
+bool distorts(const Lens& lens) { return lensOf(withLens(cameraIn({}, {}, perspective(60, 1, 1)), lens)).has_value(); }
+
+/// fx and fy of the pinhole that agrees on the axis with a lens that has these.
+Vec2 pinholeFocalLengths(double fx, double fy, const Lens& lens) {
+  const Viewport one{1, 1};
+  const Projection pinhole = calibrated(intrinsics(fx, fy, 0.5, 0.5, one, 0, kInfiniteFar), lens);
+  const Intrinsics k = cameraIn({}, std::nullopt, pinhole, one).intrinsics();
+  return {k.fx, k.fy};
 }
 
 CameraFile readChecked(const Document& document, const ReadOptions& reading) {
@@ -290,7 +319,10 @@ CameraFile readChecked(const Document& document, const ReadOptions& reading) {
   if (picture) file.viewport = picture->frame;
   if (const auto distortion = root.find("distortion")) {
     if (type == kOrthographic) distortion->fail("goes with a perspective, not with an orthographic projection");
-    file.lens = readLens(*distortion);
+    const Lens lens = readLens(*distortion);
+    if (distorts(lens)) file.lens = lens;
+    // fx and fy are the calibration's, of the lens's own formula.
+    if (type == kIntrinsics && file.projection) file.projection = calibrated(*file.projection, lens);
   }
   (void)cameraIn(file.convention, file.pose, file.projection,
                  file.viewport);  // throws if the parts do not fit together
@@ -344,14 +376,13 @@ CameraFile readNormalized(const Document& document, const ReadOptions& reading) 
   }
 }
 
-/// The largest shift of pixels by the lens. Nothing if the lens is not known, or a part of the camera is missing.
-std::optional<double> lensShift(const Document& document, const ReadOptions& reading) {
-  try {
-    const CameraFile file = readNormalized(document, reading);
-    return file.lens ? largestShift(makeCamera(file)) : 0;
-  } catch (const std::runtime_error&) {
-    return std::nullopt;
-  }
+/// What is lost without the lens, in words: how far it shifts pixels.
+std::string lossWithout(const CameraFile& file) {
+  if (!file.pose || !file.projection || !file.viewport) return "";
+  const LensShift shift = lensShift(makeCamera(file));
+  return ", up to " + formatDigits(shift.largest, 3) + " pixels" +
+         (shift.behind > 0 ? "; " + std::to_string(shift.behind) + " of 289 positions look past 90 degrees and are lost"
+                           : "");
 }
 
 }  // namespace
@@ -359,13 +390,22 @@ std::optional<double> lensShift(const Document& document, const ReadOptions& rea
 CameraFile readCamera(Document document, const ReadOptions& reading) {
   normalize(document);
   if (!reading.ignoreDistortion || !valueAt(*document.root, "distortion")) return readNormalized(document, reading);
-  const std::optional<double> shift = lensShift(document, reading);
+  std::optional<CameraFile> bent;
+  try {
+    bent = readNormalized(document, reading);
+  } catch (const std::runtime_error&) {  // a lens that is not known, or another fault: that is for the reader below
+  }
   document.root = std::make_shared<Json>(*document.root);
   document.root->erase("distortion");
+  if (bent && bent->lens && valueAt(*document.root, "projection.fx") && valueAt(*document.root, "projection.fy")) {
+    Json& projection = (*document.root)["projection"];
+    const Vec2 f = pinholeFocalLengths(projection["fx"], projection["fy"], *bent->lens);
+    projection["fx"] = f.x;
+    projection["fy"] = f.y;
+  }
   CameraFile file = readNormalized(document, reading);
-  if (!shift || *shift != 0)
-    file.notes.push_back(file.name + ": the lens distortion is ignored" +
-                         (shift ? ", up to " + formatDigits(*shift, 3) + " pixels" : ""));
+  if (!bent || bent->lens)
+    file.notes.push_back(file.name + ": the lens distortion is ignored" + (bent ? lossWithout(*bent) : ""));
   return file;
 }
 

@@ -29,9 +29,10 @@ void addAxes(JsonObject& out, const Convention& c, const Convention* other) {
 }
 
 /// The order of members that are not in the table of fields.
-constexpr const char* kMembers[] = {"lat",         "lon",    "height", "order", "degrees", "rotation", "rotationVector",
-                                    "translation", "rows",   "cols",   "data",  "model",   "k",        "p",
-                                    "limit",       "radius", "x",      "y",     "z",       "w"};
+constexpr const char* kMembers[] = {"lat",         "lon",   "height", "order", "degrees", "rotation", "rotationVector",
+                                    "translation", "rows",  "cols",   "data",  "model",   "xi",       "alpha",
+                                    "beta",        "omega", "k",      "p",     "limit",   "radius",   "x",
+                                    "y",           "z",     "w"};
 
 std::string textOf(const Json& value) {
   if (value.is_number()) return jsonOf(value.get<double>());

@@ -91,7 +91,7 @@ int runDraw(const DrawOptions& o) {
       .columns = setup.columns, .worldIsEcef = file.worldIsEcef, .segments = true, .shapes = true};
   std::size_t count = 0;
   const auto make = [&](const Layout& layout, const Numbers& numbers) {
-    if (!isPoint(layout) && !hasDepth(*file.projection))
+    if (!isPoint(layout) && !file.lens && !hasDepth(*file.projection))
       throw RecordError(0, "a shape needs a camera with near; --near gives it");
     return toDraw(layout, numbers);
   };

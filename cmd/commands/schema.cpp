@@ -46,7 +46,13 @@ constexpr std::pair<Kind, const char*> kSchemas[] = {
     {Kind::euler, R"({"type": "object", "required": ["order", "degrees"]})"},
     {Kind::rigid, R"({"anyOf": [{"$ref": "#/$defs/rows"}, {"type": "object", "required": ["translation"]}]})"},
     {Kind::matrix, R"({"anyOf": [{"$ref": "#/$defs/rows"}, {"$ref": "#/$defs/sixteen"}]})"},
-    {Kind::lens, R"({"type": "object", "required": ["model"]})"},
+    {Kind::lens, R"({"type": "object", "required": ["model"], "additionalProperties": false, "properties": {
+        "model": {"enum": ["brown", "fisheye", "unified", "double-sphere", "omni", "fov"]},
+        "k": {"type": "array", "items": {"type": "number"}, "maxItems": 6}, "p": {"$ref": "#/$defs/pair"},
+        "xi": {"type": "number", "exclusiveMinimum": -1}, "alpha": {"type": "number"},
+        "beta": {"type": "number", "exclusiveMinimum": 0},
+        "omega": {"type": "number", "exclusiveMinimum": 0, "exclusiveMaximum": 3.15},
+        "limit": {"type": "object"}}})"},
 };
 
 Schema schemaOf(const Field& field) {
