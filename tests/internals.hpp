@@ -5,7 +5,7 @@
 #include "camera/depth.hpp"
 #include "camera/viewport.hpp"
 #include "geodesy/normal.hpp"
-#include "lens/response.hpp"
+#include "lens/inverse.hpp"
 #include "numbers/arithmetic.hpp"
 #include "numbers/double_double.hpp"
 #include "numbers/wide.hpp"

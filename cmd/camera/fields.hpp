@@ -75,7 +75,14 @@ inline constexpr KindRow kKinds[] = {  // in the order of Kind
      R"({"anyOf": [{"$ref": "#/$defs/rows"}, {"type": "object", "required": ["translation"]}]})", false,
      "rotation rotationVector translation"},
     {Kind::matrix, "M", "16 numbers", R"({"anyOf": [{"$ref": "#/$defs/rows"}, {"$ref": "#/$defs/sixteen"}]})", true},
-    {Kind::lens, "JSON", "{model, k, p}", R"({"type": "object", "required": ["model"]})"},  // members: read_lens.cpp
+    {Kind::lens, "JSON", "{model, k, p, xi, alpha, beta, omega}",  // members: read_lens.cpp
+     R"({"type": "object", "required": ["model"], "additionalProperties": false, "properties": {
+         "model": {"enum": ["brown", "fisheye", "unified", "double-sphere", "omni", "fov"]},
+         "k": {"type": "array", "items": {"type": "number"}, "maxItems": 6}, "p": {"$ref": "#/$defs/pair"},
+         "xi": {"type": "number", "exclusiveMinimum": -1}, "alpha": {"type": "number"},
+         "beta": {"type": "number", "exclusiveMinimum": 0},
+         "omega": {"type": "number", "exclusiveMinimum": 0, "exclusiveMaximum": 3.15},
+         "limit": {"type": "object"}}})"},
 };
 // clang-format on
 constexpr const KindRow& rowOf(Kind kind) { return kKinds[static_cast<std::size_t>(kind)]; }
@@ -196,7 +203,7 @@ inline constexpr Field kFields[] = {
     lensField("projection.far", Kind::far, kWithNear, 0, "--far", "Far plane. Absent: infinite.", true),
     lensField("projection.shift", Kind::pair, kAllTypes, 0, "--shift",
               "Moves the picture right and up, in half sizes."),
-    {"distortion", Kind::lens, "{model: brown or fisheye, k: [...], p: [p1, p2]}.", "--distortion"},
+    {"distortion", Kind::lens, "{model, its numbers}: brown, fisheye, unified, ...", "--distortion"},
     {"viewport.width", Kind::positive, "Size of the picture, in pixels."},
     {"viewport.height", Kind::positive, "Size of the picture, in pixels."},
     {"viewport.x", Kind::number, "Screen position of its corner. Default: 0."},

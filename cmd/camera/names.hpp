@@ -11,6 +11,7 @@
 
 #include "viewproj/camera.hpp"
 #include "viewproj/convention.hpp"
+#include "viewproj/lens.hpp"
 
 namespace viewproj::cmd {
 

@@ -27,6 +27,17 @@ void readWorld(const FieldValues& values, CameraFile& file) {
       values.fail(field, "is a place on the Earth; in the world \"enu\" expected [x, y, z]: east, north, up");
 }
 
+/// Not a lens of zeros, which is the pinhole.
+bool distorts(const Lens& lens) { return lensOf(withLens(cameraIn({}, {}, perspective(60, 1, 1)), lens)).has_value(); }
+
+/// fx and fy of the pinhole that agrees on the axis with a lens that has these.
+Vec2 pinholeFocalLengths(double fx, double fy, const Lens& lens) {
+  const Viewport one{1, 1};
+  const Projection pinhole = calibrated(intrinsics(fx, fy, 0.5, 0.5, one, 0, kInfiniteFar), lens);
+  const Intrinsics k = cameraIn({}, std::nullopt, pinhole, one).intrinsics();
+  return {k.fx, k.fy};
+}
+
 CameraFile readParts(const FieldValues& values, const ReadOptions& reading) {
   CameraFile file;
   file.document = values.document();
@@ -56,7 +67,10 @@ CameraFile readParts(const FieldValues& values, const ReadOptions& reading) {
   if (const auto* const lens = values.find<LensNumbers>("distortion")) {
     if (typeOf(values) == kOrthographic)
       values.fail("distortion", "goes with a perspective, not with an orthographic projection");
-    file.lens = makeLens(*lens);
+    const Lens made = makeLens(*lens);
+    if (distorts(made)) file.lens = made;
+    // fx and fy are the calibration's, of the lens's own formula.
+    if (typeOf(values) == kIntrinsics && file.projection) file.projection = calibrated(*file.projection, made);
   }
   (void)cameraIn(file.convention, file.pose, file.projection,
                  file.viewport);  // throws if the parts do not fit together
@@ -84,14 +98,13 @@ CameraFile readNormalized(const Document& document, const ReadOptions& reading) 
   }
 }
 
-/// The largest shift of pixels by the lens. Nothing if the lens is not known, or a part of the camera is missing.
-std::optional<double> lensShift(const Document& document, const ReadOptions& reading) {
-  try {
-    const CameraFile file = readNormalized(document, reading);
-    return file.lens ? largestShift(makeCamera(file)) : 0;
-  } catch (const std::runtime_error&) {
-    return std::nullopt;
-  }
+/// What is lost without the lens, in words: how far it shifts pixels.
+std::string lossWithout(const CameraFile& file) {
+  if (!file.pose || !file.projection || !file.viewport) return "";
+  const LensShift shift = lensShift(makeCamera(file));
+  return ", up to " + formatDigits(shift.largest, 3) + " pixels" +
+         (shift.behind > 0 ? "; " + std::to_string(shift.behind) + " of 289 positions look past 90 degrees and are lost"
+                           : "");
 }
 
 }  // namespace
@@ -104,13 +117,22 @@ void CameraFile::fail(const std::string& message) const {
 CameraFile readCamera(Document document, const ReadOptions& reading) {
   normalize(document);
   if (!reading.ignoreDistortion || !valueAt(*document.root, "distortion")) return readNormalized(document, reading);
-  const std::optional<double> shift = lensShift(document, reading);
+  std::optional<CameraFile> bent;
+  try {
+    bent = readNormalized(document, reading);
+  } catch (const std::runtime_error&) {  // a lens that is not known, or another fault: that is for the reader below
+  }
   document.root = std::make_shared<Json>(*document.root);
   document.root->erase("distortion");
+  if (bent && bent->lens && valueAt(*document.root, "projection.fx") && valueAt(*document.root, "projection.fy")) {
+    Json& projection = (*document.root)["projection"];
+    const Vec2 f = pinholeFocalLengths(projection["fx"], projection["fy"], *bent->lens);
+    projection["fx"] = f.x;
+    projection["fy"] = f.y;
+  }
   CameraFile file = readNormalized(document, reading);
-  if (!shift || *shift != 0)
-    file.notes.push_back(file.name + ": the lens distortion is ignored" +
-                         (shift ? ", up to " + formatDigits(*shift, 3) + " pixels" : ""));
+  if (!bent || bent->lens)
+    file.notes.push_back(file.name + ": the lens distortion is ignored" + (bent ? lossWithout(*bent) : ""));
   return file;
 }
 

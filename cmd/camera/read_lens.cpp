@@ -1,6 +1,7 @@
 #include "camera/read_lens.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "camera/fields.hpp"
@@ -23,20 +24,38 @@ std::array<double, Count> firstOf(const std::array<double, 6>& numbers) {
   return first;
 }
 
-Lens makeBrown(const LensNumbers& n) { return brownLens(n.numbers[0], firstOf<2>(n.numbers[1]), n.limit); }
-Lens makeFisheye(const LensNumbers& n) { return fisheyeLens(firstOf<4>(n.numbers[0]), n.limit); }
+using N = const LensNumbers&;
+
+constexpr LensParameter kBrownK{"k", "1, 2, 3 or 6 numbers", counts({0, 1, 2, 3, 6})};
+constexpr LensParameter kBrownP{"p", "2 numbers", counts({2})};
 
 constexpr LensForm kForms[] = {
     {"brown",
-     {{{"k", "1, 2, 3 or 6 numbers", counts({0, 1, 2, 3, 6})}, {"p", "2 numbers", counts({2})}, {}}},
-     "radius",
-     makeBrown,
+     {{kBrownK, kBrownP, {}}},
+     true,
+     [](N n) { return brownLens(n.numbers[0], firstOf<2>(n.numbers[1]), n.radius); },
      LensModel::brown},
     {"fisheye",
      {{{"k", "up to 4 numbers", counts({0, 1, 2, 3, 4})}, {}, {}}},
-     "degrees",
-     makeFisheye,
+     false,
+     [](N n) { return fisheyeLens(firstOf<4>(n.numbers[0])); },
      LensModel::fisheye},
+    {"unified",
+     {{{"alpha"}, {"beta", "", 0, 1}, {}}},
+     false,
+     [](N n) { return unifiedLens(n.numbers[0][0], n.numbers[1][0]); },
+     LensModel::unified},
+    {"double-sphere",
+     {{{"xi"}, {"alpha"}, {}}},
+     false,
+     [](N n) { return doubleSphereLens(n.numbers[0][0], n.numbers[1][0]); },
+     LensModel::doubleSphere},
+    {"omni",
+     {{{"xi"}, kBrownK, kBrownP}},
+     false,
+     [](N n) { return omniLens(n.numbers[0][0], n.numbers[1], firstOf<2>(n.numbers[2])); },
+     LensModel::omni},
+    {"fov", {{{"omega"}, {}, {}}}, false, [](N n) { return fovLens(n.numbers[0][0]); }, LensModel::fov},
 };
 
 bool isScalar(const LensParameter& parameter) { return parameter.counts.empty(); }
@@ -44,6 +63,11 @@ bool isScalar(const LensParameter& parameter) { return parameter.counts.empty();
 void readParameter(const Node& distortion, const LensParameter& parameter, std::array<double, 6>& numbers,
                    std::size_t& count) {
   if (isScalar(parameter)) {
+    const auto value = distortion.find(parameter.name);
+    if (!value && !std::isnan(parameter.absent)) {
+      numbers[0] = parameter.absent;
+      return;
+    }
     numbers[0] = distortion.require(parameter.name).number();
     count = 1;
     return;
@@ -55,6 +79,21 @@ void readParameter(const Node& distortion, const LensParameter& parameter, std::
   if (count > numbers.size() || all.size() != count || (parameter.allowed >> count & 1) == 0)
     value->fail("expected " + std::string(parameter.counts));
   std::copy(all.begin(), all.end(), numbers.begin());
+}
+
+void readLimit(const Node& limit, const LensForm& form, LensNumbers& lens) {
+  std::vector<std::string_view> names{"degrees"};
+  if (form.hasRadius) names.emplace_back("radius");
+  allowMembers(limit, names);
+  const auto radius = limit.find("radius");
+  if (radius && limit.find("degrees")) limit.fail("degrees and radius are the same thing; keep one");
+  if (radius) {
+    lens.radius = radius->number();
+    if (!(lens.radius > 0)) limit.fail("must be above 0");
+    return;
+  }
+  lens.degrees = limit.require("degrees").number();
+  if (!(lens.degrees > 0 && lens.degrees <= 180)) limit.fail("expected degrees above 0 and up to 180");
 }
 
 }  // namespace
@@ -94,14 +133,13 @@ LensNumbers readLensNumbers(const Node& distortion) {
   for (std::size_t i = 0; i < result.numbers.size(); ++i)
     if (const LensParameter& parameter = form->parameters[i]; !parameter.name.empty())
       readParameter(distortion, parameter, result.numbers[i], result.counts[i]);
-  if (const auto limit = distortion.find("limit")) {
-    allowMembers(*limit, {form->limit});
-    result.limit = limit->require(form->limit).number();
-    if (!(result.limit > 0)) limit->fail("must be above 0");
-  }
+  if (const auto limit = distortion.find("limit")) readLimit(*limit, *form, result);
   return result;
 }
 
-Lens makeLens(const LensNumbers& numbers) { return numbers.form->make(numbers); }
+Lens makeLens(const LensNumbers& numbers) {
+  const Lens lens = numbers.form->make(numbers);
+  return numbers.degrees < kInfiniteFar ? limitedTo(lens, numbers.degrees) : lens;
+}
 
 }  // namespace viewproj::cmd

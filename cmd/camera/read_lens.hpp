@@ -3,8 +3,8 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -17,8 +17,9 @@ namespace viewproj::cmd {
 /// A parameter of a model, such as "k".
 struct LensParameter {
   std::string_view name = {};
-  std::string_view counts = {};  ///< in messages: "1, 2, 3 or 6 numbers"; empty: one number, which must be there
+  std::string_view counts = {};  ///< in messages: "1, 2, 3 or 6 numbers"; empty: one number
   unsigned allowed = 0;          ///< bit n: n numbers are allowed
+  double absent = NAN;           ///< one number: its value where it is absent; NaN: it must be there
 };
 
 struct LensNumbers;
@@ -26,7 +27,7 @@ struct LensNumbers;
 struct LensForm {
   std::string_view model;
   std::array<LensParameter, 3> parameters;  ///< unused ones have no name
-  std::string_view limit;                   ///< the member of "limit": "radius" or "degrees"
+  bool hasRadius;                           ///< "limit" may be a radius, and not degrees alone
   Lens (*make)(const LensNumbers& numbers);
   LensModel ofLibrary;
 };
@@ -38,9 +39,9 @@ std::vector<std::string_view> lensMembers(const LensForm& form);
 /// The value of the field distortion.
 struct LensNumbers {
   const LensForm* form = nullptr;
-  std::array<std::array<double, 6>, 3> numbers{};  ///< of each parameter; missing ones are 0
-  std::array<std::size_t, 3> counts{};             ///< how many the document gives
-  double limit = std::numeric_limits<double>::infinity();
+  std::array<std::array<double, 6>, 3> numbers{};        ///< of each parameter; missing ones are 0
+  std::array<std::size_t, 3> counts{};                   ///< how many the document gives
+  double degrees = kInfiniteFar, radius = kInfiniteFar;  ///< the limit that the document states
 };
 
 /// Reads and checks the value of the field distortion.

@@ -88,7 +88,7 @@ int runDraw(const DrawOptions& o) {
       .columns = setup.columns, .worldIsEcef = file.worldIsEcef, .segments = true, .shapes = true};
   std::size_t count = 0;
   const auto make = [&](const NumberPlan& plan, const Numbers& numbers) {
-    if (!isPoint(plan) && !hasDepth(*file.projection))
+    if (!isPoint(plan) && !file.lens && !hasDepth(*file.projection))
       throw RecordError(0, "a shape needs a camera with near; --near gives it");
     return toDraw(plan, numbers);
   };

@@ -250,26 +250,28 @@ Intrinsics explainIntrinsics(Steps& steps, const Camera& camera) {
 
 /// From view space straight to the pixel: a lens comes between, or there is no near and so no clip space.
 void explainStraight(Steps& steps, const Camera& camera, const Vec3& view, const Convention& c, const ScreenPoint& p) {
-  const bool isBeyondLens = p.status == PointStatus::beyondLens;
-  if (std::isnan(p.x) && !isBeyondLens) {
+  const auto lens = lensOf(camera);
+  const double along = isBack(c) ? -view.z : view.z, down = isDown(c) ? view.y : -view.y;
+  if (std::isnan(p.x) && (!lens || p.status == PointStatus::behind)) {
     steps.stage("screen");
-    return steps.given("screen.x", p.x, "on or behind the plane through the eye: no pixel");
+    return steps.given("screen.x", p.x,
+                       lens ? "on or behind the plane through the eye, and the lens does not see it"
+                            : "on or behind the plane through the eye: no pixel");
   }
   const std::string distance = std::isnan(p.viewDistance) ? (isBack(c) ? "-view.z" : "view.z") : "viewDistance";
-  const double along = isBack(c) ? -view.z : view.z;
-  const Vec2 tangent{view.x / along, (isDown(c) ? view.y : -view.y) / along};
-  steps.stage("tangent");
-  steps.step("tangent.x", "view.x / " + distance, tangent.x, "right");
-  steps.step("tangent.y", (isDown(c) ? "view.y / " : "-view.y / ") + distance, tangent.y, "down");
-  const auto lens = lensOf(camera);
+  if (along > 0) {
+    steps.stage("tangent");
+    steps.step("tangent.x", "view.x / " + distance, view.x / along, "right");
+    steps.step("tangent.y", (isDown(c) ? "view.y / " : "-view.y / ") + distance, down / along, "down");
+  }
   if (lens) {
     steps.stage("lens");
-    if (isBeyondLens)
+    if (std::isnan(p.x))
       return steps.given(
           "lens.x", p.x,
           "beyond the limit of the lens, at " + formatDigits(lens->limitDegrees(), 6) + " degrees: no pixel");
-    const Vec2 bent = distorted(*lens, tangent);
-    steps.given("lens.x", bent.x, "where the lens puts tangent.x, tangent.y");
+    const Vec2 bent = distorted(*lens, Vec3{view.x, down, along});
+    steps.given("lens.x", bent.x, "where the lens puts the direction");
     steps.given("lens.y", bent.y);
   }
   const std::string from = lens ? "lens" : "tangent";
@@ -278,7 +280,9 @@ void explainStraight(Steps& steps, const Camera& camera, const Vec3& view, const
   steps.sum("screen.x", {{"cx"}, {"fx", from + ".x"}}, p.x,
             hasDepth(camera.projection()) ? "" : "clip, NDC and depth need near, which this camera has not");
   steps.sum("screen.y", {{"cy"}, {"fy", from + ".y"}}, p.y);
-  if (hasDepth(camera.projection())) steps.given("depth", p.depth, "window depth, as without the lens");
+  if (hasDepth(camera.projection()))
+    steps.given("depth", p.depth,
+                along > 0 ? "window depth, as without the lens" : "not in front of the eye: no window depth");
 }
 
 OrderedJson resultOf(const ScreenPoint& p) {
@@ -301,9 +305,9 @@ void explainWindow(Steps& steps, const Camera& camera, const Vec2& pixel, const 
   steps.step(hasLens ? "lens.x" : "window.x", "(pixel.x - cx) / fx", seen.x, "right");
   steps.step(hasLens ? "lens.y" : "window.y", "(pixel.y - cy) / fy", seen.y, "down");
   if (!hasLens) return;
-  steps.given("window.x", window.x,
-              std::isnan(window.x) ? "no point in front of the camera has this pixel"
-                                   : "right; the lens puts it at lens.x, lens.y");
+  steps.given(
+      "window.x", window.x,
+      std::isnan(window.x) ? "the lens shows nothing at this pixel" : "right; the lens puts it at lens.x, lens.y");
   steps.given("window.y", window.y, "down");
 }
 
@@ -376,7 +380,11 @@ OrderedJson explainPixel(const Camera& camera, const Convention& convention, con
   Camera centred =
       makeCamera(movedTo(camera.pose(), Vec3{}), camera.projection(), camera.viewport(), camera.convention());
   if (lens) centred = withLens(centred, *lens);
-  const Vec3 at = screenToWorldAtDistance(centred, pixel, 1).position;
+  // A ray through a lens may point backwards: then to the plane behind the eye.
+  WorldPoint ahead = screenToWorldAtDistance(centred, pixel, 1);
+  const bool isBackward = ahead.status == DepthStatus::beyond;
+  if (isBackward) ahead = screenToWorldAtDistance(centred, pixel, -1);
+  const Vec3 at = ahead.position;
   const Mat4 back = matrix(cameraIn({}, movedTo(camera.pose(), Vec3{})), Space::world, Space::view);
   const Vec3 toward = orthographic ? Vec3{-back[0][2], -back[1][2], -back[2][2]} : at;
   const Vec3 view = xyz(worldTo(centred, Space::view, {at.x, at.y, at.z, 1}, convention));
@@ -387,7 +395,9 @@ OrderedJson explainPixel(const Camera& camera, const Convention& convention, con
   steps.stage("view");
   steps.sum("view.x", {{"window.x"}}, view.x);
   steps.sum("view.y", {down < 0 ? Term{"-", "window.y"} : Term{"window.y"}}, view.y);
-  steps.given("view.z", isBack(convention) ? -1 : 1, isBack(convention) ? "z points back" : "z points forward");
+  steps.given("view.z", isBack(convention) != isBackward ? -1 : 1,
+              std::string(isBack(convention) ? "z points back" : "z points forward") +
+                  (isBackward ? "; the ray points backwards" : ""));
   steps.stage("toward");
   steps.matrix("W", rotationOf(camera, convention, Space::world, Space::view));
   const std::string x = orthographic ? "" : "view.x", y = orthographic ? "" : "view.y";

@@ -1,5 +1,6 @@
 // viewproj info: what is in a camera file.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -8,6 +9,7 @@
 #include "camera/read_pose.hpp"
 #include "commands/camera_options.hpp"
 #include "commands/command.hpp"
+#include "numbers/arctangent.hpp"
 #include "numbers/vectors.hpp"
 #include "output/output_file.hpp"
 #include "output/results.hpp"
@@ -95,15 +97,46 @@ OrderedJson pictureOf(const Viewport& v) {
           {"pixelCenter", v.pixelCenter}};
 }
 
+/// The angle to the axis that the lens sees at a pixel; NaN for none.
+double degreesSeenAt(const Camera& camera, const Lens& lens, const Vec2& pixel) {
+  const Intrinsics k = camera.intrinsics();
+  const double down = camera.viewport().origin == Origin::topLeft ? 1 : -1;
+  const Vec3 d = undistorted(lens, {(pixel.x - k.cx) / k.fx, down * (pixel.y - k.cy) / k.fy});
+  const detail::DoubleDouble aside = detail::sqrt(detail::twoProd(d.x, d.x) + detail::twoProd(d.y, d.y));
+  return (detail::angleOf(aside, detail::DoubleDouble(d.z)) * detail::kDegreesPerRadian).hi;
+}
+
+/// At the picture's edges, through the principal point.
+OrderedJson seenOf(const Camera& camera, const Lens& lens) {
+  const Intrinsics k = camera.intrinsics();
+  const auto [first, last] = pictureCorners(camera.viewport());
+  const bool fromTop = camera.viewport().origin == Origin::topLeft;
+  return {{"left", degreesSeenAt(camera, lens, {first.x, k.cy})},
+          {"right", degreesSeenAt(camera, lens, {last.x, k.cy})},
+          {"top", degreesSeenAt(camera, lens, {k.cx, fromTop ? first.y : last.y})},
+          {"bottom", degreesSeenAt(camera, lens, {k.cx, fromTop ? last.y : first.y})}};
+}
+
 OrderedJson distortionOf(const Camera& camera, const Lens& lens, bool hasPicture) {
-  const bool isFisheye = lens.model() == LensModel::fisheye;
+  const LensModel model = lens.model();
+  const bool isFisheye = model == LensModel::fisheye, isBrown = model == LensModel::brown || model == LensModel::omni;
   const auto k = lens.k();
-  OrderedJson distortion{{"model", isFisheye ? "fisheye" : "brown"},
-                         {"k", std::vector(k.begin(), isFisheye ? k.begin() + 4 : k.end())},
-                         {"p", isFisheye ? OrderedJson() : OrderedJson(lens.p())},
+  const auto ofModels = [&](std::initializer_list<LensModel> models, double value) {
+    return std::find(models.begin(), models.end(), model) == models.end() ? OrderedJson() : OrderedJson(value);
+  };
+  OrderedJson distortion{{"model", nameOf(kLensModelNames, model)},
+                         {"k", isFisheye ? OrderedJson(std::vector(k.begin(), k.begin() + 4))
+                               : isBrown ? OrderedJson(k)
+                                         : OrderedJson()},
+                         {"p", isBrown ? OrderedJson(lens.p()) : OrderedJson()},
+                         {"xi", ofModels({LensModel::doubleSphere, LensModel::omni}, lens.xi())},
+                         {"alpha", ofModels({LensModel::unified, LensModel::doubleSphere}, lens.alpha())},
+                         {"beta", ofModels({LensModel::unified}, lens.beta())},
+                         {"omega", ofModels({LensModel::fov}, lens.omega())},
                          {"limitDegrees", lens.limitDegrees()},
                          {"limitCause", nullptr},
-                         {"largestShift", hasPicture ? OrderedJson(largestShift(camera)) : OrderedJson()}};
+                         {"seen", hasPicture ? seenOf(camera, lens) : OrderedJson()},
+                         {"largestShift", hasPicture ? OrderedJson(lensShift(camera).largest) : OrderedJson()}};
   constexpr std::pair<LimitCause, const char*> kCauses[] = {
       {LimitCause::fold, "fold"}, {LimitCause::pole, "pole"}, {LimitCause::stated, "file"}};
   for (const auto& [cause, name] : kCauses)

@@ -307,6 +307,53 @@ void distortTwice(Trials& t) {
   }
 }
 
+std::vector<double> numbersAt(Trials& t, std::string_view path) {
+  const Json* const at = t.find(path);
+  return at && at->is_array() ? at->get<std::vector<double>>() : std::vector<double>{};
+}
+
+/// OpenCV's vector of four: k1 k2 k3 k4 of a fisheye, k1 k2 p1 p2 of Brown.
+void takeFisheyeForBrown(Trials& t) {
+  const Json* const model = t.find("distortion.model");
+  if (!model || (*model != "brown" && *model != "fisheye")) return;
+  std::vector<double> k = numbersAt(t, "distortion.k"), p = numbersAt(t, "distortion.p");
+  if (*model == "fisheye") {
+    if (k.empty()) return t.change({{"distortion", nullptr}});
+    k.resize(4);
+    return t.change({{"distortion", {{"model", "brown"}, {"k", {k[0], k[1]}}, {"p", {k[2], k[3]}}}}});
+  }
+  if (k.size() > 3) return;
+  if (!p.empty()) {
+    k.resize(2);
+    k.insert(k.end(), p.begin(), p.end());
+  }
+  t.change({{"distortion", {{"model", "fisheye"}, {"k", k}}}});
+}
+
+/// Models that share a number, or that a reader of fewer models takes for each other.
+void takeAnotherModel(Trials& t) {
+  const Json* const given = t.find("distortion");
+  const Json* const model = t.find("distortion.model");
+  if (!model) return;
+  const auto change = [&](Json other) { t.change({{"distortion", std::move(other)}}); };
+  const Json xi = given->value("xi", Json()), alpha = given->value("alpha", Json());
+  if (*model == "unified") {
+    change({{"model", "omni"}, {"xi", alpha}});
+    if (given->contains("beta")) change({{"model", "unified"}, {"alpha", alpha}});
+  } else if (*model == "double-sphere") {
+    change({{"model", "double-sphere"}, {"xi", alpha}, {"alpha", xi}});
+    change({{"model", "unified"}, {"alpha", alpha}});
+  } else if (*model == "omni") {
+    if (!given->contains("k") && !given->contains("p")) return change({{"model", "unified"}, {"alpha", xi}});
+    Json brown = *given;
+    brown.erase("xi");
+    brown["model"] = "brown";
+    change(brown);
+  } else if (*model == "fov") {
+    change({{"model", "fisheye"}});
+  }
+}
+
 struct Mistake {
   std::string_view name, sentence;
   void (*addTo)(Trials&);
@@ -329,6 +376,8 @@ constexpr Mistake kMistakes[] = {
     {"camera-axes", "the pose counts on other axes of the camera", turnAxes},
     {"distortion-ignored", "the pixels are without the distortion of the lens", leaveDistortionOut},
     {"distortion-twice", "the distortion of the lens is taken twice", distortTwice},
+    {"fisheye-for-brown", "a fisheye's coefficients are read as Brown's, or the reverse", takeFisheyeForBrown},
+    {"lens-model", "the numbers of the lens are read as another model's", takeAnotherModel},
     {"normalized", "the pixels are 0..1 across the picture", [](Trials& t) { fromUnits(t, 0); }},
     {"ndc", "the pixels are normalized device coordinates, -1..1", [](Trials& t) { fromUnits(t, -1); }},
 };

@@ -15,6 +15,7 @@
 #include "text/names.hpp"
 #include "text/number.hpp"
 #include "viewproj/geodesy.hpp"
+#include "viewproj/lens.hpp"
 #include "viewproj/scene.hpp"
 #include "viewproj/screen.hpp"
 
@@ -28,6 +29,11 @@ WorldPoint pointBehind(const Camera& camera, const Pixel& pixel) {
   const WorldPoint point = pixel.viewDistance ? screenToWorldAtDistance(camera, *pixel.screen, *pixel.viewDistance)
                                               : screenToWorld(camera, *pixel.screen, *pixel.depth);
   if (point.status != DepthStatus::beyond) return point;
+  // A ray through a lens may point backwards: no point of it has a depth, or a distance of the other sign.
+  if (lensOf(camera) && (pixel.viewDistance || hasDepth(camera.projection()))) {
+    const WorldPoint ahead = screenToWorldAtDistance(camera, *pixel.screen, 1);
+    if (pixel.viewDistance || ahead.status == DepthStatus::beyond) return point;
+  }
   if (pixel.viewDistance)
     throw RecordError(0, "viewDistance " + formatNumber(*pixel.viewDistance) + " is not in front of the eye");
   if (!hasDepth(camera.projection()))

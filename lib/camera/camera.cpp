@@ -9,6 +9,7 @@
 #include "camera/require.hpp"
 #include "camera/viewport.hpp"
 #include "numbers/arithmetic.hpp"
+#include "viewproj/lens.hpp"
 
 namespace viewproj {
 
@@ -145,16 +146,21 @@ Camera cropped(const Camera& camera, const Crop& crop) {
   const Viewport& viewport = camera.viewport();
   const Camera tile = makeCamera(camera.pose(), cropped(camera.projection(), viewport, crop), cropped(viewport, crop),
                                  camera.convention());
-  const auto& lens = parts(camera).lens;
-  return lens ? withLens(tile, lens) : tile;
+  const auto lens = lensOf(camera);
+  return lens ? withLens(tile, *lens) : tile;
 }
 
-Camera detail::withLens(const Camera& pinhole, std::shared_ptr<const LensParts> lens) {
+Camera detail::withLens(const Camera& pinhole, std::shared_ptr<const LensParts> lens, DoubleDouble lensScale) {
   const auto made = std::make_shared<CameraParts>(parts(pinhole));
   ProjectionConstants& k = made->constants;
   setRows(k, made->pose, 1, -1);
   k.scaleX = made->screen.scaleX;
   k.scaleY = -made->screen.scaleY;
+  k.perScaleX = DoubleDouble(1) / (k.scaleX * lensScale);
+  k.perScaleY = DoubleDouble(1) / (k.scaleY * lensScale);
+  k.rayX = rounded(made->pose.columns.right);
+  k.rayY = rounded(-made->pose.columns.up);
+  k.rayW = rounded(made->pose.columns.forward);
   k.lens = lens.get();
   made->lens = std::move(lens);
   made->pinhole = Access::shared(pinhole);

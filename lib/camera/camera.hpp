@@ -25,8 +25,8 @@ struct LensParts;
 ///   screen x = centerX + q,  window depth = depthOffset + depthScale / (w . d)
 /// in orthographic
 ///   screen x = centerX + x . d,  window depth = depthOffset + depthScale (w . d)
-/// and through a lens, where q is a tangent
-///   screen x = centerX + scaleX bent(q).
+/// and through a lens, which puts the distances at (h, v)
+///   screen x = centerX + scaleX h.
 struct ProjectionConstants {
   bool orthographic = false;
   Vec3 eye;
@@ -42,10 +42,11 @@ struct ProjectionConstants {
   double sizeXY = 0, sizeW = 0;   ///< largest entry of x and y, and of w
   double residualReach = 0;       ///< the residual's part of |d0| + |d1| + |d2| in error bounds
 
-  Vec3 rayX, rayY, rayW;  ///< columns: right / scaleX, up / scaleY, forward
+  Vec3 rayX, rayY, rayW;  ///< columns: right / scaleX, up / scaleY, forward; with a lens right, down, forward
 
   const LensParts* lens = nullptr;
-  DoubleDouble scaleX, scaleY;  ///< of a lens, scaleY of what is down
+  DoubleDouble scaleX, scaleY;        ///< of a lens, scaleY of what is down
+  DoubleDouble perScaleX, perScaleY;  ///< 1 / (scaleX times the lens's own scale)
 };
 
 /// Made by makeCamera. The first four parts are the input, the rest is derived from them.
@@ -75,8 +76,8 @@ struct CameraParts {
   std::shared_ptr<const CameraParts> pinhole;
 };
 
-/// The same camera with this lens. pinhole must have none.
-Camera withLens(const Camera& pinhole, std::shared_ptr<const LensParts> lens);
+/// The same camera with this lens, of this scale. pinhole must have none.
+Camera withLens(const Camera& pinhole, std::shared_ptr<const LensParts> lens, DoubleDouble scale);
 
 inline const CameraParts& parts(const Camera& camera) noexcept { return *Access::shared(camera); }
 

@@ -1,4 +1,4 @@
-// A lens's numbers, and its map in double or double-double.
+// A lens's numbers, and where it sees.
 #pragma once
 
 #include <cmath>
@@ -12,24 +12,55 @@
 
 namespace viewproj::detail {
 
-/// Tangents are below this: what is farther aside is beyond every lens.
-inline constexpr double kLargestTangent = 0x1p60;
+/// Brown's polynomials are evaluated and proven at radii below this.
+inline constexpr double kLargestRadius = 0x1p60;
 
+/// A direction, or a point, along the camera's axes: right, down and forward, times any length.
+template <class Number>
+struct Sight {
+  Number right, down, forward;
+};
+
+/// On the plane that a lens maps to, right and down of the axis.
+template <class Number>
+struct PlanePoint {
+  Number x, y;
+};
+
+/// Every lens is one of two maps, from X, Y, Z to the plane, with R = hypot(X, Y):
+///   sphere map  d1 = |X, Y, Z|,  k = Z + xi d1,  D = alpha sqrt(beta R^2 + k^2) + (1 - alpha) k
+///               (x, y) = (X, Y) / D, then Brown's polynomials
+///   angle map   t = atan2(across R, Z),  (x, y) = (X, Y) / R t (1 + k1 t^2 + k2 t^4 + ...)
+/// and the picture is this times `scale`, which makes the slope on the axis 1: near the axis every lens agrees with its
+/// pinhole.
 struct LensParts {
   LensModel model = LensModel::brown;
+  bool isAngle = false;  ///< angle map
+  double xi = 0, alpha = 0, beta = 1;
+  double omega = 0;  ///< of fov
   std::array<double, 6> k{};
   std::array<double, 2> p{};
-  std::size_t numeratorTerms = 0, denominatorTerms = 0;  ///< without zeros at the end; of a fisheye's k the first
-  double tangential = 0;                                 ///< hypot(p1, p2), rounded up
+  double statedRadius = std::numeric_limits<double>::infinity(), statedDegrees = 180;  ///< the calibration's limit
 
-  /// Points from here on have no pixel, a radius of brown, an angle of fisheye; and what gives it. Below it the map is
-  /// proven one-to-one. Infinite for none.
-  double limit = std::numeric_limits<double>::infinity();
+  // Derived from these.
+  DoubleDouble oneLessAlpha = 1, across = 1, scale = 1;
+  bool isScaled = false;
+  std::size_t numeratorTerms = 0, denominatorTerms = 0;  ///< without zeros at the end; of an angle map only the first
+  double tangential = 0;                                 ///< hypot(p1, p2), rounded up
+  bool isBrown = false;                                  ///< the sphere map is followed by Brown's polynomials
+
+  /// Directions from here on have no pixel: the sine and cosine of the angle to the axis. (0, -1) for none. Below it
+  /// the lens is proven one-to-one.
+  DoubleDouble limitSine = 0, limitCosine = -1;
+  double limitDegrees = std::numeric_limits<double>::infinity();
   LimitCause cause = LimitCause::none;
-  /// What the functions here go by: kLargestTangent in place of an infinite radius, 2 of an angle past a quarter turn.
-  double end = kLargestTangent;
-  /// Points are put nearer to the axis than this.
-  double outerEdge = std::numeric_limits<double>::infinity();
+
+  /// Largest radius before Brown's polynomials, and the one that these have a proof for; largest angle t.
+  double planeEnd = std::numeric_limits<double>::infinity(), brownEnd = kLargestRadius, angleEnd = kHalfTurn.hi;
+  /// No direction is put farther from the axis, before `scale`.
+  double edge = std::numeric_limits<double>::infinity();
+  /// Up to this radius, or angle, the curvature of the map and the size of its terms are below kGentle.
+  double gentleEnd = 0;
 
   /// k1, k2, ...
   std::span<const double> numerator() const noexcept { return {k.data(), numeratorTerms}; }
@@ -38,83 +69,37 @@ struct LensParts {
   bool isRational() const noexcept { return denominatorTerms > 0; }
 };
 
+inline constexpr double kGentle = 0x1p20;
+
 inline const LensParts& parts(const Lens& lens) noexcept { return *Access::shared(lens); }
 
-/// The limit of a lens's own numbers, and its cause: lib/lens/limit.cpp.
-struct Limit {
-  double value;
-  LimitCause cause;
+/// The lens is a pinhole.
+bool isPinhole(const LensParts& lens) noexcept;
+
+/// The slope of the calibration's plane on the axis: a pinhole of focal length f times this agrees with the lens there.
+DoubleDouble slopeOnAxis(const LensParts& lens) noexcept;
+
+/// Sets limit..., ...End and edge: lib/lens/limit.cpp.
+void setLimits(LensParts& lens);
+
+/// How fast the slope of Brown's polynomials can change between these radii. Infinite next to a pole.
+double curvature(const LensParts& lens, double from, double to) noexcept;
+
+/// Whether a lens sees this direction; only then has it a pixel. A direction within 2^-49 of the limit is not seen.
+struct Seen {
+  bool isSeen, certain;
 };
-Limit limitOf(const LensParts& lens);
+Seen isSeen(const LensParts& lens, const Sight<DoubleDouble>& at) noexcept;
 
-/// 1 + k[0] u + k[1] u^2 + ...
-template <class Number>
-Number series(std::span<const double> k, const Number& u) noexcept {
-  if (k.empty()) return 1;
-  Number sum = k.back();
-  for (std::size_t i = k.size() - 1; i-- > 0;) sum = sum * u + Number(k[i]);
-  return sum * u + Number(1);
-}
-
-inline double high(double a) noexcept { return a; }
-inline double arctangent(double r) noexcept { return arctangent(DoubleDouble(r)).hi; }
-
-template <class Number>
-struct Tangents {
-  Number x, y;
-};
-
-/// What radial distances are multiplied by; and the square of what the lens's end counts, of brown's radius or of a
-/// fisheye's angle. Of numbers, or of lanes of them (projection/kernels/fine_lanes.hpp).
-template <class Number>
-struct Radial {
-  Number factor, square;
-};
-
-/// Of a squared radius, wherever it is.
-template <class Number>
-Radial<Number> radial(const LensParts& lens, const Number& u) noexcept {
-  using std::sqrt;
-  constexpr double kTiny = 0x1p-900;
-  if (lens.model == LensModel::brown) {
-    const Number numerator = series(lens.numerator(), u);
-    return {lens.isRational() ? numerator / series(lens.denominator(), u) : numerator, u};
-  }
-  const Number r = sqrt(u), angle = arctangent(r), square = angle * angle;
-  return {choose(high(u) < kTiny, Number(1), Number(angle * series(lens.numerator(), square) / r)), square};
-}
-
-/// radial's factor; NaN from the limit on.
-template <class Number>
-Number radialFactor(const LensParts& lens, const Number& u) noexcept {
-  constexpr double kCloser = 1 + 0x1p-49;
-  const Radial<Number> at = radial(lens, u);
-  const bool isBefore = high(u) < kLargestTangent * kLargestTangent && high(at.square) * kCloser < lens.end * lens.end;
-  return isBefore ? at.factor : Number(std::numeric_limits<double>::quiet_NaN());
-}
-
-/// Tangents of the squared radius u and this factor, bent.
-template <class Number>
-Tangents<Number> bend(const LensParts& lens, const Tangents<Number>& at, const Number& u, const Number& g) noexcept {
-  const Number &x = at.x, &y = at.y;
-  if (lens.tangential == 0) return {x * g, y * g};
-  // x (g + 2 p1 y + 2 p2 x) + p2 u: the terms of the header in another order.
-  const Number p1 = lens.p[0], p2 = lens.p[1], turned = p1 * y + p2 * x, along = g + (turned + turned);
-  return {x * along + p2 * u, y * along + p1 * u};
-}
-
-template <class Number>
-Tangents<Number> distort(const LensParts& lens, const Tangents<Number>& at) noexcept {
-  const Number u = at.x * at.x + at.y * at.y;
-  return bend(lens, at, u, radialFactor(lens, u));
-}
-
-/// The tangents that are put there, and how far they may be from the true ones, as an angle in radians; a NaN where
-/// none are proven to be the only ones: lib/lens/undistort.cpp.
+/// The direction that is put there, before `scale`, of unit length, and how far it may be from the true one in radians;
+/// NaN where none is proven to be the only one: lib/lens/undistort.cpp.
 struct Undistorted {
-  Tangents<DoubleDouble> at;
+  Sight<DoubleDouble> at;
   double error;
 };
-Undistorted undistort(const LensParts& lens, const Tangents<DoubleDouble>& target) noexcept;
+Undistorted undistort(const LensParts& lens, const PlanePoint<DoubleDouble>& target) noexcept;
+
+/// Of targets that lens/inverse.hpp leaves: slower.
+Undistorted undistortSlowly(const LensParts& lens, const PlanePoint<DoubleDouble>& target) noexcept;
 
 }  // namespace viewproj::detail

@@ -11,11 +11,21 @@
 // r:
 //   N D + 2 u (N' D - N D') - 6 P r D^2,  4 N D + 2 u (N' D - N D') - 16 P r D^2
 // and of a fisheye one in the square of the angle, 1 + 3 k1 w + 5 k2 w^2 + 7 k3 w^3 + 9 k4 w^4.
+//
+// The sphere map keeps the azimuth, so it is one-to-one as far as the radius rises with the angle. With theta2 the
+// angle of (R, k) and cos that of the angle,
+//   dtheta2/dtheta = (1 + xi cos) / (1 + 2 xi cos + xi^2)
+// is positive for |xi| < 1, and else up to cos = -1/xi. For beta = 1 the radius is sin2 / (alpha + (1 - alpha) cos2),
+// whose slope has the sign of alpha cos2 + 1 - alpha; both that and the divisor are positive for cos2 > -w, with
+//   w = (1 - alpha) / alpha  for alpha > 1/2, where the slope ends (a fold),  else  alpha / (1 - alpha)  (a pole)
+// beta scales tan(theta2), which keeps the order. Brown's polynomials after it are one-to-one on their disc, and so is
+// the composition.
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "lens/lens.hpp"
+#include "lens/inverse.hpp"
+#include "numbers/degrees.hpp"
 
 namespace viewproj::detail {
 namespace {
@@ -97,7 +107,7 @@ std::vector<double> bernstein(const std::vector<double>& powers) {
   return b;
 }
 
-/// A polynomial that is positive at 0 is so up to here at least; infinite if everywhere, or beyond kLargestTangent.
+/// A polynomial that is positive at 0 is so up to here at least; infinite if everywhere, or beyond kLargestRadius.
 double firstZero(Polynomial a) {
   while (a.size() > 1 && a.back().size == 0) a.pop_back();
   // In units of powers of two: from 0 to the first, in which no coefficient is larger than that of 1, then octaves.
@@ -107,7 +117,7 @@ double firstZero(Polynomial a) {
   int exponent = 0;
   for (std::size_t i = 1; i < a.size(); ++i)
     while (scaled(a[i].size, i, exponent) > a[0].size) --exponent;
-  for (double start = 0; std::ldexp(1, exponent) <= kLargestTangent; ++exponent, start = 0.5) {
+  for (double start = 0; std::ldexp(1, exponent) <= kLargestRadius; ++exponent, start = 0.5) {
     std::vector<double> powers;
     double size = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
@@ -128,20 +138,12 @@ double firstZero(Polynomial a) {
   return kInfinity;
 }
 
-}  // namespace
-
-Limit limitOf(const LensParts& lens) {
-  if (lens.model == LensModel::fisheye) {
-    Polynomial slope(5);
-    slope[0] = {1, 1};
-    for (std::size_t i = 0; i < 4; ++i) {
-      const double term = double(2 * i + 3) * lens.k[i];
-      slope[i + 1] = {term, std::fabs(term)};
-    }
-    const double angle = std::nextafter(std::sqrt(firstZero(slope)), 0);
-    constexpr double kPi = 2 * kQuarterTurn.hi;
-    return angle < kPi ? Limit{angle, LimitCause::fold} : Limit{kInfinity, LimitCause::none};
-  }
+/// Where Brown's polynomials end, and why.
+struct Limit {
+  double value;
+  LimitCause cause;
+};
+Limit limitOfBrown(const LensParts& lens) {
   const Polynomial n = even(lens.numerator()), d = even(lens.denominator());
   const Polynomial nd = product(n, d), dd = product(d, d);
   const Polynomial slope = sum(product(timesDerivative(n), d), product(n, timesDerivative(d)), -1);
@@ -150,8 +152,161 @@ Limit limitOf(const LensParts& lens) {
   const double fold = std::min(firstZero(sum(sum(nd, slope, 1), tangential, -6 * lens.tangential)),
                                firstZero(sum(sum(slope, nd, 4), tangential, -16 * lens.tangential)));
   const double pole = firstZero(d);
-  if (pole <= fold && pole < kLargestTangent) return {pole, LimitCause::pole};
-  return fold < kLargestTangent ? Limit{fold, LimitCause::fold} : Limit{kInfinity, LimitCause::none};
+  if (pole <= fold && pole < kLargestRadius) return {pole, LimitCause::pole};
+  return fold < kLargestRadius ? Limit{fold, LimitCause::fold} : Limit{kInfinity, LimitCause::none};
+}
+
+/// The angle of a fisheye.
+Limit limitOfAngles(const LensParts& lens) {
+  Polynomial slope(5);
+  slope[0] = {1, 1};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double term = double(2 * i + 3) * lens.k[i];
+    slope[i + 1] = {term, std::fabs(term)};
+  }
+  const double angle = std::nextafter(std::sqrt(firstZero(slope)), 0);
+  return angle < kHalfTurn.hi ? Limit{angle, LimitCause::fold} : Limit{kInfinity, LimitCause::none};
+}
+
+/// A direction by its sine and cosine, times any length.
+struct Cone {
+  DoubleDouble sine, cosine;
+  LimitCause cause;
+  double radius = kInfinity;  ///< there, before Brown's polynomials
+};
+
+bool isWider(const Cone& a, const Cone& b) { return (a.sine * b.cosine - a.cosine * b.sine).hi > 0; }
+
+/// The sphere map's.
+Cone coneOfSphere(const LensParts& lens) {
+  if (lens.xi == 0 && lens.alpha == 0) return {1, 0, LimitCause::none};  // the pinhole's
+  const DoubleDouble one = 1, alpha = lens.alpha, xi = lens.xi;
+  const bool isFold = lens.alpha > 0.5;
+  const DoubleDouble w = isFold ? lens.oneLessAlpha / alpha : alpha / lens.oneLessAlpha;
+  const DoubleDouble across = sqrt((one - w * w) / DoubleDouble(lens.beta)), length = sqrt(across * across + w * w);
+  const Cone inner{across / length, -w / length, isFold ? LimitCause::fold : LimitCause::pole,
+                   isFold ? (one / sqrt(DoubleDouble(lens.beta) * (alpha + alpha - one))).hi : kInfinity};
+  if (lens.xi >= 1) {
+    const DoubleDouble t = sqrt(one - one / (xi * xi));
+    // The inner angle ends at (1/xi, t).
+    if ((inner.sine * t - inner.cosine / xi).hi >= 0) {
+      const double by = (xi * (alpha + lens.oneLessAlpha * t)).hi;
+      return {t, -one / xi, lens.xi > 1 ? LimitCause::fold : LimitCause::none, by > 0 ? 1 / by : kInfinity};
+    }
+  }
+  const DoubleDouble q = xi * inner.cosine + sqrt(one - xi * xi * inner.sine * inner.sine);
+  Cone cone{q * inner.sine, q * inner.cosine - xi, inner.cause, inner.radius};
+  if (!(cone.sine.hi > 0)) cone = {0, -1, LimitCause::none, inner.radius};  // it ends straight back
+  return cone;
+}
+
+/// The cone of a radius before Brown's polynomials.
+Cone coneOfRadius(const LensParts& lens, const Limit& limit) {
+  if (!(limit.value < kInfinity)) return {1, 0, LimitCause::none};
+  const auto at = sphereSight<DoubleDouble>(lens, {limit.value, 0.0}).at;
+  return {at.right, at.forward, limit.cause, limit.value};
+}
+
+/// The angle that a calibration states, exact at multiples of 90 degrees.
+Cone coneOfDegrees(double degrees) {
+  const SinCos s = sinCosDegrees(std::min(degrees, 180.0));
+  return {toDoubleDouble(s.sine.rounded()), toDoubleDouble(s.cosine.rounded()), LimitCause::stated};
+}
+
+/// How fast the slope of Brown's polynomials can change, between two radii: the second derivative of
+///   x g(u):  2 g' (v (x.w) + w (x.v) + x (v.w)) + 4 g'' x (x.v) (x.w),  and of what p1 and p2 add
+/// from the sizes of all terms. Infinite next to a pole.
+double curvatureOfBrown(const LensParts& lens, double from, double to) {
+  const double u = to * to, low = from * from;
+  /// Sizes of a series, of its first and its second derivative in u.
+  struct Sizes {
+    double value = 1, first = 0, second = 0;
+  };
+  const auto sizesAt = [](std::span<const double> k, double at) {
+    Sizes s;
+    double power = 1;  // of at, by i
+    for (std::size_t i = 0; i < k.size(); ++i, power *= at) {
+      const double size = std::fabs(k[i]), n = double(i + 1);
+      s.value += size * power * at;
+      s.first += n * size * power;
+      if (i > 0) s.second += n * (n - 1) * size * power / at;
+    }
+    return s;
+  };
+  const Sizes n = sizesAt(lens.numerator(), u), d = sizesAt(lens.denominator(), u);
+  const double least = series(lens.denominator(), low) - (d.value - sizesAt(lens.denominator(), low).value);
+  if (!(least > 0)) return kInfinity;
+  const double g = n.value / least, g1 = (n.first + g * d.first) / least;
+  const double g2 = (n.second + 2 * g1 * d.first + g * d.second) / least;
+  return 1.01 * (6 * g1 * to + 4 * g2 * to * u + 6 * lens.tangential);
+}
+
+/// How far the curvature and the sizes of the terms are below kGentle.
+double gentleEnd(const LensParts& lens) {
+  if (lens.isAngle) {
+    const double c = lens.across.hi, bend = 2 * std::max(c * c, 1 / (c * c));
+    double gentle = 0;
+    for (double t = 0x1p-8; t <= 4 && bend * sizes(lens.numerator(), t * t, 1, 30) <= 0x1p10; t += 0x1p-8) gentle = t;
+    return gentle;
+  }
+  if (!lens.isBrown) return kLargestRadius;
+  double gentle = 0;
+  for (double step = 0x1p-4; step > 0x1p-12 && gentle < kLargestRadius;) {
+    const double to = std::max(gentle, 0x1p-20) * (1 + step);
+    const double terms = to + brownResponse(lens, gentle, to).rounding;
+    const bool isGentle = curvatureOfBrown(lens, gentle, to) <= kGentle && terms <= kGentle;
+    if (isGentle) gentle = to;
+    step = isGentle ? std::min(2 * step, 0x1p-4) : step / 2;
+  }
+  return gentle;
+}
+
+}  // namespace
+
+double curvature(const LensParts& lens, double from, double to) noexcept { return curvatureOfBrown(lens, from, to); }
+
+void setLimits(LensParts& lens) {
+  Cone cone{0, -1, LimitCause::none};
+  Limit brown{kInfinity, LimitCause::none};
+  if (lens.isAngle) {
+    const Limit limit = limitOfAngles(lens);
+    if (limit.value < kInfinity) {
+      const Direction at = directionOf(limit.value);
+      cone = {at.across, at.along, limit.cause};
+      lens.angleEnd = limit.value;
+    }
+  } else {
+    brown = limitOfBrown(lens);
+    if (lens.statedRadius < brown.value) brown = {lens.statedRadius, LimitCause::stated};
+    lens.brownEnd = std::min(brown.value, kLargestRadius);
+    cone = coneOfSphere(lens);
+    lens.planeEnd =
+        std::min(cone.radius, lens.isBrown || brown.cause == LimitCause::stated ? lens.brownEnd : kInfinity);
+    if (brown.value < cone.radius) cone = coneOfRadius(lens, brown);
+  }
+  if (const Cone end = coneOfDegrees(lens.statedDegrees); isWider(cone, end)) cone = end;
+  lens.cause = cone.cause;
+  if (cone.cause != LimitCause::none) lens.limitDegrees = (angleOf(cone.sine, cone.cosine) * kDegreesPerRadian).hi;
+  const DoubleDouble length = sqrt(cone.sine * cone.sine + cone.cosine * cone.cosine);
+  lens.limitSine = cone.sine / length;
+  lens.limitCosine = cone.cosine / length;
+  lens.gentleEnd = gentleEnd(lens);
+  if (lens.isAngle) {
+    const DoubleDouble end = lens.angleEnd;
+    lens.edge = (end * series(lens.numerator(), end * end)).hi * (1 + 0x1p-50);
+  } else if (lens.planeEnd < kLargestRadius) {
+    const DoubleDouble r = lens.planeEnd, u = r * r;
+    const double outer = ((r * radialFactor(lens, u)).hi + 3 * lens.tangential * u.hi) * (1 + 0x1p-30);
+    if (outer > 0) lens.edge = outer;  // next to a pole there is none
+  }
+}
+
+Seen isSeen(const LensParts& lens, const Sight<DoubleDouble>& at) noexcept {
+  if (lens.limitCosine.hi <= 0 && at.forward.hi > 0) return {true, true};
+  const DoubleDouble r = sqrt(at.right * at.right + at.down * at.down);
+  const double length = std::sqrt(r.hi * r.hi + at.forward.hi * at.forward.hi);
+  const double side = (at.forward * lens.limitSine - r * lens.limitCosine).hi, limit = 0x1p-49 * length;
+  return {side > limit, std::fabs(side - limit) > 0x1p-94 * length};
 }
 
 }  // namespace viewproj::detail

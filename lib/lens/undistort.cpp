@@ -1,20 +1,18 @@
+// The direction of a point of the plane: what lens/inverse.hpp certifies, and what it leaves, by a slower way.
 #include <algorithm>
 #include <optional>
 
-#include "lens/response.hpp"
+#include "lens/inverse.hpp"
 
 namespace viewproj::detail {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr Undistorted kNone{{kNaN, kNaN}, kNaN};
-
-/// An answer that could be farther from the true one is none: a ray is proven to kRayDirectionBound.
-constexpr double kWorstError = 0x1p-56;
+constexpr Undistorted kNone{{kNaN, kNaN, kNaN}, kNaN};
 
 /// Newton's steps double the digits, but next to a fold. They end with one of this share.
 constexpr int kSteps = 100;
-constexpr double kSettled = 0x1p-80;
+constexpr double kLastStep = 0x1p-80;
 
 /// Nearer to the axis than this, every lens leaves all digits as they are.
 constexpr double kTiny = 0x1p-450;
@@ -27,9 +25,9 @@ template <class Evaluate>
 double risingRoot(double low, double high, double start, const Evaluate& evaluate) noexcept {
   double at = start;
   for (int i = 0; i < kSteps; ++i) {
-    const auto [value, slope] = evaluate(at);
-    (value < 0 ? low : high) = at;
-    double next = at - value / slope;
+    const Dual<double> f = evaluate(at);
+    (f.value < 0 ? low : high) = at;
+    double next = at - f.value / f.x;
     if (!(next > low && next < high)) next = low + (high - low) / 2;
     if (!(next > low && next < high) || std::fabs(next - at) <= 0x1p-51 * at) return next;
     at = next;
@@ -37,68 +35,61 @@ double risingRoot(double low, double high, double start, const Evaluate& evaluat
   return at;
 }
 
-struct ValueAndSlope {
-  double value, slope;
-};
-
-/// J of brown: symmetric.
-struct Jacobian {
-  double xx, xy, yy;
-
-  Tangents<double> inverseTimes(double a, double b) const noexcept {
-    const double determinant = xx * yy - xy * xy;
-    return {(yy * a - xy * b) / determinant, (xx * b - xy * a) / determinant};
-  }
-};
-
-/// g and dg/du.
-ValueAndSlope radial(const LensParts& lens, double u) noexcept {
-  const auto slope = [&](const double* k) { return k[0] + u * (2 * k[1] + u * 3 * k[2]); };
-  const double g = series(lens.numerator(), u), by = series(lens.denominator(), u);
-  return {g / by, (slope(lens.k.data()) - g / by * slope(lens.k.data() + 3)) / by};
-}
-
-Jacobian jacobian(const LensParts& lens, double x, double y) noexcept {
-  const auto [g, slope] = radial(lens, x * x + y * y);
-  const double p1 = lens.p[0], p2 = lens.p[1];
-  return {g + 2 * x * x * slope + 2 * p1 * y + 6 * p2 * x, 2 * x * y * slope + 2 * p1 * x + 2 * p2 * y,
-          g + 2 * y * y * slope + 6 * p1 * y + 2 * p2 * x};
-}
-
-/// The distance from the axis that the radial part alone puts there; end where it puts none. NaN: none is near enough.
+/// The radius that the polynomials without p1 and p2 put there; the end where they put none. NaN: none is near enough.
 double radialStart(const LensParts& lens, double target) noexcept {
-  const auto above = [&](double r) -> ValueAndSlope {
-    const auto [g, slope] = radial(lens, r * r);
-    return {r * g - target, g + 2 * r * r * slope};
+  const auto above = [&](double radius) {
+    const Dual<double> r(radius, 1, 0);
+    return r * radialFactor(lens, r * r) + Dual<double>(-target);
   };
-  double end = std::min(lens.end, 1.0);
-  while (end < lens.end && above(end).value < 0) end = std::min(2 * end, lens.end);
-  if (above(end).value < 0) return lens.cause == LimitCause::none ? kNaN : end;
+  const double last = lens.brownEnd;
+  double end = std::min(last, 1.0);
+  while (end < last && above(end).value < 0) end = std::min(2 * end, last);
+  if (above(end).value < 0) return last < kLargestRadius ? end : kNaN;
   return risingRoot(0, end, std::min(end, target), above);
 }
 
-/// Newton's steps from the radial part's solution: slopes in double, what they miss in double-double.
-std::optional<Tangents<DoubleDouble>> brownSolution(const LensParts& lens,
-                                                    const Tangents<DoubleDouble>& target) noexcept {
+struct Unbent {
+  PlanePoint<DoubleDouble> at;
+  double error;
+};
+
+/// Undoes Brown's polynomials: Newton's steps from radialStart, slopes in double, what they miss in double-double.
+std::optional<Unbent> unbent(const LensParts& lens, const PlanePoint<DoubleDouble>& target) noexcept {
   const double size = length(target.x.hi, target.y.hi), start = radialStart(lens, size);
   if (!(start >= 0)) return std::nullopt;
-  const double inside = lens.end * (1 - 0x1p-40);
-  const auto pulledBack = [&](const Tangents<DoubleDouble>& to) -> Tangents<DoubleDouble> {
+  const double inside = lens.brownEnd * (1 - 0x1p-40);
+  const auto pulledBack = [&](const PlanePoint<DoubleDouble>& to) -> PlanePoint<DoubleDouble> {
     const double r = length(to.x.hi, to.y.hi), share = inside / r;
-    return r > inside ? Tangents<DoubleDouble>{times(share, to.x), times(share, to.y)} : to;
+    return r > inside ? PlanePoint<DoubleDouble>{times(share, to.x), times(share, to.y)} : to;
   };
-  const auto missed = [&](const Tangents<DoubleDouble>& to) -> Tangents<double> {
-    const auto f = distort<DoubleDouble>(lens, to);
+  const auto missed = [&](const PlanePoint<DoubleDouble>& to) -> PlanePoint<double> {
+    const auto f = brownOf<DoubleDouble>(lens, to);
     return {(f.x - target.x).hi, (f.y - target.y).hi};
   };
-  Tangents<DoubleDouble> at = pulledBack({times(start / size, target.x), times(start / size, target.y)});
-  Tangents<double> miss = missed(at);
+  /// J^-1 times what is missed, and the least slope; J is symmetric.
+  struct Step {
+    PlanePoint<double> by;
+    double leastSlope;
+    double size() const noexcept { return length(by.x, by.y); }
+  };
+  const auto stepAt = [&](const PlanePoint<DoubleDouble>& to, const PlanePoint<double>& miss) -> Step {
+    const auto f = brownOf<Dual<double>>(lens, {{to.x.hi, 1, 0}, {to.y.hi, 0, 1}});
+    const double xx = f.x.x, xy = f.x.y, yy = f.y.y, determinant = xx * yy - xy * xy;
+    return {{(yy * miss.x - xy * miss.y) / determinant, (xx * miss.y - xy * miss.x) / determinant},
+            (xx + yy) / 2 - length((xx - yy) / 2, xy)};
+  };
+  PlanePoint<DoubleDouble> at = pulledBack({times(start / size, target.x), times(start / size, target.y)});
+  PlanePoint<double> miss = missed(at);
   for (int i = 0; i < kSteps; ++i) {
-    const auto step = jacobian(lens, at.x.hi, at.y.hi).inverseTimes(miss.x, miss.y);
+    const PlanePoint<double> step = stepAt(at, miss).by;
     const auto after = [&, from = at](double share) {
       return pulledBack({from.x - DoubleDouble(share * step.x), from.y - DoubleDouble(share * step.y)});
     };
-    if (length(step.x, step.y) <= kSettled * length(at.x.hi, at.y.hi)) return after(1);
+    if (length(step.x, step.y) <= kLastStep * length(at.x.hi, at.y.hi)) {
+      at = after(1);
+      miss = missed(at);
+      break;
+    }
     // The map is the gradient of a convex function: a step that is short enough leads nearer, until rounding ends it.
     const double before = length(miss.x, miss.y);
     double share = 1;
@@ -108,73 +99,72 @@ std::optional<Tangents<DoubleDouble>> brownSolution(const LensParts& lens,
       share /= 2;
     } while (!(length(miss.x, miss.y) < before) && share > 0x1p-20);
   }
-  return at;
+  // Newton-Kantorovich, as in inverse.hpp, with the curvature of this place.
+  const Step last = stepAt(at, miss);
+  const double r = length(at.x.hi, at.y.hi), near = 0x1p-30 * r, from = r - near, to = r + near;
+  const double ofResidual = brownResponse(lens, from, to).rounding * kFineUnit / last.leastSlope;
+  const double step = 1.01 * (last.size() + ofResidual), around = 2 * step;
+  const bool isUnique = last.leastSlope > 0 && step * curvature(lens, from, to) <= last.leastSlope / 4 &&
+                        around < near && r * (1 + 0x1p-45) + around < lens.brownEnd;
+  return isUnique ? std::optional(Unbent{at, around}) : std::nullopt;
 }
 
-/// The map is strongly monotone: with a residual and the least factor m of differences in the ball around a point, of
-/// radius d >= residual / m within the disc, the ball's image covers the target; and the disc has no second such point.
-Undistorted undistortBrown(const LensParts& lens, const Tangents<DoubleDouble>& target) noexcept {
-  const double size = length(target.x.hi, target.y.hi);
-  if (!(size < lens.outerEdge)) return kNone;  // also a NaN
-  if (size < kTiny) return {target, kFineUnit};
-  const auto at = brownSolution(lens, target);
-  if (!at) return kNone;
-  const auto f = distort<DoubleDouble>(lens, *at);
-  const double r = length(at->x.hi, at->y.hi);
-  const Response here = responseOver(lens, {r, r});
-  const double residual = 1.01 * length((f.x - target.x).hi, (f.y - target.y).hi) + 2 * here.rounding * kFineUnit;
-  double least = here.least;
-  for (int i = 0; i < 2; ++i) {
-    const double d = 2 * residual / least;
-    if (!(r * (1 + 0x1p-40) + d < lens.end)) return kNone;  // also a NaN
-    const double reach = d + 0x1p-50 * r;
-    const double m = responseOver(lens, {std::max(0.0, r - reach), r + reach}).least;
-    if (residual <= m * d) {
-      const double error = residual / m;
-      return error <= kWorstError ? Undistorted{*at, error} : kNone;
-    }
-    least = m;
+Undistorted fromSphere(const LensParts& lens, const PlanePoint<DoubleDouble>& target) noexcept {
+  constexpr double kFarFromZero = 0x1p-56;
+  Unbent plane{target, 0x1p-95 * (1 + length(target.x.hi, target.y.hi))};
+  if (lens.isBrown && length(target.x.hi, target.y.hi) > kTiny) {
+    const auto found = unbent(lens, target);
+    if (!found) return kNone;
+    plane = *found;
   }
-  return kNone;
+  const auto [at, growth, least] = sphereSight<DoubleDouble>(lens, plane.at);
+  if (!(length(plane.at.x.hi, plane.at.y.hi) < lens.planeEnd && least > kFarFromZero)) return kNone;
+  return {at, growth * plane.error + 0x1p-60};
 }
 
-/// Of the angle alone: its slope in a range around a point in place of m.
-Undistorted undistortFisheye(const LensParts& lens, const Tangents<DoubleDouble>& target) noexcept {
-  const DoubleDouble square = target.x * target.x + target.y * target.y;
-  const DoubleDouble size = sqrt(square);
-  if (!(size.hi < lens.outerEdge * (1 - 0x1p-51))) return kNone;
-  if (size.hi < kTiny) return {target, kFineUnit};
-  const double end = std::min(lens.end, kQuarterTurn.hi);
+/// The root of the angle's polynomial, and its sine and cosine.
+Undistorted fromAngle(const LensParts& lens, const PlanePoint<DoubleDouble>& target) noexcept {
+  const DoubleDouble size = sqrt(target.x * target.x + target.y * target.y);
+  if (size.hi < kTiny) return {{target.x / lens.across, target.y / lens.across, 1}, 0x1p-60};
   const auto put = [&](const auto& t) { return t * series(lens.numerator(), t * t); };
-  const auto slopeAt = [&](double t) {
-    const double w = t * t, *const k = lens.k.data();
-    return 1 + w * (3 * k[0] + w * (5 * k[1] + w * (7 * k[2] + w * 9 * k[3])));
-  };
-  const double root = risingRoot(0, end, std::min(size.hi, end), [&](double t) -> ValueAndSlope {
-    return {put(t) - size.hi, slopeAt(t)};
-  });
+  const auto slopeAt = [&](double t) { return put(Dual<double>(t, 1, 0)); };
+  const double root = risingRoot(0, lens.angleEnd, std::min(size.hi, lens.angleEnd),
+                                 [&](double t) { return slopeAt(t) + Dual<double>(-size.hi); });
   DoubleDouble t = root;
+  double step = 0;
   for (int i = 0; i < 6; ++i) {
-    const double step = (put(t) - size).hi / slopeAt(t.hi);
+    step = (put(t) - size).hi / slopeAt(t.hi).x;
     t = t - DoubleDouble(step);
-    if (std::fabs(step) <= kSettled * t.hi) break;
+    if (std::fabs(step) <= kLastStep * t.hi) break;
   }
-  const double residual =
-      std::fabs((put(t) - size).hi) + kFineUnit * size.hi + kFineUnit * roughly(lens, t.hi, 0.0).rounding;
-  const double d = 2 * residual / slopeAt(t.hi), reach = d + 0x1p-50 * t.hi;
-  const double m = slopeOver(lens, {std::max(0.0, t.hi - reach), t.hi + reach}).low;
-  if (!(m > 0 && residual <= m * d && t.hi + reach < lens.end)) return kNone;
-  const Direction direction = directionOf(t);
-  const DoubleDouble factor = direction.across / (direction.along * size);
-  const double error = residual / m + kFineUnit * 4;
-  if (!(error <= kWorstError && direction.across.hi < direction.along.hi * kLargestTangent)) return kNone;
-  return {{target.x * factor, target.y * factor}, error};
+  // Newton-Kantorovich; the curvature is below these sizes of the terms, over t.
+  const double slope = slopeAt(t.hi).x, of = sizes(lens.numerator(), t.hi * t.hi, 1, 30);
+  const double around = 2 * (std::fabs(step) + 4 * kAngleUnits * kFineUnit * t.hi * of / slope);
+  if (!(slope > 0 && around * of * 72 <= slope * t.hi / 8 && t.hi * (1 + 0x1p-50) + around < lens.angleEnd))
+    return kNone;
+  const Direction along = directionOf(t);
+  const DoubleDouble sine = along.across / lens.across,
+                     by = DoubleDouble(1) / sqrt(sine * sine + along.along * along.along);
+  const DoubleDouble across = sine * by / size;
+  const double c = lens.across.hi;
+  return {{target.x * across, target.y * across, along.along * by}, around * std::max(c, 1 / c) + 0x1p-60};
 }
 
 }  // namespace
 
-Undistorted undistort(const LensParts& lens, const Tangents<DoubleDouble>& target) noexcept {
-  return lens.model == LensModel::brown ? undistortBrown(lens, target) : undistortFisheye(lens, target);
+Undistorted undistortSlowly(const LensParts& lens, const PlanePoint<DoubleDouble>& target) noexcept {
+  if (!(length(target.x.hi, target.y.hi) <= lens.edge)) return kNone;  // also a NaN
+  const Undistorted found = lens.isAngle ? fromAngle(lens, target) : fromSphere(lens, target);
+  return found.error <= kWorstSightError && isSeen(lens, found.at).isSeen ? found : kNone;
+}
+
+Undistorted undistort(const LensParts& lens, const PlanePoint<DoubleDouble>& target) noexcept {
+  using Number = Fine<ScalarLanes>;
+  const auto [at, error, isSettled, hasNone] = LensInverse<ScalarLanes>(lens)({Number(target.x), Number(target.y)});
+  if (hasNone) return kNone;
+  if (!isSettled) return undistortSlowly(lens, target);
+  const auto pair = [](const Number& a) { return DoubleDouble(a.hi, a.lo); };
+  return {{pair(at.right), pair(at.down), pair(at.forward)}, error};
 }
 
 }  // namespace viewproj::detail

@@ -8,14 +8,16 @@ namespace viewproj::detail {
 /// The angle of this slope in radians, for 0 <= slope < 2^900. The relative error is at most 2^-94.
 DoubleDouble arctangent(DoubleDouble slope) noexcept;
 
-/// The sine (across) and cosine (along) of an angle from 0 to a quarter turn, both divided by the larger one. The angle
-/// they represent is within 2^-94 relative.
+/// The sine (across) and cosine (along) of an angle from 0 to a half turn, both divided by the size of the larger one.
+/// The angle they represent is within 2^-94 relative.
 struct Direction {
   DoubleDouble across, along;
 };
 Direction directionOf(DoubleDouble angle) noexcept;
 
 inline constexpr DoubleDouble kQuarterTurn{0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54};
+inline constexpr DoubleDouble kDegreesPerRadian{0x1.ca5dc1a63c1f8p+5, -0x1.1e7ab456405f9p-49};
+inline constexpr DoubleDouble kHalfTurn{0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53};
 
 // ---- The formula, for double-double and for lanes of it
 
@@ -62,7 +64,7 @@ constexpr auto kOdd = [] {
 
 /// z - z^3/3 + z^5/5 - ... of |z| <= 1/32.
 template <class Number>
-Number arctangentOfSmall(const Number& z) noexcept {
+[[gnu::always_inline]] inline Number arctangentOfSmall(const Number& z) noexcept {
   const Number minusSquare = -(z * z);
   auto rest = high(Number(kOdd.of[12].hi));
   for (int n = 11; n >= 4; --n) rest = kOdd.of[n].hi + high(minusSquare) * rest;  // these are below 2^-43
@@ -71,17 +73,20 @@ Number arctangentOfSmall(const Number& z) noexcept {
   return z + z * (minusSquare * sum);
 }
 
-/// arctangent. A NaN's is none.
+/// The angle from 0 to a half turn whose sine and cosine are these times any length. across >= 0. A NaN's is none.
 template <class Number>
-Number angleOf(const Number& slope) noexcept {
-  const auto isSteep = high(slope) > 1.0;
-  const Number along = choose(isSteep, slope, Number(1)), across = choose(isSteep, Number(1), slope);
-  const Number position = 16.0 * (high(across) / high(along)) + 0.5;
+[[gnu::always_inline]] inline Number angleOf(const Number& across, const Number& along) noexcept {
+  const auto isBackward = high(along) < 0.0;
+  const Number size = choose(isBackward, Number(-along), along);
+  const auto isSteep = high(across) > high(size);
+  const Number larger = choose(isSteep, across, size), smaller = choose(isSteep, size, across);
+  const Number position = 16.0 * (high(smaller) / high(larger)) + 0.5;
   const Number index = choose(high(position) > 0.0, position, Number(0));
   const Number start = entryAt(index, [](int i) { return DoubleDouble(i / 16.0); });
   const Number angle = entryAt(index, [](int i) { return kArctangents[i]; }) +
-                       arctangentOfSmall(Number((across - start * along) / (along + start * across)));
-  return choose(isSteep, Number(kQuarterTurn) - angle, angle);
+                       arctangentOfSmall(Number((smaller - start * larger) / (larger + start * smaller)));
+  const Number forward = choose(isSteep, Number(kQuarterTurn) - angle, angle);
+  return choose(isBackward, Number(kHalfTurn) - forward, forward);
 }
 
 }  // namespace viewproj::detail

@@ -139,7 +139,7 @@ ErrorBound boundOfPoint(const Camera& camera, const Vec4& point, Precision preci
   const ScreenPoint p = worldToScreen(withoutLens(camera), point, Precision::exact);
   const ErrorBound input = boundOfInput(pinhole, p, pointError);
   const ErrorBound bound = boundOfArithmetic(pinhole, p, point, c.lens || point.w != 1 ? Precision::exact : precision);
-  return {c.lens ? boundThroughLens(camera, point, input.screen) : bound.screen + input.screen,
+  return {c.lens ? boundThroughLens(camera, point, pointError) : bound.screen + input.screen,
           bound.depth + input.depth};
 }
 

@@ -49,9 +49,15 @@ NearestDouble screenCoordinate(DoubleDouble center, double reach, DoubleDouble s
                   Wide(std::fabs(scale.hi)) * h.error + Wide(kExactParameter) * (Wide(reach) + magnitude(step))});
 }
 
-BoundedTangents tangentsOf(const Distances& e) noexcept {
-  const Bounded x = e.dividedByForward(e.right), y = e.dividedByForward(-e.up);
-  return {{toDoubleDouble(x.value), toDoubleDouble(y.value)}, std::max(double(x.error), double(y.error))};
+/// The direction, scaled by a power of two, so that squares neither overflow nor underflow.
+Sight<DoubleDouble> sightOf(const Distances& e) noexcept {
+  const int exponent = std::max({e.right.exponent, e.up.exponent, e.forward.exponent});
+  const auto scaled = [&](const Wide& a) {
+    const int power = std::max(a.exponent - exponent, -900);
+    const DoubleDouble value = scaleByPowerOfTwo(a.value, power);
+    return e.weight < 0 ? -value : value;
+  };
+  return {scaled(e.right), -scaled(e.up), scaled(e.forward)};
 }
 
 NearestDouble windowDepth(const CameraParts& c, const Bounded& distance, bool distanceIsExact) noexcept {
@@ -91,31 +97,38 @@ ScreenPoint toScreen(const CameraParts& c, const Distances& e) noexcept {
                            : e.forwardIsExact ? Bounded{e.forward, {}}
                                               : e.dividedByWeight(e.forward);
   const NearestDouble viewDistance = isDirection ? NearestDouble{kNaN, true} : nearest(distance);
+  const bool isForward = e.forward.sign() * (e.weight < 0 ? -1 : 1) > 0;
   ScreenPoint p;
-  if (!orthographic && !(e.forward.sign() * (e.weight < 0 ? -1 : 1) > 0)) {
-    p = without(PointStatus::behind, viewDistance.value);
-    p.certain = viewDistance.certain;
+  LensPixel bent{};
+  if (c.lens) bent = bentPixel(c, sightOf(e));
+  if (!orthographic && (c.lens ? !bent.seen.isSeen : !isForward)) {
+    p = without(isForward ? PointStatus::beyondLens : PointStatus::behind, viewDistance.value);
+    p.certain = viewDistance.certain && (!c.lens || bent.seen.certain);
+    if (!isForward) return p;
+  }
+  const NearestDouble depth = !orthographic && !isForward ? NearestDouble{kNaN, true}
+                              : isDirection               ? NearestDouble{c.depthAtInfinity, true}
+                              : hasDepth(c.projection)    ? windowDepth(c, distance, e.forwardIsExact)
+                                                          : NearestDouble{kNaN, true};
+  p.depth = depth.value;
+  if (p.status == PointStatus::beyondLens) {
+    p.certain = p.certain && depth.certain;
     return p;
   }
   const ScreenMap& map = c.screen;
   const auto inWindow = [&](const Wide& a) { return orthographic ? e.dividedByWeight(a) : e.dividedByForward(a); };
-  const auto [x, y] = c.lens ? bentPixel(c, tangentsOf(e))
-                             : NearestPixel{screenCoordinate(map.centerX, map.reachX, map.scaleX, inWindow(e.right)),
-                                            screenCoordinate(map.centerY, map.reachY, map.scaleY, inWindow(e.up))};
-  const NearestDouble depth = isDirection              ? NearestDouble{c.depthAtInfinity, true}
-                              : hasDepth(c.projection) ? windowDepth(c, distance, e.forwardIsExact)
-                                                       : NearestDouble{kNaN, true};
-  p.x = x.value;
-  p.y = y.value;
-  p.depth = depth.value;
-  p.viewDistance = viewDistance.value;
-  p.certain = viewDistance.certain && x.certain && y.certain && depth.certain;
-  if (std::isnan(p.x)) {
-    p.status = PointStatus::beyondLens;
-    return p;
+  if (!c.lens) {
+    bent.x = screenCoordinate(map.centerX, map.reachX, map.scaleX, inWindow(e.right));
+    bent.y = screenCoordinate(map.centerY, map.reachY, map.scaleY, inWindow(e.up));
   }
+  p.x = bent.x.value;
+  p.y = bent.y.value;
+  p.viewDistance = viewDistance.value;
+  p.certain =
+      viewDistance.certain && bent.x.certain && bent.y.certain && depth.certain && (!c.lens || bent.seen.certain);
   p.outside = sidesBeyond(c, p);
-  if (isDirection && std::isfinite(c.projection.far)) p.outside |= sideFar;
+  if (isDirection && isForward && std::isfinite(c.projection.far)) p.outside |= sideFar;
+  if (isDirection && !isForward && hasDepth(c.projection)) p.outside |= sideNear;
   return p;
 }
 
@@ -164,8 +177,6 @@ ScreenPoint exactToScreen(const CameraParts& c, const Vec4& point) noexcept {
   return toScreen(c, distancesOf(c, point));
 }
 
-BoundedTangents exactTangents(const CameraParts& c, const Vec4& point) noexcept {
-  return tangentsOf(distancesOf(c, point));
-}
+Sight<DoubleDouble> exactSight(const CameraParts& c, const Vec4& point) noexcept { return sightOf(distancesOf(c, point)); }
 
 }  // namespace viewproj::detail

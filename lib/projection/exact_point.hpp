@@ -46,7 +46,8 @@ inline std::uint8_t sidesBeyond(const CameraParts& c, const ScreenPoint& p) noex
   if (!(p.x <= c.corners.last.x)) sides |= sideRight;
   if (!(p.y >= c.corners.first.y)) sides |= down ? sideTop : sideBottom;
   if (!(p.y <= c.corners.last.y)) sides |= down ? sideBottom : sideTop;
-  if (p.viewDistance < c.projection.near) sides |= sideNear;
+  // Through a lens a point may be seen that is not in front, by a camera without a near plane too.
+  if (p.viewDistance < c.projection.near && hasDepth(c.projection)) sides |= sideNear;
   if (p.viewDistance > c.projection.far) sides |= sideFar;
   return static_cast<std::uint8_t>(sides);
 }
@@ -54,7 +55,7 @@ inline std::uint8_t sidesBeyond(const CameraParts& c, const ScreenPoint& p) noex
 /// The screen position of any point, from exactDistances. A number that is not certain is a tie or cancels to about 0.
 ScreenPoint exactToScreen(const CameraParts& camera, const Vec4& point) noexcept;
 
-/// The same point's tangents, of a camera with a lens.
-BoundedTangents exactTangents(const CameraParts& camera, const Vec4& point) noexcept;
+/// The same point's direction, of a camera with a lens.
+Sight<DoubleDouble> exactSight(const CameraParts& camera, const Vec4& point) noexcept;
 
 }  // namespace viewproj::detail

@@ -16,17 +16,26 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr Vec3 kNoVector{kNaN, kNaN, kNaN};
 
-/// The point on the plane at distance 1 from the eye, in orthographic on the plane through it. NaN if no point has this
-/// pixel.
+/// Right and up of the viewing axis, on the plane at distance 1 from the eye, in orthographic on the plane through it.
+/// Of a ray that points backwards: on the plane at distance 1, times the negative. NaN if no point has this pixel.
+struct WindowPoint {
+  DoubleDouble right, up;
+  double sign = 1;  ///< of the ray's forward part; 0 for a ray along the eye plane
+};
+
 WindowPoint windowAt(const CameraParts& c, const Vec2& screen) noexcept {
-  if (c.lens) return beforeLens(c, screen);
+  if (c.lens) {
+    const Sight<DoubleDouble> at = sightOf(c, screen);
+    const double forward = at.forward.hi;
+    return {at.right / at.forward, -(at.down / at.forward), forward > 0 ? 1.0 : forward < 0 ? -1.0 : forward};
+  }
   return {sumOrZero(screen.x, -c.screen.centerX) / c.screen.scaleX,
           sumOrZero(screen.y, -c.screen.centerY) / c.screen.scaleY};
 }
 
 /// The offset from the unrounded eye to the point at this distance.
 DDVec3 offsetAt(const CameraParts& c, const WindowPoint& window, DoubleDouble distance) noexcept {
-  const auto [right, up] = window;
+  const DoubleDouble &right = window.right, &up = window.up;
   const Axes& axes = c.pose.columns;
   const DoubleDouble spread = c.projection.orthographic ? DoubleDouble(1) : distance;
   const DDVec3 along{right * spread, up * spread, distance};
@@ -57,13 +66,19 @@ bool setOrigin(Vec3& origin, const CameraParts& c, const Vec2& screen, double di
   return true;
 }
 
+/// Through a lens, in every precision: the bits of a batch.
+Vec3 lensDirection(const CameraParts& c, const Vec2& screen) noexcept {
+  const Sight<DoubleDouble> at = sightOf(c, screen);
+  const auto r = RayFormula<ScalarLanes>::along(c.constants, at.right.hi, at.down.hi, at.forward.hi);
+  return {r.x, r.y, r.z};
+}
+
 Vec3 exactDirection(const CameraParts& c, const Vec2& screen) noexcept {
   return c.projection.orthographic ? c.direction : rounded(normalized(offsetAt(c, windowAt(c, screen), 1)));
 }
 
 Vec3 standardDirection(const CameraParts& c, const Vec2& screen) noexcept {
   if (c.projection.orthographic) return c.direction;
-  if (c.lens) return exactDirection(c, screen);
   const auto r = RayFormula<ScalarLanes>(c.constants)(screen.x, screen.y);
   return r.squaredLength < kLargestSquaredLength ? Vec3{r.x, r.y, r.z} : exactDirection(c, screen);
 }
@@ -92,11 +107,18 @@ WorldPoint pointAt(const CameraParts& c, const WindowPoint& window, const Wide& 
 Ray screenToRay(const Camera& camera, const Vec2& screen, Precision precision, RayOrigin origin) noexcept {
   const CameraParts& c = parts(camera);
   if (!isInDomain(screen)) return {kNoVector, kNoVector};
-  Ray ray{c.pose.eye, precision == Precision::exact ? exactDirection(c, screen) : standardDirection(c, screen)};
+  Ray ray{c.pose.eye, c.lens                          ? lensDirection(c, screen)
+                      : precision == Precision::exact ? exactDirection(c, screen)
+                                                      : standardDirection(c, screen)};
   const bool isAtNear = origin == RayOrigin::nearPlane;
   const double distance = isAtNear ? c.projection.near : 0;
-  if (c.projection.orthographic ? !setOrigin(ray.origin, c, screen, distance) : isAtNear)
-    ray.origin = worldPointAt(c, windowAt(c, screen), distance);
+  if (c.projection.orthographic ? !setOrigin(ray.origin, c, screen, distance) : isAtNear) {
+    const WindowPoint window = windowAt(c, screen);
+    if (window.sign > 0)
+      ray.origin = worldPointAt(c, window, distance);
+    else if (distance > 0 || std::isnan(window.sign))
+      ray.origin = kNoVector;  // a ray that points backwards does not meet the near plane
+  }
   return ray;
 }
 
@@ -104,9 +126,9 @@ WorldPoint screenToWorld(const Camera& camera, const Vec2& screen, double depth)
   const CameraParts& c = parts(camera);
   if (!isInDomain(screen) || !std::isfinite(depth)) return {kNoVector, DepthStatus::notFinite};
   const WindowPoint window = windowAt(c, screen);
-  if (std::isnan(window.up.hi)) return {kNoVector, DepthStatus::noRay};
+  if (std::isnan(window.sign)) return {kNoVector, DepthStatus::noRay};
   const ProjectionParts& p = c.projection;
-  if (!hasDepth(p)) return {kNoVector, DepthStatus::beyond};
+  if (!hasDepth(p) || !(window.sign > 0)) return {kNoVector, DepthStatus::beyond};
   // The depth's differences to near's and far's depth, as shares of the range.
   const Wide near = p.near, far = p.far, atNear = c.depthAtNear, atFar = c.depthAtFar, range = atFar - atNear;
   const Wide fromNear = (Wide(depth) - atNear) / range, fromFar = (atFar - Wide(depth)) / range;
@@ -127,8 +149,8 @@ WorldPoint screenToWorldAtDistance(const Camera& camera, const Vec2& screen, dou
   const CameraParts& c = parts(camera);
   if (!isInDomain(screen) || !std::isfinite(viewDistance)) return {kNoVector, DepthStatus::notFinite};
   const WindowPoint window = windowAt(c, screen);
-  if (std::isnan(window.up.hi)) return {kNoVector, DepthStatus::noRay};
-  if (!c.projection.orthographic && !(viewDistance > 0)) return {kNoVector, DepthStatus::beyond};
+  if (std::isnan(window.sign)) return {kNoVector, DepthStatus::noRay};
+  if (!c.projection.orthographic && !(viewDistance * window.sign > 0)) return {kNoVector, DepthStatus::beyond};
   return pointAt(c, window, viewDistance, 0);
 }
 

@@ -34,7 +34,7 @@ Kernels::Project kernelOf(const CameraParts& c, Precision precision) noexcept {
   return c.lens ? kernels().throughLens : precision == Precision::standard ? kernels().standard : kernels().exact;
 }
 
-/// A point that a formula has settled. isSeen: it is neither behind the eye plane nor beyond the lens. `alsoOutside`:
+/// A point that a formula has settled. isSeen: it has a screen position. `alsoOutside`:
 /// sides that a direction lies beyond.
 ScreenPoint settled(const CameraParts& c, bool isSeen, const Vec3& position, double distance, Precision precision,
                     std::uint8_t alsoOutside = 0) noexcept {
@@ -156,12 +156,11 @@ void screenToRayDirections(const Camera& camera, std::span<const Vec2> pixels, s
         directions[i] = c.direction;
       else
         settle(i);
-  } else if (c.lens) {
-    for (std::size_t i = 0; i < count; ++i) settle(i);
   } else {
+    const auto rays = c.lens ? kernels().raysThroughLens : kernels().rays;
     for (std::size_t i = 0; i < count; i += kBlock) {
       Left left;
-      kernels().rays(c.constants, &pixels[i].x, &directions[i].x, std::min(kBlock, count - i), left.bits);
+      rays(c.constants, &pixels[i].x, &directions[i].x, std::min(kBlock, count - i), left.bits);
       left.each([&](std::size_t j) { settle(i + j); });
     }
   }

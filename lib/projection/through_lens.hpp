@@ -1,5 +1,5 @@
-// Points and pixels of cameras with a lens: the pinhole's, bent. Internal; of viewproj/screen.hpp, where a camera has
-// one.
+// Projection and rays through a lens, from distances along the camera's axes in double-double: what the kernel leaves,
+// and bounds.
 #pragma once
 
 #include "camera/camera.hpp"
@@ -9,29 +9,18 @@
 
 namespace viewproj::detail {
 
-/// Tangents right and up of the viewing axis.
-struct WindowPoint {
-  DoubleDouble right, up;
-};
-/// What a pixel is before the lens; NaN where no point has it.
-WindowPoint beforeLens(const CameraParts& c, const Vec2& screen) noexcept;
+/// The direction that a pixel shows, of unit length; NaN where there is none.
+Sight<DoubleDouble> sightOf(const CameraParts& c, const Vec2& screen) noexcept;
 
-/// Each of the two is within error of the true one.
-struct BoundedTangents {
-  Tangents<DoubleDouble> at;
-  double error;
-
-  double radius() const noexcept { return std::sqrt(at.x.hi * at.x.hi + at.y.hi * at.y.hi); }
-};
-
-struct NearestPixel {
+/// Where a lens puts a direction whose distances are within 2^-98 of the true ones. NaN if it does not see it; isSeen tells whether that is certain.
+struct LensPixel {
   NearestDouble x, y;
+  Seen seen;
 };
-/// Where a lens puts tangents; NaN from its limit on.
-NearestPixel bentPixel(const CameraParts& c, const BoundedTangents& tangents) noexcept;
+LensPixel bentPixel(const CameraParts& c, const Sight<DoubleDouble>& sight) noexcept;
 
-/// The bound of a point's pixel, whose pixel without the lens is known to `shift`.
-double boundThroughLens(const Camera& camera, const Vec4& point, double shift) noexcept;
+/// The bound of the pixel of a point that may be pointError from the true one.
+double boundThroughLens(const Camera& camera, const Vec4& point, double pointError) noexcept;
 ErrorBound boundInPictureThroughLens(const CameraParts& c) noexcept;
 
 // ---- Of bounds.cpp

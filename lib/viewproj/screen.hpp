@@ -22,9 +22,9 @@ enum class Precision {
 /// Where a point or a direction lies, seen from the camera.
 enum class PointStatus : std::uint8_t {
   inFront,     ///< has a screen position, which is infinite beyond the largest double
-  behind,      ///< perspective: on or behind the plane through the eye; no screen position
+  behind,      ///< perspective: on or behind the plane through the eye, and no lens sees it; no screen position
   atInfinity,  ///< orthographic: a direction, which has no finite screen position
-  beyondLens,  ///< in front, at the limit of the camera's lens or beyond; no screen position
+  beyondLens,  ///< in front, but the camera's lens does not see it; no screen position
   outOfRange,  ///< not finite, farther than kFarthestPoint from the eye, or 0 0 0 0
 };
 
@@ -48,7 +48,7 @@ enum Side : std::uint8_t {
 /// Numbers that do not exist are NaN.
 struct ScreenPoint {
   double x = 0, y = 0;      ///< position, in the viewport's origin and pixelCenter
-  double depth = 0;         ///< window depth, not clamped; NaN without a near plane
+  double depth = 0;         ///< window depth, not clamped; NaN without a near plane, and of points that are not in front
   double viewDistance = 0;  ///< along the viewing axis; NaN for a direction
   PointStatus status = PointStatus::inFront;
   std::uint8_t outside = 0;  ///< the Sides that the point is beyond; a point on a boundary is inside
@@ -130,7 +130,7 @@ struct Ray {
 
 enum class RayOrigin {
   eye,        ///< on the plane through the eye: the eye itself in perspective, one point per pixel in orthographic
-  nearPlane,  ///< the eye if there is no near plane
+  nearPlane,  ///< the eye if there is no near plane; NaN for a ray that points backwards
 };
 
 /// Largest angle in radians between a ray's direction and the true one, for pixels of the picture, in every precision,
@@ -139,15 +139,16 @@ enum class RayOrigin {
 inline constexpr double kRayDirectionBound = 1.2e-15;
 
 /// The ray of points that project to this screen position. NaN for a pixel that is not finite or beyond kFarthestPoint,
-/// or that has no point through the lens. In exact, each component is within 0.51 ulp of the true one.
+/// or that has no point through the lens. Through a lens it may point backwards. In exact without a lens each component
+/// is within 0.51 ulp.
 Ray screenToRay(const Camera& camera, const Vec2& screen, Precision precision = Precision::exact,
                 RayOrigin origin = RayOrigin::eye) noexcept;
 
 enum class DepthStatus : std::uint8_t {
   point,
   infinity,   ///< the window depth of infinitely distant points: a direction, not a point
-  beyond,     ///< no point in front of the eye has this depth; always if the camera has no near plane
-  noRay,      ///< the lens shows no point in front of the camera there
+  beyond,     ///< the ray has no point of this depth or distance; no depth has one if there is no near plane
+  noRay,      ///< the lens shows nothing there
   notFinite,  ///< the input had a NaN or an infinity, or a pixel beyond kFarthestPoint
 };
 

@@ -12,10 +12,19 @@ struct Model {
   std::size_t focalLengths, coefficients;
 };
 /// One or two focal lengths and cx, cy come before the coefficients, which are in OpenCV's order.
-constexpr Model kModels[] = {{"SIMPLE_PINHOLE", 1, 0}, {"PINHOLE", 2, 0},       {"SIMPLE_RADIAL", 1, 1},
-                             {"RADIAL", 1, 2},         {"OPENCV", 2, 4},        {"FULL_OPENCV", 2, 8},
-                             {"SIMPLE_FISHEYE", 1, 0}, {"FISHEYE", 2, 0},       {"SIMPLE_RADIAL_FISHEYE", 1, 1},
-                             {"RADIAL_FISHEYE", 1, 2}, {"OPENCV_FISHEYE", 2, 4}};
+constexpr Model kModels[] = {{"SIMPLE_PINHOLE", 1, 0},
+                             {"PINHOLE", 2, 0},
+                             {"SIMPLE_RADIAL", 1, 1},
+                             {"RADIAL", 1, 2},
+                             {"OPENCV", 2, 4},
+                             {"FULL_OPENCV", 2, 8},
+                             {"SIMPLE_FISHEYE", 1, 0},
+                             {"FISHEYE", 2, 0},
+                             {"SIMPLE_RADIAL_FISHEYE", 1, 1},
+                             {"RADIAL_FISHEYE", 1, 2},
+                             {"OPENCV_FISHEYE", 2, 4},
+                             {"FOV", 2, 1},
+                             {"EUCM", 2, 2}};
 
 Json cameraOf(const Node& node) {
   const Node name = node.require("model");
@@ -27,6 +36,9 @@ Json cameraOf(const Node& node) {
   Json camera = pinholeCamera(p, sizeOf(node, {"width"}, {"height"}));
   camera["viewport"]["pixelCenter"] = 0.5;
   p.erase(p.begin(), p.begin() + 4);
+  if (model->name == "FOV" && p[0] != 0) camera["distortion"] = {{"model", "fov"}, {"omega", p[0]}};
+  if (model->name == "EUCM") camera["distortion"] = {{"model", "unified"}, {"alpha", p[0]}, {"beta", p[1]}};
+  if (model->name == "FOV" || model->name == "EUCM") return camera;
   const bool isFisheye = model->name.ends_with("FISHEYE");
   if (!isFisheye && std::all_of(p.begin(), p.end(), [](double coefficient) { return coefficient == 0; })) return camera;
   Json& distortion = camera["distortion"] = {{"model", isFisheye ? "fisheye" : "brown"}};

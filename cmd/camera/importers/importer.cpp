@@ -31,6 +31,7 @@ constexpr std::string_view kBrown[] = {"",
 constexpr std::string_view kFisheye[] = {"fisheye",        "equidistant",     "equi",
                                          "kannala_brandt", "kannala_brandt4", "opencv_fisheye",
                                          "simple_fisheye", "radial_fisheye",  "simple_radial_fisheye"};
+constexpr std::string_view kFov[] = {"fov", "ftheta"};
 /// Pinholes if all coefficients are 0, otherwise not supported.
 constexpr std::string_view kPinhole[] = {"none", "pinhole", "simple_pinhole", "modified_brown_conrady",
                                          "inverse_brown_conrady"};
@@ -80,6 +81,10 @@ Json distortionOf(const Node& coefficients, std::string_view model) {
   if (contains(kFisheye, name)) {
     while (c.size() > 4 && c.back() == 0) c.pop_back();
     return {{"model", "fisheye"}, {"k", c}};
+  }
+  if (contains(kFov, name)) {
+    if (c.empty() || !areZero(std::span(c).subspan(1))) coefficients.fail("expected one number, omega");
+    return c[0] == 0 ? Json() : Json{{"model", "fov"}, {"omega", c[0]}};
   }
   if (!mayBePinhole(model)) coefficients.fail("lens model " + std::string(model) + " is not supported");
   if (areZero(c)) return nullptr;

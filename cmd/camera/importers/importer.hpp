@@ -38,9 +38,10 @@ std::span<const Importer* const> importers();
 /// support it. why: the rest of the sentence after the member's name.
 void refuse(const Node& node, std::initializer_list<std::string_view> members, std::string_view why);
 
-/// {"model": "brown", "k": ..., "p": ...} or {"model": "fisheye", "k": ...} from coefficients in OpenCV's order; null
-/// if all of brown's are 0. model: its name in the file; empty for OpenCV's own list. A known model that our document
-/// lacks is passed on, so that its reader can refuse or ignore it. Throws for an unknown model.
+/// {"model": "brown", "k": ..., "p": ...}, {"model": "fisheye", "k": ...} or {"model": "fov", "omega": ...} from
+/// coefficients in OpenCV's order; null if all of brown's are 0. model: its name in the file; empty for OpenCV's own
+/// list. A known model that our document lacks is passed on, so that its reader can refuse or ignore it. Throws for an
+/// unknown model.
 Json distortionOf(const Node& coefficients, std::string_view model);
 
 /// Whether a lens of this model is a pinhole if all its coefficients are 0 or there are none.

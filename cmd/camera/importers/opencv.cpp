@@ -68,7 +68,8 @@ void readDistortion(const Node& root, Json& camera) {
   const std::vector<double> c = coefficients->numbers();
   // The flag is true, or 1 in FileStorage.
   const bool fisheye = isFisheye && isFisheye->json() != false && isFisheye->json() != 0;
-  if (c.size() == 4 && !isFisheye && std::any_of(c.begin(), c.end(), [](double n) { return n != 0; }))
+  if (c.size() == 4 && !isFisheye && !root.find("xi") &&
+      std::any_of(c.begin(), c.end(), [](double n) { return n != 0; }))
     coefficients->fail(
         "4 coefficients may be k1, k2, p1, p2, or k1 to k4 of a fisheye; add distortion_model to the file, "
         "\"plumb_bob\" or \"fisheye\"");
@@ -84,6 +85,12 @@ Json document(const Node& root) {
     if (const auto value = root.find(key)) camera["projection"][key] = value->json();
   readPose(root, camera);
   readDistortion(root, camera);
+  if (const auto xi = root.find("xi")) {
+    Json& lens = camera["distortion"];
+    if (!lens.is_null() && lens["model"] != "brown") xi->fail("goes with the coefficients k1, k2, p1, p2 of omnidir");
+    lens["model"] = "omni";
+    lens["xi"] = xi->json().is_number() ? xi->number() : xi->numbers(1)[0];
+  }
   return camera;
 }
 

@@ -8,50 +8,13 @@
 
 #include <cmath>
 
-#include "lens/response.hpp"
+#include "lens/inverse.hpp"
 #include "projection/kernels/error_model.hpp"
-#include "projection/kernels/fine_lanes.hpp"
 #include "projection/kernels/kernels.hpp"
 #include "viewproj/screen.hpp"
 
 namespace viewproj::detail {
 namespace {
-
-/// The operations that formulas use. D is a double or a vector of doubles, M the result of comparing two D.
-struct ScalarLanes {
-  using D = double;
-  using M = bool;
-  static D splat(double a) { return a; }
-  static D absolute(D a) { return std::fabs(a); }
-  static D larger(D a, D b) { return a > b ? a : b; }
-  static D squareRoot(D a) { return std::sqrt(a); }
-  /// Calls a function for each lane.
-  template <class Function>
-  static D map(D a, const Function& function) {
-    return function(a);
-  }
-  /// multiplyAdd: a * b + c, rounded once or twice. productError: the error of the rounded product of a * b.
-#if defined(__FMA__) || defined(__ARM_FEATURE_FMA)
-  static constexpr bool hasFusedMultiplyAdd = true;
-  static D multiplyAdd(D a, D b, D c) { return __builtin_fma(a, b, c); }
-  static D productError(D a, D b, D product) { return __builtin_fma(a, b, -product); }
-#else
-  static constexpr bool hasFusedMultiplyAdd = false;
-  static D multiplyAdd(D a, D b, D c) { return a * b + c; }
-  static D productError(D a, D b, D) { return twoProd(a, b).lo; }
-#endif
-};
-
-/// Whether all conditions hold, lane by lane.
-inline bool all(bool a, bool b) { return a && b; }
-template <class A, class B>
-inline A all(A a, B b) {
-  return a & b;
-}
-template <class A, class B, class... More>
-inline A all(A a, B b, More... more) {
-  return all(all(a, b), more...);
-}
 
 /// The parts of a formula that a camera needs, and whether the distance is needed too (exact then certifies it).
 template <bool IsOrthographic, bool HasResidual, bool WantsDistance = false, bool HasLens = false>
@@ -156,31 +119,39 @@ class ExactFormula {
     } else {
       const Divisor by(w, r.distance);
       const Pair<D> z = quotient({L::splat(camera_.depthScale.hi), L::splat(camera_.depthScale.lo)}, by);
-      // Negative if w is; then the lane is not valid, whatever the errors.
+      // Negative if w is; then the lane has no depth, whatever the errors.
       const D t = reach * by.inverse;
-      // |X/W| is at most t times the largest entry of a row.
-      const D error = L::multiplyAdd(t, L::multiplyAdd(t, L::splat(errorW_ * camera_.sizeXY), L::splat(errorXY_)),
-                                     Traits::lens ? D{} : L::splat(errorCenter_));
-      M xyAreNearest;
-      if constexpr (Traits::lens) {
-        xyAreNearest = areNearestBent(quotient(x, by), quotient(y, by), by.inverse, error, r);
-      } else {
-        const M xIsNearest = isNearestSum(camera_.centerX, quotient(x, by), by.inverse, error, r.x);
-        const M yIsNearest = isNearestSum(camera_.centerY, quotient(y, by), by.inverse, error, r.y);
-        xyAreNearest = all(xIsNearest, yIsNearest);
-      }
       const D errorZ =
           L::multiplyAdd(by.inverse,
                          L::multiplyAdd(t, L::splat(errorW_ * std::fabs(camera_.depthScale.hi)),
                                         L::splat(kZivMargin * kExactQuotient * std::fabs(camera_.depthScale.hi))),
                          L::splat(errorOffset_));
       const D least = reach * kSignUncertaintyExact;
+      const M isForward = r.distance > least, isBackward = r.distance < -least;
       // A depth that does not exist is NaN, and certain.
       const D offset = L::splat(camera_.depthOffset.hi);
       // NOLINTNEXTLINE(misc-redundant-expression): only a NaN differs from itself
       const M zIsNearest = isNearestSum(camera_.depthOffset, z, by.inverse, errorZ, r.depth) | (offset != offset);
-      r.valid = all(inRange, r.distance > least, xyAreNearest, zIsNearest);
-      r.behind = all(inRange, r.distance < -least);
+      if constexpr (Traits::lens) {
+        const Sighted at =
+            throughLens({Fine<L>::twoSum(x.hi, x.lo), Fine<L>::twoSum(y.hi, y.lo), Fine<L>::twoSum(w.hi, w.lo)},
+                        (errorXY_ > errorW_ ? errorXY_ : errorW_) * reach, r);
+        const D none = L::splat(NAN);
+        r.x = at.isSeen ? r.x : none;
+        r.y = at.isSeen ? r.y : none;
+        r.depth = isForward ? r.depth : none;
+        r.behind = all(inRange, at.isUnseen, isBackward);
+        r.valid = all(inRange, either(all(isForward, zIsNearest), isBackward),
+                      either(at.isSeen, all(at.isUnseen, isForward)));
+      } else {
+        // |X/W| is at most t times the largest entry of a row.
+        const D error = L::multiplyAdd(t, L::multiplyAdd(t, L::splat(errorW_ * camera_.sizeXY), L::splat(errorXY_)),
+                                       L::splat(errorCenter_));
+        const M xIsNearest = isNearestSum(camera_.centerX, quotient(x, by), by.inverse, error, r.x);
+        const M yIsNearest = isNearestSum(camera_.centerY, quotient(y, by), by.inverse, error, r.y);
+        r.valid = all(inRange, isForward, xIsNearest, yIsNearest, zIsNearest);
+        r.behind = all(inRange, isBackward);
+      }
     }
     if constexpr (Traits::distance) {
       const D error = errorW_ * reach;
@@ -197,6 +168,8 @@ class ExactFormula {
   static constexpr double kZivMargin = 2;
   /// Adding and subtracting this times |d| rounds a coordinate of d to 27 bits of |d|, multiples of one number.
   static constexpr double kSplit = 0x1p27;
+  /// Nearer to the limit of a lens than this angle, the exact path decides.
+  static constexpr double kLimitMargin = 0x1p-40;
 
   /// A coordinate. high has the bits that kSplit leaves, low the rest, and hi is the hi of Pair.
   struct SplitLanes {
@@ -270,31 +243,37 @@ class ExactFormula {
     return {p, L::productError(high, b.hi, p) + (a.hi * b.lo + a.lo * b.hi)};
   }
 
-  /// Bends tangents from quotient(), each within error, and puts them on the screen. Returns whether both numbers are
-  /// the nearest doubles, or the point is certainly beyond the lens: then they are NaN. bentPixel() decides the others.
-  M areNearestBent(const Pair<D>& tangentX, const Pair<D>& tangentY, D factor, D error, Projected<D, M>& r) const {
+  /// isSeen: the lens sees the direction, and both numbers are the nearest doubles. isUnseen: it does not. Neither:
+  /// bentPixel() decides.
+  struct Sighted {
+    M isSeen, isUnseen;
+  };
+  /// Puts a point, each of its distances within error, on the screen.
+  Sighted throughLens(const Sight<Fine<L>>& at, D error, Projected<D, M>& r) const {
     using Number = Fine<L>;
     const LensParts& lens = *camera_.lens;
-    const Number x = Number::twoSum(tangentX.hi, tangentX.lo * factor);
-    const Number y = Number::twoSum(tangentY.hi, tangentY.lo * factor);
-    const Number u = x * x + y * y;
-    const Radial<Number> at = radial(lens, u);
-    const Tangents<Number> bent = bend(lens, {x, y}, u, at.factor);
-    const Number stepX = Number(camera_.scaleX) * bent.x, stepY = Number(camera_.scaleY) * bent.y;
+    const D forward = at.forward.hi;
+    const Mapped<Number> mapped = mapOf(lens, at);
+    const D aside = L::squareRoot(mapped.square.hi), length = L::squareRoot(mapped.square.hi + forward * forward);
+    // Relative to the limit of the lens. Its sine and cosine are of a unit vector.
+    const D side = forward * lens.limitSine.hi - aside * lens.limitCosine.hi, margin = kLimitMargin * length;
+    const M isInFront = (lens.limitCosine.hi <= 0 ? forward : -margin) > 0x1p-60 * length;
+    // Brown's polynomials are proven up to here.
+    const D divisor = lens.isAngle ? length : mapped.measure.hi;
+    const M isProven = aside < kLargestRadius / 2 * divisor;
+    const M isSeen = all(either(isInFront, side > margin), isProven, 2.0 * error < margin);
+    const M isUnseen = all(side < -margin, 2.0 * error < margin);
+    const PlanePoint<Number> put = planeOf(lens, mapped);
+    const Number stepX = Number(camera_.scaleX) * put.x, stepY = Number(camera_.scaleY) * put.y;
     // The error as in bentPixel(); errorCenter_ has its margin already.
-    const auto [stretch, rounding] = roughly(lens, L::squareRoot(u.hi), error);
     const D scale = L::splat(std::fmax(std::fabs(camera_.scaleX.hi), std::fabs(camera_.scaleY.hi)));
     const D shift = L::absolute(stepX.hi) + L::absolute(stepY.hi);
-    const D ofPixel = scale * (1.5 * stretch * error + kZivMargin * kFineUnit * rounding) +
-                      (errorCenter_ + 4 * kZivMargin * kExactParameter * shift);
+    const D ofPixel =
+        scale * errorOf(lens, aside, length, mapped.measure.hi, D(1.8 * error / length), kZivMargin * kFineUnit) +
+        (errorCenter_ + 4 * kZivMargin * kExactParameter * shift);
     const M xIsNearest = isNearestSum(camera_.centerX, Pair<D>{stepX.hi, stepX.lo}, ofPixel, r.x);
     const M yIsNearest = isNearestSum(camera_.centerY, Pair<D>{stepY.hi, stepY.lo}, ofPixel, r.y);
-    const D extent = L::squareRoot(at.square.hi), none = L::splat(NAN);
-    const M isBefore = extent + 2.0 * error < lens.end * (1 - 0x1p-40);
-    const M isBeyond = extent - 2.0 * error > lens.end * (1 + 0x1p-40);
-    r.x = isBeyond ? none : r.x;
-    r.y = isBeyond ? none : r.y;
-    return all(u.hi < kLargestTangent * kLargestTangent / 2, all(isBefore, xIsNearest, yIsNearest) | isBeyond);
+    return {all(isSeen, xIsNearest, yIsNearest), isUnseen};
   }
 
   /// Sets nearest to start + q + rest * factor, with q and rest from quotient(). Returns whether every number within
@@ -329,26 +308,56 @@ class RayFormula {
   };
 
   Direction operator()(D px, D py) const {
-    const D a = offsetFrom(camera_.centerX, px);
-    const D b = offsetFrom(camera_.centerY, py);
-    const D x = camera_.rayW.x + (a * camera_.rayX.x + b * camera_.rayY.x);
-    const D y = camera_.rayW.y + (a * camera_.rayX.y + b * camera_.rayY.y);
-    const D z = camera_.rayW.z + (a * camera_.rayX.z + b * camera_.rayY.z);
+    const Fine<L> a = offset(px, camera_.centerX), b = offset(py, camera_.centerY);
+    return along(camera_, a.hi + a.lo, b.hi + b.lo, L::splat(1));
+  }
+
+  /// x, y and z along the columns rayX, rayY, rayW.
+  static Direction along(const ProjectionConstants& camera, D a, D b, D c) {
+    const D x = c * camera.rayW.x + (a * camera.rayX.x + b * camera.rayY.x);
+    const D y = c * camera.rayW.y + (a * camera.rayX.y + b * camera.rayY.y);
+    const D z = c * camera.rayW.z + (a * camera.rayX.z + b * camera.rayY.z);
     const D squared = x * x + y * y + z * z;
     const D length = L::squareRoot(squared);
     return {x / length, y / length, z / length, squared};
   }
 
+  /// value - center. hi + lo is rounded once.
+  static Fine<L> offset(D value, const DoubleDouble& center) {
+    const Fine<L> difference = Fine<L>::twoSum(value, L::splat(-center.hi));
+    return {difference.hi, difference.lo - center.lo};
+  }
+
  private:
-  /// value - center, rounded once.
-  static D offsetFrom(const DoubleDouble& center, D value) {
-    const D difference = value - center.hi;
-    const D part = difference - value;
-    const D error = (value - (difference - part)) + ((L::splat(-center.hi)) - part);
-    return difference + (error - center.lo);
+  ProjectionConstants camera_;
+};
+
+/// The directions of rays through a lens.
+template <class L>
+class LensRayFormula {
+ public:
+  using D = typename L::D;
+  using M = typename L::M;
+
+  explicit LensRayFormula(const ProjectionConstants& camera) : camera_(camera), inverse_(*camera.lens) {}
+
+  typename LensInverse<L>::Result operator()(D px, D py) const {
+    return inverse_({offset(px, camera_.centerX) * Fine<L>(camera_.perScaleX),
+                     offset(py, camera_.centerY) * Fine<L>(camera_.perScaleY)});
+  }
+
+  const ProjectionConstants& camera() const { return camera_; }
+
+ private:
+  /// 0 where the terms cancel to less than the center's own error, as in sumOrZero.
+  static Fine<L> offset(D value, const DoubleDouble& center) {
+    const Fine<L> difference = RayFormula<L>::offset(value, center);
+    const Fine<L> sum = Fine<L>::twoSum(difference.hi, difference.lo);
+    return choose(L::absolute(sum.hi) <= kCancellation * L::absolute(value), Fine<L>(D{}), sum);
   }
 
   ProjectionConstants camera_;
+  LensInverse<L> inverse_;
 };
 
 }  // namespace

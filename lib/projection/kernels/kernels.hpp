@@ -6,6 +6,7 @@
 #include <span>
 
 #include "camera/camera.hpp"
+#include "lens/lens.hpp"
 
 namespace viewproj::detail {
 
@@ -21,6 +22,12 @@ struct Projected {
   Mask valid, behind;
 };
 
+/// The direction of a pixel through a lens, as LensInverse gives it. If it is not settled, undistortSlowly decides.
+struct LensSight {
+  Sight<DoubleDouble> at;
+  bool isSettled, hasNone;
+};
+
 /// Arrays have three doubles per point: x y z in; screen x, screen y and depth out, NaN if a point has none. distance
 /// has one double per point, its distance along the viewing axis, also behind the eye plane. It may be null.
 struct Kernels {
@@ -28,13 +35,19 @@ struct Kernels {
                            std::size_t count, Unsettled) noexcept;
   const char* name;
   Project standard, exact;
-  Project throughLens;  ///< exact, of cameras with a lens: of a point beyond it only screen x and y are NaN
+  /// exact, of cameras with a lens: of a point in front that it does not see only screen x and y are NaN, of a point
+  /// that it sees behind the eye plane only the depth
+  Project throughLens;
   /// Perspective ray directions of pixels (x y pairs in, x y z out).
   void (*rays)(const ProjectionConstants&, const double* pixels, double* directions, std::size_t count,
                Unsettled) noexcept;
+  /// The same through a lens; NaN if a pixel has none. Every component is the same in all kernels.
+  void (*raysThroughLens)(const ProjectionConstants&, const double* pixels, double* directions, std::size_t count,
+                          Unsettled) noexcept;
   /// Projects one point in exact: of weight 1, through a lens too; or in perspective without a lens, a direction's
   /// vanishing point, without a depth.
   Projected<double, bool> (*exactPoint)(const ProjectionConstants&, const Vec4& point) noexcept;
+  LensSight (*lensSight)(const ProjectionConstants&, const Vec2& pixel) noexcept;
 };
 
 /// All compiled kernels, from the slowest to the fastest.

@@ -1,6 +1,9 @@
-// Lanes in double-double, for lib/lens/lens.hpp's map of many points at a time: what a DoubleDouble is to a double.
+// Lanes of doubles and of double-doubles, for many points at a time: what a DoubleDouble is to a double.
+//
+// Everything here has internal linkage: each kernel is compiled for its own processor.
 #pragma once
 
+#include <cmath>
 #include <type_traits>
 
 #include "numbers/arctangent.hpp"
@@ -8,8 +11,52 @@
 namespace viewproj::detail {
 namespace {
 
+/// The operations that formulas use. D is a double or a vector of doubles, M the result of comparing two D.
+struct ScalarLanes {
+  using D = double;
+  using M = bool;
+  static D splat(double a) { return a; }
+  static D absolute(D a) { return std::fabs(a); }
+  static D larger(D a, D b) { return a > b ? a : b; }
+  static D squareRoot(D a) { return std::sqrt(a); }
+  /// A bit for each lane.
+  static unsigned bits(M m) { return m; }
+  /// Calls a function for each lane.
+  template <class Function>
+  static D map(D a, const Function& function) {
+    return function(a);
+  }
+  /// multiplyAdd: a * b + c, rounded once or twice. productError: the error of the rounded product of a * b.
+#if defined(__FMA__) || defined(__ARM_FEATURE_FMA)
+  static constexpr bool hasFusedMultiplyAdd = true;
+  static D multiplyAdd(D a, D b, D c) { return __builtin_fma(a, b, c); }
+  static D productError(D a, D b, D product) { return __builtin_fma(a, b, -product); }
+#else
+  static constexpr bool hasFusedMultiplyAdd = false;
+  static D multiplyAdd(D a, D b, D c) { return a * b + c; }
+  static D productError(D a, D b, D) { return twoProd(a, b).lo; }
+#endif
+};
+
+/// Whether all conditions hold, lane by lane.
+inline bool all(bool a, bool b) { return a && b; }
+template <class A, class B>
+inline A all(A a, B b) {
+  return a & b;
+}
+template <class A, class B, class... More>
+inline A all(A a, B b, More... more) {
+  return all(all(a, b), more...);
+}
+/// Whether one of them does.
+inline bool either(bool a, bool b) { return a || b; }
+template <class A>
+inline A either(A a, A b) {
+  return a | b;
+}
+
 /// |lo| <= ulp(hi)/2. Each result is within 2^-101 of the true one, of a sum relative to the sizes of its terms; an
-/// arctangent within kFineUnit.
+/// angle within 2^-94.
 template <class L>
 struct Fine {
   using D = typename L::D;
@@ -58,7 +105,6 @@ struct Fine {
     const D rest = ((a.hi - square) - L::productError(root, root, square)) + a.lo;
     return quickTwoSum(root, rest / (2.0 * root));
   }
-  friend Fine arctangent(const Fine& slope) { return angleOf(slope); }
 };
 
 }  // namespace
