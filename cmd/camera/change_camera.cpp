@@ -5,12 +5,14 @@
 #include <nlohmann/json.hpp>
 
 #include "camera/check.hpp"
-#include "camera/importers/importer.hpp"
 #include "camera/read_pose.hpp"
 #include "viewproj/matrices.hpp"
 
 namespace viewproj::cmd {
 namespace {
+
+/// The rows of a matrix as JSON.
+Json rowsOf(const Mat4& matrix) { return matrix.m; }
 
 Json listOf(const Vec3& v) { return {v.x, v.y, v.z}; }
 

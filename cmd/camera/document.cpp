@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "camera/importers/importer.hpp"
 #include "text/error.hpp"
 #include "text/file.hpp"
 #include "text/json_text.hpp"
@@ -89,10 +88,8 @@ Document load(const std::string& source, const std::string& option) {
   Document document{isInline ? option : shownName(source), nullptr};
   if (isInline) {
     document.root = std::make_shared<Json>(parsed(document.name, source));
-  } else if (isColmap(source)) {
-    document.root = std::make_shared<Json>(readColmap(source));
   } else {
-    std::string text = readWithoutGlb(source, kMostBytes);
+    std::string text = readWholeFile(source, kMostBytes);
     requireNarrow(document.name, text);
     document.root = std::make_shared<Json>(parsed(document.name, std::move(text)));
   }
@@ -106,6 +103,12 @@ std::string joinedPath(std::string_view path, std::string_view key) {
 Node::Node(const Document& document) : Node(document, *document.root, "") {}
 Node::Node(const Document& document, const Json& value, std::string path)
     : document_(&document), value_(&value), path_(std::move(path)) {}
+
+void Node::mark() const {
+  if (document_->marks) document_->marks->insert(value_);
+}
+
+bool Node::isMarked() const { return document_->marks && document_->marks->contains(value_); }
 
 std::optional<Node> Node::find(std::string_view key) const {
   if (!value_->is_object()) fail("expected an object");
@@ -137,16 +140,19 @@ Node Node::operator[](std::size_t index) const {
 
 double Node::number() const {
   if (!value_->is_number()) fail("expected a number");
+  mark();
   return value_->get<double>();
 }
 
 const std::string& Node::text() const {
   if (!value_->is_string()) fail("expected a text");
+  mark();
   return value_->get_ref<const std::string&>();
 }
 
 bool Node::flag() const {
   if (!value_->is_boolean()) fail("expected true or false");
+  mark();
   return value_->get<bool>();
 }
 
@@ -159,6 +165,7 @@ std::vector<double> Node::numbers(std::size_t count) const {
   std::vector<double> numbers;
   if (!value_->is_structured() || !flatten(*value_, numbers) || (count != 0 && numbers.size() != count))
     fail("expected " + (count == 0 ? "numbers" : std::to_string(count) + " numbers"));
+  mark();
   return numbers;
 }
 
@@ -174,6 +181,7 @@ Mat4 Node::mat4() const {
   const bool good = value_->is_structured() && flatten(*value_, flat) && (flat.size() == 12 || flat.size() == 16) &&
                     (isFlat || std::all_of(value_->begin(), value_->end(), isRow));
   if (!good) fail("expected 4 rows of 4 numbers, or 3 rows of 4");
+  mark();
   Mat4 m;
   m[3] = {0, 0, 0, 1};
   for (std::size_t i = 0; i < flat.size(); ++i) m[i / 4][i % 4] = flat[i];

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -23,11 +24,13 @@ struct Document {
   std::shared_ptr<Json> root;                                ///< shared by copies
   bool isTyped = false;                                      ///< made of options only: errors are UsageErrors
   std::map<std::string, std::string, std::less<>> labels{};  ///< by path: the option that set the field
+  /// The values that were read, by their addresses; null: nobody asks.
+  std::shared_ptr<std::unordered_set<const void*>> marks = nullptr;
 };
 
-/// Reads a file, "-" for standard input, or the JSON itself if source begins with "{". Accepts JSON with comments,
-/// YAML, the JSON of a .glb, a folder of COLMAP. option: the name for inline JSON in messages. Throws InputError, also
-/// for more than 64 MiB, values nested deeper than 200, and a key that an object has twice.
+/// Reads a file, "-" for standard input, or the JSON itself if source begins with "{". Accepts JSON with comments and
+/// YAML. option: the name for inline JSON in messages. Throws InputError, also for more than 64 MiB, values nested
+/// deeper than 200, and a key that an object has twice.
 Document load(const std::string& source, const std::string& option);
 
 /// A value of a document and its path, such as "projection.fovY". The document must outlive it.
@@ -39,6 +42,10 @@ class Node {
   const Document& document() const { return *document_; }
   const Json& json() const { return *value_; }
   const std::string& path() const { return path_; }
+
+  /// Notes that the value was read: its numbers, text or flag, or all of it.
+  void mark() const;
+  bool isMarked() const;
 
   /// A member of an object; null counts as absent. Throws if this is not an object.
   std::optional<Node> find(std::string_view key) const;

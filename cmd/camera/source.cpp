@@ -12,33 +12,30 @@
 #include "text/utf8.hpp"
 
 namespace viewproj::cmd {
-namespace {
 
-/// The importer for a document. Null for our own format (an object with a projection object) and for unknown formats.
-const Importer* importerOf(const Json& root) {
-  const auto projection = root.find("projection");
-  if (root.is_object() && projection != root.end() && projection->is_object()) return nullptr;
-  for (const Importer* importer : importers())
-    if (importer->recognises(root)) return importer;
-  return nullptr;
-}
-
-Import nativeCamera(const Document& file) {
-  const Json& root = *file.root;
+bool isCameraDocument(const Json& root) {
   const auto has = [&](const Field& field) {
     if (field.path == "name" || field.path == "$schema") return false;
     const std::vector<std::string_view> names = namesOf(field);
     return std::any_of(names.begin(), names.end(), [&](std::string_view name) { return root.contains(name); });
   };
-  if (!root.is_object() ||
-      (!root.empty() && !root.contains("projection") && std::none_of(std::begin(kFields), std::end(kFields), has)))
-    throw InputError(file.name + ": is not a camera file of a known kind; viewproj help formats lists them");
-  const auto name = root.find("name");
-  return {{{name != root.end() && name->is_string() ? name->get<std::string>() : "", ""}},
-          [&file](std::size_t) { return *file.root; }};
+  return root.is_object() &&
+         (root.empty() || root.contains("projection") || std::any_of(std::begin(kFields), std::end(kFields), has));
 }
 
-}  // namespace
+Import openCameraDocument(const Document& file) {
+  const Json& root = *file.root;
+  const auto name = root.find("name");
+  return {{{name != root.end() && name->is_string() ? name->get<std::string>() : "", ""}},
+          [root = file.root](std::size_t) { return *root; }};
+}
+
+void readAs(Document& file, const std::string& preset) {
+  Json& convention = (*file.root)["convention"];
+  if (!convention.is_null() && convention != preset && convention != Json{{"preset", preset}})
+    throw InputError(file.name + ": has another convention than --read-as " + preset);
+  convention = preset;
+}
 
 CameraSource splitPick(const std::string& source) {
   const std::size_t first = source.find_first_not_of(" \t\r\n");
@@ -59,27 +56,17 @@ CameraSource splitPick(const std::string& source) {
   return {source.substr(0, mark), source.substr(mark + 1)};
 }
 
-CameraDocuments::CameraDocuments(Document file, CameraPatches patches)
-    : file_(std::move(file)), patches_(std::move(patches)) {
-  const Importer* const importer = importerOf(*file_.root);
-  if (const std::string& readAs = patches_.readAs; !readAs.empty() && importer && importer != &kMatrices) {
-    throw InputError(file_.name + ": is " + std::string(importer->form) +
-                     ", which has a convention of its own; leave out --read-as");
-  } else if (!readAs.empty() && file_.root->is_object()) {
-    Json& convention = (*file_.root)["convention"];
-    if (!convention.is_null() && convention != readAs && convention != Json{{"preset", readAs}})
-      throw InputError(file_.name + ": has another convention than --read-as " + readAs);
-    convention = readAs;
-  }
-  import_ = importer ? importer->open(Node(file_)) : nativeCamera(file_);
-  if (import_.cameras.empty()) throw InputError(file_.name + ": holds no camera");
+CameraDocuments::CameraDocuments(std::string name, Import cameras, CameraPatches patches)
+    : name_(std::move(name)), patches_(std::move(patches)), import_(std::move(cameras)) {
+  if (import_.cameras.empty()) throw InputError(name_ + ": holds no camera");
   countNames();
 }
 
 CameraDocuments::CameraDocuments(CameraPatches patches)
-    : file_{"the command line", std::make_shared<Json>(Json::object()), true}, patches_(std::move(patches)) {
-  if (!patches_.readAs.empty()) (*file_.root)["convention"] = patches_.readAs;
-  import_ = nativeCamera(file_);
+    : name_("the command line"), isTyped_(true), patches_(std::move(patches)) {
+  Document typed{name_, std::make_shared<Json>(Json::object()), true};
+  if (!patches_.readAs.empty()) (*typed.root)["convention"] = patches_.readAs;
+  import_ = openCameraDocument(typed);
 }
 
 void CameraDocuments::countNames() {
@@ -115,7 +102,7 @@ std::size_t CameraDocuments::choose(const std::optional<std::string>& pick) cons
   std::iota(all.begin(), all.end(), std::size_t{0});
   if (!pick) {
     if (cameras.size() == 1) return 0;
-    throw InputError(file_.name + ": holds " + std::to_string(cameras.size()) +
+    throw InputError(name_ + ": holds " + std::to_string(cameras.size()) +
                      " cameras; pick one after the file's name: " + someOf(all));
   }
   const auto number = [](std::size_t i) { return std::to_string(i); };
@@ -127,17 +114,17 @@ std::size_t CameraDocuments::choose(const std::optional<std::string>& pick) cons
                  [&](std::size_t i) { return !pick->empty() && nameOf(i) == *pick; });
     if (found.size() == 1) return found.front();
     if (!found.empty())
-      throw InputError(file_.name + ": has " + std::to_string(found.size()) + " cameras called " + inQuotes(*pick) +
+      throw InputError(name_ + ": has " + std::to_string(found.size()) + " cameras called " + inQuotes(*pick) +
                        "; pick one by its number: " + someOf(found));
   }
   for (const std::size_t i : all)
     if ("#" + number(i) == *pick) return i;
-  throw InputError(file_.name + ": has no camera " + inQuotes(*pick) + "; it has " + someOf(all));
+  throw InputError(name_ + ": has no camera " + inQuotes(*pick) + "; it has " + someOf(all));
 }
 
 Document CameraDocuments::document(std::size_t which) const {
-  Document document{file_.name + (size() > 1 ? "#" + pickOf(which) : ""),
-                    std::make_shared<Json>(import_.document(which)), file_.isTyped};
+  Document document{name_ + (size() > 1 ? "#" + pickOf(which) : ""), std::make_shared<Json>(import_.document(which)),
+                    isTyped_};
   normalize(document);
   lay(document, patches_.patches);
   return document;

@@ -8,9 +8,9 @@
 
 #include "camera/change_camera.hpp"
 #include "camera/read_pose.hpp"
-#include "camera/source.hpp"
 #include "camera/write_camera.hpp"
 #include "catch.hpp"
+#include "formats/open.hpp"
 #include "text/error.hpp"
 #include "viewproj/viewproj.hpp"
 
@@ -46,7 +46,8 @@ constexpr const char* kOthers[] = {
 std::vector<CameraFile> allCameras() {
   std::vector<CameraFile> cameras;
   for (const char* text : kOthers) {
-    const CameraDocuments documents(load(text, "FILE"), {});
+    const auto opened = openCameras(text, {.option = "FILE"}, {});
+    const CameraDocuments& documents = *opened;
     cameras.push_back(completed(documents.document(0)));
   }
   for (const char* folder : {"samples", "tests/cmd/transcripts"})
@@ -55,7 +56,8 @@ std::vector<CameraFile> allCameras() {
       const std::string ending = entry.path().extension().string();
       if (ending != ".json" && ending != ".gltf" && ending != ".yaml" && ending != ".yml" && ending != ".txt") continue;
       try {
-        const CameraDocuments documents(load(entry.path().string(), "FILE"), {});
+        const auto opened = openCameras(entry.path().string(), {.option = "FILE"}, {});
+        const CameraDocuments& documents = *opened;
         for (std::size_t i = 0; i < documents.size(); ++i) cameras.push_back(completed(documents.document(i)));
       } catch (const InputError&) {  // a scene, points, a camera that is to be refused
       }

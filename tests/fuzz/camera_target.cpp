@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "camera/read_pose.hpp"
-#include "camera/source.hpp"
 #include "camera/write_camera.hpp"
+#include "formats/open.hpp"
 #include "fuzz.hpp"
 #include "output/matrix_text.hpp"
 #include "targets.hpp"
@@ -101,7 +101,8 @@ void readAndUse(std::string_view input) {
     at = next;
   }
   requireConsistent(patches.patches);
-  const CameraDocuments cameras(load("-", "--camera"), patches);
+  const auto opened = openCameras("-", {.option = "--camera", .pick = pick}, patches);
+  const CameraDocuments& cameras = *opened;
   for (std::size_t i = 0; i < std::min<std::size_t>(cameras.size(), 8); ++i)
     if (cameras.choose(cameras.pickOf(i)) != i) found("a camera's pick picks another");
   const Document document = cameras.document(cameras.choose(pick));
