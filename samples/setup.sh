@@ -8,7 +8,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 
-packages="g++ cmake make libcli11-dev nlohmann-json3-dev libfast-float-dev libdragonbox-dev libyaml-dev libgeographiclib-dev jq"
+packages="g++ cmake make libcli11-dev nlohmann-json3-dev libfast-float-dev libdragonbox-dev libyaml-dev libpugixml-dev zlib1g-dev libgeographiclib-dev jq"
 part=${1:-tool}
 tests=OFF
 case $part in

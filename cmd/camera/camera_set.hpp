@@ -29,6 +29,12 @@ struct Import {
   /// Our document of a camera of the list. Throws InputError naming the file's own field. Calls are one at a
   /// time.
   std::function<Json(std::size_t which)> document;
+  /// What the file has of this camera alone.
+  std::function<std::optional<Node>(std::size_t which)> own = nullptr;
+  /// Parts of the file that are of other cameras, or none.
+  std::vector<const Json*> apart = {};
+  /// What the format has not read of a camera, for a note; or empty.
+  std::function<std::string(std::size_t which)> unread = nullptr;
 };
 
 /// "scene.gltf#Camera": a file and the camera to pick in it. A file whose own name has a # is found first.
@@ -77,6 +83,8 @@ class CameraSet {
 
   /// The camera's document with the patches applied.
   Document document(std::size_t which) const;
+  /// What the file's format has not read of the camera; empty if there is nothing to say.
+  std::string unreadOf(std::size_t which) const { return import_.unread ? import_.unread(which) : ""; }
   /// The camera, read when it is first asked for, and kept (about 1 kB). Any number of threads may call this. Throws
   /// InputError each time if the camera cannot be read. All calls must have the same options.
   const Camera& camera(std::size_t which, const ReadOptions& reading) const;

@@ -134,6 +134,12 @@ Node::Node(const Document& document) : Node(document, *document.root, "") {}
 Node::Node(const Document& document, const Json& value, std::string path)
     : document_(&document), value_(&value), path_(std::move(path)) {}
 
+void Node::mark() const {
+  if (document_->marks) document_->marks->insert(value_);
+}
+
+bool Node::isMarked() const { return document_->marks && document_->marks->contains(value_); }
+
 std::optional<Node> Node::find(std::string_view key) const {
   if (!value_->is_object()) fail("expected an object");
   const auto member = value_->find(key);
@@ -164,16 +170,19 @@ Node Node::operator[](std::size_t index) const {
 
 double Node::number() const {
   if (!value_->is_number()) fail("expected a number");
+  mark();
   return value_->get<double>();
 }
 
 const std::string& Node::text() const {
   if (!value_->is_string()) fail("expected a text");
+  mark();
   return value_->get_ref<const std::string&>();
 }
 
 bool Node::flag() const {
   if (!value_->is_boolean()) fail("expected true or false");
+  mark();
   return value_->get<bool>();
 }
 
@@ -186,6 +195,7 @@ std::vector<double> Node::numbers(std::size_t count) const {
   std::vector<double> numbers;
   if (!value_->is_structured() || !flatten(*value_, numbers) || (count != 0 && numbers.size() != count))
     fail("expected " + (count == 0 ? "numbers" : std::to_string(count) + " numbers"));
+  mark();
   return numbers;
 }
 
@@ -201,6 +211,7 @@ Mat4 Node::mat4() const {
   const bool good = value_->is_structured() && flatten(*value_, flat) && (flat.size() == 12 || flat.size() == 16) &&
                     (isFlat || std::all_of(value_->begin(), value_->end(), isRow));
   if (!good) fail("expected 4 rows of 4 numbers, or 3 rows of 4");
+  mark();
   Mat4 m;
   m[3] = {0, 0, 0, 1};
   for (std::size_t i = 0; i < flat.size(); ++i) m[i / 4][i % 4] = flat[i];

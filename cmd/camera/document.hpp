@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -23,6 +24,8 @@ struct Document {
   std::shared_ptr<Json> root;                                ///< shared by copies
   bool isTyped = false;                                      ///< made of options only: errors are UsageErrors
   std::map<std::string, std::string, std::less<>> labels{};  ///< by path: the option that set the field
+  /// The values that were read, by their addresses; null: nobody asks.
+  std::shared_ptr<std::unordered_set<const void*>> marks = nullptr;
 };
 
 /// The longest text of a document, in bytes.
@@ -52,6 +55,10 @@ class Node {
   const Document& document() const { return *document_; }
   const Json& json() const { return *value_; }
   const std::string& path() const { return path_; }
+
+  /// Notes that the value was read: its numbers, text or flag, or all of it.
+  void mark() const;
+  bool isMarked() const;
 
   /// A member of an object; null counts as absent. Throws if this is not an object.
   std::optional<Node> find(std::string_view key) const;

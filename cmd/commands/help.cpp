@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "camera/fields.hpp"
-#include "camera/importers/importer.hpp"
 #include "commands/cli.hpp"
 #include "commands/command.hpp"
+#include "formats/open.hpp"
 #include "output/matrix_text.hpp"
 #include "output/output_file.hpp"
 #include "output/report.hpp"
@@ -118,8 +118,8 @@ std::string listOf(const std::string& list) {
   if (kind == "matrices") return formRows(matrixForms());
   if (kind == "importers") {
     std::string out;
-    for (const Importer* importer : importers()) out += row(std::string(importer->name), importer->form, 16);
-    return out;
+    for (const FormatName& format : formatNames()) out += (out.empty() ? "" : ", ") + std::string(format.form);
+    return wrapped(out + ".", terminalWidth());
   }
   // Fields of a type of projection, or of several whose first it is.
   const std::uint8_t type = of == "all" ? 0 : valueOf(kTypeNames, of);

@@ -9,6 +9,8 @@
 #include "camera/read_pose.hpp"
 #include "commands/camera_options.hpp"
 #include "commands/command.hpp"
+#include "formats/finder.hpp"
+#include "formats/open.hpp"
 #include "numbers/arctangent.hpp"
 #include "numbers/vectors.hpp"
 #include "output/output_file.hpp"
@@ -242,6 +244,16 @@ int runList(const InfoOptions& o, const CameraSet& cameras, const std::optional<
   return status;
 }
 
+/// What --parts could make of a file that no format claims.
+int runProposal(const InfoOptions& o, const UnknownFile& unknown) {
+  const Proposal proposal = proposeParts(unknown.file);
+  if (o.report.form() == ReportForm::table)
+    writeOutput(textOf(proposal));
+  else
+    writeOutput(jsonOf(proposal).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  return 1;
+}
+
 int runInfo(const InfoOptions& o) {
   const auto [cameras, pick] = o.camera.readAll();
   if (cameras->chooseAll(pick).size() > 1) return runList(o, *cameras, pick);
@@ -276,7 +288,13 @@ Action declareInfo(CLI::App& app) {
   o->camera.addFile(app);
   o->camera.add(app);
   o->camera.addConvention(app);
-  return [o] { return runInfo(*o); };
+  return [o] {
+    try {
+      return runInfo(*o);
+    } catch (const UnknownFile& unknown) {
+      return runProposal(*o, unknown);
+    }
+  };
 }
 
 }  // namespace viewproj::cmd

@@ -228,11 +228,10 @@ int run(const Options& o) {
 Action declareRay(CLI::App& app) {
   const auto o = std::make_shared<Options>();
   app.description(
-      "Pixels to rays: each record of FILE with the ray's origin and unit direction, the point itself where there is a "
-      "depth or viewDistance, and the nearest hit with a scene. A pixel that the lens does not reach gives null. Text "
-      "and f64 "
-      "have these numbers in "
-      "order.");
+      "Pixels to rays: each record with the ray's origin and unit direction, the point itself where there is a depth, "
+      "and the nearest hit with a scene. A pixel that the lens does not reach gives null. Text and f64 have these "
+      "numbers "
+      "in order.");
   app.footer(
       "Examples:\n"
       "  viewproj ray --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"

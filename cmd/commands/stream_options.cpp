@@ -71,7 +71,7 @@ void StreamOptions::add(CLI::App& app, const std::string& what) {
 }
 
 void StreamOptions::addPoints(CLI::App& app) {
-  addValues(app, "--point", kPointForm, points_, readPointArgument, "A point, in place of FILE and standard input");
+  addValues(app, "--point", kPointForm, points_, readPointArgument, "A point, in place of FILE");
 }
 
 StreamSetup StreamOptions::setup(const ChoosableColumns& choosable) const {

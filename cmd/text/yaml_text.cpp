@@ -21,11 +21,38 @@ std::size_t offsetOf(std::string_view text, std::size_t characters) {
   return at;
 }
 
-/// Turns OpenCV's first line, which is not a valid directive of YAML, into a comment.
-std::string withoutDirective(std::string_view text) {
-  std::string copy(text);
-  if (copy.starts_with("%YAML:")) copy[0] = '#';
+/// A text as OpenCV's FileStorage writes and accepts it, as YAML: its first line, which is not a valid directive,
+/// becomes a comment, tabs become blanks, and a blank is added after the colon of a key. `added`: the offsets of these
+/// blanks.
+std::string asYaml(std::string_view text, std::vector<std::size_t>& added) {
+  if (!text.starts_with("%YAML:")) return std::string(text);
+  std::string copy = "#";
+  for (std::size_t at = 1; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    const std::string_view line = text.substr(at, end - at);
+    const std::size_t colon = line.find(':'), key = line.find_first_not_of(" \t");
+    const bool isKey = at > 1 && colon != std::string_view::npos && colon + 1 < line.size() && key < colon &&
+                       line.substr(0, colon).find_first_of("#\"'[]{}", key) == std::string_view::npos &&
+                       std::string_view(" \t\r:/").find(line[colon + 1]) == std::string_view::npos;
+    copy += line.substr(0, isKey ? colon + 1 : line.size());
+    if (isKey) {
+      added.push_back(copy.size());
+      copy.append(" ").append(line.substr(colon + 1));
+    }
+    if (end < text.size()) copy += '\n';
+    at = end + 1;
+  }
+  std::replace(copy.begin(), copy.end(), '\t', ' ');
   return copy;
+}
+
+/// The documents of a stream of messages are the same camera if they differ in their headers alone.
+bool isSameMessage(json a, json b) {
+  if (a.is_object() && b.is_object()) {
+    a.erase("header");
+    b.erase("header");
+  }
+  return a == b;
 }
 
 template <class... Words>
@@ -60,7 +87,7 @@ class Document {
 
 class Reader {
  public:
-  Reader(std::string_view text, std::size_t deepest) : text_(withoutDirective(text)), deepest_(deepest) {
+  Reader(std::string_view text, std::size_t deepest) : text_(asYaml(text, added_)), deepest_(deepest) {
     if (!yaml_parser_initialize(&parser_)) throw std::bad_alloc();
     yaml_parser_set_encoding(&parser_, YAML_UTF8_ENCODING);
     yaml_parser_set_input_string(&parser_, reinterpret_cast<const unsigned char*>(text_.data()), text_.size());
@@ -80,22 +107,30 @@ class Reader {
       if (!root) return value;
       // In a stream of messages every message ends with ---, also the last one.
       const bool isEmpty = root->type == YAML_SCALAR_NODE && isPlain(*root) && root->data.scalar.length == 0;
-      if (isRead && !isEmpty) fail(*root, "a second document begins here; one is expected");
-      if (!isRead) value = valueOf(document, *root, 0);
+      if (isEmpty && isRead) continue;
+      json next = valueOf(document, *root, 0);
+      if (isRead && !isSameMessage(value, next))
+        fail(*root, "a second document begins here, and differs from the first; keep one");
+      if (!isRead) value = std::move(next);
       isRead = true;
     }
   }
 
  private:
   [[noreturn]] void fail(const yaml_node_t& node, const std::string& message) const {
-    throw JsonFault{offsetOf(text_, node.start_mark.index), message};
+    throw JsonFault{original(offsetOf(text_, node.start_mark.index)), message};
   }
 
   JsonFault fault() const {
     const bool isCharacter = parser_.error == YAML_READER_ERROR;
     const std::string problem = parser_.problem ? parser_.problem : "out of memory";
     const std::size_t at = isCharacter ? parser_.problem_offset : offsetOf(text_, parser_.problem_mark.index);
-    return {std::min(at, text_.size()), "not valid YAML: " + problem};
+    return {original(std::min(at, text_.size())), "not valid YAML: " + problem};
+  }
+
+  /// The offset in the text as it was given.
+  std::size_t original(std::size_t offset) const {
+    return offset - static_cast<std::size_t>(std::lower_bound(added_.begin(), added_.end(), offset) - added_.begin());
   }
 
   /// Counts the size of values. Without aliases it stays below twice the bytes of the text.
@@ -142,6 +177,7 @@ class Reader {
     return parseNumber(text) ? numberOfJson(std::string_view(text).substr(text.starts_with('+') ? 1 : 0)) : json(text);
   }
 
+  std::vector<std::size_t> added_;  ///< offsets of blanks that the text as it was given does not have
   std::string text_;
   std::size_t deepest_, weight_ = 0;
   yaml_parser_t parser_{};

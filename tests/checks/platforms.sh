@@ -34,18 +34,18 @@ if [ ! -d "$sources" ]; then
   echo "deb-src [signed-by=$key] http://deb.debian.org/debian bookworm main" >"$work/sources.list"
   apt="-qq -o Dir::Etc::SourceList=$work/sources.list -o Dir::Etc::SourceParts=- -o Dir::State::Lists=$work/lists"
   apt="$apt -o Dir::Cache::srcpkgcache= -o Dir::Cache::pkgcache= -o APT::Sandbox::User=root"
-  packages="cli11 nlohmann-json3 fast-float dragonbox libyaml geographiclib catch2"
+  packages="cli11 nlohmann-json3 fast-float dragonbox libyaml pugixml zlib geographiclib catch2"
   # shellcheck disable=SC2086  # lists of words
   (apt-get $apt update && cd "$work/archives" && apt-get $apt --download-only --tar-only source $packages) >"$work/log" 2>&1 ||
     fail "apt-get source: $(tail -n 5 "$work/log")"
-  for name in cli11 nlohmann_json fastfloat dragonbox libyaml geographiclib catch2; do
+  for name in cli11 nlohmann_json fastfloat dragonbox libyaml pugixml zlib geographiclib catch2; do
     archive=$(find "$work/archives" -name "$(echo "$name" | sed 's/_/-/; s/fastfloat/fast-float/')*.orig.tar.*")
     mkdir "$sources/$name"
     tar -xf "$archive" -C "$sources/$name" --strip-components=1
   done
 fi
-options="-DYAML_INCLUDE=OFF -DGEOGRAPHICLIB_INCLUDE=OFF"
-for package in CLI11 nlohmann_json FastFloat dragonbox libyaml GeographicLib Catch2; do
+options="-DYAML_INCLUDE=OFF -DPUGIXML_INCLUDE=OFF -DZLIB_INCLUDE=OFF -DGEOGRAPHICLIB_INCLUDE=OFF"
+for package in CLI11 nlohmann_json FastFloat dragonbox libyaml pugixml zlib GeographicLib Catch2; do
   name=$(echo "$package" | tr '[:lower:]' '[:upper:]')
   folder=$sources/$(echo "$package" | tr '[:upper:]' '[:lower:]')
   options="$options -DFETCHCONTENT_SOURCE_DIR_$name=$folder -DCMAKE_DISABLE_FIND_PACKAGE_$package=ON"

@@ -1,8 +1,8 @@
 // The camera document: what each form of a pose and a projection means, what patches displace, what is refused.
 #include <nlohmann/json.hpp>
 
-#include "camera/importers/importer.hpp"
 #include "catch.hpp"
+#include "formats/open.hpp"
 #include "parts.hpp"
 #include "text/error.hpp"
 #include "viewproj/matrices.hpp"
@@ -26,7 +26,7 @@ Document laid(const std::string& document, const Patches& patches) {
   }
   REQUIRE(all.patches.size() == patches.size());
   requireConsistent(all.patches);
-  return openCameras(document, "C", all)->document(0);
+  return openCameras(document, {.option = "C"}, all)->document(0);
 }
 
 Camera cameraOf(const std::string& document, const Patches& patches = {}) {

@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "camera/change_camera.hpp"
-#include "camera/importers/importer.hpp"
 #include "camera/plain_camera.hpp"
 #include "camera/write_camera.hpp"
 #include "catch.hpp"
+#include "formats/open.hpp"
 #include "random.hpp"
 #include "text/error.hpp"
 #include "viewproj/viewproj.hpp"
@@ -47,7 +47,7 @@ constexpr const char* kOthers[] = {
 std::vector<CameraFile> allCameras() {
   std::vector<CameraFile> cameras;
   for (const char* text : kOthers) {
-    cameras.push_back(completed(openCameras(text, "FILE", {})->document(0)));
+    cameras.push_back(completed(openCameras(text, {.option = "FILE"}, {})->document(0)));
   }
   for (const char* folder : {"samples", "tests/cmd/transcripts"})
     for (const auto& entry :
@@ -55,7 +55,7 @@ std::vector<CameraFile> allCameras() {
       const std::string ending = entry.path().extension().string();
       if (ending != ".json" && ending != ".gltf" && ending != ".yaml" && ending != ".yml" && ending != ".txt") continue;
       try {
-        const auto set = openCameras(entry.path().string(), "FILE", {});
+        const auto set = openCameras(entry.path().string(), {.option = "FILE"}, {});
         for (std::size_t i = 0; i < set->size(); ++i) cameras.push_back(completed(set->document(i)));
       } catch (const InputError&) {  // a scene, points, a camera that is to be refused
       }

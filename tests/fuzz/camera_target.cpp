@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "camera/importers/importer.hpp"
 #include "camera/write_camera.hpp"
+#include "formats/open.hpp"
 #include "fuzz.hpp"
 #include "output/matrix_text.hpp"
 #include "targets.hpp"
@@ -100,7 +100,7 @@ void readAndUse(std::string_view input) {
     at = next;
   }
   requireConsistent(patches.patches);
-  const auto cameras = openCameras("-", "--camera", patches);
+  const auto cameras = openCameras("-", {.option = "--camera", .pick = pick}, patches);
   for (std::size_t i = 0; i < std::min<std::size_t>(cameras->size(), 8); ++i)
     if (cameras->choose(cameras->pickOf(i)) != i) found("a camera's pick picks another");
   const Document document = cameras->document(cameras->choose(pick));

@@ -1,0 +1,111 @@
+#include "formats/claims.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "formats/value.hpp"
+#include "formats/words.hpp"
+#include "text/names.hpp"
+#include "text/number.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+/// The parts of a text, one after the other.
+std::string_view takeUntil(std::string_view& text, char separator) {
+  const std::size_t end = std::min(text.find(separator), text.size());
+  const std::string_view part = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  return part;
+}
+
+std::size_t countIn(std::string_view digits) {
+  std::size_t count = 0;
+  for (const char digit : digits) count = 10 * count + static_cast<std::size_t>(digit - '0');
+  return count;
+}
+
+constexpr double kLeastFocal = 20;
+
+bool isFocal(const std::vector<double>& n) {
+  return n.size() >= 4 && n[0] > kLeastFocal && n[1] > kLeastFocal && n[2] > 0 && n[3] > 0 && !isIntrinsic(n);
+}
+
+bool hasShape(const Json& value, std::string_view shape) {
+  if (shape == "list") return value.is_array();
+  if (shape == "object") return value.is_object();
+  if (shape == "text") return value.is_string();
+  if (shape == "PN")
+    return value.is_array() && value.size() > 1 &&
+           std::all_of(value.begin(), value.end(), [](const Json& row) { return hasShape(row, "P"); });
+  const auto numbers = numbersIn(value);
+  if (!numbers || numbers->empty()) return false;
+  const std::vector<std::size_t> dimensions = shapeOf(value);
+  if (shape == "P") return isProjection(*numbers, kLeastFocal) && !(numbers->size() == 16 && isIntrinsic(*numbers));
+  const std::size_t count = countIn(shape.substr(shape.find_first_of("0123456789")));
+  if (shape[0] == 'K') return dimensions == std::vector{count, count} && isIntrinsic(*numbers);
+  if (shape[0] == 'L') return dimensions.size() == 1 && numbers->size() == count;
+  if (shape[0] == 'F') return dimensions.size() == 1 && numbers->size() == count && isFocal(*numbers);
+  if (shape[0] == 'N') return value.is_array() && !value.empty() && numbers->size() == value.size() * count;
+  if (const std::size_t by = shape.find('x'); by != std::string_view::npos)
+    return dimensions == std::vector{countIn(shape.substr(0, by)), countIn(shape.substr(by + 1))};
+  return numbers->size() == count;
+}
+
+bool fits(const Node& node, std::string_view text, std::string_view shapes) {
+  if (!text.empty() && !(node.json().is_string() && sameButForCase(node.json().get_ref<const std::string&>(), text)))
+    return false;
+  if (shapes.empty()) return true;
+  while (!shapes.empty())
+    if (hasShape(node.json(), takeUntil(shapes, '/'))) return true;
+  return false;
+}
+
+bool holdsChoice(const Node& root, std::string_view choice, std::string_view container) {
+  const std::size_t colon = choice.find(':');
+  const std::string_view shapes = colon == std::string_view::npos ? "" : choice.substr(colon + 1);
+  std::string_view path = choice.substr(0, colon);
+  const std::size_t equals = path.find('=');
+  const std::string_view text = equals == std::string_view::npos ? "" : path.substr(equals + 1);
+  path = path.substr(0, equals);
+  const std::string whole = path.starts_with('/') ? std::string(path.substr(1))
+                            : path.empty()        ? std::string(container)
+                                                  : joinedPath(container, path);
+  if (whole.find('*') == std::string::npos) {
+    const auto node = valueAt(root, whole);
+    return node && fits(*node, text, shapes);
+  }
+  const std::vector<std::string> stars = starsOf(root, whole);
+  return std::any_of(stars.begin(), stars.end(), [&](const std::string& star) {
+    const auto node = valueAt(root, withStar(whole, star));
+    return node && fits(*node, text, shapes);
+  });
+}
+
+}  // namespace
+
+bool isIntrinsic(const std::vector<double>& n) {
+  if (n.size() != 9 && n.size() != 12 && n.size() != 16) return false;
+  const std::size_t columns = n.size() == 9 ? 3 : 4;
+  const auto at = [&](std::size_t i, std::size_t j) { return n[i * columns + j]; };
+  constexpr double kLeast = 5;
+  if (!(at(0, 0) > kLeast && at(1, 1) > kLeast) || at(1, 0) != 0 || at(2, 0) != 0 || at(2, 1) != 0 || at(2, 2) != 1)
+    return false;
+  for (std::size_t i = 0; columns == 4 && i < 3; ++i)
+    if (at(i, 3) != 0) return false;
+  return n.size() != 16 || (n[12] == 0 && n[13] == 0 && n[14] == 0 && n[15] == 1);
+}
+
+bool holds(const Node& root, std::string_view conditions, std::string_view container) {
+  while (!conditions.empty()) {
+    std::string_view condition = takeUntil(conditions, ' ');
+    const bool isExcluded = condition.starts_with('!');
+    if (isExcluded) condition.remove_prefix(1);
+    bool any = false;
+    while (!condition.empty() && !any) any = holdsChoice(root, takeUntil(condition, '|'), container);
+    if (any == isExcluded) return false;
+  }
+  return true;
+}
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,587 @@
+// Which parts go together, and which of their lines is the likeliest.
+#include "formats/finder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "formats/candidates.hpp"
+#include "formats/value.hpp"
+#include "formats/words.hpp"
+#include "text/number.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+using Chosen = std::shared_ptr<const Candidate>;
+
+bool isPoseKind(std::string_view kind) { return isAmong(kind, "X R V Q T E"); }
+
+std::string lowered(std::string text) {
+  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return text;
+}
+
+bool includes(const std::vector<std::string>& all, const std::vector<std::string>& some) {
+  return std::includes(all.begin(), all.end(), some.begin(), some.end());
+}
+
+/// Of rotation_left_to_right, depth2color: the words before and after.
+std::optional<std::pair<std::vector<std::string>, std::vector<std::string>>> towardOf(const Candidate& pose) {
+  const std::string path = lowered(pose.path());
+  for (const std::string_view link : {"_to_", "_2_", "2"}) {
+    const std::size_t at = path.find(link);
+    if (at == std::string::npos || at == 0 || path.find("c2w") != std::string::npos ||
+        path.find("w2c") != std::string::npos)
+      continue;
+    const std::size_t first = path.find_last_of("._", at - 1), after = at + link.size();
+    const std::size_t end = std::min(path.find_first_of("._", after), path.size());
+    const std::size_t begin = first == std::string::npos ? 0 : first + 1;
+    if (begin == at || end == after) continue;
+    return std::pair(wordsOf(path.substr(begin, at - begin)), wordsOf(path.substr(after, end - after)));
+  }
+  return std::nullopt;
+}
+
+/// How well a part goes with the line's first; nothing: not at all.
+std::optional<double> nearness(const Candidate& first, const Candidate& part) {
+  double score = part.name;
+  if (first.isStarred() && part.isStarred()) {
+    const auto shared = std::count_if(first.star.begin(), first.star.end(),
+                                      [&](const auto& each) { return part.star.contains(each.first); });
+    if (shared < 2 || 2 * shared < std::ssize(first.star)) return std::nullopt;
+    score += shared == std::ssize(first.star) ? 4 : 2;
+  } else if (first.isStarred()) {
+    const auto box = first.steps.begin() + static_cast<std::ptrdiff_t>(first.at);
+    const bool isInside = part.steps.size() > first.at + 1 && std::equal(first.steps.begin(), box, part.steps.begin());
+    if (isPoseKind(part.kind) || (isInside && *box == "*")) return std::nullopt;
+  } else if (part.isStarred()) {
+    const std::size_t depth = first.steps.size() - 1;
+    const bool isBeside =
+        part.steps.size() > depth && std::equal(first.steps.begin(), first.steps.end() - 1, part.steps.begin());
+    if (!isPoseKind(part.kind) || !isBeside) return std::nullopt;
+  }
+  std::vector<std::string> a = tagOf(first), b = tagOf(part);
+  if (!first.isStarred() && part.isStarred())
+    std::erase_if(b, [](const std::string& word) { return isDigit(word[0]); });
+  if (a == b) return score + 3;
+  if (includes(a, b)) return score + 2;
+  if (includes(b, a)) return score + 1 - 0.3 * static_cast<double>(b.size() - a.size());
+  const auto hasOther = [](const std::vector<std::string>& from, const std::vector<std::string>& without) {
+    return std::any_of(from.begin(), from.end(), [&](const std::string& word) {
+      return !isDigit(word[0]) && std::find(without.begin(), without.end(), word) == without.end();
+    });
+  };
+  if (isAmong(part.kind, "S w h")) return score - 2;
+  const bool leads = isPoseKind(part.kind) && !part.isStarred() && towardOf(part);
+  if (hasOther(a, b) && hasOther(b, a) && !leads) return std::nullopt;
+  return score - 2;
+}
+
+struct Match {
+  double score = 0;
+  std::vector<Chosen> parts;
+};
+
+/// The best part of a kind, if it is good enough.
+std::optional<Match> bestOf(const Candidate& first, const Candidates& all, std::string_view kind) {
+  constexpr double kLeast = 0.5;
+  std::optional<Match> best;
+  for (const Chosen& each : all) {
+    if (each->kind != kind) continue;
+    const auto score = nearness(first, *each);
+    if (score && *score >= kLeast && (!best || *score > best->score)) best = Match{*score, {each}};
+  }
+  return best;
+}
+
+/// Scalars of one object, or of several: by their container.
+using Scalars = std::map<std::string, Chosen, std::less<>>;
+std::vector<Scalars> scalarsOf(const Candidates& all) {
+  std::map<std::string, Scalars> boxes;
+  for (const Chosen& each : all) {
+    if (each->numbers.size() != 1) continue;
+    std::string key = each->isStarred() ? "*" + std::to_string(each->at) + "/" + std::to_string(each->star.size()) : "";
+    for (std::size_t i = 0; i + 1 < each->steps.size(); ++i) key += "\n" + each->steps[i];
+    // Camera1.fx and Camera2.fx of one object are of two cameras.
+    const std::string& last = each->steps.back();
+    key += "\n" + (last.rfind('.') == std::string::npos ? "" : last.substr(0, last.rfind('.')));
+    boxes[key].emplace(each->kind, each);
+  }
+  std::vector<Scalars> list;
+  for (auto& [key, scalars] : boxes) list.push_back(std::move(scalars));
+  return list;
+}
+
+/// The scalars of these kinds, if all are there.
+std::vector<Chosen> together(const Scalars& scalars, std::initializer_list<std::string_view> kinds) {
+  std::vector<Chosen> found;
+  for (const std::string_view kind : kinds) {
+    const auto each = scalars.find(kind);
+    if (each == scalars.end()) return {};
+    found.push_back(each->second);
+  }
+  return found;
+}
+
+/// Adds what nine, four or three scalars make together.
+void addFamilies(const std::vector<Scalars>& boxes, Candidates& all) {
+  const auto add = [&](const char* kind, const std::vector<Chosen>& terms, double name) {
+    if (terms.empty()) return;
+    Candidate family{kind, terms.front()->steps, {}, name, ""};
+    family.steps.back() = "";
+    for (const Chosen& term : terms) family.numbers.push_back(term->numbers.front());
+    if (family.kind == "R" && !isRotation(family.numbers)) return;
+    family.star = terms.front()->star;
+    family.at = terms.front()->at;
+    family.terms = terms;
+    all.push_back(std::make_shared<Candidate>(std::move(family)));
+  };
+  for (const Scalars& box : boxes) {
+    add("R", together(box, {"r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"}), 2);
+    add("Q", together(box, {"qx", "qy", "qz", "qw"}), 2);
+    add("T", together(box, {"tx", "ty", "tz"}), 2);
+    add("E", together(box, {"x", "y", "z"}), 1);
+    add("E", together(box, {"gx", "gy", "pz"}), 1);
+  }
+}
+
+/// Which way a pose goes, by its name; or empty.
+std::string directionOf(const Candidate& pose, const Candidate* lens) {
+  const std::string path = lowered(pose.path());
+  const auto has = [&](std::initializer_list<std::string_view> marks) {
+    return std::any_of(marks.begin(), marks.end(),
+                       [&](std::string_view mark) { return path.find(mark) != std::string::npos; });
+  };
+  if (has({"c2w",
+           "cam2world",
+           "camera2world",
+           "cam_to_world",
+           "camera_to_world",
+           "toworld",
+           "world_from_cam",
+           "t_wc",
+           "t_bs",
+           "t_sc",
+           "transform_matrix",
+           "t_world_cam",
+           "t_imu_cam",
+           "t_body_cam",
+           "t_w_cam",
+           "t_lidar_cam",
+           "cam_to_imu",
+           "cam_to_body",
+           "cam_to_base",
+           "cam_to_lidar",
+           "cam_to_vehicle",
+           "camera_to_lidar",
+           "matrix_world"}))
+    return "worldFromCamera";
+  if (const auto toward = towardOf(pose); toward && lens) {
+    const std::vector<std::string> tag = tagOf(*lens);
+    const auto shares = [&](const std::vector<std::string>& words) {
+      return std::any_of(words.begin(), words.end(),
+                         [&](const std::string& word) { return std::find(tag.begin(), tag.end(), word) != tag.end(); });
+    };
+    if (shares(toward->second) && !shares(toward->first)) return "cameraFromWorld";
+  }
+  if (has({"extrinsic",         "w2c",         "world2cam",   "world_to_cam", "worldtocam", "cam_from_world",
+           "camera_from_world", "viewmatrix",  "view_matrix", "t_cw",         "t_cam_imu",  "t_cam_body",
+           "t_cam_world",       "t_cam_lidar", "t_cam_velo",  "lidar_to_cam", "lidar2cam",  "velo_to_cam",
+           "velo2cam",          "_to_cam",     "cam_from_rig"}))
+    return "cameraFromWorld";
+  return "";
+}
+
+struct Line {
+  std::vector<std::pair<std::string, std::string>> parts;
+  double score = 0;
+  std::vector<std::string> ask;
+  Chosen first;
+  std::vector<Chosen> used;
+  std::vector<Match> poses{};
+  bool isNerf = false;
+
+  void add(const std::string& name, const std::vector<Chosen>& chosen, double value, const std::string& suffix = "") {
+    std::string path;
+    for (const Chosen& each : chosen) path += (path.empty() ? "" : "+") + each->path();
+    parts.emplace_back(name, path + suffix);
+    score += value;
+    used.insert(used.end(), chosen.begin(), chosen.end());
+  }
+};
+
+/// A matrix, or a turn and a place of the same tag.
+std::vector<Match> posesFor(const Candidate& first, const Candidates& all) {
+  std::vector<Match> found;
+  std::vector<std::pair<double, Chosen>> turns, places;
+  for (const Chosen& each : all) {
+    const auto score = isPoseKind(each->kind) ? nearness(first, *each) : std::nullopt;
+    if (!score) continue;
+    if (each->kind == "X" && *score >= 0.5) found.push_back({*score, {each}});
+    if (isAmong(each->kind, "R V Q") && *score >= 0) turns.emplace_back(*score, each);
+    if (isAmong(each->kind, "T E") && *score >= 0) places.emplace_back(*score, each);
+  }
+  constexpr std::size_t kMost = 50;
+  turns.resize(std::min(turns.size(), kMost));
+  places.resize(std::min(places.size(), kMost));
+  for (const auto& [turnScore, turn] : turns)
+    for (const auto& [placeScore, place] : places) {
+      if (turn->isStarred() != place->isStarred() || turn->star.size() != place->star.size() ||
+          tagOf(*turn) != tagOf(*place))
+        continue;
+      const bool isBeside =
+          std::equal(turn->steps.begin(), turn->steps.end() - 1, place->steps.begin(), place->steps.end() - 1);
+      found.push_back(
+          {(turnScore + placeScore) / 2 + (isBeside ? 0.5 : 0) + (turn->kind == "R" ? 0.1 : 0), {turn, place}});
+    }
+  std::stable_sort(found.begin(), found.end(), [](const Match& a, const Match& b) { return a.score > b.score; });
+  return found;
+}
+
+void putPose(Line& line, const Match& match, const Candidate* lens) {
+  const Chosen& turn = match.parts.front();
+  std::string direction = directionOf(*turn, lens);
+  const std::string path = lowered(turn->path());
+  line.isNerf = path.find("transform_matrix") != std::string::npos || path.find("matrix_world") != std::string::npos ||
+                path.find("camera_to_world") != std::string::npos;
+  if (match.parts.size() > 1) {
+    const Chosen& place = match.parts.back();
+    const bool isOpenCv =
+        place->kind == "T" && (turn->kind == "V" || (turn->kind == "R" && hasWord(turn->path(), "r")));
+    if (direction.empty() && isOpenCv) {
+      direction = "cameraFromWorld";
+      line.ask.push_back(turn->path() + ", " + place->path() +
+                         ": taken as camera from world, as solvePnP and calibrateCamera return them");
+    }
+    const bool isWFirst = turn->kind == "Q" && turn->terms.empty() && std::fabs(turn->numbers.front()) > 0.9;
+    const std::string form = turn->kind == "R"   ? "rotation"
+                             : turn->kind == "V" ? "rotationVector"
+                             : isWFirst          ? "quaternionWFirst"
+                                                 : "quaternion";
+    if (turn->kind == "Q" && turn->terms.empty())
+      line.ask.push_back(turn->path() + ": x y z w, or w first (quaternionWFirst)?");
+    const std::string pose = direction.empty() ? "pose" : direction;
+    line.add(pose + "." + form, {turn}, match.score / 2);
+    line.add(place->kind == "T" ? pose + ".translation" : "position", {place}, match.score / 2);
+  } else {
+    line.add(direction.empty() ? "pose" : direction, {turn}, match.score);
+  }
+  if (direction.empty())
+    line.ask.push_back(
+        turn->path() +
+        ": camera from world (as solvePnP, COLMAP give it) or world from camera (its translation is the place)?");
+}
+
+std::optional<std::array<double, 2>> centreOf(const Line& line) {
+  std::vector<double> k;
+  for (const Chosen& each : line.used) k.insert(k.end(), each->numbers.begin(), each->numbers.end());
+  if (k.size() == 9) return std::array{k[2], k[5]};
+  if (k.size() == 3 || k.size() == 4) return std::array{k[k.size() - 2], k[k.size() - 1]};
+  return std::nullopt;
+}
+
+void putSize(Line& line, const Candidates& all, const std::vector<Scalars>& boxes) {
+  const auto centre = centreOf(line);
+  auto best = bestOf(*line.first, all, "S");
+  for (const Scalars& box : boxes) {
+    const std::vector<Chosen> sides = together(box, {"w", "h"});
+    if (sides.empty() || sides[0]->numbers[0] < 16 || sides[1]->numbers[0] < 16 ||
+        sides[0]->star.size() != sides[1]->star.size())
+      continue;
+    const auto score = nearness(*line.first, *sides[0]);
+    if (score && *score >= 0.5 && (!best || *score >= best->score)) best = Match{*score, sides};
+  }
+  if (!best) return;
+  std::vector<double> size;
+  for (const Chosen& each : best->parts) size.insert(size.end(), each->numbers.begin(), each->numbers.end());
+  const auto missOf = [&](double w, double h) {
+    return std::fabs((*centre)[0] - w / 2) / w + std::fabs((*centre)[1] - h / 2) / h;
+  };
+  const bool isSwapped =
+      best->parts.size() == 1 && centre && missOf(size[1], size[0]) < missOf(size[0], size[1]) - 0.02;
+  line.add("size", best->parts, best->score, isSwapped ? "[1,0]" : "");
+  if (isSwapped)
+    line.ask.push_back(best->parts.front()->path() + ": cx, cy fit the other order better, which [1,0] gives");
+  else if (best->parts.size() == 1 && size[1] > size[0])
+    line.ask.push_back(best->parts.front()->path() + ": is taller than wide; [1,0] if it is height, width");
+  if (centre && !isSwapped &&
+      ((*centre)[0] < 0.1 * size[0] || (*centre)[0] > 0.9 * size[0] || (*centre)[1] < 0.1 * size[1] ||
+       (*centre)[1] > 0.9 * size[1])) {
+    line.ask.push_back("cx, cy are far from the middle of the picture: from its middle, or of another size?");
+    line.score -= 2;
+  }
+}
+
+void putLens(Line& line, const Candidates& all, const std::vector<Scalars>& boxes, bool isFisheye) {
+  constexpr std::string_view kFisheye = "fisheye equidistant kb4 kannalabrandt kannala brandt equi";
+  const auto list = bestOf(*line.first, all, "D");
+  const Scalars* named = nullptr;
+  double score = list ? list->score : 0;
+  for (const Scalars& box : boxes) {
+    const auto k1 = box.find("k1");
+    const auto near = k1 == box.end() ? std::nullopt : nearness(*line.first, *k1->second);
+    if (near && *near >= 0.5 && *near > score) {
+      named = &box;
+      score = *near;
+    }
+  }
+  const bool isFish = isFisheye || hasWord(line.first->path(), kFisheye);
+  if (!named && list) {
+    const Chosen& d = list->parts.front();
+    const bool isFour = d->numbers.size() == 4, isF = isFour && (isFish || hasWord(d->path(), kFisheye));
+    line.add(isF ? "fisheye" : "distortion", list->parts, list->score);
+    if (isFour && !isF)
+      line.ask.push_back(d->path() +
+                         ": 4 numbers are k1 k2 p1 p2; fisheye=… if its program says fisheye or equidistant");
+    return;
+  }
+  if (!named) return;
+  std::vector<Chosen> k = together(*named, {"k1", "k2", "p1", "p2"});
+  if (!k.empty()) {
+    for (const char* more : {"k3", "k4", "k5", "k6"})
+      if (named->contains(more) && (more[1] == '3' || named->contains("k6"))) k.push_back(named->find(more)->second);
+    return line.add("distortion", k, score);
+  }
+  k = together(*named, {"k1", "k2", "k3", "k4"});
+  if (!k.empty()) {
+    line.add("fisheye", k, score);
+    if (!isFish) line.ask.push_back("k1 to k4 without p1, p2: fisheye, or brown?");
+    return;
+  }
+  k = together(*named, {"k1", "k2"});
+  line.add("distortion", k.empty() ? std::vector<Chosen>{named->find("k1")->second} : k, score);
+}
+
+/// The lines that begin with a lens.
+std::vector<Line> lensLines(const Candidates& all, const std::vector<Scalars>& boxes) {
+  std::vector<Line> lines;
+  const auto begin = [&](const std::string& name, const std::vector<Chosen>& chosen, double score,
+                         const std::string& suffix = "") {
+    Line line;
+    line.first = chosen.front();
+    line.add(name, chosen, score, suffix);
+    lines.push_back(std::move(line));
+  };
+  for (const Chosen& each : all) {
+    if (each->kind == "K" && each->name >= 0) begin("K", {each}, 3 + each->name);
+    if (each->kind == "P") begin("P", {each}, 2 + each->name);
+    if (each->kind == "F" || (each->kind == "f" && each->numbers.front() > 5))
+      if (const auto centre = bestOf(*each, all, "C")) begin("K", {each, centre->parts.front()}, 4);
+  }
+  for (const Scalars& box : boxes) {
+    const auto tryOut = [&](std::initializer_list<std::string_view> kinds, double score) {
+      const std::vector<Chosen> chosen = together(box, kinds);
+      if (chosen.empty() || chosen.front()->numbers.front() <= 5) return false;
+      begin("K", chosen, score);
+      return true;
+    };
+    if (tryOut({"fx", "fy", "cx", "cy"}, 4.5) || tryOut({"gx", "gy", "cx", "cy"}, 4.5) ||
+        tryOut({"fx", "cx", "cy"}, 4) || tryOut({"f", "cx", "cy"}, 4) ||
+        (!box.contains("cx") && tryOut({"fx", "fy"}, 2))) {
+      if (lines.back().used.size() == 2) lines.back().ask.push_back("no cx, cy: the middle of the picture is taken");
+      continue;
+    }
+    for (const auto& [kind, name] : {std::pair{"fovY", "fovY"}, {"fovX", "fovX"}, {"fov", "fovY"}}) {
+      const auto angle = box.find(std::string_view(kind));
+      if (angle == box.end() || angle->second->numbers.front() < 0.2) continue;
+      const bool isRadians = angle->second->numbers.front() < 3.2;
+      begin(name, {angle->second}, kind == std::string_view("fov") ? 1 : 2, isRadians ? "/0.017453292519943295" : "");
+      if (kind == std::string_view("fov")) lines.back().ask.push_back(angle->second->path() + ": fovY or fovX?");
+      break;
+    }
+  }
+  return lines;
+}
+
+/// One pose beside two lenses of one template is the last one's, or that of B in A_to_B.
+void sharePoses(std::vector<Line>& lines) {
+  for (Line& line : lines) {
+    if (line.poses.empty()) continue;
+    const Match& match = line.poses.front();
+    const Chosen& pose = match.parts.front();
+    if (!pose->isStarred() && !line.first->isStarred()) {
+      Line* owner = nullptr;
+      std::size_t rivals = 0;
+      for (Line& other : lines) {
+        const bool isRival = !other.poses.empty() && !other.first->isStarred() &&
+                             other.first->kind == line.first->kind && other.poses.front().parts.front() == pose &&
+                             std::fabs(other.poses.front().score - match.score) < 1e-9 &&
+                             other.first->steps.size() == line.first->steps.size();
+        if (!isRival) continue;
+        ++rivals;
+        const auto toward = towardOf(*pose);
+        const std::vector<std::string> tag = tagOf(*other.first);
+        const bool isTarget =
+            toward && std::any_of(tag.begin(), tag.end(), [&](const std::string& word) {
+              return std::find(toward->second.begin(), toward->second.end(), word) != toward->second.end();
+            });
+        if (isTarget || !owner || !towardOf(*pose)) owner = &other;
+      }
+      if (rivals > 1 && owner != &line) {
+        line.ask.push_back(pose->path() + ": one pose for " + std::to_string(rivals) +
+                           " cameras; here it is given to the other");
+        continue;
+      }
+    }
+    putPose(line, match, line.first.get());
+  }
+}
+
+std::vector<Line> linesOf(const Document& file, const Candidates& all, const std::vector<Scalars>& boxes) {
+  std::vector<Line> lines = lensLines(all, boxes);
+  const std::string text = lowered(file.root->dump(-1, ' ', false, Json::error_handler_t::replace).substr(0, 1 << 16));
+  const bool isFisheye = text.find("fisheye") != std::string::npos || text.find("equidistant") != std::string::npos ||
+                         text.find("kannala") != std::string::npos || text.find("\"kb4\"") != std::string::npos;
+  for (Line& line : lines) {
+    putSize(line, all, boxes);
+    const std::string name = line.parts.front().first;
+    const bool isFlat = name == "P" || (name == "K" && line.used.size() == 1 &&
+                                        hasWord(line.first->steps.back(), "p projection rect rectified"));
+    if (!isFlat) putLens(line, all, boxes, isFisheye);
+    if (name != "P") {
+      line.poses = posesFor(*line.first, all);
+      if (isFlat) std::erase_if(line.poses, [](const Match& match) { return match.parts.size() > 1; });
+      const auto eye = line.poses.empty() ? bestOf(*line.first, all, "E") : std::nullopt;
+      for (const char* kind : {"direction", "target"})
+        if (const auto aim = eye ? bestOf(*line.first, all, kind) : std::nullopt) {
+          line.add("position", eye->parts, eye->score);
+          line.add(kind, aim->parts, aim->score);
+          line.add("up", {}, 0, "0+0+1");
+          line.ask.push_back("up=0+0+1 where z is up, up=0+1+0 where y is");
+          break;
+        }
+    }
+  }
+  sharePoses(lines);
+  if (lines.empty() && !all.empty()) {
+    for (const Chosen& each : all)
+      if (isAmong(each->kind, "X R V Q"))
+        for (const Match& match : posesFor(*each, all)) {
+          if (match.parts.front() != each) continue;
+          Line line;
+          line.first = each;
+          putPose(line, match, nullptr);
+          line.ask.push_back("no lens in this file: give it by --fx … or --fov-y, or take it from another file");
+          lines.push_back(std::move(line));
+          break;
+        }
+  }
+  for (Line& line : lines)
+    if (line.first->isStarred())
+      line.score += 2 + 0.1 * static_cast<double>(std::min<std::size_t>(line.first->star.size(), 20));
+  std::stable_sort(lines.begin(), lines.end(), [](const Line& a, const Line& b) { return a.score > b.score; });
+  // One line for one set of numbers.
+  std::vector<Line> kept;
+  std::set<const Candidate*> seen;
+  for (Line& line : lines) {
+    std::vector<const Candidate*> covered{line.first.get()};
+    for (const auto& [star, each] : line.first->star) covered.push_back(each.get());
+    if (std::any_of(covered.begin(), covered.end(), [&](const Candidate* each) { return seen.contains(each); }))
+      continue;
+    seen.insert(covered.begin(), covered.end());
+    kept.push_back(std::move(line));
+  }
+  return kept;
+}
+
+void addBlocks(const Json& value, const std::string& path, std::vector<std::string>& blocks) {
+  constexpr std::size_t kLeast = 9, kMost = 50;
+  const auto numbers = value.is_array() ? numbersIn(value) : std::nullopt;
+  if (numbers && numbers->size() >= kLeast) {
+    blocks.push_back(path + " (" + std::to_string(numbers->size()) + " numbers)");
+    return;
+  }
+  std::size_t items = 0;
+  if (value.is_object())
+    for (const auto& [key, member] : value.items())
+      if (++items <= kMost && blocks.size() < kMost) addBlocks(member, joinedPath(path, key), blocks);
+}
+
+}  // namespace
+
+namespace {
+
+/// A path without what is done to its numbers.
+std::string bareOf(const Candidate& candidate) {
+  const std::string path = candidate.path();
+  return path.substr(0, path.size() - (candidate.terms.empty() ? candidate.suffix.size() : 0));
+}
+
+}  // namespace
+
+Proposal proposeParts(const Document& file) {
+  Candidates all = candidatesIn(file);
+  const std::vector<Scalars> boxes = scalarsOf(all);
+  addFamilies(boxes, all);
+  const std::vector<Line> lines = linesOf(file, all, boxes);
+  Proposal proposal;
+  std::set<std::string> used;
+  for (const Line& line : lines) {
+    ProposedLine proposed;
+    for (const auto& [name, path] : line.parts)
+      proposed.parts += (proposed.parts.empty() ? "" : ", ") + name + "=" + path;
+    if (line.isNerf) proposed.set = {"cameraAxes=RUB", "viewport.pixelCenter=0.5"};
+    proposed.decide = line.ask;
+    proposed.cameras = std::max<std::size_t>(1, line.first->star.size());
+    proposed.hasLens = !isPoseKind(line.first->kind);
+    proposal.lines.push_back(std::move(proposed));
+    for (const Chosen& each : line.used) {
+      used.insert(bareOf(*each));
+      for (const auto& [star, one] : each->star) used.insert(bareOf(*one));
+      for (const Chosen& term : each->terms) used.insert(bareOf(*term));
+    }
+  }
+  for (const Chosen& each : all)
+    if (!lines.empty() && !each->isStarred() && each->terms.empty() && isAmong(each->kind, "K P X R V Q T E D S") &&
+        !used.contains(bareOf(*each)) &&
+        std::any_of(each->numbers.begin(), each->numbers.end(), [](double n) { return n != 0; })) {
+      const std::string path = each->path();
+      if (std::find(proposal.leftOut.begin(), proposal.leftOut.end(), path) == proposal.leftOut.end())
+        proposal.leftOut.push_back(path);
+    }
+  if (lines.empty()) addBlocks(*file.root, "", proposal.blocks);
+  return proposal;
+}
+
+namespace {
+
+/// Some of a list, and how many more there are.
+std::string someOf(const std::vector<std::string>& list, std::size_t most) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(list.size(), most); ++i) text += (i > 0 ? ", " : "") + list[i];
+  return list.size() <= most ? text : text + " and " + std::to_string(list.size() - most) + " more";
+}
+
+std::string shownLine(const ProposedLine& line) {
+  std::string text = "--parts '" + line.parts + "'";
+  for (const std::string& set : line.set) text += " --set " + set;
+  return line.cameras > 1 ? text + "   (" + std::to_string(line.cameras) + " cameras)" : text;
+}
+
+}  // namespace
+
+std::string textOf(const Proposal& proposal) {
+  constexpr std::size_t kMostLines = 5, kMostQuestions = 5, kMostPaths = 8;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(proposal.lines.size(), kMostLines); ++i) {
+    text += (i > 0 ? "or " : "") + shownLine(proposal.lines[i]) + "\n";
+    for (std::size_t j = 0; i == 0 && j < std::min(proposal.lines[0].decide.size(), kMostQuestions); ++j)
+      text += "  decide: " + proposal.lines[0].decide[j] + "\n";
+  }
+  if (proposal.lines.size() > kMostLines)
+    text += "and " + std::to_string(proposal.lines.size() - kMostLines) + " more lines like these\n";
+  if (!proposal.leftOut.empty()) text += "left out: " + someOf(proposal.leftOut, kMostPaths) + "\n";
+  if (text.empty() && !proposal.blocks.empty()) text = "blocks of numbers: " + someOf(proposal.blocks, 6) + "\n";
+  return text.empty() ? "nothing in it looks like a camera\n" : text;
+}
+
+Json jsonOf(const Proposal& proposal) {
+  Json parts = Json::array();
+  for (const ProposedLine& line : proposal.lines)
+    parts.push_back({{"line", line.parts}, {"set", line.set}, {"decide", line.decide}, {"cameras", line.cameras}});
+  return {{"parts", parts}, {"leftOut", proposal.leftOut}};
+}
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,32 @@
+// Proposes --parts for a file that no format claims.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "camera/document.hpp"
+
+namespace viewproj::cmd {
+
+struct ProposedLine {
+  std::string parts;                ///< for --parts
+  std::vector<std::string> set;     ///< for --set
+  std::vector<std::string> decide;  ///< what a person has to decide
+  std::size_t cameras = 1;
+  bool hasLens = true;
+};
+
+struct Proposal {
+  std::vector<ProposedLine> lines;   ///< the likeliest first
+  std::vector<std::string> leftOut;  ///< paths of what looks like a part and is in no line
+  std::vector<std::string> blocks;   ///< if there is nothing else: numbers that a person can take slices of
+};
+
+Proposal proposeParts(const Document& file);
+
+/// At most twelve lines of text.
+std::string textOf(const Proposal& proposal);
+/// {"parts": [{"line", "set", "decide", "cameras"}], "leftOut": [...]}
+Json jsonOf(const Proposal& proposal);
+
+}  // namespace viewproj::cmd

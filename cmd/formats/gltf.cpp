@@ -1,0 +1,114 @@
+// glTF 2.0. Source: its specification, "Nodes and Hierarchy" and "Cameras".
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "formats/format.hpp"
+#include "formats/node_tree.hpp"
+#include "text/number.hpp"
+
+namespace viewproj::cmd {
+namespace gltf {
+
+struct Gltf {
+  std::vector<Node> cameras;
+  NodeTree tree{"translation", "rotation"};
+  std::vector<std::size_t> places{};  ///< of each listed camera: its node, or nodes.size() + its index
+};
+
+std::vector<Node> elements(const Node& root, std::string_view key) {
+  std::vector<Node> result;
+  if (const auto list = root.find(key))
+    for (std::size_t i = 0; i < list->size(); ++i) result.push_back((*list)[i]);
+  return result;
+}
+
+/// An index into a list of this size.
+std::size_t indexOf(const Node& node, std::size_t size) {
+  const double index = node.number();
+  if (!(index >= 0 && index < static_cast<double>(size) && index == std::floor(index)))
+    node.fail("expected a whole number from 0 to below " + std::to_string(size));
+  return static_cast<std::size_t>(index);
+}
+
+void findParents(NodeTree& tree) {
+  tree.parents.assign(tree.nodes.size(), NodeTree::kNone);
+  for (std::size_t i = 0; i < tree.nodes.size(); ++i)
+    for (const Node& child : elements(tree.nodes[i], "children")) {
+      std::size_t& parent = tree.parents[indexOf(child, tree.nodes.size())];
+      if (parent != NodeTree::kNone) child.fail("is a child of node " + std::to_string(parent) + " too");
+      parent = i;
+    }
+}
+
+std::string nameOf(const Node& object) {
+  const auto name = object.find("name");
+  return name && name->json().is_string() ? name->text() : "";
+}
+
+Json lensOf(const Node& camera) {
+  const std::string& type = camera.require("type").text();
+  if (type == "perspective") {
+    const Node lens = camera.require(type);
+    // Stays in radians, to keep all digits.
+    Json result{{"type", type},
+                {"fovY", formatNumber(lens.require("yfov").number()) + "rad"},
+                {"near", lens.require("znear").number()}};
+    if (const auto aspect = lens.find("aspectRatio")) result["aspect"] = aspect->number();
+    if (const auto far = lens.find("zfar")) result["far"] = far->number();
+    return result;
+  }
+  if (type != "orthographic") camera.require("type").fail("expected perspective or orthographic");
+  const Node lens = camera.require(type);
+  return {{"type", type},
+          {"width", 2 * lens.require("xmag").number()},
+          {"height", 2 * lens.require("ymag").number()},
+          {"near", lens.require("znear").number()},
+          {"far", lens.require("zfar").number()}};
+}
+
+Json documentOf(Gltf& gltf, std::size_t place) {
+  const std::size_t nodes = gltf.tree.nodes.size();
+  const std::size_t camera =
+      place < nodes ? indexOf(gltf.tree.nodes[place].require("camera"), gltf.cameras.size()) : place - nodes;
+  Json document{{"convention", "opengl"}, {"projection", lensOf(gltf.cameras[camera])}};
+  if (place < nodes) gltf.tree.addPose(document, place);
+  return document;
+}
+
+Import open(const Node& root) {
+  const Node version = root.require("asset").require("version");
+  if (!version.text().starts_with("2.")) version.fail("is not supported; only glTF 2 is");
+  Gltf gltf{elements(root, "cameras")};
+  const std::vector<Node>& nodes = gltf.tree.nodes = elements(root, "nodes");
+  findParents(gltf.tree);
+  Import result;
+  std::vector<bool> hasNode(gltf.cameras.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (nodes[i].find("matrix") && nodes[i].findAny({"translation", "rotation", "scale"}))
+      nodes[i].fail("has a matrix beside translation, rotation or scale");
+    const auto camera = nodes[i].find("camera");
+    if (!camera) continue;
+    std::string name = nameOf(nodes[i]);
+    if (camera->json().is_number_unsigned() && camera->json() < gltf.cameras.size()) {
+      hasNode[camera->json()] = true;
+      if (name.empty()) name = nameOf(gltf.cameras[camera->json()]);
+    }
+    result.cameras.push_back({name, std::to_string(i)});
+    gltf.places.push_back(i);
+  }
+  for (std::size_t i = 0; i < gltf.cameras.size(); ++i) {
+    if (hasNode[i]) continue;
+    result.cameras.push_back({nameOf(gltf.cameras[i]), gltf.cameras[i].path()});
+    gltf.places.push_back(nodes.size() + i);
+  }
+  result.document = [gltf = std::move(gltf)](std::size_t which) mutable {
+    return documentOf(gltf, gltf.places[which]);
+  };
+  return result;
+}
+
+}  // namespace gltf
+
+extern const Format kGltf{"gltf", "a glTF file", "asset.version", gltf::open, "*"};
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,278 @@
+<<<<<<< HEAD:cmd/camera/importers/open.cpp
+// Opens a file of any format as a set of cameras.
+#include <nlohmann/json.hpp>
+
+#include "text/error.hpp"
+#include "text/file.hpp"
+=======
+#include "formats/open.hpp"
+
+#include <algorithm>
+#include <mutex>
+#include <nlohmann/json.hpp>
+
+#include "formats/claims.hpp"
+#include "formats/colmap.hpp"
+#include "formats/parts.hpp"
+#include "formats/poses.hpp"
+#include "formats/rows.hpp"
+#include "formats/tree.hpp"
+#include "formats/unread.hpp"
+#include "text/utf8.hpp"
+>>>>>>> formats:cmd/formats/open.cpp
+
+namespace viewproj::cmd {
+namespace {
+
+<<<<<<< HEAD:cmd/camera/importers/open.cpp
+Document loadAny(const std::string& source, const std::string& option, bool wasColmap) {
+  if (isInlineJson(source)) return load(source, option);
+  if (wasColmap) return {shownName(source), std::make_shared<Json>(readColmap(source))};
+  return parseDocument(shownName(source), readWithoutGlb(source, kMostDocumentBytes));
+}
+
+/// The importer for a document. Null for our own format (an object with a projection object) and for unknown formats.
+const Importer* importerOf(const Json& root, bool wasColmap) {
+  if (wasColmap) return &kColmap;
+  const auto projection = root.find("projection");
+  if (root.is_object() && projection != root.end() && projection->is_object()) return nullptr;
+  for (const Importer* importer : importers())
+    if (importer->recognises(root)) return importer;
+  return nullptr;
+=======
+/// The formats that have a file; the order does not matter, for one at most claims a file.
+constexpr const Format* kFormats[] = {
+    &kGltf,    &kThreeJs, &kTransforms, &kMetashape, &kMetashapeLens, &kMeshroom, &kOpenSfm, &kOpenSfmLenses,
+    &kBundler, &kExif,    &kScanner,    &kKalibr,    &kKitti,         &kStereo,   &kPoses,   &kMatrices};
+
+/// Our own form may have names of others, as fx and cx in a projection.
+bool isOurs(const Json& root) {
+  if (!root.is_object()) return false;
+  const auto projection = root.find("projection");
+  constexpr const char* kMembers[] = {"type",        "fovY",   "fovX", "fovDiagonal", "fx",    "left",
+                                      "focalLength", "matrix", "near", "width",       "height"};
+  return projection != root.end() && projection->is_object() &&
+         (projection->empty() || std::any_of(std::begin(kMembers), std::end(kMembers),
+                                             [&](const char* name) { return projection->contains(name); }));
+}
+
+bool claims(const Format& format, const Node& root) {
+  return format.recognises ? format.recognises(root) : holds(root, format.when);
+}
+
+struct Claim {
+  std::string_view name, form, known;
+  std::function<Import()> open;
+  bool isMatrices = false;
+};
+
+std::vector<Claim> claimsOf(const Node& root, bool all) {
+  std::vector<Claim> found;
+  if (isOurs(root.json())) return found;
+  for (const Format* format : kFormats)
+    if ((all || found.empty()) && claims(*format, root))
+      found.push_back({format->name, format->form, format->known, [format, root] { return format->open(root); },
+                       format == &kMatrices});
+  for (const Row& row : rows()) {
+    if (!all && !found.empty()) break;
+    if (const auto container = containerOf(row, root))
+      found.push_back(
+          {row.name, row.form, row.known, [&row, root, container] { return importRow(row, root, *container); }});
+  }
+  return found;
+}
+
+/// What no format has read is judged when a camera is asked for. Several threads may ask.
+Import judged(const std::shared_ptr<Document>& file, Import result, std::string_view known) {
+  struct State {
+    std::mutex mutex;
+    std::optional<Unread> unread;
+    std::string note;
+  };
+  const auto state = std::make_shared<State>();
+  state->unread.emplace(*file, result, known);
+  const auto document = std::move(result.document);
+  result.document = [file, state, document](std::size_t which) {
+    const std::lock_guard lock(state->mutex);
+    Json camera = document(which);
+    state->note = state->unread->judge(which);
+    return camera;
+  };
+  result.unread = [state](std::size_t) {
+    const std::lock_guard lock(state->mutex);
+    return state->note;
+  };  // namespace
+  return result;
+}  // namespace viewproj::cmd
+
+bool isInOtherWorld(const CameraEntry& camera) {
+  for (const char* world : {"imu/", "body/", "velodyne/", "lidar/"})
+    if (camera.name.starts_with(world)) return true;
+  return false;
+}
+
+/// Keeps the cameras of the file's own world, or those of the world that is picked: the same cameras, seen from
+/// elsewhere.
+void keepWorld(Import& result, const std::optional<std::string>& pick) {
+  const bool isOther = pick && isInOtherWorld({*pick, ""});
+  const std::string world = isOther ? pick->substr(0, pick->find('/') + 1) : "";
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < result.cameras.size(); ++i)
+    if (isOther ? result.cameras[i].name.starts_with(world) : !isInOtherWorld(result.cameras[i])) kept.push_back(i);
+  if (kept.empty() || kept.size() == result.cameras.size()) return;
+  std::vector<CameraEntry> cameras;
+  for (const std::size_t i : kept) cameras.push_back(std::move(result.cameras[i]));
+  result.cameras = std::move(cameras);
+  if (result.own) result.own = [own = std::move(result.own), kept](std::size_t which) { return own(kept[which]); };
+  result.document = [document = std::move(result.document), kept](std::size_t which) { return document(kept[which]); };
+}
+
+Import importFile(const std::shared_ptr<Document>& file, const Opening& opening, const std::string& preset) {
+  const Node root(*file);
+  if (opening.parts) {
+    std::vector<Part> parts = parseParts(*opening.parts, "--parts");
+    requireNames(parts, "--parts", false);
+    if (parts.empty()) throw UsageError("--parts: expected name=path, as in K=camera_matrix");
+    return importParts(root, std::move(parts), {}, "");
+  }
+  const std::vector<Claim> found = claimsOf(root, false);
+  if (!preset.empty() && !found.empty() && !found.front().isMatrices)
+    throw InputError(file->name + ": is " + std::string(found.front().form) +
+                     ", which has a convention of its own; leave out --read-as");
+  if (!preset.empty() && file->root->is_object()) readAs(*file, preset);
+  if (!found.empty()) {
+    Import result = found.front().open();
+    keepWorld(result, opening.pick);
+    return judged(file, std::move(result), found.front().known);
+  }
+  if (isCameraDocument(*file->root)) {
+    return openCameraDocument(*file);
+  }
+  throw UnknownFile(file->name +
+                        ": is not a camera file of a known kind; viewproj info FILE proposes --parts, viewproj help "
+                        "formats lists the kinds",
+                    *file);
+}
+
+/// A principal point that the file does not state is the middle of the picture, whose size may come from options.
+void addCentre(Json& camera, const std::vector<Patch>& patches) {
+  const auto projection = camera.find("projection");
+  if (projection == camera.end() || !projection->contains("fx") || projection->contains("cx")) return;
+  std::array<double, 2> size{};
+  for (const Patch& patch : patches)
+    if (patch.value->is_number()) {
+      if (patch.path == "viewport.width") size[0] = patch.value->get<double>();
+      if (patch.path == "viewport.height") size[1] = patch.value->get<double>();
+    }
+  if (!(size[0] > 0 && size[1] > 0)) return;
+  const bool countsCentres =
+      camera["convention"] == "opencv" && !camera.value("viewport", Json::object()).contains("pixelCenter");
+  (*projection)["cx"] = size[0] / 2 - (countsCentres ? 0.5 : 0);
+  (*projection)["cy"] = size[1] / 2 - (countsCentres ? 0.5 : 0);
+}
+
+/// Each camera at the pose, or one camera at each pose.
+Import atPoses(Import result, const Opening& opening) {
+  const CameraSource source = splitPick(opening.poses);
+  const auto file = std::make_shared<Document>(readTree(source.file, "--" + opening.option));
+  PosesOfFile poses = posesOf(Node(*file));
+  if (!poses.direction.empty() && poses.direction != opening.direction)
+    throw InputError(file->name + ": holds poses of the other direction, " + poses.direction);
+  std::vector<std::size_t> picked;
+  for (std::size_t i = 0; i < poses.names.size(); ++i)
+    if (!source.pick || poses.names[i].name == *source.pick) picked.push_back(i);
+  if (source.pick && picked.empty()) {
+    for (std::size_t i = 0; i < poses.names.size(); ++i)
+      if (std::to_string(i) == *source.pick || "#" + std::to_string(i) == *source.pick) picked = {i};
+    if (picked.empty()) throw InputError(file->name + ": has no pose " + inQuotes(*source.pick));
+  }
+  if (picked.size() > 1 && result.cameras.size() > 1)
+    throw InputError(file->name + ": holds " + std::to_string(picked.size()) +
+                     " poses for several cameras; pick one of either");
+  Import moved = result;
+  if (picked.size() > 1) {
+    moved.cameras.clear();
+    for (const std::size_t i : picked) moved.cameras.push_back(poses.names[i]);
+    moved.unread = nullptr;
+  }
+  moved.document = [file, result, poses, picked, direction = opening.direction](std::size_t which) {
+    Json camera = result.document(picked.size() > 1 ? 0 : which);
+    for (const char* field : {"position", "rotation", "target", "direction", "up", "euler", "heading", "pitch", "roll",
+                              "worldFromCamera", "cameraFromWorld"})
+      camera.erase(field);
+    camera[direction] = poses.pose(picked[picked.size() > 1 ? which : 0]);
+    return camera;
+  };
+  return moved;
+>>>>>>> formats:cmd/formats/open.cpp
+}
+
+}  // namespace
+
+<<<<<<< HEAD:cmd/camera/importers/open.cpp
+std::unique_ptr<CameraSet> openCameras(const std::string& source, const std::string& option, CameraPatches patches) {
+  const bool wasColmap = !isInlineJson(source) && isColmap(source);
+  const auto file = std::make_shared<Document>(loadAny(source, option, wasColmap));
+  const Importer* const importer = importerOf(*file->root, wasColmap);
+  if (!importer && !isCameraDocument(*file->root))
+    throw InputError(file->name + ": is not a camera file of a known kind; viewproj help formats lists them");
+  if (!patches.readAs.empty() && importer && importer != &kMatrices)
+    throw InputError(file->name + ": is " + std::string(importer->form) +
+                     ", which has a convention of its own; leave out --read-as");
+  if (!patches.readAs.empty()) readAs(*file, patches.readAs);
+  Import found = importer ? importer->open(Node(*file)) : openCameraDocument(*file);
+  // The file must live as long as the functions that read it.
+  found.document = [file, document = std::move(found.document)](std::size_t which) { return document(which); };
+  return std::make_unique<CameraSet>(file->name, std::move(found), std::move(patches));
+=======
+std::unique_ptr<CameraSet> openCameras(const std::string& source, const Opening& opening, CameraPatches patches) {
+  std::shared_ptr<Document> file;
+  Import result;
+  if (const auto model = opening.parts ? std::nullopt : colmapModel(source)) {
+    if (!patches.readAs.empty())
+      throw InputError(source +
+                       ": is a reconstruction of COLMAP, which has a convention of its own; leave out --read-as");
+    file = std::make_shared<Document>(Document{source, std::make_shared<Json>(readColmap(*model))});
+    result = openColmap(Node(*file));
+    result.document = [file, document = std::move(result.document)](std::size_t which) { return document(which); };
+  } else {
+    file = std::make_shared<Document>(readTree(source, opening.option));
+    file->marks = std::make_shared<std::unordered_set<const void*>>();
+    result = importFile(file, opening, patches.readAs);
+    result.document = [file, document = std::move(result.document)](std::size_t which) { return document(which); };
+  }
+  if (!opening.poses.empty()) result = atPoses(std::move(result), opening);
+  result.document = [document = std::move(result.document), options = patches.patches](std::size_t which) {
+    Json camera = document(which);
+    addCentre(camera, options);
+    return camera;
+  };
+  return std::make_unique<CameraSet>(file->name, std::move(result), std::move(patches));
+}
+
+std::unique_ptr<CameraSet> openPoses(const Opening& opening, CameraPatches patches) {
+  Json camera{{"convention", patches.readAs.empty() ? "opencv" : patches.readAs}};
+  Import result{{CameraEntry{}}, [camera](std::size_t) { return camera; }};
+  result = atPoses(std::move(result), opening);
+  return std::make_unique<CameraSet>(splitPick(opening.poses).file, std::move(result), std::move(patches));
+}
+
+std::vector<FormatName> formatNames() {
+  std::vector<FormatName> names;
+  const auto add = [&](std::string_view name, std::string_view form) {
+    if (!form.empty()) names.push_back({name, form});
+  };
+  add("colmap", "a reconstruction of COLMAP");
+  for (const Format* format : kFormats) add(format->name, format->form);
+  for (const Row& row : rows()) add(row.name, row.form);
+  return names;
+}
+
+std::vector<std::string> claimants(const Document& file) {
+  std::vector<std::string> names;
+  for (const Claim& claim : claimsOf(Node(file), true)) names.emplace_back(claim.name);
+  return names;
+>>>>>>> formats:cmd/formats/open.cpp
+}
+
+}  // namespace viewproj::cmd

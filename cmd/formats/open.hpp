@@ -1,0 +1,44 @@
+// Opens camera files: known by their content, or read by their parts.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "camera/camera_set.hpp"
+#include "formats/format.hpp"
+#include "text/error.hpp"
+
+namespace viewproj::cmd {
+
+/// A text or a tree that no format claims.
+struct UnknownFile : InputError {
+  UnknownFile(const std::string& message, Document tree) : InputError(message), file(std::move(tree)) {}
+  Document file;
+};
+
+/// What is typed beside the file.
+struct Opening {
+  std::string option;                  ///< the name of inline JSON in messages
+  std::optional<std::string> pick{};   ///< what stands after #
+  std::optional<std::string> parts{};  ///< of --parts
+  /// A file of poses, and the field that they set; or an empty name.
+  std::string poses{}, direction{};
+};
+
+/// The cameras of a file; with --parts those that its line builds. Throws UnknownFile, InputError.
+std::unique_ptr<CameraSet> openCameras(const std::string& file, const Opening& opening, CameraPatches patches);
+/// The cameras of options alone, at the poses of a file.
+std::unique_ptr<CameraSet> openPoses(const Opening& opening, CameraPatches patches);
+
+/// Formats in the order of help: a row for each name.
+struct FormatName {
+  std::string_view name, form;
+};
+std::vector<FormatName> formatNames();
+
+/// The names of all formats that claim a file. One, or none.
+std::vector<std::string> claimants(const Document& file);
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,89 @@
+// Files of programs that are known and not read, each with what to do instead.
+#include <algorithm>
+
+#include "formats/tree.hpp"
+#include "text/utf8.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+struct Refusal {
+  std::string_view mark;
+  bool begins;  ///< the file begins with the mark; else it is among its first bytes
+  const char* why;
+};
+constexpr Refusal kRefusals[] = {
+    {"version https://git-lfs", true, "is a pointer of Git LFS, not the file itself; git lfs pull fetches it"},
+    {"\x80\x02", true,
+     "is a pickle, which runs code when it is read; save it with np.savez(\"camera.npz\", K=K, dist=dist)"},
+    {"\x80\x03", true,
+     "is a pickle, which runs code when it is read; save it with np.savez(\"camera.npz\", K=K, dist=dist)"},
+    {"\x80\x04", true,
+     "is a pickle, which runs code when it is read; save it with np.savez(\"camera.npz\", K=K, dist=dist)"},
+    {"\x80\x05", true,
+     "is a pickle, which runs code when it is read; save it with np.savez(\"camera.npz\", K=K, dist=dist)"},
+    {"MATLAB 5.0", true, "is a MATLAB file; write its K as JSON: jsonencode(struct('K', cameraParams.Intrinsics.K))"},
+    {"SQLite format 3", true, "is a database; colmap model_converter --output_type TXT writes the model of COLMAP"},
+    {"\x89HDF", true, "is an HDF5 file, which is not read; write its numbers as JSON or np.savez"},
+    {"PAR1", true, "is a Parquet file, which is not read; write a CSV of it"},
+    {"ARROW1", true, "is a Feather file, which is not read; write a CSV of it"},
+    {"BLENDER", true, "is a Blender file; export the camera as glTF"},
+    {"\xFF\xD8\xFF", true, "is a picture; exiftool -json -n writes where it was taken"},
+    {"\x89PNG", true, "is a picture; exiftool -json -n writes where it was taken"},
+    {"ply\n", true, "is a mesh, which holds no camera"},
+    {"PXR-USDC", true,
+     "is USD in binary form; usdcat makes text of it, and --focal-length, --sensor-width, --position say its camera"},
+    {"#usda", true,
+     "is USD, which is not read; give focalLength and horizontalAperture to --focal-length and --sensor-width, and the "
+     "prim's place and "
+     "turn to --position and --euler"},
+    {"%YAML 1.1\n%TAG !u!", true,
+     "is a scene of Unity, which is not read; give the Camera's \"field of view\" to --fov-y, m_LocalPosition to "
+     "--position and "
+     "m_LocalRotation to --rotation, with --convention unity"},
+    {"[gd_scene", true,
+     "is a scene of Godot, which is not read; give fov to --fov-y, and the node's transform as worldFromCamera of a "
+     "camera file"},
+    {"#polynomial coefficients for the DIRECT mapping", false,
+     "is a lens of OCamCalib, which is not supported; undistort the pictures first"},
+    {"Camera.Parameters=[", false,
+     "is of PTAM: fractions of the picture and an FOV lens; give --fx, --fy, --cx, --cy in pixels and --distortion "
+     "'{\"model\": \"fov\", \"omega\": w}'"},
+    {"model_type: SCARAMUZZA", false,
+     "has a lens of the model SCARAMUZZA, which is not supported; undistort the pictures first"},
+    {"'lensmodel'", false, "is a model of mrcal; mrcal-to-kalibr writes one that is read"},
+    {"CAHVOR", false, "is of the CAHVOR family, which is not supported"},
+    {"<sdf ", false,
+     "is SDF, which is not read; give horizontal_fov to --fov-x and the pose to --position and --euler"},
+    {"<mujoco", false,
+     "is of MuJoCo, which is not read; give fovy to --fov-y, and pos and quat to --position and --rotation"},
+    {"<scene version=", false,
+     "is of Mitsuba, which is not read; give fov to --fov-x, and origin, target and up of lookat to --position, "
+     "--target and --up"},
+    {"WorldBegin", false,
+     "is of pbrt, which is not read; give LookAt to --position, --target and --up, and fov (of the shorter side) to "
+     "--fov-y or --fov-x"},
+    {"xcr:Rotation", false,
+     "is of RealityCapture, which is not read; xcr:Position is the eye and xcr:Rotation cameraFromWorld by rows, "
+     "FocalLength35mm / 36 and "
+     "PrincipalPointU, V count the picture's larger side"},
+    {"CameraDefaults", false,
+     "holds settings of AirSim; give FOV_Degrees to --fov-x, and the vehicle's place to --position"},
+    {"fetch_sub_folder", false, "is of Xtreme1, which is not read"},
+};
+
+}  // namespace
+
+const char* refusalOf(std::string_view text) {
+  constexpr std::size_t kMost = 1 << 16;
+  std::string_view start = text.substr(0, kMost);
+  if (start.starts_with("\xEF\xBB\xBF")) start.remove_prefix(3);
+  const bool isText = start.find('\0') == std::string_view::npos;
+  for (const Refusal& refusal : kRefusals) {
+    if (refusal.begins ? start.starts_with(refusal.mark) : isText && start.find(refusal.mark) != std::string_view::npos)
+      return refusal.why;
+  }
+  return nullptr;
+}
+
+}  // namespace viewproj::cmd

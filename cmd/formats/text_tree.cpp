@@ -1,0 +1,229 @@
+// Text with keys and tables. TOML, INI, MATLAB's assignments and the calibration files of many programs are text with
+// keys.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "formats/tree.hpp"
+#include "text/names.hpp"
+#include "text/number.hpp"
+#include "text/utf8.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+/// A number of a text, inf and nan included.
+std::optional<double> numberIn(std::string_view word) {
+  if (const auto number = parseNumber(word)) return number;
+  const bool isNegative = word.starts_with('-');
+  if (isNegative || word.starts_with('+')) word.remove_prefix(1);
+  if (sameButForCase(word, "nan")) return std::numeric_limits<double>::quiet_NaN();
+  if (!sameButForCase(word, "inf")) return std::nullopt;
+  return isNegative ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
+}
+
+/// The parts between any of the separators, without empty ones.
+std::vector<std::string_view> partsOf(std::string_view text, std::string_view separators) {
+  std::vector<std::string_view> parts;
+  for (std::size_t at = 0; (at = text.find_first_not_of(separators, at)) != std::string_view::npos;) {
+    const std::size_t end = std::min(text.find_first_of(separators, at), text.size());
+    parts.push_back(text.substr(at, end - at));
+    at = end;
+  }
+  return parts;
+}
+
+/// The line without a comment, which begins with #, // or % at the start or after a blank.
+std::string_view withoutComment(std::string_view line) {
+  for (std::size_t at = 0; at < line.size(); ++at)
+    if ((at == 0 || line[at - 1] == ' ' || line[at - 1] == '\t') &&
+        (line[at] == '#' || line[at] == '%' || line.substr(at, 2) == "//"))
+      return line.substr(0, at);
+  return line;
+}
+
+class TextReader {
+ public:
+  void readLine(std::string_view line) {
+    const std::string_view text = withoutComment(line);
+    const std::string_view bare = trimmed(text);
+    if (bare.size() > 2 && bare.front() == '[' && (isLetter(bare[1]) || bare[1] == '_') &&
+        bare.find(']') == bare.size() - 1) {
+      close();
+      key_.clear();
+      Json& box = root_[std::string(bare.substr(1, bare.size() - 2))];
+      if (!box.is_object()) box = Json::object();
+      box_ = &box;
+      return;
+    }
+    if (bare.empty()) {
+      if (isBlank(line)) endBlock();
+      return;
+    }
+    std::vector<std::string_view> words = partsOf(text, " \t[](){};,=<");
+    std::size_t lead = 0;
+    while (lead < words.size() && !numberIn(words[lead])) ++lead;
+    if (lead > 0) {
+      close();
+      key_.clear();
+      for (std::size_t i = 0; i < lead; ++i) key_.append(i > 0 ? "_" : "").append(stripped(words[i], "\":'"));
+      key_ = stripped(key_, "_:");
+    }
+    std::vector<double> row;
+    for (std::size_t i = lead; i < words.size() && numberIn(words[i]); ++i) row.push_back(*numberIn(words[i]));
+    if (row.empty()) return keepText(text);
+    const auto rows = static_cast<std::size_t>(std::count(text.begin(), text.end(), ';')) + 1;
+    const bool isMatrix = rows > 1 && text.find('[') != std::string_view::npos &&
+                          text.find("];") == std::string_view::npos && row.size() % rows == 0;
+    const std::size_t columns = isMatrix ? row.size() / rows : row.size();
+    for (auto at = row.begin(); at != row.end(); at += static_cast<std::ptrdiff_t>(columns))
+      block_.emplace_back(at, at + static_cast<std::ptrdiff_t>(columns));
+  }
+
+  Json finished() {
+    close();
+    return blocks_ > 0 ? std::move(root_) : Json::object();
+  }
+
+ private:
+  static std::string_view stripped(std::string_view text, std::string_view characters) {
+    const std::size_t first = text.find_first_not_of(characters);
+    if (first == std::string_view::npos) return "";
+    return text.substr(first, text.find_last_not_of(characters) + 1 - first);
+  }
+
+  Json& box() { return box_ ? *box_ : root_; }
+
+  /// name = "text"
+  void keepText(std::string_view text) {
+    const std::size_t sign = text.find_first_of("=:");
+    if (sign == std::string_view::npos) return;
+    const std::string name(stripped(trimmed(text.substr(0, sign)), "\"'"));
+    const std::string_view value = stripped(text.substr(sign + 1), " \t\r;,");
+    if (!name.empty() && !value.empty()) box().emplace(name, stripped(value, "\"'"));
+    key_ = name;
+  }
+
+  void endBlock() {
+    close();
+    if (box().contains(key_)) key_.clear();
+  }
+
+  void close() {
+    if (block_.empty()) return;
+    ++blocks_;
+    const std::size_t columns = block_.front().size();
+    const bool isMatrix =
+        block_.size() > 1 && columns > 1 &&
+        std::all_of(block_.begin(), block_.end(), [&](const auto& row) { return row.size() == columns; });
+    Json value = Json::array();
+    for (const auto& row : block_) {
+      if (isMatrix)
+        value.push_back(row);
+      else
+        for (const double number : row) value.push_back(number);
+    }
+    if (value.size() == 1 && value.front().is_number()) value = Json(value.front());
+    const std::string name = key_.empty() ? "#" + std::to_string(blocks_) : key_;
+    if (!box().emplace(name, value).second) {
+      Json& list = box()[name + "#"];
+      if (!list.is_array()) list = Json::array();
+      list.push_back(std::move(value));
+    }
+    block_.clear();
+  }
+
+  Json root_ = Json::object();
+  Json* box_ = nullptr;  ///< of the last heading
+  std::string key_;
+  std::vector<std::vector<double>> block_;
+  std::size_t blocks_ = 0;
+};
+
+template <class Read>
+void eachLine(std::string_view text, const Read& read) {
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    std::string_view line = text.substr(at, end - at);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    at = end + 1;
+    if (!read(line)) return;
+  }
+}
+
+/// The cells of a line. Quotes may stand around a cell with a separator in it.
+std::vector<std::string_view> cellsOf(std::string_view line, char separator) {
+  if (separator == ' ') return partsOf(line, " \t");
+  std::vector<std::string_view> cells;
+  for (std::size_t at = 0; at <= line.size();) {
+    const std::size_t quote = line.substr(at).starts_with('"') ? line.find('"', at + 1) : at;
+    const std::size_t end = std::min(line.find(separator, quote == std::string_view::npos ? at : quote), line.size());
+    std::string_view cell = trimmed(line.substr(at, end - at));
+    if (cell.size() > 1 && cell.front() == '"' && cell.back() == '"') cell = cell.substr(1, cell.size() - 2);
+    cells.push_back(cell);
+    at = end + 1;
+  }
+  return cells;
+}
+
+/// A header is made of names; nearly all of them have letters.
+bool isHeader(const std::vector<std::string_view>& names) {
+  const auto isName = [](std::string_view word) {
+    return !numberIn(word) && std::any_of(word.begin(), word.end(), isLetter);
+  };
+  constexpr std::size_t kLeast = 4;
+  return names.size() >= kLeast && 10 * std::count_if(names.begin(), names.end(), isName) >= 9 * std::ssize(names);
+}
+
+}  // namespace
+
+Json textTree(std::string_view text) {
+  TextReader reader;
+  eachLine(text, [&](std::string_view line) {
+    reader.readLine(line);
+    return true;
+  });
+  return reader.finished();
+}
+
+Json tableTree(std::string_view text) {
+  std::vector<std::string_view> lines;
+  eachLine(text, [&](std::string_view line) {
+    if (!isBlank(line)) lines.push_back(line);
+    return lines.size() < 4;
+  });
+  for (std::size_t header = 0; header < 3 && header + 1 < lines.size(); ++header)
+    for (const char separator : {',', '\t', ';', ' '}) {
+      std::string_view first = trimmed(lines[header]);
+      while (first.starts_with('#')) first = trimmed(first.substr(1));
+      const std::vector<std::string_view> names = cellsOf(first, separator);
+      if (!isHeader(names)) continue;
+      // The header of a table of blanks may have commas.
+      for (const char between : {separator, ' '}) {
+        Json rows = Json::array();
+        std::size_t numbers = 0;
+        bool isTable = true;
+        eachLine(text.substr(static_cast<std::size_t>(lines[header].data() - text.data()) + lines[header].size()),
+                 [&](std::string_view line) {
+                   if (isBlank(line)) return true;
+                   const std::vector<std::string_view> cells = cellsOf(line, between);
+                   if (cells.size() != names.size()) return isTable = false;
+                   Json row = Json::object();
+                   for (std::size_t i = 0; i < names.size(); ++i) {
+                     const auto number = numberIn(cells[i]);
+                     if (rows.empty() && number) ++numbers;
+                     row.emplace(std::string(names[i]), number ? Json(*number) : Json(std::string(cells[i])));
+                   }
+                   if (rows.empty() && 2 * numbers < names.size()) return isTable = false;
+                   rows.push_back(std::move(row));
+                   return true;
+                 });
+        if (isTable && !rows.empty()) return rows;
+      }
+    }
+  return nullptr;
+}
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,146 @@
+// three.js cameras as Object3D.toJSON writes them, alone or in a scene. Formulas: updateProjectionMatrix of
+// PerspectiveCamera and OrthographicCamera, three.js r187. Its matrixWorldInverse ignores scales too.
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "formats/format.hpp"
+#include "formats/node_tree.hpp"
+#include "numbers/degrees.hpp"
+
+namespace viewproj::cmd {
+
+using namespace detail;
+namespace threejs {
+
+constexpr std::string_view kPerspective = "PerspectiveCamera", kOrthographic = "OrthographicCamera";
+
+std::string textOf(const Node& object, std::string_view key) {
+  const auto text = object.find(key);
+  return text && text->json().is_string() ? text->text() : "";
+}
+
+void addObjects(NodeTree& tree, const Node& object, std::size_t parent) {
+  const std::size_t index = tree.nodes.size();
+  tree.nodes.push_back(object);
+  tree.parents.push_back(parent);
+  const auto children = object.find("children");
+  for (std::size_t i = 0; children && i < children->size(); ++i) addObjects(tree, (*children)[i], index);
+}
+
+/// A part of the full picture, which is drawn alone.
+struct View {
+  double fullWidth, fullHeight, x, y, width, height;
+};
+std::optional<View> viewOf(const Node& camera) {
+  const auto view = camera.find("view");
+  const auto isOn = view ? view->find("enabled") : std::nullopt;
+  if (!isOn || !isOn->flag()) return std::nullopt;
+  const auto number = [&](const char* key) { return view->require(key).number(); };
+  return View{number("fullWidth"), number("fullHeight"), number("offsetX"),
+              number("offsetY"),   number("width"),      number("height")};
+}
+
+/// The edges of a perspective window that is moved by the film's offset, or cut by a view.
+Json windowOf(const Node& camera, Json lens, double zoom, const std::optional<View>& view) {
+  const DoubleDouble tangent = tanHalfDegrees(camera.require("fov").number());
+  const auto stated = [&](const char* key, double otherwise) {
+    const auto member = camera.find(key);
+    return member ? member->number() : otherwise;
+  };
+  const double near = lens["near"].get<double>(), aspect = stated("aspect", 1);
+  DoubleDouble top = DoubleDouble(near) * tangent / DoubleDouble(zoom), height = top * DoubleDouble(2);
+  DoubleDouble width = height * DoubleDouble(aspect), left = width * DoubleDouble(-0.5);
+  if (view) {
+    left = left + width * DoubleDouble(view->x) / DoubleDouble(view->fullWidth);
+    top = top - height * DoubleDouble(view->y) / DoubleDouble(view->fullHeight);
+    width = width * DoubleDouble(view->width) / DoubleDouble(view->fullWidth);
+    height = height * DoubleDouble(view->height) / DoubleDouble(view->fullHeight);
+  }
+  // filmGauge is the larger side of the film, in the unit of filmOffset.
+  const double film = stated("filmGauge", 35) * std::min(aspect, 1.0);
+  left = left + DoubleDouble(near) * DoubleDouble(stated("filmOffset", 0)) / DoubleDouble(film);
+  lens.erase("aspect");
+  lens.update({{"type", "frustum"},
+               {"left", rounded(left)},
+               {"right", rounded(left + width)},
+               {"bottom", rounded(top - height)},
+               {"top", rounded(top)}});
+  return lens;
+}
+
+/// Zoom divides the window's size and keeps its centre.
+Json lensOf(const Node& camera) {
+  const auto zoomField = camera.find("zoom");
+  const double zoom = zoomField ? zoomField->number() : 1;
+  if (!(zoom > 0)) zoomField->fail("must be above 0");
+  if (!camera.json().contains("far")) camera.fail("needs far; null is infinite");
+  Json lens{{"near", camera.require("near").number()}};
+  if (const auto far = camera.find("far")) lens["far"] = far->number();
+  if (camera.require("type").text() == kPerspective) {
+    lens["type"] = "perspective";
+    if (const auto aspect = camera.find("aspect")) lens["aspect"] = aspect->number();
+    const Node fov = camera.require("fov");
+    const auto view = viewOf(camera);
+    const auto offset = camera.find("filmOffset");
+    if (view || (offset && offset->number() != 0)) return windowOf(camera, std::move(lens), zoom, view);
+    if (zoom == 1) {
+      lens["fovY"] = fov.number();
+      return lens;
+    }
+    const DoubleDouble tangent = tanHalfDegrees(fov.number());
+    if (!(tangent.hi > 0)) fov.fail("must be above 0 and below 180 degrees");
+    lens["focalLength"] = zoom;
+    lens["sensorHeight"] = 2 * tangent.hi;
+    return lens;
+  }
+  lens["type"] = "orthographic";
+  const auto edges = [&](const char* low, const char* high) {
+    const double a = camera.require(low).number(), b = camera.require(high).number();
+    const DoubleDouble middle = twoSum(a, b) * DoubleDouble(0.5);
+    const DoubleDouble half = twoDiff(b, a) * DoubleDouble(0.5) / DoubleDouble(zoom);
+    lens[low] = rounded(middle - half);
+    lens[high] = rounded(middle + half);
+  };
+  edges("left", "right");
+  edges("bottom", "top");
+  return lens;
+}
+
+Json documentOf(NodeTree& tree, std::size_t place) {
+  const Node& camera = tree.nodes[place];
+  if (camera.require("type").text() == kOrthographic && viewOf(camera))
+    camera.require("view").fail("is not supported for an orthographic camera; use viewport.crop");
+  for (std::size_t at = place; at != NodeTree::kNone; at = tree.parents[at])
+    if (const Node& object = tree.nodes[at]; !object.find("matrix") && !object.find("quaternion"))
+      refuse(object, {"rotation"}, "is not supported without a matrix or a quaternion");
+  Json document{{"convention", "opengl"}, {"projection", lensOf(camera)}};
+  tree.addPose(document, place);
+  return document;
+}
+
+Import open(const Node& root) {
+  NodeTree tree{"position", "quaternion"};
+  // The editor's app.json has the scene and the editor's own camera.
+  for (const auto& part : {std::optional(root), root.find("camera"), root.find("scene")})
+    if (part && part->json().is_object())
+      if (const auto object = part->find("object")) addObjects(tree, *object, NodeTree::kNone);
+  Import result;
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+    const std::string type = textOf(tree.nodes[i], "type");
+    if (type != kPerspective && type != kOrthographic) continue;
+    result.cameras.push_back({textOf(tree.nodes[i], "name"), textOf(tree.nodes[i], "uuid")});
+    places.push_back(i);
+  }
+  result.document = [tree = std::move(tree), places](std::size_t which) mutable {
+    return documentOf(tree, places[which]);
+  };
+  return result;
+}
+
+}  // namespace threejs
+
+extern const Format kThreeJs{"threejs", "a three.js file", "object.type:text|scene.object.type:text", threejs::open,
+                             "*"};
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,149 @@
+// transforms.json of NeRFs. Sources: nerfstudio, "Data conventions" and its nerfstudio dataparser; instant-ngp, "NeRF
+// dataset tips".
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "formats/format.hpp"
+#include "numbers/degrees.hpp"
+#include "numbers/vectors.hpp"
+#include "text/number.hpp"
+
+namespace viewproj::cmd {
+
+using namespace detail;
+namespace transforms {
+
+/// A member of a frame stands for the same member of the file.
+struct Frame {
+  Node file, frame;
+
+  std::optional<Node> find(std::string_view key) const {
+    const auto inFrame = frame.find(key), inFile = file.find(key);
+    // Programs do not agree on which of the two counts.
+    if (inFrame && inFile && inFrame->json() != inFile->json())
+      inFrame->fail("differs from " + std::string(key) + " beside frames; keep one");
+    return inFrame ? inFrame : inFile;
+  }
+  std::optional<double> number(std::string_view key) const {
+    const auto value = find(key);
+    return value ? std::optional(value->number()) : std::nullopt;
+  }
+};
+
+Json lensModelOf(const Frame& at) {
+  const auto model = at.find("camera_model"), flag = at.find("is_fisheye"), all = at.find("distortion_params");
+  std::string name = model ? model->text() : "";
+  if (flag && flag->flag()) name = "OPENCV_FISHEYE";
+  const bool isFisheye = name.ends_with("FISHEYE");
+  const char* const order[] = {"k1", "k2", "k3", "k4", "p1", "p2"};
+  std::vector<double> c;
+  if (all) c = all->numbers();
+  if (all && c.size() != std::size(order))
+    all->fail("expected the 6 numbers k1 k2 k3 k4 p1 p2, got " + std::to_string(c.size()));
+  for (std::size_t i = 0; i < std::size(order); ++i) {
+    const auto value = at.number(order[i]);
+    if (all && value && *value != c[i]) at.find(order[i])->fail("differs from distortion_params");
+    if (!all) c.push_back(value.value_or(0));
+  }
+  const auto fail = [&](const char* key, const char* why) {
+    (at.find(key) ? *at.find(key) : *all).fail(std::string(at.find(key) ? "" : key) + (at.find(key) ? "" : " ") + why);
+  };
+  if (isFisheye && (c[4] != 0 || c[5] != 0)) fail(c[4] != 0 ? "p1" : "p2", "is not supported beside a fisheye lens");
+  if (!isFisheye && c[3] != 0) fail("k4", "is not supported: programs do not agree on what it means");
+  const Node& where = all ? *all : at.frame;
+  return isFisheye ? lensOf(where, name, std::vector{c[0], c[1], c[2], c[3]})
+                   : lensOf(where, name, std::vector{c[0], c[1], c[4], c[5], c[2]});
+}
+
+/// The names for one axis of the picture.
+struct Axis {
+  const char *focal, *center, *size, *angle, *fov;
+};
+constexpr Axis kX{"fl_x", "cx", "w", "camera_angle_x", "fovX"}, kY{"fl_y", "cy", "h", "camera_angle_y", "fovY"};
+
+double halfSize(const Frame& at, const Axis& axis) {
+  const auto size = at.number(axis.size);
+  if (!size) at.frame.fail(std::string("needs ") + axis.size + ", or " + axis.focal + " and " + axis.center);
+  return *size / 2;
+}
+
+std::optional<double> focalLength(const Frame& at, const Axis& axis) {
+  const auto focal = at.number(axis.focal), angle = at.number(axis.angle), size = at.number(axis.size);
+  if (focal && angle && size) {
+    const double stated = *size / 2 / std::tan(*angle / 2);
+    constexpr double kTolerance = 0.01;
+    if (!(std::fabs(stated - *focal) <= kTolerance * *focal))
+      at.find(axis.angle)
+          ->fail(std::string("contradicts ") + axis.focal + ": it means " + formatDigits(stated, 6) + " pixels");
+  }
+  if (focal) return focal;
+  if (!angle) return std::nullopt;
+  return rounded(DoubleDouble(halfSize(at, axis)) / tanHalfRadians(*angle));
+}
+
+Json lensOfFrame(const Frame& at) {
+  Json lens;
+  for (const char* key : {"near", "far"})
+    if (const auto distance = at.number(key)) lens[key] = *distance;
+  const auto angleX = at.number(kX.angle), angleY = at.number(kY.angle), w = at.number("w"), h = at.number("h");
+  const bool isInPixels = at.find("fl_x") || at.find("fl_y") || at.find("cx") || at.find("cy");
+  if (!isInPixels && angleX.has_value() != angleY.has_value()) {
+    lens["type"] = "perspective";
+    // Stays in radians, to keep all digits.
+    lens[angleX ? kX.fov : kY.fov] = formatNumber(angleX ? *angleX : *angleY) + "rad";
+    if (w && h) lens["aspect"] = formatNumber(*w) + "/" + formatNumber(*h);
+    return lens;
+  }
+  const auto fx = focalLength(at, kX), fy = focalLength(at, kY), cx = at.number(kX.center), cy = at.number(kY.center);
+  if (!fx && !fy) at.frame.fail("needs fl_x or camera_angle_x, in the frame or beside frames");
+  lens["type"] = "intrinsics";
+  lens["fx"] = fx ? *fx : *fy;
+  lens["fy"] = fy ? *fy : *fx;
+  lens["cx"] = cx ? *cx : halfSize(at, kX);
+  lens["cy"] = cy ? *cy : halfSize(at, kY);
+  if (w && h) lens["pixels"] = {*w, *h};
+  return lens;
+}
+
+Json documentOf(const Frame& at) {
+  for (const Node& node : {at.file, at.frame}) {
+    refuse(node, {"rolling_shutter", "transform_matrix_start", "transform_matrix_end"},
+           "is of a camera that moves during the picture, which is not supported");
+    refuse(
+        node,
+        {"equirectangular", "latlong", "orthographic", "ftheta_p0", "ftheta_p1", "ftheta_p2", "ftheta_p3", "ftheta_p4"},
+        "is of a lens that is not supported");
+  }
+  Json document{{"convention", "opengl"},
+                {"worldFromCamera", at.frame.require("transform_matrix").mat4().m},
+                {"projection", lensOfFrame(at)}};
+  if (Json distortion = lensModelOf(at); !distortion.is_null()) document["distortion"] = std::move(distortion);
+  const auto w = at.number("w"), h = at.number("h");
+  if (w && h) document["viewport"] = {{"width", *w}, {"height", *h}};
+  return document;
+}
+
+Import open(const Node& root) {
+  const Node frames = root.require("frames");
+  Import result;
+  result.apart = {&frames.json()};
+  for (const Json& frame : frames.json()) {
+    const Json value = frame.is_object() ? frame.value("file_path", Json()) : Json();
+    const std::string path = value.is_string() ? value.get<std::string>() : "";
+    result.cameras.push_back({path, path.starts_with("./") ? path.substr(2) : ""});
+  }
+  result.document = [root, frames](std::size_t which) { return documentOf({root, frames[which]}); };
+  result.own = [frames](std::size_t which) { return std::optional(frames[which]); };
+  return result;
+}
+
+}  // namespace transforms
+
+extern const Format kTransforms{
+    "transforms", "a transforms.json (NeRF)", "frames:list !asset", transforms::open,
+    "file_path sharpness colmap_im_id *_path aabb_scale scale aabb from_na applied_transform applied_scale "
+    "ply_file_path orientation_override *_filenames n_frames idx time rotation fovx fovy fov_x fov_y "
+    "fisheye_crop_radius offset n_extra_learnable_dims depth_unit_scale_factor integer_depth_scale "
+    "enable_depth_loading render_aabb up white_transparent black_transparent up_vector"};
+
+}  // namespace viewproj::cmd

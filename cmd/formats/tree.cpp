@@ -1,0 +1,123 @@
+#include "formats/tree.hpp"
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "formats/format.hpp"
+#include "formats/value.hpp"
+#include "text/error.hpp"
+#include "text/file.hpp"
+#include "text/json_text.hpp"
+#include "text/npy.hpp"
+#include "text/number.hpp"
+#include "text/system.hpp"
+#include "text/utf8.hpp"
+#include "text/xml_text.hpp"
+#include "text/yaml_text.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+constexpr std::size_t kMostBytes = 64 << 20;
+
+/// Whether the first line with words is a heading, such as [image].
+bool beginsWithHeading(std::string_view text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    std::string_view line = text.substr(at, end - at);
+    at = end + 1;
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    line = trimmed(line);
+    if (line.empty() || line[0] == '#') continue;
+    return line.size() > 2 && line[0] == '[' && isLetter(line[1]) && line.find(']') == line.size() - 1;
+  }
+  return false;
+}
+
+/// A matrix {"rows", "cols", "data"} becomes its rows, or the list of its numbers if it has one row or column.
+void unfoldMatrices(Json& value) {
+  if (value.is_object() && value.contains("data") && (value.contains("rows") || value.contains("cols")))
+    if (const auto numbers = numbersIn(value)) {
+      const std::vector<std::size_t> shape = shapeOf(value);
+      value = shape.size() == 2 ? rowsOf(*numbers, shape[1]) : Json(*numbers);
+      return;
+    }
+  if (value.is_structured() && !(value.is_array() && !value.empty() && value.front().is_number()))
+    for (Json& part : value) unfoldMatrices(part);
+}
+
+Json treeOf(const std::string& name, std::string text, bool isInline) {
+  const auto fail = [&](const JsonFault& fault) {
+    throw InputError(place(name, positionAt(text, fault.offset)) + ": " + visible(fault.message));
+  };
+  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+  std::size_t start = text.find_first_not_of(" \t\r\n");
+  if (start == std::string::npos) throw InputError(name + ": is empty; expected JSON");
+  if (text[start] == '/') {  // a comment of JSON
+    std::string bare = text;
+    blankComments(bare);
+    const std::size_t next = bare.find_first_not_of(" \t\r\n");
+    if (next != std::string::npos && opensJson(bare[next])) start = next;
+  }
+  const char first = text[start];
+  Json root;
+  if (first == '<' && start + 1 < text.size() &&
+      (isLetter(text[start + 1]) || text[start + 1] == '?' || text[start + 1] == '!')) {
+    if (const auto fault = parseXml(text, kDeepestJson, root)) fail(*fault);
+    return root;
+  }
+  if (opensJson(first) && !beginsWithHeading(text)) {
+    blankComments(text);
+    if (const auto fault = parseJson(text, root)) fail(*fault);
+    return root;
+  }
+  if (isInline) return root;
+  root = tableTree(text);
+  if (!root.is_null()) return root;
+  if (looksLikeYaml(text)) {
+    if (const auto fault = parseYaml(text, kDeepestJson, root)) fail(*fault);
+    if (root.is_structured()) return root;
+  }
+  root = textTree(text);
+  if (root.empty())
+    throw InputError(name + ": is neither JSON nor YAML, as camera files are; viewproj help formats lists them");
+  return root;
+}
+
+/// Of a folder of a stereo calibration, its first file.
+std::string insideFolder(const std::string& source) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(pathOf(source), ignored))
+    for (const char* file : {"/intrinsics.yml", "/intrinsics.yaml", "/intri.yml"})
+      if (std::filesystem::is_regular_file(pathOf(source + file), ignored)) return source + file;
+  return source;
+}
+
+}  // namespace
+
+Document readTree(const std::string& source, const std::string& option) {
+  const std::size_t first = source.find_first_not_of(" \t\r\n");
+  std::error_code ignored;
+  const bool isInline =
+      first != std::string::npos &&
+      (source[first] == '{' || (source[first] == '[' && !std::filesystem::exists(pathOf(source), ignored)));
+  Document document{isInline ? option : shownName(insideFolder(source)), nullptr};
+  if (isInline) {
+    document.root = std::make_shared<Json>(treeOf(document.name, source, true));
+    unfoldMatrices(*document.root);
+    return document;
+  }
+  std::string text = readWithoutGlb(insideFolder(source), kMostBytes);
+  if (const char* const why = refusalOf(text)) throw InputError(document.name + ": " + why);
+  if (isNumpy(text)) {
+    Json arrays = readNumpy(document.name, text);
+    document.root = std::make_shared<Json>(arrays.is_object() ? std::move(arrays) : Json{{"#1", std::move(arrays)}});
+    return document;
+  }
+  requireNarrow(document.name, text);
+  document.root = std::make_shared<Json>(treeOf(document.name, std::move(text), false));
+  unfoldMatrices(*document.root);
+  return document;
+}
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,32 @@
+// The tree of a file that holds a camera: what JSON, YAML, XML, numpy's arrays, a table or text with keys say, as one
+// kind of value.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "camera/document.hpp"
+
+namespace viewproj::cmd {
+
+/// Reads a file, "-" for standard input, or the JSON itself if source begins with a bracket. option: the name for
+/// inline JSON in messages. Throws InputError; files of programs that are known and not read are refused with what to
+/// do.
+Document readTree(const std::string& source, const std::string& option);
+
+/// The beginning of a binary glTF is read as its JSON. Throws InputError, also for more than `most` bytes.
+std::string readWithoutGlb(const std::string& name, std::size_t most);
+
+/// Words before numbers are their name, and blocks without a name are #1, #2 …; a block ends at a blank line or at
+/// other words. "[heading]" opens an object. The second block of a name goes into the list "name#". An object without
+/// members if there are no numbers.
+Json textTree(std::string_view text);
+
+/// A header of four names or more, then lines with as many cells: an array of objects. Null for other text.
+Json tableTree(std::string_view text);
+
+/// Why a file that another program wrote is not read, and what to do; or null.
+const char* refusalOf(std::string_view text);
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,40 @@
+// Names of members, taken apart, and numbers by their form: what the judge of unread members and the finder share.
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace viewproj::cmd {
+
+/// The words of a name, in lower case: cut at what is no letter or digit, at aB, and between letters and digits.
+/// "cameraMatrix1" is camera, matrix, 1.
+std::vector<std::string> wordsOf(std::string_view name);
+/// The letters and digits of a name, in lower case.
+std::string lettersOf(std::string_view name);
+/// Whether a text is one of words separated by blanks.
+bool isAmong(std::string_view word, std::string_view words);
+/// Whether one of the name's words is among words separated by blanks.
+bool hasWord(std::string_view name, std::string_view words);
+/// Whether a name fits a pattern, in which * is any text.
+bool fitsPattern(std::string_view name, std::string_view pattern);
+
+/// 9 numbers by rows that are a rotation within 1e-3.
+bool isRotation(const std::vector<double>& m);
+/// 12 or 16 numbers by rows whose 3x3 is a rotation, with a last row of 0 0 0 1.
+bool isRigid(const std::vector<double>& m);
+/// 12 numbers, or 16 with a last row of 0 0 0 1, that are K [R | t] with focal lengths above `least` and no skew.
+bool isProjection(const std::vector<double>& m, double least);
+/// By columns: of 9 or 16 numbers.
+std::vector<double> transposed(const std::vector<double>& m);
+
+/// Words of members that are statistics, boards, or of another picture.
+inline constexpr std::string_view kNoise =
+    "error errors err std stddev deviation deviations covariance cov uncertainty rms homography fundamental essential "
+    "board "
+    "square corner corners points map roi new optimal rect rectified rectification undistorted mean initial init gyro "
+    "gyr acc "
+    "accel noise bias time stamp timestamp color colour";
+
+}  // namespace viewproj::cmd

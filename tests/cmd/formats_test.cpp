@@ -1,0 +1,332 @@
+// Camera files of other programs: which format claims a file, what its members mean, and that none is half read.
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "catch.hpp"
+#include "formats/finder.hpp"
+#include "formats/open.hpp"
+#include "formats/tree.hpp"
+#include "formats/value.hpp"
+#include "text/error.hpp"
+
+using namespace viewproj::cmd;
+
+namespace {
+
+/// A file that is removed at the end.
+class File {
+ public:
+  File(const std::string& name, const std::string& bytes)
+      : folder_(std::filesystem::temp_directory_path() / ("viewproj-formats-" + std::to_string(::getpid()))) {
+    std::filesystem::create_directory(folder_);
+    path_ = folder_ / name;
+    std::ofstream(path_, std::ios::binary) << bytes;
+  }
+  ~File() { std::filesystem::remove_all(folder_); }
+  File(const File&) = delete;
+  File& operator=(const File&) = delete;
+
+  std::string name() const { return path_.string(); }
+
+ private:
+  std::filesystem::path folder_, path_;
+};
+
+std::string fromHex(std::string_view hex) {
+  std::string bytes;
+  for (std::size_t i = 0; i + 1 < hex.size(); i += 2)
+    bytes += static_cast<char>(std::stoi(std::string(hex.substr(i, 2)), nullptr, 16));
+  return bytes;
+}
+
+Json cameraOf(const std::string& source, const std::string& pick = "", const std::string& parts = "") {
+  Opening opening{.option = "FILE"};
+  if (!pick.empty()) opening.pick = pick;
+  if (!parts.empty()) opening.parts = parts;
+  const auto cameras = openCameras(source, opening, {});
+  return *cameras->document(cameras->choose(opening.pick)).root;
+}
+
+std::string messageOf(const std::string& source, const std::string& pick = "", const std::string& parts = "") {
+  try {
+    (void)cameraOf(source, pick, parts);
+  } catch (const std::exception& e) {
+    return e.what();
+  }
+  return "";
+}
+
+/// A file of a format, and the format that claims it. Every member of these is read.
+struct Sample {
+  const char* format;
+  const char* text;
+};
+constexpr Sample kSamples[] = {
+    {"opencv", R"({"camera_matrix": [[100, 0, 50], [0, 110, 25], [0, 0, 1]], "dist_coeffs": [0.1, 0.2, 0.01, 0.02, 0.3],
+                   "image_size": [100, 50], "rvec": [0.1, 0.2, 0.3], "tvec": [1, 2, 3]})"},
+    {"opencv",
+     R"({"a": {"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "T_world_cam": [[1, 0, 0, 1], [0, 0, -1, 2], [0, 1, 0, 3], [0, 0, 0, 1]]},
+                   "b": {"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "R": [[1, 0, 0], [0, 0, -1], [0, 1, 0]], "t": [4, 5, 6]}})"},
+    {"ros",
+     R"({"image_width": 100, "image_height": 50, "camera_matrix": {"rows": 3, "cols": 3, "data": [100, 0, 50, 0, 110, 25, 0, 0, 1]},
+                "distortion_model": "plumb_bob", "distortion_coefficients": {"rows": 1, "cols": 5, "data": [0.1, 0.2, 0.01, 0.02, 0.3]},
+                "projection_matrix": {"rows": 3, "cols": 4, "data": [90, 0, 49, 0, 0, 91, 24, 0, 0, 0, 1, 0]}})"},
+    {"flat",
+     R"({"fx": 100, "fy": 110, "cx": 50, "cy": 25, "width": 100, "height": 50, "k1": 0.1, "k2": 0.2, "p1": 0.01, "p2": 0.02, "k3": 0.3})"},
+    {"realsense",
+     R"({"fx": 100, "fy": 110, "ppx": 50, "ppy": 25, "width": 100, "height": 50, "model": "Brown Conrady", "coeffs": [0.1, 0.2, 0.01, 0.02, 0.3]})"},
+    {"slam",
+     R"({"Camera.fx": 100, "Camera.fy": 110, "Camera.cx": 50, "Camera.cy": 25, "Camera.width": 100, "Camera.height": 50, "Camera.k1": 0.1,
+                 "Camera.k2": 0.2, "Camera.p1": 0.01, "Camera.p2": 0.02})"},
+    {"slam",
+     R"({"model_type": "KANNALA_BRANDT", "image_width": 100, "image_height": 50, "projection_parameters": {"k2": 0.1, "k3": 0.2, "k4": 0.3, "k5": 0.4,
+                 "mu": 100, "mv": 110, "u0": 50, "v0": 25}})"},
+    {"slam",
+     R"({"model_type": "MEI", "image_width": 100, "image_height": 50, "mirror_parameters": {"xi": 1.5}, "distortion_parameters": {"k1": 0.1, "k2": 0.2,
+                 "p1": 0.01, "p2": 0.02}, "projection_parameters": {"gamma1": 100, "gamma2": 110, "u0": 50, "v0": 25}})"},
+    {"kalibr",
+     R"({"cam0": {"camera_model": "pinhole", "intrinsics": [100, 110, 50, 25], "resolution": [100, 50], "distortion_model": "radtan",
+                   "distortion_coeffs": [0.1, 0.2, 0.01, 0.02]},
+                   "cam1": {"camera_model": "ds", "intrinsics": [-0.2, 0.6, 100, 110, 50, 25], "resolution": [100, 50], "distortion_model": "none",
+                   "distortion_coeffs": [], "T_cn_cnm1": [[1, 0, 0, -0.1], [0, 1, 0, 0.2], [0, 0, 1, 0.3], [0, 0, 0, 1]]}})"},
+    {"basalt", R"({"value0": {"T_imu_cam": [{"px": 1, "py": 2, "pz": 3, "qx": 0.5, "qy": 0.5, "qz": 0.5, "qw": 0.5}],
+                   "intrinsics": [{"camera_type": "eucm", "intrinsics": {"fx": 100, "fy": 110, "cx": 50, "cy": 25, "alpha": 0.6, "beta": 1.1}}],
+                   "resolution": [[100, 50]]}})"},
+    {"euroc", R"({"intrinsics": [100, 110, 50, 25], "resolution": [100, 50], "distortion_model": "radial-tangential",
+                  "distortion_coefficients": [0.1, 0.2, 0.01, 0.02], "T_BS": {"cols": 4, "rows": 4, "data": [1, 0, 0, 1, 0, 0, -1, 2, 0, 1, 0, 3, 0, 0, 0, 1]}})"},
+    {"stereo",
+     R"({"M1": [100, 0, 50, 0, 110, 25, 0, 0, 1], "D1": [0.1, 0.2, 0.01, 0.02, 0.3], "M2": [101, 0, 50, 0, 111, 25, 0, 0, 1], "D2": [0, 0, 0, 0, 0],
+                   "R": [[1, 0, 0], [0, 0, -1], [0, 1, 0]], "T": [-1, 0, 0]})"},
+    {"open3d", R"({"intrinsic": {"width": 100, "height": 50, "intrinsic_matrix": [100, 0, 0, 0, 110, 0, 50, 25, 1]},
+                   "extrinsic": [1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 1, 2, 3, 1]})"},
+    {"3dgs",
+     R"([{"id": 4, "img_name": "a", "width": 100, "height": 50, "position": [1, 2, 3], "rotation": [[1, 0, 0], [0, 0, -1], [0, 1, 0]], "fx": 100, "fy": 110}])"},
+    {"transforms",
+     R"({"w": 100, "h": 50, "fl_x": 100, "fl_y": 110, "cx": 51, "cy": 26, "distortion_params": [0.1, 0.2, 0.3, 0, 0.01, 0.02],
+                       "frames": [{"file_path": "a", "transform_matrix": [[1, 0, 0, 1], [0, 0, -1, 2], [0, 1, 0, 3], [0, 0, 0, 1]]}]})"},
+    {"polycam",
+     R"({"fx": 100, "fy": 110, "cx": 50, "cy": 25, "width": 100, "height": 50, "t_00": 1, "t_01": 0, "t_02": 0, "t_03": 1, "t_10": 0, "t_11": 0,
+                    "t_12": -1, "t_13": 2, "t_20": 0, "t_21": 1, "t_22": 0, "t_23": 3})"},
+    {"record3d",
+     R"({"w": 100, "h": 50, "K": [100, 0, 0, 0, 110, 0, 50, 25, 1], "poses": [[0.5, 0.5, 0.5, 0.5, 1, 2, 3]]})"},
+    {"scanner-app",
+     R"({"intrinsics": [100, 0, 50, 0, 100, 25, 0, 0, 1], "cameraPoseARFrame": [1, 0, 0, 1, 0, 0, -1, 2, 0, 1, 0, 3, 0, 0, 0, 0.9999998],
+                        "projectionMatrix": [2, 0, 0, 0, 0, 4, 0, 0, 0, 0, -1, -0.1, 0, 0, -1, 0]})"},
+    {"multical",
+     R"({"cameras": {"a": {"K": [[100, 0, 50], [0, 110, 25], [0, 0, 1]], "dist": [0.1, 0.2, 0.01, 0.02, 0.3], "image_size": [100, 50]}},
+                     "camera_poses": {"a": {"R": [[1, 0, 0], [0, 0, -1], [0, 1, 0]], "T": [1, 2, 3]}}})"},
+    {"nuscenes",
+     R"([{"camera_intrinsic": [[100, 0, 50], [0, 110, 25], [0, 0, 1]], "rotation": [0.5, 0.5, 0.5, 0.5], "translation": [1, 2, 3]}])"},
+    {"meshroom",
+     R"({"version": ["1", "2", "11"], "views": [{"viewId": "1", "poseId": "2", "intrinsicId": "3", "path": "/a/b.jpg"}],
+                     "intrinsics": [{"intrinsicId": "3", "width": "100", "height": "50", "sensorWidth": "36", "focalLength": "36", "principalPoint": ["1", "2"],
+                     "distortionType": "radialk3", "distortionParams": ["0.1", "0.2", "0.3"]}],
+                     "poses": [{"poseId": "2", "pose": {"transform": {"rotation": ["1", "0", "0", "0", "0", "1", "0", "-1", "0"], "center": ["1", "2", "3"]}}}]})"},
+    {"opensfm",
+     R"([{"cameras": {"c": {"projection_type": "brown", "width": 100, "height": 50, "focal_x": 1, "focal_y": 1.1, "c_x": 0.01, "c_y": 0.02, "k1": 0.1,
+                     "k2": 0.2, "k3": 0.3, "p1": 0.01, "p2": 0.02}}, "shots": {"a.jpg": {"camera": "c", "rotation": [0.1, 0.2, 0.3], "translation": [1, 2, 3]}}}])"},
+    {"matrix34", R"({"P": [[100, 0, 50, 1], [0, 110, 25, 2], [0, 0, 1, 3]]})"},
+    {"gltf",
+     R"({"asset": {"version": "2.0"}, "cameras": [{"type": "perspective", "perspective": {"yfov": 0.7, "znear": 0.1}}], "nodes": [{"camera": 0}]})"},
+    {"threejs", R"({"object": {"type": "PerspectiveCamera", "fov": 50, "near": 0.1, "far": 9, "aspect": 1.5}})"},
+    {"matrices", R"({"convention": "opengl", "view": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -5, 1]})"},
+};
+
+/// Each number or list of numbers, by the path of its value.
+void eachNumbers(Json& value, const std::string& path,
+                 const std::function<void(Json& parent, const std::string& key, const std::string& path)>& visit) {
+  if (!value.is_object() && !(value.is_array() && !value.empty() && value.front().is_object())) return;
+  if (value.is_array()) {
+    for (std::size_t i = 0; i < value.size(); ++i) eachNumbers(value[i], path + "." + std::to_string(i), visit);
+    return;
+  }
+  const Json copy = value;
+  for (const auto& item : copy.items()) {
+    const bool saysNothing =
+        item.key() == "version" || item.key() == "id" || item.key() == "rows" || item.key() == "cols";
+    const auto numbers = numbersIn(item.value());
+    if (numbers && !item.value().is_string() && !saysNothing &&
+        std::any_of(numbers->begin(), numbers->end(), [](double number) { return number != 0; }))
+      visit(value, item.key(), path + "." + item.key());
+    if (value.contains(item.key())) eachNumbers(value[item.key()], path + "." + item.key(), visit);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("exactly one format claims a file, and none a camera of ours") {
+  for (const Sample& sample : kSamples) {
+    INFO(sample.text);
+    CHECK(claimants(readTree(sample.text, "FILE")) == std::vector<std::string>{sample.format});
+  }
+  for (const char* ours :
+       {R"({"position": [1, 2, 3], "projection": {"type": "intrinsics", "fx": 1, "fy": 1, "cx": 2, "cy": 2}})",
+        R"({"worldFromCamera": []})", "{}"})
+    CHECK(claimants(readTree(ours, "FILE")).empty());
+}
+
+TEST_CASE("a member that is renamed changes the camera, is named, or is an error") {
+  std::size_t changed = 0, named = 0, refused = 0;
+  for (const Sample& sample : kSamples) {
+    // Trees of nodes and projects have hundreds of members that are no camera's.
+    const std::string_view format = sample.format;
+    if (format == "gltf" || format == "threejs" || format == "matrices" || format == "opensfm" ||
+        format == "meshroom" || format == "scanner-app")
+      continue;
+    Json root = Json::parse(sample.text);
+    const auto before = openCameras(root.dump(), {.option = "FILE"}, {});
+    std::vector<std::string> cameras;
+    for (std::size_t i = 0; i < before->size(); ++i) cameras.push_back(before->document(i).root->dump());
+    eachNumbers(root, "", [&](Json& parent, const std::string& key, const std::string& path) {
+      INFO(sample.text);
+      INFO(path);
+      Json value = parent[key];
+      parent.erase(key);
+      parent[key + "q"] = value;
+      bool isTold = false;
+      try {
+        const auto after = openCameras(root.dump(), {.option = "FILE"}, {});
+        if (after->size() != cameras.size()) isTold = ++changed > 0;
+        for (std::size_t i = 0; i < after->size() && !isTold; ++i) {
+          if (after->document(i).root->dump() != cameras[i]) isTold = ++changed > 0;
+          if (!after->unreadOf(i).empty()) isTold = ++named > 0;
+        }
+      } catch (const InputError&) {
+        isTold = ++refused > 0;
+      }
+      CHECK(isTold);
+      parent.erase(key + "q");
+      parent[key] = std::move(value);
+    });
+  }
+  CHECK(changed > 20);
+  CHECK(refused > 50);
+}
+
+TEST_CASE("numbers mean what the format says") {
+  CHECK(cameraOf(kSamples[4].text)["distortion"] ==
+        Json::parse(R"({"model": "brown", "k": [0.1, 0.2, 0.3], "p": [0.01, 0.02]})"));
+  const auto lensOf = [](std::string_view format, const std::string& pick = "") {
+    for (const Sample& sample : kSamples)
+      if (format == sample.format) return cameraOf(sample.text, pick)["distortion"];
+    return Json();
+  };
+  CHECK(lensOf("kalibr", "cam1") == Json::parse(R"({"model": "double-sphere", "xi": -0.2, "alpha": 0.6})"));
+  CHECK(lensOf("basalt") == Json::parse(R"({"model": "unified", "alpha": 0.6, "beta": 1.1})"));
+  CHECK(cameraOf(kSamples[6].text)["distortion"] == Json::parse(R"({"model": "fisheye", "k": [0.1, 0.2, 0.3, 0.4]})"));
+  CHECK(cameraOf(kSamples[7].text)["distortion"] ==
+        Json::parse(R"({"model": "omni", "xi": 1.5, "k": [0.1, 0.2], "p": [0.01, 0.02]})"));
+  CHECK(lensOf("transforms") == Json::parse(R"({"model": "brown", "k": [0.1, 0.2, 0.3], "p": [0.01, 0.02]})"));
+  CHECK(lensOf("opensfm")["k"] == Json::parse("[0.1, 0.2, 0.3]"));
+}
+
+TEST_CASE("numpy's archives are read, packed or not") {
+  const std::string stored =
+      "504b0304140000000000f0b27a5d5cf794ffc8000000c8000000070000006d74782e6e7079934e554d5059010076007b27646573637227"
+      "3a20273c6638272c2027666f727472616e5f6f72646572273a2046616c73652c20277368617065273a2028332c2033292c207d20202020"
+      "2020202020202020202020202020202020202020202020202020202020202020202020202020202020202020202020202020202020200a"
+      "00000000000059400000000000000000000000000000494000000000000000000000000000805b40000000000000394000000000000000"
+      "000000000000000000000000000000f03f504b0304140000000000f0b27a5dcda37667940000009400000008000000646973742e6e7079"
+      "934e554d5059010076007b276465736372273a20273c6634272c2027666f727472616e5f6f72646572273a2046616c73652c2027736861"
+      "7065273a2028312c2035292c207d2020202020202020202020202020202020202020202020202020202020202020202020202020202020"
+      "20202020202020202020202020202020200a0000003f0000803e0000003e000000be0000803d504b01021403140000000000f0b27a5d5c"
+      "f794ffc8000000c80000000700000000000000000000008001000000006d74782e6e7079504b01021403140000000000f0b27a5dcda376"
+      "6794000000940000000800000000000000000000008001ed000000646973742e6e7079504b050600000000020002006b000000a7010000"
+      "0000";
+  const std::string deflated =
+      "504b0304140000000800f0b27a5d5cf794ff5b000000c8000000070000006d74782e6e70799bec17ea1b10c9c850c650ad9e925a9c5ca4"
+      "6ea5a06e9366a1aea3a09e965f54529498179f5f94920a12774bcc294e058a17672416a402f91ac63a0ac69a3a0ab50a64032e06308874"
+      "6040019ea8fc866828df124d1d0c7cb00700504b0304140000000800f0b27a5dcda37667550000009400000008000000646973742e6e70"
+      "799bec17ea1b10c9c850c650ad9e925a9c5ca46ea5a06e9366a2aea3a09e965f54529498179f5f94920a12774bcc294e058a17672416a4"
+      "02f91a863a0aa69a3a0ab50a64032e0606067b0686063b200dc2fb806c5b00504b01021403140000000800f0b27a5d5cf794ff5b000000"
+      "c80000000700000000000000000000008001000000006d74782e6e7079504b01021403140000000800f0b27a5dcda37667550000009400"
+      "0000080000000000000000000000800180000000646973742e6e7079504b050600000000020002006b000000fb0000000000";
+  const Json lens = Json::parse(R"({"model": "brown", "k": [0.5, 0.25, 0.0625], "p": [0.125, -0.125]})");
+  for (const std::string& hex : {stored, deflated}) {
+    const File file("calibration.npz", fromHex(hex));
+    const Json camera = cameraOf(file.name());
+    CHECK(camera["distortion"] == lens);
+    CHECK(camera["projection"]["fx"] == 100);
+    CHECK(camera["projection"]["fy"] == 110);
+    CHECK(camera["projection"]["cx"] == 50);
+    CHECK(camera["projection"]["cy"] == 25);
+  }
+  // What is cut off or changed is refused, and nothing worse.
+  for (std::size_t i = 0; i < stored.size() / 2; i += 7) {
+    std::string bytes = fromHex(stored);
+    bytes[i] = static_cast<char>(bytes[i] ^ 0x41);
+    const File changed("calibration.npz", bytes);
+    CHECK(messageOf(changed.name()).find("exception") == std::string::npos);
+    const File cut("calibration.npz", fromHex(stored).substr(0, i));
+    CHECK(messageOf(cut.name()).find("exception") == std::string::npos);
+  }
+}
+
+TEST_CASE("a line of parts and paths makes a camera") {
+  const std::string text =
+      R"({"calib": {"m": [[100, 0, 50], [0, 110, 25], [0, 0, 1]], "d": [[0.1, 0.2, 0.01, 0.02, 0.3, 9]]}, "w": 100, "h": 50,
+      "views": {"a": {"r": [0.1, 0.2, 0.3], "t": [1, 2, 3]}, "b": {"r": [0, 0, 0], "t": [4, 5, 6]}}, "v2 1.5": {"f": 700}})";
+  const std::string lens = "K=calib.m, size=w+h, distortion=calib.d[0:5]";
+  const Json camera = cameraOf(text, "", lens);
+  CHECK(camera["projection"]["fx"] == 100);
+  CHECK(camera["viewport"] == Json::parse(R"({"width": 100, "height": 50})"));
+  CHECK(camera["distortion"] == Json::parse(R"({"model": "brown", "k": [0.1, 0.2, 0.3], "p": [0.01, 0.02]})"));
+  const std::string posed = lens + ", cameraFromWorld.rotationVector=views.*.r, cameraFromWorld.translation=views.*.t";
+  CHECK(cameraOf(text, "b", posed)["cameraFromWorld"] ==
+        Json::parse(R"({"rotationVector": [0, 0, 0], "translation": [4, 5, 6]})"));
+  CHECK(cameraOf(text, "", "K=v2 1.5.f+50+25")["projection"]["fx"] == 700);
+  const std::pair<const char*, const char*> kWrong[] = {
+      {"pose=views.a.t", "pose is no part"},
+      {"K", "expected name=path"},
+      {"K=calib.x", "K: calib.x: is not in the file"},
+      {"K=calib.d", "expected 1, 2, 3, 4, 9, 12 or 16 numbers, got 6"},
+      {"K=calib.m, distortion=calib.d", "say which"},
+      {"K=views.*.*", "two stars"},
+      {"K=calib.m, K=calib.m", "given twice"},
+      {"K=calib.m^T", "transpose"},
+      {"size=w+h, position=views.a.t", "needs a rotation"},
+      {"K=w", "needs"},
+  };
+  for (const auto& [parts, message] : kWrong) {
+    INFO(parts);
+    const std::string got = messageOf(text, "", parts);
+    INFO(got);
+    CHECK((got.find(message) != std::string::npos || std::string_view(parts) == "K=w"));
+  }
+  // A camera that lacks a part is an error, and the others are read.
+  const std::string lacking =
+      R"({"a": {"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "R": [1, 0, 0, 0, 1, 0, 0, 0, 1], "T": [1, 2, 3]},
+                                  "b": {"K": [100, 0, 50, 0, 110, 25, 0, 0, 1], "R": [1, 0, 0, 0, 1, 0, 0, 0, 1]}})";
+  const std::string set = "K=*.K, cameraFromWorld.rotation=*.R, cameraFromWorld.translation=*.T";
+  CHECK(cameraOf(lacking, "a", set)["cameraFromWorld"]["translation"] == Json::parse("[1, 2, 3]"));
+  CHECK(messageOf(lacking, "b", set).find("b.T: is not in the file") != std::string::npos);
+}
+
+TEST_CASE("stars are in the file's order, numbers by their size") {
+  const Document file =
+      readTree(R"({"cam10": {"k": 1}, "cam2": {"k": 1}, "cam1": {"k": 1}, "x": {"k": 1}, "cam3": {"j": 1}})", "FILE");
+  CHECK(starsOf(Node(file), "cam*.k") == std::vector<std::string>{"1", "2", "10"});
+}
+
+TEST_CASE("the finder proposes the line that reads a file") {
+  const std::string text =
+      R"({"CameraMatrix": [[100, 0, 50], [0, 110, 25], [0, 0, 1]], "DistCoeffs": [0.1, 0.2, 0.01, 0.02, 0.3],
+                               "TranslationVector": [1, 2, 3], "Rotation": [[1, 0, 0], [0, 0, -1], [0, 1, 0]]})";
+  const Proposal proposal = proposeParts(readTree(text, "FILE"));
+  REQUIRE(!proposal.lines.empty());
+  CHECK(proposal.lines[0].parts ==
+        "K=CameraMatrix, distortion=DistCoeffs, pose.rotation=Rotation, pose.translation=TranslationVector");
+  CHECK(proposal.lines[0].decide.size() == 1);
+  const Proposal set = proposeParts(readTree(
+      R"({"left": {"mtx": [[100, 0, 50], [0, 110, 25], [0, 0, 1]], "w2c": [[1, 0, 0, 1], [0, 1, 0, 2], [0, 0, 1, 3]]},
+          "right": {"mtx": [[100, 0, 50], [0, 110, 25], [0, 0, 1]], "w2c": [[1, 0, 0, 1], [0, 1, 0, 2], [0, 0, 1, 3]]}})",
+      "FILE"));
+  REQUIRE(!set.lines.empty());
+  CHECK(set.lines[0].parts == "K=*.mtx, cameraFromWorld=*.w2c");
+  CHECK(set.lines[0].cameras == 2);
+  CHECK(textOf(proposeParts(readTree(R"({"title": "notes", "list": [1, 2, 3]})", "FILE"))) ==
+        "nothing in it looks like a camera\n");
+}
