@@ -601,11 +601,14 @@ MatrixCameras camerasOf(const Mat4& m, const MatrixQuery& query) {
   const Mat4 errors = query.errors.value_or(roundingErrors(m));
   Solver written(m, errors, isSymmetric ? MatrixLayout::either : MatrixLayout::asWritten, query);
   Solver turned(transposed(m), transposed(errors), MatrixLayout::transposed, query);
-  MatrixCameras result{{}, written.solve(Reading::usual), {}};
-  result.transposedFault = isSymmetric ? result.fault : turned.solve(Reading::usual);
+  const bool isWrittenTried = isSymmetric || query.layout != MatrixLayout::transposed;
+  const bool isTurnedTried = !isSymmetric && query.layout != MatrixLayout::asWritten;
+  MatrixCameras result;
+  if (isWrittenTried) result.fault = written.solve(Reading::usual);
+  result.transposedFault = isTurnedTried ? turned.solve(Reading::usual) : result.fault;
   const auto again = [&](Reading reading) {
-    written.solve(reading);
-    if (!isSymmetric && !query.convention) turned.solve(reading);
+    if (isWrittenTried) written.solve(reading);
+    if (isTurnedTried && !query.convention) turned.solve(reading);
   };
   const auto mayBeMultiple = [](const Solver& solver) { return solver.cameras.empty() && !solver.isRefuted; };
   if (mayBeMultiple(written) && (query.convention || mayBeMultiple(turned))) again(Reading::multiple);

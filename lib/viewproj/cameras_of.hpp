@@ -63,6 +63,7 @@ struct MatrixCamera {
 struct MatrixQuery {
   std::optional<MatrixKind> kind{};
   std::optional<Convention> convention{};  ///< set: the matrix is for column vectors; else its transpose is tried too
+  std::optional<MatrixLayout> layout{};    ///< asWritten or transposed: only this one is tried
   std::optional<Mat4> errors{};            ///< of each entry; else half a unit in its last place, and 0 of a zero
 };
 
