@@ -17,11 +17,18 @@
 namespace viewproj::cmd {
 namespace {
 
-constexpr std::size_t kMostBytes = 64 << 20;
+constexpr std::size_t kMostBytes = 64 << 20, kShort = 1 << 20;
 
-Json parsed(const std::string& name, std::string text) {
+/// shortText: for UnknownFormat.
+Json parsed(const std::string& name, std::string text, const std::string& shortText) {
   const auto fail = [&](std::size_t offset, const std::string& message) {
-    throw InputError(place(name, positionAt(text, offset)) + ": " + visible(message));
+    const std::string full = place(name, positionAt(text, offset)) + ": " + visible(message);
+    // What begins like an object of JSON is meant as one.
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    const std::size_t second = text.find_first_not_of(" \t\r\n", first + 1);
+    if (text[first] == '{' && second != std::string::npos && (text[second] == '"' || text[second] == '}'))
+      throw InputError(full);
+    throw UnknownFormat(full, shortText);
   };
   Json root;
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
@@ -34,7 +41,8 @@ Json parsed(const std::string& name, std::string text) {
   blankComments(text);
   if (const auto fault = parseJson(text, root)) {
     if (text[start] != '{' && text[start] != '[')
-      throw InputError(name + ": is neither JSON nor YAML, as camera files are; viewproj help formats lists them");
+      throw UnknownFormat(name + ": is neither JSON nor YAML, as camera files are; viewproj help formats lists them",
+                          shortText);
     fail(fault->offset, fault->message);
   }
   return root;
@@ -88,13 +96,15 @@ Document load(const std::string& source, const std::string& option) {
       (source[first] == '{' || (source[first] == '[' && !std::filesystem::exists(pathOf(source), ignored)));
   Document document{isInline ? option : shownName(source), nullptr};
   if (isInline) {
-    document.root = std::make_shared<Json>(parsed(document.name, source));
+    document.text = std::make_shared<const std::string>(source.size() <= kShort ? source : "");
+    document.root = std::make_shared<Json>(parsed(document.name, source, *document.text));
   } else if (isColmap(source)) {
     document.root = std::make_shared<Json>(readColmap(source));
   } else {
     std::string text = readWithoutGlb(source, kMostBytes);
     requireNarrow(document.name, text);
-    document.root = std::make_shared<Json>(parsed(document.name, std::move(text)));
+    document.text = std::make_shared<const std::string>(text.size() <= kShort ? text : "");
+    document.root = std::make_shared<Json>(parsed(document.name, std::move(text), *document.text));
   }
   return document;
 }

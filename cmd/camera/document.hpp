@@ -23,6 +23,7 @@ struct Document {
   std::shared_ptr<Json> root;                                ///< shared by copies
   bool isTyped = false;                                      ///< made of options only: errors are UsageErrors
   std::map<std::string, std::string, std::less<>> labels{};  ///< by path: the option that set the field
+  std::shared_ptr<const std::string> text{};                 ///< of the file, where it is short
 };
 
 /// Reads a file, "-" for standard input, or the JSON itself if source begins with "{". Accepts JSON with comments,

@@ -32,7 +32,8 @@ Import nativeCamera(const Document& file) {
   };
   if (!root.is_object() ||
       (!root.empty() && !root.contains("projection") && std::none_of(std::begin(kFields), std::end(kFields), has)))
-    throw InputError(file.name + ": is not a camera file of a known kind; viewproj help formats lists them");
+    throw UnknownFormat(file.name + ": is not a camera file of a known kind; viewproj help formats lists them",
+                        file.text ? *file.text : "");
   const auto name = root.find("name");
   return {{{name != root.end() && name->is_string() ? name->get<std::string>() : "", ""}},
           [&file](std::size_t) { return *file.root; }};
@@ -134,6 +135,8 @@ std::size_t CameraDocuments::choose(const std::optional<std::string>& pick) cons
     if ("#" + number(i) == *pick) return i;
   throw InputError(file_.name + ": has no camera " + inQuotes(*pick) + "; it has " + someOf(all));
 }
+
+bool CameraDocuments::areMatrices() const { return importerOf(*file_.root) == &kMatrices; }
 
 Document CameraDocuments::document(std::size_t which) const {
   Document document{file_.name + (size() > 1 ? "#" + pickOf(which) : ""),

@@ -43,6 +43,9 @@ class CameraDocuments {
   std::string pickOf(std::size_t which) const;
   /// Finds a camera by name, id or number (## for a number only); without a pick, the only camera. Throws InputError.
   std::size_t choose(const std::optional<std::string>& pick) const;
+  /// Whether the file is one of bare matrices, whose text may have readings where it makes no camera.
+  bool areMatrices() const;
+  const std::string& text() const { return *file_.text; }
   /// The camera's document with the options applied.
   Document document(std::size_t which) const;
 
