@@ -165,7 +165,7 @@ struct LensReader {
   Projection matrix() const {
     const Node value = fields.require("matrix");
     if (!convention.isStated)
-      value.fail("needs a convention; state it, or give --read-as NAME (viewproj inspect lists those that fit)");
+      value.fail("needs a convention; state it, or give --read-as NAME (viewproj info lists those that fit)");
     const Convention& c = convention.convention;
     // Rows of 4 are the matrix as written; 16 numbers are in memory order.
     const bool isStored = value.size() == 16 && c.storage == Storage::columnMajor;

@@ -204,9 +204,11 @@ int runPasted(const MatrixOptions& o, const CLI::App& app, const UnknownFormat& 
   set.asFloat = o.asFloat;
   std::optional<Handedness> world;
   for (std::size_t i = 0; i < matrices.size(); ++i) {
-    const std::string& name = matrices[i].pasted.name;
-    set.matrices.push_back(
-        convertOne(matrices[i], name.empty() ? "matrix " + std::to_string(i + 1) : visible(name), o, world));
+    std::string name = visible(matrices[i].pasted.name);
+    const auto isTaken = [&](const NamedMatrix& m) { return m.name == name; };
+    if (name.empty() || std::any_of(set.matrices.begin(), set.matrices.end(), isTaken))
+      name += (name.empty() ? "matrix " : " ") + std::to_string(i + 1);
+    set.matrices.push_back(convertOne(matrices[i], name, o, world));
   }
   const Convention read = o.camera.readAs().value_or(Convention{});
   set.convention = o.camera.writing(read);

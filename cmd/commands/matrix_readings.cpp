@@ -391,6 +391,7 @@ class LayoutReader {
 /// "row 2 has -2.241 where -0.241 would make it a rotation": of a 3x3 part in which two rows, or columns, are unit
 /// vectors at a right angle and the third is their cross product but for one entry. Else empty.
 std::string typedWrong(const Laid& laid) {
+  if (laid.m[3] != std::array<double, 4>{0, 0, 0, 1}) return "";
   for (const bool byColumns : {false, true}) {
     const Mat4 m = byColumns ? transposed(laid.m) : laid.m, e = byColumns ? transposed(laid.printed) : laid.printed;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -560,8 +561,11 @@ std::vector<Reading> readingsIn(std::vector<Reading> readings, const Convention&
     return !r.camera || ((!r.camera->lens || r.camera->convention.reverseZ == c.reverseZ) &&
                          (r.kind == ReadingKind::projection || r.camera->convention.world == c.world));
   };
-  if (std::any_of(readings.begin(), readings.end(), isOwn))
-    std::erase_if(readings, [&](const Reading& r) { return !isOwn(r); });
+  for (const auto& [name, kind] : kReadingKinds) {
+    const auto isOfKind = [kind](const Reading& r) { return r.kind == kind; };
+    if (std::any_of(readings.begin(), readings.end(), [&](const Reading& r) { return isOfKind(r) && isOwn(r); }))
+      std::erase_if(readings, [&](const Reading& r) { return isOfKind(r) && !isOwn(r); });
+  }
   return readings;
 }
 

@@ -67,7 +67,7 @@ Mat4 matrixOf(const PastedMatrix& matrix, MatrixLayout layout);
 /// follow from the matrix and the rest. A calibration and a rotation have no convention.
 bool fits(const Reading& reading, const Convention& convention, bool isInMemoryOrder);
 
-/// The readings that a convention allows, those of its own world and depth alone where there are such.
+/// The readings that a convention allows; of each kind those of its own world and depth alone where there are such.
 std::vector<Reading> readingsIn(std::vector<Reading> readings, const Convention& convention, bool isInMemoryOrder);
 
 /// The matrix of a reading, for column vectors, in another convention: by signs and the range of depth alone, so that

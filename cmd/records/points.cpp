@@ -153,7 +153,7 @@ Layout findBarePoint(const RecordParts& record, const PointReading& reading) {
   constexpr std::size_t kMatrix = 16;
   const Shape& shape = record.shape;
   const bool isJson = shape.form == Form::json;
-  const std::string matrix = shape.size == kMatrix ? "; inspect reads a matrix" : "";
+  const std::string matrix = shape.size == kMatrix ? "; info reads a matrix" : "";
   if (shape.size != 3 && !(isJson && shape.size == 4))
     throw RecordError(0, numbersIn(shape) + "; expected x y z" +
                              (isJson           ? " or x y z w"

@@ -407,7 +407,8 @@ class Solver {
     const double depthAllowed =
         tolerance(largestOf(errors_[2]) / length + std::fabs(parts->lines[2].offset.hi) * wError);
     const bool isAlong = parts->depthResidual <= depthAllowed;
-    if (!(parts->residual <= allowed && allowed <= kBlind && (isAlong || reading_ == Reading::noDepth)))
+    if (!(parts->residual <= allowed && (allowed <= kBlind || hasZerosOfProjection()) &&
+          (isAlong || reading_ == Reading::noDepth)))
       return text(
           "its rows are not at right angles, or its z row not along its w row: off by %.2g, 0.001 is allowed; an "
           "oblique near plane or a sheared or stretched model does that",

@@ -28,7 +28,7 @@ bool recognises(const Json& root) {
 Convention conventionOf(const Node& root) {
   const auto stated = root.find("convention");
   if (!stated || stated->json().empty())
-    root.fail("matrices need a convention: --read-as NAME states it, and viewproj inspect lists those that fit");
+    root.fail("matrices need a convention: --read-as NAME states it, and viewproj info lists those that fit");
   Document document = root.document();
   document.root = std::make_shared<Json>(Json{{"convention", stated->json()}});
   normalize(document);
