@@ -25,13 +25,19 @@ const Importer* importerOf(const Json& root) {
 
 Import nativeCamera(const Document& file) {
   const Json& root = *file.root;
+  // What says nothing of a camera; --read-as states a convention.
+  const auto isBeside = [](std::string_view name) {
+    return name == "name" || name == "$schema" || name == "convention";
+  };
   const auto has = [&](const Field& field) {
-    if (field.path == "name" || field.path == "$schema") return false;
+    if (isBeside(field.path.substr(0, field.path.find('.')))) return false;
     const std::vector<std::string_view> names = namesOf(field);
     return std::any_of(names.begin(), names.end(), [&](std::string_view name) { return root.contains(name); });
   };
-  if (!root.is_object() ||
-      (!root.empty() && !root.contains("projection") && std::none_of(std::begin(kFields), std::end(kFields), has)))
+  const auto isStranger = [&](const auto& member) { return !isBeside(member.key()); };
+  const auto members = root.items();
+  if (!root.is_object() || (std::any_of(members.begin(), members.end(), isStranger) && !root.contains("projection") &&
+                            std::none_of(std::begin(kFields), std::end(kFields), has)))
     throw UnknownFormat(file.name + ": is not a camera file of a known kind; viewproj help formats lists them",
                         file.text ? *file.text : "");
   const auto name = root.find("name");

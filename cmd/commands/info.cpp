@@ -285,7 +285,7 @@ Action declareInfo(CLI::App& app) {
   app.footer(
       "Examples:\n"
       "  viewproj info --position 3,2,5 --target 0,0,0 --fov-y 60 --viewport 9x6\n"
-      "  echo 'P = [1.3 0 0 0; 0 1.73 0 0; 0 0 -1.002 -0.2002; 0 0 -1 0]' | viewproj info\n"
+      "  echo 'view: [0 0 1 3; 1 0 0 4; 0 1 0 5; 0 0 0 1]' | viewproj info\n"
       "  viewproj info --fx 800 --fy 800 --cx 320 --cy 240 --viewport 640x480 --to json");
   addValue(app, "--at", "DISTANCES", o->at, numberList("distances separated by commas, as in 1,10,100"),
            "Distances along the viewing axis of pixel sizes (default: 1, 10, 100 and the target's)");

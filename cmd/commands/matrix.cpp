@@ -267,13 +267,12 @@ int runMatrix(const MatrixOptions& o, const CLI::App& app) {
 Action declareMatrix(CLI::App& app) {
   const auto o = std::make_shared<MatrixOptions>();
   app.description(
-      "A camera's matrices in any convention, as JSON, text or source code; or the camera itself as a camera file. Or "
-      "matrices as pasted from code, logs or prose (viewproj info says what they are) in another convention or form.");
+      "A camera's matrices in any convention, as JSON, text or code; the camera itself; or pasted matrices, which info "
+      "tells of, in another convention.");
   app.footer(
       "Examples:\n"
       "  viewproj matrix --fov-y 60 --aspect 16/9 --near 0.1 --convention d3d --to hlsl\n"
-      "  viewproj matrix --position 3,2,5 --target 0,0,0 --which view --to text\n"
-      "  viewproj matrix paste.txt --read-as opengl --convention vulkan --to glsl");
+      "  viewproj matrix --position 3,2,5 --target 0,0,0 --which view --to text");
   const auto readNames = [](const std::string& option, const std::string& text) {
     Matrices chosen;
     for (const std::string& name : splitNames(option, text)) chosen.push_back(choose(option, name, matrixNames()));
