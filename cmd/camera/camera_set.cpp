@@ -15,11 +15,14 @@ namespace {
 
 constexpr const char* kCameras = "cameras";
 
+/// Members that say nothing of a camera; --read-as states a convention.
+bool isBeside(std::string_view name) { return name == "name" || name == "$schema" || name == "convention"; }
+
 /// Whether the object has a member of ours at its top, but those that many kinds of files have.
 bool hasOurMember(const Json& object) {
   if (!object.is_object()) return false;
   return std::any_of(std::begin(kFields), std::end(kFields), [&](const Field& field) {
-    if (field.path == "name" || field.path == "$schema") return false;
+    if (isBeside(topName(field))) return false;
     return object.contains(topName(field)) || (!field.alias.empty() && object.contains(field.alias));
   });
 }
@@ -92,7 +95,9 @@ CameraSource splitPick(const std::string& source) {
 }
 
 bool isCameraDocument(const Json& root) {
-  return root.is_object() && (root.empty() || hasOurMember(root) || isSet(root));
+  if (!root.is_object() || hasOurMember(root) || isSet(root)) return root.is_object();
+  const auto members = root.items();
+  return std::all_of(members.begin(), members.end(), [](const auto& member) { return isBeside(member.key()); });
 }
 
 Import openCameraDocument(const Document& file) {

@@ -35,6 +35,8 @@ struct Import {
   std::vector<const Json*> apart = {};
   /// What the format has not read of a camera, for a note; or empty.
   std::function<std::string(std::size_t which)> unread = nullptr;
+  /// Of a file of bare matrices its text, which may have readings where it makes no camera; null for others.
+  std::shared_ptr<const std::string> matricesText = nullptr;
 };
 
 /// "scene.gltf#Camera": a file and the camera to pick in it. A file whose own name has a # is found first.
@@ -85,6 +87,8 @@ class CameraSet {
   Document document(std::size_t which) const;
   /// What the file's format has not read of the camera; empty if there is nothing to say.
   std::string unreadOf(std::size_t which) const { return import_.unread ? import_.unread(which) : ""; }
+  /// See Import.
+  const std::shared_ptr<const std::string>& matricesText() const { return import_.matricesText; }
   /// The camera, read when it is first asked for, and kept (about 1 kB). Any number of threads may call this. Throws
   /// InputError each time if the camera cannot be read. All calls must have the same options.
   const Camera& camera(std::size_t which, const ReadOptions& reading) const;

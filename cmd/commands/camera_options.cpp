@@ -181,6 +181,11 @@ int CameraOptions::writeEach(
   return status;
 }
 
+std::optional<Convention> CameraOptions::readAs() const {
+  if (!readAs_) return std::nullopt;
+  return choose("--read-as", *readAs_, presetChoices()).convention;
+}
+
 Convention CameraOptions::writing(const Convention& read) const {
   Convention c = read;
   if (convention_) {

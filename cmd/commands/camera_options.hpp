@@ -41,6 +41,13 @@ class CameraOptions {
   int writeEach(bool needsPicture,
                 const std::function<std::string(const std::string& pick, const CameraFile& camera)>& textOf) const;
 
+  /// -c or FILE; nothing where options are the camera. Throws UsageError where there is none, or both.
+  std::optional<std::string> file() const;
+  /// The convention of --read-as.
+  std::optional<Convention> readAs() const;
+  /// Whether an option says something of a camera, which matrices in a text have no place for.
+  bool changesCamera() const { return !patches_.empty() || viewport_ || allowStretch_ || ignoreDistortion_; }
+
   /// The convention to write in: the file's world, and the axes that options name.
   Convention writing(const Convention& read) const;
   bool namesConvention() const { return convention_.has_value(); }
@@ -52,8 +59,6 @@ class CameraOptions {
   void noteHandedness(const CameraFile& file) const;
 
  private:
-  /// -c or FILE; nothing where options are the camera. Throws UsageError where there is none, or both.
-  std::optional<std::string> file() const;
   CameraPatches patches(bool isTyped) const;
 
   const CLI::App* app_ = nullptr;

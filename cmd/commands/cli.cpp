@@ -303,13 +303,12 @@ void ReportOptions::add(CLI::App& app, int tableDigits) {
 }
 
 void ReportOptions::write(const OrderedJson& report, const char* rows) const {
-  const int usual = form_ == ReportForm::table ? tableDigits_ : 0, digits = static_cast<int>(digits_.value_or(usual));
   if (form_ == ReportForm::table)
-    writeOutput(tableText(report, digits));
+    writeOutput(tableText(report, digits()));
   else if (form_ == ReportForm::json)
-    writeOutput(jsonText(report, digits) + "\n");
+    writeOutput(jsonText(report, digits()) + "\n");
   else
-    writeOutput(csvText(*rows ? report.at(rows) : report, digits));
+    writeOutput(csvText(*rows ? report.at(rows) : report, digits()));
 }
 
 }  // namespace viewproj::cmd

@@ -214,6 +214,9 @@ class ReportOptions {
   /// tableDigits: significant ones for people; programs get all.
   void add(CLI::App& app, int tableDigits);
   ReportForm form() const { return form_; }
+  int digits() const {
+    return static_cast<int>(digits_.value_or(form_ == ReportForm::table ? static_cast<std::size_t>(tableDigits_) : 0));
+  }
   /// rows: the member that CSV is of; empty: all of the report is one row.
   void write(const OrderedJson& report, const char* rows = "") const;
 

@@ -18,8 +18,7 @@ constexpr Command kCommands[] = {
     {"cull", "which points and shapes lie in the view, and which plane decides", declareCull},
     {"matrix", "a camera's matrices in any convention", declareMatrix},
     {"check", "whether points lie at their pixels, and which mistake explains it", declareCheck, 2},
-    {"info", "what is in a camera file", declareInfo},
-    {"inspect", "which camera and which convention a matrix is of", declareInspect},
+    {"info", "what is in a camera file, or what a pasted matrix is", declareInfo},
     {"explain", "every stage of one point or pixel, by hand", declareExplain},
     {"depth", "what a depth buffer resolves at each distance", declareDepth},
     {"measure", "time and error of every precision on your own points", declareMeasure},
@@ -68,6 +67,7 @@ std::string adviceOn(const std::string& argument, const CLI::App& app) {
 std::span<const Command> allCommands() { return kCommands; }
 
 const Command& findCommand(std::string_view name) {
+  if (name == "inspect") throw UsageError("inspect has left; use info, and matrix to convert");
   std::vector<std::string_view> known;
   for (const Command& command : kCommands) {
     if (command.name == name) return command;

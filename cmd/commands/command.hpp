@@ -43,7 +43,6 @@ Action declareMatrix(CLI::App& app);
 Action declareCull(CLI::App& app);
 Action declareCheck(CLI::App& app);
 Action declareInfo(CLI::App& app);
-Action declareInspect(CLI::App& app);
 Action declareExplain(CLI::App& app);
 Action declareDepth(CLI::App& app);
 Action declareMeasure(CLI::App& app);

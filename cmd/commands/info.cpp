@@ -1,4 +1,4 @@
-// viewproj info: what is in a camera file.
+// viewproj info: what is in a camera file, or in a text with matrices.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -9,6 +9,7 @@
 #include "camera/read_pose.hpp"
 #include "commands/camera_options.hpp"
 #include "commands/command.hpp"
+#include "commands/matrix_report.hpp"
 #include "formats/finder.hpp"
 #include "formats/open.hpp"
 #include "numbers/arctangent.hpp"
@@ -16,6 +17,7 @@
 #include "output/output_file.hpp"
 #include "output/results.hpp"
 #include "text/error.hpp"
+#include "text/file.hpp"
 #include "text/number.hpp"
 #include "viewproj/geodesy.hpp"
 #include "viewproj/scene.hpp"
@@ -221,6 +223,7 @@ OrderedJson cameraRow(const std::string& name, const Document& document) {
 struct InfoOptions {
   CameraOptions camera;
   std::optional<std::vector<double>> at;
+  std::vector<ReadingKind> which;
   ReportOptions report;
 };
 
@@ -244,9 +247,7 @@ int runList(const InfoOptions& o, const CameraSet& cameras, const std::optional<
   return status;
 }
 
-/// What --parts could make of a file that no format claims.
-int runProposal(const InfoOptions& o, const UnknownFile& unknown) {
-  const Proposal proposal = proposeParts(unknown.file);
+int writeProposal(const InfoOptions& o, const Proposal& proposal) {
   if (o.report.form() == ReportForm::table)
     writeOutput(textOf(proposal));
   else
@@ -254,11 +255,44 @@ int runProposal(const InfoOptions& o, const UnknownFile& unknown) {
   return 1;
 }
 
-int runInfo(const InfoOptions& o) {
+/// What the matrices of a text can be. otherwise: the message where there are none. Matrix by matrix, since the
+/// readings of one take many times the memory of its numbers.
+int runMatrices(const InfoOptions& o, const std::string& text, const std::string& otherwise) {
+  const MatrixQuestion question{o.camera.readAs(), o.which};
+  const std::vector<ReadMatrix> matrices =
+      readMatrices(text, shownName(o.camera.file().value_or("-")), otherwise, question);
+  const bool isJson = o.report.form() == ReportForm::json;
+  if (isJson) writeOutput("{\"matrices\": [");
+  OrderedJson rows = OrderedJson::array();
+  bool allFit = true;
+  for (std::size_t i = 0; i < matrices.size(); ++i) {
+    allFit = allFit && !matrices[i].found.readings.empty();
+    if (isJson)
+      writeOutput((i > 0 ? ",\n  " : "\n  ") + jsonText(matrixReport(matrices[i]), o.report.digits(), 1));
+    else if (o.report.form() == ReportForm::table)
+      writeOutput((i > 0 ? "\n" : "") + tableText(matrixPage(matrices[i], i + 1, matrices.size()), o.report.digits()));
+    else
+      rows.push_back(matrixReport(matrices[i]));
+  }
+  if (isJson) writeOutput("\n]}\n");
+  if (!rows.empty()) writeOutput(csvText(rows, o.report.digits()));
+  return allFit ? 0 : 1;
+}
+
+CameraFile readCameraOrMatrices(const InfoOptions& o, const CameraSet& cameras, std::size_t which) {
+  try {
+    return o.camera.readOne(cameras, which);
+  } catch (const InputError& e) {
+    if (cameras.matricesText()) throw UnknownFormat(e.what(), *cameras.matricesText());
+    throw;
+  }
+}
+
+int runCamera(const InfoOptions& o) {
   const auto [cameras, pick] = o.camera.readAll();
   if (cameras->chooseAll(pick).size() > 1) return runList(o, *cameras, pick);
   const std::size_t which = cameras->chooseAll(pick).front();
-  const CameraFile file = o.camera.readOne(*cameras, which);
+  const CameraFile file = readCameraOrMatrices(o, *cameras, which);
   o.camera.noteHandedness(file);
   std::vector<double> distances{1, 10, 100};
   if (file.targetDistance) distances.push_back(*file.targetDistance);
@@ -269,32 +303,72 @@ int runInfo(const InfoOptions& o) {
   return 0;
 }
 
+/// A file that no format claims: what --parts could make of it, if that is a lens with something beside it, else what
+/// its matrices can be.
+int runUnknown(const InfoOptions& o, const UnknownFile& unknown) {
+  const Proposal proposal = proposeParts(unknown.file);
+  const auto isCamera = [](const ProposedLine& line) {
+    return line.hasLens && std::count(line.parts.begin(), line.parts.end(), '=') > 1;
+  };
+  if (unknown.text.empty() || o.camera.changesCamera() || o.at || findMatrices(unknown.text).matrices.empty() ||
+      std::any_of(proposal.lines.begin(), proposal.lines.end(), isCamera))
+    return writeProposal(o, proposal);
+  return runMatrices(o, unknown.text, unknown.what());
+}
+
+/// A camera file, else what a file that no format claims may be, else matrices, else what is wrong with the file.
+int runInfo(const InfoOptions& o) {
+  constexpr std::size_t kMostBytes = 1 << 20;
+  if (!o.which.empty()) {
+    if (o.camera.changesCamera() || o.at)
+      throw UsageError("--which is for matrices, and the other options for a camera");
+    const auto name = o.camera.file();
+    if (!name) throw UsageError("--which needs a FILE with matrices");
+    return runMatrices(o, readWholeFile(*name, kMostBytes), shownName(*name) + ": has no matrix");
+  }
+  try {
+    return runCamera(o);
+  } catch (const UnknownFile& unknown) {
+    return runUnknown(o, unknown);
+  } catch (const UnknownFormat& e) {
+    if (e.text.empty() || o.camera.changesCamera() || o.at) throw;
+    return runMatrices(o, e.text, e.what());
+  }
+}
+
 }  // namespace
 
 Action declareInfo(CLI::App& app) {
   const auto o = std::make_shared<InfoOptions>();
   app.description(
-      "What is in a camera file. Of one camera its eye and axes, fields of view, window, focal length, near and far, "
-      "viewport, convention, lens distortion, planes and corners of the view, and pixel size; of several a table of "
-      "them. Angles are in degrees, window edges are x/z and y/z (lengths in orthographic). Angles, edges, fx to cy, "
-      "planes and corners are those without distortion.");
+      "What is in a file. Of one camera its eye and axes, fields of view, window, focal length, near and far, "
+      "viewport, "
+      "convention, lens distortion, planes and corners of the view, and pixel size; of several a table of them. Of "
+      "matrices, as pasted from code, logs or prose, what each can be, the likeliest first. Angles are in degrees, "
+      "window "
+      "edges are x/z and y/z (lengths in orthographic). Angles, edges, fx to cy, planes and corners are those without "
+      "distortion.");
   app.footer(
       "Examples:\n"
       "  viewproj info --position 3,2,5 --target 0,0,0 --fov-y 60 --viewport 9x6\n"
+      "  echo 'view: [0 0 1 3; 1 0 0 4; 0 1 0 5; 0 0 0 1]' | viewproj info\n"
       "  viewproj info --fx 800 --fy 800 --cx 320 --cy 240 --viewport 640x480 --to json");
   addValue(app, "--at", "DISTANCES", o->at, numberList("distances separated by commas, as in 1,10,100"),
            "Distances along the viewing axis of pixel sizes (default: 1, 10, 100 and the target's)");
+  addOption(
+      app, "--which", "KINDS",
+      [o](const std::string& option, const std::string& text) {
+        o->which = chooseSeveral(option, text, rowsOf(kReadingKinds)).named;
+        if (o->which.empty())
+          for (const auto& [name, kind] : kReadingKinds) o->which.push_back(kind);
+      },
+      withNames("Read the matrices of FILE, as these kinds alone", known(rowsOf(kReadingKinds)),
+                "a camera, if it has one"));
   o->report.add(app, 9);
   o->camera.addFile(app);
   o->camera.add(app);
   o->camera.addConvention(app);
-  return [o] {
-    try {
-      return runInfo(*o);
-    } catch (const UnknownFile& unknown) {
-      return runProposal(*o, unknown);
-    }
-  };
+  return [o] { return runInfo(*o); };
 }
 
 }  // namespace viewproj::cmd

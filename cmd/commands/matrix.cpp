@@ -1,4 +1,4 @@
-// viewproj matrix: a camera's matrices, and the camera itself in another form.
+// viewproj matrix: a camera's matrices, the camera itself in another form, and pasted matrices in another convention.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -6,11 +6,14 @@
 #include "camera/change_camera.hpp"
 #include "commands/camera_options.hpp"
 #include "commands/command.hpp"
+#include "commands/matrix_report.hpp"
 #include "output/matrix_text.hpp"
 #include "output/output_file.hpp"
 #include "records/model.hpp"
 #include "text/error.hpp"
+#include "text/file.hpp"
 #include "text/names.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -147,7 +150,74 @@ MatrixSet matricesOf(const CameraFile& read, const std::optional<Mat4>& model, c
   return set;
 }
 
-int runMatrix(const MatrixOptions& o, const CLI::App& app) {
+/// The one matrix that all readings give in the convention to write. world: that of the matrices with a pose, which is
+/// one for all.
+NamedMatrix convertOne(const ReadMatrix& matrix, const std::string& name, const MatrixOptions& o,
+                       std::optional<Handedness>& world) {
+  std::vector<Reading> readings = matrix.found.readings;
+  if (readings.empty()) throw InputError(name + ": " + matrix.found.fault);
+  // A name that tells the kind decides between the kinds.
+  const KindHint hint = hintOf(matrix.pasted);
+  const auto isNamed = [&](const Reading& r) { return r.kind == hint.kind; };
+  if (std::any_of(readings.begin(), readings.end(), isNamed))
+    std::erase_if(readings, [&](const Reading& r) { return !isNamed(r); });
+  std::optional<Mat4> result;
+  for (const Reading& r : readings) {
+    Mat4 each;
+    try {
+      const Convention own = r.camera ? r.camera->convention : Convention{};
+      each = converted(r, matrixOf(matrix.pasted, r.layout), o.camera.writing(own));
+    } catch (const CameraError& e) {
+      throw InputError(name + ": " + e.message());
+    }
+    if (result && !(*result == each))
+      throw InputError(name + ": can be read in " + std::to_string(readings.size()) +
+                       " ways, which give different matrices; viewproj info lists them, and --read-as NAME and --which "
+                       "NAME choose");
+    result = each;
+  }
+  if (readings.front().kind != ReadingKind::projection) {
+    const Handedness own = readings.front().camera->convention.world;
+    if (world.value_or(own) != own)
+      throw InputError(name + ": its world is " + std::string(nameOf(kWorldNames, own)) +
+                       "-handed, unlike that of the matrices before it; --which picks");
+    world = own;
+  }
+  return {name, *result};
+}
+
+/// The matrices of a text in another convention or language, by signs and layout alone.
+int runPasted(const MatrixOptions& o, const CLI::App& app, const UnknownFormat& unknown) {
+  for (const char* option :
+       {"--inverse", "--bake-viewport", "--relative-to-eye", "--model", "--all", "--map", "--scale"})
+    if (app.count(option) > 0) throw UsageError(std::string(option) + " is for a camera; " + unknown.what());
+  if (o.camera.changesCamera() || o.format == kCamera) throw InputError(unknown.what());
+  MatrixQuestion question{o.camera.readAs(), {}};
+  for (const CameraMatrix* row : o.which.value_or(Matrices()))
+    for (const auto& [name, kind] : kReadingKinds)
+      if (name == row->name) question.which.push_back(kind);
+  const std::string source = shownName(o.camera.file().value_or("-"));
+  std::vector<ReadMatrix> matrices = readMatrices(unknown.text, source, unknown.what(), question);
+  if (o.which) std::erase_if(matrices, [](const ReadMatrix& m) { return m.found.readings.empty(); });
+  if (matrices.empty()) throw InputError(source + ": has no matrix that can be what --which names");
+  MatrixSet set;
+  set.asFloat = o.asFloat;
+  std::optional<Handedness> world;
+  for (std::size_t i = 0; i < matrices.size(); ++i) {
+    std::string name = visible(matrices[i].pasted.name);
+    const auto isTaken = [&](const NamedMatrix& m) { return m.name == name; };
+    if (name.empty() || std::any_of(set.matrices.begin(), set.matrices.end(), isTaken))
+      name += (name.empty() ? "matrix " : " ") + std::to_string(i + 1);
+    set.matrices.push_back(convertOne(matrices[i], name, o, world));
+  }
+  const Convention read = o.camera.readAs().value_or(Convention{});
+  set.convention = o.camera.writing(read);
+  set.convention.world = world.value_or(read.world);
+  writeOutput(writeMatrices(set, o.format, source));
+  return 0;
+}
+
+int runCamera(const MatrixOptions& o, const CLI::App& app) {
   const bool toCamera = o.format == kCamera;
   for (const char* option : {"--which", "--inverse", "--bake-viewport", "--relative-to-eye", "--float", "--model"})
     if (toCamera && app.count(option) > 0)
@@ -172,7 +242,8 @@ int runMatrix(const MatrixOptions& o, const CLI::App& app) {
       set.camera = pick;
       return writeMatrices(set, o.format, camera.name);
     });
-  const CameraFile read = inMappedWorld(o.camera.read(needsPicture), o);
+  const auto [cameras, pick] = o.camera.readAll();
+  const CameraFile read = inMappedWorld(o.camera.readOne(*cameras, cameras->choose(pick), needsPicture), o);
   if (toCamera) {
     o.camera.noteHandedness(read);
     writeOutput(o.camera.written(read));
@@ -182,12 +253,22 @@ int runMatrix(const MatrixOptions& o, const CLI::App& app) {
   return 0;
 }
 
+int runMatrix(const MatrixOptions& o, const CLI::App& app) {
+  try {
+    return runCamera(o, app);
+  } catch (const UnknownFormat& e) {
+    if (e.text.empty()) throw;
+    return runPasted(o, app, e);
+  }
+}
+
 }  // namespace
 
 Action declareMatrix(CLI::App& app) {
   const auto o = std::make_shared<MatrixOptions>();
   app.description(
-      "A camera's matrices in any convention, as JSON, text or source code; or the camera itself as a camera file.");
+      "A camera's matrices in any convention, as JSON, text or code; the camera itself; or pasted matrices, which info "
+      "tells of, in another convention.");
   app.footer(
       "Examples:\n"
       "  viewproj matrix --fov-y 60 --aspect 16/9 --near 0.1 --convention d3d --to hlsl\n"

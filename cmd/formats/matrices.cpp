@@ -6,15 +6,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-<<<<<<< HEAD:cmd/camera/importers/matrices.cpp
-#include "camera/importers/calibration.hpp"
 #include "camera/names.hpp"
 #include "camera/read_convention.hpp"
-=======
-#include "camera/names.hpp"
-#include "camera/read_pose.hpp"
 #include "formats/format.hpp"
->>>>>>> formats:cmd/formats/matrices.cpp
 #include "viewproj/convention.hpp"
 
 namespace viewproj::cmd {
@@ -42,7 +36,7 @@ std::optional<Node> oneOf(const Node& object, Names names) {
 Convention conventionOf(const Node& root) {
   const auto stated = root.find("convention");
   if (!stated || stated->json().empty())
-    root.fail("matrices need a convention: --read-as NAME states it, and viewproj inspect lists those that fit");
+    root.fail("matrices need a convention: --read-as NAME states it, and viewproj info lists those that fit");
   return readConvention(root.document()).convention;
 }
 
@@ -57,13 +51,8 @@ Mat4 matrixIn(const Node& node, const Convention& c) {
   return rows;
 }
 
-<<<<<<< HEAD:cmd/camera/importers/matrices.cpp
 /// A viewport: our own object, [x, y, width, height] of gluUnProject, whose y counts from the bottom, or the matrix
 /// from NDC to the screen.
-=======
-/// A viewport: our own object, [x, y, width, height] of OpenGL, whose y counts from the bottom, or the matrix from NDC
-/// to the screen.
->>>>>>> formats:cmd/formats/matrices.cpp
 Json viewportOf(const Node& node, const Convention& c) {
   if (node.json().is_object()) return node.json();
   if (node.holdsNumbers(4)) {

@@ -1,10 +1,3 @@
-<<<<<<< HEAD:cmd/camera/importers/open.cpp
-// Opens a file of any format as a set of cameras.
-#include <nlohmann/json.hpp>
-
-#include "text/error.hpp"
-#include "text/file.hpp"
-=======
 #include "formats/open.hpp"
 
 #include <algorithm>
@@ -19,27 +12,10 @@
 #include "formats/tree.hpp"
 #include "formats/unread.hpp"
 #include "text/utf8.hpp"
->>>>>>> formats:cmd/formats/open.cpp
 
 namespace viewproj::cmd {
 namespace {
 
-<<<<<<< HEAD:cmd/camera/importers/open.cpp
-Document loadAny(const std::string& source, const std::string& option, bool wasColmap) {
-  if (isInlineJson(source)) return load(source, option);
-  if (wasColmap) return {shownName(source), std::make_shared<Json>(readColmap(source))};
-  return parseDocument(shownName(source), readWithoutGlb(source, kMostDocumentBytes));
-}
-
-/// The importer for a document. Null for our own format (an object with a projection object) and for unknown formats.
-const Importer* importerOf(const Json& root, bool wasColmap) {
-  if (wasColmap) return &kColmap;
-  const auto projection = root.find("projection");
-  if (root.is_object() && projection != root.end() && projection->is_object()) return nullptr;
-  for (const Importer* importer : importers())
-    if (importer->recognises(root)) return importer;
-  return nullptr;
-=======
 /// The formats that have a file; the order does not matter, for one at most claims a file.
 constexpr const Format* kFormats[] = {
     &kGltf,    &kThreeJs, &kTransforms, &kMetashape, &kMetashapeLens, &kMeshroom, &kOpenSfm, &kOpenSfmLenses,
@@ -143,6 +119,7 @@ Import importFile(const std::shared_ptr<Document>& file, const Opening& opening,
   if (!found.empty()) {
     Import result = found.front().open();
     keepWorld(result, opening.pick);
+    if (found.front().isMatrices) result.matricesText = file->text;
     return judged(file, std::move(result), found.front().known);
   }
   if (isCameraDocument(*file->root)) {
@@ -204,27 +181,10 @@ Import atPoses(Import result, const Opening& opening) {
     return camera;
   };
   return moved;
->>>>>>> formats:cmd/formats/open.cpp
 }
 
 }  // namespace
 
-<<<<<<< HEAD:cmd/camera/importers/open.cpp
-std::unique_ptr<CameraSet> openCameras(const std::string& source, const std::string& option, CameraPatches patches) {
-  const bool wasColmap = !isInlineJson(source) && isColmap(source);
-  const auto file = std::make_shared<Document>(loadAny(source, option, wasColmap));
-  const Importer* const importer = importerOf(*file->root, wasColmap);
-  if (!importer && !isCameraDocument(*file->root))
-    throw InputError(file->name + ": is not a camera file of a known kind; viewproj help formats lists them");
-  if (!patches.readAs.empty() && importer && importer != &kMatrices)
-    throw InputError(file->name + ": is " + std::string(importer->form) +
-                     ", which has a convention of its own; leave out --read-as");
-  if (!patches.readAs.empty()) readAs(*file, patches.readAs);
-  Import found = importer ? importer->open(Node(*file)) : openCameraDocument(*file);
-  // The file must live as long as the functions that read it.
-  found.document = [file, document = std::move(found.document)](std::size_t which) { return document(which); };
-  return std::make_unique<CameraSet>(file->name, std::move(found), std::move(patches));
-=======
 std::unique_ptr<CameraSet> openCameras(const std::string& source, const Opening& opening, CameraPatches patches) {
   std::shared_ptr<Document> file;
   Import result;
@@ -272,7 +232,6 @@ std::vector<std::string> claimants(const Document& file) {
   std::vector<std::string> names;
   for (const Claim& claim : claimsOf(Node(file), true)) names.emplace_back(claim.name);
   return names;
->>>>>>> formats:cmd/formats/open.cpp
 }
 
 }  // namespace viewproj::cmd

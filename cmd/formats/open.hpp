@@ -12,9 +12,10 @@
 
 namespace viewproj::cmd {
 
-/// A text or a tree that no format claims.
-struct UnknownFile : InputError {
-  UnknownFile(const std::string& message, Document tree) : InputError(message), file(std::move(tree)) {}
+/// A tree that no format claims.
+struct UnknownFile : UnknownFormat {
+  UnknownFile(const std::string& message, Document tree)
+      : UnknownFormat(message, tree.text ? *tree.text : ""), file(std::move(tree)) {}
   Document file;
 };
 

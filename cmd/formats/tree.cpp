@@ -18,7 +18,7 @@
 namespace viewproj::cmd {
 namespace {
 
-constexpr std::size_t kMostBytes = 64 << 20;
+constexpr std::size_t kMostBytes = 64 << 20, kShort = 1 << 20;
 
 /// Whether the first line with words is a heading, such as [image].
 bool beginsWithHeading(std::string_view text) {
@@ -46,9 +46,16 @@ void unfoldMatrices(Json& value) {
     for (Json& part : value) unfoldMatrices(part);
 }
 
-Json treeOf(const std::string& name, std::string text, bool isInline) {
+/// shortText: of the file, for UnknownFormat.
+Json treeOf(const std::string& name, std::string text, const std::string& shortText, bool isInline) {
   const auto fail = [&](const JsonFault& fault) {
-    throw InputError(place(name, positionAt(text, fault.offset)) + ": " + visible(fault.message));
+    const std::string full = place(name, positionAt(text, fault.offset)) + ": " + visible(fault.message);
+    // What begins like an object of JSON is meant as one.
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    const std::size_t second = text.find_first_not_of(" \t\r\n", first + 1);
+    if (text[first] == '{' && second != std::string::npos && (text[second] == '"' || text[second] == '}'))
+      throw InputError(full);
+    throw UnknownFormat(full, shortText);
   };
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
   std::size_t start = text.find_first_not_of(" \t\r\n");
@@ -80,7 +87,8 @@ Json treeOf(const std::string& name, std::string text, bool isInline) {
   }
   root = textTree(text);
   if (root.empty())
-    throw InputError(name + ": is neither JSON nor YAML, as camera files are; viewproj help formats lists them");
+    throw UnknownFormat(name + ": is neither JSON nor YAML, as camera files are; viewproj help formats lists them",
+                        shortText);
   return root;
 }
 
@@ -103,7 +111,8 @@ Document readTree(const std::string& source, const std::string& option) {
       (source[first] == '{' || (source[first] == '[' && !std::filesystem::exists(pathOf(source), ignored)));
   Document document{isInline ? option : shownName(insideFolder(source)), nullptr};
   if (isInline) {
-    document.root = std::make_shared<Json>(treeOf(document.name, source, true));
+    document.text = std::make_shared<const std::string>(source.size() <= kShort ? source : "");
+    document.root = std::make_shared<Json>(treeOf(document.name, source, *document.text, true));
     unfoldMatrices(*document.root);
     return document;
   }
@@ -115,7 +124,8 @@ Document readTree(const std::string& source, const std::string& option) {
     return document;
   }
   requireNarrow(document.name, text);
-  document.root = std::make_shared<Json>(treeOf(document.name, std::move(text), false));
+  document.text = std::make_shared<const std::string>(text.size() <= kShort ? text : "");
+  document.root = std::make_shared<Json>(treeOf(document.name, std::move(text), *document.text, false));
   unfoldMatrices(*document.root);
   return document;
 }

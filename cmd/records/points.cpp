@@ -165,7 +165,7 @@ NumberPlan findBarePoint(const RecordView& record, const PointReading& reading) 
   requireNoCommas(record);
   const Schema& schema = *record.schema;
   const bool isJson = schema.form == Form::json;
-  const std::string matrix = schema.size == kMatrix ? "; inspect reads a matrix" : "";
+  const std::string matrix = schema.size == kMatrix ? "; info reads a matrix" : "";
   if (schema.size != 3 && !(isJson && schema.size == 4))
     throw RecordError(0, numbersIn(schema) + "; expected x y z" +
                              (isJson            ? " or x y z w"

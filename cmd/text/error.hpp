@@ -18,6 +18,12 @@ struct InputError : std::runtime_error {
   using runtime_error::runtime_error;
 };
 
+/// A text that is a camera file of no known format; whether it is another input is tried before this is told.
+struct UnknownFormat : InputError {
+  UnknownFormat(const std::string& message, std::string given) : InputError(message), text(std::move(given)) {}
+  std::string text;  ///< all of it, or empty where it is long
+};
+
 /// The reader of the output closed it: exit without a message.
 struct ClosedPipe {};
 

@@ -26,8 +26,9 @@ enum class MatrixLayout {
   either,      ///< the matrix is symmetric
 };
 
-/// The distance of near or far, and the interval it may lie in because the matrix's entries are rounded. low and high
-/// are infinite if far is; only high is infinite if the entries do not determine it.
+/// The distance of near or far, and the interval it may lie in because of the errors of the matrix's entries. If far is
+/// infinite, it is at least low; if it is infinite for sure, low is infinite too. Only high is infinite if the entries
+/// do not determine it.
 struct PlaneDistance {
   double value = 0, low = 0, high = 0;
 };
@@ -38,7 +39,9 @@ struct MatrixLens {
   bool orthographic = false;
   double left = 0, right = 0, bottom = 0, top = 0;  ///< as in Projection
   PlaneDistance zNear, zFar;
-  bool beyondInfinity = false;           ///< infinite far, with depth at infinity slightly inside the range ("tweaked")
+  Vec2 fovError;                ///< how far the angles of view may be off, horizontal and vertical, in degrees
+  bool beyondInfinity = false;  ///< infinite far, with depth at infinity slightly inside the range ("tweaked")
+  std::string depthFault;       ///< if not empty: rows x, y and w are a camera's, and what the z row is instead
   std::optional<Projection> projection;  ///< empty if near and far are not determined well enough for a camera
 };
 
@@ -51,7 +54,8 @@ struct MatrixCamera {
   /// How far the axes are from right angles. For a view or its inverse, the largest entry of M^T M - I. Otherwise the
   /// largest cosine between two axes, or the part of the z row that is not along the w row.
   double residual = 0;
-  std::optional<Pose> pose;        ///< empty for a projection
+  std::optional<Pose> pose;        ///< empty for a projection; of axes that are further off, the nearest right angles
+  Vec3 eyeError;                   ///< how far each coordinate of the eye may be off
   std::optional<MatrixLens> lens;  ///< set for a projection and a view-projection
 };
 
@@ -59,7 +63,8 @@ struct MatrixCamera {
 struct MatrixQuery {
   std::optional<MatrixKind> kind{};
   std::optional<Convention> convention{};  ///< set: the matrix is for column vectors; else its transpose is tried too
-  bool float32 = false;                    ///< round the entries to float32 first
+  std::optional<MatrixLayout> layout{};    ///< asWritten or transposed: only this one is tried
+  std::optional<Mat4> errors{};            ///< of each entry; else half a unit in its last place, and 0 of a zero
 };
 
 struct MatrixCameras {
@@ -75,11 +80,15 @@ struct MatrixCameras {
 /// is tried as a view-projection unless its w row is 0 0 0 1 (to 4 units in the last place, as in a computed inverse).
 /// An affine matrix within kPoseOrthogonality of a rotation is a view and its inverse. With right angles but other
 /// lengths it is an orthographic view-projection, or an orthographic projection if it is diagonal apart from the
-/// translation. Only if nothing fits is the matrix tried as a multiple of one.
+/// translation. Only if nothing fits is the matrix tried as a multiple of one, and then as one whose z row is no depth
+/// (depthFault; there near, far, ndcZ and reverseZ mean nothing).
+///
+/// Errors of the entries widen what counts as a right angle, as 1 and as 0 0 0 1. Where they are so large that a right
+/// angle cannot be told, nothing fits.
 ///
 /// A far plane beyond infinity by up to 2^-16 of 1/near counts as infinite. Pose and window are within 2^-90 of those
-/// of the entries taken as exact. The intervals of near and far assume that zeros and a w row of 0 0 +-1 0 or 0 0 0 1
-/// are exact and that every other entry is off by up to half a unit in its last place. They are right to first order.
+/// of the entries taken as exact. A w row of 0 0 +-1 0 or 0 0 0 1 and the zeros of a projection are exact. The
+/// intervals of near, far, eye and fields of view are right to first order, widened where the errors are large.
 ///
 /// Formulas: the closed forms of matrices.cpp, solved for their parameters.
 MatrixCameras camerasOf(const Mat4& matrix, const MatrixQuery& query = {});

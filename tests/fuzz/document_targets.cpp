@@ -1,8 +1,8 @@
-// Scenes, model matrices and what inspect reads: files of JSON or text that are read as a whole.
+// Scenes, model matrices and pasted matrices: files of JSON or text that are read as a whole.
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "commands/inspect_report.hpp"
+#include "commands/matrix_report.hpp"
 #include "fuzz.hpp"
 #include "output/matrix_text.hpp"
 #include "records/model.hpp"
@@ -43,35 +43,24 @@ void readModelMatrix(std::string_view input) {
   (void)cmd::toWorld(m, {1, 2, 3, 1});
 }
 
-void inspectOne(const WrittenMatrix& written, bool float32) {
-  constexpr std::size_t kMostConverted = 4;
-  const InspectQuery query{.isFloat = float32};
-  try {
-    const OrderedJson report = inspectReport(written, query);
-    requireJson(jsonText(report), "inspect");
-    (void)tableText(inspectPage(report), 9);
-  } catch (const CameraError&) {  // a calibration that is none
-  }
-  if (written.isCalibration()) return;
-  const std::vector<MatrixCamera> readings = statedReadings(written, query);
-  for (std::size_t i = 0; i < std::min(kMostConverted, readings.size()); ++i) try {
-      MatrixSet set;
-      set.convention = conventions::d3d;
-      set.convention.world = readings[i].convention.world;
-      set.matrices.push_back({written.name, converted(readings[i], set.convention)});
-      requireJson(writeMatrices(set, "json", "the fuzzer"), "inspect --convention");
-    } catch (const CameraError&) {
-    }
-}
-
-void inspect(std::string_view input) {
-  constexpr std::size_t kMostInspected = 8;
-  std::size_t count = 0;
-  for (const WrittenMatrix& written : parseMatrices(std::string(input), "the fuzzer").matrices) {
-    if (++count > kMostInspected) return;
-    for (const double number : written.numbers)
-      if (!std::isfinite(number)) found("an entry that is not finite was read");
-    inspectOne(written, count % 2 == 0);
+void readPasted(std::string_view input) {
+  constexpr std::size_t kMostRead = 8, kMostConverted = 4;
+  std::vector<ReadMatrix> matrices = readMatrices(input, "the fuzzer", "no matrix", {});
+  if (matrices.size() > kMostRead) matrices.resize(kMostRead);
+  for (const ReadMatrix& matrix : matrices) {
+    if (matrix.pasted.numbers.size() != matrix.pasted.rows * matrix.pasted.columns)
+      found("a matrix that lacks numbers");
+    requireJson(jsonText(matrixReport(matrix)), "info");
+    (void)tableText(matrixPage(matrix, 1, 1), 9);
+    const std::vector<Reading>& readings = matrix.found.readings;
+    for (std::size_t i = 0; i < std::min(kMostConverted, readings.size()); ++i) try {
+        MatrixSet set;
+        set.convention = conventions::d3d;
+        set.matrices.push_back(
+            {matrix.pasted.name, converted(readings[i], matrixOf(matrix.pasted, readings[i].layout), set.convention)});
+        requireJson(writeMatrices(set, "json", "the fuzzer"), "matrix");
+      } catch (const CameraError&) {  // a calibration
+      }
   }
 }
 
@@ -79,6 +68,6 @@ void inspect(std::string_view input) {
 
 void fuzzScene(std::string_view input) { succeeds(readScene, input); }
 void fuzzModel(std::string_view input) { succeeds(readModelMatrix, input); }
-void fuzzMatrices(std::string_view input) { succeeds(inspect, input); }
+void fuzzMatrices(std::string_view input) { succeeds(readPasted, input); }
 
 }  // namespace viewproj::fuzz

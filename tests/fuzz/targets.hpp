@@ -9,7 +9,7 @@ void fuzzCamera(std::string_view input);
 void fuzzScene(std::string_view input);
 /// The model matrix of project and explain.
 void fuzzModel(std::string_view input);
-/// What inspect reads.
+/// Text with matrices.
 void fuzzMatrices(std::string_view input);
 
 /// A stream of records in one form; its last two bytes choose what is done with it, and how.

@@ -33,6 +33,16 @@ Mat4 asFloats(Mat4 m, double scale = 1) {
   return m;
 }
 
+/// Half a step of float32 for each entry that is not 0.
+Mat4 floatErrors(Mat4 m) {
+  for (auto& row : m.m)
+    for (double& entry : row) {
+      const float size = std::fabs(static_cast<float>(entry));
+      entry = entry == 0 ? 0 : (double{std::nextafter(size, HUGE_VALF)} - double{size}) / 2;
+    }
+  return m;
+}
+
 }  // namespace
 
 TEST_CASE("A view-projection has a reading for each handedness, and for each range of depth that can be") {
@@ -91,7 +101,11 @@ TEST_CASE("Intervals of near and far are as wide as the rounding of the entries 
       const Mat4 m = asFloats(kind == MatrixKind::projection ? clipFromView(lens, c) : clipFromWorld(pose, lens, c),
                               isMultiple ? 3 : 1);
       const auto ends = [&](const Mat4& matrix, bool float32) {
-        const MatrixLens found = *theOnly(matrix, {.kind = kind, .convention = c, .float32 = float32}).lens;
+        const MatrixLens found =
+            *theOnly(
+                 matrix,
+                 {.kind = kind, .convention = c, .errors = float32 ? std::optional(floatErrors(matrix)) : std::nullopt})
+                 .lens;
         return std::array<PlaneDistance, 2>{found.zNear, found.zFar};
       };
       const std::array<PlaneDistance, 2> whole = ends(m, true);
@@ -146,7 +160,7 @@ TEST_CASE("A last entry a few units in the last place from 1 divides a view or a
     }
   // Of float32s it is their units that count.
   const Mat4 m{{{{0, 0, 1, 3}, {0, 1, 0, 4}, {-1, 0, 0, 5}, {0, 0, 0, 1 - 2 * 0x1p-23}}}};
-  CHECK(camerasOf(m, {.float32 = true}).cameras.front().kind == MatrixKind::view);
+  CHECK(camerasOf(m, {.errors = floatErrors(m)}).cameras.front().kind == MatrixKind::view);
   CHECK(camerasOf(m).cameras.front().kind != MatrixKind::view);
 }
 
@@ -172,7 +186,7 @@ TEST_CASE("A near that its digits leave open is told with its window, and makes 
   for (const double x : {1e6, 1.3e6}) {
     const Pose pose = lookAlong({x, 2e6, 3e6}, {-1, -2, -2}, {0, 1, 0}, Handedness::right);
     const Mat4 m = asFloats(clipFromWorld(pose, perspectiveWindow(-0.5, 0.5, -0.5, 0.5, 1e-9, 1.7e-9), {}));
-    const MatrixCameras found = camerasOf(m, {.kind = MatrixKind::viewProjection, .float32 = true});
+    const MatrixCameras found = camerasOf(m, {.kind = MatrixKind::viewProjection, .errors = floatErrors(m)});
     REQUIRE(!found.cameras.empty());
     for (const MatrixCamera& camera : found.cameras) {
       CHECK(camera.lens->zNear.low == 0);
@@ -188,10 +202,91 @@ TEST_CASE("A near that its digits leave open is told with its window, and makes 
         "it does not determine near and far");
 }
 
+TEST_CASE("Rows x, y and w of a camera are told where the depth row is none of a camera") {
+  const Pose pose = lookAlong({3, 2, 5}, {-4, -1.5, -4.75}, {0, 1, 0}, Handedness::right);
+  const Mat4 whole = clipFromWorld(pose, plain(9), {});
+  struct Row {
+    std::array<double, 4> z;
+    const char* fault;
+  };
+  const Row rows[] = {{{0, 0, 0, 0}, "depth is lost"},
+                      {{0, 0, 0, -2}, "depth is constant"},
+                      {{0, 1, 0, 0}, "not along the view"},
+                      {{1.001 * whole[3][0], 1.001 * whole[3][1], 1.001 * whole[3][2], 1.001 * whole[3][3] + 0.003},
+                       "the w row again, times 1.001"}};
+  for (const Row& row : rows) {
+    Mat4 m = whole;
+    m[2] = row.z;
+    const std::vector<MatrixCamera> cameras = camerasOf(m).cameras;
+    REQUIRE(cameras.size() == 2);  // NDC y up and down
+    for (const MatrixCamera& camera : cameras) {
+      INFO(camera.lens->depthFault);
+      CHECK(camera.lens->depthFault.find(row.fault) != std::string::npos);
+      CHECK(camera.kind == MatrixKind::viewProjection);
+      CHECK(camera.pose->eye().x == Approx(3));
+      CHECK(camera.lens->right == Approx(0.5));
+    }
+    CHECK(camerasOf(m, {.convention = Convention{}}).cameras.empty());
+  }
+}
+
+TEST_CASE("Eye and fields of view are as far off as the entries make them") {
+  // Entries rounded to so many decimals: the truth stays inside, and comes near an end.
+  for (const int decimals : {2, 3, 4, 5, 6}) {
+    double farthest = 0;
+    for (std::uint64_t trial = 0; trial < 200; ++trial) {
+      Random random(trial);
+      const Pose pose = lookAlong(random.direction(9), random.direction(), {0.1, 1, 0.2}, Handedness::right);
+      const double half = random.uniform(0.2, 1.5), shift = random.oneIn(3) ? random.uniform(-0.3, 0.3) : 0;
+      const Projection lens = perspectiveWindow(shift - half, shift + half, -half, half, 0.1, 1000);
+      const bool isView = random.coin();
+      Mat4 m = isView ? viewFromWorld(pose, {}) : clipFromWorld(pose, lens, {});
+      Mat4 errors;
+      const double step = std::pow(10, -decimals);
+      for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = 0; j < 4; ++j) {
+          m[i][j] = std::round(m[i][j] / step) * step;
+          errors[i][j] = isView && i == 3 ? 0 : step / 2;
+        }
+      for (const MatrixCamera& camera : camerasOf(m, {.errors = errors}).cameras) {
+        if (camera.kind != (isView ? MatrixKind::view : MatrixKind::viewProjection)) continue;
+        INFO("trial " << trial << ", " << decimals << " decimals");
+        const Vec3 eye = camera.pose->eye(), truth = pose.eye();
+        for (std::size_t i = 0; i < 3; ++i) {
+          const double off = std::fabs(eye[i] - truth[i]);
+          CHECK(off <= camera.eyeError[i]);
+          farthest = std::max(farthest, off / camera.eyeError[i]);
+        }
+        if (!camera.lens) continue;
+        const auto fov = [](double low, double high) {
+          return (std::atan(high) - std::atan(low)) * 180 / 3.14159265358979;
+        };
+        CHECK(std::fabs(fov(camera.lens->left, camera.lens->right) - lens.fov(Fov::horizontal)) <=
+              camera.lens->fovError.x);
+        CHECK(std::fabs(fov(camera.lens->bottom, camera.lens->top) - lens.fov(Fov::vertical)) <=
+              camera.lens->fovError.y);
+      }
+    }
+    CHECK(farthest > 0.3);
+  }
+}
+
+TEST_CASE("Errors so large that no right angle can be told leave no camera") {
+  const Mat4 m{{{{0.9, -0.4, 0, 1}, {0.4, 0.9, 0, 2}, {0, 0, 1, 3}, {0, 0, 0, 1}}}};
+  const auto withErrors = [](double size) {
+    Mat4 errors;
+    for (std::size_t i = 0; i < 3; ++i) errors[i] = {size, size, size, size};
+    return errors;
+  };
+  CHECK(camerasOf(m, {.errors = withErrors(0.05)}).cameras.front().kind == MatrixKind::view);
+  CHECK(camerasOf(m, {.errors = withErrors(0.001)}).cameras.front().kind == MatrixKind::viewProjection);
+  CHECK(camerasOf(m, {.errors = withErrors(0.2)}).cameras.empty());
+}
+
 TEST_CASE("What no camera has written is told with its fault") {
   const auto fault = [](const std::array<double, 16>& n, const MatrixQuery& query = {}) {
     const MatrixCameras found = camerasOf(fromStorageOrder(n, conventions::opencv), query);
-    CHECK(found.cameras.empty());
+    for (const MatrixCamera& camera : found.cameras) CHECK(!camera.lens->depthFault.empty());
     return found.fault;
   };
   const auto has = [](const std::string& text, const char* word) { return text.find(word) != std::string::npos; };

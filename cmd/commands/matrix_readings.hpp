@@ -1,0 +1,77 @@
+// What a pasted matrix can be: a camera's matrix, a calibration, a rotation; the likeliest first.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "camera/names.hpp"
+#include "commands/pasted_matrices.hpp"
+#include "viewproj/cameras_of.hpp"
+
+namespace viewproj::cmd {
+
+enum class ReadingKind : std::uint8_t { projection, view, pose, viewProjection, k, p, rotation };
+
+inline constexpr NameRow<ReadingKind> kReadingKinds[] = {{"projection", ReadingKind::projection},
+                                                         {"view", ReadingKind::view},
+                                                         {"pose", ReadingKind::pose},
+                                                         {"viewProjection", ReadingKind::viewProjection},
+                                                         {"K", ReadingKind::k},
+                                                         {"P", ReadingKind::p},
+                                                         {"rotation", ReadingKind::rotation}};
+
+/// Focal lengths and principal point, in pixels or, below 20, in half widths. Their signs are axes.
+struct PixelLens {
+  double fx = 0, fy = 0, cx = 0, cy = 0, skew = 0;
+  std::string_view axes;  ///< of a K: "RDF"
+};
+
+struct Reading {
+  ReadingKind kind = ReadingKind::projection;
+  MatrixLayout layout = MatrixLayout::asWritten;
+  std::optional<MatrixCamera> camera = {};  ///< of projection, view, pose, viewProjection
+  std::optional<PixelLens> pixels = {};     ///< of K and P
+  std::array<Vec3, 3> rows = {};            ///< of a P: right, down, forward; of a rotation its own
+  std::optional<Vec3> eye = {};             ///< of a P
+  Vec3 eyeError = {};
+  bool isMirrored = false;  ///< of a P or rotation
+  double scaledBy = 1;      ///< of a view or pose: the rotation times this
+  bool isCentred = false;   ///< of a view or pose: the camera looks at the world's origin
+  bool isUniform = false;   ///< orthographic, of rows of one length, turned: likelier a scaled pose
+  double cost = 0;
+};
+
+/// How far a kind is spoken of in a name, or in the lines in front.
+struct KindHint {
+  std::optional<ReadingKind> kind;
+  double weight = 0;
+};
+KindHint hintOf(const PastedMatrix& matrix);
+
+struct MatrixReadings {
+  bool isFloat = false;           ///< each entry prints like the float32 next to it
+  std::vector<Reading> readings;  ///< names order them and never take one away
+  std::string fault;              ///< where there are none
+};
+MatrixReadings readingsOf(const PastedMatrix& matrix);
+
+/// The matrix for column vectors in this layout, as four rows of four: rows of 3 and a third or fourth row are filled
+/// up with 0 0 0 1.
+Mat4 matrixOf(const PastedMatrix& matrix, MatrixLayout layout);
+
+/// Whether a matrix of this camera would be written like that in this convention, apart from reverseZ and world, which
+/// follow from the matrix and the rest. A calibration and a rotation have no convention.
+bool fits(const Reading& reading, const Convention& convention, bool isInMemoryOrder);
+
+/// The readings that a convention allows; of each kind those of its own world and depth alone where there are such.
+std::vector<Reading> readingsIn(std::vector<Reading> readings, const Convention& convention, bool isInMemoryOrder);
+
+/// The matrix of a reading, for column vectors, in another convention: by signs and the range of depth alone, so that
+/// entries that do not change are copied. Throws CameraError for a reading that has no form in conventions.
+Mat4 converted(const Reading& reading, const Mat4& matrix, const Convention& convention);
+
+}  // namespace viewproj::cmd

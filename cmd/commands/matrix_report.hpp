@@ -1,0 +1,36 @@
+// What a pasted matrix can be, as a report.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "commands/matrix_readings.hpp"
+#include "output/report.hpp"
+
+namespace viewproj::cmd {
+
+/// What is asked of matrices beside their text.
+struct MatrixQuestion {
+  std::optional<Convention> readAs = {};  ///< only readings of this convention
+  std::vector<ReadingKind> which = {};    ///< only readings of these kinds; empty: all
+};
+
+/// A matrix with the readings that are asked for.
+struct ReadMatrix {
+  PastedMatrix pasted;
+  MatrixReadings found;
+};
+
+/// The matrices of a text. Nine or twelve numbers in a row that can be nothing are passed over. Throws InputError where
+/// there is none, after the source's name and otherwise's words; notes what nearly is one.
+std::vector<ReadMatrix> readMatrices(std::string_view text, const std::string& source, const std::string& otherwise,
+                                     const MatrixQuestion& question);
+
+/// {"name", "line", "rows", "order", "float32", "readings", "notes", "fault"}.
+OrderedJson matrixReport(const ReadMatrix& matrix);
+
+/// For people: the first reading whole, the others a line each.
+OrderedJson matrixPage(const ReadMatrix& matrix, std::size_t number, std::size_t count);
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,356 @@
+// Matrices in text: which numbers they are, what they can be, how sure, and in another convention.
+#include "commands/pasted_matrices.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "catch.hpp"
+#include "commands/matrix_readings.hpp"
+#include "parts.hpp"
+#include "random.hpp"
+#include "viewproj/viewproj.hpp"
+
+using namespace viewproj;
+using namespace viewproj::cmd;
+
+namespace {
+
+/// Sixteen numbers of which no two are alike, but for what a convention needs.
+constexpr double kNumbers[16] = {1.5, 0, 0.25, 0, 0, 2.5, -0.125, 0, 0, 0, -1.01, -2.02, 0, 0, -1, 0};
+
+/// %0 to %f in a text: the numbers by rows; %A: all of them, separated by commas.
+std::string filled(const std::string& form) {
+  const auto text = [](std::size_t i) {
+    char out[32];
+    std::snprintf(out, sizeof out, "%g", kNumbers[i]);
+    return std::string(out);
+  };
+  std::string result;
+  for (std::size_t i = 0; i < form.size(); ++i) {
+    if (form[i] != '%' || i + 1 == form.size()) {
+      result += form[i];
+      continue;
+    }
+    const char c = form[++i];
+    if (c == 'A')
+      for (std::size_t k = 0; k < 16; ++k) result += (k > 0 ? ", " : "") + text(k);
+    else
+      result += text(static_cast<std::size_t>(c <= '9' ? c - '0' : c - 'a' + 10));
+  }
+  return result;
+}
+
+std::vector<double> valuesOf(const PastedMatrix& m) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < m.rows; ++i)
+    for (std::size_t j = 0; j < m.columns; ++j) values.push_back(m.at(i, j));
+  return values;
+}
+
+const std::vector<double> kExpected(std::begin(kNumbers), std::end(kNumbers));
+
+struct Form {
+  const char* what;
+  const char* text;
+  const char* name;
+  bool isInMemoryOrder;
+  bool isByColumns = false;
+};
+
+constexpr Form kForms[] = {
+    {"rows", "%0 %1 %2 %3\n%4 %5 %6 %7\n%8 %9 %a %b\n%c %d %e %f\n", "", false},
+    {"a prompt and a log", "12:03:44.120 WARN frame 17: proj = [%A]\n", "proj", true},
+    {"quoted mail",
+     "> I get\n> [[%0, %1, %2, %3],\n>  [%4, %5, %6, %7],\n>  [%8, %9, %a, %b],\n>  [%c, %d, %e, %f]]\n> here.\n",
+     "I get", false},
+    {"a row that is commented out",
+     "proj = [\n [%0, %1, %2, %3],\n # [7, 7, 7, 7],\n [%4, %5, %6, %7], // [8, 8, 8, 8]\n [%8, %9, %a, %b],\n [%c, "
+     "%d, "
+     "%e, %f]]\n",
+     "proj", false},
+    {"all commented out",
+     "f()\n# [[%0, %1, %2, %3]\n#  [%4, %5, %6, %7]\n#  [%8, %9, %a, %b]\n#  [%c, %d, %e, %f]]\ng()\n", "", false},
+    {"MATLAB", "proj = [%0 %1 %2 %3; %4 %5 %6 %7; %8 %9 %a %b; %c %d %e %f];", "proj", false},
+    {"C",
+     "static const float m[4][4] = { { %0f, %1, %2, %3 }, {%4, %5f, %6, %7}, {%8, %9, %a, %b}, {%c, %d, %e, %f} };", "",
+     false},
+    {"GLSL",
+     "mat4 proj = mat4(vec4(%0, %1, %2, %3), vec4(%4, %5, %6, %7), vec4(%8, %9, %a, %b), vec4(%c, %d, %e, %f));",
+     "proj", false, true},
+    {"a typed array's print", "view Float32Array(16) [%A, buffer: 7]", "", true},
+    {"by index",
+     "m[0]=%0; m[1]=%1; m[2]=%2; m[3]=%3; m[4]=%4; m[5]=%5; m[6]=%6; m[7]=%7;\nm[8]=%8; m[9]=%9; m[10]=%a; m[11]=%b; "
+     "m[12]=%c; m[13]=%d; m[14]=%e; m[15]=%f;",
+     "m", true},
+    {"locals of a debugger",
+     "[0]\t%0\tfloat\n[1]\t%1\tfloat\n[2]\t%2\tfloat\n[3]\t%3\tfloat\n[4]\t%4\tfloat\n[5]\t%5\tfloat\n"
+     "[6]\t%6\tfloat\n[7]\t%7\tfloat\n[8]\t%8\tfloat\n[9]\t%9\tfloat\n[10]\t%a\tfloat\n[11]\t%b\tfloat\n"
+     "[12]\t%c\tfloat\n[13]\t%d\tfloat\n[14]\t%e\tfloat\n[15]\t%f\tfloat\n",
+     "", true},
+    {"members",
+     "{M11:%0 M12:%1 M13:%2 M14:%3} {M21:%4 M22:%5 M23:%6 M24:%7} {M31:%8 M32:%9 M33:%a M34:%b} {M41:%c M42:%d M43:%e "
+     "M44:%f}",
+     "", false},
+    {"a table of Markdown",
+     "| a | b | c | d |\n|--|--|--|--|\n| %0 | %1 | %2 | %3 |\n| %4 | **%5** | %6 | %7 |\n| %8 | %9 | %a | %b |\n| %c "
+     "| %d | %e | %f |\n",
+     "", false},
+    {"boxes", "  │ %0 %1 %2 %3 │\n  │ %4 %5 %6 %7 │\n  │ %8 %9 %a %b │\n  │ %c %d %e %f │\n", "", false},
+    {"LaTeX",
+     "P = \\begin{pmatrix} %0 & %1 & %2 & %3 \\\\\n %4 & %5 & %6 & %7 \\\\\n %8 & %9 & %a & %b \\\\\n %c & %d & %e & "
+     "%f \\end{pmatrix}",
+     "P", false},
+    {"XML", "<node name='x'><transform>%0 %1 %2 %3 %4 %5 %6 %7 %8 %9 %a %b %c %d %e %f</transform></node>", "transform",
+     true},
+    {"YAML",
+     "pose:\n- - %0\n  - %1\n  - %2\n  - %3\n- - %4\n  - %5\n  - %6\n  - %7\n- - %8\n  - %9\n  - %a\n  - %b\n- - %c\n  "
+     "- %d\n  - %e\n  - %f\n",
+     "pose", true},
+    {"a size in front", "4 4\n%0 %1 %2 %3\n%4 %5 %6 %7\n%8 %9 %a %b\n%c %d %e %f\n", "", false},
+};
+
+std::string numbered(const std::vector<PassedOver>& over) {
+  std::string text;
+  for (const PassedOver& each : over) text += std::to_string(each.line) + ":" + std::to_string(each.numbers) + " ";
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("One matrix is read out of every form, number by number") {
+  for (const Form& form : kForms) {
+    INFO(form.what << "\n" << filled(form.text));
+    const PastedMatrices found = findMatrices(filled(form.text));
+    INFO(numbered(found.passedOver));
+    REQUIRE(found.matrices.size() == 1);
+    const PastedMatrix& m = found.matrices.front();
+    CHECK(valuesOf(m) == kExpected);
+    CHECK(m.isInMemoryOrder == form.isInMemoryOrder);
+    CHECK(m.isByColumns == form.isByColumns);
+    if (form.name[0] != '\0') CHECK(m.name == form.name);
+  }
+}
+
+TEST_CASE("Numbers are never reordered, added or guessed: a doubt refuses") {
+  const char* const none[] = {
+      "K = [[fx, 0, 320], [0, fy, 240], [0, 0, 1]]",                            // symbols
+      "[1, 0, 0, -w/2]\n[0, 1, 0, 3]\n[0, 0, 1, 4]\n",                          // an expression
+      "gluLookAt(1, 2, 3, 0, 0, 0, 0, 1, 0)",                                   // a call that makes one
+      "m = [[1, 0, 0, 2],\n [0, 1, 0, 3],\n [0, 0, 1, 4],\n",                   // cut off
+      "[1 0 0 2]   [1 0 0 5]\n[0 1 0 3]   [0 1 0 6]\n[0 0 1 4]   [0 0 1 7]\n",  // side by side
+      "Columns 1 through 3\n\n 1 0 0\n 0 1 0\n 0 0 1\n\n Column 4\n\n 2\n 3\n 4\n",
+      "1 2 3 4\n5 6 7 8\n9 8 7 6\n5 4 3 2\n1 2 3 4\n",                     // five rows
+      "v 1 2 3\nv 4 5 6\nv 7 8 9\nf 1 2 3\n",                              // a mesh
+      "m[3]=1 m[4]=2 m[5]=3 m[6]=4 m[7]=5 m[8]=6 m[9]=7 m[10]=8 m[11]=9",  // not from the first index on
+      "{M11:1 M12:0 M13:0 M14:} {M21:0 M22:1 M23:0 M24:2} {M31:0 M32:0 M33:1 M34:3} {M41:0 M42:0 M43:0 M44:1}",
+      "1 2 3",
+      "",
+  };
+  for (const char* text : none) {
+    INFO(text);
+    CHECK(findMatrices(text).matrices.empty());
+  }
+  const PastedMatrices rows = findMatrices("a\n1 2 3 4\n5 6 7 8\n9 8 7 6\n5 4 3 2\n1 2 3 4\n");
+  REQUIRE(rows.passedOver.size() == 1);
+  CHECK(rows.passedOver.front().line == 2);
+  CHECK(rows.passedOver.front().rows == 5);
+}
+
+TEST_CASE("Several matrices of a text are told apart, each with its name and line") {
+  const PastedMatrices two = findMatrices("R:\n1 0 0\n0 0 1\n0 -1 0\n\nt 3\nK (px):\n900 0 320\n0 900 240\n0 0 1\n");
+  REQUIRE(two.matrices.size() == 2);
+  CHECK(two.matrices[0].line == 2);
+  CHECK(two.matrices[0].name == "R");
+  CHECK(two.matrices[1].line == 8);
+  // One index again, on another line, is the next matrix; twelve and nine of 25 numbers are a pose and a K.
+  const std::string first = "m00 1 m01 0 m02 0 m10 0 m11 1 m12 0 m20 0 m21 0 m22 1\n";
+  CHECK(findMatrices(first + first).matrices.size() == 2);
+  const PastedMatrices label = findMatrices("[1,0,0,2,0,1,0,3,0,0,1,4,0,0,0,1,0.9,0,0.5,0,1.2,0.5,0,0,1]");
+  REQUIRE(label.matrices.size() == 2);
+  CHECK(label.matrices[0].rows == 4);
+  CHECK(label.matrices[1].rows == 3);
+  CHECK(findMatrices("P = 1.0e+03 *\n\n 0.9 0 0.3\n 0 0.9 0.2\n 0 0 0.001\n").matrices.front().at(0, 2) == 300);
+  CHECK(findMatrices("1,25 0 0,5\n0 -1,123456 0\n0 0 1,5").matrices.front().at(1, 1) == -1.123456);
+}
+
+TEST_CASE("A name beside a matrix puts a kind first and takes none away") {
+  struct Row {
+    const char* name;
+    ReadingKind kind;
+  };
+  using enum ReadingKind;
+  const Row rows[] = {{"c2w", pose},
+                      {"cam2world", pose},
+                      {"T_wc", pose},
+                      {"worldFromCamera", pose},
+                      {"T_w_cam", pose},
+                      {"pose", pose},
+                      {"matrixWorld", pose},
+                      {"w2c", view},
+                      {"T_cw", view},
+                      {"T_ci", view},
+                      {"T_cam_imu", view},
+                      {"extrinsic", view},
+                      {"viewMatrix", view},
+                      {"velo_to_cam", view},
+                      {"cameraFromWorld", view},
+                      {"World to Camera", view},
+                      {"R", rotation},
+                      {"rot_mtx", rotation},
+                      {"viewProj", viewProjection},
+                      {"u_MVP", viewProjection}};
+  for (const Row& row : rows) {
+    INFO(row.name);
+    const KindHint hint =
+        hintOf(findMatrices(std::string(row.name) + ":\n1 0 0 2\n0 1 0 3\n0 0 1 4\n0 0 0 1\n").matrices.front());
+    CHECK(hint.kind == row.kind);
+    const auto readings =
+        readingsOf(findMatrices(std::string(row.name) + ":\n0 0 1 2\n1 0 0 3\n0 1 0 4\n0 0 0 1\n").matrices.front())
+            .readings;
+    CHECK(readings.size() == 6);  // a view and a pose, each of three kinds of axes
+    if (row.kind == pose || row.kind == view) CHECK(readings.front().kind == row.kind);
+  }
+  for (const char* name : {"pointOfView", "viewport", "points", "colour"}) {
+    INFO(name);
+    CHECK_FALSE(
+        hintOf(findMatrices(std::string(name) + ":\n1 0 0 2\n0 1 0 3\n0 0 1 4\n0 0 0 1\n").matrices.front()).kind);
+  }
+}
+
+TEST_CASE("The likeliest reading is first") {
+  const auto first = [](const char* text) {
+    const PastedMatrices found = findMatrices(text);
+    REQUIRE(found.matrices.size() == 1);
+    const MatrixReadings all = readingsOf(found.matrices.front());
+    INFO(all.fault);
+    REQUIRE(!all.readings.empty());
+    return all.readings.front();
+  };
+  // near 0.1 in the range of OpenGL and 0.2 in Direct3D's.
+  const Reading gl = first("[1, 0, 0, 0]\n[0, 1.5, 0, 0]\n[0, 0, -1.002002, -0.2002002]\n[0, 0, -1, 0]");
+  CHECK(gl.camera->convention.ndcZ == NdcZ::minusOneToOne);
+  const Reading d3d = first("[1, 0, 0, 0]\n[0, 1.5, 0, 0]\n[0, 0, 1.001001, 1]\n[0, 0, -0.1001001, 0]");
+  CHECK(d3d.camera->convention.ndcZ == NdcZ::zeroToOne);
+  CHECK(d3d.layout == MatrixLayout::transposed);
+  // Signs of a K are axes.
+  const Reading k = first("[880, 0, -320; 0, -870, -240; 0, 0, -1]");
+  CHECK(k.kind == ReadingKind::k);
+  CHECK(k.pixels->axes == "RUB");
+  CHECK(k.pixels->cx == 320);
+  CHECK(k.pixels->fy == 870);
+  // An eye is the null vector of P, whatever the skew.
+  const Reading p = first("1000 5 320 -3210\n0 900 240 -2520\n0 0 1 -1\n");
+  REQUIRE(p.kind == ReadingKind::p);
+  CHECK(p.pixels->skew == Approx(5));
+  const Vec3 eye = *p.eye;
+  CHECK(1000 * eye.x + 5 * eye.y + 320 * eye.z == Approx(3210));
+  CHECK(900 * eye.y + 240 * eye.z == Approx(2520));
+  CHECK(eye.z == Approx(1));
+  // Turned and scaled: an object's, and seldom an orthographic camera's.
+  const Reading scaled = first("0 0 2 1\n2 0 0 2\n0 2 0 3\n0 0 0 1\n");
+  CHECK(scaled.kind == ReadingKind::pose);
+  CHECK(scaled.scaledBy == Approx(2));
+  // A view with two decimals.
+  CHECK(first("0.85 -0.11 0.52 1.25\n0.00 0.98 0.21 0.50\n-0.53 -0.18 0.83 2.00\n0.00 0.00 0.00 1.00\n").camera->pose);
+  // CSS: rows x, y, w are a camera of 500 pixels.
+  const Reading css = first("matrix3d(1, 0, 0, 0, 0, 0.8, 0.6, -0.0012, 0, -0.6, 0.8, -0.0016, 0, 0, 0, 1)");
+  CHECK(css.kind == ReadingKind::p);
+  CHECK(css.pixels->fx == Approx(500));
+  // An entry that was typed wrong is named.
+  const auto fault = readingsOf(findMatrices("0.6 0 0.8 1\n0 1 0 2\n-0.8 0 2.6 3\n0 0 0 1\n").matrices.front()).fault;
+  CHECK(fault == "row 3 has 2.6 where 0.6 would make it a rotation");
+  // diag(1, 1, 0.5) is no view, and a sheared matrix no camera.
+  for (const Reading& r : readingsOf(findMatrices("1 0 0 0\n0 1 0 0\n0 0 0.5 0\n0 0 0 1\n").matrices.front()).readings)
+    CHECK(r.kind != ReadingKind::view);
+  CHECK(readingsOf(findMatrices("matrix3d(1, 0.2, 0, 0, 0.3, 1, 0, 0, 0, 0, 1, 0, 5.125, 0, 0, 1)").matrices.front())
+            .readings.empty());
+}
+
+TEST_CASE("No interval misses the truth, however many digits are printed") {
+  constexpr const char* kForms3[] = {"%.*f", "%.*e", "%.*g"};
+  int read = 0, sure = 0;
+  for (std::uint64_t trial = 0; trial < 1000; ++trial) {
+    Random random(trial);
+    Convention c;
+    c.ndcZ = random.coin() ? NdcZ::zeroToOne : NdcZ::minusOneToOne;
+    c.reverseZ = random.oneIn(4);
+    const double near = random.oneIn(2) ? 0.1 : random.logUniform(0.01, 2);
+    const double far = random.oneIn(4) ? kInfiniteFar : near * random.logUniform(10, 20000);
+    const double half = random.uniform(0.2, 1.5), aspect = random.uniform(0.5, 2);
+    const Projection lens = perspectiveWindow(-half * aspect, half * aspect, -half, half, near, far);
+    const Pose pose = lookAlong(random.vector(10), random.direction(), {0.1, 1, 0.2}, Handedness::right);
+    const bool isProjection = random.oneIn(3);
+    Mat4 m = isProjection ? clipFromView(lens, c) : clipFromWorld(pose, lens, c);
+    const bool isFloat = random.coin();
+    const char* const form = random.oneOf(kForms3);
+    const int digits = 3 + static_cast<int>(random.below(7));
+    std::string text;
+    for (auto& row : m.m)
+      for (std::size_t j = 0; j < 4; ++j) {
+        char out[64];
+        if (isFloat) row[j] = double{static_cast<float>(row[j])};
+        std::snprintf(out, sizeof out, form, digits, row[j]);
+        text += std::string(out) + (j < 3 ? " " : "\n");
+      }
+    INFO("trial " << trial << "\n" << text);
+    const PastedMatrices found = findMatrices(text);
+    REQUIRE(found.matrices.size() == 1);
+    for (const Reading& r : readingsOf(found.matrices.front()).readings) {
+      const bool isIt = r.layout == MatrixLayout::asWritten && r.camera && r.camera->lens &&
+                        !r.camera->lens->orthographic && r.camera->lens->depthFault.empty() &&
+                        r.camera->convention.ndcZ == c.ndcZ && r.camera->convention.reverseZ == c.reverseZ;
+      if (!isIt) continue;
+      const MatrixLens& l = *r.camera->lens;
+      ++read;
+      sure += std::isfinite(l.zFar.high) ? 1 : 0;
+      CHECK(l.zNear.low <= near * (1 + 1e-15));
+      CHECK(near <= l.zNear.high * (1 + 1e-15));
+      if (!l.beyondInfinity) CHECK(l.zFar.low <= far);
+      CHECK(far <= l.zFar.high * (1 + 1e-15));
+      const double fov = (std::atan(l.top) - std::atan(l.bottom)) * 180 / 3.14159265358979324;
+      CHECK(std::fabs(fov - lens.fov(Fov::vertical)) <= l.fovError.y + 1e-13);
+      if (!r.camera->pose) continue;
+      const Vec3 eye = r.camera->pose->eye(), truth = pose.eye();
+      for (std::size_t i = 0; i < 3; ++i) CHECK(std::fabs(eye[i] - truth[i]) <= r.camera->eyeError[i]);
+    }
+  }
+  CHECK(read > 900);
+  CHECK(sure > 300);
+}
+
+TEST_CASE("Another convention's matrix is that of the same camera, and entries that do not change are copied") {
+  int compared = 0;
+  for (std::uint64_t trial = 0; trial < 60; ++trial) {
+    Random random(trial);
+    const Projection lens = perspectiveWindow(-0.7, 0.9, -0.5, 0.4, 0.1, random.coin() ? kInfiniteFar : 50);
+    for (const ConventionPreset& from : conventionPresets())
+      for (const ConventionPreset& preset : conventionPresets()) {
+        Convention to = preset.convention;
+        to.world = from.convention.world;
+        const Pose pose = lookAlong(random.vector(10), random.direction(), {0.1, 1, 0.2}, from.convention.world);
+        const auto matrices = [&](const Convention& c) {
+          return std::array{clipFromView(lens, c), viewFromWorld(pose, c), clipFromWorld(pose, lens, c)};
+        };
+        const auto given = matrices(from.convention), wanted = matrices(to);
+        constexpr ReadingKind kKinds[] = {ReadingKind::projection, ReadingKind::view, ReadingKind::viewProjection};
+        for (std::size_t k = 0; k < 3; ++k) {
+          Reading reading;
+          reading.kind = kKinds[k];
+          reading.camera.emplace().convention = from.convention;
+          reading.camera->lens.emplace();
+          const Mat4 got = converted(reading, given[k], to);
+          for (std::size_t i = 0; i < 4; ++i)
+            for (std::size_t j = 0; j < 4; ++j) {
+              const bool isDepth = i == 2 && k != 1;
+              const double size = isDepth ? 4e-16 * (std::fabs(given[k][2][j]) + std::fabs(given[k][3][j])) : 0;
+              CHECK(std::fabs(got[i][j] - wanted[k][i][j]) <= size);
+              ++compared;
+            }
+        }
+      }
+  }
+  CHECK(compared > 100000);
+}
