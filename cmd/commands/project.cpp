@@ -61,7 +61,7 @@ constexpr PointResult kPointResults[] = {
     {results::depth, [](P p, V values) { values.add(p.screen.depth); }},
     {results::viewDistance, [](P p, V values) { values.add(p.screen.viewDistance); }},
     {results::visible, [](P p, V values) { values.add(p.screen.visible()); }},
-    {results::outside, [](P p, V values) { p.screen.visible() ? values.addCount(0) : values.addNames(Sides(p.screen).names()); }},
+    {results::outside, [](P p, V values) { addSides(values, p.screen); }},
     {results::ndc, [](P p, V values) { values.add(xyz(pointIn(Space::ndc, p))); }},
     {results::clip, [](P p, V values) { values.add(pointIn(Space::clip, p)); }},
     {results::view, [](P p, V values) { values.add(xyz(pointIn(Space::view, p))); }},

@@ -29,6 +29,13 @@ Sides::Sides(const ScreenPoint& p) {
     if (p.outside & one.side) names_[count_++] = one.name;
 }
 
+void addSides(ResultValues& values, const ScreenPoint& point) {
+  if (point.visible())
+    values.addCount(0);
+  else
+    values.addNames(Sides(point).names());
+}
+
 std::string_view sideName(unsigned side) {
   for (const SideName& one : kSides)
     if (one.side == side) return one.name;

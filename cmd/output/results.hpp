@@ -66,9 +66,9 @@ struct ResultValues {
   }
   void add(double number) { numbers.push_back(number); }
   void add(bool flag) { numbers.push_back(flag ? 1 : 0); }
-  void add(const Vec2& v) { numbers.insert(numbers.end(), {v.x, v.y}); }
-  void add(const Vec3& v) { numbers.insert(numbers.end(), {v.x, v.y, v.z}); }
-  void add(const Vec4& v) { numbers.insert(numbers.end(), {v.x, v.y, v.z, v.w}); }
+  void add(const Vec2& v) { addAll(v.x, v.y); }
+  void add(const Vec3& v) { addAll(v.x, v.y, v.z); }
+  void add(const Vec4& v) { addAll(v.x, v.y, v.z, v.w); }
   void addWord(std::string_view word) { words.push_back(word); }
   void addNames(std::span<const std::string_view> names) {
     add(static_cast<double>(names.size()));
@@ -76,6 +76,12 @@ struct ResultValues {
   }
   /// Of a group or a list, before the values of so many.
   void addCount(std::size_t count) { add(static_cast<double>(count)); }
+
+ private:
+  template <class... Numbers>
+  void addAll(Numbers... all) {
+    (numbers.push_back(all), ...);
+  }
 };
 
 /// Reads values in the order of the rows.
@@ -110,6 +116,7 @@ class Sides {
   std::array<std::string_view, 6> names_;
   std::size_t count_ = 0;
 };
+void addSides(ResultValues& values, const ScreenPoint& point);
 /// Empty for 0.
 std::string_view sideName(unsigned side);
 

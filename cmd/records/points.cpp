@@ -137,19 +137,18 @@ NumberPlan firstFields(std::size_t count, std::size_t together) {
   return plan;
 }
 
-void requireNoCommas(const RecordView& record) {
-  if (const std::size_t comma = record.text.find(','); record.schema->form == Form::text && comma != record.text.npos)
+/// Of a record with so many numbers too few or too many.
+[[noreturn]] void failWithCount(const RecordView& record, const std::string& expected) {
+  const Schema& schema = *record.schema;
+  if (const std::size_t comma = record.text.find(','); schema.form == Form::text && comma != std::string_view::npos)
     throw RecordError(comma, "has numbers with commas: --from csv");
-}
-
-std::string numbersIn(const Schema& schema) {
-  return "has " + std::to_string(schema.size) + (schema.size == 1 ? " number" : " numbers");
+  throw RecordError(
+      0, "has " + std::to_string(schema.size) + (schema.size == 1 ? " number" : " numbers") + "; expected " + expected);
 }
 
 // Points and shapes
 
 NumberPlan findChosenPoint(const RecordView& record, const PointReading& reading) {
-  requireNoCommas(record);
   NumberPlan plan = chosenFields(reading.columns, record, false);
   plan.together = 3;
   for (std::size_t i = 0; i < plan.together; ++i) plan.fields[i].mayBeAbsent = true;
@@ -162,16 +161,15 @@ NumberPlan findChosenPoint(const RecordView& record, const PointReading& reading
 /// A point from numbers without names.
 NumberPlan findBarePoint(const RecordView& record, const PointReading& reading) {
   constexpr std::size_t kMatrix = 16;
-  requireNoCommas(record);
   const Schema& schema = *record.schema;
   const bool isJson = schema.form == Form::json;
   const std::string matrix = schema.size == kMatrix ? "; info reads a matrix" : "";
   if (schema.size != 3 && !(isJson && schema.size == 4))
-    throw RecordError(0, numbersIn(schema) + "; expected x y z" +
-                             (isJson            ? " or x y z w"
-                              : schema.size > 3 ? ", or --columns, as in 1,2,3, or x,y,z,w for four"
-                                                : "") +
-                             matrix);
+    failWithCount(record, std::string("x y z") +
+                              (isJson            ? " or x y z w"
+                               : schema.size > 3 ? ", or --columns, as in 1,2,3, or x,y,z,w for four"
+                                                 : "") +
+                              matrix);
   if (reading.worldIsEcef && schema.size == 3 && !isBinary(schema.form))
     throw RecordError(0, bareTriple(std::string(isJson ? "lat, lon, height or x, y, z of an object, " : "") +
                                     "--columns lat,lon,height or --columns x,y,z"));
@@ -180,8 +178,7 @@ NumberPlan findBarePoint(const RecordView& record, const PointReading& reading) 
 
 /// A point and its pixel from five numbers without names.
 NumberPlan findBarePair(const RecordView& record, const PointReading& reading) {
-  requireNoCommas(record);
-  if (record.schema->size != 5) throw RecordError(0, numbersIn(*record.schema) + "; expected x y z u v");
+  if (record.schema->size != 5) failWithCount(record, "x y z u v");
   if (reading.worldIsEcef) throw RecordError(0, bareTriple("--columns lat,lon,height,u,v or --columns x,y,z,u,v"));
   return firstFields(5, 0);
 }
@@ -234,6 +231,8 @@ std::vector<const Coordinate*> rowsRead(const PointReading& reading) {
   if (csv)
     throw RecordError(0, "has no columns x, y, z or lat, lon, height" + fieldsNote(schema) +
                              "; --columns names them, as in x=E,y=N,z=U");
+  if (const auto field = schema.find(kRecordsField))
+    throw RecordError(record.offset(*field), "has points behind other fields; expected them as the first one");
   throw RecordError(0, "has no point" + std::string(reading.shapes ? " or shape" : "") + "; expected " +
                            namesOf(rowsRead(reading)) + fieldsNote(schema));
 }
@@ -267,10 +266,9 @@ NumberPlan findNamedPoint(const RecordView& record, const PointReading& reading)
 NumberPlan findBarePixel(const RecordView& record) {
   const Schema& schema = *record.schema;
   const bool isJson = schema.form == Form::json;
-  requireNoCommas(record);
   if (schema.size != 2 && schema.size != 3)
-    throw RecordError(0, numbersIn(schema) + "; expected " + (isJson ? "[x, y] or [x, y, depth]" : "x y or x y depth") +
-                             (schema.size > 3 && !isJson ? ", or --columns, as in 1,2,3" : ""));
+    failWithCount(record, std::string(isJson ? "[x, y] or [x, y, depth]" : "x y or x y depth") +
+                              (schema.size > 3 && !isJson ? ", or --columns, as in 1,2,3" : ""));
   NumberPlan plan = firstFields(schema.size, isJson ? 0 : 2);
   if (schema.size == 3) plan.kind = depthKnown;
   return plan;
@@ -340,7 +338,6 @@ Vec4 toPoint(const NumberPlan& plan, const Numbers& n) {
 NumberPlan findPixel(const RecordView& record, const ColumnChoice& columns) {
   NumberPlan plan;
   if (columns.given()) {
-    requireNoCommas(record);
     plan = chosenFields(columns, record, true);
     plan.together = 2;
     plan.kind = (columns.has("depth") ? depthKnown : 0u) | (columns.has("viewDistance") ? viewDistanceKnown : 0u);

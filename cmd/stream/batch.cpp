@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "records/coordinates.hpp"
+#include "text/csv.hpp"
 #include "text/error.hpp"
 
 namespace viewproj::cmd {
@@ -56,7 +57,6 @@ Batch::Batch(const WriterSetup& setup, RecordProcessor& processor, RecordWriter&
       processor_(processor),
       writer_(writer),
       binaryRecord_(binaryRecord),
-      keepsValues_(!hasNumbersOnly(setup.form)),
       mayConvert_(mayConvert),
       result_(result) {
   rows_.reserve(kRows);
@@ -95,9 +95,20 @@ void Batch::takeError(const RecordView& record, std::size_t field) {
   keep({.record = record, .error = field, .saysError = true});
 }
 
+/// Whether the record is not written as it is.
+bool Batch::needsValues(const Row& row) const {
+  if (!row.plan) return true;
+  if (hasNumbersOnly(setup_.form)) return false;
+  const Schema& schema = *row.record.schema;
+  return hasColumns(setup_.form) ? schema.form != Form::csv : schema.form == Form::csv || schema.isArray;
+}
+
 void Batch::keep(Row row) {
-  row.values = values_.size();
-  if (keepsValues_) values_.insert(values_.end(), row.record.values.begin(), row.record.values.end());
+  if (needsValues(row)) {
+    row.values = values_.size();
+    row.count = row.record.values.size();
+    values_.insert(values_.end(), row.record.values.begin(), row.record.values.end());
+  }
   rows_.push_back(row);
   if (rows_.size() == kRows) flush();
 }
@@ -116,8 +127,7 @@ void Batch::flush() {
   processor_.compute();
   std::size_t added = 0;
   for (Row& row : rows_) {
-    const std::size_t count = keepsValues_ ? row.record.values.size() : 0;
-    row.record.values = std::span(values_).subspan(row.values, count);
+    row.record.values = std::span(values_).subspan(row.values, row.count);
     if (row.saysError) {
       writer_.writeError(row.record, position_.positionOf(row.record.text.data()).line, row.error);
       ++result_.records;
@@ -130,6 +140,11 @@ void Batch::flush() {
         writer_.write(row.record, row.plan->rows, results_);
         ++result_.records;
       } catch (const RecordError& e) {
+        CsvRecord cells;
+        if (const Schema& schema = *row.record.schema; schema.form == Form::csv) {
+          cells.split(row.record.text, schema.separator);
+          row.record.values = cells.fields;
+        }
         writeBad(row.record, e);
       }
     }

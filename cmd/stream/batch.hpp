@@ -88,20 +88,21 @@ class Batch final : public RecordSink {
  private:
   struct Row {
     RecordView record;
-    const Plan* plan = nullptr;  ///< null: a bad record
-    std::size_t values = 0;      ///< where those of the record are kept
-    std::size_t error = 0;       ///< of a bad record: its error, or the field that tells it
+    const Plan* plan = nullptr;         ///< null: a bad record
+    std::size_t values = 0, count = 0;  ///< where those of the record are kept, and how many
+    std::size_t error = 0;              ///< of a bad record: its error, or the field that tells it
     bool saysError = false;
   };
 
   void keep(Row row);
+  bool needsValues(const Row& row) const;
   void writeBad(const RecordView& record, const RecordError& error);
 
   const WriterSetup& setup_;
   RecordProcessor& processor_;
   RecordWriter& writer_;
   std::size_t binaryRecord_;
-  bool keepsValues_, mayConvert_;
+  bool mayConvert_;
   BlockResult& result_;
   PositionCounter position_;
   std::vector<Row> rows_;

@@ -196,6 +196,13 @@ std::unique_ptr<RecordWriter> makeWriter(const WriterSetup& setup, CsvColumns& c
   return makeJsonWriter(setup, out);
 }
 
+/// Of CSV columns that become fields of JSON.
+void requireJsonNames(const RecordView& header, const ResultRows& rows, const std::string& prefix) {
+  if (!isUtf8(header.text) && header.schema->hasHeader)
+    throw RecordError(0, "has a column name that is not UTF-8, as iconv -f LATIN1 -t UTF-8 makes it");
+  requireNoClash(header, rows, prefix);
+}
+
 class FilterWorker final : public BlockWorker {
  public:
   FilterWorker(const Source& source, const WriterSetup& setup, CsvColumns& columns, const MakeProcessor& makeProcessor,
@@ -318,7 +325,7 @@ int runFilter(const StreamSetup& setup, const MakeProcessor& makeProcessor) {
       if (hasColumns(writing.form))
         columns = csvColumns(writing, {schema.names, schema.hasHeader}, header->text, rows, start);
       else if (!hasNumbersOnly(writing.form))
-        requireNoClash(example, rows, setup.prefix);
+        requireJsonNames(example, rows, setup.prefix);
     });
   BlockReader& reader = source.begin();
   OrderedOutput output(outputSetup(setup, source, writing.form, writing.separator), reader.totalBytes());
