@@ -58,7 +58,7 @@ CameraFile readParts(const FieldValues& values, const ReadOptions& reading) {
     const Vec3 eye = file.pose->eye(), at = target->point;
     file.targetDistance = std::hypot(at.x - eye.x, at.y - eye.y, at.z - eye.z);
   }
-  const auto picture = readPicture(values, stated);
+  const auto picture = readPicture(values, stated, reading.needsPicture);
   file.projection = readProjection(values, stated, picture, reading);
   file.notes = radiansNotes(values);
   if (picture && picture->crop && file.projection)

@@ -16,7 +16,7 @@ void read(const FieldValues& values, FieldId field, double& number) { number = v
 
 void requireShape(const FieldValues& values, double aspect, const Viewport& viewport, std::string_view at,
                   const ReadOptions& options, const std::string& fix) {
-  if (options.allowStretch || hasShape(viewport, aspect)) return;
+  if (options.allowStretch || !options.needsPicture || hasShape(viewport, aspect)) return;
   values.failAt(at, "the aspect is " + formatDigits(aspect, 6) + ", but the viewport's is " +
                         formatDigits(viewport.width / viewport.height, 6) + "; " + fix + " or give --allow-stretch");
 }
@@ -38,6 +38,8 @@ struct ProjectionReader {
   }
 
   const Viewport& viewport(const std::string& why) const {
+    static constexpr Viewport kAny{.width = 1, .height = 1};
+    if (!picture && !options.needsPicture) return kAny;
     if (!picture) fail("needs a viewport" + why + "; --viewport WIDTHxHEIGHT gives one");
     return picture->frame;
   }
@@ -113,7 +115,6 @@ struct ProjectionReader {
   Projection intrinsics() const {
     const double fx = number("projection.fx"), fy = number("projection.fy");
     const double cx = number("projection.cx"), cy = number("projection.cy");
-    if (!picture && !options.needsPicture) return perspectiveWindow(-1, 1, -1, 1, near, far);
     const Viewport& frame = viewport(", whose pixels fx, fy, cx, cy count");
     if (const auto* const size = values.find<Vec2>("projection.pixels"))
       requireShape(values, size->x / size->y, frame, "projection.pixels", options, "crop one of the pictures");
@@ -168,20 +169,16 @@ std::uint8_t typeOf(const FieldValues& values) {
   return type ? valueOf(kTypeNames, *type) : 0;
 }
 
-std::optional<PictureFrame> readPicture(const FieldValues& values, const DocumentConvention& convention) {
+std::optional<PictureFrame> readPicture(const FieldValues& values, const DocumentConvention& convention,
+                                        bool needsPicture) {
   const bool isStated = valueAt(*values.document().root, "viewport") != nullptr;
   const auto* const pixels = values.find<Vec2>("projection.pixels");
   std::optional<PictureFrame> picture;
   if (isStated || pixels) {
     picture.emplace();
     Viewport& v = picture->frame;
-    if (pixels) {
-      v.width = pixels->x;
-      v.height = pixels->y;
-    } else {
-      v.width = values.require<double>("viewport.width");
-      v.height = values.require<double>("viewport.height");
-    }
+    v.width = pixels ? pixels->x : needsPicture ? values.require<double>("viewport.width") : 1;
+    v.height = pixels ? pixels->y : needsPicture ? values.require<double>("viewport.height") : 1;
     v.pixelCenter = convention.preset->pixelCenter;
     read(values, "viewport.width", v.width);
     read(values, "viewport.height", v.height);

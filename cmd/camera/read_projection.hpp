@@ -15,7 +15,7 @@ namespace viewproj::cmd {
 struct ReadOptions {
   bool allowStretch = false;
   bool ignoreDistortion = false;
-  bool needsPicture = true;  ///< false: intrinsics without a picture's size give only near and far
+  bool needsPicture = true;  ///< false: of a picture without a size, near, far and depths alone are right
 };
 
 /// A picture, and the tile of it that the camera has.
@@ -30,7 +30,8 @@ struct PictureFrame {
 std::uint8_t typeOf(const FieldValues& values);
 
 /// The viewport, or else the size of `pixels`; nothing without either.
-std::optional<PictureFrame> readPicture(const FieldValues& values, const DocumentConvention& convention);
+std::optional<PictureFrame> readPicture(const FieldValues& values, const DocumentConvention& convention,
+                                        bool needsPicture = true);
 
 /// The frame as fx, fy, cx, cy count it: the picture of `pixels`, which has the same corners.
 Viewport pictureOfIntrinsics(const FieldValues& values, Viewport frame);

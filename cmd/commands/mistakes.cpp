@@ -14,10 +14,12 @@
 namespace viewproj::cmd {
 namespace {
 
-/// "60", "60deg", "1,2,3", or JSON.
-std::string textOf(const Json& value, bool isOption = true) {
+/// As --set reads it: "60", "60deg", "1,2,3", or JSON.
+std::string textOf(const Json& value) {
   if (value.is_number()) return formatNumber(value.get<double>());
-  if (!value.is_array() || !isOption) return value.is_string() ? value.get<std::string>() : value.dump();
+  const bool isList =
+      value.is_array() && std::all_of(value.begin(), value.end(), [](const Json& part) { return part.is_number(); });
+  if (!isList) return value.is_string() ? value.get<std::string>() : value.dump();
   std::string text;
   for (const Json& part : value) text += (text.empty() ? "" : ",") + textOf(part);
   return text;
@@ -72,18 +74,15 @@ struct Trials {
     return {mistake, std::make_shared<const Json>(std::move(value)), std::move(mend), camera};
   }
 
-  /// Other values of fields, null to remove one: options laid over the document. What cannot be read then is no
-  /// hypothesis.
+  /// Other values of fields, null to remove one, as --set gives them. What cannot be read then is no hypothesis.
   void change(const std::vector<std::pair<std::string, Json>>& fields, Json value = nullptr, bool stretch = false) {
     try {
       std::string mend;
       std::vector<Patch> patches;
       for (const auto& [path, changed] : fields) {
-        const Field* const field = findField(path);
-        const bool isOption = field && !field->option.empty() && !changed.is_null();
-        const std::string text = (isOption ? "" : path + "=") + textOf(changed, isOption);
-        mend += (mend.empty() ? "" : " ") + std::string(isOption ? field->option : "--set") + " " + inShell(text);
-        patches.push_back(isOption ? optionPatch(*field, text) : setPatch(text));
+        const std::string text = path + "=" + textOf(changed);
+        mend += (mend.empty() ? "--set " : " --set ") + inShell(text);
+        patches.push_back(setPatch(text));
       }
       ReadOptions how = reading;
       if (stretch) how.allowStretch = true;

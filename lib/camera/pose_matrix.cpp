@@ -22,12 +22,9 @@ struct NamedAxes {
 const NamedAxes& named(CameraAxes axes) noexcept {
   static constexpr NamedAxes kAxes[] = {
       // in the order of CameraAxes
-      {"RUB", true, {{0, 1, 2}, {1, 1, -1}}},
-      {"RUF", false, {{0, 1, 2}, {1, 1, 1}}},
-      {"RDF", true, {{0, 1, 2}, {1, -1, 1}}},
-      {"FRU", false, {{2, 0, 1}, {1, 1, 1}}},
-      {"FLU", true, {{2, 0, 1}, {1, -1, 1}}},
-      {"FRD", true, {{2, 0, 1}, {1, 1, -1}}},
+      {"RUB", true, {{0, 1, 2}, {1, 1, -1}}}, {"RUF", false, {{0, 1, 2}, {1, 1, 1}}},
+      {"RDF", true, {{0, 1, 2}, {1, -1, 1}}}, {"FRU", false, {{2, 0, 1}, {1, 1, 1}}},
+      {"FLU", true, {{2, 0, 1}, {1, -1, 1}}}, {"FRD", true, {{2, 0, 1}, {1, 1, -1}}},
   };
   return kAxes[static_cast<std::size_t>(axes)];
 }

@@ -83,6 +83,10 @@ Named named(const Columns& c, CameraAxes axes) {
       return {c.x, c.y * Real(-1), c.z};
     case CameraAxes::FRU:
       return {c.y, c.z, c.x};
+    case CameraAxes::FLU:
+      return {c.y * Real(-1), c.z, c.x};
+    case CameraAxes::FRD:
+      return {c.y, c.z * Real(-1), c.x};
   }
   return {};
 }
