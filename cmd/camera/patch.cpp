@@ -103,7 +103,7 @@ void keepRange(const Document& document) {
 
 /// Sets the projection's type to one that all patches fit: the present type, if possible. Removes the fields that other
 /// types have.
-void applyType(Document& document, std::span<const Patch> patches) {
+void applyType(const Document& document, std::span<const Patch> patches) {
   Json& root = *document.root;
   std::uint8_t possible = kAllTypes;
   bool isNamed = false, decides = false;  // near, far and shift do not decide: they fit the present type
