@@ -106,6 +106,12 @@ std::vector<std::string_view> lensModelNames() {
   return names;
 }
 
+std::string_view nameOf(LensModel model) {
+  const auto* const form =
+      std::find_if(std::begin(kForms), std::end(kForms), [&](const LensForm& each) { return each.ofLibrary == model; });
+  return form->model;
+}
+
 std::vector<std::string_view> lensMembers(const LensForm& form) {
   std::vector<std::string_view> names{"model"};
   for (const LensParameter& parameter : form.parameters)

@@ -33,6 +33,7 @@ struct LensForm {
 };
 std::span<const LensForm> lensForms();
 std::vector<std::string_view> lensModelNames();
+std::string_view nameOf(LensModel model);
 /// model, the parameters, limit.
 std::vector<std::string_view> lensMembers(const LensForm& form);
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "camera/names.hpp"
+#include "camera/read_lens.hpp"
 #include "camera/read_pose.hpp"
 #include "commands/camera_options.hpp"
 #include "commands/command.hpp"
@@ -128,7 +129,7 @@ OrderedJson distortionOf(const Camera& camera, const Lens& lens, bool hasPicture
   const auto ofModels = [&](std::initializer_list<LensModel> models, double value) {
     return std::find(models.begin(), models.end(), model) == models.end() ? OrderedJson() : OrderedJson(value);
   };
-  OrderedJson distortion{{"model", nameOf(kLensModelNames, model)},
+  OrderedJson distortion{{"model", nameOf(model)},
                          {"k", isFisheye ? OrderedJson(std::vector(k.begin(), k.begin() + 4))
                                : isBrown ? OrderedJson(k)
                                          : OrderedJson()},
