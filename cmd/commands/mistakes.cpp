@@ -306,7 +306,7 @@ void distortTwice(Trials& t) {
   }
 }
 
-std::vector<double> numbersAt(Trials& t, std::string_view path) {
+std::vector<double> numbersAt(const Trials& t, std::string_view path) {
   const Json* const at = t.find(path);
   return at && at->is_array() ? at->get<std::vector<double>>() : std::vector<double>{};
 }

@@ -9,7 +9,6 @@
 #include "camera/require.hpp"
 #include "camera/viewport.hpp"
 #include "numbers/arithmetic.hpp"
-#include "viewproj/lens.hpp"
 
 namespace viewproj {
 
@@ -146,8 +145,10 @@ Camera cropped(const Camera& camera, const Crop& crop) {
   const Viewport& viewport = camera.viewport();
   const Camera tile = makeCamera(camera.pose(), cropped(camera.projection(), viewport, crop), cropped(viewport, crop),
                                  camera.convention());
-  const auto lens = lensOf(camera);
-  return lens ? withLens(tile, *lens) : tile;
+  const CameraParts& c = parts(camera);
+  if (!c.lens) return tile;
+  const DoubleDouble lensScale = DoubleDouble(1) / (c.constants.scaleX * c.constants.perScaleX);
+  return withLens(tile, c.lens, lensScale);
 }
 
 Camera detail::withLens(const Camera& pinhole, std::shared_ptr<const LensParts> lens, DoubleDouble lensScale) {

@@ -267,7 +267,6 @@ double curvature(const LensParts& lens, double from, double to) noexcept { retur
 
 void setLimits(LensParts& lens) {
   Cone cone{0, -1, LimitCause::none};
-  Limit brown{kInfinity, LimitCause::none};
   if (lens.isAngle) {
     const Limit limit = limitOfAngles(lens);
     if (limit.value < kInfinity) {
@@ -276,7 +275,7 @@ void setLimits(LensParts& lens) {
       lens.angleEnd = limit.value;
     }
   } else {
-    brown = limitOfBrown(lens);
+    Limit brown = limitOfBrown(lens);
     if (lens.statedRadius < brown.value) brown = {lens.statedRadius, LimitCause::stated};
     lens.brownEnd = std::min(brown.value, kLargestRadius);
     cone = coneOfSphere(lens);

@@ -48,7 +48,7 @@ enum Side : std::uint8_t {
 /// Numbers that do not exist are NaN.
 struct ScreenPoint {
   double x = 0, y = 0;      ///< position, in the viewport's origin and pixelCenter
-  double depth = 0;         ///< window depth, not clamped; NaN without a near plane, and of points that are not in front
+  double depth = 0;         ///< window depth, not clamped; NaN without a near plane, or not in front
   double viewDistance = 0;  ///< along the viewing axis; NaN for a direction
   PointStatus status = PointStatus::inFront;
   std::uint8_t outside = 0;  ///< the Sides that the point is beyond; a point on a boundary is inside
