@@ -55,7 +55,7 @@ function seen(camera, point) {
 }
 
 /// Some points in the picture and around it, before near and beyond far, and behind the eye; each with what is seen of it.
-function judged(camera, width, height, { depth = true }) {
+function judged(camera, width, height, { depth = true, fromBottom = false }) {
   camera.updateMatrixWorld(true);
   camera.updateProjectionMatrix();
   const points = [], judgements = [];
@@ -71,14 +71,14 @@ function judged(camera, width, height, { depth = true }) {
     const { ndc, viewDistance, visible, outside } = told;
     points.push(point.toArray());
     judgements.push({
-      screen: ndc && [((ndc.x + 1) / 2) * width, ((1 - ndc.y) / 2) * height],
+      screen: ndc && [((ndc.x + 1) / 2) * width, ((1 + (fromBottom ? ndc.y : -ndc.y)) / 2) * height],
       ...(depth ? { depth: ndc && (ndc.z + 1) / 2 } : {}), viewDistance, visible, outside,
     });
   }
   return { points, judgements };
 }
 
-/// options: depth: whether it is known; ownViewport: whether the file has it.
+/// options: depth: whether it is known; ownViewport: whether the file has it; fromBottom: whether y counts from there.
 function write(file, pick, camera, width, height, options = {}) {
   const viewport = options.ownViewport ? null : `${width}x${height}`;
   console.log(JSON.stringify({ name, pick, viewport, file, ...judged(camera, width, height, options) }));
@@ -254,8 +254,8 @@ function writeMatrices(w, h, make) {
   } while (c.matrixWorldInverse.elements[15] !== 1);
   c.updateProjectionMatrix();
   const rows = m => [0, 1, 2, 3].map(i => [0, 1, 2, 3].map(j => m.elements[4 * j + i]));
-  const { convention = 'opengl', ownViewport, ...matrices } = make(c, m => m.toArray(), rows);
-  write({ ...(convention ? { convention } : {}), ...matrices }, null, c, w, h, { ownViewport });
+  const { convention = 'opengl', ownViewport, fromBottom, ...matrices } = make(c, m => m.toArray(), rows);
+  write({ ...(convention ? { convention } : {}), ...matrices }, null, c, w, h, { ownViewport, fromBottom });
 }
 
 const matricesCases = {
@@ -272,7 +272,7 @@ const matricesCases = {
     return { view: rows(turned), projection: rows(c.projectionMatrix), eye: c.position.toArray() };
   }),
   'matrices of fixed-function OpenGL': (w, h) => writeMatrices(w, h, (c, flat, rows) =>
-    ({ modelview: flat(c.matrixWorldInverse), projection: flat(c.projectionMatrix), viewport: [0, 0, w, h], ownViewport: true })),
+    ({ modelview: flat(c.matrixWorldInverse), projection: flat(c.projectionMatrix), viewport: [0, 0, w, h], ownViewport: true, fromBottom: true })),
   'matrices as Unity calls them': (w, h) => writeMatrices(w, h, (c, flat, rows) =>
     ({ worldToCameraMatrix: rows(c.matrixWorldInverse), proj: rows(c.projectionMatrix),
       projectionInverse: rows(c.projectionMatrixInverse), viewportInverse: [] })),
