@@ -30,6 +30,7 @@ Import openCameraDocument(const Document& file) {
           [root = file.root](std::size_t) { return *root; }};
 }
 
+// cppcheck-suppress constParameter  // the document is changed
 void readAs(Document& file, const std::string& preset) {
   Json& convention = (*file.root)["convention"];
   if (!convention.is_null() && convention != preset && convention != Json{{"preset", preset}})
