@@ -97,6 +97,15 @@ std::string_view scalarOf(std::string_view letters) {
 
 bool isDigits(std::string_view text) { return !text.empty() && std::all_of(text.begin(), text.end(), isDigit); }
 
+/// Words that say what a part is.
+const std::string& kindWords() {
+  static const std::string kWords = std::string(kOfK) + " " + std::string(kOfD) + " " + std::string(kOfS) + " " +
+                                    std::string(kOfR) + " " + std::string(kOfV) + " " + std::string(kOfQ) + " " +
+                                    std::string(kOfT) + " " + std::string(kOfE) + " " + std::string(kBoxes) +
+                                    " p w h fx fy cx cy f fov width height vec";
+  return kWords;
+}
+
 /// A path that --parts can name.
 bool isNameable(std::string_view step) {
   return !step.empty() && step.find_first_of(",+|*~?=#[]^\"' \t\n") == std::string_view::npos;
@@ -110,7 +119,8 @@ class Finder {
     std::vector<std::string> steps;
     walk(*file_.root, steps);
     addStars();
-    return std::move(found_);
+    for (const auto& each : found_) each->tag = findTag(*each);
+    return {found_.begin(), found_.end()};
   }
 
  private:
@@ -255,12 +265,9 @@ class Finder {
 
   static bool isKindOnly(const std::string& text) {
     const std::vector<std::string> words = wordsOf(text);
-    const std::string kinds = std::string(kOfK) + " " + std::string(kOfD) + " " + std::string(kOfS) + " " +
-                              std::string(kOfR) + " " + std::string(kOfV) + " " + std::string(kOfQ) + " " +
-                              std::string(kOfT) + " " + std::string(kOfE) + " " + std::string(kBoxes) +
-                              " p w h fx fy cx cy f fov width height vec";
+
     return !words.empty() && !isDigits(text) && text != "L" && text != "R" && text != "l" && text != "r" &&
-           std::all_of(words.begin(), words.end(), [&](const std::string& word) { return isAmong(word, kinds); });
+           std::all_of(words.begin(), words.end(), [&](const std::string& word) { return isAmong(word, kindWords()); });
   }
 
   void addStars() {
@@ -303,7 +310,7 @@ class Finder {
   }
 
   const Document& file_;
-  Candidates found_;
+  std::vector<std::shared_ptr<Candidate>> found_;
   std::unordered_map<std::string, std::size_t> sizes_;  ///< members of each container
 };
 
@@ -319,11 +326,7 @@ std::string Candidate::path() const {
 
 Candidates candidatesIn(const Document& file) { return Finder(file).find(); }
 
-std::vector<std::string> tagOf(const Candidate& candidate) {
-  const std::string kinds = std::string(kOfK) + " " + std::string(kOfD) + " " + std::string(kOfS) + " " +
-                            std::string(kOfR) + " " + std::string(kOfV) + " " + std::string(kOfQ) + " " +
-                            std::string(kOfT) + " " + std::string(kOfE) + " " + std::string(kBoxes) +
-                            " p w h fx fy cx cy f fov width height vec";
+std::vector<std::string> findTag(const Candidate& candidate) {
   std::vector<std::string> tag;
   for (std::size_t i = 0; i < candidate.steps.size(); ++i) {
     std::string step = candidate.steps[i];
@@ -339,7 +342,7 @@ std::vector<std::string> tagOf(const Candidate& candidate) {
                                                  : "";
     }
     for (std::string& word : wordsOf(step))
-      if (!isAmong(word, kinds) && (candidate.isStarred() || candidate.steps.size() > 1 || !isDigits(word)))
+      if (!isAmong(word, kindWords()) && (candidate.isStarred() || candidate.steps.size() > 1 || !isDigits(word)))
         tag.push_back(std::move(word));
   }
   std::sort(tag.begin(), tag.end());

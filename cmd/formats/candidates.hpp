@@ -22,6 +22,7 @@ struct Candidate {
   std::map<std::string, std::shared_ptr<const Candidate>> star{};
   std::size_t at = 0;
   std::vector<std::shared_ptr<const Candidate>> terms{};  ///< of scalars that stand one after the other
+  std::vector<std::string> tag{};  ///< words of the path that say which camera it is of, and not what it is
 
   bool isStarred() const { return !star.empty(); }
   std::string path() const;
@@ -31,7 +32,7 @@ using Candidates = std::vector<std::shared_ptr<const Candidate>>;
 /// Every one of them, those that stand for several included. At most 20,000.
 Candidates candidatesIn(const Document& file);
 
-/// The words of a path that say which camera it is of, and not what it is.
-std::vector<std::string> tagOf(const Candidate& candidate);
+/// The tag of a candidate without one.
+std::vector<std::string> findTag(const Candidate& candidate);
 
 }  // namespace viewproj::cmd

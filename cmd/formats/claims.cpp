@@ -75,11 +75,13 @@ bool holdsChoice(const Node& root, std::string_view choice, std::string_view con
     const auto node = valueAt(root, whole);
     return node && fits(*node, text, shapes);
   }
-  const std::vector<std::string> stars = starsOf(root, whole);
-  return std::any_of(stars.begin(), stars.end(), [&](const std::string& star) {
+  bool any = false;
+  eachStar(root, whole, [&](std::string_view star) {
     const auto node = valueAt(root, withStar(whole, star));
-    return node && fits(*node, text, shapes);
+    any = node && fits(*node, text, shapes);
+    return !any;
   });
+  return any;
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ std::optional<double> nearness(const Candidate& first, const Candidate& part) {
         part.steps.size() > depth && std::equal(first.steps.begin(), first.steps.end() - 1, part.steps.begin());
     if (!isPoseKind(part.kind) || !isBeside) return std::nullopt;
   }
-  std::vector<std::string> a = tagOf(first), b = tagOf(part);
+  std::vector<std::string> a = first.tag, b = part.tag;
   if (!first.isStarred() && part.isStarred())
     std::erase_if(b, [](const std::string& word) { return isDigit(word[0]); });
   if (a == b) return score + 3;
@@ -136,6 +136,7 @@ void addFamilies(const std::vector<Scalars>& boxes, Candidates& all) {
     family.star = terms.front()->star;
     family.at = terms.front()->at;
     family.terms = terms;
+    family.tag = findTag(family);
     all.push_back(std::make_shared<Candidate>(std::move(family)));
   };
   for (const Scalars& box : boxes) {
@@ -179,7 +180,7 @@ std::string directionOf(const Candidate& pose, const Candidate* lens) {
            "matrix_world"}))
     return "worldFromCamera";
   if (const auto toward = towardOf(pose); toward && lens) {
-    const std::vector<std::string> tag = tagOf(*lens);
+    const std::vector<std::string> tag = lens->tag;
     const auto shares = [&](const std::vector<std::string>& words) {
       return std::any_of(words.begin(), words.end(),
                          [&](const std::string& word) { return std::find(tag.begin(), tag.end(), word) != tag.end(); });
@@ -228,8 +229,7 @@ std::vector<Match> posesFor(const Candidate& first, const Candidates& all) {
   places.resize(std::min(places.size(), kMost));
   for (const auto& [turnScore, turn] : turns)
     for (const auto& [placeScore, place] : places) {
-      if (turn->isStarred() != place->isStarred() || turn->star.size() != place->star.size() ||
-          tagOf(*turn) != tagOf(*place))
+      if (turn->isStarred() != place->isStarred() || turn->star.size() != place->star.size() || turn->tag != place->tag)
         continue;
       const bool isBeside =
           std::equal(turn->steps.begin(), turn->steps.end() - 1, place->steps.begin(), place->steps.end() - 1);
@@ -357,6 +357,12 @@ void putLens(Line& line, const Candidates& all, const std::vector<Scalars>& boxe
 /// The lines that begin with a lens.
 std::vector<Line> lensLines(const Candidates& all, const std::vector<Scalars>& boxes) {
   std::vector<Line> lines;
+  // What many cameras have in common is said by the line of all of them.
+  constexpr std::size_t kMany = 10;
+  std::set<const Candidate*> covered;
+  for (const Chosen& each : all)
+    if (each->star.size() >= kMany)
+      for (const auto& [star, one] : each->star) covered.insert(one.get());
   const auto begin = [&](const std::string& name, const std::vector<Chosen>& chosen, double score,
                          const std::string& suffix = "") {
     Line line;
@@ -365,12 +371,14 @@ std::vector<Line> lensLines(const Candidates& all, const std::vector<Scalars>& b
     lines.push_back(std::move(line));
   };
   for (const Chosen& each : all) {
+    if (covered.contains(each.get())) continue;
     if (each->kind == "K" && each->name >= 0) begin("K", {each}, 3 + each->name);
     if (each->kind == "P") begin("P", {each}, 2 + each->name);
     if (each->kind == "F" || (each->kind == "f" && each->numbers.front() > 5))
       if (const auto centre = bestOf(*each, all, "C")) begin("K", {each, centre->parts.front()}, 4);
   }
   for (const Scalars& box : boxes) {
+    if (covered.contains(box.begin()->second.get())) continue;
     const auto tryOut = [&](std::initializer_list<std::string_view> kinds, double score) {
       const std::vector<Chosen> chosen = together(box, kinds);
       if (chosen.empty() || chosen.front()->numbers.front() <= 5) return false;
@@ -412,7 +420,7 @@ void sharePoses(std::vector<Line>& lines) {
         if (!isRival) continue;
         ++rivals;
         const auto toward = towardOf(*pose);
-        const std::vector<std::string> tag = tagOf(*other.first);
+        const std::vector<std::string> tag = other.first->tag;
         const bool isTarget =
             toward && std::any_of(tag.begin(), tag.end(), [&](const std::string& word) {
               return std::find(toward->second.begin(), toward->second.end(), word) != toward->second.end();
@@ -493,10 +501,10 @@ void addBlocks(const Json& value, const std::string& path, std::vector<std::stri
     blocks.push_back(path + " (" + std::to_string(numbers->size()) + " numbers)");
     return;
   }
+  if (!value.is_object()) return;
   std::size_t items = 0;
-  if (value.is_object())
-    for (const auto& [key, member] : value.items())
-      if (++items <= kMost && blocks.size() < kMost) addBlocks(member, joinedPath(path, key), blocks);
+  for (const auto& [key, member] : value.items())
+    if (++items <= kMost && blocks.size() < kMost) addBlocks(member, joinedPath(path, key), blocks);
 }
 
 }  // namespace

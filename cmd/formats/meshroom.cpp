@@ -64,7 +64,7 @@ Json lensOfIntrinsic(const Node& intrinsic, std::array<double, 2>& focal) {
 Json cameraOf(const Node& intrinsic, const std::array<double, 3>& version) {
   const double w = numberAt(intrinsic, "width", 0), h = numberAt(intrinsic, "height", 0),
                ratio = numberAt(intrinsic, "pixelRatio", 1);
-  const auto isFrom = [&](std::array<double, 3> first) { return version >= first; };
+  const auto isFrom = [&](const std::array<double, 3>& first) { return version >= first; };
   std::array<double, 2> focal{};
   if (isFrom({1, 2, 2})) {
     const double f = numberAt(intrinsic, "focalLength", 0) * w / numberAt(intrinsic, "sensorWidth", 36);

@@ -177,6 +177,10 @@ std::optional<Json> rigidOf(const Parts& parts, const std::string& pose) {
   }
   const std::string translation = pose + ".translation";
   if (turn.empty() && !parts.has(translation)) return std::nullopt;
+  const auto isZero = [](double number) { return number == 0; };
+  if (const auto& t = parts[turn.empty() ? translation : turn].numbers;
+      turn.empty() && std::all_of(t.begin(), t.end(), isZero))
+    return std::nullopt;  // says as little as no pose
   if (turn.empty()) parts.fail(translation, "needs R or rvec beside it");
   if (!parts.has(translation) && !parts.has("position")) parts.fail(turn, "needs t or tvec beside it");
   Json rigid{{"translation", parts.has(translation) ? parts.numbers(translation, {3}) : std::vector<double>{0, 0, 0}}};
@@ -206,13 +210,13 @@ bool readPose(const Parts& parts, Json& camera) {
       value = rowsOf(m, 4);
     }
     std::optional<Json> rigid = rigidOf(parts, name);
-    const std::string_view second = value && rigid ? name : "";
+    const bool isTwice = value && rigid;
     if (!value) value = std::move(rigid);
     if (!value) continue;
-    if (!first.empty() || !second.empty()) {
+    if (!first.empty() || isTwice) {
       for (const std::string& part :
            {name, name + ".rotation", name + ".rotationVector", name + ".quaternion", name + ".quaternionWFirst"})
-        if (parts.has(part) && !(part == name && !second.empty()))
+        if (parts.has(part) && !(part == name && isTwice))
           parts.fail(part, "the camera has another pose; leave one of them out");
     }
     first = pose;
@@ -336,7 +340,7 @@ Import importParts(const Node& root, std::vector<Part> parts, PartsForm form, st
 bool hasParts(const Node& root, const std::vector<Part>& parts) {
   return std::all_of(parts.begin(), parts.end(), [&](const Part& part) {
     if (part.isOptional) return true;
-    if (hasStar(part)) return !starsOf(root, part.value).empty();
+    if (hasStar(part)) return hasStars(root, part.value);
     try {
       return find(root, part, "", isText(part.name)).has_value();
     } catch (const InputError&) {

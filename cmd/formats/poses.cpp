@@ -53,18 +53,20 @@ std::size_t widthOf(const Json& value, bool& isOne) {
   return 0;
 }
 
-/// The columns of a table, by the beginnings of their names.
+/// The columns of a table; a unit may stand behind a name.
 std::optional<std::array<std::string, 8>> columnsOf(const Json& root) {
   if (!root.is_array() || root.empty() || !root.front().is_object()) return std::nullopt;
   constexpr std::string_view kForms[][8] = {
       {"timestamp", "tx", "ty", "tz", "qx", "qy", "qz", "qw"},
       {"time", "tx", "ty", "tz", "qx", "qy", "qz", "qw"},
+      {"timestamp", "x", "y", "z", "qx", "qy", "qz", "qw"},
+      {"time", "x", "y", "z", "qx", "qy", "qz", "qw"},
       {"timestamp", "p_RS_R_x", "p_RS_R_y", "p_RS_R_z", "q_RS_x", "q_RS_y", "q_RS_z", "q_RS_w"}};
   for (const auto& form : kForms) {
     std::array<std::string, 8> columns;
     for (std::size_t i = 0; i < 8; ++i)
       for (const auto& [name, cell] : root.front().items())
-        if (name.starts_with(form[i])) columns[i] = name;
+        if (name == form[i] || (form[i].size() > 3 && name.starts_with(form[i]))) columns[i] = name;
     if (std::none_of(columns.begin(), columns.end(), [](const std::string& name) { return name.empty(); }))
       return columns;
   }

@@ -247,6 +247,13 @@ bool addTerm(const Node& root, const Term& term, std::string_view star, bool isT
   return false;
 }
 
+/// The container that "#" stands in.
+std::string withoutSign(std::string text) {
+  if (text.ends_with("#") && (text.size() == 1 || text[text.size() - 2] == '.')) text.pop_back();
+  if (text.ends_with('.')) text.pop_back();
+  return text;
+}
+
 /// A size may be there twice, under two names.
 void requireOneSize(const Node& root, const Part& part, std::string_view star, Found& found) {
   if (part.name != "size" || found.numbers.size() != 2) return;
@@ -374,43 +381,53 @@ bool hasStar(const Part& part) {
   return false;
 }
 
-std::vector<std::string> starsOf(const Node& root, std::string_view path) {
-  std::vector<std::string> texts;
+void eachStar(const Node& root, std::string_view path, const std::function<bool(std::string_view star)>& visit) {
   const std::size_t star = path.find('*');
-  if (star == std::string_view::npos) return texts;
+  if (star == std::string_view::npos) return;
+  bool any = false, goesOn = true;
+  const auto tell = [&](std::string_view text) {
+    any = true;
+    goesOn = visit(text);
+  };
   // Where the names before the star's own end: every dot before it, the last one first.
-  for (std::size_t dot = path.rfind('.', star);; dot = dot == 0 ? std::string_view::npos : path.rfind('.', dot - 1)) {
+  for (std::size_t dot = path.rfind('.', star); goesOn && !any; dot = path.rfind('.', dot - 1)) {
     const bool isFirst = dot == std::string_view::npos;
     const auto container = isFirst ? std::optional(root) : valueAt(root, path.substr(0, dot));
     const std::string_view rest = path.substr(isFirst ? 0 : dot + 1);
     const std::size_t at = rest.find('*');
     const std::string_view before = rest.substr(0, at);
     if (container && container->json().is_array() && before.empty() && (at + 1 == rest.size() || rest[at + 1] == '.')) {
-      for (std::size_t i = 0; i < container->json().size(); ++i)
-        if (valueAt(*container, withStar(rest, std::to_string(i)))) texts.push_back(std::to_string(i));
-      return texts;
+      for (std::size_t i = 0; goesOn && i < container->json().size(); ++i)
+        if (const std::string text = std::to_string(i); valueAt(*container, withStar(rest, text))) tell(text);
+      return;
     }
-    if (container && container->json().is_object()) {
-      for (std::size_t end = rest.size();; end = rest.rfind('.', end - 1)) {
-        const std::string_view after = rest.substr(at + 1, end - at - 1);
-        for (const auto& [name, member] : container->json().items()) {
-          if (name.size() < before.size() + after.size() + (before.empty() && after.empty() ? 0 : 1)) continue;
-          if (!name.starts_with(before) || !std::string_view(name).ends_with(after)) continue;
-          std::string text = name.substr(before.size(), name.size() - before.size() - after.size());
-          if (end != rest.size() && !valueAt(Node(container->document(), member, ""), rest.substr(end + 1))) continue;
-          if (!member.is_null()) texts.push_back(std::move(text));
-        }
-        if (end <= at + 1 || rest.rfind('.', end - 1) == std::string_view::npos || rest.rfind('.', end - 1) <= at)
-          break;
+    // Where the star's own name ends: it may have dots too.
+    for (std::size_t end = rest.size(); goesOn && container && container->json().is_object();) {
+      const std::string_view after = rest.substr(at + 1, end - at - 1);
+      for (const auto& [name, member] : container->json().items()) {
+        if (!goesOn) return;
+        if (name.size() < before.size() + after.size() + (before.empty() && after.empty() ? 0 : 1)) continue;
+        if (!name.starts_with(before) || !std::string_view(name).ends_with(after) || member.is_null()) continue;
+        if (end != rest.size() && !valueAt(Node(container->document(), member, ""), rest.substr(end + 1))) continue;
+        tell(std::string_view(name).substr(before.size(), name.size() - before.size() - after.size()));
       }
-      if (!texts.empty()) {
-        std::sort(texts.begin(), texts.end(), isBefore);
-        texts.erase(std::unique(texts.begin(), texts.end()), texts.end());
-        return texts;
-      }
+      const std::size_t next = end > at + 1 ? rest.rfind('.', end - 1) : std::string_view::npos;
+      if (next == std::string_view::npos || next <= at) break;
+      end = next;
     }
-    if (isFirst) return texts;
+    if (isFirst || dot == 0) return;
   }
+}
+
+std::vector<std::string> starsOf(const Node& root, std::string_view path) {
+  std::vector<std::string> texts;
+  eachStar(root, path, [&](std::string_view text) {
+    texts.emplace_back(text);
+    return true;
+  });
+  std::sort(texts.begin(), texts.end(), isBefore);
+  texts.erase(std::unique(texts.begin(), texts.end()), texts.end());
+  return texts;
 }
 
 std::vector<std::string> starsOf(const Node& root, const Value& value) {
@@ -418,15 +435,26 @@ std::vector<std::string> starsOf(const Node& root, const Value& value) {
   for (const Sum& sum : value)
     for (const Term& term : sum)
       for (const Path& path : term.paths) {
-        std::string text = path.text;
-        if (text.ends_with("#") && (text.size() == 1 || text[text.size() - 2] == '.')) text.pop_back();
-        if (text.ends_with('.')) text.pop_back();
-        const std::vector<std::string> texts = starsOf(root, text);
+        const std::vector<std::string> texts = starsOf(root, withoutSign(path.text));
         all.insert(all.end(), texts.begin(), texts.end());
       }
   std::sort(all.begin(), all.end(), isBefore);
   all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
+}
+
+bool hasStars(const Node& root, const Value& value) {
+  bool any = false;
+  for (const Sum& sum : value)
+    for (const Term& term : sum)
+      for (const Path& path : term.paths) {
+        if (any) return true;
+        eachStar(root, withoutSign(path.text), [&](std::string_view) {
+          any = true;
+          return false;
+        });
+      }
+  return any;
 }
 
 std::optional<Found> find(const Node& root, const Part& part, std::string_view star, bool isText) {

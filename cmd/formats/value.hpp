@@ -8,6 +8,7 @@
 // A member is a name or an index; a name may have dots. "*" is one member, or a part of a name: the star.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -60,10 +61,15 @@ std::optional<Node> valueAt(const Node& root, std::string_view path);
 /// The path with the star replaced.
 std::string withStar(std::string_view path, std::string_view star);
 bool hasStar(const Part& part);
+/// Calls visit with each text that the star of a path stands for, until it returns false.
+void eachStar(const Node& root, std::string_view path, const std::function<bool(std::string_view star)>& visit);
 /// The texts that the star stands for, in the file's order (members of objects by name, numbers by their size).
 std::vector<std::string> starsOf(const Node& root, std::string_view path);
 /// Of the first paths of the value that have one.
 std::vector<std::string> starsOf(const Node& root, const Value& value);
+
+/// Whether one of its paths has one.
+bool hasStars(const Node& root, const Value& value);
 
 /// What a part holds for one star.
 struct Found {

@@ -40,6 +40,7 @@ NEAREST = (
     ("cmd/commands/depth", "reference cmd"),
     ("cmd/text", "unit stream cmd"),
     ("cmd/records", "stream cmd"),
+    ("cmd/formats", "camera importers_decimals importers_three importers_opencv cmd"),
     ("cmd/camera", "camera importers_decimals importers_three importers_opencv cmd"),
     ("cmd/commands", "cmd check draw explain"),
     ("cmd", "output cmd"),

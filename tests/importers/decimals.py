@@ -348,20 +348,21 @@ def opencv():
 
 
 def kalibr():
-    """Each camera of its own frame, whatever the chain says of the others."""
+    """A chain's cameras in the world of the first, by the links of neighbours; EuRoC's in the body's."""
     size, fx, fy, cx, cy = lens()
     sensor = {"camera_model": "pinhole", "intrinsics": doubles([fx, fy, cx, cy]), "distortion_model": "radtan",
               "distortion_coeffs": [0.0] * 4, "resolution": list(size), "rostopic": "/cam/image_raw"}
-    link = {"T_cn_cnm1": rows4(rotation(), vector(0.5))}
+    R, t = rotation(), decimals(doubles(vector(0.5)))
+    link = {"T_cn_cnm1": rows4(R, t)}
     chain = {"cam0": sensor, "cam1": dict(sensor, **link, intrinsics=doubles([fy, fx, cy, cx])),
              "cam2": dict(sensor, **link, camera_model="eucm", intrinsics=doubles([D(1), D(1), fx, fy, cx, cy]))}
-    first = Camera(ORIGIN, [D(0)] * 3, fx, fy, cx + HALF, cy + HALF, size)
-    second = Camera(ORIGIN, [D(0)] * 3, fy, fx, cy + HALF, cx + HALF, size)
+    second = Camera(R, t, fy, fx, cy + HALF, cx + HALF, size)
     write("Kalibr", chain, second, pick="cam1", centers=True)
     write("Kalibr in YAML", None, second, pick="1", centers=True, text=as_yaml(chain))
-    euroc = dict(sensor, sensor_type="camera", T_BS={"cols": 4, "rows": 4, "data": flat(rows4(rotation(), vector(0.1)))},
+    R, t = rotation(), decimals(doubles(vector(0.1)))
+    euroc = dict(sensor, sensor_type="camera", T_BS={"cols": 4, "rows": 4, "data": flat(rows4(R, t))},
                  distortion_model="radial-tangential", distortion_coefficients=[0.0] * 4)
-    write("EuRoC", None, first, centers=True, text=as_yaml(euroc))
+    write("EuRoC", None, Camera(*to_camera(R, t), fx, fy, cx + HALF, cy + HALF, size), centers=True, text=as_yaml(euroc))
 
 
 for each in (colmap, kitti, matrix34, ros, turned, kalibr, opencv, inria, open3d, realsense):

@@ -142,7 +142,7 @@ def nerf_cases():
     R, t = opencv_pose(pose)
     own = {"fl_x": K[0, 0], "fl_y": K[1, 1], "cx": K[0, 2], "cy": K[1, 2], "w": size[0], "h": size[1]}
     write("transforms.json per-frame intrinsics",
-          {"fl_x": 1, "w": 2, "h": 2, "frames": [nerf_frame(nerf_pose(0), "a.png"), nerf_frame(pose, "b.png", **own)]},
+          {"frames": [nerf_frame(nerf_pose(0), "a.png"), nerf_frame(pose, "b.png", **own)]},
           R, t, centred, size, pick="b.png", shift=0.5)
     angle = random.uniform(0.4, 1.5)
     f = size[0] / 2 / math.tan(angle / 2)
