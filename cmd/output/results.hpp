@@ -11,10 +11,10 @@
 #include <string_view>
 #include <vector>
 
-#include "records/screen_box.hpp"
 #include "text/form.hpp"
 #include "text/names.hpp"
 #include "viewproj/camera.hpp"
+#include "viewproj/scene.hpp"
 #include "viewproj/screen.hpp"
 #include "viewproj/vectors.hpp"
 

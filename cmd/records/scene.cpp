@@ -8,7 +8,6 @@
 #include "camera/check.hpp"
 #include "camera/read_pose.hpp"
 #include "numbers/vectors.hpp"
-#include "records/crossings.hpp"
 #include "records/points.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
