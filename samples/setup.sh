@@ -62,7 +62,7 @@ if [ "$tests" = ON ]; then options="$options -DVIEWPROJ_TESTS=ON"; fi
 # shellcheck disable=SC2086  # a list of words
 cmake -B build -DCMAKE_BUILD_TYPE=Release $options >/dev/null
 # The targets of an installation, or all of them.
-targets="viewproj libviewproj_scene libviewproj_geodesy"
+targets="viewproj libviewproj_cameras_of libviewproj_scene libviewproj_geodesy"
 if [ "$tests" = ON ]; then targets=all; fi
 # shellcheck disable=SC2086  # a list of words
 cmake --build build --parallel "$(nproc)" --target $targets

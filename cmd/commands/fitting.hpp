@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "camera/read_camera.hpp"
-#include "records/screen_box.hpp"
 #include "viewproj/scene.hpp"
 
 namespace viewproj::cmd {

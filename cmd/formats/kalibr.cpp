@@ -105,7 +105,7 @@ Import open(const Node& root) {
   };
   result.own = [cameras, places](std::size_t which) {
     return std::optional(cameras[places[which].camera]);
-  };  // namespace kalibr
+  };
   return result;
 }  // namespace viewproj::cmd
 

@@ -77,7 +77,7 @@ Import judged(const std::shared_ptr<Document>& file, Import result, std::string_
   result.unread = [state](std::size_t) {
     const std::lock_guard lock(state->mutex);
     return state->note;
-  };  // namespace
+  };
   return result;
 }  // namespace viewproj::cmd
 

@@ -71,7 +71,7 @@ Import openLenses(const Node& root) {
   };
   result.own = [root, cameras = result.cameras](std::size_t which) {
     return std::optional(root.require(cameras[which].name));
-  };  // namespace viewproj::cmd
+  };
   return result;
 }
 

@@ -8,7 +8,6 @@
 #include "camera/values.hpp"
 #include "numbers/dyadic.hpp"
 #include "numbers/vectors.hpp"
-#include "records/crossings.hpp"
 #include "records/points.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"

@@ -75,6 +75,12 @@ void setRows(ProjectionConstants& k, const PoseParts& pose, DoubleDouble scaleX,
     k.residualReach = std::numeric_limits<double>::min();
 }
 
+Camera withLensOf(const Camera& camera, const Camera& pinhole) {
+  const CameraParts& c = parts(camera);
+  if (!c.lens) return pinhole;
+  return withLens(pinhole, c.lens, DoubleDouble(1) / (c.constants.scaleX * c.constants.perScaleX));
+}
+
 }  // namespace
 
 Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport& viewport,
@@ -143,12 +149,12 @@ WindowDepths Camera::depths() const noexcept {
 
 Camera cropped(const Camera& camera, const Crop& crop) {
   const Viewport& viewport = camera.viewport();
-  const Camera tile = makeCamera(camera.pose(), cropped(camera.projection(), viewport, crop), cropped(viewport, crop),
-                                 camera.convention());
-  const CameraParts& c = parts(camera);
-  if (!c.lens) return tile;
-  const DoubleDouble lensScale = DoubleDouble(1) / (c.constants.scaleX * c.constants.perScaleX);
-  return withLens(tile, c.lens, lensScale);
+  return withLensOf(camera, makeCamera(camera.pose(), cropped(camera.projection(), viewport, crop),
+                                       cropped(viewport, crop), camera.convention()));
+}
+
+Camera withPose(const Camera& camera, const Pose& pose) {
+  return withLensOf(camera, makeCamera(pose, camera.projection(), camera.viewport(), camera.convention()));
 }
 
 Camera detail::withLens(const Camera& pinhole, std::shared_ptr<const LensParts> lens, DoubleDouble lensScale) {

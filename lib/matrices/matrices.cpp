@@ -358,14 +358,4 @@ SplitVec3 alongAxes(const Camera& camera, const Vec4& point) noexcept {
   return split(point.w == 0 || point.w == 1 ? d : d * (DoubleDouble(1) / DoubleDouble(point.w)));
 }
 
-Vec2 screenAt(const Camera& camera, const SplitVec3& distances) noexcept {
-  const CameraParts& c = parts(camera);
-  const DDVec3 d = joined(distances);
-  const Wide spread = c.projection.orthographic ? Wide(1) : Wide(d.z);
-  const auto at = [&](DoubleDouble center, DoubleDouble scale, DoubleDouble along) {
-    return double(sumOrZero(Wide(center), Wide(scale) * (Wide(along) / spread)));
-  };
-  return {at(c.screen.centerX, c.screen.scaleX, d.x), at(c.screen.centerY, c.screen.scaleY, d.y)};
-}
-
 }  // namespace viewproj

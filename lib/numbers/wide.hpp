@@ -62,7 +62,8 @@ inline Wide operator-(const Wide& a) noexcept {
   return negated;
 }
 
-inline Wide operator+(const Wide& a, const Wide& b) noexcept {
+// Not in line: that is smaller by a tenth of a program, and no slower.
+[[gnu::noinline]] inline Wide operator+(const Wide& a, const Wide& b) noexcept {
   if (a.value.hi == 0 || b.value.hi == 0) return a.value.hi == 0 ? b : a;
   const Wide& larger = a.exponent < b.exponent ? b : a;
   const Wide& other = a.exponent < b.exponent ? a : b;
@@ -72,8 +73,12 @@ inline Wide operator+(const Wide& a, const Wide& b) noexcept {
 }
 
 inline Wide operator-(const Wide& a, const Wide& b) noexcept { return a + (-b); }
-inline Wide operator*(const Wide& a, const Wide& b) noexcept { return {a.value * b.value, a.exponent + b.exponent}; }
-inline Wide operator/(const Wide& a, const Wide& b) noexcept { return {a.value / b.value, a.exponent - b.exponent}; }
+[[gnu::noinline]] inline Wide operator*(const Wide& a, const Wide& b) noexcept {
+  return {a.value * b.value, a.exponent + b.exponent};
+}
+[[gnu::noinline]] inline Wide operator/(const Wide& a, const Wide& b) noexcept {
+  return {a.value / b.value, a.exponent - b.exponent};
+}
 
 inline Wide sqrt(const Wide& a) noexcept {
   const int odd = a.exponent & 1;
@@ -81,10 +86,10 @@ inline Wide sqrt(const Wide& a) noexcept {
 }
 
 inline Wide magnitude(const Wide& a) noexcept { return a.sign() < 0 ? -a : a; }
-inline bool isLess(const Wide& a, const Wide& b) noexcept { return (a - b).sign() < 0; }
+[[gnu::noinline]] inline bool isLess(const Wide& a, const Wide& b) noexcept { return (a - b).sign() < 0; }
 
 /// a + b, or 0 if the terms cancel to less than their own error (kCancellation).
-inline Wide sumOrZero(const Wide& a, const Wide& b) noexcept {
+[[gnu::noinline]] inline Wide sumOrZero(const Wide& a, const Wide& b) noexcept {
   const Wide sum = a + b;
   return isLess(magnitude(a) * Wide(kCancellation), magnitude(sum)) || !std::isfinite(sum.value.hi) ? sum : Wide();
 }

@@ -2,7 +2,7 @@
 include(CMakePackageConfigHelpers)
 
 install(DIRECTORY viewproj DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN *.hpp
-  PATTERN scene.hpp EXCLUDE PATTERN geodesy.hpp EXCLUDE)
+  PATTERN cameras_of.hpp EXCLUDE PATTERN scene.hpp EXCLUDE PATTERN geodesy.hpp EXCLUDE)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/viewproj)
 file(RELATIVE_PATH prefix_from_pkgconfig /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 string(REGEX REPLACE "/$" "" prefix_from_pkgconfig ${prefix_from_pkgconfig})
@@ -23,6 +23,9 @@ function(viewproj_install_part part requires libraries)
   install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${package}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endfunction()
 viewproj_install_part(viewproj "" "")
+if(VIEWPROJ_CAMERAS_OF)
+  viewproj_install_part(cameras_of viewproj "")
+endif()
 if(VIEWPROJ_SCENE)
   viewproj_install_part(scene viewproj "")
 endif()

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 
 #include "projection/exact_point.hpp"
 #include "projection/kernels/formulas.hpp"
@@ -81,6 +82,18 @@ ScreenPoint counted(const ScreenPoint& p, BatchCounts& counts) noexcept {
   return p;
 }
 
+void copyPoints(const Points& points, const std::byte* from, std::size_t count, double* to) noexcept {
+  for (std::size_t i = 0; i < count; ++i, from += points.stride, to += 3) {
+    if (!points.areFloats) {
+      std::memcpy(to, from, 3 * sizeof(double));
+      continue;
+    }
+    float xyz[3];
+    std::memcpy(xyz, from, sizeof xyz);
+    std::copy_n(xyz, 3, to);
+  }
+}
+
 }  // namespace
 
 bool isInRange(const Camera& camera, const Vec4& point) noexcept { return isInDomain(parts(camera).pose.eye, point); }
@@ -100,16 +113,25 @@ ScreenPoint worldToScreen(const Camera& camera, const Vec4& point, Precision pre
 
 BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, std::span<Vec3> screen,
                           Precision precision) noexcept {
+  return worldToScreen(camera, Points(points), screen, precision);
+}
+
+BatchCounts worldToScreen(const Camera& camera, const Points& points, std::span<Vec3> screen,
+                          Precision precision) noexcept {
   const CameraParts& c = parts(camera);
   const auto kernel = kernelOf(c, precision);
-  const std::size_t count = std::min(points.size(), screen.size());
-  const bool inPlace = points.data() < screen.data() + count && screen.data() < points.data() + count;
+  const std::size_t count = std::min(points.count, screen.size());
+  // What lies where the results go, or is no Vec3, is copied.
+  const auto* const first = static_cast<const std::byte*>(points.first);
+  const bool isPlain = !points.areFloats && points.stride == sizeof(Vec3);
+  const bool isCopied = !isPlain || first == reinterpret_cast<const std::byte*>(screen.data());
   BatchCounts counts;
   double copy[3 * kBlock];  // unlike vectors, not made zero
   for (std::size_t i = 0; i < count; i += kBlock) {
     const std::size_t size = std::min(kBlock, count - i);
-    const double* in = &points[i].x;
-    if (inPlace) in = std::copy_n(in, 3 * size, copy) - 3 * size;
+    const std::byte* const start = first + i * points.stride;
+    const double* const in = isCopied ? copy : reinterpret_cast<const double*>(start);
+    if (isCopied) copyPoints(points, start, size, copy);
     Vec3* out = screen.data() + i;
     Left left;
     const auto settle = [&](std::size_t j) {
@@ -164,6 +186,11 @@ void screenToRayDirections(const Camera& camera, std::span<const Vec2> pixels, s
       left.each([&](std::size_t j) { settle(i + j); });
     }
   }
+}
+
+void screenToRays(const Camera& camera, std::span<const Vec2> pixels, std::span<Ray> rays, RayOrigin origin) noexcept {
+  const std::size_t count = std::min(pixels.size(), rays.size());
+  for (std::size_t i = 0; i < count; ++i) rays[i] = screenToRay(camera, pixels[i], Precision::standard, origin);
 }
 
 }  // namespace viewproj

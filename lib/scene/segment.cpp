@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 
 #include "scene/frustum_parts.hpp"
@@ -26,17 +25,16 @@ SegmentEnd originalEnd(const Camera& camera, const Vec3& point, double t) noexce
   return {t, {p.x, p.y}, p.depth, p.viewDistance, 0};
 }
 
-SegmentEnd cutEnd(const CameraParts& c, const Vec3& a, const Vec3& b, const Cut& cut) noexcept {
-  const WideVec3 eye = toWide(c.pose.eye), at = (toWide(a) - eye) * cut.rest + (toWide(b) - eye) * cut.t;
-  const auto along = [&](const DDVec3& row, DoubleDouble residual) { return dot(toWide(row), at) + Wide(residual); };
-  const Wide w = along(c.pose.rows.forward, c.pose.residual.z), scale = c.constants.depthScale;
+SegmentEnd cutEnd(const CameraParts& c, const AxisDistances& a, const AxisDistances& b, const Cut& cut) noexcept {
+  const auto between = [&](const Wide& from, const Wide& to) { return from * cut.rest + to * cut.t; };
+  const Wide w = between(a.forward, b.forward), scale = c.constants.depthScale;
   const bool orthographic = c.projection.orthographic;
   const auto onScreen = [&](DoubleDouble center, DoubleDouble perUnit, const Wide& distance) {
     return double(sumOrZero(Wide(center), Wide(perUnit) * (orthographic ? distance : distance / w)));
   };
   SegmentEnd end{double(cut.t),
-                 {onScreen(c.screen.centerX, c.screen.scaleX, along(c.pose.rows.right, c.pose.residual.x)),
-                  onScreen(c.screen.centerY, c.screen.scaleY, along(c.pose.rows.up, c.pose.residual.y))},
+                 {onScreen(c.screen.centerX, c.screen.scaleX, between(a.right, b.right)),
+                  onScreen(c.screen.centerY, c.screen.scaleY, between(a.up, b.up))},
                  double(Wide(c.constants.depthOffset) + (orthographic ? scale * w : scale / w)),
                  double(w),
                  cut.side};
@@ -55,21 +53,23 @@ SegmentEnd cutEnd(const CameraParts& c, const Vec3& a, const Vec3& b, const Cut&
 
 VisibleSegment clipSegment(const Frustum& frustum, const Vec3& a, const Vec3& b) noexcept {
   const FrustumParts& f = parts(frustum);
+  const CameraParts& c = parts(f.camera);
   VisibleSegment result;
-  if (!isInRange(a) || !isInRange(b) || !hasDepth(parts(f.camera).projection)) return result;
+  if (!isInRange(a) || !isInRange(b) || !hasDepth(c.projection)) return result;
+  const AxisDistances fromA = exactDistances(c.pose, {a.x, a.y, a.z, 1});
+  const AxisDistances fromB = exactDistances(c.pose, {b.x, b.y, b.z, 1});
   Cut first{0, 1, 0}, last{1, 0, 0};
   for (const ExactPlane& p : f) {
-    const Wide atA = distanceInside(f, p, a), atB = distanceInside(f, p, b);
+    const Wide atA = distanceInside(f, p, fromA), atB = distanceInside(f, p, fromB);
     if (atA.sign() < 0 && atB.sign() < 0) return result;
     if (atA.sign() >= 0 && atB.sign() >= 0) continue;
     const Cut cut{atA / (atA - atB), atB / (atB - atA), p.side};
     if (atA.sign() < 0 ? isFurther(cut, first) : isFurther(last, cut)) (atA.sign() < 0 ? first : last) = cut;
   }
   if (isFurther(first, last)) return result;
-  const CameraParts& c = parts(f.camera);
   result.visible = true;
-  result.start = first.side == 0 ? originalEnd(f.camera, a, 0) : cutEnd(c, a, b, first);
-  result.end = last.side == 0 ? originalEnd(f.camera, b, 1) : cutEnd(c, a, b, last);
+  result.start = first.side == 0 ? originalEnd(f.camera, a, 0) : cutEnd(c, fromA, fromB, first);
+  result.end = last.side == 0 ? originalEnd(f.camera, b, 1) : cutEnd(c, fromA, fromB, last);
   return result;
 }
 

@@ -63,6 +63,7 @@ struct Angle {
 /// x, y, z, w of a rotation; any length but 0.
 struct Quaternion {
   double x = 0, y = 0, z = 0, w = 1;
+  friend constexpr bool operator==(const Quaternion&, const Quaternion&) = default;
 };
 
 /// How far a camera may be from the true one: its eye in world units, its axes in radians. Bounds include it, and
@@ -152,11 +153,23 @@ struct Viewport {
   double depthFirst = 0, depthSecond = 1;  ///< window depth of near and far; reverseZ swaps them
   Origin origin = Origin::topLeft;
   double pixelCenter = 0.5;
+  friend constexpr bool operator==(const Viewport&, const Viewport&) = default;
 };
+
+/// A picture of this size whose pixels have their centres where the preset has them: OpenCV's at whole numbers. The
+/// preset's up and cameraAxes are for lookAt and for poses.
+constexpr Viewport viewportOf(double width, double height, const ConventionPreset& preset) noexcept {
+  Viewport viewport;
+  viewport.width = width;
+  viewport.height = height;
+  viewport.pixelCenter = preset.pixelCenter;
+  return viewport;
+}
 
 /// A tile of a viewport's picture, in pixels from the picture's corner.
 struct Crop {
   double x = 0, y = 0, width = 0, height = 0;
+  friend constexpr bool operator==(const Crop&, const Crop&) = default;
 };
 
 /// Largest distance from 0 of a viewport's corner and of its pixel centre, in widths (heights) of the viewport.
@@ -263,6 +276,7 @@ Projection cropped(const Projection& projection, const Viewport& viewport, const
 /// once. In perspective, intrinsics(...) makes the same projection from them, apart from that rounding.
 struct Intrinsics {
   double fx = 0, fy = 0, cx = 0, cy = 0;
+  friend constexpr bool operator==(const Intrinsics&, const Intrinsics&) = default;
 };
 
 /// Window depths, with reverseZ applied. atInfinity is the limit along the viewing axis, NaN in orthographic. All are
@@ -298,5 +312,9 @@ Camera makeCamera(const Pose& pose, const Projection& projection, const Viewport
 
 /// The camera of a tile of the picture, with the tile's window and viewport.
 Camera cropped(const Camera& camera, const Crop& crop);
+
+/// The same camera elsewhere, its lens included. Throws CameraError naming "pose" if the pose is of a world of the
+/// other handedness.
+Camera withPose(const Camera& camera, const Pose& pose);
 
 }  // namespace viewproj

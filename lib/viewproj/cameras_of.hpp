@@ -1,6 +1,7 @@
 // Finds every camera, and every convention, that a 4x4 matrix can have been written from.
 //
-// Nothing is guessed: if several cameras fit the numbers, all of them are returned.
+// A component of its own: link viewproj::cameras_of. Nothing is guessed: if several cameras fit the numbers, all of
+// them are returned.
 #pragma once
 
 #include <optional>

@@ -38,11 +38,9 @@ std::array<Number, 16> storedMatrix(const Camera& camera, Space to, Space from);
 /// without a near plane, and for other spaces.
 Vec4 worldTo(const Camera& camera, Space to, const Vec4& point, const Convention& convention) noexcept;
 
-/// alongAxes: distances of a point (or of a direction, if w = 0) along the camera's right, up and forward axes, each
-/// within 2^-90 relative even if it cancels. NaN if out of range. screenAt: the screen position of such distances,
-/// rounded once. In perspective, forward must be above 0.
+/// Distances of a point (or of a direction, if w = 0) along the camera's right, up and forward axes, each within 2^-90
+/// relative even if it cancels. NaN if out of range.
 SplitVec3 alongAxes(const Camera& camera, const Vec4& point) noexcept;
-Vec2 screenAt(const Camera& camera, const SplitVec3& distances) noexcept;
 
 /// The matrix as the convention writes it: transposed for row vectors.
 Mat4 laidOut(const Mat4& matrix, const Convention& convention) noexcept;
@@ -51,5 +49,23 @@ Mat4 laidOut(const Mat4& matrix, const Convention& convention) noexcept;
 std::array<double, 16> inStorageOrder(const Mat4& matrix, const Convention& convention) noexcept;
 Mat4 fromStorageOrder(std::span<const double, 16> numbers, const Convention& convention) noexcept;
 Mat4 fromStorageOrder(std::span<const float, 16> numbers, const Convention& convention) noexcept;
+
+// ---- A camera from matrices
+
+/// The camera of a view and a projection matrix, for column vectors. Screen x, y and the distance W are those of the
+/// entries taken as exact, as far as a camera's numbers have them (camera.hpp). near and far are the doubles nearest to
+/// what the depth row says, so that depth is within 2^-52 of it; far is infinite where the row does not tell it from
+/// that. All of the projection may be multiplied by a number above 0. Throws CameraError naming "viewFromWorld" if it
+/// is not within kPoseOrthogonality of a rotation with a translation or mirrors, "clipFromView" if it is no projection
+/// of this convention or has a skew.
+Camera cameraFromMatrices(const Mat4& viewFromWorld, const Mat4& clipFromView, const Viewport& viewport,
+                          const Convention& convention);
+
+/// The same from sixteen numbers each, as they lie in memory in this convention: glm::value_ptr(m), m.data() of an
+/// Eigen::Matrix4f, &m.m[0][0] of an XMFLOAT4X4.
+Camera cameraFromMatrices(std::span<const double, 16> viewFromWorld, std::span<const double, 16> clipFromView,
+                          const Viewport& viewport, const Convention& convention);
+Camera cameraFromMatrices(std::span<const float, 16> viewFromWorld, std::span<const float, 16> clipFromView,
+                          const Viewport& viewport, const Convention& convention);
 
 }  // namespace viewproj

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -154,14 +155,15 @@ enum class CullVerdict : std::uint8_t { inside, intersects, outside };
 struct Cull {
   CullVerdict verdict = CullVerdict::outside;
   /// outside: the plane that the shape is farthest beyond. intersects: the plane that a part of it reaches farthest
-  /// beyond. 0 if inside, and for invalid input, which is outside.
+  /// beyond. Planes that double arithmetic cannot tell apart count as equal. 0 if inside, and for invalid input, which
+  /// is outside.
   std::uint8_t side = 0;
 };
 
 // A shape that touches a plane from inside is inside; one that touches it from outside intersects.
 //
-// `inside` and `outside` are always right, however large and far away a shape is: the exact rows decide what
-// double-double leaves open. A point counts as on a plane if it is nearer than kCullBound (|X| + |edge W|), with X and
+// `inside` and `outside` are always right, however large and far away a shape is: the exact rows decide what double
+// leaves open. A point counts as on a plane if it is nearer than kCullBound (|X| + |edge W|), with X and
 // W its distances along the camera's axes; for a sphere, the radius is added. `intersects` may be returned for a shape
 // that is outside, near an edge or a corner of the frustum, if it is beyond no single plane. A visible shape is never
 // outside. Source: Assarsson & Möller, "Optimized view frustum culling algorithms for bounding boxes", 2000.
@@ -173,6 +175,29 @@ Cull cull(const Frustum& frustum, const Vec3& point) noexcept;
 Cull cull(const Frustum& frustum, const Sphere& sphere) noexcept;
 Cull cull(const Frustum& frustum, const Box& box) noexcept;
 Cull cull(const Frustum& frustum, const Triangle& triangle) noexcept;
+
+// ---- Rectangles on the screen
+
+/// Screen positions of a rectangle's left, upper, right and lower edge. top is above bottom in the picture, so it is
+/// the smaller number if the viewport's origin is topLeft.
+struct ScreenBox {
+  double left = 0, top = 0, right = 0, bottom = 0;
+};
+
+/// Error of each number, relative to itself and the size of the picture. It may be larger for a sphere whose surface is
+/// nearer to the eye than 1e-9 of its radius.
+inline constexpr double kScreenBoxBound = 0x1.1p-53;
+
+/// The smallest box that holds the part of the shape in front of near or on it, even if outside of the picture or
+/// beyond far. Nothing if no part is there, if the shape is invalid, or if there is no near plane. Infinite beyond the
+/// largest double. Points within 2^-90 of near count as on it. A lens is ignored.
+///
+/// In perspective a sphere is seen as an ellipse between the lines through the eye that touch it. If near cuts the
+/// sphere, the circle of the cut counts too. Source of the touching lines: Mara & McGuire, "2D polyhedral bounds of a
+/// clipped, perspective-projected 3D sphere", 2013.
+std::optional<ScreenBox> screenBox(const Camera& camera, const Sphere& sphere) noexcept;
+std::optional<ScreenBox> screenBox(const Camera& camera, const Box& box) noexcept;
+std::optional<ScreenBox> screenBox(const Camera& camera, const Triangle& triangle) noexcept;
 
 // ---- Segments
 

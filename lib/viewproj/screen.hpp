@@ -59,6 +59,7 @@ struct ScreenPoint {
   Precision precision = Precision::exact;
 
   bool visible() const noexcept { return status == PointStatus::inFront && outside == 0; }
+  friend constexpr bool operator==(const ScreenPoint&, const ScreenPoint&) = default;
 };
 
 /// The sides of the picture that a screen position is beyond.
@@ -79,9 +80,27 @@ struct BatchCounts {
   std::size_t uncertain = 0;  ///< exact: those that stay uncertain (ties, numbers about 0)
 };
 
+/// Points in memory as other libraries have them: three doubles or floats each, `stride` bytes from one to the next.
+/// Floats count as exact.
+struct Points {
+  const void* first = nullptr;
+  std::size_t count = 0;
+  std::size_t stride = sizeof(Vec3);
+  bool areFloats = false;
+
+  Points(std::span<const Vec3> points) noexcept : first(points.data()), count(points.size()) {}  // NOLINT: as they are
+  Points(const double* xyz, std::size_t n, std::size_t bytes = 3 * sizeof(double)) noexcept
+      : first(xyz), count(n), stride(bytes) {}
+  Points(const float* xyz, std::size_t n, std::size_t bytes = 3 * sizeof(float)) noexcept
+      : first(xyz), count(n), stride(bytes), areFloats(true) {}
+};
+
 /// Screen x, screen y and window depth of each point: bit for bit the numbers of worldToScreen for single points, on
-/// every processor. Both spans have the same size, and are the same memory or disjoint.
+/// every processor. Both have the same size. They may be the same memory if the points are a span; else they are
+/// disjoint.
 BatchCounts worldToScreen(const Camera& camera, std::span<const Vec3> points, std::span<Vec3> screen,
+                          Precision precision = Precision::exact) noexcept;
+BatchCounts worldToScreen(const Camera& camera, const Points& points, std::span<Vec3> screen,
                           Precision precision = Precision::exact) noexcept;
 
 /// The same with all fields of ScreenPoint. Takes about twice as long.
@@ -126,6 +145,7 @@ ErrorBound boundOfPoint(const Camera& camera, const Vec4& point, Precision preci
 /// direction has unit length.
 struct Ray {
   Vec3 origin, direction;
+  friend constexpr bool operator==(const Ray&, const Ray&) = default;
 };
 
 enum class RayOrigin {
@@ -143,6 +163,10 @@ inline constexpr double kRayDirectionBound = 1.2e-15;
 /// is within 0.51 ulp.
 Ray screenToRay(const Camera& camera, const Vec2& screen, Precision precision = Precision::exact,
                 RayOrigin origin = RayOrigin::eye) noexcept;
+
+/// The rays of many pixels, with their origins, as screenToRay with Precision::standard makes them.
+void screenToRays(const Camera& camera, std::span<const Vec2> pixels, std::span<Ray> rays,
+                  RayOrigin origin = RayOrigin::eye) noexcept;
 
 enum class DepthStatus : std::uint8_t {
   point,

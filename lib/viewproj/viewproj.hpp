@@ -2,7 +2,6 @@
 #pragma once
 
 #include "viewproj/camera.hpp"
-#include "viewproj/cameras_of.hpp"
 #include "viewproj/convention.hpp"
 #include "viewproj/lens.hpp"
 #include "viewproj/matrices.hpp"

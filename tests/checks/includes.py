@@ -7,12 +7,12 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 # From the bottom up; those of one line do not include one another. A public header counts as one of the room that implements it.
 FLOORS = (
-    ("lib/numbers",), ("lib/camera",), ("lib/lens",), ("lib/projection",), ("lib/matrices",), ("lib/scene", "lib/geodesy"), ("lib/viewproj",),
+    ("lib/numbers",), ("lib/camera",), ("lib/lens",), ("lib/projection",), ("lib/matrices",), ("lib/cameras_of", "lib/scene", "lib/geodesy"), ("lib/viewproj",),
     ("cmd/text",), ("cmd/camera",), ("cmd/formats",), ("cmd/records",), ("cmd/output",), ("cmd/stream",), ("cmd/commands",), ("cmd",),
 )
 PUBLIC = {
     "vectors": "lib/numbers", "version": "lib/numbers", "convention": "lib/camera", "camera": "lib/camera", "lens": "lib/lens", "screen": "lib/projection",
-    "matrices": "lib/matrices", "cameras_of": "lib/matrices", "scene": "lib/scene", "geodesy": "lib/geodesy", "viewproj": "lib/viewproj",
+    "matrices": "lib/matrices", "cameras_of": "lib/cameras_of", "scene": "lib/scene", "geodesy": "lib/geodesy", "viewproj": "lib/viewproj",
 }
 FLOOR = {room: floor for floor, rooms in enumerate(FLOORS) for room in rooms}
 

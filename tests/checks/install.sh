@@ -24,7 +24,7 @@ if [ ! -f "$build/CMakeCache.txt" ]; then
   cmake -B "$build" >/dev/null
 fi
 build=$(cd "$build" && pwd)
-cmake --build "$build" --parallel "$(nproc)" --target viewproj libviewproj_scene libviewproj_geodesy >/dev/null
+cmake --build "$build" --parallel "$(nproc)" --target viewproj libviewproj_cameras_of libviewproj_scene libviewproj_geodesy >/dev/null
 version=$(sed -n 's/^project(viewproj VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 
 work=$(mktemp -d)
@@ -38,7 +38,7 @@ trap 'exit 1' HUP INT TERM
 
 # The files of an installation, below its prefix.
 expect_files() {
-  for pattern in bin/viewproj 'lib*/libviewproj.a' 'lib*/libviewproj_scene.a' 'lib*/libviewproj_geodesy.a' include/viewproj/viewproj.hpp 'lib*/cmake/viewproj/viewprojConfig.cmake' \
+  for pattern in bin/viewproj 'lib*/libviewproj.a' 'lib*/libviewproj_cameras_of.a' 'lib*/libviewproj_scene.a' 'lib*/libviewproj_geodesy.a' include/viewproj/viewproj.hpp 'lib*/cmake/viewproj/viewprojConfig.cmake' \
     'lib*/cmake/viewproj/viewprojConfigVersion.cmake' 'lib*/cmake/viewproj/viewproj-targets.cmake' 'lib*/pkgconfig/viewproj.pc' \
     share/man/man1/viewproj.1.gz share/bash-completion/completions/viewproj share/doc/viewproj/README.md share/doc/viewproj/copyright share/doc/viewproj/changelog.gz \
     share/doc/viewproj/samples/picking-a-pixel/camera.json; do

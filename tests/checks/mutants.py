@@ -35,7 +35,6 @@ NEAREST = (
     ("lib/matrices", "reference peers unit"),
     ("lib", "unit reference bounds peers shapes"),
     ("cmd/stream", "stream cmd"),
-    ("cmd/records/screen_box", "shapes cmd"),
     ("cmd/records/model", "reference cmd"),
     ("cmd/commands/depth", "reference cmd"),
     ("cmd/text", "unit stream cmd"),

@@ -10,6 +10,7 @@
 #include "targets.hpp"
 #include "text/error.hpp"
 #include "viewproj/camera.hpp"
+#include "viewproj/cameras_of.hpp"
 #include "viewproj/matrices.hpp"
 #include "viewproj/scene.hpp"
 

@@ -33,7 +33,7 @@ Seen seenBy(const Camera& camera, const std::vector<Sphere>& things) {
   Seen seen;
   for (const Sphere& sphere : things) {
     CHECK(cull(frustum, sphere).verdict == CullVerdict::inside);
-    const auto box = cmd::screenBox(frustum.camera(), sphere);
+    const auto box = screenBox(frustum.camera(), sphere);
     REQUIRE(box);
     seen.left = std::min(seen.left, box->left), seen.right = std::max(seen.right, box->right);
     seen.top = std::min(seen.top, box->top), seen.bottom = std::max(seen.bottom, box->bottom);

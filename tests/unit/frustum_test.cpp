@@ -4,7 +4,6 @@
 #include "catch.hpp"
 #include "internals.hpp"
 #include "parts.hpp"
-#include "records/screen_box.hpp"
 #include "viewproj/scene.hpp"
 #include "viewproj/viewproj.hpp"
 
@@ -35,8 +34,8 @@ TEST_CASE("Without a near plane there are the other planes, and what needs near 
     CHECK(cull(f, Triangle{{-9, 0, 1}, {9, 0, 1}, {0, 9, 1}}).verdict == CullVerdict::outside);
     CHECK(cull(f, Vec3{0, 0, -11}).side == (std::isinf(far) ? 0 : sideFar));
     CHECK_FALSE(clipSegment(f, {0, 0, -5}, {1, 0, -5}).visible);
-    CHECK_FALSE(cmd::screenBox(f.camera(), Sphere{{0, 0, -5}, 1}));
-    CHECK_FALSE(cmd::screenBox(f.camera(), Box{{-1, -1, -5}, {1, 1, -4}}));
+    CHECK_FALSE(screenBox(f.camera(), Sphere{{0, 0, -5}, 1}));
+    CHECK_FALSE(screenBox(f.camera(), Box{{-1, -1, -5}, {1, 1, -4}}));
   }
 }
 

@@ -9,7 +9,6 @@
 #include "internals.hpp"
 #include "parts.hpp"
 #include "random.hpp"
-#include "records/crossings.hpp"
 #include "viewproj/viewproj.hpp"
 
 using namespace viewproj;
@@ -113,7 +112,7 @@ TEST_CASE("A ray meets a surface of constant height where its height is that, on
   int inwards = 0, outwards = 0, twice = 0, grazing = 0;
   for (int trial = 0; trial < 5000; ++trial) {
     const double size = random.logUniform(1, 1e6);
-    const double height = trial % 10 == 0 ? 0 : std::max(random.uniform(-size, size), cmd::kLeastCrossedHeight);
+    const double height = trial % 10 == 0 ? 0 : std::max(random.uniform(-size, size), kLeastCrossedHeight);
     const Geodetic place{random.uniform(-90, 90), random.uniform(-180, 180), height};
     const Vec3 point = geodeticToEcef(place), above = geodeticToEcef({place.lat, place.lon, height + 1e7});
     Vec3 normal, direction;
@@ -129,7 +128,7 @@ TEST_CASE("A ray meets a surface of constant height where its height is that, on
     Ray ray{{}, direction};
     for (std::size_t i = 0; i < 3; ++i) ray.origin[i] = point[i] - before * direction[i];
     CAPTURE(trial, place.lat, place.lon, height, before, slope);
-    const cmd::HeightCrossings got = cmd::crossingsOfHeight(ray, height);
+    const HeightCrossings got = crossingsOfHeight(ray, height);
     REQUIRE(got.count >= 1);
     // One of them is the point that the ray was made to go through.
     double nearest = 1e300;
@@ -137,7 +136,7 @@ TEST_CASE("A ray meets a surface of constant height where its height is that, on
       const double t = got.distances[static_cast<std::size_t>(k)];
       nearest = std::min(nearest, std::fabs(t - before));
       const Vec3 at{ray.origin.x + t * direction.x, ray.origin.y + t * direction.y, ray.origin.z + t * direction.z};
-      CHECK(std::fabs(ecefToGeodetic(at).height - height) <= cmd::kCrossingBound);
+      CHECK(std::fabs(ecefToGeodetic(at).height - height) <= kCrossingBound);
     }
     CHECK(nearest <= 1e-7 / std::fabs(slope));
     if (got.count == 2) CHECK(got.distances[0] < got.distances[1]);
@@ -154,7 +153,7 @@ TEST_CASE("A ray meets a surface of constant height where its height is that, on
 TEST_CASE("A surface of constant height is missed, touched and begun on") {
   const double a = 6378137;
   const auto count = [](const Vec3& origin, const Vec3& direction, double height) {
-    return cmd::crossingsOfHeight({origin, direction}, height).count;
+    return crossingsOfHeight({origin, direction}, height).count;
   };
   CHECK(count({a + 2000, -1e6, 0}, {0, 1, 0}, 1000) == 0);
   CHECK(count({a + 1000, -1e6, 0}, {0, 1, 0}, 1000.001) == 2);
@@ -163,9 +162,9 @@ TEST_CASE("A surface of constant height is missed, touched and begun on") {
   CHECK(count({a + 2000, 0, 0}, {1, 0, 0}, 1000) == 0);
   CHECK(count({a, 0, 0}, {1, 0, 0}, 1000) == 1);
   CHECK(count({0, 0, 0}, {0, 0, 1}, 1000) == 1);
-  const cmd::HeightCrossings on = cmd::crossingsOfHeight({{a + 1000, 0, 0}, {-1, 0, 0}}, 1000);
+  const HeightCrossings on = crossingsOfHeight({{a + 1000, 0, 0}, {-1, 0, 0}}, 1000);
   REQUIRE(on.count == 2);
-  CHECK(on.distances[0] <= cmd::kCrossingBound);
+  CHECK(on.distances[0] <= kCrossingBound);
   CHECK(std::fabs(on.distances[1] - 2 * (a + 1000)) < 1e-6);
   CHECK(count({a, 0, 0}, {0, 0, 0}, 1000) == 0);
   CHECK(count({std::numeric_limits<double>::infinity(), 0, 0}, {1, 0, 0}, 1000) == 0);

@@ -1,6 +1,5 @@
 // The rectangle that a sphere, a box or a triangle takes on the screen, against 480 bits: of a sphere the planes
 // through the eye that touch it, by the quadratic of their slope, and the circle that near cuts.
-#include "records/screen_box.hpp"
 
 #include <algorithm>
 #include <map>
@@ -87,13 +86,13 @@ TrueBox boxOf(const Truth& truth, const std::vector<Vec3>& corners, bool (*isEdg
 }
 
 /// The largest error over what is allowed, 1 being kScreenBoxBound of what it is relative to.
-double shareOf(const Truth& truth, const cmd::ScreenBox& got, const TrueBox& box) {
+double shareOf(const Truth& truth, const ScreenBox& got, const TrueBox& box) {
   const auto at = [&](const Real& right, const Real& up) { return truth.screen({right, up, Real(1)}); };
   const Truth::Screen lower = at(*box.x.least, *box.y.least), upper = at(*box.x.most, *box.y.most);
   const Viewport& v = truth.scene.viewport;
   const auto share = [&](double number, const Real& exact, double start, double size) {
     const double all = size + std::fabs(start) + std::fabs(double(exact));
-    return double(abs(Real(number) - exact)) / (cmd::kScreenBoxBound * all);
+    return double(abs(Real(number) - exact)) / (kScreenBoxBound * all);
   };
   return std::max({share(got.left, lower.x, v.x, v.width), share(got.right, upper.x, v.x, v.width),
                    share(got.top, upper.y, v.y, v.height), share(got.bottom, lower.y, v.y, v.height)});
@@ -143,7 +142,7 @@ TEST_CASE("The rectangle of a sphere on the screen holds it and no more, to with
     if (random.chance(0.1)) sphere.radius = distance * (1 + random.sign() * random.logUniform(1e-8, 1e-3));
     if (random.chance(0.05)) sphere.radius = 0;
     INFO("trial " << trial << ": " << describe(w.scene) << ", radius " << sphere.radius << " at " << distance);
-    const auto got = cmd::screenBox(w.frustum.camera(), sphere);
+    const auto got = screenBox(w.frustum.camera(), sphere);
     const TrueBox truth{rangeOf(w.truth, w.truth.pose.right, sphere), rangeOf(w.truth, w.truth.pose.up, sphere)};
     const double margin = (before + sphere.radius) / (distance + std::fabs(w.scene.near));
     if (std::fabs(margin) < 1e-12) continue;
@@ -178,7 +177,7 @@ TEST_CASE("The rectangles of a box and a triangle hold what is in front of near 
                c = somewhere(random, w.truth, w.eye, behind);
     INFO("trial " << trial << ": " << describe(w.scene));
     const bool isBox = random.chance(0.6);
-    std::optional<cmd::ScreenBox> got;
+    std::optional<ScreenBox> got;
     TrueBox truth;
     int inFront = 0;
     std::vector<Vec3> corners = {a, b, c};
@@ -186,14 +185,14 @@ TEST_CASE("The rectangles of a box and a triangle hold what is in front of near 
       Box box{};
       for (std::size_t i = 0; i < 3; ++i) box.min[i] = std::min(a[i], b[i]), box.max[i] = std::max(a[i], b[i]);
       if (random.chance(0.1)) box.max.z = box.min.z;
-      got = cmd::screenBox(w.frustum.camera(), box);
+      got = screenBox(w.frustum.camera(), box);
       corners.clear();
       for (std::size_t i = 0; i < 8; ++i)
         corners.push_back(
             {i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z});
       truth = boxOf(w.truth, corners, [](std::size_t i) { return i == 1 || i == 2 || i == 4; });
     } else {
-      got = cmd::screenBox(w.frustum.camera(), Triangle{a, b, c});
+      got = screenBox(w.frustum.camera(), Triangle{a, b, c});
       truth = boxOf(w.truth, corners, [](std::size_t) { return true; });
     }
     bool isClose = false;
@@ -226,23 +225,23 @@ TEST_CASE("A shape that is none takes no room on the screen, and one of a point 
   scene.position = {0, 0, 5};
   const World w(scene);
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  CHECK_FALSE(cmd::screenBox(w.frustum.camera(), Sphere{{0, 0, nan}, 1}));
-  CHECK_FALSE(cmd::screenBox(w.frustum.camera(), Sphere{{0, 0, 0}, -1}));
-  CHECK_FALSE(cmd::screenBox(w.frustum.camera(), Box{{0, 0, 0}, {-1, 1, 1}}));
-  CHECK_FALSE(cmd::screenBox(w.frustum.camera(), Triangle{{0, 0, 0}, {nan, 1, 1}, {0, 1, 0}}));
+  CHECK_FALSE(screenBox(w.frustum.camera(), Sphere{{0, 0, nan}, 1}));
+  CHECK_FALSE(screenBox(w.frustum.camera(), Sphere{{0, 0, 0}, -1}));
+  CHECK_FALSE(screenBox(w.frustum.camera(), Box{{0, 0, 0}, {-1, 1, 1}}));
+  CHECK_FALSE(screenBox(w.frustum.camera(), Triangle{{0, 0, 0}, {nan, 1, 1}, {0, 1, 0}}));
   // On near, and just behind it.
-  CHECK(cmd::screenBox(w.frustum.camera(), Sphere{{0, 0, 5 - 0.125}, 0}).has_value() == (0.125 >= scene.near));
+  CHECK(screenBox(w.frustum.camera(), Sphere{{0, 0, 5 - 0.125}, 0}).has_value() == (0.125 >= scene.near));
   scene.near = 0.125;
   const World exact(scene);
-  CHECK(cmd::screenBox(exact.frustum.camera(), Sphere{{0, 0, 4.875}, 0}));
-  CHECK(cmd::screenBox(exact.frustum.camera(), Sphere{{0, 0, 5.875}, 1}));
-  CHECK(cmd::screenBox(exact.frustum.camera(), Box{{0, 0, 4.875}, {1, 1, 6}}));
-  CHECK_FALSE(cmd::screenBox(exact.frustum.camera(), Box{{0, 0, std::nextafter(4.875, 5)}, {1, 1, 6}}));
+  CHECK(screenBox(exact.frustum.camera(), Sphere{{0, 0, 4.875}, 0}));
+  CHECK(screenBox(exact.frustum.camera(), Sphere{{0, 0, 5.875}, 1}));
+  CHECK(screenBox(exact.frustum.camera(), Box{{0, 0, 4.875}, {1, 1, 6}}));
+  CHECK_FALSE(screenBox(exact.frustum.camera(), Box{{0, 0, std::nextafter(4.875, 5)}, {1, 1, 6}}));
   const Vec3 point{0.3, -0.7, 1.1};
   const ScreenPoint on = worldToScreen(exact.frustum.camera(), point);
-  for (const auto& box : {cmd::screenBox(exact.frustum.camera(), Sphere{point, 0}),
-                          cmd::screenBox(exact.frustum.camera(), Box{point, point}),
-                          cmd::screenBox(exact.frustum.camera(), Triangle{point, point, point})}) {
+  for (const auto& box :
+       {screenBox(exact.frustum.camera(), Sphere{point, 0}), screenBox(exact.frustum.camera(), Box{point, point}),
+        screenBox(exact.frustum.camera(), Triangle{point, point, point})}) {
     REQUIRE(box);
     CHECK(box->left == on.x);
     CHECK(box->right == on.x);

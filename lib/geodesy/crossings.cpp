@@ -1,12 +1,12 @@
-#include "records/crossings.hpp"
-
+// Where a ray crosses a height above the Earth.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "numbers/vectors.hpp"
+#include "viewproj/geodesy.hpp"
 
-namespace viewproj::cmd {
+namespace viewproj {
 namespace {
 
 /// The height above the surface at a point of the ray, and its slope along the ray.
@@ -84,4 +84,4 @@ HeightCrossings crossingsOfHeight(const Ray& ray, double height) noexcept {
   return result;
 }
 
-}  // namespace viewproj::cmd
+}  // namespace viewproj
