@@ -116,7 +116,7 @@ class Caster final : public RecordProcessor {
     } else if (&row == &results::pointDistance) {
       values.add(cast.point.viewDistance);
     } else if (&row == &results::bound) {
-      values.add(isPoint ? cast.point.bound : kNaN);
+      values.add(isPoint ? cast.point.bound : NAN);
     } else {
       const std::vector<SceneHit> hits = hitsOf(how_.camera, cast.ray, *how_.scene);
       const std::size_t count = how_.allHits ? hits.size() : std::min<std::size_t>(hits.size(), 1);
@@ -137,7 +137,7 @@ class Caster final : public RecordProcessor {
     values.add(hit.hit.normal);
     if (!how_.allHits && !how_.placesHits()) return;
     const bool isPlace = how_.worldIsEcef || isOfTheEarth(*hit.object);
-    addPlace(isPlace ? hit.hit.point : Vec3{kNaN, kNaN, kNaN}, values);
+    addPlace(isPlace ? hit.hit.point : Vec3{NAN, NAN, NAN}, values);
   }
 
   const Casting& how_;
