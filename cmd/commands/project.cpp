@@ -12,7 +12,6 @@
 #include "records/model.hpp"
 #include "records/points.hpp"
 #include "records/scene.hpp"
-#include "records/screen_box.hpp"
 #include "stream/filter.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"

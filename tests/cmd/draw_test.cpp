@@ -5,7 +5,6 @@
 #include "catch.hpp"
 #include "commands/picture.hpp"
 #include "random.hpp"
-#include "records/screen_box.hpp"
 
 using namespace viewproj;
 using namespace viewproj::cmd;
