@@ -311,7 +311,7 @@ TEST_CASE("A set has the cameras of its list, each laid over the members that th
       {"name": "cam/top", "position": [2, 0, 5], "target": null, "projection": {"type": "perspective", "fovY": 90}}]})";
   CameraPatches patches;
   patches.patches = {setPatch("projection.near=0.25")};
-  const auto set = openCameras(text, "C", patches);
+  const auto set = openCameras(text, {.option = "C"}, patches);
   REQUIRE(set->size() == 3);
   CHECK(set->choose("left") == 0);
   CHECK(set->choose("1") == 1);
@@ -332,7 +332,7 @@ TEST_CASE("A set has the cameras of its list, each laid over the members that th
   CHECK_THROWS_AS(set->camera(2, {}), InputError);  // its target is taken away
   const auto fault = [](const std::string& document) -> std::string {
     try {
-      const auto bad = openCameras(document, "C", {});
+      const auto bad = openCameras(document, {.option = "C"}, {});
       (void)bad->document(bad->size() - 1);
     } catch (const InputError& e) {
       return e.what();
