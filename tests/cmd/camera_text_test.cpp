@@ -206,7 +206,7 @@ TEST_CASE("Euler angles of every order give the pose, straight up and down too")
           readCamera(openCameras(R"({"position": [1, 2, 3], "euler": {"order": ")" + std::string(order) +
                                      R"(", "degrees": [10, 20, 30]}, "projection": {"type": "perspective", "fovY": 60},
                           "viewport": {"width": 2, "height": 2}})",
-                                 "C", {})
+                                 {.option = "C"}, {})
                          ->document(0),
                      {});
       Random random(trial);
