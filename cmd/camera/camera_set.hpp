@@ -35,7 +35,7 @@ struct Import {
   std::vector<const Json*> apart = {};
   /// What the format has not read of a camera, for a note; or empty.
   std::function<std::string(std::size_t which)> unread = nullptr;
-  /// Of a file of bare matrices its text, which may have readings where it makes no camera; null for others.
+  /// Of bare matrices and of plain text the text, which may be matrices where it makes no camera; null for others.
   std::shared_ptr<const std::string> matricesText = nullptr;
 };
 

@@ -27,6 +27,7 @@ struct Document {
   /// The values that were read, by their addresses; null: nobody asks.
   std::shared_ptr<std::unordered_set<const void*>> marks = nullptr;
   std::shared_ptr<const std::string> text{};                 ///< of the file, where it is short
+  bool isPlainText = false;  ///< the file is no JSON, YAML, XML or table: keys and numbers, or anything else
 };
 
 /// The longest text of a document, in bytes.

@@ -148,8 +148,15 @@ std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> CameraOptions:
 }
 
 CameraFile CameraOptions::readOne(const CameraSet& cameras, std::size_t which, bool needsPicture) const {
-  CameraFile file =
-      readCamera(cameras.document(which), {allowStretch_, ignoreDistortion_, needsPicture && !takesAnyLens_});
+  const ReadOptions reading{allowStretch_, ignoreDistortion_, needsPicture && !takesAnyLens_};
+  CameraFile file = [&] {
+    try {
+      return readCamera(cameras.document(which), reading);
+    } catch (const InputError& e) {
+      if (cameras.matricesText()) throw UnknownFormat(e.what(), *cameras.matricesText());
+      throw;
+    }
+  }();
   for (const std::string& each : file.notes) note(each);
   if (const std::string unread = cameras.unreadOf(which); !unread.empty()) note(file.name + ": not read: " + unread);
   return file;

@@ -280,20 +280,11 @@ int runMatrices(const InfoOptions& o, const std::string& text, const std::string
   return allFit ? 0 : 1;
 }
 
-CameraFile readCameraOrMatrices(const InfoOptions& o, const CameraSet& cameras, std::size_t which) {
-  try {
-    return o.camera.readOne(cameras, which);
-  } catch (const InputError& e) {
-    if (cameras.matricesText()) throw UnknownFormat(e.what(), *cameras.matricesText());
-    throw;
-  }
-}
-
 int runCamera(const InfoOptions& o) {
   const auto [cameras, pick] = o.camera.readAll();
   if (cameras->chooseAll(pick).size() > 1) return runList(o, *cameras, pick);
   const std::size_t which = cameras->chooseAll(pick).front();
-  const CameraFile file = readCameraOrMatrices(o, *cameras, which);
+  const CameraFile file = o.camera.readOne(*cameras, which);
   o.camera.noteHandedness(file);
   std::vector<double> distances{1, 10, 100};
   if (file.targetDistance) distances.push_back(*file.targetDistance);
@@ -311,8 +302,10 @@ int runUnknown(const InfoOptions& o, const UnknownFile& unknown) {
   const auto isCamera = [](const ProposedLine& line) {
     return line.hasLens && std::count(line.parts.begin(), line.parts.end(), '=') > 1;
   };
-  if (unknown.text.empty() || o.camera.changesCamera() || o.at || findMatrices(unknown.text).matrices.empty() ||
-      std::any_of(proposal.lines.begin(), proposal.lines.end(), isCamera))
+  const bool hasMatrices = !unknown.text.empty() && !findMatrices(unknown.text).matrices.empty();
+  const bool isNothing = proposal.lines.empty() && unknown.file.isPlainText;
+  if (o.camera.changesCamera() || o.at || std::any_of(proposal.lines.begin(), proposal.lines.end(), isCamera) ||
+      !(hasMatrices || isNothing))
     return writeProposal(o, proposal);
   return runMatrices(o, unknown.text, unknown.what());
 }

@@ -45,10 +45,13 @@ struct Claim {
 std::vector<Claim> claimsOf(const Node& root, bool all) {
   std::vector<Claim> found;
   if (isOurs(root.json())) return found;
-  for (const Format* format : kFormats)
+  for (const Format* format : kFormats) {
+    // Matrices in plain text may be anything: info and matrix read them with all that is beside them.
+    if (format == &kMatrices && root.document().isPlainText) continue;
     if ((all || found.empty()) && claims(*format, root))
       found.push_back({format->name, format->form, format->known, [format, root] { return format->open(root); },
                        format == &kMatrices});
+  }
   for (const Row& row : rows()) {
     if (!all && !found.empty()) break;
     if (const auto container = containerOf(row, root))
@@ -103,6 +106,16 @@ void keepWorld(Import& result, const std::optional<std::string>& pick) {
   result.document = [document = std::move(result.document), kept](std::size_t which) { return document(kept[which]); };
 }
 
+/// What makes no camera in plain text may be matrices.
+Import openClaimed(const Document& file, const Claim& claim) {
+  try {
+    return claim.open();
+  } catch (const InputError& e) {
+    if (file.isPlainText) throw UnknownFormat(e.what(), *file.text);
+    throw;
+  }
+}
+
 Import importFile(const std::shared_ptr<Document>& file, const Opening& opening, const std::string& preset) {
   const Node root(*file);
   if (opening.parts) {
@@ -117,9 +130,9 @@ Import importFile(const std::shared_ptr<Document>& file, const Opening& opening,
                      ", which has a convention of its own; leave out --read-as");
   if (!preset.empty() && file->root->is_object()) readAs(*file, preset);
   if (!found.empty()) {
-    Import result = found.front().open();
+    Import result = openClaimed(*file, found.front());
     keepWorld(result, opening.pick);
-    if (found.front().isMatrices) result.matricesText = file->text;
+    if (found.front().isMatrices || file->isPlainText) result.matricesText = file->text;
     return judged(file, std::move(result), found.front().known);
   }
   if (isCameraDocument(*file->root)) {

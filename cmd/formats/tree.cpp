@@ -47,7 +47,7 @@ void unfoldMatrices(Json& value) {
 }
 
 /// shortText: of the file, for UnknownFormat.
-Json treeOf(const std::string& name, std::string text, const std::string& shortText, bool isInline) {
+Json treeOf(const std::string& name, std::string text, const std::string& shortText, bool isInline, bool& isPlainText) {
   const auto fail = [&](const JsonFault& fault) {
     const std::string full = place(name, positionAt(text, fault.offset)) + ": " + visible(fault.message);
     // What begins like an object of JSON is meant as one.
@@ -85,6 +85,7 @@ Json treeOf(const std::string& name, std::string text, const std::string& shortT
     if (const auto fault = parseYaml(text, kDeepestJson, root)) fail(*fault);
     if (root.is_structured()) return root;
   }
+  isPlainText = true;
   root = textTree(text);
   if (root.empty())
     throw UnknownFormat(name + ": is neither JSON nor YAML, as camera files are; viewproj help formats lists them",
@@ -112,7 +113,7 @@ Document readTree(const std::string& source, const std::string& option) {
   Document document{isInline ? option : shownName(insideFolder(source)), nullptr};
   if (isInline) {
     document.text = std::make_shared<const std::string>(source.size() <= kShort ? source : "");
-    document.root = std::make_shared<Json>(treeOf(document.name, source, *document.text, true));
+    document.root = std::make_shared<Json>(treeOf(document.name, source, *document.text, true, document.isPlainText));
     unfoldMatrices(*document.root);
     return document;
   }
@@ -125,7 +126,8 @@ Document readTree(const std::string& source, const std::string& option) {
   }
   requireNarrow(document.name, text);
   document.text = std::make_shared<const std::string>(text.size() <= kShort ? text : "");
-  document.root = std::make_shared<Json>(treeOf(document.name, std::move(text), *document.text, false));
+  document.root =
+      std::make_shared<Json>(treeOf(document.name, std::move(text), *document.text, false, document.isPlainText));
   unfoldMatrices(*document.root);
   return document;
 }

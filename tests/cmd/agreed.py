@@ -193,11 +193,11 @@ def eyes():
         pose = [[c[i] for c in columns] + [-dot([c[i] for c in columns], eye)] for i in range(3)]
         rows.append([[size * sum(k[i][j] * pose[j][n] for j in range(3)) for n in range(4)] for i in range(3)])
     text = "".join(f"M{i} = {json.dumps(p)}\n" for i, p in enumerate(rows))
-    done = subprocess.run([TOOL, "inspect", "--to", "json"], input=text, capture_output=True, text=True, check=True)
+    done = subprocess.run([TOOL, "info", "--which", "P", "--to", "json"], input=text, capture_output=True, text=True, check=True)
     told = json.loads(done.stdout)["matrices"]
     assert len(told) == len(rows)
     for p, one in zip(rows, told):
-        eye = one["eye"]
+        eye = one["readings"][0]["eye"]["value"]
         assert all(abs(dot(row, eye + [1])) <= 1e-12 * sum(abs(a * b) for a, b in zip(row, eye + [1])) for row in p), (p, one)
 
 

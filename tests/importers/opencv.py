@@ -195,10 +195,19 @@ def limit_of(k, p):
 
 
 def fisheye_limit_of(k):
-    t = np.linspace(0, math.pi / 2, 100001)
+    """The angle to the axis at which the radius turns back; it may be beyond 90 degrees."""
+    t = np.linspace(0, math.pi, 200001)
     w = t * t
     end = 1 + w * (3 * k[0] + w * (5 * k[1] + w * (7 * k[2] + w * 9 * k[3]))) <= 0
-    return math.tan(t[np.argmax(end)]) if end.any() else math.inf
+    return t[np.argmax(end)] if end.any() else math.inf
+
+
+def fisheye_behind(point, K, k):
+    """The pixel of a point behind the eye plane, which cv2.fisheye mirrors to the front."""
+    off = np.hypot(point[0], point[1])
+    t = math.atan2(off, point[2])
+    radius = t * (1 + t * t * (k[0] + t * t * (k[1] + t * t * (k[2] + t * t * k[3]))))
+    return (K @ np.array([*(point[:2] / off * radius), 1]))[:2]
 
 
 def lens_cases(number):
@@ -208,7 +217,8 @@ def lens_cases(number):
     is_fisheye = number % 3 == 0
     if is_fisheye:
         vector = [random.uniform(-s, s) for s in (0.1, 0.03, 0.01, 0.003)]
-        limit = fisheye_limit_of(vector)
+        angle_limit = fisheye_limit_of(vector)
+        limit = math.tan(angle_limit) if angle_limit < math.pi / 2 else math.inf
     else:
         vector = [random.uniform(-s, s) for s in (0.4, 0.3, 0.003, 0.003, 0.1, 0.4, 0.3, 0.1)][:random.choice((4, 5, 8))]
         k = vector + [0] * (8 - len(vector))
@@ -219,19 +229,24 @@ def lens_cases(number):
     for i in range(6):
         radius, angle = random.uniform(0, min(2 * limit, 4)) * (1 if i % 2 else 0.3), random.uniform(0, 2 * math.pi)
         z = 10 ** random.uniform(-0.5, 2) * (-1 if i == 5 else 1)
-        if 0.999 < radius / limit < 1.001:
-            continue
         point = np.array([radius * math.cos(angle), radius * math.sin(angle), 1]) * z
+        share = math.atan2(radius * abs(z), z) / angle_limit if is_fisheye else radius / limit
+        if 0.999 < share < 1.001:
+            continue
+        is_seen = share < 1 and (is_fisheye or z > 0)
         project = cv2.fisheye.projectPoints if is_fisheye else cv2.projectPoints
         pixel = project(point.reshape(1, 1, 3), np.zeros(3), np.zeros(3), K, np.array(vector))[0].reshape(2)
-        if z > 0 and radius < limit and abs(pixel).max() > 1e4:  # of which doubles know no 1e-9
+        if is_seen and z < 0:
+            pixel = fisheye_behind(point, K, vector)
+        if is_seen and abs(pixel).max() > 1e4:  # of which doubles know no 1e-9
             continue
         beyond = {"left": pixel[0] < -0.5, "right": pixel[0] > size[0] - 0.5, "bottom": pixel[1] > size[1] - 0.5,
                   "top": pixel[1] < -0.5}
-        outside = ["behind"] if z < 0 else ["lens"] if radius > limit else [side for side, is_beyond in beyond.items() if is_beyond]
+        sides = [side for side, is_beyond in beyond.items() if is_beyond]
+        outside = sides if is_seen else ["behind"] if z < 0 else ["lens"]
         folded += z > 0 and radius > limit and all(-0.5 <= n <= side - 0.5 for n, side in zip(pixel, size))
         points.append(point.tolist())
-        judgements.append({"screen": None if z < 0 or radius > limit else pixel.tolist(), "viewDistance": z,
+        judgements.append({"screen": pixel.tolist() if is_seen else None, "viewDistance": z,
                            "visible": not outside, "outside": outside})
     print(json.dumps({"name": "OpenCV " + ("fisheye" if is_fisheye else f"distortion of {len(vector)}"), "pick": None, "viewport": None,
                       "options": [], "file": file, "points": points, "judgements": judgements}, separators=(",", ":")))

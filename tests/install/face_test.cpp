@@ -73,6 +73,7 @@ Camera cameraOf(const json& camera) {
                                     conventionOf(camera, preset));
   if (!camera.contains("distortion")) return pinhole;
   const json &k = camera["distortion"]["k"], &p = camera["distortion"]["p"];
+  if (camera["distortion"]["model"] == "fisheye") return withLens(pinhole, fisheyeLens({k[0], k[1], k[2], k[3]}));
   return withLens(pinhole, brownLens({k[0], k[1], k[2]}, {p[0], p[1]}));
 }
 
