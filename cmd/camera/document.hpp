@@ -26,7 +26,7 @@ struct Document {
   std::map<std::string, std::string, std::less<>> labels{};  ///< by path: the option that set the field
   /// The values that were read, by their addresses; null: nobody asks.
   std::shared_ptr<std::unordered_set<const void*>> marks = nullptr;
-  std::shared_ptr<const std::string> text{};                 ///< of the file, where it is short
+  std::shared_ptr<const std::string> text{};  ///< of the file, where it is short
   bool isPlainText = false;  ///< the file is no JSON, YAML, XML or table: keys and numbers, or anything else
 };
 

@@ -965,6 +965,7 @@ PastedMatrices findIn(std::string_view part, std::string_view text) {
       over.push_back({run.numbers.front().line, run.numbers.size()});
     else
       Stacks(runs.brackets, emptyLines, run.isUnopened, blocks, over).find(run.numbers);
+    // cppcheck-suppress knownEmptyContainer  // Stacks fills it
     for (const Block& block : blocks) {
       PastedMatrix& m = result.matrices.emplace_back();
       namer.name(m, block, after);

@@ -12,8 +12,8 @@
 #include <string_view>
 #include <vector>
 
-#include "camera/document.hpp"
 #include "camera/camera_set.hpp"
+#include "camera/document.hpp"
 
 namespace viewproj::cmd {
 

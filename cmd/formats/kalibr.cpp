@@ -103,9 +103,7 @@ Import open(const Node& root) {
     }
     return document;
   };
-  result.own = [cameras, places](std::size_t which) {
-    return std::optional(cameras[places[which].camera]);
-  };
+  result.own = [cameras, places](std::size_t which) { return std::optional(cameras[places[which].camera]); };
   return result;
 }  // namespace viewproj::cmd
 

@@ -177,6 +177,8 @@ ScreenPoint exactToScreen(const CameraParts& c, const Vec4& point) noexcept {
   return toScreen(c, distancesOf(c, point));
 }
 
-Sight<DoubleDouble> exactSight(const CameraParts& c, const Vec4& point) noexcept { return sightOf(distancesOf(c, point)); }
+Sight<DoubleDouble> exactSight(const CameraParts& c, const Vec4& point) noexcept {
+  return sightOf(distancesOf(c, point));
+}
 
 }  // namespace viewproj::detail

@@ -12,7 +12,8 @@ namespace viewproj::detail {
 /// The direction that a pixel shows, of unit length; NaN where there is none.
 Sight<DoubleDouble> sightOf(const CameraParts& c, const Vec2& screen) noexcept;
 
-/// Where a lens puts a direction whose distances are within 2^-98 of the true ones. NaN if it does not see it; isSeen tells whether that is certain.
+/// Where a lens puts a direction whose distances are within 2^-98 of the true ones. NaN if it does not see it; isSeen
+/// tells whether that is certain.
 struct LensPixel {
   NearestDouble x, y;
   Seen seen;
