@@ -36,7 +36,7 @@ python3 -B tests/importers/decimals.py | sed -n 's/.*"file":\({.*}\),"points":.*
 done
 
 # Words: what the readers themselves compare with.
-grep -rohE --include='*.?pp' '"[A-Za-z][A-Za-z0-9_.-]*"' cmd/camera cmd/records cmd/commands | sort -u |
+grep -rohE --include='*.?pp' '"[A-Za-z][A-Za-z0-9_.-]*"' cmd/camera cmd/formats cmd/records cmd/commands | sort -u |
   sed 's/^"\(.*\)"$/"\\"\1\\""/' >"$build/words"
 cp "$build/words" "$build/arguments"
 sed 's/\\"//g' "$build/words" >>"$build/arguments"
