@@ -170,8 +170,9 @@ std::optional<Pose> readPose(const FieldValues& values, const DocumentConvention
   PoseError error{position->error, 0};
   if (target) error = lookAtError(*pose, target->point, upward, position->error, target->error);
   // A latitude in radians is rounded to degrees, and turns the axes: up alone where the camera looks along a direction.
-  constexpr double kRounding = 5e-16;
-  if (position->isRounded) error.angle += kRounding / (target || values.has("direction") ? dot(pose->up(), upward) : 1);
+  constexpr double kOfLatitude = 5e-16;
+  if (position->isRounded)
+    error.angle += kOfLatitude / (target || values.has("direction") ? dot(pose->up(), upward) : 1);
   return withError(*pose, error);
 }
 

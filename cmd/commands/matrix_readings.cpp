@@ -562,7 +562,7 @@ std::vector<Reading> readingsIn(std::vector<Reading> readings, const Convention&
                          (r.kind == ReadingKind::projection || r.camera->convention.world == c.world));
   };
   for (const auto& [name, kind] : kReadingKinds) {
-    const auto isOfKind = [kind](const Reading& r) { return r.kind == kind; };
+    const auto isOfKind = [kind = kind](const Reading& r) { return r.kind == kind; };
     if (std::any_of(readings.begin(), readings.end(), [&](const Reading& r) { return isOfKind(r) && isOwn(r); }))
       std::erase_if(readings, [&](const Reading& r) { return isOfKind(r) && !isOwn(r); });
   }

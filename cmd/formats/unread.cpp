@@ -74,7 +74,7 @@ bool Unread::isKnown(std::string_view name) const {
 }
 
 void Unread::walk(const Node& node, std::string_view name, std::size_t depth, Lists& lists) const {
-  constexpr std::size_t kDeepest = 12, kMostNumbers = 1000;
+  constexpr std::size_t kDeepestLevel = 12, kMostNumbers = 1000;
   const Json& value = node.json();
   if (depth > 0 && apart_.contains(&value)) return;
   const bool isRead = node.isMarked();
@@ -91,7 +91,7 @@ void Unread::walk(const Node& node, std::string_view name, std::size_t depth, Li
       lists.left.push_back({node, *numbers, std::string(name)});
     return;
   }
-  if (isRead || depth == kDeepest) return;
+  if (isRead || depth == kDeepestLevel) return;
   if (value.is_object())
     for (const auto& [key, member] : value.items()) {
       if (!isKnown(key)) walk(Node(file_, member, joinedPath(node.path(), key)), key, depth + 1, lists);

@@ -50,8 +50,8 @@ inline A all(A a, B b, More... more) {
 }
 /// Whether one of them does.
 inline bool either(bool a, bool b) { return a || b; }
-template <class A>
-inline A either(A a, A b) {
+template <class A, class B>
+inline A either(A a, B b) {
   return a | b;
 }
 
