@@ -34,14 +34,24 @@ OrderedJson ifThere(bool isThere, OrderedJson object) {
   return object;
 }
 
+constexpr double kDegrees = 180 / std::numbers::pi;
+
+/// East, north and up in the coordinates of the world.
+struct Directions {
+  Vec3 east{1, 0, 0}, north{0, 1, 0}, up{0, 0, 1};
+};
+
+Directions directionsAt(const Geodetic& place) {
+  const double lat = place.lat / kDegrees, lon = place.lon / kDegrees;
+  return {{-std::sin(lon), std::cos(lon), 0},
+          {-std::sin(lat) * std::cos(lon), -std::sin(lat) * std::sin(lon), std::cos(lat)},
+          {std::cos(lat) * std::cos(lon), std::cos(lat) * std::sin(lon), std::sin(lat)}};
+}
+
 /// Clockwise from north, above the horizon, right side down. They compose to the pose, roll being what is left of it
 /// after heading and pitch as rounded. Straight down or up roll is 0.
-HeadingPitchRoll turnOf(const Pose& pose, const Geodetic& place) {
-  constexpr double kDegrees = 180 / std::numbers::pi;
-  const double lat = place.lat / kDegrees, lon = place.lon / kDegrees;
-  const Vec3 east{-std::sin(lon), std::cos(lon), 0};
-  const Vec3 up{std::cos(lat) * std::cos(lon), std::cos(lat) * std::sin(lon), std::sin(lat)};
-  const Vec3 north{-std::sin(lat) * std::cos(lon), -std::sin(lat) * std::sin(lon), std::cos(lat)};
+HeadingPitchRoll turnOf(const Pose& pose, const Directions& at) {
+  const auto& [east, north, up] = at;
   using detail::dot;
   // The place and the axes are rounded: what is left of the angles is certain to about 1e-13 degrees.
   const auto degrees = [](double y, double x) { return std::round(std::atan2(y, x) * kDegrees * 1e12) / 1e12 + 0.0; };
@@ -61,16 +71,15 @@ HeadingPitchRoll turnOf(const Pose& pose, const Geodetic& place) {
 OrderedJson poseOf(const CameraFile& file) {
   const Pose pose = file.pose.value_or(lookAlong({}, {0, 0, -1}, {0, 1, 0}, Handedness::right));
   const Geodetic place = ecefToGeodetic(pose.eye());
-  const HeadingPitchRoll turn = turnOf(pose, place);
+  const HeadingPitchRoll turn = turnOf(pose, file.worldIsEcef ? directionsAt(place) : Directions{});
   OrderedJson members = ifThere(file.pose.has_value(), {{"eye", asJson(pose.eye())},
                                                         {"right", asJson(pose.right())},
                                                         {"up", asJson(pose.up())},
                                                         {"forward", asJson(pose.forward())}});
   members.update(ifThere(file.pose && file.worldIsEcef,
-                         {{"place", {{"lat", place.lat}, {"lon", place.lon}, {"height", place.height}}},
-                          {"heading", turn.heading.value},
-                          {"pitch", turn.pitch.value},
-                          {"roll", turn.roll.value}}));
+                         {{"place", {{"lat", place.lat}, {"lon", place.lon}, {"height", place.height}}}}));
+  members.update(ifThere(file.pose && (file.worldIsEcef || file.worldIsEnu),
+                         {{"heading", turn.heading.value}, {"pitch", turn.pitch.value}, {"roll", turn.roll.value}}));
   return members;
 }
 

@@ -19,7 +19,7 @@ constexpr std::size_t kMostCandidates = 20000, kMostItems = 2000, kDeepest = 12;
 constexpr std::string_view kOfK = "k m mtx matrix intrinsic intrinsics intr intri kmat camk cammatrix cammtx",
                            kOfD =
                                "dvec dcoef dcoeffs d dist disto distort distortion distortions distcoeff distcoeffs "
-                               "distcoef distcoefs coeff coeffs "
+                               "distcoef distcoefs coeff coeffs lens kappa radial dc "
                                "coef coefs coefficients kc",
                            kOfS = "size resolution res dimension dimensions shape wh hw image",
                            kOfR = "r rot rotation rotate rmat rotmat",
