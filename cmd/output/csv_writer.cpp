@@ -127,7 +127,8 @@ class CsvWriter final : public RecordWriter {
     for (const ResultRow* row : rows) appendResult(*row, values);
     if (setup_.stream.keepGoing && !columns_.error) appendCell("");
     out_ += '\n';
-    columns_.known = true;
+    // The first record's worker is alone; later the others only read it.
+    if (!columns_.known) columns_.known = true;
   }
 
   std::string_view formName() const { return isTable(setup_) ? "a table" : "CSV"; }
