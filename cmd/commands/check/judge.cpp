@@ -43,7 +43,7 @@ class Judge {
   }
 
   /// NaN where a point has no pixel.
-  std::vector<Vec2> missesOf(const Hypothesis& h) const;
+  std::vector<Vec2> missesOf(const Hypothesis& h, std::vector<Vec2> mended) const;
   std::vector<Vec2> mendedPixels(const Hypothesis& h) const;
   /// Adds those of the hypotheses that explain something.
   void judge(std::vector<Hypothesis> hypotheses, Stage stage, double tries, std::vector<Explanation>& found) const;
@@ -75,13 +75,12 @@ std::vector<Vec2> Judge::mendedPixels(const Hypothesis& h) const {
   return all;
 }
 
-std::vector<Vec2> Judge::missesOf(const Hypothesis& h) const {
-  std::vector<Vec2> all = mendedPixels(h);
+std::vector<Vec2> Judge::missesOf(const Hypothesis& h, std::vector<Vec2> mended) const {
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     const Vec2 at = pixelOf(h.camera, h.point(pairs_[i].point));
-    all[i] = {at.x - all[i].x, at.y - all[i].y};
+    mended[i] = {at.x - mended[i].x, at.y - mended[i].y};
   }
-  return all;
+  return mended;
 }
 
 double Judge::evidenceOf(const Hypothesis& h, const std::vector<Vec2>& misses, const std::vector<Vec2>& mended,
@@ -109,8 +108,10 @@ double Judge::evidenceOf(const Hypothesis& h, const std::vector<Vec2>& misses, c
     add(before_[i].x, limit(spread.x));
     add(before_[i].y, limit(spread.y));
   }
-  std::sort(gains.begin(), gains.end());
-  gains.resize(gains.size() - std::min(gains.size(), static_cast<std::size_t>(h.parameters)));
+  const std::size_t kept = gains.size() - std::min(gains.size(), static_cast<std::size_t>(h.parameters));
+  if (kept < gains.size())
+    std::nth_element(gains.begin(), gains.begin() + static_cast<std::ptrdiff_t>(kept), gains.end());
+  gains.resize(kept);
   return std::accumulate(gains.begin(), gains.end(), 0.0) - std::log(std::max(tries, 1.0));
 }
 
@@ -120,7 +121,8 @@ void Judge::judge(std::vector<Hypothesis> hypotheses, Stage stage, double tries,
   std::vector<std::size_t> all(pairs_.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   for (Hypothesis& h : hypotheses) {
-    std::vector<Vec2> misses = missesOf(h);
+    const std::vector<Vec2> mended = mendedPixels(h);
+    std::vector<Vec2> misses = missesOf(h, mended);
     double largest = 0;
     for (const Vec2& miss : misses) {
       const double distance = std::hypot(miss.x, miss.y);
@@ -128,7 +130,7 @@ void Judge::judge(std::vector<Hypothesis> hypotheses, Stage stage, double tries,
     }
     if (!std::isfinite(largest)) continue;
     Explanation e{.hypothesis = std::move(h), .stage = stage, .largest = largest};
-    e.evidence = evidenceOf(e.hypothesis, misses, mendedPixels(e.hypothesis), all, tries, e.rms);
+    e.evidence = evidenceOf(e.hypothesis, misses, mended, all, tries, e.rms);
     const bool isOld = stage == Stage::rows && largest <= within_ && isPlain(e.hypothesis.mistake);
     if (!(e.evidence > kThreshold) && !isOld) continue;
     e.misses = std::move(misses);
@@ -311,7 +313,8 @@ std::vector<Explanation> besideWrongPairs(const Trials& t, const Judge& judge, s
   }
   const double tries = static_cast<double>(hypotheses.size());
   for (Hypothesis& h : hypotheses) {
-    std::vector<Vec2> misses = judge.missesOf(h);
+    const std::vector<Vec2> mended = judge.mendedPixels(h);
+    std::vector<Vec2> misses = judge.missesOf(h, mended);
     std::vector<double> sorted, distances;
     for (const Vec2& miss : misses) {
       const double distance = std::hypot(miss.x, miss.y);
@@ -336,8 +339,7 @@ std::vector<Explanation> besideWrongPairs(const Trials& t, const Judge& judge, s
       const auto gamma = [](std::size_t k) { return std::lgamma(static_cast<double>(k + 1)); };
       return gamma(of) - gamma(some) - gamma(of - some);
     };
-    e.evidence = judge.evidenceOf(e.hypothesis, misses, judge.mendedPixels(e.hypothesis), right, tries, e.rms) -
-                 choices(n, e.wrong.size());
+    e.evidence = judge.evidenceOf(e.hypothesis, misses, mended, right, tries, e.rms) - choices(n, e.wrong.size());
     e.misses = std::move(misses);
     if (e.evidence > kThreshold) found.push_back(std::move(e));
   }

@@ -363,23 +363,26 @@ Mend mendOf(const CameraFile& file, const Explanation& e, std::span<const Pair> 
     mend.options = optionsOf(h.sets, h.stretch);
     return mend;
   }
-  try {
-    const CameraFile base = h.sets.empty() ? file : changed(file, h.sets, h.stretch);
-    const Trials t(base.document, base.reading);
-    const std::vector<Set> exact = setsOf(base, t.ownAxes(), t.plain(), h.camera);
-    for (int digits = 3; digits <= 17; ++digits) {
-      std::vector<Set> sets = h.sets;
-      for (const auto& [path, value] : exact) sets.emplace_back(path, rounded(value, digits));
-      const double rms = rmsOf(plainOf(makeCamera(changed(file, sets, h.stretch))), h, pairs, e.wrong);
-      if (digits < 17 && !(rms <= std::max(1.01 * e.rms, e.rms + 1e-4))) continue;
-      if (!(rms <= 1.01 * e.rms + 1e-3)) break;
-      mend.options = optionsOf(sets, h.stretch);
-      mend.sets = std::move(sets);
-      break;
+  const CameraFile base = h.sets.empty() ? file : changed(file, h.sets, h.stretch);
+  const Trials t(base.document, base.reading);
+  const std::vector<Set> exact = setsOf(base, t.ownAxes(), t.plain(), h.camera);
+  const auto rmsAt = [&](const std::vector<Set>& sets) {
+    try {
+      return rmsOf(plainOf(makeCamera(changed(file, sets, h.stretch))), h, pairs, e.wrong);
+    } catch (const CameraError&) {
+    } catch (const InputError&) {  // of so few digits there is no such camera
+    } catch (const UsageError&) {
     }
-  } catch (const CameraError&) {
-  } catch (const InputError&) {
-  } catch (const UsageError&) {
+    return HUGE_VAL;
+  };
+  for (int digits = 3; digits <= 17; ++digits) {
+    std::vector<Set> sets = h.sets;
+    for (const auto& [path, value] : exact) sets.emplace_back(path, rounded(value, digits));
+    const double rms = rmsAt(sets);
+    if (!(rms <= (digits < 17 ? std::max(1.01 * e.rms, e.rms + 1e-4) : 1.01 * e.rms + 1e-3))) continue;
+    mend.options = optionsOf(sets, h.stretch);
+    mend.sets = std::move(sets);
+    break;
   }
   return mend;
 }
