@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <numeric>
 
-#include "camera/change_camera.hpp"
-#include "camera/values.hpp"
 #include "camera/patch.hpp"
+#include "camera/plain_camera.hpp"
 #include "camera/read_pose.hpp"
+#include "camera/values.hpp"
 #include "text/error.hpp"
 #include "viewproj/geodesy.hpp"
 #include "viewproj/screen.hpp"
@@ -47,6 +47,10 @@ Rows ownAxesOf(const CameraFile& file) {
       return {Vec3{1, 0, 0}, {0, -1, 0}, {0, 0, 1}};
     case CameraAxes::RDF:
       return kUnit;
+    case CameraAxes::FLU:
+      return {Vec3{0, -1, 0}, {0, 0, -1}, {1, 0, 0}};
+    case CameraAxes::FRD:
+      return {Vec3{0, 1, 0}, {0, 0, 1}, {1, 0, 0}};
     case CameraAxes::FRU:
       break;
   }
@@ -77,6 +81,11 @@ Vec4 Hypothesis::point(const Vec4& p) const {
                                     : places == PlaceMap::negateLon ? Geodetic{g.lat, -g.lon, g.height}
                                                                     : Geodetic{-g.lat, g.lon, g.height});
   return {moved.x, moved.y, moved.z, p.w};
+}
+
+double degreesAt(const Document& document, std::string_view path, const Json& value) {
+  // A turn may be any angle.
+  return degreesOf(std::get<Angle>(readValue(Node(document, value, std::string(path)), *findField("heading"))));
 }
 
 CameraFile changed(const CameraFile& file, const std::vector<Set>& sets, bool stretch) {
@@ -110,7 +119,7 @@ double Trials::numberOr(std::string_view path, double fallback) const {
 
 double Trials::degreesOr(std::string_view path, double fallback) const {
   const Json* const value = find(path);
-  return value ? degreesOf(Node(file_.document, *value, std::string(path))) : fallback;
+  return value ? degreesAt(file_.document, path, *value) : fallback;
 }
 
 Hypothesis Trials::next(const std::string& mistake, Json value) const {
