@@ -1,0 +1,384 @@
+#include "commands/check/families.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+#include "text/error.hpp"
+
+namespace viewproj::cmd::mistakes {
+
+using detail::crossOf;
+using detail::dot;
+namespace {
+
+// clang-format off
+/// What a parameter changes. Factors less 1; pixels / 1000; radians; parts of the pairs' distance.
+enum class By : std::uint8_t {
+  f, fx, fy,      // focal lengths
+  s, sx, sy,      // focal lengths and centre, about the picture's corner
+  cx, cy,         // the centre
+  h, p, r,        // a turn about up, the horizontal right, forward
+  wx, wy, wz,     // a turn about an axis of the world
+  rx, ry, rz,     // any turn
+  X, Y, Z, up,    // the eye
+  u,              // the eye's distance from the origin
+  k1, k2, p1, p2  // the lens
+};
+
+struct Family {
+  const char* mistake;
+  std::vector<By> by;
+};
+
+const std::vector<Family>& familiesOf(Table table) {
+  using enum By;
+  static const std::vector<Family> kSimple = {
+      {"focal-length", {f}}, {"focal-lengths", {fx}}, {"focal-lengths", {fy}}, {"pixel-ratio", {s}},
+      {"principal-point", {cx}}, {"principal-point", {cy}}, {"heading", {h}}, {"pitch", {p}}, {"roll", {r}},
+      {"height", {up}}, {"unit", {u}}, {"lens", {k1}}, {"focal-lengths", {fx, fy}}, {"resized", {sx, sy}},
+      {"principal-point", {cx, cy}}, {"lens", {k1, k2}}, {"rotation", {rx, ry, rz}}, {"eye", {X, Y, Z}},
+      {"scale-and-offset", {f, cx, cy}}, {"scales-and-offset", {fx, fy, cx, cy}}, {"lens", {k1, k2, p1, p2}},
+      {"rotation", {wx}}, {"rotation", {wy}}, {"rotation", {wz}}, {"eye", {X}}, {"eye", {Y}}, {"eye", {Z}}};
+  static const std::vector<Family> kPoses = {
+      {"pan-tilt-zoom", {rx, ry, rz, f}},
+      {"pose", {rx, ry, rz, X, Y, Z}},
+      {"pose-and-focal-length", {rx, ry, rz, X, Y, Z, f}},
+      {"another-camera", {rx, ry, rz, X, Y, Z, fx, fy, cx, cy}}};
+  return table == Table::simple ? kSimple : kPoses;
+}
+// clang-format on
+
+bool isBetween(By by, By first, By last) { return by >= first && by <= last; }
+std::size_t offsetOf(By by, By first) { return static_cast<std::size_t>(by) - static_cast<std::size_t>(first); }
+
+/// The axis of a heading, a pitch or a roll in the world.
+Vec3 axisOf(const PlainCamera& camera, const Vec3& up, By by) {
+  if (by == By::h) return up;
+  if (by == By::r) return camera.axes[2];
+  const Vec3 right = crossOf(camera.axes[2], up);
+  const double size = length(right);
+  if (size < 1e-6) return camera.axes[0];
+  return scaled(right, (dot(right, camera.axes[0]) < -1e-9 ? -1 : 1) / size);
+}
+
+class Solver {
+ public:
+  Solver(const Fit& fit, const Family& family, double size, std::size_t wrong)
+      : fit_(fit), by_(family.by), size_(size), wrong_(wrong) {}
+
+  struct Solution {
+    PlainCamera camera;
+    double cost = HUGE_VAL;
+  };
+  Solution solve(PlainCamera camera, int steps) const;
+
+ private:
+  using Numbers = std::vector<double>;
+
+  PlainCamera moved(const PlainCamera& from, const Numbers& values) const;
+  /// x and y of each pair, NaN without a pixel.
+  Numbers misses(const PlainCamera& camera) const;
+  double costOf(const Numbers& misses, const Numbers& weights) const;
+  Numbers distances(const Numbers& misses) const;
+
+  const Fit& fit_;
+  const std::vector<By>& by_;
+  double size_;
+  std::size_t wrong_;
+};
+
+PlainCamera Solver::moved(const PlainCamera& from, const Numbers& values) const {
+  PlainCamera to = from;
+  Vec3 turned{};  // in the camera's axes
+  const auto& corner = fit_.corner;
+  for (std::size_t i = 0; i < by_.size(); ++i) {
+    const By by = by_[i];
+    const double v = values[i];
+    if (by == By::f || by == By::fx || by == By::s || by == By::sx) to.focal.x *= 1 + v;
+    if (by == By::f || by == By::fy || by == By::s || by == By::sy) to.focal.y *= 1 + v;
+    if (by == By::s || by == By::sx) to.centre.x = corner.x + (to.centre.x - corner.x) * (1 + v);
+    if (by == By::s || by == By::sy) to.centre.y = corner.y + (to.centre.y - corner.y) * (1 + v);
+    if (by == By::cx) to.centre.x += v * 1000;
+    if (by == By::cy) to.centre.y += v * 1000;
+    if (isBetween(by, By::h, By::r)) turned = sum(turned, v, from.axes * axisOf(from, fit_.up, by));
+    if (isBetween(by, By::wx, By::wz)) turned = sum(turned, v, column(from.axes, offsetOf(by, By::wx)));
+    if (isBetween(by, By::rx, By::rz)) turned[offsetOf(by, By::rx)] += v;
+    if (isBetween(by, By::X, By::Z)) to.eye[offsetOf(by, By::X)] += v * size_;
+    if (by == By::up) to.eye = sum(to.eye, v * size_, fit_.up);
+    if (by == By::u) to.eye = scaled(to.eye, 1 + v);
+    if (by >= By::k1 && !to.lens) to.lens = PlainLens{};
+    if (isBetween(by, By::k1, By::k2)) to.lens->k[offsetOf(by, By::k1)] += v;
+    if (isBetween(by, By::p1, By::p2)) to.lens->p[offsetOf(by, By::p1)] += v;
+  }
+  if (turned != Vec3{}) to.axes = turn(turned) * from.axes;
+  return to;
+}
+
+Solver::Numbers Solver::misses(const PlainCamera& camera) const {
+  Numbers all;
+  all.reserve(2 * fit_.pairs.size());
+  for (const Pair& pair : fit_.pairs) {
+    const Vec2 at = pixelOf(camera, pair.point);
+    all.push_back(at.x - pair.pixel.x);
+    all.push_back(at.y - pair.pixel.y);
+  }
+  return all;
+}
+
+double Solver::costOf(const Numbers& misses, const Numbers& weights) const {
+  double cost = 0;
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    if (weights[i] > 0) cost += weights[i] * (misses[2 * i] * misses[2 * i] + misses[2 * i + 1] * misses[2 * i + 1]);
+  return std::isfinite(cost) ? cost : HUGE_VAL;
+}
+
+Solver::Numbers Solver::distances(const Numbers& misses) const {
+  Numbers all;
+  for (std::size_t i = 0; i < misses.size(); i += 2) {
+    const double distance = std::hypot(misses[i], misses[i + 1]);
+    all.push_back(std::isfinite(distance) ? distance : 1e9);
+  }
+  return all;
+}
+
+/// Solves a symmetric system with positive pivots in place; false if there is none.
+bool solveSystem(std::vector<std::vector<double>> a, std::vector<double>& b) {
+  const std::size_t n = b.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    std::size_t pivot = i;
+    for (std::size_t j = i; j < n; ++j)
+      if (std::fabs(a[j][i]) > std::fabs(a[pivot][i])) pivot = j;
+    if (!(std::fabs(a[pivot][i]) > 0)) return false;
+    std::swap(a[i], a[pivot]);
+    std::swap(b[i], b[pivot]);
+    for (std::size_t j = i + 1; j < n; ++j) {
+      const double factor = a[j][i] / a[i][i];
+      for (std::size_t k = i; k < n; ++k) a[j][k] -= factor * a[i][k];
+      b[j] -= factor * b[i];
+    }
+  }
+  for (std::size_t i = n; i-- > 0;) {
+    for (std::size_t k = i + 1; k < n; ++k) b[i] -= a[i][k] * b[k];
+    b[i] /= a[i][i];
+  }
+  return std::all_of(b.begin(), b.end(), [](double x) { return std::isfinite(x); });
+}
+
+// Damped Gauss-Newton (Levenberg): derivatives by differences; the damping grows where a step fails.
+Solver::Solution Solver::solve(PlainCamera camera, int steps) const {
+  constexpr double kStep = 1e-6;
+  const std::size_t n = fit_.pairs.size(), count = by_.size();
+  const auto seenBy = [&](const PlainCamera& by) {
+    Numbers weights;
+    const Numbers all = misses(by);
+    for (std::size_t i = 0; i < n; ++i) weights.push_back(std::isfinite(all[2 * i] + all[2 * i + 1]) ? 1 : 0);
+    return weights;
+  };
+  Numbers weights = seenBy(camera);  // points behind the start count from the second step on
+  if (std::accumulate(weights.begin(), weights.end(), 0.0) < std::max<double>(1, static_cast<double>((count + 1) / 2)))
+    return {camera};
+  double damping = 1e-6, sigma = 0;
+  for (int step = 0; step < steps; ++step) {
+    const Numbers now = misses(camera);
+    if (wrong_ > 0) {
+      Numbers sorted = distances(now);
+      const Numbers all = sorted;
+      std::sort(sorted.begin(), sorted.end());
+      const double median = (sorted[(n - 1) / 2] + sorted[n / 2]) / 2;
+      sigma = sigma == 0 ? sorted[n - wrong_ - 1] : std::max({sigma / 2, median, 1e-4});
+      for (std::size_t i = 0; i < n; ++i) {
+        const double share = all[i] / std::max(sigma, 1e-4);
+        weights[i] = std::isfinite(now[2 * i]) ? 1 / ((1 + share * share) * (1 + share * share)) : 0;
+      }
+    } else if (step == 1) {
+      weights = seenBy(camera);
+    }
+    const double cost = costOf(now, weights);
+    if (!std::isfinite(cost)) return {camera};
+    std::vector<Numbers> slopes(count);
+    for (std::size_t j = 0; j < count; ++j) {
+      Numbers values(count);
+      values[j] = kStep;
+      slopes[j] = misses(moved(camera, values));
+      for (std::size_t i = 0; i < 2 * n; ++i) {
+        slopes[j][i] = weights[i / 2] > 0 ? (slopes[j][i] - now[i]) / kStep : 0;
+        if (!std::isfinite(slopes[j][i])) return {camera};
+      }
+    }
+    std::vector<Numbers> normal(count, Numbers(count));
+    Numbers gradient(count);
+    for (std::size_t a = 0; a < count; ++a) {
+      for (std::size_t i = 0; i < 2 * n; ++i)
+        if (weights[i / 2] > 0) gradient[a] -= weights[i / 2] * slopes[a][i] * now[i];
+      for (std::size_t b = 0; b <= a; ++b) {
+        for (std::size_t i = 0; i < 2 * n; ++i) normal[a][b] += weights[i / 2] * slopes[a][i] * slopes[b][i];
+        normal[b][a] = normal[a][b];
+      }
+    }
+    PlainCamera next = camera;
+    double then = HUGE_VAL;
+    for (int attempt = 0; attempt < 14 && !(then < cost); ++attempt) {
+      std::vector<Numbers> damped = normal;
+      for (std::size_t a = 0; a < count; ++a) damped[a][a] += damping * std::max(normal[a][a], 1e-300);
+      Numbers change = gradient;
+      if (solveSystem(std::move(damped), change)) {
+        next = moved(camera, change);
+        then = costOf(misses(next), weights);
+      }
+      if (!(then < cost)) damping = std::max(damping, 1e-9) * 10;
+    }
+    if (!(then < cost)) break;
+    camera = next;
+    damping /= 10;
+    if (wrong_ == 0 && step > 0 && (cost - then < 1e-10 * cost || then < 1e-18 * static_cast<double>(n))) break;
+  }
+  return {camera, costOf(misses(camera), wrong_ == 0 ? Numbers(n, 1) : weights)};
+}
+
+/// Of the given pixels, in the camera's axes; 0 where the lens has none.
+std::vector<Vec3> raysOf(const PlainCamera& camera, const std::vector<Pair>& pairs) {
+  std::optional<Lens> lens;
+  try {
+    if (camera.lens) {
+      const auto& k = camera.lens->k;
+      lens = camera.lens->model == LensModel::fisheye ? fisheyeLens({k[0], k[1], k[2], k[3]})
+                                                      : brownLens(k, camera.lens->p);
+    }
+  } catch (const CameraError&) {  // its own are not proven: the pinhole's are near enough to start with
+  }
+  std::vector<Vec3> rays;
+  for (const Pair& pair : pairs) {
+    const Vec2 at{(pair.pixel.x - camera.centre.x) / camera.focal.x, (pair.pixel.y - camera.centre.y) / camera.focal.y};
+    const Vec3 ray = lens ? undistorted(*lens, at) : Vec3{at.x, at.y, 1};
+    rays.push_back(std::isfinite(ray.x + ray.y) ? scaled(ray, 1 / length(ray)) : Vec3{});
+  }
+  return rays;
+}
+
+/// The turned cameras whose rays agree best with the points: about an axis of the camera's, or any.
+std::vector<PlainCamera> startsOf(const Fit& fit, const std::optional<Vec3>& axis, std::size_t count) {
+  std::vector<Rows> turns;
+  if (axis) {
+    for (int quarter = 0; quarter < 4; ++quarter) turns.push_back(turn(scaled(*axis, quarter * std::numbers::pi / 2)));
+  } else {
+    for (const auto& [name, rows] : signedAxes())
+      if (determinant(rows) > 0) turns.push_back(rows);
+  }
+  const std::vector<Vec3> rays = raysOf(fit.camera, fit.pairs);
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t t = 0; t < turns.size(); ++t) {
+    double agreement = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      const Vec4& p = fit.pairs[i].point;
+      const Vec3 way = fit.camera.axes * sum({p.x, p.y, p.z}, -p.w, fit.camera.eye);
+      agreement += dot(turns[t] * way, rays[i]) / length(way);
+    }
+    order.emplace_back(-agreement, t);
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<PlainCamera> starts;
+  for (std::size_t i = 0; i < std::min(count, order.size()); ++i) {
+    starts.push_back(fit.camera);
+    starts.back().axes = turns[order[i].second] * fit.camera.axes;
+  }
+  return starts;
+}
+
+double medianDistance(const Fit& fit) {
+  std::vector<double> all;
+  for (const Pair& pair : fit.pairs) {
+    const Vec4& p = pair.point;
+    const double weight = p.w == 0 ? 1 : p.w;
+    all.push_back(length(sum({p.x / weight, p.y / weight, p.z / weight}, p.w == 0 ? 0 : -1, fit.camera.eye)));
+  }
+  std::sort(all.begin(), all.end());
+  return (all[(all.size() - 1) / 2] + all[all.size() / 2]) / 2;
+}
+
+Json valueOf(const std::string& mistake, const Fit& fit, const PlainCamera& to, const std::vector<By>& by) {
+  const PlainCamera& from = fit.camera;
+  const double degrees = angleOf(to.axes * transposed(from.axes)) * 180 / std::numbers::pi;
+  const Vec3 way = sum(to.eye, -1, from.eye);
+  const double fx = to.focal.x / from.focal.x, fy = to.focal.y / from.focal.y;
+  if (mistake == "focal-length" || mistake == "pixel-ratio") return fx;
+  if (mistake == "focal-lengths" || mistake == "resized") return {fx, fy};
+  const Vec2 moved{to.centre.x - from.centre.x, to.centre.y - from.centre.y};
+  if (mistake == "principal-point") return {moved.x, moved.y};
+  if (mistake == "scale-and-offset") return {fx, moved.x, moved.y};
+  if (mistake == "scales-and-offset") return {fx, fy, moved.x, moved.y};
+  if (mistake == "height") return dot(way, fit.up);
+  if (mistake == "eye") return {way.x, way.y, way.z};
+  if (mistake == "unit") return {"position", dot(to.eye, from.eye) / dot(from.eye, from.eye)};
+  if (mistake == "pan-tilt-zoom") return {degrees, fx};
+  if (mistake == "lens") {
+    Json numbers = Json::array();
+    for (std::size_t i = 0; i < std::min<std::size_t>(by.size(), 2); ++i) numbers.push_back(to.lens->k[i]);
+    for (std::size_t i = 2; i < by.size(); ++i) numbers.push_back(to.lens->p[i - 2]);
+    return numbers;
+  }
+  if (mistake == "heading" || mistake == "pitch" || mistake == "roll") {
+    const Vec3 axis = to.axes * axisOf(from, fit.up, by[0]);
+    const Rows turned = to.axes * transposed(from.axes);
+    const Vec3 skew{turned[2].y - turned[1].z, turned[0].z - turned[2].x, turned[1].x - turned[0].y};
+    return dot(skew, axis) < 0 ? -degrees : degrees;
+  }
+  if (mistake == "rotation") return degrees;
+  return {degrees, way.x, way.y, way.z};
+}
+
+}  // namespace
+
+std::size_t countOf(Table table) { return familiesOf(table).size(); }
+
+std::vector<Hypothesis> families(const Fit& fit, Table table, std::size_t wrong) {
+  const double size = medianDistance(fit);
+  std::vector<Hypothesis> all;
+  for (const Family& family : familiesOf(table)) {
+    const By first = family.by[0];
+    const std::size_t count = family.by.size();
+    if (2 * fit.pairs.size() < count + 1) continue;
+    const auto& lens = fit.camera.lens;
+    if (first >= By::k1 && (fit.camera.isOrthographic || (lens && (lens->model != LensModel::brown || lens->k[3] != 0 ||
+                                                                   lens->k[4] != 0 || lens->k[5] != 0))))
+      continue;
+    const bool isWorldAxis = isBetween(first, By::wx, By::wz) || (count == 1 && isBetween(first, By::X, By::Z));
+    if (fit.isOnEarth && (isWorldAxis || first == By::u)) continue;
+    if (first == By::u && !(length(fit.camera.eye) > 0)) continue;
+    std::vector<PlainCamera> starts{fit.camera};
+    if (!fit.camera.isOrthographic) {
+      if (isBetween(first, By::wx, By::wz)) starts = startsOf(fit, column(fit.camera.axes, offsetOf(first, By::wx)), 2);
+      if (isBetween(first, By::h, By::r))
+        starts = startsOf(fit, fit.camera.axes * axisOf(fit.camera, fit.up, first), 2);
+      if (first == By::rx) starts = startsOf(fit, std::nullopt, count < 6 ? 3 : 6);
+    }
+    const Solver solver(fit, family, size, wrong);
+    Solver::Solution best{fit.camera};
+    for (const PlainCamera& start : starts) {
+      const auto solution = solver.solve(start, count >= 6 ? 40 : wrong > 0 ? 16 : 12);
+      // A mirrored twin costs the same.
+      if (!(solution.camera.focal.x * fit.camera.focal.x > 0 && solution.camera.focal.y * fit.camera.focal.y > 0))
+        continue;
+      if (solution.cost < best.cost) best = solution;
+      if (best.cost < 1e-12 * static_cast<double>(fit.pairs.size())) break;
+    }
+    if (!std::isfinite(best.cost)) continue;
+    Hypothesis solved{.mistake = family.mistake, .camera = best.camera};
+    solved.value = valueOf(family.mistake, fit, best.camera, family.by);
+    solved.isSolved = true;
+    solved.parameters = static_cast<int>(count);
+    all.push_back(solved);
+    if (first == By::u && solved.value[1].get<double>() > 0) {
+      const double factor = 1 / solved.value[1].get<double>();
+      Hypothesis points{.mistake = family.mistake, .value = {"points", factor}, .camera = fit.camera};
+      points.points = {Vec3{factor, 0, 0}, {0, factor, 0}, {0, 0, factor}};
+      points.parameters = 1;
+      all.push_back(std::move(points));
+    }
+  }
+  return all;
+}
+
+}  // namespace viewproj::cmd::mistakes

@@ -1,0 +1,55 @@
+// A camera as plain doubles, for trying many thousands of them on a few pairs.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "numbers/vectors.hpp"
+#include "viewproj/camera.hpp"
+#include "viewproj/lens.hpp"
+
+namespace viewproj::cmd::mistakes {
+
+/// Rows of a 3x3 matrix.
+using Rows = std::array<Vec3, 3>;
+inline constexpr Rows kUnit = {Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+inline Vec3 operator*(const Rows& m, const Vec3& v) {
+  return {detail::dot(m[0], v), detail::dot(m[1], v), detail::dot(m[2], v)};
+}
+inline Vec3 column(const Rows& m, std::size_t i) { return {m[0][i], m[1][i], m[2][i]}; }
+inline Rows transposed(const Rows& m) { return {column(m, 0), column(m, 1), column(m, 2)}; }
+inline Rows operator*(const Rows& a, const Rows& b) {
+  const Rows t = transposed(b);
+  return {t * a[0], t * a[1], t * a[2]};
+}
+inline Vec3 sum(const Vec3& a, double k, const Vec3& b) { return {a.x + k * b.x, a.y + k * b.y, a.z + k * b.z}; }
+inline Vec3 scaled(const Vec3& a, double k) { return {k * a.x, k * a.y, k * a.z}; }
+inline double length(const Vec3& a) { return std::hypot(a.x, a.y, a.z); }
+inline double determinant(const Rows& m) { return detail::dot(m[0], detail::crossOf(m[1], m[2])); }
+/// About the vector, by its length in radians.
+Rows turn(const Vec3& vector);
+/// In radians, of a rotation.
+double angleOf(const Rows& rotation);
+
+struct PlainLens {
+  LensModel model = LensModel::brown;
+  std::array<double, 6> k{};
+  std::array<double, 2> p{};
+};
+
+struct PlainCamera {
+  Rows axes;  ///< right, down and forward in the world
+  Vec3 eye;
+  Vec2 focal, centre;  ///< in pixels; focal.y is negative where y runs upwards
+  std::optional<PlainLens> lens = {};
+  bool isOrthographic = false;
+};
+
+PlainCamera plainOf(const Camera& camera);
+
+/// NaN where the point has none. A weight of 0 is a direction.
+Vec2 pixelOf(const PlainCamera& camera, const Vec4& point);
+
+}  // namespace viewproj::cmd::mistakes

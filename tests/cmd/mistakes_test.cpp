@@ -1,0 +1,357 @@
+// Mistakes made on purpose: each is named, alone, by what explains the pixels; pixels that no mistake made are not
+// explained.
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "camera/values.hpp"
+#include "catch.hpp"
+#include "commands/check/report.hpp"
+#include "random.hpp"
+#include "viewproj/viewproj.hpp"
+
+using namespace viewproj;
+using namespace viewproj::cmd;
+using namespace viewproj::cmd::mistakes;
+
+namespace {
+
+enum Form { look, rotation, euler, vision, bent, earth };
+
+/// A right camera, with numbers as people type them.
+Json documentOf(Random& random, Form form) {
+  const double width = 640 + 8 * std::floor(random.uniform(0, 100)),
+               height = 480 + 8 * std::floor(random.uniform(0, 60));
+  const auto round = [&](double low, double high) { return std::round(random.uniform(low, high) * 100) / 100; };
+  Json eye{round(3, 9), round(2, 5), round(-8, -3)};
+  Json document{{"projection", {{"type", "perspective"}, {"fovY", round(30, 80)}, {"near", 0.1}}},
+                {"viewport", {{"width", width}, {"height", height}}}};
+  if (form == earth) {
+    document["position"] = {{"lat", round(-60, 60)}, {"lon", round(10, 70)}, {"height", round(200, 900)}};
+    document["heading"] = round(20, 340), document["pitch"] = round(-60, -15), document["roll"] = round(2, 9);
+    return document;
+  }
+  document["position"] = eye;
+  if (form == look) document["target"] = {round(-1, 1), round(-1, 1), round(-1, 1)};
+  if (form == euler)
+    document["euler"] = {{"order", "YXZ"}, {"degrees", {round(20, 60), round(-50, -10), round(5, 30)}}};
+  const Vec3 axis = random.vector(1);
+  const Rows turned = turn(scaled(axis, random.uniform(0.5, 2) / length(axis)));
+  if (form == rotation) {
+    const double angle = random.uniform(0.3, 1), s = std::sin(angle) / length(axis);
+    document["rotation"] = {s * axis.x, s * axis.y, s * axis.z, std::cos(angle)};
+  }
+  if (form < vision) return document;
+  document["convention"] = "opencv";
+  document.erase("position");
+  Json rows = Json::array();
+  for (const Vec3& row : turned) rows.push_back({row.x, row.y, row.z});
+  document["cameraFromWorld"] = {{"rotation", rows}, {"translation", {round(-1, 1), round(-1, 1), round(4, 9)}}};
+  const double f = std::round(width * random.uniform(0.8, 1.4));
+  document["projection"] = {{"type", "intrinsics"},
+                            {"fx", f},
+                            {"fy", f + round(9, 30)},
+                            {"cx", round(0.44, 0.48) * width},
+                            {"cy", round(0.52, 0.56) * height},
+                            {"near", 0.1}};
+  if (form == bent) document["distortion"] = {{"model", "brown"}, {"k", {-0.21, 0.06}}, {"p", {0.003, -0.002}}};
+  return document;
+}
+
+Document documentOf(const Json& json) {
+  Document document{"the camera", std::make_shared<Json>(json)};
+  normalize(document);
+  return document;
+}
+Camera cameraOf(const Json& json) { return makeCamera(readCamera(documentOf(json), {})); }
+
+/// Points in the picture.
+std::vector<Vec3> pointsOf(Random& random, const Camera& camera, int count, double nearest = 3) {
+  const auto [first, last] = pictureCorners(camera.viewport());
+  std::vector<Vec3> points;
+  while (static_cast<int>(points.size()) < count) {
+    const Vec2 pixel{random.uniform(first.x, last.x), random.uniform(first.y, last.y)};
+    const WorldPoint point = screenToWorldAtDistance(camera, pixel, random.logUniform(nearest, 10 * nearest));
+    if (point.status == DepthStatus::point) points.push_back(point.position);
+  }
+  return points;
+}
+
+/// What somebody makes of the right document, points and pixels.
+struct Wrong {
+  const char* mistake;
+  std::vector<Form> forms;
+  std::function<void(Json&)> document = [](Json&) {};
+  std::function<Vec2(Vec2 size, Vec2 pixel)> pixel = [](Vec2, Vec2 q) { return q; };
+  std::function<Vec3(Vec3)> point = [](Vec3 p) { return p; };
+  std::function<void(Json&)> truth = [](Json&) {};  ///< of the program that made the pixels
+};
+
+const auto kSame = [](Json&) {};
+
+const Wrong kWrong[] = {
+    {"y-flipped",
+     {look, rotation},
+     kSame,
+     [](Vec2 s, Vec2 q) {
+       return Vec2{q.x, s.y - q.y};
+     }},
+    {"y-flipped-index",
+     {look, rotation},
+     kSame,
+     [](Vec2 s, Vec2 q) {
+       return Vec2{q.x, s.y - 1 - q.y};
+     }},
+    {"x-mirrored",
+     {look, euler},
+     kSame,
+     [](Vec2 s, Vec2 q) {
+       return Vec2{s.x - q.x, q.y};
+     }},
+    {"pixel-centre",
+     {look},
+     kSame,
+     [](Vec2, Vec2 q) {
+       return Vec2{q.x - 0.5, q.y - 0.5};
+     }},
+    {"pixel-ratio",
+     {look, rotation},
+     kSame,
+     [](Vec2, Vec2 q) {
+       return Vec2{2 * q.x, 2 * q.y};
+     }},
+    {"normalized",
+     {look, euler},
+     kSame,
+     [](Vec2 s, Vec2 q) {
+       return Vec2{q.x / s.x, q.y / s.y};
+     }},
+    {"ndc",
+     {look, euler},
+     kSame,
+     [](Vec2 s, Vec2 q) {
+       return Vec2{2 * q.x / s.x - 1, 1 - 2 * q.y / s.y};
+     }},
+    {"picture-turned",
+     {look, euler},
+     kSame,
+     [](Vec2 s, Vec2 q) {
+       return Vec2{s.y - q.y, q.x};
+     }},
+    {"row-column",
+     {look, rotation},
+     kSame,
+     [](Vec2, Vec2 q) {
+       return Vec2{q.y, q.x};
+     }},
+    {"resized",
+     {look, vision},
+     kSame,
+     [](Vec2, Vec2 q) {
+       return Vec2{0.61 * q.x, 0.72 * q.y};
+     }},
+    {"principal-point",
+     {look, rotation},
+     kSame,
+     [](Vec2, Vec2 q) {
+       return Vec2{q.x - 100, q.y - 60};
+     }},
+    {"scale-and-offset",
+     {look, euler},
+     kSame,
+     [](Vec2, Vec2 q) {
+       return Vec2{0.4 * q.x, 0.4 * q.y + 77};
+     }},
+    {"y-flipped + principal-point",
+     {look},
+     kSame,
+     [](Vec2 s, Vec2 q) {
+       return Vec2{q.x + 300, s.y - q.y + 56};
+     }},
+    {"up-axis",
+     {look, vision},
+     kSame,
+     [](Vec2, Vec2 q) { return q; },
+     [](Vec3 p) {
+       return Vec3{p.x, -p.z, p.y};
+     }},
+    {"point-axes",
+     {rotation, vision},
+     kSame,
+     [](Vec2, Vec2 q) { return q; },
+     [](Vec3 p) {
+       return Vec3{-p.z, -p.x, p.y};
+     }},
+    {"unit", {vision, euler}, kSame, [](Vec2, Vec2 q) { return q; }, [](Vec3 p) { return scaled(p, 1000); }},
+    {"radians", {look}, [](Json& d) { d["projection"]["fovY"] = d["projection"]["fovY"].get<double>() * M_PI / 180; }},
+    {"half-angle", {look}, [](Json& d) { d["projection"]["fovY"] = d["projection"]["fovY"].get<double>() / 2; }},
+    {"pose-inverted",
+     {vision},
+     [](Json& d) { d["worldFromCamera"] = d["cameraFromWorld"], d.erase("cameraFromWorld"); }},
+    {"quaternion-order",
+     {rotation},
+     [](Json& d) {
+       d["rotation"] = {d["rotation"][3], d["rotation"][0], d["rotation"][1], d["rotation"][2]};
+     }},
+    {"euler-order", {euler}, [](Json& d) { d["euler"]["order"] = "XYZ"; }},
+    {"euler-sign", {euler}, [](Json& d) { d["euler"]["degrees"][1] = -d["euler"]["degrees"][1].get<double>(); }},
+    {"fx-fy-exchanged", {vision}, [](Json& d) { std::swap(d["projection"]["fx"], d["projection"]["fy"]); }},
+    {"lens-order", {bent}, [](Json& d) { std::swap(d["distortion"]["p"][0], d["distortion"]["p"][1]); }},
+    {"lens-sign",
+     {bent},
+     [](Json& d) {
+       d["distortion"] = {{"model", "brown"}, {"k", {0.21, -0.06}}, {"p", {-0.003, 0.002}}};
+     }},
+    {"heading-convention", {earth}, [](Json& d) { d["heading"] = -d["heading"].get<double>(); }},
+    {"pitch-convention", {earth}, [](Json& d) { d["pitch"] = d["pitch"].get<double>() + 90; }},
+    {"heading", {earth}, [](Json& d) { d["heading"] = d["heading"].get<double>() + 3.2; }},
+    {"pitch", {earth}, [](Json& d) { d["pitch"] = d["pitch"].get<double>() + 2.3; }},
+    {"height", {earth}, [](Json& d) { d["position"]["height"] = d["position"]["height"].get<double>() - 49.3; }},
+    {"eye",
+     {look, rotation, euler},
+     kSame,
+     [](Vec2, Vec2 q) { return q; },
+     [](Vec3 p) {
+       return sum(p, 1, {0.31, 0.2, -0.4});
+     }},
+    {"focal-length",
+     {look, vision},
+     [](Json& d) {
+       for (const char* name : {"fx", "fy"})
+         if (d["projection"].contains(name)) d["projection"][name] = 1.3 * d["projection"][name].get<double>();
+       if (d["projection"].contains("fovY")) d["projection"]["fovY"] = 1.3 * d["projection"]["fovY"].get<double>();
+     }},
+};
+
+}  // namespace
+
+TEST_CASE("A mistake is named, and no other beside it") {
+  int tried = 0;
+  for (const Wrong& wrong : kWrong)
+    for (unsigned trial = 0; trial < 4; ++trial) {
+      Random random(trial);
+      const Form form = wrong.forms[trial % wrong.forms.size()];
+      const Json right = documentOf(random, form);
+      Json given = right;
+      wrong.document(given);
+      const Camera camera = cameraOf(right);
+      const Vec2 size{camera.viewport().width, camera.viewport().height};
+      const double half = camera.viewport().pixelCenter - 0.5;
+      std::vector<Pair> pairs;
+      for (const Vec3& point : pointsOf(random, camera, 7, form == earth ? 90 : 3)) {
+        const ScreenPoint at = worldToScreen(camera, point);
+        const Vec2 q = wrong.pixel(size, {at.x - half, at.y - half});
+        const Vec3 p = wrong.point(point);
+        pairs.push_back({{p.x, p.y, p.z, 1}, {q.x + half, q.y + half}});
+      }
+      CAPTURE(wrong.mistake, trial, given.dump());
+      const std::vector<Explanation> found = explain(documentOf(given), {}, pairs, 0.1);
+      REQUIRE(!found.empty());
+      CHECK(found[0].hypothesis.mistake == wrong.mistake);
+      CHECK(found[0].largest < 0.01);
+      CHECK(found.size() == 1);
+      ++tried;
+      // What is judged is the mend itself, through the library.
+      const Hypothesis& h = found[0].hypothesis;
+      const Trials trials(documentOf(given), {});
+      const Mend mend = mendOf(trials.file(), found[0], pairs);
+      CAPTURE(mend.options, mend.pairs);
+      CHECK(mend.options.empty() == mend.sets.empty());
+      CHECK(mend.pairs.empty() == !(h.movesPixels() || h.movesPoints()));
+      const Camera mended = makeCamera(changed(trials.file(), mend.sets, h.stretch));
+      for (const Pair& pair : pairs) {
+        const ScreenPoint at = worldToScreen(mended, h.point(pair.point));
+        const Vec2 q = h.pixels(pair.pixel);
+        CHECK(std::hypot(at.x - q.x, at.y - q.y) < 0.02);
+      }
+    }
+  CHECK(tried > 100);
+}
+
+TEST_CASE("Pixels that no mistake made are not explained") {
+  for (unsigned trial = 0; trial < 60; ++trial) {
+    Random random(trial);
+    const Json document = documentOf(random, static_cast<Form>(trial % 6));
+    const Camera camera = cameraOf(document);
+    std::vector<Pair> pairs;
+    for (const Vec3& p : pointsOf(random, camera, 2 + static_cast<int>(trial % 5)))
+      pairs.push_back({{p.x, p.y, p.z, 1}, {random.uniform(0, 640), random.uniform(0, 480)}});
+    CAPTURE(trial);
+    CHECK(explain(documentOf(document), {}, pairs, 0.1).empty());
+  }
+}
+
+TEST_CASE("A wrong pair is named, alone or beside a mistake") {
+  int named = 0;
+  for (unsigned trial = 0; trial < 30; ++trial) {
+    Random random(trial);
+    const Json right = documentOf(random, trial % 2 ? look : vision);
+    const Camera camera = cameraOf(right);
+    std::vector<Pair> pairs;
+    std::vector<Vec2> misses;
+    for (const Vec3& p : pointsOf(random, camera, 9)) {
+      const ScreenPoint at = worldToScreen(camera, p);
+      pairs.push_back({{p.x, p.y, p.z, 1}, {at.x + (pairs.size() == 4 ? 60 : 0), at.y}});
+      misses.push_back({pairs.size() == 5 ? 60.0 : 0.0, 0});
+    }
+    CHECK(wrongPairs(misses, 0.1) == std::vector<std::size_t>{4});
+    for (Pair& pair : pairs) pair.pixel.x = 100 + 0.7 * pair.pixel.x, pair.pixel.y = 0.7 * pair.pixel.y;
+    const std::vector<Explanation> found = explain(documentOf(right), {}, pairs, 0.1);
+    if (found.size() == 1 && found[0].hypothesis.mistake == "scale-and-offset" &&
+        found[0].wrong == std::vector<std::size_t>{4})
+      ++named;
+  }
+  CHECK(named >= 26);
+}
+
+TEST_CASE("Pixels in another order are given back to their points") {
+  Random random(1);
+  const Camera camera = cameraOf(documentOf(random, look));
+  std::vector<Pair> pairs;
+  for (const Vec3& p : pointsOf(random, camera, 5)) {
+    const ScreenPoint at = worldToScreen(camera, p);
+    pairs.push_back({{p.x, p.y, p.z, 1}, {at.x, at.y}});
+  }
+  CHECK(pixelOrder(camera, pairs, 0.1).empty());
+  std::swap(pairs[1].pixel, pairs[3].pixel);
+  CHECK(pixelOrder(camera, pairs, 0.1) == std::vector<std::size_t>{0, 3, 2, 1, 4});
+}
+
+TEST_CASE("A report counts every pair, tells the misses, and names wrong pairs before the camera") {
+  Random random(3);
+  const CameraFile file = readCamera(documentOf(documentOf(random, look)), {});
+  const Camera camera = makeCamera(file);
+  PairReport few(file, 0.1), many(file, 0.1);
+  std::size_t line = 1;
+  for (const Vec3& p : pointsOf(random, camera, 10)) {
+    const ScreenPoint at = worldToScreen(camera, p);
+    few.add({p.x, p.y, p.z, 1}, Vec2{at.x + (line == 7 ? 3 : 0), at.y + (line == 7 ? 4 : 0)}, line);
+    ++line;
+  }
+  const Vec3 eye = camera.pose().eye(), ahead = camera.pose().forward(), behind = sum(eye, -1, ahead);
+  few.add({behind.x, behind.y, behind.z, 1}, std::nullopt, 11);  // it has none, and ours has none either
+  OrderedJson report = few.report();
+  CHECK(report["records"] == 11);
+  CHECK(report["noPixel"] == 0);
+  CHECK(std::fabs(report["rmsMiss"].get<double>() - std::sqrt(2.5)) < 1e-9);
+  CHECK(std::fabs(report["meanMiss"].get<double>() - 0.5) < 1e-9);
+  CHECK(report["medianMiss"].get<double>() < 1e-9);
+  CHECK(std::fabs(report["miss95"].get<double>() - 5) < 1e-9);
+  CHECK(report["worst"] == 7);
+  CHECK(report["wrongPairs"] == OrderedJson{7});
+  CHECK(report["explanations"].empty());
+  CHECK(report["verdict"].is_null());
+  few.add({behind.x, behind.y, behind.z, 1}, Vec2{1, 1}, 12);
+  CHECK(few.report()["noPixel"] == 1);
+
+  // A hundred thousand pixels that are 0 to 2 pixels to the right.
+  for (std::size_t i = 0; i < 100'000; ++i) {
+    const Vec3 p = sum(eye, 1 + static_cast<double>(i % 17), ahead);
+    const ScreenPoint at = worldToScreen(camera, p);
+    many.add({p.x, p.y, p.z, 1}, Vec2{at.x + 2e-5 * static_cast<double>(i), at.y}, i + 1);
+  }
+  report = many.report();
+  CHECK(report["judged"] == 3125);
+  CHECK(std::fabs(report["medianMiss"].get<double>() - 1) < 0.002);
+  CHECK(std::fabs(report["miss95"].get<double>() - 1.9) < 0.003);
+  CHECK(report["worst"] == 100'000);
+}
