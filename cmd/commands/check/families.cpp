@@ -315,8 +315,9 @@ Json valueOf(const std::string& mistake, const Fit& fit, const PlainCamera& to, 
   if (mistake == "pan-tilt-zoom") return {degrees, fx};
   if (mistake == "lens") {
     Json numbers = Json::array();
-    for (std::size_t i = 0; i < std::min<std::size_t>(by.size(), 2); ++i) numbers.push_back(to.lens->k[i]);
-    for (std::size_t i = 2; i < by.size(); ++i) numbers.push_back(to.lens->p[i - 2]);
+    const PlainLens lens = to.lens.value_or(PlainLens{});  // no step has made one: its numbers are 0
+    for (std::size_t i = 0; i < std::min<std::size_t>(by.size(), 2); ++i) numbers.push_back(lens.k[i]);
+    for (std::size_t i = 2; i < by.size(); ++i) numbers.push_back(lens.p[i - 2]);
     return numbers;
   }
   if (mistake == "heading" || mistake == "pitch" || mistake == "roll") {
