@@ -22,7 +22,7 @@ Json parsed(const std::string& name, std::string text) {
     throw InputError(place(name, positionAt(text, offset)) + ": " + visible(message));
   };
   Json root;
-  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+  text.erase(0, text.size() - withoutByteOrderMark(text).size());
   const std::size_t start = text.find_first_not_of(" \t\r\n");
   if (start == std::string::npos) throw InputError(name + ": is empty; expected JSON");
   if (text[start] != '{' && text[start] != '[' && looksLikeYaml(text)) {

@@ -96,25 +96,6 @@ LocalAxes localAxes(const Geodetic& place) {
           {std::cos(lat) * std::cos(lon), std::cos(lat) * std::sin(lon), std::sin(lat)}};
 }
 
-/// Straight up or down the roll is 0. Heading and roll compose to the same axes as the pose's.
-HeadingPitchRoll anglesOf(const PlainPose& pose, const LocalAxes& at) {
-  const double toEast = dotOf(pose.forward, at.east), toNorth = dotOf(pose.forward, at.north);
-  const double level = std::hypot(toEast, toNorth), rise = dotOf(pose.forward, at.up);
-  if (level < kRounding)
-    return {std::atan2(-dotOf(pose.right, at.north), dotOf(pose.right, at.east)) * kDegrees, rise < 0 ? -90.0 : 90.0,
-            0};
-  // The level camera of that heading has these axes to the right and up.
-  const double sine = toEast / level, cosine = toNorth / level;
-  const auto inWorld = [&](double east, double north, double up) {
-    return Vec3{east * at.east.x + north * at.north.x + up * at.up.x,
-                east * at.east.y + north * at.north.y + up * at.up.y,
-                east * at.east.z + north * at.north.z + up * at.up.z};
-  };
-  const Vec3 right = inWorld(cosine, -sine, 0), up = inWorld(-rise * sine, -rise * cosine, level);
-  return {std::atan2(toEast, toNorth) * kDegrees, std::atan2(rise, level) * kDegrees,
-          std::atan2(-dotOf(pose.right, up), dotOf(pose.right, right)) * kDegrees};
-}
-
 // ---- Poses in the document's form
 
 Json placeOf(const Vec3& point) {
@@ -273,6 +254,25 @@ Document copied(const Document& document) {
   return copy;
 }
 
+HeadingPitchRoll headingPitchRollOf(const PlainPose& pose, bool worldIsEcef) {
+  const LocalAxes at = worldIsEcef ? localAxes(ecefToGeodetic(pose.eye)) : LocalAxes{};
+  const double toEast = dotOf(pose.forward, at.east), toNorth = dotOf(pose.forward, at.north);
+  const double level = std::hypot(toEast, toNorth), rise = dotOf(pose.forward, at.up);
+  if (level < kRounding)
+    return {std::atan2(-dotOf(pose.right, at.north), dotOf(pose.right, at.east)) * kDegrees, rise < 0 ? -90.0 : 90.0,
+            0};
+  // The level camera of that heading has these axes to the right and up.
+  const double sine = toEast / level, cosine = toNorth / level;
+  const auto inWorld = [&](double east, double north, double up) {
+    return Vec3{east * at.east.x + north * at.north.x + up * at.up.x,
+                east * at.east.y + north * at.north.y + up * at.up.y,
+                east * at.east.z + north * at.north.z + up * at.up.z};
+  };
+  const Vec3 right = inWorld(cosine, -sine, 0), up = inWorld(-rise * sine, -rise * cosine, level);
+  return {std::atan2(toEast, toNorth) * kDegrees, std::atan2(rise, level) * kDegrees,
+          std::atan2(-dotOf(pose.right, up), dotOf(pose.right, right)) * kDegrees};
+}
+
 void orient(Json& root, FieldId field, Json value) {
   for (const Field& other : kFields)
     if (contradict(other, *field)) root.erase(std::string(other.path));
@@ -310,8 +310,7 @@ Document withPose(const CameraFile& camera, const PlainPose& pose) {
   } else if (values.has("direction") || (target && !target->place)) {
     putLook(root, values, camera, pose);
   } else {
-    const HeadingPitchRoll angles =
-        anglesOf(pose, camera.worldIsEcef ? localAxes(ecefToGeodetic(pose.eye)) : LocalAxes{});
+    const HeadingPitchRoll angles = headingPitchRollOf(pose, camera.worldIsEcef);
     if (target) orient(root, "heading", angles.heading.value);
     putAngle(root, "heading", angles.heading.value);
     putAngle(root, "pitch", angles.pitch.value);

@@ -14,6 +14,10 @@ struct PlainPose {
 };
 PlainPose plainPose(const Pose& pose);
 
+/// In degrees, in a world of east, north and up or, if worldIsEcef, at the eye's place on the Earth: heading clockwise
+/// from north, pitch above the horizon, roll right side down. Straight up or down roll is 0. They compose to the axes.
+HeadingPitchRoll headingPitchRollOf(const PlainPose& pose, bool worldIsEcef);
+
 /// The camera with this pose, in the document's form of pose: a target at its old distance, and up if it changed; a
 /// direction; a rotation; euler angles in their order; heading, pitch and roll (also for a target on the Earth); or a
 /// matrix, a quaternion or a rotation vector, in the direction that the document has. A position stays a place on the

@@ -24,15 +24,6 @@ std::optional<Angle> parseAngle(const Json& value) {
   return std::nullopt;
 }
 
-Angle readAngle(const Node& value, double least = -HUGE_VAL, double most = HUGE_VAL, const char* range = "in degrees") {
-  const auto angle = parseAngle(value.json());
-  if (!angle) value.fail("expected a number of degrees, \"60deg\" or \"1.0472rad\"");
-  const double degrees = degreesOf(*angle);
-  if (!(degrees >= least && degrees <= most) || !std::isfinite(degrees))
-    value.fail(std::string("expected an angle ") + range);
-  return *angle;
-}
-
 /// Above 0 and below 180 degrees.
 Angle readFieldOfView(const Node& value) {
   const Angle angle = readAngle(value, 0, 180, "between 0 and 180 degrees");
@@ -275,6 +266,15 @@ FieldValue readValue(const Node& value, const Field& field) {
       break;
   }
   return readLensNumbers(value);
+}
+
+Angle readAngle(const Node& value, double least, double most, const char* range) {
+  const auto angle = parseAngle(value.json());
+  if (!angle) value.fail("expected a number of degrees, \"60deg\" or \"1.0472rad\"");
+  const double degrees = degreesOf(*angle);
+  if (!(degrees >= least && degrees <= most) || !std::isfinite(degrees))
+    value.fail(std::string("expected an angle ") + range);
+  return *angle;
 }
 
 Position readPosition(const Node& value) {

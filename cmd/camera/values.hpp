@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -104,6 +105,8 @@ FieldValues readValues(const Document& document, std::string_view under = "");
 
 /// Reads a value of this field's kind.
 FieldValue readValue(const Node& value, const Field& field);
+/// A number of degrees, "60deg" or "1.0472rad".
+Angle readAngle(const Node& value, double least = -HUGE_VAL, double most = HUGE_VAL, const char* range = "in degrees");
 /// x, y, z, or {"lat", "lon", "height"}.
 Position readPosition(const Node& value);
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "camera/names.hpp"
+#include "camera/plain_camera.hpp"
 #include "camera/read_lens.hpp"
 #include "camera/read_pose.hpp"
 #include "commands/camera_options.hpp"
@@ -34,44 +35,12 @@ OrderedJson ifThere(bool isThere, OrderedJson object) {
   return object;
 }
 
-constexpr double kDegrees = 180 / std::numbers::pi;
-
-/// East, north and up in the coordinates of the world.
-struct Directions {
-  Vec3 east{1, 0, 0}, north{0, 1, 0}, up{0, 0, 1};
-};
-
-Directions directionsAt(const Geodetic& place) {
-  const double lat = place.lat / kDegrees, lon = place.lon / kDegrees;
-  return {{-std::sin(lon), std::cos(lon), 0},
-          {-std::sin(lat) * std::cos(lon), -std::sin(lat) * std::sin(lon), std::cos(lat)},
-          {std::cos(lat) * std::cos(lon), std::cos(lat) * std::sin(lon), std::sin(lat)}};
-}
-
-/// Clockwise from north, above the horizon, right side down. They compose to the pose, roll being what is left of it
-/// after heading and pitch as rounded. Straight down or up roll is 0.
-HeadingPitchRoll turnOf(const Pose& pose, const Directions& at) {
-  const auto& [east, north, up] = at;
-  using detail::dot;
-  // The place and the axes are rounded: what is left of the angles is certain to about 1e-13 degrees.
-  const auto degrees = [](double y, double x) { return std::round(std::atan2(y, x) * kDegrees * 1e12) / 1e12 + 0.0; };
-  const Vec3 forward = pose.forward(), right = pose.right();
-  const double toEast = dot(forward, east), toNorth = dot(forward, north), level = std::hypot(toEast, toNorth);
-  const bool isVertical = level < 1e-12;
-  const double turned = isVertical ? degrees(-dot(right, north), dot(right, east)) : degrees(toEast, toNorth);
-  const double heading = std::fmod(turned + 360, 360), pitch = degrees(dot(forward, up), isVertical ? 0 : level);
-  const double h = heading / kDegrees, p = pitch / kDegrees;
-  // right and up of the camera before it rolls
-  const double e = dot(right, east), n = dot(right, north);
-  const double toRight = std::cos(h) * e - std::sin(h) * n;
-  const double toUp = std::cos(p) * dot(right, up) - std::sin(p) * (std::sin(h) * e + std::cos(h) * n);
-  return {heading, pitch, isVertical ? 0 : degrees(-toUp, toRight)};
-}
-
 OrderedJson poseOf(const CameraFile& file) {
   const Pose pose = file.pose.value_or(lookAlong({}, {0, 0, -1}, {0, 1, 0}, Handedness::right));
   const Geodetic place = ecefToGeodetic(pose.eye());
-  const HeadingPitchRoll turn = turnOf(pose, file.worldIsEcef ? directionsAt(place) : Directions{});
+  const HeadingPitchRoll turn = headingPitchRollOf(plainPose(pose), file.worldIsEcef);
+  // The place and the axes are rounded: what is left of the angles is certain to about 1e-13 degrees.
+  const auto degrees = [](double angle) { return std::round(angle * 1e12) / 1e12 + 0.0; };
   OrderedJson members = ifThere(file.pose.has_value(), {{"eye", asJson(pose.eye())},
                                                         {"right", asJson(pose.right())},
                                                         {"up", asJson(pose.up())},
@@ -79,7 +48,9 @@ OrderedJson poseOf(const CameraFile& file) {
   members.update(ifThere(file.pose && file.worldIsEcef,
                          {{"place", {{"lat", place.lat}, {"lon", place.lon}, {"height", place.height}}}}));
   members.update(ifThere(file.pose && (file.worldIsEcef || file.worldIsEnu),
-                         {{"heading", turn.heading.value}, {"pitch", turn.pitch.value}, {"roll", turn.roll.value}}));
+                         {{"heading", std::fmod(degrees(turn.heading.value) + 360, 360)},
+                          {"pitch", degrees(turn.pitch.value)},
+                          {"roll", degrees(turn.roll.value)}}));
   return members;
 }
 
@@ -311,10 +282,11 @@ int runUnknown(const InfoOptions& o, const UnknownFile& unknown) {
   const auto isCamera = [](const ProposedLine& line) {
     return line.hasLens && std::count(line.parts.begin(), line.parts.end(), '=') > 1;
   };
-  const bool hasMatrices = !unknown.text.empty() && !findMatrices(unknown.text).matrices.empty();
+  const bool isForCamera = o.camera.changesCamera() || o.at.has_value();
+  if (isForCamera || std::any_of(proposal.lines.begin(), proposal.lines.end(), isCamera))
+    return writeProposal(o, proposal);
   const bool isNothing = proposal.lines.empty() && unknown.file.isPlainText;
-  if (o.camera.changesCamera() || o.at || std::any_of(proposal.lines.begin(), proposal.lines.end(), isCamera) ||
-      !(hasMatrices || isNothing))
+  if (!isNothing && (unknown.text.empty() || findMatrices(unknown.text).matrices.empty()))
     return writeProposal(o, proposal);
   return runMatrices(o, unknown.text, unknown.what());
 }

@@ -64,7 +64,7 @@ void readLines(const std::string& name, const std::function<std::string(const st
   if (!file) throw InputError(visible(name) + ": " + std::generic_category().message(errno));
   std::string line;
   for (std::size_t number = 1; std::getline(file, line); ++number) {
-    if (number == 1 && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
+    if (number == 1) line.erase(0, line.size() - withoutByteOrderMark(line).size());
     if (const std::string fault = read(line); !fault.empty())
       throw InputError(visible(name) + ":" + std::to_string(number) + ": " + fault);
   }
@@ -218,8 +218,8 @@ std::vector<Json> firstWords(const std::filesystem::path& name) {
   std::ifstream file(name, std::ios::binary);
   std::vector<Json> words;
   for (std::string line; words.empty() && std::getline(file, line);) {
-    if (line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
-    words = fieldsOf(line, line.size());
+    const std::string_view bare = withoutByteOrderMark(line);
+    words = fieldsOf(bare, bare.size());
   }
   return words;
 }

@@ -76,8 +76,7 @@ constexpr Refusal kRefusals[] = {
 
 const char* refusalOf(std::string_view text) {
   constexpr std::size_t kMost = 1 << 16;
-  std::string_view start = text.substr(0, kMost);
-  if (start.starts_with("\xEF\xBB\xBF")) start.remove_prefix(3);
+  const std::string_view start = withoutByteOrderMark(text.substr(0, kMost));
   const bool isText = start.find('\0') == std::string_view::npos;
   for (const Refusal& refusal : kRefusals) {
     if (refusal.begins ? start.starts_with(refusal.mark) : isText && start.find(refusal.mark) != std::string_view::npos)

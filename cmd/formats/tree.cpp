@@ -18,7 +18,8 @@
 namespace viewproj::cmd {
 namespace {
 
-constexpr std::size_t kMostBytes = 64 << 20, kShort = 1 << 20;
+/// The longest text that is kept beside the tree.
+constexpr std::size_t kShort = 1 << 20;
 
 /// Whether the first line with words is a heading, such as [image].
 bool beginsWithHeading(std::string_view text) {
@@ -46,20 +47,23 @@ void unfoldMatrices(Json& value) {
     for (Json& part : value) unfoldMatrices(part);
 }
 
-/// shortText: of the file, for UnknownFormat.
-Json treeOf(const std::string& name, std::string text, const std::string& shortText, bool isInline, bool& isPlainText) {
+/// Sets the document's tree, and what it keeps of the text.
+void readText(Document& document, std::string text, bool isInline) {
+  document.text = std::make_shared<const std::string>(text.size() <= kShort ? text : "");
+  document.root = std::make_shared<Json>();
+  Json& root = *document.root;
   const auto fail = [&](const JsonFault& fault) {
-    const std::string full = place(name, positionAt(text, fault.offset)) + ": " + visible(fault.message);
+    const std::string full = place(document.name, positionAt(text, fault.offset)) + ": " + visible(fault.message);
     // What begins like an object of JSON is meant as one.
     const std::size_t first = text.find_first_not_of(" \t\r\n");
     const std::size_t second = text.find_first_not_of(" \t\r\n", first + 1);
     if (text[first] == '{' && second != std::string::npos && (text[second] == '"' || text[second] == '}'))
       throw InputError(full);
-    throw UnknownFormat(full, shortText);
+    throw UnknownFormat(full, *document.text);
   };
-  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+  text.erase(0, text.size() - withoutByteOrderMark(text).size());
   std::size_t start = text.find_first_not_of(" \t\r\n");
-  if (start == std::string::npos) throw InputError(name + ": is empty; expected JSON");
+  if (start == std::string::npos) throw InputError(document.name + ": is empty; expected JSON");
   if (text[start] == '/') {  // a comment of JSON
     std::string bare = text;
     blankComments(bare);
@@ -67,30 +71,29 @@ Json treeOf(const std::string& name, std::string text, const std::string& shortT
     if (next != std::string::npos && opensJson(bare[next])) start = next;
   }
   const char first = text[start];
-  Json root;
   if (first == '<' && start + 1 < text.size() &&
       (isLetter(text[start + 1]) || text[start + 1] == '?' || text[start + 1] == '!')) {
     if (const auto fault = parseXml(text, kDeepestJson, root)) fail(*fault);
-    return root;
+    return;
   }
   if (opensJson(first) && !beginsWithHeading(text)) {
     blankComments(text);
     if (const auto fault = parseJson(text, root)) fail(*fault);
-    return root;
+    return;
   }
-  if (isInline) return root;
+  if (isInline) return;
   root = tableTree(text);
-  if (!root.is_null()) return root;
+  if (!root.is_null()) return;
   if (looksLikeYaml(text)) {
     if (const auto fault = parseYaml(text, kDeepestJson, root)) fail(*fault);
-    if (root.is_structured()) return root;
+    if (root.is_structured()) return;
   }
-  isPlainText = true;
+  document.isPlainText = true;
   root = textTree(text);
   if (root.empty())
-    throw UnknownFormat(name + ": is neither JSON nor YAML, as camera files are; viewproj help formats lists them",
-                        shortText);
-  return root;
+    throw UnknownFormat(
+        document.name + ": is neither JSON nor YAML, as camera files are; viewproj help formats lists them",
+        *document.text);
 }
 
 /// Of a folder of a stereo calibration, its first file.
@@ -105,29 +108,22 @@ std::string insideFolder(const std::string& source) {
 }  // namespace
 
 Document readTree(const std::string& source, const std::string& option) {
-  const std::size_t first = source.find_first_not_of(" \t\r\n");
-  std::error_code ignored;
-  const bool isInline =
-      first != std::string::npos &&
-      (source[first] == '{' || (source[first] == '[' && !std::filesystem::exists(pathOf(source), ignored)));
-  Document document{isInline ? option : shownName(insideFolder(source)), nullptr};
+  const bool isInline = isInlineJson(source);
+  const std::string name = isInline ? option : insideFolder(source);
+  Document document{isInline ? option : shownName(name), nullptr};
   if (isInline) {
-    document.text = std::make_shared<const std::string>(source.size() <= kShort ? source : "");
-    document.root = std::make_shared<Json>(treeOf(document.name, source, *document.text, true, document.isPlainText));
-    unfoldMatrices(*document.root);
-    return document;
+    readText(document, source, true);
+  } else {
+    std::string bytes = readWithoutGlb(name, kMostDocumentBytes);
+    if (const char* const why = refusalOf(bytes)) throw InputError(document.name + ": " + why);
+    if (isNumpy(bytes)) {
+      Json arrays = readNumpy(document.name, bytes);
+      document.root = std::make_shared<Json>(arrays.is_object() ? std::move(arrays) : Json{{"#1", std::move(arrays)}});
+      return document;
+    }
+    requireNarrow(document.name, bytes);
+    readText(document, std::move(bytes), false);
   }
-  std::string text = readWithoutGlb(insideFolder(source), kMostBytes);
-  if (const char* const why = refusalOf(text)) throw InputError(document.name + ": " + why);
-  if (isNumpy(text)) {
-    Json arrays = readNumpy(document.name, text);
-    document.root = std::make_shared<Json>(arrays.is_object() ? std::move(arrays) : Json{{"#1", std::move(arrays)}});
-    return document;
-  }
-  requireNarrow(document.name, text);
-  document.text = std::make_shared<const std::string>(text.size() <= kShort ? text : "");
-  document.root =
-      std::make_shared<Json>(treeOf(document.name, std::move(text), *document.text, false, document.isPlainText));
   unfoldMatrices(*document.root);
   return document;
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "text/error.hpp"
+#include "text/npy_header.hpp"
 #include "text/number.hpp"
 #include "text/utf8.hpp"
 
@@ -20,7 +21,6 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kMostNumbers = 1 << 20, kMostBytes = 64 << 20;
-constexpr std::string_view kMagic = "\x93NUMPY";
 
 /// An unsigned integer of these bytes, the lowest one first.
 std::uint64_t littleEndian(std::string_view bytes, std::size_t at, std::size_t size) {
@@ -64,44 +64,23 @@ class Array {
  private:
   [[noreturn]] void fail(const std::string& message) const { throw InputError(name_ + ": " + message); }
 
-  /// What follows a key of the header, which is a dictionary of Python.
-  std::string_view after(std::string_view header, std::string_view key) const {
-    const std::size_t at = header.find("'" + std::string(key) + "'");
-    const std::size_t colon = at == std::string_view::npos ? at : header.find(':', at);
-    if (colon == std::string_view::npos) fail("has a header of numpy without " + std::string(key));
-    return trimmed(header.substr(colon + 1));
-  }
-
   void readHeader() {
-    if (!bytes_.starts_with(kMagic) || bytes_.size() < 12) fail("is no array of numpy");
-    const std::size_t width = bytes_[6] == 1 ? 2 : 4;
-    const std::uint64_t length = littleEndian(bytes_, 8, width);
-    data_ = 8 + width + length;
-    if (length > bytes_.size() || data_ > bytes_.size()) fail("ends inside its header");
-    const std::string_view header = bytes_.substr(8 + width, length);
-    const std::string_view type = after(header, "descr");
-    if (type.size() < 4 || type[0] != '\'') return;  // a record: no numbers
-    isBigEndian_ = type[1] == '>';
-    kind_ = type[2];
-    size_ = 0;
-    for (std::size_t i = 3; i < type.size() && isDigit(type[i]) && size_ < 1000; ++i)
-      size_ = 10 * size_ + static_cast<std::size_t>(type[i] - '0');
-    isByColumns_ = after(header, "fortran_order").starts_with("True");
-    std::string_view shape = after(header, "shape");
-    shape = shape.substr(0, shape.find(')'));
+    const std::size_t size = npyHeaderSize(name_, bytes_);
+    if (size == 0 || size > bytes_.size()) fail("ends inside its header");
+    const NpyHeader header = readNpyHeader(name_, bytes_);
+    data_ = header.size;
+    isByColumns_ = header.isFortranOrder;
+    if (header.type.size() < 3 || header.type.starts_with('[')) return;  // a record: no numbers
+    isBigEndian_ = header.type[0] == '>';
+    kind_ = header.type[1];
+    for (std::size_t i = 2; i < header.type.size() && isDigit(header.type[i]) && size_ < 1000; ++i)
+      size_ = 10 * size_ + static_cast<std::size_t>(header.type[i] - '0');
+    shape_ = header.shape;
+    if (shape_.size() > 8) fail("has more than 8 dimensions");
     count_ = 1;
-    for (std::size_t i = 0; i < shape.size();) {
-      std::size_t extent = 0;
-      const std::size_t first = i;
-      for (; i < shape.size() && isDigit(shape[i]); ++i)
-        extent = std::min<std::size_t>(10 * extent + static_cast<std::size_t>(shape[i] - '0'), kMostBytes);
-      if (i == first) {
-        ++i;
-        continue;
-      }
-      shape_.push_back(extent);
+    for (std::size_t& extent : shape_) {
+      extent = std::min(extent, kMostBytes);
       count_ = std::min(count_ * extent, kMostBytes);
-      if (shape_.size() > 8) fail("has more than 8 dimensions");
     }
   }
 
@@ -176,10 +155,10 @@ json readZip(const std::string& name, std::string_view zip) {
 
 }  // namespace
 
-bool isNumpy(std::string_view bytes) { return bytes.starts_with(kMagic) || bytes.starts_with("PK\3\4"); }
+bool isNumpy(std::string_view bytes) { return bytes.starts_with(kNpyMagic) || bytes.starts_with("PK\3\4"); }
 
 json readNumpy(const std::string& name, std::string_view bytes) {
-  if (!bytes.starts_with(kMagic)) return readZip(name, bytes);
+  if (!bytes.starts_with(kNpyMagic)) return readZip(name, bytes);
   const Array array(name, bytes);
   if (array.kind() == 'O')
     throw InputError(name + ": holds Python objects, which are not read; save np.array(x, float)");

@@ -83,11 +83,6 @@ Vec4 Hypothesis::point(const Vec4& p) const {
   return {moved.x, moved.y, moved.z, p.w};
 }
 
-double degreesAt(const Document& document, std::string_view path, const Json& value) {
-  // A turn may be any angle.
-  return degreesOf(std::get<Angle>(readValue(Node(document, value, std::string(path)), *findField("heading"))));
-}
-
 CameraFile changed(const CameraFile& file, const std::vector<Set>& sets, bool stretch) {
   Document document = copied(file.document);
   std::vector<Patch> patches;
@@ -119,7 +114,7 @@ double Trials::numberOr(std::string_view path, double fallback) const {
 
 double Trials::degreesOr(std::string_view path, double fallback) const {
   const Json* const value = find(path);
-  return value ? degreesAt(file_.document, path, *value) : fallback;
+  return value ? degreesOf(readAngle({file_.document, *value, std::string(path)})) : fallback;
 }
 
 Hypothesis Trials::next(const std::string& mistake, Json value) const {

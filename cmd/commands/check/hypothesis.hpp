@@ -93,9 +93,6 @@ class Trials {
   std::vector<Hypothesis> found_;
 };
 
-/// The degrees of an angle's value at a path of a document.
-double degreesAt(const Document& document, std::string_view path, const Json& value);
-
 /// The document with fields set. Throws as readCamera does.
 CameraFile changed(const CameraFile& file, const std::vector<Set>& sets, bool stretch);
 

@@ -226,7 +226,7 @@ void setLens(const CameraFile& file, const PlainCamera& from, const PlainCamera&
   if (canKeep) {
     for (const char* const angle : {"projection.fovY", "projection.fovX", "projection.fovDiagonal"})
       if (const Json* const value = find(angle); value && isScaled) {
-        const double half = degreesAt(file.document, angle, *value) * std::numbers::pi / 360;
+        const double half = degreesOf(readAngle({file.document, *value, angle})) * std::numbers::pi / 360;
         sets.emplace_back(angle, 360 / std::numbers::pi * std::atan(std::tan(half) / fx));
       }
     if (find("projection.focalLength") && isScaled)
@@ -295,7 +295,8 @@ void setPose(const CameraFile& file, const Rows& ownAxes, const PlainCamera& fro
     const double r = std::atan2(dot(to.axes[0], down), dot(to.axes[0], right));
     for (const auto& [name, radians] : {std::pair("heading", h), {"pitch", p}, {"roll", r}}) {
       const Json* const old = valueAt(root, name);
-      const double degrees = radians * 180 / std::numbers::pi, was = old ? degreesAt(file.document, name, *old) : 0;
+      const double degrees = radians * 180 / std::numbers::pi,
+                   was = old ? degreesOf(readAngle({file.document, *old, name})) : 0;
       const double turned = was + std::remainder(degrees - was, 360);
       if (std::fabs(turned - was) > 1e-10) sets.emplace_back(name, turned);
     }
