@@ -100,7 +100,8 @@ void BlockReader::moveOn(std::string_view text) {
     position_.line += text.size() / ends_.record;
     return;
   }
-  const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+  std::size_t lines = 0;  // faster than a count of every byte, for lines are long
+  for (std::size_t at = text.find('\n'); at != npos; at = text.find('\n', at + 1)) ++lines;
   position_.line += lines;
   position_.column = lines > 0 ? text.size() - text.rfind('\n') : position_.column + text.size();
 }
