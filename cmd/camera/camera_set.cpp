@@ -122,7 +122,7 @@ void readAs(Document& file, std::string_view preset) {
 
 CameraSet::CameraSet(std::string name, Import import, CameraPatches patches)
     : name_(std::move(name)), patches_(std::move(patches)), import_(std::move(import)), kept_(import_.cameras.size()) {
-  if (import_.cameras.empty()) throw InputError(name_ + ": holds no camera");
+  if (import_.cameras.empty()) throw InputError(name_ + ": holds no " + import_.noun);
   for (std::size_t i = 0; i < size(); ++i) {
     names_[import_.cameras[i].name].push_back(i);
     ids_[import_.cameras[i].id].push_back(i);
@@ -184,15 +184,15 @@ std::vector<std::size_t> CameraSet::all() const {
 std::size_t CameraSet::choose(const std::optional<std::string>& pick) const {
   if (!pick) {
     if (size() == 1) return 0;
-    throw InputError(name_ + ": holds " + std::to_string(size()) +
-                     " cameras; pick one after the file's name: " + someOf(all()));
+    throw InputError(name_ + ": holds " + std::to_string(size()) + " " + import_.noun +
+                     "s; pick one after the file's name: " + someOf(all()));
   }
   const std::vector<std::size_t> found = called(*pick);
   if (found.size() == 1) return found.front();
   if (!found.empty())
-    throw InputError(name_ + ": has " + std::to_string(found.size()) + " cameras called " + inQuotes(*pick) +
-                     "; pick one by its number: " + someOf(found));
-  throw InputError(name_ + ": has no camera " + inQuotes(*pick) + "; it has " + someOf(all()));
+    throw InputError(name_ + ": has " + std::to_string(found.size()) + " " + import_.noun + "s called " +
+                     inQuotes(*pick) + "; pick one by its number: " + someOf(found));
+  throw InputError(name_ + ": has no " + import_.noun + " " + inQuotes(*pick) + "; it has " + someOf(all()));
 }
 
 std::vector<std::size_t> CameraSet::chooseAll(const std::optional<std::string>& pick) const {
@@ -201,7 +201,8 @@ std::vector<std::size_t> CameraSet::chooseAll(const std::optional<std::string>& 
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < size(); ++i)
     if (matches(import_.cameras[i].name, *pick)) found.push_back(i);
-  if (found.empty()) throw InputError(name_ + ": has no camera " + inQuotes(*pick) + "; it has " + someOf(all()));
+  if (found.empty())
+    throw InputError(name_ + ": has no " + import_.noun + " " + inQuotes(*pick) + "; it has " + someOf(all()));
   return found;
 }
 

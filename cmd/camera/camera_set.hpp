@@ -28,7 +28,7 @@ struct Import {
   std::vector<CameraEntry> cameras;
   /// Our document of a camera of the list. Throws InputError naming the file's own field. Calls are one at a
   /// time.
-  std::function<Json(std::size_t which)> document;
+  std::function<Json(std::size_t which)> document = nullptr;
   /// What the file has of this camera alone.
   std::function<std::optional<Node>(std::size_t which)> own = nullptr;
   /// Parts of the file that are of other cameras, or none.
@@ -37,6 +37,7 @@ struct Import {
   std::function<std::string(std::size_t which)> unread = nullptr;
   /// Of bare matrices and of plain text the text, which may be matrices where it makes no camera; null for others.
   std::shared_ptr<const std::string> matricesText = nullptr;
+  std::string noun = "camera";  ///< in messages about picks
 };
 
 /// "scene.gltf#Camera": a file and the camera to pick in it. A file whose own name has a # is found first.

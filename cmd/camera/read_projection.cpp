@@ -111,14 +111,17 @@ struct ProjectionReader {
     return viewproj::orthographic(left, right, bottom, top, near, far);
   }
 
-  /// fx, fy, cx, cy count pixels of a picture with the viewport's corners.
+  /// fx, fy, cx, cy count pixels of a picture with the viewport's corners. Without cx, cy the viewing axis meets its
+  /// middle.
   Projection intrinsics() const {
     const double fx = number("projection.fx"), fy = number("projection.fy");
-    const double cx = number("projection.cx"), cy = number("projection.cy");
     const Viewport& frame = viewport(", whose pixels fx, fy, cx, cy count");
     if (const auto* const size = values.find<Vec2>("projection.pixels"))
       requireShape(values, size->x / size->y, frame, "projection.pixels", options, "crop one of the pictures");
-    const Vec2 pixels = values.valueOr("projection.pixels", Vec2{frame.width, frame.height});
+    const Viewport whole = pictureOfIntrinsics(values, frame);
+    const Vec2 pixels{whole.width, whole.height};
+    const double cx = values.valueOr("projection.cx", whole.x + (whole.width - 1) / 2 + whole.pixelCenter);
+    const double cy = values.valueOr("projection.cy", whole.y + (whole.height - 1) / 2 + whole.pixelCenter);
     return viewproj::intrinsics(fx, fy, cx, cy, pixels, frame, near, far);
   }
 

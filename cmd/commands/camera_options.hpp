@@ -50,8 +50,6 @@ class CameraOptions {
 
   /// The convention to write in: the file's world, and the axes that options name.
   Convention writing(const Convention& read) const;
-  bool namesConvention() const { return convention_.has_value(); }
-  bool namesAxis() const { return reverseZ_.has_value() || ndcZ_.has_value(); }
   /// The camera's document, in the convention that is written.
   std::string written(const CameraFile& file) const;
   /// Notes a --convention whose world has another handedness than that of a file which states none, and one that makes

@@ -135,47 +135,22 @@ Import importFile(const std::shared_ptr<Document>& file, const Opening& opening,
     if (found.front().isMatrices || file->isPlainText) result.matricesText = file->text;
     return judged(file, std::move(result), found.front().known);
   }
-  if (isCameraDocument(*file->root)) {
-    return openCameraDocument(*file);
-  }
+  if (isCameraDocument(*file->root)) return openCameraDocument(*file);
   throw UnknownFile(file->name +
                         ": is not a camera file of a known kind; viewproj info FILE proposes --parts, viewproj help "
                         "formats lists the kinds",
                     *file);
 }
 
-/// A principal point that the file does not state is the middle of the picture, whose size may come from options.
-void addCentre(Json& camera, const std::vector<Patch>& patches) {
-  const auto projection = camera.find("projection");
-  if (projection == camera.end() || !projection->contains("fx") || projection->contains("cx")) return;
-  std::array<double, 2> size{};
-  for (const Patch& patch : patches)
-    if (patch.value->is_number()) {
-      if (patch.path == "viewport.width") size[0] = patch.value->get<double>();
-      if (patch.path == "viewport.height") size[1] = patch.value->get<double>();
-    }
-  if (!(size[0] > 0 && size[1] > 0)) return;
-  const bool countsCentres =
-      camera["convention"] == "opencv" && !camera.value("viewport", Json::object()).contains("pixelCenter");
-  (*projection)["cx"] = size[0] / 2 - (countsCentres ? 0.5 : 0);
-  (*projection)["cy"] = size[1] / 2 - (countsCentres ? 0.5 : 0);
-}
-
-/// Each camera at the pose, or one camera at each pose.
-Import atPoses(Import result, const Opening& opening) {
+/// Each camera at the pose, or one camera at each pose. name: of the cameras' file; several poses set it to their own.
+Import atPoses(Import result, const Opening& opening, std::string& name) {
   const CameraSource source = splitPick(opening.poses);
   const auto file = std::make_shared<Document>(readTree(source.file, "--" + opening.option));
   PosesOfFile poses = posesOf(Node(*file));
   if (!poses.direction.empty() && poses.direction != opening.direction)
     throw InputError(file->name + ": holds poses of the other direction, " + poses.direction);
-  std::vector<std::size_t> picked;
-  for (std::size_t i = 0; i < poses.names.size(); ++i)
-    if (!source.pick || poses.names[i].name == *source.pick) picked.push_back(i);
-  if (source.pick && picked.empty()) {
-    for (std::size_t i = 0; i < poses.names.size(); ++i)
-      if (std::to_string(i) == *source.pick || "#" + std::to_string(i) == *source.pick) picked = {i};
-    if (picked.empty()) throw InputError(file->name + ": has no pose " + inQuotes(*source.pick));
-  }
+  const std::vector<std::size_t> picked =
+      CameraSet(file->name, {.cameras = poses.names, .noun = "pose"}, {}).chooseAll(source.pick);
   if (picked.size() > 1 && result.cameras.size() > 1)
     throw InputError(file->name + ": holds " + std::to_string(picked.size()) +
                      " poses for several cameras; pick one of either");
@@ -184,6 +159,7 @@ Import atPoses(Import result, const Opening& opening) {
     moved.cameras.clear();
     for (const std::size_t i : picked) moved.cameras.push_back(poses.names[i]);
     moved.unread = nullptr;
+    name = file->name;
   }
   moved.document = [file, result, poses, picked, direction = opening.direction](std::size_t which) {
     Json camera = result.document(picked.size() > 1 ? 0 : which);
@@ -201,6 +177,8 @@ Import atPoses(Import result, const Opening& opening) {
 std::unique_ptr<CameraSet> openCameras(const std::string& source, const Opening& opening, CameraPatches patches) {
   std::shared_ptr<Document> file;
   Import result;
+  if (opening.parts && !patches.readAs.empty())
+    throw UsageError("--parts makes a camera in the convention opencv; leave out --read-as");
   if (const auto model = opening.parts ? std::nullopt : colmapModel(source)) {
     if (!patches.readAs.empty())
       throw InputError(source +
@@ -214,20 +192,17 @@ std::unique_ptr<CameraSet> openCameras(const std::string& source, const Opening&
     result = importFile(file, opening, patches.readAs);
     result.document = [file, document = std::move(result.document)](std::size_t which) { return document(which); };
   }
-  if (!opening.poses.empty()) result = atPoses(std::move(result), opening);
-  result.document = [document = std::move(result.document), options = patches.patches](std::size_t which) {
-    Json camera = document(which);
-    addCentre(camera, options);
-    return camera;
-  };
-  return std::make_unique<CameraSet>(file->name, std::move(result), std::move(patches));
+  std::string name = file->name;
+  if (!opening.poses.empty()) result = atPoses(std::move(result), opening, name);
+  return std::make_unique<CameraSet>(std::move(name), std::move(result), std::move(patches));
 }
 
 std::unique_ptr<CameraSet> openPoses(const Opening& opening, CameraPatches patches) {
   Json camera{{"convention", patches.readAs.empty() ? "opencv" : patches.readAs}};
   Import result{{CameraEntry{}}, [camera](std::size_t) { return camera; }};
-  result = atPoses(std::move(result), opening);
-  return std::make_unique<CameraSet>(splitPick(opening.poses).file, std::move(result), std::move(patches));
+  std::string name = splitPick(opening.poses).file;
+  result = atPoses(std::move(result), opening, name);
+  return std::make_unique<CameraSet>(std::move(name), std::move(result), std::move(patches));
 }
 
 std::vector<FormatName> formatNames() {

@@ -97,17 +97,13 @@ void requireSides(const Parts& parts, double cx, double cy) {
                            formatNumber(w));
 }
 
-Json projectionOfK(const Parts& parts, const PartsForm& form) {
+Json projectionOfK(const Parts& parts) {
   const std::vector<double>& k = parts.numbers("K", {1, 2, 3, 4, 9, 12, 16});
   const auto size = sizeOf(parts);
   Json projection{{"type", "intrinsics"}};
   if (k.size() < 3) {
     projection["fx"] = k.front();
     projection["fy"] = k.back();
-    if (size) {
-      projection["cx"] = (size->front() - 1) / 2 + form.pixelCenter;
-      projection["cy"] = (size->back() - 1) / 2 + form.pixelCenter;
-    }
   } else {
     const std::array<double, 4> n = k.size() >= 9   ? intrinsicsOf(parts.node("K"), k)
                                     : k.size() == 4 ? std::array{k[0], k[1], k[2], k[3]}
@@ -244,7 +240,7 @@ Json cameraOf(const Parts& parts, const PartsForm& form) {
     p.resize(12);
     camera = cameraOfMatrix(parts.node("P"), p, sizeOf(parts));
   } else {
-    if (parts.has("K")) camera["projection"] = projectionOfK(parts, form);
+    if (parts.has("K")) camera["projection"] = projectionOfK(parts);
     for (const char* field : {"fovX", "fovY"})
       if (parts.has(field)) {
         camera["projection"]["type"] = "perspective";
