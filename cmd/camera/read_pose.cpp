@@ -49,14 +49,13 @@ std::array<DoubleDouble, 4> scaled(const Quaternion& q) {
 }
 
 /// The pose of worldFromCamera or cameraFromWorld, in any of their forms. eye: used instead of the matrix's own.
-Pose rigidPose(const RigidTransform& value, bool isInverse, const std::optional<Vec3>& eye, CameraAxes axes,
-               Handedness world) {
+Pose rigidPose(const RigidTransform& value, bool isInverse, const std::optional<Vec3>& eye, CameraAxes axes) {
   if (const Mat4* const matrix = std::get_if<Mat4>(&value.rotation)) {
     Mat4 m = *matrix;
     if (!isInverse && eye)
       for (std::size_t i = 0; i < 3; ++i) m[i][3] = (*eye)[i];
-    if (!isInverse) return poseFromWorldFromCamera(m, axes, world);
-    const Pose pose = poseFromCameraFromWorld(m, axes, world);
+    if (!isInverse) return poseFromWorldFromCamera(m, axes);
+    const Pose pose = poseFromCameraFromWorld(m, axes);
     return eye ? movedTo(pose, *eye) : pose;
   }
   const auto* const quaternion = std::get_if<Quaternion>(&value.rotation);
@@ -69,7 +68,7 @@ Pose rigidPose(const RigidTransform& value, bool isInverse, const std::optional<
     origin = -(columns[0] * origin.x + columns[1] * origin.y + columns[2] * origin.z);
   }
   return poseFromColumns({split(columns[0]), split(columns[1]), split(columns[2])},
-                         eye ? SplitVec3{*eye, {}} : split(origin), axes, world);
+                         eye ? SplitVec3{*eye, {}} : split(origin), axes);
 }
 
 /// Reads a pose that has an orientation.
@@ -78,6 +77,16 @@ struct PoseReader {
   const DocumentConvention& convention;
   World worldKind;
   Handedness hand;
+
+  /// The pose, if the axes that it was made from are of the convention's handedness.
+  Pose inThisWorld(FieldId field, CameraAxes axes, const Pose& pose) const {
+    if (pose.world() == hand) return pose;
+    const auto handed = [](Handedness h) { return std::string(nameOf(kWorldNames, h)) + "-handed"; };
+    const bool isLeftHanded = axes == CameraAxes::RUF || axes == CameraAxes::FRU;
+    values.fail(field, "makes the world " + handed(pose.world()) + " with cameraAxes " +
+                           std::string(nameOf(kCameraAxesNames, axes)) + ", and the convention's is " + handed(hand) +
+                           "; cameraAxes " + (isLeftHanded ? "RUB or RDF" : "RUF or FRU") + " would fit");
+  }
 
   Pose turned(const Position& position) const {
     const auto angle = [&](FieldId field) { return values.valueOr(field, Angle(0)); };
@@ -111,13 +120,7 @@ struct PoseReader {
 std::array<DDVec3, 3> rotationColumns(const Quaternion& quaternion) { return columnsOf(scaled(quaternion)); }
 
 Vec3 eyeOf(const RigidTransform& transform, bool isInverse) {
-  bool isMirror = false;
-  if (const Mat4* const m = std::get_if<Mat4>(&transform.rotation)) {
-    const auto column = [&](std::size_t j) { return DDVec3{(*m)[0][j], (*m)[1][j], (*m)[2][j]}; };
-    isMirror = dot(column(0), cross(column(1), column(2))).hi < 0;
-  }
-  // Any axes of the matrix's handedness will do.
-  return rigidPose(transform, isInverse, {}, CameraAxes::RUB, isMirror ? Handedness::left : Handedness::right).eye();
+  return rigidPose(transform, isInverse, {}, CameraAxes::RUB).eye();  // which axes is all the same
 }
 
 World worldOf(const FieldValues& values) {
@@ -141,8 +144,9 @@ std::optional<Pose> readStatedPose(const FieldValues& values, const DocumentConv
   const auto* const position = values.find<Position>("position");
   for (const FieldId field : {FieldId("worldFromCamera"), FieldId("cameraFromWorld")})
     if (const auto* const value = values.find<RigidTransform>(field))
-      return rigidPose(*value, field->path == "cameraFromWorld",
-                       position ? std::optional(position->point) : std::nullopt, axes, reader.hand);
+      return reader.inThisWorld(field, axes,
+                                rigidPose(*value, field->path == "cameraFromWorld",
+                                          position ? std::optional(position->point) : std::nullopt, axes));
   const bool isTurned = values.has("heading") || values.has("pitch") || values.has("roll");
   const auto* const rotation = values.find<Quaternion>("rotation");
   const auto* const euler = values.find<EulerTurns>("euler");
@@ -152,8 +156,8 @@ std::optional<Pose> readStatedPose(const FieldValues& values, const DocumentConv
     return std::nullopt;
   }
   if (!position) values.failAt("", "needs position");
-  if (rotation) return poseFromRotation(position->point, *rotation, axes, reader.hand);
-  if (euler) return poseFromTurns(position->point, *euler, axes, reader.hand);
+  if (rotation) return reader.inThisWorld("rotation", axes, poseFromRotation(position->point, *rotation, axes));
+  if (euler) return reader.inThisWorld("euler", axes, poseFromTurns(position->point, *euler, axes));
   return isTurned ? reader.turned(*position) : reader.looking(*position);
 }
 

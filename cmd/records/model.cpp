@@ -42,7 +42,7 @@ Mat4 worldFromLocal(const Vec3& translation, const Quaternion& rotation, const V
   requireNumbers(translation, "translation");
   requireNumbers(scale, "scale");
   // The rotation is that of a camera with axes x right, y up, z back. The camera's rows are the columns of its inverse.
-  const Camera camera = cameraIn({}, poseFromRotation({0, 0, 0}, rotation, CameraAxes::RUB, Handedness::right));
+  const Camera camera = cameraIn({}, poseFromRotation({0, 0, 0}, rotation, CameraAxes::RUB));
   Mat4 m;
   for (std::size_t i = 0; i < 3; ++i) {
     Vec4 axis;

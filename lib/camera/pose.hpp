@@ -88,6 +88,6 @@ Pose poseFromAxes(const Vec3& position, const std::array<FineVec3, 3>& axes);
 
 /// The camera's x, y, z axes and its eye in the world, from double-double arithmetic. Throws naming "columns" or
 /// "position". The rounded inverse of the columns counts as exact afterwards.
-Pose poseFromColumns(const std::array<DDVec3, 3>& columns, const DDVec3& eye, CameraAxes axes, Handedness world);
+Pose poseFromColumns(const std::array<DDVec3, 3>& columns, const DDVec3& eye, CameraAxes axes);
 
 }  // namespace viewproj::detail

@@ -13,36 +13,19 @@ namespace {
 
 using Columns = std::array<Vec3, 3>;
 
-struct NamedAxes {
-  const char* name;
-  bool isRightHanded;
-  AxisMap map;
-};
-
-const NamedAxes& named(CameraAxes axes) noexcept {
-  static constexpr NamedAxes kAxes[] = {
-      // in the order of CameraAxes
-      {"RUB", true, {{0, 1, 2}, {1, 1, -1}}}, {"RUF", false, {{0, 1, 2}, {1, 1, 1}}},
-      {"RDF", true, {{0, 1, 2}, {1, -1, 1}}}, {"FRU", false, {{2, 0, 1}, {1, 1, 1}}},
-      {"FLU", true, {{2, 0, 1}, {1, -1, 1}}}, {"FRD", true, {{2, 0, 1}, {1, 1, -1}}},
+const AxisMap& mapOf(CameraAxes axes) noexcept {
+  static constexpr AxisMap kAxes[] = {
+      // RUB, RUF, RDF, FRU, FLU, FRD
+      {{0, 1, 2}, {1, 1, -1}}, {{0, 1, 2}, {1, 1, 1}},  {{0, 1, 2}, {1, -1, 1}},
+      {{2, 0, 1}, {1, 1, 1}},  {{2, 0, 1}, {1, -1, 1}}, {{2, 0, 1}, {1, 1, -1}},
   };
   return kAxes[static_cast<std::size_t>(axes)];
-}
-
-/// Axes with determinant +1 fit a world of their own handedness, with -1 the other one.
-void requireHandedness(CameraAxes axes, Handedness world, bool mirrored, const char* field) {
-  const bool isRight = world == Handedness::right;
-  if (named(axes).isRightHanded == (isRight != mirrored)) return;
-  throw CameraError(field, std::string("is a ") + (mirrored ? "mirroring" : "rotation") + " of camera axes " +
-                               named(axes).name + ", which does not fit a " + (isRight ? "right" : "left") +
-                               "-handed world; cameraAxes " + (isRight != mirrored ? "RUB or RDF" : "RUF or FRU") +
-                               " would");
 }
 
 /// From the camera's x, y, z to right, up, forward.
 template <class Vector>
 std::array<Vector, 3> toAxes(const std::array<Vector, 3>& xyz, CameraAxes axes) {
-  const AxisMap& map = named(axes).map;
+  const AxisMap& map = mapOf(axes);
   std::array<Vector, 3> result;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) result[map.along[i]][j] = map.sign[i] < 0 ? -xyz[i][j] : xyz[i][j];
@@ -56,7 +39,7 @@ Axes toAxesOf(const std::array<DDVec3, 3>& xyz, CameraAxes axes) {
 
 /// The same for one number per axis.
 Vec3 toAxes(const Vec3& xyz, CameraAxes axes) {
-  const AxisMap& map = named(axes).map;
+  const AxisMap& map = mapOf(axes);
   Vec3 result;
   for (std::size_t i = 0; i < 3; ++i) result[map.along[i]] = xyz[i] * map.sign[i];
   return result;
@@ -128,16 +111,15 @@ std::array<DDVec3, 3> inverse(const std::array<DDVec3, 3>& v) noexcept {
   return {cross(v[1], v[2]) * scale, cross(v[2], v[0]) * scale, cross(v[0], v[1]) * scale};
 }
 
-AxisMap axisMap(CameraAxes axes) noexcept { return named(axes).map; }
+AxisMap axisMap(CameraAxes axes) noexcept { return mapOf(axes); }
 
-Pose poseFromColumns(const std::array<DDVec3, 3>& columns, const DDVec3& eye, CameraAxes axes, Handedness world) {
+Pose poseFromColumns(const std::array<DDVec3, 3>& columns, const DDVec3& eye, CameraAxes axes) {
   const Columns c{rounded(columns[0]), rounded(columns[1]), rounded(columns[2])};
   if (!(maxAbs(eye) <= kLargestNumber))
     throw CameraError("position", "has a component that is not a number up to 1e90");
   for (const Vec3& column : c)
     if (!isFinite(column)) throw CameraError("columns", "has a component that is not a finite number");
   requireOrthogonal(c, "columns");
-  requireHandedness(axes, world, determinant(columns).hi < 0, "columns");
   const std::array<DDVec3, 3> rows = inverse(columns);
   // Rounding the remainder lets the exact rows hold it. It is below 2^-53 of the eye, and its rounding 2^-53 of that.
   const DDVec3 rest = -DDVec3{eye.x.lo, eye.y.lo, eye.z.lo};
@@ -157,16 +139,15 @@ namespace viewproj {
 
 using namespace detail;
 
-Pose poseFromColumns(const std::array<SplitVec3, 3>& columns, const SplitVec3& eye, CameraAxes axes, Handedness world) {
-  return poseFromColumns({joined(columns[0]), joined(columns[1]), joined(columns[2])}, joined(eye), axes, world);
+Pose poseFromColumns(const std::array<SplitVec3, 3>& columns, const SplitVec3& eye, CameraAxes axes) {
+  return poseFromColumns({joined(columns[0]), joined(columns[1]), joined(columns[2])}, joined(eye), axes);
 }
 
-Pose poseFromRotation(const Vec3& position, const Quaternion& q, CameraAxes axes, Handedness world) {
+Pose poseFromRotation(const Vec3& position, const Quaternion& q, CameraAxes axes) {
   requireNumber(position, "position");
   requireNumber({q.x, q.y, q.z}, "rotation");
   requireNumber({q.w, 0, 0}, "rotation");
   if (q.x == 0 && q.y == 0 && q.z == 0 && q.w == 0) throw CameraError("rotation", "is zero");
-  requireHandedness(axes, world, false, "rotation");
   const Dyadic<1> x = q.x, y = q.y, z = q.z, w = q.w;
   const auto squares = [&](bool plusX, bool plusY, bool plusZ) {
     const auto added = [](const Dyadic<2>& sum, const Dyadic<2>& square, bool plus) {
@@ -191,10 +172,9 @@ Pose poseFromRotation(const Vec3& position, const Quaternion& q, CameraAxes axes
   return orthogonal(exact);
 }
 
-Pose poseFromWorldFromCamera(const Mat4& matrix, CameraAxes axes, Handedness world) {
+Pose poseFromWorldFromCamera(const Mat4& matrix, CameraAxes axes) {
   const Columns c = checkedColumns(matrix, "worldFromCamera");
   const Inverse inverted = inverse(c);
-  requireHandedness(axes, world, inverted.divisor.sign() < 0, "worldFromCamera");
   ExactPose exact;
   exact.origin = {matrix[0][3], matrix[1][3], matrix[2][3]};
   const auto adjugate = toAxes(inverted.adjugate, axes);
@@ -212,10 +192,9 @@ Pose poseFromWorldFromCamera(const Mat4& matrix, CameraAxes axes, Handedness wor
                std::make_shared<const ExactPose>(exact)});
 }
 
-Pose poseFromCameraFromWorld(const Mat4& matrix, CameraAxes axes, Handedness world) {
+Pose poseFromCameraFromWorld(const Mat4& matrix, CameraAxes axes) {
   const Columns c = checkedColumns(matrix, "cameraFromWorld");
   const Inverse inverted = inverse(c);
-  requireHandedness(axes, world, inverted.divisor.sign() < 0, "cameraFromWorld");
   const Vec3 translation{matrix[0][3], matrix[1][3], matrix[2][3]};
   Vec3 eye;  // -M^-1 t, rounded
   for (std::size_t i = 0; i < 3; ++i)

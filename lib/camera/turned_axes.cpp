@@ -33,8 +33,7 @@ namespace viewproj {
 
 using namespace detail;
 
-Pose poseFromTurns(const Vec3& position, const std::array<Turn, 3>& turns, CameraAxes axes, Handedness world) {
-  (void)poseFromRotation(position, {}, axes, world);  // throws if the axes have the other handedness
+Pose poseFromTurns(const Vec3& position, const std::array<Turn, 3>& turns, CameraAxes axes) {
   TurnedAxes t({{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}});
   for (const Turn& turn : turns) {
     if (turn.axis < 0 || turn.axis > 2) throw CameraError("euler", "has an axis that is not 0, 1 or 2");

@@ -291,10 +291,10 @@ DDVec3 commonPoint(const Row& a, const Row& b, const Row& c) noexcept {
 }
 
 /// The pose of a view matrix or its inverse, after division by its last entry.
-Pose poseOf(const Mat4& m, MatrixKind kind, CameraAxes axes, Handedness world) {
+Pose poseOf(const Mat4& m, MatrixKind kind, CameraAxes axes) {
   const bool isView = kind == MatrixKind::view;
   if (m[3][3] == 1 && rigidity(m) <= kPoseOrthogonality)
-    return isView ? poseFromCameraFromWorld(m, axes, world) : poseFromWorldFromCamera(m, axes, world);
+    return isView ? poseFromCameraFromWorld(m, axes) : poseFromWorldFromCamera(m, axes);
   const Mat4 vectorRows = isView ? m : transposed(m);
   const DoubleDouble by = DoubleDouble(1) / DoubleDouble(m[3][3]);
   std::array<DDVec3, 3> vectors;
@@ -302,9 +302,9 @@ Pose poseOf(const Mat4& m, MatrixKind kind, CameraAxes axes, Handedness world) {
     const DDVec3 vector{vectorRows[i][0], vectorRows[i][1], vectorRows[i][2]};
     vectors[i] = vector * by;
   }
-  if (!isView) return poseFromColumns(squared(vectors), DDVec3{m[0][3], m[1][3], m[2][3]} * by, axes, world);
+  if (!isView) return poseFromColumns(squared(vectors), DDVec3{m[0][3], m[1][3], m[2][3]} * by, axes);
   const Rows rows = rowsOf(m);
-  return poseFromColumns(inverse(squared(vectors)), commonPoint(rows[0], rows[1], rows[2]), axes, world);
+  return poseFromColumns(inverse(squared(vectors)), commonPoint(rows[0], rows[1], rows[2]), axes);
 }
 
 // One reading of the matrix
@@ -478,7 +478,7 @@ class Solver {
         camera.convention.world =
             (view == ViewAxes::RUF) == (determinant(parts.axes).hi < 0) ? Handedness::right : Handedness::left;
         add(camera, [&, axes = axes] {
-          const Pose pose = poseOf(m_, kind, axes, camera.convention.world);
+          const Pose pose = poseOf(m_, kind, axes);
           camera.eyeError = kind == MatrixKind::view ? pointErrors(m_, errors_, {0, 1, 2}, pose.eye())
                                                      : Vec3{errors_[0][3], errors_[1][3], errors_[2][3]};
           return pose;
@@ -555,7 +555,7 @@ class Solver {
         setWindow(*camera.lens, parts, ndcY);
         add(camera, [&]() -> std::optional<Pose> {
           if (isProjection) return std::nullopt;
-          return poseFromColumns(inverse(squared(axes)), eye, CameraAxes::RUF, c.world);
+          return poseFromColumns(inverse(squared(axes)), eye, CameraAxes::RUF);
         });
       }
   }

@@ -74,7 +74,7 @@ Projection projectionOf(const Mat4& m, const Convention& convention) {
 Pose poseOf(const Mat4& viewFromWorld, const Convention& convention) {
   constexpr CameraAxes kAxes[] = {CameraAxes::RUB, CameraAxes::RUF, CameraAxes::RDF};  // in the order of ViewAxes
   try {
-    return poseFromCameraFromWorld(viewFromWorld, kAxes[static_cast<std::size_t>(convention.view)], convention.world);
+    return poseFromCameraFromWorld(viewFromWorld, kAxes[static_cast<std::size_t>(convention.view)]);
   } catch (const CameraError& e) {
     throw CameraError("viewFromWorld", e.message());
   }

@@ -100,7 +100,9 @@ inline constexpr double kPoseOrthogonality = 1e-3;
 
 // Each of these functions throws a CameraError that names the parameter that is not finite, zero or degenerate.
 // Degeneracy is decided exactly, without an epsilon: a direction that differs from up in the last bit gives a valid
-// camera. The axes are within 2^-100 of the true ones, whatever the magnitudes.
+// camera. The axes are within 2^-100 of the true ones, whatever the magnitudes. Where axes are given, they say which
+// handedness the world has: RUB, RDF, FLU and FRD are right-handed, RUF and FRU left-handed, and a mirroring changes
+// it.
 
 /// Looks along direction, with up pointing up in the picture. The right axis is direction x up in a right-handed world
 /// and up x direction in a left-handed one.
@@ -109,28 +111,27 @@ Pose lookAlong(const Vec3& position, const Vec3& direction, const Vec3& up, Hand
 /// Looks at target. The difference target - position is exact.
 Pose lookAt(const Vec3& position, const Vec3& target, const Vec3& up, Handedness world);
 
-/// A rotation from the camera's axes to the world. Throws if axes do not fit the world's handedness.
-Pose poseFromRotation(const Vec3& position, const Quaternion& worldFromCamera, CameraAxes axes, Handedness world);
+/// A rotation from the camera's axes to the world.
+Pose poseFromRotation(const Vec3& position, const Quaternion& worldFromCamera, CameraAxes axes);
 
 /// A matrix from the camera's axes to the world, for column vectors, with last row 0 0 0 1. It is inverted exactly.
-Pose poseFromWorldFromCamera(const Mat4& worldFromCamera, CameraAxes axes, Handedness world);
+Pose poseFromWorldFromCamera(const Mat4& worldFromCamera, CameraAxes axes);
 
 /// A view matrix: the inverse of the matrix above.
-Pose poseFromCameraFromWorld(const Mat4& cameraFromWorld, CameraAxes axes, Handedness world);
+Pose poseFromCameraFromWorld(const Mat4& cameraFromWorld, CameraAxes axes);
 
 /// Three turns, each about the camera's own axis (0, 1, 2 for x, y, z) as the turns before left it. The camera's axes
 /// start along the world's. Positive turns go from y to z about x, and so on. Quarter turns in degrees are exact.
-/// Throws naming "euler" if an axis is invalid or an angle is not finite or above 1e6 radians, "rotation" if axes do
-/// not fit the world's handedness.
+/// Throws naming "euler" if an axis is invalid or an angle is not finite or above 1e6 radians.
 struct Turn {
   int axis = 0;
   Angle angle = 0;
 };
-Pose poseFromTurns(const Vec3& position, const std::array<Turn, 3>& turns, CameraAxes axes, Handedness world);
+Pose poseFromTurns(const Vec3& position, const std::array<Turn, 3>& turns, CameraAxes axes);
 
 /// The camera's x, y, z axes and its eye in the world, from arithmetic with more digits than doubles have. Throws
 /// naming "columns" or "position". The rounded inverse of the columns counts as exact afterwards.
-Pose poseFromColumns(const std::array<SplitVec3, 3>& columns, const SplitVec3& eye, CameraAxes axes, Handedness world);
+Pose poseFromColumns(const std::array<SplitVec3, 3>& columns, const SplitVec3& eye, CameraAxes axes);
 
 /// The same axes at another eye: bit for bit, whatever they were made from. With the eye at 0 0 0 it is the camera for
 /// points that the eye was subtracted from, as float32 needs at planet scale. Throws naming "position" if the eye is

@@ -215,7 +215,7 @@ TEST_CASE("Euler angles of every order give the pose, straight up and down too")
         return isQuarter ? 90.0 * std::floor(random.uniform(-2, 3)) : random.uniform(-180, 180);
       };
       const std::array<Turn, 3> turns{{{0, angle()}, {1, angle()}, {2, angle()}}};
-      const PlainPose pose = plainPose(poseFromTurns({4, 5, 6}, turns, CameraAxes::RUB, Handedness::right));
+      const PlainPose pose = plainPose(poseFromTurns({4, 5, 6}, turns, CameraAxes::RUB));
       const Document changed = withPose(camera, pose);
       INFO(changed.root->dump());
       const Pose again = *readCamera(copied(changed), {}).pose;

@@ -74,7 +74,7 @@ TEST_CASE("OpenUSD: GfCamera's frustum corners, aperture 34 x 34/2.4, focal leng
                                        {-0.4240369593016693, 0.9024253932905512, 0.07629591529425725, 0},
                                        {-0.2404089766270184, -0.1933854433455958, 0.9512126966452756, 0},
                                        {-100.0, 123.0, 153.0, 1.0}}}});
-  const Pose pose = poseFromWorldFromCamera(transform, CameraAxes::RUB, Handedness::right);
+  const Pose pose = poseFromWorldFromCamera(transform, CameraAxes::RUB);
   const Viewport unit{1, 1, 0, 0, 0, 1, Origin::bottomLeft};
   const Vec2 screens[] = {{0, 0}, {1, 0}, {0, 1}, {1, 1}};
 
@@ -137,7 +137,7 @@ TEST_CASE("Unity and Filament: the GPU's reversed matrix has row z replaced by (
 }
 
 TEST_CASE("Unreal: a camera without rotation looks along +X, its right is +Y and Z is up") {
-  const Pose pose = poseFromRotation({0, 0, 0}, {0, 0, 0, 1}, CameraAxes::FRU, Handedness::left);
+  const Pose pose = poseFromRotation({0, 0, 0}, {0, 0, 0, 1}, CameraAxes::FRU);
   const Camera camera =
       makeCamera(pose, perspective(90, 1, 10, kInfiniteFar, Fov::horizontal), Viewport{100, 100}, preset("unreal"));
   CHECK(worldToScreen(camera, Vec3{100, 0, 0}).x == 50);

@@ -118,7 +118,7 @@ TEST_CASE(
       viewFromWorld(
           lookAt({4075539.1, 931735.3, 4801629.7}, {4075542.1, 931733.3, 4801634.7}, {0, 1, 0}, Handedness::right),
           preset("opengl")),
-      CameraAxes::RUB, Handedness::right);
+      CameraAxes::RUB);
   const Camera camera = makeCamera(pose, lens(), kHd), relative = makeCamera(movedTo(pose, {}), lens(), kHd);
   const Vec3 point{4075541, 931734, 4801632};
   const ScreenPoint expected = worldToScreen(camera, point);

@@ -125,7 +125,7 @@ viewproj::Lens lensOf(const json& d) {
 Camera cameraOf(const json& test) {
   const json& K = test["K"];
   const Viewport viewport{.width = test["size"][0], .height = test["size"][1], .pixelCenter = 0};
-  const Pose pose = poseFromRotation({0, 0, 0}, {}, CameraAxes::RDF, Handedness::right);
+  const Pose pose = poseFromRotation({0, 0, 0}, {}, CameraAxes::RDF);
   const viewproj::Lens lens = lensOf(test["distortion"]);
   const Projection file = intrinsics(K["fx"], K["fy"], K["cx"], K["cy"], viewport, 0, kInfiniteFar);
   return withLens(makeCamera(pose, calibrated(file, lens), viewport), lens);

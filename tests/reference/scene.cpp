@@ -20,11 +20,11 @@ Pose buildPose(const Scene& s) {
     case PoseKind::direction:
       return lookAlong(s.position, s.target, s.up, world);
     case PoseKind::rotation:
-      return poseFromRotation(s.position, s.rotation, s.axes, world);
+      return poseFromRotation(s.position, s.rotation, s.axes);
     case PoseKind::worldFromCamera:
-      return poseFromWorldFromCamera(s.matrix, s.axes, world);
+      return poseFromWorldFromCamera(s.matrix, s.axes);
     case PoseKind::cameraFromWorld:
-      return poseFromCameraFromWorld(s.matrix, s.axes, world);
+      return poseFromCameraFromWorld(s.matrix, s.axes);
   }
   throw std::logic_error("a pose of no kind");
 }

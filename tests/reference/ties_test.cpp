@@ -120,7 +120,7 @@ TEST_CASE("What lies half way between two doubles, or next to it, is within 0.51
 TEST_CASE("An entry of a matrix half way between two doubles is one of the two") {
   // 5/8 fx 2/1024, with fx = m 2^-40 and 5 m half way: m = 4 mod 8 where 5 m has 56 bits.
   Mat4 view{{{{0.625, 0.78125, 0, 0}, {-0.78125, 0.625, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}}};
-  const Pose pose = poseFromCameraFromWorld(view, CameraAxes::RUB, Handedness::right);
+  const Pose pose = poseFromCameraFromWorld(view, CameraAxes::RUB);
   for (double m = 0x1.cp52 + 4; m < 0x1.cp52 + 4000; m += 8) {
     const double fx = m * 0x1p-40;
     const Projection lens = intrinsics(fx, 1000, 512, 512, {1024, 1024}, 1, kInfiniteFar);

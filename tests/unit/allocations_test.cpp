@@ -76,10 +76,10 @@ TEST_CASE("Nothing allocates, throws or takes much stack once the camera is buil
   const Pose poses[] = {
       lookAt({3, 2, 5}, {0, 0, 0}, {0, 1, 0}, Handedness::right), poseFromHeadingPitchRoll({47, 8, 400}, {10, -20, 30}),
       poseFromCameraFromWorld(viewFromWorld(lookAt({3, 2, 5}, {0, 0, 0}, {0, 1, 0}, Handedness::right), {}),
-                              CameraAxes::RUB, Handedness::right),
+                              CameraAxes::RUB),
       // Of numbers that take exact arithmetic to its most limbs.
       lookAt({1e70, 2e-70, 3}, {-4e-80, 5, 1e80}, {1e-90, 1, 1e90}, Handedness::right),
-      poseFromRotation({1e90, 1e-90, 3}, {1e-90, 1, 1e-40, 1e-80}, CameraAxes::RUB, Handedness::right)};
+      poseFromRotation({1e90, 1e-90, 3}, {1e-90, 1, 1e-40, 1e-80}, CameraAxes::RUB)};
   const Projection lenses[] = {perspective(60, 1.5, 0.1, kInfiniteFar), orthographic(-3, 3, -2, 2, -10, 1e80)};
   for (const Pose& pose : poses)
     for (const Projection& lens : lenses) {

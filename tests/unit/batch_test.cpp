@@ -33,7 +33,7 @@ Trial randomTrial(unsigned seed, std::size_t count) {
   Pose pose = lookAlong(eye, way, random.vector(1), Handedness::right);
   if (seed % 4 == 1) {
     const Mat4 view = viewFromWorld(pose, {});
-    pose = poseFromCameraFromWorld(view, CameraAxes::RUB, Handedness::right);
+    pose = poseFromCameraFromWorld(view, CameraAxes::RUB);
   }
   const double near = 0.01 * size;
   const Projection projection = seed % 3 == 0 ? orthographic(-size, size, -size, size, -size, 3 * size)

@@ -149,7 +149,7 @@ TEST_CASE("A calibration's projection becomes that of the pinhole that agrees wi
 
 TEST_CASE(
     "A lens sees past the eye plane: a pixel, no depth, beyond near if there is one; a ray that points backwards") {
-  const Pose pose = poseFromRotation({1, 2, 3}, {}, CameraAxes::RDF, Handedness::right);
+  const Pose pose = poseFromRotation({1, 2, 3}, {}, CameraAxes::RDF);
   const auto cameraOf = [&](const Lens& lens, double zNear) {
     return withLens(
         makeCamera(pose, intrinsics(150, 150, 376, 240, kViewport, zNear, zNear > 0 ? 100 : kInfiniteFar), kViewport),

@@ -78,9 +78,9 @@ Pose poseOf(const Scene& s) {
   const CameraAxes axes = s.world == Handedness::right ? CameraAxes::RUB : CameraAxes::RUF;
   if (s.by == By::direction) return lookAlong(s.eye, s.way, s.up, s.world);
   if (s.by == By::target) return lookAt(s.eye, s.way, s.up, s.world);
-  if (s.by == By::rotation) return poseFromRotation(s.eye, s.rotation, axes, s.world);
-  if (s.by == By::turns) return poseFromTurns(s.eye, s.turns, axes, s.world);
-  return poseFromWorldFromCamera(s.matrix, axes, s.world);
+  if (s.by == By::rotation) return poseFromRotation(s.eye, s.rotation, axes);
+  if (s.by == By::turns) return poseFromTurns(s.eye, s.turns, axes);
+  return poseFromWorldFromCamera(s.matrix, axes);
 }
 
 Camera cameraOf(const Scene& s, const Pose& pose) {
@@ -232,7 +232,7 @@ TEST_CASE(
     "Far beside the view a point of a turned camera is in front, and a box that holds the view's middle is seen") {
   // A roll leaves forward at 0 0 -1.
   for (const double roll : {30.0, 1e-9, 77.7}) {
-    const Pose pose = poseFromTurns({0, 0, 0}, {{{2, roll}, {0, 0}, {1, 0}}}, CameraAxes::RUB, Handedness::right);
+    const Pose pose = poseFromTurns({0, 0, 0}, {{{2, roll}, {0, 0}, {1, 0}}}, CameraAxes::RUB);
     const Camera camera = makeCamera(pose, perspective(60, 1, .1, 1e3), {.width = 1000, .height = 1000});
     for (const double x : {1e40, 1e43, 1e46, 1e60}) {
       const ScreenPoint p = worldToScreen(camera, Vec3{x, 0, -8});
