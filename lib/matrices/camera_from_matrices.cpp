@@ -74,7 +74,9 @@ Projection projectionOf(const Mat4& m, const Convention& convention) {
 Pose poseOf(const Mat4& viewFromWorld, const Convention& convention) {
   constexpr CameraAxes kAxes[] = {CameraAxes::RUB, CameraAxes::RUF, CameraAxes::RDF};  // in the order of ViewAxes
   try {
-    return poseFromCameraFromWorld(viewFromWorld, kAxes[static_cast<std::size_t>(convention.view)]);
+    const Pose pose = poseFromCameraFromWorld(viewFromWorld, kAxes[static_cast<std::size_t>(convention.view)]);
+    if (pose.world() != convention.world) throw CameraError("", "is of a world of the other handedness");
+    return pose;
   } catch (const CameraError& e) {
     throw CameraError("viewFromWorld", e.message());
   }
