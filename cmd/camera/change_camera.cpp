@@ -166,8 +166,8 @@ Document inConvention(const CameraFile& camera, const ConventionPreset& preset, 
     root["up"] = vectorOf(from.up);
   const bool isTurned =
       values.has("rotation") || values.has("euler") || values.has("worldFromCamera") || values.has("cameraFromWorld");
-  if (from.cameraAxes != preset.cameraAxes && isTurned && !values.has("cameraAxes"))
-    root["cameraAxes"] = nameOf(kCameraAxesNames, from.cameraAxes);
+  const CameraAxes axes = cameraAxesOf(values, from);
+  if (isTurned && axes != cameraAxesOf(values, preset)) root["cameraAxes"] = nameOf(kCameraAxesNames, axes);
   if (from.pixelCenter != preset.pixelCenter && valueAt(root, "viewport") && !values.has("viewport.pixelCenter"))
     root["viewport"]["pixelCenter"] = from.pixelCenter;
   if (typeOf(values) == kPs2 && !convention.reverseZ)

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -35,11 +36,34 @@ inline constexpr NameRow<Origin> kOriginNames[] = {{"top-left", Origin::topLeft}
 enum class World { any, ecef, enu };
 inline constexpr NameRow<World> kWorlds[] = {{"ecef", World::ecef}, {"enu", World::enu}};
 
-/// The axes of three turns, by name.
-inline constexpr NameRow<std::array<std::size_t, 3>> kEulerOrders[] = {
-    {"XYZ", {0, 1, 2}}, {"XZY", {0, 2, 1}}, {"YXZ", {1, 0, 2}}, {"YZX", {1, 2, 0}},
-    {"ZXY", {2, 0, 1}}, {"ZYX", {2, 1, 0}}, {"XYX", {0, 1, 0}}, {"XZX", {0, 2, 0}},
-    {"YXY", {1, 0, 1}}, {"YZY", {1, 2, 1}}, {"ZXZ", {2, 0, 2}}, {"ZYZ", {2, 1, 2}},
+/// Three turns about the camera's own axes (0, 1, 2 for x, y, z), as a program lists their angles: the angle of turn i
+/// is number listed[i], times sign[i].
+struct EulerOrder {
+  std::array<std::size_t, 3> axis;
+  std::array<std::size_t, 3> listed{0, 1, 2};
+  std::array<double, 3> sign{1, 1, 1};
+  /// The camera axes of programs that have no others.
+  std::optional<CameraAxes> cameraAxes{};
+};
+/// Letters are axes in the order of the turns; rpy is ROS's and Blender's, unity Godot's too, unreal
+/// FRotator's, opk (omega, phi, kappa) aerial photogrammetry's.
+inline constexpr NameRow<EulerOrder> kEulerOrders[] = {
+    {"XYZ", {{0, 1, 2}}},
+    {"XZY", {{0, 2, 1}}},
+    {"YXZ", {{1, 0, 2}}},
+    {"YZX", {{1, 2, 0}}},
+    {"ZXY", {{2, 0, 1}}},
+    {"ZYX", {{2, 1, 0}}},
+    {"XYX", {{0, 1, 0}}},
+    {"XZX", {{0, 2, 0}}},
+    {"YXY", {{1, 0, 1}}},
+    {"YZY", {{1, 2, 1}}},
+    {"ZXZ", {{2, 0, 2}}},
+    {"ZYZ", {{2, 1, 2}}},
+    {"rpy", {.axis = {2, 1, 0}, .listed = {2, 1, 0}}},
+    {"unity", {.axis = {1, 0, 2}, .listed = {1, 0, 2}}},
+    {"unreal", {.axis = {2, 1, 0}, .listed = {1, 0, 2}, .sign = {1, -1, -1}, .cameraAxes = CameraAxes::FRU}},
+    {"opk", {.axis = {0, 1, 2}, .cameraAxes = CameraAxes::RUB}},
 };
 
 /// The names of a table.

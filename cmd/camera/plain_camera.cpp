@@ -64,10 +64,9 @@ Vec3 rotationVectorOf(const PlainColumns& c) {
 }
 
 /// Degrees of turns about these axes, in this order. Where the first and last turn are about one line, the last is 0.
-std::array<double, 3> turnsOf(const PlainColumns& c, const EulerTurns& order) {
-  const auto i = static_cast<std::size_t>(order[0].axis), j = static_cast<std::size_t>(order[1].axis);
-  const bool returns = order[0].axis == order[2].axis;  // as in ZXZ
-  const std::size_t k = 3 - i - j;
+Vec3 turnsOf(const PlainColumns& c, const std::array<std::size_t, 3>& axis) {
+  const std::size_t i = axis[0], j = axis[1], k = 3 - i - j;
+  const bool returns = i == axis[2];  // as in ZXZ
   const double e = (i + 1) % 3 == j ? 1 : -1;
   const auto r = [&](std::size_t row, std::size_t column) { return c[column][row]; };
   double first = 0, last = 0;
@@ -273,6 +272,13 @@ HeadingPitchRoll headingPitchRollOf(const PlainPose& pose, bool worldIsEcef) {
           std::atan2(-dotOf(pose.right, up), dotOf(pose.right, right)) * kDegrees};
 }
 
+Vec3 eulerDegreesOf(const PlainPose& pose, const EulerOrder& order, CameraAxes axes) {
+  const Vec3 turns = turnsOf(plainColumns(pose, axes), order.axis);
+  Vec3 degrees;
+  for (std::size_t i = 0; i < 3; ++i) degrees[order.listed[i]] = order.sign[i] * turns[i] + 0.0;
+  return degrees;
+}
+
 void orient(Json& root, FieldId field, Json value) {
   for (const Field& other : kFields)
     if (contradict(other, *field)) root.erase(std::string(other.path));
@@ -306,7 +312,8 @@ Document withPose(const CameraFile& camera, const PlainPose& pose) {
   if (values.has("rotation")) {
     root["rotation"] = quaternionOf(plainColumns(pose, axes));
   } else if (const auto* const euler = values.find<EulerTurns>("euler")) {
-    root["euler"]["degrees"] = turnsOf(plainColumns(pose, axes), *euler);
+    const EulerOrder& order = euler->order->second;
+    root["euler"]["degrees"] = listOf(eulerDegreesOf(pose, order, axes));
   } else if (values.has("direction") || (target && !target->place)) {
     putLook(root, values, camera, pose);
   } else {

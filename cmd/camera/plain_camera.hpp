@@ -18,6 +18,11 @@ PlainPose plainPose(const Pose& pose);
 /// from north, pitch above the horizon, roll right side down. Straight up or down roll is 0. They compose to the axes.
 HeadingPitchRoll headingPitchRollOf(const PlainPose& pose, bool worldIsEcef);
 
+/// The angles that this order lists, in degrees, for a camera whose x, y, z are these axes. The middle turn is -90 to
+/// 90 (0 to 180 where the first axis returns, as in ZXZ); where the first and last turn are about one line, the last is
+/// 0.
+Vec3 eulerDegreesOf(const PlainPose& pose, const EulerOrder& order, CameraAxes axes);
+
 /// The camera with this pose, in the document's form of pose: a target at its old distance, and up if it changed; a
 /// direction; a rotation; euler angles in their order; heading, pitch and roll (also for a target on the Earth); or a
 /// matrix, a quaternion or a rotation vector, in the direction that the document has. A position stays a place on the

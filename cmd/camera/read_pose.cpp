@@ -131,8 +131,23 @@ World worldOf(const FieldValues& values) {
 }
 
 CameraAxes cameraAxesOf(const FieldValues& values, const ConventionPreset& preset) {
+  const auto* const euler = values.find<EulerTurns>("euler");
+  if (euler && euler->order->second.cameraAxes) return *euler->order->second.cameraAxes;
   const auto* const name = values.find<std::string_view>("cameraAxes");
   return name ? valueOf(kCameraAxesNames, *name) : preset.cameraAxes;
+}
+
+std::string faultOfOrder(const NameRow<EulerOrder>& order, const FieldValues& values, Handedness world) {
+  const auto& [name, of] = order;
+  if (!of.cameraAxes) return "";
+  const std::string_view axes = nameOf(kCameraAxesNames, *of.cameraAxes);
+  const auto* const stated = values.find<std::string_view>("cameraAxes");
+  if (stated && *stated != axes)
+    return std::string(name) + " turns the axes " + std::string(axes) + ", and cameraAxes is " + std::string(*stated);
+  const Handedness own = *of.cameraAxes == CameraAxes::FRU ? Handedness::left : Handedness::right;
+  if (own == world) return "";
+  return std::string(name) + " is of a " + std::string(nameOf(kWorldNames, own)) +
+         "-handed world, and the convention's is " + std::string(nameOf(kWorldNames, world)) + "-handed";
 }
 
 namespace {
@@ -157,7 +172,11 @@ std::optional<Pose> readStatedPose(const FieldValues& values, const DocumentConv
   }
   if (!position) values.failAt("", "needs position");
   if (rotation) return reader.inThisWorld("rotation", axes, poseFromRotation(position->point, *rotation, axes));
-  if (euler) return reader.inThisWorld("euler", axes, poseFromTurns(position->point, *euler, axes));
+  if (euler) {
+    if (const std::string fault = faultOfOrder(*euler->order, values, reader.hand); !fault.empty())
+      values.fail("euler", fault);
+    return reader.inThisWorld("euler", axes, poseFromTurns(position->point, euler->turns, axes));
+  }
   return isTurned ? reader.turned(*position) : reader.looking(*position);
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 
 #include "camera/read_convention.hpp"
 #include "camera/values.hpp"
@@ -13,8 +14,10 @@ namespace viewproj::cmd {
 
 /// What world coordinates are: any; Earth-centred, Earth-fixed metres; or east, north and up.
 World worldOf(const FieldValues& values);
-/// The axes of a rotation: cameraAxes, or else the preset's.
+/// The axes of a rotation: those of the order of euler, if it has its own; cameraAxes; or the preset's.
 CameraAxes cameraAxesOf(const FieldValues& values, const ConventionPreset& preset);
+/// Why angles of this order cannot describe the camera: an order may have axes of its own. Empty if they can.
+std::string faultOfOrder(const NameRow<EulerOrder>& order, const FieldValues& values, Handedness world);
 
 /// The pose; nothing without an orientation. Throws InputError, or CameraError naming a field.
 std::optional<Pose> readPose(const FieldValues& values, const DocumentConvention& convention);

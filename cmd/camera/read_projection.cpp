@@ -237,7 +237,7 @@ Projection readProjectionMatrix(const FieldValues& values, const DocumentConvent
   const auto& [rows, isStored] = values.require<MatrixNumbers>("projection.matrix");
   const Node value = values.node("projection.matrix");
   if (!convention.isStated)
-    value.fail("needs a convention; state it, or give --read-as NAME (viewproj inspect lists those that fit)");
+    value.fail("needs a convention; state it, or give --read-as NAME (viewproj info lists those that fit)");
   const Convention& c = convention.convention;
   const bool isTransposed = (isStored && c.storage == Storage::columnMajor) != (c.vectors == Vectors::row);
   const MatrixCameras found =

@@ -92,11 +92,16 @@ EulerTurns readEuler(const Node& value) {
   const Node order = value.require("order"), degrees = value.require("degrees");
   const auto* const row = std::find_if(std::begin(kEulerOrders), std::end(kEulerOrders),
                                        [&](const auto& each) { return each.first == order.text(); });
-  if (row == std::end(kEulerOrders)) order.fail("expected three axes, such as YXZ");
+  if (row == std::end(kEulerOrders)) order.fail("expected three axes, such as YXZ, or one of rpy, unity, unreal, opk");
   if (degrees.size() != 3) degrees.fail("expected three angles");
-  EulerTurns turns;
-  for (std::size_t i = 0; i < 3; ++i) turns[i] = {static_cast<int>(row->second[i]), readAngle(degrees[i])};
-  return turns;
+  const EulerOrder& as = row->second;
+  EulerTurns euler{row, {}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    Angle angle = readAngle(degrees[as.listed[i]]);
+    angle.value *= as.sign[i];
+    euler.turns[i] = {static_cast<int>(as.axis[i]), angle};
+  }
+  return euler;
 }
 
 RigidTransform readRigid(const Node& value) {

@@ -28,8 +28,11 @@ struct Position {
   bool isRounded = false;  ///< lat or lon is in radians, and rounded to degrees
 };
 
-/// Turns about the camera's own axes (0, 1, 2 for x, y, z), in this order.
-using EulerTurns = std::array<Turn, 3>;
+/// Turns about the camera's own axes.
+struct EulerTurns {
+  const NameRow<EulerOrder>* order;
+  std::array<Turn, 3> turns;
+};
 
 /// A direction, which is the axis, times the angle in radians.
 struct RotationVector {

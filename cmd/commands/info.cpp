@@ -35,12 +35,13 @@ OrderedJson ifThere(bool isThere, OrderedJson object) {
   return object;
 }
 
+/// Places and axes are rounded: what is left of an angle is certain to about 1e-13 degrees.
+double certainDegrees(double angle) { return std::round(angle * 1e12) / 1e12 + 0.0; }
+
 OrderedJson poseOf(const CameraFile& file) {
   const Pose pose = file.pose.value_or(lookAlong({}, {0, 0, -1}, {0, 1, 0}, Handedness::right));
   const Geodetic place = ecefToGeodetic(pose.eye());
   const HeadingPitchRoll turn = headingPitchRollOf(plainPose(pose), file.worldIsEcef);
-  // The place and the axes are rounded: what is left of the angles is certain to about 1e-13 degrees.
-  const auto degrees = [](double angle) { return std::round(angle * 1e12) / 1e12 + 0.0; };
   OrderedJson members = ifThere(file.pose.has_value(), {{"eye", asJson(pose.eye())},
                                                         {"right", asJson(pose.right())},
                                                         {"up", asJson(pose.up())},
@@ -48,9 +49,9 @@ OrderedJson poseOf(const CameraFile& file) {
   members.update(ifThere(file.pose && file.worldIsEcef,
                          {{"place", {{"lat", place.lat}, {"lon", place.lon}, {"height", place.height}}}}));
   members.update(ifThere(file.pose && (file.worldIsEcef || file.worldIsEnu),
-                         {{"heading", std::fmod(degrees(turn.heading.value) + 360, 360)},
-                          {"pitch", degrees(turn.pitch.value)},
-                          {"roll", degrees(turn.roll.value)}}));
+                         {{"heading", std::fmod(certainDegrees(turn.heading.value) + 360, 360)},
+                          {"pitch", certainDegrees(turn.pitch.value)},
+                          {"roll", certainDegrees(turn.roll.value)}}));
   return members;
 }
 
@@ -184,9 +185,21 @@ OrderedJson infoReport(const CameraFile& file, const std::string& name, std::spa
   return info;
 }
 
+/// The pose as angles of this order; null members without a pose.
+OrderedJson anglesOf(const NameRow<EulerOrder>& order, const FieldValues& values, const ConventionPreset& preset,
+                     const std::optional<Pose>& pose) {
+  if (!pose) return {{"order", order.first}, {"degrees", nullptr}};
+  if (const std::string fault = faultOfOrder(order, values, pose->world()); !fault.empty())
+    throw UsageError("--angles " + fault);
+  const CameraAxes axes = order.second.cameraAxes.value_or(cameraAxesOf(values, preset));
+  Vec3 degrees = eulerDegreesOf(plainPose(*pose), order.second, axes);
+  for (std::size_t i = 0; i < 3; ++i) degrees[i] = certainDegrees(degrees[i]);
+  return {{"order", order.first}, {"degrees", asJson(degrees)}};
+}
+
 /// A row of a list of cameras. The document is normalized; its lens is not read, so that it may lack a picture. Throws
 /// InputError, and CameraError naming a field of the pose.
-OrderedJson cameraRow(const std::string& name, const Document& document) {
+OrderedJson cameraRow(const std::string& name, const Document& document, const NameRow<EulerOrder>* angles) {
   const FieldValues values = readValues(document);
   const auto valueOr = [&](const char* path, const OrderedJson& otherwise) {
     const Json* const value = valueAt(*document.root, path);
@@ -195,16 +208,19 @@ OrderedJson cameraRow(const std::string& name, const Document& document) {
   OrderedJson size = valueOr("projection.pixels", nullptr);
   if (const OrderedJson width = valueOr("viewport.width", nullptr); !width.is_null())
     size = {width, valueOr("viewport.height", nullptr)};
-  return {{"name", name},
-          {"type", valueOr("projection.type", nullptr)},
-          {"size", size},
-          {"pose", readPose(values, readConvention(values)).has_value()}};
+  const DocumentConvention convention = readConvention(values);
+  const std::optional<Pose> pose = readPose(values, convention);
+  OrderedJson row{
+      {"name", name}, {"type", valueOr("projection.type", nullptr)}, {"size", size}, {"pose", pose.has_value()}};
+  if (angles) row["angles"] = anglesOf(*angles, values, *convention.preset, pose);
+  return row;
 }
 
 struct InfoOptions {
   CameraOptions camera;
   std::optional<std::vector<double>> at;
   std::vector<ReadingKind> which;
+  const NameRow<EulerOrder>* angles = nullptr;
   ReportOptions report;
 };
 
@@ -215,7 +231,7 @@ int runList(const InfoOptions& o, const CameraSet& cameras, const std::optional<
   for (const std::size_t i : cameras.chooseAll(pick)) {
     const std::string name = cameras.pickOf(i);
     try {
-      rows.push_back(cameraRow(name, cameras.document(i)));
+      rows.push_back(cameraRow(name, cameras.document(i), o.angles));
     } catch (const CameraError& e) {
       complain(name + ": " + e.what());
       status = 1;
@@ -271,7 +287,9 @@ int runCamera(const InfoOptions& o) {
   if (o.at) distances = *o.at;
   for (const double distance : distances)
     if (!(distance > 0)) throw UsageError("--at " + formatNumber(distance) + ": expected a distance above 0");
-  o.report.write(infoReport(file, cameras->nameOf(which), distances));
+  OrderedJson info = infoReport(file, cameras->nameOf(which), distances);
+  if (o.angles) info["angles"] = anglesOf(*o.angles, readValues(file.document), *file.preset, file.pose);
+  o.report.write(info);
   return 0;
 }
 
@@ -282,7 +300,7 @@ int runUnknown(const InfoOptions& o, const UnknownFile& unknown) {
   const auto isCamera = [](const ProposedLine& line) {
     return line.hasLens && std::count(line.parts.begin(), line.parts.end(), '=') > 1;
   };
-  const bool isForCamera = o.camera.changesCamera() || o.at.has_value();
+  const bool isForCamera = o.camera.changesCamera() || o.at || o.angles;
   if (isForCamera || std::any_of(proposal.lines.begin(), proposal.lines.end(), isCamera))
     return writeProposal(o, proposal);
   const bool isNothing = proposal.lines.empty() && unknown.file.isPlainText;
@@ -295,7 +313,7 @@ int runUnknown(const InfoOptions& o, const UnknownFile& unknown) {
 int runInfo(const InfoOptions& o) {
   constexpr std::size_t kMostBytes = 1 << 20;
   if (!o.which.empty()) {
-    if (o.camera.changesCamera() || o.at)
+    if (o.camera.changesCamera() || o.at || o.angles)
       throw UsageError("--which is for matrices, and the other options for a camera");
     const auto name = o.camera.file();
     if (!name) throw UsageError("--which needs a FILE with matrices");
@@ -306,7 +324,7 @@ int runInfo(const InfoOptions& o) {
   } catch (const UnknownFile& unknown) {
     return runUnknown(o, unknown);
   } catch (const UnknownFormat& e) {
-    if (e.text.empty() || o.camera.changesCamera() || o.at) throw;
+    if (e.text.empty() || o.camera.changesCamera() || o.at || o.angles) throw;
     return runMatrices(o, e.text, e.what());
   }
 }
@@ -339,6 +357,17 @@ Action declareInfo(CLI::App& app) {
       },
       withNames("Read the matrices of FILE, as these kinds alone", known(rowsOf(kReadingKinds)),
                 "a camera, if it has one"));
+  addOption(
+      app, "--angles", "ORDER",
+      [o](const std::string& option, const std::string& text) {
+        const auto row = std::find_if(std::begin(kEulerOrders), std::end(kEulerOrders),
+                                      [&](const auto& each) { return each.first == text; });
+        if (row == std::end(kEulerOrders))
+          throw UsageError(option + " " + text + ": expected axes, such as YXZ, or rpy, unity, unreal or opk");
+        o->angles = row;
+      },
+      "Tell the pose's angles too: of turns about the camera's axes, as YXZ, or as rpy (roll, pitch, yaw), unity, "
+      "unreal or opk list them");
   o->report.add(app, 9);
   o->camera.addFile(app);
   o->camera.add(app);
