@@ -100,10 +100,10 @@ bool AxisMap::mirrors() const {
 }
 
 Document mapped(const CameraFile& camera, const AxisMap& map, double scale) {
-  Document document = copied(camera.document);
-  if (map == AxisMap{} && scale == 1) return document;
+  if (map == AxisMap{} && scale == 1) return copied(camera.document);
+  Document document = withoutScreen(camera);
   Json& root = *document.root;
-  if (camera.pose) mapPose(root, readValues(camera.document), camera, map, scale);
+  if (camera.pose) mapPose(root, readValues(document), camera, map, scale);
   for (const Field& field : kFields)
     if (const Json* const value = field.isLength ? valueAt(root, field.path) : nullptr; value && value->is_number())
       root["projection"][std::string(shortName(field))] = value->get<double>() * scale;
@@ -115,9 +115,9 @@ Document mapped(const CameraFile& camera, const AxisMap& map, double scale) {
 }
 
 Document movedTo(const CameraFile& camera, const Vec3& eye) {
-  Document document = copied(camera.document);
+  Document document = withoutScreen(camera);
   Json& root = *document.root;
-  const FieldValues values = readValues(camera.document);
+  const FieldValues values = readValues(document);
   const auto* const target = values.find<Position>("target");
   const bool isMatrix = values.has("worldFromCamera") || values.has("cameraFromWorld");
   if (camera.worldIsEcef) {

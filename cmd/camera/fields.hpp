@@ -94,12 +94,17 @@ enum Types : std::uint8_t {
   kIntrinsics = 4,
   kOrthographic = 8,
   kPs2 = 16,
-  kMatrix = 32
+  kMatrix = 32,
+  kScreen = 64
 };
-inline constexpr std::uint8_t kAllTypes = 63, kWithNear = 31;
-inline constexpr NameRow<std::uint8_t> kTypeNames[] = {
-    {"perspective", kPerspective},   {"frustum", kFrustum}, {"intrinsics", kIntrinsics},
-    {"orthographic", kOrthographic}, {"ps2", kPs2},         {"matrix", kMatrix}};
+inline constexpr std::uint8_t kAllTypes = 127, kWithNear = 95;
+inline constexpr NameRow<std::uint8_t> kTypeNames[] = {{"perspective", kPerspective},
+                                                       {"frustum", kFrustum},
+                                                       {"intrinsics", kIntrinsics},
+                                                       {"orthographic", kOrthographic},
+                                                       {"ps2", kPs2},
+                                                       {"matrix", kMatrix},
+                                                       {"screen", kScreen}};
 
 /// Fields of one group contradict each other unless they share a bit of `sets`.
 enum class Group : std::uint8_t { none, pose, lens };
@@ -110,7 +115,7 @@ struct Field {
   std::string_view help;         ///< one line: meaning and default
   std::string_view option = {};  ///< "--fov-y"
   Group group = Group::none;
-  std::uint8_t sets = 0;
+  std::uint16_t sets = 0;
   std::uint8_t types = 0;       ///< for fields of the projection
   Words words = nullptr;        ///< for words
   std::string_view alias = {};  ///< another name in a file
@@ -121,13 +126,13 @@ struct Field {
 consteval Field wordField(std::string_view path, Words words, std::string_view help, std::uint8_t types = 0) {
   return {path, Kind::word, help, "", Group::none, 0, types, words};
 }
-consteval Field poseField(std::string_view path, Kind kind, std::uint8_t sets, std::string_view option,
+consteval Field poseField(std::string_view path, Kind kind, std::uint16_t sets, std::string_view option,
                           std::string_view help, Words words = nullptr, std::string_view alias = "",
                           std::string_view hints = "") {
   return {path, kind, help, option, Group::pose, sets, 0, words, alias, hints};
 }
 /// Without sets, the field contradicts nothing.
-consteval Field lensField(std::string_view path, Kind kind, std::uint8_t types, std::uint8_t sets,
+consteval Field lensField(std::string_view path, Kind kind, std::uint8_t types, std::uint16_t sets,
                           std::string_view option, std::string_view help, bool isLength = false) {
   return {path, kind, help, option, sets ? Group::lens : Group::none, sets, types, nullptr, "", "", isLength};
 }
@@ -152,28 +157,31 @@ inline constexpr Field kFields[] = {
     poseField("up", Kind::direction, 3, "--up", "Up in the picture. Default: the convention's."),
     poseField("rotation", Kind::quaternion, 4, "--rotation", "x,y,z,w, camera to world.", nullptr, "",
               "quaternion orientation"),
-    poseField("euler", Kind::euler, 8, "--euler",
-              "Turns as YXZ:A,B,C; or rpy, unity, unreal, opk."),
+    poseField("euler", Kind::euler, 8, "--euler", "Turns as YXZ:A,B,C; or rpy, unity, unreal, opk."),
     poseField("worldFromCamera", Kind::rigid, 16, "", "Pose: 4 rows, or {rotation, translation}."),
     poseField("cameraFromWorld", Kind::rigid, 32, "", "The inverse: a view matrix for column vectors."),
     poseField("heading", Kind::turn, 64, "--heading", "Degrees clockwise from north."),
     poseField("pitch", Kind::pitch, 64, "--pitch", "Degrees above the horizon. Default: 0."),
     poseField("roll", Kind::turn, 64, "--roll", "Degrees, right side down. Default: 0."),
-    poseField("cameraAxes", Kind::word, 60, "", "Of a rotation.", wordsOf<kCameraAxesNames>),
+    poseField("cameraAxes", Kind::word, 60, "", "Of turns.", wordsOf<kCameraAxesNames>),
     wordField("projection.type", wordsOf<kTypeNames>, "Which fields apply.", kAllTypes),
-    lensField("projection.fovY", Kind::angle, kPerspective, 1, "--fov-y", "Angle of view from bottom to top."),
-    lensField("projection.fovX", Kind::angle, kPerspective, 2, "--fov-x", "Angle of view from left to right."),
+    lensField("projection.fovY", Kind::angle, kPerspective, 1, "--fov-y",
+              "Angle of view: vertical, horizontal or diagonal."),
+    lensField("projection.fovX", Kind::angle, kPerspective, 2, "--fov-x",
+              "Angle of view: vertical, horizontal or diagonal."),
     lensField("projection.fovDiagonal", Kind::angle, kPerspective, 4, "--fov-diagonal",
-              "Angle of view from corner to corner."),
+              "Angle of view: vertical, horizontal or diagonal."),
     lensField("projection.nearWidth", Kind::positive, kPerspective, 8, "", "Size of the window on the near plane.",
               true),
     lensField("projection.nearHeight", Kind::positive, kPerspective, 8, "", "Size of the window on the near plane.",
               true),
-    lensField("projection.focalLength", Kind::positive, kPerspective, 16, "--focal-length",
+    lensField("projection.focalLength", Kind::positive, kPerspective, 16 | 256, "--focal-length",
               "In the sensor's unit, such as millimetres."),
     lensField("projection.sensorWidth", Kind::positive, kPerspective, 16, "--sensor-width",
               "Size of the sensor, in the unit of focalLength."),
     lensField("projection.sensorHeight", Kind::positive, kPerspective, 16, "--sensor-height",
+              "Size of the sensor, in the unit of focalLength."),
+    lensField("projection.sensorDiagonal", Kind::positive, kPerspective, 256, "--sensor-diagonal",
               "Size of the sensor, in the unit of focalLength."),
     lensField("projection.left", Kind::number, kFrustum | kOrthographic, 32, "--left",
               "Window edge; in frustum, on the near plane.", true),
@@ -185,7 +193,7 @@ inline constexpr Field kFields[] = {
               "Window edge; in frustum, on the near plane.", true),
     lensField("projection.width", Kind::positive, kOrthographic, 64, "--ortho-width", "Size of the window.", true),
     lensField("projection.height", Kind::positive, kOrthographic, 64, "--ortho-height", "Size of the window.", true),
-    lensField("projection.aspect", Kind::ratio, kPerspective | kOrthographic, 1 | 2 | 4 | 16 | 64, "--aspect",
+    lensField("projection.aspect", Kind::ratio, kPerspective | kOrthographic, 1 | 2 | 4 | 16 | 64 | 256, "--aspect",
               "Width over height. Default: the viewport's."),
     lensField("projection.fx", Kind::positive, kIntrinsics, 128, "--fx", "Focal length in pixels, across and down."),
     lensField("projection.fy", Kind::positive, kIntrinsics, 128, "--fy", "Focal length in pixels, across and down."),
@@ -202,6 +210,9 @@ inline constexpr Field kFields[] = {
     lensField("projection.zMin", Kind::number, kPs2, 128, "", "Depth at far and at near."),
     lensField("projection.zMax", Kind::number, kPs2, 128, "", "Depth at far and at near."),
     lensField("projection.matrix", Kind::matrix, kMatrix, 128, "", "4 rows as on paper, or 16 numbers as in memory."),
+    lensField("projection.bottomLeft", Kind::place, kScreen, 128, "", "Corners of the screen in the world."),
+    lensField("projection.bottomRight", Kind::place, kScreen, 128, "", "Corners of the screen in the world."),
+    lensField("projection.topLeft", Kind::place, kScreen, 128, "", "Corners of the screen in the world."),
     lensField("projection.near", Kind::number, kWithNear, 0, "--near", "Near plane. Absent: none, and no depth.", true),
     lensField("projection.far", Kind::far, kWithNear, 0, "--far", "Far plane. Absent: infinite.", true),
     lensField("projection.shift", Kind::pair, kAllTypes, 0, "--shift",

@@ -226,7 +226,9 @@ struct WindowWriter {
       case kPerspective:
         return perspective();
       case kFrustum:
-        for (const char* const name : {"left", "right", "bottom", "top"}) fields.erase(name);
+      case kScreen:
+        for (const char* const name : {"left", "right", "bottom", "top", "bottomLeft", "bottomRight", "topLeft"})
+          fields.erase(name);
         fields.update(edgesOf("frustum", after, after.zNear()));
         return after.zNear() > 0;
       case kIntrinsics:
@@ -296,10 +298,15 @@ void putMatrix(Json& root, const Projection& projection, const Convention& conve
       laidOut(matrix(cameraIn(convention, {}, projection), Space::clip, Space::view), convention).m;
 }
 
+Document withoutScreen(const CameraFile& camera) {
+  const bool isScreen = typeOf(readValues(camera.document)) == kScreen;
+  return isScreen ? withProjection(camera, frameProjection(camera)) : copied(camera.document);
+}
+
 Document withPose(const CameraFile& camera, const PlainPose& pose) {
-  Document document = copied(camera.document);
+  Document document = withoutScreen(camera);
   Json& root = *document.root;
-  const FieldValues values = readValues(camera.document);
+  const FieldValues values = readValues(document);
   const CameraAxes axes = cameraAxesOf(values, *camera.preset);
   const auto* const position = values.find<Position>("position");
   if (position) root["position"] = position->place ? placeOf(pose.eye) : listOf(pose.eye);
@@ -356,6 +363,8 @@ Document withProjection(const CameraFile& camera, const Projection& projection) 
     if (!hasDepth(projection)) fields.erase("near");
     if (!std::isfinite(projection.zFar())) fields.erase("far");
   };
+  // A screen orients the camera too.
+  if (typeOf(values) == kScreen && camera.pose) putRotation(root, plainPose(*camera.pose), camera.convention.world);
   const bool keeps = projection.isOrthographic() == before.isOrthographic() && writer.inOldForm();
   if (keeps) {
     if (typeOf(values) != kMatrix) putRange(root["projection"]);

@@ -31,10 +31,12 @@ Document withPose(const CameraFile& camera, const PlainPose& pose);
 
 /// The camera with this projection of its whole picture, before shift and crop. Keeps the document's form if it can
 /// say it: an angle, a focal length or a near size for a window that is centred and of the old shape, edges, fx ... cy,
-/// a matrix. Else the projection becomes intrinsics (without shift), or edges for an orthographic one. near and far
-/// stay as written unless they change. A perspective without a viewport keeps only what its form can say, and throws
-/// InputError for anything else.
+/// a matrix; a screen becomes a frustum and a rotation. Else the projection becomes intrinsics (without shift), or
+/// edges for an orthographic one. near and far stay as written unless they change. A perspective without a viewport
+/// keeps only what its form can say, and throws InputError for anything else.
 Document withProjection(const CameraFile& camera, const Projection& projection);
+/// The same camera, with a frustum and a rotation in place of a screen.
+Document withoutScreen(const CameraFile& camera);
 /// The projection before shift and crop.
 Projection frameProjection(const CameraFile& camera);
 /// The projection of the whole picture, before the document's shift, whose tile has fx, fy, cx, cy.

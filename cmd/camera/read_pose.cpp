@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "camera/read_projection.hpp"
+#include "camera/read_screen.hpp"
 #include "numbers/degrees.hpp"
 
 namespace viewproj::cmd {
@@ -156,6 +158,12 @@ namespace {
 std::optional<Pose> readStatedPose(const FieldValues& values, const DocumentConvention& convention) {
   const PoseReader reader{values, convention, worldOf(values), convention.convention.world};
   const CameraAxes axes = cameraAxesOf(values, *convention.preset);
+  if (typeOf(values) == kScreen) {
+    for (const Field& field : kFields)
+      if (field.group == Group::pose && field.path != "position" && valueAt(*values.document().root, field.path))
+        values.failAt(field.path, "the screen orients the camera; leave one of the two out");
+    return readScreen(values, reader.hand).pose;
+  }
   const auto* const position = values.find<Position>("position");
   for (const FieldId field : {FieldId("worldFromCamera"), FieldId("cameraFromWorld")})
     if (const auto* const value = values.find<RigidTransform>(field))

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "camera/read_screen.hpp"
 #include "text/number.hpp"
 #include "viewproj/cameras_of.hpp"
 
@@ -66,7 +67,7 @@ struct ProjectionReader {
       return viewproj::frustum(-right, right, -top, top, near, far);
     }
     const FieldId width = "projection.sensorWidth", height = "projection.sensorHeight";
-    const FieldId side = has(width) ? width : height;
+    const FieldId side = has(width) ? width : has(height) ? height : FieldId("projection.sensorDiagonal");
     if (has("projection.focalLength") || has(side)) return ofSensor(side);
     fail("needs one of fovY, fovX, fovDiagonal, nearWidth with nearHeight, focalLength with a sensor's side");
   }
@@ -74,13 +75,14 @@ struct ProjectionReader {
   /// side: a side that the sensor has, if it has one.
   Projection ofSensor(FieldId side) const {
     if (!has("projection.focalLength")) values.fail(side, "needs focalLength beside it");
-    if (!has(side)) values.fail("projection.focalLength", "needs sensorWidth or sensorHeight beside it");
-    const double width = values.valueOr("projection.sensorWidth", 0.0);
-    const double height = values.valueOr("projection.sensorHeight", 0.0);
-    const bool isWhole = width > 0 && height > 0;
+    if (!has(side))
+      values.fail("projection.focalLength", "needs sensorWidth, sensorHeight or sensorDiagonal beside it");
+    const SensorSize sensor{values.valueOr("projection.sensorWidth", 0.0),
+                            values.valueOr("projection.sensorHeight", 0.0),
+                            values.valueOr("projection.sensorDiagonal", 0.0)};
+    const bool isWhole = sensor.width > 0 && sensor.height > 0;
     if (isWhole) requireNoAspect("sensorWidth and sensorHeight");
-    return perspectiveFocalLength(number("projection.focalLength"), width, height, isWhole ? Aspect(1) : aspect(), near,
-                                  far);
+    return perspectiveFocalLength(number("projection.focalLength"), sensor, isWhole ? Aspect(1) : aspect(), near, far);
   }
 
   /// left, right, bottom, top. Braces evaluate the calls in this order.
@@ -133,6 +135,11 @@ struct ProjectionReader {
     return ps2Intrinsics(scrz, ax, ay, cx, cy, viewport(" around cx, cy"), near, far);
   }
 
+  Projection screen() const {
+    const ScreenView view = readScreen(values, convention.convention.world);
+    return perspectiveWindow(view.left, view.right, view.bottom, view.top, near, far);
+  }
+
   Projection ofType(std::uint8_t type) const {
     switch (type) {
       case kPerspective:
@@ -145,6 +152,8 @@ struct ProjectionReader {
         return orthographic();
       case kPs2:
         return ps2();
+      case kScreen:
+        return screen();
       default:
         return readProjectionMatrix(values, convention);
     }

@@ -37,7 +37,7 @@ std::string row(const std::string& left, std::string_view text, std::size_t colu
 /// Fields with their options. Neighbours of the same help share a row; a long list of words is left to the page.
 template <class IsListed>
 std::string fieldRows(const IsListed& isListed) {
-  constexpr std::size_t kColumn = 28, kMostWords = 40;
+  constexpr std::size_t kColumn = 28, kMostWords = 40, kMostNames = 76;
   std::string out, names, options;
   const Field* previous = nullptr;
   const auto flush = [&] {
@@ -46,7 +46,12 @@ std::string fieldRows(const IsListed& isListed) {
     const std::string words = previous->words ? joined(previous->words()) : "";
     if (words.find(' ') != std::string::npos && words.size() <= kMostWords) text += " One of " + words + ".";
     if (!previous->alias.empty()) text += " [" + std::string(previous->alias) + "]";
-    out += row(names + options, text, kColumn);
+    std::string left = names + options;
+    for (std::size_t end; left.size() > kMostNames; left.erase(0, end + 2)) {
+      end = left.rfind(", ", kMostNames);
+      out += "  " + left.substr(0, end + 1) + "\n";
+    }
+    out += row(left, text, kColumn);
     names = options = "";
   };
   for (const Field& field : kFields) {

@@ -138,15 +138,14 @@ void readLens(const Parts& parts, Json& camera) {
                      " numbers, which may be any of k1 k2 p1 p2 k3 … k6; say which, as in distortion=d[0,1,4,5,2]");
     put(lensOf(parts.node("distortion"), "plumb_bob", parts.numbers("distortion", {1, 2, 4, 5, 8, 12, 14})));
   }
+  const std::string_view stated = parts.has("model") ? "model" : "isFisheye";
+  std::string model = parts.text(stated);
+  if (stated == "isFisheye" && parts.has(stated)) model = model == "true" || model == "1" ? "fisheye" : "plumb_bob";
   if (!parts.has("lens")) {
-    if (const std::string model = parts.text("model"); parts.has("model") && !mayBePinhole(model))
-      parts.fail("model", "needs the coefficients of this lens");
+    if (parts.has(stated) && !mayBePinhole(model)) parts.fail(stated, "needs the coefficients of this lens");
     return;
   }
   const Found& lens = parts["lens"];
-  std::string model = parts.text("model");
-  if (!parts.has("model") && parts.has("isFisheye"))
-    model = parts.text("isFisheye") == "true" || parts.text("isFisheye") == "1" ? "fisheye" : "plumb_bob";
   if (!lens.named.empty()) return put(lensOf(lens.nodes.front(), model, lens.named));
   std::vector<double> c = lens.numbers;
   for (const double coefficient : c)

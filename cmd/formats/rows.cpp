@@ -91,7 +91,7 @@ constexpr Row kRows[] = {
               "lens?=#|distortion.#|dist.#|distortion_coefficients.#|" D_NAMES
               "|/distortion_coefficients.#|/distortion.#|/distortion_coefficients|/dist_coeffs|/distortion|/dist, "
               "model?=distortion_model|camera_model|model|camera_type|/distortion_model|/camera_model, "
-              "isFisheye?=is_fisheye|/is_fisheye, " POSES ", name?=name",
+              "isFisheye?=is_fisheye|/is_fisheye|fisheye|/fisheye, " POSES ", name?=name",
      ". cam Camera camera intrinsics intrinsic calibration camera_matrix color rgb depth *", 0, "RDF",
      NOTHING_READ " raw_* setup color_order"},
     {"realsense", "intrinsics of a RealSense", "fx fy ppx ppy",

@@ -13,11 +13,17 @@ namespace {
 constexpr std::string_view kPoseWords =
     "pose poses extrinsic extrinsics transform transformation rotation rot quat quaternion orientation translation "
     "trans rvec "
-    "tvec rvecs tvecs r t rt c2w w2c cam2world world2cam euler ypr position location center centre eye matrix";
+    "tvec rvecs tvecs r t rt c2w w2c cam2world world2cam euler ypr rpy xyz position location center centre eye matrix";
+/// One number of a pose, beside the numbers of a camera.
+constexpr std::string_view kPoseNumbers =
+    "x y z tx ty tz px py pz qw qx qy qz rx ry rz roll pitch yaw heading azimuth omega phi kappa";
 constexpr std::string_view kLensWords =
     "dist disto distortion distortions xi alpha skew crop binning offset shift rectif zoom rolling mirror poly "
     "polynomial "
-    "tangential radial";
+    "tangential radial ftheta fisheye";
+/// Pictures that are no pinhole's, as a text or a flag names them.
+constexpr std::string_view kProjections =
+    "fisheye equidistant equirectangular latlong panorama panoramic spherical cylindrical orthographic";
 /// Members that no format reads and that say nothing about the picture.
 constexpr std::string_view kKnown =
     "T_imu_body timestamp* time date *_time version* units unit description name id index serial* frame_id seq stamp "
@@ -73,7 +79,7 @@ bool Unread::isKnown(std::string_view name) const {
   return false;
 }
 
-void Unread::walk(const Node& node, std::string_view name, std::size_t depth, Lists& lists) const {
+void Unread::walk(const Node& node, std::string_view name, std::size_t depth, bool isBesideRead, Lists& lists) const {
   constexpr std::size_t kDeepestLevel = 12, kMostNumbers = 1000;
   const Json& value = node.json();
   if (depth > 0 && apart_.contains(&value)) return;
@@ -82,23 +88,26 @@ void Unread::walk(const Node& node, std::string_view name, std::size_t depth, Li
   const bool isReadInParts =
       !isRead && value.is_structured() &&
       std::any_of(value.begin(), value.end(), [&](const Json& part) { return Node(file_, part, "").isMarked(); });
+  const bool isProjection = value.is_string() ? isAmong(lettersOf(value.get_ref<const std::string&>()), kProjections)
+                                              : value == true && hasWord(name, kProjections);
+  if (!isRead && isProjection) lists.left.push_back({node, {}, std::string(name), isBesideRead});
   const bool isNumbers = depth > 0 && !isReadInParts && !value.is_null() && !value.is_boolean() && !value.empty();
   if (const auto numbers = isNumbers ? numbersIn(value) : std::nullopt) {
     if (numbers->size() > kMostNumbers) return;
     if (isRead)
       lists.read.push_back(*numbers);
     else if (!isNothing(*numbers))
-      lists.left.push_back({node, *numbers, std::string(name)});
+      lists.left.push_back({node, *numbers, std::string(name), isBesideRead});
     return;
   }
   if (isRead || depth == kDeepestLevel) return;
   if (value.is_object())
     for (const auto& [key, member] : value.items()) {
-      if (!isKnown(key)) walk(Node(file_, member, joinedPath(node.path(), key)), key, depth + 1, lists);
+      if (!isKnown(key)) walk(Node(file_, member, joinedPath(node.path(), key)), key, depth + 1, isReadInParts, lists);
     }
   else if (value.is_array() && value.size() <= kMostNumbers)
     for (std::size_t i = 0; i < value.size(); ++i)
-      walk(Node(file_, value[i], joinedPath(node.path(), std::to_string(i))), name, depth + 1, lists);
+      walk(Node(file_, value[i], joinedPath(node.path(), std::to_string(i))), name, depth + 1, false, lists);
 }
 
 void Unread::judge(const Left& left, const Lists& lists, std::string& names) const {
@@ -108,7 +117,11 @@ void Unread::judge(const Left& left, const Lists& lists, std::string& names) con
   const std::vector<double> m = oneOf(left.node, left.numbers);
   const std::size_t count = m.size();
   const bool isFew = count == 3 || count == 4 || count == 6 || count == 7 || count == 9 || count == 12 || count == 16;
-  if ((isFew && (isRigid(m) || isRotation(m) || (hasWord(left.name, kPoseWords) && !isIntrinsic(m)))) && !isNothing(m))
+  const bool isTurnOfNone = count == 1 && m.front() == 1 && left.name.ends_with('w');
+  const bool isPoseNumber =
+      count == 1 && left.isBesideRead && isAmong(lettersOf(left.name), kPoseNumbers) && !isTurnOfNone;
+  if (isPoseNumber ||
+      (isFew && (isRigid(m) || isRotation(m) || (hasWord(left.name, kPoseWords) && !isIntrinsic(m))) && !isNothing(m)))
     left.node.fail(
         "is not read, and may be the camera's pose: call it cameraFromWorld or worldFromCamera, or take it out; "
         "--parts reads "
@@ -116,7 +129,7 @@ void Unread::judge(const Left& left, const Lists& lists, std::string& names) con
   if (count == 9 && isIntrinsic(m))
     left.node.fail("is not read, and is another K than the one that is; take one of them out");
   const bool isOne = count == 1 && m.front() == 1 && hasWord(left.name, "binning zoom ratio");
-  const bool isLens = hasWord(left.name, kLensWords) || isCoefficient(left.name);
+  const bool isLens = count == 0 || hasWord(left.name, kLensWords) || isCoefficient(left.name);
   if (isLens && !isOne && count <= 16)
     left.node.fail("is not read, and may bend, move or scale the picture; take it out, or say by --parts what it is");
   if (count < 3) return;
@@ -128,14 +141,14 @@ std::string Unread::judge(std::size_t which) {
   const Node root(file_);
   if (!shared_) {
     Lists lists;
-    walk(root, "", 0, lists);
+    walk(root, "", 0, false, lists);
     shared_ = std::move(lists);
   }
   std::string names;
   Lists lists;
   if (const auto own = own_ ? own_(which) : std::nullopt) {
     apart_.erase(&own->json());
-    walk(*own, "", 0, lists);
+    walk(*own, "", 0, false, lists);
     apart_.insert(&own->json());
   }
   constexpr std::size_t kMost = 8;

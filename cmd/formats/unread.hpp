@@ -26,13 +26,14 @@ class Unread {
     Node node;
     std::vector<double> numbers;
     std::string name;
+    bool isBesideRead;  ///< a member beside one that was read
   };
   struct Lists {
     std::vector<Left> left;
     std::vector<std::vector<double>> read;
   };
 
-  void walk(const Node& node, std::string_view name, std::size_t depth, Lists& lists) const;
+  void walk(const Node& node, std::string_view name, std::size_t depth, bool isBesideRead, Lists& lists) const;
   bool isKnown(std::string_view name) const;
   void judge(const Left& left, const Lists& lists, std::string& names) const;
 

@@ -154,17 +154,24 @@ Projection perspective(Angle angle, Aspect aspect, double near, double far, Fov 
   return symmetric(halfHeight * shape, halfHeight, near, far);
 }
 
-Projection perspectiveFocalLength(double focalLength, double sensorWidth, double sensorHeight, Aspect aspect,
-                                  double near, double far) {
+Projection perspectiveFocalLength(double focalLength, const SensorSize& sensor, Aspect aspect, double near,
+                                  double far) {
   requirePositive(focalLength, "focalLength");
-  if (sensorWidth == 0 && sensorHeight == 0)
-    throw CameraError("focalLength", "needs sensorWidth or sensorHeight, in the same unit");
-  if (sensorWidth != 0) requirePositive(sensorWidth, "sensorWidth");
-  if (sensorHeight != 0) requirePositive(sensorHeight, "sensorHeight");
-  DoubleDouble halfWidth = half(ratio(sensorWidth, focalLength)), halfHeight = half(ratio(sensorHeight, focalLength));
-  if (sensorWidth == 0) halfWidth = halfHeight * ratioOf(aspect);
-  if (sensorHeight == 0) halfHeight = halfWidth / ratioOf(aspect);
-  return symmetric(halfWidth, halfHeight, near, far);
+  const auto& [width, height, diagonal] = sensor;
+  if (width != 0) requirePositive(width, "sensorWidth");
+  if (height != 0) requirePositive(height, "sensorHeight");
+  if (diagonal != 0) requirePositive(diagonal, "sensorDiagonal");
+  if (width == 0 && height == 0 && diagonal == 0)
+    throw CameraError("focalLength", "needs sensorWidth, sensorHeight or sensorDiagonal, in the same unit");
+  if (diagonal != 0 && (width != 0 || height != 0))
+    throw CameraError("sensorDiagonal", "stands alone, without sensorWidth and sensorHeight");
+  const auto halfTangent = [&](double size) { return half(ratio(size, focalLength)); };
+  if (width != 0 && height != 0) return symmetric(halfTangent(width), halfTangent(height), near, far);
+  const DoubleDouble shape = ratioOf(aspect);
+  if (width != 0) return symmetric(halfTangent(width), halfTangent(width) / shape, near, far);
+  const DoubleDouble halfHeight =
+      height != 0 ? halfTangent(height) : halfTangent(diagonal) / sqrt(shape * shape + DoubleDouble(1));
+  return symmetric(halfHeight * shape, halfHeight, near, far);
 }
 
 Projection frustum(double left, double right, double bottom, double top, double near, double far) {

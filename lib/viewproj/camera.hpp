@@ -237,9 +237,14 @@ struct Aspect {
 /// angle: the full angle, above 0 and below 180 degrees. Otherwise throws naming "fovY", "fovX" or "fovDiagonal".
 Projection perspective(Angle angle, Aspect aspect, double zNear, double zFar = kInfiniteFar, Fov of = Fov::vertical);
 
-/// focalLength and the sensor's sides have the same unit. A sensor side of 0 is computed from the other one and aspect.
-Projection perspectiveFocalLength(double focalLength, double sensorWidth, double sensorHeight, Aspect aspect,
-                                  double zNear, double zFar);
+/// The size of a sensor: width and height; or one of the three, the others 0, and the picture's aspect says the rest.
+struct SensorSize {
+  double width = 0, height = 0, diagonal = 0;
+};
+
+/// focalLength and sensor are in one unit: of a phone's 26 mm equivalent, 26 and a diagonal of 43.2666.
+Projection perspectiveFocalLength(double focalLength, const SensorSize& sensor, Aspect aspect, double zNear,
+                                  double zFar);
 
 /// Edges on the near plane (glFrustum; XMMatrixPerspectiveLH has half its width and height). zNear must be above 0.
 Projection frustum(double left, double right, double bottom, double top, double zNear, double zFar);

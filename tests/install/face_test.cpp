@@ -56,7 +56,7 @@ Projection projectionOf(const json& p, const Viewport& viewport) {
     return frustum(-right, right, -top, top, near, far);
   }
   if (p.contains("focalLength"))
-    return perspectiveFocalLength(p["focalLength"], p["sensorWidth"], p["sensorHeight"], viewport, near, far);
+    return perspectiveFocalLength(p["focalLength"], {p["sensorWidth"], p["sensorHeight"]}, viewport, near, far);
   if (p.contains("fx")) return intrinsics(p["fx"], p["fy"], p["cx"], p["cy"], viewport, near, far);
   return ps2Intrinsics(p["scrz"], p["ax"], p["ay"], p["cx"], p["cy"], viewport, near, far);
 }

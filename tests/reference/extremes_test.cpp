@@ -190,6 +190,7 @@ TEST_CASE(
       {PoseKind::target, LensKind::sensorBoth, {FIELD(sensorWidth), FIELD(sensorHeight), FIELD(focalLength)}},
       {PoseKind::target, LensKind::sensorWidth, {FIELD(sensorWidth), FIELD(focalLength)}},
       {PoseKind::target, LensKind::sensorHeight, {FIELD(sensorHeight), FIELD(focalLength)}},
+      {PoseKind::target, LensKind::sensorDiagonal, {FIELD(sensorWidth), FIELD(focalLength)}},
       {PoseKind::target, LensKind::intrinsics, {FIELD(fx), FIELD(fy), FIELD(cx), FIELD(cy)}},
       {PoseKind::target, LensKind::orthographic, {FIELD(left), FIELD(right), FIELD(bottom), FIELD(top)}},
   };

@@ -41,11 +41,13 @@ Projection buildLens(const Scene& s) {
     case LensKind::nearSize:
       return frustum(-s.right / 2, s.right / 2, -s.top / 2, s.top / 2, s.near, s.far);
     case LensKind::sensorBoth:
-      return perspectiveFocalLength(s.focalLength, s.sensorWidth, s.sensorHeight, 1, s.near, s.far);
+      return perspectiveFocalLength(s.focalLength, {s.sensorWidth, s.sensorHeight}, 1, s.near, s.far);
     case LensKind::sensorWidth:
-      return perspectiveFocalLength(s.focalLength, s.sensorWidth, 0, aspect, s.near, s.far);
+      return perspectiveFocalLength(s.focalLength, {.width = s.sensorWidth}, aspect, s.near, s.far);
     case LensKind::sensorHeight:
-      return perspectiveFocalLength(s.focalLength, 0, s.sensorHeight, aspect, s.near, s.far);
+      return perspectiveFocalLength(s.focalLength, {.height = s.sensorHeight}, aspect, s.near, s.far);
+    case LensKind::sensorDiagonal:
+      return perspectiveFocalLength(s.focalLength, {.diagonal = s.sensorWidth}, aspect, s.near, s.far);
     case LensKind::frustum:
       return frustum(s.left, s.right, s.bottom, s.top, s.near, s.far);
     case LensKind::intrinsics:
@@ -152,8 +154,13 @@ TrueLens trueLens(const Scene& s) {
       return symmetric(Real(s.right) / Real(s.near) / Real(2), Real(s.top) / Real(s.near) / Real(2));
     case LensKind::sensorBoth:
     case LensKind::sensorWidth:
-    case LensKind::sensorHeight: {
+    case LensKind::sensorHeight:
+    case LensKind::sensorDiagonal: {
       Real w = Real(s.sensorWidth), h = Real(s.sensorHeight);
+      if (s.lensKind == LensKind::sensorDiagonal) {
+        h = w / sqrt(aspect * aspect + Real(1));
+        w = h * aspect;
+      }
       if (s.lensKind == LensKind::sensorWidth) h = w / aspect;
       if (s.lensKind == LensKind::sensorHeight) w = h * aspect;
       return symmetric(w / Real(s.focalLength) / Real(2), h / Real(s.focalLength) / Real(2));

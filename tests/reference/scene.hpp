@@ -23,6 +23,7 @@ enum class LensKind {
   sensorBoth,
   sensorWidth,
   sensorHeight,
+  sensorDiagonal,
   frustum,
   intrinsics,
   orthographic
@@ -30,9 +31,10 @@ enum class LensKind {
 
 inline constexpr PoseKind kPoseKinds[] = {PoseKind::target, PoseKind::direction, PoseKind::rotation,
                                           PoseKind::worldFromCamera, PoseKind::cameraFromWorld};
-inline constexpr LensKind kLensKinds[] = {
-    LensKind::fovY,        LensKind::fovX,         LensKind::fovDiagonal, LensKind::nearSize,   LensKind::sensorBoth,
-    LensKind::sensorWidth, LensKind::sensorHeight, LensKind::frustum,     LensKind::intrinsics, LensKind::orthographic};
+inline constexpr LensKind kLensKinds[] = {LensKind::fovY,         LensKind::fovX,           LensKind::fovDiagonal,
+                                          LensKind::nearSize,     LensKind::sensorBoth,     LensKind::sensorWidth,
+                                          LensKind::sensorHeight, LensKind::sensorDiagonal, LensKind::frustum,
+                                          LensKind::intrinsics,   LensKind::orthographic};
 
 struct Scene {
   PoseKind poseKind = PoseKind::target;
