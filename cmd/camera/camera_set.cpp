@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "camera/read_convention.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
 #include "text/system.hpp"
@@ -115,7 +116,7 @@ Import openCameraDocument(const Document& file) {
 void readAs(Document& file, std::string_view preset) {
   Json& convention = (*file.root)["convention"];
   const std::string name(preset);
-  if (!convention.is_null() && convention != name && convention != Json{{"preset", name}})
+  if (!convention.is_null() && readConvention(file).convention != findPreset(name)->convention)
     throw InputError(file.name + ": has another convention than --read-as " + name);
   convention = name;
 }

@@ -113,6 +113,7 @@ Import open(const Node& root) {
   const auto sensors = chunk.find("sensors"), cameras = chunk.find("cameras"), components = chunk.find("components");
   std::vector<Node> list;
   if (cameras) addCameras(*cameras, list);
+  if (cameras && list.empty()) cameras->fail("holds no camera that is aligned: none has a transform");
   const std::vector<Node> lenses = sensors ? childrenOf(*sensors, "sensor") : std::vector<Node>{};
   const std::vector<Node> parts = components ? childrenOf(*components, "component") : std::vector<Node>{};
   Import result;
@@ -131,7 +132,7 @@ Import open(const Node& root) {
     return placed;
   };
   return result;
-}  // namespace metashape
+}
 
 Import openLens(const Node& root) {
   const Node calibration = root.require("calibration");

@@ -39,7 +39,7 @@ bool claims(const Format& format, const Node& root) {
 struct Claim {
   std::string_view name, form, known;
   std::function<Import()> open;
-  bool isMatrices = false;
+  bool mayBeMatrices = false;  ///< numbers alone: matrices, or poses
 };
 
 std::vector<Claim> claimsOf(const Node& root, bool all) {
@@ -50,7 +50,7 @@ std::vector<Claim> claimsOf(const Node& root, bool all) {
     if (format == &kMatrices && root.document().isPlainText) continue;
     if ((all || found.empty()) && claims(*format, root))
       found.push_back({format->name, format->form, format->known, [format, root] { return format->open(root); },
-                       format == &kMatrices});
+                       format == &kMatrices || format == &kPoses});
   }
   for (const Row& row : rows()) {
     if (!all && !found.empty()) break;
@@ -82,7 +82,7 @@ Import judged(const std::shared_ptr<Document>& file, Import result, std::string_
     return state->note;
   };
   return result;
-}  // namespace viewproj::cmd
+}
 
 bool isInOtherWorld(const CameraEntry& camera) {
   for (const char* world : {"imu/", "body/", "velodyne/", "lidar/"})
@@ -106,12 +106,12 @@ void keepWorld(Import& result, const std::optional<std::string>& pick) {
   result.document = [document = std::move(result.document), kept](std::size_t which) { return document(kept[which]); };
 }
 
-/// What makes no camera in plain text may be matrices.
+/// What makes no camera, in plain text or of numbers alone, may be matrices.
 Import openClaimed(const Document& file, const Claim& claim) {
   try {
     return claim.open();
   } catch (const InputError& e) {
-    if (file.isPlainText) throw UnknownFormat(e.what(), *file.text);
+    if (file.isPlainText || claim.mayBeMatrices) throw UnknownFormat(e.what(), *file.text);
     throw;
   }
 }
@@ -125,17 +125,21 @@ Import importFile(const std::shared_ptr<Document>& file, const Opening& opening,
     return importParts(root, std::move(parts), {}, "");
   }
   const std::vector<Claim> found = claimsOf(root, false);
-  if (!preset.empty() && !found.empty() && !found.front().isMatrices)
-    throw InputError(file->name + ": is " + std::string(found.front().form) +
-                     ", which has a convention of its own; leave out --read-as");
+  const auto requireOwnConvention = [&] {
+    if (!preset.empty())
+      throw InputError(file->name + ": is " + std::string(found.front().form) +
+                       ", which has a convention of its own; leave out --read-as");
+  };
+  if (!found.empty() && !found.front().mayBeMatrices) requireOwnConvention();
   if (!preset.empty() && file->root->is_object()) readAs(*file, preset);
   if (!found.empty()) {
     Import result = openClaimed(*file, found.front());
+    if (found.front().name == kPoses.name) requireOwnConvention();
     keepWorld(result, opening.pick);
-    if (found.front().isMatrices || file->isPlainText) result.matricesText = file->text;
+    if (found.front().mayBeMatrices || file->isPlainText) result.matricesText = file->text;
     return judged(file, std::move(result), found.front().known);
   }
-  if (isCameraDocument(*file->root)) return openCameraDocument(*file);
+  if (!file->isPlainText && isCameraDocument(*file->root)) return openCameraDocument(*file);
   throw UnknownFile(file->name +
                         ": is not a camera file of a known kind; viewproj info FILE proposes --parts, viewproj help "
                         "formats lists the kinds",

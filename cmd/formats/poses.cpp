@@ -116,7 +116,7 @@ Import open(const Node& root) {
     return Json{{"convention", "opencv"}, {poses.direction, poses.pose(which)}};
   };
   return result;
-}  // namespace poses
+}
 
 }  // namespace poses
 

@@ -397,8 +397,13 @@ void eachStar(const Node& root, std::string_view path, const std::function<bool(
     const std::size_t at = rest.find('*');
     const std::string_view before = rest.substr(0, at);
     if (container && container->json().is_array() && before.empty() && (at + 1 == rest.size() || rest[at + 1] == '.')) {
-      for (std::size_t i = 0; goesOn && i < container->json().size(); ++i)
-        if (const std::string text = std::to_string(i); valueAt(*container, withStar(rest, text))) tell(text);
+      // Paths only for items that have the rest: there may be millions of others.
+      const std::string_view after = at + 1 == rest.size() ? "" : rest.substr(at + 2);
+      const Json& items = container->json();
+      for (std::size_t i = 0; goesOn && i < items.size(); ++i) {
+        const bool mayHave = after.empty() ? !items[i].is_null() : items[i].is_structured();
+        if (mayHave && valueAt(Node(container->document(), items[i], ""), after)) tell(std::to_string(i));
+      }
       return;
     }
     // Where the star's own name ends: it may have dots too.

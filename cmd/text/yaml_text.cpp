@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "text/number.hpp"
 #include "text/utf8.hpp"
@@ -85,6 +86,29 @@ class Document {
   bool isGood_;
 };
 
+/// Where the text nests deeper than this, counted in characters. A document is loaded as a whole, and the time that
+/// takes grows with its depth.
+std::optional<std::size_t> tooDeepAt(std::string_view text, std::size_t deepest) {
+  yaml_parser_t parser{};
+  if (!yaml_parser_initialize(&parser)) throw std::bad_alloc();
+  yaml_parser_set_encoding(&parser, YAML_UTF8_ENCODING);
+  yaml_parser_set_input_string(&parser, reinterpret_cast<const unsigned char*>(text.data()), text.size());
+  std::optional<std::size_t> found;
+  std::size_t depth = 0;
+  for (bool goesOn = true; goesOn;) {
+    yaml_event_t event;
+    if (!yaml_parser_parse(&parser, &event)) break;  // loading it will tell the fault
+    const bool begins = event.type == YAML_SEQUENCE_START_EVENT || event.type == YAML_MAPPING_START_EVENT;
+    const bool ends = event.type == YAML_SEQUENCE_END_EVENT || event.type == YAML_MAPPING_END_EVENT;
+    if (begins && ++depth > deepest) found = event.start_mark.index;
+    if (ends) --depth;
+    goesOn = !found && event.type != YAML_STREAM_END_EVENT;
+    yaml_event_delete(&event);
+  }
+  yaml_parser_delete(&parser);
+  return found;
+}
+
 class Reader {
  public:
   Reader(std::string_view text, std::size_t deepest) : text_(asYaml(text, added_)), deepest_(deepest) {
@@ -98,6 +122,8 @@ class Reader {
 
   /// Throws JsonFault.
   json read() {
+    if (const auto at = tooDeepAt(text_, deepest_))
+      throw JsonFault{original(offsetOf(text_, *at)), "nested deeper than " + std::to_string(deepest_)};
     json value;
     bool isRead = false;
     while (true) {
@@ -144,7 +170,7 @@ class Reader {
       spend(node, 1 + node.data.scalar.length);
       return scalarOf(node);
     }
-    if (depth == deepest_) fail(node, "nested deeper than " + std::to_string(deepest_));
+    if (depth == deepest_) fail(node, "nested deeper than " + std::to_string(deepest_));  // by its aliases
     spend(node, 1);
     if (node.type == YAML_SEQUENCE_NODE) {
       json array = json::array();

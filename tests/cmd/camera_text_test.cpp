@@ -200,10 +200,13 @@ TEST_CASE("A camera that is given a pose has it, in the form that it had, and --
 }
 
 TEST_CASE("Euler angles of every order give the pose, straight up and down too") {
-  for (const auto& [order, axes] : kEulerOrders)
+  for (const auto& [order, as] : kEulerOrders) {
+    const bool isLeft = as.cameraAxes == CameraAxes::FRU;
+    const std::string convention = isLeft ? "unreal" : "opengl";
     for (std::uint64_t trial = 0; trial < 20; ++trial) {
       const CameraFile camera =
-          readCamera(openCameras(R"({"position": [1, 2, 3], "euler": {"order": ")" + std::string(order) +
+          readCamera(openCameras(R"({"convention": ")" + convention +
+                                     R"(", "position": [1, 2, 3], "euler": {"order": ")" + std::string(order) +
                                      R"(", "degrees": [10, 20, 30]}, "projection": {"type": "perspective", "fovY": 60},
                           "viewport": {"width": 2, "height": 2}})",
                                  {.option = "C"}, {})
@@ -215,13 +218,14 @@ TEST_CASE("Euler angles of every order give the pose, straight up and down too")
         return isQuarter ? 90.0 * std::floor(random.uniform(-2, 3)) : random.uniform(-180, 180);
       };
       const std::array<Turn, 3> turns{{{0, angle()}, {1, angle()}, {2, angle()}}};
-      const PlainPose pose = plainPose(poseFromTurns({4, 5, 6}, turns, CameraAxes::RUB));
+      const PlainPose pose = plainPose(poseFromTurns({4, 5, 6}, turns, isLeft ? CameraAxes::RUF : CameraAxes::RUB));
       const Document changed = withPose(camera, pose);
       INFO(changed.root->dump());
       const Pose again = *readCamera(copied(changed), {}).pose;
       CHECK(apart(again.right(), pose.right) <= 1e-14);
       CHECK(apart(again.forward(), pose.forward) <= 1e-14);
     }
+  }
 }
 
 TEST_CASE("A camera that is given fx, fy, cx, cy, near and far has them, and --set gives the same") {

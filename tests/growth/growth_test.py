@@ -106,6 +106,8 @@ ROWS = [
     ("COLMAP", 500, [*VIEW, "input#5.jpg"], None, colmap, "linear"),
     ("OpenCV, YAML", 1000, [*VIEW, "input"], None,
      joined("a%d: {b: [1, 2]}\n", "%YAML:1.0\nwidth: 100\nheight: 100\nK: [90, 0, 50, 0, 90, 50, 0, 0, 1]\n", "", ""), "linear"),
+    ("YAML, nested deep", 2000, [*VIEW, "input"], None, lambda n: b"a: " + b"[" * n, "linear", 1),
+    ("points for a camera", 3000, [*VIEW, "input"], None, joined("[%d,2,3]"), "linear", 1),
     ("a camera file, unknown keys", 1000, [*VIEW, "input"], None, joined('"a%d":{"b":1}', CAMERA[:-1] + ",", "}"), "linear", 1),
     ("info: matrices, JSON", 40, ["info", "input"], None, joined(f'"m%d":{IDENTITY}', "{", "}"), "linear"),
     ("info: matrices, text", 40, ["info", "input"], None, lines(b"1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1"), "linear"),
