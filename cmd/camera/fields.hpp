@@ -71,9 +71,10 @@ inline constexpr KindRow kKinds[] = {  // in the order of Kind
     {Kind::quaternion, "X,Y,Z,W", "[x, y, z, w]", R"({"$ref": "#/$defs/xyzw"})", true},
     {Kind::euler, "YXZ:A,B,C", "{order, degrees}", R"({"type": "object", "required": ["order", "degrees"]})", false,
      "order degrees"},
-    {Kind::rigid, "M", "4 rows of 4, or {rotation, translation}",
-     R"({"anyOf": [{"$ref": "#/$defs/rows"}, {"type": "object", "required": ["translation"]}]})", false,
-     "rotation rotationVector translation"},
+    {Kind::rigid, "M", "4 rows of 4, {rotation, translation}, or a list of poses",
+     R"({"anyOf": [{"$ref": "#/$defs/rows"}, {"type": "object", "required": ["translation"]},
+         {"type": "array", "minItems": 1, "items": {"type": ["object", "array"]}}]})", false,
+     "rotation rotationVector euler translation"},
     {Kind::matrix, "M", "16 numbers", R"({"anyOf": [{"$ref": "#/$defs/rows"}, {"$ref": "#/$defs/sixteen"}]})", true},
     {Kind::lens, "JSON", "{model, k, p, xi, alpha, beta, omega}",  // members: read_lens.cpp
      R"({"type": "object", "required": ["model"], "additionalProperties": false, "properties": {
@@ -158,7 +159,7 @@ inline constexpr Field kFields[] = {
     poseField("rotation", Kind::quaternion, 4, "--rotation", "x,y,z,w, camera to world.", nullptr, "",
               "quaternion orientation"),
     poseField("euler", Kind::euler, 8, "--euler", "Turns as YXZ:A,B,C; or rpy, unity, unreal, opk."),
-    poseField("worldFromCamera", Kind::rigid, 16, "", "Pose: 4 rows, or {rotation, translation}."),
+    poseField("worldFromCamera", Kind::rigid, 16, "", "Pose: 4 rows, {rotation, translation}, or a list."),
     poseField("cameraFromWorld", Kind::rigid, 32, "", "The inverse: a view matrix for column vectors."),
     poseField("heading", Kind::turn, 64, "--heading", "Degrees clockwise from north."),
     poseField("pitch", Kind::pitch, 64, "--pitch", "Degrees above the horizon. Default: 0."),

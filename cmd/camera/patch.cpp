@@ -53,9 +53,30 @@ Json eulerOf(const std::string& text) {
   return {{"order", text.substr(0, colon)}, {"degrees", turns}};
 }
 
+}  // namespace
+
+/// A place, and behind a blank its turn: "1,2,3 rpy:0,0,90".
+std::optional<Json> poseOfText(const std::string& text) {
+  const std::size_t blank = text.find(' '), colon = text.find(':', blank);
+  const auto place = blank == std::string::npos ? std::nullopt : parseNumberList(text.substr(0, blank));
+  if (!place || colon == std::string::npos) return std::nullopt;
+  const std::string turn = text.substr(blank + 1);
+  Json pose{{"translation", *place}};
+  if (turn.starts_with("quaternion:"))
+    pose["rotation"] = listOrObject(turn.substr(turn.find(':') + 1));
+  else if (turn.starts_with("vector:"))
+    pose["rotationVector"] = listOrObject(turn.substr(turn.find(':') + 1));
+  else
+    pose["euler"] = eulerOf(turn);
+  return pose;
+}
+
+namespace {
+
 Json shortForm(Kind kind, const std::string& text) {
   if (rowOf(kind).isList) return listOrObject(text);
   if (kind == Kind::euler) return eulerOf(text);
+  if (kind == Kind::rigid) return poseOfText(text).value_or(text);
   return kind == Kind::text ? Json(text) : numberOrText(text);
 }
 

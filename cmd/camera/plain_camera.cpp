@@ -120,7 +120,7 @@ Json rigidOf(const PlainPose& pose, CameraAxes axes, bool isInverse, const Json&
   Json rigid{{"translation", listOf(translation)}};
   if (old.contains("rotationVector"))
     rigid["rotationVector"] = listOf(rotationVectorOf(c));
-  else if (old["rotation"].size() == 4)
+  else if (old.contains("rotation") && old["rotation"].size() == 4)
     rigid["rotation"] = quaternionOf(c);
   else
     rigid["rotation"] = {row(0), row(1), row(2)};

@@ -6,49 +6,12 @@
 
 #include "camera/read_projection.hpp"
 #include "camera/read_screen.hpp"
-#include "numbers/degrees.hpp"
+#include "camera/rigid.hpp"
 
 namespace viewproj::cmd {
 
 using namespace detail;
 namespace {
-
-using Columns = std::array<DDVec3, 3>;
-
-/// The columns of the rotation x, y, z, w. The quaternion may have any length but 0.
-Columns columnsOf(const std::array<DoubleDouble, 4>& q) {
-  const auto& [x, y, z, w] = q;
-  const DoubleDouble one = 1, two = DoubleDouble(2) / (x * x + y * y + z * z + w * w);
-  //     | 1 - 2 (yy + zz)    2 (xy - zw)      2 (xz + yw)   |
-  // R = |   2 (xy + zw)    1 - 2 (xx + zz)    2 (yz - xw)   |  for a quaternion of unit length
-  //     |   2 (xz - yw)      2 (yz + xw)    1 - 2 (xx + yy) |
-  return {DDVec3{one - two * (y * y + z * z), two * (x * y + z * w), two * (x * z - y * w)},
-          DDVec3{two * (x * y - z * w), one - two * (x * x + z * z), two * (y * z + x * w)},
-          DDVec3{two * (x * z + y * w), two * (y * z - x * w), one - two * (x * x + y * y)}};
-}
-
-/// The quaternion x, y, z, w of a rotation vector.
-std::array<DoubleDouble, 4> quaternionOf(const RotationVector& rotation) {
-  constexpr DoubleDouble kTurn{0x1.921fb54442d18p+2, 0x1.1a62633145c07p-52};
-  const DDVec3 vector = toDoubleDouble(rotation.vector);
-  if (!(maxAbs(vector) > 0)) return {0, 0, 0, 1};
-  DoubleDouble angle = DoubleDouble(1) / inverseLength(vector);
-  angle = angle - kTurn * DoubleDouble(std::round(angle.hi / kTurn.hi));
-  // With t the tangent of a quarter of the angle, (2 t axis, 1 - t t) is a quaternion.
-  const DoubleDouble quarter = timesPowerOfTwo(angle.hi < 0 ? -angle : angle, 0.5);
-  const DoubleDouble t = quarter.hi > 0 ? tanHalfRadians(quarter) : DoubleDouble();
-  const DDVec3 part = normalized(vector) * timesPowerOfTwo(angle.hi < 0 ? -t : t, 2);
-  return {part.x, part.y, part.z, DoubleDouble(1) - t * t};
-}
-
-/// The quaternion scaled so that squares neither underflow nor overflow.
-std::array<DoubleDouble, 4> scaled(const Quaternion& q) {
-  const std::array<double, 4> parts{q.x, q.y, q.z, q.w};
-  const double largest = std::max({std::fabs(q.x), std::fabs(q.y), std::fabs(q.z), std::fabs(q.w)});
-  std::array<DoubleDouble, 4> result;
-  for (std::size_t i = 0; i < 4; ++i) result[i] = std::scalbn(parts[i], -std::ilogb(largest));
-  return result;
-}
 
 /// The pose of worldFromCamera or cameraFromWorld, in any of their forms. eye: used instead of the matrix's own.
 Pose rigidPose(const RigidTransform& value, bool isInverse, const std::optional<Vec3>& eye, CameraAxes axes) {
@@ -60,17 +23,9 @@ Pose rigidPose(const RigidTransform& value, bool isInverse, const std::optional<
     const Pose pose = poseFromCameraFromWorld(m, axes);
     return eye ? movedTo(pose, *eye) : pose;
   }
-  const auto* const quaternion = std::get_if<Quaternion>(&value.rotation);
-  Columns columns =
-      columnsOf(quaternion ? scaled(*quaternion) : quaternionOf(std::get<RotationVector>(value.rotation)));
-  DDVec3 origin = toDoubleDouble(value.translation);
-  if (isInverse) {  // p_camera = R p_world + t: the rows of R are the camera's axes, and the eye is -R^T t
-    const Columns c = columns;
-    columns = {DDVec3{c[0].x, c[1].x, c[2].x}, DDVec3{c[0].y, c[1].y, c[2].y}, DDVec3{c[0].z, c[1].z, c[2].z}};
-    origin = -(columns[0] * origin.x + columns[1] * origin.y + columns[2] * origin.z);
-  }
-  return poseFromColumns({split(columns[0]), split(columns[1]), split(columns[2])},
-                         eye ? SplitVec3{*eye, {}} : split(origin), axes);
+  const Rigid rigid = isInverse ? inverse(rigidOf(value)) : rigidOf(value);
+  return poseFromColumns({split(rigid.columns[0]), split(rigid.columns[1]), split(rigid.columns[2])},
+                         eye ? SplitVec3{*eye, {}} : split(rigid.origin), axes);
 }
 
 /// Reads a pose that has an orientation.
@@ -118,8 +73,6 @@ struct PoseReader {
 };
 
 }  // namespace
-
-std::array<DDVec3, 3> rotationColumns(const Quaternion& quaternion) { return columnsOf(scaled(quaternion)); }
 
 Vec3 eyeOf(const RigidTransform& transform, bool isInverse) {
   return rigidPose(transform, isInverse, {}, CameraAxes::RUB).eye();  // which axes is all the same

@@ -25,7 +25,4 @@ std::optional<Pose> readPose(const FieldValues& values, const DocumentConvention
 /// The eye of worldFromCamera or, if isInverse, of cameraFromWorld. Throws CameraError.
 Vec3 eyeOf(const RigidTransform& transform, bool isInverse);
 
-/// The columns of the rotation x, y, z, w of any length but 0.
-std::array<detail::DDVec3, 3> rotationColumns(const Quaternion& quaternion);
-
 }  // namespace viewproj::cmd

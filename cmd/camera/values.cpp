@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "camera/rigid.hpp"
 #include "numbers/double_double.hpp"
 #include "text/error.hpp"
 #include "text/names.hpp"
@@ -104,7 +105,34 @@ EulerTurns readEuler(const Node& value) {
   return euler;
 }
 
+/// A list of poses; a list of lists of numbers is the rows of one.
+bool isChain(const Json& value) {
+  return value.is_array() && !value.empty() &&
+         (value.front().is_object() ||
+          (value.front().is_array() && !value.front().empty() && value.front().front().is_array()));
+}
+
+/// A turn without a place, of any order that is not of camera axes of its own.
+Mat4 rotationOf(const Node& euler) {
+  const EulerTurns turns = readEuler(euler);
+  if (turns.order->second.cameraAxes)
+    euler.fail(std::string(turns.order->first) + " is of a camera's own axes; give it to the field euler");
+  const Pose pose = poseFromTurns({}, turns.turns, CameraAxes::RUF);
+  Mat4 m;
+  for (std::size_t i = 0; i < 3; ++i) m[i] = {pose.right()[i], pose.up()[i], pose.forward()[i], 0};
+  return m;
+}
+
 RigidTransform readRigid(const Node& value) {
+  if (isChain(value.json())) {
+    Rigid product;
+    for (std::size_t i = 0; i < value.size(); ++i) product = product * rigidOf(readRigid(value[i]));
+    Mat4 rows;
+    for (std::size_t i = 0; i < 3; ++i)
+      rows[i] = {product.columns[0][i].hi, product.columns[1][i].hi, product.columns[2][i].hi, product.origin[i].hi};
+    rows[3] = {0, 0, 0, 1};
+    return {rows, detail::rounded(product.origin)};
+  }
   if (!value.json().is_object()) {
     // Numbers without rows may run by rows or by columns.
     if (!value.json().is_array() || value.size() == 0 || !value.json()[0].is_array())
@@ -114,9 +142,10 @@ RigidTransform readRigid(const Node& value) {
     return {matrix, {matrix[0][3], matrix[1][3], matrix[2][3]}};
   }
   allowMembers(value, wordsIn(rowOf(Kind::rigid).members));
-  const auto rotation = value.find("rotation"), vector = value.find("rotationVector");
-  if (rotation && vector) value.fail("rotation and rotationVector are the same thing; keep one");
-  if (!rotation && !vector) value.fail("needs rotation or rotationVector");
+  const auto rotation = value.find("rotation"), vector = value.find("rotationVector"), euler = value.find("euler");
+  const int turns = int(rotation.has_value()) + int(vector.has_value()) + int(euler.has_value());
+  if (turns > 1) value.fail("rotation, rotationVector and euler are the same thing; keep one");
+  if (turns == 0) value.fail("needs rotation, rotationVector or euler");
   const Vec3 translation = value.require("translation").vec3();
   if (vector) {
     constexpr double kLargest = 1e6;  // a larger angle is not known to its last digits
@@ -124,11 +153,16 @@ RigidTransform readRigid(const Node& value) {
     if (!(std::hypot(v.x, v.y, v.z) <= kLargest)) vector->fail("its length is the angle in radians, at most 1e6");
     return {RotationVector{v}, translation};
   }
-  if (rotation->holdsNumbers(4)) return {readQuaternion(*rotation), translation};
-  if (!rotation->holdsNumbers(9)) rotation->fail("expected [x, y, z, w] or 3 rows of 3 numbers");
-  const std::vector<double> r = rotation->numbers(9);
   Mat4 matrix;
-  for (std::size_t i = 0; i < 3; ++i) matrix[i] = {r[3 * i], r[3 * i + 1], r[3 * i + 2], translation[i]};
+  if (euler) {
+    matrix = rotationOf(*euler);
+  } else {
+    if (rotation->holdsNumbers(4)) return {readQuaternion(*rotation), translation};
+    if (!rotation->holdsNumbers(9)) rotation->fail("expected [x, y, z, w] or 3 rows of 3 numbers");
+    const std::vector<double> r = rotation->numbers(9);
+    for (std::size_t i = 0; i < 3; ++i) matrix[i] = {r[3 * i], r[3 * i + 1], r[3 * i + 2], 0};
+  }
+  for (std::size_t i = 0; i < 3; ++i) matrix[i][3] = translation[i];
   matrix[3] = {0, 0, 0, 1};
   return {matrix, translation};
 }

@@ -44,9 +44,9 @@ void CameraOptions::add(CLI::App& app) {
            "Camera file, or its JSON; #NAME picks one of several");
   const auto anyText = [](const std::string&, const std::string& text) { return text; };
   addValue(app, "--parts", "NAME=PATH,...", parts_, anyText, "Any file by its parts: 'K=mtx, size=w+h, fovX=a'");
-  addValue(app, "--world-from-camera", "POSE", worldFromCamera_, readFileName,
-           "FILE[#N] of a pose, or of a trajectory");
-  addValue(app, "--camera-from-world", "POSE", cameraFromWorld_, readFileName, "The inverse, as solvePnP gives it");
+  addValues(app, "--world-from-camera", "POSE", worldFromCamera_, readFileName,
+            "FILE[#N] of a pose, or 'x,y,z rpy:a,b,c'");
+  addValues(app, "--camera-from-world", "POSE", cameraFromWorld_, readFileName, "The inverse, as solvePnP gives it");
   addValue(app, "--viewport", "WxH", viewport_, readSize, "Size of the picture in pixels, as in 1920x1080");
   const auto lay = [this](const std::string&, const std::string& text) { patches_.push_back(setPatch(text)); };
   addOption(app, "--set", "FIELD=VALUE", lay, "Set a field, as in projection.fovY=75", true);
@@ -100,7 +100,7 @@ std::optional<std::string> CameraOptions::file() const {
   if (camera_ && operand_) throw UsageError("-c and " + *operand_ + " are both a camera; give one");
   if (camera_) return camera_;
   if (const auto input = fileIsCamera(*app_) ? inputFile(*app_) : std::nullopt) return input;
-  const bool hasPose = worldFromCamera_ || cameraFromWorld_;
+  const bool hasPose = !worldFromCamera_.empty() || !cameraFromWorld_.empty();
   if (!hasPose && std::none_of(patches_.begin(), patches_.end(), [](const Patch& patch) { return patch.isOption; }))
     throw UsageError("a camera is needed: -c FILE, or options such as --position, --target and --fov-y");
   return std::nullopt;
@@ -131,13 +131,13 @@ std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> CameraOptions:
   if (name && onlyReads_ && convention_)
     throw UsageError("--convention is of matrices, and this command writes none; --read-as " +
                      std::string(convention_->name) + " reads a file that states no convention");
-  if (worldFromCamera_ && cameraFromWorld_)
+  if (!worldFromCamera_.empty() && !cameraFromWorld_.empty())
     throw UsageError("--world-from-camera and --camera-from-world are both the pose; keep one");
   if (parts_ && !name) throw UsageError("--parts needs a file: -c FILE");
-  Opening opening{camera_ ? "--camera" : "FILE", std::nullopt, parts_, "", ""};
-  if (worldFromCamera_ || cameraFromWorld_) {
-    opening.poses = worldFromCamera_ ? *worldFromCamera_ : *cameraFromWorld_;
-    opening.direction = worldFromCamera_ ? "worldFromCamera" : "cameraFromWorld";
+  Opening opening{camera_ ? "--camera" : "FILE", std::nullopt, parts_, {}, ""};
+  if (!worldFromCamera_.empty() || !cameraFromWorld_.empty()) {
+    opening.poses = worldFromCamera_.empty() ? cameraFromWorld_ : worldFromCamera_;
+    opening.direction = worldFromCamera_.empty() ? "cameraFromWorld" : "worldFromCamera";
   }
   CameraPatches all = patches(!name);  // whatever is wrong with the options is told before any file is opened
   if (!name && !opening.poses.empty()) return {openPoses(opening, std::move(all)), std::nullopt};

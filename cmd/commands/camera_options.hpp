@@ -60,7 +60,8 @@ class CameraOptions {
   CameraPatches patches(bool isTyped) const;
 
   const CLI::App* app_ = nullptr;
-  std::optional<std::string> camera_, operand_, readAs_, parts_, worldFromCamera_, cameraFromWorld_;
+  std::optional<std::string> camera_, operand_, readAs_, parts_;
+  std::vector<std::string> worldFromCamera_, cameraFromWorld_;
   std::optional<Size> viewport_;
   std::optional<ConventionPreset> convention_;
   std::optional<NdcZ> ndcZ_;

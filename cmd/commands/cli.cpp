@@ -143,7 +143,8 @@ std::optional<std::string> inputFile(const CLI::App& app) {
   const auto isGiven = [&](std::string_view name) { return !name.empty() && fileOf(app, name).has_value(); };
   bool hasInput = false;
   if (fileIsCamera(app)) {
-    hasInput = isGiven("--camera") || isGiven("--orthographic");
+    for (const char* const name : {"--camera", "--orthographic", "--world-from-camera", "--camera-from-world"})
+      hasInput = hasInput || isGiven(name);
     for (const Field& field : kFields) hasInput = hasInput || isGiven(field.option);
   } else {
     for (const char* const name : {"--point", "--pixel", "--sphere", "--box"}) hasInput = hasInput || isGiven(name);
@@ -162,6 +163,9 @@ void requireOneStandardInput(const CLI::App& app) {
   };
   add(fileOf(app, "--camera"), "the camera");
   if (fileIsCamera(app)) add(inputFile(app), "the camera");
+  for (const char* option : {"--world-from-camera", "--camera-from-world"})
+    if (const CLI::Option* const poses = app.get_option_no_throw(option))
+      for (const std::string& text : poses->results()) add(readFileName("", text), "a pose");
   add(fileOf(app, "--model"), "the model");
   add(fileOf(app, "--scene"), "the scene");
   if (!fileIsCamera(app)) add(inputFile(app), "the records");

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "camera/rigid.hpp"
 #include "formats/format.hpp"
-#include "formats/rigid.hpp"
 #include "formats/value.hpp"
 
 namespace viewproj::cmd {

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "camera/read_pose.hpp"
+#include "camera/rigid.hpp"
 
 namespace viewproj::cmd {
 

@@ -146,31 +146,58 @@ Import importFile(const std::shared_ptr<Document>& file, const Opening& opening,
                     *file);
 }
 
+/// One of the poses whose product is a camera's, or several in turn.
+struct PoseFactor {
+  std::shared_ptr<Document> file;
+  PosesOfFile poses;
+  std::vector<std::size_t> picked;
+};
+
+PoseFactor factorOf(const std::string& source, const Opening& opening) {
+  if (const auto pose = poseOfText(source)) {
+    const auto same = [pose = *pose](std::size_t) { return pose; };
+    return {nullptr, {std::vector<CameraEntry>(1), same, ""}, {0}};
+  }
+  const auto [name, pick] = splitPick(source);
+  PoseFactor factor{std::make_shared<Document>(readTree(name, "--" + opening.option)), {}, {}};
+  factor.poses = posesOf(Node(*factor.file));
+  const std::string& direction = factor.poses.direction;
+  if (!direction.empty() && direction != opening.direction)
+    throw InputError(factor.file->name + ": holds poses of the other direction, " + direction);
+  factor.picked = CameraSet(factor.file->name, {.cameras = factor.poses.names, .noun = "pose"}, {}).chooseAll(pick);
+  return factor;
+}
+
 /// Each camera at the pose, or one camera at each pose. name: of the cameras' file; several poses set it to their own.
 Import atPoses(Import result, const Opening& opening, std::string& name) {
-  const CameraSource source = splitPick(opening.poses);
-  const auto file = std::make_shared<Document>(readTree(source.file, "--" + opening.option));
-  PosesOfFile poses = posesOf(Node(*file));
-  if (!poses.direction.empty() && poses.direction != opening.direction)
-    throw InputError(file->name + ": holds poses of the other direction, " + poses.direction);
-  const std::vector<std::size_t> picked =
-      CameraSet(file->name, {.cameras = poses.names, .noun = "pose"}, {}).chooseAll(source.pick);
-  if (picked.size() > 1 && result.cameras.size() > 1)
-    throw InputError(file->name + ": holds " + std::to_string(picked.size()) +
-                     " poses for several cameras; pick one of either");
-  Import moved = result;
-  if (picked.size() > 1) {
-    moved.cameras.clear();
-    for (const std::size_t i : picked) moved.cameras.push_back(poses.names[i]);
-    moved.unread = nullptr;
-    name = file->name;
+  std::vector<PoseFactor> factors;
+  const PoseFactor* several = nullptr;
+  factors.reserve(opening.poses.size());
+  for (const std::string& source : opening.poses) {
+    factors.push_back(factorOf(source, opening));
+    if (factors.back().picked.size() == 1) continue;
+    if (several || result.cameras.size() > 1)
+      throw InputError(factors.back().file->name + ": holds " + std::to_string(factors.back().picked.size()) +
+                       (several ? " poses, and another file does too" : " poses for several cameras") +
+                       "; pick one of either");
+    several = &factors.back();
   }
-  moved.document = [file, result, poses, picked, direction = opening.direction](std::size_t which) {
-    Json camera = result.document(picked.size() > 1 ? 0 : which);
+  Import moved = result;
+  if (several) {
+    moved.cameras.clear();
+    for (const std::size_t i : several->picked) moved.cameras.push_back(several->poses.names[i]);
+    moved.unread = nullptr;
+    name = several->file->name;
+  }
+  moved.document = [factors, result, isSeveral = several != nullptr, direction = opening.direction](std::size_t which) {
+    Json camera = result.document(isSeveral ? 0 : which);
     for (const char* field : {"position", "rotation", "target", "direction", "up", "euler", "heading", "pitch", "roll",
                               "worldFromCamera", "cameraFromWorld"})
       camera.erase(field);
-    camera[direction] = poses.pose(picked[picked.size() > 1 ? which : 0]);
+    Json poses = Json::array();
+    for (const PoseFactor& factor : factors)
+      poses.push_back(factor.poses.pose(factor.picked[factor.picked.size() > 1 ? which : 0]));
+    camera[direction] = poses.size() == 1 ? poses.front() : poses;
     return camera;
   };
   return moved;
@@ -204,7 +231,7 @@ std::unique_ptr<CameraSet> openCameras(const std::string& source, const Opening&
 std::unique_ptr<CameraSet> openPoses(const Opening& opening, CameraPatches patches) {
   Json camera{{"convention", patches.readAs.empty() ? "opencv" : patches.readAs}};
   Import result{{CameraEntry{}}, [camera](std::size_t) { return camera; }};
-  std::string name = splitPick(opening.poses).file;
+  std::string name = splitPick(opening.poses.front()).file;
   result = atPoses(std::move(result), opening, name);
   return std::make_unique<CameraSet>(std::move(name), std::move(result), std::move(patches));
 }

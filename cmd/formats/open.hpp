@@ -24,8 +24,9 @@ struct Opening {
   std::string option;                  ///< the name of inline JSON in messages
   std::optional<std::string> pick{};   ///< what stands after #
   std::optional<std::string> parts{};  ///< of --parts
-  /// A file of poses, and the field that they set; or an empty name.
-  std::string poses{}, direction{};
+  /// Files or texts of poses, of which the product is the camera's pose, and the field that it sets.
+  std::vector<std::string> poses{};
+  std::string direction{};
 };
 
 /// The cameras of a file; with --parts those that its line builds. Throws UnknownFile, InputError.

@@ -39,7 +39,8 @@ std::size_t widthOf(const Json& value, bool& isOne) {
   const std::vector<std::size_t> shape = shapeOf(value);
   isOne = numbers->size() == 12 || numbers->size() == 16;
   if (isOne && (isRigid(*numbers) || (isLost(*numbers) && !isIntrinsic(*numbers)))) return numbers->size();
-  if (isOne || shape.empty()) return 0;
+  isOne = false;  // two lines of 8 are a trajectory
+  if (shape.empty()) return 0;
   const std::size_t rows = value.size(), width = rows > 0 ? numbers->size() / rows : 0;
   if (!value.is_array() || (width != 8 && width != 12 && width != 16) || width * rows != numbers->size())
     return numbers->size() == 8 && isUnit(*numbers) ? 8 : 0;

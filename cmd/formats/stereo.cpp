@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "camera/rigid.hpp"
 #include "formats/format.hpp"
-#include "formats/rigid.hpp"
 #include "formats/tree.hpp"
 #include "formats/value.hpp"
 #include "text/system.hpp"

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "camera/document.hpp"
+#include "camera/values.hpp"
 #include "numbers/vectors.hpp"
 
 namespace viewproj::cmd {
@@ -19,6 +20,11 @@ struct Rigid {
 Rigid rigidOf(std::span<const double> byRows);
 /// Of 9 numbers by rows, and 3.
 Rigid rigidOf(std::span<const double> rotation, const detail::DDVec3& translation);
+
+/// Of worldFromCamera or cameraFromWorld.
+Rigid rigidOf(const RigidTransform& transform);
+/// The columns of the rotation x, y, z, w of any length but 0.
+std::array<detail::DDVec3, 3> rotationColumns(const Quaternion& quaternion);
 
 /// b, then a.
 Rigid operator*(const Rigid& a, const Rigid& b);
