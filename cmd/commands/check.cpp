@@ -1,9 +1,11 @@
 // viewproj check: whether points and pixels agree, and which mistake explains it where they do not.
 #include <CLI/CLI.hpp>
+#include <cctype>
 #include <nlohmann/json.hpp>
 
+#include "commands/check/report.hpp"
+#include "commands/check/words.hpp"
 #include "commands/command.hpp"
-#include "commands/pair_check.hpp"
 #include "commands/stream_options.hpp"
 #include "text/error.hpp"
 #include "text/file.hpp"
@@ -15,32 +17,33 @@ namespace {
 /// Its exit status; 2 is that of all errors.
 enum : int { kAgree = 0, kDisagree = 1, kTrouble = 2 };
 
-/// Explanations as sections with their sentences, and what to know of them.
+/// Explanations as sections under their sentences, and what to know of them.
 OrderedJson forPeople(OrderedJson report) {
-  OrderedJson sections = OrderedJson::object(), notes = OrderedJson::array();
-  for (const OrderedJson& one : report["explanations"]) {
-    OrderedJson& section = sections[one["mistake"].get<std::string>()];
-    section["cause"] = sentenceOf(one["mistake"].get<std::string>());
-    if (!one["value"].is_null()) section["value"] = one["value"];
-    section["mend"] = one["mend"];
-    section["largestMiss"] = one["largestMiss"];
-  }
-  const bool agrees = report["agrees"].get<bool>(), hasFit = !agrees && !report["fit"]["offset"].is_null();
-  if (report["noPixel"] != 0) notes.push_back("noPixel: points behind the camera or beyond its lens have none.");
-  if (!agrees && sections.empty())
+  OrderedJson notes = OrderedJson::array();
+  const OrderedJson wrong = report["wrongPairs"], list = report["explanations"];
+  if (report["noPixel"] != 0) notes.push_back("noPixel: points that have a pixel on one side alone.");
+  if (!wrong.empty())
+    notes.push_back("Only " + mistakes::shownLines(wrong.get<std::vector<std::size_t>>()) +
+                    " of the pairs disagree: a point or a pixel is wrong there, not the camera.");
+  if (!report["verdict"].is_null())
     notes.push_back(
-        "None of the mistakes that are tried explains these pixels. Pixels rounded to whole numbers need --within 1, "
-        "truncated ones 1.5.");
-  if (!sections.empty() && report["records"] == 1)
+        std::string("No explanation found.") +
+        (report["worst"].is_null() ? "" : " Pixels rounded to whole numbers need --within 1, truncated ones 1.5."));
+  if (!list.empty() && report["records"] == 1)
     notes.push_back("One pair may fit a mistake by chance; a second one would tell.");
-  if (hasFit)
-    notes.push_back("fit: given = computed + offset, and given = scale * computed + scaleOffset; Rms is what is left.");
-  if (sections.empty())
-    report.erase("explanations");
-  else
-    report["explanations"] = std::move(sections);
-  if (!hasFit) report.erase("fit");
   if (!report["worst"].is_null()) report["worst"] = "line " + report["worst"].dump();
+  if (report["agrees"] || report["judged"] == report["records"])
+    report.erase("judged");
+  else
+    report["judged"] = report["judged"].dump() + " of " + report["records"].dump();
+  for (const char* const said : {"wrongPairs", "explanations", "verdict", "cameras"}) report.erase(said);
+  for (const OrderedJson& one : list) {
+    std::string heading = one["sentence"].get<std::string>() + ".";
+    heading[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(heading[0])));
+    OrderedJson& section = report[heading];
+    for (const char* const row : {"mistake", "mend", "pairs", "rmsMiss", "largestMiss"})
+      if (!one[row].is_null()) section[row] = one[row];
+  }
   report["notes"] = std::move(notes);
   return report;
 }
@@ -65,11 +68,11 @@ int runCheck(const CheckOptions& o) {
   o.stream.reads(setup);
   const CameraFile file = o.camera.read();
   o.stream.settleOnEarth(setup, file.worldIsEcef);
-  PairCheck check(makeCamera(file), hypotheses(file.document, file.reading), o.within);
+  mistakes::PairReport check(file, o.within);
   const PointReading reading{.columns = setup.columns, .worldIsEcef = file.worldIsEcef};
   const RecordUse use{[&](const RecordView& record) { return findPair(record, reading); },
                       [&](const NumberPlan& plan, const Numbers& numbers, const RecordView&, std::size_t line) {
-                        const Pair pair = toPair(plan, numbers);
+                        const PointWithPixel pair = toPair(plan, numbers);
                         check.add(pair.point, pair.pixel, line);
                       }};
   const int status = readRecords(setup, use);
@@ -85,15 +88,14 @@ Action declareCheck(CLI::App& app) {
   const auto o = std::make_shared<CheckOptions>();
   app.description(
       "Whether each point lies at the pixel beside it (u,v, px,py, screen or pixel); where not, by how much it misses, "
-      "and which single mistake explains all. Exit status: 0 all agree, 1 some do not, 2 an error.");
+      "which mistake explains it (viewproj help mistakes), and what mends it. Exit status: 0 all agree, 1 some do not, "
+      "2 an error.");
   app.footer(
       "Examples:\n"
-      "  viewproj check --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
-      "    --viewport 1280x720 --point 1,1,1 --pixel 687.1,428.7 ||\n"
-      "    echo 'not its pixel'\n"
-      "  printf 'x,y,z,u,v\\n1,1,1,687,291.3\\n0,0,0,640,360\\n' |\n"
-      "    viewproj check --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
-      "    --viewport 1280x720 --within 1");
+      "  camera='--position 3,2,5 --target 0,0,0 --viewport 1280x720'\n"
+      "  viewproj check $camera --fov-y 60 --point 1,1,1 --pixel 687.1,428.7 || true\n"
+      "  viewproj project $camera --fov-y 60 --point 1,1,1 --point 0,2,1 |\n"
+      "    viewproj check $camera --fov-x 60 || true");
   o->stream.addPoints(app);
   CLI::Option* const point = app.get_option("--point");
   CLI::Option* const pixel =

@@ -5,7 +5,9 @@
 
 #include "camera/values.hpp"
 #include "catch.hpp"
+#include "commands/check/mend.hpp"
 #include "commands/check/report.hpp"
+#include "commands/check/words.hpp"
 #include "random.hpp"
 #include "viewproj/viewproj.hpp"
 
@@ -254,13 +256,13 @@ TEST_CASE("A mistake is named, and no other beside it") {
       const Hypothesis& h = found[0].hypothesis;
       const Trials trials(documentOf(given), {});
       const Mend mend = mendOf(trials.file(), found[0], pairs);
-      CAPTURE(mend.options, mend.pairs);
-      CHECK(mend.options.empty() == mend.sets.empty());
-      CHECK(mend.pairs.empty() == !(h.movesPixels() || h.movesPoints()));
-      const Camera mended = makeCamera(changed(trials.file(), mend.sets, h.stretch));
+      const std::string words = wordsForPairs(h, mend.pixels);
+      CAPTURE(mend.options(), words);
+      CHECK(words.empty() == !(mend.pixels != PixelMap{} || h.lensPasses != 0 || h.movesPoints()));
+      const Camera mended = makeCamera(changed(trials.file(), mend.sets, mend.stretch));
       for (const Pair& pair : pairs) {
         const ScreenPoint at = worldToScreen(mended, h.point(pair.point));
-        const Vec2 q = h.pixels(pair.pixel);
+        const Vec2 q = mend.pixels(pair.pixel);
         CHECK(std::hypot(at.x - q.x, at.y - q.y) < 0.02);
       }
     }

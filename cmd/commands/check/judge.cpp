@@ -6,7 +6,7 @@
 #include <set>
 
 #include "commands/check/families.hpp"
-#include "commands/check/mend.hpp"
+#include "commands/check/words.hpp"
 #include "text/error.hpp"
 #include "viewproj/screen.hpp"
 
@@ -22,8 +22,8 @@ constexpr std::ptrdiff_t kPlain = 19;  // told as well where they bring all with
 std::ptrdiff_t placeOf(std::string_view mistake) {
   if (const std::size_t plus = mistake.find(" + "); plus != mistake.npos)
     return placeOf(mistake.substr(0, plus)) + placeOf(mistake.substr(plus + 3));
-  static const std::vector<std::string_view> kAll = allMistakes();
-  return std::find(kAll.begin(), kAll.end(), mistake) - kAll.begin();
+  const auto all = allMistakes();
+  return std::find_if(all.begin(), all.end(), [&](const Mistake& each) { return each.name == mistake; }) - all.begin();
 }
 bool isPlain(std::string_view mistake) { return mistake.find(" + ") == mistake.npos && placeOf(mistake) < kPlain; }
 
@@ -209,8 +209,10 @@ std::vector<Hypothesis> cornerScales(const Trials& t, std::span<const Pair> pair
   return all;
 }
 
+/// Rounded, so that of two forms of a mistake the first one counts.
 double weighted(const Explanation& e) {
-  return e.evidence * std::min(1.0, 100.0 / static_cast<double>(std::max<std::size_t>(e.misses.size(), 1)));
+  const double share = std::min(1.0, 100.0 / static_cast<double>(std::max<std::size_t>(e.misses.size(), 1)));
+  return std::round(1e6 * e.evidence * share) / 1e6;
 }
 
 /// Whether they leave the same misses; with either sign, where one of them moves the pixels and one the camera.

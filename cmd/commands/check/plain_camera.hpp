@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "camera/plain_camera.hpp"
 #include "numbers/vectors.hpp"
 #include "viewproj/camera.hpp"
 #include "viewproj/lens.hpp"
@@ -33,9 +34,9 @@ Rows turn(const Vec3& vector);
 /// In radians, of a rotation.
 double angleOf(const Rows& rotation);
 
-struct PlainLens {
-  LensModel model = LensModel::brown;
-  std::array<double, 6> k{};
+/// Of a lens that is being sought: Brown's radial and tangential terms.
+struct TrialLens {
+  std::array<double, 3> k{};
   std::array<double, 2> p{};
 };
 
@@ -43,11 +44,13 @@ struct PlainCamera {
   Rows axes;  ///< right, down and forward in the world
   Vec3 eye;
   Vec2 focal, centre;  ///< in pixels; focal.y is negative where y runs upwards
-  std::optional<PlainLens> lens = {};
+  std::optional<Lens> lens = {};
+  std::optional<TrialLens> trial = {};  ///< in place of lens
   bool isOrthographic = false;
 };
 
 PlainCamera plainOf(const Camera& camera);
+PlainPose poseOf(const PlainCamera& camera);
 
 /// NaN where the point has none. A weight of 0 is a direction.
 Vec2 pixelOf(const PlainCamera& camera, const Vec4& point);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "commands/check/mend.hpp"
+#include "commands/check/words.hpp"
 #include "viewproj/screen.hpp"
 
 namespace viewproj::cmd::mistakes {
@@ -100,14 +102,16 @@ OrderedJson PairReport::explanations(OrderedJson& wrong) const {
   }
   for (const Explanation& e : explain(file_.document, file_.reading, pairs_, within_)) {
     const Mend mend = mendOf(file_, e, pairs_);
+    std::vector<std::size_t> wrongLines;
+    for (const std::size_t i : e.wrong) wrongLines.push_back(lines_[i]);
     list.push_back({{"mistake", e.hypothesis.mistake},
-                    {"sentence", sentenceOf(e, within_)},
+                    {"sentence", sentenceOf(file_, e, wrongLines, within_)},
                     {"value", OrderedJson(e.hypothesis.value)},
-                    {"mend", orNull(mend.options)},
-                    {"pairs", orNull(mend.pairs)},
+                    {"mend", orNull(mend.options())},
+                    {"pairs", orNull(wordsForPairs(e.hypothesis, mend.pixels))},
                     {"rmsMiss", std::numbers::sqrt2 * e.rms},
                     {"largestMiss", e.largest},
-                    {"wrongPairs", linesOf(e.wrong)},
+                    {"wrongPairs", wrongLines},
                     {"camerasMended", nullptr}});
   }
   if (!list.empty()) return list;
@@ -119,7 +123,7 @@ OrderedJson PairReport::explanations(OrderedJson& wrong) const {
       words += (words.empty() ? "give line " : ", line ") + std::to_string(lines_[i]) + " the pixel of line " +
                std::to_string(lines_[order[i]]);
   list.push_back({{"mistake", "pixel-order"},
-                  {"sentence", meaningOf("pixel-order")},
+                  {"sentence", "the pixels are in another order"},
                   {"value", nullptr},
                   {"mend", nullptr},
                   {"pairs", words},

@@ -5,7 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "commands/check/mend.hpp"
+#include "camera/read_camera.hpp"
+#include "commands/check/hypothesis.hpp"
 #include "output/report.hpp"
 
 namespace viewproj::cmd::mistakes {
