@@ -72,8 +72,7 @@ int runCheck(const CheckOptions& o) {
   const PointReading reading{.columns = setup.columns, .worldIsEcef = file.worldIsEcef};
   const RecordUse use{[&](const RecordView& record) { return findPair(record, reading); },
                       [&](const NumberPlan& plan, const Numbers& numbers, const RecordView&, std::size_t line) {
-                        const PointWithPixel pair = toPair(plan, numbers);
-                        check.add(pair.point, pair.pixel, line);
+                        check.add(toPoint(plan, numbers), pixelBesidePoint(plan, numbers), line);
                       }};
   const int status = readRecords(setup, use);
   if (check.records() == 0) throw InputError(shownName(setup.file) + ": has no pairs of a point and a pixel");

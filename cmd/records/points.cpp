@@ -327,12 +327,12 @@ NumberPlan findPoint(const RecordView& record, const PointReading& reading) {
 }
 
 bool isSegment(const NumberPlan& plan) { return plan.kind == kindSegment; }
-bool mayBePlace(const NumberPlan& plan) { return plan.kind == kindPlace || plan.fields.size() == 1; }
+bool mayBePlace(const NumberPlan& plan) { return plan.kind == kindPlace || plan.fields[0].isArray; }
 bool isPoint(const NumberPlan& plan) { return plan.kind <= kindPlace; }
 bool isShape(const NumberPlan& plan) { return !isPoint(plan) && !isSegment(plan); }
 
 Vec4 toPoint(const NumberPlan& plan, const Numbers& n) {
-  return pointOf(plan, plan.slots() - (plan.kind == kindRoundPoint ? 1 : 0), n);
+  return pointOf(plan, plan.slots() - (plan.kind == kindRoundPoint ? 1 : plan.hasPixel ? 2 : 0), n);
 }
 
 NumberPlan findPixel(const RecordView& record, const ColumnChoice& columns) {
@@ -380,16 +380,16 @@ NumberPlan findPair(const RecordView& record, const PointReading& reading) {
     ofPixel = pixel->fields.size();
     plan.append(*pixel);
   }
+  plan.hasPixel = true;
   for (std::size_t i = plan.fields.size() - ofPixel; i < plan.fields.size(); ++i) plan.fields[i].mayBeAbsent = true;
   return plan;
 }
 
-PointWithPixel toPair(const NumberPlan& plan, const Numbers& n) {
-  const std::size_t slots = plan.slots() - 2;
-  const Vec2 pixel{n[slots], n[slots + 1]};
+std::optional<Vec2> pixelBesidePoint(const NumberPlan& plan, const Numbers& n) {
+  const Vec2 pixel{n[plan.slots() - 2], n[plan.slots() - 1]};
   if (std::isnan(pixel.x) != std::isnan(pixel.y))
     throw RecordError(0, "has one number of a pixel; expected two, or none where the point has no pixel");
-  return {pointOf(plan, slots, n), std::isnan(pixel.x) ? std::nullopt : std::optional(pixel)};
+  return std::isnan(pixel.x) ? std::nullopt : std::optional(pixel);
 }
 
 bool hasDistance(const NumberPlan& plan) { return (plan.kind & (depthKnown | viewDistanceKnown)) != 0; }
