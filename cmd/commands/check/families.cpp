@@ -141,7 +141,7 @@ double Solver::costOf(const Numbers& misses, const Numbers& weights) const {
 Solver::Numbers Solver::distances(const Numbers& misses) const {
   Numbers all;
   for (std::size_t i = 0; i < misses.size(); i += 2) {
-    const double distance = std::hypot(misses[i], misses[i + 1]);
+    const double distance = length(Vec2{misses[i], misses[i + 1]});
     all.push_back(std::isfinite(distance) ? distance : 1e9);
   }
   return all;

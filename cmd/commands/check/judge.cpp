@@ -99,14 +99,16 @@ double Judge::evidenceOf(const Hypothesis& h, const std::vector<Vec2>& misses, c
   const double size = h.pixels.size(), grow = size > 0 ? std::max(1.0, 1 / std::sqrt(size)) : 1;
   const double left = std::max(rms * grow, kFloor);
   const auto limit = [&](double sum) { return chosen.size() > 1 ? std::sqrt(sum / (n - 1)) * grow : 500; };
+  const Vec2 most{limit(spread.x), limit(spread.y)};
+  if (2 * left >= std::max(most.x, most.y)) return -std::log(std::max(tries, 1.0));
   std::vector<double> gains;
-  const auto add = [&](double before, double most) {
-    const double miss = std::isfinite(before) ? std::min(std::fabs(before), most) : most;
+  const auto add = [&](double before, double limited) {
+    const double miss = std::isfinite(before) ? std::min(std::fabs(before), limited) : limited;
     gains.push_back(std::max(0.0, std::log(std::max(miss, 1e-300) / (2 * left))));
   };
   for (const std::size_t i : chosen) {
-    add(before_[i].x, limit(spread.x));
-    add(before_[i].y, limit(spread.y));
+    add(before_[i].x, most.x);
+    add(before_[i].y, most.y);
   }
   const std::size_t kept = gains.size() - std::min(gains.size(), static_cast<std::size_t>(h.parameters));
   if (kept < gains.size())
@@ -125,7 +127,7 @@ void Judge::judge(std::vector<Hypothesis> hypotheses, Stage stage, double tries,
     std::vector<Vec2> misses = missesOf(h, mended);
     double largest = 0;
     for (const Vec2& miss : misses) {
-      const double distance = std::hypot(miss.x, miss.y);
+      const double distance = length(miss);
       largest = std::isnan(distance) ? HUGE_VAL : std::max(largest, distance);
     }
     if (!std::isfinite(largest)) continue;
@@ -319,7 +321,7 @@ std::vector<Explanation> besideWrongPairs(const Trials& t, const Judge& judge, s
     std::vector<Vec2> misses = judge.missesOf(h, mended);
     std::vector<double> sorted, distances;
     for (const Vec2& miss : misses) {
-      const double distance = std::hypot(miss.x, miss.y);
+      const double distance = length(miss);
       distances.push_back(std::isfinite(distance) ? distance : HUGE_VAL);
     }
     sorted = distances;
@@ -460,7 +462,7 @@ std::vector<Explanation> explain(const Document& document, const ReadOptions& re
 std::vector<std::size_t> wrongPairs(std::span<const Vec2> misses, double within) {
   std::vector<std::size_t> wrong;
   for (std::size_t i = 0; i < misses.size(); ++i)
-    if (!(std::hypot(misses[i].x, misses[i].y) <= within)) wrong.push_back(i);
+    if (!(length(misses[i]) <= within)) wrong.push_back(i);
   if (misses.size() < 4 || wrong.size() > std::max<std::size_t>(1, misses.size() / 4)) wrong.clear();
   return wrong;
 }
@@ -475,7 +477,7 @@ std::vector<std::size_t> pixelOrder(const Camera& camera, std::span<const Pair> 
     const ScreenPoint p = worldToScreen(camera, pairs[i].point);
     std::vector<std::size_t> near;
     for (std::size_t j = 0; j < pairs.size(); ++j)
-      if (std::hypot(p.x - pairs[j].pixel.x, p.y - pairs[j].pixel.y) <= within) near.push_back(j);
+      if (length(Vec2{p.x - pairs[j].pixel.x, p.y - pairs[j].pixel.y}) <= within) near.push_back(j);
     if (near.size() != 1 || !taken.insert(near[0]).second) return {};
     isOther |= near[0] != i;
     order.push_back(near[0]);

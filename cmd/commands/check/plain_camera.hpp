@@ -28,6 +28,7 @@ inline Rows operator*(const Rows& a, const Rows& b) {
 inline Vec3 sum(const Vec3& a, double k, const Vec3& b) { return {a.x + k * b.x, a.y + k * b.y, a.z + k * b.z}; }
 inline Vec3 scaled(const Vec3& a, double k) { return {k * a.x, k * a.y, k * a.z}; }
 inline double length(const Vec3& a) { return std::hypot(a.x, a.y, a.z); }
+inline double length(const Vec2& a) { return std::sqrt(a.x * a.x + a.y * a.y); }
 inline double determinant(const Rows& m) { return detail::dot(m[0], detail::crossOf(m[1], m[2])); }
 /// About the vector, by its length in radians.
 Rows turn(const Vec3& vector);
