@@ -364,6 +364,8 @@ std::vector<Hypothesis> families(const Fit& fit, Table table, std::size_t wrong)
     solved.value = valueOf(family.mistake, fit, best.camera, family.by);
     solved.isSolved = true;
     solved.parameters = static_cast<int>(count);
+    if (first == By::s || first == By::sx)
+      solved.scale = best.camera.focal.x * best.camera.focal.y / (fit.camera.focal.x * fit.camera.focal.y);
     all.push_back(solved);
     if (first == By::u && solved.value[1].get<double>() > 0) {
       const double factor = 1 / solved.value[1].get<double>();

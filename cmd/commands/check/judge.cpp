@@ -96,7 +96,7 @@ double Judge::evidenceOf(const Hypothesis& h, const std::vector<Vec2>& misses, c
     spread = {spread.x + (mended[i].x - mean.x) * (mended[i].x - mean.x),
               spread.y + (mended[i].y - mean.y) * (mended[i].y - mean.y)};
   rms = std::sqrt(squares / (2 * n));
-  const double size = h.pixels.size(), grow = size > 0 ? std::max(1.0, 1 / std::sqrt(size)) : 1;
+  const double size = h.pixels.size() * h.scale, grow = size > 0 ? std::max(1.0, 1 / std::sqrt(size)) : 1;
   const double left = std::max(rms * grow, kFloor);
   const auto limit = [&](double sum) { return chosen.size() > 1 ? std::sqrt(sum / (n - 1)) * grow : 500; };
   const Vec2 most{limit(spread.x), limit(spread.y)};
