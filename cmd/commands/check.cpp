@@ -1,15 +1,19 @@
 // viewproj check: whether points and pixels agree, and which mistake explains it where they do not.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "commands/check/report.hpp"
 #include "commands/check/words.hpp"
 #include "commands/command.hpp"
 #include "commands/stream_options.hpp"
+#include "text/csv.hpp"
 #include "text/error.hpp"
 #include "text/file.hpp"
 #include "text/number.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -36,20 +40,45 @@ OrderedJson forPeople(OrderedJson report) {
     report.erase("judged");
   else
     report["judged"] = report["judged"].dump() + " of " + report["records"].dump();
+  OrderedJson cameras = report["cameras"];
   for (const char* const said : {"wrongPairs", "explanations", "verdict", "cameras"}) report.erase(said);
+  if (!cameras.is_null()) {  // the worst first
+    constexpr std::size_t kMost = 10;
+    std::stable_sort(cameras.begin(), cameras.end(), [](const OrderedJson& a, const OrderedJson& b) {
+      const auto rms = [](const OrderedJson& camera) {
+        return camera["rmsMiss"].is_null() ? HUGE_VAL : camera["rmsMiss"].get<double>();
+      };
+      return rms(a) > rms(b);
+    });
+    if (cameras.size() > kMost) {
+      notes.push_back("cameras: and " + std::to_string(cameras.size() - kMost) + " more.");
+      cameras.erase(cameras.begin() + kMost, cameras.end());
+    }
+    report["cameras"] = std::move(cameras);
+  }
   for (const OrderedJson& one : list) {
     std::string heading = one["sentence"].get<std::string>() + ".";
     heading[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(heading[0])));
     OrderedJson& section = report[heading];
-    for (const char* const row : {"mistake", "mend", "pairs", "rmsMiss", "largestMiss"})
+    for (const char* const row : {"mistake", "mend", "pairs", "rmsMiss", "largestMiss", "camerasMended"})
       if (!one[row].is_null()) section[row] = one[row];
   }
   report["notes"] = std::move(notes);
   return report;
 }
 
+/// The text of the record's field that names its camera.
+std::string cameraNameIn(const RecordView& record, const std::string& field) {
+  const auto at = record.schema->find(field);
+  if (!at) throw RecordError(0, "has no field '" + field + "', which --camera-by names" + fieldsNote(*record.schema));
+  const std::string_view text = record.values[*at];
+  if (record.schema->form == Form::csv) return std::string(trimmed(csvValue(text)));
+  return text.starts_with('"') ? OrderedJson::parse(text).get<std::string>() : std::string(text);
+}
+
 struct CheckOptions {
   CameraOptions camera;
+  std::optional<std::string> cameraBy;
   StreamOptions stream;
   std::vector<Vec2> pixels;
   double within = 0.1;
@@ -66,19 +95,37 @@ int runCheck(const CheckOptions& o) {
     setup.given[i].json = "{\"position\":" + setup.given[i].json + ",\"pixel\":[" + x + "," + y + "]}";
   }
   o.stream.reads(setup);
-  const CameraFile file = o.camera.read();
+  const auto [cameras, pick] = o.camera.readAll();
+  const CameraFile file = o.camera.readOne(*cameras, o.cameraBy ? 0 : cameras->choose(pick));
   o.stream.settleOnEarth(setup, file.worldIsEcef);
-  mistakes::PairReport check(file, o.within);
   const PointReading reading{.columns = setup.columns, .worldIsEcef = file.worldIsEcef};
-  const RecordUse use{[&](const RecordView& record) { return findPair(record, reading); },
-                      [&](const NumberPlan& plan, const Numbers& numbers, const RecordView&, std::size_t line) {
-                        check.add(toPoint(plan, numbers), pixelBesidePoint(plan, numbers), line);
-                      }};
-  const int status = readRecords(setup, use);
-  if (check.records() == 0) throw InputError(shownName(setup.file) + ": has no pairs of a point and a pixel");
-  const OrderedJson report = check.report();
+  mistakes::SetReport set(o.within);
+  std::optional<mistakes::PairReport> one;
+  if (!o.cameraBy) one.emplace(file, o.within);
+  const auto add = [&](const NumberPlan& plan, const Numbers& numbers, const RecordView& record, std::size_t line) {
+    const Vec4 point = toPoint(plan, numbers);
+    const std::optional<Vec2> pixel = pixelBesidePoint(plan, numbers);
+    if (one) {
+      one->add(point, pixel, line);
+      return;
+    }
+    const std::string name = cameraNameIn(record, *o.cameraBy);
+    const auto which = cameras->find(name);
+    if (!which) throw RecordError(0, "names the camera '" + name + "', which the file does not have");
+    const auto read = [&] {
+      CameraFile each = o.camera.readOne(*cameras, *which);
+      if (each.worldIsEcef != file.worldIsEcef)
+        throw InputError(each.name + ": expected all cameras on the Earth, or none");
+      return std::pair(cameras->pickOf(*which), std::move(each));
+    };
+    set.add(*which, read, point, pixel, line);
+  };
+  const int status = readRecords(setup, {[&](const RecordView& record) { return findPair(record, reading); }, add});
+  if ((one ? one->records() : set.records()) == 0)
+    throw InputError(shownName(setup.file) + ": has no pairs of a point and a pixel");
+  const OrderedJson report = one ? one->report() : set.report();
   o.report.write(o.report.form() == ReportForm::table ? forPeople(report) : report);
-  return status != 0 ? kTrouble : check.agrees() ? kAgree : kDisagree;
+  return status != 0 ? kTrouble : report["agrees"].get<bool>() ? kAgree : kDisagree;
 }
 
 }  // namespace
@@ -104,6 +151,7 @@ Action declareCheck(CLI::App& app) {
   addValue(app, "--within", "PIXELS", o->within,
            numberThat([](double pixels) { return pixels >= 0; }, "a number of pixels, 0 or more"),
            "Largest distance that still agrees (default: 0.1)");
+  addValue(app, "--camera-by", "FIELD", o->cameraBy, readText, "The field that names a record's camera of -c");
   o->report.add(app, 6);
   o->stream.addInput(app, "pairs of a point and a pixel");
   o->camera.add(app);

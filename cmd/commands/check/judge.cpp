@@ -459,6 +459,32 @@ std::vector<Explanation> explain(const Document& document, const ReadOptions& re
   return listed(std::move(found), within);
 }
 
+std::vector<Hypothesis> madeAnew(const Hypothesis& h, const CameraFile& from, const CameraFile& to) {
+  Trials t(to.document, to.reading);
+  if (h.parameters == 0) {
+    std::vector<Hypothesis> rows = documentsOf(t);
+    addPixelRows(t);
+    for (Hypothesis& row : t.take()) rows.push_back(std::move(row));
+    std::erase_if(rows, [&](const Hypothesis& row) { return row.mistake != h.mistake; });
+    return rows;
+  }
+  const PlainCamera was = plainOf(makeCamera(from)), &own = t.plain();
+  Hypothesis anew = h;
+  PlainCamera& camera = anew.camera;
+  const Vec2 times{h.camera.focal.x / was.focal.x, h.camera.focal.y / was.focal.y}, corner = t.first();
+  camera.focal = {own.focal.x * times.x, own.focal.y * times.y};
+  camera.centre =
+      h.scale != 1
+          ? Vec2{corner.x + (own.centre.x - corner.x) * times.x, corner.y + (own.centre.y - corner.y) * times.y}
+          : Vec2{own.centre.x + h.camera.centre.x - was.centre.x, own.centre.y + h.camera.centre.y - was.centre.y};
+  const Rows inWorld = transposed(was.axes) * h.camera.axes, inCamera = h.camera.axes * transposed(was.axes);
+  camera.axes = h.mistake == "heading" ? own.axes * inWorld : inCamera * own.axes;
+  camera.eye = h.mistake == "unit" && h.points == kUnit ? scaled(own.eye, h.value[1].get<double>())
+                                                        : sum(own.eye, 1, sum(h.camera.eye, -1, was.eye));
+  camera.lens = own.lens;
+  return {anew};
+}
+
 std::vector<std::size_t> wrongPairs(std::span<const Vec2> misses, double within) {
   std::vector<std::size_t> wrong;
   for (std::size_t i = 0; i < misses.size(); ++i)
