@@ -140,19 +140,16 @@ void Judge::judge(std::vector<Hypothesis> hypotheses, Stage stage, double tries,
   }
 }
 
-Fit fitOf(const Trials& t, const PlainCamera& camera, std::vector<Pair> pairs) {
+/// The camera, the points and the pixels as a hypothesis leaves them; not all of many pairs.
+Fit fitOf(const Trials& t, const Hypothesis& h, std::span<const Pair> pairs) {
   constexpr std::size_t kMost = 500;
-  std::vector<Pair> some;
-  const std::size_t count = pairs.size();
-  for (std::size_t i = 0; i < std::min(kMost, count); ++i)
-    some.push_back(pairs[count <= kMost ? i : i * count / kMost]);
-  return {camera, t.up(), t.first(), t.file().worldIsEcef, std::move(some)};
-}
-
-std::vector<Pair> mapped(std::span<const Pair> pairs, const Hypothesis& h) {
-  std::vector<Pair> all;
-  for (const Pair& pair : pairs) all.push_back({h.point(pair.point), h.pixels(pair.pixel)});
-  return all;
+  Fit fit{h.camera, t.up(), h.pixels(t.first()), t.file().worldIsEcef, {}};
+  const std::size_t count = std::min(kMost, pairs.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const Pair& pair = pairs[i * pairs.size() / count];
+    fit.pairs.push_back({h.point(pair.point), h.pixels(pair.pixel)});
+  }
+  return fit;
 }
 
 /// first, and then second: of the points, the camera and the pixels as first leaves them.
@@ -181,34 +178,6 @@ std::vector<Hypothesis> turnedPixels(const std::vector<Hypothesis>& pixels) {
         }))
       some.push_back(h);
   return some;
-}
-
-/// Scales about the corner of the other program's own picture, which is flipped or turned there.
-std::vector<Hypothesis> cornerScales(const Trials& t, std::span<const Pair> pairs, const Hypothesis& turned) {
-  const PixelMap& m = turned.pixels;
-  const double d = m.xx * m.yy - m.xy * m.yx;
-  const Vec2 corner = t.first();
-  Vec2 products, squares;
-  for (const Pair& pair : pairs) {
-    const Vec2 at = pixelOf(t.plain(), pair.point);
-    if (std::isnan(at.x)) continue;
-    const double x = at.x - m.x0, y = at.y - m.y0;
-    const Vec2 p{(m.yy * x - m.xy * y) / d - corner.x, (m.xx * y - m.yx * x) / d - corner.y};
-    products = {products.x + p.x * (pair.pixel.x - corner.x), products.y + p.y * (pair.pixel.y - corner.y)};
-    squares = {squares.x + p.x * p.x, squares.y + p.y * p.y};
-  }
-  std::vector<Hypothesis> all;
-  if (!(squares.x > 0 && squares.y > 0)) return all;
-  const double one = (products.x + products.y) / (squares.x + squares.y);
-  const Vec2 two{products.x / squares.x, products.y / squares.y};
-  for (const auto& [name, count, s] : {std::tuple("pixel-ratio", 1, Vec2{one, one}), {"resized", 2, two}}) {
-    if (!(s.x > 0 && s.y > 0)) continue;
-    Hypothesis h = t.next(turned.mistake + " + " + name, {turned.value, {s.x, s.y}});
-    h.pixels = m * PixelMap{1 / s.x, 0, corner.x - corner.x / s.x, 0, 1 / s.y, corner.y - corner.y / s.y};
-    h.parameters = count;
-    all.push_back(std::move(h));
-  }
-  return all;
 }
 
 /// Rounded, so that of two forms of a mistake the first one counts.
@@ -308,7 +277,7 @@ std::vector<Explanation> besideWrongPairs(const Trials& t, const Judge& judge, s
   const std::size_t n = pairs.size(), most = std::max<std::size_t>(1, n / 4);
   std::vector<Explanation> found;
   if (n < 4) return found;
-  const Fit fit = fitOf(t, t.plain(), {pairs.begin(), pairs.end()});
+  const Fit fit = fitOf(t, t.next(""), pairs);
   if (n <= 500) {
     for (Hypothesis& h : families(fit, Table::simple, most)) hypotheses.push_back(std::move(h));
     if (n >= 8)
@@ -366,11 +335,7 @@ std::vector<Explanation> explain(const Document& document, const ReadOptions& re
   std::vector<Hypothesis> rows = documents;
   rows.insert(rows.end(), pixels.begin(), pixels.end());
   judge.judge(rows, Stage::rows, 0, found);
-  const auto familiesOf = [&](const Hypothesis& first, Table table) {
-    std::vector<Hypothesis> all;
-    for (Hypothesis& h : families(fitOf(t, first.camera, mapped(pairs, first)), table)) all.push_back(std::move(h));
-    return all;
-  };
+  const auto familiesOf = [&](const Hypothesis& first, Table table) { return families(fitOf(t, first, pairs), table); };
   judge.judge(familiesOf(t.next(""), Table::simple), Stage::families, 0, found);
 
   // A second mistake in what the best rows leave.
@@ -431,11 +396,8 @@ std::vector<Explanation> explain(const Document& document, const ReadOptions& re
     }
     judge.judge(std::move(two), Stage::two, 0, found);
     std::vector<Hypothesis> flipped;
-    for (const Hypothesis& a : turnedPixels(pixels)) {
-      for (Hypothesis& h : familiesOf(a, Table::simple))
-        if (h.mistake != "pixel-ratio" && h.mistake != "resized") flipped.push_back(both(a, std::move(h)));
-      for (Hypothesis& h : cornerScales(t, pairs, a)) flipped.push_back(std::move(h));
-    }
+    for (const Hypothesis& a : turnedPixels(pixels))
+      for (Hypothesis& h : familiesOf(a, Table::simple)) flipped.push_back(both(a, std::move(h)));
     judge.judge(std::move(flipped), Stage::flips, 0, found);
   }
   if (!isExplained()) {

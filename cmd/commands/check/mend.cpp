@@ -166,17 +166,22 @@ Mend mendOf(const CameraFile& file, const Explanation& e, std::span<const Pair> 
     }
     return false;
   };
-  if (const bool isRatio = h.mistake == "pixel-ratio"; isRatio || h.mistake == "resized") {
-    const Vec2 times = isRatio ? Vec2{h.value, h.value} : Vec2{h.value[0], h.value[1]};
-    if (const auto sets = otherSize(file, times))
+  const CameraFile base = h.sets.empty() ? file : changed(file, mend.sets, h.stretch);
+  const PlainCamera own = plainOf(makeCamera(base));
+  if (h.scale != 1 && h.camera.eye == own.eye &&
+      h.camera.axes == own.axes) {  // of another size: words, if the viewport's numbers are not whole
+    const Json& value = h.mistake.find(" + ") == std::string::npos ? h.value : h.value[1];
+    const Vec2 times = value.is_array() ? Vec2{value[0], value[1]} : Vec2{value, value};
+    if (const auto sets = otherSize(file, times); sets && h.sets.empty())
       for (const bool stretch : {false, true})
         if (isEnough(*sets, stretch, most)) return {*sets, stretch, h.pixels};
-    const Vec2 corner = pictureCorners(*file.viewport).first;
-    mend.pixels = {1 / times.x, 0, corner.x - corner.x / times.x, 0, 1 / times.y, corner.y - corner.y / times.y};
+    const Vec2 corner = h.pixels(pictureCorners(*file.viewport).first);
+    mend.pixels =
+        PixelMap{1 / times.x, 0, corner.x - corner.x / times.x, 0, 1 / times.y, corner.y - corner.y / times.y} *
+        h.pixels;
     return mend;
   }
-  const CameraFile base = h.sets.empty() ? file : changed(file, mend.sets, h.stretch);
-  const Document exact = withCamera(base, plainOf(makeCamera(base)), h.camera);
+  const Document exact = withCamera(base, own, h.camera);
   for (int digits = 3; digits <= 17; ++digits) {
     const Document rounded = copied(exact);
     roundChanged(*rounded.root, base.document.root.get(), digits);
