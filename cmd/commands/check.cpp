@@ -1,13 +1,19 @@
 // viewproj check: whether points and pixels agree, and which mistake explains it where they do not.
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "commands/check/report.hpp"
+#include "commands/check/words.hpp"
 #include "commands/command.hpp"
-#include "commands/pair_check.hpp"
 #include "commands/stream_options.hpp"
+#include "text/csv.hpp"
 #include "text/error.hpp"
 #include "text/file.hpp"
 #include "text/number.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -15,38 +21,64 @@ namespace {
 /// Its exit status; 2 is that of all errors.
 enum : int { kAgree = 0, kDisagree = 1, kTrouble = 2 };
 
-/// Explanations as sections with their sentences, and what to know of them.
+/// Explanations as sections under their sentences, and what to know of them.
 OrderedJson forPeople(OrderedJson report) {
-  OrderedJson sections = OrderedJson::object(), notes = OrderedJson::array();
-  for (const OrderedJson& one : report["explanations"]) {
-    OrderedJson& section = sections[one["mistake"].get<std::string>()];
-    section["cause"] = sentenceOf(one["mistake"].get<std::string>());
-    if (!one["value"].is_null()) section["value"] = one["value"];
-    section["mend"] = one["mend"];
-    section["largestMiss"] = one["largestMiss"];
-  }
-  const bool agrees = report["agrees"].get<bool>(), hasFit = !agrees && !report["fit"]["offset"].is_null();
-  if (report["noPixel"] != 0) notes.push_back("noPixel: points behind the camera or beyond its lens have none.");
-  if (!agrees && sections.empty())
+  OrderedJson notes = OrderedJson::array();
+  const OrderedJson wrong = report["wrongPairs"], list = report["explanations"];
+  if (report["noPixel"] != 0) notes.push_back("noPixel: points that have a pixel on one side alone.");
+  if (!wrong.empty())
+    notes.push_back("Only " + mistakes::shownLines(wrong.get<std::vector<std::size_t>>()) +
+                    " of the pairs disagree: a point or a pixel is wrong there, not the camera.");
+  if (!report["verdict"].is_null())
     notes.push_back(
-        "None of the mistakes that are tried explains these pixels. Pixels rounded to whole numbers need --within 1, "
-        "truncated ones 1.5.");
-  if (!sections.empty() && report["records"] == 1)
+        std::string("No explanation found.") +
+        (report["worst"].is_null() ? "" : " Pixels rounded to whole numbers need --within 1, truncated ones 1.5."));
+  if (!list.empty() && report["records"] == 1)
     notes.push_back("One pair may fit a mistake by chance; a second one would tell.");
-  if (hasFit)
-    notes.push_back("fit: given = computed + offset, and given = scale * computed + scaleOffset; Rms is what is left.");
-  if (sections.empty())
-    report.erase("explanations");
-  else
-    report["explanations"] = std::move(sections);
-  if (!hasFit) report.erase("fit");
   if (!report["worst"].is_null()) report["worst"] = "line " + report["worst"].dump();
+  if (report["agrees"] || report["judged"] == report["records"])
+    report.erase("judged");
+  else
+    report["judged"] = report["judged"].dump() + " of " + report["records"].dump();
+  OrderedJson cameras = report["cameras"];
+  for (const char* const said : {"wrongPairs", "explanations", "verdict", "cameras"}) report.erase(said);
+  if (!cameras.is_null()) {  // the worst first
+    constexpr std::size_t kMost = 10;
+    std::stable_sort(cameras.begin(), cameras.end(), [](const OrderedJson& a, const OrderedJson& b) {
+      const auto rms = [](const OrderedJson& camera) {
+        return camera["rmsMiss"].is_null() ? HUGE_VAL : camera["rmsMiss"].get<double>();
+      };
+      return rms(a) > rms(b);
+    });
+    if (cameras.size() > kMost) {
+      notes.push_back("cameras: and " + std::to_string(cameras.size() - kMost) + " more.");
+      cameras.erase(cameras.begin() + kMost, cameras.end());
+    }
+    report["cameras"] = std::move(cameras);
+  }
+  for (const OrderedJson& one : list) {
+    std::string heading = one["sentence"].get<std::string>() + ".";
+    heading[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(heading[0])));
+    OrderedJson& section = report[heading];
+    for (const char* const row : {"mistake", "mend", "pairs", "rmsMiss", "largestMiss", "camerasMended"})
+      if (!one[row].is_null()) section[row] = one[row];
+  }
   report["notes"] = std::move(notes);
   return report;
 }
 
+/// The text of the record's field that names its camera.
+std::string cameraNameIn(const RecordView& record, const std::string& field) {
+  const auto at = record.schema->find(field);
+  if (!at) throw RecordError(0, "has no field '" + field + "', which --camera-by names" + fieldsNote(*record.schema));
+  const std::string_view text = record.values[*at];
+  if (record.schema->form == Form::csv) return std::string(trimmed(csvValue(text)));
+  return text.starts_with('"') ? OrderedJson::parse(text).get<std::string>() : std::string(text);
+}
+
 struct CheckOptions {
   CameraOptions camera;
+  std::optional<std::string> cameraBy;
   StreamOptions stream;
   std::vector<Vec2> pixels;
   double within = 0.1;
@@ -63,20 +95,37 @@ int runCheck(const CheckOptions& o) {
     setup.given[i].json = "{\"position\":" + setup.given[i].json + ",\"pixel\":[" + x + "," + y + "]}";
   }
   o.stream.reads(setup);
-  const CameraFile file = o.camera.read();
+  const auto [cameras, pick] = o.camera.readAll();
+  const CameraFile file = o.camera.readOne(*cameras, o.cameraBy ? 0 : cameras->choose(pick));
   o.stream.settleOnEarth(setup, file.worldIsEcef);
-  PairCheck check(makeCamera(file), hypotheses(file.document, file.reading), o.within);
   const PointReading reading{.columns = setup.columns, .worldIsEcef = file.worldIsEcef};
-  const RecordUse use{[&](const RecordView& record) { return findPair(record, reading); },
-                      [&](const NumberPlan& plan, const Numbers& numbers, const RecordView&, std::size_t line) {
-                        const Pair pair = toPair(plan, numbers);
-                        check.add(pair.point, pair.pixel, line);
-                      }};
-  const int status = readRecords(setup, use);
-  if (check.records() == 0) throw InputError(shownName(setup.file) + ": has no pairs of a point and a pixel");
-  const OrderedJson report = check.report();
+  mistakes::SetReport set(o.within);
+  std::optional<mistakes::PairReport> one;
+  if (!o.cameraBy) one.emplace(file, o.within);
+  const auto add = [&](const NumberPlan& plan, const Numbers& numbers, const RecordView& record, std::size_t line) {
+    const Vec4 point = toPoint(plan, numbers);
+    const std::optional<Vec2> pixel = pixelBesidePoint(plan, numbers);
+    if (one) {
+      one->add(point, pixel, line);
+      return;
+    }
+    const std::string name = cameraNameIn(record, *o.cameraBy);
+    const auto which = cameras->find(name);
+    if (!which) throw RecordError(0, "names the camera '" + name + "', which the file does not have");
+    const auto read = [&] {
+      CameraFile each = o.camera.readOne(*cameras, *which);
+      if (each.worldIsEcef != file.worldIsEcef)
+        throw InputError(each.name + ": expected all cameras on the Earth, or none");
+      return std::pair(cameras->pickOf(*which), std::move(each));
+    };
+    set.add(*which, read, point, pixel, line);
+  };
+  const int status = readRecords(setup, {[&](const RecordView& record) { return findPair(record, reading); }, add});
+  if ((one ? one->records() : set.records()) == 0)
+    throw InputError(shownName(setup.file) + ": has no pairs of a point and a pixel");
+  const OrderedJson report = one ? one->report() : set.report();
   o.report.write(o.report.form() == ReportForm::table ? forPeople(report) : report);
-  return status != 0 ? kTrouble : check.agrees() ? kAgree : kDisagree;
+  return status != 0 ? kTrouble : report["agrees"].get<bool>() ? kAgree : kDisagree;
 }
 
 }  // namespace
@@ -85,15 +134,14 @@ Action declareCheck(CLI::App& app) {
   const auto o = std::make_shared<CheckOptions>();
   app.description(
       "Whether each point lies at the pixel beside it (u,v, px,py, screen or pixel); where not, by how much it misses, "
-      "and which single mistake explains all. Exit status: 0 all agree, 1 some do not, 2 an error.");
+      "which mistake explains it (viewproj help mistakes), and what mends it. Exit status: 0 all agree, 1 some do not, "
+      "2 an error.");
   app.footer(
       "Examples:\n"
-      "  viewproj check --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
-      "    --viewport 1280x720 --point 1,1,1 --pixel 687.1,428.7 ||\n"
-      "    echo 'not its pixel'\n"
-      "  printf 'x,y,z,u,v\\n1,1,1,687,291.3\\n0,0,0,640,360\\n' |\n"
-      "    viewproj check --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
-      "    --viewport 1280x720 --within 1");
+      "  camera='--position 3,2,5 --target 0,0,0 --viewport 1280x720'\n"
+      "  viewproj check $camera --fov-y 60 --point 1,1,1 --pixel 687.1,428.7 || true\n"
+      "  viewproj project $camera --fov-y 60 --point 1,1,1 --point 0,2,1 |\n"
+      "    viewproj check $camera --fov-x 60 || true");
   o->stream.addPoints(app);
   CLI::Option* const point = app.get_option("--point");
   CLI::Option* const pixel =
@@ -103,6 +151,7 @@ Action declareCheck(CLI::App& app) {
   addValue(app, "--within", "PIXELS", o->within,
            numberThat([](double pixels) { return pixels >= 0; }, "a number of pixels, 0 or more"),
            "Largest distance that still agrees (default: 0.1)");
+  addValue(app, "--camera-by", "FIELD", o->cameraBy, readText, "The field that names a record's camera of -c");
   o->report.add(app, 6);
   o->stream.addInput(app, "pairs of a point and a pixel");
   o->camera.add(app);

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "camera/fields.hpp"
+#include "commands/check/words.hpp"
 #include "commands/cli.hpp"
 #include "commands/command.hpp"
 #include "formats/open.hpp"
@@ -109,6 +110,18 @@ std::string formRows(const Rows& forms) {
   return out;
 }
 
+std::string mistakeRows() {
+  constexpr std::size_t kColumn = 27;
+  std::string out;
+  for (const auto& [name, meaning] : mistakes::allMistakes()) {
+    std::string text(meaning.substr(0, meaning.rfind(": {}")));
+    for (std::size_t open = text.find('{'); open != std::string::npos; open = text.find('{'))
+      text.replace(open, text.find('}') - open + 1, "N");
+    out += row(std::string(name), text, kColumn);
+  }
+  return out;
+}
+
 /// A list: "options camera".
 std::string listOf(const std::string& list) {
   const std::string kind = list.substr(0, list.find(' ')), of = list.substr(std::min(kind.size() + 1, list.size()));
@@ -121,6 +134,7 @@ std::string listOf(const std::string& list) {
   if (kind == "input") return formRows(inputForms());
   if (kind == "output") return formRows(outputForms());
   if (kind == "matrices") return formRows(matrixForms());
+  if (kind == "mistakes") return mistakeRows();
   if (kind == "importers") {
     std::string out;
     for (const FormatName& format : formatNames()) out += (out.empty() ? "" : ", ") + std::string(format.form);

@@ -36,6 +36,7 @@ struct ProjectedPoint {
   const ScreenPoint& screen;
   const std::optional<ScreenBox>& box;  ///< of a shape
   double error;                         ///< how far the point may be from the true one
+  Vec2 given = {kNaN, kNaN};            ///< the record's own pixel
 };
 
 /// A result of project, and how its values are added.
@@ -65,6 +66,7 @@ constexpr PointResult kPointResults[] = {
     {results::clip, [](P p, V values) { values.add(pointIn(Space::clip, p)); }},
     {results::view, [](P p, V values) { values.add(xyz(pointIn(Space::view, p))); }},
     {results::pixelSize, [](P p, V values) { values.add(pixelSize(p.camera, p.screen.viewDistance)); }},
+    {results::miss, [](P p, V values) { values.add(Vec2{p.given.x - p.screen.x, p.given.y - p.screen.y}); }},
     {results::screenBox, [](P p, V values) { values.add(edgesOf(p)); }},
     {results::bound, [](P p, V values) { values.add(boundOfPoint(p.camera, p.point, p.screen.precision, p.error).screen); }},
 };
@@ -88,9 +90,11 @@ Fields fieldsOf(const std::optional<Several<const PointResult*>>& chosen) {
   Fields fields;
   for (const PointResult& result : kPointResults) {
     const ResultRow& row = result.row;
-    const bool isBox = &row == &results::screenBox;  // of shapes alone
-    if (chosen ? !isBox : row.byDefault != Default::never) fields.named.push_back(&result);
-    if (chosen ? !isBox && numbersOf(row) > 0 : row.byDefault == Default::everywhere) fields.numbers.push_back(&result);
+    const bool isBox = &row == &results::screenBox;         // of shapes alone
+    const bool isOfAll = !isBox && &row != &results::miss;  // of records that have a pixel alone
+    if (chosen ? isOfAll : row.byDefault != Default::never) fields.named.push_back(&result);
+    if (chosen ? isOfAll && numbersOf(row) > 0 : row.byDefault == Default::everywhere)
+      fields.numbers.push_back(&result);
     if (isBox) fields.ofShapes.insert(fields.ofShapes.begin(), &result);
     if (&row == &results::visible || &row == &results::outside) fields.ofShapes.push_back(&result);
   }
@@ -115,6 +119,7 @@ struct Projecting {
   Precision precision;
   PointReading reading;
   Fields fields;
+  bool hasMiss = false;  ///< records have a pixel beside their point
   bool hasDepth = true;
   bool hasUsualNumbers = true;              ///< in text and f64
   std::optional<Mat4> worldFromLocal = {};  ///< of a model that the points are in
@@ -171,7 +176,9 @@ class Projector final : public RecordProcessor {
  public:
   Projector(const Projecting& how, OutputForm to) : how_(how), numbersOnly_(hasNumbersOnly(to)) {}
 
-  NumberPlan locate(const RecordView& record) const override { return findPoint(record, how_.reading); }
+  NumberPlan locate(const RecordView& record) const override {
+    return how_.hasMiss ? findPair(record, how_.reading) : findPoint(record, how_.reading);
+  }
 
   ResultRows rows(const NumberPlan& plan) const override {
     if (numbersOnly_ && isSegment(plan))
@@ -211,6 +218,7 @@ class Projector final : public RecordProcessor {
       isRounded = how_.reading.worldIsEcef && mayBePlace(plan);
       if (how_.worldFromLocal) point = toWorld(*how_.worldFromLocal, point);
     }
+    if (how_.hasMiss) given_.push_back(pixelBesidePoint(plan, n).value_or(Vec2{kNaN, kNaN}));
     items_.push_back(other);
     points_.push_back(point);
     positions_.push_back({point.x, point.y, point.z});
@@ -230,13 +238,15 @@ class Projector final : public RecordProcessor {
     else if (screen_[i].status == PointStatus::outOfRange)
       throw RecordError(0, "lies farther than 1e91 from the eye");
     else
-      addFields(screen_[i], points_[i], std::nullopt, fieldsOf(false), values, errors_[i]);
+      addFields(screen_[i], points_[i], std::nullopt, fieldsOf(false), values, errors_[i],
+                how_.hasMiss ? given_[i] : Vec2{kNaN, kNaN});
   }
 
   void clear() override {
     items_.clear();
     others_.clear();
     points_.clear();
+    given_.clear();
     positions_.clear();
     errors_.clear();
   }
@@ -320,8 +330,8 @@ class Projector final : public RecordProcessor {
   }
 
   void addFields(const ScreenPoint& screen, const Vec4& point, const std::optional<ScreenBox>& box, const Rows& rows,
-                 ResultValues& values, double error = 0) const {
-    const ProjectedPoint projected{how_.camera, how_.writing, point, screen, box, error};
+                 ResultValues& values, double error = 0, const Vec2& given = {kNaN, kNaN}) const {
+    const ProjectedPoint projected{how_.camera, how_.writing, point, screen, box, error, given};
     for (const PointResult* result : rows) result->add(projected, values);
   }
 
@@ -330,6 +340,7 @@ class Projector final : public RecordProcessor {
   std::vector<std::size_t> items_;  ///< kPoint, or the index of what it is else
   std::vector<Other> others_;
   std::vector<Vec4> points_;  ///< of a segment, a shape without a center and null: NaN
+  std::vector<Vec2> given_;   ///< pixels of the records
   std::vector<Vec3> positions_;
   std::vector<double> errors_;  ///< how far each may be from the true one
   std::vector<ScreenPoint> screen_;
@@ -346,7 +357,10 @@ struct Options {
 int run(const Options& o) {
   // Then a point with a radius is a sphere.
   const bool asksForBoxes = o.fields && isIn(o.fields->named, results::screenBox);
-  StreamSetup setup = o.stream.setup(asksForBoxes ? kSphereColumns : kPointColumns);
+  const bool hasMiss = o.fields && isIn(o.fields->named, results::miss);
+  if (hasMiss && asksForBoxes)
+    throw UsageError("--fields: miss is of points with a pixel and screenBox of shapes; keep one of them");
+  StreamSetup setup = o.stream.setup(hasMiss ? kPairColumns : asksForBoxes ? kSphereColumns : kPointColumns);
   o.stream.reads(setup);
   const CameraFile file = o.camera.read();
   o.stream.settleOnEarth(setup, file.worldIsEcef);
@@ -355,16 +369,17 @@ int run(const Options& o) {
                  .precision = o.precision,
                  .reading = {.columns = setup.columns,
                              .worldIsEcef = file.worldIsEcef,
-                             .segments = true,
-                             .shapes = true,
+                             .segments = !hasMiss,
+                             .shapes = !hasMiss,
                              .radius = asksForBoxes},
-                 .fields = fieldsOf(o.fields)};
+                 .fields = fieldsOf(o.fields),
+                 .hasMiss = hasMiss};
   how.hasUsualNumbers = how.fields.numbers == fieldsOf({}).numbers;
   if (!lensOf(how.camera)) how.frustum = viewFrustum(how.camera);
   if (o.model) how.worldFromLocal = readModel(*o.model);
   if (!hasDepth(*file.projection)) leaveDepthOut(how, file);
   o.camera.noteHandedness(file);
-  setup.arrayName = "position";
+  setup.arrayName = hasMiss ? "pair" : "position";
   return runFilter(setup, [&](OutputForm to) { return std::make_unique<Projector>(how, to); });
 }
 

@@ -142,8 +142,9 @@ inline constexpr ResultRow
 inline constexpr std::string_view kAcross[] = {"_across", "_down"}, kEdges[] = {"_left", "_top", "_right", "_bottom"};
 inline constexpr ResultRow
     pixelSize = vectorResult("pixelSize", 2).inColumns(kAcross).onRequest(),
+    miss = vectorResult("miss", 2).onRequest(),
     screenBox = vectorResult("screenBox", 4).inColumns(kEdges).onRequest();
-inline constexpr const ResultRow* kPoint[] = {&screen, &depth, &viewDistance, &visible, &outside, &ndc, &clip, &view, &pixelSize, &screenBox, &bound};
+inline constexpr const ResultRow* kPoint[] = {&screen, &depth, &viewDistance, &visible, &outside, &ndc, &clip, &view, &pixelSize, &miss, &screenBox, &bound};
 
 // A segment: the ends of what is visible of it.
 inline constexpr ResultRow

@@ -44,6 +44,7 @@ struct Condition {
 struct NumberPlan {
   std::vector<NumberField> fields = {};
   unsigned kind = 0;                       ///< how the command uses them; values of its own
+  bool hasPixel = false;                   ///< the last two numbers are the pixel beside a point
   std::size_t together = 0;                ///< so many fields from the first have a value all, or none of them
   std::vector<Condition> conditions = {};  ///< records that differ in one have another plan
   std::vector<std::string> notes = {};     ///< notes for the user on how fields are read

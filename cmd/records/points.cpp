@@ -327,12 +327,12 @@ NumberPlan findPoint(const RecordView& record, const PointReading& reading) {
 }
 
 bool isSegment(const NumberPlan& plan) { return plan.kind == kindSegment; }
-bool mayBePlace(const NumberPlan& plan) { return plan.kind == kindPlace || plan.fields.size() == 1; }
+bool mayBePlace(const NumberPlan& plan) { return plan.kind == kindPlace || plan.fields[0].isArray; }
 bool isPoint(const NumberPlan& plan) { return plan.kind <= kindPlace; }
 bool isShape(const NumberPlan& plan) { return !isPoint(plan) && !isSegment(plan); }
 
 Vec4 toPoint(const NumberPlan& plan, const Numbers& n) {
-  return pointOf(plan, plan.slots() - (plan.kind == kindRoundPoint ? 1 : 0), n);
+  return pointOf(plan, plan.slots() - (plan.kind == kindRoundPoint ? 1 : plan.hasPixel ? 2 : 0), n);
 }
 
 NumberPlan findPixel(const RecordView& record, const ColumnChoice& columns) {
@@ -357,32 +357,39 @@ NumberPlan findPixel(const RecordView& record, const ColumnChoice& columns) {
 }
 
 NumberPlan findPair(const RecordView& record, const PointReading& reading) {
+  NumberPlan plan;
+  std::size_t ofPixel = 2;  // fields, the last ones
   if (reading.columns.given()) {
-    NumberPlan plan = findChosenPoint(record, reading);
+    plan = findChosenPoint(record, reading);
     // The table has w last, where it can be left out.
     if (reading.columns.has("w")) std::rotate(plan.fields.begin() + 3, plan.fields.end() - 1, plan.fields.end());
-    return plan;
+  } else if (isNameless(*record.schema)) {
+    plan = findBarePair(record, reading);
+  } else {
+    plan = findNamedPoint(record, reading);
+    std::optional<NumberPlan> pixel;
+    for (const Coordinate* row : coordinates::kPixelsBesidePoints) {
+      auto found = find(*row, record, plan.conditions);
+      if (!found) continue;
+      if (pixel) throw hasBoth(0, namesIn(*pixel, *record.schema), namesIn(*found, *record.schema), true);
+      pixel = std::move(found);
+    }
+    if (!pixel)
+      throw RecordError(0, "has no pixel beside its point; expected " + namesOf(coordinates::kPixelsBesidePoints) +
+                               fieldsNote(*record.schema));
+    ofPixel = pixel->fields.size();
+    plan.append(*pixel);
   }
-  if (isNameless(*record.schema)) return findBarePair(record, reading);
-  NumberPlan plan = findNamedPoint(record, reading);
-  std::optional<NumberPlan> pixel;
-  for (const Coordinate* row : coordinates::kPixelsBesidePoints) {
-    auto found = find(*row, record, plan.conditions);
-    if (!found) continue;
-    if (pixel) throw hasBoth(0, namesIn(*pixel, *record.schema), namesIn(*found, *record.schema), true);
-    pixel = std::move(found);
-  }
-  if (!pixel)
-    throw RecordError(0, "has no pixel beside its point; expected " + namesOf(coordinates::kPixelsBesidePoints) +
-                             fieldsNote(*record.schema));
-  for (NumberField& part : pixel->fields) part.mayBeAbsent = false;
-  plan.append(*pixel);
+  plan.hasPixel = true;
+  for (std::size_t i = plan.fields.size() - ofPixel; i < plan.fields.size(); ++i) plan.fields[i].mayBeAbsent = true;
   return plan;
 }
 
-Pair toPair(const NumberPlan& plan, const Numbers& n) {
-  const std::size_t slots = plan.slots() - 2;
-  return {pointOf(plan, slots, n), {n[slots], n[slots + 1]}};
+std::optional<Vec2> pixelBesidePoint(const NumberPlan& plan, const Numbers& n) {
+  const Vec2 pixel{n[plan.slots() - 2], n[plan.slots() - 1]};
+  if (std::isnan(pixel.x) != std::isnan(pixel.y))
+    throw RecordError(0, "has one number of a pixel; expected two, or none where the point has no pixel");
+  return std::isnan(pixel.x) ? std::nullopt : std::optional(pixel);
 }
 
 bool hasDistance(const NumberPlan& plan) { return (plan.kind & (depthKnown | viewDistanceKnown)) != 0; }

@@ -49,16 +49,11 @@ struct Pixel {
 /// two or three numbers of a text line or f64, NaN for no value. Throws RecordError.
 NumberPlan findPixel(const RecordView& record, const ColumnChoice& columns);
 
-/// A point, and the pixel that was measured for it.
-struct Pair {
-  Vec4 point;
-  Vec2 pixel;
-};
-
 /// Finds a point as findPoint does, and one of coordinates::kPixelsBesidePoints; or five numbers without names. Throws
 /// RecordError.
 NumberPlan findPair(const RecordView& record, const PointReading& reading);
-Pair toPair(const NumberPlan& plan, const Numbers& numbers);
+/// Empty if the record has null: the point has no pixel. Throws RecordError for one number.
+std::optional<Vec2> pixelBesidePoint(const NumberPlan& plan, const Numbers& numbers);
 
 bool hasDistance(const NumberPlan& plan);
 Pixel toPixel(const NumberPlan& plan, const Numbers& numbers);

@@ -218,22 +218,21 @@ def made(scene, pixel=same, point=None, noise=0.0):
 UNDISTORT = {"undistort the pixels once; the lens is in them twice": -1, "do not undistort the pixels; they are undistorted twice": 2}
 
 
-def mended(scene, document, pairs, mend):
+def mended(scene, document, pairs, told):
     """Whether they agree once it is done as it says."""
     def value(formula, **names):
         return eval(re.sub(r"([\d.])([xyz])", r"\1*\2", formula), names)
 
-    if at := re.fullmatch(r"replace (?:x by (\S.*?))?(?: and )?(?:y by (\S.*?))? in the pixels", mend):
-        pairs = [(p, (value(at[1] or "x", x=q[0]), value(at[2] or "y", y=q[1]))) for p, q in pairs]
-    elif at := re.fullmatch(r"replace x,y,z of the points by (\S+)", mend):
-        pairs = [(list(value(at[1], x=p[0], y=p[1], z=p[2])), q) for p, q in pairs]
-    elif mend.startswith("--"):
-        return report(document, pairs, 0.2, shlex.split(mend))["agrees"]
-    else:
-        times = UNDISTORT[mend]
-        for _ in range(abs(times)):
-            pairs = [(p, scene.bent(q, back=times < 0)) for p, q in pairs]
-    return report(document, pairs, 0.2)["agrees"]
+    for words in (told["pairs"] or "").split(", and "):
+        if at := re.fullmatch(r"replace (?:x by (\S.*?))?(?: and )?(?:y by (\S.*?))? in the pixels", words):
+            pairs = [(p, (value(at[1] or "x", x=q[0], y=q[1]), value(at[2] or "y", x=q[0], y=q[1]))) for p, q in pairs]
+        elif at := re.fullmatch(r"replace x,y,z of the points by (\S+)", words):
+            pairs = [(list(value(at[1], x=p[0], y=p[1], z=p[2])), q) for p, q in pairs]
+        elif words:
+            times = UNDISTORT[words]
+            for _ in range(abs(times)):
+                pairs = [(p, scene.bent(q, back=times < 0)) for p, q in pairs]
+    return report(document, pairs, 0.2, shlex.split(told["mend"] or ""))["agrees"]
 
 
 def explained(row):
@@ -248,10 +247,10 @@ def explained(row):
             found += 1
             names = [one["mistake"] for one in told["explanations"]]
             others += names != [mistake]
-            assert mistake in names, (name, seed, names)
-            assert mistake != "y-flipped" or told["explanations"][0]["mend"].startswith("--set"), (name, seed, told)
+            assert names[:1] == [mistake], (name, seed, names)
+            assert mistake != "y-flipped" or told["explanations"][0]["mend"], (name, seed, told)
             for one in told["explanations"]:
-                assert mended(scene, form(scene), pairs, one["mend"]), (name, seed, one)
+                assert mended(scene, form(scene), pairs, one), (name, seed, one)
     assert found >= 20, (name, found)
     return found, others
 
@@ -264,13 +263,17 @@ def unexplained(seed):
 
 
 def both(case):
-    """One mistake of the document and one of the pixels."""
+    """One mistake of the document and one of the pixels: what is said of them mends both."""
     document, pixels, seed = case
     scene = Scene(seed)
-    # At 0.1 a target taken for a direction, far away, and a flip pass for the other flip.
-    told = report(document[2](scene), made(scene, pixels[3]), 0.01)
-    assert not told or not told["agrees"] and not told["explanations"], (document[0], pixels[0], seed, told)
-    return told is not None
+    pairs = made(scene, pixels[3])
+    told = report(document[2](scene), pairs, 0.01)
+    assert not told or not told["agrees"], (document[0], pixels[0], seed)
+    if not told or not told["explanations"]:
+        return 0, told is not None
+    one = told["explanations"][0]
+    assert one["rmsMiss"] > 0.1 or mended(scene, document[2](scene), pairs, one), (document[0], pixels[0], seed, one)
+    return set(one["mistake"].split(" + ")) == {document[1], pixels[1]}, True
 
 
 # Of two that are one: aspect 1 of the other axis; and no corner changes 0..1 and NDC.
@@ -280,15 +283,7 @@ pairs_of_rows = [(a, b, seed) for a in ROWS for b in ROWS for seed in range(2)
 with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
     found = list(pool.map(explained, ROWS))
     list(pool.map(unexplained, range(60)))
-    visited = sum(pool.map(both, pairs_of_rows))
+    named, visited = map(sum, zip(*pool.map(both, pairs_of_rows)))
 total, others = (sum(numbers) for numbers in zip(*found))
-print(f"{total} found, {others} with another as well; {visited} pairs of mistakes")
-assert others * 100 < total and visited > 200
-# What is the same everywhere is the offset of the fit: a mouse that counts from the window's corner, vwf PR#268.
-fit = report(look(Scene(1)), made(Scene(1), lambda s, q: (q[0] + 300, q[1] + 56)), 0.1)["fit"]
-assert abs(fit["offset"][0] - 300) < 1e-9 and abs(fit["offset"][1] - 56) < 1e-9 and fit["offsetRms"] < 1e-9, fit
-# And a scale is that of least squares.
-told = report(look(Scene(1)), made(Scene(1), lambda s, q: (2 * q[0] + 3, 5 - q[1])), 0.1)
-fit = told["fit"]
-assert not told["explanations"] and max(map(abs, (fit["scale"][0] - 2, fit["scale"][1] + 1, fit["scaleRms"]))) < 1e-9, fit
-assert abs(fit["scaleOffset"][0] - 3) < 1e-8 and abs(fit["scaleOffset"][1] - 5) < 1e-8, fit
+print(f"{total} found, {others} with another as well; {visited} pairs of mistakes, {named} with both named")
+assert others * 100 < total and visited > 200 and named * 2 > visited

@@ -25,7 +25,7 @@ shows() {
     ray) pattern='"hit":{"id":0,"distance":9,' ;;
     cull) pattern='"cull":"inside"' ;;
     matrix) pattern='1\.7320508' ;;
-    check) pattern='y-flipped' ;;
+    check | mistakes) pattern='y-flipped' ;;
     info | camera) pattern='fovY  *60$' ;;
     inspect) pattern='projection.fovY  *60$' ;;
     explain) pattern='screen.x .* 687\.08' ;;

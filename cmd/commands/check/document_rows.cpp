@@ -129,40 +129,72 @@ void changeAngle(Trials& t) {
   sensor(std::sqrt(36.0 * 36 + 24 * 24) * v.width / std::hypot(v.width, v.height), nullptr);
 }
 
+/// The numbers of a lens of one model, which another model would read in its own way.
+void changeLensModel(Trials& t, const Json& given) {
+  const std::string model = given["model"];
+  const Json xi = given.value("xi", Json()), alpha = given.value("alpha", Json());
+  const auto become = [&](Json lens) { t.change("lens-model", {{"distortion", std::move(lens)}}); };
+  if (model == "unified") {
+    become({{"model", "omni"}, {"xi", alpha}});
+    if (given.contains("beta")) become({{"model", "unified"}, {"alpha", alpha}});
+  } else if (model == "double-sphere") {
+    become({{"model", "double-sphere"}, {"xi", alpha}, {"alpha", xi}});
+    become({{"model", "unified"}, {"alpha", alpha}});
+  } else if (model == "fov") {
+    become({{"model", "fisheye"}});
+  } else if (model == "omni" && (given.contains("k") || given.contains("p"))) {
+    Json brown = given;
+    brown.erase("xi");
+    brown["model"] = "brown";
+    become(brown);
+  } else if (model == "omni") {
+    become({{"model", "unified"}, {"alpha", xi}});
+  }
+}
+
 void changeLens(Trials& t) {
-  const Json* const lens = t.find("distortion");
-  if (!lens) {
-    if (!t.plain().isOrthographic)
-      t.change("fisheye-for-brown", {{"distortion", {{"model", "fisheye"}, {"k", Json::array()}}}});
+  const Json* const given = t.find("distortion");
+  const auto become = [&](const char* mistake, Json lens) { t.change(mistake, {{"distortion", std::move(lens)}}); };
+  if (!given) {
+    if (!t.plain().isOrthographic) become("fisheye-for-brown", {{"model", "fisheye"}});
     return;
   }
-  t.change("distortion-ignored", {{"distortion", nullptr}});
+  become("distortion-ignored", nullptr);
   for (const int passes : {-1, 2}) {
     Hypothesis twice = t.next("distortion-twice");
     twice.lensPasses = passes;
     t.add(std::move(twice));
   }
-  std::vector<double> k = lens->value("k", std::vector<double>{}), p = lens->value("p", std::vector<double>{0, 0});
-  const auto become = [&](const char* mistake, const char* model, const std::vector<double>& ks, const Json& ps) {
-    Json made{{"model", model}, {"k", ks}};
-    if (!ps.is_null()) made["p"] = ps;
-    t.change(mistake, {{"distortion", made}});
-  };
-  if ((*lens)["model"] == "fisheye") {
+  changeLensModel(t, *given);
+  const std::string model = (*given)["model"];
+  std::vector<double> k = given->value("k", std::vector<double>{}), p = given->value("p", std::vector<double>{0, 0});
+  if (model == "fisheye") {
     k.resize(4);
-    return become("fisheye-for-brown", "brown", {k[0], k[1]}, {k[2], k[3]});
+    return become("fisheye-for-brown", {{"model", "brown"}, {"k", {k[0], k[1]}}, {"p", {k[2], k[3]}}});
+  }
+  if (model != "brown" && k.empty()) return;
+  const auto with = [&](const std::vector<double>& others, double p1, double p2) {
+    Json lens = *given;
+    lens["k"] = others;
+    lens["p"] = {p1, p2};
+    return lens;
+  };
+  if (p[0] != 0 || p[1] != 0) {
+    become("lens-order", with(k, p[1], p[0]));
+    become("lens-order", with(k, 0, 0));
   }
   if (k.size() <= 3) {
-    k.resize(3);
-    become("lens-order", "brown", k, {p[1], p[0]});
-    become("lens-order", "brown", {k[0], k[1], p[1]}, {k[2], p[0]});
-    become("lens-order", "brown", {k[0], k[1], p[0]}, {p[1], k[2]});
-    become("fisheye-for-brown", "fisheye", {k[0], k[1], p[0], p[1]}, nullptr);
-    become("fisheye-for-brown", "fisheye", k, nullptr);
+    std::vector<double> three = k;
+    three.resize(3);
+    become("lens-order", with({three[0], three[1], p[1]}, three[2], p[0]));
+    become("lens-order", with({three[0], three[1], p[0]}, p[1], three[2]));
+    if (model == "brown") {
+      become("fisheye-for-brown", {{"model", "fisheye"}, {"k", {three[0], three[1], p[0], p[1]}}});
+      become("fisheye-for-brown", {{"model", "fisheye"}, {"k", three}});
+    }
   }
-  if (p[0] != 0 || p[1] != 0) become("lens-order", "brown", k, {0, 0});
   for (double& each : k) each = 0 - each;
-  become("lens-sign", "brown", k, {0 - p[0], 0 - p[1]});
+  become("lens-sign", with(k, 0 - p[0], 0 - p[1]));
 }
 
 }  // namespace

@@ -109,9 +109,12 @@ PlainCamera Solver::moved(const PlainCamera& from, const Numbers& values) const 
     if (isBetween(by, By::X, By::Z)) to.eye[offsetOf(by, By::X)] += v * size_;
     if (by == By::up) to.eye = sum(to.eye, v * size_, fit_.up);
     if (by == By::u) to.eye = scaled(to.eye, 1 + v);
-    if (by >= By::k1 && !to.lens) to.lens = PlainLens{};
-    if (isBetween(by, By::k1, By::k2)) to.lens->k[offsetOf(by, By::k1)] += v;
-    if (isBetween(by, By::p1, By::p2)) to.lens->p[offsetOf(by, By::p1)] += v;
+    if (by >= By::k1 && !to.trial) {
+      to.trial = TrialLens{};
+      if (from.lens) to.trial = TrialLens{{from.lens->k()[0], from.lens->k()[1], from.lens->k()[2]}, from.lens->p()};
+    }
+    if (isBetween(by, By::k1, By::k2)) to.trial->k[offsetOf(by, By::k1)] += v;
+    if (isBetween(by, By::p1, By::p2)) to.trial->p[offsetOf(by, By::p1)] += v;
   }
   if (turned != Vec3{}) to.axes = turn(turned) * from.axes;
   return to;
@@ -138,7 +141,7 @@ double Solver::costOf(const Numbers& misses, const Numbers& weights) const {
 Solver::Numbers Solver::distances(const Numbers& misses) const {
   Numbers all;
   for (std::size_t i = 0; i < misses.size(); i += 2) {
-    const double distance = std::hypot(misses[i], misses[i + 1]);
+    const double distance = length(Vec2{misses[i], misses[i + 1]});
     all.push_back(std::isfinite(distance) ? distance : 1e9);
   }
   return all;
@@ -240,19 +243,10 @@ Solver::Solution Solver::solve(PlainCamera camera, int steps) const {
 
 /// Of the given pixels, in the camera's axes; 0 where the lens has none.
 std::vector<Vec3> raysOf(const PlainCamera& camera, const std::vector<Pair>& pairs) {
-  std::optional<Lens> lens;
-  try {
-    if (camera.lens) {
-      const auto& k = camera.lens->k;
-      lens = camera.lens->model == LensModel::fisheye ? fisheyeLens({k[0], k[1], k[2], k[3]})
-                                                      : brownLens(k, camera.lens->p);
-    }
-  } catch (const CameraError&) {  // its own are not proven: the pinhole's are near enough to start with
-  }
   std::vector<Vec3> rays;
   for (const Pair& pair : pairs) {
     const Vec2 at{(pair.pixel.x - camera.centre.x) / camera.focal.x, (pair.pixel.y - camera.centre.y) / camera.focal.y};
-    const Vec3 ray = lens ? undistorted(*lens, at) : Vec3{at.x, at.y, 1};
+    const Vec3 ray = camera.lens ? undistorted(*camera.lens, at) : Vec3{at.x, at.y, 1};
     rays.push_back(std::isfinite(ray.x + ray.y) ? scaled(ray, 1 / length(ray)) : Vec3{});
   }
   return rays;
@@ -315,7 +309,7 @@ Json valueOf(const std::string& mistake, const Fit& fit, const PlainCamera& to, 
   if (mistake == "pan-tilt-zoom") return {degrees, fx};
   if (mistake == "lens") {
     Json numbers = Json::array();
-    const PlainLens lens = to.lens.value_or(PlainLens{});  // no step has made one: its numbers are 0
+    const TrialLens lens = to.trial.value_or(TrialLens{});  // no step has made one: its numbers are 0
     for (std::size_t i = 0; i < std::min<std::size_t>(by.size(), 2); ++i) numbers.push_back(lens.k[i]);
     for (std::size_t i = 2; i < by.size(); ++i) numbers.push_back(lens.p[i - 2]);
     return numbers;
@@ -342,9 +336,9 @@ std::vector<Hypothesis> families(const Fit& fit, Table table, std::size_t wrong)
     const std::size_t count = family.by.size();
     if (2 * fit.pairs.size() < count + 1) continue;
     const auto& lens = fit.camera.lens;
-    if (first >= By::k1 && (fit.camera.isOrthographic || (lens && (lens->model != LensModel::brown || lens->k[3] != 0 ||
-                                                                   lens->k[4] != 0 || lens->k[5] != 0))))
-      continue;
+    const bool isPolynomial =
+        !lens || (lens->model() == LensModel::brown && lens->k()[3] == 0 && lens->k()[4] == 0 && lens->k()[5] == 0);
+    if (first >= By::k1 && (fit.camera.isOrthographic || !isPolynomial)) continue;
     const bool isWorldAxis = isBetween(first, By::wx, By::wz) || (count == 1 && isBetween(first, By::X, By::Z));
     if (fit.isOnEarth && (isWorldAxis || first == By::u)) continue;
     if (first == By::u && !(length(fit.camera.eye) > 0)) continue;
@@ -370,6 +364,8 @@ std::vector<Hypothesis> families(const Fit& fit, Table table, std::size_t wrong)
     solved.value = valueOf(family.mistake, fit, best.camera, family.by);
     solved.isSolved = true;
     solved.parameters = static_cast<int>(count);
+    if (first == By::s || first == By::sx)
+      solved.scale = best.camera.focal.x * best.camera.focal.y / (fit.camera.focal.x * fit.camera.focal.y);
     all.push_back(solved);
     if (first == By::u && solved.value[1].get<double>() > 0) {
       const double factor = 1 / solved.value[1].get<double>();

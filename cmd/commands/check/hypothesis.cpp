@@ -34,31 +34,18 @@ CameraFile readSpread(const Document& document, const ReadOptions& reading) {
 
 /// Right, down and forward of a camera in the axes of its rotation.
 Rows ownAxesOf(const CameraFile& file) {
-  const Json* const stated = valueAt(*file.document.root, "cameraAxes");
-  const DocumentConvention convention = readConvention(file.document);
-  CameraAxes axes = convention.preset->cameraAxes;
-  if (convention.convention.world != convention.preset->convention.world)
-    axes = convention.convention.world == Handedness::right ? CameraAxes::RUB : CameraAxes::RUF;
-  if (stated) axes = valueOf(kCameraAxesNames, stated->get<std::string>());
-  switch (axes) {
-    case CameraAxes::RUB:
-      return {Vec3{1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
-    case CameraAxes::RUF:
-      return {Vec3{1, 0, 0}, {0, -1, 0}, {0, 0, 1}};
-    case CameraAxes::RDF:
-      return kUnit;
-    case CameraAxes::FLU:
-      return {Vec3{0, -1, 0}, {0, 0, -1}, {1, 0, 0}};
-    case CameraAxes::FRD:
-      return {Vec3{0, 1, 0}, {0, 0, 1}, {1, 0, 0}};
-    case CameraAxes::FRU:
-      break;
+  const std::string_view letters = nameOf(kCameraAxesNames, cameraAxesOf(readValues(file.document), *file.preset));
+  Rows axes{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t side = std::string_view("RLDUFB").find(letters[i]);
+    axes[side / 2][i] = side % 2 == 0 ? 1 : -1;
   }
-  return {Vec3{0, 1, 0}, {0, 0, -1}, {1, 0, 0}};
+  return axes;
 }
 
 Vec3 upOf(const CameraFile& file) {
   Vec3 up = readConvention(file.document).preset->up;
+  if (file.worldIsEnu) up = {0, 0, 1};
   if (file.worldIsEcef) up = ellipsoidNormal(ecefToGeodetic(file.pose->eye()));
   if (const Json* const own = valueAt(*file.document.root, "up"))
     up = {(*own)[0].get<double>(), (*own)[1].get<double>(), (*own)[2].get<double>()};

@@ -46,6 +46,7 @@ struct Hypothesis {
   PlaceMap places = PlaceMap::none;
   PixelMap pixels = {};  ///< of the mended pixels
   int lensPasses = 0;    ///< how often the lens then bends them; negative: unbends them
+  double scale = 1;      ///< of the area of the picture, where camera is of a resized one
   int parameters = 0;
 
   bool movesPixels() const { return pixels != PixelMap{} || lensPasses != 0; }

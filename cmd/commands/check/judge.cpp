@@ -6,7 +6,7 @@
 #include <set>
 
 #include "commands/check/families.hpp"
-#include "commands/check/mend.hpp"
+#include "commands/check/words.hpp"
 #include "text/error.hpp"
 #include "viewproj/screen.hpp"
 
@@ -22,8 +22,8 @@ constexpr std::ptrdiff_t kPlain = 19;  // told as well where they bring all with
 std::ptrdiff_t placeOf(std::string_view mistake) {
   if (const std::size_t plus = mistake.find(" + "); plus != mistake.npos)
     return placeOf(mistake.substr(0, plus)) + placeOf(mistake.substr(plus + 3));
-  static const std::vector<std::string_view> kAll = allMistakes();
-  return std::find(kAll.begin(), kAll.end(), mistake) - kAll.begin();
+  const auto all = allMistakes();
+  return std::find_if(all.begin(), all.end(), [&](const Mistake& each) { return each.name == mistake; }) - all.begin();
 }
 bool isPlain(std::string_view mistake) { return mistake.find(" + ") == mistake.npos && placeOf(mistake) < kPlain; }
 
@@ -96,17 +96,19 @@ double Judge::evidenceOf(const Hypothesis& h, const std::vector<Vec2>& misses, c
     spread = {spread.x + (mended[i].x - mean.x) * (mended[i].x - mean.x),
               spread.y + (mended[i].y - mean.y) * (mended[i].y - mean.y)};
   rms = std::sqrt(squares / (2 * n));
-  const double size = h.pixels.size(), grow = size > 0 ? std::max(1.0, 1 / std::sqrt(size)) : 1;
+  const double size = h.pixels.size() * h.scale, grow = size > 0 ? std::max(1.0, 1 / std::sqrt(size)) : 1;
   const double left = std::max(rms * grow, kFloor);
   const auto limit = [&](double sum) { return chosen.size() > 1 ? std::sqrt(sum / (n - 1)) * grow : 500; };
+  const Vec2 most{limit(spread.x), limit(spread.y)};
+  if (2 * left >= std::max(most.x, most.y)) return -std::log(std::max(tries, 1.0));
   std::vector<double> gains;
-  const auto add = [&](double before, double most) {
-    const double miss = std::isfinite(before) ? std::min(std::fabs(before), most) : most;
+  const auto add = [&](double before, double limited) {
+    const double miss = std::isfinite(before) ? std::min(std::fabs(before), limited) : limited;
     gains.push_back(std::max(0.0, std::log(std::max(miss, 1e-300) / (2 * left))));
   };
   for (const std::size_t i : chosen) {
-    add(before_[i].x, limit(spread.x));
-    add(before_[i].y, limit(spread.y));
+    add(before_[i].x, most.x);
+    add(before_[i].y, most.y);
   }
   const std::size_t kept = gains.size() - std::min(gains.size(), static_cast<std::size_t>(h.parameters));
   if (kept < gains.size())
@@ -125,7 +127,7 @@ void Judge::judge(std::vector<Hypothesis> hypotheses, Stage stage, double tries,
     std::vector<Vec2> misses = missesOf(h, mended);
     double largest = 0;
     for (const Vec2& miss : misses) {
-      const double distance = std::hypot(miss.x, miss.y);
+      const double distance = length(miss);
       largest = std::isnan(distance) ? HUGE_VAL : std::max(largest, distance);
     }
     if (!std::isfinite(largest)) continue;
@@ -138,19 +140,16 @@ void Judge::judge(std::vector<Hypothesis> hypotheses, Stage stage, double tries,
   }
 }
 
-Fit fitOf(const Trials& t, const PlainCamera& camera, std::vector<Pair> pairs) {
+/// The camera, the points and the pixels as a hypothesis leaves them; not all of many pairs.
+Fit fitOf(const Trials& t, const Hypothesis& h, std::span<const Pair> pairs) {
   constexpr std::size_t kMost = 500;
-  std::vector<Pair> some;
-  const std::size_t count = pairs.size();
-  for (std::size_t i = 0; i < std::min(kMost, count); ++i)
-    some.push_back(pairs[count <= kMost ? i : i * count / kMost]);
-  return {camera, t.up(), t.first(), t.file().worldIsEcef, std::move(some)};
-}
-
-std::vector<Pair> mapped(std::span<const Pair> pairs, const Hypothesis& h) {
-  std::vector<Pair> all;
-  for (const Pair& pair : pairs) all.push_back({h.point(pair.point), h.pixels(pair.pixel)});
-  return all;
+  Fit fit{h.camera, t.up(), h.pixels(t.first()), t.file().worldIsEcef, {}};
+  const std::size_t count = std::min(kMost, pairs.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const Pair& pair = pairs[i * pairs.size() / count];
+    fit.pairs.push_back({h.point(pair.point), h.pixels(pair.pixel)});
+  }
+  return fit;
 }
 
 /// first, and then second: of the points, the camera and the pixels as first leaves them.
@@ -181,36 +180,10 @@ std::vector<Hypothesis> turnedPixels(const std::vector<Hypothesis>& pixels) {
   return some;
 }
 
-/// Scales about the corner of the other program's own picture, which is flipped or turned there.
-std::vector<Hypothesis> cornerScales(const Trials& t, std::span<const Pair> pairs, const Hypothesis& turned) {
-  const PixelMap& m = turned.pixels;
-  const double d = m.xx * m.yy - m.xy * m.yx;
-  const Vec2 corner = t.first();
-  Vec2 products, squares;
-  for (const Pair& pair : pairs) {
-    const Vec2 at = pixelOf(t.plain(), pair.point);
-    if (std::isnan(at.x)) continue;
-    const double x = at.x - m.x0, y = at.y - m.y0;
-    const Vec2 p{(m.yy * x - m.xy * y) / d - corner.x, (m.xx * y - m.yx * x) / d - corner.y};
-    products = {products.x + p.x * (pair.pixel.x - corner.x), products.y + p.y * (pair.pixel.y - corner.y)};
-    squares = {squares.x + p.x * p.x, squares.y + p.y * p.y};
-  }
-  std::vector<Hypothesis> all;
-  if (!(squares.x > 0 && squares.y > 0)) return all;
-  const double one = (products.x + products.y) / (squares.x + squares.y);
-  const Vec2 two{products.x / squares.x, products.y / squares.y};
-  for (const auto& [name, count, s] : {std::tuple("pixel-ratio", 1, Vec2{one, one}), {"resized", 2, two}}) {
-    if (!(s.x > 0 && s.y > 0)) continue;
-    Hypothesis h = t.next(turned.mistake + " + " + name, {turned.value, {s.x, s.y}});
-    h.pixels = m * PixelMap{1 / s.x, 0, corner.x - corner.x / s.x, 0, 1 / s.y, corner.y - corner.y / s.y};
-    h.parameters = count;
-    all.push_back(std::move(h));
-  }
-  return all;
-}
-
+/// Rounded, so that of two forms of a mistake the first one counts.
 double weighted(const Explanation& e) {
-  return e.evidence * std::min(1.0, 100.0 / static_cast<double>(std::max<std::size_t>(e.misses.size(), 1)));
+  const double share = std::min(1.0, 100.0 / static_cast<double>(std::max<std::size_t>(e.misses.size(), 1)));
+  return std::round(1e6 * e.evidence * share) / 1e6;
 }
 
 /// Whether they leave the same misses; with either sign, where one of them moves the pixels and one the camera.
@@ -304,7 +277,7 @@ std::vector<Explanation> besideWrongPairs(const Trials& t, const Judge& judge, s
   const std::size_t n = pairs.size(), most = std::max<std::size_t>(1, n / 4);
   std::vector<Explanation> found;
   if (n < 4) return found;
-  const Fit fit = fitOf(t, t.plain(), {pairs.begin(), pairs.end()});
+  const Fit fit = fitOf(t, t.next(""), pairs);
   if (n <= 500) {
     for (Hypothesis& h : families(fit, Table::simple, most)) hypotheses.push_back(std::move(h));
     if (n >= 8)
@@ -317,7 +290,7 @@ std::vector<Explanation> besideWrongPairs(const Trials& t, const Judge& judge, s
     std::vector<Vec2> misses = judge.missesOf(h, mended);
     std::vector<double> sorted, distances;
     for (const Vec2& miss : misses) {
-      const double distance = std::hypot(miss.x, miss.y);
+      const double distance = length(miss);
       distances.push_back(std::isfinite(distance) ? distance : HUGE_VAL);
     }
     sorted = distances;
@@ -362,11 +335,7 @@ std::vector<Explanation> explain(const Document& document, const ReadOptions& re
   std::vector<Hypothesis> rows = documents;
   rows.insert(rows.end(), pixels.begin(), pixels.end());
   judge.judge(rows, Stage::rows, 0, found);
-  const auto familiesOf = [&](const Hypothesis& first, Table table) {
-    std::vector<Hypothesis> all;
-    for (Hypothesis& h : families(fitOf(t, first.camera, mapped(pairs, first)), table)) all.push_back(std::move(h));
-    return all;
-  };
+  const auto familiesOf = [&](const Hypothesis& first, Table table) { return families(fitOf(t, first, pairs), table); };
   judge.judge(familiesOf(t.next(""), Table::simple), Stage::families, 0, found);
 
   // A second mistake in what the best rows leave.
@@ -427,11 +396,8 @@ std::vector<Explanation> explain(const Document& document, const ReadOptions& re
     }
     judge.judge(std::move(two), Stage::two, 0, found);
     std::vector<Hypothesis> flipped;
-    for (const Hypothesis& a : turnedPixels(pixels)) {
-      for (Hypothesis& h : familiesOf(a, Table::simple))
-        if (h.mistake != "pixel-ratio" && h.mistake != "resized") flipped.push_back(both(a, std::move(h)));
-      for (Hypothesis& h : cornerScales(t, pairs, a)) flipped.push_back(std::move(h));
-    }
+    for (const Hypothesis& a : turnedPixels(pixels))
+      for (Hypothesis& h : familiesOf(a, Table::simple)) flipped.push_back(both(a, std::move(h)));
     judge.judge(std::move(flipped), Stage::flips, 0, found);
   }
   if (!isExplained()) {
@@ -455,10 +421,36 @@ std::vector<Explanation> explain(const Document& document, const ReadOptions& re
   return listed(std::move(found), within);
 }
 
+std::vector<Hypothesis> madeAnew(const Hypothesis& h, const CameraFile& from, const CameraFile& to) {
+  Trials t(to.document, to.reading);
+  if (h.parameters == 0) {
+    std::vector<Hypothesis> rows = documentsOf(t);
+    addPixelRows(t);
+    for (Hypothesis& row : t.take()) rows.push_back(std::move(row));
+    std::erase_if(rows, [&](const Hypothesis& row) { return row.mistake != h.mistake; });
+    return rows;
+  }
+  const PlainCamera was = plainOf(makeCamera(from)), &own = t.plain();
+  Hypothesis anew = h;
+  PlainCamera& camera = anew.camera;
+  const Vec2 times{h.camera.focal.x / was.focal.x, h.camera.focal.y / was.focal.y}, corner = t.first();
+  camera.focal = {own.focal.x * times.x, own.focal.y * times.y};
+  camera.centre =
+      h.scale != 1
+          ? Vec2{corner.x + (own.centre.x - corner.x) * times.x, corner.y + (own.centre.y - corner.y) * times.y}
+          : Vec2{own.centre.x + h.camera.centre.x - was.centre.x, own.centre.y + h.camera.centre.y - was.centre.y};
+  const Rows inWorld = transposed(was.axes) * h.camera.axes, inCamera = h.camera.axes * transposed(was.axes);
+  camera.axes = h.mistake == "heading" ? own.axes * inWorld : inCamera * own.axes;
+  camera.eye = h.mistake == "unit" && h.points == kUnit ? scaled(own.eye, h.value[1].get<double>())
+                                                        : sum(own.eye, 1, sum(h.camera.eye, -1, was.eye));
+  camera.lens = own.lens;
+  return {anew};
+}
+
 std::vector<std::size_t> wrongPairs(std::span<const Vec2> misses, double within) {
   std::vector<std::size_t> wrong;
   for (std::size_t i = 0; i < misses.size(); ++i)
-    if (!(std::hypot(misses[i].x, misses[i].y) <= within)) wrong.push_back(i);
+    if (!(length(misses[i]) <= within)) wrong.push_back(i);
   if (misses.size() < 4 || wrong.size() > std::max<std::size_t>(1, misses.size() / 4)) wrong.clear();
   return wrong;
 }
@@ -473,7 +465,7 @@ std::vector<std::size_t> pixelOrder(const Camera& camera, std::span<const Pair> 
     const ScreenPoint p = worldToScreen(camera, pairs[i].point);
     std::vector<std::size_t> near;
     for (std::size_t j = 0; j < pairs.size(); ++j)
-      if (std::hypot(p.x - pairs[j].pixel.x, p.y - pairs[j].pixel.y) <= within) near.push_back(j);
+      if (length(Vec2{p.x - pairs[j].pixel.x, p.y - pairs[j].pixel.y}) <= within) near.push_back(j);
     if (near.size() != 1 || !taken.insert(near[0]).second) return {};
     isOther |= near[0] != i;
     order.push_back(near[0]);

@@ -26,6 +26,9 @@ struct Explanation {
 std::vector<Explanation> explain(const Document& document, const ReadOptions& reading, std::span<const Pair> pairs,
                                  double within);
 
+/// The explanation of another camera's pairs for this camera: a row in its forms here, or the same numbers added.
+std::vector<Hypothesis> madeAnew(const Hypothesis& hypothesis, const CameraFile& from, const CameraFile& to);
+
 /// The pairs that alone miss by more than within: at most a quarter, of four or more. Else none.
 std::vector<std::size_t> wrongPairs(std::span<const Vec2> misses, double within);
 

@@ -13,19 +13,11 @@ namespace {
 constexpr Vec2 kNone{NAN, NAN};
 
 /// NaN where the lens folds: where its radius no longer grows.
-Vec2 bent(const PlainLens& lens, const Vec2& at) {
-  const auto& [k1, k2, k3, k4, k5, k6] = lens.k;
-  const auto [x, y] = at;
-  if (lens.model == LensModel::fisheye) {
-    const double r = std::hypot(x, y), t = std::atan(r), w = t * t;
-    if (!(1 + w * (3 * k1 + w * (5 * k2 + w * (7 * k3 + w * 9 * k4))) > 0)) return kNone;
-    const double share = r > 0 ? t * (1 + w * (k1 + w * (k2 + w * (k3 + w * k4)))) / r : 1;
-    return {x * share, y * share};
-  }
-  const double u = x * x + y * y, over = 1 + u * (k1 + u * (k2 + u * k3)), under = 1 + u * (k4 + u * (k5 + u * k6));
-  const double slope = (k1 + u * (2 * k2 + u * 3 * k3)) * under - over * (k4 + u * (2 * k5 + u * 3 * k6));
-  if (!(under > 0 && over * under + 2 * u * slope > 0)) return kNone;
-  const double g = over / under, p1 = lens.p[0], p2 = lens.p[1];
+Vec2 bent(const TrialLens& lens, double x, double y) {
+  const auto& [k1, k2, k3] = lens.k;
+  const auto& [p1, p2] = lens.p;
+  const double u = x * x + y * y, g = 1 + u * (k1 + u * (k2 + u * k3));
+  if (!(g > 0 && 1 + u * (3 * k1 + u * (5 * k2 + u * 7 * k3)) > 0)) return kNone;
   return {x * g + 2 * p1 * x * y + p2 * (u + 2 * x * x), y * g + p1 * (u + 2 * y * y) + 2 * p2 * x * y};
 }
 
@@ -58,8 +50,12 @@ PlainCamera plainOf(const Camera& camera) {
   PlainCamera plain{
       {row(0, 1), row(1, down), row(2, ahead)}, camera.pose().eye(), {k.fx, downwards * k.fy}, {k.cx, k.cy}};
   plain.isOrthographic = camera.projection().isOrthographic();
-  if (const auto lens = lensOf(camera)) plain.lens = {lens->model(), lens->k(), lens->p()};
+  plain.lens = lensOf(camera);
   return plain;
+}
+
+PlainPose poseOf(const PlainCamera& camera) {
+  return {camera.eye, camera.axes[0], scaled(camera.axes[1], -1), camera.axes[2]};
 }
 
 Vec2 pixelOf(const PlainCamera& camera, const Vec4& p) {
@@ -68,10 +64,15 @@ Vec2 pixelOf(const PlainCamera& camera, const Vec4& p) {
                        ? Vec3{p.x, p.y, p.z}
                        : Vec3{p.x / weight - camera.eye.x, p.y / weight - camera.eye.y, p.z / weight - camera.eye.z};
   const Vec3 at = camera.axes * way;
-  if (!camera.isOrthographic && !(at.z > 0)) return kNone;
-  if (camera.isOrthographic && p.w == 0) return kNone;
-  Vec2 seen = camera.isOrthographic ? Vec2{at.x, at.y} : Vec2{at.x / at.z, at.y / at.z};
-  if (camera.lens) seen = bent(*camera.lens, seen);
+  Vec2 seen{at.x, at.y};
+  if (camera.isOrthographic) {
+    if (p.w == 0) return kNone;
+  } else if (camera.lens && !camera.trial) {
+    seen = distorted(*camera.lens, at);
+  } else {
+    if (!(at.z > 0)) return kNone;
+    seen = camera.trial ? bent(*camera.trial, at.x / at.z, at.y / at.z) : Vec2{at.x / at.z, at.y / at.z};
+  }
   return {camera.focal.x * seen.x + camera.centre.x, camera.focal.y * seen.y + camera.centre.y};
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "camera/plain_camera.hpp"
 #include "numbers/vectors.hpp"
 #include "viewproj/camera.hpp"
 #include "viewproj/lens.hpp"
@@ -27,15 +28,16 @@ inline Rows operator*(const Rows& a, const Rows& b) {
 inline Vec3 sum(const Vec3& a, double k, const Vec3& b) { return {a.x + k * b.x, a.y + k * b.y, a.z + k * b.z}; }
 inline Vec3 scaled(const Vec3& a, double k) { return {k * a.x, k * a.y, k * a.z}; }
 inline double length(const Vec3& a) { return std::hypot(a.x, a.y, a.z); }
+inline double length(const Vec2& a) { return std::sqrt(a.x * a.x + a.y * a.y); }
 inline double determinant(const Rows& m) { return detail::dot(m[0], detail::crossOf(m[1], m[2])); }
 /// About the vector, by its length in radians.
 Rows turn(const Vec3& vector);
 /// In radians, of a rotation.
 double angleOf(const Rows& rotation);
 
-struct PlainLens {
-  LensModel model = LensModel::brown;
-  std::array<double, 6> k{};
+/// Of a lens that is being sought: Brown's radial and tangential terms.
+struct TrialLens {
+  std::array<double, 3> k{};
   std::array<double, 2> p{};
 };
 
@@ -43,11 +45,13 @@ struct PlainCamera {
   Rows axes;  ///< right, down and forward in the world
   Vec3 eye;
   Vec2 focal, centre;  ///< in pixels; focal.y is negative where y runs upwards
-  std::optional<PlainLens> lens = {};
+  std::optional<Lens> lens = {};
+  std::optional<TrialLens> trial = {};  ///< in place of lens
   bool isOrthographic = false;
 };
 
 PlainCamera plainOf(const Camera& camera);
+PlainPose poseOf(const PlainCamera& camera);
 
 /// NaN where the point has none. A weight of 0 is a direction.
 Vec2 pixelOf(const PlainCamera& camera, const Vec4& point);
