@@ -1,0 +1,125 @@
+// viewproj convert: cameras as files of other programs, or as ours.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "commands/camera_options.hpp"
+#include "commands/command.hpp"
+#include "formats/writer.hpp"
+#include "output/output_file.hpp"
+#include "text/error.hpp"
+#include "text/json_text.hpp"
+#include "text/names.hpp"
+#include "text/system.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+constexpr std::string_view kCamera = "camera";
+
+struct ConvertOptions {
+  CameraOptions camera;
+  WorldOptions world;
+  std::optional<std::string_view> form;
+};
+
+/// A camera that is to be written, in the world of --map and --scale.
+struct Chosen {
+  CameraFile file;
+  std::string name;
+};
+
+std::vector<Chosen> chosenOf(const ConvertOptions& o) {
+  const auto files = o.camera.readFiles();
+  std::vector<Chosen> all;
+  for (const auto& [cameras, which] : files)
+    for (const std::size_t i : which) {
+      CameraFile file = o.camera.readOne(*cameras, i, o.form != "tum");
+      const Json* const stated = valueAt(*file.document.root, "name");
+      std::string name = stated && stated->is_string() ? stated->get<std::string>() : cameras->nameOf(i);
+      // Of several files with a camera each, the file's name tells which it is.
+      if (name.empty() && files.size() > 1 && which.size() == 1) name = pathOf(file.name).stem().string();
+      all.push_back({o.world.mapped(file), std::move(name)});
+    }
+  return all;
+}
+
+/// One camera's document; or a set, an entry on a line each.
+std::string camerasText(const ConvertOptions& o, std::vector<Chosen> cameras) {
+  for (const Chosen& camera : cameras) o.camera.noteHandedness(camera.file);
+  if (cameras.size() == 1) return o.camera.written(cameras.front().file);
+  std::vector<std::string> entries;
+  for (Chosen& camera : cameras) {
+    if (!camera.name.empty()) {
+      camera.file.document = copied(camera.file.document);
+      (*camera.file.document.root)["name"] = camera.name;
+    }
+    entries.push_back(o.camera.written(camera.file, ", "));
+  }
+  return "{\"cameras\": " + jsonList(entries, ",\n  ") + "}\n";
+}
+
+std::vector<WrittenFile> filesOf(const ConvertOptions& o, std::string_view ending) {
+  std::vector<Chosen> chosen = chosenOf(o);
+  if (o.form == kCamera) return {{"", camerasText(o, std::move(chosen))}};
+  const Writer& writer =
+      *std::find_if(writers().begin(), writers().end(), [&](const Writer& row) { return row.name == *o.form; });
+  std::vector<WrittenCamera> cameras;
+  for (Chosen& camera : chosen)
+    cameras.emplace_back(std::move(camera.file), std::move(camera.name), cameras.size());
+  if (const std::string left = requirePlaces(cameras, writer); !left.empty()) note(left);
+  return writer.write(cameras, ending);
+}
+
+int runConvert(const ConvertOptions& o, const CLI::App& app) {
+  if (!o.form) {
+    std::vector<std::string_view> names{kCamera};
+    for (const Writer& writer : writers()) names.push_back(writer.name);
+    throw UsageError("--to is needed: " + joined(names));
+  }
+  for (const char* option : {"--convention", "--reverse-z", "--no-reverse-z", "--ndc-z"})
+    if (o.form != kCamera && app.count(option) > 0)
+      throw UsageError(std::string(option) + " goes with --to camera; " + std::string(*o.form) +
+                       " has a convention of its own. --read-as says how a file is read");
+  const CLI::Option* const named = app.get_option("--output");
+  const std::string name = named->empty() ? "-" : named->results().front();
+  const std::vector<WrittenFile> files = filesOf(o, endingOf(name));
+  if (!files.front().name.empty()) {
+    if (name == "-") throw UsageError(std::string(*o.form) + " has several files; -o FOLDER/ takes them");
+    std::vector<std::pair<std::string, std::string>> texts;
+    for (const WrittenFile& file : files) texts.emplace_back(file.name, file.text);
+    writeFolder(name, texts);
+    return 0;
+  }
+  NamedOutput output(name);
+  writeOutput(files.front().text);
+  output.keep();
+  return 0;
+}
+
+}  // namespace
+
+Action declareConvert(CLI::App& app) {
+  const auto o = std::make_shared<ConvertOptions>();
+  app.description(
+      "Cameras as a file of another program, or as ours (--to camera). Takes all cameras of the files, or those that "
+      "#NAME picks, with options laid over them. What would move a pixel and the file cannot say is refused; what "
+      "moves none is told.");
+  app.footer(
+      "Examples:\n"
+      "  viewproj convert --position 3,2,5 --target 0,0,0 --fov-y 60 --near 1 \\\n"
+      "    --viewport 640x480 --to opencv\n"
+      "  viewproj convert --fov-y 60 --aspect 2 --near 0.1 --to camera\n"
+      "  viewproj convert --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
+      "    --viewport 640x480 --map x,-y,-z --to transforms");
+  std::vector<FormRow<std::string_view>> forms{{kCamera, kCamera}};
+  for (const Writer& writer : writers()) forms.push_back({writer.name, writer.name, writer.endings});
+  addForm(app, o->form, std::span<const FormRow<std::string_view>>(forms), "What to write");
+  o->world.add(app);
+  o->camera.addFiles(app);
+  o->camera.add(app);
+  o->camera.addWriting(app);
+  return [o, &app] { return runConvert(*o, app); };
+}
+
+}  // namespace viewproj::cmd
