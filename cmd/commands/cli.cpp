@@ -185,9 +185,10 @@ void takeEnding(CLI::App& app, std::vector<FormRow<std::size_t>> rows, std::func
     const CLI::Option* const to = app.get_option_no_throw("--to");
     if (to && to->count() > 0) return;
     const std::string_view ending = endingOf(file);
+    const std::string_view last = file.ends_with('/') ? "/" : std::string_view(file).substr(file.rfind('/') + 1);
     std::vector<std::string_view> names;
     for (const FormRow<std::size_t>& row : rows) {
-      if (isEnding(ending, row.endings)) return take(row.form);
+      if (isEnding(ending, row.endings) || isEnding(last, row.endings)) return take(row.form);
       names.push_back(row.name);
     }
     if (isEnding(ending, kKnownEndings))

@@ -167,10 +167,11 @@ std::vector<WrittenFile> writeThreeJs(std::span<const WrittenCamera> cameras, st
       out.add("left", p.left()).add("right", p.right()).add("top", p.top()).add("bottom", p.bottom());
     } else {
       // A full picture whose middle is the viewing axis, and of it the part that is seen.
+      const bool isCentred = p.left() == -p.right() && p.bottom() == -p.top();
       const double halfHeight = (p.top() - p.bottom()) / 2;
-      out.add("fov", degreesOf(Angle::radians(2 * std::atan(halfHeight)))).add("aspect", p.aspect());
-      out.addText("focus", "10").addText("filmGauge", "35").addText("filmOffset", "0");
-      if (p.left() != -p.right() || p.bottom() != -p.top()) {
+      out.add("fov", isCentred ? p.fov(Fov::vertical) : degreesOf(Angle::radians(2 * std::atan(halfHeight))));
+      out.add("aspect", p.aspect()).addText("focus", "10").addText("filmGauge", "35").addText("filmOffset", "0");
+      if (!isCentred) {
         const Viewport picture = camera.file.viewport.value_or(Viewport{p.aspect(), 1});
         JsonObject view;
         view.add("enabled", true).add("fullWidth", picture.width).add("fullHeight", picture.height);
