@@ -99,6 +99,8 @@ void CameraOptions::addFile(CLI::App& app) {
 void CameraOptions::addFiles(CLI::App& app) {
   addValues(app, "FILE", "", operands_, readFileName,
             "Camera files; absent or - for standard input, unless options give the camera")
+      ->expected(1, CLI::detail::expected_max_vector_size)
+      ->allow_extra_args()
       ->group(kCameraGroup);
 }
 

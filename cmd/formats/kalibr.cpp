@@ -117,6 +117,8 @@ extern const Format kKalibr{"kalibr", "a camchain of Kalibr",
 
 std::vector<WrittenFile> writeKalibr(std::span<const WrittenCamera> cameras, std::string_view) {
   std::string text;
+  // The world of the links is cam0's. Where cam0 stands elsewhere, the IMU's world is ours.
+  const bool isOnImu = !cameras.front().isAtOrigin();
   const auto matrix = [&](std::string_view name, std::span<const double> rows) {
     text += "  " + std::string(name) + ":\n";
     for (std::size_t i = 0; i < 4; ++i)
@@ -142,14 +144,14 @@ std::vector<WrittenFile> writeKalibr(std::span<const WrittenCamera> cameras, std
     text += "\n  distortion_coeffs: " + yamlList(c) + "\n  resolution: [" + formatNumber(camera.width()) + ", " +
             formatNumber(camera.height()) + "]\n  rostopic: /cam" + std::to_string(i) + "/image_raw\n";
     const Rigid pose = rigidOf(cameraFromWorld(camera));
-    if (!cameras.front().isAtOrigin()) matrix("T_cam_imu", cameraFromWorld(camera));
+    if (isOnImu) matrix("T_cam_imu", cameraFromWorld(camera));
     if (i == 0) continue;
     std::vector<double> link;
     for (const Json& row : rowsOf(pose * inverse(rigidOf(cameraFromWorld(cameras[i - 1])))))
       for (const Json& entry : row) link.push_back(entry);
     matrix("T_cn_cnm1", link);
   }
-  return {{"", text}};
+  return {{"", text, isOnImu ? "the world is written as the IMU's, by T_cam_imu; FILE#imu/cam0 reads it" : ""}};
 }
 
 }  // namespace viewproj::cmd

@@ -73,6 +73,7 @@ enum Place : std::uint32_t {
 struct WrittenFile {
   std::string name;  ///< in its folder; empty: the only file
   std::string text;
+  std::string note = {};  ///< what a reader of the file must know, or empty
 };
 
 struct Writer {

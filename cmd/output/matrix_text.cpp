@@ -283,7 +283,7 @@ Mat4 CameraMatrix::make(const MatrixSource& s, bool inverse) const {
 
 std::vector<FormRow<std::string_view>> matrixForms() {
   std::vector<FormRow<std::string_view>> forms = {
-      {"json", "json", ".json .ndjson .jsonl", "rows on paper, with the convention they are in"},
+      {"json", "json", ".json .ndjson .jsonl", "rows on paper, with the convention"},
       {"text", "text", ".txt", "rows in aligned columns"},
       {"flat", "flat", "", "16 numbers in memory order, a matrix a line; without the eye"}};
   for (const Language& language : kLanguages)
