@@ -5,6 +5,7 @@
 
 #include "commands/camera_options.hpp"
 #include "commands/command.hpp"
+#include "formats/observations.hpp"
 #include "formats/writer.hpp"
 #include "output/output_file.hpp"
 #include "text/error.hpp"
@@ -15,7 +16,7 @@
 namespace viewproj::cmd {
 namespace {
 
-constexpr std::string_view kCamera = "camera";
+constexpr std::string_view kCamera = "camera", kObservations = "observations";
 
 struct ConvertOptions {
   CameraOptions camera;
@@ -97,10 +98,38 @@ std::vector<WrittenFile> filesOf(const ConvertOptions& o, std::string_view endin
   return writer.write(cameras, ending);
 }
 
+/// {"camera", "position", "pixel"} a line, of the cameras that are picked.
+void writeObservations(const ConvertOptions& o, const CLI::App& app) {
+  for (const char* option : {"--map", "--scale", "--parts", "--world-from-camera", "--camera-from-world"})
+    if (app.count(option) > 0)
+      throw UsageError(std::string(option) + " goes with cameras; observations are written as the file has them");
+  if (o.camera.changesCamera() || !o.camera.file())
+    throw UsageError("observations are written as a file has them; leave out the options of a camera");
+  const auto picked = o.camera.readFiles();
+  const CameraSet& cameras = *picked.front().cameras;
+  if (picked.size() > 1) throw UsageError("observations are of one file");
+  std::vector<std::string> names(cameras.size());  // of those that are picked
+  for (const std::size_t i : picked.front().which) names[i] = jsonOf(cameras.pickOf(i));
+  constexpr std::size_t kBlock = 1 << 16;
+  std::string lines;
+  const std::string told = eachObservation(splitPick(*o.camera.file()).file, [&](const Observation& seen) {
+    const std::string& name = names.at(seen.camera);
+    if (name.empty()) return;
+    JsonObject out;
+    const auto& [x, y, z] = seen.position;
+    out.addText("camera", name).addText("position", jsonListOf(std::array{x, y, z}));
+    lines += out.addText("pixel", jsonListOf(std::array{seen.pixel.x, seen.pixel.y})).text() + "\n";
+    if (lines.size() > kBlock) writeOutput(std::exchange(lines, ""));
+  });
+  writeOutput(lines);
+  if (!told.empty()) note(told);
+}
+
 int runConvert(const ConvertOptions& o, const CLI::App& app) {
   if (!o.form) {
     std::vector<std::string_view> names{kCamera};
     for (const Writer& writer : writers()) names.push_back(writer.name);
+    names.push_back(kObservations);
     throw UsageError("--to is needed: " + joined(names));
   }
   for (const char* option : {"--convention", "--reverse-z", "--no-reverse-z", "--ndc-z"})
@@ -109,6 +138,12 @@ int runConvert(const ConvertOptions& o, const CLI::App& app) {
                        " has a convention of its own. --read-as says how a file is read");
   const CLI::Option* const named = app.get_option("--output");
   const std::string name = named->empty() ? "-" : named->results().front();
+  if (o.form == kObservations) {
+    NamedOutput output(name);
+    writeObservations(o, app);
+    output.keep();
+    return 0;
+  }
   const std::vector<WrittenFile> files = filesOf(o, endingOf(name));
   if (!files.front().note.empty()) note(files.front().note);
   if (!files.front().name.empty()) {
@@ -141,6 +176,7 @@ Action declareConvert(CLI::App& app) {
       "    --viewport 640x480 --map x,-y,-z --to transforms");
   std::vector<FormRow<std::string_view>> forms{{kCamera, kCamera}};
   for (const Writer& writer : writers()) forms.push_back({writer.name, writer.name, writer.endings});
+  forms.push_back({kObservations, kObservations});
   addForm(app, o->form, std::span<const FormRow<std::string_view>>(forms), "What to write");
   o->world.add(app);
   o->camera.addFiles(app);
