@@ -41,7 +41,7 @@ std::string lacking(const CameraMatrix& row, const MatrixSource& source) {
   if (row.model && !source.worldFromLocal) return kModel;
   if (row.pose && !file.pose) return "a pose";
   if (row.projection && !file.projection) return "a projection";
-  if (row.projection && !hasDepth(*file.projection)) return "near; --near gives it";
+  if (row.projection && row.ofCalibration.empty() && !hasDepth(*file.projection)) return "near; --near gives it";
   if (needsViewport && !file.viewport) return "a viewport; --viewport WIDTHxHEIGHT gives one";
   return "";
 }
@@ -60,6 +60,13 @@ std::array<Change, 3> changesOf(const MatrixOptions& o) {
            {kModel, o.model.has_value(), &CameraMatrix::model, "modelView and modelViewProjection"}}};
 }
 
+/// The viewport is no part of a matrix that is of pixels already.
+bool isChanged(const Matrices& rows, const Change& change) {
+  return std::any_of(rows.begin(), rows.end(), [&](const CameraMatrix* row) {
+    return row->*change.part && (row->ofCalibration.empty() || change.part == &CameraMatrix::pose);
+  });
+}
+
 /// --which; or all that the camera determines. Throws UsageError for an option that changes none of them, and
 /// InputError where the camera lacks a part.
 Matrices chooseMatrices(const MatrixOptions& o, const MatrixSource& source) {
@@ -72,7 +79,7 @@ Matrices chooseMatrices(const MatrixOptions& o, const MatrixSource& source) {
   }
   // A baked viewport is in the projection already.
   for (const CameraMatrix& row : cameraMatrices())
-    if (!o.which && lacking(row, source).empty() && !(source.bakeViewport && row.viewport)) chosen.push_back(&row);
+    if (!o.which && row.ofCalibration.empty() && lacking(row, source).empty() && !(source.bakeViewport && row.viewport)) chosen.push_back(&row);
   for (const Change& change : changesOf(o)) {
     if (!change.isGiven || any(chosen, change.part)) continue;
     const std::string option = change.option;
@@ -108,7 +115,7 @@ MatrixSet matricesOf(const CameraFile& read, const std::optional<Mat4>& model, c
     note(read.name + ": a matrix leaves out the lens distortion");
   const auto add = [&](const CameraMatrix& row, bool inverse) {
     try {
-      set.matrices.push_back({std::string(row.name) + std::string(inverse ? kInverse : ""), row.make(source, inverse)});
+      set.matrices.push_back(row.make(source, inverse));
     } catch (const CameraError& e) {
       throw InputError("--model " + *o.model + ": " + e.message());
     }
@@ -198,7 +205,7 @@ int runCamera(const MatrixOptions& o, const CLI::App& app) {
   if (o.all && o.format != "json")
     throw UsageError("--all writes JSON, a line a camera; leave out --to " + std::string(o.format));
   for (const Change& change : changesOf(o))
-    if (o.which && change.isGiven && !any(*o.which, change.part))
+    if (o.which && change.isGiven && !isChanged(*o.which, change))
       throw UsageError(std::string(change.option) + " is for " + change.matrices +
                        ", and --which names no such matrix");
   const auto model = o.model ? std::optional(readModel(*o.model)) : std::nullopt;
@@ -239,6 +246,12 @@ Action declareMatrix(CLI::App& app) {
   const auto readNames = [](const std::string& option, const std::string& text) {
     Matrices chosen;
     for (const std::string& name : splitNames(option, text)) chosen.push_back(choose(option, name, matrixNames()));
+    // The window of OpenXR is both.
+    const auto find = [&](std::string_view name) {
+      return std::find_if(chosen.begin(), chosen.end(), [&](const CameraMatrix* row) { return row->name == name; });
+    };
+    if (const auto at = find("tangents"); at != chosen.end() && find("angles") == chosen.end())
+      chosen.insert(at + 1, choose(option, "angles", matrixNames()));
     return chosen;
   };
   addValue(app, "--which", "NAMES", o->which, readNames,

@@ -369,6 +369,18 @@ def formulas():
             said.append(pinhole(seen(R, -R @ number("x", "y", "z"), case.points), *number("fx", "fy", "cx", "cy"), bend[row.get("distortion.model", "")]()))
         case.compare("csv", said)
 
+    def matrices(case):
+        """K, [R | t], P and the window's edges, as Python."""
+        k, v = case.cameras[0]["projection"], case.cameras[0]["viewport"]
+        names = {}
+        exec(run("matrix", case.set, "--which", "intrinsics,extrinsics,P,tangents", "--to", "numpy"), names)
+        K, m = names["intrinsics"], names["extrinsics"]
+        h = np.hstack([case.points, np.ones((len(case.points), 1))]) @ names["P"].T
+        case.compare("matrices", [pinhole(seen(m[:, :3], m[:, 3], case.points), K[0, 0], K[1, 1], K[0, 2], K[1, 2])])
+        case.compare("matrices", [(h[:, :2] / h[:, 2:]).tolist()])
+        edges = [-k["cx"] / k["fx"], (v["width"] - k["cx"]) / k["fx"], k["cy"] / k["fy"], (k["cy"] - v["height"]) / k["fy"]]
+        assert np.allclose(names["tangents"], edges, rtol=1e-14) and np.allclose(names["angles"], np.arctan(edges), rtol=1e-14)
+
     def make(seed, folder):
         u = random.randint(1, 3)
         pick = lambda *lenses: [camera_of(random.choice(lenses)) for _ in range(u)]
@@ -379,9 +391,10 @@ def formulas():
         kalibr(Case(folder, pick("none", "brown", "fisheye", "omni", "double-sphere", "unified", "fov")))
         kitti(Case(folder, pick("none")))
         tum(Case(folder, pick("none")))
+        matrices(Case(folder, [camera_of()]))
         table(Case(folder, pick("none", "brown", "rational", "fisheye", "omni", "double-sphere", "unified", "fov")))
     cases(10, make)
-    return 6, 100
+    return 7, 100
 
 
 try:
