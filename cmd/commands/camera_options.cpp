@@ -97,11 +97,11 @@ void CameraOptions::addFile(CLI::App& app) {
 }
 
 void CameraOptions::addFiles(CLI::App& app) {
-  addValues(app, "FILE", "", operands_, readFileName,
-            "Camera files; absent or - for standard input, unless options give the camera")
+  addValue(app, "FILE", "", operand_, readFileName,
+           "Camera files; absent or - for standard input, unless options give the camera")
       ->expected(1, CLI::detail::expected_max_vector_size)
-      ->allow_extra_args()
       ->group(kCameraGroup);
+  app.allow_extras();  // CLI11 would split "[a,b]" of an option that takes several
 }
 
 void CameraOptions::addConvention(CLI::App& app) {
@@ -125,9 +125,7 @@ void CameraOptions::addWriting(CLI::App& app) {
 }
 
 std::optional<std::string> CameraOptions::file() const {
-  if (camera_ && (operand_ || !operands_.empty()))
-    throw UsageError("-c and " + operand_.value_or(operands_.empty() ? "" : operands_.front()) +
-                     " are both a camera; give one");
+  if (camera_ && operand_) throw UsageError("-c and " + *operand_ + " are both a camera; give one");
   if (camera_) return camera_;
   if (const auto input = fileIsCamera(*app_) ? inputFile(*app_) : std::nullopt) return input;
   const bool hasPose = worldFromCamera_ || cameraFromWorld_;
@@ -167,9 +165,9 @@ std::vector<CameraOptions::Picked> CameraOptions::readFiles() const {
     return Picked{std::move(cameras), std::move(which)};
   };
   std::vector<Picked> all;
-  const std::optional<std::string> first = file();
-  if (operands_.empty()) all.push_back(pickedOf(first));
-  for (const std::string& name : operands_) all.push_back(pickedOf(name));
+  all.push_back(pickedOf(file()));
+  for (const std::string& name : app_->remaining())
+    if (name != "--") all.push_back(pickedOf(readFileName("FILE", name)));
   return all;
 }
 

@@ -24,7 +24,7 @@ class CameraOptions {
   void add(CLI::App& app);
   /// FILE, for a command that reads nothing but the camera.
   void addFile(CLI::App& app);
-  /// FILE..., for a command that takes all cameras of several files.
+  /// FILE..., for a command that takes all cameras of several files: the first, and what remains.
   void addFiles(CLI::App& app);
   /// --convention and what changes it, for a command that writes in one.
   void addWriting(CLI::App& app);
@@ -74,7 +74,6 @@ class CameraOptions {
 
   const CLI::App* app_ = nullptr;
   std::optional<std::string> camera_, operand_, readAs_, parts_, worldFromCamera_, cameraFromWorld_;
-  std::vector<std::string> operands_;  ///< of FILE...
   std::optional<Size> viewport_;
   std::optional<ConventionPreset> convention_;
   std::optional<NdcZ> ndcZ_;

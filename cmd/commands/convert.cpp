@@ -50,7 +50,8 @@ std::string mapBetween(const Vec3& from, const Vec3& to, bool mirrors) {
   const auto axis = [](double sign, bool isZ) { return std::string(sign < 0 ? "-" : "") + (isZ ? 'z' : 'y'); };
   const bool fromZ = from.z != 0, toZ = to.z != 0;
   const double turn = (from.y + from.z) * (to.y + to.z), side = mirrors ? -1 : 1;
-  const std::string up = axis(turn, fromZ), other = axis(fromZ == toZ ? side * turn : -side * turn, fromZ == toZ ? !fromZ : toZ);
+  const std::string up = axis(turn, fromZ),
+                    other = axis(fromZ == toZ ? side * turn : -side * turn, fromZ == toZ ? !fromZ : toZ);
   return "x," + (toZ ? other + "," + up : up + "," + other);
 }
 
@@ -60,10 +61,12 @@ void noteWorld(const CameraFile& file, const ConventionPreset& preset, std::stri
   const bool mirrors = file.convention.world != preset.convention.world;
   if (file.worldIsEcef || (up == preset.up && !mirrors)) return;
   const auto words = [](Handedness world, const Vec3& top) {
-    return std::string(nameOf(kWorldNames, world)) + "-handed with " + (top.y + top.z < 0 ? "-" : "") + (top.z != 0 ? "z" : "y") + " up";
+    return std::string(nameOf(kWorldNames, world)) + "-handed with " + (top.y + top.z < 0 ? "-" : "") +
+           (top.z != 0 ? "z" : "y") + " up";
   };
-  note(file.name + ": its world stays " + words(file.convention.world, up) + ", and that of " + std::string(form) + " is " +
-       words(preset.convention.world, preset.up) + "; --map " + mapBetween(up, preset.up, mirrors) + " changes it");
+  note(file.name + ": its world stays " + words(file.convention.world, up) + ", and that of " + std::string(form) +
+       " is " + words(preset.convention.world, preset.up) + "; --map " + mapBetween(up, preset.up, mirrors) +
+       " changes it");
 }
 
 /// One camera's document; or a set, an entry on a line each.
@@ -84,18 +87,19 @@ std::string camerasText(const ConvertOptions& o, std::vector<Chosen> cameras) {
   return "{\"cameras\": " + jsonList(entries, ",\n  ") + "}\n";
 }
 
-std::vector<WrittenFile> filesOf(const ConvertOptions& o, std::string_view ending) {
+std::vector<WrittenFile> filesOf(const ConvertOptions& o, const std::string& output) {
+  const auto row = std::find_if(writers().begin(), writers().end(), [&](const Writer& w) { return w.name == *o.form; });
+  if (row != writers().end() && row->endings == "/" && output == "-")
+    throw UsageError(std::string(row->name) + " has several files; -o FOLDER/ takes them");
   std::vector<Chosen> chosen = chosenOf(o);
   if (o.form == kCamera) return {{"", camerasText(o, std::move(chosen))}};
-  const Writer& writer =
-      *std::find_if(writers().begin(), writers().end(), [&](const Writer& row) { return row.name == *o.form; });
+  const Writer& writer = *row;
   std::vector<WrittenCamera> cameras;
   const bool isGraphics = writer.name == "gltf" || writer.name == "threejs";  // y is up there
   if (isGraphics && !o.world.hasMap()) noteWorld(chosen.front().file, conventions::opengl, writer.name);
-  for (Chosen& camera : chosen)
-    cameras.emplace_back(std::move(camera.file), std::move(camera.name), cameras.size());
+  for (Chosen& camera : chosen) cameras.emplace_back(std::move(camera.file), std::move(camera.name), cameras.size());
   if (const std::string left = requirePlaces(cameras, writer); !left.empty()) note(left);
-  return writer.write(cameras, ending);
+  return writer.write(cameras, endingOf(output));
 }
 
 /// {"camera", "position", "pixel"} a line, of the cameras that are picked.
@@ -144,10 +148,9 @@ int runConvert(const ConvertOptions& o, const CLI::App& app) {
     output.keep();
     return 0;
   }
-  const std::vector<WrittenFile> files = filesOf(o, endingOf(name));
+  const std::vector<WrittenFile> files = filesOf(o, name);
   if (!files.front().note.empty()) note(files.front().note);
   if (!files.front().name.empty()) {
-    if (name == "-") throw UsageError(std::string(*o.form) + " has several files; -o FOLDER/ takes them");
     std::vector<std::pair<std::string, std::string>> texts;
     for (const WrittenFile& file : files) texts.emplace_back(file.name, file.text);
     writeFolder(name, texts);

@@ -79,7 +79,8 @@ Matrices chooseMatrices(const MatrixOptions& o, const MatrixSource& source) {
   }
   // A baked viewport is in the projection already.
   for (const CameraMatrix& row : cameraMatrices())
-    if (!o.which && row.ofCalibration.empty() && lacking(row, source).empty() && !(source.bakeViewport && row.viewport)) chosen.push_back(&row);
+    if (!o.which && row.ofCalibration.empty() && lacking(row, source).empty() && !(source.bakeViewport && row.viewport))
+      chosen.push_back(&row);
   for (const Change& change : changesOf(o)) {
     if (!change.isGiven || any(chosen, change.part)) continue;
     const std::string option = change.option;
@@ -263,10 +264,11 @@ Action declareMatrix(CLI::App& app) {
   CLI::Option* const model = addModel(app, o->model, "Place of a model in the world");
   app.add_flag("--float", o->asFloat, "Round to float32 (default: doubles)");
   const auto forms = matrixForms();
-  addForm(app, o->format, std::span<const FormRow<std::string_view>>(forms), "Output format")->check([](const std::string& name) {
-    if (name == "camera") throw UsageError("--to camera: viewproj convert --to camera writes a camera file");
-    return std::string();
-  });
+  addForm(app, o->format, std::span<const FormRow<std::string_view>>(forms), "Output format")
+      ->check([](const std::string& name) {
+        if (name == "camera") throw UsageError("--to camera: viewproj convert --to camera writes a camera file");
+        return std::string();
+      });
   app.add_flag("--all", o->all, "Write one JSON object per camera of the file");
   o->world.add(app);
   model->excludes(relative)->excludes(app.get_option("--map"))->excludes(app.get_option("--scale"));

@@ -98,7 +98,8 @@ std::vector<WrittenFile> writeColmap(std::span<const WrittenCamera> cameras, std
     const std::string& name = camera.label();
     if (name.find_first_of(" \t\r\n") != std::string::npos)
       throw InputError(camera.file.name + ": COLMAP ends a name at its first blank, and this one is " + inQuotes(name));
-    if (!names.insert(name).second) throw InputError(camera.file.name + ": another camera has the name " + inQuotes(name));
+    if (!names.insert(name).second)
+      throw InputError(camera.file.name + ": another camera has the name " + inQuotes(name));
     const auto [id, isNew] = ids.emplace(colmap::lineOf(camera), std::to_string(ids.size() + 1));
     if (isNew) lenses += id->second + " " + id->first + "\n";
     const PlainRigid pose = cameraFromWorld(camera.pose, CameraAxes::RDF);

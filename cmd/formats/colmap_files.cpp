@@ -95,7 +95,8 @@ Json readImages(const std::string& name, const Json& cameras, const TakePixel& t
       if (!take) return "";
       const std::vector<Json> w = fieldsOf(line, line.size());
       if (w.size() % 3 != 0 || !areNumbers(w)) return "expected the image's points, X Y POINT3D_ID each";
-      for (std::size_t i = 0; i < w.size(); i += 3) take(images.size() - 1, {w[i], w[i + 1]}, w[i + 2].get<std::int64_t>());
+      for (std::size_t i = 0; i < w.size(); i += 3)
+        take(images.size() - 1, {w[i], w[i + 1]}, w[i + 2].get<std::int64_t>());
       return "";
     }
     const std::vector<Json> w = fieldsOf(line, 9);

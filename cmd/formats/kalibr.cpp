@@ -129,12 +129,16 @@ std::vector<WrittenFile> writeKalibr(std::span<const WrittenCamera> cameras, std
     const Intrinsics k = camera.intrinsics(0);
     std::vector<double> c = camera.file.lens ? coefficientsOf(*camera.file.lens) : std::vector<double>{}, own;
     const LensModel model = camera.file.lens ? camera.file.lens->model() : LensModel::brown;
-    const bool isOmni = model == LensModel::omni, isWhole = c.size() > 1 && model != LensModel::fisheye && model != LensModel::brown;
+    const bool isOmni = model == LensModel::omni,
+               isWhole = c.size() > 1 && model != LensModel::fisheye && model != LensModel::brown;
     if (isWhole) own.assign(c.begin(), isOmni ? c.begin() + 1 : c.end());
     c.erase(c.begin(), c.begin() + std::ssize(own));
     if (model == LensModel::brown) c.resize(std::min<std::size_t>(c.size(), 4));
     text += "cam" + std::to_string(i) + ":\n  camera_model: " +
-            (isOmni ? "omni" : model == LensModel::unified ? "eucm" : model == LensModel::doubleSphere ? "ds" : "pinhole");
+            (isOmni                             ? "omni"
+             : model == LensModel::unified      ? "eucm"
+             : model == LensModel::doubleSphere ? "ds"
+                                                : "pinhole");
     own.insert(own.end(), {k.fx, k.fy, k.cx, k.cy});
     text += "\n  intrinsics: " + yamlList(own) + "\n  distortion_model: " +
             (c.empty()                     ? "none"

@@ -1,4 +1,5 @@
-// Sources: COLMAP documentation, "Output Format"; OpenCV's calibration sample, which writes image_points and grid_points.
+// Sources: COLMAP documentation, "Output Format"; OpenCV's calibration sample, which writes image_points and
+// grid_points.
 #include "formats/observations.hpp"
 
 #include <nlohmann/json.hpp>
@@ -45,7 +46,8 @@ std::string eachObservation(const std::string& source, const std::function<void(
   const auto pixels = find({"image_points", "imgpoints", "img_points"});
   const auto views = find({"extrinsic_parameters", "rvecs", "rVector", "rotation_vecs"});
   if (!pixels || !views)
-    throw InputError(file.name + ": holds no observations; those of COLMAP's models and of OpenCV's image_points are read");
+    throw InputError(file.name +
+                     ": holds no observations; those of COLMAP's models and of OpenCV's image_points are read");
   const auto grid = find({"grid_points", "objpoints", "obj_points"});
   const auto width = root.find("board_width"), height = root.find("board_height"), square = root.find("square_size");
   std::string note;
@@ -63,8 +65,8 @@ std::string eachObservation(const std::string& source, const std::function<void(
   const std::size_t count = views->size();
   const std::size_t each = count == 0 ? 0 : numbers.size() / 2 / count;
   if (each == 0 || each * count * 2 != numbers.size() || (points.size() != each && points.size() != each * count))
-    pixels->fail("expected a pixel of each of " + std::to_string(points.size()) + " points in " + std::to_string(count) +
-                 " views, got " + std::to_string(numbers.size()) + " numbers");
+    pixels->fail("expected a pixel of each of " + std::to_string(points.size()) + " points in " +
+                 std::to_string(count) + " views, got " + std::to_string(numbers.size()) + " numbers");
   for (std::size_t i = 0; i < each * count; ++i)
     take({i / each, points[points.size() == each ? i % each : i], {numbers[2 * i], numbers[2 * i + 1]}});
   return note;

@@ -184,8 +184,9 @@ PosesOfFile posesOf(const Node& root) {
   return file;
 }
 
-extern const Format kPoses{"poses", "poses without a lens", "", poses::open, "*",
-                           [](const Node& root) { return holdsPoses(root) && !kTable.recognises(root); }};
+extern const Format kPoses{"poses", "poses without a lens",
+                           "",      poses::open,
+                           "*",     [](const Node& root) { return holdsPoses(root) && !kTable.recognises(root); }};
 
 std::vector<WrittenFile> writeTum(std::span<const WrittenCamera> cameras, std::string_view) {
   const bool areTimes = std::all_of(cameras.begin(), cameras.end(), [](const WrittenCamera& camera) {

@@ -173,18 +173,21 @@ std::vector<WrittenFile> writeThreeJs(std::span<const WrittenCamera> cameras, st
       out.add("aspect", p.aspect()).addText("focus", "10").addText("filmGauge", "35").addText("filmOffset", "0");
       if (!isCentred) {
         const Viewport picture = camera.file.viewport.value_or(Viewport{p.aspect(), 1});
+        const Intrinsics k = cameraIn({}, {}, p, Viewport{picture.width, picture.height}).intrinsics();
         JsonObject view;
         view.add("enabled", true).add("fullWidth", picture.width).add("fullHeight", picture.height);
-        view.add("offsetX", picture.width * (p.left() + p.right()) / (p.right() - p.left()) / 2);
-        view.add("offsetY", -picture.height * (p.top() + p.bottom()) / (p.top() - p.bottom()) / 2);
+        view.add("offsetX", picture.width / 2 - k.cx).add("offsetY", picture.height / 2 - k.cy);
         out.addText("view", view.add("width", picture.width).add("height", picture.height).text());
       }
     }
     objects.push_back(out.text());
   }
   std::string object = objects.front();
-  if (objects.size() > 1) object = begin(0, "Group").addText("layers", "1").addText("children", jsonList(objects, ",\n    ")).text();
-  return {{"", R"({"metadata": {"version": 4.6, "type": "Object", "generator": "viewproj"},)" "\n  \"object\": " + object + "}\n"}};
+  if (objects.size() > 1)
+    object = begin(0, "Group").addText("layers", "1").addText("children", jsonList(objects, ",\n    ")).text();
+  return {{"", R"({"metadata": {"version": 4.6, "type": "Object", "generator": "viewproj"},)"
+               "\n  \"object\": " +
+                   object + "}\n"}};
 }
 
 }  // namespace viewproj::cmd

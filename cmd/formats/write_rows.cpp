@@ -12,7 +12,9 @@ namespace {
 
 std::array<double, 9> matrixOf(const Intrinsics& k) { return {k.fx, 0, k.cx, 0, k.fy, k.cy, 0, 0, 1}; }
 
-bool isFisheye(const WrittenCamera& camera) { return camera.file.lens && camera.file.lens->model() == LensModel::fisheye; }
+bool isFisheye(const WrittenCamera& camera) {
+  return camera.file.lens && camera.file.lens->model() == LensModel::fisheye;
+}
 
 /// Centres of pixels at whole numbers, as OpenCV, ROS and Open3D count.
 Intrinsics atCentres(const WrittenCamera& camera) { return camera.intrinsics(0); }
@@ -45,8 +47,8 @@ std::string storage(const std::vector<Stored>& entries, std::string_view ending)
                  R"({"type_id": "opencv-matrix", "rows": )" + height + ", \"cols\": " + width +
                      R"(, "dt": "d", "data": )" + yamlList(numbers) + "}",
                  ",\n  ");
-    yaml += name + ": !!opencv-matrix\n   rows: " + height + "\n   cols: " + width + "\n   dt: d\n   data: " +
-            yamlList(numbers) + "\n";
+    yaml += name + ": !!opencv-matrix\n   rows: " + height + "\n   cols: " + width +
+            "\n   dt: d\n   data: " + yamlList(numbers) + "\n";
     xml += "<" + name + " type_id=\"opencv-matrix\">\n  <rows>" + height + "</rows>\n  <cols>" + width +
            "</cols>\n  <dt>d</dt>\n  <data>" + words + "</data></" + name + ">\n";
   }
@@ -92,7 +94,10 @@ std::vector<WrittenFile> writeRos(std::span<const WrittenCamera> cameras, std::s
   };
   add("camera_matrix", 3, k);
   text += std::string("distortion_model: ") +
-          (isFisheye(camera) ? "equidistant" : c.size() > 5 ? "rational_polynomial" : "plumb_bob") + "\n";
+          (isFisheye(camera) ? "equidistant"
+           : c.size() > 5    ? "rational_polynomial"
+                             : "plumb_bob") +
+          "\n";
   add("distortion_coefficients", 1, c);
   add("rectification_matrix", 3, std::array<double, 9>{1, 0, 0, 0, 1, 0, 0, 0, 1});
   add("projection_matrix", 3, std::array<double, 12>{k[0], 0, k[2], 0, 0, k[4], k[5], 0, 0, 0, 1, 0});

@@ -15,30 +15,28 @@ namespace {
 
 constexpr std::uint32_t kPicture = kPixels | kSizePlace | kShapePlace,
                         kOpenCvLens = kBrownPlace | kK3Place | kRationalPlace | kFisheyePlace,
-                        kNamedPoses = kPosePlace | kNamePlace | kSeveralPlace;
+                        kStatedPoses = kPosePlace | kNeedsPose | kSeveralPlace, kNamedPoses = kStatedPoses | kNamePlace;
 
 constexpr Writer kWriters[] = {
-    {"opencv", ".yml .xml", "K, distortion, R and T; -o FILE.json is JSON",
-     kPicture | kOffCentrePlace | kOpenCvLens | kOmniPlace | kPosePlace, writeOpenCv},
-    {"ros", "", "a camera_info", kPicture | kOffCentrePlace | kOpenCvLens | kNamePlace | kNeedsWholeSize, writeRos},
-    {"kalibr", "", "a camchain",
+    {"opencv", ".yml .xml", kPicture | kOffCentrePlace | kOpenCvLens | kOmniPlace | kPosePlace, writeOpenCv},
+    {"ros", "", kPicture | kOffCentrePlace | kOpenCvLens | kNamePlace | kNeedsWholeSize, writeRos},
+    {"kalibr", "",
      kPicture | kOffCentrePlace | kPosePlace | kSeveralPlace | kNeedsWholeSize | kBrownPlace | kFisheyePlace |
          kUnifiedPlace | kDoubleSpherePlace | kOmniPlace | kFovPlace,
      writeKalibr},
-    {"colmap", "/", "a model as text; -o FOLDER/",
+    {"colmap", "/",
      kPicture | kOffCentrePlace | kOpenCvLens | kUnifiedPlace | kFovPlace | kNamedPoses | kNeedsWholeSize, writeColmap},
-    {"transforms", "transforms.json", "of NeRFs",
-     kPicture | kOffCentrePlace | kBrownPlace | kK3Place | kFisheyePlace | kNamedPoses, writeTransforms},
-    {"3dgs", "", "of Gaussian splatting", kPicture | kNamedPoses | kNeedsWholeSize, writeSplats},
-    {"gltf", ".gltf", "nodes with cameras", kNearPlace | kNeedsNear | kOrthographicPlace | kNamedPoses, writeGltf},
-    {"threejs", "", "a camera, or a Group",
+    {"transforms", "transforms.json", kPicture | kOffCentrePlace | kBrownPlace | kK3Place | kFisheyePlace | kNamedPoses,
+     writeTransforms},
+    {"3dgs", "", kPicture | kNamedPoses | kNeedsWholeSize, writeSplats},
+    {"gltf", ".gltf", kNearPlace | kNeedsNear | kOrthographicPlace | kNamedPoses, writeGltf},
+    {"threejs", "",
      kShapePlace | kOffCentrePlace | kNearPlace | kNeedsNear | kNeedsFar | kOrthographicPlace | kNamedPoses,
      writeThreeJs},
-    {"open3d", "", "a PinholeCameraTrajectory",
-     kPicture | kOffCentrePlace | kPosePlace | kSeveralPlace | kNeedsWholeSize, writeOpen3d},
-    {"kitti", "", "P0 to P3", kPixels | kShapePlace | kOffCentrePlace | kPosePlace | kSeveralPlace, writeKitti},
-    {"tum", "", "poses alone", kPosesAlone | kNamedPoses, writeTum},
-    {"csv", ".csv", "a table of cameras",
+    {"open3d", "", kPicture | kOffCentrePlace | kStatedPoses | kNeedsWholeSize, writeOpen3d},
+    {"kitti", "", kPixels | kShapePlace | kOffCentrePlace | kStatedPoses, writeKitti},
+    {"tum", "", kPosesAlone | kNamedPoses, writeTum},
+    {"csv", ".csv",
      kPicture | kOffCentrePlace | kNearPlace | kOpenCvLens | kUnifiedPlace | kDoubleSpherePlace | kOmniPlace |
          kFovPlace | kNamedPoses,
      writeTable},
@@ -72,10 +70,10 @@ class Places {
   Places(const WrittenCamera& camera, const Writer& writer) : camera_(camera), file_(camera.file), writer_(writer) {}
 
   void require() const {
+    requireParts();
     if (lacks(kPosesAlone)) requirePicture();
     if (lacks(kPosePlace) && !camera_.isAtOrigin())
       fail("a pose; --position 0,0,0 --rotation 0,0,0,1 --set cameraAxes=RDF leaves it out");
-    if (!lacks(kPosesAlone) && !file_.pose) fail("a camera without a pose");
   }
 
  private:
@@ -85,7 +83,6 @@ class Places {
   }
 
   void requirePicture() const {
-    requireParts();
     const Projection& p = *file_.projection;
     if (p.isOrthographic() && lacks(kOrthographicPlace)) fail("an orthographic projection");
     if (file_.lens) requireLens(*file_.lens);
@@ -101,7 +98,8 @@ class Places {
   void requireViewport(const Viewport& v) const {
     const double shape = file_.projection->aspect() * v.height / v.width;
     if (!(std::fabs(shape - 1) <= kRounding) && lacks(kShapePlace)) fail("pixels that are not square");
-    if ((v.x != 0 || v.y != 0) && !lacks(kPixels)) fail("the viewport's x and y; --set viewport.x=0 leaves x out");
+    if ((v.x != 0 || v.y != 0) && !lacks(kPixels))
+      fail("the viewport's x and y; --set viewport.x=0 --set viewport.y=0 leaves them out");
     if ((writer_.places & kNeedsWholeSize) != 0 && !(isWhole(v.width) && isWhole(v.height)))
       fail("a picture of " + formatNumber(v.width) + "x" + formatNumber(v.height) + " pixels, a part of one");
   }
@@ -124,8 +122,9 @@ class Places {
   /// Names a part that is missing.
   void requireParts() const {
     CameraFile whole = file_;
-    if (!whole.pose) whole.pose = lookAlong({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, file_.convention.world);
-    if (!whole.viewport && lacks(kPixels)) whole.viewport = Viewport{1, 1};
+    if (lacks(kNeedsPose) && !whole.pose) whole.pose = lookAlong({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, Handedness::right);
+    if (lacks(kPixels) && !whole.viewport) whole.viewport = Viewport{1, 1};
+    if (!lacks(kPosesAlone)) whole.projection = orthographic(-1, 1, -1, 1, 0, 1), whole.lens = std::nullopt;
     (void)makeCamera(whole);
   }
 

@@ -24,8 +24,9 @@ struct WrittenCamera {
 
   CameraFile file;
   std::string name, number;
-  PlainPose pose{{0, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 0, 1}};  ///< without one, axes right, down, forward at the origin
-  std::optional<Projection> calibration;  ///< with the focal lengths of the lens's own formula
+  PlainPose pose{
+      {0, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 0, 1}};  ///< without one, axes right, down, forward at the origin
+  std::optional<Projection> calibration;             ///< with the focal lengths of the lens's own formula
 
   const std::string& label() const { return name.empty() ? number : name; }
   /// From the picture's top left corner, y down; whole numbers are centres of pixels if pixelCenter is 0. The camera
@@ -48,10 +49,10 @@ std::vector<double> coefficientsOf(const Lens& lens);
 /// What a form has a place for, or needs.
 enum Place : std::uint32_t {
   kPosePlace = 1,
-  kPixels = 2,          ///< it counts in pixels, and needs a viewport
-  kSizePlace = 4,       ///< of the picture
-  kShapePlace = 8,      ///< pixels that are not square
-  kOffCentrePlace = 16, ///< a viewing axis off the picture's middle
+  kPixels = 2,           ///< it counts in pixels, and needs a viewport
+  kSizePlace = 4,        ///< of the picture
+  kShapePlace = 8,       ///< pixels that are not square
+  kOffCentrePlace = 16,  ///< a viewing axis off the picture's middle
   kNearPlace = 32,
   kOrthographicPlace = 64,
   kNamePlace = 128,
@@ -60,6 +61,7 @@ enum Place : std::uint32_t {
   kNeedsWholeSize = 1024,
   kNeedsNear = 2048,
   kNeedsFar = 4096,
+  kNeedsPose = 8192,  ///< it states one for each camera
   kBrownPlace = 1 << 16,
   kK3Place = 1 << 17,        ///< of a brown lens
   kRationalPlace = 1 << 18,  ///< k4, k5, k6
@@ -79,7 +81,6 @@ struct WrittenFile {
 struct Writer {
   std::string_view name;
   std::string_view endings;  ///< names of files that are surely of this form, see FormRow; "/" is a folder
-  std::string_view help;
   std::uint32_t places;
   /// ending: of the file that is written.
   std::vector<WrittenFile> (*write)(std::span<const WrittenCamera> cameras, std::string_view ending);
@@ -93,8 +94,8 @@ std::string requirePlaces(std::span<const WrittenCamera> cameras, const Writer& 
 // ---- The forms, each beside its reader
 
 using Write = std::vector<WrittenFile>(std::span<const WrittenCamera>, std::string_view);
-Write writeOpenCv, writeRos, writeKalibr, writeColmap, writeTransforms, writeSplats, writeOpen3d, writeGltf, writeThreeJs,
-    writeKitti, writeTum, writeTable;
+Write writeOpenCv, writeRos, writeKalibr, writeColmap, writeTransforms, writeSplats, writeOpen3d, writeGltf,
+    writeThreeJs, writeKitti, writeTum, writeTable;
 
 /// A YAML number that no reader takes for an integer or a text.
 std::string yamlNumber(double value);

@@ -136,11 +136,11 @@ struct Language {
   std::string_view equals = {};        ///< after its name
   /// What % stands for there, of 4x4, 3x3 and 3x4 matrices and of four numbers; empty: there are none.
   std::array<std::string_view, 4> types = {};
-  Around row = {"  "};                 ///< of a matrix
-  std::string_view between = ",\n";    ///< rows
-  std::string_view suffixFloat = {};   ///< after a number
-  bool onlyFloat = false;              ///< its matrices are float32
-  bool floatRange = false;             ///< its numbers end where float32 does: browsers hold larger ones down to that
+  Around row = {"  "};                ///< of a matrix
+  std::string_view between = ",\n";   ///< rows
+  std::string_view suffixFloat = {};  ///< after a number
+  bool onlyFloat = false;             ///< its matrices are float32
+  bool floatRange = false;            ///< its numbers end where float32 does: browsers hold larger ones down to that
 };
 
 constexpr Language kLanguages[] = {
@@ -224,7 +224,8 @@ std::string withType(std::string_view text, const Language& language, const Name
   if (at == std::string_view::npos) return std::string(text);
   const std::string_view type = language.types[isEdges(named) ? 3 : named.rows == 4 ? 0 : named.columns == 3 ? 1 : 2];
   if (type.empty())
-    throw InputError("--to " + std::string(language.name) + ": has no place for " + named.name + ", which is no 4x4 matrix");
+    throw InputError("--to " + std::string(language.name) + ": has no place for " + named.name +
+                     ", which is no 4x4 matrix");
   return std::string(text.substr(0, at)) + std::string(type) + std::string(text.substr(at + 1));
 }
 
@@ -261,10 +262,10 @@ std::string conventionComment(const MatrixSet& set, const Language& language) {
 /// What a matrix of no convention is.
 std::string calibrationComment(const NamedMatrix& named, const Language& language) {
   if (named.comment.empty()) return "";
-  const char* const lines = isEdges(named)                      ? ""
-                            : language.lines == Lines::columns  ? "; each line is a column"
-                            : language.lines == Lines::memory   ? "; in memory row after row"
-                                                                : "; each line is a row";
+  const char* const lines = isEdges(named)                     ? ""
+                            : language.lines == Lines::columns ? "; each line is a column"
+                            : language.lines == Lines::memory  ? "; in memory row after row"
+                                                               : "; each line is a row";
   return std::string(language.comment.open) + std::string(named.comment) + lines + "." +
          std::string(language.comment.close) + "\n";
 }
@@ -358,7 +359,8 @@ void makeIdentifiers(std::vector<NamedMatrix>& matrices) {
   }
 }
 
-/// The edges of the window, left, right, up, down; or K, [R | t] or K [R | t], of the pixels as the viewport counts them.
+/// The edges of the window, left, right, up, down; or K, [R | t] or K [R | t], of the pixels as the viewport counts
+/// them.
 NamedMatrix calibrationMatrix(const CameraMatrix& row, const MatrixSource& s) {
   const CameraFile& f = s.file;
   if (row.projection && f.projection->isOrthographic())

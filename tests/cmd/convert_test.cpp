@@ -33,8 +33,8 @@ bool has(const Writer& writer, std::uint32_t place) { return (writer.places & pl
 /// A lens that the form has a place for; null: none.
 Json randomLens(Random& random, const Writer& writer) {
   const auto n = [&](double size) { return random.uniform(-size, size); };
-  constexpr std::uint32_t kLenses[] = {kBrownPlace, kRationalPlace, kFisheyePlace, kUnifiedPlace, kDoubleSpherePlace,
-                                       kOmniPlace,  kFovPlace};
+  constexpr std::uint32_t kLenses[] = {kBrownPlace,        kRationalPlace, kFisheyePlace, kUnifiedPlace,
+                                       kDoubleSpherePlace, kOmniPlace,     kFovPlace};
   const std::uint32_t lens = random.oneOf(kLenses);
   if (random.oneIn(4) || !has(writer, lens)) return nullptr;
   switch (lens) {
@@ -44,7 +44,8 @@ Json randomLens(Random& random, const Writer& writer) {
       return brown;
     }
     case kRationalPlace:
-      return {{"model", "brown"}, {"k", {n(0.2), n(0.1), n(0.05), n(0.2), n(0.1), n(0.05)}}, {"p", {n(0.002), n(0.002)}}};
+      return {
+          {"model", "brown"}, {"k", {n(0.2), n(0.1), n(0.05), n(0.2), n(0.1), n(0.05)}}, {"p", {n(0.002), n(0.002)}}};
     case kFisheyePlace:
       return {{"model", "fisheye"}, {"k", {n(0.05), n(0.02), n(0.01), n(0.001)}}};
     case kUnifiedPlace:
@@ -71,11 +72,14 @@ Json randomPose(Random& random) {
 /// A camera that the form can say all of.
 Json randomCamera(Random& random, const Writer& writer, std::size_t number) {
   const double w = 64 + static_cast<double>(random.below(4000)), h = 64 + static_cast<double>(random.below(3000));
-  Json camera{{"convention", random.coin() ? "opengl" : random.coin() ? "opencv" : "vulkan"},
+  Json camera{{"convention", random.coin()   ? "opengl"
+                             : random.coin() ? "opencv"
+                                             : "vulkan"},
               {"viewport", {{"width", w}, {"height", h}}}};
   if (random.coin()) camera["viewport"]["pixelCenter"] = random.coin() ? 0 : 0.5;
   Json& projection = camera["projection"];
-  const bool isOffCentre = has(writer, kOffCentrePlace), isOrthographic = has(writer, kOrthographicPlace) && random.oneIn(4);
+  const bool isOffCentre = has(writer, kOffCentrePlace),
+             isOrthographic = has(writer, kOrthographicPlace) && random.oneIn(4);
   if (isOrthographic) {
     projection = {{"type", "orthographic"}, {"height", random.uniform(0.5, 20)}};
     if (isOffCentre && random.coin()) projection["shift"] = {random.uniform(-1, 1), random.uniform(-1, 1)};
@@ -105,10 +109,13 @@ Json randomCamera(Random& random, const Writer& writer, std::size_t number) {
 }
 
 /// The written files, where openCameras finds them.
-std::string write(const Folder& folder, const Writer& writer, std::span<const WrittenCamera> cameras, std::string_view ending) {
+std::string write(const Folder& folder, const Writer& writer, std::span<const WrittenCamera> cameras,
+                  std::string_view ending) {
   for (const WrittenFile& file : writer.write(cameras, ending))
-    std::ofstream(folder.path / (file.name.empty() ? "camera" + std::string(ending) : file.name), std::ios::binary) << file.text;
-  return has(writer, 0) || writer.name == "colmap" ? folder.path.string() : (folder.path / ("camera" + std::string(ending))).string();
+    std::ofstream(folder.path / (file.name.empty() ? "camera" + std::string(ending) : file.name), std::ios::binary)
+        << file.text;
+  return has(writer, 0) || writer.name == "colmap" ? folder.path.string()
+                                                   : (folder.path / ("camera" + std::string(ending))).string();
 }
 
 /// What a file does not say is typed beside it.
@@ -129,7 +136,9 @@ TEST_CASE("what is written reads back to the same pixels") {
       CAPTURE(writer.name, trial);
       Random random(trial);
       const Folder folder;
-      const std::size_t count = writer.name == "kitti" ? 1 + random.below(4) : has(writer, kSeveralPlace) ? 1 + random.below(3) : 1;
+      const std::size_t count = writer.name == "kitti"       ? 1 + random.below(4)
+                                : has(writer, kSeveralPlace) ? 1 + random.below(3)
+                                                             : 1;
       std::vector<WrittenCamera> cameras;
       const Json first = randomCamera(random, writer, 0);
       for (std::size_t i = 0; i < count; ++i) {
@@ -151,7 +160,8 @@ TEST_CASE("what is written reads back to the same pixels") {
         opening.poses = file;
         opening.direction = "worldFromCamera";
       }
-      const auto set = has(writer, kPosesAlone) ? openPoses(opening, {}) : openCameras(file, opening, patchesOf(writer, cameras.front()));
+      const auto set = has(writer, kPosesAlone) ? openPoses(opening, {})
+                                                : openCameras(file, opening, patchesOf(writer, cameras.front()));
       REQUIRE(set->size() == (writer.name == "ros" ? 2 : count));
       for (std::size_t i = 0; i < count; ++i) {
         const CameraFile back = readCamera(set->document(i), {.allowStretch = true});
@@ -178,7 +188,8 @@ TEST_CASE("what is written reads back to the same pixels") {
           if (has(writer, kNearPlace))
             CHECK((std::fabs(a.depth - b.depth) <= kMostDepth || (std::isnan(a.depth) && std::isnan(b.depth))));
           ++points[std::string(writer.name)];
-          if (given.lens) ++lenses[std::string(writer.name) + " " + std::to_string(static_cast<int>(given.lens->model()))];
+          if (given.lens)
+            ++lenses[std::string(writer.name) + " " + std::to_string(static_cast<int>(given.lens->model()))];
         }
       }
     }
