@@ -18,6 +18,7 @@ case $part in
 esac
 if [ $tests = ON ]; then
   packages="$packages catch2 libmpfr-dev libglm-dev libeigen3-dev glslang-tools"
+  packages="$packages colmap python3-camera-calibration-parsers python3-open3d python3-yaml"
   packages="$packages python3 python3-numpy python3-opencv libegl-dev libgl-dev libopengl-dev libgl1-mesa-dri"
   # node and npm may come from elsewhere.
   command -v node >/dev/null || packages="$packages nodejs"
@@ -52,7 +53,7 @@ if [ "$tests" = ON ] && ! cmp -s tests/package-lock.json tests/node_modules/pack
   if (cd tests && npm ci --no-audit --no-fund --loglevel=error >/dev/null); then
     cp tests/package-lock.json tests/node_modules/
   else
-    echo 'npm: three.js and ajv are not installed in tests/node_modules' >&2
+    echo 'npm: three.js, ajv and gltf-validator are not installed in tests/node_modules' >&2
   fi
 fi
 

@@ -25,40 +25,14 @@ Vec3 scaled(const Vec3& v, double factor) { return {factor * v.x + 0.0, factor *
 double lengthOf(const Vec3& v) { return std::hypot(v.x, v.y, v.z); }
 double dotOf(const Vec3& a, const Vec3& b) { return dot(toDoubleDouble(a), toDoubleDouble(b)).hi; }
 
-// ---- Rotations. Columns are the camera's x, y, z axes in the world.
-
-using PlainColumns = std::array<Vec3, 3>;
-
 /// The axis of a letter of RUB, FRD ...
 Vec3 axisOf(char letter, const PlainPose& p) {
   const Vec3& axis = letter == 'R' || letter == 'L' ? p.right : letter == 'U' || letter == 'D' ? p.up : p.forward;
   return letter == 'L' || letter == 'D' || letter == 'B' ? scaled(axis, -1) : axis;
 }
 
-PlainColumns plainColumns(const PlainPose& pose, CameraAxes axes) {
-  const std::string_view name = nameOf(kCameraAxesNames, axes);
-  return {axisOf(name[0], pose), axisOf(name[1], pose), axisOf(name[2], pose)};
-}
-
-/// The quaternion x, y, z, w, with w >= 0.
-std::array<double, 4> quaternionOf(const PlainColumns& c) {
-  const std::array<double, 4> squares = {1 + c[0].x - c[1].y - c[2].z, 1 - c[0].x + c[1].y - c[2].z,
-                                         1 - c[0].x - c[1].y + c[2].z, 1 + c[0].x + c[1].y + c[2].z};
-  const double xy = c[1].x + c[0].y, xz = c[2].x + c[0].z, yz = c[2].y + c[1].z;
-  const double xw = c[1].z - c[2].y, yw = c[2].x - c[0].z, zw = c[0].y - c[1].x;
-  // Products with the largest component, times four. Dividing by it gives the quaternion.
-  const std::array<std::array<double, 4>, 4> products = {
-      {{squares[0], xy, xz, xw}, {xy, squares[1], yz, yw}, {xz, yz, squares[2], zw}, {xw, yw, zw, squares[3]}}};
-  const auto largest = std::max_element(squares.begin(), squares.end());
-  std::array<double, 4> q = products[static_cast<std::size_t>(largest - squares.begin())];
-  for (double& part : q) part = part / (2 * std::sqrt(*largest)) + 0.0;
-  return q;
-}
-
 Vec3 rotationVectorOf(const PlainColumns& c) {
-  std::array<double, 4> q = quaternionOf(c);
-  if (q[3] < 0)
-    for (double& part : q) part = -part;
+  const std::array<double, 4> q = quaternionOf(c);
   const double sine = std::hypot(q[0], q[1], q[2]);
   return scaled({q[0], q[1], q[2]}, sine > 0 ? 2 * std::atan2(sine, q[3]) / sine : 2);
 }
@@ -104,20 +78,16 @@ Json placeOf(const Vec3& point) {
 
 /// worldFromCamera or, if isInverse, cameraFromWorld, in the form of the old value.
 Json rigidOf(const PlainPose& pose, CameraAxes axes, bool isInverse, const Json& old) {
-  PlainColumns c = plainColumns(pose, axes);
-  Vec3 translation = pose.eye;
-  if (isInverse) {
-    translation = {-dotOf(c[0], pose.eye) + 0.0, -dotOf(c[1], pose.eye) + 0.0, -dotOf(c[2], pose.eye) + 0.0};
-    c = {Vec3{c[0].x, c[1].x, c[2].x}, Vec3{c[0].y, c[1].y, c[2].y}, Vec3{c[0].z, c[1].z, c[2].z}};
-  }
+  const PlainRigid plain = isInverse ? cameraFromWorld(pose, axes) : worldFromCamera(pose, axes);
+  const PlainColumns& c = plain.columns;
   const auto row = [&](std::size_t i) { return Json{c[0][i], c[1][i], c[2][i]}; };
   if (!old.is_object()) {
     Json rows{row(0), row(1), row(2)};
-    for (std::size_t i = 0; i < 3; ++i) rows[i].push_back(translation[i]);
+    for (std::size_t i = 0; i < 3; ++i) rows[i].push_back(plain.translation[i]);
     if (old.size() != 3) rows.push_back({0, 0, 0, 1});
     return rows;
   }
-  Json rigid{{"translation", listOf(translation)}};
+  Json rigid{{"translation", listOf(plain.translation)}};
   if (old.contains("rotationVector"))
     rigid["rotationVector"] = listOf(rotationVectorOf(c));
   else if (old.contains("rotation") && old["rotation"].size() == 4)
@@ -249,6 +219,32 @@ struct WindowWriter {
 
 PlainPose plainPose(const Pose& pose) { return {pose.eye(), pose.right(), pose.up(), pose.forward()}; }
 
+PlainRigid worldFromCamera(const PlainPose& pose, CameraAxes axes) {
+  const std::string_view name = nameOf(kCameraAxesNames, axes);
+  return {{axisOf(name[0], pose), axisOf(name[1], pose), axisOf(name[2], pose)}, pose.eye};
+}
+
+PlainRigid cameraFromWorld(const PlainPose& pose, CameraAxes axes) {
+  const PlainColumns c = worldFromCamera(pose, axes).columns;
+  return {{Vec3{c[0].x, c[1].x, c[2].x}, Vec3{c[0].y, c[1].y, c[2].y}, Vec3{c[0].z, c[1].z, c[2].z}},
+          {-dotOf(c[0], pose.eye) + 0.0, -dotOf(c[1], pose.eye) + 0.0, -dotOf(c[2], pose.eye) + 0.0}};
+}
+
+std::array<double, 4> quaternionOf(const PlainColumns& c) {
+  const std::array<double, 4> squares = {1 + c[0].x - c[1].y - c[2].z, 1 - c[0].x + c[1].y - c[2].z,
+                                         1 - c[0].x - c[1].y + c[2].z, 1 + c[0].x + c[1].y + c[2].z};
+  const double xy = c[1].x + c[0].y, xz = c[2].x + c[0].z, yz = c[2].y + c[1].z;
+  const double xw = c[1].z - c[2].y, yw = c[2].x - c[0].z, zw = c[0].y - c[1].x;
+  // Products with the largest component, times four. Dividing by it gives the quaternion.
+  const std::array<std::array<double, 4>, 4> products = {
+      {{squares[0], xy, xz, xw}, {xy, squares[1], yz, yw}, {xz, yz, squares[2], zw}, {xw, yw, zw, squares[3]}}};
+  const auto largest = std::max_element(squares.begin(), squares.end());
+  std::array<double, 4> q = products[static_cast<std::size_t>(largest - squares.begin())];
+  const double divisor = std::copysign(2 * std::sqrt(*largest), q[3]);
+  for (double& part : q) part = part / divisor + 0.0;
+  return q;
+}
+
 Document copied(const Document& document) {
   Document copy = document;
   copy.root = std::make_shared<Json>(*document.root);
@@ -275,7 +271,7 @@ HeadingPitchRoll headingPitchRollOf(const PlainPose& pose, bool worldIsEcef) {
 }
 
 Vec3 eulerDegreesOf(const PlainPose& pose, const EulerOrder& order, CameraAxes axes) {
-  const Vec3 turns = turnsOf(plainColumns(pose, axes), order.axis);
+  const Vec3 turns = turnsOf(worldFromCamera(pose, axes).columns, order.axis);
   Vec3 degrees;
   for (std::size_t i = 0; i < 3; ++i) degrees[order.listed[i]] = order.sign[i] * turns[i] + 0.0;
   return degrees;
@@ -289,7 +285,7 @@ void orient(Json& root, FieldId field, Json value) {
 
 void putRotation(Json& root, const PlainPose& pose, Handedness world) {
   const CameraAxes axes = world == Handedness::right ? CameraAxes::RUB : CameraAxes::RUF;
-  orient(root, "rotation", quaternionOf(plainColumns(pose, axes)));
+  orient(root, "rotation", quaternionOf(worldFromCamera(pose, axes).columns));
   root["cameraAxes"] = nameOf(kCameraAxesNames, axes);
 }
 
@@ -317,7 +313,7 @@ Document withPose(const CameraFile& camera, const PlainPose& pose) {
     }
   const auto* const target = values.find<Position>("target");
   if (values.has("rotation")) {
-    root["rotation"] = quaternionOf(plainColumns(pose, axes));
+    root["rotation"] = quaternionOf(worldFromCamera(pose, axes).columns);
   } else if (const auto* const euler = values.find<EulerTurns>("euler")) {
     const EulerOrder& order = euler->order->second;
     root["euler"]["degrees"] = listOf(eulerDegreesOf(pose, order, axes));

@@ -1,6 +1,8 @@
 // Plain numbers put into a document: the pose and the projection of a camera, in the forms that the document has.
 #pragma once
 
+#include <array>
+
 #include "camera/read_camera.hpp"
 
 namespace viewproj::cmd {
@@ -13,6 +15,17 @@ struct PlainPose {
   Vec3 eye, right, up, forward;
 };
 PlainPose plainPose(const Pose& pose);
+
+/// The columns of a rotation, and a translation: x -> c[0] x + c[1] y + c[2] z + translation.
+using PlainColumns = std::array<Vec3, 3>;
+struct PlainRigid {
+  PlainColumns columns;
+  Vec3 translation;
+};
+PlainRigid worldFromCamera(const PlainPose& pose, CameraAxes axes);
+PlainRigid cameraFromWorld(const PlainPose& pose, CameraAxes axes);
+/// The quaternion x, y, z, w of a rotation, with w >= 0.
+std::array<double, 4> quaternionOf(const PlainColumns& columns);
 
 /// In degrees, in a world of east, north and up or, if worldIsEcef, at the eye's place on the Earth: heading clockwise
 /// from north, pitch above the horizon, roll right side down. Straight up or down roll is 0. They compose to the axes.

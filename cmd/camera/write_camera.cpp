@@ -60,18 +60,19 @@ std::string objectAt(const Json& document, const std::string& path) {
 
 }  // namespace
 
-std::string writeCamera(const CameraFile& camera, const ConventionPreset& preset, const Convention& convention) {
+std::string writeCamera(const CameraFile& camera, const ConventionPreset& preset, const Convention& convention,
+                        std::string_view between) {
   const Document written = inConvention(camera, preset, convention);
   const Json& document = *written.root;
-  constexpr std::string_view kLine = ",\n  ";
   JsonObject out;
-  out.addText("convention", jsonOf(preset, convention), kLine);
+  out.addText("convention", jsonOf(preset, convention), between);
   for (const std::string_view name : namesUnder(""))
     if (const Json* const value = name == "convention" ? nullptr : valueAt(document, name)) {
       const Field* const field = findField(name);
-      out.addText(name, field ? textOf(*field, *value) : objectAt(document, std::string(name)), kLine);
+      out.addText(name, field ? textOf(*field, *value) : objectAt(document, std::string(name)), between);
     }
-  return "{\n  " + out.members() + "\n}\n";
+  const std::string line(between.substr(std::min(between.find('\n'), between.size())));
+  return "{" + line + out.members() + (line.empty() ? "}" : "\n}\n");
 }
 
 std::vector<std::string> setsBetween(const Document& from, const Document& to) {

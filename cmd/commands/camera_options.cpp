@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "camera/fields.hpp"
@@ -27,6 +28,25 @@ void assumeLens(std::vector<Patch>& patches, bool hasViewport) {
   if (!hasLens) return;
   patches.push_back(optionPatch(*findField(isOrthographic ? "projection.height" : "projection.fovY"), "60"));
   if (!hasViewport) patches.push_back(optionPatch(*findField("projection.aspect"), "1"));
+}
+
+/// "x,y,-z".
+AxisMap readMap(const std::string& option, const std::string& text) {
+  const std::vector<std::string> parts = splitNames(option, text);
+  const UsageError wrong(option + " " + text +
+                         ": expected the new x, y, z in terms of the old, as in x,y,-z or -z,x,y");
+  if (parts.size() != 3) throw wrong;
+  AxisMap map;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const bool against = parts[i].starts_with('-');
+    const std::string axis = parts[i].substr(against || parts[i].starts_with('+') ? 1 : 0);
+    const std::size_t from = std::string("xyz").find(axis);
+    if (axis.size() != 1 || from == std::string::npos) throw wrong;
+    map.from[i] = from;
+    map.signs[i] = against ? -1 : 1;
+  }
+  if (map.from[0] == map.from[1] || map.from[0] == map.from[2] || map.from[1] == map.from[2]) throw wrong;
+  return map;
 }
 
 }  // namespace
@@ -74,6 +94,14 @@ void CameraOptions::addFile(CLI::App& app) {
   addValue(app, "FILE", "", operand_, readFileName,
            "Camera file; absent or - for standard input, unless options give the camera")
       ->group(kCameraGroup);
+}
+
+void CameraOptions::addFiles(CLI::App& app) {
+  addValue(app, "FILE", "", operand_, readFileName,
+           "Camera files; absent or - for standard input, unless options give the camera")
+      ->expected(1, CLI::detail::expected_max_vector_size)
+      ->group(kCameraGroup);
+  app.allow_extras();  // CLI11 would split "[a,b]" of an option that takes several
 }
 
 void CameraOptions::addConvention(CLI::App& app) {
@@ -127,7 +155,24 @@ CameraPatches CameraOptions::patches(bool isTyped) const {
 }
 
 std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> CameraOptions::readAll() const {
-  const std::optional<std::string> name = file();
+  return open(file());
+}
+
+std::vector<CameraOptions::Picked> CameraOptions::readFiles() const {
+  const auto pickedOf = [&](const std::optional<std::string>& name) {
+    auto [cameras, pick] = open(name);
+    std::vector<std::size_t> which = cameras->chooseAll(pick);
+    return Picked{std::move(cameras), std::move(which)};
+  };
+  std::vector<Picked> all;
+  all.push_back(pickedOf(file()));
+  for (const std::string& name : app_->remaining())
+    if (name != "--") all.push_back(pickedOf(readFileName("FILE", name)));
+  return all;
+}
+
+std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> CameraOptions::open(
+    const std::optional<std::string>& name) const {
   if (name && onlyReads_ && convention_)
     throw UsageError("--convention is of matrices, and this command writes none; --read-as " +
                      std::string(convention_->name) + " reads a file that states no convention");
@@ -204,9 +249,11 @@ Convention CameraOptions::writing(const Convention& read) const {
   return c;
 }
 
-std::string CameraOptions::written(const CameraFile& file) const {
-  return writeCamera(file, convention_ ? *convention_ : *file.preset, writing(file.convention));
+std::string CameraOptions::written(const CameraFile& file, std::string_view between) const {
+  return writeCamera(file, convention_ ? *convention_ : *file.preset, writing(file.convention), between);
 }
+
+std::string CameraOptions::written(const CameraFile& file) const { return written(file, ",\n  "); }
 
 void CameraOptions::noteHandedness(const CameraFile& file) const {
   if (!convention_ || readAs_) return;
@@ -224,6 +271,19 @@ void CameraOptions::noteHandedness(const CameraFile& file) const {
   if (world == file.convention.world && !(world == usual.convention.world && up == usual.up))
     note("the options are read in " + name + "'s world too: " + hand(world) + ", up " + formatNumber(up.x) + "," +
          formatNumber(up.y) + "," + formatNumber(up.z) + "; if they are not of it, give --read-as opengl");
+}
+
+void WorldOptions::add(CLI::App& app) {
+  addValue(app, "--map", "X,Y,Z", map_, readMap,
+           "New axes of the world in terms of the old, as in x,y,-z; a map that mirrors changes the handedness");
+  addValue(app, "--scale", "N", scale_,
+           numberThat([](double scale) { return scale > 0 && std::isfinite(scale); }, "a number above 0"),
+           "Write it for a world of lengths N times as long");
+}
+
+CameraFile WorldOptions::mapped(const CameraFile& file) const {
+  if (!map_ && !scale_) return file;
+  return readCamera(cmd::mapped(file, map_.value_or(AxisMap{}), scale_.value_or(1)), file.reading);
 }
 
 }  // namespace viewproj::cmd

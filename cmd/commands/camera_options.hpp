@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "camera/camera_set.hpp"
+#include "camera/change_camera.hpp"
 #include "camera/read_camera.hpp"
 #include "commands/cli.hpp"
 
@@ -23,6 +24,8 @@ class CameraOptions {
   void add(CLI::App& app);
   /// FILE, for a command that reads nothing but the camera.
   void addFile(CLI::App& app);
+  /// FILE..., for a command that takes all cameras of several files: the first, and what remains.
+  void addFiles(CLI::App& app);
   /// --convention and what changes it, for a command that writes in one.
   void addWriting(CLI::App& app);
   /// --convention for a command that writes in none: of options alone also how they are read.
@@ -35,6 +38,12 @@ class CameraOptions {
   CameraFile read(bool needsPicture = true) const;
   /// All cameras of the file, or the one of options; and what #NAME picks among them.
   std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> readAll() const;
+  /// The cameras that are picked of each file, or all of it.
+  struct Picked {
+    std::unique_ptr<CameraSet> cameras;
+    std::vector<std::size_t> which;
+  };
+  std::vector<Picked> readFiles() const;
   CameraFile readOne(const CameraSet& cameras, std::size_t which, bool needsPicture = true) const;
   /// Writes a text of every camera of the file; pick: what picks it. A camera that cannot be read, or of which there is
   /// no such text, has a message instead. Returns the exit status.
@@ -43,6 +52,8 @@ class CameraOptions {
 
   /// -c or FILE; nothing where options are the camera. Throws UsageError where there is none, or both.
   std::optional<std::string> file() const;
+  /// The preset of --convention; null without it.
+  const ConventionPreset* convention() const { return convention_ ? &*convention_ : nullptr; }
   /// The convention of --read-as.
   std::optional<Convention> readAs() const;
   /// Whether an option says something of a camera, which matrices in a text have no place for.
@@ -52,12 +63,14 @@ class CameraOptions {
   Convention writing(const Convention& read) const;
   /// The camera's document, in the convention that is written.
   std::string written(const CameraFile& file) const;
+  std::string written(const CameraFile& file, std::string_view between) const;
   /// Notes a --convention whose world has another handedness than that of a file which states none, and one that makes
   /// the world of options another than the default.
   void noteHandedness(const CameraFile& file) const;
 
  private:
   CameraPatches patches(bool isTyped) const;
+  std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> open(const std::optional<std::string>& name) const;
 
   const CLI::App* app_ = nullptr;
   std::optional<std::string> camera_, operand_, readAs_, parts_;
@@ -68,6 +81,18 @@ class CameraOptions {
   std::optional<bool> reverseZ_;
   std::vector<Patch> patches_;  ///< of options and of --set, in their order
   bool takesAnyLens_ = false, onlyReads_ = false, allowStretch_ = false, ignoreDistortion_ = false;
+};
+
+/// --map and --scale: the same picture of another world.
+class WorldOptions {
+ public:
+  void add(CLI::App& app);
+  bool hasMap() const { return map_.has_value(); }
+  CameraFile mapped(const CameraFile& file) const;
+
+ private:
+  std::optional<AxisMap> map_;
+  std::optional<double> scale_;
 };
 
 }  // namespace viewproj::cmd

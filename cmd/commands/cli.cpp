@@ -81,6 +81,11 @@ void requireValues(const CLI::App& app, std::span<const std::string> arguments) 
   }
 }
 
+std::string unexpected(const std::string& argument,
+                       const std::function<std::string(const std::string& argument)>& adviceOn) {
+  return "'" + argument + "' was not expected" + adviceOn(argument);
+}
+
 /// The file of an option or operand; nothing where it is not given.
 std::optional<std::string> fileOf(const CLI::App& app, std::string_view name) {
   const CLI::Option* const option = app.get_option_no_throw(std::string(name));
@@ -116,10 +121,15 @@ void parse(CLI::App& app, std::span<const std::string> arguments,
   std::string message;
   try {
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
-    return;
+    // Of a command that takes any number of files, all but the first remain.
+    const std::vector<std::string> rest = app.remaining();
+    const auto option = std::find_if(rest.begin(), rest.end(), [](const std::string& argument) {
+      return argument.starts_with('-') && argument != "-" && argument != "--";
+    });
+    if (option == rest.end()) return;
+    message = unexpected(*option, adviceOn);
   } catch (const CLI::ExtrasError&) {
-    const std::string argument = app.remaining().front();
-    message = "'" + argument + "' was not expected" + adviceOn(argument);
+    message = unexpected(app.remaining().front(), adviceOn);
   } catch (const CLI::ArgumentMismatch& e) {  // with values there can only be too many, or one of a flag
     message = e.what();
     const std::size_t colon = message.find(':');
@@ -189,9 +199,10 @@ void takeEnding(CLI::App& app, std::vector<FormRow<std::size_t>> rows, std::func
     const CLI::Option* const to = app.get_option_no_throw("--to");
     if (to && to->count() > 0) return;
     const std::string_view ending = endingOf(file);
+    const std::string_view last = file.ends_with('/') ? "/" : std::string_view(file).substr(file.rfind('/') + 1);
     std::vector<std::string_view> names;
     for (const FormRow<std::size_t>& row : rows) {
-      if (isEnding(ending, row.endings)) return take(row.form);
+      if (isEnding(ending, row.endings) || isEnding(last, row.endings)) return take(row.form);
       names.push_back(row.name);
     }
     if (isEnding(ending, kKnownEndings))

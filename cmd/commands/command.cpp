@@ -17,6 +17,7 @@ constexpr Command kCommands[] = {
     {"ray", "pixels to rays, and to the points behind them", declareRay},
     {"cull", "which points and shapes lie in the view, and which plane decides", declareCull},
     {"matrix", "a camera's matrices in any convention", declareMatrix},
+    {"convert", "cameras as a file of another program, or as ours", declareConvert, 1, true},
     {"check", "whether points lie at their pixels, and which mistake explains it", declareCheck, 2},
     {"info", "what is in a camera file, or what a pasted matrix is", declareInfo},
     {"explain", "every stage of one point or pixel, by hand", declareExplain},
@@ -91,7 +92,7 @@ int runCommand(const Command& command, std::span<const std::string> arguments) {
   parse(app, arguments, [&](const std::string& argument) { return adviceOn(argument, app); });
   requireOneStandardInput(app);
   const CLI::Option* const file = app.get_option("--output");
-  NamedOutput output(file->empty() ? "-" : file->results().front());
+  NamedOutput output(file->empty() || command.opensOutput ? "-" : file->results().front());
   const int status = declared.run();
   output.keep();
   return status;

@@ -20,7 +20,8 @@ struct Command {
   std::string_view summary;
   /// Gives the App its description, its options and its examples. The action works on what the App has parsed.
   Action (*declare)(CLI::App& app);
-  int failureStatus = 1;  ///< exit status where an input is wrong or an output cannot be written
+  int failureStatus = 1;     ///< exit status where an input is wrong or an output cannot be written
+  bool opensOutput = false;  ///< what -o names may be a folder, and the command opens it itself
 };
 
 std::span<const Command> allCommands();
@@ -40,6 +41,7 @@ std::string overview();
 Action declareProject(CLI::App& app);
 Action declareRay(CLI::App& app);
 Action declareMatrix(CLI::App& app);
+Action declareConvert(CLI::App& app);
 Action declareCull(CLI::App& app);
 Action declareCheck(CLI::App& app);
 Action declareInfo(CLI::App& app);

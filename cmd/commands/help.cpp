@@ -8,6 +8,7 @@
 #include "commands/cli.hpp"
 #include "commands/command.hpp"
 #include "formats/open.hpp"
+#include "formats/writer.hpp"
 #include "output/matrix_text.hpp"
 #include "output/output_file.hpp"
 #include "output/report.hpp"
@@ -139,6 +140,12 @@ std::string listOf(const std::string& list) {
     std::string out;
     for (const FormatName& format : formatNames()) out += (out.empty() ? "" : ", ") + std::string(format.form);
     return wrapped(out + ".", terminalWidth());
+  }
+  if (kind == "writers") {
+    std::string out = "viewproj convert writes (--to): camera";
+    for (const Writer& writer : writers())
+      out += ", " + std::string(writer.name) + (writer.endings.empty() ? "" : " (" + std::string(writer.endings) + ")");
+    return wrapped(out + "; observations of a calibration.", terminalWidth());
   }
   // Fields of a type of projection, or of several whose first it is.
   const std::uint8_t type = of == "all" ? 0 : valueOf(kTypeNames, of);

@@ -1,9 +1,8 @@
-// viewproj matrix: a camera's matrices, the camera itself in another form, and pasted matrices in another convention.
+// viewproj matrix: a camera's matrices, and pasted matrices in another convention.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 
-#include "camera/change_camera.hpp"
 #include "commands/camera_options.hpp"
 #include "commands/command.hpp"
 #include "commands/matrix_report.hpp"
@@ -18,7 +17,6 @@
 namespace viewproj::cmd {
 namespace {
 
-constexpr std::string_view kCamera = "camera";
 constexpr const char* kModel = "--model";
 
 using Matrices = std::vector<const CameraMatrix*>;
@@ -28,8 +26,7 @@ struct MatrixOptions {
   bool inverse = false, bakeViewport = false, relativeToEye = false, asFloat = false, all = false;
   std::optional<Matrices> which;
   std::optional<std::string> model;
-  std::optional<AxisMap> map;
-  std::optional<double> scale;
+  WorldOptions world;
   std::string_view format = "json";
 };
 
@@ -44,7 +41,7 @@ std::string lacking(const CameraMatrix& row, const MatrixSource& source) {
   if (row.model && !source.worldFromLocal) return kModel;
   if (row.pose && !file.pose) return "a pose";
   if (row.projection && !file.projection) return "a projection";
-  if (row.projection && !hasDepth(*file.projection)) return "near; --near gives it";
+  if (row.projection && row.ofCalibration.empty() && !hasDepth(*file.projection)) return "near; --near gives it";
   if (needsViewport && !file.viewport) return "a viewport; --viewport WIDTHxHEIGHT gives one";
   return "";
 }
@@ -63,6 +60,13 @@ std::array<Change, 3> changesOf(const MatrixOptions& o) {
            {kModel, o.model.has_value(), &CameraMatrix::model, "modelView and modelViewProjection"}}};
 }
 
+/// The viewport is no part of a matrix that is of pixels already.
+bool isChanged(const Matrices& rows, const Change& change) {
+  return std::any_of(rows.begin(), rows.end(), [&](const CameraMatrix* row) {
+    return row->*change.part && (row->ofCalibration.empty() || change.part == &CameraMatrix::pose);
+  });
+}
+
 /// --which; or all that the camera determines. Throws UsageError for an option that changes none of them, and
 /// InputError where the camera lacks a part.
 Matrices chooseMatrices(const MatrixOptions& o, const MatrixSource& source) {
@@ -75,7 +79,8 @@ Matrices chooseMatrices(const MatrixOptions& o, const MatrixSource& source) {
   }
   // A baked viewport is in the projection already.
   for (const CameraMatrix& row : cameraMatrices())
-    if (!o.which && lacking(row, source).empty() && !(source.bakeViewport && row.viewport)) chosen.push_back(&row);
+    if (!o.which && row.ofCalibration.empty() && lacking(row, source).empty() && !(source.bakeViewport && row.viewport))
+      chosen.push_back(&row);
   for (const Change& change : changesOf(o)) {
     if (!change.isGiven || any(chosen, change.part)) continue;
     const std::string option = change.option;
@@ -96,31 +101,6 @@ Names<const CameraMatrix*> matrixNames() {
   return names;
 }
 
-/// "x,y,-z".
-AxisMap readMap(const std::string& option, const std::string& text) {
-  const std::vector<std::string> parts = splitNames(option, text);
-  const UsageError wrong(option + " " + text +
-                         ": expected the new x, y, z in terms of the old, as in x,y,-z or -z,x,y");
-  if (parts.size() != 3) throw wrong;
-  AxisMap map;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const bool against = parts[i].starts_with('-');
-    const std::string axis = parts[i].substr(against || parts[i].starts_with('+') ? 1 : 0);
-    const std::size_t from = std::string("xyz").find(axis);
-    if (axis.size() != 1 || from == std::string::npos) throw wrong;
-    map.from[i] = from;
-    map.signs[i] = against ? -1 : 1;
-  }
-  if (map.from[0] == map.from[1] || map.from[0] == map.from[2] || map.from[1] == map.from[2]) throw wrong;
-  return map;
-}
-
-/// In the world of --map and --scale.
-CameraFile inMappedWorld(const CameraFile& file, const MatrixOptions& o) {
-  if (!o.map && !o.scale) return file;
-  return readCamera(mapped(file, o.map.value_or(AxisMap{}), o.scale.value_or(1)), file.reading);
-}
-
 MatrixSet matricesOf(const CameraFile& read, const std::optional<Mat4>& model, const MatrixOptions& o) {
   MatrixSet set;
   set.asFloat = o.asFloat;
@@ -136,7 +116,7 @@ MatrixSet matricesOf(const CameraFile& read, const std::optional<Mat4>& model, c
     note(read.name + ": a matrix leaves out the lens distortion");
   const auto add = [&](const CameraMatrix& row, bool inverse) {
     try {
-      set.matrices.push_back({std::string(row.name) + std::string(inverse ? kInverse : ""), row.make(source, inverse)});
+      set.matrices.push_back(row.make(source, inverse));
     } catch (const CameraError& e) {
       throw InputError("--model " + *o.model + ": " + e.message());
     }
@@ -191,7 +171,7 @@ int runPasted(const MatrixOptions& o, const CLI::App& app, const UnknownFormat& 
   for (const char* option :
        {"--inverse", "--bake-viewport", "--relative-to-eye", "--model", "--all", "--map", "--scale"})
     if (app.count(option) > 0) throw UsageError(std::string(option) + " is for a camera; " + unknown.what());
-  if (o.camera.changesCamera() || o.format == kCamera) throw InputError(unknown.what());
+  if (o.camera.changesCamera()) throw InputError(unknown.what());
   MatrixQuestion question{o.camera.readAs(), {}};
   for (const CameraMatrix* row : o.which.value_or(Matrices()))
     for (const auto& [name, kind] : kReadingKinds)
@@ -218,10 +198,6 @@ int runPasted(const MatrixOptions& o, const CLI::App& app, const UnknownFormat& 
 }
 
 int runCamera(const MatrixOptions& o, const CLI::App& app) {
-  const bool toCamera = o.format == kCamera;
-  for (const char* option : {"--which", "--inverse", "--bake-viewport", "--relative-to-eye", "--float", "--model"})
-    if (toCamera && app.count(option) > 0)
-      throw UsageError(std::string(option) + " goes with matrices, not with --to " + std::string(o.format));
   const CLI::Option* const file = app.get_option("--output");
   if (!file->empty() && app.count("--to") == 0 &&
       isEnding(endingOf(file->results().front()), o.all ? ".json" : ".ndjson .jsonl"))
@@ -230,7 +206,7 @@ int runCamera(const MatrixOptions& o, const CLI::App& app) {
   if (o.all && o.format != "json")
     throw UsageError("--all writes JSON, a line a camera; leave out --to " + std::string(o.format));
   for (const Change& change : changesOf(o))
-    if (o.which && change.isGiven && !any(*o.which, change.part))
+    if (o.which && change.isGiven && !isChanged(*o.which, change))
       throw UsageError(std::string(change.option) + " is for " + change.matrices +
                        ", and --which names no such matrix");
   const auto model = o.model ? std::optional(readModel(*o.model)) : std::nullopt;
@@ -238,17 +214,12 @@ int runCamera(const MatrixOptions& o, const CLI::App& app) {
       !o.which || any(*o.which, &CameraMatrix::projection) || any(*o.which, &CameraMatrix::viewport);
   if (o.all)
     return o.camera.writeEach(needsPicture, [&](const std::string& pick, const CameraFile& camera) {
-      MatrixSet set = matricesOf(inMappedWorld(camera, o), model, o);
+      MatrixSet set = matricesOf(o.world.mapped(camera), model, o);
       set.camera = pick;
       return writeMatrices(set, o.format, camera.name);
     });
   const auto [cameras, pick] = o.camera.readAll();
-  const CameraFile read = inMappedWorld(o.camera.readOne(*cameras, cameras->choose(pick), needsPicture), o);
-  if (toCamera) {
-    o.camera.noteHandedness(read);
-    writeOutput(o.camera.written(read));
-    return 0;
-  }
+  const CameraFile read = o.world.mapped(o.camera.readOne(*cameras, cameras->choose(pick), needsPicture));
   writeOutput(writeMatrices(matricesOf(read, model, o), o.format, read.name));
   return 0;
 }
@@ -267,8 +238,8 @@ int runMatrix(const MatrixOptions& o, const CLI::App& app) {
 Action declareMatrix(CLI::App& app) {
   const auto o = std::make_shared<MatrixOptions>();
   app.description(
-      "A camera's matrices in any convention, as JSON, text or code; the camera itself; or pasted matrices, which info "
-      "tells of, in another convention.");
+      "A camera's matrices in any convention, as JSON, text or code; or pasted matrices, which info tells of, in "
+      "another convention.");
   app.footer(
       "Examples:\n"
       "  viewproj matrix --fov-y 60 --aspect 16/9 --near 0.1 --convention d3d --to hlsl\n"
@@ -276,6 +247,12 @@ Action declareMatrix(CLI::App& app) {
   const auto readNames = [](const std::string& option, const std::string& text) {
     Matrices chosen;
     for (const std::string& name : splitNames(option, text)) chosen.push_back(choose(option, name, matrixNames()));
+    // The window of OpenXR is both.
+    const auto find = [&](std::string_view name) {
+      return std::find_if(chosen.begin(), chosen.end(), [&](const CameraMatrix* row) { return row->name == name; });
+    };
+    if (const auto at = find("tangents"); at != chosen.end() && find("angles") == chosen.end())
+      chosen.insert(at + 1, choose(option, "angles", matrixNames()));
     return chosen;
   };
   addValue(app, "--which", "NAMES", o->which, readNames,
@@ -286,15 +263,14 @@ Action declareMatrix(CLI::App& app) {
       app.add_flag("--relative-to-eye", o->relativeToEye, "View without translation, and the eye beside it");
   CLI::Option* const model = addModel(app, o->model, "Place of a model in the world");
   app.add_flag("--float", o->asFloat, "Round to float32 (default: doubles)");
-  auto forms = matrixForms();
-  forms.push_back({kCamera, kCamera});
-  addForm(app, o->format, std::span<const FormRow<std::string_view>>(forms), "Output format; camera is a camera file");
+  const auto forms = matrixForms();
+  addForm(app, o->format, std::span<const FormRow<std::string_view>>(forms), "Output format")
+      ->check([](const std::string& name) {
+        if (name == "camera") throw UsageError("--to camera: viewproj convert --to camera writes a camera file");
+        return std::string();
+      });
   app.add_flag("--all", o->all, "Write one JSON object per camera of the file");
-  addValue(app, "--map", "X,Y,Z", o->map, readMap,
-           "New axes of the world in terms of the old, as in x,y,-z; a map that mirrors changes the handedness");
-  addValue(app, "--scale", "N", o->scale,
-           numberThat([](double scale) { return scale > 0 && std::isfinite(scale); }, "a number above 0"),
-           "Write it for a world of lengths N times as long");
+  o->world.add(app);
   model->excludes(relative)->excludes(app.get_option("--map"))->excludes(app.get_option("--scale"));
   o->camera.addFile(app);
   o->camera.add(app);

@@ -2,9 +2,14 @@
 #include "formats/colmap.hpp"
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "formats/format.hpp"
+#include "formats/writer.hpp"
+#include "text/error.hpp"
+#include "text/number.hpp"
+#include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace colmap {
@@ -44,6 +49,24 @@ Json cameraOf(const Node& node) {
   return camera;
 }
 
+/// MODEL WIDTH HEIGHT PARAMS[] of a line of cameras.txt.
+std::string lineOf(const WrittenCamera& camera) {
+  const std::optional<Lens>& lens = camera.file.lens;
+  const Intrinsics k = camera.intrinsics(0.5);
+  std::vector<double> params{k.fx, k.fy, k.cx, k.cy}, c = lens ? coefficientsOf(*lens) : std::vector<double>{};
+  std::string_view model = "PINHOLE";
+  if (lens && lens->model() == LensModel::brown) {
+    model = c.size() > 5 || c[4] != 0 ? "FULL_OPENCV" : "OPENCV";
+    c.resize(model == "OPENCV" ? 4 : 8);
+  } else if (lens) {
+    model = lens->model() == LensModel::fisheye ? "OPENCV_FISHEYE" : lens->model() == LensModel::fov ? "FOV" : "EUCM";
+  }
+  params.insert(params.end(), c.begin(), c.end());
+  std::string line = std::string(model) + " " + formatNumber(camera.width()) + " " + formatNumber(camera.height());
+  for (const double param : params) line += " " + formatNumber(param);
+  return line;
+}
+
 }  // namespace colmap
 
 Import openColmap(const Node& root) {
@@ -63,6 +86,30 @@ Import openColmap(const Node& root) {
                     {{"rotation", {q[1], q[2], q[3], q[0]}}, {"translation", image.require("tvec").json()}});
             return camera;
           }};
+}
+
+std::vector<WrittenFile> writeColmap(std::span<const WrittenCamera> cameras, std::string_view) {
+  std::string lenses = "# CAMERA_ID MODEL WIDTH HEIGHT PARAMS[]\n";
+  std::string images = "# IMAGE_ID QW QX QY QZ TX TY TZ CAMERA_ID NAME, and a line of its points\n";
+  std::map<std::string, std::string> ids;  // equal lenses share one
+  std::unordered_set<std::string> names;
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    const WrittenCamera& camera = cameras[i];
+    const std::string& name = camera.label();
+    if (name.find_first_of(" \t\r\n") != std::string::npos)
+      throw InputError(camera.file.name + ": COLMAP ends a name at its first blank, and this one is " + inQuotes(name));
+    if (!names.insert(name).second)
+      throw InputError(camera.file.name + ": another camera has the name " + inQuotes(name));
+    const auto [id, isNew] = ids.emplace(colmap::lineOf(camera), std::to_string(ids.size() + 1));
+    if (isNew) lenses += id->second + " " + id->first + "\n";
+    const PlainRigid pose = cameraFromWorld(camera.pose, CameraAxes::RDF);
+    const std::array<double, 4> q = quaternionOf(pose.columns);
+    images += std::to_string(i + 1);
+    for (const double number : {q[3], q[0], q[1], q[2], pose.translation.x, pose.translation.y, pose.translation.z})
+      images += " " + formatNumber(number);
+    images += " " + id->second + " " + name + "\n\n";
+  }
+  return {{"cameras.txt", lenses}, {"images.txt", images}, {"points3D.txt", "# Points: none\n"}};
 }
 
 }  // namespace viewproj::cmd

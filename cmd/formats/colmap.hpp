@@ -1,10 +1,12 @@
 // COLMAP's reconstructions as text and binary.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
 #include "camera/camera_set.hpp"
+#include "viewproj/vectors.hpp"
 
 namespace viewproj::cmd {
 
@@ -15,5 +17,10 @@ std::optional<std::string> colmapModel(const std::string& source);
 /// {"cameras": {"1": {...}}, "images": [...]} of what colmapModel() found. Throws InputError.
 Json readColmap(const std::string& model);
 Import openColmap(const Node& root);
+
+/// Calls take with each pixel of an image that has a point in space: the number of the image in the list of
+/// readColmap(), the point and the pixel. Throws InputError.
+void eachColmapPixel(const std::string& model,
+                     const std::function<void(std::size_t image, const Vec3& point, const Vec2& pixel)>& take);
 
 }  // namespace viewproj::cmd

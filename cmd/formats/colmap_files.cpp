@@ -83,12 +83,22 @@ Json readCameras(const std::string& name) {
   return cameras;
 }
 
-Json readImages(const std::string& name, const Json& cameras) {
+/// Of each pixel of an image: the image's number, the pixel, and the number of its point, or below 0.
+using TakePixel = std::function<void(std::size_t image, const Vec2& pixel, std::int64_t point)>;
+
+Json readImages(const std::string& name, const Json& cameras, const TakePixel& take) {
   Json images = Json::array();
   bool isPoints = false;
   readLines(name, [&](const std::string& line) {
-    if (std::exchange(isPoints, false))
-      return isPointsLine(line, cameras) ? "" : "expected the image's points, X Y POINT3D_ID each, or an empty line";
+    if (std::exchange(isPoints, false)) {
+      if (!isPointsLine(line, cameras)) return "expected the image's points, X Y POINT3D_ID each, or an empty line";
+      if (!take) return "";
+      const std::vector<Json> w = fieldsOf(line, line.size());
+      if (w.size() % 3 != 0 || !areNumbers(w)) return "expected the image's points, X Y POINT3D_ID each";
+      for (std::size_t i = 0; i < w.size(); i += 3)
+        take(images.size() - 1, {w[i], w[i + 1]}, w[i + 2].get<std::int64_t>());
+      return "";
+    }
     const std::vector<Json> w = fieldsOf(line, 9);
     if (w.empty()) return "";
     if (!isImage(w)) return "expected IMAGE_ID QW QX QY QZ TX TY TZ CAMERA_ID NAME";
@@ -137,7 +147,7 @@ class BinaryFile {
     return text;
   }
   void skip(std::uint64_t count, std::uint64_t size) {
-    if (count > left_ / size) fail("ends inside an image's points");
+    if (count > left_ / size) fail("ends inside a list");
     take(count * size);
     file_.seekg(static_cast<std::streamoff>(count * size), std::ios::cur);
   }
@@ -195,7 +205,7 @@ Json readBinaryCameras(const std::string& name) {
   return cameras;
 }
 
-Json readBinaryImages(const std::string& name, const Json& cameras) {
+Json readBinaryImages(const std::string& name, const Json& cameras, const TakePixel& take) {
   BinaryFile file(name);
   Json images = Json::array();
   for (std::uint64_t left = file.integer(8); left > 0; --left) {
@@ -205,12 +215,46 @@ Json readBinaryImages(const std::string& name, const Json& cameras) {
     const std::string camera = std::to_string(file.integer(4));
     image["camera_id"] = camera;
     image["name"] = file.text();
-    file.skip(file.integer(8), 24);
+    std::uint64_t pixels = file.integer(8);
+    if (!take) file.skip(pixels, 24);
+    for (; take && pixels > 0; --pixels) {
+      const double x = file.real(), y = file.real();
+      take(images.size(), {x, y}, static_cast<std::int64_t>(file.integer(8)));
+    }
     if (!cameras.contains(camera)) file.fail("an image is of camera " + camera + ", which is not in cameras.bin");
     images.push_back(std::move(image));
   }
   file.requireEnd();
   return images;
+}
+
+using Points = std::unordered_map<std::int64_t, Vec3>;
+
+/// POINT3D_ID X Y Z R G B ERROR TRACK[]
+Points readPoints(const std::string& name) {
+  Points points;
+  readLines(name, [&](const std::string& line) {
+    const std::vector<Json> w = fieldsOf(line, 8);
+    if (w.empty()) return "";
+    if (w.size() < 4 || !areNumbers(std::span(w).first(4))) return "expected POINT3D_ID X Y Z R G B ERROR TRACK[]";
+    points[w[0].get<std::int64_t>()] = {w[1], w[2], w[3]};
+    return "";
+  });
+  return points;
+}
+
+Points readBinaryPoints(const std::string& name) {
+  BinaryFile file(name);
+  Points points;
+  for (std::uint64_t left = file.integer(8); left > 0; --left) {
+    Vec3& point = points[static_cast<std::int64_t>(file.integer(8))];
+    for (std::size_t i = 0; i < 3; ++i) point[i] = file.real();
+    file.skip(3, 1);  // its colour
+    file.skip(1, 8);  // its error
+    file.skip(file.integer(8), 8);
+  }
+  file.requireEnd();
+  return points;
 }
 
 /// The words of the first line that is not blank or a comment.
@@ -259,7 +303,15 @@ std::optional<std::string> colmapModel(const std::string& source) {
   return isCamera(words) || isSurelyImage(words) ? std::optional(source) : std::nullopt;
 }
 
-Json readColmap(const std::string& model) {
+namespace {
+
+struct Model {
+  Json root;
+  bool isBinary = false;
+  std::string points;  ///< the file of points beside it, which may be absent
+};
+
+Model readModel(const std::string& model, const TakePixel& take) {
   std::error_code ignored;
   const std::filesystem::path source = pathOf(model);
   const bool isFolder = std::filesystem::is_directory(source, ignored);
@@ -274,8 +326,33 @@ Json readColmap(const std::string& model) {
   Json root{{"cameras", isBinary ? readBinaryCameras(cameras) : readCameras(cameras)}};
   const std::string images = isFolder ? beside(isBinary ? "images.bin" : "images.txt") : model;
   if (!isCameras && exists(images))
-    root["images"] = isBinary ? readBinaryImages(images, root["cameras"]) : readImages(images, root["cameras"]);
-  return root;
+    root["images"] =
+        isBinary ? readBinaryImages(images, root["cameras"], take) : readImages(images, root["cameras"], take);
+  return {std::move(root), isBinary, beside(isBinary ? "points3D.bin" : "points3D.txt")};
+}
+
+}  // namespace
+
+Json readColmap(const std::string& model) { return readModel(model, nullptr).root; }
+
+void eachColmapPixel(const std::string& model,
+                     const std::function<void(std::size_t image, const Vec3& point, const Vec2& pixel)>& take) {
+  struct Seen {
+    std::size_t image;
+    Vec2 pixel;
+    std::int64_t point;
+  };
+  std::vector<Seen> seen;
+  const Model read = readModel(model, [&](std::size_t image, const Vec2& pixel, std::int64_t point) {
+    if (point >= 0) seen.push_back({image, pixel, point});
+  });
+  const Points points = read.isBinary ? readBinaryPoints(read.points) : readPoints(read.points);
+  for (const auto& [image, pixel, number] : seen) {
+    const auto point = points.find(number);
+    if (point == points.end())
+      throw InputError(visible(read.points) + ": has no point " + std::to_string(number) + ", which an image has");
+    take(image, point->second, pixel);
+  }
 }
 
 }  // namespace viewproj::cmd

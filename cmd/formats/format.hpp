@@ -28,7 +28,7 @@ struct Format {
 
 /// The formats that have a file.
 extern const Format kGltf, kThreeJs, kTransforms, kMetashape, kMetashapeLens, kMeshroom, kOpenSfm, kOpenSfmLenses,
-    kBundler, kExif, kScanner, kKalibr, kKitti, kStereo, kPoses, kMatrices;
+    kBundler, kExif, kTable, kScanner, kKalibr, kKitti, kStereo, kPoses, kMatrices;
 
 /// fx, fy, cx, cy of a K of 9 numbers by rows, or of 12 or 16 with a fourth column of zeros. Throws if it is no K.
 std::array<double, 4> intrinsicsOf(const Node& k, std::span<const double> byRows);

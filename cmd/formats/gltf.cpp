@@ -4,6 +4,8 @@
 
 #include "formats/format.hpp"
 #include "formats/node_tree.hpp"
+#include "formats/writer.hpp"
+#include "text/json_text.hpp"
 #include "text/number.hpp"
 
 namespace viewproj::cmd {
@@ -110,5 +112,35 @@ Import open(const Node& root) {
 }  // namespace gltf
 
 extern const Format kGltf{"gltf", "a glTF file", "asset.version", gltf::open, "*"};
+
+std::vector<WrittenFile> writeGltf(std::span<const WrittenCamera> cameras, std::string_view) {
+  std::vector<std::string> numbers, nodes, lenses;
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    const WrittenCamera& camera = cameras[i];
+    const Projection& p = *camera.file.projection;
+    const PlainRigid pose = worldFromCamera(camera.pose, CameraAxes::RUB);
+    JsonObject node, lens, whole;
+    numbers.push_back(std::to_string(i));
+    if (!camera.name.empty()) node.add("name", camera.name);
+    node.addText("camera", numbers.back());
+    const Vec3& t = pose.translation;
+    node.addText("translation", jsonListOf(std::array{t.x, t.y, t.z}));
+    nodes.push_back(node.addText("rotation", jsonListOf(quaternionOf(pose.columns))).text());
+    if (p.isOrthographic())
+      lens.add("xmag", p.right()).add("ymag", p.top());
+    else
+      lens.add("yfov", 2 * std::atan(p.top())).add("aspectRatio", p.aspect());
+    lens.add("znear", p.zNear());
+    if (std::isfinite(p.zFar())) lens.add("zfar", p.zFar());
+    const char* const type = p.isOrthographic() ? "orthographic" : "perspective";
+    lenses.push_back(whole.add("type", type).addText(type, lens.text()).text());
+  }
+  constexpr std::string_view kLine = ",\n  ", kItem = ",\n    ";
+  JsonObject out;
+  out.addText("asset", R"({"version": "2.0", "generator": "viewproj"})").addText("scene", "0", kLine);
+  out.addText("scenes", R"([{"nodes": )" + jsonList(numbers) + "}]", kLine);
+  out.addText("nodes", jsonList(nodes, kItem), kLine).addText("cameras", jsonList(lenses, kItem), kLine);
+  return {{"", "{\n  " + out.members() + "\n}\n"}};
+}
 
 }  // namespace viewproj::cmd

@@ -6,6 +6,8 @@
 #include "camera/rigid.hpp"
 #include "formats/format.hpp"
 #include "formats/value.hpp"
+#include "formats/writer.hpp"
+#include "text/number.hpp"
 
 namespace viewproj::cmd {
 namespace kalibr {
@@ -112,5 +114,48 @@ Import open(const Node& root) {
 extern const Format kKalibr{"kalibr", "a camchain of Kalibr",
                             "cam0.intrinsics:4/5/6|cam1.intrinsics:4/5/6 cam0.resolution|cam1.resolution", kalibr::open,
                             "rostopic cam_overlaps timeshift_* T_imu_body rolling*"};
+
+std::vector<WrittenFile> writeKalibr(std::span<const WrittenCamera> cameras, std::string_view) {
+  std::string text;
+  // The world of the links is cam0's. Where cam0 stands elsewhere, the IMU's world is ours.
+  const bool isOnImu = !cameras.front().isAtOrigin();
+  const auto matrix = [&](std::string_view name, std::span<const double> rows) {
+    text += "  " + std::string(name) + ":\n";
+    for (std::size_t i = 0; i < 4; ++i)
+      text += "  - " + (i < 3 ? yamlList(rows.subspan(4 * i, 4)) : "[0.0, 0.0, 0.0, 1.0]") + "\n";
+  };
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    const WrittenCamera& camera = cameras[i];
+    const Intrinsics k = camera.intrinsics(0);
+    std::vector<double> c = camera.file.lens ? coefficientsOf(*camera.file.lens) : std::vector<double>{}, own;
+    const LensModel model = camera.file.lens ? camera.file.lens->model() : LensModel::brown;
+    const bool isOmni = model == LensModel::omni,
+               isWhole = c.size() > 1 && model != LensModel::fisheye && model != LensModel::brown;
+    if (isWhole) own.assign(c.begin(), isOmni ? c.begin() + 1 : c.end());
+    c.erase(c.begin(), c.begin() + std::ssize(own));
+    if (model == LensModel::brown) c.resize(std::min<std::size_t>(c.size(), 4));
+    text += "cam" + std::to_string(i) + ":\n  camera_model: " +
+            (isOmni                             ? "omni"
+             : model == LensModel::unified      ? "eucm"
+             : model == LensModel::doubleSphere ? "ds"
+                                                : "pinhole");
+    own.insert(own.end(), {k.fx, k.fy, k.cx, k.cy});
+    text += "\n  intrinsics: " + yamlList(own) + "\n  distortion_model: " +
+            (c.empty()                     ? "none"
+             : model == LensModel::fisheye ? "equidistant"
+             : model == LensModel::fov     ? "fov"
+                                           : "radtan");
+    text += "\n  distortion_coeffs: " + yamlList(c) + "\n  resolution: [" + formatNumber(camera.width()) + ", " +
+            formatNumber(camera.height()) + "]\n  rostopic: /cam" + std::to_string(i) + "/image_raw\n";
+    const Rigid pose = rigidOf(cameraFromWorld(camera));
+    if (isOnImu) matrix("T_cam_imu", cameraFromWorld(camera));
+    if (i == 0) continue;
+    std::vector<double> link;
+    for (const Json& row : rowsOf(pose * inverse(rigidOf(cameraFromWorld(cameras[i - 1])))))
+      for (const Json& entry : row) link.push_back(entry);
+    matrix("T_cn_cnm1", link);
+  }
+  return {{"", text, isOnImu ? "the world is written as the IMU's, by T_cam_imu; FILE#imu/cam0 reads it" : ""}};
+}
 
 }  // namespace viewproj::cmd

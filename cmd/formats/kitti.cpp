@@ -7,6 +7,8 @@
 #include "formats/format.hpp"
 #include "formats/value.hpp"
 #include "formats/words.hpp"
+#include "formats/writer.hpp"
+#include "text/number.hpp"
 
 namespace viewproj::cmd {
 
@@ -103,5 +105,19 @@ extern const Format kKitti{"kitti", "a calibration file of KITTI",
                            "P0:12|P1:12|P2:12|P3:12|P_rect_00:12|P_rect_01:12|P_rect_02:12|P_rect_03:12|K_00:9|K_01:9|"
                            "K_02:9|K_03:9 !R1 !names",
                            kitti::open, "calib_time corner_dist S_* R_rect_* P_rect_* K_* D_* R_* T_*"};
+
+std::vector<WrittenFile> writeKitti(std::span<const WrittenCamera> cameras, std::string_view) {
+  std::string text;
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    const Intrinsics k = cameras[i].intrinsics(0);
+    const auto m = cameraFromWorld(cameras[i]);
+    text += "P" + std::to_string(i) + ":";
+    for (const auto& [f, c, row] : {std::tuple(k.fx, k.cx, 0), {k.fy, k.cy, 4}, {0.0, 1.0, 8}})
+      for (std::size_t j = 0; j < 4; ++j)
+        text += " " + formatNumber(rounded(twoProd(f, m[row + j]) + twoProd(c, m[8 + j])));
+    text += "\n";
+  }
+  return {{"", text}};
+}
 
 }  // namespace viewproj::cmd

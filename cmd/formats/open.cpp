@@ -18,8 +18,8 @@ namespace {
 
 /// The formats that have a file; the order does not matter, for one at most claims a file.
 constexpr const Format* kFormats[] = {
-    &kGltf,    &kThreeJs, &kTransforms, &kMetashape, &kMetashapeLens, &kMeshroom, &kOpenSfm, &kOpenSfmLenses,
-    &kBundler, &kExif,    &kScanner,    &kKalibr,    &kKitti,         &kStereo,   &kPoses,   &kMatrices};
+    &kGltf, &kThreeJs, &kTransforms, &kMetashape, &kMetashapeLens, &kMeshroom, &kOpenSfm, &kOpenSfmLenses, &kBundler,
+    &kExif, &kTable,   &kScanner,    &kKalibr,    &kKitti,         &kStereo,   &kPoses,   &kMatrices};
 
 /// Our own form may have names of others, as fx and cx in a projection.
 bool isOurs(const Json& root) {

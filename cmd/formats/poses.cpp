@@ -10,6 +10,7 @@
 #include "formats/format.hpp"
 #include "formats/value.hpp"
 #include "formats/words.hpp"
+#include "formats/writer.hpp"
 #include "text/number.hpp"
 
 namespace viewproj::cmd {
@@ -184,6 +185,23 @@ PosesOfFile posesOf(const Node& root) {
   return file;
 }
 
-extern const Format kPoses{"poses", "poses without a lens", "", poses::open, "*", holdsPoses};
+extern const Format kPoses{"poses", "poses without a lens",
+                           "",      poses::open,
+                           "*",     [](const Node& root) { return holdsPoses(root) && !kTable.recognises(root); }};
+
+std::vector<WrittenFile> writeTum(std::span<const WrittenCamera> cameras, std::string_view) {
+  const bool areTimes = std::all_of(cameras.begin(), cameras.end(), [](const WrittenCamera& camera) {
+    return parseNumber(camera.label()).has_value();
+  });
+  std::string text = "# timestamp tx ty tz qx qy qz qw\n";
+  for (const WrittenCamera& camera : cameras) {
+    const auto [columns, place] = worldFromCamera(camera.pose, CameraAxes::RDF);
+    text += areTimes ? camera.label() : camera.number;
+    for (std::size_t i = 0; i < 3; ++i) text += " " + formatNumber(place[i]);
+    for (const double number : quaternionOf(columns)) text += " " + formatNumber(number);
+    text += "\n";
+  }
+  return {{"", text}};
+}
 
 }  // namespace viewproj::cmd

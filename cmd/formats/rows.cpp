@@ -50,7 +50,7 @@ namespace {
 #define FLAT_IS                                                                                                 \
   "fx|fl_x|focal_x|f_x|focalLengthX|fl|focal_length|f cx|c_x|u0|principal_point_x cy|c_y|v0|principal_point_y " \
   "!ppx !/t_00 !camera_matrix:9 !/model_type !/frames !K:9 !/projection.type !/Camera.fx !/Camera1.fx "         \
-  "!/calibration.projection !/*.projection_type"
+  "!/calibration.projection !/*.projection_type !/0.x !/0.lat !/0.latitude"
 
 constexpr Row kRows[] = {
     {"ros", "a camera_info of ROS", "camera_matrix|K|k projection_matrix|P:12|p:12",

@@ -203,7 +203,7 @@ Json tableTree(std::string_view text) {
       // The header of a table of blanks may have commas.
       for (const char between : {separator, ' '}) {
         Json rows = Json::array();
-        std::size_t numbers = 0;
+        std::size_t numbers = 0, words = 0;  // of the first row
         bool isTable = true;
         eachLine(text.substr(static_cast<std::size_t>(lines[header].data() - text.data()) + lines[header].size()),
                  [&](std::string_view line) {
@@ -213,10 +213,10 @@ Json tableTree(std::string_view text) {
                    Json row = Json::object();
                    for (std::size_t i = 0; i < names.size(); ++i) {
                      const auto number = numberIn(cells[i]);
-                     if (rows.empty() && number) ++numbers;
+                     if (rows.empty() && !cells[i].empty()) ++(number ? numbers : words);
                      row.emplace(std::string(names[i]), number ? Json(*number) : Json(std::string(cells[i])));
                    }
-                   if (rows.empty() && 2 * numbers < names.size()) return isTable = false;
+                   if (rows.empty() && numbers < words) return isTable = false;
                    rows.push_back(std::move(row));
                    return true;
                  });

@@ -5,7 +5,9 @@
 
 #include "formats/format.hpp"
 #include "formats/node_tree.hpp"
+#include "formats/writer.hpp"
 #include "numbers/degrees.hpp"
+#include "text/json_text.hpp"
 
 namespace viewproj::cmd {
 
@@ -142,5 +144,50 @@ Import open(const Node& root) {
 
 extern const Format kThreeJs{"threejs", "a three.js file", "object.type:text|scene.object.type:text", threejs::open,
                              "*"};
+
+std::vector<WrittenFile> writeThreeJs(std::span<const WrittenCamera> cameras, std::string_view) {
+  const auto begin = [](std::size_t number, std::string_view type) {
+    const std::string digits = std::to_string(number);
+    JsonObject out;
+    out.add("uuid", "00000000-0000-4000-8000-" + std::string(12 - digits.size(), '0') + digits).add("type", type);
+    return out;
+  };
+  std::vector<std::string> objects;
+  for (const WrittenCamera& camera : cameras) {
+    const Projection& p = *camera.file.projection;
+    JsonObject out = begin(objects.size() + 1, p.isOrthographic() ? threejs::kOrthographic : threejs::kPerspective);
+    if (!camera.name.empty()) out.add("name", camera.name);
+    const auto m = worldFromCamera(camera, CameraAxes::RUB);
+    std::vector<double> columns;
+    for (std::size_t j = 0; j < 4; ++j)
+      for (std::size_t i = 0; i < 4; ++i) columns.push_back(i < 3 ? m[4 * i + j] : j < 3 ? 0 : 1);
+    out.addText("layers", "1").addText("matrix", jsonListOf(columns)).addText("zoom", "1");
+    out.add("near", p.zNear()).add("far", p.zFar());
+    if (p.isOrthographic()) {
+      out.add("left", p.left()).add("right", p.right()).add("top", p.top()).add("bottom", p.bottom());
+    } else {
+      // A full picture whose middle is the viewing axis, and of it the part that is seen.
+      const bool isCentred = p.left() == -p.right() && p.bottom() == -p.top();
+      const double halfHeight = (p.top() - p.bottom()) / 2;
+      out.add("fov", isCentred ? p.fov(Fov::vertical) : degreesOf(Angle::radians(2 * std::atan(halfHeight))));
+      out.add("aspect", p.aspect()).addText("focus", "10").addText("filmGauge", "35").addText("filmOffset", "0");
+      if (!isCentred) {
+        const Viewport picture = camera.file.viewport.value_or(Viewport{p.aspect(), 1});
+        const Intrinsics k = cameraIn({}, {}, p, Viewport{picture.width, picture.height}).intrinsics();
+        JsonObject view;
+        view.add("enabled", true).add("fullWidth", picture.width).add("fullHeight", picture.height);
+        view.add("offsetX", picture.width / 2 - k.cx).add("offsetY", picture.height / 2 - k.cy);
+        out.addText("view", view.add("width", picture.width).add("height", picture.height).text());
+      }
+    }
+    objects.push_back(out.text());
+  }
+  std::string object = objects.front();
+  if (objects.size() > 1)
+    object = begin(0, "Group").addText("layers", "1").addText("children", jsonList(objects, ",\n    ")).text();
+  return {{"", R"({"metadata": {"version": 4.6, "type": "Object", "generator": "viewproj"},)"
+               "\n  \"object\": " +
+                   object + "}\n"}};
+}
 
 }  // namespace viewproj::cmd

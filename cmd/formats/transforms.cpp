@@ -1,11 +1,14 @@
 // transforms.json of NeRFs. Sources: nerfstudio, "Data conventions" and its nerfstudio dataparser; instant-ngp, "NeRF
 // dataset tips".
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "formats/format.hpp"
+#include "formats/writer.hpp"
 #include "numbers/degrees.hpp"
 #include "numbers/vectors.hpp"
+#include "text/json_text.hpp"
 #include "text/number.hpp"
 
 namespace viewproj::cmd {
@@ -137,6 +140,28 @@ Import open(const Node& root) {
   return result;
 }
 
+/// The members of a lens and its picture.
+std::string lensMembers(const WrittenCamera& camera, std::string_view between) {
+  const Intrinsics k = camera.intrinsics(0.5);
+  const std::optional<Lens>& lens = camera.file.lens;
+  const bool isFisheye = lens && lens->model() == LensModel::fisheye;
+  JsonObject out;
+  out.add("camera_model", isFisheye ? "OPENCV_FISHEYE" : lens ? "OPENCV" : "PINHOLE");
+  const auto add = [&](std::string_view name, double value) { out.addText(name, jsonOf(value), between); };
+  add("fl_x", k.fx);
+  add("fl_y", k.fy);
+  add("cx", k.cx);
+  add("cy", k.cy);
+  add("w", camera.width());
+  add("h", camera.height());
+  if (lens) {
+    const std::vector<double> c = coefficientsOf(*lens);
+    constexpr const char *kBrown[] = {"k1", "k2", "p1", "p2", "k3"}, *kFisheye[] = {"k1", "k2", "k3", "k4"};
+    for (std::size_t i = 0; i < c.size(); ++i) add(isFisheye ? kFisheye[i] : kBrown[i], c[i]);
+  }
+  return out.members();
+}
+
 }  // namespace transforms
 
 extern const Format kTransforms{
@@ -145,5 +170,27 @@ extern const Format kTransforms{
     "ply_file_path orientation_override *_filenames n_frames idx time rotation fovx fovy fov_x fov_y "
     "fisheye_crop_radius offset n_extra_learnable_dims depth_unit_scale_factor integer_depth_scale "
     "enable_depth_loading render_aabb up white_transparent black_transparent up_vector"};
+
+std::vector<WrittenFile> writeTransforms(std::span<const WrittenCamera> cameras, std::string_view) {
+  constexpr std::string_view kLine = ",\n  ";
+  // Programs do not agree on a member that stands in the file and in a frame: all of a lens stands in one place.
+  const std::string shared = transforms::lensMembers(cameras.front(), kLine);
+  const bool isShared = std::all_of(cameras.begin(), cameras.end(), [&](const WrittenCamera& camera) {
+    return transforms::lensMembers(camera, kLine) == shared;
+  });
+  std::vector<std::string> frames;
+  for (const WrittenCamera& camera : cameras) {
+    const auto m = worldFromCamera(camera, CameraAxes::RUB);
+    std::vector<double> rows(m.begin(), m.end());
+    rows.insert(rows.end(), {0, 0, 0, 1});
+    JsonObject frame;
+    frame.add("file_path", camera.label());
+    if (!isShared) frame.addMembers(transforms::lensMembers(camera, ", "));
+    frames.push_back(frame.addText("transform_matrix", jsonRows(rows, 4)).text());
+  }
+  JsonObject out;
+  out.addMembers(isShared ? shared : "");
+  return {{"", "{\n  " + out.addText("frames", jsonList(frames, ",\n    "), kLine).members() + "\n}\n"}};
+}
 
 }  // namespace viewproj::cmd

@@ -22,24 +22,28 @@ struct MatrixSource {
   bool bakeViewport = false, relativeToEye = false;
 };
 
+struct NamedMatrix {
+  std::string name;
+  Mat4 matrix;  ///< for column vectors; the writer lays it out
+  std::size_t rows = 4, columns = 4;
+  std::string_view comment = {};  ///< empty: of the set's convention; else rows as they are, and what they are
+};
+
 struct CameraMatrix {
   std::string_view name;
   bool pose, projection, viewport, model;  ///< what it needs
   Space to, from;                          ///< to the screen in place of clip where the viewport is folded in
+  /// In place of spaces: what it is, where axes are right, down, forward and no convention applies. One line.
+  std::string_view ofCalibration = {};
 
-  /// For column vectors.
-  Mat4 make(const MatrixSource& source, bool inverse) const;
+  /// For column vectors. Throws InputError, or UsageError for the inverse of what has none.
+  NamedMatrix make(const MatrixSource& source, bool inverse) const;
 };
 
 std::span<const CameraMatrix> cameraMatrices();
 
 /// After the name of an inverse.
 inline constexpr std::string_view kInverse = "Inverse";
-
-struct NamedMatrix {
-  std::string name;
-  Mat4 matrix;  ///< for column vectors; the writer lays it out
-};
 
 struct MatrixSet {
   std::vector<NamedMatrix> matrices;
@@ -52,6 +56,9 @@ struct MatrixSet {
 
 /// A form is its name.
 std::vector<FormRow<std::string_view>> matrixForms();
+
+/// The edges of a window, in the order of OpenXR's XrFovf.
+inline constexpr std::string_view kEdges[] = {"left", "right", "up", "down"};
 
 /// format: one of matrixForms(). What its language knows only as float32 is rounded to that. Throws InputError, after
 /// the source's name, for an entry too large for what is written, or where float32 leaves a row or column of 0.

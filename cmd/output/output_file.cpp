@@ -7,6 +7,7 @@
 #include <charconv>
 #include <csignal>
 #include <cstdlib>
+#include <fstream>
 #include <mutex>
 #include <set>
 #include <system_error>
@@ -137,6 +138,26 @@ void NamedOutput::keep() {
   fs::rename(pathOf(temporaryName), pathOf(target_), error);
   if (error) fail(error.value());
   temporary = nullptr;
+}
+
+void writeFolder(const std::string& name, std::span<const std::pair<std::string, std::string>> files) {
+  outputName = visible(name);
+  const fs::path target = pathOf(name.substr(0, name.find_last_not_of('/') + 1));
+  std::error_code error;
+  if (fs::exists(target, error) && !(fs::is_directory(target, error) && fs::is_empty(target, error)))
+    throw InputError(outputName + ": is there already; expected a new folder, or an empty one");
+  const fs::path whole = target.string() + ".viewproj-" + std::to_string(::getpid());
+  if (!fs::create_directory(whole, error)) fail(error.value());
+  for (const auto& [file, text] : files) {
+    std::ofstream out(whole / pathOf(file), std::ios::binary);
+    if (!(out << text << std::flush)) error = std::error_code(errno, std::generic_category());
+  }
+  if (!error) fs::remove(target, error);  // an empty one
+  if (!error) fs::rename(whole, target, error);
+  if (!error) return;
+  std::error_code ignored;
+  fs::remove_all(whole, ignored);
+  fail(error.value());
 }
 
 std::string_view nameOfOutput() { return outputName; }

@@ -1,8 +1,10 @@
 // Standard output, written whole or with an error, -o FILE, and messages.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace viewproj::cmd {
 
@@ -23,6 +25,10 @@ class NamedOutput {
  private:
   std::string target_;  ///< empty where nothing is to be renamed
 };
+
+/// Writes files, {name, text} each, into a folder that is not there yet or is empty: all of them, or none. Throws
+/// InputError.
+void writeFolder(const std::string& name, std::span<const std::pair<std::string, std::string>> files);
 
 /// As messages name it.
 std::string_view nameOfOutput();

@@ -15,7 +15,7 @@ inline bool isBinary(Form form) { return form >= Form::f64; }
 /// lines: one JSON value per line. array: one JSON array. table: the columns of CSV, aligned for people.
 enum class OutputForm { lines, array, csv, text, f64, table };
 
-/// The name of a format, and its file extensions separated by blanks: ".json .geojson".
+/// The name of a format, and its files' extensions or names separated by blanks: ".json .geojson"; "/" is a folder.
 template <class T>
 struct FormRow {
   std::string_view name;

@@ -213,8 +213,37 @@ def plain(cases):
     print(f"{len(cases)} sets of matrices read as text and flat")
 
 
+def calibration(judge):
+    """K, [R | t], P and the window's edges: 3x3, 3x4, and four numbers; rows whatever the convention."""
+    camera = CAMERAS["perspective"]
+    of = lambda form: run(VIEWPROJ, "matrix", "-c", camera, "--convention", "d3d", "--which", "intrinsics,extrinsics,P,tangents", "--to", form)[1]
+    said = {name: m if isinstance(m, list) else [list(m.values())] for name, m in json.loads(of("json")).items() if name != "convention"}
+    rows = {name: sum(m, []) for name, m in said.items()}
+    columns = {name: [to_float(x) for x in sum(m if len(m) == 1 else transposed(m), [])] for name, m in said.items()}
+    check(list(map(len, rows.values())) == [9, 12, 12, 4, 4], f"calibration: {rows}")
+    if judge == "plain":
+        check([json.loads(line) for line in of("flat").splitlines()] == list(rows.values()), "flat calibration")
+    elif judge == "c":
+        prints = "".join(f'  for (i = 0; i < {len(n)}; ++i) printf("%.17g ", {name}[i]);\n' for name, n in rows.items())
+        with tempfile.TemporaryDirectory() as work:
+            with open(f"{work}/k.c", "w") as file:
+                file.write(f"#include <stdio.h>\n{of('c')}int main(void) {{\n  int i;\n{prints}  return 0;\n}}\n")
+            check(run("cc", "-std=c99", "-Wall", "-Wextra", "-Werror", "-o", f"{work}/k", f"{work}/k.c")[0] == 0, "cc calibration")
+            check([float(x) for x in run(f"{work}/k")[1].split()] == sum(rows.values(), []), "c calibration")
+    elif judge == "shaders":
+        body = "vec4(P * vec4(1.0) + extrinsics * vec4(1.0) + intrinsics * vec3(1.0), 1.0) + tangents + angles"
+        source = f"#version 450\n{of('glsl')}void main() {{ gl_Position = {body}; }}\n"
+        check(run("glslangValidator", "--stdin", "-S", "vert", text=source)[0] == 0, "glsl calibration")
+        body = "float4(mul(P, p) + mul(extrinsics, p) + mul(intrinsics, p.xyz), 1) + tangents + angles"
+        source = f"{of('hlsl')}float4 main(float4 p : POSITION) : SV_Position {{ return {body}; }}\n"
+        check(run("glslangValidator", "--stdin", "-D", "-S", "vert", "-e", "main", "-V", "-o", os.devnull, text=source)[0] == 0, "hlsl calibration")
+        check(numbers_in(of("glsl")) == columns == numbers_in(of("wgsl")), "glsl and wgsl calibration")
+        check(numbers_in(of("hlsl")) == {name: [to_float(x) for x in n] for name, n in rows.items()}, "hlsl calibration")
+
+
 cases = [Expected((camera, preset, variant)) for camera in CAMERAS for preset in PRESETS for variant in VARIANTS]
 test = {"plain": plain, "c": c_family, "shaders": shaders, "numpy": numpy_arrays}[sys.argv[2]]
 # A language without doubles does not hold them all; those are errors, of which the golden cases tell.
 test([e for e in cases if test is not shaders or e.case[0] != "large and small"])
+calibration(sys.argv[2])
 sys.exit(failures > 0)

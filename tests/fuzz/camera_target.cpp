@@ -59,10 +59,10 @@ void writeAll(const CameraFile& file) {
   requireJson(writeMatrices(set, "flat", "the fuzzer"), "matrix --to flat");
 }
 
-/// As `matrix --to camera` does, and the file that it writes read as any other.
+/// As `convert --to camera` does, and the file that it writes read as any other.
 void writeAndReadAgain(const CameraFile& file) {
   const std::string written = writeCamera(file, *file.preset, file.convention);
-  requireJson(written, "matrix --to camera");
+  requireJson(written, "convert --to camera");
   try {
     const CameraFile again = readCamera(load(written, "the file written"), file.reading);
     if (file.pose.has_value() != again.pose.has_value() ||

@@ -1,0 +1,191 @@
+// viewproj convert: cameras as files of other programs, or as ours.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "commands/camera_options.hpp"
+#include "commands/command.hpp"
+#include "formats/observations.hpp"
+#include "formats/writer.hpp"
+#include "output/output_file.hpp"
+#include "text/error.hpp"
+#include "text/json_text.hpp"
+#include "text/names.hpp"
+#include "text/system.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+constexpr std::string_view kCamera = "camera", kObservations = "observations";
+
+struct ConvertOptions {
+  CameraOptions camera;
+  WorldOptions world;
+  std::optional<std::string_view> form;
+};
+
+/// A camera that is to be written, in the world of --map and --scale.
+struct Chosen {
+  CameraFile file;
+  std::string name;
+};
+
+std::vector<Chosen> chosenOf(const ConvertOptions& o) {
+  const auto files = o.camera.readFiles();
+  std::vector<Chosen> all;
+  for (const auto& [cameras, which] : files)
+    for (const std::size_t i : which) {
+      CameraFile file = o.camera.readOne(*cameras, i, o.form != "tum");
+      const Json* const stated = valueAt(*file.document.root, "name");
+      std::string name = stated && stated->is_string() ? stated->get<std::string>() : cameras->nameOf(i);
+      // Of several files with a camera each, the file's name tells which it is.
+      if (name.empty() && files.size() > 1 && which.size() == 1) name = pathOf(file.name).stem().string();
+      all.push_back({o.world.mapped(file), std::move(name)});
+    }
+  return all;
+}
+
+/// The value of --map from a world where `from` is up to one where `to` is: each along y or z.
+std::string mapBetween(const Vec3& from, const Vec3& to, bool mirrors) {
+  const auto axis = [](double sign, bool isZ) { return std::string(sign < 0 ? "-" : "") + (isZ ? 'z' : 'y'); };
+  const bool fromZ = from.z != 0, toZ = to.z != 0;
+  const double turn = (from.y + from.z) * (to.y + to.z), side = mirrors ? -1 : 1;
+  const std::string up = axis(turn, fromZ),
+                    other = axis(fromZ == toZ ? side * turn : -side * turn, fromZ == toZ ? !fromZ : toZ);
+  return "x," + (toZ ? other + "," + up : up + "," + other);
+}
+
+/// Notes a world of the other handedness or up than the form's.
+void noteWorld(const CameraFile& file, const ConventionPreset& preset, std::string_view form) {
+  const Vec3 up = file.worldIsEnu ? Vec3{0, 0, 1} : file.preset->up;
+  const bool mirrors = file.convention.world != preset.convention.world;
+  if (file.worldIsEcef || (up == preset.up && !mirrors)) return;
+  const auto words = [](Handedness world, const Vec3& top) {
+    return std::string(nameOf(kWorldNames, world)) + "-handed with " + (top.y + top.z < 0 ? "-" : "") +
+           (top.z != 0 ? "z" : "y") + " up";
+  };
+  note(file.name + ": its world stays " + words(file.convention.world, up) + ", and that of " + std::string(form) +
+       " is " + words(preset.convention.world, preset.up) + "; --map " + mapBetween(up, preset.up, mirrors) +
+       " changes it");
+}
+
+/// One camera's document; or a set, an entry on a line each.
+std::string camerasText(const ConvertOptions& o, std::vector<Chosen> cameras) {
+  if (cameras.front().file.isTyped)
+    o.camera.noteHandedness(cameras.front().file);
+  else if (const ConventionPreset* const to = o.camera.convention(); to && !o.world.hasMap())
+    noteWorld(cameras.front().file, *to, to->name);
+  std::vector<std::string> entries;
+  for (Chosen& camera : cameras) {
+    if (!camera.name.empty()) {
+      camera.file.document = copied(camera.file.document);
+      (*camera.file.document.root)["name"] = camera.name;
+    }
+    if (cameras.size() == 1) return o.camera.written(camera.file);
+    entries.push_back(o.camera.written(camera.file, ", "));
+  }
+  return "{\"cameras\": " + jsonList(entries, ",\n  ") + "}\n";
+}
+
+std::vector<WrittenFile> filesOf(const ConvertOptions& o, const std::string& output) {
+  const auto row = std::find_if(writers().begin(), writers().end(), [&](const Writer& w) { return w.name == *o.form; });
+  if (row != writers().end() && row->endings == "/" && output == "-")
+    throw UsageError(std::string(row->name) + " has several files; -o FOLDER/ takes them");
+  std::vector<Chosen> chosen = chosenOf(o);
+  if (o.form == kCamera) return {{"", camerasText(o, std::move(chosen))}};
+  const Writer& writer = *row;
+  std::vector<WrittenCamera> cameras;
+  const bool isGraphics = writer.name == "gltf" || writer.name == "threejs";  // y is up there
+  if (isGraphics && !o.world.hasMap()) noteWorld(chosen.front().file, conventions::opengl, writer.name);
+  for (Chosen& camera : chosen) cameras.emplace_back(std::move(camera.file), std::move(camera.name), cameras.size());
+  if (const std::string left = requirePlaces(cameras, writer); !left.empty()) note(left);
+  return writer.write(cameras, endingOf(output));
+}
+
+/// {"camera", "position", "pixel"} a line, of the cameras that are picked.
+void writeObservations(const ConvertOptions& o, const CLI::App& app) {
+  for (const char* option : {"--map", "--scale", "--parts", "--world-from-camera", "--camera-from-world"})
+    if (app.count(option) > 0)
+      throw UsageError(std::string(option) + " goes with cameras; observations are written as the file has them");
+  if (o.camera.changesCamera() || !o.camera.file())
+    throw UsageError("observations are written as a file has them; leave out the options of a camera");
+  const auto picked = o.camera.readFiles();
+  const CameraSet& cameras = *picked.front().cameras;
+  if (picked.size() > 1) throw UsageError("observations are of one file");
+  std::vector<std::string> names(cameras.size());  // of those that are picked
+  for (const std::size_t i : picked.front().which) names[i] = jsonOf(cameras.pickOf(i));
+  constexpr std::size_t kBlock = 1 << 16;
+  std::string lines;
+  const std::string told = eachObservation(splitPick(*o.camera.file()).file, [&](const Observation& seen) {
+    const std::string& name = names.at(seen.camera);
+    if (name.empty()) return;
+    JsonObject out;
+    const auto& [x, y, z] = seen.position;
+    out.addText("camera", name).addText("position", jsonListOf(std::array{x, y, z}));
+    lines += out.addText("pixel", jsonListOf(std::array{seen.pixel.x, seen.pixel.y})).text() + "\n";
+    if (lines.size() > kBlock) writeOutput(std::exchange(lines, ""));
+  });
+  writeOutput(lines);
+  if (!told.empty()) note(told);
+}
+
+int runConvert(const ConvertOptions& o, const CLI::App& app) {
+  if (!o.form) {
+    std::vector<std::string_view> names{kCamera};
+    for (const Writer& writer : writers()) names.push_back(writer.name);
+    names.push_back(kObservations);
+    throw UsageError("--to is needed: " + joined(names));
+  }
+  for (const char* option : {"--convention", "--reverse-z", "--no-reverse-z", "--ndc-z"})
+    if (o.form != kCamera && app.count(option) > 0)
+      throw UsageError(std::string(option) + " goes with --to camera; " + std::string(*o.form) +
+                       " has a convention of its own. --read-as says how a file is read");
+  const CLI::Option* const named = app.get_option("--output");
+  const std::string name = named->empty() ? "-" : named->results().front();
+  if (o.form == kObservations) {
+    NamedOutput output(name);
+    writeObservations(o, app);
+    output.keep();
+    return 0;
+  }
+  const std::vector<WrittenFile> files = filesOf(o, name);
+  if (!files.front().note.empty()) note(files.front().note);
+  if (!files.front().name.empty()) {
+    std::vector<std::pair<std::string, std::string>> texts;
+    for (const WrittenFile& file : files) texts.emplace_back(file.name, file.text);
+    writeFolder(name, texts);
+    return 0;
+  }
+  NamedOutput output(name);
+  writeOutput(files.front().text);
+  output.keep();
+  return 0;
+}
+
+}  // namespace
+
+Action declareConvert(CLI::App& app) {
+  const auto o = std::make_shared<ConvertOptions>();
+  app.description(
+      "Cameras as a file of another program, or as ours (--to camera). Takes all cameras of the files, or those that "
+      "#NAME picks, with options laid over them. What would move a pixel and the file cannot say is refused; what "
+      "moves none is told.");
+  app.footer(
+      "Examples:\n"
+      "  viewproj convert --position 3,2,5 --target 0,0,0 --fov-y 60 --near 1 \\\n"
+      "    --viewport 640x480 --to opencv\n"
+      "  viewproj convert --fov-y 60 --aspect 2 --near 0.1 --to camera\n"
+      "  viewproj convert --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
+      "    --viewport 640x480 --map x,-y,-z --to transforms");
+  std::vector<FormRow<std::string_view>> forms{{kCamera, kCamera}};
+  for (const Writer& writer : writers()) forms.push_back({writer.name, writer.name, writer.endings});
+  forms.push_back({kObservations, kObservations});
+  addForm(app, o->form, std::span<const FormRow<std::string_view>>(forms), "What to write");
+  o->world.add(app);
+  o->camera.addFiles(app);
+  o->camera.add(app);
+  o->camera.addWriting(app);
+  return [o, &app] { return runConvert(*o, app); };
+}
+
+}  // namespace viewproj::cmd

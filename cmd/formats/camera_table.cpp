@@ -1,0 +1,242 @@
+// Tables of cameras, a row each: columns are our fields, or short names of them.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "camera/patch.hpp"
+#include "camera/read_lens.hpp"
+#include "camera/values.hpp"
+#include "formats/format.hpp"
+#include "formats/poses.hpp"
+#include "formats/value.hpp"
+#include "formats/writer.hpp"
+#include "text/csv.hpp"
+#include "text/names.hpp"
+#include "text/number.hpp"
+
+namespace viewproj::cmd {
+namespace table {
+
+/// Columns that are named in short, by their fields.
+constexpr std::string_view kShort[][2] = {{"position.x", "x"},
+                                          {"position.y", "y"},
+                                          {"position.z", "z"},
+                                          {"position.lat", "lat latitude"},
+                                          {"position.lon", "lon lng longitude"},
+                                          {"position.height", "alt altitude elevation"},
+                                          {"rotation.x", "qx"},
+                                          {"rotation.y", "qy"},
+                                          {"rotation.z", "qz"},
+                                          {"rotation.w", "qw"},
+                                          {"heading", "yaw"},
+                                          {"distortion.model", "model camera_model distortion_model"}};
+/// The first of these names the camera.
+constexpr std::string_view kNameColumns = "name camera image file FileName label id time";
+constexpr std::string_view kCoefficients = "k1 k2 k3 k4 k5 k6 p1 p2 xi alpha beta omega";
+/// What is written, in this order.
+constexpr std::string_view kWritten =
+    "name lat lon height heading pitch roll x y z qx qy qz qw world fx fy cx cy near far viewport.width "
+    "viewport.height "
+    "distortion.model k1 k2 k3 k4 k5 k6 p1 p2 distortion.xi distortion.alpha distortion.beta distortion.omega";
+
+bool isWord(std::string_view text, std::string_view words) {
+  const std::vector<std::string_view> all = wordsIn(words);
+  return std::find(all.begin(), all.end(), text) != all.end();
+}
+
+/// "k1" of "k1" and "distortion.k1"; empty for a column of something else.
+std::string_view coefficientOf(std::string_view column) {
+  constexpr std::string_view kFront = "distortion.";
+  if (column.starts_with(kFront)) column.remove_prefix(kFront.size());
+  return isWord(column, kCoefficients) ? column : "";
+}
+
+/// Where the value of a column stands in our document; empty: it is no field of ours.
+std::string pathOf(std::string_view column, bool isOnEarth) {
+  for (const auto& [path, names] : kShort)
+    if (isWord(column, names)) return std::string(path);
+  if (column == "height" && isOnEarth) return "position.height";
+  if (column == "name" || column == "$schema") return "";
+  const std::size_t dot = std::min(column.rfind('.'), column.size());
+  const bool isPart = isWord(column.substr(dot), ".x .y .z .w .lat .lon .height");
+  for (const Field& field : kFields) {
+    if (field.path == column) return std::string(column);
+    if (field.path == column.substr(0, dot) && isPart) return std::string(column);
+    const bool isShort = field.path.starts_with("projection.") && shortName(field) == column;
+    if (isShort && !isWord(column, "width height type matrix")) return std::string(field.path);
+  }
+  return column == "distortion.model" ? std::string(column) : "";
+}
+
+bool isOnEarth(const Json& row) {
+  return row.contains("lat") || row.contains("latitude") || row.contains("position.lat");
+}
+
+bool isEmpty(const Json& cell) {
+  return cell.is_null() || (cell.is_string() && cell.get_ref<const std::string&>().empty());
+}
+
+std::string nameOf(const Json& row) {
+  for (const std::string_view column : wordsIn(kNameColumns))
+    if (const auto cell = row.find(column); cell != row.end() && !isEmpty(*cell))
+      return cell->is_number() ? formatNumber(cell->get<double>()) : cell->is_string() ? cell->get<std::string>() : "";
+  return "";
+}
+
+/// A position, and a column of a turn or a lens beside it. A time and a pose alone are a trajectory.
+bool recognises(const Node& root) {
+  const Json& rows = root.json();
+  if (!rows.is_array() || rows.empty() || !rows.front().is_object()) return false;
+  const Json& row = rows.front();
+  bool hasPosition = false, hasTurn = false, hasLens = false;
+  for (const auto& [column, cell] : row.items()) {
+    if (cell.is_structured()) return false;
+    const std::string path = pathOf(column, isOnEarth(row)), first = path.substr(0, path.find('.'));
+    hasPosition = hasPosition || first == "position";
+    hasLens = hasLens || first == "projection";
+    hasTurn = hasTurn || isWord(first, "rotation heading target direction");
+  }
+  return hasPosition && (hasLens || (hasTurn && !holdsPoses(root)));
+}
+
+/// Where each column of a file stands in our document.
+using Paths = std::unordered_map<std::string, std::string>;
+
+Json documentOf(const Node& row, const Paths& paths) {
+  const bool onEarth = isOnEarth(row.json());
+  Json fields = Json::object();
+  std::vector<std::pair<std::string, double>> coefficients;
+  std::string model;
+  for (const auto& [column, cell] : row.json().items()) {
+    const Node node = *row.find(column);
+    if (isEmpty(cell)) continue;
+    if ((column == "width" || column == "height") && !onEarth)
+      node.fail("may be the picture's or the window's: call it viewport." + column + " or projection." + column);
+    if (const std::string_view coefficient = coefficientOf(column); !coefficient.empty()) {
+      coefficients.emplace_back(coefficient, numberOf(node));
+      continue;
+    }
+    const auto found = paths.find(column);
+    const std::string path = found == paths.end() ? pathOf(column, onEarth) : found->second;
+    if (path.empty()) continue;
+    node.mark();
+    if (path == "distortion.model") {
+      model = node.text();
+      continue;
+    }
+    Json* at = &fields;
+    for (std::size_t begin = 0; begin <= path.size();) {
+      const std::size_t end = std::min(path.find('.', begin), path.size());
+      at = &(*at)[path.substr(begin, end - begin)];
+      begin = end + 1;
+    }
+    *at = cell;
+  }
+  if (const auto q = fields.find("rotation"); q != fields.end() && q->is_object())
+    *q = {q->value("x", Json()), q->value("y", Json()), q->value("z", Json()), q->value("w", Json())};
+  Document camera{row.document().name + (row.path().empty() ? "" : ": " + row.path()),
+                  std::make_shared<Json>(Json::object())};
+  layOver(camera, fields);
+  if (!model.empty() || !coefficients.empty())
+    if (Json lens = lensOf(row, model, coefficients); !lens.is_null()) (*camera.root)["distortion"] = std::move(lens);
+  return std::move(*camera.root);
+}
+
+Import open(const Node& root) {
+  Import result;
+  for (const Json& row : root.json()) result.cameras.push_back({row.is_object() ? nameOf(row) : "", ""});
+  Paths paths;
+  for (const auto& [column, cell] : root.json().front().items())
+    paths.emplace(column, pathOf(column, isOnEarth(root.json().front())));
+  result.document = [root, paths](std::size_t which) { return documentOf(root[which], paths); };
+  result.own = [root](std::size_t which) { return std::optional(root[which]); };
+  return result;
+}
+
+// ---- Writing
+
+using Cells = std::map<std::string, std::string, std::less<>>;
+
+void addPose(const WrittenCamera& camera, Cells& cells) {
+  const FieldValues values = readValues(camera.file.document);
+  const auto* const position = values.find<Position>("position");
+  if (position && position->place) {
+    const HeadingPitchRoll computed = headingPitchRollOf(camera.pose, true);
+    const bool isStated = values.has("heading");
+    const auto add = [&](const char* name, double degrees) { cells[name] = formatNumber(degrees); };
+    add("lat", position->place->lat);
+    add("lon", position->place->lon);
+    add("height", position->place->height);
+    add("heading", degreesOf(isStated ? *values.find<Angle>("heading") : computed.heading));
+    add("pitch", degreesOf(isStated ? values.valueOr<Angle>("pitch", 0) : computed.pitch));
+    add("roll", degreesOf(isStated ? values.valueOr<Angle>("roll", 0) : computed.roll));
+    return;
+  }
+  const auto [columns, place] = worldFromCamera(camera.pose, CameraAxes::RUB);
+  const std::array<double, 4> q = quaternionOf(columns);
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (i < 3) cells[std::string(1, "xyz"[i])] = formatNumber(place[i]);
+    cells[std::string("q") + "xyzw"[i]] = formatNumber(q[i]);
+  }
+  if (camera.file.worldIsEcef || camera.file.worldIsEnu)
+    cells["world"] = viewproj::cmd::nameOf(kWorlds, camera.file.worldIsEcef ? World::ecef : World::enu);
+}
+
+void addLens(const Lens& lens, Cells& cells) {
+  cells["distortion.model"] = viewproj::cmd::nameOf(lens.model());
+  const auto add = [&](const std::string& name, double value, bool always) {
+    if (always || value != 0) cells[name] = formatNumber(value);
+  };
+  const bool isFisheye = lens.model() == LensModel::fisheye;
+  const bool isBent = isFisheye || lens.model() == LensModel::brown || lens.model() == LensModel::omni;
+  for (std::size_t i = 0; i < 6 && isBent; ++i) add("k" + std::to_string(i + 1), lens.k()[i], i < (isFisheye ? 4 : 2));
+  for (std::size_t i = 0; i < 2 && isBent; ++i) add("p" + std::to_string(i + 1), lens.p()[i], false);
+  add("distortion.xi", lens.xi(), lens.model() == LensModel::doubleSphere || lens.model() == LensModel::omni);
+  add("distortion.alpha", lens.alpha(), lens.model() == LensModel::doubleSphere || lens.model() == LensModel::unified);
+  add("distortion.beta", lens.beta(), lens.model() == LensModel::unified);
+  if (lens.model() != LensModel::unified) cells.erase("distortion.beta");
+  add("distortion.omega", lens.omega(), false);
+}
+
+Cells cellsOf(const WrittenCamera& camera) {
+  Cells cells{{"name", camera.label()}};
+  addPose(camera, cells);
+  const Intrinsics k = camera.intrinsics(0.5);
+  const Projection& p = *camera.file.projection;
+  for (const auto& [name, value] : {std::pair("fx", k.fx),
+                                    {"fy", k.fy},
+                                    {"cx", k.cx},
+                                    {"cy", k.cy},
+                                    {"viewport.width", camera.width()},
+                                    {"viewport.height", camera.height()}})
+    cells[name] = formatNumber(value);
+  if (hasDepth(p)) cells["near"] = formatNumber(p.zNear());
+  if (std::isfinite(p.zFar())) cells["far"] = formatNumber(p.zFar());
+  if (camera.file.lens) addLens(*camera.file.lens, cells);
+  return cells;
+}
+
+}  // namespace table
+
+extern const Format kTable{
+    "csv", "a table of cameras (CSV, or JSON objects)", "", table::open, "id", table::recognises};
+
+std::vector<WrittenFile> writeTable(std::span<const WrittenCamera> cameras, std::string_view) {
+  std::vector<table::Cells> rows;
+  for (const WrittenCamera& camera : cameras) rows.push_back(table::cellsOf(camera));
+  std::vector<std::string_view> columns;
+  for (const std::string_view column : wordsIn(table::kWritten))
+    if (std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return row.contains(column); }))
+      columns.push_back(column);
+  std::string text = joined(columns, ",") + "\n";
+  for (const table::Cells& row : rows)
+    for (const std::string_view column : columns) {
+      const auto cell = row.find(column);
+      if (cell != row.end()) text += quotedIfNeeded(cell->second);
+      text += column == columns.back() ? '\n' : ',';
+    }
+  return {{"", text}};
+}
+
+}  // namespace viewproj::cmd

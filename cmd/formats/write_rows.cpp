@@ -1,0 +1,145 @@
+// Writers of formats that rows read: OpenCV's FileStorage, ROS's camera_info, 3D Gaussian splatting, Open3D. Sources:
+// OpenCV's persistence.hpp, ROS's camera_calibration_parsers, gaussian-splatting's camera_utils, Open3D's
+// PinholeCameraTrajectory.
+#include <algorithm>
+
+#include "formats/writer.hpp"
+#include "text/json_text.hpp"
+#include "text/number.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+std::array<double, 9> matrixOf(const Intrinsics& k) { return {k.fx, 0, k.cx, 0, k.fy, k.cy, 0, 0, 1}; }
+
+bool isFisheye(const WrittenCamera& camera) {
+  return camera.file.lens && camera.file.lens->model() == LensModel::fisheye;
+}
+
+/// Centres of pixels at whole numbers, as OpenCV, ROS and Open3D count.
+Intrinsics atCentres(const WrittenCamera& camera) { return camera.intrinsics(0); }
+
+// ---- OpenCV
+
+/// A number, or a matrix of rows.
+struct Stored {
+  std::string name;
+  std::size_t rows, columns;  ///< 0: a number
+  std::vector<double> numbers;
+};
+
+/// FileStorage in one of its three forms.
+std::string storage(const std::vector<Stored>& entries, std::string_view ending) {
+  JsonObject json;
+  std::string yaml = "%YAML:1.0\n---\n", xml = "<?xml version=\"1.0\"?>\n<opencv_storage>\n";
+  for (const auto& [name, rows, columns, numbers] : entries) {
+    if (rows == 0) {
+      const std::string text = formatNumber(numbers.front());
+      json.addText(name, text, ",\n  ");
+      yaml += name + ": " + text + "\n";
+      xml += "<" + name + ">" + text + "</" + name + ">\n";
+      continue;
+    }
+    const std::string height = std::to_string(rows), width = std::to_string(columns);
+    std::string words;
+    for (const double number : numbers) words += (words.empty() ? "" : " ") + yamlNumber(number);
+    json.addText(name,
+                 R"({"type_id": "opencv-matrix", "rows": )" + height + ", \"cols\": " + width +
+                     R"(, "dt": "d", "data": )" + yamlList(numbers) + "}",
+                 ",\n  ");
+    yaml += name + ": !!opencv-matrix\n   rows: " + height + "\n   cols: " + width +
+            "\n   dt: d\n   data: " + yamlList(numbers) + "\n";
+    xml += "<" + name + " type_id=\"opencv-matrix\">\n  <rows>" + height + "</rows>\n  <cols>" + width +
+           "</cols>\n  <dt>d</dt>\n  <data>" + words + "</data></" + name + ">\n";
+  }
+  return ending == ".json" ? "{\n  " + json.members() + "\n}\n" : ending == ".xml" ? xml + "</opencv_storage>\n" : yaml;
+}
+
+}  // namespace
+
+std::vector<WrittenFile> writeOpenCv(std::span<const WrittenCamera> cameras, std::string_view ending) {
+  const WrittenCamera& camera = cameras.front();
+  const auto k = matrixOf(atCentres(camera));
+  std::vector<Stored> entries{{"image_width", 0, 0, {camera.width()}},
+                              {"image_height", 0, 0, {camera.height()}},
+                              {"camera_matrix", 3, 3, {k.begin(), k.end()}}};
+  if (camera.file.lens) {
+    std::vector<double> c = coefficientsOf(*camera.file.lens);
+    const bool isOmni = camera.file.lens->model() == LensModel::omni;
+    const double xi = c.front();
+    if (isOmni) c.erase(c.begin());
+    entries.push_back({"distortion_coefficients", 1, c.size(), c});
+    if (isOmni) entries.push_back({"xi", 0, 0, {xi}});
+    if (isFisheye(camera)) entries.push_back({"fisheye_model", 0, 0, {1}});
+  }
+  if (!camera.isAtOrigin()) {
+    const auto m = cameraFromWorld(camera);
+    entries.push_back({"R", 3, 3, {m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]}});
+    entries.push_back({"T", 3, 1, {m[3], m[7], m[11]}});
+  }
+  return {{"", storage(entries, ending)}};
+}
+
+std::vector<WrittenFile> writeRos(std::span<const WrittenCamera> cameras, std::string_view) {
+  const WrittenCamera& camera = cameras.front();
+  const auto k = matrixOf(atCentres(camera));
+  std::vector<double> c(5);
+  if (camera.file.lens) c = coefficientsOf(*camera.file.lens);
+  std::string text = "image_width: " + formatNumber(camera.width()) +
+                     "\nimage_height: " + formatNumber(camera.height()) +
+                     "\ncamera_name: " + jsonOf(camera.name.empty() ? "camera" : camera.name) + "\n";
+  const auto add = [&](std::string_view name, std::size_t rows, std::span<const double> numbers) {
+    text += std::string(name) + ":\n  rows: " + std::to_string(rows) +
+            "\n  cols: " + std::to_string(numbers.size() / rows) + "\n  data: " + yamlList(numbers) + "\n";
+  };
+  add("camera_matrix", 3, k);
+  text += std::string("distortion_model: ") +
+          (isFisheye(camera) ? "equidistant"
+           : c.size() > 5    ? "rational_polynomial"
+                             : "plumb_bob") +
+          "\n";
+  add("distortion_coefficients", 1, c);
+  add("rectification_matrix", 3, std::array<double, 9>{1, 0, 0, 0, 1, 0, 0, 0, 1});
+  add("projection_matrix", 3, std::array<double, 12>{k[0], 0, k[2], 0, 0, k[4], k[5], 0, 0, 0, 1, 0});
+  return {{"", text}};
+}
+
+std::vector<WrittenFile> writeSplats(std::span<const WrittenCamera> cameras, std::string_view) {
+  std::vector<std::string> list;
+  for (const WrittenCamera& camera : cameras) {
+    const auto m = worldFromCamera(camera, CameraAxes::RDF);
+    const Intrinsics k = camera.intrinsics(0.5);
+    JsonObject out;
+    out.addText("id", camera.number).add("img_name", camera.label());
+    out.add("width", camera.width()).add("height", camera.height());
+    out.addText("position", jsonListOf(std::array{m[3], m[7], m[11]}));
+    out.addText("rotation", jsonRows(std::array{m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]}, 3));
+    list.push_back(out.add("fy", k.fy).add("fx", k.fx).text());
+  }
+  return {{"", "[\n  " + joined(list, ",\n  ") + "\n]\n"}};
+}
+
+std::vector<WrittenFile> writeOpen3d(std::span<const WrittenCamera> cameras, std::string_view) {
+  const auto begin = [](const char* name) {
+    JsonObject out;
+    out.add("class_name", name).addText("version_major", "1").addText("version_minor", "0");
+    return out;
+  };
+  std::vector<std::string> list;
+  for (const WrittenCamera& camera : cameras) {
+    const auto m = cameraFromWorld(camera);
+    const Intrinsics k = atCentres(camera);
+    std::vector<double> columns;
+    for (std::size_t j = 0; j < 4; ++j)
+      for (std::size_t i = 0; i < 4; ++i) columns.push_back(i < 3 ? m[4 * i + j] : j < 3 ? 0 : 1);
+    JsonObject intrinsic, out = begin("PinholeCameraParameters");
+    intrinsic.add("width", camera.width()).add("height", camera.height());
+    intrinsic.addText("intrinsic_matrix", jsonListOf(std::array<double, 9>{k.fx, 0, 0, 0, k.fy, 0, k.cx, k.cy, 1}));
+    out.addText("extrinsic", jsonListOf(columns)).addText("intrinsic", intrinsic.text());
+    list.push_back(out.text());
+  }
+  JsonObject out = begin("PinholeCameraTrajectory");
+  return {{"", out.addText("parameters", jsonList(list, ",\n    ")).text() + "\n"}};
+}
+
+}  // namespace viewproj::cmd
