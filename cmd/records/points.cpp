@@ -385,6 +385,14 @@ Pair toPair(const NumberPlan& plan, const Numbers& n) {
   return {pointOf(plan, slots, n), {n[slots], n[slots + 1]}};
 }
 
+bool hasPixelBesidePoint(const RecordView& record, const ColumnChoice& columns) {
+  if (columns.given()) return columns.has("u");
+  if (isNameless(*record.schema)) return record.schema->size == 5;
+  Conditions conditions;
+  return std::any_of(std::begin(coordinates::kPixelsBesidePoints), std::end(coordinates::kPixelsBesidePoints),
+                     [&](const Coordinate* row) { return find(*row, record, conditions).has_value(); });
+}
+
 bool hasDistance(const NumberPlan& plan) { return (plan.kind & (depthKnown | viewDistanceKnown)) != 0; }
 
 Pixel toPixel(const NumberPlan& plan, const Numbers& n) {

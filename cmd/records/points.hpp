@@ -60,6 +60,9 @@ struct Pair {
 NumberPlan findPair(const RecordView& record, const PointReading& reading);
 Pair toPair(const NumberPlan& plan, const Numbers& numbers);
 
+/// Whether findPair finds a pixel, where findPoint finds a point.
+bool hasPixelBesidePoint(const RecordView& record, const ColumnChoice& columns);
+
 bool hasDistance(const NumberPlan& plan);
 Pixel toPixel(const NumberPlan& plan, const Numbers& numbers);
 
