@@ -225,33 +225,29 @@ int runDraw(const DrawOptions& o) {
 Action declareDraw(CLI::App& app) {
   const auto o = std::make_shared<DrawOptions>();
   app.description(
-      "An SVG of what the camera sees. Points have their id, name or number; hollow ones are hidden. Edges of "
-      "segments, "
-      "boxes, triangles and spheres are dashed where a shape hides them. A plane or the Earth has a grid and its "
-      "horizon. A point with a pixel beside it (as check reads it) has an arrow from that pixel to the computed one. "
-      "What lies outside has a triangle on the frame.");
+      "An SVG of what the camera sees. Points have their id, name or number; hidden ones are hollow. Edges of shapes "
+      "are "
+      "dashed where a shape hides them. A point with a pixel beside it, as check reads it, has an arrow from there to "
+      "the computed pixel.");
   app.footer(
       "Examples:\n"
       "  viewproj draw --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
       "    --viewport 640x480 --point 0,0,0 --point 1,1,1 -o view.svg\n"
-      "  printf 'x,y,z,name\\n1,1,1,lamp\\n0,2,0,kite\\n' |\n"
-      "    viewproj draw --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
-      "    --viewport 640x480");
+      "  printf 'x,y,z,name\\n1,1,1,lamp\\n' | viewproj draw --position 3,2,5 \\\n"
+      "    --target 0,0,0 --fov-y 60 --viewport 640x480");
   o->stream.addPoints(app);
-  addValues(app, "--pixel", "X,Y", o->pixels, readPixelPosition,
-            "A pixel to mark, with what its ray hits first, the distance and the normal");
-  CLI::Option* const scene = addScene(app, o->scene, "Shapes to draw, which hide what is behind them");
-  addValue(app, "--height", "H", o->height, numberThat([](double h) { return std::isfinite(h); }, "a number"),
-           "The ground: the plane z = H, or with a camera on the Earth the surface of that height")
+  addValues(app, "--pixel", "X,Y", o->pixels, readPixelPosition, "A pixel to mark, with what it hits");
+  CLI::Option* const scene = addScene(app, o->scene, "Shapes to draw");
+  addValue(app, "--height", "H", o->height, numberThat([](double h) { return h >= kLeastCrossedHeight; }, "a height"),
+           "The ground at this height: z = H, or the Earth's")
       ->excludes(scene);
   app.add_flag("--stems", o->hasStems, "A line from each point down to the ground");
   addOption(
       app, "--label", "NAMES",
       [o](const std::string& option, const std::string& text) { o->labels = splitNames(option, text); },
-      "Fields of a record to write beside it, the first as its name (default: id or name)");
+      "Fields to write beside points (default: id or name)");
   addValue(app, "--title", "TEXT", o->title, readText, "The title (default: the camera's name)");
-  addValue(app, "--picture", "PHOTO", o->photo, readFileName,
-           "A JPEG or PNG of the viewport's size, to put under the drawing");
+  addValue(app, "--picture", "PHOTO", o->photo, readFileName, "A JPEG or PNG to put beneath, of the viewport's size");
   o->stream.addInput(app, "points, pairs, shapes and outlines");
   o->camera.add(app);
   addOnlyForm(app, "SVG", ".svg");

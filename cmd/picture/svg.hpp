@@ -23,7 +23,8 @@ std::string rect(std::string_view style, const Rect& box);
 /// anchor: "start", "middle" or "end". inner: elements and escaped text.
 std::string text(std::string_view style, const Vec2& at, std::string_view anchor, const std::string& inner);
 
-/// The styles of every picture, light and dark. Text is at least 4.9:1 against its ground in both.
+/// The styles of every picture, light and dark: blue is the world, vermilion what was measured or asked for, green the
+/// ground, which the colour-blind tell apart too. Text is at least 4.9:1 against its ground.
 extern const char* const kStyles;
 
 }  // namespace viewproj::cmd::svg
