@@ -1,109 +1,222 @@
 // viewproj draw: an SVG of what the camera sees.
 #include <CLI/CLI.hpp>
-#include <type_traits>
+#include <algorithm>
+#include <nlohmann/json.hpp>
 
+#include "camera/values.hpp"
+#include "commands/check/report.hpp"
 #include "commands/command.hpp"
-#include "commands/picture.hpp"
 #include "commands/stream_options.hpp"
 #include "output/output_file.hpp"
-#include "records/scene.hpp"
+#include "picture/photo.hpp"
+#include "picture/picture.hpp"
 #include "text/error.hpp"
 #include "text/json_text.hpp"
+#include "text/names.hpp"
 #include "text/number.hpp"
 #include "text/utf8.hpp"
 
 namespace viewproj::cmd {
 namespace {
 
-/// JSON text, a string without its quotes.
-std::string labelOfJson(std::string_view value) {
-  return visible(value.starts_with('"') ? unescaped(value.substr(1, value.size() - 2)) : std::string(value));
-}
-
-/// By its id or name, else by its number counted from 1.
-std::string labelOf(const RecordView& record, std::size_t number) {
-  for (const char* name : {"id", "name"})
-    if (const auto field = record.schema->find(name)) {
-      const std::string label = visible(plainText(record, *field));
-      const bool isNull = record.schema->form == Form::json && record.values[*field] == "null";
-      if (!label.empty() && isUtf8(label) && !isNull) return label;
-    }
-  return std::to_string(number);
-}
-
-using Drawn = std::variant<Vec4, std::array<Vec3, 2>, Sphere, Box, Triangle>;
-
-Drawn toDraw(const NumberPlan& plan, const Numbers& n) {
-  if (isPoint(plan)) return toPoint(plan, n);
-  if (isSegment(plan)) return std::array{Vec3{n[0], n[1], n[2]}, Vec3{n[3], n[4], n[5]}};
-  return std::visit(
-      [](const auto& shape) -> Drawn {
-        if constexpr (requires { shape.x; })
-          return Vec4{shape.x, shape.y, shape.z, 1};
-        else
-          return shape;
-      },
-      toShape(plan, n));
-}
-
-/// Planes have no outline.
-void drawObject(Picture& picture, const SceneObject& object) {
-  const std::string label = labelOfJson(object.id);
-  if (const auto* surface = std::get_if<HeightSurface>(&object.shape))
-    return picture.add(label, Ellipsoid{kWgs84.equatorial + surface->height, kWgs84.polar + surface->height});
-  std::visit(
-      [&](const auto& shape) {
-        if constexpr (requires { picture.add(label, shape); }) picture.add(label, shape);
-      },
-      object.shape);
-}
-
-/// What the pixel's ray hits first.
-std::string hitLabel(const Camera& camera, const Vec2& pixel, const std::vector<SceneObject>& scene) {
-  const std::vector<SceneHit> hits = hitsOf(camera, screenToRay(camera, pixel), scene);
-  if (hits.empty()) return "no hit";
-  return labelOfJson(hits[0].object->id) + " at " + formatDigits(hits[0].hit.distance, 6);
-}
+constexpr unsigned kindPolygon = 100;
 
 struct DrawOptions {
   CameraOptions camera;
   StreamOptions stream;
   std::vector<Vec2> pixels;
-  std::optional<std::string> scene;
+  std::optional<std::string> scene, photo, title;
+  std::vector<std::string> labels;
+  std::optional<double> height;
+  bool hasStems = false;
 };
 
+/// JSON text, a string without its quotes.
+std::string labelOfJson(std::string_view value) {
+  return visible(value.starts_with('"') ? unescaped(value.substr(1, value.size() - 2)) : std::string(value));
+}
+
+std::optional<std::size_t> fieldNamed(const Schema& schema, std::string_view name) {
+  const auto found = std::find_if(schema.names.begin(), schema.names.end(),
+                                  [&](const std::string& field) { return sameButForCase(field, name); });
+  if (found == schema.names.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - schema.names.begin());
+}
+
+/// A value that can stand in a picture; empty for null.
+std::string textIn(const RecordView& record, std::size_t field) {
+  if (record.schema->form == Form::json && record.values[field] == "null") return "";
+  const std::string text = visible(plainText(record, field));
+  return isUtf8(text) ? text : "";
+}
+
+struct RecordLabel {
+  std::string name, note;
+};
+
+/// The fields of --label, the first as the name; else the id or name, else the number counted from 1.
+RecordLabel labelOf(const RecordView& record, std::size_t number, const std::vector<std::string>& labels) {
+  RecordLabel label;
+  for (const std::string& name : labels) {
+    const auto field = fieldNamed(*record.schema, name);
+    if (!field) throw RecordError(0, "has no " + inQuotes(name) + " for --label" + fieldsNote(*record.schema));
+    const std::string text = textIn(record, *field);
+    if (&name == &labels.front())
+      label.name = text;
+    else if (!text.empty())
+      label.note += (label.note.empty() ? "" : ", ") + text;
+  }
+  if (!labels.empty()) return label;
+  for (const char* name : {"id", "name"})
+    if (const auto field = fieldNamed(*record.schema, name))
+      if (const std::string text = textIn(record, *field); !text.empty()) return {text, ""};
+  return {std::to_string(number), ""};
+}
+
+/// Of a record as footprint writes it; none where it is null.
+std::vector<Vec3> polygonOf(const RecordView& record, std::size_t field, bool worldIsEcef) {
+  Json value;
+  (void)parseJson(record.values[field], value);
+  std::vector<Vec3> corners;
+  if (value.is_null()) return corners;
+  const std::size_t offset = record.offset(field);
+  if (!value.is_array() || value.size() < 3) throw RecordError(offset, "polygon: expected three points or more");
+  for (const Json& each : value) {
+    const auto number = [&](const char* name) {
+      const auto found = each.find(name);
+      return found != each.end() && found->is_number() ? found->get<double>() : NAN;
+    };
+    const bool isPlace = each.is_object() && each.contains("lat");
+    if (isPlace && !worldIsEcef) throw RecordError(offset, kNotOnEarth);
+    Vec3 corner{NAN, NAN, NAN};
+    if (isPlace)
+      corner = geodeticToEcef({number("lat"), number("lon"), number("height")});
+    else if (each.is_object())
+      corner = {number("x"), number("y"), number("z")};
+    else if (each.is_array() && each.size() == 3 && each[0].is_number() && each[1].is_number() && each[2].is_number())
+      corner = {each[0].get<double>(), each[1].get<double>(), each[2].get<double>()};
+    if (!isValid(Sphere{corner}))
+      throw RecordError(offset,
+                        "polygon: expected [x, y, z], x, y, z or lat, lon, height, got " + inQuotes(each.dump()));
+    corners.push_back(corner);
+  }
+  return corners;
+}
+
+/// Where a record has a polygon. Only JSON has one.
+std::optional<std::size_t> polygonField(const RecordView& record) {
+  return record.schema->form == Form::json && !record.schema->isArray ? fieldNamed(*record.schema, "polygon")
+                                                                      : std::nullopt;
+}
+
+/// Reads records into a picture.
+class PictureRecords {
+ public:
+  PictureRecords(const DrawOptions& o, const CameraFile& camera, PictureContent& content)
+      : o_(o), camera_(camera), content_(content), pairs_(camera, kWithin) {}
+
+  int read(const StreamSetup& setup) {
+    const PointReading reading{
+        .columns = setup.columns, .worldIsEcef = camera_.worldIsEcef, .segments = true, .shapes = true};
+    const auto locate = [&](const RecordView& record) {
+      if (polygonField(record)) return NumberPlan{.kind = kindPolygon};
+      if (isNameless(record) && hasPixelBesidePoint(record, reading.columns)) return findPair(record, reading);
+      NumberPlan plan = findPoint(record, reading);
+      return isPoint(plan) && hasPixelBesidePoint(record, reading.columns) ? findPair(record, reading) : plan;
+    };
+    const int status =
+        readRecords(setup, {locate, [&](const NumberPlan& plan, const Numbers& numbers, const RecordView& record,
+                                        std::size_t line) { add(plan, numbers, record, line); }});
+    if (const std::string text = explanation(); !text.empty()) content_.notes.push_back(text);
+    return status;
+  }
+
+ private:
+  static constexpr double kWithin = 0.1;  // as check
+
+  static bool isNameless(const RecordView& record) { return record.schema->isArray; }
+
+  void add(const NumberPlan& plan, const Numbers& n, const RecordView& record, std::size_t line) {
+    constexpr std::size_t kMostSlotsOfPoint = 4;
+    const auto [name, note] = labelOf(record, ++count_, o_.labels);
+    if (plan.kind == kindPolygon) {
+      content_.areas.push_back({name, polygonOf(record, *polygonField(record), camera_.worldIsEcef)});
+    } else if (isSegment(plan)) {
+      content_.segments.push_back({name, {n[0], n[1], n[2]}, {n[3], n[4], n[5]}});
+    } else if (!isPoint(plan)) {
+      std::visit(
+          [&](const auto& shape) {
+            if constexpr (!requires { shape.x; }) content_.shapes.push_back({name, shape});
+          },
+          toShape(plan, n));
+    } else if (plan.slots() > kMostSlotsOfPoint) {
+      const auto pair = toPair(plan, n);
+      content_.points.push_back({name, note, pair.point, pair.pixel});
+      pairs_.add(pair.point, pair.pixel, line);
+    } else {
+      content_.points.push_back({name, note, toPoint(plan, n)});
+    }
+  }
+
+  /// What check says of the pairs: the first explanation that holds for all of them.
+  std::string explanation() const {
+    if (pairs_.records() == 0) return "";
+    const OrderedJson report = pairs_.report();
+    for (const OrderedJson& each : report["explanations"]) {
+      if (!each["wrongPairs"].empty()) continue;
+      std::string text = "check: " + each["sentence"].get<std::string>();
+      for (const char* const mend : {"mend", "pairs"})
+        if (each[mend].is_string()) text += ": " + each[mend].get<std::string>();
+      return text;
+    }
+    return "";
+  }
+
+  const DrawOptions& o_;
+  const CameraFile& camera_;
+  PictureContent& content_;
+  mistakes::PairReport pairs_;
+  std::size_t count_ = 0;
+};
+
+std::vector<SceneObject> shapesOf(const DrawOptions& o, bool worldIsEcef) {
+  std::vector<SceneObject> shapes;
+  if (o.scene) shapes = readScene(*o.scene, worldIsEcef);
+  for (SceneObject& shape : shapes) shape.id = labelOfJson(shape.id);
+  if (!o.height) return shapes;
+  if (worldIsEcef)
+    shapes.push_back({"ground", HeightSurface{*o.height}});
+  else
+    shapes.push_back({"ground", Plane{{0, 0, *o.height}, {0, 0, 1}}});
+  return shapes;
+}
+
+std::string titleOf(const DrawOptions& o, const CameraFile& camera) {
+  if (o.title) return visible(*o.title);
+  const Json* const name = valueAt(*camera.document.root, "name");
+  return name && name->is_string() ? visible(name->get<std::string>()) : "What the camera sees";
+}
+
 int runDraw(const DrawOptions& o) {
-  StreamSetup setup = o.stream.setup(kPointColumns);
+  StreamSetup setup = o.stream.setup(kPointOrPairColumns);
+  if (!setup.columns.given()) setup.csvDefaults = {"x", "y", "z", "u", "v"};
   const bool reads = o.stream.reads(setup);
   const CameraFile file = o.camera.read();
   if (reads) o.stream.settleOnEarth(setup, file.worldIsEcef);
-  Picture picture(makeCamera(file));
-  std::vector<SceneObject> scene;
-  if (o.scene) {
-    requireNear(file, "--scene");
-    scene = readScene(*o.scene, file.worldIsEcef);
-    for (const SceneObject& object : scene) drawObject(picture, object);
-  }
-  const PointReading reading{
-      .columns = setup.columns, .worldIsEcef = file.worldIsEcef, .segments = true, .shapes = true};
-  std::size_t count = 0;
-  const auto make = [&](const NumberPlan& plan, const Numbers& numbers) {
-    if (!isPoint(plan) && !file.lens && !hasDepth(*file.projection))
-      throw RecordError(0, "a shape needs a camera with near; --near gives it");
-    return toDraw(plan, numbers);
-  };
-  const auto draw = [&](const Drawn& drawn, const RecordView& record, std::size_t) {
-    const std::string label = labelOf(record, ++count);
-    std::visit([&](const auto& what) { picture.add(label, what); }, drawn);
-  };
-  const int status = reads ? readEachPoint(setup, reading, make, draw) : 0;
-  for (const Vec2& pixel : o.pixels)
-    picture.addPixel(
-        o.scene ? hitLabel(picture.camera(), pixel, scene) : formatNumber(pixel.x) + ", " + formatNumber(pixel.y),
-        pixel);
-  const Viewport& v = *file.viewport;
-  writeOutput(picture.svg(formatNumber(v.width) + " x " + formatNumber(v.height) + " pixels from the " +
-                          (v.origin == Origin::topLeft ? "top" : "bottom") + " left"));
+  PictureContent content{.title = titleOf(o, file),
+                         .worldIsEcef = file.worldIsEcef,
+                         .shapes = shapesOf(o, file.worldIsEcef),
+                         .pixels = o.pixels,
+                         .hasStems = o.hasStems};
+  const bool hasGround = std::any_of(content.shapes.begin(), content.shapes.end(), [](const SceneObject& each) {
+    return std::holds_alternative<Plane>(each.shape) || std::holds_alternative<Ellipsoid>(each.shape) ||
+           std::holds_alternative<HeightSurface>(each.shape);
+  });
+  if (o.hasStems && !hasGround)
+    throw UsageError("--stems needs a ground: --height H, or a plane or an ellipsoid in --scene");
+  if (o.photo) content.photo = photoUrl(*o.photo, *file.viewport);
+  const int status = reads ? PictureRecords(o, file, content).read(setup) : 0;
+  writeOutput(pictureOf(makeCamera(file), content));
   return status;
 }
 
@@ -112,19 +225,30 @@ int runDraw(const DrawOptions& o) {
 Action declareDraw(CLI::App& app) {
   const auto o = std::make_shared<DrawOptions>();
   app.description(
-      "An SVG of what the camera sees: points under their id, name or number, segments, boxes, triangles and spheres "
-      "of FILE and of a scene, and what the rays of pixels hit.");
+      "An SVG of what the camera sees. Points have their id, name or number; hidden ones are hollow. Edges of shapes "
+      "are "
+      "dashed where a shape hides them. A point with a pixel beside it, as check reads it, has an arrow from there to "
+      "the computed pixel.");
   app.footer(
       "Examples:\n"
-      "  viewproj draw --position 3,2,5 --target 0,0,0 --fov-y 60 --near 0.1 \\\n"
+      "  viewproj draw --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
       "    --viewport 640x480 --point 0,0,0 --point 1,1,1 -o view.svg\n"
-      "  printf 'x,y,z\\n1,1,1\\n0,2,0\\n' |\n"
-      "    viewproj draw --position 3,2,5 --target 0,0,0 --fov-y 60 --viewport 640x480");
+      "  printf 'x,y,z,name\\n1,1,1,lamp\\n' | viewproj draw --position 3,2,5 \\\n"
+      "    --target 0,0,0 --fov-y 60 --viewport 640x480");
   o->stream.addPoints(app);
-  addValues(app, "--pixel", "X,Y", o->pixels, readPixelPosition,
-            "A pixel to mark, and with --scene what its ray hits first");
-  addScene(app, o->scene, "Shapes to draw");
-  o->stream.addInput(app, "points and shapes");
+  addValues(app, "--pixel", "X,Y", o->pixels, readPixelPosition, "A pixel to mark, with what it hits");
+  CLI::Option* const scene = addScene(app, o->scene, "Shapes to draw");
+  addValue(app, "--height", "H", o->height, numberThat([](double h) { return h >= kLeastCrossedHeight; }, "a height"),
+           "The ground at this height: z = H, or the Earth's")
+      ->excludes(scene);
+  app.add_flag("--stems", o->hasStems, "A line from each point down to the ground");
+  addOption(
+      app, "--label", "NAMES",
+      [o](const std::string& option, const std::string& text) { o->labels = splitNames(option, text); },
+      "Fields to write beside points (default: id or name)");
+  addValue(app, "--title", "TEXT", o->title, readText, "The title (default: the camera's name)");
+  addValue(app, "--picture", "PHOTO", o->photo, readFileName, "A JPEG or PNG to put beneath, of the viewport's size");
+  o->stream.addInput(app, "points, pairs, shapes and outlines");
   o->camera.add(app);
   addOnlyForm(app, "SVG", ".svg");
   return [o] { return runDraw(*o); };

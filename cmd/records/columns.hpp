@@ -23,9 +23,20 @@ struct ChoosableColumns {
 inline constexpr const Coordinate *kPointRows[] = {&coordinates::xyz, &coordinates::place},
                                   *kRadiusRow[] = {&coordinates::radius}, *kPixelRow[] = {&coordinates::xy},
                                   *kPairRows[] = {&coordinates::xyzUv, &coordinates::placeUv};
+/// Without w.
+inline constexpr Coordinate kXyzUvRow{"x y z u v",
+                                      CoordinateForm::numbers,
+                                      5,
+                                      5,
+                                      "a point and its pixel",
+                                      kindPoint,
+                                      std::span(coordinates::kXyzUvw).first(5)};
+inline constexpr const Coordinate* kPointOrPairRows[] = {&coordinates::xyz, &coordinates::place, &kXyzUvRow,
+                                                         &coordinates::placeUv};
 inline constexpr ChoosableColumns kPointColumns{kPointRows, {}, "E,N,U or x=E,y=N,z=U"},
     kSphereColumns{kPointRows, kRadiusRow, "E,N,U or x=E,y=N,z=U"},
     kPixelColumns{kPixelRow, coordinates::kDistances, "u,v or x=u,y=v"},
+    kPointOrPairColumns{kPointOrPairRows, {}, "E,N,U or x=E,y=N,z=U,u=u,v=v"},
     kPairColumns{kPairRows, {}, "E,N,U,u,v or x=E,y=N,z=U,u=u,v=v"},
     kPointValues{kPointRows, {}, "3,2,5 or lat=47,lon=8,height=1500"};
 

@@ -392,6 +392,14 @@ std::optional<Vec2> pixelBesidePoint(const NumberPlan& plan, const Numbers& n) {
   return std::isnan(pixel.x) ? std::nullopt : std::optional(pixel);
 }
 
+bool hasPixelBesidePoint(const RecordView& record, const ColumnChoice& columns) {
+  if (columns.given()) return columns.has("u");
+  if (isNameless(*record.schema)) return record.schema->size == 5;
+  Conditions conditions;
+  return std::any_of(std::begin(coordinates::kPixelsBesidePoints), std::end(coordinates::kPixelsBesidePoints),
+                     [&](const Coordinate* row) { return find(*row, record, conditions).has_value(); });
+}
+
 bool hasDistance(const NumberPlan& plan) { return (plan.kind & (depthKnown | viewDistanceKnown)) != 0; }
 
 Pixel toPixel(const NumberPlan& plan, const Numbers& n) {

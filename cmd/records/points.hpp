@@ -55,6 +55,9 @@ NumberPlan findPair(const RecordView& record, const PointReading& reading);
 /// Empty if the record has null: the point has no pixel. Throws RecordError for one number.
 std::optional<Vec2> pixelBesidePoint(const NumberPlan& plan, const Numbers& numbers);
 
+/// Whether findPair finds a pixel, where findPoint finds a point.
+bool hasPixelBesidePoint(const RecordView& record, const ColumnChoice& columns);
+
 bool hasDistance(const NumberPlan& plan);
 Pixel toPixel(const NumberPlan& plan, const Numbers& numbers);
 

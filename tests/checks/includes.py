@@ -8,7 +8,7 @@ ROOT = Path(__file__).resolve().parents[2]
 # From the bottom up; those of one line do not include one another. A public header counts as one of the room that implements it.
 FLOORS = (
     ("lib/numbers",), ("lib/camera",), ("lib/lens",), ("lib/projection",), ("lib/matrices",), ("lib/cameras_of", "lib/scene", "lib/geodesy"), ("lib/viewproj",),
-    ("cmd/text",), ("cmd/camera",), ("cmd/formats",), ("cmd/records",), ("cmd/output",), ("cmd/stream",), ("cmd/commands",), ("cmd",),
+    ("cmd/text",), ("cmd/camera",), ("cmd/formats",), ("cmd/records",), ("cmd/output",), ("cmd/stream",), ("cmd/picture",), ("cmd/commands",), ("cmd",),
 )
 PUBLIC = {
     "vectors": "lib/numbers", "version": "lib/numbers", "convention": "lib/camera", "camera": "lib/camera", "lens": "lib/lens", "screen": "lib/projection",

@@ -31,7 +31,7 @@ shows() {
     explain) pattern='screen.x .* 687\.08' ;;
     depth) pattern='0\.90009' ;;
     measure) pattern='matrix float32 .*[1-9]' ;;
-    draw) pattern='2 of 2 in view' ;;
+    draw) pattern='<circle class="dot" cx="[0-9.]*" cy' ;;
     fit) pattern='"position": \[8\.6' ;;
     schema) pattern='"fovY"' ;;
     help) pattern='--fov-y' ;;

@@ -1,0 +1,92 @@
+// Geometry on the sheet, in its units: x to the right, y down.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "viewproj/vectors.hpp"
+
+namespace viewproj::cmd {
+
+struct Rect {
+  double left = 0, top = 0, right = 0, bottom = 0;
+};
+
+inline Rect grown(const Rect& a, double by) { return {a.left - by, a.top - by, a.right + by, a.bottom + by}; }
+inline bool meet(const Rect& a, const Rect& b) {
+  return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+}
+inline bool holds(const Rect& box, const Vec2& at) {
+  return box.left <= at.x && at.x <= box.right && box.top <= at.y && at.y <= box.bottom;
+}
+/// NaN if there are no points.
+Rect boundsOf(const std::vector<Vec2>& points);
+
+inline double distance(const Vec2& a, const Vec2& b) { return std::hypot(b.x - a.x, b.y - a.y); }
+inline Vec2 between(const Vec2& a, const Vec2& b, double t) { return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}; }
+double distanceToSegment(const Vec2& p, const Vec2& a, const Vec2& b);
+/// Length of a segment within a box (Liang-Barsky).
+double lengthWithin(const Vec2& a, const Vec2& b, const Rect& box);
+bool cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
+
+/// Without the points that lie within 0.12 of the line of those that stay (Douglas-Peucker).
+std::vector<Vec2> simplified(const std::vector<Vec2>& line);
+/// The corners of the convex hull, in order (Andrew's chains).
+std::vector<Vec2> hull(std::vector<Vec2> points);
+
+/// Finds things on the sheet by their boxes, so that nobody looks at all of them.
+template <class T>
+class Cells {
+ public:
+  explicit Cells(const Rect& sheet) : sheet_(sheet) {}
+
+  void add(const Rect& box, const T& thing) {
+    eachCell(box, [&](std::vector<std::size_t>& cell) {
+      cell.push_back(things_.size());
+      return false;
+    });
+    things_.push_back(thing);
+    asked_.push_back(0);
+  }
+
+  /// Whether is(thing) holds for one of those whose box may meet this one. Each is asked once.
+  template <class Is>
+  bool any(const Rect& box, Is is) const {
+    ++question_;
+    return eachCell(box, [&](const std::vector<std::size_t>& cell) {
+      for (const std::size_t i : cell)
+        if (asked_[i] != question_) {
+          asked_[i] = question_;
+          if (is(things_[i])) return true;
+        }
+      return false;
+    });
+  }
+
+ private:
+  static constexpr std::size_t kAcross = 40;
+  /// Until use(cell) is true. What is off the sheet belongs to the cells at its edge.
+  template <class Use>
+  bool eachCell(const Rect& box, Use use) const {
+    const auto index = [](double at, double from, double to) {
+      const double cell = (at - from) / (to - from) * kAcross;
+      return !(cell > 0) ? 0 : cell >= kAcross ? kAcross - 1 : static_cast<std::size_t>(cell);
+    };
+    const std::size_t right = index(box.right, sheet_.left, sheet_.right),
+                      bottom = index(box.bottom, sheet_.top, sheet_.bottom);
+    for (std::size_t y = index(box.top, sheet_.top, sheet_.bottom); y <= bottom; ++y)
+      for (std::size_t x = index(box.left, sheet_.left, sheet_.right); x <= right; ++x)
+        if (use(cells_[y * kAcross + x])) return true;
+    return false;
+  }
+
+  Rect sheet_;
+  mutable std::vector<std::vector<std::size_t>> cells_ = std::vector<std::vector<std::size_t>>(kAcross * kAcross);
+  std::vector<T> things_;
+  mutable std::vector<std::size_t> asked_;  ///< the question that each was asked last
+  mutable std::size_t question_ = 0;
+};
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,117 @@
+#include "picture/labels.hpp"
+
+#include <algorithm>
+
+#include "text/utf8.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+Rect boundsOf(const Spot& spot) {
+  const Vec2 mark = spot.leader.value_or(Vec2{spot.box.left, spot.box.top});
+  return {std::min(spot.box.left, mark.x), std::min(spot.box.top, mark.y), std::max(spot.box.right, mark.x),
+          std::max(spot.box.bottom, mark.y)};
+}
+
+}  // namespace
+
+double textWidth(std::string_view utf8, const TextStyle& style) {
+  constexpr std::size_t kFirstOfEastAsia = 0xE3;  // the first byte from U+3000 on
+  double ems = 0;
+  for (const char letter : utf8) {
+    if (continuesCharacter(letter)) continue;
+    const auto isOneOf = [&](std::string_view group) { return group.find(letter) != std::string_view::npos; };
+    const auto byte = static_cast<unsigned char>(letter);
+    ems += byte >= kFirstOfEastAsia || isOneOf("mwMW@%#+=<>~^")                ? 1
+           : isOneOf("iljI.,:;'|")                                             ? 0.34
+           : isOneOf("frt()[]/ -!\"`")                                         ? 0.45
+           : (letter >= 'A' && letter <= 'Z') || letter == '&' || byte >= 0x80 ? 0.79
+                                                                               : 0.645;
+  }
+  return ems * style.size * (style.isBold ? 1.12 : 1);
+}
+
+Vec2 leaderEnd(const Rect& box, const Vec2& mark) {
+  return {std::clamp(mark.x, box.left, box.right), std::clamp(mark.y, box.top, box.bottom)};
+}
+
+Vec2 Label::size() const {
+  const double beside = note.empty() ? 0 : 5 + textWidth(note, {style.name, style.size});
+  return {textWidth(text, style) + beside + 4, style.size * 1.28};
+}
+
+void Label::addSpot(double cost, const Vec2& middle, const std::optional<Vec2>& leader) {
+  const auto [width, height] = size();
+  spots.push_back(
+      {cost, {middle.x - width / 2, middle.y - height / 2, middle.x + width / 2, middle.y + height / 2}, leader});
+}
+
+void Label::addSpotsAround(const Vec2& at, double radius, int first) {
+  constexpr double kGaps[] = {3, 16, 34, 56, 84, 120};
+  constexpr int kWays[][2] = {{1, 0}, {1, -1}, {1, 1}, {-1, 0}, {-1, -1}, {-1, 1}, {0, -1}, {0, 1}};
+  const auto [width, height] = size();
+  for (int ring = first; ring < 6; ++ring)
+    for (int k = 0; k < 8; ++k) {
+      const auto [x, y] = kWays[k];
+      const double gap = (radius + kGaps[ring]) * (x != 0 && y != 0 ? 0.72 : 1);
+      addSpot(0.6 * k + (ring > 0 ? 12 + 5 * ring : 0),
+              {at.x + x * (gap + width / 2), at.y + y * (gap + height * (x != 0 ? 0.4 : 0.5))},
+              ring > 0 ? std::optional(at) : std::nullopt);
+    }
+}
+
+void Labels::addInk(const Vec2& from, const Vec2& to, double weight) {
+  ink_.add(grown(cmd::boundsOf({from, to}), 2), {from, to, weight});
+}
+
+void Labels::addInk(const std::vector<Vec2>& line, double weight) {
+  for (std::size_t i = 1; i < line.size(); ++i) addInk(line[i - 1], line[i], weight);
+}
+
+double Labels::costOf(const Label& label, const Spot& spot, double least) const {
+  const Rect& box = spot.box;
+  if (spot.cost >= least || box.left < frame_.left + 1 || box.top < frame_.top + 1 || box.right > frame_.right - 1 ||
+      box.bottom > frame_.bottom - 1)
+    return least;
+  const std::optional<Vec2>& leader = spot.leader;
+  const Vec2 end = leader ? leaderEnd(box, *leader) : Vec2{};
+  const Rect all = boundsOf(spot);
+  const bool meetsMark = marks_.any(all, [&](const Rect& mark) {
+    return meet(box, grown(mark, 1)) || (leader && !holds(mark, *leader) && lengthWithin(*leader, end, mark) > 0);
+  });
+  if (meetsMark) return least;
+  const bool meetsName = names_.any(all, [&](std::size_t index) {
+    const Label& other = labels_[index];
+    if (&other == &label || !other.chosen) return false;
+    const Spot& taken = *other.chosen;
+    if (meet(box, grown(taken.box, 1)) || (leader && lengthWithin(*leader, end, taken.box) > 0)) return true;
+    if (!taken.leader) return false;
+    const Vec2 takenEnd = leaderEnd(taken.box, *taken.leader);
+    return lengthWithin(*taken.leader, takenEnd, box) > 0 || (leader && cross(*leader, end, *taken.leader, takenEnd));
+  });
+  if (meetsName) return least;
+  double cost = spot.cost;
+  ink_.any(all, [&](const Ink& ink) {
+    cost += ink.weight * (lengthWithin(ink.from, ink.to, grown(box, 1.5)) / 2 +
+                          (leader && cross(ink.from, ink.to, *leader, end) ? 4 : 0));
+    return cost >= least;
+  });
+  return std::min(cost, least);
+}
+
+const std::vector<Label>& Labels::place() {
+  constexpr int kRounds = 3;  // in the first each takes the cheapest free place, then each may move to a cheaper one
+  std::stable_sort(labels_.begin(), labels_.end(), [](const Label& a, const Label& b) { return a.rank < b.rank; });
+  for (int round = 0; round < kRounds; ++round)
+    for (std::size_t i = 0; i < labels_.size(); ++i) {
+      double least = HUGE_VAL;
+      const Spot* best = nullptr;
+      for (const Spot& spot : labels_[i].spots)
+        if (const double cost = costOf(labels_[i], spot, least); cost < least) least = cost, best = &spot;
+      labels_[i].chosen = best ? std::optional(*best) : std::nullopt;
+      if (best) names_.add(grown(boundsOf(*best), 1), i);
+    }
+  return labels_;
+}
+
+}  // namespace viewproj::cmd

@@ -1,0 +1,96 @@
+// What a camera sees of points and shapes, on the sheet.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "picture/flat.hpp"
+#include "records/scene.hpp"
+#include "viewproj/lens.hpp"
+
+namespace viewproj::cmd {
+
+inline Vec3 sum(const Vec3& a, double k, const Vec3& b) { return {a.x + k * b.x, a.y + k * b.y, a.z + k * b.z}; }
+inline double length(const Vec3& a) { return std::hypot(a.x, a.y, a.z); }
+inline Vec3 unit(const Vec3& a) { return sum({}, 1 / length(a), a); }
+inline Vec4 pointOf(const Vec3& a) { return {a.x, a.y, a.z, 1}; }
+inline Vec4 directionOf(const Vec3& a) { return {a.x, a.y, a.z, 0}; }
+inline Vec3 cornerOf(const Box& box, int i) {
+  return {(i & 1 ? box.max : box.min).x, (i & 2 ? box.max : box.min).y, (i & 4 ? box.max : box.min).z};
+}
+
+/// Which points count as in the picture: those in view, those at any distance (nearer than near and beyond far as
+/// well), or those that the pinhole camera has in view.
+enum class Extent { view, anyDistance, withoutLens };
+
+class View {
+ public:
+  /// ids of shapes: as the picture shows them. The longer side of the frame is 960.
+  View(const Camera& camera, std::vector<SceneObject> shapes);
+
+  const Camera& camera() const { return camera_; }
+  const std::vector<SceneObject>& shapes() const { return shapes_; }
+  bool isParallel() const { return camera_.projection().isOrthographic(); }
+  bool hasLens() const { return lensOf(camera_).has_value(); }
+  Vec3 eye() const { return eye_; }
+  const Rect& frame() const { return frame_; }
+  Vec2 middle() const { return between({frame_.left, frame_.top}, {frame_.right, frame_.bottom}, 0.5); }
+  bool isFromTop() const { return camera_.viewport().origin == Origin::topLeft; }
+  double scale() const { return scale_; }
+
+  Vec2 onSheet(const Vec2& screen) const;
+  Vec2 offSheet(const Vec2& at) const;
+  /// Where a point is on the sheet; nothing where it is not in the picture.
+  std::optional<Vec2> place(const Vec4& point, Extent extent = Extent::view) const;
+
+  /// From near on, where the camera has it.
+  Ray rayAt(const Vec2& at) const;
+  /// Whether a shape lies in front of a point that is seen there. except: a shape that does not count.
+  bool hides(const Vec3& point, const Vec2& at, const SceneObject* except = nullptr) const;
+  /// The shape that is seen there.
+  const SceneObject* shapeAt(const Vec2& at) const;
+  bool canHide() const { return !shapes_.empty(); }
+
+  /// The largest angle between the viewing axis and what the picture shows, in radians.
+  double reach() const { return reach_; }
+  /// Planes of the view without its lens.
+  const Frustum& frustum() const { return frustum_; }
+
+ private:
+  /// The shapes that may be seen there, until use(shape) is true.
+  template <class Use>
+  bool anyShapeAt(const Vec2& at, Use use) const {
+    return candidates_.any({at.x, at.y, at.x, at.y}, [&](std::size_t i) { return use(shapes_[i]); });
+  }
+  Rect boundsOf(const SceneObject& shape) const;
+
+  Camera camera_, pinhole_;
+  std::vector<SceneObject> shapes_;
+  Vec3 eye_;
+  Vec2 first_;  ///< the screen position of the picture's corner
+  double scale_, reach_;
+  Rect frame_;
+  Frustum frustum_;
+  Cells<std::size_t> candidates_;
+};
+
+/// A circle, or a part of it that holds all that the picture shows of it.
+struct Circle {
+  Vec3 middle, u, v;
+  double turns = 0.5;  ///< so far to both sides of u
+  double weight = 1;   ///< 0: of directions
+  double stretch = 1;  ///< of z
+
+  /// t from 0 to 1.
+  Vec4 operator()(double t) const;
+  /// So many that none is longer than a quarter of the picture.
+  int steps(const View& view) const;
+};
+
+/// The circle in which rays from the eye touch a sphere. stretch: of the sphere's z about 0. Nothing if the eye is
+/// within it.
+std::optional<Circle> outlineOf(const View& view, const Sphere& sphere, double stretch = 1);
+/// The directions along a plane: its horizon.
+Circle horizonOf(const View& view, const Vec3& normal);
+
+}  // namespace viewproj::cmd
