@@ -150,9 +150,10 @@ class PictureRecords {
           },
           toShape(plan, n));
     } else if (plan.slots() > kMostSlotsOfPoint) {
-      const auto pair = toPair(plan, n);
-      content_.points.push_back({name, note, pair.point, pair.pixel});
-      pairs_.add(pair.point, pair.pixel, line);
+      const Vec4 point = toPoint(plan, n);
+      const std::optional<Vec2> pixel = pixelBesidePoint(plan, n);
+      content_.points.push_back({name, note, point, pixel});
+      pairs_.add(point, pixel, line);
     } else {
       content_.points.push_back({name, note, toPoint(plan, n)});
     }
