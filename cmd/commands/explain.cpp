@@ -315,11 +315,11 @@ void explainWindow(Steps& steps, const Camera& camera, const Vec2& pixel, const 
 OrderedJson explainDepth(Steps& steps, const Camera& camera, const Vec2& pixel, double depth) {
   const Projection projection = camera.projection();
   const WindowDepths ends = camera.depths();
-  if (!hasDepth(projection)) throw InputError("--pixel: a window depth needs a camera with near; --near gives it");
+  if (!hasDepth(projection)) throw UsageError("--pixel: a window depth needs a camera with near; --near gives it");
   // The distance is the depth's alone, also of a pixel that the lens does not reach.
   const WorldPoint straight = screenToWorld(withoutLens(camera), pixel, depth);
   if (straight.status == DepthStatus::beyond)
-    throw InputError("--pixel: depth " + formatNumber(depth) + " lies beyond infinity, whose window depth is " +
+    throw UsageError("--pixel: depth " + formatNumber(depth) + " lies beyond infinity, whose window depth is " +
                      formatNumber(ends.atInfinity) + ": no point in front of the eye has it");
   const bool orthographic = projection.isOrthographic(), isInfinite = std::isinf(projection.zFar());
   const double share = (depth - ends.atNear) / (ends.atFar - ends.atNear);
@@ -354,7 +354,7 @@ OrderedJson explainPoint(const Camera& camera, const Convention& convention, con
   const Vec4 placed = model ? toWorld(*model, point) : point;
   const ScreenPoint p = worldToScreen(camera, placed);
   if (p.status == PointStatus::outOfRange)
-    throw InputError(!model         ? "the point lies farther than 1e91 from the eye"
+    throw UsageError(!model         ? "the point lies farther than 1e91 from the eye"
                      : point.w == 0 ? "--model takes the direction to 0"
                                     : "--model takes the point out of the range of numbers");
   Steps steps(convention);
