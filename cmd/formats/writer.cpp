@@ -215,6 +215,7 @@ std::string requirePlaces(std::span<const WrittenCamera> cameras, const Writer& 
                      std::string(writer.name) + " holds " + (most == 1 ? "one" : std::to_string(most)) +
                      "; pick with FILE#NAME");
   bool hasPicture = false, hasSize = false, hasNear = false, hasFar = false, hasDepths = false, hasName = false;
+  bool isFromBottom = false;
   for (const WrittenCamera& camera : cameras) {
     Places(camera, writer).require();
     const CameraFile& file = camera.file;
@@ -223,6 +224,7 @@ std::string requirePlaces(std::span<const WrittenCamera> cameras, const Writer& 
     hasNear = hasNear || (file.projection && hasDepth(*file.projection));
     hasFar = hasFar || (file.projection && std::isfinite(file.projection->zFar()));
     hasDepths = hasDepths || (file.viewport && (file.viewport->depthFirst != 0 || file.viewport->depthSecond != 1));
+    isFromBottom = isFromBottom || (file.viewport && file.viewport->origin == Origin::bottomLeft);
     hasName = hasName || !camera.name.empty();
   }
   std::vector<std::string_view> left;
@@ -230,6 +232,7 @@ std::string requirePlaces(std::span<const WrittenCamera> cameras, const Writer& 
   if (hasSize && lacks(kSizePlace)) left.push_back("size");
   if (hasNear && lacks(kNearPlace)) left.push_back("near");
   if (hasFar && lacks(kNearPlace)) left.push_back("far");
+  if (isFromBottom) left.push_back("origin");
   if (hasDepths) left.push_back("depthRange");
   if (hasName && lacks(kNamePlace)) left.push_back(cameras.size() == 1 ? "name" : "names");
   return left.empty() ? "" : std::string(writer.name) + " has no place for " + together(left) + ", left out";
