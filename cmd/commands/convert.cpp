@@ -149,7 +149,7 @@ Action declareConvert(CLI::App& app) {
       "moves none is told.");
   app.footer(
       "Examples:\n"
-      "  viewproj convert --position 3,2,5 --target 0,0,0 --fov-y 60 --near 1 \\\n"
+      "  viewproj convert --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
       "    --viewport 640x480 --to opencv\n"
       "  viewproj convert --fov-y 60 --aspect 2 --near 0.1 --to camera\n"
       "  viewproj convert --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
