@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "camera/fields.hpp"
@@ -28,25 +27,6 @@ void assumeLens(std::vector<Patch>& patches, bool hasViewport) {
   if (!hasLens) return;
   patches.push_back(optionPatch(*findField(isOrthographic ? "projection.height" : "projection.fovY"), "60"));
   if (!hasViewport) patches.push_back(optionPatch(*findField("projection.aspect"), "1"));
-}
-
-/// "x,y,-z".
-AxisMap readMap(const std::string& option, const std::string& text) {
-  const std::vector<std::string> parts = splitNames(option, text);
-  const UsageError wrong(option + " " + text +
-                         ": expected the new x, y, z in terms of the old, as in x,y,-z or -z,x,y");
-  if (parts.size() != 3) throw wrong;
-  AxisMap map;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const bool against = parts[i].starts_with('-');
-    const std::string axis = parts[i].substr(against || parts[i].starts_with('+') ? 1 : 0);
-    const std::size_t from = std::string("xyz").find(axis);
-    if (axis.size() != 1 || from == std::string::npos) throw wrong;
-    map.from[i] = from;
-    map.signs[i] = against ? -1 : 1;
-  }
-  if (map.from[0] == map.from[1] || map.from[0] == map.from[2] || map.from[1] == map.from[2]) throw wrong;
-  return map;
 }
 
 }  // namespace
@@ -271,19 +251,6 @@ void CameraOptions::noteHandedness(const CameraFile& file) const {
   if (world == file.convention.world && !(world == usual.convention.world && up == usual.up))
     note("the options are read in " + name + "'s world too: " + hand(world) + ", up " + formatNumber(up.x) + "," +
          formatNumber(up.y) + "," + formatNumber(up.z) + "; if they are not of it, give --read-as opengl");
-}
-
-void WorldOptions::add(CLI::App& app) {
-  addValue(app, "--map", "X,Y,Z", map_, readMap,
-           "New axes of the world in terms of the old, as in x,y,-z; a map that mirrors changes the handedness");
-  addValue(app, "--scale", "N", scale_,
-           numberThat([](double scale) { return scale > 0 && std::isfinite(scale); }, "a number above 0"),
-           "Write it for a world of lengths N times as long");
-}
-
-CameraFile WorldOptions::mapped(const CameraFile& file) const {
-  if (!map_ && !scale_) return file;
-  return readCamera(cmd::mapped(file, map_.value_or(AxisMap{}), scale_.value_or(1)), file.reading);
 }
 
 }  // namespace viewproj::cmd

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "camera/camera_set.hpp"
-#include "camera/change_camera.hpp"
 #include "camera/read_camera.hpp"
 #include "commands/cli.hpp"
 
@@ -81,18 +80,6 @@ class CameraOptions {
   std::optional<bool> reverseZ_;
   std::vector<Patch> patches_;  ///< of options and of --set, in their order
   bool takesAnyLens_ = false, onlyReads_ = false, allowStretch_ = false, ignoreDistortion_ = false;
-};
-
-/// --map and --scale: the same picture of another world.
-class WorldOptions {
- public:
-  void add(CLI::App& app);
-  bool hasMap() const { return map_.has_value(); }
-  CameraFile mapped(const CameraFile& file) const;
-
- private:
-  std::optional<AxisMap> map_;
-  std::optional<double> scale_;
 };
 
 }  // namespace viewproj::cmd

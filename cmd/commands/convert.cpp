@@ -5,6 +5,7 @@
 
 #include "commands/camera_options.hpp"
 #include "commands/command.hpp"
+#include "commands/world_options.hpp"
 #include "formats/observations.hpp"
 #include "formats/writer.hpp"
 #include "output/output_file.hpp"
@@ -45,36 +46,12 @@ std::vector<Chosen> chosenOf(const ConvertOptions& o) {
   return all;
 }
 
-/// The value of --map from a world where `from` is up to one where `to` is: each along y or z.
-std::string mapBetween(const Vec3& from, const Vec3& to, bool mirrors) {
-  const auto axis = [](double sign, bool isZ) { return std::string(sign < 0 ? "-" : "") + (isZ ? 'z' : 'y'); };
-  const bool fromZ = from.z != 0, toZ = to.z != 0;
-  const double turn = (from.y + from.z) * (to.y + to.z), side = mirrors ? -1 : 1;
-  const std::string up = axis(turn, fromZ),
-                    other = axis(fromZ == toZ ? side * turn : -side * turn, fromZ == toZ ? !fromZ : toZ);
-  return "x," + (toZ ? other + "," + up : up + "," + other);
-}
-
-/// Notes a world of the other handedness or up than the form's.
-void noteWorld(const CameraFile& file, const ConventionPreset& preset, std::string_view form) {
-  const Vec3 up = file.worldIsEnu ? Vec3{0, 0, 1} : file.preset->up;
-  const bool mirrors = file.convention.world != preset.convention.world;
-  if (file.worldIsEcef || (up == preset.up && !mirrors)) return;
-  const auto words = [](Handedness world, const Vec3& top) {
-    return std::string(nameOf(kWorldNames, world)) + "-handed with " + (top.y + top.z < 0 ? "-" : "") +
-           (top.z != 0 ? "z" : "y") + " up";
-  };
-  note(file.name + ": its world stays " + words(file.convention.world, up) + ", and that of " + std::string(form) +
-       " is " + words(preset.convention.world, preset.up) + "; --map " + mapBetween(up, preset.up, mirrors) +
-       " changes it");
-}
-
 /// One camera's document; or a set, an entry on a line each.
 std::string camerasText(const ConvertOptions& o, std::vector<Chosen> cameras) {
   if (cameras.front().file.isTyped)
     o.camera.noteHandedness(cameras.front().file);
-  else if (const ConventionPreset* const to = o.camera.convention(); to && !o.world.hasMap())
-    noteWorld(cameras.front().file, *to, to->name);
+  else if (const ConventionPreset* const to = o.camera.convention())
+    o.world.noteWorld(cameras.front().file, *to, to->name);
   std::vector<std::string> entries;
   for (Chosen& camera : cameras) {
     if (!camera.name.empty()) {
@@ -96,7 +73,7 @@ std::vector<WrittenFile> filesOf(const ConvertOptions& o, const std::string& out
   const Writer& writer = *row;
   std::vector<WrittenCamera> cameras;
   const bool isGraphics = writer.name == "gltf" || writer.name == "threejs";  // y is up there
-  if (isGraphics && !o.world.hasMap()) noteWorld(chosen.front().file, conventions::opengl, writer.name);
+  if (isGraphics) o.world.noteWorld(chosen.front().file, conventions::opengl, writer.name);
   for (Chosen& camera : chosen) cameras.emplace_back(std::move(camera.file), std::move(camera.name), cameras.size());
   if (const std::string left = requirePlaces(cameras, writer); !left.empty()) note(left);
   return writer.write(cameras, endingOf(output));
@@ -172,7 +149,7 @@ Action declareConvert(CLI::App& app) {
       "moves none is told.");
   app.footer(
       "Examples:\n"
-      "  viewproj convert --position 3,2,5 --target 0,0,0 --fov-y 60 --near 1 \\\n"
+      "  viewproj convert --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
       "    --viewport 640x480 --to opencv\n"
       "  viewproj convert --fov-y 60 --aspect 2 --near 0.1 --to camera\n"
       "  viewproj convert --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"

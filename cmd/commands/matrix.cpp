@@ -6,6 +6,7 @@
 #include "commands/camera_options.hpp"
 #include "commands/command.hpp"
 #include "commands/matrix_report.hpp"
+#include "commands/world_options.hpp"
 #include "output/matrix_text.hpp"
 #include "output/output_file.hpp"
 #include "records/model.hpp"

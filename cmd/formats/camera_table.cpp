@@ -131,7 +131,8 @@ Json documentOf(const Node& row, const Paths& paths) {
       at = &(*at)[path.substr(begin, end - begin)];
       begin = end + 1;
     }
-    *at = cell;
+    const auto number = numbersIn(cell);
+    *at = number && number->size() == 1 ? Json(number->front()) : cell;
   }
   if (const auto q = fields.find("rotation"); q != fields.end() && q->is_object())
     *q = {q->value("x", Json()), q->value("y", Json()), q->value("z", Json()), q->value("w", Json())};

@@ -5,6 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "camera/read_pose.hpp"
 #include "formats/format.hpp"
 #include "formats/writer.hpp"
 #include "text/error.hpp"
@@ -12,6 +13,8 @@
 #include "text/utf8.hpp"
 
 namespace viewproj::cmd {
+
+using namespace detail;
 namespace colmap {
 
 struct Model {
@@ -47,6 +50,16 @@ Json cameraOf(const Node& node) {
   if (model->lens.empty()) return camera;
   if (Json lens = lensOf(params, model->lens, p); !lens.is_null()) camera["distortion"] = std::move(lens);
   return camera;
+}
+
+/// What puts the eye in its place, whatever rounding did to the quaternion.
+Vec3 translationOf(const std::array<double, 4>& q, const Vec3& eye) {
+  const auto columns = rotationColumns({q[0], q[1], q[2], q[3]});
+  Vec3 t;
+  for (std::size_t i = 0; i < 3; ++i)
+    t[i] = 0.0 - rounded(columns[0][i] * DoubleDouble(eye.x) + columns[1][i] * DoubleDouble(eye.y) +
+                         columns[2][i] * DoubleDouble(eye.z));
+  return t;
 }
 
 /// MODEL WIDTH HEIGHT PARAMS[] of a line of cameras.txt.
@@ -102,11 +115,10 @@ std::vector<WrittenFile> writeColmap(std::span<const WrittenCamera> cameras, std
       throw InputError(camera.file.name + ": another camera has the name " + inQuotes(name));
     const auto [id, isNew] = ids.emplace(colmap::lineOf(camera), std::to_string(ids.size() + 1));
     if (isNew) lenses += id->second + " " + id->first + "\n";
-    const PlainRigid pose = cameraFromWorld(camera.pose, CameraAxes::RDF);
-    const std::array<double, 4> q = quaternionOf(pose.columns);
+    const std::array<double, 4> q = quaternionOf(cameraFromWorld(camera.pose, CameraAxes::RDF).columns);
+    const Vec3 t = colmap::translationOf(q, camera.pose.eye);
     images += std::to_string(i + 1);
-    for (const double number : {q[3], q[0], q[1], q[2], pose.translation.x, pose.translation.y, pose.translation.z})
-      images += " " + formatNumber(number);
+    for (const double number : {q[3], q[0], q[1], q[2], t.x, t.y, t.z}) images += " " + formatNumber(number);
     images += " " + id->second + " " + name + "\n\n";
   }
   return {{"cameras.txt", lenses}, {"images.txt", images}, {"points3D.txt", "# Points: none\n"}};

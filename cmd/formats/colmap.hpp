@@ -20,7 +20,7 @@ Import openColmap(const Node& root);
 
 /// Calls take with each pixel of an image that has a point in space: the number of the image in the list of
 /// readColmap(), the point and the pixel. Throws InputError.
-void eachColmapPixel(const std::string& model,
+void eachColmapPixel(const std::string& source,
                      const std::function<void(std::size_t image, const Vec3& point, const Vec2& pixel)>& take);
 
 }  // namespace viewproj::cmd

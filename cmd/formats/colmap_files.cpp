@@ -305,13 +305,13 @@ std::optional<std::string> colmapModel(const std::string& source) {
 
 namespace {
 
+/// The files of a model.
 struct Model {
-  Json root;
-  bool isBinary = false;
-  std::string points;  ///< the file of points beside it, which may be absent
+  bool isBinary;
+  std::string cameras, images, points;  ///< images: empty if there are none
 };
 
-Model readModel(const std::string& model, const TakePixel& take) {
+Model filesOf(const std::string& model) {
   std::error_code ignored;
   const std::filesystem::path source = pathOf(model);
   const bool isFolder = std::filesystem::is_directory(source, ignored);
@@ -322,37 +322,35 @@ Model readModel(const std::string& model, const TakePixel& take) {
   const auto exists = [&](const std::string& name) { return std::filesystem::exists(pathOf(name), ignored); };
   const bool isBinary = isFolder ? exists(beside("cameras.bin")) : model.ends_with(".bin");
   const bool isCameras = !isFolder && (isBinary ? !model.ends_with("images.bin") : isCamera(firstWords(source)));
-  const std::string cameras = isCameras ? model : beside(isBinary ? "cameras.bin" : "cameras.txt");
-  Json root{{"cameras", isBinary ? readBinaryCameras(cameras) : readCameras(cameras)}};
   const std::string images = isFolder ? beside(isBinary ? "images.bin" : "images.txt") : model;
-  if (!isCameras && exists(images))
-    root["images"] =
-        isBinary ? readBinaryImages(images, root["cameras"], take) : readImages(images, root["cameras"], take);
-  return {std::move(root), isBinary, beside(isBinary ? "points3D.bin" : "points3D.txt")};
+  return {isBinary, isCameras ? model : beside(isBinary ? "cameras.bin" : "cameras.txt"),
+          !isCameras && exists(images) ? images : "", beside(isBinary ? "points3D.bin" : "points3D.txt")};
+}
+
+Json readModel(const Model& model, const TakePixel& take) {
+  Json root{{"cameras", model.isBinary ? readBinaryCameras(model.cameras) : readCameras(model.cameras)}};
+  if (!model.images.empty())
+    root["images"] = model.isBinary ? readBinaryImages(model.images, root["cameras"], take)
+                                    : readImages(model.images, root["cameras"], take);
+  return root;
 }
 
 }  // namespace
 
-Json readColmap(const std::string& model) { return readModel(model, nullptr).root; }
+Json readColmap(const std::string& model) { return readModel(filesOf(model), nullptr); }
 
-void eachColmapPixel(const std::string& model,
+void eachColmapPixel(const std::string& source,
                      const std::function<void(std::size_t image, const Vec3& point, const Vec2& pixel)>& take) {
-  struct Seen {
-    std::size_t image;
-    Vec2 pixel;
-    std::int64_t point;
-  };
-  std::vector<Seen> seen;
-  const Model read = readModel(model, [&](std::size_t image, const Vec2& pixel, std::int64_t point) {
-    if (point >= 0) seen.push_back({image, pixel, point});
-  });
-  const Points points = read.isBinary ? readBinaryPoints(read.points) : readPoints(read.points);
-  for (const auto& [image, pixel, number] : seen) {
+  const Model model = filesOf(source);
+  if (model.images.empty()) throw InputError(visible(source) + ": has no images");
+  const Points points = model.isBinary ? readBinaryPoints(model.points) : readPoints(model.points);
+  (void)readModel(model, [&](std::size_t image, const Vec2& pixel, std::int64_t number) {
+    if (number < 0) return;
     const auto point = points.find(number);
     if (point == points.end())
-      throw InputError(visible(read.points) + ": has no point " + std::to_string(number) + ", which an image has");
+      throw InputError(visible(model.points) + ": has no point " + std::to_string(number) + ", which an image has");
     take(image, point->second, pixel);
-  }
+  });
 }
 
 }  // namespace viewproj::cmd

@@ -147,11 +147,11 @@ std::vector<WrittenFile> writeKalibr(std::span<const WrittenCamera> cameras, std
                                            : "radtan");
     text += "\n  distortion_coeffs: " + yamlList(c) + "\n  resolution: [" + formatNumber(camera.width()) + ", " +
             formatNumber(camera.height()) + "]\n  rostopic: /cam" + std::to_string(i) + "/image_raw\n";
-    const Rigid pose = rigidOf(cameraFromWorld(camera));
     if (isOnImu) matrix("T_cam_imu", cameraFromWorld(camera));
     if (i == 0) continue;
     std::vector<double> link;
-    for (const Json& row : rowsOf(pose * inverse(rigidOf(cameraFromWorld(cameras[i - 1])))))
+    const Rigid toWorld = rigidOf(worldFromCamera(cameras[i - 1], CameraAxes::RDF));
+    for (const Json& row : rowsOf(rigidOf(cameraFromWorld(camera)) * toWorld))
       for (const Json& entry : row) link.push_back(entry);
     matrix("T_cn_cnm1", link);
   }

@@ -213,8 +213,10 @@ Json tableTree(std::string_view text) {
                    Json row = Json::object();
                    for (std::size_t i = 0; i < names.size(); ++i) {
                      const auto number = numberIn(cells[i]);
+                     // A name may be 007, or a time in nanoseconds.
+                     const bool isExact = number && formatNumber(*number) == cells[i];
                      if (rows.empty() && !cells[i].empty()) ++(number ? numbers : words);
-                     row.emplace(std::string(names[i]), number ? Json(*number) : Json(std::string(cells[i])));
+                     row.emplace(std::string(names[i]), isExact ? Json(*number) : Json(std::string(cells[i])));
                    }
                    if (rows.empty() && numbers < words) return isTable = false;
                    rows.push_back(std::move(row));

@@ -9,6 +9,7 @@
 #include "text/json_text.hpp"
 #include "text/names.hpp"
 #include "text/number.hpp"
+#include "viewproj/matrices.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -25,20 +26,23 @@ constexpr Writer kWriters[] = {
          kUnifiedPlace | kDoubleSpherePlace | kOmniPlace | kFovPlace,
      writeKalibr},
     {"colmap", "/",
-     kPicture | kOffCentrePlace | kOpenCvLens | kUnifiedPlace | kFovPlace | kNamedPoses | kNeedsWholeSize, writeColmap},
+     kPicture | kOffCentrePlace | kOpenCvLens | kUnifiedPlace | kFovPlace | kNamedPoses | kQuaternions |
+         kNeedsWholeSize,
+     writeColmap},
     {"transforms", "transforms.json", kPicture | kOffCentrePlace | kBrownPlace | kK3Place | kFisheyePlace | kNamedPoses,
      writeTransforms},
     {"3dgs", "", kPicture | kNamedPoses | kNeedsWholeSize, writeSplats},
-    {"gltf", ".gltf", kNearPlace | kNeedsNear | kOrthographicPlace | kNamedPoses, writeGltf},
+    {"gltf", ".gltf", kNearPlace | kNeedsNear | kOrthographicPlace | kNamedPoses | kQuaternions, writeGltf},
     {"threejs", "",
-     kShapePlace | kOffCentrePlace | kNearPlace | kNeedsNear | kNeedsFar | kOrthographicPlace | kNamedPoses,
+     kShapePlace | kOffCentrePlace | kNearPlace | kNeedsNear | kNeedsFar | kOrthographicPlace | kNamedPoses |
+         kQuaternions,
      writeThreeJs},
     {"open3d", "", kPicture | kOffCentrePlace | kStatedPoses | kNeedsWholeSize, writeOpen3d},
     {"kitti", "", kPixels | kShapePlace | kOffCentrePlace | kStatedPoses, writeKitti},
-    {"tum", "", kPosesAlone | kNamedPoses, writeTum},
+    {"tum", "", kPosesAlone | kNamedPoses | kQuaternions, writeTum},
     {"csv", ".csv",
      kPicture | kOffCentrePlace | kNearPlace | kOpenCvLens | kUnifiedPlace | kDoubleSpherePlace | kOmniPlace |
-         kFovPlace | kNamedPoses,
+         kFovPlace | kNamedPoses | kQuaternions,
      writeTable},
 };
 
@@ -46,6 +50,19 @@ constexpr Writer kWriters[] = {
 constexpr double kRounding = 1e-12;
 
 bool isWhole(double number) { return number == std::floor(number); }
+
+/// The largest entry of M^T M - I of the cameras' matrices.
+double rotationError(std::span<const WrittenCamera> cameras) {
+  double largest = 0;
+  for (const WrittenCamera& camera : cameras)
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) {
+        double product = i == j ? -1 : 0;
+        for (std::size_t k = 0; k < 3; ++k) product += camera.worldFromCamera[k][i] * camera.worldFromCamera[k][j];
+        largest = std::max(largest, std::fabs(product));
+      }
+  return largest;
+}
 
 std::uint32_t placeOf(const Lens& lens) {
   switch (lens.model()) {
@@ -141,7 +158,14 @@ WrittenCamera::WrittenCamera(CameraFile read, std::string itsName, std::size_t i
     : file(std::move(read)), name(std::move(itsName)), number(std::to_string(itsNumber)) {
   if (file.convention.world == Handedness::left)
     file.fail(file.name + ": its world is left-handed, and other programs' are right-handed; --map x,y,-z mirrors it");
-  if (file.pose) pose = plainPose(*file.pose);
+  if (file.pose) {
+    Convention rightDownForward;
+    rightDownForward.view = ViewAxes::RDF;
+    const Camera camera = cameraIn(rightDownForward, file.pose);
+    worldFromCamera = matrix(camera, Space::world, Space::view);
+    cameraFromWorld = matrix(camera, Space::view, Space::world);
+    pose = plainPose(*file.pose);
+  }
   calibration = file.projection;
   if (!file.lens || !file.projection) return;
   if (valueAt(*file.document.root, "projection.fx")) {  // as the document has them
@@ -163,26 +187,19 @@ Intrinsics WrittenCamera::intrinsics(double pixelCenter) const {
   return cameraIn(file.convention, {}, calibration, picture).intrinsics();
 }
 
-bool WrittenCamera::isAtOrigin() const {
-  return pose.eye == Vec3{0, 0, 0} && pose.right == Vec3{1, 0, 0} && pose.up == Vec3{0, -1, 0} &&
-         pose.forward == Vec3{0, 0, 1};
-}
-
-std::array<double, 12> rowsOf(const PlainRigid& rigid) {
+std::array<double, 12> cameraFromWorld(const WrittenCamera& camera) {
   std::array<double, 12> rows{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) rows[4 * i + j] = rigid.columns[j][i] + 0.0;
-    rows[4 * i + 3] = rigid.translation[i] + 0.0;
-  }
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = camera.cameraFromWorld[i / 4][i % 4] + 0.0;
   return rows;
 }
 
-std::array<double, 12> cameraFromWorld(const WrittenCamera& camera) {
-  return rowsOf(cameraFromWorld(camera.pose, CameraAxes::RDF));
-}
-
 std::array<double, 12> worldFromCamera(const WrittenCamera& camera, CameraAxes axes) {
-  return rowsOf(worldFromCamera(camera.pose, axes));
+  std::array<double, 12> rows{};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const bool isOther = axes == CameraAxes::RUB && (i % 4 == 1 || i % 4 == 2);
+    rows[i] = (isOther ? -1 : 1) * camera.worldFromCamera[i / 4][i % 4] + 0.0;
+  }
+  return rows;
 }
 
 std::vector<double> coefficientsOf(const Lens& lens) {
@@ -215,6 +232,7 @@ std::string requirePlaces(std::span<const WrittenCamera> cameras, const Writer& 
                      std::string(writer.name) + " holds " + (most == 1 ? "one" : std::to_string(most)) +
                      "; pick with FILE#NAME");
   bool hasPicture = false, hasSize = false, hasNear = false, hasFar = false, hasDepths = false, hasName = false;
+  bool isFromBottom = false;
   for (const WrittenCamera& camera : cameras) {
     Places(camera, writer).require();
     const CameraFile& file = camera.file;
@@ -223,6 +241,7 @@ std::string requirePlaces(std::span<const WrittenCamera> cameras, const Writer& 
     hasNear = hasNear || (file.projection && hasDepth(*file.projection));
     hasFar = hasFar || (file.projection && std::isfinite(file.projection->zFar()));
     hasDepths = hasDepths || (file.viewport && (file.viewport->depthFirst != 0 || file.viewport->depthSecond != 1));
+    isFromBottom = isFromBottom || (file.viewport && file.viewport->origin == Origin::bottomLeft);
     hasName = hasName || !camera.name.empty();
   }
   std::vector<std::string_view> left;
@@ -230,9 +249,15 @@ std::string requirePlaces(std::span<const WrittenCamera> cameras, const Writer& 
   if (hasSize && lacks(kSizePlace)) left.push_back("size");
   if (hasNear && lacks(kNearPlace)) left.push_back("near");
   if (hasFar && lacks(kNearPlace)) left.push_back("far");
+  if (isFromBottom) left.push_back("origin");
   if (hasDepths) left.push_back("depthRange");
   if (hasName && lacks(kNamePlace)) left.push_back(cameras.size() == 1 ? "name" : "names");
-  return left.empty() ? "" : std::string(writer.name) + " has no place for " + together(left) + ", left out";
+  const std::string form(writer.name);
+  std::string told = left.empty() ? "" : form + " has no place for " + together(left) + ", left out";
+  if (const double error = lacks(kQuaternions) ? 0 : rotationError(cameras); error > kRounding)
+    told += (told.empty() ? form : "; it") + " has quaternions, and a matrix is " + formatDigits(error, 2) +
+            " off a rotation: the nearest is written";
+  return told;
 }
 
 std::string yamlNumber(double value) {

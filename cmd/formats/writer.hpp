@@ -24,9 +24,11 @@ struct WrittenCamera {
 
   CameraFile file;
   std::string name, number;
-  PlainPose pose{
-      {0, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 0, 1}};  ///< without one, axes right, down, forward at the origin
-  std::optional<Projection> calibration;             ///< with the focal lengths of the lens's own formula
+  /// Axes right, down, forward; without a pose at the origin. A pose that was read from a matrix of few digits is no
+  /// exact rotation: matrices have it as it is, and pose has unit vectors.
+  Mat4 worldFromCamera = kIdentity, cameraFromWorld = kIdentity;
+  PlainPose pose{{0, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 0, 1}};
+  std::optional<Projection> calibration;  ///< with the focal lengths of the lens's own formula
 
   const std::string& label() const { return name.empty() ? number : name; }
   /// From the picture's top left corner, y down; whole numbers are centres of pixels if pixelCenter is 0. The camera
@@ -35,12 +37,14 @@ struct WrittenCamera {
   double width() const { return file.viewport->width; }
   double height() const { return file.viewport->height; }
   /// Whether it stands at the origin, along the axes right, down, forward.
-  bool isAtOrigin() const;
+  bool isAtOrigin() const { return cameraFromWorld == kIdentity; }
+
+  static constexpr Mat4 kIdentity{{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}}};
 };
 
-/// Rows of a rotation and a translation: 12 numbers.
-std::array<double, 12> rowsOf(const PlainRigid& rigid);
+/// The first three rows: 12 numbers.
 std::array<double, 12> cameraFromWorld(const WrittenCamera& camera);
+/// The same of the inverse, for axes RDF or RUB.
 std::array<double, 12> worldFromCamera(const WrittenCamera& camera, CameraAxes axes);
 
 /// k1 k2 p1 p2 k3 [k4 k5 k6], a fisheye's k1 ... k4, xi and k1 k2 p1 p2 of omni, or a model's own numbers.
@@ -61,7 +65,8 @@ enum Place : std::uint32_t {
   kNeedsWholeSize = 1024,
   kNeedsNear = 2048,
   kNeedsFar = 4096,
-  kNeedsPose = 8192,  ///< it states one for each camera
+  kNeedsPose = 8192,     ///< it states one for each camera
+  kQuaternions = 16384,  ///< its poses are rotations
   kBrownPlace = 1 << 16,
   kK3Place = 1 << 17,        ///< of a brown lens
   kRationalPlace = 1 << 18,  ///< k4, k5, k6

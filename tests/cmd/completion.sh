@@ -26,7 +26,7 @@ expect 'project' pro
 expect 'measure' me
 expect 'check' ch
 expect '--help' --h
-expect 'cull check camera conventions' help c
+expect 'cull convert check camera conventions' help c
 expect '--convention' matrix --conv
 expect '--read-as --reverse-z' project --re
 expect '-c' project -c

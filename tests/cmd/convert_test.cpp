@@ -59,13 +59,23 @@ Json randomLens(Random& random, const Writer& writer) {
   }
 }
 
-Json randomPose(Random& random) {
+/// Some poses are matrices of few digits, which are no exact rotations.
+Json randomPose(Random& random, const Writer& writer) {
   const Vec3 eye = random.vector(10);
   std::vector<double> q;
   for (int i = 0; i < 4; ++i) q.push_back(random.uniform(-1, 1));
   const Json place{eye.x, eye.y, eye.z};
   if (random.oneIn(4)) return {{"position", place}, {"target", {0, 0, 0}}, {"up", {q[0], q[1], q[2]}}};
   if (random.oneIn(3)) return {{"position", place}, {"rotation", q}};
+  if (!has(writer, kQuaternions) && writer.name != "kitti" && random.coin()) {
+    const Pose pose = poseFromRotation(eye, {q[0], q[1], q[2], q[3]}, CameraAxes::RUB, Handedness::right);
+    Json rows = Json::array();
+    for (std::size_t i = 0; i < 3; ++i) {
+      rows.push_back({pose.right()[i], pose.up()[i], -pose.forward()[i], eye[i]});
+      for (Json& entry : rows.back()) entry = std::round(entry.get<double>() * 1e5) / 1e5;
+    }
+    return {{random.coin() ? "cameraFromWorld" : "worldFromCamera", rows}, {"cameraAxes", "RUB"}};
+  }
   return {{random.coin() ? "cameraFromWorld" : "worldFromCamera", {{"rotation", q}, {"translation", place}}}};
 }
 
@@ -98,7 +108,7 @@ Json randomCamera(Random& random, const Writer& writer, std::size_t number) {
   if (has(writer, kNeedsFar) || isOrthographic || random.coin()) projection["far"] = random.uniform(50, 500);
   // The file's K of the origin: right, down, forward.
   if (has(writer, kPosePlace) && !random.oneIn(6))
-    camera.update(randomPose(random));
+    camera.update(randomPose(random, writer));
   else
     camera.update({{"position", {0, 0, 0}}, {"rotation", {0, 0, 0, 1}}, {"cameraAxes", "RDF"}});
   if (!isOrthographic)

@@ -25,6 +25,7 @@ shows() {
     ray) pattern='"hit":{"id":0,"distance":9,' ;;
     cull) pattern='"cull":"inside"' ;;
     matrix) pattern='1\.7320508' ;;
+    convert) pattern='camera_matrix: !!opencv-matrix' ;;
     check | mistakes) pattern='y-flipped' ;;
     info | camera) pattern='fovY  *60$' ;;
     inspect) pattern='projection.fovY  *60$' ;;

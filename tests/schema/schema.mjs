@@ -24,7 +24,7 @@ let read = 0, written = 0;
 for (const name of readdirSync(join(source, "samples"), { recursive: true })) {
   if (!name.endsWith(".json")) continue;
   const file = join(source, "samples", name);
-  const camera = run("matrix", file, "--quiet", "--to", "camera");
+  const camera = run("convert", file, "--quiet", "--to", "camera");
   if (camera.status !== 0) continue;
   ++written;
   if (!isValid(JSON.parse(camera.stdout))) fault(`written of ${name}: ${ajv.errorsText(isValid.errors)}`);
