@@ -168,20 +168,30 @@ Mend mendOf(const CameraFile& file, const Explanation& e, std::span<const Pair> 
   };
   const CameraFile base = h.sets.empty() ? file : changed(file, mend.sets, h.stretch);
   const PlainCamera own = plainOf(makeCamera(base));
-  if (h.scale != 1 && h.camera.eye == own.eye &&
-      h.camera.axes == own.axes) {  // of another size: words, if the viewport's numbers are not whole
-    const Json& value = h.mistake.find(" + ") == std::string::npos ? h.value : h.value[1];
-    const Vec2 times = value.is_array() ? Vec2{value[0], value[1]} : Vec2{value, value};
+  // Words are the mend of a window that the document has no form for, and of another size but of whole numbers.
+  const bool isWindow = h.camera.eye == own.eye && h.camera.axes == own.axes && !h.camera.trial;
+  const auto inWords = [&] {
+    const double x = own.focal.x / h.camera.focal.x, y = own.focal.y / h.camera.focal.y;
+    if (isWindow)
+      mend.pixels =
+          PixelMap{x, 0, own.centre.x - x * h.camera.centre.x, 0, y, own.centre.y - y * h.camera.centre.y} * h.pixels;
+    else
+      mend.sets.clear();
+    return mend;
+  };
+  if (h.scale != 1 && isWindow) {
+    const Vec2 times{h.camera.focal.x / own.focal.x, h.camera.focal.y / own.focal.y};
     if (const auto sets = otherSize(file, times); sets && h.sets.empty())
       for (const bool stretch : {false, true})
         if (isEnough(*sets, stretch, most)) return {*sets, stretch, h.pixels};
-    const Vec2 corner = h.pixels(pictureCorners(*file.viewport).first);
-    mend.pixels =
-        PixelMap{1 / times.x, 0, corner.x - corner.x / times.x, 0, 1 / times.y, corner.y - corner.y / times.y} *
-        h.pixels;
-    return mend;
+    return inWords();
   }
-  const Document exact = withCamera(base, own, h.camera);
+  Document exact;
+  try {
+    exact = withCamera(base, own, h.camera);
+  } catch (const InputError&) {
+    return inWords();
+  }
   for (int digits = 3; digits <= 17; ++digits) {
     const Document rounded = copied(exact);
     roundChanged(*rounded.root, base.document.root.get(), digits);
@@ -191,8 +201,7 @@ Mend mendOf(const CameraFile& file, const Explanation& e, std::span<const Pair> 
     mend.sets = std::move(sets);
     return mend;
   }
-  mend.sets.clear();
-  return mend;
+  return inWords();
 }
 
 }  // namespace viewproj::cmd::mistakes
