@@ -281,7 +281,7 @@ TEST_CASE("A mistake is named, and no other beside it") {
       const std::string words = wordsForPairs(h, mend.pixels);
       CAPTURE(mend.options(), words);
       CHECK(words.empty() == !(mend.pixels != PixelMap{} || h.lensPasses != 0 || h.movesPoints()));
-      const Camera mended = makeCamera(changed(trials.file(), mend.sets, mend.stretch));
+      const Camera mended = makeCamera(changed(trials.file(), mend.patches(), mend.stretch));
       for (const Pair& pair : pairs) {
         const ScreenPoint at = worldToScreen(mended, h.point(pair.point));
         const Vec2 q = mend.pixels(pair.pixel);

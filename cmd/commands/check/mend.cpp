@@ -141,14 +141,10 @@ std::string Mend::options() const {
   return text + (stretch ? " --allow-stretch" : "");
 }
 
-CameraFile changed(const CameraFile& file, const std::vector<std::string>& sets, bool stretch) {
-  Document document = copied(file.document);
+std::vector<Patch> Mend::patches() const {
   std::vector<Patch> patches;
   for (const std::string& set : sets) patches.push_back(setPatch(set));
-  applyPatches(document, patches);
-  ReadOptions reading = file.reading;
-  reading.allowStretch |= stretch;
-  return readCamera(document, reading);
+  return patches;
 }
 
 Mend mendOf(const CameraFile& file, const Explanation& e, std::span<const Pair> pairs) {
@@ -157,16 +153,11 @@ Mend mendOf(const CameraFile& file, const Explanation& e, std::span<const Pair> 
   for (const auto& [path, value] : h.sets) mend.sets.push_back(path + "=" + textOf(value));
   if (!h.isSolved) return mend;
   const double most = std::max(1.01 * e.rms, e.rms + 1e-4);
-  const auto isEnough = [&](const std::vector<std::string>& sets, bool stretch, double limit) {
-    try {
-      return rmsOf(plainOf(makeCamera(changed(file, sets, stretch))), h, pairs, e.wrong) <= limit;
-    } catch (const CameraError&) {
-    } catch (const InputError&) {  // of so few digits there is no such camera
-    } catch (const UsageError&) {
-    }
-    return false;
+  const auto isEnough = [&](const Mend& tried, double limit) {
+    const auto camera = plainWith(file, tried.patches(), tried.stretch);  // of so few digits there may be none
+    return camera && rmsOf(*camera, h, pairs, e.wrong) <= limit;
   };
-  const CameraFile base = h.sets.empty() ? file : changed(file, mend.sets, h.stretch);
+  const CameraFile base = h.sets.empty() ? file : changed(file, mend.patches(), h.stretch);
   const PlainCamera own = plainOf(makeCamera(base));
   // Words are the mend of a window that the document has no form for, and of another size but of whole numbers.
   const bool isWindow = h.camera.eye == own.eye && h.camera.axes == own.axes && !h.camera.trial;
@@ -183,7 +174,7 @@ Mend mendOf(const CameraFile& file, const Explanation& e, std::span<const Pair> 
     const Vec2 times{h.camera.focal.x / own.focal.x, h.camera.focal.y / own.focal.y};
     if (const auto sets = otherSize(file, times); sets && h.sets.empty())
       for (const bool stretch : {false, true})
-        if (isEnough(*sets, stretch, most)) return {*sets, stretch, h.pixels};
+        if (const Mend other{*sets, stretch, h.pixels}; isEnough(other, most)) return other;
     return inWords();
   }
   Document exact;
@@ -195,11 +186,9 @@ Mend mendOf(const CameraFile& file, const Explanation& e, std::span<const Pair> 
   for (int digits = 3; digits <= 17; ++digits) {
     const Document rounded = copied(exact);
     roundChanged(*rounded.root, base.document.root.get(), digits);
-    std::vector<std::string> sets = mend.sets;
-    for (std::string& set : setsBetween(base.document, rounded)) sets.push_back(std::move(set));
-    if (!isEnough(sets, h.stretch, digits < 17 ? most : 1.01 * e.rms + 1e-3)) continue;
-    mend.sets = std::move(sets);
-    return mend;
+    Mend tried = mend;
+    for (std::string& set : setsBetween(base.document, rounded)) tried.sets.push_back(std::move(set));
+    if (isEnough(tried, digits < 17 ? most : 1.01 * e.rms + 1e-3)) return tried;
   }
   return inWords();
 }
