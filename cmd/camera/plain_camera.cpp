@@ -125,6 +125,14 @@ void putLook(Json& root, const FieldValues& values, const CameraFile& camera, co
 
 // ---- Windows
 
+/// The projection that a camera's fx and fy state: with the focal lengths of its lens's own formula.
+Projection asCalibrated(const CameraFile& camera, const Projection& p) {
+  if (!camera.lens) return p;
+  const double slope = 1 / calibrated(perspectiveWindow(-1, 1, -1, 1, 0, kInfiniteFar), *camera.lens).right();
+  return perspectiveWindow(p.left() * slope, p.right() * slope, p.bottom() * slope, p.top() * slope, p.zNear(),
+                           p.zFar());
+}
+
 Json edgesOf(const char* type, const Projection& p, double scale) {
   return {{"type", type},
           {"left", p.left() * scale},
@@ -180,7 +188,8 @@ struct WindowWriter {
     const auto picture = readPicture(values, {camera.preset, camera.convention, camera.statesConvention});
     if (!picture) return;
     const auto [fx, fy, cx, cy] =
-        cameraIn(camera.convention, {}, after, pictureOfIntrinsics(values, picture->frame)).intrinsics();
+        cameraIn(camera.convention, {}, asCalibrated(camera, after), pictureOfIntrinsics(values, picture->frame))
+            .intrinsics();
     fields.update({{"fx", fx}, {"fy", fy}, {"cx", cx}, {"cy", cy}});
   }
 
@@ -376,7 +385,8 @@ Document withProjection(const CameraFile& camera, const Projection& projection) 
       camera.fail(camera.name + ": this projection has no form without a viewport; --viewport WIDTHxHEIGHT gives one");
     const auto* const shift = values.find<Vec2>("projection.shift");
     const auto [fx, fy, cx, cy] =
-        cameraIn(camera.convention, {}, shift ? shifted(projection, shift->x, shift->y) : projection, picture->frame)
+        cameraIn(camera.convention, {},
+                 asCalibrated(camera, shift ? shifted(projection, shift->x, shift->y) : projection), picture->frame)
             .intrinsics();
     fields = {{"type", "intrinsics"}, {"fx", fx}, {"fy", fy}, {"cx", cx}, {"cy", cy}};
   }

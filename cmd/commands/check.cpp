@@ -21,14 +21,20 @@ namespace {
 /// Its exit status; 2 is that of all errors.
 enum : int { kAgree = 0, kDisagree = 1, kTrouble = 2 };
 
+std::string capitalized(std::string text) {
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
 /// Explanations as sections under their sentences, and what to know of them.
 OrderedJson forPeople(OrderedJson report) {
   OrderedJson notes = OrderedJson::array();
   const OrderedJson wrong = report["wrongPairs"], list = report["explanations"];
   if (report["noPixel"] != 0) notes.push_back("noPixel: points that have a pixel on one side alone.");
   if (!wrong.empty())
-    notes.push_back("Only " + mistakes::shownLines(wrong.get<std::vector<std::size_t>>()) +
-                    " of the pairs disagree: a point or a pixel is wrong there, not the camera.");
+    notes.push_back(capitalized(mistakes::shownLines(wrong.get<std::vector<std::size_t>>())) + " alone " +
+                    (wrong.size() == 1 ? "disagrees" : "disagree") +
+                    ": a point or a pixel is wrong there, not the camera.");
   if (!report["verdict"].is_null())
     notes.push_back(
         std::string("No explanation found.") +
@@ -57,9 +63,7 @@ OrderedJson forPeople(OrderedJson report) {
     report["cameras"] = std::move(cameras);
   }
   for (const OrderedJson& one : list) {
-    std::string heading = one["sentence"].get<std::string>() + ".";
-    heading[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(heading[0])));
-    OrderedJson& section = report[heading];
+    OrderedJson& section = report[capitalized(one["sentence"].get<std::string>()) + "."];
     for (const char* const row : {"mistake", "mend", "pairs", "rmsMiss", "largestMiss", "camerasMended"})
       if (!one[row].is_null()) section[row] = one[row];
   }

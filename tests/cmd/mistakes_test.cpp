@@ -18,7 +18,8 @@ using namespace viewproj::cmd::mistakes;
 
 namespace {
 
-enum Form { look, rotation, euler, vision, bent, earth };
+enum Form { look, rotation, euler, vision, bent, wide, earth };
+constexpr unsigned kForms = earth + 1;
 
 /// A right camera, with numbers as people type them.
 Json documentOf(Random& random, Form form) {
@@ -56,6 +57,7 @@ Json documentOf(Random& random, Form form) {
                             {"cx", round(0.44, 0.48) * width},
                             {"cy", round(0.52, 0.56) * height},
                             {"near", 0.1}};
+  if (form == wide) document["distortion"] = {{"model", "double-sphere"}, {"xi", -0.1}, {"alpha", 0.55}};
   if (form == bent) document["distortion"] = {{"model", "brown"}, {"k", {-0.21, 0.06}}, {"p", {0.003, -0.002}}};
   return document;
 }
@@ -217,7 +219,7 @@ const Wrong kWrong[] = {
        return sum(p, 1, {0.31, 0.2, -0.4});
      }},
     {"focal-length",
-     {look, vision},
+     {look, vision, wide},
      [](Json& d) {
        for (const char* name : {"fx", "fy"})
          if (d["projection"].contains(name)) d["projection"][name] = 1.3 * d["projection"][name].get<double>();
@@ -279,7 +281,7 @@ TEST_CASE("A mistake is named, and no other beside it") {
       const std::string words = wordsForPairs(h, mend.pixels);
       CAPTURE(mend.options(), words);
       CHECK(words.empty() == !(mend.pixels != PixelMap{} || h.lensPasses != 0 || h.movesPoints()));
-      const Camera mended = makeCamera(changed(trials.file(), mend.sets, mend.stretch));
+      const Camera mended = makeCamera(changed(trials.file(), mend.patches(), mend.stretch));
       for (const Pair& pair : pairs) {
         const ScreenPoint at = worldToScreen(mended, h.point(pair.point));
         const Vec2 q = mend.pixels(pair.pixel);
@@ -328,7 +330,7 @@ TEST_CASE("Pixels that no mistake made are not explained") {
   unsigned explained = 0;
   for (unsigned trial = 0; trial < trialsOf(60); ++trial) {
     Random random(trial);
-    const Json document = documentOf(random, static_cast<Form>(trial % 6));
+    const Json document = documentOf(random, static_cast<Form>(trial % kForms));
     const Camera camera = cameraOf(document);
     std::vector<Pair> pairs;
     for (const Vec3& p : pointsOf(random, camera, 2 + static_cast<int>(trial % 5)))

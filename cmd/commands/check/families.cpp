@@ -28,25 +28,30 @@ enum class By : std::uint8_t {
   k1, k2, p1, p2  // the lens
 };
 
+/// value: its numbers. f g: factors of the focal lengths; x y: pixels; d: degrees; X Y Z u: the eye's way, and up; s: the
+/// factor of its distance from the origin; k l p q: the lens.
 struct Family {
   const char* mistake;
   std::vector<By> by;
+  std::string_view value;
 };
 
 const std::vector<Family>& familiesOf(Table table) {
   using enum By;
   static const std::vector<Family> kSimple = {
-      {"focal-length", {f}}, {"focal-lengths", {fx}}, {"focal-lengths", {fy}}, {"pixel-ratio", {s}},
-      {"principal-point", {cx}}, {"principal-point", {cy}}, {"heading", {h}}, {"pitch", {p}}, {"roll", {r}},
-      {"height", {up}}, {"unit", {u}}, {"lens", {k1}}, {"focal-lengths", {fx, fy}}, {"resized", {sx, sy}},
-      {"principal-point", {cx, cy}}, {"lens", {k1, k2}}, {"rotation", {rx, ry, rz}}, {"eye", {X, Y, Z}},
-      {"scale-and-offset", {f, cx, cy}}, {"scales-and-offset", {fx, fy, cx, cy}}, {"lens", {k1, k2, p1, p2}},
-      {"rotation", {wx}}, {"rotation", {wy}}, {"rotation", {wz}}, {"eye", {X}}, {"eye", {Y}}, {"eye", {Z}}};
+      {"focal-length", {f}, "f"}, {"focal-lengths", {fx}, "fg"}, {"focal-lengths", {fy}, "fg"}, {"pixel-ratio", {s}, "f"},
+      {"principal-point", {cx}, "xy"}, {"principal-point", {cy}, "xy"}, {"heading", {h}, "d"}, {"pitch", {p}, "d"},
+      {"roll", {r}, "d"}, {"height", {up}, "u"}, {"unit", {u}, "s"}, {"lens", {k1}, "k"},
+      {"focal-lengths", {fx, fy}, "fg"}, {"resized", {sx, sy}, "fg"}, {"principal-point", {cx, cy}, "xy"},
+      {"lens", {k1, k2}, "kl"}, {"rotation", {rx, ry, rz}, "d"}, {"eye", {X, Y, Z}, "XYZ"},
+      {"scale-and-offset", {f, cx, cy}, "fxy"}, {"scales-and-offset", {fx, fy, cx, cy}, "fgxy"},
+      {"lens", {k1, k2, p1, p2}, "klpq"}, {"rotation", {wx}, "d"}, {"rotation", {wy}, "d"}, {"rotation", {wz}, "d"},
+      {"eye", {X}, "XYZ"}, {"eye", {Y}, "XYZ"}, {"eye", {Z}, "XYZ"}};
   static const std::vector<Family> kPoses = {
-      {"pan-tilt-zoom", {rx, ry, rz, f}},
-      {"pose", {rx, ry, rz, X, Y, Z}},
-      {"pose-and-focal-length", {rx, ry, rz, X, Y, Z, f}},
-      {"another-camera", {rx, ry, rz, X, Y, Z, fx, fy, cx, cy}}};
+      {"pan-tilt-zoom", {rx, ry, rz, f}, "df"},
+      {"pose", {rx, ry, rz, X, Y, Z}, "dXYZ"},
+      {"pose-and-focal-length", {rx, ry, rz, X, Y, Z, f}, "dXYZ"},
+      {"another-camera", {rx, ry, rz, X, Y, Z, fx, fy, cx, cy}, "dXYZ"}};
   return table == Table::simple ? kSimple : kPoses;
 }
 // clang-format on
@@ -147,24 +152,20 @@ Solver::Numbers Solver::distances(const Numbers& misses) const {
   return all;
 }
 
-/// Solves a symmetric system with positive pivots in place; false if there is none.
+/// Solves a system with a positive definite matrix in place (Cholesky); false if there is no solution.
 bool solveSystem(std::vector<std::vector<double>> a, std::vector<double>& b) {
   const std::size_t n = b.size();
   for (std::size_t i = 0; i < n; ++i) {
-    std::size_t pivot = i;
-    for (std::size_t j = i; j < n; ++j)
-      if (std::fabs(a[j][i]) > std::fabs(a[pivot][i])) pivot = j;
-    if (!(std::fabs(a[pivot][i]) > 0)) return false;
-    std::swap(a[i], a[pivot]);
-    std::swap(b[i], b[pivot]);
-    for (std::size_t j = i + 1; j < n; ++j) {
-      const double factor = a[j][i] / a[i][i];
-      for (std::size_t k = i; k < n; ++k) a[j][k] -= factor * a[i][k];
-      b[j] -= factor * b[i];
+    for (std::size_t j = 0; j <= i; ++j) {
+      for (std::size_t k = 0; k < j; ++k) a[i][j] -= a[i][k] * a[j][k];
+      if (i == j && !(a[i][i] > 0)) return false;
+      a[i][j] = i == j ? std::sqrt(a[i][i]) : a[i][j] / a[j][j];
     }
+    for (std::size_t k = 0; k < i; ++k) b[i] -= a[i][k] * b[k];
+    b[i] /= a[i][i];
   }
   for (std::size_t i = n; i-- > 0;) {
-    for (std::size_t k = i + 1; k < n; ++k) b[i] -= a[i][k] * b[k];
+    for (std::size_t k = i + 1; k < n; ++k) b[i] -= a[k][i] * b[k];
     b[i] /= a[i][i];
   }
   return std::all_of(b.begin(), b.end(), [](double x) { return std::isfinite(x); });
@@ -292,36 +293,33 @@ double medianDistance(const Fit& fit) {
   return (all[(all.size() - 1) / 2] + all[all.size() / 2]) / 2;
 }
 
-Json valueOf(const std::string& mistake, const Fit& fit, const PlainCamera& to, const std::vector<By>& by) {
+Json valueOf(const Family& family, const Fit& fit, const PlainCamera& to) {
   const PlainCamera& from = fit.camera;
-  const double degrees = angleOf(to.axes * transposed(from.axes)) * 180 / std::numbers::pi;
-  const Vec3 way = sum(to.eye, -1, from.eye);
-  const double fx = to.focal.x / from.focal.x, fy = to.focal.y / from.focal.y;
-  if (mistake == "focal-length" || mistake == "pixel-ratio") return fx;
-  if (mistake == "focal-lengths" || mistake == "resized") return {fx, fy};
-  const Vec2 moved{to.centre.x - from.centre.x, to.centre.y - from.centre.y};
-  if (mistake == "principal-point") return {moved.x, moved.y};
-  if (mistake == "scale-and-offset") return {fx, moved.x, moved.y};
-  if (mistake == "scales-and-offset") return {fx, fy, moved.x, moved.y};
-  if (mistake == "height") return dot(way, fit.up);
-  if (mistake == "eye") return {way.x, way.y, way.z};
-  if (mistake == "unit") return {"position", dot(to.eye, from.eye) / dot(from.eye, from.eye)};
-  if (mistake == "pan-tilt-zoom") return {degrees, fx};
-  if (mistake == "lens") {
-    Json numbers = Json::array();
-    const TrialLens lens = to.trial.value_or(TrialLens{});  // no step has made one: its numbers are 0
-    for (std::size_t i = 0; i < std::min<std::size_t>(by.size(), 2); ++i) numbers.push_back(lens.k[i]);
-    for (std::size_t i = 2; i < by.size(); ++i) numbers.push_back(lens.p[i - 2]);
-    return numbers;
-  }
-  if (mistake == "heading" || mistake == "pitch" || mistake == "roll") {
-    const Vec3 axis = to.axes * axisOf(from, fit.up, by[0]);
-    const Rows turned = to.axes * transposed(from.axes);
-    const Vec3 skew{turned[2].y - turned[1].z, turned[0].z - turned[2].x, turned[1].x - turned[0].y};
-    return dot(skew, axis) < 0 ? -degrees : degrees;
-  }
-  if (mistake == "rotation") return degrees;
-  return {degrees, way.x, way.y, way.z};
+  const Rows turned = to.axes * transposed(from.axes);
+  const Vec3 way = sum(to.eye, -1, from.eye), skew = skewOf(turned);
+  double degrees = angleOf(turned) * 180 / std::numbers::pi;
+  if (isBetween(family.by[0], By::h, By::r) && dot(skew, to.axes * axisOf(from, fit.up, family.by[0])) < 0)
+    degrees = -degrees;
+  const TrialLens lens = to.trial.value_or(TrialLens{});  // no step has made one: its numbers are 0
+  const std::pair<char, double> numbers[] = {{'f', to.focal.x / from.focal.x},
+                                             {'g', to.focal.y / from.focal.y},
+                                             {'x', to.centre.x - from.centre.x},
+                                             {'y', to.centre.y - from.centre.y},
+                                             {'d', degrees},
+                                             {'X', way.x},
+                                             {'Y', way.y},
+                                             {'Z', way.z},
+                                             {'u', dot(way, fit.up)},
+                                             {'s', dot(to.eye, from.eye) / dot(from.eye, from.eye)},
+                                             {'k', lens.k[0]},
+                                             {'l', lens.k[1]},
+                                             {'p', lens.p[0]},
+                                             {'q', lens.p[1]}};
+  Json value = Json::array();
+  for (const char letter : family.value)
+    for (const auto& [name, number] : numbers)
+      if (name == letter) value.push_back(number);
+  return value.size() == 1 && family.value != "k" ? value[0] : value;
 }
 
 }  // namespace
@@ -361,14 +359,16 @@ std::vector<Hypothesis> families(const Fit& fit, Table table, std::size_t wrong)
     }
     if (!std::isfinite(best.cost)) continue;
     Hypothesis solved{.mistake = family.mistake, .camera = best.camera};
-    solved.value = valueOf(family.mistake, fit, best.camera, family.by);
+    solved.value = valueOf(family, fit, best.camera);
     solved.isSolved = true;
     solved.parameters = static_cast<int>(count);
     if (first == By::s || first == By::sx)
       solved.scale = best.camera.focal.x * best.camera.focal.y / (fit.camera.focal.x * fit.camera.focal.y);
+    const double times = first == By::u ? solved.value.get<double>() : 0;
+    if (first == By::u) solved.value = {"position", times};
     all.push_back(solved);
-    if (first == By::u && solved.value[1].get<double>() > 0) {
-      const double factor = 1 / solved.value[1].get<double>();
+    if (times > 0) {
+      const double factor = 1 / times;
       Hypothesis points{.mistake = family.mistake, .value = {"points", factor}, .camera = fit.camera};
       points.points = {Vec3{factor, 0, 0}, {0, factor, 0}, {0, 0, factor}};
       points.parameters = 1;

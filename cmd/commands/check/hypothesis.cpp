@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "camera/patch.hpp"
 #include "camera/plain_camera.hpp"
 #include "camera/read_pose.hpp"
 #include "camera/values.hpp"
@@ -70,15 +69,29 @@ Vec4 Hypothesis::point(const Vec4& p) const {
   return {moved.x, moved.y, moved.z, p.w};
 }
 
-CameraFile changed(const CameraFile& file, const std::vector<Set>& sets, bool stretch) {
-  Document document = copied(file.document);
+std::vector<Patch> patchesOf(const std::vector<Set>& sets) {
   std::vector<Patch> patches;
   for (const auto& [path, value] : sets)
     patches.push_back({path, std::make_shared<const Json>(value), "--set " + path, false});
+  return patches;
+}
+
+CameraFile changed(const CameraFile& file, const std::vector<Patch>& patches, bool stretch) {
+  Document document = copied(file.document);
   applyPatches(document, patches);
   ReadOptions reading = file.reading;
   reading.allowStretch |= stretch;
   return readCamera(document, reading);
+}
+
+std::optional<PlainCamera> plainWith(const CameraFile& file, const std::vector<Patch>& patches, bool stretch) {
+  try {
+    return plainOf(makeCamera(changed(file, patches, stretch)));
+  } catch (const CameraError&) {
+  } catch (const InputError&) {
+  } catch (const UsageError&) {
+  }
+  return std::nullopt;
 }
 
 Trials::Trials(const Document& document, const ReadOptions& reading)
@@ -109,16 +122,13 @@ Hypothesis Trials::next(const std::string& mistake, Json value) const {
 }
 
 void Trials::change(const std::string& mistake, std::vector<Set> sets, Json value, bool stretch) {
-  try {
-    Hypothesis hypothesis = next(mistake, std::move(value));
-    hypothesis.camera = plainOf(makeCamera(changed(file_, sets, stretch)));
-    hypothesis.sets = std::move(sets);
-    hypothesis.stretch = stretch;
-    add(std::move(hypothesis));
-  } catch (const CameraError&) {
-  } catch (const InputError&) {
-  } catch (const UsageError&) {
-  }
+  const auto camera = plainWith(file_, patchesOf(sets), stretch);
+  if (!camera) return;
+  Hypothesis hypothesis = next(mistake, std::move(value));
+  hypothesis.camera = *camera;
+  hypothesis.sets = std::move(sets);
+  hypothesis.stretch = stretch;
+  add(std::move(hypothesis));
 }
 
 void Trials::pixels(const std::string& mistake, const PixelMap& map, Json value) {

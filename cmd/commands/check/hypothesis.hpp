@@ -4,10 +4,12 @@
 
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "camera/patch.hpp"
 #include "camera/read_camera.hpp"
 #include "commands/check/plain_camera.hpp"
 
@@ -94,8 +96,12 @@ class Trials {
   std::vector<Hypothesis> found_;
 };
 
-/// The document with fields set. Throws as readCamera does.
-CameraFile changed(const CameraFile& file, const std::vector<Set>& sets, bool stretch);
+/// As --set has them.
+std::vector<Patch> patchesOf(const std::vector<Set>& sets);
+/// The document with patches laid over it. Throws as readCamera does.
+CameraFile changed(const CameraFile& file, const std::vector<Patch>& patches, bool stretch);
+/// Its camera; nothing where it makes none.
+std::optional<PlainCamera> plainWith(const CameraFile& file, const std::vector<Patch>& patches, bool stretch);
 
 void addDocumentRows(Trials& trials);
 void addPixelRows(Trials& trials);

@@ -390,7 +390,7 @@ std::vector<Explanation> explain(const Document& document, const ReadOptions& re
                    set.first == "distortion";
           }))
         continue;
-      Trials second(changed(t.file(), a.sets, a.stretch).document, reading);
+      Trials second(changed(t.file(), patchesOf(a.sets), a.stretch).document, reading);
       for (Hypothesis& b : documentsOf(second))
         if (isDocuments(b) && b.mistake != a.mistake) two.push_back(both(a, std::move(b)));
     }

@@ -141,14 +141,10 @@ std::string Mend::options() const {
   return text + (stretch ? " --allow-stretch" : "");
 }
 
-CameraFile changed(const CameraFile& file, const std::vector<std::string>& sets, bool stretch) {
-  Document document = copied(file.document);
+std::vector<Patch> Mend::patches() const {
   std::vector<Patch> patches;
   for (const std::string& set : sets) patches.push_back(setPatch(set));
-  applyPatches(document, patches);
-  ReadOptions reading = file.reading;
-  reading.allowStretch |= stretch;
-  return readCamera(document, reading);
+  return patches;
 }
 
 Mend mendOf(const CameraFile& file, const Explanation& e, std::span<const Pair> pairs) {
@@ -157,42 +153,44 @@ Mend mendOf(const CameraFile& file, const Explanation& e, std::span<const Pair> 
   for (const auto& [path, value] : h.sets) mend.sets.push_back(path + "=" + textOf(value));
   if (!h.isSolved) return mend;
   const double most = std::max(1.01 * e.rms, e.rms + 1e-4);
-  const auto isEnough = [&](const std::vector<std::string>& sets, bool stretch, double limit) {
-    try {
-      return rmsOf(plainOf(makeCamera(changed(file, sets, stretch))), h, pairs, e.wrong) <= limit;
-    } catch (const CameraError&) {
-    } catch (const InputError&) {  // of so few digits there is no such camera
-    } catch (const UsageError&) {
-    }
-    return false;
+  const auto isEnough = [&](const Mend& tried, double limit) {
+    const auto camera = plainWith(file, tried.patches(), tried.stretch);  // of so few digits there may be none
+    return camera && rmsOf(*camera, h, pairs, e.wrong) <= limit;
   };
-  const CameraFile base = h.sets.empty() ? file : changed(file, mend.sets, h.stretch);
+  const CameraFile base = h.sets.empty() ? file : changed(file, mend.patches(), h.stretch);
   const PlainCamera own = plainOf(makeCamera(base));
-  if (h.scale != 1 && h.camera.eye == own.eye &&
-      h.camera.axes == own.axes) {  // of another size: words, if the viewport's numbers are not whole
-    const Json& value = h.mistake.find(" + ") == std::string::npos ? h.value : h.value[1];
-    const Vec2 times = value.is_array() ? Vec2{value[0], value[1]} : Vec2{value, value};
+  // Words are the mend of a window that the document has no form for, and of another size but of whole numbers.
+  const bool isWindow = h.camera.eye == own.eye && h.camera.axes == own.axes && !h.camera.trial;
+  const auto inWords = [&] {
+    const double x = own.focal.x / h.camera.focal.x, y = own.focal.y / h.camera.focal.y;
+    if (isWindow)
+      mend.pixels =
+          PixelMap{x, 0, own.centre.x - x * h.camera.centre.x, 0, y, own.centre.y - y * h.camera.centre.y} * h.pixels;
+    else
+      mend.sets.clear();
+    return mend;
+  };
+  if (h.scale != 1 && isWindow) {
+    const Vec2 times{h.camera.focal.x / own.focal.x, h.camera.focal.y / own.focal.y};
     if (const auto sets = otherSize(file, times); sets && h.sets.empty())
       for (const bool stretch : {false, true})
-        if (isEnough(*sets, stretch, most)) return {*sets, stretch, h.pixels};
-    const Vec2 corner = h.pixels(pictureCorners(*file.viewport).first);
-    mend.pixels =
-        PixelMap{1 / times.x, 0, corner.x - corner.x / times.x, 0, 1 / times.y, corner.y - corner.y / times.y} *
-        h.pixels;
-    return mend;
+        if (const Mend other{*sets, stretch, h.pixels}; isEnough(other, most)) return other;
+    return inWords();
   }
-  const Document exact = withCamera(base, own, h.camera);
+  Document exact;
+  try {
+    exact = withCamera(base, own, h.camera);
+  } catch (const InputError&) {
+    return inWords();
+  }
   for (int digits = 3; digits <= 17; ++digits) {
     const Document rounded = copied(exact);
     roundChanged(*rounded.root, base.document.root.get(), digits);
-    std::vector<std::string> sets = mend.sets;
-    for (std::string& set : setsBetween(base.document, rounded)) sets.push_back(std::move(set));
-    if (!isEnough(sets, h.stretch, digits < 17 ? most : 1.01 * e.rms + 1e-3)) continue;
-    mend.sets = std::move(sets);
-    return mend;
+    Mend tried = mend;
+    for (std::string& set : setsBetween(base.document, rounded)) tried.sets.push_back(std::move(set));
+    if (isEnough(tried, digits < 17 ? most : 1.01 * e.rms + 1e-3)) return tried;
   }
-  mend.sets.clear();
-  return mend;
+  return inWords();
 }
 
 }  // namespace viewproj::cmd::mistakes

@@ -12,14 +12,12 @@ struct Mend {
   bool stretch = false;           ///< they need --allow-stretch
   PixelMap pixels;                ///< what the words say of the pixels
 
+  std::vector<Patch> patches() const;
   /// "--set projection.fovY=42.1"; empty where the document is right, or has no form for it.
   std::string options() const;
 };
 
 /// With the fewest digits that leave what the explanation leaves, within a hundredth.
 Mend mendOf(const CameraFile& file, const Explanation& explanation, std::span<const Pair> pairs);
-
-/// The document with values of --set laid over it. Throws as readCamera does.
-CameraFile changed(const CameraFile& file, const std::vector<std::string>& sets, bool stretch);
 
 }  // namespace viewproj::cmd::mistakes

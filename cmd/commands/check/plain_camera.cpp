@@ -33,10 +33,7 @@ Rows turn(const Vec3& vector) {
           {c * a.x * a.z - s * a.y, c * a.y * a.z + s * a.x, 1 - c * (1 - a.z * a.z)}};
 }
 
-double angleOf(const Rows& r) {
-  const Vec3 skew{r[2].y - r[1].z, r[0].z - r[2].x, r[1].x - r[0].y};
-  return std::atan2(length(skew), r[0].x + r[1].y + r[2].z - 1);
-}
+double angleOf(const Rows& r) { return std::atan2(length(skewOf(r)), r[0].x + r[1].y + r[2].z - 1); }
 
 PlainCamera plainOf(const Camera& camera) {
   const Mat4 view = matrix(withoutLens(camera), Space::view, Space::world);

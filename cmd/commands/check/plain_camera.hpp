@@ -32,6 +32,8 @@ inline double length(const Vec2& a) { return std::sqrt(a.x * a.x + a.y * a.y); }
 inline double determinant(const Rows& m) { return detail::dot(m[0], detail::crossOf(m[1], m[2])); }
 /// About the vector, by its length in radians.
 Rows turn(const Vec3& vector);
+/// Of a rotation: the axis, times twice the sine of the angle.
+inline Vec3 skewOf(const Rows& r) { return {r[2].y - r[1].z, r[0].z - r[2].x, r[1].x - r[0].y}; }
 /// In radians, of a rotation.
 double angleOf(const Rows& rotation);
 

@@ -175,11 +175,8 @@ bool PairReport::isMendedBy(const PairReport& other, const Explanation& e) const
 }
 
 bool PairReport::isMendedBy(const Mend& mend, const Hypothesis& h) const {
-  try {
-    return isWithin(plainOf(makeCamera(changed(file_, mend.sets, mend.stretch))), h, mend.pixels);
-  } catch (const std::runtime_error&) {  // it makes no camera of this one
-    return false;
-  }
+  const auto camera = plainWith(file_, mend.patches(), mend.stretch);
+  return camera && isWithin(*camera, h, mend.pixels);
 }
 
 OrderedJson PairReport::statistics() const {
