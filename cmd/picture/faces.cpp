@@ -107,9 +107,22 @@ bool isHidden(const View& view, const Face& face) {
   return isInView;
 }
 
-/// The picture's corners; through a lens so many places on its edge, drawn in to the end of the lens.
+/// The outline in order, if every edge is one piece from end to end.
+std::vector<Vec2> wholeOutline(const Face& face) {
+  constexpr double kJoin = 1;
+  std::vector<Vec2> loop;
+  for (const auto& edge : face.edges) {
+    if (edge.size() != 1) return {};
+    if (!loop.empty() && distance(loop.back(), edge[0].line.front()) > kJoin) return {};
+    loop.insert(loop.end(), edge[0].line.begin(), edge[0].line.end());
+  }
+  return !loop.empty() && distance(loop.back(), loop.front()) <= kJoin ? loop : std::vector<Vec2>();
+}
+
+}  // namespace
+
 std::vector<Vec2> rimOf(const View& view) {
-  constexpr int kOfLens = 64, kHalvings = 30;
+  constexpr int kOfLens = 256, kHalvings = 30;
   const Rect& f = view.frame();
   const int count = view.hasLens() ? kOfLens : 4;
   std::vector<Vec2> rim;
@@ -130,25 +143,11 @@ std::vector<Vec2> rimOf(const View& view) {
   return rim;
 }
 
-/// The outline in order, if every edge is one piece from end to end.
-std::vector<Vec2> wholeOutline(const Face& face) {
-  constexpr double kJoin = 1;
-  std::vector<Vec2> loop;
-  for (const auto& edge : face.edges) {
-    if (edge.size() != 1) return {};
-    if (!loop.empty() && distance(loop.back(), edge[0].line.front()) > kJoin) return {};
-    loop.insert(loop.end(), edge[0].line.begin(), edge[0].line.end());
-  }
-  return !loop.empty() && distance(loop.back(), loop.front()) <= kJoin ? loop : std::vector<Vec2>();
-}
-
-}  // namespace
-
 void fillConvex(const Drawing& drawing, Layer layer, const std::string& style, const std::vector<Piece>& outline,
                 const std::function<bool(const Vec2&)>& meets) {
   std::vector<Vec2> corners;
   for (const Piece& piece : outline) corners.insert(corners.end(), piece.line.begin(), piece.line.end());
-  for (const Vec2& at : rimOf(drawing.view))
+  for (const Vec2& at : drawing.rim)
     if (meets(at)) corners.push_back(at);
   drawing.sheet.addFilled(layer, style, hull(std::move(corners)));
 }

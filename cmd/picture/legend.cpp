@@ -43,7 +43,7 @@ std::string ticksOf(const View& view) {
   return out;
 }
 
-std::vector<std::string> factsOf(const View& view, bool worldIsEcef) {
+std::vector<std::string> factsOf(const View& view) {
   const Camera& camera = view.camera();
   const Viewport& v = camera.viewport();
   const Projection p = camera.projection();
@@ -61,7 +61,7 @@ std::vector<std::string> factsOf(const View& view, bool worldIsEcef) {
                          ? ", ends " + formatDigits(lens->limitDegrees(), 3) + "° off the axis"
                          : ""));
   const Vec3 eye = view.eye();
-  if (worldIsEcef) {
+  if (view.worldIsEcef()) {
     const Geodetic place = ecefToGeodetic(eye);
     const HeadingPitchRoll angles = headingPitchRollOf(plainPose(camera.pose()), true);
     const auto degrees = [](double angle) { return formatDigits(std::round(100 * angle) / 100 + 0.0, 5) + "°"; };
@@ -74,9 +74,9 @@ std::vector<std::string> factsOf(const View& view, bool worldIsEcef) {
   }
   if (view.isParallel() || p.zNear() > 0) {
     const std::string far = std::isfinite(p.zFar()) ? digits(p.zFar()) : "infinite";
-    if (!worldIsEcef) facts.push_back("near " + digits(p.zNear()) + ", far " + far);
+    if (!view.worldIsEcef()) facts.push_back("near " + digits(p.zNear()) + ", far " + far);
   }
-  if (!worldIsEcef) {
+  if (!view.worldIsEcef()) {
     const Convention& c = camera.convention();
     facts.push_back(std::string(c.world == Handedness::right ? "right" : "left") + "-handed world" +
                     (c.view == ViewAxes::RDF ? ", camera y down" : ""));
