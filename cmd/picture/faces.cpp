@@ -177,7 +177,7 @@ void drawFaces(const Drawing& drawing) {
     for (const auto& edge : face->edges) outline.insert(outline.end(), edge.begin(), edge.end());
     fillConvex(drawing, Layer::faces, style, outline, [&, face = face](const Vec2& at) {
       const Ray ray = view.rayAt(at);
-      const Hits hits = std::visit([&](const auto& s) { return intersect(ray, s); }, face->shape->shape);
+      const Hits hits = hitsOf(ray, *face->shape);
       return std::any_of(hits.begin(), hits.end(), [&](const Hit& hit) { return hit.face == face->side; });
     });
   }

@@ -127,7 +127,7 @@ void drawHorizon(const Drawing& drawing, const SceneObject& ground, const std::o
   if (drawing.sheet.hasPhoto()) return;
   fillConvex(drawing, Layer::land, "land", pieces, [&](const Vec2& at) {
     const Ray ray = view.rayAt(at);
-    return std::visit([&](const auto& s) { return intersect(ray, s); }, ground.shape).count > 0;
+    return hitsOf(ray, ground).count > 0;
   });
 }
 
@@ -136,7 +136,7 @@ Surface surfaceOf(const View& view, const SceneObject& ground) {
   surface.name = ground.id;
   surface.hit = [&view, &ground](const Vec2& at, Vec3& point) {
     const Ray ray = view.rayAt(at);
-    const Hits hits = std::visit([&](const auto& s) { return intersect(ray, s); }, ground.shape);
+    const Hits hits = hitsOf(ray, ground);
     if (hits.count > 0) point = hits.hits[0].point;
     return hits.count > 0;
   };

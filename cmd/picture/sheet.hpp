@@ -16,22 +16,11 @@ enum class Layer { photo, land, horizon, faces, grid, areas, lines, marks };
 inline constexpr std::size_t kLayers = 8;
 
 /// In the order of the legend.
+// clang-format off
 enum class Symbol {
-  point,
-  hiddenPoint,
-  hiddenLine,
-  ghost,
-  cross,
-  normal,
-  pairPixel,
-  miss,
-  outside,
-  behind,
-  area,
-  stem,
-  grid,
-  horizon
+  point, hiddenPoint, hiddenLine, ghost, cross, normal, pairPixel, miss, outside, behind, area, stem, grid, horizon
 };
+// clang-format on
 
 class Sheet {
  public:

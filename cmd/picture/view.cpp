@@ -103,7 +103,7 @@ bool View::hides(const Vec3& point, const Vec2& at, const SceneObject* except) c
   const double away = length(sum(point, -1, ray.origin)) * kNearer;
   return anyShapeAt(at, [&](const SceneObject& shape) {
     if (&shape == except) return false;
-    const Hits hits = std::visit([&](const auto& s) { return intersect(ray, s); }, shape.shape);
+    const Hits hits = hitsOf(ray, shape);
     return hits.count > 0 && hits.hits[0].distance < away;
   });
 }
@@ -123,7 +123,7 @@ const SceneObject* View::shapeAt(const Vec2& at) const {
   const SceneObject* nearest = nullptr;
   double least = HUGE_VAL;
   anyShapeAt(at, [&](const SceneObject& shape) {
-    const Hits hits = std::visit([&](const auto& s) { return intersect(ray, s); }, shape.shape);
+    const Hits hits = hitsOf(ray, shape);
     if (hits.count > 0 && hits.hits[0].distance < least) least = hits.hits[0].distance, nearest = &shape;
     return false;
   });

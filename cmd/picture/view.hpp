@@ -19,6 +19,10 @@ inline Vec3 cornerOf(const Box& box, int i) {
   return {(i & 1 ? box.max : box.min).x, (i & 2 ? box.max : box.min).y, (i & 4 ? box.max : box.min).z};
 }
 
+inline Hits hitsOf(const Ray& ray, const SceneObject& object) {
+  return std::visit([&](const auto& shape) { return intersect(ray, shape); }, object.shape);
+}
+
 /// Which points count as in the picture: those in view, those at any distance (nearer than near and beyond far as
 /// well), or those that the pinhole camera has in view.
 enum class Extent { view, anyDistance, withoutLens };
