@@ -38,17 +38,21 @@ Vec3 wayTo(const View& view, const Vec3& point) {
   return view.isParallel() ? view.camera().pose().forward() : sum(point, -1, view.eye());
 }
 
+std::vector<Piece> reversed(std::vector<Piece> pieces) {
+  std::reverse(pieces.begin(), pieces.end());
+  for (Piece& piece : pieces) std::reverse(piece.line.begin(), piece.line.end());
+  return pieces;
+}
+
 void addBox(const View& view, const SceneObject& shape, const Box& box, std::vector<Face>& faces) {
   const CurveOptions plain{.findsHidden = false};
   std::array<std::array<std::vector<Piece>, 8>, 8> edges;
   for (const int axis : {1, 2, 4})
     for (int i = 0; i < 8; ++i)
       if (const int j = i | axis; j != i) {
-        auto& edge = edges[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
-        edge = piecesOf(view, cornerOf(box, i), cornerOf(box, j), plain);
-        auto& back = edges[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)] = edge;
-        std::reverse(back.begin(), back.end());
-        for (Piece& piece : back) std::reverse(piece.line.begin(), piece.line.end());
+        const auto from = static_cast<std::size_t>(i), to = static_cast<std::size_t>(j);
+        edges[from][to] = piecesOf(view, cornerOf(box, i), cornerOf(box, j), plain);
+        edges[to][from] = reversed(edges[from][to]);
       }
   const Vec3 eye = view.eye();
   bool isAround = !view.isParallel();
