@@ -44,6 +44,7 @@ struct Drawing {
   Sheet& sheet;
   Markers& markers;
   std::set<std::string> namesOfPoints;  ///< a shape of the same name is not named again
+  std::vector<Vec2> rim;                ///< of the picture: see rimOf
 };
 
 // shapes.cpp
@@ -56,6 +57,8 @@ void drawStem(const Drawing& drawing, const SceneObject& ground, const NamedPoin
 std::vector<Piece> drawEdge(const Drawing& drawing, const Vec3& a, const Vec3& b, const SceneObject* except = nullptr);
 
 // faces.cpp
+/// The picture's corners; through a lens many places on its edge, drawn in to the end of the lens.
+std::vector<Vec2> rimOf(const View& view);
 /// Of all shapes, far ones first.
 void drawFaces(const Drawing& drawing);
 /// Fills what a picture shows of something convex. outline: what it shows of its edge. meets: whether it is seen at a
@@ -73,15 +76,14 @@ Vec3 groundPoint(const SceneObject& ground, const Vec3& point);
 
 // marks.cpp
 void drawPoint(const Drawing& drawing, const NamedPoint& point);
-/// worldIsMetric: distances are in metres.
-void drawPixel(const Drawing& drawing, const Vec2& pixel, bool worldIsMetric);
+void drawPixel(const Drawing& drawing, const Vec2& pixel);
 /// An arrow from the pixel of each record to the computed one.
 void drawPairs(const Drawing& drawing, const std::vector<NamedPoint>& points);
 
 // legend.cpp
 /// Positions along the frame where x and y are counted from.
 std::string ticksOf(const View& view);
-std::vector<std::string> factsOf(const View& view, bool worldIsEcef);
+std::vector<std::string> factsOf(const View& view);
 
 /// The largest of 1, 2, 5 x 10^k that is not above this.
 double roundedDown(double value);

@@ -38,17 +38,21 @@ Vec3 wayTo(const View& view, const Vec3& point) {
   return view.isParallel() ? view.camera().pose().forward() : sum(point, -1, view.eye());
 }
 
+std::vector<Piece> reversed(std::vector<Piece> pieces) {
+  std::reverse(pieces.begin(), pieces.end());
+  for (Piece& piece : pieces) std::reverse(piece.line.begin(), piece.line.end());
+  return pieces;
+}
+
 void addBox(const View& view, const SceneObject& shape, const Box& box, std::vector<Face>& faces) {
   const CurveOptions plain{.findsHidden = false};
   std::array<std::array<std::vector<Piece>, 8>, 8> edges;
   for (const int axis : {1, 2, 4})
     for (int i = 0; i < 8; ++i)
       if (const int j = i | axis; j != i) {
-        auto& edge = edges[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
-        edge = piecesOf(view, cornerOf(box, i), cornerOf(box, j), plain);
-        auto& back = edges[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)] = edge;
-        std::reverse(back.begin(), back.end());
-        for (Piece& piece : back) std::reverse(piece.line.begin(), piece.line.end());
+        const auto from = static_cast<std::size_t>(i), to = static_cast<std::size_t>(j);
+        edges[from][to] = piecesOf(view, cornerOf(box, i), cornerOf(box, j), plain);
+        edges[to][from] = reversed(edges[from][to]);
       }
   const Vec3 eye = view.eye();
   bool isAround = !view.isParallel();
@@ -107,9 +111,22 @@ bool isHidden(const View& view, const Face& face) {
   return isInView;
 }
 
-/// The picture's corners; through a lens so many places on its edge, drawn in to the end of the lens.
+/// The outline in order, if every edge is one piece from end to end.
+std::vector<Vec2> wholeOutline(const Face& face) {
+  constexpr double kJoin = 1;
+  std::vector<Vec2> loop;
+  for (const auto& edge : face.edges) {
+    if (edge.size() != 1) return {};
+    if (!loop.empty() && distance(loop.back(), edge[0].line.front()) > kJoin) return {};
+    loop.insert(loop.end(), edge[0].line.begin(), edge[0].line.end());
+  }
+  return !loop.empty() && distance(loop.back(), loop.front()) <= kJoin ? loop : std::vector<Vec2>();
+}
+
+}  // namespace
+
 std::vector<Vec2> rimOf(const View& view) {
-  constexpr int kOfLens = 64, kHalvings = 30;
+  constexpr int kOfLens = 256, kHalvings = 30;
   const Rect& f = view.frame();
   const int count = view.hasLens() ? kOfLens : 4;
   std::vector<Vec2> rim;
@@ -130,25 +147,11 @@ std::vector<Vec2> rimOf(const View& view) {
   return rim;
 }
 
-/// The outline in order, if every edge is one piece from end to end.
-std::vector<Vec2> wholeOutline(const Face& face) {
-  constexpr double kJoin = 1;
-  std::vector<Vec2> loop;
-  for (const auto& edge : face.edges) {
-    if (edge.size() != 1) return {};
-    if (!loop.empty() && distance(loop.back(), edge[0].line.front()) > kJoin) return {};
-    loop.insert(loop.end(), edge[0].line.begin(), edge[0].line.end());
-  }
-  return !loop.empty() && distance(loop.back(), loop.front()) <= kJoin ? loop : std::vector<Vec2>();
-}
-
-}  // namespace
-
 void fillConvex(const Drawing& drawing, Layer layer, const std::string& style, const std::vector<Piece>& outline,
                 const std::function<bool(const Vec2&)>& meets) {
   std::vector<Vec2> corners;
   for (const Piece& piece : outline) corners.insert(corners.end(), piece.line.begin(), piece.line.end());
-  for (const Vec2& at : rimOf(drawing.view))
+  for (const Vec2& at : drawing.rim)
     if (meets(at)) corners.push_back(at);
   drawing.sheet.addFilled(layer, style, hull(std::move(corners)));
 }
@@ -178,7 +181,7 @@ void drawFaces(const Drawing& drawing) {
     for (const auto& edge : face->edges) outline.insert(outline.end(), edge.begin(), edge.end());
     fillConvex(drawing, Layer::faces, style, outline, [&, face = face](const Vec2& at) {
       const Ray ray = view.rayAt(at);
-      const Hits hits = std::visit([&](const auto& s) { return intersect(ray, s); }, face->shape->shape);
+      const Hits hits = hitsOf(ray, *face->shape);
       return std::any_of(hits.begin(), hits.end(), [&](const Hit& hit) { return hit.face == face->side; });
     });
   }

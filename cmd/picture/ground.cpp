@@ -67,14 +67,15 @@ void drawGrid(const Drawing& drawing, const Surface& surface, double step) {
   const Projection projection = view.camera().projection();
   const double focal = (view.frame().right - view.frame().left) / (projection.right() - projection.left());
   const auto shown = coordinatesInView(view, surface);
+  const double feet[] = {surface.foot.x, surface.foot.y}, sizes[] = {surface.size.x, surface.size.y};
   bool isDrawn = false;
   for (int level = 0; level < kLevels; ++level) {
     const double s = step * std::pow(10, level);
     if (surface.limits && level > 0 && s > kCoarsestDegrees) break;
     std::string data;
     for (const bool isU : {true, false}) {
-      const double foot = isU ? surface.foot.x : surface.foot.y, otherFoot = isU ? surface.foot.y : surface.foot.x;
-      const double size = isU ? surface.size.x : surface.size.y, otherSize = isU ? surface.size.y : surface.size.x;
+      const double foot = feet[isU ? 0 : 1], otherFoot = feet[isU ? 1 : 0];
+      const double size = sizes[isU ? 0 : 1], otherSize = sizes[isU ? 1 : 0];
       const double reach =
           view.isParallel() ? kReachOfParallel * s * size : std::sqrt(s * size * focal * surface.height / kGap);
       double low = foot - reach / size, high = foot + reach / size;
@@ -84,14 +85,17 @@ void drawGrid(const Drawing& drawing, const Surface& surface, double step) {
         const double limit = isU ? surface.limits->x : surface.limits->y, middle = isU ? 0 : foot;
         low = std::max(low, middle - limit), high = std::min(high, middle + limit);
       }
-      if (!((high - low) / s <= kMostLines)) continue;
-      for (double k = std::ceil(low / s); k <= std::floor(high / s); ++k) {
+      const double first = std::ceil(low / s), count = std::floor(high / s) - first;
+      if (!(count <= kMostLines)) continue;
+      for (int i = 0; i <= count; ++i) {
+        const double k = first + i;
         if (level + 1 < kLevels && std::fmod(k, 10) == 0) continue;
         const double off = (k * s - foot) * size, half = std::sqrt(std::max(0.0, reach * reach - off * off));
         const double away = std::hypot(surface.height, off), angle = std::atan(half / away);
         const auto at = [&](double t) {  // by equal angles at the eye
           double other = otherFoot + away * std::tan((2 * t - 1) * angle) / otherSize;
-          if (surface.limits) other = isU ? std::clamp(other, foot - 180, foot + 180) : std::clamp(other, -90.0, 90.0);
+          if (surface.limits)
+            other = isU ? std::clamp(other, otherFoot - 180, otherFoot + 180) : std::clamp(other, -90.0, 90.0);
           return pointOf(isU ? surface.at(k * s, other) : surface.at(other, k * s));
         };
         for (const Piece& piece : piecesOf(view, at, kSteps, {.extent = Extent::anyDistance})) {
@@ -108,11 +112,13 @@ void drawGrid(const Drawing& drawing, const Surface& surface, double step) {
   if (isDrawn) drawing.sheet.explain(Symbol::grid, surface.name + ": grid of " + formatDigits(step, 3) + surface.unit);
 }
 
-void drawHorizon(const Drawing& drawing, const SceneObject& ground, const Circle& circle, const std::string& text) {
+/// The horizon, if the view has one, and a tint up to it.
+void drawHorizon(const Drawing& drawing, const SceneObject& ground, const std::optional<Circle>& circle,
+                 const std::string& text) {
   constexpr double kOfHorizon = 0.3;
   const View& view = drawing.view;
-  const std::vector<Piece> pieces =
-      piecesOf(view, circle, circle.steps(view), {.extent = Extent::anyDistance, .findsHidden = false});
+  std::vector<Piece> pieces;
+  if (circle) pieces = piecesOf(view, *circle, circle->steps(view), {Extent::anyDistance, false});
   for (const Piece& piece : pieces) {
     drawing.sheet.add(Layer::horizon, svg::path("horizon", svg::line(piece.line)));
     drawing.sheet.labels.addInk(piece.line, kOfHorizon);
@@ -121,7 +127,7 @@ void drawHorizon(const Drawing& drawing, const SceneObject& ground, const Circle
   if (drawing.sheet.hasPhoto()) return;
   fillConvex(drawing, Layer::land, "land", pieces, [&](const Vec2& at) {
     const Ray ray = view.rayAt(at);
-    return std::visit([&](const auto& s) { return intersect(ray, s); }, ground.shape).count > 0;
+    return hitsOf(ray, ground).count > 0;
   });
 }
 
@@ -130,7 +136,7 @@ Surface surfaceOf(const View& view, const SceneObject& ground) {
   surface.name = ground.id;
   surface.hit = [&view, &ground](const Vec2& at, Vec3& point) {
     const Ray ray = view.rayAt(at);
-    const Hits hits = std::visit([&](const auto& s) { return intersect(ray, s); }, ground.shape);
+    const Hits hits = hitsOf(ray, ground);
     if (hits.count > 0) point = hits.hits[0].point;
     return hits.count > 0;
   };
@@ -158,7 +164,7 @@ void drawPlane(const Drawing& drawing, const SceneObject& ground, const Plane& p
     u = unit(across);
     v = crossOf(n, u);
   }
-  if (!view.isParallel()) drawHorizon(drawing, ground, horizonOf(view, n), "horizon");
+  drawHorizon(drawing, ground, view.isParallel() ? std::nullopt : std::optional(horizonOf(view, n)), "horizon");
   Surface surface = surfaceOf(view, ground);
   Vec3 foot = sum(view.eye(), -height, n);
   if (view.isParallel()) (void)surface.hit(view.middle(), foot);

@@ -60,7 +60,17 @@ void Label::addSpotsAround(const Vec2& at, double radius, int first) {
     }
 }
 
+bool Labels::isNew(std::set<std::array<double, 4>>& known, const Rect& ends) {
+  return known.insert({std::floor(ends.left), std::floor(ends.top), std::floor(ends.right), std::floor(ends.bottom)})
+      .second;
+}
+
+void Labels::addMark(const Rect& box) {
+  if (isNew(knownMarks_, box)) marks_.add(grown(box, 1), box);
+}
+
 void Labels::addInk(const Vec2& from, const Vec2& to, double weight) {
+  if (!isNew(knownInk_, {from.x, from.y, to.x, to.y})) return;
   ink_.add(grown(cmd::boundsOf({from, to}), 2), {from, to, weight});
 }
 

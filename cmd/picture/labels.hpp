@@ -1,7 +1,9 @@
 // Names on a picture that meet no other name and no mark, and avoid lines where they can.
 #pragma once
 
+#include <array>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -51,7 +53,7 @@ class Labels {
  public:
   explicit Labels(const Rect& frame) : frame_(frame), marks_(frame), ink_(frame), names_(frame) {}
 
-  void addMark(const Rect& box) { marks_.add(grown(box, 1), box); }
+  void addMark(const Rect& box);
   /// A drawn line.
   void addInk(const Vec2& from, const Vec2& to, double weight);
   void addInk(const std::vector<Vec2>& line, double weight);
@@ -68,7 +70,11 @@ class Labels {
   /// What a place costs, or `least` if that is as much or if something is there.
   double costOf(const Label& label, const Spot& spot, double least) const;
 
+  /// Whether nothing was there yet, but for a unit. Of a heap at one place one is enough: names stay apart by as much.
+  static bool isNew(std::set<std::array<double, 4>>& known, const Rect& ends);
+
   Rect frame_;
+  std::set<std::array<double, 4>> knownMarks_, knownInk_;
   Cells<Rect> marks_;
   Cells<Ink> ink_;
   Cells<std::size_t> names_;  ///< indices, where they are or were

@@ -1,6 +1,6 @@
 // Ticks along the frame, and the facts of the camera below it.
 #include <algorithm>
-#include <cstdio>
+#include <cmath>
 
 #include "camera/plain_camera.hpp"
 #include "picture/drawing.hpp"
@@ -11,10 +11,10 @@
 namespace viewproj::cmd {
 namespace {
 
-std::string fixed(double value, int decimals) {
-  char text[400];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
+/// With so many decimals at most.
+std::string degrees(double angle, int decimals) {
+  const double unit = std::pow(10, decimals);
+  return formatDigits(std::round(angle * unit) / unit + 0.0, 10) + "°";
 }
 
 /// In the order of LensModel.
@@ -43,7 +43,7 @@ std::string ticksOf(const View& view) {
   return out;
 }
 
-std::vector<std::string> factsOf(const View& view, bool worldIsEcef) {
+std::vector<std::string> factsOf(const View& view) {
   const Camera& camera = view.camera();
   const Viewport& v = camera.viewport();
   const Projection p = camera.projection();
@@ -61,22 +61,21 @@ std::vector<std::string> factsOf(const View& view, bool worldIsEcef) {
                          ? ", ends " + formatDigits(lens->limitDegrees(), 3) + "° off the axis"
                          : ""));
   const Vec3 eye = view.eye();
-  if (worldIsEcef) {
+  if (view.worldIsEcef()) {
     const Geodetic place = ecefToGeodetic(eye);
     const HeadingPitchRoll angles = headingPitchRollOf(plainPose(camera.pose()), true);
-    const auto degrees = [](double angle) { return formatDigits(std::round(100 * angle) / 100 + 0.0, 5) + "°"; };
-    facts.push_back(fixed(place.lat, 4) + "° " + fixed(place.lon, 4) + "°, " + formatDigits(place.height, 5) +
-                    " m; heading " + degrees(std::fmod(angles.heading.value + 360, 360)) + ", pitch " +
-                    degrees(angles.pitch.value) +
-                    (std::fabs(angles.roll.value) > 0.005 ? ", roll " + degrees(angles.roll.value) : ""));
+    facts.push_back(degrees(place.lat, 4) + " " + degrees(place.lon, 4) + ", " + formatDigits(place.height, 5) +
+                    " m; heading " + degrees(std::fmod(angles.heading.value + 360, 360), 2) + ", pitch " +
+                    degrees(angles.pitch.value, 2) +
+                    (std::fabs(angles.roll.value) > 0.005 ? ", roll " + degrees(angles.roll.value, 2) : ""));
   } else {
     facts.push_back("eye " + digits(eye.x) + ", " + digits(eye.y) + ", " + digits(eye.z));
   }
   if (view.isParallel() || p.zNear() > 0) {
     const std::string far = std::isfinite(p.zFar()) ? digits(p.zFar()) : "infinite";
-    if (!worldIsEcef) facts.push_back("near " + digits(p.zNear()) + ", far " + far);
+    if (!view.worldIsEcef()) facts.push_back("near " + digits(p.zNear()) + ", far " + far);
   }
-  if (!worldIsEcef) {
+  if (!view.worldIsEcef()) {
     const Convention& c = camera.convention();
     facts.push_back(std::string(c.world == Handedness::right ? "right" : "left") + "-handed world" +
                     (c.view == ViewAxes::RDF ? ", camera y down" : ""));

@@ -44,15 +44,15 @@ struct PixelHit {
   std::string text;
   std::optional<Vec2> normalEnd = {};
 };
-PixelHit hitOf(const View& view, const Vec2& pixel, bool worldIsMetric) {
+PixelHit hitOf(const View& view, const Vec2& pixel) {
   constexpr double kNormal = 0.05;  // of the distance
-  if (!view.canHide()) return {formatNumber(pixel.x) + ", " + formatNumber(pixel.y)};
+  if (view.shapes().empty()) return {formatNumber(pixel.x) + ", " + formatNumber(pixel.y)};
   const Ray ray = screenToRay(view.camera(), pixel);
   const std::vector<SceneHit> hits = hitsOf(view.camera(), ray, view.shapes());
   if (hits.empty()) return {"nothing"};
   const Hit& hit = hits[0].hit;
   const double size = std::fabs(hit.distance) * (dot(hit.normal, ray.direction) > 0 ? -kNormal : kNormal);
-  return {hits[0].object->id + " " + formatDigits(hit.distance, 4) + (worldIsMetric ? " m" : ""),
+  return {hits[0].object->id + " " + formatDigits(hit.distance, 4) + (view.worldIsEcef() ? " m" : ""),
           arrowEnd(view, view.onSheet(pixel), sum(hit.point, size, hit.normal))};
 }
 
@@ -79,15 +79,18 @@ void drawPoint(const Drawing& drawing, const NamedPoint& point) {
   nameMark(drawing, point.name, note, kOfPoint, rankPoint, *at, 5, isHollow);
 }
 
-void drawPixel(const Drawing& drawing, const Vec2& pixel, bool worldIsMetric) {
+void drawPixel(const Drawing& drawing, const Vec2& pixel) {
   const View& view = drawing.view;
   const Vec2 at = view.onSheet(pixel);
-  const PixelHit hit = hitOf(view, pixel, worldIsMetric);
+  const PixelHit hit = hitOf(view, pixel);
   if (!holds(view.frame(), at)) return drawing.markers.add(hit.text, at);
   drawing.sheet.addMark(
       at, 7, svg::path("cross", "M" + svg::pair({at.x - 8, at.y}) + "h16M" + svg::pair({at.x, at.y - 8}) + "v16"));
-  drawing.sheet.explain(Symbol::cross, !view.canHide() ? "pixel" : hit.normalEnd ? "" : "pixel: first hit, distance");
-  if (hit.normalEnd) drawing.sheet.addArrow(at, *hit.normalEnd, "normal");
+  drawing.sheet.explain(Symbol::cross, view.shapes().empty() ? "pixel" : "");
+  if (hit.normalEnd) {
+    drawing.sheet.addArrow(at, *hit.normalEnd, "normal");
+    drawing.sheet.explain(Symbol::normal);
+  }
   nameMark(drawing, hit.text, "", kOfCross, rankPixel, at, 8);
 }
 
@@ -126,7 +129,8 @@ void drawPairs(const Drawing& drawing, const std::vector<NamedPoint>& points) {
       drawing.sheet.addMark(at, 6, svg::path("cross", "M" + svg::pair({at.x - 6, at.y - 6}) + "l12,12m0,-12l-12,12"));
       drawing.sheet.explain(Symbol::pairPixel);
       const SceneObject* const hit = view.shapeAt(at);
-      if (view.canHide()) nameMark(drawing, "hits " + (hit ? hit->id : "nothing"), "", kOfPixel, rankPixel, at, 7);
+      if (!view.shapes().empty())
+        nameMark(drawing, "hits " + (hit ? hit->id : "nothing"), "", kOfPixel, rankPixel, at, 7);
     }
     const Vec2 end = between(pair.from, pair.to, zoom);
     const double size = distance(pair.from, end);

@@ -8,18 +8,13 @@ namespace {
 
 constexpr double kOfBelt = 0.5, kOfStem = 0.5, kOfGhost = 0.3;
 
-/// Points of the pieces that are seen; of all if none is.
-std::vector<Vec2> pointsOf(const std::vector<Piece>& pieces) {
-  std::vector<Vec2> seen, all;
-  for (const Piece& piece : pieces) {
-    all.insert(all.end(), piece.line.begin(), piece.line.end());
-    if (!piece.isHidden) seen.insert(seen.end(), piece.line.begin(), piece.line.end());
-  }
-  return seen.empty() ? all : seen;
-}
-
-bool isAllHidden(const std::vector<Piece>& pieces) {
-  return std::all_of(pieces.begin(), pieces.end(), [](const Piece& piece) { return piece.isHidden; });
+/// Points of the pieces that are seen; of all if none is, which isHidden tells.
+std::vector<Vec2> pointsOf(const std::vector<Piece>& pieces, bool& isHidden) {
+  isHidden = std::all_of(pieces.begin(), pieces.end(), [](const Piece& piece) { return piece.isHidden; });
+  std::vector<Vec2> points;
+  for (const Piece& piece : pieces)
+    if (piece.isHidden == isHidden) points.insert(points.end(), piece.line.begin(), piece.line.end());
+  return points;
 }
 
 /// On the shape, where the middle and both ends of the name lie on what is seen of it; else beside it.
@@ -29,13 +24,14 @@ void nameShape(const Drawing& drawing, const SceneObject& shape, const std::vect
   const View& view = drawing.view;
   const std::string& name = shape.id;
   if (name.empty() || drawing.namesOfPoints.count(name) > 0) return;
-  Rect seen = boundsOf(pointsOf(pieces));
+  bool isHidden = false;
+  Rect seen = boundsOf(pointsOf(pieces, isHidden));
   if (pieces.empty()) {
     if (view.shapeAt(view.middle()) != &shape) return drawing.markers.add(name, pointOf(middleOfShape));
     seen = view.frame();  // it is around the eye
   }
   Label label{name, kOfShape, rankShape};
-  label.isFaint = !pieces.empty() && isAllHidden(pieces);
+  label.isFaint = !pieces.empty() && isHidden;
   const auto [width, height] = label.size();
   const Vec2 size{seen.right - seen.left, seen.bottom - seen.top};
   const Vec2 middle{seen.left + size.x / 2, seen.top + size.y / 2};
@@ -161,19 +157,15 @@ void drawStem(const Drawing& drawing, const SceneObject& ground, const NamedPoin
 }
 
 void drawArea(const Drawing& drawing, const NamedArea& area) {
-  std::vector<Piece> pieces;
   bool isWhole = true;
   std::vector<Vec2> corners;
   for (std::size_t i = 0; i < area.corners.size(); ++i) {
     const auto edge = piecesOf(drawing.view, area.corners[i], area.corners[(i + 1) % area.corners.size()]);
     drawing.sheet.addLines(edge, "rim", 1);
     isWhole = isWhole && !edge.empty();
-    for (const Piece& piece : edge) {
-      corners.insert(corners.end(), piece.line.begin(), piece.line.end());
-      pieces.push_back(piece);
-    }
+    for (const Piece& piece : edge) corners.insert(corners.end(), piece.line.begin(), piece.line.end());
   }
-  if (pieces.empty()) {
+  if (corners.empty()) {
     if (!area.name.empty() && !area.corners.empty()) drawing.markers.add(area.name, pointOf(area.corners[0]));
     return;
   }
@@ -181,9 +173,10 @@ void drawArea(const Drawing& drawing, const NamedArea& area) {
   drawing.sheet.explain(Symbol::area);
   if (area.name.empty() || drawing.namesOfPoints.count(area.name) > 0) return;
   const Rect seen = boundsOf(corners);
+  const Vec2 middle{(seen.left + seen.right) / 2, (seen.top + seen.bottom) / 2};
   Label label{area.name, kOfShape, rankShape};
-  label.addSpot(0, {(seen.left + seen.right) / 2, (seen.top + seen.bottom) / 2});
-  label.addSpotsAround({(seen.left + seen.right) / 2, (seen.top + seen.bottom) / 2}, 6, 1);
+  label.addSpot(0, middle);
+  label.addSpotsAround(middle, 6, 1);
   drawing.sheet.labels.add(std::move(label));
 }
 

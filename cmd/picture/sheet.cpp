@@ -19,7 +19,8 @@ constexpr SymbolRow kSymbols[] = {
     {Symbol::hiddenPoint, "point not seen", R"(<circle class="dot hollow" cx="10" r="4.5"/>)"},
     {Symbol::hiddenLine, "hidden", R"(<path class="edge hid" d="M0,0h19"/>)"},
     {Symbol::ghost, "without the lens", R"(<path class="ghost" d="M0,0h19"/>)"},
-    {Symbol::cross, "pixel: first hit, distance, normal", R"(<path class="cross" d="M2,0h16M10,-8v16"/>)"},
+    {Symbol::cross, "pixel: first hit, distance", R"(<path class="cross" d="M2,0h16M10,-8v16"/>)"},
+    {Symbol::normal, "normal", R"(<path class="normal" d="M0,0h12"/><path class="normal head" d="M19,0l-8,-3.4v6.8Z"/>)"},
     {Symbol::pairPixel, "pixel of the record", R"(<path class="cross" d="M4,-6l12,12m0,-12l-12,12"/>)"},
     {Symbol::miss, "from the record's pixel to the computed one", R"(<path class="miss" d="M0,0h12"/><path class="miss head" d="M19,0l-8,-3.4v6.8Z"/>)"},
     {Symbol::outside, "outside", R"(<path class="out" d="M15,0l-9,-6v12Z"/>)"},
@@ -77,6 +78,11 @@ class Rows {
 };
 
 }  // namespace
+
+void Sheet::explain(Symbol symbol, const std::string& text) {
+  std::string& known = symbols_[symbol];
+  if (known.find(text) == std::string::npos) known += (known.empty() ? "" : "; ") + text;
+}
 
 void Sheet::addPhoto(const std::string& url) {
   std::string image = svg::rect("photo", frame_);

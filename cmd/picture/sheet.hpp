@@ -16,21 +16,11 @@ enum class Layer { photo, land, horizon, faces, grid, areas, lines, marks };
 inline constexpr std::size_t kLayers = 8;
 
 /// In the order of the legend.
+// clang-format off
 enum class Symbol {
-  point,
-  hiddenPoint,
-  hiddenLine,
-  ghost,
-  cross,
-  pairPixel,
-  miss,
-  outside,
-  behind,
-  area,
-  stem,
-  grid,
-  horizon
+  point, hiddenPoint, hiddenLine, ghost, cross, normal, pairPixel, miss, outside, behind, area, stem, grid, horizon
 };
+// clang-format on
 
 class Sheet {
  public:
@@ -50,8 +40,8 @@ class Sheet {
   void addMark(const Vec2& at, double radius, const std::string& element);
   void addArrow(const Vec2& from, const Vec2& to, const std::string& style);
   void addFilled(Layer layer, const std::string& style, const std::vector<Vec2>& corners);
-  /// Adds a symbol to the legend. text: in place of its usual one.
-  void explain(Symbol symbol, const std::string& text = "") { symbols_.emplace(symbol, text); }
+  /// Adds a symbol to the legend. text: in place of its usual one; several are joined.
+  void explain(Symbol symbol, const std::string& text = "");
   /// A line of the legend.
   void note(const std::string& text) { notes_.push_back(text); }
 

@@ -4,11 +4,11 @@
 
 namespace viewproj::cmd::svg {
 
-const char* const kStyles =
-#include <picture_styles.inc>
-    ;
-
 namespace {
+
+constexpr const char* kTexts[] = {
+#include <picture_styles.inc>
+};
 
 std::string attribute(std::string_view name, std::string_view value) {
   return " " + std::string(name) + "=\"" + std::string(value) + "\"";
@@ -20,6 +20,8 @@ std::string place(const Vec2& at, std::string_view prefix = "") {
 }
 
 }  // namespace
+
+const char* const kStyles = kTexts[0];
 
 std::string number(double value) {
   char digits[400];

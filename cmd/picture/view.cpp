@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "numbers/vectors.hpp"
+#include "viewproj/geodesy.hpp"
 
 namespace viewproj::cmd {
 namespace {
@@ -54,10 +55,11 @@ std::optional<Sphere> sphereAround(const SceneObject& shape) {
 
 }  // namespace
 
-View::View(const Camera& camera, std::vector<SceneObject> shapes)
+View::View(const Camera& camera, std::vector<SceneObject> shapes, bool worldIsEcef)
     : camera_(camera),
       pinhole_(withoutLens(camera)),
       shapes_(std::move(shapes)),
+      worldIsEcef_(worldIsEcef),
       eye_(camera.pose().eye()),
       first_(pictureCorners(camera.viewport()).first),
       scale_(kLonger / std::max(camera.viewport().width, camera.viewport().height)),
@@ -96,14 +98,24 @@ Ray View::rayAt(const Vec2& at) const {
 
 bool View::hides(const Vec3& point, const Vec2& at, const SceneObject* except) const {
   constexpr double kNearer = 1 - 1e-7;  // a point of a surface is not hidden by it
-  if (!canHide()) return false;
+  if (worldIsEcef_ && earthHides(point)) return true;
   const Ray ray = rayAt(at);
   const double away = length(sum(point, -1, ray.origin)) * kNearer;
   return anyShapeAt(at, [&](const SceneObject& shape) {
     if (&shape == except) return false;
-    const Hits hits = std::visit([&](const auto& s) { return intersect(ray, s); }, shape.shape);
+    const Hits hits = hitsOf(ray, shape);
     return hits.count > 0 && hits.hits[0].distance < away;
   });
+}
+
+/// Whether the way from the eye crosses the ellipsoid; below it, the surface a metre below the lower end.
+bool View::earthHides(const Vec3& point) const {
+  const double lower = std::min(ecefToGeodetic(eye_).height, ecefToGeodetic(point).height);
+  const double down = std::min(0.0, lower - 1), a = kWgs84.equatorial + down, b = kWgs84.polar + down;
+  const auto scaled = [&](const Vec3& p) { return Vec3{p.x / a, p.y / a, p.z / b}; };
+  const Vec3 from = scaled(eye_), way = sum(scaled(point), -1, from);
+  const double nearest = -dot(from, way) / dot(way, way);
+  return nearest > 0 && nearest < 1 && length(sum(from, nearest, way)) < 1;
 }
 
 const SceneObject* View::shapeAt(const Vec2& at) const {
@@ -111,7 +123,7 @@ const SceneObject* View::shapeAt(const Vec2& at) const {
   const SceneObject* nearest = nullptr;
   double least = HUGE_VAL;
   anyShapeAt(at, [&](const SceneObject& shape) {
-    const Hits hits = std::visit([&](const auto& s) { return intersect(ray, s); }, shape.shape);
+    const Hits hits = hitsOf(ray, shape);
     if (hits.count > 0 && hits.hits[0].distance < least) least = hits.hits[0].distance, nearest = &shape;
     return false;
   });

@@ -19,6 +19,10 @@ inline Vec3 cornerOf(const Box& box, int i) {
   return {(i & 1 ? box.max : box.min).x, (i & 2 ? box.max : box.min).y, (i & 4 ? box.max : box.min).z};
 }
 
+inline Hits hitsOf(const Ray& ray, const SceneObject& object) {
+  return std::visit([&](const auto& shape) { return intersect(ray, shape); }, object.shape);
+}
+
 /// Which points count as in the picture: those in view, those at any distance (nearer than near and beyond far as
 /// well), or those that the pinhole camera has in view.
 enum class Extent { view, anyDistance, withoutLens };
@@ -26,10 +30,11 @@ enum class Extent { view, anyDistance, withoutLens };
 class View {
  public:
   /// ids of shapes: as the picture shows them. The longer side of the frame is 960.
-  View(const Camera& camera, std::vector<SceneObject> shapes);
+  View(const Camera& camera, std::vector<SceneObject> shapes, bool worldIsEcef);
 
   const Camera& camera() const { return camera_; }
   const std::vector<SceneObject>& shapes() const { return shapes_; }
+  bool worldIsEcef() const { return worldIsEcef_; }
   bool isParallel() const { return camera_.projection().isOrthographic(); }
   bool hasLens() const { return lensOf(camera_).has_value(); }
   Vec3 eye() const { return eye_; }
@@ -45,11 +50,11 @@ class View {
 
   /// From near on, where the camera has it.
   Ray rayAt(const Vec2& at) const;
-  /// Whether a shape lies in front of a point that is seen there. except: a shape that does not count.
+  /// Whether a shape, or the Earth, lies in front of a point that is seen there. except: a shape that does not count.
   bool hides(const Vec3& point, const Vec2& at, const SceneObject* except = nullptr) const;
   /// The shape that is seen there.
   const SceneObject* shapeAt(const Vec2& at) const;
-  bool canHide() const { return !shapes_.empty(); }
+  bool canHide() const { return worldIsEcef_ || !shapes_.empty(); }
 
   /// The largest angle between the viewing axis and what the picture shows, in radians.
   double reach() const { return reach_; }
@@ -63,9 +68,11 @@ class View {
     return candidates_.any({at.x, at.y, at.x, at.y}, [&](std::size_t i) { return use(shapes_[i]); });
   }
   Rect boundsOf(const SceneObject& shape) const;
+  bool earthHides(const Vec3& point) const;
 
   Camera camera_, pinhole_;
   std::vector<SceneObject> shapes_;
+  bool worldIsEcef_;
   Vec3 eye_;
   Vec2 first_;  ///< the screen position of the picture's corner
   double scale_, reach_;

@@ -41,6 +41,7 @@ NEAREST = (
     ("cmd/records", "stream cmd"),
     ("cmd/formats", "camera importers_decimals importers_three importers_opencv cmd"),
     ("cmd/camera", "camera importers_decimals importers_three importers_opencv cmd"),
+    ("cmd/picture", "draw cmd"),
     ("cmd/commands", "cmd check draw explain"),
     ("cmd", "output cmd"),
 )
