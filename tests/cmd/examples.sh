@@ -28,7 +28,6 @@ shows() {
     convert) pattern='camera_matrix: !!opencv-matrix' ;;
     check | mistakes) pattern='y-flipped' ;;
     info | camera) pattern='fovY  *60$' ;;
-    inspect) pattern='projection.fovY  *60$' ;;
     explain) pattern='screen.x .* 687\.08' ;;
     depth) pattern='0\.90009' ;;
     measure) pattern='matrix float32 .*[1-9]' ;;
