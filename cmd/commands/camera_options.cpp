@@ -96,12 +96,12 @@ void CameraOptions::addWriting(CLI::App& app) {
   app.option_defaults()->group("Options");
 }
 
-std::optional<std::string> CameraOptions::file() const {
+std::optional<std::string> CameraOptions::file(bool mayLack) const {
   if (camera_ && operand_) throw UsageError("-c and " + *operand_ + " are both a camera; give one");
   if (camera_) return camera_;
   if (const auto input = fileIsCamera(*app_) ? inputFile(*app_) : std::nullopt) return input;
   const bool hasPose = worldFromCamera_ || cameraFromWorld_;
-  if (!hasPose && std::none_of(patches_.begin(), patches_.end(), [](const Patch& patch) { return patch.isOption; }))
+  if (!mayLack && !hasPose && std::none_of(patches_.begin(), patches_.end(), [](const Patch& patch) { return patch.isOption; }))
     throw UsageError("a camera is needed: -c FILE, or options such as --position, --target and --fov-y");
   return std::nullopt;
 }
@@ -126,8 +126,8 @@ CameraPatches CameraOptions::patches(bool isTyped) const {
   return all;
 }
 
-std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> CameraOptions::readAll() const {
-  const std::optional<std::string> name = file();
+std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> CameraOptions::readAll(bool mayLack) const {
+  const std::optional<std::string> name = file(mayLack);
   if (name && onlyReads_ && convention_)
     throw UsageError("--convention is of matrices, and this command writes none; --read-as " +
                      std::string(convention_->name) + " reads a file that states no convention");
@@ -148,10 +148,9 @@ std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> CameraOptions:
 }
 
 CameraFile CameraOptions::readOne(const CameraSet& cameras, std::size_t which, bool needsPicture) const {
-  const ReadOptions reading{allowStretch_, ignoreDistortion_, needsPicture && !takesAnyLens_};
   CameraFile file = [&] {
     try {
-      return readCamera(cameras.document(which), reading);
+      return readCamera(cameras.document(which), reading(needsPicture));
     } catch (const InputError& e) {
       if (cameras.matricesText()) throw UnknownFormat(e.what(), *cameras.matricesText());
       throw;
