@@ -122,7 +122,7 @@ void readAs(Document& file, std::string_view preset) {
 }
 
 CameraSet::CameraSet(std::string name, Import import, CameraPatches patches)
-    : name_(std::move(name)), patches_(std::move(patches)), import_(std::move(import)), kept_(import_.cameras.size()) {
+    : name_(std::move(name)), patches_(std::move(patches)), import_(std::move(import)) {
   if (import_.cameras.empty()) throw InputError(name_ + ": holds no " + import_.noun);
   for (std::size_t i = 0; i < size(); ++i) {
     names_[import_.cameras[i].name].push_back(i);
@@ -216,12 +216,6 @@ Document CameraSet::document(std::size_t which) const {
   normalize(document);
   applyPatches(document, patches_.patches);
   return document;
-}
-
-const Camera& CameraSet::camera(std::size_t which, const ReadOptions& reading) const {
-  Kept& kept = kept_[which];
-  std::call_once(kept.once, [&] { kept.camera = makeCamera(readCamera(document(which), reading)); });
-  return *kept.camera;
 }
 
 }  // namespace viewproj::cmd

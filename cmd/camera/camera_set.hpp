@@ -72,6 +72,8 @@ class CameraSet {
   CameraSet(const CameraSet&) = delete;
   CameraSet& operator=(const CameraSet&) = delete;
 
+  /// Of the file, in messages.
+  const std::string& name() const { return name_; }
   std::size_t size() const { return import_.cameras.size(); }
   /// The name in the file; empty if it has none.
   const std::string& nameOf(std::size_t which) const { return import_.cameras[which].name; }
@@ -84,22 +86,14 @@ class CameraSet {
   /// The camera that a record names, as choose() finds it; nothing if there is none or more than one. Constant time.
   std::optional<std::size_t> find(std::string_view name) const;
 
-  /// The camera's document with the patches applied.
+  /// The camera's document with the patches applied. Any number of threads may call this.
   Document document(std::size_t which) const;
   /// What the file's format has not read of the camera; empty if there is nothing to say.
   std::string unreadOf(std::size_t which) const { return import_.unread ? import_.unread(which) : ""; }
   /// See Import.
   const std::shared_ptr<const std::string>& matricesText() const { return import_.matricesText; }
-  /// The camera, read when it is first asked for, and kept (about 1 kB). Any number of threads may call this. Throws
-  /// InputError each time if the camera cannot be read. All calls must have the same options.
-  const Camera& camera(std::size_t which, const ReadOptions& reading) const;
 
  private:
-  struct Kept {
-    std::once_flag once;
-    std::optional<Camera> camera;
-  };
-
   std::vector<std::size_t> all() const;
   /// The cameras of a name, or else of an id; or else the camera of a number.
   std::vector<std::size_t> called(std::string_view name) const;
@@ -111,7 +105,6 @@ class CameraSet {
   Import import_;
   mutable std::mutex importing_;
   std::unordered_map<std::string, std::vector<std::size_t>> names_, ids_;  ///< the cameras of each
-  mutable std::vector<Kept> kept_;
 };
 
 }  // namespace viewproj::cmd

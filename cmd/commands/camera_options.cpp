@@ -104,12 +104,13 @@ void CameraOptions::addWriting(CLI::App& app) {
   app.option_defaults()->group("Options");
 }
 
-std::optional<std::string> CameraOptions::file() const {
+std::optional<std::string> CameraOptions::file(bool mayLack) const {
   if (camera_ && operand_) throw UsageError("-c and " + *operand_ + " are both a camera; give one");
   if (camera_) return camera_;
   if (const auto input = fileIsCamera(*app_) ? inputFile(*app_) : std::nullopt) return input;
   const bool hasPose = !worldFromCamera_.empty() || !cameraFromWorld_.empty();
-  if (!hasPose && std::none_of(patches_.begin(), patches_.end(), [](const Patch& patch) { return patch.isOption; }))
+  if (!mayLack && !hasPose &&
+      std::none_of(patches_.begin(), patches_.end(), [](const Patch& patch) { return patch.isOption; }))
     throw UsageError("a camera is needed: -c FILE, or options such as --position, --target and --fov-y");
   return std::nullopt;
 }
@@ -134,8 +135,8 @@ CameraPatches CameraOptions::patches(bool isTyped) const {
   return all;
 }
 
-std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> CameraOptions::readAll() const {
-  return open(file());
+std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> CameraOptions::readAll(bool mayLack) const {
+  return open(file(mayLack));
 }
 
 std::vector<CameraOptions::Picked> CameraOptions::readFiles() const {
@@ -173,10 +174,9 @@ std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> CameraOptions:
 }
 
 CameraFile CameraOptions::readOne(const CameraSet& cameras, std::size_t which, bool needsPicture) const {
-  const ReadOptions reading{allowStretch_, ignoreDistortion_, needsPicture && !takesAnyLens_};
   CameraFile file = [&] {
     try {
-      return readCamera(cameras.document(which), reading);
+      return readCamera(cameras.document(which), reading(needsPicture));
     } catch (const InputError& e) {
       if (cameras.matricesText()) throw UnknownFormat(e.what(), *cameras.matricesText());
       throw;

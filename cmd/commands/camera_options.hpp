@@ -35,14 +35,18 @@ class CameraOptions {
 
   /// The camera that -c, FILE or the options give. needsPicture: as in ReadOptions.
   CameraFile read(bool needsPicture = true) const;
-  /// All cameras of the file, or the one of options; and what #NAME picks among them.
-  std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> readAll() const;
+  /// All cameras of the file, or the one of options; and what #NAME picks among them. mayLack: there may be neither.
+  std::pair<std::unique_ptr<CameraSet>, std::optional<std::string>> readAll(bool mayLack = false) const;
   /// The cameras that are picked of each file, or all of it.
   struct Picked {
     std::unique_ptr<CameraSet> cameras;
     std::vector<std::size_t> which;
   };
   std::vector<Picked> readFiles() const;
+  /// How they are read.
+  ReadOptions reading(bool needsPicture = true) const {
+    return {allowStretch_, ignoreDistortion_, needsPicture && !takesAnyLens_};
+  }
   CameraFile readOne(const CameraSet& cameras, std::size_t which, bool needsPicture = true) const;
   /// Writes a text of every camera of the file; pick: what picks it. A camera that cannot be read, or of which there is
   /// no such text, has a message instead. Returns the exit status.
@@ -50,7 +54,7 @@ class CameraOptions {
                 const std::function<std::string(const std::string& pick, const CameraFile& camera)>& textOf) const;
 
   /// -c or FILE; nothing where options are the camera. Throws UsageError where there is none, or both.
-  std::optional<std::string> file() const;
+  std::optional<std::string> file(bool mayLack = false) const;
   /// The preset of --convention; null without it.
   const ConventionPreset* convention() const { return convention_ ? &*convention_ : nullptr; }
   /// The convention of --read-as.

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "commands/command.hpp"
+#include "commands/record_camera_options.hpp"
 #include "commands/stream_options.hpp"
 #include "output/results.hpp"
 #include "records/arguments.hpp"
@@ -19,30 +20,38 @@ namespace {
 
 class Culler final : public RecordProcessor {
  public:
-  Culler(const Frustum& frustum, const PointReading& reading) : frustum_(frustum), reading_(reading) {}
+  explicit Culler(const PointReading& reading) : reading_(reading) {}
 
   NumberPlan locate(const RecordView& record) const override { return findPoint(record, reading_); }
   ResultRows rows(const NumberPlan&) const override { return {std::begin(results::kCull), std::end(results::kCull)}; }
-  void add(const NumberPlan& plan, const Numbers& numbers) override {
+  void add(const NumberPlan& plan, const Numbers& numbers, const RecordCamera& camera) override {
     shapes_.push_back(numbers.isNull ? std::nullopt : std::optional(toShape(plan, numbers)));
+    frustums_.push_back(&*camera.frustum);
   }
   void results(std::size_t i, ResultValues& values) override {
     Cull result;
-    if (shapes_[i]) result = std::visit([&](const auto& shape) { return cull(frustum_, shape); }, *shapes_[i]);
+    if (shapes_[i]) result = std::visit([&](const auto& shape) { return cull(*frustums_[i], shape); }, *shapes_[i]);
     const bool inside = result.verdict == CullVerdict::inside, outside = result.verdict == CullVerdict::outside;
     values.addWord(!shapes_[i] ? "" : inside ? "inside" : outside ? "outside" : "intersects");
     values.addWord(sideName(result.side));
+    isVisible_ = shapes_[i] && !outside;
   }
-  void clear() override { shapes_.clear(); }
+  bool isVisible(std::size_t) const override { return isVisible_; }
+  void clear() override {
+    shapes_.clear();
+    frustums_.clear();
+  }
 
  private:
-  const Frustum& frustum_;
   const PointReading& reading_;
   std::vector<std::optional<CullShape>> shapes_;  ///< nothing: a point that is null
+  std::vector<const Frustum*> frustums_;
+  bool isVisible_ = false;  ///< the last one that had results
 };
 
 struct Options {
   CameraOptions camera;
+  RecordCameraOptions cameras;
   StreamOptions stream;
   std::vector<GivenRecord> shapes;
 };
@@ -51,14 +60,14 @@ int run(const Options& o) {
   StreamSetup setup = o.stream.setup(kSphereColumns);
   setup.given.insert(setup.given.end(), o.shapes.begin(), o.shapes.end());
   o.stream.reads(setup);
-  const CameraFile file = o.camera.read();
-  requireStraightEdges(file, "cull");
-  const Frustum frustum = viewFrustum(makeCamera(file));
-  o.stream.settleOnEarth(setup, file.worldIsEcef);
-  const PointReading reading{.columns = setup.columns, .worldIsEcef = file.worldIsEcef, .shapes = true, .radius = true};
+  const RecordCameras cameras =
+      o.cameras.read(o.camera, setup, [](const CameraFile& file) { requireStraightEdges(file, "cull"); });
+  o.stream.settleOnEarth(setup, cameras.worldIsEcef());
+  const PointReading reading{
+      .columns = setup.columns, .worldIsEcef = cameras.worldIsEcef(), .shapes = true, .radius = true};
   setup.arrayName = "position";
   setup.areWords = true;
-  return runFilter(setup, [&](OutputForm) { return std::make_unique<Culler>(frustum, reading); });
+  return runFilter(setup, cameras, [&](OutputForm) { return std::make_unique<Culler>(reading); });
 }
 
 }  // namespace
@@ -87,6 +96,7 @@ Action declareCull(CLI::App& app) {
             "A box, from its lower to its upper corner, in place of FILE");
   app.remove_option(app.get_option("--digits"));
   o->camera.add(app);
+  o->cameras.add(app, true);
   return [o] { return run(*o); };
 }
 

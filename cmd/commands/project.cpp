@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "commands/command.hpp"
+#include "commands/record_camera_options.hpp"
 #include "commands/stream_options.hpp"
 #include "output/results.hpp"
 #include "records/model.hpp"
@@ -31,7 +32,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 /// A point and what project knows of it.
 struct ProjectedPoint {
   const Camera& camera;
-  const Convention& writing;  ///< of ndc, clip and view
+  const Convention writing;  ///< of ndc, clip and view
   const Vec4& point;
   const ScreenPoint& screen;
   const std::optional<ScreenBox>& box;  ///< of a shape
@@ -114,29 +115,25 @@ std::string helpOnFields() {
 }
 
 struct Projecting {
-  Camera camera;
-  Convention writing;  ///< of ndc, clip and view
+  const RecordCameras& cameras;
+  const CameraOptions& options;  ///< how ndc, clip and view are written
   Precision precision;
   PointReading reading;
   Fields fields;
-  bool hasMiss = false;  ///< records have a pixel beside their point
-  bool hasDepth = true;
+  bool hasMiss = false;                     ///< records have a pixel beside their point
   bool hasUsualNumbers = true;              ///< in text and f64
   std::optional<Mat4> worldFromLocal = {};  ///< of a model that the points are in
-  std::optional<Frustum> frustum = {};      ///< for segments and shapes; nothing where a lens bends its edges
 };
 
-/// Of a camera without near. Throws for results of depth that --fields names; from all and the usual ones, those that
-/// would be null are left out.
-void leaveDepthOut(Projecting& how, const CameraFile& file) {
-  how.hasDepth = false;
-  const auto needsNear = [](const PointResult* result) {
-    return &result->row == &results::ndc || &result->row == &results::clip;
-  };
-  for (const PointResult* result : how.fields.named)
-    if (how.fields.ofShapes.empty() && (needsNear(result) || &result->row == &results::depth))
+/// Whether there is no such result without near.
+bool needsNear(const PointResult* result) { return &result->row == &results::ndc || &result->row == &results::clip; }
+
+/// Throws for a camera without near where --fields names results of depth.
+void requireNearFor(const Fields& fields, const CameraFile& file) {
+  if (!fields.ofShapes.empty()) return;
+  for (const PointResult* result : fields.named)
+    if (needsNear(result) || &result->row == &results::depth)
       requireNear(file, "--fields " + std::string(result->row.name));
-  for (auto* rows : {&how.fields.named, &how.fields.numbers}) std::erase_if(*rows, needsNear);
 }
 
 /// A segment among the points.
@@ -191,7 +188,7 @@ class Projector final : public RecordProcessor {
     return rows;
   }
 
-  void add(const NumberPlan& plan, const Numbers& n) override {
+  void add(const NumberPlan& plan, const Numbers& n, const RecordCamera& camera) override {
     Vec4 point{kNaN, kNaN, kNaN, 1};
     std::size_t other = kPoint;
     bool isRounded = false;
@@ -202,12 +199,12 @@ class Projector final : public RecordProcessor {
     if (n.isNull) {
       addOther(Null{});
     } else if (isSegment(plan)) {
-      requireEdges("a segment");
+      requireEdges("a segment", camera);
       const Segment segment{placed({n[0], n[1], n[2]}), placed({n[3], n[4], n[5]})};
       if (!isValid(Sphere{segment.a}) || !isValid(Sphere{segment.b})) throw RecordError(0, "has a number beyond 1e91");
       addOther(segment);
     } else if (isShape(plan)) {
-      requireEdges("a shape");
+      requireEdges("a shape", camera);
       if (how_.worldFromLocal) throw RecordError(0, "has a shape; --model places points and segments alone");
       const CullShape shape = toShape(plan, n);
       if (const auto* const sphere = std::get_if<Sphere>(&shape))
@@ -220,6 +217,7 @@ class Projector final : public RecordProcessor {
     }
     if (how_.hasMiss) given_.push_back(pixelBesidePoint(plan, n).value_or(Vec2{kNaN, kNaN}));
     items_.push_back(other);
+    cameras_.push_back(&camera);
     points_.push_back(point);
     positions_.push_back({point.x, point.y, point.z});
     errors_.push_back(isRounded ? placeError(positions_.back()) : 0);
@@ -227,9 +225,13 @@ class Projector final : public RecordProcessor {
 
   void compute() override {
     screen_.resize(points_.size());
-    worldToScreen(how_.camera, positions_, screen_, how_.precision);
+    for (std::size_t begin = 0, end = 0; begin < points_.size(); begin = end) {
+      while (end < points_.size() && cameras_[end] == cameras_[begin]) ++end;
+      worldToScreen(cameras_[begin]->camera, std::span(positions_).subspan(begin, end - begin),
+                    std::span(screen_).subspan(begin, end - begin), how_.precision);
+    }
     for (std::size_t i = 0; i < points_.size(); ++i)
-      if (points_[i].w != 1) screen_[i] = worldToScreen(how_.camera, points_[i], how_.precision);
+      if (points_[i].w != 1) screen_[i] = worldToScreen(cameras_[i]->camera, points_[i], how_.precision);
   }
 
   void results(std::size_t i, ResultValues& values) override {
@@ -238,12 +240,14 @@ class Projector final : public RecordProcessor {
     else if (screen_[i].status == PointStatus::outOfRange)
       throw RecordError(0, "lies farther than 1e91 from the eye");
     else
-      addFields(screen_[i], points_[i], std::nullopt, fieldsOf(false), values, errors_[i],
-                how_.hasMiss ? given_[i] : Vec2{kNaN, kNaN});
+      addFields(screen_[i], i, std::nullopt, fieldsOf(false), values);
   }
+
+  bool isVisible(std::size_t i) const override { return items_[i] == kPoint ? screen_[i].visible() : isOtherVisible_; }
 
   void clear() override {
     items_.clear();
+    cameras_.clear();
     others_.clear();
     points_.clear();
     given_.clear();
@@ -253,12 +257,13 @@ class Projector final : public RecordProcessor {
 
   std::size_t convert(std::span<const double> in, TextBuffer& out) override {
     if (!how_.hasUsualNumbers || how_.worldFromLocal) return 0;
+    const Camera& camera = how_.cameras.only()->camera;
     const std::size_t count = in.size() / 3;
     char* const room = out.room(count * sizeof(Vec3));
     const std::span points(reinterpret_cast<const Vec3*>(in.data()), count);
     const std::span screen(reinterpret_cast<Vec3*>(room), count);
-    worldToScreen(how_.camera, points, screen, how_.precision);
-    const std::size_t good = countUsable(how_.camera, points, screen);
+    worldToScreen(camera, points, screen, how_.precision);
+    const std::size_t good = countUsable(camera, points, screen);
     out.written(room + good * sizeof(Vec3));
     return good;
   }
@@ -268,11 +273,12 @@ class Projector final : public RecordProcessor {
   using Other = std::variant<Null, Segment, CullShape>;
   static constexpr std::size_t kPoint = ~std::size_t{0};
 
-  void requireEdges(const std::string& what) const {
-    if (!how_.frustum)
+  static void requireEdges(const std::string& what, const RecordCamera& camera) {
+    if (!camera.frustum)
       throw RecordError(
           0, what + " needs straight edges, which the lens bends; --ignore-distortion leaves its distortion out");
-    if (!how_.hasDepth) throw RecordError(0, what + " needs a camera with near; --near gives it");
+    if (!hasDepth(camera.camera.projection()))
+      throw RecordError(0, what + " needs a camera with near; --near gives it");
   }
 
   Vec3 placed(const Vec3& local) const {
@@ -286,17 +292,19 @@ class Projector final : public RecordProcessor {
     return numbersOnly_ ? how_.fields.numbers : how_.fields.named;
   }
 
-  void addOther(const Other& other, std::size_t i, ResultValues& values) const {
+  void addOther(const Other& other, std::size_t i, ResultValues& values) {
+    isOtherVisible_ = false;
     if (const auto* const segment = std::get_if<Segment>(&other))
-      addSegment(*segment, values);
+      addSegment(*segment, *cameras_[i]->frustum, values);
     else if (const auto* const shape = std::get_if<CullShape>(&other))
       addShape(*shape, i, values);
     else
-      addFields(kNoPoint, points_[i], std::nullopt, fieldsOf(false), values);
+      addFields(kNoPoint, i, std::nullopt, fieldsOf(false), values);
   }
 
-  void addSegment(const Segment& whole, ResultValues& values) const {
-    const VisibleSegment segment = clipSegment(*how_.frustum, whole.a, whole.b);
+  void addSegment(const Segment& whole, const Frustum& frustum, ResultValues& values) {
+    const VisibleSegment segment = clipSegment(frustum, whole.a, whole.b);
+    isOtherVisible_ = segment.visible;
     values.add(segment.visible);
     for (const SegmentEnd& end : {segment.start, segment.end}) {
       values.addCount(segment.visible ? 1 : 0);
@@ -309,34 +317,40 @@ class Projector final : public RecordProcessor {
     }
   }
 
-  void addShape(const CullShape& shape, std::size_t i, ResultValues& values) const {
+  void addShape(const CullShape& shape, std::size_t i, ResultValues& values) {
+    const Camera& camera = cameras_[i]->camera;
     const auto box = std::visit(
         [&](const auto& one) -> std::optional<ScreenBox> {
           if constexpr (std::is_same_v<decltype(one), const Vec3&>)
             return std::nullopt;  // a point is none of these
           else
-            return screenBox(how_.camera, one);
+            return screenBox(camera, one);
         },
         shape);
-    const Cull verdict = std::visit([&](const auto& one) { return cull(*how_.frustum, one); }, shape);
+    const Cull verdict = std::visit([&](const auto& one) { return cull(*cameras_[i]->frustum, one); }, shape);
     // Of a sphere what is of one point is its center's.
     ScreenPoint screen = std::holds_alternative<Sphere>(shape) ? screen_[i] : kNoPoint;
     screen.status = PointStatus::inFront;
     if (verdict.verdict == CullVerdict::outside)
       screen.outside = verdict.side;
     else
-      screen.outside = box ? sidesBeyond(how_.camera, *box) : static_cast<std::uint8_t>(sideNear);
-    addFields(screen, points_[i], box, fieldsOf(true), values);
+      screen.outside = box ? sidesBeyond(camera, *box) : static_cast<std::uint8_t>(sideNear);
+    isOtherVisible_ = screen.visible();
+    addFields(screen, i, box, fieldsOf(true), values);
   }
 
-  void addFields(const ScreenPoint& screen, const Vec4& point, const std::optional<ScreenBox>& box, const Rows& rows,
-                 ResultValues& values, double error = 0, const Vec2& given = {kNaN, kNaN}) const {
-    const ProjectedPoint projected{how_.camera, how_.writing, point, screen, box, error, given};
+  void addFields(const ScreenPoint& screen, std::size_t i, const std::optional<ScreenBox>& box, const Rows& rows,
+                 ResultValues& values) const {
+    const RecordCamera& camera = *cameras_[i];
+    const ProjectedPoint projected{camera.camera, how_.options.writing(camera.convention),    points_[i], screen, box,
+                                   errors_[i],    how_.hasMiss ? given_[i] : Vec2{kNaN, kNaN}};
     for (const PointResult* result : rows) result->add(projected, values);
   }
 
   const Projecting& how_;
   bool numbersOnly_;
+  bool isOtherVisible_ = false;  ///< the last of them that had results
+  std::vector<const RecordCamera*> cameras_;
   std::vector<std::size_t> items_;  ///< kPoint, or the index of what it is else
   std::vector<Other> others_;
   std::vector<Vec4> points_;  ///< of a segment, a shape without a center and null: NaN
@@ -348,6 +362,7 @@ class Projector final : public RecordProcessor {
 
 struct Options {
   CameraOptions camera;
+  RecordCameraOptions cameras;
   StreamOptions stream;
   Precision precision = Precision::exact;
   std::optional<Several<const PointResult*>> fields;
@@ -362,25 +377,30 @@ int run(const Options& o) {
     throw UsageError("--fields: miss is of points with a pixel and screenBox of shapes; keep one of them");
   StreamSetup setup = o.stream.setup(hasMiss ? kPairColumns : asksForBoxes ? kSphereColumns : kPointColumns);
   o.stream.reads(setup);
-  const CameraFile file = o.camera.read();
-  o.stream.settleOnEarth(setup, file.worldIsEcef);
-  Projecting how{.camera = makeCamera(file),
-                 .writing = o.camera.writing(file.convention),
+  Fields fields = fieldsOf(o.fields);
+  const RecordCameras cameras =
+      o.cameras.read(o.camera, setup, [&](const CameraFile& file) { requireNearFor(fields, file); });
+  const bool hasUsualNumbers = fields.numbers == fieldsOf({}).numbers;
+  if (const CameraFile* const file = cameras.first()) {
+    if (!hasDepth(*file->projection))  // of all results, those that would be null are left out
+      for (auto* rows : {&fields.named, &fields.numbers}) std::erase_if(*rows, needsNear);
+    o.camera.noteHandedness(*file);
+  }
+  o.stream.settleOnEarth(setup, cameras.worldIsEcef());
+  Projecting how{.cameras = cameras,
+                 .options = o.camera,
                  .precision = o.precision,
                  .reading = {.columns = setup.columns,
-                             .worldIsEcef = file.worldIsEcef,
+                             .worldIsEcef = cameras.worldIsEcef(),
                              .segments = !hasMiss,
                              .shapes = !hasMiss,
                              .radius = asksForBoxes},
-                 .fields = fieldsOf(o.fields),
-                 .hasMiss = hasMiss};
-  how.hasUsualNumbers = how.fields.numbers == fieldsOf({}).numbers;
-  if (!lensOf(how.camera)) how.frustum = viewFrustum(how.camera);
+                 .fields = fields,
+                 .hasMiss = hasMiss,
+                 .hasUsualNumbers = hasUsualNumbers};
   if (o.model) how.worldFromLocal = readModel(*o.model);
-  if (!hasDepth(*file.projection)) leaveDepthOut(how, file);
-  o.camera.noteHandedness(file);
   setup.arrayName = hasMiss ? "pair" : "position";
-  return runFilter(setup, [&](OutputForm to) { return std::make_unique<Projector>(how, to); });
+  return runFilter(setup, cameras, [&](OutputForm to) { return std::make_unique<Projector>(how, to); });
 }
 
 }  // namespace
@@ -404,6 +424,7 @@ Action declareProject(CLI::App& app) {
   addPrecision(app, o->precision);
   addModel(app, o->model, "Place in the world of the model that the points are in");
   o->camera.add(app);
+  o->cameras.add(app, true);
   o->camera.addWriting(app);
   return [o] { return run(*o); };
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "commands/command.hpp"
+#include "commands/record_camera_options.hpp"
 #include "commands/stream_options.hpp"
 #include "output/results.hpp"
 #include "records/arguments.hpp"
@@ -44,7 +45,6 @@ WorldPoint pointBehind(const Camera& camera, const Pixel& pixel) {
 }
 
 struct Casting {
-  Camera camera;
   Precision precision = Precision::exact;
   ColumnChoice columns;
   std::optional<ResultRows> fields = {};  ///< nothing: what is given by default
@@ -63,6 +63,7 @@ bool isOfTheEarth(const SceneObject& object) {
 /// A pixel, and what is behind it.
 struct Cast {
   const Pixel& pixel;
+  const Camera& camera;
   Ray ray{{NAN, NAN, NAN}, {NAN, NAN, NAN}};
   WorldPoint point{{NAN, NAN, NAN}, DepthStatus::notFinite};
 };
@@ -77,15 +78,21 @@ class Caster final : public RecordProcessor {
 
   NumberPlan locate(const RecordView& record) const override { return findPixel(record, how_.columns); }
   ResultRows rows(const NumberPlan& plan) const override { return rowsOf(hasDistance(plan)); }
-  void add(const NumberPlan& plan, const Numbers& numbers) override { pixels_.push_back(toPixel(plan, numbers)); }
-  void clear() override { pixels_.clear(); }
+  void add(const NumberPlan& plan, const Numbers& numbers, const RecordCamera& camera) override {
+    pixels_.push_back(toPixel(plan, numbers));
+    cameras_.push_back(&camera.camera);
+  }
+  void clear() override {
+    pixels_.clear();
+    cameras_.clear();
+  }
 
   void results(std::size_t i, ResultValues& values) override {
     const Pixel& pixel = pixels_[i];
-    Cast cast{.pixel = pixel};
+    Cast cast{.pixel = pixel, .camera = *cameras_[i]};
     if (pixel.screen) {
-      cast.ray = screenToRay(how_.camera, *pixel.screen, how_.precision);
-      if (pixel.depth || pixel.viewDistance) cast.point = pointBehind(how_.camera, pixel);
+      cast.ray = screenToRay(cast.camera, *pixel.screen, how_.precision);
+      if (pixel.depth || pixel.viewDistance) cast.point = pointBehind(cast.camera, pixel);
     }
     for (const ResultRow* row : rowsOf(pixel.hasDistance)) addResult(*row, cast, values);
   }
@@ -118,7 +125,7 @@ class Caster final : public RecordProcessor {
     } else if (&row == &results::bound) {
       values.add(isPoint ? cast.point.bound : NAN);
     } else {
-      const std::vector<SceneHit> hits = hitsOf(how_.camera, cast.ray, *how_.scene);
+      const std::vector<SceneHit> hits = hitsOf(cast.camera, cast.ray, *how_.scene);
       const std::size_t count = how_.allHits ? hits.size() : std::min<std::size_t>(hits.size(), 1);
       values.addCount(count);
       for (std::size_t i = 0; i < count; ++i) addHit(hits[i], values);
@@ -144,6 +151,7 @@ class Caster final : public RecordProcessor {
   bool isFixed_;                    ///< all records get the same results, with or without a point
   ResultRows pointless_, pointed_;  ///< of records without and with a distance
   std::vector<Pixel> pixels_;
+  std::vector<const Camera*> cameras_;
 };
 
 /// A pixel of the command line as a JSON record.
@@ -167,6 +175,7 @@ Names<const ResultRow*> fieldNames() {
 
 struct Options {
   CameraOptions camera;
+  RecordCameraOptions cameras;
   StreamOptions stream;
   Precision precision = Precision::exact;
   std::optional<Several<const ResultRow*>> fields;
@@ -200,19 +209,16 @@ int run(const Options& o) {
   StreamSetup setup = o.stream.setup(kPixelColumns);
   setup.given = o.pixels;
   o.stream.reads(setup);
-  const CameraFile file = o.camera.read();
-  Casting how{.camera = makeCamera(file),
-              .precision = o.precision,
-              .columns = setup.columns,
-              .worldIsEcef = file.worldIsEcef,
-              .allHits = o.allHits};
+  const RecordCameras cameras = o.cameras.read(o.camera, setup, [](const CameraFile&) {});
+  const bool worldIsEcef = cameras.worldIsEcef();
+  Casting how{.precision = o.precision, .columns = setup.columns, .worldIsEcef = worldIsEcef, .allHits = o.allHits};
   if (hasScene) {
-    if (!o.planes.empty() && file.worldIsEcef)
+    if (!o.planes.empty() && worldIsEcef)
       throw UsageError(
           "--plane is of Earth-centred x, y, z with a camera on the Earth; the surface of a height is --scene "
           "'{\"objects\": [{\"ellipsoid\": \"WGS84\", \"height\": 545}]}'");
     how.scene.emplace();
-    if (o.scene) how.scene = readScene(*o.scene, file.worldIsEcef);
+    if (o.scene) how.scene = readScene(*o.scene, worldIsEcef);
     for (const PlaneEquation& plane : o.planes) how.scene->push_back({std::to_string(how.scene->size()), plane});
     for (const SceneObject& object : *how.scene) how.sceneHasEllipsoid |= isOfTheEarth(object);
   }
@@ -220,7 +226,7 @@ int run(const Options& o) {
   setup.arrayName = "screen";
   setup.arraySize = 2;
   setup.extraName = "depth";
-  return runFilter(setup, [&](OutputForm to) { return std::make_unique<Caster>(how, to); });
+  return runFilter(setup, cameras, [&](OutputForm to) { return std::make_unique<Caster>(how, to); });
 }
 
 }  // namespace
@@ -252,6 +258,7 @@ Action declareRay(CLI::App& app) {
                      "origin and direction; with a depth point, with a scene hit"));
   addPrecision(app, o->precision);
   o->camera.add(app);
+  o->cameras.add(app, false);
   return [o] { return run(*o); };
 }
 

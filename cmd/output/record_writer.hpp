@@ -46,6 +46,8 @@ struct StreamSetup {
   bool header = true;            ///< CSV: write one
   int digits = 0;                ///< significant, of results; 0: all, in tables nine
   std::string prefix;            ///< in front of every result's name
+  bool namesCameras = false;     ///< the camera's name comes before the results
+  bool visibleOnly = false;      ///< what is not visible is left out
   /// Names of the numbers that a bare JSON array, a text line or a binary record holds: the array's, and that of a
   /// number after it.
   std::string arrayName;

@@ -52,7 +52,7 @@ const ResultRows& allResults() {
   static const ResultRows all = [] {
     ResultRows rows;
     for (const auto& some :
-         {std::span<const ResultRow* const>(results::kPoint), {results::kSegment}, {results::kRay}, {results::kCull}})
+         {std::span<const ResultRow* const>(results::kPoint), {results::kSegment}, {results::kRay}, {results::kCull}, {results::kCamera}})
       rows.insert(rows.end(), some.begin(), some.end());
     return rows;
   }();

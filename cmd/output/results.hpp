@@ -185,6 +185,10 @@ inline constexpr ResultRow
 inline constexpr const ResultRow* kRay[] = {&origin, &direction, &point, &place, &pointDistance, &bound, &placedHit, &hit, &hits};
 
 inline constexpr ResultRow
+    camera = {"camera", ResultKind::word};
+inline constexpr const ResultRow* kCamera[] = {&camera};
+
+inline constexpr ResultRow
     cull = ResultRow{"cull", ResultKind::word}.whereNamed(),
     plane = ResultRow{"plane", ResultKind::word}.whereNamed();
 inline constexpr const ResultRow* kCull[] = {&cull, &plane};

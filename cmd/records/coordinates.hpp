@@ -100,11 +100,11 @@ inline constexpr Coordinate
     screen = {"screen", array, 2, 2, "a pixel, as project writes it", 0, {}, true},
     pixel = {"pixel", array, 2, 2, "the same", 0, {}, true},
     xy = {"x y", numbers, 2, 2, "the same, one field or column per number, without z", 0, kXy},
-    uv = {"u v", numbers, 2, 2, "a pixel beside a point, one field or column per number", 0, kUv},
+    uv = {"u v", numbers, 2, 2, "the same; also beside a point", 0, kUv},
     pxPy = {"px py", numbers, 2, 2, "the same", 0, kPxPy},
     depth = {"depth", numbers, 1, 1, "window depth of the point behind the pixel", 0, kDepth, true},
     viewDistance = {"viewDistance", numbers, 1, 1, "its distance along the viewing axis; preferred to depth", 0, kViewDistance, true};
-inline constexpr const Coordinate *kPixels[] = {&screen, &pixel, &xy}, *kDistances[] = {&depth, &viewDistance},
+inline constexpr const Coordinate *kPixels[] = {&screen, &pixel, &xy, &uv, &pxPy}, *kDistances[] = {&depth, &viewDistance},
                                   *kPixelsBesidePoints[] = {&screen, &pixel, &uv, &pxPy};
 
 // Pairs of a point and its pixel, for --columns and lines of numbers.

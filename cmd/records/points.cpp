@@ -277,15 +277,16 @@ NumberPlan findBarePixel(const RecordView& record) {
 /// A pixel from screen, pixel or x y, in two slots.
 NumberPlan findScreen(const RecordView& record, Conditions& conditions) {
   const Schema& schema = *record.schema;
+  std::optional<std::size_t> offsetOfZ;  // then x, y are not a pixel
   for (const Coordinate* row : coordinates::kPixels) {
     const auto plan = find(*row, record, conditions);
     if (!plan) continue;
     const auto z = matchParts(schema.names, std::span(coordinates::kXyzw).subspan(2, 1))[0].field;
-    if (z && row == &coordinates::xy)
-      throw RecordError(record.offset(*z),
-                        "x, y, z is a point of the world, not a pixel; expected screen, pixel or x y alone");
-    return *plan;
+    if (!z || row != &coordinates::xy) return *plan;
+    offsetOfZ = record.offset(*z);
   }
+  if (offsetOfZ)
+    throw RecordError(*offsetOfZ, "x, y, z is a point of the world, not a pixel; expected screen, pixel or x y alone");
   if (const std::string part = missingParts(coordinates::xy, schema); !part.empty()) throw RecordError(0, part);
   if (schema.form == Form::csv)
     throw RecordError(

@@ -51,13 +51,20 @@ void requireNoClash(const RecordView& record, const ResultRows& rows, const std:
   }
 }
 
-Batch::Batch(const WriterSetup& setup, RecordProcessor& processor, RecordWriter& writer, std::size_t binaryRecord,
-             bool mayConvert, BlockResult& result)
+ResultRows withCameraName(const StreamSetup& setup, ResultRows rows) {
+  if (setup.namesCameras) rows.insert(rows.begin(), &results::camera);
+  return rows;
+}
+
+Batch::Batch(const WriterSetup& setup, const RecordCameras& cameras, RecordProcessor& processor, RecordWriter& writer,
+             std::size_t binaryRecord, bool mayConvert, BlockResult& result)
     : setup_(setup),
+      cameras_(cameras),
+      camerasOfBatch_(cameras),
       processor_(processor),
       writer_(writer),
       binaryRecord_(binaryRecord),
-      mayConvert_(mayConvert),
+      mayConvert_(mayConvert && cameras.only() && !setup.stream.visibleOnly),
       result_(result) {
   rows_.reserve(kRows);
 }
@@ -73,16 +80,19 @@ void Batch::begin(const Block& block) {
 Plan Batch::plan(const RecordView& record) {
   Plan plan{processor_.locate(record)};
   for (const std::string& text : plan.numbers.notes) result_.note(text);
-  plan.rows = processor_.rows(plan.numbers);
+  plan.rows = withCameraName(setup_.stream, processor_.rows(plan.numbers));
+  plan.camera = cameras_.locate(record, plan.numbers);
   if (!record.schema->isArray && (setup_.form == OutputForm::lines || setup_.form == OutputForm::array))
     requireNoClash(record, plan.rows, setup_.stream.prefix);
   return plan;
 }
 
 void Batch::take(const RecordView& record, const Plan& plan, const Numbers& numbers) {
-  processor_.add(plan.numbers, numbers);
+  for (const RecordCamera* const camera : camerasOfBatch_.find(record, plan.camera)) {
+    processor_.add(plan.numbers, numbers, *camera);
+    keep({.record = record, .plan = &plan, .camera = camera});
+  }
   if (!numbers.seaLevel.empty()) result_.note(seaLevelNote(numbers.seaLevel));
-  keep({.record = record, .plan = &plan});
 }
 
 void Batch::bad(std::string_view text, const RecordError& error, std::span<const std::string_view> values) {
@@ -136,7 +146,9 @@ void Batch::flush() {
     } else {
       try {
         results_.clear();
+        if (setup_.stream.namesCameras) results_.addWord(row.camera->name);
         processor_.results(added++, results_);
+        if (setup_.stream.visibleOnly && !processor_.isVisible(added - 1)) continue;
         writer_.write(row.record, row.plan->rows, results_);
         ++result_.records;
       } catch (const RecordError& e) {
@@ -153,6 +165,7 @@ void Batch::flush() {
   values_.clear();
   errors_.clear();
   processor_.clear();
+  camerasOfBatch_.clear();
 }
 
 void Batch::writeBad(const RecordView& record, const RecordError& error) {

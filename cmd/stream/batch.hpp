@@ -22,16 +22,18 @@ class RecordProcessor {
   virtual NumberPlan locate(const RecordView& record) const = 0;
   /// The results of such records, in order. Throws RecordError if the form of the output cannot hold them.
   virtual ResultRows rows(const NumberPlan& plan) const = 0;
-  /// Throws RecordError, without adding anything, if the numbers are not valid.
-  virtual void add(const NumberPlan& plan, const Numbers& numbers) = 0;
+  /// camera: stays until clear(). Throws RecordError, without adding anything, if the numbers are not valid.
+  virtual void add(const NumberPlan& plan, const Numbers& numbers, const RecordCamera& camera) = 0;
   virtual void compute() {}
   /// The results of record i, in the order of adding. Throws RecordError if it has none.
   virtual void results(std::size_t i, ResultValues& values) = 0;
+  /// Whether record i, the last one that was asked for its results, is seen.
+  virtual bool isVisible(std::size_t /*i*/) const { return true; }
   /// The batch is finished.
   virtual void clear() = 0;
 
-  /// Converts many records at once from f64 to f64: three numbers per record in, and the writer's bytes out. Returns
-  /// how many records from the start it converted; the others are added.
+  /// Of one camera: converts many records at once from f64 to f64: three numbers per record in, and the writer's bytes
+  /// out. Returns how many records from the start it converted; the others are added.
   virtual std::size_t convert(std::span<const double> /*in*/, TextBuffer& /*out*/) { return 0; }
 };
 
@@ -66,11 +68,14 @@ class PositionCounter {
 /// Throws RecordError if a field has the name of a result.
 void requireNoClash(const RecordView& record, const ResultRows& rows, const std::string& prefix);
 
+/// All results of a record: those of a processor, and its camera's name before them.
+ResultRows withCameraName(const StreamSetup& setup, ResultRows rows);
+
 class Batch final : public RecordSink {
  public:
   /// binaryRecord: bytes of a binary record, or 0.
-  Batch(const WriterSetup& setup, RecordProcessor& processor, RecordWriter& writer, std::size_t binaryRecord,
-        bool mayConvert, BlockResult& result);
+  Batch(const WriterSetup& setup, const RecordCameras& cameras, RecordProcessor& processor, RecordWriter& writer,
+        std::size_t binaryRecord, bool mayConvert, BlockResult& result);
 
   void begin(const Block& block);
   /// Writes the remaining records. Throws Stop.
@@ -88,7 +93,8 @@ class Batch final : public RecordSink {
  private:
   struct Row {
     RecordView record;
-    const Plan* plan = nullptr;         ///< null: a bad record
+    const Plan* plan = nullptr;  ///< null: a bad record
+    const RecordCamera* camera = nullptr;
     std::size_t values = 0, count = 0;  ///< where those of the record are kept, and how many
     std::size_t error = 0;              ///< of a bad record: its error, or the field that tells it
     bool saysError = false;
@@ -99,6 +105,8 @@ class Batch final : public RecordSink {
   void writeBad(const RecordView& record, const RecordError& error);
 
   const WriterSetup& setup_;
+  const RecordCameras& cameras_;
+  CamerasOfBatch camerasOfBatch_;
   RecordProcessor& processor_;
   RecordWriter& writer_;
   std::size_t binaryRecord_;

@@ -172,6 +172,9 @@ void requireUse(const WriterSetup& setup, Form form) {
   if (setup.form == OutputForm::f64 && isTerminal(kStandardOutput))
     throw UsageError("f64 is binary, and standard output is a terminal; -o FILE writes it to a file, | cat shows it");
   requireRoom(setup.rows, setup.form);
+  if ((stream.namesCameras || stream.visibleOnly) && hasNumbersOnly(setup.form))
+    throw UsageError(std::string(stream.namesCameras ? "--each-camera" : "--visible") +
+                     " needs records with names, and text and f64 have numbers only; use JSON or CSV");
   if (!stream.header && !hasColumns(setup.form))
     throw UsageError("--no-header is for CSV and tables, and the output has no header; leave it out, or add --to csv");
   if (stream.digits > 0 && setup.form == OutputForm::f64)
@@ -205,13 +208,13 @@ void requireJsonNames(const RecordView& header, const ResultRows& rows, const st
 
 class FilterWorker final : public BlockWorker {
  public:
-  FilterWorker(const Source& source, const WriterSetup& setup, CsvColumns& columns, const MakeProcessor& makeProcessor,
-               BlockResult& result)
+  FilterWorker(const Source& source, const WriterSetup& setup, const RecordCameras& cameras, CsvColumns& columns,
+               const MakeProcessor& makeProcessor, BlockResult& result)
       : setup_(setup),
         processor_(makeProcessor(setup.form)),
         reader_(source.makeReader()),
         writer_(makeWriter(setup, columns, result.out)),
-        batch_(setup, *processor_, *writer_, source.binaryRecord(),
+        batch_(setup, cameras, *processor_, *writer_, source.binaryRecord(),
                source.schema.form == Form::f64 && setup.form == OutputForm::f64, result) {}
 
   void work(const Block& block, BlockResult& result) override {
@@ -305,7 +308,7 @@ OutputSetup outputSetup(const StreamSetup& setup, const Source& source, OutputFo
 
 }  // namespace
 
-int runFilter(const StreamSetup& setup, const MakeProcessor& makeProcessor) {
+int runFilter(const StreamSetup& setup, const RecordCameras& cameras, const MakeProcessor& makeProcessor) {
   Source source(setup);
   const auto header = source.readHeader();
   const Schema& schema = source.schema;
@@ -313,7 +316,7 @@ int runFilter(const StreamSetup& setup, const MakeProcessor& makeProcessor) {
   writing.separator = separatorOfOutput(setup, schema, writing.form);
   writing.keepArrays = !setup.to && schema.form == Form::json;  // unless --to was given
   const auto processor = makeProcessor(writing.form);
-  writing.rows = processor->rows({});
+  writing.rows = withCameraName(setup, processor->rows({}));
   requireUse(writing, schema.form);
   CsvColumns columns{.rows = writing.rows};
   TextBuffer start;
@@ -321,7 +324,7 @@ int runFilter(const StreamSetup& setup, const MakeProcessor& makeProcessor) {
     source.failAt(*header, [&] {
       const std::vector<std::string_view> values(schema.size, header->text);
       const RecordView example{header->text, &schema, values};
-      const ResultRows rows = processor->rows(processor->locate(example));
+      const ResultRows rows = withCameraName(setup, processor->rows(processor->locate(example)));
       if (hasColumns(writing.form))
         columns = csvColumns(writing, {schema.names, schema.hasHeader}, header->text, rows, start);
       else if (!hasNumbersOnly(writing.form))
@@ -333,7 +336,7 @@ int runFilter(const StreamSetup& setup, const MakeProcessor& makeProcessor) {
   runPipeline({.jobs = setup.jobs > 0 ? setup.jobs : countProcessors(),
                .makeWorker =
                    [&](BlockResult& result) {
-                     return std::make_unique<FilterWorker>(source, writing, columns, makeProcessor, result);
+                     return std::make_unique<FilterWorker>(source, writing, cameras, columns, makeProcessor, result);
                    },
                .mayShare = [&] { return !hasColumns(writing.form) || columns.known; },
                .failed = setup.failed},

@@ -11,7 +11,7 @@ namespace viewproj::cmd {
 
 /// Returns the exit status: 1 if --keep-going skipped a bad record. Otherwise throws InputError at the first bad
 /// record, after everything before it is written and an open array is closed.
-int runFilter(const StreamSetup& setup, const MakeProcessor& makeProcessor);
+int runFilter(const StreamSetup& setup, const RecordCameras& cameras, const MakeProcessor& makeProcessor);
 
 /// What is done with the records of a stream that is only read.
 struct RecordUse {

@@ -12,6 +12,7 @@
 #include "output/results.hpp"
 #include "records/number_plan.hpp"
 #include "stream/block_reader.hpp"
+#include "stream/record_cameras.hpp"
 
 namespace viewproj::cmd {
 
@@ -19,6 +20,7 @@ namespace viewproj::cmd {
 struct Plan {
   NumberPlan numbers;
   ResultRows rows = {};
+  std::vector<CameraField> camera = {};  ///< what says the record's camera
 };
 
 /// Takes the records of a stream in their order.

@@ -60,7 +60,7 @@ class Points final : public Work {
     return findPoint(record, {.columns = {}, .worldIsEcef = in_.onEarth, .segments = true});
   }
   ResultRows rows(const NumberPlan&) const override { return {&kScreen, &kDepth, &kClip, &kVisible}; }
-  void add(const NumberPlan& plan, const Numbers& numbers) override {
+  void add(const NumberPlan& plan, const Numbers& numbers, const RecordCamera&) override {
     if (!isSegment(plan)) (void)toPoint(plan, numbers);
     rows_.emplace_back(plan, numbers);
   }
@@ -90,7 +90,9 @@ class Pixels final : public Work {
   using Work::Work;
   NumberPlan locate(const RecordView& record) const override { return findPixel(record, {}); }
   ResultRows rows(const NumberPlan&) const override { return {&kDirection, &kPoint}; }
-  void add(const NumberPlan& plan, const Numbers& numbers) override { rows_.emplace_back(plan, numbers); }
+  void add(const NumberPlan& plan, const Numbers& numbers, const RecordCamera&) override {
+    rows_.emplace_back(plan, numbers);
+  }
   void results(std::size_t i, ResultValues& values) override {
     const Pixel pixel = toPixel(rows_[i].first, rows_[i].second);
     const Vec2 screen = pixel.screen.value_or(Vec2{NAN, NAN});
@@ -111,7 +113,7 @@ class Shapes final : public Work {
     return findPoint(record, {.columns = {}, .worldIsEcef = in_.onEarth, .shapes = true, .radius = true});
   }
   ResultRows rows(const NumberPlan&) const override { return {&kVisible}; }
-  void add(const NumberPlan& plan, const Numbers& numbers) override {
+  void add(const NumberPlan& plan, const Numbers& numbers, const RecordCamera&) override {
     (void)toShape(plan, numbers);
     rows_.emplace_back(plan, numbers);
   }
@@ -156,7 +158,7 @@ Run run(std::string_view input, const How& how) {
   giveInput(input);
   Run result;
   try {
-    result.status = runFilter(setup, makeProcessor);
+    result.status = runFilter(setup, RecordCameras(in.camera), makeProcessor);
     result.finished = true;
   } catch (const InputError& e) {
     result.error = e.what();

@@ -28,7 +28,9 @@ class Summing final : public RecordProcessor {
   explicit Summing(const ColumnChoice& columns) : reading_{.columns = columns} {}
   NumberPlan locate(const RecordView& record) const override { return findPoint(record, reading_); }
   ResultRows rows(const NumberPlan&) const override { return {&kSum, &kTwice}; }
-  void add(const NumberPlan& plan, const Numbers& numbers) override { points_.push_back(toPoint(plan, numbers)); }
+  void add(const NumberPlan& plan, const Numbers& numbers, const RecordCamera&) override {
+    points_.push_back(toPoint(plan, numbers));
+  }
   void results(std::size_t i, ResultValues& values) override {
     const Vec4& p = points_[i];
     if (p.x == kUnlucky) throw RecordError(0, "x is 4713");
@@ -159,7 +161,8 @@ StreamRun runStream(const std::string& input, const StreamHow& how) {
         ::close(to);
       });
     try {
-      run.status = runFilter(setup, [&](OutputForm) { return std::make_unique<Summing>(setup.columns); });
+      const RecordCameras camera(cameraIn({}, {}));  // which these results do not need
+      run.status = runFilter(setup, camera, [&](OutputForm) { return std::make_unique<Summing>(setup.columns); });
     } catch (const InputError& e) {
       run.status = 1;
       run.err = e.what();

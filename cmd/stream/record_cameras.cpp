@@ -1,0 +1,294 @@
+#include "stream/record_cameras.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+#include "camera/fields.hpp"
+#include "camera/patch.hpp"
+#include "camera/read_pose.hpp"
+#include "output/record_writer.hpp"
+#include "text/csv.hpp"
+#include "text/error.hpp"
+#include "text/json_text.hpp"
+#include "text/names.hpp"
+#include "text/number.hpp"
+#include "text/utf8.hpp"
+#include "viewproj/lens.hpp"
+
+namespace viewproj::cmd {
+namespace {
+
+// ---- Fields that name a camera
+
+/// The field of --camera-by: a name, or the number of one without a name.
+std::size_t fieldNamed(const std::string& name, const RecordView& record) {
+  const Schema& schema = *record.schema;
+  const bool isCsv = schema.form == Form::csv, hasNames = !schema.isArray && (!isCsv || schema.hasHeader);
+  if (hasNames)
+    if (const auto field = schema.find(name)) return *field;
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
+  const bool isNumber = error == std::errc() && end == name.data() + name.size() && number > 0;
+  if (isNumber && (!hasNames || isCsv) && number <= schema.size) return number - 1;
+  const std::string what = isCsv ? "column " : schema.isArray ? "number " : "field ";
+  throw RecordError(0, "has no " + what + visible(name) + ", which --camera-by names" +
+                           (hasNames ? fieldsNote(schema) : "; fields without names have numbers, from 1"));
+}
+
+// ---- Fields of a camera
+
+constexpr std::string_view kEnds[] = {".x", ".y", ".z", ".w", ".lat", ".lon", ".height"};
+/// Columns that are named in short.
+constexpr std::pair<std::string_view, std::string_view> kShort[] = {
+    {"x", "position.x"},          {"y", "position.y"},  {"z", "position.z"},          {"lat", "position.lat"},
+    {"lon", "position.lon"},      {"qx", "rotation.x"}, {"qy", "rotation.y"},         {"qz", "rotation.z"},
+    {"qw", "rotation.w"},         {"yaw", "heading"},   {"latitude", "position.lat"}, {"lng", "position.lon"},
+    {"longitude", "position.lon"}};
+/// Members of the projection that have no other meaning.
+constexpr std::string_view kLens[] = {"fovY", "fovX", "fovDiagonal", "focalLength", "sensorWidth", "sensorHeight",
+                                      "fx",   "fy",   "cx",          "cy",          "near",        "far"};
+
+template <class Names>
+bool contains(const Names& names, std::string_view name) {
+  return std::find(std::begin(names), std::end(names), name) != std::end(names);
+}
+
+/// Where the value of a field stands in our document; empty: it is none of ours.
+std::string pathOf(std::string_view name, bool hasPlace) {
+  for (const auto& [column, path] : kShort)
+    if (column == name) return std::string(path);
+  if (name == "height") return hasPlace ? "position.height" : "";
+  if (contains(kLens, name)) return "projection." + std::string(name);
+  if (name == "name" || name == "$schema") return "";
+  const std::string_view top = name.substr(0, name.find('.'));
+  const std::size_t dot = std::min(name.rfind('.'), name.size());
+  for (const Field& field : kFields)
+    if (field.path == name || (field.path == name.substr(0, dot) && contains(kEnds, name.substr(dot))) ||
+        (top == name && topName(field) == name && (name == "projection" || name == "viewport")))
+      return std::string(name);
+  return "";
+}
+
+Json& placeAt(Json& root, std::string_view path) {
+  Json* at = &root;
+  for (std::size_t begin = 0; begin <= path.size();) {
+    const std::size_t end = std::min(path.find('.', begin), path.size());
+    at = &(*at)[std::string(path.substr(begin, end - begin))];
+    begin = end + 1;
+  }
+  return *at;
+}
+
+/// The camera's fields in a record; those that are empty are left out.
+Json fieldsOf(const RecordView& record, std::span<const CameraField> fields) {
+  Json camera = Json::object();
+  for (const CameraField& field : fields) {
+    const std::string_view text = record.values[field.field];
+    Json value;
+    if (record.schema->form == Form::csv) {
+      const std::string cell(trimmed(csvValue(text)));
+      if (cell.empty()) continue;
+      try {
+        value = *setPatch(field.path + "=" + cell).value;
+      } catch (const UsageError& e) {
+        throw RecordError(record.offset(field.field), visible(record.schema->names[field.field]) + ": " + e.what());
+      }
+    } else if (const auto fault = parseJson(std::string(text), value)) {
+      throw RecordError(record.offset(field.field), fault->message);
+    }
+    if (value.is_null()) continue;
+    try {
+      Json& at = placeAt(camera, field.path);
+      if (at.is_object() && value.is_object())
+        at.merge_patch(value);
+      else
+        at = std::move(value);
+    } catch (const Json::exception&) {
+      throw RecordError(record.offset(field.field),
+                        visible(record.schema->names[field.field]) + " is said by another field too; keep one");
+    }
+  }
+  if (const auto q = camera.find("rotation"); q != camera.end() && q->is_object())
+    *q = {q->value("x", Json()), q->value("y", Json()), q->value("z", Json()), q->value("w", Json())};
+  return camera;
+}
+
+}  // namespace
+
+RecordCamera::RecordCamera(const Camera& of) : camera(of), convention(of.convention()) {
+  if (!lensOf(camera)) frustum = viewFrustum(camera);
+}
+
+RecordCamera::RecordCamera(const CameraFile& file, std::string named) : RecordCamera(makeCamera(file)) {
+  name = std::move(named);
+  convention = file.convention;
+  worldIsEcef = file.worldIsEcef;
+}
+
+RecordCameras::RecordCameras(const Camera& one) {
+  kept_.emplace_back().camera.emplace(one);
+  all_.push_back(&*kept_.front().camera);
+}
+
+RecordCameras::RecordCameras(const CameraFile& one) : first_(one), worldIsEcef_(one.worldIsEcef) {
+  kept_.emplace_back().camera.emplace(one, "");
+  all_.push_back(&*kept_.front().camera);
+}
+
+RecordCameras::RecordCameras(Setup setup) : setup_(std::move(setup)) {
+  const CameraSet& cameras = *setup_.cameras;
+  if (setup_.choice == CameraChoice::own) {
+    base_ = cameras.document(setup_.picked.front());
+    worldIsEcef_ = worldOf(readValues(base_)) == World::ecef;
+    return;
+  }
+  std::optional<InputError> fault;
+  for (const std::size_t which : setup_.picked) {
+    try {
+      CameraFile file = readCamera(cameras.document(which), setup_.reading);
+      (void)makeCamera(file);
+      first_ = std::move(file);
+      firstWhich_ = which;
+      break;
+    } catch (const InputError& e) {
+      if (!fault) fault = e;
+      if (setup_.choice == CameraChoice::each) break;
+    }
+  }
+  if (!first_) throw InputError(*fault);
+  worldIsEcef_ = first_->worldIsEcef;
+  kept_.resize(cameras.size());
+  isPicked_.resize(cameras.size());
+  for (const std::size_t which : setup_.picked) isPicked_[which] = true;
+  if (setup_.choice == CameraChoice::each)
+    for (const std::size_t which : setup_.picked) all_.push_back(&cameraOf(which));
+}
+
+std::vector<std::string> RecordCameras::notes() const {
+  if (!first_) return {};
+  std::vector<std::string> notes = first_->notes;
+  if (const std::string unread = setup_.cameras->unreadOf(firstWhich_); !unread.empty())
+    notes.push_back(first_->name + ": not read: " + unread);
+  return notes;
+}
+
+void RecordCameras::requireWorld(const CameraFile& file) const {
+  if (file.worldIsEcef == worldIsEcef_) return;
+  if (setup_.choice == CameraChoice::own)
+    throw InputError(file.worldIsEcef ? "its camera is on the Earth; --set world=ecef says that all are"
+                                      : "its camera is not on the Earth, as world \"ecef\" says");
+  throw InputError(file.name + (file.worldIsEcef ? ": is on the Earth, and " : ": is not on the Earth, as ") +
+                   first_->name + (file.worldIsEcef ? " is not" : " is"));
+}
+
+const RecordCamera& RecordCameras::cameraOf(std::size_t which) const {
+  Kept& kept = kept_[which];
+  std::call_once(kept.once, [&] {
+    try {
+      const CameraFile file = readCamera(setup_.cameras->document(which), setup_.reading);
+      requireWorld(file);
+      setup_.require(file);
+      kept.camera.emplace(file, setup_.cameras->pickOf(which));
+    } catch (const std::runtime_error& e) {
+      kept.fault = e.what();
+    }
+  });
+  if (!kept.camera) throw InputError(kept.fault);
+  return *kept.camera;
+}
+
+std::vector<CameraField> RecordCameras::locate(const RecordView& record, const NumberPlan& plan) const {
+  if (setup_.choice == CameraChoice::named) return {{fieldNamed(setup_.field, record)}};
+  if (setup_.choice != CameraChoice::own) return {};
+  const Schema& schema = *record.schema;
+  if (schema.isArray || (schema.form == Form::csv && !schema.hasHeader))
+    throw RecordError(0, "has numbers without names, and --camera-in-record needs the names of a camera's fields");
+  std::vector<CameraField> fields;
+  const auto isUsed = [&](std::size_t i) {
+    return std::any_of(plan.fields.begin(), plan.fields.end(),
+                       [&](const NumberField& used) { return used.field == i; });
+  };
+  const auto isLat = [&](std::size_t i) { return !isUsed(i) && pathOf(schema.names[i], false) == "position.lat"; };
+  bool hasPlace = false;
+  for (std::size_t i = 0; i < schema.names.size(); ++i) hasPlace = hasPlace || isLat(i);
+  for (std::size_t i = 0; i < schema.names.size(); ++i)
+    if (const std::string path = isUsed(i) ? "" : pathOf(schema.names[i], hasPlace); !path.empty())
+      fields.push_back({i, path});
+  if (fields.empty())
+    throw RecordError(0, "has no field of a camera, such as heading, target.x or fovY" + fieldsNote(schema));
+  if (const auto again = firstRepeated(fields, [](const CameraField& field) -> std::string_view { return field.path; }))
+    throw RecordError(record.offset(fields[*again].field), "has " + fields[*again].path + " of the camera twice");
+  return fields;
+}
+
+const RecordCamera& RecordCameras::cameraNamed(const RecordView& record, std::size_t field,
+                                               std::string_view name) const {
+  const bool hasPlace = !isBinary(record.schema->form);
+  const std::size_t offset = hasPlace ? record.offset(field) : field * bytesOf(record.schema->form);
+  const auto which = setup_.cameras->find(name);
+  const std::string label = record.schema->isArray ? "" : visible(record.schema->names[field]) + ": ";
+  if (!which || !isPicked_[*which])
+    throw RecordError(
+        offset, label + (name.empty() ? "names no camera"
+                                      : "none, or more than one, of the cameras of " + setup_.cameras->name() + " is " +
+                                            inQuotes(name) + "; viewproj info lists them"));
+  try {
+    return cameraOf(*which);
+  } catch (const InputError& e) {
+    throw RecordError(offset, e.what());
+  }
+}
+
+RecordCamera RecordCameras::ownCamera(const RecordView& record, std::span<const CameraField> fields) const {
+  const Json said = fieldsOf(record, fields);
+  try {
+    Document document = base_;
+    document.root = std::make_shared<Json>(*base_.root);
+    document.name = "its camera";
+    for (const CameraField& field : fields) document.labels.erase(field.path);
+    normalize(document);
+    layOver(document, said);
+    const CameraFile file = readCamera(document, setup_.reading);
+    requireWorld(file);
+    setup_.require(file);
+    return {file, ""};
+  } catch (const RecordError&) {
+    throw;
+  } catch (const std::runtime_error& e) {
+    throw RecordError(record.offset(fields.front().field), e.what());
+  }
+}
+
+std::span<const RecordCamera* const> CamerasOfBatch::find(const RecordView& record,
+                                                          std::span<const CameraField> fields) {
+  const CameraChoice choice = cameras_.setup_.choice;
+  if (choice == CameraChoice::one || choice == CameraChoice::each) return cameras_.all_;
+  text_.clear();
+  if (choice == CameraChoice::own)
+    for (const CameraField& field : fields) {
+      text_ += record.values[field.field];
+      text_ += '\n';
+      text_ += std::to_string(&field - fields.data()) + field.path;
+    }
+  else if (isBinary(record.schema->form))
+    text_ = formatNumber(binaryNumbers(record.schema->form, record.text)[fields.front().field]);
+  else if (const std::string_view value = record.values[fields.front().field];
+           record.schema->form != Form::json || value.starts_with('"') || beginsJsonNumber(value[0]))
+    text_ = trimmed(plainText(record, fields.front().field));
+  if (!last_ || text_ != lastText_) {
+    last_ = nullptr;
+    if (choice == CameraChoice::named)
+      last_ = &cameras_.cameraNamed(record, fields.front().field, text_);
+    else
+      last_ = &own_.emplace_back(cameras_.ownCamera(record, fields));
+    lastText_ = text_;
+  }
+  return {&last_, 1};
+}
+
+void CamerasOfBatch::clear() {
+  while (own_.size() > 1) own_.pop_front();  // the last one may be the next record's too
+}
+
+}  // namespace viewproj::cmd
