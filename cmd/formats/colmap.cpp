@@ -5,7 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "camera/read_pose.hpp"
+#include "camera/rigid.hpp"
 #include "formats/format.hpp"
 #include "formats/writer.hpp"
 #include "text/error.hpp"
