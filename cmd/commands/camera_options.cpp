@@ -101,7 +101,8 @@ std::optional<std::string> CameraOptions::file(bool mayLack) const {
   if (camera_) return camera_;
   if (const auto input = fileIsCamera(*app_) ? inputFile(*app_) : std::nullopt) return input;
   const bool hasPose = worldFromCamera_ || cameraFromWorld_;
-  if (!mayLack && !hasPose && std::none_of(patches_.begin(), patches_.end(), [](const Patch& patch) { return patch.isOption; }))
+  if (!mayLack && !hasPose &&
+      std::none_of(patches_.begin(), patches_.end(), [](const Patch& patch) { return patch.isOption; }))
     throw UsageError("a camera is needed: -c FILE, or options such as --position, --target and --fov-y");
   return std::nullopt;
 }
