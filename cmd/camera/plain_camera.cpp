@@ -260,6 +260,15 @@ Document copied(const Document& document) {
   return copy;
 }
 
+Bearing bearingOf(const Vec3& direction, const Vec3& eye, bool worldIsEcef) {
+  const LocalAxes at = worldIsEcef ? localAxes(ecefToGeodetic(eye)) : LocalAxes{};
+  const double toEast = dotOf(direction, at.east), toNorth = dotOf(direction, at.north), rise = dotOf(direction, at.up);
+  const double level = std::hypot(toEast, toNorth), azimuth = std::atan2(toEast, toNorth) * kDegrees;
+  const double around = azimuth < 0 ? azimuth + 360 : azimuth;
+  const bool isUpright = level <= kRounding * std::fabs(rise), isNone = level == 0 && rise == 0;
+  return {isUpright ? NAN : around >= 360 ? 0 : around, isNone ? NAN : std::atan2(rise, level) * kDegrees};
+}
+
 HeadingPitchRoll headingPitchRollOf(const PlainPose& pose, bool worldIsEcef) {
   const LocalAxes at = worldIsEcef ? localAxes(ecefToGeodetic(pose.eye)) : LocalAxes{};
   const double toEast = dotOf(pose.forward, at.east), toNorth = dotOf(pose.forward, at.north);

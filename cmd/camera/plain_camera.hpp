@@ -27,6 +27,14 @@ PlainRigid cameraFromWorld(const PlainPose& pose, CameraAxes axes);
 /// The quaternion x, y, z, w of a rotation, with w >= 0.
 std::array<double, 4> quaternionOf(const PlainColumns& columns);
 
+/// Where a direction points from the eye, in degrees, in a world of east, north and up or, if worldIsEcef, at the eye's
+/// place on the Earth: clockwise from north, from 0 to 360, and above the level plane. Straight up or down the azimuth
+/// is NaN, and both are of no direction.
+struct Bearing {
+  double azimuth, elevation;
+};
+Bearing bearingOf(const Vec3& direction, const Vec3& eye, bool worldIsEcef);
+
 /// In degrees, in a world of east, north and up or, if worldIsEcef, at the eye's place on the Earth: heading clockwise
 /// from north, pitch above the horizon, roll right side down. Straight up or down roll is 0. They compose to the axes.
 HeadingPitchRoll headingPitchRollOf(const PlainPose& pose, bool worldIsEcef);

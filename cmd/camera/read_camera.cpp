@@ -141,6 +141,12 @@ void requireNear(const CameraFile& file, const std::string& what) {
     file.fail(what + " needs near, which " + file.name + " does not have; --near gives it");
 }
 
+void requireUp(const CameraFile& file, const std::string& what) {
+  if (!knowsUp(file))
+    file.fail(what + " needs a world that knows north and up: a camera on the Earth, or \"world\": \"enu\", which " +
+              file.name + " does not have; --set world=enu gives it");
+}
+
 void requireStraightEdges(const CameraFile& file, const std::string& what) {
   if (file.lens)
     file.fail(what + " needs straight edges, which the lens of " + file.name +

@@ -45,6 +45,11 @@ inline bool hasDepth(const Projection& projection) { return projection.isOrthogr
 /// Fails if there is no near plane. what: the feature that needs it.
 void requireNear(const CameraFile& file, const std::string& what);
 
+/// Whether the world says where north and up are.
+inline bool knowsUp(const CameraFile& file) { return file.worldIsEcef || file.worldIsEnu; }
+/// Fails if it does not. what: the feature that needs it.
+void requireUp(const CameraFile& file, const std::string& what);
+
 /// Fails if a lens bends straight edges. what: the feature that needs them straight.
 void requireStraightEdges(const CameraFile& file, const std::string& what);
 

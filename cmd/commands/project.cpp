@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "camera/plain_camera.hpp"
 #include "commands/command.hpp"
 #include "commands/record_camera_options.hpp"
 #include "commands/stream_options.hpp"
@@ -31,11 +32,13 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// A point and what project knows of it.
 struct ProjectedPoint {
+  const RecordCamera& from;
   const Camera& camera;
   const Convention writing;  ///< of ndc, clip and view
   const Vec4& point;
   const ScreenPoint& screen;
   const std::optional<ScreenBox>& box;  ///< of a shape
+  bool isPoint;                         ///< no shape without a center, and not null
   double error;                         ///< how far the point may be from the true one
   Vec2 given = {kNaN, kNaN};            ///< the record's own pixel
 };
@@ -51,6 +54,21 @@ using V = ResultValues&;
 
 Vec3 xyz(const Vec4& v) { return {v.x, v.y, v.z}; }
 Vec4 pointIn(Space space, P p) { return worldTo(p.camera, space, p.point, p.writing); }
+/// From the eye to the point, of any length for a direction.
+Vec3 fromEye(P p) {
+  const Vec3 eye = p.camera.pose().eye();
+  if (!p.isPoint) return {kNaN, kNaN, kNaN};
+  const double w = p.point.w == 0 ? 1 : p.point.w, at = p.point.w == 0 ? 0 : 1;
+  return {p.point.x / w - at * eye.x, p.point.y / w - at * eye.y, p.point.z / w - at * eye.z};
+}
+Bearing bearingFromEye(P p) {
+  if (!p.from.knowsUp) return {kNaN, kNaN};
+  return bearingOf(fromEye(p), p.camera.pose().eye(), p.from.worldIsEcef);
+}
+double rangeOf(P p) {
+  const Vec3 to = fromEye(p);
+  return p.point.w == 0 ? kNaN : std::hypot(to.x, to.y, to.z);
+}
 Vec4 edgesOf(P p) {
   const ScreenBox box = p.box.value_or(ScreenBox{kNaN, kNaN, kNaN, kNaN});
   return {box.left, box.top, box.right, box.bottom};
@@ -69,6 +87,9 @@ constexpr PointResult kPointResults[] = {
     {results::pixelSize, [](P p, V values) { values.add(pixelSize(p.camera, p.screen.viewDistance)); }},
     {results::miss, [](P p, V values) { values.add(Vec2{p.given.x - p.screen.x, p.given.y - p.screen.y}); }},
     {results::screenBox, [](P p, V values) { values.add(edgesOf(p)); }},
+    {results::azimuth, [](P p, V values) { values.add(bearingFromEye(p).azimuth); }},
+    {results::elevation, [](P p, V values) { values.add(bearingFromEye(p).elevation); }},
+    {results::range, [](P p, V values) { values.add(rangeOf(p)); }},
     {results::bound, [](P p, V values) { values.add(boundOfPoint(p.camera, p.point, p.screen.precision, p.error).screen); }},
 };
 // clang-format on
@@ -81,14 +102,16 @@ bool isIn(const Rows& rows, const ResultRow& row) {
 
 /// The results to write.
 struct Fields {
+  bool areAll = false;  ///< but those whose names a record has
   Rows named, numbers;  ///< numbers: in text and f64, where names have no place
   Rows ofShapes;        ///< in place of named; empty where --fields names results
 };
 
 /// Without --fields, the usual ones.
 Fields fieldsOf(const std::optional<Several<const PointResult*>>& chosen) {
-  if (chosen && !chosen->all) return {chosen->named, chosen->named, {}};
+  if (chosen && !chosen->all) return {false, chosen->named, chosen->named, {}};
   Fields fields;
+  fields.areAll = chosen.has_value();
   for (const PointResult& result : kPointResults) {
     const ResultRow& row = result.row;
     const bool isBox = &row == &results::screenBox;         // of shapes alone
@@ -120,7 +143,8 @@ struct Projecting {
   Precision precision;
   PointReading reading;
   Fields fields;
-  bool hasMiss = false;                     ///< records have a pixel beside their point
+  bool hasMiss = false;  ///< records have a pixel beside their point
+  std::string prefix;
   bool hasUsualNumbers = true;              ///< in text and f64
   std::optional<Mat4> worldFromLocal = {};  ///< of a model that the points are in
 };
@@ -128,12 +152,18 @@ struct Projecting {
 /// Whether there is no such result without near.
 bool needsNear(const PointResult* result) { return &result->row == &results::ndc || &result->row == &results::clip; }
 
-/// Throws for a camera without near where --fields names results of depth.
-void requireNearFor(const Fields& fields, const CameraFile& file) {
+bool needsUp(const PointResult* result) {
+  return &result->row == &results::azimuth || &result->row == &results::elevation;
+}
+
+/// Throws for a camera that has no results that --fields names: without near, or in a world without up.
+void requireFor(const Fields& fields, const CameraFile& file) {
   if (!fields.ofShapes.empty()) return;
   for (const PointResult* result : fields.named)
     if (needsNear(result) || &result->row == &results::depth)
       requireNear(file, "--fields " + std::string(result->row.name));
+    else if (needsUp(result))
+      requireUp(file, "--fields " + std::string(result->row.name));
 }
 
 /// A segment among the points.
@@ -174,7 +204,10 @@ class Projector final : public RecordProcessor {
   Projector(const Projecting& how, OutputForm to) : how_(how), numbersOnly_(hasNumbersOnly(to)) {}
 
   NumberPlan locate(const RecordView& record) const override {
-    return how_.hasMiss ? findPair(record, how_.reading) : findPoint(record, how_.reading);
+    NumberPlan plan = how_.hasMiss ? findPair(record, how_.reading) : findPoint(record, how_.reading);
+    for (std::size_t i = 0; how_.fields.areAll && i < std::size(kPointResults); ++i)
+      if (hasNameOf(*record.schema, kPointResults[i].row)) plan.leftOut |= 1u << i;
+    return plan;
   }
 
   ResultRows rows(const NumberPlan& plan) const override {
@@ -184,7 +217,8 @@ class Projector final : public RecordProcessor {
       throw RecordError(0, "has a shape, for whose screenBox there is no place; --fields screenBox,visible makes it");
     if (isSegment(plan)) return {std::begin(results::kSegment), std::end(results::kSegment)};
     ResultRows rows;
-    for (const PointResult* result : fieldsOf(isShape(plan))) rows.push_back(&result->row);
+    for (const PointResult* result : fieldsOf(isShape(plan)))
+      if (!(plan.leftOut >> (result - kPointResults) & 1)) rows.push_back(&result->row);
     return rows;
   }
 
@@ -217,6 +251,7 @@ class Projector final : public RecordProcessor {
     }
     if (how_.hasMiss) given_.push_back(pixelBesidePoint(plan, n).value_or(Vec2{kNaN, kNaN}));
     items_.push_back(other);
+    leftOut_.push_back(plan.leftOut);
     cameras_.push_back(&camera);
     points_.push_back(point);
     positions_.push_back({point.x, point.y, point.z});
@@ -247,6 +282,7 @@ class Projector final : public RecordProcessor {
 
   void clear() override {
     items_.clear();
+    leftOut_.clear();
     cameras_.clear();
     others_.clear();
     points_.clear();
@@ -269,6 +305,14 @@ class Projector final : public RecordProcessor {
   }
 
  private:
+  /// Whether a result would have the name of a field, or of a column.
+  bool hasNameOf(const Schema& schema, const ResultRow& row) const {
+    if (schema.isArray) return false;
+    std::vector<std::string> names = columnsOf({{&row}}, how_.prefix);
+    names.push_back(how_.prefix + std::string(row.name));
+    return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return schema.find(name); });
+  }
+
   struct Null {};
   using Other = std::variant<Null, Segment, CullShape>;
   static constexpr std::size_t kPoint = ~std::size_t{0};
@@ -342,9 +386,12 @@ class Projector final : public RecordProcessor {
   void addFields(const ScreenPoint& screen, std::size_t i, const std::optional<ScreenBox>& box, const Rows& rows,
                  ResultValues& values) const {
     const RecordCamera& camera = *cameras_[i];
-    const ProjectedPoint projected{camera.camera, how_.options.writing(camera.convention),    points_[i], screen, box,
-                                   errors_[i],    how_.hasMiss ? given_[i] : Vec2{kNaN, kNaN}};
-    for (const PointResult* result : rows) result->add(projected, values);
+    const bool isPoint = items_[i] == kPoint || std::isfinite(points_[i].x);
+    const ProjectedPoint projected{camera,     camera.camera, how_.options.writing(camera.convention),
+                                   points_[i], screen,        box,
+                                   isPoint,    errors_[i],    how_.hasMiss ? given_[i] : Vec2{kNaN, kNaN}};
+    for (const PointResult* result : rows)
+      if (!(leftOut_[i] >> (result - kPointResults) & 1)) result->add(projected, values);
   }
 
   const Projecting& how_;
@@ -352,6 +399,7 @@ class Projector final : public RecordProcessor {
   bool isOtherVisible_ = false;  ///< the last of them that had results
   std::vector<const RecordCamera*> cameras_;
   std::vector<std::size_t> items_;  ///< kPoint, or the index of what it is else
+  std::vector<std::uint32_t> leftOut_;
   std::vector<Other> others_;
   std::vector<Vec4> points_;  ///< of a segment, a shape without a center and null: NaN
   std::vector<Vec2> given_;   ///< pixels of the records
@@ -379,11 +427,13 @@ int run(const Options& o) {
   o.stream.reads(setup);
   Fields fields = fieldsOf(o.fields);
   const RecordCameras cameras =
-      o.cameras.read(o.camera, setup, [&](const CameraFile& file) { requireNearFor(fields, file); });
+      o.cameras.read(o.camera, setup, [&](const CameraFile& file) { requireFor(fields, file); });
   const bool hasUsualNumbers = fields.numbers == fieldsOf({}).numbers;
   if (const CameraFile* const file = cameras.first()) {
-    if (!hasDepth(*file->projection))  // of all results, those that would be null are left out
-      for (auto* rows : {&fields.named, &fields.numbers}) std::erase_if(*rows, needsNear);
+    for (auto* rows : {&fields.named, &fields.numbers})  // of all results, those that would be null are left out
+      std::erase_if(*rows, [&](const PointResult* result) {
+        return (needsNear(result) && !hasDepth(*file->projection)) || (needsUp(result) && !knowsUp(*file));
+      });
     o.camera.noteHandedness(*file);
   }
   o.stream.settleOnEarth(setup, cameras.worldIsEcef());
@@ -397,6 +447,7 @@ int run(const Options& o) {
                              .radius = asksForBoxes},
                  .fields = fields,
                  .hasMiss = hasMiss,
+                 .prefix = setup.prefix,
                  .hasUsualNumbers = hasUsualNumbers};
   if (o.model) how.worldFromLocal = readModel(*o.model);
   setup.arrayName = hasMiss ? "pair" : "position";

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "camera/plain_camera.hpp"
 #include "commands/command.hpp"
 #include "commands/record_camera_options.hpp"
 #include "commands/stream_options.hpp"
@@ -24,6 +25,22 @@ namespace viewproj::cmd {
 
 using namespace detail;
 namespace {
+
+/// The point at a distance from the eye.
+WorldPoint pointAtRange(const Camera& camera, const Ray& ray, double range) {
+  if (!(range >= 0)) throw RecordError(0, "range " + formatNumber(range) + " is below 0");
+  if (camera.projection().isOrthographic())
+    throw RecordError(0, "range is of an eye, and the camera is orthographic; its distance is viewDistance");
+  const Vec3 &o = ray.origin, &d = ray.direction, forward = camera.pose().forward();
+  if (!std::isfinite(d.x)) return {{NAN, NAN, NAN}, DepthStatus::noRay};
+  const Vec3 at{o.x + range * d.x, o.y + range * d.y, o.z + range * d.z};
+  const PoseError pose = camera.pose().error();
+  constexpr double kRounding = 0x1p-53;
+  return {.position = at,
+          .bound = range * (kRayDirectionBound + 2 * kRounding + pose.angle) + pose.eye +
+                   kRounding * (std::fabs(at.x) + std::fabs(at.y) + std::fabs(at.z)),
+          .viewDistance = range * (d.x * forward.x + d.y * forward.y + d.z * forward.z)};
+}
 
 /// The point behind the pixel, where the record tells how far away it is.
 WorldPoint pointBehind(const Camera& camera, const Pixel& pixel) {
@@ -63,7 +80,8 @@ bool isOfTheEarth(const SceneObject& object) {
 /// A pixel, and what is behind it.
 struct Cast {
   const Pixel& pixel;
-  const Camera& camera;
+  const RecordCamera& from;
+  const Camera& camera = from.camera;
   Ray ray{{NAN, NAN, NAN}, {NAN, NAN, NAN}};
   WorldPoint point{{NAN, NAN, NAN}, DepthStatus::notFinite};
 };
@@ -80,7 +98,7 @@ class Caster final : public RecordProcessor {
   ResultRows rows(const NumberPlan& plan) const override { return rowsOf(hasDistance(plan)); }
   void add(const NumberPlan& plan, const Numbers& numbers, const RecordCamera& camera) override {
     pixels_.push_back(toPixel(plan, numbers));
-    cameras_.push_back(&camera.camera);
+    cameras_.push_back(&camera);
   }
   void clear() override {
     pixels_.clear();
@@ -89,10 +107,13 @@ class Caster final : public RecordProcessor {
 
   void results(std::size_t i, ResultValues& values) override {
     const Pixel& pixel = pixels_[i];
-    Cast cast{.pixel = pixel, .camera = *cameras_[i]};
+    Cast cast{.pixel = pixel, .from = *cameras_[i]};
     if (pixel.screen) {
       cast.ray = screenToRay(cast.camera, *pixel.screen, how_.precision);
-      if (pixel.depth || pixel.viewDistance) cast.point = pointBehind(cast.camera, pixel);
+      if (pixel.depth || pixel.viewDistance)
+        cast.point = pointBehind(cast.camera, pixel);
+      else if (pixel.range)
+        cast.point = pointAtRange(cast.camera, cast.ray, *pixel.range);
     }
     for (const ResultRow* row : rowsOf(pixel.hasDistance)) addResult(*row, cast, values);
   }
@@ -122,6 +143,14 @@ class Caster final : public RecordProcessor {
       if (isPoint) addPlace(cast.point.position, values);
     } else if (&row == &results::pointDistance) {
       values.add(cast.point.viewDistance);
+    } else if (&row == &results::azimuth || &row == &results::elevation) {
+      const Bearing bearing = cast.from.knowsUp
+                                  ? bearingOf(cast.ray.direction, cast.camera.pose().eye(), cast.from.worldIsEcef)
+                                  : Bearing{NAN, NAN};
+      values.add(&row == &results::azimuth ? bearing.azimuth : bearing.elevation);
+    } else if (&row == &results::range) {
+      const Vec3 eye = cast.camera.pose().eye(), &at = cast.point.position;
+      values.add(std::hypot(at.x - eye.x, at.y - eye.y, at.z - eye.z));
     } else if (&row == &results::bound) {
       values.add(isPoint ? cast.point.bound : NAN);
     } else {
@@ -151,7 +180,7 @@ class Caster final : public RecordProcessor {
   bool isFixed_;                    ///< all records get the same results, with or without a point
   ResultRows pointless_, pointed_;  ///< of records without and with a distance
   std::vector<Pixel> pixels_;
-  std::vector<const Camera*> cameras_;
+  std::vector<const RecordCamera*> cameras_;
 };
 
 /// A pixel of the command line as a JSON record.
@@ -164,8 +193,9 @@ GivenRecord readPixel(const std::string& option, const std::string& text) {
 
 /// What --fields can name: all that `ray` writes, of a hit the one name. Those of the scene are settled once it is
 /// read.
-constexpr const ResultRow* kFields[] = {&results::origin,        &results::direction, &results::point, &results::place,
-                                        &results::pointDistance, &results::bound,     &results::hit};
+constexpr const ResultRow* kFields[] = {
+    &results::origin,  &results::direction, &results::point, &results::place, &results::pointDistance,
+    &results::azimuth, &results::elevation, &results::range, &results::bound, &results::hit};
 
 Names<const ResultRow*> fieldNames() {
   Names<const ResultRow*> names;
@@ -182,47 +212,56 @@ struct Options {
   std::vector<GivenRecord> pixels;
   std::optional<std::string> scene;
   std::vector<PlaneEquation> planes;
+  std::optional<double> height;
   bool allHits = false;
 };
 
+bool needsUp(const ResultRow& row) { return &row == &results::azimuth || &row == &results::elevation; }
+
 /// Throws UsageError for those that need what is not there; of all, those are left out.
-void settleFields(Casting& how, const Several<const ResultRow*>& fields) {
+void settleFields(Casting& how, const Several<const ResultRow*>& fields, bool knowsUp) {
   how.fields = fields.named;
   if (fields.all)
     for (const ResultRow* row : kFields)
-      if ((row != &results::place || how.worldIsEcef) && (row != &results::hit || how.scene))
+      if ((row != &results::place || how.worldIsEcef) && (row != &results::hit || how.scene) &&
+          (!needsUp(*row) || knowsUp))
         how.fields->push_back(row);
   if (how.scene && std::find(how.fields->begin(), how.fields->end(), &results::hit) == how.fields->end())
-    throw UsageError("--scene and --plane are for hit, and --fields leaves it out");
+    throw UsageError("--scene, --plane and --height are for hit, and --fields leaves it out");
   for (const ResultRow*& row : *how.fields) {
     if (row == &results::place && !how.worldIsEcef)
       throw UsageError("--fields place needs a camera that stands on the Earth");
     if (row != &results::hit) continue;
-    if (!how.scene) throw UsageError("--fields hit needs --scene or --plane");
+    if (!how.scene) throw UsageError("--fields hit needs --scene, --plane or --height");
     row = &how.hits();
   }
 }
 
 int run(const Options& o) {
-  const bool hasScene = o.scene || !o.planes.empty();
-  if (!hasScene && o.allHits) throw UsageError("--all-hits needs --scene or --plane");
+  const bool hasScene = o.scene || !o.planes.empty() || o.height;
+  if (!hasScene && o.allHits) throw UsageError("--all-hits needs --scene, --plane or --height");
   StreamSetup setup = o.stream.setup(kPixelColumns);
   setup.given = o.pixels;
   o.stream.reads(setup);
-  const RecordCameras cameras = o.cameras.read(o.camera, setup, [](const CameraFile&) {});
+  const RecordCameras cameras = o.cameras.read(o.camera, setup, [&](const CameraFile& file) {
+    if (!o.fields) return;
+    for (const ResultRow* row : o.fields->named)
+      if (needsUp(*row)) requireUp(file, "--fields " + std::string(row->name));
+  });
   const bool worldIsEcef = cameras.worldIsEcef();
   Casting how{.precision = o.precision, .columns = setup.columns, .worldIsEcef = worldIsEcef, .allHits = o.allHits};
   if (hasScene) {
     if (!o.planes.empty() && worldIsEcef)
       throw UsageError(
-          "--plane is of Earth-centred x, y, z with a camera on the Earth; the surface of a height is --scene "
-          "'{\"objects\": [{\"ellipsoid\": \"WGS84\", \"height\": 545}]}'");
+          "--plane is of Earth-centred x, y, z with a camera on the Earth; --height 545 is the surface of that height");
     how.scene.emplace();
     if (o.scene) how.scene = readScene(*o.scene, worldIsEcef);
+    if (o.height && worldIsEcef) how.scene->push_back({"0", HeightSurface{*o.height}});
+    if (o.height && !worldIsEcef) how.scene->push_back({"0", PlaneEquation{{0, 0, 1}, -*o.height}});
     for (const PlaneEquation& plane : o.planes) how.scene->push_back({std::to_string(how.scene->size()), plane});
     for (const SceneObject& object : *how.scene) how.sceneHasEllipsoid |= isOfTheEarth(object);
   }
-  if (o.fields) settleFields(how, *o.fields);
+  if (o.fields) settleFields(how, *o.fields, !cameras.first() || knowsUp(*cameras.first()));
   setup.arrayName = "screen";
   setup.arraySize = 2;
   setup.extraName = "depth";
@@ -235,9 +274,7 @@ Action declareRay(CLI::App& app) {
   const auto o = std::make_shared<Options>();
   app.description(
       "Pixels to rays: each record with the ray's origin and unit direction, the point itself where there is a depth, "
-      "and the nearest hit with a scene. A pixel that the lens does not reach gives null. Text and f64 have these "
-      "numbers "
-      "in order.");
+      "and the nearest hit with a scene. A pixel that the lens does not reach gives null.");
   app.footer(
       "Examples:\n"
       "  viewproj ray --position 3,2,5 --target 0,0,0 --fov-y 60 \\\n"
@@ -247,15 +284,19 @@ Action declareRay(CLI::App& app) {
   o->stream.add(app, "pixels");
   addValues(app, "--pixel", "X,Y[,DEPTH]", o->pixels, readPixel, "A pixel, in place of FILE");
   addScene(app, o->scene, "Shapes to hit");
-  addValues(app, "--plane", "z=0|A,B,C,D", o->planes, readPlaneArgument,
-            "A plane to hit: x=.., y=.., z=.. or ax+by+cz+d=0");
+  addValues(app, "--plane", "z=0|A,B,C,D", o->planes, readPlaneArgument, "A plane: x=, y=, z= or ax+by+cz+d=0");
+  addValue(app, "--height", "H", o->height,
+           numberThat([](double height) { return std::isfinite(height); }, "a height in metres, or a z"),
+           "The surface of this height to hit, or z = H")
+      ->excludes("--scene")
+      ->excludes("--plane");
   app.add_flag("--all-hits", o->allHits, "Every hit, nearest first");
   const auto readFields = [](const std::string& option, const std::string& text) {
     return chooseSeveral(option, text, fieldNames());
   };
-  addValue(app, "--fields", "NAMES", o->fields, readFields,
-           withNames("Results, in this order, or all", known(fieldNames()),
-                     "origin and direction; with a depth point, with a scene hit"));
+  addValue(
+      app, "--fields", "NAMES", o->fields, readFields,
+      withNames("Results, in this order, or all", known(fieldNames()), "origin, direction, and point and hit if any"));
   addPrecision(app, o->precision);
   o->camera.add(app);
   o->cameras.add(app, false);

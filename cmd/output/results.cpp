@@ -51,8 +51,11 @@ std::span<const double> ResultCursor::vector(std::size_t size) {
 const ResultRows& allResults() {
   static const ResultRows all = [] {
     ResultRows rows;
-    for (const auto& some :
-         {std::span<const ResultRow* const>(results::kPoint), {results::kSegment}, {results::kRay}, {results::kCull}, {results::kCamera}})
+    for (const auto& some : {std::span<const ResultRow* const>(results::kPoint),
+                             {results::kSegment},
+                             {results::kRay},
+                             {results::kCull},
+                             {results::kCamera}})
       rows.insert(rows.end(), some.begin(), some.end());
     return rows;
   }();

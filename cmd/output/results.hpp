@@ -138,13 +138,16 @@ inline constexpr ResultRow
     ndc = vectorResult("ndc", 3).onRequest(),
     clip = vectorResult("clip", 4).onRequest(),
     view = vectorResult("view", 3).onRequest(),
+    azimuth = numberResult("azimuth").onRequest(),
+    elevation = numberResult("elevation").onRequest(),
+    range = numberResult("range").onRequest(),
     bound = numberResult("bound").onRequest();
 inline constexpr std::string_view kAcross[] = {"_across", "_down"}, kEdges[] = {"_left", "_top", "_right", "_bottom"};
 inline constexpr ResultRow
     pixelSize = vectorResult("pixelSize", 2).inColumns(kAcross).onRequest(),
     miss = vectorResult("miss", 2).onRequest(),
     screenBox = vectorResult("screenBox", 4).inColumns(kEdges).onRequest();
-inline constexpr const ResultRow* kPoint[] = {&screen, &depth, &viewDistance, &visible, &outside, &ndc, &clip, &view, &pixelSize, &miss, &screenBox, &bound};
+inline constexpr const ResultRow* kPoint[] = {&screen, &depth, &viewDistance, &visible, &outside, &ndc, &clip, &view, &pixelSize, &miss, &screenBox, &azimuth, &elevation, &range, &bound};
 
 // A segment: the ends of what is visible of it.
 inline constexpr ResultRow

@@ -76,7 +76,8 @@ inline constexpr CoordinatePart
     kXyzUvw[] = {{"x"}, {"y"}, {"z"}, {"u"}, {"v"}, {"w"}},
     kPlaceUv[] = {{"lat", 1, kLatNames}, {"lon", 1, kLonNames}, {"height", 1, kSeaLevelNames}, {"u"}, {"v"}},
     kDepth[] = {{"depth"}},
-    kViewDistance[] = {{"viewDistance"}};
+    kViewDistance[] = {{"viewDistance"}},
+    kRange[] = {{"range"}};
 
 // Points. A record has one point or shape.
 inline constexpr Coordinate
@@ -103,8 +104,9 @@ inline constexpr Coordinate
     uv = {"u v", numbers, 2, 2, "the same; also beside a point", 0, kUv},
     pxPy = {"px py", numbers, 2, 2, "the same", 0, kPxPy},
     depth = {"depth", numbers, 1, 1, "window depth of the point behind the pixel", 0, kDepth, true},
-    viewDistance = {"viewDistance", numbers, 1, 1, "its distance along the viewing axis; preferred to depth", 0, kViewDistance, true};
-inline constexpr const Coordinate *kPixels[] = {&screen, &pixel, &xy, &uv, &pxPy}, *kDistances[] = {&depth, &viewDistance},
+    viewDistance = {"viewDistance", numbers, 1, 1, "its distance along the viewing axis; preferred to depth", 0, kViewDistance, true},
+    range = {"range", numbers, 1, 1, "its distance from the eye; used only without the others", 0, kRange, true};
+inline constexpr const Coordinate *kPixels[] = {&screen, &pixel, &xy, &uv, &pxPy}, *kDistances[] = {&depth, &viewDistance, &range},
                                   *kPixelsBesidePoints[] = {&screen, &pixel, &uv, &pxPy};
 
 // Pairs of a point and its pixel, for --columns and lines of numbers.

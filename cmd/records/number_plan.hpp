@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,6 +48,7 @@ struct NumberPlan {
   bool hasPixel = false;                   ///< the last two numbers are the pixel beside a point
   std::size_t together = 0;                ///< so many fields from the first have a value all, or none of them
   std::vector<Condition> conditions = {};  ///< records that differ in one have another plan
+  std::uint32_t leftOut = 0;               ///< results of the command that records like this do not get, as bits
   std::vector<std::string> notes = {};     ///< notes for the user on how fields are read
 
   std::size_t slots() const;

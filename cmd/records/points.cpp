@@ -15,7 +15,7 @@ namespace {
 using Conditions = std::vector<Condition>;
 
 /// The kind of a pixel's plan: the distances after its two numbers, in this order.
-enum PixelParts : unsigned { depthKnown = 1, viewDistanceKnown = 2 };
+enum PixelParts : unsigned { depthKnown = 1, viewDistanceKnown = 2, rangeKnown = 4 };
 
 bool isNameless(const Schema& schema) { return schema.isArray || (schema.form == Form::csv && !schema.hasHeader); }
 
@@ -297,10 +297,10 @@ NumberPlan findScreen(const RecordView& record, Conditions& conditions) {
 /// A distance along the ray is not read: without it the record would seem to have been obeyed.
 void requireNoOtherDistance(const RecordView& record) {
   for (const std::string& name : record.schema->names)
-    if (sameButForCase(name, "distance") || sameButForCase(name, "range"))
+    if (sameButForCase(name, "distance"))
       throw RecordError(0, "has " + inQuotes(name) +
-                               ", which is not read; expected depth or viewDistance, the distance along the viewing "
-                               "axis; --columns x=X,y=Y takes the pixel alone");
+                               ", which is not read; expected depth, range, the distance from the eye, or "
+                               "viewDistance, along the viewing axis; --columns x=X,y=Y takes the pixel alone");
 }
 
 // Making points and pixels from numbers
@@ -341,7 +341,8 @@ NumberPlan findPixel(const RecordView& record, const ColumnChoice& columns) {
   if (columns.given()) {
     plan = chosenFields(columns, record, true);
     plan.together = 2;
-    plan.kind = (columns.has("depth") ? depthKnown : 0u) | (columns.has("viewDistance") ? viewDistanceKnown : 0u);
+    plan.kind = (columns.has("depth") ? depthKnown : 0u) | (columns.has("viewDistance") ? viewDistanceKnown : 0u) |
+                (columns.has("range") ? rangeKnown : 0u);
     return plan;
   }
   if (isNameless(*record.schema)) return findBarePixel(record);
@@ -350,7 +351,9 @@ NumberPlan findPixel(const RecordView& record, const ColumnChoice& columns) {
   for (const Coordinate* row : coordinates::kDistances)
     if (const auto part = find(*row, record, conditions)) {
       plan.append(*part);
-      plan.kind |= row == &coordinates::depth ? depthKnown : viewDistanceKnown;
+      plan.kind |= row == &coordinates::depth   ? depthKnown
+                   : row == &coordinates::range ? rangeKnown
+                                                : viewDistanceKnown;
     }
   if (plan.kind == 0) requireNoOtherDistance(record);
   plan.conditions = std::move(conditions);
@@ -401,7 +404,7 @@ bool hasPixelBesidePoint(const RecordView& record, const ColumnChoice& columns) 
                      [&](const Coordinate* row) { return find(*row, record, conditions).has_value(); });
 }
 
-bool hasDistance(const NumberPlan& plan) { return (plan.kind & (depthKnown | viewDistanceKnown)) != 0; }
+bool hasDistance(const NumberPlan& plan) { return (plan.kind & (depthKnown | viewDistanceKnown | rangeKnown)) != 0; }
 
 Pixel toPixel(const NumberPlan& plan, const Numbers& n) {
   Pixel pixel;
@@ -414,6 +417,7 @@ Pixel toPixel(const NumberPlan& plan, const Numbers& n) {
   };
   pixel.depth = optional(depthKnown);
   pixel.viewDistance = optional(viewDistanceKnown);
+  pixel.range = optional(rangeKnown);
   pixel.hasDistance = hasDistance(plan);
   return pixel;
 }

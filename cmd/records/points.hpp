@@ -42,7 +42,8 @@ struct Pixel {
   std::optional<Vec2> screen;  ///< empty if the record has null
   std::optional<double> depth;
   std::optional<double> viewDistance;
-  bool hasDistance = false;  ///< the record has a field for depth or viewDistance, even if null
+  std::optional<double> range;  ///< from the eye
+  bool hasDistance = false;     ///< the record has a field for one of these, even if null
 };
 
 /// Finds a pixel: [x,y] or [x,y,depth]; a row of coordinates::kPixels in an object or in CSV columns, with a distance;

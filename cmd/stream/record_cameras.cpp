@@ -124,6 +124,7 @@ RecordCamera::RecordCamera(const CameraFile& file, std::string named) : RecordCa
   name = std::move(named);
   convention = file.convention;
   worldIsEcef = file.worldIsEcef;
+  knowsUp = cmd::knowsUp(file);
 }
 
 RecordCameras::RecordCameras(const Camera& one) {

@@ -25,6 +25,7 @@ struct RecordCamera {
   Camera camera;
   Convention convention = {};  ///< of its file
   bool worldIsEcef = false;
+  bool knowsUp = false;                 ///< the world does: on the Earth, or of east, north and up
   std::optional<Frustum> frustum = {};  ///< nothing where a lens bends its edges
 
   explicit RecordCamera(const Camera& of);
