@@ -4,7 +4,7 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 
-#include "camera/fields.hpp"
+#include "camera/field_columns.hpp"
 #include "camera/patch.hpp"
 #include "camera/read_pose.hpp"
 #include "output/record_writer.hpp"
@@ -37,38 +37,6 @@ std::size_t fieldNamed(const std::string& name, const RecordView& record) {
 }
 
 // ---- Fields of a camera
-
-constexpr std::string_view kEnds[] = {".x", ".y", ".z", ".w", ".lat", ".lon", ".height"};
-/// Columns that are named in short.
-constexpr std::pair<std::string_view, std::string_view> kShort[] = {
-    {"x", "position.x"},          {"y", "position.y"},  {"z", "position.z"},          {"lat", "position.lat"},
-    {"lon", "position.lon"},      {"qx", "rotation.x"}, {"qy", "rotation.y"},         {"qz", "rotation.z"},
-    {"qw", "rotation.w"},         {"yaw", "heading"},   {"latitude", "position.lat"}, {"lng", "position.lon"},
-    {"longitude", "position.lon"}};
-/// Members of the projection that have no other meaning.
-constexpr std::string_view kLens[] = {"fovY", "fovX", "fovDiagonal", "focalLength", "sensorWidth", "sensorHeight",
-                                      "fx",   "fy",   "cx",          "cy",          "near",        "far"};
-
-template <class Names>
-bool contains(const Names& names, std::string_view name) {
-  return std::find(std::begin(names), std::end(names), name) != std::end(names);
-}
-
-/// Where the value of a field stands in our document; empty: it is none of ours.
-std::string pathOf(std::string_view name, bool hasPlace) {
-  for (const auto& [column, path] : kShort)
-    if (column == name) return std::string(path);
-  if (name == "height") return hasPlace ? "position.height" : "";
-  if (contains(kLens, name)) return "projection." + std::string(name);
-  if (name == "name" || name == "$schema") return "";
-  const std::string_view top = name.substr(0, name.find('.'));
-  const std::size_t dot = std::min(name.rfind('.'), name.size());
-  for (const Field& field : kFields)
-    if (field.path == name || (field.path == name.substr(0, dot) && contains(kEnds, name.substr(dot))) ||
-        (top == name && topName(field) == name && (name == "projection" || name == "viewport")))
-      return std::string(name);
-  return "";
-}
 
 Json& placeAt(Json& root, std::string_view path) {
   Json* at = &root;
@@ -210,11 +178,11 @@ std::vector<CameraField> RecordCameras::locate(const RecordView& record, const N
     return std::any_of(plan.fields.begin(), plan.fields.end(),
                        [&](const NumberField& used) { return used.field == i; });
   };
-  const auto isLat = [&](std::size_t i) { return !isUsed(i) && pathOf(schema.names[i], false) == "position.lat"; };
+  const auto isLat = [&](std::size_t i) { return !isUsed(i) && pathOfColumn(schema.names[i], false) == "position.lat"; };
   bool hasPlace = false;
   for (std::size_t i = 0; i < schema.names.size(); ++i) hasPlace = hasPlace || isLat(i);
   for (std::size_t i = 0; i < schema.names.size(); ++i)
-    if (const std::string path = isUsed(i) ? "" : pathOf(schema.names[i], hasPlace); !path.empty())
+    if (const std::string path = isUsed(i) ? "" : pathOfColumn(schema.names[i], hasPlace); !path.empty())
       fields.push_back({i, path});
   if (fields.empty())
     throw RecordError(0, "has no field of a camera, such as heading, target.x or fovY" + fieldsNote(schema));
