@@ -71,15 +71,6 @@ OrderedJson forPeople(OrderedJson report) {
   return report;
 }
 
-/// The text of the record's field that names its camera.
-std::string cameraNameIn(const RecordView& record, const std::string& field) {
-  const auto at = record.schema->find(field);
-  if (!at) throw RecordError(0, "has no field '" + field + "', which --camera-by names" + fieldsNote(*record.schema));
-  const std::string_view text = record.values[*at];
-  if (record.schema->form == Form::csv) return std::string(trimmed(csvValue(text)));
-  return text.starts_with('"') ? OrderedJson::parse(text).get<std::string>() : std::string(text);
-}
-
 struct CheckOptions {
   CameraOptions camera;
   std::optional<std::string> cameraBy;
@@ -113,7 +104,7 @@ int runCheck(const CheckOptions& o) {
       one->add(point, pixel, line);
       return;
     }
-    const std::string name = cameraNameIn(record, *o.cameraBy);
+    const std::string name = cameraNameAt(record, cameraFieldOf(*o.cameraBy, record));
     const auto which = cameras->find(name);
     if (!which) throw RecordError(0, "names the camera '" + name + "', which the file does not have");
     const auto read = [&] {
